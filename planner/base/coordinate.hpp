@@ -1,0 +1,58 @@
+#pragma once
+
+#include <compare>
+#include <cstdint>
+
+#include "planner/base/axes.hpp"
+
+namespace cnc {
+
+/// A place on an axis in whole nanometres (rotary axes: 10^-6 degrees).
+///
+/// A float has 24 bits, which at 1 m from the origin is 60 nm and at 0.1 mm
+/// increments drifts: a program with a million G91 lines would end elsewhere.
+/// Nanometres hold every decimal that G-code can write (5 decimals of an inch
+/// are 254 nm), sums of them are exact, and differences of near places lose
+/// nothing before they become floats.
+class Coordinate {
+ public:
+  /// The farthest place a program may name: 1 km, or a million degrees. Keeps
+  /// every product with a steps-per-mm mantissa inside 64 bits.
+  static constexpr std::int64_t kFarthestNanometres = 1'000'000'000'000;
+
+  constexpr Coordinate() = default;
+  constexpr explicit Coordinate(std::int64_t nanometres) : nanometres_{nanometres} {}
+
+  [[nodiscard]] constexpr std::int64_t nanometres() const { return nanometres_; }
+  /// Relative error at most 6e-8: use it on differences, not on places.
+  [[nodiscard]] constexpr float mm() const { return static_cast<float>(nanometres_) * 1.0e-6F; }
+  [[nodiscard]] constexpr bool in_range() const {
+    return nanometres_ >= -kFarthestNanometres && nanometres_ <= kFarthestNanometres;
+  }
+
+  constexpr auto operator<=>(const Coordinate&) const = default;
+  constexpr Coordinate operator-() const { return Coordinate{-nanometres_}; }
+  constexpr Coordinate& operator+=(Coordinate other) {
+    nanometres_ += other.nanometres_;
+    return *this;
+  }
+  constexpr Coordinate& operator-=(Coordinate other) {
+    nanometres_ -= other.nanometres_;
+    return *this;
+  }
+  friend constexpr Coordinate operator+(Coordinate a, Coordinate b) { return a += b; }
+  friend constexpr Coordinate operator-(Coordinate a, Coordinate b) { return a -= b; }
+
+ private:
+  std::int64_t nanometres_ = 0;
+};
+
+using Position = AxisArray<Coordinate>;
+
+namespace literals {
+constexpr Coordinate operator""_nm(unsigned long long v) {
+  return Coordinate{static_cast<std::int64_t>(v)};
+}
+}  // namespace literals
+
+}  // namespace cnc

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <type_traits>
+
+#include "planner/base/contract.hpp"
+
+namespace cnc {
+
+/// A value, or the reason there is none.
+///
+/// For every failure that input can cause: a user, a cable, a G-code file.
+/// Never allocates, and cannot be dropped silently. `Error` is a small enum
+/// owned by the module that fails, or a plain struct around one where the
+/// place matters too (a G-code fault knows its column).
+template <typename Value, typename Error>
+class [[nodiscard]] Result {
+  static_assert(std::is_trivially_destructible_v<Value>, "a Result owns nothing");
+  static_assert(std::is_trivially_copyable_v<Error>, "an error is a name and a place");
+
+ public:
+  constexpr Result(const Value& value) : value_{value} {}
+  constexpr Result(const Error& error) : error_{error} {}
+
+  [[nodiscard]] constexpr bool ok() const { return value_.has_value(); }
+
+  /// @pre ok()
+  [[nodiscard]] constexpr const Value& value() const {
+    CNC_ASSERT(ok());
+    return *value_;
+  }
+
+  /// @pre !ok()
+  [[nodiscard]] constexpr const Error& error() const {
+    CNC_ASSERT(!ok());
+    return error_;
+  }
+
+ private:
+  std::optional<Value> value_;
+  Error error_{};
+};
+
+}  // namespace cnc

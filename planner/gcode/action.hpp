@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "planner/base/axes.hpp"
+#include "planner/base/bounded_vector.hpp"
+#include "planner/base/coordinate.hpp"
+
+namespace cnc::gcode {
+
+/// What a line of G-code asks the machine to do, one thing at a time, in the
+/// order of execution that RS274/NGC (NISTIR 6556, table 8) lays down. The
+/// interpreter decides; whoever takes the actions does.
+enum class ActionKind : std::uint8_t {
+  kRapid,         ///< Straight to `end` at the machine's own rate (G0, legs of G28/G30).
+  kLine,          ///< Straight to `end` at `feed` (G1).
+  kArc,           ///< Circle or helix about `centre` (G2, G3).
+  kProbe,         ///< Straight towards `end` at `feed` until the probe changes (G38.x).
+  kDwell,         ///< Stand still for `seconds` (G4).
+  kSpindleSpeed,  ///< `value` is the new S.
+  kSpindle,       ///< M3, M4, M5: `spindle`.
+  kCoolant,       ///< M7, M8, M9: `coolant` is the new state.
+  kTool,          ///< `number` is the selected T.
+  kOutput,        ///< M62…M65, M67, M68: `output`.
+  kOffsets,       ///< Work, tool or G92 offsets changed (a report may follow).
+  kPause,         ///< M0; M1 with `number` 1.
+  kEnd,           ///< M2, M30.
+};
+
+enum class SpindleMode : std::uint8_t { kOff, kConstant, kDynamic };  ///< M5, M3, M4.
+
+struct Coolant {
+  bool mist = false;
+  bool flood = false;
+  constexpr bool operator==(const Coolant&) const = default;
+};
+
+/// One digital (M62…M65) or analog (M67, M68) output change.
+struct OutputChange {
+  std::uint8_t number = 0;
+  bool analog = false;
+  bool with_motion = false;  ///< M62, M63, M67: at the start of the next motion.
+  float value = 0.0F;        ///< 0 or 1, or the analog Q value.
+};
+
+/// How G38.2…G38.5 stop.
+struct ProbeMode {
+  bool towards_contact = true;   ///< G38.2, G38.3; else away from it.
+  bool error_if_missed = true;   ///< G38.2, G38.4.
+};
+
+/// Only the members that its kind names are meaningful. All places are machine
+/// coordinates: offsets are the interpreter's business.
+struct Action {
+  ActionKind kind = ActionKind::kOffsets;
+
+  Position end{};
+  /// mm/s along the path of X Y Z; degrees/s when only A B C move. For G93
+  /// already turned into a speed.
+  float feed = 0.0F;
+
+  // kArc. The centre is as programmed: start and end may lie on slightly
+  // different radii, within the repair limit; see geometry/arc_elements.hpp.
+  Plane plane = Plane::kXY;
+  std::array<Coordinate, 2> centre{};  ///< In the order of axes_of(plane).
+  bool clockwise = false;              ///< G2.
+  std::uint16_t turns = 1;  ///< P: 1 is up to one full circle, each further adds a whole turn.
+
+  ProbeMode probe{};
+  float seconds = 0.0F;
+  float value = 0.0F;
+  std::uint32_t number = 0;
+  SpindleMode spindle = SpindleMode::kOff;
+  Coolant coolant{};
+  OutputChange output{};
+};
+
+/// S, T, outputs (4), spindle, coolant, dwell, offsets, two legs of G28, stop.
+using ActionList = BoundedVector<Action, 14>;
+
+}  // namespace cnc::gcode
