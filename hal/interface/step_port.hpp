@@ -12,11 +12,12 @@ struct AxisMask {
   constexpr bool operator==(const AxisMask&) const = default;
 };
 
-/// The step and direction pins of the machine and the output that follows the
-/// motion (beam or spindle).
+/// The step and direction pins of the machine, the output that follows the
+/// motion (beam or spindle), and the timer behind them.
 ///
-/// Called from the step interrupt: every operation must be wait-free, must not
-/// fail, and on STM32F405 must cost at most a few stores.
+/// Called from the step interrupt: every operation is noexcept, wait-free,
+/// cannot fail, and on STM32F405 costs a few stores. `start_timer` alone is
+/// called from the main loop.
 ///
 /// | operation        | contract                                                   |
 /// |------------------|------------------------------------------------------------|
@@ -24,14 +25,20 @@ struct AxisMask {
 /// | raise_steps(m)   | leading edge on every axis in m, the same instant          |
 /// | lower_steps()    | trailing edge on every axis                                |
 /// | set_power(p)     | output duty p / 65535, 0 is off                            |
-/// | set_outputs(d)   | digital outputs of M62/M63, bit i is output i              |
+/// | change_outputs(h, l) | digital outputs with a bit in h go high, in l low      |
+/// | set_analog(c, v) | analog output c to v / 65535                               |
+/// | probe_contact()  | whether the probe input reports contact now                |
+/// | start_timer()    | interrupt soon, then after the ticks each interrupt asks   |
 template <typename Port>
-concept StepPort = requires(Port& port, AxisMask axes, std::uint16_t power, std::uint8_t outputs) {
-  { port.set_direction(axes) } noexcept -> std::same_as<void>;
-  { port.raise_steps(axes) } noexcept -> std::same_as<void>;
-  { port.lower_steps() } noexcept -> std::same_as<void>;
-  { port.set_power(power) } noexcept -> std::same_as<void>;
-  { port.set_outputs(outputs) } noexcept -> std::same_as<void>;
+concept StepPort = requires(Port& port, AxisMask axes, std::uint16_t value, std::uint8_t bits) {
+  requires noexcept(port.set_direction(axes));
+  requires noexcept(port.raise_steps(axes));
+  requires noexcept(port.lower_steps());
+  requires noexcept(port.set_power(value));
+  requires noexcept(port.change_outputs(bits, bits));
+  requires noexcept(port.set_analog(bits, value));
+  requires noexcept(port.start_timer());
+  requires std::same_as<decltype(port.probe_contact()), bool>;
 };
 
 }  // namespace hal

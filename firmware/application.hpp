@@ -1,0 +1,45 @@
+#pragma once
+
+#include "firmware/machine/machine.hpp"
+#include "firmware/protocol/line_protocol.hpp"
+#include "firmware/steps/step_generator.hpp"
+#include "hal/interface/auxiliary_outputs.hpp"
+#include "hal/interface/byte_stream.hpp"
+#include "hal/interface/step_port.hpp"
+
+namespace cnc {
+
+/// The whole controller on one port: owns every object, allocates nothing.
+/// The target's main file makes one of these static; the simulator makes one
+/// for each run.
+template <hal::StepPort Port>
+class Application {
+ public:
+  /// 64 segments of at most a millisecond.
+  static constexpr std::uint32_t kSegmentQueue = 64;
+
+  Application(Port& port, hal::AuxiliaryOutputs& outputs, hal::ByteStream& link)
+      : steps_{port}, machine_{steps_, outputs}, protocol_{link, machine_} {}
+
+  /// One turn of the main loop; to be called at least every few milliseconds.
+  /// Lines are read before segments are cut, so that a burst is planned as one.
+  /// @param now microseconds.
+  void poll(hal::TickCount now) {
+    protocol_.poll();
+    machine_.poll(now);
+    protocol_.poll();
+  }
+
+  /// The step interrupt. Returns the ticks until the next one; 0 stops the timer.
+  std::uint32_t on_step_interrupt() noexcept { return steps_.on_interrupt(); }
+
+  [[nodiscard]] Machine& machine() { return machine_; }
+  [[nodiscard]] const StepGenerator<Port, kSegmentQueue>& steps() const { return steps_; }
+
+ private:
+  StepGenerator<Port, kSegmentQueue> steps_;
+  Machine machine_;
+  LineProtocol protocol_;
+};
+
+}  // namespace cnc

@@ -1,0 +1,49 @@
+#include "firmware/machine/configuration.hpp"
+
+#include <cmath>
+
+namespace cnc {
+namespace {
+
+constexpr float kSecondsPerMinute = 60.0F;
+constexpr float kTicksPerMicrosecond = static_cast<float>(motion::kTicksPerSecond) * 1.0e-6F;
+
+/// Combined limit of all motors: what the step interrupt is budgeted for.
+constexpr float kMostStepsPerSecond = 200'000.0F;
+
+/// A motor gets at most 9 of 10 slots, so that lateness never adds up.
+constexpr float kSlotUse = 0.9F;
+
+std::uint32_t to_ticks(float microseconds) {
+  return static_cast<std::uint32_t>(std::ceil(microseconds * kTicksPerMicrosecond));
+}
+
+}  // namespace
+
+motion::Limits limits_from(const Settings& settings) {
+  motion::Limits limits;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    limits.scale[axis] = AxisScale{settings.get(setting::kStepsPerMm, axis)};
+    limits.rate_mm_s[axis] = settings.get(setting::kRate, axis) / kSecondsPerMinute;
+    limits.acceleration_mm_s2[axis] = settings.get(setting::kAcceleration, axis);
+  }
+  limits.junction_deviation_mm = settings.get(setting::kJunctionDeviation);
+  const auto slot = static_cast<float>(2U * step_timing_from(settings).pulse);
+  limits.steps_per_s_one_motor = kSlotUse * static_cast<float>(motion::kTicksPerSecond) / slot;
+  limits.steps_per_s_all_motors = kMostStepsPerSecond;
+  return limits;
+}
+
+gcode::Options gcode_options_from(const Settings& settings) {
+  gcode::Options options;
+  options.arc.absolute_mm = settings.get(setting::kArcRepairMm);
+  options.arc.relative = 0.01F * settings.get(setting::kArcRepairPercent);
+  return options;
+}
+
+StepTiming step_timing_from(const Settings& settings) {
+  return {.pulse = to_ticks(settings.get(setting::kStepPulse)),
+          .direction_set_up = to_ticks(settings.get(setting::kDirectionSetUp))};
+}
+
+}  // namespace cnc

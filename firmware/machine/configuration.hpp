@@ -1,0 +1,15 @@
+#pragma once
+
+#include "firmware/machine/settings.hpp"
+#include "firmware/steps/step_drive.hpp"
+#include "planner/gcode/options.hpp"
+#include "planner/motion/limits.hpp"
+
+namespace cnc {
+
+/// The settings as each room wants them, in its own units.
+[[nodiscard]] motion::Limits limits_from(const Settings& settings);
+[[nodiscard]] gcode::Options gcode_options_from(const Settings& settings);
+[[nodiscard]] StepTiming step_timing_from(const Settings& settings);
+
+}  // namespace cnc

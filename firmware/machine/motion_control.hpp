@@ -1,0 +1,62 @@
+#pragma once
+
+#include "firmware/steps/step_drive.hpp"
+#include "planner/base/coordinate.hpp"
+#include "planner/motion/block_builder.hpp"
+#include "planner/motion/block_queue.hpp"
+#include "planner/motion/segmenter.hpp"
+
+namespace cnc {
+
+/// From path elements to the step drive: the blocks, the plan, the segments,
+/// and where the motors are to be. Main loop only.
+class MotionControl {
+ public:
+  /// How far ahead of the motors segments are cut: long enough for the main
+  /// loop to be away, short enough that a hold is felt at once.
+  static constexpr std::uint32_t kTicksAhead = motion::kTicksPerSecond / 50;
+
+  MotionControl(StepDrive& drive, const motion::Limits& limits)
+      : drive_{drive}, limits_{limits}, segmenter_{queue_, limits} {}
+
+  [[nodiscard]] bool has_room() const { return !queue_.full(); }
+
+  /// Appends the way from the target so far to `end`. Nothing to move counts
+  /// as done. @pre has_room()
+  Result<bool, motion::MotionError> append(const motion::MotionRequest& request);
+
+  /// Where the motion taken so far will end.
+  [[nodiscard]] const Position& target() const { return target_; }
+
+  /// Hands segments to the drive until it has enough. Call at least every few ms.
+  void feed_drive();
+
+  /// Nothing planned, nothing queued, nothing moving.
+  [[nodiscard]] bool drained() const { return segmenter_.idle() && !drive_.running(); }
+  /// Stopped by halt(), with the rest of the motion waiting.
+  [[nodiscard]] bool halted() const { return segmenter_.halted() && !drive_.running(); }
+
+  void halt() { segmenter_.halt(); }
+  void go_on() { segmenter_.go_on(); }
+  void set_overrides(const motion::Overrides& overrides) { segmenter_.set_overrides(overrides); }
+  [[nodiscard]] const motion::Overrides& overrides() const { return segmenter_.overrides(); }
+
+  /// Drops all motion that waits; the target becomes where the motors are.
+  /// @pre the drive is not running
+  void drop_rest();
+
+  [[nodiscard]] Position place_of(const AxisArray<std::int32_t>& steps) const;
+  [[nodiscard]] std::size_t blocks() const { return queue_.size(); }
+  [[nodiscard]] std::uint32_t blocks_taken() const { return blocks_taken_; }
+  [[nodiscard]] const motion::Segmenter& segmenter() const { return segmenter_; }
+
+ private:
+  StepDrive& drive_;
+  const motion::Limits& limits_;
+  motion::BlockQueue queue_{};
+  motion::Segmenter segmenter_;
+  Position target_{};
+  std::uint32_t blocks_taken_ = 0;
+};
+
+}  // namespace cnc

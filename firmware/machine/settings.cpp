@@ -1,0 +1,93 @@
+#include "firmware/machine/settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "planner/base/contract.hpp"
+
+namespace cnc {
+namespace {
+
+constexpr float kLeastRate = 1.0F;           // mm/min
+constexpr float kMostRate = 1.0e6F;          // mm/min
+constexpr float kMostAcceleration = 1.0e6F;  // mm/s²
+constexpr float kMostTravel = 1.0e6F;        // mm
+
+// clang-format off
+constexpr std::array kTable{
+    SettingInfo{0, "Step pulse time", "microseconds", 1.0F, 12.0F, 5.0F, false},
+    SettingInfo{11, "Junction deviation", "mm", 0.0F, 10.0F, 0.01F, false},
+    SettingInfo{29, "Direction set-up time", "microseconds", 0.25F, 12.0F, 2.0F, false},
+    SettingInfo{30, "Maximum spindle speed", "RPM", 1.0F, 1.0e6F, 1000.0F, false},
+    SettingInfo{31, "Minimum spindle speed", "RPM", 0.0F, 1.0e6F, 0.0F, false},
+    SettingInfo{32, "Laser mode", "0 or 1", 0.0F, 1.0F, 0.0F, true},
+    SettingInfo{100, "X steps", "step/mm", 0.01F, 1.0e5F, 250.0F, false},
+    SettingInfo{101, "Y steps", "step/mm", 0.01F, 1.0e5F, 250.0F, false},
+    SettingInfo{102, "Z steps", "step/mm", 0.01F, 1.0e5F, 250.0F, false},
+    SettingInfo{103, "A steps", "step/deg", 0.01F, 1.0e5F, 100.0F, false},
+    SettingInfo{104, "B steps", "step/deg", 0.01F, 1.0e5F, 100.0F, false},
+    SettingInfo{105, "C steps", "step/deg", 0.01F, 1.0e5F, 100.0F, false},
+    SettingInfo{110, "X maximum rate", "mm/min", kLeastRate, kMostRate, 12000.0F, false},
+    SettingInfo{111, "Y maximum rate", "mm/min", kLeastRate, kMostRate, 12000.0F, false},
+    SettingInfo{112, "Z maximum rate", "mm/min", kLeastRate, kMostRate, 12000.0F, false},
+    SettingInfo{113, "A maximum rate", "deg/min", kLeastRate, kMostRate, 12000.0F, false},
+    SettingInfo{114, "B maximum rate", "deg/min", kLeastRate, kMostRate, 12000.0F, false},
+    SettingInfo{115, "C maximum rate", "deg/min", kLeastRate, kMostRate, 12000.0F, false},
+    SettingInfo{120, "X acceleration", "mm/s^2", 0.1F, kMostAcceleration, 500.0F, false},
+    SettingInfo{121, "Y acceleration", "mm/s^2", 0.1F, kMostAcceleration, 500.0F, false},
+    SettingInfo{122, "Z acceleration", "mm/s^2", 0.1F, kMostAcceleration, 500.0F, false},
+    SettingInfo{123, "A acceleration", "deg/s^2", 0.1F, kMostAcceleration, 500.0F, false},
+    SettingInfo{124, "B acceleration", "deg/s^2", 0.1F, kMostAcceleration, 500.0F, false},
+    SettingInfo{125, "C acceleration", "deg/s^2", 0.1F, kMostAcceleration, 500.0F, false},
+    SettingInfo{130, "X maximum travel", "mm", 0.0F, kMostTravel, 300.0F, false},
+    SettingInfo{131, "Y maximum travel", "mm", 0.0F, kMostTravel, 300.0F, false},
+    SettingInfo{132, "Z maximum travel", "mm", 0.0F, kMostTravel, 100.0F, false},
+    SettingInfo{133, "A maximum travel", "deg, 0 is endless", 0.0F, kMostTravel, 0.0F, false},
+    SettingInfo{134, "B maximum travel", "deg, 0 is endless", 0.0F, kMostTravel, 0.0F, false},
+    SettingInfo{135, "C maximum travel", "deg, 0 is endless", 0.0F, kMostTravel, 0.0F, false},
+    SettingInfo{850, "Arc repair, distance", "mm", 0.0F, 0.5F, 0.05F, false},
+    SettingInfo{851, "Arc repair, share of radius", "percent", 0.0F, 10.0F, 1.0F, false},
+};
+// clang-format on
+static_assert(kTable.size() <= Settings::kMostSettings);
+static_assert(std::is_sorted(kTable.begin(), kTable.end(),
+                             [](const SettingInfo& a, const SettingInfo& b) {
+                               return a.number < b.number;
+                             }));
+
+/// Index in the table, or its size.
+std::size_t find(std::uint16_t number) {
+  const auto* found = std::lower_bound(
+      kTable.begin(), kTable.end(), number, [](const SettingInfo& info, std::uint16_t wanted) {
+        return info.number < wanted;
+      });
+  if (found == kTable.end() || found->number != number) return kTable.size();
+  return static_cast<std::size_t>(found - kTable.begin());
+}
+
+}  // namespace
+
+std::span<const SettingInfo> setting_table() { return kTable; }
+
+Settings::Settings() {
+  for (std::size_t i = 0; i < kTable.size(); ++i) values_[i] = kTable[i].standard;
+}
+
+float Settings::get(std::uint16_t number) const {
+  const std::size_t index = find(number);
+  CNC_ASSERT(index < kTable.size());
+  return values_[index];
+}
+
+Result<float, SettingError> Settings::set(std::uint16_t number, float value) {
+  const std::size_t index = find(number);
+  if (index == kTable.size()) return SettingError::kUnknown;
+  const SettingInfo& info = kTable[index];
+  if (!(value >= info.least)) return SettingError::kBelowRange;
+  if (value > info.most) return SettingError::kAboveRange;
+  if (info.whole && value != std::floor(value)) return SettingError::kNotWhole;
+  values_[index] = value;
+  return value;
+}
+
+}  // namespace cnc

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "planner/base/result.hpp"
+
+namespace cnc {
+
+/// One user setting. `number` is what the user writes: `$110=12000`.
+struct SettingInfo {
+  std::uint16_t number;
+  const char* name;
+  const char* unit;
+  float least;
+  float most;
+  float standard;  ///< As delivered.
+  bool whole;      ///< Only whole numbers.
+};
+
+enum class SettingError : std::uint8_t {
+  kUnknown,      ///< No setting has this number.
+  kBelowRange,   ///< Its least value is in the table.
+  kAboveRange,
+  kNotWhole,
+};
+
+/// All settings, in the order of their numbers. Names are those Grbl 1.1 and
+/// grblHAL documents use; 850 and 851 are our own.
+[[nodiscard]] std::span<const SettingInfo> setting_table();
+
+/// The values of all settings.
+class Settings {
+ public:
+  static constexpr std::size_t kMostSettings = 40;
+
+  Settings();
+
+  /// The value as stored; the number must be in the table.
+  [[nodiscard]] float get(std::uint16_t number) const;
+  /// The value of a setting that exists for each axis, such as $100 + axis.
+  [[nodiscard]] float get(std::uint16_t first_number, std::size_t axis) const {
+    return get(static_cast<std::uint16_t>(first_number + axis));
+  }
+  /// Refused values change nothing. The value returned is the one stored.
+  Result<float, SettingError> set(std::uint16_t number, float value);
+
+ private:
+  std::array<float, kMostSettings> values_{};
+};
+
+namespace setting {
+inline constexpr std::uint16_t kStepPulse = 0;
+inline constexpr std::uint16_t kJunctionDeviation = 11;
+inline constexpr std::uint16_t kDirectionSetUp = 29;
+inline constexpr std::uint16_t kMostSpindleSpeed = 30;
+inline constexpr std::uint16_t kLeastSpindleSpeed = 31;
+inline constexpr std::uint16_t kLaserMode = 32;
+inline constexpr std::uint16_t kStepsPerMm = 100;
+inline constexpr std::uint16_t kRate = 110;
+inline constexpr std::uint16_t kAcceleration = 120;
+inline constexpr std::uint16_t kTravel = 130;
+inline constexpr std::uint16_t kArcRepairMm = 850;
+inline constexpr std::uint16_t kArcRepairPercent = 851;
+}  // namespace setting
+
+}  // namespace cnc

@@ -1,0 +1,51 @@
+#include "firmware/machine/tool_output.hpp"
+
+#include <algorithm>
+
+namespace cnc {
+namespace {
+constexpr float kFullPower = 65535.0F;
+}
+
+void ToolOutput::configure(const ToolSettings& settings) {
+  settings_ = settings;
+  apply();
+}
+
+void ToolOutput::set_mode(gcode::SpindleMode mode) {
+  mode_ = mode;
+  apply();
+}
+
+void ToolOutput::set_speed(float speed) {
+  speed_ = speed;
+  apply();
+}
+
+void ToolOutput::set_override(float factor) {
+  override_ = factor;
+  apply();
+}
+
+/// 0…1 of full output: S over $30; below $31 a running tool turns at $31.
+float ToolOutput::duty() const {
+  if (mode_ == gcode::SpindleMode::kOff || speed_ <= 0.0F) return 0.0F;
+  const float least = std::min(settings_.least_speed, settings_.most_speed);
+  return std::clamp(speed_, least, settings_.most_speed) / settings_.most_speed;
+}
+
+void ToolOutput::apply() {
+  const bool enabled = mode_ != gcode::SpindleMode::kOff;
+  const bool reversed = !settings_.laser && mode_ == gcode::SpindleMode::kDynamic;
+  outputs_.set_spindle(enabled, reversed);
+  const float rest = settings_.laser ? 0.0F : std::min(1.0F, duty() * override_);
+  drive_.set_rest_power(static_cast<std::uint16_t>(rest * kFullPower + 0.5F));
+}
+
+motion::BeamCommand ToolOutput::command_for(bool rapid) const {
+  if (!settings_.laser) return {.duty = duty(), .follows_speed = false};
+  if (rapid) return {};
+  return {.duty = duty(), .follows_speed = mode_ == gcode::SpindleMode::kDynamic};
+}
+
+}  // namespace cnc

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "firmware/steps/step_drive.hpp"
+#include "hal/interface/auxiliary_outputs.hpp"
+#include "planner/gcode/action.hpp"
+#include "planner/motion/block.hpp"
+
+namespace cnc {
+
+/// What the operator's settings say about the tool ($30…$32).
+struct ToolSettings {
+  float most_speed = 1000.0F;
+  float least_speed = 0.0F;
+  bool laser = false;
+};
+
+/// The beam or spindle: what M3, M4, M5 and S make of the power output.
+///
+/// A laser's power goes with the motion and is off whenever nothing moves. A
+/// spindle turns on its own, so its changes wait for standstill and hold
+/// through rapids.
+class ToolOutput {
+ public:
+  ToolOutput(StepDrive& drive, hal::AuxiliaryOutputs& outputs) : drive_{drive}, outputs_{outputs} {}
+
+  void configure(const ToolSettings& settings);
+
+  /// Whether a change of mode or speed must wait until the machine stands still.
+  [[nodiscard]] bool waits_for_standstill() const { return !settings_.laser; }
+
+  void set_mode(gcode::SpindleMode mode);
+  void set_speed(float speed);
+  void set_override(float factor);
+  void off() { set_mode(gcode::SpindleMode::kOff); }
+
+  /// For the motion that comes next.
+  [[nodiscard]] motion::BeamCommand command_for(bool rapid) const;
+
+  [[nodiscard]] gcode::SpindleMode mode() const { return mode_; }
+  [[nodiscard]] float speed() const { return speed_; }
+
+ private:
+  [[nodiscard]] float duty() const;
+  void apply();
+
+  StepDrive& drive_;
+  hal::AuxiliaryOutputs& outputs_;
+  ToolSettings settings_{};
+  gcode::SpindleMode mode_ = gcode::SpindleMode::kOff;
+  float speed_ = 0.0F;
+  float override_ = 1.0F;
+};
+
+}  // namespace cnc

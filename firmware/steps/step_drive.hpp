@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+
+#include "planner/base/axes.hpp"
+#include "planner/motion/segment.hpp"
+
+namespace cnc {
+
+/// Electrical timing of the motor drivers, in ticks of the step clock.
+struct StepTiming {
+  std::uint32_t pulse = 20;  ///< A step input is high this long, and then low as long.
+  std::uint32_t direction_set_up = 8;  ///< From a direction change to the next leading edge.
+};
+
+/// The step generator as the main loop sees it: somewhere to put segments.
+/// Main loop context; nothing here blocks.
+class StepDrive {
+ public:
+  [[nodiscard]] virtual bool full() const = 0;
+  /// @pre !full()
+  virtual void push(const motion::Segment& segment) = 0;
+  /// Motion handed over and not yet begun, in ticks of the step clock.
+  [[nodiscard]] virtual std::uint32_t ticks_waiting() const = 0;
+  /// Starts the step interrupt when segments wait and it is not running.
+  virtual void wake() = 0;
+  [[nodiscard]] virtual bool running() const = 0;
+  /// Ends motion at once, where it is, and drops what waits. The motors may
+  /// lose steps when they were fast.
+  virtual void abort() = 0;
+  /// True once after motion was cut off because no segment came in time.
+  [[nodiscard]] virtual bool take_starved() = 0;
+
+  /// Motor positions in steps; while running, a moment's view of each axis.
+  [[nodiscard]] virtual AxisArray<std::int32_t> position() const = 0;
+  /// Duty of the output when nothing moves, 65535 is full: 0 for a beam.
+  virtual void set_rest_power(std::uint16_t power) = 0;
+  /// @pre !running()
+  virtual void set_timing(const StepTiming& timing) = 0;
+
+  /// Whether the probe input reports contact now.
+  [[nodiscard]] virtual bool probe_contact() const = 0;
+  /// Latches the position at the first step after which the probe input reads
+  /// `contact`. @pre !running()
+  virtual void arm_probe(bool contact) = 0;
+  virtual void disarm_probe() = 0;
+  [[nodiscard]] virtual bool probe_hit() const = 0;
+  /// @pre probe_hit()
+  [[nodiscard]] virtual AxisArray<std::int32_t> probe_position() const = 0;
+
+ protected:
+  ~StepDrive() = default;
+};
+
+}  // namespace cnc

@@ -1,0 +1,246 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <atomic>
+#include <cstdint>
+
+#include "firmware/steps/step_drive.hpp"
+#include "hal/interface/spsc_ring.hpp"
+#include "hal/interface/step_port.hpp"
+#include "planner/base/axes.hpp"
+#include "planner/base/contract.hpp"
+#include "planner/motion/segment.hpp"
+
+namespace cnc {
+
+/// Turns queued segments into pin edges: the body of the step interrupt.
+///
+/// Runs only when something is due. Each motor follows its own step train; a
+/// step starts a slot of one pulse up and one pulse down, and steps of other
+/// motors that fall into the slot go out with it. So an edge is early by less
+/// than a slot, or late by what the slots before it took, never more than one
+/// when no motor is asked for more than one step per slot.
+///
+/// A segment ends when its time is over and its last step is out: no step is
+/// ever lost. Integers only; work per interrupt is one pass over the axes.
+template <hal::StepPort Port, std::uint32_t QueueCapacity>
+class StepGenerator final : public StepDrive {
+ public:
+  explicit StepGenerator(Port& port) : port_{port} {}
+
+  [[nodiscard]] bool full() const override { return queue_.size() == QueueCapacity; }
+
+  void push(const motion::Segment& segment) override {
+    pushed_ticks_ += segment.ticks;
+    CNC_ASSERT(queue_.try_push(segment));
+  }
+
+  [[nodiscard]] std::uint32_t ticks_waiting() const override {
+    return pushed_ticks_ - begun_ticks_.load(std::memory_order_relaxed);
+  }
+
+  void wake() override {
+    if (running() || queue_.size() == 0) return;
+    running_.store(true, std::memory_order_release);
+    port_.start_timer();
+  }
+
+  [[nodiscard]] bool running() const override { return running_.load(std::memory_order_acquire); }
+
+  void abort() override { abort_.store(running(), std::memory_order_release); }
+
+  [[nodiscard]] bool take_starved() override { return starved_.exchange(false); }
+
+  [[nodiscard]] AxisArray<std::int32_t> position() const override {
+    AxisArray<std::int32_t> steps{};
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+      steps[axis] = position_[axis].load(std::memory_order_relaxed);
+    }
+    return steps;
+  }
+
+  void set_rest_power(std::uint16_t power) override {
+    rest_power_.store(power, std::memory_order_relaxed);
+    if (!running()) drive_power(power);
+  }
+
+  void set_timing(const StepTiming& timing) override { timing_ = timing; }
+
+  [[nodiscard]] bool probe_contact() const override { return port_.probe_contact(); }
+  void arm_probe(bool contact) override {
+    probe_contact_ = contact;
+    probe_hit_.store(false);
+    probe_armed_.store(true, std::memory_order_release);
+  }
+  void disarm_probe() override { probe_armed_.store(false, std::memory_order_release); }
+  [[nodiscard]] bool probe_hit() const override {
+    return probe_hit_.load(std::memory_order_acquire);
+  }
+  [[nodiscard]] AxisArray<std::int32_t> probe_position() const override { return probe_position_; }
+
+  // Step interrupt.
+
+  /// Does what is due. Returns the ticks after which to come again; 0: stop the timer.
+  std::uint32_t on_interrupt() noexcept {
+    now_ += waited_;
+    waited_ = high_ ? end_pulse() : begin_pulse();
+    return waited_;
+  }
+
+ private:
+  static constexpr std::int32_t kNever = 0x7FFF'FFFF;
+
+  std::uint32_t end_pulse() noexcept {
+    port_.lower_steps();
+    high_ = false;
+    check_probe();
+    return std::max(timing_.pulse, ticks_until(earliest_due()));
+  }
+
+  std::uint32_t begin_pulse() noexcept {
+    if (abort_.exchange(false)) return drop_everything();
+    while (steps_left_ == 0 && now_ >= segment_.ticks) {
+      now_ -= segment_.ticks;
+      if (!load_segment()) return come_to_rest();
+      if (direction_changed_) return timing_.direction_set_up;
+    }
+    const std::int32_t due = earliest_due();
+    if (due > static_cast<std::int32_t>(now_)) return ticks_until(due);
+    raise_due_steps();
+    return timing_.pulse;
+  }
+
+  bool load_segment() noexcept {
+    if (!queue_.try_pop(segment_)) return false;
+    count_begun(segment_.ticks);
+    drive_power(segment_.power);
+    if (segment_.outputs.any()) drive_outputs(segment_.outputs);
+    std::uint8_t moving = 0;
+    steps_left_ = 0;
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+      const motion::StepTrain& train = segment_.trains[axis];
+      due_q16_[axis] = train.first_q16;
+      steps_left_ += train.count;
+      if (train.count > 0) moving = static_cast<std::uint8_t>(moving | (1U << axis));
+    }
+    const auto wanted = static_cast<std::uint8_t>((direction_ & ~moving) |
+                                                  (segment_.negative & moving));
+    direction_changed_ = wanted != direction_;
+    direction_ = wanted;
+    if (direction_changed_) port_.set_direction({direction_});
+    return true;
+  }
+
+  void count_begun(std::uint32_t ticks) noexcept {
+    begun_ticks_.store(begun_ticks_.load(std::memory_order_relaxed) + ticks,
+                       std::memory_order_relaxed);
+  }
+
+  /// Tick of the next step of any motor, or the end of the segment.
+  [[nodiscard]] std::int32_t earliest_due() const noexcept {
+    std::int32_t earliest = kNever;
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+      if (segment_.trains[axis].count == 0) continue;
+      earliest = std::min(earliest, due_q16_[axis]);
+    }
+    return earliest == kNever ? static_cast<std::int32_t>(segment_.ticks) : earliest >> 16;
+  }
+
+  [[nodiscard]] std::uint32_t ticks_until(std::int32_t tick) const noexcept {
+    const std::int32_t left = tick - static_cast<std::int32_t>(now_);
+    return left > 0 ? static_cast<std::uint32_t>(left) : 1U;
+  }
+
+  void raise_due_steps() noexcept {
+    const auto slot_end = static_cast<std::int32_t>(now_ + 2 * timing_.pulse);
+    std::uint8_t due = 0;
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+      motion::StepTrain& train = segment_.trains[axis];
+      if (train.count == 0 || (due_q16_[axis] >> 16) >= slot_end) continue;
+      due = static_cast<std::uint8_t>(due | (1U << axis));
+      advance(axis, train);
+    }
+    port_.raise_steps({due});
+    high_ = true;
+  }
+
+  void advance(std::size_t axis, motion::StepTrain& train) noexcept {
+    due_q16_[axis] += train.interval_q16;
+    train.interval_q16 += train.growth_q16;
+    --train.count;
+    --steps_left_;
+    const std::int32_t step = (direction_ >> axis & 1U) != 0 ? -1 : 1;
+    position_[axis].store(position_[axis].load(std::memory_order_relaxed) + step,
+                          std::memory_order_relaxed);
+  }
+
+  void check_probe() noexcept {
+    if (!probe_armed_.load(std::memory_order_acquire)) return;
+    if (port_.probe_contact() != probe_contact_) return;
+    probe_position_ = position();
+    probe_armed_.store(false, std::memory_order_relaxed);
+    probe_hit_.store(true, std::memory_order_release);
+  }
+
+  std::uint32_t come_to_rest() noexcept {
+    if (!segment_.comes_to_rest) starved_.store(true, std::memory_order_relaxed);
+    return stop();
+  }
+
+  std::uint32_t drop_everything() noexcept {
+    motion::Segment dropped;
+    while (queue_.try_pop(dropped)) count_begun(dropped.ticks);
+    return stop();
+  }
+
+  std::uint32_t stop() noexcept {
+    segment_ = {};
+    segment_.comes_to_rest = true;
+    steps_left_ = 0;
+    now_ = 0;
+    drive_power(rest_power_.load(std::memory_order_relaxed));
+    running_.store(false, std::memory_order_release);
+    return 0;
+  }
+
+  void drive_outputs(const motion::OutputChanges& changes) noexcept {
+    port_.change_outputs(changes.raise, changes.lower);
+    if (changes.analog_channel == motion::OutputChanges::kNoAnalog) return;
+    port_.set_analog(changes.analog_channel, changes.analog_value);
+  }
+
+  void drive_power(std::uint16_t power) noexcept {
+    if (power == power_) return;
+    power_ = power;
+    port_.set_power(power);
+  }
+
+  Port& port_;
+  hal::SpscRing<motion::Segment, QueueCapacity> queue_{};
+  std::uint32_t pushed_ticks_ = 0;  ///< Main loop only; runs freely.
+  std::atomic<std::uint32_t> begun_ticks_{0};
+  StepTiming timing_{};
+
+  motion::Segment segment_{};
+  AxisArray<std::int32_t> due_q16_{};
+  std::uint32_t now_ = 0;  ///< Ticks since the segment was due to start.
+  std::uint32_t waited_ = 0;
+  std::uint32_t steps_left_ = 0;
+  std::uint16_t power_ = 0;
+  std::uint8_t direction_ = 0;
+  bool direction_changed_ = false;
+  bool high_ = false;
+
+  AxisArray<std::atomic<std::int32_t>> position_{};
+  std::atomic<std::uint16_t> rest_power_{0};
+  std::atomic<bool> running_{false};
+  std::atomic<bool> starved_{false};
+  std::atomic<bool> abort_{false};
+  std::atomic<bool> probe_armed_{false};
+  std::atomic<bool> probe_hit_{false};
+  bool probe_contact_ = true;
+  AxisArray<std::int32_t> probe_position_{};
+};
+
+}  // namespace cnc

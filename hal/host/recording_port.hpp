@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "hal/interface/auxiliary_outputs.hpp"
+#include "hal/interface/step_port.hpp"
+
+namespace hal::host {
+
+/// The pins of a controller that has none: remembers their state for whoever
+/// simulates the machine behind them. One thread.
+class RecordingPort final : public AuxiliaryOutputs {
+ public:
+  static constexpr std::size_t kMotors = 6;
+
+  // StepPort
+  void set_direction(AxisMask negative) noexcept { negative_ = negative; }
+  void raise_steps(AxisMask axes) noexcept {
+    for (std::size_t axis = 0; axis < kMotors; ++axis) {
+      const unsigned bit = 1U << axis;
+      if ((axes.bits & bit) == 0) continue;
+      position[axis] += (negative_.bits & bit) != 0 ? -1 : 1;
+    }
+    changed = true;
+  }
+  void lower_steps() noexcept {}
+  void set_power(std::uint16_t duty) noexcept {
+    power = duty;
+    changed = true;
+  }
+  void change_outputs(std::uint8_t raise, std::uint8_t lower) noexcept {
+    digital = static_cast<std::uint8_t>((digital | raise) & ~lower);
+  }
+  void set_analog(std::uint8_t channel, std::uint16_t value) noexcept {
+    if (channel < analog.size()) analog[channel] = value;
+  }
+  void start_timer() noexcept { timer_started = true; }
+  [[nodiscard]] bool probe_contact() noexcept { return probe; }
+
+  // AuxiliaryOutputs
+  void set_spindle(bool enabled, bool counter_clockwise) override {
+    spindle_enabled = enabled;
+    spindle_reversed = counter_clockwise;
+  }
+  void set_coolant(bool with_mist, bool with_flood) override {
+    mist = with_mist;
+    flood = with_flood;
+  }
+  void set_digital(std::uint8_t output, bool high) override {
+    const auto bit = static_cast<std::uint8_t>(1U << output);
+    change_outputs(high ? bit : std::uint8_t{0}, high ? std::uint8_t{0} : bit);
+  }
+  void set_analog_output(std::uint8_t output, std::uint16_t value) override {
+    set_analog(output, value);
+  }
+
+  // What the machine sees and feeds back.
+  std::array<std::int32_t, kMotors> position{};  ///< Steps since power-up.
+  std::array<std::uint16_t, 4> analog{};
+  std::uint16_t power = 0;
+  std::uint8_t digital = 0;
+  bool spindle_enabled = false;
+  bool spindle_reversed = false;
+  bool mist = false;
+  bool flood = false;
+  bool changed = false;        ///< A motor stepped or the power changed; cleared by the reader.
+  bool timer_started = false;  ///< Cleared by the reader.
+  bool probe = false;
+
+ private:
+  AxisMask negative_{};
+};
+
+static_assert(StepPort<RecordingPort>);
+
+}  // namespace hal::host

@@ -1,0 +1,80 @@
+#include "planner/base/scalar_math.hpp"
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+
+namespace cnc {
+namespace {
+
+// Half π in three parts, the first two with few enough bits that a product
+// with a quarter count below 2^10 is exact (Cody and Waite, 1980).
+constexpr float kHalfPiHigh = 1.5703125F;
+constexpr float kHalfPiMiddle = 4.83751296997070e-4F;
+constexpr float kHalfPiLow = 7.54978995489e-8F;
+
+// Interpolants at Chebyshev nodes for x² up to (π/4)², error below 4e-9.
+float sine_near_zero(float x) {
+  const float z = x * x;
+  return x + x * z * (-0.1666665019F + z * (0.0083320098F + z * -0.0001950056F));
+}
+
+float cosine_near_zero(float x) {
+  const float z = x * x;
+  const float tail = -0.0416666502F + z * (0.0013887563F + z * -2.4460432e-5F);
+  return 1.0F - z * (0.5F + z * tail);
+}
+
+}  // namespace
+
+SinCos sin_cos(float angle) {
+  const float quarters = angle * (1.0F / kHalfPi);
+  const auto count = static_cast<std::int32_t>(quarters + (quarters >= 0.0F ? 0.5F : -0.5F));
+  const auto turned = static_cast<float>(count);
+  const float rest =
+      ((angle - turned * kHalfPiHigh) - turned * kHalfPiMiddle) - turned * kHalfPiLow;
+  const float s = sine_near_zero(rest);
+  const float c = cosine_near_zero(rest);
+  switch (count & 3) {
+    case 0:
+      return {s, c};
+    case 1:
+      return {c, -s};
+    case 2:
+      return {-s, -c};
+    default:
+      return {-c, s};
+  }
+}
+
+float atan_unit(float t) {
+  // Above tan(π/8): atan t = π/4 + atan((t − 1)/(t + 1)).
+  constexpr float kTanEighthPi = 0.41421356F;
+  constexpr float kQuarterPi = 0.785398163F;
+  const bool upper = t > kTanEighthPi;
+  const float x = upper ? (t - 1.0F) / (t + 1.0F) : t;
+  const float z = x * x;
+  const float tail =
+      z * (-0.3333278376F + z * (0.1997401256F + z * (-0.1384773543F + z * 0.0797379119F)));
+  const float near_zero = x + x * tail;
+  return upper ? kQuarterPi + near_zero : near_zero;
+}
+
+float atan2_f(float y, float x) {
+  const float ax = std::abs(x);
+  const float ay = std::abs(y);
+  const float larger = ax > ay ? ax : ay;
+  if (larger <= 0.0F) return 0.0F;
+  const float ratio = (ax > ay ? ay : ax) / larger;
+  const float octant = atan_unit(ratio);
+  const float quadrant = ay > ax ? kHalfPi - octant : octant;
+  const float half = x < 0.0F ? kPi - quadrant : quadrant;
+  return y < 0.0F ? -half : half;
+}
+
+float next_below(float value) {
+  if (!(value > 0.0F)) return 0.0F;
+  return std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) - 1U);
+}
+
+}  // namespace cnc

@@ -1,0 +1,40 @@
+#pragma once
+
+namespace cnc {
+
+/// Our own transcendental functions, in single precision.
+///
+/// The C libraries of host and controller round sin, cos and atan differently,
+/// and what decides motion must give the same bits on both. Only +, −, ×, ÷ and
+/// sqrt are used here: IEEE 754 defines those to the last bit. No tables, no
+/// loops whose length depends on the value.
+
+inline constexpr float kPi = 3.14159265358979F;
+inline constexpr float kTwoPi = 6.28318530717959F;
+inline constexpr float kHalfPi = 1.57079632679490F;
+
+struct SinCos {
+  float sine;
+  float cosine;
+};
+
+/// Sine and cosine of an angle in radians.
+/// Guarantee: absolute error at most kSinCosError for |angle| ≤ kSinCosRange;
+/// beyond it the reduction by quarter turns loses digits in proportion.
+inline constexpr float kSinCosRange = 1000.0F;
+inline constexpr double kSinCosError = 1.3e-7;
+[[nodiscard]] SinCos sin_cos(float angle);
+
+/// Arc tangent of t in [0, 1], in radians. Relative error at most kAtanError.
+inline constexpr double kAtanError = 1.8e-7;
+[[nodiscard]] float atan_unit(float t);
+
+/// Angle of the vector (x, y) in (−π, π]; 0 for the null vector.
+/// Absolute error at most kAtan2Error radians.
+inline constexpr double kAtan2Error = 3.0e-7;
+[[nodiscard]] float atan2_f(float y, float x);
+
+/// The largest float below `value`; 0 when there is no positive one.
+[[nodiscard]] float next_below(float value);
+
+}  // namespace cnc

@@ -1,0 +1,37 @@
+#include "planner/base/step_position.hpp"
+
+namespace cnc {
+namespace {
+constexpr std::uint64_t kNanometresPerMm = 1'000'000;
+}
+
+std::optional<StepPosition> AxisScale::steps_at(Coordinate place) const {
+  if (!place.in_range()) return std::nullopt;
+  const bool negative = place < Coordinate{};
+  const auto distance =
+      static_cast<std::uint64_t>(negative ? -place.nanometres() : place.nanometres());
+  // Below 2^40 · 2^24: fits. Steps = product / 10^6 / 2^fraction_bits_.
+  const std::uint64_t product = distance * mantissa_;
+  const std::uint64_t quotient = product / kNanometresPerMm;
+  const std::uint64_t remainder = product % kNanometresPerMm;
+  if ((quotient >> fraction_bits_) >= static_cast<std::uint64_t>(kMostSteps)) return std::nullopt;
+  const int shift = 32 - fraction_bits_;  // 1…25: 2^23 / 0.01 < 2^31.
+  const std::uint64_t fraction = ((remainder << shift) + kNanometresPerMm / 2) / kNanometresPerMm;
+  const auto q32 = static_cast<std::int64_t>((quotient << shift) + fraction);
+  return StepPosition{negative ? -q32 : q32};
+}
+
+Coordinate AxisScale::place_of(std::int32_t step) const {
+  const bool negative = step < 0;
+  const auto count = static_cast<std::uint64_t>(negative ? -static_cast<std::int64_t>(step) : step);
+  // nm = count · 10^6 · 2^fraction_bits_ / mantissa_, in two parts below 2^64.
+  const std::uint64_t numerator = count * kNanometresPerMm;
+  const std::uint64_t whole = numerator / mantissa_;
+  const std::uint64_t rest = numerator % mantissa_;
+  const std::uint64_t nm = (whole << fraction_bits_) +
+                           ((rest << fraction_bits_) + mantissa_ / 2) / mantissa_;
+  const auto result = static_cast<std::int64_t>(nm);
+  return Coordinate{negative ? -result : result};
+}
+
+}  // namespace cnc

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "planner/base/contract.hpp"
+#include "planner/base/coordinate.hpp"
+
+namespace cnc {
+
+/// A place on a motor axis in steps, Q32.32: 2^32 stands for one step.
+///
+/// Integer, so that positions accumulate without error and the chip and the
+/// host agree to the bit; a fraction, because a block rarely ends on a step.
+class StepPosition {
+ public:
+  constexpr StepPosition() = default;
+  constexpr explicit StepPosition(std::int64_t q32) : q32_{q32} {}
+  [[nodiscard]] static constexpr StepPosition whole(std::int32_t steps) {
+    return StepPosition{static_cast<std::int64_t>(steps) * (std::int64_t{1} << 32)};
+  }
+
+  [[nodiscard]] constexpr std::int64_t q32() const { return q32_; }
+
+  /// The motor step nearest to this place; a half rounds up.
+  [[nodiscard]] constexpr std::int32_t nearest_step() const {
+    return static_cast<std::int32_t>((q32_ + (std::int64_t{1} << 31)) >> 32);
+  }
+
+  constexpr bool operator==(const StepPosition&) const = default;
+
+ private:
+  std::int64_t q32_ = 0;
+};
+
+/// The resolution of one axis. Holds the float setting as mantissa and
+/// exponent, so that conversion is exact integer arithmetic.
+class AxisScale {
+ public:
+  static constexpr float kLeastStepsPerMm = 0.01F;
+  static constexpr float kMostStepsPerMm = 100'000.0F;
+  /// Motor positions stay inside this many steps either way, half of what 32
+  /// bits hold, so that no difference of two of them overflows.
+  static constexpr std::int64_t kMostSteps = (std::int64_t{1} << 30);
+
+  constexpr AxisScale() : AxisScale{250.0F} {}
+  /// @pre kLeastStepsPerMm ≤ steps_per_mm ≤ kMostStepsPerMm
+  explicit constexpr AxisScale(float steps_per_mm);
+
+  [[nodiscard]] constexpr float steps_per_mm() const { return steps_per_mm_; }
+
+  /// Exact to 2^-32 step. Empty when the place is beyond kMostSteps.
+  [[nodiscard]] std::optional<StepPosition> steps_at(Coordinate place) const;
+
+  /// The place of a whole step, to the nearest nanometre.
+  [[nodiscard]] Coordinate place_of(std::int32_t step) const;
+
+ private:
+  float steps_per_mm_;
+  std::uint32_t mantissa_ = 0;  ///< steps_per_mm = mantissa_ · 2^-fraction_bits_.
+  int fraction_bits_ = 0;
+};
+
+constexpr AxisScale::AxisScale(float steps_per_mm) : steps_per_mm_{steps_per_mm} {
+  CNC_ASSERT(steps_per_mm >= kLeastStepsPerMm && steps_per_mm <= kMostStepsPerMm);
+  // Scale until 2^23 ≤ mantissa < 2^24; at most 31 doublings, as 0.01 > 2^-7.
+  float scaled = steps_per_mm;
+  while (scaled < 8388608.0F) {
+    scaled *= 2.0F;
+    ++fraction_bits_;
+  }
+  mantissa_ = static_cast<std::uint32_t>(scaled);
+}
+
+}  // namespace cnc

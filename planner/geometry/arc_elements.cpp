@@ -1,0 +1,97 @@
+#include "planner/geometry/arc_elements.hpp"
+
+#include <cmath>
+
+#include "planner/base/contract.hpp"
+#include "planner/base/scalar_math.hpp"
+
+namespace cnc {
+namespace {
+
+/// A turn this small, in radians, is a full circle whose end was rounded (Grbl
+/// draws the line at the same angle).
+constexpr float kFullCircle = 5.0e-7F;
+
+/// An arc of half a turn may come out longer by the rounding of atan2.
+constexpr float kHalfTurnSlack = 1.0e-6F;
+
+Coordinate from_mm(float mm) {
+  const float nanometres = mm * 1.0e6F;
+  return Coordinate{static_cast<std::int64_t>(nanometres + (nanometres < 0.0F ? -0.5F : 0.5F))};
+}
+
+float length(float x, float y) { return std::sqrt(x * x + y * y); }
+
+}  // namespace
+
+ArcElements::ArcElements(const CentreArc& arc) : arc_{arc}, axes_{axes_of(arc.plane)} {
+  const float x0 = (arc.start[axes_.first] - arc.centre[0]).mm();
+  const float y0 = (arc.start[axes_.second] - arc.centre[1]).mm();
+  const float x1 = (arc.end[axes_.first] - arc.centre[0]).mm();
+  const float y1 = (arc.end[axes_.second] - arc.centre[1]).mm();
+  const float dx = (arc.end[axes_.first] - arc.start[axes_.first]).mm();
+  const float dy = (arc.end[axes_.second] - arc.start[axes_.second]).mm();
+  start_radius_ = length(x0, y0);
+  end_radius_ = length(x1, y1);
+  CNC_ASSERT(start_radius_ > 0.0F);
+  start_cosine_ = x0 / start_radius_;
+  start_sine_ = y0 / start_radius_;
+
+  // The cross product with the difference keeps its digits for short arcs.
+  const float left_turn = atan2_f(x0 * dy - y0 * dx, x0 * x1 + y0 * y1);
+  const float turn = arc.clockwise ? -left_turn : left_turn;
+  partial_turn_ = turn > kFullCircle ? turn : turn + kTwoPi;
+  sweep_ = partial_turn_ + kTwoPi * static_cast<float>(arc.turns - 1);
+  count_ = static_cast<std::uint32_t>(std::ceil(sweep_ / kPi - kHalfTurnSlack));
+  if (count_ == 0) count_ = 1;
+}
+
+Position ArcElements::division(std::uint32_t index) const {
+  if (index == 0) return arc_.start;
+  if (index >= count_) return arc_.end;
+  Position place;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const std::int64_t travel = (arc_.end[axis] - arc_.start[axis]).nanometres();
+    place[axis] = arc_.start[axis] + Coordinate{travel * index / count_};
+  }
+  const float part = static_cast<float>(index) / static_cast<float>(count_);
+  const float radius = start_radius_ + (end_radius_ - start_radius_) * part;
+  // Of the whole turns only the part within a turn matters; in integers, so
+  // that a thousand turns lose no digits.
+  const std::uint64_t whole_turns = arc_.turns - 1U;
+  const auto turned_share = static_cast<float>(whole_turns * index % count_);
+  const float angle = partial_turn_ * part + kTwoPi * (turned_share / static_cast<float>(count_));
+  const SinCos turned = sin_cos(arc_.clockwise ? -angle : angle);
+  const float cosine = start_cosine_ * turned.cosine - start_sine_ * turned.sine;
+  const float sine = start_sine_ * turned.cosine + start_cosine_ * turned.sine;
+  place[axes_.first] = arc_.centre[0] + from_mm(radius * cosine);
+  place[axes_.second] = arc_.centre[1] + from_mm(radius * sine);
+  return place;
+}
+
+/// With half chord c and the centre at height m over the chord (on the side it
+/// turns to): radius R = hypot(c, m) and tan(sweep / 4) = c / (R + m).
+float ArcElements::bulge_of(const PathElement& element) const {
+  const float dx = (element.end[axes_.first] - element.start[axes_.first]).mm();
+  const float dy = (element.end[axes_.second] - element.start[axes_.second]).mm();
+  const float chord = length(dx, dy);
+  if (chord <= 0.0F) return 0.0F;
+  const float cx = (arc_.centre[0] - element.start[axes_.first]).mm() - 0.5F * dx;
+  const float cy = (arc_.centre[1] - element.start[axes_.second]).mm() - 0.5F * dy;
+  const float to_left = (dx * cy - dy * cx) / chord;
+  const float height = arc_.clockwise ? -to_left : to_left;
+  const float half = 0.5F * chord;
+  const float bulge = half / (length(half, height) + height);
+  const float legal = bulge > 1.0F ? 1.0F : bulge;
+  return arc_.clockwise ? -legal : legal;
+}
+
+PathElement ArcElements::element(std::uint32_t index) const {
+  CNC_ASSERT(index < count_);
+  PathElement element{
+      .start = division(index), .end = division(index + 1), .plane = arc_.plane, .bulge = 0.0F};
+  element.bulge = bulge_of(element);
+  return element;
+}
+
+}  // namespace cnc

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+
+namespace cnc {
+
+/// Where a point of an arc lies relative to its chord: `along` runs from 0 at
+/// the start to 1 at the end, `across` is positive to the left; both in chord
+/// lengths. Q30 means 2^30 stands for 1.
+struct ChordPoint {
+  std::int32_t along_q30;
+  std::int32_t across_q30;
+  float along_rate;   ///< d along / d fraction.
+  float across_rate;  ///< d across / d fraction.
+};
+
+/// Evaluates an arc of at most half a turn by its arc-length fraction, in
+/// fixed point, with nothing but multiplications: it runs once for each motion
+/// segment and decides where steps fall.
+///
+/// With half sweep h and μ = 2·fraction − 1:
+///   along  = ½ + ½ sin(μh) / sin h
+///   across = −½ (cos μh − cos h) / sin h
+/// written with S(z) = sin x / x and C(z) = (1 − cos x) / x², z = x², both
+/// well-conditioned polynomials, so that an arc that is nearly a line needs no
+/// case of its own and a line is simply h = 0.
+///
+/// Guarantee: along and across are within kChordPointError of the exact values
+/// for the stored half sweep; at a chord of 4 m that is 20 nm.
+class ChordFrame {
+ public:
+  static constexpr double kChordPointError = 5.0e-9;
+
+  ChordFrame() : ChordFrame{0.0F} {}
+  /// @param half_sweep radians, |half_sweep| ≤ π/2 but for rounding; positive turns left.
+  explicit ChordFrame(float half_sweep);
+
+  /// @param fraction of the arc length, 2^32 stands for the end.
+  [[nodiscard]] ChordPoint at(std::uint32_t fraction) const;
+
+ private:
+  float half_sweep_;
+  std::int32_t half_sweep_q30_;
+  std::int32_t quarter_square_q31_;  ///< (h / 2)².
+  std::int32_t inverse_sine_q30_;    ///< h / sin h, 1…π/2.
+  std::int32_t versine_q30_;         ///< C(h²).
+};
+
+}  // namespace cnc

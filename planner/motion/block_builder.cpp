@@ -1,0 +1,149 @@
+#include "planner/motion/block_builder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "planner/base/scalar_math.hpp"
+#include "planner/geometry/arc.hpp"
+
+namespace cnc::motion {
+namespace {
+
+float square(float x) { return x * x; }
+
+float norm(const AxisArray<float>& vector, std::size_t first, std::size_t end) {
+  float sum = 0.0F;
+  for (std::size_t axis = first; axis < end; ++axis) sum += square(vector[axis]);
+  return std::sqrt(sum);
+}
+
+AxisArray<float> travel_of(const PathElement& element) {
+  AxisArray<float> travel{};
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    travel[axis] = (element.end[axis] - element.start[axis]).mm();
+  }
+  return travel;
+}
+
+/// False when an end is out of reach of the step counters.
+bool place_in_steps(const PathElement& element, const Limits& limits, Block& block) {
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const auto end = limits.scale[axis].steps_at(element.end[axis]);
+    if (!end) return false;
+    block.end[axis] = *end;
+  }
+  return true;
+}
+
+/// The turned chord in steps: (first, second) becomes (−second, first), each on
+/// the scale of the axis it now lies along.
+bool place_normal(const PathElement& element, const Limits& limits, Block& block) {
+  const PlaneAxes axes = axes_of(element.plane);
+  const Coordinate first = element.end[axes.first] - element.start[axes.first];
+  const Coordinate second = element.end[axes.second] - element.start[axes.second];
+  const auto along_first = limits.scale[axes.first].steps_at(-second);
+  const auto along_second = limits.scale[axes.second].steps_at(first);
+  if (!along_first || !along_second) return false;
+  block.normal = {*along_first, *along_second};
+  return true;
+}
+
+/// Replaces the chord by the arc in `travel`: afterwards its plane axes are 0
+/// and the returned arc length stands for both.
+float lay_out_turn(const PathElement& element, const Arc& arc, AxisArray<float>& travel,
+                   Turn& turn) {
+  const PlaneAxes axes = axes_of(element.plane);
+  travel[axes.first] = 0.0F;
+  travel[axes.second] = 0.0F;
+  const Vec2 tangent = arc.start_tangent();
+  turn.plane = element.plane;
+  turn.half_sweep = arc.half_sweep();
+  turn.start_angle = atan2_f(tangent.y(), tangent.x());
+  turn.curvature = std::abs(arc.curvature());
+  return arc.length().in_mm_and_s();
+}
+
+/// Limit of v² that holds all along the block: rates of the axes whose
+/// direction is constant, and the step rate of all motors together.
+float speed_limit_square(const Block& block, const Limits& limits) {
+  float limit = 1.0e12F;
+  float steps_per_mm = 0.0F;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const float share = std::abs(block.direction[axis]);
+    steps_per_mm += share * limits.scale[axis].steps_per_mm();
+    const float rate = motor_rate(limits, axis);
+    if (square(rate) < limit * square(share)) limit = square(rate / share);
+  }
+  if (block.turns()) {
+    const PlaneAxes axes = axes_of(block.turn.plane);
+    const float first = limits.scale[axes.first].steps_per_mm();
+    const float second = limits.scale[axes.second].steps_per_mm();
+    steps_per_mm += block.turn.plane_share * std::sqrt(square(first) + square(second));
+  }
+  return std::min(limit, square(limits.steps_per_s_all_motors / steps_per_mm));
+}
+
+/// F counts along X Y Z (along A B C when those alone move); the planner
+/// measures along all six.
+float six_axis_feed(float feed, float linear_length, float length) {
+  return linear_length > 0.0F ? feed * (length / linear_length) : feed;
+}
+
+}  // namespace
+
+Result<Block, MotionError> build_block(const MotionRequest& request, const Limits& limits) {
+  const PathElement& element = request.element;
+  Block block;
+  block.beam = request.beam;
+  block.outputs = request.outputs;
+  block.line = request.line;
+  if (!place_in_steps(element, limits, block)) return MotionError::kBeyondMotorRange;
+
+  AxisArray<float> travel = travel_of(element);
+  float plane_length = 0.0F;
+  const PlaneAxes axes = axes_of(element.plane);
+  const auto arc =
+      Arc::make(Vec2{0.0F, 0.0F}, Vec2{travel[axes.first], travel[axes.second]}, element.bulge);
+  if (!arc.ok() && arc.error() == ArcError::kSweepTooLarge) return MotionError::kBulgeTooLarge;
+  if (arc.ok() && element.bulge != 0.0F) {
+    if (!place_normal(element, limits, block)) return MotionError::kBeyondMotorRange;
+    plane_length = lay_out_turn(element, arc.value(), travel, block.turn);
+  }
+
+  const float straight = norm(travel, 0, kAxisCount);
+  const float linear = norm(travel, 0, kLinearAxisCount);
+  block.length = std::sqrt(square(straight) + square(plane_length));
+  if (block.length <= 0.0F) return MotionError::kNothingToMove;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    block.direction[axis] = travel[axis] / block.length;
+  }
+  block.turn.plane_share = plane_length / block.length;
+  block.speed_limit_square = speed_limit_square(block, limits);
+  block.feed = six_axis_feed(
+      request.feed_mm_s, std::sqrt(square(linear) + square(plane_length)), block.length);
+  return block;
+}
+
+namespace {
+
+AxisArray<float> tangent_at(const Block& block, float angle) {
+  AxisArray<float> tangent = block.direction;
+  if (!block.turns()) return tangent;
+  const PlaneAxes axes = axes_of(block.turn.plane);
+  const SinCos turned = sin_cos(angle);
+  tangent[axes.first] = block.turn.plane_share * turned.cosine;
+  tangent[axes.second] = block.turn.plane_share * turned.sine;
+  return tangent;
+}
+
+}  // namespace
+
+AxisArray<float> entry_tangent(const Block& block) {
+  return tangent_at(block, block.turn.start_angle);
+}
+
+AxisArray<float> exit_tangent(const Block& block) {
+  return tangent_at(block, block.turn.start_angle + 2.0F * block.turn.half_sweep);
+}
+
+}  // namespace cnc::motion

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+
+#include "planner/base/axes.hpp"
+
+namespace cnc::motion {
+
+/// The clock of the step generator. 4 MHz divides the timer clock of the
+/// STM32F405 (84 MHz / 21), is a whole number of nanoseconds (250), and is a
+/// hundred times finer than the timing promise of 25 µs.
+inline constexpr std::uint32_t kTicksPerSecond = 4'000'000;
+
+/// Outputs that change together with a motion (M62, M63, M67).
+struct OutputChanges {
+  static constexpr std::uint8_t kNoAnalog = 0xFF;
+
+  std::uint8_t raise = 0;  ///< Bit i: digital output i.
+  std::uint8_t lower = 0;
+  std::uint8_t analog_channel = kNoAnalog;
+  std::uint16_t analog_value = 0;  ///< 65535 is full scale.
+
+  [[nodiscard]] constexpr bool any() const {
+    return raise != 0 || lower != 0 || analog_channel != kNoAnalog;
+  }
+  constexpr bool operator==(const OutputChanges&) const = default;
+};
+
+/// Steps of one motor within a segment: step k (0, 1, …) is due at
+///   first + k · interval + k (k − 1) / 2 · growth
+/// ticks after the start of the segment, all in Q16 ticks. Second order in k
+/// follows an acceleration within the segment.
+struct StepTrain {
+  std::int32_t first_q16 = 0;
+  std::int32_t interval_q16 = 0;
+  std::int32_t growth_q16 = 0;
+  std::uint16_t count = 0;
+};
+
+/// What the step interrupt plays: a slice of at most a millisecond of one
+/// block. Plain integers; no axis reverses within it.
+struct Segment {
+  std::uint32_t ticks = 0;        ///< Length of the slice.
+  std::uint16_t power = 0;        ///< Output duty, 65535 is full.
+  std::uint8_t negative = 0;      ///< Bit i: axis i runs backwards.
+  bool comes_to_rest = false;     ///< The plan stands still after it: an empty queue is no fault.
+  OutputChanges outputs{};        ///< At its start.
+  AxisArray<StepTrain> trains{};
+};
+
+}  // namespace cnc::motion

@@ -1,0 +1,188 @@
+#include "planner/motion/segmenter.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "planner/motion/step_timing.hpp"
+
+namespace cnc::motion {
+namespace {
+constexpr auto kTicks = static_cast<float>(kTicksPerSecond);
+constexpr float kWholeBlock = 4294967296.0F;
+constexpr float kFullPower = 65535.0F;
+
+bool has_steps(const Segment& segment) {
+  return std::any_of(segment.trains.begin(), segment.trains.end(), [](const StepTrain& train) {
+    return train.count > 0;
+  });
+}
+
+/// Of two changes before the same segment the later wins, output by output.
+void merge(OutputChanges& pending, const OutputChanges& later) {
+  pending.raise = static_cast<std::uint8_t>((pending.raise & ~later.lower) | later.raise);
+  pending.lower = static_cast<std::uint8_t>((pending.lower & ~later.raise) | later.lower);
+  if (later.analog_channel == OutputChanges::kNoAnalog) return;
+  pending.analog_channel = later.analog_channel;
+  pending.analog_value = later.analog_value;
+}
+
+}  // namespace
+
+void Segmenter::set_overrides(const Overrides& overrides) {
+  if (overrides == overrides_) return;
+  overrides_ = overrides;
+  queue_.forget_plan();
+  replan_ = true;
+}
+
+void Segmenter::reset(const AxisArray<StepPosition>& place) {
+  queue_.clear();
+  driving_ = false;
+  phase_ = {};
+  phase_time_ = 0.0F;
+  phase_distance_ = 0.0F;
+  speed_ = 0.0F;
+  entry_square_ = 0.0F;
+  shift_ = 0.0F;
+  outputs_ = {};
+  here_.place = place;
+  drive_ = Drive::kOn;
+}
+
+bool Segmenter::next(Segment& segment) {
+  if (idle()) return false;
+  queue_.plan(limits_, overrides_);
+  if (driving_) follow_plan();
+  // A slice shorter than a tick is driven but not handed out; blocks of a few
+  // nanometres at full speed need several of them for one segment.
+  constexpr int kMostShortSlices = 64;
+  for (int slices = 0; slices < kMostShortSlices; ++slices) {
+    if (!ready_phase()) return false;
+    segment = {};
+    cut(slice_time(), segment);
+    if (segment.ticks > 0) break;
+  }
+  if (segment.ticks == 0) {
+    segment.ticks = 1;
+    shift_ -= 1.0F;
+  }
+  segment.outputs = outputs_;
+  outputs_ = {};
+  return true;
+}
+
+/// More blocks, an override or a hold may have changed what lies ahead.
+void Segmenter::follow_plan() {
+  const float exit_square = queue_.front_exit_square();
+  const bool same_plan = !replan_ && exit_square == profile_.exit_square();
+  if (same_plan && drive_ == phase_drive_) return;
+  if (phase_.duration > 0.0F) profile_.stop_short(phase_distance_, speed_);
+  phase_ = {};
+  if (profile_.at_end()) return end_block();
+  if (!same_plan) profile_.replan(queue_.front(), overrides_, exit_square);
+  replan_ = false;
+}
+
+/// Makes sure there is a phase with time left; false when there is no motion.
+bool Segmenter::ready_phase() {
+  if (phase_.duration > 0.0F) return true;
+  if (!driving_) {
+    if (queue_.empty()) return false;
+    begin_block();
+  }
+  phase_ = profile_.next_phase(drive_);
+  phase_drive_ = drive_;
+  phase_time_ = 0.0F;
+  phase_distance_ = 0.0F;
+  if (phase_.duration <= 0.0F) speed_ = 0.0F;
+  return phase_.duration > 0.0F;
+}
+
+void Segmenter::begin_block() {
+  const Block& block = queue_.front();
+  profile_.begin(block, limits_, overrides_, queue_.front_exit_square(), entry_square_);
+  path_ = MotorPath{block, here_.place};
+  fraction_ = 0;
+  fraction_per_mm_ = kWholeBlock / block.length;
+  here_.speed = path_.at(0).speed;
+  merge(outputs_, block.outputs);
+  driving_ = true;
+  replan_ = false;
+}
+
+void Segmenter::end_block() {
+  entry_square_ = profile_.speed_square();
+  queue_.pop_front();
+  driving_ = false;
+}
+
+/// A phase is cut into equal slices. Where the speed changes fast in relation
+/// to itself they are shorter, so that a parabola in the step index fits.
+float Segmenter::slice_time() const {
+  const float left = phase_.duration - phase_time_;
+  const float change = std::abs(phase_.acceleration);
+  float longest = kLongestSlice;
+  if (change * 2.0F * kLongestSlice > speed_) {
+    longest = std::max(kShortestSlice, speed_ / (2.0F * change));
+  }
+  if (left <= longest) return left;
+  return left / std::ceil(left / longest);
+}
+
+void Segmenter::cut(float duration, Segment& segment) {
+  const float middle_speed = phase_.speed_at(phase_time_ + 0.5F * duration);
+  const bool phase_ends = duration >= phase_.duration - phase_time_;
+  const float distance =
+      phase_ends ? phase_.distance - phase_distance_ : middle_speed * duration;
+  phase_time_ += duration;
+  phase_distance_ += distance;
+  const float speed =
+      phase_ends ? std::sqrt(phase_.end_speed_square) : phase_.speed_at(phase_time_);
+
+  bool block_ends = false;
+  if (phase_ends) {
+    profile_.complete(phase_);
+    block_ends = profile_.at_end();
+  }
+  fraction_ = block_ends ? std::uint64_t{1} << 32
+                         : std::min<std::uint64_t>(
+                               0xFFFF'FFFFU,
+                               fraction_ + static_cast<std::uint64_t>(
+                                               std::max(0.0F, distance) * fraction_per_mm_));
+  segment.power = power(middle_speed);
+  time_trains(path_.at(fraction_), duration, segment);
+  speed_ = speed;
+  segment.comes_to_rest = speed_ <= 0.0F;
+  if (phase_ends) phase_ = {};
+  if (block_ends) end_block();
+}
+
+void Segmenter::time_trains(const MotorState& to, float duration, Segment& segment) {
+  const float ticks = duration * kTicks;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    if (to.place[axis] == here_.place[axis]) continue;
+    const AxisSlice slice{.from = here_.place[axis],
+                          .to = to.place[axis],
+                          .speed_steps_per_tick = here_.speed[axis] * speed_ / kTicks,
+                          .ticks = ticks};
+    segment.trains[axis] = time_steps(slice, shift_);
+    if (to.place[axis].q32() < here_.place[axis].q32()) {
+      segment.negative = static_cast<std::uint8_t>(segment.negative | (1U << axis));
+    }
+  }
+  here_ = to;
+  const float whole = ticks + shift_;
+  segment.ticks = static_cast<std::uint32_t>(std::max(0.0F, whole));
+  if (segment.ticks == 0 && has_steps(segment)) segment.ticks = 1;
+  shift_ = whole - static_cast<float>(segment.ticks);
+}
+
+std::uint16_t Segmenter::power(float mean_speed) const {
+  const Block& block = queue_.front();
+  float duty = block.beam.duty;
+  if (block.beam.follows_speed && block.feed > 0.0F) duty *= mean_speed / block.feed;
+  duty = std::clamp(duty * overrides_.power, 0.0F, 1.0F);
+  return static_cast<std::uint16_t>(duty * kFullPower + 0.5F);
+}
+
+}  // namespace cnc::motion

@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+
+#include "planner/motion/block_queue.hpp"
+#include "planner/motion/motor_path.hpp"
+#include "planner/motion/segment.hpp"
+#include "planner/motion/speed_profile.hpp"
+
+namespace cnc::motion {
+
+/// Cuts the planned motion into segments for the step interrupt.
+///
+/// Takes blocks from the front of a queue, drives each through its phases of
+/// constant acceleration, and slices these into at most a millisecond. A change
+/// of plan, override or hold takes effect at the next slice.
+///
+/// Main loop only. All state is where the last slice handed out has ended.
+class Segmenter {
+ public:
+  static constexpr float kLongestSlice = 1.0e-3F;    ///< s.
+  static constexpr float kShortestSlice = 0.25e-3F;  ///< s; near standstill, see slice_time().
+
+  Segmenter(BlockQueue& queue, const Limits& limits) : queue_{queue}, limits_{limits} {}
+
+  /// The next slice; false when there is none: everything driven, or halted.
+  [[nodiscard]] bool next(Segment& segment);
+
+  void set_overrides(const Overrides& overrides);
+  [[nodiscard]] const Overrides& overrides() const { return overrides_; }
+
+  void halt() { drive_ = Drive::kHalt; }
+  void go_on() { drive_ = Drive::kOn; }
+
+  /// Nothing left to hand out.
+  [[nodiscard]] bool idle() const { return !driving_ && queue_.empty(); }
+  /// Standing still; while driving_ this means halted within a block.
+  [[nodiscard]] bool at_rest() const { return speed_ <= 0.0F; }
+  [[nodiscard]] bool halted() const { return drive_ == Drive::kHalt && at_rest(); }
+
+  /// Forgets all motion; the motors stand at `place` now.
+  void reset(const AxisArray<StepPosition>& place);
+
+  /// The block and phase being driven, for observers of the plan.
+  [[nodiscard]] const Phase& phase() const { return phase_; }
+  [[nodiscard]] float phase_time() const { return phase_time_; }
+
+ private:
+  [[nodiscard]] bool ready_phase();
+  void begin_block();
+  void end_block();
+  void follow_plan();
+  [[nodiscard]] float slice_time() const;
+  void cut(float duration, Segment& segment);
+  void time_trains(const MotorState& to, float duration, Segment& segment);
+  [[nodiscard]] std::uint16_t power(float mean_speed) const;
+
+  BlockQueue& queue_;
+  const Limits& limits_;
+  Overrides overrides_{};
+  Drive drive_ = Drive::kOn;
+  bool driving_ = false;       ///< The front block has been begun.
+  bool replan_ = false;
+
+  SpeedProfile profile_{};
+  Drive phase_drive_ = Drive::kOn;
+  Phase phase_{};
+  float phase_time_ = 0.0F;    ///< s into the phase.
+  float phase_distance_ = 0.0F;
+
+  MotorPath path_{};
+  MotorState here_{};
+  float speed_ = 0.0F;         ///< mm/s.
+  float entry_square_ = 0.0F;  ///< v² with which the next block is begun.
+  float fraction_per_mm_ = 0.0F;
+  std::uint64_t fraction_ = 0; ///< Of the block, 2^32 is its end.
+  OutputChanges outputs_{};    ///< Not handed out yet.
+  float shift_ = 0.0F;         ///< Planned time beyond the whole ticks handed out, in ticks.
+};
+
+}  // namespace cnc::motion

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+
+#include "planner/motion/braking.hpp"
+
+namespace cnc::motion {
+
+/// A stretch of constant acceleration.
+struct Phase {
+  float start_speed = 0.0F;   ///< mm/s.
+  float acceleration = 0.0F;  ///< mm/s², signed.
+  float duration = 0.0F;      ///< s; 0 means standing still.
+  float distance = 0.0F;      ///< mm.
+  float end_speed_square = 0.0F;
+
+  [[nodiscard]] float speed_at(float time) const { return start_speed + acceleration * time; }
+};
+
+enum class Drive : std::uint8_t {
+  kOn,    ///< As fast as limits, feed and what lies ahead allow.
+  kHalt,  ///< Feed hold: slow down as hard as the limits allow.
+};
+
+/// Speed along the block being driven, as phases of constant acceleration.
+///
+/// Forward pass of the look-ahead: within a span speed up until the cap or the
+/// braking curve is met, hold the cap, then follow the braking curve. Phases
+/// are asked for one at a time from the present state, so a change of mind (an
+/// override, a hold, more blocks) just asks again.
+///
+/// The neighbours know phases only: the jerk-limited profile will hand out
+/// shorter ones of the same kind.
+class SpeedProfile {
+ public:
+  /// Starts a block at its beginning with the given v².
+  void begin(const Block& block, const Limits& limits, const Overrides& overrides,
+             float exit_square, float speed_square);
+  /// Something ahead changed; place and speed stay.
+  void replan(const Block& block, const Overrides& overrides, float exit_square);
+
+  [[nodiscard]] bool at_end() const { return span_ == spans_.count(); }
+  [[nodiscard]] float speed_square() const { return speed_square_; }
+  [[nodiscard]] float exit_square() const { return exit_square_; }
+
+  /// The next phase from the present place and speed. Duration 0: the machine
+  /// stands still and wants to (halted). @pre !at_end()
+  [[nodiscard]] Phase next_phase(Drive drive) const;
+
+  /// The whole phase was driven.
+  void complete(const Phase& phase);
+  /// Part of it was: `distance` mm further, now at `speed` mm/s.
+  void stop_short(float distance, float speed);
+
+ private:
+  [[nodiscard]] Phase phase_on(float to_span_end) const;
+  [[nodiscard]] Phase brake(float to_span_end, float target_square) const;
+  [[nodiscard]] float end_target_square() const;
+  void move(float distance, float speed_square);
+
+  Spans spans_{};
+  std::array<BrakingPoint, Spans::kMostSpans> braking_{};
+  float exit_square_ = 0.0F;
+  float speed_square_ = 0.0F;
+  float within_span_ = 0.0F;  ///< mm from the start of the span.
+  int span_ = 0;
+};
+
+}  // namespace cnc::motion
