@@ -79,6 +79,8 @@ class Machine {
   [[nodiscard]] const Settings& settings() const { return settings_; }
   [[nodiscard]] const gcode::Interpreter& interpreter() const { return interpreter_; }
   [[nodiscard]] const MotionControl& motion() const { return motion_; }
+  /// For whoever wants to see the plan itself; null for nobody.
+  void observe(motion::SliceObserver* observer) { motion_.observe(observer); }
   [[nodiscard]] bool program_ended() const { return program_ended_; }
   /// Where the probe input changed last (G38.x), machine coordinates.
   [[nodiscard]] const std::optional<Position>& probed() const { return probed_; }

@@ -48,7 +48,7 @@ class MotionControl {
   [[nodiscard]] Position place_of(const AxisArray<std::int32_t>& steps) const;
   [[nodiscard]] std::size_t blocks() const { return queue_.size(); }
   [[nodiscard]] std::uint32_t blocks_taken() const { return blocks_taken_; }
-  [[nodiscard]] const motion::Segmenter& segmenter() const { return segmenter_; }
+  void observe(motion::SliceObserver* observer) { segmenter_.observe(observer); }
 
  private:
   StepDrive& drive_;

@@ -4,7 +4,6 @@
 #include <cstdint>
 
 #include "planner/base/axes.hpp"
-#include "planner/base/bounded_vector.hpp"
 #include "planner/base/coordinate.hpp"
 
 namespace cnc::gcode {
@@ -46,8 +45,8 @@ struct OutputChange {
 
 /// How G38.2…G38.5 stop.
 struct ProbeMode {
-  bool towards_contact = true;   ///< G38.2, G38.3; else away from it.
-  bool error_if_missed = true;   ///< G38.2, G38.4.
+  bool towards_contact = true;  ///< G38.2, G38.3; else away from it.
+  bool error_if_missed = true;  ///< G38.2, G38.4.
 };
 
 /// Only the members that its kind names are meaningful. All places are machine
@@ -75,8 +74,5 @@ struct Action {
   Coolant coolant{};
   OutputChange output{};
 };
-
-/// S, T, outputs (4), spindle, coolant, dwell, offsets, two legs of G28, stop.
-using ActionList = BoundedVector<Action, 14>;
 
 }  // namespace cnc::gcode

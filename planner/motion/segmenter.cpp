@@ -38,6 +38,7 @@ void Segmenter::set_overrides(const Overrides& overrides) {
 void Segmenter::reset(const AxisArray<StepPosition>& place) {
   queue_.clear();
   driving_ = false;
+  blocks_ended_ = 0;
   phase_ = {};
   phase_time_ = 0.0F;
   phase_distance_ = 0.0F;
@@ -56,8 +57,12 @@ bool Segmenter::next(Segment& segment) {
   // A slice shorter than a tick is driven but not handed out; blocks of a few
   // nanometres at full speed need several of them for one segment.
   constexpr int kMostShortSlices = 64;
+  // The last slice before standstill is always handed out: it says so.
   for (int slices = 0; slices < kMostShortSlices; ++slices) {
-    if (!ready_phase()) return false;
+    if (!ready_phase()) {
+      if (slices == 0) return false;
+      break;
+    }
     segment = {};
     cut(slice_time(), segment);
     if (segment.ticks > 0) break;
@@ -113,6 +118,7 @@ void Segmenter::begin_block() {
 void Segmenter::end_block() {
   entry_square_ = profile_.speed_square();
   queue_.pop_front();
+  ++blocks_ended_;
   driving_ = false;
 }
 
@@ -139,6 +145,7 @@ void Segmenter::cut(float duration, Segment& segment) {
   const float speed =
       phase_ends ? std::sqrt(phase_.end_speed_square) : phase_.speed_at(phase_time_);
 
+  const std::uint64_t from_fraction = fraction_;
   bool block_ends = false;
   if (phase_ends) {
     profile_.complete(phase_);
@@ -149,6 +156,10 @@ void Segmenter::cut(float duration, Segment& segment) {
                                0xFFFF'FFFFU,
                                fraction_ + static_cast<std::uint64_t>(
                                                std::max(0.0F, distance) * fraction_per_mm_));
+  if (observer_ != nullptr) {
+    observer_->on_slice({blocks_ended_, from_fraction, fraction_, speed_, phase_.acceleration,
+                         duration});
+  }
   segment.power = power(middle_speed);
   time_trains(path_.at(fraction_), duration, segment);
   speed_ = speed;

@@ -9,6 +9,25 @@
 
 namespace cnc::motion {
 
+/// A slice of the plan as driven: constant acceleration along one block.
+struct Slice {
+  std::uint32_t block = 0;          ///< Counted from 0 since the last reset.
+  std::uint64_t from_fraction = 0;  ///< Of the block's length; 2^32 is its end.
+  std::uint64_t to_fraction = 0;
+  float start_speed = 0.0F;   ///< mm/s.
+  float acceleration = 0.0F;  ///< mm/s².
+  float duration = 0.0F;      ///< s.
+};
+
+/// Whoever wants to see the plan itself rather than its pulses.
+class SliceObserver {
+ public:
+  virtual void on_slice(const Slice& slice) = 0;
+
+ protected:
+  ~SliceObserver() = default;
+};
+
 /// Cuts the planned motion into segments for the step interrupt.
 ///
 /// Takes blocks from the front of a queue, drives each through its phases of
@@ -41,9 +60,8 @@ class Segmenter {
   /// Forgets all motion; the motors stand at `place` now.
   void reset(const AxisArray<StepPosition>& place);
 
-  /// The block and phase being driven, for observers of the plan.
-  [[nodiscard]] const Phase& phase() const { return phase_; }
-  [[nodiscard]] float phase_time() const { return phase_time_; }
+  /// Tells `observer` of every slice from now on; null for nobody.
+  void observe(SliceObserver* observer) { observer_ = observer; }
 
  private:
   [[nodiscard]] bool ready_phase();
@@ -74,6 +92,8 @@ class Segmenter {
   float entry_square_ = 0.0F;  ///< v² with which the next block is begun.
   float fraction_per_mm_ = 0.0F;
   std::uint64_t fraction_ = 0; ///< Of the block, 2^32 is its end.
+  SliceObserver* observer_ = nullptr;
+  std::uint32_t blocks_ended_ = 0;
   OutputChanges outputs_{};    ///< Not handed out yet.
   float shift_ = 0.0F;         ///< Planned time beyond the whole ticks handed out, in ticks.
 };

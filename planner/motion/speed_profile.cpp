@@ -8,9 +8,10 @@
 namespace cnc::motion {
 namespace {
 
-/// Phases shorter than this share of what is left of a span are skipped: they
-/// are rounding, not motion.
-constexpr float kNegligibleShare = 1.0e-5F;
+/// Phases shorter than these shares of a span and of what is left of it are
+/// skipped: they are rounding, and too short to move the place on the span.
+constexpr float kNegligibleShareOfSpan = 1.0e-6F;
+constexpr float kNegligibleShareOfRest = 1.0e-5F;
 
 /// Above the plan by more than this an override has lowered it; else it is rounding.
 constexpr float kAbovePlan = 1.0F + 1.0e-4F;
@@ -73,7 +74,8 @@ Phase SpeedProfile::phase_on(float to_span_end) const {
   const BrakingPoint& plan = braking_[static_cast<std::size_t>(span_)];
   const float cap = std::max(plan.cap_square, speed_square_);
   const float target = end_target_square();
-  const float negligible = to_span_end * kNegligibleShare;
+  const float negligible = spans_.length_of(span_) * kNegligibleShareOfSpan +
+                           to_span_end * kNegligibleShareOfRest;
 
   const float distance = spans_.boundary(span_) + within_span_;
   const float acceleration = spans_.steepest(spans_.place_at(distance),

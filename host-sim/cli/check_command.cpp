@@ -1,0 +1,72 @@
+#include <fmt/format.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "host-sim/cli/commands.hpp"
+#include "host-sim/cli/job_options.hpp"
+#include "host-sim/report/duration_text.hpp"
+#include "host-sim/report/report_json.hpp"
+
+namespace sim {
+namespace {
+
+std::string bounds_text(const Report& report) {
+  std::string text;
+  for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
+    const AxisReport& bounds = report.axes[axis];
+    if (bounds.least_mm == bounds.greatest_mm) continue;
+    text += fmt::format("  {} {:.3f} to {:.3f}",
+                        cnc::kAxisLetters[axis],
+                        bounds.least_mm,
+                        bounds.greatest_mm);
+  }
+  return text.empty() ? "  no motion" : text;
+}
+
+void print(const Report& report) {
+  fmt::print("{}: {} lines, {}, {:.1f} mm\n",
+             report.job,
+             report.lines,
+             duration_text(report.job_time_s),
+             report.path_length_mm);
+  fmt::print("  bounds in mm:{}\n", bounds_text(report));
+  for (const std::string& warning : report.warnings) fmt::print("  warning: {}\n", warning);
+  for (const Fault& fault : report.faults) fmt::print("{}\n", to_string(fault));
+}
+
+nlohmann::ordered_json summary(const Report& report) {
+  const nlohmann::ordered_json all = to_json(report);
+  nlohmann::ordered_json picked;
+  for (const char* key :
+       {"job", "job_time_s", "path_length_mm", "lines", "blocks", "bounds_mm", "warnings",
+        "faults"}) {
+    picked[key] = all.at(key);
+  }
+  return picked;
+}
+
+ExitStatus check_all(const JobOptions& options) {
+  const std::vector<Report> reports = for_each_job(options, check);
+  if (options.json) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const Report& report : reports) all.push_back(summary(report));
+    fmt::print("{}\n", (reports.size() == 1 ? all[0] : all).dump(2));
+  } else {
+    for (const Report& report : reports) print(report);
+  }
+  return any_faults(reports) ? ExitStatus::kFaults : ExitStatus::kFine;
+}
+
+}  // namespace
+
+void add_check_command(CLI::App& app, ExitStatus& status) {
+  CLI::App* command = app.add_subcommand(
+      "check",
+      "Look programs over: time, bounds, travel, and every fault as file:line:column: message.");
+  const auto options = std::make_shared<JobOptions>();
+  options->add_to(*command);
+  command->callback([options, &status] { status = check_all(*options); });
+}
+
+}  // namespace sim

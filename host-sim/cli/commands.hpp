@@ -1,0 +1,18 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace sim {
+
+/// What a command leaves to the shell.
+enum class ExitStatus : int {
+  kFine = 0,
+  kFaults = 1,  ///< The program has faults, or the run ended in an alarm.
+  kUsage = 2,   ///< The call itself, a setting or a file name is wrong.
+};
+
+/// Each adds its subcommand; `status` is set when it runs.
+void add_sim_command(CLI::App& app, ExitStatus& status);
+void add_check_command(CLI::App& app, ExitStatus& status);
+
+}  // namespace sim

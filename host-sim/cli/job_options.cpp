@@ -1,0 +1,61 @@
+#include "host-sim/cli/job_options.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdlib>
+
+#include "host-sim/report/progress_bar.hpp"
+
+namespace sim {
+
+void JobOptions::add_to(CLI::App& command) {
+  command.add_option("FILE", files, "G-code programs; - is standard input")->required();
+  command.add_option("--settings", settings_file, "File of $N=value lines")->type_name("FILE");
+  command
+      .add_option("--set", set, "One setting, such as '$110=12000' (mm/min); may be repeated")
+      ->type_name("$N=V")
+      ->allow_extra_args(false);
+  command
+      .add_option("--probe-plate",
+                  probe_plate_z_mm,
+                  "Height of the simulated probe plate, mm in machine coordinates")
+      ->type_name("Z")
+      ->capture_default_str();
+  command.add_flag("--json", json, "Print the report as JSON");
+}
+
+std::vector<SettingChange> JobOptions::settings() const {
+  std::vector<SettingChange> changes;
+  if (!settings_file.empty()) changes = read_settings_file(settings_file);
+  for (const std::string& text : set) changes.push_back(parse_setting(text, "--set"));
+  return changes;
+}
+
+std::vector<Report> for_each_job(const JobOptions& options,
+                                 const std::function<Report(const Job&)>& work) {
+  using Clock = std::chrono::steady_clock;
+  const std::vector<SettingChange> settings = options.settings();
+  std::vector<Report> reports;
+  ProgressBar bar{stderr, is_terminal(stderr), Clock::now()};
+  for (const std::string& file : options.files) {
+    Job job{.file = file,
+            .settings = settings,
+            .machine = {.probe_plate_z_mm = options.probe_plate_z_mm},
+            .on_progress = [&bar, &file](double share) { bar.update(share, file, Clock::now()); }};
+    reports.push_back(work(job));
+  }
+  return reports;
+}
+
+bool may_colour() {
+  const char* no_colour = std::getenv("NO_COLOR");
+  return is_terminal(stdout) && (no_colour == nullptr || *no_colour == '\0');
+}
+
+bool any_faults(const std::vector<Report>& reports) {
+  return std::any_of(reports.begin(), reports.end(), [](const Report& report) {
+    return !report.faults.empty();
+  });
+}
+
+}  // namespace sim

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "host-sim/job/job.hpp"
+
+namespace sim {
+
+/// The options that every command on programs shares.
+struct JobOptions {
+  std::vector<std::string> files;
+  std::string settings_file;
+  std::vector<std::string> set;
+  double probe_plate_z_mm = MachineModel{}.probe_plate_z_mm;
+  bool json = false;
+
+  void add_to(CLI::App& command);
+  /// The settings file first, then `--set` in the order of the call. Throws
+  /// std::invalid_argument and std::system_error.
+  [[nodiscard]] std::vector<SettingChange> settings() const;
+};
+
+/// Runs `work` on every file with a progress bar where a terminal looks on.
+[[nodiscard]] std::vector<Report> for_each_job(const JobOptions& options,
+                                               const std::function<Report(const Job&)>& work);
+
+/// Whether standard output may be coloured: a terminal, and NO_COLOR not set.
+[[nodiscard]] bool may_colour();
+
+[[nodiscard]] bool any_faults(const std::vector<Report>& reports);
+
+}  // namespace sim

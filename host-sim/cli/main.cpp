@@ -1,0 +1,57 @@
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <exception>
+#include <stdexcept>
+#include <system_error>
+
+#include "host-sim/cli/commands.hpp"
+#include "planner/base/contract.hpp"
+
+void cnc::contract_failed(const char* condition, const char* file, int line) {
+  fmt::print(stderr, "kerfline: {}:{}: broken contract: {}\n", file, line, condition);
+  std::abort();
+}
+
+namespace {
+
+constexpr const char* kDescription =
+    "Kerfline: the controller for laser cutters and mills, simulated.\n"
+    "Runs the firmware itself in virtual time and measures its step pulses.";
+
+constexpr const char* kFooter =
+    "Examples:\n"
+    "  kerfline sim part.nc --settings laser.settings --svg part.svg\n"
+    "  kerfline sim part.nc --set '$110=6000' --report part.json --trace part.csv\n"
+    "  kerfline check *.nc --json\n"
+    "  cat part.nc | kerfline check -\n"
+    "\n"
+    "Exit status: 0 fine, 1 the program has faults, 2 the call is wrong.";
+
+int run(int argc, char** argv) {
+  CLI::App app{kDescription, "kerfline"};
+  app.footer(kFooter);
+  app.require_subcommand(1);
+  app.set_version_flag("--version", KERFLINE_VERSION);
+  sim::ExitStatus status = sim::ExitStatus::kFine;
+  sim::add_sim_command(app, status);
+  sim::add_check_command(app, status);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    const int code = app.exit(error);
+    return code == 0 ? 0 : static_cast<int>(sim::ExitStatus::kUsage);
+  }
+  return static_cast<int>(status);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "kerfline: {}\n", error.what());
+    return static_cast<int>(sim::ExitStatus::kUsage);
+  }
+}

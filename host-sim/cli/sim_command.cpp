@@ -1,0 +1,99 @@
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "host-sim/cli/commands.hpp"
+#include "host-sim/cli/job_options.hpp"
+#include "host-sim/report/report_json.hpp"
+#include "host-sim/report/report_text.hpp"
+
+namespace sim {
+namespace {
+
+constexpr const char* kPlaceholder = "{}";
+
+struct SimOptions {
+  JobOptions job;
+  JobOutputs outputs;
+  std::string report;
+};
+
+void require_placeholder(const std::string& name, const std::string& option) {
+  if (name.empty() || name.find(kPlaceholder) != std::string::npos) return;
+  throw std::invalid_argument(fmt::format(
+      "{} {}: with several programs the name needs a {{}} for the name of each", option, name));
+}
+
+std::string with_job_name(const std::string& name, const std::string& file) {
+  const std::size_t place = name.find(kPlaceholder);
+  if (place == std::string::npos) return name;
+  const std::string job = file == "-" ? "stdin" : std::filesystem::path{file}.stem().string();
+  return name.substr(0, place) + job + name.substr(place + 2);
+}
+
+JobOutputs outputs_for(const SimOptions& options, const std::string& file) {
+  const JobOutputs& asked = options.outputs;
+  return {.trace = with_job_name(asked.trace, file),
+          .vcd = with_job_name(asked.vcd, file),
+          .svg = with_job_name(asked.svg, file),
+          .png = with_job_name(asked.png, file),
+          .kerf_width_mm = asked.kerf_width_mm};
+}
+
+void write_report(const SimOptions& options, const Report& report, const std::string& file) {
+  if (options.report.empty()) return;
+  write_json(with_job_name(options.report, file), std::span{&report, 1});
+}
+
+void print(const std::vector<Report>& reports, bool json) {
+  if (!json) return print_table(stdout, reports, may_colour());
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const Report& report : reports) all.push_back(to_json(report));
+  fmt::print("{}\n", (reports.size() == 1 ? all[0] : all).dump(2));
+}
+
+ExitStatus simulate_all(const SimOptions& options) {
+  if (options.job.files.size() > 1) {
+    require_placeholder(options.outputs.trace, "--trace");
+    require_placeholder(options.outputs.vcd, "--vcd");
+    require_placeholder(options.outputs.svg, "--svg");
+    require_placeholder(options.outputs.png, "--png");
+    require_placeholder(options.report, "--report");
+  }
+  const std::vector<Report> reports = for_each_job(options.job, [&](const Job& job) {
+    Report report = simulate(job, outputs_for(options, job.file));
+    write_report(options, report, job.file);
+    return report;
+  });
+  print(reports, options.job.json);
+  return any_faults(reports) ? ExitStatus::kFaults : ExitStatus::kFine;
+}
+
+}  // namespace
+
+void add_sim_command(CLI::App& app, ExitStatus& status) {
+  CLI::App* command = app.add_subcommand(
+      "sim",
+      "Run programs through the simulated controller and measure the motion.\n"
+      "With several programs, {} in an output name stands for the name of each.");
+  const auto options = std::make_shared<SimOptions>();
+  options->job.add_to(*command);
+  command->add_option("--trace", options->outputs.trace, "Write every step as text")
+      ->type_name("FILE");
+  command->add_option("--vcd", options->outputs.vcd, "Write the edges for logic-analyser viewers")
+      ->type_name("FILE");
+  command->add_option("--report", options->report, "Write the report as JSON")->type_name("FILE");
+  command->add_option("--svg", options->outputs.svg, "Draw the path as cut")->type_name("FILE");
+  command->add_option("--png", options->outputs.png, "The same as pixels")->type_name("FILE");
+  command
+      ->add_option("--kerf", options->outputs.kerf_width_mm, "Kerf width in the picture, mm")
+      ->check(CLI::NonNegativeNumber)
+      ->type_name("WIDTH")
+      ->capture_default_str();
+  command->callback([options, &status] { status = simulate_all(*options); });
+}
+
+}  // namespace sim

@@ -1,0 +1,46 @@
+#!/usr/bin/env python3
+"""Writes the example programs beside this file; with --check, verifies the committed ones instead.
+
+Needs only Python 3 and host-sim/examples/data. The same input gives the same bytes.
+"""
+import argparse
+import sys
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+
+from generator import bracket, checker, circle_r20, enclosure, pocket, relief, sheet  # noqa: E402
+
+FOLDER = Path(__file__).resolve().parent
+PROGRAMS = {
+    "bracket.nc": (bracket.program, checker.Expected("laser.settings", arcs=600)),
+    "circle_r20.nc": (circle_r20.program, checker.Expected("laser.settings", arcs=3)),
+    "enclosure_lightburn.nc": (enclosure.program, checker.Expected("laser.settings", chords_allowed=True)),
+    "pocket_fusion.nc": (pocket.program, checker.Expected("mill.settings", arcs=600)),
+    "relief_inkscape.nc": (relief.program, checker.Expected("laser.settings", chords_allowed=True)),
+    "sheet_8877.nc": (sheet.program, checker.Expected("laser.settings", arcs=200)),
+}
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--check", action="store_true", help="compare and verify the committed programs, write nothing")
+    check_only = parser.parse_args().check
+    faults = 0
+    for name, (program, expected) in PROGRAMS.items():
+        text = program(FOLDER / "data").encode()
+        path = FOLDER / name
+        if not check_only:
+            path.write_bytes(text)
+        found = [] if path.read_bytes() == text else ["differs from what the generator writes"]
+        summary, faults_in_program = checker.check(path.read_bytes().decode(), FOLDER, expected)
+        found += faults_in_program
+        print(f"{name:24} {summary}")
+        for fault in found[:20]:
+            print(f"{name}: {fault}", file=sys.stderr)
+        faults += len(found)
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

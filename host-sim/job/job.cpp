@@ -1,0 +1,191 @@
+#include "host-sim/job/job.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+
+#include "host-sim/job/travel_check.hpp"
+#include "host-sim/measure/motion_meter.hpp"
+#include "host-sim/measure/path_deviation.hpp"
+#include "host-sim/plot/path_recorder.hpp"
+#include "host-sim/plot/picture.hpp"
+#include "host-sim/plot/png.hpp"
+#include "host-sim/trace/trace_writer.hpp"
+#include "host-sim/trace/vcd_writer.hpp"
+
+namespace sim {
+namespace {
+
+std::string name_of(const std::string& file) {
+  return file == "-" ? file : std::filesystem::path{file}.filename().string();
+}
+
+void apply(const std::vector<SettingChange>& changes, Simulator& simulator) {
+  for (const SettingChange& change : changes) {
+    const std::string refusal = simulator.change_setting(change.number, change.value);
+    if (refusal.empty()) continue;
+    throw std::invalid_argument(
+        fmt::format("{}: ${}={:g}: {}", change.place, change.number, change.value, refusal));
+  }
+}
+
+template <typename Number>
+cnc::AxisArray<Number> steps_per_mm(const cnc::Settings& settings) {
+  cnc::AxisArray<Number> steps{};
+  for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
+    steps[axis] = settings.get(cnc::setting::kStepsPerMm, axis);
+  }
+  return steps;
+}
+
+ProgrammedPath read_independently(const std::string& text, const cnc::Settings& settings) {
+  ReadOptions options;
+  options.laser_mode = settings.get(cnc::setting::kLaserMode) != 0.0F;
+  return read_program(text, options);
+}
+
+/// Tells the picture whether the machine is on a rapid, which pulses do not show.
+class MotionKindTeller final : public TraceSink {
+ public:
+  MotionKindTeller(const PathDeviation& follower, PathRecorder& recorder)
+      : follower_{follower}, recorder_{recorder} {}
+
+  void on_row(const TraceRow&) override {
+    const PathPiece* piece = follower_.present_piece();
+    if (piece != nullptr) recorder_.on_motion_kind(piece->travel == Travel::kRapid);
+  }
+
+ private:
+  const PathDeviation& follower_;
+  PathRecorder& recorder_;
+};
+
+double cut_length(const ProgrammedPath& path) {
+  double sum = 0.0;
+  for (const PathPiece& piece : path.pieces) {
+    const bool cuts = piece.travel == Travel::kFeed && piece.spindle != SpindleState::kOff &&
+                      piece.spindle_speed > 0.0;
+    if (cuts) sum += piece.curve.linear_length();
+  }
+  return sum;
+}
+
+Report report_on(const Job& job, const RunResult& result, const ProgrammedPath& path) {
+  Report report;
+  report.job = name_of(job.file);
+  report.job_time_s = result.job_time_s;
+  report.cut_length_mm = cut_length(path);
+  report.lines = result.lines;
+  report.blocks = result.blocks;
+  for (const auto& [line, text] : result.notes) {
+    report.warnings.push_back(fmt::format("{}:{}: {}", job.file, line, text));
+  }
+  for (const ReadNote& note : path.notes) {
+    if (!result.refusals.empty()) break;
+    report.warnings.push_back(fmt::format("{}:{}: {}", job.file, note.line, note.text));
+  }
+  for (const Refusal& refusal : result.refusals) {
+    report.faults.push_back(
+        {job.file, refusal.line, refusal.column, refusal.number, refusal.reason});
+  }
+  if (result.alarm != 0) {
+    report.faults.push_back({job.file,
+                             result.lines,
+                             0,
+                             result.alarm,
+                             fmt::format("the machine stopped with alarm {}", result.alarm)});
+  }
+  return report;
+}
+
+void add_measured(const MotionMeter& meter, Report& report) {
+  report.path_length_mm = meter.path_length();
+  for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
+    const AxisMotion motion = meter.axis(static_cast<cnc::Axis>(axis));
+    report.axes[axis] = {.max_speed_mm_s = motion.greatest_speed,
+                         .max_acceleration_mm_s2 = motion.greatest_acceleration,
+                         .max_jerk_mm_s3 = motion.greatest_jerk,
+                         .least_mm = motion.lowest,
+                         .greatest_mm = motion.highest,
+                         .steps = motion.steps};
+  }
+}
+
+void add_deviation(const PathDeviation& deviation, Report& report) {
+  report.max_path_deviation_mm = deviation.greatest_distance().value;
+  report.max_path_deviation_at_s =
+      static_cast<double>(deviation.greatest_distance().time_ns) * 1.0e-9;
+}
+
+void draw(const PathRecorder& recorder, const Job& job, const JobOutputs& outputs) {
+  if (outputs.svg.empty() && outputs.png.empty()) return;
+  const PictureOptions options{.title = name_of(job.file), .kerf_width_mm = outputs.kerf_width_mm};
+  if (!outputs.svg.empty()) write_svg(outputs.svg, recorder.path(), options);
+  if (!outputs.png.empty()) write_png(outputs.png, draw_svg(recorder.path(), options));
+}
+
+}  // namespace
+
+Report simulate(const Job& job, const JobOutputs& outputs) {
+  const std::string text = read_text(job.file);
+  Simulator simulator{
+      text, {.after_refusal = AfterRefusal::kStop, .machine = job.machine,
+             .on_progress = job.on_progress}};
+  apply(job.settings, simulator);
+  const ProgrammedPath path = read_independently(text, simulator.settings());
+
+  MotionMeter meter{steps_per_mm<double>(simulator.settings())};
+  PathDeviation deviation{path, steps_per_mm<double>(simulator.settings())};
+  PathRecorder recorder{steps_per_mm<float>(simulator.settings())};
+  MotionKindTeller teller{deviation, recorder};
+  simulator.add_sink(meter);
+  simulator.add_sink(deviation);
+  if (!outputs.svg.empty() || !outputs.png.empty()) {
+    simulator.add_sink(teller);
+    simulator.add_sink(recorder);
+  }
+  std::unique_ptr<TraceWriter> trace;
+  if (!outputs.trace.empty()) {
+    trace = std::make_unique<TraceWriter>(outputs.trace, steps_per_mm<float>(simulator.settings()));
+    simulator.add_sink(*trace);
+  }
+  std::unique_ptr<VcdWriter> vcd;
+  if (!outputs.vcd.empty()) {
+    vcd = std::make_unique<VcdWriter>(outputs.vcd);
+    simulator.add_sink(*vcd);
+  }
+
+  const RunResult result = simulator.run();
+  Report report = report_on(job, result, path);
+  add_measured(meter, report);
+  add_deviation(deviation, report);
+  draw(recorder, job, outputs);
+  return report;
+}
+
+Report check(const Job& job) {
+  const std::string text = read_text(job.file);
+  Simulator simulator{
+      text, {.after_refusal = AfterRefusal::kGoOn, .machine = job.machine,
+             .on_progress = job.on_progress}};
+  apply(job.settings, simulator);
+  const ProgrammedPath path = read_independently(text, simulator.settings());
+  Report report = report_on(job, simulator.run(), path);
+  report.path_length_mm = path.length();
+  const auto bounds = path.bounds();
+  for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
+    report.axes[axis].least_mm = bounds.low[axis];
+    report.axes[axis].greatest_mm = bounds.high[axis];
+  }
+  const auto overruns = check_travel(path, simulator.settings(), job.file, text);
+  report.faults.insert(report.faults.end(), overruns.begin(), overruns.end());
+  std::stable_sort(report.faults.begin(), report.faults.end(), [](const Fault& a, const Fault& b) {
+    return a.line < b.line;
+  });
+  return report;
+}
+
+}  // namespace sim

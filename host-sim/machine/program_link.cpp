@@ -1,0 +1,72 @@
+#include "host-sim/machine/program_link.hpp"
+
+#include <charconv>
+
+namespace sim {
+namespace {
+
+constexpr std::string_view kMessage = "[MSG:";
+constexpr std::string_view kError = "error:";
+
+template <typename Number>
+std::size_t read_number(std::string_view text, Number& number) {
+  const auto result = std::from_chars(text.data(), text.data() + text.size(), number);
+  return static_cast<std::size_t>(result.ptr - text.data());
+}
+
+}  // namespace
+
+ProgramLink::ProgramLink(std::string program, AfterRefusal after_refusal)
+    : program_{std::move(program)}, after_refusal_{after_refusal} {
+  const bool ends_open =
+      !program_.empty() && program_.back() != '\n' && program_.back() != '\r';
+  if (ends_open) program_ += '\n';
+}
+
+std::size_t ProgramLink::read(std::span<std::byte> into) {
+  if (awaits_answer_ || nothing_to_send() || into.empty()) return 0;
+  const char byte = program_[sent_++];
+  into[0] = static_cast<std::byte>(byte);
+  const bool second_of_pair = byte == '\n' && after_return_;
+  after_return_ = byte == '\r';
+  if (second_of_pair) return 1;
+  if (!in_line_) ++line_;
+  in_line_ = byte != '\n' && byte != '\r';
+  awaits_answer_ = !in_line_;
+  return 1;
+}
+
+std::size_t ProgramLink::write(std::span<const std::byte> from) {
+  for (const std::byte byte : from) {
+    const char character = static_cast<char>(byte);
+    if (character == '\n') {
+      take_answer(received_);
+      received_.clear();
+    } else if (character != '\r') {
+      received_ += character;
+    }
+  }
+  return from.size();
+}
+
+void ProgramLink::take_answer(std::string_view answer) {
+  if (answer.starts_with(kMessage)) {
+    message_ = answer.substr(kMessage.size(), answer.size() - kMessage.size() - 1);
+    return;
+  }
+  awaits_answer_ = false;
+  if (!answer.starts_with(kError)) return;
+  Refusal refusal{.line = line_, .column = 0, .number = 0, .reason = {}};
+  read_number(answer.substr(kError.size()), refusal.number);
+  const std::size_t digits = read_number(message_, refusal.column);
+  refusal.reason = message_.size() > digits + 2 ? message_.substr(digits + 2) : message_;
+  refusals_.push_back(refusal);
+  if (after_refusal_ == AfterRefusal::kStop) stop();
+}
+
+double ProgramLink::progress() const {
+  return program_.empty() ? 1.0
+                          : static_cast<double>(sent_) / static_cast<double>(program_.size());
+}
+
+}  // namespace sim

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "hal/interface/byte_stream.hpp"
+
+namespace sim {
+
+/// What the controller answered to a line it refused.
+struct Refusal {
+  std::size_t line = 0;    ///< From 1.
+  std::size_t column = 0;  ///< From 1; 0 when the whole line is meant.
+  int number = 0;          ///< Grbl's error number.
+  std::string reason;
+};
+
+enum class AfterRefusal {
+  kStop,  ///< As a sender does: send nothing more.
+  kGoOn,  ///< Look at every line, as a checker does.
+};
+
+/// A sender at the other end of the serial line: sends a program line by line,
+/// each when the one before has been answered, and keeps what was refused.
+class ProgramLink final : public hal::ByteStream {
+ public:
+  /// A last line without a line end gets one.
+  ProgramLink(std::string program, AfterRefusal after_refusal);
+
+  [[nodiscard]] std::size_t read(std::span<std::byte> into) override;
+  [[nodiscard]] std::size_t write(std::span<const std::byte> from) override;
+
+  /// Nothing left to send and no answer outstanding.
+  [[nodiscard]] bool finished() const { return !awaits_answer_ && nothing_to_send(); }
+  /// Sends nothing more.
+  void stop() { stopped_ = true; }
+
+  /// The line sent last, from 1.
+  [[nodiscard]] std::size_t line() const { return line_; }
+  /// Share of the program sent, 0…1.
+  [[nodiscard]] double progress() const;
+  [[nodiscard]] const std::vector<Refusal>& refusals() const { return refusals_; }
+
+ private:
+  [[nodiscard]] bool nothing_to_send() const {
+    return (stopped_ && !in_line_) || sent_ >= program_.size();
+  }
+  void take_answer(std::string_view answer);
+
+  std::string program_;
+  AfterRefusal after_refusal_;
+  std::size_t sent_ = 0;
+  std::size_t line_ = 0;
+  bool in_line_ = false;
+  bool after_return_ = false;
+  bool awaits_answer_ = false;
+  bool stopped_ = false;
+  std::string received_;
+  std::string message_;  ///< The last `[MSG:…]`, which explains the answer after it.
+  std::vector<Refusal> refusals_;
+};
+
+}  // namespace sim

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "host-sim/measure/edge_track.hpp"
+#include "planner/base/axes.hpp"
+
+namespace sim {
+
+/// Speed, acceleration and length of the way in X Y Z, from samples of the three
+/// courses (EdgeTrack) ten times a window.
+///
+/// Speed is the norm of the difference of two means over neighbouring windows,
+/// acceleration of the second difference of three. Both are weighted means with weights ≥ 0
+/// of the true vector, so they do not exceed its greatest norm but for errors of
+/// the course: an error e adds at most 4 e / window² to the acceleration. On a circle
+/// at angular speed ω the acceleration is low by the factor 1 − (ω window)² / 8.
+class CourseMeter {
+ public:
+  explicit CourseMeter(double window_s, const std::array<double, cnc::kLinearAxisCount>& start);
+
+  void add_edge(std::size_t axis, const AxisEdge& edge);
+  /// All edges before this time have been added.
+  void advance(double time_s);
+  /// No more edges.
+  void finish();
+
+  [[nodiscard]] double greatest_speed() const { return speed_; }
+  [[nodiscard]] double greatest_acceleration() const { return acceleration_; }
+  /// From sample to sample; short of a circle's length by the factor 1 − (ω window)² / 2400.
+  [[nodiscard]] double length() const { return length_; }
+
+ private:
+  using Vector = std::array<double, cnc::kLinearAxisCount>;
+  static constexpr std::size_t kSamplesPerWindow = 10;
+  static constexpr std::size_t kWindows = 3;
+  static constexpr std::size_t kSamples = kWindows * kSamplesPerWindow;
+
+  void sample_until(double time_s);
+  void take(const Vector& sample);
+  void measure();
+  [[nodiscard]] Vector mean(std::size_t window) const;
+
+  double window_s_;
+  std::vector<EdgeTrack> courses_;
+  double next_sample_s_ = 0.0;
+  double last_edge_s_ = 0.0;
+  std::array<Vector, kSamples> samples_{};
+  std::size_t count_ = 0;
+  double speed_ = 0.0;
+  double acceleration_ = 0.0;
+  double length_ = 0.0;
+};
+
+}  // namespace sim

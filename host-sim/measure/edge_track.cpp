@@ -1,0 +1,99 @@
+#include "host-sim/measure/edge_track.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sim {
+namespace {
+
+/// Edges closer together than this part of a window are thinned out: at an
+/// acceleration a the chord between them is off by a (window / 40)² / 8, far below a step.
+constexpr double kSpacing = 1.0 / 40.0;
+
+/// The speed at the first edge after a rest, as a part of the mean speed to the
+/// second: edges at 1/2 and 3/2 steps of x = a t²/2 give (√3 − 1)·1.
+constexpr double kSpeedAtRestingEdge = 0.7320508;
+
+}  // namespace
+
+void EdgeTrack::add(const AxisEdge& edge) {
+  const std::size_t count = edges_.size();
+  const bool crowded = count >= 2 && edge.time_s - edges_[count - 2].time_s < kSpacing * window_s_;
+  if (crowded) {
+    edges_.back() = edge;
+  } else {
+    edges_.push_back(edge);
+  }
+}
+
+double EdgeTrack::position_at(double time_s) {
+  while (edges_.size() > 2 && edges_[2].time_s <= time_s) edges_.pop_front();
+  if (edges_.empty()) return start_;
+  if (time_s < edges_.front().time_s) return leaving(0, time_s);
+  const std::size_t index = edges_.size() > 1 && edges_[1].time_s <= time_s ? 1 : 0;
+  return between(index, time_s);
+}
+
+/// Mean speed from an edge to the next; 0 where there is none.
+double EdgeTrack::speed_after(std::size_t index) const {
+  if (index + 1 >= edges_.size()) return 0.0;
+  const AxisEdge& from = edges_[index];
+  const AxisEdge& to = edges_[index + 1];
+  return (to.position - from.position) / (to.time_s - from.time_s);
+}
+
+/// How long the half step between an edge and a rest takes.
+double EdgeTrack::settling_time_s(std::size_t index, double speed) const {
+  const double step = 2.0 * std::abs(edges_[index].rest - edges_[index].position);
+  const double at_edge = kSpeedAtRestingEdge * std::abs(speed);
+  const double longest = kLongestSettling * window_s_;
+  return at_edge * longest > step ? step / at_edge : longest;
+}
+
+double EdgeTrack::between(std::size_t index, double time_s) const {
+  const double arriving_s = settling_time_s(index, index > 0 ? speed_after(index - 1) : 0.0);
+  if (index + 1 >= edges_.size()) return arriving(index, time_s);
+  const double leaving_s = settling_time_s(index + 1, speed_after(index + 1));
+  const double gap = edges_[index + 1].time_s - edges_[index].time_s;
+  // A reversal of uniform acceleration takes up to 1.8 times the two settlings.
+  const bool pause = gap > 2.0 * window_s_ && gap > 2.0 * (arriving_s + leaving_s);
+  if (!pause) return parabola(index, time_s);
+  const bool early = time_s - edges_[index].time_s < gap / 2.0;
+  return early ? arriving(index, time_s) : leaving(index + 1, time_s);
+}
+
+double EdgeTrack::arriving(std::size_t index, double time_s) const {
+  const AxisEdge& edge = edges_[index];
+  const double settling = settling_time_s(index, index > 0 ? speed_after(index - 1) : 0.0);
+  const double left = std::max(0.0, 1.0 - (time_s - edge.time_s) / settling);
+  return edge.rest + (edge.position - edge.rest) * left * left;
+}
+
+double EdgeTrack::leaving(std::size_t index, double time_s) const {
+  const AxisEdge& edge = edges_[index];
+  const double rest = 2.0 * edge.position - edge.rest;
+  const double left =
+      std::max(0.0, 1.0 - (edge.time_s - time_s) / settling_time_s(index, speed_after(index)));
+  return rest + (edge.position - rest) * left * left;
+}
+
+double EdgeTrack::parabola(std::size_t index, double time_s) const {
+  const AxisEdge& from = edges_[index];
+  const AxisEdge& to = edges_[index + 1];
+  const double gap = to.time_s - from.time_s;
+  const double speed = speed_after(index);
+  double acceleration = 0.0;
+  if (index > 0 && index + 2 < edges_.size()) {
+    const double apart =
+        gap + (edges_[index + 2].time_s - to.time_s + from.time_s - edges_[index - 1].time_s) / 2.0;
+    acceleration = (speed_after(index + 1) - speed_after(index - 1)) / apart;
+  }
+  // Monotonic between unlike places, within the step between like ones.
+  const double step = 2.0 * std::abs(from.rest - from.position);
+  const double limit = speed == 0.0 ? 8.0 * step / (gap * gap) : 2.0 * std::abs(speed) / gap;
+  acceleration = std::clamp(acceleration, -limit, limit);
+  const double since = time_s - from.time_s;
+  return from.position + speed * since + 0.5 * acceleration * since * (since - gap);
+}
+
+}  // namespace sim

@@ -1,0 +1,40 @@
+#pragma once
+
+namespace sim {
+
+/// The squared distance of a point from a helix of at most about half a turn,
+/// as a function of the fraction f of the helix:
+///
+///   point_radius² + radius² − 2 point_radius radius cos(sweep f − point_angle)
+///   + run_squared f² + 2 run_offset f + offset_squared
+///
+/// The first line is the distance in the plane of the circle, the second the
+/// distance on all other axes, which move straight.
+struct HelixDistance {
+  double radius = 0.0;          ///< mm.
+  double sweep = 0.0;           ///< Radians, positive.
+  double point_radius = 0.0;    ///< The point's distance from the axis, mm.
+  double point_angle = 0.0;     ///< The point's angle in the direction of travel from the start.
+  double run_squared = 0.0;     ///< |run|² of the straight axes.
+  double run_offset = 0.0;      ///< run · (start − point) on the straight axes.
+  double offset_squared = 0.0;  ///< |start − point|² on the straight axes.
+
+  [[nodiscard]] double squared(double fraction) const;
+
+  /// Where in from…1 the distance is least.
+  ///
+  /// Newton's method from the guess of the linearised curve. A stationary point
+  /// nearer than the radius is the nearest of all, because the reach of a helix
+  /// of half a turn is at least its radius (Federer, Curvature Measures, 4.8);
+  /// for points farther away the whole curve is searched.
+  [[nodiscard]] double nearest_fraction(double from) const;
+
+ private:
+  [[nodiscard]] double half_slope(double fraction) const;
+  [[nodiscard]] double half_slope_rate(double fraction) const;
+  [[nodiscard]] bool stationary(double fraction, double from) const;
+  [[nodiscard]] double refined(double fraction, double low, double high) const;
+  [[nodiscard]] double searched(double from) const;
+};
+
+}  // namespace sim

@@ -1,0 +1,119 @@
+#include "host-sim/measure/path_follower.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sim {
+namespace {
+
+/// Looking ahead ends where the path is this many step diagonals farther away than
+/// the nearest point: more than the two that the place may trail by.
+constexpr double kWindowSteps = 3.0;
+
+/// Points this much farther away than the nearest count as equally near: a little more
+/// than the half diagonal by which the motors of an ideal machine are off.
+constexpr double kTieSteps = 0.55;
+
+/// The place stays this far behind the nearest point of its piece.
+constexpr double kTrailSteps = 1.0;
+
+double moved_step_diagonal(const ProgrammedPath& path, const Point& step) {
+  const Bounds bounds = path.bounds();
+  double sum = 0.0;
+  for (std::size_t i = 0; i < step.size(); ++i) {
+    if (bounds.high[i] > bounds.low[i]) sum += step[i] * step[i];
+  }
+  return std::sqrt(sum);
+}
+
+}  // namespace
+
+PathFollower::PathFollower(const ProgrammedPath& path, const Point& step)
+    : path_{&path}, step_{step}, step_size_{moved_step_diagonal(path, step)} {}
+
+PathFollower::Match PathFollower::advance(const Point& position) {
+  if (path_->pieces.empty()) {
+    return {0, {0.0, distance(position, path_->start), path_->start}};
+  }
+  const Match best = look_ahead(position);
+  for (const Match& match : window_) {
+    if (match.nearest.distance > best.nearest.distance + kTieSteps * step_size_) continue;
+    move_to(match);
+    break;
+  }
+  return best;
+}
+
+PathFollower::Match PathFollower::look_ahead(const Point& position) {
+  Match best{0, {0.0, std::numeric_limits<double>::infinity(), {}}};
+  window_.clear();
+  double to_start = 0.0;
+  for (std::size_t index = piece_; index < path_->pieces.size(); ++index) {
+    const double to_end = distance(position, curve(index).end());
+    const double at_least = std::max(to_start, to_end) - curve(index).length();
+    if (at_least <= best.nearest.distance + kTieSteps * step_size_) {
+      window_.push_back({index, curve(index).nearest(position, from(index))});
+      if (window_.back().nearest.distance < best.nearest.distance) best = window_.back();
+    }
+    if (to_end > best.nearest.distance + kWindowSteps * step_size_) break;
+    to_start = to_end;
+  }
+  return best;
+}
+
+void PathFollower::move_to(const Match& match) {
+  const double trail = kTrailSteps * step_size_ / curve(match.piece).length();
+  fraction_ = std::max(match.nearest.fraction - trail, from(match.piece));
+  piece_ = match.piece;
+}
+
+double PathFollower::excess_at(const Point& position, const Point& place) const {
+  double greatest = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < position.size(); ++i) {
+    greatest = std::max(greatest, std::abs(position[i] - place[i]) - step_[i] / 2.0);
+  }
+  return greatest;
+}
+
+double PathFollower::excess_between(
+    const Point& position, const Curve& curve, double low, double high, double enough) const {
+  constexpr int kThirds = 24;  // 6e-5 of half a step.
+  double least = excess_at(position, curve.point_at((low + high) / 2.0));
+  for (int i = 0; i < kThirds && least > enough; ++i) {
+    const double third = (high - low) / 3.0;
+    const double left = excess_at(position, curve.point_at(low + third));
+    const double right = excess_at(position, curve.point_at(high - third));
+    (left < right ? high : low) = left < right ? high - third : low + third;
+    least = std::min({least, left, right});
+  }
+  return least;
+}
+
+// Along a line the excess is convex. Where an arc just touches the edge of a step it
+// has more than one minimum, hence the search in parts.
+double PathFollower::piece_excess(const Point& position, const Match& match, double enough) const {
+  constexpr int kParts = 8;  // Of the four steps around the nearest point.
+  const Curve& curve = this->curve(match.piece);
+  const double reach = 2.0 * step_size_ / curve.length();
+  const double low = std::max(from(match.piece), match.nearest.fraction - reach);
+  const double part = (std::min(1.0, match.nearest.fraction + reach) - low) / kParts;
+  double least = excess_at(position, match.nearest.point);
+  for (int i = 0; i < kParts && least > enough; ++i) {
+    const double from = low + part * i;
+    least = std::min(least, excess_between(position, curve, from, from + part, enough));
+  }
+  return least;
+}
+
+double PathFollower::axis_excess(const Point& position, double enough) const {
+  if (path_->pieces.empty()) return excess_at(position, path_->start);
+  double least = std::numeric_limits<double>::infinity();
+  for (const Match& match : window_) {
+    if (match.piece < piece_) continue;
+    least = std::min(least, piece_excess(position, match, enough));
+    if (least <= enough) break;
+  }
+  return least;
+}
+
+}  // namespace sim

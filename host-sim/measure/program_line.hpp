@@ -1,0 +1,28 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sim {
+
+/// One line of a program, taken apart but not yet understood.
+struct ProgramLine {
+  std::vector<int> g;                              ///< G numbers in tenths: G38.2 is 382.
+  std::vector<int> m;                              ///< M numbers.
+  std::array<std::optional<double>, 26> values{};  ///< Of the other letters, A…Z.
+  std::vector<std::string> faults;                 ///< What is not a word.
+
+  [[nodiscard]] std::optional<double> value(char letter) const;
+  [[nodiscard]] bool has_g(int tenths) const;
+  /// Any of X Y Z A B C.
+  [[nodiscard]] bool has_axis_words() const;
+};
+
+/// Comments, white space, `%` lines and lines that `/` deletes have no words.
+/// Letters may be small, and words may have spaces inside.
+[[nodiscard]] ProgramLine take_apart(std::string_view text);
+
+}  // namespace sim

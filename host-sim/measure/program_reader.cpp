@@ -1,0 +1,196 @@
+#include "host-sim/measure/program_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host-sim/measure/programmed_arc.hpp"
+
+namespace sim {
+namespace {
+
+double rotary_distance(const Point& from, const Point& to) {
+  Point run = to - from;
+  for (std::size_t i = 0; i < cnc::kLinearAxisCount; ++i) run[i] = 0.0;
+  return norm(run);
+}
+
+/// Radius below which a circle is none (mm): half a nanometre.
+constexpr double kNoCircle = 0.5e-6;
+
+constexpr std::array kStopWords{0, 1, 2, 30};
+constexpr std::array kSpindleWords{3, 4, 5};
+constexpr std::array kCoolantWords{7, 8, 9};
+constexpr std::array kOutputWords{62, 63, 64, 65, 67, 68};
+
+template <std::size_t Count>
+bool contains(const std::array<int, Count>& words, int word) {
+  return std::ranges::find(words, word) != words.end();
+}
+
+}  // namespace
+
+ProgramReader::ProgramReader(const ReadOptions& options)
+    : options_{options}, position_{options.start} {
+  path_.start = path_.end = options.start;
+}
+
+void ProgramReader::read(std::string_view text) {
+  line_number_ = 0;
+  ended_ = false;
+  while (!text.empty() && !ended_) {
+    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+    ++line_number_;
+    read_line(text.substr(0, end));
+    const bool pair = text.substr(end, 2) == "\r\n";
+    text.remove_prefix(std::min(end + (pair ? 2 : 1), text.size()));
+  }
+}
+
+void ProgramReader::note(std::string text) {
+  path_.notes.push_back({line_number_, std::move(text)});
+}
+
+// The order of RS274/NGC (NISTIR 6556, table 8).
+void ProgramReader::read_line(std::string_view text) {
+  const ProgramLine line = take_apart(text);
+  for (const std::string& fault : line.faults) note(fault);
+  const std::vector<int> single = modes_.apply_modes(line);
+  apply_spindle(line);
+  apply_outputs(line);
+  const bool taken = apply_single(line, single);
+  if (!taken) move(line);
+  stop_or_end(line);
+}
+
+void ProgramReader::apply_spindle(const ProgramLine& line) {
+  SpindleState state = spindle_;
+  for (const int m : line.m) {
+    if (m == 3) state = SpindleState::kConstant;
+    if (m == 4) state = SpindleState::kDynamic;
+    if (m == 5) state = SpindleState::kOff;
+  }
+  const double speed = line.value('S').value_or(spindle_speed_);
+  const bool turning = spindle_ != SpindleState::kOff && speed != spindle_speed_;
+  if (!options_.laser_mode && (turning || state != spindle_)) stop_pending_ = true;
+  spindle_ = state;
+  spindle_speed_ = speed;
+}
+
+void ProgramReader::apply_outputs(const ProgramLine& line) {
+  for (const int m : line.m) {
+    if (contains(kCoolantWords, m)) {
+      stop_pending_ = stop_pending_ || options_.stop_at_coolant;
+    } else if (contains(kOutputWords, m)) {
+      stop_pending_ = stop_pending_ || options_.stop_at_output;
+    } else if (!contains(kSpindleWords, m) && !contains(kStopWords, m)) {
+      note("M" + std::to_string(m) + " left out");
+    }
+  }
+}
+
+void ProgramReader::stop_or_end(const ProgramLine& line) {
+  for (const int m : line.m) {
+    if (m == 0 || (m == 1 && options_.optional_stop)) stop_pending_ = true;
+    if (m != 2 && m != 30) continue;
+    modes_.end_program();
+    spindle_ = SpindleState::kOff;
+    stop_pending_ = ended_ = true;
+  }
+}
+
+bool ProgramReader::apply_single(const ProgramLine& line, const std::vector<int>& numbers) {
+  // G43.1 is a mode, but it takes the axis words.
+  bool taken = line.has_g(431);
+  for (const int g : numbers) {
+    if (g == 40) stop_pending_ = true;
+    if (g == 40 || g == 530) continue;  // G53 is for ModalState::target.
+    taken = true;
+    if (!apply_home(line, g) && !apply_offset(line, g)) {
+      note("G" + std::to_string(g / 10) + "." + std::to_string(g % 10) + " left out");
+    }
+  }
+  return taken;
+}
+
+bool ProgramReader::apply_home(const ProgramLine& line, int g) {
+  if (g == 280) go_by_way_to(line, first_home_);
+  if (g == 281) first_home_ = position_;
+  if (g == 300) go_by_way_to(line, second_home_);
+  if (g == 301) second_home_ = position_;
+  return g == 280 || g == 281 || g == 300 || g == 301;
+}
+
+bool ProgramReader::apply_offset(const ProgramLine& line, int g) {
+  if (g == 100) return modes_.set_coordinate_system(line, position_);
+  if (g == 920) modes_.set_shift(line, position_);
+  if (g == 921) modes_.clear_shift();
+  if (g == 922) modes_.suspend_shift();
+  if (g == 923) modes_.restore_shift();
+  return g >= 920 && g <= 923;
+}
+
+void ProgramReader::go_by_way_to(const ProgramLine& line, const Point& home) {
+  if (!line.has_axis_words()) return move_straight(home, Travel::kRapid);
+  move_straight(modes_.target(line, position_), Travel::kRapid);
+  Point last = position_;
+  for (std::size_t i = 0; i < cnc::kAxisCount; ++i) {
+    if (line.value(cnc::kAxisLetters[i])) last[i] = home[i];
+  }
+  move_straight(last, Travel::kRapid);
+}
+
+void ProgramReader::move(const ProgramLine& line) {
+  using Motion = ModalState::Motion;
+  const Motion motion = modes_.motion();
+  const bool round = motion == Motion::kClockwise || motion == Motion::kCounterClockwise;
+  const bool centred = round && (modes_.centre(line, position_) || line.value('R'));
+  if (!line.has_axis_words() && !centred) return;
+  const Point to = modes_.target(line, position_);
+  switch (motion) {
+    case Motion::kNone:
+      return note("axis words without a motion");
+    case Motion::kRapid:
+      return move_straight(to, Travel::kRapid);
+    case Motion::kLine:
+      return move_straight(to, Travel::kFeed);
+    case Motion::kProbe:
+      return move_straight(to, Travel::kProbe);
+    case Motion::kClockwise:
+      return move_round(line, to, true);
+    case Motion::kCounterClockwise:
+      return move_round(line, to, false);
+  }
+}
+
+void ProgramReader::move_straight(const Point& to, Travel travel) {
+  // A probe begins and ends at rest.
+  if (travel == Travel::kProbe) stop_pending_ = true;
+  const Curve curve = Curve::line(position_, to);
+  add_piece(curve, travel, modes_.feed(curve.linear_length(), rotary_distance(position_, to)));
+  if (travel == Travel::kProbe) stop_pending_ = true;
+}
+
+void ProgramReader::move_round(const ProgramLine& line, const Point& to, bool clockwise) {
+  ProgrammedArc arc{position_, to, modes_.plane(), {}, clockwise, 1};
+  arc.turns = static_cast<int>(std::lround(line.value('P').value_or(1.0)));
+  const auto radius = line.value('R');
+  if (radius && is_closed(arc)) return note("an arc by radius needs another end");
+  arc.centre = radius ? centre_from_radius(arc, modes_.scaled(0, *radius))
+                      : modes_.centre(line, position_).value_or(std::array{0.0, 0.0});
+  if (start_radius(arc) < kNoCircle) return note("an arc without a radius");
+  const std::vector<Curve> pieces = pieces_of(arc);
+  double length = 0.0;
+  for (const Curve& piece : pieces) length += piece.linear_length();
+  const double feed = modes_.feed(length, rotary_distance(position_, to));
+  for (const Curve& piece : pieces) add_piece(piece, Travel::kFeed, feed);
+}
+
+void ProgramReader::add_piece(const Curve& curve, Travel travel, double feed) {
+  path_.end = position_ = curve.end();
+  if (curve.length() <= 0.0) return;
+  path_.pieces.push_back(
+      {curve, travel, feed, spindle_speed_, spindle_, line_number_, stop_pending_});
+  stop_pending_ = false;
+}
+
+}  // namespace sim

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <string_view>
+
+#include "host-sim/measure/modal_state.hpp"
+#include "host-sim/measure/programmed_path.hpp"
+
+namespace sim {
+
+/// Reads programs one after the other, as a machine does: offsets, position
+/// and most modes live on from one to the next. See read_program for one alone.
+class ProgramReader {
+ public:
+  explicit ProgramReader(const ReadOptions& options = {});
+
+  /// One program: up to M2, M30 or the end of the text. Lines count from 1.
+  void read(std::string_view text);
+
+  /// Everything read so far.
+  [[nodiscard]] const ProgrammedPath& path() const { return path_; }
+
+ private:
+  void read_line(std::string_view text);
+  void apply_spindle(const ProgramLine& line);
+  void apply_outputs(const ProgramLine& line);
+  void stop_or_end(const ProgramLine& line);
+  /// The G numbers that are no modes; true when one of them took the axis words.
+  [[nodiscard]] bool apply_single(const ProgramLine& line, const std::vector<int>& numbers);
+  [[nodiscard]] bool apply_home(const ProgramLine& line, int g);
+  [[nodiscard]] bool apply_offset(const ProgramLine& line, int g);
+  void go_by_way_to(const ProgramLine& line, const Point& home);
+  void move(const ProgramLine& line);
+  void move_straight(const Point& to, Travel travel);
+  void move_round(const ProgramLine& line, const Point& to, bool clockwise);
+  void add_piece(const Curve& curve, Travel travel, double feed);
+  void note(std::string text);
+
+  ReadOptions options_;
+  ProgrammedPath path_;
+  ModalState modes_;
+  Point position_{};
+  Point first_home_{};   ///< G28.
+  Point second_home_{};  ///< G30.
+  double spindle_speed_ = 0.0;
+  SpindleState spindle_ = SpindleState::kOff;
+  int line_number_ = 0;
+  bool stop_pending_ = true;
+  bool ended_ = false;
+};
+
+}  // namespace sim

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <iosfwd>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host-sim/measure/curve.hpp"
+
+namespace sim {
+
+enum class Travel : std::uint8_t { kFeed, kRapid, kProbe };
+enum class SpindleState : std::uint8_t { kOff, kConstant, kDynamic };  ///< M5, M3, M4.
+
+/// One line or one arc of at most half a turn, with what rides along.
+struct PathPiece {
+  Curve curve;
+  Travel travel = Travel::kRapid;
+  /// mm/s along X Y Z; degrees/s where only A B C move. Meaningless for rapids.
+  double feed = 0.0;
+  double spindle_speed = 0.0;  ///< S as programmed.
+  SpindleState spindle = SpindleState::kOff;
+  int line = 0;              ///< Of the program, the first is 1.
+  bool stop_before = false;  ///< The machine stands still before this piece.
+
+  /// The wanted speed in the six-axis length of the curve; infinite for rapids.
+  [[nodiscard]] double path_feed() const;
+};
+
+/// Something in the program that the reader left out.
+struct ReadNote {
+  int line = 0;
+  std::string text;
+};
+
+/// What a program asks for, in machine coordinates and double precision.
+struct ProgrammedPath {
+  Point start{};
+  Point end{};
+  std::vector<PathPiece> pieces;  ///< Each begins where the former ends.
+  std::vector<ReadNote> notes;
+
+  [[nodiscard]] double length() const;  ///< Six-axis length, mm.
+  [[nodiscard]] Bounds bounds() const;
+};
+
+struct ReadOptions {
+  /// Changes of S and of M3/M4/M5 need no stop.
+  bool laser_mode = false;
+  bool stop_at_coolant = false;  ///< M7, M8, M9.
+  bool stop_at_output = false;   ///< M62…M65, M67, M68.
+  bool optional_stop = false;    ///< M1 stops.
+  Point start{};                 ///< Where the machine stands, machine coordinates.
+};
+
+/// The simulator's own reading of a program. It shares no code with the
+/// product's parser and geometry, so that one checks the other.
+///
+/// Reads valid programs, up to M2, M30 or the end of the text. What it does not
+/// understand it leaves out and notes. Places that the machine alone can know
+/// (the contact of a probe) are taken as programmed.
+[[nodiscard]] ProgrammedPath read_program(std::string_view text, const ReadOptions& options = {});
+[[nodiscard]] ProgrammedPath read_program(std::istream& text, const ReadOptions& options = {});
+
+}  // namespace sim

@@ -1,0 +1,121 @@
+#include "host-sim/plot/path_recorder.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "planner/base/contract.hpp"
+
+namespace sim {
+namespace {
+
+/// Rows in a window that never gets anywhere, such as a motor that shivers.
+constexpr std::size_t kMostSamples = 4'096;
+
+/// Speeds that differ by less look the same: half a colour of the legend.
+constexpr float kSpeedSteps = 64.0F;
+
+double coarsest_step_mm(const cnc::AxisArray<float>& steps_per_mm) {
+  CNC_ASSERT(steps_per_mm[0] > 0.0F && steps_per_mm[1] > 0.0F && steps_per_mm[2] > 0.0F);
+  return 1.0 / std::min<double>(steps_per_mm[0], steps_per_mm[1]);
+}
+
+PathTolerance first_tolerance(double step_mm) {
+  return {.distance_mm = std::max(PathTolerance{}.distance_mm, 2.0 * step_mm), .speed_mm_s = 0.0F};
+}
+
+}  // namespace
+
+PathRecorder::PathRecorder(const cnc::AxisArray<float>& steps_per_mm)
+    : window_{coarsest_step_mm(steps_per_mm)},
+      tolerance_{first_tolerance(coarsest_step_mm(steps_per_mm))},
+      simplifier_{tolerance_} {
+  for (std::size_t axis = 0; axis < cnc::kLinearAxisCount; ++axis) {
+    mm_per_step_[axis] = 1.0 / static_cast<double>(steps_per_mm[axis]);
+  }
+  samples_.reserve(kMostSamples);
+}
+
+void PathRecorder::on_row(const TraceRow& row) {
+  if (!has_started_) return start(row);
+  const bool stood_still = row.time_ns - window_.last_ns() >= SpeedWindow::kStandstillNs;
+  if (stood_still) come_to_rest();
+  const SpeedWindow::Point point = point_between(position_, row.position);
+  window_.move_to(row.time_ns, point);
+  last_move_ = move_of_stretch();
+  add_sample(point);
+  position_ = row.position;
+  duty_ = row.duty;
+  if (stood_still || window_.is_full() || samples_.size() == kMostSamples) close_window();
+}
+
+void PathRecorder::on_end(std::uint64_t time_ns) {
+  if (has_started_) come_to_rest();
+  path_.vertices = simplifier_.finish();
+  path_.duration_s = 1e-9 * static_cast<double>(time_ns);
+}
+
+// What moved before this row was driven with the output before this row.
+Move PathRecorder::move_of_stretch() const {
+  if (is_rapid_.value_or(false)) return Move::kTravel;
+  if (duty_ > 0.0F) return Move::kCut;
+  return is_rapid_ ? Move::kFeed : Move::kTravel;
+}
+
+// A motor steps when the path passes half way between two of its positions, so
+// the middle is nearer to the path than either; it halves the staircase.
+SpeedWindow::Point PathRecorder::point_between(const Position& before,
+                                               const Position& after) const {
+  const auto middle_mm = [&](std::size_t axis) {
+    const double sum = static_cast<double>(before[axis]) + static_cast<double>(after[axis]);
+    return 0.5 * sum * mm_per_step_[axis];
+  };
+  return {middle_mm(0), middle_mm(1), middle_mm(2)};
+}
+
+void PathRecorder::start(const TraceRow& row) {
+  position_ = row.position;
+  duty_ = row.duty;
+  const SpeedWindow::Point point = point_between(position_, position_);
+  window_.restart(row.time_ns, point);
+  simplifier_.push({.x_mm = point.x_mm, .y_mm = point.y_mm});
+  has_started_ = true;
+}
+
+void PathRecorder::add_sample(const SpeedWindow::Point& point) {
+  const bool stays =
+      !samples_.empty() && samples_.back().x_mm == point.x_mm && samples_.back().y_mm == point.y_mm;
+  if (!stays) samples_.push_back({point.x_mm, point.y_mm, last_move_});
+}
+
+void PathRecorder::come_to_rest() {
+  const SpeedWindow::Point point = point_between(position_, position_);
+  window_.move_to(window_.last_ns(), point);
+  add_sample(point);
+  close_window();
+}
+
+void PathRecorder::close_window() {
+  last_speed_mm_s_ = static_cast<float>(window_.speed_mm_s(static_cast<double>(last_speed_mm_s_)));
+  for (const Sample& sample : samples_) {
+    const bool is_travel = sample.move == Move::kTravel;
+    const float speed_mm_s = is_travel ? 0.0F : last_speed_mm_s_;
+    greatest_speed_mm_s_ = std::max(greatest_speed_mm_s_, speed_mm_s);
+    simplifier_.push({sample.x_mm, sample.y_mm, speed_mm_s, sample.move});
+  }
+  samples_.clear();
+  window_.restart(window_.last_ns(), window_.last());
+  tolerance_.speed_mm_s = greatest_speed_mm_s_ / kSpeedSteps;
+  simplifier_.set_speed_tolerance(tolerance_.speed_mm_s);
+  coarsen_when_full();
+}
+
+void PathRecorder::coarsen_when_full() {
+  while (simplifier_.vertices().size() > kMostVertices) {
+    tolerance_.distance_mm *= 2.0;
+    PathSimplifier coarser{tolerance_};
+    for (const PathVertex& vertex : simplifier_.finish()) coarser.push(vertex);
+    simplifier_ = std::move(coarser);
+  }
+}
+
+}  // namespace sim

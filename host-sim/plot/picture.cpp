@@ -1,0 +1,166 @@
+#include "host-sim/plot/picture.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "host-sim/plot/grid.hpp"
+#include "host-sim/plot/legend.hpp"
+#include "host-sim/plot/path_drawing.hpp"
+#include "host-sim/plot/path_simplifier.hpp"
+#include "host-sim/plot/svg_element.hpp"
+#include "host-sim/plot/view.hpp"
+#include "host-sim/report/duration_text.hpp"
+#include "host-sim/trace/output_file.hpp"
+
+namespace sim {
+namespace {
+
+constexpr double kMarginPx = 40.0;
+constexpr double kHeadingHeightPx = 128.0;
+constexpr double kLeftLabelsPx = 100.0;
+constexpr double kBottomLabelsPx = 84.0;
+constexpr double kLegendWidthPx = 270.0;
+constexpr double kPlotWidthPx = kPictureWidthPx - kLeftLabelsPx - kLegendWidthPx - 2.0 * kMarginPx;
+constexpr double kTallestPlotPx = 1.15 * kPlotWidthPx;
+
+/// Less than anybody sees, so such points only cost bytes.
+constexpr double kInvisiblePx = 0.1;
+
+/// Measured speeds exceed the true one by up to 2 %, which must not turn a scale
+/// up to 6000 mm/min into one up to 8000.
+constexpr double kMeasuredShare = 0.97;
+
+/// What is seen: the extent with room for line width, and never a mere point.
+Bounds framed(const Bounds& extent) {
+  const double size_mm = std::max(extent.width_mm(), extent.height_mm());
+  if (extent.is_empty()) return {-11.0, 11.0, -5.5, 5.5};
+  const double margin_mm = size_mm > 0.0 ? 0.04 * size_mm : 5.5;
+  const double more_x_mm = size_mm > 0.0 ? 0.0 : margin_mm;  // A wide frame about a point.
+  return {extent.left_mm - margin_mm - more_x_mm,
+          extent.right_mm + margin_mm + more_x_mm,
+          extent.bottom_mm - margin_mm,
+          extent.top_mm + margin_mm};
+}
+
+Box plot_box(const Bounds& bounds) {
+  const double natural_px = kPlotWidthPx * bounds.height_mm() / bounds.width_mm();
+  return {kLeftLabelsPx,
+          kHeadingHeightPx,
+          kPlotWidthPx,
+          std::clamp(natural_px, kLegendHeightPx, kTallestPlotPx)};
+}
+
+bool has(const std::vector<PathVertex>& vertices, Move move) {
+  const auto is_such = [move](const PathVertex& vertex) { return vertex.move == move; };
+  return !vertices.empty() && std::any_of(vertices.begin() + 1, vertices.end(), is_such);
+}
+
+LegendContent legend_of(const std::vector<PathVertex>& vertices, double kerf_width_mm) {
+  float greatest_mm_s = 0.0F;
+  for (const PathVertex& vertex : vertices) {
+    greatest_mm_s = std::max(greatest_mm_s, vertex.speed_mm_s);
+  }
+  LegendContent content{.kerf_width_mm = kerf_width_mm,
+                        .has_cut = has(vertices, Move::kCut),
+                        .has_feed = has(vertices, Move::kFeed),
+                        .has_travel = has(vertices, Move::kTravel)};
+  if (greatest_mm_s <= 0.0F) return content;
+  const double greatest_mm_min = kMeasuredShare * 60.0 * static_cast<double>(greatest_mm_s);
+  content.tick_speed_mm_min = round_step(greatest_mm_min / 6.0);
+  content.top_speed_mm_min =
+      content.tick_speed_mm_min * std::ceil(greatest_mm_min / content.tick_speed_mm_min);
+  return content;
+}
+
+double length_mm(const std::vector<PathVertex>& vertices, Move move) {
+  double sum_mm = 0.0;
+  for (std::size_t i = 1; i < vertices.size(); ++i) {
+    if (vertices[i].move != move) continue;
+    sum_mm += std::hypot(vertices[i].x_mm - vertices[i - 1].x_mm,
+                         vertices[i].y_mm - vertices[i - 1].y_mm);
+  }
+  return sum_mm;
+}
+
+std::string length_text(double mm) {
+  return mm < 1000.0 ? fmt::format("{:.1f} mm", mm) : fmt::format("{:.2f} m", mm / 1000.0);
+}
+
+/// Dimensions of what is cut (or of all motion when nothing is), length and time.
+std::string subtitle_of(const Path& path) {
+  const bool has_cut = has(path.vertices, Move::kCut);
+  const Bounds part = bounds_of(path.vertices, has_cut ? Move::kCut : Move::kTravel);
+  if (part.width_mm() + part.height_mm() == 0.0) return duration_text(path.duration_s);
+  std::string text = fmt::format("{:.1f} × {:.1f} mm", part.width_mm(), part.height_mm());
+  if (has_cut) text += "  ·  " + length_text(length_mm(path.vertices, Move::kCut)) + " cut";
+  return text + "  ·  " + duration_text(path.duration_s);
+}
+
+void add_heading(std::string& out, const Path& path, const std::string& title) {
+  const std::string_view name = title.empty() ? std::string_view{"Path"} : title;
+  const svg::TextStyle bold{.size_px = 34.0, .weight = "bold"};
+  svg::add_text(out, kLeftLabelsPx, 58.0, bold, name);
+  const svg::TextStyle grey{.size_px = 23.0, .fill = "#5b626c"};
+  svg::add_text(out, kLeftLabelsPx, 96.0, grey, subtitle_of(path));
+}
+
+void add_marks(std::string& out, const std::vector<PathVertex>& vertices, const View& view) {
+  const PathVertex& start = vertices.front();
+  const PathVertex& end = vertices.back();
+  add_start_mark(out, view.x_px(start.x_mm), view.y_px(start.y_mm));
+  add_end_mark(out, view.x_px(end.x_mm), view.y_px(end.y_mm));
+}
+
+void add_no_motion(std::string& out, const Box& box, std::string_view text) {
+  svg::add_text(out,
+                box.left_px + 0.5 * box.width_px,
+                box.top_px + 0.5 * box.height_px - 30.0,
+                {.size_px = 26.0, .anchor = "middle", .fill = "#5b626c"},
+                text);
+}
+
+std::string document_start(double height_px) {
+  return fmt::format(
+      R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0:.0f}" height="{1:.0f}" )"
+      R"(viewBox="0 0 {0:.0f} {1:.0f}" font-family="'DejaVu Sans', Verdana, sans-serif">)"
+      "\n",
+      kPictureWidthPx,
+      height_px);
+}
+
+}  // namespace
+
+std::string draw_svg(const Path& path, const PictureOptions& options) {
+  const Bounds extent = bounds_of(path.vertices, Move::kTravel);
+  const Bounds bounds = framed(extent);
+  const Box box = plot_box(bounds);
+  const View view{bounds, box};
+  const LegendContent legend = legend_of(path.vertices, options.kerf_width_mm);
+  const double top_mm_s = legend.top_speed_mm_min / 60.0;
+
+  const double height_px = box.bottom_px() + kBottomLabelsPx;
+  std::string out = document_start(height_px);
+  svg::add_box(out, {0.0, 0.0, kPictureWidthPx, height_px}, "#ffffff");
+  add_heading(out, path, options.title);
+  add_grid(out, view);
+  if (path.vertices.empty()) {
+    add_no_motion(out, box, "no motion");
+    return out + "</svg>\n";
+  }
+  const PathTolerance invisible{.distance_mm = kInvisiblePx / view.px_per_mm(),
+                                .speed_mm_s = static_cast<float>(top_mm_s / 64.0)};
+  add_path(out, simplified(path.vertices, invisible), view, {options.kerf_width_mm, top_mm_s});
+  if (extent.width_mm() + extent.height_mm() == 0.0)
+    add_no_motion(out, box, "no motion in X and Y");
+  add_marks(out, path.vertices, view);
+  const Box legend_box{box.right_px() + kMarginPx, box.top_px, kLegendWidthPx, box.height_px};
+  add_legend(out, legend_box, view, legend);
+  return out + "</svg>\n";
+}
+
+void write_svg(const std::string& file, const Path& path, const PictureOptions& options) {
+  write_file(file, draw_svg(path, options));
+}
+
+}  // namespace sim

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace sim {
+
+/// Measures the speed of stepping motors over a stretch of a few milliseconds.
+///
+/// Steps of several axes interleave, so single intervals say little: the length
+/// is summed over chords of at least `kChordSteps` steps, which makes the error
+/// of the staircase second order (below 1 %) and still follows a curve.
+class SpeedWindow {
+ public:
+  struct Point {
+    double x_mm;
+    double y_mm;
+    double z_mm;
+  };
+
+  /// Without a step for so long the machine stands: the wait must not be
+  /// averaged into the motion before and after it.
+  static constexpr std::uint64_t kStandstillNs = 50'000'000;
+
+  /// `step_mm`: the coarsest step of X and Y.
+  explicit SpeedWindow(double step_mm)
+      : chord_mm_{kChordSteps * step_mm}, long_enough_mm_{kWindowSteps * step_mm} {}
+
+  void restart(std::uint64_t time_ns, const Point& at) {
+    start_ns_ = last_ns_ = time_ns;
+    chord_start_ = last_ = at;
+    length_mm_ = 0.0;
+  }
+
+  void move_to(std::uint64_t time_ns, const Point& to) {
+    last_ns_ = time_ns;
+    last_ = to;
+    const double chord_mm = distance_mm(chord_start_, to);
+    if (chord_mm < chord_mm_) return;
+    length_mm_ += chord_mm;
+    chord_start_ = to;
+  }
+
+  /// True when the speed is worth reading: neither time nor steps too few.
+  [[nodiscard]] bool is_full() const {
+    return last_ns_ - start_ns_ >= kWindowNs && length_mm_ >= long_enough_mm_;
+  }
+
+  /// Mean speed since the restart; `otherwise` when steps and time are too few to tell.
+  [[nodiscard]] double speed_mm_s(double otherwise) const {
+    const std::uint64_t elapsed_ns = last_ns_ - start_ns_;
+    const double length_mm = length_mm_ + distance_mm(chord_start_, last_);
+    if (length_mm < chord_mm_ && elapsed_ns < kStandstillNs) return otherwise;
+    return length_mm / (1e-9 * static_cast<double>(elapsed_ns));
+  }
+
+  [[nodiscard]] std::uint64_t last_ns() const { return last_ns_; }
+  [[nodiscard]] const Point& last() const { return last_; }
+
+ private:
+  static constexpr double kChordSteps = 8.0;
+  static constexpr double kWindowSteps = 32.0;           ///< Direction to about 3 %.
+  static constexpr std::uint64_t kWindowNs = 5'000'000;  ///< 0.5 mm at 100 mm/s.
+
+  [[nodiscard]] static double distance_mm(const Point& a, const Point& b) {
+    return std::hypot(b.x_mm - a.x_mm, b.y_mm - a.y_mm, b.z_mm - a.z_mm);
+  }
+
+  double chord_mm_;
+  double long_enough_mm_;
+  std::uint64_t start_ns_ = 0;
+  std::uint64_t last_ns_ = 0;
+  Point chord_start_{};
+  Point last_{};
+  double length_mm_ = 0.0;
+};
+
+}  // namespace sim

@@ -1,0 +1,86 @@
+#include "host-sim/plot/svg_element.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "host-sim/report/utf8.hpp"
+
+namespace sim::svg {
+namespace {
+
+std::string_view entity_of(std::string_view character, char32_t code_point) {
+  if (code_point < 0x20) return " ";
+  if (code_point == 0xFFFE || code_point == 0xFFFF) return "?";
+  switch (character.front()) {
+    case '&':
+      return "&amp;";
+    case '<':
+      return "&lt;";
+    case '>':
+      return "&gt;";
+    case '"':
+      return "&quot;";
+    default:
+      return character;
+  }
+}
+
+}  // namespace
+
+std::string escaped(std::string_view text) {
+  std::string result;
+  while (!text.empty()) {
+    const Utf8Character character = first_character(text);
+    const std::string_view bytes = text.substr(0, character.bytes);
+    result += character.is_valid ? entity_of(bytes, character.code_point) : "?";
+    text.remove_prefix(character.bytes);
+  }
+  return result;
+}
+
+void add_text(
+    std::string& out, double x_px, double y_px, const TextStyle& style, std::string_view text) {
+  fmt::format_to(std::back_inserter(out),
+                 R"(<text x="{:.1f}" y="{:.1f}" font-size="{}" text-anchor="{}" fill="{}" )"
+                 R"(font-weight="{}">{}</text>)"
+                 "\n",
+                 x_px,
+                 y_px,
+                 style.size_px,
+                 style.anchor,
+                 style.fill,
+                 style.weight,
+                 escaped(text));
+}
+
+void add_line(std::string& out,
+              double x1_px,
+              double y1_px,
+              double x2_px,
+              double y2_px,
+              const LineStyle& style) {
+  fmt::format_to(std::back_inserter(out),
+                 R"(<path d="M{:.1f} {:.1f}L{:.1f} {:.1f}" stroke="{}" stroke-width="{}")",
+                 x1_px,
+                 y1_px,
+                 x2_px,
+                 y2_px,
+                 style.stroke,
+                 style.width_px);
+  if (!style.dashes_px.empty()) out += fmt::format(R"( stroke-dasharray="{}")", style.dashes_px);
+  out += "/>\n";
+}
+
+void add_box(std::string& out, const Box& box, std::string_view fill) {
+  fmt::format_to(std::back_inserter(out),
+                 R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="{}"/>)"
+                 "\n",
+                 box.left_px,
+                 box.top_px,
+                 box.width_px,
+                 box.height_px,
+                 fill);
+}
+
+}  // namespace sim::svg

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "planner/base/axes.hpp"
+
+namespace sim {
+
+/// A refused line of a program.
+struct Fault {
+  std::string file;
+  std::size_t line = 0;    ///< From 1.
+  std::size_t column = 0;  ///< From 1; 0 when the whole line is meant.
+  int number = 0;          ///< Grbl's error number.
+  std::string message;
+};
+
+/// `file:line:column: message`, as compilers say it; no column when it is 0.
+[[nodiscard]] std::string to_string(const Fault& fault);
+
+/// One axis as measured on the trace. In degrees instead of mm for A, B and C.
+struct AxisReport {
+  double max_speed_mm_s = 0.0;
+  double max_acceleration_mm_s2 = 0.0;
+  double max_jerk_mm_s3 = 0.0;
+  double least_mm = 0.0;  ///< The bounds of the motion, machine coordinates.
+  double greatest_mm = 0.0;
+  std::uint64_t steps = 0;  ///< Pulses in both directions.
+};
+
+/// What a run of one job was like (`--report FILE`, and the table on the terminal).
+struct Report {
+  std::string job;  ///< Name of the file, or `-`.
+  double job_time_s = 0.0;
+  double path_length_mm = 0.0;  ///< All motion, X, Y and Z together.
+  double cut_length_mm = 0.0;   ///< With the beam or spindle on.
+  std::size_t lines = 0;        ///< Read from the file.
+  std::size_t blocks = 0;       ///< Path elements planned.
+  cnc::AxisArray<AxisReport> axes{};
+  double max_path_deviation_mm = 0.0;    ///< Greatest distance from the programmed path…
+  double max_path_deviation_at_s = 0.0;  ///< …and when.
+  std::vector<std::string> warnings;
+  std::vector<Fault> faults;
+};
+
+}  // namespace sim

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+#include <fstream>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host-sim/trace/trace_row.hpp"
+#include "planner/base/axes.hpp"
+
+namespace sim {
+
+/// Reads a step trace row by row; gives back exactly what TraceWriter was given.
+///
+/// A file that cannot be opened or that breaks the format (a missing scale, a
+/// wrong column, a time that does not increase) throws std::runtime_error
+/// with `file:line: message`.
+class TraceReader {
+ public:
+  explicit TraceReader(const std::string& path);
+
+  /// The comment lines without `# ` and without the scale.
+  [[nodiscard]] const std::vector<std::string>& comments() const { return comments_; }
+  /// Steps per mm for X, Y and Z; steps per degree for A, B and C.
+  [[nodiscard]] const cnc::AxisArray<float>& steps_per_mm() const { return steps_per_mm_; }
+
+  /// False at the end of the file; `row` is then untouched.
+  [[nodiscard]] bool next(TraceRow& row);
+
+ private:
+  [[nodiscard]] bool next_line();
+  void read_comment(std::string_view text);
+  void read_scale(std::string_view items);
+  [[noreturn]] void fail(const char* message) const;
+
+  std::string path_;
+  std::ifstream file_;
+  std::string line_;
+  std::size_t line_number_ = 0;
+  std::size_t first_row_line_ = 0;
+  std::uint64_t last_time_ns_ = 0;
+  std::vector<std::string> comments_;
+  cnc::AxisArray<float> steps_per_mm_{};
+};
+
+/// All rows of a trace, for tests and short jobs. Throws as TraceReader does.
+[[nodiscard]] std::vector<TraceRow> read_trace_rows(const std::string& path);
+
+}  // namespace sim

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "host-sim/trace/output_file.hpp"
+#include "host-sim/trace/trace_row.hpp"
+#include "planner/base/axes.hpp"
+
+namespace sim {
+
+/// The line of column names that separates the comments from the rows.
+inline constexpr char kTraceColumns[] = "time_ns,x,y,z,a,b,c,s";
+
+/// Writes the step trace (`--trace FILE`), one line of text for each row.
+///
+///     # <each comment>
+///     # steps_per_mm X=80 Y=80 Z=400 A=10 B=10 C=10
+///     time_ns,x,y,z,a,b,c,s
+///     1000,1,0,0,0,0,0,0.5
+///
+/// Times in ns, positions in motor steps, duty 0…1. Floats have the fewest
+/// digits that read back to the same float, so equal runs give equal bytes.
+/// File-system errors throw std::system_error naming the file, from the
+/// constructor, `on_row` or `on_end`; the file is complete after `on_end`.
+class TraceWriter final : public TraceSink {
+ public:
+  /// `steps_per_mm` is steps per degree for A, B and C. A line break inside a
+  /// comment is written as a space.
+  TraceWriter(const std::string& path,
+              const cnc::AxisArray<float>& steps_per_mm,
+              std::span<const std::string> comments = {});
+
+  void on_row(const TraceRow& row) override;
+  void on_end(std::uint64_t time_ns) override;
+
+ private:
+  OutputFile file_;
+  float duty_ = 0.0F;           ///< What `duty_text_` says; the output changes
+  std::string duty_text_{"0"};  ///< far more rarely than the motors step.
+};
+
+}  // namespace sim

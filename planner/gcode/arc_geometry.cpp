@@ -1,0 +1,97 @@
+#include "planner/gcode/arc_geometry.hpp"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+#include "planner/base/scalar_math.hpp"
+#include "planner/gcode/truncate.hpp"
+
+namespace cnc::gcode {
+
+namespace {
+
+constexpr float kMillimetresPerNanometre = 1.0e-6F;
+
+std::uint64_t magnitude(std::int64_t value) {
+  return static_cast<std::uint64_t>(value < 0 ? -value : value);
+}
+
+/// Bits to shift away so that every value is below 2^31 and two products of
+/// them add up within 63 bits: none below 2.1 m, at most 12 in range.
+template <typename... Values>
+int surplus_bits(Values... values) {
+  const std::uint64_t all = (magnitude(values) | ...);
+  return std::max(0, static_cast<int>(std::bit_width(all)) - 31);
+}
+
+PlaneVector shifted(PlaneVector v, int bits) { return {v.first >> bits, v.second >> bits}; }
+
+std::int64_t dot(PlaneVector a, PlaneVector b) { return a.first * b.first + a.second * b.second; }
+
+/// The length in mm that 1 stands for after shifting.
+float unit_mm(int bits) {
+  return static_cast<float>(std::uint32_t{1} << bits) * kMillimetresPerNanometre;
+}
+
+std::int64_t scaled(std::int64_t value, float factor) {
+  return truncated(static_cast<float>(value) * factor);
+}
+
+}  // namespace
+
+float PlaneVector::length() const {
+  const float x = static_cast<float>(first) * kMillimetresPerNanometre;
+  const float y = static_cast<float>(second) * kMillimetresPerNanometre;
+  return std::sqrt(x * x + y * y);
+}
+
+float allowed_deviation(const ArcTolerance& tolerance, float radius_mm) {
+  constexpr float kMost = 0.5F;
+  const float ours = std::max(tolerance.absolute_mm, tolerance.relative * radius_mm);
+  const float grbls = std::max(0.005F, std::min(kMost, 0.001F * radius_mm));
+  return std::max(std::min(ours, kMost), grbls);
+}
+
+float radius_deviation(PlaneVector end, PlaneVector centre) {
+  const PlaneVector other = end - PlaneVector{2 * centre.first, 2 * centre.second};
+  const int bits = surplus_bits(end.first, end.second, other.first, other.second);
+  const auto product = static_cast<float>(dot(shifted(end, bits), shifted(other, bits)));
+  const float difference_of_squares = std::abs(product) * unit_mm(bits) * unit_mm(bits);
+  return difference_of_squares / (centre.length() + (end - centre).length());
+}
+
+CentreByRadius centre_by_radius(PlaneVector end, std::int64_t radius_nm, bool clockwise) {
+  const std::int64_t diameter_nm = 2 * static_cast<std::int64_t>(magnitude(radius_nm));
+  const int bits = surplus_bits(end.first, end.second, diameter_nm);
+  const PlaneVector chord = shifted(end, bits);
+  const std::int64_t diameter = diameter_nm >> bits;
+  // (2h)², h the distance from the middle of the chord to the centre.
+  const std::int64_t square = diameter * diameter - dot(chord, chord);
+  const float length = end.length();
+  const float root = std::sqrt(static_cast<float>(square < 0 ? -square : square)) * unit_mm(bits);
+  if (square < 0) {
+    const float diameter_mm = static_cast<float>(diameter_nm) * kMillimetresPerNanometre;
+    return {{end.first / 2, end.second / 2}, root * root / (length + diameter_mm)};
+  }
+  const bool to_the_left = (radius_nm > 0) != clockwise;
+  const float slope = (to_the_left ? root : -root) / length;
+  return {
+      {(end.first - scaled(end.second, slope)) / 2, (end.second + scaled(end.first, slope)) / 2},
+      0.0F};
+}
+
+float sweep_angle(PlaneVector end, PlaneVector centre, bool clockwise) {
+  const float end_x = static_cast<float>(end.first) * kMillimetresPerNanometre;
+  const float end_y = static_cast<float>(end.second) * kMillimetresPerNanometre;
+  const float centre_x = static_cast<float>(centre.first) * kMillimetresPerNanometre;
+  const float centre_y = static_cast<float>(centre.second) * kMillimetresPerNanometre;
+  // Cross and dot product of centre-to-start with centre-to-end, with what
+  // cancels left out.
+  const float sine = centre_y * end_x - centre_x * end_y;
+  const float cosine = centre_x * (centre_x - end_x) + centre_y * (centre_y - end_y);
+  const float angle = atan2_f(clockwise ? -sine : sine, cosine);
+  return angle > 0.0F ? angle : angle + kTwoPi;
+}
+
+}  // namespace cnc::gcode

@@ -1,0 +1,147 @@
+#include "planner/gcode/block.hpp"
+
+#include "planner/base/axes.hpp"
+#include "planner/base/contract.hpp"
+
+namespace cnc::gcode {
+
+namespace {
+
+Fault blame_word(FaultDetail detail, const Word& word) {
+  return Fault{.detail = detail,
+               .letter = word.letter,
+               .column = word.column,
+               .value = word.value.to_float()};
+}
+
+constexpr bool is_m_group(ModalGroup group) { return group >= ModalGroup::kStop; }
+
+}  // namespace
+
+constexpr std::uint32_t Block::mask_of(std::string_view letters) {
+  std::uint32_t mask = 0;
+  for (const char letter : letters) mask |= bit_of(letter);
+  return mask;
+}
+
+constexpr std::uint32_t Block::axis_letters() {
+  return mask_of({kAxisLetters.data(), kAxisLetters.size()});
+}
+
+void Block::clear() {
+  letters_ = 0;
+  unused_ = 0;
+  groups_ = 0;
+  axis_use_ = AxisUse::kNone;
+}
+
+Refusal Block::add(const Word& word) {
+  if (word.letter == 'G') return add_modal(word, find_g_word(word.value));
+  if (word.letter == 'M') return add_modal(word, find_m_word(word.value));
+  return add_value(word);
+}
+
+/// Grbl judges the claim on axis words before the modal group, so that G0 G1
+/// has number 24 and G17 G18 has number 21.
+Refusal Block::add_modal(const Word& word, const Result<const ModalWord*, FaultDetail>& found) {
+  if (!found.ok()) return blame_word(found.error(), word);
+  const ModalWord* const modal = found.value();
+  const AxisUse use = modal->axis_use();
+  if (use != AxisUse::kNone) {
+    if (axis_use_ != AxisUse::kNone) return blame_word(FaultDetail::kAxisWordsClaimedTwice, word);
+    axis_use_ = use;
+  }
+  if (has(modal->group)) return blame_word(FaultDetail::kModalGroupTwice, word);
+  groups_ |= bit_of(modal->group);
+  words_[index_of(modal->group)] = modal;
+  word_columns_[index_of(modal->group)] = word.column;
+  return std::nullopt;
+}
+
+Refusal Block::add_value(const Word& word) {
+  constexpr std::uint32_t kKnown = mask_of("ABCEFIJKLNPQRSTXYZ");
+  constexpr std::uint32_t kNeverNegative = mask_of("FNPST");
+  constexpr std::uint32_t kAlwaysWhole = mask_of("LNT");
+  const std::uint32_t bit = bit_of(word.letter);
+  if ((bit & kKnown) == 0) return blame_word(FaultDetail::kUnsupported, word);
+  if ((bit & letters_) != 0) return blame_word(FaultDetail::kRepeated, word);
+  if ((bit & kNeverNegative) != 0 && word.value.is_negative()) {
+    return blame_word(FaultDetail::kNegative, word);
+  }
+  if ((bit & kAlwaysWhole) != 0 && !word.value.is_integer()) {
+    return blame_word(FaultDetail::kNotAnInteger, word);
+  }
+  letters_ |= bit;
+  unused_ |= bit;
+  values_[index_of(word.letter)] = word.value;
+  value_columns_[index_of(word.letter)] = word.column;
+  return std::nullopt;
+}
+
+NonModal Block::non_modal() const {
+  if (!has(ModalGroup::kNonModal)) return NonModal::kNothing;
+  return meaning<NonModal>(ModalGroup::kNonModal);
+}
+
+bool Block::has_axis_word() const {
+  constexpr std::uint32_t kAxes = axis_letters();
+  return (letters_ & kAxes) != 0;
+}
+
+const Decimal* Block::take(char letter) {
+  if (!is_free(letter)) return nullptr;
+  unused_ &= ~bit_of(letter);
+  return &values_[index_of(letter)];
+}
+
+Fault Block::blame(FaultDetail detail, char letter) const {
+  CNC_ASSERT(has(letter));
+  return Fault{.detail = detail,
+               .letter = letter,
+               .column = value_columns_[index_of(letter)],
+               .value = values_[index_of(letter)].to_float()};
+}
+
+Fault Block::blame(FaultDetail detail, ModalGroup group) const {
+  CNC_ASSERT(has(group));
+  return Fault{.detail = detail,
+               .letter = is_m_group(group) ? 'M' : 'G',
+               .column = word_columns_[index_of(group)],
+               .value = static_cast<float>(words_[index_of(group)]->tenths) * 0.1F};
+}
+
+Fault Block::blame_first_axis_word(FaultDetail detail) const {
+  return blame(detail, leftmost(letters_ & axis_letters()));
+}
+
+Refusal Block::unused_word() const {
+  if (unused_ == 0) return std::nullopt;
+  return blame(FaultDetail::kUnused, leftmost(unused_));
+}
+
+/// @pre letters is not empty.
+char Block::leftmost(std::uint32_t letters) const {
+  char found = ' ';
+  std::uint8_t found_column = 255;
+  for (char letter = 'A'; letter <= 'Z'; ++letter) {
+    const std::uint8_t column = value_columns_[index_of(letter)];
+    if ((letters & bit_of(letter)) == 0 || column > found_column) continue;
+    found = letter;
+    found_column = column;
+  }
+  return found;
+}
+
+Refusal read_block(std::string_view line, bool block_delete, Block& block) {
+  block.clear();
+  LineReader reader{line};
+  if (const auto fault = reader.begin(block_delete)) return fault;
+  while (!reader.at_end()) {
+    Word word;
+    if (const auto fault = reader.read(word)) return fault;
+    if (const auto fault = block.add(word)) return fault;
+  }
+  return std::nullopt;
+}
+
+}  // namespace cnc::gcode

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "planner/gcode/fault.hpp"
+#include "planner/gcode/line_reader.hpp"
+#include "planner/gcode/modal_words.hpp"
+
+namespace cnc::gcode {
+
+/// The words of one line, sorted: at most one G or M word of each modal group,
+/// at most one value of each other letter. Knows what may stand together, not
+/// what it means; remembers which values nobody has asked for.
+class Block {
+ public:
+  /// Empties the block. A block is reused from line to line: its arrays are
+  /// large, and the masks alone tell what in them is meant.
+  void clear();
+
+  /// Files a word, or says why it may not stand in this line: unknown,
+  /// repeated, of a modal group or with a claim on axis words that the line
+  /// already has, negative, or not whole.
+  [[nodiscard]] Refusal add(const Word& word);
+
+  [[nodiscard]] bool empty() const { return groups_ == 0 && letters_ == 0; }
+
+  [[nodiscard]] bool has(ModalGroup group) const { return (groups_ & bit_of(group)) != 0; }
+  /// @pre has(group)
+  template <typename Meaning>
+  [[nodiscard]] Meaning meaning(ModalGroup group) const {
+    return static_cast<Meaning>(words_[index_of(group)]->meaning);
+  }
+  [[nodiscard]] NonModal non_modal() const;
+  /// The claim of the G words on the axis words, whether or not there are any.
+  [[nodiscard]] AxisUse axis_use() const { return axis_use_; }
+
+  [[nodiscard]] bool has(char letter) const { return (letters_ & bit_of(letter)) != 0; }
+  [[nodiscard]] bool has_axis_word() const;
+  /// The value of a letter, which then counts as used; null if it is not there
+  /// or another word of the line has taken it.
+  [[nodiscard]] const Decimal* take(char letter);
+  [[nodiscard]] bool is_free(char letter) const { return (unused_ & bit_of(letter)) != 0; }
+
+  /// A fault that blames the value word with this letter. @pre has(letter)
+  [[nodiscard]] Fault blame(FaultDetail detail, char letter) const;
+  /// A fault that blames the G or M word of this group. @pre has(group)
+  [[nodiscard]] Fault blame(FaultDetail detail, ModalGroup group) const;
+  /// A fault that blames the first axis word. @pre has_axis_word()
+  [[nodiscard]] Fault blame_first_axis_word(FaultDetail detail) const;
+  /// kUnused for the leftmost value that nobody took, if there is one.
+  [[nodiscard]] Refusal unused_word() const;
+
+ private:
+  static constexpr std::size_t kLetterCount = 26;
+
+  static constexpr std::size_t index_of(char letter) {
+    return static_cast<std::size_t>(letter - 'A');
+  }
+  static constexpr std::size_t index_of(ModalGroup group) {
+    return static_cast<std::size_t>(group);
+  }
+  static constexpr std::uint32_t bit_of(char letter) { return 1U << index_of(letter); }
+  static constexpr std::uint32_t bit_of(ModalGroup group) { return 1U << index_of(group); }
+  static constexpr std::uint32_t mask_of(std::string_view letters);
+  static constexpr std::uint32_t axis_letters();
+
+  [[nodiscard]] Refusal add_modal(const Word& word,
+                                  const Result<const ModalWord*, FaultDetail>& found);
+  [[nodiscard]] Refusal add_value(const Word& word);
+  [[nodiscard]] char leftmost(std::uint32_t letters) const;
+
+  std::uint32_t letters_ = 0;  ///< A bit for each letter with a value.
+  std::uint32_t unused_ = 0;   ///< Those of them that were not taken.
+  std::uint32_t groups_ = 0;   ///< A bit for each modal group with a word.
+  AxisUse axis_use_ = AxisUse::kNone;
+  std::array<Decimal, kLetterCount> values_{};
+  std::array<std::uint8_t, kLetterCount> value_columns_{};
+  std::array<const ModalWord*, kModalGroupCount> words_{};
+  std::array<std::uint8_t, kModalGroupCount> word_columns_{};
+};
+
+/// Reads a whole line into `block`, which is cleared first.
+[[nodiscard]] Refusal read_block(std::string_view line, bool block_delete, Block& block);
+
+}  // namespace cnc::gcode

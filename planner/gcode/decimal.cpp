@@ -1,0 +1,124 @@
+#include "planner/gcode/decimal.hpp"
+
+#include <array>
+
+namespace cnc::gcode {
+
+namespace {
+
+constexpr std::uint32_t kBillion = 1'000'000'000;
+constexpr std::uint32_t kLargestWhole = kBillion - 1;
+constexpr std::size_t kDecimals = 9;
+constexpr std::array<std::uint32_t, kDecimals + 1> kPowersOfTen{
+    1, 10, 100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000, kBillion};
+
+/// Walks over a text and stands on anything but a blank.
+class Cursor {
+ public:
+  explicit Cursor(std::string_view text) : text_{text} { skip_blanks(); }
+
+  [[nodiscard]] std::size_t position() const { return at_; }
+  [[nodiscard]] std::size_t digits_taken() const { return digits_taken_; }
+
+  [[nodiscard]] bool at_digit() const {
+    return at_ < text_.size() && text_[at_] >= '0' && text_[at_] <= '9';
+  }
+  /// @pre at_digit()
+  [[nodiscard]] std::uint32_t digit() const { return static_cast<std::uint32_t>(text_[at_] - '0'); }
+
+  void leave_digit() {
+    ++digits_taken_;
+    step();
+  }
+
+  /// Steps over `wanted` if it stands here.
+  bool take(char wanted) {
+    if (at_ == text_.size() || text_[at_] != wanted) return false;
+    step();
+    return true;
+  }
+
+ private:
+  void step() {
+    ++at_;
+    skip_blanks();
+  }
+  void skip_blanks() {
+    while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+  std::size_t digits_taken_ = 0;
+};
+
+/// False when another digit would not fit.
+bool read_whole(Cursor& cursor, Decimal& number) {
+  for (; cursor.at_digit(); cursor.leave_digit()) {
+    if (number.whole > kLargestWhole / 10) return false;
+    number.whole = number.whole * 10 + cursor.digit();
+  }
+  return true;
+}
+
+void round_up(Decimal& number) {
+  if (++number.billionths < kBillion) return;
+  number.billionths = 0;
+  ++number.whole;
+}
+
+void read_fraction(Cursor& cursor, Decimal& number) {
+  std::size_t decimals = 0;
+  for (; cursor.at_digit() && decimals < kDecimals; cursor.leave_digit(), ++decimals) {
+    number.billionths = number.billionths * 10 + cursor.digit();
+  }
+  number.billionths *= kPowersOfTen[kDecimals - decimals];
+  if (cursor.at_digit() && cursor.digit() >= 5) round_up(number);
+  while (cursor.at_digit()) cursor.leave_digit();
+}
+
+Coordinate signed_place(std::uint64_t nanometres, bool minus) {
+  const auto magnitude = static_cast<std::int64_t>(nanometres);
+  return Coordinate{minus ? -magnitude : magnitude};
+}
+
+}  // namespace
+
+Result<DecimalReading, DecimalError> read_decimal(std::string_view text) {
+  Cursor cursor{text};
+  Decimal number{};
+  number.minus = cursor.take('-');
+  if (!number.minus) static_cast<void>(cursor.take('+'));
+  if (!read_whole(cursor, number)) return DecimalError::kTooLong;
+  if (cursor.take('.')) read_fraction(cursor, number);
+  if (cursor.digits_taken() == 0) return DecimalError::kNoDigits;
+  return DecimalReading{number, cursor.position()};
+}
+
+float Decimal::to_float() const {
+  const float magnitude = static_cast<float>(whole) + static_cast<float>(billionths) * 1.0e-9F;
+  return minus ? -magnitude : magnitude;
+}
+
+std::int64_t Decimal::in_billionths() const {
+  const auto magnitude = static_cast<std::int64_t>(whole) * kBillion + billionths;
+  return minus ? -magnitude : magnitude;
+}
+
+Coordinate from_millimetres(const Decimal& number) {
+  constexpr std::uint64_t kNanometres = 1'000'000;
+  const std::uint32_t fraction = (number.billionths + 500) / 1000;
+  return signed_place(number.whole * kNanometres + fraction, number.minus);
+}
+
+Coordinate from_inches(const Decimal& number) {
+  constexpr std::uint64_t kNanometres = 25'400'000;
+  // A billionth of an inch is 0.0254 nm = 127 / 5000 nm. Split, so that the
+  // product stays within 32 bits.
+  const std::uint32_t quotient = number.billionths / 5000;
+  const std::uint32_t rest = number.billionths % 5000;
+  const std::uint32_t fraction = quotient * 127 + (rest * 127 + 2500) / 5000;
+  return signed_place(number.whole * kNanometres + fraction, number.minus);
+}
+
+}  // namespace cnc::gcode

@@ -1,0 +1,261 @@
+#include "planner/gcode/execution.hpp"
+
+#include <array>
+
+namespace cnc::gcode {
+
+namespace {
+
+constexpr std::uint32_t kLargestLineNumber = 9'999'999;
+constexpr std::uint32_t kLastDigitalOutput = 7;
+constexpr std::uint32_t kLastAnalogOutput = 3;
+constexpr float kMillimetresPerInch = 25.4F;
+
+Fault with_limit(Fault fault, float limit) {
+  fault.limit = limit;
+  return fault;
+}
+
+/// Takes over the word of a modal group, if the line has one.
+template <typename Mode>
+void adopt(const Block& block, ModalGroup group, Mode& mode) {
+  if (block.has(group)) mode = block.meaning<Mode>(group);
+}
+
+}  // namespace
+
+/// RS274/NGC table 8, with LinuxCNC's place for outputs. What only sets a mode
+/// comes first: no step can tell, except F, which Grbl reads in the units of
+/// its own line.
+Refusal Execution::run() {
+  using Step = Refusal (Execution::*)();
+  static constexpr std::array<Step, 13> kOrder{{
+      &Execution::number_line,
+      &Execution::set_feed,
+      &Execution::set_spindle_speed,
+      &Execution::select_tool,
+      &Execution::set_output,
+      &Execution::set_spindle,
+      &Execution::set_coolant,
+      &Execution::dwell,
+      &Execution::set_tool_length,
+      &Execution::set_offsets,
+      &Execution::go_to_stored_place,
+      &Execution::move,
+      &Execution::stop,
+  }};
+  set_modes();
+  for (const Step step : kOrder) {
+    if (const auto fault = (this->*step)()) return fault;
+  }
+  return block_.unused_word();
+}
+
+void Execution::commit() {
+  context_ = next_;
+  if (stored_value_) *stored_ = *stored_value_;
+}
+
+void Execution::set_modes() {
+  ModalState& modal = next_.modal;
+  adopt(block_, ModalGroup::kMotion, modal.motion);
+  adopt(block_, ModalGroup::kPlane, modal.plane);
+  adopt(block_, ModalGroup::kDistance, modal.distance);
+  adopt(block_, ModalGroup::kArcDistance, modal.arc_distance);
+  adopt(block_, ModalGroup::kFeedMode, modal.feed_mode);
+  adopt(block_, ModalGroup::kUnits, modal.units);
+  adopt(block_, ModalGroup::kCoordinateSystem, modal.coordinate_system);
+  offsets_changed_ = modal.coordinate_system != context_.modal.coordinate_system;
+}
+
+Refusal Execution::number_line() {
+  next_.modal.line_number = 0;
+  const Decimal* const number = block_.take('N');
+  if (number == nullptr) return std::nullopt;
+  if (number->whole > kLargestLineNumber) {
+    return with_limit(block_.blame(FaultDetail::kLineNumberTooLarge, 'N'),
+                      static_cast<float>(kLargestLineNumber));
+  }
+  next_.modal.line_number = number->whole;
+  return std::nullopt;
+}
+
+/// In G93, F is for its own line only. So no feed is set after it, either.
+Refusal Execution::set_feed() {
+  ModalState& modal = next_.modal;
+  const Decimal* const per_minute = block_.take('F');
+  if (modal.feed_mode == FeedMode::kInverseTime) {
+    inverse_time_ = per_minute != nullptr ? per_minute->to_float() : 0.0F;
+    modal.feed = 0.0F;
+    modal.rotary_feed = 0.0F;
+  } else if (per_minute != nullptr) {
+    modal.rotary_feed = per_minute->to_float() / 60.0F;
+    const bool inches = modal.units == Units::kInches;
+    modal.feed = inches ? modal.rotary_feed * kMillimetresPerInch : modal.rotary_feed;
+  }
+  return std::nullopt;
+}
+
+Refusal Execution::set_spindle_speed() {
+  const Decimal* const number = block_.take('S');
+  if (number == nullptr) return std::nullopt;
+  const float speed = number->to_float();
+  if (speed > options_.highest_spindle_speed) {
+    return with_limit(block_.blame(FaultDetail::kTooLarge, 'S'), options_.highest_spindle_speed);
+  }
+  next_.modal.spindle_speed = speed;
+  actions_.append(ActionKind::kSpindleSpeed).value = speed;
+  return std::nullopt;
+}
+
+Refusal Execution::select_tool() {
+  const Decimal* const number = block_.take('T');
+  if (number == nullptr) return std::nullopt;
+  if (number->whole > options_.highest_tool) {
+    return with_limit(block_.blame(FaultDetail::kTooLarge, 'T'),
+                      static_cast<float>(options_.highest_tool));
+  }
+  next_.modal.tool = number->whole;
+  actions_.append(ActionKind::kTool).number = number->whole;
+  return std::nullopt;
+}
+
+Refusal Execution::set_output() {
+  if (!block_.has(ModalGroup::kOutput)) return std::nullopt;
+  const auto output = block_.meaning<Output>(ModalGroup::kOutput);
+  const bool analog = output == Output::kAnalog || output == Output::kAnalogWithMotion;
+  return analog ? set_analog_output(output) : set_digital_output(output);
+}
+
+Refusal Execution::set_digital_output(Output output) {
+  std::uint32_t number = 0;
+  if (const auto fault = take_index(
+          'P', ModalGroup::kOutput, kLastDigitalOutput, FaultDetail::kTooLarge, number)) {
+    return fault;
+  }
+  const bool on = output == Output::kOn || output == Output::kOnWithMotion;
+  actions_.append(ActionKind::kOutput).output = {
+      .number = static_cast<std::uint8_t>(number),
+      .analog = false,
+      .with_motion = output == Output::kOnWithMotion || output == Output::kOffWithMotion,
+      .value = on ? 1.0F : 0.0F};
+  return std::nullopt;
+}
+
+Refusal Execution::set_analog_output(Output output) {
+  std::uint32_t number = 0;
+  if (const auto fault =
+          take_index('E', ModalGroup::kOutput, kLastAnalogOutput, FaultDetail::kTooLarge, number)) {
+    return fault;
+  }
+  const Decimal* const value = block_.take('Q');
+  if (value == nullptr) return missing('Q', ModalGroup::kOutput);
+  actions_.append(ActionKind::kOutput).output = {.number = static_cast<std::uint8_t>(number),
+                                                 .analog = true,
+                                                 .with_motion = output == Output::kAnalogWithMotion,
+                                                 .value = value->to_float()};
+  return std::nullopt;
+}
+
+Refusal Execution::set_spindle() {
+  if (!block_.has(ModalGroup::kSpindle)) return std::nullopt;
+  adopt(block_, ModalGroup::kSpindle, next_.modal.spindle);
+  actions_.append(ActionKind::kSpindle).spindle = next_.modal.spindle;
+  return std::nullopt;
+}
+
+Refusal Execution::set_coolant() {
+  if (!block_.has(ModalGroup::kCoolant)) return std::nullopt;
+  Coolant& coolant = next_.modal.coolant;
+  switch (block_.meaning<CoolantWord>(ModalGroup::kCoolant)) {
+    case CoolantWord::kMist:
+      coolant.mist = true;
+      break;
+    case CoolantWord::kFlood:
+      coolant.flood = true;
+      break;
+    case CoolantWord::kOff:
+      coolant = Coolant{};
+      break;
+  }
+  actions_.append(ActionKind::kCoolant).coolant = coolant;
+  return std::nullopt;
+}
+
+Refusal Execution::dwell() {
+  if (block_.non_modal() != NonModal::kDwell) return std::nullopt;
+  const Decimal* const number = block_.take('P');
+  if (number == nullptr) return missing('P', ModalGroup::kNonModal);
+  const float seconds = number->to_float();
+  if (seconds > options_.longest_dwell_s) {
+    return with_limit(block_.blame(FaultDetail::kTooLarge, 'P'), options_.longest_dwell_s);
+  }
+  actions_.append(ActionKind::kDwell).seconds = seconds;
+  return std::nullopt;
+}
+
+Refusal Execution::stop() {
+  if (!block_.has(ModalGroup::kStop)) return std::nullopt;
+  const auto word = block_.meaning<Stop>(ModalGroup::kStop);
+  if (word == Stop::kEnd) {
+    end_program();
+  } else {
+    actions_.append(ActionKind::kPause).number = word == Stop::kOptionalPause ? 1 : 0;
+  }
+  return std::nullopt;
+}
+
+/// As Grbl 1.1: back to G1 G17 G40 G54 G90 G94 M5 M9. Units, F, S, T, G92 and
+/// the tool length stay.
+void Execution::end_program() {
+  ModalState& modal = next_.modal;
+  modal.motion = MotionMode::kLine;
+  modal.plane = Plane::kXY;
+  modal.distance = DistanceMode::kAbsolute;
+  modal.feed_mode = FeedMode::kUnitsPerMinute;
+  modal.coordinate_system = 0;
+  modal.spindle = SpindleMode::kOff;
+  modal.coolant = Coolant{};
+  static_cast<void>(actions_.append(ActionKind::kEnd));
+}
+
+Refusal Execution::take_index(char letter,
+                              ModalGroup group,
+                              std::uint32_t highest,
+                              FaultDetail when_higher,
+                              std::uint32_t& index) {
+  const Decimal* const number = block_.take(letter);
+  if (number == nullptr) return missing(letter, group);
+  if (number->is_negative()) return block_.blame(FaultDetail::kNegative, letter);
+  if (!number->is_integer()) return block_.blame(FaultDetail::kNotAnInteger, letter);
+  if (number->whole > highest) {
+    return with_limit(block_.blame(when_higher, letter), static_cast<float>(highest));
+  }
+  index = number->whole;
+  return std::nullopt;
+}
+
+Coordinate Execution::to_length(const Decimal& number) const {
+  return next_.modal.units == Units::kInches ? from_inches(number) : from_millimetres(number);
+}
+
+/// Degrees have no inches.
+Coordinate Execution::to_axis_value(std::size_t axis, const Decimal& number) const {
+  return axis < kLinearAxisCount ? to_length(number) : from_millimetres(number);
+}
+
+Refusal Execution::check_range(FaultDetail detail, std::size_t axis, Coordinate place) const {
+  if (place.in_range()) return std::nullopt;
+  Fault fault = block_.blame(detail, kAxisLetters[axis]);
+  fault.value = place.mm();
+  fault.limit = Coordinate{Coordinate::kFarthestNanometres}.mm();
+  return fault;
+}
+
+Fault Execution::missing(char letter, ModalGroup for_group) const {
+  Fault fault = block_.blame(FaultDetail::kWordMissing, for_group);
+  fault.letter = letter;
+  return fault;
+}
+
+}  // namespace cnc::gcode

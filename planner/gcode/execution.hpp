@@ -1,0 +1,114 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "planner/gcode/action_list.hpp"
+#include "planner/gcode/arc_geometry.hpp"
+#include "planner/gcode/block.hpp"
+#include "planner/gcode/context.hpp"
+#include "planner/gcode/fault.hpp"
+#include "planner/gcode/options.hpp"
+
+namespace cnc::gcode {
+
+/// Works out what one block does: goes through the steps of RS274/NGC table 8
+/// in order, checks each, and notes its actions and its changes. Nothing
+/// outside is touched before commit(), so a fault in the last step undoes the
+/// first.
+///
+/// Where RS274/NGC and Grbl 1.1 number or order checks differently, Grbl's way
+/// is taken (gnea/grbl, gcode.c, steps 2 and 3).
+class Execution {
+ public:
+  /// All arguments outlive the execution. `actions` is empty.
+  Execution(const Options& options,
+            Context& context,
+            StoredPlaces& places,
+            Block& block,
+            ActionList& actions)
+      : options_{options},
+        context_{context},
+        places_{places},
+        block_{block},
+        actions_{actions},
+        next_{context} {}
+
+  [[nodiscard]] Refusal run();
+
+  /// Makes the changes. Only after run() has refused nothing.
+  void commit();
+
+ private:
+  // The steps, in execution.cpp; offsets in execution_offsets.cpp, motion in
+  // execution_motion.cpp, arcs in execution_arc.cpp.
+  void set_modes();
+  [[nodiscard]] Refusal number_line();
+  [[nodiscard]] Refusal set_feed();
+  [[nodiscard]] Refusal set_spindle_speed();
+  [[nodiscard]] Refusal select_tool();
+  [[nodiscard]] Refusal set_output();
+  [[nodiscard]] Refusal set_spindle();
+  [[nodiscard]] Refusal set_coolant();
+  [[nodiscard]] Refusal dwell();
+  [[nodiscard]] Refusal set_tool_length();
+  [[nodiscard]] Refusal set_offsets();
+  [[nodiscard]] Refusal go_to_stored_place();
+  [[nodiscard]] Refusal move();
+  [[nodiscard]] Refusal stop();
+
+  [[nodiscard]] Refusal set_digital_output(Output output);
+  [[nodiscard]] Refusal set_analog_output(Output output);
+  void end_program();
+
+  [[nodiscard]] Refusal set_system();
+  [[nodiscard]] Refusal read_origin(bool from_present_place, Position& origin);
+  [[nodiscard]] Refusal set_g92();
+  void switch_g92(NonModal word);
+  void store(Position& place, const Position& value);
+
+  [[nodiscard]] bool moves() const;
+  [[nodiscard]] Refusal check_feed() const;
+  [[nodiscard]] Refusal read_target(Position& target);
+  [[nodiscard]] Refusal move_straight();
+  [[nodiscard]] Refusal probe();
+  [[nodiscard]] float straight_speed(const Position& target) const;
+
+  [[nodiscard]] Refusal move_along_arc();
+  [[nodiscard]] Refusal read_turns(std::uint16_t& turns);
+  [[nodiscard]] Refusal find_centre(PlaneVector end, PlaneVector& centre);
+  [[nodiscard]] Refusal read_centre(PlaneVector& centre);
+  [[nodiscard]] Refusal centre_from_radius(PlaneVector end, PlaneVector& centre);
+  [[nodiscard]] Refusal check_centre_in_range(PlaneVector centre) const;
+  [[nodiscard]] Refusal check_end_on_circle(PlaneVector end, PlaneVector centre) const;
+  [[nodiscard]] float arc_speed(const Action& arc, PlaneVector end, PlaneVector centre) const;
+  [[nodiscard]] PlaneVector from_here(const Position& target) const;
+
+  /// A whole number in 0…highest, of a letter that the word of `group` needs.
+  [[nodiscard]] Refusal take_index(char letter,
+                                   ModalGroup group,
+                                   std::uint32_t highest,
+                                   FaultDetail when_higher,
+                                   std::uint32_t& index);
+  [[nodiscard]] Coordinate to_length(const Decimal& number) const;
+  [[nodiscard]] Coordinate to_axis_value(std::size_t axis, const Decimal& number) const;
+  [[nodiscard]] Refusal check_range(FaultDetail detail, std::size_t axis, Coordinate place) const;
+  [[nodiscard]] Fault missing(char letter, ModalGroup for_group) const;
+  [[nodiscard]] Fault blame_motion(FaultDetail detail) const;
+  [[nodiscard]] Fault blame_centre(FaultDetail detail, float value_mm, float limit_mm) const;
+
+  const Options& options_;
+  Context& context_;
+  StoredPlaces& places_;
+  Block& block_;
+  ActionList& actions_;
+
+  Context next_;
+  float inverse_time_ = 0.0F;  ///< F of this line in G93, 1/min.
+  bool offsets_changed_ = false;
+  Position* stored_ = nullptr;  ///< The place that commit() writes, if there is a value for it.
+  std::optional<Position> stored_value_;
+};
+
+}  // namespace cnc::gcode

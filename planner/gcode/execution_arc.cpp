@@ -1,0 +1,153 @@
+#include <array>
+#include <cmath>
+
+#include "planner/base/scalar_math.hpp"
+#include "planner/gcode/execution.hpp"
+
+namespace cnc::gcode {
+
+namespace {
+
+constexpr std::array<char, kLinearAxisCount> kOffsetLetters{'I', 'J', 'K'};
+
+constexpr float to_mm(std::int64_t nanometres) { return Coordinate{nanometres}.mm(); }
+
+}  // namespace
+
+/// G2 and G3 (RS274/NGC 3.5.3). Axes outside the plane ride along.
+Refusal Execution::move_along_arc() {
+  const PlaneAxes plane = axes_of(next_.modal.plane);
+  if (!block_.has_axis_word()) return blame_motion(FaultDetail::kAxisWordsMissing);
+  if (!block_.has(kAxisLetters[plane.first]) && !block_.has(kAxisLetters[plane.second])) {
+    return blame_motion(FaultDetail::kNoAxisWordInPlane);
+  }
+  Position target = next_.position;
+  if (const auto fault = read_target(target)) return fault;
+  std::uint16_t turns = 1;
+  if (const auto fault = read_turns(turns)) return fault;
+  const PlaneVector end = from_here(target);
+  PlaneVector centre;
+  if (const auto fault = find_centre(end, centre)) return fault;
+
+  Action& arc = actions_.append(ActionKind::kArc);
+  arc.end = target;
+  arc.plane = next_.modal.plane;
+  arc.centre = {next_.position[plane.first] + Coordinate{centre.first},
+                next_.position[plane.second] + Coordinate{centre.second}};
+  arc.clockwise = next_.modal.motion == MotionMode::kArcClockwise;
+  arc.turns = turns;
+  arc.feed = arc_speed(arc, end, centre);
+  next_.position = target;
+  return std::nullopt;
+}
+
+Refusal Execution::read_turns(std::uint16_t& turns) {
+  constexpr std::uint32_t kMost = 65'535;
+  if (!block_.is_free('P')) return std::nullopt;
+  std::uint32_t number = 0;
+  if (const auto fault =
+          take_index('P', ModalGroup::kMotion, kMost, FaultDetail::kTooLarge, number)) {
+    return fault;
+  }
+  if (number == 0) return block_.blame(FaultDetail::kBelowOne, 'P');
+  turns = static_cast<std::uint16_t>(number);
+  return std::nullopt;
+}
+
+Refusal Execution::find_centre(PlaneVector end, PlaneVector& centre) {
+  if (block_.has('R')) {
+    if (const auto fault = centre_from_radius(end, centre)) return fault;
+    return check_centre_in_range(centre);
+  }
+  if (const auto fault = read_centre(centre)) return fault;
+  if (const auto fault = check_centre_in_range(centre)) return fault;
+  return check_end_on_circle(end, centre);
+}
+
+/// From I J K: relative to the start (G91.1), or a place like any other (G90.1).
+Refusal Execution::read_centre(PlaneVector& centre) {
+  const PlaneAxes plane = axes_of(next_.modal.plane);
+  const char first = kOffsetLetters[plane.first];
+  const char second = kOffsetLetters[plane.second];
+  if (!block_.has(first) && !block_.has(second)) return blame_motion(FaultDetail::kNoOffsetInPlane);
+  const bool absolute = next_.modal.arc_distance == DistanceMode::kAbsolute;
+  if (absolute && !(block_.has(first) && block_.has(second))) {
+    Fault fault = blame_motion(FaultDetail::kCentreIncomplete);
+    fault.letter = block_.has(first) ? second : first;
+    return fault;
+  }
+  const auto offset = [&](char letter, std::size_t axis) {
+    const Decimal* const number = block_.take(letter);
+    Coordinate value = number != nullptr ? to_length(*number) : Coordinate{};
+    if (absolute) value += work_offset(next_, places_, axis) - next_.position[axis];
+    return value.nanometres();
+  };
+  centre = {offset(first, plane.first), offset(second, plane.second)};
+  if (centre.is_null()) return blame_centre(FaultDetail::kCentreIsStart, 0.0F, 0.0F);
+  return std::nullopt;
+}
+
+Refusal Execution::centre_from_radius(PlaneVector end, PlaneVector& centre) {
+  const Coordinate radius = to_length(*block_.take('R'));
+  const float radius_mm = std::abs(radius.mm());
+  if (end.is_null()) return blame_centre(FaultDetail::kEndIsStart, 0.0F, 0.0F);
+  if (radius == Coordinate{}) return blame_centre(FaultDetail::kRadiusIsZero, 0.0F, 0.0F);
+  if (!radius.in_range()) {
+    return blame_centre(
+        FaultDetail::kRadiusOutOfRange, radius_mm, to_mm(Coordinate::kFarthestNanometres));
+  }
+  const bool clockwise = next_.modal.motion == MotionMode::kArcClockwise;
+  const CentreByRadius found = centre_by_radius(end, radius.nanometres(), clockwise);
+  const float allowed = allowed_deviation(options_.arc, radius_mm);
+  if (found.excess_mm > allowed) {
+    return blame_centre(FaultDetail::kChordLongerThanDiameter, found.excess_mm, allowed);
+  }
+  centre = found.centre;
+  return std::nullopt;
+}
+
+Refusal Execution::check_centre_in_range(PlaneVector centre) const {
+  const PlaneAxes plane = axes_of(next_.modal.plane);
+  const float limit = to_mm(Coordinate::kFarthestNanometres);
+  const Coordinate first = next_.position[plane.first] + Coordinate{centre.first};
+  if (!first.in_range()) return blame_centre(FaultDetail::kCentreOutOfRange, first.mm(), limit);
+  const Coordinate second = next_.position[plane.second] + Coordinate{centre.second};
+  if (!second.in_range()) return blame_centre(FaultDetail::kCentreOutOfRange, second.mm(), limit);
+  return std::nullopt;
+}
+
+Refusal Execution::check_end_on_circle(PlaneVector end, PlaneVector centre) const {
+  const float deviation = radius_deviation(end, centre);
+  const float allowed = allowed_deviation(options_.arc, centre.length());
+  if (deviation <= allowed) return std::nullopt;
+  return blame_centre(FaultDetail::kEndOffCircle, deviation, allowed);
+}
+
+float Execution::arc_speed(const Action& arc, PlaneVector end, PlaneVector centre) const {
+  if (next_.modal.feed_mode != FeedMode::kInverseTime) return next_.modal.feed;
+  const std::size_t normal = axes_of(arc.plane).normal;
+  const float rise = (arc.end[normal] - next_.position[normal]).mm();
+  const float angle =
+      sweep_angle(end, centre, arc.clockwise) + static_cast<float>(arc.turns - 1) * kTwoPi;
+  const float along = centre.length() * angle;
+  return std::sqrt(along * along + rise * rise) * inverse_time_ / 60.0F;
+}
+
+PlaneVector Execution::from_here(const Position& target) const {
+  const PlaneAxes plane = axes_of(next_.modal.plane);
+  return {(target[plane.first] - next_.position[plane.first]).nanometres(),
+          (target[plane.second] - next_.position[plane.second]).nanometres()};
+}
+
+/// Blames R, or the first of the two offsets that is there.
+Fault Execution::blame_centre(FaultDetail detail, float value_mm, float limit_mm) const {
+  const PlaneAxes plane = axes_of(next_.modal.plane);
+  const char first = kOffsetLetters[plane.first];
+  const char offset = block_.has(first) ? first : kOffsetLetters[plane.second];
+  Fault fault = block_.blame(detail, block_.has('R') ? 'R' : offset);
+  fault.value = value_mm;
+  fault.limit = limit_mm;
+  return fault;
+}
+
+}  // namespace cnc::gcode

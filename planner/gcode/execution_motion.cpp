@@ -1,0 +1,100 @@
+#include "planner/gcode/execution.hpp"
+#include "planner/gcode/path_length.hpp"
+
+namespace cnc::gcode {
+
+/// The motion mode acts when its word is in the line, or when there are axis
+/// words that no other word of the line claims (Grbl's implicit motion).
+Refusal Execution::move() {
+  const MotionMode mode = next_.modal.motion;
+  const bool straight = mode == MotionMode::kRapid || mode == MotionMode::kLine;
+  if (block_.non_modal() == NonModal::kMachineCoordinates && !straight) {
+    return block_.blame(FaultDetail::kG53NeedsStraightMotion, ModalGroup::kNonModal);
+  }
+  if (!moves()) return std::nullopt;
+  if (mode == MotionMode::kNone) return block_.blame_first_axis_word(FaultDetail::kAxisWordUnused);
+  if (mode != MotionMode::kRapid) {
+    if (const auto fault = check_feed()) return fault;
+  }
+  if (straight) return move_straight();
+  const bool arc = mode == MotionMode::kArcClockwise || mode == MotionMode::kArcCounterClockwise;
+  return arc ? move_along_arc() : probe();
+}
+
+bool Execution::moves() const {
+  if (block_.axis_use() == AxisUse::kNone) return block_.has_axis_word();
+  return block_.axis_use() == AxisUse::kMotion;
+}
+
+Refusal Execution::check_feed() const {
+  const bool inverse_time = next_.modal.feed_mode == FeedMode::kInverseTime;
+  const float feed = inverse_time ? inverse_time_ : next_.modal.feed;
+  if (feed > 0.0F) return std::nullopt;
+  return blame_motion(inverse_time ? FaultDetail::kInverseTimeFeedMissing
+                                   : FaultDetail::kFeedMissing);
+}
+
+/// Puts the axes that are named where they are to go, in machine coordinates.
+/// After G53 the numbers are machine coordinates, in G91 too, as in Grbl.
+Refusal Execution::read_target(Position& target) {
+  const bool in_machine_coordinates = block_.non_modal() == NonModal::kMachineCoordinates;
+  const bool incremental = next_.modal.distance == DistanceMode::kIncremental;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const Decimal* const number = block_.take(kAxisLetters[axis]);
+    if (number == nullptr) continue;
+    Coordinate place = to_axis_value(axis, *number);
+    if (!in_machine_coordinates) {
+      place += incremental ? next_.position[axis] : work_offset(next_, places_, axis);
+    }
+    if (const auto fault = check_range(FaultDetail::kTargetOutOfRange, axis, place)) return fault;
+    target[axis] = place;
+  }
+  return std::nullopt;
+}
+
+/// G0 and G1; without axis words they only set the mode.
+Refusal Execution::move_straight() {
+  if (!block_.has_axis_word()) return std::nullopt;
+  Position target = next_.position;
+  if (const auto fault = read_target(target)) return fault;
+  const bool rapid = next_.modal.motion == MotionMode::kRapid;
+  Action& action = actions_.append(rapid ? ActionKind::kRapid : ActionKind::kLine);
+  action.end = target;
+  if (!rapid) action.feed = straight_speed(target);
+  next_.position = target;
+  return std::nullopt;
+}
+
+/// G38.2…G38.5. The position is the target until set_position() tells where the
+/// probe really stopped.
+Refusal Execution::probe() {
+  if (!block_.has_axis_word()) return blame_motion(FaultDetail::kAxisWordsMissing);
+  Position target = next_.position;
+  if (const auto fault = read_target(target)) return fault;
+  if (target == next_.position) return blame_motion(FaultDetail::kProbeGoesNowhere);
+  const MotionMode mode = next_.modal.motion;
+  Action& action = actions_.append(ActionKind::kProbe);
+  action.end = target;
+  action.feed = straight_speed(target);
+  action.probe.towards_contact =
+      mode == MotionMode::kProbeContact || mode == MotionMode::kProbeContactOrNot;
+  action.probe.error_if_missed =
+      mode == MotionMode::kProbeContact || mode == MotionMode::kProbeRelease;
+  next_.position = target;
+  return std::nullopt;
+}
+
+float Execution::straight_speed(const Position& target) const {
+  const ModalState& modal = next_.modal;
+  if (modal.feed_mode == FeedMode::kInverseTime) {
+    return straight_length(next_.position, target) * inverse_time_ / 60.0F;
+  }
+  return only_rotary_axes_move(next_.position, target) ? modal.rotary_feed : modal.feed;
+}
+
+Fault Execution::blame_motion(FaultDetail detail) const {
+  if (block_.has(ModalGroup::kMotion)) return block_.blame(detail, ModalGroup::kMotion);
+  return block_.blame_first_axis_word(detail);
+}
+
+}  // namespace cnc::gcode

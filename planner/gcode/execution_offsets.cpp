@@ -1,0 +1,153 @@
+#include "planner/gcode/execution.hpp"
+
+namespace cnc::gcode {
+
+/// G43.1 and G49. Grbl shifts Z only, and so do we.
+Refusal Execution::set_tool_length() {
+  if (!block_.has(ModalGroup::kToolLength)) return std::nullopt;
+  const bool set = block_.meaning<ToolLength>(ModalGroup::kToolLength) == ToolLength::kSet;
+  Coordinate length{};
+  if (set) {
+    const Decimal* const z = block_.take('Z');
+    for (const char axis : {'X', 'Y', 'A', 'B', 'C'}) {
+      if (block_.has(axis)) return block_.blame(FaultDetail::kToolOffsetNeedsZAlone, axis);
+    }
+    if (z == nullptr) {
+      return block_.blame(FaultDetail::kToolOffsetNeedsZAlone, ModalGroup::kToolLength);
+    }
+    length = to_length(*z);
+    constexpr std::size_t kZ = index_of(Axis::kZ);
+    if (const auto fault = check_range(FaultDetail::kOffsetOutOfRange, kZ, length)) return fault;
+  } else if (block_.has_axis_word()) {
+    return block_.blame_first_axis_word(FaultDetail::kAxisWordUnused);
+  }
+  next_.modal.tool_length_in_use = set;
+  offsets_changed_ |= next_.shift.tool_length != length;
+  next_.shift.tool_length = length;
+  return std::nullopt;
+}
+
+/// What G10, G28.1, G30.1 and the G92 family set, and the one action that tells
+/// of it all, a new coordinate system or tool length included.
+Refusal Execution::set_offsets() {
+  Refusal fault;
+  switch (block_.non_modal()) {
+    case NonModal::kSetSystem:
+      fault = set_system();
+      break;
+    case NonModal::kStoreG28:
+      store(places_.g28, next_.position);
+      break;
+    case NonModal::kStoreG30:
+      store(places_.g30, next_.position);
+      break;
+    case NonModal::kSetG92:
+      fault = set_g92();
+      break;
+    case NonModal::kClearG92:
+    case NonModal::kSuspendG92:
+    case NonModal::kRestoreG92:
+      switch_g92(block_.non_modal());
+      break;
+    default:
+      break;
+  }
+  if (fault) return fault;
+  if (offsets_changed_) static_cast<void>(actions_.append(ActionKind::kOffsets));
+  return std::nullopt;
+}
+
+/// G10 L2 sets the origin of a system, L20 puts it where the present place gets
+/// the given coordinates. P0 is the system in use.
+Refusal Execution::set_system() {
+  constexpr auto kGroup = ModalGroup::kNonModal;
+  if (!block_.has_axis_word()) return block_.blame(FaultDetail::kAxisWordsMissing, kGroup);
+  std::uint32_t number = 0;
+  if (const auto fault = take_index(
+          'P', kGroup, kCoordinateSystemCount, FaultDetail::kNoSuchCoordinateSystem, number)) {
+    return fault;
+  }
+  const Decimal* const kind = block_.take('L');
+  if (kind == nullptr) return missing('L', kGroup);
+  const bool from_present_place = *kind == Decimal{.whole = 20};
+  if (!from_present_place && *kind != Decimal{.whole = 2}) {
+    return block_.blame(FaultDetail::kUnsupported, 'L');
+  }
+  if (!from_present_place && block_.has('R')) return block_.blame(FaultDetail::kUnsupported, 'R');
+  Position& system =
+      places_.systems[number == 0 ? next_.modal.coordinate_system : std::size_t{number} - 1];
+  Position origin = system;
+  if (const auto fault = read_origin(from_present_place, origin)) return fault;
+  store(system, origin);
+  return std::nullopt;
+}
+
+Refusal Execution::read_origin(bool from_present_place, Position& origin) {
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const Decimal* const number = block_.take(kAxisLetters[axis]);
+    if (number == nullptr) continue;
+    const Coordinate value = to_axis_value(axis, *number);
+    const Coordinate base = next_.position[axis] - shift_of(next_.shift, axis);
+    origin[axis] = from_present_place ? base - value : value;
+    if (const auto fault = check_range(FaultDetail::kOffsetOutOfRange, axis, origin[axis])) {
+      return fault;
+    }
+  }
+  return std::nullopt;
+}
+
+/// Axes that are not named keep the offset that is in effect; what G92.2 had
+/// suspended is forgotten.
+Refusal Execution::set_g92() {
+  if (!block_.has_axis_word()) {
+    return block_.blame(FaultDetail::kAxisWordsMissing, ModalGroup::kNonModal);
+  }
+  Shift& shift = next_.shift;
+  if (!shift.g92_in_use) shift.g92 = Position{};
+  shift.g92_in_use = true;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const Decimal* const number = block_.take(kAxisLetters[axis]);
+    if (number == nullptr) continue;
+    const Coordinate present = next_.position[axis] - work_offset(next_, places_, axis);
+    shift.g92[axis] += present - to_axis_value(axis, *number);
+    if (const auto fault = check_range(FaultDetail::kOffsetOutOfRange, axis, shift.g92[axis])) {
+      return fault;
+    }
+  }
+  offsets_changed_ = true;
+  return std::nullopt;
+}
+
+/// G92.1 forgets the offset, G92.2 suspends it, G92.3 takes it up again.
+void Execution::switch_g92(NonModal word) {
+  if (word == NonModal::kClearG92) next_.shift.g92 = Position{};
+  next_.shift.g92_in_use = word == NonModal::kRestoreG92;
+  offsets_changed_ = true;
+}
+
+void Execution::store(Position& place, const Position& value) {
+  stored_ = &place;
+  stored_value_ = value;
+  offsets_changed_ = true;
+}
+
+/// G28 and G30: rapid to the stored place; with axis words, by way of the place
+/// that they name, and then with those axes only.
+Refusal Execution::go_to_stored_place() {
+  const NonModal word = block_.non_modal();
+  if (word != NonModal::kGoToG28 && word != NonModal::kGoToG30) return std::nullopt;
+  Position end = word == NonModal::kGoToG28 ? places_.g28 : places_.g30;
+  if (block_.has_axis_word()) {
+    Position via = next_.position;
+    if (const auto fault = read_target(via)) return fault;
+    actions_.append(ActionKind::kRapid).end = via;
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+      if (!block_.has(kAxisLetters[axis])) end[axis] = next_.position[axis];
+    }
+  }
+  actions_.append(ActionKind::kRapid).end = end;
+  next_.position = end;
+  return std::nullopt;
+}
+
+}  // namespace cnc::gcode

@@ -1,0 +1,157 @@
+#include "planner/gcode/fault.hpp"
+
+#include <array>
+#include <string_view>
+
+#include "planner/gcode/truncate.hpp"
+
+namespace cnc::gcode {
+
+namespace {
+
+struct Explanation {
+  ErrorCode code;
+  /// %w: the word as letter and number; %c: its letter; %v: the value and %l:
+  /// the limit with three decimals; %n: the limit without superfluous decimals.
+  std::string_view sentence;
+};
+
+using enum ErrorCode;
+
+/// In the order of FaultDetail.
+constexpr std::array<Explanation, kFaultDetailCount> kExplanations{{
+    {kExpectedLetter, "a word begins with a letter, not with '%c'"},
+    {kExpectedLetter, "byte %w is only allowed in a comment"},
+    {kExpectedLetter, "comment has no ')'"},
+    {kExpectedLetter, "'(' inside a comment"},
+    {kExpectedLetter, "'%' stands alone on its line"},
+    {kBadNumber, "%c has no number"},
+    {kBadNumber, "number after %c has more than 9 digits before its point"},
+    {kNegativeValue, "%w is negative"},
+    {kNegativeValue, "%w is less than 1"},
+    {kLineTooLong, "line is longer than %n characters"},
+    {kUnsupportedWord, "%w is not supported"},
+    {kModalGroupTwice, "%w belongs to a modal group already used in this line"},
+    {kFeedUndefined, "F is missing: no feed is set"},
+    {kFeedUndefined, "F is missing: G93 needs it on each line that moves"},
+    {kNotAnInteger, "%w is not a whole number"},
+    {kAxisWordsClaimedTwice, "%w and another word both use the axis words"},
+    {kWordRepeated, "%c is given twice"},
+    {kAxisWordsMissing, "%w needs axis words"},
+    {kBadLineNumber, "%w is greater than %n"},
+    {kValueWordMissing, "%c is missing"},
+    {kNoSuchCoordinateSystem, "%w names no coordinate system"},
+    {kG53NeedsStraightMotion, "G53 needs G0 or G1"},
+    {kAxisWordsUnused, "nothing uses %w"},
+    {kNoAxisWordInPlane, "arc has no axis word in its plane"},
+    {kInvalidTarget, "%c would be %v, limit %l"},
+    {kInvalidTarget, "offset of %c would be %v, limit %l"},
+    {kInvalidTarget, "arc centre would be at %v mm, limit %l mm"},
+    {kInvalidTarget, "arc centre is its start"},
+    {kInvalidTarget, "arc end is %v mm off its circle, limit %l mm"},
+    {kInvalidTarget, "arc with R ends where it starts"},
+    {kInvalidTarget, "probe target is the present place"},
+    {kInvalidRadius, "arc radius is zero"},
+    {kInvalidRadius, "arc radius is %v mm, limit %l mm"},
+    {kInvalidRadius, "arc end is %v mm farther away than its diameter, limit %l mm"},
+    {kNoOffsetInPlane, "arc has neither R nor a centre in its plane"},
+    {kNoOffsetInPlane, "%c is missing: G90.1 needs the whole centre"},
+    {kWordUnused, "nothing uses %w"},
+    {kToolOffsetAxis, "G43.1 needs Z and no other axis"},
+    {kValueTooLarge, "%w is greater than %n"},
+}};
+
+constexpr const Explanation& explanation_of(FaultDetail detail) {
+  return kExplanations[static_cast<std::size_t>(detail)];
+}
+
+/// Appends to a fixed buffer and drops what does not fit.
+class TextWriter {
+ public:
+  explicit TextWriter(std::span<char> out) : out_{out} {}
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+
+  void put(char c) {
+    if (size_ < out_.size()) out_[size_++] = c;
+  }
+
+  void put_whole(std::uint64_t number) {
+    std::array<char, 20> digits{};
+    std::size_t count = 0;
+    do {
+      digits[count++] = static_cast<char>('0' + number % 10);
+      number /= 10;
+    } while (number > 0 && count < digits.size());
+    while (count > 0) put(digits[--count]);
+  }
+
+  /// Rounded to thousandths. `trimmed` drops zeros at the end of the decimals.
+  /// @pre |number| < 2^47; every value of a Fault is.
+  void put_number(float number, bool trimmed) {
+    if (number < 0.0F) put('-');
+    const float magnitude = number < 0.0F ? -number : number;
+    const auto whole = static_cast<std::uint64_t>(truncated(magnitude));
+    const float rest = magnitude - static_cast<float>(whole);
+    const auto thousandths = static_cast<std::uint32_t>(rest * 1000.0F + 0.5F);
+    put_whole(whole + thousandths / 1000);
+    put_decimals(thousandths % 1000, trimmed);
+  }
+
+ private:
+  void put_decimals(std::uint32_t thousandths, bool trimmed) {
+    if (trimmed && thousandths == 0) return;
+    put('.');
+    for (std::uint32_t weight = 100; weight > 0; weight /= 10) {
+      put(static_cast<char>('0' + thousandths / weight % 10));
+      if (trimmed && thousandths % weight == 0) return;
+    }
+  }
+
+  std::span<char> out_;
+  std::size_t size_ = 0;
+};
+
+/// False when `field` names nothing, as after a percent sign that is meant.
+bool put_field(TextWriter& text, char field, const Fault& fault) {
+  switch (field) {
+    case 'w':
+      if (fault.letter != ' ') text.put(fault.letter);
+      text.put_number(fault.value, true);
+      return true;
+    case 'c':
+      text.put(fault.letter);
+      return true;
+    case 'v':
+      text.put_number(fault.value, false);
+      return true;
+    case 'l':
+      text.put_number(fault.limit, false);
+      return true;
+    case 'n':
+      text.put_number(fault.limit, true);
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+ErrorCode Fault::code() const { return explanation_of(detail).code; }
+
+std::size_t describe(const Fault& fault, std::span<char> out) {
+  TextWriter text{out};
+  const std::string_view sentence = explanation_of(fault.detail).sentence;
+  for (std::size_t at = 0; at < sentence.size(); ++at) {
+    const bool field = sentence[at] == '%' && at + 1 < sentence.size();
+    if (field && put_field(text, sentence[at + 1], fault)) {
+      ++at;
+    } else {
+      text.put(sentence[at]);
+    }
+  }
+  return text.size();
+}
+
+}  // namespace cnc::gcode

@@ -1,0 +1,44 @@
+#include "planner/gcode/interpreter.hpp"
+
+#include <algorithm>
+
+#include "planner/base/contract.hpp"
+#include "planner/gcode/execution.hpp"
+
+namespace cnc::gcode {
+
+namespace {
+
+bool in_range(const Position& place) {
+  return std::ranges::all_of(place, [](Coordinate axis) { return axis.in_range(); });
+}
+
+}  // namespace
+
+Result<Actions, Fault> Interpreter::interpret(std::string_view line) {
+  actions_.clear();
+  if (const auto fault = read_block(line, options_.block_delete, block_)) return *fault;
+  if (block_.empty()) return actions_.all();
+  Execution execution{options_, context_, places_, block_, actions_};
+  if (const auto fault = execution.run()) return *fault;
+  execution.commit();
+  return actions_.all();
+}
+
+void Interpreter::set_position(const Position& machine) {
+  CNC_ASSERT(in_range(machine));
+  context_.position = machine;
+}
+
+void Interpreter::set_places(const StoredPlaces& places) {
+  CNC_ASSERT(std::ranges::all_of(places.systems, in_range));
+  CNC_ASSERT(in_range(places.g28) && in_range(places.g30));
+  places_ = places;
+}
+
+void Interpreter::reset() {
+  context_.modal = ModalState{};
+  context_.shift = Shift{};
+}
+
+}  // namespace cnc::gcode

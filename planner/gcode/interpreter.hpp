@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+#include "planner/base/result.hpp"
+#include "planner/gcode/action_list.hpp"
+#include "planner/gcode/block.hpp"
+#include "planner/gcode/context.hpp"
+#include "planner/gcode/fault.hpp"
+#include "planner/gcode/options.hpp"
+
+namespace cnc::gcode {
+
+/// In the order of execution. Views the interpreter's own list, which the next
+/// line overwrites.
+using Actions = std::span<const Action>;
+
+/// Turns lines of G-code into actions, one line at a time.
+///
+/// The dialect is RS274/NGC as Grbl 1.1 understands it, with LinuxCNC's G90.1,
+/// G59.x, G92.2, G92.3, P turns and outputs; six axes. What is not understood
+/// is refused and never skipped.
+///
+/// It runs ahead of the machine: position() is where the actions so far will
+/// end. After a probe, an abort or homing the machine is elsewhere and must say
+/// so with set_position() before the next line.
+class Interpreter {
+ public:
+  explicit Interpreter(const Options& options = {}) : options_{options} {}
+
+  /// What the line asks for; nothing, for a line without words.
+  ///
+  /// A refused line leaves everything as it was. The CR and LF at its end are
+  /// optional; lines of `$` belong to the protocol and are refused here.
+  [[nodiscard]] Result<Actions, Fault> interpret(std::string_view line);
+
+  [[nodiscard]] const ModalState& state() const { return context_.modal; }
+  [[nodiscard]] const Shift& shift() const { return context_.shift; }
+  [[nodiscard]] const StoredPlaces& places() const { return places_; }
+  /// Machine coordinates.
+  [[nodiscard]] const Position& position() const { return context_.position; }
+  /// What is subtracted from a machine coordinate to show the work coordinate.
+  [[nodiscard]] Coordinate work_offset(Axis axis) const {
+    return gcode::work_offset(context_, places_, index_of(axis));
+  }
+
+  /// @pre every axis is in range, as whatever the machine can reach is.
+  void set_position(const Position& machine);
+  /// What was read from flash at start-up. @pre every place is in range.
+  void set_places(const StoredPlaces& places);
+  /// As after a soft reset: modes, G92 and tool length as at start-up; stored
+  /// places and position stay.
+  void reset();
+  /// From the next line on.
+  void set_options(const Options& options) { options_ = options; }
+
+ private:
+  Options options_;
+  Context context_{};
+  StoredPlaces places_{};
+  Block block_{};
+  ActionList actions_{};
+};
+
+}  // namespace cnc::gcode

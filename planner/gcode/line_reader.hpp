@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "planner/gcode/decimal.hpp"
+#include "planner/gcode/fault.hpp"
+
+namespace cnc::gcode {
+
+/// The longest line that is read, its CR and LF not counted.
+inline constexpr std::size_t kLongestLine = 255;
+
+/// A letter and its number, and where it stands.
+struct Word {
+  char letter = ' ';        ///< 'A'…'Z'.
+  std::uint8_t column = 0;  ///< 1-based.
+  Decimal value{};
+};
+
+static_assert(kLongestLine <= 255, "a column is one byte");
+
+/// Splits one line into words.
+///
+/// What RS274/NGC lets pass is passed over: blanks anywhere, comments in ( )
+/// and after ; with any bytes in them, CR and LF at the end, a line of a lone
+/// %, lower case. Everything else outside a word is refused.
+///
+/// Stands at a word or at the end whenever a call has returned no fault.
+class LineReader {
+ public:
+  /// @param line must outlive the reader.
+  explicit LineReader(std::string_view line) : line_{line} {}
+
+  /// Goes to the first word. Call once, before anything else.
+  /// @param block_delete true: a line that begins with / is as good as empty;
+  ///   false: the / means nothing.
+  [[nodiscard]] Refusal begin(bool block_delete);
+
+  [[nodiscard]] bool at_end() const { return at_ == line_.size(); }
+
+  /// Reads the word here and goes to the next one.
+  /// @pre !at_end()
+  [[nodiscard]] Refusal read(Word& word);
+
+ private:
+  void drop_line_end();
+  [[nodiscard]] Refusal skip_to_word();
+  [[nodiscard]] Refusal skip_comment();
+  [[nodiscard]] Refusal pass_percent();
+  [[nodiscard]] Refusal pass_slash(bool block_delete);
+  [[nodiscard]] bool at(char wanted) const { return !at_end() && line_[at_] == wanted; }
+  [[nodiscard]] Fault fault_here(FaultDetail detail) const;
+  [[nodiscard]] Fault not_a_letter() const;
+
+  std::string_view line_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace cnc::gcode

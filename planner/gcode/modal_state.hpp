@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "planner/base/axes.hpp"
+#include "planner/base/coordinate.hpp"
+#include "planner/gcode/action.hpp"
+
+namespace cnc::gcode {
+
+enum class MotionMode : std::uint8_t {
+  kRapid,                ///< G0
+  kLine,                 ///< G1
+  kArcClockwise,         ///< G2
+  kArcCounterClockwise,  ///< G3
+  kProbeContact,         ///< G38.2: towards contact, a miss is a fault.
+  kProbeContactOrNot,    ///< G38.3: towards contact, a miss is fine.
+  kProbeRelease,         ///< G38.4: away from contact, a miss is a fault.
+  kProbeReleaseOrNot,    ///< G38.5: away from contact, a miss is fine.
+  kNone,                 ///< G80
+};
+
+enum class DistanceMode : std::uint8_t { kAbsolute, kIncremental };    ///< G90 G91, G90.1 G91.1.
+enum class FeedMode : std::uint8_t { kUnitsPerMinute, kInverseTime };  ///< G94, G93.
+enum class Units : std::uint8_t { kMillimetres, kInches };             ///< G21, G20.
+
+/// G54…G59, G59.1…G59.3.
+inline constexpr std::size_t kCoordinateSystemCount = 9;
+
+/// What a line leaves behind for the lines after it, offsets and place apart.
+/// The defaults are what Grbl 1.1 starts with.
+struct ModalState {
+  MotionMode motion = MotionMode::kRapid;
+  Plane plane = Plane::kXY;
+  DistanceMode distance = DistanceMode::kAbsolute;
+  DistanceMode arc_distance = DistanceMode::kIncremental;
+  FeedMode feed_mode = FeedMode::kUnitsPerMinute;
+  Units units = Units::kMillimetres;
+  std::uint8_t coordinate_system = 0;  ///< 0 is G54.
+  bool tool_length_in_use = false;     ///< G43.1, else G49.
+  SpindleMode spindle = SpindleMode::kOff;
+  Coolant coolant{};
+
+  std::uint32_t tool = 0;
+  std::uint32_t line_number = 0;  ///< N of the last line, 0 if it had none.
+  float spindle_speed = 0.0F;     ///< S as written.
+  /// F in mm/s, already converted, so that G20 and G21 do not reinterpret it;
+  /// 0 where none is set, which is always so in G93.
+  float feed = 0.0F;
+  float rotary_feed = 0.0F;  ///< The same F as degrees/s, for lines where only A B C move.
+
+  constexpr bool operator==(const ModalState&) const = default;
+};
+
+/// What G92 and the tool add to the coordinate system in use.
+struct Shift {
+  Position g92{};            ///< As set; kept while G92.2 suspends it.
+  bool g92_in_use = false;   ///< Between G92 or G92.3 and G92.1 or G92.2.
+  Coordinate tool_length{};  ///< Along Z (G43.1).
+
+  constexpr bool operator==(const Shift&) const = default;
+};
+
+/// Places that outlive a program; the firmware stores them in flash.
+struct StoredPlaces {
+  std::array<Position, kCoordinateSystemCount> systems{};  ///< Origins, in machine coordinates.
+  Position g28{};
+  Position g30{};
+
+  constexpr bool operator==(const StoredPlaces&) const = default;
+};
+
+}  // namespace cnc::gcode

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "planner/base/result.hpp"
+#include "planner/gcode/decimal.hpp"
+#include "planner/gcode/fault.hpp"
+
+namespace cnc::gcode {
+
+/// The modal groups of RS274/NGC table 4, and LinuxCNC's group 5 of M words for
+/// outputs. A line holds at most one word of each.
+enum class ModalGroup : std::uint8_t {
+  kNonModal,          ///< G group 0, NonModal
+  kMotion,            ///< G group 1, MotionMode
+  kPlane,             ///< G group 2, Plane
+  kDistance,          ///< G group 3, DistanceMode
+  kArcDistance,       ///< G group 4, DistanceMode
+  kFeedMode,          ///< G group 5, FeedMode
+  kUnits,             ///< G group 6, Units
+  kCutterRadius,      ///< G group 7, only G40: nothing to choose
+  kToolLength,        ///< G group 8, ToolLength
+  kCoordinateSystem,  ///< G group 12, index of the system
+  kPathControl,       ///< G group 13, only G61: nothing to choose
+  kStop,              ///< M group 4, Stop
+  kOutput,            ///< M group 5, Output
+  kSpindle,           ///< M group 7, SpindleMode
+  kCoolant,           ///< M group 8, CoolantWord
+};
+
+inline constexpr std::size_t kModalGroupCount = 15;
+
+enum class NonModal : std::uint8_t {
+  kNothing,
+  kDwell,               ///< G4
+  kSetSystem,           ///< G10
+  kGoToG28,             ///< G28
+  kStoreG28,            ///< G28.1
+  kGoToG30,             ///< G30
+  kStoreG30,            ///< G30.1
+  kMachineCoordinates,  ///< G53
+  kSetG92,              ///< G92
+  kClearG92,            ///< G92.1
+  kSuspendG92,          ///< G92.2
+  kRestoreG92,          ///< G92.3
+};
+
+enum class ToolLength : std::uint8_t { kSet, kCancel };           ///< G43.1, G49.
+enum class Stop : std::uint8_t { kPause, kOptionalPause, kEnd };  ///< M0, M1, M2 and M30.
+enum class CoolantWord : std::uint8_t { kMist, kFlood, kOff };    ///< M7, M8, M9.
+
+enum class Output : std::uint8_t {
+  kOnWithMotion,      ///< M62
+  kOffWithMotion,     ///< M63
+  kOn,                ///< M64
+  kOff,               ///< M65
+  kAnalogWithMotion,  ///< M67
+  kAnalog,            ///< M68
+};
+
+/// What a word makes of the X Y Z A B C words of its line. They mean one thing
+/// only, so a line holds at most one word that claims them.
+enum class AxisUse : std::uint8_t { kNone, kMotion, kPlaces, kToolLength };
+
+/// A G or M word that is understood.
+struct ModalWord {
+  std::uint16_t tenths;  ///< 382 for G38.2.
+  ModalGroup group;
+  std::uint8_t meaning;  ///< A value of the enum beside `group`.
+
+  [[nodiscard]] AxisUse axis_use() const;
+};
+
+/// Finds what the number after G or M stands for. Pointers are to constants.
+///
+/// The faults are Grbl's: kNotAnInteger where a whole word such as G1 is given
+/// decimals, kNoSuchCoordinateSystem for a G59.x, else kUnsupported.
+[[nodiscard]] Result<const ModalWord*, FaultDetail> find_g_word(const Decimal& number);
+[[nodiscard]] Result<const ModalWord*, FaultDetail> find_m_word(const Decimal& number);
+
+}  // namespace cnc::gcode

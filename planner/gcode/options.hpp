@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstdint>
+
+#include "planner/gcode/arc_geometry.hpp"
+
+namespace cnc::gcode {
+
+/// What the user may set about reading G-code.
+struct Options {
+  bool block_delete = true;  ///< Lines that begin with / are skipped, as in LinuxCNC.
+  ArcTolerance arc{};
+  std::uint32_t highest_tool = 255;            ///< Grbl's limit of T.
+  float highest_spindle_speed = 1'000'000.0F;  ///< S in rpm, or the laser's own scale.
+  float longest_dwell_s = 86'400.0F;           ///< A day: whoever writes more meant milliseconds.
+};
+
+}  // namespace cnc::gcode

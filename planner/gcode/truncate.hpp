@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstdint>
+
+namespace cnc::gcode {
+
+/// The whole part of a float. What static_cast does, but the compiler's own
+/// conversion to 64 bits goes by way of double, which a Cortex-M4 emulates.
+/// @pre |value| < 2^47.
+[[nodiscard]] inline std::int64_t truncated(float value) {
+  constexpr float kChunk = 65'536.0F;
+  const auto chunks = static_cast<std::int32_t>(value / kChunk);
+  const float rest = value - static_cast<float>(chunks) * kChunk;  // Both steps are exact.
+  return std::int64_t{chunks} * 65'536 + static_cast<std::int32_t>(rest);
+}
+
+}  // namespace cnc::gcode

@@ -1,0 +1,95 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "host-sim/report/progress_bar.hpp"
+#include "host-sim/report/text_table.hpp"
+#include "host-sim/report/utf8.hpp"
+
+namespace sim {
+namespace {
+
+using testing::EndsWith;
+using testing::HasSubstr;
+using namespace std::chrono_literals;
+
+TEST(Utf8, KnowsTheColumnsOfATerminal) {
+  EXPECT_EQ(display_width(""), 0U);
+  EXPECT_EQ(display_width("größe"), 5U);
+  EXPECT_EQ(display_width("gro\u0308ße"), 5U);  // ö as o and combining diaeresis
+  EXPECT_EQ(display_width("切割"), 4U);
+  EXPECT_EQ(display_width("mm/s² → 🔥"), 10U);
+}
+
+TEST(Utf8, TellsGoodBytesFromBad) {
+  EXPECT_TRUE(first_character("€").is_valid);
+  EXPECT_EQ(first_character("€").bytes, 3U);
+  for (const char* bad : {"\xff",
+                          "\x80",
+                          "\xc0\xaf",
+                          "\xe0\x80\xaf",
+                          "\xed\xa0\x80",
+                          "\xe2\x82",
+                          "\xf4\x90\x80\x80"}) {
+    EXPECT_FALSE(first_character(bad).is_valid);
+    EXPECT_EQ(first_character(bad).bytes, 1U);
+  }
+}
+
+TEST(TextTable, LinesUpAndEndsWithoutSpaces) {
+  TextTable table{{{"name", TextTable::Align::kLeft}, {"µm"}, {"end", TextTable::Align::kLeft}}};
+  table.add_row({"größe", "7", ""});
+  table.add_row({"x", "1234", "last"});
+  EXPECT_EQ(table.text(2),
+            "  name     µm  end\n"
+            "  größe     7\n"
+            "  x      1234  last\n");
+}
+
+/// A stream that keeps what a terminal would get, and a clock that is set by hand.
+class ProgressBarTest : public testing::Test {
+ protected:
+  ~ProgressBarTest() override { std::fclose(stream_); }
+
+  std::string shown() {
+    std::string text(static_cast<std::size_t>(std::ftell(stream_)), ' ');
+    std::rewind(stream_);
+    EXPECT_EQ(std::fread(text.data(), 1, text.size(), stream_), text.size());
+    return text;
+  }
+
+  std::FILE* stream_ = std::tmpfile();
+  ProgressBar::Time start_{};
+};
+
+TEST_F(ProgressBarTest, IsSilentWithoutATerminal) {
+  {
+    ProgressBar bar{stream_, is_terminal(stream_), start_};
+    bar.update(0.5, "part.nc", start_ + 10s);
+  }
+  EXPECT_EQ(shown(), "");
+}
+
+TEST_F(ProgressBarTest, IsSilentOnShortWork) {
+  ProgressBar bar{stream_, true, start_};
+  bar.update(0.9, "part.nc", start_ + 400ms);
+  EXPECT_EQ(shown(), "");
+}
+
+TEST_F(ProgressBarTest, ShowsTheShareAndClearsItself) {
+  {
+    ProgressBar bar{stream_, true, start_};
+    bar.update(0.5, "part.nc", start_ + 600ms);
+    bar.update(0.6, "part.nc", start_ + 601ms);  // Too soon to be seen.
+    bar.update(7.0, "part.nc", start_ + 800ms);
+  }
+  const std::string text = shown();
+  EXPECT_THAT(text, HasSubstr("[###############               ]  50 % part.nc"));
+  EXPECT_THAT(text, HasSubstr("100 %"));
+  EXPECT_THAT(text, testing::Not(HasSubstr(" 60 %")));
+  EXPECT_THAT(text, EndsWith("\r\033[K"));
+}
+
+}  // namespace
+}  // namespace sim

@@ -1,0 +1,22 @@
+// The case that proves the others: with these flags, right uses compile.
+#include "hal/interface/tick_count.hpp"
+#include "planner/base/coordinate.hpp"
+#include "planner/base/result.hpp"
+#include "planner/base/units.hpp"
+
+using cnc::literals::operator""_mm_per_s;
+using cnc::literals::operator""_nm;
+
+namespace {
+
+enum class Refusal { kNone };
+
+cnc::Result<int, Refusal> make() { return 1; }
+
+}  // namespace
+
+bool right_uses(hal::TickCount a, hal::TickCount b) {
+  const auto speed = 10.0_mm_per_s + 10.0_mm_per_s;
+  const cnc::Coordinate place = 10_nm + 10_nm;
+  return a.reached(b) && speed > 1.0_mm_per_s && place > 0_nm && make().ok();
+}

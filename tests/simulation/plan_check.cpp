@@ -1,0 +1,176 @@
+#include "tests/simulation/plan_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace proof {
+namespace {
+
+constexpr double kSampling = 50.0e-6;
+
+/// A float of this size may be off by half its last bit.
+double float_noise(double value) { return std::abs(value) * 0x1.0p-24; }
+
+class PlanCheck {
+ public:
+  PlanCheck(const RecordedPlan& plan, const TestMachine& machine)
+      : plan_{plan}, limits_{machine.limits} {}
+
+  PlanFigures run() {
+    for (index_ = 0; index_ < plan_.slices.size(); ++index_) check_slice();
+    if (plan_.slices.empty()) return figures_;
+    figures_.end_speed.note(plan_.slices.back().end_speed(), plan_.slices.size() - 1);
+    const cnc::motion::Slice& last = plan_.slices.back().slice;
+    if (last.block + 1 != plan_.blocks.size() || last.to_fraction >> 32 != 1) {
+      figures_.contiguous = false;
+    }
+    return figures_;
+  }
+
+ private:
+  [[nodiscard]] const TimedSlice& slice() const { return plan_.slices[index_]; }
+  [[nodiscard]] const PlannedBlock& block() const { return plan_.blocks[slice().slice.block]; }
+
+  void check_slice() {
+    const bool new_block =
+        index_ == 0 || plan_.slices[index_ - 1].slice.block != slice().slice.block;
+    check_order(new_block);
+    check_way();
+    if (new_block) has_sample_ = false;
+    const auto duration = static_cast<double>(slice().slice.duration);
+    figures_.finite &= std::isfinite(slice().start_s + duration + slice().end_speed());
+    check_moment(0.0);
+    check_moment(duration);
+    const double first = std::ceil(slice().start_s / kSampling) * kSampling - slice().start_s;
+    for (double within = first; within < duration; within += kSampling) sample(within);
+  }
+
+  void check_order(bool new_block) {
+    const cnc::motion::Slice& now = slice().slice;
+    if (index_ == 0) {
+      figures_.contiguous &= now.block == 0 && now.from_fraction == 0;
+      figures_.end_speed.note(static_cast<double>(now.start_speed), index_);
+      return;
+    }
+    const TimedSlice& before = plan_.slices[index_ - 1];
+    const double jump = std::abs(static_cast<double>(now.start_speed) - before.end_speed());
+    figures_.speed_jump.note(jump, index_);
+    if (!new_block) {
+      figures_.contiguous &= now.from_fraction == before.slice.to_fraction;
+      return;
+    }
+    figures_.contiguous &= now.block == before.slice.block + 1 && now.from_fraction == 0 &&
+                           before.slice.to_fraction >> 32 == 1;
+    check_joint(before);
+  }
+
+  void check_joint(const TimedSlice& before) {
+    const double speed =
+        std::max(before.end_speed(), static_cast<double>(slice().slice.start_speed));
+    if (block().from_rest) {
+      figures_.end_speed.note(speed, index_);
+      return;
+    }
+    const ExactBlock& old = plan_.blocks[before.slice.block].exact;
+    const double rule =
+        corner_speed(old.tangent_at(1.0), block().exact.tangent_at(0.0), limits_);
+    if (rule > 0.0) figures_.joint.note(speed / rule, index_);
+    if (rule <= 0.0) figures_.end_speed.note(speed, index_);
+  }
+
+  /// Speeds and fractions must tell the same way.
+  void check_way() {
+    const auto duration = static_cast<double>(slice().slice.duration);
+    const double by_speed =
+        0.5 * (static_cast<double>(slice().slice.start_speed) + slice().end_speed()) * duration;
+    const double by_fraction = (slice().fraction_at(duration) - slice().fraction_at(0.0)) *
+                               block().exact.length();
+    figures_.way_error.note(std::abs(by_speed - by_fraction), index_);
+  }
+
+  void check_moment(double within) {
+    const double fraction = slice().fraction_at(within);
+    const double speed = slice().speed_at(within);
+    const auto acceleration = static_cast<double>(slice().slice.acceleration);
+    const Vector tangent = block().exact.tangent_at(fraction);
+    const Vector bend = block().exact.bend_at(fraction);
+    double steps_per_s = 0.0;
+    for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
+      const double axis_speed = std::abs(tangent[axis]) * speed;
+      steps_per_s += axis_speed * static_cast<double>(limits_.scale[axis].steps_per_mm());
+      figures_.rate.note(axis_speed / static_cast<double>(motor_rate(limits_, axis)), index_, axis);
+      const double axis_acceleration = tangent[axis] * acceleration + bend[axis] * speed * speed;
+      figures_.acceleration.note(std::abs(axis_acceleration) / acceleration_limit(axis),
+                                 index_,
+                                 axis);
+    }
+    figures_.rate.note(steps_per_s / static_cast<double>(limits_.steps_per_s_all_motors),
+                       index_,
+                       cnc::kAxisCount);
+    check_path(speed);
+  }
+
+  void check_path(double speed) {
+    const double wanted = static_cast<double>(block().block.feed);
+    if (wanted > 0.0) figures_.feed.note(speed / wanted, index_);
+    if (!block().exact.turns()) return;
+    const double plane_speed = speed * block().exact.plane_share();
+    const cnc::PlaneAxes axes = block().exact.plane();
+    figures_.centripetal.note(
+        plane_speed * plane_speed / block().exact.radius() /
+            std::min(acceleration_limit(axes.first), acceleration_limit(axes.second)),
+        index_);
+  }
+
+  /// One of the 20,000 looks in a second.
+  void sample(double within) {
+    check_moment(within);
+    const double speed = slice().speed_at(within);
+    Vector now = block().exact.tangent_at(slice().fraction_at(within));
+    for (double& share : now) share *= speed;
+    for (std::size_t axis = 0; has_sample_ && axis < cnc::kAxisCount; ++axis) {
+      const double change = std::abs(now[axis] - sample_[axis]) - 4.0 * float_noise(now[axis]);
+      figures_.speed_change.note(change / kSampling / acceleration_limit(axis), index_, axis);
+    }
+    sample_ = now;
+    has_sample_ = true;
+  }
+
+  [[nodiscard]] double acceleration_limit(std::size_t axis) const {
+    return static_cast<double>(limits_.acceleration_mm_s2[axis]);
+  }
+
+  const RecordedPlan& plan_;
+  const cnc::motion::Limits& limits_;
+  PlanFigures figures_{};
+  std::size_t index_ = 0;
+  Vector sample_{};
+  bool has_sample_ = false;
+};
+
+}  // namespace
+
+PlanFigures check_plan(const RecordedPlan& plan, const TestMachine& machine) {
+  return PlanCheck{plan, machine}.run();
+}
+
+double corner_speed(const Vector& before, const Vector& after, const cnc::motion::Limits& limits) {
+  Vector change{};
+  for (std::size_t axis = 0; axis < change.size(); ++axis) change[axis] = after[axis] - before[axis];
+  const double size = norm(change);
+  const double turn = 2.0 * std::asin(std::min(1.0, 0.5 * size));
+  // Grbl's lines at |cos| = 0.999999, drawn a little inside for the rounding of tangents.
+  if (1.0 - std::cos(turn) < 1.0e-6 * 1.002) return std::numeric_limits<double>::infinity();
+  if (1.0 + std::cos(turn) < 1.0e-6 * 0.998) return 0.0;
+  double acceleration = std::numeric_limits<double>::infinity();
+  for (std::size_t axis = 0; axis < change.size(); ++axis) {
+    const double limit = static_cast<double>(limits.acceleration_mm_s2[axis]);
+    acceleration = std::min(acceleration, limit * size / std::abs(change[axis]));
+  }
+  const double sine = std::cos(0.5 * turn);  // Of half the angle between the legs.
+  const double deviation = static_cast<double>(limits.junction_deviation_mm);
+  return std::sqrt(acceleration * deviation * sine / (1.0 - sine));
+}
+
+}  // namespace proof

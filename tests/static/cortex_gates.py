@@ -1,0 +1,189 @@
+"""Reads what was built for the controller and fails on what must not be in it: heap, exceptions,
+RTTI, double arithmetic, printf, library functions that differ between machines, state outside
+Application, recursion, frames that are too large. Prints sizes, the largest stack frames and the deepest calls.
+
+usage: cortex_gates.py BUILD_FOLDER [--largest-frame BYTES]
+"""
+import argparse
+import json
+import pathlib
+import re
+import subprocess
+import sys
+from typing import Iterator
+
+TOOLS = "arm-none-eabi-"
+LARGEST_FRAME_BYTES = 1024
+INDIRECT = "__indirect_call"
+
+_LIBM = """a?sinh? a?cosh? a?tanh? atan2 exp exp2 exp10 expm1 log log2 log10 log1p pow hypot cbrt
+    sincos erfc? [lt]gamma""".split()
+
+BANNED = {
+    "heap": r"_?(malloc|calloc|realloc|free|memalign|aligned_alloc|strn?dup)(_r)?|_?sbrk(_r)?"
+            r"|_Z(nw|na|dl|da).*",
+    # An abstract class names __cxa_pure_virtual; that is a call which never happens, no exception.
+    "exceptions": r"__cxa_(?!pure_virtual).*|_Unwind_.*|__gxx_personality.*|__aeabi_unwind.*"
+                  r"|_ZSt\d+__throw_.*|_ZSt9terminatev",
+    "run-time type information": r"_ZT[IS].*|__dynamic_cast",
+    # The float <-> 64-bit integer conversions of libgcc that compute in double are among them.
+    "double arithmetic": r"__aeabi_(d|cd).*|__aeabi_[a-z]+2d|__aeabi_f2u?lz|__powidf2|__(mul|div)dc3",
+    "printf": r"_?(v?(as|s|sn|f|d)?i?(printf|scanf))(_r)?|puts|putchar|putc|fwrite|fputs|fflush"
+              r"|strto(f|d|ld)|atof|_ZN?K?S[oi].*|_ZNSt8ios_base.*"
+              r"|_ZSt(8to_chars|10from_chars)PK?cS\d?_R?[fde].*",
+    "library mathematics that differs between machines":
+        "(" + "|".join(_LIBM) + ")[fl]?",
+    "square root as a call (use std::sqrt on floats)": r"sqrt[fl]?",
+    "atomics that are not lock-free": r"__(atomic|sync)_.*",
+    "the end of the program (use CNC_ASSERT)": r"abort|_?exit|atexit|__assert_func|raise",
+}
+_BANNED = [(what, re.compile(pattern)) for what, pattern in BANNED.items()]
+
+
+def tool(name: str, *arguments) -> list:
+    run = subprocess.run([TOOLS + name, *map(str, arguments)], capture_output=True, text=True,
+                         check=True)
+    return run.stdout.splitlines()
+
+
+def built_objects(build: pathlib.Path) -> list:
+    """The object files of the build, as its compile commands name them."""
+    entries = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
+    outputs = [re.search(r" -o (\S+) ", entry["command"])[1] for entry in entries]
+    return [pathlib.Path(entry["directory"]) / output for entry, output in zip(entries, outputs)]
+
+
+class CallGraph:
+    """Frames and calls of every function, from the .ci files that GCC writes beside the objects."""
+
+    def __init__(self, files: list):
+        self.names, self.frames, self.dynamic, self.calls = {}, {}, set(), {}
+        for file in files:
+            for line in file.read_text(encoding="utf-8").splitlines():
+                self._read(line)
+        self._name_clones()
+
+    def _read(self, line: str):
+        if node := re.match(r'node: { title: "([^"]+)" label: "(.+?)\\n', line):
+            frame = re.search(r"(\d+) bytes \(([a-z,]+)\)", line)
+            if frame:
+                self.names[node[1]] = node[2]
+                self.frames[node[1]] = int(frame[1])
+                if frame[2] == "dynamic" or re.search(r"[1-9]\d* dynamic objects", line):
+                    self.dynamic.add(node[1])
+        elif edge := re.match(r'edge: { sourcename: "([^"]+)" targetname: "([^"]+)"', line):
+            self.calls.setdefault(edge[1], set()).add(edge[2])
+
+    def _name_clones(self):
+        """GCC names the parts that it splits off a function by nothing but a number."""
+        for function, name in self.names.items():
+            if name[0].isdigit():
+                self.names[function] = tool("c++filt", function.rpartition(":")[2])[0]
+
+    def name(self, function: str) -> str:
+        return self.names.get(function, function)
+
+    def callers(self, symbol: str) -> list:
+        return [self.name(caller) for caller, callees in self.calls.items() if symbol in callees]
+
+    def deepest(self) -> tuple:
+        """({function: (stack bytes below and with it, next function)}, [cycles])."""
+        depths, cycles, path = {}, [], []
+
+        def visit(function):
+            if function in path:
+                cycles.append([*path[path.index(function):], function])
+                return 0
+            if function not in depths:
+                path.append(function)
+                below = [(visit(callee), callee) for callee in sorted(self.calls.get(function, ()))]
+                path.pop()
+                bytes_below, callee = max(below, default=(0, ""))
+                depths[function] = (self.frames.get(function, 0) + bytes_below, callee)
+            return depths[function][0]
+
+        for function in sorted(self.frames):
+            visit(function)
+        return depths, cycles
+
+
+def symbol_complaints(objects: list, graph: CallGraph) -> Iterator:
+    found = {}
+    for line in tool("nm", "-A", "-P", *objects) if objects else []:
+        file, _, rest = line.partition(": ")
+        symbol, kind, *place = rest.split()
+        if kind in "dDbB" and "bare_controller" not in file:
+            key = ("state outside Application", f"{symbol}, {int(place[1], 16)} bytes of RAM")
+            found.setdefault(key, set()).add(pathlib.Path(file).name)
+        for what, pattern in _BANNED:
+            if pattern.fullmatch(symbol):
+                found.setdefault((what, symbol), set()).add(pathlib.Path(file).name)
+    for (what, symbol), files in sorted(found.items()):
+        callers = "; ".join(graph.callers(symbol))
+        yield f"{what}: {symbol} in {', '.join(sorted(files))}" + (callers and f", from {callers}")
+
+
+def stack_complaints(graph: CallGraph, largest_frame: int) -> Iterator:
+    for function, size in sorted(graph.frames.items()):
+        if size > largest_frame:
+            yield f"stack: {size} bytes, limit {largest_frame}: {graph.name(function)}"
+    for function in sorted(graph.dynamic):
+        yield f"stack: size known only at run time: {graph.name(function)}"
+    for cycle in graph.deepest()[1]:
+        yield "recursion: " + " > ".join(map(graph.name, cycle))
+
+
+def sizes(objects: list) -> dict:
+    """Bytes of text, data and bss of each target of the build."""
+    total = {}
+    for line in tool("size", *objects)[1:] if objects else []:
+        fields = line.split(None, 5)
+        target = re.search(r"CMakeFiles/(?:kerfline_)?(\w+)\.dir/", fields[5])[1]
+        old = total.get(target, (0, 0, 0))
+        total[target] = tuple(a + int(b) for a, b in zip(old, fields))
+    return total
+
+
+def print_report(total: dict, graph: CallGraph):
+    print(f"{'':16}{'text':>9}{'data':>9}{'bss':>9}")
+    for target, numbers in sorted(total.items()):
+        if any(numbers):
+            print(f"{target:16}" + "".join(f"{number:9}" for number in numbers))
+    print("largest stack frames, bytes:")
+    for function, size in sorted(graph.frames.items(), key=lambda item: -item[1])[:8]:
+        print(f"{size:9}  {graph.name(function)}")
+    print("deepest calls, bytes (* calls through a pointer or virtually, which are not followed):")
+    depths = graph.deepest()[0]
+    inner = {callee for callees in graph.calls.values() for callee in callees}
+    roots = [function for function in depths if function not in inner]
+    for root in sorted(roots, key=lambda function: -depths[function][0])[:5]:
+        print(f"{depths[root][0]:9}  {' > '.join(chain(graph, depths, root))}")
+
+
+def chain(graph: CallGraph, depths: dict, function: str) -> Iterator:
+    while function in graph.frames:
+        mark = "*" if INDIRECT in graph.calls.get(function, ()) else ""
+        yield graph.name(function).split("(")[0].split(" ")[-1] + mark
+        function = depths[function][1]
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("--largest-frame", type=int, default=LARGEST_FRAME_BYTES)
+    options = parser.parse_args()
+    if not (options.build / "compile_commands.json").is_file():
+        print("skipped: not built; cmake --preset cortex-m4f && cmake --build --preset cortex-m4f")
+        return 77
+    named = built_objects(options.build)
+    objects = [path for path in named if path.is_file() and path.with_suffix(".ci").is_file()]
+    graph = CallGraph([path.with_suffix(".ci") for path in objects])
+    print_report(sizes(objects), graph)
+    found = [*(f"not built: {path.name}" for path in named if path not in objects),
+             *symbol_complaints(objects, graph), *stack_complaints(graph, options.largest_frame)]
+    print("\n".join(found) or "controller: clean")
+    return bool(found)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,47 @@
+#pragma once
+
+#include "planner/geometry/path_element.hpp"
+
+namespace proof {
+
+/// mm of X Y Z and degrees of A B C.
+using Vector = cnc::AxisArray<double>;
+
+[[nodiscard]] double norm(const Vector& vector);
+[[nodiscard]] Vector to_mm(const cnc::Position& position);
+
+/// A path element in double precision, written anew from its definition: end
+/// points, bulge = tan(sweep / 4), other axes in proportion to the arc length.
+/// Fractions are of the length in all six axes.
+class ExactBlock {
+ public:
+  explicit ExactBlock(const cnc::PathElement& element);
+
+  [[nodiscard]] double length() const { return length_; }
+  [[nodiscard]] bool turns() const { return half_sweep_ != 0.0; }
+  /// Of the plane circle, mm; 0 for a line.
+  [[nodiscard]] double radius() const;
+  /// Plane length / length.
+  [[nodiscard]] double plane_share() const { return plane_length_ / length_; }
+  [[nodiscard]] cnc::PlaneAxes plane() const { return axes_; }
+
+  [[nodiscard]] Vector place_at(double fraction) const;
+  /// Unit direction of travel.
+  [[nodiscard]] Vector tangent_at(double fraction) const;
+  /// d tangent / d length, 1/mm.
+  [[nodiscard]] Vector bend_at(double fraction) const;
+  /// Length in X Y Z alone, or in A B C where those alone move: what F counts.
+  [[nodiscard]] double feed_length() const;
+
+ private:
+  Vector start_{};
+  Vector travel_{};
+  cnc::PlaneAxes axes_;
+  double half_sweep_ = 0.0;
+  double chord_ = 0.0;
+  double chord_angle_ = 0.0;
+  double plane_length_ = 0.0;
+  double length_ = 0.0;
+};
+
+}  // namespace proof

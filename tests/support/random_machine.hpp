@@ -1,0 +1,31 @@
+#pragma once
+
+#include "firmware/steps/step_drive.hpp"
+#include "planner/motion/limits.hpp"
+#include "tests/support/random_source.hpp"
+
+namespace proof {
+
+/// A controller's settings, as far as motion sees them.
+struct TestMachine {
+  cnc::motion::Limits limits{};
+  cnc::StepTiming timing{};
+};
+
+struct MachineRanges {
+  double least_steps_per_mm = 10.0;
+  double most_steps_per_mm = 1600.0;
+  double least_rate_mm_s = 1.0 / 60.0;
+  double most_rate_mm_s = 1000.0;
+  double least_acceleration = 1.0;
+  double most_acceleration = 20'000.0;
+};
+
+/// Every axis with a resolution, rate and acceleration of its own; step rates
+/// follow from the pulse as in firmware/machine/configuration.cpp.
+[[nodiscard]] TestMachine random_machine(Random& random, const MachineRanges& ranges = {});
+
+/// $101, $111 … as for a small laser: all axes alike.
+[[nodiscard]] TestMachine plain_machine();
+
+}  // namespace proof

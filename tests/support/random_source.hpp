@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
+
+namespace proof {
+
+/// Random numbers that are the same with every compiler and library
+/// (SplitMix64, Steele and others 2014); std::uniform_real_distribution is not.
+class Random {
+ public:
+  explicit Random(std::uint64_t seed) : state_{seed * 0x9E37'79B9'7F4A'7C15U + 1} {}
+
+  std::uint64_t bits() {
+    state_ += 0x9E37'79B9'7F4A'7C15U;
+    std::uint64_t z = state_;
+    z = (z ^ (z >> 30)) * 0xBF58'476D'1CE4'E5B9U;
+    z = (z ^ (z >> 27)) * 0x94D0'49BB'1331'11EBU;
+    return z ^ (z >> 31);
+  }
+
+  /// In [0, 1).
+  double unit() { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }
+  double between(double least, double most) { return least + (most - least) * unit(); }
+  /// Every factor of ten is as likely as the next. @pre 0 < least ≤ most
+  double magnitude(double least, double most) {
+    return least * std::exp(unit() * std::log(most / least));
+  }
+  double signed_magnitude(double least, double most) {
+    const double size = magnitude(least, most);
+    return chance(0.5) ? size : -size;
+  }
+  /// 0…count − 1.
+  std::size_t below(std::size_t count) { return static_cast<std::size_t>(bits() % count); }
+  bool chance(double probability) { return unit() < probability; }
+
+ private:
+  std::uint64_t state_;
+};
+
+}  // namespace proof

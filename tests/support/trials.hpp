@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <cstdlib>
+#include <string>
+
+namespace proof {
+
+/// How many random trials a property test makes. Each test names the number
+/// that takes it about half a minute in a release build; the full proof is
+///   KERFLINE_TRIALS=100000 build/release/tests/simulation_tests
+/// and one trial alone, as named by a failure, is KERFLINE_SEED=<seed>.
+class Trials {
+ public:
+  explicit Trials(std::uint64_t usual) {
+    if (const char* const count = std::getenv("KERFLINE_TRIALS")) usual = std::stoull(count);
+    const char* const seed = std::getenv("KERFLINE_SEED");
+    first_ = seed != nullptr ? std::stoull(seed) : 1;
+    end_ = first_ + (seed != nullptr ? 1 : usual);
+  }
+
+  [[nodiscard]] std::uint64_t first_seed() const { return first_; }
+  [[nodiscard]] std::uint64_t end_seed() const { return end_; }
+  [[nodiscard]] std::uint64_t count() const { return end_ - first_; }
+
+ private:
+  std::uint64_t first_ = 1;
+  std::uint64_t end_ = 1;
+};
+
+}  // namespace proof

@@ -1,0 +1,147 @@
+"""Runs clang-tidy over the layers' sources, and over headers that none of them includes.
+
+Most of its time goes into reading Eigen and the standard library, so the sources of a folder are
+checked as one, which includes them all, wherever they compile so.
+
+usage: clang_tidy.py CLANG_TIDY CLANG BUILD_FOLDER [--jobs N] [--only REGEX]
+"""
+import argparse
+import concurrent.futures
+import json
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+import tempfile
+import time
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "static"))
+from source_files import ROOT  # noqa: E402
+
+LAYERS = ("planner", "firmware", "hal", "host-sim")
+LARGEST_GROUP = 12
+GROUP_CHECKS = "-bugprone-suspicious-include"  # Of .cpp files, which is how a group is made.
+# Most of the analyser's time would go into the insides of fmt; the sanitizers watch the host.
+HOST_CHECKS = GROUP_CHECKS + ",-clang-analyzer-*"
+
+
+def included(name: str, seen: set) -> set:
+    """Adds to `seen` the project's headers that a file includes, directly or not."""
+    path = ROOT / name
+    if name not in seen and path.is_file():
+        seen.add(name)
+        for target in re.findall(r'#include "([^"]+)"', path.read_text(encoding="utf-8")):
+            included(target, seen)
+    return seen
+
+
+def commands(build: pathlib.Path) -> dict:
+    """{name from the root: arguments} of each source, and of each header that none includes."""
+    entries = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
+    alone = build / "headers_alone"
+    sources, headers = {}, {}
+    for entry in entries:
+        file = pathlib.Path(entry["file"])
+        words = shlex.split(entry["command"])
+        arguments = [*words[1:words.index("-o")], "-Wno-unknown-warning-option"]
+        if alone in file.parents:
+            headers[file.relative_to(alone).as_posix()[:-len(".cpp")]] = arguments
+        elif ROOT in file.parents and file.relative_to(ROOT).parts[0] in LAYERS:
+            sources[file.relative_to(ROOT).as_posix()] = arguments
+    seen = set()
+    for name in sources:
+        included(name, seen)
+    for name in sorted(headers, key=lambda name: -name.count("/")):
+        if name not in seen:
+            included(name, seen)
+            sources[name] = headers[name]
+    return sources
+
+
+class Checker:
+    """Checks groups of files, each group as one source in a scratch folder."""
+
+    def __init__(self, options: argparse.Namespace, scratch: str):
+        self.options, self.scratch = options, pathlib.Path(scratch)
+        self.commands = commands(options.build)
+
+    def groups(self) -> list:
+        """Files of one folder with the same flags, a dozen at most."""
+        folders = {}
+        for name in sorted(self.commands):
+            if re.search(self.options.only, name):
+                key = (name.rpartition("/")[0], *self.commands[name])
+                folders.setdefault(key, []).append(name)
+        return [names[start:start + LARGEST_GROUP] for names in folders.values()
+                for start in range(0, len(names), LARGEST_GROUP)]
+
+    def source_of(self, group: list) -> pathlib.Path:
+        # The analyser looks into included sources only from a file of this name.
+        name = "UnifiedSource_" + re.sub(r"\W", "_", group[0]) + f"_{len(group)}.cpp"
+        source = self.scratch / name
+        source.write_text("".join(f'#include "{name}"\n' for name in group), encoding="utf-8")
+        return source
+
+    def compiles(self, group: list) -> bool:
+        arguments = self.commands[group[0]]
+        run = subprocess.run(
+            [self.options.clang, *arguments, "-w", "-fsyntax-only", str(self.source_of(group))],
+            capture_output=True, check=False)
+        return run.returncode == 0
+
+    def check(self, group: list) -> list:
+        """[(seconds, files, exit status, findings)]; halves a group that does not compile as one."""
+        if len(group) > 1 and not self.compiles(group):
+            half = len(group) // 2
+            return self.check(group[:half]) + self.check(group[half:])
+        checks = HOST_CHECKS if group[0].startswith("host-sim/") else GROUP_CHECKS
+        start = time.monotonic()
+        run = subprocess.run(
+            [self.options.tidy, "--quiet", f"--config-file={ROOT / '.clang-tidy'}",
+             f"--checks={checks}", str(self.source_of(group)),
+             "--", *self.commands[group[0]]],
+            capture_output=True, text=True, check=False)
+        text = run.stdout or (run.stderr if run.returncode else "")
+        return [(time.monotonic() - start, group, run.returncode, text)]
+
+
+def findings(text: str) -> list:
+    """The output cut into one text for each finding, notes and all."""
+    parts = re.split(r"^(?=\S+:\d+:\d+: (?:error|warning): )", text, flags=re.MULTILINE)
+    return [part for part in parts if part.strip()]
+
+
+def run(options: argparse.Namespace, scratch: str) -> int:
+    checker = Checker(options, scratch)
+    printed, failed, times = set(), False, []
+    with concurrent.futures.ThreadPoolExecutor(options.jobs) as pool:
+        for results in pool.map(checker.check, checker.groups()):
+            for seconds, group, status, text in results:
+                times.append((seconds, group))
+                failed = failed or status != 0
+                new = [part for part in findings(text) if part not in printed] if status else []
+                printed.update(new)  # A header's finding comes once for each user.
+                print("".join(new).replace(f"{ROOT}/", ""), end="", flush=True)
+    times.sort(reverse=True)
+    for seconds, group in times[:3]:
+        print(f"{seconds:6.1f} s  {len(group)} files from {group[0]}")
+    count = sum(len(group) for _, group in times)
+    print(f"clang-tidy: {count} files in {len(times)} groups, {len(printed)} findings")
+    return failed
+
+
+def main() -> int:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("tidy")
+    parser.add_argument("clang")
+    parser.add_argument("build", type=pathlib.Path)
+    parser.add_argument("--jobs", type=int, default=2)
+    parser.add_argument("--only", default="", help="regex on file names")
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as scratch:
+        return run(options, scratch)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

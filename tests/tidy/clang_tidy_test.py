@@ -1,0 +1,103 @@
+"""Plants faults in a small house and sees that clang_tidy.py and the project's configuration find them.
+
+usage: clang_tidy_test.py CLANG_TIDY CLANG
+"""
+import argparse
+import contextlib
+import io
+import json
+import pathlib
+import shutil
+import sys
+import tempfile
+import unittest
+from unittest import mock
+
+import clang_tidy
+
+PROJECT = clang_tidy.ROOT
+TOOLS = sys.argv[1:3]
+
+CLEAN = """namespace cnc {
+namespace {
+constexpr int kSides = 4;
+}  // namespace
+int sides();
+int sides() { return kSides; }
+}  // namespace cnc
+"""
+FAULTS = {
+    "readability-identifier-naming": "int BadName() { return 1; }\n",
+    "readability-function-size": "int f(int n) {\n" + "  n += 1;\n" * 70 + "  return n;\n}\n",
+    "misc-no-recursion": "int f(int n) { return n > 0 ? f(n - 1) : 0; }\n",
+    "clang-analyzer-core.NullDereference": "int f() {\n  int* p = nullptr;\n  return *p;\n}\n",
+    "bugprone-integer-division": "float f(int n) { return static_cast<float>(n / 2); }\n",
+}
+
+
+class PlantedFaults(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = pathlib.Path(folder.name).resolve()
+        self.build = self.root / "build"
+        self.entries = []
+        shutil.copy(PROJECT / ".clang-tidy", self.root)
+        self.plant(self.root / "planner/clean.cpp", CLEAN)
+
+    def plant(self, path, text):
+        """Writes a file; a source is also part of the build."""
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text, encoding="utf-8")
+        if path.suffix == ".cpp":
+            command = f"g++ -std=c++20 -I{self.root} -o a.o -c {path}"
+            self.entries.append({"directory": str(self.root), "command": command, "file": str(path)})
+
+    def check(self):
+        """(exit status, output)"""
+        self.build.mkdir(exist_ok=True)
+        (self.build / "compile_commands.json").write_text(json.dumps(self.entries))
+        options = argparse.Namespace(tidy=TOOLS[0], clang=TOOLS[1], build=self.build, jobs=2, only="")
+        output = io.StringIO()
+        with contextlib.redirect_stdout(output), mock.patch.object(clang_tidy, "ROOT", self.root), \
+                tempfile.TemporaryDirectory() as scratch:
+            status = clang_tidy.run(options, scratch)
+        return status, output.getvalue()
+
+    def test_clean_source(self):
+        status, output = self.check()
+        self.assertIn("1 files in 1 groups, 0 findings", output)
+        self.assertFalse(status)
+
+    def test_faults_are_found_in_the_company_of_others(self):
+        for number, source in enumerate(FAULTS.values()):
+            self.plant(self.root / f"planner/fault_{number}.cpp",
+                       f"namespace n{number} {{\n{source}}}\n")
+        status, output = self.check()
+        for name in FAULTS:
+            self.assertIn(name, output)
+        self.assertIn("in 1 groups", output)
+        self.assertTrue(status)
+
+    def test_sources_that_do_not_compile_as_one_are_checked_apart(self):
+        self.plant(self.root / "planner/also_clean.cpp", CLEAN.replace("sides()", "edges()"))
+        status, output = self.check()
+        self.assertIn("2 files in 2 groups, 0 findings", output)
+        self.assertFalse(status)
+
+    def test_header_that_no_source_includes(self):
+        self.plant(self.root / "firmware/bad.hpp", "#pragma once\ninline int BadName() { return 1; }\n")
+        self.plant(self.build / "headers_alone/firmware/bad.hpp.cpp", '#include "firmware/bad.hpp"\n')
+        status, output = self.check()
+        self.assertIn("firmware/bad.hpp:2:12", output)
+        self.assertTrue(status)
+
+    def test_source_that_does_not_compile(self):
+        self.plant(self.root / "planner/broken.cpp", "int f() { return g(); }\n")
+        status, output = self.check()
+        self.assertIn("clang-diagnostic-error", output)
+        self.assertTrue(status)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

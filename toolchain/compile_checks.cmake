@@ -1,0 +1,46 @@
+# Code that only tests would compile, and so never the controller's compiler:
+# headers, each on its own from a source of one line with its layer's flags, and
+# the templates, which the whole controller on a bare port brings to life.
+option(KERFLINE_HEADERS_ALONE "Compile every header on its own" ON)
+
+function(kerfline_headers_alone layer folder)
+  file(GLOB_RECURSE headers CONFIGURE_DEPENDS RELATIVE ${PROJECT_SOURCE_DIR}
+    ${PROJECT_SOURCE_DIR}/${folder}/*.hpp)
+  list(FILTER headers EXCLUDE REGEX "/target/")
+  set(sources)
+  foreach(header IN LISTS headers)
+    set(source ${PROJECT_BINARY_DIR}/headers_alone/${header}.cpp)
+    file(CONFIGURE OUTPUT ${source} CONTENT "#include \"@header@\"\n" @ONLY)
+    list(APPEND sources ${source})
+  endforeach()
+  if(sources)
+    get_target_property(flags ${layer} KERFLINE_FLAGS)
+    if(NOT flags)
+      set(flags kerfline_controller_flags)
+    endif()
+    add_library(${layer}_headers_alone OBJECT ${sources})
+    target_link_libraries(${layer}_headers_alone PRIVATE ${flags} ${layer})
+    if(KERFLINE_HOST)
+      target_compile_options(${layer}_headers_alone PRIVATE -O0)  # There is little to optimise.
+    endif()
+  endif()
+endfunction()
+
+function(kerfline_compile_checks)
+  if(NOT KERFLINE_HEADERS_ALONE)
+    return()
+  endif()
+  kerfline_headers_alone(kerfline_hal_interface hal/interface)
+  kerfline_headers_alone(kerfline_planner planner)
+  kerfline_headers_alone(kerfline_firmware firmware)
+  if(KERFLINE_HOST)
+    kerfline_headers_alone(kerfline_hal_host hal/host)
+    kerfline_headers_alone(kerfline_sim host-sim)
+  else()
+    add_library(bare_controller OBJECT ${PROJECT_SOURCE_DIR}/tests/static/bare_controller.cpp)
+    target_link_libraries(bare_controller PRIVATE kerfline_controller_flags kerfline_firmware)
+  endif()
+endfunction()
+
+# At the end of the top CMakeLists.txt, when every layer is known.
+cmake_language(DEFER DIRECTORY ${PROJECT_SOURCE_DIR} CALL kerfline_compile_checks)

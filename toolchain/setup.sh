@@ -1,0 +1,54 @@
+#!/usr/bin/env bash
+# Installs the Debian packages of packages.txt that are missing, and nothing
+# else: `setup.sh run` what building and running needs, `setup.sh test` also
+# what the tests need. Asks nothing; with nothing missing it needs no root.
+set -euo pipefail
+
+here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
+part=${1:-run}
+case $part in
+  run) parts=' run ' ;;
+  test) parts=' run test ' ;;
+  *) echo "usage: setup.sh [run|test]" >&2; exit 2 ;;
+esac
+
+wanted=()
+section=
+while read -r line; do
+  line=${line%%#*}
+  line=${line//[[:space:]]/}
+  if [[ $line == '['*']' ]]; then
+    section=${line:1:-1}
+  elif [[ -n $line && $parts == *" $section "* ]]; then
+    wanted+=("$line")
+  fi
+done <"$here/packages.txt"
+
+# dpkg-query fails for packages that it has never heard of; they are missing.
+installed=$(dpkg-query -W -f='${Package} ${db:Status-Status}\n' "${wanted[@]}" 2>/dev/null || true)
+missing=()
+for package in "${wanted[@]}"; do
+  grep -qxF "$package installed" <<<"$installed" || missing+=("$package")
+done
+if ((${#missing[@]} == 0)); then
+  echo "setup: all ${#wanted[@]} packages for '$part' are here"
+  exit 0
+fi
+
+if ((EUID == 0)); then
+  as_root=(env)
+elif command -v sudo >/dev/null && sudo -n true 2>/dev/null; then
+  as_root=(sudo -n env)
+else
+  echo "setup: packages are missing, and installing needs root or sudo without a password:" >&2
+  echo "  apt-get install --no-install-recommends ${missing[*]}" >&2
+  exit 1
+fi
+
+echo "setup: installing ${missing[*]}"
+apt_get() {
+  "${as_root[@]}" DEBIAN_FRONTEND=noninteractive apt-get -q -y \
+    -o DPkg::Lock::Timeout=300 -o Acquire::Retries=3 -o Dpkg::Use-Pty=0 "$@" </dev/null
+}
+apt_get update
+apt_get install --no-install-recommends "${missing[@]}"

@@ -1,0 +1,69 @@
+#!/usr/bin/env bash
+# Set-up, builds, all tests. The last line is `N passed, N failed`; a build that
+# fails counts as one failed test, and what does not need it goes on.
+set -uo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
+
+passed=0
+failed=0
+
+step() { printf '\n==== %s (%s s)\n' "$*" "$SECONDS"; }
+
+# build PRESET [TARGET]
+build() {
+  step "build $1"
+  cmake --preset "$1" >/dev/null &&
+    cmake --build --preset "$1" ${2:+--target "$2"} -- -k 0 && return
+  echo "FAILED: build of $1" >&2
+  failed=$((failed + 1))
+  return 1
+}
+
+# test_preset PRESET: runs ctest and adds its numbers up.
+test_preset() {
+  step "test $1"
+  local log=build/$1/ctest.log summary skipped
+  ctest --preset "$1" -j"$(nproc)" --output-on-failure 2>&1 | tee "$log"
+  summary=$(grep -E '^[0-9]+% tests passed, [0-9]+ tests failed out of [0-9]+' "$log" | tail -1)
+  if [[ $summary =~ ,\ ([0-9]+)\ tests\ failed\ out\ of\ ([0-9]+) ]]; then
+    failed=$((failed + BASH_REMATCH[1]))
+    skipped=$(grep -c '(Skipped)$' "$log")  # ctest counts them as passed.
+    passed=$((passed + BASH_REMATCH[2] - BASH_REMATCH[1] - skipped))
+  else
+    echo "FAILED: ctest of $1 gave no result" >&2
+    failed=$((failed + 1))
+  fi
+}
+
+# Every fuzz program for a short while, from the seeds beside it and the examples.
+fuzz() {
+  compgen -G 'tests/fuzz/*.cpp' >/dev/null || return 0
+  build fuzz fuzzers || return 0
+  local program name seeds=(host-sim/examples)
+  [[ -d tests/fuzz/seeds ]] && seeds+=(tests/fuzz/seeds)
+  for program in build/fuzz/tests/fuzz_*; do
+    [[ -x $program && -f $program ]] || continue
+    name=$(basename "$program")
+    step "$name"
+    mkdir -p "build/fuzz/$name.corpus"
+    if "$program" -max_total_time="${FUZZ_SECONDS:-30}" -timeout=10 -print_final_stats=1 \
+      -artifact_prefix="build/fuzz/$name." "build/fuzz/$name.corpus" "${seeds[@]}" 2>&1 |
+      tail -15; then
+      passed=$((passed + 1))
+    else
+      failed=$((failed + 1))
+    fi
+  done
+}
+
+toolchain/setup.sh test || exit 1
+export UBSAN_OPTIONS=print_stacktrace=1 ASAN_OPTIONS=detect_stack_use_after_return=1
+
+build cortex-m4f  # Before the release tests, which look into it.
+build release && test_preset release
+build sanitize && test_preset sanitize
+fuzz
+
+step finished
+echo "$passed passed, $failed failed"
+((failed == 0))
