@@ -1,0 +1,175 @@
+/// Lines per second on the host, stage by stage, and how much faster than the
+/// machine the simulator runs. Run: build/release/tests/bench_stages
+
+#include <benchmark/benchmark.h>
+
+#include <string_view>
+#include <vector>
+
+#include "firmware/machine/configuration.hpp"
+#include "firmware/steps/step_generator.hpp"
+#include "hal/host/recording_port.hpp"
+#include "host-sim/machine/simulator.hpp"
+#include "planner/gcode/interpreter.hpp"
+#include "planner/geometry/arc_elements.hpp"
+#include "planner/motion/block_builder.hpp"
+#include "planner/motion/segmenter.hpp"
+#include "tests/support/bench_jobs.hpp"
+
+namespace {
+
+using namespace cnc;
+
+struct Job {
+  std::string text;
+  std::vector<std::string_view> lines;
+  std::vector<motion::MotionRequest> requests;
+  std::vector<motion::Segment> segments;
+};
+
+const motion::Limits& limits() {
+  static const motion::Limits kLimits = limits_from(Settings{});
+  return kLimits;
+}
+
+void split_lines(Job& job) {
+  std::string_view rest = job.text;
+  while (!rest.empty()) {
+    const std::size_t end = rest.find('\n');
+    job.lines.push_back(rest.substr(0, end));
+    rest.remove_prefix(end + 1);
+  }
+}
+
+void interpret_lines(Job& job) {
+  gcode::Interpreter interpreter;
+  Position place{};
+  for (const std::string_view line : job.lines) {
+    const auto actions = interpreter.interpret(line);
+    for (const gcode::Action& action : actions.value()) {
+      motion::MotionRequest request;
+      request.feed_mm_s = action.feed;
+      if (action.kind == gcode::ActionKind::kArc) {
+        const ArcElements arc{{place, action.end, action.plane, action.centre, action.clockwise, 1}};
+        request.element = arc.element(0);
+      } else {
+        request.element = {.start = place, .end = action.end};
+      }
+      place = action.end;
+      job.requests.push_back(request);
+    }
+  }
+}
+
+/// Keeps the queue full, as a fast sender does.
+template <typename Sink>
+void drive(const Job& job, Sink&& take) {
+  motion::BlockQueue queue;
+  motion::Segmenter segmenter{queue, limits()};
+  segmenter.reset({});
+  motion::Segment segment;
+  std::size_t next = 0;
+  while (next < job.requests.size() || !segmenter.idle()) {
+    while (next < job.requests.size() && !queue.full()) {
+      queue.push(motion::build_block(job.requests[next++], limits()).value(), limits());
+    }
+    if (segmenter.next(segment)) take(segment);
+  }
+}
+
+Job make_job(std::string text) {
+  Job job;
+  job.text = std::move(text);
+  split_lines(job);
+  interpret_lines(job);
+  drive(job, [&job](const motion::Segment& segment) { job.segments.push_back(segment); });
+  return job;
+}
+
+const Job& freeform() {
+  static const Job kJob = make_job(test::freeform_job(20'000));
+  return kJob;
+}
+const Job& arcs() {
+  static const Job kJob = make_job(test::arc_job(400));
+  return kJob;
+}
+
+void count_lines(benchmark::State& state, const Job& job) {
+  state.counters["lines/s"] = benchmark::Counter(
+      static_cast<double>(job.lines.size()), benchmark::Counter::kIsIterationInvariantRate);
+}
+
+void parse(benchmark::State& state, const Job& (*job)()) {
+  gcode::Interpreter interpreter;
+  for (auto _ : state) {
+    for (const std::string_view line : job().lines) {
+      benchmark::DoNotOptimize(interpreter.interpret(line));
+    }
+  }
+  count_lines(state, job());
+}
+
+/// Blocks built and planned one by one with the queue full: the most a block costs.
+void plan(benchmark::State& state, const Job& (*job)()) {
+  for (auto _ : state) {
+    motion::BlockQueue queue;
+    for (const motion::MotionRequest& request : job().requests) {
+      if (queue.full()) queue.pop_front();
+      queue.push(motion::build_block(request, limits()).value(), limits());
+      queue.plan(limits(), {});
+    }
+    benchmark::DoNotOptimize(queue);
+  }
+  count_lines(state, job());
+}
+
+void plan_and_segment(benchmark::State& state, const Job& (*job)()) {
+  for (auto _ : state) {
+    drive(job(), [](const motion::Segment& segment) { benchmark::DoNotOptimize(segment); });
+  }
+  count_lines(state, job());
+  state.counters["segments/line"] =
+      static_cast<double>(job().segments.size()) / static_cast<double>(job().lines.size());
+}
+
+void step(benchmark::State& state, const Job& (*job)()) {
+  for (auto _ : state) {
+    hal::host::RecordingPort port;
+    StepGenerator<hal::host::RecordingPort, 64> generator{port};
+    std::size_t next = 0;
+    const std::vector<motion::Segment>& segments = job().segments;
+    while (next < segments.size() && !generator.full()) generator.push(segments[next++]);
+    generator.wake();
+    while (generator.on_interrupt() != 0) {
+      if (next < segments.size() && !generator.full()) generator.push(segments[next++]);
+    }
+    benchmark::DoNotOptimize(port.position);
+  }
+  count_lines(state, job());
+}
+
+/// Bytes to edges through the whole firmware, and the simulator's clock with it.
+void everything(benchmark::State& state, const Job& (*job)()) {
+  double machine_seconds = 0.0;
+  for (auto _ : state) {
+    sim::Simulator simulator{job().text, {}};
+    machine_seconds += simulator.run().job_time_s;
+  }
+  count_lines(state, job());
+  state.counters["times_machine"] =
+      benchmark::Counter(machine_seconds, benchmark::Counter::kIsRate);
+}
+
+BENCHMARK_CAPTURE(parse, freeform_20000, freeform)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(parse, arcs_400, arcs)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(plan, freeform_20000, freeform)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(plan, arcs_400, arcs)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(plan_and_segment, freeform_20000, freeform)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(plan_and_segment, arcs_400, arcs)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(step, freeform_20000, freeform)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(step, arcs_400, arcs)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(everything, freeform_20000, freeform)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(everything, arcs_400, arcs)->Unit(benchmark::kMillisecond);
+
+}  // namespace
