@@ -37,7 +37,7 @@ void BlockQueue::forget_plan() { unplanned_ = size_; }
 // Backward pass from the newest block. Where a block that was planned before
 // gets the same entry speed again, all older ones would, too.
 void BlockQueue::plan(const Limits& limits, const Overrides& overrides) {
-  if (unplanned_ == 0) return;
+  if (unplanned_ == 0 || unplanned_ * kReplanShare < size_) return;
   float exit_square = 0.0F;
   for (std::size_t index = size_; index-- > 1;) {
     Block& block = at(index);

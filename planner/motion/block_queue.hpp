@@ -37,7 +37,9 @@ class BlockQueue {
   void pop_front();
   void clear();
 
-  /// Brings every entry speed up to date. Cheap when nothing changed.
+  /// Brings the entry speeds up to date, but leaves up to a sixteenth of the
+  /// queue unplanned at its far end: so the pass over all of it is paid for by
+  /// several blocks, and the look-ahead is hardly shorter.
   void plan(const Limits& limits, const Overrides& overrides);
   /// The limits or overrides changed: plan anew from the newest block on.
   void forget_plan();
@@ -52,6 +54,8 @@ class BlockQueue {
     return blocks_[(first_ + index) % kCapacity];
   }
   [[nodiscard]] Block& at(std::size_t index) { return blocks_[(first_ + index) % kCapacity]; }
+
+  static constexpr std::size_t kReplanShare = 16;
 
   std::array<Block, kCapacity> blocks_{};
   AxisArray<float> last_exit_tangent_{};

@@ -1,0 +1,107 @@
+#!/usr/bin/env python3
+"""The command line as its users call it: exit status, files, messages.
+
+    command_line_test.py KERFLINE EXAMPLES
+"""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+KERFLINE = ""
+EXAMPLES = pathlib.Path()
+
+
+def run(*arguments, text=None, **environment):
+    return subprocess.run(
+        [KERFLINE, *map(str, arguments)], input=text, capture_output=True, text=True, check=False,
+        env={"PATH": "/usr/bin", **environment})
+
+
+class CommandLine(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.laser = ("--settings", EXAMPLES / "laser.settings")
+
+    def test_sim_writes_every_file_it_is_asked_for(self):
+        names = {key: self.folder / f"out.{key}" for key in ("trace", "vcd", "report", "svg", "png")}
+        options = [word for key, name in names.items() for word in (f"--{key}", name)]
+        done = run("sim", EXAMPLES / "circle_r20.nc", *self.laser, *options)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        trace = names["trace"].read_text().splitlines()
+        comments = [line for line in trace if line.startswith("#")]
+        self.assertIn("# steps_per_mm X=160 Y=160 Z=400 A=100 B=100 C=100", comments)
+        self.assertEqual(trace[len(comments)], "time_ns,x,y,z,a,b,c,s")
+        report = json.loads(names["report"].read_text())
+        self.assertLess(report["max_path_deviation_mm"], 0.0045)
+        self.assertEqual(report["faults"], [])
+        self.assertTrue(names["svg"].read_text().startswith("<"))
+        self.assertEqual(names["png"].read_bytes()[:4], b"\x89PNG")
+        self.assertIn("$var", names["vcd"].read_text())
+
+    def test_same_call_writes_the_same_trace(self):
+        traces = []
+        for name in ("first", "second"):
+            run("sim", EXAMPLES / "bracket.nc", *self.laser, "--trace", self.folder / name)
+            traces.append((self.folder / name).read_bytes())
+        self.assertEqual(traces[0], traces[1])
+
+    def test_check_names_the_place_of_every_fault(self):
+        job = self.folder / "bad.nc"
+        job.write_text("G21\nG1 X1 F100\nG5 X2\nG2 X1 Y1 I0.1 J0\n")
+        done = run("check", job)
+        self.assertEqual(done.returncode, 1)
+        lines = [line for line in done.stdout.splitlines() if line.startswith(str(job))]
+        self.assertRegex(lines[0], r":3:1: ")
+        self.assertRegex(lines[1], r":4:\d+: ")
+
+    def test_check_takes_the_simulated_time(self):
+        job = EXAMPLES / "circle_r20.nc"
+        simulated = json.loads(run("sim", job, *self.laser, "--json").stdout)
+        checked = json.loads(run("check", job, *self.laser, "--json").stdout)
+        self.assertAlmostEqual(checked["job_time_s"] / simulated["job_time_s"], 1.0, delta=0.01)
+
+    def test_check_finds_what_needs_more_travel_than_there_is(self):
+        done = run("check", "-", "--set", "$130=50", text="G21 G90\nG0 X40\nG0 Y5 X60\n")
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stdout, r"-:3:7: X needs 60\.000 mm of travel, \$130 allows 50")
+
+    def test_reads_standard_input(self):
+        done = run("check", "-", text="G0 X1\n")
+        self.assertEqual(done.returncode, 0, done.stdout)
+
+    def test_wrong_calls_end_with_status_2(self):
+        for call in ([], ["sim"], ["nonsense"], ["sim", self.folder / "missing.nc"],
+                     ["sim", EXAMPLES / "circle_r20.nc", "--set", "$110"],
+                     ["sim", EXAMPLES / "circle_r20.nc", "--set", "$110=-1"],
+                     ["sim", EXAMPLES / "circle_r20.nc", "--set", "$9999=1"],
+                     ["sim", EXAMPLES / "circle_r20.nc", "--trace", self.folder / "no" / "such"],
+                     ["sim", EXAMPLES / "circle_r20.nc", EXAMPLES / "bracket.nc", "--svg", "x"]):
+            with self.subTest(call=call):
+                done = run(*call)
+                self.assertEqual(done.returncode, 2, done.stdout)
+                self.assertNotEqual(done.stderr, "")
+
+    def test_several_programs_fill_the_placeholder(self):
+        done = run("sim", EXAMPLES / "circle_r20.nc", EXAMPLES / "bracket.nc", *self.laser,
+                   "--report", self.folder / "{}.json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue((self.folder / "bracket.json").exists())
+        self.assertTrue((self.folder / "circle_r20.json").exists())
+
+    def test_help_teaches(self):
+        for call in (["--help"], ["sim", "--help"], ["check", "--help"], ["--version"]):
+            with self.subTest(call=call):
+                done = run(*call)
+                self.assertEqual(done.returncode, 0)
+                self.assertNotEqual(done.stdout, "")
+
+
+if __name__ == "__main__":
+    KERFLINE, EXAMPLES = sys.argv[1], pathlib.Path(sys.argv[2])
+    unittest.main(argv=sys.argv[:1])
