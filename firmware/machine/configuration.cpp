@@ -1,5 +1,6 @@
 #include "firmware/machine/configuration.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace cnc {
@@ -13,6 +14,14 @@ constexpr float kMostStepsPerSecond = 200'000.0F;
 
 /// A motor gets at most 9 of 10 slots, so that lateness never adds up.
 constexpr float kSlotUse = 0.9F;
+
+/// Half of what AxisScale holds, so that the way from one end to the other
+/// still fits; linear axes have the same reserve in nanometres for their arcs.
+constexpr std::int32_t kFarthestStep = AxisScale::kMostSteps / 2;
+constexpr Coordinate farthest_on(std::size_t axis) {
+  constexpr std::int64_t kMost = Coordinate::kFarthestNanometres;
+  return Coordinate{axis < kLinearAxisCount ? kMost / 2 : kMost};
+}
 
 std::uint32_t to_ticks(float microseconds) {
   return static_cast<std::uint32_t>(std::ceil(microseconds * kTicksPerMicrosecond));
@@ -38,6 +47,10 @@ gcode::Options gcode_options_from(const Settings& settings) {
   gcode::Options options;
   options.arc.absolute_mm = settings.get(setting::kArcRepairMm);
   options.arc.relative = 0.01F * settings.get(setting::kArcRepairPercent);
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const AxisScale scale{settings.get(setting::kStepsPerMm, axis)};
+    options.reach[axis] = std::min(scale.place_of(kFarthestStep), farthest_on(axis));
+  }
   return options;
 }
 

@@ -100,6 +100,7 @@ class Machine {
   [[nodiscard]] bool end_program();
   void append(const PathElement& element, float feed);
   void apply_settings();
+  [[nodiscard]] bool place_fits(std::size_t axis) const;
   void raise_alarm(Alarm alarm);
   void drop_everything();
 

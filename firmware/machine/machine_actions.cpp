@@ -1,4 +1,5 @@
 #include "firmware/machine/machine.hpp"
+#include "planner/base/truncate.hpp"
 
 namespace cnc {
 
@@ -95,7 +96,7 @@ bool Machine::dwell(const Action& action) {
   if (!motion_.drained()) return false;
   if (!dwelling_) {
     dwelling_ = true;
-    dwell_left_us_ = static_cast<std::int64_t>(action.seconds * kMicrosecondsPerSecond);
+    dwell_left_us_ = truncated(action.seconds * kMicrosecondsPerSecond);
   }
   if (dwell_left_us_ > 0) return false;
   dwelling_ = false;

@@ -73,6 +73,22 @@ Settings::Settings() {
   for (std::size_t i = 0; i < kTable.size(); ++i) values_[i] = kTable[i].standard;
 }
 
+std::string_view describe(SettingError error) {
+  switch (error) {
+    case SettingError::kUnknown:
+      return "no such setting";
+    case SettingError::kBelowRange:
+      return "value is below the range of this setting";
+    case SettingError::kAboveRange:
+      return "value is above the range of this setting";
+    case SettingError::kNotWhole:
+      return "this setting takes whole numbers";
+    case SettingError::kPlaceLost:
+      return "at this resolution the present place would be out of reach";
+  }
+  return {};
+}
+
 float Settings::get(std::uint16_t number) const {
   const std::size_t index = find(number);
   CNC_ASSERT(index < kTable.size());

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <string_view>
 
 #include "planner/base/result.hpp"
 
@@ -24,7 +25,11 @@ enum class SettingError : std::uint8_t {
   kBelowRange,   ///< Its least value is in the table.
   kAboveRange,
   kNotWhole,
+  kPlaceLost,  ///< At this resolution the present place would be out of reach.
 };
+
+/// The reason in words, for a message.
+[[nodiscard]] std::string_view describe(SettingError error);
 
 /// All settings, in the order of their numbers. Names are those Grbl 1.1 and
 /// grblHAL documents use; 850 and 851 are our own.

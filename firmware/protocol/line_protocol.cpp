@@ -35,20 +35,6 @@ bool read_setting(std::string_view line, SettingLine& setting) {
   return true;
 }
 
-std::string_view words_for(SettingError error) {
-  switch (error) {
-    case SettingError::kUnknown:
-      return "no such setting";
-    case SettingError::kBelowRange:
-      return "value is below the range of this setting";
-    case SettingError::kAboveRange:
-      return "value is above the range of this setting";
-    case SettingError::kNotWhole:
-      return "this setting takes whole numbers";
-  }
-  return {};
-}
-
 }  // namespace
 
 void LineProtocol::poll() {
@@ -103,7 +89,7 @@ void LineProtocol::set_from(std::string_view line) {
   const std::uint32_t number = error == SettingError::kUnknown ? kInvalidStatement
                                : negative                      ? kNegativeValue
                                                                : kBadNumber;
-  refuse(number, static_cast<std::uint32_t>(line.find('=')) + 2, words_for(error));
+  refuse(number, static_cast<std::uint32_t>(line.find('=')) + 2, describe(error));
 }
 
 void LineProtocol::refuse(std::uint32_t number, std::uint32_t column, std::string_view reason) {

@@ -16,18 +16,7 @@ Simulator::Simulator(std::string program, RunOptions options)
 
 std::string Simulator::change_setting(std::uint16_t number, float value) {
   const auto stored = firmware_.machine().change_setting(number, value);
-  if (stored.ok()) return {};
-  switch (stored.error()) {
-    case cnc::SettingError::kUnknown:
-      return "no such setting";
-    case cnc::SettingError::kBelowRange:
-      return "value is below the range of this setting";
-    case cnc::SettingError::kAboveRange:
-      return "value is above the range of this setting";
-    case cnc::SettingError::kNotWhole:
-      return "this setting takes whole numbers";
-  }
-  return {};
+  return stored.ok() ? std::string{} : std::string{cnc::describe(stored.error())};
 }
 
 RunResult Simulator::run() {

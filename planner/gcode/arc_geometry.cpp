@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "planner/base/scalar_math.hpp"
-#include "planner/gcode/truncate.hpp"
+#include "planner/base/truncate.hpp"
 
 namespace cnc::gcode {
 

@@ -81,6 +81,8 @@ class Execution {
   [[nodiscard]] Refusal read_centre(PlaneVector& centre);
   [[nodiscard]] Refusal centre_from_radius(PlaneVector end, PlaneVector& centre);
   [[nodiscard]] Refusal check_centre_in_range(PlaneVector centre) const;
+  [[nodiscard]] Refusal check_sides(PlaneVector end, PlaneVector centre,
+                                    std::uint16_t turns) const;
   [[nodiscard]] Refusal check_end_on_circle(PlaneVector end, PlaneVector centre) const;
   [[nodiscard]] float arc_speed(const Action& arc, PlaneVector end, PlaneVector centre) const;
   [[nodiscard]] PlaneVector from_here(const Position& target) const;
@@ -94,6 +96,7 @@ class Execution {
   [[nodiscard]] Coordinate to_length(const Decimal& number) const;
   [[nodiscard]] Coordinate to_axis_value(std::size_t axis, const Decimal& number) const;
   [[nodiscard]] Refusal check_range(FaultDetail detail, std::size_t axis, Coordinate place) const;
+  [[nodiscard]] Refusal check_reach(std::size_t axis, Coordinate place) const;
   [[nodiscard]] Fault missing(char letter, ModalGroup for_group) const;
   [[nodiscard]] Fault blame_motion(FaultDetail detail) const;
   [[nodiscard]] Fault blame_centre(FaultDetail detail, float value_mm, float limit_mm) const;

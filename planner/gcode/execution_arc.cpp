@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "planner/base/scalar_math.hpp"
+#include "planner/base/truncate.hpp"
 #include "planner/gcode/execution.hpp"
 
 namespace cnc::gcode {
@@ -28,6 +29,7 @@ Refusal Execution::move_along_arc() {
   const PlaneVector end = from_here(target);
   PlaneVector centre;
   if (const auto fault = find_centre(end, centre)) return fault;
+  if (const auto fault = check_sides(end, centre, turns)) return fault;
 
   Action& arc = actions_.append(ActionKind::kArc);
   arc.end = target;
@@ -113,6 +115,22 @@ Refusal Execution::check_centre_in_range(PlaneVector centre) const {
   if (!first.in_range()) return blame_centre(FaultDetail::kCentreOutOfRange, first.mm(), limit);
   const Coordinate second = next_.position[plane.second] + Coordinate{centre.second};
   if (!second.in_range()) return blame_centre(FaultDetail::kCentreOutOfRange, second.mm(), limit);
+  return std::nullopt;
+}
+
+/// More than half a turn reaches the far side of the circle; less stays by its chord.
+Refusal Execution::check_sides(PlaneVector end, PlaneVector centre, std::uint16_t turns) const {
+  const bool clockwise = next_.modal.motion == MotionMode::kArcClockwise;
+  if (turns == 1 && sweep_angle(end, centre, clockwise) <= kPi) return std::nullopt;
+  const PlaneAxes plane = axes_of(next_.modal.plane);
+  const Coordinate radius{truncated(centre.length() * 1.0e6F)};
+  const std::array<std::size_t, 2> axes{plane.first, plane.second};
+  const std::array<std::int64_t, 2> offsets{centre.first, centre.second};
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    const Coordinate middle = next_.position[axes[i]] + Coordinate{offsets[i]};
+    if (const auto fault = check_reach(axes[i], middle + radius)) return fault;
+    if (const auto fault = check_reach(axes[i], middle - radius)) return fault;
+  }
   return std::nullopt;
 }
 

@@ -46,7 +46,7 @@ Refusal Execution::read_target(Position& target) {
     if (!in_machine_coordinates) {
       place += incremental ? next_.position[axis] : work_offset(next_, places_, axis);
     }
-    if (const auto fault = check_range(FaultDetail::kTargetOutOfRange, axis, place)) return fault;
+    if (const auto fault = check_reach(axis, place)) return fault;
     target[axis] = place;
   }
   return std::nullopt;

@@ -145,6 +145,9 @@ Refusal Execution::go_to_stored_place() {
       if (!block_.has(kAxisLetters[axis])) end[axis] = next_.position[axis];
     }
   }
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    if (const auto fault = check_reach(axis, end[axis])) return fault;
+  }
   actions_.append(ActionKind::kRapid).end = end;
   next_.position = end;
   return std::nullopt;

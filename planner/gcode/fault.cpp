@@ -3,7 +3,7 @@
 #include <array>
 #include <string_view>
 
-#include "planner/gcode/truncate.hpp"
+#include "planner/base/truncate.hpp"
 
 namespace cnc::gcode {
 

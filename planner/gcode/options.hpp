@@ -2,9 +2,17 @@
 
 #include <cstdint>
 
+#include "planner/base/coordinate.hpp"
 #include "planner/gcode/arc_geometry.hpp"
 
 namespace cnc::gcode {
+
+inline constexpr Position kFarthestPosition{Coordinate{Coordinate::kFarthestNanometres},
+                                            Coordinate{Coordinate::kFarthestNanometres},
+                                            Coordinate{Coordinate::kFarthestNanometres},
+                                            Coordinate{Coordinate::kFarthestNanometres},
+                                            Coordinate{Coordinate::kFarthestNanometres},
+                                            Coordinate{Coordinate::kFarthestNanometres}};
 
 /// What the user may set about reading G-code.
 struct Options {
@@ -12,6 +20,9 @@ struct Options {
   ArcTolerance arc{};
   std::uint32_t highest_tool = 255;            ///< Grbl's limit of T.
   float highest_spindle_speed = 1'000'000.0F;  ///< S in rpm, or the laser's own scale.
+  /// How far from machine zero each axis can go, either way; what the motors'
+  /// step counters hold may be less than what a Coordinate does.
+  Position reach = kFarthestPosition;
   float longest_dwell_s = 86'400.0F;           ///< A day: whoever writes more meant milliseconds.
 };
 

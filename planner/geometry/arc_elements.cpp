@@ -4,6 +4,7 @@
 
 #include "planner/base/contract.hpp"
 #include "planner/base/scalar_math.hpp"
+#include "planner/base/truncate.hpp"
 
 namespace cnc {
 namespace {
@@ -17,7 +18,7 @@ constexpr float kHalfTurnSlack = 1.0e-6F;
 
 Coordinate from_mm(float mm) {
   const float nanometres = mm * 1.0e6F;
-  return Coordinate{static_cast<std::int64_t>(nanometres + (nanometres < 0.0F ? -0.5F : 0.5F))};
+  return Coordinate{truncated(nanometres + (nanometres < 0.0F ? -0.5F : 0.5F))};
 }
 
 float length(float x, float y) { return std::sqrt(x * x + y * y); }

@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/base/truncate.hpp"
 #include "planner/motion/step_timing.hpp"
 
 namespace cnc::motion {
 namespace {
 constexpr auto kTicks = static_cast<float>(kTicksPerSecond);
+constexpr std::uint64_t kBlockEnd = std::uint64_t{1} << 32;
 constexpr float kWholeBlock = 4294967296.0F;
 constexpr float kFullPower = 65535.0F;
 
@@ -151,11 +153,7 @@ void Segmenter::cut(float duration, Segment& segment) {
     profile_.complete(phase_);
     block_ends = profile_.at_end();
   }
-  fraction_ = block_ends ? std::uint64_t{1} << 32
-                         : std::min<std::uint64_t>(
-                               0xFFFF'FFFFU,
-                               fraction_ + static_cast<std::uint64_t>(
-                                               std::max(0.0F, distance) * fraction_per_mm_));
+  fraction_ = block_ends ? kBlockEnd : further(distance);
   if (observer_ != nullptr) {
     observer_->on_slice({blocks_ended_, from_fraction, fraction_, speed_, phase_.acceleration,
                          duration});
@@ -166,6 +164,12 @@ void Segmenter::cut(float duration, Segment& segment) {
   segment.comes_to_rest = speed_ <= 0.0F;
   if (phase_ends) phase_ = {};
   if (block_ends) end_block();
+}
+
+/// The fraction of the block `distance` mm from here, short of its end.
+std::uint64_t Segmenter::further(float distance) const {
+  const std::int64_t step = truncated(std::max(0.0F, distance) * fraction_per_mm_);
+  return std::min(kBlockEnd - 1, fraction_ + static_cast<std::uint64_t>(step));
 }
 
 void Segmenter::time_trains(const MotorState& to, float duration, Segment& segment) {

@@ -69,6 +69,7 @@ class Segmenter {
   void end_block();
   void follow_plan();
   [[nodiscard]] float slice_time() const;
+  [[nodiscard]] std::uint64_t further(float distance) const;
   void cut(float duration, Segment& segment);
   void time_trains(const MotorState& to, float duration, Segment& segment);
   [[nodiscard]] std::uint16_t power(float mean_speed) const;

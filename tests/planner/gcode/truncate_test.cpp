@@ -1,4 +1,4 @@
-#include "planner/gcode/truncate.hpp"
+#include "planner/base/truncate.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,7 +2,7 @@
 
 #include <cstdint>
 
-namespace cnc::gcode {
+namespace cnc {
 
 /// The whole part of a float. What static_cast does, but the compiler's own
 /// conversion to 64 bits goes by way of double, which a Cortex-M4 emulates.
@@ -14,4 +14,4 @@ namespace cnc::gcode {
   return std::int64_t{chunks} * 65'536 + static_cast<std::int32_t>(rest);
 }
 
-}  // namespace cnc::gcode
+}  // namespace cnc

@@ -1,0 +1,200 @@
+#include "planner/motion/block_queue.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "planner/motion/braking.hpp"
+#include "planner/motion/junction.hpp"
+#include "tests/planner/motion/motion_test.hpp"
+
+namespace cnc::motion {
+namespace {
+
+/// v² with which each block but the first is entered, and at last the end's.
+std::vector<float> exit_squares(BlockQueue queue) {
+  std::vector<float> exits;
+  for (; !queue.empty(); queue.pop_front()) exits.push_back(queue.front_exit_square());
+  return exits;
+}
+
+/// A chain of random lines and arcs.
+std::vector<Block> any_chain(proof::Random& random, const Limits& limits, std::size_t count) {
+  std::vector<Block> chain;
+  Position here{};
+  for (std::size_t index = 0; index < count; ++index) {
+    const PathElement element = any_element(random, here);
+    const float feed = random.chance(0.3) ? 0.0F : static_cast<float>(random.magnitude(1.0, 300.0));
+    chain.push_back(block_of(element, limits, feed));
+    here = element.end;
+  }
+  return chain;
+}
+
+/// The corner rule between a block of the chain and the one before.
+float corner_after(const std::vector<Block>& chain, std::size_t index, const Limits& limits) {
+  return corner_speed_square(exit_tangent(chain[index - 1]), entry_tangent(chain[index]), limits);
+}
+
+class BlockQueueTest : public testing::Test {
+ protected:
+  void push_and_plan(const std::vector<Block>& blocks) {
+    for (const Block& block : blocks) queue.push(block, limits);
+    queue.plan(limits, overrides);
+  }
+
+  Limits limits = plain_limits();
+  Overrides overrides{};
+  BlockQueue queue;
+};
+
+TEST_F(BlockQueueTest, EndsAtRest) {
+  push_and_plan({straight_block(10.0, limits)});
+  EXPECT_EQ(queue.front_exit_square(), 0.0F);
+}
+
+TEST_F(BlockQueueTest, BeginsEmptyAndHoldsSixtyFour) {
+  EXPECT_TRUE(queue.empty());
+  for (int k = 0; k < 64; ++k) queue.push(straight_block(1.0, limits), limits);
+  EXPECT_TRUE(queue.full());
+  queue.pop_front();
+  EXPECT_FALSE(queue.full());
+  EXPECT_EQ(queue.size(), 63U);
+}
+
+// Straight on, the plan is one braking curve: v² = 2 a times what is left.
+TEST_F(BlockQueueTest, LooksAheadAlongAStraightLine) {
+  for (int k = 0; k < 64; ++k) queue.push(straight_block(0.1, limits), limits);
+  queue.plan(limits, overrides);
+  const std::vector<float> exits = exit_squares(queue);
+  for (std::size_t index = 0; index < 64; ++index) {
+    const double left = 0.1 * static_cast<double>(63 - index);
+    // A little less: each block rounds down.
+    EXPECT_NEAR(static_cast<double>(exits[index]), 1000.0 * left, 5.0e-6 * 1000.0 * left) << index;
+  }
+}
+
+TEST_F(BlockQueueTest, StaysBelowTheFeedOfTheBlockThatIsEntered) {
+  push_and_plan({straight_block(50.0, limits, 100.0F), straight_block(50.0, limits, 20.0F)});
+  EXPECT_FLOAT_EQ(queue.front_exit_square(), 400.0F);
+  overrides.feed = 0.5F;
+  queue.forget_plan();
+  queue.plan(limits, overrides);
+  EXPECT_FLOAT_EQ(queue.front_exit_square(), 100.0F);
+}
+
+TEST_F(BlockQueueTest, StopsAtAReversal) {
+  push_and_plan({straight_block(50.0, limits), straight_block(-50.0, limits)});
+  EXPECT_EQ(queue.front_exit_square(), 0.0F);
+}
+
+// Of straight blocks the best plan is known: backwards, v0² = v1² + 2 a L.
+TEST_F(BlockQueueTest, FindsTheBestPlanOfRandomLines) {
+  const std::uint64_t seed = 20260914;
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  proof::Random random{seed};
+  for (int trial = 0; trial < 300; ++trial) {
+    limits = any_limits(random);
+    std::vector<Block> chain = any_chain(random, limits, 64);
+    chain.erase(std::remove_if(chain.begin(), chain.end(), [](const Block& b) { return b.turns(); }),
+                chain.end());
+    if (chain.empty()) continue;
+    queue.clear();
+    push_and_plan(chain);
+    const std::vector<float> got = exit_squares(queue);
+    double exit = 0.0;
+    for (std::size_t index = chain.size() - 1; index > 0; --index) {
+      const Block& block = chain[index];
+      const Spans spans{block, limits};
+      const auto cap =
+          static_cast<double>(SpeedCap{block, overrides}.square_within(block.speed_limit_square));
+      const auto most = static_cast<double>(
+          spans.steepest({}, {}, block.length, 0.0F, Travel::kForward, Change::kSpeedUp));
+      const auto corner = static_cast<double>(corner_after(chain, index, limits));
+      exit = std::min({corner, cap, std::min(exit, cap) + 2.0 * most *
+                                                             static_cast<double>(block.length)});
+      ASSERT_NEAR(static_cast<double>(got[index - 1]), exit, 1.0e-4 * exit)
+          << "trial " << trial << ", block " << index;
+    }
+  }
+}
+
+TEST_F(BlockQueueTest, NeverEntersACornerFasterThanItsRule) {
+  const std::uint64_t seed = 20260915;
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  proof::Random random{seed};
+  for (int trial = 0; trial < 200; ++trial) {
+    limits = any_limits(random);
+    const std::vector<Block> chain = any_chain(random, limits, 64);
+    queue.clear();
+    push_and_plan(chain);
+    const std::vector<float> exits = exit_squares(queue);
+    for (std::size_t index = 1; index < chain.size(); ++index) {
+      ASSERT_LE(exits[index - 1], corner_after(chain, index, limits)) << trial << ", block " << index;
+    }
+    ASSERT_EQ(exits.back(), 0.0F);
+  }
+}
+
+TEST_F(BlockQueueTest, PlansAtOnceWhatItPlansOneByOne) {
+  const std::uint64_t seed = 20260916;
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  proof::Random random{seed};
+  for (int trial = 0; trial < 200; ++trial) {
+    limits = any_limits(random);
+    BlockQueue step_by_step;
+    queue.clear();
+    // A few at the end are left, as fewer than that need not be planned at once.
+    for (const Block& block : any_chain(random, limits, 64)) {
+      queue.push(block, limits);
+      step_by_step.push(block, limits);
+      if (queue.size() < 56 && random.chance(0.7)) step_by_step.plan(limits, overrides);
+    }
+    queue.plan(limits, overrides);
+    step_by_step.plan(limits, overrides);
+    ASSERT_EQ(exit_squares(queue), exit_squares(step_by_step)) << "trial " << trial;
+  }
+}
+
+TEST_F(BlockQueueTest, NeverGetsSlowerByMoreBlocks) {
+  const std::uint64_t seed = 20260917;
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  proof::Random random{seed};
+  for (int trial = 0; trial < 60; ++trial) {
+    limits = any_limits(random);
+    queue.clear();
+    std::vector<float> before;
+    for (const Block& block : any_chain(random, limits, 64)) {
+      push_and_plan({block});
+      const std::vector<float> now = exit_squares(queue);
+      for (std::size_t index = 0; index < before.size(); ++index) {
+        ASSERT_GE(now[index], before[index] * (1.0F - 1.0e-6F)) << trial << ", block " << index;
+      }
+      before = now;
+    }
+  }
+}
+
+TEST_F(BlockQueueTest, PlansTheSameAroundTheEndOfItsRing) {
+  proof::Random random{4};
+  const std::vector<Block> chain = any_chain(random, limits, 40);
+  push_and_plan(chain);
+  const std::vector<float> first = exit_squares(queue);
+  for (int used = 0; used < 40; ++used) queue.pop_front();
+  push_and_plan(chain);
+  EXPECT_EQ(exit_squares(queue), first);
+}
+
+TEST(BlockQueueDeathTest, RefusesBlocksThatDoNotFit) {
+  const Limits limits = plain_limits();
+  BlockQueue queue;
+  EXPECT_DEATH(queue.pop_front(), "contract failed");
+  EXPECT_DEATH(static_cast<void>(queue.front()), "contract failed");
+  for (int k = 0; k < 64; ++k) queue.push(straight_block(1.0, limits), limits);
+  EXPECT_DEATH(queue.push(straight_block(1.0, limits), limits), "contract failed");
+}
+
+}  // namespace
+}  // namespace cnc::motion

@@ -1,0 +1,194 @@
+#include "planner/motion/spans.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "planner/motion/braking.hpp"
+#include "tests/planner/motion/motion_test.hpp"
+
+namespace cnc::motion {
+namespace {
+
+constexpr double kHalfPiExact = std::numbers::pi / 2.0;
+
+/// An arc in a random plane; a helix where other axes ride along.
+PathElement any_arc(proof::Random& random) {
+  PathElement element = any_element(random, Position{});
+  const PlaneAxes axes = axes_of(element.plane);
+  element.end[axes.first] += Coordinate{std::llround(random.magnitude(0.05, 50.0) * 1.0e6)};
+  element.bulge = static_cast<float>(random.signed_magnitude(0.01, 1.0));
+  return element;
+}
+
+class RandomSpans : public testing::Test {
+ protected:
+  void any() {
+    element = any_arc(random);
+    limits = any_limits(random);
+    block = block_of(element, limits);
+    spans = Spans{block, limits};
+    exact = ExactMotion{element};
+  }
+
+  /// Greatest |axis acceleration| / limit over the span, driven from v² = `from`
+  /// with constant `acceleration`.
+  [[nodiscard]] double greatest_load(int span, double from, double acceleration) const {
+    double greatest = 0.0;
+    for (int sample = 0; sample <= 16; ++sample) {
+      const double into = static_cast<double>(spans.length_of(span)) * sample / 16.0;
+      const double fraction =
+          (static_cast<double>(spans.boundary(span)) + into) / static_cast<double>(block.length);
+      const double speed_square = std::max(0.0, from + 2.0 * acceleration * into);
+      const AxisArray<double> tangent = exact.tangent_at(fraction);
+      const AxisArray<double> bend = exact.bend_at(fraction);
+      for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+        const double load = std::abs(tangent[axis] * acceleration + bend[axis] * speed_square);
+        greatest = std::max(greatest, load / static_cast<double>(limits.acceleration_mm_s2[axis]));
+      }
+    }
+    return greatest;
+  }
+
+  proof::Random random{20260913};
+  PathElement element;
+  Limits limits;
+  Block block;
+  Spans spans;
+  ExactMotion exact{PathElement{.end = place({1.0})}};
+};
+
+TEST_F(RandomSpans, CoverTheBlockInOrder) {
+  SCOPED_TRACE("seed 20260913");
+  for (int trial = 0; trial < 20'000; ++trial) {
+    any();
+    ASSERT_EQ(spans.boundary(0), 0.0F);
+    ASSERT_EQ(spans.boundary(spans.count()), block.length);
+    ASSERT_LE(spans.count(), Spans::kMostSpans);
+    for (int span = 0; span < spans.count(); ++span) ASSERT_GT(spans.length_of(span), 0.0F);
+  }
+}
+
+TEST_F(RandomSpans, AreAtMostAGridStepLong) {
+  for (int trial = 0; trial < 20'000; ++trial) {
+    any();
+    const double grid = 2.0 * std::numbers::pi / Spans::kGridPerTurn;
+    for (int span = 0; span < spans.count(); ++span) {
+      const double angle = static_cast<double>(spans.length_of(span)) / exact.length() * 2.0 *
+                           std::abs(exact.half_sweep());
+      ASSERT_LE(angle, grid + 3.0e-5) << "trial " << trial << ", span " << span;
+    }
+  }
+}
+
+// No axis reverses within a span: its tangent component keeps its sign.
+TEST_F(RandomSpans, HaveABoundaryAtEveryQuarterTurnOfTheTangent) {
+  SCOPED_TRACE("seed 20260913");
+  for (int trial = 0; trial < 20'000; ++trial) {
+    any();
+    for (int span = 0; span < spans.count(); ++span) {
+      const double from = static_cast<double>(spans.boundary(span)) / exact.length();
+      const double to = static_cast<double>(spans.boundary(span + 1)) / exact.length();
+      for (const std::size_t axis : {exact.axes().first, exact.axes().second}) {
+        const double start = exact.tangent_at(from)[axis];
+        const double end = exact.tangent_at(to)[axis];
+        ASSERT_TRUE(start * end >= 0.0 || std::min(std::abs(start), std::abs(end)) < 2.0e-5)
+            << "trial " << trial << ", span " << span << ": " << start << " to " << end;
+      }
+    }
+  }
+}
+
+TEST_F(RandomSpans, KeepTheRateOfEveryAxisBetweenTheirBoundaries) {
+  SCOPED_TRACE("seed 20260913");
+  for (int trial = 0; trial < 10'000; ++trial) {
+    any();
+    for (int span = 0; span < spans.count(); ++span) {
+      const double speed = std::sqrt(static_cast<double>(spans.speed_limit_square(span)));
+      for (int sample = 0; sample <= 8; ++sample) {
+        const double at = static_cast<double>(spans.boundary(span)) +
+                          static_cast<double>(spans.length_of(span)) * sample / 8.0;
+        const AxisArray<double> tangent = exact.tangent_at(at / exact.length());
+        for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+          ASSERT_LE(speed * std::abs(tangent[axis]),
+                    static_cast<double>(motor_rate(limits, axis)) * 1.001)
+              << "trial " << trial << ", span " << span;
+        }
+      }
+    }
+  }
+}
+
+TEST_F(RandomSpans, KeepTheCentripetalAccelerationAtTheirSpeedLimit) {
+  for (int trial = 0; trial < 10'000; ++trial) {
+    any();
+    for (int span = 0; span < spans.count(); ++span) {
+      const auto most = static_cast<double>(spans.speed_limit_square(span));
+      ASSERT_LE(greatest_load(span, most, 0.0), 1.0005) << "trial " << trial << ", span " << span;
+    }
+  }
+}
+
+TEST_F(RandomSpans, KeepEveryAccelerationBetweenTheirBoundariesWhenSpeedingUp) {
+  SCOPED_TRACE("seed 20260913");
+  for (int trial = 0; trial < 10'000; ++trial) {
+    any();
+    for (int span = 0; span < spans.count(); ++span) {
+      const auto limit = static_cast<double>(spans.speed_limit_square(span));
+      const auto from = static_cast<float>(limit * random.unit());
+      const float a = spans.steepest(spans.place_at_boundary(span),
+                                     spans.place_at_boundary(span + 1),
+                                     spans.length_of(span),
+                                     from,
+                                     Travel::kForward,
+                                     Change::kSpeedUp);
+      const double room = (limit - static_cast<double>(from)) /
+                          (2.0 * static_cast<double>(spans.length_of(span)));
+      const double acceleration = std::min(static_cast<double>(a), room);
+      ASSERT_LE(greatest_load(span, static_cast<double>(from), acceleration), 1.0005)
+          << "trial " << trial << ", span " << span << ", v² " << from << ", a " << acceleration;
+    }
+  }
+}
+
+TEST_F(RandomSpans, KeepEveryAccelerationOfTheBrakingCurve) {
+  SCOPED_TRACE("seed 20260913");
+  for (int trial = 0; trial < 10'000; ++trial) {
+    any();
+    const SpeedCap cap{block, {}};
+    const float exit = spans.speed_limit_square(spans.count() - 1) *
+                       static_cast<float>(random.chance(0.5) ? 0.0 : random.unit());
+    brake_backwards(spans, cap, exit, [&](int span, const BrakingPoint& point) {
+      const double deceleration = std::min(
+          static_cast<double>(point.deceleration),
+          static_cast<double>(point.speed_square) /
+              (2.0 * static_cast<double>(spans.length_of(span))));
+      EXPECT_LE(greatest_load(span, static_cast<double>(point.speed_square), -deceleration), 1.0005)
+          << "trial " << trial << ", span " << span;
+    });
+    if (HasFailure()) return;
+  }
+}
+
+TEST(Spans, OfALineAreOne) {
+  const Limits limits = plain_limits();
+  const Spans spans{straight_block(10.0, limits), limits};
+  EXPECT_EQ(spans.count(), 1);
+  EXPECT_EQ(spans.length_of(0), 10.0F);
+  EXPECT_FLOAT_EQ(spans.speed_limit_square(0), 40'000.0F);
+  EXPECT_FLOAT_EQ(
+      spans.steepest({}, {}, 10.0F, 100.0F, Travel::kForward, Change::kSpeedUp), 500.0F);
+}
+
+TEST(Spans, OfAHalfTurnFromTheXAxisAreFortyEight) {
+  const Limits limits = plain_limits();
+  // Starts upwards and ends downwards, on grid lines both.
+  const Spans spans{block_of({.end = place({20.0}), .bulge = -1.0F}, limits), limits};
+  EXPECT_EQ(spans.count(), 48);
+  EXPECT_NEAR(static_cast<double>(spans.boundary(24)), 10.0 * kHalfPiExact, 1.0e-5);
+}
+
+}  // namespace
+}  // namespace cnc::motion

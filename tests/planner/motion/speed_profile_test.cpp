@@ -1,0 +1,189 @@
+#include "planner/motion/speed_profile.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "tests/planner/motion/motion_test.hpp"
+
+namespace cnc::motion {
+namespace {
+
+/// A block driven to its end, or to standstill.
+struct Ride {
+  double time = 0.0;
+  double distance = 0.0;
+  double top_speed = 0.0;
+  int phases = 0;
+};
+
+class SpeedProfileTest : public testing::Test {
+ protected:
+  void begin(const Block& of, float exit_square = 0.0F, float entry_square = 0.0F) {
+    block = of;
+    profile.begin(block, limits, overrides, exit_square, entry_square);
+  }
+
+  Ride drive(Drive drive = Drive::kOn) {
+    Ride ride;
+    while (!profile.at_end() && ride.phases < 10'000) {
+      const Phase phase = profile.next_phase(drive);
+      if (phase.duration <= 0.0F) break;
+      ride.time += static_cast<double>(phase.duration);
+      ride.distance += static_cast<double>(phase.distance);
+      ride.top_speed = std::max({ride.top_speed,
+                                 static_cast<double>(phase.start_speed),
+                                 std::sqrt(static_cast<double>(phase.end_speed_square))});
+      ++ride.phases;
+      profile.complete(phase);
+    }
+    return ride;
+  }
+
+  /// Drives the first so many seconds in one piece of each phase.
+  void drive_for(float seconds) {
+    for (int phases = 0; seconds > 0.0F && phases < 100; ++phases) {
+      const Phase phase = profile.next_phase(Drive::kOn);
+      if (phase.duration <= seconds) {
+        profile.complete(phase);
+      } else {
+        const float speed = phase.speed_at(seconds);
+        profile.stop_short(0.5F * (phase.start_speed + speed) * seconds, speed);
+      }
+      seconds -= phase.duration;
+    }
+  }
+
+  Limits limits = plain_limits();
+  Overrides overrides{};
+  Block block;
+  SpeedProfile profile;
+};
+
+/// Time from rest to rest over `length` with acceleration a and at most speed v.
+double trapezoid_time(double length, double a, double v) {
+  if (length * a < v * v) return 2.0 * std::sqrt(length / a);
+  return length / v + v / a;
+}
+
+TEST_F(SpeedProfileTest, IsATriangleOnAShortWay) {
+  begin(straight_block(1.0, limits, 100.0F));
+  const Ride ride = drive();
+  EXPECT_NEAR(ride.time, trapezoid_time(1.0, 500.0, 100.0), 1.0e-5);
+  EXPECT_NEAR(ride.top_speed, std::sqrt(500.0), 1.0e-3);
+  EXPECT_NEAR(ride.distance, 1.0, 1.0e-6);
+  EXPECT_EQ(ride.phases, 2);
+}
+
+TEST_F(SpeedProfileTest, IsATrapezoidOnALongWay) {
+  begin(straight_block(100.0, limits, 100.0F));
+  const Ride ride = drive();
+  EXPECT_NEAR(ride.time, trapezoid_time(100.0, 500.0, 100.0), 1.0e-5);
+  EXPECT_NEAR(ride.top_speed, 100.0, 1.0e-4);
+  EXPECT_EQ(ride.phases, 3);
+}
+
+TEST_F(SpeedProfileTest, TakesTheClosedFormTimeForRandomLines) {
+  const std::uint64_t seed = 20260918;
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  proof::Random random{seed};
+  for (int trial = 0; trial < 20'000; ++trial) {
+    const double speed = random.magnitude(0.1, 199.0);
+    limits.acceleration_mm_s2[0] = static_cast<float>(random.magnitude(1.0, 20'000.0));
+    const auto a = static_cast<double>(limits.acceleration_mm_s2[0]);
+    begin(straight_block(random.magnitude(0.001, 1000.0), limits, static_cast<float>(speed)));
+    const auto length = static_cast<double>(block.length);
+    const Ride ride = drive();
+    ASSERT_TRUE(profile.at_end()) << "trial " << trial;
+    ASSERT_NEAR(ride.time / trapezoid_time(length, a, speed), 1.0, 1.0e-4) << "trial " << trial;
+    ASSERT_NEAR(ride.distance / length, 1.0, 1.0e-5) << "trial " << trial;
+    ASSERT_EQ(profile.speed_square(), 0.0F) << "trial " << trial;
+  }
+}
+
+TEST_F(SpeedProfileTest, GoesFromItsEntryToItsExitSpeed) {
+  begin(straight_block(10.0, limits, 100.0F), 2'500.0F, 400.0F);
+  const Ride ride = drive();
+  // Up from 20 to a peak, v² = (400 + 2500 + 2·2·500·10) / 2 capped at 100², down to 50.
+  EXPECT_NEAR(ride.top_speed, std::sqrt((400.0 + 2'500.0 + 2.0 * 500.0 * 10.0) / 2.0), 1.0e-2);
+  EXPECT_FLOAT_EQ(profile.speed_square(), 2'500.0F);
+}
+
+TEST_F(SpeedProfileTest, HaltsInTheDistanceOfTheBrakingLaw) {
+  begin(straight_block(100.0, limits, 100.0F));
+  drive_for(0.5F);
+  const auto speed_square = static_cast<double>(profile.speed_square());
+  EXPECT_NEAR(speed_square, 10'000.0, 1.0);
+  const Ride braking = drive(Drive::kHalt);
+  EXPECT_NEAR(braking.distance, speed_square / (2.0 * 500.0), 1.0e-3);
+  EXPECT_NEAR(braking.time, 100.0 / 500.0, 1.0e-4);
+  EXPECT_EQ(profile.speed_square(), 0.0F);
+  EXPECT_EQ(profile.next_phase(Drive::kHalt).duration, 0.0F);
+}
+
+TEST_F(SpeedProfileTest, GoesOnToTheEndAfterAHalt) {
+  begin(straight_block(100.0, limits, 100.0F));
+  drive_for(0.4F);
+  const Ride braking = drive(Drive::kHalt);
+  const Ride rest = drive();
+  EXPECT_TRUE(profile.at_end());
+  EXPECT_NEAR(rest.top_speed, 100.0, 1.0e-3);
+  EXPECT_GT(braking.distance, 9.0);
+  EXPECT_EQ(profile.speed_square(), 0.0F);
+}
+
+TEST_F(SpeedProfileTest, SlowsDownToALoweredOverride) {
+  begin(straight_block(100.0, limits, 100.0F));
+  drive_for(0.4F);
+  overrides.feed = 0.3F;
+  profile.replan(block, overrides, 0.0F);
+  const Phase phase = profile.next_phase(Drive::kOn);
+  EXPECT_FLOAT_EQ(phase.end_speed_square, 900.0F);
+  EXPECT_NEAR(static_cast<double>(phase.acceleration), -500.0, 0.1);
+}
+
+TEST_F(SpeedProfileTest, DrivesAFullSpeedArcAtItsCentripetalLimit) {
+  begin(block_of({.end = place({4.0}), .bulge = 1.0F}, limits), 900.0F, 900.0F);
+  const Ride ride = drive();
+  const double most = std::sqrt(500.0 * 2.0);  // v²/R = a
+  EXPECT_LE(ride.top_speed, most);
+  EXPECT_GE(ride.top_speed, most * 0.998);
+  EXPECT_TRUE(profile.at_end());
+}
+
+TEST_F(SpeedProfileTest, ReachesTheEndOfEveryRandomBlockAtThePlannedSpeed) {
+  const std::uint64_t seed = 20260919;
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  proof::Random random{seed};
+  for (int trial = 0; trial < 5'000; ++trial) {
+    limits = any_limits(random);
+    begin(block_of(any_element(random, {}), limits, static_cast<float>(random.magnitude(1, 500))));
+    const Ride ride = drive();
+    ASSERT_TRUE(profile.at_end()) << "trial " << trial;
+    ASSERT_NEAR(ride.distance / static_cast<double>(block.length), 1.0, 1.0e-5) << trial;
+    ASSERT_LE(ride.top_speed, static_cast<double>(block.feed) * 1.0001) << "trial " << trial;
+    ASSERT_EQ(profile.speed_square(), 0.0F) << "trial " << trial;
+  }
+}
+
+TEST_F(SpeedProfileTest, HaltsWithinEveryRandomBlock) {
+  const std::uint64_t seed = 20260920;
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  proof::Random random{seed};
+  for (int trial = 0; trial < 5'000; ++trial) {
+    limits = any_limits(random);
+    begin(block_of(any_element(random, {}), limits, static_cast<float>(random.magnitude(1, 500))));
+    const Phase first = profile.next_phase(Drive::kOn);
+    const float half = 0.5F * first.duration;
+    const float speed = first.speed_at(half);
+    profile.stop_short(0.5F * (first.start_speed + speed) * half, speed);
+    drive(Drive::kHalt);
+    ASSERT_EQ(profile.speed_square(), 0.0F) << "trial " << trial;
+    drive();
+    ASSERT_TRUE(profile.at_end()) << "trial " << trial;
+  }
+}
+
+}  // namespace
+}  // namespace cnc::motion
