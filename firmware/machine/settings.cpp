@@ -50,7 +50,8 @@ constexpr std::array kTable{
 };
 // clang-format on
 static_assert(kTable.size() <= Settings::kMostSettings);
-static_assert(std::is_sorted(kTable.begin(), kTable.end(),
+static_assert(std::is_sorted(kTable.begin(),
+                             kTable.end(),
                              [](const SettingInfo& a, const SettingInfo& b) {
                                return a.number < b.number;
                              }));

@@ -21,8 +21,8 @@ struct SettingInfo {
 };
 
 enum class SettingError : std::uint8_t {
-  kUnknown,      ///< No setting has this number.
-  kBelowRange,   ///< Its least value is in the table.
+  kUnknown,     ///< No setting has this number.
+  kBelowRange,  ///< Its least value is in the table.
   kAboveRange,
   kNotWhole,
   kPlaceLost,  ///< At this resolution the present place would be out of reach.

@@ -9,7 +9,7 @@ namespace cnc {
 
 /// Electrical timing of the motor drivers, in ticks of the step clock.
 struct StepTiming {
-  std::uint32_t pulse = 20;  ///< A step input is high this long, and then low as long.
+  std::uint32_t pulse = 20;            ///< A step input is high this long, and then low as long.
   std::uint32_t direction_set_up = 8;  ///< From a direction change to the next leading edge.
 };
 

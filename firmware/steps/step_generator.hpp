@@ -125,8 +125,8 @@ class StepGenerator final : public StepDrive {
       steps_left_ += train.count;
       if (train.count > 0) moving = static_cast<std::uint8_t>(moving | (1U << axis));
     }
-    const auto wanted = static_cast<std::uint8_t>((direction_ & ~moving) |
-                                                  (segment_.negative & moving));
+    const auto wanted =
+        static_cast<std::uint8_t>((direction_ & ~moving) | (segment_.negative & moving));
     direction_changed_ = wanted != direction_;
     direction_ = wanted;
     if (direction_changed_) port_.set_direction({direction_});

@@ -16,10 +16,8 @@ std::string bounds_text(const Report& report) {
   for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
     const AxisReport& bounds = report.axes[axis];
     if (bounds.least_mm == bounds.greatest_mm) continue;
-    text += fmt::format("  {} {:.3f} to {:.3f}",
-                        cnc::kAxisLetters[axis],
-                        bounds.least_mm,
-                        bounds.greatest_mm);
+    text += fmt::format(
+        "  {} {:.3f} to {:.3f}", cnc::kAxisLetters[axis], bounds.least_mm, bounds.greatest_mm);
   }
   return text.empty() ? "  no motion" : text;
 }
@@ -38,9 +36,14 @@ void print(const Report& report) {
 nlohmann::ordered_json summary(const Report& report) {
   const nlohmann::ordered_json all = to_json(report);
   nlohmann::ordered_json picked;
-  for (const char* key :
-       {"job", "job_time_s", "path_length_mm", "lines", "blocks", "bounds_mm", "warnings",
-        "faults"}) {
+  for (const char* key : {"job",
+                          "job_time_s",
+                          "path_length_mm",
+                          "lines",
+                          "blocks",
+                          "bounds_mm",
+                          "warnings",
+                          "faults"}) {
     picked[key] = all.at(key);
   }
   return picked;

@@ -11,8 +11,7 @@ namespace sim {
 void JobOptions::add_to(CLI::App& command) {
   command.add_option("FILE", files, "G-code programs; - is standard input")->required();
   command.add_option("--settings", settings_file, "File of $N=value lines")->type_name("FILE");
-  command
-      .add_option("--set", set, "One setting, such as '$110=12000' (mm/min); may be repeated")
+  command.add_option("--set", set, "One setting, such as '$110=12000' (mm/min); may be repeated")
       ->type_name("$N=V")
       ->allow_extra_args(false);
   command
@@ -53,9 +52,8 @@ bool may_colour() {
 }
 
 bool any_faults(const std::vector<Report>& reports) {
-  return std::any_of(reports.begin(), reports.end(), [](const Report& report) {
-    return !report.faults.empty();
-  });
+  return std::any_of(
+      reports.begin(), reports.end(), [](const Report& report) { return !report.faults.empty(); });
 }
 
 }  // namespace sim

@@ -88,8 +88,7 @@ void add_sim_command(CLI::App& app, ExitStatus& status) {
   command->add_option("--report", options->report, "Write the report as JSON")->type_name("FILE");
   command->add_option("--svg", options->outputs.svg, "Draw the path as cut")->type_name("FILE");
   command->add_option("--png", options->outputs.png, "The same as pixels")->type_name("FILE");
-  command
-      ->add_option("--kerf", options->outputs.kerf_width_mm, "Kerf width in the picture, mm")
+  command->add_option("--kerf", options->outputs.kerf_width_mm, "Kerf width in the picture, mm")
       ->check(CLI::NonNegativeNumber)
       ->type_name("WIDTH")
       ->capture_default_str();

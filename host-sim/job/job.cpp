@@ -131,9 +131,10 @@ void draw(const PathRecorder& recorder, const Job& job, const JobOutputs& output
 
 Report simulate(const Job& job, const JobOutputs& outputs) {
   const std::string text = read_text(job.file);
-  Simulator simulator{
-      text, {.after_refusal = AfterRefusal::kStop, .machine = job.machine,
-             .on_progress = job.on_progress}};
+  Simulator simulator{text,
+                      {.after_refusal = AfterRefusal::kStop,
+                       .machine = job.machine,
+                       .on_progress = job.on_progress}};
   apply(job.settings, simulator);
   const ProgrammedPath path = read_independently(text, simulator.settings());
 
@@ -168,9 +169,10 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
 
 Report check(const Job& job) {
   const std::string text = read_text(job.file);
-  Simulator simulator{
-      text, {.after_refusal = AfterRefusal::kGoOn, .machine = job.machine,
-             .on_progress = job.on_progress}};
+  Simulator simulator{text,
+                      {.after_refusal = AfterRefusal::kGoOn,
+                       .machine = job.machine,
+                       .on_progress = job.on_progress}};
   apply(job.settings, simulator);
   const ProgrammedPath path = read_independently(text, simulator.settings());
   Report report = report_on(job, simulator.run(), path);

@@ -33,10 +33,10 @@ bool read_all(std::string_view text, Number& number) {
 SettingChange parse_setting(std::string_view text, std::string place) {
   SettingChange change{.number = 0, .value = 0.0F, .place = std::move(place)};
   const std::size_t equals = text.find('=');
-  const bool is_setting =
-      text.starts_with('$') && equals != std::string_view::npos &&
-      read_all(trimmed(text.substr(1, equals - 1)), change.number) &&
-      read_all(trimmed(text.substr(equals + 1)), change.value) && std::isfinite(change.value);
+  const bool is_setting = text.starts_with('$') && equals != std::string_view::npos &&
+                          read_all(trimmed(text.substr(1, equals - 1)), change.number) &&
+                          read_all(trimmed(text.substr(equals + 1)), change.value) &&
+                          std::isfinite(change.value);
   if (!is_setting) {
     throw std::invalid_argument(
         fmt::format("{}: `{}` is not a setting of the form $N=value", change.place, text));

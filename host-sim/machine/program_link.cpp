@@ -18,8 +18,7 @@ std::size_t read_number(std::string_view text, Number& number) {
 
 ProgramLink::ProgramLink(std::string program, AfterRefusal after_refusal)
     : program_{std::move(program)}, after_refusal_{after_refusal} {
-  const bool ends_open =
-      !program_.empty() && program_.back() != '\n' && program_.back() != '\r';
+  const bool ends_open = !program_.empty() && program_.back() != '\n' && program_.back() != '\r';
   if (ends_open) program_ += '\n';
 }
 
@@ -65,8 +64,7 @@ void ProgramLink::take_answer(std::string_view answer) {
 }
 
 double ProgramLink::progress() const {
-  return program_.empty() ? 1.0
-                          : static_cast<double>(sent_) / static_cast<double>(program_.size());
+  return program_.empty() ? 1.0 : static_cast<double>(sent_) / static_cast<double>(program_.size());
 }
 
 }  // namespace sim

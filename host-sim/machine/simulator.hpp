@@ -34,8 +34,8 @@ struct RunResult {
   std::size_t blocks = 0;
   std::vector<Refusal> refusals;
   std::vector<std::pair<std::size_t, std::string>> notes;  ///< Line and what happened.
-  int alarm = 0;  ///< Grbl's number; 0 is none.
-  cnc::AxisArray<std::int32_t> final_position{};  ///< Motor steps.
+  int alarm = 0;                                           ///< Grbl's number; 0 is none.
+  cnc::AxisArray<std::int32_t> final_position{};           ///< Motor steps.
 };
 
 /// Runs the unchanged firmware in virtual time: one thread, no clock, the same

@@ -5,6 +5,13 @@
 
 namespace sim {
 
+namespace {
+
+/// And a little more: repaired arcs may exceed half a turn slightly.
+constexpr double kHalfTurn = 3.2;
+
+}  // namespace
+
 double HelixDistance::squared(double fraction) const {
   return point_radius * point_radius + radius * radius -
          2.0 * point_radius * radius * std::cos(sweep * fraction - point_angle) +
@@ -59,7 +66,8 @@ double HelixDistance::nearest_fraction(double from) const {
   const double weight = point_radius * radius * sweep;
   const double guess = (weight * point_angle - run_offset) / (weight * sweep + run_squared);
   const double found = refined(std::clamp(guess, from, 1.0), from, 1.0);
-  const bool certain = stationary(found, from) && squared(found) < radius * radius;
+  const bool certain =
+      sweep < kHalfTurn && stationary(found, from) && squared(found) < radius * radius;
   return certain ? found : searched(from);
 }
 

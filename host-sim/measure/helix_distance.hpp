@@ -2,8 +2,8 @@
 
 namespace sim {
 
-/// The squared distance of a point from a helix of at most about half a turn,
-/// as a function of the fraction f of the helix:
+/// The squared distance of a point from a helix of less than a full turn, as a
+/// function of the fraction f of the helix:
 ///
 ///   point_radius² + radius² − 2 point_radius radius cos(sweep f − point_angle)
 ///   + run_squared f² + 2 run_offset f + offset_squared
@@ -25,8 +25,8 @@ struct HelixDistance {
   ///
   /// Newton's method from the guess of the linearised curve. A stationary point
   /// nearer than the radius is the nearest of all, because the reach of a helix
-  /// of half a turn is at least its radius (Federer, Curvature Measures, 4.8);
-  /// for points farther away the whole curve is searched.
+  /// of up to half a turn is at least its radius (Federer, Curvature Measures, 4.8);
+  /// for points farther away and for longer helices the whole curve is searched.
   [[nodiscard]] double nearest_fraction(double from) const;
 
  private:

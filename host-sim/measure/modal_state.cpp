@@ -88,9 +88,9 @@ bool ModalState::apply_motion(int g) {
 
 bool ModalState::apply_coordinate_system(int g) {
   if (g >= 540 && g <= 590 && g % 10 == 0) {
-    system_ = static_cast<std::size_t>(g / 10 - 54);
+    system_ = static_cast<std::size_t>(g - 540) / 10;
   } else if (g >= 591 && g <= 593) {
-    system_ = static_cast<std::size_t>(g - 591 + 6);
+    system_ = static_cast<std::size_t>(g - 591) + 6;
   } else {
     return false;
   }

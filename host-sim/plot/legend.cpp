@@ -103,7 +103,8 @@ void add_legend(std::string& out, const Box& box, const View& view, const Legend
   if (content.has_cut) legend.add_cut_sample(content, view);
   if (content.has_feed) legend.add_line_sample({hex(speed_colour(0.6)), kFeedWidthPx}, "beam off");
   if (content.has_travel) {
-    legend.add_line_sample({kTravelStroke, kTravelWidthPx, kTravelDashesPx}, "rapid");
+    const std::string dashes = fmt::format("{} {}", kTravelDashPx, kTravelGapPx);
+    legend.add_line_sample({kTravelStroke, kTravelWidthPx, dashes}, "rapid");
   }
   legend.add_mark(add_start_mark, "start");
   legend.add_mark(add_end_mark, "end");

@@ -2,19 +2,10 @@
 
 #include <string>
 
+#include "host-sim/plot/legend_content.hpp"
 #include "host-sim/plot/view.hpp"
 
 namespace sim {
-
-/// What the picture shows and the legend explains.
-struct LegendContent {
-  double top_speed_mm_min = 0.0;   ///< The end of the colour scale; 0: no scale.
-  double tick_speed_mm_min = 0.0;  ///< Divides the scale.
-  double kerf_width_mm = 0.0;
-  bool has_cut = false;
-  bool has_feed = false;
-  bool has_travel = false;
-};
 
 /// The least height of a box that holds every entry.
 inline constexpr double kLegendHeightPx = 660.0;

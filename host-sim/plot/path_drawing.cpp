@@ -103,9 +103,34 @@ double unit_for(const View& view) {
   return std::pow(10.0, std::floor(std::log10(0.1 / view.px_per_mm())));
 }
 
-/// Lengths given in px, in units: what stroke-dasharray needs inside the group.
-std::string dashes_in_units(double px_per_unit) {
-  return fmt::format("{:.4g} {:.4g}", 7.0 / px_per_unit, 6.0 / px_per_unit);
+/// A group in machine coordinates: whole units, y upwards.
+void open_group(std::string& out, const View& view, double unit_mm) {
+  const double px_per_unit = view.px_per_mm() * unit_mm;
+  fmt::format_to(std::back_inserter(out),
+                 "<!-- The path, in units of {:g} mm. -->\n"
+                 "<g transform=\"matrix({:.9g} 0 0 {:.9g} {:.4f} {:.4f})\" fill=\"none\" "
+                 "stroke-linecap=\"round\" stroke-linejoin=\"round\">\n",
+                 unit_mm,
+                 px_per_unit,
+                 -px_per_unit,
+                 view.x_px(0.0),
+                 view.y_px(0.0));
+}
+
+void add_kerf(std::string& out, const PathData& data, double width) {
+  if (width <= 0.0) return;
+  add_data(out, data, fmt::format(R"(stroke="{}" stroke-width="{:.4g}")", kKerfStroke, width));
+}
+
+void add_travel(std::string& out, const PathData& data, double px_per_unit) {
+  add_data(out,
+           data,
+           fmt::format(R"(stroke="{}" stroke-width="{:.4g}" stroke-linecap="butt" )"
+                       R"(stroke-dasharray="{:.4g} {:.4g}")",
+                       kTravelStroke,
+                       kTravelWidthPx / px_per_unit,
+                       kTravelDashPx / px_per_unit,
+                       kTravelGapPx / px_per_unit));
 }
 
 }  // namespace
@@ -117,27 +142,9 @@ void add_path(std::string& out,
   const double unit_mm = unit_for(view);
   const double px_per_unit = view.px_per_mm() * unit_mm;
   const Layers layers = sort_into_layers(vertices, unit_mm, drawing);
-  fmt::format_to(std::back_inserter(out),
-                 "<!-- The path, in units of {:g} mm. -->\n"
-                 "<g transform=\"matrix({:.9g} 0 0 {:.9g} {:.4f} {:.4f})\" fill=\"none\" "
-                 "stroke-linecap=\"round\" stroke-linejoin=\"round\">\n",
-                 unit_mm,
-                 px_per_unit,
-                 -px_per_unit,
-                 view.x_px(0.0),
-                 view.y_px(0.0));
-  if (drawing.kerf_width_mm > 0.0) {
-    const double width = drawing.kerf_width_mm / unit_mm;
-    add_data(
-        out, layers.kerf, fmt::format(R"(stroke="{}" stroke-width="{:.4g}")", kKerfStroke, width));
-  }
-  add_data(out,
-           layers.travel,
-           fmt::format(R"(stroke="{}" stroke-width="{:.4g}" stroke-linecap="butt" )"
-                       R"(stroke-dasharray="{}")",
-                       kTravelStroke,
-                       kTravelWidthPx / px_per_unit,
-                       dashes_in_units(px_per_unit)));
+  open_group(out, view, unit_mm);
+  add_kerf(out, layers.kerf, drawing.kerf_width_mm / unit_mm);
+  add_travel(out, layers.travel, px_per_unit);
   add_coloured(out, layers.feed, kFeedWidthPx / px_per_unit);
   add_coloured(out, layers.cut, kCutWidthPx / px_per_unit);
   out += "</g>\n";

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "host-sim/plot/path.hpp"
@@ -12,9 +13,10 @@ namespace sim {
 inline constexpr double kCutWidthPx = 2.6;
 inline constexpr double kFeedWidthPx = 1.6;
 inline constexpr double kTravelWidthPx = 1.5;
-inline constexpr char kTravelDashesPx[] = "7 6";
-inline constexpr char kTravelStroke[] = "#8a8f98";
-inline constexpr char kKerfStroke[] = "#d6d2cb";
+inline constexpr double kTravelDashPx = 7.0;
+inline constexpr double kTravelGapPx = 6.0;
+inline constexpr std::string_view kTravelStroke = "#8a8f98";
+inline constexpr std::string_view kKerfStroke = "#d6d2cb";
 
 struct PathDrawing {
   double kerf_width_mm = 0.0;   ///< Drawn below the cut, true to scale; 0 draws none.

@@ -6,6 +6,7 @@
 
 #include "host-sim/plot/grid.hpp"
 #include "host-sim/plot/legend.hpp"
+#include "host-sim/plot/legend_content.hpp"
 #include "host-sim/plot/path_drawing.hpp"
 #include "host-sim/plot/path_simplifier.hpp"
 #include "host-sim/plot/svg_element.hpp"
@@ -26,10 +27,6 @@ constexpr double kTallestPlotPx = 1.15 * kPlotWidthPx;
 
 /// Less than anybody sees, so such points only cost bytes.
 constexpr double kInvisiblePx = 0.1;
-
-/// Measured speeds exceed the true one by up to 2 %, which must not turn a scale
-/// up to 6000 mm/min into one up to 8000.
-constexpr double kMeasuredShare = 0.97;
 
 /// What is seen: the extent with room for line width, and never a mere point.
 Bounds framed(const Bounds& extent) {
@@ -54,23 +51,6 @@ Box plot_box(const Bounds& bounds) {
 bool has(const std::vector<PathVertex>& vertices, Move move) {
   const auto is_such = [move](const PathVertex& vertex) { return vertex.move == move; };
   return !vertices.empty() && std::any_of(vertices.begin() + 1, vertices.end(), is_such);
-}
-
-LegendContent legend_of(const std::vector<PathVertex>& vertices, double kerf_width_mm) {
-  float greatest_mm_s = 0.0F;
-  for (const PathVertex& vertex : vertices) {
-    greatest_mm_s = std::max(greatest_mm_s, vertex.speed_mm_s);
-  }
-  LegendContent content{.kerf_width_mm = kerf_width_mm,
-                        .has_cut = has(vertices, Move::kCut),
-                        .has_feed = has(vertices, Move::kFeed),
-                        .has_travel = has(vertices, Move::kTravel)};
-  if (greatest_mm_s <= 0.0F) return content;
-  const double greatest_mm_min = kMeasuredShare * 60.0 * static_cast<double>(greatest_mm_s);
-  content.tick_speed_mm_min = round_step(greatest_mm_min / 6.0);
-  content.top_speed_mm_min =
-      content.tick_speed_mm_min * std::ceil(greatest_mm_min / content.tick_speed_mm_min);
-  return content;
 }
 
 double length_mm(const std::vector<PathVertex>& vertices, Move move) {
@@ -136,7 +116,8 @@ std::string draw_svg(const Path& path, const PictureOptions& options) {
   const Bounds bounds = framed(extent);
   const Box box = plot_box(bounds);
   const View view{bounds, box};
-  const LegendContent legend = legend_of(path.vertices, options.kerf_width_mm);
+  const LegendContent legend =
+      legend_content(path.vertices, options.kerf_width_mm, view.px_per_mm());
   const double top_mm_s = legend.top_speed_mm_min / 60.0;
 
   const double height_px = box.bottom_px() + kBottomLabelsPx;

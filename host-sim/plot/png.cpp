@@ -33,9 +33,8 @@ Handle load(const std::string& file, std::string_view svg) {
   GError* error = nullptr;
   const auto* bytes = reinterpret_cast<const guint8*>(svg.data());
   Handle handle{rsvg_handle_new_from_data(bytes, svg.size(), &error)};
-  if (!handle)
-    fail(
-        file, Error { error } -> message);
+  const Error owned_error{error};
+  if (!handle) fail(file, owned_error->message);
   return handle;
 }
 
@@ -56,10 +55,9 @@ void render(const std::string& file, RsvgHandle& handle, cairo_surface_t& surfac
                                .width = cairo_image_surface_get_width(&surface) * 1.0,
                                .height = cairo_image_surface_get_height(&surface) * 1.0};
   GError* error = nullptr;
-  if (rsvg_handle_render_document(&handle, context.get(), &viewport, &error) == 0) {
-    fail(
-        file, Error { error } -> message);
-  }
+  const bool is_drawn = rsvg_handle_render_document(&handle, context.get(), &viewport, &error) != 0;
+  const Error owned_error{error};
+  if (!is_drawn) fail(file, owned_error->message);
   const cairo_status_t status = cairo_status(context.get());
   if (status != CAIRO_STATUS_SUCCESS) fail(file, cairo_status_to_string(status));
 }

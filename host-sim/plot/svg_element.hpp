@@ -17,7 +17,7 @@ struct TextStyle {
 struct LineStyle {
   std::string_view stroke;
   double width_px;
-  std::string_view dashes_px = "";  ///< As in stroke-dasharray; empty for a full line.
+  std::string_view dashes_px{};  ///< As in stroke-dasharray; empty for a full line.
 };
 
 /// Text that XML can hold: markup escaped, control characters as spaces, bytes

@@ -11,11 +11,11 @@
 namespace sim {
 namespace {
 
-constexpr char kBold[] = "\033[1m";
-constexpr char kYellow[] = "\033[33m";
-constexpr char kRed[] = "\033[31m";
+constexpr std::string_view kBold = "\033[1m";
+constexpr std::string_view kYellow = "\033[33m";
+constexpr std::string_view kRed = "\033[31m";
 
-std::string styled(std::string_view text, const char* style, bool colour) {
+std::string styled(std::string_view text, std::string_view style, bool colour) {
   return colour ? fmt::format("{}{}\033[0m", style, text) : std::string{text};
 }
 

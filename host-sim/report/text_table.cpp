@@ -12,13 +12,14 @@ void TextTable::add_row(std::vector<std::string> cells) {
   rows_.push_back(std::move(cells));
 }
 
-std::string TextTable::text(std::size_t indent, const std::string& heading_style) const {
+std::string TextTable::text(std::size_t indent, std::string_view heading_style) const {
   const std::vector<std::size_t> column_widths = widths();
   const std::string margin(indent, ' ');
   std::vector<std::string> headings;
   for (const Column& column : columns_) headings.push_back(column.heading);
   const std::string reset = heading_style.empty() ? "" : "\033[0m";
-  std::string result = margin + heading_style + line(headings, column_widths) + reset + "\n";
+  std::string result = margin + std::string{heading_style};
+  result += line(headings, column_widths) + reset + "\n";
   for (const auto& row : rows_) result += margin + line(row, column_widths) + "\n";
   return result;
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sim {
@@ -24,8 +25,7 @@ class TextTable {
   /// Heading and rows, `indent` spaces before each, two spaces between columns,
   /// none at the end of a line. `heading_style` is a terminal sequence such as
   /// "\033[1m", reset at the end of the heading; empty for none.
-  [[nodiscard]] std::string text(std::size_t indent = 0,
-                                 const std::string& heading_style = "") const;
+  [[nodiscard]] std::string text(std::size_t indent = 0, std::string_view heading_style = "") const;
 
  private:
   [[nodiscard]] std::vector<std::size_t> widths() const;

@@ -53,7 +53,9 @@ std::size_t width_of(char32_t code_point) {
 
 std::string fill(std::string_view text, std::size_t width) {
   const std::size_t used = display_width(text);
-  return std::string(used < width ? width - used : 0, ' ');
+  std::string spaces;
+  if (used < width) spaces.resize(width - used, ' ');
+  return spaces;
 }
 
 }  // namespace

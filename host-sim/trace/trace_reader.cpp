@@ -78,9 +78,9 @@ void TraceReader::read_comment(std::string_view text) {
 
 void TraceReader::read_scale(std::string_view items) {
   for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
-    const char name[] = {' ', cnc::kAxisLetters[axis], '=', '\0'};
-    if (!take_text(items, name) || !take_number(items, steps_per_mm_[axis]))
-      fail("unreadable steps_per_mm");
+    const std::string name{' ', cnc::kAxisLetters[axis], '='};
+    const bool is_read = take_text(items, name) && take_number(items, steps_per_mm_[axis]);
+    if (!is_read) fail("unreadable steps_per_mm");
   }
 }
 

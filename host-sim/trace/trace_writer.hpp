@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "host-sim/trace/output_file.hpp"
 #include "host-sim/trace/trace_row.hpp"
@@ -10,7 +11,7 @@
 namespace sim {
 
 /// The line of column names that separates the comments from the rows.
-inline constexpr char kTraceColumns[] = "time_ns,x,y,z,a,b,c,s";
+inline constexpr std::string_view kTraceColumns = "time_ns,x,y,z,a,b,c,s";
 
 /// Writes the step trace (`--trace FILE`), one line of text for each row.
 ///

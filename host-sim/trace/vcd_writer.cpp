@@ -138,8 +138,8 @@ void VcdWriter::write_time(std::uint64_t time_ns) {
 }
 
 void VcdWriter::write_wire(bool high, char code) {
-  const char line[] = {high ? '1' : '0', code, '\n'};
-  file_.buffer().append(line, line + sizeof line);
+  const std::array<char, 3> line{high ? '1' : '0', code, '\n'};
+  file_.buffer().append(line.begin(), line.end());
 }
 
 }  // namespace sim

@@ -55,7 +55,8 @@ float atan_unit(float t) {
   const float x = upper ? (t - 1.0F) / (t + 1.0F) : t;
   const float z = x * x;
   const float tail =
-      z * (-0.3333278376F + z * (0.1997401256F + z * (-0.1384773543F + z * 0.0797379119F)));
+      z * (-0.3333330677F +
+           z * (0.1999817647F + z * (-0.1423941086F + z * (0.1056892078F + z * -0.0602396318F))));
   const float near_zero = x + x * tail;
   return upper ? kQuarterPi + near_zero : near_zero;
 }

@@ -26,7 +26,7 @@ inline constexpr double kSinCosError = 1.3e-7;
 [[nodiscard]] SinCos sin_cos(float angle);
 
 /// Arc tangent of t in [0, 1], in radians. Relative error at most kAtanError.
-inline constexpr double kAtanError = 1.8e-7;
+inline constexpr double kAtanError = 2.0e-7;
 [[nodiscard]] float atan_unit(float t);
 
 /// Angle of the vector (x, y) in (−π, π]; 0 for the null vector.

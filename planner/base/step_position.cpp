@@ -28,8 +28,8 @@ Coordinate AxisScale::place_of(std::int32_t step) const {
   const std::uint64_t numerator = count * kNanometresPerMm;
   const std::uint64_t whole = numerator / mantissa_;
   const std::uint64_t rest = numerator % mantissa_;
-  const std::uint64_t nm = (whole << fraction_bits_) +
-                           ((rest << fraction_bits_) + mantissa_ / 2) / mantissa_;
+  const std::uint64_t nm =
+      (whole << fraction_bits_) + ((rest << fraction_bits_) + mantissa_ / 2) / mantissa_;
   const auto result = static_cast<std::int64_t>(nm);
   return Coordinate{negative ? -result : result};
 }

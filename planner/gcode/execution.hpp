@@ -81,8 +81,7 @@ class Execution {
   [[nodiscard]] Refusal read_centre(PlaneVector& centre);
   [[nodiscard]] Refusal centre_from_radius(PlaneVector end, PlaneVector& centre);
   [[nodiscard]] Refusal check_centre_in_range(PlaneVector centre) const;
-  [[nodiscard]] Refusal check_sides(PlaneVector end, PlaneVector centre,
-                                    std::uint16_t turns) const;
+  [[nodiscard]] Refusal check_sides(PlaneVector end, PlaneVector centre, std::uint16_t turns) const;
   [[nodiscard]] Refusal check_end_on_circle(PlaneVector end, PlaneVector centre) const;
   [[nodiscard]] float arc_speed(const Action& arc, PlaneVector end, PlaneVector centre) const;
   [[nodiscard]] PlaneVector from_here(const Position& target) const;

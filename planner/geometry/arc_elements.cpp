@@ -13,12 +13,14 @@ namespace {
 /// draws the line at the same angle).
 constexpr float kFullCircle = 5.0e-7F;
 
-/// An arc of half a turn may come out longer by the rounding of atan2.
-constexpr float kHalfTurnSlack = 1.0e-6F;
+/// An arc of half a turn may come out longer by the error of atan2, as a share of π.
+constexpr float kHalfTurnSlack = 1.5e-7F;
 
 Coordinate from_mm(float mm) {
-  const float nanometres = mm * 1.0e6F;
-  return Coordinate{truncated(nanometres + (nanometres < 0.0F ? -0.5F : 0.5F))};
+  // Whole millimetres apart, so that the multiplication does not round again.
+  const std::int64_t whole = truncated(mm);
+  const float rest = (mm - static_cast<float>(whole)) * 1.0e6F;
+  return Coordinate{whole * 1'000'000 + truncated(rest + (rest < 0.0F ? -0.5F : 0.5F))};
 }
 
 float length(float x, float y) { return std::sqrt(x * x + y * y); }
@@ -83,8 +85,7 @@ float ArcElements::bulge_of(const PathElement& element) const {
   const float height = arc_.clockwise ? -to_left : to_left;
   const float half = 0.5F * chord;
   const float bulge = half / (length(half, height) + height);
-  const float legal = bulge > 1.0F ? 1.0F : bulge;
-  return arc_.clockwise ? -legal : legal;
+  return arc_.clockwise ? -bulge : bulge;
 }
 
 PathElement ArcElements::element(std::uint32_t index) const {

@@ -48,10 +48,9 @@ std::int32_t evaluate(const Polynomial& polynomial, std::int32_t w_q31) {
 ChordFrame::ChordFrame(float half_sweep)
     : half_sweep_{half_sweep},
       half_sweep_q30_{static_cast<std::int32_t>(half_sweep * kOneQ30)},
-      quarter_square_q31_{
-          static_cast<std::int32_t>((0.5F * half_sweep) * (0.5F * half_sweep) * kOneQ31)},
-      inverse_sine_q30_{static_cast<std::int32_t>(
-          (std::int64_t{1} << 60) / evaluate(kSineQuotient, quarter_square_q31_))},
+      quarter_square_q31_{multiply(half_sweep_q30_, half_sweep_q30_, 31)},
+      inverse_sine_q30_{static_cast<std::int32_t>((std::int64_t{1} << 60) /
+                                                  evaluate(kSineQuotient, quarter_square_q31_))},
       versine_q30_{evaluate(kVersineQuotient, quarter_square_q31_)} {}
 
 ChordPoint ChordFrame::at(std::uint32_t fraction) const {

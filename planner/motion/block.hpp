@@ -10,18 +10,18 @@ namespace cnc::motion {
 
 /// The beam or spindle output that goes with a motion.
 struct BeamCommand {
-  float duty = 0.0F;             ///< 0…1 of full power at the programmed feed.
-  bool follows_speed = false;    ///< M4: the duty is scaled by speed / programmed feed.
+  float duty = 0.0F;           ///< 0…1 of full power at the programmed feed.
+  bool follows_speed = false;  ///< M4: the duty is scaled by speed / programmed feed.
   constexpr bool operator==(const BeamCommand&) const = default;
 };
 
 /// The planar part of a block that turns. For a straight block `half_sweep` is 0.
 struct Turn {
   Plane plane = Plane::kXY;
-  float half_sweep = 0.0F;     ///< Radians, positive counter-clockwise.
-  float start_angle = 0.0F;    ///< Of the tangent at the start, in the plane.
-  float plane_share = 1.0F;    ///< Plane speed / path speed; below 1 on a helix.
-  float curvature = 0.0F;      ///< |κ| of the plane circle, 1/mm.
+  float half_sweep = 0.0F;   ///< Radians, positive counter-clockwise.
+  float start_angle = 0.0F;  ///< Of the tangent at the start, in the plane.
+  float plane_share = 1.0F;  ///< Plane speed / path speed; below 1 on a helix.
+  float curvature = 0.0F;    ///< |κ| of the plane circle, 1/mm.
 };
 
 /// One line, arc or helix as the planner keeps it: geometry in steps for
@@ -35,16 +35,16 @@ struct Block {
   std::array<StepPosition, 2> normal{};
   Turn turn{};
 
-  AxisArray<float> direction{};  ///< Unit tangent; for an arc only the axes off its plane.
-  float length = 0.0F;           ///< mm.
-  float feed = 0.0F;             ///< Programmed speed along the path, mm/s; 0 is a rapid.
+  AxisArray<float> direction{};      ///< Unit tangent; for an arc only the axes off its plane.
+  float length = 0.0F;               ///< mm.
+  float feed = 0.0F;                 ///< Programmed speed along the path, mm/s; 0 is a rapid.
   float speed_limit_square = 0.0F;   ///< From rates, step rates and centripetal acceleration.
   float corner_speed_square = 0.0F;  ///< The corner rule at its start; 0 after a stop.
   float entry_speed_square = 0.0F;   ///< What the look-ahead found; the only member that changes.
 
   BeamCommand beam{};
   OutputChanges outputs{};  ///< At its start.
-  std::uint32_t line = 0;  ///< Source line, for reports.
+  std::uint32_t line = 0;   ///< Source line, for reports.
 
   [[nodiscard]] bool is_rapid() const { return feed <= 0.0F; }
   [[nodiscard]] bool turns() const { return turn.curvature > 0.0F; }

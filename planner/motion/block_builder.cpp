@@ -50,7 +50,9 @@ bool place_normal(const PathElement& element, const Limits& limits, Block& block
 
 /// Replaces the chord by the arc in `travel`: afterwards its plane axes are 0
 /// and the returned arc length stands for both.
-float lay_out_turn(const PathElement& element, const Arc& arc, AxisArray<float>& travel,
+float lay_out_turn(const PathElement& element,
+                   const Arc& arc,
+                   AxisArray<float>& travel,
                    Turn& turn) {
   const PlaneAxes axes = axes_of(element.plane);
   travel[axes.first] = 0.0F;

@@ -8,9 +8,9 @@
 namespace cnc::motion {
 
 enum class MotionError : std::uint8_t {
-  kNothingToMove,      ///< Start and end agree to the nanometre: skip it.
-  kBeyondMotorRange,   ///< An end lies outside what the step counters hold.
-  kBulgeTooLarge,      ///< More than half a turn: split the arc first.
+  kNothingToMove,     ///< Start and end agree to the nanometre: skip it.
+  kBeyondMotorRange,  ///< An end lies outside what the step counters hold.
+  kBulgeTooLarge,     ///< More than half a turn: split the arc first.
 };
 
 /// What to move, how fast and with what beam.

@@ -24,8 +24,7 @@ struct BrakingPoint {
 /// taking the largest value span by span is optimal (Pham and Pham, "A new
 /// approach to time-optimal path parameterization", IEEE T-RO 34(3), 2018).
 template <typename Visitor>
-float brake_backwards(const Spans& spans, const SpeedCap& cap, float exit_square,
-                      Visitor&& visit) {
+float brake_backwards(const Spans& spans, const SpeedCap& cap, float exit_square, Visitor&& visit) {
   Place end = spans.place_at_boundary(spans.count());
   float speed_square = exit_square;
   for (int span = spans.count() - 1; span >= 0; --span) {
@@ -44,7 +43,8 @@ float brake_backwards(const Spans& spans, const SpeedCap& cap, float exit_square
   return speed_square;
 }
 
-[[nodiscard]] inline float brake_backwards(const Spans& spans, const SpeedCap& cap,
+[[nodiscard]] inline float brake_backwards(const Spans& spans,
+                                           const SpeedCap& cap,
                                            float exit_square) {
   return brake_backwards(spans, cap, exit_square, [](int, const BrakingPoint&) {});
 }

@@ -13,7 +13,8 @@ constexpr float kReversal = 4.0F - 2.0e-6F;
 
 }  // namespace
 
-float corner_speed_square(const AxisArray<float>& before, const AxisArray<float>& after,
+float corner_speed_square(const AxisArray<float>& before,
+                          const AxisArray<float>& after,
                           const Limits& limits) {
   // From the difference of the tangents, not from their dot product: near a
   // tangent joint the latter has lost the angle. |after − before|² = 4 sin²(β/2).

@@ -16,6 +16,7 @@ namespace cnc::motion {
 /// 0.08°, never negative.
 inline constexpr float kNoCornerLimit = 1.0e12F;
 [[nodiscard]] float corner_speed_square(const AxisArray<float>& before,
-                                        const AxisArray<float>& after, const Limits& limits);
+                                        const AxisArray<float>& after,
+                                        const Limits& limits);
 
 }  // namespace cnc::motion

@@ -66,9 +66,8 @@ void MotorPath::lay_turn_over(std::uint32_t fraction, MotorState& state) const {
   const std::array<std::size_t, 2> plane{axes_.first, axes_.second};
   for (std::size_t i = 0; i < plane.size(); ++i) {
     const std::size_t axis = plane[i];
-    state.place[axis] =
-        StepPosition{start_[axis].q32() + scaled(chord_[axis], point.along_q30) +
-                     scaled(normal_[i], point.across_q30)};
+    state.place[axis] = StepPosition{start_[axis].q32() + scaled(chord_[axis], point.along_q30) +
+                                     scaled(normal_[i], point.across_q30)};
     state.speed[axis] =
         chord_per_mm_[axis] * point.along_rate + normal_per_mm_[i] * point.across_rate;
   }

@@ -27,9 +27,9 @@ class MotorPath {
   ChordFrame frame_{};
   AxisArray<StepPosition> start_{};
   AxisArray<StepPosition> end_{};
-  AxisArray<std::int64_t> chord_{};     ///< end − start, Q32.32 steps.
+  AxisArray<std::int64_t> chord_{};  ///< end − start, Q32.32 steps.
   std::array<std::int64_t, 2> normal_{};
-  AxisArray<float> chord_per_mm_{};     ///< Steps of chord per mm of path.
+  AxisArray<float> chord_per_mm_{};  ///< Steps of chord per mm of path.
   std::array<float, 2> normal_per_mm_{};
   PlaneAxes axes_{0, 1, 2};
   bool turns_ = false;

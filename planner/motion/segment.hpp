@@ -40,11 +40,11 @@ struct StepTrain {
 /// What the step interrupt plays: a slice of at most a millisecond of one
 /// block. Plain integers; no axis reverses within it.
 struct Segment {
-  std::uint32_t ticks = 0;        ///< Length of the slice.
-  std::uint16_t power = 0;        ///< Output duty, 65535 is full.
-  std::uint8_t negative = 0;      ///< Bit i: axis i runs backwards.
-  bool comes_to_rest = false;     ///< The plan stands still after it: an empty queue is no fault.
-  OutputChanges outputs{};        ///< At its start.
+  std::uint32_t ticks = 0;     ///< Length of the slice.
+  std::uint16_t power = 0;     ///< Output duty, 65535 is full.
+  std::uint8_t negative = 0;   ///< Bit i: axis i runs backwards.
+  bool comes_to_rest = false;  ///< The plan stands still after it: an empty queue is no fault.
+  OutputChanges outputs{};     ///< At its start.
   AxisArray<StepTrain> trains{};
 };
 

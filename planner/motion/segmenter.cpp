@@ -140,8 +140,7 @@ float Segmenter::slice_time() const {
 void Segmenter::cut(float duration, Segment& segment) {
   const float middle_speed = phase_.speed_at(phase_time_ + 0.5F * duration);
   const bool phase_ends = duration >= phase_.duration - phase_time_;
-  const float distance =
-      phase_ends ? phase_.distance - phase_distance_ : middle_speed * duration;
+  const float distance = phase_ends ? phase_.distance - phase_distance_ : middle_speed * duration;
   phase_time_ += duration;
   phase_distance_ += distance;
   const float speed =
@@ -155,8 +154,8 @@ void Segmenter::cut(float duration, Segment& segment) {
   }
   fraction_ = block_ends ? kBlockEnd : further(distance);
   if (observer_ != nullptr) {
-    observer_->on_slice({blocks_ended_, from_fraction, fraction_, speed_, phase_.acceleration,
-                         duration});
+    observer_->on_slice(
+        {blocks_ended_, from_fraction, fraction_, speed_, phase_.acceleration, duration});
   }
   segment.power = power(middle_speed);
   time_trains(path_.at(fraction_), duration, segment);

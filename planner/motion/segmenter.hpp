@@ -78,13 +78,13 @@ class Segmenter {
   const Limits& limits_;
   Overrides overrides_{};
   Drive drive_ = Drive::kOn;
-  bool driving_ = false;       ///< The front block has been begun.
+  bool driving_ = false;  ///< The front block has been begun.
   bool replan_ = false;
 
   SpeedProfile profile_{};
   Drive phase_drive_ = Drive::kOn;
   Phase phase_{};
-  float phase_time_ = 0.0F;    ///< s into the phase.
+  float phase_time_ = 0.0F;  ///< s into the phase.
   float phase_distance_ = 0.0F;
 
   MotorPath path_{};
@@ -92,11 +92,11 @@ class Segmenter {
   float speed_ = 0.0F;         ///< mm/s.
   float entry_square_ = 0.0F;  ///< v² with which the next block is begun.
   float fraction_per_mm_ = 0.0F;
-  std::uint64_t fraction_ = 0; ///< Of the block, 2^32 is its end.
+  std::uint64_t fraction_ = 0;  ///< Of the block, 2^32 is its end.
   SliceObserver* observer_ = nullptr;
   std::uint32_t blocks_ended_ = 0;
-  OutputChanges outputs_{};    ///< Not handed out yet.
-  float shift_ = 0.0F;         ///< Planned time beyond the whole ticks handed out, in ticks.
+  OutputChanges outputs_{};  ///< Not handed out yet.
+  float shift_ = 0.0F;       ///< Planned time beyond the whole ticks handed out, in ticks.
 };
 
 }  // namespace cnc::motion

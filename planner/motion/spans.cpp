@@ -86,9 +86,9 @@ Spans::Spans(const Block& block, const Limits& limits)
   acceleration_second_ = limits.acceleration_mm_s2[axes.second] * kArcMargin;
   rate_first_ = motor_rate(limits, axes.first);
   rate_second_ = motor_rate(limits, axes.second);
-  straight_speed_square_ = std::min(straight_speed_square_,
-                                    std::min(acceleration_first_, acceleration_second_) /
-                                        (curvature_ * square(plane_share_)));
+  straight_speed_square_ = std::min(
+      straight_speed_square_,
+      std::min(acceleration_first_, acceleration_second_) / (curvature_ * square(plane_share_)));
   side_ = turn.half_sweep < 0.0F ? -1.0F : 1.0F;
   start_angle_ = side_ * turn.start_angle;
   sweep_ = 2.0F * std::abs(turn.half_sweep);

@@ -46,18 +46,22 @@ class Spans {
   /// (where v² is `speed_square`) to `to`, `distance` mm further in the
   /// direction of `travel`, for which no axis exceeds its acceleration at
   /// either end nor would if it stood still there.
-  [[nodiscard]] float steepest(const Place& from, const Place& to, float distance,
-                               float speed_square, Travel travel, Change change) const;
+  [[nodiscard]] float steepest(const Place& from,
+                               const Place& to,
+                               float distance,
+                               float speed_square,
+                               Travel travel,
+                               Change change) const;
 
  private:
   [[nodiscard]] float angle_of(int index) const;
   [[nodiscard]] Place place_with(float cosine, float sine) const;
 
   int count_ = 1;
-  int first_grid_ = 0;       ///< Grid index of boundary 1.
-  float start_angle_ = 0.0F; ///< Of the tangent, mirrored so that it grows.
+  int first_grid_ = 0;        ///< Grid index of boundary 1.
+  float start_angle_ = 0.0F;  ///< Of the tangent, mirrored so that it grows.
   float sweep_ = 0.0F;
-  float side_ = 1.0F;        ///< +1 counter-clockwise.
+  float side_ = 1.0F;  ///< +1 counter-clockwise.
   float length_ = 0.0F;
   float mm_per_radian_ = 0.0F;
   float plane_share_ = 0.0F;

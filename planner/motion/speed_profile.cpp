@@ -31,8 +31,11 @@ Phase make_phase(float start_square, float end_square, float distance) {
 
 }  // namespace
 
-void SpeedProfile::begin(const Block& block, const Limits& limits, const Overrides& overrides,
-                         float exit_square, float speed_square) {
+void SpeedProfile::begin(const Block& block,
+                         const Limits& limits,
+                         const Overrides& overrides,
+                         float exit_square,
+                         float speed_square) {
   spans_ = Spans{block, limits};
   span_ = 0;
   within_span_ = 0.0F;
@@ -51,8 +54,7 @@ void SpeedProfile::replan(const Block& block, const Overrides& overrides, float 
 /// v² to be met at the end of the present span.
 float SpeedProfile::end_target_square() const {
   const auto span = static_cast<std::size_t>(span_);
-  const float ahead =
-      span_ + 1 < spans_.count() ? braking_[span + 1].speed_square : exit_square_;
+  const float ahead = span_ + 1 < spans_.count() ? braking_[span + 1].speed_square : exit_square_;
   return std::min(ahead, braking_[span].cap_square);
 }
 
@@ -74,8 +76,8 @@ Phase SpeedProfile::phase_on(float to_span_end) const {
   const BrakingPoint& plan = braking_[static_cast<std::size_t>(span_)];
   const float cap = std::max(plan.cap_square, speed_square_);
   const float target = end_target_square();
-  const float negligible = spans_.length_of(span_) * kNegligibleShareOfSpan +
-                           to_span_end * kNegligibleShareOfRest;
+  const float negligible =
+      spans_.length_of(span_) * kNegligibleShareOfSpan + to_span_end * kNegligibleShareOfRest;
 
   const float distance = spans_.boundary(span_) + within_span_;
   const float acceleration = spans_.steepest(spans_.place_at(distance),

@@ -34,8 +34,11 @@ enum class Drive : std::uint8_t {
 class SpeedProfile {
  public:
   /// Starts a block at its beginning with the given v².
-  void begin(const Block& block, const Limits& limits, const Overrides& overrides,
-             float exit_square, float speed_square);
+  void begin(const Block& block,
+             const Limits& limits,
+             const Overrides& overrides,
+             float exit_square,
+             float speed_square);
   /// Something ahead changed; place and speed stay.
   void replan(const Block& block, const Overrides& overrides, float exit_square);
 

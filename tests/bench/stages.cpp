@@ -50,7 +50,8 @@ void interpret_lines(Job& job) {
       motion::MotionRequest request;
       request.feed_mm_s = action.feed;
       if (action.kind == gcode::ActionKind::kArc) {
-        const ArcElements arc{{place, action.end, action.plane, action.centre, action.clockwise, 1}};
+        const ArcElements arc{
+            {place, action.end, action.plane, action.centre, action.clockwise, 1}};
         request.element = arc.element(0);
       } else {
         request.element = {.start = place, .end = action.end};
@@ -96,8 +97,8 @@ const Job& arcs() {
 }
 
 void count_lines(benchmark::State& state, const Job& job) {
-  state.counters["lines/s"] = benchmark::Counter(
-      static_cast<double>(job.lines.size()), benchmark::Counter::kIsIterationInvariantRate);
+  state.counters["lines/s"] = benchmark::Counter(static_cast<double>(job.lines.size()),
+                                                 benchmark::Counter::kIsIterationInvariantRate);
 }
 
 void parse(benchmark::State& state, const Job& (*job)()) {

@@ -17,9 +17,20 @@ TEST(SettingLine, ReadsNumberAndValue) {
 }
 
 TEST(SettingLine, RefusesWhatIsNoSetting) {
-  for (const char* text :
-       {"", "$", "$=1", "110=5", "$110", "$110=", "$x=1", "$1 0=1", "$110=1e9999", "$110=nan",
-        "$110=inf", "$110=5x", "$-1=2", "$99999=1"}) {
+  for (const char* text : {"",
+                           "$",
+                           "$=1",
+                           "110=5",
+                           "$110",
+                           "$110=",
+                           "$x=1",
+                           "$1 0=1",
+                           "$110=1e9999",
+                           "$110=nan",
+                           "$110=inf",
+                           "$110=5x",
+                           "$-1=2",
+                           "$99999=1"}) {
     EXPECT_THROW(static_cast<void>(parse_setting(text, "here")), std::invalid_argument) << text;
   }
 }

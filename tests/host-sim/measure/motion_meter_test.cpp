@@ -56,7 +56,8 @@ TEST(MotionMeter, ConstantSpeedHasNoAcceleration) {
   const auto meter = measured(
       {}, [&](double t) { return Point{ramps.at(t)}; }, ramps.end_s() + 0.1);
   EXPECT_LE(meter.axis(Axis::kX).greatest_acceleration, 5.0 + 4.0 * 50.0 * 0.7e-9 / 1.0e-4);
-  EXPECT_LT(meter.greatest_path_acceleration(), 5.0 + 1.0);
+  // The course is less certain at the ends: a tenth of step / window².
+  EXPECT_LT(meter.greatest_path_acceleration(), 5.0 + 0.1 * 125.0);
 }
 
 TEST(MotionMeter, ConstantSpeedIsExact) {
@@ -183,7 +184,7 @@ TEST(MotionMeter, LongPausesCostNothingAndChangeNothing) {
   MotionMeter meter{SyntheticMachine{}.steps_per_mm};
   const std::uint64_t hour = 3'600'000'000'000;
   std::int32_t base = 0;
-  for (std::uint64_t i = 0; i < 1000; ++i) {
+  for (std::uint64_t i = 0; i < 100; ++i) {
     for (TraceRow row : rows) {
       row.time_ns += i * hour;
       row.position[0] += base;
@@ -191,9 +192,9 @@ TEST(MotionMeter, LongPausesCostNothingAndChangeNothing) {
     }
     base += rows.back().position[0];
   }
-  meter.on_end(1000 * hour);
+  meter.on_end(100 * hour);
   EXPECT_NEAR(meter.axis(Axis::kX).greatest_acceleration / 1000.0, 1.0, 0.01);
-  EXPECT_NEAR(meter.path_length(), 20'000.0, 2.0);
+  EXPECT_NEAR(meter.path_length(), 2000.0, 0.2);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "tests/host-sim/measure/synthetic_trace.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <random>
@@ -13,6 +14,21 @@ long motor_place(const SyntheticMachine& machine, const Point& point, std::size_
   return std::lround(point[axis] * machine.steps_per_mm[axis]);
 }
 
+/// When the motor leaves this place, within a scan before `until`; to 0.2 ns.
+double crossing(const SyntheticMachine& machine,
+                const std::function<Point(double)>& course,
+                std::size_t axis,
+                long place,
+                double until) {
+  double low = std::max(0.0, until - kScan);
+  double high = until;
+  while (high - low > 0.2e-9) {
+    const double middle = (low + high) / 2.0;
+    (motor_place(machine, course(middle), axis) == place ? low : high) = middle;
+  }
+  return high;
+}
+
 }  // namespace
 
 std::vector<TraceRow> SyntheticMachine::rows(const std::function<Point(double)>& course,
@@ -20,21 +36,18 @@ std::vector<TraceRow> SyntheticMachine::rows(const std::function<Point(double)>&
   std::mt19937 random{seed};
   std::uniform_real_distribution<double> late{0.0, jitter_s};
   std::map<std::uint64_t, cnc::AxisArray<std::int32_t>> changes;  // Steps at each instant.
-  for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
-    long place = 0;
-    for (double time = 0.0; time < end_s; time += kScan) {
-      const double until = std::min(time + kScan, end_s);
-      const long next = motor_place(*this, course(until), axis);
-      if (next == place) continue;
-      double low = time;
-      double high = until;
-      while (high - low > 0.2e-9) {
-        const double middle = (low + high) / 2.0;
-        (motor_place(*this, course(middle), axis) == place ? low : high) = middle;
-      }
-      const auto instant = static_cast<std::uint64_t>(std::llround((high + late(random)) * 1.0e9));
-      changes[instant][axis] += static_cast<std::int32_t>(next - place);
-      place = next;
+  cnc::AxisArray<long> places{};
+  const long scans = std::lround(std::ceil(end_s / kScan));
+  for (long scan = 1; scan <= scans; ++scan) {
+    const double until = std::min(static_cast<double>(scan) * kScan, end_s);
+    const Point point = course(until);
+    for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
+      const long next = motor_place(*this, point, axis);
+      if (next == places[axis]) continue;
+      const double time = crossing(*this, course, axis, places[axis], until) + late(random);
+      changes[static_cast<std::uint64_t>(std::llround(time * 1.0e9))][axis] +=
+          static_cast<std::int32_t>(next - places[axis]);
+      places[axis] = next;
     }
   }
   std::vector<TraceRow> rows;

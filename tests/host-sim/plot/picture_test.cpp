@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "host-sim/plot/colour_map.hpp"
+#include "host-sim/plot/legend_content.hpp"
 #include "host-sim/plot/path_recorder.hpp"
 #include "host-sim/plot/png.hpp"
 #include "host-sim/plot/view.hpp"
@@ -111,6 +112,31 @@ TEST(Picture, StaysBelowTwoMegabytesForTheLongestPath) {
   const std::string svg = draw_svg(path, {.title = "worst"});
   EXPECT_LT(svg.size(), 2'000'000U);
   EXPECT_TRUE(is_well_formed(svg));
+}
+
+/// A straight cut of 100 mm at 50 mm/s, with one scattered stretch and some steps in the dark.
+std::vector<PathVertex> scattered_line() {
+  return {{},
+          {50.0, 0.0, 50.4F, Move::kCut},
+          {50.05, 0.0, 55.0F, Move::kCut},
+          {50.06, 0.0, 50.0F, Move::kFeed},
+          {100.0, 0.0, 50.0F, Move::kCut}};
+}
+
+TEST(LegendContent, IsNotMisledByScatterAndDots) {
+  const LegendContent content = legend_content(scattered_line(), 0.1, 10.0);
+  EXPECT_EQ(content.top_speed_mm_min, 3'000.0);
+  EXPECT_EQ(content.tick_speed_mm_min, 500.0);
+  EXPECT_TRUE(content.has_cut);
+  EXPECT_FALSE(content.has_feed);
+  EXPECT_FALSE(content.has_travel);
+}
+
+TEST(LegendContent, HasNoScaleWithoutFeed) {
+  EXPECT_EQ(legend_content({}, 0.1, 10.0).top_speed_mm_min, 0.0);
+  const LegendContent content = legend_content({{}, {50.0, 0.0}}, 0.1, 10.0);
+  EXPECT_EQ(content.top_speed_mm_min, 0.0);
+  EXPECT_TRUE(content.has_travel);
 }
 
 TEST(ColourMap, GetsLighterAllTheWayAndStaysVisibleOnWhite) {
