@@ -65,6 +65,13 @@ float lay_out_turn(const PathElement& element,
   return arc.length().in_mm_and_s();
 }
 
+/// An arc within a millionth of a nanometre of its chord is a line: its sweep
+/// and curvature would leave the range of a float.
+bool leaves_its_chord(float bulge, const Arc& arc) {
+  constexpr float kLeastSagitta = 1.0e-12F;  // mm
+  return std::abs(bulge) * arc.end().norm() > 2.0F * kLeastSagitta;
+}
+
 /// Limit of v² that holds all along the block: rates of the axes whose
 /// direction is constant, and the step rate of all motors together.
 float speed_limit_square(const Block& block, const Limits& limits) {
@@ -107,7 +114,7 @@ Result<Block, MotionError> build_block(const MotionRequest& request, const Limit
   const auto arc =
       Arc::make(Vec2{0.0F, 0.0F}, Vec2{travel[axes.first], travel[axes.second]}, element.bulge);
   if (!arc.ok() && arc.error() == ArcError::kSweepTooLarge) return MotionError::kBulgeTooLarge;
-  if (arc.ok() && element.bulge != 0.0F) {
+  if (arc.ok() && leaves_its_chord(element.bulge, arc.value())) {
     if (!place_normal(element, limits, block)) return MotionError::kBeyondMotorRange;
     plane_length = lay_out_turn(element, arc.value(), travel, block.turn);
   }

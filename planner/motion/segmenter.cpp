@@ -42,8 +42,6 @@ void Segmenter::reset(const AxisArray<StepPosition>& place) {
   driving_ = false;
   blocks_ended_ = 0;
   phase_ = {};
-  phase_time_ = 0.0F;
-  phase_distance_ = 0.0F;
   speed_ = 0.0F;
   entry_square_ = 0.0F;
   shift_ = 0.0F;
@@ -66,7 +64,7 @@ bool Segmenter::next(Segment& segment) {
       break;
     }
     segment = {};
-    cut(slice_time(), segment);
+    cut(slice_units(), segment);
     if (segment.ticks > 0) break;
   }
   if (segment.ticks == 0) {
@@ -83,7 +81,7 @@ void Segmenter::follow_plan() {
   const float exit_square = queue_.front_exit_square();
   const bool same_plan = !replan_ && exit_square == profile_.exit_square();
   if (same_plan && drive_ == phase_drive_) return;
-  if (phase_.duration > 0.0F) profile_.stop_short(phase_distance_, speed_);
+  if (phase_.duration > 0.0F) profile_.stop_short(phase_, phase_distance_left(), speed_);
   phase_ = {};
   if (profile_.at_end()) return end_block();
   if (!same_plan) profile_.replan(queue_.front(), overrides_, exit_square);
@@ -99,10 +97,34 @@ bool Segmenter::ready_phase() {
   }
   phase_ = profile_.next_phase(drive_);
   phase_drive_ = drive_;
-  phase_time_ = 0.0F;
-  phase_distance_ = 0.0F;
-  if (phase_.duration <= 0.0F) speed_ = 0.0F;
-  return phase_.duration > 0.0F;
+  if (phase_.duration <= 0.0F) {
+    speed_ = 0.0F;
+    return false;
+  }
+  course_ = PhaseCourse{phase_};
+  units_done_ = 0;
+  phase_from_ = fraction_;
+  phase_to_ = fraction_after(phase_);
+  return true;
+}
+
+/// Where on the block the phase ends. From the nearer end of the block, so that
+/// rounding never falls on a short phase at its start or end.
+std::uint64_t Segmenter::fraction_after(const Phase& phase) const {
+  const float left = profile_.left_of_block(phase);
+  if (left <= 0.0F) return kBlockEnd;
+  const auto share = [this](float distance) {
+    return static_cast<std::uint64_t>(truncated(distance * fraction_per_mm_ + 0.5F));
+  };
+  const bool nearer_start = 2.0F * left > queue_.front().length;
+  const std::uint64_t place =
+      nearer_start ? fraction_ + share(phase.distance) : kBlockEnd - share(left);
+  return std::clamp(place, fraction_, kBlockEnd - 1);
+}
+
+float Segmenter::phase_distance_left() const {
+  const std::uint64_t driven = units_done_ == 0 ? 0 : course_.share_after(units_done_);
+  return phase_.distance * (static_cast<float>(kBlockEnd - driven) / kWholeBlock);
 }
 
 void Segmenter::begin_block() {
@@ -124,51 +146,41 @@ void Segmenter::end_block() {
   driving_ = false;
 }
 
-/// A phase is cut into equal slices. Where the speed changes fast in relation
-/// to itself they are shorter, so that a parabola in the step index fits.
-float Segmenter::slice_time() const {
-  const float left = phase_.duration - phase_time_;
-  const float change = std::abs(phase_.acceleration);
-  float longest = kLongestSlice;
-  if (change * 2.0F * kLongestSlice > speed_) {
-    longest = std::max(kShortestSlice, speed_ / (2.0F * change));
-  }
-  if (left <= longest) return left;
-  return left / std::ceil(left / longest);
+/// Where the speed changes fast in relation to itself slices are shorter, so
+/// that a parabola in the step index fits.
+std::uint32_t Segmenter::slice_units() const {
+  const float change = 2.0F * std::abs(phase_.acceleration);
+  const float longest = change * kLongestSlice > speed_ ? speed_ / change : kLongestSlice;
+  const auto units = static_cast<std::uint32_t>(longest / course_.unit_s());
+  return std::clamp(units, 1U, course_.units() - units_done_);
 }
 
-void Segmenter::cut(float duration, Segment& segment) {
-  const float middle_speed = phase_.speed_at(phase_time_ + 0.5F * duration);
-  const bool phase_ends = duration >= phase_.duration - phase_time_;
-  const float distance = phase_ends ? phase_.distance - phase_distance_ : middle_speed * duration;
-  phase_time_ += duration;
-  phase_distance_ += distance;
+void Segmenter::cut(std::uint32_t units, Segment& segment) {
+  const float duration = course_.unit_s() * static_cast<float>(units);
+  units_done_ += units;
+  const bool phase_ends = units_done_ == course_.units();
   const float speed =
-      phase_ends ? std::sqrt(phase_.end_speed_square) : phase_.speed_at(phase_time_);
-
+      phase_ends ? std::sqrt(phase_.end_speed_square) : course_.speed_after(units_done_);
   const std::uint64_t from_fraction = fraction_;
-  bool block_ends = false;
-  if (phase_ends) {
-    profile_.complete(phase_);
-    block_ends = profile_.at_end();
-  }
-  fraction_ = block_ends ? kBlockEnd : further(distance);
+  fraction_ = phase_ends ? phase_to_
+                         : phase_from_ + (((phase_to_ - phase_from_) *
+                                           course_.share_after(units_done_)) >>
+                                          32);
   if (observer_ != nullptr) {
     observer_->on_slice(
         {blocks_ended_, from_fraction, fraction_, speed_, phase_.acceleration, duration});
   }
-  segment.power = power(middle_speed);
+  segment.power = power(0.5F * (speed_ + speed));
   time_trains(path_.at(fraction_), duration, segment);
   speed_ = speed;
   segment.comes_to_rest = speed_ <= 0.0F;
-  if (phase_ends) phase_ = {};
-  if (block_ends) end_block();
+  if (phase_ends) end_phase();
 }
 
-/// The fraction of the block `distance` mm from here, short of its end.
-std::uint64_t Segmenter::further(float distance) const {
-  const std::int64_t step = truncated(std::max(0.0F, distance) * fraction_per_mm_);
-  return std::min(kBlockEnd - 1, fraction_ + static_cast<std::uint64_t>(step));
+void Segmenter::end_phase() {
+  profile_.complete(phase_);
+  phase_ = {};
+  if (profile_.at_end()) end_block();
 }
 
 void Segmenter::time_trains(const MotorState& to, float duration, Segment& segment) {

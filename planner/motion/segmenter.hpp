@@ -4,6 +4,7 @@
 
 #include "planner/motion/block_queue.hpp"
 #include "planner/motion/motor_path.hpp"
+#include "planner/motion/phase_course.hpp"
 #include "planner/motion/segment.hpp"
 #include "planner/motion/speed_profile.hpp"
 
@@ -38,7 +39,6 @@ class SliceObserver {
 class Segmenter {
  public:
   static constexpr float kLongestSlice = 1.0e-3F;    ///< s.
-  static constexpr float kShortestSlice = 0.25e-3F;  ///< s; near standstill, see slice_time().
 
   Segmenter(BlockQueue& queue, const Limits& limits) : queue_{queue}, limits_{limits} {}
 
@@ -68,9 +68,11 @@ class Segmenter {
   void begin_block();
   void end_block();
   void follow_plan();
-  [[nodiscard]] float slice_time() const;
-  [[nodiscard]] std::uint64_t further(float distance) const;
-  void cut(float duration, Segment& segment);
+  void end_phase();
+  [[nodiscard]] std::uint64_t fraction_after(const Phase& phase) const;
+  [[nodiscard]] float phase_distance_left() const;
+  [[nodiscard]] std::uint32_t slice_units() const;
+  void cut(std::uint32_t units, Segment& segment);
   void time_trains(const MotorState& to, float duration, Segment& segment);
   [[nodiscard]] std::uint16_t power(float mean_speed) const;
 
@@ -84,8 +86,10 @@ class Segmenter {
   SpeedProfile profile_{};
   Drive phase_drive_ = Drive::kOn;
   Phase phase_{};
-  float phase_time_ = 0.0F;  ///< s into the phase.
-  float phase_distance_ = 0.0F;
+  PhaseCourse course_{};
+  std::uint32_t units_done_ = 0;  ///< Of the course.
+  std::uint64_t phase_from_ = 0;  ///< Fractions of the block.
+  std::uint64_t phase_to_ = 0;
 
   MotorPath path_{};
   MotorState here_{};

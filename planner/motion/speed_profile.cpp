@@ -8,37 +8,19 @@
 namespace cnc::motion {
 namespace {
 
-/// Phases shorter than these shares of a span and of what is left of it are
-/// skipped: they are rounding, and too short to move the place on the span.
-constexpr float kNegligibleShareOfSpan = 1.0e-6F;
-constexpr float kNegligibleShareOfRest = 1.0e-5F;
+/// A gain in v² or a level stretch smaller than this share is rounding.
+constexpr float kNegligible = 1.0e-5F;
 
 /// Above the plan by more than this an override has lowered it; else it is rounding.
 constexpr float kAbovePlan = 1.0F + 1.0e-4F;
 
-Phase make_phase(float start_square, float end_square, float distance) {
-  const float start = std::sqrt(start_square);
-  const float end = std::sqrt(end_square);
-  const float sum = start + end;
-  if (!(sum > 0.0F) || !(distance > 0.0F)) return {};
-  // From the squares: the difference of two nearly equal speeds has no digits.
-  return {.start_speed = start,
-          .acceleration = (end_square - start_square) / (2.0F * distance),
-          .duration = 2.0F * distance / sum,
-          .distance = distance,
-          .end_speed_square = end_square};
-}
-
 }  // namespace
 
-void SpeedProfile::begin(const Block& block,
-                         const Limits& limits,
-                         const Overrides& overrides,
-                         float exit_square,
-                         float speed_square) {
+void SpeedProfile::begin(const Block& block, const Limits& limits, const Overrides& overrides,
+                         float exit_square, float speed_square) {
   spans_ = Spans{block, limits};
   span_ = 0;
-  within_span_ = 0.0F;
+  left_ = spans_.length_of(0);
   speed_square_ = speed_square;
   replan(block, overrides, exit_square);
 }
@@ -58,81 +40,86 @@ float SpeedProfile::end_target_square() const {
   return std::min(ahead, braking_[span].cap_square);
 }
 
+float SpeedProfile::steepest(Change change) const {
+  return spans_.steepest(spans_.place_at(spans_.boundary(span_ + 1) - left_),
+                         spans_.place_at_boundary(span_ + 1),
+                         left_,
+                         speed_square_,
+                         Travel::kForward,
+                         change);
+}
+
+Phase SpeedProfile::phase_to(float end_square, float distance, float left) const {
+  const float start = std::sqrt(speed_square_);
+  const float sum = start + std::sqrt(end_square);
+  if (!(sum > 0.0F) || !(distance > 0.0F)) return {};
+  // From the squares: the difference of two nearly equal speeds has no digits.
+  return {.start_speed = start,
+          .acceleration = (end_square - speed_square_) / (2.0F * distance),
+          .duration = 2.0F * distance / sum,
+          .distance = distance,
+          .end_speed_square = end_square,
+          .left = left};
+}
+
 Phase SpeedProfile::next_phase(Drive drive) const {
   CNC_ASSERT(!at_end());
-  const float to_span_end = spans_.length_of(span_) - within_span_;
   const BrakingPoint& plan = braking_[static_cast<std::size_t>(span_)];
-  if (drive == Drive::kHalt) return brake(to_span_end, 0.0F);
-
+  if (drive == Drive::kHalt) return brake_to(0.0F);
   const float target = end_target_square();
-  const float curve = target + 2.0F * plan.deceleration * to_span_end;
-  if (speed_square_ > plan.cap_square * kAbovePlan) return brake(to_span_end, plan.cap_square);
-  if (speed_square_ > curve * kAbovePlan) return brake(to_span_end, target);
-  return phase_on(to_span_end);
+  const float curve = target + 2.0F * plan.deceleration * left_;
+  if (speed_square_ > plan.cap_square * kAbovePlan) return brake_to(plan.cap_square);
+  if (speed_square_ > curve * kAbovePlan) return brake_to(target);
+  return speed_up_or_follow();
 }
 
 /// Speed up, hold the cap or follow the braking curve, whichever comes first.
-Phase SpeedProfile::phase_on(float to_span_end) const {
+Phase SpeedProfile::speed_up_or_follow() const {
   const BrakingPoint& plan = braking_[static_cast<std::size_t>(span_)];
   const float cap = std::max(plan.cap_square, speed_square_);
   const float target = end_target_square();
-  const float negligible =
-      spans_.length_of(span_) * kNegligibleShareOfSpan + to_span_end * kNegligibleShareOfRest;
-
-  const float distance = spans_.boundary(span_) + within_span_;
-  const float acceleration = spans_.steepest(spans_.place_at(distance),
-                                             spans_.place_at_boundary(span_ + 1),
-                                             to_span_end,
-                                             speed_square_,
-                                             Travel::kForward,
-                                             Change::kSpeedUp);
-  const float reach = next_below(speed_square_ + 2.0F * acceleration * to_span_end);
+  const float acceleration = steepest(Change::kSpeedUp);
+  const float reach = next_below(speed_square_ + 2.0F * acceleration * left_);
   if (reach <= target && reach <= cap) {
-    return make_phase(speed_square_, std::max(reach, speed_square_), to_span_end);
+    return phase_to(std::max(reach, speed_square_), left_, 0.0F);
   }
+  // How far before the end of the span braking from v² has to begin.
+  const auto fall_from = [&](float square) {
+    const float drop = std::max(0.0F, square - target);
+    return plan.deceleration > 0.0F ? std::min(left_, drop / (2.0F * plan.deceleration)) : 0.0F;
+  };
   // Where the speeding-up line meets the braking curve.
-  const float curve = target + 2.0F * plan.deceleration * to_span_end;
-  const float slopes = 2.0F * (acceleration + plan.deceleration);
-  const float meeting = slopes > 0.0F ? (curve - speed_square_) / slopes : 0.0F;
-  const float peak = std::clamp(speed_square_ + 2.0F * acceleration * meeting, speed_square_, cap);
-  if (peak > speed_square_) {
-    const float rise = std::min(to_span_end, (peak - speed_square_) / (2.0F * acceleration));
-    if (rise > negligible) return make_phase(speed_square_, peak, rise);
+  const float curve = target + 2.0F * plan.deceleration * left_;
+  const float slopes = acceleration + plan.deceleration;
+  const float gain = slopes > 0.0F ? (curve - speed_square_) * (acceleration / slopes) : 0.0F;
+  const float peak = std::clamp(speed_square_ + gain, speed_square_, cap);
+  if (peak > speed_square_ * (1.0F + kNegligible)) {
+    const float rise = (peak - speed_square_) / (2.0F * acceleration);
+    return phase_to(peak, rise, std::max(left_ - rise, fall_from(peak)));
   }
-  const float drop = std::max(0.0F, speed_square_ - target);
-  const float fall = plan.deceleration > 0.0F ? drop / (2.0F * plan.deceleration) : 0.0F;
-  const float level = to_span_end - fall;
-  if (level > negligible) return make_phase(speed_square_, speed_square_, level);
-  return make_phase(speed_square_, std::min(target, speed_square_), to_span_end);
+  const float fall = fall_from(speed_square_);
+  const float level = left_ - fall;
+  if (level > left_ * kNegligible) return phase_to(speed_square_, level, fall);
+  return phase_to(std::min(target, speed_square_), left_, 0.0F);
 }
 
 /// Slow down as hard as the limits allow until v² is `target_square` or the span ends.
-Phase SpeedProfile::brake(float to_span_end, float target_square) const {
-  const float distance = spans_.boundary(span_) + within_span_;
-  const float deceleration = spans_.steepest(spans_.place_at(distance),
-                                             spans_.place_at_boundary(span_ + 1),
-                                             to_span_end,
-                                             speed_square_,
-                                             Travel::kForward,
-                                             Change::kSlowDown);
+Phase SpeedProfile::brake_to(float target_square) const {
+  const float deceleration = steepest(Change::kSlowDown);
   const float needed = speed_square_ - target_square;
-  const float possible = 2.0F * deceleration * to_span_end;
+  const float possible = 2.0F * deceleration * left_;
   if (needed <= 0.0F) return {};
-  if (needed >= possible) return make_phase(speed_square_, speed_square_ - possible, to_span_end);
-  return make_phase(speed_square_, target_square, needed / (2.0F * deceleration));
+  if (needed >= possible) return phase_to(speed_square_ - possible, left_, 0.0F);
+  const float distance = needed / (2.0F * deceleration);
+  return phase_to(target_square, distance, std::max(0.0F, left_ - distance));
 }
 
-void SpeedProfile::complete(const Phase& phase) { move(phase.distance, phase.end_speed_square); }
-
-void SpeedProfile::stop_short(float distance, float speed) { move(distance, speed * speed); }
-
-void SpeedProfile::move(float distance, float speed_square) {
-  const float length = spans_.length_of(span_);
-  within_span_ += distance;
+void SpeedProfile::move(float left, float speed_square) {
+  left_ = left;
   speed_square_ = speed_square;
-  if (within_span_ < length * (1.0F - 1.0e-6F)) return;
-  within_span_ = 0.0F;
+  if (left_ > 0.0F) return;
   ++span_;
+  left_ = at_end() ? 0.0F : spans_.length_of(span_);
 }
 
 }  // namespace cnc::motion

@@ -13,8 +13,7 @@ struct Phase {
   float duration = 0.0F;      ///< s; 0 means standing still.
   float distance = 0.0F;      ///< mm.
   float end_speed_square = 0.0F;
-
-  [[nodiscard]] float speed_at(float time) const { return start_speed + acceleration * time; }
+  float left = 0.0F;  ///< mm to the end of its span after it; 0 ends the span.
 };
 
 enum class Drive : std::uint8_t {
@@ -51,21 +50,31 @@ class SpeedProfile {
   [[nodiscard]] Phase next_phase(Drive drive) const;
 
   /// The whole phase was driven.
-  void complete(const Phase& phase);
-  /// Part of it was: `distance` mm further, now at `speed` mm/s.
-  void stop_short(float distance, float speed);
+  void complete(const Phase& phase) { move(phase.left, phase.end_speed_square); }
+  /// All but `distance` mm of it was; the speed is `speed` mm/s now.
+  void stop_short(const Phase& phase, float distance, float speed) {
+    move(phase.left + distance, speed * speed);
+  }
+  /// mm to the end of the block after the phase.
+  [[nodiscard]] float left_of_block(const Phase& phase) const {
+    return spans_.boundary(spans_.count()) - spans_.boundary(span_ + 1) + phase.left;
+  }
 
  private:
-  [[nodiscard]] Phase phase_on(float to_span_end) const;
-  [[nodiscard]] Phase brake(float to_span_end, float target_square) const;
+  [[nodiscard]] Phase speed_up_or_follow() const;
+  [[nodiscard]] Phase brake_to(float target_square) const;
+  [[nodiscard]] Phase phase_to(float end_square, float distance, float left) const;
+  [[nodiscard]] float steepest(Change change) const;
   [[nodiscard]] float end_target_square() const;
-  void move(float distance, float speed_square);
+  void move(float left, float speed_square);
 
   Spans spans_{};
   std::array<BrakingPoint, Spans::kMostSpans> braking_{};
   float exit_square_ = 0.0F;
   float speed_square_ = 0.0F;
-  float within_span_ = 0.0F;  ///< mm from the start of the span.
+  /// mm to the end of the span. Counted from there, because braking ends there
+  /// and needs its digits; from the start they would be lost in the length.
+  float left_ = 0.0F;
   int span_ = 0;
 };
 
