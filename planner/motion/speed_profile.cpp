@@ -11,8 +11,10 @@ namespace {
 /// A gain in v² or a level stretch smaller than this share is rounding.
 constexpr float kNegligible = 1.0e-5F;
 
-/// Above the plan by more than this an override has lowered it; else it is rounding.
+/// A speed above the cap, or a braking steeper than planned, by more than this
+/// means that an override has lowered the plan; else it is rounding.
 constexpr float kAbovePlan = 1.0F + 1.0e-4F;
+constexpr float kSteeperThanPlan = 1.0F + 5.0e-4F;
 
 }  // namespace
 
@@ -67,9 +69,9 @@ Phase SpeedProfile::next_phase(Drive drive) const {
   const BrakingPoint& plan = braking_[static_cast<std::size_t>(span_)];
   if (drive == Drive::kHalt) return brake_to(0.0F);
   const float target = end_target_square();
-  const float curve = target + 2.0F * plan.deceleration * left_;
+  const float planned_drop = 2.0F * plan.deceleration * left_;
   if (speed_square_ > plan.cap_square * kAbovePlan) return brake_to(plan.cap_square);
-  if (speed_square_ > curve * kAbovePlan) return brake_to(target);
+  if (speed_square_ - target > planned_drop * kSteeperThanPlan) return brake_to(target);
   return speed_up_or_follow();
 }
 
