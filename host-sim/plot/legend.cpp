@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <iterator>
 
 #include "host-sim/plot/colour_map.hpp"
@@ -28,7 +29,9 @@ class Legend {
     const Box bar{box_.left_px, y_px_ + 38.0, 30.0, kScaleHeightPx};
     add_colours(bar);
     const double top = content.top_speed_mm_min;
-    for (double speed = 0.0; speed < top * 1.001; speed += content.tick_speed_mm_min) {
+    const long ticks = std::lround(top / content.tick_speed_mm_min);
+    for (long tick = 0; tick <= ticks; ++tick) {
+      const double speed = static_cast<double>(tick) * content.tick_speed_mm_min;
       const double y_px = bar.bottom_px() - bar.height_px * speed / top;
       svg::add_line(out_, bar.right_px(), y_px, bar.right_px() + 7.0, y_px, kInk);
       svg::add_text(out_, bar.right_px() + 15.0, y_px + 7.0, kLabel, fmt::format("{:g}", speed));

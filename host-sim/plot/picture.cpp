@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+#include <vector>
 
 #include "host-sim/plot/grid.hpp"
 #include "host-sim/plot/legend.hpp"
@@ -92,12 +95,12 @@ void add_marks(std::string& out, const std::vector<PathVertex>& vertices, const 
   add_end_mark(out, view.x_px(end.x_mm), view.y_px(end.y_mm));
 }
 
-void add_no_motion(std::string& out, const Box& box, std::string_view text) {
+void add_no_motion(std::string& out, const Box& box, bool in_any_axis) {
   svg::add_text(out,
                 box.left_px + 0.5 * box.width_px,
                 box.top_px + 0.5 * box.height_px - 30.0,
                 {.size_px = 26.0, .anchor = "middle", .fill = "#5b626c"},
-                text);
+                in_any_axis ? "no motion" : "no motion in X and Y");
 }
 
 std::string document_start(double height_px) {
@@ -109,34 +112,37 @@ std::string document_start(double height_px) {
       height_px);
 }
 
+/// The path with its marks, and the legend beside it.
+void add_motion(std::string& out,
+                const std::vector<PathVertex>& vertices,
+                const View& view,
+                double kerf_width_mm) {
+  const Box& box = view.box();
+  const LegendContent legend = legend_content(vertices, kerf_width_mm, view.px_per_mm());
+  const double top_mm_s = legend.top_speed_mm_min / 60.0;
+  const PathTolerance invisible{.distance_mm = kInvisiblePx / view.px_per_mm(),
+                                .speed_mm_s = static_cast<float>(top_mm_s / 64.0)};
+  add_path(out, simplified(vertices, invisible), view, {kerf_width_mm, top_mm_s});
+  add_marks(out, vertices, view);
+  const Box legend_box{box.right_px() + kMarginPx, box.top_px, kLegendWidthPx, box.height_px};
+  add_legend(out, legend_box, view, legend);
+}
+
 }  // namespace
 
 std::string draw_svg(const Path& path, const PictureOptions& options) {
   const Bounds extent = bounds_of(path.vertices, Move::kTravel);
   const Bounds bounds = framed(extent);
-  const Box box = plot_box(bounds);
-  const View view{bounds, box};
-  const LegendContent legend =
-      legend_content(path.vertices, options.kerf_width_mm, view.px_per_mm());
-  const double top_mm_s = legend.top_speed_mm_min / 60.0;
+  const View view{bounds, plot_box(bounds)};
+  const double height_px = view.box().bottom_px() + kBottomLabelsPx;
 
-  const double height_px = box.bottom_px() + kBottomLabelsPx;
   std::string out = document_start(height_px);
   svg::add_box(out, {0.0, 0.0, kPictureWidthPx, height_px}, "#ffffff");
   add_heading(out, path, options.title);
   add_grid(out, view);
-  if (path.vertices.empty()) {
-    add_no_motion(out, box, "no motion");
-    return out + "</svg>\n";
-  }
-  const PathTolerance invisible{.distance_mm = kInvisiblePx / view.px_per_mm(),
-                                .speed_mm_s = static_cast<float>(top_mm_s / 64.0)};
-  add_path(out, simplified(path.vertices, invisible), view, {options.kerf_width_mm, top_mm_s});
-  if (extent.width_mm() + extent.height_mm() == 0.0)
-    add_no_motion(out, box, "no motion in X and Y");
-  add_marks(out, path.vertices, view);
-  const Box legend_box{box.right_px() + kMarginPx, box.top_px, kLegendWidthPx, box.height_px};
-  add_legend(out, legend_box, view, legend);
+  const bool moves_in_plane = extent.width_mm() + extent.height_mm() > 0.0;
+  if (!moves_in_plane) add_no_motion(out, view.box(), path.vertices.empty());
+  if (!path.vertices.empty()) add_motion(out, path.vertices, view, options.kerf_width_mm);
   return out + "</svg>\n";
 }
 

@@ -12,6 +12,10 @@ constexpr double kSampling = 50.0e-6;
 /// A float of this size may be off by half its last bit.
 double float_noise(double value) { return std::abs(value) * 0x1.0p-24; }
 
+/// The speed of a slice is reported in a float after four roundings (start,
+/// share, product, sum); a difference has two of them.
+constexpr double kRoundings = 8.0;
+
 class PlanCheck {
  public:
   PlanCheck(const RecordedPlan& plan, const TestMachine& machine)
@@ -73,8 +77,7 @@ class PlanCheck {
       return;
     }
     const ExactBlock& old = plan_.blocks[before.slice.block].exact;
-    const double rule =
-        corner_speed(old.tangent_at(1.0), block().exact.tangent_at(0.0), limits_);
+    const double rule = corner_speed(old.tangent_at(1.0), block().exact.tangent_at(0.0), limits_);
     if (rule > 0.0) figures_.joint.note(speed / rule, index_);
     if (rule <= 0.0) figures_.end_speed.note(speed, index_);
   }
@@ -84,8 +87,8 @@ class PlanCheck {
     const auto duration = static_cast<double>(slice().slice.duration);
     const double by_speed =
         0.5 * (static_cast<double>(slice().slice.start_speed) + slice().end_speed()) * duration;
-    const double by_fraction = (slice().fraction_at(duration) - slice().fraction_at(0.0)) *
-                               block().exact.length();
+    const double by_fraction =
+        (slice().fraction_at(duration) - slice().fraction_at(0.0)) * block().exact.length();
     figures_.way_error.note(std::abs(by_speed - by_fraction), index_);
   }
 
@@ -101,13 +104,11 @@ class PlanCheck {
       steps_per_s += axis_speed * static_cast<double>(limits_.scale[axis].steps_per_mm());
       figures_.rate.note(axis_speed / static_cast<double>(motor_rate(limits_, axis)), index_, axis);
       const double axis_acceleration = tangent[axis] * acceleration + bend[axis] * speed * speed;
-      figures_.acceleration.note(std::abs(axis_acceleration) / acceleration_limit(axis),
-                                 index_,
-                                 axis);
+      figures_.acceleration.note(
+          std::abs(axis_acceleration) / acceleration_limit(axis), index_, axis);
     }
-    figures_.rate.note(steps_per_s / static_cast<double>(limits_.steps_per_s_all_motors),
-                       index_,
-                       cnc::kAxisCount);
+    figures_.rate.note(
+        steps_per_s / static_cast<double>(limits_.steps_per_s_all_motors), index_, cnc::kAxisCount);
     check_path(speed);
   }
 
@@ -130,7 +131,7 @@ class PlanCheck {
     Vector now = block().exact.tangent_at(slice().fraction_at(within));
     for (double& share : now) share *= speed;
     for (std::size_t axis = 0; has_sample_ && axis < cnc::kAxisCount; ++axis) {
-      const double change = std::abs(now[axis] - sample_[axis]) - 4.0 * float_noise(now[axis]);
+      const double change = std::abs(now[axis] - sample_[axis]) - kRoundings * float_noise(now[axis]);
       figures_.speed_change.note(change / kSampling / acceleration_limit(axis), index_, axis);
     }
     sample_ = now;
@@ -157,7 +158,8 @@ PlanFigures check_plan(const RecordedPlan& plan, const TestMachine& machine) {
 
 double corner_speed(const Vector& before, const Vector& after, const cnc::motion::Limits& limits) {
   Vector change{};
-  for (std::size_t axis = 0; axis < change.size(); ++axis) change[axis] = after[axis] - before[axis];
+  for (std::size_t axis = 0; axis < change.size(); ++axis)
+    change[axis] = after[axis] - before[axis];
   const double size = norm(change);
   const double turn = 2.0 * std::asin(std::min(1.0, 0.5 * size));
   // Grbl's lines at |cos| = 0.999999, drawn a little inside for the rounding of tangents.

@@ -22,16 +22,16 @@ struct Greatest {
 
 /// How near a plan came to each of its limits; 1 is at the limit.
 struct PlanFigures {
-  Greatest rate;                ///< Axis speed / limit, motor and combined step rates included.
-  Greatest acceleration;        ///< |tangent · a + bend · v²| / limit, per axis.
-  Greatest speed_change;        ///< Δ(axis speed) in 50 µs / limit, within a block.
-  Greatest feed;                ///< Path speed / programmed feed.
-  Greatest centripetal;         ///< (v · plane share)² / R / least limit of the plane's axes.
-  Greatest joint;               ///< Speed at a joint / the corner rule.
-  Greatest speed_jump;          ///< From slice to slice, mm/s.
-  Greatest way_error;           ///< Way by speed − way by fraction, mm.
-  Greatest end_speed;           ///< At rest before a stop and at the end, mm/s.
-  bool contiguous = true;       ///< Slices cover every block from 0 to 1, in order.
+  Greatest rate;           ///< Axis speed / limit, motor and combined step rates included.
+  Greatest acceleration;   ///< |tangent · a + bend · v²| / limit, per axis.
+  Greatest speed_change;   ///< Δ(axis speed) in 50 µs / limit, within a block.
+  Greatest feed;           ///< Path speed / programmed feed.
+  Greatest centripetal;    ///< (v · plane share)² / R / least limit of the plane's axes.
+  Greatest joint;          ///< Speed at a joint / the corner rule.
+  Greatest speed_jump;     ///< From slice to slice, mm/s.
+  Greatest way_error;      ///< Way by speed − way by fraction, mm.
+  Greatest end_speed;      ///< At rest before a stop and at the end, mm/s.
+  bool contiguous = true;  ///< Slices cover every block from 0 to 1, in order.
   bool finite = true;
 };
 
@@ -42,7 +42,8 @@ struct PlanFigures {
 /// The speed of the corner rule, from its definition: the circle that touches
 /// both legs within $11 of the corner, driven with the acceleration that the
 /// axes allow along the change of direction. Infinite where tangents agree.
-[[nodiscard]] double corner_speed(const Vector& before, const Vector& after,
+[[nodiscard]] double corner_speed(const Vector& before,
+                                  const Vector& after,
                                   const cnc::motion::Limits& limits);
 
 }  // namespace proof

@@ -37,12 +37,8 @@ std::string arc_job(int arcs) {
     const double centre_j = starts_upright ? 0.0 : rise;
     x += r;
     y += rise;
-    text += fmt::format("G{} X{:.3f} Y{:.3f} I{:.3f} J{:.3f}\n",
-                        clockwise ? 2 : 3,
-                        x,
-                        y,
-                        centre_i,
-                        centre_j);
+    text += fmt::format(
+        "G{} X{:.3f} Y{:.3f} I{:.3f} J{:.3f}\n", clockwise ? 2 : 3, x, y, centre_i, centre_j);
   }
   return text;
 }

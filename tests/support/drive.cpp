@@ -19,8 +19,12 @@ class Driver {
 
   RecordedPlan run() {
     while (next_ < program_.items.size() || !segmenter_.idle()) {
+      const std::size_t before = next_ + plan_.slices.size();
       for (std::size_t i = 0; i < program_.pushed_at_once && may_push(); ++i) push();
       for (std::size_t i = 0; i < program_.cut_at_once && cut(); ++i) {
+      }
+      if (!operate_ && next_ + plan_.slices.size() == before) {
+        throw std::logic_error("the motion stands still before its end");
       }
     }
     return std::move(plan_);
@@ -41,8 +45,8 @@ class Driver {
       throw std::logic_error("a block that cannot be built");
     }
     queue_.push(block.value(), machine_.limits);
-    plan_.blocks.push_back(
-        {block.value(), ExactBlock{program_.items[next_ - 1].request.element}, from_rest});
+    const cnc::PathElement& element = program_.items[next_ - 1].request.element;
+    plan_.blocks.push_back({block.value(), ExactBlock{element}, element.end, from_rest});
   }
 
   bool cut() {

@@ -12,7 +12,8 @@ using Operator = std::function<void(cnc::motion::Segmenter&, std::size_t)>;
 
 /// Drives a program through look-ahead and segmenter as the machine would, but
 /// without the machine: blocks and segments in the bursts that the program says.
-[[nodiscard]] RecordedPlan drive(const Program& program, const TestMachine& machine,
+[[nodiscard]] RecordedPlan drive(const Program& program,
+                                 const TestMachine& machine,
                                  const Operator& operate = {});
 
 }  // namespace proof

@@ -6,8 +6,8 @@
 namespace proof {
 
 cnc::Coordinate PathWriter::on_grid(double mm) const {
-  return cnc::Coordinate{static_cast<std::int64_t>(std::llround(mm * 1.0e6 / grid_nm_) *
-                                                   std::llround(grid_nm_))};
+  return cnc::Coordinate{
+      static_cast<std::int64_t>(std::llround(mm * 1.0e6 / grid_nm_) * std::llround(grid_nm_))};
 }
 
 double PathWriter::speed_on(const std::vector<std::size_t>& axes) const {
@@ -19,10 +19,8 @@ double PathWriter::speed_on(const std::vector<std::size_t>& axes) const {
 }
 
 void PathWriter::element(const Vector& travel, cnc::Plane plane, double bulge) {
-  cnc::PathElement element{.start = place_,
-                           .end = place_,
-                           .plane = plane,
-                           .bulge = static_cast<float>(bulge)};
+  cnc::PathElement element{
+      .start = place_, .end = place_, .plane = plane, .bulge = static_cast<float>(bulge)};
   for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
     element.end[axis] += on_grid(travel[axis]);
   }
@@ -51,9 +49,7 @@ void PathWriter::circle(const Vector& travel,
   for (std::uint32_t index = 0; index < elements.count(); ++index) add(elements.element(index));
 }
 
-void PathWriter::back_to(const cnc::Position& place) {
-  add({.start = place_, .end = place});
-}
+void PathWriter::back_to(const cnc::Position& place) { add({.start = place_, .end = place}); }
 
 void PathWriter::add(const cnc::PathElement& element) {
   items_.push_back({.request = {.element = element,

@@ -23,7 +23,9 @@ class PathWriter {
   void arc(const Vector& travel, cnc::Plane plane, double bulge) { element(travel, plane, bulge); }
   /// As G2 and G3 do, about a centre that is `to_centre` away; `travel` carries
   /// the axes off the plane, its plane axes are ignored.
-  void circle(const Vector& travel, cnc::Plane plane, const std::array<double, 2>& to_centre,
+  void circle(const Vector& travel,
+              cnc::Plane plane,
+              const std::array<double, 2>& to_centre,
               double sweep);
   void back_to(const cnc::Position& place);
 

@@ -1,5 +1,7 @@
 #include "tests/support/random_machine.hpp"
 
+#include <algorithm>
+
 namespace proof {
 namespace {
 
@@ -15,7 +17,10 @@ void set_pulse(TestMachine& machine, std::uint32_t pulse) {
 
 TestMachine random_machine(Random& random, const MachineRanges& ranges) {
   TestMachine machine;
-  const double base_rate = random.magnitude(ranges.least_rate_mm_s, ranges.most_rate_mm_s);
+  // Mostly machines as people have them.
+  const double usual_rate = std::max(ranges.least_rate_mm_s, 0.01 * ranges.most_rate_mm_s);
+  const double base_rate = random.magnitude(
+      random.chance(0.8) ? usual_rate : ranges.least_rate_mm_s, ranges.most_rate_mm_s);
   const double base = random.magnitude(ranges.least_acceleration, ranges.most_acceleration);
   const double spread = random.chance(0.3) ? 1.0 : random.magnitude(1.0, 30.0);
   for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {

@@ -51,8 +51,8 @@ class Author {
   /// Feed, beam and size of a stretch; 1…60000 mm/min.
   void set_up() {
     writer_.set_feed(random_.chance(0.2) ? 0.0 : random_.magnitude(1.0, 60'000.0) / 60.0);
-    writer_.set_beam({.duty = static_cast<float>(random_.unit()),
-                      .follows_speed = random_.chance(0.5)});
+    writer_.set_beam(
+        {.duty = static_cast<float>(random_.unit()), .follows_speed = random_.chance(0.5)});
     if (random_.chance(0.15)) writer_.stop();
     const double reach = std::max(0.002, writer_.speed_on(axes_) * seconds_ * 0.5);
     scale_ = random_.magnitude(0.001, reach);

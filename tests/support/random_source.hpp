@@ -10,14 +10,11 @@ namespace proof {
 /// (SplitMix64, Steele and others 2014); std::uniform_real_distribution is not.
 class Random {
  public:
-  explicit Random(std::uint64_t seed) : state_{seed * 0x9E37'79B9'7F4A'7C15U + 1} {}
+  explicit Random(std::uint64_t seed) : state_{mix(seed)} {}
 
   std::uint64_t bits() {
     state_ += 0x9E37'79B9'7F4A'7C15U;
-    std::uint64_t z = state_;
-    z = (z ^ (z >> 30)) * 0xBF58'476D'1CE4'E5B9U;
-    z = (z ^ (z >> 27)) * 0x94D0'49BB'1331'11EBU;
-    return z ^ (z >> 31);
+    return mix(state_);
   }
 
   /// In [0, 1).
@@ -36,6 +33,12 @@ class Random {
   bool chance(double probability) { return unit() < probability; }
 
  private:
+  static std::uint64_t mix(std::uint64_t z) {
+    z = (z ^ (z >> 30)) * 0xBF58'476D'1CE4'E5B9U;
+    z = (z ^ (z >> 27)) * 0x94D0'49BB'1331'11EBU;
+    return z ^ (z >> 31);
+  }
+
   std::uint64_t state_;
 };
 

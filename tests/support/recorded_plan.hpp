@@ -27,6 +27,7 @@ struct TimedSlice {
 struct PlannedBlock {
   cnc::motion::Block block{};
   ExactBlock exact;
+  cnc::Position end{};
   bool from_rest = false;  ///< Something made the machine stop before it.
 };
 
@@ -39,7 +40,9 @@ class RecordedPlan final : public cnc::motion::SliceObserver {
   }
 
   /// Motor positions in steps, unrounded, while slice `index` is driven.
-  [[nodiscard]] double steps_at(std::size_t index, double time_s, std::size_t axis,
+  [[nodiscard]] double steps_at(std::size_t index,
+                                double time_s,
+                                std::size_t axis,
                                 const cnc::motion::Limits& limits) const;
 
   std::vector<PlannedBlock> blocks;

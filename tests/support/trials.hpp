@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <cstdint>
 #include <cstdlib>
 #include <string>
@@ -27,5 +29,13 @@ class Trials {
   std::uint64_t first_ = 1;
   std::uint64_t end_ = 1;
 };
+
+/// Some failed seeds teach more than one; hundreds teach nothing more.
+[[nodiscard]] inline bool too_many_failures() {
+  const char* const most = std::getenv("KERFLINE_FAILURES");
+  const int enough = most != nullptr ? std::stoi(most) : 20;
+  const auto* const info = testing::UnitTest::GetInstance()->current_test_info();
+  return info->result()->total_part_count() >= enough;
+}
 
 }  // namespace proof

@@ -20,9 +20,8 @@ std::uint32_t bits_of(float value) { return std::bit_cast<std::uint32_t>(value);
 void expect_sin_cos_near(float angle) {
   const SinCos got = sin_cos(angle);
   const auto exact = static_cast<long double>(angle);
-  ASSERT_NEAR(static_cast<double>(static_cast<long double>(got.sine) - std::sin(exact)),
-              0.0,
-              kSinCosError)
+  ASSERT_NEAR(
+      static_cast<double>(static_cast<long double>(got.sine) - std::sin(exact)), 0.0, kSinCosError)
       << "angle " << angle;
   ASSERT_NEAR(static_cast<double>(static_cast<long double>(got.cosine) - std::cos(exact)),
               0.0,
@@ -119,9 +118,10 @@ TEST(Atan2, KeepsItsBoundForEveryDirectionAndSize) {
   proof::Random random{seed};
   for (int trial = 0; trial < 400'000; ++trial) {
     const auto y = static_cast<float>(random.signed_magnitude(1.0e-20, 1.0e20));
-    const double ratio = random.chance(0.5) ? random.magnitude(0.01, 100.0)
-                                            : random.magnitude(1.0e-12, 1.0e12);
-    const auto x = static_cast<float>(static_cast<double>(y) * (random.chance(0.5) ? ratio : -ratio));
+    const double ratio =
+        random.chance(0.5) ? random.magnitude(0.01, 100.0) : random.magnitude(1.0e-12, 1.0e12);
+    const auto x =
+        static_cast<float>(static_cast<double>(y) * (random.chance(0.5) ? ratio : -ratio));
     expect_atan2_near(y, x);
     if (HasFatalFailure()) return;
   }

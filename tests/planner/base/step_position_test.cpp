@@ -52,9 +52,8 @@ class AxisScaleOfRandomResolution : public testing::Test {
  protected:
   float any_resolution() {
     const double any = random.magnitude(0.01, 100'000.0);
-    return std::clamp(static_cast<float>(any),
-                      AxisScale::kLeastStepsPerMm,
-                      AxisScale::kMostStepsPerMm);
+    return std::clamp(
+        static_cast<float>(any), AxisScale::kLeastStepsPerMm, AxisScale::kMostStepsPerMm);
   }
   std::int64_t any_place() {
     return static_cast<std::int64_t>(

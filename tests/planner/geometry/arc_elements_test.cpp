@@ -202,8 +202,8 @@ TEST_F(RandomArcs, DivideARepairedArcOnRadiiBetweenItsEnds) {
     arc.end[axes_of(arc.plane).first] += nearest(random.between(-0.04, 0.04));
     const ArcElements elements{arc};
     ASSERT_EQ(elements.count(), 2U);
-    const Real mean = 0.5L * (from_centre(arc.start, arc).radius() +
-                              from_centre(arc.end, arc).radius());
+    const Real mean =
+        0.5L * (from_centre(arc.start, arc).radius() + from_centre(arc.end, arc).radius());
     const Real inner = from_centre(elements.element(0).end, arc).radius();
     ASSERT_NEAR(static_cast<double>(inner - mean), 0.0, 3.0e-4) << circle.radius;
   }

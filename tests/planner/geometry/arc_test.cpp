@@ -67,9 +67,7 @@ TEST(Arc, TakesAHalfTurnThatWasRounded) {
 class ArcOfEveryBulge : public testing::Test {
  protected:
   /// Legal bulges of either sign and of every magnitude.
-  float any_bulge() {
-    return static_cast<float>(random.signed_magnitude(1.0e-12, 1.0));
-  }
+  float any_bulge() { return static_cast<float>(random.signed_magnitude(1.0e-12, 1.0)); }
 
   proof::Random random{20240607};
 };
@@ -100,8 +98,8 @@ TEST_F(ArcOfEveryBulge, HalfSweepIsTwiceTheAngleOfTheBulge) {
 TEST_F(ArcOfEveryBulge, CurvatureTimesLengthIsTheSweep) {
   for (int trial = 0; trial < 100'000; ++trial) {
     const Arc arc = arc_of({1.0F, 1.0F}, {4.0F, 5.0F}, any_bulge());
-    const double turned = static_cast<double>(arc.curvature()) *
-                          static_cast<double>(arc.length().in_mm_and_s());
+    const double turned =
+        static_cast<double>(arc.curvature()) * static_cast<double>(arc.length().in_mm_and_s());
     ASSERT_NEAR(turned / (2.0 * static_cast<double>(arc.half_sweep())), 1.0, 1.5e-6) << arc.bulge();
   }
 }
@@ -109,7 +107,8 @@ TEST_F(ArcOfEveryBulge, CurvatureTimesLengthIsTheSweep) {
 TEST_F(ArcOfEveryBulge, TangentsLeadAndTrailTheChordByHalfTheSweep) {
   for (int trial = 0; trial < 100'000; ++trial) {
     const double way = random.between(-3.2, 3.2);
-    const Vec2 end{static_cast<float>(5.0 * std::cos(way)), static_cast<float>(5.0 * std::sin(way))};
+    const Vec2 end{static_cast<float>(5.0 * std::cos(way)),
+                   static_cast<float>(5.0 * std::sin(way))};
     const Arc arc = arc_of({0.0F, 0.0F}, end, any_bulge());
     const double chord = std::atan2(static_cast<double>(end.y()), static_cast<double>(end.x()));
     const double half = 2.0 * std::atan(static_cast<double>(arc.bulge()));

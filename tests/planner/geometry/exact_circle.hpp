@@ -30,7 +30,8 @@ inline PlanePoint from_centre(const Position& place, const CentreArc& arc) {
 class ExactCircle {
  public:
   ExactCircle(const PathElement& element, const CentreArc& arc)
-      : start_{from_centre(element.start, arc)}, end_{from_centre(element.end, arc)},
+      : start_{from_centre(element.start, arc)},
+        end_{from_centre(element.end, arc)},
         bulge_{static_cast<Real>(element.bulge)} {}
 
   [[nodiscard]] Real half_chord() const {

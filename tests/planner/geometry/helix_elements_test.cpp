@@ -44,7 +44,8 @@ TEST(HelixElements, RiseInProportionToTheAngle) {
   ASSERT_EQ(elements.count(), 12U);
   for (std::uint32_t index = 0; index < 12; ++index) {
     const auto wanted = static_cast<std::int64_t>(helix.rise_nm * (index + 1) / 12);
-    EXPECT_NEAR(static_cast<double>(elements.element(index).end[2].nanometres() - wanted), 0.0, 1.0);
+    EXPECT_NEAR(
+        static_cast<double>(elements.element(index).end[2].nanometres() - wanted), 0.0, 1.0);
   }
 }
 

@@ -98,8 +98,9 @@ TEST_F(BlockQueueTest, FindsTheBestPlanOfRandomLines) {
   for (int trial = 0; trial < 300; ++trial) {
     limits = any_limits(random);
     std::vector<Block> chain = any_chain(random, limits, 64);
-    chain.erase(std::remove_if(chain.begin(), chain.end(), [](const Block& b) { return b.turns(); }),
-                chain.end());
+    chain.erase(
+        std::remove_if(chain.begin(), chain.end(), [](const Block& b) { return b.turns(); }),
+        chain.end());
     if (chain.empty()) continue;
     queue.clear();
     push_and_plan(chain);
@@ -113,8 +114,8 @@ TEST_F(BlockQueueTest, FindsTheBestPlanOfRandomLines) {
       const auto most = static_cast<double>(
           spans.steepest({}, {}, block.length, 0.0F, Travel::kForward, Change::kSpeedUp));
       const auto corner = static_cast<double>(corner_after(chain, index, limits));
-      exit = std::min({corner, cap, std::min(exit, cap) + 2.0 * most *
-                                                             static_cast<double>(block.length)});
+      exit = std::min(
+          {corner, cap, std::min(exit, cap) + 2.0 * most * static_cast<double>(block.length)});
       ASSERT_NEAR(static_cast<double>(got[index - 1]), exit, 1.0e-4 * exit)
           << "trial " << trial << ", block " << index;
     }
@@ -132,7 +133,8 @@ TEST_F(BlockQueueTest, NeverEntersACornerFasterThanItsRule) {
     push_and_plan(chain);
     const std::vector<float> exits = exit_squares(queue);
     for (std::size_t index = 1; index < chain.size(); ++index) {
-      ASSERT_LE(exits[index - 1], corner_after(chain, index, limits)) << trial << ", block " << index;
+      ASSERT_LE(exits[index - 1], corner_after(chain, index, limits))
+          << trial << ", block " << index;
     }
     ASSERT_EQ(exits.back(), 0.0F);
   }

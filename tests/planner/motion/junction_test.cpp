@@ -140,8 +140,8 @@ TEST(Junction, OfARightAngleIsTheTextbookValue) {
   const AxisArray<float> along_y{0.0F, 1.0F};
   const double inward = 500.0 * std::numbers::sqrt2;  // Both axes share the turn.
   const double sine = std::numbers::sqrt2 / 2.0;
-  const double expected = inward * static_cast<double>(limits.junction_deviation_mm) * sine /
-                          (1.0 - sine);
+  const double expected =
+      inward * static_cast<double>(limits.junction_deviation_mm) * sine / (1.0 - sine);
   EXPECT_NEAR(static_cast<double>(corner_speed_square(along_x, along_y, limits)), expected, 1e-4);
 }
 

@@ -52,6 +52,12 @@ inline PathElement any_element(proof::Random& random, const Position& start) {
   }
   if (element.end == start) element.end[0] += Coordinate{1'000'000};
   if (random.chance(0.6)) element.bulge = static_cast<float>(random.signed_magnitude(1.0e-4, 1.0));
+  // What stays within a nanometre of its chord is driven as a line: a test of its own.
+  const PlaneAxes axes = axes_of(element.plane);
+  const double chord = std::hypot(
+      static_cast<double>((element.end[axes.first] - start[axes.first]).nanometres()) * 1.0e-6,
+      static_cast<double>((element.end[axes.second] - start[axes.second]).nanometres()) * 1.0e-6);
+  if (std::abs(static_cast<double>(element.bulge)) * chord < 1.0e-5) element.bulge = 0.0F;
   return element;
 }
 

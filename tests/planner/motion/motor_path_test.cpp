@@ -132,7 +132,8 @@ TEST_F(RandomMotorPath, KnowsItsSpeed) {
 
 TEST_F(RandomMotorPath, ReversesNoAxisBetweenQuarterTurns) {
   limits = plain_limits();
-  element = {.end = place({20.0, 20.0}), .bulge = 0.41421356F};  // A quarter turn, along X to along Y.
+  element = {.end = place({20.0, 20.0}),
+             .bulge = 0.41421356F};  // A quarter turn, along X to along Y.
   prepare();
   MotorState before = path.at(0);
   for (std::uint64_t part = 1; part <= 4096; ++part) {

@@ -142,8 +142,8 @@ class LimitWatch : public SliceObserver {
       const double load = std::abs(tangent[axis] * static_cast<double>(slice.acceleration) +
                                    bend[axis] * square(speed));
       worst_rate = std::max(worst_rate, rate / static_cast<double>(limits.rate_mm_s[axis]));
-      worst_acceleration = std::max(
-          worst_acceleration, load / static_cast<double>(limits.acceleration_mm_s2[axis]));
+      worst_acceleration =
+          std::max(worst_acceleration, load / static_cast<double>(limits.acceleration_mm_s2[axis]));
     }
   }
 };

@@ -37,7 +37,8 @@ TEST_F(SegmenterTest, DrivesEveryLengthAtEveryFeed) {
     for (const double seconds_long : {0.01, 1.0, 30.0, 600.0}) {
       const double length = static_cast<double>(feed) * seconds_long;
       push_to(static_cast<double>(goal[0].nanometres()) * 1.0e-6 + length, feed);
-      for (int slices = 0; slices < 2'000'000 && !segmenter.idle() && step(); ++slices) segments.clear();
+      for (int slices = 0; slices < 2'000'000 && !segmenter.idle() && step(); ++slices)
+        segments.clear();
       EXPECT_TRUE(segmenter.idle()) << "stuck at feed " << feed << " over " << length << " mm";
       EXPECT_TRUE(segmenter.at_rest()) << "feed " << feed << ", " << length << " mm";
       segmenter.reset({});
@@ -78,8 +79,8 @@ TEST_F(SegmenterTest, HandsOutSlicesOfAtMostAMillisecond) {
 }
 
 TEST_F(SegmenterTest, HandsOutTheOutputsOfABlockOnceAtItsStart) {
-  const OutputChanges wanted{.raise = 0b0001, .lower = 0b0100, .analog_channel = 1,
-                             .analog_value = 5};
+  const OutputChanges wanted{
+      .raise = 0b0001, .lower = 0b0100, .analog_channel = 1, .analog_value = 5};
   push_to(10.0, 50.0F);
   push_to(20.0, 50.0F, {}, wanted);
   push_to(30.0, 50.0F);
@@ -133,8 +134,8 @@ TEST_F(SegmenterTest, FollowsAnOverrideFromTheNextSliceOn) {
   const std::uint64_t from_ticks = ticks;
   const std::int32_t from_steps = steps[0];
   drive(100);
-  const double speed = (steps[0] - from_steps) / 250.0 * kTicksPerSecond /
-                       static_cast<double>(ticks - from_ticks);
+  const double speed =
+      (steps[0] - from_steps) / 250.0 * kTicksPerSecond / static_cast<double>(ticks - from_ticks);
   EXPECT_NEAR(speed, 50.0, 0.5);
   drive();
   EXPECT_EQ(steps, goal_steps());

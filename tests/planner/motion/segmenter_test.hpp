@@ -18,7 +18,9 @@ class SegmenterTest : public testing::Test {
     goal = element.end;
   }
   /// Straight on along X, from where the motion so far ends.
-  void push_to(double x_mm, float feed_mm_s = 0.0F, BeamCommand beam = {},
+  void push_to(double x_mm,
+               float feed_mm_s = 0.0F,
+               BeamCommand beam = {},
                OutputChanges outputs = {}) {
     PathElement element{.start = goal, .end = goal};
     element.end[0] = Coordinate{std::llround(x_mm * 1.0e6)};

@@ -144,8 +144,8 @@ TEST_F(RandomSpans, KeepEveryAccelerationBetweenTheirBoundariesWhenSpeedingUp) {
                                      from,
                                      Travel::kForward,
                                      Change::kSpeedUp);
-      const double room = (limit - static_cast<double>(from)) /
-                          (2.0 * static_cast<double>(spans.length_of(span)));
+      const double room =
+          (limit - static_cast<double>(from)) / (2.0 * static_cast<double>(spans.length_of(span)));
       const double acceleration = std::min(static_cast<double>(a), room);
       ASSERT_LE(greatest_load(span, static_cast<double>(from), acceleration), 1.0005)
           << "trial " << trial << ", span " << span << ", v² " << from << ", a " << acceleration;
@@ -161,10 +161,9 @@ TEST_F(RandomSpans, KeepEveryAccelerationOfTheBrakingCurve) {
     const float exit = spans.speed_limit_square(spans.count() - 1) *
                        static_cast<float>(random.chance(0.5) ? 0.0 : random.unit());
     brake_backwards(spans, cap, exit, [&](int span, const BrakingPoint& point) {
-      const double deceleration = std::min(
-          static_cast<double>(point.deceleration),
-          static_cast<double>(point.speed_square) /
-              (2.0 * static_cast<double>(spans.length_of(span))));
+      const double deceleration = std::min(static_cast<double>(point.deceleration),
+                                           static_cast<double>(point.speed_square) /
+                                               (2.0 * static_cast<double>(spans.length_of(span))));
       EXPECT_LE(greatest_load(span, static_cast<double>(point.speed_square), -deceleration), 1.0005)
           << "trial " << trial << ", span " << span;
     });
@@ -178,8 +177,8 @@ TEST(Spans, OfALineAreOne) {
   EXPECT_EQ(spans.count(), 1);
   EXPECT_EQ(spans.length_of(0), 10.0F);
   EXPECT_FLOAT_EQ(spans.speed_limit_square(0), 40'000.0F);
-  EXPECT_FLOAT_EQ(
-      spans.steepest({}, {}, 10.0F, 100.0F, Travel::kForward, Change::kSpeedUp), 500.0F);
+  EXPECT_FLOAT_EQ(spans.steepest({}, {}, 10.0F, 100.0F, Travel::kForward, Change::kSpeedUp),
+                  500.0F);
 }
 
 TEST(Spans, OfAHalfTurnFromTheXAxisAreFortyEight) {

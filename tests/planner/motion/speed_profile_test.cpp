@@ -48,11 +48,16 @@ class SpeedProfileTest : public testing::Test {
       if (phase.duration <= seconds) {
         profile.complete(phase);
       } else {
-        const float speed = phase.speed_at(seconds);
-        profile.stop_short(0.5F * (phase.start_speed + speed) * seconds, speed);
+        stop_within(phase, seconds);
       }
       seconds -= phase.duration;
     }
+  }
+
+  void stop_within(const Phase& phase, float seconds) {
+    const float speed = phase.start_speed + phase.acceleration * seconds;
+    const float driven = 0.5F * (phase.start_speed + speed) * seconds;
+    profile.stop_short(phase, phase.distance - driven, speed);
   }
 
   Limits limits = plain_limits();
@@ -175,9 +180,7 @@ TEST_F(SpeedProfileTest, HaltsWithinEveryRandomBlock) {
     limits = any_limits(random);
     begin(block_of(any_element(random, {}), limits, static_cast<float>(random.magnitude(1, 500))));
     const Phase first = profile.next_phase(Drive::kOn);
-    const float half = 0.5F * first.duration;
-    const float speed = first.speed_at(half);
-    profile.stop_short(0.5F * (first.start_speed + speed) * half, speed);
+    stop_within(first, 0.5F * first.duration);
     drive(Drive::kHalt);
     ASSERT_EQ(profile.speed_square(), 0.0F) << "trial " << trial;
     drive();

@@ -1,0 +1,102 @@
+#include "firmware/link/line_assembler.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "tests/support/random_source.hpp"
+
+namespace cnc {
+namespace {
+
+struct Line {
+  std::string text;
+  bool too_long;
+  bool operator==(const Line&) const = default;
+};
+
+template <std::size_t Capacity = 16>
+std::vector<Line> lines_of(std::string_view bytes) {
+  LineAssembler<Capacity> assembler;
+  std::vector<Line> lines;
+  for (const char byte : bytes) {
+    if (assembler.add(byte)) {
+      lines.push_back({std::string{assembler.line()}, assembler.too_long()});
+    }
+  }
+  return lines;
+}
+
+std::vector<std::string> texts_of(std::string_view bytes) {
+  std::vector<std::string> texts;
+  for (const Line& line : lines_of(bytes)) texts.push_back(line.text);
+  return texts;
+}
+
+using Texts = std::vector<std::string>;
+
+TEST(LineAssembler, EndsALineAtReturnOrFeedOrBoth) {
+  EXPECT_EQ(texts_of("G0\rG1\r"), (Texts{"G0", "G1"}));
+  EXPECT_EQ(texts_of("G0\nG1\n"), (Texts{"G0", "G1"}));
+  EXPECT_EQ(texts_of("G0\r\nG1\r\n"), (Texts{"G0", "G1"}));
+  EXPECT_EQ(texts_of("G0\r\nG1\nG2\rG3\r\n"), (Texts{"G0", "G1", "G2", "G3"}));
+}
+
+TEST(LineAssembler, WaitsForTheEnd) { EXPECT_TRUE(lines_of("G0 X1").empty()); }
+
+TEST(LineAssembler, CountsEmptyLines) {
+  EXPECT_EQ(texts_of("\n\n"), (Texts{"", ""}));
+  EXPECT_EQ(texts_of("\r\r"), (Texts{"", ""}));
+  EXPECT_EQ(texts_of("\r\n\r\n"), (Texts{"", ""}));
+}
+
+// Nobody ends a line with LF CR; what does is a line and an empty one.
+TEST(LineAssembler, TakesFeedReturnForTwo) {
+  EXPECT_EQ(texts_of("G0\n\rG1\n\r"), (Texts{"G0", "", "G1", ""}));
+}
+
+TEST(LineAssembler, KeepsALineThatJustFits) {
+  const std::string sixteen(16, 'x');
+  EXPECT_EQ(lines_of(sixteen + "\n"), (std::vector<Line>{{sixteen, false}}));
+}
+
+TEST(LineAssembler, SaysWhenALineDoesNotFitAndDropsTheRestOfIt) {
+  const std::string sixteen(16, 'x');
+  EXPECT_EQ(lines_of(sixteen + "y\nG0\n"), (std::vector<Line>{{sixteen, true}, {"G0", false}}));
+  std::string thousand(1000, 'x');
+  thousand.append("\r\nG0\r\n");
+  EXPECT_EQ(lines_of(thousand), (std::vector<Line>{{sixteen, true}, {"G0", false}}));
+}
+
+TEST(LineAssembler, KeepsEveryOtherByteAsItIs) {
+  std::string bytes;
+  for (int value = 0; value < 256; ++value) {
+    if (value != '\r' && value != '\n') bytes.push_back(static_cast<char>(value));
+  }
+  EXPECT_EQ(lines_of<256>(bytes + "\n").at(0).text, bytes);
+}
+
+TEST(LineAssembler, GivesBackEveryLineOfRandomText) {
+  const std::uint64_t seed = 20260923;
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  proof::Random random{seed};
+  const char* const ends[]{"\r", "\n", "\r\n"};
+  for (int trial = 0; trial < 2'000; ++trial) {
+    // One kind of end for a text: CR before an empty line that ends in LF is CR LF.
+    const std::string_view end = ends[random.below(3)];
+    std::string bytes;
+    std::vector<Line> wanted;
+    for (std::size_t count = random.below(20); count > 0; --count) {
+      std::string text(random.below(24), ' ');
+      for (char& c : text) c = static_cast<char>(' ' + static_cast<char>(random.below(90)));
+      bytes.append(text).append(end);
+      wanted.push_back({text.substr(0, 16), text.size() > 16});
+    }
+    ASSERT_EQ(lines_of(bytes), wanted) << "trial " << trial;
+  }
+}
+
+}  // namespace
+}  // namespace cnc

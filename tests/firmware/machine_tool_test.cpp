@@ -1,0 +1,203 @@
+#include "tests/firmware/controller_test.hpp"
+
+namespace cnc {
+namespace {
+
+class MachineToolTest : public ControllerTest {
+ protected:
+  void use_laser() { send_all({"$32=1", "$30=1000"}); }
+
+  /// Greatest power seen while X was between these steps.
+  [[nodiscard]] std::uint16_t greatest_power(std::int32_t from, std::int32_t to) const {
+    std::uint16_t greatest = 0;
+    for (const Sight& sight : sights) {
+      if (sight.position[0] > from && sight.position[0] < to) {
+        greatest = std::max(greatest, sight.power);
+      }
+    }
+    return greatest;
+  }
+  [[nodiscard]] std::uint16_t least_power(std::int32_t from, std::int32_t to) const {
+    std::uint16_t least = 0xFFFF;
+    for (const Sight& sight : sights) {
+      if (sight.position[0] > from && sight.position[0] < to) least = std::min(least, sight.power);
+    }
+    return least;
+  }
+};
+
+TEST_F(MachineToolTest, TurnsTheSpindleOnAndOffInThePlaceOfTheProgram) {
+  send_all({"M3 S500"});
+  EXPECT_TRUE(port.spindle_enabled);
+  EXPECT_FALSE(port.spindle_reversed);
+  EXPECT_EQ(port.power, 32'768);
+  send_all({"G1 X10 F600"});
+  EXPECT_EQ(send("M5"), "ok");
+  EXPECT_EQ(port.position[0], 2500);  // It waited for the motion.
+  EXPECT_FALSE(port.spindle_enabled);
+  EXPECT_EQ(port.power, 0);
+}
+
+TEST_F(MachineToolTest, ReversesTheSpindleForM4) {
+  send_all({"M4 S1000"});
+  EXPECT_TRUE(port.spindle_reversed);
+  EXPECT_EQ(port.power, 65'535);
+}
+
+TEST_F(MachineToolTest, KeepsTheSpindleTurningThroughRapidsAndRest) {
+  send_all({"M3 S500", "G0 X10", "G1 X20 F3000"});
+  run_until_idle();
+  EXPECT_EQ(least_power(1, 4999), 32'768);
+  EXPECT_EQ(port.power, 32'768);
+}
+
+TEST_F(MachineToolTest, LimitsTheSpindleToItsLeastAndMostSpeed) {
+  send_all({"$30=1000", "$31=100", "M3 S20"});
+  EXPECT_NEAR(port.power, 6554, 1);
+  send_all({"S5000"});
+  EXPECT_EQ(port.power, 65'535);
+  send_all({"S0"});
+  EXPECT_EQ(port.power, 0);
+}
+
+TEST_F(MachineToolTest, LightsTheLaserOnlyInCuts) {
+  use_laser();
+  send_all({"M3 S400", "G0 X10", "G1 X20 F3000", "G0 X30"});
+  run_until_idle();
+  EXPECT_EQ(greatest_power(0, 2499), 0);
+  EXPECT_EQ(greatest_power(2501, 4999), 26'214);
+  EXPECT_EQ(least_power(2505, 4995), 26'214);
+  EXPECT_EQ(greatest_power(5001, 7499), 0);
+  EXPECT_EQ(port.power, 0);
+}
+
+TEST_F(MachineToolTest, LeavesTheLaserDarkAtRest) {
+  use_laser();
+  send_all({"M3 S1000"});
+  run(50);
+  EXPECT_EQ(port.power, 0);
+  send_all({"G1 X1 F600", "G4 P0.1"});
+  EXPECT_EQ(port.power, 0);
+}
+
+TEST_F(MachineToolTest, ScalesADynamicLaserByItsSpeed) {
+  use_laser();
+  send_all({"M4 S1000", "G1 X20 F6000"});  // 100 mm/s after 10 mm.
+  run_until_idle();
+  EXPECT_LT(greatest_power(0, 20), 65'535 / 5);
+  EXPECT_NEAR(greatest_power(620, 630), 65'535 / 2, 1000);  // 2.5 mm: half the speed.
+  EXPECT_GT(greatest_power(2400, 2600), 64'000);
+  EXPECT_LT(greatest_power(4980, 5000), 65'535 / 5);
+}
+
+TEST_F(MachineToolTest, ChangesTheLaserWithTheMotionAndNotBefore) {
+  use_laser();
+  send_all({"M3 S200", "G1 X10 F3000", "S800", "G1 X20", "M5", "G1 X30"});
+  run_until_idle();
+  EXPECT_EQ(greatest_power(1, 2499), 13'107);
+  EXPECT_EQ(least_power(2505, 4999), 52'428);
+  EXPECT_EQ(greatest_power(5001, 7499), 0);
+}
+
+// Its power goes with the motion, and so must its enable.
+TEST_F(MachineToolTest, KeepsTheLaserEnabledUntilItsLastCutIsDone) {
+  use_laser();
+  stream("M3 S200\nG1 X10 F3000\nM5\n");
+  run_until_idle();
+  for (const Sight& sight : sights) {
+    EXPECT_TRUE(sight.spindle || sight.power == 0) << "disabled at " << sight.position[0];
+    if (HasFailure()) return;
+  }
+}
+
+TEST_F(MachineToolTest, SwitchesCoolantAtRest) {
+  send_all({"M7"});
+  EXPECT_TRUE(port.mist);
+  send_all({"M8"});
+  EXPECT_TRUE(port.mist && port.flood);
+  send_all({"G1 X10 F600"});
+  send_all({"M9"});
+  EXPECT_EQ(port.position[0], 2500);
+  EXPECT_FALSE(port.mist || port.flood);
+}
+
+TEST_F(MachineToolTest, SwitchesAnOutputAtOnce) {
+  send_all({"M64 P3", "M64 P0", "M65 P3"});
+  EXPECT_EQ(port.digital, 0b0001);
+  send_all({"M68 E1 Q0.5"});
+  EXPECT_EQ(port.analog[1], 32'768);
+  send_all({"M68 E1 Q7"});
+  EXPECT_EQ(port.analog[1], 65'535);
+}
+
+TEST_F(MachineToolTest, SwitchesAnOutputExactlyAtTheStartOfTheNextMotion) {
+  use_laser();
+  stream("M3 S200\nG1 X10 F3000\nM62 P2\nS800\nG1 X20\n");
+  run_until_idle();
+  std::uint64_t switched = 0;
+  std::uint64_t brighter = 0;
+  std::int32_t place = 0;
+  for (const Sight& sight : sights) {
+    if (switched == 0 && sight.digital != 0) {
+      switched = sight.tick;
+      place = sight.position[0];
+    }
+    if (brighter == 0 && sight.power == 52'428) brighter = sight.tick;
+  }
+  EXPECT_EQ(switched, brighter);
+  EXPECT_NEAR(place, 2500, 1);
+}
+
+TEST_F(MachineToolTest, HoldsAnOutputBackUntilThereIsMotion) {
+  send_all({"M62 P1", "M67 E2 Q0.25"});
+  run(100);
+  EXPECT_EQ(port.digital, 0);
+  EXPECT_EQ(port.analog[2], 0);
+  send_all({"G0 X1"});
+  run_until_idle();
+  EXPECT_EQ(port.digital, 0b0010);
+  EXPECT_EQ(port.analog[2], 16'384);
+}
+
+TEST_F(MachineToolTest, LetsTheLaterOfTwoChangesWin) {
+  send_all({"M64 P1", "M62 P0", "M63 P1", "M63 P0", "M62 P0", "G0 X1"});
+  run_until_idle();
+  EXPECT_EQ(port.digital, 0b0001);
+}
+
+TEST_F(MachineToolTest, KeepsAnOutputForAMotionThatGoesSomewhere) {
+  send_all({"M62 P1", "G0 X0"});
+  run(20);
+  EXPECT_EQ(port.digital, 0);
+  send_all({"G0 X1"});
+  run_until_idle();
+  EXPECT_EQ(port.digital, 0b0010);
+}
+
+TEST_F(MachineToolTest, TurnsEverythingOffAtTheEndOfTheProgram) {
+  send_all({"M3 S500", "M8", "G1 X5 F600", "M2"});
+  run_until_idle();
+  EXPECT_TRUE(machine.program_ended());
+  EXPECT_FALSE(port.spindle_enabled);
+  EXPECT_EQ(port.power, 0);
+  EXPECT_FALSE(port.flood);
+}
+
+TEST_F(MachineToolTest, StaysDarkAfterTheEndOfTheProgram) {
+  use_laser();
+  send_all({"M3 S500", "G1 X5 F600", "M2", "G1 X10 F600"});
+  run_until_idle();
+  EXPECT_EQ(greatest_power(1255, 2495), 0);
+}
+
+TEST_F(MachineToolTest, ForgetsTheSpeedOfTheToolAtAnAbort) {
+  send_all({"M3 S500"});
+  machine.abort();
+  run(10);
+  send_all({"M3"});
+  EXPECT_EQ(machine.interpreter().state().spindle_speed, 0.0F);
+  EXPECT_EQ(port.power, 0);
+}
+
+}  // namespace
+}  // namespace cnc

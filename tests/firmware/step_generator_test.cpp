@@ -1,0 +1,201 @@
+#include "tests/firmware/edge_port.hpp"
+
+namespace cnc {
+namespace {
+
+TEST_F(StepGeneratorTest, DoesNothingWithoutSegments) {
+  run();
+  EXPECT_FALSE(generator.running());
+  EXPECT_TRUE(port.edges.empty());
+}
+
+TEST_F(StepGeneratorTest, EndsWhereItIsToldTo) {
+  motion::Segment segment = even(4000, 40);
+  segment.trains[3] = even(4000, 7).trains[0];
+  segment.negative = 0b1000;
+  generator.push(last(segment));
+  run();
+  EXPECT_EQ(port.position, (AxisArray<std::int32_t>{40, 0, 0, -7, 0, 0}));
+  EXPECT_EQ(generator.position(), port.position);
+  EXPECT_FALSE(generator.running());
+  EXPECT_FALSE(generator.take_starved());
+}
+
+TEST_F(StepGeneratorTest, TellsOnceThatItStarved) {
+  generator.push(even(4000, 40));
+  run();
+  EXPECT_EQ(port.position[0], 40);
+  EXPECT_TRUE(generator.take_starved());
+  EXPECT_FALSE(generator.take_starved());
+}
+
+TEST_F(StepGeneratorTest, IsNotStarvedByARestBetweenMoves) {
+  generator.push(last(even(4000, 40)));
+  run();
+  generator.push(last(even(4000, 40)));
+  run();
+  EXPECT_FALSE(generator.take_starved());
+  EXPECT_EQ(port.position[0], 80);
+}
+
+TEST_F(StepGeneratorTest, StartsAgainAfterHavingStarved) {
+  generator.push(even(4000, 40));
+  run();
+  generator.push(last(even(4000, 40)));
+  run();
+  EXPECT_TRUE(generator.take_starved());
+  EXPECT_EQ(port.position[0], 80);
+  EXPECT_FALSE(generator.running());
+}
+
+TEST_F(StepGeneratorTest, CountsTheTicksThatWait) {
+  generator.push(even(4000, 4));
+  generator.push(last(even(3000, 4)));
+  EXPECT_EQ(generator.ticks_waiting(), 7000U);
+  run(100);
+  EXPECT_EQ(generator.ticks_waiting(), 3000U);
+  run();
+  EXPECT_EQ(generator.ticks_waiting(), 0U);
+}
+
+TEST_F(StepGeneratorTest, IsFullAtItsCapacity) {
+  for (int k = 0; k < 64; ++k) {
+    EXPECT_FALSE(generator.full());
+    generator.push(even(40, 1));
+  }
+  EXPECT_TRUE(generator.full());
+}
+
+TEST_F(StepGeneratorTest, KeepsATimeWithoutSteps) {
+  generator.push({.ticks = 10'000});
+  generator.push(last(even(400, 1)));
+  run();
+  EXPECT_NEAR(static_cast<double>(port.of_kind(Kind::kRaise).at(0).tick), 10'200.0, 1.0);
+}
+
+TEST_F(StepGeneratorTest, AbortsAtOnceAndForgetsTheRest) {
+  generator.push(even(4000, 40));
+  generator.push(last(even(4000, 40)));
+  generator.set_rest_power(7);
+  run(2000);
+  const std::int32_t at_abort = port.position[0];
+  generator.abort();
+  run(200);
+  EXPECT_FALSE(generator.running());
+  EXPECT_LE(port.position[0], at_abort + 1);
+  EXPECT_EQ(generator.position(), port.position);
+  EXPECT_EQ(port.power, 7);
+  EXPECT_EQ(generator.ticks_waiting(), 0U);
+  EXPECT_FALSE(generator.take_starved());
+}
+
+TEST_F(StepGeneratorTest, LeavesNoPulseHighAfterAnAbort) {
+  generator.push(last(even(4000, 40)));
+  run(55);  // Within the first pulse.
+  generator.abort();
+  run();
+  ASSERT_FALSE(port.of_kind(Kind::kRaise).empty());
+  EXPECT_EQ(port.of_kind(Kind::kRaise).size(), port.of_kind(Kind::kLower).size());
+}
+
+TEST_F(StepGeneratorTest, IsNotAbortedLaterByAnAbortAtRest) {
+  generator.abort();
+  generator.push(last(even(4000, 40)));
+  run();
+  EXPECT_EQ(port.position[0], 40);
+}
+
+TEST_F(StepGeneratorTest, ChangesPowerWhereTheSegmentStarts) {
+  motion::Segment first = even(4000, 4);
+  first.power = 100;
+  motion::Segment second = last(even(4000, 4));
+  second.power = 200;
+  generator.push(first);
+  generator.push(second);
+  generator.set_rest_power(3);
+  run();
+  const auto changes = port.of_kind(Kind::kPower);
+  ASSERT_EQ(changes.size(), 4U);
+  EXPECT_EQ(changes[0].value, 3U);  // At once, as nothing moves.
+  EXPECT_EQ(changes[1].value, 100U);
+  EXPECT_EQ(changes[2].value, 200U);
+  EXPECT_EQ(changes[2].tick - changes[1].tick, 4000U);
+  EXPECT_EQ(changes[3].value, 3U);
+  EXPECT_NEAR(static_cast<double>(changes[3].tick - changes[1].tick), 8000.0, 1.0);
+}
+
+TEST_F(StepGeneratorTest, GoesToItsRestPowerWhenStarved) {
+  motion::Segment segment = even(4000, 4);
+  segment.power = 50'000;
+  generator.push(segment);
+  run();
+  EXPECT_EQ(port.power, 0);
+}
+
+TEST_F(StepGeneratorTest, KeepsThePowerOfTheMotionWhileItRuns) {
+  motion::Segment segment = last(even(4000, 4));
+  segment.power = 500;
+  generator.push(segment);
+  run(100);
+  generator.set_rest_power(9);
+  EXPECT_EQ(port.power, 500);
+  run();
+  EXPECT_EQ(port.power, 9);
+}
+
+TEST_F(StepGeneratorTest, ChangesOutputsWhereTheSegmentStarts) {
+  motion::Segment second = last(even(4000, 4));
+  second.outputs = {.raise = 0b10, .lower = 0b01, .analog_channel = 2, .analog_value = 77};
+  port.digital = 0b01;
+  generator.push(even(4000, 4));
+  generator.push(second);
+  run();
+  EXPECT_EQ(port.digital, 0b10);
+  EXPECT_EQ(port.analog, 77);
+  const auto changes = port.of_kind(Kind::kOutputs);
+  ASSERT_EQ(changes.size(), 1U);
+  EXPECT_NEAR(static_cast<double>(changes[0].tick), 4000.0, 1.0);
+}
+
+TEST_F(StepGeneratorTest, LatchesThePositionOfTheFirstContact) {
+  port.contact_from = 13;
+  generator.arm_probe(true);
+  generator.push(last(even(4000, 40)));
+  run();
+  ASSERT_TRUE(generator.probe_hit());
+  EXPECT_EQ(generator.probe_position()[0], 13);
+  EXPECT_EQ(port.position[0], 40);
+}
+
+TEST_F(StepGeneratorTest, LatchesTheReleaseWhenAskedTo) {
+  motion::Segment back = last(even(4000, 40));
+  back.negative = 1;
+  port.contact_from = -12;
+  generator.arm_probe(false);
+  generator.push(back);
+  run();
+  ASSERT_TRUE(generator.probe_hit());
+  EXPECT_EQ(generator.probe_position()[0], -13);
+}
+
+TEST_F(StepGeneratorTest, LatchesNothingWhenDisarmed) {
+  port.contact_from = 5;
+  generator.arm_probe(true);
+  generator.disarm_probe();
+  generator.push(last(even(4000, 40)));
+  run();
+  EXPECT_FALSE(generator.probe_hit());
+}
+
+TEST_F(StepGeneratorTest, LatchesAnewWhenArmedAgain) {
+  port.contact_from = 5;
+  generator.arm_probe(true);
+  generator.push(last(even(4000, 40)));
+  run();
+  ASSERT_TRUE(generator.probe_hit());
+  generator.arm_probe(true);
+  EXPECT_FALSE(generator.probe_hit());
+}
+
+}  // namespace
+}  // namespace cnc

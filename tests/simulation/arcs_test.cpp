@@ -1,0 +1,110 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "host-sim/measure/path_deviation.hpp"
+#include "tests/simulation/edge_check.hpp"
+#include "tests/support/drive.hpp"
+#include "tests/support/pulse_player.hpp"
+#include "tests/support/random_arc.hpp"
+#include "tests/support/trials.hpp"
+
+namespace proof {
+namespace {
+
+constexpr double kArcPromise = 1.0e-3;  ///< mm beyond half a step.
+
+/// Holds every pulse against the exact curve.
+class CurveCheck final : public EdgeSink {
+ public:
+  CurveCheck(const sim::ProgrammedPath& path, const TestMachine& machine)
+      : deviation_{path, scales(machine)} {
+    deviation_.on_row(row_);
+  }
+
+  void on_edge(const Edge& edge) override {
+    row_.time_ns = edge.tick * 250;
+    for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
+      if ((edge.axes >> axis & 1U) == 0) continue;
+      row_.position[axis] += (edge.negative >> axis & 1U) != 0 ? -1 : 1;
+    }
+    deviation_.on_row(row_);
+    ++edges_;
+  }
+
+  [[nodiscard]] const sim::DeviationPeak& excess() const {
+    return deviation_.greatest_axis_excess();
+  }
+  [[nodiscard]] std::size_t edges() const { return edges_; }
+
+ private:
+  static cnc::AxisArray<double> scales(const TestMachine& machine) {
+    cnc::AxisArray<double> scales{};
+    for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
+      scales[axis] = static_cast<double>(machine.limits.scale[axis].steps_per_mm());
+    }
+    return scales;
+  }
+
+  sim::PathDeviation deviation_;
+  sim::TraceRow row_{};
+  std::size_t edges_ = 0;
+};
+
+struct Summary {
+  double excess = 0.0;  ///< mm beyond half a step.
+  double centripetal = 0.0;
+  double acceleration = 0.0;
+  std::size_t edges = 0;
+  std::size_t arcs = 0;
+};
+
+void try_arc(std::uint64_t seed, Summary& summary) {
+  Random random{seed};
+  const TestArc arc = random_arc(random);
+  const double steps = random.chance(0.02) ? 2.0e5 : 2.0e3;
+  const TestMachine machine = machine_for(random, arc, steps);
+  const double feed =
+      random.chance(0.3) ? 0.0 : std::max(1.0, arc.exact.length()) * random.magnitude(0.3, 100.0);
+  const Program program = arc.program(feed);
+  EXPECT_EQ(program.items.size(), arc.elements()) << "sweep " << arc.sweep;
+  const RecordedPlan plan = drive(program, machine);
+  const PlanFigures figures = check_plan(plan, machine);
+  EXPECT_LE(figures.centripetal.value, 1.0);
+  EXPECT_LE(figures.acceleration.value, 1.001)
+      << "slice " << figures.acceleration.slice << ", axis " << figures.acceleration.axis;
+  EXPECT_LE(figures.rate.value, 1.001);
+  CurveCheck check{arc.exact, machine};
+  EXPECT_TRUE(play(plan.segments, machine.timing, check));
+  EXPECT_LE(check.excess().value, kArcPromise)
+      << "R " << arc.radius << ", sweep " << arc.sweep << " at "
+      << static_cast<double>(check.excess().time_ns) * 1e-9 << " of " << plan.seconds << " s";
+  summary.excess = std::max(summary.excess, check.excess().value);
+  summary.centripetal = std::max(summary.centripetal, figures.centripetal.value);
+  summary.acceleration = std::max(summary.acceleration, figures.acceleration.value);
+  summary.edges += check.edges();
+  ++summary.arcs;
+}
+
+// All: KERFLINE_TRIALS=100000 (issue 2, acceptance 2).
+TEST(RandomArcs, StayOnTheExactCurveWithinTheirLimits) {
+  const Trials trials{2000};
+  Summary summary;
+  for (auto seed = trials.first_seed(); seed < trials.end_seed() && !too_many_failures(); ++seed) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    EXPECT_NO_THROW(try_arc(seed, summary));
+  }
+  std::printf(
+      "arcs: %zu, %zu edges, greatest distance beyond half a step %.3f um, "
+      "v²/R %.5f and acceleration %.5f of the limit\n",
+      summary.arcs,
+      summary.edges,
+      summary.excess * 1.0e3,
+      summary.centripetal,
+      summary.acceleration);
+}
+
+}  // namespace
+}  // namespace proof
