@@ -14,7 +14,8 @@ constexpr float kMostAcceleration = 1.0e6F;  // mm/s²
 constexpr float kMostTravel = 1.0e6F;        // mm
 
 // clang-format off
-constexpr std::array kTable{
+// The size is spelled out: deduced, GCC 12 puts the table into RAM.
+constexpr std::array<SettingInfo, 32> kTable{{
     SettingInfo{0, "Step pulse time", "microseconds", 1.0F, 12.0F, 5.0F, false},
     SettingInfo{11, "Junction deviation", "mm", 0.0F, 10.0F, 0.01F, false},
     SettingInfo{29, "Direction set-up time", "microseconds", 0.25F, 12.0F, 2.0F, false},
@@ -47,7 +48,7 @@ constexpr std::array kTable{
     SettingInfo{135, "C maximum travel", "deg, 0 is endless", 0.0F, kMostTravel, 0.0F, false},
     SettingInfo{850, "Arc repair, distance", "mm", 0.0F, 0.5F, 0.05F, false},
     SettingInfo{851, "Arc repair, share of radius", "percent", 0.0F, 10.0F, 1.0F, false},
-};
+}};
 // clang-format on
 static_assert(kTable.size() <= Settings::kMostSettings);
 static_assert(std::is_sorted(kTable.begin(),

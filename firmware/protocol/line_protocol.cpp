@@ -23,12 +23,14 @@ struct SettingLine {
 /// Reads `$N=value`; false when the line is not of that form.
 bool read_setting(std::string_view line, SettingLine& setting) {
   const std::size_t equals = line.find('=');
-  if (line.empty() || line[0] != '$' || equals == std::string_view::npos) return false;
-  const auto number = gcode::read_decimal(line.substr(1, equals - 1));
-  const auto value = gcode::read_decimal(line.substr(equals + 1));
-  if (!number.ok() || !value.ok()) return false;
-  if (number.value().length != equals - 1) return false;
-  if (value.value().length != line.size() - equals - 1) return false;
+  if (line.empty() || line.front() != '$' || equals == std::string_view::npos) return false;
+  const std::string_view number_text{line.data() + 1, equals - 1};
+  std::string_view value_text = line;
+  value_text.remove_prefix(equals + 1);
+  const auto number = gcode::read_decimal(number_text);
+  const auto value = gcode::read_decimal(value_text);
+  if (!number.ok() || number.value().length != number_text.size()) return false;
+  if (!value.ok() || value.value().length != value_text.size()) return false;
   const gcode::Decimal& n = number.value().value;
   if (!n.is_integer() || n.minus || n.whole > 0xFFFFU) return false;
   setting = {static_cast<std::uint16_t>(n.whole), value.value().value.to_float()};

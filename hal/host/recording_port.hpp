@@ -36,7 +36,7 @@ class RecordingPort final : public AuxiliaryOutputs {
     if (channel < analog.size()) analog[channel] = value;
   }
   void start_timer() noexcept { timer_started = true; }
-  [[nodiscard]] bool probe_contact() noexcept { return probe; }
+  [[nodiscard]] bool probe_contact() const noexcept { return probe; }
 
   // AuxiliaryOutputs
   void set_spindle(bool enabled, bool counter_clockwise) override {

@@ -19,8 +19,9 @@ class [[nodiscard]] Result {
   static_assert(std::is_trivially_copyable_v<Error>, "an error is a name and a place");
 
  public:
-  constexpr Result(const Value& value) : value_{value} {}
-  constexpr Result(const Error& error) : error_{error} {}
+  // Implicit, so that a function returns either as it is.
+  constexpr Result(const Value& value) : value_{value} {}  // NOLINT(google-explicit-constructor)
+  constexpr Result(const Error& error) : error_{error} {}  // NOLINT(google-explicit-constructor)
 
   [[nodiscard]] constexpr bool ok() const { return value_.has_value(); }
 

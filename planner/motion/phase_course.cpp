@@ -34,8 +34,13 @@ std::uint32_t PhaseCourse::share_after(std::uint32_t count) const {
 }
 
 float PhaseCourse::speed_after(std::uint32_t count) const {
-  const float x = static_cast<float>(count) / static_cast<float>(units_);
-  return start_speed_ + (end_speed_ - start_speed_) * x;
+  // From the nearer end: what is left of a long braking is small.
+  const auto whole = static_cast<float>(units_);
+  if (count <= units_ / 2) {
+    return start_speed_ + (end_speed_ - start_speed_) * (static_cast<float>(count) / whole);
+  }
+  const auto left = static_cast<float>(units_ - count);
+  return end_speed_ + (start_speed_ - end_speed_) * (left / whole);
 }
 
 }  // namespace cnc::motion

@@ -63,7 +63,7 @@ StepTrain time_steps(const AxisSlice& slice, float shift) {
     return train;
   }
   // Through first, middle m and last n: mean interval up to k is I + (k − 1)/2 · G.
-  const auto middle_index = static_cast<float>(train.count / 2);
+  const auto middle_index = static_cast<float>(train.count >> 1U);
   const float middle = motion.time_to(first_edge + middle_index);
   const float mean_to_middle = (middle - first) / middle_index;
   const float growth = 2.0F * (mean - mean_to_middle) / (last_index - middle_index);

@@ -1,0 +1,188 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "host-sim/job/setting_line.hpp"
+#include "host-sim/machine/simulator.hpp"
+#include "host-sim/measure/program_line.hpp"
+#include "tests/support/drive.hpp"
+#include "tests/support/optimal_time.hpp"
+#include "tests/support/trials.hpp"
+
+#ifndef KERFLINE_EXAMPLES
+#define KERFLINE_EXAMPLES "host-sim/examples"
+#endif
+
+namespace proof {
+namespace {
+
+/// The main loop turns once a millisecond: it may learn of a standstill one turn
+/// late and be another turn away from the next motion's first segment, whose
+/// first half step takes its time, too.
+constexpr double kStopCost = 0.0025;  ///< s.
+
+sim::MotionLimits limits_of(const cnc::motion::Limits& product) {
+  sim::MotionLimits limits;
+  for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
+    const auto scale = static_cast<double>(product.scale[axis].steps_per_mm());
+    limits.steps_per_mm[axis] = scale;
+    limits.rate[axis] = std::min(static_cast<double>(product.rate_mm_s[axis]),
+                                 static_cast<double>(product.steps_per_s_one_motor) / scale);
+    limits.acceleration[axis] = static_cast<double>(product.acceleration_mm_s2[axis]);
+  }
+  limits.junction_deviation = static_cast<double>(product.junction_deviation_mm);
+  limits.step_rate = static_cast<double>(product.steps_per_s_all_motors);
+  return limits;
+}
+
+/// All G4 of a program, s.
+double dwell_time(const std::string& program) {
+  double sum = 0.0;
+  std::istringstream lines{program};
+  for (std::string text; std::getline(lines, text);) {
+    const sim::ProgramLine line = sim::take_apart(text);
+    if (line.has_g(40)) sum += line.value('P').value_or(0.0);
+  }
+  return sum;
+}
+
+std::size_t stop_count(const sim::ProgrammedPath& path) {
+  const auto stops = std::ranges::count_if(path.pieces, &sim::PathPiece::stop_before);
+  return static_cast<std::size_t>(stops) + 1;  // The end is one as well.
+}
+
+struct JobTime {
+  double motion = 0.0;  ///< s, without dwells.
+  double bound = 0.0;   ///< s, of optimal motion.
+  std::size_t stops = 0;
+
+  /// With every stop's cost taken off.
+  [[nodiscard]] double ratio() const {
+    return (motion - kStopCost * static_cast<double>(stops)) / bound;
+  }
+};
+
+JobTime time_job(const std::string& name, const std::string& settings) {
+  const std::string folder = KERFLINE_EXAMPLES "/";
+  const std::string program = sim::read_text(folder + name);
+  sim::Simulator simulator{program, {}};
+  for (const auto& change : sim::read_settings_file(folder + settings)) {
+    EXPECT_EQ(simulator.change_setting(change.number, change.value), "") << change.place;
+  }
+  const bool laser = simulator.settings().get(cnc::setting::kLaserMode) != 0.0F;
+  const auto path = sim::read_program(program, {.laser_mode = laser, .stop_at_coolant = true});
+  EXPECT_TRUE(path.notes.empty());
+  const sim::RunResult result = simulator.run();
+  EXPECT_TRUE(result.refusals.empty());
+  EXPECT_EQ(result.alarm, 0);
+  const auto limits = limits_of(cnc::limits_from(simulator.settings()));
+  return {.motion = result.job_time_s - dwell_time(program),
+          .bound = sim::optimal_time(path, limits),
+          .stops = stop_count(path)};
+}
+
+struct Example {
+  const char* program;
+  const char* settings;
+};
+
+class ExampleJobs : public testing::TestWithParam<Example> {};
+
+// Issue 2, acceptance 4.
+TEST_P(ExampleJobs, TakeNoLongerThanOptimalMotionAndOnePercent) {
+  const JobTime job = time_job(GetParam().program, GetParam().settings);
+  std::printf("%-24s %9.3f s motion, %9.3f s bound, %5zu stops, ratio %.5f (raw %.5f)\n",
+              GetParam().program,
+              job.motion,
+              job.bound,
+              job.stops,
+              job.ratio(),
+              job.motion / job.bound);
+  EXPECT_LE(job.ratio(), 1.01);
+  EXPECT_GE(job.motion / job.bound, 0.995) << "faster than the limits allow";
+}
+
+INSTANTIATE_TEST_SUITE_P(All,
+                         ExampleJobs,
+                         testing::Values(Example{"bracket.nc", "laser.settings"},
+                                         Example{"circle_r20.nc", "laser.settings"},
+                                         Example{"enclosure_lightburn.nc", "laser.settings"},
+                                         Example{"pocket_fusion.nc", "mill.settings"},
+                                         Example{"relief_inkscape.nc", "laser.settings"},
+                                         Example{"sheet_8877.nc", "laser.settings"}),
+                         [](const auto& info) {
+                           const std::string name = info.param.program;
+                           return name.substr(0, name.find('.'));
+                         });
+
+/// A bulge b puts the centre (1 − b²) / 4b of the chord to its left.
+sim::Curve curve_of(const cnc::PathElement& element) {
+  const Vector start = to_mm(element.start);
+  const Vector end = to_mm(element.end);
+  const auto bulge = static_cast<double>(element.bulge);
+  if (bulge == 0.0) return sim::Curve::line(start, end);
+  const cnc::PlaneAxes axes = cnc::axes_of(element.plane);
+  const double x = end[axes.first] - start[axes.first];
+  const double y = end[axes.second] - start[axes.second];
+  const double aside = (1.0 - bulge * bulge) / (4.0 * bulge);
+  const std::array centre{start[axes.first] + x / 2.0 - aside * y,
+                          start[axes.second] + y / 2.0 + aside * x};
+  return sim::Curve::arc(start, end, element.plane, centre, bulge < 0.0);
+}
+
+sim::ProgrammedPath path_of(const Program& program) {
+  sim::ProgrammedPath path;
+  bool stop = true;
+  for (const ProgramItem& item : program.items) {
+    stop = stop || item.stop_before;
+    const sim::Curve curve = curve_of(item.request.element);
+    if (curve.length() == 0.0) continue;
+    const auto feed = static_cast<double>(item.request.feed_mm_s);
+    path.pieces.push_back({.curve = curve,
+                           .travel = feed > 0.0 ? sim::Travel::kFeed : sim::Travel::kRapid,
+                           .feed = feed,
+                           .stop_before = stop});
+    stop = false;
+  }
+  return path;
+}
+
+/// Plan's time / optimal time of the path of a random program; 0 for an empty one.
+double random_ratio(std::uint64_t seed) {
+  Random random{seed};
+  const TestMachine machine = random_machine(random);
+  Program program = random_program(random, machine);
+  program.pushed_at_once = 64;  // The sender keeps up: the queue is always full.
+  program.cut_at_once = 1;
+  const sim::ProgrammedPath path = path_of(program);
+  if (path.pieces.empty()) return 0.0;
+  const double bound = sim::optimal_time(path, limits_of(machine.limits));
+  return drive(program, machine).seconds / bound;
+}
+
+TEST(RandomPrograms, AreDrivenNearlyAsFastAsTheirLimitsAllow) {
+  const Trials trials{100};
+  std::vector<double> ratios;
+  for (auto seed = trials.first_seed(); seed < trials.end_seed() && !too_many_failures(); ++seed) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    const double ratio = random_ratio(seed);
+    if (ratio == 0.0) continue;
+    EXPECT_LE(ratio, 1.02);
+    EXPECT_GE(ratio, 0.995) << "faster than the limits allow";
+    ratios.push_back(ratio);
+  }
+  std::ranges::sort(ratios);
+  ASSERT_FALSE(ratios.empty());
+  std::printf("random programs: %zu, time / optimal time: least %.5f, median %.5f, worst %.5f\n",
+              ratios.size(),
+              ratios.front(),
+              ratios[ratios.size() / 2],
+              ratios.back());
+}
+
+}  // namespace
+}  // namespace proof
