@@ -32,7 +32,9 @@ void Machine::poll(hal::TickCount now) {
     drop_everything();
   }
   if (drive_.take_starved()) raise_alarm(Alarm::kStarved);
-  if (dwelling_ && !held_) dwell_left_us_ -= elapsed_us;
+  // The time since the last poll began before the dwell did.
+  if (dwelling_ && !held_ && !dwell_begins_) dwell_left_us_ -= elapsed_us;
+  dwell_begins_ = false;
   run_actions();
   motion_.feed_drive();
 }
@@ -87,7 +89,7 @@ void Machine::drop_everything() {
   pause_seen_ = false;
   probing_ = Probing::kNo;
   drive_.disarm_probe();
-  tool_.off();
+  tool_.reset();
   outputs_.set_coolant(false, false);
   motion_.drop_rest();
   motion_.go_on();

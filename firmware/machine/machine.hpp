@@ -52,8 +52,8 @@ class Machine {
   /// @pre !busy(); state() is not kAlarm
   [[nodiscard]] gcode::Refusal accept(std::string_view line);
   /// Actions of the last line are still waiting: for room in the planner, for
-  /// standstill, or for time to pass.
-  [[nodiscard]] bool busy() const { return !waiting_.empty(); }
+  /// standstill, or for time to pass; or an abort is not over yet.
+  [[nodiscard]] bool busy() const { return !waiting_.empty() || aborting_; }
 
   /// Does what can be done now. Call at least every few milliseconds.
   /// @param now microseconds.
@@ -119,6 +119,7 @@ class Machine {
   motion::OutputChanges with_next_motion_{};
   std::int64_t dwell_left_us_ = 0;
   bool dwelling_ = false;
+  bool dwell_begins_ = false;
   bool held_ = false;
   bool paused_ = false;
   bool pause_seen_ = false;

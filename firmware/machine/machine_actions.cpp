@@ -32,11 +32,11 @@ bool Machine::run(const Action& action) {
     case ActionKind::kDwell:
       return dwell(action);
     case ActionKind::kSpindleSpeed:
-      if (tool_.waits_for_standstill() && !motion_.drained()) return false;
+      if (tool_.speed_waits_for_standstill() && !motion_.drained()) return false;
       tool_.set_speed(action.value);
       return true;
     case ActionKind::kSpindle:
-      if (tool_.waits_for_standstill() && !motion_.drained()) return false;
+      if (!motion_.drained()) return false;
       tool_.set_mode(action.spindle);
       return true;
     case ActionKind::kCoolant:
@@ -96,6 +96,7 @@ bool Machine::dwell(const Action& action) {
   if (!motion_.drained()) return false;
   if (!dwelling_) {
     dwelling_ = true;
+    dwell_begins_ = true;
     dwell_left_us_ = truncated(action.seconds * kMicrosecondsPerSecond);
   }
   if (dwell_left_us_ > 0) return false;
@@ -145,6 +146,8 @@ bool Machine::pause(const Action& action) {
 bool Machine::end_program() {
   if (!motion_.drained()) return false;
   set_overrides({});
+  tool_.off();
+  outputs_.set_coolant(false, false);
   program_ended_ = true;
   return true;
 }

@@ -17,6 +17,11 @@ void ToolOutput::set_mode(gcode::SpindleMode mode) {
   apply();
 }
 
+void ToolOutput::reset() {
+  speed_ = 0.0F;
+  off();
+}
+
 void ToolOutput::set_speed(float speed) {
   speed_ = speed;
   apply();

@@ -17,7 +17,7 @@ struct ToolSettings {
 /// The beam or spindle: what M3, M4, M5 and S make of the power output.
 ///
 /// A laser's power goes with the motion and is off whenever nothing moves. A
-/// spindle turns on its own, so its changes wait for standstill and hold
+/// spindle turns on its own, so a new speed waits for standstill and holds
 /// through rapids.
 class ToolOutput {
  public:
@@ -25,13 +25,16 @@ class ToolOutput {
 
   void configure(const ToolSettings& settings);
 
-  /// Whether a change of mode or speed must wait until the machine stands still.
-  [[nodiscard]] bool waits_for_standstill() const { return !settings_.laser; }
+  /// Whether a change of speed must wait until the machine stands still. A
+  /// change of mode always does: it switches the enable.
+  [[nodiscard]] bool speed_waits_for_standstill() const { return !settings_.laser; }
 
   void set_mode(gcode::SpindleMode mode);
   void set_speed(float speed);
   void set_override(float factor);
   void off() { set_mode(gcode::SpindleMode::kOff); }
+  /// Off, with the speed forgotten, as after power-up.
+  void reset();
 
   /// For the motion that comes next.
   [[nodiscard]] motion::BeamCommand command_for(bool rapid) const;

@@ -1,7 +1,5 @@
 #include "firmware/protocol/line_protocol.hpp"
 
-#include <span>
-
 #include "planner/gcode/decimal.hpp"
 
 namespace cnc {
@@ -41,10 +39,12 @@ bool read_setting(std::string_view line, SettingLine& setting) {
 
 void LineProtocol::poll() {
   for (;;) {
+    outbox_.send(link_);
+    if (!outbox_.empty() || machine_.busy()) return;
     if (owes_answer_) {
-      if (machine_.busy()) return;
       owes_answer_ = false;
       answer(Reply{}.text("ok\r\n"));
+      continue;
     }
     if (!read_line()) return;
     if (assembler_.too_long()) {
@@ -99,11 +99,6 @@ void LineProtocol::refuse(std::uint32_t number, std::uint32_t column, std::strin
   answer(Reply{}.text("error:").number(number).text("\r\n"));
 }
 
-void LineProtocol::answer(const Reply& reply) {
-  // Short of a stalled link nothing is lost: a line is read only after the one
-  // before was answered, and ports hold several answers.
-  const std::string_view words = reply.view();
-  static_cast<void>(link_.write(std::as_bytes(std::span{words.data(), words.size()})));
-}
+void LineProtocol::answer(const Reply& reply) { outbox_.add(reply.view()); }
 
 }  // namespace cnc

@@ -11,6 +11,8 @@ namespace cnc {
 /// Text being put together for the link. What does not fit is cut off.
 class Reply {
  public:
+  static constexpr std::size_t kCapacity = 192;
+
   Reply& text(std::string_view words);
   Reply& number(std::uint32_t value);
   /// Room for somebody who writes by himself; tell with `wrote` how much it was.
@@ -20,7 +22,7 @@ class Reply {
   [[nodiscard]] std::string_view view() const { return {bytes_.data(), size_}; }
 
  private:
-  std::array<char, 192> bytes_{};
+  std::array<char, kCapacity> bytes_{};
   std::size_t size_ = 0;
 };
 

@@ -19,8 +19,8 @@ namespace cnc {
 /// Runs only when something is due. Each motor follows its own step train; a
 /// step starts a slot of one pulse up and one pulse down, and steps of other
 /// motors that fall into the slot go out with it. So an edge is early by less
-/// than a slot, or late by what the slots before it took, never more than one
-/// when no motor is asked for more than one step per slot.
+/// than a slot, or late by at most one, when segments last at least two slots
+/// and no motor is asked for more than one step per slot.
 ///
 /// A segment ends when its time is over and its last step is out: no step is
 /// ever lost. Integers only; work per interrupt is one pass over the axes.

@@ -71,7 +71,7 @@ void ProgramReader::apply_spindle(const ProgramLine& line) {
   }
   const double speed = line.value('S').value_or(spindle_speed_);
   const bool turning = spindle_ != SpindleState::kOff && speed != spindle_speed_;
-  if (!options_.laser_mode && (turning || state != spindle_)) stop_pending_ = true;
+  if (state != spindle_ || (turning && !options_.laser_mode)) stop_pending_ = true;
   spindle_ = state;
   spindle_speed_ = speed;
 }

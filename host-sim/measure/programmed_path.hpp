@@ -46,7 +46,7 @@ struct ProgrammedPath {
 };
 
 struct ReadOptions {
-  /// Changes of S and of M3/M4/M5 need no stop.
+  /// A change of S needs no stop; one of M3, M4 and M5 always does.
   bool laser_mode = false;
   bool stop_at_coolant = false;  ///< M7, M8, M9.
   bool stop_at_output = false;   ///< M62…M65, M67, M68.

@@ -122,9 +122,9 @@ Refusal Block::unused_word() const {
 /// @pre letters is not empty.
 char Block::leftmost(std::uint32_t letters) const {
   char found = ' ';
-  std::uint8_t found_column = 255;
+  std::uint16_t found_column = kLongestLine + 1;
   for (char letter = 'A'; letter <= 'Z'; ++letter) {
-    const std::uint8_t column = value_columns_[index_of(letter)];
+    const std::uint16_t column = value_columns_[index_of(letter)];
     if ((letters & bit_of(letter)) == 0 || column > found_column) continue;
     found = letter;
     found_column = column;

@@ -77,9 +77,9 @@ class Block {
   std::uint32_t groups_ = 0;   ///< A bit for each modal group with a word.
   AxisUse axis_use_ = AxisUse::kNone;
   std::array<Decimal, kLetterCount> values_{};
-  std::array<std::uint8_t, kLetterCount> value_columns_{};
+  std::array<std::uint16_t, kLetterCount> value_columns_{};
   std::array<const ModalWord*, kModalGroupCount> words_{};
-  std::array<std::uint8_t, kModalGroupCount> word_columns_{};
+  std::array<std::uint16_t, kModalGroupCount> word_columns_{};
 };
 
 /// Reads a whole line into `block`, which is cleared first.

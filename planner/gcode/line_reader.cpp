@@ -39,7 +39,7 @@ Refusal LineReader::read(Word& word) {
   rest.remove_prefix(at_ + 1);  // Not substr(), which throws.
   const auto number = read_decimal(rest);
   word.letter = letter;
-  word.column = static_cast<std::uint8_t>(at_ + 1);
+  word.column = static_cast<std::uint16_t>(at_ + 1);
   if (!number.ok()) {
     Fault fault = fault_here(detail_of(number.error()));
     fault.letter = letter;

@@ -10,16 +10,15 @@
 namespace cnc::gcode {
 
 /// The longest line that is read, its CR and LF not counted.
-inline constexpr std::size_t kLongestLine = 255;
+inline constexpr std::size_t kLongestLine = 256;
 
 /// A letter and its number, and where it stands.
 struct Word {
   char letter = ' ';        ///< 'A'…'Z'.
-  std::uint8_t column = 0;  ///< 1-based.
+  std::uint16_t column = 0;  ///< 1-based.
   Decimal value{};
 };
 
-static_assert(kLongestLine <= 255, "a column is one byte");
 
 /// Splits one line into words.
 ///

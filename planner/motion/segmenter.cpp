@@ -47,7 +47,6 @@ void Segmenter::reset(const AxisArray<StepPosition>& place) {
   shift_ = 0.0F;
   outputs_ = {};
   here_.place = place;
-  drive_ = Drive::kOn;
 }
 
 bool Segmenter::next(Segment& segment) {

@@ -57,7 +57,7 @@ class Segmenter {
   [[nodiscard]] bool at_rest() const { return speed_ <= 0.0F; }
   [[nodiscard]] bool halted() const { return drive_ == Drive::kHalt && at_rest(); }
 
-  /// Forgets all motion; the motors stand at `place` now.
+  /// Forgets all motion; the motors stand at `place` now. A halt stays.
   void reset(const AxisArray<StepPosition>& place);
 
   /// Tells `observer` of every slice from now on; null for nobody.

@@ -9,6 +9,7 @@
 
 #include "host-sim/machine/simulator.hpp"
 #include "host-sim/measure/path_deviation.hpp"
+#include "tests/support/exact_block.hpp"
 #include "tests/support/random_arc.hpp"
 #include "tests/support/trials.hpp"
 

@@ -205,7 +205,7 @@ TEST(ReadProgram, StopsWhereTheMachineStandsStill) {
             "|-||--|"
             "");
   EXPECT_EQ(stops("F9 M3 S5 G1 X1\nS6 X2\nX3\nM5 X4\n", {}), "||-|");
-  EXPECT_EQ(stops("F9 M3 S5 G1 X1\nS6 X2\nX3\nM5 X4\n", {.laser_mode = true}), "|---");
+  EXPECT_EQ(stops("F9 M3 S5 G1 X1\nS6 X2\nX3\nM5 X4\n", {.laser_mode = true}), "|--|");
   EXPECT_EQ(stops("F9 G1 X1\nM8\nX2\nM62 P1\nX3\n", {}), "|--");
   EXPECT_EQ(stops("F9 G1 X1\nM8\nX2\nM62 P1\nX3\n", {.stop_at_coolant = true}), "||-");
   EXPECT_EQ(stops("F9 G1 X1\nG38.2 X2\nG1 X3\n", {}), "|||");

@@ -75,7 +75,7 @@ TEST_F(AcceptedLines, LinesThatAskForNothing) {
 }
 
 TEST_F(AcceptedLines, LongestLineIsReadWithItsLineEnd) {
-  const std::string line = "G0 X1 (" + std::string(247, 'x') + ")";
+  const std::string line = "G0 X1 (" + std::string(248, 'x') + ")";
   ASSERT_EQ(line.size(), kLongestLine);
   EXPECT_EQ(take(line + "\r\n").size(), 1U);
 }

@@ -109,8 +109,12 @@ TEST_F(ArcWords, ASmallestCircleIsACircle) {
 
 TEST_F(ArcWords, TheFarthestCentreIsAtTheEndOfTheRange) {
   start_at_origin();
-  EXPECT_EQ(take_one("G2 X0 I1000000").centre[0], mm(1'000'000));
-  EXPECT_EQ(refusal_number("G2 X0 I1000000.000001"), 33);
+  // A short arc about it stays in range; the whole circle does not.
+  const Action& arc = take_one("G3 X0.5 Y-1000 I1000000");
+  EXPECT_EQ(arc.centre[0], mm(1'000'000));
+  start_at_origin();
+  EXPECT_EQ(refusal_number("G2 X0 I1000000"), 33);
+  EXPECT_EQ(refusal_number("G3 X0.5 Y-1000 I1000000.000001"), 33);
 }
 
 struct Deviation {

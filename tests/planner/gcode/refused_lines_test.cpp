@@ -13,7 +13,7 @@ struct Refused {
   std::string before;  ///< A line that sets the scene, may be empty.
 };
 
-const std::string kLongestAccepted = "G1 X1 F1 (" + std::string(244, 'x') + ")";
+const std::string kLongestAccepted = "G1 X1 F1 (" + std::string(245, 'x') + ")";
 
 const Refused kRefused[]{
     // 1: a word begins with a letter.
@@ -76,8 +76,8 @@ const Refused kRefused[]{
     {4, 11, "G2 X10 I5 P-1", ""},
     {4, 11, "G2 X10 I5 P0", "G1 F100"},
     // 11: the line is too long.
-    {11, 256, kLongestAccepted + " ", ""},
-    {11, 256, std::string(4000, 'G'), ""},
+    {11, 257, kLongestAccepted + " ", ""},
+    {11, 257, std::string(4000, 'G'), ""},
     // 20: not supported.
     {20, 1, "G5 X1 Y1 I1 J1 P1 Q1", ""},
     {20, 1, "G5.1 X1 Y1 I1 J1", ""},
