@@ -9,15 +9,14 @@ cmake --preset run
 cmake --build --preset run
 
 examples=host-sim/examples
-settings=()
-if [[ -f $examples/laser.settings ]]; then
-  settings=(--settings "$examples/laser.settings")
-fi
-
 mkdir -p out
 for program in "$examples"/*.nc; do
   name=out/$(basename "$program" .nc)
-  build/run/host-sim/kerfline sim "$program" "${settings[@]}" \
+  settings=$examples/laser.settings
+  if [[ $name == *pocket* ]]; then
+    settings=$examples/mill.settings
+  fi
+  build/run/host-sim/kerfline sim "$program" --settings "$settings" \
     --trace "$name.trace.csv" --report "$name.report.json" --svg "$name.svg" --png "$name.png"
 done
 

@@ -56,11 +56,21 @@ fuzz() {
   done
 }
 
+# Figures of this machine and instruction counts; printed, not judged.
+benchmarks() {
+  step "benchmarks"
+  build/release/tests/bench_stages --benchmark_min_time=0.05 2>/dev/null
+  tests/bench/count_instructions.py build/release/host-sim/kerfline ||
+    failed=$((failed + 1))
+}
+
 toolchain/setup.sh test || exit 1
 export UBSAN_OPTIONS=print_stacktrace=1 ASAN_OPTIONS=detect_stack_use_after_return=1
 
 build cortex-m4f  # Before the release tests, which look into it.
-build release && test_preset release
+build release && test_preset release && benchmarks
+# Sanitizers cost ten times the time: fewer random trials than in release.
+export KERFLINE_TRIALS="${KERFLINE_TRIALS:-60}"
 build sanitize && test_preset sanitize
 fuzz
 

@@ -32,7 +32,7 @@ constexpr double kTallestPlotPx = 1.15 * kPlotWidthPx;
 constexpr double kInvisiblePx = 0.1;
 
 /// What is seen: the extent with room for line width, and never a mere point.
-Bounds framed(const Bounds& extent) {
+Extent framed(const Extent& extent) {
   const double size_mm = std::max(extent.width_mm(), extent.height_mm());
   if (extent.is_empty()) return {-11.0, 11.0, -5.5, 5.5};
   const double margin_mm = size_mm > 0.0 ? 0.04 * size_mm : 5.5;
@@ -43,7 +43,7 @@ Bounds framed(const Bounds& extent) {
           extent.top_mm + margin_mm};
 }
 
-Box plot_box(const Bounds& bounds) {
+Box plot_box(const Extent& bounds) {
   const double natural_px = kPlotWidthPx * bounds.height_mm() / bounds.width_mm();
   return {kLeftLabelsPx,
           kHeadingHeightPx,
@@ -73,7 +73,7 @@ std::string length_text(double mm) {
 /// Dimensions of what is cut (or of all motion when nothing is), length and time.
 std::string subtitle_of(const Path& path) {
   const bool has_cut = has(path.vertices, Move::kCut);
-  const Bounds part = bounds_of(path.vertices, has_cut ? Move::kCut : Move::kTravel);
+  const Extent part = bounds_of(path.vertices, has_cut ? Move::kCut : Move::kTravel);
   if (part.width_mm() + part.height_mm() == 0.0) return duration_text(path.duration_s);
   std::string text = fmt::format("{:.1f} × {:.1f} mm", part.width_mm(), part.height_mm());
   if (has_cut) text += "  ·  " + length_text(length_mm(path.vertices, Move::kCut)) + " cut";
@@ -131,8 +131,8 @@ void add_motion(std::string& out,
 }  // namespace
 
 std::string draw_svg(const Path& path, const PictureOptions& options) {
-  const Bounds extent = bounds_of(path.vertices, Move::kTravel);
-  const Bounds bounds = framed(extent);
+  const Extent extent = bounds_of(path.vertices, Move::kTravel);
+  const Extent bounds = framed(extent);
   const View view{bounds, plot_box(bounds)};
   const double height_px = view.box().bottom_px() + kBottomLabelsPx;
 

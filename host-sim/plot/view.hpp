@@ -10,7 +10,7 @@
 namespace sim {
 
 /// An upright rectangle in machine coordinates; empty until something is included.
-struct Bounds {
+struct Extent {
   double left_mm = std::numeric_limits<double>::infinity();
   double right_mm = -std::numeric_limits<double>::infinity();
   double bottom_mm = std::numeric_limits<double>::infinity();
@@ -41,7 +41,7 @@ struct Box {
 class View {
  public:
   /// @pre bounds have a width and a height.
-  View(const Bounds& bounds, const Box& box)
+  View(const Extent& bounds, const Box& box)
       : box_{box},
         px_per_mm_{std::min(box.width_px / bounds.width_mm(), box.height_px / bounds.height_mm())},
         middle_x_mm_{0.5 * (bounds.left_mm + bounds.right_mm)},
@@ -79,8 +79,8 @@ class View {
 }
 
 /// What the vertices cover; only the parts where `move` is at least `least`.
-[[nodiscard]] inline Bounds bounds_of(const std::vector<PathVertex>& vertices, Move least) {
-  Bounds bounds;
+[[nodiscard]] inline Extent bounds_of(const std::vector<PathVertex>& vertices, Move least) {
+  Extent bounds;
   for (std::size_t i = 0; i < vertices.size(); ++i) {
     if (vertices[i].move < least) continue;
     const PathVertex& from = vertices[i == 0 ? 0 : i - 1];

@@ -22,9 +22,11 @@ class StepPosition {
 
   [[nodiscard]] constexpr std::int64_t q32() const { return q32_; }
 
-  /// The motor step nearest to this place; a half rounds up.
+  /// The motor step nearest to this place; a half rounds away from zero, as
+  /// lround does.
   [[nodiscard]] constexpr std::int32_t nearest_step() const {
-    return static_cast<std::int32_t>((q32_ + (std::int64_t{1} << 31)) >> 32);
+    const std::int64_t half = (std::int64_t{1} << 31) - (q32_ < 0 ? 1 : 0);
+    return static_cast<std::int32_t>((q32_ + half) >> 32);
   }
 
   constexpr bool operator==(const StepPosition&) const = default;

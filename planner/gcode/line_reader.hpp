@@ -14,11 +14,10 @@ inline constexpr std::size_t kLongestLine = 256;
 
 /// A letter and its number, and where it stands.
 struct Word {
-  char letter = ' ';        ///< 'A'…'Z'.
+  char letter = ' ';         ///< 'A'…'Z'.
   std::uint16_t column = 0;  ///< 1-based.
   Decimal value{};
 };
-
 
 /// Splits one line into words.
 ///

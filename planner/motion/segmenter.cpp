@@ -161,10 +161,10 @@ void Segmenter::cut(std::uint32_t units, Segment& segment) {
   const float speed =
       phase_ends ? std::sqrt(phase_.end_speed_square) : course_.speed_after(units_done_);
   const std::uint64_t from_fraction = fraction_;
-  fraction_ = phase_ends ? phase_to_
-                         : phase_from_ + (((phase_to_ - phase_from_) *
-                                           course_.share_after(units_done_)) >>
-                                          32);
+  fraction_ =
+      phase_ends
+          ? phase_to_
+          : phase_from_ + (((phase_to_ - phase_from_) * course_.share_after(units_done_)) >> 32);
   if (observer_ != nullptr) {
     observer_->on_slice(
         {blocks_ended_, from_fraction, fraction_, speed_, phase_.acceleration, duration});

@@ -38,7 +38,7 @@ class SliceObserver {
 /// Main loop only. All state is where the last slice handed out has ended.
 class Segmenter {
  public:
-  static constexpr float kLongestSlice = 1.0e-3F;    ///< s.
+  static constexpr float kLongestSlice = 1.0e-3F;  ///< s.
 
   Segmenter(BlockQueue& queue, const Limits& limits) : queue_{queue}, limits_{limits} {}
 

@@ -16,10 +16,19 @@ constexpr float kNegligible = 1.0e-5F;
 constexpr float kAbovePlan = 1.0F + 1.0e-4F;
 constexpr float kSteeperThanPlan = 1.0F + 5.0e-4F;
 
+/// Two units in the last place of a float.
+constexpr float kSpeedSquareRounding = 2.4e-7F;
+
+/// (1 µm/s)²: slower than a step in a second.
+constexpr float kStandstillSquare = 1.0e-6F;
+
 }  // namespace
 
-void SpeedProfile::begin(const Block& block, const Limits& limits, const Overrides& overrides,
-                         float exit_square, float speed_square) {
+void SpeedProfile::begin(const Block& block,
+                         const Limits& limits,
+                         const Overrides& overrides,
+                         float exit_square,
+                         float speed_square) {
   spans_ = Spans{block, limits};
   span_ = 0;
   left_ = spans_.length_of(0);
@@ -111,7 +120,13 @@ Phase SpeedProfile::brake_to(float target_square) const {
   const float needed = speed_square_ - target_square;
   const float possible = 2.0F * deceleration * left_;
   if (needed <= 0.0F) return {};
-  if (needed >= possible) return phase_to(speed_square_ - possible, left_, 0.0F);
+  if (needed >= possible) {
+    // A standstill that is missed by rounding alone is met.
+    const float rounding =
+        possible * 1.0e-3F + speed_square_ * kSpeedSquareRounding + kStandstillSquare;
+    const bool met = needed - possible <= rounding;
+    return phase_to(met ? target_square : speed_square_ - possible, left_, 0.0F);
+  }
   const float distance = needed / (2.0F * deceleration);
   return phase_to(target_square, distance, std::max(0.0F, left_ - distance));
 }

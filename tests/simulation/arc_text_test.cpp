@@ -179,7 +179,7 @@ TEST(FullCircle, OfRadius20IsTwoBlocksAtTheCentripetalLimit) {
               result.job_time_s);
   EXPECT_LE(share, 1.0);
   EXPECT_GE(share, 0.98);
-  EXPECT_LE(timer.greatest_centripetal(0.0, 1.0, 0.05), 1.0 * static_cast<double>(kLimit));
+  EXPECT_LE(timer.greatest_centripetal(0.0, 1.0, 0.05), static_cast<double>(kLimit));
 }
 
 }  // namespace

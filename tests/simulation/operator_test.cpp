@@ -17,8 +17,8 @@ using Steps = std::array<std::int32_t, cnc::kAxisCount>;
 constexpr int kMostTurns = 600'000;  ///< Ten minutes of the machine: it hangs.
 
 void change(sim::Simulator& simulator, std::size_t number, double value) {
-  const auto stored = simulator.change_setting(static_cast<std::uint16_t>(number),
-                                               static_cast<float>(value));
+  const auto stored =
+      simulator.change_setting(static_cast<std::uint16_t>(number), static_cast<float>(value));
   EXPECT_EQ(stored, "") << "$" << number << "=" << value;
 }
 
@@ -93,10 +93,7 @@ void meddle(Random& random, cnc::Machine& machine) {
 class Bench {
  public:
   explicit Bench(Random& random) : job{random}, simulator{job.text, {}} {
-    set_up(simulator,
-           scale,
-           random.magnitude(20.0, 300.0),
-           random.magnitude(100.0, 8000.0));
+    set_up(simulator, scale, random.magnitude(20.0, 300.0), random.magnitude(100.0, 8000.0));
   }
 
   void expect_at_end() {
@@ -161,8 +158,7 @@ double hold_delay(std::uint64_t seed) {
   Random random{seed};
   const double speed = random.magnitude(10.0, 200.0);
   const double acceleration = random.magnitude(100.0, 5000.0);
-  sim::Simulator simulator{
-      "G21 G90\nG1 X700 F" + std::to_string(60.0 * speed) + "\nM2\n", {}};
+  sim::Simulator simulator{"G21 G90\nG1 X700 F" + std::to_string(60.0 * speed) + "\nM2\n", {}};
   set_up(simulator, 80.0, 1.1 * speed, acceleration);
   LastEdge edge;
   simulator.add_sink(edge);
@@ -190,6 +186,33 @@ TEST(FeedHold, StopsALongLineAtTheLimitOfTheAxis) {
     longest = std::max(longest, hold_delay(seed));
   }
   std::printf("feed hold: at most %.1f ms beyond v/a\n", 1.0e3 * longest);
+}
+
+void hold_line_at(std::size_t turns, double speed, double acceleration) {
+  sim::Simulator simulator{"G21 G90\nG1 X10 Y3 F" + std::to_string(60.0 * speed) + "\nM2\n", {}};
+  set_up(simulator, 160.0, 2.0 * speed, acceleration);
+  for (std::size_t turn = 0; turn < turns; ++turn) simulator.turn();
+  simulator.machine().feed_hold();
+  for (int turn = 0; turn < 1000; ++turn) simulator.turn();
+  simulator.machine().resume();
+  for (int turn = 0; turn < 5000 && !simulator.done(); ++turn) simulator.turn();
+  EXPECT_EQ(simulator.result().alarm, 0);
+  EXPECT_EQ(simulator.result().final_position[0], 1600);
+}
+
+// The hold may come while the machine already brakes for the end of all motion.
+TEST(FeedHold, AtAnyMillisecondOfALineLosesNothing) {
+  const Trials trials{20};
+  for (auto seed = trials.first_seed(); seed < trials.end_seed() && !too_many_failures(); ++seed) {
+    Random random{seed};
+    const double speed = random.magnitude(10.0, 100.0);
+    const double acceleration = random.magnitude(100.0, 5000.0);
+    for (std::size_t turns = 0; turns < 600 && !too_many_failures(); turns += 2 - seed % 2) {
+      SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed << ", v " << speed << ", a "
+                                      << acceleration << ", hold at " << turns << " ms");
+      hold_line_at(turns, speed, acceleration);
+    }
+  }
 }
 
 void expect_position_known(sim::Simulator& simulator) {

@@ -131,7 +131,8 @@ class PlanCheck {
     Vector now = block().exact.tangent_at(slice().fraction_at(within));
     for (double& share : now) share *= speed;
     for (std::size_t axis = 0; has_sample_ && axis < cnc::kAxisCount; ++axis) {
-      const double change = std::abs(now[axis] - sample_[axis]) - kRoundings * float_noise(now[axis]);
+      const double noise = kRoundings * float_noise(now[axis]);
+      const double change = std::abs(now[axis] - sample_[axis]) - noise;
       figures_.speed_change.note(change / kSampling / acceleration_limit(axis), index_, axis);
     }
     sample_ = now;
