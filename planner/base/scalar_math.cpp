@@ -27,15 +27,9 @@ float cosine_near_zero(float x) {
 
 }  // namespace
 
-SinCos sin_cos(float angle) {
-  const float quarters = angle * (1.0F / kHalfPi);
-  const auto count = static_cast<std::int32_t>(quarters + (quarters >= 0.0F ? 0.5F : -0.5F));
-  const auto turned = static_cast<float>(count);
-  const float rest =
-      ((angle - turned * kHalfPiHigh) - turned * kHalfPiMiddle) - turned * kHalfPiLow;
-  const float s = sine_near_zero(rest);
-  const float c = cosine_near_zero(rest);
-  switch (count & 3) {
+SinCos turned_by_quarters(const SinCos& angle, int quarters) {
+  const auto [s, c] = angle;
+  switch (quarters & 3) {
     case 0:
       return {s, c};
     case 1:
@@ -45,6 +39,15 @@ SinCos sin_cos(float angle) {
     default:
       return {-c, s};
   }
+}
+
+SinCos sin_cos(float angle) {
+  const float quarters = angle * (1.0F / kHalfPi);
+  const auto count = static_cast<std::int32_t>(quarters + (quarters >= 0.0F ? 0.5F : -0.5F));
+  const auto turned = static_cast<float>(count);
+  const float rest =
+      ((angle - turned * kHalfPiHigh) - turned * kHalfPiMiddle) - turned * kHalfPiLow;
+  return turned_by_quarters({sine_near_zero(rest), cosine_near_zero(rest)}, count);
 }
 
 float atan_unit(float t) {

@@ -18,6 +18,9 @@ struct SinCos {
   float cosine;
 };
 
+/// Sine and cosine of an angle `quarters` quarter turns further; any sign.
+[[nodiscard]] SinCos turned_by_quarters(const SinCos& angle, int quarters);
+
 /// Sine and cosine of an angle in radians.
 /// Guarantee: absolute error at most kSinCosError for |angle| ≤ kSinCosRange;
 /// beyond it the reduction by quarter turns loses digits in proportion.

@@ -41,18 +41,8 @@ constexpr auto kQuarterSines = make_quarter_sines();
 SinCos grid_sin_cos(int index) {
   const int wrapped = ((index % Spans::kGridPerTurn) + Spans::kGridPerTurn) % Spans::kGridPerTurn;
   const auto within = static_cast<std::size_t>(wrapped % kGridPerQuarter);
-  const float s = kQuarterSines[within];
-  const float c = kQuarterSines[kGridPerQuarter - within];
-  switch (wrapped / kGridPerQuarter) {
-    case 0:
-      return {s, c};
-    case 1:
-      return {c, -s};
-    case 2:
-      return {-s, -c};
-    default:
-      return {-c, s};
-  }
+  return turned_by_quarters({kQuarterSines[within], kQuarterSines[kGridPerQuarter - within]},
+                            wrapped / kGridPerQuarter);
 }
 
 float square(float x) { return x * x; }
