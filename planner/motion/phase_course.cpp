@@ -18,7 +18,7 @@ constexpr float kMostUnits = 1.0e9F;
 PhaseCourse::PhaseCourse(const Phase& phase)
     : start_speed_{phase.start_speed}, end_speed_{std::sqrt(phase.end_speed_square)} {
   const float units = std::min(kMostUnits, std::ceil(phase.duration / kLongestUnit));
-  units_ = std::max(1U, static_cast<std::uint32_t>(units));
+  units_ = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(units));
   unit_s_ = phase.duration / static_cast<float>(units_);
   unit_q62_ = (std::uint64_t{1} << 62) / units_;
   const float alpha = 2.0F * start_speed_ / (start_speed_ + end_speed_);

@@ -151,7 +151,7 @@ std::uint32_t Segmenter::slice_units() const {
   const float change = 2.0F * std::abs(phase_.acceleration);
   const float longest = change * kLongestSlice > speed_ ? speed_ / change : kLongestSlice;
   const auto units = static_cast<std::uint32_t>(longest / course_.unit_s());
-  return std::clamp(units, 1U, course_.units() - units_done_);
+  return std::clamp<std::uint32_t>(units, 1, course_.units() - units_done_);
 }
 
 void Segmenter::cut(std::uint32_t units, Segment& segment) {
