@@ -32,8 +32,16 @@ class BytesLink final : public hal::ByteStream {
   }
 
   std::size_t write(std::span<const std::byte> from) override {
-    const auto first = static_cast<char>(from[0]);
-    if (first == 'o' || first == 'e') ++answers;
+    for (const std::byte byte : from) {
+      const char character = static_cast<char>(byte);
+      if (character == '\n') {
+        if (!in_message_) ++answers;
+        at_start_ = true;
+        continue;
+      }
+      if (at_start_) in_message_ = character == '[';
+      at_start_ = false;
+    }
     return from.size();
   }
 
@@ -52,6 +60,8 @@ class BytesLink final : public hal::ByteStream {
  private:
   std::span<const std::uint8_t> bytes_;
   std::size_t read_ = 0;
+  bool at_start_ = true;
+  bool in_message_ = false;  ///< `[MSG:…]` lines come before an answer and are none.
 };
 
 /// The controller in virtual time, a millisecond a turn.

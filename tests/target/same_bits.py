@@ -1,0 +1,42 @@
+#!/usr/bin/env python3
+"""The firmware compiled for Cortex-M4F, run in an emulator, against the host.
+
+    same_bits.py HOST_PROGRAM TARGET_ELF
+
+Both run the whole firmware on the same program and print a digest of every
+edge with its tick. They must agree. Ends with 77 (skipped) where the image or
+the emulator is missing.
+"""
+
+import pathlib
+import shutil
+import subprocess
+import sys
+
+EMULATOR = "qemu-system-arm"
+SKIPPED = 77
+
+
+def run(command: list[str]) -> str:
+    done = subprocess.run(command, capture_output=True, text=True, timeout=280, check=False)
+    if done.returncode != 0:
+        sys.exit(f"{command[0]} ended with {done.returncode}: {done.stdout}{done.stderr}")
+    return (done.stdout + done.stderr).strip()  # Semihosting writes to the latter.
+
+
+def main() -> int:
+    host, image = sys.argv[1:3]
+    if not pathlib.Path(image).exists() or not shutil.which(EMULATOR):
+        print(f"skipped: needs {EMULATOR} and {image} (preset cortex-m4f)")
+        return SKIPPED
+    # -M netduinoplus2 is an STM32F405; without devices of ours only core and memory count.
+    emulator = [EMULATOR, "-M", "netduinoplus2", "-display", "none", "-monitor", "none",
+                "-serial", "none", "-semihosting-config", "enable=on,target=native",
+                "-kernel", image]
+    expected, got = run([host]), run(emulator)
+    print(f"host    {expected}\ntarget  {got}   (hash of all edges, step pulses, answers)")
+    return 0 if expected == got else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
