@@ -145,10 +145,10 @@ void Segmenter::end_block() {
   driving_ = false;
 }
 
-/// Where the speed changes fast in relation to itself slices are shorter, so
-/// that a parabola in the step index fits.
+/// Where the speed changes by more than a third of itself slices are shorter,
+/// so that a parabola in the step index fits.
 std::uint32_t Segmenter::slice_units() const {
-  const float change = 2.0F * std::abs(phase_.acceleration);
+  const float change = 3.0F * std::abs(phase_.acceleration);
   const float longest = change * kLongestSlice > speed_ ? speed_ / change : kLongestSlice;
   const auto units = static_cast<std::uint32_t>(longest / course_.unit_s());
   return std::clamp<std::uint32_t>(units, 1, course_.units() - units_done_);
