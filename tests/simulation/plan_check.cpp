@@ -18,8 +18,8 @@ constexpr double kRoundings = 8.0;
 
 class PlanCheck {
  public:
-  PlanCheck(const RecordedPlan& plan, const TestMachine& machine)
-      : plan_{plan}, limits_{machine.limits} {}
+  PlanCheck(const RecordedPlan& plan, const TestMachine& machine, Sampling sampling)
+      : plan_{plan}, limits_{machine.limits}, sampling_{sampling} {}
 
   PlanFigures run() {
     for (index_ = 0; index_ < plan_.slices.size(); ++index_) check_slice();
@@ -46,6 +46,7 @@ class PlanCheck {
     figures_.finite &= std::isfinite(slice().start_s + duration + slice().end_speed());
     check_moment(0.0);
     check_moment(duration);
+    if (sampling_ == Sampling::kAtSlicesOnly) return;
     const double first = std::ceil(slice().start_s / kSampling) * kSampling - slice().start_s;
     for (double within = first; within < duration; within += kSampling) sample(within);
   }
@@ -145,6 +146,7 @@ class PlanCheck {
 
   const RecordedPlan& plan_;
   const cnc::motion::Limits& limits_;
+  Sampling sampling_;
   PlanFigures figures_{};
   std::size_t index_ = 0;
   Vector sample_{};
@@ -153,8 +155,8 @@ class PlanCheck {
 
 }  // namespace
 
-PlanFigures check_plan(const RecordedPlan& plan, const TestMachine& machine) {
-  return PlanCheck{plan, machine}.run();
+PlanFigures check_plan(const RecordedPlan& plan, const TestMachine& machine, Sampling sampling) {
+  return PlanCheck{plan, machine, sampling}.run();
 }
 
 double corner_speed(const Vector& before, const Vector& after, const cnc::motion::Limits& limits) {

@@ -35,9 +35,13 @@ struct PlanFigures {
   bool finite = true;
 };
 
-/// Evaluates the continuous plan at 20 kHz and at both ends of every slice, in
-/// double precision from the exact geometry.
-[[nodiscard]] PlanFigures check_plan(const RecordedPlan& plan, const TestMachine& machine);
+enum class Sampling { kAt20kHz, kAtSlicesOnly };
+
+/// Evaluates the continuous plan at both ends of every slice and, unless told
+/// otherwise, at 20 kHz, in double precision from the exact geometry.
+[[nodiscard]] PlanFigures check_plan(const RecordedPlan& plan,
+                                     const TestMachine& machine,
+                                     Sampling sampling = Sampling::kAt20kHz);
 
 /// The speed of the corner rule, from its definition: the circle that touches
 /// both legs within $11 of the corner, driven with the acceleration that the
