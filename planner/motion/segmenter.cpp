@@ -101,6 +101,7 @@ bool Segmenter::ready_phase() {
     return false;
   }
   course_ = PhaseCourse{phase_};
+  near_reversal_ = profile_.near_reversal();
   units_done_ = 0;
   phase_from_ = fraction_;
   phase_to_ = fraction_after(phase_);
@@ -145,9 +146,10 @@ void Segmenter::end_block() {
   driving_ = false;
 }
 
-/// Where the speed changes by more than a third of itself slices are shorter,
-/// so that a parabola in the step index fits.
+/// Where the speed of the path or of an axis changes by more than a third of
+/// itself slices are shorter, so that a parabola in the step index fits.
 std::uint32_t Segmenter::slice_units() const {
+  if (near_reversal_) return 1;
   const float change = 3.0F * std::abs(phase_.acceleration);
   const float longest = change * kLongestSlice > speed_ ? speed_ / change : kLongestSlice;
   const auto units = static_cast<std::uint32_t>(longest / course_.unit_s());

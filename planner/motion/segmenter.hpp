@@ -88,6 +88,7 @@ class Segmenter {
   Phase phase_{};
   PhaseCourse course_{};
   std::uint32_t units_done_ = 0;  ///< Of the course.
+  bool near_reversal_ = false;    ///< Within the phase.
   std::uint64_t phase_from_ = 0;  ///< Fractions of the block.
   std::uint64_t phase_to_ = 0;
 

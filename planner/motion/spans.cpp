@@ -101,6 +101,14 @@ float Spans::boundary(int index) const {
   return (angle_of(index) - start_angle_) * mm_per_radian_;
 }
 
+bool Spans::near_reversal(int span) const {
+  if (sweep_ <= 0.0F) return false;
+  const float middle = 0.5F * (angle_of(span) + angle_of(span + 1));
+  const auto cell = static_cast<int>(std::floor(middle / kGridAngle));
+  const int in_quarter = ((cell % kGridPerQuarter) + kGridPerQuarter) % kGridPerQuarter;
+  return in_quarter == 0 || in_quarter == kGridPerQuarter - 1;
+}
+
 Place Spans::place_with(float cosine, float sine) const {
   const float bend = square(plane_share_) * curvature_;
   return {.tangent_first = plane_share_ * cosine,

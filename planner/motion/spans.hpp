@@ -39,6 +39,10 @@ class Spans {
   /// acceleration, before any feed.
   [[nodiscard]] float speed_limit_square(int span) const;
 
+  /// Whether an axis of the plane reverses at an end of the span or next to it,
+  /// so that its speed changes there by more than itself.
+  [[nodiscard]] bool near_reversal(int span) const;
+
   [[nodiscard]] Place place_at_boundary(int index) const;
   [[nodiscard]] Place place_at(float distance) const;
 

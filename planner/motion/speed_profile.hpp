@@ -45,6 +45,9 @@ class SpeedProfile {
   [[nodiscard]] float speed_square() const { return speed_square_; }
   [[nodiscard]] float exit_square() const { return exit_square_; }
 
+  /// An axis reverses at or next to an end of the present span. @pre !at_end()
+  [[nodiscard]] bool near_reversal() const { return spans_.near_reversal(span_); }
+
   /// The next phase from the present place and speed. Duration 0: the machine
   /// stands still and wants to (halted). @pre !at_end()
   [[nodiscard]] Phase next_phase(Drive drive) const;
