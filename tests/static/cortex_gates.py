@@ -50,7 +50,7 @@ def built_objects(build: pathlib.Path) -> list:
     """The object files of the build, as its compile commands name them; not those of the test
     program in tests/target, which never goes onto a controller."""
     entries = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
-    entries = [entry for entry in entries if "/tests/target/" not in entry["file"]]
+    entries = [entry for entry in entries if "/tests/target/" not in entry["command"]]
     outputs = [re.search(r" -o (\S+) ", entry["command"])[1] for entry in entries]
     return [pathlib.Path(entry["directory"]) / output for entry, output in zip(entries, outputs)]
 
