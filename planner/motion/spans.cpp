@@ -48,10 +48,11 @@ SinCos grid_sin_cos(int index) {
 float square(float x) { return x * x; }
 
 /// Greatest x ≥ 0 with |gradient · x + offset| ≤ limit, or `most` if smaller.
+/// No x mends an offset that rounding put beyond the limit where gradient = 0.
 float tighten(float most, float limit, float gradient, float offset) {
   const float room = limit - (gradient > 0.0F ? offset : -offset);
   const float steepness = std::abs(gradient);
-  if (room >= most * steepness) return most;
+  if (room >= most * steepness || steepness <= 0.0F) return most;
   return std::max(0.0F, room) / steepness;
 }
 

@@ -114,9 +114,19 @@ Phase SpeedProfile::speed_up_or_follow() const {
   return phase_to(std::min(target, speed_square_), left_, 0.0F);
 }
 
+/// Below the braking curve the plan's own deceleration is feasible in the share
+/// in which v² is below it, for the limits are linear in (a, v²) and hold at
+/// standstill; so what the plan can stop from here can stop. (Within a span
+/// the limits at the very place may be tighter than at its ends, by the margin.)
+float SpeedProfile::planned_deceleration() const {
+  const float planned = braking_[static_cast<std::size_t>(span_)].deceleration;
+  const float curve = end_target_square() + 2.0F * planned * left_;
+  return curve > speed_square_ ? planned * (speed_square_ / curve) : planned;
+}
+
 /// Slow down as hard as the limits allow until v² is `target_square` or the span ends.
 Phase SpeedProfile::brake_to(float target_square) const {
-  const float deceleration = steepest(Change::kSlowDown);
+  const float deceleration = std::max(steepest(Change::kSlowDown), planned_deceleration());
   const float needed = speed_square_ - target_square;
   const float possible = 2.0F * deceleration * left_;
   if (needed <= 0.0F) return {};
@@ -129,6 +139,13 @@ Phase SpeedProfile::brake_to(float target_square) const {
   }
   const float distance = needed / (2.0F * deceleration);
   return phase_to(target_square, distance, std::max(0.0F, left_ - distance));
+}
+
+/// The square of a speed is rounded; it must not leave the phase, whose ends
+/// are within the caps.
+void SpeedProfile::stop_short(const Phase& phase, float distance, float speed) {
+  const auto [least, most] = std::minmax(speed_square_, phase.end_speed_square);
+  move(phase.left + distance, std::clamp(speed * speed, least, most));
 }
 
 void SpeedProfile::move(float left, float speed_square) {

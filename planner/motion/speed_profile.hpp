@@ -55,9 +55,7 @@ class SpeedProfile {
   /// The whole phase was driven.
   void complete(const Phase& phase) { move(phase.left, phase.end_speed_square); }
   /// All but `distance` mm of it was; the speed is `speed` mm/s now.
-  void stop_short(const Phase& phase, float distance, float speed) {
-    move(phase.left + distance, speed * speed);
-  }
+  void stop_short(const Phase& phase, float distance, float speed);
   /// mm to the end of the block after the phase.
   [[nodiscard]] float left_of_block(const Phase& phase) const {
     return spans_.boundary(spans_.count()) - spans_.boundary(span_ + 1) + phase.left;
@@ -69,6 +67,7 @@ class SpeedProfile {
   [[nodiscard]] Phase phase_to(float end_square, float distance, float left) const;
   [[nodiscard]] float steepest(Change change) const;
   [[nodiscard]] float end_target_square() const;
+  [[nodiscard]] float planned_deceleration() const;
   void move(float left, float speed_square);
 
   Spans spans_{};

@@ -96,6 +96,15 @@ TEST(RandomPrograms, KeepEveryLimitAndTheirPulsesFollowThePlan) {
   RecordProperty("acceleration", std::to_string(summary.plan.acceleration.value));
 }
 
+/// Edges some µs late; a phase of rounding at ten times the acceleration.
+TEST(RandomPrograms, ThatOnceFailedPass) {
+  Summary summary;
+  for (const std::uint64_t seed : {12430U, 23528U, 39486U}) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    EXPECT_NO_THROW(try_program(seed, summary));
+  }
+}
+
 /// Two long legs that meet at a random angle, and the speed at their corner.
 class Corner {
  public:

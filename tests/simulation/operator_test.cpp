@@ -136,6 +136,9 @@ TEST(Operator, HoldsResumesAndOverridesWithoutLosingAStep) {
   }
 }
 
+/// A hold in the last span of an arc ran over the end of the block.
+TEST(Operator, HoldsBeforeTheEndOfAnArc) { meddle_with_job(1463); }
+
 /// The time of the last edge.
 class LastEdge final : public sim::TraceSink {
  public:
