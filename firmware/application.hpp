@@ -34,6 +34,7 @@ class Application {
   std::uint32_t on_step_interrupt() noexcept { return steps_.on_interrupt(); }
 
   [[nodiscard]] Machine& machine() { return machine_; }
+  [[nodiscard]] const Machine& machine() const { return machine_; }
   [[nodiscard]] const StepGenerator<Port, kSegmentQueue>& steps() const { return steps_; }
 
  private:

@@ -6,19 +6,10 @@
 #include <utility>
 #include <vector>
 
-#include "firmware/application.hpp"
-#include "hal/host/recording_port.hpp"
 #include "host-sim/machine/program_link.hpp"
-#include "host-sim/trace/trace_row.hpp"
+#include "host-sim/machine/virtual_controller.hpp"
 
 namespace sim {
-
-/// The machine around the controller.
-struct MachineModel {
-  /// Height of a conducting plate that closes the probe circuit, mm in machine
-  /// coordinates; the tool's tip touches it when Z comes down to it.
-  double probe_plate_z_mm = -10.0;
-};
 
 struct RunOptions {
   AfterRefusal after_refusal = AfterRefusal::kStop;
@@ -38,52 +29,37 @@ struct RunResult {
   cnc::AxisArray<std::int32_t> final_position{};           ///< Motor steps.
 };
 
-/// Runs the unchanged firmware in virtual time: one thread, no clock, the same
-/// result for the same bytes. The main loop turns once a millisecond, the step
-/// interrupt exactly when it asks to.
+/// Runs a program on a virtual controller, as fast as it goes, with a sender
+/// and an operator who never make it wait.
 class Simulator {
  public:
-  using Firmware = cnc::Application<hal::host::RecordingPort>;
-  static constexpr std::uint64_t kTicksPerTurn = cnc::motion::kTicksPerSecond / 1000;
-  static constexpr std::uint64_t kNanosecondsPerTick = 1'000'000'000 / cnc::motion::kTicksPerSecond;
-
   Simulator(std::string program, RunOptions options);
 
   /// Before run(). A refused setting is returned as a reason, else empty.
   [[nodiscard]] std::string change_setting(std::uint16_t number, float value);
-  [[nodiscard]] const cnc::Settings& settings() { return firmware_.machine().settings(); }
+  [[nodiscard]] const cnc::Settings& settings() const { return controller_.machine().settings(); }
 
   /// Sinks see every edge from now on; they must outlive the run.
-  void add_sink(TraceSink& sink) { sinks_.push_back(&sink); }
+  void add_sink(TraceSink& sink) { controller_.add_sink(sink); }
 
   /// Until the program is answered and the machine stands still, or an alarm.
   [[nodiscard]] RunResult run();
 
   // For tests that act in the middle of a run.
-  [[nodiscard]] cnc::Machine& machine() { return firmware_.machine(); }
-  [[nodiscard]] std::uint64_t now_ticks() const { return now_; }
+  [[nodiscard]] cnc::Machine& machine() { return controller_.machine(); }
+  [[nodiscard]] std::uint64_t now_ticks() const { return controller_.now_ticks(); }
   /// One turn of the main loop and the millisecond of interrupts after it.
   void turn();
-  [[nodiscard]] bool done();
-  [[nodiscard]] RunResult result();
-  [[nodiscard]] const hal::host::RecordingPort& port() const { return port_; }
+  [[nodiscard]] bool done() const;
+  [[nodiscard]] RunResult result() const;
+  [[nodiscard]] const hal::host::RecordingPort& port() const { return controller_.port(); }
 
  private:
-  void advance_to(std::uint64_t tick);
-  void report_change();
-  void hand_out_row();
   void attend_pause();
 
   RunOptions options_;
   ProgramLink link_;
-  hal::host::RecordingPort port_{};
-  Firmware firmware_;
-  std::vector<TraceSink*> sinks_;
-  std::uint64_t now_ = 0;             ///< Ticks of the step clock.
-  std::uint64_t next_interrupt_ = 0;  ///< Valid while the timer runs.
-  bool timer_runs_ = false;
-  TraceRow row_{};  ///< Not handed out while its instant lasts.
-  bool row_waits_ = false;
+  VirtualController controller_;
   std::vector<std::pair<std::size_t, std::string>> notes_;
 };
 

@@ -1,0 +1,62 @@
+#include "host-sim/machine/virtual_controller.hpp"
+
+namespace sim {
+namespace {
+
+constexpr float kFullPower = 65535.0F;
+constexpr std::uint64_t kTicksPerMicrosecond = cnc::motion::kTicksPerSecond / 1'000'000;
+
+}  // namespace
+
+VirtualController::VirtualController(hal::ByteStream& link, const MachineModel& model)
+    : model_{model}, firmware_{port_, port_, link} {}
+
+void VirtualController::turn() {
+  last_event_ = now_;
+  firmware_.poll(hal::TickCount{static_cast<std::uint32_t>(now_ / kTicksPerMicrosecond)});
+  advance_to(now_ + kTicksPerTurn);
+}
+
+void VirtualController::advance_to(std::uint64_t tick) {
+  if (port_.changed) report_change();
+  if (port_.timer_started) {
+    port_.timer_started = false;
+    timer_runs_ = true;
+    next_interrupt_ = now_;
+  }
+  while (timer_runs_ && next_interrupt_ < tick) {
+    now_ = last_event_ = next_interrupt_;
+    const std::uint32_t wait = firmware_.on_step_interrupt();
+    if (port_.changed) report_change();
+    timer_runs_ = wait != 0;
+    next_interrupt_ += wait;
+  }
+  now_ = tick;
+}
+
+void VirtualController::report_change() {
+  port_.changed = false;
+  const float z_steps_per_mm = machine().settings().get(cnc::setting::kStepsPerMm, 2);
+  const double z_mm =
+      static_cast<double>(port_.position[2]) / static_cast<double>(z_steps_per_mm);
+  port_.probe = z_mm <= model_.probe_plate_z_mm;
+  const TraceRow row{.time_ns = now_ * kNanosecondsPerTick,
+                     .position = port_.position,
+                     .duty = static_cast<float>(port_.power) / kFullPower};
+  // Changes of the same instant are one row.
+  if (row_waits_ && row_.time_ns != row.time_ns) hand_out_row();
+  row_ = row;
+  row_waits_ = true;
+}
+
+void VirtualController::hand_out_row() {
+  for (TraceSink* sink : sinks_) sink->on_row(row_);
+  row_waits_ = false;
+}
+
+void VirtualController::end() {
+  if (row_waits_) hand_out_row();
+  for (TraceSink* sink : sinks_) sink->on_end(now_ * kNanosecondsPerTick);
+}
+
+}  // namespace sim

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "firmware/application.hpp"
+#include "hal/host/recording_port.hpp"
+#include "hal/interface/byte_stream.hpp"
+#include "host-sim/trace/trace_row.hpp"
+
+namespace sim {
+
+/// The machine around the controller.
+struct MachineModel {
+  /// Height of a conducting plate that closes the probe circuit, mm in machine
+  /// coordinates; the tool's tip touches it when Z comes down to it.
+  double probe_plate_z_mm = -10.0;
+};
+
+/// The unchanged firmware on a model of the machine, in virtual time: one
+/// thread, no clock, the same result for the same bytes at the same times. The
+/// main loop turns once a millisecond, the step interrupt exactly when it asks to.
+///
+/// Whoever owns the link decides where bytes come from and how fast time goes:
+/// a program (Simulator) or somebody's sender (`kerfline serve`).
+class VirtualController {
+ public:
+  using Firmware = cnc::Application<hal::host::RecordingPort>;
+  static constexpr std::uint64_t kTicksPerTurn = cnc::motion::kTicksPerSecond / 1000;
+  static constexpr std::uint64_t kNanosecondsPerTick = 1'000'000'000 / cnc::motion::kTicksPerSecond;
+
+  /// The link must outlive the controller.
+  VirtualController(hal::ByteStream& link, const MachineModel& model);
+
+  /// Sinks see every edge from now on; they must outlive the controller.
+  void add_sink(TraceSink& sink) { sinks_.push_back(&sink); }
+
+  /// One turn of the main loop and the interrupts of the millisecond after it.
+  void turn();
+  /// Hands out the last row and tells the sinks that there are no more.
+  void end();
+
+  [[nodiscard]] std::uint64_t now_ticks() const { return now_; }
+  [[nodiscard]] bool step_timer_runs() const { return timer_runs_; }
+  [[nodiscard]] cnc::Machine& machine() { return firmware_.machine(); }
+  [[nodiscard]] const cnc::Machine& machine() const { return firmware_.machine(); }
+  [[nodiscard]] const hal::host::RecordingPort& port() const { return port_; }
+
+  /// Takes back what the last turn went on after its last interrupt: a run ends
+  /// with its motion, not with the turn in which that was noticed.
+  void take_back_idle_time() { now_ = last_event_; }
+
+ private:
+  void advance_to(std::uint64_t tick);
+  void report_change();
+  void hand_out_row();
+
+  MachineModel model_;
+  hal::host::RecordingPort port_{};
+  Firmware firmware_;
+  std::vector<TraceSink*> sinks_;
+  std::uint64_t now_ = 0;  ///< Ticks of the step clock.
+  std::uint64_t last_event_ = 0;  ///< Start of the last turn, or an interrupt in it.
+  std::uint64_t next_interrupt_ = 0;  ///< Valid while the timer runs.
+  bool timer_runs_ = false;
+  TraceRow row_{};  ///< Not handed out while its instant lasts.
+  bool row_waits_ = false;
+};
+
+}  // namespace sim
