@@ -38,7 +38,7 @@ enum class SettingError : std::uint8_t {
 /// The values of all settings.
 class Settings {
  public:
-  static constexpr std::size_t kMostSettings = 40;
+  static constexpr std::size_t kMostSettings = 80;
 
   Settings();
 
@@ -57,17 +57,52 @@ class Settings {
 
 namespace setting {
 inline constexpr std::uint16_t kStepPulse = 0;
+inline constexpr std::uint16_t kIdleDelay = 1;
+inline constexpr std::uint16_t kStepInvert = 2;
+inline constexpr std::uint16_t kDirectionInvert = 3;
+inline constexpr std::uint16_t kEnableInvert = 4;
+inline constexpr std::uint16_t kLimitInvert = 5;
+inline constexpr std::uint16_t kProbeInvert = 6;
+inline constexpr std::uint16_t kStatusReport = 10;
 inline constexpr std::uint16_t kJunctionDeviation = 11;
+inline constexpr std::uint16_t kArcTolerance = 12;
+inline constexpr std::uint16_t kReportInches = 13;
+inline constexpr std::uint16_t kControlInvert = 14;
+inline constexpr std::uint16_t kCoolantInvert = 15;
+inline constexpr std::uint16_t kSpindleInvert = 16;
+inline constexpr std::uint16_t kSoftLimits = 20;
+inline constexpr std::uint16_t kHardLimits = 21;
+inline constexpr std::uint16_t kHoming = 22;
+inline constexpr std::uint16_t kHomingDirectionInvert = 23;
+inline constexpr std::uint16_t kHomingLocateRate = 24;
+inline constexpr std::uint16_t kHomingSeekRate = 25;
+inline constexpr std::uint16_t kHomingDebounce = 26;
+inline constexpr std::uint16_t kHomingPullOff = 27;
 inline constexpr std::uint16_t kDirectionSetUp = 29;
 inline constexpr std::uint16_t kMostSpindleSpeed = 30;
 inline constexpr std::uint16_t kLeastSpindleSpeed = 31;
 inline constexpr std::uint16_t kLaserMode = 32;
+inline constexpr std::uint16_t kJogLimited = 40;
+inline constexpr std::uint16_t kParking = 41;
+inline constexpr std::uint16_t kParkingAxis = 42;
+inline constexpr std::uint16_t kHomingPasses = 43;
+inline constexpr std::uint16_t kHomingPassAxes = 44;
+inline constexpr std::uint16_t kParkingPullOut = 56;
+inline constexpr std::uint16_t kParkingPullOutRate = 57;
+inline constexpr std::uint16_t kParkingTarget = 58;
+inline constexpr std::uint16_t kParkingRate = 59;
 inline constexpr std::uint16_t kStepsPerMm = 100;
 inline constexpr std::uint16_t kRate = 110;
 inline constexpr std::uint16_t kAcceleration = 120;
 inline constexpr std::uint16_t kTravel = 130;
+inline constexpr std::uint16_t kToolChange = 341;
+inline constexpr std::uint16_t kSpindleRestoreDelay = 392;
+inline constexpr std::uint16_t kCoolantRestoreDelay = 393;
+inline constexpr std::uint16_t kSpindleOnDelay = 394;
+inline constexpr std::uint16_t kJerk = 800;
 inline constexpr std::uint16_t kArcRepairMm = 850;
 inline constexpr std::uint16_t kArcRepairPercent = 851;
+inline constexpr std::uint16_t kSquaredAxes = 852;
 }  // namespace setting
 
 }  // namespace cnc

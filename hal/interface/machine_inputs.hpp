@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+
+namespace hal {
+
+/// The machine's switches as they read at one moment, already turned the right
+/// way round: true is "limit reached", "button pressed", "door open".
+struct InputState {
+  std::uint8_t limits = 0;         ///< Bit i: the switch of axis i, either end.
+  std::uint8_t second_limits = 0;  ///< The second motor's switch on axes that have two.
+  bool probe = false;
+  bool door = false;
+  bool hold = false;
+  bool start = false;
+  bool reset = false;
+  bool emergency_stop = false;
+
+  constexpr bool operator==(const InputState&) const = default;
+};
+
+/// Reads all switches at once, undebounced. Main loop context, never blocks.
+class MachineInputs {
+ public:
+  [[nodiscard]] virtual InputState read_inputs() = 0;
+
+ protected:
+  ~MachineInputs() = default;
+};
+
+}  // namespace hal
