@@ -15,12 +15,12 @@ esac
 wanted=()
 section=
 while read -r line; do
-  line=${line%%#*}
-  line=${line//[[:space:]]/}
-  if [[ $line == '['*']' ]]; then
-    section=${line:1:-1}
-  elif [[ -n $line && $parts == *" $section "* ]]; then
-    wanted+=("$line")
+  read -r package unless command <<<"${line%%#*}"
+  if [[ $package == '['*']' ]]; then
+    section=${package:1:-1}
+  elif [[ -n $package && $parts == *" $section "* ]]; then
+    [[ $unless == unless ]] && command -v "$command" >/dev/null && continue
+    wanted+=("$package")
   fi
 done <"$here/packages.txt"
 

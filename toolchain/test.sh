@@ -64,7 +64,18 @@ benchmarks() {
     failed=$((failed + 1))
 }
 
+# The senders that the lock file pins, away from the sources.
+install_senders() {
+  step "senders"
+  mkdir -p build/senders
+  cp tests/senders/package.json tests/senders/package-lock.json build/senders/
+  npm ci --prefix build/senders --no-audit --no-fund --loglevel=error && return
+  echo "FAILED: npm ci of tests/senders" >&2
+  failed=$((failed + 1))
+}
+
 toolchain/setup.sh test || exit 1
+install_senders
 export UBSAN_OPTIONS=print_stacktrace=1 ASAN_OPTIONS=detect_stack_use_after_return=1
 
 build cortex-m4f  # Before the release tests, which look into it.
