@@ -1,15 +1,26 @@
-/// libFuzzer: any bytes from the link through protocol, planner and step
-/// generator. Whatever arrives, nothing crashes, every line is answered once,
-/// motors stay inside their counters and below their rates, and the beam is
-/// off when the machine has come to rest.
+/// libFuzzer: any bytes from the link and any hand on the panel, through
+/// protocol, machine, planner and step generator.
+///
+/// The first byte chooses the machine: bit 0 a laser, bit 1 homed with soft
+/// limits. 0xFF and the byte after it are no bytes of the link but switches.
+///
+/// Whatever arrives, nothing crashes, every line is answered once, nothing but
+/// an acknowledgement looks like one, motors stay below their rates and inside
+/// the soft limits, the beam is off within a millisecond of standstill, and a
+/// reset with an unlock always ends in idle.
 
+#include <cctype>
 #include <cstddef>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <span>
+#include <string>
+#include <string_view>
 
 #include "firmware/application.hpp"
+#include "firmware/machine/travel.hpp"
+#include "hal/host/memory_store.hpp"
 #include "hal/host/recording_port.hpp"
 
 namespace {
@@ -20,14 +31,31 @@ void require(bool holds, const char* what) {
   std::abort();
 }
 
-/// Hands out the fuzzer's bytes and counts the answers.
+bool contains_word(std::string line, std::string_view word) {
+  for (char& letter : line) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  return line.find(word) != std::string::npos;
+}
+
+/// What the fuzzer sends and what comes back.
 class BytesLink final : public hal::ByteStream {
  public:
-  explicit BytesLink(std::span<const std::uint8_t> bytes) : bytes_{bytes} {}
+  explicit BytesLink(hal::InputState& panel) : panel_{panel} {}
+
+  void send(std::span<const std::uint8_t> bytes) {
+    bytes_ = bytes;
+    read_ = 0;
+  }
 
   std::size_t read(std::span<std::byte> into) override {
-    if (read_ == bytes_.size() || into.empty()) return 0;
-    into[0] = static_cast<std::byte>(bytes_[read_++]);
+    if (empty() || into.empty()) return 0;
+    const std::uint8_t byte = bytes_[read_++];
+    if (byte == kSwitches) {
+      if (!empty()) set_switches(bytes_[read_++]);
+      return 0;  // The hand is slower than the wire: the next turn goes on.
+    }
+    resets |= byte == 0x18 || byte == 0x19;
+    count_line_end(static_cast<char>(byte));
+    into[0] = static_cast<std::byte>(byte);
     return 1;
   }
 
@@ -35,73 +63,124 @@ class BytesLink final : public hal::ByteStream {
     for (const std::byte byte : from) {
       const char character = static_cast<char>(byte);
       if (character == '\n') {
-        if (!in_message_) ++answers;
-        at_start_ = true;
-        continue;
+        judge();
+        line_.clear();
+      } else if (character != '\r') {
+        line_ += character;
       }
-      if (at_start_) in_message_ = character == '[';
-      at_start_ = false;
     }
     return from.size();
   }
 
   [[nodiscard]] bool empty() const { return read_ == bytes_.size(); }
-  [[nodiscard]] std::size_t lines() const {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < bytes_.size(); ++i) {
-      const bool pair = bytes_[i] == '\n' && i > 0 && bytes_[i - 1] == '\r';
-      if ((bytes_[i] == '\n' && !pair) || bytes_[i] == '\r') ++count;
-    }
-    return count;
-  }
 
+  std::size_t lines = 0;
   std::size_t answers = 0;
+  bool resets = false;
 
  private:
-  std::span<const std::uint8_t> bytes_;
+  static constexpr std::uint8_t kSwitches = 0xFF;
+
+  void set_switches(std::uint8_t bits) {
+    panel_.door = (bits & 1U) != 0;
+    panel_.hold = (bits & 2U) != 0;
+    panel_.start = (bits & 4U) != 0;
+    panel_.reset = (bits & 8U) != 0;
+    panel_.emergency_stop = (bits & 16U) != 0;
+    resets |= (bits & 24U) != 0;
+  }
+
+  void count_line_end(char character) {
+    const bool pair = character == '\n' && after_return_;
+    after_return_ = character == '\r';
+    if ((character == '\n' && !pair) || character == '\r') ++lines;
+  }
+
+  void judge() {
+    const bool refusal = line_.starts_with("error:");
+    if (line_ == "ok" || refusal) {
+      ++answers;
+    } else {
+      require(!contains_word(line_, "ok") && !contains_word(line_, "error"),
+              "only acknowledgements look like one");
+    }
+  }
+
+  hal::InputState& panel_;
+  std::span<const std::uint8_t> bytes_{};
   std::size_t read_ = 0;
-  bool at_start_ = true;
-  bool in_message_ = false;  ///< `[MSG:…]` lines come before an answer and are none.
+  bool after_return_ = false;
+  std::string line_;
 };
 
 /// The controller in virtual time, a millisecond a turn.
 class Bench {
  public:
-  explicit Bench(std::span<const std::uint8_t> bytes) : link_{bytes} {}
+  explicit Bench(unsigned options) {
+    set(cnc::setting::kLaserMode, (options & 1U) != 0 ? 1.0F : 0.0F);
+    if ((options & 2U) != 0) home();
+  }
 
-  /// Until the bytes are used up and the machine rests, at most `turns`.
   void run(unsigned turns) {
-    for (unsigned turn = 0; turn < turns && !rests(); ++turn) {
-      application_.poll(hal::TickCount{turn * 1000U});
-      advance_millisecond();
-    }
+    for (unsigned turn = 0; turn < turns && !rests(); ++turn) this->turn();
   }
 
-  /// As an operator who has waited long enough.
-  void abort() {
-    application_.machine().abort();
-    for (unsigned turn = 0; turn < 4; ++turn) {
-      application_.poll(hal::TickCount{0});
-      advance_millisecond();
-    }
-  }
+  void send(std::span<const std::uint8_t> bytes) { link_.send(bytes); }
 
-  [[nodiscard]] bool rests() {
+  [[nodiscard]] bool rests() const {
     return link_.empty() && application_.machine().idle() && !timer_runs_;
   }
 
-  void check() {
-    const bool laser = application_.machine().settings().get(cnc::setting::kLaserMode) != 0.0F;
-    require(!laser || port_.power == 0, "the beam is off at rest");
-    require(port_.position == application_.steps().position(), "no step is lost");
-    require(application_.machine().alarm() != cnc::Alarm::kStarved, "segments come in time");
+  /// As an operator does who has had enough: releases every switch, resets, unlocks.
+  void recover() {
+    port_.panel = {};
+    for (int turns = 0; turns < 600; ++turns) turn();  // Longer than any debouncing.
+    static constexpr std::uint8_t kReset[]{0x18};
+    static constexpr std::uint8_t kUnlock[]{'$', 'X', '\n'};
+    link_.send(kReset);
+    for (int turns = 0; turns < 600; ++turns) turn();
+    link_.send(kUnlock);
+    for (int turns = 0; turns < 600; ++turns) turn();
+    const cnc::Machine& machine = application_.machine();
+    require(machine.state() == cnc::MachineState::kIdle && rests(),
+            "a reset and an unlock end in idle");
+    require(port_.power == 0 && !port_.spindle_enabled, "all is off after a reset");
   }
 
   [[nodiscard]] const BytesLink& link() const { return link_; }
 
  private:
+  static constexpr std::uint64_t kTicks = cnc::motion::kTicksPerSecond / 1000;
+  /// A pulse is at least 1 µs up and 1 µs down, nine of ten slots are used.
+  static constexpr std::int64_t kMostStepsPerMillisecond = 451;
+
+  void set(std::uint16_t number, float value) {
+    require(application_.machine().change_setting(number, value).ok(), "a setting of the bench");
+  }
+
+  void home() {
+    for (std::uint16_t axis = 0; axis < 3; ++axis) {
+      set(static_cast<std::uint16_t>(cnc::setting::kTravel + axis), 10.0F);
+    }
+    set(cnc::setting::kHoming, 1.0F);
+    set(cnc::setting::kSoftLimits, 1.0F);
+    set(cnc::setting::kHomingSeekRate, 6000.0F);
+    set(cnc::setting::kHomingLocateRate, 600.0F);
+    set(cnc::setting::kHomingDebounce, 5.0F);
+    static constexpr std::uint8_t kHome[]{'$', 'H', '\n'};
+    link_.send(kHome);
+    for (int turns = 0; turns < 20; ++turns) turn();
+    run(20'000);
+    require(application_.machine().homed() == 7, "the bench homes");
+  }
+
+  void turn() {
+    application_.poll(hal::TickCount{static_cast<std::uint32_t>(now_ / 4)});
+    advance_millisecond();
+    check();
+  }
+
   void advance_millisecond() {
-    constexpr std::uint64_t kTicks = cnc::motion::kTicksPerSecond / 1000;
     if (port_.timer_started) {
       port_.timer_started = false;
       timer_runs_ = true;
@@ -112,7 +191,9 @@ class Bench {
       const std::uint32_t wait = application_.on_step_interrupt();
       timer_runs_ = wait != 0;
       next_ += wait;
+      read_limit_switches();
     }
+    if (timer_runs_) last_motion_ = now_ + kTicks;
     now_ += kTicks;
     for (std::size_t motor = 0; motor < before.size(); ++motor) {
       const std::int64_t steps = std::int64_t{port_.position[motor]} - before[motor];
@@ -120,27 +201,60 @@ class Bench {
     }
   }
 
-  /// A pulse is at least 1 µs up and 1 µs down, nine of ten slots are used.
-  static constexpr std::int64_t kMostStepsPerMillisecond = 451;
+  /// At the upper ends, a millimetre or so from where the machine was switched on.
+  void read_limit_switches() {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const auto bit = static_cast<std::uint8_t>(1U << axis);
+      const bool closed = port_.position[axis] > 300;
+      auto& limits = port_.limits.first;
+      limits = static_cast<std::uint8_t>(closed ? limits | bit : limits & ~bit);
+    }
+  }
+
+  void check() {
+    const cnc::Machine& machine = application_.machine();
+    const cnc::Settings& settings = machine.settings();
+    const bool laser = settings.get(cnc::setting::kLaserMode) != 0.0F;
+    const bool stands = now_ > last_motion_ + kTicks;
+    require(!laser || !stands || port_.power == 0, "the beam is off at standstill");
+    require(machine.alarm() != cnc::Alarm::kStarved, "segments come in time");
+    const bool limited = settings.get(cnc::setting::kSoftLimits) != 0.0F;
+    if (!limited || machine.state() == cnc::MachineState::kHome) return;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      if ((machine.homed() >> axis & 1U) != 0) check_travel(machine, axis);
+    }
+  }
+
+  static void check_travel(const cnc::Machine& machine, std::size_t axis) {
+    const cnc::AxisTravel travel = cnc::travel_of(machine.settings(), axis);
+    const float steps_per_mm = machine.settings().get(cnc::setting::kStepsPerMm, axis);
+    const cnc::Coordinate step{static_cast<std::int64_t>(1.0e6F / steps_per_mm) + 1};
+    const cnc::Coordinate place = machine.position()[axis];
+    require(place >= travel.least - step && place <= travel.most + step, "soft limits");
+  }
 
   hal::host::RecordingPort port_{};
-  BytesLink link_;
-  cnc::Application<hal::host::RecordingPort> application_{port_, port_, link_};
+  hal::host::MemoryStore store_{};
+  BytesLink link_{port_.panel};
+  cnc::Application<hal::host::RecordingPort> application_{port_, port_, port_, store_, link_};
   std::uint64_t now_ = 0;
   std::uint64_t next_ = 0;
+  std::uint64_t last_motion_ = 0;
   bool timer_runs_ = false;
 };
 
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  Bench bench{{data, size}};
-  bench.run(400);
-  if (bench.rests()) {
-    require(bench.link().answers == bench.link().lines(), "one answer for every line");
-  } else {
-    bench.abort();
+  if (size == 0) return 0;
+  Bench bench{data[0]};
+  const std::size_t before = bench.link().lines - bench.link().answers;
+  require(before == 0, "the bench begins with all lines answered");
+  bench.send({data + 1, size - 1});
+  bench.run(600);
+  if (bench.rests() && !bench.link().resets) {
+    require(bench.link().answers == bench.link().lines, "one answer for every line");
   }
-  bench.check();
+  bench.recover();
   return 0;
 }

@@ -134,7 +134,8 @@ def start_all(programs, folder):
     until("the display is there", pathlib.Path("/tmp/.X11-unix/X77").exists)
     (folder / "bcnc.ini").write_text(INI.format(port=port, pendant=PENDANT))
     (folder / "job.nc").write_text(JOB)
-    environment = {**os.environ, "DISPLAY": ":77", "HOME": str(folder)}
+    # Packaged for the packaged Python.
+    environment = {**os.environ, "DISPLAY": ":77", "HOME": str(folder), "PATH": "/usr/bin:/bin"}
     programs.start("bcnc", ["bCNC", "-i", folder / "bcnc.ini", folder / "job.nc"],
                    env=environment, cwd=folder)
 
