@@ -38,6 +38,7 @@ int run(int argc, char** argv) {
   sim::add_sim_command(app, status);
   sim::add_check_command(app, status);
   sim::add_serve_command(app, status);
+  sim::add_replay_command(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

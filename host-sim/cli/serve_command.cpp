@@ -2,13 +2,16 @@
 
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "host-sim/cli/commands.hpp"
 #include "host-sim/cli/job_options.hpp"
 #include "host-sim/serve/pty_transport.hpp"
+#include "host-sim/serve/recorder.hpp"
 #include "host-sim/serve/server.hpp"
 #include "host-sim/serve/tcp_transport.hpp"
+#include "host-sim/trace/output_file.hpp"
 
 namespace sim {
 namespace {
@@ -28,6 +31,7 @@ struct ServeOptions {
   double speed = 1.0;
   std::string settings_file;
   std::vector<std::string> set;
+  std::string record;
   MachineModel machine{};
 };
 
@@ -47,6 +51,8 @@ void add_options(CLI::App& command, ServeOptions& options) {
   command.add_option("--set", options.set, "One setting, such as '$110=12000'; may be repeated")
       ->type_name("$N=V")
       ->allow_extra_args(false);
+  command.add_option("--record", options.record, "Keep the conversation, for kerfline replay")
+      ->type_name("FILE");
   command
       .add_option("--probe-plate",
                   options.machine.probe_plate_z_mm,
@@ -71,13 +77,46 @@ void announce(const Reception& reception) {
   std::fflush(stdout);
 }
 
+/// The conversation as a file; nothing when none is asked for.
+class RecordFile {
+ public:
+  RecordFile(const std::string& path, const ConversationSetting& setting, Session& session) {
+    if (path.empty()) return;
+    file_.emplace(path);
+    append(head_text(setting));
+    recorder_.emplace(session.controller(),
+                      [this](const Exchange& exchange) { append(to_text(exchange)); });
+    session.link().tell(&*recorder_);
+  }
+
+  void close(const Session& session) {
+    if (!file_) return;
+    recorder_->finish();
+    append(end_text(session.controller().now_ticks() * VirtualController::kNanosecondsPerTick));
+    file_->close();
+  }
+
+ private:
+  void append(const std::string& text) {
+    file_->buffer().append(text);
+    file_->drain_when_full();
+  }
+
+  std::optional<OutputFile> file_;
+  std::optional<Recorder> recorder_;
+};
+
 ExitStatus serve(const ServeOptions& options) {
   const StopSignals stop;
-  Session session{options.machine, settings_of(options.settings_file, options.set)};
+  const ConversationSetting setting{.settings = settings_of(options.settings_file, options.set),
+                                    .probe_plate_z_mm = options.machine.probe_plate_z_mm};
+  Session session{options.machine, setting.settings};
+  RecordFile record{options.record, setting, session};
   Reception reception{session};
   open_ways_in(options, reception);
   announce(reception);
   Server{session, reception, options.speed}.run(stop);
+  record.close(session);
   return ExitStatus::kFine;
 }
 

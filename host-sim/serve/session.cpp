@@ -18,10 +18,9 @@ constexpr unsigned kMostTurnsToStop = 10'000;
 
 }  // namespace
 
-Session::Session(const MachineModel& machine, const std::vector<SettingChange>& settings)
-    : controller_{link_, machine} {
+void apply_settings(const std::vector<SettingChange>& settings, cnc::Machine& machine) {
   for (const SettingChange& change : settings) {
-    const auto stored = controller_.machine().change_setting(change.number, change.value);
+    const auto stored = machine.change_setting(change.number, change.value);
     if (stored.ok()) continue;
     throw std::invalid_argument(fmt::format("{}: ${}={:g}: {}",
                                             change.place,
@@ -29,6 +28,11 @@ Session::Session(const MachineModel& machine, const std::vector<SettingChange>& 
                                             change.value,
                                             cnc::describe(stored.error())));
   }
+}
+
+Session::Session(const MachineModel& machine, const std::vector<SettingChange>& settings)
+    : controller_{link_, machine} {
+  apply_settings(settings, controller_.machine());
 }
 
 void Session::turn() {

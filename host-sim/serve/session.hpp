@@ -10,6 +10,9 @@
 
 namespace sim {
 
+/// Throws std::invalid_argument for a setting that is refused.
+void apply_settings(const std::vector<SettingChange>& settings, cnc::Machine& machine);
+
 /// The controller on its link, and what becomes of it when senders come and go.
 ///
 /// Both work by the bytes that a careful operator would send, so that the
@@ -21,7 +24,7 @@ namespace sim {
 ///   spindle and coolant. The position stays known.
 class Session {
  public:
-  /// Throws std::invalid_argument for a setting that is refused.
+  /// Throws as apply_settings().
   Session(const MachineModel& machine, const std::vector<SettingChange>& settings);
 
   /// One turn of the controller's main loop, a millisecond of its time.
