@@ -65,7 +65,7 @@ bool LineProtocol::read_line() {
 
 void LineProtocol::handle(std::string_view line) {
   if (!line.empty() && line[0] == '$') return set_from(line);
-  if (machine_.state() == MachineState::kAlarm) {
+  if (machine_.locked()) {
     return refuse(kLocked, 0, "locked after an alarm");
   }
   const gcode::Refusal refusal = machine_.accept(line);

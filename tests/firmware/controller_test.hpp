@@ -107,7 +107,7 @@ class ControllerTest : public testing::Test {
 
   hal::host::RecordingPort port;
   MemoryLink link;
-  Application<hal::host::RecordingPort> application{port, port, link};
+  Application<hal::host::RecordingPort> application{port, port, port, link};
   Machine& machine{application.machine()};
   std::uint64_t now = 0;
   std::vector<Sight> sights;  ///< After each interrupt that changed something.

@@ -137,7 +137,7 @@ TEST_F(LineProtocolTest, AnswersRandomBytesLineByLine) {
     run(2);
     if (machine.state() == MachineState::kHold) machine.resume();
     if (machine.state() == MachineState::kAlarm) machine.unlock();
-    if (machine.busy() || !machine.idle()) machine.abort();
+    if (machine.busy() || !machine.idle()) machine.reset();
   }
   run(100);
   if (machine.state() == MachineState::kHold) machine.resume();

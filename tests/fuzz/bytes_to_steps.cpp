@@ -79,7 +79,7 @@ class Bench {
 
   /// As an operator who has waited long enough.
   void abort() {
-    application_.machine().abort();
+    application_.machine().reset();
     for (unsigned turn = 0; turn < 4; ++turn) {
       application_.poll(hal::TickCount{0});
       advance_millisecond();
@@ -125,7 +125,7 @@ class Bench {
 
   hal::host::RecordingPort port_{};
   BytesLink link_;
-  cnc::Application<hal::host::RecordingPort> application_{port_, port_, link_};
+  cnc::Application<hal::host::RecordingPort> application_{port_, port_, port_, link_};
   std::uint64_t now_ = 0;
   std::uint64_t next_ = 0;
   bool timer_runs_ = false;

@@ -27,6 +27,11 @@ struct BareOutputs final : hal::AuxiliaryOutputs {
   void set_coolant(bool mist, bool) override { pins = mist; }
   void set_digital(std::uint8_t output, bool) override { pins = output; }
   void set_analog_output(std::uint8_t output, std::uint16_t) override { pins = output; }
+  void set_motors_enabled(bool enabled) override { pins = enabled; }
+};
+
+struct BareInputs final : hal::MachineInputs {
+  hal::InputState read_inputs() override { return {.limits = static_cast<std::uint8_t>(pins)}; }
 };
 
 struct SilentLine final : hal::ByteStream {
@@ -36,8 +41,9 @@ struct SilentLine final : hal::ByteStream {
 
 BarePort port;
 BareOutputs outputs;
+BareInputs inputs;
 SilentLine line;
-cnc::Application<BarePort> application{port, outputs, line};
+cnc::Application<BarePort> application{port, outputs, inputs, line};
 
 }  // namespace
 

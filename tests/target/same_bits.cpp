@@ -5,11 +5,12 @@
 
 #include "firmware/application.hpp"
 #include "hal/interface/auxiliary_outputs.hpp"
+#include "hal/interface/machine_inputs.hpp"
 
 namespace {
 
 /// Every edge goes into the digest with its tick.
-class DigestPort final : public hal::AuxiliaryOutputs {
+class DigestPort final : public hal::AuxiliaryOutputs, public hal::MachineInputs {
  public:
   void set_direction(hal::AxisMask negative) noexcept { note(0x100U | negative.bits); }
   void raise_steps(hal::AxisMask axes) noexcept {
@@ -27,6 +28,8 @@ class DigestPort final : public hal::AuxiliaryOutputs {
   void set_coolant(bool, bool) override {}
   void set_digital(std::uint8_t, bool) override {}
   void set_analog_output(std::uint8_t, std::uint16_t) override {}
+  void set_motors_enabled(bool) override {}
+  [[nodiscard]] hal::InputState read_inputs() override { return {}; }
 
   Digest digest;
   std::uint32_t now = 0;
@@ -158,7 +161,7 @@ class ProgramLink final : public hal::ByteStream {
 
 DigestPort port;
 ProgramLink link_to_program;
-cnc::Application<DigestPort> application{port, port, link_to_program};
+cnc::Application<DigestPort> application{port, port, port, link_to_program};
 
 }  // namespace
 
