@@ -2,16 +2,15 @@
 
 #include <cstdio>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 
 #include "host-sim/cli/commands.hpp"
 #include "host-sim/cli/job_options.hpp"
 #include "host-sim/serve/pty_transport.hpp"
-#include "host-sim/serve/recorder.hpp"
+#include "host-sim/serve/record_file.hpp"
 #include "host-sim/serve/server.hpp"
 #include "host-sim/serve/tcp_transport.hpp"
-#include "host-sim/trace/output_file.hpp"
+#include "host-sim/serve/web_transport.hpp"
 
 namespace sim {
 namespace {
@@ -28,6 +27,7 @@ constexpr const char* kFooter =
 struct ServeOptions {
   std::string pty;
   std::string tcp;
+  std::string ws;
   double speed = 1.0;
   std::string settings_file;
   std::vector<std::string> set;
@@ -41,6 +41,12 @@ void add_options(CLI::App& command, ServeOptions& options) {
       .add_option("--tcp",
                   options.tcp,
                   "Raw TCP; from this machine only unless an address is given; port 0 is any free")
+      ->type_name("[ADDRESS:]PORT");
+  command
+      .add_option("--ws",
+                  options.ws,
+                  "The page, and WebSocket for senders; from this machine only unless an address\n"
+                  "is given; port 0 is any free")
       ->type_name("[ADDRESS:]PORT");
   command.add_option("--speed", options.speed, "Machine seconds per second")
       ->check(CLI::Range(0.01, 1000.0))
@@ -66,56 +72,39 @@ void open_ways_in(const ServeOptions& options, Reception& reception) {
   if (!options.tcp.empty()) {
     reception.add(std::make_unique<TcpTransport>(parse_address(options.tcp)));
   }
-  if (reception.ways_in().empty()) {
-    throw std::invalid_argument("serve: give senders a way in: --pty LINK or --tcp PORT");
-  }
 }
 
 void announce(const Reception& reception) {
-  for (const auto& way : reception.ways_in()) fmt::print("{} {}\n", way->kind(), way->address());
+  for (const auto& way : reception.ways_in()) {
+    fmt::print("{} {}\n", way->kind(), way->address());
+    if (way->kind() == "ws") fmt::print("page http://{}/\n", way->address());
+  }
   fmt::print("ready\n");
   std::fflush(stdout);
 }
 
-/// The conversation as a file; nothing when none is asked for.
-class RecordFile {
- public:
-  RecordFile(const std::string& path, const ConversationSetting& setting, Session& session) {
-    if (path.empty()) return;
-    file_.emplace(path);
-    append(head_text(setting));
-    recorder_.emplace(session.controller(),
-                      [this](const Exchange& exchange) { append(to_text(exchange)); });
-    session.link().tell(&*recorder_);
-  }
-
-  void close(const Session& session) {
-    if (!file_) return;
-    recorder_->finish();
-    append(end_text(session.controller().now_ticks() * VirtualController::kNanosecondsPerTick));
-    file_->close();
-  }
-
- private:
-  void append(const std::string& text) {
-    file_->buffer().append(text);
-    file_->drain_when_full();
-  }
-
-  std::optional<OutputFile> file_;
-  std::optional<Recorder> recorder_;
-};
-
 ExitStatus serve(const ServeOptions& options) {
+  if (options.pty.empty() && options.tcp.empty() && options.ws.empty()) {
+    throw std::invalid_argument(
+        "serve: give senders a way in: --pty LINK, --tcp PORT or --ws PORT");
+  }
   const StopSignals stop;
   const ConversationSetting setting{.settings = settings_of(options.settings_file, options.set),
                                     .probe_plate_z_mm = options.machine.probe_plate_z_mm};
   Session session{options.machine, setting.settings};
   RecordFile record{options.record, setting, session};
+  LiveView view{session.controller()};
   Reception reception{session};
+  Server server{session, reception, options.speed};
   open_ways_in(options, reception);
+  if (!options.ws.empty()) {
+    auto web = std::make_unique<WebTransport>(parse_address(options.ws), view);
+    session.controller().add_sink(view);
+    server.show(view, *web);
+    reception.add(std::move(web));
+  }
   announce(reception);
-  Server{session, reception, options.speed}.run(stop);
+  server.run(stop);
   record.close(session);
   return ExitStatus::kFine;
 }
@@ -123,8 +112,10 @@ ExitStatus serve(const ServeOptions& options) {
 }  // namespace
 
 void add_serve_command(CLI::App& app, ExitStatus& status) {
-  CLI::App* command = app.add_subcommand(
-      "serve", "Run the controller in real time for G-code senders: a serial port, TCP.");
+  CLI::App* command =
+      app.add_subcommand("serve",
+                         "Run the controller in real time for G-code senders: over a serial\n"
+                         "port, TCP or WebSocket, with a page to watch and to operate it.");
   command->footer(kFooter);
   const auto options = std::make_shared<ServeOptions>();
   add_options(*command, *options);

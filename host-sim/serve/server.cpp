@@ -36,6 +36,7 @@ void Server::run(const StopSignals& stop) {
   while (!stop.arrived()) {
     catch_up();
     reception_.attend(Reception::Clock::now());
+    if (view_ != nullptr) show_view();
     sleep(stop);
   }
 }
@@ -44,6 +45,12 @@ void Server::catch_up() {
   for (std::uint64_t turns = pacer_.take_due(Pacer::Clock::now()); turns > 0; --turns) {
     session_.turn();
   }
+}
+
+void Server::show_view() {
+  view_->hand_out_pictures();
+  const auto now = LiveView::Clock::now();
+  if (view_->due(now)) view_->publish(web_->observers(), reception_.sender_kind(), now);
 }
 
 void Server::sleep(const StopSignals& stop) {

@@ -3,9 +3,11 @@
 #include <vector>
 
 #include "host-sim/serve/descriptor.hpp"
+#include "host-sim/serve/live_view.hpp"
 #include "host-sim/serve/pacer.hpp"
 #include "host-sim/serve/reception.hpp"
 #include "host-sim/serve/session.hpp"
+#include "host-sim/serve/web_transport.hpp"
 
 namespace sim {
 
@@ -29,17 +31,26 @@ class Server {
   Server(Session& session, Reception& reception, double speed)
       : session_{session}, reception_{reception}, pacer_{speed, Pacer::Clock::now()} {}
 
+  /// Shows this view to those who watch; both must outlive the server.
+  void show(LiveView& view, WebTransport& web) {
+    view_ = &view;
+    web_ = &web;
+  }
+
   /// Until somebody stops it.
   void run(const StopSignals& stop);
 
  private:
   /// Time passes first: what arrives now must not be heard in the past.
   void catch_up();
+  void show_view();
   void sleep(const StopSignals& stop);
 
   Session& session_;
   Reception& reception_;
   Pacer pacer_;
+  LiveView* view_ = nullptr;  ///< Null without a page.
+  WebTransport* web_ = nullptr;
   std::vector<pollfd> descriptors_;
 };
 

@@ -46,7 +46,7 @@ STANDARD_HEADERS = {
 FOREIGN = {
     "planner": ("Eigen",),
     "host-sim": ("Eigen", "fmt", "nlohmann", "CLI", "PkgConfig::", "librsvg", "cairo",
-                 "sys/", "netinet/", "arpa/"),
+                 "sys/", "netinet/", "arpa/", "civetweb", "Threads::"),
 }
 # glibc and newlib differ in the last bit of these.
 TRANSCENDENTAL = re.compile(
