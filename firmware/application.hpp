@@ -5,6 +5,7 @@
 #include "firmware/steps/step_generator.hpp"
 #include "hal/interface/auxiliary_outputs.hpp"
 #include "hal/interface/byte_stream.hpp"
+#include "hal/interface/machine_inputs.hpp"
 #include "hal/interface/record_store.hpp"
 #include "hal/interface/step_port.hpp"
 
@@ -21,9 +22,10 @@ class Application {
 
   Application(Port& port,
               hal::AuxiliaryOutputs& outputs,
+              hal::MachineInputs& inputs,
               hal::RecordStore& store,
               hal::ByteStream& link)
-      : steps_{port}, machine_{steps_, outputs}, protocol_{link, machine_, store} {}
+      : steps_{port}, machine_{steps_, outputs, inputs}, protocol_{link, machine_, store} {}
 
   /// One turn of the main loop; to be called at least every few milliseconds.
   /// Lines are read before segments are cut, so that a burst is planned as one.

@@ -65,7 +65,7 @@ class Receiver {
 
   // The rest belongs to receive().
   Comment comment_ = Comment::kNone;
-  bool lead_waits_ = false;       ///< C2 was received, and not yet stored.
+  bool lead_waits_ = false;        ///< C2 was received, and not yet stored.
   std::uint8_t continuation_ = 0;  ///< Bytes still to come of a character.
 };
 

@@ -111,9 +111,8 @@ bool LineProtocol::read_line() {
 
 void LineProtocol::handle(std::string_view line) {
   if (assembler_.too_long()) {
-    return refuse(error_number::kLineTooLong,
-                  kLongestLine + 1,
-                  "line is longer than 256 characters");
+    return refuse(
+        error_number::kLineTooLong, kLongestLine + 1, "line is longer than 256 characters");
   }
   while (!line.empty() && gcode::is_blank(line.front())) line.remove_prefix(1);
   if (!line.empty() && line.front() == '$') return take_statement(line);
@@ -129,7 +128,8 @@ void LineProtocol::take_gcode(std::string_view line) {
   acknowledge();
 }
 
-void LineProtocol::refuse(const gcode::Fault& fault, std::uint32_t first_column,
+void LineProtocol::refuse(const gcode::Fault& fault,
+                          std::uint32_t first_column,
                           std::uint8_t number) {
   Reply words;
   words.wrote(gcode::describe(fault, words.room()));

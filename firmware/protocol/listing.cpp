@@ -13,7 +13,9 @@ namespace {
 constexpr std::string_view kHelp =
     "[HLP:$$ $# $G $I $N $x=val $Nx=line $J=line $SLP $C $X $H ~ ! ? ctrl-x]";
 
-void put_place_line(Reply& reply, std::string_view name, const Position& place,
+void put_place_line(Reply& reply,
+                    std::string_view name,
+                    const Position& place,
                     const ReportForm& form) {
   reply.letter('[').text(name).letter(':');
   put_places(reply, place, form);

@@ -12,19 +12,19 @@ namespace cnc {
 /// Answers of one or many lines.
 enum class ListingKind : std::uint8_t {
   kNone,
-  kHelp,              ///< `$`
-  kSettings,          ///< `$$`
-  kOneSetting,        ///< `$110`; the argument is its number.
-  kParameters,        ///< `$#`
-  kParserState,       ///< `$G`
-  kBuildInfo,         ///< `$I`
-  kExtendedInfo,      ///< `$I+`
-  kStartupLines,      ///< `$N`
-  kSettingDetails,    ///< `$ES`
-  kSettingGroups,     ///< `$EG`
-  kSettingHelp,       ///< `$ESH`
-  kAlarms,            ///< `$EA`
-  kErrors,            ///< `$EE`
+  kHelp,            ///< `$`
+  kSettings,        ///< `$$`
+  kOneSetting,      ///< `$110`; the argument is its number.
+  kParameters,      ///< `$#`
+  kParserState,     ///< `$G`
+  kBuildInfo,       ///< `$I`
+  kExtendedInfo,    ///< `$I+`
+  kStartupLines,    ///< `$N`
+  kSettingDetails,  ///< `$ES`
+  kSettingGroups,   ///< `$EG`
+  kSettingHelp,     ///< `$ESH`
+  kAlarms,          ///< `$EA`
+  kErrors,          ///< `$EE`
 };
 
 /// Makes an answer line by line, as the link takes them: `$ES` has more bytes

@@ -69,8 +69,8 @@ Reply& Reply::whole(float value) {
 }
 
 Reply& Reply::place(Coordinate place, bool inches) {
-  constexpr std::uint64_t kPerThousandth = 1000;       // nm, of a millimetre.
-  constexpr std::uint64_t kPerTenThousandth = 2540;    // nm, of an inch.
+  constexpr std::uint64_t kPerThousandth = 1000;     // nm, of a millimetre.
+  constexpr std::uint64_t kPerTenThousandth = 2540;  // nm, of an inch.
   const std::int64_t nanometres = place.nanometres();
   const auto magnitude = static_cast<std::uint64_t>(nanometres < 0 ? -nanometres : nanometres);
   const std::uint64_t step = inches ? kPerTenThousandth : kPerThousandth;

@@ -88,9 +88,8 @@ std::optional<Statement> read_command(std::string_view name) {
   }
   const auto number = number_in(name);
   if (!number) return std::nullopt;
-  return Statement{.kind = StatementKind::kListing,
-                   .listing = ListingKind::kOneSetting,
-                   .number = *number};
+  return Statement{
+      .kind = StatementKind::kListing, .listing = ListingKind::kOneSetting, .number = *number};
 }
 
 std::optional<Statement> read_assignment(std::string_view name) {

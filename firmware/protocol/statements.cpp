@@ -39,7 +39,8 @@ bool read_value(std::string_view text, float& value) {
 /// Nothing moves and nothing is under way: settings may change, texts be stored.
 bool LineProtocol::rests() const {
   const MachineState state = machine_.state();
-  return machine_.idle() && (state == MachineState::kIdle || state == MachineState::kAlarm);
+  return machine_.idle() && (state == MachineState::kIdle || state == MachineState::kAlarm ||
+                             state == MachineState::kHold);
 }
 
 void LineProtocol::load_settings() {
@@ -219,8 +220,8 @@ void LineProtocol::set_startup_line(const Statement& statement) {
 void LineProtocol::set_user_text(const Statement& statement) {
   if (statement.text.size() > StoredText::kLongest) return refuse(error_number::kTextTooLong);
   if (confuses_senders(statement.text)) {
-    return refuse(error_number::kNoSuchStatement, statement.column,
-                  "senders would misread this text");
+    return refuse(
+        error_number::kNoSuchStatement, statement.column, "senders would misread this text");
   }
   if (!stored_.save_user_text(statement.text)) return refuse(error_number::kStoreFailed);
   acknowledge();

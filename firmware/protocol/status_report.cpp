@@ -25,8 +25,7 @@ constexpr int kOverridePauseAtRest = 10;
 constexpr int kOverridePauseMoving = 20;
 
 std::uint32_t fields(const Machine& machine, bool full) {
-  const auto chosen =
-      static_cast<std::uint32_t>(machine.settings().get(setting::kStatusReport));
+  const auto chosen = static_cast<std::uint32_t>(machine.settings().get(setting::kStatusReport));
   if (full) return ~kMachinePosition | (chosen & kMachinePosition);
   return chosen <= kGrblBits ? chosen | ~kGrblBits : chosen;
 }
@@ -49,8 +48,8 @@ void put_state(Reply& reply, const Machine& machine, bool full) {
   }
 }
 
-void put_position(Reply& reply, Position place, const Position& offset, bool work,
-                  const ReportForm& form) {
+void put_position(
+    Reply& reply, Position place, const Position& offset, bool work, const ReportForm& form) {
   if (work) {
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) place[axis] -= offset[axis];
   }
@@ -104,8 +103,11 @@ void put_rest_of_full(Reply& reply, const Machine& machine, const ReportForm& fo
 
 }  // namespace
 
-void StatusReport::write(Reply& reply, const Machine& machine, std::uint32_t receive_room,
-                         const ReportForm& form, bool full) {
+void StatusReport::write(Reply& reply,
+                         const Machine& machine,
+                         std::uint32_t receive_room,
+                         const ReportForm& form,
+                         bool full) {
   const std::uint32_t shown = fields(machine, full);
   const Position offset = work_offset(machine);
   put_state(reply, machine, full);
@@ -123,8 +125,12 @@ void StatusReport::write(Reply& reply, const Machine& machine, std::uint32_t rec
   reply.letter('>').end();
 }
 
-void StatusReport::put_slow_fields(Reply& reply, const Machine& machine, const Position& offset,
-                                   const ReportForm& form, std::uint32_t shown, bool full) {
+void StatusReport::put_slow_fields(Reply& reply,
+                                   const Machine& machine,
+                                   const Position& offset,
+                                   const ReportForm& form,
+                                   std::uint32_t shown,
+                                   bool full) {
   const MachineState state = machine.state();
   const bool moving = state != MachineState::kIdle && state != MachineState::kAlarm;
   if ((shown & kWorkOffset) != 0 && (offset_is_due(offset, moving) || full)) {

@@ -22,7 +22,9 @@ constexpr bool is_measured(const SettingInfo& info) {
   return info.type == SettingType::kInteger || info.type == SettingType::kDecimal;
 }
 
-bool put_code_text(Reply& reply, std::string_view kind, std::span<const CodeText> texts,
+bool put_code_text(Reply& reply,
+                   std::string_view kind,
+                   std::span<const CodeText> texts,
                    std::size_t row) {
   if (row >= texts.size()) return false;
   reply.letter('[').text(kind).letter(':').number(texts[row].number);
