@@ -9,7 +9,12 @@ constexpr std::uint64_t kTicksPerMicrosecond = cnc::motion::kTicksPerSecond / 1'
 }  // namespace
 
 VirtualController::VirtualController(hal::ByteStream& link, const MachineModel& model)
-    : model_{model}, firmware_{port_, port_, port_, link} {}
+    : model_{model}, firmware_{port_, port_, port_, own_store_, link} {}
+
+VirtualController::VirtualController(hal::ByteStream& link,
+                                     const MachineModel& model,
+                                     hal::RecordStore& store)
+    : model_{model}, firmware_{port_, port_, port_, store, link} {}
 
 void VirtualController::turn() {
   last_event_ = now_;

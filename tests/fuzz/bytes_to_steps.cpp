@@ -10,6 +10,7 @@
 #include <span>
 
 #include "firmware/application.hpp"
+#include "hal/host/memory_store.hpp"
 #include "hal/host/recording_port.hpp"
 
 namespace {
@@ -124,8 +125,9 @@ class Bench {
   static constexpr std::int64_t kMostStepsPerMillisecond = 451;
 
   hal::host::RecordingPort port_{};
+  hal::host::MemoryStore store_{};
   BytesLink link_;
-  cnc::Application<hal::host::RecordingPort> application_{port_, port_, port_, link_};
+  cnc::Application<hal::host::RecordingPort> application_{port_, port_, port_, store_, link_};
   std::uint64_t now_ = 0;
   std::uint64_t next_ = 0;
   bool timer_runs_ = false;

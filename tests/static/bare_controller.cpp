@@ -34,6 +34,11 @@ struct BareInputs final : hal::MachineInputs {
   hal::InputState read_inputs() override { return {.limits = static_cast<std::uint8_t>(pins)}; }
 };
 
+struct BareStore final : hal::RecordStore {
+  std::size_t load(std::uint16_t number, std::span<std::byte>) override { return pins & number; }
+  bool save(std::uint16_t number, std::span<const std::byte>) override { return pins == number; }
+};
+
 struct SilentLine final : hal::ByteStream {
   std::size_t read(std::span<std::byte>) override { return pins; }
   std::size_t write(std::span<const std::byte> from) override { return from.size(); }
@@ -42,8 +47,9 @@ struct SilentLine final : hal::ByteStream {
 BarePort port;
 BareOutputs outputs;
 BareInputs inputs;
+BareStore store;
 SilentLine line;
-cnc::Application<BarePort> application{port, outputs, inputs, line};
+cnc::Application<BarePort> application{port, outputs, inputs, store, line};
 
 }  // namespace
 

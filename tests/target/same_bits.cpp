@@ -6,6 +6,7 @@
 #include "firmware/application.hpp"
 #include "hal/interface/auxiliary_outputs.hpp"
 #include "hal/interface/machine_inputs.hpp"
+#include "hal/interface/record_store.hpp"
 
 namespace {
 
@@ -159,9 +160,17 @@ class ProgramLink final : public hal::ByteStream {
   bool message_ = false;
 };
 
+/// Forgets everything: each run is that of a new controller.
+class NoStore final : public hal::RecordStore {
+ public:
+  [[nodiscard]] std::size_t load(std::uint16_t, std::span<std::byte>) override { return 0; }
+  [[nodiscard]] bool save(std::uint16_t, std::span<const std::byte>) override { return true; }
+};
+
 DigestPort port;
+NoStore store;
 ProgramLink link_to_program;
-cnc::Application<DigestPort> application{port, port, port, link_to_program};
+cnc::Application<DigestPort> application{port, port, port, store, link_to_program};
 
 }  // namespace
 
