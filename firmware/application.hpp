@@ -5,6 +5,8 @@
 #include "firmware/steps/step_generator.hpp"
 #include "hal/interface/auxiliary_outputs.hpp"
 #include "hal/interface/byte_stream.hpp"
+#include "hal/interface/machine_inputs.hpp"
+#include "hal/interface/record_store.hpp"
 #include "hal/interface/step_port.hpp"
 
 namespace cnc {
@@ -18,8 +20,12 @@ class Application {
   /// 64 segments of at most a millisecond.
   static constexpr std::uint32_t kSegmentQueue = 64;
 
-  Application(Port& port, hal::AuxiliaryOutputs& outputs, hal::ByteStream& link)
-      : steps_{port}, machine_{steps_, outputs}, protocol_{link, machine_} {}
+  Application(Port& port,
+              hal::AuxiliaryOutputs& outputs,
+              hal::MachineInputs& inputs,
+              hal::RecordStore& store,
+              hal::ByteStream& link)
+      : steps_{port}, machine_{steps_, outputs, inputs}, protocol_{link, machine_, store} {}
 
   /// One turn of the main loop; to be called at least every few milliseconds.
   /// Lines are read before segments are cut, so that a burst is planned as one.

@@ -1,148 +1,123 @@
 #include "firmware/machine/machine.hpp"
 
-#include <algorithm>
-
 namespace cnc {
 
-using gcode::Action;
-using gcode::ActionKind;
-
-Machine::Machine(StepDrive& drive, hal::AuxiliaryOutputs& outputs)
-    : drive_{drive}, outputs_{outputs}, motion_{drive, limits_}, tool_{drive, outputs} {
+Machine::Machine(StepDrive& drive, hal::AuxiliaryOutputs& outputs, hal::MachineInputs& inputs)
+    : drive_{drive},
+      outputs_{outputs},
+      input_port_{inputs},
+      motion_{drive, limits_},
+      tool_{drive, outputs},
+      coolant_{outputs} {
   apply_settings();
 }
 
+bool Machine::locked() const {
+  switch (state_.mode()) {
+    case Mode::kAlarm:
+    case Mode::kSleep:
+    case Mode::kJog:
+    case Mode::kJogEnding:
+    case Mode::kHome:
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool Machine::busy() const {
+  return !waiting_.empty() || jog_ || step_pause_ || leaving_travel_ || cutting_off_ ||
+         state_.in(Mode::kHome);
+}
+
+bool Machine::idle() const { return waiting_.empty() && !jog_ && motion_.drained(); }
+
 gcode::Refusal Machine::accept(std::string_view line) {
-  CNC_ASSERT(!busy() && alarm_ == Alarm::kNone);
+  CNC_ASSERT(!busy() && !locked());
+  const Position from = interpreter_.position();
   const auto actions = interpreter_.interpret(line);
   if (!actions.ok()) return actions.error();
-  if (!actions.value().empty()) program_ended_ = false;
-  ++lines_accepted_;
+  if (actions.value().empty()) return {};
+  program_ended_ = false;
+  if (state_.in(Mode::kCheck)) {
+    judge(actions.value(), from);
+    return {};
+  }
+  if (travel_.left_by(actions.value(), from)) {
+    stop_for_travel();
+    return {};
+  }
   waiting_ = actions.value();
+  step_pause_ = single_block_;
   run_actions();
   return {};
 }
 
 void Machine::poll(hal::TickCount now) {
   const std::int32_t elapsed_us = polled_ ? now.since(last_poll_) : 0;
+  if (!polled_) lock_until_homed();
   last_poll_ = now;
   polled_ = true;
-  if (aborting_) {
+  if (inputs_.poll(input_port_.read_inputs(), elapsed_us)) attend_inputs();
+  if (cutting_off_) {
     if (drive_.running()) return;
     drop_everything();
   }
   if (drive_.take_starved()) raise_alarm(Alarm::kStarved);
-  // The time since the last poll began before the dwell did.
-  if (dwelling_ && !held_ && !dwell_begins_) dwell_left_us_ -= elapsed_us;
-  dwell_begins_ = false;
+  if (state_.in(Mode::kFree)) dwell_.pass(elapsed_us);
+  restart_dwell_.pass(elapsed_us);
+  attend_mode();
   run_actions();
+  attend_motor_enable(elapsed_us);
   motion_.feed_drive();
 }
 
+/// What goes on by itself in the present mode.
+void Machine::attend_mode() {
+  if (leaving_travel_ && at_rest()) return raise_alarm(Alarm::kSoftLimit);
+  switch (state_.mode()) {
+    case Mode::kJog:
+    case Mode::kJogEnding:
+      return attend_jog();
+    case Mode::kDoor:
+      return attend_door();
+    case Mode::kFree:
+      if (inputs().door) safety_door();
+      return;
+    case Mode::kHold:
+    case Mode::kTool:
+      if (restarting_ && restart_dwell_.over()) restart();
+      return;
+    default:
+      return;
+  }
+}
+
+/// The lines before a hold go on being planned; nothing is switched while the
+/// door is open.
 void Machine::run_actions() {
+  if (cutting_off_ || state_.in(Mode::kDoor)) return;
   while (!waiting_.empty() && run(waiting_.front())) waiting_ = waiting_.subspan(1);
+  if (waiting_.empty() && step_pause_ && pause()) step_pause_ = false;
 }
 
-MachineState Machine::state() const {
-  if (alarm_ != Alarm::kNone) return MachineState::kAlarm;
-  if (held_ || paused_) return MachineState::kHold;
-  return idle() ? MachineState::kIdle : MachineState::kRun;
-}
-
-void Machine::feed_hold() {
-  if (alarm_ != Alarm::kNone) return;
-  held_ = true;
-  motion_.halt();
-}
-
-void Machine::resume() {
-  held_ = false;
-  paused_ = false;
-  if (probing_ != Probing::kStopping) motion_.go_on();
-}
-
-void Machine::set_overrides(const OverridePercent& percent) {
-  percent_ = {.feed = std::clamp(percent.feed, 10, 200),
-              .rapid = std::clamp(percent.rapid, 5, 100),
-              .power = std::clamp(percent.power, 10, 200)};
-  motion_.set_overrides({.feed = 0.01F * static_cast<float>(percent_.feed),
-                         .rapid = 0.01F * static_cast<float>(percent_.rapid),
-                         .power = 0.01F * static_cast<float>(percent_.power)});
-  tool_.set_override(0.01F * static_cast<float>(percent_.power));
-}
-
-void Machine::abort() {
-  abort_in_motion_ = drive_.running() && !motion_.halted();
-  aborting_ = true;
-  tool_.off();
-  drive_.abort();
-}
-
-void Machine::drop_everything() {
-  aborting_ = false;
-  waiting_ = {};
-  arc_.reset();
-  with_next_motion_ = {};
-  dwelling_ = false;
-  held_ = false;
-  paused_ = false;
-  pause_seen_ = false;
-  probing_ = Probing::kNo;
-  drive_.disarm_probe();
-  tool_.reset();
-  outputs_.set_coolant(false, false);
-  motion_.drop_rest();
-  motion_.go_on();
-  interpreter_.reset();
-  interpreter_.set_position(motion_.target());
-  if (abort_in_motion_) raise_alarm(Alarm::kAbortInMotion);
-  abort_in_motion_ = false;
-}
-
-void Machine::raise_alarm(Alarm alarm) {
-  tool_.off();
-  alarm_ = alarm;
-  if (!aborting_) {
-    aborting_ = true;
-    drive_.abort();
+/// Current flows from before the first step until $1 after the last; with the
+/// greatest $1 it stays.
+void Machine::attend_motor_enable(std::int32_t elapsed_us) {
+  constexpr float kAlways = 255.0F;
+  const float delay_ms = settings_.get(setting::kIdleDelay);
+  bool enabled = motors_enabled_;
+  if (!motion_.drained() || state_.in(Mode::kHome)) {
+    enabled = true;
+    motors_idle_us_ = 0;
+  } else if (delay_ms != kAlways || state_.in(Mode::kSleep)) {
+    motors_idle_us_ += elapsed_us;
+    const bool over = motors_idle_us_ >= truncated(delay_ms * 1000.0F);
+    enabled = enabled && !over && !state_.in(Mode::kSleep);
   }
-}
-
-Result<float, SettingError> Machine::change_setting(std::uint16_t number, float value) {
-  CNC_ASSERT(idle());
-  const bool other_scale =
-      number >= setting::kStepsPerMm && number < setting::kStepsPerMm + kAxisCount;
-  const float before = other_scale ? settings_.get(number) : 0.0F;
-  const auto stored = settings_.set(number, value);
-  if (!stored.ok()) return stored;
-  if (other_scale && !place_fits(number - setting::kStepsPerMm)) {
-    static_cast<void>(settings_.set(number, before));
-    return SettingError::kPlaceLost;
-  }
-  apply_settings();
-  if (other_scale) {
-    // The motors stand where they are; that is another place now.
-    motion_.drop_rest();
-    interpreter_.set_position(motion_.target());
-  }
-  return stored;
-}
-
-/// Whether the motor's present step is within reach at the resolution stored.
-bool Machine::place_fits(std::size_t axis) const {
-  const AxisScale scale{settings_.get(setting::kStepsPerMm, axis)};
-  const Coordinate place = scale.place_of(drive_.position()[axis]);
-  const Coordinate reach = gcode_options_from(settings_).reach[axis];
-  return place >= -reach && place <= reach;
-}
-
-void Machine::apply_settings() {
-  limits_ = limits_from(settings_);
-  drive_.set_timing(step_timing_from(settings_));
-  interpreter_.set_options(gcode_options_from(settings_));
-  tool_.configure({.most_speed = settings_.get(setting::kMostSpindleSpeed),
-                   .least_speed = settings_.get(setting::kLeastSpindleSpeed),
-                   .laser = settings_.get(setting::kLaserMode) != 0.0F});
+  if (enabled == motors_enabled_) return;
+  motors_enabled_ = enabled;
+  outputs_.set_motors_enabled(enabled);
 }
 
 }  // namespace cnc

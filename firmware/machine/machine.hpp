@@ -5,38 +5,22 @@
 #include <string_view>
 
 #include "firmware/machine/configuration.hpp"
+#include "firmware/machine/coolant_output.hpp"
+#include "firmware/machine/dwell.hpp"
+#include "firmware/machine/input_filter.hpp"
+#include "firmware/machine/machine_types.hpp"
 #include "firmware/machine/motion_control.hpp"
 #include "firmware/machine/settings.hpp"
+#include "firmware/machine/state_machine.hpp"
 #include "firmware/machine/tool_output.hpp"
+#include "firmware/machine/travel.hpp"
 #include "hal/interface/auxiliary_outputs.hpp"
+#include "hal/interface/machine_inputs.hpp"
 #include "hal/interface/tick_count.hpp"
 #include "planner/gcode/interpreter.hpp"
 #include "planner/geometry/arc_elements.hpp"
 
 namespace cnc {
-
-enum class MachineState : std::uint8_t {
-  kIdle,
-  kRun,
-  kHold,   ///< Feed hold, or a pause of the program (M0): waits for resume().
-  kAlarm,  ///< Position or process in doubt: refuses G-code until unlock().
-};
-
-/// Grbl's alarm numbers.
-enum class Alarm : std::uint8_t {
-  kNone = 0,
-  kAbortInMotion = 3,
-  kProbeAtTarget = 4,  ///< The probe already was in the state it was to reach.
-  kProbeMissed = 5,
-  kStarved = 13,  ///< Motion was cut off because the planner came too late.
-};
-
-/// Percent of the programmed value.
-struct OverridePercent {
-  int feed = 100;   ///< 10…200.
-  int rapid = 100;  ///< 5…100.
-  int power = 100;  ///< 10…200.
-};
 
 /// The controller without its link: takes lines of G-code, does their actions
 /// one after the other, and lets an operator hold, resume, override and abort.
@@ -44,94 +28,225 @@ struct OverridePercent {
 /// Main loop only; no call blocks. `poll` keeps everything going.
 class Machine {
  public:
-  Machine(StepDrive& drive, hal::AuxiliaryOutputs& outputs);
+  Machine(StepDrive& drive, hal::AuxiliaryOutputs& outputs, hal::MachineInputs& inputs);
 
   // A line at a time.
 
+  /// No line of G-code is taken: alarm, sleep, or a jog or homing cycle in
+  /// progress.
+  [[nodiscard]] bool locked() const;
   /// Takes a line when the one before is done. A refused line changes nothing.
-  /// @pre !busy(); state() is not kAlarm
+  /// In check mode it is judged and moves nothing.
+  /// @pre !busy() && !locked()
   [[nodiscard]] gcode::Refusal accept(std::string_view line);
-  /// Actions of the last line are still waiting: for room in the planner, for
-  /// standstill, or for time to pass; or an abort is not over yet.
-  [[nodiscard]] bool busy() const { return !waiting_.empty() || aborting_; }
+  /// What was asked for last is still waiting: for room in the planner, for
+  /// standstill, or for time to pass; or homing or a reset is not over yet.
+  [[nodiscard]] bool busy() const;
 
   /// Does what can be done now. Call at least every few milliseconds.
   /// @param now microseconds.
   void poll(hal::TickCount now);
 
+  /// Takes the body of `$J=`: a move of its own, while idle or jogging. Faster
+  /// than the axes can is as fast as they can. Modes do not change.
+  /// @pre !busy()
+  [[nodiscard]] std::optional<JogRefusal> jog(std::string_view words);
+
+  /// Homing is switched on ($22) and nothing stands against it now.
+  [[nodiscard]] bool can_home() const;
+  /// Searches the switches of these axes, bit i for axis i; 0 is all, in the
+  /// passes of $44…$49. busy() until over. @pre can_home()
+  void home(std::uint8_t axes);
+
   // The operator, at any time.
 
   void feed_hold();
   void resume();
+  void safety_door();
+  void jog_cancel();
+  /// Stops at once, output off, modes forgotten. At rest the position stays
+  /// known; else an alarm.
+  void reset();
+  void emergency_stop();
+  /// All off until a reset. False where that is not allowed: only in idle or alarm.
+  bool sleep();
+  /// Into check mode from idle, and out of it by a reset. False where neither is.
+  bool toggle_check_mode();
+  /// False while the door is open or the emergency stop is pressed, and after
+  /// an alarm that asks for a reset first.
+  bool unlock();
+  /// The alarm is one that only a reset makes fit to be unlocked.
+  [[nodiscard]] bool needs_reset() const { return needs_reset_; }
+
   void set_overrides(const OverridePercent& percent);
   [[nodiscard]] const OverridePercent& overrides() const { return percent_; }
-  /// Stops at once, output off. At rest the position stays known; else alarm 3.
-  void abort();
-  void unlock() { alarm_ = Alarm::kNone; }
+  /// Only while held at rest; resume() brings the spindle back first.
+  void toggle_spindle_stop();
+  void toggle_flood();
+  void toggle_mist();
+  /// The tool that M6 asked for is in.
+  void acknowledge_tool();
+  void toggle_optional_stop() { optional_stop_ = !optional_stop_; }
+  void toggle_single_block() { single_block_ = !single_block_; }
+  void toggle_block_delete();
+  [[nodiscard]] bool optional_stop() const { return optional_stop_; }  ///< M1 pauses.
+  [[nodiscard]] bool single_block() const { return single_block_; }    ///< A pause after each line.
+  [[nodiscard]] bool block_delete() const { return block_delete_; }  ///< Lines with / are skipped.
 
-  /// Nothing to do and nothing moving.
-  [[nodiscard]] bool idle() const { return waiting_.empty() && motion_.drained(); }
+  // Settings.
+
   /// @pre idle()
   Result<float, SettingError> change_setting(std::uint16_t number, float value);
-
-  [[nodiscard]] MachineState state() const;
-  [[nodiscard]] Alarm alarm() const { return alarm_; }
   [[nodiscard]] const Settings& settings() const { return settings_; }
+  /// What was stored at the last power-down. @pre idle()
+  void set_places(const gcode::StoredPlaces& places) { interpreter_.set_places(places); }
+
+  // What there is to report.
+
+  [[nodiscard]] MachineStatus status() const;
+  [[nodiscard]] MachineState state() const { return status().state; }
+  [[nodiscard]] Alarm alarm() const { return alarm_; }
+  /// Nothing to do and nothing moving.
+  [[nodiscard]] bool idle() const;
+  /// Without their bounce.
+  [[nodiscard]] const hal::InputState& inputs() const { return inputs_.settled(); }
+  /// Axes whose machine coordinates are known, bit i for axis i.
+  [[nodiscard]] std::uint8_t homed() const { return homed_; }
+  /// Where the motors are, machine coordinates.
+  [[nodiscard]] Position position() const { return motion_.place_of(drive_.position()); }
+  [[nodiscard]] float feed_now_mm_min() const;
+  /// S as the output really is: overridden, and for a beam that of the moment.
+  [[nodiscard]] float spindle_now() const;
+  [[nodiscard]] gcode::SpindleMode spindle() const { return tool_.mode_now(); }
+  [[nodiscard]] gcode::Coolant coolant() const { return coolant_.now(); }
+  [[nodiscard]] std::size_t blocks_free() const { return motion_.blocks_free(); }
+  /// N of the block being executed; 0 for none.
+  [[nodiscard]] std::uint32_t line_number() const { return motion_.line_in_execution(); }
+  /// Place 0 and no success before the first.
+  [[nodiscard]] const Probe& last_probe() const { return last_probe_; }
+  /// True once after each G38 that came to its end, for the report before its answer.
+  [[nodiscard]] bool take_probe_ended();
+  /// The tool that M6 waits for.
+  [[nodiscard]] std::optional<std::uint32_t> pending_tool() const;
+  /// The last line was M2 or M30.
+  [[nodiscard]] bool program_ended() const { return program_ended_; }
+  /// True once after each M2 or M30, for the message before its answer.
+  [[nodiscard]] bool take_program_ended();
+
   [[nodiscard]] const gcode::Interpreter& interpreter() const { return interpreter_; }
   [[nodiscard]] const MotionControl& motion() const { return motion_; }
   /// For whoever wants to see the plan itself; null for nobody.
   void observe(motion::SliceObserver* observer) { motion_.observe(observer); }
-  [[nodiscard]] bool program_ended() const { return program_ended_; }
-  /// Where the probe input changed last (G38.x), machine coordinates.
-  [[nodiscard]] const std::optional<Position>& probed() const { return probed_; }
 
  private:
   enum class Probing : std::uint8_t { kNo, kMoving, kStopping };
+  enum class DoorStage : std::uint8_t { kStopping, kStopped, kSpindle, kCoolant };
+  struct JogMove {
+    Position end{};
+    float feed = 0.0F;
+    std::uint32_t line = 0;
+  };
 
+  // One turn, in machine.cpp.
+  void attend_inputs();
+  void attend_mode();
   void run_actions();
+  void attend_motor_enable(std::int32_t elapsed_us);
+
+  // Actions, in machine_actions.cpp; probing in machine_probe.cpp. True when done.
   [[nodiscard]] bool run(const gcode::Action& action);
   [[nodiscard]] bool move_straight(const gcode::Action& action, float feed);
   [[nodiscard]] bool move_arc(const gcode::Action& action);
   [[nodiscard]] bool probe(const gcode::Action& action);
   [[nodiscard]] bool finish_probe(const gcode::Action& action);
-  [[nodiscard]] bool dwell(const gcode::Action& action);
+  void end_probe(const Position& place, bool success);
+  [[nodiscard]] bool dwell(float seconds);
+  [[nodiscard]] bool set_spindle(gcode::SpindleMode mode);
   [[nodiscard]] bool switch_output(const gcode::OutputChange& change);
-  [[nodiscard]] bool pause(const gcode::Action& action);
+  [[nodiscard]] bool pause();
+  [[nodiscard]] bool change_tool(std::uint32_t tool);
   [[nodiscard]] bool end_program();
   void append(const PathElement& element, float feed);
+
+  // Jogs, in machine_jog.cpp.
+  void attend_jog();
+  void append_jog();
+  void drop_jog();
+
+  // The operator, in machine_operator.cpp.
+  void restart();
+  void cancel_restart();
+  [[nodiscard]] bool tool_turns() const;
+  void switch_coolant_by_hand(gcode::Coolant wanted);
+  [[nodiscard]] bool at_rest() const { return motion_.drained() || motion_.halted(); }
+
+  // The door, in machine_door.cpp.
+  void attend_door();
+  void resume_from_door();
+  [[nodiscard]] std::uint8_t door_substate() const;
+
+  // Ends of the travel, in machine_limits.cpp.
+  void stop_for_travel();
+  void judge(gcode::Actions actions, const Position& from);
+  void hit_limit();
+  void set_homed(std::uint8_t axes);
+
+  // Ends of all kinds, in machine_reset.cpp.
+  void raise_alarm(Alarm alarm);
+  void cut_off();
+  void drop_everything();
+  void lock_until_homed();
+
+  // Settings, in machine_settings.cpp.
   void apply_settings();
   [[nodiscard]] bool place_fits(std::size_t axis) const;
-  void raise_alarm(Alarm alarm);
-  void drop_everything();
 
   StepDrive& drive_;
   hal::AuxiliaryOutputs& outputs_;
+  hal::MachineInputs& input_port_;
   Settings settings_{};
   motion::Limits limits_{};
   gcode::Interpreter interpreter_{};
   MotionControl motion_;
   ToolOutput tool_;
+  CoolantOutput coolant_;
+  InputFilter inputs_{};
+  StateMachine state_{};
+  Alarm alarm_ = Alarm::kNone;
+  bool needs_reset_ = false;
+  bool cutting_off_ = false;  ///< Motion was cut off; the rest goes at the next turn.
+  std::uint8_t homed_ = 0;
+  Travel travel_{};
+  bool leaving_travel_ = false;  ///< Holding for the soft limit's alarm.
+  DoorStage door_stage_ = DoorStage::kStopped;
+  bool door_ends_jog_ = false;
 
   gcode::Actions waiting_{};
   std::optional<ArcElements> arc_{};  ///< The arc being divided.
   std::uint32_t arc_index_ = 0;
-  std::uint32_t lines_accepted_ = 0;
   motion::OutputChanges with_next_motion_{};
-  std::int64_t dwell_left_us_ = 0;
+  std::optional<JogMove> jog_{};  ///< Waits for room in the planner.
+  Dwell dwell_{};                 ///< Of an action.
+  Dwell restart_dwell_{};         ///< Until spindle or coolant are back.
   bool dwelling_ = false;
-  bool dwell_begins_ = false;
-  bool held_ = false;
-  bool paused_ = false;
   bool pause_seen_ = false;
-  bool aborting_ = false;
-  bool abort_in_motion_ = false;
-  bool program_ended_ = false;
+  bool step_pause_ = false;  ///< The line is done; single block holds before the next.
+  bool restarting_ = false;  ///< resume() waits for the spindle.
+  bool optional_stop_ = false;
+  bool single_block_ = false;
+  bool block_delete_ = true;
+  std::optional<std::uint32_t> tool_wanted_{};
   Probing probing_ = Probing::kNo;
-  std::optional<Position> probed_{};
-  Alarm alarm_ = Alarm::kNone;
+  Probe last_probe_{};
+  bool probe_ended_ = false;
+  bool program_ended_ = false;
+  bool program_end_untold_ = false;
+
   OverridePercent percent_{};
   hal::TickCount last_poll_{};
   bool polled_ = false;
+  bool motors_enabled_ = false;
+  std::int64_t motors_idle_us_ = 0;
 };
 
 }  // namespace cnc

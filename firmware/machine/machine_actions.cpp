@@ -1,5 +1,4 @@
 #include "firmware/machine/machine.hpp"
-#include "planner/base/truncate.hpp"
 
 namespace cnc {
 
@@ -8,7 +7,6 @@ using gcode::ActionKind;
 
 namespace {
 
-constexpr float kMicrosecondsPerSecond = 1.0e6F;
 constexpr float kFullScale = 65535.0F;
 
 std::uint16_t to_full_scale(float share) {
@@ -30,23 +28,23 @@ bool Machine::run(const Action& action) {
     case ActionKind::kProbe:
       return probe(action);
     case ActionKind::kDwell:
-      return dwell(action);
+      return dwell(action.seconds);
     case ActionKind::kSpindleSpeed:
       if (tool_.speed_waits_for_standstill() && !motion_.drained()) return false;
       tool_.set_speed(action.value);
       return true;
     case ActionKind::kSpindle:
-      if (!motion_.drained()) return false;
-      tool_.set_mode(action.spindle);
-      return true;
+      return set_spindle(action.spindle);
     case ActionKind::kCoolant:
       if (!motion_.drained()) return false;
-      outputs_.set_coolant(action.coolant.mist, action.coolant.flood);
+      coolant_.set(action.coolant);
       return true;
+    case ActionKind::kToolChange:
+      return change_tool(action.number);
     case ActionKind::kOutput:
       return switch_output(action.output);
     case ActionKind::kPause:
-      return pause(action);
+      return (action.number == 1 && !optional_stop_) || pause();
     case ActionKind::kEnd:
       return end_program();
     case ActionKind::kTool:
@@ -61,7 +59,7 @@ void Machine::append(const PathElement& element, float feed) {
                                         .feed_mm_s = feed,
                                         .beam = tool_.command_for(feed <= 0.0F),
                                         .outputs = with_next_motion_,
-                                        .line = lines_accepted_});
+                                        .line = interpreter_.state().line_number});
   // The interpreter keeps targets inside the motors' range, and arcs are divided.
   CNC_ASSERT(appended.ok());
   if (appended.value()) with_next_motion_ = {};
@@ -92,16 +90,26 @@ bool Machine::move_arc(const Action& action) {
   return true;
 }
 
-bool Machine::dwell(const Action& action) {
+bool Machine::dwell(float seconds) {
   if (!motion_.drained()) return false;
   if (!dwelling_) {
     dwelling_ = true;
-    dwell_begins_ = true;
-    dwell_left_us_ = truncated(action.seconds * kMicrosecondsPerSecond);
+    dwell_.start(seconds);
   }
-  if (dwell_left_us_ > 0) return false;
+  if (!dwell_.over()) return false;
   dwelling_ = false;
   return true;
+}
+
+/// A spindle that starts or turns round is given its time ($394).
+bool Machine::set_spindle(gcode::SpindleMode mode) {
+  if (!motion_.drained()) return false;
+  if (!dwelling_) {
+    const bool same = mode == tool_.mode();
+    tool_.set_mode(mode);
+    if (same || !tool_turns()) return true;
+  }
+  return dwell(settings_.get(setting::kSpindleOnDelay));
 }
 
 bool Machine::switch_output(const gcode::OutputChange& change) {
@@ -131,14 +139,30 @@ bool Machine::switch_output(const gcode::OutputChange& change) {
   return true;
 }
 
-bool Machine::pause(const Action& action) {
-  if (action.number == 1) return true;  // M1: there is no optional-stop switch yet.
+/// Holds when all before is done; over when the operator has gone on.
+bool Machine::pause() {
   if (!motion_.drained()) return false;
   if (!pause_seen_) {
     pause_seen_ = true;
-    paused_ = true;
+    static_cast<void>(state_.take(Event::kHold));
   }
-  if (paused_) return false;
+  if (!state_.in(Mode::kFree)) return false;
+  pause_seen_ = false;
+  return true;
+}
+
+/// Waits, tool and coolant off, for whoever puts the tool in. $341 may say that
+/// there is nobody.
+bool Machine::change_tool(std::uint32_t tool) {
+  if (settings_.get(setting::kToolChange) != 0.0F) return true;
+  if (!motion_.drained()) return false;
+  if (!pause_seen_) {
+    if (!state_.take(Event::kTool)) return false;  // Held: when that is over.
+    pause_seen_ = true;
+    tool_wanted_ = tool;
+    tool_.suspend(true);
+  }
+  if (!state_.in(Mode::kFree)) return false;
   pause_seen_ = false;
   return true;
 }
@@ -147,52 +171,16 @@ bool Machine::end_program() {
   if (!motion_.drained()) return false;
   set_overrides({});
   tool_.off();
-  outputs_.set_coolant(false, false);
+  coolant_.reset();
   program_ended_ = true;
+  program_end_untold_ = true;
   return true;
 }
 
-/// Straight towards the target until the probe input changes, then as short a
-/// way further as the limits allow; what is left of the way is dropped.
-bool Machine::probe(const Action& action) {
-  switch (probing_) {
-    case Probing::kNo:
-      if (!motion_.drained()) return false;
-      probed_.reset();
-      if (drive_.probe_contact() == action.probe.towards_contact) {
-        raise_alarm(Alarm::kProbeAtTarget);
-        return false;
-      }
-      drive_.arm_probe(action.probe.towards_contact);
-      append({.start = motion_.target(), .end = action.end}, action.feed);
-      probing_ = Probing::kMoving;
-      return false;
-    case Probing::kMoving:
-      if (drive_.probe_hit()) {
-        motion_.halt();
-        probing_ = Probing::kStopping;
-        return false;
-      }
-      return motion_.drained() && finish_probe(action);
-    case Probing::kStopping:
-      return (motion_.halted() || motion_.drained()) && finish_probe(action);
-  }
-  return true;
-}
-
-bool Machine::finish_probe(const Action& action) {
-  probing_ = Probing::kNo;
-  drive_.disarm_probe();
-  if (!drive_.probe_hit()) {
-    if (!action.probe.error_if_missed) return true;
-    raise_alarm(Alarm::kProbeMissed);
-    return false;
-  }
-  probed_ = motion_.place_of(drive_.probe_position());
-  motion_.drop_rest();
-  if (!held_) motion_.go_on();
-  interpreter_.set_position(motion_.target());
-  return true;
+bool Machine::take_program_ended() {
+  const bool ended = program_end_untold_;
+  program_end_untold_ = false;
+  return ended;
 }
 
 }  // namespace cnc

@@ -46,6 +46,15 @@ class MotionControl {
   void drop_rest();
 
   [[nodiscard]] Position place_of(const AxisArray<std::int32_t>& steps) const;
+  [[nodiscard]] std::size_t blocks_free() const {
+    return motion::BlockQueue::kCapacity - queue_.size();
+  }
+  /// N of the oldest block that is not driven to its end; 0 for none.
+  [[nodiscard]] std::uint32_t line_in_execution() const {
+    return queue_.empty() ? 0 : queue_.front().line;
+  }
+  /// mm/s, of the segments cut last: what the motors do in at most 20 ms.
+  [[nodiscard]] float speed() const { return drive_.running() ? segmenter_.speed() : 0.0F; }
   [[nodiscard]] std::size_t blocks() const { return queue_.size(); }
   [[nodiscard]] std::uint32_t blocks_taken() const { return blocks_taken_; }
   void observe(motion::SliceObserver* observer) { segmenter_.observe(observer); }

@@ -9,6 +9,45 @@
 
 namespace cnc {
 
+/// Where a sender shows a setting; the numbers are those of `$EG`.
+enum class SettingGroup : std::uint8_t {
+  kGeneral = 1,
+  kControlSignals,
+  kLimits,
+  kHoming,
+  kProbing,
+  kJogging,
+  kSpindle,
+  kCoolant,
+  kParking,
+  kToolChange,
+  kStepper,
+  kArcs,
+  kAxes,
+  kX,
+  kY,
+  kZ,
+  kA,
+  kB,
+  kC,
+};
+inline constexpr std::size_t kSettingGroupCount = 19;
+
+struct SettingGroupInfo {
+  std::uint8_t parent;  ///< A group's number; 0 is the root.
+  const char* name;
+};
+
+/// How a sender lets its user edit a value; grblHAL's numbers.
+enum class SettingType : std::uint8_t {
+  kSwitch = 0,
+  kBits = 1,    ///< The format names the bits, from bit 0 on.
+  kChoice = 3,  ///< The format names the values, from 0 on.
+  kAxisMask = 4,
+  kInteger = 5,
+  kDecimal = 6,
+};
+
 /// One user setting. `number` is what the user writes: `$110=12000`.
 struct SettingInfo {
   std::uint16_t number;
@@ -18,6 +57,10 @@ struct SettingInfo {
   float most;
   float standard;  ///< As delivered.
   bool whole;      ///< Only whole numbers.
+  SettingGroup group;
+  SettingType type;
+  const char* format;  ///< Of grblHAL's `$ES`; what it means depends on the type.
+  const char* help;    ///< One or two sentences for whoever sets it.
 };
 
 enum class SettingError : std::uint8_t {
@@ -32,8 +75,12 @@ enum class SettingError : std::uint8_t {
 [[nodiscard]] std::string_view describe(SettingError error);
 
 /// All settings, in the order of their numbers. Names are those Grbl 1.1 and
-/// grblHAL documents use; 850 and 851 are our own.
+/// grblHAL documents use; 850 and above are our own.
 [[nodiscard]] std::span<const SettingInfo> setting_table();
+/// Null when no setting has this number.
+[[nodiscard]] const SettingInfo* find_setting(std::uint16_t number);
+/// In the order of SettingGroup, from 1 on.
+[[nodiscard]] std::span<const SettingGroupInfo> setting_groups();
 
 /// The values of all settings.
 class Settings {
@@ -103,6 +150,7 @@ inline constexpr std::uint16_t kJerk = 800;
 inline constexpr std::uint16_t kArcRepairMm = 850;
 inline constexpr std::uint16_t kArcRepairPercent = 851;
 inline constexpr std::uint16_t kSquaredAxes = 852;
+inline constexpr std::uint16_t kReportedAxes = 853;
 }  // namespace setting
 
 }  // namespace cnc

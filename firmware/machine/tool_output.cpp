@@ -17,8 +17,14 @@ void ToolOutput::set_mode(gcode::SpindleMode mode) {
   apply();
 }
 
+void ToolOutput::suspend(bool suspended) {
+  suspended_ = suspended;
+  apply();
+}
+
 void ToolOutput::reset() {
   speed_ = 0.0F;
+  suspended_ = false;
   off();
 }
 
@@ -40,10 +46,12 @@ float ToolOutput::duty() const {
 }
 
 void ToolOutput::apply() {
-  const bool enabled = mode_ != gcode::SpindleMode::kOff;
+  const bool enabled = mode_now() != gcode::SpindleMode::kOff;
   const bool reversed = !settings_.laser && mode_ == gcode::SpindleMode::kDynamic;
   outputs_.set_spindle(enabled, reversed);
-  const float rest = settings_.laser ? 0.0F : std::min(1.0F, duty() * override_);
+  const bool dark = settings_.laser || suspended_;
+  drive_.block_power(suspended_ && settings_.laser);
+  const float rest = dark ? 0.0F : std::min(1.0F, duty() * override_);
   drive_.set_rest_power(static_cast<std::uint16_t>(rest * kFullPower + 0.5F));
 }
 

@@ -32,6 +32,10 @@ class ToolOutput {
   void set_mode(gcode::SpindleMode mode);
   void set_speed(float speed);
   void set_override(float factor);
+  /// Interrupts the tool without forgetting it: a door, a tool change, the
+  /// operator's spindle stop. A beam is dark at once, whatever still moves.
+  void suspend(bool suspended);
+  [[nodiscard]] bool suspended() const { return suspended_; }
   void off() { set_mode(gcode::SpindleMode::kOff); }
   /// Off, with the speed forgotten, as after power-up.
   void reset();
@@ -40,6 +44,13 @@ class ToolOutput {
   [[nodiscard]] motion::BeamCommand command_for(bool rapid) const;
 
   [[nodiscard]] gcode::SpindleMode mode() const { return mode_; }
+  /// What it really does.
+  [[nodiscard]] gcode::SpindleMode mode_now() const {
+    return suspended_ ? gcode::SpindleMode::kOff : mode_;
+  }
+  [[nodiscard]] bool is_laser() const { return settings_.laser; }
+  /// S that gives full output.
+  [[nodiscard]] float most_speed() const { return settings_.most_speed; }
   [[nodiscard]] float speed() const { return speed_; }
 
  private:
@@ -52,6 +63,7 @@ class ToolOutput {
   gcode::SpindleMode mode_ = gcode::SpindleMode::kOff;
   float speed_ = 0.0F;
   float override_ = 1.0F;
+  bool suspended_ = false;
 };
 
 }  // namespace cnc

@@ -1,104 +1,158 @@
 #include "firmware/protocol/line_protocol.hpp"
 
-#include "planner/gcode/decimal.hpp"
+#include <algorithm>
+#include <array>
+
+#include "firmware/protocol/code_texts.hpp"
+#include "firmware/protocol/realtime_commands.hpp"
 
 namespace cnc {
 namespace {
 
-// Grbl 1.1 numbers that are not about G-code.
-constexpr std::uint32_t kInvalidStatement = 3;
-constexpr std::uint32_t kNotIdle = 8;
-constexpr std::uint32_t kLocked = 9;
-constexpr std::uint32_t kLineOverflow = 11;
-constexpr std::uint32_t kBadNumber = 2;
-constexpr std::uint32_t kNegativeValue = 4;
+/// Rows of a listing in one turn, so that `$ES` does not keep the planner waiting.
+constexpr int kRowsInATurn = 8;
 
-struct SettingLine {
-  std::uint16_t number;
-  float value;
-};
-
-/// Reads `$N=value`; false when the line is not of that form.
-bool read_setting(std::string_view line, SettingLine& setting) {
-  const std::size_t equals = line.find('=');
-  if (line.empty() || line.front() != '$' || equals == std::string_view::npos) return false;
-  const std::string_view number_text{line.data() + 1, equals - 1};
-  std::string_view value_text = line;
-  value_text.remove_prefix(equals + 1);
-  const auto number = gcode::read_decimal(number_text);
-  const auto value = gcode::read_decimal(value_text);
-  if (!number.ok() || number.value().length != number_text.size()) return false;
-  if (!value.ok() || value.value().length != value_text.size()) return false;
-  const gcode::Decimal& n = number.value().value;
-  if (!n.is_integer() || n.minus || n.whole > 0xFFFFU) return false;
-  setting = {static_cast<std::uint16_t>(n.whole), value.value().value.to_float()};
-  return true;
+/// Nothing but blanks and comments.
+bool is_empty(std::string_view line) {
+  gcode::LineReader reader{line};
+  return !reader.begin(false) && reader.at_end();
 }
 
 }  // namespace
 
+LineProtocol::LineProtocol(hal::ByteStream& link, Machine& machine, hal::RecordStore& store)
+    : link_{link}, machine_{machine}, stored_{store}, listing_{machine, stored_} {
+  load_settings();
+  machine_.set_places(stored_.load_places());
+}
+
 void LineProtocol::poll() {
+  int rows = 0;
   for (;;) {
+    receive();
+    attend_realtime();
     outbox_.send(link_);
-    if (!outbox_.empty() || machine_.busy()) return;
-    if (owes_answer_) {
-      owes_answer_ = false;
-      answer(Reply{}.text("ok\r\n"));
+    if (!outbox_.empty()) return;
+    if (report() || tell_news()) continue;
+    if (listing_.active()) {
+      if (++rows > kRowsInATurn) return;
+      Reply row;
+      if (listing_.next(row, form_)) answer(row);
       continue;
     }
-    if (!read_line()) return;
-    if (assembler_.too_long()) {
-      refuse(kLineOverflow, kLongestLine + 1, "line is longer than 256 characters");
-    } else {
+    if (machine_.busy()) return;
+    if (beginning_) {
+      welcome();
+    } else if (startup_line_ < StoredState::kStartupLines) {
+      run_startup_line();
+    } else if (!finish_line()) {
+      if (!read_line()) return save_places();
       handle(assembler_.line());
     }
   }
 }
 
+void LineProtocol::receive() {
+  std::array<std::byte, 64> bytes{};
+  for (;;) {
+    const std::size_t room = std::min<std::size_t>(bytes.size(), receiver_.room());
+    const std::size_t count = link_.read(std::span{bytes}.first(room));
+    if (count == 0) return;
+    // No byte takes more than its own room.
+    for (std::size_t i = 0; i < count; ++i) CNC_ASSERT(receiver_.receive(bytes[i]));
+  }
+}
+
+void LineProtocol::attend_realtime() {
+  if (receiver_.take_reset()) {
+    machine_.reset();
+    assembler_ = {};
+    listing_.stop();
+    owed_ = Owed::kNothing;
+    startup_line_ = StoredState::kStartupLines;
+    beginning_ = true;
+  }
+  RealtimeByte command{};
+  while (receiver_.take_command(command)) {
+    if (command == RealtimeByte::kParserState) {
+      modes_wanted_ = true;
+    } else {
+      apply(command, machine_);
+    }
+  }
+}
+
+/// True when there was something left to say about the line before.
+bool LineProtocol::finish_line() {
+  if (owed_ == Owed::kNothing) return false;
+  if (tell_result()) return true;
+  if (owed_ == Owed::kHoming) {
+    owed_ = Owed::kNothing;
+    if (machine_.alarm() != Alarm::kNone) {
+      refuse(error_number::kLocked, 0, "homing has failed");
+      return true;
+    }
+    startup_line_ = 0;
+    owed_ = Owed::kAck;
+    return true;
+  }
+  owed_ = Owed::kNothing;
+  answer(Reply{}.text("ok").end());
+  return true;
+}
+
 bool LineProtocol::read_line() {
-  std::byte byte{};
-  while (link_.read({&byte, 1}) == 1) {
-    if (assembler_.add(static_cast<char>(byte))) return true;
+  char byte = 0;
+  while (receiver_.take(byte)) {
+    if (assembler_.add(byte)) return true;
   }
   return false;
 }
 
 void LineProtocol::handle(std::string_view line) {
-  if (!line.empty() && line[0] == '$') return set_from(line);
-  if (machine_.state() == MachineState::kAlarm) {
-    return refuse(kLocked, 0, "locked after an alarm");
+  if (assembler_.too_long()) {
+    return refuse(
+        error_number::kLineTooLong, kLongestLine + 1, "line is longer than 256 characters");
   }
+  while (!line.empty() && gcode::is_blank(line.front())) line.remove_prefix(1);
+  if (!line.empty() && line.front() == '$') return take_statement(line);
+  if (!machine_.locked()) return take_gcode(assembler_.line());
+  if (is_empty(line)) return acknowledge();
+  refuse(error_number::kLocked);
+}
+
+void LineProtocol::take_gcode(std::string_view line) {
   const gcode::Refusal refusal = machine_.accept(line);
-  if (!refusal) {
-    owes_answer_ = true;
-    return;
-  }
+  if (refusal) return refuse(*refusal, 1);
+  saving_failed_ = false;
+  acknowledge();
+}
+
+void LineProtocol::refuse(const gcode::Fault& fault,
+                          std::uint32_t first_column,
+                          std::uint8_t number) {
   Reply words;
-  words.wrote(gcode::describe(*refusal, words.room()));
-  refuse(static_cast<std::uint32_t>(refusal->code()), refusal->column, words.view());
+  words.wrote(gcode::describe(fault, words.room()));
+  const std::uint32_t column = fault.column == 0 ? 0 : fault.column + first_column - 1;
+  const auto own = static_cast<std::uint8_t>(fault.code());
+  refuse(number == 0 ? own : number, column, words.view());
 }
 
-void LineProtocol::set_from(std::string_view line) {
-  SettingLine setting{};
-  if (!read_setting(line, setting)) {
-    return refuse(kInvalidStatement, 1, "not a setting of the form $N=value");
-  }
-  if (!machine_.idle()) return refuse(kNotIdle, 0, "settings change only while idle");
-  const auto stored = machine_.change_setting(setting.number, setting.value);
-  if (stored.ok()) return answer(Reply{}.text("ok\r\n"));
-  const SettingError error = stored.error();
-  const bool negative = error == SettingError::kBelowRange && setting.value < 0.0F;
-  const std::uint32_t number = error == SettingError::kUnknown ? kInvalidStatement
-                               : negative                      ? kNegativeValue
-                                                               : kBadNumber;
-  refuse(number, static_cast<std::uint32_t>(line.find('=')) + 2, describe(error));
+void LineProtocol::refuse(std::uint8_t number) { refuse(number, 0, error_text(number)); }
+
+void LineProtocol::refuse(std::uint8_t number, std::uint32_t column, std::string_view reason) {
+  answer(Reply{}.text("[MSG:").number(column).text(": ").text(reason).letter(']').end());
+  answer(Reply{}.text("error:").number(number).end());
 }
 
-void LineProtocol::refuse(std::uint32_t number, std::uint32_t column, std::string_view reason) {
-  answer(Reply{}.text("[MSG:").number(column).text(": ").text(reason).text("]\r\n"));
-  answer(Reply{}.text("error:").number(number).text("\r\n"));
+void LineProtocol::message(std::string_view words) {
+  answer(Reply{}.text("[MSG:").text(words).letter(']').end());
 }
 
 void LineProtocol::answer(const Reply& reply) { outbox_.add(reply.view()); }
+
+bool LineProtocol::inches() const {
+  return machine_.settings().get(setting::kReportInches) != 0.0F;
+}
 
 }  // namespace cnc

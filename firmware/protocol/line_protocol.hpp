@@ -5,42 +5,100 @@
 
 #include "firmware/link/line_assembler.hpp"
 #include "firmware/link/outbox.hpp"
+#include "firmware/link/receiver.hpp"
 #include "firmware/machine/machine.hpp"
+#include "firmware/protocol/listing.hpp"
 #include "firmware/protocol/reply.hpp"
+#include "firmware/protocol/statement.hpp"
+#include "firmware/protocol/status_report.hpp"
+#include "firmware/store/stored_state.hpp"
 #include "hal/interface/byte_stream.hpp"
+#include "hal/interface/record_store.hpp"
 #include "planner/gcode/line_reader.hpp"
 
 namespace cnc {
 
-/// The conversation over one link: a line in, one answer out, in order.
+/// The conversation over one link, as Grbl 1.1 has it: a line in, one answer
+/// out, in order; realtime bytes in between.
 ///
-/// `ok` when all that the line asks for is planned (a dwell: over), so a sender
-/// that waits for it never overruns the planner. No line is read before the
-/// answer to the one before is on its way. A refused line is answered by
-/// `[MSG:column: reason]` and `error:N` with Grbl's number. `$N=value` changes a
-/// setting. Realtime bytes and the other `$` commands are not spoken yet: each
-/// `$` line that is not a setting is refused with error 3.
+/// `ok` when all that the line asks for is planned (a dwell, a probe, homing:
+/// over), so a sender that waits for it never overruns the planner. No line is
+/// read before the answer to the one before is on its way. A refused line is
+/// answered by `[MSG:column: reason]` and `error:N` with Grbl's number.
+///
+/// Never waits for the link: what is to be said is made line by line as the
+/// link takes it, a status report before anything else. No line but an
+/// acknowledgement contains "ok" or "error", in any case: senders would count it.
 class LineProtocol {
  public:
   static constexpr std::size_t kLongestLine = gcode::kLongestLine;
 
-  LineProtocol(hal::ByteStream& link, Machine& machine) : link_{link}, machine_{machine} {}
+  /// Gives the machine what the store holds.
+  LineProtocol(hal::ByteStream& link, Machine& machine, hal::RecordStore& store);
 
   /// Reads and answers what it can without waiting.
   void poll();
 
  private:
+  /// What the line before still waits for.
+  enum class Owed : std::uint8_t { kNothing, kAck, kHoming };
+
+  // The order of things, in line_protocol.cpp.
+  void receive();
+  void attend_realtime();
+  [[nodiscard]] bool finish_line();
   [[nodiscard]] bool read_line();
   void handle(std::string_view line);
-  void set_from(std::string_view line);
-  void refuse(std::uint32_t number, std::uint32_t column, std::string_view reason);
+  void take_gcode(std::string_view line);
+
+  // What is said without being asked, in events.cpp.
+  [[nodiscard]] bool report();
+  [[nodiscard]] bool tell_news();
+  [[nodiscard]] bool tell_result();
+  void welcome();
+  void run_startup_line();
+  void save_places();
+
+  // `$`, in statements.cpp.
+  void take_statement(std::string_view line);
+  void take_command(const Statement& statement);
+  void change_setting(const Statement& statement);
+  void refuse_setting(const Statement& statement, SettingError error);
+  void jog(const Statement& statement);
+  void home(const Statement& statement);
+  void unlock();
+  void toggle_check_mode();
+  void restore(const Statement& statement);
+  void set_startup_line(const Statement& statement);
+  void set_user_text(const Statement& statement);
+  [[nodiscard]] bool rests() const;
+  void load_settings();
+
+  void refuse(std::uint8_t number, std::uint32_t column, std::string_view reason);
+  void refuse(std::uint8_t number);
+  /// @param number 0: the fault's own.
+  void refuse(const gcode::Fault& fault, std::uint32_t first_column, std::uint8_t number = 0);
+  void acknowledge() { owed_ = Owed::kAck; }
+  void message(std::string_view words);
   void answer(const Reply& reply);
+  [[nodiscard]] bool inches() const;
 
   hal::ByteStream& link_;
   Machine& machine_;
+  StoredState stored_;
+  Receiver receiver_{};
   LineAssembler<kLongestLine> assembler_{};
   Outbox<2 * Reply::kCapacity> outbox_{};  ///< A reason and its number.
-  bool owes_answer_ = false;
+  Listing listing_;
+  StatusReport status_{};
+  ReportForm form_{};
+  Owed owed_ = Owed::kNothing;
+  Alarm told_alarm_ = Alarm::kNone;
+  bool tool_told_ = false;
+  bool modes_wanted_ = false;  ///< 0x83: a parser state between other lines.
+  bool beginning_ = true;      ///< After power-up or a reset: the banner is due.
+  bool saving_failed_ = false;
+  std::size_t startup_line_ = StoredState::kStartupLines;  ///< The next to be run.
 };
 
 }  // namespace cnc

@@ -3,11 +3,28 @@
 #include <algorithm>
 
 namespace cnc {
+namespace {
+
+constexpr std::array<std::uint32_t, 7> kPowers{1, 10, 100, 1000, 10'000, 100'000, 1'000'000};
+
+std::uint32_t digits_of(std::uint32_t whole) {
+  std::uint32_t count = 0;
+  for (; whole != 0; whole /= 10U) ++count;
+  return count;
+}
+
+}  // namespace
 
 Reply& Reply::text(std::string_view words) {
-  const std::size_t count = std::min(words.size(), bytes_.size() - size_);
+  const std::size_t count = std::min(words.size(), room().size());
   std::copy_n(words.begin(), count, bytes_.begin() + static_cast<std::ptrdiff_t>(size_));
   size_ += count;
+  return *this;
+}
+
+Reply& Reply::end() {
+  std::copy(kEnd.begin(), kEnd.end(), bytes_.begin() + static_cast<std::ptrdiff_t>(size_));
+  size_ += kEnd.size();
   return *this;
 }
 
@@ -19,6 +36,49 @@ Reply& Reply::number(std::uint32_t value) {
     value /= 10U;
   } while (value != 0);
   return text({digits.data() + first, digits.size() - first});
+}
+
+/// A point and exactly `count` digits.
+Reply& Reply::fraction(std::uint32_t digits, std::uint32_t count) {
+  if (count == 0) return *this;
+  letter('.');
+  while (count > 0) letter(static_cast<char>('0' + digits / kPowers[--count] % 10U));
+  return *this;
+}
+
+Reply& Reply::value(float value, std::uint32_t least) {
+  if (value < 0.0F) letter('-');
+  const float magnitude = value < 0.0F ? -value : value;
+  auto units = static_cast<std::uint32_t>(magnitude);
+  // A float holds seven digits; more would only show how it rounds.
+  const std::uint32_t before = digits_of(units);
+  std::uint32_t count = std::min(6U, std::max(least, 7U - std::min(7U, before)));
+  const float rest = magnitude - static_cast<float>(units);
+  auto digits = static_cast<std::uint32_t>(rest * static_cast<float>(kPowers[count]) + 0.5F);
+  if (digits >= kPowers[count]) {
+    digits -= kPowers[count];
+    ++units;
+  }
+  for (; count > least && digits % 10U == 0; --count) digits /= 10U;
+  return number(units).fraction(digits, count);
+}
+
+Reply& Reply::whole(float value) {
+  if (value < 0.0F) letter('-');
+  return number(static_cast<std::uint32_t>((value < 0.0F ? -value : value) + 0.5F));
+}
+
+Reply& Reply::place(Coordinate place, bool inches) {
+  constexpr std::uint64_t kPerThousandth = 1000;     // nm, of a millimetre.
+  constexpr std::uint64_t kPerTenThousandth = 2540;  // nm, of an inch.
+  const std::int64_t nanometres = place.nanometres();
+  const auto magnitude = static_cast<std::uint64_t>(nanometres < 0 ? -nanometres : nanometres);
+  const std::uint64_t step = inches ? kPerTenThousandth : kPerThousandth;
+  // A kilometre is 10^9 thousandths, so that the rest is done in 32 bits.
+  const auto steps = static_cast<std::uint32_t>((magnitude + step / 2) / step);
+  const std::uint32_t decimals = inches ? 4 : 3;
+  if (nanometres < 0 && steps != 0) letter('-');
+  return number(steps / kPowers[decimals]).fraction(steps % kPowers[decimals], decimals);
 }
 
 }  // namespace cnc

@@ -6,22 +6,42 @@
 #include <span>
 #include <string_view>
 
+#include "planner/base/coordinate.hpp"
+
 namespace cnc {
 
-/// Text being put together for the link. What does not fit is cut off.
+/// One line being put together for the link, its end included. What does not
+/// fit is cut off, but never the end.
 class Reply {
  public:
-  static constexpr std::size_t kCapacity = 192;
+  static constexpr std::size_t kCapacity = 320;
 
   Reply& text(std::string_view words);
+  Reply& letter(char one) { return text({&one, 1}); }
   Reply& number(std::uint32_t value);
+  /// As few decimals as show the value to seven digits, at least `least`, at most six.
+  /// @pre |value| < 2^31
+  Reply& value(float value, std::uint32_t least);
+  /// The nearest whole number. @pre |value| < 2^31
+  Reply& whole(float value);
+  /// A place in mm (degrees) with three decimals, or in inches with four.
+  Reply& place(Coordinate place, bool inches);
+  /// Adds the line end; the last call.
+  Reply& end();
+
   /// Room for somebody who writes by himself; tell with `wrote` how much it was.
-  [[nodiscard]] std::span<char> room() { return std::span{bytes_}.subspan(size_); }
+  [[nodiscard]] std::span<char> room() {
+    return std::span{bytes_}.subspan(size_, kCapacity - kEnd.size() - size_);
+  }
   void wrote(std::size_t count) { size_ += count; }
 
   [[nodiscard]] std::string_view view() const { return {bytes_.data(), size_}; }
 
  private:
+  static constexpr std::string_view kEnd = "\r\n";
+
+  Reply& fraction(std::uint32_t digits, std::uint32_t count);
+
   std::array<char, kCapacity> bytes_{};
   std::size_t size_ = 0;
 };

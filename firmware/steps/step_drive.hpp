@@ -35,6 +35,11 @@ class StepDrive {
   [[nodiscard]] virtual AxisArray<std::int32_t> position() const = 0;
   /// Duty of the output when nothing moves, 65535 is full: 0 for a beam.
   virtual void set_rest_power(std::uint16_t power) = 0;
+  /// Keeps the output at 0 from the next interrupt on, within a millisecond,
+  /// whatever segments and the rest power say; or no longer.
+  virtual void block_power(bool blocked) = 0;
+  /// Duty of the output now.
+  [[nodiscard]] virtual std::uint16_t power() const = 0;
   /// @pre !running()
   virtual void set_timing(const StepTiming& timing) = 0;
 

@@ -65,6 +65,14 @@ class StepGenerator final : public StepDrive {
     if (!running()) drive_power(power);
   }
 
+  void block_power(bool blocked) override {
+    power_blocked_.store(blocked, std::memory_order_relaxed);
+    if (!running()) drive_power(rest_power_.load(std::memory_order_relaxed));
+  }
+  [[nodiscard]] std::uint16_t power() const override {
+    return power_.load(std::memory_order_relaxed);
+  }
+
   void set_timing(const StepTiming& timing) override { timing_ = timing; }
 
   [[nodiscard]] bool probe_contact() const override { return port_.probe_contact(); }
@@ -101,6 +109,7 @@ class StepGenerator final : public StepDrive {
 
   std::uint32_t begin_pulse() noexcept {
     if (abort_.exchange(false)) return drop_everything();
+    if (power_blocked_.load(std::memory_order_relaxed)) drive_power(0);
     while (steps_left_ == 0 && now_ >= segment_.ticks) {
       now_ -= segment_.ticks;
       if (!load_segment()) return come_to_rest();
@@ -212,8 +221,9 @@ class StepGenerator final : public StepDrive {
   }
 
   void drive_power(std::uint16_t power) noexcept {
-    if (power == power_) return;
-    power_ = power;
+    if (power_blocked_.load(std::memory_order_relaxed)) power = 0;
+    if (power == power_.load(std::memory_order_relaxed)) return;
+    power_.store(power, std::memory_order_relaxed);
     port_.set_power(power);
   }
 
@@ -228,13 +238,14 @@ class StepGenerator final : public StepDrive {
   std::uint32_t now_ = 0;  ///< Ticks since the segment was due to start.
   std::uint32_t waited_ = 0;
   std::uint32_t steps_left_ = 0;
-  std::uint16_t power_ = 0;
   std::uint8_t direction_ = 0;
   bool direction_changed_ = false;
   bool high_ = false;
 
   AxisArray<std::atomic<std::int32_t>> position_{};
+  std::atomic<std::uint16_t> power_{0};  ///< As driven.
   std::atomic<std::uint16_t> rest_power_{0};
+  std::atomic<bool> power_blocked_{false};
   std::atomic<bool> running_{false};
   std::atomic<bool> starved_{false};
   std::atomic<bool> abort_{false};

@@ -4,13 +4,14 @@
 #include <cstdint>
 
 #include "hal/interface/auxiliary_outputs.hpp"
+#include "hal/interface/machine_inputs.hpp"
 #include "hal/interface/step_port.hpp"
 
 namespace hal::host {
 
 /// The pins of a controller that has none: remembers their state for whoever
 /// simulates the machine behind them. One thread.
-class RecordingPort final : public AuxiliaryOutputs {
+class RecordingPort final : public AuxiliaryOutputs, public MachineInputs {
  public:
   static constexpr std::size_t kMotors = 6;
 
@@ -55,6 +56,15 @@ class RecordingPort final : public AuxiliaryOutputs {
     set_analog(output, value);
   }
 
+  void set_motors_enabled(bool enabled) override { motors_enabled = enabled; }
+
+  // MachineInputs
+  [[nodiscard]] InputState read_inputs() override {
+    InputState state = panel;
+    state.probe = probe;
+    return state;
+  }
+
   // What the machine sees and feeds back.
   std::array<std::int32_t, kMotors> position{};  ///< Steps since power-up.
   std::array<std::uint16_t, 4> analog{};
@@ -67,6 +77,8 @@ class RecordingPort final : public AuxiliaryOutputs {
   bool changed = false;        ///< A motor stepped or the power changed; cleared by the reader.
   bool timer_started = false;  ///< Cleared by the reader.
   bool probe = false;
+  bool motors_enabled = false;
+  InputState panel{};  ///< Door and buttons; whoever simulates the operator sets them.
 
  private:
   AxisMask negative_{};

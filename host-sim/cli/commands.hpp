@@ -14,5 +14,7 @@ enum class ExitStatus : int {
 /// Each adds its subcommand; `status` is set when it runs.
 void add_sim_command(CLI::App& app, ExitStatus& status);
 void add_check_command(CLI::App& app, ExitStatus& status);
+void add_serve_command(CLI::App& app, ExitStatus& status);
+void add_replay_command(CLI::App& app, ExitStatus& status);
 
 }  // namespace sim

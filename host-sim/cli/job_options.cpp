@@ -23,9 +23,10 @@ void JobOptions::add_to(CLI::App& command) {
   command.add_flag("--json", json, "Print the report as JSON");
 }
 
-std::vector<SettingChange> JobOptions::settings() const {
+std::vector<SettingChange> settings_of(const std::string& file,
+                                       const std::vector<std::string>& set) {
   std::vector<SettingChange> changes;
-  if (!settings_file.empty()) changes = read_settings_file(settings_file);
+  if (!file.empty()) changes = read_settings_file(file);
   for (const std::string& text : set) changes.push_back(parse_setting(text, "--set"));
   return changes;
 }
@@ -33,7 +34,7 @@ std::vector<SettingChange> JobOptions::settings() const {
 std::vector<Report> for_each_job(const JobOptions& options,
                                  const std::function<Report(const Job&)>& work) {
   using Clock = std::chrono::steady_clock;
-  const std::vector<SettingChange> settings = options.settings();
+  const std::vector<SettingChange> settings = settings_of(options.settings_file, options.set);
   std::vector<Report> reports;
   ProgressBar bar{stderr, is_terminal(stderr), Clock::now()};
   for (const std::string& file : options.files) {

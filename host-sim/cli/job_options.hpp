@@ -18,10 +18,12 @@ struct JobOptions {
   bool json = false;
 
   void add_to(CLI::App& command);
-  /// The settings file first, then `--set` in the order of the call. Throws
-  /// std::invalid_argument and std::system_error.
-  [[nodiscard]] std::vector<SettingChange> settings() const;
 };
+
+/// The settings file first, when there is one, then `--set` in the order of the
+/// call. Throws std::invalid_argument and std::system_error.
+[[nodiscard]] std::vector<SettingChange> settings_of(const std::string& file,
+                                                     const std::vector<std::string>& set);
 
 /// Runs `work` on every file with a progress bar where a terminal looks on.
 [[nodiscard]] std::vector<Report> for_each_job(const JobOptions& options,

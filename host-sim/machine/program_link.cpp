@@ -7,6 +7,7 @@ namespace {
 
 constexpr std::string_view kMessage = "[MSG:";
 constexpr std::string_view kError = "error:";
+constexpr std::string_view kAccepted = "ok";
 
 template <typename Number>
 std::size_t read_number(std::string_view text, Number& number) {
@@ -53,8 +54,10 @@ void ProgramLink::take_answer(std::string_view answer) {
     message_ = answer.substr(kMessage.size(), answer.size() - kMessage.size() - 1);
     return;
   }
+  const bool refused = answer.starts_with(kError);
+  if (!refused && answer != kAccepted) return;  // A greeting, an alarm, a report.
   awaits_answer_ = false;
-  if (!answer.starts_with(kError)) return;
+  if (!refused) return;
   Refusal refusal{.line = line_, .column = 0, .number = 0, .reason = {}};
   read_number(answer.substr(kError.size()), refusal.number);
   const std::size_t digits = read_number(message_, refusal.column);

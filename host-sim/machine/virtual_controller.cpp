@@ -9,7 +9,12 @@ constexpr std::uint64_t kTicksPerMicrosecond = cnc::motion::kTicksPerSecond / 1'
 }  // namespace
 
 VirtualController::VirtualController(hal::ByteStream& link, const MachineModel& model)
-    : model_{model}, firmware_{port_, port_, link} {}
+    : model_{model}, firmware_{port_, port_, port_, own_store_, link} {}
+
+VirtualController::VirtualController(hal::ByteStream& link,
+                                     const MachineModel& model,
+                                     hal::RecordStore& store)
+    : model_{model}, firmware_{port_, port_, port_, store, link} {}
 
 void VirtualController::turn() {
   last_event_ = now_;
@@ -37,8 +42,7 @@ void VirtualController::advance_to(std::uint64_t tick) {
 void VirtualController::report_change() {
   port_.changed = false;
   const float z_steps_per_mm = machine().settings().get(cnc::setting::kStepsPerMm, 2);
-  const double z_mm =
-      static_cast<double>(port_.position[2]) / static_cast<double>(z_steps_per_mm);
+  const double z_mm = static_cast<double>(port_.position[2]) / static_cast<double>(z_steps_per_mm);
   port_.probe = z_mm <= model_.probe_plate_z_mm;
   const TraceRow row{.time_ns = now_ * kNanosecondsPerTick,
                      .position = port_.position,

@@ -4,8 +4,10 @@
 #include <vector>
 
 #include "firmware/application.hpp"
+#include "hal/host/memory_store.hpp"
 #include "hal/host/recording_port.hpp"
 #include "hal/interface/byte_stream.hpp"
+#include "hal/interface/record_store.hpp"
 #include "host-sim/trace/trace_row.hpp"
 
 namespace sim {
@@ -29,8 +31,10 @@ class VirtualController {
   static constexpr std::uint64_t kTicksPerTurn = cnc::motion::kTicksPerSecond / 1000;
   static constexpr std::uint64_t kNanosecondsPerTick = 1'000'000'000 / cnc::motion::kTicksPerSecond;
 
-  /// The link must outlive the controller.
+  /// The link must outlive the controller. What it stores is gone with it.
   VirtualController(hal::ByteStream& link, const MachineModel& model);
+  /// Link and store must outlive the controller.
+  VirtualController(hal::ByteStream& link, const MachineModel& model, hal::RecordStore& store);
 
   /// Sinks see every edge from now on; they must outlive the controller.
   void add_sink(TraceSink& sink) { sinks_.push_back(&sink); }
@@ -57,10 +61,11 @@ class VirtualController {
 
   MachineModel model_;
   hal::host::RecordingPort port_{};
+  hal::host::MemoryStore own_store_{};
   Firmware firmware_;
   std::vector<TraceSink*> sinks_;
-  std::uint64_t now_ = 0;  ///< Ticks of the step clock.
-  std::uint64_t last_event_ = 0;  ///< Start of the last turn, or an interrupt in it.
+  std::uint64_t now_ = 0;             ///< Ticks of the step clock.
+  std::uint64_t last_event_ = 0;      ///< Start of the last turn, or an interrupt in it.
   std::uint64_t next_interrupt_ = 0;  ///< Valid while the timer runs.
   bool timer_runs_ = false;
   TraceRow row_{};  ///< Not handed out while its instant lasts.

@@ -35,6 +35,10 @@ class PathRecorder final : public TraceSink {
   void on_row(const TraceRow& row) override;
   void on_end(std::uint64_t time_ns) override;
 
+  /// What is settled of the path so far. It grows at its end, and begins anew,
+  /// shorter, when it is thinned.
+  [[nodiscard]] const std::vector<PathVertex>& settled() const { return simplifier_.vertices(); }
+
   /// @pre on_end was called.
   [[nodiscard]] const Path& path() const { return path_; }
 

@@ -21,6 +21,7 @@ enum class ActionKind : std::uint8_t {
   kSpindle,       ///< M3, M4, M5: `spindle`.
   kCoolant,       ///< M7, M8, M9: `coolant` is the new state.
   kTool,          ///< `number` is the selected T.
+  kToolChange,    ///< M6: `number` is the tool to be put in.
   kOutput,        ///< M62…M65, M67, M68: `output`.
   kOffsets,       ///< Work, tool or G92 offsets changed (a report may follow).
   kPause,         ///< M0; M1 with `number` 1.

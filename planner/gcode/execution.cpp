@@ -29,11 +29,12 @@ void adopt(const Block& block, ModalGroup group, Mode& mode) {
 /// its own line.
 Refusal Execution::run() {
   using Step = Refusal (Execution::*)();
-  static constexpr std::array<Step, 13> kOrder{{
+  static constexpr std::array<Step, 14> kOrder{{
       &Execution::number_line,
       &Execution::set_feed,
       &Execution::set_spindle_speed,
       &Execution::select_tool,
+      &Execution::change_tool,
       &Execution::set_output,
       &Execution::set_spindle,
       &Execution::set_coolant,
@@ -117,6 +118,13 @@ Refusal Execution::select_tool() {
   }
   next_.modal.tool = number->whole;
   actions_.append(ActionKind::kTool).number = number->whole;
+  return std::nullopt;
+}
+
+/// For the tool of T, in this line or before.
+Refusal Execution::change_tool() {
+  if (!block_.has(ModalGroup::kToolChange)) return std::nullopt;
+  actions_.append(ActionKind::kToolChange).number = next_.modal.tool;
   return std::nullopt;
 }
 

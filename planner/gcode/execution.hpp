@@ -40,9 +40,14 @@ class Execution {
   /// Makes the changes. Only after run() has refused nothing.
   void commit();
 
+  /// The block as a jog: what it sets holds for itself alone.
+  [[nodiscard]] Refusal run_jog();
+  /// Makes the one change of a jog, the position; returns its N, 0 if none.
+  std::uint32_t commit_jog();
+
  private:
   // The steps, in execution.cpp; offsets in execution_offsets.cpp, motion in
-  // execution_motion.cpp, arcs in execution_arc.cpp.
+  // execution_motion.cpp, arcs in execution_arc.cpp, jogs in execution_jog.cpp.
   void set_modes();
   [[nodiscard]] Refusal number_line();
   [[nodiscard]] Refusal set_feed();
@@ -56,7 +61,9 @@ class Execution {
   [[nodiscard]] Refusal set_offsets();
   [[nodiscard]] Refusal go_to_stored_place();
   [[nodiscard]] Refusal move();
+  [[nodiscard]] Refusal change_tool();
   [[nodiscard]] Refusal stop();
+  [[nodiscard]] Refusal check_jog_words() const;
 
   [[nodiscard]] Refusal set_digital_output(Output output);
   [[nodiscard]] Refusal set_analog_output(Output output);

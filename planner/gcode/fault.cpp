@@ -59,6 +59,7 @@ constexpr std::array<Explanation, kFaultDetailCount> kExplanations{{
     {kWordUnused, "nothing uses %w"},
     {kToolOffsetAxis, "G43.1 needs Z and no other axis"},
     {kValueTooLarge, "%w is greater than %n"},
+    {kNotAJog, "%w has no place in a jog"},
 }};
 
 constexpr const Explanation& explanation_of(FaultDetail detail) {

@@ -14,6 +14,7 @@ enum class ErrorCode : std::uint8_t {
   kBadNumber = 2,
   kNegativeValue = 4,
   kLineTooLong = 11,
+  kNotAJog = 16,
   kUnsupportedWord = 20,
   kModalGroupTwice = 21,
   kFeedUndefined = 22,
@@ -77,10 +78,11 @@ enum class FaultDetail : std::uint8_t {
   kUnused,
   kToolOffsetNeedsZAlone,
   kTooLarge,
+  kNotInAJog,
 };
 
 inline constexpr std::size_t kFaultDetailCount =
-    static_cast<std::size_t>(FaultDetail::kTooLarge) + 1;
+    static_cast<std::size_t>(FaultDetail::kNotInAJog) + 1;
 
 /// Why a line was refused. A refused line changes nothing and moves nothing.
 struct Fault {

@@ -25,6 +25,15 @@ Result<Actions, Fault> Interpreter::interpret(std::string_view line) {
   return actions_.all();
 }
 
+Result<Actions, Fault> Interpreter::interpret_jog(std::string_view words) {
+  actions_.clear();
+  if (const auto fault = read_block(words, false, block_)) return *fault;
+  Execution execution{options_, context_, places_, block_, actions_};
+  if (const auto fault = execution.run_jog()) return *fault;
+  jog_line_number_ = execution.commit_jog();
+  return actions_.all();
+}
+
 void Interpreter::set_position(const Position& machine) {
   CNC_ASSERT(in_range(machine));
   context_.position = machine;

@@ -36,6 +36,13 @@ class Interpreter {
   /// optional; lines of `$` belong to the protocol and are refused here.
   [[nodiscard]] Result<Actions, Fault> interpret(std::string_view line);
 
+  /// The body of a jog: axis words, F, and perhaps G20 G21 G90 G91 G53 and N,
+  /// for this line alone. The action is a kLine. Of all that a line may leave
+  /// behind only position() changes.
+  [[nodiscard]] Result<Actions, Fault> interpret_jog(std::string_view words);
+  /// N of a jog is its own; of other lines it is in state().
+  [[nodiscard]] std::uint32_t jog_line_number() const { return jog_line_number_; }
+
   [[nodiscard]] const ModalState& state() const { return context_.modal; }
   [[nodiscard]] const Shift& shift() const { return context_.shift; }
   [[nodiscard]] const StoredPlaces& places() const { return places_; }
@@ -50,6 +57,8 @@ class Interpreter {
   void set_position(const Position& machine);
   /// What was read from flash at start-up. @pre every place is in range.
   void set_places(const StoredPlaces& places);
+  /// The operator switched it by hand: the modal state follows.
+  void set_coolant(Coolant coolant) { context_.modal.coolant = coolant; }
   /// As after a soft reset: modes, G92 and tool length as at start-up; stored
   /// places and position stay.
   void reset();
@@ -62,6 +71,7 @@ class Interpreter {
   StoredPlaces places_{};
   Block block_{};
   ActionList actions_{};
+  std::uint32_t jog_line_number_ = 0;
 };
 
 }  // namespace cnc::gcode

@@ -65,13 +65,14 @@ constexpr std::array<ModalWord, 44> kGWords{{
     word(940, kFeedMode, FeedMode::kUnitsPerMinute),
 }};
 
-constexpr std::array<ModalWord, 16> kMWords{{
+constexpr std::array<ModalWord, 17> kMWords{{
     word(0, kStop, Stop::kPause),
     word(10, kStop, Stop::kOptionalPause),
     word(20, kStop, Stop::kEnd),
     word(30, kSpindle, SpindleMode::kConstant),
     word(40, kSpindle, SpindleMode::kDynamic),
     word(50, kSpindle, SpindleMode::kOff),
+    word(60, kToolChange, 0),
     word(70, kCoolant, CoolantWord::kMist),
     word(80, kCoolant, CoolantWord::kFlood),
     word(90, kCoolant, CoolantWord::kOff),

@@ -25,11 +25,12 @@ enum class ModalGroup : std::uint8_t {
   kPathControl,       ///< G group 13, only G61: nothing to choose
   kStop,              ///< M group 4, Stop
   kOutput,            ///< M group 5, Output
+  kToolChange,        ///< M group 6, only M6: nothing to choose
   kSpindle,           ///< M group 7, SpindleMode
   kCoolant,           ///< M group 8, CoolantWord
 };
 
-inline constexpr std::size_t kModalGroupCount = 15;
+inline constexpr std::size_t kModalGroupCount = 16;
 
 enum class NonModal : std::uint8_t {
   kNothing,

@@ -38,6 +38,7 @@ struct Block {
   AxisArray<float> direction{};      ///< Unit tangent; for an arc only the axes off its plane.
   float length = 0.0F;               ///< mm.
   float feed = 0.0F;                 ///< Programmed speed along the path, mm/s; 0 is a rapid.
+  bool fixed_feed = false;           ///< Overrides of feed and rapid do not touch it.
   float speed_limit_square = 0.0F;   ///< From rates, step rates and centripetal acceleration.
   float corner_speed_square = 0.0F;  ///< The corner rule at its start; 0 after a stop.
   float entry_speed_square = 0.0F;   ///< What the look-ahead found; the only member that changes.

@@ -106,6 +106,7 @@ Result<Block, MotionError> build_block(const MotionRequest& request, const Limit
   block.beam = request.beam;
   block.outputs = request.outputs;
   block.line = request.line;
+  block.fixed_feed = request.fixed_feed;
   if (!place_in_steps(element, limits, block)) return MotionError::kBeyondMotorRange;
 
   AxisArray<float> travel = travel_of(element);

@@ -20,6 +20,7 @@ struct MotionRequest {
   BeamCommand beam{};
   OutputChanges outputs{};
   std::uint32_t line = 0;
+  bool fixed_feed = false;  ///< Overrides do not touch it: jogs, homing, parking.
 };
 
 /// Turns a path element into a block: one for one, line, arc or helix.

@@ -11,8 +11,10 @@ namespace cnc::motion {
 class SpeedCap {
  public:
   SpeedCap(const Block& block, const Overrides& overrides)
-      : feed_square_{block.is_rapid() ? 1.0e12F : square(block.feed * overrides.feed)},
-        rapid_factor_{block.is_rapid() ? square(overrides.rapid) : 1.0F} {}
+      : feed_square_{block.is_rapid()
+                         ? 1.0e12F
+                         : square(block.fixed_feed ? block.feed : block.feed * overrides.feed)},
+        rapid_factor_{block.is_rapid() && !block.fixed_feed ? square(overrides.rapid) : 1.0F} {}
 
   /// v² allowed where the machine itself allows `limit_square`.
   [[nodiscard]] float square_within(float limit_square) const {

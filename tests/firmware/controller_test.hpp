@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "firmware/application.hpp"
+#include "hal/host/memory_store.hpp"
 #include "hal/host/recording_port.hpp"
 
 namespace cnc {
@@ -50,6 +51,12 @@ struct Sight {
 class ControllerTest : public testing::Test {
  protected:
   static constexpr std::uint64_t kTicksPerMillisecond = motion::kTicksPerSecond / 1000;
+
+  /// Begins after the banner.
+  ControllerTest() {
+    application.poll(hal::TickCount{0});
+    link.outgoing.clear();
+  }
 
   void run(int milliseconds) {
     for (; milliseconds > 0; --milliseconds) {
@@ -106,8 +113,9 @@ class ControllerTest : public testing::Test {
   }
 
   hal::host::RecordingPort port;
+  hal::host::MemoryStore store;
   MemoryLink link;
-  Application<hal::host::RecordingPort> application{port, port, link};
+  Application<hal::host::RecordingPort> application{port, port, port, store, link};
   Machine& machine{application.machine()};
   std::uint64_t now = 0;
   std::vector<Sight> sights;  ///< After each interrupt that changed something.

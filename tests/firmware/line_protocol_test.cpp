@@ -62,8 +62,8 @@ TEST_F(LineProtocolTest, RefusesSettingsWhileMoving) {
 
 TEST_F(LineProtocolTest, RefusesSettingsThatAreNone) {
   EXPECT_EQ(send("$7=1"), "error:3");
-  EXPECT_EQ(send("$"), "error:3");
-  EXPECT_EQ(send("$$"), "error:3");
+  EXPECT_EQ(send("$7"), "error:3");
+  EXPECT_EQ(send("$$$"), "error:3");
   EXPECT_EQ(send("$=1"), "error:3");
   EXPECT_EQ(send("$110="), "error:3");
   EXPECT_EQ(send("$110=1e3"), "error:3");
@@ -78,7 +78,8 @@ TEST_F(LineProtocolTest, RefusesSettingsOutOfRange) {
   EXPECT_EQ(send("$110=0.5"), "error:2");
   EXPECT_EQ(send("$110=2000000"), "error:2");
   EXPECT_EQ(send("$32=0.5"), "error:2");
-  EXPECT_EQ(printed()[0], "[MSG:6: value is below the range of this setting]");
+  EXPECT_EQ(printed()[0],
+            "[MSG:6: value is below the range of this setting: 1.000 to 1000000.000 mm/min]");
 }
 
 // Senders take any line with one of these words for an acknowledgement.
@@ -137,7 +138,7 @@ TEST_F(LineProtocolTest, AnswersRandomBytesLineByLine) {
     run(2);
     if (machine.state() == MachineState::kHold) machine.resume();
     if (machine.state() == MachineState::kAlarm) machine.unlock();
-    if (machine.busy() || !machine.idle()) machine.abort();
+    if (machine.busy() || !machine.idle()) machine.reset();
   }
   run(100);
   if (machine.state() == MachineState::kHold) machine.resume();

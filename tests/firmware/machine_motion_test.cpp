@@ -126,7 +126,7 @@ void lives_through(const std::vector<std::string_view>& lines) {
    public:
     void play(const std::vector<std::string_view>& all) {
       for (const std::string_view line : all) send(line);
-      machine.abort();
+      machine.reset();
       run(10);
     }
   };

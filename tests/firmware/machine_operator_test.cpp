@@ -128,7 +128,7 @@ TEST_F(MachineOperatorTest, PausesAtEveryM0) {
 TEST_F(MachineOperatorTest, AbortsAtRestWithoutAlarmAndKeepsItsPlace) {
   send_all({"G0 X5"});
   run_until_idle();
-  machine.abort();
+  machine.reset();
   run(10);
   EXPECT_EQ(machine.alarm(), Alarm::kNone);
   EXPECT_EQ(machine.state(), MachineState::kIdle);
@@ -143,7 +143,7 @@ TEST_F(MachineOperatorTest, AbortsWhileHeldWithoutAlarmAndKeepsItsPlace) {
   run(200);
   machine.feed_hold();
   run(400);
-  machine.abort();
+  machine.reset();
   run(10);
   EXPECT_EQ(machine.alarm(), Alarm::kNone);
   EXPECT_EQ(machine.state(), MachineState::kIdle);
@@ -157,7 +157,7 @@ TEST_F(MachineOperatorTest, AbortsWhileHeldWithoutAlarmAndKeepsItsPlace) {
 TEST_F(MachineOperatorTest, AbortsInMotionWithAlarmAndStaysLockedUntilUnlocked) {
   send_all({"M3 S1000", "G1 X50 F6000"});
   run(200);
-  machine.abort();
+  machine.reset();
   run(5);
   EXPECT_EQ(machine.alarm(), Alarm::kAbortInMotion);
   EXPECT_EQ(machine.state(), MachineState::kAlarm);
@@ -176,7 +176,7 @@ TEST_F(MachineOperatorTest, TurnsTheBeamOffWithinAMillisecondOfAnAbort) {
   send_all({"$32=1", "M3 S1000", "G1 X50 F6000"});
   run(200);
   ASSERT_GT(port.power, 0);
-  machine.abort();
+  machine.reset();
   run(1);
   EXPECT_EQ(port.power, 0);
   EXPECT_FALSE(port.spindle_enabled);
@@ -185,7 +185,7 @@ TEST_F(MachineOperatorTest, TurnsTheBeamOffWithinAMillisecondOfAnAbort) {
 TEST_F(MachineOperatorTest, AnswersTheLineThatAnAbortDropped) {
   stream("G4 P10\n");
   run(50);
-  machine.abort();
+  machine.reset();
   run(10);
   EXPECT_EQ(answers().size(), 1U);
 }
@@ -193,7 +193,7 @@ TEST_F(MachineOperatorTest, AnswersTheLineThatAnAbortDropped) {
 // A line that is acknowledged is driven, even the first one after an abort.
 TEST_F(MachineOperatorTest, DrivesTheLineThatComesRightAfterAnAbort) {
   run(10);
-  machine.abort();
+  machine.reset();
   stream("G0 X1\n");
   run_until_idle();
   ASSERT_EQ(answers(), std::vector<std::string>{"ok"});
@@ -202,7 +202,7 @@ TEST_F(MachineOperatorTest, DrivesTheLineThatComesRightAfterAnAbort) {
 
 TEST_F(MachineOperatorTest, ForgetsModesButNotPlacesAtAnAbort) {
   send_all({"G10 L2 P2 X3", "G55 G91 G20"});
-  machine.abort();
+  machine.reset();
   run(10);
   EXPECT_EQ(machine.interpreter().state(), gcode::ModalState{});
   send_all({"G55 G0 X1"});

@@ -9,7 +9,7 @@ class MachineProbeTest : public ControllerTest {
     plate = [step](const std::array<std::int32_t, 6>& position) { return position[0] >= step; };
   }
   [[nodiscard]] Coordinate probed_x() const {
-    return machine.probed().value_or(Position{})[index_of(Axis::kX)];
+    return machine.last_probe().place[index_of(Axis::kX)];
   }
 };
 
@@ -17,7 +17,7 @@ TEST_F(MachineProbeTest, LatchesThePlaceOfContactAndStops) {
   put_plate_at(1000);
   EXPECT_EQ(send("G38.2 X20 F600"), "ok");
   EXPECT_EQ(machine.alarm(), Alarm::kNone);
-  ASSERT_TRUE(machine.probed().has_value());
+  ASSERT_TRUE(machine.last_probe().success);
   EXPECT_EQ(probed_x(), Coordinate{4'000'000});
   // 10 mm/s at 500 mm/s² are 0.1 mm, and up to 22 ms were cut already.
   EXPECT_GE(port.position[0], 1000);
@@ -42,7 +42,7 @@ TEST_F(MachineProbeTest, AlarmsWhenItMisses) {
   EXPECT_EQ(send("G38.2 X5 F600"), "ok");
   run(5);
   EXPECT_EQ(machine.alarm(), Alarm::kProbeMissed);
-  EXPECT_FALSE(machine.probed().has_value());
+  EXPECT_FALSE(machine.last_probe().success);
   EXPECT_EQ(port.position[0], 1250);
   EXPECT_EQ(send("G0 X0"), "error:9");
   machine.unlock();
@@ -144,7 +144,7 @@ TEST_F(MachineProbeTest, IsAbortedOnItsWay) {
   put_plate_at(1000);
   stream("G38.2 X20 F600\n");
   run(200);
-  machine.abort();
+  machine.reset();
   run(10);
   EXPECT_EQ(machine.alarm(), Alarm::kAbortInMotion);
   machine.unlock();

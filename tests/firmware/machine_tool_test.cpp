@@ -192,7 +192,7 @@ TEST_F(MachineToolTest, StaysDarkAfterTheEndOfTheProgram) {
 
 TEST_F(MachineToolTest, ForgetsTheSpeedOfTheToolAtAnAbort) {
   send_all({"M3 S500"});
-  machine.abort();
+  machine.reset();
   run(10);
   send_all({"M3"});
   EXPECT_EQ(machine.interpreter().state().spindle_speed, 0.0F);

@@ -238,7 +238,7 @@ bool abort_after(std::uint64_t seed) {
   if (after_hold) machine.feed_hold();
   for (std::size_t turn = after_hold ? random.below(4000) : 0; turn > 0; --turn) simulator.turn();
   const bool at_rest = machine.motion().drained() || machine.motion().halted();
-  machine.abort();
+  machine.reset();
   simulator.turn();
   const Steps stopped = simulator.port().position;
   if (at_rest) {

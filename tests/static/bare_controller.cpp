@@ -27,6 +27,16 @@ struct BareOutputs final : hal::AuxiliaryOutputs {
   void set_coolant(bool mist, bool) override { pins = mist; }
   void set_digital(std::uint8_t output, bool) override { pins = output; }
   void set_analog_output(std::uint8_t output, std::uint16_t) override { pins = output; }
+  void set_motors_enabled(bool enabled) override { pins = enabled; }
+};
+
+struct BareInputs final : hal::MachineInputs {
+  hal::InputState read_inputs() override { return {.limits = static_cast<std::uint8_t>(pins)}; }
+};
+
+struct BareStore final : hal::RecordStore {
+  std::size_t load(std::uint16_t number, std::span<std::byte>) override { return pins & number; }
+  bool save(std::uint16_t number, std::span<const std::byte>) override { return pins == number; }
 };
 
 struct SilentLine final : hal::ByteStream {
@@ -36,8 +46,10 @@ struct SilentLine final : hal::ByteStream {
 
 BarePort port;
 BareOutputs outputs;
+BareInputs inputs;
+BareStore store;
 SilentLine line;
-cnc::Application<BarePort> application{port, outputs, line};
+cnc::Application<BarePort> application{port, outputs, inputs, store, line};
 
 }  // namespace
 

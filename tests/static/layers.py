@@ -45,7 +45,8 @@ STANDARD_HEADERS = {
 # layer: the other libraries' headers and CMake targets that it may use, as prefixes
 FOREIGN = {
     "planner": ("Eigen",),
-    "host-sim": ("Eigen", "fmt", "nlohmann", "CLI", "PkgConfig::", "librsvg", "cairo"),
+    "host-sim": ("Eigen", "fmt", "nlohmann", "CLI", "PkgConfig::", "librsvg", "cairo",
+                 "sys/", "netinet/", "arpa/", "civetweb", "Threads::"),
 }
 # glibc and newlib differ in the last bit of these.
 TRANSCENDENTAL = re.compile(

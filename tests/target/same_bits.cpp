@@ -5,11 +5,13 @@
 
 #include "firmware/application.hpp"
 #include "hal/interface/auxiliary_outputs.hpp"
+#include "hal/interface/machine_inputs.hpp"
+#include "hal/interface/record_store.hpp"
 
 namespace {
 
 /// Every edge goes into the digest with its tick.
-class DigestPort final : public hal::AuxiliaryOutputs {
+class DigestPort final : public hal::AuxiliaryOutputs, public hal::MachineInputs {
  public:
   void set_direction(hal::AxisMask negative) noexcept { note(0x100U | negative.bits); }
   void raise_steps(hal::AxisMask axes) noexcept {
@@ -27,6 +29,8 @@ class DigestPort final : public hal::AuxiliaryOutputs {
   void set_coolant(bool, bool) override {}
   void set_digital(std::uint8_t, bool) override {}
   void set_analog_output(std::uint8_t, std::uint16_t) override {}
+  void set_motors_enabled(bool) override {}
+  [[nodiscard]] hal::InputState read_inputs() override { return {}; }
 
   Digest digest;
   std::uint32_t now = 0;
@@ -156,9 +160,17 @@ class ProgramLink final : public hal::ByteStream {
   bool message_ = false;
 };
 
+/// Forgets everything: each run is that of a new controller.
+class NoStore final : public hal::RecordStore {
+ public:
+  [[nodiscard]] std::size_t load(std::uint16_t, std::span<std::byte>) override { return 0; }
+  [[nodiscard]] bool save(std::uint16_t, std::span<const std::byte>) override { return true; }
+};
+
 DigestPort port;
+NoStore store;
 ProgramLink link_to_program;
-cnc::Application<DigestPort> application{port, port, link_to_program};
+cnc::Application<DigestPort> application{port, port, port, store, link_to_program};
 
 }  // namespace
 

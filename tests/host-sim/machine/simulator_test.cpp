@@ -68,8 +68,8 @@ TEST(Simulator, ProbesThePlate) {
   Simulator simulator{"G38.2 Z-20 F120\n", {.machine = {.probe_plate_z_mm = -4.0}}};
   const RunResult result = simulator.run();
   EXPECT_EQ(result.alarm, 0);
-  ASSERT_TRUE(simulator.machine().probed().has_value());
-  EXPECT_EQ((*simulator.machine().probed())[2].nanometres(), -4'000'000);
+  ASSERT_TRUE(simulator.machine().last_probe().success);
+  EXPECT_EQ(simulator.machine().last_probe().place[2].nanometres(), -4'000'000);
   // 2 mm/s with 500 mm/s² overrun by 4 µm, plus what was queued.
   EXPECT_LE(result.final_position[2], -1000);
   EXPECT_GE(result.final_position[2], -1015);

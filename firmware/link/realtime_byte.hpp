@@ -1,0 +1,43 @@
+#pragma once
+
+#include <cstdint>
+
+namespace cnc {
+
+/// Bytes that act at once, wherever they arrive outside a comment. The values
+/// are those on the wire: Grbl 1.1's, and those that grblHAL added.
+enum class RealtimeByte : std::uint8_t {
+  kReset = 0x18,
+  kStop = 0x19,  ///< grblHAL: a stop; here the same as a reset.
+  kCycleStart = '~',
+  kFeedHold = '!',
+  kStatus = '?',
+  kStatusRaw = 0x80,  ///< grblHAL's names of the four above that no text contains.
+  kCycleStartRaw = 0x81,
+  kFeedHoldRaw = 0x82,
+  kParserState = 0x83,
+  kSafetyDoor = 0x84,
+  kJogCancel = 0x85,
+  kFullStatus = 0x87,
+  kOptionalStop = 0x88,
+  kSingleBlock = 0x89,
+  kFeedReset = 0x90,
+  kFeedUp10 = 0x91,
+  kFeedDown10 = 0x92,
+  kFeedUp1 = 0x93,
+  kFeedDown1 = 0x94,
+  kRapidFull = 0x95,
+  kRapidHalf = 0x96,
+  kRapidQuarter = 0x97,
+  kPowerReset = 0x99,
+  kPowerUp10 = 0x9A,
+  kPowerDown10 = 0x9B,
+  kPowerUp1 = 0x9C,
+  kPowerDown1 = 0x9D,
+  kSpindleStop = 0x9E,
+  kFlood = 0xA0,
+  kMist = 0xA1,
+  kToolAcknowledge = 0xA3,
+};
+
+}  // namespace cnc

@@ -1,0 +1,140 @@
+#include "firmware/link/receiver.hpp"
+
+#include <algorithm>
+
+namespace cnc {
+namespace {
+
+constexpr std::uint8_t kLatinLead = 0xC2;  ///< Leads the UTF-8 form of 0x80…0xBF.
+
+constexpr bool is_continuation(std::uint8_t byte) { return (byte & 0xC0U) == 0x80U; }
+
+/// How many bytes follow this one in its character.
+constexpr std::uint8_t continuations_after(std::uint8_t lead) {
+  if (lead >= 0xF0) return lead < 0xF8 ? 3 : 0;
+  if (lead >= 0xE0) return 2;
+  return lead >= 0xC2 ? 1 : 0;
+}
+
+constexpr bool is_stop(RealtimeByte command) {
+  return command == RealtimeByte::kFeedHold || command == RealtimeByte::kFeedHoldRaw ||
+         command == RealtimeByte::kSafetyDoor || command == RealtimeByte::kJogCancel;
+}
+
+}  // namespace
+
+bool Receiver::receive(std::byte incoming) {
+  const auto byte = static_cast<std::uint8_t>(incoming);
+  if (byte == static_cast<std::uint8_t>(RealtimeByte::kReset)) {
+    reset();
+    return true;
+  }
+  if (byte >= 0x80) return receive_high(byte);
+  // A character that was cut short stays in its line, for the reader to refuse.
+  if (lead_waits_ && !store(kLatinLead)) return false;
+  lead_waits_ = false;
+  continuation_ = 0;
+  const bool acts = byte == '?' || byte == '!' || byte == '~' || byte == 0x19;
+  if (acts && comment_ == Comment::kNone) {
+    act(byte);
+    return true;
+  }
+  if (!store(byte)) return false;
+  follow_comment(static_cast<char>(byte));
+  return true;
+}
+
+bool Receiver::receive_high(std::uint8_t byte) {
+  if (lead_waits_) {
+    if (is_continuation(byte)) {
+      lead_waits_ = false;
+      act(byte);
+      return true;
+    }
+    if (!store(kLatinLead)) return false;
+    lead_waits_ = false;
+  }
+  if (is_continuation(byte)) {
+    if (continuation_ == 0 && comment_ == Comment::kNone) {
+      act(byte);
+      return true;
+    }
+    if (!store(byte)) return false;
+    if (continuation_ > 0) --continuation_;
+    return true;
+  }
+  if (byte == kLatinLead && comment_ == Comment::kNone) {
+    continuation_ = 0;
+    lead_waits_ = true;
+    return true;
+  }
+  if (!store(byte)) return false;
+  continuation_ = continuations_after(byte);
+  return true;
+}
+
+void Receiver::follow_comment(char byte) {
+  if (byte == '\r' || byte == '\n') {
+    comment_ = Comment::kNone;
+  } else if (comment_ == Comment::kBrackets && byte == ')') {
+    comment_ = Comment::kNone;
+  } else if (comment_ == Comment::kNone && byte == '(') {
+    comment_ = Comment::kBrackets;
+  } else if (comment_ == Comment::kNone && byte == ';') {
+    comment_ = Comment::kRestOfLine;
+  }
+}
+
+void Receiver::act(std::uint8_t code) {
+  const auto command = static_cast<RealtimeByte>(code);
+  switch (command) {
+    case RealtimeByte::kStop:
+      return reset();
+    case RealtimeByte::kStatus:
+    case RealtimeByte::kStatusRaw:
+      return status_.store(true);
+    case RealtimeByte::kFullStatus:
+      return full_status_.store(true);
+    default:
+      break;
+  }
+  // Overrides beyond the room are dropped, as by a knob turned too fast; stops are not.
+  if (!commands_.try_push(command) && is_stop(command)) late_hold_.store(true);
+}
+
+void Receiver::reset() {
+  comment_ = Comment::kNone;
+  lead_waits_ = false;
+  continuation_ = 0;
+  lines_begin_.store(lines_.place());
+  commands_begin_.store(commands_.place());
+  late_hold_.store(false);
+  reset_.store(true);
+}
+
+bool Receiver::take_reset() {
+  if (!reset_.exchange(false)) return false;
+  lines_.drop_before(lines_begin_.load());
+  commands_.drop_before(commands_begin_.load());
+  return true;
+}
+
+bool Receiver::take(char& byte) { return !reset_.load() && lines_.try_pop(byte); }
+
+bool Receiver::take_command(RealtimeByte& command) {
+  if (commands_.try_pop(command)) return true;
+  if (!late_hold_.exchange(false)) return false;
+  command = RealtimeByte::kFeedHold;
+  return true;
+}
+
+std::uint32_t Receiver::room() const {
+  const std::uint32_t held = lines_.size() + (lead_waits_ ? 1U : 0U);
+  return kRealBytes - std::min(held, kRealBytes);
+}
+
+std::uint32_t Receiver::advertised_room() const {
+  return kAdvertisedBytes - std::min(lines_.size(), kAdvertisedBytes);
+}
+
+}  // namespace cnc

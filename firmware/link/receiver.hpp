@@ -1,0 +1,72 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+
+#include "firmware/link/realtime_byte.hpp"
+#include "hal/interface/spsc_ring.hpp"
+
+namespace cnc {
+
+/// Sorts what a link receives: bytes that act at once, and bytes of lines.
+///
+/// `receive` may run in a link interrupt, everything else in the main loop.
+/// A sender may encode realtime bytes as UTF-8 (`C2 85` for 0x85); both forms
+/// act. Other characters of several bytes never do: they go into the line,
+/// where only a comment may hold them. Within a comment, from `(` to `)` or
+/// from `;` to the end of the line, nothing acts but a reset.
+///
+/// No byte of a line is ever dropped: when there is no room, `receive` does not
+/// take the byte and wants to be offered it again, so that the link stops
+/// reading. A reset, which forgets all lines before it, is always taken.
+class Receiver {
+ public:
+  /// Senders are told less than there is: some overrun what they are told.
+  static constexpr std::uint32_t kRealBytes = 4096;
+  static constexpr std::uint32_t kAdvertisedBytes = 1024;
+
+  /// False: no room; offer the same byte again later.
+  [[nodiscard]] bool receive(std::byte byte);
+
+  /// Bytes that can be received now without being refused.
+  [[nodiscard]] std::uint32_t room() const;
+  /// What a status report tells: kAdvertisedBytes when nothing waits.
+  [[nodiscard]] std::uint32_t advertised_room() const;
+
+  /// The next byte of a line.
+  [[nodiscard]] bool take(char& byte);
+
+  // True once after each.
+  [[nodiscard]] bool take_reset();  ///< Also forgets the lines before the reset.
+  [[nodiscard]] bool take_status_request() { return status_.exchange(false); }
+  [[nodiscard]] bool take_full_status_request() { return full_status_.exchange(false); }
+  /// The other realtime bytes, in the order in which they came.
+  [[nodiscard]] bool take_command(RealtimeByte& command);
+
+ private:
+  enum class Comment : std::uint8_t { kNone, kBrackets, kRestOfLine };
+
+  [[nodiscard]] bool receive_high(std::uint8_t byte);
+  [[nodiscard]] bool store(std::uint8_t byte) { return lines_.try_push(static_cast<char>(byte)); }
+  void follow_comment(char byte);
+  void act(std::uint8_t code);
+  void reset();
+
+  hal::SpscRing<char, kRealBytes> lines_{};
+  hal::SpscRing<RealtimeByte, 64> commands_{};
+  std::atomic<bool> reset_{false};
+  std::atomic<bool> status_{false};
+  std::atomic<bool> full_status_{false};
+  std::atomic<bool> late_hold_{false};  ///< A stop that `commands_` had no room for.
+  /// Where the lines, and the commands, after the last reset begin.
+  std::atomic<std::uint32_t> lines_begin_{0};
+  std::atomic<std::uint32_t> commands_begin_{0};
+
+  // The rest belongs to receive().
+  Comment comment_ = Comment::kNone;
+  bool lead_waits_ = false;        ///< C2 was received, and not yet stored.
+  std::uint8_t continuation_ = 0;  ///< Bytes still to come of a character.
+};
+
+}  // namespace cnc

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstdint>
+
+#include "planner/base/truncate.hpp"
+
+namespace cnc {
+
+/// A stretch of time to be waited for, counted in turns of the main loop.
+class Dwell {
+ public:
+  void start(float seconds) {
+    left_us_ = truncated(seconds * kMicrosecondsPerSecond);
+    begins_ = true;
+  }
+  void cancel() { left_us_ = 0; }
+
+  /// The time since the last turn began before a dwell started in that turn
+  /// did, so the first call after start() counts nothing.
+  void pass(std::int32_t elapsed_us) {
+    if (!begins_ && left_us_ > 0) left_us_ -= elapsed_us;
+    begins_ = false;
+  }
+
+  [[nodiscard]] bool over() const { return left_us_ <= 0; }
+
+ private:
+  static constexpr float kMicrosecondsPerSecond = 1.0e6F;
+
+  std::int64_t left_us_ = 0;
+  bool begins_ = false;
+};
+
+}  // namespace cnc

@@ -1,0 +1,65 @@
+#include "firmware/machine/machine.hpp"
+
+namespace cnc {
+namespace {
+constexpr std::uint8_t kNotIdle = 8;
+constexpr std::uint8_t kBeyondTravel = 15;
+}  // namespace
+
+std::optional<JogRefusal> Machine::jog(std::string_view words) {
+  CNC_ASSERT(!busy());
+  const bool from_rest = state_.in(Mode::kFree) && idle();
+  if (!from_rest && !state_.in(Mode::kJog)) return JogRefusal{.number = kNotIdle};
+  const Position here = interpreter_.position();
+  const auto actions = interpreter_.interpret_jog(words);
+  if (!actions.ok()) {
+    const auto number = static_cast<std::uint8_t>(actions.error().code());
+    return JogRefusal{.number = number, .fault = actions.error()};
+  }
+  const gcode::Action& action = actions.value().front();
+  Position end = action.end;
+  if (travel_.left_by(actions.value(), here)) {
+    if (settings_.get(setting::kJogLimited) == 0.0F) {
+      interpreter_.set_position(here);
+      return JogRefusal{.number = kBeyondTravel};
+    }
+    end = travel_.clamped(end);
+    interpreter_.set_position(end);
+  }
+  static_cast<void>(state_.take(Event::kJog));
+  jog_ = JogMove{.end = end, .feed = action.feed, .line = interpreter_.jog_line_number()};
+  attend_jog();
+  return {};
+}
+
+/// Overrides do not touch a jog, and a beam is off during it.
+void Machine::append_jog() {
+  const auto appended = motion_.append({.element = {.start = motion_.target(), .end = jog_->end},
+                                        .feed_mm_s = jog_->feed,
+                                        .beam = tool_.command_for(true),
+                                        .line = jog_->line,
+                                        .fixed_feed = true});
+  CNC_ASSERT(appended.ok());
+  jog_.reset();
+}
+
+void Machine::attend_jog() {
+  if (state_.in(Mode::kJogEnding)) {
+    if (!at_rest()) return;
+    drop_jog();
+  } else {
+    if (jog_ && motion_.has_room()) return append_jog();
+    if (jog_ || !motion_.drained()) return;
+  }
+  static_cast<void>(state_.take(Event::kOver));
+}
+
+/// The rest of a cancelled jog. @pre at_rest()
+void Machine::drop_jog() {
+  jog_.reset();
+  motion_.drop_rest();
+  motion_.go_on();
+  interpreter_.set_position(motion_.target());
+}
+
+}  // namespace cnc

@@ -1,0 +1,36 @@
+#include "firmware/machine/machine.hpp"
+
+namespace cnc {
+
+/// A line that would leave the travel moves nothing: what was planned before is
+/// held, and when all stands still the alarm follows, with the place known.
+void Machine::stop_for_travel() {
+  leaving_travel_ = true;
+  static_cast<void>(state_.take(Event::kHold));
+  motion_.halt();
+}
+
+/// In check mode a line does nothing but be found fault with.
+void Machine::judge(gcode::Actions actions, const Position& from) {
+  if (travel_.left_by(actions, from)) return raise_alarm(Alarm::kSoftLimit);
+  for (const gcode::Action& action : actions) {
+    if (action.kind != gcode::ActionKind::kEnd) continue;
+    program_ended_ = true;
+    program_end_untold_ = true;
+  }
+}
+
+/// While homing, switches are what is looked for; in alarm or asleep nothing
+/// can be moving any more.
+void Machine::hit_limit() {
+  if (state_.in(Mode::kHome) || state_.in(Mode::kAlarm) || state_.in(Mode::kSleep)) return;
+  raise_alarm(Alarm::kHardLimit);
+}
+
+/// Axes whose place has become known, or has been lost.
+void Machine::set_homed(std::uint8_t axes) {
+  homed_ = axes;
+  travel_.configure(settings_, homed_);
+}
+
+}  // namespace cnc

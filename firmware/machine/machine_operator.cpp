@@ -1,0 +1,114 @@
+#include <algorithm>
+
+#include "firmware/machine/machine.hpp"
+
+namespace cnc {
+
+void Machine::feed_hold() {
+  if (restarting_) cancel_restart();
+  if (state_.take(Event::kHold)) motion_.halt();
+}
+
+void Machine::jog_cancel() {
+  if (state_.take(Event::kJogCancel)) motion_.halt();
+}
+
+/// Goes on at once, or when the spindle turns again.
+void Machine::resume() {
+  if (state_.in(Mode::kDoor)) return resume_from_door();
+  if (!state_.in(Mode::kHold) && !state_.in(Mode::kTool)) return;
+  if (leaving_travel_ || inputs().door || restarting_) return;
+  restarting_ = true;
+  if (tool_.suspended()) {
+    tool_.suspend(false);
+    if (tool_turns()) restart_dwell_.start(settings_.get(setting::kSpindleRestoreDelay));
+  }
+  if (restart_dwell_.over()) restart();
+}
+
+void Machine::restart() {
+  restarting_ = false;
+  tool_wanted_.reset();
+  static_cast<void>(state_.take(Event::kResume));
+  if (probing_ != Probing::kStopping) motion_.go_on();
+}
+
+/// A hold again before the spindle is up to speed: as it was.
+void Machine::cancel_restart() {
+  restarting_ = false;
+  restart_dwell_.cancel();
+  tool_.suspend(true);
+}
+
+/// A spindle that takes time to come up to speed.
+bool Machine::tool_turns() const {
+  return tool_.mode() != gcode::SpindleMode::kOff && !tool_.is_laser();
+}
+
+void Machine::acknowledge_tool() {
+  if (state_.in(Mode::kTool)) resume();
+}
+
+std::optional<std::uint32_t> Machine::pending_tool() const { return tool_wanted_; }
+
+void Machine::toggle_spindle_stop() {
+  if (!state_.in(Mode::kHold) || restarting_ || !at_rest()) return;
+  tool_.suspend(!tool_.suspended());
+}
+
+void Machine::toggle_flood() {
+  gcode::Coolant wanted = coolant_.wanted();
+  wanted.flood = !wanted.flood;
+  switch_coolant_by_hand(wanted);
+}
+
+void Machine::toggle_mist() {
+  gcode::Coolant wanted = coolant_.wanted();
+  wanted.mist = !wanted.mist;
+  switch_coolant_by_hand(wanted);
+}
+
+void Machine::switch_coolant_by_hand(gcode::Coolant wanted) {
+  if (!state_.in(Mode::kFree) && !state_.in(Mode::kHold)) return;
+  coolant_.set(wanted);
+  interpreter_.set_coolant(wanted);
+}
+
+void Machine::toggle_block_delete() {
+  block_delete_ = !block_delete_;
+  apply_settings();
+}
+
+void Machine::set_overrides(const OverridePercent& percent) {
+  percent_ = {.feed = std::clamp(percent.feed, 10, 200),
+              .rapid = std::clamp(percent.rapid, 5, 100),
+              .power = std::clamp(percent.power, 10, 200)};
+  motion_.set_overrides({.feed = 0.01F * static_cast<float>(percent_.feed),
+                         .rapid = 0.01F * static_cast<float>(percent_.rapid),
+                         .power = 0.01F * static_cast<float>(percent_.power)});
+  tool_.set_override(0.01F * static_cast<float>(percent_.power));
+}
+
+bool Machine::sleep() {
+  if (!idle() || cutting_off_ || !state_.take(Event::kSleep)) return false;
+  tool_.off();
+  coolant_.reset();
+  return true;
+}
+
+bool Machine::toggle_check_mode() {
+  if (state_.in(Mode::kCheck)) {
+    reset();
+    return true;
+  }
+  return idle() && !cutting_off_ && state_.take(Event::kCheck);
+}
+
+bool Machine::unlock() {
+  if (needs_reset_ || inputs().door || inputs().emergency_stop) return false;
+  if (!state_.take(Event::kUnlock)) return false;
+  alarm_ = Alarm::kNone;
+  return true;
+}
+
+}  // namespace cnc

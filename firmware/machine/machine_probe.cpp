@@ -1,0 +1,62 @@
+#include "firmware/machine/machine.hpp"
+
+namespace cnc {
+
+using gcode::Action;
+
+/// Straight towards the target until the probe input changes, then as short a
+/// way further as the limits allow; what is left of the way is dropped.
+bool Machine::probe(const Action& action) {
+  switch (probing_) {
+    case Probing::kNo:
+      if (!motion_.drained()) return false;
+      if (drive_.probe_contact() == action.probe.towards_contact) {
+        end_probe(motion_.target(), false);
+        raise_alarm(Alarm::kProbeAtTarget);
+        return false;
+      }
+      drive_.arm_probe(action.probe.towards_contact);
+      append({.start = motion_.target(), .end = action.end}, action.feed);
+      probing_ = Probing::kMoving;
+      return false;
+    case Probing::kMoving:
+      if (drive_.probe_hit()) {
+        motion_.halt();
+        probing_ = Probing::kStopping;
+        return false;
+      }
+      return motion_.drained() && finish_probe(action);
+    case Probing::kStopping:
+      return (motion_.halted() || motion_.drained()) && finish_probe(action);
+  }
+  return true;
+}
+
+bool Machine::finish_probe(const Action& action) {
+  probing_ = Probing::kNo;
+  drive_.disarm_probe();
+  if (!drive_.probe_hit()) {
+    end_probe(motion_.target(), false);
+    if (!action.probe.error_if_missed) return true;
+    raise_alarm(Alarm::kProbeMissed);
+    return false;
+  }
+  end_probe(motion_.place_of(drive_.probe_position()), true);
+  motion_.drop_rest();
+  if (!state_.in(Mode::kHold)) motion_.go_on();
+  interpreter_.set_position(motion_.target());
+  return true;
+}
+
+void Machine::end_probe(const Position& place, bool success) {
+  last_probe_ = {.place = place, .success = success};
+  probe_ended_ = true;
+}
+
+bool Machine::take_probe_ended() {
+  const bool ended = probe_ended_;
+  probe_ended_ = false;
+  return ended;
+}
+
+}  // namespace cnc

@@ -1,0 +1,41 @@
+#include "firmware/machine/machine.hpp"
+
+namespace cnc {
+
+MachineStatus Machine::status() const {
+  switch (state_.mode()) {
+    case Mode::kFree:
+      return {.state = idle() && !step_pause_ ? MachineState::kIdle : MachineState::kRun};
+    case Mode::kJog:
+    case Mode::kJogEnding:
+      return {.state = MachineState::kJog};
+    case Mode::kHome:
+      return {.state = MachineState::kHome};
+    case Mode::kCheck:
+      return {.state = MachineState::kCheck};
+    case Mode::kHold:
+      return {.state = MachineState::kHold,
+              .substate = at_rest() ? std::uint8_t{0} : std::uint8_t{1}};
+    case Mode::kDoor:
+      return {.state = MachineState::kDoor, .substate = door_substate()};
+    case Mode::kTool:
+      return {.state = MachineState::kTool};
+    case Mode::kSleep:
+      return {.state = MachineState::kSleep};
+    case Mode::kAlarm:
+      return {.state = MachineState::kAlarm};
+  }
+  return {};
+}
+
+float Machine::feed_now_mm_min() const {
+  constexpr float kSecondsPerMinute = 60.0F;
+  return kSecondsPerMinute * motion_.speed();
+}
+
+float Machine::spindle_now() const {
+  constexpr float kFullPower = 65535.0F;
+  return static_cast<float>(drive_.power()) / kFullPower * tool_.most_speed();
+}
+
+}  // namespace cnc

@@ -1,0 +1,76 @@
+#include "firmware/machine/machine.hpp"
+
+namespace cnc {
+
+/// Where motion is cut off the motors may lose steps, so the place is in doubt.
+void Machine::reset() {
+  const bool homing = state_.in(Mode::kHome);
+  const bool slept = state_.in(Mode::kSleep);
+  if (homing) {
+    raise_alarm(Alarm::kHomingReset);
+  } else if (drive_.running() && !cutting_off_) {
+    raise_alarm(Alarm::kAbortInMotion);
+  }
+  needs_reset_ = inputs().emergency_stop;
+  if (slept) set_homed(0);  // Without current the motors may have been turned.
+  set_overrides({});
+  cut_off();
+}
+
+void Machine::emergency_stop() {
+  raise_alarm(Alarm::kEmergencyStop);
+  needs_reset_ = true;
+}
+
+void Machine::raise_alarm(Alarm alarm) {
+  if (drive_.running() || alarm == Alarm::kStarved) set_homed(0);
+  if (!state_.take(Event::kAlarm)) return;
+  if (state_.in(Mode::kAlarm)) alarm_ = alarm;
+  needs_reset_ = needs_reset_ || alarm == Alarm::kHardLimit || alarm == Alarm::kSoftLimit;
+  cut_off();
+}
+
+/// The beam or spindle goes off now, the motors stop within one interrupt; what
+/// is left of the work is dropped at a later turn, when they have.
+void Machine::cut_off() {
+  cutting_off_ = true;
+  tool_.off();
+  drive_.abort();
+}
+
+void Machine::drop_everything() {
+  cutting_off_ = false;
+  waiting_ = {};
+  arc_.reset();
+  jog_.reset();
+  with_next_motion_ = {};
+  dwelling_ = false;
+  dwell_.cancel();
+  restart_dwell_.cancel();
+  pause_seen_ = false;
+  step_pause_ = false;
+  restarting_ = false;
+  leaving_travel_ = false;
+  tool_wanted_.reset();
+  probing_ = Probing::kNo;
+  drive_.disarm_probe();
+  tool_.reset();
+  coolant_.reset();
+  motion_.drop_rest();
+  motion_.go_on();
+  interpreter_.reset();
+  interpreter_.set_position(motion_.target());
+  static_cast<void>(state_.take(Event::kReset));
+  lock_until_homed();
+}
+
+/// $22 may ask for a homing cycle before anything else is done.
+void Machine::lock_until_homed() {
+  const bool required = has_homing_option(settings_, homing_option::kEnabled) &&
+                        has_homing_option(settings_, homing_option::kRequired);
+  if (!required || homed_ != 0 || !state_.in(Mode::kFree)) return;
+  static_cast<void>(state_.take(Event::kAlarm));
+  alarm_ = Alarm::kHomingRequired;
+}
+
+}  // namespace cnc

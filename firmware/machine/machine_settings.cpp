@@ -1,0 +1,45 @@
+#include "firmware/machine/machine.hpp"
+
+namespace cnc {
+
+Result<float, SettingError> Machine::change_setting(std::uint16_t number, float value) {
+  CNC_ASSERT(idle());
+  const bool other_scale =
+      number >= setting::kStepsPerMm && number < setting::kStepsPerMm + kAxisCount;
+  const float before = other_scale ? settings_.get(number) : 0.0F;
+  const auto stored = settings_.set(number, value);
+  if (!stored.ok()) return stored;
+  if (other_scale && !place_fits(number - setting::kStepsPerMm)) {
+    static_cast<void>(settings_.set(number, before));
+    return SettingError::kPlaceLost;
+  }
+  apply_settings();
+  if (other_scale) {
+    // The motors stand where they are; that is another place now.
+    motion_.drop_rest();
+    interpreter_.set_position(motion_.target());
+  }
+  return stored;
+}
+
+/// Whether the motor's present step is within reach at the resolution stored.
+bool Machine::place_fits(std::size_t axis) const {
+  const AxisScale scale{settings_.get(setting::kStepsPerMm, axis)};
+  const Coordinate place = scale.place_of(drive_.position()[axis]);
+  const Coordinate reach = gcode_options_from(settings_).reach[axis];
+  return place >= -reach && place <= reach;
+}
+
+void Machine::apply_settings() {
+  limits_ = limits_from(settings_);
+  travel_.configure(settings_, homed_);
+  drive_.set_timing(step_timing_from(settings_));
+  gcode::Options options = gcode_options_from(settings_);
+  options.block_delete = block_delete_;
+  interpreter_.set_options(options);
+  tool_.configure({.most_speed = settings_.get(setting::kMostSpindleSpeed),
+                   .least_speed = settings_.get(setting::kLeastSpindleSpeed),
+                   .laser = settings_.get(setting::kLaserMode) != 0.0F});
+}
+
+}  // namespace cnc

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstdint>
+
+#include "planner/base/coordinate.hpp"
+#include "planner/gcode/fault.hpp"
+
+namespace cnc {
+
+/// The states that senders know, under Grbl's and grblHAL's names.
+enum class MachineState : std::uint8_t {
+  kIdle,
+  kRun,
+  kHold,  ///< Feed hold, or a pause of the program (M0): waits for resume().
+  kJog,
+  kAlarm,  ///< Position or process in doubt: refuses G-code until unlock().
+  kDoor,
+  kCheck,  ///< Lines are read and judged, nothing moves.
+  kHome,
+  kSleep,  ///< All off; only a reset wakes.
+  kTool,   ///< A tool is to be changed (M6): waits for resume() or acknowledge_tool().
+};
+
+/// With the number that follows the colon in a report.
+/// Hold: 0 stopped, 1 still stopping. Door: 0 closed and ready to resume,
+/// 1 stopped and open, 2 stopping or parking, 3 resuming. Else 0.
+struct MachineStatus {
+  MachineState state = MachineState::kIdle;
+  std::uint8_t substate = 0;
+  constexpr bool operator==(const MachineStatus&) const = default;
+};
+
+/// Grbl 1.1's numbers up to 10, grblHAL's 11; from 23 on our own, beyond all
+/// that grblHAL uses. (10 is an emergency stop there, a squaring fault in Grbl.)
+enum class Alarm : std::uint8_t {
+  kNone = 0,
+  kHardLimit = 1,
+  kSoftLimit = 2,  ///< A line would have left the travel; it moved nothing, the place is known.
+  kAbortInMotion = 3,
+  kProbeAtTarget = 4,  ///< The probe already was in the state it was to reach.
+  kProbeMissed = 5,
+  kHomingReset = 6,
+  kHomingDoor = 7,
+  kHomingPullOff = 8,        ///< A switch was still closed after the pull-off.
+  kHomingNoSwitch = 9,       ///< No switch within the search distance.
+  kHomingSecondSwitch = 10,  ///< The two motors of an axis are too far apart.
+  kHomingRequired = 11,
+  kStarved = 23,  ///< Motion was cut off because the planner came too late.
+  kEmergencyStop = 24,
+};
+
+/// Percent of the programmed value.
+struct OverridePercent {
+  int feed = 100;   ///< 10…200.
+  int rapid = 100;  ///< 5…100.
+  int power = 100;  ///< 10…200.
+};
+
+/// Why a jog was refused.
+struct JogRefusal {
+  std::uint8_t number =
+      0;                   ///< Grbl's: 8 not idle, 15 beyond the travel, 16 not a jog, or G-code's.
+  gcode::Refusal fault{};  ///< The word to blame, if one is.
+};
+
+/// How the last G38 ended, machine coordinates.
+struct Probe {
+  Position place{};
+  bool success = false;
+  constexpr bool operator==(const Probe&) const = default;
+};
+
+}  // namespace cnc

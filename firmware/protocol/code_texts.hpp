@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace cnc {
+
+/// A number that senders know, in words.
+struct CodeText {
+  std::uint8_t number;
+  const char* text;  ///< Without the two words that only an acknowledgement may hold.
+};
+
+/// Every number after `error:`, in their order (`$EE`). Grbl's 12 and 17 are
+/// missing: no value of a setting asks for too many steps, and there always is
+/// a power output.
+[[nodiscard]] std::span<const CodeText> error_texts();
+/// The text of an error number; it must be in the table.
+[[nodiscard]] std::string_view error_text(std::uint8_t number);
+/// Every number after `ALARM:`, in their order (`$EA`).
+[[nodiscard]] std::span<const CodeText> alarm_texts();
+
+/// The numbers that the protocol itself gives; those of G-code are gcode::ErrorCode.
+/// Source: gnea/grbl, doc/csv/error_codes_en_US.csv, and grblHAL's 79.
+namespace error_number {
+inline constexpr std::uint8_t kBadNumber = 2;
+inline constexpr std::uint8_t kNoSuchStatement = 3;
+inline constexpr std::uint8_t kNegativeValue = 4;
+inline constexpr std::uint8_t kHomingDisabled = 5;
+inline constexpr std::uint8_t kPulseTooShort = 6;
+inline constexpr std::uint8_t kStoreFailed = 7;
+inline constexpr std::uint8_t kNotIdle = 8;
+inline constexpr std::uint8_t kLocked = 9;
+inline constexpr std::uint8_t kSoftLimitsNeedHoming = 10;
+inline constexpr std::uint8_t kLineTooLong = 11;
+inline constexpr std::uint8_t kDoorOpen = 13;
+inline constexpr std::uint8_t kTextTooLong = 14;
+inline constexpr std::uint8_t kJogBeyondTravel = 15;
+inline constexpr std::uint8_t kNotAJog = 16;
+inline constexpr std::uint8_t kEmergencyStop = 79;
+}  // namespace error_number
+
+}  // namespace cnc

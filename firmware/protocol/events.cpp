@@ -1,0 +1,94 @@
+#include <algorithm>
+
+#include "firmware/protocol/identity.hpp"
+#include "firmware/protocol/line_protocol.hpp"
+
+namespace cnc {
+
+/// Answers `?` and its kin, whatever else is going on.
+bool LineProtocol::report() {
+  form_.inches = inches();
+  const bool full = receiver_.take_full_status_request();
+  if (!receiver_.take_status_request() && !full) return false;
+  Reply reply;
+  status_.write(reply, machine_, receiver_.advertised_room(), form_, full);
+  answer(reply);
+  return true;
+}
+
+/// Tells what has happened to the machine, each thing once.
+bool LineProtocol::tell_news() {
+  if (modes_wanted_) {
+    modes_wanted_ = false;
+    Reply reply;
+    put_parser_state(reply, machine_);
+    answer(reply);
+    return true;
+  }
+  if (machine_.alarm() != told_alarm_) {
+    told_alarm_ = machine_.alarm();
+    if (told_alarm_ == Alarm::kNone) return false;
+    answer(Reply{}.text("ALARM:").number(static_cast<std::uint32_t>(told_alarm_)).end());
+    if (machine_.needs_reset()) message("Reset to continue");
+    return true;
+  }
+  const auto tool = machine_.pending_tool();
+  const bool news = tool.has_value() && !tool_told_;
+  tool_told_ = tool.has_value();
+  if (news) {
+    answer(Reply{}.text("[MSG:Tool change: T").number(*tool).text(", then cycle start]").end());
+  }
+  return news;
+}
+
+/// What senders want to read before the acknowledgement of the line that did it.
+bool LineProtocol::tell_result() {
+  if (machine_.take_probe_ended()) {
+    Reply reply;
+    put_probe(reply, machine_.last_probe(), form_);
+    answer(reply);
+    return true;
+  }
+  if (!machine_.take_program_ended()) return false;
+  message("Pgm End");
+  return true;
+}
+
+/// The first words after power-up and after each reset.
+void LineProtocol::welcome() {
+  beginning_ = false;
+  form_.axes = static_cast<std::size_t>(machine_.settings().get(setting::kReportedAxes));
+  status_.begin_anew();
+  answer(Reply{}.text(identity::kBanner).end());
+  if (machine_.alarm() != Alarm::kNone) {
+    message("'$H'|'$X' to unlock");
+  } else {
+    startup_line_ = 0;
+  }
+  if (stored_.take_damage()) message("The store was damaged: some settings are as delivered");
+}
+
+/// Shown as Grbl does, but without an answer that a sender would count.
+void LineProtocol::run_startup_line() {
+  const StoredText line = stored_.load_startup_line(startup_line_++);
+  if (line.empty() || machine_.locked()) return;
+  answer(Reply{}.letter('>').text(line.view()).end());
+  const gcode::Refusal refusal = machine_.accept(line.view());
+  if (!refusal) return;
+  Reply reply;
+  reply.text("[MSG:Startup line, column ").number(refusal->column).text(": ");
+  reply.wrote(gcode::describe(*refusal, reply.room()));
+  answer(reply.letter(']').end());
+}
+
+/// G10, G28.1 and G30.1 change places while a program runs; they are kept as
+/// soon as nothing moves.
+void LineProtocol::save_places() {
+  const gcode::StoredPlaces& places = machine_.interpreter().places();
+  if (!machine_.idle() || saving_failed_ || stored_.has_saved(places)) return;
+  if (stored_.save_places(places)) return;
+  saving_failed_ = true;
+  message("The store cannot keep the offsets");
+}
+
+}  // namespace cnc

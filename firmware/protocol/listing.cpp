@@ -1,0 +1,161 @@
+#include "firmware/protocol/listing.hpp"
+
+#include <array>
+#include <string_view>
+
+#include "firmware/link/receiver.hpp"
+#include "firmware/protocol/identity.hpp"
+#include "firmware/protocol/table_lines.hpp"
+
+namespace cnc {
+namespace {
+
+constexpr std::string_view kHelp =
+    "[HLP:$$ $# $G $I $N $x=val $Nx=line $J=line $SLP $C $X $H ~ ! ? ctrl-x]";
+
+void put_place_line(Reply& reply,
+                    std::string_view name,
+                    const Position& place,
+                    const ReportForm& form) {
+  reply.letter('[').text(name).letter(':');
+  put_places(reply, place, form);
+  reply.letter(']').end();
+}
+
+}  // namespace
+
+void Listing::begin(ListingKind kind, std::uint16_t argument) {
+  kind_ = kind;
+  row_ = 0;
+  argument_ = argument;
+}
+
+bool Listing::next(Reply& reply, const ReportForm& form) {
+  if (!active()) return false;
+  if (row(reply, form)) {
+    ++row_;
+    return true;
+  }
+  stop();
+  return false;
+}
+
+bool Listing::row(Reply& reply, const ReportForm& form) {
+  switch (kind_) {
+    case ListingKind::kNone:
+      return false;
+    case ListingKind::kHelp:
+      if (row_ == 0) reply.text(kHelp).end();
+      return row_ == 0;
+    case ListingKind::kSettings:
+    case ListingKind::kOneSetting:
+      return settings_row(reply);
+    case ListingKind::kParameters:
+      return parameters_row(reply, form);
+    case ListingKind::kParserState:
+      if (row_ == 0) put_parser_state(reply, machine_);
+      return row_ == 0;
+    case ListingKind::kBuildInfo:
+    case ListingKind::kExtendedInfo:
+      return info_row(reply, form);
+    case ListingKind::kStartupLines:
+      return startup_row(reply);
+    case ListingKind::kSettingDetails:
+      return put_setting_details(reply, row_);
+    case ListingKind::kSettingGroups:
+      return put_setting_group(reply, row_);
+    case ListingKind::kSettingHelp:
+      return put_setting_help(reply, row_);
+    case ListingKind::kAlarms:
+      return put_alarm_text(reply, row_);
+    case ListingKind::kErrors:
+      return put_error_text(reply, row_);
+  }
+  return false;
+}
+
+bool Listing::settings_row(Reply& reply) {
+  const auto table = setting_table();
+  if (kind_ == ListingKind::kOneSetting) {
+    const SettingInfo* const info = find_setting(argument_);
+    if (row_ > 0 || info == nullptr) return false;
+    put_setting(reply, *info, machine_.settings().get(info->number));
+    return true;
+  }
+  if (row_ == table.size()) return false;
+  put_setting(reply, table[row_], machine_.settings().get(table[row_].number));
+  return true;
+}
+
+bool Listing::parameters_row(Reply& reply, const ReportForm& form) {
+  constexpr std::size_t kSystems = gcode::kCoordinateSystemCount;
+  const gcode::Interpreter& interpreter = machine_.interpreter();
+  const gcode::StoredPlaces& places = interpreter.places();
+  if (row_ < kSystems) {
+    put_place_line(reply, name_of_system(row_), places.systems[row_], form);
+    return true;
+  }
+  switch (row_ - kSystems) {
+    case 0:
+      put_place_line(reply, "G28", places.g28, form);
+      return true;
+    case 1:
+      put_place_line(reply, "G30", places.g30, form);
+      return true;
+    case 2: {
+      const gcode::Shift& shift = interpreter.shift();
+      put_place_line(reply, "G92", shift.g92_in_use ? shift.g92 : Position{}, form);
+      return true;
+    }
+    case 3:
+      reply.text("[TLO:").place(interpreter.shift().tool_length, form.inches).letter(']').end();
+      return true;
+    case 4:
+      put_probe(reply, machine_.last_probe(), form);
+      return true;
+    default:
+      return false;
+  }
+}
+
+void Listing::put_version(Reply& reply) {
+  const StoredText text = stored_.load_user_text();
+  reply.text("[VER:").text(identity::kVersion).letter(':').text(text.view()).letter(']').end();
+}
+
+bool Listing::info_row(Reply& reply, const ReportForm& form) {
+  const bool extended = kind_ == ListingKind::kExtendedInfo;
+  switch (row_) {
+    case 0:
+      put_version(reply);
+      return true;
+    case 1:
+      reply.text("[OPT:").text(identity::kOptions).letter(',');
+      reply.number(motion::BlockQueue::kCapacity).letter(',');
+      reply.number(Receiver::kAdvertisedBytes).letter(']').end();
+      return true;
+    case 2:
+      if (extended) {
+        reply.text("[AXS:").number(static_cast<std::uint32_t>(form.axes)).letter(':');
+        reply.text({kAxisLetters.data(), form.axes}).letter(']').end();
+      }
+      return extended;
+    case 3:
+      reply.text("[NEWOPT:").text(identity::kNewOptions).letter(']').end();
+      return true;
+    case 4:
+      reply.text("[FIRMWARE:").text(identity::kFirmware).letter(']').end();
+      return true;
+    default:
+      return false;
+  }
+}
+
+bool Listing::startup_row(Reply& reply) {
+  if (row_ == StoredState::kStartupLines) return false;
+  const StoredText line = stored_.load_startup_line(row_);
+  reply.text("$N").number(static_cast<std::uint32_t>(row_)).letter('=').text(line.view()).end();
+  return true;
+}
+
+}  // namespace cnc

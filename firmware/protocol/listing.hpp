@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/machine/machine.hpp"
+#include "firmware/protocol/reply.hpp"
+#include "firmware/protocol/report_lines.hpp"
+#include "firmware/store/stored_state.hpp"
+
+namespace cnc {
+
+/// Answers of one or many lines.
+enum class ListingKind : std::uint8_t {
+  kNone,
+  kHelp,            ///< `$`
+  kSettings,        ///< `$$`
+  kOneSetting,      ///< `$110`; the argument is its number.
+  kParameters,      ///< `$#`
+  kParserState,     ///< `$G`
+  kBuildInfo,       ///< `$I`
+  kExtendedInfo,    ///< `$I+`
+  kStartupLines,    ///< `$N`
+  kSettingDetails,  ///< `$ES`
+  kSettingGroups,   ///< `$EG`
+  kSettingHelp,     ///< `$ESH`
+  kAlarms,          ///< `$EA`
+  kErrors,          ///< `$EE`
+};
+
+/// Makes an answer line by line, as the link takes them: `$ES` has more bytes
+/// than there is memory for, and a status report must not wait for its end.
+class Listing {
+ public:
+  Listing(const Machine& machine, StoredState& stored) : machine_{machine}, stored_{stored} {}
+
+  void begin(ListingKind kind, std::uint16_t argument = 0);
+  void stop() { kind_ = ListingKind::kNone; }
+  [[nodiscard]] bool active() const { return kind_ != ListingKind::kNone; }
+
+  /// Writes the next line. False, and nothing written, after the last.
+  [[nodiscard]] bool next(Reply& reply, const ReportForm& form);
+
+ private:
+  [[nodiscard]] bool row(Reply& reply, const ReportForm& form);
+  [[nodiscard]] bool settings_row(Reply& reply);
+  [[nodiscard]] bool parameters_row(Reply& reply, const ReportForm& form);
+  [[nodiscard]] bool info_row(Reply& reply, const ReportForm& form);
+  [[nodiscard]] bool startup_row(Reply& reply);
+  void put_version(Reply& reply);
+
+  const Machine& machine_;
+  StoredState& stored_;
+  ListingKind kind_ = ListingKind::kNone;
+  std::size_t row_ = 0;
+  std::uint16_t argument_ = 0;
+};
+
+}  // namespace cnc

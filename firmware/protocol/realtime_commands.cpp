@@ -1,0 +1,94 @@
+#include "firmware/protocol/realtime_commands.hpp"
+
+#include <algorithm>
+
+namespace cnc {
+namespace {
+
+constexpr int kLeastFeed = 10;
+constexpr int kMostFeed = 200;
+
+/// A step that would leave the range goes to its end, as in Grbl.
+int stepped(int percent, int step) { return std::clamp(percent + step, kLeastFeed, kMostFeed); }
+
+/// True when the byte is an override.
+bool change(RealtimeByte command, OverridePercent& percent) {
+  switch (command) {
+    case RealtimeByte::kFeedReset:
+      percent.feed = 100;
+      return true;
+    case RealtimeByte::kFeedUp10:
+      percent.feed = stepped(percent.feed, 10);
+      return true;
+    case RealtimeByte::kFeedDown10:
+      percent.feed = stepped(percent.feed, -10);
+      return true;
+    case RealtimeByte::kFeedUp1:
+      percent.feed = stepped(percent.feed, 1);
+      return true;
+    case RealtimeByte::kFeedDown1:
+      percent.feed = stepped(percent.feed, -1);
+      return true;
+    case RealtimeByte::kRapidFull:
+      percent.rapid = 100;
+      return true;
+    case RealtimeByte::kRapidHalf:
+      percent.rapid = 50;
+      return true;
+    case RealtimeByte::kRapidQuarter:
+      percent.rapid = 25;
+      return true;
+    case RealtimeByte::kPowerReset:
+      percent.power = 100;
+      return true;
+    case RealtimeByte::kPowerUp10:
+      percent.power = stepped(percent.power, 10);
+      return true;
+    case RealtimeByte::kPowerDown10:
+      percent.power = stepped(percent.power, -10);
+      return true;
+    case RealtimeByte::kPowerUp1:
+      percent.power = stepped(percent.power, 1);
+      return true;
+    case RealtimeByte::kPowerDown1:
+      percent.power = stepped(percent.power, -1);
+      return true;
+    default:
+      return false;
+  }
+}
+
+}  // namespace
+
+void apply(RealtimeByte command, Machine& machine) {
+  OverridePercent percent = machine.overrides();
+  if (change(command, percent)) return machine.set_overrides(percent);
+  switch (command) {
+    case RealtimeByte::kFeedHold:
+    case RealtimeByte::kFeedHoldRaw:
+      return machine.feed_hold();
+    case RealtimeByte::kCycleStart:
+    case RealtimeByte::kCycleStartRaw:
+      return machine.resume();
+    case RealtimeByte::kSafetyDoor:
+      return machine.safety_door();
+    case RealtimeByte::kJogCancel:
+      return machine.jog_cancel();
+    case RealtimeByte::kOptionalStop:
+      return machine.toggle_optional_stop();
+    case RealtimeByte::kSingleBlock:
+      return machine.toggle_single_block();
+    case RealtimeByte::kSpindleStop:
+      return machine.toggle_spindle_stop();
+    case RealtimeByte::kFlood:
+      return machine.toggle_flood();
+    case RealtimeByte::kMist:
+      return machine.toggle_mist();
+    case RealtimeByte::kToolAcknowledge:
+      return machine.acknowledge_tool();
+    default:
+      return;
+  }
+}
+
+}  // namespace cnc

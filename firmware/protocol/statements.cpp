@@ -1,0 +1,230 @@
+#include <algorithm>
+
+#include "firmware/protocol/code_texts.hpp"
+#include "firmware/protocol/line_protocol.hpp"
+#include "firmware/protocol/table_lines.hpp"
+
+namespace cnc {
+namespace {
+
+constexpr std::uint32_t kHomingEnabled = 1;  ///< Bit of $22.
+
+/// Whether a text, printed, could be counted as an acknowledgement or would end
+/// the brackets around it.
+bool confuses_senders(std::string_view text) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+  const auto holds = [&](std::string_view word) {
+    return std::search(text.begin(), text.end(), word.begin(), word.end(), [&](char a, char b) {
+             return lower(a) == b;
+           }) != text.end();
+  };
+  return holds("ok") || holds("error") || holds("[") || holds("]");
+}
+
+bool homing_is_on(const Machine& machine) {
+  const auto bits = static_cast<std::uint32_t>(machine.settings().get(setting::kHoming));
+  return (bits & kHomingEnabled) != 0;
+}
+
+/// False when the text is anything but a number.
+bool read_value(std::string_view text, float& value) {
+  const auto reading = gcode::read_decimal(text);
+  if (!reading.ok() || reading.value().length != text.size()) return false;
+  value = reading.value().value.to_float();
+  return true;
+}
+
+}  // namespace
+
+/// Nothing moves and nothing is under way: settings may change, texts be stored.
+bool LineProtocol::rests() const {
+  const MachineState state = machine_.state();
+  return machine_.idle() && (state == MachineState::kIdle || state == MachineState::kAlarm ||
+                             state == MachineState::kHold);
+}
+
+void LineProtocol::load_settings() {
+  for (const SettingInfo& info : setting_table()) {
+    const auto value = stored_.load_setting(info);
+    // A value that fits its range but not the others' is left as delivered.
+    if (value) static_cast<void>(machine_.change_setting(info.number, *value).ok());
+  }
+}
+
+void LineProtocol::take_statement(std::string_view line) {
+  const auto statement = read_statement(line);
+  if (!statement) return refuse(error_number::kNoSuchStatement, 1, "no such $ statement");
+  switch (statement->kind) {
+    case StatementKind::kListing:
+      if (statement->listing == ListingKind::kOneSetting &&
+          find_setting(statement->number) == nullptr) {
+        return refuse(error_number::kNoSuchStatement, 1, describe(SettingError::kUnknown));
+      }
+      listing_.begin(statement->listing, statement->number);
+      return acknowledge();
+    case StatementKind::kJog:
+      return jog(*statement);
+    case StatementKind::kUnlock:
+      return unlock();
+    case StatementKind::kCheck:
+      return toggle_check_mode();
+    default:
+      break;
+  }
+  // The rest stores something, or takes the machine away from all else.
+  if (!rests()) return refuse(error_number::kNotIdle);
+  take_command(*statement);
+}
+
+void LineProtocol::take_command(const Statement& statement) {
+  switch (statement.kind) {
+    case StatementKind::kChangeSetting:
+      return change_setting(statement);
+    case StatementKind::kSetUserText:
+      return set_user_text(statement);
+    case StatementKind::kSetStartupLine:
+      return set_startup_line(statement);
+    case StatementKind::kRestore:
+      return restore(statement);
+    case StatementKind::kHome:
+      return home(statement);
+    case StatementKind::kSleep:
+      if (!machine_.sleep()) return refuse(error_number::kNotIdle);
+      message("Sleeping");
+      return acknowledge();
+    default:
+      return;
+  }
+}
+
+void LineProtocol::change_setting(const Statement& statement) {
+  float value = 0.0F;
+  const SettingInfo* const info = find_setting(statement.number);
+  if (!read_value(statement.text, value)) {
+    return refuse(error_number::kNoSuchStatement, 1, "not a setting of the form $N=value");
+  }
+  if (info == nullptr) return refuse_setting(statement, SettingError::kUnknown);
+  const bool wants_soft_limits = info->number == setting::kSoftLimits && value == 1.0F;
+  if (wants_soft_limits && !homing_is_on(machine_)) {
+    return refuse(error_number::kSoftLimitsNeedHoming);
+  }
+  const auto stored = machine_.change_setting(info->number, value);
+  if (!stored.ok()) return refuse_setting(statement, stored.error());
+  bool kept = stored_.save_setting(*info, value);
+  const bool lost_homing = info->number == setting::kHoming && !homing_is_on(machine_);
+  if (lost_homing && machine_.settings().get(setting::kSoftLimits) != 0.0F) {
+    static_cast<void>(machine_.change_setting(setting::kSoftLimits, 0.0F).ok());
+    kept = stored_.save_setting(*find_setting(setting::kSoftLimits), 0.0F) && kept;
+  }
+  if (!kept) return refuse(error_number::kStoreFailed);
+  acknowledge();
+}
+
+void LineProtocol::refuse_setting(const Statement& statement, SettingError error) {
+  const SettingInfo* const info = find_setting(statement.number);
+  if (info == nullptr) {
+    return refuse(error_number::kNoSuchStatement, 1, describe(SettingError::kUnknown));
+  }
+  const bool low = error == SettingError::kBelowRange;
+  const std::uint8_t number = low && statement.text.front() == '-' ? error_number::kNegativeValue
+                              : low && info->number == setting::kStepPulse
+                                  ? error_number::kPulseTooShort
+                                  : error_number::kBadNumber;
+  Reply reason;
+  reason.text(describe(error));
+  if (low || error == SettingError::kAboveRange) put_range(reason, *info);
+  refuse(number, statement.column, reason.view());
+}
+
+void LineProtocol::jog(const Statement& statement) {
+  if (machine_.state() == MachineState::kAlarm) return refuse(error_number::kLocked);
+  const auto refusal = machine_.jog(statement.text);
+  if (!refusal) return acknowledge();
+  if (refusal->fault) return refuse(*refusal->fault, statement.column, refusal->number);
+  refuse(refusal->number);
+}
+
+void LineProtocol::home(const Statement& statement) {
+  if (!homing_is_on(machine_)) return refuse(error_number::kHomingDisabled);
+  if (machine_.inputs().door) return refuse(error_number::kDoorOpen);
+  if (machine_.inputs().emergency_stop) return refuse(error_number::kEmergencyStop);
+  if (!machine_.can_home()) return refuse(error_number::kNotIdle);
+  machine_.home(statement.axes);
+  owed_ = Owed::kHoming;
+}
+
+void LineProtocol::unlock() {
+  if (machine_.state() != MachineState::kAlarm) return acknowledge();
+  if (!machine_.unlock()) {
+    if (machine_.inputs().door) {
+      message("Check Door");
+      return refuse(error_number::kDoorOpen);
+    }
+    if (machine_.inputs().emergency_stop) return refuse(error_number::kEmergencyStop);
+    return refuse(error_number::kLocked, 0, "only a reset makes this alarm fit to be unlocked");
+  }
+  message("Caution: Unlocked");
+  acknowledge();
+}
+
+void LineProtocol::toggle_check_mode() {
+  const bool was_on = machine_.state() == MachineState::kCheck;
+  if (!machine_.toggle_check_mode()) return refuse(error_number::kNotIdle);
+  message(was_on ? "Disabled" : "Enabled");
+  answer(Reply{}.text("ok").end());
+  beginning_ = was_on;  // Leaving it is a reset.
+}
+
+void LineProtocol::restore(const Statement& statement) {
+  const std::string_view what = statement.text;
+  const bool all = what == "*";
+  if (!all && what != "$" && what != "#") {
+    return refuse(error_number::kNoSuchStatement, statement.column, "$, # or * is missing");
+  }
+  bool kept = true;
+  if (all || what == "$") {
+    for (const SettingInfo& info : setting_table()) {
+      static_cast<void>(machine_.change_setting(info.number, info.standard).ok());
+      kept = stored_.save_setting(info, machine_.settings().get(info.number)) && kept;
+    }
+  }
+  if (all || what == "#") {
+    machine_.set_places({});
+    kept = stored_.save_places({}) && kept;
+  }
+  if (all) {
+    kept = stored_.save_user_text({}) && kept;
+    for (std::size_t i = 0; i < StoredState::kStartupLines; ++i) {
+      kept = stored_.save_startup_line(i, {}) && kept;
+    }
+  }
+  if (!kept) return refuse(error_number::kStoreFailed);
+  message("Restoring defaults");
+  answer(Reply{}.text("ok").end());
+  machine_.reset();
+  beginning_ = true;
+}
+
+/// As in Grbl the line is done once, which shows whether it can be.
+void LineProtocol::set_startup_line(const Statement& statement) {
+  if (machine_.locked()) return refuse(error_number::kLocked);
+  if (statement.text.size() > StoredText::kLongest) return refuse(error_number::kTextTooLong);
+  const gcode::Refusal refusal = machine_.accept(statement.text);
+  if (refusal) return refuse(*refusal, statement.column);
+  if (!stored_.save_startup_line(statement.number, statement.text)) {
+    return refuse(error_number::kStoreFailed);
+  }
+  acknowledge();
+}
+
+void LineProtocol::set_user_text(const Statement& statement) {
+  if (statement.text.size() > StoredText::kLongest) return refuse(error_number::kTextTooLong);
+  if (confuses_senders(statement.text)) {
+    return refuse(
+        error_number::kNoSuchStatement, statement.column, "senders would misread this text");
+  }
+  if (!stored_.save_user_text(statement.text)) return refuse(error_number::kStoreFailed);
+  acknowledge();
+}
+
+}  // namespace cnc

@@ -1,0 +1,137 @@
+#include "firmware/store/stored_state.hpp"
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <span>
+
+namespace cnc {
+namespace {
+
+// Numbers of records. A setting's is its own.
+constexpr std::uint16_t kSystems = 0x4000;  ///< + 0…8 for G54…G59.3.
+constexpr std::uint16_t kG28 = 0x4100;
+constexpr std::uint16_t kG30 = 0x4101;
+constexpr std::uint16_t kStartupLine = 0x5000;
+constexpr std::uint16_t kUserText = 0x5100;
+
+constexpr std::size_t kPlaceBytes = kAxisCount * sizeof(std::uint64_t);
+using Record = std::array<std::byte, hal::RecordStore::kLongestRecord>;
+static_assert(kPlaceBytes <= hal::RecordStore::kLongestRecord);
+
+/// Little-endian whatever the machine is, so that a store can change machines.
+template <typename Word>
+void put(std::span<std::byte> to, Word word) {
+  for (std::size_t i = 0; i < sizeof(Word); ++i) to[i] = static_cast<std::byte>(word >> (8 * i));
+}
+
+template <typename Word>
+Word get(std::span<const std::byte> from) {
+  Word word = 0;
+  for (std::size_t i = 0; i < sizeof(Word); ++i) {
+    word |= static_cast<Word>(static_cast<Word>(from[i]) << (8 * i));
+  }
+  return word;
+}
+
+constexpr std::uint16_t system_record(std::size_t index) {
+  return static_cast<std::uint16_t>(kSystems + index);
+}
+
+}  // namespace
+
+bool StoredState::take_damage() {
+  const bool found = found_damage_;
+  found_damage_ = false;
+  return found;
+}
+
+std::optional<float> StoredState::load_setting(const SettingInfo& info) {
+  Record record{};
+  const std::size_t size = store_.load(info.number, record);
+  if (size == 0) return std::nullopt;
+  const float value = std::bit_cast<float>(get<std::uint32_t>(record));
+  if (size == sizeof(float) && value >= info.least && value <= info.most) return value;
+  found_damage_ = true;
+  return std::nullopt;
+}
+
+bool StoredState::save_setting(const SettingInfo& info, float value) {
+  if (value == info.standard) return store_.save(info.number, {});
+  std::array<std::byte, sizeof(float)> record{};
+  put(record, std::bit_cast<std::uint32_t>(value));
+  return store_.save(info.number, record);
+}
+
+Position StoredState::load_place(std::uint16_t number) {
+  Record record{};
+  const std::size_t size = store_.load(number, record);
+  if (size == 0) return {};
+  Position place{};
+  bool sound = size == kPlaceBytes;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const auto bytes = std::span{record}.subspan(axis * sizeof(std::uint64_t));
+    place[axis] = Coordinate{static_cast<std::int64_t>(get<std::uint64_t>(bytes))};
+    sound = sound && place[axis].in_range();
+  }
+  if (sound) return place;
+  found_damage_ = true;
+  return {};
+}
+
+gcode::StoredPlaces StoredState::load_places() {
+  for (std::size_t i = 0; i < saved_.systems.size(); ++i) {
+    saved_.systems[i] = load_place(system_record(i));
+  }
+  saved_.g28 = load_place(kG28);
+  saved_.g30 = load_place(kG30);
+  return saved_;
+}
+
+bool StoredState::save_place(std::uint16_t number, const Position& place, Position& saved) {
+  if (place == saved) return true;
+  std::array<std::byte, kPlaceBytes> record{};
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    put(std::span{record}.subspan(axis * sizeof(std::uint64_t)),
+        static_cast<std::uint64_t>(place[axis].nanometres()));
+  }
+  const bool zero = place == Position{};
+  const auto bytes = zero ? std::span<const std::byte>{} : std::span<const std::byte>{record};
+  if (!store_.save(number, bytes)) return false;
+  saved = place;
+  return true;
+}
+
+bool StoredState::save_places(const gcode::StoredPlaces& places) {
+  bool all = true;
+  for (std::size_t i = 0; i < places.systems.size(); ++i) {
+    all = save_place(system_record(i), places.systems[i], saved_.systems[i]) && all;
+  }
+  all = save_place(kG28, places.g28, saved_.g28) && all;
+  return save_place(kG30, places.g30, saved_.g30) && all;
+}
+
+StoredText StoredState::load_text(std::uint16_t number) {
+  Record record{};
+  const std::size_t size = std::min(store_.load(number, record), record.size());
+  StoredText text;
+  for (std::size_t i = 0; i < size; ++i) static_cast<void>(text.add(static_cast<char>(record[i])));
+  return text;
+}
+
+bool StoredState::save_text(std::uint16_t number, std::string_view text) {
+  return store_.save(number, std::as_bytes(std::span{text.data(), text.size()}));
+}
+
+StoredText StoredState::load_startup_line(std::size_t index) {
+  return load_text(static_cast<std::uint16_t>(kStartupLine + index));
+}
+
+bool StoredState::save_startup_line(std::size_t index, std::string_view line) {
+  return save_text(static_cast<std::uint16_t>(kStartupLine + index), line);
+}
+
+StoredText StoredState::load_user_text() { return load_text(kUserText); }
+bool StoredState::save_user_text(std::string_view text) { return save_text(kUserText, text); }
+
+}  // namespace cnc

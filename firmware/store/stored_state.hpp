@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "firmware/machine/settings.hpp"
+#include "firmware/store/stored_text.hpp"
+#include "hal/interface/record_store.hpp"
+#include "planner/gcode/modal_state.hpp"
+
+namespace cnc {
+
+/// What outlives power, as typed records over a RecordStore: settings, places,
+/// start-up lines, the user's text. Only what differs from the delivered state
+/// is a record, so that an empty store is a new controller.
+///
+/// Saving may take milliseconds: call it only while nothing moves.
+class StoredState {
+ public:
+  static constexpr std::size_t kStartupLines = 2;
+
+  explicit StoredState(hal::RecordStore& store) : store_{store} {}
+
+  /// Nothing where the delivered value holds. A damaged record counts as none
+  /// and is noticed.
+  [[nodiscard]] std::optional<float> load_setting(const SettingInfo& info);
+  [[nodiscard]] bool save_setting(const SettingInfo& info, float value);
+
+  /// @return origins and G28/G30 places; zero where none is kept.
+  [[nodiscard]] gcode::StoredPlaces load_places();
+  /// Saves those that differ from what was loaded or saved last.
+  [[nodiscard]] bool save_places(const gcode::StoredPlaces& places);
+  [[nodiscard]] bool has_saved(const gcode::StoredPlaces& places) const { return places == saved_; }
+
+  [[nodiscard]] StoredText load_startup_line(std::size_t index);
+  [[nodiscard]] bool save_startup_line(std::size_t index, std::string_view line);
+  [[nodiscard]] StoredText load_user_text();
+  [[nodiscard]] bool save_user_text(std::string_view text);
+
+  /// True once after a record was damaged and its delivered value taken instead.
+  [[nodiscard]] bool take_damage();
+
+ private:
+  [[nodiscard]] Position load_place(std::uint16_t number);
+  [[nodiscard]] bool save_place(std::uint16_t number, const Position& place, Position& saved);
+  [[nodiscard]] StoredText load_text(std::uint16_t number);
+  [[nodiscard]] bool save_text(std::uint16_t number, std::string_view text);
+
+  hal::RecordStore& store_;
+  gcode::StoredPlaces saved_{};
+  bool found_damage_ = false;
+};
+
+}  // namespace cnc

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "hal/interface/record_store.hpp"
+
+namespace hal::host {
+
+/// Records that live as long as the process.
+class MemoryStore : public RecordStore {
+ public:
+  [[nodiscard]] std::size_t load(std::uint16_t number, std::span<std::byte> into) override;
+  [[nodiscard]] bool save(std::uint16_t number, std::span<const std::byte> record) override;
+
+  using Records = std::map<std::uint16_t, std::vector<std::byte>>;
+  [[nodiscard]] const Records& records() const { return records_; }
+
+ protected:
+  Records records_;
+};
+
+}  // namespace hal::host

@@ -1,0 +1,72 @@
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "host-sim/cli/commands.hpp"
+#include "host-sim/job/setting_line.hpp"
+#include "host-sim/serve/replay.hpp"
+#include "host-sim/trace/output_file.hpp"
+
+namespace sim {
+namespace {
+
+constexpr const char* kFooter =
+    "Examples:\n"
+    "  kerfline serve --tcp 2323 --record talk.txt      # and then\n"
+    "  kerfline replay talk.txt\n"
+    "\n"
+    "Exit status: 0 the controller says the same, 1 it says something else, 2 the call is wrong.";
+
+struct ReplayOptions {
+  std::vector<std::string> files;
+  bool with_times = false;
+  bool update = false;
+};
+
+std::string quoted(const std::string& line) {
+  return line.empty() ? std::string{"nothing more"} : fmt::format("`{}`", line);
+}
+
+bool replay_one(const std::string& file, const ReplayOptions& options) {
+  const Conversation recorded = parse_conversation(read_text(file), file);
+  const Conversation said = replay(recorded);
+  if (options.update) {
+    write_file(file, to_text(said));
+    fmt::print("{}: updated\n", file);
+    return true;
+  }
+  const auto difference = first_difference(recorded, said, options.with_times);
+  if (!difference) {
+    const double seconds = static_cast<double>(recorded.end_ns) * 1.0e-9;
+    fmt::print("{}: the same, {:.3f} s\n", file, seconds);
+    return true;
+  }
+  fmt::print("{}:{}: recorded {}, said {}\n",
+             file,
+             difference->line,
+             quoted(difference->expected),
+             quoted(difference->said));
+  return false;
+}
+
+ExitStatus replay_all(const ReplayOptions& options) {
+  bool same = true;
+  for (const std::string& file : options.files) same = replay_one(file, options) && same;
+  return same ? ExitStatus::kFine : ExitStatus::kFaults;
+}
+
+}  // namespace
+
+void add_replay_command(CLI::App& app, ExitStatus& status) {
+  CLI::App* command = app.add_subcommand(
+      "replay", "Repeat conversations recorded by serve and compare what the controller says.");
+  command->footer(kFooter);
+  const auto options = std::make_shared<ReplayOptions>();
+  command->add_option("FILE", options->files, "Conversations recorded by `serve --record`")
+      ->required();
+  command->add_flag("--times", options->with_times, "Compare the times of answers, too");
+  command->add_flag("--update", options->update, "Rewrite what the controller says");
+  command->callback([options, &status] { status = replay_all(*options); });
+}
+
+}  // namespace sim

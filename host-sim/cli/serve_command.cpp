@@ -1,0 +1,125 @@
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <memory>
+#include <stdexcept>
+
+#include "host-sim/cli/commands.hpp"
+#include "host-sim/cli/job_options.hpp"
+#include "host-sim/serve/pty_transport.hpp"
+#include "host-sim/serve/record_file.hpp"
+#include "host-sim/serve/server.hpp"
+#include "host-sim/serve/tcp_transport.hpp"
+#include "host-sim/serve/web_transport.hpp"
+
+namespace sim {
+namespace {
+
+constexpr const char* kFooter =
+    "Examples:\n"
+    "  kerfline serve --pty ttyKerfline --settings laser.settings\n"
+    "  kerfline serve --tcp 2323 --ws 8000\n"
+    "\n"
+    "Prints a line for each way in, such as `tcp 127.0.0.1:2323`, and then `ready`. One\n"
+    "sender at a time controls the machine. Ends on Ctrl-C or SIGTERM.\n"
+    "When the sender is lost, the machine stops on its path, beam off, and is reset.";
+
+struct ServeOptions {
+  std::string pty;
+  std::string tcp;
+  std::string ws;
+  double speed = 1.0;
+  std::string settings_file;
+  std::vector<std::string> set;
+  std::string record;
+  MachineModel machine{};
+};
+
+void add_options(CLI::App& command, ServeOptions& options) {
+  command.add_option("--pty", options.pty, "A serial port under this name")->type_name("LINK");
+  command
+      .add_option("--tcp",
+                  options.tcp,
+                  "Raw TCP; from this machine only unless an address is given; port 0 is any free")
+      ->type_name("[ADDRESS:]PORT");
+  command
+      .add_option("--ws",
+                  options.ws,
+                  "The page, and WebSocket for senders; from this machine only unless an address\n"
+                  "is given; port 0 is any free")
+      ->type_name("[ADDRESS:]PORT");
+  command.add_option("--speed", options.speed, "Machine seconds per second")
+      ->check(CLI::Range(0.01, 1000.0))
+      ->type_name("N")
+      ->capture_default_str();
+  command.add_option("--settings", options.settings_file, "File of $N=value lines")
+      ->type_name("FILE");
+  command.add_option("--set", options.set, "One setting, such as '$110=12000'; may be repeated")
+      ->type_name("$N=V")
+      ->allow_extra_args(false);
+  command.add_option("--record", options.record, "Keep the conversation, for kerfline replay")
+      ->type_name("FILE");
+  command
+      .add_option("--probe-plate",
+                  options.machine.probe_plate_z_mm,
+                  "Height of the simulated probe plate, mm in machine coordinates")
+      ->type_name("Z")
+      ->capture_default_str();
+}
+
+void open_ways_in(const ServeOptions& options, Reception& reception) {
+  if (!options.pty.empty()) reception.add(std::make_unique<PtyTransport>(options.pty));
+  if (!options.tcp.empty()) {
+    reception.add(std::make_unique<TcpTransport>(parse_address(options.tcp)));
+  }
+}
+
+void announce(const Reception& reception) {
+  for (const auto& way : reception.ways_in()) {
+    fmt::print("{} {}\n", way->kind(), way->address());
+    if (way->kind() == "ws") fmt::print("page http://{}/\n", way->address());
+  }
+  fmt::print("ready\n");
+  std::fflush(stdout);
+}
+
+ExitStatus serve(const ServeOptions& options) {
+  if (options.pty.empty() && options.tcp.empty() && options.ws.empty()) {
+    throw std::invalid_argument(
+        "serve: give senders a way in: --pty LINK, --tcp PORT or --ws PORT");
+  }
+  const StopSignals stop;
+  const ConversationSetting setting{.settings = settings_of(options.settings_file, options.set),
+                                    .probe_plate_z_mm = options.machine.probe_plate_z_mm};
+  Session session{options.machine, setting.settings};
+  RecordFile record{options.record, setting, session};
+  LiveView view{session.controller()};
+  Reception reception{session};
+  Server server{session, reception, options.speed};
+  open_ways_in(options, reception);
+  if (!options.ws.empty()) {
+    auto web = std::make_unique<WebTransport>(parse_address(options.ws), view);
+    session.controller().add_sink(view);
+    server.show(view, *web);
+    reception.add(std::move(web));
+  }
+  announce(reception);
+  server.run(stop);
+  record.close(session);
+  return ExitStatus::kFine;
+}
+
+}  // namespace
+
+void add_serve_command(CLI::App& app, ExitStatus& status) {
+  CLI::App* command =
+      app.add_subcommand("serve",
+                         "Run the controller in real time for G-code senders: over a serial\n"
+                         "port, TCP or WebSocket, with a page to watch and to operate it.");
+  command->footer(kFooter);
+  const auto options = std::make_shared<ServeOptions>();
+  add_options(*command, *options);
+  command->callback([options, &status] { status = serve(*options); });
+}
+
+}  // namespace sim

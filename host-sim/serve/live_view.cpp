@@ -1,0 +1,179 @@
+#include "host-sim/serve/live_view.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "host-sim/plot/picture.hpp"
+
+namespace sim {
+namespace {
+
+using nlohmann::ordered_json;
+using std::chrono::milliseconds;
+
+constexpr milliseconds kPeriod{50};
+constexpr milliseconds kRepeat{1000};  // A watcher sees that the server lives.
+constexpr milliseconds kLongestWait{2000};
+constexpr std::size_t kPointsPerMessage = 2000;
+// A watcher with so many bytes before him gets the next news later.
+constexpr std::size_t kTooSlow = std::size_t{1} << 18;
+constexpr std::size_t kAxesShown = 3;
+constexpr double kFullPower = 65535.0;
+
+std::string_view name_of(cnc::MachineState state) {
+  using State = cnc::MachineState;
+  switch (state) {
+    case State::kIdle:
+      return "Idle";
+    case State::kRun:
+      return "Run";
+    case State::kHold:
+      return "Hold";
+    case State::kJog:
+      return "Jog";
+    case State::kAlarm:
+      return "Alarm";
+    case State::kDoor:
+      return "Door";
+    case State::kCheck:
+      return "Check";
+    case State::kHome:
+      return "Home";
+    case State::kSleep:
+      return "Sleep";
+    case State::kTool:
+      return "Tool";
+  }
+  return "";
+}
+
+double rounded(double value) { return std::round(value * 1000.0) / 1000.0; }
+
+ordered_json travel_of(const cnc::Settings& settings) {
+  ordered_json travel;
+  for (std::size_t axis = 0; axis < kAxesShown; ++axis) {
+    travel.push_back(settings.get(cnc::setting::kTravel, axis));
+  }
+  return travel;
+}
+
+}  // namespace
+
+LiveView::LiveView(const VirtualController& controller) : controller_{controller} { keep_scale(); }
+
+void LiveView::keep_scale() {
+  cnc::AxisArray<float> steps_per_mm{};
+  for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
+    steps_per_mm[axis] = controller_.machine().settings().get(cnc::setting::kStepsPerMm, axis);
+  }
+  if (recorder_ && steps_per_mm == steps_per_mm_) return;
+  // Another machine, as it were: what was drawn is no longer to scale.
+  steps_per_mm_ = steps_per_mm;
+  recorder_.emplace(steps_per_mm);
+  watchers_.clear();
+}
+
+void LiveView::publish(const std::vector<std::shared_ptr<WebPipe>>& watchers,
+                       std::string_view sender_kind,
+                       Clock::time_point now) {
+  next_ = now + kPeriod;
+  keep_scale();
+  std::erase_if(watchers_, [](const auto& entry) { return entry.second.pipe.expired(); });
+  if (watchers.empty()) return;
+  const std::string state = state_text(sender_kind);
+  const bool news = state != last_state_ || now >= repeat_at_;
+  if (news) repeat_at_ = now + kRepeat;
+  last_state_ = state;
+  for (const auto& pipe : watchers) {
+    const auto [place, is_new] = watchers_.try_emplace(pipe.get());
+    Watcher& watcher = place->second;
+    watcher.pipe = pipe;
+    const bool grown = watcher.points_sent != recorder_->settled().size();
+    if (news || is_new || grown) tell(watcher, *pipe, state);
+  }
+}
+
+void LiveView::tell(Watcher& watcher, WebPipe& pipe, const std::string& state) const {
+  if (pipe.unsent() > kTooSlow) return;
+  const double seconds =
+      static_cast<double>(controller_.now_ticks()) / cnc::motion::kTicksPerSecond;
+  const std::string message =
+      fmt::format(R"({{"t":{:.3f},{},"path":{}}})", seconds, state, path_text(watcher));
+  pipe.write(std::as_bytes(std::span{message}));
+}
+
+/// Its members, without the braces around them.
+std::string LiveView::state_text(std::string_view sender_kind) const {
+  const cnc::Machine& machine = controller_.machine();
+  const cnc::MachineStatus status = machine.status();
+  const cnc::OverridePercent& percent = machine.overrides();
+  const cnc::Position position = machine.position();
+  ordered_json mpos;
+  ordered_json wco;
+  ordered_json motors;
+  for (std::size_t axis = 0; axis < kAxesShown; ++axis) {
+    mpos.push_back(rounded(position[axis].mm()));
+    const auto name = static_cast<cnc::Axis>(axis);
+    wco.push_back(rounded(machine.interpreter().work_offset(name).mm()));
+    motors.push_back(rounded(controller_.port().position[axis] / double{steps_per_mm_[axis]}));
+  }
+  const ordered_json state{
+      {"state", name_of(status.state)},
+      {"substate", status.substate},
+      {"alarm", static_cast<int>(machine.alarm())},
+      {"mpos", mpos},
+      {"wco", wco},
+      {"motors", motors},
+      {"feed", std::round(machine.feed_now_mm_min())},
+      {"power", rounded(controller_.port().power / kFullPower)},
+      {"spindle", std::round(machine.spindle_now())},
+      {"overrides", {percent.feed, percent.rapid, percent.power}},
+      {"line", machine.line_number()},
+      {"homed", machine.homed()},
+      {"sender", sender_kind},
+      {"travel", travel_of(machine.settings())},
+      {"most_spindle", machine.settings().get(cnc::setting::kMostSpindleSpeed)}};
+  const std::string text = state.dump();
+  return text.substr(1, text.size() - 2);
+}
+
+std::string LiveView::path_text(Watcher& watcher) const {
+  ordered_json points = ordered_json::array();
+  const std::size_t count = recorder_->settled().size();
+  // Fewer than before: the path was thinned and begins anew.
+  const std::size_t from = watcher.points_sent <= count ? watcher.points_sent : 0;
+  const std::size_t to = std::min(count, from + kPointsPerMessage);
+  for (std::size_t index = from; index < to; ++index) {
+    const PathVertex& vertex = recorder_->settled()[index];
+    points.push_back(rounded(vertex.x_mm));
+    points.push_back(rounded(vertex.y_mm));
+    points.push_back(std::round(vertex.speed_mm_s * 10.0) / 10.0);
+    points.push_back(static_cast<int>(vertex.move));
+  }
+  watcher.points_sent = to;
+  return ordered_json{{"from", from}, {"points", points}}.dump();
+}
+
+void LiveView::hand_out_pictures() {
+  const std::lock_guard lock{mutex_};
+  if (wanted_.empty()) return;
+  PathRecorder copy = *recorder_;
+  copy.on_end(controller_.now_ticks() * VirtualController::kNanosecondsPerTick);
+  for (std::promise<Path>& promise : wanted_) promise.set_value(copy.path());
+  wanted_.clear();
+}
+
+PageService::Document LiveView::picture() {
+  std::promise<Path> promise;
+  std::future<Path> path = promise.get_future();
+  {
+    const std::lock_guard lock{mutex_};
+    wanted_.push_back(std::move(promise));
+  }
+  const bool there = path.wait_for(kLongestWait) == std::future_status::ready;
+  return {"image/svg+xml", draw_svg(there ? path.get() : Path{}, {.title = "Motion so far"})};
+}
+
+}  // namespace sim

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <future>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host-sim/machine/virtual_controller.hpp"
+#include "host-sim/plot/path_recorder.hpp"
+#include "host-sim/serve/page_service.hpp"
+#include "host-sim/serve/web_pipe.hpp"
+#include "host-sim/trace/trace_row.hpp"
+
+namespace sim {
+
+/// What those who watch see: the machine's state some twenty times a second and
+/// the path as it grows, as JSON.
+///
+///     {"t":1.25,"state":"Run","substate":0,"alarm":0,"mpos":[…],"wco":[…],
+///      "motors":[…],"feed":1200,"power":0.5,"spindle":500,"overrides":[100,100,100],
+///      "line":12,"homed":3,"sender":"ws","travel":[300,200,50],"most_spindle":1000,
+///      "path":{"from":17,"points":[x,y,speed,move, …]}}
+///
+/// Lengths in mm, speeds of the path in mm/s, `feed` in mm/min, `power` the
+/// output 0…1, `move` 0 travel, 1 feed, 2 beam or spindle on. `motors` are
+/// places since power-up, in whose coordinates the path is: a change of machine
+/// coordinates by homing does not move what was drawn.
+class LiveView final : public TraceSink, public PageService {
+ public:
+  using Clock = std::chrono::steady_clock;
+
+  /// The controller must outlive it.
+  explicit LiveView(const VirtualController& controller);
+
+  void on_row(const TraceRow& row) override { recorder_->on_row(row); }
+
+  // The loop's thread.
+
+  [[nodiscard]] bool due(Clock::time_point now) const { return now >= next_; }
+  /// Tells the watchers. To be called when due.
+  void publish(const std::vector<std::shared_ptr<WebPipe>>& watchers,
+               std::string_view sender_kind,
+               Clock::time_point now);
+  /// Gives those who wait for a picture what they need. To be called often.
+  void hand_out_pictures();
+
+  /// Any thread; waits for the loop.
+  [[nodiscard]] Document picture() override;
+
+ private:
+  struct Watcher {
+    std::weak_ptr<WebPipe> pipe;
+    std::size_t points_sent = 0;
+  };
+
+  void keep_scale();
+  void tell(Watcher& watcher, WebPipe& pipe, const std::string& state) const;
+  [[nodiscard]] std::string state_text(std::string_view sender_kind) const;
+  [[nodiscard]] std::string path_text(Watcher& watcher) const;
+
+  const VirtualController& controller_;
+  cnc::AxisArray<float> steps_per_mm_{};
+  std::optional<PathRecorder> recorder_;  ///< Always there.
+  std::map<const WebPipe*, Watcher> watchers_;
+  std::string last_state_;
+  Clock::time_point next_;
+  Clock::time_point repeat_at_;
+  std::mutex mutex_;  ///< Of what follows; the loop's alone is what comes before.
+  std::vector<std::promise<Path>> wanted_;
+};
+
+}  // namespace sim

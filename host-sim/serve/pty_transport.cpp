@@ -1,0 +1,137 @@
+#include "host-sim/serve/pty_transport.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <termios.h>
+
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+
+namespace sim {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t kLongestDeviceName = 64;
+
+void make_raw(int terminal) {
+  termios mode{};
+  checked(::tcgetattr(terminal, &mode), "pty");
+  ::cfmakeraw(&mode);
+  ::cfsetspeed(&mode, B115200);  // What a sender expects to read back.
+  checked(::tcsetattr(terminal, TCSANOW, &mode), "pty");
+}
+
+std::string device_of(int master) {
+  std::string name(kLongestDeviceName, '\0');
+  const int fault = ::ptsname_r(master, name.data(), name.size());
+  if (fault != 0) throw std::system_error(fault, std::generic_category(), "pty");
+  name.resize(name.find('\0'));
+  return name;
+}
+
+/// Only after it was open once does the kernel say that it is closed.
+void open_once(const std::string& device) {
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): that is how open is declared.
+  const Descriptor slave{::open(device.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC)};
+  checked(slave.number(), device);
+}
+
+}  // namespace
+
+PtyMaster::PtyMaster()
+    : master_{checked(::posix_openpt(O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC), "pty")} {
+  checked(::grantpt(number()), "pty");
+  make_raw(number());  // Both ends share the mode.
+  checked(::unlockpt(number()), "pty");
+  device_ = device_of(number());
+  open_once(device_);
+}
+
+bool PtyMaster::in_use() const {
+  pollfd state{number(), POLLIN, 0};
+  if (::poll(&state, 1, 0) < 0) return false;
+  return (state.revents & POLLIN) != 0 || (state.revents & POLLHUP) == 0;
+}
+
+void PtyMaster::flush() const { ::tcflush(number(), TCIOFLUSH); }
+
+void PtyLink::point_to(const std::string& device) {
+  const fs::path link{path_};
+  const fs::file_status there = fs::symlink_status(link);
+  if (fs::exists(there)) {
+    const bool of_a_pty =
+        fs::is_symlink(there) && fs::read_symlink(link).string().starts_with("/dev/pts/");
+    if (!of_a_pty) {
+      throw std::invalid_argument(
+          fmt::format("--pty {}: there is a file of this name, and it is no link to a pty", path_));
+    }
+  }
+  const fs::path fresh{fmt::format("{}.{}", path_, ::getpid())};
+  fs::create_symlink(device, fresh);
+  fs::rename(fresh, link);
+  device_ = device;
+}
+
+void PtyLink::remove() const {
+  std::error_code ignored;
+  if (fs::read_symlink(path_, ignored) == device_) fs::remove(path_, ignored);
+}
+
+class PtyTransport::Sender final : public Connection {
+ public:
+  explicit Sender(PtyTransport& transport) : transport_{transport} {}
+  Sender(const Sender&) = delete;
+  Sender& operator=(const Sender&) = delete;
+  ~Sender() override { transport_.release(); }
+
+  std::size_t read(std::span<std::byte> into) override {
+    const ssize_t count = ::read(master().number(), into.data(), into.size());
+    return count > 0 ? static_cast<std::size_t>(count) : 0;  // EIO: closed, see open().
+  }
+  std::size_t write(std::span<const std::byte> from) override {
+    const ssize_t count = ::write(master().number(), from.data(), from.size());
+    return count > 0 ? static_cast<std::size_t>(count) : 0;
+  }
+  bool open() override { return master().in_use(); }
+  void end() override {}
+  void add_to(std::vector<pollfd>& descriptors, Wishes wishes) const override {
+    const int events = (wishes.read ? POLLIN : 0) | (wishes.write ? POLLOUT : 0);
+    descriptors.push_back({master().number(), static_cast<short>(events), 0});
+  }
+
+ private:
+  [[nodiscard]] const PtyMaster& master() const { return *transport_.master_; }
+
+  PtyTransport& transport_;
+};
+
+PtyTransport::PtyTransport(const std::string& link)
+    : master_{std::make_unique<PtyMaster>()}, link_{link} {
+  link_.point_to(master_->device());
+}
+
+std::unique_ptr<Connection> PtyTransport::accept() {
+  if (accepted_ || !master_->in_use()) return nullptr;
+  accepted_ = true;
+  return std::make_unique<Sender>(*this);
+}
+
+/// A sender who keeps the port open is hung up on: its terminal goes, and the
+/// link leads to a new one. After one who closed it, the terminal stays.
+void PtyTransport::release() {
+  accepted_ = false;
+  if (!master_->in_use()) return master_->flush();
+  try {
+    auto fresh = std::make_unique<PtyMaster>();
+    link_.point_to(fresh->device());
+    master_ = std::move(fresh);
+  } catch (const std::exception&) {
+    // Without a new terminal or a place for the link the old one must do.
+    master_->flush();
+  }
+}
+
+}  // namespace sim

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "host-sim/serve/conversation.hpp"
+#include "host-sim/serve/recorder.hpp"
+#include "host-sim/serve/session.hpp"
+#include "host-sim/trace/output_file.hpp"
+
+namespace sim {
+
+/// Keeps the conversation of a session in a file, for replay(). With an empty
+/// path it keeps nothing.
+class RecordFile {
+ public:
+  /// Throws std::system_error naming the file.
+  RecordFile(const std::string& path, const ConversationSetting& setting, Session& session);
+  RecordFile(const RecordFile&) = delete;
+  RecordFile& operator=(const RecordFile&) = delete;
+  ~RecordFile() = default;
+
+  /// After the last turn. Throws as the constructor.
+  void close(const Session& session);
+
+ private:
+  void append(const std::string& text);
+
+  std::optional<OutputFile> file_;
+  std::optional<Recorder> recorder_;
+};
+
+}  // namespace sim

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+
+#include "host-sim/machine/virtual_controller.hpp"
+#include "host-sim/serve/conversation.hpp"
+#include "host-sim/serve/live_link.hpp"
+
+namespace sim {
+
+/// Makes exchanges of what passes over a link: the bytes of one direction and
+/// one turn that follow each other are one.
+class Recorder final : public LinkListener {
+ public:
+  using Keep = std::function<void(const Exchange&)>;
+
+  /// The controller, whose time counts, must outlive it.
+  Recorder(const VirtualController& controller, Keep keep)
+      : controller_{controller}, keep_{std::move(keep)} {}
+
+  void on_read(std::span<const std::byte> bytes) override { add(Exchange::Kind::kHeard, bytes); }
+  void on_write(std::span<const std::byte> bytes) override { add(Exchange::Kind::kSaid, bytes); }
+  void on_full() override { add(Exchange::Kind::kFull, {}); }
+
+  /// Hands out the exchange that might have gone on.
+  void finish();
+
+ private:
+  void add(Exchange::Kind kind, std::span<const std::byte> bytes);
+
+  const VirtualController& controller_;
+  Keep keep_;
+  Exchange open_{};
+  bool is_open_ = false;
+};
+
+}  // namespace sim

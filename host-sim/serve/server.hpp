@@ -1,0 +1,57 @@
+#pragma once
+
+#include <vector>
+
+#include "host-sim/serve/descriptor.hpp"
+#include "host-sim/serve/live_view.hpp"
+#include "host-sim/serve/pacer.hpp"
+#include "host-sim/serve/reception.hpp"
+#include "host-sim/serve/session.hpp"
+#include "host-sim/serve/web_transport.hpp"
+
+namespace sim {
+
+/// SIGINT, SIGTERM and SIGHUP as something to poll for. Make it before any
+/// other thread starts, so that they are blocked there, too.
+class StopSignals {
+ public:
+  StopSignals();
+  [[nodiscard]] int number() const { return descriptor_.number(); }
+  [[nodiscard]] bool arrived() const;
+
+ private:
+  Descriptor descriptor_;
+};
+
+/// The loop of `kerfline serve`: one thread for the controller and everybody
+/// who talks to it, asleep in poll() between the turns.
+class Server {
+ public:
+  /// @param speed controller seconds per second; the others must outlive it
+  Server(Session& session, Reception& reception, double speed)
+      : session_{session}, reception_{reception}, pacer_{speed, Pacer::Clock::now()} {}
+
+  /// Shows this view to those who watch; both must outlive the server.
+  void show(LiveView& view, WebTransport& web) {
+    view_ = &view;
+    web_ = &web;
+  }
+
+  /// Until somebody stops it.
+  void run(const StopSignals& stop);
+
+ private:
+  /// Time passes first: what arrives now must not be heard in the past.
+  void catch_up();
+  void show_view();
+  void sleep(const StopSignals& stop);
+
+  Session& session_;
+  Reception& reception_;
+  Pacer pacer_;
+  LiveView* view_ = nullptr;  ///< Null without a page.
+  WebTransport* web_ = nullptr;
+  std::vector<pollfd> descriptors_;
+};
+
+}  // namespace sim

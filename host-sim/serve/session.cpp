@@ -1,0 +1,75 @@
+#include "host-sim/serve/session.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace sim {
+namespace {
+
+constexpr std::byte kFeedHold{'!'};
+constexpr std::byte kSoftReset{0x18};
+
+// More than the segments that are queued last: no pause of the step timer
+// within a motion is that long.
+constexpr unsigned kTurnsStill = 100;
+// Longer than any machine brakes. What does not obey a hold (homing) is reset then.
+constexpr unsigned kMostTurnsToStop = 10'000;
+
+}  // namespace
+
+void apply_settings(const std::vector<SettingChange>& settings, cnc::Machine& machine) {
+  for (const SettingChange& change : settings) {
+    const auto stored = machine.change_setting(change.number, change.value);
+    if (stored.ok()) continue;
+    throw std::invalid_argument(fmt::format("{}: ${}={:g}: {}",
+                                            change.place,
+                                            change.number,
+                                            change.value,
+                                            cnc::describe(stored.error())));
+  }
+}
+
+Session::Session(const MachineModel& machine, const std::vector<SettingChange>& settings)
+    : controller_{link_, machine} {
+  apply_settings(settings, controller_.machine());
+}
+
+void Session::turn() {
+  controller_.turn();
+  turns_still_ = controller_.step_timer_runs() ? 0 : turns_still_ + 1;
+  ++turns_since_welcome_;
+  if (parting_ != Parting::kOver) part();
+}
+
+void Session::welcome_sender() {
+  link_.connect();
+  link_.interject(kSoftReset);
+  turns_since_welcome_ = 0;
+}
+
+void Session::lose_sender() {
+  link_.disconnect();
+  link_.interject(kFeedHold);
+  parting_ = Parting::kStopping;
+  turns_of_parting_ = turns_still_ = 0;
+}
+
+void Session::part() {
+  ++turns_of_parting_;
+  if (parting_ == Parting::kResetting) {
+    if (turns_of_parting_ >= kTurnsOfReset) parting_ = Parting::kOver;
+    return;
+  }
+  if (turns_still_ < kTurnsStill && turns_of_parting_ < kMostTurnsToStop) return;
+  link_.interject(kSoftReset);
+  parting_ = Parting::kResetting;
+  turns_of_parting_ = 0;
+}
+
+bool Session::resting() const {
+  return calm() && hears() && turns_still_ >= kTurnsStill && link_.heard_all() &&
+         !controller_.machine().busy();
+}
+
+}  // namespace sim

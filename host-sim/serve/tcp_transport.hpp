@@ -1,0 +1,31 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host-sim/serve/descriptor.hpp"
+#include "host-sim/serve/internet_address.hpp"
+#include "host-sim/serve/transport.hpp"
+
+namespace sim {
+
+/// Raw TCP: the bytes as they are, no telnet commands, so 0xFF is a byte like
+/// others. Small answers leave at once (TCP_NODELAY).
+class TcpTransport final : public Transport {
+ public:
+  /// Port 0 is any free one. Throws std::system_error naming the address.
+  explicit TcpTransport(const InternetAddress& address);
+
+  [[nodiscard]] std::unique_ptr<Connection> accept() override;
+  void add_to(std::vector<pollfd>& descriptors) const override;
+  [[nodiscard]] std::string_view kind() const override { return "tcp"; }
+  [[nodiscard]] std::string address() const override { return to_string(address_); }
+
+ private:
+  InternetAddress address_;
+  Descriptor listener_;
+};
+
+}  // namespace sim
