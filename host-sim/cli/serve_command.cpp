@@ -4,6 +4,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "hal/host/file_store.hpp"
 #include "host-sim/cli/commands.hpp"
 #include "host-sim/cli/job_options.hpp"
 #include "host-sim/serve/pty_transport.hpp"
@@ -31,6 +32,7 @@ struct ServeOptions {
   double speed = 1.0;
   std::string settings_file;
   std::vector<std::string> set;
+  std::string store;
   std::string record;
   MachineModel machine{};
 };
@@ -57,6 +59,12 @@ void add_options(CLI::App& command, ServeOptions& options) {
   command.add_option("--set", options.set, "One setting, such as '$110=12000'; may be repeated")
       ->type_name("$N=V")
       ->allow_extra_args(false);
+  command
+      .add_option("--store",
+                  options.store,
+                  "Keep changed settings, offsets and start-up lines there; else they end with\n"
+                  "the run. --settings and --set are on top of it")
+      ->type_name("FILE");
   command.add_option("--record", options.record, "Keep the conversation, for kerfline replay")
       ->type_name("FILE");
   command
@@ -83,15 +91,22 @@ void announce(const Reception& reception) {
   std::fflush(stdout);
 }
 
+std::unique_ptr<hal::host::MemoryStore> open_store(const std::string& file) {
+  if (file.empty()) return std::make_unique<hal::host::MemoryStore>();
+  return std::make_unique<hal::host::FileStore>(file);
+}
+
 ExitStatus serve(const ServeOptions& options) {
   if (options.pty.empty() && options.tcp.empty() && options.ws.empty()) {
     throw std::invalid_argument(
         "serve: give senders a way in: --pty LINK, --tcp PORT or --ws PORT");
   }
   const StopSignals stop;
+  const std::unique_ptr<hal::host::MemoryStore> store = open_store(options.store);
   const ConversationSetting setting{.settings = settings_of(options.settings_file, options.set),
-                                    .probe_plate_z_mm = options.machine.probe_plate_z_mm};
-  Session session{options.machine, setting.settings};
+                                    .probe_plate_z_mm = options.machine.probe_plate_z_mm,
+                                    .records = store->records()};
+  Session session{options.machine, setting.settings, *store};
   RecordFile record{options.record, setting, session};
   LiveView view{session.controller()};
   Reception reception{session};

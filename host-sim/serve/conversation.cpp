@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
+#include <span>
 #include <stdexcept>
 
 #include "host-sim/serve/escaped_text.hpp"
@@ -28,6 +30,9 @@ class ConversationReader {
     const std::string_view word = take_word(line);
     if (word == "set") {
       read_.setting.settings.push_back(parse_setting(line, place()));
+    } else if (word == "record") {
+      const auto number_read = number<std::uint16_t>(take_word(line));
+      read_.setting.records[number_read] = to_record(bytes(line));
     } else if (word == "probe_plate") {
       read_.setting.probe_plate_z_mm = number<double>(line);
     } else if (word == "end") {
@@ -52,13 +57,22 @@ class ConversationReader {
                       .time_ns = number<std::uint64_t>(take_word(line)),
                       .bytes = {},
                       .line = number_};
-    const auto bytes = unescaped(exchange.kind == Exchange::Kind::kFull ? "\"\"" : line);
-    if (!bytes) fail("the bytes are not of the form \"G0 X1\\n\"");
+    if (exchange.kind != Exchange::Kind::kFull) exchange.bytes = bytes(line);
     if (!read_.exchanges.empty() && exchange.time_ns < read_.exchanges.back().time_ns) {
       fail("time goes back");
     }
-    exchange.bytes = *bytes;
     read_.exchanges.push_back(std::move(exchange));
+  }
+
+  [[nodiscard]] std::string bytes(std::string_view text) const {
+    const auto read = unescaped(text);
+    if (!read) fail("the bytes are not of the form \"G0 X1\\n\"");
+    return *read;
+  }
+
+  static std::vector<std::byte> to_record(const std::string& bytes) {
+    const auto span = std::as_bytes(std::span{bytes});
+    return {span.begin(), span.end()};
   }
 
   /// Takes the first word and the blank after it off the front.
@@ -97,6 +111,10 @@ std::string head_text(const ConversationSetting& setting) {
   text += fmt::format("probe_plate {}\n", setting.probe_plate_z_mm);
   for (const SettingChange& change : setting.settings) {
     text += fmt::format("set ${}={}\n", change.number, change.value);
+  }
+  for (const auto& [number, record] : setting.records) {
+    const std::string_view bytes{reinterpret_cast<const char*>(record.data()), record.size()};
+    text += fmt::format("record {} {}\n", number, escaped(bytes));
   }
   return text;
 }

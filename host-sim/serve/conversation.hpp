@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "hal/host/memory_store.hpp"
 #include "host-sim/job/setting_line.hpp"
 
 namespace sim {
@@ -26,6 +27,7 @@ struct Exchange {
 struct ConversationSetting {
   std::vector<SettingChange> settings;
   double probe_plate_z_mm = 0.0;
+  hal::host::MemoryStore::Records records;  ///< What was stored.
 };
 
 /// A conversation between a sender and the controller, kept as text:
@@ -33,6 +35,7 @@ struct ConversationSetting {
 ///     kerfline conversation 1
 ///     probe_plate -10
 ///     set $110=12000
+///     record 3 "\x00\x01"
 ///     > 120000000 "G0 X1\n"
 ///     < 121000000 "ok\r\n"
 ///     end 500000000

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "firmware/protocol/report_lines.hpp"
 #include "host-sim/plot/picture.hpp"
 
 namespace sim {
@@ -21,33 +22,6 @@ constexpr std::size_t kPointsPerMessage = 2000;
 constexpr std::size_t kTooSlow = std::size_t{1} << 18;
 constexpr std::size_t kAxesShown = 3;
 constexpr double kFullPower = 65535.0;
-
-std::string_view name_of(cnc::MachineState state) {
-  using State = cnc::MachineState;
-  switch (state) {
-    case State::kIdle:
-      return "Idle";
-    case State::kRun:
-      return "Run";
-    case State::kHold:
-      return "Hold";
-    case State::kJog:
-      return "Jog";
-    case State::kAlarm:
-      return "Alarm";
-    case State::kDoor:
-      return "Door";
-    case State::kCheck:
-      return "Check";
-    case State::kHome:
-      return "Home";
-    case State::kSleep:
-      return "Sleep";
-    case State::kTool:
-      return "Tool";
-  }
-  return "";
-}
 
 double rounded(double value) { return std::round(value * 1000.0) / 1000.0; }
 
@@ -120,7 +94,7 @@ std::string LiveView::state_text(std::string_view sender_kind) const {
     motors.push_back(rounded(controller_.port().position[axis] / double{steps_per_mm_[axis]}));
   }
   const ordered_json state{
-      {"state", name_of(status.state)},
+      {"state", cnc::name_of(status.state)},
       {"substate", status.substate},
       {"alarm", static_cast<int>(machine.alarm())},
       {"mpos", mpos},

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "host-sim/serve/recorder.hpp"
 #include "host-sim/serve/session.hpp"
@@ -92,7 +93,12 @@ std::string with_time(const Speech& speech, std::size_t place, bool with_times) 
 
 Conversation replay(const Conversation& recorded) {
   RecordedLink link{recorded.exchanges};
-  VirtualController controller{link, {.probe_plate_z_mm = recorded.setting.probe_plate_z_mm}};
+  hal::host::MemoryStore store;
+  for (const auto& [number, record] : recorded.setting.records) {
+    if (!store.save(number, record)) throw std::invalid_argument("a record is too long");
+  }
+  VirtualController controller{
+      link, {.probe_plate_z_mm = recorded.setting.probe_plate_z_mm}, store};
   apply_settings(recorded.setting.settings, controller.machine());
   Conversation said{.setting = recorded.setting, .exchanges = {}, .end_ns = recorded.end_ns};
   Recorder recorder{controller,

@@ -30,8 +30,10 @@ void apply_settings(const std::vector<SettingChange>& settings, cnc::Machine& ma
   }
 }
 
-Session::Session(const MachineModel& machine, const std::vector<SettingChange>& settings)
-    : controller_{link_, machine} {
+Session::Session(const MachineModel& machine,
+                 const std::vector<SettingChange>& settings,
+                 hal::RecordStore& store)
+    : controller_{link_, machine, store} {
   apply_settings(settings, controller_.machine());
 }
 

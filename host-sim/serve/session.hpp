@@ -24,8 +24,11 @@ void apply_settings(const std::vector<SettingChange>& settings, cnc::Machine& ma
 ///   spindle and coolant. The position stays known.
 class Session {
  public:
-  /// Throws as apply_settings().
-  Session(const MachineModel& machine, const std::vector<SettingChange>& settings);
+  /// The settings are on top of what is stored. Throws as apply_settings(). The
+  /// store must outlive the session.
+  Session(const MachineModel& machine,
+          const std::vector<SettingChange>& settings,
+          hal::RecordStore& store);
 
   /// One turn of the controller's main loop, a millisecond of its time.
   void turn();

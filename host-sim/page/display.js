@@ -1,0 +1,52 @@
+// The numbers beside the canvas.
+
+const kAxes = ['X', 'Y', 'Z'];
+const kWays = { pty: 'a sender on the serial port', tcp: 'a sender over TCP', ws: 'a sender over WebSocket' };
+
+const at = (id) => document.getElementById(id);
+
+function set(id, text) {
+  if (at(id).textContent !== text) at(id).textContent = text;
+}
+
+function rowOf(axis) {
+  let row = at('places').rows[axis];
+  if (row) return row;
+  row = at('places').insertRow();
+  for (let cell = 0; cell < 4; ++cell) row.insertCell();
+  row.cells[0].textContent = kAxes[axis];
+  return row;
+}
+
+function showPlaces(news) {
+  kAxes.forEach((_, axis) => {
+    const cells = rowOf(axis).cells;
+    cells[1].textContent = (news.mpos[axis] - news.wco[axis]).toFixed(3);
+    cells[2].textContent = news.mpos[axis].toFixed(3);
+    const homed = (news.homed >> axis & 1) === 1;
+    cells[3].textContent = homed ? '⌂' : '';
+    cells[3].title = homed ? 'homed' : '';
+  });
+}
+
+// A slider that somebody is moving is left alone.
+function showOverride(id, output, percent) {
+  if (document.activeElement !== at(id) || at(id).disabled) at(id).value = percent;
+  set(output, `${percent} %`);
+}
+
+export function show(news, view, controls) {
+  const detail = news.alarm > 0 && news.state === 'Alarm' ? ` ${news.alarm}` : '';
+  set('state', news.state + detail);
+  at('state').dataset.state = news.state;
+  set('who', controls ? 'You control the machine' : news.sender ? `Controlled by ${kWays[news.sender]}` : 'Nobody controls it');
+  showPlaces(news);
+  set('feed', String(news.feed));
+  set('power', (news.power * 100).toFixed(0));
+  set('spindle', String(news.spindle));
+  at('power-meter').value = news.power;
+  showOverride('feed-override', 'feed-percent', news.overrides[0]);
+  showOverride('power-override', 'power-percent', news.overrides[2]);
+  set('rapid-percent', `${news.overrides[1]} %`);
+  set('fast', `${view.fastest.toFixed(0)} mm/s`);
+}

@@ -1,0 +1,20 @@
+// The conversation, the last lines of it.
+
+const kMostLines = 400;
+
+export class Log {
+  #element;
+
+  constructor(element) { this.#element = element; }
+
+  sent(text) { this.#add('b', `> ${text}`); }
+  answer(text) { this.#add(/^(error|ALARM):/.test(text) ? 'em' : 'span', text); }
+
+  #add(kind, text) {
+    const line = document.createElement(kind);
+    line.textContent = `${text}\n`;
+    this.#element.append(line);
+    while (this.#element.childElementCount > kMostLines) this.#element.firstElementChild.remove();
+    this.#element.scrollTop = this.#element.scrollHeight;
+  }
+}

@@ -1,0 +1,27 @@
+// What the server shows to everybody who watches; connects again when it is lost.
+
+const kRetryMs = 1000;
+
+export class Observer extends EventTarget {
+  path = []; // x, y, speed, move of each vertex, in mm and mm/s.
+
+  constructor() {
+    super();
+    this.#connect();
+  }
+
+  #connect() {
+    const socket = new WebSocket(`ws://${location.host}/observe`);
+    socket.onmessage = (event) => this.#receive(JSON.parse(event.data));
+    socket.onclose = () => {
+      this.dispatchEvent(new CustomEvent('lost'));
+      setTimeout(() => this.#connect(), kRetryMs);
+    };
+  }
+
+  #receive(news) {
+    this.path.length = Math.min(this.path.length, news.path.from * 4);
+    for (const number of news.path.points) this.path.push(number);
+    this.dispatchEvent(new CustomEvent('news', { detail: news }));
+  }
+}

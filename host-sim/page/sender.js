@@ -1,0 +1,94 @@
+// A G-code sender over the WebSocket of the byte stream: lines by character
+// counting, realtime bytes at once.
+
+const kStandardBuffer = 128; // Bytes that every controller of this kind takes.
+
+export class Sender extends EventTarget {
+  #socket = null;
+  #decoder = new TextDecoder();
+  #unread = '';
+  #buffer = kStandardBuffer;
+  #inFlight = []; // Lines sent and not answered yet, oldest first.
+  #waiting = [];
+  #ready = false;
+
+  get connected() { return this.#socket !== null; }
+
+  connect() {
+    const socket = new WebSocket(`ws://${location.host}/`);
+    socket.binaryType = 'arraybuffer';
+    socket.onmessage = (event) => this.#receive(event.data);
+    socket.onclose = (event) => this.#closed(event.code);
+    this.#socket = socket;
+  }
+
+  disconnect() { this.#socket?.close(); }
+
+  // A realtime command: acts before the lines that wait.
+  realtime(byte) {
+    if (this.#socket?.readyState === WebSocket.OPEN) this.#socket.send(new Uint8Array([byte]));
+  }
+
+  // Resolves with 'ok' or 'error:N'; rejects when the line is dropped.
+  send(line, quiet = false) {
+    return new Promise((resolve, reject) => {
+      this.#waiting.push({ line, quiet, resolve, reject });
+      this.#pump();
+    });
+  }
+
+  // Forgets the lines that were not sent yet.
+  dropWaiting() {
+    for (const entry of this.#waiting.splice(0)) entry.reject(new Error('dropped'));
+  }
+
+  #pump() {
+    const used = () => this.#inFlight.reduce((sum, entry) => sum + entry.size, 0);
+    while (this.#ready && this.#waiting.length > 0) {
+      const entry = this.#waiting[0];
+      const bytes = new TextEncoder().encode(entry.line + '\n');
+      entry.size = bytes.length;
+      if (this.#inFlight.length > 0 && used() + entry.size >= this.#buffer) return;
+      this.#inFlight.push(this.#waiting.shift());
+      this.#socket.send(bytes);
+      if (!entry.quiet) this.#tell('sent', entry.line);
+    }
+  }
+
+  #receive(data) {
+    this.#unread += typeof data === 'string' ? data : this.#decoder.decode(data, { stream: true });
+    const lines = this.#unread.split(/\r?\n/);
+    this.#unread = lines.pop();
+    for (const line of lines) this.#take(line);
+  }
+
+  #take(line) {
+    if (/^Grbl /.test(line)) this.#restarted();
+    const options = /^\[OPT:[^,]*,\d+,(\d+)/.exec(line);
+    if (options) this.#buffer = Number(options[1]);
+    const isAnswer = line === 'ok' || line.startsWith('error:');
+    const entry = isAnswer ? this.#inFlight.shift() : undefined;
+    if (!(isAnswer && entry?.quiet && line === 'ok') && line !== '') this.#tell('line', line);
+    entry?.resolve(line);
+    this.#pump();
+  }
+
+  // After a reset the controller has forgotten all that it had.
+  #restarted() {
+    for (const entry of this.#inFlight.splice(0)) entry.reject(new Error('reset'));
+    this.dropWaiting();
+    this.#ready = true;
+    this.#tell('ready', '');
+  }
+
+  #closed(code) {
+    this.#socket = null;
+    this.#ready = false;
+    this.#buffer = kStandardBuffer;
+    for (const entry of this.#inFlight.splice(0)) entry.reject(new Error('closed'));
+    this.dropWaiting();
+    this.#tell('closed', code);
+  }
+
+  #tell(type, detail) { this.dispatchEvent(new CustomEvent(type, { detail })); }
+}
