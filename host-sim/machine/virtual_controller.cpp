@@ -9,7 +9,7 @@ constexpr std::uint64_t kTicksPerMicrosecond = cnc::motion::kTicksPerSecond / 1'
 }  // namespace
 
 VirtualController::VirtualController(hal::ByteStream& link, const MachineModel& model)
-    : model_{model}, switches_{model}, firmware_{port_, port_, port_, link} {}
+    : model_{model}, switches_{model_}, firmware_{port_, port_, port_, link} {}
 
 void VirtualController::turn() {
   last_event_ = now_;
