@@ -90,7 +90,8 @@ Homing::Outcome Homing::go_on_approaching() {
   int all = 0;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     if (!moves(axis, left_)) continue;
-    const Coordinate searched = homes_low(axis) ? from_[axis] - here[axis] : here[axis] - from_[axis];
+    const Coordinate searched =
+        homes_low(axis) ? from_[axis] - here[axis] : here[axis] - from_[axis];
     distance = std::min(distance, search_distance(axis) - searched);
     linear += axis < kLinearAxisCount ? 1 : 0;
     ++all;
@@ -187,7 +188,8 @@ bool Homing::homes_low(std::size_t axis) const {
 }
 
 std::uint8_t Homing::squared() const {
-  return static_cast<std::uint8_t>(static_cast<unsigned>(settings_.get(setting::kSquaredAxes)) & axes_);
+  return static_cast<std::uint8_t>(static_cast<unsigned>(settings_.get(setting::kSquaredAxes)) &
+                                   axes_);
 }
 
 Coordinate Homing::search_distance(std::size_t axis) const {

@@ -70,7 +70,7 @@ class RecordingPort final : public AuxiliaryOutputs, public MachineInputs {
   }
 
   // What the machine sees and feeds back.
-  std::array<std::int32_t, kMotors> position{};  ///< Steps since power-up.
+  std::array<std::int32_t, kMotors> position{};         ///< Steps since power-up.
   std::array<std::int32_t, kMotors> second_position{};  ///< Of second motors, likewise.
   std::array<std::uint16_t, 4> analog{};
   std::uint16_t power = 0;

@@ -55,7 +55,9 @@ class MachineBench {
   [[nodiscard]] double mm(std::size_t axis) {
     return static_cast<double>(machine().position()[axis].nanometres()) * 1.0e-6;
   }
-  [[nodiscard]] std::int32_t motor(std::size_t axis) const { return controller.port().position[axis]; }
+  [[nodiscard]] std::int32_t motor(std::size_t axis) const {
+    return controller.port().position[axis];
+  }
 
  private:
   SilentLink link_;
