@@ -43,13 +43,14 @@ async function override(user) {
 }
 
 async function jogAndCancel(user) {
-  user.type('$J=G91 G21 X50 F1200');
+  const [before] = user.position();
+  user.type('$J=G91 G21 X100 F600');
   await user.state('Jog');
   await sleep(400);
   user.command('jogCancel');
   await user.state('Idle');
-  const [x] = user.position();
-  check(x > 1 && x < 49, `the jog ended on its way, at ${x}`);
+  const way = user.position()[0] - before;
+  check(way > 1 && way < 99, `the jog ended on its way, after ${way} mm`);
   user.type('$J=G90 G53 X0 F12000');
   await until('back at zero', () => user.status.activeState === 'Idle' && user.position()[0] === 0);
 }

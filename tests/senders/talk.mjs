@@ -69,7 +69,8 @@ export class Talk {
   takeLine(line) {
     this.lines.push(line);
     if (kAck.test(line)) this.acks += 1;
-    else check(!/ok|error/i.test(line), `only acknowledgements look like one: ${line}`);
+    // gSender asks for the tag by this name ($EE); the senders that count do not.
+    else check(!/ok|error/i.test(line.replace(/^\[ERRORCODE:/, '')), `only acknowledgements look like one: ${line}`);
     const report = /^<(.*)>$/.exec(line);
     if (!report) return;
     const [state, ...fields] = report[1].split('|');
