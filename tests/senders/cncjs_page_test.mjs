@@ -23,8 +23,8 @@ await run('CNCjs in a browser', async ({ folder, keep }) => {
     until(`the page shows ${text}`, () => page.evaluate((word) => document.body.innerText.includes(word), text), 30_000);
 
   await page.goto(cncjs.url);
-  await page.getByText('Choose a port').first().click();
-  await page.locator('.Select-option').first().click();
+  await page.locator('.Select', { hasText: 'Choose a port' }).locator('.Select-arrow-zone').click();
+  await page.locator('.Select-option', { hasText: pty }).first().click();
   await page.getByRole('button', { name: 'Open' }).first().click();
   await shows('Idle');
 
