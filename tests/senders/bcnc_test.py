@@ -142,14 +142,18 @@ def start_all(programs, folder):
                    env=environment, cwd=folder)
 
 
-def check_end_of_job(folder):
-    """Hold, reset, unlock, and the modes back in one line: as the record shows it."""
+def check_record(folder, restored):
+    """Job, hold, reset, unlock, and the modes back in one line: as they came."""
     heard = re.findall(r'^> \d+ "(.*)"$', (folder / "conversation").read_text(), re.MULTILINE)
-    end = "".join(heard).replace("?", "")
-    for said in (r"!", r"\\x18", r"\$X", r"G[0-9.]+ (G[0-9.]+ ?){3,}", r"G43\.1 ?Z"):
-        found = re.search(said, end)
-        assert found, f"bCNC says {said} at the end of a job: {end[-300:]}"
-        end = end[found.end():]
+    rest = whole = "".join(heard).replace("?", "")
+    job = JOB.replace(" ", "").replace("\n", "\\n")
+    for said in (job[job.index("M4"):], "!", "\\x18", "$X\\n", restored + "\\n", "G43.1Z0\\n"):
+        assert said in rest, f"the controller hears {said}: {whole}"
+        rest = rest[rest.index(said) + len(said):]
+
+
+def refused(folder):
+    return re.findall(r"error:\d+|ALARM:\d+", (folder / "conversation").read_text())
 
 
 def test(folder, programs):
@@ -166,6 +170,13 @@ def test(folder, programs):
     assert state["state"] == "Idle", state
     assert pendant.place() == END, pendant.place()
 
+    # Newer ones unlock then and send the modes back; this one forgets to.
+    restored = " ".join(word for word in state["G"] if word[0] == "G")
+    pendant.command("UNLOCK")
+    time.sleep(1)  # Commands and lines come over two ways.
+    pendant.line(restored)
+    pendant.line("G43.1Z0")
+
     pendant.line("$J=G91 X1 F100000")
     until("the jog", lambda: pendant.place() == (13.5, 31.25, 0.0))
     pendant.line("G10 L20 P1 X0 Y0 Z0")
@@ -176,7 +187,8 @@ def test(folder, programs):
     pendant.wait_for("Idle")
     assert pendant.place() == (13.5, 31.25, 0.0), "a reset at rest keeps the place"
     programs.stop()
-    check_end_of_job(folder)
+    check_record(folder, restored)
+    assert not refused(folder), refused(folder)
 
 
 def main():
