@@ -7,6 +7,7 @@
 #include "firmware/machine/configuration.hpp"
 #include "firmware/machine/coolant_output.hpp"
 #include "firmware/machine/dwell.hpp"
+#include "firmware/machine/homing.hpp"
 #include "firmware/machine/input_filter.hpp"
 #include "firmware/machine/machine_types.hpp"
 #include "firmware/machine/motion_control.hpp"
@@ -52,10 +53,11 @@ class Machine {
   /// @pre !busy()
   [[nodiscard]] std::optional<JogRefusal> jog(std::string_view words);
 
-  /// Homing is switched on ($22) and nothing stands against it now.
-  [[nodiscard]] bool can_home() const;
+  /// Homing is switched on ($22), of single axes too where some are named, and
+  /// nothing stands against it now.
+  [[nodiscard]] bool can_home(std::uint8_t axes = 0) const;
   /// Searches the switches of these axes, bit i for axis i; 0 is all, in the
-  /// passes of $44…$49. busy() until over. @pre can_home()
+  /// passes of $44…$49. busy() until over. @pre can_home(axes)
   void home(std::uint8_t axes);
 
   // The operator, at any time.
@@ -149,7 +151,7 @@ class Machine {
 
   // One turn, in machine.cpp.
   void attend_inputs();
-  void attend_mode();
+  void attend_mode(std::int32_t elapsed_us);
   void run_actions();
   void attend_motor_enable(std::int32_t elapsed_us);
 
@@ -172,6 +174,8 @@ class Machine {
   void attend_jog();
   void append_jog();
   void drop_jog();
+
+  void attend_homing(std::int32_t elapsed_us);  // In machine_homing.cpp.
 
   // The operator, in machine_operator.cpp.
   void restart();
@@ -210,6 +214,7 @@ class Machine {
   MotionControl motion_;
   ToolOutput tool_;
   CoolantOutput coolant_;
+  Homing homing_;
   InputFilter inputs_{};
   StateMachine state_{};
   Alarm alarm_ = Alarm::kNone;

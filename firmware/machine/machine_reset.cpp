@@ -54,6 +54,7 @@ void Machine::drop_everything() {
   tool_wanted_.reset();
   probing_ = Probing::kNo;
   drive_.disarm_probe();
+  homing_.cancel();
   tool_.reset();
   coolant_.reset();
   motion_.drop_rest();

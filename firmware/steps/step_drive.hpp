@@ -43,6 +43,25 @@ class StepDrive {
   /// @pre !running()
   virtual void set_timing(const StepTiming& timing) = 0;
 
+  /// Axes with a second motor that steps with the first. @pre !running()
+  virtual void set_second_motors(std::uint8_t axes) = 0;
+  /// The motor stands where it is; that is this many steps now. @pre !running()
+  virtual void set_position(std::size_t axis, std::int32_t steps) = 0;
+
+  /// Latches the position of each of these axes at the first step after which
+  /// its limit switch reads closed. On `squared` ones both motors have to reach
+  /// their own switch: the one that is there first gets no more steps until the
+  /// other is, too. Axes watched before stay so. @pre !running()
+  virtual void watch_switches(std::uint8_t axes, std::uint8_t squared) = 0;
+  virtual void unwatch_switches() = 0;
+  /// Watched axes that found their switch.
+  [[nodiscard]] virtual std::uint8_t switches_found() const = 0;
+  /// Watched axes of which one motor waits for the other.
+  [[nodiscard]] virtual std::uint8_t switches_half_found() const = 0;
+  /// Where it closed, and how many steps one motor waited. @pre it was found
+  [[nodiscard]] virtual std::int32_t switch_position(std::size_t axis) const = 0;
+  [[nodiscard]] virtual std::int32_t switch_skew(std::size_t axis) const = 0;
+
   /// Whether the probe input reports contact now.
   [[nodiscard]] virtual bool probe_contact() const = 0;
   /// Latches the position at the first step after which the probe input reads
