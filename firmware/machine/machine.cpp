@@ -8,7 +8,9 @@ Machine::Machine(StepDrive& drive, hal::AuxiliaryOutputs& outputs, hal::MachineI
       input_port_{inputs},
       motion_{drive, limits_},
       tool_{drive, outputs},
-      coolant_{outputs} {
+      coolant_{outputs},
+      homing_{drive, motion_, settings_},
+      side_{drive, limits_} {
   apply_settings();
 }
 
@@ -66,19 +68,22 @@ void Machine::poll(hal::TickCount now) {
   if (drive_.take_starved()) raise_alarm(Alarm::kStarved);
   if (state_.in(Mode::kFree)) dwell_.pass(elapsed_us);
   restart_dwell_.pass(elapsed_us);
-  attend_mode();
+  attend_mode(elapsed_us);
   run_actions();
   attend_motor_enable(elapsed_us);
+  side_.feed_drive();
   motion_.feed_drive();
 }
 
 /// What goes on by itself in the present mode.
-void Machine::attend_mode() {
+void Machine::attend_mode(std::int32_t elapsed_us) {
   if (leaving_travel_ && at_rest()) return raise_alarm(Alarm::kSoftLimit);
   switch (state_.mode()) {
     case Mode::kJog:
     case Mode::kJogEnding:
       return attend_jog();
+    case Mode::kHome:
+      return attend_homing(elapsed_us);
     case Mode::kDoor:
       return attend_door();
     case Mode::kFree:
@@ -107,7 +112,7 @@ void Machine::attend_motor_enable(std::int32_t elapsed_us) {
   constexpr float kAlways = 255.0F;
   const float delay_ms = settings_.get(setting::kIdleDelay);
   bool enabled = motors_enabled_;
-  if (!motion_.drained() || state_.in(Mode::kHome)) {
+  if (!motion_.drained() || !side_.at_rest() || state_.in(Mode::kHome)) {
     enabled = true;
     motors_idle_us_ = 0;
   } else if (delay_ms != kAlways || state_.in(Mode::kSleep)) {

@@ -7,10 +7,12 @@
 #include "firmware/machine/configuration.hpp"
 #include "firmware/machine/coolant_output.hpp"
 #include "firmware/machine/dwell.hpp"
+#include "firmware/machine/homing.hpp"
 #include "firmware/machine/input_filter.hpp"
 #include "firmware/machine/machine_types.hpp"
 #include "firmware/machine/motion_control.hpp"
 #include "firmware/machine/settings.hpp"
+#include "firmware/machine/side_trip.hpp"
 #include "firmware/machine/state_machine.hpp"
 #include "firmware/machine/tool_output.hpp"
 #include "firmware/machine/travel.hpp"
@@ -52,10 +54,11 @@ class Machine {
   /// @pre !busy()
   [[nodiscard]] std::optional<JogRefusal> jog(std::string_view words);
 
-  /// Homing is switched on ($22) and nothing stands against it now.
-  [[nodiscard]] bool can_home() const;
+  /// Homing is switched on ($22), of single axes too where some are named, and
+  /// nothing stands against it now.
+  [[nodiscard]] bool can_home(std::uint8_t axes = 0) const;
   /// Searches the switches of these axes, bit i for axis i; 0 is all, in the
-  /// passes of $44…$49. busy() until over. @pre can_home()
+  /// passes of $44…$49. busy() until over. @pre can_home(axes)
   void home(std::uint8_t axes);
 
   // The operator, at any time.
@@ -140,7 +143,17 @@ class Machine {
 
  private:
   enum class Probing : std::uint8_t { kNo, kMoving, kStopping };
-  enum class DoorStage : std::uint8_t { kStopping, kStopped, kSpindle, kCoolant };
+  /// In their order; after kStopped the way back begins.
+  enum class DoorStage : std::uint8_t {
+    kStopping,
+    kPullOut,
+    kPark,
+    kStopped,
+    kUnpark,
+    kSpindle,
+    kCoolant,
+    kPlunge,
+  };
   struct JogMove {
     Position end{};
     float feed = 0.0F;
@@ -149,7 +162,7 @@ class Machine {
 
   // One turn, in machine.cpp.
   void attend_inputs();
-  void attend_mode();
+  void attend_mode(std::int32_t elapsed_us);
   void run_actions();
   void attend_motor_enable(std::int32_t elapsed_us);
 
@@ -173,6 +186,8 @@ class Machine {
   void append_jog();
   void drop_jog();
 
+  void attend_homing(std::int32_t elapsed_us);  // In machine_homing.cpp.
+
   // The operator, in machine_operator.cpp.
   void restart();
   void cancel_restart();
@@ -182,7 +197,14 @@ class Machine {
 
   // The door, in machine_door.cpp.
   void attend_door();
+  void pull_out();
+  void park();
   void resume_from_door();
+  void restore_spindle();
+  void restore_coolant();
+  [[nodiscard]] bool parks() const;
+  [[nodiscard]] std::size_t parking_axis() const;
+  void trip_to(StepPosition place, std::uint16_t rate, const motion::BeamCommand& beam);
   [[nodiscard]] std::uint8_t door_substate() const;
 
   // Ends of the travel, in machine_limits.cpp.
@@ -210,6 +232,8 @@ class Machine {
   MotionControl motion_;
   ToolOutput tool_;
   CoolantOutput coolant_;
+  Homing homing_;
+  SideTrip side_;
   InputFilter inputs_{};
   StateMachine state_{};
   Alarm alarm_ = Alarm::kNone;
@@ -220,6 +244,10 @@ class Machine {
   bool leaving_travel_ = false;  ///< Holding for the soft limit's alarm.
   DoorStage door_stage_ = DoorStage::kStopped;
   bool door_ends_jog_ = false;
+  bool away_ = false;  ///< The parking axis is on its side trip; these are its places:
+  StepPosition parked_from_{};
+  StepPosition pulled_out_{};
+  StepPosition parked_{};
 
   gcode::Actions waiting_{};
   std::optional<ArcElements> arc_{};  ///< The arc being divided.

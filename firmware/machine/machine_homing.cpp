@@ -2,8 +2,38 @@
 
 namespace cnc {
 
-bool Machine::can_home() const { return false; }
+bool Machine::can_home(std::uint8_t axes) const {
+  if (!has_homing_option(settings_, homing_option::kEnabled)) return false;
+  if (axes != 0 && !has_homing_option(settings_, homing_option::kSingleAxis)) return false;
+  if (needs_reset_ || inputs().door || inputs().emergency_stop) return false;
+  return state_.allows(Event::kHome) && idle() && !busy();
+}
 
-void Machine::home(std::uint8_t axes) { CNC_ASSERT(can_home() || axes == 0); }
+void Machine::home(std::uint8_t axes) {
+  CNC_ASSERT(can_home(axes));
+  static_cast<void>(state_.take(Event::kHome));
+  alarm_ = Alarm::kNone;
+  set_homed(axes == 0 ? std::uint8_t{0} : static_cast<std::uint8_t>(homed_ & ~axes));
+  homing_.start(axes, tool_.command_for(true));
+}
+
+void Machine::attend_homing(std::int32_t elapsed_us) {
+  using enum Homing::Outcome;
+  switch (homing_.poll(inputs_.raw(), elapsed_us)) {
+    case kGoingOn:
+      return;
+    case kNoSwitch:
+      return raise_alarm(Alarm::kHomingNoSwitch);
+    case kStillClosed:
+      return raise_alarm(Alarm::kHomingPullOff);
+    case kSecondSwitch:
+      return raise_alarm(Alarm::kHomingSecondSwitch);
+    case kDone:
+      break;
+  }
+  set_homed(static_cast<std::uint8_t>(homed_ | homing_.found()));
+  interpreter_.set_position(motion_.target());
+  static_cast<void>(state_.take(Event::kOver));
+}
 
 }  // namespace cnc

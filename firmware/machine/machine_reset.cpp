@@ -54,10 +54,12 @@ void Machine::drop_everything() {
   tool_wanted_.reset();
   probing_ = Probing::kNo;
   drive_.disarm_probe();
+  homing_.cancel();
   tool_.reset();
   coolant_.reset();
   motion_.drop_rest();
   motion_.go_on();
+  side_.begin(motion_.place());
   interpreter_.reset();
   interpreter_.set_position(motion_.target());
   static_cast<void>(state_.take(Event::kReset));

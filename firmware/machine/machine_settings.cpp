@@ -37,6 +37,7 @@ void Machine::apply_settings() {
   gcode::Options options = gcode_options_from(settings_);
   options.block_delete = block_delete_;
   interpreter_.set_options(options);
+  drive_.set_second_motors(static_cast<std::uint8_t>(settings_.get(setting::kSquaredAxes)));
   tool_.configure({.most_speed = settings_.get(setting::kMostSpindleSpeed),
                    .least_speed = settings_.get(setting::kLeastSpindleSpeed),
                    .laser = settings_.get(setting::kLaserMode) != 0.0F});

@@ -50,9 +50,10 @@ Reply& Reply::value(float value, std::uint32_t least) {
   if (value < 0.0F) letter('-');
   const float magnitude = value < 0.0F ? -value : value;
   auto units = static_cast<std::uint32_t>(magnitude);
-  // A float holds seven digits; more would only show how it rounds.
+  constexpr std::uint32_t kDigits = 7;  // What a float holds; more would show how it rounds.
   const std::uint32_t before = digits_of(units);
-  std::uint32_t count = std::min(6U, std::max(least, 7U - std::min(7U, before)));
+  std::uint32_t count = std::min<std::uint32_t>(
+      kPowers.size() - 1, std::max<std::uint32_t>(least, kDigits - std::min(kDigits, before)));
   const float rest = magnitude - static_cast<float>(units);
   auto digits = static_cast<std::uint32_t>(rest * static_cast<float>(kPowers[count]) + 0.5F);
   if (digits >= kPowers[count]) {

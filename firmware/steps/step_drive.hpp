@@ -13,6 +13,10 @@ struct StepTiming {
   std::uint32_t direction_set_up = 8;  ///< From a direction change to the next leading edge.
 };
 
+/// How far ahead of the motors segments are cut: long enough for the main loop
+/// to be away, short enough that a hold is felt at once.
+inline constexpr std::uint32_t kTicksAhead = motion::kTicksPerSecond / 50;
+
 /// The step generator as the main loop sees it: somewhere to put segments.
 /// Main loop context; nothing here blocks.
 class StepDrive {
@@ -42,6 +46,25 @@ class StepDrive {
   [[nodiscard]] virtual std::uint16_t power() const = 0;
   /// @pre !running()
   virtual void set_timing(const StepTiming& timing) = 0;
+
+  /// Axes with a second motor that steps with the first. @pre !running()
+  virtual void set_second_motors(std::uint8_t axes) = 0;
+  /// The motor stands where it is; that is this many steps now. @pre !running()
+  virtual void set_position(std::size_t axis, std::int32_t steps) = 0;
+
+  /// Latches the position of each of these axes at the first step after which
+  /// its limit switch reads closed. On `squared` ones both motors have to reach
+  /// their own switch: the one that is there first gets no more steps until the
+  /// other is, too. Axes watched before stay so. @pre !running()
+  virtual void watch_switches(std::uint8_t axes, std::uint8_t squared) = 0;
+  virtual void unwatch_switches() = 0;
+  /// Watched axes that found their switch.
+  [[nodiscard]] virtual std::uint8_t switches_found() const = 0;
+  /// Watched axes of which one motor waits for the other.
+  [[nodiscard]] virtual std::uint8_t switches_half_found() const = 0;
+  /// Where it closed, and how many steps one motor waited. @pre it was found
+  [[nodiscard]] virtual std::int32_t switch_position(std::size_t axis) const = 0;
+  [[nodiscard]] virtual std::int32_t switch_skew(std::size_t axis) const = 0;
 
   /// Whether the probe input reports contact now.
   [[nodiscard]] virtual bool probe_contact() const = 0;

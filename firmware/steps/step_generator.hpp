@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "firmware/steps/step_drive.hpp"
+#include "firmware/steps/switch_watch.hpp"
 #include "hal/interface/spsc_ring.hpp"
 #include "hal/interface/step_port.hpp"
 #include "planner/base/axes.hpp"
@@ -75,6 +76,26 @@ class StepGenerator final : public StepDrive {
 
   void set_timing(const StepTiming& timing) override { timing_ = timing; }
 
+  void set_second_motors(std::uint8_t axes) override { second_motors_ = axes; }
+  void set_position(std::size_t axis, std::int32_t steps) override {
+    position_[axis].store(steps, std::memory_order_relaxed);
+  }
+
+  void watch_switches(std::uint8_t axes, std::uint8_t squared) override {
+    switches_.add(axes, squared);
+  }
+  void unwatch_switches() override { switches_.clear(); }
+  [[nodiscard]] std::uint8_t switches_found() const override { return switches_.found(); }
+  [[nodiscard]] std::uint8_t switches_half_found() const override {
+    return static_cast<std::uint8_t>(switches_.gates().first | switches_.gates().second);
+  }
+  [[nodiscard]] std::int32_t switch_position(std::size_t axis) const override {
+    return switches_.position(axis);
+  }
+  [[nodiscard]] std::int32_t switch_skew(std::size_t axis) const override {
+    return switches_.skew(axis);
+  }
+
   [[nodiscard]] bool probe_contact() const override { return port_.probe_contact(); }
   void arm_probe(bool contact) override {
     probe_contact_ = contact;
@@ -104,6 +125,7 @@ class StepGenerator final : public StepDrive {
     port_.lower_steps();
     high_ = false;
     check_probe();
+    if (switches_.active()) switches_.look(port_.switches(), position());
     return std::max(timing_.pulse, ticks_until(earliest_due()));
   }
 
@@ -171,7 +193,9 @@ class StepGenerator final : public StepDrive {
       due = static_cast<std::uint8_t>(due | (1U << axis));
       advance(axis, train);
     }
-    port_.raise_steps({due});
+    const hal::SwitchMask& gates = switches_.gates();
+    port_.raise_steps({static_cast<std::uint8_t>(due & ~gates.first)},
+                      {static_cast<std::uint8_t>(due & second_motors_ & ~gates.second)});
     high_ = true;
   }
 
@@ -232,6 +256,7 @@ class StepGenerator final : public StepDrive {
   std::uint32_t pushed_ticks_ = 0;  ///< Main loop only; runs freely.
   std::atomic<std::uint32_t> begun_ticks_{0};
   StepTiming timing_{};
+  std::uint8_t second_motors_ = 0;
 
   motion::Segment segment_{};
   AxisArray<std::int32_t> due_q16_{};
@@ -252,6 +277,7 @@ class StepGenerator final : public StepDrive {
   std::atomic<bool> probe_armed_{false};
   std::atomic<bool> probe_hit_{false};
   bool probe_contact_ = true;
+  SwitchWatch switches_{};
   AxisArray<std::int32_t> probe_position_{};
 };
 

@@ -17,11 +17,12 @@ class RecordingPort final : public AuxiliaryOutputs, public MachineInputs {
 
   // StepPort
   void set_direction(AxisMask negative) noexcept { negative_ = negative; }
-  void raise_steps(AxisMask axes) noexcept {
+  void raise_steps(AxisMask axes, AxisMask second) noexcept {
     for (std::size_t axis = 0; axis < kMotors; ++axis) {
       const unsigned bit = 1U << axis;
-      if ((axes.bits & bit) == 0) continue;
-      position[axis] += (negative_.bits & bit) != 0 ? -1 : 1;
+      const std::int32_t step = (negative_.bits & bit) != 0 ? -1 : 1;
+      if ((axes.bits & bit) != 0) position[axis] += step;
+      if ((second.bits & bit) != 0) second_position[axis] += step;
     }
     changed = true;
   }
@@ -38,6 +39,7 @@ class RecordingPort final : public AuxiliaryOutputs, public MachineInputs {
   }
   void start_timer() noexcept { timer_started = true; }
   [[nodiscard]] bool probe_contact() const noexcept { return probe; }
+  [[nodiscard]] SwitchMask switches() const noexcept { return limits; }
 
   // AuxiliaryOutputs
   void set_spindle(bool enabled, bool counter_clockwise) override {
@@ -62,11 +64,14 @@ class RecordingPort final : public AuxiliaryOutputs, public MachineInputs {
   [[nodiscard]] InputState read_inputs() override {
     InputState state = panel;
     state.probe = probe;
+    state.limits = limits.first;
+    state.second_limits = limits.second;
     return state;
   }
 
   // What the machine sees and feeds back.
-  std::array<std::int32_t, kMotors> position{};  ///< Steps since power-up.
+  std::array<std::int32_t, kMotors> position{};         ///< Steps since power-up.
+  std::array<std::int32_t, kMotors> second_position{};  ///< Of second motors, likewise.
   std::array<std::uint16_t, 4> analog{};
   std::uint16_t power = 0;
   std::uint8_t digital = 0;
@@ -77,6 +82,7 @@ class RecordingPort final : public AuxiliaryOutputs, public MachineInputs {
   bool changed = false;        ///< A motor stepped or the power changed; cleared by the reader.
   bool timer_started = false;  ///< Cleared by the reader.
   bool probe = false;
+  SwitchMask limits{};
   bool motors_enabled = false;
   InputState panel{};  ///< Door and buttons; whoever simulates the operator sets them.
 

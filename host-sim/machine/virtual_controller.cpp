@@ -9,15 +9,16 @@ constexpr std::uint64_t kTicksPerMicrosecond = cnc::motion::kTicksPerSecond / 1'
 }  // namespace
 
 VirtualController::VirtualController(hal::ByteStream& link, const MachineModel& model)
-    : model_{model}, firmware_{port_, port_, port_, own_store_, link} {}
+    : model_{model}, switches_{model_}, firmware_{port_, port_, port_, own_store_, link} {}
 
 VirtualController::VirtualController(hal::ByteStream& link,
                                      const MachineModel& model,
                                      hal::RecordStore& store)
-    : model_{model}, firmware_{port_, port_, port_, store, link} {}
+    : model_{model}, switches_{model_}, firmware_{port_, port_, port_, store, link} {}
 
 void VirtualController::turn() {
   last_event_ = now_;
+  feel_machine();
   firmware_.poll(hal::TickCount{static_cast<std::uint32_t>(now_ / kTicksPerMicrosecond)});
   advance_to(now_ + kTicksPerTurn);
 }
@@ -32,18 +33,26 @@ void VirtualController::advance_to(std::uint64_t tick) {
   while (timer_runs_ && next_interrupt_ < tick) {
     now_ = last_event_ = next_interrupt_;
     const std::uint32_t wait = firmware_.on_step_interrupt();
-    if (port_.changed) report_change();
+    if (port_.changed) {
+      feel_machine();
+      report_change();
+    }
     timer_runs_ = wait != 0;
     next_interrupt_ += wait;
   }
   now_ = tick;
 }
 
-void VirtualController::report_change() {
-  port_.changed = false;
+/// What probe and switches read where the motors are now.
+void VirtualController::feel_machine() {
   const float z_steps_per_mm = machine().settings().get(cnc::setting::kStepsPerMm, 2);
   const double z_mm = static_cast<double>(port_.position[2]) / static_cast<double>(z_steps_per_mm);
   port_.probe = z_mm <= model_.probe_plate_z_mm;
+  port_.limits = switches_.read(machine().settings(), port_, now_);
+}
+
+void VirtualController::report_change() {
+  port_.changed = false;
   const TraceRow row{.time_ns = now_ * kNanosecondsPerTick,
                      .position = port_.position,
                      .duty = static_cast<float>(port_.power) / kFullPower};

@@ -8,16 +8,11 @@
 #include "hal/host/recording_port.hpp"
 #include "hal/interface/byte_stream.hpp"
 #include "hal/interface/record_store.hpp"
+#include "host-sim/machine/machine_model.hpp"
+#include "host-sim/machine/switch_model.hpp"
 #include "host-sim/trace/trace_row.hpp"
 
 namespace sim {
-
-/// The machine around the controller.
-struct MachineModel {
-  /// Height of a conducting plate that closes the probe circuit, mm in machine
-  /// coordinates; the tool's tip touches it when Z comes down to it.
-  double probe_plate_z_mm = -10.0;
-};
 
 /// The unchanged firmware on a model of the machine, in virtual time: one
 /// thread, no clock, the same result for the same bytes at the same times. The
@@ -49,6 +44,9 @@ class VirtualController {
   [[nodiscard]] cnc::Machine& machine() { return firmware_.machine(); }
   [[nodiscard]] const cnc::Machine& machine() const { return firmware_.machine(); }
   [[nodiscard]] const hal::host::RecordingPort& port() const { return port_; }
+  /// Door and buttons, for whoever plays the operator; limits and probe in it
+  /// are the model's.
+  [[nodiscard]] hal::InputState& panel() { return port_.panel; }
 
   /// Takes back what the last turn went on after its last interrupt: a run ends
   /// with its motion, not with the turn in which that was noticed.
@@ -56,10 +54,12 @@ class VirtualController {
 
  private:
   void advance_to(std::uint64_t tick);
+  void feel_machine();
   void report_change();
   void hand_out_row();
 
   MachineModel model_;
+  SwitchModel switches_;
   hal::host::RecordingPort port_{};
   hal::host::MemoryStore own_store_{};
   Firmware firmware_;

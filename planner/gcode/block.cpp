@@ -51,7 +51,12 @@ Refusal Block::add_modal(const Word& word, const Result<const ModalWord*, FaultD
     if (axis_use_ != AxisUse::kNone) return blame_word(FaultDetail::kAxisWordsClaimedTwice, word);
     axis_use_ = use;
   }
-  if (has(modal->group)) return blame_word(FaultDetail::kModalGroupTwice, word);
+  if (has(modal->group)) {
+    const ModalWord* const both = combined(*words_[index_of(modal->group)], *modal);
+    if (both == nullptr) return blame_word(FaultDetail::kModalGroupTwice, word);
+    words_[index_of(modal->group)] = both;
+    return std::nullopt;
+  }
   groups_ |= bit_of(modal->group);
   words_[index_of(modal->group)] = modal;
   word_columns_[index_of(modal->group)] = word.column;
@@ -87,6 +92,8 @@ bool Block::has_axis_word() const {
   constexpr std::uint32_t kAxes = axis_letters();
   return (letters_ & kAxes) != 0;
 }
+
+bool Block::has_arc_word() const { return has('I') || has('J') || has('K') || has('R'); }
 
 const Decimal* Block::take(char letter) {
   if (!is_free(letter)) return nullptr;

@@ -39,6 +39,7 @@ class Block {
 
   [[nodiscard]] bool has(char letter) const { return (letters_ & bit_of(letter)) != 0; }
   [[nodiscard]] bool has_axis_word() const;
+  [[nodiscard]] bool has_arc_word() const;  ///< I, J, K or R.
   /// The value of a letter, which then counts as used; null if it is not there
   /// or another word of the line has taken it.
   [[nodiscard]] const Decimal* take(char letter);

@@ -182,6 +182,9 @@ Refusal Execution::set_coolant() {
     case CoolantWord::kFlood:
       coolant.flood = true;
       break;
+    case CoolantWord::kBoth:
+      coolant = Coolant{.mist = true, .flood = true};
+      break;
     case CoolantWord::kOff:
       coolant = Coolant{};
       break;

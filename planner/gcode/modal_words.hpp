@@ -49,7 +49,7 @@ enum class NonModal : std::uint8_t {
 
 enum class ToolLength : std::uint8_t { kSet, kCancel };           ///< G43.1, G49.
 enum class Stop : std::uint8_t { kPause, kOptionalPause, kEnd };  ///< M0, M1, M2 and M30.
-enum class CoolantWord : std::uint8_t { kMist, kFlood, kOff };    ///< M7, M8, M9.
+enum class CoolantWord : std::uint8_t { kMist, kFlood, kOff, kBoth };  ///< M7, M8, M9, M7 M8.
 
 enum class Output : std::uint8_t {
   kOnWithMotion,      ///< M62
@@ -79,5 +79,9 @@ struct ModalWord {
 /// decimals, kNoSuchCoordinateSystem for a G59.x, else kUnsupported.
 [[nodiscard]] Result<const ModalWord*, FaultDetail> find_g_word(const Decimal& number);
 [[nodiscard]] Result<const ModalWord*, FaultDetail> find_m_word(const Decimal& number);
+
+/// What two words of one group mean together; null where they exclude each
+/// other, as all do but M7 and M8 (RS274/NGC 3.6.4).
+[[nodiscard]] const ModalWord* combined(const ModalWord& a, const ModalWord& b);
 
 }  // namespace cnc::gcode

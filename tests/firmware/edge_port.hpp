@@ -27,10 +27,12 @@ class EdgePort {
     log(Edge::Kind::kDirection, negative.bits);
     negative_ = negative.bits;
   }
-  void raise_steps(hal::AxisMask axes) noexcept {
+  void raise_steps(hal::AxisMask axes, hal::AxisMask second) noexcept {
     log(Edge::Kind::kRaise, axes.bits);
     for (unsigned axis = 0; axis < kAxisCount; ++axis) {
-      if ((axes.bits >> axis & 1U) != 0) position[axis] += (negative_ >> axis & 1U) != 0 ? -1 : 1;
+      const std::int32_t step = (negative_ >> axis & 1U) != 0 ? -1 : 1;
+      if ((axes.bits >> axis & 1U) != 0) position[axis] += step;
+      if ((second.bits >> axis & 1U) != 0) second_position[axis] += step;
     }
   }
   void lower_steps() noexcept { log(Edge::Kind::kLower, 0); }
@@ -47,6 +49,10 @@ class EdgePort {
     analog = value;
   }
   void start_timer() noexcept { started = true; }
+  [[nodiscard]] hal::SwitchMask switches() const noexcept {
+    return {.first = static_cast<std::uint8_t>(position[0] >= switch_from ? 1 : 0),
+            .second = static_cast<std::uint8_t>(second_position[0] >= second_switch_from ? 1 : 0)};
+  }
   [[nodiscard]] bool probe_contact() noexcept { return position[0] >= contact_from; }
 
   [[nodiscard]] std::vector<Edge> of_kind(Edge::Kind kind) const {
@@ -60,6 +66,9 @@ class EdgePort {
   std::uint64_t now = 0;
   std::vector<Edge> edges;
   AxisArray<std::int32_t> position{};
+  AxisArray<std::int32_t> second_position{};
+  std::int32_t switch_from = 1'000'000'000;  ///< The X switch is closed from this step on.
+  std::int32_t second_switch_from = 1'000'000'000;
   std::int32_t contact_from = 1'000'000'000;  ///< The probe touches from this X step on.
   std::uint16_t power = 0;
   std::uint16_t analog = 0;

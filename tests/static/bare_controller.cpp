@@ -13,13 +13,16 @@ volatile std::uint32_t pins;
 
 struct BarePort {
   void set_direction(hal::AxisMask axes) noexcept { pins = axes.bits; }
-  void raise_steps(hal::AxisMask axes) noexcept { pins = axes.bits; }
+  void raise_steps(hal::AxisMask axes, hal::AxisMask second) noexcept {
+    pins = axes.bits | second.bits;
+  }
   void lower_steps() noexcept { pins = 0; }
   void set_power(std::uint16_t power) noexcept { pins = power; }
   void change_outputs(std::uint8_t high, std::uint8_t low) noexcept { pins = high & ~low; }
   void set_analog(std::uint8_t output, std::uint16_t value) noexcept { pins = output + value; }
   void start_timer() noexcept { pins = 1; }
   bool probe_contact() noexcept { return pins != 0; }
+  hal::SwitchMask switches() noexcept { return {.first = static_cast<std::uint8_t>(pins)}; }
 };
 
 struct BareOutputs final : hal::AuxiliaryOutputs {

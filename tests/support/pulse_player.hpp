@@ -33,7 +33,7 @@ class PulsePort {
     negative_ = negative.bits;
     direction_changed_ = now;
   }
-  void raise_steps(hal::AxisMask axes) noexcept {
+  void raise_steps(hal::AxisMask axes, hal::AxisMask) noexcept {
     kept_ &= !high_ && now >= lowered_ + (ever_lowered_ ? timing_.pulse : 0);
     kept_ &= now >= direction_changed_ + (negative_ != 0 ? timing_.direction_set_up : 0);
     high_ = true;
@@ -51,6 +51,7 @@ class PulsePort {
   void set_analog(std::uint8_t, std::uint16_t) noexcept {}
   void start_timer() noexcept {}
   [[nodiscard]] bool probe_contact() noexcept { return false; }
+  [[nodiscard]] hal::SwitchMask switches() noexcept { return {}; }
 
   [[nodiscard]] bool timing_kept() const { return kept_; }
 

@@ -14,7 +14,7 @@ namespace {
 class DigestPort final : public hal::AuxiliaryOutputs, public hal::MachineInputs {
  public:
   void set_direction(hal::AxisMask negative) noexcept { note(0x100U | negative.bits); }
-  void raise_steps(hal::AxisMask axes) noexcept {
+  void raise_steps(hal::AxisMask axes, hal::AxisMask) noexcept {
     ++digest.edges;
     note(0x200U | axes.bits);
   }
@@ -24,6 +24,7 @@ class DigestPort final : public hal::AuxiliaryOutputs, public hal::MachineInputs
   void set_analog(std::uint8_t, std::uint16_t) noexcept {}
   void start_timer() noexcept { started = true; }
   [[nodiscard]] bool probe_contact() const noexcept { return false; }
+  [[nodiscard]] hal::SwitchMask switches() const noexcept { return {}; }
 
   void set_spindle(bool, bool) override {}
   void set_coolant(bool, bool) override {}

@@ -44,6 +44,22 @@ TEST_F(AcceptedLines, ManySpellingsOfOneMove) {
   }
 }
 
+// Senders give back the words of [GC:…] in one line.
+TEST_F(AcceptedLines, AnArcWordAloneSetsTheMode) {
+  EXPECT_FALSE(take("G2 G54 G17 G21 G90 G94 M5 M9 T0 F600 S0").empty());
+  EXPECT_EQ(interpreter.state().motion, MotionMode::kArcClockwise);
+  EXPECT_EQ(interpreter.position(), Position{});
+}
+
+TEST_F(AcceptedLines, MistAndFloodTogether) {
+  for (const char* line : {"M7 M8", "M8 M7"}) {
+    interpreter = Interpreter{};
+    const Action action = take_one(line);
+    EXPECT_EQ(action.kind, ActionKind::kCoolant);
+    EXPECT_EQ(action.coolant, (Coolant{.mist = true, .flood = true}));
+  }
+}
+
 TEST_F(AcceptedLines, LinesThatAskForNothing) {
   for (const char* line : {"",
                            " ",

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+
+#include "firmware/machine/dwell.hpp"
+#include "firmware/machine/motion_control.hpp"
+#include "firmware/machine/settings.hpp"
+#include "firmware/steps/step_drive.hpp"
+#include "hal/interface/machine_inputs.hpp"
+
+namespace cnc {
+
+/// Finds machine zero: each axis seeks its switch, backs off by $27, and finds
+/// it again slowly, $43 times; the axes in the passes of $44…$49.
+///
+/// The step interrupt latches the step at which a switch closed, and the motors
+/// then brake within their limits: nothing is lost, and how far they overrun
+/// does not matter. When axes of one pass find theirs at different times, the
+/// others go on after the stop. Of an axis with two motors ($852) each motor
+/// waits at its own switch for the other, which squares the axis.
+class Homing {
+ public:
+  enum class Outcome : std::uint8_t {
+    kGoingOn,
+    kDone,
+    kNoSwitch,      ///< Not within one and a half times the travel.
+    kStillClosed,   ///< After the pull-off.
+    kSecondSwitch,  ///< One motor of two did not come to its switch in time.
+  };
+
+  Homing(StepDrive& drive, MotionControl& motion, const Settings& settings)
+      : drive_{drive}, motion_{motion}, settings_{settings} {}
+
+  /// @param axes bit i for axis i, 0 for all that have a pass.
+  /// @pre nothing is planned and nothing moves
+  void start(std::uint8_t axes, const motion::BeamCommand& beam);
+
+  /// @param read the inputs now, with their bounce: $26 is waited before they count.
+  [[nodiscard]] Outcome poll(const hal::InputState& read, std::int32_t elapsed_us);
+  /// Gives up; the motion is somebody else's to stop.
+  void cancel() { drive_.unwatch_switches(); }
+
+  /// Axes whose place is known by the passes so far.
+  [[nodiscard]] std::uint8_t found() const { return done_; }
+
+ private:
+  enum class Step : std::uint8_t { kApproach, kBrake, kSettle, kPullOff, kPulledOff };
+
+  [[nodiscard]] bool next_pass();
+  [[nodiscard]] Outcome begin_approach();
+  [[nodiscard]] Outcome go_on_approaching();
+  [[nodiscard]] Outcome attend_approach();
+  [[nodiscard]] Outcome after_stop();
+  [[nodiscard]] Outcome pull_off();
+  [[nodiscard]] Outcome after_pull_off(const hal::InputState& read);
+  [[nodiscard]] Outcome finish_pass();
+  void settle(Step next);
+
+  [[nodiscard]] bool moves(std::size_t axis, std::uint8_t mask) const {
+    return (mask >> axis & 1U) != 0;
+  }
+  [[nodiscard]] bool homes_low(std::size_t axis) const;
+  [[nodiscard]] std::uint8_t squared() const;
+  [[nodiscard]] Coordinate search_distance(std::size_t axis) const;
+  [[nodiscard]] Coordinate greatest_skew(std::size_t axis) const;
+  [[nodiscard]] Coordinate pull_off_distance() const;
+  [[nodiscard]] Coordinate switch_place(std::size_t axis) const;
+  [[nodiscard]] Outcome not_found() const;
+  [[nodiscard]] Outcome move_to(const Position& end, float feed_mm_min);
+
+  StepDrive& drive_;
+  MotionControl& motion_;
+  const Settings& settings_;
+  motion::BeamCommand beam_{};
+  Dwell dwell_{};
+  Step step_ = Step::kApproach;
+  std::uint8_t wanted_ = 0;  ///< Axes asked for and not homed yet.
+  std::uint8_t done_ = 0;
+  std::uint8_t axes_ = 0;      ///< Of this pass.
+  std::uint8_t left_ = 0;      ///< Those that have not found their switch.
+  std::uint32_t pass_ = 0;     ///< The next one.
+  std::uint32_t locates_ = 0;  ///< Slow approaches begun; 0 while seeking.
+  Position from_{};            ///< Where this approach began.
+};
+
+}  // namespace cnc

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstdint>
+
+#include "hal/interface/step_port.hpp"
+#include "planner/base/axes.hpp"
+
+namespace cnc {
+
+/// Limit switches as the step interrupt sees them while homing: where each axis
+/// found its own, and which motors wait at theirs for the other motor.
+///
+/// A switch counts from its first contact on, so its bounce changes nothing.
+class SwitchWatch {
+ public:
+  // Main loop, while the interrupt does not run.
+
+  void add(std::uint8_t axes, std::uint8_t squared) {
+    const auto others = static_cast<std::uint8_t>(~axes);
+    gates_.first = static_cast<std::uint8_t>(gates_.first & others);
+    gates_.second = static_cast<std::uint8_t>(gates_.second & others);
+    squared_ = static_cast<std::uint8_t>((squared_ & others) | (squared & axes));
+    found_.store(static_cast<std::uint8_t>(found_.load() & others));
+    watched_.store(static_cast<std::uint8_t>(watched_.load() | axes), std::memory_order_release);
+  }
+  void clear() {
+    gates_ = {};
+    found_.store(0);
+    watched_.store(0, std::memory_order_release);
+  }
+
+  // Main loop, at any time.
+
+  [[nodiscard]] std::uint8_t found() const { return found_.load(std::memory_order_acquire); }
+  [[nodiscard]] std::int32_t position(std::size_t axis) const { return found_at_[axis]; }
+  [[nodiscard]] std::int32_t skew(std::size_t axis) const {
+    return found_at_[axis] - first_found_at_[axis];
+  }
+
+  // Step interrupt; the gates at rest from the main loop, too.
+
+  [[nodiscard]] bool active() const noexcept {
+    return watched_.load(std::memory_order_acquire) != 0;
+  }
+  /// Motors that get no steps.
+  [[nodiscard]] const hal::SwitchMask& gates() const noexcept { return gates_; }
+
+  /// After each step of any motor.
+  void look(const hal::SwitchMask& closed, const AxisArray<std::int32_t>& position) noexcept {
+    const std::uint8_t watched = watched_.load(std::memory_order_relaxed);
+    const unsigned either = closed.first | closed.second | gates_.first | gates_.second;
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+      if ((watched & either & (1U << axis)) != 0) look(axis, closed, position[axis]);
+    }
+  }
+
+ private:
+  void look(std::size_t axis, const hal::SwitchMask& closed, std::int32_t position) noexcept {
+    const auto bit = static_cast<std::uint8_t>(1U << axis);
+    const auto others = static_cast<std::uint8_t>(~bit);
+    const bool waiting = ((gates_.first | gates_.second) & bit) != 0;
+    if (!waiting) first_found_at_[axis] = position;
+    if ((squared_ & bit) != 0) {
+      gates_.first = static_cast<std::uint8_t>(gates_.first | (closed.first & bit));
+      gates_.second = static_cast<std::uint8_t>(gates_.second | (closed.second & bit));
+      if ((gates_.first & gates_.second & bit) == 0) return;
+    }
+    gates_.first = static_cast<std::uint8_t>(gates_.first & others);
+    gates_.second = static_cast<std::uint8_t>(gates_.second & others);
+    found_at_[axis] = position;
+    watched_.store(static_cast<std::uint8_t>(watched_.load(std::memory_order_relaxed) & others),
+                   std::memory_order_relaxed);
+    found_.store(static_cast<std::uint8_t>(found_.load(std::memory_order_relaxed) | bit),
+                 std::memory_order_release);
+  }
+
+  std::atomic<std::uint8_t> watched_{0};
+  std::atomic<std::uint8_t> found_{0};
+  std::uint8_t squared_ = 0;
+  hal::SwitchMask gates_{};
+  AxisArray<std::int32_t> found_at_{};
+  AxisArray<std::int32_t> first_found_at_{};
+};
+
+}  // namespace cnc

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace sim {
+
+/// The machine around the controller. Places are in mm (degrees) from where the
+/// motors were at power-up.
+struct MachineModel {
+  /// Height of a conducting plate that closes the probe circuit; the tool's tip
+  /// touches it when Z comes down to it.
+  double probe_plate_z_mm = -10.0;
+
+  /// Where the switch of each axis closes, at the end that $23 homes to. Left
+  /// open, a millimetre beyond the travel of a machine that was switched on in
+  /// its far left lower corner; none for endless axes.
+  std::array<std::optional<double>, 6> switch_mm{};
+  /// How much farther the second motor of an axis has come at power-up, so how
+  /// much earlier it gets to its own switch.
+  std::array<double, 6> second_ahead_mm{};
+  /// How long a contact bounces after it opened or closed, in ticks of the step clock.
+  std::uint32_t bounce_ticks = 8000;
+};
+
+}  // namespace sim

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "firmware/machine/settings.hpp"
+#include "hal/host/recording_port.hpp"
+#include "host-sim/machine/machine_model.hpp"
+
+namespace sim {
+
+/// The limit switches of the model machine: one per motor, closed from a place
+/// on, with contacts that bounce. Deterministic: the same steps at the same
+/// ticks read the same.
+class SwitchModel {
+ public:
+  explicit SwitchModel(const MachineModel& model) : model_{model} {}
+
+  /// What they read at this tick. Call with ticks that never go back.
+  [[nodiscard]] hal::SwitchMask read(const cnc::Settings& settings,
+                                     const hal::host::RecordingPort& port,
+                                     std::uint64_t tick);
+
+ private:
+  struct Contact {
+    bool closed = false;
+    bool bounces = false;
+    std::uint64_t changed = 0;  ///< Tick.
+  };
+
+  [[nodiscard]] bool reads_closed(Contact& contact, bool pressed, std::uint64_t tick) const;
+
+  const MachineModel& model_;
+  std::array<std::array<Contact, 2>, 6> contacts_{};
+};
+
+}  // namespace sim

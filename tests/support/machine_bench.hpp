@@ -1,0 +1,69 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "host-sim/machine/virtual_controller.hpp"
+#include "tests/support/silent_link.hpp"
+
+namespace proof {
+
+/// A machine in virtual time that a test speaks to as the protocol would.
+class MachineBench {
+ public:
+  explicit MachineBench(const sim::MachineModel& model = {}) : controller{link_, model} {}
+
+  void set(const std::vector<std::pair<int, double>>& values) {
+    for (const auto& [number, value] : values) {
+      EXPECT_TRUE(machine()
+                      .change_setting(static_cast<std::uint16_t>(number), static_cast<float>(value))
+                      .ok())
+          << "$" << number << "=" << value;
+    }
+  }
+
+  void run(int milliseconds) {
+    while (milliseconds-- > 0) controller.turn();
+  }
+  /// Until whatever was asked for is done, at most ten minutes.
+  void finish() {
+    int left = 600'000;
+    do {
+      controller.turn();
+    } while (--left > 0 && (machine().busy() || !machine().idle()));
+    EXPECT_GT(left, 0) << "the machine hangs";
+  }
+  /// Sends a line as soon as the machine takes it.
+  void send(std::string_view line) {
+    for (int left = 600'000; machine().busy() && left > 0; --left) controller.turn();
+    ASSERT_FALSE(machine().busy()) << line;
+    ASSERT_FALSE(machine().locked()) << line;
+    const auto refusal = machine().accept(line);
+    EXPECT_FALSE(refusal.has_value()) << line;
+  }
+  void home(std::uint8_t axes = 0) {
+    run(5);
+    ASSERT_TRUE(machine().can_home(axes));
+    machine().home(axes);
+    finish();
+  }
+
+  [[nodiscard]] cnc::Machine& machine() { return controller.machine(); }
+  [[nodiscard]] double mm(std::size_t axis) {
+    return static_cast<double>(machine().position()[axis].nanometres()) * 1.0e-6;
+  }
+  [[nodiscard]] std::int32_t motor(std::size_t axis) const {
+    return controller.port().position[axis];
+  }
+
+ private:
+  SilentLink link_;
+
+ public:
+  sim::VirtualController controller;
+};
+
+}  // namespace proof

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "hal/interface/byte_stream.hpp"
+
+namespace proof {
+
+/// Nobody at the other end, for tests that speak to the machine itself.
+class SilentLink final : public hal::ByteStream {
+ public:
+  [[nodiscard]] std::size_t read(std::span<std::byte>) override { return 0; }
+  [[nodiscard]] std::size_t write(std::span<const std::byte> from) override { return from.size(); }
+};
+
+}  // namespace proof
