@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "firmware/machine/travel.hpp"
-#include "planner/base/truncate.hpp"
 
 namespace cnc {
 namespace {
@@ -21,8 +20,6 @@ constexpr float kFullTurn_deg = 360.0F;
 constexpr float kSkewShare = 0.05F;
 constexpr float kLeastSkew_mm = 2.5F;
 constexpr float kMostSkew_mm = 25.0F;
-
-Coordinate to_coordinate(float mm) { return Coordinate{truncated(mm * 1.0e6F)}; }
 
 }  // namespace
 
@@ -194,21 +191,21 @@ std::uint8_t Homing::squared() const {
 
 Coordinate Homing::search_distance(std::size_t axis) const {
   if (locates_ > 0) {
-    const Coordinate slow = to_coordinate(kLocatePullOffs * settings_.get(setting::kHomingPullOff));
+    const Coordinate slow = from_mm(kLocatePullOffs * settings_.get(setting::kHomingPullOff));
     return moves(axis, squared()) ? slow + greatest_skew(axis) : slow;
   }
   const float travel = settings_.get(setting::kTravel, axis);
   const float way = kSeekTravels * (travel > 0.0F ? travel : kFullTurn_deg);
-  return to_coordinate(std::min(way, kLongestSearch_mm));
+  return from_mm(std::min(way, kLongestSearch_mm));
 }
 
 Coordinate Homing::greatest_skew(std::size_t axis) const {
   const float travel = settings_.get(setting::kTravel, axis);
-  return to_coordinate(std::clamp(kSkewShare * travel, kLeastSkew_mm, kMostSkew_mm));
+  return from_mm(std::clamp(kSkewShare * travel, kLeastSkew_mm, kMostSkew_mm));
 }
 
 Coordinate Homing::pull_off_distance() const {
-  return to_coordinate(settings_.get(setting::kHomingPullOff));
+  return from_mm(settings_.get(setting::kHomingPullOff));
 }
 
 /// At an end of the travel; or such that the pulled-off place is zero.

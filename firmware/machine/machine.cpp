@@ -9,7 +9,8 @@ Machine::Machine(StepDrive& drive, hal::AuxiliaryOutputs& outputs, hal::MachineI
       motion_{drive, limits_},
       tool_{drive, outputs},
       coolant_{outputs},
-      homing_{drive, motion_, settings_} {
+      homing_{drive, motion_, settings_},
+      side_{drive, limits_} {
   apply_settings();
 }
 
@@ -70,6 +71,7 @@ void Machine::poll(hal::TickCount now) {
   attend_mode(elapsed_us);
   run_actions();
   attend_motor_enable(elapsed_us);
+  side_.feed_drive();
   motion_.feed_drive();
 }
 
@@ -110,7 +112,7 @@ void Machine::attend_motor_enable(std::int32_t elapsed_us) {
   constexpr float kAlways = 255.0F;
   const float delay_ms = settings_.get(setting::kIdleDelay);
   bool enabled = motors_enabled_;
-  if (!motion_.drained() || state_.in(Mode::kHome)) {
+  if (!motion_.drained() || !side_.at_rest() || state_.in(Mode::kHome)) {
     enabled = true;
     motors_idle_us_ = 0;
   } else if (delay_ms != kAlways || state_.in(Mode::kSleep)) {

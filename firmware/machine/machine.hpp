@@ -12,6 +12,7 @@
 #include "firmware/machine/machine_types.hpp"
 #include "firmware/machine/motion_control.hpp"
 #include "firmware/machine/settings.hpp"
+#include "firmware/machine/side_trip.hpp"
 #include "firmware/machine/state_machine.hpp"
 #include "firmware/machine/tool_output.hpp"
 #include "firmware/machine/travel.hpp"
@@ -142,7 +143,17 @@ class Machine {
 
  private:
   enum class Probing : std::uint8_t { kNo, kMoving, kStopping };
-  enum class DoorStage : std::uint8_t { kStopping, kStopped, kSpindle, kCoolant };
+  /// In their order; after kStopped the way back begins.
+  enum class DoorStage : std::uint8_t {
+    kStopping,
+    kPullOut,
+    kPark,
+    kStopped,
+    kUnpark,
+    kSpindle,
+    kCoolant,
+    kPlunge,
+  };
   struct JogMove {
     Position end{};
     float feed = 0.0F;
@@ -186,7 +197,14 @@ class Machine {
 
   // The door, in machine_door.cpp.
   void attend_door();
+  void pull_out();
+  void park();
   void resume_from_door();
+  void restore_spindle();
+  void restore_coolant();
+  [[nodiscard]] bool parks() const;
+  [[nodiscard]] std::size_t parking_axis() const;
+  void trip_to(StepPosition place, std::uint16_t rate, const motion::BeamCommand& beam);
   [[nodiscard]] std::uint8_t door_substate() const;
 
   // Ends of the travel, in machine_limits.cpp.
@@ -215,6 +233,7 @@ class Machine {
   ToolOutput tool_;
   CoolantOutput coolant_;
   Homing homing_;
+  SideTrip side_;
   InputFilter inputs_{};
   StateMachine state_{};
   Alarm alarm_ = Alarm::kNone;
@@ -225,6 +244,10 @@ class Machine {
   bool leaving_travel_ = false;  ///< Holding for the soft limit's alarm.
   DoorStage door_stage_ = DoorStage::kStopped;
   bool door_ends_jog_ = false;
+  bool away_ = false;  ///< The parking axis is on its side trip; these are its places:
+  StepPosition parked_from_{};
+  StepPosition pulled_out_{};
+  StepPosition parked_{};
 
   gcode::Actions waiting_{};
   std::optional<ArcElements> arc_{};  ///< The arc being divided.

@@ -1,62 +1,121 @@
 #include "firmware/machine/machine.hpp"
 
 namespace cnc {
+namespace {
+constexpr float kSecondsPerMinute = 60.0F;
+}
 
-/// Motion is held, a beam is dark at once; spindle and coolant go off when all
-/// stands still. A door opened again while resuming starts anew.
+/// Motion is held, a beam is dark at once; the rest follows when all stands
+/// still. A door opened again while resuming starts anew.
 void Machine::safety_door() {
   if (state_.in(Mode::kHome)) return raise_alarm(Alarm::kHomingDoor);
   const bool jogging = state_.in(Mode::kJog) || state_.in(Mode::kJogEnding);
   const bool reopened = state_.in(Mode::kDoor) && door_stage_ > DoorStage::kStopped;
   if (!reopened && !state_.take(Event::kDoor)) return;
+  if (!reopened) away_ = false;
   restarting_ = false;
+  restart_dwell_.cancel();
   door_ends_jog_ = jogging;
   door_stage_ = DoorStage::kStopping;
   motion_.halt();
+  side_.halt();
   if (tool_.is_laser()) tool_.suspend(true);
 }
 
+/// Each stage waits for its motion or its time, and then begins the next.
 void Machine::attend_door() {
+  if (door_stage_ == DoorStage::kStopped) return;
+  if (!at_rest() || !side_.at_rest() || !restart_dwell_.over()) return;
   switch (door_stage_) {
     case DoorStage::kStopping:
-      if (!at_rest()) return;
       if (door_ends_jog_) drop_jog();
-      tool_.suspend(true);
-      coolant_.suspend(true);
+      return pull_out();
+    case DoorStage::kPullOut:
+      return park();
+    case DoorStage::kPark:
       door_stage_ = DoorStage::kStopped;
       return;
     case DoorStage::kStopped:
       return;
+    case DoorStage::kUnpark:
+      return restore_spindle();
     case DoorStage::kSpindle:
-      if (!restart_dwell_.over()) return;
-      coolant_.suspend(false);
-      if (coolant_.wanted() != gcode::Coolant{}) {
-        restart_dwell_.start(settings_.get(setting::kCoolantRestoreDelay));
-      }
-      door_stage_ = DoorStage::kCoolant;
-      return;
+      return restore_coolant();
     case DoorStage::kCoolant:
-      if (restart_dwell_.over()) restart();
+      door_stage_ = DoorStage::kPlunge;
+      if (away_) trip_to(parked_from_, setting::kParkingPullOutRate, tool_.command_for(true));
       return;
+    case DoorStage::kPlunge:
+      away_ = false;
+      return restart();
   }
+}
+
+/// Out of the work with the spindle still turning.
+void Machine::pull_out() {
+  door_stage_ = DoorStage::kPullOut;
+  side_.begin(away_ ? side_.place() : motion_.place());
+  if (away_ || !parks()) return;
+  const std::size_t axis = parking_axis();
+  const Coordinate here = limits_.scale[axis].place_of(side_.place()[axis].nearest_step());
+  const Coordinate target = from_mm(settings_.get(setting::kParkingTarget));
+  if (here >= target) return;
+  const Coordinate out = here + from_mm(settings_.get(setting::kParkingPullOut));
+  const auto pulled_out = limits_.scale[axis].steps_at(out < target ? out : target);
+  const auto parked = limits_.scale[axis].steps_at(target);
+  if (!pulled_out || !parked) return;
+  away_ = true;
+  parked_from_ = side_.place()[axis];
+  pulled_out_ = *pulled_out;
+  parked_ = *parked;
+  trip_to(pulled_out_, setting::kParkingPullOutRate, tool_.command_for(true));
+}
+
+void Machine::park() {
+  tool_.suspend(true);
+  coolant_.suspend(true);
+  door_stage_ = DoorStage::kPark;
+  if (away_) trip_to(parked_, setting::kParkingRate, {});
 }
 
 void Machine::resume_from_door() {
   if (door_stage_ != DoorStage::kStopped || inputs().door) return;
+  door_stage_ = DoorStage::kUnpark;
+  if (away_) trip_to(pulled_out_, setting::kParkingRate, {});
+  attend_door();
+}
+
+void Machine::restore_spindle() {
+  door_stage_ = DoorStage::kSpindle;
   tool_.suspend(false);
   if (tool_turns()) restart_dwell_.start(settings_.get(setting::kSpindleRestoreDelay));
-  door_stage_ = DoorStage::kSpindle;
+}
+
+void Machine::restore_coolant() {
+  door_stage_ = DoorStage::kCoolant;
+  coolant_.suspend(false);
+  if (coolant_.wanted() == gcode::Coolant{}) return;
+  restart_dwell_.start(settings_.get(setting::kCoolantRestoreDelay));
+}
+
+std::size_t Machine::parking_axis() const {
+  return static_cast<std::size_t>(settings_.get(setting::kParkingAxis));
+}
+
+/// Only where it is known where the axis is, and a beam has nothing to get out of.
+bool Machine::parks() const {
+  const bool known = (homed_ >> parking_axis() & 1U) != 0;
+  return settings_.get(setting::kParking) != 0.0F && known && !tool_.is_laser();
+}
+
+void Machine::trip_to(StepPosition place, std::uint16_t rate, const motion::BeamCommand& beam) {
+  side_.go(parking_axis(), place, settings_.get(rate) / kSecondsPerMinute, beam);
 }
 
 std::uint8_t Machine::door_substate() const {
-  switch (door_stage_) {
-    case DoorStage::kStopping:
-      return 2;
-    case DoorStage::kStopped:
-      return inputs().door ? 1 : 0;
-    default:
-      return 3;
-  }
+  if (door_stage_ < DoorStage::kStopped) return 2;
+  if (door_stage_ > DoorStage::kStopped) return 3;
+  return inputs().door ? 1 : 0;
 }
 
 }  // namespace cnc

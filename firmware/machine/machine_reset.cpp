@@ -59,6 +59,7 @@ void Machine::drop_everything() {
   coolant_.reset();
   motion_.drop_rest();
   motion_.go_on();
+  side_.begin(motion_.place());
   interpreter_.reset();
   interpreter_.set_position(motion_.target());
   static_cast<void>(state_.take(Event::kReset));

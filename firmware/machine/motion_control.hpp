@@ -12,10 +12,6 @@ namespace cnc {
 /// and where the motors are to be. Main loop only.
 class MotionControl {
  public:
-  /// How far ahead of the motors segments are cut: long enough for the main
-  /// loop to be away, short enough that a hold is felt at once.
-  static constexpr std::uint32_t kTicksAhead = motion::kTicksPerSecond / 50;
-
   MotionControl(StepDrive& drive, const motion::Limits& limits)
       : drive_{drive}, limits_{limits}, segmenter_{queue_, limits} {}
 
@@ -46,6 +42,8 @@ class MotionControl {
   void drop_rest();
 
   [[nodiscard]] Position place_of(const AxisArray<std::int32_t>& steps) const;
+  /// Where the segments cut so far end, to the fraction of a step.
+  [[nodiscard]] const AxisArray<StepPosition>& place() const { return segmenter_.place(); }
   [[nodiscard]] std::size_t blocks_free() const {
     return motion::BlockQueue::kCapacity - queue_.size();
   }

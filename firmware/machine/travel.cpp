@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planner/base/truncate.hpp"
-
 namespace cnc {
 namespace {
 
@@ -29,8 +27,6 @@ bool passes(const Arm& start, const Arm& end, const Arm& arm) {
   return cross(end, arm) <= 0.0F || cross(arm, start) <= 0.0F;
 }
 
-Coordinate to_coordinate(float mm) { return Coordinate{truncated(mm * 1.0e6F)}; }
-
 }  // namespace
 
 bool has_homing_option(const Settings& settings, unsigned option) {
@@ -38,7 +34,7 @@ bool has_homing_option(const Settings& settings, unsigned option) {
 }
 
 AxisTravel travel_of(const Settings& settings, std::size_t axis) {
-  const Coordinate length = to_coordinate(settings.get(setting::kTravel, axis));
+  const Coordinate length = from_mm(settings.get(setting::kTravel, axis));
   const auto mask = static_cast<unsigned>(settings.get(setting::kHomingDirectionInvert));
   const bool homes_low = (mask >> axis & 1U) != 0;
   const bool positive = homes_low && has_homing_option(settings, homing_option::kSetOrigin);
@@ -103,8 +99,8 @@ bool Travel::contains_arc(const Position& start, const gcode::Action& arc) const
   for (const Arm& arm : kOutermost) {
     if (!whole && !passes(from, to, arm)) continue;
     Position point = arc.end;
-    point[axes.first] = arc.centre[0] + to_coordinate(radius * arm.x);
-    point[axes.second] = arc.centre[1] + to_coordinate(radius * arm.y);
+    point[axes.first] = arc.centre[0] + from_mm(radius * arm.x);
+    point[axes.second] = arc.centre[1] + from_mm(radius * arm.y);
     if (arm.x == 0.0F) point[axes.first] = arc.end[axes.first];
     if (arm.y == 0.0F) point[axes.second] = arc.end[axes.second];
     if (!contains(point)) return false;

@@ -13,6 +13,10 @@ struct StepTiming {
   std::uint32_t direction_set_up = 8;  ///< From a direction change to the next leading edge.
 };
 
+/// How far ahead of the motors segments are cut: long enough for the main loop
+/// to be away, short enough that a hold is felt at once.
+inline constexpr std::uint32_t kTicksAhead = motion::kTicksPerSecond / 50;
+
 /// The step generator as the main loop sees it: somewhere to put segments.
 /// Main loop context; nothing here blocks.
 class StepDrive {

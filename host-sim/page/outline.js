@@ -12,8 +12,10 @@ export function outline(text, start, offset) {
     setModes(words, state);
     const moves = words.some(([letter]) => 'XYIJR'.includes(letter));
     if (!moves || state.move === null || words.some(([l, v]) => l === 'G' && [4, 10, 53, 92].includes(v))) continue;
-    for (const point of pointsOf(words, state)) lines.at(-1).push(point);
-    [state.x, state.y] = lines.at(-1).at(-1);
+    const points = pointsOf(words, state);
+    if (state.move === 0) lines.push([]); // Only what is cut.
+    lines.at(-1).push(...points);
+    [state.x, state.y] = points.at(-1);
   }
   return lines;
 }

@@ -16,12 +16,13 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kLongestDeviceName = 64;
 
+/// Also forgets what the end that a sender opens has not read yet.
 void make_raw(int terminal) {
   termios mode{};
   checked(::tcgetattr(terminal, &mode), "pty");
   ::cfmakeraw(&mode);
   ::cfsetspeed(&mode, B115200);  // What a sender expects to read back.
-  checked(::tcsetattr(terminal, TCSANOW, &mode), "pty");
+  checked(::tcsetattr(terminal, TCSAFLUSH, &mode), "pty");
 }
 
 std::string device_of(int master) {
@@ -56,7 +57,10 @@ bool PtyMaster::in_use() const {
   return (state.revents & POLLIN) != 0 || (state.revents & POLLHUP) == 0;
 }
 
-void PtyMaster::flush() const { ::tcflush(number(), TCIOFLUSH); }
+void PtyMaster::flush() const {
+  ::tcflush(number(), TCIOFLUSH);
+  make_raw(number());  // Whatever mode the last sender liked.
+}
 
 void PtyLink::point_to(const std::string& device) {
   const fs::path link{path_};
@@ -76,6 +80,7 @@ void PtyLink::point_to(const std::string& device) {
 }
 
 void PtyLink::remove() const {
+  if (device_.empty()) return;  // Whatever has that name is not ours.
   std::error_code ignored;
   if (fs::read_symlink(path_, ignored) == device_) fs::remove(path_, ignored);
 }
@@ -123,14 +128,13 @@ std::unique_ptr<Connection> PtyTransport::accept() {
 /// link leads to a new one. After one who closed it, the terminal stays.
 void PtyTransport::release() {
   accepted_ = false;
-  if (!master_->in_use()) return master_->flush();
   try {
+    if (!master_->in_use()) return master_->flush();
     auto fresh = std::make_unique<PtyMaster>();
     link_.point_to(fresh->device());
     master_ = std::move(fresh);
   } catch (const std::exception&) {
     // Without a new terminal or a place for the link the old one must do.
-    master_->flush();
   }
 }
 

@@ -25,7 +25,7 @@ class PtyMaster {
   [[nodiscard]] const std::string& device() const { return device_; }
   /// Somebody has it open, or left bytes behind.
   [[nodiscard]] bool in_use() const;
-  /// Forgets what was on its way in both directions.
+  /// Forgets what was on its way in both directions. Throws std::system_error.
   void flush() const;
 
  private:

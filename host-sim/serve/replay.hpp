@@ -17,6 +17,8 @@ struct Difference {
   std::size_t line = 0;  ///< Of the recording.
   std::string expected;  ///< The line in which it differs; empty when it said nothing more.
   std::string said;
+
+  bool operator==(const Difference&) const = default;
 };
 
 /// The first difference in what was said, byte for byte. Times count only when

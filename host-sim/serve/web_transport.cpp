@@ -13,6 +13,7 @@
 namespace sim {
 namespace {
 
+constexpr int kFine = 200;
 constexpr int kForbidden = 403;
 constexpr int kNotFound = 404;
 // Nothing from elsewhere, nothing inline, in nobody's frame.
@@ -49,21 +50,26 @@ std::string_view type_of(std::string_view path) {
   return "text/html; charset=utf-8";
 }
 
-int send_document(mg_connection* connection, std::string_view type, std::string_view content) {
+int send(mg_connection* connection, int status, std::string_view type, std::string_view content) {
   const std::string head = fmt::format(
-      "HTTP/1.1 200 OK\r\nContent-Type: {}\r\nContent-Length: {}\r\nCache-Control: no-cache\r\n"
-      "X-Content-Type-Options: nosniff\r\nContent-Security-Policy: {}\r\n\r\n",
+      "HTTP/1.1 {} {}\r\nContent-Type: {}\r\nContent-Length: {}\r\nCache-Control: no-cache\r\n"
+      "Connection: close\r\nX-Content-Type-Options: nosniff\r\nContent-Security-Policy: {}\r\n\r\n",
+      status,
+      mg_get_response_code_text(connection, status),
       type,
       content.size(),
       kPolicy);
   mg_write(connection, head.data(), head.size());
   mg_write(connection, content.data(), content.size());
-  return 200;
+  return status;
 }
 
-int send_refusal(mg_connection* connection, int status, const char* reason) {
-  mg_send_http_error(connection, status, "%s", reason);  // NOLINT(*-vararg): declared so.
-  return status;
+int send_document(mg_connection* connection, std::string_view type, std::string_view content) {
+  return send(connection, kFine, type, content);
+}
+
+int send_refusal(mg_connection* connection, int status, std::string_view reason) {
+  return send(connection, status, "text/plain; charset=utf-8", reason);
 }
 
 }  // namespace

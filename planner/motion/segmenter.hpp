@@ -55,6 +55,8 @@ class Segmenter {
   [[nodiscard]] bool idle() const { return !driving_ && queue_.empty(); }
   /// Standing still; while driving_ this means halted within a block.
   [[nodiscard]] bool at_rest() const { return speed_ <= 0.0F; }
+  /// Where the last slice handed out ends.
+  [[nodiscard]] const AxisArray<StepPosition>& place() const { return here_.place; }
   /// mm/s at the end of the last slice handed out.
   [[nodiscard]] float speed() const { return speed_; }
   [[nodiscard]] bool halted() const { return drive_ == Drive::kHalt && at_rest(); }

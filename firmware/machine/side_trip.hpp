@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+
+#include "firmware/steps/step_drive.hpp"
+#include "planner/motion/block_builder.hpp"
+#include "planner/motion/block_queue.hpp"
+#include "planner/motion/segmenter.hpp"
+
+namespace cnc {
+
+/// Takes one axis away and back while the planned motion is held, and leaves
+/// the motors exactly where that motion goes on: to the fraction of a step.
+///
+/// A queue and a segmenter of its own, as the ones that are held know where
+/// they stopped. Main loop only.
+class SideTrip {
+ public:
+  SideTrip(StepDrive& drive, const motion::Limits& limits) : drive_{drive}, limits_{limits} {}
+
+  /// The motors stand here. @pre at_rest()
+  void begin(const AxisArray<StepPosition>& place);
+
+  /// Moves one axis. Nowhere, or out of reach, is done at once. @pre at_rest()
+  void go(std::size_t axis, StepPosition to, float feed_mm_s, const motion::BeamCommand& beam);
+  /// Slows down; at rest, begin(place()) forgets the way that was left.
+  void halt() { segmenter_.halt(); }
+
+  void feed_drive();
+  [[nodiscard]] bool at_rest() const {
+    return (segmenter_.idle() || segmenter_.halted()) && !drive_.running();
+  }
+  [[nodiscard]] const AxisArray<StepPosition>& place() const { return segmenter_.place(); }
+
+ private:
+  StepDrive& drive_;
+  const motion::Limits& limits_;
+  motion::BlockQueue queue_{};
+  motion::Segmenter segmenter_{queue_, limits_};
+};
+
+}  // namespace cnc

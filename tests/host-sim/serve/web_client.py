@@ -1,0 +1,86 @@
+"""As much of a WebSocket client and of HTTP as the tests of `kerfline serve` need."""
+import base64
+import os
+import socket
+import struct
+
+TEXT, BINARY, CLOSE = 1, 2, 8
+
+
+def http(port, path="/", **names):
+    """(status, whole answer as bytes) of a GET."""
+    status, answer, link = request(port, path, **names)
+    link.close()
+    return status, answer
+
+
+def request(port, path, host=None, origin=None, extra=""):
+    """The same and the socket, still open."""
+    link = socket.create_connection(("127.0.0.1", port), timeout=5)
+    lines = [f"GET {path} HTTP/1.1", f"Host: {host or f'127.0.0.1:{port}'}"]
+    if origin:
+        lines.append(f"Origin: {origin}")
+    link.sendall(("\r\n".join(lines) + "\r\n" + extra + "\r\n").encode())
+    answer = b""
+    while b"\r\n\r\n" not in answer:
+        part = link.recv(1)
+        if not part:
+            break
+        answer += part
+    head = answer.decode().lower()
+    if "content-length: " in head:
+        length = int(head.split("content-length: ")[1].split("\r\n")[0])
+        body = b""
+        while len(body) < length:
+            body += link.recv(length - len(body))
+        answer += body
+    return int(head.split()[1]), answer, link
+
+
+class WebSocket:
+    def __init__(self, port, path="/", **names):
+        key = base64.b64encode(os.urandom(16)).decode()
+        status, _, self.link = request(port, path, extra=(
+            "Upgrade: websocket\r\nConnection: Upgrade\r\n"
+            f"Sec-WebSocket-Key: {key}\r\nSec-WebSocket-Version: 13\r\n"), **names)
+        self.status = status
+        self.text = ""
+
+    def send(self, data, opcode=BINARY):
+        mask = os.urandom(4)
+        size = bytes([0x80 | len(data)]) if len(data) < 126 else b"\xfe" + struct.pack(">H", len(data))
+        masked = bytes(byte ^ mask[index % 4] for index, byte in enumerate(data))
+        self.link.sendall(bytes([0x80 | opcode]) + size + mask + masked)
+
+    def exactly(self, count):
+        data = b""
+        while len(data) < count:
+            part = self.link.recv(count - len(data))
+            if not part:
+                raise EOFError
+            data += part
+        return data
+
+    def frame(self):
+        """(opcode, payload) of the next frame."""
+        first, size = self.exactly(2)
+        if size == 126:
+            size, = struct.unpack(">H", self.exactly(2))
+        elif size == 127:
+            size, = struct.unpack(">Q", self.exactly(8))
+        return first & 15, self.exactly(size)
+
+    def until(self, words):
+        """Text up to and with these words."""
+        while words not in self.text:
+            opcode, data = self.frame()
+            if opcode in (TEXT, BINARY):
+                self.text += data.decode()
+            elif opcode == CLOSE:
+                raise EOFError(self.text)
+        place = self.text.index(words) + len(words)
+        found, self.text = self.text[:place], self.text[place:]
+        return found
+
+    def close(self):
+        self.link.close()

@@ -1,0 +1,189 @@
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <string>
+
+#include "tests/support/laser_bench.hpp"
+#include "tests/support/random_source.hpp"
+#include "tests/support/trials.hpp"
+
+namespace proof {
+namespace {
+
+using cnc::Alarm;
+using cnc::MachineState;
+
+/// A jog cancelled at every hundredth of a second of its way: the place is
+/// known to the step, and the way back ends at its start.
+TEST(JogCancel, AtEveryHundredthOfASecondLosesNoStep) {
+  MachineBench bench;
+  for (int after = 0; after < 900; after += 10) {
+    SCOPED_TRACE(after);
+    ASSERT_FALSE(bench.machine().jog("X20 Y-7 F3000").has_value());
+    ASSERT_FALSE(bench.machine().jog("X25 Y0 F2000").has_value());
+    bench.run(after);
+    bench.machine().jog_cancel();
+    for (int left = 2000; bench.machine().state() == MachineState::kJog && left > 0; --left) {
+      bench.run(1);
+    }
+    ASSERT_EQ(bench.machine().state(), MachineState::kIdle);
+    EXPECT_EQ(bench.machine().interpreter().position(), bench.machine().position());
+    bench.send("G0 X0 Y0");
+    bench.finish();
+    EXPECT_EQ(bench.motor(0), 0);
+    EXPECT_EQ(bench.motor(1), 0);
+  }
+}
+
+/// An operator, a door and a sender, each at any time.
+class Chaos {
+ public:
+  explicit Chaos(std::uint64_t seed) : random_{seed} {}
+
+  void run(int turns) {
+    while (turns-- > 0 && !too_many_failures()) {
+      if (random_.chance(0.02)) meddle();
+      if (random_.chance(0.3)) offer_line();
+      bench_.run(1);
+      check();
+    }
+  }
+
+  /// However it was left, an operator gets it back to idle.
+  void recover() {
+    bench_.controller.panel() = {};
+    cnc::Machine& machine = bench_.machine();
+    for (int left = 300; machine.state() != MachineState::kIdle && left > 0; --left) {
+      if (machine.state() == MachineState::kSleep || machine.needs_reset()) machine.reset();
+      if (machine.state() == MachineState::kCheck) machine.toggle_check_mode();
+      if (machine.single_block()) machine.toggle_single_block();
+      bench_.run(100);
+      static_cast<void>(machine.unlock());
+      machine.resume();
+      bench_.run(100);
+    }
+    EXPECT_EQ(machine.state(), MachineState::kIdle) << "stuck";
+    EXPECT_FALSE(machine.busy());
+    EXPECT_EQ(machine.interpreter().position(), machine.motion().target());
+  }
+
+  LaserBench& bench() { return bench_; }
+  int beam_turns = 0;  ///< With the beam on: the test is about something.
+
+ private:
+  std::string place() {
+    return " X" + std::to_string(random_.between(-62.0, 1.0)) + " Y" +
+           std::to_string(random_.between(-40.0, 0.0));
+  }
+
+  void offer_line() {
+    cnc::Machine& machine = bench_.machine();
+    if (machine.busy() || machine.locked()) return;
+    const std::array lines{"G1 F9000 S800" + place(),
+                           "G1 F6000" + place(),
+                           "G0" + place(),
+                           "G2 F5000 R80" + place(),
+                           std::string{"M3 S900"},
+                           std::string{"M4 S500"},
+                           std::string{"M5"},
+                           std::string{"G4 P0.05"},
+                           std::string{"M0"},
+                           std::string{"M6 T3"},
+                           std::string{"M8"},
+                           std::string{"M30"}};
+    const std::size_t which = random_.chance(0.85) ? random_.below(6) : random_.below(lines.size());
+    static_cast<void>(machine.accept(lines[which]));
+  }
+
+  void meddle() {
+    cnc::Machine& machine = bench_.machine();
+    hal::InputState& panel = bench_.controller.panel();
+    switch (random_.below(random_.chance(0.2) ? 17 : 9)) {
+      case 0:
+        return machine.feed_hold();
+      case 1:
+      case 2:
+      case 3:
+        return machine.resume();
+      case 4:
+        machine.set_overrides({.feed = 10 + static_cast<int>(random_.below(190)),
+                               .rapid = 25,
+                               .power = 10 + static_cast<int>(random_.below(190))});
+        return;
+      case 5:
+        return machine.jog_cancel();
+      case 6:
+        if (!machine.busy()) static_cast<void>(machine.jog("F6000" + place()));
+        return;
+      case 7:
+        return machine.toggle_spindle_stop();
+      case 8:
+        static_cast<void>(machine.unlock());
+        return;
+      case 9:
+        panel.door = !panel.door;
+        return;
+      case 10:
+        machine.reset();
+        return;
+      case 11:
+        static_cast<void>(machine.sleep());
+        return;
+      case 12:
+        static_cast<void>(machine.toggle_check_mode());
+        return;
+      case 13:
+        if (machine.can_home()) machine.home(0);
+        return;
+      case 14:
+        panel.emergency_stop = !panel.emergency_stop;
+        return;
+      case 15:
+        return machine.toggle_single_block();
+      default:
+        return machine.toggle_flood();
+    }
+  }
+
+  /// After each millisecond.
+  void check() {
+    cnc::Machine& machine = bench_.machine();
+    const std::uint16_t power = bench_.controller.port().power;
+    beam_turns += power > 0 ? 1 : 0;
+    if (!bench_.controller.step_timer_runs()) {
+      EXPECT_EQ(power, 0) << "beam on at rest";
+    }
+    switch (machine.state()) {
+      case MachineState::kRun:
+      case MachineState::kHold:
+        break;
+      default:
+        EXPECT_EQ(power, 0) << "beam on in state " << static_cast<int>(machine.state());
+    }
+    EXPECT_NE(machine.alarm(), Alarm::kStarved);
+    EXPECT_NE(machine.alarm(), Alarm::kHomingNoSwitch);
+    if (machine.homed() == 7) {
+      EXPECT_LE(machine.position()[0].nanometres(), 4000);
+    }
+  }
+
+  Random random_;
+  LaserBench bench_;
+};
+
+TEST(Interruptions, OfAnyKindLeaveTheBeamOffAtRestAndTheMachineUsable) {
+  const Trials trials{40};
+  int beam_turns = 0;
+  for (auto seed = trials.first_seed(); seed < trials.end_seed() && !too_many_failures(); ++seed) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    Chaos chaos{seed};
+    chaos.run(6000);
+    chaos.recover();
+    beam_turns += chaos.beam_turns;
+  }
+  std::printf("interruptions: the beam was on in %d turns\n", beam_turns);
+  EXPECT_GT(beam_turns, 1000);
+}
+
+}  // namespace
+}  // namespace proof
