@@ -1,0 +1,137 @@
+// The page of `kerfline serve` in a browser: takes control, starts a job, sees
+// the tool move, holds, resumes, resets; by mouse, then by keyboard. A second
+// page and a wrong Host are refused.
+
+import fs from 'node:fs';
+import http from 'node:http';
+import path from 'node:path';
+
+import { openBrowser, screenshot } from './browser.mjs';
+import { check, equal, example, run, serve, until } from './support.mjs';
+
+/// The page as its user sees it.
+class Page {
+  constructor(page) {
+    this.page = page;
+  }
+
+  static async open(browser, url, foreign = []) {
+    const page = await browser.newPage({ viewport: { width: 1280, height: 860 } });
+    page.on('request', (request) => {
+      const to = new URL(request.url());
+      if (to.host !== new URL(url).host && !/^(data|blob):$/.test(to.protocol)) foreign.push(to.href);
+    });
+    page.on('pageerror', (problem) => foreign.push(String(problem)));
+    await page.goto(url);
+    return new Page(page);
+  }
+
+  text(id) {
+    return this.page.locator(`#${id}`).innerText();
+  }
+
+  state(word) {
+    return until(`the page says ${word}`, async () => (await this.text('state')).includes(word), 20_000);
+  }
+
+  /// X Y Z, machine coordinates.
+  async place() {
+    const rows = await this.page.locator('#places tr').allInnerTexts();
+    return rows.map((row) => Number(row.split(/\s+/).filter(Boolean)[2]));
+  }
+
+  moved(from) {
+    return until(`the tool moves from ${from}`, async () => String(await this.place()) !== String(from));
+  }
+
+  async openJob(file) {
+    await this.page.locator('#file').setInputFiles(file);
+    await until('the job is ready', () => this.page.locator('#run').isEnabled());
+  }
+}
+
+async function byMouse(page, job) {
+  await page.page.locator('#control').click();
+  await page.state('Idle');
+  await page.openJob(job);
+  const start = await page.place();
+  await page.page.locator('#run').click();
+  await page.state('Run');
+  await page.moved(start);
+  await page.page.locator('#hold').click();
+  await page.state('Hold');
+  await until('the tool stands', async () => (await page.text('state')).includes('Hold:0') || (await page.text('state')) === 'Hold');
+  await screenshot(page.page, 'page-hold.png');
+  await page.page.locator('#resume').click();
+  await page.state('Run');
+  await screenshot(page.page, 'page-run.png');
+  await page.page.locator('#reset').click();
+  await page.state('Alarm');  // Cut off while moving: the place is in doubt.
+  await page.page.locator('#unlock').click();
+  await page.state('Idle');
+}
+
+async function byKeyboard(page, job) {
+  const press = (key) => page.page.keyboard.press(key);
+  await page.page.locator('body').click({ position: { x: 5, y: 5 } });
+  await page.openJob(job);
+  await page.page.evaluate(() => document.activeElement?.blur());
+  const start = await page.place();
+  await press('r');
+  await page.state('Run');
+  await page.moved(start);
+  await press('Space');
+  await page.state('Hold');
+  await press('Space');
+  await page.state('Run');
+  await press(']');
+  await until('the override', async () => (await page.text('feed-percent')).startsWith('110'));
+  await press('x');
+  await page.state('Alarm');
+  await press('u');
+  await page.state('Idle');
+  const [x] = await page.place();
+  await press('ArrowRight');
+  await until('a jog of ten', async () => Math.abs((await page.place())[0] - x - 10) < 0.002);
+  await press('/');
+  await page.page.keyboard.type('$G');
+  await press('Enter');
+  await until('the console shows the modes', async () => (await page.text('log')).includes('[GC:'));
+}
+
+async function secondPage(browser, url) {
+  const second = await Page.open(browser, url);
+  await second.state('Idle');  // It may look on,
+  await second.page.locator('#control').click();
+  const notice = await until('a notice', () => second.text('notice'));  // but not steer.
+  check(/control|connected|sender/i.test(notice), `a second page is told why not: ${notice}`);
+  check(await second.page.locator('#hold').isDisabled(), 'a second page cannot hold');
+  await second.page.close();
+}
+
+function statusFor(address, headers) {
+  const [host, port] = address.split(':');
+  return new Promise((resolve, reject) =>
+    http.get({ host, port, path: '/', headers }, (reply) => resolve(reply.statusCode)).on('error', reject),
+  );
+}
+
+await run('the page of kerfline serve', async ({ folder, keep }) => {
+  const settings = ['--settings', example('laser.settings'), '--set', '$20=0'];
+  const controller = keep(await serve(['--ws', '0', ...settings]));
+  const address = controller.ways.ws.replace(/^ws:\/\/|\/$/g, '');
+  equal(await statusFor(address, {}), 200, 'the page');
+  equal(await statusFor(address, { Host: 'kerfline.example' }), 403, 'the page for another host');
+
+  const job = path.join(folder, 'job.nc');
+  fs.copyFileSync(example('bracket.nc'), job);
+  const browser = await openBrowser();
+  keep({ stop: () => browser.close() });
+  const foreign = [];
+  const page = await Page.open(browser, `http://${address}/`, foreign);
+  await byMouse(page, job);
+  await byKeyboard(page, job);
+  await secondPage(browser, `http://${address}/`);
+  await screenshot(page.page, 'page-idle.png');
+  equal(foreign, [], 'requests to elsewhere, and faults of the page');
+});
