@@ -40,7 +40,7 @@ std::vector<Report> for_each_job(const JobOptions& options,
   for (const std::string& file : options.files) {
     Job job{.file = file,
             .settings = settings,
-            .machine = {.probe_plate_z_mm = options.probe_plate_z_mm},
+            .machine = {.probe_plate_z_mm = options.probe_plate_z_mm, .has_switches = false},
             .on_progress = [&bar, &file](double share) { bar.update(share, file, Clock::now()); }};
     reports.push_back(work(job));
   }

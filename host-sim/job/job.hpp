@@ -14,7 +14,8 @@ namespace sim {
 struct Job {
   std::string file;  ///< `-` is standard input.
   std::vector<SettingChange> settings;
-  MachineModel machine{};
+  /// Without switches: where on the machine the program's zero lies is not known.
+  MachineModel machine{.has_switches = false};
   std::function<void(double)> on_progress{};  ///< Share done, 0…1.
 };
 

@@ -13,6 +13,8 @@ struct MachineModel {
   /// touches it when Z comes down to it.
   double probe_plate_z_mm = -10.0;
 
+  /// Whether there are limit switches at all.
+  bool has_switches = true;
   /// Where the switch of each axis closes, at the end that $23 homes to. Left
   /// open, a millimetre beyond the travel of a machine that was switched on in
   /// its far left lower corner; none for endless axes.

@@ -32,6 +32,8 @@ RunResult Simulator::run() {
 
 void Simulator::turn() {
   controller_.turn();
+  // There is nobody to home the machine, and where it stands is its zero.
+  if (machine().alarm() == cnc::Alarm::kHomingRequired) machine().unlock();
   if (!controller_.step_timer_runs() && done()) controller_.take_back_idle_time();
 }
 
@@ -43,9 +45,19 @@ bool Simulator::done() const {
 
 /// An operator who presses cycle start at once.
 void Simulator::attend_pause() {
-  if (machine().state() != cnc::MachineState::kHold) return;
-  notes_.emplace_back(link_.line(), "the program pauses here (M0); resumed at once");
-  machine().resume();
+  switch (machine().state()) {
+    case cnc::MachineState::kHold:
+      if (machine().status().substate != 0) return;
+      notes_.emplace_back(link_.line(), "the program pauses here (M0); resumed at once");
+      return machine().resume();
+    case cnc::MachineState::kTool:
+      if (tool_changed_) return;
+      tool_changed_ = true;
+      notes_.emplace_back(link_.line(), "the program asks for another tool (M6); resumed at once");
+      return machine().acknowledge_tool();
+    default:
+      tool_changed_ = false;
+  }
 }
 
 RunResult Simulator::result() const {

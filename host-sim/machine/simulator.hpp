@@ -60,6 +60,7 @@ class Simulator {
   RunOptions options_;
   ProgramLink link_;
   VirtualController controller_;
+  bool tool_changed_ = false;  ///< And the spindle is coming up to speed.
   std::vector<std::pair<std::size_t, std::string>> notes_;
 };
 

@@ -43,6 +43,7 @@ hal::SwitchMask SwitchModel::read(const cnc::Settings& settings,
                                   const hal::host::RecordingPort& port,
                                   std::uint64_t tick) {
   hal::SwitchMask mask;
+  if (!model_.has_switches) return mask;
   const float two_motors = settings.get(cnc::setting::kSquaredAxes);
   for (std::size_t axis = 0; axis < contacts_.size(); ++axis) {
     const auto found = switch_of(model_, settings, axis);

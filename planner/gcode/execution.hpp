@@ -75,6 +75,7 @@ class Execution {
   void switch_g92(NonModal word);
   void store(Position& place, const Position& value);
 
+  [[nodiscard]] bool only_sets_mode() const;
   [[nodiscard]] bool moves() const;
   [[nodiscard]] Refusal check_feed() const;
   [[nodiscard]] Refusal read_target(Position& target);

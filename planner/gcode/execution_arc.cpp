@@ -15,10 +15,8 @@ constexpr float to_mm(std::int64_t nanometres) { return Coordinate{nanometres}.m
 
 }  // namespace
 
-/// G2 and G3 (RS274/NGC 3.5.3). Axes outside the plane ride along. Alone, the
-/// word only sets the mode: senders give back the modes that they were told.
+/// G2 and G3 (RS274/NGC 3.5.3). Axes outside the plane ride along.
 Refusal Execution::move_along_arc() {
-  if (!block_.has_axis_word() && !block_.has_arc_word()) return std::nullopt;
   const PlaneAxes plane = axes_of(next_.modal.plane);
   if (!block_.has_axis_word()) return blame_motion(FaultDetail::kAxisWordsMissing);
   if (!block_.has(kAxisLetters[plane.first]) && !block_.has(kAxisLetters[plane.second])) {

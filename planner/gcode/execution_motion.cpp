@@ -13,12 +13,22 @@ Refusal Execution::move() {
   }
   if (!moves()) return std::nullopt;
   if (mode == MotionMode::kNone) return block_.blame_first_axis_word(FaultDetail::kAxisWordUnused);
+  const bool arc = mode == MotionMode::kArcClockwise || mode == MotionMode::kArcCounterClockwise;
+  if ((straight || arc) && only_sets_mode()) return std::nullopt;
   if (mode != MotionMode::kRapid) {
     if (const auto fault = check_feed()) return fault;
   }
   if (straight) return move_straight();
-  const bool arc = mode == MotionMode::kArcClockwise || mode == MotionMode::kArcCounterClockwise;
   return arc ? move_along_arc() : probe();
+}
+
+/// Senders give back the modes that they were told in one line, `G2 … F0` among
+/// them: that says which mode, and how fast, and is complete. A lone G1 while no
+/// feed is set is refused, as in Grbl.
+bool Execution::only_sets_mode() const {
+  if (block_.has_axis_word() || block_.has_arc_word()) return false;
+  return block_.has('F') || next_.modal.feed > 0.0F ||
+         next_.modal.feed_mode == FeedMode::kInverseTime;
 }
 
 bool Execution::moves() const {

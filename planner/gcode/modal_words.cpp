@@ -147,7 +147,8 @@ Result<const ModalWord*, FaultDetail> find_m_word(const Decimal& number) {
 const ModalWord* combined(const ModalWord& a, const ModalWord& b) {
   static constexpr ModalWord kBoth = word(80, ModalGroup::kCoolant, CoolantWord::kBoth);
   const auto is = [](const ModalWord& modal, CoolantWord wanted) {
-    return modal.group == ModalGroup::kCoolant && modal.meaning == static_cast<std::uint8_t>(wanted);
+    return modal.group == ModalGroup::kCoolant &&
+           modal.meaning == static_cast<std::uint8_t>(wanted);
   };
   const bool both = (is(a, CoolantWord::kMist) && is(b, CoolantWord::kFlood)) ||
                     (is(a, CoolantWord::kFlood) && is(b, CoolantWord::kMist));

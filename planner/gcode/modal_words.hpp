@@ -47,8 +47,8 @@ enum class NonModal : std::uint8_t {
   kRestoreG92,          ///< G92.3
 };
 
-enum class ToolLength : std::uint8_t { kSet, kCancel };           ///< G43.1, G49.
-enum class Stop : std::uint8_t { kPause, kOptionalPause, kEnd };  ///< M0, M1, M2 and M30.
+enum class ToolLength : std::uint8_t { kSet, kCancel };                ///< G43.1, G49.
+enum class Stop : std::uint8_t { kPause, kOptionalPause, kEnd };       ///< M0, M1, M2 and M30.
 enum class CoolantWord : std::uint8_t { kMist, kFlood, kOff, kBoth };  ///< M7, M8, M9, M7 M8.
 
 enum class Output : std::uint8_t {

@@ -67,7 +67,8 @@ TEST_F(ReceiverTest, LetsNoCommentInAnyScriptAct) {
 // Outside a comment a letter such as ф (D1 84) is refused later, but no door opens.
 TEST_F(ReceiverTest, LetsNoCharacterOfTwoBytesActButTheLatinControls) {
   for (int code = 0xC0; code < 0x800; ++code) {
-    const std::string utf8{static_cast<char>(0xC0 | code >> 6), static_cast<char>(0x80 | (code & 63))};
+    const std::string utf8{static_cast<char>(0xC0 | code >> 6),
+                           static_cast<char>(0x80 | (code & 63))};
     expect_no_effect("G1" + utf8 + "\n");
   }
 }
@@ -102,7 +103,9 @@ TEST_F(ReceiverTest, EndsACommentWithItsBracketOrItsLine) {
 }
 
 TEST_F(ReceiverTest, ResetsFromWithinACommentAndForgetsWhatCameBefore) {
-  receive("G1 X1\nG1 (Änd\x18" "$X\n!");
+  receive(
+      "G1 X1\nG1 (Änd\x18"
+      "$X\n!");
   EXPECT_EQ(lines(), "") << "nothing is handed out before the reset is seen";
   EXPECT_TRUE(receiver.take_reset());
   EXPECT_EQ(lines(), "$X\n");

@@ -34,7 +34,8 @@ TEST(Reply, WritesEveryValueToTheDigitsOfAFloat) {
   for (int k = 0; k < 100'000; ++k) {
     const auto number = static_cast<float>(random.signed_magnitude(0.001, 1.0e6));
     const double read = std::stod(value(number, 3));
-    EXPECT_NEAR(read, static_cast<double>(number),
+    EXPECT_NEAR(read,
+                static_cast<double>(number),
                 std::max(7.0e-7, 7.0e-7 * std::abs(static_cast<double>(number))));
   }
 }

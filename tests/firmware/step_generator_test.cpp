@@ -197,5 +197,63 @@ TEST_F(StepGeneratorTest, LatchesAnewWhenArmedAgain) {
   EXPECT_FALSE(generator.probe_hit());
 }
 
+TEST_F(StepGeneratorTest, StepsSecondMotorsWithTheirFirst) {
+  generator.set_second_motors(1);
+  generator.push(last(even(4000, 40)));
+  generator.push(last(even(4000, 7, 1)));
+  run();
+  EXPECT_EQ(port.position[0], 40);
+  EXPECT_EQ(port.second_position[0], 40);
+  EXPECT_EQ(port.second_position[1], 0);
+}
+
+TEST_F(StepGeneratorTest, LatchesTheStepAtWhichASwitchCloses) {
+  port.switch_from = 13;
+  generator.watch_switches(1, 0);
+  generator.push(last(even(4000, 40)));
+  run();
+  EXPECT_EQ(generator.switches_found(), 1);
+  EXPECT_EQ(generator.switch_position(0), 13);
+  EXPECT_EQ(port.position[0], 40) << "braking is not its business";
+}
+
+TEST_F(StepGeneratorTest, LetsOneMotorWaitAtItsSwitchForTheOther) {
+  port.switch_from = 13;
+  port.second_switch_from = 20;
+  generator.set_second_motors(1);
+  generator.watch_switches(1, 1);
+  generator.push(even(1400, 14));
+  generator.push(last(even(2600, 26)));
+  run(1400);
+  EXPECT_EQ(generator.switches_found(), 0);
+  EXPECT_EQ(generator.switches_half_found(), 1);
+  run();
+  EXPECT_EQ(generator.switches_found(), 1);
+  EXPECT_EQ(generator.switches_half_found(), 0);
+  EXPECT_EQ(generator.switch_position(0), 20);
+  EXPECT_EQ(generator.switch_skew(0), 7);
+  EXPECT_EQ(port.second_position[0], 40);
+  EXPECT_EQ(port.position[0], 40 - 7) << "both stand equally far beyond their switches";
+}
+
+TEST_F(StepGeneratorTest, DarkensTheOutputWithinAnInterrupt) {
+  motion::Segment bright = even(4000, 40);
+  bright.power = 30'000;
+  generator.push(bright);
+  generator.push(last(bright));
+  run(2000);
+  ASSERT_EQ(port.power, 30'000);
+  generator.block_power(true);
+  run(110);
+  EXPECT_EQ(port.power, 0);
+  run();
+  EXPECT_EQ(port.power, 0);
+  EXPECT_EQ(port.position[0], 80);
+  generator.set_rest_power(500);
+  EXPECT_EQ(port.power, 0);
+  generator.block_power(false);
+  EXPECT_EQ(port.power, 500);
+}
+
 }  // namespace
 }  // namespace cnc

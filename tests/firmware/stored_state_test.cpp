@@ -31,7 +31,7 @@ TEST_F(StoredStateTest, KeepsEveryPlace) {
   gcode::StoredPlaces places;
   std::int64_t next = -7;
   for (Position& system : places.systems) {
-    for (Coordinate& axis : system) axis = Coordinate{next *= -3};
+    for (Coordinate& axis : system) axis = Coordinate{next = next * -3 % 1'000'000'000'000};
   }
   places.g28[1] = Coordinate{Coordinate::kFarthestNanometres};
   places.g30[5] = Coordinate{-Coordinate::kFarthestNanometres};

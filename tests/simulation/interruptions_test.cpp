@@ -43,7 +43,9 @@ class Chaos {
   void run(int turns) {
     while (turns-- > 0 && !too_many_failures()) {
       if (random_.chance(0.02)) meddle();
-      if (random_.chance(0.3)) offer_line();
+      if (random_.chance(0.002)) quiet_ = !quiet_;
+      if (random_.chance(0.01)) help();
+      if (!quiet_ && random_.chance(0.3)) offer_line();
       bench_.run(1);
       check();
     }
@@ -68,7 +70,9 @@ class Chaos {
   }
 
   LaserBench& bench() { return bench_; }
-  int beam_turns = 0;  ///< With the beam on: the test is about something.
+  // That the test is about something, in turns: with the beam on, and in each state.
+  int beam_turns = 0;
+  std::array<int, 10> state_turns{};
 
  private:
   std::string place() {
@@ -93,6 +97,22 @@ class Chaos {
                            std::string{"M30"}};
     const std::size_t which = random_.chance(0.85) ? random_.below(6) : random_.below(lines.size());
     static_cast<void>(machine.accept(lines[which]));
+  }
+
+  /// What brings work to an end, so that all states have their turn.
+  void help() {
+    cnc::Machine& machine = bench_.machine();
+    bench_.controller.panel() = {};
+    if (machine.state() == MachineState::kSleep || machine.needs_reset()) machine.reset();
+    static_cast<void>(machine.unlock());
+    if (!quiet_ || machine.busy() || !machine.idle()) return machine.resume();
+    if (random_.chance(0.2)) {
+      static_cast<void>(machine.toggle_check_mode());
+    } else if (machine.can_home() && random_.chance(0.2)) {
+      machine.home(0);
+    } else {
+      static_cast<void>(machine.jog("F6000" + place()));
+    }
   }
 
   void meddle() {
@@ -150,6 +170,7 @@ class Chaos {
     cnc::Machine& machine = bench_.machine();
     const std::uint16_t power = bench_.controller.port().power;
     beam_turns += power > 0 ? 1 : 0;
+    ++state_turns[static_cast<std::size_t>(machine.state())];
     if (!bench_.controller.step_timer_runs()) {
       EXPECT_EQ(power, 0) << "beam on at rest";
     }
@@ -169,20 +190,27 @@ class Chaos {
 
   Random random_;
   LaserBench bench_;
+  bool quiet_ = false;  ///< The sender has nothing to send for a while.
 };
 
 TEST(Interruptions, OfAnyKindLeaveTheBeamOffAtRestAndTheMachineUsable) {
   const Trials trials{40};
   int beam_turns = 0;
+  std::array<int, 10> state_turns{};
   for (auto seed = trials.first_seed(); seed < trials.end_seed() && !too_many_failures(); ++seed) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     Chaos chaos{seed};
     chaos.run(6000);
     chaos.recover();
     beam_turns += chaos.beam_turns;
+    for (std::size_t i = 0; i < state_turns.size(); ++i) state_turns[i] += chaos.state_turns[i];
   }
   std::printf("interruptions: the beam was on in %d turns\n", beam_turns);
+  for (const int turns : state_turns) std::printf(" %d", turns);
+  std::printf(" turns in the states\n");
+  if (trials.count() < 40) return;
   EXPECT_GT(beam_turns, 1000);
+  for (const int turns : state_turns) EXPECT_GT(turns, 100);
 }
 
 }  // namespace

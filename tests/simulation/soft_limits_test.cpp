@@ -143,7 +143,8 @@ TEST(SoftLimits, KeepRandomProgramsAndJogsInside) {
         if (words.find('R') == std::string::npos) static_cast<void>(machine.jog(words));
         bench.run(static_cast<int>(random.below(300)));
         machine.jog_cancel();
-        for (int left = 5000; machine.state() == MachineState::kJog && left > 0; --left) bench.run(1);
+        for (int left = 5000; machine.state() == MachineState::kJog && left > 0; --left)
+          bench.run(1);
         continue;
       }
       bench.send("F9000");

@@ -16,7 +16,8 @@ class LaserBench : public MachineBench, private sim::TraceSink {
 
   LaserBench() : MachineBench{model()} {
     set({{22, 1}, {24, 120}, {25, 6000}, {26, 5}, {27, 2}, {32, 1}, {20, 1}});
-    for (int axis = 0; axis < 3; ++axis) set({{130 + axis, kTravel[static_cast<std::size_t>(axis)]}});
+    for (int axis = 0; axis < 3; ++axis)
+      set({{130 + axis, kTravel[static_cast<std::size_t>(axis)]}});
     home();
     controller.add_sink(*this);
   }
