@@ -15,10 +15,9 @@ constexpr std::array<char, 2> kTryAgainLater{0x03, static_cast<char>(0xF5)};
 }  // namespace
 
 WebSocketPeer::WebSocketPeer(mg_connection* connection, std::shared_ptr<WebPipe> pipe, Role role)
-    : connection_{connection},
-      pipe_{std::move(pipe)},
-      role_{role},
-      sender_{[this] { send_all(); }} {}
+    : connection_{connection}, pipe_{std::move(pipe)}, role_{role}, sender_{[this] {
+        send_all();
+      }} {}
 
 WebSocketPeer::~WebSocketPeer() {
   pipe_->leave();
