@@ -14,8 +14,10 @@ constexpr std::array<char, 2> kTryAgainLater{0x03, static_cast<char>(0xF5)};
 
 }  // namespace
 
-WebSocketPeer::WebSocketPeer(mg_connection* connection, std::shared_ptr<WebPipe> pipe)
-    : connection_{connection}, pipe_{std::move(pipe)}, sender_{[this] { send_all(); }} {}
+WebSocketPeer::WebSocketPeer(mg_connection* connection, std::shared_ptr<WebPipe> pipe, Role role)
+    : connection_{connection}, pipe_{std::move(pipe)}, role_{role}, sender_{[this] {
+        send_all();
+      }} {}
 
 WebSocketPeer::~WebSocketPeer() {
   pipe_->leave();
@@ -27,7 +29,7 @@ bool WebSocketPeer::on_frame(int opcode, std::span<const std::byte> bytes) {
     case MG_WEBSOCKET_OPCODE_CONTINUATION:
     case MG_WEBSOCKET_OPCODE_TEXT:
     case MG_WEBSOCKET_OPCODE_BINARY:
-      return pipe_->put(bytes);
+      return role_ == Role::kWatcher || pipe_->put(bytes);
     case MG_WEBSOCKET_OPCODE_CONNECTION_CLOSE:
       return false;
     default:

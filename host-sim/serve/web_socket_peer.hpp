@@ -14,8 +14,11 @@ namespace sim {
 /// into the pipe, so that a slow reader makes nobody else wait.
 class WebSocketPeer {
  public:
-  /// Starts sending. The connection must outlive it.
-  WebSocketPeer(mg_connection* connection, std::shared_ptr<WebPipe> pipe);
+  enum class Role { kSender, kWatcher };
+
+  /// Starts sending. The connection must outlive it. What a watcher sends is
+  /// not for anybody.
+  WebSocketPeer(mg_connection* connection, std::shared_ptr<WebPipe> pipe, Role role);
   WebSocketPeer(const WebSocketPeer&) = delete;
   WebSocketPeer& operator=(const WebSocketPeer&) = delete;
   ~WebSocketPeer();
@@ -29,6 +32,7 @@ class WebSocketPeer {
 
   mg_connection* connection_;
   std::shared_ptr<WebPipe> pipe_;
+  Role role_;
   std::thread sender_;  ///< The last member: it uses the others.
 };
 

@@ -111,7 +111,10 @@ struct WebTransport::Handlers {
       } else {
         transport.waiting_.push_back(pipe);
       }
-      transport.peers_[connection] = std::make_unique<WebSocketPeer>(connection, pipe);
+      transport.peers_[connection] = std::make_unique<WebSocketPeer>(
+          connection,
+          pipe,
+          observes ? WebSocketPeer::Role::kWatcher : WebSocketPeer::Role::kSender);
     }
     transport.wake();
   }

@@ -213,22 +213,25 @@ TEST_F(AcknowledgementsTest, EveryNumberOfTheTableIsGiven) {
     note();
   }
   send("$I=" + std::string(120, 'x'));
-  send("$22=1");
-  send("$J=G91 X-9999 F100");
+  send_all({"$22=1", "$20=1", "$25=3000", "$26=5"});
+  plate = [&](const auto& position) {
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      const unsigned bit = position[axis] > 500 ? 1U << axis : 0U;
+      port.limits.first = static_cast<std::uint8_t>((port.limits.first & ~(1U << axis)) | bit);
+    }
+    return false;
+  };
+  EXPECT_EQ(send("$H"), "ok") << link.outgoing;
+  send("$J=G91 X9999 F100");  // 15: the machine knows its travel now.
   note();
-  send("$40=0");
-  send("$20=1");
-  send("$J=G91 X9999 F100");
-  note();
-  send("G1 X5 F300");
+  send("G1 X-50 F300");
   send("$22=0");  // 8: it moves.
-  note();
-  port.panel.door = true;
-  run(2000);
-  send("\x18");
+  stream("\x18");
   run(50);
-  send("$X");  // 13: the door is open.
-  send("G0 X1");
+  port.panel.door = true;
+  run(50);
+  send("G0 X1");  // 9: the reset lost the place.
+  send("$X");     // 13: the door is open.
   note();
   port.panel.door = false;
   port.panel.emergency_stop = true;

@@ -1,6 +1,7 @@
 """As much of a WebSocket client and of HTTP as the tests of `kerfline serve` need."""
 import base64
 import os
+import re
 import socket
 import struct
 
@@ -28,8 +29,8 @@ def request(port, path, host=None, origin=None, extra=""):
             break
         answer += part
     head = answer.decode().lower()
-    if "content-length: " in head:
-        length = int(head.split("content-length: ")[1].split("\r\n")[0])
+    if found := re.search(r"content-length:\s*(\d+)", head):
+        length = int(found[1])
         body = b""
         while len(body) < length:
             body += link.recv(length - len(body))
