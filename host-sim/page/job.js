@@ -29,10 +29,10 @@ export class Job extends EventTarget {
       if (fault) break;
       answers.push(sender.send(line, true).then((answer) => {
         ++this.done;
+        this.#tell();
         if (answer !== 'ok') fault ??= `${this.name}:${number}: ${answer}`;
       }, (reason) => { fault ??= `the job ended: ${reason.message}`; }));
       if (answers.length >= 64) await answers.shift();
-      if (this.done % 16 === 0) this.#tell();
     }
     if (fault) sender.dropWaiting();
     await Promise.all(answers);
