@@ -32,7 +32,7 @@ TEST_F(Jog, IsALineAtItsOwnFeed) {
 }
 
 TEST_F(Jog, LeavesNothingBehindButThePosition) {
-  take("G91 G20 G93 G2 G55");
+  take("G91 G20 G93 G18 G55");
   const ModalState before = interpreter.state();
   jog("G90 G21 X10 F600 N5");
   EXPECT_EQ(interpreter.state(), before);
