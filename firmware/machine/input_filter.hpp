@@ -6,40 +6,63 @@
 
 namespace cnc {
 
-/// Takes the bounce out of the machine's switches: a state counts when all of
-/// them have read the same for `kSettle_us`.
-///
-/// One clock for all inputs: while one bounces the others wait for at most its
-/// bounce, which for a door or a button is a few milliseconds.
+/// Takes the bounce out of the machine's switches: a change of an input counts
+/// when three looks at it, a millisecond apart, agree. Each input for itself,
+/// so that one that chatters never hides another.
 class InputFilter {
  public:
   /// Contacts bounce for up to 2 ms; noise from a spindle is far shorter.
-  static constexpr std::int32_t kSettle_us = 2000;
+  static constexpr std::int32_t kBetweenLooks_us = 1000;
 
   /// Call at each turn of the main loop. True when the settled state changed.
   bool poll(const hal::InputState& read, std::int32_t elapsed_us) {
-    if (read != candidate_) {
-      candidate_ = read;
-      stable_us_ = 0;
-    } else if (stable_us_ < kSettle_us) {
-      stable_us_ += elapsed_us;
-    }
+    raw_ = read;
+    since_look_us_ += elapsed_us;
+    if (since_look_us_ < kBetweenLooks_us) return false;
+    since_look_us_ = 0;
+    const std::uint32_t now = pack(read);
+    const std::uint32_t on = now & last_ & last_but_one_;
+    const std::uint32_t off = ~(now | last_ | last_but_one_);
+    last_but_one_ = last_;
+    last_ = now;
     before_ = settled_;
-    if (stable_us_ >= kSettle_us) settled_ = candidate_;
+    settled_ = unpack((pack(settled_) & ~off) | on);
     return settled_ != before_;
   }
 
   [[nodiscard]] const hal::InputState& settled() const { return settled_; }
-  /// As settled before the last poll, to tell what changed.
+  /// As settled before the last change, to tell what it was.
   [[nodiscard]] const hal::InputState& before() const { return before_; }
   /// As read last, with all bounce.
-  [[nodiscard]] const hal::InputState& raw() const { return candidate_; }
+  [[nodiscard]] const hal::InputState& raw() const { return raw_; }
 
  private:
-  hal::InputState candidate_{};
+  static std::uint32_t pack(const hal::InputState& state) {
+    const auto bit = [](bool is, unsigned place) { return is ? 1U << place : 0U; };
+    return static_cast<std::uint32_t>(state.limits) |
+           static_cast<std::uint32_t>(state.second_limits) << 8 |
+           static_cast<std::uint32_t>(bit(state.probe, 16) | bit(state.door, 17) |
+                                      bit(state.hold, 18) | bit(state.start, 19) |
+                                      bit(state.reset, 20) | bit(state.emergency_stop, 21));
+  }
+  static hal::InputState unpack(std::uint32_t bits) {
+    const auto bit = [bits](unsigned place) { return (bits >> place & 1U) != 0; };
+    return {.limits = static_cast<std::uint8_t>(bits & 0xFFU),
+            .second_limits = static_cast<std::uint8_t>(bits >> 8 & 0xFFU),
+            .probe = bit(16),
+            .door = bit(17),
+            .hold = bit(18),
+            .start = bit(19),
+            .reset = bit(20),
+            .emergency_stop = bit(21)};
+  }
+
+  hal::InputState raw_{};
   hal::InputState settled_{};
   hal::InputState before_{};
-  std::int32_t stable_us_ = 0;
+  std::uint32_t last_ = 0;
+  std::uint32_t last_but_one_ = 0;
+  std::int32_t since_look_us_ = 0;
 };
 
 }  // namespace cnc

@@ -87,6 +87,8 @@ void Machine::attend_mode(std::int32_t elapsed_us) {
     case Mode::kDoor:
       return attend_door();
     case Mode::kFree:
+      // They may have been so since before a reset.
+      if (inputs().emergency_stop) return emergency_stop();
       if (inputs().door) safety_door();
       return;
     case Mode::kHold:

@@ -16,6 +16,8 @@ Result<float, SettingError> Machine::change_setting(std::uint16_t number, float 
   apply_settings();
   if (other_scale) {
     // The motors stand where they are; that is another place now.
+    const std::size_t axis = number - setting::kStepsPerMm;
+    set_homed(static_cast<std::uint8_t>(homed_ & ~(1U << axis)));
     motion_.drop_rest();
     interpreter_.set_position(motion_.target());
   }

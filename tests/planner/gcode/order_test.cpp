@@ -16,9 +16,9 @@ using enum ActionKind;
 
 TEST_F(OrderOfExecution, IsTheTablesWhateverTheWordsOrder) {
   const std::vector<ActionKind> want{
-      kSpindleSpeed, kTool, kOutput, kSpindle, kCoolant, kOffsets, kLine, kEnd};
-  EXPECT_EQ(kinds("S1 T2 M64 P3 M3 M8 G55 G1 X1 F60 M30"), want);
-  EXPECT_EQ(kinds("M30 F60 X1 G1 G56 M8 M3 P3 M64 T2 S1"), want);
+      kSpindleSpeed, kTool, kToolChange, kOutput, kSpindle, kCoolant, kOffsets, kLine, kEnd};
+  EXPECT_EQ(kinds("S1 T2 M6 M64 P3 M3 M8 G55 G1 X1 F60 M30"), want);
+  EXPECT_EQ(kinds("M30 F60 X1 G1 G56 M8 M3 P3 M64 M6 T2 S1"), want);
 }
 
 TEST_F(OrderOfExecution, DwellComesAfterTheSpindleAndBeforeTheMove) {
@@ -27,8 +27,8 @@ TEST_F(OrderOfExecution, DwellComesAfterTheSpindleAndBeforeTheMove) {
 }
 
 TEST_F(OrderOfExecution, TheFullestLineFitsTheList) {
-  EXPECT_EQ(kinds("G55 G28 X1 S1 T1 M68 E1 Q1 M4 M7 M2").size(), kMostActions);
-  EXPECT_EQ(kinds("G55 G4 P1 G0 X1 S1 T1 M68 E1 Q1 M4 M7 M2").size(), kMostActions);
+  EXPECT_EQ(kinds("G55 G28 X1 S1 T1 M6 M68 E1 Q1 M4 M7 M2").size(), kMostActions);
+  EXPECT_EQ(kinds("G55 G4 P1 G0 X1 S1 T1 M6 M68 E1 Q1 M4 M7 M2").size(), kMostActions);
 }
 
 TEST_F(OrderOfExecution, ModesActOnTheirOwnLine) {
