@@ -23,8 +23,8 @@ constexpr bool is_stop(RealtimeByte command) {
 
 }  // namespace
 
-bool Receiver::receive(std::byte incoming) {
-  const auto byte = static_cast<std::uint8_t>(incoming);
+bool Receiver::receive(std::byte received) {
+  const auto byte = static_cast<std::uint8_t>(received);
   if (byte == static_cast<std::uint8_t>(RealtimeByte::kReset)) {
     reset();
     return true;
@@ -74,14 +74,12 @@ bool Receiver::receive_high(std::uint8_t byte) {
 }
 
 void Receiver::follow_comment(char byte) {
-  if (byte == '\r' || byte == '\n') {
+  const bool bracket_closes = comment_ == Comment::kBrackets && byte == ')';
+  if (byte == '\r' || byte == '\n' || bracket_closes) {
     comment_ = Comment::kNone;
-  } else if (comment_ == Comment::kBrackets && byte == ')') {
-    comment_ = Comment::kNone;
-  } else if (comment_ == Comment::kNone && byte == '(') {
-    comment_ = Comment::kBrackets;
-  } else if (comment_ == Comment::kNone && byte == ';') {
-    comment_ = Comment::kRestOfLine;
+  } else if (comment_ == Comment::kNone) {
+    if (byte == '(') comment_ = Comment::kBrackets;
+    if (byte == ';') comment_ = Comment::kRestOfLine;
   }
 }
 

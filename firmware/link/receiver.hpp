@@ -27,7 +27,7 @@ class Receiver {
   static constexpr std::uint32_t kAdvertisedBytes = 1024;
 
   /// False: no room; offer the same byte again later.
-  [[nodiscard]] bool receive(std::byte byte);
+  [[nodiscard]] bool receive(std::byte received);
 
   /// Bytes that can be received now without being refused.
   [[nodiscard]] std::uint32_t room() const;

@@ -44,7 +44,7 @@ constexpr std::array<SettingInfo, 78> kTable{{
      "The probe input is closed while nothing is touched."},
     SettingInfo{10, "Status report options", "mask", 0.0F, 511.0F, 3.0F, true,
      Group::kGeneral, Type::kBits,
-     "Machine position,Buffers,Line number,Feed and speed,Pins,Work offset,Overrides,,",
+     "Machine position,Buffers,Line number,Feed and speed,Pins,Work offset,Overrides,N/A,N/A",
      "Fields of a status report. 0 to 3: bit 0 chooses machine or work position, bit 1 "
      "adds the buffers, all other fields are on, as in Grbl. From 4 on each bit adds the "
      "field it names."},

@@ -12,6 +12,13 @@ namespace {
 /// Rows of a listing in one turn, so that `$ES` does not keep the planner waiting.
 constexpr int kRowsInATurn = 8;
 
+/// Lines in one turn: a burst fills the planner, then segments must be cut.
+constexpr int kLinesInATurn = 64;
+
+/// Most that a link can hand over in one turn: what there is room for.
+constexpr std::size_t kChunk = 64;
+constexpr std::size_t kChunksInATurn = Receiver::kRealBytes / kChunk;
+
 /// Nothing but blanks and comments.
 bool is_empty(std::string_view line) {
   gcode::LineReader reader{line};
@@ -28,6 +35,7 @@ LineProtocol::LineProtocol(hal::ByteStream& link, Machine& machine, hal::RecordS
 
 void LineProtocol::poll() {
   int rows = 0;
+  int lines = 0;
   for (;;) {
     receive();
     attend_realtime();
@@ -46,6 +54,7 @@ void LineProtocol::poll() {
     } else if (startup_line_ < StoredState::kStartupLines) {
       run_startup_line();
     } else if (!finish_line()) {
+      if (++lines > kLinesInATurn) return;
       if (!read_line()) return save_places();
       handle(assembler_.line());
     }
@@ -53,8 +62,8 @@ void LineProtocol::poll() {
 }
 
 void LineProtocol::receive() {
-  std::array<std::byte, 64> bytes{};
-  for (;;) {
+  std::array<std::byte, kChunk> bytes{};
+  for (std::size_t chunk = 0; chunk < kChunksInATurn; ++chunk) {
     const std::size_t room = std::min<std::size_t>(bytes.size(), receiver_.room());
     const std::size_t count = link_.read(std::span{bytes}.first(room));
     if (count == 0) return;
