@@ -2,6 +2,7 @@
 
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
 #include "hal/host/file_store.hpp"
@@ -91,22 +92,20 @@ void announce(const Reception& reception) {
   std::fflush(stdout);
 }
 
-std::unique_ptr<hal::host::MemoryStore> open_store(const std::string& file) {
-  if (file.empty()) return std::make_unique<hal::host::MemoryStore>();
-  return std::make_unique<hal::host::FileStore>(file);
-}
-
 ExitStatus serve(const ServeOptions& options) {
   if (options.pty.empty() && options.tcp.empty() && options.ws.empty()) {
     throw std::invalid_argument(
         "serve: give senders a way in: --pty LINK, --tcp PORT or --ws PORT");
   }
   const StopSignals stop;
-  const std::unique_ptr<hal::host::MemoryStore> store = open_store(options.store);
+  hal::host::MemoryStore memory;
+  std::optional<hal::host::FileStore> file;
+  if (!options.store.empty()) file.emplace(options.store);
+  hal::host::MemoryStore& store = file ? *file : memory;
   const ConversationSetting setting{.settings = settings_of(options.settings_file, options.set),
                                     .probe_plate_z_mm = options.machine.probe_plate_z_mm,
-                                    .records = store->records()};
-  Session session{options.machine, setting.settings, *store};
+                                    .records = store.records()};
+  Session session{options.machine, setting.settings, store};
   RecordFile record{options.record, setting, session};
   LiveView view{session.controller()};
   Reception reception{session};

@@ -29,6 +29,8 @@ class WebTransport final : public Transport {
   /// Port 0 is any free one; `service` must outlive it. Throws
   /// std::runtime_error naming the address.
   WebTransport(const InternetAddress& address, PageService& service);
+  WebTransport(const WebTransport&) = delete;
+  WebTransport& operator=(const WebTransport&) = delete;
   ~WebTransport() override;
 
   [[nodiscard]] std::unique_ptr<Connection> accept() override;
