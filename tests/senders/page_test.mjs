@@ -60,7 +60,7 @@ async function byMouse(page, job) {
   await page.moved(start);
   await page.page.locator('#hold').click();
   await page.state('Hold');
-  await until('the tool stands', async () => (await page.text('state')).includes('Hold:0') || (await page.text('state')) === 'Hold');
+  await until('the beam is off', async () => (await page.text('power')) === '0');
   await screenshot(page.page, 'page-hold.png');
   await page.page.locator('#resume').click();
   await page.state('Run');
@@ -69,6 +69,15 @@ async function byMouse(page, job) {
   await page.state('Alarm');  // Cut off while moving: the place is in doubt.
   await page.page.locator('#unlock').click();
   await page.state('Idle');
+}
+
+async function jobToTheEnd(page) {
+  await page.openJob(example('circle_r20.nc'));
+  await page.page.locator('#run').click();
+  await page.state('Run');
+  await until('the end of the job', () => page.page.locator('#progress').evaluate((bar) => bar.value === 1), 60_000);
+  await page.state('Idle');
+  check(await page.page.locator('#notice').isHidden(), `nothing to complain of: ${await page.text('notice')}`);
 }
 
 async function byKeyboard(page, job) {
@@ -99,13 +108,22 @@ async function byKeyboard(page, job) {
   await until('the console shows the modes', async () => (await page.text('log')).includes('[GC:'));
 }
 
-async function secondPage(browser, url) {
+async function secondPage(browser, url, first) {
   const second = await Page.open(browser, url);
   await second.state('Idle');  // It may look on,
   await second.page.locator('#control').click();
-  const notice = await until('a notice', () => second.text('notice'));  // but not steer.
-  check(/control|connected|sender/i.test(notice), `a second page is told why not: ${notice}`);
+  const notice = await until('a notice', () => second.text('notice'));  // but not steer,
+  check(/Another sender/.test(notice), `a second page is told why not: ${notice}`);
   check(await second.page.locator('#hold').isDisabled(), 'a second page cannot hold');
+  const [, y] = await second.place();
+  await first.page.bringToFront();
+  await first.page.keyboard.press('Escape');
+  await first.page.locator('[data-jog="Y1"]').click();
+  await until('it sees the first one jog', async () => Math.abs((await second.place())[1] - y - 10) < 0.002);
+  await first.state('Idle');
+  await first.page.locator('#control').click();  // until the first one has had enough.
+  await second.page.locator('#control').click();
+  await until('control', () => second.page.locator('#hold').isEnabled());
   await second.page.close();
 }
 
@@ -131,7 +149,8 @@ await run('the page of kerfline serve', async ({ folder, keep }) => {
   const page = await Page.open(browser, `http://${address}/`, foreign);
   await byMouse(page, job);
   await byKeyboard(page, job);
-  await secondPage(browser, `http://${address}/`);
+  await jobToTheEnd(page);
   await screenshot(page.page, 'page-idle.png');
+  await secondPage(browser, `http://${address}/`, page);
   equal(foreign, [], 'requests to elsewhere, and faults of the page');
 });
