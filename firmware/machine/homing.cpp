@@ -14,12 +14,12 @@ constexpr float kSeekTravels = 1.5F;
 /// A slow approach may be longer than the pull-off was, but not by much.
 constexpr float kLocatePullOffs = 5.0F;
 /// Farther, and the steps of the search would not fit the counters.
-constexpr float kLongestSearch_mm = 400'000.0F;
-constexpr float kFullTurn_deg = 360.0F;
+constexpr float kLongestSearchMm = 400'000.0F;
+constexpr float kFullTurnDegrees = 360.0F;
 /// How far two motors may be apart, of the travel: as Grbl delivers it.
 constexpr float kSkewShare = 0.05F;
-constexpr float kLeastSkew_mm = 2.5F;
-constexpr float kMostSkew_mm = 25.0F;
+constexpr float kLeastSkewMm = 2.5F;
+constexpr float kMostSkewMm = 25.0F;
 
 }  // namespace
 
@@ -195,13 +195,13 @@ Coordinate Homing::search_distance(std::size_t axis) const {
     return moves(axis, squared()) ? slow + greatest_skew(axis) : slow;
   }
   const float travel = settings_.get(setting::kTravel, axis);
-  const float way = kSeekTravels * (travel > 0.0F ? travel : kFullTurn_deg);
-  return from_mm(std::min(way, kLongestSearch_mm));
+  const float way = kSeekTravels * (travel > 0.0F ? travel : kFullTurnDegrees);
+  return from_mm(std::min(way, kLongestSearchMm));
 }
 
 Coordinate Homing::greatest_skew(std::size_t axis) const {
   const float travel = settings_.get(setting::kTravel, axis);
-  return from_mm(std::clamp(kSkewShare * travel, kLeastSkew_mm, kMostSkew_mm));
+  return from_mm(std::clamp(kSkewShare * travel, kLeastSkewMm, kMostSkewMm));
 }
 
 Coordinate Homing::pull_off_distance() const {

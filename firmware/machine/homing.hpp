@@ -56,7 +56,7 @@ class Homing {
   [[nodiscard]] Outcome finish_pass();
   void settle(Step next);
 
-  [[nodiscard]] bool moves(std::size_t axis, std::uint8_t mask) const {
+  [[nodiscard]] static bool moves(std::size_t axis, std::uint8_t mask) {
     return (mask >> axis & 1U) != 0;
   }
   [[nodiscard]] bool homes_low(std::size_t axis) const;

@@ -12,13 +12,13 @@ namespace cnc {
 class InputFilter {
  public:
   /// Contacts bounce for up to 2 ms; noise from a spindle is far shorter.
-  static constexpr std::int32_t kBetweenLooks_us = 1000;
+  static constexpr std::int32_t kBetweenLooksUs = 1000;
 
   /// Call at each turn of the main loop. True when the settled state changed.
   bool poll(const hal::InputState& read, std::int32_t elapsed_us) {
     raw_ = read;
     since_look_us_ += elapsed_us;
-    if (since_look_us_ < kBetweenLooks_us) return false;
+    if (since_look_us_ < kBetweenLooksUs) return false;
     since_look_us_ = 0;
     const std::uint32_t now = pack(read);
     const std::uint32_t on = now & last_ & last_but_one_;

@@ -242,7 +242,6 @@ class Machine {
   bool needs_reset_ = false;
   bool cutting_off_ = false;  ///< Motion was cut off; the rest goes at the next turn.
   std::uint8_t homed_ = 0;
-  Travel travel_{};
   bool leaving_travel_ = false;  ///< Holding for the soft limit's alarm.
   DoorStage door_stage_ = DoorStage::kStopped;
   bool door_ends_jog_ = false;
@@ -250,6 +249,7 @@ class Machine {
   StepPosition parked_from_{};
   StepPosition pulled_out_{};
   StepPosition parked_{};
+  Travel travel_{};
 
   gcode::Actions waiting_{};
   std::optional<ArcElements> arc_{};  ///< The arc being divided.
