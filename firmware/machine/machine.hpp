@@ -67,8 +67,6 @@ class Machine {
   void resume();
   void safety_door();
   void jog_cancel();
-  /// Nobody is listening any more: whatever moves is held, a beam is dark at once.
-  void link_lost();
   /// Stops at once, output off, modes forgotten. At rest the position stays
   /// known; else an alarm.
   void reset();

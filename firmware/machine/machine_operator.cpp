@@ -13,12 +13,6 @@ void Machine::jog_cancel() {
   if (state_.take(Event::kJogCancel)) motion_.halt();
 }
 
-void Machine::link_lost() {
-  if (idle()) return;
-  feed_hold();
-  if (state_.in(Mode::kHold) && tool_.is_laser()) tool_.suspend(true);
-}
-
 /// Goes on at once, or when the spindle turns again.
 void Machine::resume() {
   if (state_.in(Mode::kDoor)) return resume_from_door();

@@ -7,13 +7,13 @@
 namespace sim {
 namespace {
 
-constexpr std::byte kFeedHold{'!'};
+constexpr std::byte kSafetyDoor{0x84};
 constexpr std::byte kSoftReset{0x18};
 
 // More than the segments that are queued last: no pause of the step timer
 // within a motion is that long.
 constexpr unsigned kTurnsStill = 100;
-// Longer than any machine brakes. What does not obey a hold (homing) is reset then.
+// Longer than any machine brakes. What does not obey is reset then.
 constexpr unsigned kMostTurnsToStop = 10'000;
 
 }  // namespace
@@ -52,7 +52,7 @@ void Session::welcome_sender() {
 
 void Session::lose_sender() {
   link_.disconnect();
-  link_.interject(kFeedHold);
+  link_.interject(kSafetyDoor);
   parting_ = Parting::kStopping;
   turns_of_parting_ = turns_still_ = 0;
 }

@@ -19,9 +19,9 @@ void apply_settings(const std::vector<SettingChange>& settings, cnc::Machine& ma
 /// firmware needs to know nothing of it and a recording holds all of it:
 /// * A sender who came gets a soft reset, and so the greeting that it waits for.
 ///   The machine stands still then: nothing goes on without a sender.
-/// * When a sender is lost, a feed hold stops the machine on its path with the
-///   beam off; once it stands, a soft reset empties the planner and switches off
-///   spindle and coolant. The position stays known.
+/// * When a sender is lost, the safety door darkens the beam at once and stops the
+///   machine on its path; once it stands, a soft reset empties the planner and
+///   switches off spindle and coolant. The position stays known.
 class Session {
  public:
   /// The settings are on top of what is stored. Throws as apply_settings(). The

@@ -199,22 +199,5 @@ TEST_F(MachineToolTest, ForgetsTheSpeedOfTheToolAtAnAbort) {
   EXPECT_EQ(port.power, 0);
 }
 
-TEST_F(MachineToolTest, DarkensABeamAtOnceWhenTheLinkIsLost) {
-  send_all({"$32=1", "M3 S1000", "G1 X50 F6000"});
-  run(300);
-  ASSERT_GT(port.power, 0);
-  machine.link_lost();
-  run(2);
-  EXPECT_EQ(port.power, 0);
-  run(500);
-  EXPECT_EQ(machine.status(), (MachineStatus{MachineState::kHold, 0}));
-  machine.resume();
-  run(20);
-  EXPECT_GT(port.power, 0);
-  run_until_idle();
-  machine.link_lost();
-  EXPECT_EQ(machine.state(), MachineState::kIdle);
-}
-
 }  // namespace
 }  // namespace cnc

@@ -46,9 +46,11 @@ TEST_F(SessionTest, StopsOnThePathWithTheBeamOffWhenTheSenderIsLost) {
   ASSERT_EQ(state(), cnc::MachineState::kRun);
   ASSERT_GT(session.controller().port().power, 0);
   session.lose_sender();
+  turn(2);
+  EXPECT_EQ(session.controller().port().power, 0) << "at once, while it still moves";
+  EXPECT_TRUE(session.controller().step_timer_runs());
   turn(1000);
   EXPECT_TRUE(session.calm());
-  EXPECT_EQ(session.controller().port().power, 0);
   EXPECT_EQ(state(), cnc::MachineState::kIdle) << "the position stays known";
   const std::int32_t place = session.controller().port().position[0];
   EXPECT_GT(place, 0);
