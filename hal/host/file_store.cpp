@@ -48,7 +48,7 @@ std::string text_of(const MemoryStore::Records& records) {
 
 /// Writes and waits until the disk has it.
 bool write_through(const std::string& path, const std::string& text) {
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  const int file = ::creat(path.c_str(), 0666);
   if (file < 0) return false;
   const bool written = ::write(file, text.data(), text.size()) == std::ssize(text);
   const bool kept = written && ::fsync(file) == 0;

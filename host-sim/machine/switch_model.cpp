@@ -6,7 +6,7 @@
 namespace sim {
 namespace {
 
-constexpr double kBeyondTravel_mm = 1.0;
+constexpr double kBeyondTravelMm = 1.0;
 /// A bouncing contact changes its mind this often.
 constexpr std::uint64_t kBounceSlot = 400;
 
@@ -26,7 +26,7 @@ std::optional<Switch> switch_of(const MachineModel& model,
   const auto travel = static_cast<double>(settings.get(cnc::setting::kTravel, axis));
   if (!model.switch_mm[axis] && travel <= 0.0) return {};
   const double place =
-      model.switch_mm[axis].value_or(low ? -kBeyondTravel_mm : travel + kBeyondTravel_mm);
+      model.switch_mm[axis].value_or(low ? -kBeyondTravelMm : travel + kBeyondTravelMm);
   const auto scale = static_cast<double>(settings.get(cnc::setting::kStepsPerMm, axis));
   return Switch{.step = std::llround(place * scale), .low = low};
 }

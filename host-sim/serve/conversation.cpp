@@ -66,7 +66,7 @@ class ConversationReader {
 
   [[nodiscard]] std::string bytes(std::string_view text) const {
     const auto read = unescaped(text);
-    if (!read) fail("the bytes are not of the form \"G0 X1\\n\"");
+    if (!read) fail(R"(the bytes are not of the form "G0 X1\n")");
     return *read;
   }
 

@@ -84,7 +84,7 @@ struct Speech {
 };
 
 std::string with_time(const Speech& speech, std::size_t place, bool with_times) {
-  const std::string line = speech.line_around(place);
+  std::string line = speech.line_around(place);
   if (!with_times || place >= speech.bytes.size()) return line;
   return fmt::format("{} at {} ns", line, speech.places[place]->time_ns);
 }

@@ -32,7 +32,8 @@ void require(bool holds, const char* what) {
 }
 
 bool contains_word(std::string line, std::string_view word) {
-  for (char& letter : line) letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+  for (char& letter : line)
+    letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
   return line.find(word) != std::string::npos;
 }
 

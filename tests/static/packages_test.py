@@ -26,7 +26,7 @@ class Packages(unittest.TestCase):
         names = [name for part in parts().values() for name in part]
         self.assertEqual(sorted(set(names)), sorted(names))
         for name in names:
-            self.assertRegex(name, r"^[a-z0-9][a-z0-9.+-]+$")
+            self.assertRegex(name, r"^[a-z0-9][a-z0-9.+-]+( +unless [a-z]+)?$")
 
     def test_running_needs_no_cross_compiler_and_no_browser(self):
         self.assertEqual([], [name for name in parts()["run"] if NOT_FOR_RUNNING.search(name)])
