@@ -37,6 +37,12 @@ class Receiver {
   /// The next byte of a line.
   [[nodiscard]] bool take(char& byte);
 
+  /// Forgets what waits, as a reset by a button does.
+  void drop_waiting() {
+    lines_.clear();
+    commands_.clear();
+  }
+
   // True once after each.
   [[nodiscard]] bool take_reset();  ///< Also forgets the lines before the reset.
   [[nodiscard]] bool take_status_request() { return status_.exchange(false); }

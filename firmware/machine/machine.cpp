@@ -32,7 +32,9 @@ bool Machine::busy() const {
          state_.in(Mode::kHome);
 }
 
-bool Machine::idle() const { return waiting_.empty() && !jog_ && motion_.drained(); }
+bool Machine::idle() const {
+  return waiting_.empty() && !jog_ && !state_.in(Mode::kHome) && motion_.drained();
+}
 
 gcode::Refusal Machine::accept(std::string_view line) {
   CNC_ASSERT(!busy() && !locked());

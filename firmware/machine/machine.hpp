@@ -70,6 +70,9 @@ class Machine {
   /// Stops at once, output off, modes forgotten. At rest the position stays
   /// known; else an alarm.
   void reset();
+  /// True once after the reset button: whoever keeps lines for the machine
+  /// drops them.
+  [[nodiscard]] bool take_reset_pressed();
   void emergency_stop();
   /// All off until a reset. False where that is not allowed: only in idle or alarm.
   bool sleep();
@@ -238,6 +241,7 @@ class Machine {
   StateMachine state_{};
   Alarm alarm_ = Alarm::kNone;
   bool needs_reset_ = false;
+  bool reset_pressed_ = false;
   bool cutting_off_ = false;  ///< Motion was cut off; the rest goes at the next turn.
   std::uint8_t homed_ = 0;
   bool leaving_travel_ = false;  ///< Holding for the soft limit's alarm.

@@ -73,13 +73,13 @@ void LineProtocol::receive() {
 }
 
 void LineProtocol::attend_realtime() {
+  if (machine_.take_reset_pressed()) {
+    receiver_.drop_waiting();
+    begin_anew();
+  }
   if (receiver_.take_reset()) {
     machine_.reset();
-    assembler_ = {};
-    listing_.stop();
-    owed_ = Owed::kNothing;
-    startup_line_ = StoredState::kStartupLines;
-    beginning_ = true;
+    begin_anew();
   }
   RealtimeByte command{};
   while (receiver_.take_command(command)) {
@@ -89,6 +89,14 @@ void LineProtocol::attend_realtime() {
       apply(command, machine_);
     }
   }
+}
+
+void LineProtocol::begin_anew() {
+  assembler_ = {};
+  listing_.stop();
+  owed_ = Owed::kNothing;
+  startup_line_ = StoredState::kStartupLines;
+  beginning_ = true;
 }
 
 /// True when there was something left to say about the line before.

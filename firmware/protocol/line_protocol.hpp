@@ -46,6 +46,7 @@ class LineProtocol {
   // The order of things, in line_protocol.cpp.
   void receive();
   void attend_realtime();
+  void begin_anew();
   [[nodiscard]] bool finish_line();
   [[nodiscard]] bool read_line();
   void handle(std::string_view line);

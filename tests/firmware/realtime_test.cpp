@@ -31,6 +31,21 @@ TEST_F(RealtimeTest, ReportsWhatGrblReports) {
   EXPECT_EQ(report(), "<Idle|MPos:0.000,0.000,0.000|Bf:64,1024|FS:0,0>");
 }
 
+TEST_F(RealtimeTest, TheResetButtonForgetsTheLinesThatWait) {
+  stream("G91 G0 X1\nM0\nX7\nX7\nX7 (and half a li");
+  run(500);
+  ASSERT_EQ(machine.state(), MachineState::kHold);
+  port.panel.reset = true;
+  run(100);
+  port.panel.reset = false;
+  run(100);
+  EXPECT_EQ(printed().back(), "Grbl 1.1h ['$' for help]");
+  EXPECT_EQ(machine.state(), MachineState::kIdle) << "at rest the place is known";
+  stream("ne)\n");
+  run(1000);
+  EXPECT_EQ(port.position[0], 250) << "nothing of what waited is done";
+}
+
 TEST_F(RealtimeTest, ReportsTheFieldsThatAreChosen) {
   send_all({"G10 L2 P1 X2", "$10=0"});
   EXPECT_EQ(report(), "<Idle|WPos:-2.000,0.000,0.000|FS:0,0|WCO:2.000,0.000,0.000>");
