@@ -139,6 +139,56 @@ TEST(Operator, HoldsResumesAndOverridesWithoutLosingAStep) {
 /// A hold in the last span of an arc ran over the end of the block.
 TEST(Operator, HoldsBeforeTheEndOfAnArc) { meddle_with_job(1463); }
 
+/// The greatest acceleration along the path, in mm/s².
+class Hardest final : public cnc::motion::SliceObserver {
+ public:
+  void on_slice(const cnc::motion::Slice& slice) override {
+    acceleration = std::max(acceleration, std::abs(slice.acceleration));
+  }
+  float acceleration = 0.0F;
+};
+
+using Touch = void (*)(cnc::Machine&);
+
+/// A line and arcs, touched at a moment, and again 60 ms later; returns how long it took.
+int touch_job(int at_ms, Touch first, Touch second) {
+  sim::Simulator simulator{
+      "G21 G90 G17\nM4 S500\nG1 X30 F6000\nG2 X40 Y10 I0 J10\nG1 X30 F2000\nX-3.5 Y7.25\nM2\n", {}};
+  set_up(simulator, 160.0, 200.0, 800.0);
+  Hardest hardest;
+  simulator.machine().observe(&hardest);
+  int turns = 0;
+  for (; turns < 20'000 && !simulator.done(); ++turns) {
+    if (turns == at_ms) first(simulator.machine());
+    if (turns == at_ms + 60) second(simulator.machine());
+    simulator.turn();
+  }
+  // On a diagonal both axes may use their limit; the arc is a quarter.
+  EXPECT_LE(hardest.acceleration, 800.0F * 1.4143F);
+  const sim::RunResult result = simulator.result();
+  EXPECT_EQ(result.alarm, 0);
+  EXPECT_EQ(result.final_position[0], -560);
+  EXPECT_EQ(result.final_position[1], 1160);
+  return turns;
+}
+
+TEST(Operator, MayHoldOrOverrideAtEveryHundredthOfASecondOfAJob) {
+  const Touch nothing = [](cnc::Machine&) {};
+  const Touch hold = [](cnc::Machine& machine) { machine.feed_hold(); };
+  const Touch resume = [](cnc::Machine& machine) { machine.resume(); };
+  const Touch slow = [](cnc::Machine& machine) { machine.set_overrides({.feed = 10}); };
+  const Touch fast = [](cnc::Machine& machine) { machine.set_overrides({.feed = 200}); };
+  const Touch usual = [](cnc::Machine& machine) { machine.set_overrides({}); };
+  const int whole = touch_job(0, nothing, nothing);
+  ASSERT_GT(whole, 1000);
+  for (int at = 0; at < whole; at += 10) {
+    SCOPED_TRACE(testing::Message() << "at " << at << " ms");
+    touch_job(at, hold, resume);
+    touch_job(at, slow, fast);
+    touch_job(at, fast, usual);
+  }
+}
+
 /// The time of the last edge.
 class LastEdge final : public sim::TraceSink {
  public:
