@@ -23,7 +23,8 @@ endif()
 add_library(kerfline_controller_flags INTERFACE)
 target_link_libraries(kerfline_controller_flags INTERFACE kerfline_flags)
 target_compile_options(kerfline_controller_flags INTERFACE
-  -fno-exceptions -fno-rtti -fno-threadsafe-statics -Wdouble-promotion -Wvla)
+  -fno-exceptions -fno-rtti -fno-threadsafe-statics -Wdouble-promotion -Wvla
+  $<$<CXX_COMPILER_ID:GNU>:-Wno-psabi>)  # All of it is built by one compiler.
 
 option(KERFLINE_SANITIZE "AddressSanitizer and UndefinedBehaviorSanitizer" OFF)
 if(KERFLINE_SANITIZE)
