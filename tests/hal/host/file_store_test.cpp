@@ -1,6 +1,7 @@
 #include "hal/host/file_store.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -25,7 +26,8 @@ class FileStoreTest : public testing::Test {
     return {reinterpret_cast<const char*>(record.data()), size};
   }
 
-  const std::string path = testing::TempDir() + "file_store_test";
+  // Tests run side by side.
+  const std::string path = testing::TempDir() + "file_store_test." + std::to_string(::getpid());
 };
 
 TEST_F(FileStoreTest, KeepsRecordsFromOneRunToTheNext) {
