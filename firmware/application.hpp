@@ -31,9 +31,9 @@ class Application {
   /// Lines are read before segments are cut, so that a burst is planned as one.
   /// @param now microseconds.
   void poll(hal::TickCount now) {
-    protocol_.poll();
+    protocol_.poll(now);
     machine_.poll(now);
-    protocol_.poll();
+    protocol_.poll(now);
   }
 
   /// The step interrupt. Returns the ticks until the next one; 0 stops the timer.

@@ -21,6 +21,7 @@ enum class RealtimeByte : std::uint8_t {
   kFullStatus = 0x87,
   kOptionalStop = 0x88,
   kSingleBlock = 0x89,
+  kAutoReport = 0x8C,  ///< Reports by themselves from now on, or no more ($481).
   kFeedReset = 0x90,
   kFeedUp10 = 0x91,
   kFeedDown10 = 0x92,

@@ -20,7 +20,7 @@ constexpr const char* kAxisNames = "X,Y,Z,A,B,C";
 
 // clang-format off
 // The size is spelled out: deduced, GCC 12 puts the table into RAM.
-constexpr std::array<SettingInfo, 78> kTable{{
+constexpr std::array<SettingInfo, 79> kTable{{
     SettingInfo{0, "Step pulse time", "microseconds", 1.0F, 12.0F, 5.0F, false,
      Group::kStepper, Type::kDecimal, kThousandths,
      "How long a step input is held high, and then low."},
@@ -231,6 +231,9 @@ constexpr std::array<SettingInfo, 78> kTable{{
     SettingInfo{394, "Spindle on delay", "seconds", 0.0F, 60.0F, 0.0F, false,
      Group::kSpindle, Type::kDecimal, kThousandths,
      "Wait after the spindle is switched on."},
+    SettingInfo{481, "Interval of reports", "milliseconds", 0.0F, 1000.0F, 0.0F, true,
+     Group::kGeneral, Type::kInteger, kWhole,
+     "Status reports by themselves, between 0x8C and the next; 0 for none."},
     SettingInfo{800, "X jerk", "mm/s^3", 1.0F, 1.0e9F, 10000.0F, false,
      Group::kX, Type::kDecimal, kThousandths,
      "Kept for smooth acceleration; no effect yet."},

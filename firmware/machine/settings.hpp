@@ -146,6 +146,7 @@ inline constexpr std::uint16_t kToolChange = 341;
 inline constexpr std::uint16_t kSpindleRestoreDelay = 392;
 inline constexpr std::uint16_t kCoolantRestoreDelay = 393;
 inline constexpr std::uint16_t kSpindleOnDelay = 394;
+inline constexpr std::uint16_t kReportInterval = 481;
 inline constexpr std::uint16_t kJerk = 800;
 inline constexpr std::uint16_t kArcRepairMm = 850;
 inline constexpr std::uint16_t kArcRepairPercent = 851;

@@ -5,11 +5,20 @@
 
 namespace cnc {
 
+/// The interval of $481 has passed since the last; from 0x8C to the next.
+bool LineProtocol::report_is_due() const {
+  const float interval_ms = machine_.settings().get(setting::kReportInterval);
+  if (!auto_report_ || interval_ms <= 0.0F) return false;
+  return now_.since(reported_) >= static_cast<std::int32_t>(1000.0F * interval_ms);
+}
+
 /// Answers `?` and its kin, whatever else is going on.
 bool LineProtocol::report() {
   form_.inches = inches();
+  const bool due = report_is_due();
+  if (due) reported_ = now_;
   const bool full = receiver_.take_full_status_request();
-  if (!receiver_.take_status_request() && !full) return false;
+  if (!receiver_.take_status_request() && !full && !due) return false;
   Reply reply;
   status_.write(reply, machine_, receiver_.advertised_room(), form_, full);
   answer(reply);

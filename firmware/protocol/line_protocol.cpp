@@ -33,7 +33,8 @@ LineProtocol::LineProtocol(hal::ByteStream& link, Machine& machine, hal::RecordS
   machine_.set_places(stored_.load_places());
 }
 
-void LineProtocol::poll() {
+void LineProtocol::poll(hal::TickCount now) {
+  now_ = now;
   int rows = 0;
   int lines = 0;
   for (;;) {
@@ -85,6 +86,8 @@ void LineProtocol::attend_realtime() {
   while (receiver_.take_command(command)) {
     if (command == RealtimeByte::kParserState) {
       modes_wanted_ = true;
+    } else if (command == RealtimeByte::kAutoReport) {
+      auto_report_ = !auto_report_;
     } else {
       apply(command, machine_);
     }
@@ -94,6 +97,7 @@ void LineProtocol::attend_realtime() {
 void LineProtocol::begin_anew() {
   assembler_ = {};
   listing_.stop();
+  auto_report_ = false;
   owed_ = Owed::kNothing;
   startup_line_ = StoredState::kStartupLines;
   beginning_ = true;

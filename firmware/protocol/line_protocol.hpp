@@ -14,6 +14,7 @@
 #include "firmware/store/stored_state.hpp"
 #include "hal/interface/byte_stream.hpp"
 #include "hal/interface/record_store.hpp"
+#include "hal/interface/tick_count.hpp"
 #include "planner/gcode/line_reader.hpp"
 
 namespace cnc {
@@ -37,7 +38,8 @@ class LineProtocol {
   LineProtocol(hal::ByteStream& link, Machine& machine, hal::RecordStore& store);
 
   /// Reads and answers what it can without waiting.
-  void poll();
+  /// @param now microseconds.
+  void poll(hal::TickCount now);
 
  private:
   /// What the line before still waits for.
@@ -54,6 +56,7 @@ class LineProtocol {
 
   // What is said without being asked, in events.cpp.
   [[nodiscard]] bool report();
+  [[nodiscard]] bool report_is_due() const;
   [[nodiscard]] bool tell_news();
   [[nodiscard]] bool tell_result();
   void welcome();
@@ -96,6 +99,9 @@ class LineProtocol {
   Owed owed_ = Owed::kNothing;
   Alarm told_alarm_ = Alarm::kNone;
   bool tool_told_ = false;
+  hal::TickCount now_{};
+  hal::TickCount reported_{};  ///< The last report that nobody asked for.
+  bool auto_report_ = false;
   bool modes_wanted_ = false;  ///< 0x83: a parser state between other lines.
   bool beginning_ = true;      ///< After power-up or a reset: the banner is due.
   bool saving_failed_ = false;

@@ -31,6 +31,27 @@ TEST_F(RealtimeTest, ReportsWhatGrblReports) {
   EXPECT_EQ(report(), "<Idle|MPos:0.000,0.000,0.000|Bf:64,1024|FS:0,0>");
 }
 
+TEST_F(RealtimeTest, ReportsByThemselvesWhenAsked) {
+  const auto reports_in = [&](int milliseconds) {
+    link.outgoing.clear();
+    run(milliseconds);
+    return std::count(link.outgoing.begin(), link.outgoing.end(), '<');
+  };
+  stream("\x8C");
+  EXPECT_EQ(reports_in(1000), 0) << "no interval is set";
+  send("$481=100");
+  EXPECT_EQ(reports_in(1000), 10);
+  stream("\x8C");
+  run(2);
+  EXPECT_EQ(reports_in(1000), 0);
+  stream("\xC2\x8C");
+  run(2);
+  EXPECT_EQ(reports_in(500), 5);
+  stream("\x18");
+  run(10);
+  EXPECT_EQ(reports_in(500), 0) << "a reset ends it";
+}
+
 TEST_F(RealtimeTest, TheResetButtonForgetsTheLinesThatWait) {
   stream("G91 G0 X1\nM0\nX7\nX7\nX7 (and half a li");
   run(500);

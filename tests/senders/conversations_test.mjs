@@ -84,8 +84,11 @@ async function laserGrbl(talk) {
   await untilOverride(talk, '\x99', '100,100,100');
 }
 
-/// Its expressions for the enumerations of grblHAL.
+/// What gSender and CNCjs read these lines with.
 const kEnumerations = {
+  '$I+': /^\[(VER:1\.1[a-z]\.\d+:.*|OPT:[A-Z0-9*+$#]*,\d+,\d+|NEWOPT:[A-Z0-9,+-]*|AXS:\d+:[XYZABC]+|[A-Z ]+:[^\]]*)\]$/,
+  $$: /^\$\d+=-?\d+(\.\d+)?$/,
+  $G: /^\[GC:(?:[GMTFS]\d+(?:\.\d*)?\s?)+(?<! )\]$/,
   $ES: /^\[SETTING:(\d+)\|(\d+)\|([^|]+)\|([^|]*)\|(\d+)\|([^|]*)\|([^|]*)\|([^|]*)(\|[^\]]*)?\]$/,
   $ESH: /^(\[SETTINGDESCR:\d+\|.*\]|\d+\t.*)$/,
   $EG: /^\[SETTINGGROUP:(\d+)\|(\d+)\|([^\]]*)\]$/,
