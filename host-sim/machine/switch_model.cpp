@@ -1,7 +1,6 @@
 #include "host-sim/machine/switch_model.hpp"
 
 #include <cmath>
-#include <optional>
 
 namespace sim {
 namespace {
@@ -14,23 +13,6 @@ bool in_mask(float mask, std::size_t axis) {
   return (static_cast<unsigned>(mask) >> axis & 1U) != 0;
 }
 
-struct Switch {
-  std::int64_t step;  ///< Closed from here on.
-  bool low;           ///< At the lower end.
-};
-
-std::optional<Switch> switch_of(const MachineModel& model,
-                                const cnc::Settings& settings,
-                                std::size_t axis) {
-  const bool low = in_mask(settings.get(cnc::setting::kHomingDirectionInvert), axis);
-  const auto travel = static_cast<double>(settings.get(cnc::setting::kTravel, axis));
-  if (!model.switch_mm[axis] && travel <= 0.0) return {};
-  const double place =
-      model.switch_mm[axis].value_or(low ? -kBeyondTravelMm : travel + kBeyondTravelMm);
-  const auto scale = static_cast<double>(settings.get(cnc::setting::kStepsPerMm, axis));
-  return Switch{.step = std::llround(place * scale), .low = low};
-}
-
 /// A bit that looks random, of a number.
 bool noise(std::uint64_t number) {
   number *= 0x9E37'79B9'7F4A'7C15U;
@@ -39,27 +21,36 @@ bool noise(std::uint64_t number) {
 
 }  // namespace
 
-hal::SwitchMask SwitchModel::read(const cnc::Settings& settings,
-                                  const hal::host::RecordingPort& port,
-                                  std::uint64_t tick) {
+void SwitchModel::place(const cnc::Settings& settings) {
+  if (!model_.has_switches) return;
+  for (std::size_t axis = 0; axis < switches_.size(); ++axis) {
+    Switch& found = switches_[axis];
+    found.low = in_mask(settings.get(cnc::setting::kHomingDirectionInvert), axis);
+    found.second = in_mask(settings.get(cnc::setting::kSquaredAxes), axis);
+    const auto travel = static_cast<double>(settings.get(cnc::setting::kTravel, axis));
+    found.present = model_.switch_mm[axis].has_value() || travel > 0.0;
+    const double end = found.low ? -kBeyondTravelMm : travel + kBeyondTravelMm;
+    const auto scale = static_cast<double>(settings.get(cnc::setting::kStepsPerMm, axis));
+    found.step = std::llround(model_.switch_mm[axis].value_or(end) * scale);
+    const std::int64_t ahead = std::llround(model_.second_ahead_mm[axis] * scale);
+    found.second_ahead = found.low ? -ahead : ahead;
+  }
+}
+
+hal::SwitchMask SwitchModel::read(const hal::host::RecordingPort& port, std::uint64_t tick) {
   hal::SwitchMask mask;
-  if (!model_.has_switches) return mask;
-  const float two_motors = settings.get(cnc::setting::kSquaredAxes);
-  for (std::size_t axis = 0; axis < contacts_.size(); ++axis) {
-    const auto found = switch_of(model_, settings, axis);
-    if (!found) continue;
+  for (std::size_t axis = 0; axis < switches_.size(); ++axis) {
+    const Switch& found = switches_[axis];
+    if (!found.present) continue;
     const auto bit = static_cast<std::uint8_t>(1U << axis);
     const auto pressed = [&](std::int64_t step) {
-      return found->low ? step <= found->step : step >= found->step;
+      return found.low ? step <= found.step : step >= found.step;
     };
     if (reads_closed(contacts_[axis][0], pressed(port.position[axis]), tick)) {
       mask.first = static_cast<std::uint8_t>(mask.first | bit);
     }
-    if (!in_mask(two_motors, axis)) continue;
-    const double scale = static_cast<double>(settings.get(cnc::setting::kStepsPerMm, axis));
-    const std::int64_t ahead = std::llround(model_.second_ahead_mm[axis] * scale);
-    const std::int64_t second = port.second_position[axis] + (found->low ? -ahead : ahead);
-    if (reads_closed(contacts_[axis][1], pressed(second), tick)) {
+    const std::int64_t second = port.second_position[axis] + found.second_ahead;
+    if (found.second && reads_closed(contacts_[axis][1], pressed(second), tick)) {
       mask.second = static_cast<std::uint8_t>(mask.second | bit);
     }
   }

@@ -16,12 +16,19 @@ class SwitchModel {
  public:
   explicit SwitchModel(const MachineModel& model) : model_{model} {}
 
+  /// Puts them where the machine of these settings has them.
+  void place(const cnc::Settings& settings);
   /// What they read at this tick. Call with ticks that never go back.
-  [[nodiscard]] hal::SwitchMask read(const cnc::Settings& settings,
-                                     const hal::host::RecordingPort& port,
-                                     std::uint64_t tick);
+  [[nodiscard]] hal::SwitchMask read(const hal::host::RecordingPort& port, std::uint64_t tick);
 
  private:
+  struct Switch {
+    bool present = false;
+    bool low = false;               ///< At the lower end.
+    bool second = false;            ///< The axis has two motors, and a switch for each.
+    std::int64_t step = 0;          ///< Closed from here on.
+    std::int64_t second_ahead = 0;  ///< Steps that the second motor stands nearer to it.
+  };
   struct Contact {
     bool closed = false;
     bool bounces = false;
@@ -31,6 +38,7 @@ class SwitchModel {
   [[nodiscard]] bool reads_closed(Contact& contact, bool pressed, std::uint64_t tick) const;
 
   const MachineModel& model_;
+  std::array<Switch, 6> switches_{};
   std::array<std::array<Contact, 2>, 6> contacts_{};
 };
 

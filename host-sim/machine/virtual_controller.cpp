@@ -18,6 +18,8 @@ VirtualController::VirtualController(hal::ByteStream& link,
 
 void VirtualController::turn() {
   last_event_ = now_;
+  switches_.place(machine().settings());
+  z_steps_per_mm_ = machine().settings().get(cnc::setting::kStepsPerMm, 2);
   feel_machine();
   firmware_.poll(hal::TickCount{static_cast<std::uint32_t>(now_ / kTicksPerMicrosecond)});
   advance_to(now_ + kTicksPerTurn);
@@ -45,10 +47,9 @@ void VirtualController::advance_to(std::uint64_t tick) {
 
 /// What probe and switches read where the motors are now.
 void VirtualController::feel_machine() {
-  const float z_steps_per_mm = machine().settings().get(cnc::setting::kStepsPerMm, 2);
-  const double z_mm = static_cast<double>(port_.position[2]) / static_cast<double>(z_steps_per_mm);
+  const double z_mm = static_cast<double>(port_.position[2]) / static_cast<double>(z_steps_per_mm_);
   port_.probe = z_mm <= model_.probe_plate_z_mm;
-  port_.limits = switches_.read(machine().settings(), port_, now_);
+  port_.limits = switches_.read(port_, now_);
 }
 
 void VirtualController::report_change() {

@@ -60,6 +60,7 @@ class VirtualController {
 
   MachineModel model_;
   SwitchModel switches_;
+  float z_steps_per_mm_ = 1.0F;  ///< As of this turn.
   hal::host::RecordingPort port_{};
   hal::host::MemoryStore own_store_{};
   Firmware firmware_;
