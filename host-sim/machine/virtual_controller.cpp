@@ -37,8 +37,7 @@ void VirtualController::advance_to(std::uint64_t tick) {
 void VirtualController::report_change() {
   port_.changed = false;
   const float z_steps_per_mm = machine().settings().get(cnc::setting::kStepsPerMm, 2);
-  const double z_mm =
-      static_cast<double>(port_.position[2]) / static_cast<double>(z_steps_per_mm);
+  const double z_mm = static_cast<double>(port_.position[2]) / static_cast<double>(z_steps_per_mm);
   port_.probe = z_mm <= model_.probe_plate_z_mm;
   const TraceRow row{.time_ns = now_ * kNanosecondsPerTick,
                      .position = port_.position,

@@ -59,8 +59,8 @@ class VirtualController {
   hal::host::RecordingPort port_{};
   Firmware firmware_;
   std::vector<TraceSink*> sinks_;
-  std::uint64_t now_ = 0;  ///< Ticks of the step clock.
-  std::uint64_t last_event_ = 0;  ///< Start of the last turn, or an interrupt in it.
+  std::uint64_t now_ = 0;             ///< Ticks of the step clock.
+  std::uint64_t last_event_ = 0;      ///< Start of the last turn, or an interrupt in it.
   std::uint64_t next_interrupt_ = 0;  ///< Valid while the timer runs.
   bool timer_runs_ = false;
   TraceRow row_{};  ///< Not handed out while its instant lasts.
