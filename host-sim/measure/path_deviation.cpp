@@ -1,7 +1,5 @@
 #include "host-sim/measure/path_deviation.hpp"
 
-#include <limits>
-
 namespace sim {
 namespace {
 
@@ -13,9 +11,11 @@ Point steps_of(const cnc::AxisArray<double>& steps_per_mm) {
 
 }  // namespace
 
-PathDeviation::PathDeviation(const ProgrammedPath& path, const cnc::AxisArray<double>& steps_per_mm)
+PathDeviation::PathDeviation(const ProgrammedPath& path,
+                             const cnc::AxisArray<double>& steps_per_mm,
+                             double floor)
     : path_{&path}, step_{steps_of(steps_per_mm)}, follower_{path, step_}, last_{path.start} {
-  excess_.value = -std::numeric_limits<double>::infinity();
+  excess_.value = floor;
 }
 
 void PathDeviation::on_row(const TraceRow& row) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "host-sim/measure/path_follower.hpp"
 #include "host-sim/trace/trace_row.hpp"
@@ -27,14 +28,19 @@ struct DeviationPeak {
 /// part of the path can only be guessed.
 class PathDeviation final : public TraceSink {
  public:
-  /// `path` must outlive this; steps per degree for A, B and C.
-  PathDeviation(const ProgrammedPath& path, const cnc::AxisArray<double>& steps_per_mm);
-  PathDeviation(ProgrammedPath&& path, const cnc::AxisArray<double>& steps_per_mm) = delete;
+  /// `path` must outlive this; steps per degree for A, B and C. An axis excess of
+  /// no more than `floor` mm is not looked for, which saves most of the work.
+  PathDeviation(const ProgrammedPath& path,
+                const cnc::AxisArray<double>& steps_per_mm,
+                double floor = -std::numeric_limits<double>::infinity());
+  PathDeviation(ProgrammedPath&& path,
+                const cnc::AxisArray<double>& steps_per_mm,
+                double floor = 0.0) = delete;
 
   void on_row(const TraceRow& row) override;
 
   [[nodiscard]] const DeviationPeak& greatest_distance() const { return distance_; }
-  /// mm, or degrees where a rotary axis decides.
+  /// mm, or degrees where a rotary axis decides; the floor, if it was never above.
   [[nodiscard]] const DeviationPeak& greatest_axis_excess() const { return excess_; }
   /// Where on the path the machine is, as far as can be told; null on an empty path.
   [[nodiscard]] const PathPiece* present_piece() const;

@@ -1,6 +1,7 @@
 #include "host-sim/measure/path_follower.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace sim {
@@ -92,13 +93,15 @@ double PathFollower::excess_between(
 // Along a line the excess is convex. Where an arc just touches the edge of a step it
 // has more than one minimum, hence the search in parts.
 double PathFollower::piece_excess(const Point& position, const Match& match, double enough) const {
-  constexpr int kParts = 8;  // Of the four steps around the nearest point.
+  // Of the four steps around the nearest point, from there outwards: "enough" is near.
+  constexpr std::array kParts{3, 4, 2, 5, 1, 6, 0, 7};
   const Curve& curve = this->curve(match.piece);
   const double reach = 2.0 * step_size_ / curve.length();
   const double low = std::max(from(match.piece), match.nearest.fraction - reach);
-  const double part = (std::min(1.0, match.nearest.fraction + reach) - low) / kParts;
+  const double part = (std::min(1.0, match.nearest.fraction + reach) - low) / kParts.size();
   double least = excess_at(position, match.nearest.point);
-  for (int i = 0; i < kParts && least > enough; ++i) {
+  for (const int i : kParts) {
+    if (least <= enough) break;
     const double from = low + part * i;
     least = std::min(least, excess_between(position, curve, from, from + part, enough));
   }

@@ -2,11 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <vector>
-
-#include "planner/base/bounded_vector.hpp"
-
 namespace cnc {
 namespace {
 
@@ -55,29 +50,6 @@ TEST(Result, KeepsWhatItHoldsWhenCopied) {
 TEST(ResultDeathTest, StopsWhoAsksForTheWrongOne) {
   EXPECT_DEATH(static_cast<void>(half_of(7).value()), "contract failed: ok");
   EXPECT_DEATH(static_cast<void>(half_of(8).error()), "contract failed: !ok");
-}
-
-TEST(BoundedVector, BeginsEmpty) {
-  const BoundedVector<int, 3> none;
-  EXPECT_EQ(none.size(), 0U);
-  EXPECT_EQ(none.begin(), none.end());
-  EXPECT_EQ(none.capacity(), 3U);
-}
-
-TEST(BoundedVector, KeepsTheOrderAndRefusesWhenFull) {
-  BoundedVector<int, 3> numbers;
-  EXPECT_TRUE(numbers.try_push_back(5));
-  EXPECT_TRUE(numbers.try_push_back(7));
-  EXPECT_TRUE(numbers.try_push_back(6));
-  EXPECT_FALSE(numbers.try_push_back(8));
-  EXPECT_EQ((std::vector<int>{numbers.begin(), numbers.end()}), (std::vector<int>{5, 7, 6}));
-  EXPECT_EQ(numbers[2], 6);
-}
-
-TEST(BoundedVectorDeathTest, StopsWhoReadsBeyondTheEnd) {
-  BoundedVector<int, 3> numbers;
-  ASSERT_TRUE(numbers.try_push_back(5));
-  EXPECT_DEATH(static_cast<void>(numbers[1]), "contract failed: index < size_");
 }
 
 }  // namespace
