@@ -1,5 +1,7 @@
 #include "firmware/machine/machine.hpp"
 
+#include "planner/base/truncate.hpp"
+
 namespace cnc {
 
 Machine::Machine(StepDrive& drive, hal::AuxiliaryOutputs& outputs, hal::MachineInputs& inputs)

@@ -1,7 +1,8 @@
 #include "firmware/machine/travel.hpp"
 
 #include <algorithm>
-#include <cmath>
+
+#include "planner/geometry/arc_reach.hpp"
 
 namespace cnc {
 namespace {
@@ -9,23 +10,6 @@ namespace {
 /// A circle that touches the end of the travel may be this much beyond it by
 /// rounding: its radius is a float.
 constexpr Coordinate kSlack{1000};
-
-struct Arm {
-  float x;
-  float y;
-};
-
-float cross(const Arm& a, const Arm& b) { return a.x * b.y - a.y * b.x; }
-float dot(const Arm& a, const Arm& b) { return a.x * b.x + a.y * b.y; }
-
-/// Whether turning counter-clockwise from `start` to `end`, a full turn when
-/// they agree, passes `arm`.
-bool passes(const Arm& start, const Arm& end, const Arm& arm) {
-  const float turn = cross(start, end);
-  if (turn == 0.0F && dot(start, end) > 0.0F) return true;
-  if (turn >= 0.0F) return cross(start, arm) >= 0.0F && (turn == 0.0F || cross(arm, end) >= 0.0F);
-  return cross(end, arm) <= 0.0F || cross(arm, start) <= 0.0F;
-}
 
 }  // namespace
 
@@ -84,28 +68,14 @@ bool Travel::contains(const Position& place) const {
   return true;
 }
 
-/// The end, and each of the four outermost points of the circle on the way.
 bool Travel::contains_arc(const Position& start, const gcode::Action& arc) const {
-  if (!contains(arc.end)) return false;
-  const PlaneAxes axes = axes_of(arc.plane);
-  Arm from{(start[axes.first] - arc.centre[0]).mm(), (start[axes.second] - arc.centre[1]).mm()};
-  Arm to{(arc.end[axes.first] - arc.centre[0]).mm(), (arc.end[axes.second] - arc.centre[1]).mm()};
-  const float radius = std::sqrt(std::max(dot(from, from), dot(to, to)));
-  const bool whole = arc.turns > 1 || (start[axes.first] == arc.end[axes.first] &&
-                                       start[axes.second] == arc.end[axes.second]);
-  if (arc.clockwise) std::swap(from, to);
-  constexpr std::array<Arm, 4> kOutermost{
-      {{1.0F, 0.0F}, {0.0F, 1.0F}, {-1.0F, 0.0F}, {0.0F, -1.0F}}};
-  for (const Arm& arm : kOutermost) {
-    if (!whole && !passes(from, to, arm)) continue;
-    Position point = arc.end;
-    point[axes.first] = arc.centre[0] + from_mm(radius * arm.x);
-    point[axes.second] = arc.centre[1] + from_mm(radius * arm.y);
-    if (arm.x == 0.0F) point[axes.first] = arc.end[axes.first];
-    if (arm.y == 0.0F) point[axes.second] = arc.end[axes.second];
-    if (!contains(point)) return false;
-  }
-  return true;
+  const Box reach = reach_of({.start = start,
+                              .end = arc.end,
+                              .plane = arc.plane,
+                              .centre = arc.centre,
+                              .clockwise = arc.clockwise,
+                              .turns = arc.turns});
+  return contains(reach.least) && contains(reach.most);
 }
 
 Position Travel::clamped(const Position& place) const {

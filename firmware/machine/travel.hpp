@@ -3,7 +3,6 @@
 #include <cstdint>
 
 #include "firmware/machine/settings.hpp"
-#include "planner/base/truncate.hpp"
 #include "planner/gcode/interpreter.hpp"
 
 namespace cnc {
@@ -41,9 +40,6 @@ struct AxisTravel {
   Coordinate most{};
 };
 [[nodiscard]] AxisTravel travel_of(const Settings& settings, std::size_t axis);
-
-/// A length that a setting gives, to the nanometre below.
-[[nodiscard]] inline Coordinate from_mm(float mm) { return Coordinate{truncated(mm * 1.0e6F)}; }
 
 /// Bits of $22.
 namespace homing_option {

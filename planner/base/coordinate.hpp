@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "planner/base/axes.hpp"
+#include "planner/base/truncate.hpp"
 
 namespace cnc {
 
@@ -46,6 +47,15 @@ class Coordinate {
  private:
   std::int64_t nanometres_ = 0;
 };
+
+/// The nearest place to a number of millimetres (rotary axes: degrees).
+/// @pre |mm| at most 1e6.
+[[nodiscard]] inline Coordinate from_mm(float mm) {
+  // Whole millimetres apart, so that the multiplication does not round again.
+  const std::int64_t whole = truncated(mm);
+  const float rest = (mm - static_cast<float>(whole)) * 1.0e6F;
+  return Coordinate{whole * 1'000'000 + truncated(rest + (rest < 0.0F ? -0.5F : 0.5F))};
+}
 
 using Position = AxisArray<Coordinate>;
 

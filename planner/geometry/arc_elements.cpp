@@ -4,7 +4,6 @@
 
 #include "planner/base/contract.hpp"
 #include "planner/base/scalar_math.hpp"
-#include "planner/base/truncate.hpp"
 
 namespace cnc {
 namespace {
@@ -15,13 +14,6 @@ constexpr float kFullCircle = 5.0e-7F;
 
 /// An arc of half a turn may come out longer by the error of atan2, as a share of π.
 constexpr float kHalfTurnSlack = 1.5e-7F;
-
-Coordinate from_mm(float mm) {
-  // Whole millimetres apart, so that the multiplication does not round again.
-  const std::int64_t whole = truncated(mm);
-  const float rest = (mm - static_cast<float>(whole)) * 1.0e6F;
-  return Coordinate{whole * 1'000'000 + truncated(rest + (rest < 0.0F ? -0.5F : 0.5F))};
-}
 
 float length(float x, float y) { return std::sqrt(x * x + y * y); }
 
