@@ -23,15 +23,6 @@ std::string name_of(const std::string& file) {
   return file == "-" ? file : std::filesystem::path{file}.filename().string();
 }
 
-void apply(const std::vector<SettingChange>& changes, Simulator& simulator) {
-  for (const SettingChange& change : changes) {
-    const std::string refusal = simulator.change_setting(change.number, change.value);
-    if (refusal.empty()) continue;
-    throw std::invalid_argument(
-        fmt::format("{}: ${}={:g}: {}", change.place, change.number, change.value, refusal));
-  }
-}
-
 template <typename Number>
 cnc::AxisArray<Number> steps_per_mm(const cnc::Settings& settings) {
   cnc::AxisArray<Number> steps{};
@@ -135,7 +126,7 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
                       {.after_refusal = AfterRefusal::kStop,
                        .machine = job.machine,
                        .on_progress = job.on_progress}};
-  apply(job.settings, simulator);
+  apply_settings(job.settings, simulator.machine());
   const ProgrammedPath path = read_independently(text, simulator.settings());
 
   MotionMeter meter{steps_per_mm<double>(simulator.settings())};
@@ -173,7 +164,7 @@ Report check(const Job& job) {
                       {.after_refusal = AfterRefusal::kGoOn,
                        .machine = job.machine,
                        .on_progress = job.on_progress}};
-  apply(job.settings, simulator);
+  apply_settings(job.settings, simulator.machine());
   const ProgrammedPath path = read_independently(text, simulator.settings());
   Report report = report_on(job, simulator.run(), path);
   report.path_length_mm = path.length();

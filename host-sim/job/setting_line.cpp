@@ -57,6 +57,18 @@ std::vector<SettingChange> read_settings_file(const std::string& file) {
   return changes;
 }
 
+void apply_settings(const std::vector<SettingChange>& changes, cnc::Machine& machine) {
+  for (const SettingChange& change : changes) {
+    const auto stored = machine.change_setting(change.number, change.value);
+    if (stored.ok()) continue;
+    throw std::invalid_argument(fmt::format("{}: ${}={:g}: {}",
+                                            change.place,
+                                            change.number,
+                                            change.value,
+                                            cnc::describe(stored.error())));
+  }
+}
+
 std::string read_text(const std::string& file) {
   if (file == "-") return {std::istreambuf_iterator<char>{std::cin}, {}};
   std::ifstream stream{file, std::ios::binary};

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "firmware/machine/machine.hpp"
+
 namespace sim {
 
 /// One `$N=value`, as on the wire, and where it was written.
@@ -22,6 +24,10 @@ struct SettingChange {
 /// not count. Throws std::invalid_argument with the place, std::system_error
 /// when the file cannot be read.
 [[nodiscard]] std::vector<SettingChange> read_settings_file(const std::string& file);
+
+/// Gives them to a machine. Throws std::invalid_argument with the place of the
+/// first that it refuses. @pre machine.idle()
+void apply_settings(const std::vector<SettingChange>& changes, cnc::Machine& machine);
 
 /// The whole text of a file, or of standard input for `-`. Throws
 /// std::system_error naming the file.

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "host-sim/job/setting_line.hpp"
 #include "host-sim/serve/recorder.hpp"
-#include "host-sim/serve/session.hpp"
 
 namespace sim {
 namespace {

@@ -1,9 +1,5 @@
 #include "host-sim/serve/session.hpp"
 
-#include <fmt/format.h>
-
-#include <stdexcept>
-
 namespace sim {
 namespace {
 
@@ -17,18 +13,6 @@ constexpr unsigned kTurnsStill = 100;
 constexpr unsigned kMostTurnsToStop = 10'000;
 
 }  // namespace
-
-void apply_settings(const std::vector<SettingChange>& settings, cnc::Machine& machine) {
-  for (const SettingChange& change : settings) {
-    const auto stored = machine.change_setting(change.number, change.value);
-    if (stored.ok()) continue;
-    throw std::invalid_argument(fmt::format("{}: ${}={:g}: {}",
-                                            change.place,
-                                            change.number,
-                                            change.value,
-                                            cnc::describe(stored.error())));
-  }
-}
 
 Session::Session(const MachineModel& machine,
                  const std::vector<SettingChange>& settings,

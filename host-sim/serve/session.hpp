@@ -10,9 +10,6 @@
 
 namespace sim {
 
-/// Throws std::invalid_argument for a setting that is refused.
-void apply_settings(const std::vector<SettingChange>& settings, cnc::Machine& machine);
-
 /// The controller on its link, and what becomes of it when senders come and go.
 ///
 /// Both work by the bytes that a careful operator would send, so that the
