@@ -3,10 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/base/units.hpp"
+
 namespace cnc {
 namespace {
 
-constexpr float kSecondsPerMinute = 60.0F;
 constexpr float kTicksPerMicrosecond = static_cast<float>(motion::kTicksPerSecond) * 1.0e-6F;
 
 /// Combined limit of all motors: what the step interrupt is budgeted for.

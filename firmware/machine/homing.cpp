@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "firmware/machine/travel.hpp"
+#include "planner/base/units.hpp"
 
 namespace cnc {
 namespace {
 
 constexpr std::uint32_t kPasses = 6;
-constexpr float kSecondsPerMinute = 60.0F;
 constexpr float kSeekTravels = 1.5F;
 /// A slow approach may be longer than the pull-off was, but not by much.
 constexpr float kLocatePullOffs = 5.0F;

@@ -1,9 +1,7 @@
 #include "firmware/machine/machine.hpp"
+#include "planner/base/units.hpp"
 
 namespace cnc {
-namespace {
-constexpr float kSecondsPerMinute = 60.0F;
-}
 
 /// Motion is held, a beam is dark at once; the rest follows when all stands
 /// still. A door opened again while resuming starts anew.

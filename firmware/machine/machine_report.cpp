@@ -1,4 +1,5 @@
 #include "firmware/machine/machine.hpp"
+#include "planner/base/units.hpp"
 
 namespace cnc {
 
@@ -28,10 +29,7 @@ MachineStatus Machine::status() const {
   return {};
 }
 
-float Machine::feed_now_mm_min() const {
-  constexpr float kSecondsPerMinute = 60.0F;
-  return kSecondsPerMinute * motion_.speed();
-}
+float Machine::feed_now_mm_min() const { return kSecondsPerMinute * motion_.speed(); }
 
 float Machine::spindle_now() const {
   constexpr float kFullPower = 65535.0F;

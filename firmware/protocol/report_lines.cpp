@@ -2,10 +2,11 @@
 
 #include <array>
 
+#include "planner/base/units.hpp"
+
 namespace cnc {
 namespace {
 
-constexpr float kSecondsPerMinute = 60.0F;
 constexpr float kMillimetresPerInch = 25.4F;
 
 std::string_view motion_word(gcode::MotionMode mode) {

@@ -14,6 +14,8 @@ namespace cnc {
 /// host agree to the bit; a fraction, because a block rarely ends on a step.
 class StepPosition {
  public:
+  static constexpr float kStepsPerUnit = 1.0F / 4294967296.0F;
+
   constexpr StepPosition() = default;
   constexpr explicit StepPosition(std::int64_t q32) : q32_{q32} {}
   [[nodiscard]] static constexpr StepPosition whole(std::int32_t steps) {

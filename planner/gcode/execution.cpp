@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "planner/base/units.hpp"
+
 namespace cnc::gcode {
 
 namespace {
@@ -90,7 +92,7 @@ Refusal Execution::set_feed() {
     modal.feed = 0.0F;
     modal.rotary_feed = 0.0F;
   } else if (per_minute != nullptr) {
-    modal.rotary_feed = per_minute->to_float() / 60.0F;
+    modal.rotary_feed = per_minute->to_float() / kSecondsPerMinute;
     const bool inches = modal.units == Units::kInches;
     modal.feed = inches ? modal.rotary_feed * kMillimetresPerInch : modal.rotary_feed;
   }

@@ -3,6 +3,7 @@
 
 #include "planner/base/scalar_math.hpp"
 #include "planner/base/truncate.hpp"
+#include "planner/base/units.hpp"
 #include "planner/gcode/execution.hpp"
 
 namespace cnc::gcode {
@@ -148,7 +149,7 @@ float Execution::arc_speed(const Action& arc, PlaneVector end, PlaneVector centr
   const float angle =
       sweep_angle(end, centre, arc.clockwise) + static_cast<float>(arc.turns - 1) * kTwoPi;
   const float along = centre.length() * angle;
-  return std::sqrt(along * along + rise * rise) * inverse_time_ / 60.0F;
+  return std::sqrt(along * along + rise * rise) * inverse_time_ / kSecondsPerMinute;
 }
 
 PlaneVector Execution::from_here(const Position& target) const {

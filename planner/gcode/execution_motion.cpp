@@ -1,3 +1,4 @@
+#include "planner/base/units.hpp"
 #include "planner/gcode/execution.hpp"
 #include "planner/gcode/path_length.hpp"
 
@@ -97,7 +98,7 @@ Refusal Execution::probe() {
 float Execution::straight_speed(const Position& target) const {
   const ModalState& modal = next_.modal;
   if (modal.feed_mode == FeedMode::kInverseTime) {
-    return straight_length(next_.position, target) * inverse_time_ / 60.0F;
+    return straight_length(next_.position, target) * inverse_time_ / kSecondsPerMinute;
   }
   return only_rotary_axes_move(next_.position, target) ? modal.rotary_feed : modal.feed;
 }

@@ -3,7 +3,6 @@
 namespace cnc::motion {
 namespace {
 
-constexpr float kFromQ32 = 1.0F / 4294967296.0F;
 constexpr std::uint64_t kWhole = std::uint64_t{1} << 32;
 
 /// length · fraction / 2^32, exact but for the last bit.
@@ -30,7 +29,7 @@ MotorPath::MotorPath(const Block& block, const AxisArray<StepPosition>& start)
       end_{block.end},
       axes_{axes_of(block.turn.plane)},
       turns_{block.turns()} {
-  const float per_mm = kFromQ32 / block.length;
+  const float per_mm = StepPosition::kStepsPerUnit / block.length;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     chord_[axis] = end_[axis].q32() - start_[axis].q32();
     chord_per_mm_[axis] = static_cast<float>(chord_[axis]) * per_mm;

@@ -6,7 +6,6 @@
 namespace cnc::motion {
 namespace {
 
-constexpr float kFromQ32 = 1.0F / 4294967296.0F;
 constexpr float kToQ16 = 65536.0F;
 constexpr std::int64_t kHalfStep = std::int64_t{1} << 31;
 
@@ -44,11 +43,12 @@ StepTrain time_steps(const AxisSlice& slice, float shift) {
   const std::int64_t centre = StepPosition::whole(slice.from.nearest_step()).q32();
   const std::int64_t edge = forward ? centre + kHalfStep : centre - kHalfStep;
   const std::int64_t lead = forward ? edge - slice.from.q32() : slice.from.q32() - edge;
-  const float first_edge = static_cast<float>(lead) * kFromQ32;
+  const float first_edge = static_cast<float>(lead) * StepPosition::kStepsPerUnit;
 
-  const Parabola motion{static_cast<float>(forward ? travel : -travel) * kFromQ32,
-                        forward ? slice.speed_steps_per_tick : -slice.speed_steps_per_tick,
-                        slice.ticks};
+  const Parabola motion{
+      static_cast<float>(forward ? travel : -travel) * StepPosition::kStepsPerUnit,
+      forward ? slice.speed_steps_per_tick : -slice.speed_steps_per_tick,
+      slice.ticks};
   StepTrain train;
   train.count = static_cast<std::uint16_t>(forward ? steps : -steps);
   const float first = motion.time_to(first_edge);
