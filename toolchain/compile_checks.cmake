@@ -19,6 +19,7 @@ function(kerfline_headers_alone layer folder)
       set(flags kerfline_controller_flags)
     endif()
     add_library(${layer}_headers_alone OBJECT ${sources})
+    set_target_properties(${layer}_headers_alone PROPERTIES UNITY_BUILD OFF)
     target_link_libraries(${layer}_headers_alone PRIVATE ${flags} ${layer})
     if(KERFLINE_HOST)
       target_compile_options(${layer}_headers_alone PRIVATE -O0)  # There is little to optimise.

@@ -15,7 +15,7 @@ if(KERFLINE_HOST AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     -Wno-restrict -Wno-array-bounds -Wno-stringop-overflow)
 endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
-  # Only the fuzzers are built with Clang. Its warnings are judged by clang-tidy.
+  # The sanitized builds. Its warnings are judged by clang-tidy.
   target_compile_options(kerfline_flags INTERFACE -Wno-error)
 endif()
 
@@ -48,6 +48,10 @@ function(kerfline_layer name flags)
   if(sources)
     add_library(${name} STATIC ${sources})
     target_link_libraries(${name} PRIVATE ${flags} PUBLIC kerfline_flags ${ARGN})
+    if(flags STREQUAL "kerfline_controller_flags" AND NOT KERFLINE_SANITIZE)
+      # One by one, as for the chip: figures of cost must not come from a larger view.
+      set_target_properties(${name} PROPERTIES UNITY_BUILD OFF)
+    endif()
   else()
     add_library(${name} INTERFACE)
     target_link_libraries(${name} INTERFACE kerfline_flags ${ARGN})

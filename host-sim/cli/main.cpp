@@ -19,7 +19,7 @@ constexpr const char* kDescription =
     "Kerfline: the controller for laser cutters and mills, simulated.\n"
     "Runs the firmware itself in virtual time and measures its step pulses.";
 
-constexpr const char* kFooter =
+constexpr const char* kProgramFooter =
     "Examples:\n"
     "  kerfline sim part.nc --settings laser.settings --svg part.svg\n"
     "  kerfline sim part.nc --set '$110=6000' --report part.json --trace part.csv\n"
@@ -31,7 +31,7 @@ constexpr const char* kFooter =
 
 int run(int argc, char** argv) {
   CLI::App app{kDescription, "kerfline"};
-  app.footer(kFooter);
+  app.footer(kProgramFooter);
   app.require_subcommand(1);
   app.set_version_flag("--version", KERFLINE_VERSION);
   sim::ExitStatus status = sim::ExitStatus::kFine;

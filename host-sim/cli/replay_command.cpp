@@ -10,7 +10,7 @@
 namespace sim {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kReplayFooter =
     "Examples:\n"
     "  kerfline serve --tcp 2323 --record talk.txt      # and then\n"
     "  kerfline replay talk.txt\n"
@@ -60,7 +60,7 @@ ExitStatus replay_all(const ReplayOptions& options) {
 void add_replay_command(CLI::App& app, ExitStatus& status) {
   CLI::App* command = app.add_subcommand(
       "replay", "Repeat conversations recorded by serve and compare what the controller says.");
-  command->footer(kFooter);
+  command->footer(kReplayFooter);
   const auto options = std::make_shared<ReplayOptions>();
   command->add_option("FILE", options->files, "Conversations recorded by `serve --record`")
       ->required();

@@ -17,7 +17,7 @@
 namespace sim {
 namespace {
 
-constexpr const char* kFooter =
+constexpr const char* kServeFooter =
     "Examples:\n"
     "  kerfline serve --pty ttyKerfline --settings laser.settings\n"
     "  kerfline serve --tcp 2323 --ws 8000\n"
@@ -130,7 +130,7 @@ void add_serve_command(CLI::App& app, ExitStatus& status) {
       app.add_subcommand("serve",
                          "Run the controller in real time for G-code senders: over a serial\n"
                          "port, TCP or WebSocket, with a page to watch and to operate it.");
-  command->footer(kFooter);
+  command->footer(kServeFooter);
   const auto options = std::make_shared<ServeOptions>();
   add_options(*command, *options);
   command->callback([options, &status] { status = serve(*options); });

@@ -16,9 +16,6 @@
 namespace proof {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-constexpr double kArcPromise = 1.0e-3;  ///< mm beyond half a step.
-
 std::string word(char letter, double value) {
   char text[40];
   std::snprintf(text, sizeof text, " %c%.6f", letter, value);
@@ -60,12 +57,12 @@ cnc::AxisArray<double> set_up(sim::Simulator& simulator, const cnc::motion::Limi
   return scales;
 }
 
-struct Summary {
+struct TextSummary {
   double excess = 0.0;  ///< mm beyond half a step.
   std::size_t arcs = 0;
 };
 
-void try_arc(std::uint64_t seed, Summary& summary) {
+void try_text(std::uint64_t seed, TextSummary& summary) {
   Random random{seed};
   const TestArc arc = random_arc(random);
   const TestMachine machine = machine_for(random, arc, 2.0e3);
@@ -94,10 +91,10 @@ void try_arc(std::uint64_t seed, Summary& summary) {
 // Issue 2, acceptance 2, from the text on.
 TEST(RandomArcTexts, ArePulsedOnTheExactCurveInOneBlockPerHalfTurn) {
   const Trials trials{300};
-  Summary summary;
+  TextSummary summary;
   for (auto seed = trials.first_seed(); seed < trials.end_seed() && !too_many_failures(); ++seed) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
-    try_arc(seed, summary);
+    try_text(seed, summary);
   }
   std::printf("arcs as text: %zu, greatest distance beyond half a step %.3f um\n",
               summary.arcs,
@@ -135,7 +132,8 @@ class CircleTimer final : public sim::TraceSink {
     for (const AngleFix& last : fixes_) {
       if (last.time_s < from * end + window_s || last.time_s > to * end) continue;
       while (fixes_[first + 1].time_s <= last.time_s - window_s) ++first;
-      const double turned = std::remainder(last.angle - fixes_[first].angle, 2.0 * kPi);
+      const double turned =
+          std::remainder(last.angle - fixes_[first].angle, 2.0 * std::numbers::pi);
       const double speed = radius_ * turned / (last.time_s - fixes_[first].time_s);
       greatest = std::max(greatest, speed * speed / radius_);
     }

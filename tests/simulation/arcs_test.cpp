@@ -14,8 +14,6 @@
 namespace proof {
 namespace {
 
-constexpr double kArcPromise = 1.0e-3;  ///< mm beyond half a step.
-
 /// Holds every pulse against the exact curve.
 class CurveCheck final : public EdgeSink {
  public:
@@ -54,7 +52,7 @@ class CurveCheck final : public EdgeSink {
   std::size_t edges_ = 0;
 };
 
-struct Summary {
+struct ArcSummary {
   double excess = 0.0;  ///< mm beyond half a step.
   double centripetal = 0.0;
   double acceleration = 0.0;
@@ -62,7 +60,7 @@ struct Summary {
   std::size_t arcs = 0;
 };
 
-void try_arc(std::uint64_t seed, Summary& summary) {
+void try_arc(std::uint64_t seed, ArcSummary& summary) {
   Random random{seed};
   const TestArc arc = random_arc(random);
   const double steps = random.chance(0.004) ? 2.0e5 : 2.0e3;
@@ -94,7 +92,7 @@ void try_arc(std::uint64_t seed, Summary& summary) {
 // All: KERFLINE_TRIALS=100000 (issue 2, acceptance 2).
 TEST(RandomArcs, StayOnTheExactCurveWithinTheirLimits) {
   const Trials trials{2000};
-  Summary summary;
+  ArcSummary summary;
   for (auto seed = trials.first_seed(); seed < trials.end_seed() && !too_many_failures(); ++seed) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     EXPECT_NO_THROW(try_arc(seed, summary));

@@ -42,7 +42,7 @@ void expect_followed(const EdgeFigures& edges) {
   EXPECT_TRUE(edges.final_position);
 }
 
-struct Summary {
+struct ProgramSummary {
   PlanFigures plan;
   EdgeFigures edges;
   std::size_t programs = 0;
@@ -71,7 +71,7 @@ struct Summary {
   }
 };
 
-void try_program(std::uint64_t seed, Summary& summary) {
+void try_program(std::uint64_t seed, ProgramSummary& summary) {
   Random random{seed};
   const TestMachine machine = random_machine(random);
   const Program program = random_program(random, machine);
@@ -86,7 +86,7 @@ void try_program(std::uint64_t seed, Summary& summary) {
 // All: KERFLINE_TRIALS=100000 (issue 2, acceptance 3).
 TEST(RandomPrograms, KeepEveryLimitAndTheirPulsesFollowThePlan) {
   const Trials trials{3000};
-  Summary summary;
+  ProgramSummary summary;
   for (auto seed = trials.first_seed(); seed < trials.end_seed() && !too_many_failures(); ++seed) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     EXPECT_NO_THROW(try_program(seed, summary));
@@ -98,7 +98,7 @@ TEST(RandomPrograms, KeepEveryLimitAndTheirPulsesFollowThePlan) {
 
 /// Edges some µs late; a phase of rounding at ten times the acceleration.
 TEST(RandomPrograms, ThatOnceFailedPass) {
-  Summary summary;
+  ProgramSummary summary;
   for (const std::uint64_t seed : {12430U, 23528U, 39486U}) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     EXPECT_NO_THROW(try_program(seed, summary));

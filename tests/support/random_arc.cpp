@@ -10,8 +10,6 @@
 namespace proof {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 sim::ProgrammedArc programmed(const cnc::CentreArc& arc) {
   return {.start = to_mm(arc.start),
           .end = to_mm(arc.end),
@@ -31,15 +29,15 @@ double random_sweep(Random& random) {
     case 0:
       return random.magnitude(1.0e-4, 0.2);
     case 1:
-      return kPi;
+      return std::numbers::pi;
     case 2:
-      return 2.0 * kPi;
+      return 2.0 * std::numbers::pi;
     case 3:
-      return 2.0 * kPi * random.between(1.0, 5.0);
+      return 2.0 * std::numbers::pi * random.between(1.0, 5.0);
     case 4:
-      return 0.5 * kPi * static_cast<double>(1 + random.below(6));
+      return 0.5 * std::numbers::pi * static_cast<double>(1 + random.below(6));
     default:
-      return random.between(0.01, 2.0 * kPi);
+      return random.between(0.01, 2.0 * std::numbers::pi);
   }
 }
 
@@ -68,7 +66,7 @@ sim::ProgrammedPath exact_path(const cnc::CentreArc& arc) {
 }
 
 std::size_t TestArc::elements() const {
-  return static_cast<std::size_t>(std::max(1.0, std::ceil(sweep / kPi - 1.0e-6)));
+  return static_cast<std::size_t>(std::max(1.0, std::ceil(sweep / std::numbers::pi - 1.0e-6)));
 }
 
 Program TestArc::program(double feed_mm_s) const {
@@ -90,8 +88,9 @@ TestArc random_arc(Random& random) {
   arc.plane = static_cast<cnc::Plane>(random.below(3));
   arc.clockwise = random.chance(0.5);
   const cnc::PlaneAxes axes = cnc::axes_of(arc.plane);
-  const double angle =
-      random.chance(0.3) ? 0.5 * kPi * static_cast<double>(random.below(4)) : random.between(0, 7);
+  const double angle = random.chance(0.3)
+                           ? 0.5 * std::numbers::pi * static_cast<double>(random.below(4))
+                           : random.between(0, 7);
   const cnc::Coordinate x = on_grid(test.radius * std::cos(angle), grid);
   const cnc::Coordinate y = on_grid(test.radius * std::sin(angle), grid);
   arc.centre = {-x, -y};
@@ -102,7 +101,8 @@ TestArc random_arc(Random& random) {
   const double y_mm = static_cast<double>(y.nanometres()) * 1.0e-6;
   arc.end[axes.first] = on_grid(x_mm * c - y_mm * s, grid) - x;
   arc.end[axes.second] = on_grid(x_mm * s + y_mm * c, grid) - y;
-  arc.turns = static_cast<std::uint16_t>(std::max(1.0, std::ceil(test.sweep / (2 * kPi) - 1e-9)));
+  arc.turns = static_cast<std::uint16_t>(
+      std::max(1.0, std::ceil(test.sweep / (2 * std::numbers::pi) - 1e-9)));
   rise(random, test, grid, arc);
   test.exact = exact_path(arc);
   test.radius = sim::start_radius(programmed(arc));

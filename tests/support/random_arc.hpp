@@ -7,6 +7,9 @@
 
 namespace proof {
 
+/// How far a pulse may be from the exact arc, in mm beyond half a step.
+inline constexpr double kArcPromise = 1.0e-3;
+
 /// An arc, circle or helix twice: as the controller gets it, and as the
 /// simulator's own double-precision reading has it.
 struct TestArc {

@@ -9,8 +9,6 @@
 namespace proof {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
-
 /// Makes stretches of a program, each of one kind.
 class Author {
  public:
@@ -57,7 +55,7 @@ class Author {
     const double reach = std::max(0.002, writer_.speed_on(axes_) * seconds_ * 0.5);
     scale_ = random_.magnitude(0.001, reach);
     turn_ = random_.signed_magnitude(1.0e-6, 0.2);
-    heading_ = random_.between(-kPi, kPi);
+    heading_ = random_.between(-std::numbers::pi, std::numbers::pi);
     plane_ = static_cast<cnc::Plane>(random_.below(3));
   }
 
@@ -136,7 +134,7 @@ class Author {
 
   /// Begins in the direction in which the one before ended.
   void tangent_arc() {
-    const double half = random_.signed_magnitude(1.0e-5, 0.5 * kPi);
+    const double half = random_.signed_magnitude(1.0e-5, 0.5 * std::numbers::pi);
     writer_.arc(in_plane(scale_ * random_.between(0.2, 1.0), heading_ + half),
                 plane_,
                 std::tan(half / 2.0));
@@ -147,8 +145,8 @@ class Author {
     Vector pitch{};
     if (random_.chance(0.5)) pitch = anywhere(scale_ * random_.unit());
     const double radius = scale_ * random_.between(0.02, 0.3);
-    const double angle = random_.between(-kPi, kPi);
-    const double sweep = (1.0 + static_cast<double>(random_.below(3))) * 2.0 * kPi;
+    const double angle = random_.between(-std::numbers::pi, std::numbers::pi);
+    const double sweep = (1.0 + static_cast<double>(random_.below(3))) * 2.0 * std::numbers::pi;
     writer_.circle(pitch,
                    plane_,
                    {radius * std::cos(angle), radius * std::sin(angle)},
@@ -156,7 +154,7 @@ class Author {
   }
 
   void any_arc() {
-    Vector travel = in_plane(scale_, random_.between(-kPi, kPi));
+    Vector travel = in_plane(scale_, random_.between(-std::numbers::pi, std::numbers::pi));
     if (random_.chance(0.4)) {
       const Vector more = anywhere(random_.magnitude(scale_ * 1.0e-4, scale_));
       for (std::size_t axis = 0; axis < more.size(); ++axis) travel[axis] += more[axis];

@@ -1,6 +1,6 @@
 """Runs clang-tidy over the layers' sources, and over headers that none of them includes.
 
-Most of its time goes into reading Eigen and the standard library, so the sources of a folder are
+Most of its time goes into reading Eigen and the standard library, so the sources of a layer are
 checked as one, which includes them all, wherever they compile so.
 
 usage: clang_tidy.py CLANG_TIDY CLANG BUILD_FOLDER [--jobs N] [--only REGEX]
@@ -20,7 +20,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "static"))
 from source_files import ROOT  # noqa: E402
 
 LAYERS = ("planner", "firmware", "hal", "host-sim")
-LARGEST_GROUP = 12
+LARGEST_GROUP = 80
 GROUP_CHECKS = "-bugprone-suspicious-include"  # Of .cpp files, which is how a group is made.
 # Most of the analyser's time would go into the insides of fmt; the sanitizers watch the host.
 HOST_CHECKS = GROUP_CHECKS + ",-clang-analyzer-*"
@@ -36,19 +36,27 @@ def included(name: str, seen: set) -> set:
     return seen
 
 
+def unified(file: pathlib.Path) -> list:
+    """The sources behind one that CMake made of several, else itself."""
+    if file.parent.name != "Unity":
+        return [file]
+    return [pathlib.Path(name) for name in
+            re.findall(r'^#include "([^"]+)"', file.read_text(encoding="utf-8"), re.MULTILINE)]
+
+
 def commands(build: pathlib.Path) -> dict:
     """{name from the root: arguments} of each source, and of each header that none includes."""
     entries = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
     alone = build / "headers_alone"
     sources, headers = {}, {}
     for entry in entries:
-        file = pathlib.Path(entry["file"])
         words = shlex.split(entry["command"])
         arguments = [*words[1:words.index("-o")], "-Wno-unknown-warning-option"]
-        if alone in file.parents:
-            headers[file.relative_to(alone).as_posix()[:-len(".cpp")]] = arguments
-        elif ROOT in file.parents and file.relative_to(ROOT).parts[0] in LAYERS:
-            sources[file.relative_to(ROOT).as_posix()] = arguments
+        for file in unified(pathlib.Path(entry["file"])):
+            if alone in file.parents:
+                headers[file.relative_to(alone).as_posix()[:-len(".cpp")]] = arguments
+            elif ROOT in file.parents and file.relative_to(ROOT).parts[0] in LAYERS:
+                sources[file.relative_to(ROOT).as_posix()] = arguments
     seen = set()
     for name in sources:
         included(name, seen)
@@ -67,13 +75,13 @@ class Checker:
         self.commands = commands(options.build)
 
     def groups(self) -> list:
-        """Files of one folder with the same flags, a dozen at most."""
-        folders = {}
+        """Files of one layer with the same flags."""
+        layers = {}
         for name in sorted(self.commands):
             if re.search(self.options.only, name):
-                key = (name.rpartition("/")[0], *self.commands[name])
-                folders.setdefault(key, []).append(name)
-        return [names[start:start + LARGEST_GROUP] for names in folders.values()
+                key = (name.partition("/")[0], *self.commands[name])
+                layers.setdefault(key, []).append(name)
+        return [names[start:start + LARGEST_GROUP] for names in layers.values()
                 for start in range(0, len(names), LARGEST_GROUP)]
 
     def source_of(self, group: list) -> pathlib.Path:

@@ -85,6 +85,15 @@ class PlantedFaults(unittest.TestCase):
         self.assertIn("2 files in 2 groups, 0 findings", output)
         self.assertFalse(status)
 
+    def test_sources_that_the_build_unites(self):
+        self.plant(self.root / "planner/bad.cpp", "int BadName() { return 1; }\n")
+        source = self.entries.pop()["file"]
+        self.plant(self.build / "planner/Unity/unity_0_cxx.cpp", f'#include "{source}"\n')
+        status, output = self.check()
+        self.assertIn("2 files in 1 groups", output)
+        self.assertIn("planner/bad.cpp:1:5", output)
+        self.assertTrue(status)
+
     def test_header_that_no_source_includes(self):
         self.plant(self.root / "firmware/bad.hpp", "#pragma once\ninline int BadName() { return 1; }\n")
         self.plant(self.build / "headers_alone/firmware/bad.hpp.cpp", '#include "firmware/bad.hpp"\n')

@@ -11,8 +11,6 @@ namespace {
 
 using cnc::Plane;
 
-constexpr double kPi = std::numbers::pi;
-
 /// Least distance over 20,000 points of the curve.
 double searched_distance(const Curve& curve, const Point& to, double from) {
   double least = distance(to, curve.end());
@@ -49,9 +47,9 @@ class RandomCurves {
 
 TEST(Curve, QuarterCircleInThePlaneXY) {
   const Curve quarter = Curve::arc({10, 0}, {0, 10}, Plane::kXY, {0, 0}, false);
-  EXPECT_NEAR(quarter.length(), 5.0 * kPi, 1e-12);
+  EXPECT_NEAR(quarter.length(), 5.0 * std::numbers::pi, 1e-12);
   EXPECT_NEAR(quarter.circle()->radius, 10.0, 1e-12);
-  EXPECT_NEAR(quarter.circle()->sweep, kPi / 2.0, 1e-12);
+  EXPECT_NEAR(quarter.circle()->sweep, std::numbers::pi / 2.0, 1e-12);
   EXPECT_NEAR(quarter.point_at(0.5)[0], 10.0 / std::sqrt(2.0), 1e-12);
   EXPECT_NEAR(quarter.tangent_at(0.0)[1], 1.0, 1e-12);
   EXPECT_NEAR(quarter.tangent_at(1.0)[0], -1.0, 1e-12);
@@ -60,7 +58,7 @@ TEST(Curve, QuarterCircleInThePlaneXY) {
 
 TEST(Curve, TheOtherWayRoundIsThreeQuarters) {
   const Curve rest = Curve::arc({10, 0}, {0, 10}, Plane::kXY, {0, 0}, true);
-  EXPECT_NEAR(rest.circle()->sweep, -1.5 * kPi, 1e-12);
+  EXPECT_NEAR(rest.circle()->sweep, -1.5 * std::numbers::pi, 1e-12);
   const Bounds bounds = rest.bounds();
   EXPECT_NEAR(bounds.low[0], -10.0, 1e-9);
   EXPECT_NEAR(bounds.low[1], -10.0, 1e-9);
@@ -80,11 +78,11 @@ TEST(Curve, MovesTheCentreToTheBisectorOfTheChord) {
 TEST(Curve, HelixInTheOtherPlanes) {
   // G18 G3: counter-clockwise from Z to X, with Y alongside.
   const Curve zx = Curve::arc({0, 0, 5}, {5, 12, 0}, Plane::kZX, {0, 0}, false);
-  EXPECT_NEAR(zx.circle()->sweep, kPi / 2.0, 1e-12);
-  EXPECT_NEAR(zx.length(), std::hypot(2.5 * kPi, 12.0), 1e-12);
+  EXPECT_NEAR(zx.circle()->sweep, std::numbers::pi / 2.0, 1e-12);
+  EXPECT_NEAR(zx.length(), std::hypot(2.5 * std::numbers::pi, 12.0), 1e-12);
   EXPECT_NEAR(zx.point_at(0.5)[1], 6.0, 1e-12);
   const Curve yz = Curve::arc({0, 5, 0}, {0, 0, 5}, Plane::kYZ, {0, 0}, true);
-  EXPECT_NEAR(yz.circle()->sweep, -1.5 * kPi, 1e-12);
+  EXPECT_NEAR(yz.circle()->sweep, -1.5 * std::numbers::pi, 1e-12);
 }
 
 TEST(Curve, TangentAndCurvatureAreDerivatives) {

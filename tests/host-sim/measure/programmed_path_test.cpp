@@ -15,8 +15,6 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-constexpr double kPi = std::numbers::pi;
-
 Point near(const Point& point) {
   Point rounded{};
   for (std::size_t i = 0; i < point.size(); ++i)
@@ -122,42 +120,42 @@ TEST(ReadProgram, InverseTime) {
   EXPECT_DOUBLE_EQ(path.pieces[1].feed, 9.0);
   EXPECT_DOUBLE_EQ(path.pieces[2].feed, 2.0);
   const ProgrammedPath arc = read_program("G93 G2 X20 I10 F60\n");
-  EXPECT_NEAR(arc.pieces[0].feed, 10.0 * kPi, 1e-9);
+  EXPECT_NEAR(arc.pieces[0].feed, 10.0 * std::numbers::pi, 1e-9);
 }
 
 TEST(ReadProgram, ArcsInAllPlanes) {
   const ProgrammedPath xy = read_program("G1 F1 X10\nG3 X0 Y10 I-10\n");
-  EXPECT_NEAR(xy.pieces[1].curve.circle()->sweep, kPi / 2.0, 1e-9);
+  EXPECT_NEAR(xy.pieces[1].curve.circle()->sweep, std::numbers::pi / 2.0, 1e-9);
   EXPECT_NEAR(xy.pieces[1].curve.point_at(0.5)[0], 10.0 / std::sqrt(2.0), 1e-9);
   // ZX: counter-clockwise seen against Y goes from Z to X.
   const ProgrammedPath zx = read_program("G1 F1 Z10\nG18 G3 X10 Z0 K-10\n");
-  EXPECT_NEAR(zx.pieces[1].curve.circle()->sweep, kPi / 2.0, 1e-9);
+  EXPECT_NEAR(zx.pieces[1].curve.circle()->sweep, std::numbers::pi / 2.0, 1e-9);
   EXPECT_NEAR(zx.pieces[1].curve.point_at(0.5)[2], 10.0 / std::sqrt(2.0), 1e-9);
   const ProgrammedPath yz = read_program("G1 F1 Y10\nG19 G2 Y0 Z10 J-10 X4\n");
-  EXPECT_NEAR(total_sweep(yz), -1.5 * kPi, 1e-9);
+  EXPECT_NEAR(total_sweep(yz), -1.5 * std::numbers::pi, 1e-9);
   EXPECT_EQ(yz.pieces.size(), 3U);
   EXPECT_NEAR(yz.pieces[1].curve.end()[0], 2.0, 1e-9);
-  EXPECT_NEAR(yz.pieces[1].curve.end()[1], 10.0 * std::cos(0.75 * kPi), 1e-9);
-  EXPECT_NEAR(yz.pieces[1].curve.end()[2], -10.0 * std::sin(0.75 * kPi), 1e-9);
+  EXPECT_NEAR(yz.pieces[1].curve.end()[1], 10.0 * std::cos(0.75 * std::numbers::pi), 1e-9);
+  EXPECT_NEAR(yz.pieces[1].curve.end()[2], -10.0 * std::sin(0.75 * std::numbers::pi), 1e-9);
 }
 
 TEST(ReadProgram, AbsoluteCentresFollowTheOffsets) {
   const ProgrammedPath path = read_program("G10 L2 P1 X100\nG90.1 F1\nG0 X10\nG3 X0 Y10 I0 J0\n");
   EXPECT_NEAR(path.pieces[1].curve.circle()->centre[0], 100.0, 1e-9);
-  EXPECT_NEAR(total_sweep(path), kPi / 2.0, 1e-9);
+  EXPECT_NEAR(total_sweep(path), std::numbers::pi / 2.0, 1e-9);
 }
 
 TEST(ReadProgram, ArcsByRadius) {
   const ProgrammedPath shorter = read_program("F1 G2 X10 Y10 R10\n");
-  EXPECT_NEAR(total_sweep(shorter), -kPi / 2.0, 1e-9);
+  EXPECT_NEAR(total_sweep(shorter), -std::numbers::pi / 2.0, 1e-9);
   EXPECT_NEAR(shorter.pieces[0].curve.circle()->centre[0], 10.0, 1e-9);
   const ProgrammedPath longer = read_program("F1 G2 X10 Y10 R-10\n");
-  EXPECT_NEAR(total_sweep(longer), -1.5 * kPi, 1e-9);
+  EXPECT_NEAR(total_sweep(longer), -1.5 * std::numbers::pi, 1e-9);
   EXPECT_EQ(longer.pieces.size(), 2U);
   const ProgrammedPath left = read_program("F1 G3 X10 Y10 R10\n");
   EXPECT_NEAR(left.pieces[0].curve.circle()->centre[1], 10.0, 1e-9);
   // A chord a little longer than the diameter: half a turn.
-  EXPECT_NEAR(total_sweep(read_program("F1 G3 X20.001 R10\n")), kPi, 1e-9);
+  EXPECT_NEAR(total_sweep(read_program("F1 G3 X20.001 R10\n")), std::numbers::pi, 1e-9);
   const ProgrammedPath inches = read_program("F1 G20 G2 X1 Y1 R1\n");
   EXPECT_NEAR(inches.pieces[0].curve.circle()->radius, 25.4, 1e-9);
 }
@@ -165,24 +163,24 @@ TEST(ReadProgram, ArcsByRadius) {
 TEST(ReadProgram, FullCirclesAreTwoPieces) {
   const ProgrammedPath path = read_program("F1 G2 I10 Z4\n");
   ASSERT_EQ(path.pieces.size(), 2U);
-  EXPECT_NEAR(total_sweep(path), -2.0 * kPi, 1e-9);
+  EXPECT_NEAR(total_sweep(path), -2.0 * std::numbers::pi, 1e-9);
   EXPECT_THAT(ends(path), ElementsAre(Point{20, 0, 2}, Point{0, 0, 4}));
   EXPECT_EQ(path.pieces[0].line, 1);
 }
 
 TEST(ReadProgram, TurnsMakeHelices) {
   const ProgrammedPath path = read_program("F1 G3 X20 Z5 I10 P3\n");
-  EXPECT_NEAR(total_sweep(path), 5.0 * kPi, 1e-9);
+  EXPECT_NEAR(total_sweep(path), 5.0 * std::numbers::pi, 1e-9);
   ASSERT_EQ(path.pieces.size(), 5U);
   EXPECT_NEAR(path.pieces[1].curve.end()[2], 2.0, 1e-9);
-  EXPECT_NEAR(total_sweep(read_program("F1 G3 I10 P2\n")), 4.0 * kPi, 1e-9);
+  EXPECT_NEAR(total_sweep(read_program("F1 G3 I10 P2\n")), 4.0 * std::numbers::pi, 1e-9);
 }
 
 TEST(ReadProgram, RoundedArcsSpiralBetweenTheirRadii) {
   // Three quarters of a turn from radius 10 to radius 10.1: one inner division.
   const ProgrammedPath path = read_program("F1 G3 X-10 Y-10.1 I-10\n");
   ASSERT_EQ(path.pieces.size(), 2U);
-  const double angle = 0.75 * kPi;
+  const double angle = 0.75 * std::numbers::pi;
   const Point inner = path.pieces[0].curve.end();
   EXPECT_NEAR(inner[0], -10.0 + 10.05 * std::cos(angle), 1e-9);
   EXPECT_NEAR(inner[1], 10.05 * std::sin(angle), 1e-9);
@@ -229,7 +227,7 @@ TEST(ReadProgram, ProgramsOneAfterTheOther) {
 
 TEST(ReadProgram, LengthAndBounds) {
   const ProgrammedPath path = read_program("F1 G2 X20 I10\nG0 X0\n");
-  EXPECT_NEAR(path.length(), 10.0 * kPi + 20.0, 1e-9);
+  EXPECT_NEAR(path.length(), 10.0 * std::numbers::pi + 20.0, 1e-9);
   EXPECT_NEAR(path.bounds().high[1], 10.0, 1e-9);
   EXPECT_NEAR(path.bounds().low[1], 0.0, 1e-9);
 }

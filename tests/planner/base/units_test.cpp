@@ -39,11 +39,11 @@ static_assert((1'500'000_nm).mm() == 1.5F);
 static_assert(sizeof(Coordinate) == 8);
 static_assert(!std::is_convertible_v<std::int64_t, Coordinate>);
 
-constexpr std::int64_t kFarthest = Coordinate::kFarthestNanometres;
-static_assert(Coordinate{kFarthest}.in_range());
-static_assert(Coordinate{-kFarthest}.in_range());
-static_assert(!Coordinate{kFarthest + 1}.in_range());
-static_assert(!Coordinate{-kFarthest - 1}.in_range());
+constexpr std::int64_t kFarthestPlace = Coordinate::kFarthestNanometres;
+static_assert(Coordinate{kFarthestPlace}.in_range());
+static_assert(Coordinate{-kFarthestPlace}.in_range());
+static_assert(!Coordinate{kFarthestPlace + 1}.in_range());
+static_assert(!Coordinate{-kFarthestPlace - 1}.in_range());
 static_assert(!Coordinate{std::numeric_limits<std::int64_t>::min()}.in_range());
 
 // Each plane is right-handed: first, second, normal is an even permutation.
@@ -65,7 +65,7 @@ TEST(Coordinate, SumsAMillionStepsWithoutDrift) {
 }
 
 TEST(Coordinate, IsWithinSixDigitsOfItsMillimetres) {
-  for (std::int64_t nm = 1; nm <= kFarthest; nm = nm * 3 + 1) {
+  for (std::int64_t nm = 1; nm <= kFarthestPlace; nm = nm * 3 + 1) {
     const double exact = static_cast<double>(nm) * 1.0e-6;
     EXPECT_NEAR(static_cast<double>(Coordinate{nm}.mm()) / exact, 1.0, 1.3e-7) << nm;
     EXPECT_EQ(Coordinate{-nm}.mm(), -Coordinate{nm}.mm());

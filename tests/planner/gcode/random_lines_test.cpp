@@ -74,9 +74,9 @@ TEST_F(RandomLines, OfPlausibleWords) {
                               "3.3",
                               ""};
   std::string line;
-  for (int trial = 0; trial < 1'000'000; ++trial) {
+  for (unsigned trial = 0; trial < 1'000'000; ++trial) {
     line.clear();
-    for (unsigned word = 0; word < 1 + trial % 7U; ++word) {
+    for (unsigned word = 0; word < 1 + trial % 7; ++word) {
       const std::string_view piece = pieces[random() % std::size(pieces)];
       line += piece;
       if (piece.size() == 1) line += numbers[random() % std::size(numbers)];

@@ -6,8 +6,6 @@
 namespace cnc::motion {
 namespace {
 
-constexpr std::uint32_t kMillisecond = kTicksPerSecond / 1000;
-
 /// Random blocks on a random machine, fed as they are driven, with an operator
 /// who holds, resumes and turns every knob.
 class RandomDrive : public SegmenterTest {

@@ -7,8 +7,6 @@
 namespace cnc::motion {
 namespace {
 
-constexpr std::uint32_t kMillisecond = kTicksPerSecond / 1000;
-
 TEST_F(SegmenterTest, HasNothingToHandOutAtFirst) {
   EXPECT_TRUE(segmenter.idle());
   EXPECT_TRUE(segmenter.at_rest());

@@ -10,6 +10,8 @@
 
 namespace cnc::motion {
 
+inline constexpr std::uint32_t kMillisecond = kTicksPerSecond / 1000;
+
 /// A segmenter with a queue, and what it has handed out.
 class SegmenterTest : public testing::Test {
  protected:
