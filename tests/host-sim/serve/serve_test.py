@@ -14,7 +14,7 @@ import tempfile
 import time
 import unittest
 
-from web_client import CLOSE, TEXT, WebSocket, http
+from web_client import CLOSE, TEXT, WebSocket, http, post, request
 
 KERFLINE = ""
 BANNER = "Grbl 1.1h ['$' for help]\r\n"
@@ -250,6 +250,40 @@ class Serve(unittest.TestCase):
             web = WebSocket(port, path, **names)
             self.assertEqual(web.status, status, names)
             web.close()
+
+    def test_draws_a_program_as_the_controller_would_read_it_now(self):
+        served = self.serve("--ws", 0, "--tcp", 0, *LASER)
+        sender = served.tcp()
+        sender.until(BANNER)
+        sender.ask("G10 L2 P1 X100")
+        sender.ask("G0 X1 Y2")
+        outline = self.outline_of(served, b"M4 S500\nG1 X10 F600\nG0 X20\n")
+        self.assertEqual(outline, {"points": [101, 2, 0, 110, 2, 2, 120, 2, 0]})
+        outline = self.outline_of(served, b"G1 X5 F600\r\nG1 X6 Q\xff\r\nX9\r\n")
+        self.assertEqual(outline["points"], [101, 2, 0, 105, 2, 1])
+        self.assertEqual(outline["refused"]["line"], 2)
+        self.assertEqual(outline["refused"]["number"], 2)
+        self.assertEqual(outline["refused"]["reason"], "Q has no number")
+        self.assertEqual(self.outline_of(served, b""), {"points": [101, 2, 0]})
+        sender.close()
+
+    def outline_of(self, served, program):
+        status, answer = post(served.port("ws"), "/outline", program)
+        self.assertEqual(status, 200, answer)
+        return json.loads(answer)
+
+    def test_draws_no_more_than_64_mib_and_for_nobody_else(self):
+        port = self.serve("--ws", 0).port("ws")
+        large = 64 << 20
+        status, answer = post(port, "/outline", b"", length=large + 1)
+        self.assertEqual((status, answer), (413, b"A program of more than 64 MiB is not drawn."))
+        program = b"G0X1\nX2\n".ljust(large, b"\n")
+        self.assertEqual(post(port, "/outline", program)[0], 200)
+        self.assertEqual(http(port, "/outline")[0], 405)
+        self.assertEqual(request(port, "/outline", method="POST",
+                                 extra="Transfer-Encoding: chunked\r\n")[0], 411)
+        self.assertEqual(post(port, "/outline", b"", origin="http://evil.example")[0], 403)
+        self.assertEqual(post(port, "/outline", b"", host=f"evil.example:{port}")[0], 403)
 
     def test_ends_on_signals_and_takes_its_link_along(self):
         for how in (signal.SIGTERM, signal.SIGINT):
