@@ -44,9 +44,7 @@ class MotionControl {
   [[nodiscard]] Position place_of(const AxisArray<std::int32_t>& steps) const;
   /// Where the segments cut so far end, to the fraction of a step.
   [[nodiscard]] const AxisArray<StepPosition>& place() const { return segmenter_.place(); }
-  [[nodiscard]] std::size_t blocks_free() const {
-    return motion::BlockQueue::kCapacity - queue_.size();
-  }
+  [[nodiscard]] std::size_t blocks_free() const { return queue_.capacity() - queue_.size(); }
   /// N of the oldest block that is not driven to its end; 0 for none.
   [[nodiscard]] std::uint32_t line_in_execution() const {
     return queue_.empty() ? 0 : queue_.front().line;
@@ -60,7 +58,7 @@ class MotionControl {
  private:
   StepDrive& drive_;
   const motion::Limits& limits_;
-  motion::BlockQueue queue_{};
+  motion::BlockQueueOf<motion::kLookAheadBlocks> queue_{};
   motion::Segmenter segmenter_;
   Position target_{};
   std::uint32_t blocks_taken_ = 0;

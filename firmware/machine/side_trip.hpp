@@ -21,7 +21,8 @@ class SideTrip {
   /// The motors stand here. @pre at_rest()
   void begin(const AxisArray<StepPosition>& place);
 
-  /// Moves one axis. Nowhere, or out of reach, is done at once. @pre at_rest()
+  /// Moves one axis. Nowhere, or out of reach, is done at once.
+  /// @pre at_rest(), and begin() since a halt: there is room for one way only
   void go(std::size_t axis, StepPosition to, float feed_mm_s, const motion::BeamCommand& beam);
   /// Slows down; at rest, begin(place()) forgets the way that was left.
   void halt() { segmenter_.halt(); }
@@ -35,7 +36,7 @@ class SideTrip {
  private:
   StepDrive& drive_;
   const motion::Limits& limits_;
-  motion::BlockQueue queue_{};
+  motion::BlockQueueOf<1> queue_{};
   motion::Segmenter segmenter_{queue_, limits_};
 };
 

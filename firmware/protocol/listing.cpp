@@ -131,7 +131,7 @@ bool Listing::info_row(Reply& reply, const ReportForm& form) {
       return true;
     case 1:
       reply.text("[OPT:").text(identity::kOptions).letter(',');
-      reply.number(motion::BlockQueue::kCapacity).letter(',');
+      reply.number(motion::kLookAheadBlocks).letter(',');
       reply.number(Receiver::kAdvertisedBytes).letter(']').end();
       return true;
     case 2:

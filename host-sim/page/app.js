@@ -4,7 +4,6 @@ import { Job } from './job.js';
 import { listenToKeys } from './keys.js';
 import { Log } from './log.js';
 import { Observer } from './observer.js';
-import { outline } from './outline.js';
 import { Sender } from './sender.js';
 import { show } from './display.js';
 import { View } from './view.js';
@@ -66,6 +65,17 @@ async function run() {
   if (fault) notice(fault);
 }
 
+// Of another job meanwhile, nobody wants to know any more.
+async function outline() {
+  const text = job.text;
+  const { points, fault } = await job.outline()
+    .catch((reason) => ({ points: [], fault: `${job.name} is not drawn: ${reason.message}` }));
+  if (job.text !== text) return;
+  if (fault) notice(fault);
+  view.job = points;
+  view.fit();
+}
+
 observer.addEventListener('news', (event) => {
   news = view.news = event.detail;
   view.path = observer.path;
@@ -104,9 +114,10 @@ at('control').onclick = () => (sender.connected ? sender.disconnect() : sender.c
 at('file').onchange = async () => {
   const file = at('file').files[0];
   if (!file) return;
+  at('file').value = ''; // The same file, changed meanwhile, may be chosen again.
+  notice('');
   await job.open(file);
-  view.job = outline(job.text, news?.mpos ?? [0, 0], news?.wco ?? [0, 0]);
-  view.fit();
+  await outline();
 };
 at('run').onclick = run;
 at('hold').onclick = () => sender.realtime(kRealtime.hold);

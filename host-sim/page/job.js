@@ -14,6 +14,15 @@ export class Job extends EventTarget {
     this.#tell();
   }
 
+  // Where the program would go if it ran now, as the controller itself reads it.
+  async outline() {
+    const answer = await fetch('outline', { method: 'POST', body: this.text });
+    if (!answer.ok) throw new Error(await answer.text());
+    const { points, refused } = await answer.json();
+    const place = refused && [this.name, refused.line, refused.column].filter(Boolean).join(':');
+    return { points, fault: refused ? `${place}: ${refused.reason}` : '' };
+  }
+
   // Streams the program; ends at its end, at the first refused line or at a reset.
   // The sender keeps the controller's buffer full, we keep the sender's queue short.
   async run(sender) {

@@ -11,7 +11,7 @@ export function speedColour(share) {
 
 export class View {
   path = [];
-  job = []; // Polylines to come: arrays of [x, y], machine coordinates.
+  job = []; // The path to come: x, y, move of each vertex, machine coordinates.
   news = null;
   #canvas;
   #scale = 1;
@@ -83,7 +83,7 @@ export class View {
     };
     const [ox, oy] = this.#origin();
     for (let i = 0; i < this.path.length; i += 4) add(this.path[i], this.path[i + 1]);
-    for (const line of this.job) for (const [x, y] of line) add(x + ox, y + oy);
+    for (let i = 0; i < this.job.length; i += 3) add(this.job[i] + ox, this.job[i + 1] + oy);
     if (this.news) add(this.news.motors[0], this.news.motors[1]);
     if (box[0] > box[2]) return [0, 0, 100, 100];
     if (box[2] - box[0] < 1 && box[3] - box[1] < 1) return [box[0] - 50, box[1] - 50, box[2] + 50, box[3] + 50];
@@ -134,16 +134,15 @@ export class View {
     });
   }
 
+  // Only what is cut.
   #drawJob(context) {
     const [ox, oy] = this.#origin();
     context.strokeStyle = this.#style.line;
     context.lineWidth = 2;
     context.beginPath();
-    for (const line of this.job) {
-      line.forEach(([x, y], index) => {
-        const place = this.#at(x + ox, y + oy);
-        if (index === 0) context.moveTo(...place); else context.lineTo(...place);
-      });
+    for (let i = 0; i < this.job.length; i += 3) {
+      const place = this.#at(this.job[i] + ox, this.job[i + 1] + oy);
+      if (this.job[i + 2] === kTravel) context.moveTo(...place); else context.lineTo(...place);
     }
     context.stroke();
   }

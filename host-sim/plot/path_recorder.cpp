@@ -27,8 +27,7 @@ PathTolerance first_tolerance(double step_mm) {
 
 PathRecorder::PathRecorder(const cnc::AxisArray<float>& steps_per_mm)
     : window_{coarsest_step_mm(steps_per_mm)},
-      tolerance_{first_tolerance(coarsest_step_mm(steps_per_mm))},
-      simplifier_{tolerance_} {
+      simplifier_{first_tolerance(coarsest_step_mm(steps_per_mm))} {
   for (std::size_t axis = 0; axis < cnc::kLinearAxisCount; ++axis) {
     mm_per_step_[axis] = 1.0 / static_cast<double>(steps_per_mm[axis]);
   }
@@ -104,18 +103,8 @@ void PathRecorder::close_window() {
   }
   samples_.clear();
   window_.restart(window_.last_ns(), window_.last());
-  tolerance_.speed_mm_s = greatest_speed_mm_s_ / kSpeedSteps;
-  simplifier_.set_speed_tolerance(tolerance_.speed_mm_s);
-  coarsen_when_full();
-}
-
-void PathRecorder::coarsen_when_full() {
-  while (simplifier_.vertices().size() > kMostVertices) {
-    tolerance_.distance_mm *= 2.0;
-    PathSimplifier coarser{tolerance_};
-    for (const PathVertex& vertex : simplifier_.finish()) coarser.push(vertex);
-    simplifier_ = std::move(coarser);
-  }
+  simplifier_.set_speed_tolerance(greatest_speed_mm_s_ / kSpeedSteps);
+  simplifier_.thin_to(kMostVertices);
 }
 
 }  // namespace sim

@@ -59,7 +59,6 @@ class PathRecorder final : public TraceSink {
   void come_to_rest();
   /// Gives the samples of the window their speed and starts the next window.
   void close_window();
-  void coarsen_when_full();
 
   cnc::AxisArray<double> mm_per_step_{};
   std::optional<bool> is_rapid_;
@@ -69,7 +68,6 @@ class PathRecorder final : public TraceSink {
   bool has_started_ = false;
   SpeedWindow window_;
   std::vector<Sample> samples_;  ///< Of the window.
-  PathTolerance tolerance_;
   PathSimplifier simplifier_;
   float last_speed_mm_s_ = 0.0F;
   float greatest_speed_mm_s_ = 0.0F;

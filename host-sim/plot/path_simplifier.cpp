@@ -34,6 +34,15 @@ std::vector<PathVertex> PathSimplifier::finish() {
   return std::exchange(vertices_, {});
 }
 
+void PathSimplifier::thin_to(std::size_t most) {
+  while (vertices_.size() > most) {
+    tolerance_.distance_mm *= 2.0;
+    PathSimplifier coarser{tolerance_};
+    for (const PathVertex& vertex : finish()) coarser.push(vertex);
+    *this = std::move(coarser);
+  }
+}
+
 bool PathSimplifier::continues_stretch(const PathVertex& point) const {
   const PathVertex& start = vertices_.back();
   const double distance = distance_mm(start, point);

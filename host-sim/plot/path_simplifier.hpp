@@ -33,6 +33,10 @@ class PathSimplifier {
 
   void push(const PathVertex& point);
 
+  /// Drops vertices, with twice the distance tolerance for these and for what
+  /// comes as often as there are more than `most`.
+  void thin_to(std::size_t most);
+
   /// The vertices so far, but not the points since the last of them.
   [[nodiscard]] const std::vector<PathVertex>& vertices() const { return vertices_; }
 

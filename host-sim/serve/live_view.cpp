@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <future>
 #include <nlohmann/json.hpp>
 
 #include "firmware/protocol/report_lines.hpp"
+#include "host-sim/plot/outline.hpp"
 #include "host-sim/plot/picture.hpp"
 
 namespace sim {
@@ -31,6 +33,24 @@ ordered_json travel_of(const cnc::Settings& settings) {
     travel.push_back(settings.get(cnc::setting::kTravel, axis));
   }
   return travel;
+}
+
+std::string text_of(const Outline& outline) {
+  ordered_json points = ordered_json::array();
+  for (const PathVertex& vertex : outline.vertices) {
+    points.push_back(rounded(vertex.x_mm));
+    points.push_back(rounded(vertex.y_mm));
+    points.push_back(static_cast<int>(vertex.move));
+  }
+  ordered_json text{{"points", std::move(points)}};
+  if (const auto& refused = outline.refused) {
+    text["refused"] = {{"line", refused->line},
+                       {"column", refused->column},
+                       {"number", refused->number},
+                       {"reason", refused->reason}};
+  }
+  // A word at fault may be any byte.
+  return text.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 
 }  // namespace
@@ -130,24 +150,40 @@ std::string LiveView::path_text(Watcher& watcher) const {
   return ordered_json{{"from", from}, {"points", points}}.dump();
 }
 
-void LiveView::hand_out_pictures() {
+template <typename Question>
+auto LiveView::ask(Question question) -> std::optional<std::invoke_result_t<Question>> {
+  using Answer = std::invoke_result_t<Question>;
+  const auto task = std::make_shared<std::packaged_task<Answer()>>(std::move(question));
+  std::future<Answer> answer = task->get_future();
+  {
+    const std::lock_guard lock{mutex_};
+    questions_.emplace_back([task] { (*task)(); });
+  }
+  if (answer.wait_for(kLongestWait) != std::future_status::ready) return {};
+  return answer.get();
+}
+
+void LiveView::answer_questions() {
   const std::lock_guard lock{mutex_};
-  if (wanted_.empty()) return;
+  for (const auto& question : questions_) question();
+  questions_.clear();
+}
+
+Path LiveView::path_so_far() const {
   PathRecorder copy = *recorder_;
   copy.on_end(controller_.now_ticks() * VirtualController::kNanosecondsPerTick);
-  for (std::promise<Path>& promise : wanted_) promise.set_value(copy.path());
-  wanted_.clear();
+  return copy.path();
 }
 
 PageService::Document LiveView::picture() {
-  std::promise<Path> promise;
-  std::future<Path> path = promise.get_future();
-  {
-    const std::lock_guard lock{mutex_};
-    wanted_.push_back(std::move(promise));
-  }
-  const bool there = path.wait_for(kLongestWait) == std::future_status::ready;
-  return {"image/svg+xml", draw_svg(there ? path.get() : Path{}, {.title = "Motion so far"})};
+  const std::optional<Path> path = ask([this] { return path_so_far(); });
+  return {"image/svg+xml", draw_svg(path.value_or(Path{}), {.title = "Motion so far"})};
+}
+
+std::optional<PageService::Document> LiveView::outline(std::string_view program) {
+  const auto reader = ask([this] { return controller_.machine().interpreter(); });
+  if (!reader) return {};
+  return Document{"application/json", text_of(outline_of(program, *reader))};
 }
 
 }  // namespace sim

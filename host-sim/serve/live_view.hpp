@@ -1,14 +1,14 @@
 #pragma once
 
 #include <chrono>
-#include <condition_variable>
-#include <future>
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "host-sim/machine/virtual_controller.hpp"
@@ -31,6 +31,10 @@ namespace sim {
 /// output 0…1, `move` 0 travel, 1 feed, 2 beam or spindle on. `motors` are
 /// places since power-up, in whose coordinates the path is: a change of machine
 /// coordinates by homing does not move what was drawn.
+///
+/// An outline is in machine coordinates, up to the refused line if there is one:
+///
+///     {"points":[x,y,move, …],"refused":{"line":3,"column":1,"number":20,"reason":"…"}}
 class LiveView final : public TraceSink, public PageService {
  public:
   using Clock = std::chrono::steady_clock;
@@ -47,11 +51,13 @@ class LiveView final : public TraceSink, public PageService {
   void publish(const std::vector<std::shared_ptr<WebPipe>>& watchers,
                std::string_view sender_kind,
                Clock::time_point now);
-  /// Gives those who wait for a picture what they need. To be called often.
-  void hand_out_pictures();
+  /// Answers what other threads ask for. To be called often.
+  void answer_questions();
 
-  /// Any thread; waits for the loop.
+  // Any thread; they wait for the loop.
+
   [[nodiscard]] Document picture() override;
+  [[nodiscard]] std::optional<Document> outline(std::string_view program) override;
 
  private:
   struct Watcher {
@@ -59,6 +65,11 @@ class LiveView final : public TraceSink, public PageService {
     std::size_t points_sent = 0;
   };
 
+  /// What `question` answers in the loop's thread; nothing when that takes too long.
+  template <typename Question>
+  [[nodiscard]] auto ask(Question question) -> std::optional<std::invoke_result_t<Question>>;
+
+  [[nodiscard]] Path path_so_far() const;
   void keep_scale();
   void tell(Watcher& watcher, WebPipe& pipe, const std::string& state) const;
   [[nodiscard]] std::string state_text(std::string_view sender_kind) const;
@@ -72,7 +83,7 @@ class LiveView final : public TraceSink, public PageService {
   Clock::time_point next_;
   Clock::time_point repeat_at_;
   std::mutex mutex_;  ///< Of what follows; the loop's alone is what comes before.
-  std::vector<std::promise<Path>> wanted_;
+  std::vector<std::function<void()>> questions_;
 };
 
 }  // namespace sim

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace sim {
 
@@ -13,6 +15,10 @@ class PageService {
   };
   /// The picture of the motion so far. May wait for the loop, but not for long.
   [[nodiscard]] virtual Document picture() = 0;
+
+  /// Where a program would go if it were sent now; nothing when the loop does
+  /// not answer. May take seconds for a large program.
+  [[nodiscard]] virtual std::optional<Document> outline(std::string_view program) = 0;
 
  protected:
   ~PageService() = default;

@@ -48,7 +48,7 @@ void Server::catch_up() {
 }
 
 void Server::show_view() {
-  view_->hand_out_pictures();
+  view_->answer_questions();
   const auto now = LiveView::Clock::now();
   if (view_->due(now)) view_->publish(web_->observers(), reception_.sender_kind(), now);
 }

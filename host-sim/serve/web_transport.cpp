@@ -8,18 +8,15 @@
 #include <stdexcept>
 
 #include "host-sim/page/page_file.hpp"
+#include "host-sim/serve/outline_request.hpp"
+#include "host-sim/serve/web_answer.hpp"
 #include "host-sim/serve/web_guard.hpp"
 
 namespace sim {
 namespace {
 
-constexpr int kFine = 200;
 constexpr int kForbidden = 403;
 constexpr int kNotFound = 404;
-// Nothing from elsewhere, nothing inline, in nobody's frame.
-constexpr std::string_view kPolicy =
-    "default-src 'self'; img-src 'self' blob: data:; object-src 'none'; base-uri 'none'; "
-    "frame-ancestors 'none'";
 
 class WebConnection final : public Connection {
  public:
@@ -50,28 +47,6 @@ std::string_view type_of(std::string_view path) {
   return "text/html; charset=utf-8";
 }
 
-int send(mg_connection* connection, int status, std::string_view type, std::string_view content) {
-  const std::string head = fmt::format(
-      "HTTP/1.1 {} {}\r\nContent-Type: {}\r\nContent-Length: {}\r\nCache-Control: no-cache\r\n"
-      "Connection: close\r\nX-Content-Type-Options: nosniff\r\nContent-Security-Policy: {}\r\n\r\n",
-      status,
-      mg_get_response_code_text(connection, status),
-      type,
-      content.size(),
-      kPolicy);
-  mg_write(connection, head.data(), head.size());
-  mg_write(connection, content.data(), content.size());
-  return status;
-}
-
-int send_document(mg_connection* connection, std::string_view type, std::string_view content) {
-  return send(connection, kFine, type, content);
-}
-
-int send_refusal(mg_connection* connection, int status, std::string_view reason) {
-  return send(connection, status, "text/plain; charset=utf-8", reason);
-}
-
 }  // namespace
 
 /// What the server calls, in its own threads.
@@ -96,6 +71,7 @@ struct WebTransport::Handlers {
       const PageService::Document picture = transport.service_.picture();
       return send_document(connection, picture.type, picture.content);
     }
+    if (path == "/outline") return answer_outline(connection, transport.service_);
     return send_refusal(connection, kNotFound, "There is nothing of that name here.");
   }
 

@@ -21,9 +21,12 @@ namespace sim {
 
 /// The web server: the page, the byte stream of a sender as a WebSocket at `/`
 /// (text or binary frames), and a WebSocket at `/observe` for any number who
-/// only watch. Asked under a foreign name, it answers 403 (see web_guard.hpp).
+/// only watch; a picture of the motion so far at `/picture.svg`; and at `/outline`,
+/// for a program sent with POST, where it would go. Asked under a foreign name,
+/// it answers 403 (see web_guard.hpp).
 ///
-/// The server has threads of its own; they touch nothing but pipes.
+/// The server has threads of its own; they touch nothing but pipes and what the
+/// service has copied for them.
 class WebTransport final : public Transport {
  public:
   /// Port 0 is any free one; `service` must outlive it. Throws

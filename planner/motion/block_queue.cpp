@@ -22,7 +22,7 @@ void BlockQueue::push(const Block& block, const Limits& limits) {
 
 void BlockQueue::pop_front() {
   CNC_ASSERT(size_ > 0);
-  first_ = (first_ + 1) % kCapacity;
+  first_ = place_of(1);
   --size_;
   unplanned_ = std::min(unplanned_, size_);
 }

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <span>
 
 #include "planner/base/contract.hpp"
 #include "planner/motion/block.hpp"
@@ -9,7 +10,11 @@
 
 namespace cnc::motion {
 
+/// How far ahead a program is planned; 9.7 KB on the controller.
+inline constexpr std::size_t kLookAheadBlocks = 64;
+
 /// Blocks waiting to be driven, oldest first, with the look-ahead over them.
+/// How many there is room for is in the type of its owner, BlockQueueOf.
 ///
 /// The plan always ends at rest after the newest block, so it is valid at any
 /// moment; blocks that arrive can only make it faster. Planning is left until
@@ -18,9 +23,11 @@ namespace cnc::motion {
 /// Main loop only.
 class BlockQueue {
  public:
-  static constexpr std::size_t kCapacity = 64;
+  BlockQueue(const BlockQueue&) = delete;
+  BlockQueue& operator=(const BlockQueue&) = delete;
 
-  [[nodiscard]] bool full() const { return size_ == kCapacity; }
+  [[nodiscard]] std::size_t capacity() const { return blocks_.size(); }
+  [[nodiscard]] bool full() const { return size_ == capacity(); }
   [[nodiscard]] bool empty() const { return size_ == 0; }
   [[nodiscard]] std::size_t size() const { return size_; }
 
@@ -44,24 +51,46 @@ class BlockQueue {
   /// The limits or overrides changed: plan anew from the newest block on.
   void forget_plan();
 
-  /// v² at which the front block must end. @pre planned
-  [[nodiscard]] float front_exit_square() const {
-    return size_ > 1 ? at(1).entry_speed_square : 0.0F;
+  /// v² at which a block must end, 0 for the front block. @pre planned
+  [[nodiscard]] float exit_square(std::size_t index) const {
+    return index + 1 < size_ ? blocks_[place_of(index + 1)].entry_speed_square : 0.0F;
   }
 
+ protected:
+  /// @param storage not empty; must outlive the queue
+  explicit BlockQueue(std::span<Block> storage) : blocks_{storage} {}
+  ~BlockQueue() = default;
+
  private:
-  [[nodiscard]] const Block& at(std::size_t index) const {
-    return blocks_[(first_ + index) % kCapacity];
+  [[nodiscard]] Block& at(std::size_t index) { return blocks_[place_of(index)]; }
+  /// In the ring. No division: the capacity is not a constant here.
+  [[nodiscard]] std::size_t place_of(std::size_t index) const {
+    const std::size_t place = first_ + index;
+    return place < capacity() ? place : place - capacity();
   }
-  [[nodiscard]] Block& at(std::size_t index) { return blocks_[(first_ + index) % kCapacity]; }
 
   static constexpr std::size_t kReplanShare = 16;
 
-  std::array<Block, kCapacity> blocks_{};
+  std::span<Block> blocks_;
   AxisArray<float> last_exit_tangent_{};
   std::size_t first_ = 0;
   std::size_t size_ = 0;
   std::size_t unplanned_ = 0;  ///< How many of the newest have no entry speed yet.
+};
+
+/// Room for blocks; a base, so that it is there before the queue that uses it.
+template <std::size_t kCapacity>
+struct BlockStorage {
+  std::array<Block, kCapacity> storage{};
+};
+
+/// A queue that owns the room for so many blocks.
+template <std::size_t kCapacity>
+class BlockQueueOf final : private BlockStorage<kCapacity>, public BlockQueue {
+  static_assert(kCapacity > 0);
+
+ public:
+  BlockQueueOf() : BlockQueue{this->storage} {}
 };
 
 }  // namespace cnc::motion

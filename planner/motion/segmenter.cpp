@@ -77,7 +77,7 @@ bool Segmenter::next(Segment& segment) {
 
 /// More blocks, an override or a hold may have changed what lies ahead.
 void Segmenter::follow_plan() {
-  const float exit_square = queue_.front_exit_square();
+  const float exit_square = queue_.exit_square(0);
   const bool same_plan = !replan_ && exit_square == profile_.exit_square();
   if (same_plan && drive_ == phase_drive_) return;
   if (phase_.duration > 0.0F) profile_.stop_short(phase_, phase_distance_left(), speed_);
@@ -129,7 +129,7 @@ float Segmenter::phase_distance_left() const {
 
 void Segmenter::begin_block() {
   const Block& block = queue_.front();
-  profile_.begin(block, limits_, overrides_, queue_.front_exit_square(), entry_square_);
+  profile_.begin(block, limits_, overrides_, queue_.exit_square(0), entry_square_);
   path_ = MotorPath{block, here_.place};
   fraction_ = 0;
   fraction_per_mm_ = kWholeBlock / block.length;

@@ -65,7 +65,7 @@ void interpret_lines(Job& job) {
 /// Keeps the queue full, as a fast sender does.
 template <typename Sink>
 void drive(const Job& job, Sink&& take) {
-  motion::BlockQueue queue;
+  motion::BlockQueueOf<motion::kLookAheadBlocks> queue;
   motion::Segmenter segmenter{queue, limits()};
   segmenter.reset({});
   motion::Segment segment;
@@ -114,7 +114,7 @@ void parse(benchmark::State& state, const Job& (*job)()) {
 /// Blocks built and planned one by one with the queue full: the most a block costs.
 void plan(benchmark::State& state, const Job& (*job)()) {
   for (auto _ : state) {
-    motion::BlockQueue queue;
+    motion::BlockQueueOf<motion::kLookAheadBlocks> queue;
     for (const motion::MotionRequest& request : job().requests) {
       if (queue.full()) queue.pop_front();
       queue.push(motion::build_block(request, limits()).value(), limits());

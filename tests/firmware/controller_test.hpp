@@ -87,6 +87,15 @@ class ControllerTest : public testing::Test {
   /// Sends lines without waiting.
   void stream(std::string_view lines) { link.incoming.append(lines); }
 
+  /// The report to one request.
+  std::string report(std::string_view request = "?") {
+    link.outgoing.clear();
+    stream(request);
+    run(1);
+    const auto lines = printed();
+    return lines.empty() ? "nothing" : lines.front();
+  }
+
   /// Acknowledgements so far, without the messages before them.
   [[nodiscard]] std::vector<std::string> answers() const {
     std::vector<std::string> found;

@@ -1,6 +1,6 @@
-// The page of `kerfline serve` in a browser: takes control, starts a job, sees
-// the tool move, holds, resumes, resets; by mouse, then by keyboard. A second
-// page and a wrong Host are refused.
+// The page of `kerfline serve` in a browser: takes control, sees the outline of
+// a job, starts one, sees the tool move, holds, resumes, resets; by mouse, then
+// by keyboard. A second page and a wrong Host are refused.
 
 import fs from 'node:fs';
 import http from 'node:http';
@@ -50,9 +50,28 @@ class Page {
   }
 }
 
+async function outlineOfJob(page, folder) {
+  const picture = () => page.page.locator('#view').evaluate((canvas) => canvas.toDataURL());
+  const open = async (text) => {
+    const job = path.join(folder, 'outline.nc');
+    fs.writeFileSync(job, text);
+    const reply = page.page.waitForResponse((response) => response.url().endsWith('/outline'));
+    await page.openJob(job);
+    return (await reply).json();
+  };
+  const before = await picture();
+  const { points } = await open('G0 X10\nG3 X10 I-10 F600\n');
+  equal(points.slice(0, 6), [0, 0, 0, 10, 0, 0], 'the way to the circle');
+  for (let i = 6; i < points.length; i += 3) {
+    check(Math.abs(Math.hypot(points[i], points[i + 1]) - 10) < 0.02, 'a circle of 10 mm');
+  }
+  await until('the outline is drawn', async () => (await picture()) !== before);
+  check(await page.page.locator('#notice').isHidden(), 'nothing to complain of');
+  await open('G1 X5 F600\nG1 X6 Q\n');
+  await until('the page says what is refused', async () => (await page.text('notice')) === 'outline.nc:2:7: Q has no number');
+}
+
 async function byMouse(page, job) {
-  await page.page.locator('#control').click();
-  await page.state('Idle');
   await page.openJob(job);
   const start = await page.place();
   await page.page.locator('#run').click();
@@ -148,6 +167,9 @@ await run('the page of kerfline serve', async ({ folder, keep }) => {
   keep({ stop: () => browser.close() });
   const foreign = [];
   const page = await Page.open(browser, `http://${address}/`, foreign);
+  await page.page.locator('#control').click();
+  await page.state('Idle');
+  await outlineOfJob(page, folder);
   await byMouse(page, job);
   await byKeyboard(page, job);
   await jobToTheEnd(page);

@@ -6,7 +6,8 @@
 namespace proof {
 namespace {
 
-using cnc::motion::BlockQueue;
+using cnc::motion::BlockQueueOf;
+using cnc::motion::kLookAheadBlocks;
 using cnc::motion::Segment;
 using cnc::motion::Segmenter;
 
@@ -64,7 +65,7 @@ class Driver {
   const TestMachine& machine_;
   const Operator& operate_;
   RecordedPlan plan_{};
-  BlockQueue queue_{};
+  BlockQueueOf<kLookAheadBlocks> queue_{};
   Segmenter segmenter_{queue_, machine_.limits};
   std::size_t next_ = 0;
 };

@@ -3,117 +3,19 @@
 
     serve_test.py KERFLINE
 """
-import json
 import os
 import pathlib
 import signal
-import socket
 import subprocess
-import sys
-import tempfile
 import time
-import unittest
 
-from web_client import CLOSE, TEXT, WebSocket, http
+from served import BANNER, LASER, ServeTest, main
+from web_client import CLOSE, TEXT, WebSocket
 
-KERFLINE = ""
-BANNER = "Grbl 1.1h ['$' for help]\r\n"
 REFUSAL = "[MSG:Another sender is connected]\r\n"
-LASER = ("--set", "$32=1", "--set", "$30=1000")
 
 
-class Stream:
-    """A sender's end of a pty or a TCP connection."""
-
-    def __init__(self, number, close):
-        os.set_blocking(number, False)
-        self.number, self.text = number, ""
-        self._close = close
-
-    def close(self):
-        if self._close:
-            self._close()
-        self._close = None
-
-    def send(self, data):
-        os.write(self.number, data)
-
-    def until(self, words, seconds=5.0):
-        end = time.monotonic() + seconds
-        while words not in self.text:
-            try:
-                part = os.read(self.number, 4096)
-                if not part:
-                    raise EOFError(self.text)
-                self.text += part.decode()
-            except BlockingIOError:
-                if time.monotonic() > end:
-                    raise TimeoutError(f"{words!r} not in {self.text!r}") from None
-                time.sleep(0.002)
-        place = self.text.index(words) + len(words)
-        found, self.text = self.text[:place], self.text[place:]
-        return found
-
-    def ask(self, line):
-        self.send(line.encode() + b"\n")
-        return self.until("ok\r\n")
-
-
-class Served:
-    """A running server and what it said about its ways in."""
-
-    def __init__(self, *arguments):
-        self.process = subprocess.Popen(
-            [KERFLINE, "serve", *map(str, arguments)], stdout=subprocess.PIPE,
-            stderr=subprocess.PIPE, text=True)
-        self.ways, self.streams = {}, []
-        for line in self.process.stdout:
-            kind, _, address = line.strip().partition(" ")
-            if kind == "ready":
-                break
-            self.ways[kind] = address
-
-    def port(self, kind):
-        return int(self.ways[kind].rsplit(":", 1)[1])
-
-    def tcp(self):
-        link = socket.create_connection(("127.0.0.1", self.port("tcp")), timeout=5)
-        return self.kept(Stream(link.fileno(), link.close))
-
-    def pty(self):
-        number = os.open(self.ways["pty"], os.O_RDWR | os.O_NOCTTY | os.O_NONBLOCK)
-        return self.kept(Stream(number, lambda: os.close(number)))
-
-    def kept(self, stream):
-        self.streams.append(stream)
-        return stream
-
-    def stop(self, how=signal.SIGTERM):
-        self.process.send_signal(how)
-        out, err = self.process.communicate(timeout=20)
-        return self.process.returncode, out, err
-
-
-class Serve(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        self.link = self.folder / "tty"
-
-    def serve(self, *arguments):
-        served = Served(*arguments)
-
-        def end():
-            if served.process.poll() is None:
-                served.stop()
-            for stream in served.streams:
-                stream.close()
-            served.process.stdout.close()
-            served.process.stderr.close()
-        self.addCleanup(end)
-        return served
-
+class Serve(ServeTest):
     def test_greets_over_the_pty_a_tenth_of_a_second_after_it_was_opened(self):
         served = self.serve("--pty", self.link)
         for _ in range(3):
@@ -196,61 +98,6 @@ class Serve(unittest.TestCase):
         self.assertNotIn("MPos:0.000", reports[0])
         self.assertEqual(*[report.split("|")[1] for report in reports])
 
-    def test_carries_a_sender_over_websocket_in_text_and_binary(self):
-        served = self.serve("--ws", 0)
-        sender = WebSocket(served.port("ws"))
-        self.assertEqual(sender.until(BANNER), BANNER)
-        sender.send(b"G0 X1\n", TEXT)
-        sender.until("ok\r\n")
-        sender.send(b"G0 X2\nG0 X3\n")
-        sender.until("ok\r\n")
-        sender.until("ok\r\n")
-        sender.send("\x91?".encode(), TEXT)  # The former as UTF-8.
-        self.assertIn("Ov:110,100,100", sender.until(">\r\n"))
-        sender.close()
-
-    def test_lets_any_number_watch(self):
-        served = self.serve("--ws", 0, "--tcp", 0)
-        watchers = [WebSocket(served.port("ws"), "/observe") for _ in range(3)]
-        sender = served.tcp()
-        sender.until(BANNER)
-        sender.ask("M3 S100")
-        sender.ask("G1 X4 Y3 F3000")
-        sender.ask("G1 X0 Y0")
-        sender.ask("G4 P0.2")
-        for watcher in watchers:
-            states, points, place = set(), 0, None
-            end = time.monotonic() + 10
-            while time.monotonic() < end and not (place == [0, 0, 0] and "Run" in states):
-                news = json.loads(watcher.frame()[1])
-                states.add(news["state"])
-                place = news["mpos"]
-                points = max(points, news["path"]["from"] + len(news["path"]["points"]) // 4)
-            self.assertIn("Run", states)
-            self.assertGreater(points, 1)
-            self.assertEqual(news["sender"], "tcp")
-            watcher.close()
-
-    def test_serves_its_page_and_nobody_elses(self):
-        served = self.serve("--ws", 0)
-        port = served.port("ws")
-        self.assertEqual(served.ways["page"], f"http://127.0.0.1:{port}/")
-        status, page = http(port)
-        self.assertEqual(status, 200)
-        self.assertIn(b"<title>Kerfline</title>", page)
-        self.assertNotIn(b"://", page.split(b"\r\n\r\n", 1)[1], "no request to elsewhere")
-        for path in ("/app.js", "/style.css", "/icon.svg", "/picture.svg"):
-            self.assertEqual(http(port, path)[0], 200, path)
-        self.assertEqual(http(port, "/../etc/passwd")[0], 404)
-        self.assertEqual(http(port, host=f"evil.example:{port}")[0], 403)
-        self.assertEqual(http(port, origin="http://evil.example")[0], 403)
-        for path, names, status in (("/", {"host": f"evil.example:{port}"}, 403),
-                                    ("/observe", {"origin": "http://evil.example"}, 403),
-                                    ("/", {"origin": f"http://localhost:{port}"}, 101)):
-            web = WebSocket(port, path, **names)
-            self.assertEqual(web.status, status, names)
-            web.close()
-
     def test_ends_on_signals_and_takes_its_link_along(self):
         for how in (signal.SIGTERM, signal.SIGINT):
             served = self.serve("--pty", self.link, "--ws", 0)
@@ -316,8 +163,8 @@ class Serve(unittest.TestCase):
 
     @staticmethod
     def replay(*arguments):
-        return subprocess.run([KERFLINE, "replay", *map(str, arguments)], capture_output=True,
-                              text=True, check=False)
+        return subprocess.run([ServeTest.program, "replay", *map(str, arguments)],
+                              capture_output=True, text=True, check=False)
 
     def test_wrong_calls_end_with_status_2_and_say_why(self):
         served = self.serve("--tcp", 0, "--ws", 0)
@@ -334,13 +181,12 @@ class Serve(unittest.TestCase):
             ("--tcp", "0", "--record", self.folder / "no" / "file"): "file",
         }
         for arguments, reason in calls.items():
-            done = subprocess.run([KERFLINE, "serve", *map(str, arguments)], capture_output=True,
-                                  text=True, check=False, timeout=20)
+            done = subprocess.run([self.program, "serve", *map(str, arguments)],
+                                  capture_output=True, text=True, check=False, timeout=20)
             self.assertEqual(done.returncode, 2, arguments)
             self.assertIn(reason, done.stderr, arguments)
         self.assertEqual(self.link.read_text(), "precious")
 
 
 if __name__ == "__main__":
-    KERFLINE = sys.argv.pop(1)
-    unittest.main()
+    main()

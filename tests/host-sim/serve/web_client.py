@@ -15,13 +15,21 @@ def http(port, path="/", **names):
     return status, answer
 
 
-def request(port, path, host=None, origin=None, extra=""):
+def post(port, path, body, length=None, **names):
+    """(status, body of the answer) of a POST that announces this length, or the body's own."""
+    extra = f"Content-Length: {len(body) if length is None else length}\r\n"
+    status, answer, link = request(port, path, method="POST", extra=extra, body=body, **names)
+    link.close()
+    return status, answer.split(b"\r\n\r\n", 1)[1]
+
+
+def request(port, path, host=None, origin=None, extra="", method="GET", body=b""):
     """The same and the socket, still open."""
     link = socket.create_connection(("127.0.0.1", port), timeout=5)
-    lines = [f"GET {path} HTTP/1.1", f"Host: {host or f'127.0.0.1:{port}'}"]
+    lines = [f"{method} {path} HTTP/1.1", f"Host: {host or f'127.0.0.1:{port}'}"]
     if origin:
         lines.append(f"Origin: {origin}")
-    link.sendall(("\r\n".join(lines) + "\r\n" + extra + "\r\n").encode())
+    link.sendall(("\r\n".join(lines) + "\r\n" + extra + "\r\n").encode() + body)
     answer = b""
     while b"\r\n\r\n" not in answer:
         part = link.recv(1)
@@ -31,10 +39,10 @@ def request(port, path, host=None, origin=None, extra=""):
     head = answer.decode().lower()
     if found := re.search(r"content-length:\s*(\d+)", head):
         length = int(found[1])
-        body = b""
-        while len(body) < length:
-            body += link.recv(length - len(body))
-        answer += body
+        content = b""
+        while len(content) < length:
+            content += link.recv(length - len(content))
+        answer += content
     return int(head.split()[1]), answer, link
 
 

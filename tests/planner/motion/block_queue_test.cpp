@@ -14,9 +14,11 @@ namespace cnc::motion {
 namespace {
 
 /// v² with which each block but the first is entered, and at last the end's.
-std::vector<float> exit_squares(BlockQueue queue) {
+std::vector<float> exit_squares(const BlockQueue& queue) {
   std::vector<float> exits;
-  for (; !queue.empty(); queue.pop_front()) exits.push_back(queue.front_exit_square());
+  for (std::size_t index = 0; index < queue.size(); ++index) {
+    exits.push_back(queue.exit_square(index));
+  }
   return exits;
 }
 
@@ -47,12 +49,12 @@ class BlockQueueTest : public testing::Test {
 
   Limits limits = plain_limits();
   Overrides overrides{};
-  BlockQueue queue;
+  BlockQueueOf<64> queue;
 };
 
 TEST_F(BlockQueueTest, EndsAtRest) {
   push_and_plan({straight_block(10.0, limits)});
-  EXPECT_EQ(queue.front_exit_square(), 0.0F);
+  EXPECT_EQ(queue.exit_square(0), 0.0F);
 }
 
 TEST_F(BlockQueueTest, BeginsEmptyAndHoldsSixtyFour) {
@@ -78,16 +80,16 @@ TEST_F(BlockQueueTest, LooksAheadAlongAStraightLine) {
 
 TEST_F(BlockQueueTest, StaysBelowTheFeedOfTheBlockThatIsEntered) {
   push_and_plan({straight_block(50.0, limits, 100.0F), straight_block(50.0, limits, 20.0F)});
-  EXPECT_FLOAT_EQ(queue.front_exit_square(), 400.0F);
+  EXPECT_FLOAT_EQ(queue.exit_square(0), 400.0F);
   overrides.feed = 0.5F;
   queue.forget_plan();
   queue.plan(limits, overrides);
-  EXPECT_FLOAT_EQ(queue.front_exit_square(), 100.0F);
+  EXPECT_FLOAT_EQ(queue.exit_square(0), 100.0F);
 }
 
 TEST_F(BlockQueueTest, StopsAtAReversal) {
   push_and_plan({straight_block(50.0, limits), straight_block(-50.0, limits)});
-  EXPECT_EQ(queue.front_exit_square(), 0.0F);
+  EXPECT_EQ(queue.exit_square(0), 0.0F);
 }
 
 // Of straight blocks the best plan is known: backwards, v0² = v1² + 2 a L.
@@ -146,7 +148,7 @@ TEST_F(BlockQueueTest, PlansAtOnceWhatItPlansOneByOne) {
   proof::Random random{seed};
   for (int trial = 0; trial < 200; ++trial) {
     limits = any_limits(random);
-    BlockQueue step_by_step;
+    BlockQueueOf<64> step_by_step;
     queue.clear();
     // A few at the end are left, as fewer than that need not be planned at once.
     for (const Block& block : any_chain(random, limits, 64)) {
@@ -189,9 +191,22 @@ TEST_F(BlockQueueTest, PlansTheSameAroundTheEndOfItsRing) {
   EXPECT_EQ(exit_squares(queue), first);
 }
 
+TEST_F(BlockQueueTest, HoldsAsManyAsItsTypeSays) {
+  BlockQueueOf<1> single;
+  for (int round = 0; round < 3; ++round) {
+    EXPECT_TRUE(single.empty());
+    single.push(straight_block(1.0, limits), limits);
+    EXPECT_TRUE(single.full());
+    single.plan(limits, overrides);
+    EXPECT_EQ(single.exit_square(0), 0.0F);
+    single.pop_front();
+  }
+  static_assert(sizeof(BlockQueueOf<3>) == sizeof(BlockQueueOf<2>) + sizeof(Block));
+}
+
 TEST(BlockQueueDeathTest, RefusesBlocksThatDoNotFit) {
   const Limits limits = plain_limits();
-  BlockQueue queue;
+  BlockQueueOf<64> queue;
   EXPECT_DEATH(queue.pop_front(), "contract failed");
   EXPECT_DEATH(static_cast<void>(queue.front()), "contract failed");
   for (int k = 0; k < 64; ++k) queue.push(straight_block(1.0, limits), limits);

@@ -62,7 +62,7 @@ class SegmenterTest : public testing::Test {
   [[nodiscard]] double seconds() const { return static_cast<double>(ticks) / kTicksPerSecond; }
 
   Limits limits = plain_limits();
-  BlockQueue queue;
+  BlockQueueOf<kLookAheadBlocks> queue;
   Segmenter segmenter{queue, limits};
   Position goal{};
   std::vector<Segment> segments;

@@ -1,0 +1,164 @@
+#include "host-sim/plot/outline.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "host-sim/measure/programmed_arc.hpp"
+#include "host-sim/plot/path_simplifier.hpp"
+
+namespace sim {
+namespace {
+
+using cnc::gcode::Action;
+using cnc::gcode::ActionKind;
+
+// As many as of the path itself: what a page can draw at every change.
+constexpr std::size_t kMostVertices = 50'000;
+constexpr std::size_t kLongestReason = 160;
+constexpr double kMillimetresPerNanometre = 1.0e-6;
+
+double to_mm(cnc::Coordinate place) {
+  return static_cast<double>(place.nanometres()) * kMillimetresPerNanometre;
+}
+
+Point to_point(const cnc::Position& place) {
+  Point point{};
+  for (std::size_t axis = 0; axis < point.size(); ++axis) point[axis] = to_mm(place[axis]);
+  return point;
+}
+
+/// Chords of a circle, each of which leaves it by no more than the tolerance.
+double chord_count(const Curve& curve) {
+  const Circle& circle = curve.circle().value();
+  const double cosine = std::max(-1.0, 1.0 - PathTolerance{}.distance_mm / circle.radius);
+  return std::ceil(std::abs(circle.sweep) / (2.0 * std::acos(cosine)));
+}
+
+/// Puts what actions move into the path.
+class OutlinePen {
+ public:
+  OutlinePen(const Point& start, std::size_t most_points) : at_{start}, most_points_{most_points} {
+    push(start, Move::kTravel);
+  }
+
+  /// False when there would be too many points.
+  [[nodiscard]] bool draw(const Action& action) {
+    switch (action.kind) {
+      case ActionKind::kRapid:
+        return go_to(to_point(action.end), Move::kTravel);
+      case ActionKind::kLine:
+      case ActionKind::kProbe:
+        return go_to(to_point(action.end), feed_move());
+      case ActionKind::kArc:
+        return go_round(action);
+      case ActionKind::kSpindle:
+        on_ = action.spindle != cnc::gcode::SpindleMode::kOff;
+        return true;
+      case ActionKind::kSpindleSpeed:
+        speed_ = action.value;
+        return true;
+      case ActionKind::kEnd:
+        on_ = false;
+        return true;
+      default:
+        return true;
+    }
+  }
+
+  void set_output(const cnc::gcode::ModalState& state) {
+    on_ = state.spindle != cnc::gcode::SpindleMode::kOff;
+    speed_ = state.spindle_speed;
+  }
+
+  [[nodiscard]] std::vector<PathVertex> finish() { return simplifier_.finish(); }
+
+ private:
+  [[nodiscard]] Move feed_move() const { return on_ && speed_ > 0.0F ? Move::kCut : Move::kFeed; }
+
+  void push(const Point& point, Move move) {
+    simplifier_.push({.x_mm = point[0], .y_mm = point[1], .move = move});
+    ++points_;
+    simplifier_.thin_to(kMostVertices);
+  }
+
+  [[nodiscard]] bool go_to(const Point& end, Move move) {
+    if (points_ >= most_points_) return false;
+    push(end, move);
+    at_ = end;
+    return true;
+  }
+
+  [[nodiscard]] bool go_round(const Action& arc) {
+    const std::vector<Curve> pieces =
+        pieces_of({.start = at_,
+                   .end = to_point(arc.end),
+                   .plane = arc.plane,
+                   .centre = {to_mm(arc.centre[0]), to_mm(arc.centre[1])},
+                   .clockwise = arc.clockwise,
+                   .turns = arc.turns});
+    for (const Curve& piece : pieces) {
+      const double chords = chord_count(piece);
+      for (double chord = 1.0; chord < chords; ++chord) {
+        if (!go_to(piece.point_at(chord / chords), feed_move())) return false;
+      }
+      if (!go_to(piece.end(), feed_move())) return false;
+    }
+    return true;
+  }
+
+  PathSimplifier simplifier_{PathTolerance{}};
+  Point at_;
+  std::size_t most_points_;
+  std::size_t points_ = 0;
+  bool on_ = false;  ///< Beam or spindle.
+  float speed_ = 0.0F;
+};
+
+/// The text up to the next line end, which goes with it.
+std::string_view take_line(std::string_view& text) {
+  const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+  const std::string_view line = text.substr(0, end);
+  const bool pair = text.substr(end, 2) == "\r\n";
+  text.remove_prefix(std::min(end + (pair ? 2 : 1), text.size()));
+  return line;
+}
+
+bool is_statement(std::string_view line) {
+  const std::size_t first = line.find_first_not_of(" \t");
+  return first != std::string_view::npos && line[first] == '$';
+}
+
+Refusal refusal_of(const cnc::gcode::Fault& fault, std::size_t line) {
+  std::array<char, kLongestReason> words{};
+  const std::size_t count = cnc::gcode::describe(fault, words);
+  return {.line = line,
+          .column = fault.column,
+          .number = static_cast<int>(fault.code()),
+          .reason = {words.data(), count}};
+}
+
+}  // namespace
+
+Outline outline_of(std::string_view program,
+                   cnc::gcode::Interpreter reader,
+                   std::size_t most_points) {
+  OutlinePen pen{to_point(reader.position()), most_points};
+  pen.set_output(reader.state());
+  std::optional<Refusal> refused;
+  for (std::size_t number = 1; !program.empty() && !refused; ++number) {
+    const std::string_view line = take_line(program);
+    if (is_statement(line)) continue;
+    const auto actions = reader.interpret(line);
+    if (!actions.ok()) {
+      refused = refusal_of(actions.error(), number);
+      break;
+    }
+    const bool drawn = std::ranges::all_of(
+        actions.value(), [&pen](const Action& action) { return pen.draw(action); });
+    if (!drawn) refused = Refusal{.line = number, .reason = "the outline is too long to be drawn"};
+  }
+  return {pen.finish(), std::move(refused)};
+}
+
+}  // namespace sim

@@ -1,0 +1,106 @@
+#!/usr/bin/env python3
+"""`kerfline serve --ws` as browsers and other senders of WebSocket meet it.
+
+    web_test.py KERFLINE
+"""
+import json
+import time
+
+from served import BANNER, LASER, ServeTest, main
+from web_client import TEXT, WebSocket, http, post, request
+
+
+class Web(ServeTest):
+    def test_carries_a_sender_over_websocket_in_text_and_binary(self):
+        served = self.serve("--ws", 0)
+        sender = WebSocket(served.port("ws"))
+        self.assertEqual(sender.until(BANNER), BANNER)
+        sender.send(b"G0 X1\n", TEXT)
+        sender.until("ok\r\n")
+        sender.send(b"G0 X2\nG0 X3\n")
+        sender.until("ok\r\n")
+        sender.until("ok\r\n")
+        sender.send("\x91?".encode(), TEXT)  # The former as UTF-8.
+        self.assertIn("Ov:110,100,100", sender.until(">\r\n"))
+        sender.close()
+
+    def test_lets_any_number_watch(self):
+        served = self.serve("--ws", 0, "--tcp", 0)
+        watchers = [WebSocket(served.port("ws"), "/observe") for _ in range(3)]
+        sender = served.tcp()
+        sender.until(BANNER)
+        sender.ask("M3 S100")
+        sender.ask("G1 X4 Y3 F3000")
+        sender.ask("G1 X0 Y0")
+        sender.ask("G4 P0.2")
+        for watcher in watchers:
+            states, points, place = set(), 0, None
+            end = time.monotonic() + 10
+            while time.monotonic() < end and not (place == [0, 0, 0] and "Run" in states):
+                news = json.loads(watcher.frame()[1])
+                states.add(news["state"])
+                place = news["mpos"]
+                points = max(points, news["path"]["from"] + len(news["path"]["points"]) // 4)
+            self.assertIn("Run", states)
+            self.assertGreater(points, 1)
+            self.assertEqual(news["sender"], "tcp")
+            watcher.close()
+
+    def test_serves_its_page_and_nobody_elses(self):
+        served = self.serve("--ws", 0)
+        port = served.port("ws")
+        self.assertEqual(served.ways["page"], f"http://127.0.0.1:{port}/")
+        status, page = http(port)
+        self.assertEqual(status, 200)
+        self.assertIn(b"<title>Kerfline</title>", page)
+        self.assertNotIn(b"://", page.split(b"\r\n\r\n", 1)[1], "no request to elsewhere")
+        for path in ("/app.js", "/style.css", "/icon.svg", "/picture.svg"):
+            self.assertEqual(http(port, path)[0], 200, path)
+        self.assertEqual(http(port, "/../etc/passwd")[0], 404)
+        self.assertEqual(http(port, host=f"evil.example:{port}")[0], 403)
+        self.assertEqual(http(port, origin="http://evil.example")[0], 403)
+        for path, names, status in (("/", {"host": f"evil.example:{port}"}, 403),
+                                    ("/observe", {"origin": "http://evil.example"}, 403),
+                                    ("/", {"origin": f"http://localhost:{port}"}, 101)):
+            web = WebSocket(port, path, **names)
+            self.assertEqual(web.status, status, names)
+            web.close()
+
+    def test_draws_a_program_as_the_controller_would_read_it_now(self):
+        served = self.serve("--ws", 0, "--tcp", 0, *LASER)
+        sender = served.tcp()
+        sender.until(BANNER)
+        sender.ask("G10 L2 P1 X100")
+        sender.ask("G0 X1 Y2")
+        outline = self.outline_of(served, b"M4 S500\nG1 X10 F600\nG0 X20\n")
+        self.assertEqual(outline, {"points": [101, 2, 0, 110, 2, 2, 120, 2, 0]})
+        outline = self.outline_of(served, b"G1 X5 F600\r\nG1 X6 Q\xff\r\nX9\r\n")
+        self.assertEqual(outline["points"], [101, 2, 0, 105, 2, 1])
+        self.assertEqual(outline["refused"]["line"], 2)
+        self.assertEqual(outline["refused"]["number"], 2)
+        self.assertEqual(outline["refused"]["reason"], "Q has no number")
+        self.assertEqual(self.outline_of(served, b""), {"points": [101, 2, 0]})
+        sender.close()
+
+    def outline_of(self, served, program):
+        status, answer = post(served.port("ws"), "/outline", program)
+        self.assertEqual(status, 200, answer)
+        return json.loads(answer)
+
+    def test_draws_no_more_than_64_mib_and_for_nobody_else(self):
+        port = self.serve("--ws", 0).port("ws")
+        large = 64 << 20
+        status, answer = post(port, "/outline", b"", length=large + 1)
+        self.assertEqual((status, answer), (413, b"A program of more than 64 MiB is not drawn."))
+        # All of it is taken; reading ends at its first line, which is what makes this fast.
+        status, answer = post(port, "/outline", b"nonsense\n".ljust(large))
+        self.assertEqual((status, json.loads(answer)["refused"]["line"]), (200, 1))
+        self.assertEqual(http(port, "/outline")[0], 405)
+        self.assertEqual(request(port, "/outline", method="POST",
+                                 extra="Transfer-Encoding: chunked\r\n")[0], 411)
+        self.assertEqual(post(port, "/outline", b"", origin="http://evil.example")[0], 403)
+        self.assertEqual(post(port, "/outline", b"", host=f"evil.example:{port}")[0], 403)
+
+
+if __name__ == "__main__":
+    main()
