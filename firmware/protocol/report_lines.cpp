@@ -7,8 +7,6 @@
 namespace cnc {
 namespace {
 
-constexpr float kMillimetresPerInch = 25.4F;
-
 std::string_view motion_word(gcode::MotionMode mode) {
   switch (mode) {
     case gcode::MotionMode::kRapid:

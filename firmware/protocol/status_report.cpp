@@ -3,10 +3,10 @@
 #include <array>
 #include <string_view>
 
+#include "planner/base/units.hpp"
+
 namespace cnc {
 namespace {
-
-constexpr float kMillimetresPerInch = 25.4F;
 
 // Bits of $10.
 constexpr std::uint32_t kMachinePosition = 1;

@@ -7,14 +7,11 @@
 #include <stdexcept>
 
 namespace sim {
-namespace {
 
 bool is_ip_address(const std::string& host) {
   in_addr address{};
   return ::inet_pton(AF_INET, host.c_str(), &address) == 1;
 }
-
-}  // namespace
 
 InternetAddress parse_address(std::string_view text) {
   InternetAddress address;

@@ -18,6 +18,9 @@ struct InternetAddress {
 
 [[nodiscard]] std::string to_string(const InternetAddress& address);
 
+/// Whether it is an IPv4 address in digits.
+[[nodiscard]] bool is_ip_address(const std::string& host);
+
 /// Whether only programs on this machine can reach it.
 [[nodiscard]] bool is_loopback(const InternetAddress& address);
 

@@ -17,14 +17,14 @@ constexpr int kLengthRequired = 411;
 constexpr int kTooLarge = 413;
 constexpr int kTooBusy = 503;
 constexpr long long kLongestProgram = 64LL << 20;
-constexpr std::size_t kPart = std::size_t{64} << 10;
+constexpr std::size_t kBodyPart = std::size_t{64} << 10;
 
 /// As much of the announced body as comes; memory grows with what is there.
 std::string read_body(mg_connection* connection, std::size_t length) {
   std::string body;
   while (body.size() < length) {
     const std::size_t before = body.size();
-    body.resize(std::min(length, before + kPart));
+    body.resize(std::min(length, before + kBodyPart));
     const int count = mg_read(connection, body.data() + before, body.size() - before);
     body.resize(before + static_cast<std::size_t>(std::max(count, 0)));
     if (count <= 0) break;

@@ -1,6 +1,5 @@
 #include "host-sim/serve/web_guard.hpp"
 
-#include <arpa/inet.h>
 #include <fmt/format.h>
 
 #include <string>
@@ -10,11 +9,6 @@ namespace {
 
 constexpr std::string_view kScheme = "http://";
 constexpr std::uint16_t kStandardPort = 80;
-
-bool is_ip_address(const std::string& name) {
-  in_addr address{};
-  return ::inet_pton(AF_INET, name.c_str(), &address) == 1;
-}
 
 }  // namespace
 

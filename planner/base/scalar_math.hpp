@@ -13,6 +13,8 @@ inline constexpr float kPi = 3.14159265358979F;
 inline constexpr float kTwoPi = 6.28318530717959F;
 inline constexpr float kHalfPi = 1.57079632679490F;
 
+[[nodiscard]] constexpr float square(float x) { return x * x; }
+
 struct SinCos {
   float sine;
   float cosine;

@@ -11,7 +11,6 @@ namespace {
 constexpr std::uint32_t kLargestLineNumber = 9'999'999;
 constexpr std::uint32_t kLastDigitalOutput = 7;
 constexpr std::uint32_t kLastAnalogOutput = 3;
-constexpr float kMillimetresPerInch = 25.4F;
 
 Fault with_limit(Fault fault, float limit) {
   fault.limit = limit;

@@ -9,8 +9,6 @@
 namespace cnc::motion {
 namespace {
 
-float square(float x) { return x * x; }
-
 float norm(const AxisArray<float>& vector, std::size_t first, std::size_t end) {
   float sum = 0.0F;
   for (std::size_t axis = first; axis < end; ++axis) sum += square(vector[axis]);

@@ -45,8 +45,6 @@ SinCos grid_sin_cos(int index) {
                             wrapped / kGridPerQuarter);
 }
 
-float square(float x) { return x * x; }
-
 /// Greatest x ≥ 0 with |gradient · x + offset| ≤ limit, or `most` if smaller.
 /// No x mends an offset that rounding put beyond the limit where gradient = 0.
 float tighten(float most, float limit, float gradient, float offset) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "planner/base/scalar_math.hpp"
 #include "planner/motion/block.hpp"
 #include "planner/motion/limits.hpp"
 
@@ -22,8 +23,6 @@ class SpeedCap {
   }
 
  private:
-  static float square(float x) { return x * x; }
-
   float feed_square_;
   float rapid_factor_;
 };

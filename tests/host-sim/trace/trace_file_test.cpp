@@ -17,7 +17,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-constexpr cnc::AxisArray<float> kScale{80.0F, 80.1F, 400.0F, 10.0F, 8.888889F, 1.0F / 3.0F};
+constexpr cnc::AxisArray<float> kTraceScale{80.0F, 80.1F, 400.0F, 10.0F, 8.888889F, 1.0F / 3.0F};
 
 bool are_equal(const TraceRow& a, const TraceRow& b) {
   return a.time_ns == b.time_ns && a.position == b.position && a.duty == b.duty;
@@ -26,7 +26,7 @@ bool are_equal(const TraceRow& a, const TraceRow& b) {
 TEST(TraceWriter, WritesExactlyTheseBytes) {
   const ScratchFile file{".csv"};
   const std::vector<std::string> comments{"kerfline sim part.nc", "two\nlines"};
-  TraceWriter writer{file.path(), kScale, comments};
+  TraceWriter writer{file.path(), kTraceScale, comments};
   writer.on_row({0, {}, 0.0F});
   writer.on_row({1'000, {1, -1, 0, 0, 0, 0}, 0.1F});
   writer.on_row({2'500, {2, -2, 300, 4, 5, -6}, 1.0F});
@@ -47,13 +47,13 @@ TEST(TraceReader, GivesBackWhatWasWritten) {
   const ScratchFile file{".csv"};
   const std::vector<TraceRow> rows = random_rows(seed, 50'000);
   const std::vector<std::string> comments{"first", "", "third: ä"};
-  TraceWriter writer{file.path(), kScale, comments};
+  TraceWriter writer{file.path(), kTraceScale, comments};
   for (const TraceRow& row : rows) writer.on_row(row);
   writer.on_end(rows.back().time_ns);
 
   TraceReader reader{file.path()};
   EXPECT_EQ(reader.comments(), comments);
-  EXPECT_EQ(reader.steps_per_mm(), kScale);
+  EXPECT_EQ(reader.steps_per_mm(), kTraceScale);
   TraceRow row;
   for (const TraceRow& expected : rows) {
     ASSERT_TRUE(reader.next(row));
@@ -69,7 +69,7 @@ TEST(TraceReader, GivesBackTheExtremes) {
   const TraceRow extreme{std::numeric_limits<std::uint64_t>::max(),
                          {kLeast, kGreatest, 0, kLeast, kGreatest, 0},
                          std::numeric_limits<float>::denorm_min()};
-  TraceWriter writer{file.path(), kScale};
+  TraceWriter writer{file.path(), kTraceScale};
   writer.on_row(extreme);
   writer.on_end(extreme.time_ns);
   const std::vector<TraceRow> rows = read_trace_rows(file.path());
@@ -79,17 +79,17 @@ TEST(TraceReader, GivesBackTheExtremes) {
 
 TEST(TraceWriter, KeepsWhatItHasWhenTheRunBreaksOff) {
   const ScratchFile file{".csv"};
-  { TraceWriter{file.path(), kScale}.on_row({5, {1}, 0.0F}); }
+  { TraceWriter{file.path(), kTraceScale}.on_row({5, {1}, 0.0F}); }
   EXPECT_THAT(file.text(), HasSubstr("\n5,1,0,0,0,0,0,0\n"));
 }
 
 TEST(TraceWriter, NamesTheFileThatItCannotCreate) {
-  EXPECT_THAT([] { TraceWriter("/no/such/folder/t.csv", kScale); },
+  EXPECT_THAT([] { TraceWriter("/no/such/folder/t.csv", kTraceScale); },
               ThrowsMessage<std::system_error>(HasSubstr("cannot create /no/such/folder/t.csv")));
 }
 
 TEST(TraceWriter, NamesTheFileWhenTheDiskIsFull) {
-  TraceWriter writer{"/dev/full", kScale};
+  TraceWriter writer{"/dev/full", kTraceScale};
   EXPECT_THAT([&] { writer.on_end(0); },
               ThrowsMessage<std::system_error>(HasSubstr("cannot write /dev/full")));
 }

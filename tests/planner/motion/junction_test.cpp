@@ -86,7 +86,7 @@ constexpr double kStraight = 1.4142137e-3;
 /// near a reversal, where v² itself is next to nothing, the angle is lost in it.
 double tolerance(double turn) {
   const double inside = std::cos(0.5 * turn);
-  return 1.0e-4 + 1.0e-2 * kStraight / turn + 3.0e-7 / square(inside);
+  return 1.0e-4 + 1.0e-2 * kStraight / turn + 3.0e-7 / squared(inside);
 }
 
 void expect_grbls(proof::Random& random, double turn) {

@@ -11,7 +11,10 @@
 
 namespace cnc::motion {
 
-inline double square(double x) { return x * x; }
+/// Of a StepPosition.
+inline constexpr double kOneStep = 4294967296.0;
+
+inline double squared(double x) { return x * x; }
 
 /// mm or degrees, rounded to the nanometre.
 inline Position place(const AxisArray<double>& mm) {
@@ -86,9 +89,9 @@ class ExactMotion {
     half_ = chord > 1.0e-6 ? 2.0 * std::atan(bulge) : 0.0;
     way_ = std::atan2(travel_[axes_.second], travel_[axes_.first]);
     plane_ = half_ == 0.0 ? chord : chord * half_ / std::sin(half_);
-    double sum = square(plane_);
+    double sum = squared(plane_);
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-      if (axis != axes_.first && axis != axes_.second) sum += square(travel_[axis]);
+      if (axis != axes_.first && axis != axes_.second) sum += squared(travel_[axis]);
     }
     length_ = std::sqrt(sum);
   }
@@ -106,7 +109,7 @@ class ExactMotion {
   }
   /// 1/mm.
   [[nodiscard]] AxisArray<double> bend_at(double fraction) const {
-    const double turning = 2.0 * half_ * plane_ / square(length_);
+    const double turning = 2.0 * half_ * plane_ / squared(length_);
     AxisArray<double> bend{};
     bend[axes_.first] = -turning * std::sin(angle_at(fraction));
     bend[axes_.second] = turning * std::cos(angle_at(fraction));

@@ -12,7 +12,6 @@ namespace cnc::motion {
 namespace {
 
 constexpr std::uint64_t kWhole = std::uint64_t{1} << 32;
-constexpr double kOneStep = 4294967296.0;
 
 double in_steps(StepPosition position) { return static_cast<double>(position.q32()) / kOneStep; }
 

@@ -138,7 +138,7 @@ class LimitWatch : public SliceObserver {
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
       const double rate = std::abs(tangent[axis]) * speed;
       const double load = std::abs(tangent[axis] * static_cast<double>(slice.acceleration) +
-                                   bend[axis] * square(speed));
+                                   bend[axis] * squared(speed));
       worst_rate = std::max(worst_rate, rate / static_cast<double>(limits.rate_mm_s[axis]));
       worst_acceleration =
           std::max(worst_acceleration, load / static_cast<double>(limits.acceleration_mm_s2[axis]));

@@ -5,12 +5,11 @@
 #include <cmath>
 #include <cstdint>
 
+#include "tests/planner/motion/motion_test.hpp"
 #include "tests/support/random_source.hpp"
 
 namespace cnc::motion {
 namespace {
-
-constexpr double kOneStep = 4294967296.0;
 
 double due(const StepTrain& train, int k) {
   const double q16 = static_cast<double>(train.first_q16) + k * 1.0 * train.interval_q16 +
