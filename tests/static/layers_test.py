@@ -1,4 +1,5 @@
-"""Plants violations in a copy of a small house and sees that layers.py and hygiene.py find them."""
+"""Plants violations in a copy of a small house and sees that layers.py, hygiene.py and
+private_names.py find them."""
 import contextlib
 import io
 import pathlib
@@ -7,6 +8,7 @@ import unittest
 
 import hygiene
 import layers
+import private_names
 
 HOUSE = {
     "planner/base/axes.hpp": "#pragma once\n#include <array>\n#include <Eigen/Core>\n",
@@ -131,6 +133,17 @@ class PlantedViolations(unittest.TestCase):
 
     def test_stray_file_at_the_top(self):
         self.assert_hygiene_finds("notes.txt", "", "not one of the top level's")
+
+    def test_private_names_of_two_sources(self):
+        text = "namespace cnc {\nnamespace {\n%s\n}  // namespace\n}  // namespace cnc\n"
+        for definition in ["constexpr float kSlack = 1.0F;", "struct Arm {\n  int x;\n};"]:
+            with self.subTest(definition):
+                self.plant("planner/a.cpp", text % definition)
+                self.plant("planner/b/b.cpp", text % definition)
+                self.plant("firmware/c.cpp", text % definition)  # Another program.
+                found = list(private_names.complaints(self.root))
+                self.assertEqual(len(found), 1)
+                self.assertIn("is in planner/a.cpp, too", found[0])
 
 
 if __name__ == "__main__":

@@ -1,0 +1,49 @@
+"""Fails when two sources of a program keep a constant or a type of the same name to themselves.
+
+The united builds put several sources of a layer, or of a folder of tests, into one; and a constant
+that two files define is one that should have a home.
+
+usage: private_names.py [root]
+"""
+import pathlib
+import re
+import sys
+from typing import Iterator
+
+from source_files import ROOT, source_files
+
+PRIVATE = re.compile(r"^namespace \{$(.*?)^\}  // namespace$", re.MULTILINE | re.DOTALL)
+NAMED = re.compile(r"^namespace ([\w:]+) \{$", re.MULTILINE)
+DEFINED = re.compile(r"^(?:constexpr [^={(]*?\b(k\w+)(?:\{| =)|(?:struct|class|enum class) (\w+)\b[^;]*$)",
+                     re.MULTILINE)
+
+
+def program_of(name: str) -> str:
+    """A layer, or a folder of tests."""
+    parts = name.split("/")
+    return "/".join(parts[:2]) if parts[0] == "tests" else parts[0]
+
+
+def private_names(text: str) -> set:
+    """Namespace and name of each constant and type in an anonymous namespace."""
+    outer = NAMED.search(text)
+    return {(outer[1] if outer else "", constant or kind)
+            for body in PRIVATE.findall(text) for constant, kind in DEFINED.findall(body)}
+
+
+def complaints(root: pathlib.Path) -> Iterator:
+    homes = {}
+    for path in source_files(root, ".cpp"):
+        name = path.relative_to(root).as_posix()
+        if name.startswith(("tests/must_not_compile/", "tests/fuzz/", "tests/target/", "tests/bench/")):
+            continue  # A program each.
+        for private in sorted(private_names(path.read_text(encoding="utf-8"))):
+            first = homes.setdefault((program_of(name), *private), name)
+            if first != name:
+                yield f"{name}: {private[1]} is in {first}, too"
+
+
+if __name__ == "__main__":
+    found = list(complaints(pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT))
+    print("\n".join(found) or "private names: clean")
+    sys.exit(bool(found))
