@@ -61,6 +61,7 @@ Result<float, SettingError> Settings::set(std::uint16_t number, float value) {
   if (value > info.most) return SettingError::kAboveRange;
   if (info.whole && value != std::floor(value)) return SettingError::kNotWhole;
   values_[index] = value;
+  ++revision_;
   return value;
 }
 

@@ -97,9 +97,12 @@ class Settings {
   }
   /// Refused values change nothing. The value returned is the one stored.
   Result<float, SettingError> set(std::uint16_t number, float value);
+  /// Another number after each change, for whoever keeps what follows from them.
+  [[nodiscard]] std::uint32_t revision() const { return revision_; }
 
  private:
   std::array<float, kMostSettings> values_{};
+  std::uint32_t revision_ = 1;
 };
 
 namespace setting {

@@ -18,11 +18,18 @@ VirtualController::VirtualController(hal::ByteStream& link,
 
 void VirtualController::turn() {
   last_event_ = now_;
-  switches_.place(machine().settings());
-  z_steps_per_mm_ = machine().settings().get(cnc::setting::kStepsPerMm, 2);
+  follow_settings();
   feel_machine();
   firmware_.poll(hal::TickCount{static_cast<std::uint32_t>(now_ / kTicksPerMicrosecond)});
   advance_to(now_ + kTicksPerTurn);
+}
+
+void VirtualController::follow_settings() {
+  const cnc::Settings& settings = machine().settings();
+  if (settings.revision() == settings_revision_) return;
+  settings_revision_ = settings.revision();
+  switches_.place(settings);
+  z_steps_per_mm_ = settings.get(cnc::setting::kStepsPerMm, 2);
 }
 
 void VirtualController::advance_to(std::uint64_t tick) {

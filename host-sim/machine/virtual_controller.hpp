@@ -54,13 +54,15 @@ class VirtualController {
 
  private:
   void advance_to(std::uint64_t tick);
+  void follow_settings();
   void feel_machine();
   void report_change();
   void hand_out_row();
 
   MachineModel model_;
   SwitchModel switches_;
-  float z_steps_per_mm_ = 1.0F;  ///< As of this turn.
+  std::uint32_t settings_revision_ = 0;
+  float z_steps_per_mm_ = 1.0F;
   hal::host::RecordingPort port_{};
   hal::host::MemoryStore own_store_{};
   Firmware firmware_;
