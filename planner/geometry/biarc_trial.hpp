@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "planner/geometry/biarc.hpp"
+#include "planner/geometry/curve_ahead.hpp"
+
+namespace cnc {
+
+/// A stretch of curve, sampled, against which biarcs are held.
+///
+/// As long as the direction of the curve is within a quarter turn of the
+/// arc's beside it, the nearest point on the biarc advances with the curve, so
+/// that each has a point beside every point of the other and the distance
+/// counts both ways (Hausdorff). Where that does not hold at a sample, or the
+/// curve turns by more than a sixth of a turn between two, no biarc is taken.
+class BiarcTrial {
+ public:
+  static constexpr std::size_t kCoarse = 24;  ///< Samples inside, ends not counted.
+  static constexpr std::size_t kFine = 74;    ///< Thrice as close.
+  /// Stands for "does not fit at all", mm.
+  static constexpr float kNoFit = 1.0e9F;
+
+  struct Fit {
+    float joint_share = 0.5F;
+    float deviation_mm = kNoFit;
+  };
+
+  /// The curve from where it is seen to `distance` ahead, at places equally far
+  /// apart in its parameter.
+  void sample(CurveAhead& curve, float distance, std::size_t count = kCoarse);
+
+  /// The biarc that stays nearest, or the first found within `enough_mm`; over
+  /// all joint shares from kFirstShare to 1 − kFirstShare, to a hundredth.
+  [[nodiscard]] Fit best(float enough_mm) const;
+  /// Of the biarc from end to end whose joint lies at this share.
+  [[nodiscard]] float deviation(float joint_share) const;
+  /// Of the straight line from end to end, mm.
+  [[nodiscard]] float deviation_of_line() const;
+
+  [[nodiscard]] BiarcEnds ends() const {
+    return {.start = {0.0F, 0.0F}, .start_tangent = {1.0F, 0.0F}, .end = end_,
+            .end_tangent = end_tangent_};
+  }
+  /// Distance between the ends, mm.
+  [[nodiscard]] float chord() const { return end_.norm(); }
+
+ private:
+  static constexpr float kFirstShare = 0.08F;
+
+  [[nodiscard]] std::span<const CurvePoint> samples() const {
+    return std::span{samples_}.first(count_);
+  }
+
+  std::array<CurvePoint, kFine> samples_{};
+  std::size_t count_ = 0;
+  Vec2 end_{0.0F, 0.0F};
+  Vec2 end_tangent_{1.0F, 0.0F};
+  bool turns_gently_ = false;
+};
+
+}  // namespace cnc

@@ -1,0 +1,86 @@
+#include "planner/geometry/arc_fit.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+#include "tests/planner/geometry/chain_check.hpp"
+#include "tests/planner/geometry/random_spline.hpp"
+#include "tests/support/trials.hpp"
+
+namespace cnc {
+namespace {
+
+using exact::ChainCheck;
+using exact::chain_of;
+
+struct Summary {
+  double deviation = 0.0;  ///< Of the tolerance.
+  double smooth = 0.0;     ///< Of the promised kink.
+  std::size_t curves = 0;
+  std::size_t arcs = 0;
+  std::size_t corners = 0;
+};
+
+void check(const Spline& spline, double tolerance, Summary& summary) {
+  const Position start{Coordinate{123'456'789}, Coordinate{-987'654'321}, Coordinate{7}};
+  const auto chain = chain_of(spline, start, tolerance);
+  ASSERT_FALSE(chain.empty());
+  const PlanePlace& last = spline.point(spline.size() - 1).place;
+  EXPECT_EQ(chain.front().start, start);
+  EXPECT_EQ(chain.back().end[0] - start[0], Coordinate{last.x});
+  EXPECT_EQ(chain.back().end[1] - start[1], Coordinate{last.y});
+  EXPECT_EQ(chain.back().end[2], start[2]);
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    EXPECT_EQ(chain[i].plane, Plane::kXY);
+    EXPECT_LE(std::abs(chain[i].bulge), 1.0F);
+    EXPECT_EQ(chain[i].start, i == 0 ? start : chain[i - 1].end);
+  }
+  const ChainCheck held{spline, chain};
+  EXPECT_LE(held.deviation(), tolerance) << chain.size() << " arcs";
+  const auto corners = held.corners(3.0 * tolerance);
+  EXPECT_LE(corners.unfounded, 0.0) << chain.size() << " arcs, " << corners.count << " corners";
+  summary.deviation = std::max(summary.deviation, held.deviation() / tolerance);
+  summary.smooth = std::max(summary.smooth, corners.smooth);
+  summary.corners += corners.count;
+  summary.arcs += chain.size();
+  ++summary.curves;
+}
+
+void print(const char* name, const Summary& summary) {
+  std::printf("%s: %zu curves, %zu arcs, greatest deviation %.4f of the tolerance, %zu corners, "
+              "greatest kink %.3f of the promise\n",
+              name, summary.curves, summary.arcs, summary.deviation, summary.corners,
+              summary.smooth);
+}
+
+// All: KERFLINE_TRIALS=10000.
+TEST(ArcFit, StaysWithinToleranceOfRandomCubics) {
+  const proof::Trials trials{10'000};
+  Summary summary;
+  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    proof::Random random{seed};
+    const Spline spline = exact::random_cubic(random);
+    const double tolerance = random.chance(0.7) ? 0.002 : random.magnitude(1.0e-3, 0.1);
+    check(spline, tolerance, summary);
+    if (proof::too_many_failures()) break;
+  }
+  print("cubics", summary);
+}
+
+TEST(ArcFit, StaysWithinToleranceOfRandomNurbs) {
+  const proof::Trials trials{1'000};
+  Summary summary;
+  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    proof::Random random{seed};
+    const Spline spline = exact::random_spline(random);
+    check(spline, random.magnitude(1.0e-3, 0.05), summary);
+    if (proof::too_many_failures()) break;
+  }
+  print("splines", summary);
+}
+
+}  // namespace
+}  // namespace cnc
