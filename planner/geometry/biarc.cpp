@@ -37,7 +37,7 @@ float bulge_between(const Vec2& tangent, const Vec2& chord) {
   const float sine = cross(tangent, chord);
   const float both = std::sqrt(tangent.squaredNorm() * chord.squaredNorm());
   const float denominator = both + std::max(0.0F, tangent.dot(chord));
-  return denominator > 0.0F ? sine / denominator : 0.0F;
+  return denominator > 0.0F ? std::clamp(sine / denominator, -1.0F, 1.0F) : 0.0F;
 }
 
 Result<Biarc, BiarcError> make_biarc(const BiarcEnds& ends, float joint_share) {
