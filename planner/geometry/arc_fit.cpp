@@ -86,19 +86,22 @@ ArcFit::Reach ArcFit::farthest() {
   return reach;
 }
 
-/// Looks again at more samples, and a little less far where they show more.
-ArcFit::Reach ArcFit::confirmed(const Reach& reach) {
-  constexpr int kMostTimes = 12;
+/// Looks more closely, and goes a little less far where that shows more.
+ArcFit::Reach ArcFit::confirmed(Reach reach) {
+  constexpr int kMostTimes = 16;
   constexpr float kLess = 0.99F;
-  float distance = reach.distance;
   for (int i = 0; i < kMostTimes; ++i) {
-    distance = ahead_.expressible(distance);
-    trial_.sample(ahead_, distance, BiarcTrial::kFine);
+    trial_.sample(ahead_, reach.distance);
     const float most = allowed();
-    if (distance == reach.distance && trial_.deviation(reach.joint_share) <= most) return reach;
-    const BiarcTrial::Fit fit = trial_.best(most);
-    if (fit.deviation_mm <= most) return {.distance = distance, .joint_share = fit.joint_share};
-    distance *= fit.deviation_mm < BiarcTrial::kNoFit ? kLess * growth(most, fit.deviation_mm) : 0.5F;
+    float found = trial_.deviation_closely(ahead_, reach.joint_share);
+    if (found <= most) return reach;
+    const BiarcTrial::Fit other = trial_.best(0.0F);
+    if (i > 0 && other.deviation_mm <= most) {
+      reach.joint_share = other.joint_share;
+      found = trial_.deviation_closely(ahead_, reach.joint_share);
+      if (found <= most) return reach;
+    }
+    reach.distance = ahead_.expressible(reach.distance * kLess * growth(most, found));
   }
   return {};
 }

@@ -50,7 +50,7 @@ class ArcFit {
   };
 
   [[nodiscard]] Reach farthest();
-  [[nodiscard]] Reach confirmed(const Reach& reach);
+  [[nodiscard]] Reach confirmed(Reach reach);
   [[nodiscard]] Reach leave_no_crumb(const Reach& reach);
   [[nodiscard]] float straight_reach();
   [[nodiscard]] float allowed() const;

@@ -70,7 +70,7 @@ class Bezier {
   std::size_t degree_ = 1;
 };
 
-/// Relative to the farthest control point: a micrometre at a million kilometres.
+/// Relative to the farthest control point: a nanometre at a kilometre.
 inline constexpr double kBezierError = 1.0e-12;
 
 }  // namespace cnc

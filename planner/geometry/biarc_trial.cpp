@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planner/base/contract.hpp"
-
 namespace cnc {
 namespace {
 
@@ -64,6 +62,37 @@ class Peak {
   float greatest_ = 0.0F;
 };
 
+/// A biarc to hold points of a curve against, in their order.
+class Gauge {
+ public:
+  Gauge(const BiarcEnds& ends, const Biarc& biarc)
+      : joint_{biarc.joint},
+        joint_tangent_{biarc.joint_tangent},
+        first_{ends.start, ends.start_tangent, curvature_of(biarc.joint, biarc.first_bulge)},
+        second_{
+            ends.end, ends.end_tangent, curvature_of(ends.end - biarc.joint, biarc.second_bulge)} {}
+
+  /// False when the curve goes another way than the arc beside it.
+  [[nodiscard]] bool add(const CurvePoint& point) {
+    const bool before = (point.place - joint_).dot(joint_tangent_) < 0.0F;
+    const Circle::Sight sight = (before ? first_ : second_).of(point);
+    peak_.add(sight.across);
+    return sight.agrees;
+  }
+  /// @pre all points were added.
+  [[nodiscard]] float deviation() {
+    peak_.add(0.0F);
+    return peak_.greatest();
+  }
+
+ private:
+  Vec2 joint_;
+  Vec2 joint_tangent_;
+  Circle first_;
+  Circle second_;
+  Peak peak_;
+};
+
 bool turn_gently(const Vec2& a, const Vec2& b) {
   const float along = a.dot(b);
   return along > 0.0F && along * along >= 0.25F * a.squaredNorm() * b.squaredNorm();
@@ -71,13 +100,12 @@ bool turn_gently(const Vec2& a, const Vec2& b) {
 
 }  // namespace
 
-void BiarcTrial::sample(CurveAhead& curve, float distance, std::size_t count) {
-  CNC_ASSERT(count <= kFine);
-  count_ = count;
-  const float step = distance / static_cast<float>(count + 1);
+void BiarcTrial::sample(CurveAhead& curve, float distance) {
+  const float step = distance / static_cast<float>(kSamples + 1);
   Vec2 before{1.0F, 0.0F};
+  distance_ = distance;
   turns_gently_ = true;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < kSamples; ++i) {
     samples_[i] = curve.at(step * static_cast<float>(i + 1));
     turns_gently_ = turns_gently_ && turn_gently(before, samples_[i].direction);
     before = samples_[i].direction;
@@ -90,18 +118,22 @@ void BiarcTrial::sample(CurveAhead& curve, float distance, std::size_t count) {
 float BiarcTrial::deviation(float joint_share) const {
   const auto biarc = make_biarc(ends(), joint_share);
   if (!biarc.ok()) return kNoFit;
-  const auto& [joint, joint_tangent, first_bulge, second_bulge] = biarc.value();
-  const Circle first{{0.0F, 0.0F}, {1.0F, 0.0F}, curvature_of(joint, first_bulge)};
-  const Circle second{end_, end_tangent_, curvature_of(end_ - joint, second_bulge)};
-  Peak peak;
-  for (const CurvePoint& sample : samples()) {
-    const bool before = (sample.place - joint).dot(joint_tangent) < 0.0F;
-    const Circle::Sight sight = (before ? first : second).of(sample);
-    if (!sight.agrees) return kNoFit;
-    peak.add(sight.across);
+  Gauge gauge{ends(), biarc.value()};
+  for (const CurvePoint& sample : samples_) {
+    if (!gauge.add(sample)) return kNoFit;
   }
-  peak.add(0.0F);
-  return peak.greatest();
+  return gauge.deviation();
+}
+
+float BiarcTrial::deviation_closely(CurveAhead& curve, float joint_share) const {
+  const auto biarc = make_biarc(ends(), joint_share);
+  if (!biarc.ok()) return kNoFit;
+  Gauge gauge{ends(), biarc.value()};
+  const float step = distance_ / static_cast<float>(kClosely + 1);
+  for (std::size_t i = 0; i < kClosely; ++i) {
+    if (!gauge.add(curve.at(step * static_cast<float>(i + 1)))) return kNoFit;
+  }
+  return gauge.deviation();
 }
 
 /// Golden section: deviation falls and then rises with the share.
@@ -141,7 +173,7 @@ BiarcTrial::Fit BiarcTrial::best(float enough_mm) const {
 float BiarcTrial::deviation_of_line() const {
   const float square = end_.squaredNorm();
   float greatest = 0.0F;
-  for (const CurvePoint& sample : samples()) {
+  for (const CurvePoint& sample : samples_) {
     const float share = square > 0.0F ? sample.place.dot(end_) / square : 0.0F;
     const Vec2 nearest = std::clamp(share, 0.0F, 1.0F) * end_;
     greatest = std::max(greatest, (sample.place - nearest).norm());

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
 
 #include "planner/geometry/biarc.hpp"
 #include "planner/geometry/curve_ahead.hpp"
@@ -18,8 +17,8 @@ namespace cnc {
 /// curve turns by more than a sixth of a turn between two, no biarc is taken.
 class BiarcTrial {
  public:
-  static constexpr std::size_t kCoarse = 24;  ///< Samples inside, ends not counted.
-  static constexpr std::size_t kFine = 74;    ///< Thrice as close.
+  static constexpr std::size_t kSamples = 24;   ///< Inside; ends not counted.
+  static constexpr std::size_t kClosely = 249;  ///< Ten times as many, for the last look.
   /// Stands for "does not fit at all", mm.
   static constexpr float kNoFit = 1.0e9F;
 
@@ -30,18 +29,22 @@ class BiarcTrial {
 
   /// The curve from where it is seen to `distance` ahead, at places equally far
   /// apart in its parameter.
-  void sample(CurveAhead& curve, float distance, std::size_t count = kCoarse);
+  void sample(CurveAhead& curve, float distance);
 
   /// The biarc that stays nearest, or the first found within `enough_mm`; over
   /// all joint shares from kFirstShare to 1 − kFirstShare, to a hundredth.
   [[nodiscard]] Fit best(float enough_mm) const;
   /// Of the biarc from end to end whose joint lies at this share.
   [[nodiscard]] float deviation(float joint_share) const;
+  /// The same with kClosely samples, of the curve last sampled.
+  [[nodiscard]] float deviation_closely(CurveAhead& curve, float joint_share) const;
   /// Of the straight line from end to end, mm.
   [[nodiscard]] float deviation_of_line() const;
 
   [[nodiscard]] BiarcEnds ends() const {
-    return {.start = {0.0F, 0.0F}, .start_tangent = {1.0F, 0.0F}, .end = end_,
+    return {.start = {0.0F, 0.0F},
+            .start_tangent = {1.0F, 0.0F},
+            .end = end_,
             .end_tangent = end_tangent_};
   }
   /// Distance between the ends, mm.
@@ -50,12 +53,8 @@ class BiarcTrial {
  private:
   static constexpr float kFirstShare = 0.08F;
 
-  [[nodiscard]] std::span<const CurvePoint> samples() const {
-    return std::span{samples_}.first(count_);
-  }
-
-  std::array<CurvePoint, kFine> samples_{};
-  std::size_t count_ = 0;
+  std::array<CurvePoint, kSamples> samples_{};
+  float distance_ = 0.0F;
   Vec2 end_{0.0F, 0.0F};
   Vec2 end_tangent_{1.0F, 0.0F};
   bool turns_gently_ = false;

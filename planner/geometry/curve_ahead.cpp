@@ -7,34 +7,19 @@ namespace {
 
 constexpr float kMillimetresPerNanometre = 1.0e-6F;
 
-using Coefficients = std::array<float, Bezier::kHighestDegree + 1>;
-using WideCoefficients = std::array<Wide, Bezier::kHighestDegree + 1>;
-
-/// From Bernstein to powers: binomial(n, k) times the k-th forward difference.
-void turn_into_powers(WideCoefficients& c, std::size_t degree) {
-  for (std::size_t round = 1; round <= degree; ++round) {
-    for (std::size_t i = degree; i >= round; --i) c[i] = c[i] - c[i - 1];
-  }
-  float binomial = 1.0F;
-  for (std::size_t k = 1; k <= degree; ++k) {
-    binomial = binomial * static_cast<float>(degree + 1 - k) / static_cast<float>(k);
-    c[k] = Wide{binomial} * c[k];
-  }
-}
-
 struct Value {
   float value;
-  float slope;
+  float slope;  ///< By the degree.
 };
 
-Value evaluate(const Coefficients& c, float t) {
-  float value = c.back();
-  float slope = 0.0F;
-  for (std::size_t i = c.size() - 1; i-- > 0;) {
-    slope = slope * t + value;
-    value = value * t + c[i];
+/// De Casteljau's triangle. Not in powers of the parameter: with unequal weights
+/// those cancel each other.
+Value evaluate(std::array<float, Bezier::kHighestDegree + 1> c, std::size_t degree, float t) {
+  const float rest = 1.0F - t;
+  for (std::size_t last = degree; last > 1; --last) {
+    for (std::size_t i = 0; i < last; ++i) c[i] = rest * c[i] + t * c[i + 1];
   }
-  return {value, slope};
+  return {.value = rest * c[0] + t * c[1], .slope = c[1] - c[0]};
 }
 
 }  // namespace
@@ -69,41 +54,30 @@ void CurveAhead::look() {
   origin_ = segment_ == 0 && parameter_ <= 0.0F ? PlanePlace{} : beziers_[0].start();
   const Vec2 tangent = beziers_[0].start_tangent();
   if (tangent.squaredNorm() > 0.0F) tangent_ = tangent;
-  polynomials_[0] = seen_from_here(beziers_[0]);
+  hulls_[0] = seen_from_here(beziers_[0]);
   prepared_ = 1;
 }
 
 void CurveAhead::prepare(std::size_t piece) {
   for (; prepared_ <= piece; ++prepared_) {
     beziers_[prepared_] = spline_->segment(segment_ + prepared_);
-    polynomials_[prepared_] = seen_from_here(beziers_[prepared_]);
+    hulls_[prepared_] = seen_from_here(beziers_[prepared_]);
   }
 }
 
-CurveAhead::Polynomials CurveAhead::seen_from_here(const Bezier& bezier) const {
+CurveAhead::Hull CurveAhead::seen_from_here(const Bezier& bezier) const {
   const Wide here_x = to_wide(origin_.x);
   const Wide here_y = to_wide(origin_.y);
   const Wide along_x{tangent_.x()};
   const Wide along_y{tangent_.y()};
-  WideCoefficients x{};
-  WideCoefficients y{};
-  WideCoefficients weight{};
+  Hull seen;
   for (std::size_t i = 0; i <= bezier.degree(); ++i) {
     const WeightedPoint& point = bezier.point(i);
     const Wide dx = point.x - point.weight * here_x;
     const Wide dy = point.y - point.weight * here_y;
-    x[i] = dx * along_x + dy * along_y;
-    y[i] = dy * along_x - dx * along_y;
-    weight[i] = point.weight;
-  }
-  turn_into_powers(x, bezier.degree());
-  turn_into_powers(y, bezier.degree());
-  turn_into_powers(weight, bezier.degree());
-  Polynomials seen;
-  for (std::size_t i = 0; i <= bezier.degree(); ++i) {
-    seen.x[i] = x[i].to_float() * kMillimetresPerNanometre;
-    seen.y[i] = y[i].to_float() * kMillimetresPerNanometre;
-    seen.weight[i] = weight[i].to_float();
+    seen.x[i] = (dx * along_x + dy * along_y).to_float() * kMillimetresPerNanometre;
+    seen.y[i] = (dy * along_x - dx * along_y).to_float() * kMillimetresPerNanometre;
+    seen.weight[i] = point.weight.to_float();
   }
   return seen;
 }
@@ -111,10 +85,11 @@ CurveAhead::Polynomials CurveAhead::seen_from_here(const Bezier& bezier) const {
 CurvePoint CurveAhead::at(float distance) {
   const Spot where = spot(distance);
   prepare(where.piece);
-  const Polynomials& curve = polynomials_[where.piece];
-  const Value x = evaluate(curve.x, where.parameter);
-  const Value y = evaluate(curve.y, where.parameter);
-  const Value weight = evaluate(curve.weight, where.parameter);
+  const Hull& hull = hulls_[where.piece];
+  const std::size_t degree = spline_->order() - 1;
+  const Value x = evaluate(hull.x, degree, where.parameter);
+  const Value y = evaluate(hull.y, degree, where.parameter);
+  const Value weight = evaluate(hull.weight, degree, where.parameter);
   const float share = 1.0F / weight.value;
   const Vec2 place{x.value * share, y.value * share};
   return {.place = place,

@@ -16,8 +16,9 @@ struct CurvePoint {
 
 /// The stretch of a spline that lies ahead of a place on it, in single
 /// precision but seen from that place: origin there, x along the tangent, mm.
-/// Errors are relative to the distance from there and not to the size of the
-/// spline: at a distance r at most kAheadError · r, and half a nanometre.
+/// Errors are relative to the stretch of curve and not to the size of the
+/// spline: where it has not gone farther than r from there, at most
+/// kAheadError · r and a nanometre.
 ///
 /// The distance ahead is in knots, 1 for a whole segment.
 class CurveAhead {
@@ -38,9 +39,7 @@ class CurveAhead {
   /// How far it can be seen.
   [[nodiscard]] float length() const;
   /// What is seen is all that is left.
-  [[nodiscard]] bool sees_end() const {
-    return segment_ + kMostPieces >= spline_->segment_count();
-  }
+  [[nodiscard]] bool sees_end() const { return segment_ + kMostPieces >= spline_->segment_count(); }
   /// The nearest distance to this one that the parameter can express.
   [[nodiscard]] float expressible(float distance) const;
 
@@ -53,7 +52,8 @@ class CurveAhead {
   void advance(float distance);
 
  private:
-  struct Polynomials {
+  /// Control points times their weights, as seen from here.
+  struct Hull {
     std::array<float, Bezier::kHighestDegree + 1> x{};
     std::array<float, Bezier::kHighestDegree + 1> y{};
     std::array<float, Bezier::kHighestDegree + 1> weight{};
@@ -66,7 +66,7 @@ class CurveAhead {
   void look();
   void prepare(std::size_t piece);
   [[nodiscard]] Spot spot(float distance) const;
-  [[nodiscard]] Polynomials seen_from_here(const Bezier& bezier) const;
+  [[nodiscard]] Hull seen_from_here(const Bezier& bezier) const;
 
   const Spline* spline_;
   std::size_t segment_ = 0;
@@ -75,7 +75,7 @@ class CurveAhead {
   Vec2 tangent_{1.0F, 0.0F};
   std::size_t prepared_ = 0;
   std::array<Bezier, kMostPieces> beziers_{};  ///< The first from `parameter_` on.
-  std::array<Polynomials, kMostPieces> polynomials_{};
+  std::array<Hull, kMostPieces> hulls_{};
 };
 
 }  // namespace cnc

@@ -5,9 +5,8 @@ namespace {
 
 WeightedPoint weighted(const ControlPoint& point) {
   const Wide weight{point.weight};
-  return {.x = weight * to_wide(point.place.x),
-          .y = weight * to_wide(point.place.y),
-          .weight = weight};
+  return {
+      .x = weight * to_wide(point.place.x), .y = weight * to_wide(point.place.y), .weight = weight};
 }
 
 }  // namespace

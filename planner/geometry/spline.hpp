@@ -11,8 +11,8 @@ namespace cnc {
 
 /// What draws a spline towards it.
 struct ControlPoint {
-  PlanePlace place{};    ///< From the first control point, in nm; each within 2 km.
-  float weight = 1.0F;   ///< kLeastWeight…kMostWeight.
+  PlanePlace place{};   ///< From the first control point, in nm; each within 2 km.
+  float weight = 1.0F;  ///< kLeastWeight…kMostWeight.
 };
 
 /// A rational B-spline (NURBS) in the X Y plane over uniform knots, clamped at

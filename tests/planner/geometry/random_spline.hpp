@@ -54,11 +54,15 @@ inline Spline random_cubic(proof::Random& random) {
       break;
     }
     case 3:  // A loop.
-      p = {{{-1.0, 0.0}, {random.between(0.5, 4.0), 1.0}, {random.between(-4.0, -0.5), 1.0},
+      p = {{{-1.0, 0.0},
+            {random.between(0.5, 4.0), 1.0},
+            {random.between(-4.0, -0.5), 1.0},
             {1.0, random.between(-0.3, 0.3)}}};
       break;
     case 4:  // An S.
-      p = {{{-1.0, 0.0}, {random.between(-0.5, 1.0), 1.0}, {random.between(-1.0, 0.5), -1.0},
+      p = {{{-1.0, 0.0},
+            {random.between(-0.5, 1.0), 1.0},
+            {random.between(-1.0, 0.5), -1.0},
             {1.0, 0.0}}};
       break;
     case 5:  // To and fro on one line.
@@ -67,7 +71,8 @@ inline Spline random_cubic(proof::Random& random) {
     case 6: {  // Close to an arc.
       const double sweep = random.between(0.1, 3.0);
       const double arm = 4.0 / 3.0 * std::tan(sweep / 4.0) * random.between(0.8, 1.2);
-      p = {{{1.0, 0.0}, {1.0, arm},
+      p = {{{1.0, 0.0},
+            {1.0, arm},
             {std::cos(sweep) + arm * std::sin(sweep), std::sin(sweep) - arm * std::cos(sweep)},
             {std::cos(sweep), std::sin(sweep)}}};
       break;
@@ -96,7 +101,8 @@ inline Spline random_spline(proof::Random& random) {
     const auto weight = weighted ? static_cast<float>(random.magnitude(0.1, 10.0)) : 1.0F;
     spline.append({.place = in_nanometres(place), .weight = weight});
     if (course) {
-      place = {place.x + size * random.between(0.2, 1.0), place.y + size * random.between(-1.0, 1.0)};
+      place = {place.x + size * random.between(0.2, 1.0),
+               place.y + size * random.between(-1.0, 1.0)};
     } else {
       place = {size * random.between(-1.0, 1.0), size * random.between(-1.0, 1.0)};
     }
