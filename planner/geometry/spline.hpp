@@ -38,6 +38,11 @@ class Spline {
     CNC_ASSERT(size_ < kMostPoints);
     points_[size_++] = point;
   }
+  /// @pre there is a first
+  void set_first_weight(float weight) {
+    CNC_ASSERT(size_ > 0);
+    points_[0].weight = weight;
+  }
   /// Degree + 1. @pre kLowestOrder ≤ order ≤ kHighestOrder
   void set_order(std::size_t order) {
     CNC_ASSERT(order >= kLowestOrder && order <= kHighestOrder);
