@@ -15,7 +15,7 @@ constexpr float kMillimetresPerNanometre = 1.0e-6F;
 constexpr float kUnseen = 0.005F;
 /// Ends and joints are rounded to whole nanometres, the curve's own origin too.
 constexpr float kRounding_mm = 2.0e-6F;
-/// Of the chord: single precision of the sampled curve, the circles and the joint.
+/// Of the extent: single precision of the sampled curve, the circles and the joint.
 constexpr float kRelativeError = 3.0e-7F;
 
 Vec2 between(const Position& from, const Position& to) {
@@ -47,7 +47,7 @@ ArcFit::ArcFit(const Spline& spline, const Position& start, float tolerance_mm)
 }
 
 float ArcFit::allowed() const {
-  return tolerance_mm_ * (1.0F - kUnseen) - kRounding_mm - kRelativeError * trial_.chord();
+  return tolerance_mm_ * (1.0F - kUnseen) - kRounding_mm - kRelativeError * trial_.extent();
 }
 
 /// A bracket between what fits and what does not, narrowed by the cubic law of
@@ -72,7 +72,7 @@ ArcFit::Reach ArcFit::farthest() {
     } else {
       out_of_reach = distance;
       bounded = true;
-      if (reach.distance <= 0.0F && trial_.chord() < 0.25F * tolerance_mm_) break;
+      if (reach.distance <= 0.0F && trial_.extent() < 0.25F * tolerance_mm_) break;
     }
     if (bounded && out_of_reach - reach.distance <= kPrecise * out_of_reach) break;
     distance *= growth(most, fit.deviation_mm);
@@ -143,7 +143,7 @@ float ArcFit::straight_reach() {
   for (int i = 0; i < kMostHalvings; ++i) {
     distance = ahead_.expressible(distance);
     trial_.sample(ahead_, distance);
-    const bool short_enough = trial_.chord() <= tolerance_mm_;
+    const bool short_enough = trial_.extent() <= tolerance_mm_;
     if (short_enough && trial_.deviation_of_line() <= allowed()) break;
     distance *= 0.5F;
   }

@@ -113,6 +113,9 @@ void BiarcTrial::sample(CurveAhead& curve, float distance) {
   end_ = curve.at(distance).place;
   end_tangent_ = curve.arrival(distance);
   turns_gently_ = turns_gently_ && turn_gently(before, end_tangent_);
+  float square = end_.squaredNorm();
+  for (const CurvePoint& sample : samples_) square = std::max(square, sample.place.squaredNorm());
+  extent_ = std::sqrt(square);
 }
 
 float BiarcTrial::deviation(float joint_share) const {

@@ -47,14 +47,15 @@ class BiarcTrial {
             .end = end_,
             .end_tangent = end_tangent_};
   }
-  /// Distance between the ends, mm.
-  [[nodiscard]] float chord() const { return end_.norm(); }
+  /// How far the curve goes from where it begins, mm; at least the chord.
+  [[nodiscard]] float extent() const { return extent_; }
 
  private:
   static constexpr float kFirstShare = 0.08F;
 
   std::array<CurvePoint, kSamples> samples_{};
   float distance_ = 0.0F;
+  float extent_ = 0.0F;
   Vec2 end_{0.0F, 0.0F};
   Vec2 end_tangent_{1.0F, 0.0F};
   bool turns_gently_ = false;

@@ -4,7 +4,7 @@
 
 namespace cnc {
 
-/// Along the curve, mm, within 1 in 1000: for durations, not for places.
+/// Along the curve, mm, within 3 in 1000: for durations, not for places.
 [[nodiscard]] float length_of(const Spline& spline);
 
 }  // namespace cnc

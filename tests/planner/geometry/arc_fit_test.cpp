@@ -59,6 +59,27 @@ void print(const char* name, const Summary& summary) {
       summary.smooth);
 }
 
+TEST(ArcFit, TakesOneArcForALineAndForAnArc) {
+  const Spline line = exact::cubic({{{0.0, 0.0}, {100.0, 50.0}, {600.0, 300.0}, {1000.0, 500.0}}});
+  ASSERT_EQ(chain_of(line, {}, 0.002).size(), 1U);
+  EXPECT_NEAR(static_cast<double>(chain_of(line, {}, 0.002)[0].bulge), 0.0, 1.0e-6);
+  Spline quarter;
+  quarter.append({.place = {0, 0}});
+  quarter.append({.place = {0, 10'000'000}, .weight = std::sqrt(0.5F)});
+  quarter.append({.place = {-10'000'000, 10'000'000}});
+  const auto arc = chain_of(quarter, {}, 0.002);
+  ASSERT_EQ(arc.size(), 1U);
+  EXPECT_NEAR(static_cast<double>(arc[0].bulge), std::tan(std::acos(-1.0) / 8.0), 1.0e-6);
+}
+
+TEST(ArcFit, TakesCurvesThatEndWhereTheyBegin) {
+  Summary summary;
+  check(exact::cubic({{{0.0, 0.0}, {90.0, -10.0}, {40.0, 70.0}, {0.0, 0.0}}}), 0.002, summary);
+  check(exact::cubic({{{0.0, 0.0}, {90.0, -10.0}, {90.0, -10.0}, {0.0, 0.0}}}), 0.002, summary);
+  check(exact::cubic({{{0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}, {0.0, 0.0}}}), 0.002, summary);
+  EXPECT_LE(summary.arcs, 60U);
+}
+
 // All: KERFLINE_TRIALS=10000.
 TEST(ArcFit, StaysWithinToleranceOfRandomCubics) {
   const proof::Trials trials{2'000};
