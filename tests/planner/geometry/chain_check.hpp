@@ -122,7 +122,8 @@ class ChainCheck {
       for (int i = -16; i <= 16; ++i) {
         const double u = std::clamp(sample.u + fine * i, 0.0, curve_.segments());
         if (distance(curve_.at(u), joint) > near) continue;
-        tangents.push_back(curve_.direction_at(u));
+        const Vector direction = curve_.direction_at(u);
+        if (norm(direction) > 1.0e-9) tangents.push_back(direction);
       }
     }
     double greatest = 0.0;
