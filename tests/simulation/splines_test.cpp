@@ -60,12 +60,12 @@ void change(sim::Simulator& simulator, std::size_t number, double value) {
       << "$" << number << "=" << value;
 }
 
-struct Run {
+struct Driven {
   sim::RunResult result;
   double excess = 0.0;
 };
 
-Run run(const std::string& text) {
+Driven driven(const std::string& text) {
   sim::Simulator simulator{text, {}};
   cnc::AxisArray<double> scales{};
   for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
@@ -77,15 +77,15 @@ Run run(const std::string& text) {
   sim::PathDeviation deviation{path, scales};
   deviation.on_row({});
   simulator.add_sink(deviation);
-  Run run{.result = simulator.run()};
-  for (const auto& refusal : run.result.refusals) ADD_FAILURE() << refusal.reason;
-  EXPECT_EQ(run.result.alarm, 0);
+  Driven driven{.result = simulator.run()};
+  for (const auto& refusal : driven.result.refusals) ADD_FAILURE() << refusal.reason;
+  EXPECT_EQ(driven.result.alarm, 0);
   for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
-    const auto steps = static_cast<double>(run.result.final_position[axis]);
+    const auto steps = static_cast<double>(driven.result.final_position[axis]);
     EXPECT_LE(std::abs(steps - path.end[axis] * kStepsPerMm), 0.501) << "axis " << axis;
   }
-  run.excess = deviation.greatest_axis_excess().value;
-  return run;
+  driven.excess = deviation.greatest_axis_excess().value;
+  return driven;
 }
 
 // Against the definition of the curves, not the arcs that stand for them.
@@ -98,7 +98,7 @@ TEST(RandomSplines, ArePulsedWithinTheirTolerance) {
     Random random{seed};
     const std::string text = random_splines(random, random.magnitude(0.1, 50.0));
     SCOPED_TRACE(text);
-    const Run one = run(text);
+    const Driven one = driven(text);
     EXPECT_LE(one.excess, kTolerance + kArcPromise);
     excess = std::max(excess, one.excess);
     blocks += one.result.blocks;
@@ -117,7 +117,7 @@ TEST(Splines, AreDrivenAtTheirFeedWithoutACornerBetweenArcs) {
   const std::string text =
       "G21 G90 G17 F1200\nG5 X60 Y0 I20 J30 P-20 Q30\nX120 P-20 Q-30\n"
       "G5.2 X140 Y40\nX160 Y-40\nX180 Y40\nX200 Y0\nG5.3\nM2\n";
-  const Run one = run(text);
+  const Driven one = driven(text);
   const double length = sim::read_program(text).length();
   EXPECT_LE(one.result.job_time_s, length / 20.0 + 0.15);
   std::printf("splines at F1200: %.3f mm in %.3f s, %zu blocks\n",
