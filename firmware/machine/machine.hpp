@@ -21,6 +21,7 @@
 #include "hal/interface/tick_count.hpp"
 #include "planner/gcode/interpreter.hpp"
 #include "planner/geometry/arc_elements.hpp"
+#include "planner/geometry/arc_fit.hpp"
 
 namespace cnc {
 
@@ -173,6 +174,7 @@ class Machine {
   [[nodiscard]] bool run(const gcode::Action& action);
   [[nodiscard]] bool move_straight(const gcode::Action& action, float feed);
   [[nodiscard]] bool move_arc(const gcode::Action& action);
+  [[nodiscard]] bool move_spline(const gcode::Action& action);
   [[nodiscard]] bool probe(const gcode::Action& action);
   [[nodiscard]] bool finish_probe(const gcode::Action& action);
   void end_probe(const Position& place, bool success);
@@ -256,6 +258,7 @@ class Machine {
   gcode::Actions waiting_{};
   std::optional<ArcElements> arc_{};  ///< The arc being divided.
   std::uint32_t arc_index_ = 0;
+  std::optional<ArcFit> spline_{};  ///< The spline being turned into arcs.
   motion::OutputChanges with_next_motion_{};
   std::optional<JogMove> jog_{};  ///< Waits for room in the planner.
   Dwell dwell_{};                 ///< Of an action.

@@ -25,6 +25,8 @@ bool Machine::run(const Action& action) {
       return move_straight(action, action.feed);
     case ActionKind::kArc:
       return move_arc(action);
+    case ActionKind::kSpline:
+      return move_spline(action);
     case ActionKind::kProbe:
       return probe(action);
     case ActionKind::kDwell:
@@ -68,6 +70,21 @@ void Machine::append(const PathElement& element, float feed) {
 bool Machine::move_straight(const Action& action, float feed) {
   if (!motion_.has_room()) return false;
   append({.start = motion_.target(), .end = action.end}, feed);
+  return true;
+}
+
+/// A few arcs in each turn, as finding one takes some hundred thousand
+/// instructions.
+bool Machine::move_spline(const Action& action) {
+  constexpr float kTolerance_mm = 0.002F;
+  constexpr int kArcsPerTurn = 4;
+  if (!spline_) spline_.emplace(*action.spline, motion_.target(), kTolerance_mm);
+  for (int i = 0; i < kArcsPerTurn && !spline_->done(); ++i) {
+    if (!motion_.has_room()) return false;
+    append(spline_->next(), action.feed);
+  }
+  if (!spline_->done()) return false;
+  spline_.reset();
   return true;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "planner/geometry/arc_reach.hpp"
+#include "planner/geometry/spline_reach.hpp"
 
 namespace cnc {
 namespace {
@@ -47,6 +48,9 @@ bool Travel::left_by(gcode::Actions actions, const Position& from) const {
       case gcode::ActionKind::kArc:
         if (!contains_arc(here, action)) return true;
         break;
+      case gcode::ActionKind::kSpline:
+        if (!contains_spline(here, action)) return true;
+        break;
       case gcode::ActionKind::kRapid:
       case gcode::ActionKind::kLine:
       case gcode::ActionKind::kProbe:
@@ -76,6 +80,20 @@ bool Travel::contains_arc(const Position& start, const gcode::Action& arc) const
                               .clockwise = arc.clockwise,
                               .turns = arc.turns});
   return contains(reach.least) && contains(reach.most);
+}
+
+bool Travel::contains_spline(const Position& start, const gcode::Action& spline) const {
+  constexpr Coordinate kAnywhere{2 * Coordinate::kFarthestNanometres};
+  std::array<Coordinate, 2> least{-kAnywhere, -kAnywhere};
+  std::array<Coordinate, 2> most{kAnywhere, kAnywhere};
+  for (std::size_t axis = 0; axis < least.size(); ++axis) {
+    if ((judged_ >> axis & 1U) == 0) continue;
+    least[axis] = least_[axis] - kSlack - start[axis];
+    most[axis] = most_[axis] + kSlack - start[axis];
+  }
+  return stays_within(*spline.spline,
+                      {.least = {least[0].nanometres(), least[1].nanometres()},
+                       .most = {most[0].nanometres(), most[1].nanometres()}});
 }
 
 Position Travel::clamped(const Position& place) const {

@@ -18,13 +18,14 @@ class Travel {
   void configure(const Settings& settings, std::uint8_t homed);
 
   /// Whether a motion of these actions, begun at `from`, would leave it; of an
-  /// arc its true extremes count.
+  /// arc or a spline its true extremes count.
   [[nodiscard]] bool left_by(gcode::Actions actions, const Position& from) const;
   /// The place inside that is nearest, axis by axis.
   [[nodiscard]] Position clamped(const Position& place) const;
 
  private:
   [[nodiscard]] bool contains(const Position& place) const;
+  [[nodiscard]] bool contains_spline(const Position& start, const gcode::Action& spline) const;
   [[nodiscard]] bool contains_arc(const Position& start, const gcode::Action& arc) const;
 
   std::uint8_t judged_ = 0;

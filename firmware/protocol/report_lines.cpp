@@ -17,6 +17,12 @@ std::string_view motion_word(gcode::MotionMode mode) {
       return "G2";
     case gcode::MotionMode::kArcCounterClockwise:
       return "G3";
+    case gcode::MotionMode::kCubicSpline:
+      return "G5";
+    case gcode::MotionMode::kQuadraticSpline:
+      return "G5.1";
+    case gcode::MotionMode::kNurbs:
+      return "G5.2";
     case gcode::MotionMode::kProbeContact:
       return "G38.2";
     case gcode::MotionMode::kProbeContactOrNot:
@@ -25,6 +31,7 @@ std::string_view motion_word(gcode::MotionMode mode) {
       return "G38.4";
     case gcode::MotionMode::kProbeReleaseOrNot:
       return "G38.5";
+    case gcode::MotionMode::kNurbsEnd:
     case gcode::MotionMode::kNone:
       return "G80";
   }

@@ -76,6 +76,10 @@ bool ModalState::apply_motion(int g) {
       Motion::kRapid, Motion::kLine, Motion::kClockwise, Motion::kCounterClockwise};
   if (g == 0 || g == 10 || g == 20 || g == 30) {
     motion_ = kStraight[static_cast<std::size_t>(g / 10)];
+  } else if (g >= 50 && g <= 53) {
+    constexpr std::array kSplines{
+        Motion::kCubic, Motion::kQuadratic, Motion::kNurbs, Motion::kNurbsEnd};
+    motion_ = kSplines[static_cast<std::size_t>(g - 50)];
   } else if (g >= 382 && g <= 385) {
     motion_ = Motion::kProbe;
   } else if (g == 800) {

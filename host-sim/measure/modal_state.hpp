@@ -12,7 +12,18 @@ namespace sim {
 /// groups, the offsets and the feed. Knows nothing of motion.
 class ModalState {
  public:
-  enum class Motion { kNone, kRapid, kLine, kClockwise, kCounterClockwise, kProbe };
+  enum class Motion {
+    kNone,
+    kRapid,
+    kLine,
+    kClockwise,
+    kCounterClockwise,
+    kCubic,      ///< G5
+    kQuadratic,  ///< G5.1
+    kNurbs,      ///< G5.2
+    kNurbsEnd,   ///< G5.3
+    kProbe,
+  };
 
   /// Units, feed, plane, offsets, coordinate system, distance and motion mode of
   /// the line, in RS274/NGC's order. Returns the G numbers that are left.
@@ -20,6 +31,7 @@ class ModalState {
 
   /// What M2 and M30 put back (RS274/NGC 3.6.1).
   void end_program();
+  void end_nurbs() { motion_ = Motion::kNone; }
 
   /// Places of the axes that the line names; the other axes stay.
   [[nodiscard]] Point target(const ProgramLine& line, const Point& position) const;

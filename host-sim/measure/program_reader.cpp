@@ -144,6 +144,11 @@ void ProgramReader::move(const ProgramLine& line) {
   const Motion motion = modes_.motion();
   const bool round = motion == Motion::kClockwise || motion == Motion::kCounterClockwise;
   const bool centred = round && (modes_.centre(line, position_) || line.value('R'));
+  if (motion == Motion::kNurbsEnd) return end_nurbs();
+  const bool opens = line.has_g(52);
+  if (motion == Motion::kNurbs && (opens || line.has_axis_words())) {
+    return take_control_point(line, modes_.target(line, position_));
+  }
   if (!line.has_axis_words() && !centred) return;
   const Point to = modes_.target(line, position_);
   switch (motion) {
@@ -153,6 +158,13 @@ void ProgramReader::move(const ProgramLine& line) {
       return move_straight(to, Travel::kRapid);
     case Motion::kLine:
       return move_straight(to, Travel::kFeed);
+    case Motion::kCubic:
+      return move_cubic(line, to);
+    case Motion::kQuadratic:
+      return move_quadratic(line, to);
+    case Motion::kNurbs:
+    case Motion::kNurbsEnd:
+      return;
     case Motion::kProbe:
       return move_straight(to, Travel::kProbe);
     case Motion::kClockwise:

@@ -4,6 +4,7 @@
 
 #include "host-sim/measure/modal_state.hpp"
 #include "host-sim/measure/programmed_path.hpp"
+#include "host-sim/measure/programmed_spline.hpp"
 
 namespace sim {
 
@@ -32,6 +33,12 @@ class ProgramReader {
   void move(const ProgramLine& line);
   void move_straight(const Point& to, Travel travel);
   void move_round(const ProgramLine& line, const Point& to, bool clockwise);
+  // Splines, in program_reader_spline.cpp.
+  void move_cubic(const ProgramLine& line, const Point& to);
+  void move_quadratic(const ProgramLine& line, const Point& to);
+  void take_control_point(const ProgramLine& line, const Point& to);
+  void end_nurbs();
+  void move_along(const ProgrammedSpline& spline);
   void add_piece(const Curve& curve, Travel travel, double feed);
   void note(std::string text);
 
@@ -39,8 +46,10 @@ class ProgramReader {
   ProgrammedPath path_;
   ModalState modes_;
   Point position_{};
-  Point first_home_{};   ///< G28.
-  Point second_home_{};  ///< G30.
+  Point first_home_{};                ///< G28.
+  Point second_home_{};               ///< G30.
+  std::array<double, 2> last_arm_{};  ///< P and Q of the last G5.
+  std::optional<ProgrammedSpline> nurbs_{};
   double spindle_speed_ = 0.0;
   SpindleState spindle_ = SpindleState::kOff;
   int line_number_ = 0;

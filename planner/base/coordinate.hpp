@@ -8,6 +8,8 @@
 
 namespace cnc {
 
+inline constexpr float kMillimetresPerNanometre = 1.0e-6F;
+
 /// A place on an axis in whole nanometres (rotary axes: 10^-6 degrees).
 ///
 /// A float has 24 bits, which at 1 m from the origin is 60 nm and at 0.1 mm
@@ -26,7 +28,9 @@ class Coordinate {
 
   [[nodiscard]] constexpr std::int64_t nanometres() const { return nanometres_; }
   /// Relative error at most 6e-8: use it on differences, not on places.
-  [[nodiscard]] constexpr float mm() const { return static_cast<float>(nanometres_) * 1.0e-6F; }
+  [[nodiscard]] constexpr float mm() const {
+    return static_cast<float>(nanometres_) * kMillimetresPerNanometre;
+  }
   [[nodiscard]] constexpr bool in_range() const {
     return nanometres_ >= -kFarthestNanometres && nanometres_ <= kFarthestNanometres;
   }

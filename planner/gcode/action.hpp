@@ -5,6 +5,7 @@
 
 #include "planner/base/axes.hpp"
 #include "planner/base/coordinate.hpp"
+#include "planner/geometry/spline.hpp"
 
 namespace cnc::gcode {
 
@@ -15,6 +16,7 @@ enum class ActionKind : std::uint8_t {
   kRapid,         ///< Straight to `end` at the machine's own rate (G0, legs of G28/G30).
   kLine,          ///< Straight to `end` at `feed` (G1).
   kArc,           ///< Circle or helix about `centre` (G2, G3).
+  kSpline,        ///< Along `spline` at `feed` (G5, G5.1, G5.2…G5.3).
   kProbe,         ///< Straight towards `end` at `feed` until the probe changes (G38.x).
   kDwell,         ///< Stand still for `seconds` (G4).
   kSpindleSpeed,  ///< `value` is the new S.
@@ -66,6 +68,10 @@ struct Action {
   std::array<Coordinate, 2> centre{};  ///< In the order of axes_of(plane).
   bool clockwise = false;              ///< G2.
   std::uint16_t turns = 1;  ///< P: 1 is up to one full circle, each further adds a whole turn.
+
+  /// kSpline, in the X Y plane. The interpreter's own, and as long-lived as the
+  /// list of actions: until the next line.
+  const Spline* spline = nullptr;
 
   ProbeMode probe{};
   float seconds = 0.0F;

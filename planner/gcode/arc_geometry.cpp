@@ -4,14 +4,13 @@
 #include <bit>
 #include <cmath>
 
+#include "planner/base/coordinate.hpp"
 #include "planner/base/scalar_math.hpp"
 #include "planner/base/truncate.hpp"
 
 namespace cnc::gcode {
 
 namespace {
-
-constexpr float kMillimetresPerNanometre = 1.0e-6F;
 
 std::uint64_t magnitude(std::int64_t value) {
   return static_cast<std::uint64_t>(value < 0 ? -value : value);

@@ -43,6 +43,8 @@ class Block {
   /// The value of a letter, which then counts as used; null if it is not there
   /// or another word of the line has taken it.
   [[nodiscard]] const Decimal* take(char letter);
+  /// The same without using it. @pre has(letter)
+  [[nodiscard]] const Decimal& value(char letter) const { return values_[index_of(letter)]; }
   [[nodiscard]] bool is_free(char letter) const { return (unused_ & bit_of(letter)) != 0; }
 
   /// A fault that blames the value word with this letter. @pre has(letter)

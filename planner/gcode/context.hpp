@@ -1,16 +1,25 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 
 #include "planner/gcode/modal_state.hpp"
 
 namespace cnc::gcode {
 
+/// How the last G5 ended: the next one may go on from there without I and J.
+struct CubicExit {
+  bool known = false;
+  std::array<Coordinate, 2> place{};  ///< X Y, machine coordinates.
+  std::array<Coordinate, 2> arm{};    ///< To the first control point of the next.
+};
+
 /// All that a line may change, but for the stored places: small enough to be
 /// copied for each line, and so given up whole when the line is refused.
 struct Context {
   ModalState modal{};
   Shift shift{};
+  CubicExit cubic_exit{};
   Position position{};  ///< Machine coordinates, where the last motion ends.
 };
 

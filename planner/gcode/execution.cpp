@@ -30,7 +30,9 @@ void adopt(const Block& block, ModalGroup group, Mode& mode) {
 /// its own line.
 Refusal Execution::run() {
   using Step = Refusal (Execution::*)();
-  static constexpr std::array<Step, 14> kOrder{{
+  static constexpr std::array<Step, 16> kOrder{{
+      &Execution::check_signs,
+      &Execution::check_open_nurbs,
       &Execution::number_line,
       &Execution::set_feed,
       &Execution::set_spindle_speed,
@@ -55,6 +57,7 @@ Refusal Execution::run() {
 
 void Execution::commit() {
   context_ = next_;
+  commit_nurbs();
   if (stored_value_) *stored_ = *stored_value_;
 }
 
@@ -68,6 +71,13 @@ void Execution::set_modes() {
   adopt(block_, ModalGroup::kUnits, modal.units);
   adopt(block_, ModalGroup::kCoordinateSystem, modal.coordinate_system);
   offsets_changed_ = modal.coordinate_system != context_.modal.coordinate_system;
+}
+
+/// P alone is now a length that may be negative, now a number that may not.
+Refusal Execution::check_signs() {
+  const bool length = next_.modal.motion == MotionMode::kCubicSpline;
+  if (length || !block_.has('P') || !block_.value('P').is_negative()) return std::nullopt;
+  return block_.blame(FaultDetail::kNegative, 'P');
 }
 
 Refusal Execution::number_line() {

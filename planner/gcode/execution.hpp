@@ -10,6 +10,7 @@
 #include "planner/gcode/context.hpp"
 #include "planner/gcode/fault.hpp"
 #include "planner/gcode/options.hpp"
+#include "planner/gcode/spline_store.hpp"
 
 namespace cnc::gcode {
 
@@ -26,11 +27,13 @@ class Execution {
   Execution(const Options& options,
             Context& context,
             StoredPlaces& places,
+            SplineStore& store,
             Block& block,
             ActionList& actions)
       : options_{options},
         context_{context},
         places_{places},
+        store_{store},
         block_{block},
         actions_{actions},
         next_{context} {}
@@ -47,8 +50,10 @@ class Execution {
 
  private:
   // The steps, in execution.cpp; offsets in execution_offsets.cpp, motion in
-  // execution_motion.cpp, arcs in execution_arc.cpp, jogs in execution_jog.cpp.
+  // execution_motion.cpp, arcs in execution_arc.cpp, splines in
+  // execution_spline.cpp and execution_nurbs.cpp, jogs in execution_jog.cpp.
   void set_modes();
+  [[nodiscard]] Refusal check_signs();
   [[nodiscard]] Refusal number_line();
   [[nodiscard]] Refusal set_feed();
   [[nodiscard]] Refusal set_spindle_speed();
@@ -94,6 +99,25 @@ class Execution {
   [[nodiscard]] float arc_speed(const Action& arc, PlaneVector end, PlaneVector centre) const;
   [[nodiscard]] PlaneVector from_here(const Position& target) const;
 
+  [[nodiscard]] Refusal move_along_spline(MotionMode mode);
+  [[nodiscard]] Refusal move_along_cubic();
+  [[nodiscard]] Refusal move_along_quadratic();
+  [[nodiscard]] Refusal read_spline_end(Position& target);
+  [[nodiscard]] Refusal read_first_arm(PlanePlace& arm);
+  [[nodiscard]] PlanePlace take_arm(char first, char second);
+  [[nodiscard]] Refusal check_control_point(const PlanePlace& place, char letter) const;
+  void append_spline(const Position& end);
+  [[nodiscard]] float spline_speed() const;
+  [[nodiscard]] Fault missing_in_motion(char letter) const;
+
+  [[nodiscard]] bool nurbs_is_open() const { return context_.modal.motion == MotionMode::kNurbs; }
+  [[nodiscard]] Refusal check_open_nurbs();
+  [[nodiscard]] Refusal take_control_point();
+  [[nodiscard]] Refusal take_order(std::size_t& order);
+  [[nodiscard]] Refusal take_weight(float& weight);
+  [[nodiscard]] Refusal end_nurbs();
+  void commit_nurbs();
+
   /// A whole number in 0…highest, of a letter that the word of `group` needs.
   [[nodiscard]] Refusal take_index(char letter,
                                    ModalGroup group,
@@ -111,11 +135,20 @@ class Execution {
   const Options& options_;
   Context& context_;
   StoredPlaces& places_;
+  SplineStore& store_;
   Block& block_;
   ActionList& actions_;
 
   Context next_;
   float inverse_time_ = 0.0F;  ///< F of this line in G93, 1/min.
+  /// What a line of a NURBS adds when it is committed.
+  struct NurbsLine {
+    bool begins = false;
+    std::size_t order = 0;  ///< 0 leaves it.
+    std::optional<float> first_weight{};
+    std::optional<ControlPoint> point{};
+  };
+  std::optional<NurbsLine> nurbs_line_;
   bool offsets_changed_ = false;
   Position* stored_ = nullptr;  ///< The place that commit() writes, if there is a value for it.
   std::optional<Position> stored_value_;

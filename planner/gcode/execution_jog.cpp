@@ -8,6 +8,7 @@ Refusal Execution::run_jog() {
   next_.modal.motion = MotionMode::kLine;
   next_.modal.feed_mode = FeedMode::kUnitsPerMinute;
   next_.modal.feed = 0.0F;  // Each jog brings its own.
+  if (const auto fault = check_signs()) return fault;
   if (const auto fault = number_line()) return fault;
   if (const auto fault = set_feed()) return fault;
   if (!block_.has_axis_word()) {

@@ -14,13 +14,16 @@ Refusal Execution::move() {
   }
   if (!moves()) return std::nullopt;
   if (mode == MotionMode::kNone) return block_.blame_first_axis_word(FaultDetail::kAxisWordUnused);
-  const bool arc = mode == MotionMode::kArcClockwise || mode == MotionMode::kArcCounterClockwise;
-  if ((straight || arc) && only_sets_mode()) return std::nullopt;
+  if (mode == MotionMode::kNurbs) return take_control_point();
+  const bool probes = mode >= MotionMode::kProbeContact;
+  if (!probes && mode != MotionMode::kNurbsEnd && only_sets_mode()) return std::nullopt;
   if (mode != MotionMode::kRapid) {
     if (const auto fault = check_feed()) return fault;
   }
   if (straight) return move_straight();
-  return arc ? move_along_arc() : probe();
+  if (probes) return probe();
+  const bool arc = mode == MotionMode::kArcClockwise || mode == MotionMode::kArcCounterClockwise;
+  return arc ? move_along_arc() : move_along_spline(mode);
 }
 
 /// Senders give back the modes that they were told in one line, `G2 … F0` among

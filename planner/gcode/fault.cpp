@@ -60,6 +60,17 @@ constexpr std::array<Explanation, kFaultDetailCount> kExplanations{{
     {kToolOffsetAxis, "G43.1 needs Z and no other axis"},
     {kValueTooLarge, "%w is greater than %n"},
     {kNotAJog, "%w has no place in a jog"},
+    {kNoAxisWordInPlane, "a spline needs the plane of G17"},
+    {kAxisWordsUnused, "a spline moves X and Y only, not %c"},
+    {kValueWordMissing, "I and J are missing, and no G5 leads here"},
+    {kInvalidTarget, "control point would be at %v mm, limit %l mm"},
+    {kAxisWordsMissing, "no NURBS is open: G5.2 begins one"},
+    {kUnsupportedWord, "%w has no place in a NURBS: G5.3 ends it, G80 drops it"},
+    {kInvalidTarget, "the machine has moved since G5.2: G80 drops the NURBS"},
+    {kAxisWordsMissing, "NURBS has fewer than %n control points"},
+    {kValueTooLarge, "NURBS has more than %n control points"},
+    {kValueTooLarge, "%w is no order of a NURBS: 3 to 6"},
+    {kValueTooLarge, "%w is no weight of a NURBS: 0.001 to 1000"},
 }};
 
 constexpr const Explanation& explanation_of(FaultDetail detail) {

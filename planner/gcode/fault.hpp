@@ -79,10 +79,21 @@ enum class FaultDetail : std::uint8_t {
   kToolOffsetNeedsZAlone,
   kTooLarge,
   kNotInAJog,
+  kSplineNeedsG17,
+  kAxisNotInSpline,
+  kArmMissing,
+  kControlPointOutOfRange,
+  kNurbsNotOpen,
+  kNotInANurbs,
+  kMovedInANurbs,
+  kTooFewControlPoints,
+  kTooManyControlPoints,
+  kNotAnOrder,
+  kNotAWeight,
 };
 
 inline constexpr std::size_t kFaultDetailCount =
-    static_cast<std::size_t>(FaultDetail::kNotInAJog) + 1;
+    static_cast<std::size_t>(FaultDetail::kNotAWeight) + 1;
 
 /// Why a line was refused. A refused line changes nothing and moves nothing.
 struct Fault {

@@ -19,7 +19,7 @@ Result<Actions, Fault> Interpreter::interpret(std::string_view line) {
   actions_.clear();
   if (const auto fault = read_block(line, options_.block_delete, block_)) return *fault;
   if (block_.empty()) return actions_.all();
-  Execution execution{options_, context_, places_, block_, actions_};
+  Execution execution{options_, context_, places_, spline_store_, block_, actions_};
   if (const auto fault = execution.run()) return *fault;
   execution.commit();
   return actions_.all();
@@ -28,7 +28,7 @@ Result<Actions, Fault> Interpreter::interpret(std::string_view line) {
 Result<Actions, Fault> Interpreter::interpret_jog(std::string_view words) {
   actions_.clear();
   if (const auto fault = read_block(words, false, block_)) return *fault;
-  Execution execution{options_, context_, places_, block_, actions_};
+  Execution execution{options_, context_, places_, spline_store_, block_, actions_};
   if (const auto fault = execution.run_jog()) return *fault;
   jog_line_number_ = execution.commit_jog();
   return actions_.all();
@@ -48,6 +48,7 @@ void Interpreter::set_places(const StoredPlaces& places) {
 void Interpreter::reset() {
   context_.modal = ModalState{};
   context_.shift = Shift{};
+  context_.cubic_exit = {};
 }
 
 }  // namespace cnc::gcode

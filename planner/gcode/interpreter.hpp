@@ -10,6 +10,7 @@
 #include "planner/gcode/context.hpp"
 #include "planner/gcode/fault.hpp"
 #include "planner/gcode/options.hpp"
+#include "planner/gcode/spline_store.hpp"
 
 namespace cnc::gcode {
 
@@ -20,7 +21,7 @@ using Actions = std::span<const Action>;
 /// Turns lines of G-code into actions, one line at a time.
 ///
 /// The dialect is RS274/NGC as Grbl 1.1 understands it, with LinuxCNC's G90.1,
-/// G59.x, G92.2, G92.3, P turns and outputs; six axes. What is not understood
+/// G59.x, G92.2, G92.3, P turns, splines and outputs; six axes. What is not understood
 /// is refused and never skipped.
 ///
 /// It runs ahead of the machine: position() is where the actions so far will
@@ -71,6 +72,7 @@ class Interpreter {
   StoredPlaces places_{};
   Block block_{};
   ActionList actions_{};
+  SplineStore spline_store_{};
   std::uint32_t jog_line_number_ = 0;
 };
 

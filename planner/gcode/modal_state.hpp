@@ -15,6 +15,10 @@ enum class MotionMode : std::uint8_t {
   kLine,                 ///< G1
   kArcClockwise,         ///< G2
   kArcCounterClockwise,  ///< G3
+  kCubicSpline,          ///< G5
+  kQuadraticSpline,      ///< G5.1
+  kNurbs,                ///< G5.2: one is open and takes control points.
+  kNurbsEnd,             ///< G5.3: a word only; the mode after it is kNone.
   kProbeContact,         ///< G38.2: towards contact, a miss is a fault.
   kProbeContactOrNot,    ///< G38.3: towards contact, a miss is fine.
   kProbeRelease,         ///< G38.4: away from contact, a miss is a fault.

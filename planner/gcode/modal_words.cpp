@@ -18,12 +18,16 @@ constexpr ModalWord word(std::uint16_t tenths, ModalGroup group, Meaning meaning
 using enum ModalGroup;
 
 /// The motion words come first: they are looked up most.
-constexpr std::array<ModalWord, 44> kGWords{{
+constexpr std::array<ModalWord, 48> kGWords{{
     word(0, kMotion, MotionMode::kRapid),
     word(10, kMotion, MotionMode::kLine),
     word(20, kMotion, MotionMode::kArcClockwise),
     word(30, kMotion, MotionMode::kArcCounterClockwise),
     word(40, kNonModal, NonModal::kDwell),
+    word(50, kMotion, MotionMode::kCubicSpline),
+    word(51, kMotion, MotionMode::kQuadraticSpline),
+    word(52, kMotion, MotionMode::kNurbs),
+    word(53, kMotion, MotionMode::kNurbsEnd),
     word(100, kNonModal, NonModal::kSetSystem),
     word(170, kPlane, Plane::kXY),
     word(180, kPlane, Plane::kZX),
@@ -87,7 +91,7 @@ constexpr std::array<ModalWord, 17> kMWords{{
 
 /// Whole numbers that other controllers give decimals to: G61.1 is a word that
 /// is not supported, whereas G1.5 is a slip.
-constexpr std::array<std::uint32_t, 9> kKnownWithDecimals{28, 30, 38, 43, 49, 61, 90, 91, 92};
+constexpr std::array<std::uint32_t, 10> kKnownWithDecimals{5, 28, 30, 38, 43, 49, 61, 90, 91, 92};
 
 const ModalWord* find(std::span<const ModalWord> words, std::uint32_t tenths) {
   for (const ModalWord& word : words) {

@@ -79,8 +79,6 @@ const Refused kRefused[]{
     {11, 257, kLongestAccepted + " ", ""},
     {11, 257, std::string(4000, 'G'), ""},
     // 20: not supported.
-    {20, 1, "G5 X1 Y1 I1 J1 P1 Q1", ""},
-    {20, 1, "G5.1 X1 Y1 I1 J1", ""},
     {20, 1, "G6", ""},
     {20, 1, "G-1", ""},
     {20, 1, "G15", ""},

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "planner/base/contract.hpp"
+#include "planner/base/coordinate.hpp"
+#include "planner/geometry/bezier.hpp"
+
+namespace cnc {
+
+/// What draws a spline towards it.
+struct ControlPoint {
+  PlanePlace place{};   ///< From the first control point, in nm; each within 2 km.
+  float weight = 1.0F;  ///< kLeastWeight…kMostWeight.
+};
+
+/// A rational B-spline (NURBS) in the X Y plane over uniform knots, clamped at
+/// both ends: it begins in the first control point and ends in the last.
+///
+/// One with as many control points as its order is a rational Bézier curve, so
+/// the curves of G5 and G5.1 are the same thing.
+///
+/// The knots are those of LinuxCNC's G5.2: 0 as often as the order says, 1, 2, …,
+/// and the last again as often as the order says.
+class Spline {
+ public:
+  static constexpr std::size_t kMostPoints = 64;
+  static constexpr std::size_t kLowestOrder = 3;
+  static constexpr std::size_t kHighestOrder = Bezier::kHighestDegree + 1;
+  static constexpr float kLeastWeight = 1.0e-3F;
+  static constexpr float kMostWeight = 1.0e3F;
+
+  void clear() { size_ = 0; }
+  [[nodiscard]] bool full() const { return size_ == kMostPoints; }
+  /// The first is the origin of all the others. @pre !full()
+  void append(const ControlPoint& point) {
+    CNC_ASSERT(size_ < kMostPoints);
+    points_[size_++] = point;
+  }
+  /// @pre there is a first
+  void set_first_weight(float weight) {
+    CNC_ASSERT(size_ > 0);
+    points_[0].weight = weight;
+  }
+  /// Degree + 1. @pre kLowestOrder ≤ order ≤ kHighestOrder
+  void set_order(std::size_t order) {
+    CNC_ASSERT(order >= kLowestOrder && order <= kHighestOrder);
+    order_ = order;
+  }
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] std::size_t order() const { return order_; }
+  [[nodiscard]] const ControlPoint& point(std::size_t index) const { return points_[index]; }
+  /// A curve at all: at least as many control points as its order.
+  [[nodiscard]] bool complete() const { return size_ >= order_; }
+
+  /// Bézier curves that it consists of. @pre complete()
+  [[nodiscard]] std::size_t segment_count() const { return size_ - order_ + 1; }
+  /// By knot insertion (Böhm 1980), as blossoms: control point m of the segment
+  /// between the knots a and b is f(a…a, b…b) with m times b.
+  /// @pre index < segment_count()
+  [[nodiscard]] Bezier segment(std::size_t index) const;
+
+ private:
+  [[nodiscard]] float knot(std::size_t index) const;
+  [[nodiscard]] WeightedPoint blossom(std::size_t segment, std::size_t times_end) const;
+
+  std::array<ControlPoint, kMostPoints> points_{};
+  std::size_t size_ = 0;
+  std::size_t order_ = kLowestOrder;
+};
+
+}  // namespace cnc

@@ -1,0 +1,148 @@
+#include "planner/geometry/biarc.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "tests/support/random_source.hpp"
+#include "tests/support/trials.hpp"
+
+namespace cnc {
+namespace {
+
+constexpr double kPiExact = std::numbers::pi;
+
+Vec2 unit(double angle) {
+  return {static_cast<float>(std::cos(angle)), static_cast<float>(std::sin(angle))};
+}
+double angle_of(const Vec2& v) {
+  return std::atan2(static_cast<double>(v.y()), static_cast<double>(v.x()));
+}
+double turn(double from, double to) { return std::remainder(to - from, 2.0 * kPiExact); }
+
+/// The direction of an arc at its ends, from its chord and bulge.
+double leaving(const Vec2& chord, float bulge) {
+  return angle_of(chord) - 2.0 * std::atan(static_cast<double>(bulge));
+}
+double arriving(const Vec2& chord, float bulge) {
+  return angle_of(chord) + 2.0 * std::atan(static_cast<double>(bulge));
+}
+
+struct Worst {
+  double tangent = 0.0;
+  double joint = 0.0;
+};
+
+/// Both ends' tangents and the joint's, and the joint on its circle.
+void check(const BiarcEnds& ends, float share, const Biarc& biarc, Worst& worst) {
+  const Vec2 first = biarc.joint - ends.start;
+  const Vec2 second = ends.end - biarc.joint;
+  const double size = static_cast<double>((ends.end - ends.start).norm());
+  const double joint = angle_of(biarc.joint_tangent);
+  // Directions of chords much shorter than the whole have lost digits.
+  const double least = static_cast<double>(std::min(first.norm(), second.norm())) / size;
+  const double room = std::min(1.0, least);
+  worst.tangent = std::max(
+      {worst.tangent,
+       room * std::abs(turn(leaving(first, biarc.first_bulge), angle_of(ends.start_tangent))),
+       room * std::abs(turn(arriving(first, biarc.first_bulge), joint)),
+       room * std::abs(turn(leaving(second, biarc.second_bulge), joint)),
+       room * std::abs(turn(arriving(second, biarc.second_bulge), angle_of(ends.end_tangent)))});
+  const double chord = angle_of(ends.end - ends.start);
+  const double a = turn(chord, angle_of(ends.start_tangent));
+  const double b = turn(chord, angle_of(ends.end_tangent));
+  const double w = 0.5 * (b - a);
+  const double s = static_cast<double>(share);
+  const double part = std::abs(w) < 1.0e-9 ? s : std::sin(s * w) / std::sin(w);
+  const double direction = chord - (1.0 - s) * w;
+  const double x = static_cast<double>(first.x()) - size * part * std::cos(direction);
+  const double y = static_cast<double>(first.y()) - size * part * std::sin(direction);
+  worst.joint = std::max(worst.joint, std::hypot(x, y) / (size * std::max(1.0, part)));
+}
+
+TEST(Biarc, MeetsBothTangentsForEveryShapeAndJoint) {
+  const proof::Trials trials{200'000};
+  Worst worst;
+  std::size_t made = 0;
+  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+    proof::Random random{seed};
+    const double size = random.magnitude(1.0e-3, 1.0e3);
+    const double direction = random.between(-kPiExact, kPiExact);
+    const double spread = random.chance(0.5) ? 2.5 : random.magnitude(1.0e-6, 1.0);
+    const double a = random.between(-spread, spread);
+    const double b = random.chance(0.1) ? a : random.between(-spread, spread);
+    const BiarcEnds ends{.start = {0.0F, 0.0F},
+                         .start_tangent = unit(direction + a),
+                         .end = static_cast<float>(size) * unit(direction),
+                         .end_tangent = unit(direction + b)};
+    const auto share = static_cast<float>(random.between(0.05, 0.95));
+    const auto biarc = make_biarc(ends, share);
+    if (!biarc.ok()) {
+      const double w = 0.5 * (b - a);
+      const double most = std::max(std::abs(-a - (1.0 - static_cast<double>(share)) * w),
+                                   std::abs(b - static_cast<double>(share) * w));
+      ASSERT_GT(most, 0.5 * kPiExact - 1.0e-5) << "KERFLINE_SEED=" << seed;
+      continue;
+    }
+    ++made;
+    check(ends, share, biarc.value(), worst);
+    ASSERT_LE(worst.tangent, kBiarcTangentError) << "KERFLINE_SEED=" << seed;
+    ASSERT_LE(worst.joint, kBiarcJointError) << "KERFLINE_SEED=" << seed;
+  }
+  std::printf(
+      "biarcs: %zu, tangent error %.2e, joint error %.2e\n", made, worst.tangent, worst.joint);
+}
+
+TEST(Biarc, IsALineBetweenTangentsAlongTheChord) {
+  const auto biarc = make_biarc({{1.0F, 2.0F}, {1.0F, 0.0F}, {5.0F, 2.0F}, {1.0F, 0.0F}}, 0.25F);
+  ASSERT_TRUE(biarc.ok());
+  EXPECT_EQ(biarc.value().first_bulge, 0.0F);
+  EXPECT_EQ(biarc.value().second_bulge, 0.0F);
+  EXPECT_FLOAT_EQ(biarc.value().joint.x(), 2.0F);
+  EXPECT_FLOAT_EQ(biarc.value().joint.y(), 2.0F);
+}
+
+// The tangents of one circle: both halves lie on it.
+TEST(Biarc, IsTheArcItselfWhereOneWouldDo) {
+  const auto biarc = make_biarc({{1.0F, 0.0F}, {0.0F, 1.0F}, {-1.0F, 0.0F}, {0.0F, -1.0F}}, 0.5F);
+  ASSERT_TRUE(biarc.ok());
+  EXPECT_NEAR(static_cast<double>(biarc.value().joint.norm()), 1.0, 1.0e-6);
+  EXPECT_NEAR(static_cast<double>(biarc.value().first_bulge), std::tan(kPiExact / 8.0), 1.0e-6);
+  EXPECT_NEAR(static_cast<double>(biarc.value().second_bulge), std::tan(kPiExact / 8.0), 1.0e-6);
+}
+
+// An S between parallel tangents, where formulas that divide by their
+// difference fail: mirrored halves at the middle.
+TEST(Biarc, JoinsParallelTangents) {
+  const auto biarc = make_biarc({{0.0F, 0.0F}, {1.0F, 0.0F}, {2.0F, 1.0F}, {1.0F, 0.0F}}, 0.5F);
+  ASSERT_TRUE(biarc.ok());
+  EXPECT_FLOAT_EQ(biarc.value().joint.x(), 1.0F);
+  EXPECT_FLOAT_EQ(biarc.value().joint.y(), 0.5F);
+  EXPECT_FLOAT_EQ(biarc.value().first_bulge, -biarc.value().second_bulge);
+}
+
+TEST(Biarc, IsRefusedWhereThereIsNone) {
+  const Vec2 ahead{1.0F, 0.0F};
+  const auto point = make_biarc({{3.0F, 3.0F}, ahead, {3.0F, 3.0F}, ahead}, 0.5F);
+  ASSERT_FALSE(point.ok());
+  EXPECT_EQ(point.error(), BiarcError::kChordTooShort);
+  // Backwards at both ends: more than half a turn, whatever the joint.
+  const auto back = make_biarc({{0.0F, 0.0F}, {-1.0F, 0.0F}, {1.0F, 0.0F}, {-1.0F, 0.0F}}, 0.5F);
+  ASSERT_FALSE(back.ok());
+  EXPECT_EQ(back.error(), BiarcError::kSweepTooLarge);
+}
+
+TEST(Biarc, BulgesOfAnArcFollowFromItsTangents) {
+  for (double half = -1.57; half < 1.57; half += 0.01) {
+    const auto want = static_cast<float>(std::tan(0.5 * half));
+    EXPECT_NEAR(bulge_between(unit(0.3), 7.0F * unit(0.3 + half)), want, 1.0e-6) << half;
+    EXPECT_NEAR(bulge_between(7.0F * unit(0.3), unit(0.3 + half)), want, 1.0e-6) << half;
+  }
+  EXPECT_EQ(bulge_between({1.0F, 0.0F}, {0.0F, 0.0F}), 0.0F);
+}
+
+}  // namespace
+}  // namespace cnc

@@ -1,0 +1,169 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "host-sim/machine/simulator.hpp"
+#include "host-sim/measure/path_deviation.hpp"
+#include "tests/support/laser_bench.hpp"
+#include "tests/support/random_source.hpp"
+#include "tests/support/trials.hpp"
+
+namespace proof {
+namespace {
+
+constexpr double kTolerance = 2.0e-3;   ///< mm, of the arcs.
+constexpr double kArcPromise = 1.0e-3;  ///< mm beyond half a step, of the pulses.
+constexpr double kStepsPerMm = 2000.0;
+
+std::string word(char letter, double value) {
+  char text[40];
+  std::snprintf(text, sizeof text, " %c%.6f", letter, value);
+  return text;
+}
+
+/// A program of a few splines of all kinds, about as large as `size` mm.
+std::string random_splines(Random& random, double size) {
+  const auto length = [&] { return random.between(-size, size); };
+  std::string text = "G21 G90 G94 G17" + word('F', random.magnitude(300.0, 12'000.0)) + "\n";
+  for (int i = 0; i < 3; ++i) {
+    switch (random.below(4)) {
+      case 0:
+        text += "G5" + word('X', length()) + word('Y', length()) + word('I', length()) +
+                word('J', length()) + word('P', length()) + word('Q', length()) + "\n";
+        text += word('X', length()) + word('P', length()) + word('Q', length()) + "\n";
+        break;
+      case 1:
+        text += "G5.1" + word('X', length()) + word('Y', length()) + word('I', length()) +
+                word('J', length()) + "\n";
+        break;
+      case 2:
+        text += "G1" + word('X', length()) + "\n";
+        break;
+      default:
+        text += "G5.2 L" + std::to_string(3 + random.below(4)) + word('P', 1.0) + "\n";
+        for (std::size_t point = 0; point < 6 + random.below(6); ++point) {
+          text += word('X', length()) + word('Y', length()) +
+                  word('P', random.magnitude(0.3, 3.0)) + "\n";
+        }
+        text += "G5.3\n";
+    }
+  }
+  return text + "M2\n";
+}
+
+void change(sim::Simulator& simulator, std::size_t number, double value) {
+  EXPECT_EQ(simulator.change_setting(static_cast<std::uint16_t>(number), static_cast<float>(value)),
+            "")
+      << "$" << number << "=" << value;
+}
+
+struct Driven {
+  sim::RunResult result;
+  double excess = 0.0;
+};
+
+Driven driven(const std::string& text) {
+  sim::Simulator simulator{text, {}};
+  cnc::AxisArray<double> scales{};
+  for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
+    change(simulator, cnc::setting::kStepsPerMm + axis, kStepsPerMm);
+    scales[axis] = kStepsPerMm;
+  }
+  const sim::ProgrammedPath path = sim::read_program(text);
+  EXPECT_TRUE(path.notes.empty());
+  sim::PathDeviation deviation{path, scales};
+  deviation.on_row({});
+  simulator.add_sink(deviation);
+  Driven driven{.result = simulator.run()};
+  for (const auto& refusal : driven.result.refusals) ADD_FAILURE() << refusal.reason;
+  EXPECT_EQ(driven.result.alarm, 0);
+  for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
+    const auto steps = static_cast<double>(driven.result.final_position[axis]);
+    EXPECT_LE(std::abs(steps - path.end[axis] * kStepsPerMm), 0.501) << "axis " << axis;
+  }
+  driven.excess = deviation.greatest_axis_excess().value;
+  return driven;
+}
+
+// Against the definition of the curves, not the arcs that stand for them.
+TEST(RandomSplines, ArePulsedWithinTheirTolerance) {
+  const Trials trials{40};
+  double excess = 0.0;
+  std::size_t blocks = 0;
+  for (auto seed = trials.first_seed(); seed < trials.end_seed() && !too_many_failures(); ++seed) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    Random random{seed};
+    const std::string text = random_splines(random, random.magnitude(0.1, 50.0));
+    SCOPED_TRACE(text);
+    const Driven one = driven(text);
+    EXPECT_LE(one.excess, kTolerance + kArcPromise);
+    excess = std::max(excess, one.excess);
+    blocks += one.result.blocks;
+  }
+  std::printf(
+      "splines as text: %zu programs, %zu blocks, greatest distance beyond half a step "
+      "%.3f um\n",
+      static_cast<std::size_t>(trials.count()),
+      blocks,
+      excess * 1.0e3);
+}
+
+// No corner between the arcs, nor between a G5 and the one that goes on from it:
+// so long a way at so slow a feed takes the time that the feed alone would.
+TEST(Splines, AreDrivenAtTheirFeedWithoutACornerBetweenArcs) {
+  const std::string text =
+      "G21 G90 G17 F1200\nG5 X60 Y0 I20 J30 P-20 Q30\nX120 P-20 Q-30\n"
+      "G5.2 X140 Y40\nX160 Y-40\nX180 Y40\nX200 Y0\nG5.3\nM2\n";
+  const Driven one = driven(text);
+  const double length = sim::read_program(text).length();
+  EXPECT_LE(one.result.job_time_s, length / 20.0 + 0.15);
+  std::printf("splines at F1200: %.3f mm in %.3f s, %zu blocks\n",
+              length,
+              one.result.job_time_s,
+              one.result.blocks);
+}
+
+bool stays_inside(const std::string& line) {
+  LaserBench bench;
+  bench.send("G0 X-10 Y-10");
+  bench.finish();
+  bench.send("F6000");
+  bench.send(line);
+  bench.finish();
+  bench.run(5);
+  EXPECT_EQ(bench.rows_outside, 0U) << line;
+  return bench.machine().alarm() == cnc::Alarm::kNone;
+}
+
+TEST(Splines, AreJudgedBySoftLimitsAtTheirTrueExtremes) {
+  // The quadratic from Y-10 over Y-10 + J reaches half of J: 0 at J20.
+  EXPECT_TRUE(stays_inside("G5.1 X-30 Y-10 I-10 J19.9"));
+  EXPECT_FALSE(stays_inside("G5.1 X-30 Y-10 I-10 J20.1"));
+  EXPECT_TRUE(stays_inside("G5 X-30 Y-10 I0 J13.3 P0 Q13.3"));
+  EXPECT_FALSE(stays_inside("G5 X-30 Y-10 I0 J13.4 P0 Q13.4"));
+}
+
+TEST(Splines, LeaveNothingBehindWhenTheyAreCutOff) {
+  LaserBench bench;
+  bench.send("G0 X-10 Y-10");
+  bench.finish();
+  bench.send("F600");
+  bench.send("G5 X-30 Y-30 I0 J-19 P19 Q0");
+  bench.run(300);
+  bench.machine().reset();
+  bench.run(50);
+  static_cast<void>(bench.machine().unlock());
+  bench.home();
+  bench.send("G0 X-10 Y-10");
+  bench.send("F6000");
+  bench.send("G5.1 X-30 Y-10 I-10 J5");
+  bench.finish();
+  EXPECT_DOUBLE_EQ(bench.mm(0), -30.0);
+  EXPECT_DOUBLE_EQ(bench.mm(1), -10.0);
+}
+
+}  // namespace
+}  // namespace proof
