@@ -5,6 +5,7 @@
 #include <atomic>
 #include <cstdint>
 
+#include "firmware/steps/power_stream.hpp"
 #include "firmware/steps/step_drive.hpp"
 #include "firmware/steps/switch_watch.hpp"
 #include "hal/interface/spsc_ring.hpp"
@@ -24,16 +25,22 @@ namespace cnc {
 /// and no motor is asked for more than one step per slot.
 ///
 /// A segment ends when its time is over and its last step is out: no step is
-/// ever lost. Integers only; work per interrupt is one pass over the axes.
+/// ever lost. The beam has a stream of its own on the same clock; it changes at
+/// its time, or later by at most a pulse. Integers only; work per interrupt is
+/// one pass over the axes.
 template <hal::StepPort Port, std::uint32_t QueueCapacity>
 class StepGenerator final : public StepDrive {
  public:
   explicit StepGenerator(Port& port) : port_{port} {}
 
-  [[nodiscard]] bool full() const override { return queue_.size() == QueueCapacity; }
+  [[nodiscard]] bool full() const override {
+    return queue_.size() == QueueCapacity || beam_.room() == 0;
+  }
 
   void push(const motion::Segment& segment) override {
     pushed_ticks_ += segment.ticks;
+    // The output first: a segment that is there is played with its beam.
+    beam_.push({segment.ticks, segment.power});
     CNC_ASSERT(queue_.try_push(segment));
   }
 
@@ -114,6 +121,7 @@ class StepGenerator final : public StepDrive {
   /// Kept out of line so that its instructions can be counted.
   [[gnu::noinline]] std::uint32_t on_interrupt() noexcept {
     now_ += waited_;
+    beam_.pass(waited_);
     waited_ = high_ ? end_pulse() : begin_pulse();
     return waited_;
   }
@@ -126,6 +134,7 @@ class StepGenerator final : public StepDrive {
     high_ = false;
     check_probe();
     if (switches_.active()) switches_.look(port_.switches(), position());
+    follow_beam();
     return std::max(timing_.pulse, ticks_until(earliest_due()));
   }
 
@@ -137,6 +146,7 @@ class StepGenerator final : public StepDrive {
       if (!load_segment()) return come_to_rest();
       if (direction_changed_) return timing_.direction_set_up;
     }
+    follow_beam();
     const std::int32_t due = earliest_due();
     if (due > static_cast<std::int32_t>(now_)) return ticks_until(due);
     raise_due_steps();
@@ -146,7 +156,6 @@ class StepGenerator final : public StepDrive {
   bool load_segment() noexcept {
     if (!queue_.try_pop(segment_)) return false;
     count_begun(segment_.ticks);
-    drive_power(segment_.power);
     if (segment_.outputs.any()) drive_outputs(segment_.outputs);
     std::uint8_t moving = 0;
     steps_left_ = 0;
@@ -179,8 +188,10 @@ class StepGenerator final : public StepDrive {
     return earliest == kNever ? static_cast<std::int32_t>(segment_.ticks) : earliest >> 16;
   }
 
+  /// Until this tick of the segment, or the next change of the output.
   [[nodiscard]] std::uint32_t ticks_until(std::int32_t tick) const noexcept {
-    const std::int32_t left = tick - static_cast<std::int32_t>(now_);
+    std::int32_t left = tick - static_cast<std::int32_t>(now_);
+    if (!beam_.due()) left = std::min(left, beam_.ticks_left());
     return left > 0 ? static_cast<std::uint32_t>(left) : 1U;
   }
 
@@ -218,13 +229,17 @@ class StepGenerator final : public StepDrive {
   }
 
   std::uint32_t come_to_rest() noexcept {
-    if (!segment_.comes_to_rest) starved_.store(true, std::memory_order_relaxed);
+    if (!segment_.comes_to_rest) {
+      starved_.store(true, std::memory_order_relaxed);
+      beam_.drop();
+    }
     return stop();
   }
 
   std::uint32_t drop_everything() noexcept {
     motion::Segment dropped;
     while (queue_.try_pop(dropped)) count_begun(dropped.ticks);
+    beam_.drop();
     return stop();
   }
 
@@ -233,6 +248,7 @@ class StepGenerator final : public StepDrive {
     segment_.comes_to_rest = true;
     steps_left_ = 0;
     now_ = 0;
+    beam_.rest();
     drive_power(rest_power_.load(std::memory_order_relaxed));
     running_.store(false, std::memory_order_release);
     return 0;
@@ -244,6 +260,11 @@ class StepGenerator final : public StepDrive {
     port_.set_analog(changes.analog_channel, changes.analog_value);
   }
 
+  void follow_beam() noexcept {
+    if (!beam_.due()) return;
+    drive_power(beam_.follow(rest_power_.load(std::memory_order_relaxed)));
+  }
+
   void drive_power(std::uint16_t power) noexcept {
     if (power_blocked_.load(std::memory_order_relaxed)) power = 0;
     if (power == power_.load(std::memory_order_relaxed)) return;
@@ -253,6 +274,7 @@ class StepGenerator final : public StepDrive {
 
   Port& port_;
   hal::SpscRing<motion::Segment, QueueCapacity> queue_{};
+  PowerStream<2 * QueueCapacity> beam_{};
   std::uint32_t pushed_ticks_ = 0;  ///< Main loop only; runs freely.
   std::atomic<std::uint32_t> begun_ticks_{0};
   StepTiming timing_{};

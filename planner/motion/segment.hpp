@@ -37,11 +37,24 @@ struct StepTrain {
   std::uint16_t count = 0;
 };
 
+/// A stretch of the beam or spindle output: `first`, and then at every
+/// `interval` ticks `growth_q8` / 256 more. Never leaves 0…65535.
+struct PowerCourse {
+  static constexpr std::uint16_t kLongestInterval = kTicksPerSecond / 10'000;  ///< 100 µs.
+
+  std::int32_t growth_q8 = 0;  ///< 0 is constant.
+  std::uint16_t first = 0;     ///< Output duty, 65535 is full.
+  std::uint16_t interval = kLongestInterval;
+
+  [[nodiscard]] constexpr bool dark() const { return first == 0 && growth_q8 == 0; }
+  constexpr bool operator==(const PowerCourse&) const = default;
+};
+
 /// What the step interrupt plays: a slice of at most a millisecond of one
 /// block. Plain integers; no axis reverses within it.
 struct Segment {
   std::uint32_t ticks = 0;     ///< Length of the slice.
-  std::uint16_t power = 0;     ///< Output duty, 65535 is full.
+  PowerCourse power{};         ///< Over its whole length.
   std::uint8_t negative = 0;   ///< Bit i: axis i runs backwards.
   bool comes_to_rest = false;  ///< The plan stands still after it: an empty queue is no fault.
   OutputChanges outputs{};     ///< At its start.

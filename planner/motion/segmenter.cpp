@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "planner/base/truncate.hpp"
+#include "planner/motion/power_course.hpp"
 #include "planner/motion/step_timing.hpp"
 
 namespace cnc::motion {
@@ -11,7 +12,6 @@ namespace {
 constexpr auto kTicks = static_cast<float>(kTicksPerSecond);
 constexpr std::uint64_t kBlockEnd = std::uint64_t{1} << 32;
 constexpr float kWholeBlock = 4294967296.0F;
-constexpr float kFullPower = 65535.0F;
 
 bool has_steps(const Segment& segment) {
   return std::any_of(segment.trains.begin(), segment.trains.end(), [](const StepTrain& train) {
@@ -171,8 +171,8 @@ void Segmenter::cut(std::uint32_t units, Segment& segment) {
     observer_->on_slice(
         {blocks_ended_, from_fraction, fraction_, speed_, phase_.acceleration, duration});
   }
-  segment.power = power(0.5F * (speed_ + speed));
   time_trains(path_.at(fraction_), duration, segment);
+  segment.power = power_course(duty_at(speed_), duty_at(speed), segment.ticks);
   speed_ = speed;
   segment.comes_to_rest = speed_ <= 0.0F;
   if (phase_ends) end_phase();
@@ -204,12 +204,12 @@ void Segmenter::time_trains(const MotorState& to, float duration, Segment& segme
   shift_ = whole - static_cast<float>(segment.ticks);
 }
 
-std::uint16_t Segmenter::power(float mean_speed) const {
+/// 0…1 of full output at a speed of the path on the present block.
+float Segmenter::duty_at(float speed) const {
   const Block& block = queue_.front();
   float duty = block.beam.duty;
-  if (block.beam.follows_speed && block.feed > 0.0F) duty *= mean_speed / block.feed;
-  duty = std::clamp(duty * overrides_.power, 0.0F, 1.0F);
-  return static_cast<std::uint16_t>(duty * kFullPower + 0.5F);
+  if (block.beam.follows_speed && block.feed > 0.0F) duty *= speed / block.feed;
+  return std::clamp(duty * overrides_.power, 0.0F, 1.0F);
 }
 
 }  // namespace cnc::motion

@@ -78,7 +78,7 @@ class Segmenter {
   [[nodiscard]] std::uint32_t slice_units() const;
   void cut(std::uint32_t units, Segment& segment);
   void time_trains(const MotorState& to, float duration, Segment& segment);
-  [[nodiscard]] std::uint16_t power(float mean_speed) const;
+  [[nodiscard]] float duty_at(float speed) const;
 
   BlockQueue& queue_;
   const Limits& limits_;

@@ -107,9 +107,9 @@ TEST_F(StepGeneratorTest, IsNotAbortedLaterByAnAbortAtRest) {
 
 TEST_F(StepGeneratorTest, ChangesPowerWhereTheSegmentStarts) {
   motion::Segment first = even(4000, 4);
-  first.power = 100;
+  first.power.first = 100;
   motion::Segment second = last(even(4000, 4));
-  second.power = 200;
+  second.power.first = 200;
   generator.push(first);
   generator.push(second);
   generator.set_rest_power(3);
@@ -124,9 +124,50 @@ TEST_F(StepGeneratorTest, ChangesPowerWhereTheSegmentStarts) {
   EXPECT_NEAR(static_cast<double>(changes[3].tick - changes[1].tick), 8000.0, 1.0);
 }
 
+/// Slow, so that the steps alone would not wake the interrupt often enough.
+TEST_F(StepGeneratorTest, LetsThePowerClimbEveryHundredMicroseconds) {
+  motion::Segment segment = last(even(4000, 1));
+  segment.power = {.growth_q8 = 10 * 256, .first = 5, .interval = 400};
+  generator.push(segment);
+  run();
+  const auto changes = port.of_kind(Kind::kPower);
+  ASSERT_EQ(changes.size(), 11U);
+  for (std::size_t k = 0; k < 10; ++k) {
+    EXPECT_EQ(changes[k].value, 5 + 10 * k);
+    EXPECT_NEAR(static_cast<double>(changes[k].tick), 400.0 * static_cast<double>(k), 20.0);
+  }
+  EXPECT_EQ(changes.back().value, 0U);
+  EXPECT_EQ(port.position[0], 1);
+}
+
+TEST_F(StepGeneratorTest, KeepsPulsesWholeWhereThePowerChanges) {
+  motion::Segment segment = last(even(4000, 97));
+  segment.power = {.growth_q8 = 256, .first = 5, .interval = 13};
+  generator.push(segment);
+  run();
+  const auto raised = port.of_kind(Kind::kRaise);
+  const auto lowered = port.of_kind(Kind::kLower);
+  ASSERT_EQ(raised.size(), 97U);
+  ASSERT_EQ(lowered.size(), 97U);
+  for (std::size_t k = 0; k < 97; ++k) {
+    EXPECT_EQ(lowered[k].tick - raised[k].tick, 20U);
+    if (k > 0) {
+      EXPECT_GE(raised[k].tick - lowered[k - 1].tick, 20U);
+    }
+  }
+}
+
+TEST_F(StepGeneratorTest, EndsASlopeAtZeroRatherThanBelow) {
+  motion::Segment segment = last(even(4000, 4));
+  segment.power = {.growth_q8 = -200, .first = 1, .interval = 400};
+  generator.push(segment);
+  run();
+  for (const Edge& change : port.of_kind(Kind::kPower)) EXPECT_LE(change.value, 1U);
+}
+
 TEST_F(StepGeneratorTest, GoesToItsRestPowerWhenStarved) {
   motion::Segment segment = even(4000, 4);
-  segment.power = 50'000;
+  segment.power.first = 50'000;
   generator.push(segment);
   run();
   EXPECT_EQ(port.power, 0);
@@ -134,7 +175,7 @@ TEST_F(StepGeneratorTest, GoesToItsRestPowerWhenStarved) {
 
 TEST_F(StepGeneratorTest, KeepsThePowerOfTheMotionWhileItRuns) {
   motion::Segment segment = last(even(4000, 4));
-  segment.power = 500;
+  segment.power.first = 500;
   generator.push(segment);
   run(100);
   generator.set_rest_power(9);
@@ -238,7 +279,7 @@ TEST_F(StepGeneratorTest, LetsOneMotorWaitAtItsSwitchForTheOther) {
 
 TEST_F(StepGeneratorTest, DarkensTheOutputWithinAnInterrupt) {
   motion::Segment bright = even(4000, 40);
-  bright.power = 30'000;
+  bright.power.first = 30'000;
   generator.push(bright);
   generator.push(last(bright));
   run(2000);

@@ -156,16 +156,26 @@ TEST_F(SegmenterTest, ForgetsEverythingAtAReset) {
   EXPECT_FALSE(step());
 }
 
+/// In the middle of a segment.
+double mean_power(const Segment& segment) {
+  const PowerCourse& power = segment.power;
+  const std::uint32_t stairs = (segment.ticks + power.interval - 1U) / power.interval;
+  return power.first + power.growth_q8 / 256.0 * 0.5 * (stairs - 1.0);
+}
+
 std::uint16_t greatest_power(const std::vector<Segment>& segments) {
   std::uint16_t greatest = 0;
-  for (const Segment& segment : segments) greatest = std::max(greatest, segment.power);
+  for (const Segment& segment : segments) greatest = std::max(greatest, segment.power.first);
   return greatest;
 }
 
 TEST_F(SegmenterTest, KeepsAConstantBeamConstant) {
   push_to(20.0, 50.0F, {.duty = 0.5F, .follows_speed = false});
   drive();
-  for (const Segment& segment : segments) EXPECT_EQ(segment.power, 32'768);
+  for (const Segment& segment : segments) {
+    EXPECT_EQ(segment.power.first, 32'768);
+    EXPECT_EQ(segment.power.growth_q8, 0);
+  }
 }
 
 TEST_F(SegmenterTest, ScalesADynamicBeamByTheSpeedDriven) {
@@ -175,11 +185,24 @@ TEST_F(SegmenterTest, ScalesADynamicBeamByTheSpeedDriven) {
     const Segment& segment = segments[index];
     const double speed = segment.trains[0].count / 250.0 * kTicksPerSecond / segment.ticks;
     // A slice holds whole steps only: one more or less is 4 mm/s.
-    EXPECT_NEAR(segment.power, 65'535.0 * 0.5 * speed / 50.0, 65'535.0 * 0.5 * 4.1 * 4 / 50.0);
+    EXPECT_NEAR(
+        mean_power(segment), 65'535.0 * 0.5 * speed / 50.0, 65'535.0 * 0.5 * 4.1 * 4 / 50.0);
   }
   EXPECT_NEAR(greatest_power(segments), 32'768, 4);
-  EXPECT_LT(segments.front().power, 500);
-  EXPECT_LT(segments.back().power, 500);
+  EXPECT_LT(segments.front().power.first, 500);
+  EXPECT_LT(mean_power(segments.back()), 500.0);
+}
+
+TEST_F(SegmenterTest, LetsADynamicBeamClimbEvenlyWithinASlice) {
+  push_to(20.0, 50.0F, {.duty = 0.5F, .follows_speed = true});
+  drive();
+  double after = 0.0;
+  for (const Segment& segment : segments) {
+    const double half = segment.power.growth_q8 / 256.0 / 2.0;
+    EXPECT_NEAR(segment.power.first - half, after, 2.0) << "where the slice before has ended";
+    after = 2.0 * mean_power(segment) - (segment.power.first - half);
+  }
+  EXPECT_NEAR(after, 0.0, 2.0);
 }
 
 TEST_F(SegmenterTest, LimitsAnOverriddenBeamToFullPower) {

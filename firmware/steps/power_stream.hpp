@@ -1,0 +1,77 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "hal/interface/spsc_ring.hpp"
+#include "planner/base/contract.hpp"
+#include "planner/motion/segment.hpp"
+
+namespace cnc {
+
+/// A part of the output's course, with its length.
+struct PowerPiece {
+  std::uint32_t ticks = 0;
+  motion::PowerCourse course{};
+};
+
+/// What the output does, beside the steps and on the same clock: pieces from the
+/// main loop, played by the step interrupt.
+///
+/// Time passes whether there is a piece or not. A piece that comes too late is
+/// entered where it should be by then, so it never lags behind the motion.
+template <std::uint32_t Capacity>
+class PowerStream {
+ public:
+  // Main loop.
+
+  [[nodiscard]] std::uint32_t room() const { return Capacity - pieces_.size(); }
+  /// @pre room() > 0, and the piece lasts
+  void push(const PowerPiece& piece) { CNC_ASSERT(pieces_.try_push(piece)); }
+
+  // Step interrupt. Integers only.
+
+  void pass(std::uint32_t ticks) noexcept { left_ -= static_cast<std::int32_t>(ticks); }
+  [[nodiscard]] bool due() const noexcept { return left_ <= 0; }
+  /// Until the output changes next; meaningless while due().
+  [[nodiscard]] std::int32_t ticks_left() const noexcept { return left_; }
+
+  /// The duty from now on; `otherwise` while there is no piece. @pre due()
+  [[nodiscard]] std::uint16_t follow(std::uint16_t otherwise) noexcept {
+    while (left_ <= 0) {
+      if (piece_.ticks > 0) {
+        level_q8_ += piece_.course.growth_q8;
+      } else if (pieces_.try_pop(piece_)) {
+        level_q8_ = static_cast<std::int32_t>(piece_.course.first) * 256;
+      } else {
+        return otherwise;
+      }
+      const std::uint32_t stair =
+          piece_.course.growth_q8 == 0
+              ? piece_.ticks
+              : std::min<std::uint32_t>(piece_.ticks, piece_.course.interval);
+      piece_.ticks -= stair;
+      left_ += static_cast<std::int32_t>(stair);
+    }
+    // Rounding may end a slope to 0 a little below it.
+    return static_cast<std::uint16_t>(std::max<std::int32_t>(0, level_q8_) >> 8);
+  }
+
+  /// The steps came to rest, and so did the output: what is pushed next begins with them.
+  void rest() noexcept {
+    piece_ = {};
+    left_ = 0;
+  }
+  void drop() noexcept {
+    pieces_.clear();
+    rest();
+  }
+
+ private:
+  hal::SpscRing<PowerPiece, Capacity> pieces_{};
+  PowerPiece piece_{};  ///< Its ticks count from the end of the present stair.
+  std::int32_t level_q8_ = 0;
+  std::int32_t left_ = 0;  ///< Of the present stair; from 0 down: for how long it has been over.
+};
+
+}  // namespace cnc
