@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "host-sim/measure/programmed_arc.hpp"
+#include "host-sim/measure/programmed_spline.hpp"
 #include "host-sim/plot/path_simplifier.hpp"
 
 namespace sim {
@@ -51,7 +52,9 @@ class OutlinePen {
       case ActionKind::kProbe:
         return go_to(to_point(action.end), feed_move());
       case ActionKind::kArc:
-        return go_round(action);
+        return follow(pieces_of(arc_of(action)));
+      case ActionKind::kSpline:
+        return follow(pieces_of(spline_of(*action.spline)));
       case ActionKind::kSpindle:
         on_ = action.spindle != cnc::gcode::SpindleMode::kOff;
         return true;
@@ -89,16 +92,29 @@ class OutlinePen {
     return true;
   }
 
-  [[nodiscard]] bool go_round(const Action& arc) {
-    const std::vector<Curve> pieces =
-        pieces_of({.start = at_,
-                   .end = to_point(arc.end),
-                   .plane = arc.plane,
-                   .centre = {to_mm(arc.centre[0]), to_mm(arc.centre[1])},
-                   .clockwise = arc.clockwise,
-                   .turns = arc.turns});
+  [[nodiscard]] ProgrammedArc arc_of(const Action& arc) const {
+    return {.start = at_,
+            .end = to_point(arc.end),
+            .plane = arc.plane,
+            .centre = {to_mm(arc.centre[0]), to_mm(arc.centre[1])},
+            .clockwise = arc.clockwise,
+            .turns = arc.turns};
+  }
+
+  [[nodiscard]] ProgrammedSpline spline_of(const cnc::Spline& spline) const {
+    ProgrammedSpline programmed{.start = at_, .points = {}, .weights = {}, .order = spline.order()};
+    for (std::size_t i = 0; i < spline.size(); ++i) {
+      const cnc::ControlPoint& point = spline.point(i);
+      programmed.points.push_back({at_[0] + to_mm(cnc::Coordinate{point.place.x}),
+                                   at_[1] + to_mm(cnc::Coordinate{point.place.y})});
+      programmed.weights.push_back(static_cast<double>(point.weight));
+    }
+    return programmed;
+  }
+
+  [[nodiscard]] bool follow(const std::vector<Curve>& pieces) {
     for (const Curve& piece : pieces) {
-      const double chords = chord_count(piece);
+      const double chords = piece.circle() ? chord_count(piece) : 1.0;
       for (double chord = 1.0; chord < chords; ++chord) {
         if (!go_to(piece.point_at(chord / chords), feed_move())) return false;
       }

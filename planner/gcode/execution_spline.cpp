@@ -1,4 +1,6 @@
 #include "planner/gcode/execution.hpp"
+
+#include "planner/base/units.hpp"
 #include "planner/geometry/spline_length.hpp"
 
 namespace cnc::gcode {
@@ -123,7 +125,7 @@ void Execution::append_spline(const Position& end) {
 
 float Execution::spline_speed() const {
   if (next_.modal.feed_mode != FeedMode::kInverseTime) return next_.modal.feed;
-  return length_of(store_.spline) * inverse_time_ / 60.0F;
+  return length_of(store_.spline) * inverse_time_ / kSecondsPerMinute;
 }
 
 Fault Execution::missing_in_motion(char letter) const {

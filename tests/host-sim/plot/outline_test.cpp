@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -85,6 +86,18 @@ TEST(Outline, FollowsArcsInEveryPlane) {
   }
   EXPECT_NEAR(farthest, 10.0, kWidthMm);
   EXPECT_NEAR(vertical.back().x, 0.0, 1e-9);
+}
+
+TEST(Outline, FollowsSplines) {
+  // A parabola: y = x · (10 − x) / 10 · 2.
+  const std::vector<Vertex> vertices = drawn("G1 X0 F600\nG5.1 X10 I5 J10\n");
+  ASSERT_GT(vertices.size(), 10U);
+  double greatest = 0.0;
+  for (const Vertex& vertex : vertices) {
+    EXPECT_NEAR(vertex.y, 0.2 * vertex.x * (10.0 - vertex.x), kWidthMm);
+    greatest = std::max(greatest, vertex.y);
+  }
+  EXPECT_NEAR(greatest, 5.0, kWidthMm);
 }
 
 TEST(Outline, EndsBeforeTheRefusedLineAndSaysWhich) {
