@@ -189,7 +189,7 @@ TEST_F(AcknowledgementsTest, EveryNumberOfTheTableIsGiven) {
                                       std::string_view{"$0=0"},
                                       std::string_view{"$20=1"},
                                       std::string_view{"$J=G91 M3"},
-                                      std::string_view{"G5"},
+                                      std::string_view{"G6"},
                                       std::string_view{"G20 G21"},
                                       std::string_view{"G1 X1"},
                                       std::string_view{"G1.5"},

@@ -7,7 +7,7 @@ namespace {
 using LineProtocolTest = ControllerTest;
 
 TEST_F(LineProtocolTest, AnswersEveryLineOnce) {
-  stream("G21\n\nG90\r\n(a comment)\rG0 X1\n;\nG1 X2 F600\nG5 X1\nG1 X1");
+  stream("G21\n\nG90\r\n(a comment)\rG0 X1\n;\nG1 X2 F600\nG6 X1\nG1 X1");
   run_until_idle();
   EXPECT_EQ(answers(),
             (std::vector<std::string>{"ok", "ok", "ok", "ok", "ok", "ok", "ok", "error:20"}))
@@ -85,7 +85,7 @@ TEST_F(LineProtocolTest, RefusesSettingsOutOfRange) {
 // Senders take any line with one of these words for an acknowledgement.
 TEST_F(LineProtocolTest, SaysOkAndErrorOnlyInAcknowledgements) {
   const char* const lines[]{"G1 X1",     "G0 X",         "G2 X1 I5 F9", "G2 X1 R0 F9",
-                            "G5 X1",     "X1e5",         "((a)",        "(a",
+                            "G6 X1",     "X1e5",         "((a)",        "(a",
                             "%x",        "G0 G1 X1",     "G10 L9",      "G10 L2 P99",
                             "G53 G2",    "M62 P99",      "S9999999",    "T256",
                             "N99999999", "G38.2",        "G43.1 X1",    "\xFFG0",

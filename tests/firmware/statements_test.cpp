@@ -95,7 +95,7 @@ TEST_F(StatementsTest, TellWhatTheControllerIs) {
 
 TEST_F(StatementsTest, RunStartupLinesAfterAReset) {
   EXPECT_EQ(send("$N0=G55 G20 (inches)"), "ok");
-  EXPECT_EQ(send("$N1=G5"), "error:20");
+  EXPECT_EQ(send("$N1=G6"), "error:20");
   EXPECT_EQ(lines_of("$N"), (Lines{"$N0=G55 G20", "$N1=", "ok"}));
   link.outgoing.clear();
   restart();

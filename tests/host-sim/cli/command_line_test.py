@@ -55,7 +55,7 @@ class CommandLine(unittest.TestCase):
 
     def test_check_names_the_place_of_every_fault(self):
         job = self.folder / "bad.nc"
-        job.write_text("G21\nG1 X1 F100\nG5 X2\nG2 X1 Y1 I0.1 J0\n")
+        job.write_text("G21\nG1 X1 F100\nG6 X2\nG2 X1 Y1 I0.1 J0\n")
         done = run("check", job)
         self.assertEqual(done.returncode, 1)
         lines = [line for line in done.stdout.splitlines() if line.startswith(str(job))]

@@ -50,21 +50,21 @@ TEST(ProgramLink, EndsALastLineThatHasNoEnd) {
 }
 
 TEST(ProgramLink, StopsAtTheFirstRefusalAndKeepsItsReason) {
-  ProgramLink link{"G5\nG0 X1\n", AfterRefusal::kStop};
-  EXPECT_EQ(read_some(link), "G5\n");
-  answer(link, "[MSG:1: G5 is not supported]\r\nerror:20\r\n");
+  ProgramLink link{"G6\nG0 X1\n", AfterRefusal::kStop};
+  EXPECT_EQ(read_some(link), "G6\n");
+  answer(link, "[MSG:1: G6 is not supported]\r\nerror:20\r\n");
   EXPECT_TRUE(link.finished());
   ASSERT_EQ(link.refusals().size(), 1U);
   EXPECT_EQ(link.refusals()[0].line, 1U);
   EXPECT_EQ(link.refusals()[0].column, 1U);
   EXPECT_EQ(link.refusals()[0].number, 20);
-  EXPECT_EQ(link.refusals()[0].reason, "G5 is not supported");
+  EXPECT_EQ(link.refusals()[0].reason, "G6 is not supported");
 }
 
 TEST(ProgramLink, GoesOnAfterRefusalsWhenChecking) {
-  ProgramLink link{"G5\nG5\n", AfterRefusal::kGoOn};
+  ProgramLink link{"G6\nG6\n", AfterRefusal::kGoOn};
   for (int line = 0; line < 2; ++line) {
-    EXPECT_EQ(read_some(link), "G5\n");
+    EXPECT_EQ(read_some(link), "G6\n");
     answer(link, "[MSG:1: no]\r\nerror:20\r\n");
   }
   EXPECT_TRUE(link.finished());

@@ -57,7 +57,7 @@ TEST(Simulator, ResumesAPauseAndNotesIt) {
 }
 
 TEST(Simulator, StopsAtARefusedLineWithTheMotionBeforeItDone) {
-  Simulator simulator{"G0 X1\nG5 X2\nG0 X3\n", {}};
+  Simulator simulator{"G0 X1\nG6 X2\nG0 X3\n", {}};
   const RunResult result = simulator.run();
   ASSERT_EQ(result.refusals.size(), 1U);
   EXPECT_EQ(result.refusals[0].line, 2U);

@@ -65,7 +65,7 @@ TEST(ReadProgram, ReadsFromAStreamAndStopsAtTheEnd) {
 }
 
 TEST(ReadProgram, NotesWhatItDoesNotUnderstand) {
-  const ProgrammedPath path = read_program("G5 X1\nG0 X2\nM6 T1\nG1 X-- Y5\n");
+  const ProgrammedPath path = read_program("G6 X1\nG0 X2\nM6 T1\nG1 X-- Y5\n");
   EXPECT_THAT(ends(path), ElementsAre(Point{2}));
   ASSERT_EQ(path.notes.size(), 3U);
   EXPECT_EQ(path.notes[0].line, 1);

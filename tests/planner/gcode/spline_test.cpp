@@ -150,7 +150,7 @@ struct RefusedSpline {
 };
 
 const RefusedSpline kRefusedSplines[]{
-    {4, 11, "G5.2 X1 Y1 P-1", "F1", "P-1 is negative"},
+    {4, 12, "G5.2 X1 Y1 P-1", "F1", "P-1 is negative"},
     {20, 1, "G5.4", "", "G5.4 is not supported"},
     {20, 1, "M3", "G5.2 X1 Y1 F1", "M3 has no place in a NURBS: G5.3 ends it, G80 drops it"},
     {20, 1, "S5", "G5.2 X1 Y1 F1", "S5 has no place in a NURBS: G5.3 ends it, G80 drops it"},
@@ -183,12 +183,12 @@ const RefusedSpline kRefusedSplines[]{
      7,
      "G5 X1 I1000001 J1 P1 Q1",
      "F1",
-     "control point would be at 1000001.000 mm, limit 999999.875 mm"},
+     "control point would be at 1000001.000 mm, limit 999999.938 mm"},
     {33,
      13,
      "G5 X1 I1 J1 P1000001 Q1",
      "F1",
-     "control point would be at 1000002.000 mm, limit 999999.875 mm"},
+     "control point would be at 1000002.000 mm, limit 999999.938 mm"},
     {36, 13, "G5 X1 I1 J1 K1 P1 Q1", "F1", "nothing uses K1"},
     {36, 15, "G5.1 X1 I1 J1 P1", "F1", "nothing uses P1"},
     {36, 6, "G5.2 P1", "G5.2 X1 Y1 F1", "nothing uses P1"},
