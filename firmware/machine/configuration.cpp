@@ -44,6 +44,11 @@ motion::Limits limits_from(const Settings& settings) {
   return limits;
 }
 
+motion::BeamResponse beam_response_from(const Settings& settings, const motion::PowerTable& table) {
+  if (settings.get(setting::kLaserMode) == 0.0F) return {};
+  return {.table = table, .least_duty = 0.01F * settings.get(setting::kLeastBeamPower)};
+}
+
 gcode::Options gcode_options_from(const Settings& settings) {
   gcode::Options options;
   options.arc.absolute_mm = settings.get(setting::kArcRepairMm);

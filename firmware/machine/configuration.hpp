@@ -9,6 +9,9 @@ namespace cnc {
 
 /// The settings as each room wants them, in its own units.
 [[nodiscard]] motion::Limits limits_from(const Settings& settings);
+/// A beam's; a spindle's output is what S asks for.
+[[nodiscard]] motion::BeamResponse beam_response_from(const Settings& settings,
+                                                      const motion::PowerTable& table);
 [[nodiscard]] gcode::Options gcode_options_from(const Settings& settings);
 [[nodiscard]] StepTiming step_timing_from(const Settings& settings);
 

@@ -105,6 +105,9 @@ class Machine {
   /// @pre idle()
   Result<float, SettingError> change_setting(std::uint16_t number, float value);
   [[nodiscard]] const Settings& settings() const { return settings_; }
+  /// How much light the beam gives at which duty. @pre idle()
+  void set_power_table(const motion::PowerTable& table);
+  [[nodiscard]] const motion::PowerTable& power_table() const { return power_table_; }
   /// What was stored at the last power-down. @pre idle()
   void set_places(const gcode::StoredPlaces& places) { interpreter_.set_places(places); }
 
@@ -232,6 +235,7 @@ class Machine {
   hal::AuxiliaryOutputs& outputs_;
   hal::MachineInputs& input_port_;
   Settings settings_{};
+  motion::PowerTable power_table_{};
   motion::Limits limits_{};
   gcode::Interpreter interpreter_{};
   MotionControl motion_;

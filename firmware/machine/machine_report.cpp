@@ -33,7 +33,8 @@ float Machine::feed_now_mm_min() const { return kSecondsPerMinute * motion_.spee
 
 float Machine::spindle_now() const {
   constexpr float kFullPower = 65535.0F;
-  return static_cast<float>(drive_.power()) / kFullPower * tool_.most_speed();
+  const float duty = static_cast<float>(drive_.power()) / kFullPower;
+  return limits_.beam.table.share_of(duty) * tool_.most_speed();
 }
 
 }  // namespace cnc

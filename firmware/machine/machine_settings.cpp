@@ -32,8 +32,15 @@ bool Machine::place_fits(std::size_t axis) const {
   return place >= -reach && place <= reach;
 }
 
+void Machine::set_power_table(const motion::PowerTable& table) {
+  CNC_ASSERT(idle());
+  power_table_ = table;
+  apply_settings();
+}
+
 void Machine::apply_settings() {
   limits_ = limits_from(settings_);
+  limits_.beam = beam_response_from(settings_, power_table_);
   travel_.configure(settings_, homed_);
   drive_.set_timing(step_timing_from(settings_));
   gcode::Options options = gcode_options_from(settings_);

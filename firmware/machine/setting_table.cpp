@@ -20,7 +20,7 @@ constexpr const char* kAxisNames = "X,Y,Z,A,B,C";
 
 // clang-format off
 // The size is spelled out: deduced, GCC 12 puts the table into RAM.
-constexpr std::array<SettingInfo, 79> kTable{{
+constexpr std::array<SettingInfo, 80> kTable{{
     SettingInfo{0, "Step pulse time", "microseconds", 1.0F, 12.0F, 5.0F, false,
      Group::kStepper, Type::kDecimal, kThousandths,
      "How long a step input is held high, and then low."},
@@ -264,6 +264,9 @@ constexpr std::array<SettingInfo, 79> kTable{{
     SettingInfo{853, "Axes reported", "axes", 3.0F, 6.0F, 3.0F, true,
      Group::kGeneral, Type::kInteger, kWhole,
      "How many axes reports show, from X on. Takes effect at the next reset."},
+    SettingInfo{854, "Least beam power under M4", "percent", 0.0F, 100.0F, 0.0F, false,
+     Group::kSpindle, Type::kDecimal, kThousandths,
+     "Duty that a lit beam never falls below where the machine is slow, so that it still fires."},
 }};
 // clang-format on
 static_assert(kTable.size() <= Settings::kMostSettings);
@@ -273,18 +276,8 @@ static_assert(std::is_sorted(kTable.begin(),
                                return a.number < b.number;
                              }));
 
-// In the order of SettingGroup.
-constexpr std::array<SettingGroupInfo, kSettingGroupCount> kGroups{{
-    {0, "General"}, {0, "Control signals"}, {0, "Limits"},  {0, "Homing"},
-    {0, "Probing"}, {0, "Jogging"},         {0, "Spindle"}, {0, "Coolant"},
-    {0, "Parking"}, {0, "Tool change"},     {0, "Stepper"}, {0, "Arcs"},
-    {0, "Axes"},    {13, "X axis"},         {13, "Y axis"}, {13, "Z axis"},
-    {13, "A axis"}, {13, "B axis"},         {13, "C axis"},
-}};
-
 }  // namespace
 
 std::span<const SettingInfo> setting_table() { return kTable; }
-std::span<const SettingGroupInfo> setting_groups() { return kGroups; }
 
 }  // namespace cnc

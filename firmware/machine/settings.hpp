@@ -85,7 +85,7 @@ enum class SettingError : std::uint8_t {
 /// The values of all settings.
 class Settings {
  public:
-  static constexpr std::size_t kMostSettings = 80;
+  static constexpr std::size_t kMostSettings = 96;
 
   Settings();
 
@@ -155,6 +155,7 @@ inline constexpr std::uint16_t kArcRepairMm = 850;
 inline constexpr std::uint16_t kArcRepairPercent = 851;
 inline constexpr std::uint16_t kSquaredAxes = 852;
 inline constexpr std::uint16_t kReportedAxes = 853;
+inline constexpr std::uint16_t kLeastBeamPower = 854;
 }  // namespace setting
 
 }  // namespace cnc

@@ -30,6 +30,7 @@ bool is_empty(std::string_view line) {
 LineProtocol::LineProtocol(hal::ByteStream& link, Machine& machine, hal::RecordStore& store)
     : link_{link}, machine_{machine}, stored_{store}, listing_{machine, stored_} {
   load_settings();
+  machine_.set_power_table(stored_.load_power_table());
   machine_.set_places(stored_.load_places());
 }
 

@@ -75,6 +75,7 @@ class LineProtocol {
   void restore(const Statement& statement);
   void set_startup_line(const Statement& statement);
   void set_user_text(const Statement& statement);
+  void set_power_table(const Statement& statement);
   [[nodiscard]] bool rests() const;
   void load_settings();
 

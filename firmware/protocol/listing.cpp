@@ -5,6 +5,7 @@
 
 #include "firmware/link/receiver.hpp"
 #include "firmware/protocol/identity.hpp"
+#include "firmware/protocol/power_table_text.hpp"
 #include "firmware/protocol/table_lines.hpp"
 
 namespace cnc {
@@ -70,6 +71,12 @@ bool Listing::row(Reply& reply, const ReportForm& form) {
       return put_alarm_text(reply, row_);
     case ListingKind::kErrors:
       return put_error_text(reply, row_);
+    case ListingKind::kPowerTable:
+      if (row_ > 0) return false;
+      reply.text("$PC=");
+      put_power_table(reply, machine_.power_table());
+      reply.end();
+      return true;
   }
   return false;
 }

@@ -25,6 +25,7 @@ enum class ListingKind : std::uint8_t {
   kSettingHelp,     ///< `$ESH`
   kAlarms,          ///< `$EA`
   kErrors,          ///< `$EE`
+  kPowerTable,      ///< `$PC`
 };
 
 /// Makes an answer line by line, as the link takes them: `$ES` has more bytes

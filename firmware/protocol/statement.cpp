@@ -33,7 +33,7 @@ struct NamedListing {
   ListingKind kind;
 };
 
-constexpr std::array<NamedListing, 12> kListings{{
+constexpr std::array<NamedListing, 13> kListings{{
     {"", ListingKind::kHelp},
     {"$", ListingKind::kSettings},
     {"#", ListingKind::kParameters},
@@ -46,6 +46,7 @@ constexpr std::array<NamedListing, 12> kListings{{
     {"ESH", ListingKind::kSettingHelp},
     {"EA", ListingKind::kAlarms},
     {"EE", ListingKind::kErrors},
+    {"PC", ListingKind::kPowerTable},
 }};
 
 /// The whole number that the name is; nothing when it is none.
@@ -96,6 +97,7 @@ std::optional<Statement> read_assignment(std::string_view name) {
   if (name == "J") return Statement{.kind = StatementKind::kJog};
   if (name == "I") return Statement{.kind = StatementKind::kSetUserText};
   if (name == "RST") return Statement{.kind = StatementKind::kRestore};
+  if (name == "PC") return Statement{.kind = StatementKind::kSetPowerTable};
   if (name == "N0") return Statement{.kind = StatementKind::kSetStartupLine, .number = 0};
   if (name == "N1") return Statement{.kind = StatementKind::kSetStartupLine, .number = 1};
   const auto number = number_in(name);

@@ -19,6 +19,7 @@ enum class StatementKind : std::uint8_t {
   kJog,             ///< `$J=`
   kSleep,           ///< `$SLP`
   kRestore,         ///< `$RST=`
+  kSetPowerTable,   ///< `$PC=`
 };
 
 /// A line that begins with `$`.

@@ -2,6 +2,7 @@
 
 #include "firmware/protocol/code_texts.hpp"
 #include "firmware/protocol/line_protocol.hpp"
+#include "firmware/protocol/power_table_text.hpp"
 #include "firmware/protocol/table_lines.hpp"
 
 namespace cnc {
@@ -84,6 +85,8 @@ void LineProtocol::take_command(const Statement& statement) {
       return set_user_text(statement);
     case StatementKind::kSetStartupLine:
       return set_startup_line(statement);
+    case StatementKind::kSetPowerTable:
+      return set_power_table(statement);
     case StatementKind::kRestore:
       return restore(statement);
     case StatementKind::kHome:
@@ -187,6 +190,8 @@ void LineProtocol::restore(const Statement& statement) {
       static_cast<void>(machine_.change_setting(info.number, info.standard).ok());
       kept = stored_.save_setting(info, machine_.settings().get(info.number)) && kept;
     }
+    machine_.set_power_table({});
+    kept = stored_.save_power_table({}) && kept;
   }
   if (all || what == "#") {
     machine_.set_places({});
@@ -214,6 +219,17 @@ void LineProtocol::set_startup_line(const Statement& statement) {
   if (!stored_.save_startup_line(statement.number, statement.text)) {
     return refuse(error_number::kStoreFailed);
   }
+  acknowledge();
+}
+
+void LineProtocol::set_power_table(const Statement& statement) {
+  const auto table = read_power_table(statement.text);
+  if (!table.ok()) {
+    return refuse(
+        error_number::kBadNumber, statement.column + table.error().column, table.error().reason);
+  }
+  machine_.set_power_table(table.value());
+  if (!stored_.save_power_table(table.value())) return refuse(error_number::kStoreFailed);
   acknowledge();
 }
 

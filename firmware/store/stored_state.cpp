@@ -14,9 +14,12 @@ constexpr std::uint16_t kG28 = 0x4100;
 constexpr std::uint16_t kG30 = 0x4101;
 constexpr std::uint16_t kStartupLine = 0x5000;
 constexpr std::uint16_t kUserText = 0x5100;
+constexpr std::uint16_t kPowerTable = 0x5200;
 
 constexpr std::size_t kPlaceBytes = kAxisCount * sizeof(std::uint64_t);
+constexpr std::size_t kPointBytes = sizeof(std::uint16_t) + sizeof(std::uint32_t);
 using Record = std::array<std::byte, hal::RecordStore::kLongestRecord>;
+static_assert(motion::PowerTable::kMostPoints * kPointBytes <= hal::RecordStore::kLongestRecord);
 static_assert(kPlaceBytes <= hal::RecordStore::kLongestRecord);
 
 /// Little-endian whatever the machine is, so that a store can change machines.
@@ -109,6 +112,34 @@ bool StoredState::save_places(const gcode::StoredPlaces& places) {
   }
   all = save_place(kG28, places.g28, saved_.g28) && all;
   return save_place(kG30, places.g30, saved_.g30) && all;
+}
+
+motion::PowerTable StoredState::load_power_table() {
+  Record record{};
+  const std::size_t size = store_.load(kPowerTable, record);
+  std::array<motion::PowerPoint, motion::PowerTable::kMostPoints> points{};
+  const std::size_t count = std::min(size / kPointBytes, points.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto bytes = std::span{record}.subspan(i * kPointBytes);
+    points[i] = {get<std::uint16_t>(bytes),
+                 get<std::uint32_t>(bytes.subspan(sizeof(std::uint16_t)))};
+  }
+  const auto table = motion::PowerTable::make(std::span{points}.first(count));
+  if (table.ok() && size == count * kPointBytes) return table.value();
+  found_damage_ = true;
+  return {};
+}
+
+bool StoredState::save_power_table(const motion::PowerTable& table) {
+  Record record{};
+  std::size_t size = 0;
+  for (const motion::PowerPoint& point : table.points()) {
+    const auto bytes = std::span{record}.subspan(size);
+    put(bytes, point.duty);
+    put(bytes.subspan(sizeof(std::uint16_t)), point.milliwatts);
+    size += kPointBytes;
+  }
+  return store_.save(kPowerTable, std::span{record}.first(size));
 }
 
 StoredText StoredState::load_text(std::uint16_t number) {

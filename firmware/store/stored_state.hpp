@@ -8,12 +8,13 @@
 #include "firmware/store/stored_text.hpp"
 #include "hal/interface/record_store.hpp"
 #include "planner/gcode/modal_state.hpp"
+#include "planner/motion/power_table.hpp"
 
 namespace cnc {
 
 /// What outlives power, as typed records over a RecordStore: settings, places,
-/// start-up lines, the user's text. Only what differs from the delivered state
-/// is a record, so that an empty store is a new controller.
+/// start-up lines, the user's text, the beam's power table. Only what differs from the delivered
+/// state is a record, so that an empty store is a new controller.
 ///
 /// Saving may take milliseconds: call it only while nothing moves.
 class StoredState {
@@ -37,6 +38,10 @@ class StoredState {
   [[nodiscard]] bool save_startup_line(std::size_t index, std::string_view line);
   [[nodiscard]] StoredText load_user_text();
   [[nodiscard]] bool save_user_text(std::string_view text);
+
+  /// Without points where none is kept.
+  [[nodiscard]] motion::PowerTable load_power_table();
+  [[nodiscard]] bool save_power_table(const motion::PowerTable& table);
 
   /// True once after a record was damaged and its delivered value taken instead.
   [[nodiscard]] bool take_damage();

@@ -8,6 +8,7 @@
 #include <stdexcept>
 
 #include "host-sim/job/travel_check.hpp"
+#include "host-sim/measure/energy_meter.hpp"
 #include "host-sim/measure/motion_meter.hpp"
 #include "host-sim/measure/path_deviation.hpp"
 #include "host-sim/plot/path_recorder.hpp"
@@ -111,6 +112,25 @@ void add_deviation(const PathDeviation& deviation, Report& report) {
       static_cast<double>(deviation.greatest_distance().time_ns) * 1.0e-9;
 }
 
+/// As it is at the moment: a program may begin with its power table.
+EnergyMeter::Options beam_of(Simulator& simulator) {
+  const cnc::Settings& settings = simulator.settings();
+  const cnc::Machine& machine = simulator.machine();
+  return {.most_speed = settings.get(cnc::setting::kMostSpindleSpeed),
+          .least_speed = settings.get(cnc::setting::kLeastSpindleSpeed),
+          .light = [&machine](float duty) {
+            return static_cast<double>(machine.power_table().share_of(duty));
+          }};
+}
+
+void add_energy(const EnergyMeter& meter, Report& report) {
+  const EnergyFigures figures = meter.figures();
+  if (figures.windows == 0) return;
+  report.least_energy_ratio = figures.least;
+  report.mean_energy_ratio = figures.mean;
+  report.greatest_energy_ratio = figures.greatest;
+}
+
 void draw(const PathRecorder& recorder, const Job& job, const JobOutputs& outputs) {
   if (outputs.svg.empty() && outputs.png.empty()) return;
   const PictureOptions options{.title = name_of(job.file), .kerf_width_mm = outputs.kerf_width_mm};
@@ -133,8 +153,12 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
   PathDeviation deviation{path, steps_per_mm<double>(simulator.settings())};
   PathRecorder recorder{steps_per_mm<float>(simulator.settings())};
   MotionKindTeller teller{deviation, recorder};
+  EnergyMeter energy{
+      path, deviation, steps_per_mm<double>(simulator.settings()), beam_of(simulator)};
+  const bool is_laser = simulator.settings().get(cnc::setting::kLaserMode) != 0.0F;
   simulator.add_sink(meter);
   simulator.add_sink(deviation);
+  if (is_laser) simulator.add_sink(energy);
   if (!outputs.svg.empty() || !outputs.png.empty()) {
     simulator.add_sink(teller);
     simulator.add_sink(recorder);
@@ -154,6 +178,7 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
   Report report = report_on(job, result, path);
   add_measured(meter, report);
   add_deviation(deviation, report);
+  add_energy(energy, report);
   draw(recorder, job, outputs);
   return report;
 }

@@ -20,7 +20,8 @@ PathDeviation::PathDeviation(const ProgrammedPath& path,
 
 void PathDeviation::on_row(const TraceRow& row) {
   for (std::size_t i = 0; i < last_.size(); ++i) last_[i] = row.position[i] * step_[i];
-  const PathFollower::Match match = follower_.advance(last_);
+  match_ = follower_.advance(last_);
+  const PathFollower::Match& match = match_;
   if (match.nearest.distance > distance_.value) {
     distance_ = {match.nearest.distance, row.time_ns, last_, line_of(match.piece)};
   }

@@ -44,6 +44,8 @@ class PathDeviation final : public TraceSink {
   [[nodiscard]] const DeviationPeak& greatest_axis_excess() const { return excess_; }
   /// Where on the path the machine is, as far as can be told; null on an empty path.
   [[nodiscard]] const PathPiece* present_piece() const;
+  /// The nearest point of the path to the last row's position; meaningless on an empty path.
+  [[nodiscard]] const PathFollower::Match& present_match() const { return match_; }
   /// From the last row's position to the end of the path, mm.
   [[nodiscard]] double distance_to_end() const;
   /// The machine came to the last piece of the path.
@@ -56,6 +58,7 @@ class PathDeviation final : public TraceSink {
   Point step_{};
   PathFollower follower_;
   Point last_;
+  PathFollower::Match match_{};
   DeviationPeak distance_{};
   DeviationPeak excess_{};
 };

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,11 @@ struct Report {
   std::size_t lines = 0;        ///< Read from the file.
   std::size_t blocks = 0;       ///< Path elements planned.
   cnc::AxisArray<AxisReport> axes{};
+  /// Beam energy per mm over what S and F ask for, in windows of 0.05 mm of the
+  /// path; not a number where no beam was measured.
+  double least_energy_ratio = std::numeric_limits<double>::quiet_NaN();
+  double mean_energy_ratio = std::numeric_limits<double>::quiet_NaN();
+  double greatest_energy_ratio = std::numeric_limits<double>::quiet_NaN();
   double max_path_deviation_mm = 0.0;    ///< Greatest distance from the programmed path…
   double max_path_deviation_at_s = 0.0;  ///< …and when.
   std::vector<std::string> warnings;

@@ -21,6 +21,9 @@ namespace sim {
 /// | `bounds_mm`                                            | per axis `[least, greatest]`|
 /// | `steps`                                                | per axis integer            |
 /// | `max_path_deviation_mm`, `max_path_deviation_at_s`     | number                      |
+/// | `energy_per_mm_ratio`: `least`, `mean`, `greatest`     | object: beam energy per mm  |
+/// |                                                        | over S and F's, in windows  |
+/// |                                                        | of 0.05 mm; null if no beam |
 /// | `warnings`                                             | array of strings            |
 /// | `faults`: `file`, `line`, `column`, `number`, `message`| array of objects            |
 ///

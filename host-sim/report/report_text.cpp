@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "host-sim/report/duration_text.hpp"
 #include "host-sim/report/text_table.hpp"
@@ -39,6 +40,14 @@ std::string facts_text(const Report& report) {
            fmt::format("{:.4f} mm at {}",
                        report.max_path_deviation_mm,
                        duration_text(report.max_path_deviation_at_s)));
+  if (std::isfinite(report.mean_energy_ratio)) {
+    add_fact(out,
+             "energy/mm",
+             fmt::format("{:.3f} to {:.3f} of programmed, {:.3f} on average",
+                         report.least_energy_ratio,
+                         report.greatest_energy_ratio,
+                         report.mean_energy_ratio));
+  }
   return out;
 }
 

@@ -10,8 +10,8 @@ namespace cnc::motion {
 
 /// The beam or spindle output that goes with a motion.
 struct BeamCommand {
-  float duty = 0.0F;           ///< 0…1 of full power at the programmed feed.
-  bool follows_speed = false;  ///< M4: the duty is scaled by speed / programmed feed.
+  float duty = 0.0F;           ///< 0…1 of full power at the programmed feed; a beam's light.
+  bool follows_speed = false;  ///< M4: scaled by speed / programmed feed.
   constexpr bool operator==(const BeamCommand&) const = default;
 };
 

@@ -4,6 +4,7 @@
 
 #include "planner/base/axes.hpp"
 #include "planner/base/step_position.hpp"
+#include "planner/motion/power_table.hpp"
 
 namespace cnc::motion {
 
@@ -15,6 +16,7 @@ struct Limits {
   float junction_deviation_mm = 0.01F;    ///< $11.
   float steps_per_s_one_motor = 100'000.0F;
   float steps_per_s_all_motors = 200'000.0F;
+  BeamResponse beam{};
 };
 
 /// Greatest speed of an axis, mm/s: its rate, or what its motor can be stepped at.

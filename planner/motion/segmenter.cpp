@@ -207,9 +207,12 @@ void Segmenter::time_trains(const MotorState& to, float duration, Segment& segme
 /// 0…1 of full output at a speed of the path on the present block.
 float Segmenter::duty_at(float speed) const {
   const Block& block = queue_.front();
-  float duty = block.beam.duty;
-  if (block.beam.follows_speed && block.feed > 0.0F) duty *= speed / block.feed;
-  return std::clamp(duty * overrides_.power, 0.0F, 1.0F);
+  const bool follows_speed = block.beam.follows_speed && block.feed > 0.0F;
+  if (block.beam.duty <= 0.0F) return 0.0F;
+  float share = block.beam.duty * overrides_.power;
+  if (follows_speed) share *= speed / block.feed;
+  const float duty = limits_.beam.table.duty_for(std::clamp(share, 0.0F, 1.0F));
+  return follows_speed ? std::max(duty, limits_.beam.least_duty) : duty;
 }
 
 }  // namespace cnc::motion

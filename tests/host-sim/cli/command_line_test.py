@@ -42,6 +42,7 @@ class CommandLine(unittest.TestCase):
         report = json.loads(names["report"].read_text())
         self.assertLess(report["max_path_deviation_mm"], 0.0045)
         self.assertEqual(report["faults"], [])
+        self.assertEqual(list(report["energy_per_mm_ratio"]), ["least", "mean", "greatest"])
         self.assertTrue(names["svg"].read_text().startswith("<"))
         self.assertEqual(names["png"].read_bytes()[:4], b"\x89PNG")
         self.assertIn("$var", names["vcd"].read_text())

@@ -58,6 +58,7 @@ TEST(ReportJson, HasTheDocumentedKeysInOrder) {
                           "steps",
                           "max_path_deviation_mm",
                           "max_path_deviation_at_s",
+                          "energy_per_mm_ratio",
                           "warnings",
                           "faults"));
   EXPECT_THAT(keys_of(json["max_speed_mm_s"]), ElementsAre("X", "Y", "Z", "A", "B", "C"));
@@ -65,6 +66,7 @@ TEST(ReportJson, HasTheDocumentedKeysInOrder) {
   EXPECT_EQ(json["bounds_mm"]["X"], ordered_json::array({-1.0, 120.5}));
   EXPECT_EQ(json["steps"]["A"], 3'600);
   EXPECT_TRUE(json["faults"].is_array());
+  EXPECT_THAT(keys_of(json["energy_per_mm_ratio"]), ElementsAre("least", "mean", "greatest"));
 }
 
 TEST(ReportJson, WritesOneAsAnObjectAndSeveralAsAnArray) {
@@ -90,6 +92,16 @@ TEST(ReportJson, SurvivesWhatJsonCannotSay) {
   EXPECT_TRUE(json["job_time_s"].is_null());
   EXPECT_THAT(keys_of(json["faults"][0]),
               ElementsAre("file", "line", "column", "number", "message"));
+}
+
+TEST(ReportText, ShowsTheEnergyOfABeam) {
+  Report report = bracket();
+  EXPECT_THAT(report_text(report, false), Not(HasSubstr("energy")));
+  report.least_energy_ratio = 0.994;
+  report.mean_energy_ratio = 1.0;
+  report.greatest_energy_ratio = 1.0061;
+  EXPECT_THAT(report_text(report, false),
+              HasSubstr("  energy/mm  0.994 to 1.006 of programmed, 1.000 on average\n"));
 }
 
 TEST(ReportText, IsReadable) {

@@ -1,0 +1,86 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <string>
+
+#include "tests/support/beam_run.hpp"
+#include "tests/support/random_source.hpp"
+#include "tests/support/trials.hpp"
+
+namespace proof {
+namespace {
+
+constexpr double kTolerance = 0.03;  ///< Of the energy of any 0.05 mm.
+
+std::string feed_word(double mm_s) { return "F" + std::to_string(60.0 * mm_s) + "\n"; }
+
+void expect_even(const sim::EnergyFigures& figures) {
+  EXPECT_GT(figures.windows, 100U);
+  EXPECT_GT(figures.least, 1.0 - kTolerance) << "at " << figures.least_at_mm << " mm";
+  EXPECT_LT(figures.greatest, 1.0 + kTolerance) << "at " << figures.greatest_at_mm << " mm";
+  EXPECT_NEAR(figures.mean, 1.0, 0.002);
+}
+
+/// A path with starts, ends, sharp and blunt corners, arcs of many sizes.
+constexpr const char* kShapes =
+    "G1 X20 Y0\nX20 Y15\nX10 Y15\nX13 Y3\nX2 Y14\nX0 Y0\n"
+    "X3 Y0.3\nX6 Y0\nX9 Y0.9\nG4 P0.01\nG1 X4 Y0\nG3 X4 Y10 I0 J5\nG2 X12 Y10 I4 J0\n"
+    "G2 X12.8 Y10 I0.4 J0\nG3 X12.8 Y10 I-0.3\nG1 X0 Y0\n";
+
+class BeamEnergy : public testing::TestWithParam<double> {};
+
+TEST_P(BeamEnergy, IsTheSameOverAnyTwentiethOfAMillimetre) {
+  for (const double acceleration : {500.0, 3000.0}) {
+    SCOPED_TRACE(acceleration);
+    const BeamRun run{.acceleration = acceleration};
+    const auto figures = run.measure("G21 G90 M4 S700\n" + feed_word(GetParam()) + kShapes);
+    std::printf("energy per mm at %.0f mm/s, %.0f mm/s2: %.4f to %.4f of programmed, mean %.4f\n",
+                GetParam(),
+                acceleration,
+                figures.least,
+                figures.greatest,
+                figures.mean);
+    expect_even(figures);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Speeds, BeamEnergy, testing::Values(10.0, 30.0, 80.0, 200.0));
+
+TEST(BeamEnergyOfM3, GrowsWhereTheMachineIsSlow) {
+  const auto figures = BeamRun{}.measure("G21 G90 M3 S700 F6000\nG1 X20\nY10\n");
+  EXPECT_NEAR(figures.least, 1.0, kTolerance);
+  EXPECT_GT(figures.greatest, 5.0);
+}
+
+/// Random strokes and arcs at changing feeds and powers, dark stretches between them.
+TEST(BeamEnergyOfM4, HoldsOnRandomPrograms) {
+  const Trials trials{12};
+  double least = 1.0;
+  double greatest = 1.0;
+  for (auto seed = trials.first_seed(); seed < trials.end_seed() && !too_many_failures(); ++seed) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    Random random{seed};
+    std::string program = "G21 G91 M4 F3000\n";
+    for (int line = 0; line < 60; ++line) {
+      if (random.chance(0.3)) program += feed_word(random.between(10.0, 200.0));
+      if (random.chance(0.3)) program += "S" + std::to_string(random.between(100.0, 1000.0)) + "\n";
+      const std::string x = std::to_string(random.between(-8.0, 8.0));
+      const std::string y = std::to_string(random.between(-8.0, 8.0));
+      program += random.chance(0.2)   ? "G0"
+                 : random.chance(0.3) ? "G2 R" + std::to_string(random.between(6.0, 30.0))
+                                      : "G1";
+      program += " X" + x + " Y" + y + "\n";
+    }
+    const BeamRun run{.acceleration = random.between(500.0, 3000.0)};
+    SCOPED_TRACE(program);
+    const auto figures = run.measure(program);
+    expect_even(figures);
+    least = std::min(least, figures.least);
+    greatest = std::max(greatest, figures.greatest);
+  }
+  std::printf("energy per mm on random programs: %.4f to %.4f of programmed\n", least, greatest);
+}
+
+}  // namespace
+}  // namespace proof

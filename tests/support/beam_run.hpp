@@ -1,0 +1,45 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "host-sim/machine/simulator.hpp"
+#include "host-sim/measure/energy_meter.hpp"
+#include "tests/support/laser_settings.hpp"
+
+namespace proof {
+
+/// What a laser does with a program, measured on its pulses.
+struct BeamRun {
+  double steps_per_mm = 400.0;
+  double speed = 200.0;         ///< mm/s.
+  double acceleration = 500.0;  ///< mm/s².
+  std::vector<std::pair<int, double>> settings{};
+  sim::EnergyMeter::Options options{};
+
+  [[nodiscard]] sim::EnergyFigures measure(const std::string& program) const {
+    sim::Simulator simulator{program, {}};
+    set_up_laser(simulator, steps_per_mm, speed, acceleration);
+    // The shortest slot: steps of other axes go out at most 2 µs early.
+    EXPECT_EQ(simulator.change_setting(0, 1.0F), "");
+    for (const auto& [number, value] : settings) {
+      EXPECT_EQ(
+          simulator.change_setting(static_cast<std::uint16_t>(number), static_cast<float>(value)),
+          "");
+    }
+    const sim::ProgrammedPath path = sim::read_program(program, {.laser_mode = true});
+    const cnc::AxisArray<double> scales{
+        steps_per_mm, steps_per_mm, steps_per_mm, 250.0, 250.0, 250.0};
+    sim::PathDeviation deviation{path, scales};
+    sim::EnergyMeter meter{path, deviation, scales, options};
+    simulator.add_sink(deviation);
+    simulator.add_sink(meter);
+    EXPECT_TRUE(simulator.run().refusals.empty()) << program;
+    return meter.figures();
+  }
+};
+
+}  // namespace proof
