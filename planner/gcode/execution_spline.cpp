@@ -1,6 +1,5 @@
-#include "planner/gcode/execution.hpp"
-
 #include "planner/base/units.hpp"
+#include "planner/gcode/execution.hpp"
 #include "planner/geometry/spline_length.hpp"
 
 namespace cnc::gcode {

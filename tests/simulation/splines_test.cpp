@@ -14,8 +14,8 @@
 namespace proof {
 namespace {
 
-constexpr double kTolerance = 2.0e-3;   ///< mm, of the arcs.
-constexpr double kArcPromise = 1.0e-3;  ///< mm beyond half a step, of the pulses.
+constexpr double kSplineTolerance = 2.0e-3;  ///< mm, of the arcs.
+constexpr double kArcPromise = 1.0e-3;       ///< mm beyond half a step, of the pulses.
 constexpr double kStepsPerMm = 2000.0;
 
 std::string word(char letter, double value) {
@@ -99,7 +99,7 @@ TEST(RandomSplines, ArePulsedWithinTheirTolerance) {
     const std::string text = random_splines(random, random.magnitude(0.1, 50.0));
     SCOPED_TRACE(text);
     const Driven one = driven(text);
-    EXPECT_LE(one.excess, kTolerance + kArcPromise);
+    EXPECT_LE(one.excess, kSplineTolerance + kArcPromise);
     excess = std::max(excess, one.excess);
     blocks += one.result.blocks;
   }
