@@ -13,7 +13,7 @@ namespace cnc {
 namespace {
 
 using namespace literals;
-__extension__ using Wide = __int128;
+__extension__ using Int128 = __int128;
 
 constexpr std::int64_t kFarthest = Coordinate::kFarthestNanometres;
 constexpr std::int64_t kOneStep = std::int64_t{1} << 32;
@@ -39,13 +39,13 @@ TEST(StepPosition, NearestStepIsNeverMoreThanHalfAStepAway) {
 }
 
 /// steps_per_mm · 2^40: a whole number for every float ≥ 2^-16.
-Wide fixed_resolution(float steps_per_mm) {
-  return static_cast<Wide>(std::ldexp(static_cast<long double>(steps_per_mm), 40));
+Int128 fixed_resolution(float steps_per_mm) {
+  return static_cast<Int128>(std::ldexp(static_cast<long double>(steps_per_mm), 40));
 }
 
 /// 2^32 · nm · steps_per_mm / 10^6, truncated towards null.
-Wide exact_q32(std::int64_t nm, float steps_per_mm) {
-  return Wide{nm} * fixed_resolution(steps_per_mm) / (Wide{1'000'000} << 8);
+Int128 exact_q32(std::int64_t nm, float steps_per_mm) {
+  return Int128{nm} * fixed_resolution(steps_per_mm) / (Int128{1'000'000} << 8);
 }
 
 class AxisScaleOfRandomResolution : public testing::Test {
@@ -69,16 +69,16 @@ TEST_F(AxisScaleOfRandomResolution, IsExactToTheLastBit) {
   for (int trial = 0; trial < 200'000; ++trial) {
     const AxisScale scale{any_resolution()};
     const std::int64_t nm = any_place();
-    const Wide exact = exact_q32(nm, scale.steps_per_mm());
+    const Int128 exact = exact_q32(nm, scale.steps_per_mm());
     const auto steps = scale.steps_at(Coordinate{nm});
     if (!steps) {
-      const Wide size = exact < 0 ? -exact : exact;
-      ASSERT_GE(size >> 32, Wide{AxisScale::kMostSteps}) << nm << " at " << scale.steps_per_mm();
+      const Int128 size = exact < 0 ? -exact : exact;
+      ASSERT_GE(size >> 32, Int128{AxisScale::kMostSteps}) << nm << " at " << scale.steps_per_mm();
       continue;
     }
     ++within;
-    ASSERT_LE(steps->q32() - exact, Wide{1}) << nm << " at " << scale.steps_per_mm();
-    ASSERT_GE(steps->q32() - exact, Wide{-1}) << nm << " at " << scale.steps_per_mm();
+    ASSERT_LE(steps->q32() - exact, Int128{1}) << nm << " at " << scale.steps_per_mm();
+    ASSERT_GE(steps->q32() - exact, Int128{-1}) << nm << " at " << scale.steps_per_mm();
   }
   EXPECT_GT(within, 50'000);
 }
@@ -114,9 +114,9 @@ TEST_F(AxisScaleOfRandomResolution, PutsAStepAtTheNearestNanometre) {
   for (int trial = 0; trial < 200'000; ++trial) {
     const AxisScale scale{any_resolution()};
     const auto step = static_cast<std::int32_t>(random.signed_magnitude(1.0, 2.1e9));
-    const Wide resolution = fixed_resolution(scale.steps_per_mm());
-    const Wide product = Wide{scale.place_of(step).nanometres()} * resolution;
-    const Wide off = product - (Wide{step} * 1'000'000 << 40);
+    const Int128 resolution = fixed_resolution(scale.steps_per_mm());
+    const Int128 product = Int128{scale.place_of(step).nanometres()} * resolution;
+    const Int128 off = product - (Int128{step} * 1'000'000 << 40);
     ASSERT_LE(2 * (off < 0 ? -off : off), resolution) << step << " at " << scale.steps_per_mm();
   }
 }
