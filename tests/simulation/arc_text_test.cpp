@@ -10,17 +10,12 @@
 #include "host-sim/machine/simulator.hpp"
 #include "host-sim/measure/path_deviation.hpp"
 #include "tests/support/exact_block.hpp"
+#include "tests/support/program_text.hpp"
 #include "tests/support/random_arc.hpp"
 #include "tests/support/trials.hpp"
 
 namespace proof {
 namespace {
-
-std::string word(char letter, double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, " %c%.6f", letter, value);
-  return text;
-}
 
 /// The arc, which starts at zero, as a program of its own.
 std::string text_of(const cnc::CentreArc& arc, double feed_mm_min) {
@@ -40,18 +35,16 @@ std::string text_of(const cnc::CentreArc& arc, double feed_mm_min) {
   return text + "\nM2\n";
 }
 
-void change(sim::Simulator& simulator, std::size_t number, float value) {
-  EXPECT_EQ(simulator.change_setting(static_cast<std::uint16_t>(number), value), "")
-      << "$" << number << "=" << value;
-}
-
 cnc::AxisArray<double> set_up(sim::Simulator& simulator, const cnc::motion::Limits& limits) {
   cnc::AxisArray<double> scales{};
   for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
     const float scale = limits.scale[axis].steps_per_mm();
-    change(simulator, cnc::setting::kStepsPerMm + axis, scale);
-    change(simulator, cnc::setting::kRate + axis, 60.0F * limits.rate_mm_s[axis]);
-    change(simulator, cnc::setting::kAcceleration + axis, limits.acceleration_mm_s2[axis]);
+    change(simulator, cnc::setting::kStepsPerMm + axis, static_cast<double>(scale));
+    change(
+        simulator, cnc::setting::kRate + axis, static_cast<double>(60.0F * limits.rate_mm_s[axis]));
+    change(simulator,
+           cnc::setting::kAcceleration + axis,
+           static_cast<double>(limits.acceleration_mm_s2[axis]));
     scales[axis] = static_cast<double>(scale);
   }
   return scales;
@@ -162,9 +155,9 @@ TEST(FullCircle, OfRadius20IsTwoBlocksAtTheCentripetalLimit) {
   constexpr float kScale = 160.0F;
   sim::Simulator simulator{"G21 G90 G17\nG2 X0 Y0 I20 J0 F12000\nM2\n", {}};
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    change(simulator, cnc::setting::kStepsPerMm + axis, kScale);
-    change(simulator, cnc::setting::kRate + axis, 12'000.0F);
-    change(simulator, cnc::setting::kAcceleration + axis, kLimit);
+    change(simulator, cnc::setting::kStepsPerMm + axis, static_cast<double>(kScale));
+    change(simulator, cnc::setting::kRate + axis, 12'000.0);
+    change(simulator, cnc::setting::kAcceleration + axis, static_cast<double>(kLimit));
   }
   CircleTimer timer{{20.0, 0.0}, 20.0, static_cast<double>(kScale)};
   simulator.add_sink(timer);

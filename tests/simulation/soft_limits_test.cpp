@@ -67,6 +67,14 @@ TEST(SoftLimits, JudgeTheTrueExtremesOfArcs) {
   EXPECT_NE(stays_inside("G18 G2 X-10 Z-2 I-2 K-6"), stays_inside("G18 G3 X-10 Z-2 I-2 K-6"));
 }
 
+TEST(SoftLimits, JudgeSplinesAtTheirTrueExtremes) {
+  // The quadratic from Y-10 over Y-10 + J reaches half of J: 0 at J20.
+  EXPECT_TRUE(stays_inside("G5.1 X-30 Y-10 I-10 J19.9"));
+  EXPECT_FALSE(stays_inside("G5.1 X-30 Y-10 I-10 J20.1"));
+  EXPECT_TRUE(stays_inside("G5 X-30 Y-10 I0 J13.3 P0 Q13.3"));
+  EXPECT_FALSE(stays_inside("G5 X-30 Y-10 I0 J13.4 P0 Q13.4"));
+}
+
 TEST(SoftLimits, RefuseJogsOrShortenThem) {
   LaserBench bench;
   const auto refusal = bench.machine().jog("X5 F6000");

@@ -8,6 +8,8 @@
 #include "host-sim/machine/simulator.hpp"
 #include "host-sim/measure/path_deviation.hpp"
 #include "tests/support/laser_bench.hpp"
+#include "tests/support/program_text.hpp"
+#include "tests/support/random_arc.hpp"
 #include "tests/support/random_source.hpp"
 #include "tests/support/trials.hpp"
 
@@ -15,14 +17,7 @@ namespace proof {
 namespace {
 
 constexpr double kSplineTolerance = 2.0e-3;  ///< mm, of the arcs.
-constexpr double kArcPromise = 1.0e-3;       ///< mm beyond half a step, of the pulses.
 constexpr double kStepsPerMm = 2000.0;
-
-std::string word(char letter, double value) {
-  char text[40];
-  std::snprintf(text, sizeof text, " %c%.6f", letter, value);
-  return text;
-}
 
 /// A program of a few splines of all kinds, about as large as `size` mm.
 std::string random_splines(Random& random, double size) {
@@ -52,12 +47,6 @@ std::string random_splines(Random& random, double size) {
     }
   }
   return text + "M2\n";
-}
-
-void change(sim::Simulator& simulator, std::size_t number, double value) {
-  EXPECT_EQ(simulator.change_setting(static_cast<std::uint16_t>(number), static_cast<float>(value)),
-            "")
-      << "$" << number << "=" << value;
 }
 
 struct Driven {
@@ -124,26 +113,6 @@ TEST(Splines, AreDrivenAtTheirFeedWithoutACornerBetweenArcs) {
               length,
               one.result.job_time_s,
               one.result.blocks);
-}
-
-bool stays_inside(const std::string& line) {
-  LaserBench bench;
-  bench.send("G0 X-10 Y-10");
-  bench.finish();
-  bench.send("F6000");
-  bench.send(line);
-  bench.finish();
-  bench.run(5);
-  EXPECT_EQ(bench.rows_outside, 0U) << line;
-  return bench.machine().alarm() == cnc::Alarm::kNone;
-}
-
-TEST(Splines, AreJudgedBySoftLimitsAtTheirTrueExtremes) {
-  // The quadratic from Y-10 over Y-10 + J reaches half of J: 0 at J20.
-  EXPECT_TRUE(stays_inside("G5.1 X-30 Y-10 I-10 J19.9"));
-  EXPECT_FALSE(stays_inside("G5.1 X-30 Y-10 I-10 J20.1"));
-  EXPECT_TRUE(stays_inside("G5 X-30 Y-10 I0 J13.3 P0 Q13.3"));
-  EXPECT_FALSE(stays_inside("G5 X-30 Y-10 I0 J13.4 P0 Q13.4"));
 }
 
 TEST(Splines, LeaveNothingBehindWhenTheyAreCutOff) {
