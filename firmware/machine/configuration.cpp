@@ -44,6 +44,13 @@ motion::Limits limits_from(const Settings& settings) {
   return limits;
 }
 
+BeamTiming beam_timing_from(const Settings& settings) {
+  if (settings.get(setting::kLaserMode) == 0.0F) return {};
+  return {.lag = static_cast<std::int32_t>(settings.get(setting::kBeamLag) * kTicksPerMicrosecond),
+          .on_delay = to_ticks(settings.get(setting::kBeamOnDelay)),
+          .off_delay = to_ticks(settings.get(setting::kBeamOffDelay))};
+}
+
 motion::BeamResponse beam_response_from(const Settings& settings, const motion::PowerTable& table) {
   if (settings.get(setting::kLaserMode) == 0.0F) return {};
   return {.table = table, .least_duty = 0.01F * settings.get(setting::kLeastBeamPower)};

@@ -13,6 +13,7 @@ namespace cnc {
 [[nodiscard]] motion::BeamResponse beam_response_from(const Settings& settings,
                                                       const motion::PowerTable& table);
 [[nodiscard]] gcode::Options gcode_options_from(const Settings& settings);
+[[nodiscard]] BeamTiming beam_timing_from(const Settings& settings);
 [[nodiscard]] StepTiming step_timing_from(const Settings& settings);
 
 }  // namespace cnc

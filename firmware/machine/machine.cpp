@@ -77,6 +77,7 @@ void Machine::poll(hal::TickCount now) {
   attend_motor_enable(elapsed_us);
   side_.feed_drive();
   motion_.feed_drive();
+  drive_.wake();
 }
 
 /// What goes on by itself in the present mode.

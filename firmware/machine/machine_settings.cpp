@@ -43,6 +43,7 @@ void Machine::apply_settings() {
   limits_.beam = beam_response_from(settings_, power_table_);
   travel_.configure(settings_, homed_);
   drive_.set_timing(step_timing_from(settings_));
+  drive_.set_beam_timing(beam_timing_from(settings_));
   gcode::Options options = gcode_options_from(settings_);
   options.block_delete = block_delete_;
   interpreter_.set_options(options);

@@ -16,10 +16,10 @@ Result<bool, motion::MotionError> MotionControl::append(const motion::MotionRequ
 
 void MotionControl::feed_drive() {
   motion::Segment segment;
-  while (!drive_.full() && drive_.ticks_waiting() < kTicksAhead && segmenter_.next(segment)) {
+  while (!drive_.full() && drive_.ticks_waiting() < drive_.ticks_ahead() &&
+         segmenter_.next(segment)) {
     drive_.push(segment);
   }
-  drive_.wake();
 }
 
 void MotionControl::drop_rest() {

@@ -24,7 +24,8 @@ class MotionControl {
   /// Where the motion taken so far will end.
   [[nodiscard]] const Position& target() const { return target_; }
 
-  /// Hands segments to the drive until it has enough. Call at least every few ms.
+  /// Hands segments to the drive until it has enough; the caller wakes it then.
+  /// Call at least every few ms.
   void feed_drive();
 
   /// Nothing planned, nothing queued, nothing moving.

@@ -12,6 +12,7 @@ using Type = SettingType;
 constexpr float kLeastRate = 1.0F;           // mm/min
 constexpr float kMostRate = 1.0e6F;          // mm/min
 constexpr float kMostAcceleration = 1.0e6F;  // mm/s²
+constexpr float kMostBeamDelay = 5000.0F;    // µs
 constexpr float kMostTravel = 1.0e6F;        // mm
 
 constexpr const char* kWhole = "#####0";
@@ -20,7 +21,7 @@ constexpr const char* kAxisNames = "X,Y,Z,A,B,C";
 
 // clang-format off
 // The size is spelled out: deduced, GCC 12 puts the table into RAM.
-constexpr std::array<SettingInfo, 80> kTable{{
+constexpr std::array<SettingInfo, 83> kTable{{
     SettingInfo{0, "Step pulse time", "microseconds", 1.0F, 12.0F, 5.0F, false,
      Group::kStepper, Type::kDecimal, kThousandths,
      "How long a step input is held high, and then low."},
@@ -267,6 +268,15 @@ constexpr std::array<SettingInfo, 80> kTable{{
     SettingInfo{854, "Least beam power under M4", "percent", 0.0F, 100.0F, 0.0F, false,
      Group::kSpindle, Type::kDecimal, kThousandths,
      "Duty that a lit beam never falls below where the machine is slow, so that it still fires."},
+    SettingInfo{855, "Beam on delay", "microseconds", 0.0F, kMostBeamDelay, 0.0F, false,
+     Group::kSpindle, Type::kDecimal, kThousandths,
+     "From output to light when the beam goes on, beyond the lag: it is switched earlier by this."},
+    SettingInfo{856, "Beam off delay", "microseconds", 0.0F, kMostBeamDelay, 0.0F, false,
+     Group::kSpindle, Type::kDecimal, kThousandths,
+     "The same when the beam goes off."},
+    SettingInfo{857, "Beam lag", "microseconds", -kMostBeamDelay, kMostBeamDelay, 0.0F, false,
+     Group::kSpindle, Type::kDecimal, kThousandths,
+     "How much later than the motors all light comes; negative where the motors come later."},
 }};
 // clang-format on
 static_assert(kTable.size() <= Settings::kMostSettings);

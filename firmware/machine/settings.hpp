@@ -156,6 +156,9 @@ inline constexpr std::uint16_t kArcRepairPercent = 851;
 inline constexpr std::uint16_t kSquaredAxes = 852;
 inline constexpr std::uint16_t kReportedAxes = 853;
 inline constexpr std::uint16_t kLeastBeamPower = 854;
+inline constexpr std::uint16_t kBeamOnDelay = 855;
+inline constexpr std::uint16_t kBeamOffDelay = 856;
+inline constexpr std::uint16_t kBeamLag = 857;
 }  // namespace setting
 
 }  // namespace cnc

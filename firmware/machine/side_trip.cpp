@@ -27,10 +27,10 @@ void SideTrip::go(std::size_t axis,
 
 void SideTrip::feed_drive() {
   motion::Segment segment;
-  while (!drive_.full() && drive_.ticks_waiting() < kTicksAhead && segmenter_.next(segment)) {
+  while (!drive_.full() && drive_.ticks_waiting() < drive_.ticks_ahead() &&
+         segmenter_.next(segment)) {
     drive_.push(segment);
   }
-  drive_.wake();
 }
 
 }  // namespace cnc

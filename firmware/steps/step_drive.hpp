@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "firmware/steps/power_shift.hpp"
 #include "planner/base/axes.hpp"
 #include "planner/motion/segment.hpp"
 
@@ -26,7 +27,10 @@ class StepDrive {
   virtual void push(const motion::Segment& segment) = 0;
   /// Motion handed over and not yet begun, in ticks of the step clock.
   [[nodiscard]] virtual std::uint32_t ticks_waiting() const = 0;
-  /// Starts the step interrupt when segments wait and it is not running.
+  /// How much of it there should be: kTicksAhead, and what the beam's delays need.
+  [[nodiscard]] virtual std::uint32_t ticks_ahead() const = 0;
+  /// Call when all that is to be pushed in this turn has been. Starts the step
+  /// interrupt when segments wait and it is not running.
   virtual void wake() = 0;
   [[nodiscard]] virtual bool running() const = 0;
   /// Ends motion at once, where it is, and drops what waits. The motors may
@@ -44,6 +48,8 @@ class StepDrive {
   virtual void block_power(bool blocked) = 0;
   /// Duty of the output now.
   [[nodiscard]] virtual std::uint16_t power() const = 0;
+  /// @pre !running(), and nothing waits
+  virtual void set_beam_timing(const BeamTiming& timing) = 0;
   /// @pre !running()
   virtual void set_timing(const StepTiming& timing) = 0;
 

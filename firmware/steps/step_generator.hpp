@@ -5,7 +5,7 @@
 #include <atomic>
 #include <cstdint>
 
-#include "firmware/steps/power_stream.hpp"
+#include "firmware/steps/power_output.hpp"
 #include "firmware/steps/step_drive.hpp"
 #include "firmware/steps/switch_watch.hpp"
 #include "hal/interface/spsc_ring.hpp"
@@ -31,24 +31,32 @@ namespace cnc {
 template <hal::StepPort Port, std::uint32_t QueueCapacity>
 class StepGenerator final : public StepDrive {
  public:
-  explicit StepGenerator(Port& port) : port_{port} {}
+  explicit StepGenerator(Port& port) : port_{port}, beam_{port} {}
 
   [[nodiscard]] bool full() const override {
-    return queue_.size() == QueueCapacity || beam_.room() == 0;
+    return queue_.size() == QueueCapacity || beam_.full();
   }
 
   void push(const motion::Segment& segment) override {
-    pushed_ticks_ += segment.ticks;
+    const std::uint32_t wait = beam_.shift().settled() ? beam_.shift().wait() : 0;
     // The output first: a segment that is there is played with its beam.
-    beam_.push({segment.ticks, segment.power});
-    CNC_ASSERT(queue_.try_push(segment));
+    beam_.add({segment.ticks, segment.power});
+    ends_at_rest_ = segment.comes_to_rest;
+    pushed_ticks_ += segment.ticks + wait;
+    CNC_ASSERT(queue_.try_push(wait == 0 ? segment : delayed(segment, wait)));
   }
 
   [[nodiscard]] std::uint32_t ticks_waiting() const override {
     return pushed_ticks_ - begun_ticks_.load(std::memory_order_relaxed);
   }
 
+  [[nodiscard]] std::uint32_t ticks_ahead() const override {
+    return kTicksAhead + beam_.shift().look_ahead();
+  }
+
   void wake() override {
+    const bool wants_more = !full() && ticks_waiting() < ticks_ahead();
+    if (ends_at_rest_ && wants_more && !beam_.shift().settled()) beam_.settle();
     if (running() || queue_.size() == 0) return;
     running_.store(true, std::memory_order_release);
     port_.start_timer();
@@ -56,7 +64,10 @@ class StepGenerator final : public StepDrive {
 
   [[nodiscard]] bool running() const override { return running_.load(std::memory_order_acquire); }
 
-  void abort() override { abort_.store(running(), std::memory_order_release); }
+  void abort() override {
+    beam_.shift().clear();
+    abort_.store(running(), std::memory_order_release);
+  }
 
   [[nodiscard]] bool take_starved() override { return starved_.exchange(false); }
 
@@ -69,17 +80,15 @@ class StepGenerator final : public StepDrive {
   }
 
   void set_rest_power(std::uint16_t power) override {
-    rest_power_.store(power, std::memory_order_relaxed);
-    if (!running()) drive_power(power);
+    beam_.set_rest(power);
+    if (!running()) beam_.drive_rest();
   }
-
   void block_power(bool blocked) override {
-    power_blocked_.store(blocked, std::memory_order_relaxed);
-    if (!running()) drive_power(rest_power_.load(std::memory_order_relaxed));
+    beam_.block(blocked);
+    if (!running()) beam_.drive_rest();
   }
-  [[nodiscard]] std::uint16_t power() const override {
-    return power_.load(std::memory_order_relaxed);
-  }
+  [[nodiscard]] std::uint16_t power() const override { return beam_.now(); }
+  void set_beam_timing(const BeamTiming& timing) override { beam_.shift().configure(timing); }
 
   void set_timing(const StepTiming& timing) override { timing_ = timing; }
 
@@ -134,19 +143,19 @@ class StepGenerator final : public StepDrive {
     high_ = false;
     check_probe();
     if (switches_.active()) switches_.look(port_.switches(), position());
-    follow_beam();
+    beam_.follow();
     return std::max(timing_.pulse, ticks_until(earliest_due()));
   }
 
   std::uint32_t begin_pulse() noexcept {
     if (abort_.exchange(false)) return drop_everything();
-    if (power_blocked_.load(std::memory_order_relaxed)) drive_power(0);
+    beam_.darken_if_blocked();
     while (steps_left_ == 0 && now_ >= segment_.ticks) {
       now_ -= segment_.ticks;
       if (!load_segment()) return come_to_rest();
       if (direction_changed_) return timing_.direction_set_up;
     }
-    follow_beam();
+    beam_.follow();
     const std::int32_t due = earliest_due();
     if (due > static_cast<std::int32_t>(now_)) return ticks_until(due);
     raise_due_steps();
@@ -190,8 +199,7 @@ class StepGenerator final : public StepDrive {
 
   /// Until this tick of the segment, or the next change of the output.
   [[nodiscard]] std::uint32_t ticks_until(std::int32_t tick) const noexcept {
-    std::int32_t left = tick - static_cast<std::int32_t>(now_);
-    if (!beam_.due()) left = std::min(left, beam_.ticks_left());
+    const std::int32_t left = beam_.sooner(tick - static_cast<std::int32_t>(now_));
     return left > 0 ? static_cast<std::uint32_t>(left) : 1U;
   }
 
@@ -249,7 +257,6 @@ class StepGenerator final : public StepDrive {
     steps_left_ = 0;
     now_ = 0;
     beam_.rest();
-    drive_power(rest_power_.load(std::memory_order_relaxed));
     running_.store(false, std::memory_order_release);
     return 0;
   }
@@ -260,22 +267,11 @@ class StepGenerator final : public StepDrive {
     port_.set_analog(changes.analog_channel, changes.analog_value);
   }
 
-  void follow_beam() noexcept {
-    if (!beam_.due()) return;
-    drive_power(beam_.follow(rest_power_.load(std::memory_order_relaxed)));
-  }
-
-  void drive_power(std::uint16_t power) noexcept {
-    if (power_blocked_.load(std::memory_order_relaxed)) power = 0;
-    if (power == power_.load(std::memory_order_relaxed)) return;
-    power_.store(power, std::memory_order_relaxed);
-    port_.set_power(power);
-  }
-
   Port& port_;
   hal::SpscRing<motion::Segment, QueueCapacity> queue_{};
-  PowerStream<2 * QueueCapacity> beam_{};
+  PowerOutput<Port, 2 * QueueCapacity> beam_;
   std::uint32_t pushed_ticks_ = 0;  ///< Main loop only; runs freely.
+  bool ends_at_rest_ = true;        ///< The segment pushed last.
   std::atomic<std::uint32_t> begun_ticks_{0};
   StepTiming timing_{};
   std::uint8_t second_motors_ = 0;
@@ -290,9 +286,6 @@ class StepGenerator final : public StepDrive {
   bool high_ = false;
 
   AxisArray<std::atomic<std::int32_t>> position_{};
-  std::atomic<std::uint16_t> power_{0};  ///< As driven.
-  std::atomic<std::uint16_t> rest_power_{0};
-  std::atomic<bool> power_blocked_{false};
   std::atomic<bool> running_{false};
   std::atomic<bool> starved_{false};
   std::atomic<bool> abort_{false};

@@ -123,6 +123,14 @@ EnergyMeter::Options beam_of(Simulator& simulator) {
           }};
 }
 
+/// A beam whose output is its light. With delays set the light is elsewhere, and
+/// how the machine really reacts is not known here.
+bool lights_at_once(const cnc::Settings& settings) {
+  const auto zero = [&settings](std::uint16_t number) { return settings.get(number) == 0.0F; };
+  return !zero(cnc::setting::kLaserMode) && zero(cnc::setting::kBeamOnDelay) &&
+         zero(cnc::setting::kBeamOffDelay) && zero(cnc::setting::kBeamLag);
+}
+
 void add_energy(const EnergyMeter& meter, Report& report) {
   const EnergyFigures figures = meter.figures();
   if (figures.windows == 0) return;
@@ -155,10 +163,10 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
   MotionKindTeller teller{deviation, recorder};
   EnergyMeter energy{
       path, deviation, steps_per_mm<double>(simulator.settings()), beam_of(simulator)};
-  const bool is_laser = simulator.settings().get(cnc::setting::kLaserMode) != 0.0F;
+  const bool measures_energy = lights_at_once(simulator.settings());
   simulator.add_sink(meter);
   simulator.add_sink(deviation);
-  if (is_laser) simulator.add_sink(energy);
+  if (measures_energy) simulator.add_sink(energy);
   if (!outputs.svg.empty() || !outputs.png.empty()) {
     simulator.add_sink(teller);
     simulator.add_sink(recorder);

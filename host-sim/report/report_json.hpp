@@ -24,6 +24,7 @@ namespace sim {
 /// | `energy_per_mm_ratio`: `least`, `mean`, `greatest`     | object: beam energy per mm  |
 /// |                                                        | over S and F's, in windows  |
 /// |                                                        | of 0.05 mm; null if no beam |
+/// |                                                        | or $855…$857 are set        |
 /// | `warnings`                                             | array of strings            |
 /// | `faults`: `file`, `line`, `column`, `number`, `message`| array of objects            |
 ///

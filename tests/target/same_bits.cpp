@@ -97,8 +97,16 @@ class ProgramLink final : public hal::ByteStream {
   std::int32_t place() { return static_cast<std::int32_t>(random(20'000)) - 10'000; }
 
   bool make_line() {
-    constexpr std::array<std::string_view, 5> kOpening{
-        "$32=1\n", "$120=900\n", "G91 G21\n", "M4 S700\n", "F2400\n"};
+    constexpr std::array<std::string_view, 10> kOpening{"$32=1\n",
+                                                        "$120=900\n",
+                                                        "$PC=8:0,30:7.5,100:41.25\n",
+                                                        "$854=9\n",
+                                                        "$855=130\n",
+                                                        "$856=70\n",
+                                                        "$857=240\n",
+                                                        "G91 G21\n",
+                                                        "M4 S700\n",
+                                                        "F2400\n"};
     if (lines_ == kLines) return false;
     sent_ = size_ = 0;
     if (lines_ < kOpening.size()) {

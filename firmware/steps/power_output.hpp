@@ -1,0 +1,70 @@
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+
+#include "firmware/steps/power_shift.hpp"
+#include "firmware/steps/power_stream.hpp"
+#include "hal/interface/step_port.hpp"
+
+namespace cnc {
+
+/// The output of the beam or spindle: follows the course that goes with the
+/// motion, rests at a duty of its own, and is dark at once where it must be.
+template <hal::StepPort Port, std::uint32_t Capacity>
+class PowerOutput {
+ public:
+  explicit PowerOutput(Port& port) : port_{port} {}
+
+  // Main loop.
+
+  [[nodiscard]] bool full() const { return stream_.room() < shift_.room_needed(); }
+  [[nodiscard]] PowerShift& shift() { return shift_; }
+  [[nodiscard]] const PowerShift& shift() const { return shift_; }
+  /// @pre !full()
+  void add(const PowerPiece& piece) { shift_.add(piece, stream_); }
+  void settle() { shift_.settle(stream_); }
+
+  void set_rest(std::uint16_t duty) { rest_.store(duty, std::memory_order_relaxed); }
+  void block(bool blocked) { blocked_.store(blocked, std::memory_order_relaxed); }
+  [[nodiscard]] std::uint16_t now() const { return now_.load(std::memory_order_relaxed); }
+
+  // Step interrupt; rest() from the main loop, too, while that does not run.
+
+  void pass(std::uint32_t ticks) noexcept { stream_.pass(ticks); }
+  void follow() noexcept {
+    if (stream_.due()) drive(stream_.follow(rest_.load(std::memory_order_relaxed)));
+  }
+  /// The earlier of this and the next change.
+  [[nodiscard]] std::int32_t sooner(std::int32_t ticks) const noexcept {
+    return stream_.due() ? ticks : std::min(ticks, stream_.ticks_left());
+  }
+  void darken_if_blocked() noexcept {
+    if (blocked_.load(std::memory_order_relaxed)) drive(0);
+  }
+  void drop() noexcept { stream_.drop(); }
+  /// The steps are at rest; what is added next begins with theirs.
+  void rest() noexcept {
+    stream_.rest();
+    drive(rest_.load(std::memory_order_relaxed));
+  }
+  void drive_rest() noexcept { drive(rest_.load(std::memory_order_relaxed)); }
+
+ private:
+  void drive(std::uint16_t duty) noexcept {
+    if (blocked_.load(std::memory_order_relaxed)) duty = 0;
+    if (duty == now_.load(std::memory_order_relaxed)) return;
+    now_.store(duty, std::memory_order_relaxed);
+    port_.set_power(duty);
+  }
+
+  Port& port_;
+  PowerStream<Capacity> stream_{};
+  PowerShift shift_{};
+  std::atomic<std::uint16_t> now_{0};
+  std::atomic<std::uint16_t> rest_{0};
+  std::atomic<bool> blocked_{false};
+};
+
+}  // namespace cnc
