@@ -76,9 +76,9 @@ bool Machine::move_straight(const Action& action, float feed) {
 /// A few arcs in each turn, as finding one takes some hundred thousand
 /// instructions.
 bool Machine::move_spline(const Action& action) {
-  constexpr float kTolerance_mm = 0.002F;
+  constexpr float kToleranceMm = 0.002F;
   constexpr int kArcsPerTurn = 4;
-  if (!spline_) spline_.emplace(*action.spline, motion_.target(), kTolerance_mm);
+  if (!spline_) spline_.emplace(*action.spline, motion_.target(), kToleranceMm);
   for (int i = 0; i < kArcsPerTurn && !spline_->done(); ++i) {
     if (!motion_.has_room()) return false;
     append(spline_->next(), action.feed);

@@ -49,7 +49,7 @@ std::optional<Circle3> circle_through(const Point& a, const Point& b, const Poin
   const double c2 = cx * cx + cy * cy;
   const double x = (cy * b2 - by * c2) / (2.0 * cross);
   const double y = (bx * c2 - cx * b2) / (2.0 * cross);
-  return Circle3{{a[0] + x, a[1] + y}, std::hypot(x, y), cross > 0.0 ? false : true};
+  return Circle3{{a[0] + x, a[1] + y}, std::hypot(x, y), cross < 0.0};
 }
 
 /// Divides parameter ranges until a piece is as close as it must be.
@@ -58,13 +58,18 @@ class Divider {
   explicit Divider(const ProgrammedSpline& spline) : spline_{spline} {}
 
   void divide(double from, double to) {
-    const Curve piece = piece_between(from, to);
-    if (to - from > kShortest && !is_close(piece, from, to)) {
-      divide(from, 0.5 * (from + to));
-      divide(0.5 * (from + to), to);
-      return;
+    std::vector<double> ends{to};  // Of the pieces to come, the nearest last.
+    while (!ends.empty()) {
+      const double end = ends.back();
+      const Curve piece = piece_between(from, end);
+      if (end - from > kShortest && !is_close(piece, from, end)) {
+        ends.push_back(0.5 * (from + end));
+        continue;
+      }
+      pieces.push_back(piece);
+      from = end;
+      ends.pop_back();
     }
-    pieces.push_back(piece);
   }
 
   std::vector<Curve> pieces;

@@ -49,6 +49,14 @@ class Execution {
   std::uint32_t commit_jog();
 
  private:
+  /// What a line of a NURBS adds when it is committed.
+  struct NurbsLine {
+    bool begins = false;
+    std::size_t order = 0;  ///< 0 leaves it.
+    std::optional<float> first_weight{};
+    std::optional<ControlPoint> point{};
+  };
+
   // The steps, in execution.cpp; offsets in execution_offsets.cpp, motion in
   // execution_motion.cpp, arcs in execution_arc.cpp, splines in
   // execution_spline.cpp and execution_nurbs.cpp, jogs in execution_jog.cpp.
@@ -113,6 +121,8 @@ class Execution {
   [[nodiscard]] bool nurbs_is_open() const { return context_.modal.motion == MotionMode::kNurbs; }
   [[nodiscard]] Refusal check_open_nurbs();
   [[nodiscard]] Refusal take_control_point();
+  [[nodiscard]] Refusal weigh_first_point(NurbsLine& line);
+  [[nodiscard]] Refusal read_control_point(NurbsLine& line);
   [[nodiscard]] Refusal take_order(std::size_t& order);
   [[nodiscard]] Refusal take_weight(float& weight);
   [[nodiscard]] Refusal end_nurbs();
@@ -141,13 +151,6 @@ class Execution {
 
   Context next_;
   float inverse_time_ = 0.0F;  ///< F of this line in G93, 1/min.
-  /// What a line of a NURBS adds when it is committed.
-  struct NurbsLine {
-    bool begins = false;
-    std::size_t order = 0;  ///< 0 leaves it.
-    std::optional<float> first_weight{};
-    std::optional<ControlPoint> point{};
-  };
   std::optional<NurbsLine> nurbs_line_;
   bool offsets_changed_ = false;
   Position* stored_ = nullptr;  ///< The place that commit() writes, if there is a value for it.

@@ -36,19 +36,23 @@ Refusal Execution::take_control_point() {
   }
   NurbsLine line{.begins = !nurbs_is_open()};
   if (const auto fault = take_order(line.order)) return fault;
-  const bool fresh = !nurbs_is_open() || store_.spline.size() == 1;
-  if (!block_.has_axis_word()) {
-    float weight = 1.0F;
-    const bool weighs_first = fresh && block_.has('P');
-    if (!weighs_first) {
-      nurbs_line_ = line;
-      return std::nullopt;
-    }
-    if (const auto fault = take_weight(weight)) return fault;
-    line.first_weight = weight;
-    nurbs_line_ = line;
-    return std::nullopt;
-  }
+  const auto fault = block_.has_axis_word() ? read_control_point(line) : weigh_first_point(line);
+  if (fault) return fault;
+  nurbs_line_ = line;
+  return std::nullopt;
+}
+
+/// Afterwards P belongs to a control point, or to nothing.
+Refusal Execution::weigh_first_point(NurbsLine& line) {
+  const bool alone = line.begins || store_.spline.size() == 1;
+  if (!alone || !block_.has('P')) return std::nullopt;
+  float weight = 1.0F;
+  if (const auto fault = take_weight(weight)) return fault;
+  line.first_weight = weight;
+  return std::nullopt;
+}
+
+Refusal Execution::read_control_point(NurbsLine& line) {
   Position target = next_.position;
   if (const auto fault = read_spline_end(target)) return fault;
   if (!block_.has('X')) return missing_in_motion('X');
@@ -57,13 +61,12 @@ Refusal Execution::take_control_point() {
   ControlPoint point{.place = {offset.first, offset.second}};
   if (const auto fault = take_weight(point.weight)) return fault;
   if (const auto fault = check_control_point(point.place, 'X')) return fault;
-  if (nurbs_is_open() && store_.spline.full()) {
+  if (!line.begins && store_.spline.full()) {
     Fault fault = block_.blame(FaultDetail::kTooManyControlPoints, 'X');
     fault.limit = static_cast<float>(Spline::kMostPoints);
     return fault;
   }
   line.point = point;
-  nurbs_line_ = line;
   return std::nullopt;
 }
 

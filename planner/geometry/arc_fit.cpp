@@ -12,7 +12,7 @@ namespace {
 /// Of the tolerance, what sampling may have missed.
 constexpr float kUnseen = 0.005F;
 /// Ends and joints are rounded to whole nanometres, the curve's own origin too.
-constexpr float kRounding_mm = 2.0e-6F;
+constexpr float kRoundingMm = 2.0e-6F;
 /// Of the extent: single precision of the sampled curve, the circles and the joint.
 constexpr float kRelativeError = 3.0e-7F;
 
@@ -41,11 +41,11 @@ float growth(float allowed, float deviation) {
 
 ArcFit::ArcFit(const Spline& spline, const Position& start, float tolerance_mm)
     : ahead_{spline}, origin_{start}, here_{start}, tolerance_mm_{tolerance_mm} {
-  CNC_ASSERT(tolerance_mm >= kLeastTolerance_mm);
+  CNC_ASSERT(tolerance_mm >= kLeastToleranceMm);
 }
 
 float ArcFit::allowed() const {
-  return tolerance_mm_ * (1.0F - kUnseen) - kRounding_mm - kRelativeError * trial_.extent();
+  return tolerance_mm_ * (1.0F - kUnseen) - kRoundingMm - kRelativeError * trial_.extent();
 }
 
 /// A bracket between what fits and what does not, narrowed by the cubic law of

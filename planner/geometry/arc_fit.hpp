@@ -13,13 +13,13 @@ namespace cnc {
 /// where the last biarc ended, on the curve and with its tangent, the one that
 /// reaches farthest of all joints, and so on.
 ///
-/// Guarantees, for splines up to kLargestSpline_mm across:
+/// Guarantees, for splines up to kLargestSplineMm across:
 /// * The chain begins and ends exactly where the spline does, and its elements
 ///   join exactly.
 /// * No point of the chain is farther than the tolerance from the spline, and
 ///   no point of the spline farther than that from the chain.
 /// * Two arcs meet with one tangent, within kLargestKink radians plus what the
-///   rounding of their ends to a nanometre makes: kKinkRounding_mm by the
+///   rounding of their ends to a nanometre makes: kKinkRoundingMm by the
 ///   length of the shorter.
 ///
 /// Where the curve turns within less than the tolerance, as at a cusp, a
@@ -29,14 +29,14 @@ namespace cnc {
 /// sampled and some ten biarcs held against each.
 class ArcFit {
  public:
-  static constexpr float kLeastTolerance_mm = 1.0e-4F;
-  static constexpr float kLargestSpline_mm = 2.0e3F;
+  static constexpr float kLeastToleranceMm = 1.0e-4F;
+  static constexpr float kLargestSplineMm = 2.0e3F;
   static constexpr double kLargestKink = 2.0e-5;
-  static constexpr double kKinkRounding_mm = 6.0e-6;
+  static constexpr double kKinkRoundingMm = 6.0e-6;
 
   /// @param spline must outlive this. @pre complete()
   /// @param start of the first control point; the other axes stay where they are.
-  /// @param tolerance_mm at least kLeastTolerance_mm.
+  /// @param tolerance_mm at least kLeastToleranceMm.
   ArcFit(const Spline& spline, const Position& start, float tolerance_mm);
 
   [[nodiscard]] bool done() const { return !second_waits_ && ahead_.at_end(); }

@@ -23,8 +23,8 @@ Hull hull_of(const Bezier& bezier, const PlaneBox& box) {
     hull.most = {std::max(hull.most.x, place.x), std::max(hull.most.y, place.y)};
   }
   return {.inside = contains(box, hull.least) && contains(box, hull.most),
-          .tiny = hull.most.x - hull.least.x <= kReachDoubt_nm &&
-                  hull.most.y - hull.least.y <= kReachDoubt_nm};
+          .tiny = hull.most.x - hull.least.x <= kReachDoubtNm &&
+                  hull.most.y - hull.least.y <= kReachDoubtNm};
 }
 
 /// Along the curve in steps that halve where a hull sticks out and double where

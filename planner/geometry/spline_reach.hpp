@@ -12,8 +12,8 @@ struct PlaneBox {
 
 /// Whether all of the curve, and not only its ends, lies in the box. Decided by
 /// the hulls of ever smaller parts of it where it comes near a side: exact, but
-/// that a curve which touches one within kReachDoubt_nm counts as outside.
-inline constexpr std::int64_t kReachDoubt_nm = 200;
+/// that a curve which touches one within kReachDoubtNm counts as outside.
+inline constexpr std::int64_t kReachDoubtNm = 200;
 [[nodiscard]] bool stays_within(const Spline& spline, const PlaneBox& box);
 
 }  // namespace cnc

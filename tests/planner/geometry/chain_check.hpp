@@ -42,7 +42,7 @@ class ChainCheck {
     for (std::size_t i = 1; i < arcs_.size(); ++i) {
       const double shorter = std::min(arcs_[i - 1].chord(), arcs_[i].chord());
       const double kink = angle_between(arcs_[i - 1].end_tangent(), arcs_[i].start_tangent());
-      const double promised = ArcFit::kLargestKink + ArcFit::kKinkRounding_mm / shorter;
+      const double promised = ArcFit::kLargestKink + ArcFit::kKinkRoundingMm / shorter;
       if (kink <= promised) {
         found.smooth = std::max(found.smooth, kink / promised);
         continue;
