@@ -83,8 +83,9 @@ class Chaos {
 
  private:
   std::string place() {
-    return " X" + std::to_string(random_.between(-62.0, 1.0)) + " Y" +
-           std::to_string(random_.between(-40.0, 0.0));
+    const double y = random_.between(-40.0, 0.0);
+    const double x = random_.between(-62.0, 1.0);
+    return " X" + std::to_string(x) + " Y" + std::to_string(y);
   }
 
   void offer_line() {

@@ -163,7 +163,8 @@ TEST_F(SpeedProfileTest, ReachesTheEndOfEveryRandomBlockAtThePlannedSpeed) {
   proof::Random random{seed};
   for (int trial = 0; trial < 5'000; ++trial) {
     limits = any_limits(random);
-    begin(block_of(any_element(random, {}), limits, static_cast<float>(random.magnitude(1, 500))));
+    const auto feed = static_cast<float>(random.magnitude(1, 500));
+    begin(block_of(any_element(random, {}), limits, feed));
     const Ride ride = drive();
     ASSERT_TRUE(profile.at_end()) << "trial " << trial;
     ASSERT_NEAR(ride.distance / static_cast<double>(block.length), 1.0, 1.0e-5) << trial;
@@ -178,7 +179,8 @@ TEST_F(SpeedProfileTest, HaltsWithinEveryRandomBlock) {
   proof::Random random{seed};
   for (int trial = 0; trial < 5'000; ++trial) {
     limits = any_limits(random);
-    begin(block_of(any_element(random, {}), limits, static_cast<float>(random.magnitude(1, 500))));
+    const auto feed = static_cast<float>(random.magnitude(1, 500));
+    begin(block_of(any_element(random, {}), limits, feed));
     const Phase first = profile.next_phase(Drive::kOn);
     stop_within(first, 0.5F * first.duration);
     drive(Drive::kHalt);
