@@ -31,7 +31,7 @@ bool Machine::locked() const {
 
 bool Machine::busy() const {
   return !waiting_.empty() || jog_ || step_pause_ || leaving_travel_ || cutting_off_ ||
-         state_.in(Mode::kHome);
+         door_stops_jog() || state_.in(Mode::kHome);
 }
 
 bool Machine::idle() const {

@@ -204,6 +204,7 @@ class Machine {
   [[nodiscard]] bool at_rest() const { return motion_.drained() || motion_.halted(); }
 
   // The door, in machine_door.cpp.
+  [[nodiscard]] bool door_stops_jog() const;
   void attend_door();
   void pull_out();
   void park();

@@ -20,6 +20,11 @@ void Machine::safety_door() {
   if (tool_.is_laser()) tool_.suspend(true);
 }
 
+/// Until it stands still nobody knows where the next line begins.
+bool Machine::door_stops_jog() const {
+  return state_.in(Mode::kDoor) && door_stage_ == DoorStage::kStopping && door_ends_jog_;
+}
+
 /// Each stage waits for its motion or its time, and then begins the next.
 void Machine::attend_door() {
   if (door_stage_ == DoorStage::kStopped) return;

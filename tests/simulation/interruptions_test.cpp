@@ -35,6 +35,32 @@ TEST(JogCancel, AtEveryHundredthOfASecondLosesNoStep) {
   }
 }
 
+/// A line that comes while a door stops a jog waits until it is known where the jog
+/// ended, for that is where it begins.
+TEST(Door, KeepsLinesWaitingUntilAJogHasStopped) {
+  MachineBench bench;
+  ASSERT_FALSE(bench.machine().jog("X200 F6000").has_value());
+  bench.run(300);
+  bench.controller.panel().door = true;
+  for (int left = 50; bench.machine().state() != MachineState::kDoor && left > 0; --left) {
+    bench.run(1);
+  }
+  ASSERT_EQ(bench.machine().state(), MachineState::kDoor);
+  EXPECT_TRUE(bench.machine().busy());
+  for (int left = 2000; bench.machine().busy() && left > 0; --left) bench.run(1);
+  EXPECT_EQ(bench.machine().interpreter().position(), bench.machine().motion().target());
+  EXPECT_FALSE(bench.machine().accept("G91 G1 X1 F6000").has_value());
+  bench.run(200);
+  bench.controller.panel() = {};
+  bench.run(100);
+  for (int left = 20; bench.machine().state() != MachineState::kIdle && left > 0; --left) {
+    bench.machine().resume();
+    bench.run(500);
+  }
+  EXPECT_EQ(bench.machine().state(), MachineState::kIdle);
+  EXPECT_EQ(bench.machine().interpreter().position(), bench.machine().motion().target());
+}
+
 /// An operator, a door and a sender, each at any time.
 class Chaos {
  public:
