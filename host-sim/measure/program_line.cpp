@@ -84,4 +84,12 @@ ProgramLine take_apart(std::string_view text) {
   return line;
 }
 
+std::string_view take_line(std::string_view& text) {
+  const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
+  const std::string_view line = text.substr(0, end);
+  const bool pair = text.substr(end, 2) == "\r\n";
+  text.remove_prefix(std::min(end + (pair ? 2 : 1), text.size()));
+  return line;
+}
+
 }  // namespace sim

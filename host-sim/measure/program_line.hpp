@@ -21,6 +21,9 @@ struct ProgramLine {
   [[nodiscard]] bool has_axis_words() const;
 };
 
+/// Takes the first line off a program; its end, CR, LF or CR LF, goes with it.
+[[nodiscard]] std::string_view take_line(std::string_view& text);
+
 /// Comments, white space, `%` lines and lines that `/` deletes have no words.
 /// Letters may be small, and words may have spaces inside.
 [[nodiscard]] ProgramLine take_apart(std::string_view text);

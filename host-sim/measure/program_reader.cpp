@@ -38,11 +38,8 @@ void ProgramReader::read(std::string_view text) {
   line_number_ = 0;
   ended_ = false;
   while (!text.empty() && !ended_) {
-    const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
     ++line_number_;
-    read_line(text.substr(0, end));
-    const bool pair = text.substr(end, 2) == "\r\n";
-    text.remove_prefix(std::min(end + (pair ? 2 : 1), text.size()));
+    read_line(take_line(text));
   }
 }
 

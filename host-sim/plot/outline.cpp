@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "host-sim/measure/program_line.hpp"
 #include "host-sim/measure/programmed_arc.hpp"
 #include "host-sim/measure/programmed_spline.hpp"
 #include "host-sim/plot/path_simplifier.hpp"
@@ -130,15 +131,6 @@ class OutlinePen {
   bool on_ = false;  ///< Beam or spindle.
   float speed_ = 0.0F;
 };
-
-/// The text up to the next line end, which goes with it.
-std::string_view take_line(std::string_view& text) {
-  const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
-  const std::string_view line = text.substr(0, end);
-  const bool pair = text.substr(end, 2) == "\r\n";
-  text.remove_prefix(std::min(end + (pair ? 2 : 1), text.size()));
-  return line;
-}
 
 bool is_statement(std::string_view line) {
   const std::size_t first = line.find_first_not_of(" \t");
