@@ -7,11 +7,9 @@ using gcode::ActionKind;
 
 namespace {
 
-constexpr float kFullScale = 65535.0F;
-
 std::uint16_t to_full_scale(float share) {
   const float legal = share < 0.0F ? 0.0F : (share > 1.0F ? 1.0F : share);
-  return static_cast<std::uint16_t>(legal * kFullScale + 0.5F);
+  return static_cast<std::uint16_t>(legal * motion::kFullOutput + 0.5F);
 }
 
 }  // namespace

@@ -32,8 +32,7 @@ MachineStatus Machine::status() const {
 float Machine::feed_now_mm_min() const { return kSecondsPerMinute * motion_.speed(); }
 
 float Machine::spindle_now() const {
-  constexpr float kFullPower = 65535.0F;
-  const float duty = static_cast<float>(drive_.power()) / kFullPower;
+  const float duty = static_cast<float>(drive_.power()) / motion::kFullOutput;
   return limits_.beam.table.share_of(duty) * tool_.most_speed();
 }
 

@@ -3,10 +3,6 @@
 #include <algorithm>
 
 namespace cnc {
-namespace {
-constexpr float kFullPower = 65535.0F;
-}
-
 void ToolOutput::configure(const ToolSettings& settings) {
   settings_ = settings;
   apply();
@@ -52,7 +48,7 @@ void ToolOutput::apply() {
   const bool dark = settings_.laser || suspended_;
   drive_.block_power(suspended_ && settings_.laser);
   const float rest = dark ? 0.0F : std::min(1.0F, duty() * override_);
-  drive_.set_rest_power(static_cast<std::uint16_t>(rest * kFullPower + 0.5F));
+  drive_.set_rest_power(static_cast<std::uint16_t>(rest * motion::kFullOutput + 0.5F));
 }
 
 motion::BeamCommand ToolOutput::command_for(bool rapid) const {

@@ -3,7 +3,6 @@
 namespace sim {
 namespace {
 
-constexpr float kFullPower = 65535.0F;
 constexpr std::uint64_t kTicksPerMicrosecond = cnc::motion::kTicksPerSecond / 1'000'000;
 
 }  // namespace
@@ -63,7 +62,7 @@ void VirtualController::report_change() {
   port_.changed = false;
   const TraceRow row{.time_ns = now_ * kNanosecondsPerTick,
                      .position = port_.position,
-                     .duty = static_cast<float>(port_.power) / kFullPower};
+                     .duty = static_cast<float>(port_.power) / cnc::motion::kFullOutput};
   // Changes of the same instant are one row.
   if (row_waits_ && row_.time_ns != row.time_ns) hand_out_row();
   row_ = row;

@@ -23,7 +23,6 @@ constexpr std::size_t kPointsPerMessage = 2000;
 // A watcher with so many bytes before him gets the next news later.
 constexpr std::size_t kTooSlow = std::size_t{1} << 18;
 constexpr std::size_t kAxesShown = 3;
-constexpr double kFullDuty = 65535.0;
 
 double rounded(double value) { return std::round(value * 1000.0) / 1000.0; }
 
@@ -121,7 +120,7 @@ std::string LiveView::state_text(std::string_view sender_kind) const {
       {"wco", wco},
       {"motors", motors},
       {"feed", std::round(machine.feed_now_mm_min())},
-      {"power", rounded(controller_.port().power / kFullDuty)},
+      {"power", rounded(static_cast<double>(controller_.port().power / cnc::motion::kFullOutput))},
       {"spindle", std::round(machine.spindle_now())},
       {"overrides", {percent.feed, percent.rapid, percent.power}},
       {"line", machine.line_number()},

@@ -24,6 +24,13 @@ float interpolated(std::span<const PowerPoint> points, float x, X x_of, Y y_of) 
 
 float duty_of(const PowerPoint& point) { return static_cast<float>(point.duty) / kFullDutyF; }
 
+/// @pre there are points
+auto share_of_last(std::span<const PowerPoint> points) {
+  return [most = static_cast<float>(points.back().milliwatts)](const PowerPoint& point) {
+    return static_cast<float>(point.milliwatts) / most;
+  };
+}
+
 }  // namespace
 
 Result<PowerTable, PowerTableError> PowerTable::make(std::span<const PowerPoint> points) {
@@ -47,20 +54,12 @@ Result<PowerTable, PowerTableError> PowerTable::make(std::span<const PowerPoint>
 
 float PowerTable::duty_for(float share) const {
   if (count_ == 0) return share;
-  const auto most = static_cast<float>(points_[count_ - 1].milliwatts);
-  const auto share_at = [most](const PowerPoint& point) {
-    return static_cast<float>(point.milliwatts) / most;
-  };
-  return interpolated(points(), share, share_at, duty_of);
+  return interpolated(points(), share, share_of_last(points()), duty_of);
 }
 
 float PowerTable::share_of(float duty) const {
   if (count_ == 0) return duty;
-  const auto most = static_cast<float>(points_[count_ - 1].milliwatts);
-  const auto share_at = [most](const PowerPoint& point) {
-    return static_cast<float>(point.milliwatts) / most;
-  };
-  return interpolated(points(), duty, duty_of, share_at);
+  return interpolated(points(), duty, duty_of, share_of_last(points()));
 }
 
 }  // namespace cnc::motion

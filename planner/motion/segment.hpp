@@ -11,6 +11,9 @@ namespace cnc::motion {
 /// hundred times finer than the timing promise of 25 µs.
 inline constexpr std::uint32_t kTicksPerSecond = 4'000'000;
 
+/// The integer that stands for a full output: the beam or spindle, an analog channel.
+inline constexpr float kFullOutput = 65535.0F;
+
 /// Outputs that change together with a motion (M62, M63, M67).
 struct OutputChanges {
   static constexpr std::uint8_t kNoAnalog = 0xFF;
