@@ -9,11 +9,10 @@ failed=0
 
 step() { printf '\n==== %s (%s s)\n' "$*" "$SECONDS"; }
 
-# build PRESET [TARGET]. Several sources at a time, which halves the work from
-# scratch; the controller's build and the one of run.sh take them one by one.
+# build PRESET [TARGET]
 build() {
   step "build $1"
-  cmake --preset "$1" -DCMAKE_UNITY_BUILD=ON >/dev/null &&
+  cmake --preset "$1" >/dev/null &&
     cmake --build --preset "$1" ${2:+--target "$2"} -- -k 0 && return
   echo "FAILED: build of $1" >&2
   failed=$((failed + 1))

@@ -1,5 +1,6 @@
 #include "host-sim/cli/job_options.hpp"
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>

@@ -1,11 +1,14 @@
 #pragma once
 
-#include <CLI/CLI.hpp>
 #include <functional>
 #include <string>
 #include <vector>
 
 #include "host-sim/job/job.hpp"
+
+namespace CLI {
+class App;
+}
 
 namespace sim {
 

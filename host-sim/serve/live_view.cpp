@@ -120,7 +120,7 @@ std::string LiveView::state_text(std::string_view sender_kind) const {
       {"wco", wco},
       {"motors", motors},
       {"feed", std::round(machine.feed_now_mm_min())},
-      {"power", rounded(static_cast<double>(controller_.port().power / cnc::motion::kFullOutput))},
+      {"power", rounded(controller_.port().power / double{cnc::motion::kFullOutput})},
       {"spindle", std::round(machine.spindle_now())},
       {"overrides", {percent.feed, percent.rapid, percent.power}},
       {"line", machine.line_number()},
