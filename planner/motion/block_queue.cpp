@@ -10,7 +10,7 @@ namespace cnc::motion {
 
 void BlockQueue::push(const Block& block, const Limits& limits) {
   CNC_ASSERT(!full());
-  Block& added = at(size_);
+  Block& added = changeable(size_);
   added = block;
   added.corner_speed_square =
       empty() ? 0.0F : corner_speed_square(last_exit_tangent_, entry_tangent(block), limits);
@@ -40,7 +40,7 @@ void BlockQueue::plan(const Limits& limits, const Overrides& overrides) {
   if (unplanned_ == 0 || unplanned_ * kReplanShare < size_) return;
   float exit_square = 0.0F;
   for (std::size_t index = size_; index-- > 1;) {
-    Block& block = at(index);
+    Block& block = changeable(index);
     const float reachable =
         brake_backwards(Spans{block, limits}, SpeedCap{block, overrides}, exit_square);
     const float entry = std::min(reachable, block.corner_speed_square);

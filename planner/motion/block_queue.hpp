@@ -43,6 +43,8 @@ class BlockQueue {
   }
   void pop_front();
   void clear();
+  /// @pre index < size()
+  [[nodiscard]] const Block& at(std::size_t index) const { return blocks_[place_of(index)]; }
 
   /// Brings the entry speeds up to date, but leaves up to a sixteenth of the
   /// queue unplanned at its far end: so the pass over all of it is paid for by
@@ -62,7 +64,7 @@ class BlockQueue {
   ~BlockQueue() = default;
 
  private:
-  [[nodiscard]] Block& at(std::size_t index) { return blocks_[place_of(index)]; }
+  [[nodiscard]] Block& changeable(std::size_t index) { return blocks_[place_of(index)]; }
   /// In the ring. No division: the capacity is not a constant here.
   [[nodiscard]] std::size_t place_of(std::size_t index) const {
     const std::size_t place = first_ + index;

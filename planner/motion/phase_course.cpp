@@ -3,44 +3,60 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planner/base/truncate.hpp"
+#include "planner/base/scalar_math.hpp"
+#include "planner/base/wide_multiply.hpp"
 
 namespace cnc::motion {
 namespace {
 
-constexpr std::int64_t kOneQ31 = std::int64_t{1} << 31;
+constexpr std::uint64_t kOneQ30 = std::uint64_t{1} << 30;
+constexpr std::uint64_t kOneQ63 = std::uint64_t{1} << 63;
 
-/// Longer phases, five days, get longer units.
-constexpr float kMostUnits = 1.0e9F;
+/// A reciprocal of so many ticks is good to 2^-32 of the whole.
+constexpr std::uint64_t kMostTicks = std::uint64_t{1} << 31;
 
 }  // namespace
 
-PhaseCourse::PhaseCourse(const Phase& phase)
-    : start_speed_{phase.start_speed}, end_speed_{std::sqrt(phase.end_speed_square)} {
-  const float units = std::min(kMostUnits, std::ceil(phase.duration / kLongestUnit));
-  units_ = std::max<std::uint32_t>(1, static_cast<std::uint32_t>(units));
-  unit_s_ = phase.duration / static_cast<float>(units_);
-  unit_q62_ = (std::uint64_t{1} << 62) / units_;
-  const float alpha = 2.0F * start_speed_ / (start_speed_ + end_speed_);
-  start_slope_q31_ = truncated(std::clamp(alpha, 0.0F, 2.0F) * static_cast<float>(kOneQ31));
+PhaseCourse::PhaseCourse(const Stretch& stretch) : whole_{stretch} {
+  while ((stretch.duration_ns >> shift_) >= kMostTicks) ++shift_;
+  per_tick_q63_ = kOneQ63 / (stretch.duration_ns >> shift_);
+  const float sum = stretch.start_speed + stretch.end_speed;
+  const float alpha = sum > 0.0F ? std::min(2.0F * stretch.start_speed / sum, 2.0F) : 1.0F;
+  start_slope_q30_ = static_cast<std::uint32_t>(alpha * static_cast<float>(kOneQ30));
 }
 
-std::uint32_t PhaseCourse::share_after(std::uint32_t count) const {
-  const auto x_q32 = static_cast<std::int64_t>((unit_q62_ * count) >> 30);
-  const std::int64_t bend_q31 = kOneQ31 - start_slope_q31_;
-  const std::int64_t slope_q31 = start_slope_q31_ + ((bend_q31 * x_q32) >> 32);
-  const std::int64_t share_q32 = (x_q32 * slope_q31) >> 31;
-  return static_cast<std::uint32_t>(std::clamp<std::int64_t>(share_q32, 0, 0xFFFF'FFFF));
+PathUnits PhaseCourse::way_after(std::uint64_t ns) const {
+  if (ns >= whole_.duration_ns) return whole_.way;
+  const std::uint64_t x_q63 = (ns >> shift_) * per_tick_q63_;
+  const auto bend_q30 = static_cast<std::int64_t>(kOneQ30) -  // 1 − α.
+                        static_cast<std::int64_t>(start_slope_q30_);
+  const auto x_q32 = static_cast<std::int64_t>(x_q63 >> 31);
+  const std::uint64_t slope_q62 =
+      (start_slope_q30_ << 32) + static_cast<std::uint64_t>(bend_q30 * x_q32);
+  const std::uint64_t share_q61 = multiply_high(x_q63, slope_q62);
+  const std::uint64_t way = multiply_high(static_cast<std::uint64_t>(whole_.way) << 3, share_q61);
+  return std::min(static_cast<PathUnits>(way), whole_.way);
 }
 
-float PhaseCourse::speed_after(std::uint32_t count) const {
+float PhaseCourse::speed_after(std::uint64_t ns) const {
   // From the nearer end: what is left of a long braking is small.
-  const auto whole = static_cast<float>(units_);
-  if (count <= units_ / 2) {
-    return start_speed_ + (end_speed_ - start_speed_) * (static_cast<float>(count) / whole);
+  const float change = whole_.end_speed - whole_.start_speed;
+  const auto duration = static_cast<float>(whole_.duration_ns);
+  if (ns <= whole_.duration_ns / 2) {
+    return whole_.start_speed + change * (static_cast<float>(ns) / duration);
   }
-  const auto left = static_cast<float>(units_ - count);
-  return end_speed_ + (start_speed_ - end_speed_) * (left / whole);
+  return whole_.end_speed - change * (static_cast<float>(whole_.duration_ns - ns) / duration);
+}
+
+std::uint64_t PhaseCourse::time_of(PathUnits way, std::uint64_t from_ns) const {
+  const float speed = speed_after(from_ns);
+  const float distance = to_mm(way);
+  const float end_square = square(speed) + 2.0F * whole_.acceleration * distance;
+  const float sum = speed + std::sqrt(std::max(0.0F, end_square));
+  const std::uint64_t left = whole_.duration_ns - from_ns;
+  const float time_ns = 2.0F * distance * kNanosecondsPerSecond;
+  if (time_ns >= sum * static_cast<float>(left)) return left;
+  return std::min(left, static_cast<std::uint64_t>(truncated(time_ns / sum + 0.5F)));
 }
 
 }  // namespace cnc::motion

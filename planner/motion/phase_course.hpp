@@ -2,39 +2,48 @@
 
 #include <cstdint>
 
-#include "planner/motion/speed_profile.hpp"
+#include "planner/motion/path_units.hpp"
 
 namespace cnc::motion {
 
-/// Time, way and speed within a phase, in equal units of at most a quarter of a
-/// millisecond.
+/// A stretch of motion along the path with constant acceleration.
+struct Stretch {
+  PathUnits way = 0;  ///< ≥ 0.
+  std::uint64_t duration_ns = 0;
+  float start_speed = 0.0F;  ///< mm/s, ≥ 0.
+  float end_speed = 0.0F;
+  float acceleration = 0.0F;  ///< mm/s², signed.
+};
+
+inline constexpr float kSecondsPerNanosecond = 1.0e-9F;
+inline constexpr float kNanosecondsPerSecond = 1.0e9F;
+
+/// Way and speed as functions of time where the acceleration is constant.
 ///
-/// Way is a share of the phase, with x = time / duration and
-/// α = 2 · start speed / (start speed + end speed): share = x (α + (1 − α) x).
-/// In fixed point, so that a phase of an hour ends as exactly as it began and
-/// nothing is left over for its last slice.
+/// With x = time / duration and α = 2 · start speed / (start speed + end speed),
+/// way = distance · x (α + (1 − α) x). In fixed point, so that an hour ends as
+/// exactly as it began: the way is monotonic, meets both ends exactly and is
+/// smooth to 2^-32 of the distance.
 class PhaseCourse {
  public:
-  static constexpr float kLongestUnit = 0.25e-3F;  ///< s.
-
   PhaseCourse() = default;
   /// @pre the duration is positive
-  explicit PhaseCourse(const Phase& phase);
+  explicit PhaseCourse(const Stretch& stretch);
 
-  [[nodiscard]] std::uint32_t units() const { return units_; }
-  [[nodiscard]] float unit_s() const { return unit_s_; }
-  /// Share of the phase's distance driven after so many units, Q32; @pre count < units().
-  [[nodiscard]] std::uint32_t share_after(std::uint32_t count) const;
-  /// mm/s after so many units.
-  [[nodiscard]] float speed_after(std::uint32_t count) const;
+  [[nodiscard]] std::uint64_t duration_ns() const { return whole_.duration_ns; }
+  /// @pre ns ≤ duration_ns()
+  [[nodiscard]] PathUnits way_after(std::uint64_t ns) const;
+  /// mm/s.
+  [[nodiscard]] float speed_after(std::uint64_t ns) const;
+  /// ns after `from_ns` until `way` more is driven; not beyond the end.
+  [[nodiscard]] std::uint64_t time_of(PathUnits way, std::uint64_t from_ns) const;
+  [[nodiscard]] const Stretch& whole() const { return whole_; }
 
  private:
-  std::uint32_t units_ = 0;
-  float unit_s_ = 0.0F;
-  std::uint64_t unit_q62_ = 0;        ///< 1 / units().
-  std::int64_t start_slope_q31_ = 0;  ///< α, 0…2.
-  float start_speed_ = 0.0F;
-  float end_speed_ = 0.0F;
+  Stretch whole_{};
+  std::uint64_t per_tick_q63_ = 0;     ///< 2^63 / duration in ticks of 2^shift_ ns.
+  std::uint64_t start_slope_q30_ = 0;  ///< α, 0…2.
+  unsigned shift_ = 0;
 };
 
 }  // namespace cnc::motion

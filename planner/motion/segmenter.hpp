@@ -2,11 +2,10 @@
 
 #include <cstdint>
 
-#include "planner/motion/block_queue.hpp"
 #include "planner/motion/motor_path.hpp"
-#include "planner/motion/phase_course.hpp"
+#include "planner/motion/plan_cursor.hpp"
+#include "planner/motion/reversals.hpp"
 #include "planner/motion/segment.hpp"
-#include "planner/motion/speed_profile.hpp"
 
 namespace cnc::motion {
 
@@ -31,22 +30,24 @@ class SliceObserver {
 
 /// Cuts the planned motion into segments for the step interrupt.
 ///
-/// Takes blocks from the front of a queue, drives each through its phases of
-/// constant acceleration, and slices these into at most a millisecond. A change
-/// of plan, override or hold takes effect at the next slice.
+/// Takes the blocks from the front of a queue as the motors come to their ends,
+/// and slices the stretches of the plan so that a slice lies in one block, lasts
+/// at most a millisecond and reverses no axis. A change of plan, override or
+/// hold takes effect at the next stretch.
 ///
 /// Main loop only. All state is where the last slice handed out has ended.
 class Segmenter {
  public:
   static constexpr float kLongestSlice = 1.0e-3F;  ///< s.
 
-  Segmenter(BlockQueue& queue, const Limits& limits) : queue_{queue}, limits_{limits} {}
+  Segmenter(BlockQueue& queue, const Limits& limits)
+      : queue_{queue}, limits_{limits}, plan_{queue, limits} {}
 
   /// The next slice; false when there is none: everything driven, or halted.
   [[nodiscard]] bool next(Segment& segment);
 
-  void set_overrides(const Overrides& overrides);
-  [[nodiscard]] const Overrides& overrides() const { return overrides_; }
+  void set_overrides(const Overrides& overrides) { plan_.set_overrides(overrides); }
+  [[nodiscard]] const Overrides& overrides() const { return plan_.overrides(); }
 
   void halt() { drive_ = Drive::kHalt; }
   void go_on() { drive_ = Drive::kOn; }
@@ -68,44 +69,38 @@ class Segmenter {
   void observe(SliceObserver* observer) { observer_ = observer; }
 
  private:
-  [[nodiscard]] bool ready_phase();
+  [[nodiscard]] bool ready_stretch();
   void begin_block();
   void end_block();
-  void follow_plan();
-  void end_phase();
-  [[nodiscard]] std::uint64_t fraction_after(const Phase& phase) const;
-  [[nodiscard]] float phase_distance_left() const;
-  [[nodiscard]] std::uint32_t slice_units() const;
-  void cut(std::uint32_t units, Segment& segment);
-  void time_trains(const MotorState& to, float duration, Segment& segment);
+  [[nodiscard]] std::uint64_t longest_slice_ns() const;
+  void cut_slice(Segment& segment);
+  void cut(std::uint64_t end_ns, PathUnits end, Segment& segment);
+  void time_trains(const MotorState& to, std::uint64_t duration_ns, Segment& segment);
+  void pass_time(std::uint64_t duration_ns, Segment& segment);
   [[nodiscard]] float duty_at(float speed) const;
 
   BlockQueue& queue_;
   const Limits& limits_;
-  Overrides overrides_{};
+  PlanCursor plan_;
   Drive drive_ = Drive::kOn;
+
+  PhaseCourse course_{};          ///< Of the stretch being cut.
+  std::uint64_t elapsed_ns_ = 0;  ///< Of the stretch.
+  PathUnits stretch_from_ = 0;    ///< Like place_; below 0 when it began in an earlier block.
+
   bool driving_ = false;  ///< The front block has been begun.
-  bool replan_ = false;
-
-  SpeedProfile profile_{};
-  Drive phase_drive_ = Drive::kOn;
-  Phase phase_{};
-  PhaseCourse course_{};
-  std::uint32_t units_done_ = 0;  ///< Of the course.
-  bool near_reversal_ = false;    ///< Within the phase.
-  std::uint64_t phase_from_ = 0;  ///< Fractions of the block.
-  std::uint64_t phase_to_ = 0;
-
+  PathUnits length_ = 0;  ///< Of the front block.
+  PathUnits place_ = 0;   ///< Within it.
+  BlockFraction fraction_{};
+  Reversals reversals_{};
   MotorPath path_{};
   MotorState here_{};
-  float speed_ = 0.0F;         ///< mm/s.
-  float entry_square_ = 0.0F;  ///< v² with which the next block is begun.
-  float fraction_per_mm_ = 0.0F;
-  std::uint64_t fraction_ = 0;  ///< Of the block, 2^32 is its end.
+  float speed_ = 0.0F;  ///< mm/s.
+
   SliceObserver* observer_ = nullptr;
   std::uint32_t blocks_ended_ = 0;
-  OutputChanges outputs_{};  ///< Not handed out yet.
-  float shift_ = 0.0F;       ///< Planned time beyond the whole ticks handed out, in ticks.
+  OutputChanges outputs_{};        ///< Not handed out yet.
+  std::int32_t remainder_ns_ = 0;  ///< Planned time beyond the whole ticks handed out.
 };
 
 }  // namespace cnc::motion

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+
+#include "planner/base/truncate.hpp"
+#include "planner/motion/block.hpp"
+
+namespace cnc::motion {
+
+/// Way along a path of many blocks, in units of 2^-36 mm: integers, so that it
+/// adds up without error and its differences are as good as itself; and so fine
+/// that an arc of 10 nm has a million places.
+using PathUnits = std::int64_t;
+
+inline constexpr float kUnitsPerMm = 68'719'476'736.0F;
+inline constexpr float kMmPerUnit = 1.0F / kUnitsPerMm;
+
+/// @pre 0 ≤ mm < 2^27
+[[nodiscard]] inline PathUnits to_units(float mm) {
+  constexpr float kLong = 2048.0F;  // A float of this size has no digits below 2^-20.
+  if (mm < kLong) return truncated(mm * kUnitsPerMm);
+  return truncated(mm * 1'048'576.0F) * 65'536;
+}
+[[nodiscard]] inline float to_mm(PathUnits units) { return static_cast<float>(units) * kMmPerUnit; }
+
+/// At least one, so that each block has a beginning and an end.
+[[nodiscard]] inline PathUnits length_in_units(const Block& block) {
+  return std::max<PathUnits>(1, to_units(block.length));
+}
+
+/// Places within a block as fractions of its length in Q32, 2^32 is its end.
+/// Monotonic; off by at most 2^-31 of the length, and not at all at the ends.
+class BlockFraction {
+ public:
+  static constexpr std::uint64_t kEnd = std::uint64_t{1} << 32;
+
+  BlockFraction() = default;
+  explicit BlockFraction(PathUnits length) : length_{length} {
+    auto scaled = static_cast<std::uint64_t>(length);
+    while (scaled >= kEnd) {
+      scaled >>= 1;
+      ++right_;
+    }
+    while (scaled < kEnd / 2) {
+      scaled <<= 1;
+      ++left_;
+    }
+    reciprocal_q31_ = (std::uint64_t{1} << 63) / scaled;
+  }
+
+  /// @pre 0 ≤ place ≤ length
+  [[nodiscard]] std::uint64_t of(PathUnits place) const {
+    if (place >= length_) return kEnd;
+    const std::uint64_t scaled = (static_cast<std::uint64_t>(place) >> right_) << left_;
+    return std::min((scaled * reciprocal_q31_) >> 31, kEnd - 1);
+  }
+
+ private:
+  PathUnits length_ = 1;
+  std::uint64_t reciprocal_q31_ = kEnd / 2;
+  unsigned right_ = 0;
+  unsigned left_ = 0;
+};
+
+}  // namespace cnc::motion

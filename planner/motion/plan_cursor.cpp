@@ -1,0 +1,143 @@
+#include "planner/motion/plan_cursor.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cnc::motion {
+namespace {
+
+/// A phase takes at least a nanosecond; where it takes hours, microseconds do.
+std::uint64_t to_nanoseconds(float seconds) {
+  constexpr float kLong = 1.0e4F;  // s.
+  if (seconds < kLong) {
+    return std::max<std::uint64_t>(
+        1, static_cast<std::uint64_t>(truncated(seconds * kNanosecondsPerSecond + 0.5F)));
+  }
+  return static_cast<std::uint64_t>(truncated(seconds * 1.0e6F)) * 1000U;
+}
+
+}  // namespace
+
+void PlanCursor::set_overrides(const Overrides& overrides) {
+  if (overrides == overrides_) return;
+  overrides_ = overrides;
+  queue_.forget_plan();
+  replan_ = true;
+}
+
+void PlanCursor::reset() {
+  index_ = 0;
+  driving_ = false;
+  phase_ = {};
+  speed_ = 0.0F;
+  entry_square_ = 0.0F;
+}
+
+void PlanCursor::block_left() {
+  CNC_ASSERT(index_ > 0);
+  --index_;
+}
+
+bool PlanCursor::next(std::uint32_t most_ns, Drive drive, Stretch& stretch) {
+  queue_.plan(limits_, overrides_);
+  if (driving_) follow_plan(drive);
+  if (driving_ && profile_.at_end()) {
+    finish_block(stretch);
+    return true;
+  }
+  if (!ready_phase(drive)) return false;
+  const std::uint64_t left_ns = course_.duration_ns() - elapsed_ns_;
+  stretch.duration_ns = std::min<std::uint64_t>(most_ns, left_ns);
+  stretch.start_speed = speed_;
+  stretch.acceleration = phase_.acceleration;
+  elapsed_ns_ += stretch.duration_ns;
+  const bool phase_ends = elapsed_ns_ == course_.duration_ns();
+  const PathUnits from = place_;
+  place_ = phase_from_ + course_.way_after(elapsed_ns_);
+  // Who is at the end has left the block.
+  if (!phase_ends) place_ = std::min(place_, length_ - 1);
+  stretch.way = place_ - from;
+  speed_ = phase_ends ? course_.whole().end_speed : course_.speed_after(elapsed_ns_);
+  stretch.end_speed = speed_;
+  if (!phase_ends) return true;
+  profile_.complete(phase_);
+  phase_ = {};
+  if (profile_.at_end()) end_block();
+  return true;
+}
+
+/// More blocks, an override or a hold may have changed what lies ahead.
+void PlanCursor::follow_plan(Drive drive) {
+  const float exit_square = queue_.exit_square(index_);
+  const bool same_plan = !replan_ && exit_square == profile_.exit_square();
+  if (same_plan && drive == phase_drive_) return;
+  if (phase_.duration > 0.0F) profile_.stop_short(phase_, phase_distance_left(), speed_);
+  phase_ = {};
+  if (profile_.at_end()) return;
+  if (!same_plan) profile_.replan(queue_.at(index_), overrides_, exit_square);
+  replan_ = false;
+}
+
+/// Cutting a phase short may have rounded what was left of it to nothing.
+void PlanCursor::finish_block(Stretch& stretch) {
+  stretch = {.way = length_ - place_, .duration_ns = 1, .start_speed = speed_, .end_speed = speed_};
+  end_block();
+}
+
+/// Makes sure there is a phase with time left; false when there is no motion.
+bool PlanCursor::ready_phase(Drive drive) {
+  if (phase_.duration > 0.0F) return true;
+  if (!driving_) {
+    if (index_ == queue_.size()) return false;
+    begin_block();
+  }
+  phase_ = profile_.next_phase(drive);
+  phase_drive_ = drive;
+  if (phase_.duration <= 0.0F) {
+    speed_ = 0.0F;
+    return false;
+  }
+  phase_from_ = place_;
+  course_ = PhaseCourse{{.way = place_after(phase_) - place_,
+                         .duration_ns = to_nanoseconds(phase_.duration),
+                         .start_speed = phase_.start_speed,
+                         .end_speed = std::sqrt(phase_.end_speed_square),
+                         .acceleration = phase_.acceleration}};
+  elapsed_ns_ = 0;
+  return true;
+}
+
+/// Where on the block the phase ends. From the nearer end of the block, so that
+/// rounding never falls on a short phase at its start or end.
+PathUnits PlanCursor::place_after(const Phase& phase) const {
+  const float left = profile_.left_of_block(phase);
+  if (left <= 0.0F) return length_;
+  const bool nearer_start = 2.0F * left > queue_.at(index_).length;
+  const PathUnits place =
+      nearer_start ? place_ + to_units(phase.distance) : length_ - to_units(left);
+  return std::clamp(place, place_, length_ - 1);
+}
+
+float PlanCursor::phase_distance_left() const {
+  const auto whole = static_cast<float>(course_.whole().way);
+  if (elapsed_ns_ == 0 || whole <= 0.0F) return phase_.distance;
+  const auto left = static_cast<float>(phase_from_ + course_.whole().way - place_);
+  return phase_.distance * (left / whole);
+}
+
+void PlanCursor::begin_block() {
+  const Block& block = queue_.at(index_);
+  profile_.begin(block, limits_, overrides_, queue_.exit_square(index_), entry_square_);
+  length_ = length_in_units(block);
+  place_ = 0;
+  driving_ = true;
+  replan_ = false;
+}
+
+void PlanCursor::end_block() {
+  entry_square_ = profile_.speed_square();
+  ++index_;
+  driving_ = false;
+}
+
+}  // namespace cnc::motion

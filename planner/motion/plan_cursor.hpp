@@ -1,0 +1,68 @@
+#pragma once
+
+#include <cstddef>
+
+#include "planner/motion/block_queue.hpp"
+#include "planner/motion/phase_course.hpp"
+#include "planner/motion/speed_profile.hpp"
+
+namespace cnc::motion {
+
+/// Drives the plan through the blocks of a queue as time goes on: the place and
+/// speed that the limits of speed and acceleration allow.
+///
+/// Blocks are taken from the queue by whoever drives the motors, which may be
+/// later; block_left() tells that one has gone. A change of plan, override or
+/// hold takes effect with the next stretch.
+///
+/// Main loop only.
+class PlanCursor {
+ public:
+  PlanCursor(BlockQueue& queue, const Limits& limits) : queue_{queue}, limits_{limits} {}
+
+  /// The next stretch, at most `most_ns` long, within one block and phase; false
+  /// when the plan stands still: everything planned, or halted.
+  [[nodiscard]] bool next(std::uint32_t most_ns, Drive drive, Stretch& stretch);
+
+  void set_overrides(const Overrides& overrides);
+  [[nodiscard]] const Overrides& overrides() const { return overrides_; }
+
+  /// The front of the queue was taken away. @pre the plan has left it
+  void block_left();
+  /// Forgets everything; the queue is empty.
+  void reset();
+
+  /// mm/s.
+  [[nodiscard]] float speed() const { return speed_; }
+  /// Nothing is left to plan.
+  [[nodiscard]] bool at_end() const { return !driving_ && index_ == queue_.size(); }
+
+ private:
+  void follow_plan(Drive drive);
+  void finish_block(Stretch& stretch);
+  [[nodiscard]] bool ready_phase(Drive drive);
+  void begin_block();
+  void end_block();
+  [[nodiscard]] PathUnits place_after(const Phase& phase) const;
+  [[nodiscard]] float phase_distance_left() const;
+
+  BlockQueue& queue_;
+  const Limits& limits_;
+  Overrides overrides_{};
+  bool replan_ = false;
+
+  std::size_t index_ = 0;  ///< Of the block that is or will be planned through.
+  bool driving_ = false;   ///< It has been begun.
+  SpeedProfile profile_{};
+  Drive phase_drive_ = Drive::kOn;
+  Phase phase_{};
+  PhaseCourse course_{};
+  std::uint64_t elapsed_ns_ = 0;  ///< Of the course.
+  PathUnits length_ = 0;          ///< Of the block.
+  PathUnits place_ = 0;           ///< Within the block.
+  PathUnits phase_from_ = 0;
+  float speed_ = 0.0F;         ///< mm/s.
+  float entry_square_ = 0.0F;  ///< v² with which the next block is begun.
+};
+
+}  // namespace cnc::motion
