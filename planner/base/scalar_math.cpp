@@ -76,6 +76,17 @@ float atan2_f(float y, float x) {
   return y < 0.0F ? -half : half;
 }
 
+float cube_root(float value) {
+  // A third of the exponent is within 10 %; each step of Halley's triples the digits.
+  constexpr std::uint32_t kBias = 0x2A51'4067U;  // (1 - 1/3) of 1's, less what balances the error.
+  float root = std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) / 3U + kBias);
+  for (int step = 0; step < 3; ++step) {
+    const float cube = root * root * root;
+    root *= (cube + 2.0F * value) / (2.0F * cube + value);
+  }
+  return root;
+}
+
 float next_below(float value) {
   if (!(value > 0.0F)) return 0.0F;
   return std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) - 1U);

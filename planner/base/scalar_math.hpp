@@ -39,6 +39,10 @@ inline constexpr double kAtanError = 2.0e-7;
 inline constexpr double kAtan2Error = 3.0e-7;
 [[nodiscard]] float atan2_f(float y, float x);
 
+/// Cube root of a number in [1e-30, 1e30]. Relative error at most kCubeRootError.
+inline constexpr double kCubeRootError = 2.0e-7;
+[[nodiscard]] float cube_root(float value);
+
 /// The largest float below `value`; 0 when there is no positive one.
 [[nodiscard]] float next_below(float value);
 

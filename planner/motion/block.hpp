@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "planner/base/axes.hpp"
@@ -24,6 +25,34 @@ struct Turn {
   float curvature = 0.0F;    ///< |κ| of the plane circle, 1/mm.
 };
 
+/// Limits that reach beyond the block they come from. The motion is the mean of
+/// the plan over a window of time T, so the plan must keep within the limits of a
+/// place from about v · T / 2 before it to as much behind it.
+struct LimitZone {
+  float length = 0.0F;           ///< mm; 0 is no zone.
+  float speed_square = 1.0e12F;  ///< v² at most.
+  float acceleration = 1.0e9F;   ///< mm/s², in any direction, …
+  float curvature = 0.0F;        ///< … of which κ v² is for turning, 1/mm.
+  constexpr bool operator==(const LimitZone&) const = default;
+};
+
+/// What the backward pass of the look-ahead knows at a place.
+///
+/// Under a window T, whoever speeds up must be able to go on level for T before
+/// braking. With X, the v² on the braking curve extended beyond the caps that cut
+/// it off, and a, the steepest braking ahead, that is so up to the speed
+///   sqrt(X + a² T²) − a T,
+/// because braking by a over the way v T takes 2 a v T from X.
+struct BrakingState {
+  float speed_square = 0.0F;   ///< v² from which the rest can be driven.
+  float commit_square = 0.0F;  ///< X.
+  float steepest = 0.0F;       ///< a, mm/s².
+  constexpr bool operator==(const BrakingState&) const = default;
+};
+
+/// At most two that reach into a block from one of its ends.
+using BlockZones = std::array<LimitZone, 2>;
+
 /// One line, arc or helix as the planner keeps it: geometry in steps for
 /// whoever makes the pulses, limits in mm and seconds for whoever plans speed.
 ///
@@ -41,7 +70,10 @@ struct Block {
   bool fixed_feed = false;           ///< Overrides of feed and rapid do not touch it.
   float speed_limit_square = 0.0F;   ///< From rates, step rates and centripetal acceleration.
   float corner_speed_square = 0.0F;  ///< The corner rule at its start; 0 after a stop.
-  float entry_speed_square = 0.0F;   ///< What the look-ahead found; the only member that changes.
+  /// What the look-ahead finds; changes as blocks are added.
+  BrakingState entry{};  ///< Of the backward pass, at its start.
+  BlockZones head{};     ///< From blocks before it.
+  BlockZones tail{};     ///< From blocks behind it.
 
   BeamCommand beam{};
   OutputChanges outputs{};  ///< At its start.

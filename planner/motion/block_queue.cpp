@@ -14,7 +14,7 @@ void BlockQueue::push(const Block& block, const Limits& limits) {
   added = block;
   added.corner_speed_square =
       empty() ? 0.0F : corner_speed_square(last_exit_tangent_, entry_tangent(block), limits);
-  added.entry_speed_square = 0.0F;
+  added.entry = {};
   last_exit_tangent_ = exit_tangent(block);
   ++size_;
   ++unplanned_;
@@ -32,22 +32,96 @@ void BlockQueue::clear() {
   unplanned_ = 0;
 }
 
-void BlockQueue::forget_plan() { unplanned_ = size_; }
+namespace {
+
+/// What a block asks of those before and behind it: the least of its speed
+/// limits, as far as the greatest reaches.
+LimitZone zone_of(const Spans& spans, const SpeedCap& cap) {
+  float least = kNoCornerLimit;
+  float most = 0.0F;
+  for (int span = 0; span < spans.count(); ++span) {
+    const float cap_square = cap.square_within(spans.speed_limit_square(span));
+    least = std::min(least, cap_square);
+    most = std::max(most, cap_square);
+  }
+  LimitZone zone = spans.zone(most);
+  zone.speed_square = least;
+  return zone;
+}
+
+/// What a corner asks that is not taken at any speed.
+LimitZone zone_of_corner(const Block& behind, const TimeWindow& window) {
+  constexpr float kNoAcceleration = 0.0F;
+  const float square = behind.corner_speed_square;
+  if (square >= kNoCornerLimit) return {};
+  return {.length = window_reach(window, square, kNoAcceleration), .speed_square = square};
+}
+
+/// Goes on from a block to its neighbour. The window never spans a stop.
+void pass_joint(ZoneTrail& trail, const Block& behind, const TimeWindow& window) {
+  if (behind.corner_speed_square <= 0.0F) return trail.clear();
+  trail.add(zone_of_corner(behind, window));
+}
+
+/// What blocks ahead ask of this one. False when that has changed, or may have
+/// for blocks before it.
+bool lay_tail(ZoneTrail& ahead, Block& block, const Spans& spans, const SpeedCap& cap) {
+  if (spans.window_s() <= 0.0F) return true;
+  const LimitZone own = zone_of(spans, cap);
+  const BlockZones tail = ahead.reaching(own);
+  ahead.advance(block.length);
+  const bool same = tail == block.tail && ahead.empty();
+  ahead.add(own);
+  block.tail = tail;
+  return same;
+}
+
+}  // namespace
+
+/// Of the blocks that were not planned before.
+void BlockQueue::lay_heads(const Limits& limits,
+                           const Overrides& overrides,
+                           const TimeWindow& window) {
+  if (!window.filters()) return;
+  if (unplanned_ == size_) trail_.clear();
+  for (std::size_t index = size_ - unplanned_; index < size_; ++index) {
+    Block& block = changeable(index);
+    pass_joint(trail_, block, window);
+    block.head = {};
+    block.tail = {};
+    const LimitZone own = zone_of(Spans{block, limits, window}, SpeedCap{block, overrides});
+    block.head = trail_.reaching(own);
+    trail_.advance(block.length);
+    trail_.add(own);
+  }
+}
 
 // Backward pass from the newest block. Where a block that was planned before
-// gets the same entry speed again, all older ones would, too.
-void BlockQueue::plan(const Limits& limits, const Overrides& overrides) {
+// gets the same entry again, and nothing reaches beyond it that did not before,
+// all older ones would, too.
+void BlockQueue::plan(const Limits& limits,
+                      const Overrides& overrides,
+                      const TimeWindow& window,
+                      std::size_t lead) {
   if (unplanned_ == 0 || unplanned_ * kReplanShare < size_) return;
-  float exit_square = 0.0F;
-  for (std::size_t index = size_; index-- > 1;) {
+  lay_heads(limits, overrides, window);
+  BrakingState exit{};
+  ZoneTrail ahead;
+  for (std::size_t index = size_; index-- > lead;) {
     Block& block = changeable(index);
-    const float reachable =
-        brake_backwards(Spans{block, limits}, SpeedCap{block, overrides}, exit_square);
-    const float entry = std::min(reachable, block.corner_speed_square);
+    const SpeedCap cap{block, overrides};
     const bool was_planned = index < size_ - unplanned_;
-    if (was_planned && entry == block.entry_speed_square) break;
-    block.entry_speed_square = entry;
-    exit_square = entry;
+    const bool same_tail = lay_tail(ahead, block, Spans{block, limits, window}, cap);
+    if (index == lead) break;
+    BrakingState entry = brake_backwards(Spans{block, limits, window}, cap, exit);
+    if (entry.speed_square > block.corner_speed_square) {
+      entry.speed_square = block.corner_speed_square;
+      entry.commit_square = entry.speed_square;
+    }
+    if (was_planned && same_tail && entry == block.entry) break;
+    block.entry = entry;
+    exit = entry;
+    pass_joint(ahead, block, window);
   }
   unplanned_ = 0;
 }

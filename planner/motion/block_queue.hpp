@@ -6,7 +6,9 @@
 
 #include "planner/base/contract.hpp"
 #include "planner/motion/block.hpp"
+#include "planner/motion/limit_zone.hpp"
 #include "planner/motion/limits.hpp"
+#include "planner/motion/time_window.hpp"
 
 namespace cnc::motion {
 
@@ -46,16 +48,19 @@ class BlockQueue {
   /// @pre index < size()
   [[nodiscard]] const Block& at(std::size_t index) const { return blocks_[place_of(index)]; }
 
-  /// Brings the entry speeds up to date, but leaves up to a sixteenth of the
-  /// queue unplanned at its far end: so the pass over all of it is paid for by
-  /// several blocks, and the look-ahead is hardly shorter.
-  void plan(const Limits& limits, const Overrides& overrides);
+  /// Brings the entry speeds up to date from the block at `lead` on, but leaves up
+  /// to a sixteenth of the queue unplanned at its far end: so the pass over all of
+  /// it is paid for by several blocks, and the look-ahead is hardly shorter.
+  void plan(const Limits& limits,
+            const Overrides& overrides,
+            const TimeWindow& window = {},
+            std::size_t lead = 0);
   /// The limits or overrides changed: plan anew from the newest block on.
-  void forget_plan();
+  void forget_plan() { unplanned_ = size_; }
 
-  /// v² at which a block must end, 0 for the front block. @pre planned
-  [[nodiscard]] float exit_square(std::size_t index) const {
-    return index + 1 < size_ ? blocks_[place_of(index + 1)].entry_speed_square : 0.0F;
+  /// What a block must meet at its end. @pre planned
+  [[nodiscard]] BrakingState exit_of(std::size_t index) const {
+    return index + 1 < size_ ? at(index + 1).entry : BrakingState{};
   }
 
  protected:
@@ -71,9 +76,12 @@ class BlockQueue {
     return place < capacity() ? place : place - capacity();
   }
 
+  void lay_heads(const Limits& limits, const Overrides& overrides, const TimeWindow& window);
+
   static constexpr std::size_t kReplanShare = 16;
 
   std::span<Block> blocks_;
+  ZoneTrail trail_{};  ///< Of the blocks that have a head.
   AxisArray<float> last_exit_tangent_{};
   std::size_t first_ = 0;
   std::size_t size_ = 0;

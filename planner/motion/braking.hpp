@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 
 #include "planner/base/scalar_math.hpp"
 #include "planner/motion/spans.hpp"
@@ -8,45 +9,92 @@
 
 namespace cnc::motion {
 
-/// The greatest speed from which a span can still be driven within the limits.
+/// The greatest speed, mm/s, up to which one may speed up; see BrakingState.
+[[nodiscard]] inline float commit_speed(float commit_square, float steepest, float window_s) {
+  const float lead = steepest * window_s;
+  // Without cancellation: (X) / (sqrt(X + l²) + l).
+  const float sum = std::sqrt(commit_square + square(lead)) + lead;
+  return sum > 0.0F ? commit_square / sum : 0.0F;
+}
+
+/// The braking curve within a span.
 struct BrakingPoint {
-  float speed_square;  ///< At the start of the span.
-  float deceleration;  ///< Towards its end, mm/s² ≥ 0.
-  float cap_square;    ///< Within the span, after feed and overrides.
+  BrakingState start{};       ///< At the start of the span.
+  BrakingState end{};         ///< At its end, v² within its cap.
+  float deceleration = 0.0F;  ///< Towards its end, mm/s² ≥ 0.
+  float cap_square = 0.0F;    ///< Within the span, after feed and overrides.
+
+  /// X with `left` mm of the span to go.
+  [[nodiscard]] float commit_square(float left) const {
+    if (cap_square <= end.speed_square) return end.commit_square + 2.0F * start.steepest * left;
+    const float slope = end.speed_square + 2.0F * deceleration * left;
+    if (slope <= cap_square || deceleration <= 0.0F) return slope;
+    return cap_square + (slope - cap_square) * (start.steepest / deceleration);
+  }
 };
 
+/// The span as the pass goes back over it.
+[[nodiscard]] inline BrakingPoint braking_point(
+    float cap_square, float deceleration, float length, const BrakingState& end, float window_s) {
+  BrakingPoint point{.end = end, .deceleration = deceleration, .cap_square = cap_square};
+  // Rounded down, so that the speeds as stored never ask for more.
+  const float from = next_below(end.speed_square + 2.0F * deceleration * length);
+  BrakingState& start = point.start;
+  start.speed_square = std::min(cap_square, std::max(end.speed_square, from));
+  start.steepest = std::max(deceleration, end.steepest);
+  start.commit_square = point.commit_square(length);
+  // Where the cap is reached in time, what lies behind it no longer matters.
+  const float cap = std::sqrt(cap_square);
+  if (window_s > 0.0F && start.speed_square >= cap_square &&
+      commit_speed(start.commit_square, start.steepest, window_s) >= cap) {
+    start.steepest = deceleration;
+    start.commit_square = cap_square + 2.0F * cap * deceleration * window_s;
+  }
+  return point;
+}
+
 /// Backward pass over one block: visits its spans from last to first with their
-/// BrakingPoints and returns the greatest v² at which the block may be entered
-/// so that `exit_square` can be met at its end.
+/// BrakingPoints and returns what is known at the start of the block, so that
+/// `exit` can be met at its end.
 ///
 /// Because the acceleration limits are linear in (a, v²) and allow a = 0 below
 /// the speed limit, what can be braked from is always an interval from 0, and
 /// taking the largest value span by span is optimal (Pham and Pham, "A new
 /// approach to time-optimal path parameterization", IEEE T-RO 34(3), 2018).
 template <typename Visitor>
-float brake_backwards(const Spans& spans, const SpeedCap& cap, float exit_square, Visitor&& visit) {
+BrakingState brake_backwards(const Spans& spans,
+                             const SpeedCap& cap,
+                             const BrakingState& exit,
+                             Visitor&& visit) {
   Place end = spans.place_at_boundary(spans.count());
-  float speed_square = exit_square;
+  BrakingState state = exit;
   for (int span = spans.count() - 1; span >= 0; --span) {
     const Place start = spans.place_at_boundary(span);
     const float length = spans.length_of(span);
-    const float cap_square = cap.square_within(spans.speed_limit_square(span));
-    speed_square = std::min(speed_square, cap_square);
-    const float deceleration =
-        spans.steepest(end, start, length, speed_square, Travel::kBackward, Change::kSlowDown);
-    // Rounded down, so that the speeds as stored never ask for more.
-    const float from = next_below(speed_square + 2.0F * deceleration * length);
-    speed_square = std::min(cap_square, std::max(speed_square, from));
-    visit(span, BrakingPoint{speed_square, deceleration, cap_square});
+    const float cap_square =
+        std::min(cap.square_within(spans.speed_limit_square(span)), spans.zone_speed_square(span));
+    if (cap_square < state.speed_square) state.speed_square = cap_square;
+    const float deceleration = spans.steepest(span,
+                                              end,
+                                              start,
+                                              length,
+                                              state.speed_square,
+                                              cap_square,
+                                              Travel::kBackward,
+                                              Change::kSlowDown);
+    const BrakingPoint point =
+        braking_point(cap_square, deceleration, length, state, spans.window_s());
+    visit(span, point);
+    state = point.start;
     end = start;
   }
-  return speed_square;
+  return state;
 }
 
-[[nodiscard]] inline float brake_backwards(const Spans& spans,
-                                           const SpeedCap& cap,
-                                           float exit_square) {
-  return brake_backwards(spans, cap, exit_square, [](int, const BrakingPoint&) {});
+[[nodiscard]] inline BrakingState brake_backwards(const Spans& spans,
+                                                  const SpeedCap& cap,
+                                                  const BrakingState& exit) {
+  return brake_backwards(spans, cap, exit, [](int, const BrakingPoint&) {});
 }
 
 }  // namespace cnc::motion

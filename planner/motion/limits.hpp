@@ -13,6 +13,7 @@ struct Limits {
   AxisArray<AxisScale> scale{};
   AxisArray<float> rate_mm_s{};           ///< $110…$115.
   AxisArray<float> acceleration_mm_s2{};  ///< $120…$125.
+  AxisArray<float> jerk_mm_s3{};          ///< $800…$805; 0 is no limit.
   float junction_deviation_mm = 0.01F;    ///< $11.
   float steps_per_s_one_motor = 100'000.0F;
   float steps_per_s_all_motors = 200'000.0F;

@@ -25,7 +25,25 @@ void PlanCursor::set_overrides(const Overrides& overrides) {
   replan_ = true;
 }
 
+void PlanCursor::set_window(const TimeWindow& window) {
+  window_ = window;
+  queue_.forget_plan();
+  replan_ = true;
+}
+
+std::uint8_t PlanCursor::axes_ahead() const {
+  std::uint8_t axes = 0;
+  for (std::size_t index = index_; index < queue_.size(); ++index) {
+    const Block& block = queue_.at(index);
+    if (index > index_ && block.corner_speed_square <= 0.0F) break;
+    axes = static_cast<std::uint8_t>(axes | moving_axes(block));
+  }
+  return axes;
+}
+
 void PlanCursor::reset() {
+  since_speeding_up_ns_ = kLongAgo;
+  since_braking_ns_ = kLongAgo;
   index_ = 0;
   driving_ = false;
   phase_ = {};
@@ -38,9 +56,14 @@ void PlanCursor::block_left() {
   --index_;
 }
 
-bool PlanCursor::next(std::uint32_t most_ns, Drive drive, Stretch& stretch) {
-  queue_.plan(limits_, overrides_);
+bool PlanCursor::next(std::uint32_t most_ns, Drive drive, bool may_start, Stretch& stretch) {
+  queue_.plan(limits_, overrides_, window_, index_);
   if (driving_) follow_plan(drive);
+  if (speed_ <= 0.0F) {
+    if (!may_start) return false;
+    since_speeding_up_ns_ = kLongAgo;
+    since_braking_ns_ = kLongAgo;
+  }
   if (driving_ && profile_.at_end()) {
     finish_block(stretch);
     return true;
@@ -59,6 +82,7 @@ bool PlanCursor::next(std::uint32_t most_ns, Drive drive, Stretch& stretch) {
   stretch.way = place_ - from;
   speed_ = phase_ends ? course_.whole().end_speed : course_.speed_after(elapsed_ns_);
   stretch.end_speed = speed_;
+  note_change(stretch);
   if (!phase_ends) return true;
   profile_.complete(phase_);
   phase_ = {};
@@ -66,15 +90,35 @@ bool PlanCursor::next(std::uint32_t most_ns, Drive drive, Stretch& stretch) {
   return true;
 }
 
+Patience PlanCursor::patience() const {
+  const auto wait = [this](std::uint32_t since_ns) {
+    const std::uint32_t window_ns = window_.whole_ns();
+    return since_ns < window_ns ? static_cast<float>(window_ns - since_ns) * kSecondsPerNanosecond
+                                : 0.0F;
+  };
+  return {.before_speeding_up = wait(since_braking_ns_),
+          .before_braking = wait(since_speeding_up_ns_)};
+}
+
+void PlanCursor::note_change(const Stretch& stretch) {
+  const auto pass = [&stretch](std::uint32_t& since_ns, bool changes) {
+    const std::uint64_t passed = since_ns + stretch.duration_ns;
+    since_ns = changes ? 0 : static_cast<std::uint32_t>(std::min<std::uint64_t>(kLongAgo, passed));
+  };
+  pass(since_speeding_up_ns_, stretch.acceleration > 0.0F);
+  pass(since_braking_ns_, stretch.acceleration < 0.0F);
+}
+
 /// More blocks, an override or a hold may have changed what lies ahead.
 void PlanCursor::follow_plan(Drive drive) {
-  const float exit_square = queue_.exit_square(index_);
-  const bool same_plan = !replan_ && exit_square == profile_.exit_square();
+  const BrakingState exit = queue_.exit_of(index_);
+  const bool same_plan =
+      !replan_ && exit == profile_.exit() && queue_.at(index_).tail == profile_.tail();
   if (same_plan && drive == phase_drive_) return;
   if (phase_.duration > 0.0F) profile_.stop_short(phase_, phase_distance_left(), speed_);
   phase_ = {};
   if (profile_.at_end()) return;
-  if (!same_plan) profile_.replan(queue_.at(index_), overrides_, exit_square);
+  if (!same_plan) profile_.replan(queue_.at(index_), limits_, window_, overrides_, exit);
   replan_ = false;
 }
 
@@ -91,7 +135,7 @@ bool PlanCursor::ready_phase(Drive drive) {
     if (index_ == queue_.size()) return false;
     begin_block();
   }
-  phase_ = profile_.next_phase(drive);
+  phase_ = profile_.next_phase(drive, patience());
   phase_drive_ = drive;
   if (phase_.duration <= 0.0F) {
     speed_ = 0.0F;
@@ -127,7 +171,7 @@ float PlanCursor::phase_distance_left() const {
 
 void PlanCursor::begin_block() {
   const Block& block = queue_.at(index_);
-  profile_.begin(block, limits_, overrides_, queue_.exit_square(index_), entry_square_);
+  profile_.begin(block, limits_, window_, overrides_, queue_.exit_of(index_), entry_square_);
   length_ = length_in_units(block);
   place_ = 0;
   driving_ = true;

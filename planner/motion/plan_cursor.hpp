@@ -21,11 +21,17 @@ class PlanCursor {
   PlanCursor(BlockQueue& queue, const Limits& limits) : queue_{queue}, limits_{limits} {}
 
   /// The next stretch, at most `most_ns` long, within one block and phase; false
-  /// when the plan stands still: everything planned, or halted.
-  [[nodiscard]] bool next(std::uint32_t most_ns, Drive drive, Stretch& stretch);
+  /// when the plan stands still: everything planned, or halted, or it stands and
+  /// may not start yet.
+  [[nodiscard]] bool next(std::uint32_t most_ns, Drive drive, bool may_start, Stretch& stretch);
 
   void set_overrides(const Overrides& overrides);
   [[nodiscard]] const Overrides& overrides() const { return overrides_; }
+
+  /// The motion is the mean of the plan over so long from now on. @pre at rest
+  void set_window(const TimeWindow& window);
+  /// The axes that move until the next stop, as far as blocks are known.
+  [[nodiscard]] std::uint8_t axes_ahead() const;
 
   /// The front of the queue was taken away. @pre the plan has left it
   void block_left();
@@ -38,6 +44,8 @@ class PlanCursor {
   [[nodiscard]] bool at_end() const { return !driving_ && index_ == queue_.size(); }
 
  private:
+  [[nodiscard]] Patience patience() const;
+  void note_change(const Stretch& stretch);
   void follow_plan(Drive drive);
   void finish_block(Stretch& stretch);
   [[nodiscard]] bool ready_phase(Drive drive);
@@ -46,10 +54,15 @@ class PlanCursor {
   [[nodiscard]] PathUnits place_after(const Phase& phase) const;
   [[nodiscard]] float phase_distance_left() const;
 
+  static constexpr std::uint32_t kLongAgo = 1'000'000'000;
+
   BlockQueue& queue_;
   const Limits& limits_;
   Overrides overrides_{};
+  TimeWindow window_{};
   bool replan_ = false;
+  std::uint32_t since_speeding_up_ns_ = kLongAgo;
+  std::uint32_t since_braking_ns_ = kLongAgo;
 
   std::size_t index_ = 0;  ///< Of the block that is or will be planned through.
   bool driving_ = false;   ///< It has been begun.

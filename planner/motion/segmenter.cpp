@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::int32_t kNanosecondsPerTick = 1'000'000'000 / kTicksPerSecond;
 constexpr float kTicksPerNanosecond = 1.0F / static_cast<float>(kNanosecondsPerTick);
-constexpr std::uint32_t kLongestStretchNs = 1'000'000;
+constexpr std::uint32_t kLongestSliceNs = 1'000'000;
 /// Where speed changes a lot.
 constexpr std::uint64_t kShortSliceNs = 250'000;
 
@@ -36,6 +36,9 @@ void merge(OutputChanges& pending, const OutputChanges& later) {
 void Segmenter::reset(const AxisArray<StepPosition>& place) {
   queue_.clear();
   plan_.reset();
+  window_ = {};
+  filter_ = {};
+  plan_.set_window({});
   course_ = {};
   elapsed_ns_ = 0;
   stretch_from_ = 0;
@@ -77,13 +80,54 @@ bool Segmenter::ready_stretch() {
   const bool driven = place_ == stretch_from_ + course_.whole().way;
   if (!driven || elapsed_ns_ < course_.duration_ns()) return true;
   Stretch stretch;
-  if (!plan_.next(kLongestStretchNs, drive_, stretch)) {
+  if (!next_stretch(stretch)) {
     speed_ = 0.0F;
     return false;
   }
   course_ = PhaseCourse{stretch};
   elapsed_ns_ = 0;
   stretch_from_ = place_;
+  return true;
+}
+
+/// From the plan itself, or from what the filter makes of it.
+bool Segmenter::next_stretch(Stretch& stretch) {
+  const bool stands = filter_.at_rest() && plan_.speed() <= 0.0F;
+  if (stands && drive_ == Drive::kOn) choose_window();
+  if (!window_.filters()) return plan_.next(kLongestSliceNs, drive_, true, stretch);
+  do {
+    if (!fill_cell()) return false;
+    stretch = filter_.take();
+  } while (stretch.duration_ns == 0);
+  return true;
+}
+
+/// From rest to rest it stays the same.
+void Segmenter::choose_window() {
+  const std::uint8_t axes = plan_.axes_ahead();
+  if (axes == 0) return;
+  const TimeWindow window = window_for(limits_, axes);
+  if (window == window_) return;
+  window_ = window;
+  plan_.set_window(window);
+  filter_.begin(window);
+}
+
+/// False when neither plan nor motion move.
+bool Segmenter::fill_cell() {
+  const bool may_start = filter_.at_rest();
+  bool moves = !may_start;
+  while (filter_.room_ns() > 0) {
+    Stretch stretch;
+    if (plan_.next(filter_.room_ns(), drive_, may_start && !moves, stretch)) {
+      filter_.add(stretch);
+      moves = true;
+    } else if (moves) {
+      filter_.rest();
+    } else {
+      return false;
+    }
+  }
   return true;
 }
 
@@ -111,13 +155,17 @@ void Segmenter::end_block() {
 /// itself slices are shorter, so that a parabola in the step index fits.
 std::uint64_t Segmenter::longest_slice_ns() const {
   const float change = 3.0F * std::abs(course_.whole().acceleration) * kLongestSlice;
-  return change > speed_ || reversals_.near(place_) ? kShortSliceNs : kLongestStretchNs;
+  return change > speed_ || reversals_.near(place_) ? kShortSliceNs : kLongestSliceNs;
 }
 
 /// The next slice ends with the stretch, where the block does, or where an axis
 /// reverses.
 void Segmenter::cut_slice(Segment& segment) {
-  if (!driving_) begin_block();
+  if (!driving_) {
+    // Of the time in which the motion comes to rest nothing may be left to drive.
+    if (queue_.empty()) return pass_to_rest(segment);
+    begin_block();
+  }
   std::uint64_t end_ns = std::min(elapsed_ns_ + longest_slice_ns(), course_.duration_ns());
   PathUnits end = stretch_from_ + course_.way_after(end_ns);
   const PathUnits stop = reversals_.next_after(place_);
@@ -126,6 +174,16 @@ void Segmenter::cut_slice(Segment& segment) {
     end = stop;
   }
   cut(end_ns, end, segment);
+}
+
+/// Says so in no time.
+void Segmenter::pass_to_rest(Segment& segment) {
+  elapsed_ns_ = course_.duration_ns();
+  stretch_from_ = place_ - course_.whole().way;
+  speed_ = 0.0F;
+  segment.ticks = 1;
+  remainder_ns_ -= kNanosecondsPerTick;
+  segment.comes_to_rest = true;
 }
 
 void Segmenter::cut(std::uint64_t end_ns, PathUnits end, Segment& segment) {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "planner/motion/motion_filter.hpp"
 #include "planner/motion/motor_path.hpp"
 #include "planner/motion/plan_cursor.hpp"
 #include "planner/motion/reversals.hpp"
@@ -70,10 +71,14 @@ class Segmenter {
 
  private:
   [[nodiscard]] bool ready_stretch();
+  [[nodiscard]] bool next_stretch(Stretch& stretch);
+  void choose_window();
+  [[nodiscard]] bool fill_cell();
   void begin_block();
   void end_block();
   [[nodiscard]] std::uint64_t longest_slice_ns() const;
   void cut_slice(Segment& segment);
+  void pass_to_rest(Segment& segment);
   void cut(std::uint64_t end_ns, PathUnits end, Segment& segment);
   void time_trains(const MotorState& to, std::uint64_t duration_ns, Segment& segment);
   void pass_time(std::uint64_t duration_ns, Segment& segment);
@@ -82,6 +87,8 @@ class Segmenter {
   BlockQueue& queue_;
   const Limits& limits_;
   PlanCursor plan_;
+  TimeWindow window_{};
+  MotionFilter filter_{};
   Drive drive_ = Drive::kOn;
 
   PhaseCourse course_{};          ///< Of the stretch being cut.

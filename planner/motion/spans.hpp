@@ -1,7 +1,9 @@
 #pragma once
 
-#include "planner/motion/block.hpp"
-#include "planner/motion/limits.hpp"
+#include <array>
+
+#include "planner/motion/time_window.hpp"
+#include "planner/motion/turning.hpp"
 
 namespace cnc::motion {
 
@@ -14,13 +16,24 @@ struct Place {
   float bend_second = 0.0F;
 };
 
+/// Of the speed along the path, for the axes of the plane.
+struct Shares {
+  float first = 0.0F;
+  float second = 0.0F;
+};
+
 /// Which end of a span is known, and which way the speed is to change.
 enum class Travel : std::int8_t { kForward = 1, kBackward = -1 };
 enum class Change : std::int8_t { kSpeedUp = 1, kSlowDown = -1 };
 
 /// Divides a block into spans on which one acceleration can hold: a straight
-/// block is one span; an arc has a boundary at each multiple of 3.75° of its
-/// tangent, quarter turns among them, so that within a span no axis reverses.
+/// block where zones of its neighbours begin and end; an arc at each multiple of
+/// 3.75° of its tangent, quarter turns among them, so that within a span no axis
+/// reverses.
+///
+/// Under a time window the limits of a place hold around it. On an arc that is
+/// so small that the window spans more than 7.5° either way, they are taken as
+/// the same in all directions, and its spans may be eight times as long.
 ///
 /// Only limits are divided here. The path stays one arc.
 class Spans {
@@ -29,53 +42,85 @@ class Spans {
   static constexpr int kMostSpans = kGridPerTurn / 2 + 2;
 
   Spans() = default;
-  Spans(const Block& block, const Limits& limits);
+  Spans(const Block& block, const Limits& limits, const TimeWindow& window = {});
 
   [[nodiscard]] int count() const { return count_; }
+  [[nodiscard]] const BlockZones& tail() const { return tail_; }
+  /// s.
+  [[nodiscard]] float window_s() const { return window_.seconds(); }
   /// mm from the start of the block, for boundary 0…count().
   [[nodiscard]] float boundary(int index) const;
   [[nodiscard]] float length_of(int span) const { return boundary(span + 1) - boundary(span); }
-  /// Limit of v² inside a span from axis rates, step rates and centripetal
-  /// acceleration, before any feed.
+  /// Limit of v² inside a span from axis rates, step rates, centripetal
+  /// acceleration and jerk, before any feed.
   [[nodiscard]] float speed_limit_square(int span) const;
+  /// Limit of v² from neighbours' zones, their feeds included.
+  [[nodiscard]] float zone_speed_square(int span) const { return zone_on(span).speed_square; }
 
-  /// Whether an axis of the plane reverses at an end of the span or next to it,
-  /// so that its speed changes there by more than itself.
-  [[nodiscard]] bool near_reversal(int span) const;
+  /// What this block asks of its neighbours; v² is at most `cap_square` on it.
+  [[nodiscard]] LimitZone zone(float cap_square) const;
 
   [[nodiscard]] Place place_at_boundary(int index) const;
   [[nodiscard]] Place place_at(float distance) const;
 
   /// The greatest rate of change of speed, mm/s² ≥ 0, constant from `from`
   /// (where v² is `speed_square`) to `to`, `distance` mm further in the
-  /// direction of `travel`, for which no axis exceeds its acceleration at
-  /// either end nor would if it stood still there.
-  [[nodiscard]] float steepest(const Place& from,
+  /// direction of `travel`, for which no axis exceeds its acceleration (or,
+  /// under a window, its jerk) at either end nor would if it stood still there.
+  /// @param span that both lie in; `cap_square` is the greatest v² there.
+  [[nodiscard]] float steepest(int span,
+                               const Place& from,
                                const Place& to,
                                float distance,
                                float speed_square,
+                               float cap_square,
                                Travel travel,
                                Change change) const;
 
  private:
+  void lay_out_straight(const Block& block);
+  void lay_out_arc(const Block& block, const Limits& limits, const TimeWindow& window);
+  void lay_out_grid();
+  void add_edge(float distance);
   [[nodiscard]] float angle_of(int index) const;
+  [[nodiscard]] Place place_of(float angle) const;
   [[nodiscard]] Place place_with(float cosine, float sine) const;
+  [[nodiscard]] LimitZone zone_on(int span) const;
+  [[nodiscard]] Shares greatest_shares(int span) const;
+  [[nodiscard]] float within_turning(float most,
+                                     float distance,
+                                     float speed_square,
+                                     float cap_square) const;
+
+  static constexpr std::size_t kMostEdges = 4;
 
   int count_ = 1;
+  float length_ = 0.0F;
+  float straight_acceleration_ = 0.0F;  ///< Limit set by the axes whose direction is constant.
+  float straight_speed_square_ = 0.0F;
+  TimeWindow window_{};
+  BlockZones head_{};
+  BlockZones tail_{};
+  std::array<float, kMostEdges> edges_{};  ///< Of zones on a straight block, in order.
+
+  // Of an arc.
+  bool uniform_ = false;      ///< Limits taken as the same in all directions.
   int first_grid_ = 0;        ///< Grid index of boundary 1.
   float start_angle_ = 0.0F;  ///< Of the tangent, mirrored so that it grows.
   float sweep_ = 0.0F;
   float side_ = 1.0F;  ///< +1 counter-clockwise.
-  float length_ = 0.0F;
   float mm_per_radian_ = 0.0F;
   float plane_share_ = 0.0F;
-  float curvature_ = 0.0F;
-  float straight_acceleration_ = 0.0F;  ///< Limit set by the axes whose direction is constant.
-  float straight_speed_square_ = 0.0F;
+  float reach_ = 0.0F;  ///< Radians either way that the window spans.
+  Turning turning_{};   ///< Of the plane.
   float acceleration_first_ = 0.0F;
   float acceleration_second_ = 0.0F;
   float rate_first_ = 0.0F;
   float rate_second_ = 0.0F;
 };
+
+/// mm to either side of a place from which its limits hold for the plan, where
+/// v² is at most `cap_square` and the acceleration at most `acceleration`.
+[[nodiscard]] float window_reach(const TimeWindow& window, float cap_square, float acceleration);
 
 }  // namespace cnc::motion

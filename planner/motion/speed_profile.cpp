@@ -26,36 +26,62 @@ constexpr float kStandstillSquare = 1.0e-6F;
 
 void SpeedProfile::begin(const Block& block,
                          const Limits& limits,
+                         const TimeWindow& window,
                          const Overrides& overrides,
-                         float exit_square,
+                         const BrakingState& exit,
                          float speed_square) {
-  spans_ = Spans{block, limits};
+  spans_ = Spans{block, limits, window};
   span_ = 0;
   left_ = spans_.length_of(0);
   speed_square_ = speed_square;
-  replan(block, overrides, exit_square);
+  exit_ = exit;
+  brake_from_the_end(block, overrides);
 }
 
-void SpeedProfile::replan(const Block& block, const Overrides& overrides, float exit_square) {
-  exit_square_ = exit_square;
+void SpeedProfile::replan(const Block& block,
+                          const Limits& limits,
+                          const TimeWindow& window,
+                          const Overrides& overrides,
+                          const BrakingState& exit) {
+  const float left = left_of_block({.left = left_});
+  spans_ = Spans{block, limits, window};
+  find_span(left);
+  exit_ = exit;
+  brake_from_the_end(block, overrides);
+}
+
+void SpeedProfile::brake_from_the_end(const Block& block, const Overrides& overrides) {
   static_cast<void>(brake_backwards(
-      spans_, SpeedCap{block, overrides}, exit_square, [this](int span, const BrakingPoint& point) {
+      spans_, SpeedCap{block, overrides}, exit_, [this](int span, const BrakingPoint& point) {
         braking_[static_cast<std::size_t>(span)] = point;
       }));
 }
 
+/// Other zones make other spans: the one with so much of the block to go.
+void SpeedProfile::find_span(float left_of_block) {
+  const float length = spans_.boundary(spans_.count());
+  span_ = 0;
+  while (span_ + 1 < spans_.count() && length - spans_.boundary(span_ + 1) >= left_of_block) {
+    ++span_;
+  }
+  left_ = left_of_block - (length - spans_.boundary(span_ + 1));
+}
+
 /// v² to be met at the end of the present span.
 float SpeedProfile::end_target_square() const {
-  const auto span = static_cast<std::size_t>(span_);
-  const float ahead = span_ + 1 < spans_.count() ? braking_[span + 1].speed_square : exit_square_;
-  return std::min(ahead, braking_[span].cap_square);
+  const bool last = span_ + 1 == spans_.count();
+  const float ahead =
+      last ? exit_.speed_square : braking_[static_cast<std::size_t>(span_) + 1].start.speed_square;
+  return std::min(ahead, here().cap_square);
 }
 
 float SpeedProfile::steepest(Change change) const {
-  return spans_.steepest(spans_.place_at(spans_.boundary(span_ + 1) - left_),
+  return spans_.steepest(span_,
+                         spans_.place_at(spans_.boundary(span_ + 1) - left_),
                          spans_.place_at_boundary(span_ + 1),
                          left_,
                          speed_square_,
+                         std::max(here().cap_square, speed_square_),
                          Travel::kForward,
                          change);
 }
@@ -73,45 +99,88 @@ Phase SpeedProfile::phase_to(float end_square, float distance, float left) const
           .left = left};
 }
 
-Phase SpeedProfile::next_phase(Drive drive) const {
+Phase SpeedProfile::next_phase(Drive drive, const Patience& patience) const {
   CNC_ASSERT(!at_end());
-  const BrakingPoint& plan = braking_[static_cast<std::size_t>(span_)];
-  if (drive == Drive::kHalt) return brake_to(0.0F);
+  if (drive == Drive::kHalt) return brake_to(0.0F, patience);
   const float target = end_target_square();
-  const float planned_drop = 2.0F * plan.deceleration * left_;
-  if (speed_square_ > plan.cap_square * kAbovePlan) return brake_to(plan.cap_square);
-  if (speed_square_ - target > planned_drop * kSteeperThanPlan) return brake_to(target);
-  return speed_up_or_follow();
+  const float planned_drop = 2.0F * here().deceleration * left_;
+  if (speed_square_ > here().cap_square * kAbovePlan) return brake_to(here().cap_square, patience);
+  if (speed_square_ - target > planned_drop * kSteeperThanPlan) return brake_to(target, patience);
+  return change_speed(patience);
 }
 
 /// Speed up, hold the cap or follow the braking curve, whichever comes first.
-Phase SpeedProfile::speed_up_or_follow() const {
-  const BrakingPoint& plan = braking_[static_cast<std::size_t>(span_)];
-  const float cap = std::max(plan.cap_square, speed_square_);
+Phase SpeedProfile::change_speed(const Patience& patience) const {
+  if (patience.before_speeding_up > 0.0F) {
+    return level_or_follow(std::sqrt(speed_square_) * patience.before_speeding_up);
+  }
+  const Phase up = committed(speed_up());
+  // All along a span any gain counts: a chain of very short ones is sped up along, too.
+  const bool worth_it =
+      up.left <= 0.0F || up.end_speed_square > speed_square_ * (1.0F + kNegligible);
+  return worth_it && up.distance > 0.0F ? up : level_or_follow(left_);
+}
+
+/// As far as the cap, the braking curve and the end of the span let it.
+Phase SpeedProfile::speed_up() const {
+  const float cap = std::max(here().cap_square, speed_square_);
   const float target = end_target_square();
   const float acceleration = steepest(Change::kSpeedUp);
   const float reach = next_below(speed_square_ + 2.0F * acceleration * left_);
   if (reach <= target && reach <= cap) {
     return phase_to(std::max(reach, speed_square_), left_, 0.0F);
   }
-  // How far before the end of the span braking from v² has to begin.
-  const auto fall_from = [&](float square) {
-    const float drop = std::max(0.0F, square - target);
-    return plan.deceleration > 0.0F ? std::min(left_, drop / (2.0F * plan.deceleration)) : 0.0F;
-  };
   // Where the speeding-up line meets the braking curve.
-  const float curve = target + 2.0F * plan.deceleration * left_;
-  const float slopes = acceleration + plan.deceleration;
+  const float curve = target + 2.0F * here().deceleration * left_;
+  const float slopes = acceleration + here().deceleration;
   const float gain = slopes > 0.0F ? (curve - speed_square_) * (acceleration / slopes) : 0.0F;
   const float peak = std::clamp(speed_square_ + gain, speed_square_, cap);
-  if (peak > speed_square_ * (1.0F + kNegligible)) {
-    const float rise = (peak - speed_square_) / (2.0F * acceleration);
-    return phase_to(peak, rise, std::max(left_ - rise, fall_from(peak)));
+  if (peak <= speed_square_) return {};
+  const float rise = (peak - speed_square_) / (2.0F * acceleration);
+  return phase_to(peak, rise, std::max(left_ - rise, fall_from(peak)));
+}
+
+/// What of a phase ends early enough to be level before braking.
+Phase SpeedProfile::committed(const Phase& phase) const {
+  const float window_s = spans_.window_s();
+  if (window_s <= 0.0F || phase.distance <= 0.0F) return phase;
+  const float gain = 2.0F * phase.acceleration;
+  const auto too_fast = [&](float distance) {
+    const float most =
+        commit_speed(here().commit_square(left_ - distance), here().start.steepest, window_s);
+    return speed_square_ + gain * distance > square(most);
+  };
+  if (!too_fast(phase.distance)) return phase;
+  constexpr int kBisections = 22;
+  float short_of = 0.0F;
+  float beyond = phase.distance;
+  for (int i = 0; i < kBisections; ++i) {
+    const float middle = 0.5F * (short_of + beyond);
+    (too_fast(middle) ? beyond : short_of) = middle;
   }
+  return phase_to(speed_square_ + gain * short_of, short_of, left_ - short_of);
+}
+
+/// How far before the end of the span braking from v² has to begin.
+float SpeedProfile::fall_from(float speed_square) const {
+  const float drop = std::max(0.0F, speed_square - end_target_square());
+  const float deceleration = here().deceleration;
+  return deceleration > 0.0F ? std::min(left_, drop / (2.0F * deceleration)) : 0.0F;
+}
+
+Phase SpeedProfile::level_or_follow(float longest_level) const {
   const float fall = fall_from(speed_square_);
   const float level = left_ - fall;
+  if (level > longest_level) {
+    return phase_to(speed_square_, longest_level, left_ - longest_level);
+  }
   if (level > left_ * kNegligible) return phase_to(speed_square_, level, fall);
-  return phase_to(std::min(target, speed_square_), left_, 0.0F);
+  return phase_to(std::min(end_target_square(), speed_square_), left_, 0.0F);
+}
+
+Phase SpeedProfile::level_for(float seconds) const {
+  const float distance = std::min(left_, std::sqrt(speed_square_) * seconds);
+  return phase_to(speed_square_, distance, left_ - distance);
 }
 
 /// Below the braking curve the plan's own deceleration is feasible in the share
@@ -119,13 +188,14 @@ Phase SpeedProfile::speed_up_or_follow() const {
 /// standstill; so what the plan can stop from here can stop. (Within a span
 /// the limits at the very place may be tighter than at its ends, by the margin.)
 float SpeedProfile::planned_deceleration() const {
-  const float planned = braking_[static_cast<std::size_t>(span_)].deceleration;
+  const float planned = here().deceleration;
   const float curve = end_target_square() + 2.0F * planned * left_;
   return curve > speed_square_ ? planned * (speed_square_ / curve) : planned;
 }
 
 /// Slow down as hard as the limits allow until v² is `target_square` or the span ends.
-Phase SpeedProfile::brake_to(float target_square) const {
+Phase SpeedProfile::brake_to(float target_square, const Patience& patience) const {
+  if (patience.before_braking > 0.0F) return level_for(patience.before_braking);
   const float deceleration = std::max(steepest(Change::kSlowDown), planned_deceleration());
   const float needed = speed_square_ - target_square;
   const float possible = 2.0F * deceleration * left_;

@@ -16,6 +16,13 @@ struct Phase {
   float left = 0.0F;  ///< mm to the end of its span after it; 0 ends the span.
 };
 
+/// How long the course must stay level yet before the speed may change, s; jerk
+/// asks for it. While standing there is no course, and nothing to wait for here.
+struct Patience {
+  float before_speeding_up = 0.0F;
+  float before_braking = 0.0F;
+};
+
 enum class Drive : std::uint8_t {
   kOn,    ///< As fast as limits, feed and what lies ahead allow.
   kHalt,  ///< Feed hold: slow down as hard as the limits allow.
@@ -24,33 +31,36 @@ enum class Drive : std::uint8_t {
 /// Speed along the block being driven, as phases of constant acceleration.
 ///
 /// Forward pass of the look-ahead: within a span speed up until the cap or the
-/// braking curve is met, hold the cap, then follow the braking curve. Phases
-/// are asked for one at a time from the present state, so a change of mind (an
-/// override, a hold, more blocks) just asks again.
-///
-/// The neighbours know phases only: the jerk-limited profile will hand out
-/// shorter ones of the same kind.
+/// braking curve is met, hold the cap, then follow the braking curve. Under a
+/// time window speeding up ends so early that the course is level for T before
+/// braking. Phases are asked for one at a time from the present state, so a
+/// change of mind (an override, a hold, more blocks) just asks again.
 class SpeedProfile {
  public:
   /// Starts a block at its beginning with the given v².
   void begin(const Block& block,
              const Limits& limits,
+             const TimeWindow& window,
              const Overrides& overrides,
-             float exit_square,
+             const BrakingState& exit,
              float speed_square);
-  /// Something ahead changed; place and speed stay.
-  void replan(const Block& block, const Overrides& overrides, float exit_square);
+  /// Something ahead changed, or the zones that reach into the block; place and
+  /// speed stay.
+  void replan(const Block& block,
+              const Limits& limits,
+              const TimeWindow& window,
+              const Overrides& overrides,
+              const BrakingState& exit);
 
   [[nodiscard]] bool at_end() const { return span_ == spans_.count(); }
   [[nodiscard]] float speed_square() const { return speed_square_; }
-  [[nodiscard]] float exit_square() const { return exit_square_; }
-
-  /// An axis reverses at or next to an end of the present span. @pre !at_end()
-  [[nodiscard]] bool near_reversal() const { return spans_.near_reversal(span_); }
+  [[nodiscard]] const BrakingState& exit() const { return exit_; }
+  /// The zones from ahead that the plan knows of.
+  [[nodiscard]] const BlockZones& tail() const { return spans_.tail(); }
 
   /// The next phase from the present place and speed. Duration 0: the machine
   /// stands still and wants to (halted). @pre !at_end()
-  [[nodiscard]] Phase next_phase(Drive drive) const;
+  [[nodiscard]] Phase next_phase(Drive drive, const Patience& patience = {}) const;
 
   /// The whole phase was driven.
   void complete(const Phase& phase) { move(phase.left, phase.end_speed_square); }
@@ -62,17 +72,27 @@ class SpeedProfile {
   }
 
  private:
-  [[nodiscard]] Phase speed_up_or_follow() const;
-  [[nodiscard]] Phase brake_to(float target_square) const;
+  [[nodiscard]] const BrakingPoint& here() const {
+    return braking_[static_cast<std::size_t>(span_)];
+  }
+  void brake_from_the_end(const Block& block, const Overrides& overrides);
+  void find_span(float left_of_block);
+  [[nodiscard]] Phase change_speed(const Patience& patience) const;
+  [[nodiscard]] Phase speed_up() const;
+  [[nodiscard]] Phase committed(const Phase& phase) const;
+  [[nodiscard]] Phase level_or_follow(float longest_level) const;
+  [[nodiscard]] Phase level_for(float seconds) const;
+  [[nodiscard]] Phase brake_to(float target_square, const Patience& patience) const;
   [[nodiscard]] Phase phase_to(float end_square, float distance, float left) const;
   [[nodiscard]] float steepest(Change change) const;
   [[nodiscard]] float end_target_square() const;
+  [[nodiscard]] float fall_from(float speed_square) const;
   [[nodiscard]] float planned_deceleration() const;
   void move(float left, float speed_square);
 
   Spans spans_{};
   std::array<BrakingPoint, Spans::kMostSpans> braking_{};
-  float exit_square_ = 0.0F;
+  BrakingState exit_{};
   float speed_square_ = 0.0F;
   /// mm to the end of the span. Counted from there, because braking ends there
   /// and needs its digits; from the start they would be lost in the length.

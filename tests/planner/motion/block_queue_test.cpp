@@ -17,7 +17,7 @@ namespace {
 std::vector<float> exit_squares(const BlockQueue& queue) {
   std::vector<float> exits;
   for (std::size_t index = 0; index < queue.size(); ++index) {
-    exits.push_back(queue.exit_square(index));
+    exits.push_back(queue.exit_of(index).speed_square);
   }
   return exits;
 }
@@ -54,7 +54,7 @@ class BlockQueueTest : public testing::Test {
 
 TEST_F(BlockQueueTest, EndsAtRest) {
   push_and_plan({straight_block(10.0, limits)});
-  EXPECT_EQ(queue.exit_square(0), 0.0F);
+  EXPECT_EQ(queue.exit_of(0).speed_square, 0.0F);
 }
 
 TEST_F(BlockQueueTest, BeginsEmptyAndHoldsSixtyFour) {
@@ -80,16 +80,16 @@ TEST_F(BlockQueueTest, LooksAheadAlongAStraightLine) {
 
 TEST_F(BlockQueueTest, StaysBelowTheFeedOfTheBlockThatIsEntered) {
   push_and_plan({straight_block(50.0, limits, 100.0F), straight_block(50.0, limits, 20.0F)});
-  EXPECT_FLOAT_EQ(queue.exit_square(0), 400.0F);
+  EXPECT_FLOAT_EQ(queue.exit_of(0).speed_square, 400.0F);
   overrides.feed = 0.5F;
   queue.forget_plan();
   queue.plan(limits, overrides);
-  EXPECT_FLOAT_EQ(queue.exit_square(0), 100.0F);
+  EXPECT_FLOAT_EQ(queue.exit_of(0).speed_square, 100.0F);
 }
 
 TEST_F(BlockQueueTest, StopsAtAReversal) {
   push_and_plan({straight_block(50.0, limits), straight_block(-50.0, limits)});
-  EXPECT_EQ(queue.exit_square(0), 0.0F);
+  EXPECT_EQ(queue.exit_of(0).speed_square, 0.0F);
 }
 
 // Of straight blocks the best plan is known: backwards, v0² = v1² + 2 a L.
@@ -113,8 +113,8 @@ TEST_F(BlockQueueTest, FindsTheBestPlanOfRandomLines) {
       const Spans spans{block, limits};
       const auto cap =
           static_cast<double>(SpeedCap{block, overrides}.square_within(block.speed_limit_square));
-      const auto most = static_cast<double>(
-          spans.steepest({}, {}, block.length, 0.0F, Travel::kForward, Change::kSpeedUp));
+      const auto most = static_cast<double>(spans.steepest(
+          0, {}, {}, block.length, 0.0F, 1.0e12F, Travel::kForward, Change::kSpeedUp));
       const auto corner = static_cast<double>(corner_after(chain, index, limits));
       exit = std::min(
           {corner, cap, std::min(exit, cap) + 2.0 * most * static_cast<double>(block.length)});
@@ -198,7 +198,7 @@ TEST_F(BlockQueueTest, HoldsAsManyAsItsTypeSays) {
     single.push(straight_block(1.0, limits), limits);
     EXPECT_TRUE(single.full());
     single.plan(limits, overrides);
-    EXPECT_EQ(single.exit_square(0), 0.0F);
+    EXPECT_EQ(single.exit_of(0).speed_square, 0.0F);
     single.pop_front();
   }
   static_assert(sizeof(BlockQueueOf<3>) == sizeof(BlockQueueOf<2>) + sizeof(Block));

@@ -138,10 +138,12 @@ TEST_F(RandomSpans, KeepEveryAccelerationBetweenTheirBoundariesWhenSpeedingUp) {
     for (int span = 0; span < spans.count(); ++span) {
       const auto limit = static_cast<double>(spans.speed_limit_square(span));
       const auto from = static_cast<float>(limit * random.unit());
-      const float a = spans.steepest(spans.place_at_boundary(span),
+      const float a = spans.steepest(span,
+                                     spans.place_at_boundary(span),
                                      spans.place_at_boundary(span + 1),
                                      spans.length_of(span),
                                      from,
+                                     spans.speed_limit_square(span),
                                      Travel::kForward,
                                      Change::kSpeedUp);
       const double room =
@@ -160,11 +162,11 @@ TEST_F(RandomSpans, KeepEveryAccelerationOfTheBrakingCurve) {
     const SpeedCap cap{block, {}};
     const float exit = spans.speed_limit_square(spans.count() - 1) *
                        static_cast<float>(random.chance(0.5) ? 0.0 : random.unit());
-    brake_backwards(spans, cap, exit, [&](int span, const BrakingPoint& point) {
-      const double deceleration = std::min(static_cast<double>(point.deceleration),
-                                           static_cast<double>(point.speed_square) /
-                                               (2.0 * static_cast<double>(spans.length_of(span))));
-      EXPECT_LE(greatest_load(span, static_cast<double>(point.speed_square), -deceleration), 1.0005)
+    brake_backwards(spans, cap, {.speed_square = exit}, [&](int span, const BrakingPoint& point) {
+      const auto from = static_cast<double>(point.start.speed_square);
+      const double most = from / (2.0 * static_cast<double>(spans.length_of(span)));
+      const double deceleration = std::min(static_cast<double>(point.deceleration), most);
+      EXPECT_LE(greatest_load(span, from, -deceleration), 1.0005)
           << "trial " << trial << ", span " << span;
     });
     if (HasFailure()) return;
@@ -177,8 +179,9 @@ TEST(Spans, OfALineAreOne) {
   EXPECT_EQ(spans.count(), 1);
   EXPECT_EQ(spans.length_of(0), 10.0F);
   EXPECT_FLOAT_EQ(spans.speed_limit_square(0), 40'000.0F);
-  EXPECT_FLOAT_EQ(spans.steepest({}, {}, 10.0F, 100.0F, Travel::kForward, Change::kSpeedUp),
-                  500.0F);
+  EXPECT_FLOAT_EQ(
+      spans.steepest(0, {}, {}, 10.0F, 100.0F, 1.0e12F, Travel::kForward, Change::kSpeedUp),
+      500.0F);
 }
 
 TEST(Spans, OfAHalfTurnFromTheXAxisAreFortyEight) {

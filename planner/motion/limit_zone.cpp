@@ -1,0 +1,79 @@
+#include "planner/motion/limit_zone.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cnc::motion {
+namespace {
+
+/// `zone` asks for nothing that `other` does not ask for as far.
+bool is_within(const LimitZone& zone, const LimitZone& other) {
+  return zone.length <= other.length && zone.speed_square >= other.speed_square &&
+         zone.acceleration >= other.acceleration && zone.curvature <= other.curvature;
+}
+
+/// What both ask for, as far as the longer reaches.
+LimitZone both(const LimitZone& a, const LimitZone& b) {
+  return {.length = std::max(a.length, b.length),
+          .speed_square = std::min(a.speed_square, b.speed_square),
+          .acceleration = std::min(a.acceleration, b.acceleration),
+          .curvature = std::max(a.curvature, b.curvature)};
+}
+
+bool binds(const LimitZone& zone, const LimitZone& own) {
+  return zone.speed_square < own.speed_square || zone.acceleration < own.acceleration ||
+         zone.curvature > 0.0F;
+}
+
+}  // namespace
+
+void ZoneTrail::remove(std::size_t index) { zones_[index] = zones_[--count_]; }
+
+void ZoneTrail::add(const LimitZone& zone) {
+  if (zone.length <= 0.0F) return;
+  for (std::size_t i = count_; i-- > 0;) {
+    if (is_within(zone, zones_[i])) return;
+    if (is_within(zones_[i], zone)) remove(i);
+  }
+  zones_[count_++] = zone;
+  if (count_ > kCapacity) merge_nearest();
+}
+
+/// Of those that reach nearly as far one is made: it asks for more than they
+/// did, nowhere for less.
+void ZoneTrail::merge_nearest() {
+  std::size_t first = 0;
+  std::size_t second = 1;
+  float nearest = 1.0e12F;
+  for (std::size_t i = 0; i < count_; ++i) {
+    for (std::size_t k = i + 1; k < count_; ++k) {
+      const float apart = std::abs(zones_[i].length - zones_[k].length);
+      if (apart >= nearest) continue;
+      nearest = apart;
+      first = i;
+      second = k;
+    }
+  }
+  zones_[first] = both(zones_[first], zones_[second]);
+  remove(second);
+}
+
+void ZoneTrail::advance(float length) {
+  for (std::size_t i = count_; i-- > 0;) {
+    zones_[i].length -= length;
+    if (zones_[i].length <= 0.0F) remove(i);
+  }
+}
+
+BlockZones ZoneTrail::reaching(const LimitZone& own) const {
+  ZoneTrail binding;
+  for (std::size_t i = 0; i < count_; ++i) {
+    if (binds(zones_[i], own)) binding.zones_[binding.count_++] = zones_[i];
+  }
+  BlockZones found{};
+  while (binding.count_ > found.size()) binding.merge_nearest();
+  for (std::size_t i = 0; i < binding.count_; ++i) found[i] = binding.zones_[i];
+  return found;
+}
+
+}  // namespace cnc::motion

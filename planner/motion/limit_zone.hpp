@@ -1,0 +1,32 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "planner/motion/block.hpp"
+
+namespace cnc::motion {
+
+/// Collects, along the path, what blocks that are left behind still ask for.
+class ZoneTrail {
+ public:
+  void clear() { count_ = 0; }
+  [[nodiscard]] bool empty() const { return count_ == 0; }
+  /// A block of the path begins to be left: its limits reach so far.
+  void add(const LimitZone& zone);
+  /// So many mm further.
+  void advance(float length);
+  /// What reaches into a block whose own limits are these.
+  [[nodiscard]] BlockZones reaching(const LimitZone& own) const;
+
+ private:
+  static constexpr std::size_t kCapacity = 4;
+
+  void remove(std::size_t index);
+  void merge_nearest();
+
+  std::array<LimitZone, kCapacity + 1> zones_{};
+  std::size_t count_ = 0;
+};
+
+}  // namespace cnc::motion
