@@ -6,6 +6,7 @@
 #include "planner/base/axes.hpp"
 #include "planner/base/step_position.hpp"
 #include "planner/motion/segment.hpp"
+#include "planner/motion/turning.hpp"
 
 namespace cnc::motion {
 
@@ -31,8 +32,8 @@ struct Turn {
 struct LimitZone {
   float length = 0.0F;           ///< mm; 0 is no zone.
   float speed_square = 1.0e12F;  ///< v² at most.
-  float acceleration = 1.0e9F;   ///< mm/s², in any direction, …
-  float curvature = 0.0F;        ///< … of which κ v² is for turning, 1/mm.
+  float acceleration = 1.0e9F;   ///< mm/s² at most, of which turning takes a part.
+  Turning turning{};
   constexpr bool operator==(const LimitZone&) const = default;
 };
 

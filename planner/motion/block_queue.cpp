@@ -78,6 +78,11 @@ bool lay_tail(ZoneTrail& ahead, Block& block, const Spans& spans, const SpeedCap
 
 }  // namespace
 
+void BlockQueue::stop_before_newest() {
+  changeable(size_ - newest_).corner_speed_square = 0.0F;
+  forget_plan();
+}
+
 /// Of the blocks that were not planned before.
 void BlockQueue::lay_heads(const Limits& limits,
                            const Overrides& overrides,
@@ -105,6 +110,7 @@ void BlockQueue::plan(const Limits& limits,
                       std::size_t lead) {
   if (unplanned_ == 0 || unplanned_ * kReplanShare < size_) return;
   lay_heads(limits, overrides, window);
+  newest_ = unplanned_;
   BrakingState exit{};
   ZoneTrail ahead;
   for (std::size_t index = size_; index-- > lead;) {
@@ -117,6 +123,7 @@ void BlockQueue::plan(const Limits& limits,
     if (entry.speed_square > block.corner_speed_square) {
       entry.speed_square = block.corner_speed_square;
       entry.commit_square = entry.speed_square;
+      if (entry.speed_square <= 0.0F) entry = {};
     }
     if (was_planned && same_tail && entry == block.entry) break;
     block.entry = entry;

@@ -57,6 +57,13 @@ class BlockQueue {
             std::size_t lead = 0);
   /// The limits or overrides changed: plan anew from the newest block on.
   void forget_plan() { unplanned_ = size_; }
+  /// The blocks that were planned for the first time with the last plan came too
+  /// late: the joint before them is taken at rest, so the plan without them holds.
+  void stop_before_newest();
+  /// There are such, and the first of them is behind the block at `lead`.
+  [[nodiscard]] bool has_newest_behind(std::size_t lead) const {
+    return newest_ > 0 && newest_ < size_ && size_ - newest_ > lead;
+  }
 
   /// What a block must meet at its end. @pre planned
   [[nodiscard]] BrakingState exit_of(std::size_t index) const {
@@ -85,6 +92,7 @@ class BlockQueue {
   AxisArray<float> last_exit_tangent_{};
   std::size_t first_ = 0;
   std::size_t size_ = 0;
+  std::size_t newest_ = 0;     ///< How many the last plan was the first of.
   std::size_t unplanned_ = 0;  ///< How many of the newest have no entry speed yet.
 };
 

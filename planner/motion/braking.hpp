@@ -23,25 +23,29 @@ struct BrakingPoint {
   BrakingState end{};         ///< At its end, v² within its cap.
   float deceleration = 0.0F;  ///< Towards its end, mm/s² ≥ 0.
   float cap_square = 0.0F;    ///< Within the span, after feed and overrides.
+  float steepest = 0.0F;      ///< Of the braking here and ahead.
 
   /// X with `left` mm of the span to go.
   [[nodiscard]] float commit_square(float left) const {
-    if (cap_square <= end.speed_square) return end.commit_square + 2.0F * start.steepest * left;
+    if (cap_square <= end.speed_square) return end.commit_square + 2.0F * steepest * left;
     const float slope = end.speed_square + 2.0F * deceleration * left;
     if (slope <= cap_square || deceleration <= 0.0F) return slope;
-    return cap_square + (slope - cap_square) * (start.steepest / deceleration);
+    return cap_square + (slope - cap_square) * (steepest / deceleration);
   }
 };
 
 /// The span as the pass goes back over it.
 [[nodiscard]] inline BrakingPoint braking_point(
     float cap_square, float deceleration, float length, const BrakingState& end, float window_s) {
-  BrakingPoint point{.end = end, .deceleration = deceleration, .cap_square = cap_square};
+  BrakingPoint point{.end = end,
+                     .deceleration = deceleration,
+                     .cap_square = cap_square,
+                     .steepest = std::max(deceleration, end.steepest)};
   // Rounded down, so that the speeds as stored never ask for more.
   const float from = next_below(end.speed_square + 2.0F * deceleration * length);
   BrakingState& start = point.start;
   start.speed_square = std::min(cap_square, std::max(end.speed_square, from));
-  start.steepest = std::max(deceleration, end.steepest);
+  start.steepest = point.steepest;
   start.commit_square = point.commit_square(length);
   // Where the cap is reached in time, what lies behind it no longer matters.
   const float cap = std::sqrt(cap_square);

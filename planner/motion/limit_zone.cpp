@@ -9,7 +9,8 @@ namespace {
 /// `zone` asks for nothing that `other` does not ask for as far.
 bool is_within(const LimitZone& zone, const LimitZone& other) {
   return zone.length <= other.length && zone.speed_square >= other.speed_square &&
-         zone.acceleration >= other.acceleration && zone.curvature <= other.curvature;
+         zone.acceleration >= other.acceleration &&
+         both(zone.turning, other.turning) == other.turning;
 }
 
 /// What both ask for, as far as the longer reaches.
@@ -17,12 +18,12 @@ LimitZone both(const LimitZone& a, const LimitZone& b) {
   return {.length = std::max(a.length, b.length),
           .speed_square = std::min(a.speed_square, b.speed_square),
           .acceleration = std::min(a.acceleration, b.acceleration),
-          .curvature = std::max(a.curvature, b.curvature)};
+          .turning = both(a.turning, b.turning)};
 }
 
 bool binds(const LimitZone& zone, const LimitZone& own) {
   return zone.speed_square < own.speed_square || zone.acceleration < own.acceleration ||
-         zone.curvature > 0.0F;
+         zone.turning.curvature > 0.0F;
 }
 
 }  // namespace

@@ -12,8 +12,8 @@ namespace {
 constexpr std::uint64_t kOneQ30 = std::uint64_t{1} << 30;
 constexpr std::uint64_t kOneQ63 = std::uint64_t{1} << 63;
 
-/// A reciprocal of so many ticks is good to 2^-32 of the whole.
-constexpr std::uint64_t kMostTicks = std::uint64_t{1} << 31;
+/// A reciprocal of so many ticks is good to 2^-30 of the whole.
+constexpr std::uint64_t kMostTicks = std::uint64_t{1} << 33;
 
 }  // namespace
 

@@ -111,15 +111,30 @@ void PlanCursor::note_change(const Stretch& stretch) {
 
 /// More blocks, an override or a hold may have changed what lies ahead.
 void PlanCursor::follow_plan(Drive drive) {
-  const BrakingState exit = queue_.exit_of(index_);
-  const bool same_plan =
-      !replan_ && exit == profile_.exit() && queue_.at(index_).tail == profile_.tail();
+  const bool same_plan = !replan_ && queue_.exit_of(index_) == profile_.exit() &&
+                         queue_.at(index_).tail == profile_.tail();
   if (same_plan && drive == phase_drive_) return;
   if (phase_.duration > 0.0F) profile_.stop_short(phase_, phase_distance_left(), speed_);
   phase_ = {};
-  if (profile_.at_end()) return;
-  if (!same_plan) profile_.replan(queue_.at(index_), limits_, window_, overrides_, exit);
+  if (profile_.at_end() || same_plan) return;
+  const BlockZones zones = profile_.tail();
+  replan();
+  const bool too_late = profile_.too_fast(patience()) || profile_.within_other_zones(zones);
+  if (!replan_ && too_late) refuse_late_blocks();
   replan_ = false;
+}
+
+void PlanCursor::replan() {
+  profile_.replan(queue_.at(index_), limits_, window_, overrides_, queue_.exit_of(index_));
+}
+
+/// Blocks came so late that the plan is too fast already for what they ask for
+/// ahead of their start. Nothing is, for a stop there, as was planned without them.
+void PlanCursor::refuse_late_blocks() {
+  if (!window_.filters() || !queue_.has_newest_behind(index_)) return;
+  queue_.stop_before_newest();
+  queue_.plan(limits_, overrides_, window_, index_);
+  replan();
 }
 
 /// Cutting a phase short may have rounded what was left of it to nothing.

@@ -47,6 +47,8 @@ class PlanCursor {
   [[nodiscard]] Patience patience() const;
   void note_change(const Stretch& stretch);
   void follow_plan(Drive drive);
+  void replan();
+  void refuse_late_blocks();
   void finish_block(Stretch& stretch);
   [[nodiscard]] bool ready_phase(Drive drive);
   void begin_block();

@@ -28,7 +28,7 @@ float Reversals::quarters_at(PathUnits place) const {
 
 PathUnits Reversals::place_of(float quarters) const {
   const float share = (quarters - start_) / sweep_;
-  return truncated(share * static_cast<float>(length_));
+  return to_units(share * to_mm(length_));
 }
 
 PathUnits Reversals::next_after(PathUnits place) const {

@@ -14,7 +14,7 @@ constexpr std::int32_t kNanosecondsPerTick = 1'000'000'000 / kTicksPerSecond;
 constexpr float kTicksPerNanosecond = 1.0F / static_cast<float>(kNanosecondsPerTick);
 constexpr std::uint32_t kLongestSliceNs = 1'000'000;
 /// Where speed changes a lot.
-constexpr std::uint64_t kShortSliceNs = 250'000;
+constexpr std::uint32_t kShortSliceNs = 250'000;
 
 bool has_steps(const Segment& segment) {
   return std::any_of(segment.trains.begin(), segment.trains.end(), [](const StepTrain& train) {
@@ -152,10 +152,15 @@ void Segmenter::end_block() {
 }
 
 /// Where the speed of the path or of an axis changes by more than a third of
-/// itself slices are shorter, so that a parabola in the step index fits.
+/// itself slices are shorter, so that a parabola in the step index fits. Slices
+/// of a stretch are equally long.
 std::uint64_t Segmenter::longest_slice_ns() const {
   const float change = 3.0F * std::abs(course_.whole().acceleration) * kLongestSlice;
-  return change > speed_ || reversals_.near(place_) ? kShortSliceNs : kLongestSliceNs;
+  const bool changes = change > speed_ || reversals_.near(place_);
+  const std::uint32_t longest = changes ? kShortSliceNs : kLongestSliceNs;
+  const auto left = static_cast<std::uint32_t>(course_.duration_ns() - elapsed_ns_);
+  const std::uint32_t slices = std::max<std::uint32_t>(1, (left + longest - 1) / longest);
+  return (left + slices - 1) / slices;
 }
 
 /// The next slice ends with the stretch, where the block does, or where an axis

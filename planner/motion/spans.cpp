@@ -132,11 +132,10 @@ void Spans::lay_out_arc(const Block& block, const Limits& limits, const TimeWind
   acceleration_second_ = planned_acceleration(limits, axes.second, window);
 
   const float least = std::min(acceleration_first_, acceleration_second_);
-  turning_ = {.acceleration = least * margin_for(kGridAngle),
-              .curvature = turn.curvature,
-              .window_s = window.seconds()};
-  straight_speed_square_ =
-      std::min(straight_speed_square_, turning_.speed_limit_square() / square(plane_share_));
+  plane_acceleration_ = least * margin_for(kGridAngle);
+  turning_ = Turning::of(turn.curvature, plane_acceleration_);
+  straight_speed_square_ = std::min(
+      straight_speed_square_, turning_.speed_limit_square(window.seconds()) / square(plane_share_));
   reach_ = window_reach(window, straight_speed_square_, least) / mm_per_radian_;
   uniform_ = reach_ > kFarReach;
   const float margin = margin_for(std::max(kGridAngle, uniform_ ? 0.0F : reach_));
@@ -178,7 +177,7 @@ LimitZone Spans::zone_on(int span) const {
   const auto take = [&found](const LimitZone& zone) {
     found.speed_square = std::min(found.speed_square, zone.speed_square);
     found.acceleration = std::min(found.acceleration, zone.acceleration);
-    found.curvature = std::max(found.curvature, zone.curvature);
+    found.turning = both(found.turning, zone.turning);
   };
   if (!window_.filters()) return found;
   const float sliver = kSliverShare * length_;
@@ -194,8 +193,11 @@ LimitZone Spans::zone_on(int span) const {
 LimitZone Spans::zone(float cap_square) const {
   LimitZone zone{.speed_square = cap_square, .acceleration = straight_acceleration_};
   if (sweep_ > 0.0F) {
-    zone.acceleration = std::min(zone.acceleration, turning_.acceleration);
-    zone.curvature = turning_.curvature * plane_share_;
+    zone.acceleration = std::min(zone.acceleration, plane_acceleration_);
+    const float share = plane_share_;
+    zone.turning = {turning_.curvature * share,
+                    turning_.speed_ratio * square(share),
+                    turning_.jerk_ratio * square(share) * share};
   }
   zone.length = window_reach(window_, cap_square, zone.acceleration);
   return zone;
@@ -267,9 +269,8 @@ float Spans::steepest(int span,
                       Change change) const {
   const LimitZone zone = zone_on(span);
   float most = std::min(straight_acceleration_, zone.acceleration);
-  const Turning neighbours{
-      .acceleration = most, .curvature = zone.curvature, .window_s = window_.seconds()};
-  if (zone.curvature > 0.0F) most = neighbours.steepest(distance, speed_square, cap_square);
+  const float window_s = window_.seconds();
+  most = zone.turning.steepest(most, distance, speed_square, cap_square, window_s);
   if (sweep_ <= 0.0F) return most;
   if (window_.filters()) most = within_turning(most, distance, speed_square, cap_square);
   if (uniform_) return most;
@@ -301,13 +302,18 @@ float Spans::within_turning(float most,
                             float speed_square,
                             float cap_square) const {
   const float to_plane = square(plane_share_);
+  const float window_s = window_.seconds();
   if (uniform_) {
-    const float plane =
-        turning_.steepest(plane_share_ * distance, to_plane * speed_square, to_plane * cap_square);
+    const float plane = turning_.steepest(plane_acceleration_,
+                                          plane_share_ * distance,
+                                          to_plane * speed_square,
+                                          to_plane * cap_square,
+                                          window_s);
     return std::min(most, plane / plane_share_);
   }
   const float top_square = std::min(cap_square, speed_square + 2.0F * most * distance);
-  return std::min(most, turning_.within_jerk(to_plane * top_square) / plane_share_);
+  const float plane = turning_.within_jerk(plane_acceleration_, to_plane * top_square, window_s);
+  return std::min(most, plane / plane_share_);
 }
 
 }  // namespace cnc::motion

@@ -3,7 +3,6 @@
 #include <array>
 
 #include "planner/motion/time_window.hpp"
-#include "planner/motion/turning.hpp"
 
 namespace cnc::motion {
 
@@ -111,8 +110,9 @@ class Spans {
   float side_ = 1.0F;  ///< +1 counter-clockwise.
   float mm_per_radian_ = 0.0F;
   float plane_share_ = 0.0F;
-  float reach_ = 0.0F;  ///< Radians either way that the window spans.
-  Turning turning_{};   ///< Of the plane.
+  float reach_ = 0.0F;               ///< Radians either way that the window spans.
+  Turning turning_{};                ///< Within the plane.
+  float plane_acceleration_ = 0.0F;  ///< The lesser of its axes.
   float acceleration_first_ = 0.0F;
   float acceleration_second_ = 0.0F;
   float rate_first_ = 0.0F;

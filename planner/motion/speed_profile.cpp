@@ -109,6 +109,22 @@ Phase SpeedProfile::next_phase(Drive drive, const Patience& patience) const {
   return change_speed(patience);
 }
 
+bool SpeedProfile::too_fast(const Patience& patience) const {
+  const float curve = end_target_square() + 2.0F * here().deceleration * left_;
+  const float committed =
+      commit_speed(here().commit_square(left_), here().steepest, patience.before_braking);
+  const float most = std::min({curve, here().cap_square, square(committed)});
+  return speed_square_ > most * kAbovePlan;
+}
+
+bool SpeedProfile::within_other_zones(const BlockZones& before) const {
+  const float left = left_of_block({.left = left_});
+  const BlockZones& now = spans_.tail();
+  return std::any_of(now.begin(), now.end(), [&](const LimitZone& zone) {
+    return zone.length > left && std::find(before.begin(), before.end(), zone) == before.end();
+  });
+}
+
 /// Speed up, hold the cap or follow the braking curve, whichever comes first.
 Phase SpeedProfile::change_speed(const Patience& patience) const {
   if (patience.before_speeding_up > 0.0F) {
@@ -147,7 +163,7 @@ Phase SpeedProfile::committed(const Phase& phase) const {
   const float gain = 2.0F * phase.acceleration;
   const auto too_fast = [&](float distance) {
     const float most =
-        commit_speed(here().commit_square(left_ - distance), here().start.steepest, window_s);
+        commit_speed(here().commit_square(left_ - distance), here().steepest, window_s);
     return speed_square_ + gain * distance > square(most);
   };
   if (!too_fast(phase.distance)) return phase;
@@ -158,6 +174,8 @@ Phase SpeedProfile::committed(const Phase& phase) const {
     const float middle = 0.5F * (short_of + beyond);
     (too_fast(middle) ? beyond : short_of) = middle;
   }
+  // What is left is too little to be told from nothing, and must be driven, too.
+  if (short_of <= 0.0F && speed_square_ <= 0.0F) return phase;
   return phase_to(speed_square_ + gain * short_of, short_of, left_ - short_of);
 }
 

@@ -55,6 +55,10 @@ class SpeedProfile {
   [[nodiscard]] bool at_end() const { return span_ == spans_.count(); }
   [[nodiscard]] float speed_square() const { return speed_square_; }
   [[nodiscard]] const BrakingState& exit() const { return exit_; }
+  /// The speed is above what can be braked from, after the wait for it.
+  [[nodiscard]] bool too_fast(const Patience& patience) const;
+  /// The place lies in a zone from ahead that was not there before.
+  [[nodiscard]] bool within_other_zones(const BlockZones& before) const;
   /// The zones from ahead that the plan knows of.
   [[nodiscard]] const BlockZones& tail() const { return spans_.tail(); }
 

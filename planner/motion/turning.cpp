@@ -1,52 +1,58 @@
 #include "planner/motion/turning.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include "planner/base/scalar_math.hpp"
 
 namespace cnc::motion {
 
-float Turning::speed_limit_square() const {
+Turning Turning::of(float curvature, float acceleration) {
+  const float ratio = curvature / acceleration;
+  return {curvature, ratio, ratio * curvature};
+}
+
+float Turning::speed_limit_square(float window_s) const {
   constexpr float kNoLimit = 1.0e12F;
   if (curvature <= 0.0F) return kNoLimit;
-  const float centripetal = acceleration / curvature;
+  const float centripetal = 1.0F / speed_ratio;
   if (window_s <= 0.0F) return centripetal;
   constexpr float kJerkShare = 0.8F;
-  constexpr float kLeast = 1.0e-25F;  // What a cube root may be asked for.
-  const float cube = kJerkShare * acceleration / (window_s * square(curvature));
-  return std::min(centripetal, square(cube_root(std::clamp(cube, kLeast, 1.0e25F))));
+  constexpr float kCubes = 1.0e25F;  // Of what a cube root may be asked for.
+  const float cube = kJerkShare / (window_s * jerk_ratio);
+  return std::min(centripetal, square(cube_root(std::clamp(cube, 1.0F / kCubes, kCubes))));
 }
 
-float Turning::steepest(float distance, float speed_square, float cap_square) const {
+float Turning::steepest(float acceleration,
+                        float distance,
+                        float speed_square,
+                        float cap_square,
+                        float window_s) const {
   if (curvature <= 0.0F) return acceleration;
-  const float most = within_acceleration(distance, speed_square);
+  const float most = within_acceleration(acceleration, distance, speed_square);
   if (window_s <= 0.0F) return most;
-  return std::min(most, within_jerk(std::min(cap_square, speed_square + 2.0F * most * distance)));
+  const float top_square = std::min(cap_square, speed_square + 2.0F * most * distance);
+  return std::min(most, within_jerk(acceleration, top_square, window_s));
 }
 
-/// a² + κ² (v² + 2 a d)² = A², solved for a.
-float Turning::within_acceleration(float distance, float speed_square) const {
-  const float normal = curvature * speed_square;
-  const float left = square(acceleration) - square(normal);
+/// α² + (κ / A)² (v² + 2 α A d)² = 1, solved for α.
+float Turning::within_acceleration(float acceleration, float distance, float speed_square) const {
+  const float normal = speed_ratio * speed_square;
+  const float left = 1.0F - square(normal);
   if (left <= 0.0F) return 0.0F;
-  const float gain = 2.0F * curvature * distance;
-  const float leading = 1.0F + square(gain);
+  const float gain = 2.0F * speed_ratio * acceleration * distance;
   const float half = gain * normal;
-  return left / (half + std::sqrt(square(half) + leading * left));
+  const float leading = 1.0F + square(gain);
+  return acceleration * left / (half + std::sqrt(square(half) + leading * left));
 }
 
-/// (a p + r)² + (a q)² = J², solved for a.
-float Turning::within_jerk(float speed_square) const {
+/// (α + r)² + (α q)² = 1 with r and q in units of 1 / T, solved for α.
+float Turning::within_jerk(float acceleration, float speed_square, float window_s) const {
   const float speed = std::sqrt(speed_square);
-  const float p = 1.0F / window_s;
-  const float q = 3.0F * curvature * speed;
-  const float r = square(curvature) * speed * speed_square;
-  const float left = square(acceleration * p) - square(r);
+  const float r = jerk_ratio * speed * speed_square * window_s;
+  const float q = 3.0F * curvature * speed * window_s;
+  const float left = 1.0F - square(r);
   if (left <= 0.0F) return 0.0F;
-  const float leading = square(p) + square(q);
-  const float half = p * r;
-  return left / (half + std::sqrt(square(half) + leading * left));
+  return acceleration * left / (r + std::sqrt(square(r) + (1.0F + square(q)) * left));
 }
 
 }  // namespace cnc::motion

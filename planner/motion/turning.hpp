@@ -1,29 +1,53 @@
 #pragma once
 
+#include <algorithm>
+
 namespace cnc::motion {
 
-/// Limits along a curve taken as the same in all directions: for a curvature κ,
-/// a path acceleration a and a speed v,
-///   a² + (κ v²)² ≤ A²  and, if jerk is limited,  (a / T + κ² v³)² + (3 κ v a)² ≤ (A / T)²,
-/// for along the tangent jerk is ȧ − κ² v³, and across it 3 κ v a.
+/// How a curve divides an acceleration limit A, taken as the same in all
+/// directions, between turning and changing speed. With curvature κ, speed v and
+/// path acceleration a = α A:
+///   α² + (v² κ / A)² ≤ 1
+/// and, where jerk is limited to A / T,
+///   (α / T + v³ κ² / A)² + (3 κ v α)² ≤ 1 / T²,
+/// for along the tangent jerk is ȧ − κ² v³, and across it 3 κ v a. In ratios to A,
+/// so that curves with limits of their own can be taken together.
 struct Turning {
-  float acceleration = 0.0F;  ///< A, mm/s².
-  float curvature = 0.0F;     ///< κ ≥ 0, 1/mm.
-  float window_s = 0.0F;      ///< T; 0 where jerk is not limited.
+  float curvature = 0.0F;    ///< κ ≥ 0, 1/mm; 0 does not turn.
+  float speed_ratio = 0.0F;  ///< κ / A.
+  float jerk_ratio = 0.0F;   ///< κ² / A.
 
-  /// v² at which, on a level course, κ v² = A or κ² v³ is four fifths of A / T:
-  /// the last fifth is for the way there.
-  [[nodiscard]] float speed_limit_square() const;
+  [[nodiscard]] static Turning of(float curvature, float acceleration);
+
+  /// v² at which, on a level course, all of A is for turning, or four fifths of
+  /// the jerk: the last fifth is for the way there. @param window_s T; 0 is none.
+  [[nodiscard]] float speed_limit_square(float window_s) const;
 
   /// The greatest a that may hold over `distance` mm from where v² is
   /// `speed_square`, v² growing all the way up to at most `cap_square`.
-  [[nodiscard]] float steepest(float distance, float speed_square, float cap_square) const;
+  /// @param acceleration A along the path.
+  [[nodiscard]] float steepest(float acceleration,
+                               float distance,
+                               float speed_square,
+                               float cap_square,
+                               float window_s) const;
 
-  /// The greatest a at this v² as far as jerk goes. @pre window_s > 0
-  [[nodiscard]] float within_jerk(float speed_square) const;
+  /// As far as jerk goes, at this v². @pre window_s > 0
+  [[nodiscard]] float within_jerk(float acceleration, float speed_square, float window_s) const;
+
+  constexpr bool operator==(const Turning&) const = default;
 
  private:
-  [[nodiscard]] float within_acceleration(float distance, float speed_square) const;
+  [[nodiscard]] float within_acceleration(float acceleration,
+                                          float distance,
+                                          float speed_square) const;
 };
+
+/// What both ask for.
+[[nodiscard]] inline Turning both(const Turning& a, const Turning& b) {
+  return {std::max(a.curvature, b.curvature),
+          std::max(a.speed_ratio, b.speed_ratio),
+          std::max(a.jerk_ratio, b.jerk_ratio)};
+}
 
 }  // namespace cnc::motion

@@ -1,0 +1,204 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "tests/simulation/edge_check.hpp"
+#include "tests/simulation/jerk_check.hpp"
+#include "tests/support/drive.hpp"
+#include "tests/support/trials.hpp"
+
+namespace proof {
+namespace {
+
+constexpr double kWithinLimit = 1.001;
+
+/// What is seen of jerk is a difference of speeds in float, of which the machines
+/// of µm/s among the random ones leave little.
+constexpr double kWithinJerk = 1.06;
+
+/// Acceleration reaches its limit after so many seconds.
+void limit_jerk(TestMachine& machine, double ramp_s) {
+  for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
+    machine.limits.jerk_mm_s3[axis] =
+        machine.limits.acceleration_mm_s2[axis] / static_cast<float>(ramp_s);
+  }
+}
+
+struct Job {
+  TestMachine machine;
+  Program program;
+
+  explicit Job(Random& random) : machine{random_machine(random)} {
+    program = random_program(random, machine);
+    limit_jerk(machine, random.magnitude(1.0e-3, 0.2));
+  }
+};
+
+struct Worst {
+  double jerk = 0.0;
+  double acceleration = 0.0;
+  double feed = 0.0;
+};
+
+void expect_kept(const Job& job, const RecordedPlan& plan, Worst& worst, bool overrides = false) {
+  const PlanFigures figures = check_plan(plan, job.machine, Sampling::kAtSlicesOnly);
+  const Greatest jerk = greatest_jerk(plan, job.machine);
+  EXPECT_TRUE(figures.finite && figures.contiguous);
+  EXPECT_LE(jerk.value, kWithinJerk) << "slice " << jerk.slice << ", axis " << jerk.axis;
+  EXPECT_LE(figures.acceleration.value, kWithinLimit) << "slice " << figures.acceleration.slice;
+  EXPECT_LE(figures.rate.value, kWithinLimit) << "slice " << figures.rate.slice;
+  if (!overrides) {
+    EXPECT_LE(figures.feed.value, kWithinLimit) << "slice " << figures.feed.slice;
+  }
+  EXPECT_LE(figures.speed_jump.value, 1.0e-3) << "slice " << figures.speed_jump.slice;
+  EXPECT_LE(figures.end_speed.value, 1.0e-4) << "slice " << figures.end_speed.slice;
+  worst.jerk = std::max(worst.jerk, jerk.value);
+  worst.acceleration = std::max(worst.acceleration, figures.acceleration.value);
+  worst.feed = std::max(worst.feed, figures.feed.value);
+
+  const EdgeFigures edges = check_edges(plan, job.machine);
+  EXPECT_LE(edges.lateness.value, kEdgeSlack) << "slice " << edges.lateness.slice;
+  EXPECT_LE(edges.separation.value, kEdgeSlack) << "slice " << edges.separation.slice;
+  EXPECT_TRUE(edges.pulses_kept && edges.final_position);
+}
+
+void print(const char* what, const Worst& worst) {
+  std::printf("%s: greatest jerk %.5f, acceleration %.5f, feed %.5f of the limit\n",
+              what,
+              worst.jerk,
+              worst.acceleration,
+              worst.feed);
+}
+
+TEST(JerkLimitedPrograms, KeepEveryLimitAndTheirPulsesFollowThePlan) {
+  const Trials trials{1000};
+  Worst worst;
+  for (auto seed = trials.first_seed(); seed < trials.end_seed() && !too_many_failures(); ++seed) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    Random random{seed};
+    const Job job{random};
+    EXPECT_NO_THROW(expect_kept(job, drive(job.program, job.machine), worst));
+  }
+  print("programs", worst);
+}
+
+/// Holds, goes on and turns the feed at random.
+class Meddler {
+ public:
+  explicit Meddler(std::uint64_t seed) : random_{seed} {}
+
+  void operator()(cnc::motion::Segmenter& segmenter, std::size_t /*cut*/) {
+    if (segmenter.halted() && random_.chance(0.2)) segmenter.go_on();
+    if (!random_.chance(0.02)) return;
+    const double feed = random_.between(0.1, 2.0);
+    const double rapid = random_.between(0.05, 1.0);
+    switch (random_.below(3)) {
+      case 0:
+        return segmenter.halt();
+      case 1:
+        return segmenter.go_on();
+      default:
+        segmenter.set_overrides(
+            {.feed = static_cast<float>(feed), .rapid = static_cast<float>(rapid)});
+    }
+  }
+
+ private:
+  Random random_;
+};
+
+TEST(JerkLimitedPrograms, KeepEveryLimitWhateverTheOperatorDoes) {
+  const Trials trials{500};
+  Worst worst;
+  for (auto seed = trials.first_seed(); seed < trials.end_seed() && !too_many_failures(); ++seed) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    Random random{seed};
+    const Job job{random};
+    const Operator meddle = Meddler{seed};
+    EXPECT_NO_THROW(expect_kept(job, drive(job.program, job.machine, meddle), worst, true));
+  }
+  print("operators", worst);
+}
+
+/// One straight move along X.
+struct Move {
+  double length;
+  double speed;
+  double acceleration;
+  double jerk;
+
+  [[nodiscard]] Job job(Random& random) const {
+    Job made{random};
+    made.machine.limits.rate_mm_s[0] = static_cast<float>(speed);
+    made.machine.limits.acceleration_mm_s2[0] = static_cast<float>(acceleration);
+    made.machine.limits.jerk_mm_s3[0] = static_cast<float>(jerk);
+    made.machine.limits.scale[0] = cnc::AxisScale{100.0F};
+    cnc::Position end{};
+    end[0] = cnc::Coordinate{std::llround(length * 1.0e6)};
+    made.program = {.items = {{.request = {.element = {.end = end}}}}};
+    return made;
+  }
+
+  /// Seconds from rest to `top`, with the acceleration reached.
+  [[nodiscard]] double ramp(double top) const { return top / acceleration + acceleration / jerk; }
+
+  /// The time-optimal motion with seven phases of constant jerk; on the way to
+  /// the speed v the mean speed is v / 2.
+  [[nodiscard]] double least_time() const {
+    const double speeding = speed * ramp(speed);
+    if (speeding <= length) return length / speed + ramp(speed);
+    const double lead = 0.5 * acceleration * acceleration / jerk;
+    const double top = std::sqrt(lead * lead + acceleration * length) - lead;
+    return 2.0 * ramp(top);
+  }
+};
+
+// From where the acceleration limit is reached on; shorter ones take up to …
+TEST(JerkLimitedMoves, TakeTheLeastTime) {
+  const Trials trials{300};
+  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    Random random{seed};
+    Move move{};
+    move.acceleration = random.magnitude(50.0, 5000.0);
+    move.jerk = move.acceleration / random.magnitude(5.0e-3, 0.2);
+    const double reached = move.acceleration * move.acceleration / move.jerk;
+    move.speed = reached * random.magnitude(1.0, 20.0);
+    move.length = 2.0 * reached * move.acceleration / move.jerk * random.magnitude(1.0, 100.0);
+    const Job job = move.job(random);
+    const double took = drive(job.program, job.machine).seconds;
+    const double floats = 1.0e-5;  // The limits are those of motors, in float.
+    const double limit = std::min(move.speed, 1000.0);
+    if (static_cast<double>(motor_rate(job.machine.limits, 0)) < limit) continue;
+    ASSERT_NEAR(took / move.least_time(), 1.0, 1.0e-4 + floats);
+  }
+}
+
+// From an even course the least is v / A + A / J.
+TEST(JerkLimitedMoves, AreHeldInTheLeastTime) {
+  Random random{1};
+  const Move move{.length = 400.0, .speed = 100.0, .acceleration = 500.0, .jerk = 25'000.0};
+  const Job job = move.job(random);
+  std::size_t held_at = 0;
+  const Operator hold = [&](cnc::motion::Segmenter& segmenter, std::size_t cut) {
+    if (cut == 1000) {
+      segmenter.halt();
+      held_at = cut;
+    }
+    if (segmenter.halted()) segmenter.go_on();
+  };
+  const RecordedPlan plan = drive(job.program, job.machine, hold);
+  double moved = 0.0;
+  for (std::size_t i = 0; i < plan.slices.size(); ++i) {
+    if (plan.slices[i].end_speed() > 1.0e-6 || i < 900) continue;
+    moved = plan.slices[i].end_s();
+    break;
+  }
+  const double stopping = moved - static_cast<double>(held_at) * 1.0e-3;
+  EXPECT_NEAR(stopping, 0.22, 0.02 * 0.22);
+}
+
+}  // namespace
+}  // namespace proof
