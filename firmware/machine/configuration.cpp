@@ -36,6 +36,7 @@ motion::Limits limits_from(const Settings& settings) {
     limits.scale[axis] = AxisScale{settings.get(setting::kStepsPerMm, axis)};
     limits.rate_mm_s[axis] = settings.get(setting::kRate, axis) / kSecondsPerMinute;
     limits.acceleration_mm_s2[axis] = settings.get(setting::kAcceleration, axis);
+    limits.jerk_mm_s3[axis] = settings.get(setting::kJerk, axis);
   }
   limits.junction_deviation_mm = settings.get(setting::kJunctionDeviation);
   const auto slot = static_cast<float>(2U * step_timing_from(settings).pulse);

@@ -236,7 +236,8 @@ void Segmenter::time_trains(const MotorState& to, std::uint64_t duration_ns, Seg
 /// Segments last whole ticks; what is left of one goes to the next.
 void Segmenter::pass_time(std::uint64_t duration_ns, Segment& segment) {
   const std::int32_t whole = static_cast<std::int32_t>(duration_ns) + remainder_ns_;
-  segment.ticks = static_cast<std::uint32_t>(std::max(0, whole / kNanosecondsPerTick));
+  segment.ticks =
+      static_cast<std::uint32_t>(std::max<std::int32_t>(0, whole / kNanosecondsPerTick));
   if (segment.ticks == 0 && has_steps(segment)) segment.ticks = 1;
   remainder_ns_ = whole - static_cast<std::int32_t>(segment.ticks) * kNanosecondsPerTick;
 }
