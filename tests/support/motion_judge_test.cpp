@@ -189,6 +189,17 @@ TEST(MotionJudge, PlantedViolationsAreFoundWhereTheyAre) {
   EXPECT_NEAR(short_window.jerk.value, 2.0, 1e-9);
 }
 
+TEST(MotionJudge, TurningFromSpeedingUpToBrakingTakesTwiceTheJerk) {
+  PlanWriter peak;
+  peak.go(0.1, 1000.0).go(0.1, -1000.0);
+  const MotionFigures figures = judge("G1 X10 F6000\n", peak);
+  EXPECT_NEAR(figures.jerk.value, 2.0, 1e-9);
+  EXPECT_NEAR(figures.jerk.time, 0.1, 1e-9);
+  PlanWriter plateau;
+  plateau.go(0.1, 1000.0).go(kWindow, 0.0).go(0.1, -1000.0);
+  EXPECT_NEAR(judge("G1 X11 F6000\n", plateau).jerk.value, 1.0, 1e-9);
+}
+
 TEST(MotionJudge, AStopThatIsDrivenThroughAndACornerAreFound) {
   const MotionFigures stop = judge("F6000 G1 X10\nG4 P0\nX20\n", trapezoid());
   EXPECT_NEAR(stop.stop.value, 100.0, 1e-9);
