@@ -44,8 +44,8 @@ void centre(const SpeedProblem& problem, double weight, double tolerance, Descen
   }
 }
 
-Descent solve(const SpeedProblem& problem) {
-  Descent descent{.unknown = problem.slow_start()};
+Descent solve(const SpeedProblem& problem, double start) {
+  Descent descent{.unknown = problem.slow_start(start)};
   const double rules = problem.rule_count();
   double weight = rules / problem.time(descent.unknown);
   for (;;) {
@@ -65,10 +65,10 @@ JerkLimitedTime jerk_limited_time(const ProgrammedPath& path,
   JerkLimitedTime time;
   for (const SpeedSection& section : speed_mesh(path, limits, size)) {
     const SpeedProblem exact{section, true};
-    const Descent found = solve(exact);
+    const Descent found = solve(exact, size.start);
     time.found += exact.time(found.unknown);
     const SpeedProblem relaxed{section, false};
-    const Descent bound = solve(relaxed);
+    const Descent bound = solve(relaxed, size.start);
     time.bound += relaxed.time(bound.unknown) - bound.gap;
     time.cells += section.size();
   }
@@ -81,7 +81,7 @@ std::vector<JerkSample> jerk_limited_profile(const ProgrammedPath& path,
   std::vector<JerkSample> samples{{}};
   for (const SpeedSection& section : speed_mesh(path, limits, size)) {
     const SpeedProblem exact{section, true};
-    const Descent found = solve(exact);
+    const Descent found = solve(exact, size.start);
     for (std::size_t i = 0; i < section.size(); ++i) {
       const double place = samples.back().place + section[i].length;
       const auto [y, first] = exact.end_of(i, found.unknown);

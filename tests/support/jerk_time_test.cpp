@@ -16,7 +16,7 @@ namespace sim {
 namespace {
 
 constexpr MeshSize kFine{
-    .cells_per_rise = 32.0, .widest = 0.02, .least_cells = 800, .most_cells = 4000};
+    .cells_per_rise = 32.0, .widest = 0.02, .least_cells = 800, .most_cells = 2500};
 
 /// Coarse only where the jerk hardly matters: many rises to full acceleration.
 constexpr MeshSize kQuick{.most_cells = 400};
@@ -56,7 +56,7 @@ ChainJob chain_job(std::uint64_t seed, double most_rise) {
 
 TEST(JerkLimitedTime, OfStraightMovesIsTheClosedForm) {
   double worst = 0.0;
-  for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 30; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     proof::Random random{seed};
     const double length = random.magnitude(0.01, 300.0);
@@ -78,7 +78,7 @@ TEST(JerkLimitedTime, OfStraightMovesIsTheClosedForm) {
 }
 
 TEST(JerkLimitedTime, OfUnlimitedJerkIsTheAccelerationLimitedOptimum) {
-  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     ChainJob job = chain_job(seed, 0.1);
     const double optimum = optimal_time(job.path, job.limits);
@@ -91,7 +91,7 @@ TEST(JerkLimitedTime, OfUnlimitedJerkIsTheAccelerationLimitedOptimum) {
 
 TEST(JerkLimitedTime, OnAFinerGridIsTheSame) {
   double worst = 0.0;
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const ChainJob job = chain_job(seed, 0.05);
     const JerkLimitedTime coarse = jerk_limited_time(job.path, job.limits);
@@ -142,7 +142,7 @@ double jerk_used(const ChainJob& job, const MeshSize& size) {
 }
 
 TEST(JerkLimitedTime, TheMotionFoundKeepsTheJerk) {
-  for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const ChainJob job = chain_job(seed, 0.05);
     EXPECT_LE(jerk_used(job, {}), 1.1);
@@ -156,8 +156,25 @@ TEST(JerkLimitedTime, CountsEachStop) {
   EXPECT_NEAR(time.found, 3.0 * 1.11, 3.0 * 1.11 * 0.003);
 }
 
+// One side of the jerk is not convex, so there may be more than one local optimum: the
+// search is begun with two very different motions.
+TEST(JerkLimitedTime, FromAnotherStartIsTheSame) {
+  MeshSize other = kQuick;
+  other.start = 0.02;
+  double worst = 0.0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const ChainJob job = chain_job(seed, 0.05);
+    const double usual = jerk_limited_time(job.path, job.limits, kQuick).found;
+    const double found = jerk_limited_time(job.path, job.limits, other).found;
+    EXPECT_NEAR(found / usual, 1.0, 0.01);
+    worst = std::max(worst, std::abs(found / usual - 1.0));
+  }
+  std::printf("two starts: %.6f apart at most\n", worst);
+}
+
 TEST(JerkLimitedTime, IsEnclosed) {
-  const proof::Trials trials{60};
+  const proof::Trials trials{40};
   std::vector<double> gaps;
   double slowest = 0.0;
   for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {

@@ -37,11 +37,16 @@ AlongPath along_path(const PlaceRules& rules, double cap) {
     if (axis.tangent != 0.0) most.jerk += std::abs(axis.tangent) * axis.jerk;
     if (axis.bend != 0.0) most.jerk += axis.bend * axis.bend * cap;
   }
-  // Axes that move straight bind the path by themselves.
+  // Each axis binds the path by itself, as far as the bend does not help it.
+  const double speed = std::cbrt(cap);
   for (std::size_t i = 0; i < rules.count; ++i) {
-    if (rules.axes[i].bend != 0.0 || rules.axes[i].twist != 0.0) continue;
-    most.acceleration = std::min(most.acceleration, rules.axes[i].acceleration);
-    most.jerk = std::min(most.jerk, rules.axes[i].jerk);
+    const AxisRule& axis = rules.axes[i];
+    const double share = std::abs(axis.tangent);
+    if (share <= 0.0) continue;
+    const double bend = std::abs(axis.bend) * speed;
+    most.acceleration = std::min(most.acceleration, (axis.acceleration + bend * speed) / share);
+    const double helped = 3.0 * bend * most.acceleration + std::abs(axis.twist) * cap;
+    most.jerk = std::min(most.jerk, (axis.jerk + helped) / share);
   }
   return most;
 }

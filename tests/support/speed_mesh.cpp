@@ -11,6 +11,9 @@ namespace {
 /// Slower corners than this are stops, mm/s.
 constexpr double kStopSpeed = 1.0e-3;
 
+/// The acceleration-limited optimum may be higher than its grid says: 1 % of speed.
+constexpr double kOwnGrid = 1.03;
+
 double cube_of_root(double square) { return square * std::sqrt(square); }
 
 /// Part of a path between two stops: pieces first…end − 1.
@@ -50,12 +53,14 @@ class SectionMesher {
  private:
   void find_scales() {
     rise_ = INFINITY;
-    jerk_ = 0.0;
+    jerk_ = acceleration_ = 0.0;
     for (std::size_t i = range_.first; i < range_.end; ++i) {
       const PathPiece& piece = path_.pieces[i];
       for (const double fraction : {0.0, 0.5, 1.0}) {
         const PlaceRules rules = rules_at(piece.curve, fraction, limits_);
-        jerk_ = std::max(jerk_, along_path(rules, cap_at(piece, fraction)).jerk);
+        const AlongPath most = along_path(rules, cap_at(piece, fraction));
+        jerk_ = std::max(jerk_, most.jerk);
+        acceleration_ = std::max(acceleration_, most.acceleration);
         for (std::size_t k = 0; k < rules.count; ++k) {
           rise_ = std::min(rise_, rules.axes[k].acceleration / rules.axes[k].jerk);
           longest_rise_ = std::max(longest_rise_, rules.axes[k].acceleration / rules.axes[k].jerk);
@@ -79,10 +84,13 @@ class SectionMesher {
       const auto& from = samples[sample];
       const auto& to = samples[sample + 1];
       if (to.place <= places_.back()) continue;
-      // v² is linear between two samples of the profile; four looks at the estimate.
+      // Four looks between two samples of the profile, at what can be reached from both.
       for (const double share : {0.05, 0.3, 0.7, 1.0}) {
-        add_sample(from.place + share * (to.place - from.place),
-                   std::lerp(from.speed * from.speed, to.speed * to.speed, share));
+        const double way = share * (to.place - from.place);
+        const double rest = (1.0 - share) * (to.place - from.place);
+        add_sample(from.place + way,
+                   std::min(from.speed * from.speed + 2.0 * acceleration_ * way,
+                            to.speed * to.speed + 2.0 * acceleration_ * rest));
       }
     }
     const double least = times_.back() / static_cast<double>(size_.most_cells);
@@ -182,7 +190,7 @@ class SectionMesher {
       relief.most = 2.0 * jerk;
       const double low_speed = acceleration * acceleration / relief.most;
       const double low = std::pow(low_speed, 3.0);
-      const double high = 1.03 * fastest_cubes_[i];  // 1 % of speed for its own grid.
+      const double high = std::min(kOwnGrid * fastest_cubes_[i], cells_[i].cap_inside);
       if (!(low < high) || !std::isfinite(relief.most)) continue;
       const double at_high = acceleration * acceleration / std::cbrt(high);
       relief.slope = (relief.most - at_high) / (high - low);
@@ -191,7 +199,8 @@ class SectionMesher {
   }
 
   [[nodiscard]] AlongPath cell_limits(std::size_t cell) const {
-    return along_path(cells_[cell].middle, cells_[cell].cap_inside);
+    const double highest = std::min(cells_[cell].cap_inside, kOwnGrid * fastest_cubes_[cell]);
+    return along_path(cells_[cell].middle, highest);
   }
 
   const ProgrammedPath& path_;
@@ -203,7 +212,8 @@ class SectionMesher {
   double end_ = 0.0;
   double rise_ = 0.0;          ///< Least A/J, s.
   double longest_rise_ = 0.0;  ///< Greatest A/J, s.
-  double jerk_ = 0.0;          ///< Greatest along the path.
+  double jerk_ = 0.0;          ///< Greatest along the path…
+  double acceleration_ = 0.0;  ///< …and greatest acceleration.
   double step_ = 0.0;          ///< Of time, s.
   std::vector<double> times_{};
   std::vector<double> places_{};

@@ -153,14 +153,14 @@ SpeedProblem::Place SpeedProblem::end_of(std::size_t cell,
 
 /// 1/y = Σ 1/(cap + C d²) over the stops and the slow places, d being the distance from each:
 /// y ≤ every cap, y″ ~ C and a²/v ≤ 4 C/9 whatever the number of terms.
-std::vector<double> SpeedProblem::start_of_height(double curve) const {
+std::vector<double> SpeedProblem::start_of_height(double curve, double share) const {
   struct Bottleneck {
     double from, to, cap;
   };
   std::vector<Bottleneck> slow{{0.0, 0.0, 0.0}, {places_.back(), places_.back(), 0.0}};
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < cells_.size(); ++i) {
-    const double cap = 0.2 * std::min(cells_[i].cap_inside, cells_[i].cap_end);
+    const double cap = 0.2 * share * std::min(cells_[i].cap_inside, cells_[i].cap_end);
     least = std::min(least, cap);
     if (slow.back().cap == cap && slow.back().to == places_[i]) {
       slow.back().to = places_[i + 1];
@@ -186,20 +186,20 @@ std::vector<double> SpeedProblem::start_of_height(double curve) const {
   return unknown;
 }
 
-std::vector<double> SpeedProblem::slow_start() const {
+std::vector<double> SpeedProblem::slow_start(double share) const {
   double jerk = std::numeric_limits<double>::infinity();
   for (const SpeedCell& cell : cells_) {
     for (std::size_t i = 0; i < cell.middle.count; ++i) {
       jerk = std::min({jerk, cell.middle.axes[i].jerk, 1.0e12});
     }
   }
-  double curve = jerk / 20.0;
-  std::vector<double> unknown = start_of_height(curve);
+  double curve = share * jerk / 20.0;
+  std::vector<double> unknown = start_of_height(curve, share);
   constexpr int kHalvings = 200;
   for (int i = 0; i < kHalvings && std::isinf(value(unknown, 1.0)); ++i) {
     if (i < 30) {
       curve *= 0.5;
-      unknown = start_of_height(curve);
+      unknown = start_of_height(curve, share);
     } else {
       for (double& height : unknown) height *= 0.5;
     }

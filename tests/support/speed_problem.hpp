@@ -30,8 +30,8 @@ class SpeedProblem {
   /// How many logarithms there are.
   [[nodiscard]] double rule_count() const;
 
-  /// A slow motion within every rule.
-  [[nodiscard]] std::vector<double> slow_start() const;
+  /// A slow motion within every rule. @param share of y of the usual one, or less.
+  [[nodiscard]] std::vector<double> slow_start(double share = 1.0) const;
 
   /// y and y′ at the end of a cell.
   struct Place {
@@ -53,7 +53,7 @@ class SpeedProblem {
            const Basis& basis,
            std::size_t cell,
            BandSystem& system) const;
-  [[nodiscard]] std::vector<double> start_of_height(double curve) const;
+  [[nodiscard]] std::vector<double> start_of_height(double curve, double share) const;
   [[nodiscard]] double length_of(std::ptrdiff_t cell) const;
 
   const SpeedSection& cells_;
