@@ -14,6 +14,19 @@ constexpr double kStopSpeed = 1.0e-3;
 /// The acceleration-limited optimum may be higher than its grid says: 1 % of speed.
 constexpr double kOwnGrid = 1.03;
 
+/// The square of the greatest speed at the start of a piece by what is there alone: whether
+/// the path says stop, and the corner. The one place that knows how corners are driven.
+double joint_square(const ProgrammedPath& path, std::size_t piece, const MotionLimits& limits) {
+  if (piece == 0 || path.pieces[piece].stop_before) return 0.0;
+  return junction_speed_squared(path.pieces[piece - 1].curve.tangent_at(1.0),
+                                path.pieces[piece].curve.tangent_at(0.0),
+                                limits);
+}
+
+bool stops_before(const ProgrammedPath& path, std::size_t piece, const MotionLimits& limits) {
+  return joint_square(path, piece, limits) < kStopSpeed * kStopSpeed;
+}
+
 double cube_of_root(double square) { return square * std::sqrt(square); }
 
 /// Part of a path between two stops: pieces first…end − 1.
@@ -165,12 +178,8 @@ class SectionMesher {
   void bound_ends() {
     std::size_t piece = range_.first;
     for (const std::size_t joint : joints_) {
-      const Curve& before = path_.pieces[piece].curve;
-      const Curve& after = path_.pieces[++piece].curve;
-      const double corner =
-          junction_speed_squared(before.tangent_at(1.0), after.tangent_at(0.0), limits_);
       SpeedCell& cell = cells_[joint - 1];
-      cell.cap_end = std::min(cell.cap_end, cube_of_root(corner));
+      cell.cap_end = std::min(cell.cap_end, cube_of_root(joint_square(path_, ++piece, limits_)));
     }
   }
 
@@ -223,14 +232,6 @@ class SectionMesher {
   std::vector<double> fastest_cubes_{};  ///< Its v³, for each cell.
   std::vector<std::size_t> joints_{};    ///< First cells of all pieces but the first.
 };
-
-bool stops_before(const ProgrammedPath& path, std::size_t piece, const MotionLimits& limits) {
-  if (piece == 0 || path.pieces[piece].stop_before) return true;
-  const double square = junction_speed_squared(path.pieces[piece - 1].curve.tangent_at(1.0),
-                                               path.pieces[piece].curve.tangent_at(0.0),
-                                               limits);
-  return square < kStopSpeed * kStopSpeed;
-}
 
 }  // namespace
 
