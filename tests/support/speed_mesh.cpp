@@ -52,6 +52,7 @@ class SectionMesher {
       end_ += path_.pieces[i].curve.length();
     }
     find_scales();
+    find_slow_joints();
     time_samples(sample);
     double piece_start = start_;
     for (std::size_t i = range_.first; i < range_.end; ++i) {
@@ -87,6 +88,40 @@ class SectionMesher {
         piece, piece.curve.tangent_at(fraction), piece.curve.curvature_at(fraction), limits_));
   }
 
+  /// √y at the joints, no higher than what can be reached from the others: by jerk alone
+  /// √y grows by √(4.5 J) per length at most, which is how a start from rest grows.
+  void find_slow_joints() {
+    slope_ = std::sqrt(4.5 * jerk_);
+    double place = start_;
+    for (std::size_t i = range_.first; i <= range_.end; ++i) {
+      double cap = 0.0;
+      if (i > range_.first && i < range_.end) {
+        cap = std::min({cap_at(path_.pieces[i - 1], 1.0),
+                        cap_at(path_.pieces[i], 0.0),
+                        cube_of_root(joint_square(path_, i, limits_))});
+      }
+      const double reached =
+          roots_.empty() ? 0.0 : roots_.back() + slope_ * (place - joins_.back());
+      roots_.push_back(std::min(std::sqrt(cap), reached));
+      joins_.push_back(place);
+      if (i < range_.end) place += path_.pieces[i].curve.length();
+    }
+    for (std::size_t i = roots_.size() - 1; i-- > 0;) {
+      roots_[i] = std::min(roots_[i], roots_[i + 1] + slope_ * (joins_[i + 1] - joins_[i]));
+    }
+  }
+
+  /// The greatest y that jerk lets a motion have between the joints beside a place.
+  [[nodiscard]] double cube_between_joints(double place) const {
+    const auto above = std::ranges::upper_bound(joins_, place);
+    const auto next = static_cast<std::size_t>(
+        std::clamp<std::ptrdiff_t>(above - joins_.begin(), 1, std::ssize(joins_) - 1));
+    const double root =
+        std::min(roots_[next - 1] + slope_ * std::max(0.0, place - joins_[next - 1]),
+                 roots_[next] + slope_ * std::max(0.0, joins_[next] - place));
+    return root * root;
+  }
+
   /// Time, place and greatest v² of the estimated motion.
   void time_samples(std::size_t sample) {
     const auto& samples = fastest_.samples;
@@ -112,9 +147,7 @@ class SectionMesher {
   }
 
   void add_sample(double place, double square) {
-    const double from_stop = std::max(0.0, std::min(place - start_, end_ - place));
-    const double start_square = std::cbrt(20.25 * jerk_ * jerk_ * std::pow(from_stop, 4.0));
-    const double speed = std::sqrt(std::min(square, start_square));
+    const double speed = std::min(std::sqrt(square), std::cbrt(cube_between_joints(place)));
     if (last_speed_ + speed <= 0.0) return;
     const double weight = last_speed_ > 0.0 && speed > 0.0 ? 2.0 : 3.0;  // ∫ d^(−⅔) at stops.
     const double time = weight * (place - places_.back()) / (last_speed_ + speed);
@@ -169,9 +202,8 @@ class SectionMesher {
     }
     cells_.push_back(cell);
     const double place = piece_start + middle * piece.curve.length();
-    const double from_stop = std::min(place - start_, end_ - place);
-    fastest_cubes_.push_back(std::min(cube_of_root(interpolate(places_, squares_, place)),
-                                      4.5 * jerk_ * from_stop * from_stop));
+    fastest_cubes_.push_back(
+        std::min(cube_of_root(interpolate(places_, squares_, place)), cube_between_joints(place)));
   }
 
   /// The corner rule at the joints.
@@ -219,11 +251,14 @@ class SectionMesher {
   PieceRange range_;
   double start_ = 0.0;
   double end_ = 0.0;
-  double rise_ = 0.0;          ///< Least A/J, s.
-  double longest_rise_ = 0.0;  ///< Greatest A/J, s.
-  double jerk_ = 0.0;          ///< Greatest along the path…
-  double acceleration_ = 0.0;  ///< …and greatest acceleration.
-  double step_ = 0.0;          ///< Of time, s.
+  double rise_ = 0.0;            ///< Least A/J, s.
+  double longest_rise_ = 0.0;    ///< Greatest A/J, s.
+  double jerk_ = 0.0;            ///< Greatest along the path…
+  double acceleration_ = 0.0;    ///< …and greatest acceleration.
+  double step_ = 0.0;            ///< Of time, s.
+  double slope_ = 0.0;           ///< Of √y.
+  std::vector<double> joins_{};  ///< Places of all joints and both ends.
+  std::vector<double> roots_{};  ///< √y there.
   std::vector<double> times_{};
   std::vector<double> places_{};
   std::vector<double> squares_{};  ///< v² of the acceleration-limited optimum.

@@ -34,9 +34,9 @@ struct MeshSize {
 };
 
 /// Divides a path at its stops, and what is between into cells that last about equally
-/// long in a motion that is somewhat faster than possible: v_est is the lesser of
-/// the acceleration-limited optimum and of ∛(4.5 J d²), the jerk-limited start over the
-/// distance d from a stop. So cells shrink like d^⅓ towards the stops.
+/// long in a motion that is somewhat faster than possible: the lesser of the
+/// acceleration-limited optimum and of what jerk lets it have at a distance d from the joints,
+/// where y is at most c: √y = √c + √(4.5 J) d. So cells shrink towards stops and slow corners.
 [[nodiscard]] std::vector<SpeedSection> speed_mesh(const ProgrammedPath& path,
                                                    const MotionLimits& limits,
                                                    const MeshSize& size);
