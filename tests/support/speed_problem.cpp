@@ -10,6 +10,9 @@ namespace {
 /// Bottlenecks beyond this many are not looked at one by one.
 constexpr std::size_t kMostBottlenecks = 2000;
 
+/// A start from rest is at the limit of a²/v all the time; a cell beside a joint sees both sides.
+constexpr double kSlack = 1.01;
+
 }  // namespace
 
 SpeedProblem::SpeedProblem(const SpeedSection& cells, bool exact) : cells_{cells}, exact_{exact} {
@@ -78,11 +81,13 @@ bool SpeedProblem::visit(const std::vector<double>& unknown,
       if (i > 0 && i < last) place.add_time(weight * cell.length * 4.0 / 6.0);
     });
     if (!middle) return false;
-    const bool end = i == last || at(i, 1.0, [&](PlaceBarrier& place) {
-                       place.keep_below(cell.cap_end);
-                       place.keep_acceleration(cell.end);
-                       place.add_time(end_weight(i));
-                     });
+    const bool end =
+        i == last || at(i, 1.0, [&](PlaceBarrier& place) {
+          place.keep_below(cell.cap_end);
+          place.keep_acceleration(cell.end);
+          place.keep_ramp(kSlack * std::max(cell.relief.most, cells_[i + 1].relief.most));
+          place.add_time(end_weight(i));
+        });
     if (!end) return false;
   }
   return true;
@@ -101,7 +106,7 @@ double SpeedProblem::rule_count() const {
   for (const SpeedCell& cell : cells_) {
     const auto axes = static_cast<double>(cell.middle.count);
     const double jerk = exact_ || cell.relief.slope <= 0.0 ? 2.0 : 3.0;
-    count += 1.0 + axes * (jerk + (cell.begins_piece || cell.turns ? 4.0 : 2.0));
+    count += 3.0 + axes * (jerk + (cell.begins_piece || cell.turns ? 4.0 : 2.0));
   }
   return count;
 }

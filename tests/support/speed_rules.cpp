@@ -77,6 +77,16 @@ void PlaceBarrier::keep_jerk(const PlaceRules& rules, const JerkRelief& relief) 
   }
 }
 
+void PlaceBarrier::keep_ramp(double most) {
+  if (!std::isfinite(most)) return;
+  const double slope = 1.5 * std::sqrt(most / y_);
+  for (const double sign : {1.0, -1.0}) {
+    const double room = 2.0 * slope * y_ - sign * first_;
+    add_log(room, {slope, -sign, 0.0});
+    hessian_[0][0] += 0.5 * slope / y_ / room;
+  }
+}
+
 void PlaceBarrier::add_time(double weight) {
   const double time = weight / speed_;
   value_ += time;

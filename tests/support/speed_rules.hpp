@@ -44,6 +44,8 @@ class PlaceBarrier {
   void keep_below(double cap);
   void keep_acceleration(const PlaceRules& rules);
   void keep_jerk(const PlaceRules& rules, const JerkRelief& relief);
+  /// |y′| ≤ 3 √(most y): a²/v ≤ most, which follows from the jerk on both sides of the place.
+  void keep_ramp(double most);
   /// weight · y^(−⅓): the time per length.
   void add_time(double weight);
 
