@@ -11,6 +11,7 @@
 #include "host-sim/measure/program_line.hpp"
 #include "tests/support/drive.hpp"
 #include "tests/support/optimal_time.hpp"
+#include "tests/support/product_limits.hpp"
 #include "tests/support/trials.hpp"
 
 #ifndef KERFLINE_EXAMPLES
@@ -19,20 +20,6 @@
 
 namespace proof {
 namespace {
-
-sim::MotionLimits limits_of(const cnc::motion::Limits& product) {
-  sim::MotionLimits limits;
-  for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
-    const auto scale = static_cast<double>(product.scale[axis].steps_per_mm());
-    limits.steps_per_mm[axis] = scale;
-    limits.rate[axis] = std::min(static_cast<double>(product.rate_mm_s[axis]),
-                                 static_cast<double>(product.steps_per_s_one_motor) / scale);
-    limits.acceleration[axis] = static_cast<double>(product.acceleration_mm_s2[axis]);
-  }
-  limits.junction_deviation = static_cast<double>(product.junction_deviation_mm);
-  limits.step_rate = static_cast<double>(product.steps_per_s_all_motors);
-  return limits;
-}
 
 /// All G4 of a program, s.
 double dwell_time(const std::string& program) {

@@ -19,7 +19,7 @@ Vector to_mm(const cnc::Position& position) {
 }
 
 ExactBlock::ExactBlock(const cnc::PathElement& element)
-    : start_{to_mm(element.start)}, axes_{cnc::axes_of(element.plane)} {
+    : start_{to_mm(element.start)}, plane_{element.plane}, axes_{cnc::axes_of(element.plane)} {
   for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
     const cnc::Coordinate travel = element.end[axis] - element.start[axis];
     travel_[axis] = static_cast<double>(travel.nanometres()) * 1.0e-6;

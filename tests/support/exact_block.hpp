@@ -24,6 +24,7 @@ class ExactBlock {
   /// Plane length / length.
   [[nodiscard]] double plane_share() const { return plane_length_ / length_; }
   [[nodiscard]] cnc::PlaneAxes plane() const { return axes_; }
+  [[nodiscard]] cnc::Plane plane_name() const { return plane_; }
 
   [[nodiscard]] Vector place_at(double fraction) const;
   /// Unit direction of travel.
@@ -36,6 +37,7 @@ class ExactBlock {
  private:
   Vector start_{};
   Vector travel_{};
+  cnc::Plane plane_;
   cnc::PlaneAxes axes_;
   double half_sweep_ = 0.0;
   double chord_ = 0.0;

@@ -38,26 +38,6 @@ double node_fraction(std::size_t index, std::size_t count) {
   return (1.0 - std::cos(std::numbers::pi * part)) / 2.0;
 }
 
-/// Feed, rates of the axes, step rate and v²/R.
-double highest_on_piece(const PathPiece& piece, const Node& node, const MotionLimits& limits) {
-  double speed = piece.path_feed();
-  double steps = 0.0;
-  for (std::size_t i = 0; i < node.tangent.size(); ++i) {
-    const double share = std::abs(node.tangent[i]);
-    if (share > 0.0) speed = std::min(speed, limits.rate[i] / share);
-    steps += share * limits.steps_per_mm[i];
-  }
-  if (steps > 0.0) speed = std::min(speed, limits.step_rate / steps);
-  double highest = speed * speed;
-  if (const auto& circle = piece.curve.circle()) {
-    const auto axes = cnc::axes_of(circle->plane);
-    const double acceleration =
-        std::min(limits.acceleration[axes.first], limits.acceleration[axes.second]);
-    highest = std::min(highest, acceleration / norm(node.curvature));
-  }
-  return highest;
-}
-
 void add_nodes(std::vector<Node>& nodes, const PathPiece& piece, const MotionLimits& limits) {
   const double start = nodes.empty() ? 0.0 : nodes.back().place;
   const std::size_t count = interval_count(piece.curve);
@@ -66,7 +46,7 @@ void add_nodes(std::vector<Node>& nodes, const PathPiece& piece, const MotionLim
     Node node{.place = start + fraction * piece.curve.length(),
               .tangent = piece.curve.tangent_at(fraction),
               .curvature = piece.curve.curvature_at(fraction)};
-    node.highest = highest_on_piece(piece, node, limits);
+    node.highest = speed_limit_squared(piece, node.tangent, node.curvature, limits);
     nodes.push_back(node);
   }
 }
@@ -120,6 +100,28 @@ void go_forward(std::vector<Node>& nodes, const MotionLimits& limits) {
 }
 
 }  // namespace
+
+double speed_limit_squared(const PathPiece& piece,
+                           const Point& tangent,
+                           const Point& curvature,
+                           const MotionLimits& limits) {
+  double speed = piece.path_feed();
+  double steps = 0.0;
+  for (std::size_t i = 0; i < tangent.size(); ++i) {
+    const double share = std::abs(tangent[i]);
+    if (share > 0.0) speed = std::min(speed, limits.rate[i] / share);
+    steps += share * limits.steps_per_mm[i];
+  }
+  if (steps > 0.0) speed = std::min(speed, limits.step_rate / steps);
+  double highest = speed * speed;
+  if (const auto& circle = piece.curve.circle()) {
+    const auto axes = cnc::axes_of(circle->plane);
+    const double acceleration =
+        std::min(limits.acceleration[axes.first], limits.acceleration[axes.second]);
+    highest = std::min(highest, acceleration / norm(curvature));
+  }
+  return highest;
+}
 
 double junction_speed_squared(const Point& leaving,
                               const Point& entering,

@@ -7,11 +7,18 @@
 
 namespace sim {
 
+/// The same limit for every axis.
+[[nodiscard]] constexpr cnc::AxisArray<double> every_axis(double limit) {
+  return {limit, limit, limit, limit, limit, limit};
+}
+
 /// What the machine can do; mm and seconds, degrees for A, B and C.
 struct MotionLimits {
   cnc::AxisArray<double> rate{};          ///< mm/s.
   cnc::AxisArray<double> acceleration{};  ///< mm/s².
-  double junction_deviation = 0.01;       ///< $11, mm.
+  /// mm/s³, $800…; not for optimal_profile, which knows no jerk.
+  cnc::AxisArray<double> jerk = every_axis(std::numeric_limits<double>::infinity());
+  double junction_deviation = 0.01;  ///< $11, mm.
   /// Of all motors together, steps/s; needs steps_per_mm.
   double step_rate = std::numeric_limits<double>::infinity();
   cnc::AxisArray<double> steps_per_mm{};
@@ -22,6 +29,13 @@ struct MotionLimits {
 [[nodiscard]] double junction_speed_squared(const Point& leaving,
                                             const Point& entering,
                                             const MotionLimits& limits);
+
+/// The square of the greatest speed at a place of a piece: feed, rates of the axes, step rate
+/// and v²/R. Tangent and curvature are those of the place.
+[[nodiscard]] double speed_limit_squared(const PathPiece& piece,
+                                         const Point& tangent,
+                                         const Point& curvature,
+                                         const MotionLimits& limits);
 
 /// Speed over the six-axis length of the path. Acceleration is constant from
 /// one sample to the next.

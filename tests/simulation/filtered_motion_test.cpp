@@ -1,0 +1,70 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "tests/support/drive.hpp"
+#include "tests/support/motion_judge.hpp"
+#include "tests/support/product_limits.hpp"
+#include "tests/support/recorded_motion.hpp"
+#include "tests/support/trials.hpp"
+
+namespace proof {
+namespace {
+
+/// Lines one after the other in one direction, each with a feed of its own.
+Program straight_program(Random& random) {
+  Program program;
+  cnc::Position at{};
+  const double x = random.between(-1.0, 1.0);
+  const double y = random.between(-1.0, 1.0);
+  const std::size_t count = 2 + random.below(20);
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto way = static_cast<double>(random.below(5'000'000));
+    const double feed = random.magnitude(20.0, 500.0);
+    cnc::Position to = at;
+    to[0] += cnc::Coordinate{std::llround(x * way)};
+    to[1] += cnc::Coordinate{std::llround(y * way)};
+    program.items.push_back(
+        {.request = {.element = {.start = at, .end = to}, .feed_mm_s = static_cast<float>(feed)}});
+    at = to;
+  }
+  return program;
+}
+
+// What averaging over a window T promises of an acceleration-limited plan on straight ways: it
+// never goes faster, and its jerk stays within 2 A/T. It is A/T only where the plan does not
+// turn from speeding up to braking within T, as it does wherever it is too short to cruise.
+TEST(FilteredMotion, OnStraightWaysKeepsRateAccelerationAndJerk) {
+  const Trials trials{40};
+  double jerk = 0.0;
+  double acceleration = 0.0;
+  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    Random random{seed};
+    const TestMachine machine =
+        random_machine(random, {.least_rate_mm_s = 10.0, .least_acceleration = 50.0});
+    const double window = random.magnitude(0.002, 0.1);
+    const RecordedMotion motion = motion_of(drive(straight_program(random), machine));
+    sim::MotionLimits limits = limits_of(machine.limits);
+    for (std::size_t i = 0; i < limits.jerk.size(); ++i) {
+      limits.jerk[i] = 2.0 * limits.acceleration[i] / window;
+    }
+    const sim::FilteredPlan plan{motion.pieces, window};
+    const sim::MotionFigures figures = sim::judge_motion(plan, motion.path, limits);
+    jerk = std::max(jerk, figures.jerk.value);
+    acceleration = std::max(acceleration, figures.acceleration.value);
+    ASSERT_LE(figures.rate.value, 1.001);
+    ASSERT_LE(figures.acceleration.value, 1.001);
+    ASSERT_LE(figures.jerk.value, 1.001);
+    ASSERT_LE(figures.end_error, 1.0e-6);
+    ASSERT_LE(figures.gap.place, 1.0e-4);
+  }
+  std::printf("filtered straight programs: greatest acceleration %.6f, jerk %.6f of the limit\n",
+              acceleration,
+              jerk);
+}
+
+}  // namespace
+}  // namespace proof

@@ -1,0 +1,38 @@
+#include "tests/support/peer_jobs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+
+namespace proof {
+namespace {
+
+// Where the look-ahead sees far enough: what motion with limited acceleration needs at least, and
+// one percent.
+TEST(PeerJobs, TakeNoLongerThanOptimalMotionAndOnePercent) {
+  for (const PeerJob& job : peer_jobs()) {
+    SCOPED_TRACE(testing::Message() << job.name << " at " << job.acceleration << " mm/s²");
+    const PeerResult result = run_peer_job(job);
+    EXPECT_EQ(result.refusals, 0U);
+    const double ratio = result.seconds / sim::optimal_time(result.path, result.limits);
+    std::printf("%-25s %5.0f %8.3f s, ratio %.5f\n",
+                job.name.c_str(),
+                job.acceleration,
+                result.seconds,
+                ratio);
+    if (!job.in_sight) continue;
+    EXPECT_LE(ratio, 1.01);
+    EXPECT_GE(ratio, 0.995) << "faster than the limits allow";
+  }
+}
+
+TEST(PeerJobs, AreNoSlowerThanTheBestPeerThatKeepsItsLimits) {
+  for (const PeerJob& job : peer_jobs()) {
+    if (!(job.peers.best > 0.0)) continue;
+    SCOPED_TRACE(testing::Message() << job.name << " at " << job.acceleration << " mm/s²");
+    EXPECT_LE(run_peer_job(job).seconds, 1.01 * job.peers.best);
+  }
+}
+
+}  // namespace
+}  // namespace proof

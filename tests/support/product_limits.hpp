@@ -1,0 +1,11 @@
+#pragma once
+
+#include "planner/motion/limits.hpp"
+#include "tests/support/optimal_time.hpp"
+
+namespace proof {
+
+/// The product's limits in the terms of the reference.
+[[nodiscard]] sim::MotionLimits limits_of(const cnc::motion::Limits& product);
+
+}  // namespace proof

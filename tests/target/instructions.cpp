@@ -1,0 +1,269 @@
+/// Instructions of each stage on the emulated chip, counted one by one: with
+/// `-icount shift=0` the emulator's clock runs one nanosecond per instruction, and its TIM2
+/// counts nanoseconds without being set up. The job is lines of 0.1 mm along a smooth curve at
+/// 12,000 mm/min with 250 steps/mm and 3000 mm/s². What is counted includes two reads of the
+/// counter, about ten instructions.
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+#include "firmware/application.hpp"
+#include "firmware/machine/configuration.hpp"
+#include "hal/interface/auxiliary_outputs.hpp"
+#include "hal/interface/machine_inputs.hpp"
+#include "hal/interface/record_store.hpp"
+#include "planner/base/contract.hpp"
+#include "planner/gcode/interpreter.hpp"
+#include "planner/motion/block_builder.hpp"
+#include "planner/motion/segmenter.hpp"
+#include "tests/target/freeform_text.hpp"
+#include "tests/target/start_up.hpp"
+
+namespace {
+
+constexpr std::size_t kBlocks = 100;  ///< Of look-ahead, as others are measured with.
+
+std::uint32_t instructions() {
+  constexpr std::uint32_t kTim2Counter = 0x40000024;
+  return *reinterpret_cast<const volatile std::uint32_t*>(kTim2Counter);
+}
+
+class Cost {
+ public:
+  void add(std::uint32_t count) {
+    sum_ += count;
+    ++times_;
+    if (count > worst_) worst_ = count;
+  }
+
+  /// As "name|unit|times|sum|worst". Given `times`, so many things have cost this together.
+  void print(const char* what, const char* unit, std::uint32_t times = 0) const {
+    write_text(what);
+    write_text("|");
+    write_text(unit);
+    for (const std::uint64_t number :
+         {std::uint64_t{times > 0 ? times : times_}, sum_, std::uint64_t{worst_}}) {
+      write_text("|");
+      print_number(number);
+    }
+    write_text("\n");
+  }
+
+ private:
+  static void print_number(std::uint64_t number) {
+    std::array<char, 21> text{};
+    std::size_t at = text.size() - 1;
+    do {
+      text[--at] = static_cast<char>('0' + number % 10);
+      number /= 10;
+    } while (number > 0);
+    write_text(&text[at]);
+  }
+
+  std::uint64_t sum_ = 0;
+  std::uint32_t times_ = 0;
+  std::uint32_t worst_ = 0;
+};
+
+/// What counting nothing counts.
+const std::uint32_t kOwnCost = [] {
+  const std::uint32_t start = instructions();
+  return instructions() - start;
+}();
+
+template <typename Work>
+void count(Cost& cost, Work&& work) {
+  const std::uint32_t start = instructions();
+  work();
+  cost.add(instructions() - start - kOwnCost);
+}
+
+/// A sender that is never late. What it costs itself is kept apart.
+class FreeformLink final : public hal::ByteStream {
+ public:
+  void send(std::string_view opening) { rest_ = opening; }
+  void send_job() { text_ = FreeformText{}; }
+
+  [[nodiscard]] std::size_t read(std::span<std::byte> into) override {
+    const std::uint32_t start = instructions();
+    if (rest_.empty() && !text_.finished()) rest_ = text_.next();
+    std::size_t count = 0;
+    while (count < into.size() && count < rest_.size()) {
+      into[count] = static_cast<std::byte>(rest_[count]);
+      ++count;
+    }
+    rest_.remove_prefix(count);
+    own_cost += instructions() - start;
+    return count;
+  }
+
+  [[nodiscard]] std::size_t write(std::span<const std::byte> from) override {
+    for (const std::byte byte : from) answers += static_cast<char>(byte) == '\n' ? 1 : 0;
+    return from.size();
+  }
+
+  [[nodiscard]] bool finished() const { return rest_.empty() && text_.finished(); }
+
+  std::uint32_t own_cost = 0;
+  std::uint32_t answers = 0;
+
+ private:
+  FreeformText text_{};
+  std::string_view rest_{};
+};
+
+/// Pins that cost one store each.
+class BarePort final : public hal::AuxiliaryOutputs, public hal::MachineInputs {
+ public:
+  void set_direction(hal::AxisMask negative) noexcept { pins_ = negative.bits; }
+  void raise_steps(hal::AxisMask axes, hal::AxisMask) noexcept { pins_ = axes.bits; }
+  void lower_steps() noexcept { pins_ = 0; }
+  void set_power(std::uint16_t duty) noexcept { duty_ = duty; }
+  void change_outputs(std::uint8_t, std::uint8_t) noexcept {}
+  void set_analog(std::uint8_t, std::uint16_t) noexcept {}
+  void start_timer() noexcept { started = true; }
+  [[nodiscard]] bool probe_contact() const noexcept { return false; }
+  [[nodiscard]] hal::SwitchMask switches() const noexcept { return {}; }
+
+  void set_spindle(bool, bool) override {}
+  void set_coolant(bool, bool) override {}
+  void set_digital(std::uint8_t, bool) override {}
+  void set_analog_output(std::uint8_t, std::uint16_t) override {}
+  void set_motors_enabled(bool) override {}
+  [[nodiscard]] hal::InputState read_inputs() override { return {}; }
+
+  bool started = false;
+
+ private:
+  volatile std::uint8_t pins_ = 0;
+  volatile std::uint16_t duty_ = 0;
+};
+
+class ForgetfulStore final : public hal::RecordStore {
+ public:
+  [[nodiscard]] std::size_t load(std::uint16_t, std::span<std::byte>) override { return 0; }
+  [[nodiscard]] bool save(std::uint16_t, std::span<const std::byte>) override { return true; }
+};
+
+BarePort port;
+ForgetfulStore store;
+FreeformLink link_to_job;
+cnc::Application<BarePort> application{port, port, port, store, link_to_job};
+std::uint32_t turns = 0;
+
+/// Virtual time until everything sent is done, a turn each millisecond.
+void run(Cost& poll, Cost& interrupt) {
+  constexpr std::uint32_t kTurn = cnc::motion::kTicksPerSecond / 1000;
+  std::uint32_t next = 0;
+  std::uint32_t now = 0;
+  int quiet = 0;
+  for (bool runs = false; quiet < 20; now += kTurn) {
+    const std::uint32_t own = link_to_job.own_cost;
+    const std::uint32_t start = instructions();
+    application.poll(hal::TickCount{1000U * turns++});
+    poll.add(instructions() - start - (link_to_job.own_cost - own));
+    if (port.started) next = now;
+    runs = runs || port.started;
+    port.started = false;
+    while (runs && static_cast<std::int32_t>(next - (now + kTurn)) < 0) {
+      std::uint32_t wait = 0;
+      count(interrupt, [&wait] { wait = application.on_step_interrupt(); });
+      runs = wait != 0;
+      next += wait;
+    }
+    const bool busy = runs || !link_to_job.finished() || !application.machine().idle();
+    quiet = busy ? 0 : quiet + 1;
+  }
+}
+
+void count_firmware() {
+  Cost unused;
+  Cost lines;
+  Cost turn;
+  Cost interrupt;
+  link_to_job.send("$100=250\n$101=250\n$110=12000\n$111=12000\n$120=3000\n$121=3000\n$C\n");
+  run(unused, unused);
+  const std::uint32_t before = link_to_job.answers;
+  link_to_job.send_job();
+  run(lines, unused);
+  lines.print("read, check and answer ($C), worst: a turn", "line", FreeformText::kLines);
+  link_to_job.send("$C\n");
+  run(unused, unused);
+  link_to_job.send_job();
+  run(turn, interrupt);
+  turn.print(
+      "the main loop in all while the job runs, worst: a turn", "line", FreeformText::kLines);
+  turn.print("the same", "turn");
+  interrupt.print("step interrupt", "interrupt");
+  CNC_ASSERT(link_to_job.answers - before >= 2 * FreeformText::kLines);
+}
+
+/// The stages alone, one after the other on each line.
+class Stages {
+ public:
+  explicit Stages(const cnc::motion::Limits& limits) : limits_{limits}, segmenter_{queue_, limits} {
+    segmenter_.reset({});
+  }
+
+  void run() {
+    FreeformText text;
+    while (!text.finished()) {
+      const std::string_view line = text.next();
+      count(parse_, [&] { read(line); });
+      push();
+      while (queue_.full()) cut();
+    }
+    while (!segmenter_.idle()) cut();
+    parse_.print("read and parse", "line");
+    build_.print("build a block", "block");
+    push_.print("take it into the queue", "block");
+    plan_.print("look ahead over 100 blocks", "block");
+    segment_.print("cut a segment", "segment");
+  }
+
+ private:
+  void read(std::string_view line) {
+    const auto actions = interpreter_.interpret(line);
+    if (!actions.ok()) return;
+    for (const cnc::gcode::Action& action : actions.value()) {
+      request_.element = {.start = place_, .end = action.end};
+      request_.feed_mm_s = action.feed;
+      place_ = action.end;
+    }
+  }
+
+  void push() {
+    count(build_, [&] { block_ = cnc::motion::build_block(request_, limits_).value(); });
+    count(push_, [&] { queue_.push(block_, limits_); });
+    // A burst is planned as one in the controller; here each block pays for itself.
+    count(plan_, [&] { queue_.plan(limits_, {}); });
+  }
+
+  void cut() {
+    cnc::motion::Segment segment;
+    count(segment_, [&] { static_cast<void>(segmenter_.next(segment)); });
+  }
+
+  const cnc::motion::Limits& limits_;
+  cnc::gcode::Interpreter interpreter_{};
+  cnc::Position place_{};
+  cnc::motion::MotionRequest request_{};
+  cnc::motion::Block block_{};
+  cnc::motion::BlockQueueOf<kBlocks> queue_{};
+  cnc::motion::Segmenter segmenter_;
+  Cost parse_{};
+  Cost build_{};
+  Cost push_{};
+  Cost plan_{};
+  Cost segment_{};
+};
+
+}  // namespace
+
+void run_on_target() {
+  count_firmware();
+  static const cnc::motion::Limits limits = cnc::limits_from(application.machine().settings());
+  static Stages stages{limits};
+  stages.run();
+}
