@@ -30,9 +30,6 @@ constexpr float kFarReach = kTwoPi / 48.0F;
 /// … in spans of at most so many.
 constexpr float kUniformSpan = kTwoPi / 12.0F;
 
-/// A zone that begins nearer to another than this share of the block begins there.
-constexpr float kSliverShare = 1.0e-6F;
-
 /// sin(k · 3.75°) for a quarter turn, by Taylor's series at compile time.
 constexpr std::array<float, kGridPerQuarter + 1> make_quarter_sines() {
   std::array<float, kGridPerQuarter + 1> sines{};
@@ -103,17 +100,15 @@ void Spans::lay_out_straight(const Block& block) {
   }
 }
 
-/// Keeps the edges in order, and none that would make a sliver.
+/// Keeps the edges in order. A zone's edge is exact, however near to another it
+/// is: a zone of some nanometres must not become one of a metre.
 void Spans::add_edge(float distance) {
-  const float sliver = kSliverShare * length_;
-  if (distance <= sliver || distance >= length_ - sliver) return;
+  if (distance <= 0.0F || distance >= length_) return;
   auto place = static_cast<std::size_t>(count_ - 1);
-  while (place > 0 && edges_[place - 1] > distance) --place;
-  const bool near_before = place > 0 && distance - edges_[place - 1] < sliver;
-  const bool near_after =
-      place + 1 < static_cast<std::size_t>(count_) && edges_[place] - distance < sliver;
-  if (near_before || near_after) return;
-  for (auto k = static_cast<std::size_t>(count_ - 1); k > place; --k) edges_[k] = edges_[k - 1];
+  while (place > 0 && edges_[place - 1] >= distance) --place;
+  const auto last = static_cast<std::size_t>(count_ - 1);
+  if (place < last && edges_[place] <= distance) return;
+  for (std::size_t k = last; k > place; --k) edges_[k] = edges_[k - 1];
   edges_[place] = distance;
   ++count_;
 }
@@ -180,12 +175,11 @@ LimitZone Spans::zone_on(int span) const {
     found.turning = both(found.turning, zone.turning);
   };
   if (!window_.filters()) return found;
-  const float sliver = kSliverShare * length_;
   for (const LimitZone& zone : head_) {
-    if (zone.length > boundary(span) + sliver) take(zone);
+    if (zone.length > boundary(span)) take(zone);
   }
   for (const LimitZone& zone : tail_) {
-    if (length_ - zone.length < boundary(span + 1) - sliver) take(zone);
+    if (zone.length > 0.0F && length_ - zone.length < boundary(span + 1)) take(zone);
   }
   return found;
 }

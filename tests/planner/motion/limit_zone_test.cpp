@@ -1,0 +1,75 @@
+#include "planner/motion/limit_zone.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <vector>
+
+#include "tests/support/random_source.hpp"
+
+namespace cnc::motion {
+namespace {
+
+LimitZone any_zone(proof::Random& random) {
+  LimitZone zone;
+  zone.length = static_cast<float>(random.magnitude(1.0e-3, 5.0));
+  zone.speed_square = static_cast<float>(random.magnitude(1.0, 1.0e5));
+  zone.acceleration = static_cast<float>(random.magnitude(50.0, 5000.0));
+  if (random.chance(0.4)) {
+    const auto curvature = static_cast<float>(random.magnitude(0.01, 50.0));
+    zone.turning = Turning::of(curvature, zone.acceleration);
+  }
+  return zone;
+}
+
+/// What zones ask for at a place within a block.
+LimitZone at(const std::vector<LimitZone>& zones, float place) {
+  LimitZone found;
+  for (const LimitZone& zone : zones) {
+    if (zone.length <= place) continue;
+    found.speed_square = std::min(found.speed_square, zone.speed_square);
+    found.acceleration = std::min(found.acceleration, zone.acceleration);
+    found.turning = both(found.turning, zone.turning);
+  }
+  return found;
+}
+
+// However many blocks there are, nothing that one asks for is forgotten.
+TEST(ZoneTrail, AsksForAllThatEveryBlockAsksFor) {
+  const std::uint64_t seed = 20261121;
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  proof::Random random{seed};
+  for (int trial = 0; trial < 2'000; ++trial) {
+    ZoneTrail trail;
+    std::vector<LimitZone> all;
+    for (int block = 0; block < 12; ++block) {
+      const LimitZone own = any_zone(random);
+      const BlockZones reaching = trail.reaching(own);
+      for (int probe = 0; probe < 8; ++probe) {
+        const auto place = static_cast<float>(random.magnitude(1.0e-4, 5.0));
+        const LimitZone wanted = at(all, place);
+        const LimitZone got = at({reaching.begin(), reaching.end()}, place);
+        ASSERT_LE(std::min(got.speed_square, own.speed_square), wanted.speed_square);
+        ASSERT_LE(std::min(got.acceleration, own.acceleration), wanted.acceleration);
+        ASSERT_EQ(both(got.turning, wanted.turning), got.turning);
+      }
+      const auto length = static_cast<float>(random.magnitude(1.0e-3, 2.0));
+      trail.advance(length);
+      trail.add(own);
+      for (LimitZone& zone : all) zone.length -= length;
+      all.push_back(own);
+    }
+  }
+}
+
+TEST(ZoneTrail, LeavesAloneWhatIsLimitedAsMuch) {
+  ZoneTrail trail;
+  trail.add({.length = 1.0F, .speed_square = 100.0F, .acceleration = 500.0F});
+  const BlockZones same = trail.reaching({.speed_square = 100.0F, .acceleration = 500.0F});
+  EXPECT_EQ(same, BlockZones{});
+  const BlockZones faster = trail.reaching({.speed_square = 101.0F, .acceleration = 500.0F});
+  EXPECT_NE(faster, BlockZones{});
+}
+
+}  // namespace
+}  // namespace cnc::motion

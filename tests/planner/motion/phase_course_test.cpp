@@ -1,0 +1,84 @@
+#include "planner/motion/phase_course.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/support/random_source.hpp"
+
+namespace cnc::motion {
+namespace {
+
+/// Of a length and duration of any magnitude; some begin or end at rest.
+Stretch any_stretch(proof::Random& random) {
+  const double seconds = random.magnitude(1.0e-7, 1.0e4);
+  const double start = random.chance(0.2) ? 0.0 : random.magnitude(1.0e-3, 500.0);
+  const double end = random.chance(0.2) ? start : random.magnitude(1.0e-3, 500.0);
+  Stretch stretch{.duration_ns = static_cast<std::uint64_t>(std::llround(seconds * 1.0e9)),
+                  .start_speed = static_cast<float>(start),
+                  .end_speed = static_cast<float>(end)};
+  const double way = 0.5 * (start + end) * seconds;
+  stretch.way = static_cast<PathUnits>(std::llround(way * 0x1p36));
+  stretch.acceleration = static_cast<float>((end - start) / seconds);
+  return stretch;
+}
+
+TEST(PhaseCourse, FollowsTheParabolaAndMeetsBothEnds) {
+  const std::uint64_t seed = 20261121;
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  proof::Random random{seed};
+  for (int trial = 0; trial < 20'000; ++trial) {
+    const Stretch stretch = any_stretch(random);
+    const PhaseCourse course{stretch};
+    ASSERT_EQ(course.way_after(0), 0);
+    ASSERT_EQ(course.way_after(stretch.duration_ns), stretch.way);
+    const auto whole = static_cast<double>(stretch.way);
+    const auto start = static_cast<double>(stretch.start_speed);
+    const auto sum = start + static_cast<double>(stretch.end_speed);
+    PathUnits before = 0;
+    for (std::uint64_t part = 1; part < 16; ++part) {
+      const std::uint64_t ns = stretch.duration_ns * part / 16;
+      const double x = static_cast<double>(ns) / static_cast<double>(stretch.duration_ns);
+      const double alpha = sum > 0.0 ? 2.0 * start / sum : 1.0;
+      const double exact = whole * x * (alpha + (1.0 - alpha) * x);
+      const PathUnits way = course.way_after(ns);
+      ASSERT_GE(way, before) << "trial " << trial;
+      ASSERT_NEAR(static_cast<double>(way), exact, 2.0 + whole * 1.0e-7) << "trial " << trial;
+      before = way;
+    }
+  }
+}
+
+// A minute of it in nanoseconds: no step of the way is off by more than its own size.
+TEST(PhaseCourse, IsEvenWhereTheSpeedIs) {
+  const Stretch stretch{.way = to_units(60.0F),
+                        .duration_ns = 60'000'000'000,
+                        .start_speed = 1.0F,
+                        .end_speed = 1.0F};
+  const PhaseCourse course{stretch};
+  constexpr std::uint64_t kMillisecond = 1'000'000;
+  const double step = static_cast<double>(stretch.way) / 60'000.0;
+  for (std::uint64_t at = 0; at + kMillisecond < stretch.duration_ns; at += 997 * kMillisecond) {
+    const PathUnits way = course.way_after(at + kMillisecond) - course.way_after(at);
+    ASSERT_NEAR(static_cast<double>(way), step, step * 1.0e-4) << at;
+  }
+}
+
+TEST(PhaseCourse, KnowsWhenAPlaceIsReached) {
+  proof::Random random{7};
+  for (int trial = 0; trial < 20'000; ++trial) {
+    const Stretch stretch = any_stretch(random);
+    const PhaseCourse course{stretch};
+    const std::uint64_t from = stretch.duration_ns / 4;
+    const PathUnits way = (stretch.way - course.way_after(from)) / 3;
+    const std::uint64_t time = course.time_of(way, from);
+    ASSERT_LE(from + time, stretch.duration_ns);
+    const auto reached = static_cast<double>(course.way_after(from + time));
+    const auto wanted = static_cast<double>(course.way_after(from) + way);
+    const double nanosecond = 500.0e-9 * 0x1p36;
+    ASSERT_NEAR(reached, wanted, nanosecond + 1.0e-5 * static_cast<double>(stretch.way));
+  }
+}
+
+}  // namespace
+}  // namespace cnc::motion

@@ -1,0 +1,59 @@
+#include "planner/motion/reversals.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "tests/planner/motion/motion_test.hpp"
+
+namespace cnc::motion {
+namespace {
+
+TEST(Reversals, OfALineAreNone) {
+  const Block block = straight_block(10.0, plain_limits());
+  const PathUnits length = length_in_units(block);
+  const Reversals reversals{block, length};
+  EXPECT_EQ(reversals.next_after(0), length);
+  EXPECT_FALSE(reversals.near(0));
+}
+
+// Up to 3 km of arc: between one and the next no axis of the plane turns back.
+TEST(Reversals, AreAtEveryQuarterTurnOfTheTangent) {
+  const std::uint64_t seed = 20261121;
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  proof::Random random{seed};
+  Limits limits = plain_limits();
+  limits.scale.fill(AxisScale{1.0F});
+  for (int trial = 0; trial < 5'000; ++trial) {
+    PathElement element{.plane = static_cast<Plane>(random.below(3))};
+    const PlaneAxes axes = axes_of(element.plane);
+    const double first = random.magnitude(0.01, 2000.0);
+    const double second = random.signed_magnitude(0.01, 2000.0);
+    element.end[axes.first] = Coordinate{std::llround(first * 1.0e6)};
+    element.end[axes.second] = Coordinate{std::llround(second * 1.0e6)};
+    element.bulge = static_cast<float>(random.signed_magnitude(0.01, 1.0));
+    const Block block = block_of(element, limits);
+    const PathUnits length = length_in_units(block);
+    const Reversals reversals{block, length};
+    const ExactMotion exact{element};
+    PathUnits from = 0;
+    for (int k = 0; k < 4 && from < length; ++k) {
+      const PathUnits to = reversals.next_after(from);
+      ASSERT_GT(to, from);
+      ASSERT_LE(to, length);
+      const AxisArray<double> start =
+          exact.tangent_at(static_cast<double>(from) / static_cast<double>(length));
+      const AxisArray<double> end =
+          exact.tangent_at(static_cast<double>(to) / static_cast<double>(length));
+      for (const std::size_t axis : {axes.first, axes.second}) {
+        const double least = std::min(std::abs(start[axis]), std::abs(end[axis]));
+        ASSERT_TRUE(start[axis] * end[axis] >= 0.0 || least < 3.0e-5) << "trial " << trial;
+      }
+      from = to;
+    }
+    ASSERT_EQ(from, length);
+  }
+}
+
+}  // namespace
+}  // namespace cnc::motion
