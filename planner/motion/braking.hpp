@@ -78,14 +78,11 @@ BrakingState brake_backwards(const Spans& spans,
     const float cap_square =
         std::min(cap.square_within(spans.speed_limit_square(span)), spans.zone_speed_square(span));
     if (cap_square < state.speed_square) state.speed_square = cap_square;
-    const float deceleration = spans.steepest(span,
-                                              end,
-                                              start,
-                                              length,
-                                              state.speed_square,
-                                              cap_square,
-                                              Travel::kBackward,
-                                              Change::kSlowDown);
+    const float deceleration = spans.steepest(
+        span,
+        end,
+        start,
+        {length, state.speed_square, cap_square, Travel::kBackward, Change::kSlowDown});
     const BrakingPoint point =
         braking_point(cap_square, deceleration, length, state, spans.window_s());
     visit(span, point);

@@ -256,26 +256,24 @@ float Spans::speed_limit_square(int span) const {
 float Spans::steepest(int span,
                       const Place& from,
                       const Place& to,
-                      float distance,
-                      float speed_square,
-                      float cap_square,
-                      Travel travel,
-                      Change change) const {
+                      const SpeedChange& change) const {
+  const auto& [distance, speed_square, cap_square, travel, wanted] = change;
   const LimitZone zone = zone_on(span);
   float most = std::min(straight_acceleration_, zone.acceleration);
   const float window_s = window_.seconds();
   most = zone.turning.steepest(most, distance, speed_square, cap_square, window_s);
   if (sweep_ <= 0.0F) return most;
-  if (window_.filters()) most = within_turning(most, distance, speed_square, cap_square);
+  if (window_.filters()) most = within_turning(most, change);
   if (uniform_) return most;
 
-  const float sign = static_cast<float>(change);
+  const float sign = static_cast<float>(wanted);
   const float reach = 2.0F * distance * static_cast<float>(travel);
+  const float square_there = speed_square;
   const auto meet = [&](const Place& place, bool at_from, bool at_to) {
     const auto meet_axis = [&](float limit, float tangent, float bend) {
       most = tighten(most, limit, std::abs(tangent), 0.0F);
-      if (at_from) most = tighten(most, limit, sign * tangent, bend * speed_square);
-      if (at_to) most = tighten(most, limit, sign * (tangent + reach * bend), bend * speed_square);
+      if (at_from) most = tighten(most, limit, sign * tangent, bend * square_there);
+      if (at_to) most = tighten(most, limit, sign * (tangent + reach * bend), bend * square_there);
     };
     meet_axis(acceleration_first_, place.tangent_first, place.bend_first);
     meet_axis(acceleration_second_, place.tangent_second, place.bend_second);
@@ -291,21 +289,19 @@ float Spans::steepest(int span,
 
 /// What turning leaves, of the plane's limits; as an acceleration of the path.
 /// Where directions are told apart only jerk is left to it.
-float Spans::within_turning(float most,
-                            float distance,
-                            float speed_square,
-                            float cap_square) const {
+float Spans::within_turning(float most, const SpeedChange& change) const {
   const float to_plane = square(plane_share_);
   const float window_s = window_.seconds();
   if (uniform_) {
     const float plane = turning_.steepest(plane_acceleration_,
-                                          plane_share_ * distance,
-                                          to_plane * speed_square,
-                                          to_plane * cap_square,
+                                          plane_share_ * change.distance,
+                                          to_plane * change.speed_square,
+                                          to_plane * change.cap_square,
                                           window_s);
     return std::min(most, plane / plane_share_);
   }
-  const float top_square = std::min(cap_square, speed_square + 2.0F * most * distance);
+  const float top_square =
+      std::min(change.cap_square, change.speed_square + 2.0F * most * change.distance);
   const float plane = turning_.within_jerk(plane_acceleration_, to_plane * top_square, window_s);
   return std::min(most, plane / plane_share_);
 }

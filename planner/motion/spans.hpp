@@ -25,6 +25,15 @@ struct Shares {
 enum class Travel : std::int8_t { kForward = 1, kBackward = -1 };
 enum class Change : std::int8_t { kSpeedUp = 1, kSlowDown = -1 };
 
+/// From a place where the speed is known to another within a span.
+struct SpeedChange {
+  float distance = 0.0F;      ///< mm, in the direction of `travel`.
+  float speed_square = 0.0F;  ///< v² where it is known.
+  float cap_square = 0.0F;    ///< The greatest v² on the way.
+  Travel travel = Travel::kForward;
+  Change change = Change::kSpeedUp;
+};
+
 /// Divides a block into spans on which one acceleration can hold: a straight
 /// block where zones of its neighbours begin and end; an arc at each multiple of
 /// 3.75° of its tangent, quarter turns among them, so that within a span no axis
@@ -62,19 +71,14 @@ class Spans {
   [[nodiscard]] Place place_at_boundary(int index) const;
   [[nodiscard]] Place place_at(float distance) const;
 
-  /// The greatest rate of change of speed, mm/s² ≥ 0, constant from `from`
-  /// (where v² is `speed_square`) to `to`, `distance` mm further in the
-  /// direction of `travel`, for which no axis exceeds its acceleration (or,
-  /// under a window, its jerk) at either end nor would if it stood still there.
-  /// @param span that both lie in; `cap_square` is the greatest v² there.
+  /// The greatest rate of change of speed, mm/s² ≥ 0, constant from `from` to
+  /// `to`, for which no axis exceeds its acceleration (or, under a window, its
+  /// jerk) at either end nor would if it stood still there.
+  /// @param span that both lie in.
   [[nodiscard]] float steepest(int span,
                                const Place& from,
                                const Place& to,
-                               float distance,
-                               float speed_square,
-                               float cap_square,
-                               Travel travel,
-                               Change change) const;
+                               const SpeedChange& change) const;
 
  private:
   void lay_out_straight(const Block& block);
@@ -86,10 +90,7 @@ class Spans {
   [[nodiscard]] Place place_with(float cosine, float sine) const;
   [[nodiscard]] LimitZone zone_on(int span) const;
   [[nodiscard]] Shares greatest_shares(int span) const;
-  [[nodiscard]] float within_turning(float most,
-                                     float distance,
-                                     float speed_square,
-                                     float cap_square) const;
+  [[nodiscard]] float within_turning(float most, const SpeedChange& change) const;
 
   static constexpr std::size_t kMostEdges = 4;
 

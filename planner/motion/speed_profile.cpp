@@ -76,14 +76,11 @@ float SpeedProfile::end_target_square() const {
 }
 
 float SpeedProfile::steepest(Change change) const {
-  return spans_.steepest(span_,
-                         spans_.place_at(spans_.boundary(span_ + 1) - left_),
-                         spans_.place_at_boundary(span_ + 1),
-                         left_,
-                         speed_square_,
-                         std::max(here().cap_square, speed_square_),
-                         Travel::kForward,
-                         change);
+  return spans_.steepest(
+      span_,
+      spans_.place_at(spans_.boundary(span_ + 1) - left_),
+      spans_.place_at_boundary(span_ + 1),
+      {left_, speed_square_, std::max(here().cap_square, speed_square_), Travel::kForward, change});
 }
 
 Phase SpeedProfile::phase_to(float end_square, float distance, float left) const {

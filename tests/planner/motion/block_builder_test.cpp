@@ -143,8 +143,9 @@ TEST(BlockBuilder, KeepsTheLimitsOfAnArcThatIsAlmostALine) {
     const Spans spans{block, limits};
     const Place from = spans.place_at_boundary(0);
     const Place to = spans.place_at_boundary(1);
-    EXPECT_LE(spans.steepest(0, from, to, 50.0F, 0.0F, 1.0e12F, Travel::kForward, Change::kSpeedUp),
-              501.0F)
+    EXPECT_LE(
+        spans.steepest(0, from, to, {50.0F, 0.0F, 1.0e12F, Travel::kForward, Change::kSpeedUp}),
+        501.0F)
         << "bulge " << bulge;
     EXPECT_LE(spans.speed_limit_square(0), 200.0F * 200.0F * 1.001F) << "bulge " << bulge;
   }

@@ -114,7 +114,7 @@ TEST_F(BlockQueueTest, FindsTheBestPlanOfRandomLines) {
       const auto cap =
           static_cast<double>(SpeedCap{block, overrides}.square_within(block.speed_limit_square));
       const auto most = static_cast<double>(spans.steepest(
-          0, {}, {}, block.length, 0.0F, 1.0e12F, Travel::kForward, Change::kSpeedUp));
+          0, {}, {}, {block.length, 0.0F, 1.0e12F, Travel::kForward, Change::kSpeedUp}));
       const auto corner = static_cast<double>(corner_after(chain, index, limits));
       exit = std::min(
           {corner, cap, std::min(exit, cap) + 2.0 * most * static_cast<double>(block.length)});

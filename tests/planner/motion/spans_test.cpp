@@ -141,11 +141,11 @@ TEST_F(RandomSpans, KeepEveryAccelerationBetweenTheirBoundariesWhenSpeedingUp) {
       const float a = spans.steepest(span,
                                      spans.place_at_boundary(span),
                                      spans.place_at_boundary(span + 1),
-                                     spans.length_of(span),
-                                     from,
-                                     spans.speed_limit_square(span),
-                                     Travel::kForward,
-                                     Change::kSpeedUp);
+                                     {spans.length_of(span),
+                                      from,
+                                      spans.speed_limit_square(span),
+                                      Travel::kForward,
+                                      Change::kSpeedUp});
       const double room =
           (limit - static_cast<double>(from)) / (2.0 * static_cast<double>(spans.length_of(span)));
       const double acceleration = std::min(static_cast<double>(a), room);
@@ -180,7 +180,7 @@ TEST(Spans, OfALineAreOne) {
   EXPECT_EQ(spans.length_of(0), 10.0F);
   EXPECT_FLOAT_EQ(spans.speed_limit_square(0), 40'000.0F);
   EXPECT_FLOAT_EQ(
-      spans.steepest(0, {}, {}, 10.0F, 100.0F, 1.0e12F, Travel::kForward, Change::kSpeedUp),
+      spans.steepest(0, {}, {}, {10.0F, 100.0F, 1.0e12F, Travel::kForward, Change::kSpeedUp}),
       500.0F);
 }
 
