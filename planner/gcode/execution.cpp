@@ -30,7 +30,7 @@ void adopt(const Block& block, ModalGroup group, Mode& mode) {
 /// its own line.
 Refusal Execution::run() {
   using Step = Refusal (Execution::*)();
-  static constexpr std::array<Step, 16> kOrder{{
+  static constexpr std::array<Step, 17> kOrder{{
       &Execution::check_signs,
       &Execution::check_open_nurbs,
       &Execution::number_line,
@@ -43,6 +43,7 @@ Refusal Execution::run() {
       &Execution::set_coolant,
       &Execution::dwell,
       &Execution::set_tool_length,
+      &Execution::set_path_control,
       &Execution::set_offsets,
       &Execution::go_to_stored_place,
       &Execution::move,
@@ -216,6 +217,33 @@ Refusal Execution::dwell() {
   return std::nullopt;
 }
 
+/// P and Q are lengths, in the units of the line, of G64 alone. Each G64 says both anew.
+Refusal Execution::set_path_control() {
+  if (!block_.has(ModalGroup::kPathControl)) return std::nullopt;
+  PathControl path{.mode = block_.meaning<PathMode>(ModalGroup::kPathControl)};
+  if (path.mode == PathMode::kBlend) {
+    if (const auto fault = take_tolerance('P', path.tolerance_mm)) return fault;
+    if (const auto fault = take_tolerance('Q', path.naive_tolerance_mm)) return fault;
+  }
+  next_.modal.path = path;
+  return std::nullopt;
+}
+
+Refusal Execution::take_tolerance(char letter, std::optional<float>& tolerance_mm) {
+  const Decimal* const number = block_.take(letter);
+  if (number == nullptr) return std::nullopt;
+  if (number->is_negative()) return block_.blame(FaultDetail::kNegative, letter);
+  const float length = to_length(*number).mm();
+  if (length > options_.largest_path_tolerance_mm) {
+    const bool inches = next_.modal.units == Units::kInches;
+    const float unit = inches ? kMillimetresPerInch : 1.0F;
+    return with_limit(block_.blame(FaultDetail::kTooLarge, letter),
+                      options_.largest_path_tolerance_mm / unit);
+  }
+  tolerance_mm = length;
+  return std::nullopt;
+}
+
 Refusal Execution::stop() {
   if (!block_.has(ModalGroup::kStop)) return std::nullopt;
   const auto word = block_.meaning<Stop>(ModalGroup::kStop);
@@ -227,8 +255,8 @@ Refusal Execution::stop() {
   return std::nullopt;
 }
 
-/// As Grbl 1.1: back to G1 G17 G40 G54 G90 G94 M5 M9. Units, F, S, T, G92 and
-/// the tool length stay.
+/// As Grbl 1.1: back to G1 G17 G40 G54 G90 G94 M5 M9. Units, F, S, T, G92, the
+/// tool length and path control (RS274/NGC 3.6.1 does not name it) stay.
 void Execution::end_program() {
   ModalState& modal = next_.modal;
   modal.motion = MotionMode::kLine;

@@ -70,6 +70,8 @@ class Execution {
   [[nodiscard]] Refusal set_spindle();
   [[nodiscard]] Refusal set_coolant();
   [[nodiscard]] Refusal dwell();
+  [[nodiscard]] Refusal set_path_control();
+  [[nodiscard]] Refusal take_tolerance(char letter, std::optional<float>& tolerance_mm);
   [[nodiscard]] Refusal set_tool_length();
   [[nodiscard]] Refusal set_offsets();
   [[nodiscard]] Refusal go_to_stored_place();

@@ -11,17 +11,10 @@ namespace sim {
 struct MotionLimits {
   cnc::AxisArray<double> rate{};          ///< mm/s.
   cnc::AxisArray<double> acceleration{};  ///< mm/s².
-  double junction_deviation = 0.01;       ///< $11, mm.
   /// Of all motors together, steps/s; needs steps_per_mm.
   double step_rate = std::numeric_limits<double>::infinity();
   cnc::AxisArray<double> steps_per_mm{};
 };
-
-/// The square of the greatest speed at a joint of two pieces with these unit
-/// tangents on six axes: Grbl 1.1's junction deviation (S. Jeon, 2011). No limit is infinity.
-[[nodiscard]] double junction_speed_squared(const Point& leaving,
-                                            const Point& entering,
-                                            const MotionLimits& limits);
 
 /// Speed over the six-axis length of the path. Acceleration is constant from
 /// one sample to the next.
@@ -45,7 +38,7 @@ struct SpeedProfile {
 /// finds the greatest u from which the rest can be travelled, a forward pass the
 /// greatest u that can be reached (Pham and Pham, TOPP-RA, 2018). Arcs also keep
 /// v²/R within the lesser acceleration of the two axes of their plane.
-/// It stands still at both ends and before pieces marked stop_before.
+/// It stands still at both ends, where the path turns, and before pieces marked stop_before.
 ///
 /// Accuracy: at most 0.02 mm and 0.5 degrees between samples, closer at the ends of a
 /// piece, but never more than 4000 of them on one; errors below 1e-4 of the time of a
