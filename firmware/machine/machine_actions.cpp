@@ -81,14 +81,13 @@ path::Tolerance Machine::path_tolerance() const {
 
 /// @param continues the curve of the element before it
 void Machine::append(const PathElement& element, float feed, bool continues) {
-  const auto appended =
-      motion_.append({.request = {.element = element,
-                                  .feed_mm_s = feed,
-                                  .beam = tool_.command_for(feed <= 0.0F),
-                                  .outputs = with_next_motion_,
-                                  .line = interpreter_.state().line_number},
-                      .tolerance = path_tolerance(),
-                      .continues = continues});
+  const auto appended = motion_.append({.request = {.element = element,
+                                                    .feed_mm_s = feed,
+                                                    .beam = tool_.command_for(feed <= 0.0F),
+                                                    .outputs = with_next_motion_,
+                                                    .line = interpreter_.state().line_number},
+                                        .tolerance = path_tolerance(),
+                                        .continues = continues});
   // The interpreter keeps targets inside the motors' range, and arcs are divided.
   CNC_ASSERT(appended.ok());
   if (appended.value()) with_next_motion_ = {};

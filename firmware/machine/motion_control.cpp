@@ -42,8 +42,7 @@ void MotionControl::flush() {
 float MotionControl::way_left() const {
   float square = 0.0F;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    const std::int64_t left =
-        queue_.front().end[axis].q32() - segmenter_.place()[axis].q32();
+    const std::int64_t left = queue_.front().end[axis].q32() - segmenter_.place()[axis].q32();
     const float steps = static_cast<float>(left >> 16) * (1.0F / 65'536.0F);
     const float mm = steps / limits_.scale[axis].steps_per_mm();
     square += mm * mm;

@@ -57,9 +57,9 @@ class Execution {
     std::optional<ControlPoint> point{};
   };
 
-  // The steps, in execution.cpp; offsets in execution_offsets.cpp, motion in
-  // execution_motion.cpp, arcs in execution_arc.cpp, splines in
-  // execution_spline.cpp and execution_nurbs.cpp, jogs in execution_jog.cpp.
+  // The steps, in execution.cpp; G64 in execution_path.cpp, offsets in execution_offsets.cpp,
+  // motion in execution_motion.cpp, arcs in execution_arc.cpp, splines in execution_spline.cpp and
+  // execution_nurbs.cpp, jogs in execution_jog.cpp.
   void set_modes();
   [[nodiscard]] Refusal check_signs();
   [[nodiscard]] Refusal number_line();

@@ -40,11 +40,8 @@ Position place_joint(const PathElement& whole, const BiarcEnds& ends, const Biar
 
 /// Bulges are taken from the rounded joint, as ArcFit does: the tangents at the
 /// ends are met, and what rounding leaves of a corner is at the joint.
-Blend make_blend(const Corner& corner,
-                 const Position& from,
-                 const Position& to,
-                 float trim_mm,
-                 bool in_halves) {
+Blend make_blend(
+    const Corner& corner, const Position& from, const Position& to, float trim_mm, bool in_halves) {
   PathElement whole{.start = from, .end = to, .plane = corner.plane};
   if (corner.is_straight() && !in_halves) {
     whole.bulge = bulge_from(0.5F * corner.turn);

@@ -34,8 +34,8 @@ float slope_square(const Leg& leg) {
 bool rides_along(const Corner& corner) {
   const float slope = slope_square(corner.before);
   const float allowed = motion::kTangentTurn * (1.0F + slope);
-  const bool same = motion::turn_square(corner.before.slope, corner.after.slope) <=
-                    square(0.25F * allowed);
+  const bool same =
+      motion::turn_square(corner.before.slope, corner.after.slope) <= square(0.25F * allowed);
   if (!same || slope == 0.0F) return same;
   const float half = 0.5F * std::abs(corner.turn);
   if (half > 1.0F) return false;
@@ -70,8 +70,8 @@ float useful_radius(const Corner& corner, float feed, const motion::Limits& limi
   const float rate =
       std::max(motion::motor_rate(limits, axes.first), motion::motor_rate(limits, axes.second));
   const float speed = feed > 0.0F ? std::min(feed, rate) : rate;
-  const float acceleration = std::min(limits.acceleration_mm_s2[axes.first],
-                                      limits.acceleration_mm_s2[axes.second]);
+  const float acceleration =
+      std::min(limits.acceleration_mm_s2[axes.first], limits.acceleration_mm_s2[axes.second]);
   return kShare * square(speed) / acceleration;
 }
 
@@ -129,8 +129,7 @@ Corner examine(const PathItem& before, const PathItem& after, const motion::Limi
   Corner corner;
   const motion::MotionRequest& old = before.request;
   const motion::MotionRequest& next = after.request;
-  const float turn =
-      motion::turn_square(end_direction(old.element), start_direction(next.element));
+  const float turn = motion::turn_square(end_direction(old.element), start_direction(next.element));
   const float smooth = after.continues ? kSmoothTurn : motion::kTangentTurn;
   if (turn <= square(smooth)) {
     corner.kind = kSmooth;
@@ -141,7 +140,8 @@ Corner examine(const PathItem& before, const PathItem& after, const motion::Limi
   if (!lay_out(old.element, next.element, corner)) return corner;
   const float feed = std::max(old.feed_mm_s, next.feed_mm_s);
   const float half = 0.5F * std::abs(corner.turn);
-  const float useful = half < 1.5F ? useful_radius(corner, feed, limits) * tangent_of(half) : 1.0e6F;
+  const float useful =
+      half < 1.5F ? useful_radius(corner, feed, limits) * tangent_of(half) : 1.0e6F;
   const float most = std::min({useful, corner.before.length, corner.after.length});
   corner.wish_mm = fitting_trim(corner, most);
   if (corner.wish_mm > 0.0F) corner.kind = kBlend;

@@ -60,8 +60,7 @@ void CornerRounder::put(const PathItem& item) {
 
 /// @pre only the first is held
 void CornerRounder::meet(const PathItem& item, const Corner& corner) {
-  const Held held{
-      .item = item, .start = item.request.element.start, .joint = joint_at(corner)};
+  const Held held{.item = item, .start = item.request.element.start, .joint = joint_at(corner)};
   if (corner.kind == Corner::Kind::kBlend) {
     corner_ = corner;
     second_ = held;

@@ -99,13 +99,16 @@ Position place_on(const Leg& leg, Plane plane, const Position& corner, float way
   const PlaneAxes axes = axes_of(plane);
   const Vec2 offset = leg.place(way);
   Position place = corner;
-  for (std::size_t axis = 0; axis < kAxisCount; ++axis) place[axis] += from_mm(leg.slope[axis] * way);
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis)
+    place[axis] += from_mm(leg.slope[axis] * way);
   place[axes.first] = corner[axes.first] + from_mm(offset.x());
   place[axes.second] = corner[axes.second] + from_mm(offset.y());
   return place;
 }
 
-AxisArray<float> start_direction(const PathElement& element) { return direction_of(element, false); }
+AxisArray<float> start_direction(const PathElement& element) {
+  return direction_of(element, false);
+}
 AxisArray<float> end_direction(const PathElement& element) { return direction_of(element, true); }
 
 }  // namespace cnc::path

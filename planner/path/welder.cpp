@@ -49,8 +49,8 @@ bool can_be_welded(const PathItem& item) {
   if (item.tolerance.weld_mm < kLeastToleranceMm || request.fixed_feed) return false;
   if (request.element.bulge != 0.0F || request.feed_mm_s <= 0.0F) return false;
   const auto plane = plane_of(request.element);
-  return plane && flat_travel(request.element.start, request.element.end, *plane).norm() <=
-                      kLongestLineMm;
+  return plane &&
+         flat_travel(request.element.start, request.element.end, *plane).norm() <= kLongestLineMm;
 }
 
 FanCircle middle_of(const CircleFan::Through& through) {
@@ -229,8 +229,8 @@ PathItem Welder::finish() {
 void Welder::go_to(const Reach& reach) {
   const Vec2 chord = reach.seen.normalized();
   const Vec2 tangent = Vec2{1.0F, reach.circle.slope}.normalized();
-  const Vec2 end = reach.circle.curvature != 0.0F ? Vec2{2.0F * tangent.dot(chord) * chord - tangent}
-                                                  : chord;
+  const Vec2 end =
+      reach.circle.curvature != 0.0F ? Vec2{2.0F * tangent.dot(chord) * chord - tangent} : chord;
   const Vec2 ahead = end.x() * ahead_ + end.y() * left_normal(ahead_);
   ahead_ = ahead.normalized();
   from_ = reach.end.place;

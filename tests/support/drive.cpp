@@ -56,8 +56,8 @@ class Driver {
     const cnc::motion::MotionRequest& request = program_.items[next_++].request;
     if (request.element.start == request.element.end) return;
     const float tolerance = machine_.limits.junction_deviation_mm;
-    stage_.put({.request = request,
-                .tolerance = {.corner_mm = tolerance, .weld_mm = program_.weld_mm}});
+    stage_.put(
+        {.request = request, .tolerance = {.corner_mm = tolerance, .weld_mm = program_.weld_mm}});
   }
 
   void pump() {
@@ -71,8 +71,7 @@ class Driver {
       }
       queue_.push(block.value(), piece.joint);
       const cnc::PathElement& element = piece.request.element;
-      plan_.blocks.push_back(
-          {block.value(), ExactBlock{element}, element.end, from_rest, element});
+      plan_.blocks.push_back({block.value(), ExactBlock{element}, element.end, from_rest, element});
     }
   }
 

@@ -26,11 +26,19 @@ cnc::PathElement element_of(const sim::Curve& curve) {
   return element;
 }
 
+constexpr float kDutyPerSpeed = 0x1.0p-20F;
+
 /// As the product tells beams apart: by duty and by whether it follows the speed.
 cnc::motion::BeamCommand beam_of(const sim::PathPiece& piece) {
   if (piece.travel == sim::Travel::kRapid || piece.spindle == sim::SpindleState::kOff) return {};
-  return {.duty = static_cast<float>(piece.spindle_speed * 1.0e-6),
+  return {.duty = static_cast<float>(piece.spindle_speed) * kDutyPerSpeed,
           .follows_speed = piece.spindle == sim::SpindleState::kDynamic};
+}
+
+void set_beam(sim::PathPiece& piece, const cnc::motion::BeamCommand& beam) {
+  piece.spindle_speed = static_cast<double>(beam.duty / kDutyPerSpeed);
+  if (beam.duty <= 0.0F) return;
+  piece.spindle = beam.follows_speed ? sim::SpindleState::kDynamic : sim::SpindleState::kConstant;
 }
 
 }  // namespace
@@ -64,6 +72,7 @@ sim::ProgrammedPath driven_path(const sim::ProgrammedPath& programmed,
       const bool stop = piece.joint == cnc::motion::Joint::kStop;
       const auto& request = piece.request;
       driven.pieces.push_back(piece_of(request.element, request.feed_mm_s, stop));
+      set_beam(driven.pieces.back(), request.beam);
     }
   };
   const auto take_all = [&] {
@@ -85,6 +94,8 @@ sim::ProgrammedPath driven_path(const sim::ProgrammedPath& programmed,
     take();
   }
   take_all();
+  driven.start = programmed.start;
+  driven.end = programmed.end;
   return driven;
 }
 

@@ -135,8 +135,7 @@ TEST_F(BlockQueueTest, NeverEntersACornerFasterThanItsRule) {
     push_and_plan(chain);
     const std::vector<float> exits = exit_squares(queue);
     for (std::size_t index = 1; index < chain.size(); ++index) {
-      ASSERT_LE(exits[index - 1], corner_after(chain, index))
-          << trial << ", block " << index;
+      ASSERT_LE(exits[index - 1], corner_after(chain, index)) << trial << ", block " << index;
     }
     ASSERT_EQ(exits.back(), 0.0F);
   }

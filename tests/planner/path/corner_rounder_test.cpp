@@ -220,12 +220,13 @@ TEST(RandomCorners, StayWithinTheToleranceBothWays) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     try_scribble(seed, greatest);
   }
-  std::printf("random corners: %zu pieces, %zu stops; greatest deviation of the tolerance %.4f "
-              "of the path, %.4f of what is driven\n",
-              greatest.pieces,
-              greatest.stops,
-              greatest.of_path,
-              greatest.of_driven);
+  std::printf(
+      "random corners: %zu pieces, %zu stops; greatest deviation of the tolerance %.4f "
+      "of the path, %.4f of what is driven\n",
+      greatest.pieces,
+      greatest.stops,
+      greatest.of_path,
+      greatest.of_driven);
 }
 
 }  // namespace

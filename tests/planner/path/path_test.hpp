@@ -70,7 +70,9 @@ class ExactElement {
     const double round = std::hypot(x, y) * half_ / std::sin(half_);
     return std::sqrt(round * round + std::max(0.0, chord() * chord() - x * x - y * y));
   }
-  [[nodiscard]] double radius() const { return half_ == 0.0 ? 0.0 : length() / std::abs(2 * half_); }
+  [[nodiscard]] double radius() const {
+    return half_ == 0.0 ? 0.0 : length() / std::abs(2 * half_);
+  }
 
   /// Unit direction.
   [[nodiscard]] Place tangent(bool at_end) const {
@@ -126,7 +128,8 @@ inline double distance_from(const Place& place, const std::vector<ExactElement>&
   double least = 1.0e9;
   for (const ExactElement& element : path) {
     // No point of an element is farther from its ends than its length.
-    const double ends = std::min(distance(element.at(0.0), place), distance(element.at(1.0), place));
+    const double ends =
+        std::min(distance(element.at(0.0), place), distance(element.at(1.0), place));
     if (ends - element.length() >= least) continue;
     least = std::min(least, element.distance_to(place));
   }
