@@ -17,15 +17,15 @@
 namespace proof {
 namespace {
 
-constexpr double kStepsPerMm = 1000.0;
-constexpr double kHalfStep = 0.5 / kStepsPerMm;
+constexpr double kFineStepsPerMm = 1000.0;
+constexpr double kHalfStep = 0.5 / kFineStepsPerMm;
 
 /// Where the motors stood, edge by edge, mm.
 class Footprints final : public sim::TraceSink {
  public:
   void on_row(const sim::TraceRow& row) override {
     sim::Point place{};
-    for (std::size_t axis = 0; axis < 3; ++axis) place[axis] = row.position[axis] / kStepsPerMm;
+    for (std::size_t axis = 0; axis < 3; ++axis) place[axis] = row.position[axis] / kFineStepsPerMm;
     if (!places.empty() && sim::distance(place, places.back()) == 0.0) return;
     places.push_back(place);
   }
@@ -41,7 +41,7 @@ struct Walk {
 Walk walk(const std::string& text) {
   sim::Simulator simulator{text, {}};
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    change(simulator, cnc::setting::kStepsPerMm + axis, kStepsPerMm);
+    change(simulator, cnc::setting::kStepsPerMm + axis, kFineStepsPerMm);
     change(simulator, cnc::setting::kRate + axis, 6000.0);
   }
   Footprints prints;
