@@ -90,6 +90,18 @@ TEST(Corners, OfAHelixAreBlendedWhereItIsGentle) {
   expect_sound(pen.items, pieces);
 }
 
+// Round the corner the way is shorter and so the slope steeper: an axis would jump.
+TEST(Corners, OfASteepRampAreStops) {
+  for (const double slope : {0.01, 0.1, 1.0}) {
+    Pen pen{kTenth};
+    pen.line({10.0, 0.0, 10.0 * slope});
+    pen.line({0.0, 10.0, 10.0 * slope});
+    const auto pieces = staged(pen.items);
+    EXPECT_EQ(stops_in(pieces), 1U) << slope;
+    expect_sound(pen.items, pieces);
+  }
+}
+
 TEST(Corners, OffThePlanesAndOfRotaryAxesAreStops) {
   Pen pen{kTenth};
   pen.line({10.0, 10.0, 10.0});

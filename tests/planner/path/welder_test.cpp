@@ -98,6 +98,29 @@ TEST(Welding, KeepsSharpCorners) {
   expect_within(pen, pieces, 0.01);
 }
 
+// All points are near one line, but the chain goes farther than where it ends.
+TEST(Welding, DrivesAHairpinNarrowerThanTheToleranceToItsTip) {
+  Pen pen{kHundredths};
+  for (int i = 0; i < 50; ++i) pen.line({0.1});
+  for (int i = 1; i <= 5; ++i) {
+    const double heading = std::numbers::pi / 6.0 * i;
+    pen.line({0.001 * std::cos(heading), 0.001 * std::sin(heading)});
+  }
+  for (int i = 0; i < 30; ++i) pen.line({-0.1});
+  const auto pieces = staged(pen.items);
+  expect_within(pen, pieces, 0.02);
+  expect_sound(pen.items, pieces);
+}
+
+TEST(Welding, CountsTheMiddlesOfChordsToo) {
+  for (const int edges : {30, 50, 70, 100, 150}) {
+    SCOPED_TRACE(edges);
+    Pen pen{{.corner_mm = 0.0F, .weld_mm = 0.02F}};
+    draw_polygon(pen, 20.0, edges);
+    expect_within(pen, staged(pen.items), 0.02);
+  }
+}
+
 TEST(Welding, GoesOnWhereItWasFlushed) {
   const motion::Limits limits = path_limits();
   const auto stage = std::make_unique<PathStage>(limits);
