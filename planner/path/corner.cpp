@@ -82,6 +82,22 @@ float straight_trim(const Corner& corner, float most_mm) {
   return std::min(most_mm, (corner.tolerance_mm - kRoundingMm) / share);
 }
 
+float chord_of(const PathElement& element) {
+  float sum = 0.0F;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    sum += square((element.end[axis] - element.start[axis]).mm());
+  }
+  return std::sqrt(sum);
+}
+
+/// Radians that are no corner.
+float smooth_turn(const PathItem& before, const PathItem& after) {
+  if (!after.continues) return motion::kTangentTurn;
+  const float shorter = std::min(chord_of(before.request.element), chord_of(after.request.element));
+  const float rounding = kRoundedPlaceMm / std::max(shorter, kRoundedPlaceMm);
+  return std::min(kSmoothTurn, motion::kTangentTurn + rounding);
+}
+
 bool turns_too_tightly(const Corner& corner, float trim_mm) {
   const BiarcEnds ends = ends_of(corner, trim_mm);
   return (ends.end - ends.start).norm() < kCrumbMm;
@@ -130,8 +146,7 @@ Corner examine(const PathItem& before, const PathItem& after, const motion::Limi
   const motion::MotionRequest& old = before.request;
   const motion::MotionRequest& next = after.request;
   const float turn = motion::turn_square(end_direction(old.element), start_direction(next.element));
-  const float smooth = after.continues ? kSmoothTurn : motion::kTangentTurn;
-  if (turn <= square(smooth)) {
+  if (turn <= square(smooth_turn(before, after))) {
     corner.kind = kSmooth;
     return corner;
   }

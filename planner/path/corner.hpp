@@ -6,7 +6,9 @@
 
 namespace cnc::path {
 
-/// Within one curve, what turns less is rounding: joints of arcs some µm long.
+/// Within one curve places are this far beside it, mm, and never more than this
+/// much, in radians, is put down to that.
+inline constexpr float kRoundedPlaceMm = 1.2e-5F;
 inline constexpr float kSmoothTurn = 0.02F;
 
 /// Ways and chords shorter than this, mm, are all rounding to nanometres.

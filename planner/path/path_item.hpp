@@ -15,8 +15,8 @@ struct Tolerance {
 struct PathItem {
   motion::MotionRequest request{};
   Tolerance tolerance{};
-  /// Part of one curve with the element before it: what turns there less than
-  /// kSmoothTurn is rounding.
+  /// Part of one curve with the element before it: a turn that rounded places
+  /// explain is none.
   bool continues = false;
 };
 

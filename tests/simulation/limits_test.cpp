@@ -74,7 +74,8 @@ struct ProgramSummary {
 void try_program(std::uint64_t seed, ProgramSummary& summary) {
   Random random{seed};
   const TestMachine machine = random_machine(random);
-  const Program program = random_program(random, machine);
+  Program program = random_program(random, machine);
+  if (random.chance(0.4)) program.weld_mm = static_cast<float>(random.magnitude(1.0e-4, 0.1));
   const RecordedPlan plan = drive(program, machine);
   const PlanFigures plan_figures = check_plan(plan, machine);
   const EdgeFigures edge_figures = check_edges(plan, machine);
@@ -162,7 +163,7 @@ TEST(LongLegs, AreJoinedByTheLargestArcWithinTheTolerance) {
     if (corner.turn() < 0.1 || corner.turn() > 3.1) continue;
     ASSERT_EQ(corner.plan().blocks.size(), 3U);
     const double radius = corner.plan().blocks[1].exact.radius();
-    ASSERT_LE(radius, corner.radius());
+    ASSERT_LE(radius, corner.radius() + 2.0e-6) << "of ends rounded to a nanometre";
     // 3 nm of the tolerance are kept for rounding.
     if (corner.turn() > 0.6) {
       ASSERT_GE(radius, corner.radius() * (1.0 - 4.0e-3));
