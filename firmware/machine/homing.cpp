@@ -223,10 +223,12 @@ Homing::Outcome Homing::not_found() const {
 
 /// @param feed_mm_min along the path
 Homing::Outcome Homing::move_to(const Position& end, float feed_mm_min) {
-  const auto appended = motion_.append({.element = {.start = motion_.target(), .end = end},
-                                        .feed_mm_s = feed_mm_min / kSecondsPerMinute,
-                                        .beam = beam_,
-                                        .fixed_feed = true});
+  const auto appended =
+      motion_.append({.request = {.element = {.start = motion_.target(), .end = end},
+                                  .feed_mm_s = feed_mm_min / kSecondsPerMinute,
+                                  .beam = beam_,
+                                  .fixed_feed = true}});
+  motion_.flush();
   return appended.ok() ? Outcome::kGoingOn : Outcome::kNoSwitch;
 }
 

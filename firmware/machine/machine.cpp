@@ -74,6 +74,7 @@ void Machine::poll(hal::TickCount now) {
   restart_dwell_.pass(elapsed_us);
   attend_mode(elapsed_us);
   run_actions();
+  motion_.attend(elapsed_us);
   attend_motor_enable(elapsed_us);
   side_.feed_drive();
   motion_.feed_drive();

@@ -187,7 +187,10 @@ class Machine {
   [[nodiscard]] bool pause();
   [[nodiscard]] bool change_tool(std::uint32_t tool);
   [[nodiscard]] bool end_program();
-  void append(const PathElement& element, float feed);
+  void append(const PathElement& element, float feed, bool continues);
+  [[nodiscard]] bool standstill();
+  [[nodiscard]] path::Tolerance path_tolerance() const;
+  [[nodiscard]] float spline_tolerance() const;
 
   // Jogs, in machine_jog.cpp.
   void attend_jog();

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "firmware/machine/machine.hpp"
 
 namespace cnc {
@@ -30,13 +32,13 @@ bool Machine::run(const Action& action) {
     case ActionKind::kDwell:
       return dwell(action.seconds);
     case ActionKind::kSpindleSpeed:
-      if (tool_.speed_waits_for_standstill() && !motion_.drained()) return false;
+      if (tool_.speed_waits_for_standstill() && !standstill()) return false;
       tool_.set_speed(action.value);
       return true;
     case ActionKind::kSpindle:
       return set_spindle(action.spindle);
     case ActionKind::kCoolant:
-      if (!motion_.drained()) return false;
+      if (!standstill()) return false;
       coolant_.set(action.coolant);
       return true;
     case ActionKind::kToolChange:
@@ -54,12 +56,38 @@ bool Machine::run(const Action& action) {
   return true;
 }
 
-void Machine::append(const PathElement& element, float feed) {
-  const auto appended = motion_.append({.element = element,
-                                        .feed_mm_s = feed,
-                                        .beam = tool_.command_for(feed <= 0.0F),
-                                        .outputs = with_next_motion_,
-                                        .line = interpreter_.state().line_number});
+/// Whoever waits for it says that nothing comes before.
+bool Machine::standstill() {
+  motion_.flush();
+  return motion_.drained();
+}
+
+/// G61 rounds corners within $11. G64 does so within its P, and welds within its Q; P alone
+/// stands for both, and where there is no P it is $11's.
+path::Tolerance Machine::path_tolerance() const {
+  const gcode::PathControl& control = interpreter_.state().path;
+  const float usual = settings_.get(setting::kJunctionDeviation);
+  switch (control.mode) {
+    case gcode::PathMode::kPath:
+      return {.corner_mm = usual};
+    case gcode::PathMode::kStop:
+      return {};
+    case gcode::PathMode::kBlend:
+      break;
+  }
+  return {.corner_mm = control.tolerance_mm.value_or(usual),
+          .weld_mm = control.naive_tolerance_mm.value_or(control.tolerance_mm.value_or(0.0F))};
+}
+
+/// @param continues the curve of the element before it
+void Machine::append(const PathElement& element, float feed, bool continues) {
+  const auto appended = motion_.append({.request = {.element = element,
+                                                    .feed_mm_s = feed,
+                                                    .beam = tool_.command_for(feed <= 0.0F),
+                                                    .outputs = with_next_motion_,
+                                                    .line = interpreter_.state().line_number},
+                                        .tolerance = path_tolerance(),
+                                        .continues = continues});
   // The interpreter keeps targets inside the motors' range, and arcs are divided.
   CNC_ASSERT(appended.ok());
   if (appended.value()) with_next_motion_ = {};
@@ -67,19 +95,27 @@ void Machine::append(const PathElement& element, float feed) {
 
 bool Machine::move_straight(const Action& action, float feed) {
   if (!motion_.has_room()) return false;
-  append({.start = motion_.target(), .end = action.end}, feed);
+  append({.start = motion_.target(), .end = action.end}, feed, false);
   return true;
+}
+
+/// How far arcs may be from the curve they stand for: Q of G64, or 2 µm.
+float Machine::spline_tolerance() const {
+  constexpr float kUsualMm = 0.002F;
+  const float naive = interpreter_.state().path.naive_tolerance_mm.value_or(0.0F);
+  return naive > 0.0F ? std::max(naive, ArcFit::kLeastToleranceMm) : kUsualMm;
 }
 
 /// A few arcs in each turn, as finding one takes some hundred thousand
 /// instructions.
 bool Machine::move_spline(const Action& action) {
-  constexpr float kToleranceMm = 0.002F;
   constexpr int kArcsPerTurn = 4;
-  if (!spline_) spline_.emplace(*action.spline, motion_.target(), kToleranceMm);
+  if (!motion_.has_room()) return false;
+  const bool begins = !spline_;
+  if (begins) spline_.emplace(*action.spline, motion_.target(), spline_tolerance());
   for (int i = 0; i < kArcsPerTurn && !spline_->done(); ++i) {
     if (!motion_.has_room()) return false;
-    append(spline_->next(), action.feed);
+    append(spline_->next(), action.feed, !begins || i > 0);
   }
   if (!spline_->done()) return false;
   spline_.reset();
@@ -99,14 +135,15 @@ bool Machine::move_arc(const Action& action) {
   }
   while (arc_index_ < arc_->count()) {
     if (!motion_.has_room()) return false;
-    append(arc_->element(arc_index_++), action.feed);
+    append(arc_->element(arc_index_), action.feed, arc_index_ > 0);
+    ++arc_index_;
   }
   arc_.reset();
   return true;
 }
 
 bool Machine::dwell(float seconds) {
-  if (!motion_.drained()) return false;
+  if (!standstill()) return false;
   if (!dwelling_) {
     dwelling_ = true;
     dwell_.start(seconds);
@@ -118,7 +155,7 @@ bool Machine::dwell(float seconds) {
 
 /// A spindle that starts or turns round is given its time ($394).
 bool Machine::set_spindle(gcode::SpindleMode mode) {
-  if (!motion_.drained()) return false;
+  if (!standstill()) return false;
   if (!dwelling_) {
     const bool same = mode == tool_.mode();
     tool_.set_mode(mode);
@@ -147,7 +184,7 @@ bool Machine::switch_output(const gcode::OutputChange& change) {
   // One analog change fits into a block; a second channel waits for standstill.
   const bool taken = next.analog_channel != motion::OutputChanges::kNoAnalog &&
                      next.analog_channel != change.number;
-  if (taken && !motion_.drained()) return false;
+  if (taken && !standstill()) return false;
   if (taken) outputs_.set_analog_output(next.analog_channel, next.analog_value);
   next.analog_channel = change.number;
   next.analog_value = level;
@@ -156,7 +193,7 @@ bool Machine::switch_output(const gcode::OutputChange& change) {
 
 /// Holds when all before is done; over when the operator has gone on.
 bool Machine::pause() {
-  if (!motion_.drained()) return false;
+  if (!standstill()) return false;
   if (!pause_seen_) {
     pause_seen_ = true;
     static_cast<void>(state_.take(Event::kHold));
@@ -170,7 +207,7 @@ bool Machine::pause() {
 /// there is nobody.
 bool Machine::change_tool(std::uint32_t tool) {
   if (settings_.get(setting::kToolChange) != 0.0F) return true;
-  if (!motion_.drained()) return false;
+  if (!standstill()) return false;
   if (!pause_seen_) {
     if (!state_.take(Event::kTool)) return false;  // Held: when that is over.
     pause_seen_ = true;
@@ -183,7 +220,7 @@ bool Machine::change_tool(std::uint32_t tool) {
 }
 
 bool Machine::end_program() {
-  if (!motion_.drained()) return false;
+  if (!standstill()) return false;
   set_overrides({});
   tool_.off();
   coolant_.reset();

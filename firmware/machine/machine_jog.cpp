@@ -34,12 +34,14 @@ std::optional<JogRefusal> Machine::jog(std::string_view words) {
 
 /// Overrides do not touch a jog, and a beam is off during it.
 void Machine::append_jog() {
-  const auto appended = motion_.append({.element = {.start = motion_.target(), .end = jog_->end},
-                                        .feed_mm_s = jog_->feed,
-                                        .beam = tool_.command_for(true),
-                                        .line = jog_->line,
-                                        .fixed_feed = true});
+  const auto appended =
+      motion_.append({.request = {.element = {.start = motion_.target(), .end = jog_->end},
+                                  .feed_mm_s = jog_->feed,
+                                  .beam = tool_.command_for(true),
+                                  .line = jog_->line,
+                                  .fixed_feed = true}});
   CNC_ASSERT(appended.ok());
+  motion_.flush();
   jog_.reset();
 }
 

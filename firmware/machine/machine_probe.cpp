@@ -9,14 +9,15 @@ using gcode::Action;
 bool Machine::probe(const Action& action) {
   switch (probing_) {
     case Probing::kNo:
-      if (!motion_.drained()) return false;
+      if (!standstill()) return false;
       if (drive_.probe_contact() == action.probe.towards_contact) {
         end_probe(motion_.target(), false);
         raise_alarm(Alarm::kProbeAtTarget);
         return false;
       }
       drive_.arm_probe(action.probe.towards_contact);
-      append({.start = motion_.target(), .end = action.end}, action.feed);
+      append({.start = motion_.target(), .end = action.end}, action.feed, false);
+      motion_.flush();
       probing_ = Probing::kMoving;
       return false;
     case Probing::kMoving:

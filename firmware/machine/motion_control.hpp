@@ -5,21 +5,29 @@
 #include "planner/motion/block_builder.hpp"
 #include "planner/motion/block_queue.hpp"
 #include "planner/motion/segmenter.hpp"
+#include "planner/path/path_stage.hpp"
 
 namespace cnc {
 
-/// From path elements to the step drive: the blocks, the plan, the segments,
-/// and where the motors are to be. Main loop only.
+/// From path elements to the step drive: the path that is driven, the blocks, the
+/// plan, the segments, and where the motors are to be. Main loop only.
 class MotionControl {
  public:
   MotionControl(StepDrive& drive, const motion::Limits& limits)
-      : drive_{drive}, limits_{limits}, segmenter_{queue_, limits} {}
+      : drive_{drive}, limits_{limits}, stage_{limits}, segmenter_{queue_, limits} {}
 
-  [[nodiscard]] bool has_room() const { return !queue_.full(); }
+  [[nodiscard]] bool has_room() const { return stage_.has_room(); }
 
   /// Appends the way from the target so far to `end`. Nothing to move counts
-  /// as done. @pre has_room()
-  Result<bool, motion::MotionError> append(const motion::MotionRequest& request);
+  /// as done. The last elements are held back until the next ones are known, or
+  /// flush(). @pre has_room()
+  Result<bool, motion::MotionError> append(const path::PathItem& item);
+  /// Nothing comes after what was appended: jogs, searches, and whoever waits
+  /// for drained().
+  void flush();
+  /// Gives out what is held back before the machine would have to brake for it.
+  /// Once in each turn.
+  void attend(std::int32_t elapsed_us);
 
   /// Where the motion taken so far will end.
   [[nodiscard]] const Position& target() const { return target_; }
@@ -29,7 +37,9 @@ class MotionControl {
   void feed_drive();
 
   /// Nothing planned, nothing queued, nothing moving.
-  [[nodiscard]] bool drained() const { return segmenter_.idle() && !drive_.running(); }
+  [[nodiscard]] bool drained() const {
+    return stage_.empty() && segmenter_.idle() && !drive_.running();
+  }
   /// Stopped by halt(), with the rest of the motion waiting.
   [[nodiscard]] bool halted() const { return segmenter_.halted() && !drive_.running(); }
 
@@ -48,7 +58,7 @@ class MotionControl {
   [[nodiscard]] std::size_t blocks_free() const { return queue_.capacity() - queue_.size(); }
   /// N of the oldest block that is not driven to its end; 0 for none.
   [[nodiscard]] std::uint32_t line_in_execution() const {
-    return queue_.empty() ? 0 : queue_.front().line;
+    return queue_.empty() ? stage_.line() : queue_.front().line;
   }
   /// mm/s, of the segments cut last: what the motors do in at most 20 ms.
   [[nodiscard]] float speed() const { return drive_.running() ? segmenter_.speed() : 0.0F; }
@@ -57,11 +67,17 @@ class MotionControl {
   void observe(motion::SliceObserver* observer) { segmenter_.observe(observer); }
 
  private:
+  void pump();
+  [[nodiscard]] float way_left() const;
+  [[nodiscard]] bool runs_dry() const;
+
   StepDrive& drive_;
   const motion::Limits& limits_;
+  path::PathStage stage_;
   motion::BlockQueueOf<motion::kLookAheadBlocks> queue_{};
   motion::Segmenter segmenter_;
   Position target_{};
+  std::int32_t silence_us_ = 0;  ///< Since the last element came.
   std::uint32_t blocks_taken_ = 0;
 };
 

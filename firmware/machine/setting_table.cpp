@@ -51,7 +51,7 @@ constexpr std::array<SettingInfo, 83> kTable{{
      "field it names."},
     SettingInfo{11, "Junction deviation", "mm", 0.0F, 10.0F, 0.01F, false,
      Group::kGeneral, Type::kDecimal, kThousandths,
-     "How fast corners are taken: the way that a corner may be thought to be rounded by."},
+     "How far corners may be rounded off in G61, and in G64 without P; 0 stops at each."},
     SettingInfo{12, "Arc tolerance", "mm", 0.0F, 1.0F, 0.002F, false,
      Group::kArcs, Type::kDecimal, kThousandths,
      "Kept for senders: arcs are never divided into lines."},

@@ -22,7 +22,7 @@ void SideTrip::go(std::size_t axis,
   motion::Block exact = block.value();
   exact.end = place();
   exact.end[axis] = to;
-  queue_.push(exact, limits_);
+  queue_.push(exact);
 }
 
 void SideTrip::feed_drive() {

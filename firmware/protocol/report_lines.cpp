@@ -67,6 +67,24 @@ std::string_view coolant_words(const gcode::Coolant& coolant) {
   return coolant.flood ? " M8" : " M9";
 }
 
+/// With the tolerances, as G64 means others without them.
+void put_path_control(Reply& reply, const gcode::PathControl& path, bool inches) {
+  switch (path.mode) {
+    case gcode::PathMode::kPath:
+      reply.text(" G61");
+      return;
+    case gcode::PathMode::kStop:
+      reply.text(" G61.1");
+      return;
+    case gcode::PathMode::kBlend:
+      break;
+  }
+  reply.text(" G64");
+  const float unit = inches ? kMillimetresPerInch : 1.0F;
+  if (path.tolerance_mm) reply.text(" P").value(*path.tolerance_mm / unit, 0);
+  if (path.naive_tolerance_mm) reply.text(" Q").value(*path.naive_tolerance_mm / unit, 0);
+}
+
 }  // namespace
 
 std::string_view name_of(MachineState state) {
@@ -118,6 +136,7 @@ void put_parser_state(Reply& reply, const Machine& machine) {
   reply.text(inches ? " G20" : " G21");
   reply.text(state.distance == gcode::DistanceMode::kAbsolute ? " G90" : " G91");
   reply.text(state.feed_mode == gcode::FeedMode::kUnitsPerMinute ? " G94" : " G93");
+  put_path_control(reply, state.path, inches);
   reply.text(spindle_word(machine.spindle())).text(coolant_words(machine.coolant()));
   reply.text(" T").number(state.tool).text(" F").value(feed, 0);
   reply.text(" S").value(state.spindle_speed, 0).letter(']').end();

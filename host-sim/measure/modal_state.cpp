@@ -9,9 +9,10 @@ namespace {
 constexpr double kMillimetresPerInch = 25.4;
 constexpr double kSecondsPerMinute = 60.0;
 
-/// Units and feed mode, and what is always so: no compensation (G40), exact path (G61).
+/// Units and feed mode, and what changes no programmed place: no compensation (G40) and
+/// path control (G61, G61.1, G64).
 bool is_applied_before(int g) {
-  constexpr std::array kNumbers{200, 210, 930, 940, 400, 610};
+  constexpr std::array kNumbers{200, 210, 930, 940, 400, 610, 611, 640};
   return std::ranges::find(kNumbers, g) != kNumbers.end();
 }
 

@@ -30,7 +30,7 @@ void adopt(const Block& block, ModalGroup group, Mode& mode) {
 /// its own line.
 Refusal Execution::run() {
   using Step = Refusal (Execution::*)();
-  static constexpr std::array<Step, 16> kOrder{{
+  static constexpr std::array<Step, 17> kOrder{{
       &Execution::check_signs,
       &Execution::check_open_nurbs,
       &Execution::number_line,
@@ -43,6 +43,7 @@ Refusal Execution::run() {
       &Execution::set_coolant,
       &Execution::dwell,
       &Execution::set_tool_length,
+      &Execution::set_path_control,
       &Execution::set_offsets,
       &Execution::go_to_stored_place,
       &Execution::move,
@@ -227,8 +228,8 @@ Refusal Execution::stop() {
   return std::nullopt;
 }
 
-/// As Grbl 1.1: back to G1 G17 G40 G54 G90 G94 M5 M9. Units, F, S, T, G92 and
-/// the tool length stay.
+/// As Grbl 1.1: back to G1 G17 G40 G54 G90 G94 M5 M9. Units, F, S, T, G92, the
+/// tool length and path control (RS274/NGC 3.6.1 does not name it) stay.
 void Execution::end_program() {
   ModalState& modal = next_.modal;
   modal.motion = MotionMode::kLine;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
 #include "planner/base/axes.hpp"
 #include "planner/base/coordinate.hpp"
@@ -30,6 +31,23 @@ enum class DistanceMode : std::uint8_t { kAbsolute, kIncremental };    ///< G90 
 enum class FeedMode : std::uint8_t { kUnitsPerMinute, kInverseTime };  ///< G94, G93.
 enum class Units : std::uint8_t { kMillimetres, kInches };             ///< G21, G20.
 
+/// How closely the programmed path is followed; RS274/NGC 3.5.14.
+enum class PathMode : std::uint8_t {
+  kPath,   ///< G61: corners are rounded within $11.
+  kStop,   ///< G61.1: an exact stop at every corner.
+  kBlend,  ///< G64: corners are rounded within P, short lines welded within Q.
+};
+
+/// G group 13. As in LinuxCNC a P without Q stands for both; unlike there G64
+/// alone is no leave to go anywhere: it is G61.
+struct PathControl {
+  PathMode mode = PathMode::kPath;
+  std::optional<float> tolerance_mm{};  ///< P of G64, ≥ 0.
+  /// Q of G64, ≥ 0; without it P's.
+  std::optional<float> naive_tolerance_mm{};
+  constexpr bool operator==(const PathControl&) const = default;
+};
+
 /// G54…G59, G59.1…G59.3.
 inline constexpr std::size_t kCoordinateSystemCount = 9;
 
@@ -43,7 +61,8 @@ struct ModalState {
   FeedMode feed_mode = FeedMode::kUnitsPerMinute;
   Units units = Units::kMillimetres;
   std::uint8_t coordinate_system = 0;  ///< 0 is G54.
-  bool tool_length_in_use = false;     ///< G43.1, else G49.
+  PathControl path{};
+  bool tool_length_in_use = false;  ///< G43.1, else G49.
   SpindleMode spindle = SpindleMode::kOff;
   Coolant coolant{};
 

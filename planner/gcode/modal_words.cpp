@@ -18,7 +18,7 @@ constexpr ModalWord word(std::uint16_t tenths, ModalGroup group, Meaning meaning
 using enum ModalGroup;
 
 /// The motion words come first: they are looked up most.
-constexpr std::array<ModalWord, 48> kGWords{{
+constexpr std::array<ModalWord, 50> kGWords{{
     word(0, kMotion, MotionMode::kRapid),
     word(10, kMotion, MotionMode::kLine),
     word(20, kMotion, MotionMode::kArcClockwise),
@@ -55,7 +55,9 @@ constexpr std::array<ModalWord, 48> kGWords{{
     word(591, kCoordinateSystem, 6),
     word(592, kCoordinateSystem, 7),
     word(593, kCoordinateSystem, 8),
-    word(610, kPathControl, 0),
+    word(610, kPathControl, PathMode::kPath),
+    word(611, kPathControl, PathMode::kStop),
+    word(640, kPathControl, PathMode::kBlend),
     word(800, kMotion, MotionMode::kNone),
     word(900, kDistance, DistanceMode::kAbsolute),
     word(901, kArcDistance, DistanceMode::kAbsolute),
@@ -89,7 +91,7 @@ constexpr std::array<ModalWord, 17> kMWords{{
     word(680, kOutput, Output::kAnalog),
 }};
 
-/// Whole numbers that other controllers give decimals to: G61.1 is a word that
+/// Whole numbers that other controllers give decimals to: G49.1 is a word that
 /// is not supported, whereas G1.5 is a slip.
 constexpr std::array<std::uint32_t, 10> kKnownWithDecimals{5, 28, 30, 38, 43, 49, 61, 90, 91, 92};
 

@@ -22,7 +22,7 @@ enum class ModalGroup : std::uint8_t {
   kCutterRadius,      ///< G group 7, only G40: nothing to choose
   kToolLength,        ///< G group 8, ToolLength
   kCoordinateSystem,  ///< G group 12, index of the system
-  kPathControl,       ///< G group 13, only G61: nothing to choose
+  kPathControl,       ///< G group 13, PathMode
   kStop,              ///< M group 4, Stop
   kOutput,            ///< M group 5, Output
   kToolChange,        ///< M group 6, only M6: nothing to choose

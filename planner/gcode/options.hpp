@@ -23,7 +23,8 @@ struct Options {
   /// How far from machine zero each axis can go, either way; what the motors'
   /// step counters hold may be less than what a Coordinate does.
   Position reach = kFarthestPosition;
-  float longest_dwell_s = 86'400.0F;  ///< A day: whoever writes more meant milliseconds.
+  float largest_path_tolerance_mm = 10.0F;  ///< P and Q of G64; as $11.
+  float longest_dwell_s = 86'400.0F;        ///< A day: whoever writes more meant milliseconds.
 };
 
 }  // namespace cnc::gcode

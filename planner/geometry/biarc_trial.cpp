@@ -3,35 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/geometry/tangent_circle.hpp"
+
 namespace cnc {
 namespace {
-
-/// A circle by a point, the tangent there and the curvature: a line has no case.
-struct Circle {
-  Vec2 point;
-  Vec2 tangent;
-  float curvature;
-
-  struct Sight {
-    float across;  ///< Signed distance of the point from the circle, mm.
-    bool agrees;   ///< The direction is within a quarter turn of the circle's.
-  };
-
-  /// With q from the point on the circle, in its frame: the square of the
-  /// distance to the centre is (1 + k f) / k², f = k q² − 2 y, and so the
-  /// distance to the circle f / (1 + √(1 + k f)).
-  [[nodiscard]] Sight of(const CurvePoint& seen) const {
-    const Vec2 q = seen.place - point;
-    const float x = q.dot(tangent);
-    const float y = cross(tangent, q);
-    const float f = curvature * (x * x + y * y) - 2.0F * y;
-    const float root = std::sqrt(std::max(0.0F, 1.0F + curvature * f));
-    const float along = seen.direction.dot(tangent);
-    const float beside = cross(tangent, seen.direction);
-    return {.across = f / (1.0F + root),
-            .agrees = along * (1.0F - curvature * y) + beside * curvature * x > 0.0F};
-  }
-};
 
 float curvature_of(const Vec2& chord, float bulge) {
   return 4.0F * bulge / (chord.norm() * (1.0F + bulge * bulge));
@@ -75,9 +50,9 @@ class Gauge {
   /// False when the curve goes another way than the arc beside it.
   [[nodiscard]] bool add(const CurvePoint& point) {
     const bool before = (point.place - joint_).dot(joint_tangent_) < 0.0F;
-    const Circle::Sight sight = (before ? first_ : second_).of(point);
-    peak_.add(sight.across);
-    return sight.agrees;
+    const TangentCircle& beside = before ? first_ : second_;
+    peak_.add(beside.across(point.place));
+    return beside.agrees(point.place, point.direction);
   }
   /// @pre all points were added.
   [[nodiscard]] float deviation() {
@@ -88,8 +63,8 @@ class Gauge {
  private:
   Vec2 joint_;
   Vec2 joint_tangent_;
-  Circle first_;
-  Circle second_;
+  TangentCircle first_;
+  TangentCircle second_;
   Peak peak_;
 };
 

@@ -4,20 +4,24 @@
 
 #include "planner/motion/block_builder.hpp"
 #include "planner/motion/braking.hpp"
-#include "planner/motion/junction.hpp"
 
 namespace cnc::motion {
 
-void BlockQueue::push(const Block& block, const Limits& limits) {
+void BlockQueue::push(const Block& block, Joint joint) {
   CNC_ASSERT(!full());
   Block& added = changeable(size_);
   added = block;
-  added.corner_speed_square =
-      empty() ? 0.0F : corner_speed_square(last_exit_tangent_, entry_tangent(block), limits);
+  added.corner_speed_square = corner_after(block, joint);
   added.entry = {};
   last_exit_tangent_ = exit_tangent(block);
   ++size_;
   ++unplanned_;
+}
+
+float BlockQueue::corner_after(const Block& block, Joint joint) const {
+  if (empty() || joint == Joint::kStop) return 0.0F;
+  if (joint == Joint::kSmooth) return kNoCornerLimit;
+  return corner_speed_square(last_exit_tangent_, entry_tangent(block));
 }
 
 void BlockQueue::pop_front() {

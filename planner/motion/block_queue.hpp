@@ -6,6 +6,7 @@
 
 #include "planner/base/contract.hpp"
 #include "planner/motion/block.hpp"
+#include "planner/motion/junction.hpp"
 #include "planner/motion/limit_zone.hpp"
 #include "planner/motion/limits.hpp"
 #include "planner/motion/time_window.hpp"
@@ -33,10 +34,10 @@ class BlockQueue {
   [[nodiscard]] bool empty() const { return size_ == 0; }
   [[nodiscard]] std::size_t size() const { return size_; }
 
-  /// Takes a block and sets its corner speed from the block before; after an
-  /// empty queue the machine stands still and so does the corner.
+  /// Takes a block and sets its corner speed: none or any, see Joint; after an
+  /// empty queue the machine stands still.
   /// @pre !full()
-  void push(const Block& block, const Limits& limits);
+  void push(const Block& block, Joint joint = Joint::kAsItTurns);
 
   /// The oldest block, the one being driven. @pre !empty()
   [[nodiscard]] const Block& front() const {
@@ -45,8 +46,11 @@ class BlockQueue {
   }
   void pop_front();
   void clear();
-  /// @pre index < size()
-  [[nodiscard]] const Block& at(std::size_t index) const { return blocks_[place_of(index)]; }
+  /// Counted from the oldest. @pre index < size()
+  [[nodiscard]] const Block& at(std::size_t index) const {
+    CNC_ASSERT(index < size_);
+    return blocks_[place_of(index)];
+  }
 
   /// Brings the entry speeds up to date from the block at `lead` on, but leaves up
   /// to a sixteenth of the queue unplanned at its far end: so the pass over all of
@@ -76,6 +80,7 @@ class BlockQueue {
   ~BlockQueue() = default;
 
  private:
+  [[nodiscard]] float corner_after(const Block& block, Joint joint) const;
   [[nodiscard]] Block& changeable(std::size_t index) { return blocks_[place_of(index)]; }
   /// In the ring. No division: the capacity is not a constant here.
   [[nodiscard]] std::size_t place_of(std::size_t index) const {

@@ -19,6 +19,9 @@ import tempfile
 # (what is printed, unit, the function in which the stage happens)
 STAGES = [
     ("read and parse", "line", "cnc::gcode::Interpreter::interpret("),
+    ("take it into the path", "element", "cnc::path::PathStage::put("),
+    ("round and weld", "call", "cnc::path::PathStage::next("),
+    ("judge a corner", "corner", "cnc::path::examine("),
     ("build a block", "block", "cnc::motion::build_block("),
     ("take it into the queue", "block", "cnc::motion::BlockQueue::push("),
     ("look ahead", "main loop turn", "cnc::motion::BlockQueue::plan("),

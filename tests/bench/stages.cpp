@@ -72,7 +72,7 @@ void drive(const Job& job, Sink&& take) {
   std::size_t next = 0;
   while (next < job.requests.size() || !segmenter.idle()) {
     while (next < job.requests.size() && !queue.full()) {
-      queue.push(motion::build_block(job.requests[next++], limits()).value(), limits());
+      queue.push(motion::build_block(job.requests[next++], limits()).value());
     }
     if (segmenter.next(segment)) take(segment);
   }
@@ -117,7 +117,7 @@ void plan(benchmark::State& state, const Job& (*job)()) {
     motion::BlockQueueOf<motion::kLookAheadBlocks> queue;
     for (const motion::MotionRequest& request : job().requests) {
       if (queue.full()) queue.pop_front();
-      queue.push(motion::build_block(request, limits()).value(), limits());
+      queue.push(motion::build_block(request, limits()).value());
       queue.plan(limits(), {});
     }
     benchmark::DoNotOptimize(queue);

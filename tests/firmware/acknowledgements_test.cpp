@@ -225,6 +225,7 @@ TEST_F(AcknowledgementsTest, EveryNumberOfTheTableIsGiven) {
   send("$J=G91 X9999 F100");  // 15: the machine knows its travel now.
   note();
   send("G1 X-50 F300");
+  run(20);
   send("$22=0");  // 8: it moves.
   stream("\x18");
   run(50);

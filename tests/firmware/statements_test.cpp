@@ -100,7 +100,7 @@ TEST_F(StatementsTest, RunStartupLinesAfterAReset) {
   link.outgoing.clear();
   restart();
   EXPECT_EQ(printed(), (Lines{"Grbl 1.1h ['$' for help]", ">G55 G20"}));
-  EXPECT_EQ(lines_of("$G")[0], "[GC:G0 G55 G17 G20 G90 G94 M5 M9 T0 F0 S0]");
+  EXPECT_EQ(lines_of("$G")[0], "[GC:G0 G55 G17 G20 G90 G94 G61 M5 M9 T0 F0 S0]");
   EXPECT_EQ(send("$N0="), "ok");
   link.outgoing.clear();
   restart();

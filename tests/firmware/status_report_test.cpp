@@ -130,7 +130,7 @@ TEST_F(StatusReportTest, ReportsEverythingWhenAsked) {
   for (const char* name : {"MPos", "Bf", "FS", "WCO", "Ov", "WCS", "H", "T", "TLR"}) {
     EXPECT_NE(field(full, name), "none") << name << " in " << full;
   }
-  EXPECT_EQ(report("\x83"), "[GC:G0 G54 G17 G21 G90 G94 M5 M9 T0 F0 S0]");
+  EXPECT_EQ(report("\x83"), "[GC:G0 G54 G17 G21 G90 G94 G61 M5 M9 T0 F0 S0]");
 }
 
 }  // namespace

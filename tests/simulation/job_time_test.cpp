@@ -10,6 +10,7 @@
 #include "host-sim/machine/simulator.hpp"
 #include "host-sim/measure/program_line.hpp"
 #include "tests/support/drive.hpp"
+#include "tests/support/driven_path.hpp"
 #include "tests/support/optimal_time.hpp"
 #include "tests/support/product_limits.hpp"
 #include "tests/support/trials.hpp"
@@ -54,12 +55,16 @@ JobTime time_job(const std::string& name, const std::string& settings) {
     EXPECT_EQ(simulator.change_setting(change.number, change.value), "") << change.place;
   }
   const bool laser = simulator.settings().get(cnc::setting::kLaserMode) != 0.0F;
-  const auto path = sim::read_program(program, {.laser_mode = laser, .stop_at_coolant = true});
-  EXPECT_TRUE(path.notes.empty());
+  const auto programmed =
+      sim::read_program(program, {.laser_mode = laser, .stop_at_coolant = true});
+  EXPECT_TRUE(programmed.notes.empty());
   const sim::RunResult result = simulator.run();
   EXPECT_TRUE(result.refusals.empty());
   EXPECT_EQ(result.alarm, 0);
-  const auto limits = limits_of(cnc::limits_from(simulator.settings()));
+  const cnc::motion::Limits product = cnc::limits_from(simulator.settings());
+  const float tolerance = simulator.settings().get(cnc::setting::kJunctionDeviation);
+  const auto path = driven_path(programmed, product, {.corner_mm = tolerance});
+  const auto limits = limits_of(product);
   return {.motion = result.job_time_s - dwell_time(program),
           .bound = sim::optimal_time(path, limits),
           .stops = stop_count(path)};
@@ -98,39 +103,10 @@ INSTANTIATE_TEST_SUITE_P(All,
                            return name.substr(0, name.find('.'));
                          });
 
-/// A bulge b puts the centre (1 − b²) / 4b of the chord to its left.
-sim::Curve curve_of(const cnc::PathElement& element) {
-  const Vector start = to_mm(element.start);
-  const Vector end = to_mm(element.end);
-  const auto bulge = static_cast<double>(element.bulge);
-  if (bulge == 0.0) return sim::Curve::line(start, end);
-  const cnc::PlaneAxes axes = cnc::axes_of(element.plane);
-  const double x = end[axes.first] - start[axes.first];
-  const double y = end[axes.second] - start[axes.second];
-  const double aside = (1.0 - bulge * bulge) / (4.0 * bulge);
-  const std::array centre{start[axes.first] + x / 2.0 - aside * y,
-                          start[axes.second] + y / 2.0 + aside * x};
-  return sim::Curve::arc(start, end, element.plane, centre, bulge < 0.0);
-}
-
-/// What the product's queue gets: it leaves out what is shorter than it can tell.
-bool moves(const ProgramItem& item, const TestMachine& machine) {
-  return cnc::motion::build_block(item.request, machine.limits).ok();
-}
-
-sim::ProgrammedPath path_of(const Program& program, const TestMachine& machine) {
+sim::ProgrammedPath path_of(const RecordedPlan& plan) {
   sim::ProgrammedPath path;
-  bool stop = true;
-  for (const ProgramItem& item : program.items) {
-    stop = stop || item.stop_before;
-    if (!moves(item, machine)) continue;
-    const sim::Curve curve = curve_of(item.request.element);
-    const auto feed = static_cast<double>(item.request.feed_mm_s);
-    path.pieces.push_back({.curve = curve,
-                           .travel = feed > 0.0 ? sim::Travel::kFeed : sim::Travel::kRapid,
-                           .feed = feed,
-                           .stop_before = stop});
-    stop = false;
+  for (const PlannedBlock& block : plan.blocks) {
+    path.pieces.push_back(piece_of(block.element, 0.0F, block.from_rest));
   }
   return path;
 }
@@ -153,10 +129,10 @@ double random_ratio(std::uint64_t seed) {
   for (ProgramItem& item : program.items) item.request.feed_mm_s = 0.0F;
   program.pushed_at_once = 64;  // The sender keeps up: the queue is always full.
   program.cut_at_once = 1;
-  const sim::ProgrammedPath path = path_of(program, machine);
+  const RecordedPlan plan = drive(program, machine);
+  const sim::ProgrammedPath path = path_of(plan);
   if (!fits_reference(path)) return 0.0;
-  const double bound = sim::optimal_time(path, limits_of(machine.limits));
-  return drive(program, machine).seconds / bound;
+  return plan.seconds / sim::optimal_time(path, limits_of(machine.limits));
 }
 
 // The odd program may be some percent slower: on arcs the product's acceleration is

@@ -16,6 +16,11 @@ double float_noise(double value) { return std::abs(value) * 0x1.0p-24; }
 /// share, product, sum); a difference has two of them.
 constexpr double kRoundings = 8.0;
 
+/// What is no turn, in radians, and by how many mm the places at both ends of a
+/// block may be beside it.
+constexpr double kTurn = 2.0e-4 * 1.01;
+constexpr double kRoundedPlaces = 1.2e-5;
+
 class PlanCheck {
  public:
   PlanCheck(const RecordedPlan& plan, const TestMachine& machine, Sampling sampling)
@@ -78,9 +83,9 @@ class PlanCheck {
       return;
     }
     const ExactBlock& old = plan_.blocks[before.slice.block].exact;
-    const double rule = corner_speed(old.tangent_at(1.0), block().exact.tangent_at(0.0), limits_);
-    if (rule > 0.0) figures_.joint.note(speed / rule, index_);
-    if (rule <= 0.0) figures_.end_speed.note(speed, index_);
+    const double turn = turn_between(old.tangent_at(1.0), block().exact.tangent_at(0.0));
+    const double shorter = std::min(old.length(), block().exact.length());
+    figures_.joint.note(turn / (kTurn + kRoundedPlaces / shorter), index_);
   }
 
   /// Speeds and fractions must tell the same way.
@@ -159,23 +164,11 @@ PlanFigures check_plan(const RecordedPlan& plan, const TestMachine& machine, Sam
   return PlanCheck{plan, machine, sampling}.run();
 }
 
-double corner_speed(const Vector& before, const Vector& after, const cnc::motion::Limits& limits) {
+double turn_between(const Vector& before, const Vector& after) {
   Vector change{};
   for (std::size_t axis = 0; axis < change.size(); ++axis)
     change[axis] = after[axis] - before[axis];
-  const double size = norm(change);
-  const double turn = 2.0 * std::asin(std::min(1.0, 0.5 * size));
-  // Grbl's lines at |cos| = 0.999999, drawn a little inside for the rounding of tangents.
-  if (1.0 - std::cos(turn) < 1.0e-6 * 1.002) return std::numeric_limits<double>::infinity();
-  if (1.0 + std::cos(turn) < 1.0e-6 * 0.998) return 0.0;
-  double acceleration = std::numeric_limits<double>::infinity();
-  for (std::size_t axis = 0; axis < change.size(); ++axis) {
-    const double limit = static_cast<double>(limits.acceleration_mm_s2[axis]);
-    acceleration = std::min(acceleration, limit * size / std::abs(change[axis]));
-  }
-  const double sine = std::cos(0.5 * turn);  // Of half the angle between the legs.
-  const double deviation = static_cast<double>(limits.junction_deviation_mm);
-  return std::sqrt(acceleration * deviation * sine / (1.0 - sine));
+  return 2.0 * std::asin(std::min(1.0, 0.5 * norm(change)));
 }
 
 }  // namespace proof

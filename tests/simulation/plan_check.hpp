@@ -27,7 +27,7 @@ struct PlanFigures {
   Greatest speed_change;   ///< Δ(axis speed) in 50 µs / limit, within a block.
   Greatest feed;           ///< Path speed / programmed feed.
   Greatest centripetal;    ///< (v · plane share)² / R / least limit of the plane's axes.
-  Greatest joint;          ///< Speed at a joint / the corner rule.
+  Greatest joint;          ///< Turn at a joint without a stop / what rounding may make of none.
   Greatest speed_jump;     ///< From slice to slice, mm/s.
   Greatest way_error;      ///< Way by speed − way by fraction, mm.
   Greatest end_speed;      ///< At rest before a stop and at the end, mm/s.
@@ -43,11 +43,7 @@ enum class Sampling { kAt20kHz, kAtSlicesOnly };
                                      const TestMachine& machine,
                                      Sampling sampling = Sampling::kAt20kHz);
 
-/// The speed of the corner rule, from its definition: the circle that touches
-/// both legs within $11 of the corner, driven with the acceleration that the
-/// axes allow along the change of direction. Infinite where tangents agree.
-[[nodiscard]] double corner_speed(const Vector& before,
-                                  const Vector& after,
-                                  const cnc::motion::Limits& limits);
+/// Radians between two unit vectors.
+[[nodiscard]] double turn_between(const Vector& before, const Vector& after);
 
 }  // namespace proof

@@ -61,6 +61,7 @@ Driven driven(const std::string& text) {
     change(simulator, cnc::setting::kStepsPerMm + axis, kStepsPerMm);
     scales[axis] = kStepsPerMm;
   }
+  change(simulator, cnc::setting::kJunctionDeviation, 0.0);  // Of the curves alone.
   const sim::ProgrammedPath path = sim::read_program(text);
   EXPECT_TRUE(path.notes.empty());
   sim::PathDeviation deviation{path, scales};

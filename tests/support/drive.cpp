@@ -3,6 +3,8 @@
 #include <memory>
 #include <stdexcept>
 
+#include "planner/path/path_stage.hpp"
+
 namespace proof {
 namespace {
 
@@ -19,12 +21,13 @@ class Driver {
   }
 
   RecordedPlan run() {
-    while (next_ < program_.items.size() || !segmenter_.idle()) {
-      const std::size_t before = next_ + plan_.slices.size();
+    while (next_ < program_.items.size() || !stage_.empty() || !segmenter_.idle()) {
+      const std::size_t before = progress();
       for (std::size_t i = 0; i < program_.pushed_at_once && may_push(); ++i) push();
+      pump();
       for (std::size_t i = 0; i < program_.cut_at_once && cut(); ++i) {
       }
-      if (!operate_ && next_ + plan_.slices.size() == before) {
+      if (!operate_ && progress() == before && ++idle_turns_ > kMostIdleTurns) {
         throw std::logic_error("the motion stands still before its end");
       }
     }
@@ -32,22 +35,44 @@ class Driver {
   }
 
  private:
+  [[nodiscard]] std::size_t progress() const {
+    return next_ + plan_.slices.size() + plan_.blocks.size();
+  }
+
   bool may_push() {
-    if (next_ == program_.items.size() || queue_.full()) return false;
-    return !program_.items[next_].stop_before || segmenter_.idle();
+    pump();
+    if (next_ == program_.items.size()) {
+      stage_.flush();
+      return false;
+    }
+    if (queue_.full() || !stage_.has_room()) return false;
+    if (!program_.items[next_].stop_before) return true;
+    stage_.flush();
+    pump();
+    return stage_.empty() && segmenter_.idle();
   }
 
   void push() {
-    const auto block = build_block(program_.items[next_].request, machine_.limits);
-    const bool from_rest = segmenter_.idle();
-    ++next_;
-    if (!block.ok()) {
-      if (block.error() == cnc::motion::MotionError::kNothingToMove) return;
-      throw std::logic_error("a block that cannot be built");
+    const cnc::motion::MotionRequest& request = program_.items[next_++].request;
+    if (request.element.start == request.element.end) return;
+    const float tolerance = machine_.limits.junction_deviation_mm;
+    stage_.put(
+        {.request = request, .tolerance = {.corner_mm = tolerance, .weld_mm = program_.weld_mm}});
+  }
+
+  void pump() {
+    cnc::path::PathPiece piece;
+    while (!queue_.full() && stage_.next(piece)) {
+      const auto block = build_block(piece.request, machine_.limits);
+      const bool from_rest = segmenter_.idle() || piece.joint == cnc::motion::Joint::kStop;
+      if (!block.ok()) {
+        if (block.error() == cnc::motion::MotionError::kNothingToMove) continue;
+        throw std::logic_error("a block that cannot be built");
+      }
+      queue_.push(block.value(), piece.joint);
+      const cnc::PathElement& element = piece.request.element;
+      plan_.blocks.push_back({block.value(), ExactBlock{element}, element.end, from_rest, element});
     }
-    queue_.push(block.value(), machine_.limits);
-    const cnc::PathElement& element = program_.items[next_ - 1].request.element;
-    plan_.blocks.push_back({block.value(), ExactBlock{element}, element.end, from_rest});
   }
 
   bool cut() {
@@ -60,6 +85,7 @@ class Driver {
   }
 
   static constexpr std::size_t kMostSegments = 3'000'000;
+  static constexpr int kMostIdleTurns = 1000;
 
   const Program& program_;
   const TestMachine& machine_;
@@ -67,7 +93,9 @@ class Driver {
   RecordedPlan plan_{};
   BlockQueueOf<kLookAheadBlocks> queue_{};
   Segmenter segmenter_{queue_, machine_.limits};
+  cnc::path::PathStage stage_{machine_.limits};
   std::size_t next_ = 0;
+  int idle_turns_ = 0;  ///< In which only what is held back was looked at.
 };
 
 }  // namespace

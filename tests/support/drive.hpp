@@ -10,7 +10,7 @@ namespace proof {
 /// Called before each segment is cut, with the number cut so far.
 using Operator = std::function<void(cnc::motion::Segmenter&, std::size_t)>;
 
-/// Drives a program through look-ahead and segmenter as the machine would, but
+/// Drives a program through path, look-ahead and segmenter as the machine would, but
 /// without the machine: blocks and segments in the bursts that the program says.
 [[nodiscard]] RecordedPlan drive(const Program& program,
                                  const TestMachine& machine,

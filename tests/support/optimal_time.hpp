@@ -18,17 +18,14 @@ struct MotionLimits {
   cnc::AxisArray<double> acceleration{};  ///< mm/s².
   /// mm/s³, $800…; not for optimal_profile, which knows no jerk.
   cnc::AxisArray<double> jerk = every_axis(std::numeric_limits<double>::infinity());
-  double junction_deviation = 0.01;  ///< $11, mm.
   /// Of all motors together, steps/s; needs steps_per_mm.
   double step_rate = std::numeric_limits<double>::infinity();
   cnc::AxisArray<double> steps_per_mm{};
 };
 
-/// The square of the greatest speed at a joint of two pieces with these unit
-/// tangents on six axes: Grbl 1.1's junction deviation (S. Jeon, 2011). No limit is infinity.
-[[nodiscard]] double junction_speed_squared(const Point& leaving,
-                                            const Point& entering,
-                                            const MotionLimits& limits);
+/// Whether the joint before a piece is taken at rest, with these unit tangents on
+/// its sides.
+[[nodiscard]] bool is_stop(const PathPiece& piece, const Point& leaving, const Point& entering);
 
 /// The square of the greatest speed at a place of a piece: feed, rates of the axes, step rate
 /// and v²/R. Tangent and curvature are those of the place.
@@ -59,7 +56,7 @@ struct SpeedProfile {
 /// finds the greatest u from which the rest can be travelled, a forward pass the
 /// greatest u that can be reached (Pham and Pham, TOPP-RA, 2018). Arcs also keep
 /// v²/R within the lesser acceleration of the two axes of their plane.
-/// It stands still at both ends and before pieces marked stop_before.
+/// It stands still at both ends, where the path turns, and before pieces marked stop_before.
 ///
 /// Accuracy: at most 0.02 mm and 0.5 degrees between samples, closer at the ends of a
 /// piece, but never more than 4000 of them on one; errors below 1e-4 of the time of a

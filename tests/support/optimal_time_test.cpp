@@ -74,22 +74,9 @@ TEST(OptimalTime, StraightJointsCostNothing) {
   EXPECT_NEAR(time_of(program, limits_of(1000.0)), 1.1, 1e-4);
 }
 
-TEST(OptimalTime, CornerOfNinetyDegrees) {
+TEST(OptimalTime, TurningOnTheSpotIsAStop) {
   const MotionLimits limits = limits_of(1000.0);
-  const double corner = junction_speed_squared({1, 0}, {0, 1}, limits);
-  // A = 1000 √2, s = √½.
-  const double half = std::sqrt(0.5);
-  EXPECT_NEAR(corner, 1000.0 * std::sqrt(2.0) * 0.01 * half / (1.0 - half), 1e-9);
-  // Each side: up to 100 mm/s and down to the corner's speed.
-  const double v = 100.0;
-  const double ramps = v * v / 2000.0 + (v * v - corner) / 2000.0;
-  const double side = v / 1000.0 + (v - std::sqrt(corner)) / 1000.0 + (50.0 - ramps) / v;
-  EXPECT_NEAR(time_of("F6000 G1 X50\nG1 Y50\n", limits), 2.0 * side, 2e-5);
-}
-
-TEST(OptimalTime, TurningBackIsAStop) {
-  const MotionLimits limits = limits_of(1000.0);
-  EXPECT_EQ(junction_speed_squared({1, 0}, {-1, 0}, limits), 0.0);
+  EXPECT_NEAR(time_of("F6000 G1 X50\nG1 Y50\n", limits), 2.0 * 0.6, 2e-5);
   EXPECT_NEAR(time_of("F6000 G1 X50\nX0\n", limits), 2.0 * 0.6, 2e-5);
   EXPECT_NEAR(time_of("F6000 G1 X50\nG4 P0\nX100\n", limits), 2.0 * 0.6, 2e-5);
 }

@@ -10,6 +10,7 @@
 #include "firmware/machine/configuration.hpp"
 #include "host-sim/machine/simulator.hpp"
 #include "tests/support/bench_jobs.hpp"
+#include "tests/support/driven_path.hpp"
 #include "tests/support/product_limits.hpp"
 
 namespace proof {
@@ -139,8 +140,11 @@ PeerResult run_peer_job(const PeerJob& job, double rise) {
     }
   }
   PeerResult result;
-  result.path = sim::read_program(job.program, {.laser_mode = true});
-  result.limits = limits_of(cnc::limits_from(simulator.settings()));
+  const cnc::motion::Limits product = cnc::limits_from(simulator.settings());
+  const float tolerance = simulator.settings().get(cnc::setting::kJunctionDeviation);
+  result.path = driven_path(
+      sim::read_program(job.program, {.laser_mode = true}), product, {.corner_mm = tolerance});
+  result.limits = limits_of(product);
   if (rise > 0.0) result.limits.jerk.fill(job.acceleration / rise);
   const sim::RunResult run = simulator.run();
   result.seconds = run.job_time_s;

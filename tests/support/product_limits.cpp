@@ -13,7 +13,6 @@ sim::MotionLimits limits_of(const cnc::motion::Limits& product) {
                                  static_cast<double>(product.steps_per_s_one_motor) / scale);
     limits.acceleration[axis] = static_cast<double>(product.acceleration_mm_s2[axis]);
   }
-  limits.junction_deviation = static_cast<double>(product.junction_deviation_mm);
   limits.step_rate = static_cast<double>(product.steps_per_s_all_motors);
   return limits;
 }

@@ -19,6 +19,7 @@ struct Program {
   std::vector<ProgramItem> items;
   std::size_t pushed_at_once = 64;  ///< Blocks that arrive before the next segments are cut…
   std::size_t cut_at_once = 20;     ///< … and so many segments before more blocks arrive.
+  float weld_mm = 0.0F;             ///< G64 Q; the corners' tolerance is the machine's $11.
 };
 
 struct ProgramSize {

@@ -29,6 +29,7 @@ struct PlannedBlock {
   ExactBlock exact;
   cnc::Position end{};
   bool from_rest = false;  ///< Something made the machine stop before it.
+  cnc::PathElement element{};
 };
 
 /// What the segmenter planned, all of it.

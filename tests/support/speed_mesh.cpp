@@ -2,29 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "tests/support/place_rules.hpp"
 
 namespace sim {
 namespace {
 
-/// Slower corners than this are stops, mm/s.
-constexpr double kStopSpeed = 1.0e-3;
-
 /// The acceleration-limited optimum may be higher than its grid says: 1 % of speed.
 constexpr double kOwnGrid = 1.03;
 
-/// The square of the greatest speed at the start of a piece by what is there alone: whether
-/// the path says stop, and the corner. The one place that knows how corners are driven.
-double joint_square(const ProgrammedPath& path, std::size_t piece, const MotionLimits& limits) {
-  if (piece == 0 || path.pieces[piece].stop_before) return 0.0;
-  return junction_speed_squared(path.pieces[piece - 1].curve.tangent_at(1.0),
-                                path.pieces[piece].curve.tangent_at(0.0),
-                                limits);
+/// The square of the greatest speed at the start of a piece by what is there alone.
+/// The one place that knows how joints are driven.
+double joint_square(const ProgrammedPath& path, std::size_t piece) {
+  if (piece == 0) return 0.0;
+  const bool stop = is_stop(path.pieces[piece],
+                            path.pieces[piece - 1].curve.tangent_at(1.0),
+                            path.pieces[piece].curve.tangent_at(0.0));
+  return stop ? 0.0 : std::numeric_limits<double>::infinity();
 }
 
-bool stops_before(const ProgrammedPath& path, std::size_t piece, const MotionLimits& limits) {
-  return joint_square(path, piece, limits) < kStopSpeed * kStopSpeed;
+bool stops_before(const ProgrammedPath& path, std::size_t piece) {
+  return joint_square(path, piece) <= 0.0;
 }
 
 double cube_of_root(double square) { return square * std::sqrt(square); }
@@ -98,7 +97,7 @@ class SectionMesher {
       if (i > range_.first && i < range_.end) {
         cap = std::min({cap_at(path_.pieces[i - 1], 1.0),
                         cap_at(path_.pieces[i], 0.0),
-                        cube_of_root(joint_square(path_, i, limits_))});
+                        cube_of_root(joint_square(path_, i))});
       }
       const double reached =
           roots_.empty() ? 0.0 : roots_.back() + slope_ * (place - joins_.back());
@@ -211,7 +210,7 @@ class SectionMesher {
     std::size_t piece = range_.first;
     for (const std::size_t joint : joints_) {
       SpeedCell& cell = cells_[joint - 1];
-      cell.cap_end = std::min(cell.cap_end, cube_of_root(joint_square(path_, ++piece, limits_)));
+      cell.cap_end = std::min(cell.cap_end, cube_of_root(joint_square(path_, ++piece)));
     }
   }
 
@@ -279,7 +278,7 @@ std::vector<SpeedSection> speed_mesh(const ProgrammedPath& path,
   std::size_t sample = 0;
   for (std::size_t first = 0; first < path.pieces.size();) {
     std::size_t end = first + 1;
-    while (end < path.pieces.size() && !stops_before(path, end, limits)) ++end;
+    while (end < path.pieces.size() && !stops_before(path, end)) ++end;
     SpeedSection section =
         SectionMesher{path, limits, size, fastest, {first, end}}.mesh(start, sample);
     for (std::size_t i = first; i < end; ++i) start += path.pieces[i].curve.length();

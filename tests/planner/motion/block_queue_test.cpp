@@ -36,14 +36,14 @@ std::vector<Block> any_chain(proof::Random& random, const Limits& limits, std::s
 }
 
 /// The corner rule between a block of the chain and the one before.
-float corner_after(const std::vector<Block>& chain, std::size_t index, const Limits& limits) {
-  return corner_speed_square(exit_tangent(chain[index - 1]), entry_tangent(chain[index]), limits);
+float corner_after(const std::vector<Block>& chain, std::size_t index) {
+  return corner_speed_square(exit_tangent(chain[index - 1]), entry_tangent(chain[index]));
 }
 
 class BlockQueueTest : public testing::Test {
  protected:
   void push_and_plan(const std::vector<Block>& blocks) {
-    for (const Block& block : blocks) queue.push(block, limits);
+    for (const Block& block : blocks) queue.push(block);
     queue.plan(limits, overrides);
   }
 
@@ -59,7 +59,7 @@ TEST_F(BlockQueueTest, EndsAtRest) {
 
 TEST_F(BlockQueueTest, BeginsEmptyAndHoldsSixtyFour) {
   EXPECT_TRUE(queue.empty());
-  for (int k = 0; k < 64; ++k) queue.push(straight_block(1.0, limits), limits);
+  for (int k = 0; k < 64; ++k) queue.push(straight_block(1.0, limits));
   EXPECT_TRUE(queue.full());
   queue.pop_front();
   EXPECT_FALSE(queue.full());
@@ -68,7 +68,7 @@ TEST_F(BlockQueueTest, BeginsEmptyAndHoldsSixtyFour) {
 
 // Straight on, the plan is one braking curve: v² = 2 a times what is left.
 TEST_F(BlockQueueTest, LooksAheadAlongAStraightLine) {
-  for (int k = 0; k < 64; ++k) queue.push(straight_block(0.1, limits), limits);
+  for (int k = 0; k < 64; ++k) queue.push(straight_block(0.1, limits));
   queue.plan(limits, overrides);
   const std::vector<float> exits = exit_squares(queue);
   for (std::size_t index = 0; index < 64; ++index) {
@@ -115,7 +115,7 @@ TEST_F(BlockQueueTest, FindsTheBestPlanOfRandomLines) {
           static_cast<double>(SpeedCap{block, overrides}.square_within(block.speed_limit_square));
       const auto most = static_cast<double>(spans.steepest(
           0, {}, {}, {block.length, 0.0F, 1.0e12F, Travel::kForward, Change::kSpeedUp}));
-      const auto corner = static_cast<double>(corner_after(chain, index, limits));
+      const auto corner = static_cast<double>(corner_after(chain, index));
       exit = std::min(
           {corner, cap, std::min(exit, cap) + 2.0 * most * static_cast<double>(block.length)});
       ASSERT_NEAR(static_cast<double>(got[index - 1]), exit, 1.0e-4 * exit)
@@ -135,8 +135,7 @@ TEST_F(BlockQueueTest, NeverEntersACornerFasterThanItsRule) {
     push_and_plan(chain);
     const std::vector<float> exits = exit_squares(queue);
     for (std::size_t index = 1; index < chain.size(); ++index) {
-      ASSERT_LE(exits[index - 1], corner_after(chain, index, limits))
-          << trial << ", block " << index;
+      ASSERT_LE(exits[index - 1], corner_after(chain, index)) << trial << ", block " << index;
     }
     ASSERT_EQ(exits.back(), 0.0F);
   }
@@ -152,8 +151,8 @@ TEST_F(BlockQueueTest, PlansAtOnceWhatItPlansOneByOne) {
     queue.clear();
     // A few at the end are left, as fewer than that need not be planned at once.
     for (const Block& block : any_chain(random, limits, 64)) {
-      queue.push(block, limits);
-      step_by_step.push(block, limits);
+      queue.push(block);
+      step_by_step.push(block);
       if (queue.size() < 56 && random.chance(0.7)) step_by_step.plan(limits, overrides);
     }
     queue.plan(limits, overrides);
@@ -195,7 +194,7 @@ TEST_F(BlockQueueTest, HoldsAsManyAsItsTypeSays) {
   BlockQueueOf<1> single;
   for (int round = 0; round < 3; ++round) {
     EXPECT_TRUE(single.empty());
-    single.push(straight_block(1.0, limits), limits);
+    single.push(straight_block(1.0, limits));
     EXPECT_TRUE(single.full());
     single.plan(limits, overrides);
     EXPECT_EQ(single.exit_of(0).speed_square, 0.0F);
@@ -209,8 +208,8 @@ TEST(BlockQueueDeathTest, RefusesBlocksThatDoNotFit) {
   BlockQueueOf<64> queue;
   EXPECT_DEATH(queue.pop_front(), "contract failed");
   EXPECT_DEATH(static_cast<void>(queue.front()), "contract failed");
-  for (int k = 0; k < 64; ++k) queue.push(straight_block(1.0, limits), limits);
-  EXPECT_DEATH(queue.push(straight_block(1.0, limits), limits), "contract failed");
+  for (int k = 0; k < 64; ++k) queue.push(straight_block(1.0, limits));
+  EXPECT_DEATH(queue.push(straight_block(1.0, limits)), "contract failed");
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ inline constexpr std::uint32_t kMillisecond = kTicksPerSecond / 1000;
 class SegmenterTest : public testing::Test {
  protected:
   void push(const PathElement& element, float feed_mm_s = 0.0F) {
-    queue.push(block_of(element, limits, feed_mm_s), limits);
+    queue.push(block_of(element, limits, feed_mm_s));
     goal = element.end;
   }
   /// Straight on along X, from where the motion so far ends.
@@ -29,7 +29,7 @@ class SegmenterTest : public testing::Test {
     const auto built = build_block(
         {.element = element, .feed_mm_s = feed_mm_s, .beam = beam, .outputs = outputs}, limits);
     ASSERT_TRUE(built.ok());
-    queue.push(built.value(), limits);
+    queue.push(built.value());
     goal = element.end;
   }
 

@@ -1,0 +1,108 @@
+#include "planner/path/circle_fan.hpp"
+
+#include <cmath>
+
+#include "planner/base/scalar_math.hpp"
+
+namespace cnc::path {
+namespace {
+
+FanCircle between(const FanCircle& a, const FanCircle& b, float share) {
+  return {.curvature = a.curvature + share * (b.curvature - a.curvature),
+          .slope = a.slope + share * (b.slope - a.slope)};
+}
+
+}  // namespace
+
+void CircleFan::open(float most_curvature) {
+  corners_[0] = {-most_curvature, -kSteepest};
+  corners_[1] = {most_curvature, -kSteepest};
+  corners_[2] = {most_curvature, kSteepest};
+  corners_[3] = {-most_curvature, kSteepest};
+  count_ = 4;
+}
+
+/// The chord lies on the side of the centre, by chord² / 8 of the curvature.
+void CircleFan::pass(const Vec2& point, float within_mm, float chord_mm) {
+  const float weight = point.squaredNorm() - square(within_mm);
+  const float sagged = weight - 0.25F * square(chord_mm);
+  const float along = 2.0F * point.x();
+  const float beside = 2.0F * point.y();
+  const float room = 2.0F * within_mm;
+  cut(weight, along, room + beside);
+  cut(-weight, -along, room - beside);
+  cut(sagged, along, room + beside);
+  cut(-sagged, -along, room - beside);
+}
+
+/// Keeps what has by_curvature · k + by_slope · t ≤ most (Sutherland, Hodgman).
+void CircleFan::cut(float by_curvature, float by_slope, float most) {
+  if (empty()) return;
+  const auto excess = [&](const FanCircle& circle) {
+    return by_curvature * circle.curvature + by_slope * circle.slope - most;
+  };
+  std::array<FanCircle, kMostCorners + 2> kept{};
+  std::size_t kept_count = 0;
+  FanCircle last = corners_[count_ - 1];
+  float last_excess = excess(last);
+  for (std::size_t i = 0; i < count_; ++i) {
+    const FanCircle& corner = corners_[i];
+    const float here = excess(corner);
+    const bool crosses = (here > 0.0F) != (last_excess > 0.0F);
+    if (crosses && kept_count < kept.size()) {
+      kept[kept_count++] = between(last, corner, last_excess / (last_excess - here));
+    }
+    if (here <= 0.0F && kept_count < kept.size()) kept[kept_count++] = corner;
+    last = corner;
+    last_excess = here;
+  }
+  corners_ = kept;
+  count_ = kept_count;
+  while (count_ > kMostCorners) drop_smallest();
+}
+
+/// Without one corner the polygon is a little smaller, and still convex: the
+/// one that takes the smallest triangle along.
+void CircleFan::drop_smallest() {
+  std::size_t smallest = 0;
+  float least = 1.0e30F;
+  for (std::size_t i = 0; i < count_; ++i) {
+    const FanCircle& a = corners_[(i + count_ - 1) % count_];
+    const FanCircle& b = corners_[i];
+    const FanCircle& c = corners_[(i + 1) % count_];
+    const float area = std::abs((b.curvature - a.curvature) * (c.slope - a.slope) -
+                                (c.curvature - a.curvature) * (b.slope - a.slope));
+    if (area < least) {
+      least = area;
+      smallest = i;
+    }
+  }
+  for (std::size_t i = smallest; i + 1 < count_; ++i) corners_[i] = corners_[i + 1];
+  --count_;
+}
+
+std::optional<CircleFan::Through> CircleFan::through(const Vec2& point) const {
+  if (empty()) return std::nullopt;
+  const float weight = point.squaredNorm();
+  const auto excess = [&](const FanCircle& circle) {
+    return weight * circle.curvature + 2.0F * (point.x() * circle.slope - point.y());
+  };
+  std::array<FanCircle, 2> found{};
+  std::size_t found_count = 0;
+  FanCircle last = corners_[count_ - 1];
+  float last_excess = excess(last);
+  for (std::size_t i = 0; i < count_; ++i) {
+    const float here = excess(corners_[i]);
+    const bool crosses = (here > 0.0F) != (last_excess > 0.0F);
+    if (crosses && found_count < found.size()) {
+      found[found_count++] = between(last, corners_[i], last_excess / (last_excess - here));
+    }
+    last = corners_[i];
+    last_excess = here;
+  }
+  if (found_count < 2) return std::nullopt;
+  const bool in_order = found[0].slope <= found[1].slope;
+  return Through{in_order ? found[0] : found[1], in_order ? found[1] : found[0]};
+}
+
+}  // namespace cnc::path

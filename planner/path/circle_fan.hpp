@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+
+#include "planner/geometry/vector.hpp"
+
+namespace cnc::path {
+
+/// A circle through the origin: its curvature and direction there, both divided
+/// by the cosine of the angle between that direction and +x.
+struct FanCircle {
+  float curvature = 0.0F;  ///< 1/mm.
+  float slope = 0.0F;      ///< Of the tangent at the origin.
+};
+
+/// All circles through the origin that pass a growing list of points within a
+/// distance, as a convex polygon of their curvature and slope. The points
+/// themselves are not kept.
+///
+/// A circle through the origin with the direction (1, t) and the curvature k,
+/// both over √(1 + t²), is within Q of the point (x, y) exactly if
+///   |k (x² + y² − Q²) + 2 t x − 2 y| ≤ 2 Q √(1 + t²),
+/// and here √ is taken for 1, which only makes the polygon smaller. Each point
+/// is two half planes that cut it.
+class CircleFan {
+ public:
+  /// Slopes up to this, either way: 31°.
+  static constexpr float kSteepest = 0.6F;
+
+  /// All circles again. @param most_curvature 1/mm.
+  void open(float most_curvature);
+  [[nodiscard]] bool empty() const { return count_ < 3; }
+
+  /// Cuts away the circles that are farther than this from the point, and those of
+  /// which a chord of this length that ends there would be.
+  /// @param within_mm at least 1e-6.
+  void pass(const Vec2& point, float within_mm, float chord_mm);
+
+  /// Of the circles through a point: the span from one slope to another.
+  struct Through {
+    FanCircle low;
+    FanCircle high;
+  };
+  [[nodiscard]] std::optional<Through> through(const Vec2& point) const;
+
+ private:
+  void cut(float by_curvature, float by_slope, float most);
+  void drop_smallest();
+
+  static constexpr std::size_t kMostCorners = 16;
+
+  std::array<FanCircle, kMostCorners + 2> corners_{};
+  std::size_t count_ = 0;
+};
+
+}  // namespace cnc::path

@@ -1,0 +1,162 @@
+#include "planner/path/corner_rounder.hpp"
+
+#include <algorithm>
+
+#include "planner/base/contract.hpp"
+
+namespace cnc::path {
+namespace {
+
+/// Shorter blends, mm, are not divided: their halves would be rounding.
+constexpr float kLeastDivided = 1.0e-3F;
+
+motion::Joint joint_at(const Corner& corner) {
+  return corner.kind == Corner::Kind::kSmooth ? motion::Joint::kSmooth : motion::Joint::kStop;
+}
+
+/// Something changes at the corner that has to change there.
+bool differ(const motion::MotionRequest& a, const motion::MotionRequest& b) {
+  return a.feed_mm_s != b.feed_mm_s || !(a.beam == b.beam) ||
+         !(b.outputs == motion::OutputChanges{});
+}
+
+}  // namespace
+
+bool CornerRounder::next(PathPiece& piece) {
+  if (has_room()) return false;
+  piece = ready_[taken_++];
+  if (taken_ == ready_count_) taken_ = ready_count_ = 0;
+  return true;
+}
+
+std::uint32_t CornerRounder::line() const {
+  if (!has_room()) return ready_[taken_].request.line;
+  return first_ ? first_->item.request.line : 0;
+}
+
+void CornerRounder::clear() {
+  first_.reset();
+  second_.reset();
+  last_.reset();
+  taken_ = ready_count_ = 0;
+  stop_left_over_ = false;
+}
+
+void CornerRounder::put(const PathItem& item) {
+  CNC_ASSERT(has_room());
+  if (!first_) {
+    first_ = Held{.item = item, .start = item.request.element.start};
+    if (last_) first_->joint = joint_at(examine(*last_, item, limits_));
+    last_.reset();
+    return;
+  }
+  if (!second_) return meet(item, examine(first_->item, item, limits_));
+  const Corner next = examine(second_->item, item, limits_);
+  const float length = corner_.after.length;
+  const float wanted = next.kind == Corner::Kind::kBlend ? next.wish_mm : 0.0F;
+  settle(std::max(0.5F * length, length - wanted));
+  meet(item, next);
+}
+
+/// @pre only the first is held
+void CornerRounder::meet(const PathItem& item, const Corner& corner) {
+  const Held held{.item = item, .start = item.request.element.start, .joint = joint_at(corner)};
+  if (corner.kind == Corner::Kind::kBlend) {
+    corner_ = corner;
+    second_ = held;
+    return;
+  }
+  give_rest(*first_, first_->item.request.element.end, -1.0F);
+  first_ = held;
+}
+
+void CornerRounder::flush() {
+  CNC_ASSERT(has_room());
+  if (second_) settle(corner_.after.length);
+  if (!first_) return;
+  give_rest(*first_, first_->item.request.element.end, -1.0F);
+  last_ = first_->item;
+  first_.reset();
+}
+
+void CornerRounder::expect(const PathItem& item) {
+  const std::optional<Held>& newest = second_ ? second_ : first_;
+  if (newest && stop_between(newest->item, item)) flush();
+}
+
+/// What both sides have, and the tolerance allows.
+float CornerRounder::granted(float allowance_mm) const {
+  const float left = corner_.before.length - first_->used_mm;
+  const float most = std::min(left, allowance_mm);
+  if (corner_.wish_mm <= most) return corner_.wish_mm;
+  return most >= kCrumbMm ? fitting_trim(corner_, most) : 0.0F;
+}
+
+/// The corner between the two that are held; the second becomes the first.
+void CornerRounder::settle(float allowance_mm) {
+  const float trim = granted(allowance_mm);
+  const bool in_halves = differ(first_->item.request, second_->item.request);
+  if (trim >= (in_halves ? kLeastDivided : kCrumbMm)) {
+    blend(trim, in_halves);
+  } else {
+    give_rest(*first_, first_->item.request.element.end, -1.0F);
+  }
+  first_ = second_;
+  second_.reset();
+}
+
+void CornerRounder::blend(float trim_mm, bool in_halves) {
+  const Position& corner = first_->item.request.element.end;
+  const float left = corner_.before.length - first_->used_mm - trim_mm;
+  const bool all_before = left < kCrumbMm;
+  const bool all_after = corner_.after.length - trim_mm < kCrumbMm;
+  const Position from =
+      all_before ? first_->start : place_on(corner_.before, corner_.plane, corner, -trim_mm);
+  const Position to = all_after ? second_->item.request.element.end
+                                : place_on(corner_.after, corner_.plane, corner, trim_mm);
+  const Blend blend = make_blend(corner_, from, to, trim_mm, in_halves);
+  if (blend.count == 0) {
+    return give_rest(*first_, first_->item.request.element.end, -1.0F);
+  }
+  give_rest(*first_, from, all_before ? 0.0F : left);
+  motion::Joint joint = all_before ? first_->joint : motion::Joint::kSmooth;
+  for (std::size_t i = 0; i < blend.count; ++i) {
+    const bool earlier = in_halves && i == 0;
+    motion::MotionRequest part = earlier ? first_->item.request : second_->item.request;
+    part.element = blend.parts[i];
+    if (earlier) part.outputs = {};
+    if (!earlier) second_->item.request.outputs = {};
+    give(part, joint);
+    joint = motion::Joint::kSmooth;
+  }
+  second_->start = to;
+  second_->used_mm = trim_mm;
+  second_->joint = motion::Joint::kSmooth;
+}
+
+/// @param left_mm of the element in its plane; negative for all that is left.
+void CornerRounder::give_rest(const Held& held, const Position& end, float left_mm) {
+  motion::MotionRequest request = held.item.request;
+  const PathElement& whole = held.item.request.element;
+  if (held.used_mm > 0.0F || left_mm >= 0.0F) {
+    const auto leg = leg_before(whole, whole.bulge != 0.0F ? whole.plane : corner_.plane);
+    const float length = leg ? leg->length : 0.0F;
+    const float left = left_mm >= 0.0F ? left_mm : length - held.used_mm;
+    request.element = part_of(whole, held.start, end, length > 0.0F ? left / length : 1.0F);
+  }
+  give(request, held.joint);
+}
+
+/// A piece of which its corners left nothing is left out; its outputs went with
+/// the blend before it. A stop there is a stop at the next.
+void CornerRounder::give(const motion::MotionRequest& request, motion::Joint joint) {
+  stop_left_over_ = stop_left_over_ || joint == motion::Joint::kStop;
+  if (request.element.start == request.element.end) return;
+  CNC_ASSERT(ready_count_ < kMostReady);
+  PathPiece& piece = ready_[ready_count_++];
+  piece.request = request;
+  piece.joint = stop_left_over_ ? motion::Joint::kStop : motion::Joint::kSmooth;
+  stop_left_over_ = false;
+}
+
+}  // namespace cnc::path

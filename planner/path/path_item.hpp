@@ -1,0 +1,29 @@
+#pragma once
+
+#include "planner/motion/block_builder.hpp"
+#include "planner/motion/junction.hpp"
+
+namespace cnc::path {
+
+/// How far from the programmed path the driven one may be; 0 forbids it.
+struct Tolerance {
+  float corner_mm = 0.0F;  ///< Of a rounded corner; 0 is an exact stop at each.
+  float weld_mm = 0.0F;    ///< Of short lines welded into lines and arcs; 0 leaves them.
+};
+
+/// An element of the programmed path, with all that goes with it.
+struct PathItem {
+  motion::MotionRequest request{};
+  Tolerance tolerance{};
+  /// Part of one curve with the element before it: a turn that rounded places
+  /// explain is none.
+  bool continues = false;
+};
+
+/// An element to be driven.
+struct PathPiece {
+  motion::MotionRequest request{};
+  motion::Joint joint = motion::Joint::kStop;  ///< With the piece before.
+};
+
+}  // namespace cnc::path

@@ -1,0 +1,108 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+
+#include "planner/path/circle_fan.hpp"
+#include "planner/path/path_item.hpp"
+
+namespace cnc::path {
+
+/// Welds chains of short lines into arcs and lines, as few as it can find:
+/// LinuxCNC's naive-CAM tolerance (G64 Q), with arcs.
+///
+/// A chain is of lines in one coordinate plane with the same feed, beam and
+/// tolerance and no outputs between them. Each arc or line begins and ends in
+/// a programmed point, so ends are met exactly, and goes on as far as the
+/// points stay within the tolerance: the set of all circles that do (CircleFan)
+/// shrinks with each point, so that points need not be kept and each costs the
+/// same. The arc goes on in the direction of the one before where that takes it
+/// at least half as far as it could get.
+///
+/// Guarantees: no point of the chain is farther than the tolerance from what is
+/// driven, and no driven point farther than that from the chain. Where the
+/// chain turns by more than kSharpTurn it is not welded: that is a corner.
+class Welder {
+ public:
+  static constexpr std::size_t kMostHeld = 40;
+
+  /// Whether the item can be welded to what is held, or begin a chain.
+  [[nodiscard]] bool takes(const PathItem& item) const;
+  /// @pre takes(item), has_room()
+  void put(const PathItem& item);
+  [[nodiscard]] bool has_room() const { return count_ < kMostHeld && !closing_; }
+  /// Nothing more will be welded to what is held. False when that was known.
+  bool close() {
+    const bool news = !closing_;
+    closing_ = true;
+    return news;
+  }
+  /// What is held is given out as far as it has been looked at.
+  void hurry() { hurries_ = true; }
+
+  /// The next arc or line; false when there is none yet. Looks at kMostLooks
+  /// points at most.
+  [[nodiscard]] bool next(PathItem& item);
+  void clear();
+
+  [[nodiscard]] bool empty() const { return count_ == 0 && !fitting_; }
+  /// Source line of the oldest line held; 0 for none.
+  [[nodiscard]] std::uint32_t line() const { return empty() ? 0 : line_; }
+
+ private:
+  struct Point {
+    Position place{};
+    std::uint32_t line = 0;
+  };
+  /// An end that could be reached.
+  struct Reach {
+    std::size_t points = 0;  ///< From the start of the fit; 0 for none.
+    std::size_t index = 0;   ///< Of those held, how many it goes past.
+    Point end{};
+    Vec2 seen{0.0F, 0.0F};
+    FanCircle circle{};
+  };
+
+  void begin_fit();
+  [[nodiscard]] bool look();
+  [[nodiscard]] bool goes_on(const Vec2& here, const Vec2& chord) const;
+  void note_reach(const Vec2& here);
+  [[nodiscard]] PathItem finish();
+  void go_to(const Reach& reach);
+  void forget_points();
+  void forget_first(std::size_t count);
+  [[nodiscard]] bool alike(const PathItem& item) const;
+  [[nodiscard]] float tolerance_at(const Vec2& here) const;
+  [[nodiscard]] const Point& point(std::size_t index) const {
+    return points_[(oldest_ + index) % kMostHeld];
+  }
+  [[nodiscard]] Vec2 seen(const Position& place) const;
+
+  static constexpr int kMostLooks = 8;
+
+  PathItem chain_{};  ///< What all have in common.
+  Plane plane_ = Plane::kXY;
+  std::array<Point, kMostHeld> points_{};
+  std::size_t oldest_ = 0;
+  std::size_t count_ = 0;
+  std::uint32_t line_ = 0;
+  bool closing_ = false;
+  bool hurries_ = false;
+
+  // The fit, from `from_` in the direction `ahead_`.
+  Position from_{};
+  Vec2 ahead_{1.0F, 0.0F};
+  bool known_direction_ = false;  ///< `ahead_` is where the piece before ended.
+  bool fitting_ = false;
+  CircleFan fan_{};
+  std::size_t looked_at_ = 0;  ///< Of the points held.
+  std::size_t points_fitted_ = 0;
+  Vec2 last_{0.0F, 0.0F};
+  Vec2 last_chord_{0.0F, 0.0F};
+  Reach farthest_{};
+  Reach smooth_{};  ///< In the direction of the piece before.
+};
+
+}  // namespace cnc::path

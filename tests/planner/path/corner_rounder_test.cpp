@@ -1,0 +1,245 @@
+#include "planner/path/corner_rounder.hpp"
+
+#include "tests/planner/path/path_test.hpp"
+#include "tests/support/trials.hpp"
+
+namespace cnc::path {
+namespace {
+
+constexpr Tolerance kTenth{.corner_mm = 0.1F};
+
+TEST(Corners, OfARightAngleGetTheArcThatTouchesTheTolerance) {
+  Pen pen{kTenth};
+  pen.line({50.0});
+  pen.line({0.0, 50.0});
+  const auto pieces = staged(pen.items);
+  ASSERT_EQ(pieces.size(), 3U);
+  EXPECT_EQ(stops_in(pieces), 0U);
+  const ExactElement arc{pieces[1].request.element};
+  EXPECT_NEAR(arc.radius(), 0.1 / (std::sqrt(2.0) - 1.0), 1.0e-4);
+  EXPECT_NEAR(distance(arc.at(0.5), {50.0}), 0.1, 5.0e-6);
+  expect_sound(pen.items, pieces);
+}
+
+TEST(Corners, AreStopsWithoutATolerance) {
+  Pen pen{{}};
+  pen.line({50.0});
+  pen.line({0.0, 50.0});
+  pen.line({0.0, 50.0});
+  const auto pieces = staged(pen.items);
+  ASSERT_EQ(pieces.size(), 3U);
+  EXPECT_EQ(pieces[1].joint, motion::Joint::kStop);
+  EXPECT_EQ(pieces[2].joint, motion::Joint::kSmooth) << "it does not turn";
+}
+
+TEST(Corners, ThatTurnBackAreStops) {
+  Pen pen{kTenth};
+  pen.line({50.0});
+  pen.line({-20.0});
+  EXPECT_EQ(stops_in(staged(pen.items)), 1U);
+}
+
+TEST(Corners, BetweenRapidAndFeedAreStops) {
+  Pen pen{kTenth};
+  pen.line({50.0});
+  pen.request().feed_mm_s = 0.0F;
+  pen.line({0.0, 50.0});
+  pen.line({50.0});
+  const auto pieces = staged(pen.items);
+  ASSERT_EQ(pieces.size(), 4U);
+  EXPECT_EQ(pieces[1].joint, motion::Joint::kStop);
+  EXPECT_EQ(stops_in(pieces), 1U);
+}
+
+TEST(Corners, OfAPolygonAreDrivenLikeItsCircle) {
+  Pen pen{{.corner_mm = 0.01F}};
+  constexpr int kEdges = 720;
+  const double edge = 40.0 * std::sin(std::numbers::pi / kEdges);
+  for (int i = 0; i < kEdges; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kEdges;
+    pen.line({edge * std::cos(angle), edge * std::sin(angle)});
+  }
+  const auto pieces = staged(pen.items);
+  EXPECT_EQ(stops_in(pieces), 0U);
+  EXPECT_LE(pieces.size(), kEdges + 1U);
+  for (std::size_t i = 1; i + 1 < pieces.size(); ++i) {
+    EXPECT_NEAR(ExactElement{pieces[i].request.element}.radius(), 20.0, 0.05) << i;
+  }
+  expect_sound(pen.items, pieces);
+}
+
+TEST(Corners, ShareAShortEdgeByWhatEachNeeds) {
+  Pen pen{kTenth};
+  pen.line({50.0});
+  pen.line({0.0, 0.2});
+  pen.line({-0.01, 50.0});  // Hardly turns: leaves nearly all of the edge to the other.
+  const auto pieces = staged(pen.items);
+  EXPECT_EQ(stops_in(pieces), 0U);
+  EXPECT_GT(ExactElement{pieces[1].request.element}.radius(), 0.15);
+  expect_sound(pen.items, pieces);
+}
+
+TEST(Corners, OfAHelixAreBlendedWhereItIsGentle) {
+  Pen pen{{.corner_mm = 0.01F}};
+  for (int i = 0; i < 100; ++i) {
+    const double angle = 0.02 * i;
+    pen.line({std::cos(angle), std::sin(angle), 0.1});
+  }
+  const auto pieces = staged(pen.items);
+  EXPECT_EQ(stops_in(pieces), 0U);
+  expect_sound(pen.items, pieces);
+}
+
+// Round the corner the way is shorter and so the slope steeper: an axis would jump.
+TEST(Corners, OfASteepRampAreStops) {
+  for (const double slope : {0.01, 0.1, 1.0}) {
+    Pen pen{kTenth};
+    pen.line({10.0, 0.0, 10.0 * slope});
+    pen.line({0.0, 10.0, 10.0 * slope});
+    const auto pieces = staged(pen.items);
+    EXPECT_EQ(stops_in(pieces), 1U) << slope;
+    expect_sound(pen.items, pieces);
+  }
+}
+
+TEST(Corners, OffThePlanesAndOfRotaryAxesAreStops) {
+  Pen pen{kTenth};
+  pen.line({10.0, 10.0, 10.0});
+  pen.line({10.0, -10.0, 3.0});
+  pen.line({10.0, -10.0, 3.0, 5.0});
+  EXPECT_EQ(stops_in(staged(pen.items)), 2U);
+}
+
+TEST(Corners, InAllPlanesAreBlended) {
+  Pen pen{kTenth};
+  pen.line({10.0});
+  pen.line({0.0, 0.0, 10.0});
+  pen.line({0.0, 10.0});
+  pen.line({10.0});
+  EXPECT_EQ(stops_in(staged(pen.items)), 0U);
+}
+
+TEST(Corners, KeepFeedBeamAndOutputsOnTheirOwnSide) {
+  Pen pen{kTenth};
+  pen.request().beam = {.duty = 0.5F};
+  pen.line({50.0});
+  pen.request().beam = {};
+  pen.request().feed_mm_s = 100.0F;
+  pen.request().outputs = {.raise = 1};
+  pen.line({0.0, 50.0});
+  const auto pieces = staged(pen.items);
+  ASSERT_EQ(pieces.size(), 4U);
+  for (std::size_t i = 0; i < 4; ++i) {
+    const motion::MotionRequest& piece = pieces[i].request;
+    EXPECT_EQ(piece.beam.duty, i < 2 ? 0.5F : 0.0F) << i;
+    EXPECT_EQ(piece.feed_mm_s, i < 2 ? 200.0F : 100.0F) << i;
+    EXPECT_EQ(piece.line, i < 2 ? 1U : 2U) << i;
+    EXPECT_EQ(piece.outputs.any(), i == 2) << i;
+  }
+  // What is lit ends at the place nearest the corner.
+  const Place middle = to_mm(pieces[2].request.element.start);
+  EXPECT_NEAR(distance(middle, {50.0}), 0.1, 1.0e-5);
+  expect_sound(pen.items, pieces);
+}
+
+TEST(Corners, OfJogsAndSearchesAreLeftAlone) {
+  Pen pen{kTenth};
+  pen.request().fixed_feed = true;
+  pen.line({50.0});
+  pen.line({0.0, 50.0});
+  EXPECT_EQ(stops_in(staged(pen.items)), 1U);
+}
+
+TEST(HeldElements, ComeOutWholeWhenFlushed) {
+  const motion::Limits limits = path_limits();
+  PathStage stage{limits};
+  Pen pen{kTenth};
+  pen.line({50.0});
+  pen.line({0.0, 50.0});
+  PathPiece piece;
+  stage.put(pen.items[0]);
+  EXPECT_FALSE(stage.next(piece));
+  EXPECT_EQ(stage.line(), 1U);
+  stage.flush();
+  ASSERT_TRUE(stage.next(piece));
+  EXPECT_EQ(piece.request.element.end, pen.items[0].request.element.end);
+  EXPECT_TRUE(stage.empty());
+  stage.put(pen.items[1]);
+  stage.flush();
+  ASSERT_TRUE(stage.next(piece));
+  EXPECT_EQ(piece.joint, motion::Joint::kStop) << "the corner was given away";
+}
+
+/// A stretch of one nasty kind.
+void scribble(proof::Random& random, Pen& pen) {
+  const std::size_t kind = random.below(7);
+  const double size = random.magnitude(0.001, 50.0);
+  double heading = random.between(-std::numbers::pi, std::numbers::pi);
+  const std::size_t count = 2 + random.below(12);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double length = size * random.magnitude(kind == 1 ? 1.0e-4 : 0.1, 1.0);
+    const double turn = kind == 0   ? random.signed_magnitude(1.0e-5, 0.05)
+                        : kind == 2 ? std::numbers::pi + random.signed_magnitude(1.0e-6, 0.1)
+                                    : random.between(-3.0, 3.0);
+    heading += turn;
+    Place travel{length * std::cos(heading), length * std::sin(heading)};
+    const double bulge = random.chance(0.2) ? 1.0 : random.magnitude(1.0e-5, 1.0);
+    const bool left = random.chance(0.5);
+    if (kind >= 4) {
+      pen.arc(travel, Plane::kXY, left ? bulge : -bulge);
+    } else if (kind == 3 && random.chance(0.5)) {
+      pen.arc(travel, Plane::kXY, left ? bulge : -bulge);
+    } else {
+      pen.line(travel);
+    }
+  }
+}
+
+struct Deviation {
+  double of_path = 0.0;    ///< Of the programmed path from the driven one, of the tolerance.
+  double of_driven = 0.0;  ///< The other way.
+  std::size_t pieces = 0;
+  std::size_t stops = 0;
+};
+
+void try_scribble(std::uint64_t seed, Deviation& greatest) {
+  proof::Random random{seed};
+  const double tolerance = random.magnitude(5.0e-4, 1.0);
+  Pen pen{{.corner_mm = static_cast<float>(tolerance)}};
+  const std::size_t stretches = 1 + random.below(3);
+  for (std::size_t i = 0; i < stretches; ++i) scribble(random, pen);
+  const auto pieces = staged(pen.items);
+  expect_sound(pen.items, pieces);
+  const auto path = exact(pen.items);
+  const auto driven = exact(pieces);
+  // 10 nm for the arcs' own rounding, at some metres 1e-7 of their radius.
+  const double allowed = tolerance + 1.0e-5;
+  const double of_path = farthest(path, driven, 40);
+  const double of_driven = farthest(driven, path, 24);
+  EXPECT_LE(of_path, allowed);
+  EXPECT_LE(of_driven, allowed);
+  greatest.of_path = std::max(greatest.of_path, of_path / tolerance);
+  greatest.of_driven = std::max(greatest.of_driven, of_driven / tolerance);
+  greatest.pieces += pieces.size();
+  greatest.stops += stops_in(pieces);
+}
+
+TEST(RandomCorners, StayWithinTheToleranceBothWays) {
+  const proof::Trials trials{400};
+  Deviation greatest;
+  for (auto seed = trials.first_seed(); seed < trials.end_seed() && !proof::too_many_failures();
+       ++seed) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    try_scribble(seed, greatest);
+  }
+  std::printf(
+      "random corners: %zu pieces, %zu stops; greatest deviation of the tolerance %.4f "
+      "of the path, %.4f of what is driven\n",
+      greatest.pieces,
+      greatest.stops,
+      greatest.of_path,
+      greatest.of_driven);
+}
+
+}  // namespace
+}  // namespace cnc::path

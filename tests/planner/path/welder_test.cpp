@@ -1,0 +1,208 @@
+#include "planner/path/welder.hpp"
+
+#include "tests/planner/path/path_test.hpp"
+#include "tests/support/trials.hpp"
+
+namespace cnc::path {
+namespace {
+
+constexpr Tolerance kHundredths{.corner_mm = 0.01F, .weld_mm = 0.01F};
+
+void draw_polygon(Pen& pen, double radius, int edges) {
+  Place at{radius};
+  for (int i = 1; i <= edges; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / edges;
+    const Place to{radius * std::cos(angle), radius * std::sin(angle)};
+    Place travel{};
+    for (std::size_t axis = 0; axis < 2; ++axis) travel[axis] = to[axis] - at[axis];
+    pen.line(travel);
+    at = to;
+  }
+}
+
+void expect_within(const Pen& pen, const std::vector<PathPiece>& pieces, double tolerance) {
+  const auto path = exact(pen.items);
+  const auto driven = exact(pieces);
+  EXPECT_LE(farthest(path, driven, 5), tolerance);
+  EXPECT_LE(farthest(driven, path, 60), tolerance);
+}
+
+TEST(Welding, MakesThreeArcsOfACircleOf720Chords) {
+  Pen pen{kHundredths};
+  draw_polygon(pen, 20.0, 720);
+  const auto pieces = staged(pen.items);
+  EXPECT_EQ(pieces.size(), 3U);
+  EXPECT_EQ(stops_in(pieces), 0U);
+  for (const PathPiece& piece : pieces) {
+    EXPECT_NEAR(ExactElement{piece.request.element}.radius(), 20.0, 0.005);
+  }
+  expect_within(pen, pieces, 0.01);
+  expect_sound(pen.items, pieces);
+}
+
+TEST(Welding, BearsPlacesRoundedToAMicrometre) {
+  Pen pen{kHundredths};
+  pen.grid_nm = 1000;
+  draw_polygon(pen, 20.0, 720);
+  const auto pieces = staged(pen.items);
+  EXPECT_LE(pieces.size(), 8U);
+  EXPECT_EQ(stops_in(pieces), 0U);
+  expect_within(pen, pieces, 0.02);
+  expect_sound(pen.items, pieces);
+}
+
+TEST(Welding, LeavesAPolygonThatIsMeant) {
+  Pen pen{kHundredths};
+  draw_polygon(pen, 20.0, 12);
+  const auto pieces = staged(pen.items);
+  EXPECT_EQ(pieces.size(), 23U) << "twelve edges, eleven corners";
+  expect_within(pen, pieces, 0.01);
+}
+
+TEST(Welding, MakesOneLineOfManyInARow) {
+  Pen pen{kHundredths};
+  for (int i = 0; i < 500; ++i) pen.line({0.08, 0.06});
+  const auto pieces = staged(pen.items);
+  ASSERT_EQ(pieces.size(), 1U);
+  EXPECT_EQ(pieces[0].request.element.bulge, 0.0F);
+  EXPECT_EQ(pieces[0].request.element.end, pen.items.back().request.element.end);
+}
+
+TEST(Welding, IsOfOneFeedAndBeamAndNotAcrossOutputs) {
+  Pen pen{kHundredths};
+  for (int i = 0; i < 30; ++i) {
+    if (i == 10) pen.request().beam = {.duty = 0.5F};
+    if (i == 20) pen.request().outputs = {.raise = 1};
+    pen.line({0.1});
+  }
+  const auto pieces = staged(pen.items);
+  ASSERT_EQ(pieces.size(), 3U);
+  EXPECT_EQ(stops_in(pieces), 0U);
+  EXPECT_EQ(pieces[1].request.beam.duty, 0.5F);
+  EXPECT_TRUE(pieces[2].request.outputs.any());
+  EXPECT_EQ(pieces[2].request.element.start, pen.items[20].request.element.start);
+}
+
+TEST(Welding, IsNotAskedForWithoutQ) {
+  Pen pen{{.corner_mm = 0.01F}};
+  for (int i = 0; i < 30; ++i) pen.line({0.1});
+  EXPECT_EQ(staged(pen.items).size(), 30U);
+}
+
+TEST(Welding, KeepsSharpCorners) {
+  Pen pen{kHundredths};
+  for (int i = 0; i < 30; ++i) pen.line({0.1});
+  for (int i = 0; i < 30; ++i) pen.line({0.0, 0.1});
+  const auto pieces = staged(pen.items);
+  EXPECT_LE(pieces.size(), 3U);
+  expect_within(pen, pieces, 0.01);
+}
+
+// All points are near one line, but the chain goes farther than where it ends.
+TEST(Welding, DrivesAHairpinNarrowerThanTheToleranceToItsTip) {
+  Pen pen{kHundredths};
+  for (int i = 0; i < 50; ++i) pen.line({0.1});
+  for (int i = 1; i <= 5; ++i) {
+    const double heading = std::numbers::pi / 6.0 * i;
+    pen.line({0.001 * std::cos(heading), 0.001 * std::sin(heading)});
+  }
+  for (int i = 0; i < 30; ++i) pen.line({-0.1});
+  const auto pieces = staged(pen.items);
+  expect_within(pen, pieces, 0.02);
+  expect_sound(pen.items, pieces);
+}
+
+TEST(Welding, CountsTheMiddlesOfChordsToo) {
+  for (const int edges : {30, 50, 70, 100, 150}) {
+    SCOPED_TRACE(edges);
+    Pen pen{{.corner_mm = 0.0F, .weld_mm = 0.02F}};
+    draw_polygon(pen, 20.0, edges);
+    expect_within(pen, staged(pen.items), 0.02);
+  }
+}
+
+TEST(Welding, GoesOnWhereItWasFlushed) {
+  const motion::Limits limits = path_limits();
+  const auto stage = std::make_unique<PathStage>(limits);
+  Pen pen{kHundredths};
+  draw_polygon(pen, 20.0, 720);
+  std::vector<PathPiece> pieces;
+  const auto take = [&] {
+    PathPiece piece;
+    while (stage->next(piece)) pieces.push_back(piece);
+  };
+  for (std::size_t i = 0; i < pen.items.size(); ++i) {
+    for (int turn = 0; turn < 50 && !stage->has_room(); ++turn) take();
+    stage->put(pen.items[i]);
+    take();
+    for (int turn = 0; i % 100 == 99 && turn < 50; ++turn) {
+      stage->flush();
+      take();
+    }
+    if (i % 100 != 99) continue;
+    EXPECT_TRUE(stage->empty());
+    EXPECT_EQ(pieces.back().request.element.end, pen.items[i].request.element.end);
+  }
+  for (int turn = 0; turn < 50; ++turn) {
+    stage->flush();
+    take();
+  }
+  expect_within(pen, pieces, 0.02);
+  expect_sound(pen.items, pieces);
+}
+
+/// A smooth curve as short lines, with noise, corners and places where it stalls.
+void draw_curve(proof::Random& random, Pen& pen) {
+  double heading = random.between(-3.0, 3.0);
+  double bend = 0.0;
+  const double step = random.magnitude(0.002, 1.0);
+  const double noise = random.chance(0.5) ? 0.0 : step * random.magnitude(1.0e-4, 0.3);
+  const double swing = random.magnitude(1.0e-4, 0.5);
+  const double sharp = random.chance(0.5) ? 0.0 : 0.03;
+  const std::size_t count = 10 + random.below(250);
+  for (std::size_t i = 0; i < count; ++i) {
+    bend = 0.95 * bend + swing * random.between(-0.1, 0.1);
+    heading += bend;
+    if (random.chance(sharp)) heading += random.between(-3.1, 3.1);
+    const double length = step * (random.chance(0.05) ? 1.0e-3 : random.between(0.3, 1.0));
+    const double x = length * std::cos(heading) + noise * random.between(-1.0, 1.0);
+    const double y = length * std::sin(heading) + noise * random.between(-1.0, 1.0);
+    pen.line({x, y});
+  }
+}
+
+TEST(RandomChains, StayWithinBothTolerancesBothWays) {
+  const proof::Trials trials{150};
+  std::size_t lines = 0;
+  std::size_t blocks = 0;
+  double worst = 0.0;
+  for (auto seed = trials.first_seed(); seed < trials.end_seed() && !proof::too_many_failures();
+       ++seed) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    proof::Random random{seed};
+    const double corner = random.chance(0.2) ? 0.0 : random.magnitude(1.0e-3, 0.1);
+    const double weld = random.magnitude(1.0e-3, 0.1);
+    Pen pen{{.corner_mm = static_cast<float>(corner), .weld_mm = static_cast<float>(weld)}};
+    if (random.chance(0.5)) pen.grid_nm = 1000;
+    draw_curve(random, pen);
+    const auto pieces = staged(pen.items);
+    expect_sound(pen.items, pieces);
+    const auto path = exact(pen.items);
+    const auto driven = exact(pieces);
+    const double allowed = corner + weld;
+    const double of_path = farthest(path, driven, 6);
+    const double of_driven = farthest(driven, path, 40);
+    EXPECT_LE(of_path, allowed + 2.0e-6) << "tolerances " << corner << " and " << weld;
+    EXPECT_LE(of_driven, allowed + 2.0e-6) << "tolerances " << corner << " and " << weld;
+    worst = std::max({worst, of_path / allowed, of_driven / allowed});
+    lines += pen.items.size();
+    blocks += pieces.size();
+  }
+  std::printf("random chains: %zu lines, %zu blocks, greatest deviation %.4f of P + Q\n",
+              lines,
+              blocks,
+              worst);
+}
+
+}  // namespace
+}  // namespace cnc::path

@@ -1,0 +1,102 @@
+#include "tests/support/driven_path.hpp"
+
+#include <cmath>
+#include <memory>
+
+#include "planner/path/path_stage.hpp"
+#include "tests/support/exact_block.hpp"
+
+namespace proof {
+namespace {
+
+cnc::Position to_position(const sim::Point& mm) {
+  cnc::Position place;
+  for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
+    place[axis] = cnc::Coordinate{std::llround(mm[axis] * 1.0e6)};
+  }
+  return place;
+}
+
+cnc::PathElement element_of(const sim::Curve& curve) {
+  cnc::PathElement element{.start = to_position(curve.start()), .end = to_position(curve.end())};
+  if (const auto& circle = curve.circle()) {
+    element.plane = circle->plane;
+    element.bulge = static_cast<float>(std::tan(0.25 * circle->sweep));
+  }
+  return element;
+}
+
+constexpr float kDutyPerSpeed = 0x1.0p-20F;
+
+/// As the product tells beams apart: by duty and by whether it follows the speed.
+cnc::motion::BeamCommand beam_of(const sim::PathPiece& piece) {
+  if (piece.travel == sim::Travel::kRapid || piece.spindle == sim::SpindleState::kOff) return {};
+  return {.duty = static_cast<float>(piece.spindle_speed) * kDutyPerSpeed,
+          .follows_speed = piece.spindle == sim::SpindleState::kDynamic};
+}
+
+void set_beam(sim::PathPiece& piece, const cnc::motion::BeamCommand& beam) {
+  piece.spindle_speed = static_cast<double>(beam.duty / kDutyPerSpeed);
+  if (beam.duty <= 0.0F) return;
+  piece.spindle = beam.follows_speed ? sim::SpindleState::kDynamic : sim::SpindleState::kConstant;
+}
+
+}  // namespace
+
+/// A bulge b puts the centre (1 − b²) / 4b of the chord to its left.
+sim::PathPiece piece_of(const cnc::PathElement& element, float feed_mm_s, bool stop_before) {
+  const Vector start = to_mm(element.start);
+  const Vector end = to_mm(element.end);
+  const auto bulge = static_cast<double>(element.bulge);
+  const cnc::PlaneAxes axes = cnc::axes_of(element.plane);
+  const double x = end[axes.first] - start[axes.first];
+  const double y = end[axes.second] - start[axes.second];
+  const double aside = bulge == 0.0 ? 0.0 : (1.0 - bulge * bulge) / (4.0 * bulge);
+  const std::array centre{start[axes.first] + x / 2.0 - aside * y,
+                          start[axes.second] + y / 2.0 + aside * x};
+  return {.curve = bulge == 0.0 ? sim::Curve::line(start, end)
+                                : sim::Curve::arc(start, end, element.plane, centre, bulge < 0.0),
+          .travel = feed_mm_s > 0.0F ? sim::Travel::kFeed : sim::Travel::kRapid,
+          .feed = static_cast<double>(feed_mm_s),
+          .stop_before = stop_before};
+}
+
+sim::ProgrammedPath driven_path(const sim::ProgrammedPath& programmed,
+                                const cnc::motion::Limits& limits,
+                                const cnc::path::Tolerance& tolerance) {
+  const auto stage = std::make_unique<cnc::path::PathStage>(limits);
+  sim::ProgrammedPath driven;
+  const auto take = [&] {
+    cnc::path::PathPiece piece;
+    while (stage->next(piece)) {
+      const bool stop = piece.joint == cnc::motion::Joint::kStop;
+      const auto& request = piece.request;
+      driven.pieces.push_back(piece_of(request.element, request.feed_mm_s, stop));
+      set_beam(driven.pieces.back(), request.beam);
+    }
+  };
+  const auto take_all = [&] {
+    while (!stage->empty()) {
+      stage->flush();
+      take();
+    }
+  };
+  for (const sim::PathPiece& piece : programmed.pieces) {
+    if (piece.stop_before) take_all();
+    const bool rapid = piece.travel == sim::Travel::kRapid;
+    cnc::path::PathItem item{.tolerance = tolerance};
+    item.request.element = element_of(piece.curve);
+    item.request.feed_mm_s = rapid ? 0.0F : static_cast<float>(piece.feed);
+    item.request.beam = beam_of(piece);
+    if (item.request.element.start == item.request.element.end) continue;
+    while (!stage->has_room()) take();
+    stage->put(item);
+    take();
+  }
+  take_all();
+  driven.start = programmed.start;
+  driven.end = programmed.end;
+  return driven;
+}
+
+}  // namespace proof
