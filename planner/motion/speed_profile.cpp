@@ -202,11 +202,9 @@ Phase SpeedProfile::level_for(float seconds) const {
 /// in which v² is below it, for the limits are linear in (a, v²) and hold at
 /// standstill; so what the plan can stop from here can stop. (Within a span
 /// the limits at the very place may be tighter than at its ends, by the margin.)
-/// Above it, where an override has lowered the curve, the plan knows nothing.
 float SpeedProfile::planned_deceleration() const {
   const float planned = here().deceleration;
   const float curve = end_target_square() + 2.0F * planned * left_;
-  if (speed_square_ > curve * kAbovePlan) return 0.0F;
   return curve > speed_square_ ? planned * (speed_square_ / curve) : planned;
 }
 
