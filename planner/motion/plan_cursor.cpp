@@ -6,14 +6,21 @@
 namespace cnc::motion {
 namespace {
 
-/// A phase takes at least a nanosecond; where it takes hours, microseconds do.
+/// Rounded up, so that no speed is above the plan's; where a phase takes hours,
+/// microseconds do.
 std::uint64_t to_nanoseconds(float seconds) {
   constexpr float kLong = 1.0e4F;  // s.
   if (seconds < kLong) {
-    return std::max<std::uint64_t>(
-        1, static_cast<std::uint64_t>(truncated(seconds * kNanosecondsPerSecond + 0.5F)));
+    const float rounded_up = std::ceil(seconds * kNanosecondsPerSecond);
+    return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(truncated(rounded_up)));
   }
   return static_cast<std::uint64_t>(truncated(seconds * 1.0e6F)) * 1000U;
+}
+
+/// So much less as the time is longer for being rounded: the speeds stay.
+float acceleration_of(const Phase& phase, std::uint64_t duration_ns) {
+  const float duration = static_cast<float>(duration_ns) * kSecondsPerNanosecond;
+  return phase.acceleration * std::min(1.0F, phase.duration / duration);
 }
 
 }  // namespace
@@ -72,7 +79,7 @@ bool PlanCursor::next(std::uint32_t most_ns, Drive drive, bool may_start, Stretc
   const std::uint64_t left_ns = course_.duration_ns() - elapsed_ns_;
   stretch.duration_ns = std::min<std::uint64_t>(most_ns, left_ns);
   stretch.start_speed = speed_;
-  stretch.acceleration = phase_.acceleration;
+  stretch.acceleration = course_.whole().acceleration;
   elapsed_ns_ += stretch.duration_ns;
   const bool phase_ends = elapsed_ns_ == course_.duration_ns();
   const PathUnits from = place_;
@@ -157,11 +164,12 @@ bool PlanCursor::ready_phase(Drive drive) {
     return false;
   }
   phase_from_ = place_;
+  const std::uint64_t duration_ns = to_nanoseconds(phase_.duration);
   course_ = PhaseCourse{{.way = place_after(phase_) - place_,
-                         .duration_ns = to_nanoseconds(phase_.duration),
+                         .duration_ns = duration_ns,
                          .start_speed = phase_.start_speed,
                          .end_speed = std::sqrt(phase_.end_speed_square),
-                         .acceleration = phase_.acceleration}};
+                         .acceleration = acceleration_of(phase_, duration_ns)}};
   elapsed_ns_ = 0;
   return true;
 }
