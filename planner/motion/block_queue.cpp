@@ -70,7 +70,6 @@ void pass_joint(ZoneTrail& trail, const Block& behind, const TimeWindow& window)
 /// What blocks ahead ask of this one. False when that has changed, or may have
 /// for blocks before it.
 bool lay_tail(ZoneTrail& ahead, Block& block, const Spans& spans, const SpeedCap& cap) {
-  if (spans.window_s() <= 0.0F) return true;
   const LimitZone own = zone_of(spans, cap);
   const BlockZones tail = ahead.reaching(own);
   ahead.advance(block.length);
@@ -121,7 +120,8 @@ void BlockQueue::plan(const Limits& limits,
     Block& block = changeable(index);
     const SpeedCap cap{block, overrides};
     const bool was_planned = index < size_ - unplanned_;
-    const bool same_tail = lay_tail(ahead, block, Spans{block, limits, window}, cap);
+    const bool same_tail =
+        !window.filters() || lay_tail(ahead, block, Spans{block, limits, window}, cap);
     if (index == lead) break;
     BrakingState entry = brake_backwards(Spans{block, limits, window}, cap, exit);
     if (entry.speed_square > block.corner_speed_square) {

@@ -118,8 +118,8 @@ void PlanCursor::note_change(const Stretch& stretch) {
 
 /// More blocks, an override or a hold may have changed what lies ahead.
 void PlanCursor::follow_plan(Drive drive) {
-  const bool same_plan = !replan_ && queue_.exit_of(index_) == profile_.exit() &&
-                         queue_.at(index_).tail == profile_.tail();
+  const bool same_zones = !window_.filters() || queue_.at(index_).tail == profile_.tail();
+  const bool same_plan = !replan_ && same_zones && queue_.exit_of(index_) == profile_.exit();
   if (same_plan && drive == phase_drive_) return;
   if (phase_.duration > 0.0F) profile_.stop_short(phase_, phase_distance_left(), speed_);
   phase_ = {};

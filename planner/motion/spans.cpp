@@ -78,9 +78,11 @@ Spans::Spans(const Block& block, const Limits& limits, const TimeWindow& window)
     : length_{block.length},
       straight_acceleration_{1.0e9F},
       straight_speed_square_{block.speed_limit_square},
-      window_{window},
-      head_{block.head},
-      tail_{block.tail} {
+      window_{window} {
+  if (window.filters()) {
+    head_ = block.head;
+    tail_ = block.tail;
+  }
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     const float share = std::abs(block.direction[axis]);
     const float limit = planned_acceleration(limits, axis, window);
@@ -88,15 +90,15 @@ Spans::Spans(const Block& block, const Limits& limits, const TimeWindow& window)
   }
   if (block.turns()) {
     lay_out_arc(block, limits, window);
-  } else {
-    lay_out_straight(block);
+  } else if (window.filters()) {
+    lay_out_straight();
   }
 }
 
-void Spans::lay_out_straight(const Block& block) {
-  for (const LimitZone& zone : block.head) add_edge(zone.length);
-  for (const LimitZone& zone : block.tail) {
-    if (zone.length > 0.0F) add_edge(block.length - zone.length);
+void Spans::lay_out_straight() {
+  for (const LimitZone& zone : head_) add_edge(zone.length);
+  for (const LimitZone& zone : tail_) {
+    if (zone.length > 0.0F) add_edge(length_ - zone.length);
   }
 }
 

@@ -81,7 +81,7 @@ class Spans {
                                const SpeedChange& change) const;
 
  private:
-  void lay_out_straight(const Block& block);
+  void lay_out_straight();
   void lay_out_arc(const Block& block, const Limits& limits, const TimeWindow& window);
   void lay_out_grid();
   void add_edge(float distance);

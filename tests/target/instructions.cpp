@@ -10,14 +10,13 @@
 
 #include "firmware/application.hpp"
 #include "firmware/machine/configuration.hpp"
-#include "hal/interface/auxiliary_outputs.hpp"
-#include "hal/interface/machine_inputs.hpp"
 #include "hal/interface/record_store.hpp"
 #include "planner/base/contract.hpp"
 #include "planner/gcode/interpreter.hpp"
 #include "planner/motion/block_builder.hpp"
 #include "planner/motion/segmenter.hpp"
 #include "tests/target/freeform_text.hpp"
+#include "tests/target/quiet_machine.hpp"
 #include "tests/target/start_up.hpp"
 
 namespace {
@@ -114,26 +113,12 @@ class FreeformLink final : public hal::ByteStream {
 };
 
 /// Pins that cost one store each.
-class BarePort final : public hal::AuxiliaryOutputs, public hal::MachineInputs {
+class BarePort final : public QuietMachine {
  public:
   void set_direction(hal::AxisMask negative) noexcept { pins_ = negative.bits; }
   void raise_steps(hal::AxisMask axes, hal::AxisMask) noexcept { pins_ = axes.bits; }
   void lower_steps() noexcept { pins_ = 0; }
   void set_power(std::uint16_t duty) noexcept { duty_ = duty; }
-  void change_outputs(std::uint8_t, std::uint8_t) noexcept {}
-  void set_analog(std::uint8_t, std::uint16_t) noexcept {}
-  void start_timer() noexcept { started = true; }
-  [[nodiscard]] bool probe_contact() const noexcept { return false; }
-  [[nodiscard]] hal::SwitchMask switches() const noexcept { return {}; }
-
-  void set_spindle(bool, bool) override {}
-  void set_coolant(bool, bool) override {}
-  void set_digital(std::uint8_t, bool) override {}
-  void set_analog_output(std::uint8_t, std::uint16_t) override {}
-  void set_motors_enabled(bool) override {}
-  [[nodiscard]] hal::InputState read_inputs() override { return {}; }
-
-  bool started = false;
 
  private:
   volatile std::uint8_t pins_ = 0;

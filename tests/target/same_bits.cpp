@@ -4,14 +4,14 @@
 #include <string_view>
 
 #include "firmware/application.hpp"
-#include "hal/interface/auxiliary_outputs.hpp"
-#include "hal/interface/machine_inputs.hpp"
 #include "hal/interface/record_store.hpp"
+#include "tests/target/line_text.hpp"
+#include "tests/target/quiet_machine.hpp"
 
 namespace {
 
 /// Every edge goes into the digest with its tick.
-class DigestPort final : public hal::AuxiliaryOutputs, public hal::MachineInputs {
+class DigestPort final : public QuietMachine {
  public:
   void set_direction(hal::AxisMask negative) noexcept { note(0x100U | negative.bits); }
   void raise_steps(hal::AxisMask axes, hal::AxisMask) noexcept {
@@ -20,22 +20,9 @@ class DigestPort final : public hal::AuxiliaryOutputs, public hal::MachineInputs
   }
   void lower_steps() noexcept {}
   void set_power(std::uint16_t duty) noexcept { note(0x10000U | duty); }
-  void change_outputs(std::uint8_t, std::uint8_t) noexcept {}
-  void set_analog(std::uint8_t, std::uint16_t) noexcept {}
-  void start_timer() noexcept { started = true; }
-  [[nodiscard]] bool probe_contact() const noexcept { return false; }
-  [[nodiscard]] hal::SwitchMask switches() const noexcept { return {}; }
-
-  void set_spindle(bool, bool) override {}
-  void set_coolant(bool, bool) override {}
-  void set_digital(std::uint8_t, bool) override {}
-  void set_analog_output(std::uint8_t, std::uint16_t) override {}
-  void set_motors_enabled(bool) override {}
-  [[nodiscard]] hal::InputState read_inputs() override { return {}; }
 
   Digest digest;
   std::uint32_t now = 0;
-  bool started = false;
 
  private:
   void note(std::uint32_t what) {
@@ -51,9 +38,9 @@ class ProgramLink final : public hal::ByteStream {
   static constexpr unsigned kLines = 120;
 
   [[nodiscard]] std::size_t read(std::span<std::byte> into) override {
-    if (awaits_ || (sent_ == size_ && !make_line())) return 0;
-    into[0] = static_cast<std::byte>(line_[sent_++]);
-    awaits_ = sent_ == size_;
+    if (awaits_ || (sent_ == line_.text().size() && !make_line())) return 0;
+    into[0] = static_cast<std::byte>(line_.text()[sent_++]);
+    awaits_ = sent_ == line_.text().size();
     return 1;
   }
 
@@ -67,7 +54,9 @@ class ProgramLink final : public hal::ByteStream {
     return from.size();
   }
 
-  [[nodiscard]] bool finished() const { return lines_ == kLines && sent_ == size_ && !awaits_; }
+  [[nodiscard]] bool finished() const {
+    return lines_ == kLines && sent_ == line_.text().size() && !awaits_;
+  }
 
   std::uint32_t answers = 0;
 
@@ -75,23 +64,6 @@ class ProgramLink final : public hal::ByteStream {
   std::uint32_t random(std::uint32_t below) {
     state_ = state_ * 1664525U + 1013904223U;
     return (state_ >> 8) % below;
-  }
-
-  void put(std::string_view text) {
-    for (const char c : text) line_[size_++] = c;
-  }
-
-  void put_number(char letter, std::int32_t thousandths) {
-    line_[size_++] = letter;
-    if (thousandths < 0) line_[size_++] = '-';
-    auto rest = static_cast<std::uint32_t>(thousandths < 0 ? -thousandths : thousandths);
-    std::array<char, 10> digits{};
-    std::size_t count = 0;
-    for (; count < 4 || rest > 0; rest /= 10) {
-      digits[count++] = static_cast<char>('0' + rest % 10);
-      if (count == 3) digits[count++] = '.';
-    }
-    while (count > 0) line_[size_++] = digits[--count];
   }
 
   std::int32_t place() { return static_cast<std::int32_t>(random(20'000)) - 10'000; }
@@ -108,9 +80,10 @@ class ProgramLink final : public hal::ByteStream {
                                                         "M4 S700\n",
                                                         "F2400\n"};
     if (lines_ == kLines) return false;
-    sent_ = size_ = 0;
+    line_.clear();
+    sent_ = 0;
     if (lines_ < kOpening.size()) {
-      put(kOpening[lines_]);
+      line_.put(kOpening[lines_]);
     } else {
       make_motion();
     }
@@ -128,40 +101,39 @@ class ProgramLink final : public hal::ByteStream {
       case 1: {
         const std::int32_t first = place();
         const std::int32_t second = place();
-        put(kPlanes[plane]);
-        put(random(2) != 0 ? "G2" : "G3");
-        put_number(kAxes[plane][0], 2 * first);
-        put_number(kAxes[plane][1], 2 * second);
-        put_number(kCentres[plane][0], first);
-        put_number(kCentres[plane][1], second);
-        if (random(3) == 0) put_number('A', place());
+        line_.put(kPlanes[plane]);
+        line_.put(random(2) != 0 ? "G2" : "G3");
+        line_.put_number(kAxes[plane][0], 2 * first);
+        line_.put_number(kAxes[plane][1], 2 * second);
+        line_.put_number(kCentres[plane][0], first);
+        line_.put_number(kCentres[plane][1], second);
+        if (random(3) == 0) line_.put_number('A', place());
         break;
       }
       case 2:  // A full circle.
-        put(kPlanes[plane]);
-        put("G3");
-        put_number(kAxes[plane][0], 0);
-        put_number(kCentres[plane][0], place() + 20'000);
+        line_.put(kPlanes[plane]);
+        line_.put("G3");
+        line_.put_number(kAxes[plane][0], 0);
+        line_.put_number(kCentres[plane][0], place() + 20'000);
         break;
       case 3:
-        put("G4P0.01");
+        line_.put("G4P0.01");
         break;
       case 4:
-        put("G0");
-        put_number('X', place());
-        put_number('Z', place());
+        line_.put("G0");
+        line_.put_number('X', place());
+        line_.put_number('Z', place());
         break;
       default:
-        put("G1");
-        put_number('X', place() / 50);
-        put_number('Y', place() / 50);
-        put_number('S', static_cast<std::int32_t>(random(1'000'000)));
+        line_.put("G1");
+        line_.put_number('X', place() / 50);
+        line_.put_number('Y', place() / 50);
+        line_.put_number('S', static_cast<std::int32_t>(random(1'000'000)));
     }
-    put("\n");
+    line_.put("\n");
   }
 
-  std::array<char, 96> line_{};
-  std::size_t size_ = 0;
+  LineText line_{};
   std::size_t sent_ = 0;
   unsigned lines_ = 0;
   std::uint32_t state_ = 20261121;
