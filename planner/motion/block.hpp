@@ -65,12 +65,12 @@ struct Block {
   std::array<StepPosition, 2> normal{};
   Turn turn{};
 
-  AxisArray<float> direction{};      ///< Unit tangent; for an arc only the axes off its plane.
-  float length = 0.0F;               ///< mm.
-  float feed = 0.0F;                 ///< Programmed speed along the path, mm/s; 0 is a rapid.
-  bool fixed_feed = false;           ///< Overrides of feed and rapid do not touch it.
-  float speed_limit_square = 0.0F;   ///< From rates, step rates and centripetal acceleration.
-  float corner_speed_square = 0.0F;  ///< The corner rule at its start; 0 after a stop.
+  AxisArray<float> direction{};     ///< Unit tangent; for an arc only the axes off its plane.
+  float length = 0.0F;              ///< mm.
+  float feed = 0.0F;                ///< Programmed speed along the path, mm/s; 0 is a rapid.
+  bool from_rest = true;            ///< The machine stands still at its start.
+  bool fixed_feed = false;          ///< Overrides of feed and rapid do not touch it.
+  float speed_limit_square = 0.0F;  ///< From rates, step rates and centripetal acceleration.
   /// What the look-ahead finds; changes as blocks are added.
   BrakingState entry{};  ///< Of the backward pass, at its start.
   BlockZones head{};     ///< From blocks before it.

@@ -11,17 +11,16 @@ void BlockQueue::push(const Block& block, Joint joint) {
   CNC_ASSERT(!full());
   Block& added = changeable(size_);
   added = block;
-  added.corner_speed_square = corner_after(block, joint);
+  added.from_rest = stops_before(block, joint);
   added.entry = {};
   last_exit_tangent_ = exit_tangent(block);
   ++size_;
   ++unplanned_;
 }
 
-float BlockQueue::corner_after(const Block& block, Joint joint) const {
-  if (empty() || joint == Joint::kStop) return 0.0F;
-  if (joint == Joint::kSmooth) return kNoCornerLimit;
-  return corner_speed_square(last_exit_tangent_, entry_tangent(block));
+bool BlockQueue::stops_before(const Block& block, Joint joint) const {
+  if (empty() || joint == Joint::kStop) return true;
+  return joint == Joint::kAsItTurns && !is_tangent(last_exit_tangent_, entry_tangent(block));
 }
 
 void BlockQueue::pop_front() {
@@ -41,7 +40,7 @@ namespace {
 /// What a block asks of those before and behind it: the least of its speed
 /// limits, as far as the greatest reaches.
 LimitZone zone_of(const Spans& spans, const SpeedCap& cap) {
-  float least = kNoCornerLimit;
+  float least = LimitZone{}.speed_square;
   float most = 0.0F;
   for (int span = 0; span < spans.count(); ++span) {
     const float cap_square = cap.square_within(spans.speed_limit_square(span));
@@ -51,20 +50,6 @@ LimitZone zone_of(const Spans& spans, const SpeedCap& cap) {
   LimitZone zone = spans.zone(most);
   zone.speed_square = least;
   return zone;
-}
-
-/// What a corner asks that is not taken at any speed.
-LimitZone zone_of_corner(const Block& behind, const TimeWindow& window) {
-  constexpr float kNoAcceleration = 0.0F;
-  const float square = behind.corner_speed_square;
-  if (square >= kNoCornerLimit) return {};
-  return {.length = window_reach(window, square, kNoAcceleration), .speed_square = square};
-}
-
-/// Goes on from a block to its neighbour. The window never spans a stop.
-void pass_joint(ZoneTrail& trail, const Block& behind, const TimeWindow& window) {
-  if (behind.corner_speed_square <= 0.0F) return trail.clear();
-  trail.add(zone_of_corner(behind, window));
 }
 
 /// What blocks ahead ask of this one. False when that has changed, or may have
@@ -82,7 +67,7 @@ bool lay_tail(ZoneTrail& ahead, Block& block, const Spans& spans, const SpeedCap
 }  // namespace
 
 void BlockQueue::stop_before_newest() {
-  changeable(size_ - newest_).corner_speed_square = 0.0F;
+  changeable(size_ - newest_).from_rest = true;
   forget_plan();
 }
 
@@ -94,7 +79,7 @@ void BlockQueue::lay_heads(const Limits& limits,
   if (unplanned_ == size_) trail_.clear();
   for (std::size_t index = size_ - unplanned_; index < size_; ++index) {
     Block& block = changeable(index);
-    pass_joint(trail_, block, window);
+    if (block.from_rest) trail_.clear();  // The window never spans a stop.
     block.head = {};
     block.tail = {};
     const LimitZone own = zone_of(Spans{block, limits, window}, SpeedCap{block, overrides});
@@ -123,16 +108,12 @@ void BlockQueue::plan(const Limits& limits,
     const bool same_tail =
         !window.filters() || lay_tail(ahead, block, Spans{block, limits, window}, cap);
     if (index == lead) break;
-    BrakingState entry = brake_backwards(Spans{block, limits, window}, cap, exit);
-    if (entry.speed_square > block.corner_speed_square) {
-      entry.speed_square = block.corner_speed_square;
-      entry.commit_square = entry.speed_square;
-      if (entry.speed_square <= 0.0F) entry = {};
-    }
+    const BrakingState entry =
+        block.from_rest ? BrakingState{} : brake_backwards(Spans{block, limits, window}, cap, exit);
     if (was_planned && same_tail && entry == block.entry) break;
     block.entry = entry;
     exit = entry;
-    pass_joint(ahead, block, window);
+    if (block.from_rest) ahead.clear();
   }
   unplanned_ = 0;
 }

@@ -34,8 +34,8 @@ class BlockQueue {
   [[nodiscard]] bool empty() const { return size_ == 0; }
   [[nodiscard]] std::size_t size() const { return size_; }
 
-  /// Takes a block and sets its corner speed: none or any, see Joint; after an
-  /// empty queue the machine stands still.
+  /// Takes a block, which begins from rest or goes on, see Joint; after an empty
+  /// queue the machine stands still.
   /// @pre !full()
   void push(const Block& block, Joint joint = Joint::kAsItTurns);
 
@@ -80,7 +80,7 @@ class BlockQueue {
   ~BlockQueue() = default;
 
  private:
-  [[nodiscard]] float corner_after(const Block& block, Joint joint) const;
+  [[nodiscard]] bool stops_before(const Block& block, Joint joint) const;
   [[nodiscard]] Block& changeable(std::size_t index) { return blocks_[place_of(index)]; }
   /// In the ring. No division: the capacity is not a constant here.
   [[nodiscard]] std::size_t place_of(std::size_t index) const {

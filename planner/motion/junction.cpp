@@ -10,8 +10,8 @@ float turn_square(const AxisArray<float>& before, const AxisArray<float>& after)
   return sum;
 }
 
-float corner_speed_square(const AxisArray<float>& before, const AxisArray<float>& after) {
-  return turn_square(before, after) <= square(kTangentTurn) ? kNoCornerLimit : 0.0F;
+bool is_tangent(const AxisArray<float>& before, const AxisArray<float>& after) {
+  return turn_square(before, after) <= square(kTangentTurn);
 }
 
 }  // namespace cnc::motion

@@ -16,14 +16,10 @@ enum class Joint : std::uint8_t {
 /// the time of a slice, on a way of 5 nm. A larger turn needs a blend or a stop.
 inline constexpr float kTangentTurn = 2.0e-4F;
 
-/// The square of the speed at which a joint may be passed, mm²/s²: no machine
-/// turns on the spot, so none or any.
-///
+/// Whether the path goes straight on, within kTangentTurn. No machine turns on the
+/// spot, so a joint is taken at any speed or at rest.
 /// @param before, after unit tangents on either side.
-/// Guarantee: kNoCornerLimit where they agree within kTangentTurn, else 0.
-inline constexpr float kNoCornerLimit = 1.0e12F;
-[[nodiscard]] float corner_speed_square(const AxisArray<float>& before,
-                                        const AxisArray<float>& after);
+[[nodiscard]] bool is_tangent(const AxisArray<float>& before, const AxisArray<float>& after);
 
 /// |after − before|², from the difference and not from the dot product: near a
 /// tangent joint the latter has lost the angle.

@@ -42,7 +42,7 @@ std::uint8_t PlanCursor::axes_ahead() const {
   std::uint8_t axes = 0;
   for (std::size_t index = index_; index < queue_.size(); ++index) {
     const Block& block = queue_.at(index);
-    if (index > index_ && block.corner_speed_square <= 0.0F) break;
+    if (index > index_ && block.from_rest) break;
     axes = static_cast<std::uint8_t>(axes | moving_axes(block));
   }
   return axes;

@@ -63,8 +63,8 @@ float tighten(float most, float limit, float gradient, float offset) {
   return std::max(0.0F, room) / steepness;
 }
 
-}  // namespace
-
+/// mm to either side of a place from which its limits hold for the plan, where
+/// v² is at most `cap_square` and the acceleration at most `acceleration`.
 float window_reach(const TimeWindow& window, float cap_square, float acceleration) {
   if (!window.filters()) return 0.0F;
   // Half the window at that speed, what speeding up from rest adds to it (A T² / 12),
@@ -73,6 +73,8 @@ float window_reach(const TimeWindow& window, float cap_square, float acceleratio
   return std::sqrt(cap_square) * (0.5F * seconds + window.cell_seconds()) +
          acceleration * square(seconds) / 12.0F;
 }
+
+}  // namespace
 
 Spans::Spans(const Block& block, const Limits& limits, const TimeWindow& window)
     : length_{block.length},

@@ -120,8 +120,4 @@ class Spans {
   float rate_second_ = 0.0F;
 };
 
-/// mm to either side of a place from which its limits hold for the plan, where
-/// v² is at most `cap_square` and the acceleration at most `acceleration`.
-[[nodiscard]] float window_reach(const TimeWindow& window, float cap_square, float acceleration);
-
 }  // namespace cnc::motion
