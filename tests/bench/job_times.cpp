@@ -61,9 +61,9 @@ int main(int count, char** arguments) {
               "best honest peer");
   for (const proof::PeerJob& job : proof::peer_jobs()) print_row(job, rise);
   std::printf(
-      "optimum: of acceleration on the exact path, corners at the speed of $11; smooth: on "
-      "the curve that short lines\nstand for, which they may beat because $11 lets their "
-      "corners turn in no time. * measured elsewhere, where the job\nis the same; all "
-      "others are of the same kind only.\n");
+      "optimum: of acceleration on the path that is driven, its corners rounded within $11; "
+      "smooth: on the curve that short\nlines stand for, which they may beat by as much as "
+      "they cut it short. * measured elsewhere, where the job\nis the same; all others are of "
+      "the same kind only.\n");
   return 0;
 }
