@@ -4,10 +4,14 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 
+#include "firmware/machine/configuration.hpp"
 #include "host-sim/job/travel_check.hpp"
+#include "host-sim/measure/driven_path.hpp"
 #include "host-sim/measure/energy_meter.hpp"
 #include "host-sim/measure/motion_meter.hpp"
 #include "host-sim/measure/path_deviation.hpp"
@@ -34,9 +38,10 @@ cnc::AxisArray<Number> steps_per_mm(const cnc::Settings& settings) {
 }
 
 ProgrammedPath read_independently(const std::string& text, const cnc::Settings& settings) {
-  ReadOptions options;
-  options.laser_mode = settings.get(cnc::setting::kLaserMode) != 0.0F;
-  return read_program(text, options);
+  return read_program(text,
+                      {.laser_mode = settings.get(cnc::setting::kLaserMode) != 0.0F,
+                       .stop_at_coolant = true,
+                       .corner_tolerance = settings.get(cnc::setting::kJunctionDeviation)});
 }
 
 /// Tells the picture whether the machine is on a rapid, which pulses do not show.
@@ -131,13 +136,34 @@ bool lights_at_once(const cnc::Settings& settings) {
          zero(cnc::setting::kBeamOffDelay) && zero(cnc::setting::kBeamLag);
 }
 
-void add_energy(const EnergyMeter& meter, Report& report) {
-  const EnergyFigures figures = meter.figures();
-  if (figures.windows == 0) return;
-  report.least_energy_ratio = figures.least;
-  report.mean_energy_ratio = figures.mean;
-  report.greatest_energy_ratio = figures.greatest;
-}
+/// Measures the light of each millimetre that is driven: round a corner that is less
+/// than was programmed.
+class BeamMeter {
+ public:
+  BeamMeter(const ProgrammedPath& programmed, Simulator& simulator)
+      : path_{driven_path(programmed, cnc::limits_from(simulator.settings()))},
+        deviation_{path_, steps_per_mm<double>(simulator.settings()), kNoExcess},
+        energy_{path_, deviation_, steps_per_mm<double>(simulator.settings()), beam_of(simulator)} {
+    simulator.add_sink(deviation_);
+    simulator.add_sink(energy_);
+  }
+
+  void add_to(Report& report) const {
+    const EnergyFigures figures = energy_.figures();
+    if (figures.windows == 0) return;
+    report.least_energy_ratio = figures.least;
+    report.mean_energy_ratio = figures.mean;
+    report.greatest_energy_ratio = figures.greatest;
+  }
+
+ private:
+  /// mm; nothing is looked for.
+  static constexpr double kNoExcess = std::numeric_limits<double>::infinity();
+
+  ProgrammedPath path_;
+  PathDeviation deviation_;
+  EnergyMeter energy_;
+};
 
 void draw(const PathRecorder& recorder, const Job& job, const JobOutputs& outputs) {
   if (outputs.svg.empty() && outputs.png.empty()) return;
@@ -161,12 +187,10 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
   PathDeviation deviation{path, steps_per_mm<double>(simulator.settings())};
   PathRecorder recorder{steps_per_mm<float>(simulator.settings())};
   MotionKindTeller teller{deviation, recorder};
-  EnergyMeter energy{
-      path, deviation, steps_per_mm<double>(simulator.settings()), beam_of(simulator)};
-  const bool measures_energy = lights_at_once(simulator.settings());
   simulator.add_sink(meter);
   simulator.add_sink(deviation);
-  if (measures_energy) simulator.add_sink(energy);
+  std::optional<BeamMeter> beam;
+  if (lights_at_once(simulator.settings())) beam.emplace(path, simulator);
   if (!outputs.svg.empty() || !outputs.png.empty()) {
     simulator.add_sink(teller);
     simulator.add_sink(recorder);
@@ -186,7 +210,7 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
   Report report = report_on(job, result, path);
   add_measured(meter, report);
   add_deviation(deviation, report);
-  add_energy(energy, report);
+  if (beam) beam->add_to(report);
   draw(recorder, job, outputs);
   return report;
 }

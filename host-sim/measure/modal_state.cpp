@@ -9,8 +9,7 @@ namespace {
 constexpr double kMillimetresPerInch = 25.4;
 constexpr double kSecondsPerMinute = 60.0;
 
-/// Units and feed mode, and what changes no programmed place: no compensation (G40) and
-/// path control (G61, G61.1, G64).
+/// Units, feed mode and path control, and what is always so: no compensation (G40).
 bool is_applied_before(int g) {
   constexpr std::array kNumbers{200, 210, 930, 940, 400, 610, 611, 640};
   return std::ranges::find(kNumbers, g) != kNumbers.end();
@@ -33,6 +32,7 @@ std::vector<int> ModalState::apply_modes(const ProgramLine& line) {
   if (line.has_g(930)) inverse_time_ = true;
   if (line.has_g(940)) inverse_time_ = false;
   apply_feed(line);
+  apply_path_control(line);
   std::vector<int> left;
   for (const int g : line.g) {
     const bool done = is_applied_before(g) || apply_plane(g) || apply_distance(g) ||
@@ -47,6 +47,24 @@ void ModalState::apply_feed(const ProgramLine& line) {
     feed_word_ = *f;
     feed_in_inches_ = inches_;
   }
+}
+
+void ModalState::apply_path_control(const ProgramLine& line) {
+  const bool blends = line.has_g(640);
+  if (!blends && !line.has_g(610) && !line.has_g(611)) return;
+  const auto length = [&](char letter) {
+    const auto word = line.value(letter);
+    return blends && word ? std::optional{scaled(0, *word)} : std::nullopt;
+  };
+  stops_at_corners_ = line.has_g(611);
+  corner_word_ = length('P');
+  weld_word_ = length('Q');
+}
+
+ProgramTolerance ModalState::tolerance(double usual) const {
+  if (stops_at_corners_) return {};
+  return {.corner = corner_word_.value_or(usual),
+          .weld = weld_word_.value_or(corner_word_.value_or(0.0))};
 }
 
 bool ModalState::apply_plane(int g) {

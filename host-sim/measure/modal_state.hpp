@@ -29,6 +29,9 @@ class ModalState {
   /// the line, in RS274/NGC's order. Returns the G numbers that are left.
   [[nodiscard]] std::vector<int> apply_modes(const ProgramLine& line);
 
+  /// Of G61, G61.1 and G64. @param usual mm, where the program gives no tolerance of corners
+  [[nodiscard]] ProgramTolerance tolerance(double usual) const;
+
   /// What M2 and M30 put back (RS274/NGC 3.6.1).
   void end_program();
   void end_nurbs() { motion_ = Motion::kNone; }
@@ -65,6 +68,7 @@ class ModalState {
   [[nodiscard]] bool apply_motion(int g);
   [[nodiscard]] bool apply_coordinate_system(int g);
   void apply_feed(const ProgramLine& line);
+  void apply_path_control(const ProgramLine& line);
   [[nodiscard]] double offset(std::size_t axis) const;
 
   static constexpr std::size_t kSystems = 9;  ///< G54…G59.3.
@@ -77,6 +81,9 @@ class ModalState {
   bool inverse_time_ = false;
   double feed_word_ = 0.0;
   bool feed_in_inches_ = false;
+  bool stops_at_corners_ = false;        ///< G61.1
+  std::optional<double> corner_word_{};  ///< mm; P of G64.
+  std::optional<double> weld_word_{};    ///< mm; Q of G64.
   std::size_t system_ = 0;
   std::array<Point, kSystems> systems_{};
   Point shift_{};

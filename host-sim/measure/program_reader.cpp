@@ -197,8 +197,14 @@ void ProgramReader::move_round(const ProgramLine& line, const Point& to, bool cl
 void ProgramReader::add_piece(const Curve& curve, Travel travel, double feed) {
   path_.end = position_ = curve.end();
   if (curve.length() <= 0.0) return;
-  path_.pieces.push_back(
-      {curve, travel, feed, spindle_speed_, spindle_, line_number_, stop_pending_});
+  path_.pieces.push_back({curve,
+                          travel,
+                          feed,
+                          spindle_speed_,
+                          spindle_,
+                          line_number_,
+                          stop_pending_,
+                          modes_.tolerance(options_.corner_tolerance)});
   stop_pending_ = false;
 }
 

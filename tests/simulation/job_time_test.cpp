@@ -8,9 +8,9 @@
 
 #include "host-sim/job/setting_line.hpp"
 #include "host-sim/machine/simulator.hpp"
+#include "host-sim/measure/driven_path.hpp"
 #include "host-sim/measure/program_line.hpp"
 #include "tests/support/drive.hpp"
-#include "tests/support/driven_path.hpp"
 #include "tests/support/optimal_time.hpp"
 #include "tests/support/product_limits.hpp"
 #include "tests/support/trials.hpp"
@@ -55,15 +55,17 @@ JobTime time_job(const std::string& name, const std::string& settings) {
     EXPECT_EQ(simulator.change_setting(change.number, change.value), "") << change.place;
   }
   const bool laser = simulator.settings().get(cnc::setting::kLaserMode) != 0.0F;
-  const auto programmed =
-      sim::read_program(program, {.laser_mode = laser, .stop_at_coolant = true});
+  const auto programmed = sim::read_program(
+      program,
+      {.laser_mode = laser,
+       .stop_at_coolant = true,
+       .corner_tolerance = simulator.settings().get(cnc::setting::kJunctionDeviation)});
   EXPECT_TRUE(programmed.notes.empty());
   const sim::RunResult result = simulator.run();
   EXPECT_TRUE(result.refusals.empty());
   EXPECT_EQ(result.alarm, 0);
   const cnc::motion::Limits product = cnc::limits_from(simulator.settings());
-  const float tolerance = simulator.settings().get(cnc::setting::kJunctionDeviation);
-  const auto path = driven_path(programmed, product, {.corner_mm = tolerance});
+  const auto path = sim::driven_path(programmed, product);
   const auto limits = limits_of(product);
   return {.motion = result.job_time_s - dwell_time(program),
           .bound = sim::optimal_time(path, limits),
@@ -106,7 +108,7 @@ INSTANTIATE_TEST_SUITE_P(All,
 sim::ProgrammedPath path_of(const RecordedPlan& plan) {
   sim::ProgrammedPath path;
   for (const PlannedBlock& block : plan.blocks) {
-    path.pieces.push_back(piece_of(block.element, 0.0F, block.from_rest));
+    path.pieces.push_back(sim::piece_of(block.element, 0.0F, block.from_rest));
   }
   return path;
 }

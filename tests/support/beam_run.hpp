@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "host-sim/machine/simulator.hpp"
+#include "host-sim/measure/driven_path.hpp"
 #include "host-sim/measure/energy_meter.hpp"
-#include "tests/support/driven_path.hpp"
 #include "tests/support/laser_settings.hpp"
 
 namespace proof {
@@ -33,9 +33,9 @@ struct BeamRun {
     }
     // Light per millimetre driven: round a corner that is a little less than was programmed.
     const auto corner = simulator.settings().get(cnc::setting::kJunctionDeviation);
-    const sim::ProgrammedPath path = driven_path(sim::read_program(program, {.laser_mode = true}),
-                                                 cnc::limits_from(simulator.settings()),
-                                                 {.corner_mm = corner});
+    const sim::ProgrammedPath path = sim::driven_path(
+        sim::read_program(program, {.laser_mode = true, .corner_tolerance = corner}),
+        cnc::limits_from(simulator.settings()));
     const cnc::AxisArray<double> scales{
         steps_per_mm, steps_per_mm, steps_per_mm, 250.0, 250.0, 250.0};
     sim::PathDeviation deviation{path, scales};

@@ -9,8 +9,8 @@
 
 #include "firmware/machine/configuration.hpp"
 #include "host-sim/machine/simulator.hpp"
+#include "host-sim/measure/driven_path.hpp"
 #include "tests/support/bench_jobs.hpp"
-#include "tests/support/driven_path.hpp"
 #include "tests/support/product_limits.hpp"
 
 namespace proof {
@@ -142,8 +142,8 @@ PeerResult run_peer_job(const PeerJob& job, double rise) {
   PeerResult result;
   const cnc::motion::Limits product = cnc::limits_from(simulator.settings());
   const float tolerance = simulator.settings().get(cnc::setting::kJunctionDeviation);
-  result.path = driven_path(
-      sim::read_program(job.program, {.laser_mode = true}), product, {.corner_mm = tolerance});
+  result.path = sim::driven_path(
+      sim::read_program(job.program, {.laser_mode = true, .corner_tolerance = tolerance}), product);
   result.limits = limits_of(product);
   if (rise > 0.0) result.limits.jerk.fill(job.acceleration / rise);
   const sim::RunResult run = simulator.run();

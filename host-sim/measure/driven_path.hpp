@@ -1,0 +1,20 @@
+#pragma once
+
+#include "host-sim/measure/programmed_path.hpp"
+#include "planner/path/path_item.hpp"
+
+namespace sim {
+
+/// An element of the product's in double precision.
+[[nodiscard]] PathPiece piece_of(const cnc::PathElement& element,
+                                 float feed_mm_s,
+                                 bool stop_before);
+
+/// What the product's path stage makes of a programmed path within its tolerances when the
+/// elements come one by one without a pause: rounded, welded, with its exact stops.
+/// For what is asked of each millimetre driven; how far that is from the program is
+/// measured on the programmed path.
+[[nodiscard]] ProgrammedPath driven_path(const ProgrammedPath& programmed,
+                                         const cnc::motion::Limits& limits);
+
+}  // namespace sim
