@@ -7,8 +7,9 @@
 namespace sim {
 namespace {
 
-/// Looking ahead ends where the path is this many step diagonals farther away than
-/// the nearest point: more than the two that the place may trail by.
+/// Looking ahead ends where the path is this many step diagonals, and what a corner may
+/// be cut by, farther away than the nearest point: more than the two that the place may
+/// trail by.
 constexpr double kWindowSteps = 3.0;
 
 /// Points this much farther away than the nearest count as equally near: a little more
@@ -56,10 +57,15 @@ PathFollower::Match PathFollower::look_ahead(const Point& position) {
       window_.push_back({index, curve(index).nearest(position, from(index))});
       if (window_.back().nearest.distance < best.nearest.distance) best = window_.back();
     }
-    if (to_end > best.nearest.distance + kWindowSteps * step_size_) break;
+    if (to_end > best.nearest.distance + window(index)) break;
     to_start = to_end;
   }
   return best;
+}
+
+double PathFollower::window(std::size_t index) const {
+  const ProgramTolerance& allowed = path_->pieces[index].tolerance;
+  return kWindowSteps * step_size_ + allowed.corner + allowed.weld;
 }
 
 void PathFollower::move_to(const Match& match) {

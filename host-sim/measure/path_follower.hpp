@@ -12,10 +12,11 @@ namespace sim {
 ///
 /// It holds the earliest place on the path where the machine may be and looks
 /// ahead from there, piece by piece, until the path has gone farther away than
-/// the nearest point found so far plus a few steps. The place only advances. So
+/// the nearest point found so far plus a few steps and the path's tolerance, by which
+/// the corner of a rounded hairpin is farther than its legs. The place only advances. So
 /// a path that crosses itself or returns over itself is not mistaken for a
 /// later or an earlier part of itself, and a piece is looked at only while the
-/// machine is within a few steps of it: constant work per position, unless many
+/// machine is as near as that to it: constant work per position, unless many
 /// pieces lie within a few steps.
 ///
 /// The place may trail the machine by a step or two: of points nearly as near
@@ -52,6 +53,7 @@ class PathFollower {
   [[nodiscard]] double piece_excess(const Point& position, const Match& match, double enough) const;
   /// Fills the window; returns its nearest point.
   [[nodiscard]] Match look_ahead(const Point& position);
+  [[nodiscard]] double window(std::size_t index) const;
   [[nodiscard]] double from(std::size_t index) const { return index == piece_ ? fraction_ : 0.0; }
   [[nodiscard]] const Curve& curve(std::size_t index) const { return path_->pieces[index].curve; }
   void move_to(const Match& match);

@@ -162,6 +162,39 @@ TEST(PathDeviation, ChordsInsteadOfArcsShowTheirSagitta) {
   EXPECT_NEAR(deviation.greatest_distance().value, 10.0 * (1.0 - std::cos(0.15708)), 0.001);
 }
 
+/// Legs that meet with the given turn, and the same with the arc that is 0.5 mm from
+/// the corner.
+void expect_place_round_corner(double turn) {
+  SCOPED_TRACE(testing::Message() << "turn " << turn);
+  const auto place = [](double x, double y) {
+    return "X" + std::to_string(x) + "Y" + std::to_string(y);
+  };
+  constexpr double kLeg = 20.0;
+  constexpr double kTolerance = 0.5;
+  const double half = std::cos(turn / 2.0);
+  const double radius = kTolerance * half / (1.0 - half);
+  const double trim = radius * std::tan(turn / 2.0);
+  const double c = std::cos(turn);
+  const double s = std::sin(turn);
+  const ProgrammedPath asked = read_program("F3000 G64 P0.5 Q0\nG1" + place(kLeg, 0.0) + "\n" +
+                                            place(kLeg + kLeg * c, kLeg * s) + "\n");
+  const ProgrammedPath done = read_program(
+      "F3000\nG1" + place(kLeg - trim, 0.0) + "\nG3" + place(kLeg + trim * c, trim * s) + "R" +
+      std::to_string(radius) + "\nG1" + place(kLeg + kLeg * c, kLeg * s) + "\n");
+  SyntheticMachine machine;
+  machine.steps_per_mm.fill(400.0);
+  PathDeviation deviation{asked, machine.steps_per_mm};
+  const Along along{done};
+  play(machine.rows(along, along.end_s()), deviation);
+  // The middle of the arc is as far from both legs as any place of it.
+  EXPECT_NEAR(deviation.greatest_distance().value, radius * (1.0 - half), 0.004);
+  EXPECT_TRUE(deviation.reached_last_piece());
+}
+
+TEST(PathDeviation, KnowsItsPlaceRoundACornerWithinItsTolerance) {
+  for (const double turn : {0.5, 1.0, 1.57, 2.2, 2.8}) expect_place_round_corner(turn);
+}
+
 TEST(PathDeviation, LongProgramsTakeTimeLinearInTheirRows) {
   std::string program = "F3000 G91\n";
   for (int i = 0; i < 10'000; ++i) program += i % 2 == 0 ? "G1X0.08Y0.05\n" : "G1X0.09Y-0.05\n";
