@@ -3,7 +3,22 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/base/scalar_math.hpp"
+
 namespace cnc {
+namespace {
+
+/// mm/s², of the axes that the block moves.
+float least_acceleration(const motion::Limits& limits, const motion::Block& block) {
+  const std::uint8_t axes = motion::moving_axes(block);
+  float least = 1.0e9F;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    if ((axes >> axis & 1U) != 0) least = std::min(least, limits.acceleration_mm_s2[axis]);
+  }
+  return least;
+}
+
+}  // namespace
 
 Result<bool, motion::MotionError> MotionControl::append(const path::PathItem& item) {
   const PathElement& element = item.request.element;
@@ -37,40 +52,50 @@ void MotionControl::flush() {
   pump();
 }
 
-/// What is left of the plan, mm: of the block being driven at least its chord.
-/// @pre !segmenter_.idle()
-float MotionControl::way_left() const {
-  float square = 0.0F;
+/// To the end of the block being driven, mm. @pre !segmenter_.idle()
+float MotionControl::chord_left() const {
+  float sum = 0.0F;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     const std::int64_t left = queue_.front().end[axis].q32() - segmenter_.place()[axis].q32();
     const float steps = static_cast<float>(left >> 16) * (1.0F / 65'536.0F);
-    const float mm = steps / limits_.scale[axis].steps_per_mm();
-    square += mm * mm;
+    sum += square(steps / limits_.scale[axis].steps_per_mm());
   }
-  float way = std::sqrt(square);
-  for (std::size_t i = 1; i < queue_.size(); ++i) way += queue_.at(i).length;
-  return way;
+  return std::sqrt(sum);
 }
 
-/// With twice the way that braking takes, and what goes by until the next turns.
+/// Whether the plan would soon have to brake for what is not planned yet: its way ends
+/// within twice the way that braking takes, what goes by until the next turns, and
+/// where jerk is limited what the plan is ahead by and goes level for before it brakes.
 bool MotionControl::runs_dry() const {
   constexpr float kTurnsAhead_s = 0.05F;
-  constexpr std::size_t kPlenty = 16;
-  if (queue_.size() >= kPlenty) return false;
+  constexpr float kWindows = 1.5F;
   if (segmenter_.idle()) return true;
-  const float speed = segmenter_.speed();
-  const float acceleration = *std::ranges::min_element(limits_.acceleration_mm_s2);
-  return way_left() <= speed * (speed / acceleration + kTurnsAhead_s);
+  const float speed = std::max(segmenter_.speed(), segmenter_.planned_speed());
+  const float ahead_s = kTurnsAhead_s + kWindows * segmenter_.window().seconds();
+  const float acceleration = std::min(least_acceleration(limits_, queue_.front()),
+                                      least_acceleration(limits_, queue_.at(queue_.size() - 1)));
+  const float reach = speed * (speed / acceleration + ahead_s);
+  float way = chord_left();
+  for (std::size_t i = 1; i < queue_.size() && way <= reach; ++i) way += queue_.at(i).length;
+  return way <= reach;
 }
 
 /// A sender that has more to say says it within a few milliseconds.
 void MotionControl::attend(std::int32_t elapsed_us) {
   constexpr std::int32_t kPatience_us = 20'000;
   constexpr std::int32_t kAtRest_us = 5'000;
+  // With so many blocks longer welds are worth more than more blocks.
+  constexpr std::size_t kPlenty = 16;
   silence_us_ = std::min(silence_us_ + elapsed_us, kPatience_us);
-  if (stage_.empty() || !runs_dry()) return;
-  if (!segmenter_.idle()) stage_.hurry();
-  if (silence_us_ >= (segmenter_.idle() ? kAtRest_us : kPatience_us)) stage_.flush();
+  const bool idle = segmenter_.idle();
+  const bool silent = silence_us_ >= (idle ? kAtRest_us : kPatience_us);
+  const bool waits = !silent && (idle || queue_.size() >= kPlenty);
+  if (stage_.empty() || waits || !runs_dry()) return;
+  if (silent) {
+    stage_.flush();
+  } else {
+    stage_.hurry();
+  }
 }
 
 void MotionControl::feed_drive() {

@@ -68,7 +68,7 @@ class MotionControl {
 
  private:
   void pump();
-  [[nodiscard]] float way_left() const;
+  [[nodiscard]] float chord_left() const;
   [[nodiscard]] bool runs_dry() const;
 
   StepDrive& drive_;

@@ -61,6 +61,10 @@ class Segmenter {
   [[nodiscard]] const AxisArray<StepPosition>& place() const { return here_.place; }
   /// mm/s at the end of the last slice handed out.
   [[nodiscard]] float speed() const { return speed_; }
+  /// mm/s of the plan, which is ahead of what was handed out where jerk is limited:
+  /// the motion is its mean over the window.
+  [[nodiscard]] float planned_speed() const { return plan_.speed(); }
+  [[nodiscard]] const TimeWindow& window() const { return window_; }
   [[nodiscard]] bool halted() const { return drive_ == Drive::kHalt && at_rest(); }
 
   /// Forgets all motion; the motors stand at `place` now. A halt stays.
