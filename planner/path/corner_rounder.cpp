@@ -10,6 +10,14 @@ namespace {
 /// Shorter blends, mm, are not divided: their halves would be rounding.
 constexpr float kLeastDivided = 1.0e-3F;
 
+/// Ends are whole nanometres, mm.
+constexpr float kRoundedEndMm = 1.5e-6F;
+
+/// Of an element a corner may have so much more than its half as uses up the element
+/// before: halves of edges of nearly the same length leave pieces of line between two
+/// arcs that are too short for anything.
+constexpr float kMoreThanHalf = 0.015625F;
+
 motion::Joint joint_at(const Corner& corner) {
   return corner.kind == Corner::Kind::kSmooth ? motion::Joint::kSmooth : motion::Joint::kStop;
 }
@@ -87,14 +95,29 @@ void CornerRounder::expect(const PathItem& item) {
 /// What both sides have, and the tolerance allows.
 float CornerRounder::granted(float allowance_mm) const {
   const float left = corner_.before.length - first_->used_mm;
-  const float most = std::min(left, allowance_mm);
+  const float side = corner_.after.length;
+  const bool all = left <= std::min(side, allowance_mm + kMoreThanHalf * side);
+  const float most = all ? left : allowance_mm;
   if (corner_.wish_mm <= most) return corner_.wish_mm;
   return most >= kCrumbMm ? fitting_trim(corner_, most) : 0.0F;
 }
 
+/// As much of each side as makes no more difference than rounding, or less: a blend
+/// takes all of a side or leaves more than a crumb.
+float CornerRounder::without_crumbs(float trim_mm) const {
+  constexpr float kAll = 0.5F * motion::kTangentTurn;
+  float trim = trim_mm;
+  for (const float side : {corner_.before.length - first_->used_mm, corner_.after.length}) {
+    const float rest = side - trim;
+    const bool all = rest <= kRoundedEndMm + kAll * trim;
+    if (!all && rest < kCrumbMm) trim = fitting_trim(corner_, 0.5F * side);
+  }
+  return trim;
+}
+
 /// The corner between the two that are held; the second becomes the first.
 void CornerRounder::settle(float allowance_mm) {
-  const float trim = granted(allowance_mm);
+  const float trim = without_crumbs(granted(allowance_mm));
   const bool in_halves = differ(first_->item.request, second_->item.request);
   if (trim >= (in_halves ? kLeastDivided : kCrumbMm)) {
     blend(trim, in_halves);

@@ -12,10 +12,10 @@ namespace cnc::path {
 /// Rounds the corners of a path, element by element as they come.
 ///
 /// An element is held until both its corners are settled: how much of it a
-/// corner may take depends on what the other one needs. Each may have half of
-/// it, and what the other does not want. So the corners of a polygon that
-/// approximates a circle meet in the middles of its edges, and the circle that
-/// touches all of them is driven.
+/// corner may take depends on what the other one needs. Each may have about half
+/// of it, and what the other does not want. So the corners of a polygon that
+/// approximates a circle meet near the middles of its edges, and the circle that
+/// touches all of them is driven, without a piece of line between its arcs.
 ///
 /// A corner lies at the middle of its blend: up to there speed, beam and line
 /// are the earlier element's, from there on the later one's, outputs included.
@@ -59,6 +59,7 @@ class CornerRounder {
   void settle(float allowance_mm);
   void blend(float trim_mm, bool in_halves);
   [[nodiscard]] float granted(float allowance_mm) const;
+  [[nodiscard]] float without_crumbs(float trim_mm) const;
   void give_rest(const Held& held, const Position& end, float left_mm);
   void give(const motion::MotionRequest& request, motion::Joint joint);
 

@@ -97,10 +97,11 @@ TEST(RandomPrograms, KeepEveryLimitAndTheirPulsesFollowThePlan) {
   RecordProperty("acceleration", std::to_string(summary.plan.acceleration.value));
 }
 
-/// Edges some µs late; a phase of rounding at ten times the acceleration.
+/// Edges some µs late; a phase of rounding at ten times the acceleration; blends turned by
+/// the crumb of a line that they took along.
 TEST(RandomPrograms, ThatOnceFailedPass) {
   ProgramSummary summary;
-  for (const std::uint64_t seed : {12430U, 23528U, 39486U}) {
+  for (const std::uint64_t seed : {12430U, 23528U, 39486U, 2069U, 2442U, 2781U}) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     EXPECT_NO_THROW(try_program(seed, summary));
   }

@@ -68,6 +68,23 @@ TEST(Corners, OfAPolygonAreDrivenLikeItsCircle) {
   expect_sound(pen.items, pieces);
 }
 
+TEST(Corners, OfEdgesOfNearlyOneLengthLeaveNoLinesBetween) {
+  for (const std::int64_t grid_nm : {100, 1000}) {
+    Pen pen{{.corner_mm = 0.01F}};
+    pen.grid_nm = grid_nm;
+    constexpr int kEdges = 720;
+    const double edge = 40.0 * std::sin(std::numbers::pi / kEdges);
+    for (int i = 0; i < kEdges; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / kEdges;
+      pen.line({edge * std::cos(angle), edge * std::sin(angle)});
+    }
+    const auto pieces = staged(pen.items);
+    EXPECT_EQ(stops_in(pieces), 0U);
+    EXPECT_LE(pieces.size(), kEdges * 102U / 100U) << grid_nm;
+    expect_sound(pen.items, pieces);
+  }
+}
+
 TEST(Corners, ShareAShortEdgeByWhatEachNeeds) {
   Pen pen{kTenth};
   pen.line({50.0});
