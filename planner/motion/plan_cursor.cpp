@@ -66,6 +66,7 @@ void PlanCursor::block_left() {
 bool PlanCursor::next(std::uint32_t most_ns, Drive drive, bool may_start, Stretch& stretch) {
   queue_.plan(limits_, overrides_, window_, index_);
   if (driving_) follow_plan(drive);
+  stand_at_stop();
   if (speed_ <= 0.0F) {
     if (!may_start) return false;
     since_speeding_up_ns_ = kLongAgo;
@@ -190,6 +191,15 @@ float PlanCursor::phase_distance_left() const {
   if (elapsed_ns_ == 0 || whole <= 0.0F) return phase_.distance;
   const auto left = static_cast<float>(phase_from_ + course_.whole().way - place_);
   return phase_.distance * (left / whole);
+}
+
+/// A hold or an override under a window may make the plan miss a stop by a little. It
+/// is one nevertheless: the window spreads what speed is left, and the motion stands
+/// before the path turns.
+void PlanCursor::stand_at_stop() {
+  if (driving_ || index_ == queue_.size() || !queue_.at(index_).from_rest) return;
+  speed_ = 0.0F;
+  entry_square_ = 0.0F;
 }
 
 void PlanCursor::begin_block() {

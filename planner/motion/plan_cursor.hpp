@@ -51,6 +51,7 @@ class PlanCursor {
   void refuse_late_blocks();
   void finish_block(Stretch& stretch);
   [[nodiscard]] bool ready_phase(Drive drive);
+  void stand_at_stop();
   void begin_block();
   void end_block();
   [[nodiscard]] PathUnits place_after(const Phase& phase) const;
