@@ -33,6 +33,7 @@ void BlockQueue::pop_front() {
 void BlockQueue::clear() {
   size_ = 0;
   unplanned_ = 0;
+  plans_all_ = false;
 }
 
 namespace {
@@ -96,7 +97,9 @@ void BlockQueue::plan(const Limits& limits,
                       const Overrides& overrides,
                       const TimeWindow& window,
                       std::size_t lead) {
-  if (unplanned_ == 0 || unplanned_ * kReplanShare < size_) return;
+  const bool few = unplanned_ * kReplanShare < size_ && !plans_all_;
+  if (unplanned_ == 0 || few) return;
+  plans_all_ = false;
   lay_heads(limits, overrides, window);
   newest_ = unplanned_;
   BrakingState exit{};

@@ -59,6 +59,8 @@ class BlockQueue {
             const Overrides& overrides,
             const TimeWindow& window = {},
             std::size_t lead = 0);
+  /// Nothing comes for a while: the next plan leaves none of the blocks out.
+  void plan_all() { plans_all_ = unplanned_ > 0; }
   /// The limits or overrides changed: plan anew from the newest block on.
   void forget_plan() { unplanned_ = size_; }
   /// The blocks that were planned for the first time with the last plan came too
@@ -97,7 +99,8 @@ class BlockQueue {
   AxisArray<float> last_exit_tangent_{};
   std::size_t first_ = 0;
   std::size_t size_ = 0;
-  std::size_t newest_ = 0;     ///< How many the last plan was the first of.
+  std::size_t newest_ = 0;  ///< How many the last plan was the first of.
+  bool plans_all_ = false;
   std::size_t unplanned_ = 0;  ///< How many of the newest have no entry speed yet.
 };
 

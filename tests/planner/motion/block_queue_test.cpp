@@ -180,6 +180,19 @@ TEST_F(BlockQueueTest, NeverGetsSlowerByMoreBlocks) {
   }
 }
 
+// One more of many is left for the next plan, unless nothing comes.
+TEST_F(BlockQueueTest, PlansTheLastBlockWhenNothingComes) {
+  for (int k = 0; k < 40; ++k) queue.push(straight_block(0.1, limits));
+  queue.plan(limits, overrides);
+  const float before = queue.exit_of(0).speed_square;
+  queue.push(straight_block(50.0, limits));
+  queue.plan(limits, overrides);
+  EXPECT_EQ(queue.exit_of(0).speed_square, before);
+  queue.plan_all();
+  queue.plan(limits, overrides);
+  EXPECT_GT(queue.exit_of(0).speed_square, before);
+}
+
 TEST_F(BlockQueueTest, PlansTheSameAroundTheEndOfItsRing) {
   proof::Random random{4};
   const std::vector<Block> chain = any_chain(random, limits, 40);
