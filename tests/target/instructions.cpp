@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "firmware/application.hpp"
@@ -15,6 +16,7 @@
 #include "planner/gcode/interpreter.hpp"
 #include "planner/motion/block_builder.hpp"
 #include "planner/motion/segmenter.hpp"
+#include "planner/path/path_stage.hpp"
 #include "tests/target/freeform_text.hpp"
 #include "tests/target/quiet_machine.hpp"
 #include "tests/target/start_up.hpp"
@@ -195,12 +197,14 @@ class Stages {
     FreeformText text;
     while (!text.finished()) {
       const std::string_view line = text.next();
-      count(parse_, [&] { read(line); });
-      push();
-      while (queue_.full()) cut();
+      read(line);
+      round();
     }
+    stage_.flush();
+    round();
     while (!segmenter_.idle()) cut();
     parse_.print("read and parse", "line");
+    path_.print("round its corner", "line", FreeformText::kLines);
     build_.print("build a block", "block");
     push_.print("take it into the queue", "block");
     plan_.print("look ahead over 100 blocks", "block");
@@ -209,18 +213,32 @@ class Stages {
 
  private:
   void read(std::string_view line) {
-    const auto actions = interpreter_.interpret(line);
-    if (!actions.ok()) return;
-    for (const cnc::gcode::Action& action : actions.value()) {
-      request_.element = {.start = place_, .end = action.end};
-      request_.feed_mm_s = action.feed;
+    using Actions = decltype(interpreter_.interpret(line));
+    std::optional<Actions> actions;
+    count(parse_, [&] { actions.emplace(interpreter_.interpret(line)); });
+    if (!actions->ok()) return;
+    for (const cnc::gcode::Action& action : actions->value()) {
+      item_.request.element = {.start = place_, .end = action.end};
+      item_.request.feed_mm_s = action.feed;
       place_ = action.end;
+      count(path_, [&] { stage_.put(item_); });
     }
   }
 
-  void push() {
-    count(build_, [&] { block_ = cnc::motion::build_block(request_, limits_).value(); });
-    count(push_, [&] { queue_.push(block_, limits_); });
+  void round() {
+    cnc::path::PathPiece piece;
+    bool more = true;
+    while (more) {
+      count(path_, [&] { more = stage_.next(piece); });
+      if (!more) return;
+      push(piece);
+      while (queue_.full()) cut();
+    }
+  }
+
+  void push(const cnc::path::PathPiece& piece) {
+    count(build_, [&] { block_ = cnc::motion::build_block(piece.request, limits_).value(); });
+    count(push_, [&] { queue_.push(block_, piece.joint); });
     // A burst is planned as one in the controller; here each block pays for itself.
     count(plan_, [&] { queue_.plan(limits_, {}); });
   }
@@ -233,11 +251,13 @@ class Stages {
   const cnc::motion::Limits& limits_;
   cnc::gcode::Interpreter interpreter_{};
   cnc::Position place_{};
-  cnc::motion::MotionRequest request_{};
+  cnc::path::PathItem item_{.tolerance = {.corner_mm = 0.01F}};
+  cnc::path::PathStage stage_{limits_};
   cnc::motion::Block block_{};
   cnc::motion::BlockQueueOf<kBlocks> queue_{};
   cnc::motion::Segmenter segmenter_;
   Cost parse_{};
+  Cost path_{};
   Cost build_{};
   Cost push_{};
   Cost plan_{};
