@@ -16,7 +16,7 @@ constexpr float kRoundedEndMm = 1.5e-6F;
 /// Of an element a corner may have so much more than its half as uses up the element
 /// before: halves of edges of nearly the same length leave pieces of line between two
 /// arcs that are too short for anything.
-constexpr float kMoreThanHalf = 0.015625F;
+constexpr float kMoreThanHalf = 0.03125F;
 
 motion::Joint joint_at(const Corner& corner) {
   return corner.kind == Corner::Kind::kSmooth ? motion::Joint::kSmooth : motion::Joint::kStop;
