@@ -68,11 +68,11 @@ float MotionControl::chord_left() const {
 /// within twice the way that braking takes, what goes by until the next turns, and
 /// where jerk is limited what the plan is ahead by and goes level for before it brakes.
 bool MotionControl::runs_dry() const {
-  constexpr float kTurnsAhead_s = 0.05F;
+  constexpr float kTurnsAheadS = 0.05F;
   constexpr float kWindows = 1.5F;
   if (segmenter_.idle()) return true;
   const float speed = std::max(segmenter_.speed(), segmenter_.planned_speed());
-  const float ahead_s = kTurnsAhead_s + kWindows * segmenter_.window().seconds();
+  const float ahead_s = kTurnsAheadS + kWindows * segmenter_.window().seconds();
   const float acceleration = std::min(least_acceleration(limits_, queue_.front()),
                                       least_acceleration(limits_, queue_.at(queue_.size() - 1)));
   const float reach = speed * (speed / acceleration + ahead_s);
@@ -83,13 +83,13 @@ bool MotionControl::runs_dry() const {
 
 /// A sender that has more to say says it within a few milliseconds.
 void MotionControl::attend(std::int32_t elapsed_us) {
-  constexpr std::int32_t kPatience_us = 20'000;
-  constexpr std::int32_t kAtRest_us = 5'000;
+  constexpr std::int32_t kPatienceUs = 20'000;
+  constexpr std::int32_t kAtRestUs = 5'000;
   // With so many blocks longer welds are worth more than more blocks.
   constexpr std::size_t kPlenty = 16;
-  silence_us_ = std::min(silence_us_ + elapsed_us, kPatience_us);
+  silence_us_ = std::min(silence_us_ + elapsed_us, kPatienceUs);
   const bool idle = segmenter_.idle();
-  const bool silent = silence_us_ >= (idle ? kAtRest_us : kPatience_us);
+  const bool silent = silence_us_ >= (idle ? kAtRestUs : kPatienceUs);
   if (silent) queue_.plan_all();
   const bool waits = !silent && (idle || queue_.size() >= kPlenty);
   if (stage_.empty() || waits || !runs_dry()) return;
