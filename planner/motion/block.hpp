@@ -43,11 +43,13 @@ struct LimitZone {
 /// braking. With X, the v² on the braking curve extended beyond the caps that cut
 /// it off, and a, the steepest braking ahead, that is so up to the speed
 ///   sqrt(X + a² T²) − a T,
-/// because braking by a over the way v T takes 2 a v T from X.
+/// because braking by a over the way v T takes 2 a v T from X. Up to a speed that
+/// may be kept ahead there is no need for braking.
 struct BrakingState {
   float speed_square = 0.0F;   ///< v² from which the rest can be driven.
   float commit_square = 0.0F;  ///< X.
   float steepest = 0.0F;       ///< a, mm/s².
+  float kept = 0.0F;           ///< The speed that may be kept, mm/s; 0 without a window.
   constexpr bool operator==(const BrakingState&) const = default;
 };
 

@@ -8,7 +8,7 @@
 #include "planner/motion/block.hpp"
 #include "planner/motion/limit_zone.hpp"
 #include "planner/motion/limits.hpp"
-#include "planner/motion/time_window.hpp"
+#include "planner/motion/plan_terms.hpp"
 
 namespace cnc::motion {
 
@@ -51,10 +51,9 @@ class BlockQueue {
   /// Brings the entry speeds up to date from the block at `lead` on, but leaves up
   /// to a sixteenth of the queue unplanned at its far end: so the pass over all of
   /// it is paid for by several blocks, and the look-ahead is hardly shorter.
-  void plan(const Limits& limits,
-            const Overrides& overrides,
-            const TimeWindow& window = {},
-            std::size_t lead = 0);
+  void plan(const Limits& limits, const PlanTerms& terms, std::size_t lead = 0);
+  /// The same, and leaves none unplanned.
+  void plan_all(const Limits& limits, const PlanTerms& terms, std::size_t lead = 0);
   /// The limits or overrides changed: plan anew from the newest block on.
   void forget_plan() { unplanned_ = size_; }
   /// The blocks that were planned for the first time with the last plan came too
@@ -83,7 +82,7 @@ class BlockQueue {
     return place < capacity() ? place : place - capacity();
   }
 
-  void lay_heads(const Limits& limits, const Overrides& overrides, const TimeWindow& window);
+  void lay_heads(const Limits& limits, const PlanTerms& terms);
 
   static constexpr std::size_t kReplanShare = 16;
 

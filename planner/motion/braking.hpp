@@ -32,6 +32,12 @@ struct BrakingPoint {
     if (slope <= cap_square || deceleration <= 0.0F) return slope;
     return cap_square + (slope - cap_square) * (steepest / deceleration);
   }
+  /// The greatest speed, mm/s, with `left` mm to go, from which all ahead is met
+  /// when braking does not begin for `wait_s` yet.
+  [[nodiscard]] float committed(float left, float wait_s) const {
+    const float braked = commit_speed(commit_square(left), steepest, wait_s);
+    return std::max(braked, std::min(end.kept, std::sqrt(cap_square)));
+  }
 };
 
 /// The span as the pass goes back over it.
@@ -48,8 +54,10 @@ struct BrakingPoint {
   start.steepest = point.steepest;
   start.commit_square = point.commit_square(length);
   // Where the cap is reached in time, what lies behind it no longer matters.
+  if (window_s <= 0.0F) return point;
   const float cap = std::sqrt(cap_square);
-  if (window_s > 0.0F && start.speed_square >= cap_square &&
+  start.kept = std::min(cap, point.committed(length, window_s));
+  if (start.speed_square >= cap_square &&
       commit_speed(start.commit_square, start.steepest, window_s) >= cap) {
     start.steepest = deceleration;
     start.commit_square = cap_square + 2.0F * cap * deceleration * window_s;

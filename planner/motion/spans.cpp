@@ -302,6 +302,7 @@ float Spans::within_turning(float most, const SpeedChange& change) const {
                                           window_s);
     return std::min(most, plane / plane_share_);
   }
+  most = std::min(most, plane_acceleration_ / plane_share_);
   const float top_square =
       std::min(change.cap_square, change.speed_square + 2.0F * most * change.distance);
   const float plane = turning_.within_jerk(plane_acceleration_, to_plane * top_square, window_s);

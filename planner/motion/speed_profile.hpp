@@ -3,6 +3,7 @@
 #include <array>
 
 #include "planner/motion/braking.hpp"
+#include "planner/motion/plan_terms.hpp"
 
 namespace cnc::motion {
 
@@ -21,6 +22,9 @@ struct Phase {
 struct Patience {
   float before_speeding_up = 0.0F;
   float before_braking = 0.0F;
+  /// An override has left less speed than braking after the wait can meet; what
+  /// does not move must still be met, and will be, for it was before.
+  bool overtaken = false;
 };
 
 enum class Drive : std::uint8_t {
@@ -40,16 +44,14 @@ class SpeedProfile {
   /// Starts a block at its beginning with the given v².
   void begin(const Block& block,
              const Limits& limits,
-             const TimeWindow& window,
-             const Overrides& overrides,
+             const PlanTerms& terms,
              const BrakingState& exit,
              float speed_square);
   /// Something ahead changed, or the zones that reach into the block; place and
   /// speed stay.
   void replan(const Block& block,
               const Limits& limits,
-              const TimeWindow& window,
-              const Overrides& overrides,
+              const PlanTerms& terms,
               const BrakingState& exit);
 
   [[nodiscard]] bool at_end() const { return span_ == spans_.count(); }
@@ -70,6 +72,12 @@ class SpeedProfile {
   void complete(const Phase& phase) { move(phase.left, phase.end_speed_square); }
   /// All but `distance` mm of it was; the speed is `speed` mm/s now.
   void stop_short(const Phase& phase, float distance, float speed);
+  /// The place is so many mm from the end of the block, which is more exact than
+  /// the sum of what phases left. Nearer to the end that sum is exact itself.
+  void settle(float left_of_block) {
+    const bool nearer_start = 2.0F * left_of_block > spans_.boundary(spans_.count());
+    if (nearer_start && span_ + 1 == spans_.count()) left_ = left_of_block;
+  }
   /// mm to the end of the block after the phase.
   [[nodiscard]] float left_of_block(const Phase& phase) const {
     return spans_.boundary(spans_.count()) - spans_.boundary(span_ + 1) + phase.left;
