@@ -90,7 +90,7 @@ BrakingState brake_backwards(const Spans& spans,
         span,
         end,
         start,
-        {length, state.speed_square, cap_square, Travel::kBackward, Change::kSlowDown});
+        {length, state.speed_square, cap_square, Travel::kBackward, Change::kSlowDown, length});
     const BrakingPoint point =
         braking_point(cap_square, deceleration, length, state, spans.window_s());
     visit(span, point);

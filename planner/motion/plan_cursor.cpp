@@ -247,13 +247,15 @@ bool PlanCursor::ready_phase(Drive drive) {
 }
 
 /// Where on the block the phase ends. From the nearer end of the block, so that
-/// rounding never falls on a short phase at its start or end.
+/// rounding never falls on a short phase at its start or end; and by its own
+/// length where the place is settled afterwards.
 PathUnits PlanCursor::place_after(const Phase& phase) const {
   const float left = profile_.left_of_block(phase);
   if (left <= 0.0F) return length_;
   const bool nearer_start = 2.0F * left > queue_.at(index_).length;
+  const bool settled = terms_.window.filters() && SpeedProfile::settles(left);
   const PathUnits place =
-      nearer_start ? place_ + to_units(phase.distance) : length_ - to_units(left);
+      nearer_start || settled ? place_ + to_units(phase.distance) : length_ - to_units(left);
   return std::clamp(place, place_, length_ - 1);
 }
 

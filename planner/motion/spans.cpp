@@ -259,11 +259,11 @@ float Spans::steepest(int span,
                       const Place& from,
                       const Place& to,
                       const SpeedChange& change) const {
-  const auto& [distance, speed_square, cap_square, travel, wanted] = change;
+  const auto& [distance, speed_square, cap_square, travel, wanted, growing] = change;
   const LimitZone zone = zone_on(span);
   float most = std::min(straight_acceleration_, zone.acceleration);
   const float window_s = window_.seconds();
-  most = zone.turning.steepest(most, distance, speed_square, cap_square, window_s);
+  most = zone.turning.steepest(most, growing, speed_square, cap_square, window_s);
   if (sweep_ <= 0.0F) return most;
   if (window_.filters()) most = within_turning(most, change);
   if (uniform_) return most;
@@ -296,7 +296,7 @@ float Spans::within_turning(float most, const SpeedChange& change) const {
   const float window_s = window_.seconds();
   if (uniform_) {
     const float plane = turning_.steepest(plane_acceleration_,
-                                          plane_share_ * change.distance,
+                                          plane_share_ * change.growing,
                                           to_plane * change.speed_square,
                                           to_plane * change.cap_square,
                                           window_s);
@@ -304,7 +304,7 @@ float Spans::within_turning(float most, const SpeedChange& change) const {
   }
   most = std::min(most, plane_acceleration_ / plane_share_);
   const float top_square =
-      std::min(change.cap_square, change.speed_square + 2.0F * most * change.distance);
+      std::min(change.cap_square, change.speed_square + 2.0F * most * change.growing);
   const float plane = turning_.within_jerk(plane_acceleration_, to_plane * top_square, window_s);
   return std::min(most, plane / plane_share_);
 }

@@ -73,11 +73,12 @@ class SpeedProfile {
   /// All but `distance` mm of it was; the speed is `speed` mm/s now.
   void stop_short(const Phase& phase, float distance, float speed);
   /// The place is so many mm from the end of the block, which is more exact than
-  /// the sum of what phases left. Nearer to the end that sum is exact itself.
+  /// the sum of what phases left. Holds in the last span.
   void settle(float left_of_block) {
-    const bool nearer_start = 2.0F * left_of_block > spans_.boundary(spans_.count());
-    if (nearer_start && span_ + 1 == spans_.count()) left_ = left_of_block;
+    if (span_ + 1 == spans_.count() && settles(left_of_block)) left_ = left_of_block;
   }
+  /// Nearer to the end than a micrometre that sum is exact enough.
+  [[nodiscard]] static bool settles(float left_of_block) { return left_of_block > 1.0e-3F; }
   /// mm to the end of the block after the phase.
   [[nodiscard]] float left_of_block(const Phase& phase) const {
     return spans_.boundary(spans_.count()) - spans_.boundary(span_ + 1) + phase.left;
@@ -96,7 +97,7 @@ class SpeedProfile {
   [[nodiscard]] Phase level_for(float seconds) const;
   [[nodiscard]] Phase brake_to(float target_square, const Patience& patience) const;
   [[nodiscard]] Phase phase_to(float end_square, float distance, float left) const;
-  [[nodiscard]] float steepest(Change change) const;
+  [[nodiscard]] float steepest(Change change, float growing) const;
   [[nodiscard]] float end_target_square() const;
   [[nodiscard]] float fall_from(float speed_square) const;
   [[nodiscard]] float planned_deceleration() const;
