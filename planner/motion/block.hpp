@@ -71,6 +71,7 @@ struct Block {
   float length = 0.0F;               ///< mm.
   float feed = 0.0F;                 ///< Programmed speed along the path, mm/s; 0 is a rapid.
   bool fixed_feed = false;           ///< Overrides of feed and rapid do not touch it.
+  float acceleration = 0.0F;         ///< mm/s², by the axes whose direction is constant.
   float speed_limit_square = 0.0F;   ///< From rates, step rates and centripetal acceleration.
   float corner_speed_square = 0.0F;  ///< The corner rule at its start; 0 after a stop.
   /// What the look-ahead finds; changes as blocks are added.

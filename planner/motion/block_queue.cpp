@@ -101,6 +101,22 @@ void BlockQueue::lay_heads(const Limits& limits, const PlanTerms& terms) {
   }
 }
 
+namespace {
+
+/// What a block can be entered with, its corner aside.
+BrakingState entry_for(const Block& block,
+                       const Limits& limits,
+                       const PlanTerms& terms,
+                       const BrakingState& exit) {
+  const SpeedCap cap{block, terms.overrides};
+  if (!block.turns() && !terms.window.filters()) {
+    return {.speed_square = brake_over_line(block, cap, exit.speed_square)};
+  }
+  return brake_backwards(Spans{block, limits, terms.window}, cap, exit);
+}
+
+}  // namespace
+
 void BlockQueue::plan(const Limits& limits, const PlanTerms& terms, std::size_t lead) {
   if (unplanned_ * kReplanShare >= size_) plan_all(limits, terms, lead);
 }
@@ -120,8 +136,7 @@ void BlockQueue::plan_all(const Limits& limits, const PlanTerms& terms, std::siz
     const bool was_planned = index < size_ - unplanned_;
     const bool same_tail = !window.filters() || lay_tail(ahead, block, limits, terms);
     if (index == lead) break;
-    BrakingState entry =
-        brake_backwards(Spans{block, limits, window}, SpeedCap{block, terms.overrides}, exit);
+    BrakingState entry = entry_for(block, limits, terms, exit);
     if (entry.speed_square > block.corner_speed_square) {
       entry.speed_square = block.corner_speed_square;
       entry.commit_square = entry.speed_square;

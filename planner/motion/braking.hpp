@@ -100,6 +100,16 @@ BrakingState brake_backwards(const Spans& spans,
   return state;
 }
 
+/// The same over a straight block that no zone reaches into, as most are.
+[[nodiscard]] inline float brake_over_line(const Block& block,
+                                           const SpeedCap& cap,
+                                           float exit_square) {
+  const float cap_square = cap.square_within(block.speed_limit_square);
+  const float end = std::min(exit_square, cap_square);
+  const float from = next_below(end + 2.0F * block.acceleration * block.length);
+  return std::min(cap_square, std::max(end, from));
+}
+
 [[nodiscard]] inline BrakingState brake_backwards(const Spans& spans,
                                                   const SpeedCap& cap,
                                                   const BrakingState& exit) {

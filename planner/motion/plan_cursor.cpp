@@ -155,9 +155,14 @@ void PlanCursor::follow_plan(Drive drive) {
   if (profile_.at_end() || same_plan) return;
   const BlockZones zones = profile_.tail();
   replan();
-  const bool too_late = profile_.too_fast(patience()) || profile_.within_other_zones(zones);
-  if (!replan_ && too_late) refuse_late_blocks();
-  if (replan_) overtaken_ = profile_.too_fast(patience());
+  if (terms_.window.filters()) {
+    const bool too_fast = profile_.too_fast(patience());
+    if (replan_) {
+      overtaken_ = too_fast;
+    } else if (too_fast || profile_.within_other_zones(zones)) {
+      refuse_late_blocks();
+    }
+  }
   replan_ = false;
 }
 
@@ -209,7 +214,7 @@ void PlanCursor::replan() {
 /// Blocks came so late that the plan is too fast already for what they ask for
 /// ahead of their start. Nothing is, for a stop there, as was planned without them.
 void PlanCursor::refuse_late_blocks() {
-  if (!terms_.window.filters() || !queue_.has_newest_behind(index_)) return;
+  if (!queue_.has_newest_behind(index_)) return;
   queue_.stop_before_newest();
   queue_.plan(limits_, terms_, index_);
   replan();

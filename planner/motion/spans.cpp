@@ -76,17 +76,17 @@ float window_reach(const TimeWindow& window, float cap_square, float acceleratio
 
 Spans::Spans(const Block& block, const Limits& limits, const TimeWindow& window)
     : length_{block.length},
-      straight_acceleration_{1.0e9F},
+      straight_acceleration_{block.acceleration},
       straight_speed_square_{block.speed_limit_square},
       window_{window} {
   if (window.filters()) {
     head_ = block.head;
     tail_ = block.tail;
-  }
-  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    const float share = std::abs(block.direction[axis]);
-    const float limit = planned_acceleration(limits, axis, window);
-    if (limit < straight_acceleration_ * share) straight_acceleration_ = limit / share;
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+      const float share = std::abs(block.direction[axis]);
+      const float limit = planned_acceleration(limits, axis, window);
+      if (limit < straight_acceleration_ * share) straight_acceleration_ = limit / share;
+    }
   }
   if (block.turns()) {
     lay_out_arc(block, limits, window);
