@@ -52,8 +52,16 @@ void SpeedProfile::replan(const Block& block,
 }
 
 void SpeedProfile::brake_from_the_end(const Block& block, const Overrides& overrides) {
-  static_cast<void>(brake_backwards(
-      spans_, SpeedCap{block, overrides}, exit_, [this](int span, const BrakingPoint& point) {
+  const SpeedCap cap{block, overrides};
+  if (!block.turns() && spans_.window_s() <= 0.0F) {
+    const float cap_square = cap.square_within(block.speed_limit_square);
+    braking_.front() = {.end = {.speed_square = std::min(exit_.speed_square, cap_square)},
+                        .deceleration = block.acceleration,
+                        .cap_square = cap_square};
+    return;
+  }
+  static_cast<void>(
+      brake_backwards(spans_, cap, exit_, [this](int span, const BrakingPoint& point) {
         braking_[static_cast<std::size_t>(span)] = point;
       }));
 }
