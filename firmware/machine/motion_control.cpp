@@ -50,7 +50,7 @@ void MotionControl::pump() {
 void MotionControl::flush() {
   stage_.flush();
   pump();
-  queue_.plan_all();
+  queue_.leave_none_out();
 }
 
 /// To the end of the block being driven, mm. @pre !segmenter_.idle()
@@ -90,7 +90,7 @@ void MotionControl::attend(std::int32_t elapsed_us) {
   silence_us_ = std::min(silence_us_ + elapsed_us, kPatienceUs);
   const bool idle = segmenter_.idle();
   const bool silent = silence_us_ >= (idle ? kAtRestUs : kPatienceUs);
-  if (silent) queue_.plan_all();
+  if (silent) queue_.leave_none_out();
   const bool waits = !silent && (idle || queue_.size() >= kPlenty);
   if (stage_.empty() || waits || !runs_dry()) return;
   if (silent) {

@@ -43,11 +43,13 @@ struct LimitZone {
 /// braking. With X, the v² on the braking curve extended beyond the caps that cut
 /// it off, and a, the steepest braking ahead, that is so up to the speed
 ///   sqrt(X + a² T²) − a T,
-/// because braking by a over the way v T takes 2 a v T from X.
+/// because braking by a over the way v T takes 2 a v T from X. Up to a speed that
+/// may be kept ahead there is no need for braking.
 struct BrakingState {
   float speed_square = 0.0F;   ///< v² from which the rest can be driven.
   float commit_square = 0.0F;  ///< X.
   float steepest = 0.0F;       ///< a, mm/s².
+  float kept = 0.0F;           ///< The speed that may be kept, mm/s; 0 without a window.
   constexpr bool operator==(const BrakingState&) const = default;
 };
 
@@ -70,6 +72,7 @@ struct Block {
   float feed = 0.0F;                ///< Programmed speed along the path, mm/s; 0 is a rapid.
   bool from_rest = true;            ///< The machine stands still at its start.
   bool fixed_feed = false;          ///< Overrides of feed and rapid do not touch it.
+  float acceleration = 0.0F;        ///< mm/s², by the axes whose direction is constant.
   float speed_limit_square = 0.0F;  ///< From rates, step rates and centripetal acceleration.
   /// What the look-ahead finds; changes as blocks are added.
   BrakingState entry{};  ///< Of the backward pass, at its start.

@@ -90,6 +90,17 @@ float speed_limit_square(const Block& block, const Limits& limits) {
   return std::min(limit, square(limits.steps_per_s_all_motors / steps_per_mm));
 }
 
+/// The greatest along the path by the axes whose direction is constant.
+float acceleration_limit(const Block& block, const Limits& limits) {
+  float most = 1.0e9F;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const float share = std::abs(block.direction[axis]);
+    const float limit = limits.acceleration_mm_s2[axis];
+    if (limit < most * share) most = limit / share;
+  }
+  return most;
+}
+
 /// F counts along X Y Z (along A B C when those alone move); the planner
 /// measures along all six.
 float six_axis_feed(float feed, float linear_length, float length) {
@@ -126,6 +137,7 @@ Result<Block, MotionError> build_block(const MotionRequest& request, const Limit
     block.direction[axis] = travel[axis] / block.length;
   }
   block.turn.plane_share = plane_length / block.length;
+  block.acceleration = acceleration_limit(block, limits);
   block.speed_limit_square = speed_limit_square(block, limits);
   block.feed = six_axis_feed(
       request.feed_mm_s, std::sqrt(square(linear) + square(plane_length)), block.length);

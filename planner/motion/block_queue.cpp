@@ -1,6 +1,7 @@
 #include "planner/motion/block_queue.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "planner/motion/block_builder.hpp"
 #include "planner/motion/braking.hpp"
@@ -33,20 +34,22 @@ void BlockQueue::pop_front() {
 void BlockQueue::clear() {
   size_ = 0;
   unplanned_ = 0;
-  plans_all_ = false;
+  leaves_none_out_ = false;
 }
 
 namespace {
 
 /// What a block asks of those before and behind it: the least of its speed
 /// limits, as far as the greatest reaches.
-LimitZone zone_of(const Spans& spans, const SpeedCap& cap) {
+LimitZone zone_of(const Spans& spans, const Block& block, const PlanTerms& terms) {
+  const SpeedCap cap{block, terms.overrides};
+  const SpeedCap greatest{block, terms.greatest};
   float least = LimitZone{}.speed_square;
   float most = 0.0F;
   for (int span = 0; span < spans.count(); ++span) {
-    const float cap_square = cap.square_within(spans.speed_limit_square(span));
-    least = std::min(least, cap_square);
-    most = std::max(most, cap_square);
+    const float limit_square = spans.speed_limit_square(span);
+    least = std::min(least, cap.square_within(limit_square));
+    most = std::max(most, greatest.square_within(limit_square));
   }
   LimitZone zone = spans.zone(most);
   zone.speed_square = least;
@@ -55,8 +58,8 @@ LimitZone zone_of(const Spans& spans, const SpeedCap& cap) {
 
 /// What blocks ahead ask of this one. False when that has changed, or may have
 /// for blocks before it.
-bool lay_tail(ZoneTrail& ahead, Block& block, const Spans& spans, const SpeedCap& cap) {
-  const LimitZone own = zone_of(spans, cap);
+bool lay_tail(ZoneTrail& ahead, Block& block, const Limits& limits, const PlanTerms& terms) {
+  const LimitZone own = zone_of(Spans{block, limits, terms.window}, block, terms);
   const BlockZones tail = ahead.reaching(own);
   ahead.advance(block.length);
   const bool same = tail == block.tail && ahead.empty();
@@ -73,46 +76,60 @@ void BlockQueue::stop_before_newest() {
 }
 
 /// Of the blocks that were not planned before.
-void BlockQueue::lay_heads(const Limits& limits,
-                           const Overrides& overrides,
-                           const TimeWindow& window) {
-  if (!window.filters()) return;
+void BlockQueue::lay_heads(const Limits& limits, const PlanTerms& terms) {
+  if (!terms.window.filters()) return;
   if (unplanned_ == size_) trail_.clear();
   for (std::size_t index = size_ - unplanned_; index < size_; ++index) {
     Block& block = changeable(index);
     if (block.from_rest) trail_.clear();  // The window never spans a stop.
     block.head = {};
     block.tail = {};
-    const LimitZone own = zone_of(Spans{block, limits, window}, SpeedCap{block, overrides});
+    const LimitZone own = zone_of(Spans{block, limits, terms.window}, block, terms);
     block.head = trail_.reaching(own);
     trail_.advance(block.length);
     trail_.add(own);
   }
 }
 
+namespace {
+
+/// What a block can be entered with, its corner aside.
+BrakingState entry_for(const Block& block,
+                       const Limits& limits,
+                       const PlanTerms& terms,
+                       const BrakingState& exit) {
+  const SpeedCap cap{block, terms.overrides};
+  if (!block.turns() && !terms.window.filters()) {
+    return {.speed_square = brake_over_line(block, cap, exit.speed_square)};
+  }
+  return brake_backwards(Spans{block, limits, terms.window}, cap, exit);
+}
+
+}  // namespace
+
+void BlockQueue::plan(const Limits& limits, const PlanTerms& terms, std::size_t lead) {
+  const bool enough = unplanned_ * kReplanShare >= size_ || leaves_none_out_;
+  if (enough) plan_all(limits, terms, lead);
+}
+
 // Backward pass from the newest block. Where a block that was planned before
 // gets the same entry again, and nothing reaches beyond it that did not before,
 // all older ones would, too.
-void BlockQueue::plan(const Limits& limits,
-                      const Overrides& overrides,
-                      const TimeWindow& window,
-                      std::size_t lead) {
-  const bool few = unplanned_ * kReplanShare < size_ && !plans_all_;
-  if (unplanned_ == 0 || few) return;
-  plans_all_ = false;
-  lay_heads(limits, overrides, window);
+void BlockQueue::plan_all(const Limits& limits, const PlanTerms& terms, std::size_t lead) {
+  leaves_none_out_ = false;
+  if (unplanned_ == 0) return;
+  const TimeWindow& window = terms.window;
+  lay_heads(limits, terms);
   newest_ = unplanned_;
   BrakingState exit{};
   ZoneTrail ahead;
   for (std::size_t index = size_; index-- > lead;) {
     Block& block = changeable(index);
-    const SpeedCap cap{block, overrides};
     const bool was_planned = index < size_ - unplanned_;
-    const bool same_tail =
-        !window.filters() || lay_tail(ahead, block, Spans{block, limits, window}, cap);
+    const bool same_tail = !window.filters() || lay_tail(ahead, block, limits, terms);
     if (index == lead) break;
     const BrakingState entry =
-        block.from_rest ? BrakingState{} : brake_backwards(Spans{block, limits, window}, cap, exit);
+        block.from_rest ? BrakingState{} : entry_for(block, limits, terms, exit);
     if (was_planned && same_tail && entry == block.entry) break;
     block.entry = entry;
     exit = entry;

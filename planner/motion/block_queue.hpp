@@ -9,7 +9,7 @@
 #include "planner/motion/junction.hpp"
 #include "planner/motion/limit_zone.hpp"
 #include "planner/motion/limits.hpp"
-#include "planner/motion/time_window.hpp"
+#include "planner/motion/plan_terms.hpp"
 
 namespace cnc::motion {
 
@@ -55,12 +55,11 @@ class BlockQueue {
   /// Brings the entry speeds up to date from the block at `lead` on, but leaves up
   /// to a sixteenth of the queue unplanned at its far end: so the pass over all of
   /// it is paid for by several blocks, and the look-ahead is hardly shorter.
-  void plan(const Limits& limits,
-            const Overrides& overrides,
-            const TimeWindow& window = {},
-            std::size_t lead = 0);
+  void plan(const Limits& limits, const PlanTerms& terms, std::size_t lead = 0);
+  /// The same, and leaves none unplanned.
+  void plan_all(const Limits& limits, const PlanTerms& terms, std::size_t lead = 0);
   /// Nothing comes for a while: the next plan leaves none of the blocks out.
-  void plan_all() { plans_all_ = unplanned_ > 0; }
+  void leave_none_out() { leaves_none_out_ = unplanned_ > 0; }
   /// The limits or overrides changed: plan anew from the newest block on.
   void forget_plan() { unplanned_ = size_; }
   /// The blocks that were planned for the first time with the last plan came too
@@ -90,7 +89,7 @@ class BlockQueue {
     return place < capacity() ? place : place - capacity();
   }
 
-  void lay_heads(const Limits& limits, const Overrides& overrides, const TimeWindow& window);
+  void lay_heads(const Limits& limits, const PlanTerms& terms);
 
   static constexpr std::size_t kReplanShare = 16;
 
@@ -100,7 +99,7 @@ class BlockQueue {
   std::size_t first_ = 0;
   std::size_t size_ = 0;
   std::size_t newest_ = 0;  ///< How many the last plan was the first of.
-  bool plans_all_ = false;
+  bool leaves_none_out_ = false;
   std::size_t unplanned_ = 0;  ///< How many of the newest have no entry speed yet.
 };
 

@@ -32,6 +32,12 @@ struct BrakingPoint {
     if (slope <= cap_square || deceleration <= 0.0F) return slope;
     return cap_square + (slope - cap_square) * (steepest / deceleration);
   }
+  /// The greatest speed, mm/s, with `left` mm to go, from which all ahead is met
+  /// when braking does not begin for `wait_s` yet.
+  [[nodiscard]] float committed(float left, float wait_s) const {
+    const float braked = commit_speed(commit_square(left), steepest, wait_s);
+    return std::max(braked, std::min(end.kept, std::sqrt(cap_square)));
+  }
 };
 
 /// The span as the pass goes back over it.
@@ -48,8 +54,10 @@ struct BrakingPoint {
   start.steepest = point.steepest;
   start.commit_square = point.commit_square(length);
   // Where the cap is reached in time, what lies behind it no longer matters.
+  if (window_s <= 0.0F) return point;
   const float cap = std::sqrt(cap_square);
-  if (window_s > 0.0F && start.speed_square >= cap_square &&
+  start.kept = std::min(cap, point.committed(length, window_s));
+  if (start.speed_square >= cap_square &&
       commit_speed(start.commit_square, start.steepest, window_s) >= cap) {
     start.steepest = deceleration;
     start.commit_square = cap_square + 2.0F * cap * deceleration * window_s;
@@ -82,7 +90,7 @@ BrakingState brake_backwards(const Spans& spans,
         span,
         end,
         start,
-        {length, state.speed_square, cap_square, Travel::kBackward, Change::kSlowDown});
+        {length, state.speed_square, cap_square, Travel::kBackward, Change::kSlowDown, length});
     const BrakingPoint point =
         braking_point(cap_square, deceleration, length, state, spans.window_s());
     visit(span, point);
@@ -90,6 +98,16 @@ BrakingState brake_backwards(const Spans& spans,
     end = start;
   }
   return state;
+}
+
+/// The same over a straight block that no zone reaches into, as most are.
+[[nodiscard]] inline float brake_over_line(const Block& block,
+                                           const SpeedCap& cap,
+                                           float exit_square) {
+  const float cap_square = cap.square_within(block.speed_limit_square);
+  const float end = std::min(exit_square, cap_square);
+  const float from = next_below(end + 2.0F * block.acceleration * block.length);
+  return std::min(cap_square, std::max(end, from));
 }
 
 [[nodiscard]] inline BrakingState brake_backwards(const Spans& spans,

@@ -36,8 +36,19 @@ class BlockFraction {
   static constexpr std::uint64_t kEnd = std::uint64_t{1} << 32;
 
   BlockFraction() = default;
-  explicit BlockFraction(PathUnits length) : length_{length} {
-    auto scaled = static_cast<std::uint64_t>(length);
+  explicit BlockFraction(PathUnits length) : length_{length} {}
+
+  /// @pre 0 ≤ place ≤ length
+  [[nodiscard]] std::uint64_t of(PathUnits place) {
+    if (place >= length_) return kEnd;
+    if (reciprocal_q31_ == 0) divide();
+    const std::uint64_t scaled = (static_cast<std::uint64_t>(place) >> right_) << left_;
+    return std::min((scaled * reciprocal_q31_) >> 31, kEnd - 1);
+  }
+
+ private:
+  void divide() {
+    auto scaled = static_cast<std::uint64_t>(length_);
     while (scaled >= kEnd) {
       scaled >>= 1;
       ++right_;
@@ -49,16 +60,9 @@ class BlockFraction {
     reciprocal_q31_ = (std::uint64_t{1} << 63) / scaled;
   }
 
-  /// @pre 0 ≤ place ≤ length
-  [[nodiscard]] std::uint64_t of(PathUnits place) const {
-    if (place >= length_) return kEnd;
-    const std::uint64_t scaled = (static_cast<std::uint64_t>(place) >> right_) << left_;
-    return std::min((scaled * reciprocal_q31_) >> 31, kEnd - 1);
-  }
-
- private:
   PathUnits length_ = 1;
-  std::uint64_t reciprocal_q31_ = kEnd / 2;
+  /// 0 until a place within is asked for: the division is long.
+  std::uint64_t reciprocal_q31_ = 0;
   unsigned right_ = 0;
   unsigned left_ = 0;
 };

@@ -17,16 +17,19 @@ constexpr std::uint64_t kMostTicks = std::uint64_t{1} << 33;
 
 }  // namespace
 
-PhaseCourse::PhaseCourse(const Stretch& stretch) : whole_{stretch} {
-  while ((stretch.duration_ns >> shift_) >= kMostTicks) ++shift_;
-  per_tick_q63_ = kOneQ63 / (stretch.duration_ns >> shift_);
-  const float sum = stretch.start_speed + stretch.end_speed;
-  const float alpha = sum > 0.0F ? std::min(2.0F * stretch.start_speed / sum, 2.0F) : 1.0F;
+PhaseCourse::PhaseCourse(const Stretch& stretch) : whole_{stretch} {}
+
+void PhaseCourse::divide() {
+  while ((whole_.duration_ns >> shift_) >= kMostTicks) ++shift_;
+  per_tick_q63_ = kOneQ63 / (whole_.duration_ns >> shift_);
+  const float sum = whole_.start_speed + whole_.end_speed;
+  const float alpha = sum > 0.0F ? std::min(2.0F * whole_.start_speed / sum, 2.0F) : 1.0F;
   start_slope_q30_ = static_cast<std::uint32_t>(alpha * static_cast<float>(kOneQ30));
 }
 
-PathUnits PhaseCourse::way_after(std::uint64_t ns) const {
+PathUnits PhaseCourse::way_after(std::uint64_t ns) {
   if (ns >= whole_.duration_ns) return whole_.way;
+  if (per_tick_q63_ == 0) divide();
   const std::uint64_t x_q63 = (ns >> shift_) * per_tick_q63_;
   const auto bend_q30 = static_cast<std::int64_t>(kOneQ30) -  // 1 − α.
                         static_cast<std::int64_t>(start_slope_q30_);

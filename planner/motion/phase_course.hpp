@@ -32,7 +32,7 @@ class PhaseCourse {
 
   [[nodiscard]] std::uint64_t duration_ns() const { return whole_.duration_ns; }
   /// @pre ns ≤ duration_ns()
-  [[nodiscard]] PathUnits way_after(std::uint64_t ns) const;
+  [[nodiscard]] PathUnits way_after(std::uint64_t ns);
   /// mm/s.
   [[nodiscard]] float speed_after(std::uint64_t ns) const;
   /// ns after `from_ns` until `way` more is driven; not beyond the end.
@@ -40,8 +40,12 @@ class PhaseCourse {
   [[nodiscard]] const Stretch& whole() const { return whole_; }
 
  private:
+  void divide();
+
   Stretch whole_{};
-  std::uint64_t per_tick_q63_ = 0;     ///< 2^63 / duration in ticks of 2^shift_ ns.
+  /// 2^63 / duration in ticks of 2^shift_ ns; 0 until a place inside is asked for,
+  /// for the division is long, and most courses are driven in one go.
+  std::uint64_t per_tick_q63_ = 0;
   std::uint64_t start_slope_q30_ = 0;  ///< α, 0…2.
   unsigned shift_ = 0;
 };

@@ -26,16 +26,25 @@ float acceleration_of(const Phase& phase, std::uint64_t duration_ns) {
 }  // namespace
 
 void PlanCursor::set_overrides(const Overrides& overrides) {
-  if (overrides == overrides_) return;
   overrides_ = overrides;
+  if (!terms_.window.filters() && !same_pace(overrides, terms_.overrides)) take_up_overrides();
+}
+
+/// All that was planned is to be planned anew.
+void PlanCursor::plan_for(const PlanTerms& terms) {
+  terms_ = terms;
   queue_.forget_plan();
   replan_ = true;
 }
 
+/// @pre at rest, or nothing reaches from one block into another
+void PlanCursor::take_up_overrides() {
+  plan_for({.overrides = overrides_, .greatest = overrides_, .window = terms_.window});
+}
+
 void PlanCursor::set_window(const TimeWindow& window) {
-  window_ = window;
-  queue_.forget_plan();
-  replan_ = true;
+  terms_.window = window;
+  take_up_overrides();
 }
 
 std::uint8_t PlanCursor::axes_ahead() const {
@@ -51,6 +60,7 @@ std::uint8_t PlanCursor::axes_ahead() const {
 void PlanCursor::reset() {
   since_speeding_up_ns_ = kLongAgo;
   since_braking_ns_ = kLongAgo;
+  overtaken_ = false;
   index_ = 0;
   driving_ = false;
   phase_ = {};
@@ -64,8 +74,14 @@ void PlanCursor::block_left() {
 }
 
 bool PlanCursor::next(std::uint32_t most_ns, Drive drive, bool may_start, Stretch& stretch) {
-  queue_.plan(limits_, overrides_, window_, index_);
+  const bool at_rest = speed_ <= 0.0F && may_start;
+  if (at_rest && !same_pace(terms_.greatest, overrides_)) take_up_overrides();
+  queue_.plan(limits_, terms_, index_);
   if (driving_) follow_plan(drive);
+  if (!same_pace(terms_.overrides, overrides_)) {
+    lower_pace(drive);
+    if (driving_) try_higher_pace(most_ns, drive);
+  }
   stand_at_stop();
   if (speed_ <= 0.0F) {
     if (!may_start) return false;
@@ -94,18 +110,20 @@ bool PlanCursor::next(std::uint32_t most_ns, Drive drive, bool may_start, Stretc
   if (!phase_ends) return true;
   profile_.complete(phase_);
   phase_ = {};
+  settle_place();
   if (profile_.at_end()) end_block();
   return true;
 }
 
 Patience PlanCursor::patience() const {
   const auto wait = [this](std::uint32_t since_ns) {
-    const std::uint32_t window_ns = window_.whole_ns();
+    const std::uint32_t window_ns = terms_.window.whole_ns();
     return since_ns < window_ns ? static_cast<float>(window_ns - since_ns) * kSecondsPerNanosecond
                                 : 0.0F;
   };
   return {.before_speeding_up = wait(since_braking_ns_),
-          .before_braking = wait(since_speeding_up_ns_)};
+          .before_braking = wait(since_speeding_up_ns_),
+          .overtaken = overtaken_};
 }
 
 void PlanCursor::note_change(const Stretch& stretch) {
@@ -117,31 +135,89 @@ void PlanCursor::note_change(const Stretch& stretch) {
   pass(since_braking_ns_, stretch.acceleration < 0.0F);
 }
 
-/// More blocks, an override or a hold may have changed what lies ahead.
-void PlanCursor::follow_plan(Drive drive) {
-  const bool same_zones = !window_.filters() || queue_.at(index_).tail == profile_.tail();
-  const bool same_plan = !replan_ && same_zones && queue_.exit_of(index_) == profile_.exit();
-  if (same_plan && drive == phase_drive_) return;
+void PlanCursor::stop_phase_short() {
   if (phase_.duration > 0.0F) profile_.stop_short(phase_, phase_distance_left(), speed_);
   phase_ = {};
+  settle_place();
+}
+
+/// The profile counts in floats, of which each phase rounds one. Set right in one
+/// phase much later, the sum would be a jump of speed.
+void PlanCursor::settle_place() {
+  if (terms_.window.filters()) profile_.settle(to_mm(length_ - place_));
+}
+
+/// More blocks, an override or a hold may have changed what lies ahead.
+void PlanCursor::follow_plan(Drive drive) {
+  const bool same_zones = !terms_.window.filters() || queue_.at(index_).tail == profile_.tail();
+  const bool same_plan = !replan_ && same_zones && queue_.exit_of(index_) == profile_.exit();
+  if (same_plan && drive == phase_drive_) return;
+  stop_phase_short();
   if (profile_.at_end() || same_plan) return;
   const BlockZones zones = profile_.tail();
   replan();
-  const bool too_late = profile_.too_fast(patience()) || profile_.within_other_zones(zones);
-  if (!replan_ && too_late) refuse_late_blocks();
+  if (terms_.window.filters()) {
+    const bool too_fast = profile_.too_fast(patience());
+    if (replan_) {
+      overtaken_ = too_fast;
+    } else if (too_fast || profile_.within_other_zones(zones)) {
+      refuse_late_blocks();
+    }
+  }
+  replan_ = false;
+}
+
+/// Blocks that are not planned yet are judged by the plan as it was.
+void PlanCursor::bring_up_to_date(Drive drive) {
+  queue_.plan_all(limits_, terms_, index_);
+  if (driving_) follow_plan(drive);
+}
+
+/// At once: who is too fast for it slows down.
+void PlanCursor::lower_pace(Drive drive) {
+  PlanTerms lower = terms_;
+  lower.overrides = lesser_pace(overrides_, terms_.overrides);
+  if (same_pace(lower.overrides, terms_.overrides)) return;
+  bring_up_to_date(drive);
+  plan_for(lower);
+  bring_up_to_date(drive);
+}
+
+/// As soon as the plan for it is one that can be gone over to here.
+void PlanCursor::try_higher_pace(std::uint64_t passed_ns, Drive drive) {
+  constexpr std::uint64_t kBetweenTries = 20'000'000;
+  untried_ns_ += passed_ns;
+  if (untried_ns_ < kBetweenTries || same_pace(terms_.overrides, overrides_)) return;
+  untried_ns_ = 0;
+  bring_up_to_date(drive);
+  stop_phase_short();
+  if (profile_.at_end()) return;
+  const PlanTerms before = terms_;
+  const BlockZones zones = profile_.tail();
+  plan_and_replan({.overrides = overrides_,
+                   .greatest = greater_pace(overrides_, terms_.greatest),
+                   .window = terms_.window});
+  const bool can_go_over = !profile_.too_fast(patience()) && !profile_.within_other_zones(zones);
+  if (!can_go_over) plan_and_replan(before);
+}
+
+void PlanCursor::plan_and_replan(const PlanTerms& terms) {
+  plan_for(terms);
+  queue_.plan_all(limits_, terms_, index_);
+  replan();
   replan_ = false;
 }
 
 void PlanCursor::replan() {
-  profile_.replan(queue_.at(index_), limits_, window_, overrides_, queue_.exit_of(index_));
+  profile_.replan(queue_.at(index_), limits_, terms_, queue_.exit_of(index_));
 }
 
 /// Blocks came so late that the plan is too fast already for what they ask for
 /// ahead of their start. Nothing is, for a stop there, as was planned without them.
 void PlanCursor::refuse_late_blocks() {
-  if (!window_.filters() || !queue_.has_newest_behind(index_)) return;
+  if (!queue_.has_newest_behind(index_)) return;
   queue_.stop_before_newest();
-  queue_.plan(limits_, overrides_, window_, index_);
+  queue_.plan(limits_, terms_, index_);
   replan();
 }
 
@@ -158,6 +234,7 @@ bool PlanCursor::ready_phase(Drive drive) {
     if (index_ == queue_.size()) return false;
     begin_block();
   }
+  overtaken_ = overtaken_ && profile_.too_fast(patience());
   phase_ = profile_.next_phase(drive, patience());
   phase_drive_ = drive;
   if (phase_.duration <= 0.0F) {
@@ -176,13 +253,15 @@ bool PlanCursor::ready_phase(Drive drive) {
 }
 
 /// Where on the block the phase ends. From the nearer end of the block, so that
-/// rounding never falls on a short phase at its start or end.
+/// rounding never falls on a short phase at its start or end; and by its own
+/// length where the place is settled afterwards.
 PathUnits PlanCursor::place_after(const Phase& phase) const {
   const float left = profile_.left_of_block(phase);
   if (left <= 0.0F) return length_;
   const bool nearer_start = 2.0F * left > queue_.at(index_).length;
+  const bool settled = terms_.window.filters() && SpeedProfile::settles(left);
   const PathUnits place =
-      nearer_start ? place_ + to_units(phase.distance) : length_ - to_units(left);
+      nearer_start || settled ? place_ + to_units(phase.distance) : length_ - to_units(left);
   return std::clamp(place, place_, length_ - 1);
 }
 
@@ -204,7 +283,7 @@ void PlanCursor::stand_at_stop() {
 
 void PlanCursor::begin_block() {
   const Block& block = queue_.at(index_);
-  profile_.begin(block, limits_, window_, overrides_, queue_.exit_of(index_), entry_square_);
+  profile_.begin(block, limits_, terms_, queue_.exit_of(index_), entry_square_);
   length_ = length_in_units(block);
   place_ = 0;
   driving_ = true;

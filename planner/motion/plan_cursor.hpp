@@ -25,7 +25,10 @@ class PlanCursor {
   /// may not start yet.
   [[nodiscard]] bool next(std::uint32_t most_ns, Drive drive, bool may_start, Stretch& stretch);
 
+  /// Under a window a lower pace holds at once, a higher one as soon as the place
+  /// and the speed are such that its plan can be taken up.
   void set_overrides(const Overrides& overrides);
+  /// As asked for.
   [[nodiscard]] const Overrides& overrides() const { return overrides_; }
 
   /// The motion is the mean of the plan over so long from now on. @pre at rest
@@ -46,7 +49,15 @@ class PlanCursor {
  private:
   [[nodiscard]] Patience patience() const;
   void note_change(const Stretch& stretch);
+  void stop_phase_short();
+  void settle_place();
   void follow_plan(Drive drive);
+  void plan_for(const PlanTerms& terms);
+  void take_up_overrides();
+  void bring_up_to_date(Drive drive);
+  void lower_pace(Drive drive);
+  void try_higher_pace(std::uint64_t passed_ns, Drive drive);
+  void plan_and_replan(const PlanTerms& terms);
   void replan();
   void refuse_late_blocks();
   void finish_block(Stretch& stretch);
@@ -62,8 +73,10 @@ class PlanCursor {
   BlockQueue& queue_;
   const Limits& limits_;
   Overrides overrides_{};
-  TimeWindow window_{};
+  PlanTerms terms_{};
+  std::uint64_t untried_ns_ = 0;  ///< Since a higher pace was last tried.
   bool replan_ = false;
+  bool overtaken_ = false;  ///< As Patience knows it.
   std::uint32_t since_speeding_up_ns_ = kLongAgo;
   std::uint32_t since_braking_ns_ = kLongAgo;
 

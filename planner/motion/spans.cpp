@@ -78,17 +78,17 @@ float window_reach(const TimeWindow& window, float cap_square, float acceleratio
 
 Spans::Spans(const Block& block, const Limits& limits, const TimeWindow& window)
     : length_{block.length},
-      straight_acceleration_{1.0e9F},
+      straight_acceleration_{block.acceleration},
       straight_speed_square_{block.speed_limit_square},
       window_{window} {
   if (window.filters()) {
     head_ = block.head;
     tail_ = block.tail;
-  }
-  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    const float share = std::abs(block.direction[axis]);
-    const float limit = planned_acceleration(limits, axis, window);
-    if (limit < straight_acceleration_ * share) straight_acceleration_ = limit / share;
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+      const float share = std::abs(block.direction[axis]);
+      const float limit = planned_acceleration(limits, axis, window);
+      if (limit < straight_acceleration_ * share) straight_acceleration_ = limit / share;
+    }
   }
   if (block.turns()) {
     lay_out_arc(block, limits, window);
@@ -261,11 +261,11 @@ float Spans::steepest(int span,
                       const Place& from,
                       const Place& to,
                       const SpeedChange& change) const {
-  const auto& [distance, speed_square, cap_square, travel, wanted] = change;
+  const auto& [distance, speed_square, cap_square, travel, wanted, growing] = change;
   const LimitZone zone = zone_on(span);
   float most = std::min(straight_acceleration_, zone.acceleration);
   const float window_s = window_.seconds();
-  most = zone.turning.steepest(most, distance, speed_square, cap_square, window_s);
+  most = zone.turning.steepest(most, growing, speed_square, cap_square, window_s);
   if (sweep_ <= 0.0F) return most;
   if (window_.filters()) most = within_turning(most, change);
   if (uniform_) return most;
@@ -298,14 +298,15 @@ float Spans::within_turning(float most, const SpeedChange& change) const {
   const float window_s = window_.seconds();
   if (uniform_) {
     const float plane = turning_.steepest(plane_acceleration_,
-                                          plane_share_ * change.distance,
+                                          plane_share_ * change.growing,
                                           to_plane * change.speed_square,
                                           to_plane * change.cap_square,
                                           window_s);
     return std::min(most, plane / plane_share_);
   }
+  most = std::min(most, plane_acceleration_ / plane_share_);
   const float top_square =
-      std::min(change.cap_square, change.speed_square + 2.0F * most * change.distance);
+      std::min(change.cap_square, change.speed_square + 2.0F * most * change.growing);
   const float plane = turning_.within_jerk(plane_acceleration_, to_plane * top_square, window_s);
   return std::min(most, plane / plane_share_);
 }

@@ -32,6 +32,8 @@ struct SpeedChange {
   float cap_square = 0.0F;    ///< The greatest v² on the way.
   Travel travel = Travel::kForward;
   Change change = Change::kSpeedUp;
+  /// mm over which v² is taken to grow, when what turning leaves is asked for.
+  float growing = 0.0F;
 };
 
 /// Divides a block into spans on which one acceleration can hold: a straight

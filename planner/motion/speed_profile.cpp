@@ -16,6 +16,9 @@ constexpr float kNegligible = 1.0e-5F;
 constexpr float kAbovePlan = 1.0F + 1.0e-4F;
 constexpr float kSteeperThanPlan = 1.0F + 5.0e-4F;
 
+/// As much too fast for braking as rounding of the wait for it can make one.
+constexpr float kLate = 1.005F;
+
 /// Two units in the last place of a float.
 constexpr float kSpeedSquareRounding = 2.4e-7F;
 
@@ -26,33 +29,39 @@ constexpr float kStandstillSquare = 1.0e-6F;
 
 void SpeedProfile::begin(const Block& block,
                          const Limits& limits,
-                         const TimeWindow& window,
-                         const Overrides& overrides,
+                         const PlanTerms& terms,
                          const BrakingState& exit,
                          float speed_square) {
-  spans_ = Spans{block, limits, window};
+  spans_ = Spans{block, limits, terms.window};
   span_ = 0;
   left_ = spans_.length_of(0);
   speed_square_ = speed_square;
   exit_ = exit;
-  brake_from_the_end(block, overrides);
+  brake_from_the_end(block, terms.overrides);
 }
 
 void SpeedProfile::replan(const Block& block,
                           const Limits& limits,
-                          const TimeWindow& window,
-                          const Overrides& overrides,
+                          const PlanTerms& terms,
                           const BrakingState& exit) {
   const float left = left_of_block({.left = left_});
-  spans_ = Spans{block, limits, window};
+  spans_ = Spans{block, limits, terms.window};
   find_span(left);
   exit_ = exit;
-  brake_from_the_end(block, overrides);
+  brake_from_the_end(block, terms.overrides);
 }
 
 void SpeedProfile::brake_from_the_end(const Block& block, const Overrides& overrides) {
-  static_cast<void>(brake_backwards(
-      spans_, SpeedCap{block, overrides}, exit_, [this](int span, const BrakingPoint& point) {
+  const SpeedCap cap{block, overrides};
+  if (!block.turns() && spans_.window_s() <= 0.0F) {
+    const float cap_square = cap.square_within(block.speed_limit_square);
+    braking_.front() = {.end = {.speed_square = std::min(exit_.speed_square, cap_square)},
+                        .deceleration = block.acceleration,
+                        .cap_square = cap_square};
+    return;
+  }
+  static_cast<void>(
+      brake_backwards(spans_, cap, exit_, [this](int span, const BrakingPoint& point) {
         braking_[static_cast<std::size_t>(span)] = point;
       }));
 }
@@ -75,12 +84,16 @@ float SpeedProfile::end_target_square() const {
   return std::min(ahead, here().cap_square);
 }
 
-float SpeedProfile::steepest(Change change) const {
-  return spans_.steepest(
-      span_,
-      spans_.place_at(spans_.boundary(span_ + 1) - left_),
-      spans_.place_at_boundary(span_ + 1),
-      {left_, speed_square_, std::max(here().cap_square, speed_square_), Travel::kForward, change});
+float SpeedProfile::steepest(Change change, float growing) const {
+  return spans_.steepest(span_,
+                         spans_.place_at(spans_.boundary(span_ + 1) - left_),
+                         spans_.place_at_boundary(span_ + 1),
+                         {left_,
+                          speed_square_,
+                          std::max(here().cap_square, speed_square_),
+                          Travel::kForward,
+                          change,
+                          growing});
 }
 
 Phase SpeedProfile::phase_to(float end_square, float distance, float left) const {
@@ -108,8 +121,7 @@ Phase SpeedProfile::next_phase(Drive drive, const Patience& patience) const {
 
 bool SpeedProfile::too_fast(const Patience& patience) const {
   const float curve = end_target_square() + 2.0F * here().deceleration * left_;
-  const float committed =
-      commit_speed(here().commit_square(left_), here().steepest, patience.before_braking);
+  const float committed = here().committed(left_, patience.before_braking);
   const float most = std::min({curve, here().cap_square, square(committed)});
   return speed_square_ > most * kAbovePlan;
 }
@@ -124,6 +136,9 @@ bool SpeedProfile::within_other_zones(const BlockZones& before) const {
 
 /// Speed up, hold the cap or follow the braking curve, whichever comes first.
 Phase SpeedProfile::change_speed(const Patience& patience) const {
+  if (patience.before_braking > 0.0F && patience.overtaken) {
+    return level_for(patience.before_braking);
+  }
   if (patience.before_speeding_up > 0.0F) {
     return level_or_follow(std::sqrt(speed_square_) * patience.before_speeding_up);
   }
@@ -138,7 +153,7 @@ Phase SpeedProfile::change_speed(const Patience& patience) const {
 Phase SpeedProfile::speed_up() const {
   const float cap = std::max(here().cap_square, speed_square_);
   const float target = end_target_square();
-  const float acceleration = steepest(Change::kSpeedUp);
+  const float acceleration = steepest(Change::kSpeedUp, left_);
   const float reach = next_below(speed_square_ + 2.0F * acceleration * left_);
   if (reach <= target && reach <= cap) {
     return phase_to(std::max(reach, speed_square_), left_, 0.0F);
@@ -159,8 +174,7 @@ Phase SpeedProfile::committed(const Phase& phase) const {
   if (window_s <= 0.0F || phase.distance <= 0.0F) return phase;
   const float gain = 2.0F * phase.acceleration;
   const auto too_fast = [&](float distance) {
-    const float most =
-        commit_speed(here().commit_square(left_ - distance), here().steepest, window_s);
+    const float most = here().committed(left_ - distance, window_s);
     return speed_square_ + gain * distance > square(most);
   };
   if (!too_fast(phase.distance)) return phase;
@@ -202,16 +216,22 @@ Phase SpeedProfile::level_for(float seconds) const {
 /// in which v² is below it, for the limits are linear in (a, v²) and hold at
 /// standstill; so what the plan can stop from here can stop. (Within a span
 /// the limits at the very place may be tighter than at its ends, by the margin.)
+/// Above it the plan is not made for this speed: an override has lowered it.
 float SpeedProfile::planned_deceleration() const {
   const float planned = here().deceleration;
   const float curve = end_target_square() + 2.0F * planned * left_;
-  return curve > speed_square_ ? planned * (speed_square_ / curve) : planned;
+  if (speed_square_ < curve) return planned * (speed_square_ / curve);
+  if (spans_.window_s() <= 0.0F) return planned;
+  return speed_square_ <= curve * kLate ? planned * (speed_square_ / curve) : 0.0F;
 }
 
 /// Slow down as hard as the limits allow until v² is `target_square` or the span ends.
 Phase SpeedProfile::brake_to(float target_square, const Patience& patience) const {
   if (patience.before_braking > 0.0F) return level_for(patience.before_braking);
-  const float deceleration = std::max(steepest(Change::kSlowDown), planned_deceleration());
+  // Who is too fast already needs all there is; else the motion, which is the mean
+  // and so faster than the plan, is left a part.
+  const float growing = patience.overtaken ? 0.0F : left_;
+  const float deceleration = std::max(steepest(Change::kSlowDown, growing), planned_deceleration());
   const float needed = speed_square_ - target_square;
   const float possible = 2.0F * deceleration * left_;
   if (needed <= 0.0F) return {};

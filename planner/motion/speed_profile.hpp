@@ -3,6 +3,7 @@
 #include <array>
 
 #include "planner/motion/braking.hpp"
+#include "planner/motion/plan_terms.hpp"
 
 namespace cnc::motion {
 
@@ -21,6 +22,9 @@ struct Phase {
 struct Patience {
   float before_speeding_up = 0.0F;
   float before_braking = 0.0F;
+  /// An override has left less speed than braking after the wait can meet; what
+  /// does not move must still be met, and will be, for it was before.
+  bool overtaken = false;
 };
 
 enum class Drive : std::uint8_t {
@@ -40,16 +44,14 @@ class SpeedProfile {
   /// Starts a block at its beginning with the given v².
   void begin(const Block& block,
              const Limits& limits,
-             const TimeWindow& window,
-             const Overrides& overrides,
+             const PlanTerms& terms,
              const BrakingState& exit,
              float speed_square);
   /// Something ahead changed, or the zones that reach into the block; place and
   /// speed stay.
   void replan(const Block& block,
               const Limits& limits,
-              const TimeWindow& window,
-              const Overrides& overrides,
+              const PlanTerms& terms,
               const BrakingState& exit);
 
   [[nodiscard]] bool at_end() const { return span_ == spans_.count(); }
@@ -70,6 +72,13 @@ class SpeedProfile {
   void complete(const Phase& phase) { move(phase.left, phase.end_speed_square); }
   /// All but `distance` mm of it was; the speed is `speed` mm/s now.
   void stop_short(const Phase& phase, float distance, float speed);
+  /// The place is so many mm from the end of the block, which is more exact than
+  /// the sum of what phases left. Holds in the last span.
+  void settle(float left_of_block) {
+    if (span_ + 1 == spans_.count() && settles(left_of_block)) left_ = left_of_block;
+  }
+  /// Nearer to the end than a micrometre that sum is exact enough.
+  [[nodiscard]] static bool settles(float left_of_block) { return left_of_block > 1.0e-3F; }
   /// mm to the end of the block after the phase.
   [[nodiscard]] float left_of_block(const Phase& phase) const {
     return spans_.boundary(spans_.count()) - spans_.boundary(span_ + 1) + phase.left;
@@ -88,7 +97,7 @@ class SpeedProfile {
   [[nodiscard]] Phase level_for(float seconds) const;
   [[nodiscard]] Phase brake_to(float target_square, const Patience& patience) const;
   [[nodiscard]] Phase phase_to(float end_square, float distance, float left) const;
-  [[nodiscard]] float steepest(Change change) const;
+  [[nodiscard]] float steepest(Change change, float growing) const;
   [[nodiscard]] float end_target_square() const;
   [[nodiscard]] float fall_from(float speed_square) const;
   [[nodiscard]] float planned_deceleration() const;

@@ -14,6 +14,10 @@ namespace {
 
 constexpr double kWithinLimit = 1.001;
 
+/// Braking for an override that was lowered may begin later than planned by the
+/// rounding of the wait for it; the rest is made up for by braking harder.
+constexpr double kWithinLimitWhenLate = 1.006;
+
 /// What is seen of jerk is a difference of speeds in float, of which the machines
 /// of µm/s among the random ones leave little.
 constexpr double kWithinJerk = 1.06;
@@ -56,10 +60,9 @@ void expect_followed(const Job& job, const RecordedPlan& plan, const PlanFigures
   EXPECT_TRUE(edges.pulses_kept && edges.final_position);
 }
 
-void expect_within_limits(const PlanFigures& figures, const Greatest& jerk) {
+void expect_within_limits(const PlanFigures& figures, const Greatest& jerk, double limit) {
   EXPECT_LE(jerk.value, kWithinJerk) << "slice " << jerk.slice << ", axis " << jerk.axis;
-  EXPECT_LE(figures.acceleration.value, kWithinLimit) << "slice " << figures.acceleration.slice;
-  EXPECT_LE(figures.feed.value, kWithinLimit) << "slice " << figures.feed.slice;
+  EXPECT_LE(figures.acceleration.value, limit) << "slice " << figures.acceleration.slice;
 }
 
 void keep(Worst& worst, const PlanFigures& figures, const Greatest& jerk) {
@@ -76,15 +79,16 @@ void print(const char* what, const Worst& worst) {
               worst.feed);
 }
 
-enum class Judged { kEveryLimit, kPulsesOnly };
-
-void try_program(const Job& job, const Operator& operate, Worst& worst, Judged judged) {
+void try_program(const Job& job, const Operator& operate, Worst& worst) {
   RecordedPlan plan;
   ASSERT_NO_THROW(plan = drive(job.program, job.machine, operate));
   const PlanFigures figures = check_plan(plan, job.machine, Sampling::kAtSlicesOnly);
   const Greatest jerk = greatest_jerk(plan, job.machine);
   expect_followed(job, plan, figures);
-  if (judged == Judged::kEveryLimit) expect_within_limits(figures, jerk);
+  expect_within_limits(figures, jerk, operate ? kWithinLimitWhenLate : kWithinLimit);
+  if (!operate) {
+    EXPECT_LE(figures.feed.value, kWithinLimit) << "slice " << figures.feed.slice;
+  }
   keep(worst, figures, jerk);
 }
 
@@ -95,7 +99,7 @@ TEST(JerkLimitedPrograms, KeepEveryLimitAndTheirPulsesFollowThePlan) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     Random random{seed};
     const Job job{random};
-    try_program(job, {}, worst, Judged::kEveryLimit);
+    try_program(job, {}, worst);
   }
   print("programs", worst);
 }
@@ -125,16 +129,14 @@ class Meddler {
   Random random_;
 };
 
-// What an override or a hold on an arc adds to jerk and acceleration is printed,
-// and not judged yet.
-TEST(JerkLimitedPrograms, LoseNoStepWhateverTheOperatorDoes) {
+TEST(JerkLimitedPrograms, KeepEveryLimitWhateverTheOperatorDoes) {
   const Trials trials{500};
   Worst worst;
   for (auto seed = trials.first_seed(); seed < trials.end_seed() && !too_many_failures(); ++seed) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     Random random{seed};
     const Job job{random};
-    try_program(job, Meddler{seed}, worst, Judged::kPulsesOnly);
+    try_program(job, Meddler{seed}, worst);
   }
   print("operators", worst);
 }

@@ -44,7 +44,7 @@ class BlockQueueTest : public testing::Test {
  protected:
   void push_and_plan(const std::vector<Block>& blocks) {
     for (const Block& block : blocks) queue.push(block);
-    queue.plan(limits, overrides);
+    queue.plan(limits, {.overrides = overrides});
   }
 
   Limits limits = plain_limits();
@@ -69,7 +69,7 @@ TEST_F(BlockQueueTest, BeginsEmptyAndHoldsSixtyFour) {
 // Straight on, the plan is one braking curve: v² = 2 a times what is left.
 TEST_F(BlockQueueTest, LooksAheadAlongAStraightLine) {
   for (int k = 0; k < 64; ++k) queue.push(straight_block(0.1, limits));
-  queue.plan(limits, overrides);
+  queue.plan(limits, {.overrides = overrides});
   const std::vector<float> exits = exit_squares(queue);
   for (std::size_t index = 0; index < 64; ++index) {
     const double left = 0.1 * static_cast<double>(63 - index);
@@ -83,7 +83,7 @@ TEST_F(BlockQueueTest, StaysBelowTheFeedOfTheBlockThatIsEntered) {
   EXPECT_FLOAT_EQ(queue.exit_of(0).speed_square, 400.0F);
   overrides.feed = 0.5F;
   queue.forget_plan();
-  queue.plan(limits, overrides);
+  queue.plan(limits, {.overrides = overrides});
   EXPECT_FLOAT_EQ(queue.exit_of(0).speed_square, 100.0F);
 }
 
@@ -153,10 +153,11 @@ TEST_F(BlockQueueTest, PlansAtOnceWhatItPlansOneByOne) {
     for (const Block& block : any_chain(random, limits, 64)) {
       queue.push(block);
       step_by_step.push(block);
-      if (queue.size() < 56 && random.chance(0.7)) step_by_step.plan(limits, overrides);
+      if (queue.size() < 56 && random.chance(0.7))
+        step_by_step.plan(limits, {.overrides = overrides});
     }
-    queue.plan(limits, overrides);
-    step_by_step.plan(limits, overrides);
+    queue.plan(limits, {.overrides = overrides});
+    step_by_step.plan(limits, {.overrides = overrides});
     ASSERT_EQ(exit_squares(queue), exit_squares(step_by_step)) << "trial " << trial;
   }
 }
@@ -183,13 +184,13 @@ TEST_F(BlockQueueTest, NeverGetsSlowerByMoreBlocks) {
 // One more of many is left for the next plan, unless nothing comes.
 TEST_F(BlockQueueTest, PlansTheLastBlockWhenNothingComes) {
   for (int k = 0; k < 40; ++k) queue.push(straight_block(0.1, limits));
-  queue.plan(limits, overrides);
+  queue.plan(limits, {.overrides = overrides});
   const float before = queue.exit_of(0).speed_square;
   queue.push(straight_block(50.0, limits));
-  queue.plan(limits, overrides);
+  queue.plan(limits, {.overrides = overrides});
   EXPECT_EQ(queue.exit_of(0).speed_square, before);
-  queue.plan_all();
-  queue.plan(limits, overrides);
+  queue.leave_none_out();
+  queue.plan(limits, {.overrides = overrides});
   EXPECT_GT(queue.exit_of(0).speed_square, before);
 }
 
@@ -209,7 +210,7 @@ TEST_F(BlockQueueTest, HoldsAsManyAsItsTypeSays) {
     EXPECT_TRUE(single.empty());
     single.push(straight_block(1.0, limits));
     EXPECT_TRUE(single.full());
-    single.plan(limits, overrides);
+    single.plan(limits, {.overrides = overrides});
     EXPECT_EQ(single.exit_of(0).speed_square, 0.0F);
     single.pop_front();
   }

@@ -29,7 +29,7 @@ TEST(PhaseCourse, FollowsTheParabolaAndMeetsBothEnds) {
   proof::Random random{seed};
   for (int trial = 0; trial < 20'000; ++trial) {
     const Stretch stretch = any_stretch(random);
-    const PhaseCourse course{stretch};
+    PhaseCourse course{stretch};
     ASSERT_EQ(course.way_after(0), 0);
     ASSERT_EQ(course.way_after(stretch.duration_ns), stretch.way);
     const auto whole = static_cast<double>(stretch.way);
@@ -55,7 +55,7 @@ TEST(PhaseCourse, IsEvenWhereTheSpeedIs) {
                         .duration_ns = 60'000'000'000,
                         .start_speed = 1.0F,
                         .end_speed = 1.0F};
-  const PhaseCourse course{stretch};
+  PhaseCourse course{stretch};
   constexpr std::uint64_t kMillisecond = 1'000'000;
   const double step = static_cast<double>(stretch.way) / 60'000.0;
   for (std::uint64_t at = 0; at + kMillisecond < stretch.duration_ns; at += 997 * kMillisecond) {
@@ -68,7 +68,7 @@ TEST(PhaseCourse, KnowsWhenAPlaceIsReached) {
   proof::Random random{7};
   for (int trial = 0; trial < 20'000; ++trial) {
     const Stretch stretch = any_stretch(random);
-    const PhaseCourse course{stretch};
+    PhaseCourse course{stretch};
     const std::uint64_t from = stretch.duration_ns / 4;
     const PathUnits way = (stretch.way - course.way_after(from)) / 3;
     const std::uint64_t time = course.time_of(way, from);

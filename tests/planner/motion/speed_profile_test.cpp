@@ -23,7 +23,7 @@ class SpeedProfileTest : public testing::Test {
   void begin(const Block& of, float exit_square = 0.0F, float entry_square = 0.0F) {
     block = of;
     const BrakingState exit{.speed_square = exit_square, .commit_square = exit_square};
-    profile.begin(block, limits, {}, overrides, exit, entry_square);
+    profile.begin(block, limits, {.overrides = overrides}, exit, entry_square);
   }
 
   Ride drive(Drive drive = Drive::kOn) {
@@ -143,7 +143,7 @@ TEST_F(SpeedProfileTest, SlowsDownToALoweredOverride) {
   begin(straight_block(100.0, limits, 100.0F));
   drive_for(0.4F);
   overrides.feed = 0.3F;
-  profile.replan(block, limits, {}, overrides, {});
+  profile.replan(block, limits, {.overrides = overrides}, {});
   const Phase phase = profile.next_phase(Drive::kOn);
   EXPECT_FLOAT_EQ(phase.end_speed_square, 900.0F);
   EXPECT_NEAR(static_cast<double>(phase.acceleration), -500.0, 0.1);

@@ -43,7 +43,7 @@ TEST(BlockFraction, IsExactAtTheEndsAndInOrder) {
   proof::Random random{20261121};
   for (int trial = 0; trial < 20'000; ++trial) {
     const auto length = static_cast<PathUnits>(random.magnitude(1.0, 1.0e17));
-    const BlockFraction fraction{length};
+    BlockFraction fraction{length};
     ASSERT_EQ(fraction.of(0), 0U);
     ASSERT_EQ(fraction.of(length), BlockFraction::kEnd);
     const auto place = static_cast<PathUnits>(static_cast<double>(length) * random.unit());
