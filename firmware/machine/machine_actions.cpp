@@ -62,18 +62,14 @@ bool Machine::standstill() {
   return motion_.drained();
 }
 
-/// G61 rounds corners within $11. G64 does so within its P, and welds within its Q; P alone
-/// stands for both, and where there is no P it is $11's.
+/// G61 stays within $11, corners and welds together. G64 rounds within its P and welds
+/// within its Q; P alone stands for both, and where there is no P it is $11's.
 path::Tolerance Machine::path_tolerance() const {
   const gcode::PathControl& control = interpreter_.state().path;
   const float usual = settings_.get(setting::kJunctionDeviation);
-  switch (control.mode) {
-    case gcode::PathMode::kPath:
-      return {.corner_mm = usual};
-    case gcode::PathMode::kStop:
-      return {};
-    case gcode::PathMode::kBlend:
-      break;
+  if (control.mode == gcode::PathMode::kStop) return {};
+  if (!control.tolerance_mm && !control.naive_tolerance_mm) {
+    return path::tolerance_within(usual, settings_.get(setting::kArcTolerance));
   }
   return {.corner_mm = control.tolerance_mm.value_or(usual),
           .weld_mm = control.naive_tolerance_mm.value_or(control.tolerance_mm.value_or(0.0F))};
@@ -99,11 +95,11 @@ bool Machine::move_straight(const Action& action, float feed) {
   return true;
 }
 
-/// How far arcs may be from the curve they stand for: Q of G64, or 2 µm.
+/// How far arcs may be from the curve they stand for: Q of G64, or $12.
 float Machine::spline_tolerance() const {
-  constexpr float kUsualMm = 0.002F;
   const float naive = interpreter_.state().path.naive_tolerance_mm.value_or(0.0F);
-  return naive > 0.0F ? std::max(naive, ArcFit::kLeastToleranceMm) : kUsualMm;
+  const float wanted = naive > 0.0F ? naive : settings_.get(setting::kArcTolerance);
+  return std::max(wanted, ArcFit::kLeastToleranceMm);
 }
 
 /// A few arcs in each turn, as finding one takes some hundred thousand

@@ -85,18 +85,21 @@ bool MotionControl::runs_dry() const {
 void MotionControl::attend(std::int32_t elapsed_us) {
   constexpr std::int32_t kPatienceUs = 20'000;
   constexpr std::int32_t kAtRestUs = 5'000;
+  // From the first of what is held: a weld of few lines is a poor start.
+  constexpr std::int32_t kGatheringUs = 10'000;
   // With so many blocks longer welds are worth more than more blocks.
   constexpr std::size_t kPlenty = 16;
   silence_us_ = std::min(silence_us_ + elapsed_us, kPatienceUs);
+  held_us_ = stage_.empty() ? 0 : std::min(held_us_ + elapsed_us, kGatheringUs);
   const bool idle = segmenter_.idle();
   const bool silent = silence_us_ >= (idle ? kAtRestUs : kPatienceUs);
   if (silent) queue_.leave_none_out();
-  const bool waits = !silent && (idle || queue_.size() >= kPlenty);
-  if (stage_.empty() || waits || !runs_dry()) return;
+  const bool waits = idle ? held_us_ < kGatheringUs : queue_.size() >= kPlenty;
+  if (stage_.empty() || (waits && !silent) || !runs_dry()) return;
   if (silent) {
     stage_.flush();
   } else {
-    stage_.hurry();
+    stage_.hurry(idle);
   }
 }
 

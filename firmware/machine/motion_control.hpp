@@ -78,6 +78,7 @@ class MotionControl {
   motion::Segmenter segmenter_;
   Position target_{};
   std::int32_t silence_us_ = 0;  ///< Since the last element came.
+  std::int32_t held_us_ = 0;     ///< Since the stage has been holding elements.
   std::uint32_t blocks_taken_ = 0;
 };
 

@@ -51,10 +51,11 @@ constexpr std::array<SettingInfo, 83> kTable{{
      "field it names."},
     SettingInfo{11, "Junction deviation", "mm", 0.0F, 10.0F, 0.01F, false,
      Group::kGeneral, Type::kDecimal, kThousandths,
-     "How far corners may be rounded off in G61, and in G64 without P; 0 stops at each."},
+     "How far the path may be from the program in G61, and in G64 without P; 0 stops at each corner."},
     SettingInfo{12, "Arc tolerance", "mm", 0.0F, 1.0F, 0.002F, false,
      Group::kArcs, Type::kDecimal, kThousandths,
-     "Kept for senders: arcs are never divided into lines."},
+     "How far arcs may be from the splines and, in G61, the short lines they stand for; of $11 "
+     "half at most. Arcs themselves are never divided."},
     SettingInfo{13, "Report in inches", "0 or 1", 0.0F, 1.0F, 0.0F, true,
      Group::kGeneral, Type::kSwitch, "",
      "Report places in inches."},

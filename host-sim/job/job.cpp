@@ -37,13 +37,6 @@ cnc::AxisArray<Number> steps_per_mm(const cnc::Settings& settings) {
   return steps;
 }
 
-ProgrammedPath read_independently(const std::string& text, const cnc::Settings& settings) {
-  return read_program(text,
-                      {.laser_mode = settings.get(cnc::setting::kLaserMode) != 0.0F,
-                       .stop_at_coolant = true,
-                       .corner_tolerance = settings.get(cnc::setting::kJunctionDeviation)});
-}
-
 /// Tells the picture whether the machine is on a rapid, which pulses do not show.
 class MotionKindTeller final : public TraceSink {
  public:
@@ -181,7 +174,7 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
                        .machine = job.machine,
                        .on_progress = job.on_progress}};
   apply_settings(job.settings, simulator.machine());
-  const ProgrammedPath path = read_independently(text, simulator.settings());
+  const ProgrammedPath path = read_program(text, read_options_for(simulator.settings()));
 
   MotionMeter meter{steps_per_mm<double>(simulator.settings())};
   PathDeviation deviation{path, steps_per_mm<double>(simulator.settings())};
@@ -222,7 +215,7 @@ Report check(const Job& job) {
                        .machine = job.machine,
                        .on_progress = job.on_progress}};
   apply_settings(job.settings, simulator.machine());
-  const ProgrammedPath path = read_independently(text, simulator.settings());
+  const ProgrammedPath path = read_program(text, read_options_for(simulator.settings()));
   Report report = report_on(job, simulator.run(), path);
   report.path_length_mm = path.length();
   const auto bounds = path.bounds();

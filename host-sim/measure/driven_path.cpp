@@ -75,6 +75,13 @@ PathPiece piece_of(const cnc::PathElement& element, float feed_mm_s, bool stop_b
           .stop_before = stop_before};
 }
 
+ReadOptions read_options_for(const cnc::Settings& settings) {
+  return {.laser_mode = settings.get(cnc::setting::kLaserMode) != 0.0F,
+          .stop_at_coolant = true,
+          .path_tolerance = settings.get(cnc::setting::kJunctionDeviation),
+          .arc_tolerance = settings.get(cnc::setting::kArcTolerance)};
+}
+
 ProgrammedPath driven_path(const ProgrammedPath& programmed, const cnc::motion::Limits& limits) {
   const auto stage = std::make_unique<cnc::path::PathStage>(limits);
   ProgrammedPath driven;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "firmware/machine/settings.hpp"
 #include "host-sim/measure/programmed_path.hpp"
 #include "planner/path/path_item.hpp"
 
@@ -9,6 +10,9 @@ namespace sim {
 [[nodiscard]] PathPiece piece_of(const cnc::PathElement& element,
                                  float feed_mm_s,
                                  bool stop_before);
+
+/// How a machine with these settings understands a program.
+[[nodiscard]] ReadOptions read_options_for(const cnc::Settings& settings);
 
 /// What the product's path stage makes of a programmed path within its tolerances when the
 /// elements come one by one without a pause: rounded, welded, with its exact stops.

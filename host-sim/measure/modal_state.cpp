@@ -61,8 +61,12 @@ void ModalState::apply_path_control(const ProgramLine& line) {
   weld_word_ = length('Q');
 }
 
-ProgramTolerance ModalState::tolerance(double usual) const {
+ProgramTolerance ModalState::tolerance(double usual, double arc) const {
   if (stops_at_corners_) return {};
+  if (!corner_word_ && !weld_word_) {
+    const double weld = std::min(arc, usual / 2.0);
+    return {.corner = usual - weld, .weld = weld};
+  }
   return {.corner = corner_word_.value_or(usual),
           .weld = weld_word_.value_or(corner_word_.value_or(0.0))};
 }

@@ -29,8 +29,9 @@ class ModalState {
   /// the line, in RS274/NGC's order. Returns the G numbers that are left.
   [[nodiscard]] std::vector<int> apply_modes(const ProgramLine& line);
 
-  /// Of G61, G61.1 and G64. @param usual mm, where the program gives no tolerance of corners
-  [[nodiscard]] ProgramTolerance tolerance(double usual) const;
+  /// Of G61, G61.1 and G64. @param usual mm, where the program gives no tolerance
+  /// @param arc mm of it that short lines may have, of all of it half at most
+  [[nodiscard]] ProgramTolerance tolerance(double usual, double arc) const;
 
   /// What M2 and M30 put back (RS274/NGC 3.6.1).
   void end_program();

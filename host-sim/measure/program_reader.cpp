@@ -204,7 +204,7 @@ void ProgramReader::add_piece(const Curve& curve, Travel travel, double feed) {
                           spindle_,
                           line_number_,
                           stop_pending_,
-                          modes_.tolerance(options_.corner_tolerance)});
+                          modes_.tolerance(options_.path_tolerance, options_.arc_tolerance)});
   stop_pending_ = false;
 }
 

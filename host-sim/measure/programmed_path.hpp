@@ -15,8 +15,8 @@ enum class SpindleState : std::uint8_t { kOff, kConstant, kDynamic };  ///< M5, 
 
 /// How far from the programmed path the machine may go, mm.
 struct ProgramTolerance {
-  double corner = 0.0;  ///< To round a corner: P of G64, or $11.
-  double weld = 0.0;    ///< To join short lines: Q of G64.
+  double corner = 0.0;  ///< To round a corner: P of G64, or of $11.
+  double weld = 0.0;    ///< To join short lines: Q of G64, or $12.
 };
 
 /// One line or one arc of at most half a turn, with what rides along.
@@ -55,11 +55,12 @@ struct ProgrammedPath {
 struct ReadOptions {
   /// A change of S needs no stop; one of M3, M4 and M5 always does.
   bool laser_mode = false;
-  bool stop_at_coolant = false;   ///< M7, M8, M9.
-  bool stop_at_output = false;    ///< M62…M65, M67, M68.
-  bool optional_stop = false;     ///< M1 stops.
-  double corner_tolerance = 0.0;  ///< mm, $11: of corners where the program says no other.
-  Point start{};                  ///< Where the machine stands, machine coordinates.
+  bool stop_at_coolant = false;  ///< M7, M8, M9.
+  bool stop_at_output = false;   ///< M62…M65, M67, M68.
+  bool optional_stop = false;    ///< M1 stops.
+  double path_tolerance = 0.0;   ///< mm, $11: where the program says no other.
+  double arc_tolerance = 0.0;    ///< mm, $12: of it for short lines.
+  Point start{};                 ///< Where the machine stands, machine coordinates.
 };
 
 /// The simulator's own reading of a program. It shares no code with the

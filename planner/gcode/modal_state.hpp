@@ -33,7 +33,7 @@ enum class Units : std::uint8_t { kMillimetres, kInches };             ///< G21,
 
 /// How closely the programmed path is followed; RS274/NGC 3.5.14.
 enum class PathMode : std::uint8_t {
-  kPath,   ///< G61: corners are rounded within $11.
+  kPath,   ///< G61: all within $11.
   kStop,   ///< G61.1: an exact stop at every corner.
   kBlend,  ///< G64: corners are rounded within P, short lines welded within Q.
 };

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 #include "planner/motion/block_builder.hpp"
 #include "planner/motion/junction.hpp"
 
@@ -10,6 +12,13 @@ struct Tolerance {
   float corner_mm = 0.0F;  ///< Of a rounded corner; 0 is an exact stop at each.
   float weld_mm = 0.0F;    ///< Of short lines welded into lines and arcs; 0 leaves them.
 };
+
+/// What keeps the whole way within one tolerance: short lines have what arcs may have of
+/// it, half at most, and corners the rest.
+[[nodiscard]] constexpr Tolerance tolerance_within(float whole_mm, float arc_mm) {
+  const float weld_mm = std::min(arc_mm, 0.5F * whole_mm);
+  return {.corner_mm = whole_mm - weld_mm, .weld_mm = weld_mm};
+}
 
 /// An element of the programmed path, with all that goes with it.
 struct PathItem {

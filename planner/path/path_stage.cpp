@@ -18,8 +18,8 @@ void PathStage::clear() {
   flushing_ = false;
 }
 
-void PathStage::hurry() {
-  if (rounder_.goes_on()) welder_.hurry();
+void PathStage::hurry(bool stands) {
+  if (stands || rounder_.goes_on()) welder_.hurry();
 }
 
 std::uint32_t PathStage::line() const {

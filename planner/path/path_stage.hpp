@@ -27,9 +27,9 @@ class PathStage {
 
   /// Nothing will come for a while: next() gives out all that is held.
   void flush() { flushing_ = true; }
-  /// The machine would have to brake: what has been welded so far is given out,
-  /// unless it stops there anyway.
-  void hurry();
+  /// What has been welded so far is given out: the machine stands, or would have to brake
+  /// and does not stop there anyway.
+  void hurry(bool stands);
   /// Forgets all that is held.
   void clear();
 

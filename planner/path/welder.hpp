@@ -40,7 +40,7 @@ class Welder {
     return news;
   }
   /// What is held is given out as far as it has been looked at.
-  void hurry() { hurries_ = true; }
+  void hurry() { hurries_ = !empty(); }
 
   /// The next arc or line; false when there is none yet. Looks at kMostLooks
   /// points at most.

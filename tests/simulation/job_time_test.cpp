@@ -54,12 +54,7 @@ JobTime time_job(const std::string& name, const std::string& settings) {
   for (const auto& change : sim::read_settings_file(folder + settings)) {
     EXPECT_EQ(simulator.change_setting(change.number, change.value), "") << change.place;
   }
-  const bool laser = simulator.settings().get(cnc::setting::kLaserMode) != 0.0F;
-  const auto programmed = sim::read_program(
-      program,
-      {.laser_mode = laser,
-       .stop_at_coolant = true,
-       .corner_tolerance = simulator.settings().get(cnc::setting::kJunctionDeviation)});
+  const auto programmed = sim::read_program(program, sim::read_options_for(simulator.settings()));
   EXPECT_TRUE(programmed.notes.empty());
   const sim::RunResult result = simulator.run();
   EXPECT_TRUE(result.refusals.empty());

@@ -32,10 +32,9 @@ struct BeamRun {
           "");
     }
     // Light per millimetre driven: round a corner that is a little less than was programmed.
-    const auto corner = simulator.settings().get(cnc::setting::kJunctionDeviation);
-    const sim::ProgrammedPath path = sim::driven_path(
-        sim::read_program(program, {.laser_mode = true, .corner_tolerance = corner}),
-        cnc::limits_from(simulator.settings()));
+    const sim::ProgrammedPath path =
+        sim::driven_path(sim::read_program(program, sim::read_options_for(simulator.settings())),
+                         cnc::limits_from(simulator.settings()));
     const cnc::AxisArray<double> scales{
         steps_per_mm, steps_per_mm, steps_per_mm, 250.0, 250.0, 250.0};
     sim::PathDeviation deviation{path, scales};

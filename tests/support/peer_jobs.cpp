@@ -109,7 +109,7 @@ std::vector<PeerJob> peer_jobs() {
   for (const double acceleration : {500.0, 3000.0}) {
     const bool slow = acceleration < 1000.0;
     PeerJob& of_square = add("square 100 mm", square(), acceleration);
-    if (slow) of_square.peers = {3.551, 3.552, "grblHAL"};
+    if (slow) of_square.peers = {3.551, 3.602, "LinuxCNC, exact stops"};
     PeerJob& of_circle = add("circle R20, two G2", circle(), acceleration);
     of_circle.peers =
         slow ? PeerTimes{1.617, 1.637, "Klipper"} : PeerTimes{0.794, 0.795, "grblHAL"};
@@ -141,9 +141,8 @@ PeerResult run_peer_job(const PeerJob& job, double rise) {
   }
   PeerResult result;
   const cnc::motion::Limits product = cnc::limits_from(simulator.settings());
-  const float tolerance = simulator.settings().get(cnc::setting::kJunctionDeviation);
   result.path = sim::driven_path(
-      sim::read_program(job.program, {.laser_mode = true, .corner_tolerance = tolerance}), product);
+      sim::read_program(job.program, sim::read_options_for(simulator.settings())), product);
   result.limits = limits_of(product);
   if (rise > 0.0) result.limits.jerk.fill(job.acceleration / rise);
   const sim::RunResult run = simulator.run();

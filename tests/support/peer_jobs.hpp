@@ -13,7 +13,8 @@ namespace proof {
 ///
 /// They were compiled for a desk and given the same limits: grbl 1.1h, grblHAL 20260818 with
 /// 100 and 250 blocks of look-ahead, Klipper 84104bb, LinuxCNC 2.9. None of them limits jerk. The
-/// best is the fastest of those that kept their own acceleration limit in windows of 10 ms.
+/// best is the fastest of those that kept their own acceleration limit in windows of 10 ms,
+/// corners included: whoever turns on the spot at some speed did not.
 struct PeerTimes {
   double bound = std::numeric_limits<double>::quiet_NaN();  ///< Acceleration-limited optimum.
   double best = std::numeric_limits<double>::quiet_NaN();

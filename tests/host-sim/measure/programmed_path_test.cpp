@@ -221,20 +221,20 @@ TEST(ReadProgram, SpindleRidesAlong) {
 TEST(ReadProgram, ToleranceIsWhatPathControlSays) {
   const ProgrammedPath path = read_program(
       "F9 G1 X1\nG64 P0.1 Q0.2 X2\nG64 P0.3 X3\nG20 G64 Q0.1 X4\nG21 G61.1 X5\nG64 X6\nG61 X7\n",
-      {.corner_tolerance = 0.05});
+      {.path_tolerance = 0.05, .arc_tolerance = 0.01});
   std::vector<std::array<double, 2>> found;
   for (const PathPiece& piece : path.pieces) {
     found.push_back({piece.tolerance.corner, piece.tolerance.weld});
   }
   using Pair = std::array<double, 2>;
   EXPECT_THAT(found,
-              ElementsAre(Pair{0.05, 0.0},
+              ElementsAre(Pair{0.04, 0.01},
                           Pair{0.1, 0.2},
                           Pair{0.3, 0.3},
                           Pair{0.05, 2.54},
                           Pair{0.0, 0.0},
-                          Pair{0.05, 0.0},
-                          Pair{0.05, 0.0}));
+                          Pair{0.04, 0.01},
+                          Pair{0.04, 0.01}));
 }
 
 TEST(ReadProgram, ProgramsOneAfterTheOther) {
