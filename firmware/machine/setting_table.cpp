@@ -287,8 +287,24 @@ static_assert(std::is_sorted(kTable.begin(),
                                return a.number < b.number;
                              }));
 
+/// The row of each number, or how many rows there are: settings are looked up for every
+/// line, and a search costs as much as a word of G-code.
+constexpr std::size_t kNumbers = kTable.back().number + 1U;
+constexpr std::array<std::uint8_t, kNumbers> kRows = [] {
+  std::array<std::uint8_t, kNumbers> rows{};
+  rows.fill(static_cast<std::uint8_t>(kTable.size()));
+  for (std::size_t row = 0; row < kTable.size(); ++row) {
+    rows[kTable[row].number] = static_cast<std::uint8_t>(row);
+  }
+  return rows;
+}();
+
 }  // namespace
 
 std::span<const SettingInfo> setting_table() { return kTable; }
+
+std::size_t setting_row(std::uint16_t number) {
+  return number < kNumbers ? kRows[number] : kTable.size();
+}
 
 }  // namespace cnc

@@ -6,23 +6,8 @@
 #include "planner/base/contract.hpp"
 
 namespace cnc {
-namespace {
-
-/// Index in the table, or its size.
-std::size_t find(std::uint16_t number) {
-  const auto table = setting_table();
-  const auto found = std::lower_bound(
-      table.begin(), table.end(), number, [](const SettingInfo& info, std::uint16_t wanted) {
-        return info.number < wanted;
-      });
-  if (found == table.end() || found->number != number) return table.size();
-  return static_cast<std::size_t>(found - table.begin());
-}
-
-}  // namespace
-
 const SettingInfo* find_setting(std::uint16_t number) {
-  const std::size_t index = find(number);
+  const std::size_t index = setting_row(number);
   return index < setting_table().size() ? &setting_table()[index] : nullptr;
 }
 
@@ -48,13 +33,13 @@ std::string_view describe(SettingError error) {
 }
 
 float Settings::get(std::uint16_t number) const {
-  const std::size_t index = find(number);
+  const std::size_t index = setting_row(number);
   CNC_ASSERT(index < setting_table().size());
   return values_[index];
 }
 
 Result<float, SettingError> Settings::set(std::uint16_t number, float value) {
-  const std::size_t index = find(number);
+  const std::size_t index = setting_row(number);
   if (index == setting_table().size()) return SettingError::kUnknown;
   const SettingInfo& info = setting_table()[index];
   if (!(value >= info.least)) return SettingError::kBelowRange;

@@ -77,6 +77,8 @@ enum class SettingError : std::uint8_t {
 /// All settings, in the order of their numbers. Names are those Grbl 1.1 and
 /// grblHAL documents use; 850 and above are our own.
 [[nodiscard]] std::span<const SettingInfo> setting_table();
+/// Row in the table, or its size when no setting has this number.
+[[nodiscard]] std::size_t setting_row(std::uint16_t number);
 /// Null when no setting has this number.
 [[nodiscard]] const SettingInfo* find_setting(std::uint16_t number);
 /// In the order of SettingGroup, from 1 on.

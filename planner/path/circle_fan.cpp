@@ -1,5 +1,6 @@
 #include "planner/path/circle_fan.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "planner/base/scalar_math.hpp"
@@ -22,41 +23,48 @@ void CircleFan::open(float most_curvature) {
   count_ = 4;
 }
 
-/// The chord lies on the side of the centre, by chord² / 8 of the curvature.
-void CircleFan::pass(const Vec2& point, float within_mm, float chord_mm) {
-  const float weight = point.squaredNorm() - square(within_mm);
-  const float sagged = weight - 0.25F * square(chord_mm);
-  const float along = 2.0F * point.x();
-  const float beside = 2.0F * point.y();
-  const float room = 2.0F * within_mm;
-  cut(weight, along, room + beside);
-  cut(-weight, -along, room - beside);
-  cut(sagged, along, room + beside);
-  cut(-sagged, -along, room - beside);
+void CircleFan::pass(const Vec2& point, float within_mm) {
+  keep_near(point, point.squaredNorm() - square(within_mm), within_mm);
 }
 
-/// Keeps what has by_curvature · k + by_slope · t ≤ most (Sutherland, Hodgman).
-void CircleFan::cut(float by_curvature, float by_slope, float most) {
-  if (empty()) return;
-  const auto excess = [&](const FanCircle& circle) {
-    return by_curvature * circle.curvature + by_slope * circle.slope - most;
-  };
+/// The chord lies on the side of the centre, by chord² / 8 of the curvature.
+void CircleFan::pass_chord(const Vec2& end, float chord_mm, float within_mm) {
+  keep_near(end, end.squaredNorm() - square(within_mm) - 0.25F * square(chord_mm), within_mm);
+}
+
+/// |weight · k + 2 x t − 2 y| ≤ 2 Q.
+void CircleFan::keep_near(const Vec2& point, float weight, float within_mm) {
+  const float along = 2.0F * point.x();
+  const float beside = 2.0F * point.y();
+  keep(weight, along, 2.0F * within_mm + beside);
+  keep(-weight, -along, 2.0F * within_mm - beside);
+}
+
+/// What has by_curvature · k + by_slope · t ≤ most.
+void CircleFan::keep(float by_curvature, float by_slope, float most) {
+  std::array<float, kMostCorners> excess{};
+  float greatest = 0.0F;
+  for (std::size_t i = 0; i < count_; ++i) {
+    excess[i] = by_curvature * corners_[i].curvature + by_slope * corners_[i].slope - most;
+    greatest = std::max(greatest, excess[i]);
+  }
+  if (greatest > 0.0F) cut(excess);
+}
+
+/// What is beyond is cut off (Sutherland, Hodgman).
+void CircleFan::cut(const std::array<float, kMostCorners>& beyond) {
   std::array<FanCircle, kMostCorners + 2> kept{};
   std::size_t kept_count = 0;
-  FanCircle last = corners_[count_ - 1];
-  float last_excess = excess(last);
-  for (std::size_t i = 0; i < count_; ++i) {
-    const FanCircle& corner = corners_[i];
-    const float here = excess(corner);
-    const bool crosses = (here > 0.0F) != (last_excess > 0.0F);
+  std::size_t last = count_ - 1;
+  for (std::size_t i = 0; i < count_; last = i++) {
+    const bool crosses = (beyond[i] > 0.0F) != (beyond[last] > 0.0F);
     if (crosses && kept_count < kept.size()) {
-      kept[kept_count++] = between(last, corner, last_excess / (last_excess - here));
+      const float share = beyond[last] / (beyond[last] - beyond[i]);
+      kept[kept_count++] = between(corners_[last], corners_[i], share);
     }
-    if (here <= 0.0F && kept_count < kept.size()) kept[kept_count++] = corner;
-    last = corner;
-    last_excess = here;
+    if (beyond[i] <= 0.0F && kept_count < kept.size()) kept[kept_count++] = corners_[i];
   }
-  corners_ = kept;
+  std::copy_n(kept.begin(), kept_count, corners_.begin());
   count_ = kept_count;
   while (count_ > kMostCorners) drop_smallest();
 }

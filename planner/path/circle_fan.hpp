@@ -33,10 +33,12 @@ class CircleFan {
   void open(float most_curvature);
   [[nodiscard]] bool empty() const { return count_ < 3; }
 
-  /// Cuts away the circles that are farther than this from the point, and those of
-  /// which a chord of this length that ends there would be.
+  /// Cuts away the circles that are farther than this from the point.
   /// @param within_mm at least 1e-6.
-  void pass(const Vec2& point, float within_mm, float chord_mm);
+  void pass(const Vec2& point, float within_mm);
+  /// The same of a place so near an end of a chord of this length that its arc's height
+  /// above it counts.
+  void pass_chord(const Vec2& end, float chord_mm, float within_mm);
 
   /// Of the circles through a point: the span from one slope to another.
   struct Through {
@@ -46,10 +48,12 @@ class CircleFan {
   [[nodiscard]] std::optional<Through> through(const Vec2& point) const;
 
  private:
-  void cut(float by_curvature, float by_slope, float most);
-  void drop_smallest();
-
   static constexpr std::size_t kMostCorners = 16;
+
+  void keep_near(const Vec2& point, float weight, float within_mm);
+  void keep(float by_curvature, float by_slope, float most);
+  void cut(const std::array<float, kMostCorners>& beyond);
+  void drop_smallest();
 
   std::array<FanCircle, kMostCorners + 2> corners_{};
   std::size_t count_ = 0;

@@ -157,8 +157,10 @@ bool Welder::look() {
   const Vec2 chord = here - last_;
   if (!goes_on(here, chord)) return false;
   const float within = tolerance_at(here);
-  fan_.pass(last_, within, chord.norm());
-  fan_.pass(here, within, chord.norm());
+  const float length = chord.norm();
+  fan_.pass_chord(last_, length, within);
+  fan_.pass(here, within);
+  fan_.pass_chord(here, length, within);
   if (fan_.empty()) return false;
   ++looked_at_;
   ++points_fitted_;

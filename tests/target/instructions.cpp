@@ -251,7 +251,7 @@ class Stages {
   const cnc::motion::Limits& limits_;
   cnc::gcode::Interpreter interpreter_{};
   cnc::Position place_{};
-  cnc::path::PathItem item_{.tolerance = {.corner_mm = 0.01F}};
+  cnc::path::PathItem item_{.tolerance = cnc::path::tolerance_within(0.01F, 0.002F)};
   cnc::path::PathStage stage_{limits_};
   cnc::motion::Block block_{};
   cnc::motion::BlockQueueOf<kBlocks> queue_{};
