@@ -12,8 +12,8 @@ namespace {
 /// Rows of a listing in one turn, so that `$ES` does not keep the planner waiting.
 constexpr int kRowsInATurn = 8;
 
-/// Lines in one turn: a burst fills the planner, then segments must be cut.
-constexpr int kLinesInATurn = 64;
+/// Lines in one turn: a burst must not keep segments from being cut.
+constexpr int kLinesInATurn = 8;
 
 /// Most that a link can hand over in one turn: what there is room for.
 constexpr std::size_t kChunk = 64;

@@ -250,10 +250,10 @@ TEST_F(MachineStatesTest, StopsAtOnceOnAHardLimit) {
 }
 
 TEST_F(MachineStatesTest, CarriesLineNumbersToTheBlockInExecution) {
-  send_all({"N10 G1 X5 F3000", "N20 G1 X10"});
+  send_all({"N10 G1 X5 F3000", "N20 G1 Y5"});
   run(20);
   EXPECT_EQ(machine.line_number(), 10U);
-  run(120);
+  run(220);
   EXPECT_EQ(machine.line_number(), 20U);
   run_until_idle();
   EXPECT_EQ(machine.line_number(), 0U);
