@@ -51,7 +51,8 @@ constexpr std::array<SettingInfo, 83> kTable{{
      "field it names."},
     SettingInfo{11, "Junction deviation", "mm", 0.0F, 10.0F, 0.01F, false,
      Group::kGeneral, Type::kDecimal, kThousandths,
-     "How far the path may be from the program in G61, and in G64 without P; 0 stops at each corner."},
+     "How far the path may be from the program in G61, and in G64 without P; 0 stops at each "
+     "corner."},
     SettingInfo{12, "Arc tolerance", "mm", 0.0F, 1.0F, 0.002F, false,
      Group::kArcs, Type::kDecimal, kThousandths,
      "How far arcs may be from the splines and, in G61, the short lines they stand for; of $11 "
