@@ -60,6 +60,7 @@ fuzz() {
 benchmarks() {
   step "benchmarks"
   build/release/tests/bench_stages --benchmark_min_time=0.05 2>/dev/null
+  build/release/tests/bench_job_times
   tests/bench/count_instructions.py build/release/host-sim/kerfline ||
     failed=$((failed + 1))
 }

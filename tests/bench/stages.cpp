@@ -14,6 +14,7 @@
 #include "planner/geometry/arc_elements.hpp"
 #include "planner/motion/block_builder.hpp"
 #include "planner/motion/segmenter.hpp"
+#include "planner/path/path_stage.hpp"
 #include "tests/support/bench_jobs.hpp"
 
 namespace {
@@ -23,7 +24,8 @@ using namespace cnc;
 struct Job {
   std::string text;
   std::vector<std::string_view> lines;
-  std::vector<motion::MotionRequest> requests;
+  std::vector<path::PathItem> items;
+  std::vector<path::PathPiece> pieces;  ///< What the path stage makes of them.
   std::vector<motion::Segment> segments;
 };
 
@@ -47,19 +49,39 @@ void interpret_lines(Job& job) {
   for (const std::string_view line : job.lines) {
     const auto actions = interpreter.interpret(line);
     for (const gcode::Action& action : actions.value()) {
-      motion::MotionRequest request;
-      request.feed_mm_s = action.feed;
+      path::PathItem item{.tolerance = path::tolerance_within(0.01F, 0.002F)};
+      item.request.feed_mm_s = action.feed;
       if (action.kind == gcode::ActionKind::kArc) {
         const ArcElements arc{
             {place, action.end, action.plane, action.centre, action.clockwise, 1}};
-        request.element = arc.element(0);
+        item.request.element = arc.element(0);
       } else {
-        request.element = {.start = place, .end = action.end};
+        item.request.element = {.start = place, .end = action.end};
       }
       place = action.end;
-      job.requests.push_back(request);
+      job.items.push_back(item);
     }
   }
+}
+
+/// Short lines welded, corners rounded.
+template <typename Sink>
+void round_off(const Job& job, Sink&& take) {
+  path::PathStage stage{limits()};
+  path::PathPiece piece;
+  const auto drain = [&] {
+    while (stage.next(piece)) take(piece);
+  };
+  for (const path::PathItem& item : job.items) {
+    stage.put(item);
+    drain();
+  }
+  stage.flush();
+  drain();
+}
+
+void push(motion::BlockQueue& queue, const path::PathPiece& piece) {
+  queue.push(motion::build_block(piece.request, limits()).value(), piece.joint);
 }
 
 /// Keeps the queue full, as a fast sender does.
@@ -70,10 +92,8 @@ void drive(const Job& job, Sink&& take) {
   segmenter.reset({});
   motion::Segment segment;
   std::size_t next = 0;
-  while (next < job.requests.size() || !segmenter.idle()) {
-    while (next < job.requests.size() && !queue.full()) {
-      queue.push(motion::build_block(job.requests[next++], limits()).value());
-    }
+  while (next < job.pieces.size() || !segmenter.idle()) {
+    while (next < job.pieces.size() && !queue.full()) push(queue, job.pieces[next++]);
     if (segmenter.next(segment)) take(segment);
   }
 }
@@ -83,6 +103,7 @@ Job make_job(std::string text) {
   job.text = std::move(text);
   split_lines(job);
   interpret_lines(job);
+  round_off(job, [&job](const path::PathPiece& piece) { job.pieces.push_back(piece); });
   drive(job, [&job](const motion::Segment& segment) { job.segments.push_back(segment); });
   return job;
 }
@@ -101,45 +122,59 @@ void count_lines(benchmark::State& state, const Job& job) {
                                                  benchmark::Counter::kIsIterationInvariantRate);
 }
 
-void parse(benchmark::State& state, const Job& (*job)()) {
+void parse(benchmark::State& state, const Job& (*of)()) {
+  const Job& job = of();
   gcode::Interpreter interpreter;
   for (auto _ : state) {
-    for (const std::string_view line : job().lines) {
+    for (const std::string_view line : job.lines) {
       benchmark::DoNotOptimize(interpreter.interpret(line));
     }
   }
-  count_lines(state, job());
+  count_lines(state, job);
+}
+
+void weld(benchmark::State& state, const Job& (*of)()) {
+  const Job& job = of();
+  for (auto _ : state) {
+    round_off(job, [](const path::PathPiece& piece) { benchmark::DoNotOptimize(piece); });
+  }
+  count_lines(state, job);
+  state.counters["pieces/line"] =
+      static_cast<double>(job.pieces.size()) / static_cast<double>(job.lines.size());
 }
 
 /// Blocks built and planned one by one with the queue full: the most a block costs.
-void plan(benchmark::State& state, const Job& (*job)()) {
+void plan(benchmark::State& state, const Job& (*of)()) {
+  const Job& job = of();
   for (auto _ : state) {
     motion::BlockQueueOf<motion::kLookAheadBlocks> queue;
-    for (const motion::MotionRequest& request : job().requests) {
+    for (const path::PathPiece& piece : job.pieces) {
       if (queue.full()) queue.pop_front();
-      queue.push(motion::build_block(request, limits()).value());
+      push(queue, piece);
       queue.plan(limits(), {});
     }
     benchmark::DoNotOptimize(queue);
   }
-  count_lines(state, job());
+  count_lines(state, job);
 }
 
-void plan_and_segment(benchmark::State& state, const Job& (*job)()) {
+void plan_and_segment(benchmark::State& state, const Job& (*of)()) {
+  const Job& job = of();
   for (auto _ : state) {
-    drive(job(), [](const motion::Segment& segment) { benchmark::DoNotOptimize(segment); });
+    drive(job, [](const motion::Segment& segment) { benchmark::DoNotOptimize(segment); });
   }
-  count_lines(state, job());
+  count_lines(state, job);
   state.counters["segments/line"] =
-      static_cast<double>(job().segments.size()) / static_cast<double>(job().lines.size());
+      static_cast<double>(job.segments.size()) / static_cast<double>(job.lines.size());
 }
 
-void step(benchmark::State& state, const Job& (*job)()) {
+void step(benchmark::State& state, const Job& (*of)()) {
+  const Job& job = of();
   for (auto _ : state) {
     hal::host::RecordingPort port;
     StepGenerator<hal::host::RecordingPort, 64> generator{port};
     std::size_t next = 0;
-    const std::vector<motion::Segment>& segments = job().segments;
+    const std::vector<motion::Segment>& segments = job.segments;
     while (next < segments.size() && !generator.full()) generator.push(segments[next++]);
     generator.wake();
     while (generator.on_interrupt() != 0) {
@@ -147,23 +182,26 @@ void step(benchmark::State& state, const Job& (*job)()) {
     }
     benchmark::DoNotOptimize(port.position);
   }
-  count_lines(state, job());
+  count_lines(state, job);
 }
 
 /// Bytes to edges through the whole firmware, and the simulator's clock with it.
-void everything(benchmark::State& state, const Job& (*job)()) {
+void everything(benchmark::State& state, const Job& (*of)()) {
+  const Job& job = of();
   double machine_seconds = 0.0;
   for (auto _ : state) {
-    sim::Simulator simulator{job().text, {}};
+    sim::Simulator simulator{job.text, {}};
     machine_seconds += simulator.run().job_time_s;
   }
-  count_lines(state, job());
+  count_lines(state, job);
   state.counters["times_machine"] =
       benchmark::Counter(machine_seconds, benchmark::Counter::kIsRate);
 }
 
 BENCHMARK_CAPTURE(parse, freeform_20000, freeform)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(parse, arcs_400, arcs)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(weld, freeform_20000, freeform)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(weld, arcs_400, arcs)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(plan, freeform_20000, freeform)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(plan, arcs_400, arcs)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(plan_and_segment, freeform_20000, freeform)->Unit(benchmark::kMillisecond);
