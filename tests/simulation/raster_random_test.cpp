@@ -26,7 +26,7 @@ class PowerJudge final : public sim::TraceSink {
 
   void on_row(const sim::TraceRow& row) override {
     const bool steps = row.position != last_.position;
-    if (steps && unexplained_) ++wrong;
+    if (steps && unexplained_ && row.duty == 0.0F) ++wrong;
     const std::size_t piece = deviation_.present_match().piece;
     const double way = deviation_.present_match().nearest.fraction;
     const bool fits = demanded(piece, way, row.duty);
@@ -76,7 +76,7 @@ std::string random_picture(Random& random) {
   const bool coarse = random.chance(0.5);
   for (int row = 0; row < 5; ++row) {
     const double step = random.magnitude(0.03, 0.3);
-    const std::size_t pixels = random.below(200);
+    const std::size_t pixels = 1 + random.below(200);
     if (random.chance(0.5)) text += fmt::format("F{:.0f}\n", random.magnitude(600.0, 20'000.0));
     std::size_t power = 0;
     for (std::size_t i = 0; i < pixels; ++i) {
