@@ -206,6 +206,32 @@ TEST(Raster, IsOneMotionInAnyMode) {
   }
 }
 
+// As LightBurn clusters them, here along a diagonal.
+TEST(Raster, MayBeWrittenWithManyPowersInALine) {
+  constexpr int kPixels = 640;
+  std::string many = "G21 G91 M4 F6000 S0\n";
+  for (int pixel = 0; pixel < kPixels;) {
+    const int count = std::min(1 + pixel % 20, kPixels - pixel);
+    many += fmt::format("G1 X{:.1f} Y{:.1f} S{}", 0.2 * count, 0.1 * count, grey(pixel));
+    for (int i = 1; i < count; ++i) many += fmt::format(":{}", grey(pixel + i));
+    many += "\n";
+    pixel += count;
+  }
+  const BeamRun run{.acceleration = 2000.0};
+  const auto figures = run.measure(many);
+  std::printf("many powers in a line: any 0.05 mm %.4f to %.4f, mean %.4f\n",
+              figures.least,
+              figures.greatest,
+              figures.mean);
+  EXPECT_GT(figures.least, 0.97);
+  EXPECT_LT(figures.greatest, 1.03);
+  EXPECT_NEAR(figures.mean, 1.0, 0.002);
+  EXPECT_GT(figures.windows, 10'000U);
+  const RasterRun whole = run_raster(many, 200.0, 2000.0);
+  EXPECT_LE(whole.result.job_time_s, 0.2236 * kPixels / 100.0 + 0.12);
+  EXPECT_LE(whole.result.blocks, kPixels / 6U);
+}
+
 TEST(Raster, TellsTheLineOfThePixelBeingDriven) {
   MachineBench bench;
   bench.set({{32, 1}, {110, 6000}});
