@@ -59,6 +59,7 @@ motion::BeamResponse beam_response_from(const Settings& settings, const motion::
 
 gcode::Options gcode_options_from(const Settings& settings) {
   gcode::Options options;
+  options.laser = settings.get(setting::kLaserMode) != 0.0F;
   options.arc.absolute_mm = settings.get(setting::kArcRepairMm);
   options.arc.relative = 0.01F * settings.get(setting::kArcRepairPercent);
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {

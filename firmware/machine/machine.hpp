@@ -176,6 +176,7 @@ class Machine {
   // Actions, in machine_actions.cpp; probing in machine_probe.cpp. True when done.
   [[nodiscard]] bool run(const gcode::Action& action);
   [[nodiscard]] bool move_straight(const gcode::Action& action, float feed);
+  [[nodiscard]] bool move_in_parts(const gcode::Action& action);
   [[nodiscard]] bool move_arc(const gcode::Action& action);
   [[nodiscard]] bool move_spline(const gcode::Action& action);
   [[nodiscard]] bool probe(const gcode::Action& action);
@@ -266,6 +267,8 @@ class Machine {
   gcode::Actions waiting_{};
   std::optional<ArcElements> arc_{};  ///< The arc being divided.
   std::uint32_t arc_index_ = 0;
+  Position parts_from_{};           ///< Of the line whose parts differ in power…
+  std::size_t part_ = 0;            ///< …so many of which have been taken.
   std::optional<ArcFit> spline_{};  ///< The spline being turned into arcs.
   motion::OutputChanges with_next_motion_{};
   std::optional<JogMove> jog_{};  ///< Waits for room in the planner.

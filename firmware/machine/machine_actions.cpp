@@ -22,7 +22,7 @@ bool Machine::run(const Action& action) {
     case ActionKind::kRapid:
       return move_straight(action, 0.0F);
     case ActionKind::kLine:
-      return move_straight(action, action.feed);
+      return action.powers.empty() ? move_straight(action, action.feed) : move_in_parts(action);
     case ActionKind::kArc:
       return move_arc(action);
     case ActionKind::kSpline:
@@ -92,6 +92,27 @@ void Machine::append(const PathElement& element, float feed, bool continues) {
 bool Machine::move_straight(const Action& action, float feed) {
   if (!motion_.has_room()) return false;
   append({.start = motion_.target(), .end = action.end}, feed, false);
+  return true;
+}
+
+/// Equal parts of a line, each with its power, as the planner has room. To the nanometre.
+bool Machine::move_in_parts(const Action& action) {
+  const auto count = static_cast<std::int64_t>(action.powers.size());
+  if (part_ == 0) parts_from_ = motion_.target();
+  while (part_ < action.powers.size()) {
+    if (!motion_.has_room()) return false;
+    tool_.set_speed(action.powers[part_]);
+    ++part_;
+    Position end = action.end;
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+      const std::int64_t way = (action.end[axis] - parts_from_[axis]).nanometres();
+      if (way == 0) continue;
+      const auto part = static_cast<std::int64_t>(part_);
+      end[axis] = parts_from_[axis] + Coordinate{way * part / count};
+    }
+    append({.start = motion_.target(), .end = end}, action.feed, false);
+  }
+  part_ = 0;
   return true;
 }
 

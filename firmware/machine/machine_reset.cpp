@@ -42,6 +42,7 @@ void Machine::drop_everything() {
   cutting_off_ = false;
   waiting_ = {};
   arc_.reset();
+  part_ = 0;
   spline_.reset();
   jog_.reset();
   with_next_motion_ = {};

@@ -29,6 +29,9 @@ Result<bool, motion::MotionError> MotionControl::append(const path::PathItem& it
   if (element.start == element.end) return false;
   silence_us_ = 0;
   stage_.put(item);
+  // As many lines to a row as half the blocks that are planned: what is held back is little
+  // beside it, and few lines are known in small rows, many in large ones.
+  if (2 * stage_.gathered() >= queue_.size()) stage_.end_row();
   target_ = element.end;
   pump();
   return true;
@@ -116,6 +119,7 @@ void MotionControl::drop_rest() {
   const AxisArray<std::int32_t> steps = drive_.position();
   target_ = place_of(steps);
   stage_.clear();
+  pixels_.clear();
   AxisArray<StepPosition> place{};
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     place[axis] = StepPosition::whole(steps[axis]);

@@ -14,7 +14,10 @@ namespace cnc {
 class MotionControl {
  public:
   MotionControl(StepDrive& drive, const motion::Limits& limits)
-      : drive_{drive}, limits_{limits}, stage_{limits}, segmenter_{queue_, limits} {}
+      : drive_{drive},
+        limits_{limits},
+        stage_{limits, &pixels_},
+        segmenter_{queue_, limits, &pixels_} {}
 
   [[nodiscard]] bool has_room() const { return stage_.has_room(); }
 
@@ -58,7 +61,7 @@ class MotionControl {
   [[nodiscard]] std::size_t blocks_free() const { return queue_.capacity() - queue_.size(); }
   /// N of the oldest block that is not driven to its end; 0 for none.
   [[nodiscard]] std::uint32_t line_in_execution() const {
-    return queue_.empty() ? stage_.line() : queue_.front().line;
+    return queue_.empty() ? stage_.line() : motion::line_of(queue_.front(), pixels_);
   }
   /// mm/s, of the segments cut last: what the motors do in at most 20 ms.
   [[nodiscard]] float speed() const { return drive_.running() ? segmenter_.speed() : 0.0F; }
@@ -73,6 +76,7 @@ class MotionControl {
 
   StepDrive& drive_;
   const motion::Limits& limits_;
+  motion::Pixels pixels_{};
   path::PathStage stage_;
   motion::BlockQueueOf<motion::kLookAheadBlocks> queue_{};
   motion::Segmenter segmenter_;

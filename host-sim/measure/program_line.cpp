@@ -80,6 +80,13 @@ ProgramLine take_apart(std::string_view text) {
       break;
     }
     add_word(line, letter, *number);
+    while (letter == 'S' && rest.starts_with(':')) {
+      rest.remove_prefix(1);
+      const std::optional<double> power = take_number(rest);
+      if (!power) break;
+      if (line.powers.empty()) line.powers.push_back(*number);
+      line.powers.push_back(*power);
+    }
   }
   return line;
 }

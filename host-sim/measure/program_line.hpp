@@ -13,6 +13,7 @@ struct ProgramLine {
   std::vector<int> g;                              ///< G numbers in tenths: G38.2 is 382.
   std::vector<int> m;                              ///< M numbers.
   std::array<std::optional<double>, 26> values{};  ///< Of the other letters, A…Z.
+  std::vector<double> powers;                      ///< Of S, where it has several: S1:2:3.
   std::vector<std::string> faults;                 ///< What is not a word.
 
   [[nodiscard]] std::optional<double> value(char letter) const;

@@ -154,7 +154,7 @@ void ProgramReader::move(const ProgramLine& line) {
     case Motion::kRapid:
       return move_straight(to, Travel::kRapid);
     case Motion::kLine:
-      return move_straight(to, Travel::kFeed);
+      return line.powers.empty() ? move_straight(to, Travel::kFeed) : move_in_parts(line, to);
     case Motion::kCubic:
       return move_cubic(line, to);
     case Motion::kQuadratic:
@@ -177,6 +177,18 @@ void ProgramReader::move_straight(const Point& to, Travel travel) {
   const Curve curve = Curve::line(position_, to);
   add_piece(curve, travel, modes_.feed(curve.linear_length(), rotary_distance(position_, to)));
   if (travel == Travel::kProbe) stop_pending_ = true;
+}
+
+/// As many equal parts as there are powers; G93 counts for the whole way.
+void ProgramReader::move_in_parts(const ProgramLine& line, const Point& to) {
+  const Point from = position_;
+  const Curve whole = Curve::line(from, to);
+  const double feed = modes_.feed(whole.linear_length(), rotary_distance(from, to));
+  for (std::size_t i = 0; i < line.powers.size(); ++i) {
+    const double share = static_cast<double>(i + 1) / static_cast<double>(line.powers.size());
+    spindle_speed_ = line.powers[i];
+    add_piece(Curve::line(position_, whole.point_at(share)), Travel::kFeed, feed);
+  }
 }
 
 void ProgramReader::move_round(const ProgramLine& line, const Point& to, bool clockwise) {

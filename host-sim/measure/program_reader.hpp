@@ -31,6 +31,7 @@ class ProgramReader {
   [[nodiscard]] bool apply_offset(const ProgramLine& line, int g);
   void go_by_way_to(const ProgramLine& line, const Point& home);
   void move(const ProgramLine& line);
+  void move_in_parts(const ProgramLine& line, const Point& to);
   void move_straight(const Point& to, Travel travel);
   void move_round(const ProgramLine& line, const Point& to, bool clockwise);
   // Splines, in program_reader_spline.cpp.

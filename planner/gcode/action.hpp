@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 
 #include "planner/base/axes.hpp"
 #include "planner/base/coordinate.hpp"
@@ -68,6 +69,10 @@ struct Action {
   std::array<Coordinate, 2> centre{};  ///< In the order of axes_of(plane).
   bool clockwise = false;              ///< G2.
   std::uint16_t turns = 1;  ///< P: 1 is up to one full circle, each further adds a whole turn.
+
+  /// kLine: the S of each of as many equal parts of the way. Empty where it is the same all
+  /// along. The interpreter's own, and as long-lived as the list of actions.
+  std::span<const float> powers{};
 
   /// kSpline, in the X Y plane. The interpreter's own, and as long-lived as the
   /// list of actions: until the next line.

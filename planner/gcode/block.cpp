@@ -32,6 +32,7 @@ void Block::clear() {
   letters_ = 0;
   unused_ = 0;
   groups_ = 0;
+  power_count_ = 0;
   axis_use_ = AxisUse::kNone;
 }
 
@@ -80,6 +81,18 @@ Refusal Block::add_value(const Word& word) {
   unused_ |= bit;
   values_[index_of(word.letter)] = word.value;
   value_columns_[index_of(word.letter)] = word.column;
+  return std::nullopt;
+}
+
+Refusal Block::add_power(const Word& word) {
+  if (word.value.is_negative()) return blame_word(FaultDetail::kNegative, word);
+  if (power_count_ == 0) powers_[power_count_++] = value('S').to_float();
+  if (power_count_ == kMostPowers) {
+    Fault fault = blame_word(FaultDetail::kTooManyPowers, word);
+    fault.limit = static_cast<float>(kMostPowers);
+    return fault;
+  }
+  powers_[power_count_++] = word.value.to_float();
   return std::nullopt;
 }
 
@@ -147,6 +160,10 @@ Refusal read_block(std::string_view line, bool block_delete, Block& block) {
     Word word;
     if (const auto fault = reader.read(word)) return fault;
     if (const auto fault = block.add(word)) return fault;
+    while (word.letter == 'S' && reader.at_more_values()) {
+      if (const auto fault = reader.read_more(word)) return fault;
+      if (const auto fault = block.add_power(word)) return fault;
+    }
   }
   return std::nullopt;
 }

@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string_view>
 
 #include "planner/gcode/fault.hpp"
@@ -10,6 +11,9 @@
 #include "planner/gcode/modal_words.hpp"
 
 namespace cnc::gcode {
+
+/// The most values that S may have, `S0:120:300`: more than fit into most lines.
+inline constexpr std::size_t kMostPowers = 64;
 
 /// The words of one line, sorted: at most one G or M word of each modal group,
 /// at most one value of each other letter. Knows what may stand together, not
@@ -24,6 +28,8 @@ class Block {
   /// repeated, of a modal group or with a claim on axis words that the line
   /// already has, negative, or not whole.
   [[nodiscard]] Refusal add(const Word& word);
+  /// Files another value of S, or says why it may not be one.
+  [[nodiscard]] Refusal add_power(const Word& word);
 
   [[nodiscard]] bool empty() const { return groups_ == 0 && letters_ == 0; }
 
@@ -45,6 +51,10 @@ class Block {
   [[nodiscard]] const Decimal* take(char letter);
   /// The same without using it. @pre has(letter)
   [[nodiscard]] const Decimal& value(char letter) const { return values_[index_of(letter)]; }
+  /// All values of S, where it has several.
+  [[nodiscard]] std::span<const float> powers() const {
+    return std::span{powers_}.first(power_count_);
+  }
   [[nodiscard]] bool is_free(char letter) const { return (unused_ & bit_of(letter)) != 0; }
 
   /// A fault that blames the value word with this letter. @pre has(letter)
@@ -81,6 +91,8 @@ class Block {
   AxisUse axis_use_ = AxisUse::kNone;
   std::array<Decimal, kLetterCount> values_{};
   std::array<std::uint16_t, kLetterCount> value_columns_{};
+  std::array<float, kMostPowers> powers_{};
+  std::size_t power_count_ = 0;
   std::array<const ModalWord*, kModalGroupCount> words_{};
   std::array<std::uint16_t, kModalGroupCount> word_columns_{};
 };

@@ -30,7 +30,7 @@ void adopt(const Block& block, ModalGroup group, Mode& mode) {
 /// its own line.
 Refusal Execution::run() {
   using Step = Refusal (Execution::*)();
-  static constexpr std::array<Step, 17> kOrder{{
+  static constexpr std::array<Step, 18> kOrder{{
       &Execution::check_signs,
       &Execution::check_open_nurbs,
       &Execution::number_line,
@@ -47,6 +47,7 @@ Refusal Execution::run() {
       &Execution::set_offsets,
       &Execution::go_to_stored_place,
       &Execution::move,
+      &Execution::check_powers,
       &Execution::stop,
   }};
   set_modes();
@@ -112,6 +113,7 @@ Refusal Execution::set_feed() {
 Refusal Execution::set_spindle_speed() {
   const Decimal* const number = block_.take('S');
   if (number == nullptr) return std::nullopt;
+  if (!block_.powers().empty()) return set_powers();
   const float speed = number->to_float();
   if (speed > options_.highest_spindle_speed) {
     return with_limit(block_.blame(FaultDetail::kTooLarge, 'S'), options_.highest_spindle_speed);
@@ -119,6 +121,26 @@ Refusal Execution::set_spindle_speed() {
   next_.modal.spindle_speed = speed;
   actions_.append(ActionKind::kSpindleSpeed).value = speed;
   return std::nullopt;
+}
+
+/// One for each part of a G1, as LightBurn clusters them; the last one stays.
+Refusal Execution::set_powers() {
+  if (!options_.laser) return block_.blame(FaultDetail::kPowersNeedLaser, 'S');
+  for (const float power : block_.powers()) {
+    if (power <= options_.highest_spindle_speed) continue;
+    Fault fault =
+        with_limit(block_.blame(FaultDetail::kTooLarge, 'S'), options_.highest_spindle_speed);
+    fault.value = power;
+    return fault;
+  }
+  next_.modal.spindle_speed = block_.powers().back();
+  powers_wait_ = true;
+  return std::nullopt;
+}
+
+Refusal Execution::check_powers() {
+  if (!powers_wait_) return std::nullopt;
+  return block_.blame(FaultDetail::kPowersNeedLine, 'S');
 }
 
 Refusal Execution::select_tool() {

@@ -65,6 +65,8 @@ class Execution {
   [[nodiscard]] Refusal number_line();
   [[nodiscard]] Refusal set_feed();
   [[nodiscard]] Refusal set_spindle_speed();
+  [[nodiscard]] Refusal set_powers();
+  [[nodiscard]] Refusal check_powers();
   [[nodiscard]] Refusal select_tool();
   [[nodiscard]] Refusal set_output();
   [[nodiscard]] Refusal set_spindle();
@@ -153,6 +155,7 @@ class Execution {
 
   Context next_;
   float inverse_time_ = 0.0F;  ///< F of this line in G93, 1/min.
+  bool powers_wait_ = false;   ///< The several values of S, for the motion that they go with.
   std::optional<NurbsLine> nurbs_line_;
   bool offsets_changed_ = false;
   Position* stored_ = nullptr;  ///< The place that commit() writes, if there is a value for it.

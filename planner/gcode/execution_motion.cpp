@@ -75,6 +75,10 @@ Refusal Execution::move_straight() {
   Action& action = actions_.append(rapid ? ActionKind::kRapid : ActionKind::kLine);
   action.end = target;
   if (!rapid) action.feed = straight_speed(target);
+  if (!rapid && powers_wait_) {
+    action.powers = block_.powers();
+    powers_wait_ = false;
+  }
   next_.position = target;
   return std::nullopt;
 }

@@ -71,6 +71,9 @@ constexpr std::array<Explanation, kFaultDetailCount> kExplanations{{
     {kValueTooLarge, "NURBS has more than %n control points"},
     {kValueTooLarge, "%w is no order of a NURBS: 3 to 6"},
     {kValueTooLarge, "%w is no weight of a NURBS: 0.001 to 1000"},
+    {kValueTooLarge, "S has more than %n values"},
+    {kUnsupportedWord, "S with several values needs laser mode, $32=1"},
+    {kWordUnused, "S with several values needs a G1 that moves"},
 }};
 
 constexpr const Explanation& explanation_of(FaultDetail detail) {

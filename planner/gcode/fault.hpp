@@ -90,10 +90,13 @@ enum class FaultDetail : std::uint8_t {
   kTooManyControlPoints,
   kNotAnOrder,
   kNotAWeight,
+  kTooManyPowers,
+  kPowersNeedLaser,
+  kPowersNeedLine,
 };
 
 inline constexpr std::size_t kFaultDetailCount =
-    static_cast<std::size_t>(FaultDetail::kNotAWeight) + 1;
+    static_cast<std::size_t>(FaultDetail::kPowersNeedLine) + 1;
 
 /// Why a line was refused. A refused line changes nothing and moves nothing.
 struct Fault {

@@ -35,6 +35,11 @@ Refusal LineReader::begin(bool block_delete) {
 Refusal LineReader::read(Word& word) {
   const char letter = upper_case(line_[at_]);
   if (letter < 'A' || letter > 'Z') return not_a_letter();
+  return read_value(letter, word);
+}
+
+/// The number behind the letter or colon here.
+Refusal LineReader::read_value(char letter, Word& word) {
   std::string_view rest = line_;
   rest.remove_prefix(at_ + 1);  // Not substr(), which throws.
   const auto number = read_decimal(rest);

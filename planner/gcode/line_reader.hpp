@@ -42,8 +42,14 @@ class LineReader {
   /// @pre !at_end()
   [[nodiscard]] Refusal read(Word& word);
 
+  /// Another value of the word read last stands here, after a colon.
+  [[nodiscard]] bool at_more_values() const { return at(':'); }
+  /// Reads it and goes on; `word` keeps its letter. @pre at_more_values()
+  [[nodiscard]] Refusal read_more(Word& word) { return read_value(word.letter, word); }
+
  private:
   void drop_line_end();
+  [[nodiscard]] Refusal read_value(char letter, Word& word);
   [[nodiscard]] Refusal skip_to_word();
   [[nodiscard]] Refusal skip_comment();
   [[nodiscard]] Refusal pass_percent();

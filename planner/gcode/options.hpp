@@ -19,6 +19,7 @@ struct Options {
   bool block_delete = true;  ///< Lines that begin with / are skipped, as in LinuxCNC.
   ArcTolerance arc{};
   std::uint32_t highest_tool = 255;            ///< Grbl's limit of T.
+  bool laser = false;                          ///< S may have several values in a line.
   float highest_spindle_speed = 1'000'000.0F;  ///< S in rpm, or the laser's own scale.
   /// How far from machine zero each axis can go, either way; what the motors'
   /// step counters hold may be less than what a Coordinate does.

@@ -5,6 +5,7 @@
 
 #include "planner/base/axes.hpp"
 #include "planner/base/step_position.hpp"
+#include "planner/motion/pixels.hpp"
 #include "planner/motion/segment.hpp"
 #include "planner/motion/turning.hpp"
 
@@ -80,6 +81,7 @@ struct Block {
   BlockZones tail{};     ///< From blocks behind it.
 
   BeamCommand beam{};
+  RowPart row{};            ///< Where there is one, its pixels say the duty.
   OutputChanges outputs{};  ///< At its start.
   std::uint32_t line = 0;   ///< Source line, for reports.
 

@@ -113,6 +113,7 @@ Result<Block, MotionError> build_block(const MotionRequest& request, const Limit
   const PathElement& element = request.element;
   Block block;
   block.beam = request.beam;
+  block.row = request.row;
   block.outputs = request.outputs;
   block.line = request.line;
   block.fixed_feed = request.fixed_feed;

@@ -18,6 +18,7 @@ struct MotionRequest {
   PathElement element{};
   float feed_mm_s = 0.0F;  ///< Along X Y Z, or degrees/s when only A B C move; 0 is a rapid.
   BeamCommand beam{};
+  RowPart row{};  ///< Where there is one, its pixels say the duty.
   OutputChanges outputs{};
   std::uint32_t line = 0;
   bool fixed_feed = false;  ///< Overrides do not touch it: jogs, homing, parking.

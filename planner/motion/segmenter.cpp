@@ -137,6 +137,7 @@ void Segmenter::begin_block() {
   length_ = length_in_units(block);
   fraction_ = BlockFraction{length_};
   reversals_ = Reversals{block, length_};
+  power_.begin(block, length_);
   here_.speed = path_.at(0).speed;
   merge(outputs_, block.outputs);
   driving_ = true;
@@ -163,8 +164,8 @@ std::uint64_t Segmenter::longest_slice_ns() const {
   return (left + slices - 1) / slices;
 }
 
-/// The next slice ends with the stretch, where the block does, or where an axis
-/// reverses.
+/// The next slice ends with the stretch, where the block does, where an axis
+/// reverses, or where the power changes.
 void Segmenter::cut_slice(Segment& segment) {
   if (!driving_) {
     // Of the time in which the motion comes to rest nothing may be left to drive.
@@ -173,7 +174,7 @@ void Segmenter::cut_slice(Segment& segment) {
   }
   std::uint64_t end_ns = std::min(elapsed_ns_ + longest_slice_ns(), course_.duration_ns());
   PathUnits end = stretch_from_ + course_.way_after(end_ns);
-  const PathUnits stop = reversals_.next_after(place_);
+  const PathUnits stop = std::min(reversals_.next_after(place_), power_.next_change());
   if (end > stop) {
     end_ns = elapsed_ns_ + course_.time_of(stop - place_, elapsed_ns_);
     end = stop;
@@ -207,6 +208,7 @@ void Segmenter::cut(std::uint64_t end_ns, PathUnits end, Segment& segment) {
   segment.power = power_course(duty_at(speed_), duty_at(speed), segment.ticks);
   speed_ = speed;
   place_ = end;
+  power_.pass(place_);
   elapsed_ns_ = end_ns;
   segment.comes_to_rest = speed_ <= 0.0F;
   if (place_ == length_) end_block();
@@ -242,12 +244,12 @@ void Segmenter::pass_time(std::uint64_t duration_ns, Segment& segment) {
   remainder_ns_ = whole - static_cast<std::int32_t>(segment.ticks) * kNanosecondsPerTick;
 }
 
-/// 0…1 of full output at a speed of the path on the present block.
+/// 0…1 of full output at a speed of the path at the present place.
 float Segmenter::duty_at(float speed) const {
   const Block& block = queue_.front();
   const bool follows_speed = block.beam.follows_speed && block.feed > 0.0F;
-  if (block.beam.duty <= 0.0F) return 0.0F;
-  float share = block.beam.duty * plan_.overrides().power;
+  if (power_.duty() <= 0.0F) return 0.0F;
+  float share = power_.duty() * plan_.overrides().power;
   if (follows_speed) share *= speed / block.feed;
   const float duty = limits_.beam.table.duty_for(std::clamp(share, 0.0F, 1.0F));
   return follows_speed ? std::max(duty, limits_.beam.least_duty) : duty;

@@ -4,6 +4,7 @@
 
 #include "planner/motion/motion_filter.hpp"
 #include "planner/motion/motor_path.hpp"
+#include "planner/motion/pixel_course.hpp"
 #include "planner/motion/plan_cursor.hpp"
 #include "planner/motion/reversals.hpp"
 #include "planner/motion/segment.hpp"
@@ -32,8 +33,8 @@ class SliceObserver {
 /// Cuts the planned motion into segments for the step interrupt.
 ///
 /// Takes the blocks from the front of a queue as the motors come to their ends,
-/// and slices the stretches of the plan so that a slice lies in one block, lasts
-/// at most a millisecond and reverses no axis. A change of plan, override or
+/// and slices the stretches of the plan so that a slice lies in one block and one
+/// pixel, lasts at most a millisecond and reverses no axis. A change of plan, override or
 /// hold takes effect at the next stretch.
 ///
 /// Main loop only. All state is where the last slice handed out has ended.
@@ -41,8 +42,9 @@ class Segmenter {
  public:
   static constexpr float kLongestSlice = 1.0e-3F;  ///< s.
 
-  Segmenter(BlockQueue& queue, const Limits& limits)
-      : queue_{queue}, limits_{limits}, plan_{queue, limits} {}
+  /// @param pixels of the blocks' rows; null where no block has any
+  Segmenter(BlockQueue& queue, const Limits& limits, Pixels* pixels = nullptr)
+      : queue_{queue}, limits_{limits}, plan_{queue, limits}, power_{pixels} {}
 
   /// The next slice; false when there is none: everything driven, or halted.
   [[nodiscard]] bool next(Segment& segment);
@@ -104,6 +106,7 @@ class Segmenter {
   PathUnits place_ = 0;   ///< Within it.
   BlockFraction fraction_{};
   Reversals reversals_{};
+  PixelCourse power_;
   MotorPath path_{};
   MotorState here_{};
   float speed_ = 0.0F;  ///< mm/s.

@@ -22,9 +22,9 @@ motion::Joint joint_at(const Corner& corner) {
   return corner.kind == Corner::Kind::kSmooth ? motion::Joint::kSmooth : motion::Joint::kStop;
 }
 
-/// Something changes at the corner that has to change there.
+/// Something changes at the corner that has to change there. Pixels do so all along.
 bool differ(const motion::MotionRequest& a, const motion::MotionRequest& b) {
-  return a.feed_mm_s != b.feed_mm_s || !(a.beam == b.beam) ||
+  return a.feed_mm_s != b.feed_mm_s || !(a.beam == b.beam) || a.row.any() || b.row.any() ||
          !(b.outputs == motion::OutputChanges{});
 }
 
@@ -147,6 +147,8 @@ void CornerRounder::blend(float trim_mm, bool in_halves) {
     const bool earlier = in_halves && i == 0;
     motion::MotionRequest part = earlier ? first_->item.request : second_->item.request;
     part.element = blend.parts[i];
+    part.row = earlier ? part.row.part(1.0F - trim_mm / corner_.before.length, 1.0F)
+                       : part.row.part(0.0F, trim_mm / corner_.after.length);
     if (earlier) part.outputs = {};
     if (!earlier) second_->item.request.outputs = {};
     give(part, joint);
@@ -165,7 +167,12 @@ void CornerRounder::give_rest(const Held& held, const Position& end, float left_
     const auto leg = leg_before(whole, whole.bulge != 0.0F ? whole.plane : corner_.plane);
     const float length = leg ? leg->length : 0.0F;
     const float left = left_mm >= 0.0F ? left_mm : length - held.used_mm;
-    request.element = part_of(whole, held.start, end, length > 0.0F ? left / length : 1.0F);
+    const float share = length > 0.0F ? left / length : 1.0F;
+    request.element = part_of(whole, held.start, end, share);
+    if (request.row.any() && length > 0.0F) {
+      const float from = held.used_mm / length;
+      request.row = request.row.part(from, left_mm >= 0.0F ? from + share : 1.0F);
+    }
   }
   give(request, held.joint);
 }

@@ -7,14 +7,20 @@ namespace cnc::path {
 void PathStage::put(const PathItem& item) {
   CNC_ASSERT(has_room());
   flushing_ = false;
-  waiting_ = item;
+  if (row_.empty()) {
+    row_.begin(item);
+  } else if (!row_.add(item)) {
+    row_.close();
+    next_ = item;
+  }
   static_cast<void>(move_on());
 }
 
 void PathStage::clear() {
+  row_.clear();
+  next_.reset();
   welder_.clear();
   rounder_.clear();
-  waiting_.reset();
   flushing_ = false;
 }
 
@@ -25,29 +31,38 @@ void PathStage::hurry(bool stands) {
 std::uint32_t PathStage::line() const {
   if (!rounder_.empty()) return rounder_.line();
   if (!welder_.empty()) return welder_.line();
-  return waiting_ ? waiting_->request.line : 0;
+  return row_.empty() ? 0 : row_.item().request.line;
+}
+
+void PathStage::row_left() {
+  row_.let_go();
+  if (!next_) return;
+  row_.begin(*next_);
+  next_.reset();
 }
 
 /// One item from where it waits to where it goes next; false when none can go.
 bool PathStage::move_on() {
+  if (flushing_) row_.close();
+  const PathItem* const waiting = row_.closed() ? &row_.item() : nullptr;
   PathItem item;
   if (rounder_.has_room() && welder_.next(item)) {
     rounder_.put(item);
     return true;
   }
-  if (waiting_ && welder_.takes(*waiting_) && welder_.has_room() && rounder_.has_room()) {
-    if (welder_.empty()) rounder_.expect(*waiting_);
-    welder_.put(*waiting_);
-    waiting_.reset();
+  if (waiting != nullptr && welder_.takes(*waiting) && welder_.has_room() && rounder_.has_room()) {
+    if (welder_.empty()) rounder_.expect(*waiting);
+    welder_.put(*waiting);
+    row_left();
     return true;
   }
   if (!welder_.empty()) {
-    const bool other = waiting_ && !welder_.takes(*waiting_);
+    const bool other = waiting != nullptr && !welder_.takes(*waiting);
     return (other || flushing_) && welder_.close();
   }
-  if (!waiting_ || !rounder_.has_room()) return false;
-  rounder_.put(*waiting_);
-  waiting_.reset();
+  if (waiting == nullptr || !rounder_.has_room()) return false;
+  rounder_.put(*waiting);
+  row_left();
   return true;
 }
 
@@ -58,7 +73,7 @@ bool PathStage::next(PathPiece& piece) {
     if (rounder_.next(piece)) return true;
     if (!move_on()) break;
   }
-  const bool all = flushing_ && !waiting_ && welder_.empty() && rounder_.has_room();
+  const bool all = flushing_ && row_.empty() && welder_.empty() && rounder_.has_room();
   if (all) rounder_.flush();
   if (rounder_.empty()) flushing_ = flushing_ && !empty();
   return rounder_.next(piece);

@@ -4,27 +4,34 @@
 #include <optional>
 
 #include "planner/path/corner_rounder.hpp"
+#include "planner/path/pixel_row.hpp"
 #include "planner/path/welder.hpp"
 
 namespace cnc::path {
 
-/// From the programmed path to the one that is driven: short lines are welded,
-/// corners rounded or made stops; elements in, elements out. Some are held back
-/// until those after them are known.
+/// From the programmed path to the one that is driven: lines that go straight on are
+/// gathered, short ones welded, corners rounded or made stops; elements in, elements
+/// out. Some are held back until those after them are known.
 ///
 /// Main loop only. No call does more than a bounded amount of work.
 class PathStage {
  public:
   /// @param limits must outlive this.
-  explicit PathStage(const motion::Limits& limits) : rounder_{limits} {}
+  /// @param pixels of rows that are gathered; null to gather none. Must outlive this.
+  explicit PathStage(const motion::Limits& limits, motion::Pixels* pixels = nullptr)
+      : row_{pixels}, rounder_{limits} {}
 
-  [[nodiscard]] bool has_room() const { return !waiting_; }
+  [[nodiscard]] bool has_room() const { return !next_ && !row_.closed() && row_.has_room(); }
   /// Takes an element that moves. @pre has_room(), and it begins where the one
   /// before ended
   void put(const PathItem& item);
   /// The next piece to be driven; false when there is none yet.
   [[nodiscard]] bool next(PathPiece& piece);
 
+  /// How many lines wait to be gathered with more of them.
+  [[nodiscard]] std::size_t gathered() const { return row_.lines(); }
+  /// They are not to wait any longer.
+  void end_row() { row_.close(); }
   /// Nothing will come for a while: next() gives out all that is held.
   void flush() { flushing_ = true; }
   /// What has been welded so far is given out: the machine stands, or would have to brake
@@ -33,16 +40,18 @@ class PathStage {
   /// Forgets all that is held.
   void clear();
 
-  [[nodiscard]] bool empty() const { return !waiting_ && welder_.empty() && rounder_.empty(); }
+  [[nodiscard]] bool empty() const { return row_.empty() && welder_.empty() && rounder_.empty(); }
   /// Source line of the oldest element held; 0 for none.
   [[nodiscard]] std::uint32_t line() const;
 
  private:
   [[nodiscard]] bool move_on();
+  void row_left();
 
+  PixelRow row_;
+  std::optional<PathItem> next_{};  ///< Does not go on with the row.
   Welder welder_{};
   CornerRounder rounder_;
-  std::optional<PathItem> waiting_{};  ///< Cannot be welded to what the welder holds.
   bool flushing_ = false;
 };
 

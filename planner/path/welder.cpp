@@ -48,6 +48,7 @@ bool can_be_welded(const PathItem& item) {
   const motion::MotionRequest& request = item.request;
   if (item.tolerance.weld_mm < kLeastToleranceMm || request.fixed_feed) return false;
   if (request.element.bulge != 0.0F || request.feed_mm_s <= 0.0F) return false;
+  if (request.row.any()) return false;
   const auto plane = plane_of(request.element);
   return plane &&
          flat_travel(request.element.start, request.element.end, *plane).norm() <= kLongestLineMm;

@@ -121,7 +121,7 @@ std::vector<PeerJob> peer_jobs() {
     of_freeform.curve = freeform_curve(20'000);
     of_freeform.in_sight = false;
     add("400 tangent arcs", arcs, acceleration);
-    add("raster, 20,000 S", raster(), acceleration).in_sight = false;
+    add("raster, 20,000 S", raster(), acceleration);
     add("zig-zag", zigzag(), acceleration);
   }
   return jobs;

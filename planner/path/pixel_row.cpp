@@ -1,0 +1,146 @@
+#include "planner/path/pixel_row.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "planner/base/contract.hpp"
+#include "planner/base/scalar_math.hpp"
+
+namespace cnc::path {
+namespace {
+
+/// Ends are whole nanometres, and single precision sees them.
+constexpr float kRowRoundingMm = 3.0e-6F;
+constexpr float kRelativeError = 3.0e-7F;  // Of the way from the start.
+
+bool can_be_gathered(const PathItem& item) {
+  const motion::MotionRequest& request = item.request;
+  return request.element.bulge == 0.0F && request.feed_mm_s > 0.0F && !request.fixed_feed &&
+         !item.continues;
+}
+
+bool same_tolerance(const Tolerance& a, const Tolerance& b) {
+  return a.corner_mm == b.corner_mm && a.weld_mm == b.weld_mm;
+}
+
+}  // namespace
+
+void PixelRow::begin(const PathItem& item) {
+  CNC_ASSERT(empty());
+  item_ = item;
+  held_ = true;
+  // What was cut off for its length goes on as what it was.
+  graded_ = graded_ && full_;
+  full_ = false;
+  has_pixels_ = false;
+  closed_ = pixels_ == nullptr || !can_be_gathered(item);
+  if (closed_) return;
+  const motion::MotionRequest& request = item.request;
+  way_ = way_to(request.element.end);
+  closed_ = way_.length > kLongestLineMm;
+  if (closed_) return;
+  const auto leads = [](float a, float b) { return std::abs(a) < std::abs(b); };
+  const auto leading = std::max_element(way_.travel.begin(), way_.travel.end(), leads);
+  leading_ = static_cast<std::size_t>(leading - way_.travel.begin());
+  lines_ = 1;
+  pixel_ = {.end_mm = way_.length, .duty = request.beam.duty, .line = request.line};
+  limit_slopes(graded_ ? kMostAsideMm : 0.0F, true);
+}
+
+bool PixelRow::add(const PathItem& item) {
+  const motion::MotionRequest& next = item.request;
+  if (!held_ || closed_ || !can_be_gathered(item)) return false;
+  const bool same_power = next.beam.duty == pixel_.duty;
+  if (!same_tolerance(item.tolerance, item_.tolerance) || !may_go_on(next, same_power)) {
+    return false;
+  }
+  const bool graded = graded_ || !same_power;
+  const bool stops_at_corners = item_.tolerance.corner_mm <= 0.0F;
+  const float aside = graded && !stops_at_corners ? kMostAsideMm : 0.0F;
+  if (graded != graded_) limit_slopes(aside, true);
+  const Way way = way_to(next.element.end);
+  if (!straight_on(way)) return false;
+  graded_ = graded;
+  if (!same_power || next.line != pixel_.line) {
+    give_pixel();
+    pixel_ = {.duty = next.beam.duty, .line = next.line};
+  }
+  way_ = way;
+  item_.request.element.end = next.element.end;
+  pixel_.end_mm = way.length;
+  limit_slopes(aside, false);
+  if (++lines_ < kMostLines) return true;
+  close();
+  full_ = true;
+  return true;
+}
+
+/// Even lines that may be welded are left to the welder.
+bool PixelRow::may_go_on(const motion::MotionRequest& next, bool same_power) const {
+  const motion::MotionRequest& row = item_.request;
+  const bool for_welder = item_.tolerance.weld_mm > 0.0F && same_power && !graded_;
+  return next.feed_mm_s == row.feed_mm_s && !next.outputs.any() &&
+         next.beam.follows_speed == row.beam.follows_speed && !for_welder;
+}
+
+/// The row to a new end passes all ends so far, goes ahead, and is not too long.
+bool PixelRow::straight_on(const Way& way) const {
+  const float so_far = way_.travel[leading_];
+  const float reach = way.travel[leading_];
+  if (!((reach - so_far) * so_far > 0.0F) || way.length > kMostRowMm) return false;
+  if (way.length - way_.length > kLongestLineMm) return false;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const float slope = way.travel[axis] / reach;
+    if (slope < slopes_[axis].least || slope > slopes_[axis].most) return false;
+  }
+  return true;
+}
+
+/// So that the row passes its present end.
+void PixelRow::limit_slopes(float aside_mm, bool anew) {
+  const float per_mm = 1.0F / way_.travel[leading_];
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const float travel = way_.travel[axis];
+    const float aside = aside_mm + kRowRoundingMm + kRelativeError * std::abs(travel);
+    const float middle = travel * per_mm;
+    const float half = aside * std::abs(per_mm);
+    SlopeRange& range = slopes_[axis];
+    range.least = anew ? middle - half : std::max(range.least, middle - half);
+    range.most = anew ? middle + half : std::min(range.most, middle + half);
+  }
+}
+
+void PixelRow::give_pixel() {
+  if (!has_pixels_) item_.request.row.first = pixels_->next();
+  has_pixels_ = true;
+  pixels_->push(pixel_);
+}
+
+void PixelRow::close() {
+  if (!held_ || closed_) return;
+  closed_ = true;
+  if (!has_pixels_) return;
+  give_pixel();
+  item_.request.row.from_mm = 0.0F;
+  item_.request.row.to_mm = way_.length;
+}
+
+void PixelRow::clear() {
+  let_go();
+  full_ = false;
+}
+
+PixelRow::Way PixelRow::way_to(const Position& place) const {
+  const Position& start = item_.request.element.start;
+  Way way;
+  float sum = 0.0F;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    if (place[axis] == start[axis]) continue;
+    way.travel[axis] = (place[axis] - start[axis]).mm();
+    sum += square(way.travel[axis]);
+  }
+  way.length = std::sqrt(sum);
+  return way;
+}
+
+}  // namespace cnc::path

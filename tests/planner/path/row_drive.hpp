@@ -1,0 +1,84 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "planner/motion/block_builder.hpp"
+#include "planner/motion/pixel_course.hpp"
+#include "tests/planner/path/path_test.hpp"
+
+namespace cnc::path {
+
+/// A program of which lines have powers.
+class PowerPen : public Pen {
+ public:
+  using Pen::Pen;
+  void pixel(const Place& travel, double power) {
+    request().beam.duty = static_cast<float>(power);
+    line(travel);
+  }
+};
+
+/// The stage with pixels, and a machine that drives its pieces as soon as they come.
+class RowDrive {
+ public:
+  struct Driven {
+    PathPiece piece{};
+    std::vector<double> powers{};  ///< At places evenly over the piece.
+  };
+  static constexpr int kPlaces = 40;
+
+  void run(const std::vector<PathItem>& items) {
+    for (const PathItem& item : items) {
+      for (int i = 0; i < 100 && !stage_->has_room(); ++i) take();
+      ASSERT_TRUE(stage_->has_room());
+      stage_->put(item);
+      take();
+    }
+    for (int i = 0; i < 100 && !stage_->empty(); ++i) {
+      stage_->flush();
+      take();
+    }
+    EXPECT_TRUE(stage_->empty());
+    EXPECT_TRUE(pixels_->empty()) << "all driven";
+  }
+
+  PathStage& stage() { return *stage_; }
+  std::vector<Driven> driven{};
+
+  [[nodiscard]] std::vector<PathPiece> pieces() const {
+    std::vector<PathPiece> all;
+    for (const Driven& one : driven) all.push_back(one.piece);
+    return all;
+  }
+
+ private:
+  void take() {
+    PathPiece piece;
+    while (stage_->next(piece)) drive(piece);
+  }
+
+  void drive(const PathPiece& piece) {
+    const auto block = motion::build_block(piece.request, limits_);
+    ASSERT_TRUE(block.ok());
+    const motion::PathUnits length = motion::length_in_units(block.value());
+    course_.begin(block.value(), length);
+    Driven one{.piece = piece};
+    for (int i = 0; i < kPlaces; ++i) {
+      const auto place =
+          static_cast<motion::PathUnits>((i + 0.5) / kPlaces * static_cast<double>(length));
+      while (course_.next_change() <= place) course_.pass(course_.next_change());
+      one.powers.push_back(static_cast<double>(course_.duty()));
+    }
+    while (course_.next_change() < length) course_.pass(course_.next_change());
+    course_.pass(length);
+    driven.push_back(one);
+  }
+
+  motion::Limits limits_ = path_limits();
+  std::unique_ptr<motion::Pixels> pixels_ = std::make_unique<motion::Pixels>();
+  std::unique_ptr<PathStage> stage_ = std::make_unique<PathStage>(limits_, pixels_.get());
+  motion::PixelCourse course_{pixels_.get()};
+};
+
+}  // namespace cnc::path
