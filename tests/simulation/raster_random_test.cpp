@@ -6,6 +6,7 @@
 #include <string>
 
 #include "host-sim/machine/simulator.hpp"
+#include "host-sim/measure/driven_path.hpp"
 #include "host-sim/measure/path_deviation.hpp"
 #include "host-sim/measure/programmed_path.hpp"
 #include "tests/support/laser_settings.hpp"
@@ -114,7 +115,7 @@ TEST(RandomRaster, HasThePowerOfTheProgramAtEachPlace) {
     set_up_laser(simulator, kPictureStepsPerMm, 400.0, random.magnitude(500.0, 5000.0));
     EXPECT_EQ(simulator.change_setting(0, 1.0F), "");
     EXPECT_EQ(simulator.change_setting(cnc::setting::kJunctionDeviation, 0.002F), "");
-    const auto path = sim::read_program(text, {.laser_mode = true, .corner_tolerance = 0.002});
+    const auto path = sim::read_program(text, sim::read_options_for(simulator.settings()));
     if (path.pieces.empty()) continue;
     const cnc::AxisArray<double> scales{250.0, 250.0, 250.0, 250.0, 250.0, 250.0};
     sim::PathDeviation deviation{path, scales};
