@@ -115,6 +115,11 @@ TEST(RandomRaster, HasThePowerOfTheProgramAtEachPlace) {
     set_up_laser(simulator, kPictureStepsPerMm, 400.0, random.magnitude(500.0, 5000.0));
     EXPECT_EQ(simulator.change_setting(0, 1.0F), "");
     EXPECT_EQ(simulator.change_setting(cnc::setting::kJunctionDeviation, 0.002F), "");
+    const bool limits_jerk = random.chance(0.3);
+    for (std::uint16_t axis = 0; axis < 2 && limits_jerk; ++axis) {
+      const auto number = static_cast<std::uint16_t>(cnc::setting::kJerk + axis);
+      EXPECT_EQ(simulator.change_setting(number, 100'000.0F), "");
+    }
     const auto path = sim::read_program(text, sim::read_options_for(simulator.settings()));
     if (path.pieces.empty()) continue;
     const cnc::AxisArray<double> scales{250.0, 250.0, 250.0, 250.0, 250.0, 250.0};

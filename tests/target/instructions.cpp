@@ -1,8 +1,8 @@
 /// Instructions of each stage on the emulated chip, counted one by one: with
 /// `-icount shift=0` the emulator's clock runs one nanosecond per instruction, and its TIM2
 /// counts nanoseconds without being set up. The job is lines of 0.1 mm along a smooth curve at
-/// 12,000 mm/min with 250 steps/mm and 3000 mm/s². What is counted includes two reads of the
-/// counter, about ten instructions.
+/// 12,000 mm/min with 250 steps/mm and 3000 mm/s², and a row of pixels of 0.1 mm. What is counted
+/// includes two reads of the counter, about ten instructions.
 
 #include <array>
 #include <cstdint>
@@ -19,6 +19,7 @@
 #include "planner/path/path_stage.hpp"
 #include "tests/target/freeform_text.hpp"
 #include "tests/target/quiet_machine.hpp"
+#include "tests/target/raster_text.hpp"
 #include "tests/target/start_up.hpp"
 
 namespace {
@@ -85,10 +86,12 @@ class FreeformLink final : public hal::ByteStream {
  public:
   void send(std::string_view opening) { rest_ = opening; }
   void send_job() { text_ = FreeformText{}; }
+  void send_raster() { raster_ = RasterText{}; }
 
   [[nodiscard]] std::size_t read(std::span<std::byte> into) override {
     const std::uint32_t start = instructions();
     if (rest_.empty() && !text_.finished()) rest_ = text_.next();
+    if (rest_.empty() && raster_ && !raster_->finished()) rest_ = raster_->next();
     std::size_t count = 0;
     while (count < into.size() && count < rest_.size()) {
       into[count] = static_cast<std::byte>(rest_[count]);
@@ -104,13 +107,16 @@ class FreeformLink final : public hal::ByteStream {
     return from.size();
   }
 
-  [[nodiscard]] bool finished() const { return rest_.empty() && text_.finished(); }
+  [[nodiscard]] bool finished() const {
+    return rest_.empty() && text_.finished() && (!raster_ || raster_->finished());
+  }
 
   std::uint32_t own_cost = 0;
   std::uint32_t answers = 0;
 
  private:
   FreeformText text_{};
+  std::optional<RasterText> raster_{};
   std::string_view rest_{};
 };
 
@@ -184,6 +190,25 @@ void count_firmware() {
   turn.print("the same", "turn");
   interrupt.print("step interrupt", "interrupt");
   CNC_ASSERT(link_to_job.answers - before >= 2 * FreeformText::kLines);
+}
+
+/// Pixels of 0.1 mm at the same speed, in the line of their own.
+void count_raster() {
+  Cost unused;
+  Cost lines;
+  Cost turn;
+  Cost interrupt;
+  link_to_job.send("$32=1\n$C\n");
+  run(unused, unused);
+  link_to_job.send_raster();
+  run(lines, unused);
+  lines.print("raster: read, check and answer ($C), worst: a turn", "pixel", RasterText::kLines);
+  link_to_job.send("$C\n");
+  run(unused, unused);
+  link_to_job.send_raster();
+  run(turn, interrupt);
+  turn.print("raster: the main loop in all, worst: a turn", "pixel", RasterText::kLines);
+  interrupt.print("raster: step interrupt", "interrupt");
 }
 
 /// The stages alone, one after the other on each line.
@@ -268,6 +293,7 @@ class Stages {
 
 void run_on_target() {
   count_firmware();
+  count_raster();
   static const cnc::motion::Limits limits = cnc::limits_from(application.machine().settings());
   static Stages stages{limits};
   stages.run();
