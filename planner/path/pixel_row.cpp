@@ -39,9 +39,10 @@ void PixelRow::begin(const PathItem& item) {
   way_ = way_to(request.element.end);
   closed_ = way_.length > kLongestLineMm;
   if (closed_) return;
-  const auto leads = [](float a, float b) { return std::abs(a) < std::abs(b); };
-  const auto leading = std::max_element(way_.travel.begin(), way_.travel.end(), leads);
-  leading_ = static_cast<std::size_t>(leading - way_.travel.begin());
+  leading_ = 0;
+  for (std::size_t axis = 1; axis < kAxisCount; ++axis) {
+    if (std::abs(way_.travel[axis]) > std::abs(way_.travel[leading_])) leading_ = axis;
+  }
   lines_ = 1;
   pixel_ = {.end_mm = way_.length, .duty = request.beam.duty, .line = request.line};
   limit_slopes(graded_ ? kMostAsideMm : 0.0F, true);

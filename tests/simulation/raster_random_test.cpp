@@ -105,7 +105,7 @@ void meddle_with(cnc::Machine& machine, Random& random) {
 
 // Against the program as an independent reader has it, line by line.
 TEST(RandomRaster, HasThePowerOfTheProgramAtEachPlace) {
-  const Trials trials{400};
+  const Trials trials{200};
   std::size_t lit = 0;
   for (auto seed = trials.first_seed(); seed < trials.end_seed() && !too_many_failures(); ++seed) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);

@@ -3,8 +3,9 @@
 
     instructions.py build/cortex-m4f/tests/target/instructions.elf
 
-3,000 lines of 0.1 mm, along a curve and as pixels of a row: average and worst case of each stage. The counts are the same at every
-run. Ends with 77 (skipped) where the image or the emulator is missing.
+3,000 lines of 0.1 mm, along a curve and as pixels of a row: average and worst case of each
+stage. The counts are the same at every run. Ends with 77 (skipped) where the image or the
+emulator is missing.
 """
 
 import pathlib
