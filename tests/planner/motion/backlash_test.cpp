@@ -72,7 +72,7 @@ void expect_smooth(std::uint64_t seed) {
   double tool = 0.0;
   double direction = 1.0;
   for (int i = 0; i < 20'000; ++i) {
-    if (random.chance(2.0e-4)) direction = -direction;
+    if (i < 15'000 && random.chance(2.0e-4)) direction = -direction;
     if (i < 15'000) tool += direction * 0.1;
     std::rotate(last.begin(), last.end() - 1, last.end());
     last[0] = to_steps(backlash.follow(at_step(tool), static_cast<float>(dt)));
