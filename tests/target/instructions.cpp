@@ -15,7 +15,6 @@
 #include "planner/base/contract.hpp"
 #include "planner/gcode/interpreter.hpp"
 #include "planner/motion/block_builder.hpp"
-#include "planner/motion/motor_segments.hpp"
 #include "planner/motion/segmenter.hpp"
 #include "planner/path/path_stage.hpp"
 #include "tests/target/freeform_text.hpp"
@@ -220,31 +219,6 @@ class Stages {
   }
 
   void run() {
-    drive_job();
-    parse_.print("read and parse", "line");
-    path_.print("round its corner", "line", FreeformText::kLines);
-    build_.print("build a block", "block");
-    push_.print("take it into the queue", "block");
-    plan_.print("look ahead over 100 blocks", "block");
-    segment_.print("cut a segment", "segment");
-  }
-
-  /// Shapers on X and Y, and backlash.
-  void run_shaped() {
-    cnc::motion::MotorStageSetting setting;
-    setting.shapers[0] = {cnc::motion::ShaperKind::kMzv, 47.0F, 0.1F};
-    setting.shapers[1] = {cnc::motion::ShaperKind::kEi, 60.0F, 0.1F};
-    setting.backlash[0].steps = 10;
-    setting.backlash[1].steps = 10;
-    motors_.configure(setting);
-    motors_.reset(segmenter_.place(), {});
-    segment_ = {};
-    drive_job();
-    segment_.print("the same with shapers and backlash", "segment");
-  }
-
- private:
-  void drive_job() {
     FreeformText text;
     while (!text.finished()) {
       const std::string_view line = text.next();
@@ -253,9 +227,16 @@ class Stages {
     }
     stage_.flush();
     round();
-    while (!segmenter_.idle() || !motors_.at_rest()) cut();
+    while (!segmenter_.idle()) cut();
+    parse_.print("read and parse", "line");
+    path_.print("round its corner", "line", FreeformText::kLines);
+    build_.print("build a block", "block");
+    push_.print("take it into the queue", "block");
+    plan_.print("look ahead over 100 blocks", "block");
+    segment_.print("cut a segment", "segment");
   }
 
+ private:
   void read(std::string_view line) {
     using Actions = decltype(interpreter_.interpret(line));
     std::optional<Actions> actions;
@@ -289,7 +270,7 @@ class Stages {
 
   void cut() {
     cnc::motion::Segment segment;
-    count(segment_, [&] { static_cast<void>(next_segment(segmenter_, motors_, segment)); });
+    count(segment_, [&] { static_cast<void>(segmenter_.next(segment)); });
   }
 
   const cnc::motion::Limits& limits_;
@@ -300,7 +281,6 @@ class Stages {
   cnc::motion::Block block_{};
   cnc::motion::BlockQueueOf<kBlocks> queue_{};
   cnc::motion::Segmenter segmenter_;
-  cnc::motion::MotorStage motors_{};
   Cost parse_{};
   Cost path_{};
   Cost build_{};
@@ -317,5 +297,4 @@ void run_on_target() {
   static const cnc::motion::Limits limits = cnc::limits_from(application.machine().settings());
   static Stages stages{limits};
   stages.run();
-  stages.run_shaped();
 }
