@@ -87,6 +87,14 @@ float cube_root(float value) {
   return root;
 }
 
+float decay(float x) {
+  // The series of an eighth, whose seventh term is below 2^-30, to the eighth power.
+  const float z = -0.125F * x;
+  const float tail = 1.0F / 24.0F + z * (1.0F / 120.0F + z * (1.0F / 720.0F));
+  const float eighth = 1.0F + z * (1.0F + z * (0.5F + z * (1.0F / 6.0F + z * tail)));
+  return square(square(square(eighth)));
+}
+
 float next_below(float value) {
   if (!(value > 0.0F)) return 0.0F;
   return std::bit_cast<float>(std::bit_cast<std::uint32_t>(value) - 1U);

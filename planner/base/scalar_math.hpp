@@ -43,6 +43,11 @@ inline constexpr double kAtan2Error = 3.0e-7;
 inline constexpr double kCubeRootError = 2.0e-7;
 [[nodiscard]] float cube_root(float value);
 
+/// e^−x for x in [0, 2]. Relative error at most kDecayError.
+inline constexpr float kDecayRange = 2.0F;
+inline constexpr double kDecayError = 1.0e-6;
+[[nodiscard]] float decay(float x);
+
 /// The largest float below `value`; 0 when there is no positive one.
 [[nodiscard]] float next_below(float value);
 

@@ -22,15 +22,6 @@ bool has_steps(const Segment& segment) {
   });
 }
 
-/// Of two changes before the same segment the later wins, output by output.
-void merge(OutputChanges& pending, const OutputChanges& later) {
-  pending.raise = static_cast<std::uint8_t>((pending.raise & ~later.lower) | later.raise);
-  pending.lower = static_cast<std::uint8_t>((pending.lower & ~later.raise) | later.lower);
-  if (later.analog_channel == OutputChanges::kNoAnalog) return;
-  pending.analog_channel = later.analog_channel;
-  pending.analog_value = later.analog_value;
-}
-
 }  // namespace
 
 void Segmenter::reset(const AxisArray<StepPosition>& place) {
@@ -62,7 +53,7 @@ bool Segmenter::next(Segment& segment) {
       break;
     }
     segment = {};
-    cut_slice(segment);
+    make_segment(segment);
     if (segment.ticks > 0) break;
   }
   if (segment.ticks == 0) {
@@ -72,6 +63,38 @@ bool Segmenter::next(Segment& segment) {
   segment.outputs = outputs_;
   outputs_ = {};
   return true;
+}
+
+bool Segmenter::next(std::uint32_t most_ns, PlannedSlice& slice) {
+  if (!ready_stretch()) return false;
+  slice = {};
+  if (ready_block()) {
+    const Cut cut = cut_slice(most_ns);
+    here_ = cut.to;
+    slice.duration_ns = static_cast<std::uint32_t>(cut.duration_ns);
+    slice.start_duty = cut.start_duty;
+    slice.end_duty = cut.end_duty;
+  } else {
+    pass_to_rest();
+  }
+  slice.end = here_.place;
+  slice.outputs = outputs_;
+  outputs_ = {};
+  return true;
+}
+
+void Segmenter::make_segment(Segment& segment) {
+  if (ready_block()) {
+    const Cut cut = cut_slice(kLongestSliceNs);
+    time_trains(cut, segment);
+    segment.power = power_course(cut.start_duty, cut.end_duty, segment.ticks);
+  } else {
+    // Says so in no time.
+    pass_to_rest();
+    segment.ticks = 1;
+    remainder_ns_ -= kNanosecondsPerTick;
+  }
+  segment.comes_to_rest = speed_ <= 0.0F;
 }
 
 /// Makes sure there is a stretch with time left; false when there is no motion.
@@ -131,6 +154,14 @@ bool Segmenter::fill_cell() {
   return true;
 }
 
+/// Of the time in which the motion comes to rest nothing may be left to drive.
+bool Segmenter::ready_block() {
+  if (driving_) return true;
+  if (queue_.empty()) return false;
+  begin_block();
+  return true;
+}
+
 void Segmenter::begin_block() {
   const Block& block = queue_.front();
   path_ = MotorPath{block, here_.place};
@@ -165,33 +196,25 @@ std::uint64_t Segmenter::longest_slice_ns() const {
 
 /// The next slice ends with the stretch, where the block does, or where an axis
 /// reverses.
-void Segmenter::cut_slice(Segment& segment) {
-  if (!driving_) {
-    // Of the time in which the motion comes to rest nothing may be left to drive.
-    if (queue_.empty()) return pass_to_rest(segment);
-    begin_block();
-  }
-  std::uint64_t end_ns = std::min(elapsed_ns_ + longest_slice_ns(), course_.duration_ns());
+Segmenter::Cut Segmenter::cut_slice(std::uint64_t most_ns) {
+  const std::uint64_t longest = std::min(longest_slice_ns(), most_ns);
+  std::uint64_t end_ns = std::min(elapsed_ns_ + longest, course_.duration_ns());
   PathUnits end = stretch_from_ + course_.way_after(end_ns);
   const PathUnits stop = reversals_.next_after(place_);
   if (end > stop) {
     end_ns = elapsed_ns_ + course_.time_of(stop - place_, elapsed_ns_);
     end = stop;
   }
-  cut(end_ns, end, segment);
+  return cut(end_ns, end);
 }
 
-/// Says so in no time.
-void Segmenter::pass_to_rest(Segment& segment) {
+void Segmenter::pass_to_rest() {
   elapsed_ns_ = course_.duration_ns();
   stretch_from_ = place_ - course_.whole().way;
   speed_ = 0.0F;
-  segment.ticks = 1;
-  remainder_ns_ -= kNanosecondsPerTick;
-  segment.comes_to_rest = true;
 }
 
-void Segmenter::cut(std::uint64_t end_ns, PathUnits end, Segment& segment) {
+Segmenter::Cut Segmenter::cut(std::uint64_t end_ns, PathUnits end) {
   const std::uint64_t duration_ns = end_ns - elapsed_ns_;
   const float speed = course_.speed_after(end_ns);
   const std::uint64_t to_fraction = fraction_.of(end);
@@ -203,34 +226,37 @@ void Segmenter::cut(std::uint64_t end_ns, PathUnits end, Segment& segment) {
                          course_.whole().acceleration,
                          static_cast<float>(duration_ns) * kSecondsPerNanosecond});
   }
-  time_trains(path_.at(to_fraction), duration_ns, segment);
-  segment.power = power_course(duty_at(speed_), duty_at(speed), segment.ticks);
+  const Cut cut{.to = path_.at(to_fraction),
+                .duration_ns = duration_ns,
+                .start_speed = speed_,
+                .start_duty = duty_at(speed_),
+                .end_duty = duty_at(speed)};
   speed_ = speed;
   place_ = end;
   elapsed_ns_ = end_ns;
-  segment.comes_to_rest = speed_ <= 0.0F;
   if (place_ == length_) end_block();
+  return cut;
 }
 
-void Segmenter::time_trains(const MotorState& to, std::uint64_t duration_ns, Segment& segment) {
+void Segmenter::time_trains(const Cut& cut, Segment& segment) {
   // What takes no time is a rounding of the stretch: a step of it is due at once.
   const float ticks =
-      static_cast<float>(std::max<std::uint64_t>(1, duration_ns)) * kTicksPerNanosecond;
+      static_cast<float>(std::max<std::uint64_t>(1, cut.duration_ns)) * kTicksPerNanosecond;
   const float shift = static_cast<float>(remainder_ns_) * kTicksPerNanosecond;
-  const float speed_per_tick = speed_ / static_cast<float>(kTicksPerSecond);
+  const float speed_per_tick = cut.start_speed / static_cast<float>(kTicksPerSecond);
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    if (to.place[axis] == here_.place[axis]) continue;
+    if (cut.to.place[axis] == here_.place[axis]) continue;
     const AxisSlice slice{.from = here_.place[axis],
-                          .to = to.place[axis],
+                          .to = cut.to.place[axis],
                           .speed_steps_per_tick = here_.speed[axis] * speed_per_tick,
                           .ticks = ticks};
     segment.trains[axis] = time_steps(slice, shift);
-    if (to.place[axis].q32() < here_.place[axis].q32()) {
+    if (cut.to.place[axis].q32() < here_.place[axis].q32()) {
       segment.negative = static_cast<std::uint8_t>(segment.negative | (1U << axis));
     }
   }
-  here_ = to;
-  pass_time(duration_ns, segment);
+  here_ = cut.to;
+  pass_time(cut.duration_ns, segment);
 }
 
 /// Segments last whole ticks; what is left of one goes to the next.

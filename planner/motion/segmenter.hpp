@@ -5,6 +5,7 @@
 #include "planner/motion/motion_filter.hpp"
 #include "planner/motion/motor_path.hpp"
 #include "planner/motion/plan_cursor.hpp"
+#include "planner/motion/planned_slice.hpp"
 #include "planner/motion/reversals.hpp"
 #include "planner/motion/segment.hpp"
 
@@ -46,6 +47,8 @@ class Segmenter {
 
   /// The next slice; false when there is none: everything driven, or halted.
   [[nodiscard]] bool next(Segment& segment);
+  /// The same slice, at most `most_ns` long, for whoever makes the pulses.
+  [[nodiscard]] bool next(std::uint32_t most_ns, PlannedSlice& slice);
 
   void set_overrides(const Overrides& overrides) { plan_.set_overrides(overrides); }
   [[nodiscard]] const Overrides& overrides() const { return plan_.overrides(); }
@@ -78,13 +81,24 @@ class Segmenter {
   [[nodiscard]] bool next_stretch(Stretch& stretch);
   void choose_window();
   [[nodiscard]] bool fill_cell();
+  /// What a slice was.
+  struct Cut {
+    MotorState to{};
+    std::uint64_t duration_ns = 0;
+    float start_speed = 0.0F;  ///< mm/s.
+    float start_duty = 0.0F;
+    float end_duty = 0.0F;
+  };
+
+  [[nodiscard]] bool ready_block();
   void begin_block();
   void end_block();
   [[nodiscard]] std::uint64_t longest_slice_ns() const;
-  void cut_slice(Segment& segment);
-  void pass_to_rest(Segment& segment);
-  void cut(std::uint64_t end_ns, PathUnits end, Segment& segment);
-  void time_trains(const MotorState& to, std::uint64_t duration_ns, Segment& segment);
+  [[nodiscard]] Cut cut_slice(std::uint64_t most_ns);
+  [[nodiscard]] Cut cut(std::uint64_t end_ns, PathUnits end);
+  void pass_to_rest();
+  void make_segment(Segment& segment);
+  void time_trains(const Cut& cut, Segment& segment);
   void pass_time(std::uint64_t duration_ns, Segment& segment);
   [[nodiscard]] float duty_at(float speed) const;
 

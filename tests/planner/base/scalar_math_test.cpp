@@ -165,5 +165,14 @@ TEST(NextBelow, IsNullWhereThereIsNone) {
   EXPECT_EQ(next_below(std::numeric_limits<float>::quiet_NaN()), 0.0F);
 }
 
+TEST(Decay, KeepsItsBoundOverItsRange) {
+  for (int i = 0; i <= 200'000; ++i) {
+    const float x = static_cast<float>(i) * (kDecayRange / 200'000.0F);
+    const double exact = std::exp(-static_cast<double>(x));
+    ASSERT_NEAR(static_cast<double>(decay(x)) / exact, 1.0, kDecayError) << x;
+  }
+  EXPECT_EQ(decay(0.0F), 1.0F);
+}
+
 }  // namespace
 }  // namespace cnc
