@@ -24,6 +24,44 @@ constexpr Coordinate farthest_on(std::size_t axis) {
   return Coordinate{axis < kLinearAxisCount ? kMost / 2 : kMost};
 }
 
+/// The backlash of an axis in whole steps of its motor.
+std::int32_t backlash_steps(const Settings& settings, std::size_t axis) {
+  const float steps =
+      settings.get(setting::kBacklash, axis) * settings.get(setting::kStepsPerMm, axis);
+  return static_cast<std::int32_t>(steps + 0.5F);
+}
+
+/// What any motor may be stepped at, steps/s.
+float most_of_one_motor(const Settings& settings) {
+  const auto slot = static_cast<float>(2U * step_timing_from(settings).pulse);
+  return kSlotUse * static_cast<float>(motion::kTicksPerSecond) / slot;
+}
+
+void leave_room_for_backlash(std::size_t axis, motion::Limits& limits) {
+  constexpr float kRate = 1.0F - motion::BacklashSetting::kRateShare;
+  constexpr float kAcceleration = 1.0F - motion::BacklashSetting::kAccelerationShare;
+  limits.rate_mm_s[axis] *= kRate;
+  limits.acceleration_mm_s2[axis] *= kAcceleration;
+  limits.jerk_mm_s3[axis] *= kAcceleration;
+  limits.steps_per_s_one_motor *= kRate;
+  limits.steps_per_s_all_motors *= kRate;
+}
+
+motion::BacklashSetting backlash_from(const Settings& settings, std::size_t axis, float rate) {
+  using motion::BacklashSetting;
+  const std::int32_t steps = backlash_steps(settings, axis);
+  if (steps == 0) return {};
+  const float scale = settings.get(setting::kStepsPerMm, axis);
+  const float share = BacklashSetting::kAccelerationShare * scale;
+  const auto homes_low = static_cast<unsigned>(settings.get(setting::kHomingDirectionInvert));
+  return {.steps = steps,
+          .rate = BacklashSetting::kRateShare * rate,
+          .acceleration = share * settings.get(setting::kAcceleration, axis),
+          .jerk = share * settings.get(setting::kJerk, axis),
+          // As homing leaves the axis: pulled off its switch.
+          .starts_towards_plus = (homes_low >> axis & 1U) != 0};
+}
+
 std::uint32_t to_ticks(float microseconds) {
   return static_cast<std::uint32_t>(std::ceil(microseconds * kTicksPerMicrosecond));
 }
@@ -39,10 +77,28 @@ motion::Limits limits_from(const Settings& settings) {
     limits.jerk_mm_s3[axis] = settings.get(setting::kJerk, axis);
   }
   limits.junction_deviation_mm = settings.get(setting::kJunctionDeviation);
-  const auto slot = static_cast<float>(2U * step_timing_from(settings).pulse);
-  limits.steps_per_s_one_motor = kSlotUse * static_cast<float>(motion::kTicksPerSecond) / slot;
+  limits.steps_per_s_one_motor = most_of_one_motor(settings);
   limits.steps_per_s_all_motors = kMostStepsPerSecond;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    if (backlash_steps(settings, axis) > 0) leave_room_for_backlash(axis, limits);
+  }
   return limits;
+}
+
+motion::MotorStageSetting motor_stage_from(const Settings& settings) {
+  motion::MotorStageSetting stage{.dark_at_rest = settings.get(setting::kLaserMode) != 0.0F};
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const float rate = settings.get(setting::kRate, axis) / kSecondsPerMinute *
+                       settings.get(setting::kStepsPerMm, axis);
+    stage.most_steps_per_s[axis] = std::min(rate, most_of_one_motor(settings));
+    stage.backlash[axis] = backlash_from(settings, axis, stage.most_steps_per_s[axis]);
+    const auto kind = static_cast<std::uint8_t>(settings.get(setting::kShaper, axis));
+    if (kind == 0) continue;
+    stage.shapers[axis] = {.kind = static_cast<motion::ShaperKind>(kind),
+                           .frequency_hz = settings.get(setting::kShaperFrequency, axis),
+                           .damping = settings.get(setting::kShaperDamping, axis)};
+  }
+  return stage;
 }
 
 BeamTiming beam_timing_from(const Settings& settings) {

@@ -4,11 +4,14 @@
 #include "firmware/steps/step_drive.hpp"
 #include "planner/gcode/options.hpp"
 #include "planner/motion/limits.hpp"
+#include "planner/motion/motor_stage.hpp"
 
 namespace cnc {
 
 /// The settings as each room wants them, in its own units.
+/// Of an axis with backlash the planner has what taking it up leaves (BacklashSetting).
 [[nodiscard]] motion::Limits limits_from(const Settings& settings);
+[[nodiscard]] motion::MotorStageSetting motor_stage_from(const Settings& settings);
 /// A beam's; a spindle's output is what S asks for.
 [[nodiscard]] motion::BeamResponse beam_response_from(const Settings& settings,
                                                       const motion::PowerTable& table);

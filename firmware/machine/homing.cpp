@@ -130,9 +130,11 @@ Homing::Outcome Homing::after_stop() {
 
 Homing::Outcome Homing::pull_off() {
   Position end = motion_.target();
-  AxisArray<std::int32_t> steps = drive_.position();
+  AxisArray<std::int32_t> steps = motion_.tool_steps();
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    if (moves(axis, axes_)) steps[axis] = drive_.switch_position(axis);
+    if (!moves(axis, axes_)) continue;
+    steps[axis] = motion_.tool_at_contact(axis, drive_.switch_position(axis));
+    closed_at_[axis] = steps[axis];
   }
   const Position closed = motion_.place_of(steps);
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
@@ -157,16 +159,16 @@ Homing::Outcome Homing::after_pull_off(const hal::InputState& read) {
 }
 
 /// The motors stay where they are; their counters and the machine's coordinates
-/// are told where that is.
+/// are told where the tool is.
 Homing::Outcome Homing::finish_pass() {
-  const AxisArray<std::int32_t> steps = drive_.position();
+  const AxisArray<std::int32_t> steps = motion_.tool_steps();
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     if (!moves(axis, axes_)) continue;
     const AxisScale scale{settings_.get(setting::kStepsPerMm, axis)};
     const auto at_switch = scale.steps_at(switch_place(axis));
     if (!at_switch) return Outcome::kNoSwitch;
-    const std::int32_t beyond = steps[axis] - drive_.switch_position(axis);
-    drive_.set_position(axis, at_switch->nearest_step() + beyond);
+    const std::int32_t beyond = steps[axis] - closed_at_[axis];
+    motion_.set_tool(axis, at_switch->nearest_step() + beyond);
   }
   drive_.unwatch_switches();
   motion_.drop_rest();

@@ -76,11 +76,12 @@ class Homing {
   Step step_ = Step::kApproach;
   std::uint8_t wanted_ = 0;  ///< Axes asked for and not homed yet.
   std::uint8_t done_ = 0;
-  std::uint8_t axes_ = 0;      ///< Of this pass.
-  std::uint8_t left_ = 0;      ///< Those that have not found their switch.
-  std::uint32_t pass_ = 0;     ///< The next one.
-  std::uint32_t locates_ = 0;  ///< Slow approaches begun; 0 while seeking.
-  Position from_{};            ///< Where this approach began.
+  std::uint8_t axes_ = 0;                ///< Of this pass.
+  std::uint8_t left_ = 0;                ///< Those that have not found their switch.
+  std::uint32_t pass_ = 0;               ///< The next one.
+  std::uint32_t locates_ = 0;            ///< Slow approaches begun; 0 while seeking.
+  Position from_{};                      ///< Where this approach began.
+  AxisArray<std::int32_t> closed_at_{};  ///< The tool's steps at which the switches closed.
 };
 
 }  // namespace cnc

@@ -122,8 +122,8 @@ class Machine {
   [[nodiscard]] const hal::InputState& inputs() const { return inputs_.settled(); }
   /// Axes whose machine coordinates are known, bit i for axis i.
   [[nodiscard]] std::uint8_t homed() const { return homed_; }
-  /// Where the motors are, machine coordinates.
-  [[nodiscard]] Position position() const { return motion_.place_of(drive_.position()); }
+  /// Where the tool is, machine coordinates.
+  [[nodiscard]] Position position() const { return motion_.place_of(motion_.tool_steps()); }
   [[nodiscard]] float feed_now_mm_min() const;
   /// S as the output really is: overridden, and for a beam that of the moment.
   [[nodiscard]] float spindle_now() const;
@@ -147,6 +147,7 @@ class Machine {
   [[nodiscard]] const MotionControl& motion() const { return motion_; }
   /// For whoever wants to see the plan itself; null for nobody.
   void observe(motion::SliceObserver* observer) { motion_.observe(observer); }
+  void observe(motion::ShapingObserver* observer) { motion_.motors().observe(observer); }
 
  private:
   enum class Probing : std::uint8_t { kNo, kMoving, kStopping };

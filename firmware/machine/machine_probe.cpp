@@ -42,7 +42,11 @@ bool Machine::finish_probe(const Action& action) {
     raise_alarm(Alarm::kProbeMissed);
     return false;
   }
-  end_probe(motion_.place_of(drive_.probe_position()), true);
+  AxisArray<std::int32_t> steps = drive_.probe_position();
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    steps[axis] = motion_.tool_at_contact(axis, steps[axis]);
+  }
+  end_probe(motion_.place_of(steps), true);
   motion_.drop_rest();
   if (!state_.in(Mode::kHold)) motion_.go_on();
   interpreter_.set_position(motion_.target());

@@ -24,10 +24,10 @@ Result<float, SettingError> Machine::change_setting(std::uint16_t number, float 
   return stored;
 }
 
-/// Whether the motor's present step is within reach at the resolution stored.
+/// Whether the tool's present step is within reach at the resolution stored.
 bool Machine::place_fits(std::size_t axis) const {
   const AxisScale scale{settings_.get(setting::kStepsPerMm, axis)};
-  const Coordinate place = scale.place_of(drive_.position()[axis]);
+  const Coordinate place = scale.place_of(motion_.tool_steps()[axis]);
   const Coordinate reach = gcode_options_from(settings_).reach[axis];
   return place >= -reach && place <= reach;
 }
@@ -42,6 +42,7 @@ void Machine::apply_settings() {
   limits_ = limits_from(settings_);
   limits_.beam = beam_response_from(settings_, power_table_);
   travel_.configure(settings_, homed_);
+  motion_.configure(motor_stage_from(settings_));
   drive_.set_timing(step_timing_from(settings_));
   drive_.set_beam_timing(beam_timing_from(settings_));
   gcode::Options options = gcode_options_from(settings_);

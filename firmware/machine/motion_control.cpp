@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "planner/base/scalar_math.hpp"
+#include "planner/motion/motor_segments.hpp"
 
 namespace cnc {
 namespace {
@@ -102,22 +103,61 @@ void MotionControl::attend(std::int32_t elapsed_us) {
 
 void MotionControl::feed_drive() {
   pump();
+  follow_tool();
   motion::Segment segment;
   while (!drive_.full() && drive_.ticks_waiting() < drive_.ticks_ahead() &&
-         segmenter_.next(segment)) {
+         motion::next_segment(segmenter_, motors_, segment)) {
     drive_.push(segment);
   }
 }
 
-void MotionControl::drop_rest() {
+AxisArray<std::int32_t> MotionControl::tool_steps() const {
+  AxisArray<std::int32_t> steps = drive_.position();
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    steps[axis] = motors_.backlash(axis).moved_by(steps[axis], tool_[axis]);
+  }
+  return steps;
+}
+
+/// Between two looks an axis may have turned round, so that at rest, where all that is known
+/// is certain, it is set right.
+void MotionControl::follow_tool() {
+  tool_ = tool_steps();
+  if (drive_.running() || !motors_.at_rest() || !motors_.settled()) return;
   const AxisArray<std::int32_t> steps = drive_.position();
-  target_ = place_of(steps);
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    tool_[axis] = tool_at_contact(axis, steps[axis]);
+  }
+}
+
+void MotionControl::set_tool(std::size_t axis, std::int32_t steps) {
+  drive_.set_position(axis, steps);
+  motors_.rebase(axis);
+  tool_[axis] = steps;
+}
+
+void MotionControl::configure(const motion::MotorStageSetting& setting) {
+  if (setting == motor_setting_) return;
+  motor_setting_ = setting;
+  const AxisArray<std::int32_t> steps = tool_steps();
+  motors_.configure(setting);
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) set_tool(axis, steps[axis]);
+  motors_.reset(segmenter_.place(), {});
+}
+
+void MotionControl::drop_rest() {
+  follow_tool();
+  const AxisArray<std::int32_t> motors = drive_.position();
+  target_ = place_of(tool_);
   stage_.clear();
   AxisArray<StepPosition> place{};
+  AxisArray<std::int32_t> ahead{};
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    place[axis] = StepPosition::whole(steps[axis]);
+    place[axis] = StepPosition::whole(tool_[axis]);
+    ahead[axis] = motors[axis] - tool_[axis];
   }
   segmenter_.reset(place);
+  motors_.reset(place, ahead);
 }
 
 Position MotionControl::place_of(const AxisArray<std::int32_t>& steps) const {

@@ -4,6 +4,7 @@
 #include "planner/base/coordinate.hpp"
 #include "planner/motion/block_builder.hpp"
 #include "planner/motion/block_queue.hpp"
+#include "planner/motion/motor_stage.hpp"
 #include "planner/motion/segmenter.hpp"
 #include "planner/path/path_stage.hpp"
 
@@ -38,22 +39,39 @@ class MotionControl {
 
   /// Nothing planned, nothing queued, nothing moving.
   [[nodiscard]] bool drained() const {
-    return stage_.empty() && segmenter_.idle() && !drive_.running();
+    return stage_.empty() && segmenter_.idle() && motors_.at_rest() && !drive_.running();
   }
   /// Stopped by halt(), with the rest of the motion waiting.
-  [[nodiscard]] bool halted() const { return segmenter_.halted() && !drive_.running(); }
+  [[nodiscard]] bool halted() const {
+    return segmenter_.halted() && motors_.at_rest() && !drive_.running();
+  }
 
   void halt() { segmenter_.halt(); }
   void go_on() { segmenter_.go_on(); }
   void set_overrides(const motion::Overrides& overrides) { segmenter_.set_overrides(overrides); }
   [[nodiscard]] const motion::Overrides& overrides() const { return segmenter_.overrides(); }
 
-  /// Drops all motion that waits; the target becomes where the motors are.
+  /// Drops all motion that waits; the target becomes where the tool is.
   /// @pre the drive is not running
   void drop_rest();
 
+  /// Input shaping and backlash. Nothing happens where they stay as they are.
+  /// @pre nothing moves, or they stay
+  void configure(const motion::MotorStageSetting& setting);
+  /// Between plan and motors, for whoever moves them while this motion is held.
+  [[nodiscard]] motion::MotorStage& motors() { return motors_; }
+
   [[nodiscard]] Position place_of(const AxisArray<std::int32_t>& steps) const;
-  /// Where the segments cut so far end, to the fraction of a step.
+  /// Where the tool is, in motor steps without backlash.
+  [[nodiscard]] AxisArray<std::int32_t> tool_steps() const;
+  /// Where it was when its axis was on its way and the motor's counter said `steps`:
+  /// a contact that the step interrupt latched.
+  [[nodiscard]] std::int32_t tool_at_contact(std::size_t axis, std::int32_t steps) const {
+    return steps - motors_.backlash(axis).offset();
+  }
+  /// Says where the tool is. drop_rest() follows. @pre nothing moves
+  void set_tool(std::size_t axis, std::int32_t steps);
+  /// Where the segments planned so far end, to the fraction of a step.
   [[nodiscard]] const AxisArray<StepPosition>& place() const { return segmenter_.place(); }
   [[nodiscard]] std::size_t blocks_free() const { return queue_.capacity() - queue_.size(); }
   /// N of the oldest block that is not driven to its end; 0 for none.
@@ -68,6 +86,7 @@ class MotionControl {
 
  private:
   void pump();
+  void follow_tool();
   [[nodiscard]] float chord_left() const;
   [[nodiscard]] bool runs_dry() const;
 
@@ -76,6 +95,9 @@ class MotionControl {
   path::PathStage stage_;
   motion::BlockQueueOf<motion::kLookAheadBlocks> queue_{};
   motion::Segmenter segmenter_;
+  motion::MotorStage motors_{};
+  motion::MotorStageSetting motor_setting_{};
+  AxisArray<std::int32_t> tool_{};  ///< Where the play of its axes left the tool when last seen.
   Position target_{};
   std::int32_t silence_us_ = 0;  ///< Since the last element came.
   std::uint32_t blocks_taken_ = 0;

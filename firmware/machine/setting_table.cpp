@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 
+#include "firmware/machine/axis_settings.hpp"
 #include "firmware/machine/settings.hpp"
 
 namespace cnc {
@@ -21,7 +22,7 @@ constexpr const char* kAxisNames = "X,Y,Z,A,B,C";
 
 // clang-format off
 // The size is spelled out: deduced, GCC 12 puts the table into RAM.
-constexpr std::array<SettingInfo, 83> kTable{{
+constexpr std::array<SettingInfo, 107> kTable{{
     SettingInfo{0, "Step pulse time", "microseconds", 1.0F, 12.0F, 5.0F, false,
      Group::kStepper, Type::kDecimal, kThousandths,
      "How long a step input is held high, and then low."},
@@ -220,6 +221,12 @@ constexpr std::array<SettingInfo, 83> kTable{{
     SettingInfo{135, "C maximum travel", "deg, 0 is endless", 0.0F, kMostTravel, 0.0F, false,
      Group::kC, Type::kDecimal, kThousandths,
      "From end to end; 0 is endless."},
+    axis_setting::of(160, "X backlash", Group::kX, axis_setting::kBacklash),
+    axis_setting::of(161, "Y backlash", Group::kY, axis_setting::kBacklash),
+    axis_setting::of(162, "Z backlash", Group::kZ, axis_setting::kBacklash),
+    axis_setting::of(163, "A backlash", Group::kA, axis_setting::kTurningBacklash),
+    axis_setting::of(164, "B backlash", Group::kB, axis_setting::kTurningBacklash),
+    axis_setting::of(165, "C backlash", Group::kC, axis_setting::kTurningBacklash),
     SettingInfo{341, "Tool change mode", "0 pauses, 1 ignores", 0.0F, 1.0F, 0.0F, true,
      Group::kToolChange, Type::kChoice, "Pause,Ignore",
      "What M6 does."},
@@ -253,6 +260,24 @@ constexpr std::array<SettingInfo, 83> kTable{{
     SettingInfo{805, "C jerk", "deg/s^3", 0.0F, 1.0e9F, 0.0F, false,
      Group::kC, Type::kDecimal, kThousandths,
      "Greatest change of acceleration; 0 does not limit it."},
+    axis_setting::of(810, "X input shaper", Group::kX, axis_setting::kShaper),
+    axis_setting::of(811, "Y input shaper", Group::kY, axis_setting::kShaper),
+    axis_setting::of(812, "Z input shaper", Group::kZ, axis_setting::kShaper),
+    axis_setting::of(813, "A input shaper", Group::kA, axis_setting::kShaper),
+    axis_setting::of(814, "B input shaper", Group::kB, axis_setting::kShaper),
+    axis_setting::of(815, "C input shaper", Group::kC, axis_setting::kShaper),
+    axis_setting::of(820, "X shaper frequency", Group::kX, axis_setting::kShaperFrequency),
+    axis_setting::of(821, "Y shaper frequency", Group::kY, axis_setting::kShaperFrequency),
+    axis_setting::of(822, "Z shaper frequency", Group::kZ, axis_setting::kShaperFrequency),
+    axis_setting::of(823, "A shaper frequency", Group::kA, axis_setting::kShaperFrequency),
+    axis_setting::of(824, "B shaper frequency", Group::kB, axis_setting::kShaperFrequency),
+    axis_setting::of(825, "C shaper frequency", Group::kC, axis_setting::kShaperFrequency),
+    axis_setting::of(830, "X shaper damping", Group::kX, axis_setting::kShaperDamping),
+    axis_setting::of(831, "Y shaper damping", Group::kY, axis_setting::kShaperDamping),
+    axis_setting::of(832, "Z shaper damping", Group::kZ, axis_setting::kShaperDamping),
+    axis_setting::of(833, "A shaper damping", Group::kA, axis_setting::kShaperDamping),
+    axis_setting::of(834, "B shaper damping", Group::kB, axis_setting::kShaperDamping),
+    axis_setting::of(835, "C shaper damping", Group::kC, axis_setting::kShaperDamping),
     SettingInfo{850, "Arc repair, distance", "mm", 0.0F, 0.5F, 0.05F, false,
      Group::kArcs, Type::kDecimal, kThousandths,
      "How far the end of an arc may be off its circle before the arc is refused."},

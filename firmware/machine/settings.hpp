@@ -75,7 +75,7 @@ enum class SettingError : std::uint8_t {
 [[nodiscard]] std::string_view describe(SettingError error);
 
 /// All settings, in the order of their numbers. Names are those Grbl 1.1 and
-/// grblHAL documents use; 850 and above are our own.
+/// grblHAL documents use; 810 and above are our own.
 [[nodiscard]] std::span<const SettingInfo> setting_table();
 /// Null when no setting has this number.
 [[nodiscard]] const SettingInfo* find_setting(std::uint16_t number);
@@ -85,7 +85,7 @@ enum class SettingError : std::uint8_t {
 /// The values of all settings.
 class Settings {
  public:
-  static constexpr std::size_t kMostSettings = 96;
+  static constexpr std::size_t kMostSettings = 128;
 
   Settings();
 
@@ -145,12 +145,16 @@ inline constexpr std::uint16_t kStepsPerMm = 100;
 inline constexpr std::uint16_t kRate = 110;
 inline constexpr std::uint16_t kAcceleration = 120;
 inline constexpr std::uint16_t kTravel = 130;
+inline constexpr std::uint16_t kBacklash = 160;
 inline constexpr std::uint16_t kToolChange = 341;
 inline constexpr std::uint16_t kSpindleRestoreDelay = 392;
 inline constexpr std::uint16_t kCoolantRestoreDelay = 393;
 inline constexpr std::uint16_t kSpindleOnDelay = 394;
 inline constexpr std::uint16_t kReportInterval = 481;
 inline constexpr std::uint16_t kJerk = 800;
+inline constexpr std::uint16_t kShaper = 810;
+inline constexpr std::uint16_t kShaperFrequency = 820;
+inline constexpr std::uint16_t kShaperDamping = 830;
 inline constexpr std::uint16_t kArcRepairMm = 850;
 inline constexpr std::uint16_t kArcRepairPercent = 851;
 inline constexpr std::uint16_t kSquaredAxes = 852;

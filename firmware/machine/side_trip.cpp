@@ -1,5 +1,7 @@
 #include "firmware/machine/side_trip.hpp"
 
+#include "planner/motion/motor_segments.hpp"
+
 namespace cnc {
 
 void SideTrip::begin(const AxisArray<StepPosition>& place) {
@@ -28,7 +30,7 @@ void SideTrip::go(std::size_t axis,
 void SideTrip::feed_drive() {
   motion::Segment segment;
   while (!drive_.full() && drive_.ticks_waiting() < drive_.ticks_ahead() &&
-         segmenter_.next(segment)) {
+         motion::next_segment(segmenter_, motors_, segment)) {
     drive_.push(segment);
   }
 }

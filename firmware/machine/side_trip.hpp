@@ -5,20 +5,23 @@
 #include "firmware/steps/step_drive.hpp"
 #include "planner/motion/block_builder.hpp"
 #include "planner/motion/block_queue.hpp"
+#include "planner/motion/motor_stage.hpp"
 #include "planner/motion/segmenter.hpp"
 
 namespace cnc {
 
 /// Takes one axis away and back while the planned motion is held, and leaves
-/// the motors exactly where that motion goes on: to the fraction of a step.
+/// the tool exactly where that motion goes on: to the fraction of a step.
 ///
 /// A queue and a segmenter of its own, as the ones that are held know where
 /// they stopped. Main loop only.
 class SideTrip {
  public:
-  SideTrip(StepDrive& drive, const motion::Limits& limits) : drive_{drive}, limits_{limits} {}
+  /// @param motors of the motion that is held.
+  SideTrip(StepDrive& drive, motion::MotorStage& motors, const motion::Limits& limits)
+      : drive_{drive}, motors_{motors}, limits_{limits} {}
 
-  /// The motors stand here. @pre at_rest()
+  /// The tool stands here. @pre at_rest()
   void begin(const AxisArray<StepPosition>& place);
 
   /// Moves one axis. Nowhere, or out of reach, is done at once.
@@ -29,12 +32,13 @@ class SideTrip {
 
   void feed_drive();
   [[nodiscard]] bool at_rest() const {
-    return (segmenter_.idle() || segmenter_.halted()) && !drive_.running();
+    return (segmenter_.idle() || segmenter_.halted()) && motors_.at_rest() && !drive_.running();
   }
   [[nodiscard]] const AxisArray<StepPosition>& place() const { return segmenter_.place(); }
 
  private:
   StepDrive& drive_;
+  motion::MotorStage& motors_;
   const motion::Limits& limits_;
   motion::BlockQueueOf<1> queue_{};
   motion::Segmenter segmenter_{queue_, limits_};

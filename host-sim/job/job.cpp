@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <limits>
 #include <memory>
@@ -15,6 +16,8 @@
 #include "host-sim/measure/energy_meter.hpp"
 #include "host-sim/measure/motion_meter.hpp"
 #include "host-sim/measure/path_deviation.hpp"
+#include "host-sim/measure/shaping_meter.hpp"
+#include "host-sim/measure/tool_trace.hpp"
 #include "host-sim/plot/path_recorder.hpp"
 #include "host-sim/plot/picture.hpp"
 #include "host-sim/plot/png.hpp"
@@ -42,6 +45,27 @@ ProgrammedPath read_independently(const std::string& text, const cnc::Settings& 
                       {.laser_mode = settings.get(cnc::setting::kLaserMode) != 0.0F,
                        .stop_at_coolant = true,
                        .corner_tolerance = settings.get(cnc::setting::kJunctionDeviation)});
+}
+
+/// How far shapers can take the tool from where it is planned, and the play that it
+/// may have to cross, mm: of a plan within the accelerations the shaped place of an axis is off by
+/// at most half of them by the mean square of its impulses' distance from their mean.
+double allowed_for_motors(const cnc::Settings& settings) {
+  const cnc::motion::MotorStageSetting stage = cnc::motor_stage_from(settings);
+  double sum = 0.0;
+  for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
+    const auto impulses = cnc::motion::impulses_of(stage.shapers[axis]);
+    double spread = 0.0;
+    for (std::size_t i = 0; i < impulses.count; ++i) {
+      const float off = impulses.delay_s[i] - impulses.mean_delay_s();
+      spread += static_cast<double>(impulses.amplitude[i] * off * off);
+    }
+    const auto acceleration = static_cast<double>(settings.get(cnc::setting::kAcceleration, axis));
+    const auto play = static_cast<double>(settings.get(cnc::setting::kBacklash, axis));
+    const double off = 0.5 * acceleration * spread + play;
+    sum += off * off;
+  }
+  return std::sqrt(sum);
 }
 
 /// Tells the picture whether the machine is on a rapid, which pulses do not show.
@@ -105,9 +129,16 @@ void add_measured(const MotionMeter& meter, Report& report) {
     report.axes[axis] = {.max_speed_mm_s = motion.greatest_speed,
                          .max_acceleration_mm_s2 = motion.greatest_acceleration,
                          .max_jerk_mm_s3 = motion.greatest_jerk,
-                         .least_mm = motion.lowest,
-                         .greatest_mm = motion.highest,
                          .steps = motion.steps};
+  }
+}
+
+/// Of the tool: motors go further where they have play.
+void add_bounds(const ToolTrace& tool, const cnc::Settings& settings, Report& report) {
+  const auto steps = steps_per_mm<double>(settings);
+  for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
+    report.axes[axis].least_mm = tool.lowest()[axis] / steps[axis];
+    report.axes[axis].greatest_mm = tool.highest()[axis] / steps[axis];
   }
 }
 
@@ -129,11 +160,13 @@ EnergyMeter::Options beam_of(Simulator& simulator) {
 }
 
 /// A beam whose output is its light. With delays set the light is elsewhere, and
-/// how the machine really reacts is not known here.
+/// how the machine really reacts is not known here; with shapers or backlash the way between
+/// two places takes other times than the plan's.
 bool lights_at_once(const cnc::Settings& settings) {
   const auto zero = [&settings](std::uint16_t number) { return settings.get(number) == 0.0F; };
   return !zero(cnc::setting::kLaserMode) && zero(cnc::setting::kBeamOnDelay) &&
-         zero(cnc::setting::kBeamOffDelay) && zero(cnc::setting::kBeamLag);
+         zero(cnc::setting::kBeamOffDelay) && zero(cnc::setting::kBeamLag) &&
+         allowed_for_motors(settings) <= 0.0;
 }
 
 /// Measures the light of each millimetre that is driven: round a corner that is less
@@ -181,19 +214,28 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
                        .machine = job.machine,
                        .on_progress = job.on_progress}};
   apply_settings(job.settings, simulator.machine());
-  const ProgrammedPath path = read_independently(text, simulator.settings());
+  ProgrammedPath path = read_independently(text, simulator.settings());
+  for (PathPiece& piece : path.pieces) {
+    piece.tolerance.motors = allowed_for_motors(simulator.settings());
+  }
 
+  PlayModel play{job.machine};
+  play.place(simulator.settings());
+  ToolTrace tool{play};
+  ShapingMeter shaping{steps_per_mm<double>(simulator.settings())};
   MotionMeter meter{steps_per_mm<double>(simulator.settings())};
   PathDeviation deviation{path, steps_per_mm<double>(simulator.settings())};
   PathRecorder recorder{steps_per_mm<float>(simulator.settings())};
   MotionKindTeller teller{deviation, recorder};
   simulator.add_sink(meter);
-  simulator.add_sink(deviation);
+  simulator.add_sink(tool);
+  tool.add_sink(deviation);
+  simulator.machine().observe(&shaping);
   std::optional<BeamMeter> beam;
   if (lights_at_once(simulator.settings())) beam.emplace(path, simulator);
   if (!outputs.svg.empty() || !outputs.png.empty()) {
-    simulator.add_sink(teller);
-    simulator.add_sink(recorder);
+    tool.add_sink(teller);
+    tool.add_sink(recorder);
   }
   std::unique_ptr<TraceWriter> trace;
   if (!outputs.trace.empty()) {
@@ -209,7 +251,9 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
   const RunResult result = simulator.run();
   Report report = report_on(job, result, path);
   add_measured(meter, report);
+  add_bounds(tool, simulator.settings(), report);
   add_deviation(deviation, report);
+  report.max_shaping_error_mm = shaping.greatest_distance();
   if (beam) beam->add_to(report);
   draw(recorder, job, outputs);
   return report;

@@ -22,6 +22,11 @@ struct MachineModel {
   /// How much farther the second motor of an axis has come at power-up, so how
   /// much earlier it gets to its own switch.
   std::array<double, 6> second_ahead_mm{};
+  /// How far each motor turns before its axis follows, when it reverses, in whole steps.
+  /// Left open, as $160…$165 say: what the controller knows of.
+  std::array<std::optional<double>, 6> backlash_mm{};
+  /// Whether the play lies otherwise at power-up than a homing cycle would leave it.
+  bool backlash_lies_otherwise = false;
   /// How long a contact bounces after it opened or closed, in ticks of the step clock.
   std::uint32_t bounce_ticks = 8000;
 };

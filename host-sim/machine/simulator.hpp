@@ -53,6 +53,8 @@ class Simulator {
   [[nodiscard]] bool done() const;
   [[nodiscard]] RunResult result() const;
   [[nodiscard]] const hal::host::RecordingPort& port() const { return controller_.port(); }
+  /// Where the axes are, in steps: the motors less their play.
+  [[nodiscard]] const PlayModel::Steps& axes() const { return controller_.axes(); }
 
  private:
   void attend_pause();

@@ -37,7 +37,9 @@ void SwitchModel::place(const cnc::Settings& settings) {
   }
 }
 
-hal::SwitchMask SwitchModel::read(const hal::host::RecordingPort& port, std::uint64_t tick) {
+hal::SwitchMask SwitchModel::read(const PlayModel::Steps& first,
+                                  const PlayModel::Steps& second,
+                                  std::uint64_t tick) {
   hal::SwitchMask mask;
   for (std::size_t axis = 0; axis < switches_.size(); ++axis) {
     const Switch& found = switches_[axis];
@@ -46,11 +48,11 @@ hal::SwitchMask SwitchModel::read(const hal::host::RecordingPort& port, std::uin
     const auto pressed = [&](std::int64_t step) {
       return found.low ? step <= found.step : step >= found.step;
     };
-    if (reads_closed(contacts_[axis][0], pressed(port.position[axis]), tick)) {
+    if (reads_closed(contacts_[axis][0], pressed(first[axis]), tick)) {
       mask.first = static_cast<std::uint8_t>(mask.first | bit);
     }
-    const std::int64_t second = port.second_position[axis] + found.second_ahead;
-    if (found.second && reads_closed(contacts_[axis][1], pressed(second), tick)) {
+    const std::int64_t beside = second[axis] + found.second_ahead;
+    if (found.second && reads_closed(contacts_[axis][1], pressed(beside), tick)) {
       mask.second = static_cast<std::uint8_t>(mask.second | bit);
     }
   }

@@ -4,8 +4,9 @@
 #include <cstdint>
 
 #include "firmware/machine/settings.hpp"
-#include "hal/host/recording_port.hpp"
+#include "hal/interface/step_port.hpp"
 #include "host-sim/machine/machine_model.hpp"
+#include "host-sim/machine/play_model.hpp"
 
 namespace sim {
 
@@ -18,8 +19,11 @@ class SwitchModel {
 
   /// Puts them where the machine of these settings has them.
   void place(const cnc::Settings& settings);
-  /// What they read at this tick. Call with ticks that never go back.
-  [[nodiscard]] hal::SwitchMask read(const hal::host::RecordingPort& port, std::uint64_t tick);
+  /// What they read at this tick, with the axes where their motors have taken them, in
+  /// steps. Call with ticks that never go back.
+  [[nodiscard]] hal::SwitchMask read(const PlayModel::Steps& first,
+                                     const PlayModel::Steps& second,
+                                     std::uint64_t tick);
 
  private:
   struct Switch {

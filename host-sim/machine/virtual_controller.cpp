@@ -8,12 +8,20 @@ constexpr std::uint64_t kTicksPerMicrosecond = cnc::motion::kTicksPerSecond / 1'
 }  // namespace
 
 VirtualController::VirtualController(hal::ByteStream& link, const MachineModel& model)
-    : model_{model}, switches_{model_}, firmware_{port_, port_, port_, own_store_, link} {}
+    : model_{model},
+      play_{model_},
+      second_play_{model_},
+      switches_{model_},
+      firmware_{port_, port_, port_, own_store_, link} {}
 
 VirtualController::VirtualController(hal::ByteStream& link,
                                      const MachineModel& model,
                                      hal::RecordStore& store)
-    : model_{model}, switches_{model_}, firmware_{port_, port_, port_, store, link} {}
+    : model_{model},
+      play_{model_},
+      second_play_{model_},
+      switches_{model_},
+      firmware_{port_, port_, port_, store, link} {}
 
 void VirtualController::turn() {
   last_event_ = now_;
@@ -27,6 +35,8 @@ void VirtualController::follow_settings() {
   const cnc::Settings& settings = machine().settings();
   if (settings.revision() == settings_revision_) return;
   settings_revision_ = settings.revision();
+  play_.place(settings);
+  second_play_.place(settings);
   switches_.place(settings);
   z_steps_per_mm_ = settings.get(cnc::setting::kStepsPerMm, 2);
 }
@@ -51,11 +61,13 @@ void VirtualController::advance_to(std::uint64_t tick) {
   now_ = tick;
 }
 
-/// What probe and switches read where the motors are now.
+/// What probe and switches read where the motors have taken their axes.
 void VirtualController::feel_machine() {
-  const double z_mm = static_cast<double>(port_.position[2]) / static_cast<double>(z_steps_per_mm_);
+  const PlayModel::Steps& axes = play_.follow(port_.position);
+  const PlayModel::Steps& second = second_play_.follow(port_.second_position);
+  const double z_mm = static_cast<double>(axes[2]) / static_cast<double>(z_steps_per_mm_);
   port_.probe = z_mm <= model_.probe_plate_z_mm;
-  port_.limits = switches_.read(port_, now_);
+  port_.limits = switches_.read(axes, second, now_);
 }
 
 void VirtualController::report_change() {

@@ -9,6 +9,7 @@
 #include "hal/interface/byte_stream.hpp"
 #include "hal/interface/record_store.hpp"
 #include "host-sim/machine/machine_model.hpp"
+#include "host-sim/machine/play_model.hpp"
 #include "host-sim/machine/switch_model.hpp"
 #include "host-sim/trace/trace_row.hpp"
 
@@ -44,6 +45,8 @@ class VirtualController {
   [[nodiscard]] cnc::Machine& machine() { return firmware_.machine(); }
   [[nodiscard]] const cnc::Machine& machine() const { return firmware_.machine(); }
   [[nodiscard]] const hal::host::RecordingPort& port() const { return port_; }
+  /// Where the axes are since power-up, in steps: the motors less their play.
+  [[nodiscard]] const PlayModel::Steps& axes() const { return play_.axes(); }
   /// Door and buttons, for whoever plays the operator; limits and probe in it
   /// are the model's.
   [[nodiscard]] hal::InputState& panel() { return port_.panel; }
@@ -60,6 +63,8 @@ class VirtualController {
   void hand_out_row();
 
   MachineModel model_;
+  PlayModel play_;
+  PlayModel second_play_;  ///< Of second motors.
   SwitchModel switches_;
   std::uint32_t settings_revision_ = 0;
   float z_steps_per_mm_ = 1.0F;

@@ -65,7 +65,7 @@ PathFollower::Match PathFollower::look_ahead(const Point& position) {
 
 double PathFollower::window(std::size_t index) const {
   const ProgramTolerance& allowed = path_->pieces[index].tolerance;
-  return kWindowSteps * step_size_ + allowed.corner + allowed.weld;
+  return kWindowSteps * step_size_ + allowed.corner + allowed.weld + allowed.motors;
 }
 
 void PathFollower::move_to(const Match& match) {

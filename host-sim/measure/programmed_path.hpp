@@ -17,6 +17,7 @@ enum class SpindleState : std::uint8_t { kOff, kConstant, kDynamic };  ///< M5, 
 struct ProgramTolerance {
   double corner = 0.0;  ///< To round a corner: P of G64, or $11.
   double weld = 0.0;    ///< To join short lines: Q of G64.
+  double motors = 0.0;  ///< By input shaping and until backlash is taken up.
 };
 
 /// One line or one arc of at most half a turn, with what rides along.

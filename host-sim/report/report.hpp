@@ -48,6 +48,8 @@ struct Report {
   double greatest_energy_ratio = std::numeric_limits<double>::quiet_NaN();
   double max_path_deviation_mm = 0.0;    ///< Greatest distance from the programmed path…
   double max_path_deviation_at_s = 0.0;  ///< …and when.
+  /// How far input shaping took the tool from the planned path, mm; 0 without a shaper.
+  double max_shaping_error_mm = 0.0;
   std::vector<std::string> warnings;
   std::vector<Fault> faults;
 };

@@ -59,6 +59,7 @@ Json to_json(const Report& report) {
   add_axes(json, report);
   json["max_path_deviation_mm"] = report.max_path_deviation_mm;
   json["max_path_deviation_at_s"] = report.max_path_deviation_at_s;
+  json["max_shaping_error_mm"] = report.max_shaping_error_mm;
   json["energy_per_mm_ratio"] = {{"least", report.least_energy_ratio},
                                  {"mean", report.mean_energy_ratio},
                                  {"greatest", report.greatest_energy_ratio}};

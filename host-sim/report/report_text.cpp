@@ -40,6 +40,9 @@ std::string facts_text(const Report& report) {
            fmt::format("{:.4f} mm at {}",
                        report.max_path_deviation_mm,
                        duration_text(report.max_path_deviation_at_s)));
+  if (report.max_shaping_error_mm > 0.0) {
+    add_fact(out, "shaping", fmt::format("{:.4f} mm off the path", report.max_shaping_error_mm));
+  }
   if (std::isfinite(report.mean_energy_ratio)) {
     add_fact(out,
              "energy/mm",

@@ -96,6 +96,22 @@ TEST(Configuration, ReadsRatesPerMinuteAndAccelerationPerSecond) {
 }
 
 // 4 MHz: 5 µs are 20 ticks; a quarter of a microsecond is one.
+/// What plan and backlash have of an axis is what the axis has.
+TEST(Configuration, LeavesRoomForTakingUpBacklash) {
+  Settings settings;
+  const motion::Limits whole = limits_from(settings);
+  const float acceleration = settings.get(setting::kAcceleration);
+  ASSERT_TRUE(settings.set(setting::kBacklash, 0.1F).ok());
+  const motion::Limits limits = limits_from(settings);
+  const motion::BacklashSetting backlash = motor_stage_from(settings).backlash[0];
+  EXPECT_EQ(backlash.steps, 25);
+  EXPECT_FLOAT_EQ(limits.acceleration_mm_s2[0] + backlash.acceleration / 250.0F, acceleration);
+  EXPECT_FLOAT_EQ(limits.rate_mm_s[0] + backlash.rate / 250.0F, whole.rate_mm_s[0]);
+  EXPECT_EQ(limits.acceleration_mm_s2[1], whole.acceleration_mm_s2[1]);
+  EXPECT_EQ(limits.rate_mm_s[1], whole.rate_mm_s[1]);
+  EXPECT_EQ(motor_stage_from(settings).backlash[1].steps, 0);
+}
+
 TEST(Configuration, ReadsPulseTimesInTicks) {
   Settings settings;
   EXPECT_EQ(step_timing_from(settings).pulse, 20U);

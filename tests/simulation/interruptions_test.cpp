@@ -4,6 +4,7 @@
 #include <string>
 
 #include "tests/support/laser_bench.hpp"
+#include "tests/support/random_motor_settings.hpp"
 #include "tests/support/random_source.hpp"
 #include "tests/support/trials.hpp"
 
@@ -65,7 +66,9 @@ TEST(Door, KeepsLinesWaitingUntilAJogHasStopped) {
 class Chaos {
  public:
   explicit Chaos(std::uint64_t seed) : random_{seed} {
-    // Every other machine has a beam that is late or early, on and off.
+    // Every third machine shapes or has backlash, and every other a beam that is late or
+    // early, on and off.
+    if (seed % 3 == 0) bench_.set(random_motor_settings(random_));
     if (seed % 2 == 0) return;
     bench_.set({{854, random_.between(0.0, 10.0)},
                 {855, random_.between(0.0, 5000.0)},

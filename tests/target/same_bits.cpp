@@ -35,7 +35,7 @@ class DigestPort final : public QuietMachine {
 /// numbers only, so that every machine makes the same text.
 class ProgramLink final : public hal::ByteStream {
  public:
-  static constexpr unsigned kLines = 120;
+  static constexpr unsigned kLines = 200;
 
   [[nodiscard]] std::size_t read(std::span<std::byte> into) override {
     if (awaits_ || (sent_ == line_.text().size() && !make_line())) return 0;
@@ -79,11 +79,24 @@ class ProgramLink final : public hal::ByteStream {
                                                         "G91 G21\n",
                                                         "M4 S700\n",
                                                         "F2400\n"};
+    // From here on with shapers and backlash; the pause makes it stand still.
+    constexpr unsigned kShaped = 120;
+    constexpr std::array<std::string_view, 9> kMotors{"G4P0.01\n",
+                                                      "$810=3\n",
+                                                      "$820=47\n",
+                                                      "$811=4\n",
+                                                      "$821=61.5\n",
+                                                      "$831=0.07\n",
+                                                      "$160=0.03\n",
+                                                      "$162=0.02\n",
+                                                      "$813=1\n"};
     if (lines_ == kLines) return false;
     line_.clear();
     sent_ = 0;
     if (lines_ < kOpening.size()) {
       line_.put(kOpening[lines_]);
+    } else if (lines_ >= kShaped && lines_ < kShaped + kMotors.size()) {
+      line_.put(kMotors[lines_ - kShaped]);
     } else {
       make_motion();
     }

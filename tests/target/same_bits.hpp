@@ -16,5 +16,5 @@ struct Digest {
 };
 
 /// Runs the whole firmware in virtual time on a program that it makes itself:
-/// lines, arcs and helices in all planes, short segments, dwells, power.
+/// lines, arcs and helices in all planes, short segments, dwells, power; shapers, backlash.
 [[nodiscard]] Digest digest_of_a_job();

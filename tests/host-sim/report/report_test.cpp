@@ -58,6 +58,7 @@ TEST(ReportJson, HasTheDocumentedKeysInOrder) {
                           "steps",
                           "max_path_deviation_mm",
                           "max_path_deviation_at_s",
+                          "max_shaping_error_mm",
                           "energy_per_mm_ratio",
                           "warnings",
                           "faults"));

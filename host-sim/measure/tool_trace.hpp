@@ -1,0 +1,45 @@
+#pragma once
+
+#include <algorithm>
+#include <vector>
+
+#include "host-sim/machine/play_model.hpp"
+#include "host-sim/trace/trace_row.hpp"
+
+namespace sim {
+
+/// The trace of the tool: what the motors do, less the play of their axes. Hands its rows
+/// to sinks of its own.
+class ToolTrace final : public TraceSink {
+ public:
+  /// @param play of the machine, placed
+  explicit ToolTrace(const PlayModel& play) : play_{play} {}
+
+  /// It must outlive this.
+  void add_sink(TraceSink& sink) { sinks_.push_back(&sink); }
+
+  void on_row(const TraceRow& row) override {
+    TraceRow tool = row;
+    tool.position = play_.follow(row.position);
+    for (std::size_t axis = 0; axis < lowest_.size(); ++axis) {
+      lowest_[axis] = std::min(lowest_[axis], tool.position[axis]);
+      highest_[axis] = std::max(highest_[axis], tool.position[axis]);
+    }
+    for (TraceSink* sink : sinks_) sink->on_row(tool);
+  }
+  void on_end(std::uint64_t time_ns) override {
+    for (TraceSink* sink : sinks_) sink->on_end(time_ns);
+  }
+
+  /// Of the tool, in steps; 0 is where it was at first.
+  [[nodiscard]] const PlayModel::Steps& lowest() const { return lowest_; }
+  [[nodiscard]] const PlayModel::Steps& highest() const { return highest_; }
+
+ private:
+  PlayModel play_;
+  std::vector<TraceSink*> sinks_;
+  PlayModel::Steps lowest_{};
+  PlayModel::Steps highest_{};
+};
+
+}  // namespace sim
