@@ -8,6 +8,9 @@
 namespace cnc {
 namespace {
 
+/// A sender that is silent for so long while the machine stands has no more to say.
+constexpr std::int32_t kAtRestUs = 5'000;
+
 /// mm/s², of the axes that the block moves.
 float least_acceleration(const motion::Limits& limits, const motion::Block& block) {
   const std::uint8_t axes = motion::moving_axes(block);
@@ -51,6 +54,7 @@ void MotionControl::flush() {
   stage_.flush();
   pump();
   queue_.leave_none_out();
+  if (stage_.empty()) queue_.expect_no_more();
 }
 
 /// To the end of the block being driven, mm. @pre !segmenter_.idle()
@@ -84,7 +88,6 @@ bool MotionControl::runs_dry() const {
 /// A sender that has more to say says it within a few milliseconds.
 void MotionControl::attend(std::int32_t elapsed_us) {
   constexpr std::int32_t kPatienceUs = 20'000;
-  constexpr std::int32_t kAtRestUs = 5'000;
   // With so many blocks longer welds are worth more than more blocks.
   constexpr std::size_t kPlenty = 16;
   silence_us_ = std::min(silence_us_ + elapsed_us, kPatienceUs);
@@ -102,6 +105,7 @@ void MotionControl::attend(std::int32_t elapsed_us) {
 
 void MotionControl::feed_drive() {
   pump();
+  if (stage_.empty() && silence_us_ >= kAtRestUs) queue_.expect_no_more();
   motion::Segment segment;
   while (!drive_.full() && drive_.ticks_waiting() < drive_.ticks_ahead() &&
          segmenter_.next(segment)) {
