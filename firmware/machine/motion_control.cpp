@@ -9,6 +9,9 @@
 namespace cnc {
 namespace {
 
+/// A sender that is silent for so long while the machine stands has no more to say.
+constexpr std::int32_t kAtRestUs = 5'000;
+
 /// mm/s², of the axes that the block moves.
 float least_acceleration(const motion::Limits& limits, const motion::Block& block) {
   const std::uint8_t axes = motion::moving_axes(block);
@@ -55,6 +58,7 @@ void MotionControl::flush() {
   stage_.flush();
   pump();
   queue_.leave_none_out();
+  if (stage_.empty()) queue_.expect_no_more();
 }
 
 /// To the end of the block being driven, mm. @pre !segmenter_.idle()
@@ -88,7 +92,6 @@ bool MotionControl::runs_dry() const {
 /// A sender that has more to say says it within a few milliseconds.
 void MotionControl::attend(std::int32_t elapsed_us) {
   constexpr std::int32_t kPatienceUs = 20'000;
-  constexpr std::int32_t kAtRestUs = 5'000;
   // From the first of what is held: a weld of few lines is a poor start.
   constexpr std::int32_t kGatheringUs = 10'000;
   // With so many blocks longer welds are worth more than more blocks.
@@ -110,6 +113,7 @@ void MotionControl::attend(std::int32_t elapsed_us) {
 void MotionControl::feed_drive() {
   pump();
   follow_tool();
+  if (stage_.empty() && silence_us_ >= kAtRestUs) queue_.expect_no_more();
   motion::Segment segment;
   while (!drive_.full() && drive_.ticks_waiting() < drive_.ticks_ahead() &&
          motion::next_segment(segmenter_, motors_, segment)) {

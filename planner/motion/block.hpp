@@ -77,8 +77,10 @@ struct Block {
   float speed_limit_square = 0.0F;  ///< From rates, step rates and centripetal acceleration.
   /// What the look-ahead finds; changes as blocks are added.
   BrakingState entry{};  ///< Of the backward pass, at its start.
-  BlockZones head{};     ///< From blocks before it.
-  BlockZones tail{};     ///< From blocks behind it.
+  /// v² that it may be left with when all the way from the last rest is for speeding up.
+  float reachable_square = 1.0e12F;
+  BlockZones head{};  ///< From blocks before it.
+  BlockZones tail{};  ///< From blocks behind it.
 
   BeamCommand beam{};
   RowPart row{};            ///< Where there is one, its pixels say the duty.

@@ -14,18 +14,21 @@ void BlockQueue::push(const Block& block, Joint joint) {
   added = block;
   added.from_rest = stops_before(block, joint);
   added.entry = {};
+  ends_ = false;
+  stops_at_end_ = false;
   last_exit_tangent_ = exit_tangent(block);
   ++size_;
   ++unplanned_;
 }
 
 bool BlockQueue::stops_before(const Block& block, Joint joint) const {
-  if (empty() || joint == Joint::kStop) return true;
+  if (empty() || stops_at_end_ || joint == Joint::kStop) return true;
   return joint == Joint::kAsItTurns && !is_tangent(last_exit_tangent_, entry_tangent(block));
 }
 
 void BlockQueue::pop_front() {
   CNC_ASSERT(size_ > 0);
+  left_square_ = front().reachable_square;
   first_ = place_of(1);
   --size_;
   unplanned_ = std::min(unplanned_, size_);
@@ -35,23 +38,31 @@ void BlockQueue::clear() {
   size_ = 0;
   unplanned_ = 0;
   leaves_none_out_ = false;
+  ends_ = false;
+  stops_at_end_ = false;
 }
 
 namespace {
+
+/// The greatest v² anywhere on a block, whatever the pace may become.
+float most_square(const Spans& spans, const Block& block, const PlanTerms& terms) {
+  const SpeedCap greatest{block, terms.greatest};
+  float most = 0.0F;
+  for (int span = 0; span < spans.count(); ++span) {
+    most = std::max(most, greatest.square_within(spans.speed_limit_square(span)));
+  }
+  return most;
+}
 
 /// What a block asks of those before and behind it: the least of its speed
 /// limits, as far as the greatest reaches.
 LimitZone zone_of(const Spans& spans, const Block& block, const PlanTerms& terms) {
   const SpeedCap cap{block, terms.overrides};
-  const SpeedCap greatest{block, terms.greatest};
   float least = LimitZone{}.speed_square;
-  float most = 0.0F;
   for (int span = 0; span < spans.count(); ++span) {
-    const float limit_square = spans.speed_limit_square(span);
-    least = std::min(least, cap.square_within(limit_square));
-    most = std::max(most, greatest.square_within(limit_square));
+    least = std::min(least, cap.square_within(spans.speed_limit_square(span)));
   }
-  LimitZone zone = spans.zone(most);
+  LimitZone zone = spans.zone(most_square(spans, block, terms), block.reachable_square);
   zone.speed_square = least;
   return zone;
 }
@@ -59,7 +70,8 @@ LimitZone zone_of(const Spans& spans, const Block& block, const PlanTerms& terms
 /// What blocks ahead ask of this one. False when that has changed, or may have
 /// for blocks before it.
 bool lay_tail(ZoneTrail& ahead, Block& block, const Limits& limits, const PlanTerms& terms) {
-  const LimitZone own = zone_of(Spans{block, limits, terms.window}, block, terms);
+  const Spans spans{block, limits, terms.window};
+  const LimitZone own = zone_of(spans, block, terms);
   const BlockZones tail = ahead.reaching(own);
   ahead.advance(block.length);
   const bool same = tail == block.tail && ahead.empty();
@@ -78,13 +90,26 @@ void BlockQueue::stop_before_newest() {
 /// Of the blocks that were not planned before.
 void BlockQueue::lay_heads(const Limits& limits, const PlanTerms& terms) {
   if (!terms.window.filters()) return;
-  if (unplanned_ == size_) trail_.clear();
+  if (unplanned_ == size_) {
+    // What blocks that are gone ask of the oldest stays as it was, and so do its spans.
+    trail_.clear();
+    for (const LimitZone& zone : front().head) trail_.add(zone);
+    reachable_square_ = left_square_;
+  }
   for (std::size_t index = size_ - unplanned_; index < size_; ++index) {
     Block& block = changeable(index);
-    if (block.from_rest) trail_.clear();  // The window never spans a stop.
+    if (block.from_rest) {
+      trail_.clear();  // The window never spans a stop.
+      reachable_square_ = 0.0F;
+    }
     block.head = {};
     block.tail = {};
-    const LimitZone own = zone_of(Spans{block, limits, terms.window}, block, terms);
+    const Spans spans{block, limits, terms.window};
+    constexpr float kRounding = 1.0F + 1.0e-4F;
+    reachable_square_ += 2.0F * kRounding * spans.greatest_acceleration() * block.length;
+    reachable_square_ = std::min(reachable_square_, most_square(spans, block, terms));
+    block.reachable_square = reachable_square_;
+    const LimitZone own = zone_of(spans, block, terms);
     block.head = trail_.reaching(own);
     trail_.advance(block.length);
     trail_.add(own);

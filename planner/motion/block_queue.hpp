@@ -13,7 +13,7 @@
 
 namespace cnc::motion {
 
-/// How far ahead a program is planned; 9.7 KB on the controller.
+/// How far ahead a program is planned; 17 KB on the controller.
 inline constexpr std::size_t kLookAheadBlocks = 64;
 
 /// Blocks waiting to be driven, oldest first, with the look-ahead over them.
@@ -60,6 +60,12 @@ class BlockQueue {
   void plan_all(const Limits& limits, const PlanTerms& terms, std::size_t lead = 0);
   /// Nothing comes for a while: the next plan leaves none of the blocks out.
   void leave_none_out() { leaves_none_out_ = unplanned_ > 0; }
+  /// Nothing is known to follow the newest block: who starts from rest may take its end for
+  /// a stop.
+  void expect_no_more() { ends_ = true; }
+  [[nodiscard]] bool ends() const { return ends_; }
+  /// Its end has been taken for a stop: whatever comes after it begins from rest.
+  void stop_at_end() { stops_at_end_ = true; }
   /// The limits or overrides changed: plan anew from the newest block on.
   void forget_plan() { unplanned_ = size_; }
   /// The blocks that were planned for the first time with the last plan came too
@@ -95,11 +101,16 @@ class BlockQueue {
 
   std::span<Block> blocks_;
   ZoneTrail trail_{};  ///< Of the blocks that have a head.
+  /// v² that the newest of those may be left with at most, and the block taken away last.
+  float reachable_square_ = 0.0F;
+  float left_square_ = 0.0F;
   AxisArray<float> last_exit_tangent_{};
   std::size_t first_ = 0;
   std::size_t size_ = 0;
   std::size_t newest_ = 0;  ///< How many the last plan was the first of.
   bool leaves_none_out_ = false;
+  bool ends_ = false;
+  bool stops_at_end_ = false;
   std::size_t unplanned_ = 0;  ///< How many of the newest have no entry speed yet.
 };
 

@@ -26,6 +26,18 @@ bool binds(const LimitZone& zone, const LimitZone& own) {
          zone.turning.curvature > 0.0F;
 }
 
+/// s/mm that a zone costs: by its speed, and by that at which turning takes all acceleration,
+/// which no override changes.
+float pace_within(const LimitZone& zone) {
+  return 1.0F / std::sqrt(zone.speed_square) + std::sqrt(zone.turning.speed_ratio);
+}
+
+/// s that are lost when the limits of the shorter zone hold as far as the longer reaches.
+float price_of_both(const LimitZone& a, const LimitZone& b) {
+  const LimitZone& longer = a.length < b.length ? b : a;
+  return std::abs(a.length - b.length) * (pace_within(both(a, b)) - pace_within(longer));
+}
+
 }  // namespace
 
 void ZoneTrail::remove(std::size_t index) { zones_[index] = zones_[--count_]; }
@@ -37,20 +49,19 @@ void ZoneTrail::add(const LimitZone& zone) {
     if (is_within(zones_[i], zone)) remove(i);
   }
   zones_[count_++] = zone;
-  if (count_ > kCapacity) merge_nearest();
+  if (count_ > kCapacity) merge_cheapest();
 }
 
-/// Of those that reach nearly as far one is made: it asks for more than they
-/// did, nowhere for less.
-void ZoneTrail::merge_nearest() {
+/// Of two one is made: it asks for more than they did, nowhere for less.
+void ZoneTrail::merge_cheapest() {
   std::size_t first = 0;
   std::size_t second = 1;
-  float nearest = 1.0e12F;
+  float least = 1.0e12F;
   for (std::size_t i = 0; i < count_; ++i) {
     for (std::size_t k = i + 1; k < count_; ++k) {
-      const float apart = std::abs(zones_[i].length - zones_[k].length);
-      if (apart >= nearest) continue;
-      nearest = apart;
+      const float price = price_of_both(zones_[i], zones_[k]);
+      if (price >= least) continue;
+      least = price;
       first = i;
       second = k;
     }
@@ -72,7 +83,7 @@ BlockZones ZoneTrail::reaching(const LimitZone& own) const {
     if (binds(zones_[i], own)) binding.zones_[binding.count_++] = zones_[i];
   }
   BlockZones found{};
-  while (binding.count_ > found.size()) binding.merge_nearest();
+  while (binding.count_ > found.size()) binding.merge_cheapest();
   for (std::size_t i = 0; i < binding.count_; ++i) found[i] = binding.zones_[i];
   return found;
 }

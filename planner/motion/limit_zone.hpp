@@ -23,7 +23,7 @@ class ZoneTrail {
   static constexpr std::size_t kCapacity = 4;
 
   void remove(std::size_t index);
-  void merge_nearest();
+  void merge_cheapest();
 
   std::array<LimitZone, kCapacity + 1> zones_{};
   std::size_t count_ = 0;

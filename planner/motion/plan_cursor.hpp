@@ -33,8 +33,9 @@ class PlanCursor {
 
   /// The motion is the mean of the plan over so long from now on. @pre at rest
   void set_window(const TimeWindow& window);
-  /// The axes that move until the next stop, as far as blocks are known.
-  [[nodiscard]] std::uint8_t axes_ahead() const;
+  /// The window that suits the way to the next stop; the longest where it is not known. It
+  /// stays so: nothing that comes later joins that way. @pre at rest, not at_end()
+  [[nodiscard]] TimeWindow choose_window();
 
   /// The front of the queue was taken away. @pre the plan has left it
   void block_left();
@@ -47,6 +48,7 @@ class PlanCursor {
   [[nodiscard]] bool at_end() const { return !driving_ && index_ == queue_.size(); }
 
  private:
+  [[nodiscard]] std::size_t chain_end() const;
   [[nodiscard]] Patience patience() const;
   void note_change(const Stretch& stretch);
   void stop_phase_short();

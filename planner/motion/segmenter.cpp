@@ -127,9 +127,8 @@ bool Segmenter::next_stretch(Stretch& stretch) {
 
 /// From rest to rest it stays the same.
 void Segmenter::choose_window() {
-  const std::uint8_t axes = plan_.axes_ahead();
-  if (axes == 0) return;
-  const TimeWindow window = window_for(limits_, axes);
+  if (plan_.at_end()) return;
+  const TimeWindow window = plan_.choose_window();
   if (window == window_) return;
   window_ = window;
   plan_.set_window(window);

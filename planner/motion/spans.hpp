@@ -36,20 +36,20 @@ struct SpeedChange {
   float growing = 0.0F;
 };
 
-/// Divides a block into spans on which one acceleration can hold: a straight
-/// block where zones of its neighbours begin and end; an arc at each multiple of
-/// 3.75° of its tangent, quarter turns among them, so that within a span no axis
-/// reverses.
+/// Divides a block into spans on which one acceleration can hold: where zones of its
+/// neighbours begin and end; an arc at each multiple of 3.75° of its tangent, too, quarter
+/// turns among them, so that within a span no axis reverses.
 ///
 /// Under a time window the limits of a place hold around it. On an arc that is
 /// so small that the window spans more than 7.5° either way, they are taken as
-/// the same in all directions, and its spans may be eight times as long.
+/// the same in all directions, and its spans are at most 7.5° long.
 ///
 /// Only limits are divided here. The path stays one arc.
 class Spans {
  public:
   static constexpr int kGridPerTurn = 96;
-  static constexpr int kMostSpans = kGridPerTurn / 2 + 2;
+  static constexpr int kMostEdges = 4;  ///< Of zones, within a block.
+  static constexpr int kMostSpans = kGridPerTurn / 2 + 2 + kMostEdges;
 
   Spans() = default;
   Spans(const Block& block, const Limits& limits, const TimeWindow& window = {});
@@ -67,8 +67,11 @@ class Spans {
   /// Limit of v² from neighbours' zones, their feeds included.
   [[nodiscard]] float zone_speed_square(int span) const { return zone_on(span).speed_square; }
 
-  /// What this block asks of its neighbours; v² is at most `cap_square` on it.
-  [[nodiscard]] LimitZone zone(float cap_square) const;
+  /// mm/s² along the path, at most; under a window.
+  [[nodiscard]] float greatest_acceleration() const;
+  /// What this block asks of its neighbours, where v² is at most `cap_square` on it and in
+  /// what it asks for, and on it also at most `reachable_square`.
+  [[nodiscard]] LimitZone zone(float cap_square, float reachable_square) const;
 
   [[nodiscard]] Place place_at_boundary(int index) const;
   [[nodiscard]] Place place_at(float distance) const;
@@ -83,27 +86,36 @@ class Spans {
                                const SpeedChange& change) const;
 
  private:
-  void lay_out_straight();
   void lay_out_arc(const Block& block, const Limits& limits, const TimeWindow& window);
   void lay_out_grid();
+  void lay_out_edges();
   void add_edge(float distance);
+  [[nodiscard]] float own_boundary(int own) const;
+  [[nodiscard]] float own_angle(int own) const;
+  [[nodiscard]] int edges_before(int index) const;
+  [[nodiscard]] bool is_edge(int index) const;
   [[nodiscard]] float angle_of(int index) const;
   [[nodiscard]] Place place_of(float angle) const;
   [[nodiscard]] Place place_with(float cosine, float sine) const;
   [[nodiscard]] LimitZone zone_on(int span) const;
   [[nodiscard]] Shares greatest_shares(int span) const;
   [[nodiscard]] float within_turning(float most, const SpeedChange& change) const;
+  [[nodiscard]] float within_jerk(int span, float most, const SpeedChange& change) const;
+  [[nodiscard]] float within_jerk_at(float speed, float most, const Shares& tangent) const;
+  [[nodiscard]] float lag_of(const SpeedChange& change) const;
 
-  static constexpr std::size_t kMostEdges = 4;
-
-  int count_ = 1;
+  int count_ = 1;      ///< Of spans.
+  int own_count_ = 1;  ///< The same without edges of zones.
+  int edge_count_ = 0;
   float length_ = 0.0F;
   float straight_acceleration_ = 0.0F;  ///< Limit set by the axes whose direction is constant.
   float straight_speed_square_ = 0.0F;
+  float all_axes_ = 0.0F;  ///< mm/s² that no block asks for more than; under a window.
   TimeWindow window_{};
   BlockZones head_{};
   BlockZones tail_{};
-  std::array<float, kMostEdges> edges_{};  ///< Of zones on a straight block, in order.
+  std::array<float, kMostEdges> edges_{};       ///< mm from the start, in order.
+  std::array<int, kMostEdges> edge_indices_{};  ///< Of the boundaries that they are.
 
   // Of an arc.
   bool uniform_ = false;      ///< Limits taken as the same in all directions.

@@ -22,8 +22,9 @@ constexpr float kLate = 1.005F;
 /// Two units in the last place of a float.
 constexpr float kSpeedSquareRounding = 2.4e-7F;
 
-/// (1 µm/s)²: slower than a step in a second.
+/// (1 µm/s)²: slower than a step in a second; and what jerk allows within a cell of a window.
 constexpr float kStandstillSquare = 1.0e-6F;
+constexpr float kFilteredStandstillSquare = 1.0e-9F;
 
 }  // namespace
 
@@ -216,9 +217,12 @@ Phase SpeedProfile::level_for(float seconds) const {
 /// in which v² is below it, for the limits are linear in (a, v²) and hold at
 /// standstill; so what the plan can stop from here can stop. (Within a span
 /// the limits at the very place may be tighter than at its ends, by the margin.)
-/// Above it the plan is not made for this speed: an override has lowered it.
+/// Above it, or above the cap where turning leaves less, the plan is not made for this speed:
+/// an override has lowered it.
 float SpeedProfile::planned_deceleration() const {
   const float planned = here().deceleration;
+  const bool beyond_cap = speed_square_ > here().cap_square * kAbovePlan;
+  if (spans_.window_s() > 0.0F && beyond_cap) return 0.0F;
   const float curve = end_target_square() + 2.0F * planned * left_;
   if (speed_square_ < curve) return planned * (speed_square_ / curve);
   if (spans_.window_s() <= 0.0F) return planned;
@@ -237,8 +241,9 @@ Phase SpeedProfile::brake_to(float target_square, const Patience& patience) cons
   if (needed <= 0.0F) return {};
   if (needed >= possible) {
     // A standstill that is missed by rounding alone is met.
-    const float rounding =
-        possible * 1.0e-3F + speed_square_ * kSpeedSquareRounding + kStandstillSquare;
+    const float standstill =
+        spans_.window_s() > 0.0F ? kFilteredStandstillSquare : kStandstillSquare;
+    const float rounding = possible * 1.0e-3F + speed_square_ * kSpeedSquareRounding + standstill;
     const bool met = needed - possible <= rounding;
     return phase_to(met ? target_square : speed_square_ - possible, left_, 0.0F);
   }

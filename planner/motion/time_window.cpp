@@ -1,13 +1,21 @@
 #include "planner/motion/time_window.hpp"
 
+#include <algorithm>
 #include <cmath>
+
+#include "planner/base/scalar_math.hpp"
 
 namespace cnc::motion {
 namespace {
 
 constexpr float kShortest = 0.25e-3F;  // s: shorter than what the step timing resolves.
 constexpr float kLongest = 0.256F;     // s.
-constexpr float kWantedCell = 1.0e-3F;
+/// A window that is chosen is at least so long, where the axes need one as long: few cells
+/// make a coarse mean.
+constexpr float kShortestChosen = 1.0e-3F;
+constexpr float kLongestCell = 1.0e-3F;
+constexpr float kShortestCell = 0.5e-3F;
+constexpr float kWantedCells = 8.0F;
 
 }  // namespace
 
@@ -21,19 +29,80 @@ std::uint8_t moving_axes(const Block& block) {
   return static_cast<std::uint8_t>(axes | (1U << plane.first) | (1U << plane.second));
 }
 
-TimeWindow window_for(const Limits& limits, std::uint8_t axes) {
+namespace {
+
+/// s, the greatest A / J of these axes.
+float longest_rise(const Limits& limits, std::uint8_t axes) {
   float seconds = 0.0F;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     const float jerk = limits.jerk_mm_s3[axis];
     if ((axes >> axis & 1U) == 0 || jerk <= 0.0F) continue;
     seconds = std::max(seconds, limits.acceleration_mm_s2[axis] / jerk);
   }
-  if (seconds < kShortest) return {};
-  seconds = std::min(seconds, kLongest);
+  return seconds;
+}
+
+/// @pre wanted_s ≥ kShortest
+TimeWindow divided(float wanted_s) {
+  const float seconds = std::min(wanted_s, kLongest);
   constexpr auto kMost = static_cast<float>(TimeWindow::kMostCells);
-  const float cells = std::min(kMost, std::ceil(seconds / kWantedCell));
+  const float cell = std::clamp(seconds / kWantedCells, kShortestCell, kLongestCell);
+  const float cells = std::min(kMost, std::ceil(seconds / cell));
   return {.cells = static_cast<std::uint32_t>(cells),
           .cell_ns = static_cast<std::uint32_t>(std::ceil(seconds / cells * 1.0e9F))};
+}
+
+/// Along the path of a block: what its axes allow, the plane of an arc taken as the
+/// same in all directions.
+float along_path(const Block& block, const AxisArray<float>& of_axes) {
+  constexpr float kNoLimit = 1.0e12F;
+  float most = kNoLimit;
+  const auto keep = [&](std::size_t axis, float share) {
+    const float limit = of_axes[axis];
+    if (limit > 0.0F && limit < most * share) most = limit / share;
+  };
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) keep(axis, std::abs(block.direction[axis]));
+  if (!block.turns()) return most;
+  const PlaneAxes plane = axes_of(block.turn.plane);
+  keep(plane.first, block.turn.plane_share);
+  keep(plane.second, block.turn.plane_share);
+  return most;
+}
+
+/// Of any positive number of those that occur here.
+float cube_root_of(float value) { return cube_root(std::clamp(value, 1.0e-30F, 1.0e30F)); }
+
+}  // namespace
+
+TimeWindow window_for(const Limits& limits, std::uint8_t axes) {
+  const float seconds = longest_rise(limits, axes);
+  return seconds < kShortest ? TimeWindow{} : divided(seconds);
+}
+
+void WindowChoice::add(const Block& block, float length, float speed_square) {
+  axes_ = static_cast<std::uint8_t>(axes_ | moving_axes(block));
+  length_ += length;
+  const float jerk = along_path(block, limits_.jerk_mm_s3);
+  const float acceleration = along_path(block, limits_.acceleration_mm_s2);
+  float rise = std::min(acceleration / jerk, std::sqrt(std::sqrt(speed_square) / jerk));
+  const float bend = block.turn.curvature * square(block.turn.plane_share);
+  // On an arc of radius R speed keeps v²/R = A and v³/R² = J.
+  if (bend > 0.0F) {
+    const float by_acceleration = std::sqrt(acceleration / bend);
+    rise = std::min({rise, std::sqrt(by_acceleration / jerk), cube_root_of(1.0F / (bend * jerk))});
+  }
+  jerk_ = std::min(jerk_, jerk);
+  rise_ = std::max(rise_, rise);
+}
+
+TimeWindow WindowChoice::window() const {
+  const float longest = longest_rise(limits_, axes_);
+  if (longest < kShortest) return {};
+  // mm, less than any step: the rest of a way that was halted may be a hundred-millionth.
+  constexpr float kLeastLength = 1.0e-4F;
+  const float by_length = cube_root_of(std::max(length_, kLeastLength) / (2.0F * jerk_));
+  const float shortest = std::min(kShortestChosen, longest);
+  return divided(std::clamp(std::min(rise_, by_length), shortest, longest));
 }
 
 }  // namespace cnc::motion

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 #include "planner/motion/block.hpp"
@@ -24,6 +26,16 @@ struct TimeWindow {
   [[nodiscard]] std::uint32_t whole_ns() const { return cells * cell_ns; }
   [[nodiscard]] float seconds() const { return static_cast<float>(whole_ns()) * 1.0e-9F; }
   [[nodiscard]] float cell_seconds() const { return static_cast<float>(cell_ns) * 1.0e-9F; }
+  /// mm to either side of a place from which its limits hold for the plan, where v² is
+  /// at most `speed_square`; 0 for none.
+  ///
+  /// Half the window at that speed: a plan that has gone so far beyond the place has been
+  /// as far before it for as long, so its mean is still before. And the cell in which the
+  /// motion is taken as of one acceleration, with half of the one before.
+  [[nodiscard]] float reach(float speed_square) const {
+    if (!filters()) return 0.0F;
+    return std::sqrt(speed_square) * (0.5F * seconds() + 1.5F * cell_seconds());
+  }
   constexpr bool operator==(const TimeWindow&) const = default;
 };
 
@@ -34,6 +46,31 @@ struct TimeWindow {
 /// (with less acceleration than $12x where that is not enough), none below
 /// 0.25 ms.
 [[nodiscard]] TimeWindow window_for(const Limits& limits, std::uint8_t axes);
+
+/// Finds the window for a chain of blocks from rest to rest.
+///
+/// A plan that never reaches full acceleration under a shorter window T, with no more
+/// acceleration than J T, becomes the faster motion: up to the speed v the ramp v / (J T)
+/// and the window are shortest together when they are equal, T = √(v / J); over a way d from
+/// rest to rest when 2 J T³ = d. So of A / J, √(v / J) and ∛(d / 2J) it is the least
+/// (Biagiotti and Melchiorri, Trajectory Planning for Automatic Machines and
+/// Robots, 2008, section 3.4: the cases in which the greatest acceleration is not reached).
+class WindowChoice {
+ public:
+  explicit WindowChoice(const Limits& limits) : limits_{limits} {}
+
+  /// The chain goes on over `length` mm of a block, at most at v² = `speed_square`.
+  void add(const Block& block, float length, float speed_square);
+  /// @pre all of the chain was added
+  [[nodiscard]] TimeWindow window() const;
+
+ private:
+  const Limits& limits_;
+  std::uint8_t axes_ = 0;
+  float length_ = 0.0F;
+  float rise_ = 0.0F;     ///< s: the longest that a block asks for, its speed considered.
+  float jerk_ = 1.0e12F;  ///< mm/s³ along the path, the least of any block.
+};
 
 /// mm/s²: what the plan may use of an axis's acceleration under a window.
 [[nodiscard]] inline float planned_acceleration(const Limits& limits,

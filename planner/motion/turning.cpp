@@ -26,12 +26,16 @@ float Turning::steepest(float acceleration,
                         float distance,
                         float speed_square,
                         float cap_square,
-                        float window_s) const {
+                        float window_s,
+                        float lag_s) const {
   if (curvature <= 0.0F) return acceleration;
   const float most = within_acceleration(acceleration, distance, speed_square);
   if (window_s <= 0.0F) return most;
   const float top_square = std::min(cap_square, speed_square + 2.0F * most * distance);
-  return std::min(most, within_jerk(acceleration, top_square, window_s));
+  const float jerked = std::min(most, within_jerk(acceleration, top_square, window_s));
+  if (lag_s <= 0.0F) return jerked;
+  const float before_square = square(std::sqrt(top_square) + jerked * lag_s);
+  return std::min(jerked, within_jerk(acceleration, std::min(cap_square, before_square), window_s));
 }
 
 /// α² + (κ / A)² (v² + 2 α A d)² = 1, solved for α.

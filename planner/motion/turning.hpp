@@ -26,11 +26,14 @@ struct Turning {
   /// The greatest a that may hold over `distance` mm from where v² is
   /// `speed_square`, v² growing all the way up to at most `cap_square`.
   /// @param acceleration A along the path.
+  /// @param lag_s how long ago the plan had the speed that the motion has when a changes:
+  /// half the window where v falls, for then that is the greater.
   [[nodiscard]] float steepest(float acceleration,
                                float distance,
                                float speed_square,
                                float cap_square,
-                               float window_s) const;
+                               float window_s,
+                               float lag_s = 0.0F) const;
 
   /// As far as jerk goes, at this v². @pre window_s > 0
   [[nodiscard]] float within_jerk(float acceleration, float speed_square, float window_s) const;

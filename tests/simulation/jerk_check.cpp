@@ -26,6 +26,18 @@ Cell cell_at(const RecordedPlan& plan, std::size_t first) {
   return cell;
 }
 
+/// t″: of an arc −κ² t; of a helix only what of the tangent lies in the plane turns.
+Vector bend_rate_of(const ExactBlock& block, const Vector& tangent, const Vector& bend) {
+  Vector rate{};
+  if (!block.turns()) return rate;
+  const cnc::PlaneAxes axes = block.plane();
+  const double share = std::hypot(tangent[axes.first], tangent[axes.second]);
+  const double turn = norm(bend) / share;  // Radians per mm of path.
+  for (const std::size_t axis : {axes.first, axes.second})
+    rate[axis] = -turn * turn * tangent[axis];
+  return rate;
+}
+
 /// Shorter cells are the ends of motions, of which rounding makes too much.
 constexpr double kShortest = 20.0e-6;
 
@@ -52,10 +64,10 @@ Greatest greatest_jerk(const RecordedPlan& plan, const TestMachine& machine) {
     const ExactBlock& block = plan.blocks[slice.slice.block].exact;
     const Vector tangent = block.tangent_at(slice.fraction_at(half));
     const Vector bend = block.bend_at(slice.fraction_at(half));
-    const double curvature = norm(bend);
+    const Vector bend_rate = bend_rate_of(block, tangent, bend);
     for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
-      const double jerk = tangent[axis] * (along - curvature * curvature * std::pow(speed, 3)) +
-                          3.0 * bend[axis] * speed * mean;
+      const double jerk = tangent[axis] * along + 3.0 * bend[axis] * speed * mean +
+                          bend_rate[axis] * std::pow(speed, 3);
       const auto limit = static_cast<double>(machine.limits.jerk_mm_s3[axis]);
       greatest.note(std::abs(jerk) / limit, middle, axis);
     }

@@ -7,6 +7,7 @@
 #include "tests/simulation/edge_check.hpp"
 #include "tests/simulation/jerk_check.hpp"
 #include "tests/support/drive.hpp"
+#include "tests/support/straight_move.hpp"
 #include "tests/support/trials.hpp"
 
 namespace proof {
@@ -195,6 +196,28 @@ TEST(JerkLimitedMoves, TakeTheLeastTime) {
     ASSERT_NEAR(took / move.least_time(), 1.0, 1.0e-4);
   }
   std::printf("single moves: at most %.6f of the least time\n", worst);
+}
+
+// Of any length and speed: with all seven phases, or without full acceleration or full speed.
+TEST(JerkLimitedMoves, TakeTheLeastTimeWhereFullAccelerationIsNotReached) {
+  const Trials trials{1000};
+  double worst = 0.0;
+  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    Random random{seed};
+    Move move{};
+    move.acceleration = random.magnitude(50.0, 5000.0);
+    move.jerk = move.acceleration / random.magnitude(5.0e-3, 0.2);
+    move.speed = random.magnitude(1.0, 500.0);
+    move.length = random.magnitude(0.01, 100.0);
+    const Job job = move.job(random);
+    const double least =
+        sim::straight_move(move.length, move.speed, move.acceleration, move.jerk).seconds();
+    const double took = drive(job.program, job.machine).seconds;
+    worst = std::max(worst, took / least);
+    ASSERT_NEAR(took / least, 1.0, 1.0e-3) << move.length << " mm at " << move.speed << " mm/s";
+  }
+  std::printf("single moves of any length: at most %.6f of the least time\n", worst);
 }
 
 // From an even course the least is v / A + A / J.

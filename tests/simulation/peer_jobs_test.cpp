@@ -26,6 +26,24 @@ TEST(PeerJobs, TakeNoLongerThanOptimalMotionAndOnePercent) {
   }
 }
 
+// Jerk of 50 times acceleration per second, beside what acceleration alone asks for at least.
+// Left out: the chords, where 64 blocks of look-ahead are too short a way.
+TEST(PeerJobs, TakeAtMostOneTwentiethLongerWithLimitedJerk) {
+  for (const PeerJob& job : peer_jobs()) {
+    if (!(job.peers.bound > 0.0) || !job.in_sight) continue;
+    SCOPED_TRACE(testing::Message() << job.name << " at " << job.acceleration << " mm/s²");
+    const PeerResult result = run_peer_job(job, 0.02);
+    EXPECT_EQ(result.refusals, 0U);
+    std::printf("%-25s %5.0f %8.3f s with limited jerk, %.5f of %.3f s\n",
+                job.name.c_str(),
+                job.acceleration,
+                result.seconds,
+                result.seconds / job.peers.bound,
+                job.peers.bound);
+    EXPECT_LE(result.seconds, 1.05 * job.peers.bound);
+  }
+}
+
 TEST(PeerJobs, AreNoSlowerThanTheBestPeerThatKeepsItsLimits) {
   for (const PeerJob& job : peer_jobs()) {
     if (!(job.peers.best > 0.0)) continue;

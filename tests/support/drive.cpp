@@ -25,6 +25,7 @@ class Driver {
       const std::size_t before = progress();
       for (std::size_t i = 0; i < program_.pushed_at_once && may_push(); ++i) push();
       pump();
+      if (stage_.empty() && waits_for_rest()) queue_.expect_no_more();
       for (std::size_t i = 0; i < program_.cut_at_once && cut(); ++i) {
       }
       if (!operate_ && progress() == before && ++idle_turns_ > kMostIdleTurns) {
@@ -37,6 +38,11 @@ class Driver {
  private:
   [[nodiscard]] std::size_t progress() const {
     return next_ + plan_.slices.size() + plan_.blocks.size();
+  }
+
+  /// Nothing more comes before the machine stands.
+  [[nodiscard]] bool waits_for_rest() const {
+    return next_ == program_.items.size() || program_.items[next_].stop_before;
   }
 
   bool may_push() {

@@ -194,6 +194,23 @@ TEST_F(BlockQueueTest, PlansTheLastBlockWhenNothingComes) {
   EXPECT_GT(queue.exit_of(0).speed_square, before);
 }
 
+// What comes after all begins from rest, as the window was chosen for.
+TEST_F(BlockQueueTest, StopsAtAnEndThatWasTakenForAStop) {
+  queue.push(straight_block(1.0, limits));
+  EXPECT_FALSE(queue.ends());
+  queue.expect_no_more();
+  EXPECT_TRUE(queue.ends());
+  queue.push(straight_block(1.0, limits), Joint::kSmooth);
+  EXPECT_FALSE(queue.at(1).from_rest);
+  EXPECT_FALSE(queue.ends());
+  queue.expect_no_more();
+  queue.stop_at_end();
+  queue.push(straight_block(1.0, limits), Joint::kSmooth);
+  EXPECT_TRUE(queue.at(2).from_rest);
+  queue.push(straight_block(1.0, limits), Joint::kSmooth);
+  EXPECT_FALSE(queue.at(3).from_rest);
+}
+
 TEST_F(BlockQueueTest, PlansTheSameAroundTheEndOfItsRing) {
   proof::Random random{4};
   const std::vector<Block> chain = any_chain(random, limits, 40);

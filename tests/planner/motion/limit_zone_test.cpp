@@ -62,6 +62,20 @@ TEST(ZoneTrail, AsksForAllThatEveryBlockAsksFor) {
   }
 }
 
+// A slow zone of a hair's breadth is not made as long as a fast one: two fast ones become one.
+TEST(ZoneTrail, MakesOneOfThoseThatLoseTheLeastTime) {
+  ZoneTrail trail;
+  trail.add({.length = 0.001F, .speed_square = 0.01F});
+  trail.add({.length = 0.1F, .speed_square = 100.0F});
+  trail.add({.length = 0.7F, .speed_square = 4000.0F});
+  const BlockZones reaching = trail.reaching({});
+  const auto slow = std::find_if(reaching.begin(), reaching.end(), [](const LimitZone& zone) {
+    return zone.speed_square <= 0.01F;
+  });
+  ASSERT_NE(slow, reaching.end());
+  EXPECT_EQ(slow->length, 0.001F);
+}
+
 TEST(ZoneTrail, LeavesAloneWhatIsLimitedAsMuch) {
   ZoneTrail trail;
   trail.add({.length = 1.0F, .speed_square = 100.0F, .acceleration = 500.0F});

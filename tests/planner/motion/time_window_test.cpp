@@ -39,6 +39,43 @@ TEST(TimeWindow, HasABoundAndLessAccelerationBeyondIt) {
   EXPECT_EQ(planned_acceleration(limits, 1, window), 500.0F);
 }
 
+/// Of one straight move along X with 500 mm/s² and 25,000 mm/s³.
+double chosen(float length, float speed) {
+  const Limits limits = with_jerk(25'000.0F, 25'000.0F);
+  const Block block = straight_block(length, limits);
+  WindowChoice choice{limits};
+  choice.add(block, block.length, speed * speed);
+  return static_cast<double>(choice.window().seconds());
+}
+
+TEST(WindowChoice, IsTheRiseWhereFullAccelerationIsReached) {
+  EXPECT_NEAR(chosen(10.0F, 100.0F), 0.02, 1.0e-6);
+}
+
+TEST(WindowChoice, IsAsLongAsTheRampOfAShortMove) {
+  // 2 J T³ = 0.05 mm.
+  EXPECT_NEAR(chosen(0.05F, 100.0F), 0.01, 1.0e-6);
+}
+
+TEST(WindowChoice, IsAsLongAsTheRampToALowSpeed) {
+  // J T² = 2.5 mm/s.
+  EXPECT_NEAR(chosen(10.0F, 2.5F), 0.01, 1.0e-6);
+}
+
+TEST(WindowChoice, HasALeastLength) {
+  EXPECT_GE(chosen(1.0e-6F, 100.0F), 1.0e-3);
+  EXPECT_FALSE(WindowChoice{plain_limits()}.window().filters());
+}
+
+TEST(WindowChoice, IsTheLongestThatABlockOfTheChainAsksFor) {
+  const Limits limits = with_jerk(25'000.0F, 25'000.0F);
+  const Block block = straight_block(10.0F, limits);
+  WindowChoice choice{limits};
+  choice.add(block, block.length, 1.0F);
+  choice.add(block, block.length, 1.0e4F);
+  EXPECT_NEAR(static_cast<double>(choice.window().seconds()), 0.02, 1.0e-6);
+}
+
 TEST(BlockFraction, IsExactAtTheEndsAndInOrder) {
   proof::Random random{20261121};
   for (int trial = 0; trial < 20'000; ++trial) {

@@ -1,0 +1,170 @@
+#include <algorithm>
+#include <cmath>
+
+#include "planner/base/scalar_math.hpp"
+#include "planner/motion/spans.hpp"
+
+namespace cnc::motion {
+namespace {
+
+/// Greatest x ≥ 0 with |gradient · x + offset| ≤ limit, or `most` if smaller.
+/// No x mends an offset that rounding put beyond the limit where gradient = 0.
+float tighten(float most, float limit, float gradient, float offset) {
+  const float room = limit - (gradient > 0.0F ? offset : -offset);
+  const float steepness = std::abs(gradient);
+  if (room >= most * steepness || steepness <= 0.0F) return most;
+  return std::max(0.0F, room) / steepness;
+}
+
+}  // namespace
+
+/// What neighbours ask for on a span, all of it together.
+LimitZone Spans::zone_on(int span) const {
+  LimitZone found;
+  const auto take = [&found](const LimitZone& zone) {
+    found.speed_square = std::min(found.speed_square, zone.speed_square);
+    found.acceleration = std::min(found.acceleration, zone.acceleration);
+    found.turning = both(found.turning, zone.turning);
+  };
+  if (!window_.filters()) return found;
+  for (const LimitZone& zone : head_) {
+    if (zone.length > boundary(span)) take(zone);
+  }
+  for (const LimitZone& zone : tail_) {
+    if (zone.length > 0.0F && length_ - zone.length < boundary(span + 1)) take(zone);
+  }
+  return found;
+}
+
+float Spans::greatest_acceleration() const {
+  if (sweep_ <= 0.0F) return straight_acceleration_;
+  return std::min(straight_acceleration_, plane_acceleration_ / plane_share_);
+}
+
+LimitZone Spans::zone(float cap_square, float reachable_square) const {
+  LimitZone zone{.speed_square = cap_square, .acceleration = straight_acceleration_};
+  if (sweep_ > 0.0F) {
+    zone.acceleration = std::min(zone.acceleration, plane_acceleration_);
+    const float share = plane_share_;
+    zone.turning = {turning_.curvature * share,
+                    turning_.speed_ratio * square(share),
+                    turning_.jerk_ratio * square(share) * share};
+  }
+  // Beyond a block that is left with v the plan may go on speeding up: that adds A T² / 12.
+  const float speeding_up = all_axes_ * square(window_.seconds()) / 12.0F;
+  zone.length = std::min(window_.reach(cap_square), window_.reach(reachable_square) + speeding_up);
+  return zone;
+}
+
+/// Of what the window spans around a span: the greatest shares of the speed that
+/// fall to the axes of the plane.
+Shares Spans::greatest_shares(int span) const {
+  if (uniform_) return {plane_share_, plane_share_};
+  const Place from = reach_ > 0.0F ? place_of(angle_of(span) - reach_) : place_at_boundary(span);
+  const Place to =
+      reach_ > 0.0F ? place_of(angle_of(span + 1) + reach_) : place_at_boundary(span + 1);
+  Shares shares{std::max(std::abs(from.tangent_first), std::abs(to.tangent_first)),
+                std::max(std::abs(from.tangent_second), std::abs(to.tangent_second))};
+  // An axis that the tangent lies along in between has all of it.
+  const float middle = 0.5F * (angle_of(span) + angle_of(span + 1)) / kHalfPi;
+  const float nearest = std::floor(middle + 0.5F);
+  const float half = 0.5F * (angle_of(span + 1) - angle_of(span)) + reach_;
+  if (std::abs(middle - nearest) * kHalfPi > half) return shares;
+  const bool along_second = (static_cast<int>(nearest) & 1) != 0;
+  (along_second ? shares.second : shares.first) = plane_share_;
+  return shares;
+}
+
+float Spans::speed_limit_square(int span) const {
+  if (sweep_ <= 0.0F) return straight_speed_square_;
+  const Shares shares = greatest_shares(span);
+  float limit = straight_speed_square_;
+  const auto keep = [&limit](float rate, float share) {
+    if (square(rate) < limit * square(share)) limit = square(rate / share);
+  };
+  keep(rate_first_, shares.first);
+  keep(rate_second_, shares.second);
+  return limit;
+}
+
+float Spans::steepest(int span,
+                      const Place& from,
+                      const Place& to,
+                      const SpeedChange& change) const {
+  const auto& [distance, speed_square, cap_square, travel, wanted, growing] = change;
+  const LimitZone zone = zone_on(span);
+  float most = std::min(straight_acceleration_, zone.acceleration);
+  const float window_s = window_.seconds();
+  most = zone.turning.steepest(most, growing, speed_square, cap_square, window_s, lag_of(change));
+  if (sweep_ <= 0.0F) return most;
+  if (uniform_) return within_turning(most, change);
+  if (window_.filters()) most = within_jerk(span, most, change);
+
+  const float sign = static_cast<float>(wanted);
+  const float reach = 2.0F * distance * static_cast<float>(travel);
+  const float square_there = speed_square;
+  const auto meet = [&](const Place& place, bool at_from, bool at_to) {
+    const auto meet_axis = [&](float limit, float tangent, float bend) {
+      most = tighten(most, limit, std::abs(tangent), 0.0F);
+      if (at_from) most = tighten(most, limit, sign * tangent, bend * square_there);
+      if (at_to) most = tighten(most, limit, sign * (tangent + reach * bend), bend * square_there);
+    };
+    meet_axis(acceleration_first_, place.tangent_first, place.bend_first);
+    meet_axis(acceleration_second_, place.tangent_second, place.bend_second);
+  };
+  const bool around = reach_ > 0.0F;
+  meet(from, true, around);
+  meet(to, around, true);
+  if (!around) return most;
+  meet(place_of(angle_of(span) - reach_), true, true);
+  meet(place_of(angle_of(span + 1) + reach_), true, true);
+  return most;
+}
+
+/// The motion is the mean: while the plan slows down it is as fast as the plan was half a
+/// window ago.
+float Spans::lag_of(const SpeedChange& change) const {
+  return change.change == Change::kSlowDown ? 0.5F * window_.seconds() : 0.0F;
+}
+
+/// What turning leaves, of the plane's limits; as an acceleration of the path.
+float Spans::within_turning(float most, const SpeedChange& change) const {
+  const float to_plane = square(plane_share_);
+  const float plane = turning_.steepest(plane_acceleration_,
+                                        plane_share_ * change.growing,
+                                        to_plane * change.speed_square,
+                                        to_plane * change.cap_square,
+                                        window_.seconds(),
+                                        lag_of(change));
+  return std::min(most, plane / plane_share_);
+}
+
+/// Where directions are told apart: an axis along which the tangent has the share t and
+/// its normal the share n is asked for the jerk t (a / T + κ² v³) + n 3 κ v a at most.
+float Spans::within_jerk(int span, float most, const SpeedChange& change) const {
+  const Shares tangent = greatest_shares(span);
+  const float top_square =
+      std::min(change.cap_square, change.speed_square + 2.0F * most * change.growing);
+  const float at_top = within_jerk_at(std::sqrt(top_square), most, tangent);
+  const float lag_s = lag_of(change);
+  if (lag_s <= 0.0F) return at_top;
+  const float before = std::sqrt(top_square) + at_top * lag_s;
+  return within_jerk_at(std::min(std::sqrt(change.cap_square), before), at_top, tangent);
+}
+
+float Spans::within_jerk_at(float speed, float most, const Shares& tangent) const {
+  const float bend = square(plane_share_) * turning_.curvature;
+  const float window_s = window_.seconds();
+  // In units of A = J T, as accelerations are limited by it too.
+  const float along = turning_.curvature * bend * speed * square(speed) * window_s;
+  const float across = 3.0F * bend * speed * window_s;
+  const auto keep = [&](float limit, float share, float other) {
+    const float steepness = share + across * other / plane_share_;
+    most = tighten(most, limit - share * along, steepness, 0.0F);
+  };
+  keep(acceleration_first_, tangent.first, tangent.second);
+  keep(acceleration_second_, tangent.second, tangent.first);
+  return most;
+}
+
+}  // namespace cnc::motion

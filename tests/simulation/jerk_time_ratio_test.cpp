@@ -1,0 +1,102 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+
+#include "tests/support/drive.hpp"
+#include "tests/support/jerk_time.hpp"
+#include "tests/support/product_limits.hpp"
+#include "tests/support/recorded_motion.hpp"
+#include "tests/support/trials.hpp"
+
+namespace proof {
+namespace {
+
+/// What a random program takes, and the least time known for it.
+struct TimedProgram {
+  std::uint64_t seed = 0;
+  double took = 0.0;
+  double least = 0.0;  ///< 0: the reference cannot judge it.
+
+  [[nodiscard]] double ratio() const { return took / least; }
+};
+
+/// Above, a section has fewer than five cells a piece.
+constexpr std::size_t kMostPieces = 60;
+
+/// 5…50 ms to full acceleration, all axes alike; ramps of at least 0.25 mm.
+TimedProgram time_program(std::uint64_t seed) {
+  constexpr MachineRanges kMachines{
+      .least_rate_mm_s = 50.0, .least_acceleration = 10.0, .most_acceleration = 5000.0};
+  Random random{seed};
+  TestMachine machine = random_machine(random, kMachines);
+  Program program = random_program(random, machine);
+  program.pushed_at_once = 64;  // The sender keeps up: the queue is always full.
+  program.cut_at_once = 1;
+  const double rise = random.magnitude(0.005, 0.05);
+  sim::MotionLimits limits = limits_of(machine.limits);
+  for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
+    limits.jerk[axis] = limits.acceleration[axis] / rise;
+    machine.limits.jerk_mm_s3[axis] = static_cast<float>(limits.jerk[axis]);
+  }
+  const RecordedPlan plan = drive(program, machine);
+  const sim::ProgrammedPath path = motion_of(plan).path;
+  TimedProgram timed{.seed = seed, .took = plan.seconds, .least = 0.0};
+  if (path.pieces.empty() || path.pieces.size() > kMostPieces) return timed;
+  timed.least = sim::jerk_limited_time(path, limits, {.most_cells = 300}).found;
+  return timed;
+}
+
+void print(const std::vector<TimedProgram>& programs, std::size_t left_out) {
+  const auto at = [&](double share) {
+    const auto index = static_cast<std::size_t>(share * static_cast<double>(programs.size()));
+    return programs[std::min(index, programs.size() - 1)].ratio();
+  };
+  std::printf(
+      "%zu random programs with limited jerk (%zu more have over %zu blocks): time / least known "
+      "time: least %.4f, median %.4f, nine of ten below %.4f, worst %.4f; the slowest are",
+      programs.size(),
+      left_out,
+      kMostPieces,
+      programs.front().ratio(),
+      at(0.5),
+      at(0.9),
+      programs.back().ratio());
+  for (std::size_t i = 0; i < std::min<std::size_t>(12, programs.size()); ++i) {
+    const TimedProgram& program = programs[programs.size() - 1 - i];
+    std::printf(" %llu (%.3f)", static_cast<unsigned long long>(program.seed), program.ratio());
+  }
+  std::printf("\n");
+}
+
+// Against the reference with full knowledge of the path. Those that take much longer consist of
+// arcs of micrometres to tenths of a millimetre, on which the planner takes limits as the same
+// in all directions and as one acceleration over 7.5°.
+TEST(JerkLimitedPrograms, TakeHardlyLongerThanTheFastestMotionKnown) {
+  const Trials trials{300};
+  std::vector<TimedProgram> programs;
+  std::size_t left_out = 0;
+  for (auto seed = trials.first_seed(); seed < trials.end_seed() && !too_many_failures(); ++seed) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    const TimedProgram program = time_program(seed);
+    if (program.least > 0.0) {
+      EXPECT_GE(program.ratio(), 0.98) << "faster than the limits allow";
+      programs.push_back(program);
+    } else {
+      ++left_out;
+    }
+  }
+  ASSERT_FALSE(programs.empty());
+  std::ranges::sort(programs, {}, &TimedProgram::ratio);
+  print(programs, left_out);
+  if (trials.count() < 100) return;
+  const auto beyond = [&](double ratio) {
+    return std::ranges::count_if(programs, [&](const auto& p) { return p.ratio() > ratio; });
+  };
+  const auto count = static_cast<std::ptrdiff_t>(programs.size());
+  EXPECT_LE(2 * beyond(1.03), count);
+  EXPECT_LE(8 * beyond(1.25), count);
+}
+
+}  // namespace
+}  // namespace proof
