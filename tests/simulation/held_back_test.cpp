@@ -42,11 +42,12 @@ TEST(SilentSender, CausesNoneOnManyShortLines) {
   expect_no_braking({{120, 500.0}}, lines);
 }
 
-// The plan is ahead of the motion, and goes level before it brakes.
+// The plan is ahead of the motion, and goes level before it brakes. At A²/J and above the
+// window is A/J, whether the end is known at the start or not.
 TEST(SilentSender, CausesNoneWhereJerkIsLimited) {
   for (const double speed : {1200.0, 3000.0, 6000.0}) {
     SCOPED_TRACE(speed);
-    const std::vector<Setting> settings{{110, speed}, {120, 500.0}, {800, 2000.0}};
+    const std::vector<Setting> settings{{110, speed}, {120, 80.0}, {800, 320.0}};
     expect_no_braking(settings, {"G21 G90 G1 F6000 X40", "X80"});
   }
 }
