@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "planner/base/scalar_math.hpp"
+#include "planner/base/truncate.hpp"
 #include "planner/motion/motor_segments.hpp"
 
 namespace cnc {
@@ -27,6 +28,7 @@ float least_acceleration(const motion::Limits& limits, const motion::Block& bloc
 Result<bool, motion::MotionError> MotionControl::append(const path::PathItem& item) {
   const PathElement& element = item.request.element;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    if (element.end[axis] == element.start[axis]) continue;  // It is there.
     const bool within = limits_.scale[axis].steps_at(element.end[axis]).has_value();
     if (!within) return motion::MotionError::kBeyondMotorRange;
   }
@@ -66,7 +68,7 @@ float MotionControl::chord_left() const {
   float sum = 0.0F;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     const std::int64_t left = queue_.front().end[axis].q32() - segmenter_.place()[axis].q32();
-    const float steps = static_cast<float>(left >> 16) * (1.0F / 65'536.0F);
+    const float steps = nearest_float(left >> 16) * (1.0F / 65'536.0F);
     sum += square(steps / limits_.scale[axis].steps_per_mm());
   }
   return std::sqrt(sum);

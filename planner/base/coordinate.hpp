@@ -29,7 +29,7 @@ class Coordinate {
   [[nodiscard]] constexpr std::int64_t nanometres() const { return nanometres_; }
   /// Relative error at most 6e-8: use it on differences, not on places.
   [[nodiscard]] constexpr float mm() const {
-    return static_cast<float>(nanometres_) * kMillimetresPerNanometre;
+    return nearest_float(nanometres_) * kMillimetresPerNanometre;
   }
   [[nodiscard]] constexpr bool in_range() const {
     return nanometres_ >= -kFarthestNanometres && nanometres_ <= kFarthestNanometres;

@@ -14,4 +14,15 @@ namespace cnc {
   return std::int64_t{chunks} * 65'536 + static_cast<std::int32_t>(rest);
 }
 
+/// The nearest float. What static_cast does, but a Cortex-M4 has no conversion of 64 bits:
+/// what fits into 32 and a sign is one instruction instead of thirty.
+[[nodiscard]] constexpr float nearest_float(std::uint64_t value) {
+  const auto low = static_cast<std::uint32_t>(value);
+  return value == low ? static_cast<float>(low) : static_cast<float>(value);
+}
+[[nodiscard]] constexpr float nearest_float(std::int64_t value) {
+  return value < 0 ? -nearest_float(static_cast<std::uint64_t>(-value))
+                   : nearest_float(static_cast<std::uint64_t>(value));
+}
+
 }  // namespace cnc

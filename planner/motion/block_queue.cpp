@@ -137,6 +137,19 @@ void BlockQueue::plan(const Limits& limits, const PlanTerms& terms, std::size_t 
   if (enough) plan_all(limits, terms, lead);
 }
 
+namespace {
+
+/// Of the entry that was found before, the new one may keep it: it is no more than a little
+/// below. On arcs driven at their limit what lies ahead dies away but never ends.
+bool as_good(const BrakingState& before, const BrakingState& now, const TimeWindow& window) {
+  constexpr float kNegligible = 1.0F + 5.0e-5F;
+  if (before == now) return true;
+  return !window.filters() && before.speed_square <= now.speed_square &&
+         now.speed_square <= before.speed_square * kNegligible;
+}
+
+}  // namespace
+
 // Backward pass from the newest block. Where a block that was planned before
 // gets the same entry again, and nothing reaches beyond it that did not before,
 // all older ones would, too.
@@ -155,7 +168,7 @@ void BlockQueue::plan_all(const Limits& limits, const PlanTerms& terms, std::siz
     if (index == lead) break;
     const BrakingState entry =
         block.from_rest ? BrakingState{} : entry_for(block, limits, terms, exit);
-    if (was_planned && same_tail && entry == block.entry) break;
+    if (was_planned && same_tail && as_good(block.entry, entry, window)) break;
     block.entry = entry;
     exit = entry;
     if (block.from_rest) ahead.clear();

@@ -83,8 +83,8 @@ BrakingState brake_backwards(const Spans& spans,
   for (int span = spans.count() - 1; span >= 0; --span) {
     const Place start = spans.place_at_boundary(span);
     const float length = spans.length_of(span);
-    const float cap_square =
-        std::min(cap.square_within(spans.speed_limit_square(span)), spans.zone_speed_square(span));
+    const float cap_square = std::min(cap.square_within(spans.speed_limit_square(span, start, end)),
+                                      spans.zone_speed_square(span));
     if (cap_square < state.speed_square) state.speed_square = cap_square;
     const float deceleration = spans.steepest(
         span,

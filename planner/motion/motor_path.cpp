@@ -1,5 +1,9 @@
 #include "planner/motion/motor_path.hpp"
 
+#include <algorithm>
+
+#include "planner/base/truncate.hpp"
+
 namespace cnc::motion {
 namespace {
 
@@ -30,46 +34,39 @@ MotorPath::MotorPath(const Block& block, const AxisArray<StepPosition>& start)
       axes_{axes_of(block.turn.plane)},
       turns_{block.turns()} {
   const float per_mm = StepPosition::kStepsPerUnit / block.length;
-  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    chord_[axis] = end_[axis].q32() - start_[axis].q32();
-    chord_per_mm_[axis] = static_cast<float>(chord_[axis]) * per_mm;
-  }
   for (std::size_t i = 0; i < normal_.size(); ++i) {
     normal_[i] = block.normal[i].q32();
-    normal_per_mm_[i] = static_cast<float>(normal_[i]) * per_mm;
+    normal_per_mm_[i] = nearest_float(normal_[i]) * per_mm;
   }
-}
-
-MotorState MotorPath::at(std::uint64_t fraction) const {
-  MotorState state;
-  state.speed = chord_per_mm_;
-  if (fraction >= kWhole) {
-    if (turns_) lay_turn_over(0xFFFF'FFFFU, state);
-    state.place = end_;
-    return state;
-  }
-  const auto within = static_cast<std::uint32_t>(fraction);
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    if (chord_[axis] == 0) {
-      state.place[axis] = start_[axis];
-    } else {
-      state.place[axis] = StepPosition{start_[axis].q32() + share(chord_[axis], within)};
-    }
+    chord_[axis] = end_[axis].q32() - start_[axis].q32();
+    if (chord_[axis] == 0 && in_plane(axis) == kOffPlane) continue;
+    chord_per_mm_[axis] = nearest_float(chord_[axis]) * per_mm;
+    moving_[count_++] = static_cast<std::uint8_t>(axis);
   }
-  if (turns_) lay_turn_over(within, state);
-  return state;
 }
 
-void MotorPath::lay_turn_over(std::uint32_t fraction, MotorState& state) const {
-  const ChordPoint point = frame_.at(fraction);
-  const std::array<std::size_t, 2> plane{axes_.first, axes_.second};
-  for (std::size_t i = 0; i < plane.size(); ++i) {
-    const std::size_t axis = plane[i];
-    state.place[axis] = StepPosition{start_[axis].q32() + scaled(chord_[axis], point.along_q30) +
-                                     scaled(normal_[i], point.across_q30)};
-    state.speed[axis] =
-        chord_per_mm_[axis] * point.along_rate + normal_per_mm_[i] * point.across_rate;
+MotorPath::Point MotorPath::at(std::uint64_t fraction) const {
+  Point point{.fraction = fraction};
+  if (turns_) point.turn = frame_.at(static_cast<std::uint32_t>(std::min(fraction, kWhole - 1)));
+  return point;
+}
+
+StepPosition MotorPath::place(std::size_t axis, const Point& point) const {
+  if (point.fraction >= kWhole) return end_[axis];
+  const std::int64_t from = start_[axis].q32();
+  const std::size_t i = in_plane(axis);
+  if (i == kOffPlane) {
+    return StepPosition{from + share(chord_[axis], static_cast<std::uint32_t>(point.fraction))};
   }
+  return StepPosition{from + scaled(chord_[axis], point.turn.along_q30) +
+                      scaled(normal_[i], point.turn.across_q30)};
+}
+
+float MotorPath::speed(std::size_t axis, const Point& point) const {
+  const std::size_t i = in_plane(axis);
+  if (i == kOffPlane) return chord_per_mm_[axis];
+  return chord_per_mm_[axis] * point.turn.along_rate + normal_per_mm_[i] * point.turn.across_rate;
 }
 
 }  // namespace cnc::motion

@@ -22,7 +22,7 @@ inline constexpr float kMmPerUnit = 1.0F / kUnitsPerMm;
   if (mm < kLong) return truncated(mm * kUnitsPerMm);
   return truncated(mm * 1'048'576.0F) * 65'536;
 }
-[[nodiscard]] inline float to_mm(PathUnits units) { return static_cast<float>(units) * kMmPerUnit; }
+[[nodiscard]] inline float to_mm(PathUnits units) { return nearest_float(units) * kMmPerUnit; }
 
 /// At least one, so that each block has a beginning and an end.
 [[nodiscard]] inline PathUnits length_in_units(const Block& block) {

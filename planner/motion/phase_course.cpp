@@ -17,7 +17,8 @@ constexpr std::uint64_t kMostTicks = std::uint64_t{1} << 33;
 
 }  // namespace
 
-PhaseCourse::PhaseCourse(const Stretch& stretch) : whole_{stretch} {}
+PhaseCourse::PhaseCourse(const Stretch& stretch)
+    : whole_{stretch}, duration_{nearest_float(stretch.duration_ns)} {}
 
 void PhaseCourse::divide() {
   while ((whole_.duration_ns >> shift_) >= kMostTicks) ++shift_;
@@ -42,13 +43,13 @@ PathUnits PhaseCourse::way_after(std::uint64_t ns) {
 }
 
 float PhaseCourse::speed_after(std::uint64_t ns) const {
+  if (ns >= whole_.duration_ns) return whole_.end_speed;
   // From the nearer end: what is left of a long braking is small.
   const float change = whole_.end_speed - whole_.start_speed;
-  const auto duration = static_cast<float>(whole_.duration_ns);
   if (ns <= whole_.duration_ns / 2) {
-    return whole_.start_speed + change * (static_cast<float>(ns) / duration);
+    return whole_.start_speed + change * (nearest_float(ns) / duration_);
   }
-  return whole_.end_speed - change * (static_cast<float>(whole_.duration_ns - ns) / duration);
+  return whole_.end_speed - change * (nearest_float(whole_.duration_ns - ns) / duration_);
 }
 
 std::uint64_t PhaseCourse::time_of(PathUnits way, std::uint64_t from_ns) const {
@@ -58,7 +59,7 @@ std::uint64_t PhaseCourse::time_of(PathUnits way, std::uint64_t from_ns) const {
   const float sum = speed + std::sqrt(std::max(0.0F, end_square));
   const std::uint64_t left = whole_.duration_ns - from_ns;
   const float time_ns = 2.0F * distance * kNanosecondsPerSecond;
-  if (time_ns >= sum * static_cast<float>(left)) return left;
+  if (time_ns >= sum * nearest_float(left)) return left;
   return std::min(left, static_cast<std::uint64_t>(truncated(time_ns / sum + 0.5F)));
 }
 

@@ -43,6 +43,7 @@ class PhaseCourse {
   void divide();
 
   Stretch whole_{};
+  float duration_ = 0.0F;  ///< ns.
   /// 2^63 / duration in ticks of 2^shift_ ns; 0 until a place inside is asked for,
   /// for the division is long, and most courses are driven in one go.
   std::uint64_t per_tick_q63_ = 0;

@@ -19,7 +19,7 @@ std::uint64_t to_nanoseconds(float seconds) {
 
 /// So much less as the time is longer for being rounded: the speeds stay.
 float acceleration_of(const Phase& phase, std::uint64_t duration_ns) {
-  const float duration = static_cast<float>(duration_ns) * kSecondsPerNanosecond;
+  const float duration = nearest_float(duration_ns) * kSecondsPerNanosecond;
   return phase.acceleration * std::min(1.0F, phase.duration / duration);
 }
 
@@ -288,9 +288,9 @@ PathUnits PlanCursor::place_after(const Phase& phase) const {
 }
 
 float PlanCursor::phase_distance_left() const {
-  const auto whole = static_cast<float>(course_.whole().way);
+  const auto whole = nearest_float(course_.whole().way);
   if (elapsed_ns_ == 0 || whole <= 0.0F) return phase_.distance;
-  const auto left = static_cast<float>(phase_from_ + course_.whole().way - place_);
+  const auto left = nearest_float(phase_from_ + course_.whole().way - place_);
   return phase_.distance * (left / whole);
 }
 

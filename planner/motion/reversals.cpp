@@ -1,5 +1,6 @@
 #include "planner/motion/reversals.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "planner/base/scalar_math.hpp"
@@ -15,35 +16,27 @@ constexpr float kNearQuarters = 1.0F / 24.0F;
 
 }  // namespace
 
-Reversals::Reversals(const Block& block, PathUnits length) : length_{length} {
+Reversals::Reversals(const Block& block, PathUnits length)
+    : length_{length}, next_{length}, near_from_{length} {
   if (!block.turns()) return;
   const float side = block.turn.half_sweep < 0.0F ? -1.0F : 1.0F;
   start_ = side * block.turn.start_angle / kHalfPi;
   sweep_ = 2.0F * std::abs(block.turn.half_sweep) / kHalfPi;
-}
-
-float Reversals::quarters_at(PathUnits place) const {
-  return start_ + sweep_ * (static_cast<float>(place) / static_cast<float>(length_));
+  look_on_from(0);
 }
 
 PathUnits Reversals::place_of(float quarters) const {
-  const float share = (quarters - start_) / sweep_;
-  return to_units(share * to_mm(length_));
+  const float share = std::clamp((quarters - start_) / sweep_, 0.0F, 1.0F);
+  return std::min(to_units(share * to_mm(length_)), length_);
 }
 
-PathUnits Reversals::next_after(PathUnits place) const {
-  if (sweep_ <= 0.0F) return length_;
-  float quarters = std::floor(quarters_at(place) + kSliverQuarters) + 1.0F;
-  if (place_of(quarters) <= place) quarters += 1.0F;
-  if (quarters > start_ + sweep_ - kSliverQuarters) return length_;
-  return std::min(place_of(quarters), length_);
-}
-
-bool Reversals::near(PathUnits place) const {
-  if (sweep_ <= 0.0F) return false;
-  const float quarters = quarters_at(place);
-  const float from_last = quarters - std::floor(quarters);
-  return from_last < kNearQuarters || from_last > 1.0F - kNearQuarters;
+void Reversals::look_on_from(PathUnits place) {
+  const float quarters = start_ + sweep_ * (nearest_float(place) / nearest_float(length_));
+  float next = std::floor(quarters + kSliverQuarters) + 1.0F;
+  if (place_of(next) <= place) next += 1.0F;
+  near_until_ = place_of(next - 1.0F + kNearQuarters);
+  near_from_ = place_of(next - kNearQuarters);
+  next_ = next > start_ + sweep_ - kSliverQuarters ? length_ : place_of(next);
 }
 
 }  // namespace cnc::motion

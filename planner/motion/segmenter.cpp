@@ -39,7 +39,7 @@ void Segmenter::reset(const AxisArray<StepPosition>& place) {
   speed_ = 0.0F;
   remainder_ns_ = 0;
   outputs_ = {};
-  here_.place = place;
+  place_steps_ = place;
 }
 
 bool Segmenter::next(Segment& segment) {
@@ -70,14 +70,14 @@ bool Segmenter::next(std::uint32_t most_ns, PlannedSlice& slice) {
   slice = {};
   if (ready_block()) {
     const Cut cut = cut_slice(most_ns);
-    here_ = cut.to;
+    move_to(cut.to);
     slice.duration_ns = static_cast<std::uint32_t>(cut.duration_ns);
     slice.start_duty = cut.start_duty;
     slice.end_duty = cut.end_duty;
   } else {
     pass_to_rest();
   }
-  slice.end = here_.place;
+  slice.end = place_steps_;
   slice.outputs = outputs_;
   outputs_ = {};
   return true;
@@ -163,12 +163,13 @@ bool Segmenter::ready_block() {
 
 void Segmenter::begin_block() {
   const Block& block = queue_.front();
-  path_ = MotorPath{block, here_.place};
+  path_ = MotorPath{block, place_steps_};
   length_ = length_in_units(block);
   fraction_ = BlockFraction{length_};
   reversals_ = Reversals{block, length_};
   power_.begin(block, length_);
-  here_.speed = path_.at(0).speed;
+  const MotorPath::Point start = path_.at(0);
+  for (const std::size_t axis : path_.moving()) rates_[axis] = path_.speed(axis, start);
   merge(outputs_, block.outputs);
   driving_ = true;
 }
@@ -200,12 +201,16 @@ Segmenter::Cut Segmenter::cut_slice(std::uint64_t most_ns) {
   const std::uint64_t longest = std::min(longest_slice_ns(), most_ns);
   std::uint64_t end_ns = std::min(elapsed_ns_ + longest, course_.duration_ns());
   PathUnits end = stretch_from_ + course_.way_after(end_ns);
-  const PathUnits stop = std::min(reversals_.next_after(place_), power_.next_change());
+  const PathUnits stop = std::min(reversals_.next(), power_.next_change());
   if (end > stop) {
     end_ns = elapsed_ns_ + course_.time_of(stop - place_, elapsed_ns_);
     end = stop;
   }
   return cut(end_ns, end);
+}
+
+void Segmenter::move_to(const MotorPath::Point& point) {
+  for (const std::size_t axis : path_.moving()) place_steps_[axis] = path_.place(axis, point);
 }
 
 void Segmenter::pass_to_rest() {
@@ -224,7 +229,7 @@ Segmenter::Cut Segmenter::cut(std::uint64_t end_ns, PathUnits end) {
                          to_fraction,
                          speed_,
                          course_.whole().acceleration,
-                         static_cast<float>(duration_ns) * kSecondsPerNanosecond});
+                         nearest_float(duration_ns) * kSecondsPerNanosecond});
   }
   const Cut cut{.to = path_.at(to_fraction),
                 .duration_ns = duration_ns,
@@ -233,6 +238,7 @@ Segmenter::Cut Segmenter::cut(std::uint64_t end_ns, PathUnits end) {
                 .end_duty = duty_at(speed)};
   speed_ = speed;
   place_ = end;
+  reversals_.pass(place_);
   power_.pass(place_);
   elapsed_ns_ = end_ns;
   if (place_ == length_) end_block();
@@ -242,21 +248,21 @@ Segmenter::Cut Segmenter::cut(std::uint64_t end_ns, PathUnits end) {
 void Segmenter::time_trains(const Cut& cut, Segment& segment) {
   // What takes no time is a rounding of the stretch: a step of it is due at once.
   const float ticks =
-      static_cast<float>(std::max<std::uint64_t>(1, cut.duration_ns)) * kTicksPerNanosecond;
+      nearest_float(std::max<std::uint64_t>(1, cut.duration_ns)) * kTicksPerNanosecond;
   const float shift = static_cast<float>(remainder_ns_) * kTicksPerNanosecond;
   const float speed_per_tick = cut.start_speed / static_cast<float>(kTicksPerSecond);
-  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    if (cut.to.place[axis] == here_.place[axis]) continue;
-    const AxisSlice slice{.from = here_.place[axis],
-                          .to = cut.to.place[axis],
-                          .speed_steps_per_tick = here_.speed[axis] * speed_per_tick,
+  for (const std::size_t axis : path_.moving()) {
+    const AxisSlice slice{.from = place_steps_[axis],
+                          .to = path_.place(axis, cut.to),
+                          .speed_steps_per_tick = rates_[axis] * speed_per_tick,
                           .ticks = ticks};
     segment.trains[axis] = time_steps(slice, shift);
-    if (cut.to.place[axis].q32() < here_.place[axis].q32()) {
+    if (slice.to.q32() < slice.from.q32()) {
       segment.negative = static_cast<std::uint8_t>(segment.negative | (1U << axis));
     }
+    place_steps_[axis] = slice.to;
+    rates_[axis] = path_.speed(axis, cut.to);
   }
-  here_ = cut.to;
   pass_time(cut.duration_ns, segment);
 }
 

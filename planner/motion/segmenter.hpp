@@ -63,7 +63,7 @@ class Segmenter {
   /// Standing still; while driving_ this means halted within a block.
   [[nodiscard]] bool at_rest() const { return speed_ <= 0.0F; }
   /// Where the last slice handed out ends.
-  [[nodiscard]] const AxisArray<StepPosition>& place() const { return here_.place; }
+  [[nodiscard]] const AxisArray<StepPosition>& place() const { return place_steps_; }
   /// mm/s at the end of the last slice handed out.
   [[nodiscard]] float speed() const { return speed_; }
   /// mm/s of the plan, which is ahead of what was handed out where jerk is limited:
@@ -85,7 +85,7 @@ class Segmenter {
   [[nodiscard]] bool fill_cell();
   /// What a slice was.
   struct Cut {
-    MotorState to{};
+    MotorPath::Point to{};
     std::uint64_t duration_ns = 0;
     float start_speed = 0.0F;  ///< mm/s.
     float start_duty = 0.0F;
@@ -98,6 +98,7 @@ class Segmenter {
   [[nodiscard]] std::uint64_t longest_slice_ns() const;
   [[nodiscard]] Cut cut_slice(std::uint64_t most_ns);
   [[nodiscard]] Cut cut(std::uint64_t end_ns, PathUnits end);
+  void move_to(const MotorPath::Point& point);
   void pass_to_rest();
   void make_segment(Segment& segment);
   void time_trains(const Cut& cut, Segment& segment);
@@ -122,8 +123,9 @@ class Segmenter {
   Reversals reversals_{};
   PixelCourse power_;
   MotorPath path_{};
-  MotorState here_{};
-  float speed_ = 0.0F;  ///< mm/s.
+  AxisArray<StepPosition> place_steps_{};
+  AxisArray<float> rates_{};  ///< Steps per mm of path, of the axes that move.
+  float speed_ = 0.0F;        ///< mm/s.
 
   SliceObserver* observer_ = nullptr;
   std::uint32_t blocks_ended_ = 0;

@@ -56,28 +56,30 @@ LimitZone Spans::zone(float cap_square, float reachable_square) const {
   return zone;
 }
 
-/// Of what the window spans around a span: the greatest shares of the speed that
-/// fall to the axes of the plane.
-Shares Spans::greatest_shares(int span) const {
+/// Of what the window spans around a span between two places: the greatest shares of the
+/// speed that fall to the axes of the plane.
+Shares Spans::greatest_shares(int span, const Place& from, const Place& to) const {
   if (uniform_) return {plane_share_, plane_share_};
-  const Place from = reach_ > 0.0F ? place_of(angle_of(span) - reach_) : place_at_boundary(span);
-  const Place to =
-      reach_ > 0.0F ? place_of(angle_of(span + 1) + reach_) : place_at_boundary(span + 1);
-  Shares shares{std::max(std::abs(from.tangent_first), std::abs(to.tangent_first)),
-                std::max(std::abs(from.tangent_second), std::abs(to.tangent_second))};
+  const float start = angle_of(span);
+  const float end = angle_of(span + 1);
+  const bool around = reach_ > 0.0F;
+  const Place& first = around ? place_of(start - reach_) : from;
+  const Place& last = around ? place_of(end + reach_) : to;
+  Shares shares{std::max(std::abs(first.tangent_first), std::abs(last.tangent_first)),
+                std::max(std::abs(first.tangent_second), std::abs(last.tangent_second))};
   // An axis that the tangent lies along in between has all of it.
-  const float middle = 0.5F * (angle_of(span) + angle_of(span + 1)) / kHalfPi;
-  const float nearest = std::floor(middle + 0.5F);
-  const float half = 0.5F * (angle_of(span + 1) - angle_of(span)) + reach_;
-  if (std::abs(middle - nearest) * kHalfPi > half) return shares;
-  const bool along_second = (static_cast<int>(nearest) & 1) != 0;
+  const float middle = 0.5F * (start + end) / kHalfPi;
+  const auto nearest = static_cast<std::int32_t>(middle + (middle < 0.0F ? -0.5F : 0.5F));
+  const float half = 0.5F * (end - start) + reach_;
+  if (std::abs(middle - static_cast<float>(nearest)) * kHalfPi > half) return shares;
+  const bool along_second = (nearest & 1) != 0;
   (along_second ? shares.second : shares.first) = plane_share_;
   return shares;
 }
 
-float Spans::speed_limit_square(int span) const {
+float Spans::speed_limit_square(int span, const Place& from, const Place& to) const {
   if (sweep_ <= 0.0F) return straight_speed_square_;
-  const Shares shares = greatest_shares(span);
+  const Shares shares = greatest_shares(span, from, to);
   float limit = straight_speed_square_;
   const auto keep = [&limit](float rate, float share) {
     if (square(rate) < limit * square(share)) limit = square(rate / share);
@@ -92,13 +94,20 @@ float Spans::steepest(int span,
                       const Place& to,
                       const SpeedChange& change) const {
   const auto& [distance, speed_square, cap_square, travel, wanted, growing] = change;
-  const LimitZone zone = zone_on(span);
-  float most = std::min(straight_acceleration_, zone.acceleration);
-  const float window_s = window_.seconds();
-  most = zone.turning.steepest(most, growing, speed_square, cap_square, window_s, lag_of(change));
+  float most = straight_acceleration_;
+  if (window_.filters()) {
+    const LimitZone zone = zone_on(span);
+    most = std::min(most, zone.acceleration);
+    const float window_s = window_.seconds();
+    most = zone.turning.steepest(most, growing, speed_square, cap_square, window_s, lag_of(change));
+  }
   if (sweep_ <= 0.0F) return most;
   if (uniform_) return within_turning(most, change);
-  if (window_.filters()) most = within_jerk(span, most, change);
+  if (window_.filters()) {
+    const Shares tangent =
+        greatest_shares(span, place_at_boundary(span), place_at_boundary(span + 1));
+    most = within_jerk(tangent, most, change);
+  }
 
   const float sign = static_cast<float>(wanted);
   const float reach = 2.0F * distance * static_cast<float>(travel);
@@ -141,8 +150,7 @@ float Spans::within_turning(float most, const SpeedChange& change) const {
 
 /// Where directions are told apart: an axis along which the tangent has the share t and
 /// its normal the share n is asked for the jerk t (a / T + κ² v³) + n 3 κ v a at most.
-float Spans::within_jerk(int span, float most, const SpeedChange& change) const {
-  const Shares tangent = greatest_shares(span);
+float Spans::within_jerk(const Shares& tangent, float most, const SpeedChange& change) const {
   const float top_square =
       std::min(change.cap_square, change.speed_square + 2.0F * most * change.growing);
   const float at_top = within_jerk_at(std::sqrt(top_square), most, tangent);

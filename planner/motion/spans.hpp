@@ -63,7 +63,11 @@ class Spans {
   [[nodiscard]] float length_of(int span) const { return boundary(span + 1) - boundary(span); }
   /// Limit of v² inside a span from axis rates, step rates, centripetal
   /// acceleration and jerk, before any feed.
-  [[nodiscard]] float speed_limit_square(int span) const;
+  [[nodiscard]] float speed_limit_square(int span) const {
+    return speed_limit_square(span, place_at_boundary(span), place_at_boundary(span + 1));
+  }
+  /// The same for who knows its ends already.
+  [[nodiscard]] float speed_limit_square(int span, const Place& from, const Place& to) const;
   /// Limit of v² from neighbours' zones, their feeds included.
   [[nodiscard]] float zone_speed_square(int span) const { return zone_on(span).speed_square; }
 
@@ -98,9 +102,11 @@ class Spans {
   [[nodiscard]] Place place_of(float angle) const;
   [[nodiscard]] Place place_with(float cosine, float sine) const;
   [[nodiscard]] LimitZone zone_on(int span) const;
-  [[nodiscard]] Shares greatest_shares(int span) const;
+  [[nodiscard]] Shares greatest_shares(int span, const Place& from, const Place& to) const;
   [[nodiscard]] float within_turning(float most, const SpeedChange& change) const;
-  [[nodiscard]] float within_jerk(int span, float most, const SpeedChange& change) const;
+  [[nodiscard]] float within_jerk(const Shares& tangent,
+                                  float most,
+                                  const SpeedChange& change) const;
   [[nodiscard]] float within_jerk_at(float speed, float most, const Shares& tangent) const;
   [[nodiscard]] float lag_of(const SpeedChange& change) const;
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/base/truncate.hpp"
+
 namespace cnc::motion {
 namespace {
 
@@ -43,12 +45,11 @@ StepTrain time_steps(const AxisSlice& slice, float shift) {
   const std::int64_t centre = StepPosition::whole(slice.from.nearest_step()).q32();
   const std::int64_t edge = forward ? centre + kHalfStep : centre - kHalfStep;
   const std::int64_t lead = forward ? edge - slice.from.q32() : slice.from.q32() - edge;
-  const float first_edge = static_cast<float>(lead) * StepPosition::kStepsPerUnit;
+  const float first_edge = nearest_float(lead) * StepPosition::kStepsPerUnit;
 
-  const Parabola motion{
-      static_cast<float>(forward ? travel : -travel) * StepPosition::kStepsPerUnit,
-      forward ? slice.speed_steps_per_tick : -slice.speed_steps_per_tick,
-      slice.ticks};
+  const Parabola motion{nearest_float(forward ? travel : -travel) * StepPosition::kStepsPerUnit,
+                        forward ? slice.speed_steps_per_tick : -slice.speed_steps_per_tick,
+                        slice.ticks};
   StepTrain train;
   train.count = static_cast<std::uint16_t>(forward ? steps : -steps);
   const float first = motion.time_to(first_edge);

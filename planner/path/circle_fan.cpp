@@ -42,31 +42,59 @@ void CircleFan::keep_near(const Vec2& point, float weight, float within_mm) {
 
 /// What has by_curvature · k + by_slope · t ≤ most.
 void CircleFan::keep(float by_curvature, float by_slope, float most) {
-  std::array<float, kMostCorners> excess{};
-  float greatest = 0.0F;
+  std::size_t beyond = 0;
   for (std::size_t i = 0; i < count_; ++i) {
-    excess[i] = by_curvature * corners_[i].curvature + by_slope * corners_[i].slope - most;
-    greatest = std::max(greatest, excess[i]);
+    excess_[i] = by_curvature * corners_[i].curvature + by_slope * corners_[i].slope - most;
+    if (excess_[i] > 0.0F) ++beyond;
   }
-  if (greatest > 0.0F) cut(excess);
+  if (beyond == 0) return;
+  if (beyond == count_) {
+    count_ = 0;
+    return;
+  }
+  // What is beyond are neighbours, as the polygon is convex.
+  std::size_t first = 0;
+  if (excess_[0] > 0.0F) {
+    first = count_;
+    while (excess_[first - 1] > 0.0F) --first;
+    if (first == count_) first = 0;
+  } else {
+    while (excess_[first] <= 0.0F) ++first;
+  }
+  std::size_t past = first;
+  do {
+    past = past + 1 < count_ ? past + 1 : 0;
+  } while (excess_[past] > 0.0F);
+  cut(first, past);
 }
 
-/// What is beyond is cut off (Sutherland, Hodgman).
-void CircleFan::cut(const std::array<float, kMostCorners>& beyond) {
-  std::array<FanCircle, kMostCorners + 2> kept{};
-  std::size_t kept_count = 0;
-  std::size_t last = count_ - 1;
-  for (std::size_t i = 0; i < count_; last = i++) {
-    const bool crosses = (beyond[i] > 0.0F) != (beyond[last] > 0.0F);
-    if (crosses && kept_count < kept.size()) {
-      const float share = beyond[last] / (beyond[last] - beyond[i]);
-      kept[kept_count++] = between(corners_[last], corners_[i], share);
+/// Corners from `first` to the one before `past`, all beyond, give way to the two places
+/// where the polygon's sides leave the half plane (Sutherland, Hodgman).
+void CircleFan::cut(std::size_t first, std::size_t past) {
+  const auto leaves = [this](std::size_t inside, std::size_t beyond) {
+    const float share = excess_[inside] / (excess_[inside] - excess_[beyond]);
+    return between(corners_[inside], corners_[beyond], share);
+  };
+  const FanCircle out = leaves(first > 0 ? first - 1 : count_ - 1, first);
+  const FanCircle in = leaves(past, past > 0 ? past - 1 : count_ - 1);
+  FanCircle* const corners = corners_.data();
+  std::size_t at = first;
+  if (past > first) {
+    const std::size_t rest = count_ - past;
+    if (past > first + 1) {
+      std::copy(corners + past, corners + count_, corners + first + 2);
+    } else {
+      std::copy_backward(corners + past, corners + count_, corners + count_ + 1);
     }
-    if (beyond[i] <= 0.0F && kept_count < kept.size()) kept[kept_count++] = corners_[i];
+    count_ = first + 2 + rest;
+  } else {
+    at = first - past;
+    if (past > 0) std::copy(corners + past, corners + first, corners);
+    count_ = at + 2;
   }
-  std::copy_n(kept.begin(), kept_count, corners_.begin());
-  count_ = kept_count;
-  while (count_ > kMostCorners) drop_smallest();
+  corners_[at] = out;
+  corners_[at + 1] = in;
+  if (count_ > kMostCorners) drop_smallest();
 }
 
 /// Without one corner the polygon is a little smaller, and still convex: the

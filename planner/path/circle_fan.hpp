@@ -52,10 +52,12 @@ class CircleFan {
 
   void keep_near(const Vec2& point, float weight, float within_mm);
   void keep(float by_curvature, float by_slope, float most);
-  void cut(const std::array<float, kMostCorners>& beyond);
+  void cut(std::size_t first, std::size_t past);
   void drop_smallest();
 
-  std::array<FanCircle, kMostCorners + 2> corners_{};
+  std::array<FanCircle, kMostCorners + 1> corners_{};
+  /// By how much each is beyond the half plane that is being kept.
+  std::array<float, kMostCorners + 1> excess_{};
   std::size_t count_ = 0;
 };
 

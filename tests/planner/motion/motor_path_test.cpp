@@ -15,6 +15,12 @@ constexpr std::uint64_t kWhole = std::uint64_t{1} << 32;
 
 double in_steps(StepPosition position) { return static_cast<double>(position.q32()) / kOneStep; }
 
+/// Motor positions and speeds at one moment.
+struct MotorState {
+  AxisArray<StepPosition> place{};
+  AxisArray<float> speed{};  ///< Steps per mm of path.
+};
+
 class RandomMotorPath : public testing::Test {
  protected:
   void any() {
@@ -33,10 +39,20 @@ class RandomMotorPath : public testing::Test {
     path = MotorPath{block, from};
   }
 
+  [[nodiscard]] MotorState state_at(std::uint64_t fraction) const {
+    MotorState state{.place = from};
+    const MotorPath::Point point = path.at(fraction);
+    for (const std::size_t axis : path.moving()) {
+      state.place[axis] = path.place(axis, point);
+      state.speed[axis] = path.speed(axis, point);
+    }
+    return state;
+  }
+
   /// Distance in mm between where an axis is and where it is to be.
   [[nodiscard]] double error_mm(std::size_t axis, double fraction) const {
     const auto resolution = static_cast<double>(limits.scale[axis].steps_per_mm());
-    const MotorState state = path.at(static_cast<std::uint64_t>(fraction * kOneStep));
+    const MotorState state = state_at(static_cast<std::uint64_t>(fraction * kOneStep));
     const double moved = in_steps(state.place[axis]) - in_steps(from[axis]);
     return moved / resolution - ExactMotion{element}.place_at(fraction)[axis];
   }
@@ -52,7 +68,7 @@ class RandomMotorPath : public testing::Test {
 TEST_F(RandomMotorPath, EndsExactlyWhereTheBlockEnds) {
   for (int trial = 0; trial < 20'000; ++trial) {
     any();
-    ASSERT_EQ(path.at(kWhole).place, block.end);
+    ASSERT_EQ(state_at(kWhole).place, block.end);
   }
 }
 
@@ -100,9 +116,9 @@ TEST_F(RandomMotorPath, JumpsNowhere) {
   SCOPED_TRACE("seed 20260922");
   for (int trial = 0; trial < 2'000; ++trial) {
     any();
-    MotorState before = path.at(0);
+    MotorState before = state_at(0);
     for (std::uint64_t part = 1; part <= 256; ++part) {
-      const MotorState now = path.at(part << 24);
+      const MotorState now = state_at(part << 24);
       for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
         const double moved = in_steps(now.place[axis]) - in_steps(before.place[axis]);
         const auto resolution = static_cast<double>(limits.scale[axis].steps_per_mm());
@@ -119,7 +135,7 @@ TEST_F(RandomMotorPath, KnowsItsSpeed) {
   for (int trial = 0; trial < 50'000; ++trial) {
     any();
     const double fraction = random.unit();
-    const MotorState state = path.at(static_cast<std::uint64_t>(fraction * kOneStep));
+    const MotorState state = state_at(static_cast<std::uint64_t>(fraction * kOneStep));
     const AxisArray<double> tangent = ExactMotion{element}.tangent_at(fraction);
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
       const auto resolution = static_cast<double>(limits.scale[axis].steps_per_mm());
@@ -134,9 +150,9 @@ TEST_F(RandomMotorPath, ReversesNoAxisBetweenQuarterTurns) {
   element = {.end = place({20.0, 20.0}),
              .bulge = 0.41421356F};  // A quarter turn, along X to along Y.
   prepare();
-  MotorState before = path.at(0);
+  MotorState before = state_at(0);
   for (std::uint64_t part = 1; part <= 4096; ++part) {
-    const MotorState now = path.at(part << 20);
+    const MotorState now = state_at(part << 20);
     ASSERT_GE(now.place[0].q32() - before.place[0].q32(), -8) << part;
     ASSERT_GE(now.place[1].q32() - before.place[1].q32(), -8) << part;
     before = now;
