@@ -23,13 +23,17 @@ constexpr bool is_stop(RealtimeByte command) {
 
 }  // namespace
 
-bool Receiver::receive(std::byte received) {
-  const auto byte = static_cast<std::uint8_t>(received);
+bool Receiver::receive_other(std::uint8_t byte) {
+  const bool taken = byte >= 0x80 ? receive_high(byte) : receive_low(byte);
+  plain_ = comment_ == Comment::kNone && !lead_waits_ && continuation_ == 0;
+  return taken;
+}
+
+bool Receiver::receive_low(std::uint8_t byte) {
   if (byte == static_cast<std::uint8_t>(RealtimeByte::kReset)) {
     reset();
     return true;
   }
-  if (byte >= 0x80) return receive_high(byte);
   // A character that was cut short stays in its line, for the reader to refuse.
   if (lead_waits_ && !store(kLatinLead)) return false;
   lead_waits_ = false;
@@ -116,8 +120,6 @@ bool Receiver::take_reset() {
   commands_.drop_before(commands_begin_.load());
   return true;
 }
-
-bool Receiver::take(char& byte) { return !reset_.load() && lines_.try_pop(byte); }
 
 bool Receiver::take_command(RealtimeByte& command) {
   if (commands_.try_pop(command)) return true;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
@@ -27,7 +28,10 @@ class Receiver {
   static constexpr std::uint32_t kAdvertisedBytes = 1024;
 
   /// False: no room; offer the same byte again later.
-  [[nodiscard]] bool receive(std::byte received);
+  [[nodiscard]] bool receive(std::byte received) {
+    const auto byte = static_cast<std::uint8_t>(received);
+    return plain_ && is_plain(byte) ? store(byte) : receive_other(byte);
+  }
 
   /// Bytes that can be received now without being refused.
   [[nodiscard]] std::uint32_t room() const;
@@ -35,7 +39,7 @@ class Receiver {
   [[nodiscard]] std::uint32_t advertised_room() const;
 
   /// The next byte of a line.
-  [[nodiscard]] bool take(char& byte);
+  [[nodiscard]] bool take(char& byte) { return !reset_.load() && lines_.try_pop(byte); }
 
   /// Forgets what waits, as a reset by a button does.
   void drop_waiting() {
@@ -53,6 +57,18 @@ class Receiver {
  private:
   enum class Comment : std::uint8_t { kNone, kBrackets, kRestOfLine };
 
+  /// Bit i of word w: byte 32 w + i is a blank, a line end, or anything printable but
+  /// ! ? ~ ( ) ;
+  static constexpr std::array<std::uint32_t, 4> kPlain{
+      0x0000'2600, 0x77FF'FCFD, 0xFFFF'FFFF, 0x3FFF'FFFF};
+
+  /// Nothing but part of a line outside comments, as nearly all bytes are: it neither
+  /// acts nor begins a comment or a character of several bytes.
+  [[nodiscard]] static constexpr bool is_plain(std::uint8_t byte) {
+    return byte < 0x80 && (kPlain[byte >> 5] >> (byte & 31U) & 1U) != 0;
+  }
+  [[nodiscard]] bool receive_other(std::uint8_t byte);
+  [[nodiscard]] bool receive_low(std::uint8_t byte);
   [[nodiscard]] bool receive_high(std::uint8_t byte);
   [[nodiscard]] bool store(std::uint8_t byte) { return lines_.try_push(static_cast<char>(byte)); }
   void follow_comment(char byte);
@@ -70,6 +86,7 @@ class Receiver {
   std::atomic<std::uint32_t> commands_begin_{0};
 
   // The rest belongs to receive().
+  bool plain_ = true;  ///< Nothing of what follows.
   Comment comment_ = Comment::kNone;
   bool lead_waits_ = false;        ///< C2 was received, and not yet stored.
   std::uint8_t continuation_ = 0;  ///< Bytes still to come of a character.

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "firmware/machine/feed_segments.hpp"
 #include "planner/base/scalar_math.hpp"
 #include "planner/base/truncate.hpp"
-#include "planner/motion/motor_segments.hpp"
 
 namespace cnc {
 namespace {
@@ -45,13 +45,14 @@ Result<bool, motion::MotionError> MotionControl::append(const path::PathItem& it
 
 /// From the path to blocks, as far as there is room.
 void MotionControl::pump() {
-  path::PathPiece piece;
-  while (!queue_.full() && stage_.next(piece)) {
-    const auto block = motion::build_block(piece.request, limits_);
+  while (!queue_.full()) {
+    const path::PathPiece* const piece = stage_.next();
+    if (piece == nullptr) return;
+    const auto block = motion::build_block(piece->request, limits_);
     // Pieces lie between ends that were within reach, to a tolerance.
     CNC_ASSERT(block.ok() || block.error() == motion::MotionError::kNothingToMove);
     if (!block.ok()) continue;
-    queue_.push(block.value(), piece.joint);
+    queue_.push(block.value(), piece->joint);
     ++blocks_taken_;
   }
 }
@@ -116,11 +117,7 @@ void MotionControl::feed_drive() {
   pump();
   follow_tool();
   if (stage_.empty() && silence_us_ >= kAtRestUs) queue_.expect_no_more();
-  motion::Segment segment;
-  while (!drive_.full() && drive_.ticks_waiting() < drive_.ticks_ahead() &&
-         motion::next_segment(segmenter_, motors_, segment)) {
-    drive_.push(segment);
-  }
+  feed_segments(drive_, segmenter_, motors_);
 }
 
 AxisArray<std::int32_t> MotionControl::tool_steps() const {

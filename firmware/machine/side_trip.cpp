@@ -1,6 +1,6 @@
 #include "firmware/machine/side_trip.hpp"
 
-#include "planner/motion/motor_segments.hpp"
+#include "firmware/machine/feed_segments.hpp"
 
 namespace cnc {
 
@@ -28,11 +28,8 @@ void SideTrip::go(std::size_t axis,
 }
 
 void SideTrip::feed_drive() {
-  motion::Segment segment;
-  while (!drive_.full() && drive_.ticks_waiting() < drive_.ticks_ahead() &&
-         motion::next_segment(segmenter_, motors_, segment)) {
-    drive_.push(segment);
-  }
+  if (segmenter_.idle() && motors_.at_rest()) return;  // Most of the time.
+  feed_segments(drive_, segmenter_, motors_);
 }
 
 }  // namespace cnc

@@ -7,8 +7,9 @@ namespace cnc {
 
 /// The interval of $481 has passed since the last; from 0x8C to the next.
 bool LineProtocol::report_is_due() const {
+  if (!auto_report_) return false;
   const float interval_ms = machine_.settings().get(setting::kReportInterval);
-  if (!auto_report_ || interval_ms <= 0.0F) return false;
+  if (interval_ms <= 0.0F) return false;
   return now_.since(reported_) >= static_cast<std::int32_t>(1000.0F * interval_ms);
 }
 

@@ -29,6 +29,8 @@ class StepDrive {
   [[nodiscard]] virtual std::uint32_t ticks_waiting() const = 0;
   /// How much of it there should be: kTicksAhead, and what the beam's delays need.
   [[nodiscard]] virtual std::uint32_t ticks_ahead() const = 0;
+  /// There is room for a segment, and less motion waits than there should be.
+  [[nodiscard]] bool wants_more() const { return !full() && ticks_waiting() < ticks_ahead(); }
   /// Call when all that is to be pushed in this turn has been. Starts the step
   /// interrupt when segments wait and it is not running.
   virtual void wake() = 0;

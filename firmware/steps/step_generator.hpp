@@ -55,8 +55,7 @@ class StepGenerator final : public StepDrive {
   }
 
   void wake() override {
-    const bool wants_more = !full() && ticks_waiting() < ticks_ahead();
-    if (ends_at_rest_ && wants_more && !beam_.shift().settled()) beam_.settle();
+    if (ends_at_rest_ && wants_more() && !beam_.shift().settled()) beam_.settle();
     if (running() || queue_.size() == 0) return;
     running_.store(true, std::memory_order_release);
     port_.start_timer();

@@ -30,11 +30,11 @@ bool differ(const motion::MotionRequest& a, const motion::MotionRequest& b) {
 
 }  // namespace
 
-bool CornerRounder::next(PathPiece& piece) {
-  if (has_room()) return false;
-  piece = ready_[taken_++];
+const PathPiece* CornerRounder::next() {
+  if (has_room()) return nullptr;
+  const PathPiece* const piece = &ready_[taken_++];
   if (taken_ == ready_count_) taken_ = ready_count_ = 0;
-  return true;
+  return piece;
 }
 
 std::uint32_t CornerRounder::line() const {

@@ -26,8 +26,9 @@ class CornerRounder {
   /// @param limits must outlive this.
   explicit CornerRounder(const motion::Limits& limits) : limits_{limits} {}
 
-  /// The next piece, in order; false when there is none that is settled.
-  [[nodiscard]] bool next(PathPiece& piece);
+  /// The next piece, in order, until the next call of anything else; null when there is none
+  /// that is settled.
+  [[nodiscard]] const PathPiece* next();
   /// All that was settled has been given out: put() or flush() may be called.
   [[nodiscard]] bool has_room() const { return taken_ == ready_count_; }
   /// @pre has_room(), and it begins where the one before ended

@@ -45,10 +45,11 @@ void PathStage::row_left() {
 bool PathStage::move_on() {
   if (flushing_) row_.close();
   const PathItem* const waiting = row_.closed() ? &row_.item() : nullptr;
-  PathItem item;
-  if (rounder_.has_room() && welder_.next(item)) {
-    rounder_.put(item);
-    return true;
+  if (rounder_.has_room()) {
+    if (const std::optional<PathItem> item = welder_.next()) {
+      rounder_.put(*item);
+      return true;
+    }
   }
   if (waiting != nullptr && welder_.takes(*waiting) && welder_.has_room() && rounder_.has_room()) {
     if (welder_.empty()) rounder_.expect(*waiting);
@@ -66,17 +67,17 @@ bool PathStage::move_on() {
   return true;
 }
 
-bool PathStage::next(PathPiece& piece) {
+const PathPiece* PathStage::next() {
   // As many as one item may need to go all the way.
   constexpr int kMostMoves = 4;
   for (int i = 0; i < kMostMoves; ++i) {
-    if (rounder_.next(piece)) return true;
+    if (const PathPiece* const piece = rounder_.next()) return piece;
     if (!move_on()) break;
   }
   const bool all = flushing_ && row_.empty() && welder_.empty() && rounder_.has_room();
   if (all) rounder_.flush();
   if (rounder_.empty()) flushing_ = flushing_ && !empty();
-  return rounder_.next(piece);
+  return rounder_.next();
 }
 
 }  // namespace cnc::path

@@ -25,8 +25,9 @@ class PathStage {
   /// Takes an element that moves. @pre has_room(), and it begins where the one
   /// before ended
   void put(const PathItem& item);
-  /// The next piece to be driven; false when there is none yet.
-  [[nodiscard]] bool next(PathPiece& piece);
+  /// The next piece to be driven, until the next call of anything else; null when there is
+  /// none yet.
+  [[nodiscard]] const PathPiece* next();
 
   /// How many lines wait to be gathered with more of them.
   [[nodiscard]] std::size_t gathered() const { return row_.lines(); }

@@ -103,19 +103,18 @@ void Welder::clear() {
   closing_ = hurries_ = fitting_ = known_direction_ = false;
 }
 
-bool Welder::next(PathItem& item) {
+std::optional<PathItem> Welder::next() {
   for (int looks = 0; looks < kMostLooks && !empty(); ++looks) {
     if (!fitting_) begin_fit();
     if (looked_at_ < count_) {
       if (look()) continue;
     } else if (!closing_ && !hurries_ && count_ < kMostHeld) {
-      return false;
+      return std::nullopt;
     }
-    item = finish();
-    return true;
+    return finish();
   }
   if (empty() && closing_) closing_ = known_direction_ = false;
-  return false;
+  return std::nullopt;
 }
 
 Vec2 Welder::seen(const Position& place) const {

@@ -42,9 +42,9 @@ class Welder {
   /// What is held is given out as far as it has been looked at.
   void hurry() { hurries_ = !empty(); }
 
-  /// The next arc or line; false when there is none yet. Looks at kMostLooks
+  /// The next arc or line; nothing when there is none yet. Looks at kMostLooks
   /// points at most.
-  [[nodiscard]] bool next(PathItem& item);
+  [[nodiscard]] std::optional<PathItem> next();
   void clear();
 
   [[nodiscard]] bool empty() const { return count_ == 0 && !fitting_; }

@@ -68,9 +68,8 @@ void interpret_lines(Job& job) {
 template <typename Sink>
 void round_off(const Job& job, Sink&& take) {
   path::PathStage stage{limits()};
-  path::PathPiece piece;
   const auto drain = [&] {
-    while (stage.next(piece)) take(piece);
+    while (const path::PathPiece* const piece = stage.next()) take(*piece);
   };
   for (const path::PathItem& item : job.items) {
     stage.put(item);

@@ -67,8 +67,10 @@ class Driver {
   }
 
   void pump() {
-    cnc::path::PathPiece piece;
-    while (!queue_.full() && stage_.next(piece)) {
+    while (!queue_.full()) {
+      const cnc::path::PathPiece* const next = stage_.next();
+      if (next == nullptr) return;
+      const cnc::path::PathPiece& piece = *next;
       const auto block = build_block(piece.request, machine_.limits);
       const bool from_rest = segmenter_.idle() || piece.joint == cnc::motion::Joint::kStop;
       if (!block.ok()) {

@@ -251,12 +251,11 @@ class Stages {
   }
 
   void round() {
-    cnc::path::PathPiece piece;
-    bool more = true;
-    while (more) {
-      count(path_, [&] { more = stage_.next(piece); });
-      if (!more) return;
-      push(piece);
+    for (;;) {
+      const cnc::path::PathPiece* piece = nullptr;
+      count(path_, [&] { piece = stage_.next(); });
+      if (piece == nullptr) return;
+      push(*piece);
       while (queue_.full()) cut();
     }
   }
