@@ -23,6 +23,20 @@ constexpr bool is_stop(RealtimeByte command) {
 
 }  // namespace
 
+std::size_t Receiver::receive(std::span<const char> received) {
+  std::size_t count = 0;
+  while (count < received.size()) {
+    if (plain_) {
+      count += lines_.push_while(received.subspan(count), [](char byte) {
+        return is_plain(static_cast<std::uint8_t>(byte));
+      });
+    }
+    if (count == received.size() || !receive(received[count])) break;
+    ++count;
+  }
+  return count;
+}
+
 bool Receiver::receive_other(std::uint8_t byte) {
   const bool taken = byte >= 0x80 ? receive_high(byte) : receive_low(byte);
   plain_ = comment_ == Comment::kNone && !lead_waits_ && continuation_ == 0;

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "firmware/link/realtime_byte.hpp"
 #include "hal/interface/spsc_ring.hpp"
@@ -28,18 +29,23 @@ class Receiver {
   static constexpr std::uint32_t kAdvertisedBytes = 1024;
 
   /// False: no room; offer the same byte again later.
-  [[nodiscard]] bool receive(std::byte received) {
+  [[nodiscard]] bool receive(char received) {
     const auto byte = static_cast<std::uint8_t>(received);
     return plain_ && is_plain(byte) ? store(byte) : receive_other(byte);
   }
+  /// From the front, as many as there is room for; returns how many.
+  [[nodiscard]] std::size_t receive(std::span<const char> received);
 
   /// Bytes that can be received now without being refused.
   [[nodiscard]] std::uint32_t room() const;
   /// What a status report tells: kAdvertisedBytes when nothing waits.
   [[nodiscard]] std::uint32_t advertised_room() const;
 
-  /// The next byte of a line.
-  [[nodiscard]] bool take(char& byte) { return !reset_.load() && lines_.try_pop(byte); }
+  /// Gives the bytes of lines to `take` until it says true; false when there were too few.
+  template <typename Take>
+  [[nodiscard]] bool take_until(Take&& take) {
+    return !reset_.load() && lines_.pop_until(take);
+  }
 
   /// Forgets what waits, as a reset by a button does.
   void drop_waiting() {

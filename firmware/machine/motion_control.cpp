@@ -1,11 +1,8 @@
 #include "firmware/machine/motion_control.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "firmware/machine/feed_segments.hpp"
-#include "planner/base/scalar_math.hpp"
-#include "planner/base/truncate.hpp"
 
 namespace cnc {
 namespace {
@@ -28,8 +25,7 @@ float least_acceleration(const motion::Limits& limits, const motion::Block& bloc
 Result<bool, motion::MotionError> MotionControl::append(const path::PathItem& item) {
   const PathElement& element = item.request.element;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    if (element.end[axis] == element.start[axis]) continue;  // It is there.
-    const bool within = limits_.scale[axis].steps_at(element.end[axis]).has_value();
+    const bool within = limits_.scale[axis].reaches(element.end[axis]);
     if (!within) return motion::MotionError::kBeyondMotorRange;
   }
   if (element.start == element.end) return false;
@@ -64,17 +60,6 @@ void MotionControl::flush() {
   if (stage_.empty()) queue_.expect_no_more();
 }
 
-/// To the end of the block being driven, mm. @pre !segmenter_.idle()
-float MotionControl::chord_left() const {
-  float sum = 0.0F;
-  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    const std::int64_t left = queue_.front().end[axis].q32() - segmenter_.place()[axis].q32();
-    const float steps = nearest_float(left >> 16) * (1.0F / 65'536.0F);
-    sum += square(steps / limits_.scale[axis].steps_per_mm());
-  }
-  return std::sqrt(sum);
-}
-
 /// Whether the plan would soon have to brake for what is not planned yet: its way ends
 /// within twice the way that braking takes, what goes by until the next turns, and
 /// where jerk is limited what the plan is ahead by and goes level for before it brakes.
@@ -87,7 +72,7 @@ bool MotionControl::runs_dry() const {
   const float acceleration = std::min(least_acceleration(limits_, queue_.front()),
                                       least_acceleration(limits_, queue_.at(queue_.size() - 1)));
   const float reach = speed * (speed / acceleration + ahead_s);
-  float way = chord_left();
+  float way = segmenter_.left_of_block();
   for (std::size_t i = 1; i < queue_.size() && way <= reach; ++i) way += queue_.at(i).length;
   return way <= reach;
 }

@@ -90,7 +90,6 @@ class MotionControl {
  private:
   void pump();
   void follow_tool();
-  [[nodiscard]] float chord_left() const;
   [[nodiscard]] bool runs_dry() const;
 
   StepDrive& drive_;

@@ -59,18 +59,20 @@ void LineProtocol::poll(hal::TickCount now) {
       if (++lines > kLinesInATurn) return;
       if (!read_line()) return save_places();
       handle(assembler_.line());
+      const bool answerable = outbox_.empty() && !tell_news() && !machine_.busy();
+      if (answerable) static_cast<void>(finish_line());
     }
   }
 }
 
 void LineProtocol::receive() {
-  std::array<std::byte, kChunk> bytes{};
+  std::array<char, kChunk> bytes;  // Filled by the link.
   for (std::size_t chunk = 0; chunk < kChunksInATurn; ++chunk) {
     const std::size_t room = std::min<std::size_t>(bytes.size(), receiver_.room());
-    const std::size_t count = link_.read(std::span{bytes}.first(room));
+    const std::size_t count = link_.read(std::as_writable_bytes(std::span{bytes}.first(room)));
     if (count == 0) return;
     // No byte takes more than its own room.
-    for (std::size_t i = 0; i < count; ++i) CNC_ASSERT(receiver_.receive(bytes[i]));
+    CNC_ASSERT(receiver_.receive(std::span{bytes}.first(count)) == count);
   }
 }
 
@@ -124,11 +126,7 @@ bool LineProtocol::finish_line() {
 }
 
 bool LineProtocol::read_line() {
-  char byte = 0;
-  while (receiver_.take(byte)) {
-    if (assembler_.add(byte)) return true;
-  }
-  return false;
+  return receiver_.take_until([this](char byte) { return assembler_.add(byte); });
 }
 
 void LineProtocol::handle(std::string_view line) {

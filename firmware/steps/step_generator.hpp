@@ -43,7 +43,9 @@ class StepGenerator final : public StepDrive {
     beam_.add({segment.ticks, segment.power});
     ends_at_rest_ = segment.comes_to_rest;
     pushed_ticks_ += segment.ticks + wait;
-    CNC_ASSERT(queue_.try_push(wait == 0 ? segment : delayed(segment, wait)));
+    const bool taken =
+        wait == 0 ? queue_.try_push(segment) : queue_.try_push(delayed(segment, wait));
+    CNC_ASSERT(taken);
   }
 
   [[nodiscard]] std::uint32_t ticks_waiting() const override {

@@ -5,6 +5,13 @@ namespace {
 constexpr std::uint64_t kNanometresPerMm = 1'000'000;
 }
 
+bool AxisScale::reaches(Coordinate place) const {
+  constexpr std::uint64_t kMost = static_cast<std::uint64_t>(kMostSteps) * kNanometresPerMm;
+  if (!place.in_range()) return false;
+  const std::int64_t nm = place.nanometres();
+  return (static_cast<std::uint64_t>(nm < 0 ? -nm : nm) * mantissa_) >> fraction_bits_ < kMost;
+}
+
 std::optional<StepPosition> AxisScale::steps_at(Coordinate place) const {
   if (!place.in_range()) return std::nullopt;
   const bool negative = place < Coordinate{};

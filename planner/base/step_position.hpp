@@ -53,6 +53,8 @@ class AxisScale {
 
   [[nodiscard]] constexpr float steps_per_mm() const { return steps_per_mm_; }
 
+  /// Whether steps_at() knows it.
+  [[nodiscard]] bool reaches(Coordinate place) const;
   /// Exact to 2^-32 step. Empty when the place is beyond kMostSteps.
   [[nodiscard]] std::optional<StepPosition> steps_at(Coordinate place) const;
 

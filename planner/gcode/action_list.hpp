@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <memory>
 #include <span>
 
 #include "planner/base/contract.hpp"
@@ -23,10 +24,9 @@ class ActionList {
   /// @pre fewer than kMostActions so far.
   Action& append(ActionKind kind) {
     CNC_ASSERT(size_ < kMostActions);
-    Action& action = actions_[size_++];
-    action = Action{};
-    action.kind = kind;
-    return action;
+    Action* const action = std::construct_at(&actions_[size_++]);
+    action->kind = kind;
+    return *action;
   }
 
   [[nodiscard]] std::span<const Action> all() const { return std::span{actions_}.first(size_); }

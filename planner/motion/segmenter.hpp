@@ -64,6 +64,10 @@ class Segmenter {
   [[nodiscard]] bool at_rest() const { return speed_ <= 0.0F; }
   /// Where the last slice handed out ends.
   [[nodiscard]] const AxisArray<StepPosition>& place() const { return place_steps_; }
+  /// mm to the end of the oldest block. @pre !idle()
+  [[nodiscard]] float left_of_block() const {
+    return driving_ ? to_mm(length_ - place_) : queue_.front().length;
+  }
   /// mm/s at the end of the last slice handed out.
   [[nodiscard]] float speed() const { return speed_; }
   /// mm/s of the plan, which is ahead of what was handed out where jerk is limited:

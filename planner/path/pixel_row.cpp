@@ -45,7 +45,7 @@ void PixelRow::begin(const PathItem& item) {
   }
   lines_ = 1;
   pixel_ = {.end_mm = way_.length, .duty = request.beam.duty, .line = request.line};
-  limit_slopes(graded_ ? kMostAsideMm : 0.0F, true);
+  slopes_known_ = false;
 }
 
 bool PixelRow::add(const PathItem& item) {
@@ -58,7 +58,8 @@ bool PixelRow::add(const PathItem& item) {
   const bool graded = graded_ || !same_power;
   const bool stops_at_corners = item_.tolerance.corner_mm <= 0.0F;
   const float aside = graded && !stops_at_corners ? kMostAsideMm : 0.0F;
-  if (graded != graded_) limit_slopes(aside, true);
+  if (graded != graded_) slopes_known_ = false;
+  if (!slopes_known_) limit_slopes(aside);
   const Way way = way_to(next.element.end);
   if (!straight_on(way)) return false;
   graded_ = graded;
@@ -69,7 +70,7 @@ bool PixelRow::add(const PathItem& item) {
   way_ = way;
   item_.request.element.end = next.element.end;
   pixel_.end_mm = way.length;
-  limit_slopes(aside, false);
+  limit_slopes(aside);
   if (++lines_ < kMostLines) return true;
   close();
   full_ = true;
@@ -98,7 +99,7 @@ bool PixelRow::straight_on(const Way& way) const {
 }
 
 /// So that the row passes its present end.
-void PixelRow::limit_slopes(float aside_mm, bool anew) {
+void PixelRow::limit_slopes(float aside_mm) {
   const float per_mm = 1.0F / way_.travel[leading_];
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     const float travel = way_.travel[axis];
@@ -106,9 +107,10 @@ void PixelRow::limit_slopes(float aside_mm, bool anew) {
     const float middle = travel * per_mm;
     const float half = aside * std::abs(per_mm);
     SlopeRange& range = slopes_[axis];
-    range.least = anew ? middle - half : std::max(range.least, middle - half);
-    range.most = anew ? middle + half : std::min(range.most, middle + half);
+    range.least = slopes_known_ ? std::max(range.least, middle - half) : middle - half;
+    range.most = slopes_known_ ? std::min(range.most, middle + half) : middle + half;
   }
+  slopes_known_ = true;
 }
 
 void PixelRow::give_pixel() {

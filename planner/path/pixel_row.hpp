@@ -66,7 +66,7 @@ class PixelRow {
 
   [[nodiscard]] bool may_go_on(const motion::MotionRequest& next, bool same_power) const;
   [[nodiscard]] bool straight_on(const Way& way) const;
-  void limit_slopes(float aside_mm, bool anew);
+  void limit_slopes(float aside_mm);
   void give_pixel();
   [[nodiscard]] Way way_to(const Position& place) const;
 
@@ -81,7 +81,8 @@ class PixelRow {
 
   std::size_t lines_ = 0;
   bool graded_ = false;  ///< More than one power.
-  Way way_{};            ///< To its end.
+  bool slopes_known_ = false;
+  Way way_{};  ///< To its end.
   std::size_t leading_ = 0;
   AxisArray<SlopeRange> slopes_{};
   bool has_pixels_ = false;
