@@ -86,10 +86,9 @@ ProgrammedPath driven_path(const ProgrammedPath& programmed, const cnc::motion::
   const auto stage = std::make_unique<cnc::path::PathStage>(limits);
   ProgrammedPath driven;
   const auto take = [&] {
-    cnc::path::PathPiece piece;
-    while (stage->next(piece)) {
-      const bool stop = piece.joint == cnc::motion::Joint::kStop;
-      const auto& request = piece.request;
+    while (const cnc::path::PathPiece* const piece = stage->next()) {
+      const bool stop = piece->joint == cnc::motion::Joint::kStop;
+      const auto& request = piece->request;
       driven.pieces.push_back(piece_of(request.element, request.feed_mm_s, stop));
       set_beam(driven.pieces.back(), request.beam);
     }

@@ -137,6 +137,7 @@ void Welder::begin_fit() {
   fan_.open(1.0F / (kLeastRadii * chain_.tolerance.weld_mm));
   looked_at_ = points_fitted_ = 0;
   last_ = {0.0F, 0.0F};
+  chord_passed_ = 0.0F;
   farthest_ = {};
   smooth_ = {};
   fitting_ = true;
@@ -151,16 +152,24 @@ bool Welder::goes_on(const Vec2& here, const Vec2& chord) const {
   return chord.dot(last_) >= 0.0F && here.norm() <= kFarthestMm;
 }
 
+/// The circles must pass the point, and both ends of the chord to it. An end that a longer
+/// chord has been passed at is passed at this one, too: so a little more is asked for, and
+/// lines of nearly the same length do not each ask for the same again.
+void Welder::pass(const Vec2& here, float chord_mm) {
+  constexpr float kAlike = 1.05F;
+  const float within = tolerance_at(here);
+  if (chord_mm > chord_passed_) fan_.pass_chord(last_, chord_mm, within);
+  fan_.pass(here, within);
+  chord_passed_ = kAlike * chord_mm;
+  fan_.pass_chord(here, chord_passed_, within);
+}
+
 /// Takes the next point into the fit; false when there it ends.
 bool Welder::look() {
   const Vec2 here = seen(point(looked_at_).place);
   const Vec2 chord = here - last_;
   if (!goes_on(here, chord)) return false;
-  const float within = tolerance_at(here);
-  const float length = chord.norm();
-  fan_.pass_chord(last_, length, within);
-  fan_.pass(here, within);
-  fan_.pass_chord(here, length, within);
+  pass(here, chord.norm());
   if (fan_.empty()) return false;
   ++looked_at_;
   ++points_fitted_;

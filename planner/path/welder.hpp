@@ -68,6 +68,7 @@ class Welder {
   void begin_fit();
   [[nodiscard]] bool look();
   [[nodiscard]] bool goes_on(const Vec2& here, const Vec2& chord) const;
+  void pass(const Vec2& here, float chord_mm);
   void note_reach(const Vec2& here);
   [[nodiscard]] PathItem finish();
   void go_to(const Reach& reach);
@@ -101,6 +102,7 @@ class Welder {
   std::size_t points_fitted_ = 0;
   Vec2 last_{0.0F, 0.0F};
   Vec2 last_chord_{0.0F, 0.0F};
+  float chord_passed_ = 0.0F;  ///< mm, of the chords at the last point that the fit allows for.
   Reach farthest_{};
   Reach smooth_{};  ///< In the direction of the piece before.
 };

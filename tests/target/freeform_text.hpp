@@ -11,12 +11,15 @@ class FreeformText {
  public:
   static constexpr int kLines = 3000;
 
+  /// @param opening words before those of the first line
+  explicit FreeformText(std::string_view opening = "G21G90G1F12000") : opening_{opening} {}
+
   [[nodiscard]] bool finished() const { return line_ == kLines; }
 
   /// With its LF.
   std::string_view next() {
     line_text_.clear();
-    if (line_ == 0) line_text_.put("G21G90G1F12000");
+    if (line_ == 0) line_text_.put(opening_);
     const float s = 0.1F * static_cast<float>(line_++);
     const float angle =
         1.5F * cnc::sin_cos(s / 9.0F).sine + 0.8F * cnc::sin_cos(s / 31.0F).sine + s / 40.0F;
@@ -35,6 +38,7 @@ class FreeformText {
     return static_cast<std::int32_t>(mm * 1000.0F + (mm < 0.0F ? -0.5F : 0.5F));
   }
 
+  std::string_view opening_;
   LineText line_text_{};
   int line_ = 0;
   float x_ = 100.0F;

@@ -85,7 +85,7 @@ void count(Cost& cost, Work&& work) {
 class FreeformLink final : public hal::ByteStream {
  public:
   void send(std::string_view opening) { rest_ = opening; }
-  void send_job() { text_ = FreeformText{}; }
+  void send_job(std::string_view opening = "G21G90G1F12000") { text_ = FreeformText{opening}; }
   void send_raster() { raster_ = RasterText{}; }
 
   [[nodiscard]] std::size_t read(std::span<std::byte> into) override {
@@ -192,6 +192,18 @@ void count_firmware() {
   CNC_ASSERT(link_to_job.answers - before >= 2 * FreeformText::kLines);
 }
 
+/// The same lines on a machine that drives ten of them in a millisecond.
+void count_fast_job() {
+  Cost unused;
+  Cost turn;
+  link_to_job.send("$110=60000\n$111=60000\n$120=200000\n$121=200000\nG1X100Y100F60000\n");
+  run(unused, unused);
+  link_to_job.send_job("G21G90G1F60000");
+  run(turn, unused);
+  turn.print("the main loop in all at 60 m/min", "line", FreeformText::kLines);
+  turn.print("the same", "turn");
+}
+
 /// Pixels of 0.1 mm at the same speed, in the line of their own.
 void count_raster() {
   Cost unused;
@@ -293,6 +305,7 @@ class Stages {
 void run_on_target() {
   count_firmware();
   count_raster();
+  count_fast_job();
   static const cnc::motion::Limits limits = cnc::limits_from(application.machine().settings());
   static Stages stages{limits};
   stages.run();

@@ -173,18 +173,19 @@ TEST(HeldElements, ComeOutWholeWhenFlushed) {
   Pen pen{kTenth};
   pen.line({50.0});
   pen.line({0.0, 50.0});
-  PathPiece piece;
   stage.put(pen.items[0]);
-  EXPECT_FALSE(stage.next(piece));
+  EXPECT_EQ(stage.next(), nullptr);
   EXPECT_EQ(stage.line(), 1U);
   stage.flush();
-  ASSERT_TRUE(stage.next(piece));
-  EXPECT_EQ(piece.request.element.end, pen.items[0].request.element.end);
+  const PathPiece* piece = stage.next();
+  ASSERT_NE(piece, nullptr);
+  EXPECT_EQ(piece->request.element.end, pen.items[0].request.element.end);
   EXPECT_TRUE(stage.empty());
   stage.put(pen.items[1]);
   stage.flush();
-  ASSERT_TRUE(stage.next(piece));
-  EXPECT_EQ(piece.joint, motion::Joint::kStop) << "the corner was given away";
+  piece = stage.next();
+  ASSERT_NE(piece, nullptr);
+  EXPECT_EQ(piece->joint, motion::Joint::kStop) << "the corner was given away";
 }
 
 /// A stretch of one nasty kind.

@@ -203,8 +203,7 @@ inline std::vector<PathPiece> staged(const std::vector<PathItem>& items,
   const auto stage = std::make_unique<PathStage>(limits);
   std::vector<PathPiece> pieces;
   const auto take = [&] {
-    PathPiece piece;
-    while (stage->next(piece)) pieces.push_back(piece);
+    while (const PathPiece* const piece = stage->next()) pieces.push_back(*piece);
   };
   for (const PathItem& item : items) {
     for (int i = 0; i < 100 && !stage->has_room(); ++i) take();

@@ -140,10 +140,9 @@ TEST(PixelRow, WaitsWhileThereIsNoRoomForItsPixels) {
   const auto stage = std::make_unique<PathStage>(limits, &pixels);
   std::size_t taken = 0;
   std::vector<PathPiece> pieces;
-  PathPiece piece;
   while (stage->has_room()) {
     stage->put(pen.items[taken++]);
-    while (stage->next(piece)) pieces.push_back(piece);
+    while (const PathPiece* const piece = stage->next()) pieces.push_back(*piece);
   }
   EXPECT_GE(taken, motion::Pixels::kMost - 2U);
   EXPECT_GE(pieces.size(), 14U);
@@ -163,16 +162,15 @@ TEST(PixelRow, IsGivenOutUnfinishedWhenItIsNotToWait) {
   const motion::Limits limits = path_limits();
   const auto stage = std::make_unique<PathStage>(limits, &pixels);
   std::size_t given = 0;
-  PathPiece piece;
   for (const PathItem& item : pen.items) {
     stage->put(item);
-    while (stage->next(piece)) ++given;
+    while (stage->next() != nullptr) ++given;
   }
   EXPECT_EQ(given, 1U);
   EXPECT_EQ(stage->gathered(), 16U);
   stage->end_row();
   EXPECT_EQ(stage->gathered(), 0U);
-  while (stage->next(piece)) ++given;
+  while (stage->next() != nullptr) ++given;
   EXPECT_EQ(given, 2U) << "its successor is known now";
 }
 

@@ -54,8 +54,7 @@ class RowDrive {
 
  private:
   void take() {
-    PathPiece piece;
-    while (stage_->next(piece)) drive(piece);
+    while (const PathPiece* const piece = stage_->next()) drive(*piece);
   }
 
   void drive(const PathPiece& piece) {

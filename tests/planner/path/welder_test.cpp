@@ -128,8 +128,7 @@ TEST(Welding, GoesOnWhereItWasFlushed) {
   draw_polygon(pen, 20.0, 720);
   std::vector<PathPiece> pieces;
   const auto take = [&] {
-    PathPiece piece;
-    while (stage->next(piece)) pieces.push_back(piece);
+    while (const PathPiece* const piece = stage->next()) pieces.push_back(*piece);
   };
   for (std::size_t i = 0; i < pen.items.size(); ++i) {
     for (int turn = 0; turn < 50 && !stage->has_room(); ++turn) take();
