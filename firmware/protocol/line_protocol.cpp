@@ -59,8 +59,9 @@ void LineProtocol::poll(hal::TickCount now) {
       if (++lines > kLinesInATurn) return;
       if (!read_line()) return save_places();
       handle(assembler_.line());
-      const bool answerable = outbox_.empty() && !tell_news() && !machine_.busy();
-      if (answerable) static_cast<void>(finish_line());
+      // Most lines are answered at once: nothing else is to be said before.
+      const bool silent = outbox_.empty() && !listing_.active() && !tell_news();
+      if (silent && !machine_.busy()) static_cast<void>(finish_line());
     }
   }
 }
