@@ -73,6 +73,7 @@ struct Block {
   float feed = 0.0F;                ///< Programmed speed along the path, mm/s; 0 is a rapid.
   bool from_rest = true;            ///< The machine stands still at its start.
   bool fixed_feed = false;          ///< Overrides of feed and rapid do not touch it.
+  OutputChanges outputs{};          ///< At its start.
   float acceleration = 0.0F;        ///< mm/s², by the axes whose direction is constant.
   float speed_limit_square = 0.0F;  ///< From rates, step rates and centripetal acceleration.
   /// What the look-ahead finds; changes as blocks are added.
@@ -83,9 +84,8 @@ struct Block {
   BlockZones tail{};  ///< From blocks behind it.
 
   BeamCommand beam{};
-  RowPart row{};            ///< Where there is one, its pixels say the duty.
-  OutputChanges outputs{};  ///< At its start.
-  std::uint32_t line = 0;   ///< Source line, for reports.
+  RowPart row{};           ///< Where there is one, its pixels say the duty.
+  std::uint32_t line = 0;  ///< Source line, for reports.
 
   [[nodiscard]] bool is_rapid() const { return feed <= 0.0F; }
   [[nodiscard]] bool turns() const { return turn.curvature > 0.0F; }

@@ -13,8 +13,8 @@
 
 namespace cnc::motion {
 
-/// How far ahead a program is planned; 17 KB on the controller.
-inline constexpr std::size_t kLookAheadBlocks = 64;
+/// How far ahead a program is planned; 34 KB on the controller.
+inline constexpr std::size_t kLookAheadBlocks = 128;
 
 /// Blocks waiting to be driven, oldest first, with the look-ahead over them.
 /// How many there is room for is in the type of its owner, BlockQueueOf.

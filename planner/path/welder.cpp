@@ -93,7 +93,10 @@ void Welder::put(const PathItem& item) {
     known_direction_ = false;
   }
   if (empty()) line_ = item.request.line;
-  points_[(oldest_ + count_) % kMostHeld] = {.place = element.end, .line = item.request.line};
+  const PlaneAxes axes = axes_of(plane_);
+  points_[(oldest_ + count_) % kMostHeld] = {.first = element.end[axes.first],
+                                             .second = element.end[axes.second],
+                                             .line = item.request.line};
   ++count_;
 }
 
@@ -117,8 +120,21 @@ std::optional<PathItem> Welder::next() {
   return std::nullopt;
 }
 
-Vec2 Welder::seen(const Position& place) const {
-  const Vec2 offset = flat_travel(from_, place, plane_);
+Vec2 Welder::travel_to(const Point& point) const {
+  const PlaneAxes axes = axes_of(plane_);
+  return {(point.first - from_[axes.first]).mm(), (point.second - from_[axes.second]).mm()};
+}
+
+Position Welder::place_of(const Point& point) const {
+  const PlaneAxes axes = axes_of(plane_);
+  Position place = from_;
+  place[axes.first] = point.first;
+  place[axes.second] = point.second;
+  return place;
+}
+
+Vec2 Welder::seen(const Point& point) const {
+  const Vec2 offset = travel_to(point);
   return {offset.dot(ahead_), cross(ahead_, offset)};
 }
 
@@ -127,7 +143,7 @@ float Welder::tolerance_at(const Vec2& here) const {
 }
 
 void Welder::begin_fit() {
-  const Vec2 chord = flat_travel(from_, point(0).place, plane_);
+  const Vec2 chord = travel_to(point(0));
   const float length = chord.norm();
   const bool same_way = known_direction_ && chord.dot(ahead_) >= kSameWayCosine * length;
   if (!same_way) {
@@ -166,7 +182,7 @@ void Welder::pass(const Vec2& here, float chord_mm) {
 
 /// Takes the next point into the fit; false when there it ends.
 bool Welder::look() {
-  const Vec2 here = seen(point(looked_at_).place);
+  const Vec2 here = seen(point(looked_at_));
   const Vec2 chord = here - last_;
   if (!goes_on(here, chord)) return false;
   pass(here, chord.norm());
@@ -219,13 +235,13 @@ PathItem Welder::finish() {
   Reach reach = smooth ? smooth_ : farthest_;
   if (reach.points == 0) {
     // Not even one point is within reach of a circle: the line to it, as it is.
-    reach = {.points = 1, .index = 1, .end = point(0), .seen = seen(point(0).place)};
+    reach = {.points = 1, .index = 1, .end = point(0), .seen = seen(point(0))};
     reach.circle.slope = reach.seen.y() / std::max(reach.seen.x(), 1.0e-9F);
   }
   PathItem item = chain_;
   item.continues = smooth;
   item.request.line = reach.end.line;
-  item.request.element = {.start = from_, .end = reach.end.place, .plane = plane_};
+  item.request.element = {.start = from_, .end = place_of(reach.end), .plane = plane_};
   if (reach.circle.curvature != 0.0F) {
     item.request.element.bulge = bulge_between(Vec2{1.0F, reach.circle.slope}, reach.seen);
   }
@@ -244,7 +260,7 @@ void Welder::go_to(const Reach& reach) {
       reach.circle.curvature != 0.0F ? Vec2{2.0F * tangent.dot(chord) * chord - tangent} : chord;
   const Vec2 ahead = end.x() * ahead_ + end.y() * left_normal(ahead_);
   ahead_ = ahead.normalized();
-  from_ = reach.end.place;
+  from_ = place_of(reach.end);
   known_direction_ = true;
   fitting_ = false;
   forget_first(reach.index);

@@ -52,8 +52,10 @@ class Welder {
   [[nodiscard]] std::uint32_t line() const { return empty() ? 0 : line_; }
 
  private:
+  /// An end of a line, as far as it differs from those before: in the plane of the chain.
   struct Point {
-    Position place{};
+    Coordinate first{};
+    Coordinate second{};
     std::uint32_t line = 0;
   };
   /// An end that could be reached.
@@ -79,7 +81,9 @@ class Welder {
   [[nodiscard]] const Point& point(std::size_t index) const {
     return points_[(oldest_ + index) % kMostHeld];
   }
-  [[nodiscard]] Vec2 seen(const Position& place) const;
+  [[nodiscard]] Vec2 travel_to(const Point& point) const;
+  [[nodiscard]] Vec2 seen(const Point& point) const;
+  [[nodiscard]] Position place_of(const Point& point) const;
 
   static constexpr int kMostLooks = 8;
 

@@ -79,7 +79,7 @@ TEST_F(StatementsTest, ShowModesThatAreAcceptedBackInOneLine) {
 }
 
 TEST_F(StatementsTest, TellWhatTheControllerIs) {
-  EXPECT_EQ(lines_of("$I"), (Lines{"[VER:1.1h.20261121:]", "[OPT:VNMPH+2,64,1024]", "ok"}));
+  EXPECT_EQ(lines_of("$I"), (Lines{"[VER:1.1h.20261121:]", "[OPT:VNMPH+2,128,1024]", "ok"}));
   EXPECT_EQ(send("$I=left of the door"), "ok");
   const Lines lines = lines_of("$I+");
   ASSERT_EQ(lines.size(), 6U);

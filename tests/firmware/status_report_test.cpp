@@ -15,9 +15,9 @@ class StatusReportTest : public ControllerTest {
 };
 
 TEST_F(StatusReportTest, ReportsWhatGrblReports) {
-  EXPECT_EQ(report(), "<Idle|MPos:0.000,0.000,0.000|Bf:64,1024|FS:0,0|WCO:0.000,0.000,0.000>");
-  EXPECT_EQ(report(), "<Idle|MPos:0.000,0.000,0.000|Bf:64,1024|FS:0,0|Ov:100,100,100>");
-  EXPECT_EQ(report(), "<Idle|MPos:0.000,0.000,0.000|Bf:64,1024|FS:0,0>");
+  EXPECT_EQ(report(), "<Idle|MPos:0.000,0.000,0.000|Bf:128,1024|FS:0,0|WCO:0.000,0.000,0.000>");
+  EXPECT_EQ(report(), "<Idle|MPos:0.000,0.000,0.000|Bf:128,1024|FS:0,0|Ov:100,100,100>");
+  EXPECT_EQ(report(), "<Idle|MPos:0.000,0.000,0.000|Bf:128,1024|FS:0,0>");
 }
 
 TEST_F(StatusReportTest, ReportsByThemselvesWhenAsked) {

@@ -4,8 +4,11 @@
 /// 12,000 mm/min with 250 steps/mm and 3000 mm/s², and a row of pixels of 0.1 mm. What is counted
 /// includes two reads of the counter, about ten instructions.
 
+#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <new>
 #include <optional>
 #include <string_view>
 
@@ -142,11 +145,11 @@ class ForgetfulStore final : public hal::RecordStore {
 BarePort port;
 ForgetfulStore store;
 FreeformLink link_to_job;
-cnc::Application<BarePort> application{port, port, port, store, link_to_job};
+using Application = cnc::Application<BarePort>;
 std::uint32_t turns = 0;
 
 /// Virtual time until everything sent is done, a turn each millisecond.
-void run(Cost& poll, Cost& interrupt) {
+void run(Application& application, Cost& poll, Cost& interrupt) {
   constexpr std::uint32_t kTurn = cnc::motion::kTicksPerSecond / 1000;
   std::uint32_t next = 0;
   std::uint32_t now = 0;
@@ -161,7 +164,7 @@ void run(Cost& poll, Cost& interrupt) {
     port.started = false;
     while (runs && static_cast<std::int32_t>(next - (now + kTurn)) < 0) {
       std::uint32_t wait = 0;
-      count(interrupt, [&wait] { wait = application.on_step_interrupt(); });
+      count(interrupt, [&] { wait = application.on_step_interrupt(); });
       runs = wait != 0;
       next += wait;
     }
@@ -170,21 +173,21 @@ void run(Cost& poll, Cost& interrupt) {
   }
 }
 
-void count_firmware() {
+void count_firmware(Application& application) {
   Cost unused;
   Cost lines;
   Cost turn;
   Cost interrupt;
   link_to_job.send("$100=250\n$101=250\n$110=12000\n$111=12000\n$120=3000\n$121=3000\n$C\n");
-  run(unused, unused);
+  run(application, unused, unused);
   const std::uint32_t before = link_to_job.answers;
   link_to_job.send_job();
-  run(lines, unused);
+  run(application, lines, unused);
   lines.print("read, check and answer ($C), worst: a turn", "line", FreeformText::kLines);
   link_to_job.send("$C\n");
-  run(unused, unused);
+  run(application, unused, unused);
   link_to_job.send_job();
-  run(turn, interrupt);
+  run(application, turn, interrupt);
   turn.print(
       "the main loop in all while the job runs, worst: a turn", "line", FreeformText::kLines);
   turn.print("the same", "turn");
@@ -193,32 +196,32 @@ void count_firmware() {
 }
 
 /// The same lines on a machine that drives ten of them in a millisecond.
-void count_fast_job() {
+void count_fast_job(Application& application) {
   Cost unused;
   Cost turn;
   link_to_job.send("$110=60000\n$111=60000\n$120=200000\n$121=200000\nG1X100Y100F60000\n");
-  run(unused, unused);
+  run(application, unused, unused);
   link_to_job.send_job("G21G90G1F60000");
-  run(turn, unused);
+  run(application, turn, unused);
   turn.print("the main loop in all at 60 m/min", "line", FreeformText::kLines);
   turn.print("the same", "turn");
 }
 
 /// Pixels of 0.1 mm at the same speed, in the line of their own.
-void count_raster() {
+void count_raster(Application& application) {
   Cost unused;
   Cost lines;
   Cost turn;
   Cost interrupt;
   link_to_job.send("$32=1\n$C\n");
-  run(unused, unused);
+  run(application, unused, unused);
   link_to_job.send_raster();
-  run(lines, unused);
+  run(application, lines, unused);
   lines.print("raster: read, check and answer ($C), worst: a turn", "pixel", RasterText::kLines);
   link_to_job.send("$C\n");
-  run(unused, unused);
+  run(application, unused, unused);
   link_to_job.send_raster();
-  run(turn, interrupt);
+  run(application, turn, interrupt);
   turn.print("raster: the main loop in all, worst: a turn", "pixel", RasterText::kLines);
   interrupt.print("raster: step interrupt", "interrupt");
 }
@@ -300,13 +303,18 @@ class Stages {
   Cost segment_{};
 };
 
+/// The memory holds the one or the other.
+constexpr std::size_t kLarger = std::max(sizeof(Application), sizeof(Stages));
+alignas(std::max_align_t) std::array<std::byte, kLarger> room;
+
 }  // namespace
 
 void run_on_target() {
-  count_firmware();
-  count_raster();
-  count_fast_job();
-  static const cnc::motion::Limits limits = cnc::limits_from(application.machine().settings());
-  static Stages stages{limits};
-  stages.run();
+  auto* const application = new (room.data()) Application{port, port, port, store, link_to_job};
+  count_firmware(*application);
+  count_raster(*application);
+  count_fast_job(*application);
+  static const cnc::motion::Limits limits = cnc::limits_from(application->machine().settings());
+  auto* const stages = new (room.data()) Stages{limits};
+  stages->run();
 }
