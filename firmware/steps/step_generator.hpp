@@ -7,6 +7,7 @@
 
 #include "firmware/steps/power_output.hpp"
 #include "firmware/steps/step_drive.hpp"
+#include "firmware/steps/step_trains.hpp"
 #include "firmware/steps/switch_watch.hpp"
 #include "hal/interface/spsc_ring.hpp"
 #include "hal/interface/step_port.hpp"
@@ -137,46 +138,41 @@ class StepGenerator final : public StepDrive {
   }
 
  private:
-  static constexpr std::int32_t kNever = 0x7FFF'FFFF;
-
   std::uint32_t end_pulse() noexcept {
     port_.lower_steps();
     high_ = false;
-    check_probe();
+    if (probe_armed_.load(std::memory_order_acquire)) check_probe();
     if (switches_.active()) switches_.look(port_.switches(), position());
     beam_.follow();
-    return std::max(timing_.pulse, ticks_until(earliest_due()));
+    return std::max(timing_.pulse, ticks_until(next_due()));
   }
 
   std::uint32_t begin_pulse() noexcept {
-    if (abort_.exchange(false)) return drop_everything();
+    if (abort_.load(std::memory_order_relaxed)) return drop_everything();
     beam_.darken_if_blocked();
-    while (steps_left_ == 0 && now_ >= segment_.ticks) {
-      now_ -= segment_.ticks;
+    while (trains_.empty() && now_ >= ticks_) {
+      now_ -= ticks_;
       if (!load_segment()) return come_to_rest();
       if (direction_changed_) return timing_.direction_set_up;
     }
     beam_.follow();
-    const std::int32_t due = earliest_due();
+    const std::int32_t due = next_due();
     if (due > static_cast<std::int32_t>(now_)) return ticks_until(due);
     raise_due_steps();
     return timing_.pulse;
   }
 
   bool load_segment() noexcept {
-    if (!queue_.try_pop(segment_)) return false;
-    count_begun(segment_.ticks);
-    if (segment_.outputs.any()) drive_outputs(segment_.outputs);
-    std::uint8_t moving = 0;
-    steps_left_ = 0;
-    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-      const motion::StepTrain& train = segment_.trains[axis];
-      due_q16_[axis] = train.first_q16;
-      steps_left_ += train.count;
-      if (train.count > 0) moving = static_cast<std::uint8_t>(moving | (1U << axis));
-    }
+    const motion::Segment* const segment = queue_.front();
+    if (segment == nullptr) return false;
+    count_begun(segment->ticks);
+    if (segment->outputs.any()) drive_outputs(segment->outputs);
+    ticks_ = segment->ticks;
+    comes_to_rest_ = segment->comes_to_rest;
+    const std::uint8_t moving = trains_.load(*segment);
     const auto wanted =
-        static_cast<std::uint8_t>((direction_ & ~moving) | (segment_.negative & moving));
+        static_cast<std::uint8_t>((direction_ & ~moving) | (segment->negative & moving));
+    queue_.drop_front();
     direction_changed_ = wanted != direction_;
     direction_ = wanted;
     if (direction_changed_) port_.set_direction({direction_});
@@ -189,13 +185,8 @@ class StepGenerator final : public StepDrive {
   }
 
   /// Tick of the next step of any motor, or the end of the segment.
-  [[nodiscard]] std::int32_t earliest_due() const noexcept {
-    std::int32_t earliest = kNever;
-    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-      if (segment_.trains[axis].count == 0) continue;
-      earliest = std::min(earliest, due_q16_[axis]);
-    }
-    return earliest == kNever ? static_cast<std::int32_t>(segment_.ticks) : earliest >> 16;
+  [[nodiscard]] std::int32_t next_due() const noexcept {
+    return trains_.empty() ? static_cast<std::int32_t>(ticks_) : trains_.next_due();
   }
 
   /// Until this tick of the segment, or the next change of the output.
@@ -206,31 +197,15 @@ class StepGenerator final : public StepDrive {
 
   void raise_due_steps() noexcept {
     const auto slot_end = static_cast<std::int32_t>(now_ + 2 * timing_.pulse);
-    std::uint8_t due = 0;
-    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-      motion::StepTrain& train = segment_.trains[axis];
-      if (train.count == 0 || (due_q16_[axis] >> 16) >= slot_end) continue;
-      due = static_cast<std::uint8_t>(due | (1U << axis));
-      advance(axis, train);
-    }
+    const std::uint8_t due = trains_.take_before(slot_end, position_);
     const hal::SwitchMask& gates = switches_.gates();
     port_.raise_steps({static_cast<std::uint8_t>(due & ~gates.first)},
                       {static_cast<std::uint8_t>(due & second_motors_ & ~gates.second)});
     high_ = true;
   }
 
-  void advance(std::size_t axis, motion::StepTrain& train) noexcept {
-    due_q16_[axis] += train.interval_q16;
-    train.interval_q16 += train.growth_q16;
-    --train.count;
-    --steps_left_;
-    const std::int32_t step = (direction_ >> axis & 1U) != 0 ? -1 : 1;
-    position_[axis].store(position_[axis].load(std::memory_order_relaxed) + step,
-                          std::memory_order_relaxed);
-  }
-
+  /// @pre armed
   void check_probe() noexcept {
-    if (!probe_armed_.load(std::memory_order_acquire)) return;
     if (port_.probe_contact() != probe_contact_) return;
     probe_position_ = position();
     probe_armed_.store(false, std::memory_order_relaxed);
@@ -238,7 +213,7 @@ class StepGenerator final : public StepDrive {
   }
 
   std::uint32_t come_to_rest() noexcept {
-    if (!segment_.comes_to_rest) {
+    if (!comes_to_rest_) {
       starved_.store(true, std::memory_order_relaxed);
       beam_.drop();
     }
@@ -246,16 +221,19 @@ class StepGenerator final : public StepDrive {
   }
 
   std::uint32_t drop_everything() noexcept {
-    motion::Segment dropped;
-    while (queue_.try_pop(dropped)) count_begun(dropped.ticks);
+    abort_.store(false, std::memory_order_relaxed);
+    while (const motion::Segment* const dropped = queue_.front()) {
+      count_begun(dropped->ticks);
+      queue_.drop_front();
+    }
     beam_.drop();
     return stop();
   }
 
   std::uint32_t stop() noexcept {
-    segment_ = {};
-    segment_.comes_to_rest = true;
-    steps_left_ = 0;
+    trains_.clear();
+    ticks_ = 0;
+    comes_to_rest_ = true;
     now_ = 0;
     beam_.rest();
     running_.store(false, std::memory_order_release);
@@ -277,16 +255,16 @@ class StepGenerator final : public StepDrive {
   StepTiming timing_{};
   std::uint8_t second_motors_ = 0;
 
-  motion::Segment segment_{};
-  AxisArray<std::int32_t> due_q16_{};
-  std::uint32_t now_ = 0;  ///< Ticks since the segment was due to start.
+  StepTrains trains_{};
+  std::uint32_t ticks_ = 0;  ///< Of the segment being played.
+  std::uint32_t now_ = 0;    ///< Ticks since it was due to start.
   std::uint32_t waited_ = 0;
-  std::uint32_t steps_left_ = 0;
+  bool comes_to_rest_ = false;  ///< After it.
   std::uint8_t direction_ = 0;
   bool direction_changed_ = false;
   bool high_ = false;
 
-  AxisArray<std::atomic<std::int32_t>> position_{};
+  MotorSteps position_{};
   std::atomic<bool> running_{false};
   std::atomic<bool> starved_{false};
   std::atomic<bool> abort_{false};
