@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstddef>
-#include <memory>
 #include <span>
 
 #include "planner/base/contract.hpp"
@@ -24,9 +23,10 @@ class ActionList {
   /// @pre fewer than kMostActions so far.
   Action& append(ActionKind kind) {
     CNC_ASSERT(size_ < kMostActions);
-    Action* const action = std::construct_at(&actions_[size_++]);
-    action->kind = kind;
-    return *action;
+    Action& action = actions_[size_++];
+    action = Action{};
+    action.kind = kind;
+    return action;
   }
 
   [[nodiscard]] std::span<const Action> all() const { return std::span{actions_}.first(size_); }

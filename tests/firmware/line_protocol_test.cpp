@@ -107,12 +107,12 @@ TEST_F(LineProtocolTest, SaysOkAndErrorOnlyInAcknowledgements) {
 
 TEST_F(LineProtocolTest, AnswersALineOnlyWhenItIsPlanned) {
   std::string lines;
-  for (int k = 1; k <= 100; ++k) lines += "G1 F600 X" + std::to_string(k % 2) + "\n";
+  for (int k = 1; k <= 200; ++k) lines += "G1 F600 X" + std::to_string(k % 2) + "\n";
   stream(lines);
   run(20);
-  EXPECT_LT(answers().size(), 70U);  // 64 blocks, and one that waits.
+  EXPECT_LT(answers().size(), 136U);  // 128 blocks, and a few that wait.
   run_until_idle();
-  EXPECT_EQ(answers().size(), 100U);
+  EXPECT_EQ(answers().size(), 200U);
 }
 
 TEST_F(LineProtocolTest, AnswersADwellWhenItIsOver) {

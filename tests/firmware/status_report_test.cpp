@@ -50,7 +50,7 @@ TEST_F(StatusReportTest, ReportsTheFieldsThatAreChosen) {
   send("$10=5");
   EXPECT_EQ(report(), "<Idle|MPos:0.000,0.000,0.000>");
   send("$10=511");
-  EXPECT_EQ(field(report(), "Bf"), "64,1024");
+  EXPECT_EQ(field(report(), "Bf"), "128,1024");
 }
 
 TEST_F(StatusReportTest, ReportsAChangeOfOffsetAtOnce) {
