@@ -19,9 +19,9 @@ constexpr double kWithinLimit = 1.001;
 /// rounding of the wait for it; the rest is made up for by braking harder.
 constexpr double kWithinLimitWhenLate = 1.006;
 
-/// Curves of less than a window take what is left for jerk from limits that are not those of
-/// one place, and an operator may change his mind where it is all needed.
-constexpr double kWithinJerk = 1.02;
+/// Phases last whole nanoseconds, of which slow machines with a short window show some tenths
+/// of a percent; an operator may change his mind where all jerk is needed for a curve.
+constexpr double kWithinJerk = 1.003;
 constexpr double kWithinJerkWhenLate = 1.06;
 
 /// A slice of a filtered motion is a parabola between places of a smoother curve.
