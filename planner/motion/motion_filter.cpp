@@ -1,8 +1,16 @@
 #include "planner/motion/motion_filter.hpp"
 
+#include <algorithm>
+
 #include "planner/base/contract.hpp"
 
 namespace cnc::motion {
+namespace {
+
+/// A unit of way that is left for a nanosecond would be more acceleration than axes have.
+constexpr std::uint32_t kShortestEndNs = 4'000;
+
+}  // namespace
 
 void MotionFilter::begin(const TimeWindow& window) {
   *this = {};
@@ -38,15 +46,16 @@ Stretch MotionFilter::take() {
   Cell& oldest = cells_[oldest_];
   const PathUnits window_way = place_ - oldest.end;
   const float seconds = window_.seconds();
+  const std::uint32_t last_ns = oldest.moved_ns > 0 ? std::max(oldest.moved_ns, kShortestEndNs) : 0;
   Stretch motion{.way = next_way(newest, oldest),
-                 .duration_ns = window_way > 0 ? window_.cell_ns : oldest.moved_ns,
+                 .duration_ns = window_way > 0 ? window_.cell_ns : last_ns,
                  .start_speed = speed_,
                  .end_speed = to_mm(window_way) / seconds};
   // From what the plan drives in this cell and in that: the difference of two
   // nearly equal speeds has no digits.
   motion.acceleration = window_way > 0
                             ? to_mm(window_way - window_way_) / (seconds * window_.cell_seconds())
-                            : -speed_ / (static_cast<float>(oldest.moved_ns) * 1.0e-9F);
+                            : -speed_ / (static_cast<float>(last_ns) * 1.0e-9F);
   oldest = newest;
   oldest_ = oldest_ + 1 == window_.cells ? 0 : oldest_ + 1;
   window_way_ = window_way;

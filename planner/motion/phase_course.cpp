@@ -15,14 +15,21 @@ constexpr std::uint64_t kOneQ63 = std::uint64_t{1} << 63;
 /// A reciprocal of so many ticks is good to 2^-30 of the whole.
 constexpr std::uint64_t kMostTicks = std::uint64_t{1} << 33;
 
+/// With 24 bits more it is good to 2^-47, of 18 minutes in nanoseconds.
+constexpr unsigned kRestBits = 24;
+constexpr std::uint64_t kMostFineTicks = std::uint64_t{1} << (64U - kRestBits);
+
 }  // namespace
 
-PhaseCourse::PhaseCourse(const Stretch& stretch)
-    : whole_{stretch}, duration_{nearest_float(stretch.duration_ns)} {}
+PhaseCourse::PhaseCourse(const Stretch& stretch, Grain grain)
+    : whole_{stretch}, duration_{nearest_float(stretch.duration_ns)}, grain_{grain} {}
 
 void PhaseCourse::divide() {
-  while ((whole_.duration_ns >> shift_) >= kMostTicks) ++shift_;
-  per_tick_q63_ = kOneQ63 / (whole_.duration_ns >> shift_);
+  const bool fine = grain_ == Grain::kFine;
+  while ((whole_.duration_ns >> shift_) >= (fine ? kMostFineTicks : kMostTicks)) ++shift_;
+  const std::uint64_t ticks = whole_.duration_ns >> shift_;
+  per_tick_q63_ = kOneQ63 / ticks;
+  if (fine) rest_q24_ = ((kOneQ63 - per_tick_q63_ * ticks) << kRestBits) / ticks;
   const float sum = whole_.start_speed + whole_.end_speed;
   const float alpha = sum > 0.0F ? std::min(2.0F * whole_.start_speed / sum, 2.0F) : 1.0F;
   start_slope_q30_ = static_cast<std::uint32_t>(alpha * static_cast<float>(kOneQ30));
@@ -31,6 +38,9 @@ void PhaseCourse::divide() {
 PathUnits PhaseCourse::way_after(std::uint64_t ns) {
   if (ns >= whole_.duration_ns) return whole_.way;
   if (per_tick_q63_ == 0) divide();
+  if (grain_ == Grain::kFine) {
+    return std::min(static_cast<PathUnits>(fine_way(ns >> shift_)), whole_.way);
+  }
   const std::uint64_t x_q63 = (ns >> shift_) * per_tick_q63_;
   const auto bend_q30 = static_cast<std::int64_t>(kOneQ30) -  // 1 − α.
                         static_cast<std::int64_t>(start_slope_q30_);
@@ -40,6 +50,19 @@ PathUnits PhaseCourse::way_after(std::uint64_t ns) {
   const std::uint64_t share_q61 = multiply_high(x_q63, slope_q62);
   const std::uint64_t way = multiply_high(static_cast<std::uint64_t>(whole_.way) << 3, share_q61);
   return std::min(static_cast<PathUnits>(way), whole_.way);
+}
+
+/// The same with no digits left out.
+std::uint64_t PhaseCourse::fine_way(std::uint64_t ticks) const {
+  const std::uint64_t x_q63 = ticks * per_tick_q63_ + ((ticks * rest_q24_) >> kRestBits);
+  const bool slows_down = start_slope_q30_ > kOneQ30;
+  const std::uint64_t bend_q30 =
+      slows_down ? start_slope_q30_ - kOneQ30 : kOneQ30 - start_slope_q30_;
+  const std::uint64_t bent_q62 = multiply_high(bend_q30 << 33, x_q63);
+  const std::uint64_t start_q62 = start_slope_q30_ << 32;
+  const std::uint64_t slope_q62 = slows_down ? start_q62 - bent_q62 : start_q62 + bent_q62;
+  const std::uint64_t share_q61 = multiply_high(x_q63, slope_q62);
+  return multiply_high(static_cast<std::uint64_t>(whole_.way) << 3, share_q61);
 }
 
 float PhaseCourse::speed_after(std::uint64_t ns) const {

@@ -23,12 +23,16 @@ inline constexpr float kNanosecondsPerSecond = 1.0e9F;
 /// With x = time / duration and α = 2 · start speed / (start speed + end speed),
 /// way = distance · x (α + (1 − α) x). In fixed point, so that an hour ends as
 /// exactly as it began: the way is monotonic, meets both ends exactly and is
-/// smooth to 2^-32 of the distance.
+/// smooth to 2^-32 of the distance; or to two units where it is to be fine.
 class PhaseCourse {
  public:
+  /// Jerk is the third difference of ways over cells of a millisecond: of a phase of ten
+  /// seconds 2^-32 are seen there.
+  enum class Grain : std::uint8_t { kUsual, kFine };
+
   PhaseCourse() = default;
   /// @pre the duration is positive
-  explicit PhaseCourse(const Stretch& stretch);
+  explicit PhaseCourse(const Stretch& stretch, Grain grain = Grain::kUsual);
 
   [[nodiscard]] std::uint64_t duration_ns() const { return whole_.duration_ns; }
   /// @pre ns ≤ duration_ns()
@@ -41,6 +45,7 @@ class PhaseCourse {
 
  private:
   void divide();
+  [[nodiscard]] std::uint64_t fine_way(std::uint64_t ticks) const;
 
   Stretch whole_{};
   float duration_ = 0.0F;  ///< ns.
@@ -48,7 +53,9 @@ class PhaseCourse {
   /// for the division is long, and most courses are driven in one go.
   std::uint64_t per_tick_q63_ = 0;
   std::uint64_t start_slope_q30_ = 0;  ///< α, 0…2.
+  std::uint64_t rest_q24_ = 0;         ///< What per_tick_q63_ leaves out, where it is to be fine.
   unsigned shift_ = 0;
+  Grain grain_ = Grain::kUsual;
 };
 
 }  // namespace cnc::motion

@@ -23,6 +23,10 @@ float acceleration_of(const Phase& phase, std::uint64_t duration_ns) {
   return phase.acceleration * std::min(1.0F, phase.duration / duration);
 }
 
+PhaseCourse::Grain grain_of(const TimeWindow& window) {
+  return window.filters() ? PhaseCourse::Grain::kFine : PhaseCourse::Grain::kUsual;
+}
+
 }  // namespace
 
 void PlanCursor::set_overrides(const Overrides& overrides) {
@@ -269,7 +273,8 @@ bool PlanCursor::ready_phase(Drive drive) {
                          .duration_ns = duration_ns,
                          .start_speed = phase_.start_speed,
                          .end_speed = std::sqrt(phase_.end_speed_square),
-                         .acceleration = acceleration_of(phase_, duration_ns)}};
+                         .acceleration = acceleration_of(phase_, duration_ns)},
+                        grain_of(terms_.window)};
   elapsed_ns_ = 0;
   return true;
 }

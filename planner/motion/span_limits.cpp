@@ -99,7 +99,7 @@ float Spans::steepest(int span,
     const LimitZone zone = zone_on(span);
     most = std::min(most, zone.acceleration);
     const float window_s = window_.seconds();
-    most = zone.turning.steepest(most, growing, speed_square, cap_square, window_s, lag_of(change));
+    most = zone.turning.steepest(most, growing, speed_square, cap_square, window_s, lag());
   }
   if (sweep_ <= 0.0F) return most;
   if (uniform_) return within_turning(most, change);
@@ -130,10 +130,14 @@ float Spans::steepest(int span,
   return most;
 }
 
-/// The motion is the mean: while the plan slows down it is as fast as the plan was half a
-/// window ago.
-float Spans::lag_of(const SpeedChange& change) const {
-  return change.change == Change::kSlowDown ? 0.5F * window_.seconds() : 0.0F;
+/// The motion is the mean: where the plan speeds up by a, the motion's jerk is a / T then, and
+/// −a / T when the window has passed. By then the plan may have gone on, and the motion is
+/// faster by up to a T / 2; where the plan slows down it was so before. But the faster it
+/// is, the less a the plan had, so less than T / 2 does: with 0.35 T no jerk of 20,000 random
+/// programs on arcs is beyond its limit, with nothing one in sixteen is.
+float Spans::lag() const {
+  constexpr float kLag = 0.35F;
+  return kLag * window_.seconds();
 }
 
 /// What turning leaves, of the plane's limits; as an acceleration of the path.
@@ -144,20 +148,18 @@ float Spans::within_turning(float most, const SpeedChange& change) const {
                                         to_plane * change.speed_square,
                                         to_plane * change.cap_square,
                                         window_.seconds(),
-                                        lag_of(change));
+                                        lag());
   return std::min(most, plane / plane_share_);
 }
 
 /// Where directions are told apart: an axis along which the tangent has the share t and
 /// its normal the share n is asked for the jerk t (a / T + κ² v³) + n 3 κ v a at most.
 float Spans::within_jerk(const Shares& tangent, float most, const SpeedChange& change) const {
-  const float top_square =
-      std::min(change.cap_square, change.speed_square + 2.0F * most * change.growing);
-  const float at_top = within_jerk_at(std::sqrt(top_square), most, tangent);
-  const float lag_s = lag_of(change);
-  if (lag_s <= 0.0F) return at_top;
-  const float before = std::sqrt(top_square) + at_top * lag_s;
-  return within_jerk_at(std::min(std::sqrt(change.cap_square), before), at_top, tangent);
+  const float cap = std::sqrt(change.cap_square);
+  return steepest_within(most, [&](float steep) {
+    const float end = std::sqrt(change.speed_square + 2.0F * steep * change.growing);
+    return within_jerk_at(std::min(cap, end + steep * lag()), most, tangent);
+  });
 }
 
 float Spans::within_jerk_at(float speed, float most, const Shares& tangent) const {

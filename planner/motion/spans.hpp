@@ -108,7 +108,7 @@ class Spans {
                                   float most,
                                   const SpeedChange& change) const;
   [[nodiscard]] float within_jerk_at(float speed, float most, const Shares& tangent) const;
-  [[nodiscard]] float lag_of(const SpeedChange& change) const;
+  [[nodiscard]] float lag() const;
 
   int count_ = 1;      ///< Of spans.
   int own_count_ = 1;  ///< The same without edges of zones.

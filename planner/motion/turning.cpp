@@ -16,7 +16,7 @@ float Turning::speed_limit_square(float window_s) const {
   if (curvature <= 0.0F) return kNoLimit;
   const float centripetal = 1.0F / speed_ratio;
   if (window_s <= 0.0F) return centripetal;
-  constexpr float kJerkShare = 0.8F;
+  constexpr float kJerkShare = 0.95F;
   constexpr float kCubes = 1.0e25F;  // Of what a cube root may be asked for.
   const float cube = kJerkShare / (window_s * jerk_ratio);
   return std::min(centripetal, square(cube_root(std::clamp(cube, 1.0F / kCubes, kCubes))));
@@ -31,11 +31,12 @@ float Turning::steepest(float acceleration,
   if (curvature <= 0.0F) return acceleration;
   const float most = within_acceleration(acceleration, distance, speed_square);
   if (window_s <= 0.0F) return most;
-  const float top_square = std::min(cap_square, speed_square + 2.0F * most * distance);
-  const float jerked = std::min(most, within_jerk(acceleration, top_square, window_s));
-  if (lag_s <= 0.0F) return jerked;
-  const float before_square = square(std::sqrt(top_square) + jerked * lag_s);
-  return std::min(jerked, within_jerk(acceleration, std::min(cap_square, before_square), window_s));
+  const auto within = [&](float steep) {
+    const float end_square = std::min(cap_square, speed_square + 2.0F * steep * distance);
+    const float met = std::sqrt(end_square) + steep * lag_s;
+    return within_jerk(acceleration, std::min(cap_square, square(met)), window_s);
+  };
+  return steepest_within(most, within);
 }
 
 /// α² + (κ / A)² (v² + 2 α A d)² = 1, solved for α.

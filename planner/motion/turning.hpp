@@ -19,15 +19,14 @@ struct Turning {
 
   [[nodiscard]] static Turning of(float curvature, float acceleration);
 
-  /// v² at which, on a level course, all of A is for turning, or four fifths of
-  /// the jerk: the last fifth is for the way there. @param window_s T; 0 is none.
+  /// v² at which, on a level course, all of A is for turning, or nineteen twentieths of
+  /// the jerk: the rest is for the way there. @param window_s T; 0 is none.
   [[nodiscard]] float speed_limit_square(float window_s) const;
 
   /// The greatest a that may hold over `distance` mm from where v² is
   /// `speed_square`, v² growing all the way up to at most `cap_square`.
   /// @param acceleration A along the path.
-  /// @param lag_s how long ago the plan had the speed that the motion has when a changes:
-  /// half the window where v falls, for then that is the greater.
+  /// @param lag_s for how long v may go on growing by a until the motion takes a back.
   [[nodiscard]] float steepest(float acceleration,
                                float distance,
                                float speed_square,
@@ -45,6 +44,28 @@ struct Turning {
                                           float distance,
                                           float speed_square) const;
 };
+
+/// The greatest a ≤ `most` that is within what is left at the speed that it leads to,
+/// `within(a)`, which falls as a grows. Never more, and at most a fifth less.
+template <typename Within>
+[[nodiscard]] float steepest_within(float most, Within&& within) {
+  float high = most;
+  float low = within(high);
+  constexpr int kHalvings = 4;
+  for (int i = 0; i < kHalvings && low < high; ++i) {
+    high = std::min(high, within(low));
+    const float middle = 0.5F * (low + high);
+    const float there = within(middle);
+    if (there < middle) {
+      high = middle;
+      low = std::max(low, there);
+    } else {
+      low = middle;
+      high = std::min(high, there);
+    }
+  }
+  return std::min(low, high);
+}
 
 /// What both ask for.
 [[nodiscard]] inline Turning both(const Turning& a, const Turning& b) {

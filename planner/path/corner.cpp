@@ -34,8 +34,10 @@ float slope_square(const Leg& leg) {
 bool rides_along(const Corner& corner) {
   const float slope = slope_square(corner.before);
   const float allowed = motion::kTangentTurn * (1.0F + slope);
+  // By the less steep one: what is a small turn of a steep leg is a large one of the other.
+  const float lesser = motion::kTangentTurn * (1.0F + std::min(slope, slope_square(corner.after)));
   const bool same =
-      motion::turn_square(corner.before.slope, corner.after.slope) <= square(0.25F * allowed);
+      motion::turn_square(corner.before.slope, corner.after.slope) <= square(0.25F * lesser);
   if (!same || slope == 0.0F) return same;
   const float half = 0.5F * std::abs(corner.turn);
   if (half > 1.0F) return false;

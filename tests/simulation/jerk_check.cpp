@@ -5,22 +5,31 @@
 namespace proof {
 namespace {
 
-/// A cell of one acceleration: so many slices.
+/// A cell of one acceleration, which is the mean over it: so many slices.
 struct Cell {
   std::size_t first = 0;
   std::size_t end = 0;
-  double acceleration = 0.0;
+  double start_s = 0.0;
   double seconds = 0.0;
+  double acceleration = 0.0;
+
+  [[nodiscard]] double middle_s() const { return start_s + 0.5 * seconds; }
 };
 
-Cell cell_at(const RecordedPlan& plan, std::size_t first) {
+/// @param longest_s of a cell: in a row of cells the acceleration may stay the same.
+Cell cell_at(const RecordedPlan& plan, std::size_t first, double longest_s) {
   const auto acceleration_of = [&](std::size_t slice) {
     return plan.slices[slice].slice.acceleration;
   };
-  Cell cell{
-      .first = first, .end = first, .acceleration = static_cast<double>(acceleration_of(first))};
+  constexpr double kRounded = 1.001;
+  Cell cell{.first = first,
+            .end = first,
+            .start_s = plan.slices[first].start_s,
+            .acceleration = static_cast<double>(acceleration_of(first))};
   while (cell.end < plan.slices.size() && acceleration_of(cell.end) == acceleration_of(first)) {
-    cell.seconds += static_cast<double>(plan.slices[cell.end].slice.duration);
+    const auto duration = static_cast<double>(plan.slices[cell.end].slice.duration);
+    if (cell.seconds + duration > longest_s * kRounded) break;
+    cell.seconds += duration;
     ++cell.end;
   }
   return cell;
@@ -41,38 +50,83 @@ Vector bend_rate_of(const ExactBlock& block, const Vector& tangent, const Vector
 /// Shorter cells are the ends of motions, of which rounding makes too much.
 constexpr double kShortest = 20.0e-6;
 
+/// The acceleration along the path as a line between the middles of two cells.
+struct Ramp {
+  double from_s = 0.0;
+  double acceleration = 0.0;
+  double jerk = 0.0;
+
+  Ramp(const Cell& before, const Cell& behind)
+      : from_s{before.middle_s()},
+        acceleration{before.acceleration},
+        jerk{(behind.acceleration - before.acceleration) /
+             (behind.middle_s() - before.middle_s())} {}
+};
+
+class JerkCheck {
+ public:
+  JerkCheck(const RecordedPlan& plan, const TestMachine& machine)
+      : plan_{plan}, limits_{machine.limits} {}
+
+  Greatest run() {
+    Cell before;
+    Cell cell;
+    double longest_s = 0.0;
+    for (std::size_t first = 0; first < plan_.slices.size(); first = cell.end) {
+      const bool from_rest = plan_.slices[first].slice.start_speed <= 0.0F;
+      if (from_rest) longest_s = INFINITY;
+      cell = cell_at(plan_, first, longest_s);
+      if (from_rest) {
+        longest_s = cell.seconds;
+        // From nothing.
+        before = {.start_s = cell.start_s};
+      }
+      if (cell.seconds >= kShortest) {
+        look_at(before, cell, before);
+        look_at(before, cell, cell);
+      }
+      before = cell;
+    }
+    return greatest_;
+  }
+
+ private:
+  /// The slices of `within` that are between the middles of two cells.
+  void look_at(const Cell& before, const Cell& behind, const Cell& within) {
+    const Ramp ramp{before, behind};
+    for (std::size_t i = within.first; i < within.end; ++i) {
+      const TimedSlice& slice = plan_.slices[i];
+      const double half = 0.5 * static_cast<double>(slice.slice.duration);
+      const double time = slice.start_s + half;
+      if (time >= before.middle_s() && time <= behind.middle_s()) look_at(ramp, i, half);
+    }
+  }
+
+  void look_at(const Ramp& ramp, std::size_t index, double within) {
+    const TimedSlice& slice = plan_.slices[index];
+    const double speed = slice.speed_at(within);
+    const double along = ramp.acceleration + ramp.jerk * (slice.start_s + within - ramp.from_s);
+    const ExactBlock& block = plan_.blocks[slice.slice.block].exact;
+    const Vector tangent = block.tangent_at(slice.fraction_at(within));
+    const Vector bend = block.bend_at(slice.fraction_at(within));
+    const Vector bend_rate = bend_rate_of(block, tangent, bend);
+    for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
+      const double jerk = tangent[axis] * ramp.jerk + 3.0 * bend[axis] * speed * along +
+                          bend_rate[axis] * std::pow(speed, 3);
+      const auto limit = static_cast<double>(limits_.jerk_mm_s3[axis]);
+      greatest_.note(std::abs(jerk) / limit, index, axis);
+    }
+  }
+
+  const RecordedPlan& plan_;
+  const cnc::motion::Limits& limits_;
+  Greatest greatest_{};
+};
+
 }  // namespace
 
 Greatest greatest_jerk(const RecordedPlan& plan, const TestMachine& machine) {
-  Greatest greatest;
-  Cell before;
-  for (std::size_t first = 0; first < plan.slices.size();) {
-    const Cell cell = cell_at(plan, first);
-    first = cell.end;
-    // From rest on acceleration begins at nothing.
-    if (plan.slices[cell.first].slice.start_speed <= 0.0F) before = {};
-    const double time = 0.5 * (cell.seconds + before.seconds);
-    const double along = (cell.acceleration - before.acceleration) / time;
-    const double mean = 0.5 * (cell.acceleration + before.acceleration);
-    before = cell;
-    if (cell.seconds < kShortest) continue;
-
-    const std::size_t middle = (cell.first + cell.end) / 2;
-    const TimedSlice& slice = plan.slices[middle];
-    const double half = 0.5 * static_cast<double>(slice.slice.duration);
-    const double speed = slice.speed_at(half);
-    const ExactBlock& block = plan.blocks[slice.slice.block].exact;
-    const Vector tangent = block.tangent_at(slice.fraction_at(half));
-    const Vector bend = block.bend_at(slice.fraction_at(half));
-    const Vector bend_rate = bend_rate_of(block, tangent, bend);
-    for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
-      const double jerk = tangent[axis] * along + 3.0 * bend[axis] * speed * mean +
-                          bend_rate[axis] * std::pow(speed, 3);
-      const auto limit = static_cast<double>(machine.limits.jerk_mm_s3[axis]);
-      greatest.note(std::abs(jerk) / limit, middle, axis);
-    }
-  }
-  return greatest;
+  return JerkCheck{plan, machine}.run();
 }
 
 }  // namespace proof

@@ -95,7 +95,8 @@ TEST(JerkLimitedPrograms, TakeHardlyLongerThanTheFastestMotionKnown) {
   };
   const auto count = static_cast<std::ptrdiff_t>(programs.size());
   EXPECT_LE(2 * beyond(1.03), count);
-  EXPECT_LE(8 * beyond(1.25), count);
+  EXPECT_LE(5 * beyond(1.10), count);
+  EXPECT_LE(16 * beyond(1.25), count);
 }
 
 }  // namespace

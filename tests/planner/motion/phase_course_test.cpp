@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdlib>
 
 #include "tests/support/random_source.hpp"
 
@@ -62,6 +64,38 @@ TEST(PhaseCourse, IsEvenWhereTheSpeedIs) {
     const PathUnits way = course.way_after(at + kMillisecond) - course.way_after(at);
     ASSERT_NEAR(static_cast<double>(way), step, step * 1.0e-4) << at;
   }
+}
+
+/// The greatest third difference of the ways at every `cell_ns` back from the end.
+std::int64_t roughest(PhaseCourse course, std::uint64_t cell_ns) {
+  const std::uint64_t end = course.duration_ns();
+  std::int64_t most = 0;
+  for (std::uint64_t cell = 0; (cell + 3) * cell_ns <= end; cell += cell < 64 ? 1 : 97) {
+    const auto way = [&](std::uint64_t k) { return course.way_after(end - (cell + k) * cell_ns); };
+    most = std::max(most, std::abs(way(0) - 3 * way(1) + 3 * way(2) - way(3)));
+  }
+  return most;
+}
+
+// Speeding up for ten seconds and holding for a hundred at most: places are good to a unit or
+// two, so third differences, which are jerk times the cube of the time, to eight times as much.
+TEST(PhaseCourse, IsSmoothToItsUnitsWhereItIsFine) {
+  const std::uint64_t seed = 20261122;
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  proof::Random random{seed};
+  constexpr std::uint64_t kCell = 400'000;
+  std::int64_t usual = 0;
+  for (int trial = 0; trial < 300; ++trial) {
+    Stretch stretch = any_stretch(random);
+    const double seconds = random.magnitude(1.0e-2, 100.0);
+    stretch.duration_ns = static_cast<std::uint64_t>(std::llround(seconds * 1.0e9));
+    const double sum = static_cast<double>(stretch.start_speed + stretch.end_speed);
+    stretch.way = static_cast<PathUnits>(std::llround(0.5 * sum * seconds * 0x1p36));
+    ASSERT_LE(roughest(PhaseCourse{stretch, PhaseCourse::Grain::kFine}, kCell), 16)
+        << "trial " << trial;
+    usual = std::max(usual, roughest(PhaseCourse{stretch}, kCell));
+  }
+  EXPECT_GT(usual, 1000);
 }
 
 TEST(PhaseCourse, KnowsWhenAPlaceIsReached) {

@@ -59,6 +59,43 @@ TEST(Turning, KeepsAccelerationAndJerkOfACircle) {
   EXPECT_GT(worst, 0.99);
 }
 
+// Met where the change leads to, and to as much more as the motion is behind; a fifth more is
+// too much there or, for acceleration, at the end of the way.
+TEST(Turning, IsAsSteepAsTheSpeedItLeadsToAllows) {
+  proof::Random random{20261122};
+  int by_jerk = 0;
+  for (int trial = 0; trial < 20'000; ++trial) {
+    const double most = random.magnitude(10.0, 10'000.0);
+    const double curvature = random.magnitude(1.0e-3, 1.0e3);
+    const double window_s = random.magnitude(1.0e-3, 0.25);
+    const double lag_s = window_s * random.between(0.0, 0.5);
+    const Turning turning = Turning::of(static_cast<float>(curvature), static_cast<float>(most));
+    const auto cap = static_cast<double>(turning.speed_limit_square(static_cast<float>(window_s)));
+    const double from = cap * random.unit();
+    const double distance = random.magnitude(1.0e-4, 10.0) / curvature;
+    const auto a = static_cast<double>(turning.steepest(static_cast<float>(most),
+                                                        static_cast<float>(distance),
+                                                        static_cast<float>(from),
+                                                        static_cast<float>(cap),
+                                                        static_cast<float>(window_s),
+                                                        static_cast<float>(lag_s)));
+    const auto greatest_load = [&](double steep) {
+      const double square = from + 2.0 * steep * distance;
+      const double end = std::sqrt(std::min(cap, square));
+      const double met = std::min(std::sqrt(cap), end + steep * lag_s);
+      const double jerk = load(curvature, met, steep, most, window_s).jerk;
+      // Without the cap: what is left of acceleration may hold over all the way.
+      const double turned = load(curvature, std::sqrt(square), steep, most, window_s).acceleration;
+      by_jerk += jerk > turned ? 1 : 0;
+      return std::max(jerk, turned);
+    };
+    ASSERT_GT(greatest_load(1.2 * a), 1.0) << "trial " << trial;
+    const double met = std::min(cap, from + 2.0 * a * distance);
+    ASSERT_LE(load(curvature, std::sqrt(met), a, most, window_s).jerk, 1.0001);
+  }
+  EXPECT_GT(by_jerk, 5'000);
+}
+
 TEST(Turning, LeavesAllOfItToALine) {
   const Turning straight{};
   EXPECT_EQ(straight.steepest(500.0F, 10.0F, 100.0F, 1.0e4F, 0.02F), 500.0F);

@@ -119,6 +119,15 @@ TEST(Corners, OfASteepRampAreStops) {
   }
 }
 
+// 1.6 mm along Y and less than 100 nm along X and Z is nearly upright in the plane of X and Z:
+// a right angle there, however little it turns for one that is as steep.
+TEST(Corners, OfAnUprightLineAreStops) {
+  Pen pen{kTenth};
+  pen.line({-0.00007, -1.6347, 0.00003});
+  pen.line({-1.6347, 0.00138, 0.00021});
+  EXPECT_EQ(stops_in(staged(pen.items)), 1U);
+}
+
 TEST(Corners, OffThePlanesAndOfRotaryAxesAreStops) {
   Pen pen{kTenth};
   pen.line({10.0, 10.0, 10.0});
