@@ -2,20 +2,24 @@
 
 namespace machine {
 
-const qemu::MemoryRegionOps Peripheral::kOps = {
-    nullptr, nullptr, on_read, on_write, qemu::kLittleEndian, {1, 4, false, nullptr}, {1, 4, false}};
+const qemu::MemoryRegionOps Peripheral::kOps = {nullptr,
+                                                nullptr,
+                                                on_read,
+                                                on_write,
+                                                qemu::kLittleEndian,
+                                                {1, 4, false, nullptr},
+                                                {1, 4, false}};
 
 Peripheral::Peripheral(const Services& services, const Place& place)
     : services_{services}, place_{place} {}
 
 void Peripheral::map(qemu::MemoryRegion* container) {
   qemu::memory_region_init_io(&region_, nullptr, &kOps, this, place_.name, place_.size);
-  qemu::memory_region_add_subregion_overlap(
-      container, place_.address, &region_, kOverlayPriority);
+  qemu::memory_region_add_subregion_overlap(container, place_.address, &region_, kOverlayPriority);
 }
 
-bool Peripheral::is_word(qemu::HardwareAddress offset, unsigned size, const char* what) const {
-  if (size == 4 && offset % 4 == 0) return true;
+bool Peripheral::is_possible(qemu::HardwareAddress offset, unsigned size, const char* what) const {
+  if (size == 4 && offset % 4 == 0 && answers(static_cast<std::uint32_t>(offset))) return true;
   trace().misuse(place_.name, "{} of {} bytes at offset {:#x}", what, size, offset);
   return false;
 }
@@ -39,7 +43,7 @@ qemu::AccessResult Peripheral::on_read(void* self,
                                        unsigned size,
                                        qemu::AccessAttributes) {
   auto* const peripheral = static_cast<Peripheral*>(self);
-  if (!peripheral->is_word(offset, size, "read")) return qemu::kAccessError;
+  if (!peripheral->is_possible(offset, size, "read")) return qemu::kAccessError;
   const bool clocked = peripheral->has_clock(offset);
   *value = clocked ? peripheral->read(static_cast<std::uint32_t>(offset)) : 0;
   return qemu::kAccessOk;
@@ -51,7 +55,7 @@ qemu::AccessResult Peripheral::on_write(void* self,
                                         unsigned size,
                                         qemu::AccessAttributes) {
   auto* const peripheral = static_cast<Peripheral*>(self);
-  if (!peripheral->is_word(offset, size, "write")) return qemu::kAccessError;
+  if (!peripheral->is_possible(offset, size, "write")) return qemu::kAccessError;
   if (peripheral->has_clock(offset)) {
     peripheral->write(static_cast<std::uint32_t>(offset), static_cast<std::uint32_t>(value));
   }

@@ -46,6 +46,9 @@ class Peripheral {
   [[nodiscard]] virtual std::uint32_t read(std::uint32_t offset) = 0;
   virtual void write(std::uint32_t offset, std::uint32_t value) = 0;
 
+  /// Whether anything is at an offset; where not, an access is a bus fault.
+  [[nodiscard]] virtual bool answers(std::uint32_t) const { return true; }
+
   /// For registers that are not modelled: a write other than `expected` is told.
   void not_modelled(std::uint32_t offset, std::uint32_t value, std::uint32_t expected = 0);
 
@@ -58,7 +61,9 @@ class Peripheral {
       void*, qemu::HardwareAddress, std::uint64_t*, unsigned, qemu::AccessAttributes);
   static qemu::AccessResult on_write(
       void*, qemu::HardwareAddress, std::uint64_t, unsigned, qemu::AccessAttributes);
-  [[nodiscard]] bool is_word(qemu::HardwareAddress offset, unsigned size, const char* what) const;
+  [[nodiscard]] bool is_possible(qemu::HardwareAddress offset,
+                                 unsigned size,
+                                 const char* what) const;
   [[nodiscard]] bool has_clock(qemu::HardwareAddress offset);
 
   Services services_;

@@ -17,8 +17,7 @@ namespace {
 /// QEMU calls C functions, so what they work on is here. It is never destroyed: QEMU's own exit
 /// comes after that of static objects.
 struct Session {
-  Options options;
-  std::FILE* trace = nullptr;
+  Order order;
   std::unique_ptr<Board> board;
   qemu::Notifier ready{};
 };
@@ -35,7 +34,12 @@ void on_machine_ready(qemu::Notifier*, void*) {
     fmt::print(stderr, "machine: needs -M netduinoplus2\n");
     std::exit(1);
   }
-  now.board = std::make_unique<Board>(now.options, now.trace, core);
+  // A memory region is an object, and begins with it.
+  qemu::Object* const core_memory =
+      qemu::object_resolve_path_component(core, "armv7m-container[0]");
+  const Memory memory{qemu::get_system_memory(),
+                      reinterpret_cast<qemu::MemoryRegion*>(core_memory)};
+  now.board = std::make_unique<Board>(now.order, memory, core);
   qemu::qemu_register_reset([](void*) { session().board->reset(); }, nullptr);
 }
 
@@ -44,17 +48,22 @@ void on_end(qemu::PluginId, void*) {
 }
 
 bool take_arguments(std::span<char*> arguments) {
-  Session& now = session();
+  Order& order = session().order;
   for (const char* argument : arguments) {
-    if (const auto complaint = take_option(argument, now.options)) {
+    if (const auto complaint = take_option(argument, order.options)) {
       fmt::print(stderr, "machine: {}\n", *complaint);
       return false;
     }
   }
-  if (now.options.trace.empty()) return true;
-  now.trace = std::fopen(now.options.trace.c_str(), "w");
-  if (now.trace == nullptr) fmt::print(stderr, "machine: cannot write {}\n", now.options.trace);
-  return now.trace != nullptr;
+  const std::string& pins = order.options.pins;
+  if (!pins.empty() && !read_pin_script(pins, order.pins)) return false;
+  const std::string& frames = order.options.can_input;
+  if (!frames.empty() && !read_frames(frames, order.frames)) return false;
+  const std::string& trace = order.options.trace;
+  if (trace.empty()) return true;
+  order.trace = std::fopen(trace.c_str(), "w");
+  if (order.trace == nullptr) fmt::print(stderr, "machine: cannot write {}\n", trace);
+  return order.trace != nullptr;
 }
 
 }  // namespace

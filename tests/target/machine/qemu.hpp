@@ -70,18 +70,18 @@ void memory_region_init_rom_device(MemoryRegion*,
                                    const char*,
                                    std::uint64_t size,
                                    Error**);
-void memory_region_init_ram(
-    MemoryRegion*, Object* owner, const char*, std::uint64_t size, Error**);
-void memory_region_init_rom(
-    MemoryRegion*, Object* owner, const char*, std::uint64_t size, Error**);
+void memory_region_init_ram(MemoryRegion*, Object* owner, const char*, std::uint64_t size, Error**);
+void memory_region_init_rom(MemoryRegion*, Object* owner, const char*, std::uint64_t size, Error**);
 void memory_region_init_alias(MemoryRegion*,
                               Object* owner,
                               const char*,
                               MemoryRegion* of,
                               HardwareAddress offset,
                               std::uint64_t size);
-void memory_region_add_subregion_overlap(
-    MemoryRegion* container, HardwareAddress, MemoryRegion*, int priority);
+void memory_region_add_subregion_overlap(MemoryRegion* container,
+                                         HardwareAddress,
+                                         MemoryRegion*,
+                                         int priority);
 void* memory_region_get_ram_ptr(MemoryRegion*);
 void memory_region_flush_rom_device(MemoryRegion*, HardwareAddress, HardwareAddress size);
 void cpu_physical_memory_rw(HardwareAddress, void*, HardwareAddress size, bool is_write);

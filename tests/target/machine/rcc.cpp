@@ -31,8 +31,7 @@ std::uint32_t enable_offset(Bus bus) {
 }  // namespace
 
 Rcc::Rcc(Trace& trace, Interrupts& interrupts, const Oscillators& oscillators)
-    : Peripheral{{trace, interrupts, *this}, {"RCC", 0x4002'3800, {}}},
-      oscillators_{oscillators} {
+    : Peripheral{{trace, interrupts, *this}, {"RCC", 0x4002'3800, {}}}, oscillators_{oscillators} {
   ready_at_ns_.fill(kNever);
 }
 

@@ -30,8 +30,8 @@ class Rcc final : public Peripheral, public Clocks {
   Rcc(Trace& trace, Interrupts& interrupts, const Oscillators& oscillators);
 
   /// Who is reset by RSTR bits; who counts at a rate of ours.
-  void add(Peripheral* peripheral) { peripherals_.push_back(peripheral); }
-  void add(ClockFollower* follower) { followers_.push_back(follower); }
+  void add(Peripheral& peripheral) { peripherals_.push_back(&peripheral); }
+  void follow(ClockFollower& follower) { followers_.push_back(&follower); }
   [[nodiscard]] std::uint32_t flags() const { return status_; }
   /// The flags of a further reset; those before it stay until RMVF.
   void note(ResetCause cause) { status_ |= static_cast<std::uint32_t>(cause); }

@@ -217,13 +217,20 @@ std::uint32_t Timer::read(std::uint32_t offset) {
     return channels_[(offset - kCompare1) / 4].preload;
   }
   switch (offset) {
-    case kControl: return control_;
-    case kEnables: return enables_;
-    case kStatus: return flags_;
-    case kCount: return count();
-    case kPrescaler: return prescaler_preload_;
-    case kReload: return reload_preload_;
-    default: return offset <= kOption && offset != kGeneration ? kept_[offset / 4] : 0;
+    case kControl:
+      return control_;
+    case kEnables:
+      return enables_;
+    case kStatus:
+      return flags_;
+    case kCount:
+      return count();
+    case kPrescaler:
+      return prescaler_preload_;
+    case kReload:
+      return reload_preload_;
+    default:
+      return offset <= kOption && offset != kGeneration ? kept_[offset / 4] : 0;
   }
 }
 

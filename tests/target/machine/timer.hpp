@@ -13,8 +13,8 @@ struct TimerKind {
   unsigned update_interrupt;
   unsigned compare_interrupt;
   unsigned channels;
-  bool is_wide = false;      // 32 bits instead of 16.
-  bool has_break = false;    // BDTR, whose MOE lets the outputs out.
+  bool is_wide = false;    // 32 bits instead of 16.
+  bool has_break = false;  // BDTR, whose MOE lets the outputs out.
 };
 
 /// A timer that counts up (RM0090, 17 to 20): prescaler, auto-reload with or without preload,

@@ -37,14 +37,37 @@ void enable_clocks() {
 }
 
 void wait_us(Word microseconds) {
+  static volatile bool over;
+  over = false;
   at(kTim5 + kCr1) = 0;
+  at(kTim5 + kDier) = 0;
   at(kTim5 + kPsc) = 83;
-  at(kTim5 + kArr) = ~0U;
+  at(kTim5 + kArr) = microseconds - 1;
   at(kTim5 + kEgr) = 1;
-  at(kTim5 + kCr1) = 1;
-  while (at(kTim5 + kCnt) < microseconds) {
+  at(kTim5 + kSr) = 0;
+  constexpr unsigned kInterrupt = 50;
+  on_interrupt(kInterrupt, [] {
+    at(kTim5 + kSr) = 0;
+    over = true;
+  });
+  at(kTim5 + kDier) = 1;
+  at(kTim5 + kCr1) = 9;
+  // Masked between question and sleep, which an interrupt ends all the same.
+  for (;;) {
+    asm volatile("cpsid i" ::: "memory");
+    if (over) break;
+    asm volatile("wfi\n cpsie i\n isb" ::: "memory");
   }
-  at(kTim5 + kCr1) = 0;
+  asm volatile("cpsie i" ::: "memory");
+  at(kTim5 + kDier) = 0;
+}
+
+void start_clock() {
+  at(kTim2 + kCr1) = 0;
+  at(kTim2 + kPsc) = 83;
+  at(kTim2 + kArr) = ~0U;
+  at(kTim2 + kEgr) = 1;
+  at(kTim2 + kCr1) = 1;
 }
 
 /// A port without its clock reads 0; the crystal takes its time; TIM5 counts at the inner

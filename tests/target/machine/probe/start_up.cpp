@@ -28,9 +28,26 @@ struct Scenario {
   Routine run;
 };
 constexpr Scenario kScenarios[] = {
-    {"clocks", try_clocks},   {"edges", try_edges},           {"inputs", try_inputs},
-    {"periods", try_periods}, {"one_pulse", try_one_pulse},   {"compare", try_compare},
-    {"pwm", try_pwm},         {"late_reload", try_late_reload},
+    {"clocks", try_clocks},
+    {"edges", try_edges},
+    {"inputs", try_inputs},
+    {"periods", try_periods},
+    {"one_pulse", try_one_pulse},
+    {"compare", try_compare},
+    {"pwm", try_pwm},
+    {"late_reload", try_late_reload},
+    {"flash", try_flash},
+    {"flash_keys", try_flash_keys},
+    {"flash_cut", try_flash_cut},
+    {"watchdog", try_watchdog},
+    {"memory", try_memory},
+    {"flip", try_flip},
+    {"usart", try_usart},
+    {"usart_late", try_usart_late},
+    {"lines", try_lines},
+    {"can_loop", try_can_loop},
+    {"can_bus", try_can_bus},
+    {"can_off", try_can_off},
 };
 
 Routine handlers[kInterrupts];

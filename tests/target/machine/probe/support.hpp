@@ -1,7 +1,8 @@
 #pragma once
 
-// What the probes share: registers by address, interrupts, faults, words to the driver. Freestanding
-// and apart from the product, so that only the reference manual stands between this and the model.
+// What the probes share: registers by address, interrupts, faults, words to the driver.
+// Freestanding and apart from the product, so that only the reference manual stands between this
+// and the model.
 
 #include <cstdint>
 
@@ -43,9 +44,12 @@ bool run_at_168_mhz();
 void enable_clocks();
 
 /// Until the register's masked bits are `wanted`; false after `tries`.
-bool wait_for(Word address, Word mask, Word wanted, Word tries = 10'000'000);
-/// By TIM5, which must not be in use: microseconds of virtual time.
+bool wait_for(Word address, Word mask, Word wanted, Word tries = 400'000);
+/// By TIM5 and its interrupt, which must not be in use; the core sleeps, other interrupts run.
 void wait_us(Word microseconds);
+/// TIM2 as a clock of microseconds from now on, and what it says.
+void start_clock();
+inline Word clock_us() { return at(kTim2 + kCnt); }
 
 // One function per scenario, each in the file of its peripheral.
 void try_clocks();
@@ -56,5 +60,17 @@ void try_one_pulse();
 void try_compare();
 void try_late_reload();
 void try_pwm();
+void try_flash();
+void try_flash_keys();
+void try_flash_cut();
+void try_watchdog();
+void try_memory();
+void try_flip();
+void try_usart();
+void try_usart_late();
+void try_lines();
+void try_can_loop();
+void try_can_bus();
+void try_can_off();
 
 }  // namespace probe

@@ -24,6 +24,7 @@ void turn_over() {
 }
 
 void start(Word timer, Word prescaler, Word reload, Word control) {
+  at(timer + kDier) = 0;
   at(timer + kPsc) = prescaler;
   at(timer + kArr) = reload;
   at(timer + kEgr) = 1;
