@@ -7,7 +7,8 @@ namespace machine::can_registers {
 
 constexpr std::uint32_t kMaster = 0x00, kMasterStatus = 0x04, kTransmitStatus = 0x08;
 constexpr std::uint32_t kFifo0 = 0x0C, kFifo1 = 0x10, kInterrupts = 0x14, kErrors = 0x18;
-constexpr std::uint32_t kTiming = 0x1C, kMailboxWords = 0x180, kMailWords = 0x1B0, kMailWordsEnd = 0x1D0;
+constexpr std::uint32_t kTiming = 0x1C, kMailboxWords = 0x180, kMailWords = 0x1B0,
+                        kMailWordsEnd = 0x1D0;
 constexpr std::uint32_t kFilters = 0x200;
 
 // MCR
