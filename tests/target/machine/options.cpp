@@ -52,6 +52,7 @@ bool take_serial(std::string_view name, std::string_view value, SerialOptions& s
   if (name == "out") return take_text(value, serial.output);
   if (name == "chardev") return take_text(value, serial.chardev);
   if (name == "baud") return take_number(value, serial.baud, 10'500'000U);
+  if (name == "from_ns") return take_number(value, serial.from_ns);
   return name == "window" && take_number(value, serial.window);
 }
 

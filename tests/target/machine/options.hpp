@@ -17,6 +17,7 @@ struct SerialOptions {
   std::string output;        // File of what the chip sends.
   std::string chardev;       // Instead of both: the id of a -chardev.
   std::uint32_t baud = 0;    // Of the sender; 0: as the receiver.
+  std::int64_t from_ns = 0;  // When the sender begins, at the earliest.
   std::uint32_t window = 0;  // Bytes of lines without an answer; 0: no waiting.
 };
 

@@ -38,6 +38,12 @@ class SerialTest(unittest.TestCase):
             for spacing in self.spacings(outcome, way):
                 self.assertAlmostEqual(BYTE_NS, spacing, delta=Emulator.shift * 4)
 
+    def test_a_sender_that_begins_later(self):
+        sent = self.files("in", self.data)
+        outcome = Emulator.run("usart", f"usart1_in={sent}", "usart1_from_ns=50000000")
+        self.assertAlmostEqual(50_000_000 + BYTE_NS, outcome.events("USART1", "rx")[0][0], delta=8)
+        self.assertEqual([[len(self.data), checksum(self.data)]], outcome.said["bytes"])
+
     def test_a_sender_of_its_own_rate(self):
         sent = self.files("in", self.data)
         outcome = Emulator.run("usart", f"usart1_in={sent}", "usart1_baud=115200")

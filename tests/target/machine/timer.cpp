@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <string>
 
 namespace machine {
 namespace {
@@ -165,17 +166,11 @@ void Timer::settle() {
     const Course course = course_of(i);
     if (course == channels_[i].course) continue;
     channels_[i].course = course;
+    std::string text{course.kind};
     if (course.kind == 'p') {
-      trace().event("pwm",
-                    "{}_CH{} {}/{} {}",
-                    place().name,
-                    i + 1,
-                    course.on,
-                    course.period,
-                    clocks().timer_hz(kind_.bus));
-    } else {
-      trace().event("pwm", "{}_CH{} {}", place().name, i + 1, course.kind);
+      text = fmt::format("{}/{} {}", course.on, course.period, clocks().timer_hz(kind_.bus));
     }
+    trace().event("pwm", "{}_CH{} {}", place().name, i + 1, text);
   }
   const Ticks next = next_event();
   if (next == kNoEvent) {

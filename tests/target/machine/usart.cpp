@@ -1,5 +1,7 @@
 #include "tests/target/machine/usart.hpp"
 
+#include <algorithm>
+
 namespace machine {
 namespace {
 
@@ -22,6 +24,7 @@ Usart::Usart(const Services& services, const UsartKind& kind, const SerialOption
     : Peripheral{services, kind.place},
       kind_{kind},
       line_baud_{options.baud},
+      line_from_ns_{options.from_ns},
       peer_{options},
       line_{services.interrupts, kind.interrupt},
       receive_{[this] { take_byte(); }},
@@ -71,7 +74,7 @@ std::int64_t Usart::byte_ns(std::uint32_t baud) const {
 void Usart::await_byte() {
   if (!line_runs_ || receive_.is_set() || !peer_.has_byte()) return;
   idle_.cancel();
-  receive_.set(now_ns() + byte_ns(sender_baud()));
+  receive_.set(std::max(now_ns(), line_from_ns_) + byte_ns(sender_baud()));
 }
 
 void Usart::take_byte() {

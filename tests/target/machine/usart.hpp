@@ -54,6 +54,7 @@ class Usart final : public Peripheral {
 
   UsartKind kind_;
   std::uint32_t line_baud_;
+  std::int64_t line_from_ns_;
   SerialPeer peer_;
   InterruptLine line_;
   Alarm receive_, idle_, transmit_;
