@@ -37,6 +37,7 @@ class Emulator:
     """Knows the files under test; no state besides."""
     plugin = image = ""
     shift = 2  # 4 ns an instruction.
+    longest_ns = 2_000_000_000  # Of virtual time: an image that hangs ends, too.
 
     @staticmethod
     def version() -> str:
@@ -52,7 +53,8 @@ class Emulator:
                 EMULATOR, "-M", machine, "-display", "none", "-monitor", "none", "-serial", "none",
                 "-icount", f"shift={cls.shift},sleep=off", *extra, "-semihosting-config",
                 f"enable=on,target=native,arg=probe,arg={scenario}", "-kernel", cls.image,
-                "-plugin", ",".join([cls.plugin, f"trace={trace}", *options])]
+                "-plugin", ",".join([cls.plugin, f"trace={trace}",
+                                     f"stop_ns={cls.longest_ns}", *options])]
             done = subprocess.run(command, input=stdin, capture_output=True, timeout=60, check=False)
             text = done.stderr.decode()
             lines = trace.read_text().splitlines() if trace.exists() else []

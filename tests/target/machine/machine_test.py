@@ -37,7 +37,8 @@ def why_not(plugin: str, image: str) -> str:
             return f"needs {path} (preset {preset})"
     Emulator.plugin, Emulator.image = plugin, image
     first = Emulator.run("clocks")
-    if re.search("undefined symbol|[Cc]ould not load plugin|not supported", first.text):
+    # A C++ name that is missing is our own, and no reason to skip.
+    if re.search("undefined symbol: (?!_Z)|requires API version|made for|-plugin: invalid", first.text):
         return f"{EMULATOR} does not load the plug-in: {first.text.strip()}"
     return ""
 
