@@ -99,7 +99,7 @@ Irq qdev_get_gpio_in(Object* device, int number);
 void qemu_set_irq(Irq, int level);
 
 constexpr int kGuestReset = 7;
-void qemu_system_reset_request(int cause);
+void qemu_system_reset(int cause);
 void qemu_register_reset(void (*)(void*), void*);
 
 struct Notifier {
