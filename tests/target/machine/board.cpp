@@ -1,0 +1,85 @@
+#include "tests/target/machine/board.hpp"
+
+#include <cstdlib>
+
+#include "tests/target/machine/timer_list.hpp"
+
+namespace machine {
+
+Board::Board(const Order& order, const Memory& memory, qemu::Object* core)
+    : order_{order},
+      trace_{order.trace},
+      interrupts_{core},
+      rcc_{trace_, interrupts_, {order.options.crystal_hz, order.options.slow_hz}},
+      services_{trace_, interrupts_, rcc_},
+      power_control_{services_},
+      flash_{services_, order.options, [this] { end(kPowerCutStatus); }},
+      watchdog_{services_, order.options.slow_hz, [this] { bite(); }},
+      can_{services_, order.options, order.frames},
+      beyond_{services_},
+      memories_{memory.system, order.options.seed},
+      debug_control_{services_},
+      cycle_counter_{services_, debug_control_},
+      pin_script_{order.pins, ports_},
+      bit_flips_{order.options.flips, trace_},
+      stop_{[this] { end(kStoppedStatus); }} {
+  add(rcc_, memory.system);
+  add(power_control_, memory.system);
+  for (char letter = 'A'; letter <= 'I'; ++letter) {
+    add(ports_.emplace_back(services_, letter), memory.system);
+  }
+  for (const TimerKind& kind : kTimers) {
+    Timer& timer = timers_.emplace_back(services_, kind);
+    add(timer, memory.system);
+    rcc_.follow(timer);
+  }
+  for (std::size_t i = 0; i < kUsarts.size(); ++i) {
+    add(usarts_.emplace_back(services_, kUsarts[i], order.options.serial[i]), memory.system);
+  }
+  add(flash_, memory.system);
+  rcc_.follow(flash_);
+  flash_.map_memory(memory.system);
+  add(watchdog_, memory.system);
+  add(can_, memory.system);
+  add(beyond_, memory.system);
+  add(debug_control_, memory.core);
+  add(cycle_counter_, memory.core);
+  rcc_.follow(cycle_counter_);
+  if (order.options.stop_ns > 0) stop_.set(order.options.stop_ns);
+}
+
+void Board::add(Peripheral& peripheral, qemu::MemoryRegion* container) {
+  peripheral.map(container);
+  rcc_.add(peripheral);
+  all_.push_back(&peripheral);
+}
+
+void Board::reset() {
+  rcc_.note(cause_);
+  cause_ = ResetCause::kSoftware;  // Unless the watchdog says otherwise.
+  trace_.event("reset", "{:08x}", rcc_.flags());
+  for (Peripheral* peripheral : all_) peripheral->reset();
+}
+
+void Board::bite() {
+  cause_ = ResetCause::kWatchdog;
+  trace_.event("watchdog", "bites");
+  // At once: after a request QEMU's main loop may let virtual time jump to the next alarm first,
+  // where the core sleeps. No instruction is under way while an alarm is called.
+  qemu::qemu_system_reset(qemu::kGuestReset);
+}
+
+void Board::finish() {
+  flash_.save();
+  for (const Usart& usart : usarts_) usart.flush();
+  can_.flush();
+  trace_.flush();
+}
+
+void Board::end(int status) {
+  trace_.event("end", "{}", status);
+  finish();
+  std::_Exit(status);
+}
+
+}  // namespace machine

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <cstdio>
+#include <deque>
+#include <optional>
+
+#include "tests/target/machine/bit_flips.hpp"
+#include "tests/target/machine/can.hpp"
+#include "tests/target/machine/cycle_counter.hpp"
+#include "tests/target/machine/flash.hpp"
+#include "tests/target/machine/gpio.hpp"
+#include "tests/target/machine/memories.hpp"
+#include "tests/target/machine/options.hpp"
+#include "tests/target/machine/pin_script.hpp"
+#include "tests/target/machine/power_control.hpp"
+#include "tests/target/machine/rcc.hpp"
+#include "tests/target/machine/timer.hpp"
+#include "tests/target/machine/usart.hpp"
+#include "tests/target/machine/watchdog.hpp"
+
+namespace machine {
+
+/// What the machine is to do, and the files that were opened for it.
+struct Order {
+  Options options;
+  std::FILE* trace = nullptr;
+  std::vector<PinChange> pins;
+  std::vector<TimedFrame> frames;
+};
+
+/// Where things are to be laid: the memory of the system and, for what is in the core, the core's.
+struct Memory {
+  qemu::MemoryRegion* system;
+  qemu::MemoryRegion* core;
+};
+
+/// The whole machine: makes the peripherals, lays them over the emulator's memory and resets them
+/// with the system.
+class Board {
+ public:
+  /// `core` is QEMU's armv7m object.
+  Board(const Order& order, const Memory& memory, qemu::Object* core);
+  Board(const Board&) = delete;
+  Board& operator=(const Board&) = delete;
+  ~Board() = default;
+
+  /// As after power-on, or after what asked for a reset since then.
+  void reset();
+  /// Writes out what goes to files.
+  void finish();
+
+ private:
+  void add(Peripheral& peripheral, qemu::MemoryRegion* container);
+  void bite();
+  void end(int status);
+
+  const Order& order_;
+  Trace trace_;
+  Interrupts interrupts_;
+  Rcc rcc_;
+  Services services_;
+  PowerControl power_control_;
+  std::deque<Gpio> ports_;
+  std::deque<Timer> timers_;
+  std::deque<Usart> usarts_;
+  Flash flash_;
+  Watchdog watchdog_;
+  Can can_;
+  BeyondMemory beyond_;
+  Memories memories_;
+  DebugControl debug_control_;
+  CycleCounter cycle_counter_;
+  PinScript pin_script_;
+  BitFlips bit_flips_;
+  std::vector<Peripheral*> all_;
+  Alarm stop_;
+  ResetCause cause_ = ResetCause::kPowerOn;
+};
+
+/// How the emulator ends when the plug-in ends it.
+constexpr int kPowerCutStatus = 90;
+constexpr int kStoppedStatus = 91;
+
+}  // namespace machine

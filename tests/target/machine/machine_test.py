@@ -1,0 +1,50 @@
+#!/usr/bin/env python3
+"""The emulated chip's peripherals against what the reference manual says of them.
+
+    machine_test.py PLUGIN PROBE_ELF [TEST...]
+
+Runs the probe image, one scenario after the other, and judges what it says through semihosting
+and what the plug-in traces. Ends with 77 (skipped) where emulator, image or plug-in is missing,
+or where the plug-in cannot be loaded.
+"""
+
+import pathlib
+import re
+import shutil
+import sys
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+from emulator import EMULATOR, Emulator  # noqa: E402
+from test_can import CanTest  # noqa: E402,F401
+from test_core import CoreTest  # noqa: E402,F401
+from test_flash import FlashTest  # noqa: E402,F401
+from test_pins_and_timers import PinsAndTimersTest  # noqa: E402,F401
+from test_serial import SerialTest  # noqa: E402,F401
+
+SKIPPED = 77
+
+
+def why_not(plugin: str, image: str) -> str:
+    """Why the plug-in cannot be tried here, or nothing."""
+    if not shutil.which(EMULATOR):
+        return f"needs {EMULATOR}"
+    version = Emulator.version()
+    if not version.startswith("7.2."):
+        return f"{EMULATOR} is {version}; the plug-in is made for the internals of 7.2"
+    for path, preset in ((plugin, "release"), (image, "cortex-m4f")):
+        if not pathlib.Path(path).exists():
+            return f"needs {path} (preset {preset})"
+    Emulator.plugin, Emulator.image = plugin, image
+    first = Emulator.run("clocks")
+    # A C++ name that is missing is our own, and no reason to skip.
+    if re.search("undefined symbol: (?!_Z)|requires API version|made for|-plugin: invalid", first.text):
+        return f"{EMULATOR} does not load the plug-in: {first.text.strip()}"
+    return ""
+
+
+if __name__ == "__main__":
+    if reason := why_not(*sys.argv[1:3]):
+        print(f"skipped: {reason}")
+        sys.exit(SKIPPED)
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]], verbosity=2)

@@ -1,0 +1,94 @@
+// Where QEMU enters: it loads this library, hands over the options, and calls when its machine is
+// complete and when it ends.
+
+#include <fmt/core.h>
+
+#include <cstdio>
+#include <memory>
+#include <span>
+
+#include "tests/target/machine/board.hpp"
+#include "tests/target/machine/options.hpp"
+#include "tests/target/machine/qemu.hpp"
+
+namespace machine {
+namespace {
+
+/// QEMU calls C functions, so what they work on is here. It is never destroyed: QEMU's own exit
+/// comes after that of static objects.
+struct Session {
+  Order order;
+  std::unique_ptr<Board> board;
+  qemu::Notifier ready{};
+};
+
+Session& session() {
+  static Session* const kThe = new Session;
+  return *kThe;
+}
+
+void on_machine_ready(qemu::Notifier*, void*) {
+  Session& now = session();
+  qemu::Object* const core = qemu::object_resolve_path_type("", "armv7m", nullptr);
+  if (core == nullptr || qemu::object_resolve_path_type("", "stm32f405-soc", nullptr) == nullptr) {
+    fmt::print(stderr, "machine: needs -M netduinoplus2\n");
+    std::exit(1);
+  }
+  // A memory region is an object, and begins with it.
+  qemu::Object* const core_memory =
+      qemu::object_resolve_path_component(core, "armv7m-container[0]");
+  const Memory memory{qemu::get_system_memory(),
+                      reinterpret_cast<qemu::MemoryRegion*>(core_memory)};
+  now.board = std::make_unique<Board>(now.order, memory, core);
+  qemu::qemu_register_reset([](void*) { session().board->reset(); }, nullptr);
+}
+
+void on_end(qemu::PluginId, void*) {
+  if (session().board != nullptr) session().board->finish();
+}
+
+bool take_arguments(std::span<char*> arguments) {
+  Order& order = session().order;
+  for (const char* argument : arguments) {
+    if (const auto complaint = take_option(argument, order.options)) {
+      fmt::print(stderr, "machine: {}\n", *complaint);
+      return false;
+    }
+  }
+  const std::string& pins = order.options.pins;
+  if (!pins.empty() && !read_pin_script(pins, order.pins)) return false;
+  const std::string& frames = order.options.can_input;
+  if (!frames.empty() && !read_frames(frames, order.frames)) return false;
+  const std::string& trace = order.options.trace;
+  if (trace.empty()) return true;
+  order.trace = std::fopen(trace.c_str(), "w");
+  if (order.trace == nullptr) fmt::print(stderr, "machine: cannot write {}\n", trace);
+  return order.trace != nullptr;
+}
+
+}  // namespace
+}  // namespace machine
+
+extern "C" {
+
+/// The plug-in interface of QEMU 7.2.
+[[gnu::visibility("default")]] extern const int qemu_plugin_version;
+const int qemu_plugin_version = 1;
+
+[[gnu::visibility("default")]] int qemu_plugin_install(qemu::PluginId id,
+                                                       const qemu::PluginInfo* info,
+                                                       int count,
+                                                       char** arguments) {
+  // A later interface means a later QEMU, whose structures may have changed.
+  if (info->version.cur != qemu_plugin_version || !info->system_emulation) {
+    fmt::print(stderr, "machine: made for qemu-system-arm 7.2\n");
+    return -1;
+  }
+  if (!machine::take_arguments({arguments, static_cast<std::size_t>(count)})) return -1;
+  qemu::Notifier& ready = machine::session().ready;
+  ready.notify = machine::on_machine_ready;
+  qemu::qemu_add_machine_init_done_notifier(&ready);
+  qemu::qemu_plugin_register_atexit_cb(id, machine::on_end, nullptr);
+  return 0;
+}
+}
