@@ -91,9 +91,7 @@ class PinCensus {
     for (const Thing& thing : things) add(thing);
   }
   [[nodiscard]] constexpr bool clash() const { return clash_; }
-  [[nodiscard]] constexpr bool has(Pin pin) const {
-    return (named_[pin.port] & pin.mask()) != 0;
-  }
+  [[nodiscard]] constexpr bool has(Pin pin) const { return (named_[pin.port] & pin.mask()) != 0; }
 
  private:
   std::array<Word, gpio::kPorts> named_{};
@@ -107,12 +105,21 @@ constexpr PinCensus pins_of(const Board& board) {
   census.add(board.limits);
   census.add(board.second_limits);
   census.add(board.outputs);
-  for (const Pin pin : {board.motors_enable,     board.motor_power, board.probe,
-                        board.door,              board.hold,        board.start,
-                        board.reset,             board.emergency_stop,
-                        board.power,             board.spindle_enable,
-                        board.spindle_direction, board.mist,        board.flood,
-                        board.transmit,          board.receive}) {
+  for (const Pin pin : {board.motors_enable,
+                        board.motor_power,
+                        board.probe,
+                        board.door,
+                        board.hold,
+                        board.start,
+                        board.reset,
+                        board.emergency_stop,
+                        board.power,
+                        board.spindle_enable,
+                        board.spindle_direction,
+                        board.mist,
+                        board.flood,
+                        board.transmit,
+                        board.receive}) {
     census.add(pin);
   }
   return census;

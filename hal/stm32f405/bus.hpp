@@ -11,8 +11,10 @@ namespace hal::stm32f405 {
 /// test through a model of them. Any context.
 template <typename Type>
 concept RegisterBus = requires(Address address, Word value) {
-  { Type::read(address) } noexcept -> std::same_as<Word>;
-  { Type::write(address, value) } noexcept -> std::same_as<void>;
+  { Type::read(address) }
+  noexcept->std::same_as<Word>;
+  { Type::write(address, value) }
+  noexcept->std::same_as<void>;
 };
 
 /// The chip itself.

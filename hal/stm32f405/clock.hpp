@@ -86,8 +86,8 @@ class ClockStart {
 
   /// Before the core is faster than the flash; RM0090, 3.5.1 wants it read back.
   static bool slow_flash_down() noexcept {
-    const Word wanted = flash::kFiveWaitStates | flash::kPrefetch | flash::kInstructionCache |
-                        flash::kDataCache;
+    const Word wanted =
+        flash::kFiveWaitStates | flash::kPrefetch | flash::kInstructionCache | flash::kDataCache;
     Bus::write(flash::kAcr, wanted);
     return wait_for<Bus>(flash::kAcr, wanted, wanted, kPllLooks);
   }

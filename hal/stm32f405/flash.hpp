@@ -36,8 +36,8 @@ class Flash final : public FlashSectors {
   [[nodiscard]] bool erase(std::size_t sector) override {
     if (!exists(sector, 0) || !unlock()) return false;
     Watchdog<Bus>::be_patient();
-    const Word what = flash::kEraseSector | flash::kBy32 |
-                      flash::number_of_sector(kBoard.store_sectors[sector]);
+    const Word what =
+        flash::kEraseSector | flash::kBy32 | flash::number_of_sector(kBoard.store_sectors[sector]);
     Bus::write(flash::kControl, what);
     Bus::write(flash::kControl, what | flash::kStart);
     const bool done = finish(kEraseLooks);

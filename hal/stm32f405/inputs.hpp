@@ -64,7 +64,8 @@ class Inputs {
     return [&]<std::size_t... kAxis>(std::index_sequence<kAxis...>) {
       return static_cast<std::uint8_t>(
           ((active<kPins[kAxis]>((polarity_.limits >> kAxis & 1U) != 0) ? 1U << kAxis : 0U) | ...));
-    }(std::make_index_sequence<kAxes>{});
+    }
+    (std::make_index_sequence<kAxes>{});
   }
 
   Polarity polarity_{};

@@ -60,8 +60,7 @@ struct PinSetUp {
   static void hand_over(Pin pin, unsigned function, bool pull_up) noexcept {
     turn_port_on(pin);
     const unsigned place = 4 * (pin.number % 8U);
-    modify<Bus>(
-        gpio::alternate(pin.port, pin.number), Word{0xF} << place, Word{function} << place);
+    modify<Bus>(gpio::alternate(pin.port, pin.number), Word{0xF} << place, Word{function} << place);
     modify<Bus>(gpio::pull(pin.port), two_bits(pin, 3), two_bits(pin, pull_up ? 1 : 0));
     set_mode(pin, PinMode::kAlternate);
   }

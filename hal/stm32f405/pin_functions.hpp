@@ -58,13 +58,13 @@ struct SerialPins {
 };
 
 inline constexpr std::array<SerialPins, 7> kSerialPins{{
-    {pa(9), pa(10), 0x4001'1000, 7, 4, 37},   // USART1
-    {pb(6), pb(7), 0x4001'1000, 7, 4, 37},    // USART1
-    {pa(2), pa(3), 0x4000'4400, 7, 17, 38},   // USART2
-    {pd(5), pd(6), 0x4000'4400, 7, 17, 38},   // USART2
-    {pb(10), pb(11), 0x4000'4800, 7, 18, 39}, // USART3
-    {pd(8), pd(9), 0x4000'4800, 7, 18, 39},   // USART3
-    {pc(6), pc(7), 0x4001'1400, 8, 5, 71},    // USART6
+    {pa(9), pa(10), 0x4001'1000, 7, 4, 37},    // USART1
+    {pb(6), pb(7), 0x4001'1000, 7, 4, 37},     // USART1
+    {pa(2), pa(3), 0x4000'4400, 7, 17, 38},    // USART2
+    {pd(5), pd(6), 0x4000'4400, 7, 17, 38},    // USART2
+    {pb(10), pb(11), 0x4000'4800, 7, 18, 39},  // USART3
+    {pd(8), pd(9), 0x4000'4800, 7, 18, 39},    // USART3
+    {pc(6), pc(7), 0x4001'1400, 8, 5, 71},     // USART6
 }};
 
 /// The interface on these two pins, or one that does not exist.

@@ -78,7 +78,8 @@ class PinGroup {
   template <unsigned kPort, std::size_t kMotor>
   static constexpr bool kUsed = kTable<kPort, kMotor>[kAxisSets - 1] != 0;
   template <unsigned kPort>
-  static constexpr Word kAll = Word{kTable<kPort, 0>[kAxisSets - 1]} | kTable<kPort, 1>[kAxisSets - 1];
+  static constexpr Word kAll =
+      Word{kTable<kPort, 0>[kAxisSets - 1]} | kTable<kPort, 1>[kAxisSets - 1];
 
   template <unsigned kPort>
   static std::uint16_t pins_on(std::uint8_t first, std::uint8_t second) noexcept {
@@ -92,9 +93,8 @@ class PinGroup {
 
   template <typename Action>
   static void for_ports(const Action& action) noexcept {
-    [&]<std::size_t... kPorts>(std::index_sequence<kPorts...>) {
-      (for_port<kPorts>(action), ...);
-    }(std::make_index_sequence<gpio::kPorts>{});
+    [&]<std::size_t... kPorts>(std::index_sequence<kPorts...>) { (for_port<kPorts>(action), ...); }
+    (std::make_index_sequence<gpio::kPorts>{});
   }
   template <unsigned kPort, typename Action>
   static void for_port(const Action& action) noexcept {

@@ -51,7 +51,9 @@ class Port final : public AuxiliaryOutputs, public MachineInputs {
   }
 
   // StepPort
-  void set_direction(AxisMask negative) noexcept { directions_.drive(negative.bits, negative.bits); }
+  void set_direction(AxisMask negative) noexcept {
+    directions_.drive(negative.bits, negative.bits);
+  }
   void raise_steps(AxisMask axes, AxisMask second) noexcept {
     steps_.raise(axes.bits, second.bits);
   }

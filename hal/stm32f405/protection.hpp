@@ -14,7 +14,7 @@ inline constexpr std::uint32_t kGuardBytes = 256;
 /// @param guard start of it, a multiple of kGuardBytes.
 template <RegisterBus Bus>
 void guard_stack(Address guard) noexcept {
-  constexpr Word kBytes = 7 << 1;  // 2^(7 + 1)
+  constexpr Word kBytes = 7 << 1;   // 2^(7 + 1)
   constexpr Word kNever = bit(28);  // No code either; no access is 0.
   constexpr Word kOn = 1;
   constexpr Word kRestAsWithout = 4;

@@ -39,9 +39,7 @@ constexpr Board with_crystal(Board board, const char* name, std::uint32_t hz) {
   return board;
 }
 
-inline constexpr Board kGeneric12 =
-    with_crystal(kGeneric, "Generic F405/F407, 12 MHz", 12'000'000);
-inline constexpr Board kGeneric25 =
-    with_crystal(kGeneric, "Generic F405/F407, 25 MHz", 25'000'000);
+inline constexpr Board kGeneric12 = with_crystal(kGeneric, "Generic F405/F407, 12 MHz", 12'000'000);
+inline constexpr Board kGeneric25 = with_crystal(kGeneric, "Generic F405/F407, 25 MHz", 25'000'000);
 
 }  // namespace hal::stm32f405

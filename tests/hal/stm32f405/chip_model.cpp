@@ -48,8 +48,8 @@ void ChipModel::write(Address address, Word value) {
     return;
   }
   if (address == flash::kKey) {
-    flash_keys = value == (flash_keys == 0 ? flash::kFirstKey : flash::kSecondKey) ? flash_keys + 1
-                                                                                   : 0;
+    flash_keys =
+        value == (flash_keys == 0 ? flash::kFirstKey : flash::kSecondKey) ? flash_keys + 1 : 0;
     if (flash_keys == 2 && !flash_refuses) flash_locked = false;
     return;
   }

@@ -22,9 +22,9 @@ struct ChipModel {
   std::map<Address, Word> cells;
   std::vector<std::pair<Address, Word>> writes;
   std::uint64_t reads = 0;
-  std::map<unsigned, Word> pins_driven_high;  ///< By port: what stands in the output register.
-  std::vector<unsigned> pended;               ///< Interrupts asked for by number.
-  std::vector<Word> sent;                     ///< Data that went out on a serial interface.
+  std::map<unsigned, Word> pins_driven_high;      ///< By port: what stands in the output register.
+  std::vector<unsigned> pended;                   ///< Interrupts asked for by number.
+  std::vector<Word> sent;                         ///< Data that went out on a serial interface.
   std::vector<std::pair<Word, Word>> to_receive;  ///< Status and data of each byte to come.
   std::map<Address, Word> flash_words;
   unsigned flash_keys = 0;

@@ -85,8 +85,8 @@ TYPED_TEST(BoardPins, AfterStartUpNothingIsOn) {
   ChipModel& chip = ModelBus::start_anew();
   Port<TypeParam::board, ModelBus> port;
   port.set_up(kFullSpeed);
-  for (const Pin pin : {kBoard.spindle_enable, kBoard.spindle_direction, kBoard.mist,
-                        kBoard.flood}) {
+  for (const Pin pin :
+       {kBoard.spindle_enable, kBoard.spindle_direction, kBoard.mist, kBoard.flood}) {
     if (!pin.exists()) continue;
     EXPECT_FALSE(chip.is_high(pin));
     EXPECT_EQ(1U, chip.mode_of(pin));
@@ -144,8 +144,8 @@ TEST(Pins, EachControlHasItsBitOfTheSetting) {
   chip.feed(kGeneric.hold, false);
   EXPECT_EQ((InputState{.hold = true}), port.read_inputs());
   port.configure({.controls = 0b11101});
-  EXPECT_EQ((InputState{.door = true, .hold = true, .start = true, .reset = true,
-                        .emergency_stop = true}),
+  EXPECT_EQ((InputState{
+                .door = true, .hold = true, .start = true, .reset = true, .emergency_stop = true}),
             port.read_inputs());
 }
 
