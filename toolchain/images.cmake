@@ -27,12 +27,17 @@ function(kerfline_board_image name header object offset_kib end_kib)
       $<TARGET_FILE:${name}> ${begin})
 endfunction()
 
-# Where the image may end is where the store of each board begins.
-kerfline_board_image(kerfline_generic generic kGeneric 0 256)
-kerfline_board_image(kerfline_generic_12mhz generic kGeneric12 0 256)
-kerfline_board_image(kerfline_generic_25mhz generic kGeneric25 0 256)
+set(KERFLINE_GENERIC_CRYSTAL 8 CACHE STRING "Crystal of the generic board in MHz")
+set_property(CACHE KERFLINE_GENERIC_CRYSTAL PROPERTY STRINGS 8 12 25)
+set(generic_8 kGeneric)
+set(generic_12 kGeneric12)
+set(generic_25 kGeneric25)
+if(NOT DEFINED generic_${KERFLINE_GENERIC_CRYSTAL})
+  message(FATAL_ERROR "KERFLINE_GENERIC_CRYSTAL is 8, 12 or 25, not ${KERFLINE_GENERIC_CRYSTAL}")
+endif()
+
+# Where the board's boot loader leaves off, and where its store begins or 256 KiB are full.
+kerfline_board_image(kerfline_generic generic ${generic_${KERFLINE_GENERIC_CRYSTAL}} 0 256)
 kerfline_board_image(kerfline_btt_skr_2 btt_skr_2 kBttSkr2 32 288)
 kerfline_board_image(kerfline_btt_skr_pro_1_2 btt_skr_pro_1_2 kBttSkrPro12 32 288)
 kerfline_board_image(kerfline_mks_robin_nano_v3 mks_robin_nano_v3 kMksRobinNanoV3 48 256)
-set_target_properties(kerfline_generic_12mhz kerfline_generic_25mhz PROPERTIES
-  EXCLUDE_FROM_ALL ON)
