@@ -6,12 +6,12 @@
 
 /// Where the linker put things (toolchain/stm32f405.ld).
 extern "C" {
-extern const std::byte image_begin[], image_end[];
+extern std::byte image_begin[], image_end[];
 extern std::uint32_t stack_guard[], stack_bottom[], stack_top[];
 extern std::uint32_t data_begin[], data_end[], bss_begin[], bss_end[];
-extern const std::uint32_t data_load[];
+extern std::uint32_t data_load[];
 using Routine = void (*)();
-extern const Routine init_begin[], init_end[];
+extern Routine init_begin[], init_end[];
 }
 
 namespace hal::stm32f405 {

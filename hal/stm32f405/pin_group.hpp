@@ -25,6 +25,9 @@ constexpr PortTable port_table(const std::array<Pin, kAxes>& pins, unsigned port
   return table;
 }
 
+/// Pins of first and second motors.
+using MotorPins = std::array<std::array<Pin, kAxes>, 2>;
+
 constexpr std::array<Pin, kAxes> step_pins(const std::array<Motor, kAxes>& motors) {
   std::array<Pin, kAxes> pins{};
   for (std::size_t axis = 0; axis < kAxes; ++axis) pins[axis] = motors[axis].step;
@@ -40,7 +43,7 @@ constexpr std::array<Pin, kAxes> direction_pins(const std::array<Motor, kAxes>& 
 /// look into a table and one store, whatever the axes. Step interrupt.
 ///
 /// @tparam kPins of first and second motors.
-template <std::array<std::array<Pin, kAxes>, 2> kPins, RegisterBus Bus>
+template <MotorPins kPins, RegisterBus Bus>
 class PinGroup {
  public:
   /// Pins of these axes are low where others are high. @param axes of both motors.

@@ -112,9 +112,12 @@ class Port final : public AuxiliaryOutputs, public MachineInputs {
  private:
   static constexpr CheckedBoard<kBoard> kChecked{};
 
-  PinGroup<{step_pins(kBoard.motors), step_pins(kBoard.second_motors)}, Bus> steps_{};
-  PinGroup<{direction_pins(kBoard.motors), direction_pins(kBoard.second_motors)}, Bus>
-      directions_{};
+  static constexpr MotorPins kSteps{step_pins(kBoard.motors), step_pins(kBoard.second_motors)};
+  static constexpr MotorPins kDirections{direction_pins(kBoard.motors),
+                                         direction_pins(kBoard.second_motors)};
+
+  PinGroup<kSteps, Bus> steps_{};
+  PinGroup<kDirections, Bus> directions_{};
   Inputs<kBoard, Bus> inputs_{};
   PowerPin<kBoard, Bus> power_{};
   StepTimer<Bus> timer_{};
