@@ -53,11 +53,16 @@ class Port final : public AuxiliaryOutputs, public MachineInputs {
   // StepPort
   void set_direction(AxisMask negative) noexcept {
     directions_.drive(negative.bits, negative.bits);
+    timer_.note_edge();
   }
   void raise_steps(AxisMask axes, AxisMask second) noexcept {
     steps_.raise(axes.bits, second.bits);
+    timer_.note_edge();
   }
-  void lower_steps() noexcept { steps_.drive(0, 0); }
+  void lower_steps() noexcept {
+    steps_.drive(0, 0);
+    timer_.note_edge();
+  }
   void set_power(std::uint16_t duty) noexcept { power_.set_duty(duty); }
   void change_outputs(std::uint8_t raise, std::uint8_t lower) noexcept {
     for (std::size_t i = 0; i < kBoard.outputs.size(); ++i) {

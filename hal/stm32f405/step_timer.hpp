@@ -9,8 +9,12 @@
 namespace hal::stm32f405 {
 
 /// The step clock: TIM2 counts ticks of 250 ns for ever, and its compare value
-/// is when the step interrupt is due. Each due time follows from the one
+/// is when the step interrupt comes. Each due time follows from the one
 /// before, so a late interrupt delays nothing but itself.
+///
+/// The way to an edge takes time, most of a microsecond or several. What is
+/// waited after an edge counts from the edge: a pulse is never shorter than it
+/// is meant to be, nor is a direction's set-up time.
 ///
 /// Also at rest it interrupts, every 10 ms, to show that it would.
 template <RegisterBus Bus>
@@ -48,8 +52,10 @@ class StepTimer {
     if (wanted_.exchange(false)) {
       running_ = true;
       due_ = now();
+      comes_ = due_;
     }
-    if (!now().reached(due_)) return;  // Asked for, and then the time came as well.
+    if (!now().reached(comes_)) return;  // Asked for, and then the time came as well.
+    edge_made_ = false;
     std::uint32_t wait = running_ ? play() : 0;
     running_ = wait != 0;
     if (!running_) {
@@ -57,9 +63,17 @@ class StepTimer {
       wait = kRestTicks;
     }
     due_ = due_.plus(wait);
-    Bus::write(timer::kTim2 + timer::compare(1), due_.raw());
+    const TickCount after_edge = edge_.plus(wait + 1);  // The tick of the edge was not a whole one.
+    comes_ = edge_made_ && after_edge.reached(due_) ? after_edge : due_;
+    Bus::write(timer::kTim2 + timer::compare(1), comes_.raw());
     // The compare value meets a counter that is on its way, never one that is past.
-    if (now().reached(due_)) pend_interrupt<Bus>(interrupt::kTim2);
+    if (now().reached(comes_)) pend_interrupt<Bus>(interrupt::kTim2);
+  }
+
+  /// Step interrupt, after pins have changed in `play`.
+  void note_edge() noexcept {
+    edge_ = now();
+    edge_made_ = true;
   }
 
   /// Main loop: whether there was an interrupt since the last call.
@@ -71,7 +85,10 @@ class StepTimer {
   std::atomic<bool> wanted_{false};
   std::atomic<bool> alive_{false};
   bool running_ = false;
-  TickCount due_{kRestTicks};
+  bool edge_made_ = false;
+  TickCount edge_{};
+  TickCount due_{kRestTicks};    ///< By the times that `play` asked for.
+  TickCount comes_{kRestTicks};  ///< That, or later for the sake of an edge.
 };
 
 }  // namespace hal::stm32f405

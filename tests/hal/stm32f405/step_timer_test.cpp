@@ -56,6 +56,29 @@ TEST_F(StepTimerTest, ATimeThatHasPassedIsAskedForAtOnce) {
   EXPECT_EQ(std::vector<unsigned>{interrupt::kTim2}, chip_.pended);
 }
 
+TEST_F(StepTimerTest, APulseLastsHoweverLongTheWayToItsEdgeWas) {
+  constexpr std::uint32_t kPulse = 20;
+  timer_.start();
+  const auto edge_at = [&](std::uint32_t count, std::uint32_t wait) {
+    timer_.on_interrupt([&] {
+      chip_.cells[kCount] = count;
+      timer_.note_edge();
+      return wait;
+    });
+    return chip_.cells[kDue];
+  };
+  chip_.cells[kCount] = 1000;
+  EXPECT_EQ(1013U + kPulse + 1, edge_at(1013, kPulse));
+  EXPECT_TRUE(chip_.pended.size() == 1) << "only the start";
+  chip_.cells[kCount] = 1020;
+  EXPECT_EQ(1034U, interrupt_at(1025, 5)) << "due, but the pulse is not over";
+  EXPECT_EQ(0, played_);
+  // The low after it lasts, too; then the times are those that were asked for.
+  chip_.cells[kCount] = 1034;
+  EXPECT_EQ(1035U + kPulse + 1, edge_at(1035, kPulse));
+  EXPECT_EQ(1140U, interrupt_at(1056, 100));
+}
+
 TEST_F(StepTimerTest, AnInterruptBeforeItsTimePlaysNothing) {
   timer_.start();
   interrupt_at(1000, 100);
