@@ -22,9 +22,7 @@ class FlashSectors {
   [[nodiscard]] virtual std::uint32_t read(std::size_t sector, std::size_t word) const = 0;
   /// Clears the bits that are zero in `value`; false when the flash refused or
   /// the word reads otherwise afterwards.
-  [[nodiscard]] virtual bool program(std::size_t sector,
-                                     std::size_t word,
-                                     std::uint32_t value) = 0;
+  [[nodiscard]] virtual bool program(std::size_t sector, std::size_t word, std::uint32_t value) = 0;
   /// All words read kErased afterwards; false when the flash refused.
   [[nodiscard]] virtual bool erase(std::size_t sector) = 0;
 
