@@ -5,6 +5,7 @@
 #include "firmware/steps/step_generator.hpp"
 #include "hal/interface/auxiliary_outputs.hpp"
 #include "hal/interface/byte_stream.hpp"
+#include "hal/interface/control_board.hpp"
 #include "hal/interface/machine_inputs.hpp"
 #include "hal/interface/record_store.hpp"
 #include "hal/interface/step_port.hpp"
@@ -20,12 +21,14 @@ class Application {
   /// 64 segments of at most a millisecond.
   static constexpr std::uint32_t kSegmentQueue = 64;
 
+  /// @param board what `$I+` tells about and `$DFU` leaves for; none on a desk.
   Application(Port& port,
               hal::AuxiliaryOutputs& outputs,
               hal::MachineInputs& inputs,
               hal::RecordStore& store,
-              hal::ByteStream& link)
-      : steps_{port}, machine_{steps_, outputs, inputs}, protocol_{link, machine_, store} {}
+              hal::ByteStream& link,
+              hal::ControlBoard* board = nullptr)
+      : steps_{port}, machine_{steps_, outputs, inputs}, protocol_{link, machine_, store, board} {}
 
   /// One turn of the main loop; to be called at least every few milliseconds.
   /// Lines are read before segments are cut, so that a burst is planned as one.

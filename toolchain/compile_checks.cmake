@@ -34,9 +34,11 @@ function(kerfline_compile_checks)
   # What runs on the controller is judged where it runs: once is enough.
   if(KERFLINE_HOST)
     kerfline_headers_alone(kerfline_hal_host hal/host)
+    kerfline_headers_alone(kerfline_hal_stm32f405 hal/stm32f405)  # For clang-tidy.
     kerfline_headers_alone(kerfline_sim host-sim)
   else()
     kerfline_headers_alone(kerfline_hal_interface hal/interface)
+    kerfline_headers_alone(kerfline_hal_stm32f405 hal/stm32f405)
     kerfline_headers_alone(kerfline_planner planner)
     kerfline_headers_alone(kerfline_firmware firmware)
     add_library(bare_controller OBJECT ${PROJECT_SOURCE_DIR}/tests/static/bare_controller.cpp)

@@ -1,5 +1,5 @@
 # The controller's compiler: STM32F405 class, Cortex-M4 with a single-precision
-# FPU, no operating system. Builds libraries only; nothing is linked here.
+# FPU, no operating system.
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR arm)
 set(CMAKE_CXX_COMPILER arm-none-eabi-g++)

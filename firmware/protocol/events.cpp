@@ -76,6 +76,17 @@ void LineProtocol::welcome() {
     startup_line_ = 0;
   }
   if (stored_.take_damage()) message("The store was damaged: some settings are as delivered");
+  tell_trouble();
+}
+
+void LineProtocol::tell_trouble() {
+  if (board_ == nullptr) return;
+  Reply reply;
+  reply.text("[MSG:");
+  const std::size_t size = board_->describe_trouble(reply.room());
+  if (size == 0) return;
+  reply.wrote(size);
+  answer(reply.letter(']').end());
 }
 
 /// Shown as Grbl does, but without an answer that a sender would count.

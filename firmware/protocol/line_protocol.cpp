@@ -27,8 +27,15 @@ bool is_empty(std::string_view line) {
 
 }  // namespace
 
-LineProtocol::LineProtocol(hal::ByteStream& link, Machine& machine, hal::RecordStore& store)
-    : link_{link}, machine_{machine}, stored_{store}, listing_{machine, stored_} {
+LineProtocol::LineProtocol(hal::ByteStream& link,
+                           Machine& machine,
+                           hal::RecordStore& store,
+                           hal::ControlBoard* board)
+    : link_{link},
+      machine_{machine},
+      board_{board},
+      stored_{store},
+      listing_{machine, stored_, board} {
   load_settings();
   machine_.set_power_table(stored_.load_power_table());
   machine_.set_places(stored_.load_places());

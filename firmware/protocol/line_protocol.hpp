@@ -13,6 +13,7 @@
 #include "firmware/protocol/status_report.hpp"
 #include "firmware/store/stored_state.hpp"
 #include "hal/interface/byte_stream.hpp"
+#include "hal/interface/control_board.hpp"
 #include "hal/interface/record_store.hpp"
 #include "hal/interface/tick_count.hpp"
 #include "planner/gcode/line_reader.hpp"
@@ -34,8 +35,11 @@ class LineProtocol {
  public:
   static constexpr std::size_t kLongestLine = gcode::kLongestLine;
 
-  /// Gives the machine what the store holds.
-  LineProtocol(hal::ByteStream& link, Machine& machine, hal::RecordStore& store);
+  /// Gives the machine what the store holds. @param board may be null.
+  LineProtocol(hal::ByteStream& link,
+               Machine& machine,
+               hal::RecordStore& store,
+               hal::ControlBoard* board);
 
   /// Reads and answers what it can without waiting.
   /// @param now microseconds.
@@ -60,6 +64,7 @@ class LineProtocol {
   [[nodiscard]] bool tell_news();
   [[nodiscard]] bool tell_result();
   void welcome();
+  void tell_trouble();
   void run_startup_line();
   void save_places();
 
@@ -70,6 +75,7 @@ class LineProtocol {
   void refuse_setting(const Statement& statement, SettingError error);
   void jog(const Statement& statement);
   void home(const Statement& statement);
+  void enter_boot_loader();
   void unlock();
   void toggle_check_mode();
   void restore(const Statement& statement);
@@ -90,6 +96,7 @@ class LineProtocol {
 
   hal::ByteStream& link_;
   Machine& machine_;
+  hal::ControlBoard* board_;
   StoredState stored_;
   Receiver receiver_{};
   LineAssembler<kLongestLine> assembler_{};

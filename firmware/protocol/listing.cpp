@@ -154,8 +154,21 @@ bool Listing::info_row(Reply& reply, const ReportForm& form) {
       reply.text("[FIRMWARE:").text(identity::kFirmware).letter(']').end();
       return true;
     default:
-      return false;
+      return extended && board_row(reply, row_ - 5);
   }
+}
+
+bool Listing::board_row(Reply& reply, std::size_t row) {
+  if (board_ == nullptr) return false;
+  reply.letter('[');
+  const std::size_t size = board_->describe(row, reply.room());
+  if (size == 0) {
+    reply = {};
+    return false;
+  }
+  reply.wrote(size);
+  reply.letter(']').end();
+  return true;
 }
 
 bool Listing::startup_row(Reply& reply) {

@@ -6,6 +6,7 @@
 #include "firmware/protocol/reply.hpp"
 #include "firmware/protocol/report_lines.hpp"
 #include "firmware/store/stored_state.hpp"
+#include "hal/interface/control_board.hpp"
 
 namespace cnc {
 
@@ -32,7 +33,9 @@ enum class ListingKind : std::uint8_t {
 /// than there is memory for, and a status report must not wait for its end.
 class Listing {
  public:
-  Listing(const Machine& machine, StoredState& stored) : machine_{machine}, stored_{stored} {}
+  /// @param board may be null.
+  Listing(const Machine& machine, StoredState& stored, hal::ControlBoard* board)
+      : machine_{machine}, stored_{stored}, board_{board} {}
 
   void begin(ListingKind kind, std::uint16_t argument = 0);
   void stop() { kind_ = ListingKind::kNone; }
@@ -46,11 +49,13 @@ class Listing {
   [[nodiscard]] bool settings_row(Reply& reply);
   [[nodiscard]] bool parameters_row(Reply& reply, const ReportForm& form);
   [[nodiscard]] bool info_row(Reply& reply, const ReportForm& form);
+  [[nodiscard]] bool board_row(Reply& reply, std::size_t row);
   [[nodiscard]] bool startup_row(Reply& reply);
   void put_version(Reply& reply);
 
   const Machine& machine_;
   StoredState& stored_;
+  hal::ControlBoard* board_;
   ListingKind kind_ = ListingKind::kNone;
   std::size_t row_ = 0;
   std::uint16_t argument_ = 0;

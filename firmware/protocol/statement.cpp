@@ -79,6 +79,7 @@ std::optional<Statement> read_command(std::string_view name) {
   }
   if (name == "C") return Statement{.kind = StatementKind::kCheck};
   if (name == "X") return Statement{.kind = StatementKind::kUnlock};
+  if (name == "DFU") return Statement{.kind = StatementKind::kBootLoader};
   if (name == "SLP") return Statement{.kind = StatementKind::kSleep};
   if (name.front() == 'H') {
     std::string_view letters = name;

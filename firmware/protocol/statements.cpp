@@ -91,6 +91,8 @@ void LineProtocol::take_command(const Statement& statement) {
       return restore(statement);
     case StatementKind::kHome:
       return home(statement);
+    case StatementKind::kBootLoader:
+      return enter_boot_loader();
     case StatementKind::kSleep:
       if (!machine_.sleep()) return refuse(error_number::kNotIdle);
       message("Sleeping");
@@ -154,6 +156,15 @@ void LineProtocol::home(const Statement& statement) {
   if (!machine_.can_home()) return refuse(error_number::kNotIdle);
   machine_.home(statement.axes);
   owed_ = Owed::kHoming;
+}
+
+void LineProtocol::enter_boot_loader() {
+  if (board_ == nullptr) {
+    return refuse(error_number::kNoSuchStatement, 1, "this controller has no boot loader");
+  }
+  message("Leaving for the boot loader");
+  board_->enter_boot_loader();
+  acknowledge();
 }
 
 void LineProtocol::unlock() {

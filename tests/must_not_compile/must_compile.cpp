@@ -1,5 +1,6 @@
 // The case that proves the others: with these flags, right uses compile.
 #include "hal/interface/tick_count.hpp"
+#include "hal/stm32f405/boards/generic.hpp"
 #include "planner/base/coordinate.hpp"
 #include "planner/base/result.hpp"
 #include "planner/base/units.hpp"
@@ -14,6 +15,8 @@ enum class Refusal { kNone };
 cnc::Result<int, Refusal> make() { return 1; }
 
 }  // namespace
+
+template struct hal::stm32f405::CheckedBoard<hal::stm32f405::kGeneric>;
 
 bool right_uses(hal::TickCount a, hal::TickCount b) {
   const auto speed = 10.0_mm_per_s + 10.0_mm_per_s;

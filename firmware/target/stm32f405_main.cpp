@@ -1,0 +1,243 @@
+/// The controller on an STM32F405: the one file that knows both the firmware and
+/// this port. The build says which board it is for, by its header and its name.
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include KERFLINE_BOARD_HEADER
+#include "firmware/application.hpp"
+#include "hal/stm32f405/control_board.hpp"
+#include "hal/stm32f405/image.hpp"
+#include "hal/stm32f405/port.hpp"
+#include "hal/stm32f405/serial_line.hpp"
+#include "hal/stm32f405/start_up.hpp"
+#include "hal/stm32f405/time_base.hpp"
+#include "hal/stm32f405/volatile_store.hpp"
+#include "hal/stm32f405/watchdog.hpp"
+#include "planner/base/contract.hpp"
+
+namespace chip = hal::stm32f405;
+
+namespace {
+
+using Bus = chip::MemoryBus;
+constexpr const chip::Board& kBoard = chip::KERFLINE_BOARD;
+using Port = chip::Port<kBoard>;
+using Power = chip::PowerPin<kBoard, Bus>;
+using SerialLine = chip::SerialLine<kBoard>;
+static_assert(hal::StepPort<Port>);
+static_assert(chip::StepTimer<Bus>::kTicksPerSecond == cnc::motion::kTicksPerSecond);
+
+// Start-up sets these up before it constructs the application.
+constinit Port port{};
+constinit SerialLine line{};
+constinit chip::TimeBase<> clock_of_the_loop{};
+constinit chip::VolatileStore store{};
+constinit chip::ChipBoard<kBoard> board{};
+cnc::Application<Port> application{port, port, port, store, line, &board};
+
+/// What a restart does not clear.
+struct Kept {
+  static constexpr std::uint32_t kBootLoader = 0x4446'5521;
+
+  std::uint32_t wanted;
+  chip::FaultRecord fault;
+};
+[[gnu::section(".noinit")]] Kept kept;
+
+[[noreturn]] void restart() {
+  asm volatile("dsb" ::: "memory");
+  Bus::write(chip::core::kResetControl, chip::core::kResetNow);
+  for (;;) {
+  }
+}
+
+/// The end of the program: whatever it was at, the beam is dark first. The
+/// restart takes the current off the motors, and tells what it was.
+[[noreturn]] void stop(chip::Fault fault, std::uint32_t exception, std::uint32_t place) {
+  Power::darken();
+  kept.fault = {.mark = chip::FaultRecord::kValid,
+                .fault = fault,
+                .exception = static_cast<std::uint8_t>(exception),
+                .place = place};
+  restart();
+}
+
+std::uint32_t address_of(const void* object) { return std::bit_cast<std::uint32_t>(object); }
+
+/// From flash to ST's boot loader, which wants the chip as reset leaves it.
+[[noreturn]] void enter_boot_loader() {
+  kept.wanted = 0;
+  chip::set<Bus>(chip::rcc::kApb2Enr, chip::rcc::kSystemClock);
+  Bus::write(chip::syscfg::kRemap, chip::syscfg::kSystemMemory);
+  asm volatile(
+      "msr msp, %0 \n"
+      "cpsie i     \n"
+      "bx %1       \n"
+      :
+      : "r"(Bus::read(chip::kSystemMemory)), "r"(Bus::read(chip::kSystemMemory + 4)));
+  __builtin_unreachable();
+}
+
+/// Memory as C++ wants it; the stack below this function painted.
+void begin_memory() {
+  const auto* const own_frame = static_cast<std::uint32_t*>(__builtin_frame_address(0));
+  constexpr std::ptrdiff_t kOwnWords = 32;
+  for (std::uint32_t* word = stack_bottom; word < own_frame - kOwnWords; ++word) {
+    *word = chip::kPaint;
+  }
+  const std::uint32_t* from = data_load;
+  for (std::uint32_t* to = data_begin; to < data_end;) *to++ = *from++;
+  for (std::uint32_t* to = bss_begin; to < bss_end;) *to++ = 0;
+}
+
+/// Clocks and everything on the chip, interrupts still off.
+void begin_chip() {
+  const bool faulted = kept.fault.mark == chip::FaultRecord::kValid;
+  kept.fault.mark = 0;
+  const chip::Clocks clocks = chip::ClockStart<Bus>::run(kBoard.crystal_hz);
+  port.set_up(clocks);
+  line.set_up(clocks);
+  clock_of_the_loop.set_up(clocks);
+  chip::watch_supply<Bus>();
+  const std::span image{image_begin, image_end};
+  board.set_report({.clocks = clocks,
+                    .cause = chip::take_reset_cause<Bus>(faulted),
+                    .fault = kept.fault,
+                    .image_bytes = static_cast<std::uint32_t>(image.size()),
+                    .image_checksum = chip::crc32(image),
+                    .stack = {stack_bottom, stack_top}});
+}
+
+chip::Polarity polarity_of(const cnc::Settings& settings) {
+  const auto mask = [&](std::uint16_t number) {
+    return static_cast<std::uint8_t>(settings.get(number));
+  };
+  return {.steps = mask(cnc::setting::kStepInvert),
+          .directions = mask(cnc::setting::kDirectionInvert),
+          .enables = mask(cnc::setting::kEnableInvert),
+          .limits = mask(cnc::setting::kLimitInvert),
+          .probe = mask(cnc::setting::kProbeInvert) != 0,
+          .controls = mask(cnc::setting::kControlInvert),
+          .coolant = mask(cnc::setting::kCoolantInvert),
+          .spindle = mask(cnc::setting::kSpindleInvert)};
+}
+
+/// Settings change at rest only.
+void follow_settings(chip::Polarity& followed) {
+  const chip::Polarity wanted = polarity_of(application.machine().settings());
+  if (wanted == followed) return;
+  followed = wanted;
+  port.configure(wanted);
+}
+
+[[noreturn]] void leave_for_boot_loader() {
+  constexpr std::uint32_t kLastBytesUs = 5000;
+  Power::darken();
+  const hal::TickCount end = clock_of_the_loop.now().plus(kLastBytesUs);
+  while (!clock_of_the_loop.now().reached(end)) {
+  }
+  kept.wanted = Kept::kBootLoader;
+  restart();
+}
+
+[[noreturn]] void run() {
+  chip::Polarity polarity{};
+  chip::Watchdog<>::begin();
+  for (;;) {
+    follow_settings(polarity);
+    application.poll(clock_of_the_loop.now());
+    // Fed by the loop, and only while the step interrupt comes, too.
+    if (port.timer().take_alive()) chip::Watchdog<>::feed();
+    if (board.wants_boot_loader() && line.sent()) leave_for_boot_loader();
+  }
+}
+
+}  // namespace
+
+void cnc::contract_failed(const char*, const char*, int) {
+  stop(chip::Fault::kContract, 0, address_of(__builtin_return_address(0)));
+}
+
+extern "C" {
+
+/// Called through the table of an abstract class that is not finished: never.
+[[noreturn]] void __cxa_pure_virtual() {
+  stop(chip::Fault::kContract, 0, address_of(__builtin_return_address(0)));
+}
+
+[[noreturn]] void start_up() {
+  Power::darken();
+  if (kept.wanted == Kept::kBootLoader) enter_boot_loader();
+  kept.wanted = 0;
+  chip::forget_boot_loader<Bus>();
+  chip::start_core<Bus>(address_of(image_begin), address_of(stack_guard));
+  begin_memory();
+  begin_chip();
+  for (const Routine* routine = init_begin; routine != init_end; ++routine) (*routine)();
+  asm volatile("cpsie i" ::: "memory");
+  run();
+}
+
+/// Also entered from boot loaders, whose stack is anywhere.
+[[gnu::naked, noreturn]] void reset_entry() {
+  asm volatile(
+      "cpsid i            \n"
+      "ldr   r0, =stack_top \n"
+      "mov   sp, r0       \n"
+      "b     start_up     \n");
+}
+
+/// @param frame what the core pushed: r0 to r3, r12, lr, pc, status.
+[[noreturn, gnu::used]] void fault_taken(const std::uint32_t* frame, std::uint32_t exception) {
+  Power::darken();
+  constexpr std::uint32_t kNmi = 2;
+  constexpr std::ptrdiff_t kFrameWords = 8;
+  constexpr std::ptrdiff_t kProgramCounter = 6;
+  if (frame < stack_bottom) stop(chip::Fault::kStack, exception, 0);
+  if (exception == kNmi) stop(chip::Fault::kCrystal, exception, 0);
+  const bool readable = frame + kFrameWords <= stack_top;
+  stop(chip::Fault::kException, exception, readable ? frame[kProgramCounter] : 0);
+}
+
+/// A stack that has run over is of no use to its fault: a new one first.
+[[gnu::naked, noreturn]] void fault_entry() {
+  asm volatile(
+      "mrs   r0, msp      \n"
+      "mrs   r1, ipsr     \n"
+      "ldr   r2, =stack_top \n"
+      "mov   sp, r2       \n"
+      "b     fault_taken  \n");
+}
+
+void supply_interrupt() { stop(chip::Fault::kSupply, 0, 0); }
+
+void step_interrupt() {
+  port.timer().on_interrupt([] { return application.on_step_interrupt(); });
+}
+void line_interrupt() { line.on_interrupt(); }
+void clock_interrupt() { clock_of_the_loop.on_interrupt(); }
+
+}  // extern "C"
+
+namespace {
+
+constexpr chip::VectorTable vector_table() {
+  chip::VectorTable table{.stack = stack_top, .entries = {}};
+  for (Routine& entry : table.entries) entry = fault_entry;
+  constexpr std::size_t kReset = 0;
+  constexpr std::size_t kTick = 14;
+  table.entries[kReset] = reset_entry;
+  table.entries[kTick] = clock_interrupt;
+  table.interrupt_entry(chip::interrupt::kSupply) = supply_interrupt;
+  table.interrupt_entry(chip::interrupt::kTim2) = step_interrupt;
+  table.interrupt_entry(SerialLine::kInterrupt) = line_interrupt;
+  return table;
+}
+
+[[gnu::section(".vectors"), gnu::used]] constexpr chip::VectorTable kVectors = vector_table();
+
+}  // namespace

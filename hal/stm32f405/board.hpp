@@ -1,0 +1,178 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "hal/stm32f405/clock.hpp"
+#include "hal/stm32f405/pin.hpp"
+#include "hal/stm32f405/pin_functions.hpp"
+
+namespace hal::stm32f405 {
+
+inline constexpr std::size_t kAxes = 6;
+inline constexpr std::size_t kDigitalOutputs = 8;
+
+/// The inputs of one motor's driver. Enables are active low, as drivers have
+/// them, and $4 turns them round.
+struct Motor {
+  Pin step{};
+  Pin direction{};
+  Pin enable{};  ///< None where motors share Board::motors_enable.
+};
+
+/// What a board is: which pin does what. Only pins that exist are set up.
+/// Inputs have their pull-up and are active low, outputs are active high; $2 to
+/// $6 and $14 to $16 turn them round, but the power's, whose low is always dark.
+struct Board {
+  const char* name = "";
+  std::uint32_t crystal_hz = 8'000'000;
+  std::uint32_t flash_kib = 1024;
+  /// Two sectors of one size for what is kept, beyond the image.
+  std::array<std::uint8_t, 2> store_sectors{10, 11};
+
+  std::array<Motor, kAxes> motors{};
+  std::array<Motor, kAxes> second_motors{};  ///< Of axes that have two.
+  Pin motors_enable{};                       ///< Of all motors at once.
+  Pin motor_power{};                         ///< Driven high from start-up on.
+  std::array<Pin, kAxes> limits{};
+  std::array<Pin, kAxes> second_limits{};
+  Pin probe{};
+  Pin door{};
+  Pin hold{};
+  Pin start{};
+  Pin reset{};
+  Pin emergency_stop{};
+
+  Pin power{};  ///< Beam or spindle speed: a pin of kPowerChannels.
+  std::uint32_t power_hz = 5'000;
+  Pin spindle_enable{};
+  Pin spindle_direction{};
+  Pin mist{};
+  Pin flood{};
+  std::array<Pin, kDigitalOutputs> outputs{};  ///< M62 to M65, P0 to P7.
+
+  Pin transmit{};
+  Pin receive{};
+  std::uint32_t baud = 115'200;
+};
+
+/// Start of a flash sector, from the beginning of the flash; the first beyond
+/// the last is where the last one ends (RM0090, table 5).
+constexpr std::uint32_t sector_start(unsigned sector) {
+  constexpr std::uint32_t kSmall = 16 * 1024;
+  if (sector <= 4) return sector * kSmall;
+  return (sector - 4) * 8 * kSmall;
+}
+constexpr std::uint32_t sector_bytes(unsigned sector) {
+  return sector_start(sector + 1) - sector_start(sector);
+}
+
+/// A bit for each pin of one port; which pins a board has named so far, and
+/// whether one of them twice.
+class PinCensus {
+ public:
+  constexpr void add(Pin pin) {
+    if (!pin.exists()) return;
+    const bool real = pin.port < gpio::kPorts && pin.number < 16;
+    if (!real || (named_[pin.port] & pin.mask()) != 0) {
+      clash_ = true;
+      return;
+    }
+    named_[pin.port] |= pin.mask();
+  }
+  constexpr void add(const Motor& motor) {
+    add(motor.step);
+    add(motor.direction);
+    add(motor.enable);
+  }
+  template <typename Thing, std::size_t Count>
+  constexpr void add(const std::array<Thing, Count>& things) {
+    for (const Thing& thing : things) add(thing);
+  }
+  [[nodiscard]] constexpr bool clash() const { return clash_; }
+  [[nodiscard]] constexpr bool has(Pin pin) const { return (named_[pin.port] & pin.mask()) != 0; }
+
+ private:
+  std::array<Word, gpio::kPorts> named_{};
+  bool clash_ = false;
+};
+
+constexpr PinCensus pins_of(const Board& board) {
+  PinCensus census;
+  census.add(board.motors);
+  census.add(board.second_motors);
+  census.add(board.limits);
+  census.add(board.second_limits);
+  census.add(board.outputs);
+  for (const Pin pin : {board.motors_enable,
+                        board.motor_power,
+                        board.probe,
+                        board.door,
+                        board.hold,
+                        board.start,
+                        board.reset,
+                        board.emergency_stop,
+                        board.power,
+                        board.spindle_enable,
+                        board.spindle_direction,
+                        board.mist,
+                        board.flood,
+                        board.transmit,
+                        board.receive}) {
+    census.add(pin);
+  }
+  return census;
+}
+
+/// Each motor that steps has a direction, and some pin that enables it.
+constexpr bool motors_are_whole(const Board& board) {
+  for (const std::array<Motor, kAxes>& motors : {board.motors, board.second_motors}) {
+    for (const Motor& motor : motors) {
+      if (!motor.step.exists()) continue;
+      const bool enabled = motor.enable.exists() || board.motors_enable.exists();
+      if (!motor.direction.exists() || !enabled) return false;
+    }
+  }
+  return true;
+}
+
+constexpr bool store_fits(const Board& board) {
+  const unsigned first = board.store_sectors[0];
+  const unsigned second = board.store_sectors[1];
+  return first < second && second < 12 && sector_bytes(first) == sector_bytes(second) &&
+         sector_start(second + 1) <= board.flash_kib * 1024;
+}
+
+/// The wire sees the rate within 2 %, at full speed and at 16 MHz.
+constexpr bool baud_is_near(std::uint32_t clock_hz, std::uint32_t baud) {
+  if (baud == 0 || clock_hz / baud < 16) return false;
+  const std::uint32_t divider = (clock_hz + baud / 2) / baud;
+  const std::uint32_t real = clock_hz / divider;
+  return (real > baud ? real - baud : baud - real) * 50 <= baud;
+}
+
+/// A board that can be built for: instantiating it is the check.
+template <const Board& kBoard>
+struct CheckedBoard {
+  static constexpr PowerChannel kPower = power_channel_of(kBoard.power);
+  static constexpr SerialPins kSerial = serial_pins_of(kBoard.transmit, kBoard.receive);
+  static constexpr PinCensus kPins = pins_of(kBoard);
+
+  static_assert(is_usable_crystal(kBoard.crystal_hz), "the PLL cannot use this crystal");
+  static_assert(!kPins.clash(), "a pin does not exist, or does two things");
+  static_assert(!kPins.has(pa(13)) && !kPins.has(pa(14)), "PA13 and PA14 are the debugger's");
+  static_assert(motors_are_whole(kBoard), "a motor steps without direction or enable");
+  static_assert(kBoard.motors[0].step.exists() && kBoard.motors[1].step.exists(),
+                "a machine has X and Y");
+  static_assert(kPower.exists(), "the power pin has no timer channel besides the step timer's");
+  static_assert(kBoard.power_hz >= 1000 && kBoard.power_hz <= 50'000,
+                "the beam is to follow within 1 ms, in more than a thousand steps");
+  static_assert(kSerial.exists(), "these two pins are no serial interface");
+  static_assert(baud_is_near(kSerial.fast() ? kFullSpeed.apb2 : kFullSpeed.apb1, kBoard.baud) &&
+                    baud_is_near(Clocks{}.apb1, kBoard.baud),
+                "this baud rate is not within reach");
+  static_assert(store_fits(kBoard), "the store's sectors are not two of one size in the flash");
+};
+
+}  // namespace hal::stm32f405

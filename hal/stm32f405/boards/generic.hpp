@@ -1,0 +1,45 @@
+#pragma once
+
+#include "hal/stm32f405/board.hpp"
+
+namespace hal::stm32f405 {
+
+/// Any board with an F405 or F407 and its pins on headers. X, Y, Z, beam,
+/// coolant and buttons are where grblHAL has them (STM32F4xx driver,
+/// boards/generic_map.h); the rest is ours, on pins that a package of 64 has.
+inline constexpr Board kGeneric{
+    .name = "Generic F405/F407",
+    .motors = {{{pa(0), pa(4)},
+                {pa(1), pa(5)},
+                {pa(2), pa(6)},
+                {pc(0), pc(3)},
+                {pc(1), pc(4)},
+                {pc(2), pc(5)}}},
+    .motors_enable = pa(15),
+    .limits = {pb(12), pb(13), pb(14), pc(6), pc(7), pc(8)},
+    .probe = pa(7),
+    .door = pb(8),
+    .hold = pb(6),
+    .start = pb(7),
+    .reset = pb(5),
+    .emergency_stop = pb(9),
+    .power = pa(8),
+    .spindle_enable = pb(1),
+    .spindle_direction = pb(0),
+    .mist = pb(3),
+    .flood = pb(4),
+    .outputs = {pc(9), pc(10), pc(11), pc(12)},
+    .transmit = pa(9),
+    .receive = pa(10),
+};
+
+constexpr Board with_crystal(Board board, const char* name, std::uint32_t hz) {
+  board.name = name;
+  board.crystal_hz = hz;
+  return board;
+}
+
+inline constexpr Board kGeneric12 = with_crystal(kGeneric, "Generic F405/F407, 12 MHz", 12'000'000);
+inline constexpr Board kGeneric25 = with_crystal(kGeneric, "Generic F405/F407, 25 MHz", 25'000'000);
+
+}  // namespace hal::stm32f405

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "hal/stm32f405/board.hpp"
+
+namespace hal::stm32f405 {
+
+/// Makerbase Robin Nano V3, F407VE; pins as in grblHAL (STM32F4xx driver,
+/// boards/mks_robin_nano_v3.0_map.h). E0 is A, E1 is B; the beam is the
+/// 3D-touch connector. There mist shares a pin with the spindle's direction:
+/// here it has none.
+inline constexpr Board kMksRobinNanoV3{
+    .name = "MKS Robin Nano V3",
+    .flash_kib = 512,
+    .store_sectors = {6, 7},
+    .motors = {{{pe(3), pe(2), pe(4)},
+                {pe(0), pb(9), pe(1)},
+                {pb(5), pb(4), pb(8)},
+                {pd(6), pd(3), pb(3)},
+                {pd(15), pa(1), pa(3)},
+                {}}},
+    .limits = {pa(15), pd(2), pc(8), pe(10), pe(7), {}},
+    .probe = pc(4),
+    .hold = pc(1),
+    .start = pd(9),
+    .reset = pc(0),
+    .power = pa(8),
+    .spindle_enable = pa(0),
+    .spindle_direction = pb(1),
+    .flood = pe(5),
+    .transmit = pa(9),
+    .receive = pa(10),
+};
+
+}  // namespace hal::stm32f405

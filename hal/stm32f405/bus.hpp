@@ -1,0 +1,72 @@
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+
+#include "hal/stm32f405/registers.hpp"
+
+namespace hal::stm32f405 {
+
+/// How the port reaches its registers: on the chip by loads and stores, in a
+/// test through a model of them. Any context.
+template <typename Type>
+concept RegisterBus = requires(Address address, Word value) {
+  { Type::read(address) }
+  noexcept->std::same_as<Word>;
+  { Type::write(address, value) }
+  noexcept->std::same_as<void>;
+};
+
+/// The chip itself.
+struct MemoryBus {
+  static Word read(Address address) noexcept { return *at(address); }
+  static void write(Address address, Word value) noexcept { *at(address) = value; }
+
+ private:
+  static volatile Word* at(Address address) noexcept {
+    // Where a register is comes from the manual. NOLINTNEXTLINE(performance-no-int-to-ptr)
+    return reinterpret_cast<volatile Word*>(static_cast<std::uintptr_t>(address));
+  }
+};
+static_assert(RegisterBus<MemoryBus>);
+
+/// Replaces the bits of `mask` by those of `value`. Not atomic.
+template <RegisterBus Bus>
+void modify(Address address, Word mask, Word value) noexcept {
+  Bus::write(address, (Bus::read(address) & ~mask) | value);
+}
+
+template <RegisterBus Bus>
+void set(Address address, Word bits) noexcept {
+  modify<Bus>(address, 0, bits);
+}
+
+template <RegisterBus Bus>
+void clear(Address address, Word bits) noexcept {
+  modify<Bus>(address, bits, 0);
+}
+
+/// Looks at most `looks` times; false when the bits never were as wanted.
+template <RegisterBus Bus>
+[[nodiscard]] bool wait_for(Address address, Word mask, Word wanted, std::uint32_t looks) noexcept {
+  for (std::uint32_t look = 0; look < looks; ++look) {
+    if ((Bus::read(address) & mask) == wanted) return true;
+  }
+  return false;
+}
+
+/// Lets an interrupt in. @param priority 0, the most urgent, to 15.
+template <RegisterBus Bus>
+void enable_interrupt(unsigned number, unsigned priority) noexcept {
+  const unsigned place = 8 * (number % 4) + 4;  // The upper half of the byte is all there is.
+  modify<Bus>(core::interrupt_priority(number), Word{0xF} << place, Word{priority} << place);
+  Bus::write(core::interrupt_on(number), bit(number % 32));
+}
+
+/// Asks for an interrupt now.
+template <RegisterBus Bus>
+void pend_interrupt(unsigned number) noexcept {
+  Bus::write(core::interrupt_pend(number), bit(number % 32));
+}
+
+}  // namespace hal::stm32f405

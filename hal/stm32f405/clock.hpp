@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cstdint>
+
+#include "hal/stm32f405/bus.hpp"
+
+namespace hal::stm32f405 {
+
+enum class ClockSource : std::uint8_t {
+  kCrystal,   ///< 168 MHz from the board's crystal.
+  kInternal,  ///< 168 MHz from the chip's oscillator, within 1 %: the crystal does not start.
+  kSlow,      ///< 16 MHz: no PLL. Too slow for the step interrupt.
+};
+
+/// What the parts of the chip run at, in Hz.
+struct Clocks {
+  ClockSource source = ClockSource::kSlow;
+  std::uint32_t core = 16'000'000;
+  std::uint32_t apb1 = 16'000'000;
+  std::uint32_t apb2 = 16'000'000;
+  std::uint32_t apb1_timers = 16'000'000;
+  std::uint32_t apb2_timers = 16'000'000;
+};
+
+inline constexpr Clocks kFullSpeed{.source = ClockSource::kCrystal,
+                                   .core = 168'000'000,
+                                   .apb1 = 42'000'000,
+                                   .apb2 = 84'000'000,
+                                   .apb1_timers = 84'000'000,
+                                   .apb2_timers = 168'000'000};
+
+/// Whether the PLL can make 168 MHz of it: its input is the crystal by a whole
+/// number, 1 MHz here, and the crystal 4 to 26 MHz (RM0090, 7.3.2).
+constexpr bool is_usable_crystal(std::uint32_t hz) {
+  return hz % 1'000'000 == 0 && hz >= 4'000'000 && hz <= 26'000'000;
+}
+
+/// Takes the chip from reset to 168 MHz. Every wait is bounded: with a crystal
+/// that does not start, or a PLL that does not lock, it goes on with what there
+/// is, and says so. Once, before interrupts; some 100 ms at worst.
+/// @pre is_usable_crystal(crystal_hz)
+template <RegisterBus Bus>
+class ClockStart {
+ public:
+  [[nodiscard]] static Clocks run(std::uint32_t crystal_hz) noexcept {
+    back_to_internal();
+    set<Bus>(rcc::kApb1Enr, rcc::kPowerClock);
+    set<Bus>(pwr::kCr, pwr::kHighestScale);
+    set<Bus>(rcc::kCr, rcc::kHseOn);
+    const bool crystal = wait_for<Bus>(rcc::kCr, rcc::kHseReady, rcc::kHseReady, kCrystalLooks);
+    if (!crystal) clear<Bus>(rcc::kCr, rcc::kHseOn);
+    if (!start_pll(crystal ? crystal_hz : kInternalHz, crystal)) return {};
+    if (!slow_flash_down() || !switch_over()) return {};
+    if (crystal) set<Bus>(rcc::kCr, rcc::kSecurityOn);
+    Clocks clocks = kFullSpeed;
+    if (!crystal) clocks.source = ClockSource::kInternal;
+    return clocks;
+  }
+
+ private:
+  static constexpr std::uint32_t kInternalHz = 16'000'000;
+  // A look takes at least 4 clocks of 16 MHz. Crystals need 2 ms, up to 20 when cold.
+  static constexpr std::uint32_t kCrystalLooks = 200'000;
+  static constexpr std::uint32_t kPllLooks = 10'000;  ///< It locks within 0.3 ms.
+
+  /// A boot loader may have set the clock to anything, and a PLL that runs takes no change.
+  static void back_to_internal() noexcept {
+    set<Bus>(rcc::kCr, rcc::kHsiOn);
+    static_cast<void>(wait_for<Bus>(rcc::kCr, rcc::kHsiReady, rcc::kHsiReady, kPllLooks));
+    Bus::write(rcc::kCfgr, 0);
+    static_cast<void>(wait_for<Bus>(rcc::kCfgr, rcc::kSwitchedMask, 0, kPllLooks));
+    clear<Bus>(rcc::kCr, rcc::kPllOn | rcc::kHseOn | rcc::kSecurityOn);
+    static_cast<void>(wait_for<Bus>(rcc::kCr, rcc::kPllReady, 0, kPllLooks));
+  }
+
+  static bool start_pll(std::uint32_t input_hz, bool crystal) noexcept {
+    const Word divider = input_hz / 1'000'000;
+    const Word multiplier = 336;  // 336 MHz, by 2 for the core, by 7 for USB.
+    Bus::write(rcc::kPllCfgr,
+               divider | multiplier << 6 | (crystal ? rcc::kPllFromHse : 0) | Word{7} << 24);
+    set<Bus>(rcc::kCr, rcc::kPllOn);
+    if (wait_for<Bus>(rcc::kCr, rcc::kPllReady, rcc::kPllReady, kPllLooks)) return true;
+    clear<Bus>(rcc::kCr, rcc::kPllOn);
+    return false;
+  }
+
+  /// Before the core is faster than the flash; RM0090, 3.5.1 wants it read back.
+  static bool slow_flash_down() noexcept {
+    const Word wanted =
+        flash::kFiveWaitStates | flash::kPrefetch | flash::kInstructionCache | flash::kDataCache;
+    Bus::write(flash::kAcr, wanted);
+    return wait_for<Bus>(flash::kAcr, wanted, wanted, kPllLooks);
+  }
+
+  static bool switch_over() noexcept {
+    Bus::write(rcc::kCfgr, rcc::kApb1By4 | rcc::kApb2By2);
+    set<Bus>(rcc::kCfgr, rcc::kSwitchToPll);
+    if (wait_for<Bus>(rcc::kCfgr, rcc::kSwitchedMask, rcc::kSwitchedToPll, kPllLooks)) return true;
+    Bus::write(rcc::kCfgr, 0);
+    return false;
+  }
+};
+
+}  // namespace hal::stm32f405

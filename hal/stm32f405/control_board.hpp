@@ -1,0 +1,125 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "hal/interface/control_board.hpp"
+#include "hal/stm32f405/board.hpp"
+#include "hal/stm32f405/image.hpp"
+#include "hal/stm32f405/reset_cause.hpp"
+#include "hal/stm32f405/text_row.hpp"
+
+namespace hal::stm32f405 {
+
+/// What start-up found out, and where things are.
+struct StartReport {
+  Clocks clocks{};
+  ResetCause cause = ResetCause::kUnknown;
+  FaultRecord fault{};  ///< Valid with ResetCause::kFault.
+  std::uint32_t image_bytes = 0;
+  std::uint32_t image_checksum = 0;  ///< crc32 of them; too slow to be made while something moves.
+  std::span<const std::uint32_t> stack{};
+};
+
+/// An F405 or F407 as `$I+` shows it.
+template <const Board& kBoard, RegisterBus Bus = MemoryBus>
+class ChipBoard final : public ControlBoard {
+ public:
+  void set_report(const StartReport& report) { report_ = report; }
+  /// Whether somebody wants the boot loader.
+  [[nodiscard]] bool wants_boot_loader() const { return wants_boot_loader_; }
+
+  [[nodiscard]] std::size_t describe(std::size_t row, std::span<char> into) override {
+    TextRow text{into};
+    switch (row) {
+      case 0:
+        text.text("BOARD:").text(kBoard.name);
+        break;
+      case 1:
+        text.text("DRIVER:STM32F405");
+        break;
+      case 2:
+        text.text("IMAGE:").hexadecimal(report_.image_checksum);
+        text.text(",").number(report_.image_bytes);
+        break;
+      case 3:
+        text.text("CLOCK:").number(report_.clocks.core / 1'000'000).text(" MHz,");
+        text.text(text_of(report_.clocks.source));
+        break;
+      case 4:
+        text.text("RESET:").text(text_of(report_.cause));
+        break;
+      case 5:
+        stack_row(text);
+        break;
+      case 6:
+        unique_id_row(text);
+        break;
+      default:
+        break;
+    }
+    return text.size();
+  }
+
+  [[nodiscard]] std::size_t describe_trouble(std::span<char> into) override {
+    TextRow text{into};
+    if (report_.cause == ResetCause::kFault) {
+      text.text("Restarted after a fault: ").text(text_of(report_.fault.fault));
+      text.text(" ").number(report_.fault.exception);
+      text.text(" at 0x").hexadecimal(report_.fault.place);
+    } else if (report_.cause == ResetCause::kWatchdog) {
+      text.text("Restarted by the watchdog");
+    } else if (report_.cause == ResetCause::kBrownOut) {
+      text.text("Restarted after the supply was too low");
+    } else if (report_.clocks.source == ClockSource::kSlow) {
+      text.text("The clock does not reach 168 MHz: nothing will move");
+    } else if (report_.clocks.source == ClockSource::kInternal) {
+      text.text("The crystal does not start: speeds are off by up to 1 %");
+    }
+    return text.size();
+  }
+
+  void enter_boot_loader() override { wants_boot_loader_ = true; }
+
+ private:
+  static constexpr const char* text_of(ClockSource source) {
+    switch (source) {
+      case ClockSource::kCrystal:
+        return "crystal";
+      case ClockSource::kInternal:
+        return "internal";
+      case ClockSource::kSlow:
+        break;
+    }
+    return "internal without PLL";
+  }
+  static constexpr const char* text_of(ResetCause cause) { return stm32f405::text_of(cause); }
+  static constexpr const char* text_of(Fault fault) { return stm32f405::text_of(fault); }
+
+  /// Bytes used at the most, of all.
+  void stack_row(TextRow& text) const {
+    const std::size_t used = report_.stack.size() - unused_words(report_.stack);
+    text.text("STACK:").number(static_cast<std::uint32_t>(4 * used));
+    text.text(",").number(static_cast<std::uint32_t>(4 * report_.stack.size()));
+  }
+
+  /// Other chips have it elsewhere, and reading nowhere is a fault.
+  static void unique_id_row(TextRow& text) {
+    constexpr std::array<Word, 3> kFamilies{0x413, 0x411, 0x419};  // RM0090, 38.6.1; ES0182, 2.1.2.
+    const Word code = Bus::read(kDeviceCode) & 0xFFFU;
+    text.text("UID:");
+    for (const Word family : kFamilies) {
+      if (code != family) continue;
+      for (Address word = 0; word < 3; ++word) text.hexadecimal(Bus::read(kUniqueId + 4 * word));
+      return;
+    }
+    text.text("unknown");
+  }
+
+  StartReport report_{};
+  bool wants_boot_loader_ = false;
+};
+
+}  // namespace hal::stm32f405

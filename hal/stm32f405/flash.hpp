@@ -1,0 +1,95 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "hal/interface/flash_sectors.hpp"
+#include "hal/stm32f405/board.hpp"
+#include "hal/stm32f405/watchdog.hpp"
+
+namespace hal::stm32f405 {
+
+/// The two sectors of the chip's flash that the board keeps for the store.
+///
+/// Both operations stop the core while they last, because it runs from the same
+/// flash: 16 to 100 us for a word, 1 to 2 s for a sector of 128 KiB. What
+/// arrives on the wire meanwhile is lost and marked as such.
+template <const Board& kBoard, RegisterBus Bus = MemoryBus>
+class Flash final : public FlashSectors {
+ public:
+  [[nodiscard]] std::size_t sector_count() const override { return kBoard.store_sectors.size(); }
+  [[nodiscard]] std::size_t words_per_sector() const override { return kWords; }
+
+  /// @pre the place exists; elsewhere it reads as erased.
+  [[nodiscard]] std::uint32_t read(std::size_t sector, std::size_t word) const override {
+    return exists(sector, word) ? Bus::read(address(sector, word)) : kErased;
+  }
+
+  [[nodiscard]] bool program(std::size_t sector, std::size_t word, std::uint32_t value) override {
+    if (!exists(sector, word) || !unlock()) return false;
+    Bus::write(flash::kControl, flash::kProgram | flash::kBy32);
+    Bus::write(address(sector, word), value);
+    const bool done = finish(kProgramLooks);
+    return done && Bus::read(address(sector, word)) == value;
+  }
+
+  [[nodiscard]] bool erase(std::size_t sector) override {
+    if (!exists(sector, 0) || !unlock()) return false;
+    Watchdog<Bus>::be_patient();
+    const Word what =
+        flash::kEraseSector | flash::kBy32 | flash::number_of_sector(kBoard.store_sectors[sector]);
+    Bus::write(flash::kControl, what);
+    Bus::write(flash::kControl, what | flash::kStart);
+    const bool done = finish(kEraseLooks);
+    forget_cache();
+    Watchdog<Bus>::be_strict();
+    return done && is_erased(sector);
+  }
+
+ private:
+  static_assert(CheckedBoard<kBoard>::kSerial.exists());
+  static constexpr std::size_t kWords = sector_bytes(kBoard.store_sectors[0]) / 4;
+  // A look takes some ten clocks of 168 MHz, when the flash lets the core run at all.
+  static constexpr std::uint32_t kProgramLooks = 100'000;
+  static constexpr std::uint32_t kEraseLooks = 100'000'000;
+
+  static bool exists(std::size_t sector, std::size_t word) {
+    return sector < kBoard.store_sectors.size() && word < kWords;
+  }
+  static Address address(std::size_t sector, std::size_t word) {
+    return flash::kMemory + sector_start(kBoard.store_sectors[sector]) +
+           4 * static_cast<Address>(word);
+  }
+
+  static bool unlock() noexcept {
+    Bus::write(flash::kKey, flash::kFirstKey);
+    Bus::write(flash::kKey, flash::kSecondKey);
+    Bus::write(flash::kStatus, flash::kErrors);
+    return (Bus::read(flash::kControl) & flash::kLock) == 0;
+  }
+
+  /// Waits, and locks the flash again whatever came of it.
+  static bool finish(std::uint32_t looks) noexcept {
+    const bool done = wait_for<Bus>(flash::kStatus, flash::kBusy, 0, looks);
+    const bool refused = (Bus::read(flash::kStatus) & flash::kErrors) != 0;
+    Bus::write(flash::kControl, flash::kLock);
+    return done && !refused;
+  }
+
+  /// The data cache still has what was erased (RM0090, 3.6.4).
+  static void forget_cache() noexcept {
+    clear<Bus>(flash::kAcr, flash::kDataCache);
+    set<Bus>(flash::kAcr, flash::kDataCacheReset);
+    clear<Bus>(flash::kAcr, flash::kDataCacheReset);
+    set<Bus>(flash::kAcr, flash::kDataCache);
+  }
+
+  static bool is_erased(std::size_t sector) noexcept {
+    for (std::size_t word = 0; word < kWords; ++word) {
+      if (Bus::read(address(sector, word)) != kErased) return false;
+    }
+    return true;
+  }
+};
+
+}  // namespace hal::stm32f405

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+/// Where the linker put things (toolchain/stm32f405.ld).
+extern "C" {
+extern std::byte image_begin[], image_end[];
+extern std::uint32_t stack_guard[], stack_bottom[], stack_top[];
+extern std::uint32_t data_begin[], data_end[], bss_begin[], bss_end[];
+extern std::uint32_t data_load[];
+using Routine = void (*)();
+extern Routine init_begin[], init_end[];
+}
+
+namespace hal::stm32f405 {
+
+/// The checksum that zip and PNG use: polynomial 0x04C11DB7, reflected.
+constexpr std::uint32_t crc32(std::span<const std::byte> bytes) {
+  std::uint32_t crc = 0xFFFF'FFFF;
+  for (const std::byte byte : bytes) {
+    crc ^= static_cast<std::uint32_t>(byte);
+    for (int i = 0; i < 8; ++i) crc = crc >> 1 ^ (0xEDB8'8320 & (0U - (crc & 1U)));
+  }
+  return ~crc;
+}
+
+/// The stack is full of these until it is used.
+inline constexpr std::uint32_t kPaint = 0xC0DE'5AFE;
+
+/// Words at the low end of a stack that nobody has used yet.
+constexpr std::size_t unused_words(std::span<const std::uint32_t> stack) {
+  std::size_t unused = 0;
+  while (unused < stack.size() && stack[unused] == kPaint) ++unused;
+  return unused;
+}
+
+}  // namespace hal::stm32f405

@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+
+#include "hal/stm32f405/board.hpp"
+
+namespace hal::stm32f405 {
+
+/// The pin of the beam, or of a spindle's speed: a duty cycle by a timer of its
+/// own. No duty is a pin that stays low, full duty one that stays high.
+template <const Board& kBoard, RegisterBus Bus>
+class PowerPin {
+ public:
+  /// Low, as a plain output. The first thing after reset, and the first after
+  /// any fault: needs no clocks, no memory and nothing that was set up before.
+  [[gnu::always_inline]] static void darken() noexcept {
+    darken(kBoard.power);
+    if constexpr (kBoard.spindle_enable.exists()) darken(kBoard.spindle_enable);
+  }
+
+  /// Once, with interrupts off; the duty is 0.
+  void set_up(const Clocks& clocks) noexcept {
+    set<Bus>(kChannel.clock(), kChannel.clock_bit());
+    period_ = (kChannel.fast() ? clocks.apb2_timers : clocks.apb1_timers) / kBoard.power_hz;
+    std::uint32_t divider = 1;
+    while (period_ / divider > kLongestPeriod) ++divider;
+    period_ /= divider;
+    const Address base = kChannel.timer;
+    Bus::write(base + timer::kPrescaler, divider - 1);
+    Bus::write(base + timer::kReload, period_ - 1);
+    Bus::write(base + compare(), 0);
+    modify<Bus>(base + timer::compare_mode(kChannel.channel),
+                Word{0xFF} << (8 * ((kChannel.channel - 1) % 2)),
+                timer::pwm_mode(kChannel.channel));
+    set<Bus>(base + timer::kCompareEnable, timer::output_on(kChannel.channel));
+    if constexpr (kChannel.fast()) Bus::write(base + timer::kBreak, timer::kMainOutput);
+    Bus::write(base + timer::kEvents, timer::kUpdate);
+    Bus::write(base + timer::kCr1, timer::kCounterOn | timer::kReloadPreload);
+    PinSetUp<Bus>::hand_over(kBoard.power, kChannel.function, false);
+  }
+
+  /// Any context. @param duty 65535 is full. It holds from the next period on;
+  /// darkness at once.
+  void set_duty(std::uint16_t duty) noexcept {
+    // 65535 becomes the whole period, which the counter never reaches: no gap.
+    const std::uint32_t high = (duty * period_ + kFull / 2) / kFull;
+    Bus::write(kChannel.timer + compare(), high);
+    if (duty == 0) Bus::write(kChannel.timer + timer::kEvents, timer::kUpdate);
+  }
+
+ private:
+  static constexpr PowerChannel kChannel = CheckedBoard<kBoard>::kPower;
+  static constexpr std::uint32_t kFull = 65535;
+  /// So that duty times period fits into 32 bits, and period and duty into 16.
+  static constexpr std::uint32_t kLongestPeriod = 65535;
+
+  static constexpr Address compare() { return timer::compare(kChannel.channel); }
+
+  [[gnu::always_inline]] static void darken(Pin pin) noexcept {
+    set<Bus>(rcc::kAhb1Enr, bit(pin.port));
+    static_cast<void>(Bus::read(rcc::kAhb1Enr));
+    Bus::write(gpio::set_reset(pin.port), pin.mask() << 16);
+    modify<Bus>(gpio::mode(pin.port), Word{3} << (2U * pin.number), Word{1} << (2U * pin.number));
+  }
+
+  std::uint32_t period_ = 0;
+};
+
+}  // namespace hal::stm32f405

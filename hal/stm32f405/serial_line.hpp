@@ -1,0 +1,116 @@
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "hal/interface/byte_stream.hpp"
+#include "hal/interface/spsc_ring.hpp"
+#include "hal/stm32f405/board.hpp"
+
+namespace hal::stm32f405 {
+
+/// The board's serial interface: an interrupt between the wire and two rings.
+///
+/// A byte that is damaged, or that nobody had room for, leaves kLostByte in its
+/// place: no line may contain it, so a line that was not received whole is
+/// refused instead of guessed at.
+template <const Board& kBoard, RegisterBus Bus = MemoryBus>
+class SerialLine final : public ByteStream {
+ public:
+  static constexpr std::byte kLostByte{0x7F};
+  /// What arrives in 88 ms at 115,200 baud: the longest that the main loop is away.
+  static constexpr std::uint32_t kReceiveBytes = 1024;
+  static constexpr std::uint32_t kSendBytes = 1024;
+  static constexpr unsigned kInterrupt = CheckedBoard<kBoard>::kSerial.interrupt;
+  static constexpr unsigned kPriority = 4;
+
+  /// Once, with interrupts off.
+  void set_up(const Clocks& clocks) noexcept {
+    set<Bus>(kPins.clock(), bit(kPins.clock_bit));
+    PinSetUp<Bus>::turn_port_on(kPins.transmit);
+    PinSetUp<Bus>::turn_port_on(kPins.receive);
+    PinSetUp<Bus>::hand_over(kPins.transmit, kPins.function, true);
+    PinSetUp<Bus>::hand_over(kPins.receive, kPins.function, true);
+    const std::uint32_t clock = kPins.fast() ? clocks.apb2 : clocks.apb1;
+    Bus::write(kPins.base + usart::kBaudRate, (clock + kBoard.baud / 2) / kBoard.baud);
+    Bus::write(kPins.base + usart::kCr1, kAtRest);
+    enable_interrupt<Bus>(kInterrupt, kPriority);
+  }
+
+  // Main loop.
+
+  [[nodiscard]] std::size_t read(std::span<std::byte> into) override {
+    std::size_t count = 0;
+    while (count < into.size() && received_.try_pop(into[count])) ++count;
+    return count;
+  }
+
+  [[nodiscard]] std::size_t write(std::span<const std::byte> from) override {
+    std::size_t count = 0;
+    while (count < from.size() && to_send_.try_push(from[count])) ++count;
+    if (count > 0) {
+      // The interrupt may be between the two; it then finds nothing to send and
+      // stops itself, and this asks for it once more.
+      Bus::write(kPins.base + usart::kCr1, kAtRest | usart::kRoomInterrupt);
+      pend_interrupt<Bus>(kInterrupt);
+    }
+    return count;
+  }
+
+  /// Everything that was written is on the wire.
+  [[nodiscard]] bool sent() const { return to_send_.size() == 0; }
+  [[nodiscard]] std::uint32_t lost_bytes() const { return lost_.load(std::memory_order_relaxed); }
+
+  // Its interrupt.
+
+  void on_interrupt() noexcept {
+    for (std::uint32_t byte = 0; byte < kMostAtOnce; ++byte) {
+      const Word status = Bus::read(kPins.base + usart::kStatus);
+      if ((status & (usart::kReceived | usart::kDamaged)) == 0) break;
+      // Reading the data after the status clears both flags.
+      const auto data = static_cast<std::byte>(Bus::read(kPins.base + usart::kData) & 0xFFU);
+      keep((status & usart::kDamaged) != 0 ? kLostByte : data, (status & usart::kDamaged) != 0);
+    }
+    send();
+  }
+
+ private:
+  static constexpr SerialPins kPins = CheckedBoard<kBoard>::kSerial;
+  static constexpr Word kAtRest =
+      usart::kOn | usart::kReceiver | usart::kTransmitter | usart::kReceivedInterrupt;
+  /// The hardware holds two; an emulator may hand over a file.
+  static constexpr std::uint32_t kMostAtOnce = 16;
+
+  void keep(std::byte byte, bool damaged) noexcept {
+    if (damaged) count_lost();
+    if (gap_) gap_ = !received_.try_push(kLostByte);
+    if (gap_ || !received_.try_push(byte)) {
+      gap_ = true;
+      count_lost();
+    }
+  }
+  void count_lost() noexcept {
+    lost_.store(lost_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+  }
+
+  void send() noexcept {
+    for (std::uint32_t sent = 0; sent < kSendBytes; ++sent) {
+      if ((Bus::read(kPins.base + usart::kStatus) & usart::kRoomToSend) == 0) return;
+      std::byte byte{};
+      if (!to_send_.try_pop(byte)) {
+        Bus::write(kPins.base + usart::kCr1, kAtRest);
+        return;
+      }
+      Bus::write(kPins.base + usart::kData, static_cast<Word>(byte));
+    }
+  }
+
+  SpscRing<std::byte, kReceiveBytes> received_{};
+  SpscRing<std::byte, kSendBytes> to_send_{};
+  std::atomic<std::uint32_t> lost_{0};
+  bool gap_ = false;  ///< A byte found no room, and its place is not marked yet.
+};
+
+}  // namespace hal::stm32f405

@@ -1,0 +1,94 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "hal/interface/tick_count.hpp"
+#include "hal/stm32f405/clock.hpp"
+
+namespace hal::stm32f405 {
+
+/// The step clock: TIM2 counts ticks of 250 ns for ever, and its compare value
+/// is when the step interrupt comes. Each due time follows from the one
+/// before, so a late interrupt delays nothing but itself.
+///
+/// The way to an edge takes time, most of a microsecond or several. What is
+/// waited after an edge counts from the edge: a pulse is never shorter than it
+/// is meant to be, nor is a direction's set-up time.
+///
+/// Also at rest it interrupts, every 10 ms, to show that it would.
+template <RegisterBus Bus>
+class StepTimer {
+ public:
+  static constexpr std::uint32_t kTicksPerSecond = 4'000'000;
+  static constexpr std::uint32_t kRestTicks = kTicksPerSecond / 100;
+  static constexpr unsigned kPriority = 0;
+
+  /// Once, with interrupts off.
+  static void set_up(const Clocks& clocks) noexcept {
+    set<Bus>(rcc::kApb1Enr, bit(0));
+    Bus::write(timer::kTim2 + timer::kPrescaler, clocks.apb1_timers / kTicksPerSecond - 1);
+    Bus::write(timer::kTim2 + timer::kReload, 0xFFFF'FFFF);
+    Bus::write(timer::kTim2 + timer::kEvents, timer::kUpdate);  // Takes the prescaler over.
+    Bus::write(timer::kTim2 + timer::compare(1), kRestTicks);
+    Bus::write(timer::kTim2 + timer::kStatus, 0);
+    Bus::write(timer::kTim2 + timer::kInterrupts, timer::kCompare1);
+    Bus::write(timer::kTim2 + timer::kCr1, timer::kCounterOn);
+    enable_interrupt<Bus>(interrupt::kTim2, kPriority);
+  }
+
+  /// Main loop: the first interrupt at once.
+  void start() noexcept {
+    wanted_.store(true, std::memory_order_release);
+    pend_interrupt<Bus>(interrupt::kTim2);
+  }
+
+  /// The interrupt. `play` is the step generator's part: it returns the ticks
+  /// until it wants to come again, 0 for not at all.
+  template <typename Play>
+  void on_interrupt(const Play& play) noexcept {
+    Bus::write(timer::kTim2 + timer::kStatus, ~timer::kCompare1);
+    alive_.store(true, std::memory_order_relaxed);
+    if (wanted_.exchange(false)) {
+      running_ = true;
+      due_ = now();
+      comes_ = due_;
+    }
+    if (!now().reached(comes_)) return;  // Asked for, and then the time came as well.
+    edge_made_ = false;
+    std::uint32_t wait = running_ ? play() : 0;
+    running_ = wait != 0;
+    if (!running_) {
+      due_ = now();
+      wait = kRestTicks;
+    }
+    due_ = due_.plus(wait);
+    const TickCount after_edge = edge_.plus(wait + 1);  // The tick of the edge was not a whole one.
+    comes_ = edge_made_ && after_edge.reached(due_) ? after_edge : due_;
+    Bus::write(timer::kTim2 + timer::compare(1), comes_.raw());
+    // The compare value meets a counter that is on its way, never one that is past.
+    if (now().reached(comes_)) pend_interrupt<Bus>(interrupt::kTim2);
+  }
+
+  /// Step interrupt, after pins have changed in `play`.
+  void note_edge() noexcept {
+    edge_ = now();
+    edge_made_ = true;
+  }
+
+  /// Main loop: whether there was an interrupt since the last call.
+  [[nodiscard]] bool take_alive() noexcept { return alive_.exchange(false); }
+
+ private:
+  static TickCount now() noexcept { return TickCount{Bus::read(timer::kTim2 + timer::kCounter)}; }
+
+  std::atomic<bool> wanted_{false};
+  std::atomic<bool> alive_{false};
+  bool running_ = false;
+  bool edge_made_ = false;
+  TickCount edge_{};
+  TickCount due_{kRestTicks};    ///< By the times that `play` asked for.
+  TickCount comes_{kRestTicks};  ///< That, or later for the sake of an edge.
+};
+
+}  // namespace hal::stm32f405

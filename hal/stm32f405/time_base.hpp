@@ -1,0 +1,49 @@
+#pragma once
+
+#include <atomic>
+#include <cstdint>
+
+#include "hal/interface/tick_count.hpp"
+#include "hal/stm32f405/clock.hpp"
+
+namespace hal::stm32f405 {
+
+/// Time for the main loop: microseconds since start-up, from the core's timer,
+/// which interrupts every millisecond.
+template <RegisterBus Bus = MemoryBus>
+class TimeBase {
+ public:
+  static constexpr Word kLowestPriority = 0xF0;
+
+  /// Once, with interrupts off.
+  void set_up(const Clocks& clocks) noexcept {
+    clocks_per_us_ = clocks.core / 1'000'000;
+    modify<Bus>(core::kTickPriority, Word{0xFF} << 24, kLowestPriority << 24);
+    Bus::write(core::kTickReload, 1000 * clocks_per_us_ - 1);
+    Bus::write(core::kTickValue, 0);
+    Bus::write(core::kTickControl, core::kTickOn);
+  }
+
+  /// The interrupt of the core's timer.
+  void on_interrupt() noexcept {
+    milliseconds_.store(milliseconds_.load(std::memory_order_relaxed) + 1,
+                        std::memory_order_relaxed);
+  }
+
+  /// Microseconds; wraps. Main loop, never backwards.
+  [[nodiscard]] TickCount now() const noexcept {
+    std::uint32_t before = milliseconds_.load(std::memory_order_relaxed);
+    for (;;) {  // Goes round again at most once a millisecond.
+      const std::uint32_t left = Bus::read(core::kTickValue) / clocks_per_us_;
+      const std::uint32_t after = milliseconds_.load(std::memory_order_relaxed);
+      if (before == after) return TickCount{1000 * before + 999 - left};
+      before = after;
+    }
+  }
+
+ private:
+  std::atomic<std::uint32_t> milliseconds_{0};
+  std::uint32_t clocks_per_us_ = 16;
+};
+
+}  // namespace hal::stm32f405

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "hal/stm32f405/board.hpp"
+
+namespace hal::stm32f405 {
+
+/// The chip's registers on a desk: plain cells, and behind a few of them what
+/// the reference manual says they do. One at a time; `start_anew` before use.
+struct ChipModel {
+  // What the test decides.
+  bool crystal_starts = true;
+  bool pll_locks = true;
+  bool flash_refuses = false;
+  std::uint32_t flash_weak_bits = 0;  ///< Bits that programming does not clear.
+
+  // What it sees.
+  std::map<Address, Word> cells;
+  std::vector<std::pair<Address, Word>> writes;
+  std::uint64_t reads = 0;
+  std::map<unsigned, Word> pins_driven_high;      ///< By port: what stands in the output register.
+  std::vector<unsigned> pended;                   ///< Interrupts asked for by number.
+  std::vector<Word> sent;                         ///< Data that went out on a serial interface.
+  std::vector<std::pair<Word, Word>> to_receive;  ///< Status and data of each byte to come.
+  std::map<Address, Word> flash_words;
+  unsigned flash_keys = 0;
+  bool flash_locked = true;
+
+  [[nodiscard]] bool is_high(Pin pin) { return (pins_driven_high[pin.port] & pin.mask()) != 0; }
+  [[nodiscard]] Word mode_of(Pin pin) {
+    return cells[gpio::mode(pin.port)] >> (2U * pin.number) & 3U;
+  }
+  /// What an input pin reads.
+  void feed(Pin pin, bool high) {
+    Word& levels = cells[gpio::input(pin.port)];
+    levels = high ? levels | pin.mask() : levels & ~pin.mask();
+  }
+  [[nodiscard]] std::size_t writes_to(Address address) const {
+    std::size_t count = 0;
+    for (const auto& [place, value] : writes) count += place == address ? 1 : 0;
+    return count;
+  }
+
+  Word read(Address address);
+  void write(Address address, Word value);
+
+ private:
+  void write_flash_control(Word value);
+  [[nodiscard]] bool is_flash(Address address) const {
+    return address >= flash::kMemory && address < flash::kMemory + 1024 * 1024;
+  }
+};
+
+/// The bus to the one model there is.
+struct ModelBus {
+  static ChipModel& chip() {
+    static ChipModel model;
+    return model;
+  }
+  /// Power on: all inputs high by their pull-ups.
+  static ChipModel& start_anew() {
+    chip() = {};
+    for (unsigned port = 0; port < gpio::kPorts; ++port) chip().cells[gpio::input(port)] = 0xFFFF;
+    return chip();
+  }
+  static Word read(Address address) noexcept { return chip().read(address); }
+  static void write(Address address, Word value) noexcept { chip().write(address, value); }
+};
+
+}  // namespace hal::stm32f405

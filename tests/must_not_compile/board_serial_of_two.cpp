@@ -1,0 +1,15 @@
+// EXPECT: these two pins are no serial interface
+#include "hal/stm32f405/boards/generic.hpp"
+
+namespace {
+
+constexpr hal::stm32f405::Board faulty() {
+  hal::stm32f405::Board board = hal::stm32f405::kGeneric;
+  board.receive = hal::stm32f405::pa(3);
+  return board;
+}
+constexpr hal::stm32f405::Board kFaulty = faulty();
+
+}  // namespace
+
+template struct hal::stm32f405::CheckedBoard<kFaulty>;

@@ -1,0 +1,134 @@
+"""Plants what must not be in an image, one at a time: the linker's assertions and image_stack.py
+have to find each."""
+import contextlib
+import io
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+from unittest import mock
+
+import image_stack
+from source_files import ROOT
+
+COMPILER = "arm-none-eabi-g++"
+SCRIPT = ROOT / "toolchain/stm32f405.ld"
+FLAGS = """-std=c++20 -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -O2 -fno-exceptions
+    -fno-rtti -fno-use-cxa-atexit -fno-unwind-tables -fno-asynchronous-unwind-tables -nostartfiles
+    --specs=nano.specs --specs=nosys.specs -Wl,--gc-sections""".split()
+PLACES = {"application_begin": 0x08000000, "application_end": 0x08100000, "stack_bytes": 8192}
+
+PROGRAM = """
+#include <cstddef>
+volatile int sink;
+[[gnu::noipa]] int planted(int);
+extern "C" {
+[[gnu::noipa]] void start_up() { sink = planted(sink); }
+void reset_entry() { start_up(); }
+void step_interrupt() { sink = 1; }
+void supply_interrupt() { sink = 2; }
+void line_interrupt() { sink = 3; }
+void clock_interrupt() { sink = 4; }
+[[gnu::section(".vectors"), gnu::used]] void (*const vectors[])() = {
+    reset_entry, step_interrupt, supply_interrupt, line_interrupt, clock_interrupt};
+}
+"""
+RIGHT = "int planted(int n) { return n + 1; }"
+
+# what the linker says: a source
+LINKER = {
+    "a heap": "#include <cstdlib>\nint planted(int n) { return std::malloc(n) != nullptr; }",
+    "a heap: new": "int* p;\nint planted(int n) { p = new int{n}; return *p; }",
+    "printf": "#include <cstdio>\nint planted(int n) { char t[9]; return std::snprintf(t, 9, \"%d\", n) + t[0]; }",
+    "double arithmetic": "int planted(int n) { double d = n; return d * d * 1.1 > 2.0; }",
+    "an end of the program": "#include <cstdlib>\nint planted(int n) { if (n > 3) std::abort(); return n; }",
+    "more than 96 KiB of static RAM": "char big[97 * 1024];\nint planted(int n) { big[n] = 1; return big[n + 1]; }",
+    "the image has more than 256 KiB":
+        "const int big[66000] = {1, 2};\nint planted(int n) { return const_cast<const volatile int*>(big)[n]; }",
+    "exceptions": "extern \"C\" void __cxa_throw() { asm volatile(\"\"); }\n"
+                  "int planted(int n) { __cxa_throw(); return n; }",
+}
+# what image_stack.py says: a source
+STACK = {
+    "the main loop may need": "int g(char*);\nint planted(int) { char t[5000]; return g(t); }\n"
+                              "[[gnu::noipa]] int g(char* t) { return *t; }",
+    "recursion: again > again": "[[gnu::noipa]] int again(int n) { return n ? again(n - 1) * 3 + again(n - 2) : 1; }\n"
+                          "int planted(int n) { return again(n); }",
+    "recursion: other > planted > other":
+                          "[[gnu::noipa]] int planted(int n);\n"
+                          "[[gnu::noipa]] int other(int n) { return planted(n - 1) + 1; }\n"
+                          "int planted(int n) { return n ? other(n) * 3 : n; }",
+    "size known only at run time": "[[gnu::noipa]] int g(void* t) { return *(char*)t; }\n"
+                                   "int planted(int n) { return g(__builtin_alloca(n)) + n; }",
+    "its address is taken: free_function": "[[gnu::noipa]] int free_function(int n) { return n; }\n"
+        "int (*volatile way)(int) = free_function;\nint planted(int n) { return way(n) + 1; }",
+    "step_interrupt may need": "int planted(int n) { return n; }\n",
+    "bytes may be needed, and the stack has": "[[gnu::noipa]] int g(char* t) { return *t; }\n"
+        "int planted(int) { char t[3900]; return g(t); }",
+}
+
+
+def link(folder: pathlib.Path, source: str, **places: int) -> tuple:
+    """(path of the image, what the linker said)."""
+    (folder / "a.cpp").write_text(PROGRAM + source, encoding="utf-8")
+    elf = folder / "a.elf"
+    symbols = [f"-Wl,--defsym={name}={place}" for name, place in {**PLACES, **places}.items()]
+    run = subprocess.run([COMPILER, *FLAGS, *symbols, f"-T{SCRIPT}", "-o", elf, folder / "a.cpp"],
+                         capture_output=True, text=True, check=False)
+    return elf, run.stderr
+
+
+class ImageGates(unittest.TestCase):
+    def setUp(self):
+        self.addCleanup((folder := tempfile.TemporaryDirectory()).cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def stack_of(self, source: str, *options: str, **places: int) -> str:
+        elf, said = link(self.folder, source, **places)
+        self.assertTrue(elf.exists(), said)
+        output = io.StringIO()
+        with contextlib.redirect_stdout(output), mock.patch.object(sys, "argv", ["", str(elf), *options]):
+            status = image_stack.main()
+        self.assertEqual("stack: clean" not in output.getvalue(), bool(status))
+        return output.getvalue()
+
+    def test_a_right_image_links_and_is_clean(self):
+        elf, said = link(self.folder, RIGHT)
+        self.assertTrue(elf.exists(), said)
+        self.assertIn("stack: clean", self.stack_of(RIGHT))
+
+    def test_the_linker_refuses_each(self):
+        for expected, source in LINKER.items():
+            with self.subTest(expected):
+                elf, said = link(self.folder, source)
+                self.assertIn(expected, said)
+                self.assertFalse(elf.exists())
+
+    def test_each_use_of_the_stack_is_found(self):
+        for expected, source in STACK.items():
+            with self.subTest(expected):
+                options = ["--interrupt", "100"] if "step_interrupt" in expected else []
+                stack = 4096 if "at once" in expected or "stack has" in expected else 8192
+                self.assertIn(expected, self.stack_of(source, *options, stack_bytes=stack))
+
+    def test_a_virtual_call_counts_as_its_deepest_function(self):
+        source = """
+struct A { virtual int small() = 0; };
+[[gnu::noipa]] int g(char* t) { return *t; }
+struct B final : A { int small() override { char t[1000]; return g(t); } };
+B b;
+A* volatile a = &b;
+int planted(int) { return a->small(); }
+void* __dso_handle;
+"""
+        said = self.stack_of(source)
+        self.assertGreater(int(said.split()[0]), 1000)
+
+
+if __name__ == "__main__":
+    if not shutil.which(COMPILER):
+        print("skipped: no", COMPILER)
+        sys.exit(77)
+    unittest.main()

@@ -1,0 +1,135 @@
+#!/usr/bin/env python3
+"""The controller's own image, unchanged, in the emulator: it boots, talks, and ends well.
+
+    controller.py build/cortex-m4f/images/kerfline_generic.elf
+
+The emulator has no clock but the slowest and its switches all read as closed: the image has to say
+so, to refuse motion, and otherwise to be what it is. Ends with 77 (skipped) where the image or the
+emulator is missing.
+"""
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+import zlib
+
+import emulator
+
+IMAGE = pathlib.Path()
+BANNER = r"Grbl 1\.1h \['\$' for help\]\r\n"
+SCRATCH = 0x20001000  # Within the stack, far from both ends.
+# Generic board: power PA8, spindle enable PB1.
+DARK = [("A", emulator.SET_RESET, 1 << 24), ("B", emulator.SET_RESET, 1 << 17)]
+
+
+def symbol(name: str) -> int:
+    listing = subprocess.run(["arm-none-eabi-nm", IMAGE], capture_output=True, text=True, check=True)
+    return int(re.search(rf"^(\w+) \w {name}$", listing.stdout, re.MULTILINE)[1], 16)
+
+
+class ControllerTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        self.chip = emulator.Emulator(IMAGE, pathlib.Path(self.folder.name))
+        self.addCleanup(self.chip.__exit__)
+        self.greeting = self.chip.hear(r"\[MSG:Reset to continue\]\r\n")
+
+    def ask(self, line: str) -> str:
+        """The whole answer to a line."""
+        self.chip.say(line + "\n")
+        return self.chip.hear(r"(^|\n)(ok|error:\d+)\r\n")
+
+    def test_says_what_it_is_and_what_is_wrong(self):
+        self.assertRegex(self.greeting, "^" + BANNER)
+        self.assertIn("[MSG:The clock does not reach 168 MHz: nothing will move]", self.greeting)
+        self.assertIn("ALARM:24", self.greeting)
+        told = self.ask("$I+")
+        self.assertIn("[FIRMWARE:Kerfline]", told)
+        self.assertIn("[BOARD:Generic F405/F407]", told)
+        binary = IMAGE.with_suffix(".bin").read_bytes()
+        self.assertIn(f"[IMAGE:{zlib.crc32(binary):08x},{len(binary)}]", told)
+        self.assertRegex(told, r"\[CLOCK:16 MHz,internal without PLL\]")
+        used, size = map(int, re.search(r"\[STACK:(\d+),(\d+)\]", told).groups())
+        self.assertTrue(500 < used < size, (used, size))
+
+    def test_answers_as_grbl(self):
+        self.chip.say("?")
+        self.assertRegex(self.chip.hear(r">\r\n"), r"<Alarm\|MPos:0\.000,0\.000,0\.000\|.*>")
+        settings = self.ask("$$")
+        self.assertIn("$110=12000.000\r\n", settings)
+        self.assertGreater(settings.count("\n"), 100)
+        self.assertTrue(self.ask("$J=G91X1F100").endswith("error:9\r\n"))
+        self.assertTrue(self.ask("G1X1F100").endswith("error:9\r\n"))
+        self.assertTrue(self.ask("$110=x").endswith("error:3\r\n"))
+
+    def test_keeps_settings_over_a_reset(self):
+        self.assertTrue(self.ask("$110=5000").endswith("ok\r\n"))
+        self.chip.say("\x18")
+        self.chip.hear(BANNER)
+        self.assertIn("$110=5000.000", self.ask("$110"))
+
+    def test_a_burst_loses_no_line(self):
+        lines = 300
+        self.chip.say("".join(f"({number})\n" for number in range(lines)))
+        for _ in range(lines):
+            self.assertTrue(self.chip.hear(r"(ok|error:\d+)\r\n").endswith("ok\r\n"))
+
+    def test_a_line_that_was_not_received_whole_is_refused(self):
+        self.assertTrue(self.ask("$110=50\x7f00").endswith("error:3\r\n"))
+
+    def restart_after(self, plant) -> str:
+        """What is said first after that; the beam must have been dark before anything else."""
+        before = len(emulator.pin_writes(self.chip.log()))
+        with self.chip.debugger() as debugger:
+            plant(debugger)
+        said = self.chip.hear(BANNER) + self.chip.hear(r"\[MSG:[^\]]*\]\r\n")
+        writes = emulator.pin_writes(self.chip.log())[before:]
+        levels = [write for write in writes if write[1] == emulator.SET_RESET]
+        self.assertEqual(DARK, levels[:2], "dark first")
+        self.assertEqual(DARK, levels[2:4], "and dark again when it has restarted")
+        return said
+
+    def test_a_wrong_address_darkens_and_is_told(self):
+        said = self.restart_after(lambda debugger: debugger.set_register(emulator.PC, 0x60000000))
+        self.assertRegex(said, r"Restarted after a fault: exception [35] at 0x60000000")
+
+    def test_a_stack_that_runs_over_darkens_and_is_told(self):
+        def plant(debugger):
+            debugger.set_register(emulator.SP, symbol("stack_bottom") + 8)
+            debugger.set_register(emulator.PC, symbol("_ZN3cnc12LineProtocol4pollEN3hal9TickCountE"))
+        said = self.restart_after(plant)
+        self.assertIn("Restarted after a fault: stack overflow", said)
+
+    def test_a_failing_supply_darkens_and_is_told(self):
+        pend, scratch = 0xE000E200, SCRATCH
+        said = self.restart_after(lambda debugger: debugger.store(pend, 1 << 1, scratch))
+        self.assertIn("Restarted after a fault: supply too low", said)
+
+    def test_a_broken_contract_darkens_and_is_told(self):
+        broken = symbol("_ZN3cnc15contract_failedEPKcS1_i")
+        said = self.restart_after(lambda debugger: debugger.set_register(emulator.PC, broken))
+        self.assertIn("Restarted after a fault: broken contract", said)
+
+    def test_an_interrupt_that_nobody_expects_darkens_and_is_told(self):
+        # A system call, which this program has none of: pended through ICSR like the others.
+        pend_system_call, scratch = 0xE000ED04, SCRATCH
+        said = self.restart_after(
+            lambda debugger: debugger.store(pend_system_call, 1 << 28, scratch))
+        self.assertIn(f"exception 14 at 0x{scratch + 2:08x}", said)
+
+    def test_the_way_into_the_boot_loader_is_taken(self):
+        # It has none here: the address where ST's would be is nowhere, which is a fault.
+        self.assertIn("[MSG:Leaving for the boot loader]", self.ask("$DFU"))
+        self.chip.hear(BANNER)
+        said = self.chip.hear(r"\[MSG:[^\]]*\]")
+        self.assertRegex(said, r"Restarted after a fault: exception [35] at 0x08")
+
+
+if __name__ == "__main__":
+    if emulator.missing(sys.argv[1]):
+        sys.exit(emulator.SKIPPED)
+    IMAGE = pathlib.Path(sys.argv.pop(1))
+    unittest.main()

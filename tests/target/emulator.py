@@ -1,0 +1,136 @@
+"""An image in the emulated STM32F405, with its serial line and, on request, a debugger's access.
+
+The emulator has core, memory and serial lines of the chip; clocks, pins and most timers are holes
+that read as 0 and log what is written to them.
+"""
+import pathlib
+import re
+import select
+import shutil
+import socket
+import struct
+import subprocess
+import time
+
+EMULATOR = "qemu-system-arm"
+SKIPPED = 77
+FLASH = 0x08000000
+GPIO_WRITE = re.compile(r"GPIO([A-I]): unimplemented device write .*offset 0x(\w+), value 0x(\w+)\)")
+SET_RESET = 0x18
+PC, SP = 15, 13  # Registers as the debugger numbers them.
+
+
+def missing(*images: str) -> bool:
+    """Tells, and returns true, when there is nothing to run or nothing to run it in."""
+    if all(pathlib.Path(image).exists() for image in images) and shutil.which(EMULATOR):
+        return False
+    print(f"skipped: needs {EMULATOR} and {' '.join(images)} (preset cortex-m4f)")
+    return True
+
+
+def pin_writes(log: str) -> list:
+    """(port, offset of the register, value) of each write to a pin's registers, in order."""
+    return [(found[1], int(found[2], 16), int(found[3], 16)) for found in GPIO_WRITE.finditer(log)]
+
+
+def command(image: pathlib.Path, folder: pathlib.Path) -> list:
+    """The emulator on this image. Where the image is behind a boot loader, in place of that the two
+    words by which the core finds it, from a file in the folder."""
+    words = [EMULATOR, "-M", "netduinoplus2", "-display", "none", "-monitor", "none",
+             "-kernel", str(image)]
+    where = subprocess.run(["arm-none-eabi-nm", image], capture_output=True, text=True, check=True)
+    begin = int(re.search(r"(\w+) \w image_begin", where.stdout)[1], 16)
+    if begin != FLASH:
+        loader = folder / "loader.bin"
+        loader.write_bytes(image.with_suffix(".bin").read_bytes()[:8])
+        words += ["-device", f"loader,file={loader},addr=0x{FLASH:x},force-raw=on"]
+    return words
+
+
+class Emulator:
+    """A running image; use it in a with statement."""
+
+    def __init__(self, image: pathlib.Path, folder: pathlib.Path):
+        self.log_path = folder / "emulator.log"
+        self.socket_path = folder / "debugger"
+        words = [*command(image, folder), "-serial", "stdio", "-d", "unimp", "-D", str(self.log_path),
+                 "-gdb", f"unix:{self.socket_path},server=on,wait=off"]
+        self.process = subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
+        self.heard = b""
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        self.process.kill()
+        self.process.wait()
+        self.process.stdin.close()
+        self.process.stdout.close()
+
+    def say(self, text: str):
+        self.process.stdin.write(text.encode("latin-1"))
+        self.process.stdin.flush()
+
+    def hear(self, pattern: str, seconds: float = 20.0) -> str:
+        """What is said up to and with a match of the pattern; what comes after it stays unheard."""
+        end = time.monotonic() + seconds
+        while True:
+            if found := re.search(pattern.encode(), self.heard):
+                text, self.heard = self.heard[:found.end()], self.heard[found.end():]
+                return text.decode("latin-1")
+            readable, _, _ = select.select([self.process.stdout], [], [], end - time.monotonic())
+            if not readable:
+                raise AssertionError(f"no {pattern!r} in {seconds} s, but {self.heard!r}")
+            self.heard += self.process.stdout.read1(65536)
+
+    def log(self) -> str:
+        return self.log_path.read_text(encoding="ascii", errors="replace")
+
+    def debugger(self) -> "Debugger":
+        return Debugger(self.socket_path)
+
+
+class Debugger:
+    """As much of the remote serial protocol as changes a register or a word. The core stands still
+    from the beginning of the with statement to its end."""
+
+    def __init__(self, path: pathlib.Path):
+        self.socket = socket.socket(socket.AF_UNIX)
+        self.socket.settimeout(10)
+        self.socket.connect(str(path))
+
+    def __enter__(self):
+        self._ask("?")
+        # The emulator lets registers be written by those only who have asked what there are.
+        self._ask("qXfer:features:read:target.xml:0,ffb")
+        return self
+
+    def __exit__(self, *_):
+        self._send("D")
+        self.socket.recv(64)
+        self.socket.close()
+
+    def set_register(self, number: int, value: int):
+        assert "OK" in self._ask(f"P{number:x}={struct.pack('<I', value).hex()}")
+
+    def set_word(self, address: int, value: int):
+        assert "OK" in self._ask(f"M{address:x},4:{struct.pack('<I', value).hex()}")
+
+    def store(self, address: int, value: int, scratch: int):
+        """Lets the core itself store a word, and then stand: devices take no word from a debugger.
+        `scratch` is a place in RAM for these two instructions."""
+        self.set_word(scratch, 0xE7FE6001)  # str r1, [r0]; b .
+        self.set_register(0, address)
+        self.set_register(1, value)
+        self.set_register(PC, scratch)
+
+    def _send(self, packet: str):
+        self.socket.sendall(f"${packet}#{sum(packet.encode()) % 256:02x}".encode())
+
+    def _ask(self, packet: str) -> str:
+        self._send(packet)
+        reply = b""
+        while not re.search(rb"\$[^#]*#..", reply):
+            reply += self.socket.recv(4096)
+        self.socket.sendall(b"+")
+        return reply.decode("ascii", errors="replace")
