@@ -119,9 +119,7 @@ class Machine {
   /// Nothing to do and nothing moving.
   [[nodiscard]] bool idle() const;
   /// A spindle turns; or a beam is on that does not go with the motion, and so off at rest.
-  [[nodiscard]] bool tool_runs() const {
-    return spindle() != gcode::SpindleMode::kOff && !tool_.is_laser();
-  }
+  [[nodiscard]] bool tool_runs() const;
   /// Without their bounce.
   [[nodiscard]] const hal::InputState& inputs() const { return inputs_.settled(); }
   /// Axes whose machine coordinates are known, bit i for axis i.

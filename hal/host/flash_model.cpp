@@ -1,5 +1,6 @@
 #include "hal/host/flash_model.hpp"
 
+#include <array>
 #include <random>
 #include <stdexcept>
 
@@ -14,6 +15,8 @@ std::uint32_t coins(std::uint64_t seed) {
   return static_cast<std::uint32_t>((seed ^ (seed >> 31)) >> 16);
 }
 
+constexpr unsigned kMoods = 5;
+
 /// Which of the bits that were to change have changed, and which are in between.
 struct Tear {
   std::uint32_t changed;
@@ -23,13 +26,15 @@ struct Tear {
 /// Cuts come early, late and in the middle: few bits changed, most of them, or half.
 Tear tear(std::mt19937_64& random, CutKind kind, unsigned mood) {
   const auto word = [&random] { return static_cast<std::uint32_t>(random()); };
-  const auto few = [&word] { return word() & word() & word() & word(); };
-  const std::uint32_t most[] = {few(), ~few(), word(), few(), ~0U};
-  const std::uint32_t between[] = {few(), few(), word(), ~0U, few()};
+  const auto few = [&word] {
+    std::uint32_t bits = word();
+    for (int i = 0; i < 3; ++i) bits &= word();
+    return bits;
+  };
+  const std::array<std::uint32_t, kMoods> most{few(), ~few(), word(), few(), ~0U};
+  const std::array<std::uint32_t, kMoods> between{few(), few(), word(), ~0U, few()};
   return {.changed = most[mood], .unsteady = kind == CutKind::kMarginal ? between[mood] : 0U};
 }
-
-constexpr unsigned kMoods = 5;
 
 }  // namespace
 
