@@ -118,6 +118,8 @@ class Machine {
   [[nodiscard]] Alarm alarm() const { return alarm_; }
   /// Nothing to do and nothing moving.
   [[nodiscard]] bool idle() const;
+  /// A spindle turns; or a beam is on that does not go with the motion, and so off at rest.
+  [[nodiscard]] bool tool_runs() const;
   /// Without their bounce.
   [[nodiscard]] const hal::InputState& inputs() const { return inputs_.settled(); }
   /// Axes whose machine coordinates are known, bit i for axis i.

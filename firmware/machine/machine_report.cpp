@@ -31,6 +31,10 @@ MachineStatus Machine::status() const {
 
 float Machine::feed_now_mm_min() const { return kSecondsPerMinute * motion_.speed(); }
 
+bool Machine::tool_runs() const {
+  return spindle() != gcode::SpindleMode::kOff && !tool_.is_laser();
+}
+
 float Machine::spindle_now() const {
   const float duty = static_cast<float>(drive_.power()) / motion::kFullOutput;
   return limits_.beam.table.share_of(duty) * tool_.most_speed();

@@ -103,10 +103,12 @@ void LineProtocol::run_startup_line() {
 }
 
 /// G10, G28.1 and G30.1 change places while a program runs; they are kept as
-/// soon as nothing moves.
+/// soon as nothing moves and beam and spindle are off: flash stops the processor for
+/// longer than a fault may leave them on.
 void LineProtocol::save_places() {
   const gcode::StoredPlaces& places = machine_.interpreter().places();
-  if (!machine_.idle() || saving_failed_ || stored_.has_saved(places)) return;
+  if (!machine_.idle() || machine_.tool_runs() || saving_failed_ || stored_.has_saved(places))
+    return;
   if (stored_.save_places(places)) return;
   saving_failed_ = true;
   message("The store cannot keep the offsets");

@@ -153,6 +153,13 @@ bool Listing::info_row(Reply& reply, const ReportForm& form) {
     case 4:
       reply.text("[FIRMWARE:").text(identity::kFirmware).letter(']').end();
       return true;
+    case 5:
+      if (extended) {
+        const hal::StoreWear wear = stored_.wear();
+        reply.text("[STORE WEAR:").number(wear.erases).letter(',');
+        reply.number(wear.bytes_to_next_erase).letter(']').end();
+      }
+      return extended;
     default:
       return extended && board_row(reply, row_ - 5);
   }

@@ -74,6 +74,11 @@ void LineProtocol::take_statement(std::string_view line) {
   }
   // The rest stores something, or takes the machine away from all else.
   if (!rests()) return refuse(error_number::kNotIdle);
+  const bool stores =
+      statement->kind != StatementKind::kHome && statement->kind != StatementKind::kSleep;
+  if (stores && machine_.tool_runs()) {
+    return refuse(error_number::kNotIdle, 0, "only possible while beam and spindle are off");
+  }
   take_command(*statement);
 }
 
@@ -221,16 +226,21 @@ void LineProtocol::restore(const Statement& statement) {
   beginning_ = true;
 }
 
-/// As in Grbl the line is done once, which shows whether it can be.
+/// As in Grbl the line is done once, which shows whether it can be. It is stored before that,
+/// because storing must not wait for what it moves or switches on.
 void LineProtocol::set_startup_line(const Statement& statement) {
   if (machine_.locked()) return refuse(error_number::kLocked);
   if (statement.text.size() > StoredText::kLongest) return refuse(error_number::kTextTooLong);
-  const gcode::Refusal refusal = machine_.accept(statement.text);
-  if (refusal) return refuse(*refusal, statement.column);
+  const StoredText before = stored_.load_startup_line(statement.number);
   if (!stored_.save_startup_line(statement.number, statement.text)) {
     return refuse(error_number::kStoreFailed);
   }
-  acknowledge();
+  const gcode::Refusal refusal = machine_.accept(statement.text);
+  if (!refusal) return acknowledge();
+  if (!stored_.save_startup_line(statement.number, before.view())) {
+    return refuse(error_number::kStoreFailed);
+  }
+  refuse(*refusal, statement.column);
 }
 
 void LineProtocol::set_power_table(const Statement& statement) {

@@ -43,6 +43,7 @@ class StoredState {
   [[nodiscard]] motion::PowerTable load_power_table();
   [[nodiscard]] bool save_power_table(const motion::PowerTable& table);
 
+  [[nodiscard]] hal::StoreWear wear() const { return store_.wear(); }
   /// True once after a record was damaged and its delivered value taken instead.
   [[nodiscard]] bool take_damage();
 

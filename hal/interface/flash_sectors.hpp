@@ -21,7 +21,8 @@ class FlashSectors {
   [[nodiscard]] virtual std::size_t words_per_sector() const = 0;
   [[nodiscard]] virtual std::uint32_t read(std::size_t sector, std::size_t word) const = 0;
   /// Clears the bits that are zero in `value`; false when the flash refused or
-  /// the word reads otherwise afterwards.
+  /// the word reads otherwise afterwards. A word may be programmed again: zeros
+  /// that read unsteadily are firm then, and other zeros may be added.
   [[nodiscard]] virtual bool program(std::size_t sector, std::size_t word, std::uint32_t value) = 0;
   /// All words read kErased afterwards; false when the flash refused.
   [[nodiscard]] virtual bool erase(std::size_t sector) = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -48,7 +49,10 @@ class Flash final : public FlashSectors {
 
  private:
   static_assert(CheckedBoard<kBoard>::kSerial.exists());
-  static constexpr std::size_t kWords = sector_bytes(kBoard.store_sectors[0]) / 4;
+  /// Of a larger sector the rest stays empty: a log is looked through from its start.
+  static constexpr std::uint32_t kMostBytes = 16 * 1024;
+  static constexpr std::size_t kWords =
+      std::min(sector_bytes(kBoard.store_sectors[0]), kMostBytes) / 4;
   // A look takes some ten clocks of 168 MHz, when the flash lets the core run at all.
   static constexpr std::uint32_t kProgramLooks = 100'000;
   static constexpr std::uint32_t kEraseLooks = 100'000'000;

@@ -37,6 +37,19 @@ class MemoryLink final : public hal::ByteStream {
   std::size_t room = ~std::size_t{0};  ///< Bytes that can be queued until somebody fetches some.
 };
 
+/// Tells of each save before it is done.
+class WatchedStore final : public hal::host::MemoryStore {
+ public:
+  [[nodiscard]] bool save(std::uint16_t number, std::span<const std::byte> record) override {
+    ++saves;
+    if (watcher) watcher();
+    return MemoryStore::save(number, record);
+  }
+
+  std::function<void()> watcher;
+  int saves = 0;
+};
+
 /// What one look at the pins showed.
 struct Sight {
   std::uint64_t tick;
@@ -54,6 +67,10 @@ class ControllerTest : public testing::Test {
 
   /// Begins after the banner.
   ControllerTest() {
+    store.watcher = [this] {
+      EXPECT_FALSE(port.timer_started || next_ != kNoInterrupt || port.power != 0)
+          << "stored while segments are queued or the output is on";
+    };
     application.poll(hal::TickCount{0});
     link.outgoing.clear();
   }
@@ -122,7 +139,7 @@ class ControllerTest : public testing::Test {
   }
 
   hal::host::RecordingPort port;
-  hal::host::MemoryStore store;
+  WatchedStore store;
   MemoryLink link;
   Application<hal::host::RecordingPort> application{port, port, port, store, link};
   Machine& machine{application.machine()};

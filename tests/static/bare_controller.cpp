@@ -40,6 +40,7 @@ struct BareInputs final : hal::MachineInputs {
 struct BareStore final : hal::RecordStore {
   std::size_t load(std::uint16_t number, std::span<std::byte>) override { return pins & number; }
   bool save(std::uint16_t number, std::span<const std::byte>) override { return pins == number; }
+  hal::StoreWear wear() const override { return {}; }
 };
 
 struct SilentLine final : hal::ByteStream {

@@ -140,6 +140,7 @@ class ForgetfulStore final : public hal::RecordStore {
  public:
   [[nodiscard]] std::size_t load(std::uint16_t, std::span<std::byte>) override { return 0; }
   [[nodiscard]] bool save(std::uint16_t, std::span<const std::byte>) override { return true; }
+  hal::StoreWear wear() const override { return {}; }
 };
 
 BarePort port;

@@ -159,6 +159,7 @@ class NoStore final : public hal::RecordStore {
  public:
   [[nodiscard]] std::size_t load(std::uint16_t, std::span<std::byte>) override { return 0; }
   [[nodiscard]] bool save(std::uint16_t, std::span<const std::byte>) override { return true; }
+  hal::StoreWear wear() const override { return {}; }
 };
 
 DigestPort port;

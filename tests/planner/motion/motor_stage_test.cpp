@@ -16,9 +16,9 @@ namespace {
 constexpr double kTick = 1.0 / kTicksPerSecond;
 
 /// A motion of one axis with constant acceleration from moment to moment, in steps.
-class ExactMotion {
+class RandomMotion {
  public:
-  ExactMotion(proof::Random& random, double most_speed, double acceleration) {
+  RandomMotion(proof::Random& random, double most_speed, double acceleration) {
     double speed = 0.0;
     double place = random.between(-1.0e6, 1.0e6);
     for (int i = 0; i < 12; ++i) {
@@ -62,7 +62,7 @@ class ExactMotion {
 
 /// In double precision, from the definition: each impulse at its own time, all about the
 /// mean of their times.
-double shaped_at(const ExactMotion& motion, const ShaperSetting& setting, double time) {
+double shaped_at(const RandomMotion& motion, const ShaperSetting& setting, double time) {
   const ShaperImpulses impulses = impulses_of(setting);
   double mean = 0.0;
   double sum = 0.0;
@@ -175,7 +175,7 @@ class ShapedRun {
   proof::Random random_;
   MotorStageSetting setting_{};
   double acceleration_ = 0.0;
-  std::vector<ExactMotion> motions_;
+  std::vector<RandomMotion> motions_;
   double end_ = 0.0;
   std::unique_ptr<MotorStage> stage_ = std::make_unique<MotorStage>();
   std::uint64_t planned_ns_ = 0;

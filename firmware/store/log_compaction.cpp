@@ -1,0 +1,65 @@
+#include "firmware/store/flash_log.hpp"
+
+namespace cnc {
+namespace {
+
+std::size_t words_of(std::span<const std::byte> record) {
+  if (record.empty()) return 0;
+  return log_format::RecordHead{.size = static_cast<std::uint16_t>(record.size())}.extent();
+}
+
+}  // namespace
+
+/// Words that the last records take, of all numbers but one.
+std::size_t FlashLog::words_without(std::optional<std::uint16_t> number) const {
+  std::size_t words = 0;
+  FoundRecord found;
+  for (std::size_t place = log_format::kFirstRecord;
+       exists_ && sector_.next_record(place, tail_, clean_, found);
+       place = found.end()) {
+    if (found.head.number != number && is_last(found)) words += found.head.extent();
+  }
+  return words;
+}
+
+/// @return where the copies end; 0 when flash did not take one or they do not fit.
+std::size_t FlashLog::copy_all_but(std::optional<std::uint16_t> number, LogSector& next) const {
+  std::size_t tail = log_format::kFirstRecord;
+  FoundRecord found;
+  for (std::size_t place = log_format::kFirstRecord;
+       exists_ && sector_.next_record(place, tail_, clean_, found);
+       place = found.end()) {
+    if (found.head.number == number || !is_last(found)) continue;
+    const std::size_t end = tail + found.head.extent();
+    if (end > next.words() || !next.copy_record(tail, sector_, found)) return 0;
+    tail = end;
+  }
+  return tail;
+}
+
+/// Copies what counts, with the record in the place of the number's last one. Up to the commit
+/// word the old sector counts, from then on the new one; the old one is erased by the next
+/// compaction and not before. False when that is too much for a sector, before anything is
+/// erased, or when flash refuses.
+bool FlashLog::compact(std::optional<std::uint16_t> number, std::span<const std::byte> record) {
+  const std::size_t extent = words_of(record);
+  const std::size_t words = log_format::kFirstRecord + words_without(number) + extent;
+  if (words > sector_.words()) return false;
+  LogSector next{flash_, exists_ ? (sector_.index() + 1) % flash_.sector_count() : 0};
+  const std::uint32_t sequence = exists_ ? sector_.sequence() + 1 : 1;
+  ++erases_;
+  if (!next.erase() || !next.write_head({.sequence = sequence, .erases = erases_})) return false;
+  const std::size_t tail = copy_all_but(number, next);
+  if (tail == 0 || tail + extent > next.words()) return false;
+  if (!record.empty() && !next.write_record(tail, *number, record)) return false;
+  if (!next.commit()) {
+    static_cast<void>(next.bar());
+    return false;
+  }
+  sector_ = next;
+  tail_ = tail + extent;
+  exists_ = has_room_ = tail_is_fresh_ = clean_ = true;
+  return true;
+}
+
+}  // namespace cnc

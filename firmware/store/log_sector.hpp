@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "firmware/store/log_format.hpp"
+#include "hal/interface/flash_sectors.hpp"
+
+namespace cnc {
+
+/// A record that was found in a sector.
+struct FoundRecord {
+  std::size_t place = 0;  ///< Word of the sector.
+  log_format::RecordHead head{};
+
+  [[nodiscard]] std::size_t end() const { return place + head.extent(); }
+};
+
+/// One sector of the log: reads and writes what log_format.hpp describes, and decides nothing.
+/// Writers are false at the first word that flash did not take. Main loop context.
+class LogSector {
+ public:
+  LogSector(hal::FlashSectors& flash, std::size_t sector, std::uint32_t sequence = 0)
+      : flash_{&flash}, sector_{sector}, sequence_{sequence} {}
+
+  [[nodiscard]] std::size_t index() const { return sector_; }
+  [[nodiscard]] std::size_t words() const { return flash_->words_per_sector(); }
+  [[nodiscard]] std::uint32_t word(std::size_t place) const { return flash_->read(sector_, place); }
+  [[nodiscard]] std::uint32_t sequence() const { return sequence_; }
+  [[nodiscard]] bool program(std::size_t place, std::uint32_t value) {
+    return flash_->program(sector_, place, value);
+  }
+  [[nodiscard]] bool erase() { return flash_->erase(sector_); }
+
+  /// False when there is no head, or one that is not whole.
+  [[nodiscard]] bool read_head(log_format::SectorHead& head) const;
+  /// Takes the head's sequence, too; not the commit.
+  [[nodiscard]] bool write_head(const log_format::SectorHead& head);
+  [[nodiscard]] bool committed() const {
+    return word(log_format::kCommitAt) == log_format::kCommitted ||
+           word(log_format::kConfirmAt) == log_format::kCommitted;
+  }
+  [[nodiscard]] bool commit() { return program(log_format::kCommitAt, log_format::kCommitted); }
+  /// Makes a commit firm that may have been cut off.
+  [[nodiscard]] bool confirm() { return program(log_format::kConfirmAt, log_format::kCommitted); }
+  /// Makes sure that the commit word, which may have been begun, never reads as one.
+  [[nodiscard]] bool bar();
+  [[nodiscard]] bool barred() const { return word(log_format::kBarredAt) == 0; }
+
+  /// False when no whole record begins there.
+  [[nodiscard]] bool read_record(std::size_t place, FoundRecord& found) const;
+  /// False when no record's head that fits into the sector is there.
+  [[nodiscard]] bool read_record_head(std::size_t place, FoundRecord& found) const;
+  /// The first record at `place` or after it and before `end`. @param trusting takes every
+  /// head for a whole record's, which is so in a sector that is known to hold nothing else.
+  [[nodiscard]] bool next_record(std::size_t place,
+                                 std::size_t end,
+                                 bool trusting,
+                                 FoundRecord& found) const;
+  /// @return bytes copied: the record's, or as many as there is room for.
+  std::size_t copy_bytes(const FoundRecord& record, std::span<std::byte> into) const;
+  [[nodiscard]] bool holds(const FoundRecord& record, std::span<const std::byte> bytes) const;
+
+  /// @pre the place and what follows are erased and were never begun; the record fits.
+  [[nodiscard]] bool write_record(std::size_t place,
+                                  std::uint16_t number,
+                                  std::span<const std::byte> bytes);
+  /// Copies a record of another sector. @pre as above
+  [[nodiscard]] bool copy_record(std::size_t place,
+                                 const LogSector& from,
+                                 const FoundRecord& record);
+  /// Makes words zero for good, the last first: the head of a record that was cut off tells
+  /// how far it may have been written, so it goes last.
+  [[nodiscard]] bool blot_out(std::size_t begin, std::size_t end);
+
+ private:
+  [[nodiscard]] std::uint32_t crc_of(const FoundRecord& record) const;
+
+  hal::FlashSectors* flash_;
+  std::size_t sector_;
+  std::uint32_t sequence_;
+};
+
+}  // namespace cnc

@@ -1,0 +1,62 @@
+#include "tests/firmware/store/power_cut.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <string>
+
+namespace cnc {
+namespace {
+
+using hal::host::CutKind;
+
+/// KERFLINE_TRIALS=n runs n seeds.
+std::uint64_t seeds() {
+  const char* text = std::getenv("KERFLINE_TRIALS");
+  return text == nullptr ? 1 : std::strtoull(text, nullptr, 10);
+}
+
+void run_and_tell(PowerCutTrial trial) {
+  for (trial.seed = 1; trial.seed <= seeds() && !testing::Test::HasFailure(); ++trial.seed) {
+    const PowerCutCount count = run(trial);
+    std::printf("seed %llu: %d saves, %llu operations, %llu erases, %llu cuts, %llu appeared\n",
+                static_cast<unsigned long long>(trial.seed),
+                trial.saves,
+                static_cast<unsigned long long>(count.operations),
+                static_cast<unsigned long long>(count.erases),
+                static_cast<unsigned long long>(count.cuts),
+                static_cast<unsigned long long>(count.appeared));
+    EXPECT_GE(count.erases, 3U);
+    EXPECT_GE(count.cuts, count.operations / trial.every);
+  }
+}
+
+class PowerCut : public testing::TestWithParam<CutKind> {};
+
+/// More than 10,000 operations, hence so many saves.
+TEST_P(PowerCut, AtEveryOperationLosesNothing) {
+  run_and_tell({.kind = GetParam(), .saves = 2500, .cuts_of_recovery = 0});
+}
+
+TEST_P(PowerCut, DuringTheRecoveryFromOneLosesNothing) {
+  run_and_tell({.kind = GetParam(), .saves = 150, .cuts_of_recovery = 1});
+}
+
+/// Where a sector is half empty after a compaction, and as a controller has it.
+TEST_P(PowerCut, InASectorOfUsualSizeLosesNothing) {
+  run_and_tell({.kind = GetParam(), .words = 4096, .saves = 4000, .every = 797});
+}
+
+std::string name_of(const testing::TestParamInfo<CutKind>& kind) {
+  constexpr const char* kNames[] = {"Before", "After", "Torn", "Marginal"};
+  return kNames[static_cast<std::size_t>(kind.param)];
+}
+
+constexpr CutKind kKinds[] = {
+    CutKind::kBefore, CutKind::kAfter, CutKind::kTorn, CutKind::kMarginal};
+
+INSTANTIATE_TEST_SUITE_P(Kinds, PowerCut, testing::ValuesIn(kKinds), name_of);
+
+}  // namespace
+}  // namespace cnc
