@@ -9,15 +9,17 @@
 
 #include KERFLINE_BOARD_HEADER
 #include "firmware/application.hpp"
+#include "firmware/store/flash_log.hpp"
 #include "hal/stm32f405/control_board.hpp"
+#include "hal/stm32f405/flash.hpp"
 #include "hal/stm32f405/image.hpp"
 #include "hal/stm32f405/port.hpp"
 #include "hal/stm32f405/serial_line.hpp"
 #include "hal/stm32f405/start_up.hpp"
 #include "hal/stm32f405/time_base.hpp"
-#include "hal/stm32f405/volatile_store.hpp"
 #include "hal/stm32f405/watchdog.hpp"
 #include "planner/base/contract.hpp"
+#include "planner/base/crc32.hpp"
 
 namespace chip = hal::stm32f405;
 
@@ -35,7 +37,8 @@ static_assert(chip::StepTimer<Bus>::kTicksPerSecond == cnc::motion::kTicksPerSec
 constinit Port port{};
 constinit SerialLine line{};
 constinit chip::TimeBase<> clock_of_the_loop{};
-constinit chip::VolatileStore store{};
+constinit chip::Flash<kBoard> flash{};
+cnc::FlashLog store{flash};
 constinit chip::ChipBoard<kBoard> board{};
 cnc::Application<Port> application{port, port, port, store, line, &board};
 
@@ -104,11 +107,13 @@ void begin_chip() {
   clock_of_the_loop.set_up(clocks);
   chip::watch_supply<Bus>();
   const std::span image{image_begin, image_end};
+  cnc::Crc32 checksum;
+  checksum.add(std::span<const std::byte>{image});
   board.set_report({.clocks = clocks,
                     .cause = chip::take_reset_cause<Bus>(faulted),
                     .fault = kept.fault,
                     .image_bytes = static_cast<std::uint32_t>(image.size()),
-                    .image_checksum = chip::crc32(image),
+                    .image_checksum = checksum.value(),
                     .stack = {stack_bottom, stack_top}});
 }
 

@@ -19,7 +19,7 @@ struct StartReport {
   ResetCause cause = ResetCause::kUnknown;
   FaultRecord fault{};  ///< Valid with ResetCause::kFault.
   std::uint32_t image_bytes = 0;
-  std::uint32_t image_checksum = 0;  ///< crc32 of them; too slow to be made while something moves.
+  std::uint32_t image_checksum = 0;  ///< CRC-32 of them; too slow to be made while something moves.
   std::span<const std::uint32_t> stack{};
 };
 

@@ -16,16 +16,6 @@ extern Routine init_begin[], init_end[];
 
 namespace hal::stm32f405 {
 
-/// The checksum that zip and PNG use: polynomial 0x04C11DB7, reflected.
-constexpr std::uint32_t crc32(std::span<const std::byte> bytes) {
-  std::uint32_t crc = 0xFFFF'FFFF;
-  for (const std::byte byte : bytes) {
-    crc ^= static_cast<std::uint32_t>(byte);
-    for (int i = 0; i < 8; ++i) crc = crc >> 1 ^ (0xEDB8'8320 & (0U - (crc & 1U)));
-  }
-  return ~crc;
-}
-
 /// The stack is full of these until it is used.
 inline constexpr std::uint32_t kPaint = 0xC0DE'5AFE;
 

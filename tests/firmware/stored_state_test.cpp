@@ -8,7 +8,7 @@
 namespace cnc {
 namespace {
 
-std::vector<std::byte> bytes(std::size_t count, unsigned char value) {
+std::vector<std::byte> filled(std::size_t count, unsigned char value) {
   return std::vector<std::byte>(count, std::byte{value});
 }
 
@@ -54,14 +54,14 @@ TEST_F(StoredStateTest, KeepsTexts) {
 }
 
 TEST_F(StoredStateTest, TakesTheDeliveredStateForDamagedRecords) {
-  ASSERT_TRUE(store.save(110, bytes(3, 1)));
+  ASSERT_TRUE(store.save(110, filled(3, 1)));
   EXPECT_EQ(state.load_setting(rate), std::nullopt);
   EXPECT_TRUE(state.take_damage());
   EXPECT_FALSE(state.take_damage());
-  ASSERT_TRUE(store.save(110, bytes(4, 0xFF)));  // No number at all.
+  ASSERT_TRUE(store.save(110, filled(4, 0xFF)));  // No number at all.
   EXPECT_EQ(state.load_setting(rate), std::nullopt);
   EXPECT_TRUE(state.take_damage());
-  ASSERT_TRUE(store.save(0x4000, bytes(48, 0x7F)));  // Out of every range.
+  ASSERT_TRUE(store.save(0x4000, filled(48, 0x7F)));  // Out of every range.
   EXPECT_EQ(state.load_places(), gcode::StoredPlaces{});
   EXPECT_TRUE(state.take_damage());
 }

@@ -7,7 +7,6 @@
 
 #include "hal/stm32f405/boards/generic.hpp"
 #include "hal/stm32f405/protection.hpp"
-#include "hal/stm32f405/volatile_store.hpp"
 #include "tests/hal/stm32f405/chip_model.hpp"
 
 namespace hal::stm32f405 {
@@ -82,19 +81,6 @@ TEST(ResetCause, TellsTheRealOneOfSeveralFlags) {
   EXPECT_EQ(ResetCause::kUnknown, cause_of(0, false));
 }
 
-TEST(Image, TheChecksumIsZips) {
-  constexpr std::array<std::byte, 9> kDigits{std::byte{'1'},
-                                             std::byte{'2'},
-                                             std::byte{'3'},
-                                             std::byte{'4'},
-                                             std::byte{'5'},
-                                             std::byte{'6'},
-                                             std::byte{'7'},
-                                             std::byte{'8'},
-                                             std::byte{'9'}};
-  EXPECT_EQ(0xCBF4'3926U, crc32(kDigits));
-}
-
 TEST(Protection, TheGuardIsOneRegionWithoutAnyAccess) {
   ChipModel& chip = ModelBus::start_anew();
   guard_stack<ModelBus>(0x2000'0000);
@@ -102,34 +88,6 @@ TEST(Protection, TheGuardIsOneRegionWithoutAnyAccess) {
   EXPECT_EQ(0U, chip.cells[core::kRegionSize] >> 24 & 7U) << "no access";
   EXPECT_EQ(7U, chip.cells[core::kRegionSize] >> 1 & 0x1FU) << "of 256 bytes";
   EXPECT_EQ(5U, chip.cells[core::kProtection]);
-}
-
-TEST(VolatileStore, KeepsReplacesAndForgets) {
-  VolatileStore store;
-  std::array<std::byte, RecordStore::kLongestRecord> into{};
-  const std::array<std::byte, 4> first{std::byte{1}, std::byte{2}, std::byte{3}, std::byte{4}};
-  const std::array<std::byte, 2> second{std::byte{9}, std::byte{8}};
-  EXPECT_EQ(0U, store.load(7, into));
-  EXPECT_TRUE(store.save(7, first));
-  EXPECT_TRUE(store.save(0x107, second));
-  EXPECT_TRUE(store.save(7, second));
-  EXPECT_EQ(2U, store.load(7, into));
-  EXPECT_EQ(std::byte{9}, into[0]);
-  EXPECT_TRUE(store.save(7, {}));
-  EXPECT_EQ(0U, store.load(7, into));
-  EXPECT_EQ(2U, store.load(0x107, into));
-}
-
-TEST(VolatileStore, SaysWhenItIsFullAndChangesNothing) {
-  VolatileStore store;
-  std::array<std::byte, RecordStore::kLongestRecord> record{};
-  std::uint16_t number = 0;
-  while (store.save(number, record)) ++number;
-  EXPECT_EQ(VolatileStore::kBytes / (3 + record.size()), number);
-  EXPECT_EQ(0U, store.load(number, record));
-  EXPECT_TRUE(store.save(0, std::span{record}.first(90)));
-  std::array<std::byte, 97> long_record{};
-  EXPECT_FALSE(store.save(1, long_record));
 }
 
 }  // namespace

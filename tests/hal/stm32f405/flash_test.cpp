@@ -23,7 +23,7 @@ TEST(Flash, WhatIsProgrammedIsReadWhereTheBoardSays) {
   ChipModel& chip = ModelBus::start_anew();
   RobinFlash flash;
   EXPECT_EQ(2U, flash.sector_count());
-  EXPECT_EQ(32'768U, flash.words_per_sector());
+  EXPECT_EQ(4'096U, flash.words_per_sector());
   EXPECT_TRUE(flash.program(1, 3, 0x1234'5678));
   EXPECT_EQ(0x1234'5678U, flash.read(1, 3));
   EXPECT_EQ(0x1234'5678U, chip.flash_words[0x0806'000C]);
