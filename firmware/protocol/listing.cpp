@@ -161,7 +161,7 @@ bool Listing::info_row(Reply& reply, const ReportForm& form) {
       }
       return extended;
     default:
-      return extended && board_row(reply, row_ - 5);
+      return extended && board_row(reply, row_ - 6);
   }
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
@@ -51,8 +50,8 @@ class Flash final : public FlashSectors {
   static_assert(CheckedBoard<kBoard>::kSerial.exists());
   /// Of a larger sector the rest stays empty: a log is looked through from its start.
   static constexpr std::uint32_t kMostBytes = 16 * 1024;
-  static constexpr std::size_t kWords =
-      std::min(sector_bytes(kBoard.store_sectors[0]), kMostBytes) / 4;
+  static constexpr std::uint32_t kSectorBytes = sector_bytes(kBoard.store_sectors[0]);
+  static constexpr std::size_t kWords = (kSectorBytes < kMostBytes ? kSectorBytes : kMostBytes) / 4;
   // A look takes some ten clocks of 168 MHz, when the flash lets the core run at all.
   static constexpr std::uint32_t kProgramLooks = 100'000;
   static constexpr std::uint32_t kEraseLooks = 100'000'000;

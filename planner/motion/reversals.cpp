@@ -12,7 +12,8 @@ namespace {
 /// the axis by R · 1e-10.
 constexpr float kSliverQuarters = 1.0e-5F;
 
-constexpr float kNearQuarters = 1.0F / 24.0F;
+/// A little more than a span of the plan's grid, so that who begins at its boundary is near.
+constexpr float kNearQuarters = 1.01F / 24.0F;
 
 }  // namespace
 

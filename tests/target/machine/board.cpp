@@ -22,7 +22,8 @@ Board::Board(const Order& order, const Memory& memory, qemu::Object* core)
       cycle_counter_{services_, debug_control_},
       pin_script_{order.pins, ports_},
       bit_flips_{order.options.flips, trace_},
-      stop_{[this] { end(kStoppedStatus); }} {
+      stop_{[this] { end(kStoppedStatus); }},
+      software_reset_{[] { qemu::qemu_system_reset(qemu::kGuestReset); }} {
   add(rcc_, memory.system);
   add(power_control_, memory.system);
   for (char letter = 'A'; letter <= 'I'; ++letter) {
@@ -45,6 +46,7 @@ Board::Board(const Order& order, const Memory& memory, qemu::Object* core)
   add(debug_control_, memory.core);
   add(cycle_counter_, memory.core);
   rcc_.follow(cycle_counter_);
+  connect_reset(core);
   if (order.options.stop_ns > 0) stop_.set(order.options.stop_ns);
 }
 
@@ -67,6 +69,16 @@ void Board::bite() {
   // At once: after a request QEMU's main loop may let virtual time jump to the next alarm first,
   // where the core sleeps. No instruction is under way while an alarm is called.
   qemu::qemu_system_reset(qemu::kGuestReset);
+}
+
+/// SYSRESETREQ of the core: the reset comes before its next instructions but a few, by the clock of
+/// the machine. QEMU's own would come when its main loop turns, some time later.
+void Board::connect_reset(qemu::Object* core) {
+  const auto asked = [](void* self, int, int level) {
+    if (level != 0) static_cast<Board*>(self)->software_reset_.set(now_ns());
+  };
+  qemu::qdev_connect_gpio_out_named(
+      core, "SYSRESETREQ", 0, qemu::qemu_allocate_irq(asked, this, 0));
 }
 
 void Board::finish() {

@@ -52,6 +52,7 @@ class Board {
  private:
   void add(Peripheral& peripheral, qemu::MemoryRegion* container);
   void bite();
+  void connect_reset(qemu::Object* core);
   void end(int status);
 
   const Order& order_;
@@ -74,6 +75,7 @@ class Board {
   BitFlips bit_flips_;
   std::vector<Peripheral*> all_;
   Alarm stop_;
+  Alarm software_reset_;
   ResetCause cause_ = ResetCause::kPowerOn;
 };
 

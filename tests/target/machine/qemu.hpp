@@ -97,6 +97,8 @@ Object* object_resolve_path_type(const char* path, const char* type, bool* ambig
 Object* object_resolve_path_component(Object*, const char* part);
 Irq qdev_get_gpio_in(Object* device, int number);
 void qemu_set_irq(Irq, int level);
+Irq qemu_allocate_irq(void (*)(void*, int number, int level), void*, int number);
+void qdev_connect_gpio_out_named(Object* device, const char* name, int number, Irq);
 
 constexpr int kGuestReset = 7;
 void qemu_system_reset(int cause);

@@ -8,6 +8,8 @@ from emulator import Emulator, Files
 DIVISOR, BUS_HZ = 729, 84e6
 BYTE_NS = 10 * DIVISOR / BUS_HZ * 1e9
 END = b"\x04"
+# Now and then the emulator calls an alarm some tens of instructions late.
+LATE_NS = 400
 
 
 def checksum(data: bytes) -> int:
@@ -36,12 +38,13 @@ class SerialTest(unittest.TestCase):
         self.assertEqual(b"all of this goes out", got.read_bytes())
         for way in ("rx", "tx"):
             for spacing in self.spacings(outcome, way):
-                self.assertAlmostEqual(BYTE_NS, spacing, delta=Emulator.shift * 4)
+                self.assertAlmostEqual(BYTE_NS, spacing, delta=LATE_NS)
 
     def test_a_sender_that_begins_later(self):
         sent = self.files("in", self.data)
         outcome = Emulator.run("usart", f"usart1_in={sent}", "usart1_from_ns=50000000")
-        self.assertAlmostEqual(50_000_000 + BYTE_NS, outcome.events("USART1", "rx")[0][0], delta=8)
+        self.assertAlmostEqual(50_000_000 + BYTE_NS, outcome.events("USART1", "rx")[0][0],
+                               delta=LATE_NS)
         self.assertEqual([[len(self.data), checksum(self.data)]], outcome.said["bytes"])
 
     def test_a_sender_of_its_own_rate(self):
@@ -49,7 +52,7 @@ class SerialTest(unittest.TestCase):
         outcome = Emulator.run("usart", f"usart1_in={sent}", "usart1_baud=115200")
         self.assertEqual([[len(self.data), checksum(self.data)]], outcome.said["bytes"])
         for spacing in self.spacings(outcome, "rx"):
-            self.assertAlmostEqual(10e9 / 115_200, spacing, delta=Emulator.shift * 4)
+            self.assertAlmostEqual(10e9 / 115_200, spacing, delta=LATE_NS)
         wrong = Emulator.run("usart", f"usart1_in={sent}", "usart1_baud=57600").said
         self.assertEqual([[0, wrong["bytes"][0][0]]], wrong["errors"])  # Each byte is framed wrong.
         self.assertGreater(wrong["bytes"][0][0], 0)
