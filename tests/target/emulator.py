@@ -98,6 +98,7 @@ class Debugger:
         self.socket = socket.socket(socket.AF_UNIX)
         self.socket.settimeout(10)
         self.socket.connect(str(path))
+        self.received = b""
 
     def __enter__(self):
         self._ask("?")
@@ -128,9 +129,13 @@ class Debugger:
         self.socket.sendall(f"${packet}#{sum(packet.encode()) % 256:02x}".encode())
 
     def _ask(self, packet: str) -> str:
+        """The answer. That the core has stopped may be told by itself, at any time after the
+        beginning: it answers `?` alone."""
         self._send(packet)
-        reply = b""
-        while not re.search(rb"\$[^#]*#..", reply):
-            reply += self.socket.recv(4096)
-        self.socket.sendall(b"+")
-        return reply.decode("ascii", errors="replace")
+        while True:
+            while not (found := re.search(rb"\$([^#]*)#..", self.received)):
+                self.received += self.socket.recv(4096)
+            self.received = self.received[found.end():]
+            self.socket.sendall(b"+")
+            if packet == "?" or not found[1].startswith(b"T"):
+                return found[1].decode("ascii", errors="replace")
