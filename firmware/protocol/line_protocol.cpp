@@ -15,10 +15,6 @@ constexpr int kRowsInATurn = 8;
 /// Lines in one turn: a burst must not keep segments from being cut.
 constexpr int kLinesInATurn = 8;
 
-/// Most that a link can hand over in one turn: what there is room for.
-constexpr std::size_t kChunk = 64;
-constexpr std::size_t kChunksInATurn = Receiver::kRealBytes / kChunk;
-
 /// Nothing but blanks and comments.
 bool is_empty(std::string_view line) {
   gcode::LineReader reader{line};
@@ -74,13 +70,13 @@ void LineProtocol::poll(hal::TickCount now) {
 }
 
 void LineProtocol::receive() {
-  std::array<char, kChunk> bytes;  // Filled by the link.
-  for (std::size_t chunk = 0; chunk < kChunksInATurn; ++chunk) {
-    const std::size_t room = std::min<std::size_t>(bytes.size(), receiver_.room());
-    const std::size_t count = link_.read(std::as_writable_bytes(std::span{bytes}.first(room)));
+  // At most what there is room for.
+  for (std::size_t chunk = 0; chunk < Receiver::kRealBytes / incoming_.size(); ++chunk) {
+    const std::size_t room = std::min<std::size_t>(incoming_.size(), receiver_.room());
+    const std::size_t count = link_.read(std::as_writable_bytes(std::span{incoming_}.first(room)));
     if (count == 0) return;
     // No byte takes more than its own room.
-    CNC_ASSERT(receiver_.receive(std::span{bytes}.first(count)) == count);
+    CNC_ASSERT(receiver_.receive(std::span{incoming_}.first(count)) == count);
   }
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <string_view>
 
@@ -98,6 +99,7 @@ class LineProtocol {
   Machine& machine_;
   hal::ControlBoard* board_;
   StoredState stored_;
+  std::array<char, 64> incoming_{};  ///< What the link hands over at a time.
   Receiver receiver_{};
   LineAssembler<kLongestLine> assembler_{};
   Outbox<2 * Reply::kCapacity> outbox_{};  ///< A reason and its number.
