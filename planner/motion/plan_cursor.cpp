@@ -87,6 +87,7 @@ void PlanCursor::reset() {
   since_speeding_up_ns_ = kLongAgo;
   since_braking_ns_ = kLongAgo;
   overtaken_ = false;
+  braking_from_ = 0.0F;
   index_ = 0;
   driving_ = false;
   phase_ = {};
@@ -149,6 +150,7 @@ Patience PlanCursor::patience() const {
   };
   return {.before_speeding_up = wait(since_braking_ns_),
           .before_braking = wait(since_speeding_up_ns_),
+          .braking_from = braking_from_,
           .overtaken = overtaken_};
 }
 
@@ -157,6 +159,7 @@ void PlanCursor::note_change(const Stretch& stretch) {
     const std::uint64_t passed = since_ns + stretch.duration_ns;
     since_ns = changes ? 0 : static_cast<std::uint32_t>(std::min<std::uint64_t>(kLongAgo, passed));
   };
+  if (stretch.acceleration >= 0.0F) braking_from_ = stretch.end_speed;
   pass(since_speeding_up_ns_, stretch.acceleration > 0.0F);
   pass(since_braking_ns_, stretch.acceleration < 0.0F);
 }

@@ -81,6 +81,7 @@ class PlanCursor {
   bool overtaken_ = false;  ///< As Patience knows it.
   std::uint32_t since_speeding_up_ns_ = kLongAgo;
   std::uint32_t since_braking_ns_ = kLongAgo;
+  float braking_from_ = 0.0F;  ///< mm/s, the speed when the plan last did not brake.
 
   std::size_t index_ = 0;  ///< Of the block that is or will be planned through.
   bool driving_ = false;   ///< It has been begun.

@@ -85,16 +85,11 @@ float SpeedProfile::end_target_square() const {
   return std::min(ahead, here().cap_square);
 }
 
-float SpeedProfile::steepest(Change change, float growing) const {
+float SpeedProfile::steepest(Change change, float growing, float most_square) const {
   return spans_.steepest(span_,
                          spans_.place_at(spans_.boundary(span_ + 1) - left_),
                          spans_.place_at_boundary(span_ + 1),
-                         {left_,
-                          speed_square_,
-                          std::max(here().cap_square, speed_square_),
-                          Travel::kForward,
-                          change,
-                          growing});
+                         {left_, speed_square_, most_square, Travel::kForward, change, growing});
 }
 
 Phase SpeedProfile::phase_to(float end_square, float distance, float left) const {
@@ -154,7 +149,7 @@ Phase SpeedProfile::change_speed(const Patience& patience) const {
 Phase SpeedProfile::speed_up() const {
   const float cap = std::max(here().cap_square, speed_square_);
   const float target = end_target_square();
-  const float acceleration = steepest(Change::kSpeedUp, left_);
+  const float acceleration = steepest(Change::kSpeedUp, left_, cap);
   const float reach = next_below(speed_square_ + 2.0F * acceleration * left_);
   if (reach <= target && reach <= cap) {
     return phase_to(std::max(reach, speed_square_), left_, 0.0F);
@@ -233,9 +228,12 @@ float SpeedProfile::planned_deceleration() const {
 Phase SpeedProfile::brake_to(float target_square, const Patience& patience) const {
   if (patience.before_braking > 0.0F) return level_for(patience.before_braking);
   // Who is too fast already needs all there is; else the motion, which is the mean
-  // and so faster than the plan, is left a part.
+  // and so faster than the plan, is left a part. It may be faster than the lowered cap, too.
   const float growing = patience.overtaken ? 0.0F : left_;
-  const float deceleration = std::max(steepest(Change::kSlowDown, growing), planned_deceleration());
+  float cap = std::max(here().cap_square, speed_square_);
+  if (patience.overtaken) cap = std::max(cap, square(patience.braking_from));
+  const float deceleration =
+      std::max(steepest(Change::kSlowDown, growing, cap), planned_deceleration());
   const float needed = speed_square_ - target_square;
   const float possible = 2.0F * deceleration * left_;
   if (needed <= 0.0F) return {};

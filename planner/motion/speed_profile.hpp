@@ -22,6 +22,8 @@ struct Phase {
 struct Patience {
   float before_speeding_up = 0.0F;
   float before_braking = 0.0F;
+  /// mm/s, the speed when the plan last did not brake: the motion may yet be as fast.
+  float braking_from = 0.0F;
   /// An override has left less speed than braking after the wait can meet; what
   /// does not move must still be met, and will be, for it was before.
   bool overtaken = false;
@@ -97,7 +99,7 @@ class SpeedProfile {
   [[nodiscard]] Phase level_for(float seconds) const;
   [[nodiscard]] Phase brake_to(float target_square, const Patience& patience) const;
   [[nodiscard]] Phase phase_to(float end_square, float distance, float left) const;
-  [[nodiscard]] float steepest(Change change, float growing) const;
+  [[nodiscard]] float steepest(Change change, float growing, float most_square) const;
   [[nodiscard]] float end_target_square() const;
   [[nodiscard]] float fall_from(float speed_square) const;
   [[nodiscard]] float planned_deceleration() const;
