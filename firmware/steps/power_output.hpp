@@ -60,11 +60,11 @@ class PowerOutput {
   }
 
   Port& port_;
-  PowerStream<Capacity> stream_{};
-  PowerShift shift_{};
   std::atomic<std::uint16_t> now_{0};
   std::atomic<std::uint16_t> rest_{0};
   std::atomic<bool> blocked_{false};
+  PowerStream<Capacity> stream_{};
+  PowerShift shift_{};
 };
 
 }  // namespace cnc

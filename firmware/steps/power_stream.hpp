@@ -68,10 +68,10 @@ class PowerStream {
   }
 
  private:
-  hal::SpscRing<PowerPiece, Capacity> pieces_{};
-  PowerPiece piece_{};  ///< Its ticks count from the end of the present stair.
-  std::int32_t level_q8_ = 0;
   std::int32_t left_ = 0;  ///< Of the present stair; from 0 down: for how long it has been over.
+  std::int32_t level_q8_ = 0;
+  PowerPiece piece_{};  ///< Its ticks count from the end of the present stair.
+  hal::SpscRing<PowerPiece, Capacity> pieces_{};
 };
 
 }  // namespace cnc

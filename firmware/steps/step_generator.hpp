@@ -246,33 +246,34 @@ class StepGenerator final : public StepDrive {
     port_.set_analog(changes.analog_channel, changes.analog_value);
   }
 
+  // What each interrupt looks at comes first: within a short reach of the object's start.
   Port& port_;
-  hal::SpscRing<motion::Segment, QueueCapacity> queue_{};
-  PowerOutput<Port, 2 * QueueCapacity> beam_;
-  std::uint32_t pushed_ticks_ = 0;  ///< Main loop only; runs freely.
-  bool ends_at_rest_ = true;        ///< The segment pushed last.
-  std::atomic<std::uint32_t> begun_ticks_{0};
-  StepTiming timing_{};
-  std::uint8_t second_motors_ = 0;
-
   StepTrains trains_{};
   std::uint32_t ticks_ = 0;  ///< Of the segment being played.
   std::uint32_t now_ = 0;    ///< Ticks since it was due to start.
   std::uint32_t waited_ = 0;
-  bool comes_to_rest_ = false;  ///< After it.
-  std::uint8_t direction_ = 0;
-  bool direction_changed_ = false;
+  StepTiming timing_{};
   bool high_ = false;
-
-  MotorSteps position_{};
-  std::atomic<bool> running_{false};
-  std::atomic<bool> starved_{false};
+  bool comes_to_rest_ = false;  ///< After the segment being played.
+  bool direction_changed_ = false;
+  std::uint8_t direction_ = 0;
+  std::uint8_t second_motors_ = 0;
   std::atomic<bool> abort_{false};
   std::atomic<bool> probe_armed_{false};
   std::atomic<bool> probe_hit_{false};
   bool probe_contact_ = true;
+  std::atomic<bool> running_{false};
+  std::atomic<bool> starved_{false};
   SwitchWatch switches_{};
+  MotorSteps position_{};
   AxisArray<std::int32_t> probe_position_{};
+  std::atomic<std::uint32_t> begun_ticks_{0};
+  PowerOutput<Port, 2 * QueueCapacity> beam_;
+  hal::SpscRing<motion::Segment, QueueCapacity> queue_{};
+
+  // Main loop only.
+  std::uint32_t pushed_ticks_ = 0;  ///< Runs freely.
+  bool ends_at_rest_ = true;        ///< The segment pushed last.
 };
 
 }  // namespace cnc
