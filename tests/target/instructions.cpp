@@ -205,7 +205,7 @@ void count_fast_job(Application& application) {
   link_to_job.send_job("G21G90G1F60000");
   run(application, turn, unused);
   turn.print("the main loop in all at 60 m/min", "line", FreeformText::kLines);
-  turn.print("the same", "turn");
+  turn.print("the same at 60 m/min", "turn");
 }
 
 /// Pixels of 0.1 mm at the same speed, in the line of their own.

@@ -1,13 +1,16 @@
 #!/usr/bin/env python3
 """Instructions of each stage on an emulated Cortex-M4F; counts, not cycles.
 
-    instructions.py build/cortex-m4f/tests/target/instructions.elf
+    instructions.py build/cortex-m4f/tests/target/instructions.elf [--record]
 
 3,000 lines of 0.1 mm, along a curve and as pixels of a row: average and worst case of each
-stage. The counts are the same at every run. Ends with 77 (skipped) where the image or the
-emulator is missing.
+stage. The counts are the same at every run. Fails where one is not within 2 % of what
+instructions.csv has on record; --record writes them there. Ends with 77 (skipped) where the
+image or the emulator is missing.
 """
 
+import argparse
+import csv
 import pathlib
 import shutil
 import subprocess
@@ -24,10 +27,42 @@ PEERS = {
     "step interrupt": "grblHAL 79, grbl 94, each tick",
 }
 SKIPPED = 77
+RECORD = pathlib.Path(__file__).with_name("instructions.csv")
+FIELDS = ("stage", "unit", "average", "worst")
+WITHIN = 0.02
+
+
+def read_record() -> dict:
+    with RECORD.open(newline="") as file:
+        return {row["stage"]: row for row in csv.DictReader(file)}
+
+
+def write_record(found: dict):
+    with RECORD.open("w", newline="") as file:
+        writer = csv.DictWriter(file, FIELDS, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(found.values())
+
+
+def complaints(found: dict) -> list:
+    """What is not as it was, better or worse."""
+    recorded = read_record()
+    texts = [f"{stage}: measured or on record, but not both"
+             for stage in sorted(found.keys() ^ recorded.keys())]
+    for stage in found.keys() & recorded.keys():
+        for figure in ("average", "worst"):
+            before, now = float(recorded[stage][figure]), float(found[stage][figure])
+            if abs(now - before) > WITHIN * before:
+                texts.append(f"{stage}: {figure} was {before:.0f}, is {now:.0f}")
+    return texts
 
 
 def main() -> int:
-    image = sys.argv[1]
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("image")
+    parser.add_argument("--record", action="store_true")
+    options = parser.parse_args()
+    image = options.image
     if not pathlib.Path(image).exists() or not shutil.which(EMULATOR):
         print(f"skipped: needs {EMULATOR} and {image} (preset cortex-m4f)")
         return SKIPPED
@@ -38,14 +73,24 @@ def main() -> int:
     done = subprocess.run(command, capture_output=True, text=True, timeout=280, check=False)
     text = done.stdout + done.stderr  # Semihosting writes to the latter.
     rows = [line.split("|") for line in text.splitlines() if line.count("|") == 4]
+    found = {}
     for what, unit, times, total, worst in rows:
         average = int(total) / max(1, int(times))
+        stage = f"{what} per {unit}"  # One is given per line and per turn.
+        found[stage] = dict(zip(FIELDS, (stage, unit, round(average), int(worst))))
         print(f"{what:<56}{average:8.0f} per {unit:<9} worst {int(worst):7d} {int(times):8d} times"
               f"  {PEERS.get(what, '')}".rstrip())
     if done.returncode != 0 or len(rows) < 9 or any(int(row[2]) == 0 for row in rows):
         print(f"{command[0]} ended with {done.returncode}: {text}")
         return 1
-    return 0
+    if options.record:
+        write_record(found)
+        return 0
+    texts = complaints(found)
+    print("\n".join(texts) or "instructions: as recorded")
+    if texts:
+        print(f"a cost that is meant: {sys.argv[0]} {image} --record, and commit {RECORD.name}")
+    return bool(texts)
 
 
 if __name__ == "__main__":
