@@ -13,8 +13,13 @@ constexpr float kTicksPerMicrosecond = static_cast<float>(motion::kTicksPerSecon
 /// Combined limit of all motors: what the step interrupt is budgeted for.
 constexpr float kMostStepsPerSecond = 200'000.0F;
 
-/// A motor gets at most 9 of 10 slots, so that lateness never adds up.
-constexpr float kSlotUse = 0.9F;
+/// Pulse and pause are counted from their edges, and on a processor the interrupt takes most
+/// of a microsecond to each of the two.
+constexpr float kTicksToEdges = 8.0F;
+
+/// Of the slots that so long a way leaves, a motor gets at most 97 of 100, so that lateness
+/// never adds up.
+constexpr float kSlotUse = 0.97F;
 
 /// Half of what AxisScale holds, so that the way from one end to the other
 /// still fits; linear axes have the same reserve in nanometres for their arcs.
@@ -33,7 +38,7 @@ std::int32_t backlash_steps(const Settings& settings, std::size_t axis) {
 
 /// What any motor may be stepped at, steps/s.
 float most_of_one_motor(const Settings& settings) {
-  const auto slot = static_cast<float>(2U * step_timing_from(settings).pulse);
+  const float slot = static_cast<float>(2U * step_timing_from(settings).pulse) + kTicksToEdges;
   return kSlotUse * static_cast<float>(motion::kTicksPerSecond) / slot;
 }
 
