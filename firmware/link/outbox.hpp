@@ -1,10 +1,8 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <span>
-#include <string_view>
 
 #include "hal/interface/byte_stream.hpp"
 #include "planner/base/contract.hpp"
@@ -17,13 +15,15 @@ class Outbox {
  public:
   [[nodiscard]] bool empty() const { return sent_ == size_; }
 
-  /// @pre it fits with what is still unsent
-  void add(std::string_view words) {
+  /// Room for the next answer, behind what is still unsent; tell with `wrote` how much of
+  /// it was. @pre there is as much
+  template <std::size_t Count>
+  [[nodiscard]] std::span<char, Count> room() {
     if (empty()) sent_ = size_ = 0;
-    CNC_ASSERT(words.size() <= Capacity - size_);
-    std::copy(words.begin(), words.end(), bytes_.begin() + static_cast<std::ptrdiff_t>(size_));
-    size_ += words.size();
+    CNC_ASSERT(Count <= Capacity - size_);
+    return std::span<char, Count>{bytes_.data() + size_, Count};
   }
+  void wrote(std::size_t count) { size_ += count; }
 
   /// Sends what the link takes now.
   void send(hal::ByteStream& link) {

@@ -180,6 +180,7 @@ class Machine {
   [[nodiscard]] bool run(const gcode::Action& action);
   [[nodiscard]] bool move_straight(const gcode::Action& action, float feed);
   [[nodiscard]] bool move_in_parts(const gcode::Action& action);
+  [[nodiscard]] Position end_of_part(const gcode::Action& action) const;
   [[nodiscard]] bool move_arc(const gcode::Action& action);
   [[nodiscard]] bool move_spline(const gcode::Action& action);
   [[nodiscard]] bool probe(const gcode::Action& action);
@@ -237,6 +238,9 @@ class Machine {
 
   // Settings, in machine_settings.cpp.
   void apply_settings();
+  void apply_limits();
+  void apply_motor_settings();
+  void apply_language_settings();
   [[nodiscard]] bool place_fits(std::size_t axis) const;
 
   StepDrive& drive_;

@@ -97,23 +97,27 @@ bool Machine::move_straight(const Action& action, float feed) {
 
 /// Equal parts of a line, each with its power, as the planner has room. To the nanometre.
 bool Machine::move_in_parts(const Action& action) {
-  const auto count = static_cast<std::int64_t>(action.powers.size());
   if (part_ == 0) parts_from_ = motion_.target();
   while (part_ < action.powers.size()) {
     if (!motion_.has_room()) return false;
     tool_.set_speed(action.powers[part_]);
     ++part_;
-    Position end = action.end;
-    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-      const std::int64_t way = (action.end[axis] - parts_from_[axis]).nanometres();
-      if (way == 0) continue;
-      const auto part = static_cast<std::int64_t>(part_);
-      end[axis] = parts_from_[axis] + Coordinate{way * part / count};
-    }
-    append({.start = motion_.target(), .end = end}, action.feed, false);
+    append({.start = motion_.target(), .end = end_of_part(action)}, action.feed, false);
   }
   part_ = 0;
   return true;
+}
+
+Position Machine::end_of_part(const Action& action) const {
+  const auto count = static_cast<std::int64_t>(action.powers.size());
+  Position end = action.end;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const std::int64_t way = (action.end[axis] - parts_from_[axis]).nanometres();
+    if (way == 0) continue;
+    const auto part = static_cast<std::int64_t>(part_);
+    end[axis] = parts_from_[axis] + Coordinate{way * part / count};
+  }
+  return end;
 }
 
 /// How far arcs may be from the curve they stand for: Q of G64, or $12.

@@ -38,20 +38,33 @@ void Machine::set_power_table(const motion::PowerTable& table) {
   apply_settings();
 }
 
+/// By parts, out of line, of which each makes large values and gives their room back.
 void Machine::apply_settings() {
-  limits_ = limits_from(settings_);
-  limits_.beam = beam_response_from(settings_, power_table_);
+  apply_limits();
   travel_.configure(settings_, homed_);
-  motion_.configure(motor_stage_from(settings_));
-  drive_.set_timing(step_timing_from(settings_));
-  drive_.set_beam_timing(beam_timing_from(settings_));
-  gcode::Options options = gcode_options_from(settings_);
-  options.block_delete = block_delete_;
-  interpreter_.set_options(options);
+  apply_motor_settings();
+  apply_language_settings();
   drive_.set_second_motors(static_cast<std::uint8_t>(settings_.get(setting::kSquaredAxes)));
   tool_.configure({.most_speed = settings_.get(setting::kMostSpindleSpeed),
                    .least_speed = settings_.get(setting::kLeastSpindleSpeed),
                    .laser = settings_.get(setting::kLaserMode) != 0.0F});
+}
+
+[[gnu::noinline]] void Machine::apply_limits() {
+  limits_ = limits_from(settings_);
+  limits_.beam = beam_response_from(settings_, power_table_);
+}
+
+[[gnu::noinline]] void Machine::apply_motor_settings() {
+  motion_.configure(motor_stage_from(settings_));
+  drive_.set_timing(step_timing_from(settings_));
+  drive_.set_beam_timing(beam_timing_from(settings_));
+}
+
+[[gnu::noinline]] void Machine::apply_language_settings() {
+  gcode::Options options = gcode_options_from(settings_);
+  options.block_delete = block_delete_;
+  interpreter_.set_options(options);
 }
 
 }  // namespace cnc

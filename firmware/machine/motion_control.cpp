@@ -44,13 +44,18 @@ void MotionControl::pump() {
   while (!queue_.full()) {
     const path::PathPiece* const piece = stage_.next();
     if (piece == nullptr) return;
-    const auto block = motion::build_block(piece->request, limits_);
-    // Pieces lie between ends that were within reach, to a tolerance.
-    CNC_ASSERT(block.ok() || block.error() == motion::MotionError::kNothingToMove);
-    if (!block.ok()) continue;
-    queue_.push(block.value(), piece->joint);
-    ++blocks_taken_;
+    take(*piece);
   }
+}
+
+/// Apart from pump(), which goes deep for its pieces: a block is large.
+void MotionControl::take(const path::PathPiece& piece) {
+  const auto block = motion::build_block(piece.request, limits_);
+  // Pieces lie between ends that were within reach, to a tolerance.
+  CNC_ASSERT(block.ok() || block.error() == motion::MotionError::kNothingToMove);
+  if (!block.ok()) return;
+  queue_.push(block.value(), piece.joint);
+  ++blocks_taken_;
 }
 
 void MotionControl::flush() {

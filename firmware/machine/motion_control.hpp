@@ -89,6 +89,7 @@ class MotionControl {
 
  private:
   void pump();
+  void take(const path::PathPiece& piece);
   void follow_tool();
   [[nodiscard]] bool runs_dry() const;
 

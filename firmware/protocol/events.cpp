@@ -20,7 +20,7 @@ bool LineProtocol::report() {
   if (due) reported_ = now_;
   const bool full = receiver_.take_full_status_request();
   if (!receiver_.take_status_request() && !full && !due) return false;
-  Reply reply;
+  Reply reply = begin_answer();
   status_.write(reply, machine_, receiver_.advertised_room(), form_, full);
   answer(reply);
   return true;
@@ -30,7 +30,7 @@ bool LineProtocol::report() {
 bool LineProtocol::tell_news() {
   if (modes_wanted_) {
     modes_wanted_ = false;
-    Reply reply;
+    Reply reply = begin_answer();
     put_parser_state(reply, machine_);
     answer(reply);
     return true;
@@ -38,7 +38,7 @@ bool LineProtocol::tell_news() {
   if (machine_.alarm() != told_alarm_) {
     told_alarm_ = machine_.alarm();
     if (told_alarm_ == Alarm::kNone) return false;
-    answer(Reply{}.text("ALARM:").number(static_cast<std::uint32_t>(told_alarm_)).end());
+    answer(begin_answer().text("ALARM:").number(static_cast<std::uint32_t>(told_alarm_)).end());
     if (machine_.needs_reset()) message("Reset to continue");
     return true;
   }
@@ -46,7 +46,8 @@ bool LineProtocol::tell_news() {
   const bool news = tool.has_value() && !tool_told_;
   tool_told_ = tool.has_value();
   if (news) {
-    answer(Reply{}.text("[MSG:Tool change: T").number(*tool).text(", then cycle start]").end());
+    answer(
+        begin_answer().text("[MSG:Tool change: T").number(*tool).text(", then cycle start]").end());
   }
   return news;
 }
@@ -54,7 +55,7 @@ bool LineProtocol::tell_news() {
 /// What senders want to read before the acknowledgement of the line that did it.
 bool LineProtocol::tell_result() {
   if (machine_.take_probe_ended()) {
-    Reply reply;
+    Reply reply = begin_answer();
     put_probe(reply, machine_.last_probe(), form_);
     answer(reply);
     return true;
@@ -69,7 +70,7 @@ void LineProtocol::welcome() {
   beginning_ = false;
   form_.axes = static_cast<std::size_t>(machine_.settings().get(setting::kReportedAxes));
   status_.begin_anew();
-  answer(Reply{}.text(identity::kBanner).end());
+  answer(begin_answer().text(identity::kBanner).end());
   if (machine_.alarm() != Alarm::kNone) {
     message("'$H'|'$X' to unlock");
   } else {
@@ -81,7 +82,7 @@ void LineProtocol::welcome() {
 
 void LineProtocol::tell_trouble() {
   if (board_ == nullptr) return;
-  Reply reply;
+  Reply reply = begin_answer();
   reply.text("[MSG:");
   const std::size_t size = board_->describe_trouble(reply.room());
   if (size == 0) return;
@@ -91,12 +92,15 @@ void LineProtocol::tell_trouble() {
 
 /// Shown as Grbl does, but without an answer that a sender would count.
 void LineProtocol::run_startup_line() {
-  const StoredText line = stored_.load_startup_line(startup_line_++);
+  Reply shown = begin_answer();
+  shown.letter('>').text(stored_.load_startup_line(startup_line_++).view());
+  std::string_view line = shown.view();
+  line.remove_prefix(1);
   if (line.empty() || machine_.locked()) return;
-  answer(Reply{}.letter('>').text(line.view()).end());
-  const gcode::Refusal refusal = machine_.accept(line.view());
+  answer(shown.end());
+  const gcode::Refusal refusal = machine_.accept(line);
   if (!refusal) return;
-  Reply reply;
+  Reply reply = begin_answer();
   reply.text("[MSG:Startup line, column ").number(refusal->column).text(": ");
   reply.wrote(gcode::describe(*refusal, reply.room()));
   answer(reply.letter(']').end());

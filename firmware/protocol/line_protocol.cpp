@@ -49,7 +49,7 @@ void LineProtocol::poll(hal::TickCount now) {
     if (report() || tell_news()) continue;
     if (listing_.active()) {
       if (++rows > kRowsInATurn) return;
-      Reply row;
+      Reply row = begin_answer();
       if (listing_.next(row, form_)) answer(row);
       continue;
     }
@@ -125,7 +125,7 @@ bool LineProtocol::finish_line() {
     return true;
   }
   owed_ = Owed::kNothing;
-  answer(Reply{}.text("ok").end());
+  answer(begin_answer().text("ok").end());
   return true;
 }
 
@@ -155,25 +155,32 @@ void LineProtocol::take_gcode(std::string_view line) {
 void LineProtocol::refuse(const gcode::Fault& fault,
                           std::uint32_t first_column,
                           std::uint8_t number) {
-  Reply words;
-  words.wrote(gcode::describe(fault, words.room()));
-  const std::uint32_t column = fault.column == 0 ? 0 : fault.column + first_column - 1;
+  Reply reason = begin_reason(fault.column == 0 ? 0 : fault.column + first_column - 1);
+  reason.wrote(gcode::describe(fault, reason.room()));
   const auto own = static_cast<std::uint8_t>(fault.code());
-  refuse(number == 0 ? own : number, column, words.view());
+  refuse(number == 0 ? own : number, reason);
 }
 
 void LineProtocol::refuse(std::uint8_t number) { refuse(number, 0, error_text(number)); }
 
 void LineProtocol::refuse(std::uint8_t number, std::uint32_t column, std::string_view reason) {
-  answer(Reply{}.text("[MSG:").number(column).text(": ").text(reason).letter(']').end());
-  answer(Reply{}.text("error:").number(number).end());
+  Reply words = begin_reason(column);
+  refuse(number, words.text(reason));
+}
+
+Reply LineProtocol::begin_reason(std::uint32_t column) {
+  Reply reason = begin_answer();
+  return reason.text("[MSG:").number(column).text(": ");
+}
+
+void LineProtocol::refuse(std::uint8_t number, Reply& reason) {
+  answer(reason.letter(']').end());
+  answer(begin_answer().text("error:").number(number).end());
 }
 
 void LineProtocol::message(std::string_view words) {
-  answer(Reply{}.text("[MSG:").text(words).letter(']').end());
+  answer(begin_answer().text("[MSG:").text(words).letter(']').end());
 }
-
-void LineProtocol::answer(const Reply& reply) { outbox_.add(reply.view()); }
 
 bool LineProtocol::inches() const {
   return machine_.settings().get(setting::kReportInches) != 0.0F;

@@ -87,12 +87,16 @@ class LineProtocol {
   void load_settings();
 
   void refuse(std::uint8_t number, std::uint32_t column, std::string_view reason);
+  [[nodiscard]] Reply begin_reason(std::uint32_t column);
+  void refuse(std::uint8_t number, Reply& reason);
   void refuse(std::uint8_t number);
   /// @param number 0: the fault's own.
   void refuse(const gcode::Fault& fault, std::uint32_t first_column, std::uint8_t number = 0);
   void acknowledge() { owed_ = Owed::kAck; }
   void message(std::string_view words);
-  void answer(const Reply& reply);
+  /// The next line to be said; goes out with answer(). One at a time.
+  [[nodiscard]] Reply begin_answer() { return Reply{outbox_.room<Reply::kCapacity>()}; }
+  void answer(const Reply& reply) { outbox_.wrote(reply.view().size()); }
   [[nodiscard]] bool inches() const;
 
   hal::ByteStream& link_;
@@ -102,7 +106,7 @@ class LineProtocol {
   std::array<char, 64> incoming_{};  ///< What the link hands over at a time.
   Receiver receiver_{};
   LineAssembler<kLongestLine> assembler_{};
-  Outbox<2 * Reply::kCapacity> outbox_{};  ///< A reason and its number.
+  Outbox<3 * Reply::kCapacity> outbox_{};  ///< A message, a reason and its number.
   Listing listing_;
   StatusReport status_{};
   ReportForm form_{};

@@ -170,7 +170,7 @@ bool Listing::board_row(Reply& reply, std::size_t row) {
   reply.letter('[');
   const std::size_t size = board_->describe(row, reply.room());
   if (size == 0) {
-    reply = {};
+    reply.clear();
     return false;
   }
   reply.wrote(size);

@@ -1,6 +1,7 @@
 #include "firmware/protocol/reply.hpp"
 
 #include <algorithm>
+#include <array>
 
 namespace cnc {
 namespace {

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -10,11 +9,14 @@
 
 namespace cnc {
 
-/// One line being put together for the link, its end included. What does not
-/// fit is cut off, but never the end.
+/// One line being put together for the link, its end included, in memory of
+/// whoever sends it. What does not fit is cut off, but never the end.
 class Reply {
  public:
   static constexpr std::size_t kCapacity = 320;
+  using Bytes = std::span<char, kCapacity>;
+
+  explicit Reply(Bytes bytes) : bytes_{bytes} {}
 
   Reply& text(std::string_view words);
   Reply& letter(char one) { return text({&one, 1}); }
@@ -26,12 +28,13 @@ class Reply {
   Reply& whole(float value);
   /// A place in mm (degrees) with three decimals, or in inches with four.
   Reply& place(Coordinate place, bool inches);
+  void clear() { size_ = 0; }
   /// Adds the line end; the last call.
   Reply& end();
 
   /// Room for somebody who writes by himself; tell with `wrote` how much it was.
   [[nodiscard]] std::span<char> room() {
-    return std::span{bytes_}.subspan(size_, kCapacity - kEnd.size() - size_);
+    return bytes_.subspan(size_, kCapacity - kEnd.size() - size_);
   }
   void wrote(std::size_t count) { size_ += count; }
 
@@ -42,7 +45,7 @@ class Reply {
 
   Reply& fraction(std::uint32_t digits, std::uint32_t count);
 
-  std::array<char, kCapacity> bytes_{};
+  Bytes bytes_;
   std::size_t size_ = 0;
 };
 

@@ -10,6 +10,8 @@ namespace {
 
 constexpr std::uint32_t kHomingEnabled = 1;  ///< Bit of $22.
 
+constexpr gcode::StoredPlaces kNoPlaces{};  ///< In flash: it is large.
+
 /// Whether a text, printed, could be counted as an acknowledgement or would end
 /// the brackets around it.
 bool confuses_senders(std::string_view text) {
@@ -140,10 +142,10 @@ void LineProtocol::refuse_setting(const Statement& statement, SettingError error
                               : low && info->number == setting::kStepPulse
                                   ? error_number::kPulseTooShort
                                   : error_number::kBadNumber;
-  Reply reason;
+  Reply reason = begin_reason(statement.column);
   reason.text(describe(error));
   if (low || error == SettingError::kAboveRange) put_range(reason, *info);
-  refuse(number, statement.column, reason.view());
+  refuse(number, reason);
 }
 
 void LineProtocol::jog(const Statement& statement) {
@@ -190,7 +192,7 @@ void LineProtocol::toggle_check_mode() {
   const bool was_on = machine_.state() == MachineState::kCheck;
   if (!machine_.toggle_check_mode()) return refuse(error_number::kNotIdle);
   message(was_on ? "Disabled" : "Enabled");
-  answer(Reply{}.text("ok").end());
+  answer(begin_answer().text("ok").end());
   beginning_ = was_on;  // Leaving it is a reset.
 }
 
@@ -210,8 +212,8 @@ void LineProtocol::restore(const Statement& statement) {
     kept = stored_.save_power_table({}) && kept;
   }
   if (all || what == "#") {
-    machine_.set_places({});
-    kept = stored_.save_places({}) && kept;
+    machine_.set_places(kNoPlaces);
+    kept = stored_.save_places(kNoPlaces) && kept;
   }
   if (all) {
     kept = stored_.save_user_text({}) && kept;
@@ -221,7 +223,7 @@ void LineProtocol::restore(const Statement& statement) {
   }
   if (!kept) return refuse(error_number::kStoreFailed);
   message("Restoring defaults");
-  answer(Reply{}.text("ok").end());
+  answer(begin_answer().text("ok").end());
   machine_.reset();
   beginning_ = true;
 }

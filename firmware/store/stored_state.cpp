@@ -82,7 +82,7 @@ Position StoredState::load_place(std::uint16_t number) {
   return {};
 }
 
-gcode::StoredPlaces StoredState::load_places() {
+const gcode::StoredPlaces& StoredState::load_places() {
   for (std::size_t i = 0; i < saved_.systems.size(); ++i) {
     saved_.systems[i] = load_place(system_record(i));
   }

@@ -29,7 +29,7 @@ class StoredState {
   [[nodiscard]] bool save_setting(const SettingInfo& info, float value);
 
   /// @return origins and G28/G30 places; zero where none is kept.
-  [[nodiscard]] gcode::StoredPlaces load_places();
+  [[nodiscard]] const gcode::StoredPlaces& load_places();
   /// Saves those that differ from what was loaded or saved last.
   [[nodiscard]] bool save_places(const gcode::StoredPlaces& places);
   [[nodiscard]] bool has_saved(const gcode::StoredPlaces& places) const { return places == saved_; }

@@ -97,8 +97,9 @@ void begin_memory() {
   for (std::uint32_t* to = bss_begin; to < bss_end;) *to++ = 0;
 }
 
-/// Clocks and everything on the chip, interrupts still off.
-void begin_chip() {
+/// Clocks and everything on the chip, interrupts still off. Out of line: its frame is not to
+/// stay below that of the main loop.
+[[gnu::noinline]] void begin_chip() {
   const bool faulted = kept.fault.mark == chip::FaultRecord::kValid;
   kept.fault.mark = 0;
   const chip::Clocks clocks = chip::ClockStart<Bus>::run(kBoard.crystal_hz);

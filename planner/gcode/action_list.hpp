@@ -20,8 +20,9 @@ class ActionList {
   void clear() { size_ = 0; }
 
   /// A fresh action at the end, with nothing but its kind.
+  /// Out of line, or each of its callers would hold an empty action on the stack.
   /// @pre fewer than kMostActions so far.
-  Action& append(ActionKind kind) {
+  [[gnu::noinline]] Action& append(ActionKind kind) {
     CNC_ASSERT(size_ < kMostActions);
     Action& action = actions_[size_++];
     action = Action{};

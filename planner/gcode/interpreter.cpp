@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "planner/base/contract.hpp"
-#include "planner/gcode/execution.hpp"
 
 namespace cnc::gcode {
 
@@ -16,22 +15,22 @@ bool in_range(const Position& place) {
 }  // namespace
 
 Result<Actions, Fault> Interpreter::interpret(std::string_view line) {
-  actions_.clear();
-  if (const auto fault = read_block(line, options_.block_delete, block_)) return *fault;
-  if (block_.empty()) return actions_.all();
-  Execution execution{options_, context_, places_, spline_store_, block_, actions_};
+  bench_.actions.clear();
+  if (const auto fault = read_block(line, options_.block_delete, bench_.block)) return *fault;
+  if (bench_.block.empty()) return bench_.actions.all();
+  Execution execution{options_, context_, places_, spline_store_, bench_};
   if (const auto fault = execution.run()) return *fault;
   execution.commit();
-  return actions_.all();
+  return bench_.actions.all();
 }
 
 Result<Actions, Fault> Interpreter::interpret_jog(std::string_view words) {
-  actions_.clear();
-  if (const auto fault = read_block(words, false, block_)) return *fault;
-  Execution execution{options_, context_, places_, spline_store_, block_, actions_};
+  bench_.actions.clear();
+  if (const auto fault = read_block(words, false, bench_.block)) return *fault;
+  Execution execution{options_, context_, places_, spline_store_, bench_};
   if (const auto fault = execution.run_jog()) return *fault;
   jog_line_number_ = execution.commit_jog();
-  return actions_.all();
+  return bench_.actions.all();
 }
 
 void Interpreter::set_position(const Position& machine) {

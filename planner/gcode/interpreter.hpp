@@ -5,9 +5,8 @@
 #include <string_view>
 
 #include "planner/base/result.hpp"
-#include "planner/gcode/action_list.hpp"
-#include "planner/gcode/block.hpp"
 #include "planner/gcode/context.hpp"
+#include "planner/gcode/execution.hpp"
 #include "planner/gcode/fault.hpp"
 #include "planner/gcode/options.hpp"
 #include "planner/gcode/spline_store.hpp"
@@ -70,8 +69,7 @@ class Interpreter {
   Options options_;
   Context context_{};
   StoredPlaces places_{};
-  Block block_{};
-  ActionList actions_{};
+  Bench bench_{};
   SplineStore spline_store_{};
   std::uint32_t jog_line_number_ = 0;
 };

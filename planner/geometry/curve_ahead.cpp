@@ -3,24 +3,6 @@
 #include <algorithm>
 
 namespace cnc {
-namespace {
-
-struct Value {
-  float value;
-  float slope;  ///< By the degree.
-};
-
-/// De Casteljau's triangle. Not in powers of the parameter: with unequal weights
-/// those cancel each other.
-Value evaluate(std::array<float, Bezier::kHighestDegree + 1> c, std::size_t degree, float t) {
-  const float rest = 1.0F - t;
-  for (std::size_t last = degree; last > 1; --last) {
-    for (std::size_t i = 0; i < last; ++i) c[i] = rest * c[i] + t * c[i + 1];
-  }
-  return {.value = rest * c[0] + t * c[1], .slope = c[1] - c[0]};
-}
-
-}  // namespace
 
 float CurveAhead::length() const {
   const std::size_t left = spline_->segment_count() - segment_;
@@ -52,46 +34,21 @@ void CurveAhead::look() {
   origin_ = segment_ == 0 && parameter_ <= 0.0F ? PlanePlace{} : beziers_[0].start();
   const Vec2 tangent = beziers_[0].start_tangent();
   if (tangent.squaredNorm() > 0.0F) tangent_ = tangent;
-  hulls_[0] = seen_from_here(beziers_[0]);
+  views_[0] = BezierView{beziers_[0], origin_, tangent_};
   prepared_ = 1;
 }
 
 void CurveAhead::prepare(std::size_t piece) {
   for (; prepared_ <= piece; ++prepared_) {
     beziers_[prepared_] = spline_->segment(segment_ + prepared_);
-    hulls_[prepared_] = seen_from_here(beziers_[prepared_]);
+    views_[prepared_] = BezierView{beziers_[prepared_], origin_, tangent_};
   }
-}
-
-CurveAhead::Hull CurveAhead::seen_from_here(const Bezier& bezier) const {
-  const Wide here_x = to_wide(origin_.x);
-  const Wide here_y = to_wide(origin_.y);
-  const Wide along_x{tangent_.x()};
-  const Wide along_y{tangent_.y()};
-  Hull seen;
-  for (std::size_t i = 0; i <= bezier.degree(); ++i) {
-    const WeightedPoint& point = bezier.point(i);
-    const Wide dx = point.x - point.weight * here_x;
-    const Wide dy = point.y - point.weight * here_y;
-    seen.x[i] = (dx * along_x + dy * along_y).to_float() * kMillimetresPerNanometre;
-    seen.y[i] = (dy * along_x - dx * along_y).to_float() * kMillimetresPerNanometre;
-    seen.weight[i] = point.weight.to_float();
-  }
-  return seen;
 }
 
 CurvePoint CurveAhead::at(float distance) {
   const Spot where = spot(distance);
   prepare(where.piece);
-  const Hull& hull = hulls_[where.piece];
-  const std::size_t degree = spline_->order() - 1;
-  const Value x = evaluate(hull.x, degree, where.parameter);
-  const Value y = evaluate(hull.y, degree, where.parameter);
-  const Value weight = evaluate(hull.weight, degree, where.parameter);
-  const float share = 1.0F / weight.value;
-  const Vec2 place{x.value * share, y.value * share};
-  return {.place = place,
-          .direction = {x.slope - place.x() * weight.slope, y.slope - place.y() * weight.slope}};
+  return views_[where.piece].at(where.parameter);
 }
 
 Vec2 CurveAhead::arrival(float distance) {

@@ -3,16 +3,11 @@
 #include <array>
 #include <cstddef>
 
+#include "planner/geometry/bezier_view.hpp"
 #include "planner/geometry/spline.hpp"
 #include "planner/geometry/vector.hpp"
 
 namespace cnc {
-
-/// A point of a curve, and which way it goes there.
-struct CurvePoint {
-  Vec2 place;
-  Vec2 direction;  ///< Of any length; null at a cusp.
-};
 
 /// The stretch of a spline that lies ahead of a place on it, in single
 /// precision but seen from that place: origin there, x along the tangent, mm.
@@ -52,12 +47,6 @@ class CurveAhead {
   void advance(float distance);
 
  private:
-  /// Control points times their weights, as seen from here.
-  struct Hull {
-    std::array<float, Bezier::kHighestDegree + 1> x{};
-    std::array<float, Bezier::kHighestDegree + 1> y{};
-    std::array<float, Bezier::kHighestDegree + 1> weight{};
-  };
   struct Spot {
     std::size_t piece;
     float parameter;  ///< Of the piece, 0…1.
@@ -66,7 +55,6 @@ class CurveAhead {
   void look();
   void prepare(std::size_t piece);
   [[nodiscard]] Spot spot(float distance) const;
-  [[nodiscard]] Hull seen_from_here(const Bezier& bezier) const;
 
   const Spline* spline_;
   std::size_t segment_ = 0;
@@ -75,7 +63,7 @@ class CurveAhead {
   Vec2 tangent_{1.0F, 0.0F};
   std::size_t prepared_ = 0;
   std::array<Bezier, kMostPieces> beziers_{};  ///< The first from `parameter_` on.
-  std::array<Hull, kMostPieces> hulls_{};
+  std::array<BezierView, kMostPieces> views_{};
 };
 
 }  // namespace cnc

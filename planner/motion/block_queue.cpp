@@ -68,8 +68,11 @@ LimitZone zone_of(const Spans& spans, const Block& block, const PlanTerms& terms
 }
 
 /// What blocks ahead ask of this one. False when that has changed, or may have
-/// for blocks before it.
-bool lay_tail(ZoneTrail& ahead, Block& block, const Limits& limits, const PlanTerms& terms) {
+/// for blocks before it. Out of line: spans are large, and plan_all() goes deep elsewhere.
+[[gnu::noinline]] bool lay_tail(ZoneTrail& ahead,
+                                Block& block,
+                                const Limits& limits,
+                                const PlanTerms& terms) {
   const Spans spans{block, limits, terms.window};
   const LimitZone own = zone_of(spans, block, terms);
   const BlockZones tail = ahead.reaching(own);
@@ -119,10 +122,10 @@ void BlockQueue::lay_heads(const Limits& limits, const PlanTerms& terms) {
 namespace {
 
 /// What a block can be entered with, its corner aside.
-BrakingState entry_for(const Block& block,
-                       const Limits& limits,
-                       const PlanTerms& terms,
-                       const BrakingState& exit) {
+[[gnu::noinline]] BrakingState entry_for(const Block& block,
+                                         const Limits& limits,
+                                         const PlanTerms& terms,
+                                         const BrakingState& exit) {
   const SpeedCap cap{block, terms.overrides};
   if (!block.turns() && !terms.window.filters()) {
     return {.speed_square = brake_over_line(block, cap, exit.speed_square)};

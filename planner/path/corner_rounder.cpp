@@ -53,8 +53,7 @@ void CornerRounder::clear() {
 void CornerRounder::put(const PathItem& item) {
   CNC_ASSERT(has_room());
   if (!first_) {
-    first_ = Held{.item = item, .start = item.request.element.start};
-    if (last_) first_->joint = joint_at(examine(*last_, item, limits_));
+    hold(first_, item, last_ ? joint_at(examine(*last_, item, limits_)) : motion::Joint::kStop);
     last_.reset();
     return;
   }
@@ -68,14 +67,20 @@ void CornerRounder::put(const PathItem& item) {
 
 /// @pre only the first is held
 void CornerRounder::meet(const PathItem& item, const Corner& corner) {
-  const Held held{.item = item, .start = item.request.element.start, .joint = joint_at(corner)};
   if (corner.kind == Corner::Kind::kBlend) {
     corner_ = corner;
-    second_ = held;
+    hold(second_, item, motion::Joint::kStop);
     return;
   }
   give_rest(*first_, first_->item.request.element.end, -1.0F);
-  first_ = held;
+  hold(first_, item, joint_at(corner));
+}
+
+void CornerRounder::hold(std::optional<Held>& place, const PathItem& item, motion::Joint joint) {
+  Held& held = place.emplace();
+  held.item = item;
+  held.start = item.request.element.start;
+  held.joint = joint;
 }
 
 void CornerRounder::flush() {
@@ -135,37 +140,45 @@ void CornerRounder::blend(float trim_mm, bool in_halves) {
   const bool all_after = corner_.after.length - trim_mm < kCrumbMm;
   const Position from =
       all_before ? first_->start : place_on(corner_.before, corner_.plane, corner, -trim_mm);
-  const Position to = all_after ? second_->item.request.element.end
-                                : place_on(corner_.after, corner_.plane, corner, trim_mm);
-  const Blend blend = make_blend(corner_, from, to, trim_mm, in_halves);
+  second_->start = all_after ? second_->item.request.element.end
+                             : place_on(corner_.after, corner_.plane, corner, trim_mm);
+  const Blend blend = make_blend(corner_, from, second_->start, trim_mm, in_halves);
   if (blend.count == 0) {
-    return give_rest(*first_, first_->item.request.element.end, -1.0F);
+    second_->start = corner;
+    return give_rest(*first_, corner, -1.0F);
   }
   give_rest(*first_, from, all_before ? 0.0F : left);
-  motion::Joint joint = all_before ? first_->joint : motion::Joint::kSmooth;
+  give_blend(blend, all_before ? first_->joint : motion::Joint::kSmooth, trim_mm, in_halves);
+  second_->used_mm = trim_mm;
+  second_->joint = motion::Joint::kSmooth;
+}
+
+/// @param joint with what is before it.
+void CornerRounder::give_blend(const Blend& blend,
+                               motion::Joint joint,
+                               float trim_mm,
+                               bool in_halves) {
   for (std::size_t i = 0; i < blend.count; ++i) {
     const bool earlier = in_halves && i == 0;
-    motion::MotionRequest part = earlier ? first_->item.request : second_->item.request;
+    motion::MotionRequest& part = next_ready();
+    part = earlier ? first_->item.request : second_->item.request;
     part.element = blend.parts[i];
     part.row = earlier ? part.row.part(1.0F - trim_mm / corner_.before.length, 1.0F)
                        : part.row.part(0.0F, trim_mm / corner_.after.length);
     if (earlier) part.outputs = {};
     if (!earlier) second_->item.request.outputs = {};
-    give(part, joint);
+    give(joint);
     joint = motion::Joint::kSmooth;
   }
-  second_->start = to;
-  second_->used_mm = trim_mm;
-  second_->joint = motion::Joint::kSmooth;
 }
 
 /// @param left_mm of the element in its plane; negative for all that is left.
 void CornerRounder::give_rest(const Held& held, const Position& end, float left_mm) {
-  motion::MotionRequest request = held.item.request;
+  motion::MotionRequest& request = next_ready();
+  request = held.item.request;
   const PathElement& whole = held.item.request.element;
   if (held.used_mm > 0.0F || left_mm >= 0.0F) {
-    const auto leg = leg_before(whole, whole.bulge != 0.0F ? whole.plane : corner_.plane);
-    const float length = leg ? leg->length : 0.0F;
+    const float length = length_in(whole, whole.bulge != 0.0F ? whole.plane : corner_.plane);
     const float left = left_mm >= 0.0F ? left_mm : length - held.used_mm;
     const float share = length > 0.0F ? left / length : 1.0F;
     request.element = part_of(whole, held.start, end, share);
@@ -174,17 +187,22 @@ void CornerRounder::give_rest(const Held& held, const Position& end, float left_
       request.row = request.row.part(from, left_mm >= 0.0F ? from + share : 1.0F);
     }
   }
-  give(request, held.joint);
+  give(held.joint);
+}
+
+/// The place of the next piece, which give() makes one.
+motion::MotionRequest& CornerRounder::next_ready() {
+  CNC_ASSERT(ready_count_ < kMostReady);
+  return ready_[ready_count_].request;
 }
 
 /// A piece of which its corners left nothing is left out; its outputs went with
 /// the blend before it. A stop there is a stop at the next.
-void CornerRounder::give(const motion::MotionRequest& request, motion::Joint joint) {
+void CornerRounder::give(motion::Joint joint) {
+  PathPiece& piece = ready_[ready_count_];
   stop_left_over_ = stop_left_over_ || joint == motion::Joint::kStop;
-  if (request.element.start == request.element.end) return;
-  CNC_ASSERT(ready_count_ < kMostReady);
-  PathPiece& piece = ready_[ready_count_++];
-  piece.request = request;
+  if (piece.request.element.start == piece.request.element.end) return;
+  ++ready_count_;
   piece.joint = stop_left_over_ ? motion::Joint::kStop : motion::Joint::kSmooth;
   stop_left_over_ = false;
 }

@@ -95,6 +95,11 @@ std::optional<Leg> leg_after(const PathElement& element, Plane plane) {
   return Leg{flat->start_tangent, flat->curvature, flat->length, flat->slope};
 }
 
+float length_in(const PathElement& element, Plane plane) {
+  const auto flat = flat_in(element, plane);
+  return flat ? flat->length : 0.0F;
+}
+
 Position place_on(const Leg& leg, Plane plane, const Position& corner, float way) {
   const PlaneAxes axes = axes_of(plane);
   const Vec2 offset = leg.place(way);

@@ -26,6 +26,9 @@ struct Leg {
 [[nodiscard]] std::optional<Leg> leg_before(const PathElement& element, Plane plane);
 [[nodiscard]] std::optional<Leg> leg_after(const PathElement& element, Plane plane);
 
+/// mm of an element in a plane; 0 where it has no leg there.
+[[nodiscard]] float length_in(const PathElement& element, Plane plane);
+
 /// The place that lies `way` mm beyond `corner` along the leg, all axes.
 [[nodiscard]] Position place_on(const Leg& leg, Plane plane, const Position& corner, float way);
 

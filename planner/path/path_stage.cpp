@@ -46,7 +46,7 @@ bool PathStage::move_on() {
   if (flushing_) row_.close();
   const PathItem* const waiting = row_.closed() ? &row_.item() : nullptr;
   if (rounder_.has_room()) {
-    if (const std::optional<PathItem> item = welder_.next()) {
+    if (const PathItem* const item = welder_.next()) {
       rounder_.put(*item);
       return true;
     }

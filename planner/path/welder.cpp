@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "planner/base/contract.hpp"
 #include "planner/geometry/biarc.hpp"
@@ -88,6 +89,7 @@ void Welder::put(const PathItem& item) {
   const bool goes_on = known_direction_ && element.start == from_ && alike(item);
   if (empty() && !goes_on) {
     chain_ = item;
+    given_out_ = false;
     plane_ = plane_of(element).value_or(Plane::kXY);
     from_ = element.start;
     known_direction_ = false;
@@ -106,18 +108,19 @@ void Welder::clear() {
   closing_ = hurries_ = fitting_ = known_direction_ = false;
 }
 
-std::optional<PathItem> Welder::next() {
+const PathItem* Welder::next() {
   for (int looks = 0; looks < kMostLooks && !empty(); ++looks) {
     if (!fitting_) begin_fit();
     if (looked_at_ < count_) {
       if (look()) continue;
     } else if (!closing_ && !hurries_ && count_ < kMostHeld) {
-      return std::nullopt;
+      return nullptr;
     }
-    return finish();
+    finish();
+    return &chain_;
   }
   if (empty() && closing_) closing_ = known_direction_ = false;
-  return std::nullopt;
+  return nullptr;
 }
 
 Vec2 Welder::travel_to(const Point& point) const {
@@ -230,7 +233,7 @@ void Welder::forget_first(std::size_t count) {
   smooth_.index -= std::min(smooth_.index, count);
 }
 
-PathItem Welder::finish() {
+void Welder::finish() {
   const bool smooth = smooth_.points > 0 && 2 * smooth_.points >= farthest_.points;
   Reach reach = smooth ? smooth_ : farthest_;
   if (reach.points == 0) {
@@ -238,18 +241,18 @@ PathItem Welder::finish() {
     reach = {.points = 1, .index = 1, .end = point(0), .seen = seen(point(0))};
     reach.circle.slope = reach.seen.y() / std::max(reach.seen.x(), 1.0e-9F);
   }
-  PathItem item = chain_;
-  item.continues = smooth;
-  item.request.line = reach.end.line;
-  item.request.element = {.start = from_, .end = place_of(reach.end), .plane = plane_};
+  motion::MotionRequest& piece = chain_.request;
+  chain_.continues = smooth;
+  if (given_out_) piece.outputs = {};
+  given_out_ = true;
+  piece.line = reach.end.line;
+  piece.element = {.start = from_, .end = place_of(reach.end), .plane = plane_};
   if (reach.circle.curvature != 0.0F) {
-    item.request.element.bulge = bulge_between(Vec2{1.0F, reach.circle.slope}, reach.seen);
+    piece.element.bulge = bulge_between(Vec2{1.0F, reach.circle.slope}, reach.seen);
   }
-  chain_.request.outputs = {};
   line_ = reach.end.line;
   hurries_ = false;
   go_to(reach);
-  return item;
 }
 
 /// The end's direction is the start's, mirrored at the chord.

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <optional>
 
 #include "planner/path/circle_fan.hpp"
 #include "planner/path/path_item.hpp"
@@ -42,9 +41,9 @@ class Welder {
   /// What is held is given out as far as it has been looked at.
   void hurry() { hurries_ = !empty(); }
 
-  /// The next arc or line; nothing when there is none yet. Looks at kMostLooks
-  /// points at most.
-  [[nodiscard]] std::optional<PathItem> next();
+  /// The next arc or line, until the next call of anything else; null when there is none
+  /// yet. Looks at kMostLooks points at most.
+  [[nodiscard]] const PathItem* next();
   void clear();
 
   [[nodiscard]] bool empty() const { return count_ == 0 && !fitting_; }
@@ -72,7 +71,7 @@ class Welder {
   [[nodiscard]] bool goes_on(const Vec2& here, const Vec2& chord) const;
   void pass(const Vec2& here, float chord_mm);
   void note_reach(const Vec2& here);
-  [[nodiscard]] PathItem finish();
+  void finish();
   void go_to(const Reach& reach);
   void forget_points();
   void forget_first(std::size_t count);
@@ -87,7 +86,8 @@ class Welder {
 
   static constexpr int kMostLooks = 8;
 
-  PathItem chain_{};  ///< What all have in common.
+  PathItem chain_{};        ///< What all have in common; the piece given out last.
+  bool given_out_ = false;  ///< One was: the outputs before the chain went with it.
   Plane plane_ = Plane::kXY;
   std::array<Point, kMostHeld> points_{};
   std::size_t oldest_ = 0;

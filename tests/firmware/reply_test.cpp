@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <string>
 
@@ -11,10 +12,12 @@ namespace cnc {
 namespace {
 
 std::string value(float number, std::uint32_t least) {
-  return std::string{Reply{}.value(number, least).view()};
+  std::array<char, Reply::kCapacity> bytes{};
+  return std::string{Reply{bytes}.value(number, least).view()};
 }
 std::string place(std::int64_t nanometres, bool inches) {
-  return std::string{Reply{}.place(Coordinate{nanometres}, inches).view()};
+  std::array<char, Reply::kCapacity> bytes{};
+  return std::string{Reply{bytes}.place(Coordinate{nanometres}, inches).view()};
 }
 
 TEST(Reply, WritesSettingsWithAsManyDecimalsAsTheyHave) {
@@ -55,7 +58,8 @@ TEST(Reply, WritesPlacesInTenThousandthsOfAnInch) {
 }
 
 TEST(Reply, CutsOffWhatDoesNotFitButKeepsItsEnd) {
-  Reply reply;
+  std::array<char, Reply::kCapacity> bytes{};
+  Reply reply{bytes};
   for (int k = 0; k < 100; ++k) reply.text("0123456789");
   reply.end();
   EXPECT_EQ(reply.view().size(), Reply::kCapacity);
