@@ -76,8 +76,10 @@ void CornerRounder::meet(const PathItem& item, const Corner& corner) {
   hold(first_, item, joint_at(corner));
 }
 
-void CornerRounder::hold(std::optional<Held>& place, const PathItem& item, motion::Joint joint) {
-  Held& held = place.emplace();
+void CornerRounder::hold(std::optional<HeldItem>& place,
+                         const PathItem& item,
+                         motion::Joint joint) {
+  HeldItem& held = place.emplace();
   held.item = item;
   held.start = item.request.element.start;
   held.joint = joint;
@@ -93,7 +95,7 @@ void CornerRounder::flush() {
 }
 
 void CornerRounder::expect(const PathItem& item) {
-  const std::optional<Held>& newest = second_ ? second_ : first_;
+  const std::optional<HeldItem>& newest = second_ ? second_ : first_;
   if (newest && stop_between(newest->item, item)) flush();
 }
 
@@ -173,7 +175,7 @@ void CornerRounder::give_blend(const Blend& blend,
 }
 
 /// @param left_mm of the element in its plane; negative for all that is left.
-void CornerRounder::give_rest(const Held& held, const Position& end, float left_mm) {
+void CornerRounder::give_rest(const HeldItem& held, const Position& end, float left_mm) {
   motion::MotionRequest& request = next_ready();
   request = held.item.request;
   const PathElement& whole = held.item.request.element;

@@ -9,6 +9,14 @@
 
 namespace cnc::path {
 
+/// An element whose corners are not both settled.
+struct HeldItem {
+  PathItem item{};
+  Position start{};      ///< Of what the corner before has left of it.
+  float used_mm = 0.0F;  ///< By that corner, in the plane.
+  motion::Joint joint = motion::Joint::kStop;
+};
+
 /// Rounds the corners of a path, element by element as they come.
 ///
 /// An element is held until both its corners are settled: how much of it a
@@ -49,21 +57,14 @@ class CornerRounder {
   [[nodiscard]] std::uint32_t line() const;
 
  private:
-  struct Held {
-    PathItem item{};
-    Position start{};      ///< Of what the corner before has left of it.
-    float used_mm = 0.0F;  ///< By that corner, in the plane.
-    motion::Joint joint = motion::Joint::kStop;
-  };
-
   void meet(const PathItem& item, const Corner& corner);
-  static void hold(std::optional<Held>& place, const PathItem& item, motion::Joint joint);
+  static void hold(std::optional<HeldItem>& place, const PathItem& item, motion::Joint joint);
   void settle(float allowance_mm);
   void blend(float trim_mm, bool in_halves);
   void give_blend(const Blend& blend, motion::Joint joint, float trim_mm, bool in_halves);
   [[nodiscard]] float granted(float allowance_mm) const;
   [[nodiscard]] float without_crumbs(float trim_mm) const;
-  void give_rest(const Held& held, const Position& end, float left_mm);
+  void give_rest(const HeldItem& held, const Position& end, float left_mm);
   [[nodiscard]] motion::MotionRequest& next_ready();
   void give(motion::Joint joint);
 
@@ -71,8 +72,8 @@ class CornerRounder {
   static constexpr std::size_t kMostReady = 4;
 
   const motion::Limits& limits_;
-  std::optional<Held> first_{};
-  std::optional<Held> second_{};  ///< Only where the corner between them is to be rounded.
+  std::optional<HeldItem> first_{};
+  std::optional<HeldItem> second_{};  ///< Only where the corner between them is to be rounded.
   Corner corner_{};
   std::optional<PathItem> last_{};  ///< The last that was given out without a corner after it.
   std::array<PathPiece, kMostReady> ready_{};
