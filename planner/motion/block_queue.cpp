@@ -36,6 +36,7 @@ void BlockQueue::pop_front() {
 
 void BlockQueue::clear() {
   size_ = 0;
+  front_trail_.clear();
   unplanned_ = 0;
   leaves_none_out_ = false;
   ends_ = false;
@@ -85,6 +86,14 @@ LimitZone zone_of(const Spans& spans, const Block& block, const PlanTerms& terms
 
 }  // namespace
 
+void BlockQueue::leave_front(const Limits& limits, const PlanTerms& terms) {
+  if (!terms.window.filters()) return;
+  const Block& block = front();
+  if (block.from_rest) front_trail_.clear();
+  front_trail_.advance(block.length);
+  front_trail_.add(zone_of(Spans{block, limits, terms.window}, block, terms));
+}
+
 void BlockQueue::stop_before_newest() {
   changeable(size_ - newest_).from_rest = true;
   forget_plan();
@@ -94,9 +103,8 @@ void BlockQueue::stop_before_newest() {
 void BlockQueue::lay_heads(const Limits& limits, const PlanTerms& terms) {
   if (!terms.window.filters()) return;
   if (unplanned_ == size_) {
-    // What blocks that are gone ask of the oldest stays as it was, and so do its spans.
-    trail_.clear();
-    for (const LimitZone& zone : front().head) trail_.add(zone);
+    // What blocks that are gone ask for stays as it was: who takes back a plan finds the old one.
+    trail_ = front_trail_;
     reachable_square_ = left_square_;
   }
   for (std::size_t index = size_ - unplanned_; index < size_; ++index) {

@@ -45,6 +45,9 @@ class BlockQueue {
     return blocks_[first_];
   }
   void pop_front();
+  /// The oldest block is about to be taken away, but what it asks of those behind it still
+  /// holds. @pre !empty()
+  void leave_front(const Limits& limits, const PlanTerms& terms);
   void clear();
   /// Counted from the oldest. @pre index < size()
   [[nodiscard]] const Block& at(std::size_t index) const {
@@ -100,7 +103,8 @@ class BlockQueue {
   static constexpr std::size_t kReplanShare = 16;
 
   std::span<Block> blocks_;
-  ZoneTrail trail_{};  ///< Of the blocks that have a head.
+  ZoneTrail trail_{};        ///< Of the blocks that have a head.
+  ZoneTrail front_trail_{};  ///< Of those that were taken away.
   /// v² that the newest of those may be left with at most, and the block taken away last.
   float reachable_square_ = 0.0F;
   float left_square_ = 0.0F;

@@ -6,17 +6,6 @@
 namespace cnc::motion {
 namespace {
 
-/// Rounded up, so that no speed is above the plan's; where a phase takes hours,
-/// microseconds do.
-std::uint64_t to_nanoseconds(float seconds) {
-  constexpr float kLong = 1.0e4F;  // s.
-  if (seconds < kLong) {
-    const float rounded_up = std::ceil(seconds * kNanosecondsPerSecond);
-    return std::max<std::uint64_t>(1, static_cast<std::uint64_t>(truncated(rounded_up)));
-  }
-  return static_cast<std::uint64_t>(truncated(seconds * 1.0e6F)) * 1000U;
-}
-
 /// So much less as the time is longer for being rounded: the speeds stay.
 float acceleration_of(const Phase& phase, std::uint64_t duration_ns) {
   const float duration = nearest_float(duration_ns) * kSecondsPerNanosecond;
@@ -28,28 +17,6 @@ PhaseCourse::Grain grain_of(const TimeWindow& window) {
 }
 
 }  // namespace
-
-void PlanCursor::set_overrides(const Overrides& overrides) {
-  overrides_ = overrides;
-  if (!terms_.window.filters() && !same_pace(overrides, terms_.overrides)) take_up_overrides();
-}
-
-/// All that was planned is to be planned anew.
-void PlanCursor::plan_for(const PlanTerms& terms) {
-  terms_ = terms;
-  queue_.forget_plan();
-  replan_ = true;
-}
-
-/// @pre at rest, or nothing reaches from one block into another
-void PlanCursor::take_up_overrides() {
-  plan_for({.overrides = overrides_, .greatest = overrides_, .window = terms_.window});
-}
-
-void PlanCursor::set_window(const TimeWindow& window) {
-  terms_.window = window;
-  take_up_overrides();
-}
 
 /// The end of the chain of blocks that begins at the present one: the next that begins
 /// from rest, or the end of the queue.
@@ -88,6 +55,8 @@ void PlanCursor::reset() {
   since_braking_ns_ = kLongAgo;
   overtaken_ = false;
   braking_from_ = 0.0F;
+  clock_ = {};
+  postponed_ns_ = 0;
   index_ = 0;
   driving_ = false;
   phase_ = {};
@@ -97,16 +66,18 @@ void PlanCursor::reset() {
 
 void PlanCursor::block_left() {
   CNC_ASSERT(index_ > 0);
+  queue_.leave_front(limits_, terms_);
   --index_;
 }
 
 bool PlanCursor::next(std::uint32_t most_ns, Drive drive, bool may_start, Stretch& stretch) {
   const bool at_rest = speed_ <= 0.0F && may_start;
   if (at_rest && !same_pace(terms_.greatest, overrides_)) take_up_overrides();
+  if (terms_.window.filters() && speed_ > 0.0F && goes_on()) begin_block();
   queue_.plan(limits_, terms_, index_);
   if (driving_) follow_plan(drive);
   if (!same_pace(terms_.overrides, overrides_)) {
-    lower_pace(drive);
+    lower_pace(most_ns, drive);
     if (driving_) try_higher_pace(most_ns, drive);
   }
   stand_at_stop();
@@ -114,6 +85,7 @@ bool PlanCursor::next(std::uint32_t most_ns, Drive drive, bool may_start, Stretc
     if (!may_start) return false;
     since_speeding_up_ns_ = kLongAgo;
     since_braking_ns_ = kLongAgo;
+    clock_.rest();
   }
   if (driving_ && profile_.at_end()) {
     finish_block(stretch);
@@ -127,11 +99,10 @@ bool PlanCursor::next(std::uint32_t most_ns, Drive drive, bool may_start, Stretc
   elapsed_ns_ += stretch.duration_ns;
   const bool phase_ends = elapsed_ns_ == course_.duration_ns();
   const PathUnits from = place_;
-  place_ = phase_from_ + course_.way_after(elapsed_ns_);
-  // Who is at the end has left the block.
-  if (!phase_ends) place_ = std::min(place_, length_ - 1);
-  stretch.way = place_ - from;
   speed_ = phase_ends ? course_.whole().end_speed : course_.speed_after(elapsed_ns_);
+  place_ = phase_from_ + course_.way_after(elapsed_ns_);
+  if (!phase_ends) place_ = in_time(place_);
+  stretch.way = place_ - from;
   stretch.end_speed = speed_;
   note_change(stretch);
   if (!phase_ends) return true;
@@ -140,6 +111,16 @@ bool PlanCursor::next(std::uint32_t most_ns, Drive drive, bool may_start, Stretc
   settle_place();
   if (profile_.at_end()) end_block();
   return true;
+}
+
+/// Within the phase: where the plan would be if phases did not last whole nanoseconds.
+PathUnits PlanCursor::in_time(PathUnits place) const {
+  PathUnits most = length_ - 1;  // Who is at the end has left the block.
+  if (terms_.window.filters()) {
+    most = std::min(most, phase_from_ + course_.whole().way);
+    place += to_units(speed_ * clock_.late_ns(elapsed_ns_) * kSecondsPerNanosecond);
+  }
+  return std::min(place, most);
 }
 
 Patience PlanCursor::patience() const {
@@ -164,92 +145,6 @@ void PlanCursor::note_change(const Stretch& stretch) {
   pass(since_braking_ns_, stretch.acceleration < 0.0F);
 }
 
-void PlanCursor::stop_phase_short() {
-  if (phase_.duration > 0.0F) profile_.stop_short(phase_, phase_distance_left(), speed_);
-  phase_ = {};
-  settle_place();
-}
-
-/// The profile counts in floats, of which each phase rounds one. Set right in one
-/// phase much later, the sum would be a jump of speed.
-void PlanCursor::settle_place() {
-  if (terms_.window.filters()) profile_.settle(to_mm(length_ - place_));
-}
-
-/// More blocks, an override or a hold may have changed what lies ahead.
-void PlanCursor::follow_plan(Drive drive) {
-  const bool same_zones = !terms_.window.filters() || queue_.at(index_).tail == profile_.tail();
-  const bool same_plan = !replan_ && same_zones && queue_.exit_of(index_) == profile_.exit();
-  if (same_plan && drive == phase_drive_) return;
-  stop_phase_short();
-  if (profile_.at_end() || same_plan) return;
-  const BlockZones zones = profile_.tail();
-  replan();
-  if (terms_.window.filters()) {
-    const bool too_fast = profile_.too_fast(patience());
-    if (replan_) {
-      overtaken_ = too_fast;
-    } else if (too_fast || profile_.within_other_zones(zones)) {
-      refuse_late_blocks();
-    }
-  }
-  replan_ = false;
-}
-
-/// Blocks that are not planned yet are judged by the plan as it was.
-void PlanCursor::bring_up_to_date(Drive drive) {
-  queue_.plan_all(limits_, terms_, index_);
-  if (driving_) follow_plan(drive);
-}
-
-/// At once: who is too fast for it slows down.
-void PlanCursor::lower_pace(Drive drive) {
-  PlanTerms lower = terms_;
-  lower.overrides = lesser_pace(overrides_, terms_.overrides);
-  if (same_pace(lower.overrides, terms_.overrides)) return;
-  bring_up_to_date(drive);
-  plan_for(lower);
-  bring_up_to_date(drive);
-}
-
-/// As soon as the plan for it is one that can be gone over to here.
-void PlanCursor::try_higher_pace(std::uint64_t passed_ns, Drive drive) {
-  constexpr std::uint64_t kBetweenTries = 20'000'000;
-  untried_ns_ += passed_ns;
-  if (untried_ns_ < kBetweenTries || same_pace(terms_.overrides, overrides_)) return;
-  untried_ns_ = 0;
-  bring_up_to_date(drive);
-  stop_phase_short();
-  if (profile_.at_end()) return;
-  const PlanTerms before = terms_;
-  const BlockZones zones = profile_.tail();
-  plan_and_replan({.overrides = overrides_,
-                   .greatest = greater_pace(overrides_, terms_.greatest),
-                   .window = terms_.window});
-  const bool can_go_over = !profile_.too_fast(patience()) && !profile_.within_other_zones(zones);
-  if (!can_go_over) plan_and_replan(before);
-}
-
-void PlanCursor::plan_and_replan(const PlanTerms& terms) {
-  plan_for(terms);
-  queue_.plan_all(limits_, terms_, index_);
-  replan();
-  replan_ = false;
-}
-
-void PlanCursor::replan() {
-  profile_.replan(queue_.at(index_), limits_, terms_, queue_.exit_of(index_));
-}
-
-/// Blocks came so late that the plan is too fast already for what they ask for
-/// ahead of their start. Nothing is, for a stop there, as was planned without them.
-void PlanCursor::refuse_late_blocks() {
-  if (!queue_.has_newest_behind(index_)) return;
-  queue_.stop_before_newest();
-  queue_.plan(limits_, terms_, index_);
-  replan();
-}
-
 /// Cutting a phase short may have rounded what was left of it to nothing.
 void PlanCursor::finish_block(Stretch& stretch) {
   stretch = {.way = length_ - place_, .duration_ns = 1, .start_speed = speed_, .end_speed = speed_};
@@ -271,7 +166,7 @@ bool PlanCursor::ready_phase(Drive drive) {
     return false;
   }
   phase_from_ = place_;
-  const std::uint64_t duration_ns = to_nanoseconds(phase_.duration);
+  const std::uint64_t duration_ns = clock_.begin(phase_.duration, terms_.window.filters());
   course_ = PhaseCourse{{.way = place_after(phase_) - place_,
                          .duration_ns = duration_ns,
                          .start_speed = phase_.start_speed,

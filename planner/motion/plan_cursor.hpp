@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "planner/motion/block_queue.hpp"
+#include "planner/motion/phase_clock.hpp"
 #include "planner/motion/phase_course.hpp"
 #include "planner/motion/speed_profile.hpp"
 
@@ -37,7 +38,7 @@ class PlanCursor {
   /// stays so: nothing that comes later joins that way. @pre at rest, not at_end()
   [[nodiscard]] TimeWindow choose_window();
 
-  /// The front of the queue was taken away. @pre the plan has left it
+  /// The front of the queue is about to be taken away. @pre the plan has left it
   void block_left();
   /// Forgets everything; the queue is empty.
   void reset();
@@ -53,11 +54,12 @@ class PlanCursor {
   void note_change(const Stretch& stretch);
   void stop_phase_short();
   void settle_place();
+  [[nodiscard]] bool goes_on() const;
   void follow_plan(Drive drive);
   void plan_for(const PlanTerms& terms);
   void take_up_overrides();
   void bring_up_to_date(Drive drive);
-  void lower_pace(Drive drive);
+  void lower_pace(std::uint64_t passed_ns, Drive drive);
   void try_higher_pace(std::uint64_t passed_ns, Drive drive);
   void plan_and_replan(const PlanTerms& terms);
   void replan();
@@ -67,6 +69,7 @@ class PlanCursor {
   void stand_at_stop();
   void begin_block();
   void end_block();
+  [[nodiscard]] PathUnits in_time(PathUnits place) const;
   [[nodiscard]] PathUnits place_after(const Phase& phase) const;
   [[nodiscard]] float phase_distance_left() const;
 
@@ -76,7 +79,8 @@ class PlanCursor {
   const Limits& limits_;
   Overrides overrides_{};
   PlanTerms terms_{};
-  std::uint64_t untried_ns_ = 0;  ///< Since a higher pace was last tried.
+  std::uint64_t untried_ns_ = 0;    ///< Since a higher pace was last tried.
+  std::uint64_t postponed_ns_ = 0;  ///< Until a lower pace is tried again.
   bool replan_ = false;
   bool overtaken_ = false;  ///< As Patience knows it.
   std::uint32_t since_speeding_up_ns_ = kLongAgo;
@@ -89,6 +93,7 @@ class PlanCursor {
   Drive phase_drive_ = Drive::kOn;
   Phase phase_{};
   PhaseCourse course_{};
+  PhaseClock clock_{};
   std::uint64_t elapsed_ns_ = 0;  ///< Of the course.
   PathUnits length_ = 0;          ///< Of the block.
   PathUnits place_ = 0;           ///< Within the block.

@@ -175,8 +175,8 @@ void Segmenter::begin_block() {
 }
 
 void Segmenter::end_block() {
-  queue_.pop_front();
   plan_.block_left();
+  queue_.pop_front();
   ++blocks_ended_;
   driving_ = false;
   stretch_from_ -= length_;

@@ -130,6 +130,16 @@ bool SpeedProfile::within_other_zones(const BlockZones& before) const {
   });
 }
 
+bool SpeedProfile::too_fast_to_turn(const BlockZones& before) const {
+  const BlockZones& now = spans_.tail();
+  return std::any_of(now.begin(), now.end(), [&](const LimitZone& zone) {
+    const bool known = std::any_of(before.begin(), before.end(), [&zone](const LimitZone& old) {
+      return old.length >= zone.length && both(old.turning, zone.turning) == old.turning;
+    });
+    return !known && speed_square_ > zone.turning.speed_limit_square(spans_.window_s());
+  });
+}
+
 /// Speed up, hold the cap or follow the braking curve, whichever comes first.
 Phase SpeedProfile::change_speed(const Patience& patience) const {
   if (patience.before_braking > 0.0F && patience.overtaken) {

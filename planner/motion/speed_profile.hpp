@@ -63,6 +63,9 @@ class SpeedProfile {
   [[nodiscard]] bool too_fast(const Patience& patience) const;
   /// The place lies in a zone from ahead that was not there before.
   [[nodiscard]] bool within_other_zones(const BlockZones& before) const;
+  /// In a zone from ahead all is taken by turning at the present speed, and it was not
+  /// asked for so far before.
+  [[nodiscard]] bool too_fast_to_turn(const BlockZones& before) const;
   /// The zones from ahead that the plan knows of.
   [[nodiscard]] const BlockZones& tail() const { return spans_.tail(); }
 

@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "planner/motion/block.hpp"
+#include "planner/motion/chain_time.hpp"
 #include "planner/motion/limits.hpp"
 
 namespace cnc::motion {
@@ -55,6 +56,8 @@ struct TimeWindow {
 /// rest to rest when 2 J T³ = d. So of A / J, √(v / J) and ∛(d / 2J) it is the least
 /// (Biagiotti and Melchiorri, Trajectory Planning for Automatic Machines and
 /// Robots, 2008, section 3.4: the cases in which the greatest acceleration is not reached).
+/// That is of one move. In a chain of unlike blocks slow ones hold back their neighbours for
+/// as long as the window is, so a shorter one is taken where ChainTime makes it quicker.
 class WindowChoice {
  public:
   explicit WindowChoice(const Limits& limits) : limits_{limits} {}
@@ -65,21 +68,29 @@ class WindowChoice {
   [[nodiscard]] TimeWindow window() const;
 
  private:
+  [[nodiscard]] float quickest(float window_s, float shortest_s) const;
+
   const Limits& limits_;
+  ChainTime chain_{};
   std::uint8_t axes_ = 0;
   float length_ = 0.0F;
   float rise_ = 0.0F;     ///< s: the longest that a block asks for, its speed considered.
   float jerk_ = 1.0e12F;  ///< mm/s³ along the path, the least of any block.
 };
 
-/// mm/s²: what the plan may use of an axis's acceleration under a window.
+/// mm/s²: what the plan may use of an axis's acceleration under a window. As cells begin and
+/// end at whole units, jerk is known to four of them over T and the cell squared: so much is
+/// left out.
 [[nodiscard]] inline float planned_acceleration(const Limits& limits,
                                                 std::size_t axis,
                                                 const TimeWindow& window) {
   const float acceleration = limits.acceleration_mm_s2[axis];
   const float jerk = limits.jerk_mm_s3[axis];
   if (!window.filters() || jerk <= 0.0F) return acceleration;
-  return std::min(acceleration, jerk * window.seconds());
+  constexpr float kRoundedMm = 4.0F / 68'719'476'736.0F;
+  const float by_jerk = jerk * window.seconds();
+  const float rounded = kRoundedMm / (window.cell_seconds() * window.cell_seconds());
+  return std::min(acceleration, std::max(0.5F * by_jerk, by_jerk - rounded));
 }
 
 }  // namespace cnc::motion

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/geometry/arc_fit.hpp"
+
 namespace proof {
 
 cnc::Coordinate PathWriter::on_grid(double mm) const {
@@ -47,6 +49,19 @@ void PathWriter::circle(const Vector& travel,
   arc.end[axes.second] = arc.centre[1] + on_grid(x * std::sin(sweep) + y * std::cos(sweep));
   const cnc::ArcElements elements{arc};
   for (std::uint32_t index = 0; index < elements.count(); ++index) add(elements.element(index));
+}
+
+void PathWriter::spline(const std::vector<std::array<double, 2>>& points,
+                        std::size_t order,
+                        float tolerance_mm) {
+  cnc::Spline spline;
+  spline.set_order(order);
+  spline.append({});
+  for (const auto& [x, y] : points) {
+    spline.append({.place = {on_grid(x).nanometres(), on_grid(y).nanometres()}});
+  }
+  cnc::ArcFit fit{spline, place_, tolerance_mm};
+  while (!fit.done()) add(fit.next());
 }
 
 void PathWriter::back_to(const cnc::Position& place) { add({.start = place_, .end = place}); }

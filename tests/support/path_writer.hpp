@@ -27,6 +27,10 @@ class PathWriter {
               cnc::Plane plane,
               const std::array<double, 2>& to_centre,
               double sweep);
+  /// Uniform, from here by way of these control points, mm from here, as arcs.
+  void spline(const std::vector<std::array<double, 2>>& points,
+              std::size_t order,
+              float tolerance_mm);
   void back_to(const cnc::Position& place);
 
   [[nodiscard]] const cnc::Position& place() const { return place_; }

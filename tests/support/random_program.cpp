@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "planner/geometry/arc_fit.hpp"
 #include "tests/support/path_writer.hpp"
 
 namespace proof {
@@ -16,7 +17,8 @@ class Author {
       : random_{random},
         writer_{machine, std::pow(10.0, -static_cast<double>(2 + random.below(5)))},
         seconds_{random.magnitude(size.least_time_s, size.most_time_s)},
-        steps_{random.magnitude(size.most_steps * 0.01, size.most_steps)} {
+        steps_{random.magnitude(size.most_steps * 0.01, size.most_steps)},
+        kinds_{size.splines ? kSpline + 1 : kSpline} {
     choose_axes();
   }
 
@@ -41,7 +43,7 @@ class Author {
 
   void write_stretch() {
     set_up();
-    const std::size_t kind = random_.below(11);
+    const std::size_t kind = random_.below(kinds_);
     const std::size_t count = 1 + random_.below(kind == 1 || kind == 5 ? 80 : 12);
     for (std::size_t i = 0; i < count && !enough(); ++i) write_element(kind);
   }
@@ -81,6 +83,8 @@ class Author {
         return writer_.line({});
       case 9:
         return along_an_axis();
+      case kSpline:
+        return spline();
       default:
         return any_arc();
     }
@@ -163,16 +167,31 @@ class Author {
     writer_.arc(travel, plane_, random_.chance(0.5) ? bulge : -bulge);
   }
 
+  /// As G5, G5.1 and G5.2 draw them; without weights, which curves of few points hardly need.
+  void spline() {
+    const std::size_t order = 3 + random_.below(2);
+    const std::size_t count = order + random_.below(5);
+    std::vector<std::array<double, 2>> points;
+    const double size = std::min(scale_, 0.4 * double{cnc::ArcFit::kLargestSplineMm});
+    for (std::size_t i = 1; i < count; ++i) {
+      points.push_back({random_.between(-size, size), random_.between(-size, size)});
+    }
+    writer_.spline(points, order, static_cast<float>(random_.magnitude(5.0e-4, 0.02)));
+  }
+
   void along_an_axis() {
     Vector travel{};
     travel[axes_[random_.below(axes_.size())]] = random_.chance(0.5) ? scale_ : -scale_;
     writer_.line(travel);
   }
 
+  static constexpr std::size_t kSpline = 11;  ///< The kinds before it are in every program.
+
   Random& random_;
   PathWriter writer_;
   double seconds_;
   double steps_;
+  std::size_t kinds_;
   std::vector<std::size_t> axes_{};
   double scale_ = 1.0;    ///< mm.
   double turn_ = 0.0;     ///< Radians from one element to the next.

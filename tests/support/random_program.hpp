@@ -26,6 +26,7 @@ struct ProgramSize {
   double least_time_s = 0.02;  ///< Rough job time; every magnitude is as likely.
   double most_time_s = 3.0;
   double most_steps = 20'000.0;
+  bool splines = false;  ///< Stretches of splines, as the arcs that stand for them, too.
 };
 
 /// Lines, arcs, helices and rapids on two to six axes in stretches of one

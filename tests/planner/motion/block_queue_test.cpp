@@ -221,6 +221,36 @@ TEST_F(BlockQueueTest, PlansTheSameAroundTheEndOfItsRing) {
   EXPECT_EQ(exit_squares(queue), first);
 }
 
+// Who tries a pace and goes back to the one before must find its plan, or would be too fast
+// for it at once.
+TEST_F(BlockQueueTest, FindsItsPlanAgainUnderAWindowWhenAnotherIsTakenBack) {
+  proof::Random random{5};
+  limits.jerk_mm_s3.fill(25'000.0F);
+  const PlanTerms terms{.window = window_for(limits, 0x3F)};
+  const PlanTerms faster{
+      .overrides = {.feed = 2.0F}, .greatest = {.feed = 2.0F}, .window = terms.window};
+  for (int trial = 0; trial < 200; ++trial) {
+    queue.clear();
+    for (const Block& block : any_chain(random, limits, 30)) queue.push(block, Joint::kSmooth);
+    queue.plan_all(limits, terms);
+    for (std::size_t gone = random.below(20); gone-- > 0;) {
+      queue.leave_front(limits, terms);
+      queue.pop_front();
+    }
+    std::vector<Block> before;
+    for (std::size_t index = 0; index < queue.size(); ++index) before.push_back(queue.at(index));
+    for (const PlanTerms& change : {faster, terms}) {
+      queue.forget_plan();
+      queue.plan_all(limits, change);
+    }
+    for (std::size_t index = 0; index < queue.size(); ++index) {
+      ASSERT_EQ(queue.at(index).head, before[index].head) << trial << ": " << index;
+      ASSERT_EQ(queue.at(index).tail, before[index].tail) << trial << ": " << index;
+      if (index > 0) ASSERT_EQ(queue.at(index).entry, before[index].entry) << trial;
+    }
+  }
+}
+
 TEST_F(BlockQueueTest, HoldsAsManyAsItsTypeSays) {
   BlockQueueOf<1> single;
   for (int round = 0; round < 3; ++round) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "planner/motion/phase_clock.hpp"
 #include "tests/support/random_source.hpp"
 
 namespace cnc::motion {
@@ -112,6 +113,45 @@ TEST(PhaseCourse, KnowsWhenAPlaceIsReached) {
     const double nanosecond = 500.0e-9 * 0x1p36;
     ASSERT_NEAR(reached, wanted, nanosecond + 1.0e-5 * static_cast<double>(stretch.way));
   }
+}
+
+TEST(PhaseClock, IsNeverLateByMoreThanANanosecondAndKnowsIt) {
+  proof::Random random{11};
+  PhaseClock clock;
+  double exact_ns = 0.0;
+  double passed_ns = 0.0;
+  for (int phase = 0; phase < 20'000; ++phase) {
+    const auto seconds = static_cast<float>(random.magnitude(2.0e-9, 5.0e-3));
+    const std::uint64_t duration_ns = clock.begin(seconds, true);
+    ASSERT_NEAR(static_cast<double>(clock.late_ns(0)), passed_ns - exact_ns, 0.2);
+    exact_ns += static_cast<double>(seconds) * 1.0e9;
+    passed_ns += static_cast<double>(duration_ns);
+    const auto late_ns = static_cast<double>(clock.late_ns(duration_ns));
+    ASSERT_GE(late_ns, 0.0);
+    ASSERT_LE(late_ns, 1.01);
+    ASSERT_NEAR(late_ns, passed_ns - exact_ns, 0.2);
+    if (phase % 100 != 0) continue;
+    clock.rest();
+    passed_ns = exact_ns = 0.0;
+  }
+}
+
+TEST(PhaseClock, RoundsUpWhereNothingIsToBeMadeUpFor) {
+  PhaseClock clock;
+  EXPECT_EQ(clock.begin(1.5e-9F, false), 2U);
+  EXPECT_EQ(clock.begin(1.5e-9F, false), 2U);
+  EXPECT_EQ(clock.begin(0.1e-9F, false), 1U);
+  EXPECT_EQ(clock.begin(7200.0F, false), 7'200'000'000'000U);
+}
+
+TEST(PhaseClock, IsNotLateAfterACut) {
+  PhaseClock clock;
+  EXPECT_EQ(clock.begin(1.5e-9F, true), 2U);
+  clock.cut(0);
+  EXPECT_EQ(clock.begin(2.5e-9F, true), 3U);
+  clock.cut(1);
+  EXPECT_EQ(clock.begin(2.5e-9F, true), 3U);
+  EXPECT_EQ(clock.begin(2.5e-9F, true), 2U);
 }
 
 }  // namespace
