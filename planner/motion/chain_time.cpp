@@ -64,7 +64,7 @@ class Stopwatch {
     // Of a ramp up, a window and a ramp down, as long as the stretch.
     const float lead = 0.5F * a * window_s_;
     const float sum = a * length + 0.5F * (square_ + end_square);
-    const float ramps = std::sqrt(square(lead) + sum) - lead;
+    const float ramps = sum / (std::sqrt(square(lead) + sum) + lead);
     const float most = std::min(pace.cap, std::sqrt(square_ + 2.0F * a * length));
     const float least = std::max(start, std::min(std::sqrt(end_square), most));
     const float peak = std::max(least, std::min(most, ramps));

@@ -121,7 +121,7 @@ TEST(PhaseClock, IsNeverLateByMoreThanANanosecondAndKnowsIt) {
   double exact_ns = 0.0;
   double passed_ns = 0.0;
   for (int phase = 0; phase < 20'000; ++phase) {
-    const auto seconds = static_cast<float>(random.magnitude(2.0e-9, 5.0e-3));
+    const auto seconds = static_cast<float>(random.magnitude(2.0e-9, 1.0e-4));
     const std::uint64_t duration_ns = clock.begin(seconds, true);
     ASSERT_NEAR(static_cast<double>(clock.late_ns(0)), passed_ns - exact_ns, 0.2);
     exact_ns += static_cast<double>(seconds) * 1.0e9;
@@ -141,7 +141,7 @@ TEST(PhaseClock, RoundsUpWhereNothingIsToBeMadeUpFor) {
   EXPECT_EQ(clock.begin(1.5e-9F, false), 2U);
   EXPECT_EQ(clock.begin(1.5e-9F, false), 2U);
   EXPECT_EQ(clock.begin(0.1e-9F, false), 1U);
-  EXPECT_EQ(clock.begin(7200.0F, false), 7'200'000'000'000U);
+  EXPECT_EQ(clock.begin(20'000.0F, false), 20'000'000'000'000U);
 }
 
 TEST(PhaseClock, IsNotLateAfterACut) {
