@@ -22,6 +22,7 @@ Result<Actions, Fault> Interpreter::interpret(std::string_view line) {
   Execution execution{options_, context_, places_, spline_store_, block_, actions_};
   if (const auto fault = execution.run()) return *fault;
   execution.commit();
+  if (execution.stores_place()) ++places_revision_;
   return actions_.all();
 }
 
