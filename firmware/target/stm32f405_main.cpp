@@ -41,7 +41,7 @@ constinit SerialLine line{};
 constinit chip::TimeBase<> clock_of_the_loop{};
 constinit chip::Flash<kBoard> flash{};
 cnc::FlashLog log{flash};
-constinit chip::PatientStore<> store{log};
+constinit chip::PatientStore<cnc::FlashLog> store{log};
 constinit chip::ChipBoard<kBoard> board{};
 constinit cnc::MemoryWatch image_watch{};
 cnc::Application<Port> application{port, port, port, store, line, &board};

@@ -12,10 +12,11 @@ namespace hal::stm32f405 {
 /// A store whose saves the watchdog waits for. One that moves the log to its other
 /// sector looks through all of it several times, a third of a second, and
 /// erases, which takes up to 2 s. Main loop.
-template <RegisterBus Bus = MemoryBus>
+/// @tparam Store its class, final: the stack of its calls is then known.
+template <typename Store, RegisterBus Bus = MemoryBus>
 class PatientStore final : public RecordStore {
  public:
-  constexpr explicit PatientStore(RecordStore& store) : store_{store} {}
+  constexpr explicit PatientStore(Store& store) : store_{store} {}
 
   [[nodiscard]] std::size_t load(std::uint16_t number, std::span<std::byte> into) override {
     return store_.load(number, into);
@@ -29,7 +30,7 @@ class PatientStore final : public RecordStore {
   [[nodiscard]] StoreWear wear() const override { return store_.wear(); }
 
  private:
-  RecordStore& store_;
+  Store& store_;
 };
 
 }  // namespace hal::stm32f405

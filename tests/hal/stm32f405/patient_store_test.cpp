@@ -27,7 +27,7 @@ TEST(PatientStore, TheWatchdogWaitsWhileItSavesAndNotLonger) {
   Watchdog<ModelBus>::begin();
   const Word usual = chip.cells[kReload];
   LookingStore store;
-  PatientStore<ModelBus> patient{store};
+  PatientStore<LookingStore, ModelBus> patient{store};
   const std::array<std::byte, 2> record{std::byte{1}, std::byte{2}};
   EXPECT_TRUE(patient.save(7, record));
   EXPECT_GT(store.reload_then, usual);
