@@ -1,6 +1,5 @@
 #pragma once
 
-#include <algorithm>
 #include <atomic>
 #include <cstdint>
 
@@ -70,7 +69,7 @@ class StepTimer {
     }
     due_ = due_.plus(wait);
     if (!pulse_ended_) pulse_ = wait;
-    const std::uint32_t least = pulse_ended_ ? std::min(wait, pulse_) : wait;
+    const std::uint32_t least = pulse_ended_ && pulse_ < wait ? pulse_ : wait;
     const TickCount after_edge = edge_.plus(least + 1);  // Its tick was not a whole one.
     comes_ = edge_made_ && after_edge.reached(due_) ? after_edge : due_;
     Bus::write(timer::kTim2 + timer::compare(1), comes_.raw());
