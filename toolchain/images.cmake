@@ -38,6 +38,7 @@ endif()
 
 # Where the board's boot loader leaves off, and where its store begins or 256 KiB are full.
 kerfline_board_image(kerfline_generic generic ${generic_${KERFLINE_GENERIC_CRYSTAL}} 0 256)
+kerfline_board_image(kerfline_generic_1mbaud generic kGeneric1MBaud 0 256)
 kerfline_board_image(kerfline_btt_skr_2 btt_skr_2 kBttSkr2 32 288)
 kerfline_board_image(kerfline_btt_skr_pro_1_2 btt_skr_pro_1_2 kBttSkrPro12 32 288)
 kerfline_board_image(kerfline_mks_robin_nano_v3 mks_robin_nano_v3 kMksRobinNanoV3 48 256)

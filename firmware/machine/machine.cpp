@@ -13,6 +13,7 @@ Machine::Machine(StepDrive& drive, hal::AuxiliaryOutputs& outputs, hal::MachineI
       coolant_{outputs},
       homing_{drive, motion_, settings_},
       side_{drive, motion_.motors(), limits_} {
+  watch_memory();
   apply_settings();
 }
 
@@ -43,6 +44,7 @@ gcode::Refusal Machine::accept(std::string_view line) {
   const Position from = interpreter_.position();
   const auto actions = interpreter_.interpret(line);
   if (!actions.ok()) return actions.error();
+  if (interpreter_.places_revision() != places_revision_) trust_places();
   if (actions.value().empty()) return {};
   program_ended_ = false;
   if (state_.in(Mode::kCheck)) {

@@ -10,6 +10,7 @@
 #include "firmware/machine/homing.hpp"
 #include "firmware/machine/input_filter.hpp"
 #include "firmware/machine/machine_types.hpp"
+#include "firmware/machine/memory_watch.hpp"
 #include "firmware/machine/motion_control.hpp"
 #include "firmware/machine/settings.hpp"
 #include "firmware/machine/side_trip.hpp"
@@ -109,7 +110,17 @@ class Machine {
   void set_power_table(const motion::PowerTable& table);
   [[nodiscard]] const motion::PowerTable& power_table() const { return power_table_; }
   /// What was stored at the last power-down. @pre idle()
-  void set_places(const gcode::StoredPlaces& places) { interpreter_.set_places(places); }
+  void set_places(const gcode::StoredPlaces& places);
+
+  // Memory, in machine_memory.cpp.
+
+  /// Reads so many bytes more of what settings and places hold, and what follows from
+  /// them. False from then on when they have changed by themselves.
+  [[nodiscard]] bool check_memory(std::size_t bytes);
+  /// The same of all places at once, for whoever is to keep them.
+  [[nodiscard]] bool places_are_sound();
+  /// Any context: the output goes with the motion, and is dark while nothing moves.
+  [[nodiscard]] bool rests_dark() const { return tool_.is_dark_at_rest(); }
 
   // What there is to report.
 
@@ -236,6 +247,9 @@ class Machine {
   void drop_everything();
   void lock_until_homed();
 
+  void watch_memory();
+  void trust_places();
+
   // Settings, in machine_settings.cpp.
   void apply_settings();
   void apply_limits();
@@ -249,6 +263,10 @@ class Machine {
   Settings settings_{};
   motion::PowerTable power_table_{};
   motion::Limits limits_{};
+  MemoryWatch settings_watch_{};
+  MemoryWatch places_watch_{};
+  std::uint32_t places_revision_ = 0;
+  bool memory_is_sound_ = true;
   gcode::Interpreter interpreter_{};
   MotionControl motion_;
   ToolOutput tool_;

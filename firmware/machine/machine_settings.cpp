@@ -4,6 +4,7 @@ namespace cnc {
 
 Result<float, SettingError> Machine::change_setting(std::uint16_t number, float value) {
   CNC_ASSERT(idle());
+  memory_is_sound_ = memory_is_sound_ && settings_watch_.sound();
   const bool other_scale =
       number >= setting::kStepsPerMm && number < setting::kStepsPerMm + kAxisCount;
   const float before = other_scale ? settings_.get(number) : 0.0F;
@@ -34,6 +35,7 @@ bool Machine::place_fits(std::size_t axis) const {
 
 void Machine::set_power_table(const motion::PowerTable& table) {
   CNC_ASSERT(idle());
+  memory_is_sound_ = memory_is_sound_ && settings_watch_.sound();
   power_table_ = table;
   apply_settings();
 }
@@ -48,6 +50,7 @@ void Machine::apply_settings() {
   tool_.configure({.most_speed = settings_.get(setting::kMostSpindleSpeed),
                    .least_speed = settings_.get(setting::kLeastSpindleSpeed),
                    .laser = settings_.get(setting::kLaserMode) != 0.0F});
+  settings_watch_.accept();
 }
 
 [[gnu::noinline]] void Machine::apply_limits() {

@@ -5,7 +5,9 @@
 namespace cnc {
 void ToolOutput::configure(const ToolSettings& settings) {
   settings_ = settings;
+  if (!settings_.laser) dark_at_rest_.store(false, std::memory_order_relaxed);
   apply();
+  if (settings_.laser) dark_at_rest_.store(true, std::memory_order_relaxed);
 }
 
 void ToolOutput::set_mode(gcode::SpindleMode mode) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+
 #include "firmware/steps/step_drive.hpp"
 #include "hal/interface/auxiliary_outputs.hpp"
 #include "planner/gcode/action.hpp"
@@ -49,6 +51,12 @@ class ToolOutput {
     return suspended_ ? gcode::SpindleMode::kOff : mode_;
   }
   [[nodiscard]] bool is_laser() const { return settings_.laser; }
+  /// Any context. The output is dark before this says so, and as long as it does, at rest.
+  [[nodiscard]] bool is_dark_at_rest() const {
+    return dark_at_rest_.load(std::memory_order_relaxed);
+  }
+  /// What configure() was told.
+  [[nodiscard]] const ToolSettings& settings() const { return settings_; }
   /// S that gives full output.
   [[nodiscard]] float most_speed() const { return settings_.most_speed; }
   [[nodiscard]] float speed() const { return speed_; }
@@ -60,6 +68,7 @@ class ToolOutput {
   StepDrive& drive_;
   hal::AuxiliaryOutputs& outputs_;
   ToolSettings settings_{};
+  std::atomic<bool> dark_at_rest_{false};
   gcode::SpindleMode mode_ = gcode::SpindleMode::kOff;
   float speed_ = 0.0F;
   float override_ = 1.0F;

@@ -113,7 +113,7 @@ void LineProtocol::save_places() {
   const gcode::StoredPlaces& places = machine_.interpreter().places();
   if (!machine_.idle() || machine_.tool_runs() || saving_failed_ || stored_.has_saved(places))
     return;
-  if (stored_.save_places(places)) return;
+  if (!machine_.places_are_sound() || stored_.save_places(places)) return;
   saving_failed_ = true;
   message("The store cannot keep the offsets");
 }

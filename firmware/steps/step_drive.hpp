@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "firmware/steps/power_shift.hpp"
 #include "planner/base/axes.hpp"
@@ -57,6 +59,8 @@ class StepDrive {
 
   /// Axes with a second motor that steps with the first. @pre !running()
   virtual void set_second_motors(std::uint8_t axes) = 0;
+  /// The memory of timing and second motors: nobody but these two functions changes it.
+  [[nodiscard]] virtual std::span<const std::byte> set_up_memory() const = 0;
   /// The motor stands where it is; that is this many steps now. @pre !running()
   virtual void set_position(std::size_t axis, std::int32_t steps) = 0;
 

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 
 #include "firmware/steps/power_output.hpp"
 #include "firmware/steps/step_drive.hpp"
@@ -90,11 +92,17 @@ class StepGenerator final : public StepDrive {
     if (!running()) beam_.drive_rest();
   }
   [[nodiscard]] std::uint16_t power() const override { return beam_.now(); }
-  void set_beam_timing(const BeamTiming& timing) override { beam_.shift().configure(timing); }
+  void set_beam_timing(const BeamTiming& timing) override {
+    beam_.shift().configure(timing);
+    longest_wait_.store(kLongestWait + beam_.shift().wait(), std::memory_order_relaxed);
+  }
 
-  void set_timing(const StepTiming& timing) override { timing_ = timing; }
+  void set_timing(const StepTiming& timing) override { set_up_.timing = timing; }
 
-  void set_second_motors(std::uint8_t axes) override { second_motors_ = axes; }
+  void set_second_motors(std::uint8_t axes) override { set_up_.second_motors = axes; }
+  [[nodiscard]] std::span<const std::byte> set_up_memory() const override {
+    return std::as_bytes(std::span{&set_up_, 1});
+  }
   void set_position(std::size_t axis, std::int32_t steps) override {
     position_[axis].store(steps, std::memory_order_relaxed);
   }
@@ -126,6 +134,11 @@ class StepGenerator final : public StepDrive {
   }
   [[nodiscard]] AxisArray<std::int32_t> probe_position() const override { return probe_position_; }
 
+  /// Any context: ticks that an interrupt may ask for at most while something moves.
+  [[nodiscard]] std::uint32_t longest_wait() const noexcept {
+    return longest_wait_.load(std::memory_order_relaxed);
+  }
+
   // Step interrupt.
 
   /// Does what is due. Returns the ticks after which to come again; 0: stop the timer.
@@ -138,13 +151,22 @@ class StepGenerator final : public StepDrive {
   }
 
  private:
+  /// What settings say about the motors' drivers.
+  struct SetUp {
+    StepTiming timing{};
+    std::uint8_t second_motors = 0;
+  };
+
+  /// A slice of motion, and the pulse and the direction's set-up time that may be added.
+  static constexpr std::uint32_t kLongestWait = motion::kTicksPerSecond / 1000 + 100;
+
   std::uint32_t end_pulse() noexcept {
     port_.lower_steps();
     high_ = false;
     if (probe_armed_.load(std::memory_order_acquire)) check_probe();
     if (switches_.active()) switches_.look(port_.switches(), position());
     beam_.follow();
-    return std::max(timing_.pulse, ticks_until(next_due()));
+    return std::max(set_up_.timing.pulse, ticks_until(next_due()));
   }
 
   std::uint32_t begin_pulse() noexcept {
@@ -153,13 +175,13 @@ class StepGenerator final : public StepDrive {
     while (trains_.empty() && now_ >= ticks_) {
       now_ -= ticks_;
       if (!load_segment()) return come_to_rest();
-      if (direction_changed_) return timing_.direction_set_up;
+      if (direction_changed_) return set_up_.timing.direction_set_up;
     }
     beam_.follow();
     const std::int32_t due = next_due();
     if (due > static_cast<std::int32_t>(now_)) return ticks_until(due);
     raise_due_steps();
-    return timing_.pulse;
+    return set_up_.timing.pulse;
   }
 
   bool load_segment() noexcept {
@@ -196,11 +218,11 @@ class StepGenerator final : public StepDrive {
   }
 
   void raise_due_steps() noexcept {
-    const auto slot_end = static_cast<std::int32_t>(now_ + 2 * timing_.pulse);
+    const auto slot_end = static_cast<std::int32_t>(now_ + 2 * set_up_.timing.pulse);
     const std::uint8_t due = trains_.take_before(slot_end, position_);
     const hal::SwitchMask& gates = switches_.gates();
     port_.raise_steps({static_cast<std::uint8_t>(due & ~gates.first)},
-                      {static_cast<std::uint8_t>(due & second_motors_ & ~gates.second)});
+                      {static_cast<std::uint8_t>(due & set_up_.second_motors & ~gates.second)});
     high_ = true;
   }
 
@@ -252,12 +274,11 @@ class StepGenerator final : public StepDrive {
   std::uint32_t ticks_ = 0;  ///< Of the segment being played.
   std::uint32_t now_ = 0;    ///< Ticks since it was due to start.
   std::uint32_t waited_ = 0;
-  StepTiming timing_{};
+  SetUp set_up_{};
   bool high_ = false;
   bool comes_to_rest_ = false;  ///< After the segment being played.
   bool direction_changed_ = false;
   std::uint8_t direction_ = 0;
-  std::uint8_t second_motors_ = 0;
   std::atomic<bool> abort_{false};
   std::atomic<bool> probe_armed_{false};
   std::atomic<bool> probe_hit_{false};
@@ -268,6 +289,7 @@ class StepGenerator final : public StepDrive {
   MotorSteps position_{};
   AxisArray<std::int32_t> probe_position_{};
   std::atomic<std::uint32_t> begun_ticks_{0};
+  std::atomic<std::uint32_t> longest_wait_{kLongestWait};
   PowerOutput<Port, 2 * QueueCapacity> beam_;
   hal::SpscRing<motion::Segment, QueueCapacity> queue_{};
 

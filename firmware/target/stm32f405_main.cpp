@@ -9,17 +9,19 @@
 
 #include KERFLINE_BOARD_HEADER
 #include "firmware/application.hpp"
+#include "firmware/machine/memory_watch.hpp"
 #include "firmware/store/flash_log.hpp"
+#include "hal/stm32f405/beam_watch.hpp"
 #include "hal/stm32f405/control_board.hpp"
 #include "hal/stm32f405/flash.hpp"
 #include "hal/stm32f405/image.hpp"
+#include "hal/stm32f405/patient_store.hpp"
 #include "hal/stm32f405/port.hpp"
 #include "hal/stm32f405/serial_line.hpp"
 #include "hal/stm32f405/start_up.hpp"
 #include "hal/stm32f405/time_base.hpp"
 #include "hal/stm32f405/watchdog.hpp"
 #include "planner/base/contract.hpp"
-#include "planner/base/crc32.hpp"
 
 namespace chip = hal::stm32f405;
 
@@ -38,8 +40,10 @@ constinit Port port{};
 constinit SerialLine line{};
 constinit chip::TimeBase<> clock_of_the_loop{};
 constinit chip::Flash<kBoard> flash{};
-cnc::FlashLog store{flash};
+cnc::FlashLog log{flash};
+constinit chip::PatientStore<cnc::FlashLog> store{log};
 constinit chip::ChipBoard<kBoard> board{};
+constinit cnc::MemoryWatch image_watch{};
 cnc::Application<Port> application{port, port, port, store, line, &board};
 
 /// What a restart does not clear.
@@ -107,14 +111,15 @@ void begin_memory() {
   line.set_up(clocks);
   clock_of_the_loop.set_up(clocks);
   chip::watch_supply<Bus>();
+  if (faulted && kept.fault.fault == chip::Fault::kImage) port.refuse_motion();
   const std::span image{image_begin, image_end};
-  cnc::Crc32 checksum;
-  checksum.add(std::span<const std::byte>{image});
+  image_watch.add(image);
+  image_watch.accept();
   board.set_report({.clocks = clocks,
                     .cause = chip::take_reset_cause<Bus>(faulted),
                     .fault = kept.fault,
                     .image_bytes = static_cast<std::uint32_t>(image.size()),
-                    .image_checksum = checksum.value(),
+                    .image_checksum = image_watch.expected(),
                     .stack = {stack_bottom, stack_top}});
 }
 
@@ -140,6 +145,18 @@ void follow_settings(chip::Polarity& followed) {
   port.configure(wanted);
 }
 
+/// What nobody changes may have turned over in memory or flash: a piece of it each
+/// millisecond, so that settings are found within 0.2 s and the image within 2.1 s: two rounds.
+void look_for_damage(hal::TickCount now, hal::TickCount& next) {
+  constexpr std::uint32_t kPeriodUs = 1000;
+  constexpr std::size_t kSettingBytes = 32;
+  constexpr std::size_t kImageBytes = 256;
+  if (!now.reached(next)) return;
+  next = now.plus(kPeriodUs);
+  if (!application.machine().check_memory(kSettingBytes)) stop(chip::Fault::kConfiguration, 0, 0);
+  if (!image_watch.check(kImageBytes)) stop(chip::Fault::kImage, 0, 0);
+}
+
 [[noreturn]] void leave_for_boot_loader() {
   constexpr std::uint32_t kLastBytesUs = 5000;
   Power::darken();
@@ -152,10 +169,13 @@ void follow_settings(chip::Polarity& followed) {
 
 [[noreturn]] void run() {
   chip::Polarity polarity{};
+  hal::TickCount next_look = clock_of_the_loop.now();
   chip::Watchdog<>::begin();
   for (;;) {
     follow_settings(polarity);
-    application.poll(clock_of_the_loop.now());
+    const hal::TickCount now = clock_of_the_loop.now();
+    application.poll(now);
+    look_for_damage(now, next_look);
     // Fed by the loop, and only while the step interrupt comes, too.
     if (port.timer().take_alive()) chip::Watchdog<>::feed();
     if (board.wants_boot_loader() && line.sent()) leave_for_boot_loader();
@@ -225,7 +245,14 @@ void step_interrupt() {
   port.timer().on_interrupt([] { return application.on_step_interrupt(); });
 }
 void line_interrupt() { line.on_interrupt(); }
-void clock_interrupt() { clock_of_the_loop.on_interrupt(); }
+/// Above the step interrupt, which it supervises.
+void clock_interrupt() {
+  clock_of_the_loop.on_interrupt();
+  if (!application.machine().rests_dark()) return;
+  const std::uint32_t longest_wait = application.steps().longest_wait();
+  if (chip::BeamWatch<kBoard, Bus>::lit_at_rest(longest_wait))
+    stop(chip::Fault::kBeam, 0, chip::StepTimer<Bus>::ticks_left());
+}
 
 }  // extern "C"
 

@@ -5,7 +5,6 @@
 
 #include "hal/interface/flash_sectors.hpp"
 #include "hal/stm32f405/board.hpp"
-#include "hal/stm32f405/watchdog.hpp"
 
 namespace hal::stm32f405 {
 
@@ -13,7 +12,8 @@ namespace hal::stm32f405 {
 ///
 /// Both operations stop the core while they last, because it runs from the same
 /// flash: 16 to 100 us for a word, 1 to 2 s for a sector of 128 KiB. What
-/// arrives on the wire meanwhile is lost and marked as such.
+/// arrives on the wire meanwhile is lost and marked as such. The watchdog has to be
+/// told before (PatientStore).
 template <const Board& kBoard, RegisterBus Bus = MemoryBus>
 class Flash final : public FlashSectors {
  public:
@@ -35,14 +35,12 @@ class Flash final : public FlashSectors {
 
   [[nodiscard]] bool erase(std::size_t sector) override {
     if (!exists(sector, 0) || !unlock()) return false;
-    Watchdog<Bus>::be_patient();
     const Word what =
         flash::kEraseSector | flash::kBy32 | flash::number_of_sector(kBoard.store_sectors[sector]);
     Bus::write(flash::kControl, what);
     Bus::write(flash::kControl, what | flash::kStart);
     const bool done = finish(kEraseLooks);
     forget_cache();
-    Watchdog<Bus>::be_strict();
     return done && is_erased(sector);
   }
 

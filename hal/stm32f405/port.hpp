@@ -61,7 +61,7 @@ class Port final : public AuxiliaryOutputs, public MachineInputs {
   }
   void lower_steps() noexcept {
     steps_.drive(0, 0);
-    timer_.note_edge();
+    timer_.note_pulse_end();
   }
   void set_power(std::uint16_t duty) noexcept { power_.set_duty(duty); }
   void change_outputs(std::uint8_t raise, std::uint8_t lower) noexcept {
@@ -105,12 +105,16 @@ class Port final : public AuxiliaryOutputs, public MachineInputs {
   }
 
   // MachineInputs
-  /// With a clock that is too slow for the step interrupt, nothing may move.
+  /// Nothing may move with a clock that is too slow for the step interrupt, nor
+  /// after refuse_motion().
   [[nodiscard]] InputState read_inputs() override {
     InputState state = inputs_.read();
-    if (clocks_.source == ClockSource::kSlow) state.emergency_stop = true;
+    if (clocks_.source == ClockSource::kSlow || refuses_motion_) state.emergency_stop = true;
     return state;
   }
+
+  /// Until the next restart, as an emergency stop that stays pressed.
+  void refuse_motion() noexcept { refuses_motion_ = true; }
 
   [[nodiscard]] StepTimer<Bus>& timer() { return timer_; }
 
@@ -128,6 +132,7 @@ class Port final : public AuxiliaryOutputs, public MachineInputs {
   StepTimer<Bus> timer_{};
   Clocks clocks_{};
   Polarity polarity_{};
+  bool refuses_motion_ = false;
   bool motors_enabled_ = false;
   bool spindle_enabled_ = false;
   bool spindle_reversed_ = false;

@@ -48,6 +48,9 @@ class PowerPin {
     if (duty == 0) Bus::write(kChannel.timer + timer::kEvents, timer::kUpdate);
   }
 
+  /// Any context: whether the pin is told to be high at times. After set_up().
+  [[nodiscard]] static bool lit() noexcept { return Bus::read(kChannel.timer + compare()) != 0; }
+
  private:
   static constexpr PowerChannel kChannel = CheckedBoard<kBoard>::kPower;
   static constexpr std::uint32_t kFull = 65535;

@@ -6,7 +6,17 @@
 
 namespace hal::stm32f405 {
 
-enum class Fault : std::uint8_t { kNone, kException, kContract, kSupply, kCrystal, kStack };
+enum class Fault : std::uint8_t {
+  kNone,
+  kException,
+  kContract,
+  kSupply,
+  kCrystal,
+  kStack,
+  kBeam,           ///< Lit while nothing moved.
+  kConfiguration,  ///< What follows from the settings turned over in memory.
+  kImage,          ///< The program in the flash did.
+};
 
 /// What the program was at when it was stopped: kept in memory that start-up
 /// does not clear, so that the next start can tell.
@@ -73,6 +83,12 @@ constexpr const char* text_of(Fault fault) {
       return "the crystal stopped";
     case Fault::kStack:
       return "stack overflow";
+    case Fault::kBeam:
+      return "the beam was on at rest";
+    case Fault::kConfiguration:
+      return "the settings changed in memory";
+    case Fault::kImage:
+      return "the image changed in flash";
     case Fault::kNone:
       break;
   }

@@ -14,7 +14,9 @@ namespace hal::stm32f405 {
 ///
 /// The way to an edge takes time, most of a microsecond or several. What is
 /// waited after an edge counts from the edge: a pulse is never shorter than it
-/// is meant to be, nor is a direction's set-up time.
+/// is meant to be, nor is a direction's set-up time. After the end of a pulse
+/// only as long as the pulse was does: the low lasts, and the next edge is not
+/// late because this one was.
 ///
 /// Also at rest it interrupts, every 10 ms, to show that it would.
 template <RegisterBus Bus>
@@ -22,7 +24,7 @@ class StepTimer {
  public:
   static constexpr std::uint32_t kTicksPerSecond = 4'000'000;
   static constexpr std::uint32_t kRestTicks = kTicksPerSecond / 100;
-  static constexpr unsigned kPriority = 0;
+  static constexpr unsigned kPriority = 1;  ///< Below those that end everything.
 
   /// Once, with interrupts off.
   static void set_up(const Clocks& clocks) noexcept {
@@ -53,9 +55,12 @@ class StepTimer {
       running_ = true;
       due_ = now();
       comes_ = due_;
+      // While this interrupt runs, the compare value is when it came: see ticks_left().
+      Bus::write(timer::kTim2 + timer::compare(1), due_.raw() - 1);
     }
     if (!now().reached(comes_)) return;  // Asked for, and then the time came as well.
     edge_made_ = false;
+    pulse_ended_ = false;
     std::uint32_t wait = running_ ? play() : 0;
     running_ = wait != 0;
     if (!running_) {
@@ -63,7 +68,9 @@ class StepTimer {
       wait = kRestTicks;
     }
     due_ = due_.plus(wait);
-    const TickCount after_edge = edge_.plus(wait + 1);  // The tick of the edge was not a whole one.
+    if (!pulse_ended_) pulse_ = wait;
+    const std::uint32_t least = pulse_ended_ && pulse_ < wait ? pulse_ : wait;
+    const TickCount after_edge = edge_.plus(least + 1);  // Its tick was not a whole one.
     comes_ = edge_made_ && after_edge.reached(due_) ? after_edge : due_;
     Bus::write(timer::kTim2 + timer::compare(1), comes_.raw());
     // The compare value meets a counter that is on its way, never one that is past.
@@ -74,6 +81,18 @@ class StepTimer {
   void note_edge() noexcept {
     edge_ = now();
     edge_made_ = true;
+  }
+  /// The same when they are those of a pulse that is over.
+  void note_pulse_end() noexcept {
+    note_edge();
+    pulse_ended_ = true;
+  }
+
+  /// Any context: ticks until the interrupt comes, by the registers; below 0 when
+  /// it should have come, or came and runs.
+  [[nodiscard]] static std::int32_t ticks_left() noexcept {
+    const TickCount comes{Bus::read(timer::kTim2 + timer::compare(1))};
+    return comes.since(now());
   }
 
   /// Main loop: whether there was an interrupt since the last call.
@@ -86,6 +105,8 @@ class StepTimer {
   std::atomic<bool> alive_{false};
   bool running_ = false;
   bool edge_made_ = false;
+  bool pulse_ended_ = false;
+  std::uint32_t pulse_ = 0;  ///< How long what is not the end of a pulse was to last, last time.
   TickCount edge_{};
   TickCount due_{kRestTicks};    ///< By the times that `play` asked for.
   TickCount comes_{kRestTicks};  ///< That, or later for the sake of an edge.

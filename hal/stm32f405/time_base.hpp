@@ -8,41 +8,41 @@
 
 namespace hal::stm32f405 {
 
-/// Time for the main loop: microseconds since start-up, from the core's timer,
-/// which interrupts every millisecond.
+/// Time for the main loop: microseconds since start-up, from the core's timer.
+/// Its interrupt comes four times a millisecond, above all others but faults, so
+/// that whoever supervises the rest can do it there.
 template <RegisterBus Bus = MemoryBus>
 class TimeBase {
  public:
-  static constexpr Word kLowestPriority = 0xF0;
+  static constexpr std::uint32_t kPeriodUs = 250;
 
   /// Once, with interrupts off.
   void set_up(const Clocks& clocks) noexcept {
     clocks_per_us_ = clocks.core / 1'000'000;
-    modify<Bus>(core::kTickPriority, Word{0xFF} << 24, kLowestPriority << 24);
-    Bus::write(core::kTickReload, 1000 * clocks_per_us_ - 1);
+    clear<Bus>(core::kTickPriority, Word{0xFF} << 24);  // 0 is the most urgent.
+    Bus::write(core::kTickReload, kPeriodUs * clocks_per_us_ - 1);
     Bus::write(core::kTickValue, 0);
     Bus::write(core::kTickControl, core::kTickOn);
   }
 
   /// The interrupt of the core's timer.
   void on_interrupt() noexcept {
-    milliseconds_.store(milliseconds_.load(std::memory_order_relaxed) + 1,
-                        std::memory_order_relaxed);
+    periods_.store(periods_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
   }
 
   /// Microseconds; wraps. Main loop, never backwards.
   [[nodiscard]] TickCount now() const noexcept {
-    std::uint32_t before = milliseconds_.load(std::memory_order_relaxed);
-    for (;;) {  // Goes round again at most once a millisecond.
+    std::uint32_t before = periods_.load(std::memory_order_relaxed);
+    for (;;) {  // Goes round again at most once a period.
       const std::uint32_t left = Bus::read(core::kTickValue) / clocks_per_us_;
-      const std::uint32_t after = milliseconds_.load(std::memory_order_relaxed);
-      if (before == after) return TickCount{1000 * before + 999 - left};
+      const std::uint32_t after = periods_.load(std::memory_order_relaxed);
+      if (before == after) return TickCount{kPeriodUs * before + kPeriodUs - 1 - left};
       before = after;
     }
   }
 
  private:
-  std::atomic<std::uint32_t> milliseconds_{0};
+  std::atomic<std::uint32_t> periods_{0};
   std::uint32_t clocks_per_us_ = 16;
 };
 

@@ -50,6 +50,8 @@ class Execution {
 
   /// Makes the changes. Only after run() has refused nothing.
   void commit();
+  /// Whether they include one of the stored places.
+  [[nodiscard]] bool stores_place() const { return stored_value_.has_value(); }
 
   /// The block as a jog: what it sets holds for itself alone.
   [[nodiscard]] Refusal run_jog();

@@ -21,6 +21,7 @@ Result<Actions, Fault> Interpreter::interpret(std::string_view line) {
   Execution execution{options_, context_, places_, spline_store_, bench_};
   if (const auto fault = execution.run()) return *fault;
   execution.commit();
+  if (execution.stores_place()) ++places_revision_;
   return bench_.actions.all();
 }
 

@@ -46,6 +46,8 @@ class Interpreter {
   [[nodiscard]] const ModalState& state() const { return context_.modal; }
   [[nodiscard]] const Shift& shift() const { return context_.shift; }
   [[nodiscard]] const StoredPlaces& places() const { return places_; }
+  /// Another number after each line that changed them.
+  [[nodiscard]] std::uint32_t places_revision() const { return places_revision_; }
   /// Machine coordinates.
   [[nodiscard]] const Position& position() const { return context_.position; }
   /// What is subtracted from a machine coordinate to show the work coordinate.
@@ -62,6 +64,7 @@ class Interpreter {
   /// As after a soft reset: modes, G92 and tool length as at start-up; stored
   /// places and position stay.
   void reset();
+  [[nodiscard]] const Options& options() const { return options_; }
   /// From the next line on.
   void set_options(const Options& options) { options_ = options; }
 
@@ -72,6 +75,7 @@ class Interpreter {
   Bench bench_{};
   SplineStore spline_store_{};
   std::uint32_t jog_line_number_ = 0;
+  std::uint32_t places_revision_ = 0;
 };
 
 }  // namespace cnc::gcode

@@ -79,6 +79,27 @@ TEST_F(StepTimerTest, APulseLastsHoweverLongTheWayToItsEdgeWas) {
   EXPECT_EQ(1140U, interrupt_at(1056, 100));
 }
 
+TEST_F(StepTimerTest, WaysToEdgesDoNotAddUpOverPulses) {
+  constexpr std::uint32_t kPulse = 20;
+  constexpr std::uint32_t kInterval = 100;
+  constexpr std::uint32_t kWay = 4;
+  timer_.start();
+  std::uint32_t comes = 1000;
+  for (std::uint32_t step = 0; step < 50; ++step) {
+    EXPECT_EQ(1000U + step * kInterval, comes);
+    for (const bool high : {true, false}) {
+      chip_.cells[kCount] = comes;
+      timer_.on_interrupt([&] {
+        chip_.cells[kCount] = comes + kWay;
+        if (high) timer_.note_edge();
+        if (!high) timer_.note_pulse_end();
+        return high ? kPulse : kInterval - kPulse;
+      });
+      comes = chip_.cells[kDue];
+    }
+  }
+}
+
 TEST_F(StepTimerTest, AnInterruptBeforeItsTimePlaysNothing) {
   timer_.start();
   interrupt_at(1000, 100);

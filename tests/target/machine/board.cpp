@@ -21,7 +21,7 @@ Board::Board(const Order& order, const Memory& memory, qemu::Object* core)
       debug_control_{services_},
       cycle_counter_{services_, debug_control_},
       pin_script_{order.pins, ports_},
-      bit_flips_{order.options.flips, trace_},
+      memory_changes_{order.options, flash_, trace_},
       stop_{[this] { end(kStoppedStatus); }},
       software_reset_{[] { qemu::qemu_system_reset(qemu::kGuestReset); }} {
   add(rcc_, memory.system);
@@ -83,6 +83,7 @@ void Board::connect_reset(qemu::Object* core) {
 
 void Board::finish() {
   flash_.save();
+  Memories::save(order_.options.memory);
   for (const Usart& usart : usarts_) usart.flush();
   can_.flush();
   trace_.flush();

@@ -4,12 +4,12 @@
 #include <deque>
 #include <optional>
 
-#include "tests/target/machine/bit_flips.hpp"
 #include "tests/target/machine/can.hpp"
 #include "tests/target/machine/cycle_counter.hpp"
 #include "tests/target/machine/flash.hpp"
 #include "tests/target/machine/gpio.hpp"
 #include "tests/target/machine/memories.hpp"
+#include "tests/target/machine/memory_changes.hpp"
 #include "tests/target/machine/options.hpp"
 #include "tests/target/machine/pin_script.hpp"
 #include "tests/target/machine/power_control.hpp"
@@ -72,7 +72,7 @@ class Board {
   DebugControl debug_control_;
   CycleCounter cycle_counter_;
   PinScript pin_script_;
-  BitFlips bit_flips_;
+  MemoryChanges memory_changes_;
   std::vector<Peripheral*> all_;
   Alarm stop_;
   Alarm software_reset_;

@@ -90,6 +90,14 @@ void Flash::save() const {
   }
 }
 
+bool Flash::has(std::uint32_t address) { return address >= kAddress && address < kAddress + kSize; }
+
+void Flash::turn_over(std::uint32_t address, std::uint8_t mask) {
+  const std::uint32_t offset = address - kAddress;
+  memory_[offset] = static_cast<std::uint8_t>(memory_[offset] ^ mask);
+  qemu::memory_region_flush_rom_device(&region_, offset, 1);
+}
+
 void Flash::reset() {
   access_ = status_ = 0;
   control_ = kLock;

@@ -28,6 +28,10 @@ class Flash final : public Peripheral, public ClockFollower {
   /// Writes the memory to the file of the options.
   void save() const;
 
+  [[nodiscard]] static bool has(std::uint32_t address);
+  /// Turns bits of a byte over, whatever the interface says. @pre has(address)
+  void turn_over(std::uint32_t address, std::uint8_t mask);
+
   void reset() override;
   void before_clock_change() override {}
   /// Tells when the wait states are too few for the core's clock at 2.7 to 3.6 V.

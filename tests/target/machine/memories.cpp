@@ -1,7 +1,11 @@
 #include "tests/target/machine/memories.hpp"
 
+#include <fmt/core.h>
+
 #include <array>
+#include <cstdio>
 #include <cstring>
+#include <vector>
 
 #include "tests/target/machine/random.hpp"
 
@@ -24,6 +28,18 @@ Memories::Memories(qemu::MemoryRegion* container, std::uint64_t seed) {
   std::memcpy(bytes + kUnique, unique.data(), 12);
   constexpr std::uint16_t kFlash_kb = 1024;
   std::memcpy(bytes + kFlashSize, &kFlash_kb, sizeof kFlash_kb);
+}
+
+void Memories::save(const std::string& file) {
+  constexpr std::uint32_t kBegin = 0x2000'0000, kSize = 0x2'0000;
+  if (file.empty()) return;
+  std::vector<std::uint8_t> bytes(kSize);
+  qemu::cpu_physical_memory_rw(kBegin, bytes.data(), kSize, false);
+  std::FILE* const out = std::fopen(file.c_str(), "wb");
+  const bool good = out != nullptr && std::fwrite(bytes.data(), 1, kSize, out) == kSize;
+  if (out == nullptr || std::fclose(out) != 0 || !good) {
+    fmt::print(stderr, "machine: cannot write {}\n", file);
+  }
 }
 
 }  // namespace machine

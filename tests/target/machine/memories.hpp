@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "tests/target/machine/peripheral.hpp"
 
@@ -26,6 +27,9 @@ class BeyondMemory final : public Peripheral {
 class Memories {
  public:
   Memories(qemu::MemoryRegion* container, std::uint64_t seed);
+
+  /// Writes the 128 KB of SRAM to a file, where one is named.
+  static void save(const std::string& file);
 
  private:
   qemu::MemoryRegion coupled_{}, identity_{};

@@ -27,17 +27,30 @@ bool take_text(std::string_view text, std::string& into) {
   return !text.empty();
 }
 
-/// ADDRESS:BIT:NS, the address in hexadecimal digits.
-bool take_flip(std::string_view text, std::vector<BitFlip>& flips) {
+/// ADDRESS:WHAT:NS, the address in hexadecimal digits.
+template <typename Change, typename What>
+bool take_change(std::string_view text, std::vector<Change>& changes, const What& take_what) {
   const std::size_t first = text.find(':');
   const std::size_t second = text.find(':', first + 1);
   if (first == std::string_view::npos || second == std::string_view::npos) return false;
-  BitFlip flip;
-  if (!take_number(text.substr(0, first), flip.address, ~0U, 16)) return false;
-  if (!take_number(text.substr(first + 1, second - first - 1), flip.bit, 7U)) return false;
-  if (!take_number(text.substr(second + 1), flip.at_ns)) return false;
-  flips.push_back(flip);
+  Change change;
+  if (!take_number(text.substr(0, first), change.address, ~0U, 16)) return false;
+  if (!take_what(text.substr(first + 1, second - first - 1), change)) return false;
+  if (!take_number(text.substr(second + 1), change.at_ns)) return false;
+  changes.push_back(change);
   return true;
+}
+
+bool take_flip(std::string_view text, std::vector<BitFlip>& flips) {
+  return take_change(text, flips, [](std::string_view what, BitFlip& flip) {
+    return take_number(what, flip.bit, 7U);
+  });
+}
+
+bool take_store(std::string_view text, std::vector<WordStore>& stores) {
+  return take_change(text, stores, [](std::string_view what, WordStore& store) {
+    return take_number(what, store.value, ~0U, 16) && store.address % 4 == 0;
+  });
 }
 
 bool take_cut_kind(std::string_view text, Cut& kind) {
@@ -59,6 +72,7 @@ bool take_serial(std::string_view name, std::string_view value, SerialOptions& s
 bool take_file(std::string_view name, std::string_view value, Options& options) {
   if (name == "trace") return take_text(value, options.trace);
   if (name == "flash") return take_text(value, options.flash);
+  if (name == "memory") return take_text(value, options.memory);
   if (name == "pins") return take_text(value, options.pins);
   if (name == "can_in") return take_text(value, options.can_input);
   return name == "can_out" && take_text(value, options.can_output);
@@ -75,6 +89,7 @@ bool take_value(std::string_view name, std::string_view value, Options& options)
     return value == "on" || value == "off";
   }
   if (name == "flip") return take_flip(value, options.flips);
+  if (name == "store") return take_store(value, options.stores);
   if (name == "crystal_hz") return take_number(value, options.crystal_hz, 26'000'000U);
   if (name == "slow_hz") return take_number(value, options.slow_hz, 47'000U);
   return name == "stop_ns" && take_number(value, options.stop_ns);

@@ -27,11 +27,18 @@ struct BitFlip {
   std::int64_t at_ns = 0;
 };
 
+/// A word of memory that changes, as a debugger would change it.
+struct WordStore {
+  std::uint32_t address = 0;
+  std::uint32_t value = 0;
+  std::int64_t at_ns = 0;
+};
+
 /// What was said on the command line; README.md describes each.
 struct Options {
   static constexpr std::size_t kSerialPorts = 6;
 
-  std::string trace, flash, pins, can_input, can_output;
+  std::string trace, flash, memory, pins, can_input, can_output;
   std::uint64_t seed = 1;
   std::uint32_t cut = 0;  // Operation; 0: none.
   Cut cut_kind = Cut::kNone;
@@ -40,6 +47,7 @@ struct Options {
   std::uint32_t can_corrupt_percent = 0;
   bool can_alone = false;
   std::vector<BitFlip> flips;
+  std::vector<WordStore> stores;
   std::uint32_t crystal_hz = 8'000'000;
   std::uint32_t slow_hz = 32'000;
   std::int64_t stop_ns = 0;  // 0: never.

@@ -92,10 +92,24 @@ void SerialPeer::hear_answer(char character) {
     return;
   }
   const bool answers = answer_.starts_with("ok") || answer_.starts_with("error:");
+  if (answer_.starts_with("Grbl ")) forget_lines();
   answer_.clear();
   if (!answers || lines_.empty()) return;
   unanswered_ -= lines_.front();
   lines_.pop_front();
+  if (more_) more_();
+}
+
+/// The receiver restarted: of all lines it answers but the one that is on its way.
+void SerialPeer::forget_lines() {
+  if (lines_.empty()) return;
+  const std::size_t last = lines_.back();
+  lines_.clear();
+  unanswered_ = 0;
+  if (in_line_) {
+    lines_.push_back(last);
+    unanswered_ = last;
+  }
   if (more_) more_();
 }
 

@@ -14,7 +14,8 @@ namespace machine {
 
 /// Who is at the other end of a serial line: a file to send and one to write, or a character
 /// device. With a window it is a sender that counts characters: a line goes out when it and all
-/// lines without an answer (`ok…` or `error:…`) fit the window.
+/// lines without an answer (`ok…` or `error:…`) fit the window. A banner (`Grbl …`) says that the
+/// lines before it are never answered.
 class SerialPeer {
  public:
   /// Ends the emulator with a message where a file or a device is not there.
@@ -37,6 +38,7 @@ class SerialPeer {
   void connect(const std::string& device);
   void open_files(const SerialOptions& options);
   void hear_answer(char character);
+  void forget_lines();
   [[nodiscard]] bool line_fits();
 
   std::uint32_t window_;

@@ -64,6 +64,10 @@ class CoreTest(unittest.TestCase):
         self.assertEqual([[1 << 11]], outcome.said["flipped"])
         self.assertEqual([(5_000_000, "2001f011 3")], outcome.events("flip"))
 
+    def test_a_word_changes_when_it_should(self):
+        outcome = Emulator.run("flip", "store=2001F010:cafe0001:7000000")
+        self.assertEqual([[0xCAFE0001]], outcome.said["flipped"])
+
     def test_stop(self):
         outcome = Emulator.run("watchdog", "stop_ns=1000000")
         self.assertEqual(STOPPED, outcome.status)
@@ -73,7 +77,7 @@ class CoreTest(unittest.TestCase):
         empty = Files(self)("empty", "")
         wrong = Files(self)("wrong", "5 PA0 1\n4 PA0 0\n")
         for option in ("nonsense=1", "nonsense", "cut=-1", "cut_kind=half", "flip=20000000:8:1",
-                       "flip=20000000:1", "can_corrupt=101", "usart7_in=x", "usart1_window=x",
+                       "flip=20000000:1", "store=20000002:0:1", "can_corrupt=101", "usart7_in=x", "usart1_window=x",
                        f"usart1_in={empty}.not", f"can_in={empty}.not", f"pins={wrong}",
                        f"can_in={wrong}", "usart1_chardev=nobody", "trace="):
             outcome = Emulator.run("clocks", option)

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "hal/interface/record_store.hpp"
+#include "hal/stm32f405/watchdog.hpp"
+
+namespace hal::stm32f405 {
+
+/// A store whose saves the watchdog waits for. One that moves the log to its other
+/// sector looks through all of it several times, a third of a second, and
+/// erases, which takes up to 2 s. Main loop.
+/// @tparam Store its class, final: the stack of its calls is then known.
+template <typename Store, RegisterBus Bus = MemoryBus>
+class PatientStore final : public RecordStore {
+ public:
+  constexpr explicit PatientStore(Store& store) : store_{store} {}
+
+  [[nodiscard]] std::size_t load(std::uint16_t number, std::span<std::byte> into) override {
+    return store_.load(number, into);
+  }
+  [[nodiscard]] bool save(std::uint16_t number, std::span<const std::byte> record) override {
+    Watchdog<Bus>::be_patient();
+    const bool saved = store_.save(number, record);
+    Watchdog<Bus>::be_strict();
+    return saved;
+  }
+  [[nodiscard]] StoreWear wear() const override { return store_.wear(); }
+
+ private:
+  Store& store_;
+};
+
+}  // namespace hal::stm32f405

@@ -1,0 +1,92 @@
+#include <gtest/gtest.h>
+
+#include <cstddef>
+#include <cstring>
+#include <span>
+
+#include "tests/firmware/controller_test.hpp"
+
+namespace cnc {
+namespace {
+
+/// Settings and places that turn over in memory while nobody changes them.
+class MachineMemoryTest : public ControllerTest {
+ protected:
+  static constexpr std::size_t kBytes = 32;
+  static constexpr int kMostPieces = 128;  ///< Of a millisecond each on the chip.
+
+  bool is_found() {
+    for (int piece = 0; piece < kMostPieces; ++piece) {
+      if (!machine.check_memory(kBytes)) return true;
+    }
+    return false;
+  }
+
+  /// As radiation does it: past the type.
+  template <typename Object>
+  static void turn(const Object& object, std::size_t byte, unsigned bit) {
+    unsigned char value = 0;
+    auto* const at = reinterpret_cast<unsigned char*>(const_cast<Object*>(&object)) + byte;
+    std::memcpy(&value, at, 1);
+    value = static_cast<unsigned char>(value ^ 1U << bit);
+    std::memcpy(at, &value, 1);
+  }
+};
+
+TEST_F(MachineMemoryTest, ASettingIsFoundWithinAFewPieces) {
+  EXPECT_FALSE(is_found());
+  turn(machine.settings(), 40, 6);
+  EXPECT_TRUE(is_found());
+  turn(machine.settings(), 40, 6);
+  EXPECT_TRUE(is_found()) << "what turns back has been wrong all the same";
+}
+
+TEST_F(MachineMemoryTest, SoAreThePowerTableAndThePlaces) {
+  turn(machine.power_table(), 0, 0);
+  EXPECT_TRUE(is_found());
+}
+
+TEST_F(MachineMemoryTest, APlaceThatTurnedOverIsNotStored) {
+  const int saves = store.saves;
+  turn(machine.interpreter().places(), 3, 7);
+  run(20);
+  EXPECT_EQ(saves, store.saves);
+  EXPECT_TRUE(is_found());
+}
+
+TEST_F(MachineMemoryTest, WhatIsChangedByCommandIsNoDamage) {
+  for (const char* line : {"$110=6000",
+                           "$32=1",
+                           "$PC=",
+                           "G10 L2 P1 X5",
+                           "G28.1",
+                           "G10 L20 P2 Y1",
+                           "G21 G90",
+                           "$RST=#",
+                           "$100=160"}) {
+    EXPECT_EQ(send(line), "ok") << line;
+    run(20);
+    EXPECT_FALSE(is_found()) << line;
+  }
+  machine.toggle_block_delete();
+  EXPECT_FALSE(is_found());
+  send_all({"G1 X5 F3000"});
+  run_until_idle();
+  EXPECT_FALSE(is_found()) << "after motion";
+}
+
+TEST_F(MachineMemoryTest, AChangeDoesNotHideWhatTurnedOverBefore) {
+  turn(machine.settings(), 44, 3);
+  EXPECT_EQ(send("$110=6000"), "ok");
+  EXPECT_TRUE(is_found());
+}
+
+TEST_F(MachineMemoryTest, ABeamRestsDarkAndASpindleDoesNot) {
+  EXPECT_EQ(send("$32=1"), "ok");
+  EXPECT_TRUE(machine.rests_dark());
+  EXPECT_EQ(send("$32=0"), "ok");
+  EXPECT_FALSE(machine.rests_dark());
+}
+
+}  // namespace
+}  // namespace cnc

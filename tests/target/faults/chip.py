@@ -1,0 +1,146 @@
+"""The controller's own image, unchanged, in the emulated chip of tests/target/machine: what it says,
+and what its pins do, from power-on to a set instant of virtual time."""
+
+import bisect
+import concurrent.futures
+import dataclasses
+import os
+import pathlib
+import random
+import re
+import shutil
+import subprocess
+import tempfile
+
+EMULATOR = "qemu-system-arm"
+SKIPPED = 77
+POWER_CUT, STOPPED = 90, 91
+MS = 1_000_000  # ns.
+BOOT_NS = 40 * MS  # Clocks, the image's checksum, the store; then the banner.
+AT_ONCE = 2  # Emulators.
+CHIP_OPTIONS = ("erase_us=1000",)  # A store that is new is erased at its first use.
+RAM = 0x20000000
+
+# Of the generic board.
+BEAM_PIN, BEAM_TIMER = "PA8", "TIM1_CH1"
+STEP_PINS = ("PA0", "PA1", "PA2")
+FLOOD_PIN = "PB4"
+
+
+def trials(usual: int) -> int:
+    """How many a test is to try: KERFLINE_TRIALS says otherwise."""
+    return int(os.environ.get("KERFLINE_TRIALS", usual))
+
+
+def seed() -> int:
+    return int(os.environ.get("KERFLINE_SEED", "1"))
+
+
+def some_of(cases: list, usual: int) -> list:
+    """As many cases as are to be tried, in their order."""
+    count = min(trials(usual), len(cases))
+    chosen = set(random.Random(seed()).sample(range(len(cases)), count))
+    return [case for place, case in enumerate(cases) if place in chosen]
+
+
+def in_parallel(work, inputs) -> list:
+    """The results in the order of the inputs."""
+    with concurrent.futures.ThreadPoolExecutor(AT_ONCE) as pool:
+        return list(pool.map(work, inputs))
+
+
+@dataclasses.dataclass
+class Run:
+    """What came out of a run: `trace` is a list of (ns, source, rest)."""
+    status: int
+    said: str
+    told: str
+    trace: list
+
+    def times(self, source: str, beginning: str = "") -> list:
+        return [ns for ns, who, rest in self.trace if who == source and rest.startswith(beginning)]
+
+    def resets(self) -> list:
+        """When it restarted, power-on left out."""
+        return self.times("reset")[1:]
+
+    def steps(self) -> list:
+        """When a step pulse of any axis rose."""
+        rising = {f"{pin} 1" for pin in STEP_PINS}
+        return [ns for ns, who, rest in self.trace if who == "pin" and rest in rising]
+
+    def lit(self) -> list:
+        """From when to when the beam's pin was high at times."""
+        spans, since, driven, pulses = [], None, "z", "z"
+        for ns, who, rest in self.trace:
+            if who == "pin" and rest.startswith(BEAM_PIN + " "):
+                driven = rest.split()[1]
+            elif who == "pwm" and rest.startswith(BEAM_TIMER + " "):
+                pulses = rest.split()[1]
+            elif who != "end":
+                continue
+            high = driven == "1" or (driven == "f" and pulses not in ("0", "z"))
+            if high and since is None:
+                since = ns
+            if since is not None and (not high or who == "end"):
+                spans.append((since, ns))
+                since = None
+        return spans
+
+    def lit_without_step(self) -> tuple:
+        """The longest time for which the beam was lit and no step came, and when it ended; ns."""
+        steps, longest = self.steps(), (0, 0)
+        for begin, end in self.lit():
+            within = steps[bisect.bisect_left(steps, begin):bisect.bisect_right(steps, end)]
+            edges = [begin, *within, end]
+            longest = max(longest, *((b - a, b) for a, b in zip(edges, edges[1:])))
+        return longest
+
+
+class Chip:
+    """An image and the machine that it runs in."""
+
+    def __init__(self, plugin: str, image: str, shift: int = 3):
+        self.plugin, self.image, self.shift = plugin, pathlib.Path(image), shift
+        listing = subprocess.run(["arm-none-eabi-nm", image], capture_output=True, text=True,
+                                 check=True).stdout
+        self.symbols = {name: int(address, 16) for address, name
+                        in re.findall(r"^(\w+) \w (\S+)$", listing, re.MULTILINE)}
+
+    @property
+    def instruction_ns(self) -> int:
+        return 1 << self.shift
+
+    def command(self, *options: str) -> list:
+        return [EMULATOR, "-M", "netduinoplus2", "-display", "none", "-monitor", "none",
+                "-serial", "none", "-icount", f"shift={self.shift},sleep=off",
+                "-kernel", str(self.image), "-plugin", ",".join([self.plugin, *options])]
+
+    def run(self, text: str, stop_ns: int, *options: str, from_ns: int = BOOT_NS) -> Run:
+        """Sends this from then on, and ends then."""
+        with tempfile.TemporaryDirectory() as name:
+            folder = pathlib.Path(name)
+            sent, heard, trace = folder / "sent", folder / "heard", folder / "trace"
+            sent.write_bytes(text.encode("latin-1"))
+            command = self.command(f"trace={trace}", f"usart1_in={sent}", f"usart1_out={heard}",
+                                   f"usart1_from_ns={from_ns}", f"stop_ns={stop_ns}", *options)
+            done = subprocess.run(command, capture_output=True, timeout=300, check=False)
+            lines = trace.read_text().splitlines() if trace.exists() else []
+            said = heard.read_bytes().decode("latin-1") if heard.exists() else ""
+        events = [(int(ns), source, rest)
+                  for ns, source, rest in (line.split(" ", 2) for line in lines)]
+        return Run(done.returncode, said, done.stderr.decode(), events)
+
+
+def main(module, test: str):
+    """PLUGIN IMAGE [TEST...]: runs a module's tests on Chip(PLUGIN, IMAGE), or skips."""
+    import sys
+    import unittest
+    plugin, image = sys.argv[1:3]
+    missing = [path for path in (plugin, image) if not pathlib.Path(path).exists()]
+    missing += [tool for tool in (EMULATOR, "arm-none-eabi-nm") if not shutil.which(tool)]
+    if missing:
+        print(f"skipped: {test} needs {' '.join(missing)} (presets release and cortex-m4f)")
+        sys.exit(SKIPPED)
+    module["CHIP"] = Chip(plugin, image)
+    unittest.main(module="__main__", argv=[sys.argv[0], *sys.argv[3:]], verbosity=2)

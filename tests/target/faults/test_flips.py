@@ -1,0 +1,139 @@
+#!/usr/bin/env python3
+"""Bits of memory turn over while a laser job runs, and the beam is never lit without motion.
+
+    test_flips.py PLUGIN kerfline_generic.elf [TEST...]
+
+KERFLINE_TRIALS=10000 flips that many (128), KERFLINE_SEED chooses them. Ends with 77 (skipped)
+where the emulator, the plug-in or the image is missing.
+"""
+
+import collections
+import pathlib
+import random
+import re
+import shutil
+import struct
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
+from chip import BOOT_NS, CHIP_OPTIONS, MS, RAM, STOPPED, in_parallel, main, seed, trials  # noqa: E402
+
+CHIP = None
+# Fine steps and hard acceleration: while the beam is lit, steps are less than 1 ms apart.
+SETTINGS = "$32=1\n$100=1600\n$101=1600\n$120=5000\n$121=5000\n"
+FLIPS_IN_A_RUN = 32
+APART_NS = 12 * MS
+FIRST_NS = BOOT_NS + 15 * MS
+MOST_LIT_NS = MS
+RESTARTED = re.compile(r"\[MSG:(Restarted [^\]]*)\]")
+
+
+def job() -> str:
+    """Longer than any run, each line whole in itself: after a restart the rest of it goes on."""
+    return "".join(f"G90G21M{3 + way // 4 % 2}S{400 + 50 * (way % 3)}"
+                   f"G1X{way % 7 / 20}Y{way % 5 / 10}F1500\n" for way in range(600))
+
+
+class FlipTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        """The job's settings are in the flash when a run begins."""
+        cls.folder = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(cls.folder.cleanup)
+        cls.flash = pathlib.Path(cls.folder.name, "flash")
+        run = CHIP.run(SETTINGS, BOOT_NS + 100 * MS, *CHIP_OPTIONS, f"flash={cls.flash}")
+        assert run.said.count("ok") == SETTINGS.count("\n"), run.said
+
+    def run_job(self, name: str, *options: str, text: str = "", stop_ns: int = 0):
+        copy = self.flash.with_name(f"flash{name}")
+        shutil.copy(self.flash, copy)
+        run = CHIP.run(text or job(), stop_ns or FIRST_NS + FLIPS_IN_A_RUN * APART_NS,
+                       "usart1_window=1000", f"flash={copy}", *CHIP_OPTIONS, *options)
+        copy.unlink()
+        return run
+
+    def test_the_beam_is_never_lit_without_motion(self):
+        undisturbed = self.run_job("0")
+        self.assertEqual(STOPPED, undisturbed.status, undisturbed.told)
+        self.assertGreater(sum(end - begin for begin, end in undisturbed.lit()), 100 * MS)
+        self.assertLess(undisturbed.lit_without_step()[0], MOST_LIT_NS)
+        end = CHIP.symbols["bss_end"]
+        begin = CHIP.symbols["stack_bottom"]
+        count, chosen = trials(128), random.Random(seed())
+        runs = [[(chosen.randrange(begin, end), chosen.randrange(8), FIRST_NS + i * APART_NS
+                  + chosen.randrange(APART_NS)) for i in range(min(FLIPS_IN_A_RUN, count - first))]
+                for first in range(0, count, FLIPS_IN_A_RUN)]
+        kinds, worst, failed = collections.Counter(), (0,), []
+        for start in range(0, len(runs), 16):  # Traces are large.
+            part = list(enumerate(runs))[start:start + 16]
+            outcomes = in_parallel(lambda numbered: self.judge(*numbered, undisturbed), part)
+            for (_, flips), (what, lit) in zip(part, outcomes):
+                kinds.update(what)
+                worst = max(worst, (lit, flips))
+                if lit > MOST_LIT_NS:
+                    failed.append((lit, flips))
+        print(f"seed {seed()}: {count} flips in {len(runs)} runs: {dict(kinds)}; "
+              f"lit without a step for at most {worst[0] / MS:.3f} ms")
+        self.assertEqual([], failed)
+
+    def judge(self, number: int, flips: list, undisturbed) -> tuple:
+        """What the flips of a run did, by kinds, and how long the beam was lit without a step."""
+        options = [f"flip={address:x}:{bit}:{ns}" for address, bit, ns in flips]
+        run = self.run_job(f"-{number}", *options)
+        self.assertEqual(STOPPED, run.status, run.told)
+        kinds = collections.Counter()
+        told = RESTARTED.findall(run.said)
+        kinds.update(re.sub(r" at 0x\w+|\d+", "", text) for text in told)
+        kinds["ALARM"] += len(re.findall(r"ALARM:", run.said))
+        kinds["line refused"] += len(re.findall(r"error:", run.said))
+        same = run.said == undisturbed.said and run.steps() == undisturbed.steps()
+        kinds["runs the same to the last edge" if same else "runs that differ"] += 1
+        return kinds, run.lit_without_step()[0]
+
+    def test_settings_that_turn_over_are_found_within_a_second(self):
+        begin, size = self.settings_place()
+        chosen = random.Random(seed())
+        flips = [(begin + chosen.randrange(size), chosen.randrange(8)) for _ in range(min(trials(8), 200))]
+        each, first = 400 * MS, BOOT_NS + 60 * MS
+        parts = [flips[at:at + 4] for at in range(0, len(flips), 4)]
+
+        def one(numbered):
+            number, part = numbered
+            options = [f"flip={address:x}:{bit}:{first + i * each}"
+                       for i, (address, bit) in enumerate(part)]
+            return self.run_job(f"s{number}", *options, stop_ns=first + len(part) * each)
+        longest = 0
+        for part, run in zip(parts, in_parallel(one, enumerate(parts))):
+            resets = run.resets()
+            for i, flip in enumerate(part):
+                at = first + i * each
+                found = [ns - at for ns in resets if at <= ns < at + each]
+                self.assertTrue(found, f"{flip} is not found")
+                longest = max(longest, found[0])
+            self.assertLess(run.lit_without_step()[0], MOST_LIT_NS)
+        print(f"seed {seed()}: {len(flips)} flips of settings, found after at most "
+              f"{longest / MS:.0f} ms")
+
+    def settings_place(self) -> tuple:
+        """Where the values of all settings are, found by what they are: address and bytes."""
+        listed = self.run_job("l", text="$$\n", stop_ns=BOOT_NS + 600 * MS).said
+        values = [float(value) for value in re.findall(r"\$\d+=(\S+)", listed)]
+        self.assertGreater(len(values), 100)
+        wanted = struct.pack(f"<{len(values)}f", *values)
+        memory = self.memory()
+        place = memory.find(wanted)
+        self.assertGreater(place, 0)
+        self.assertEqual(place, memory.rfind(wanted))
+        return RAM + place, len(wanted)
+
+    def memory(self) -> bytes:
+        """All of RAM, when it has been running for some time."""
+        path = pathlib.Path(self.folder.name, "memory")
+        self.run_job("m", f"memory={path}", text="\n", stop_ns=BOOT_NS + 100 * MS)
+        return path.read_bytes()
+
+
+if __name__ == "__main__":
+    main(globals(), "test_flips")
