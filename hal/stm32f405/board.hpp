@@ -7,6 +7,7 @@
 #include "hal/stm32f405/clock.hpp"
 #include "hal/stm32f405/pin.hpp"
 #include "hal/stm32f405/pin_functions.hpp"
+#include "hal/stm32f405/usb/identity.hpp"
 
 namespace hal::stm32f405 {
 
@@ -55,7 +56,13 @@ struct Board {
   Pin transmit{};
   Pin receive{};
   std::uint32_t baud = 115'200;
+
+  bool has_usb = true;  ///< A socket at kUsbPins.
+  usb::Identity usb{};
 };
+
+/// D- and D+ of the full-speed core (the data sheet's table 9): there are no others.
+inline constexpr std::array<Pin, 2> kUsbPins{pa(11), pa(12)};
 
 /// Start of a flash sector, from the beginning of the flash; the first beyond
 /// the last is where the last one ends (RM0090, table 5).
@@ -122,6 +129,7 @@ constexpr PinCensus pins_of(const Board& board) {
                         board.receive}) {
     census.add(pin);
   }
+  if (board.has_usb) census.add(kUsbPins);
   return census;
 }
 
