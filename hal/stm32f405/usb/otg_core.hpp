@@ -66,7 +66,7 @@ class OtgCore {
   /// The core wants it before the host knows: it goes on with the old one until
   /// the request is over.
   static void set_address(std::uint8_t address) noexcept {
-    modify<Bus>(otg::kDeviceConfig, otg::kAddressMask, Word{address} << 4);
+    modify<Bus>(otg::kDeviceConfig, otg::kAssignedMask, Word{address} << 4);
   }
 
   static void open_data() noexcept {
@@ -164,7 +164,7 @@ class OtgCore {
   static constexpr Word kDataWords = 128;
   static constexpr Word kNewsWords = 16;  ///< The least there may be.
   static_assert(kReceiveWords + kControlWords + kDataWords + kNewsWords <= otg::kFifoWords);
-  static_assert(kReceiveWords >= 10 + 1 + 2 * (kPacketBytes / 4 + 1) + 2 * 2, "RM0090, 34.13.1");
+  static_assert(kReceiveWords >= 10U + 1U + 2U * (kPacketBytes / 4 + 1) + 4U, "RM0090, 34.13.1");
 
   /// Does not write the enable back that it has read: the packet may be over by then.
   static void change(Address control, Word off, Word on) noexcept {

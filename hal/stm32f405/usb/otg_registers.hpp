@@ -76,7 +76,7 @@ inline constexpr Word kTransceiverOn = bit(16);
 inline constexpr Word kNoVbusSensing = bit(21);
 // kDeviceConfig
 inline constexpr Word kFullSpeed = 3;
-inline constexpr Word kAddressMask = 0x7F << 4;
+inline constexpr Word kAssignedMask = 0x7F << 4;
 // kDeviceControl
 inline constexpr Word kDisconnect = bit(1);
 // in_control and out_control
