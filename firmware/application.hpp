@@ -39,6 +39,10 @@ class Application {
     protocol_.poll(now);
   }
 
+  /// Main loop: another sender is at the link, or the one that was there is gone.
+  void begin_sender() { protocol_.begin_sender(); }
+  void lose_sender() { protocol_.lose_sender(); }
+
   /// The step interrupt. Returns the ticks until the next one; 0 stops the timer.
   std::uint32_t on_step_interrupt() noexcept { return steps_.on_interrupt(); }
 

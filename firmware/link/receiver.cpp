@@ -128,6 +128,14 @@ void Receiver::reset() {
   reset_.store(true);
 }
 
+void Receiver::begin_anew() {
+  drop_waiting();
+  plain_ = true;
+  comment_ = Comment::kNone;
+  lead_waits_ = false;
+  continuation_ = 0;
+}
+
 bool Receiver::take_reset() {
   if (!reset_.exchange(false)) return false;
   lines_.drop_before(lines_begin_.load());

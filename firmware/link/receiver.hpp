@@ -53,6 +53,10 @@ class Receiver {
     commands_.clear();
   }
 
+  /// Forgets also what it was in the middle of: another sender begins. Whether a reset
+  /// or a report is due stays. Not while receive() may run.
+  void begin_anew();
+
   // True once after each.
   [[nodiscard]] bool take_reset();  ///< Also forgets the lines before the reset.
   [[nodiscard]] bool take_status_request() { return status_.exchange(false); }

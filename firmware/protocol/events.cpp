@@ -28,6 +28,10 @@ bool LineProtocol::report() {
 
 /// Tells what has happened to the machine, each thing once.
 bool LineProtocol::tell_news() {
+  if (greeting_due_) {
+    greet();
+    return true;
+  }
   if (modes_wanted_) {
     modes_wanted_ = false;
     Reply reply = begin_answer();
@@ -69,15 +73,18 @@ bool LineProtocol::tell_result() {
 void LineProtocol::welcome() {
   beginning_ = false;
   form_.axes = static_cast<std::size_t>(machine_.settings().get(setting::kReportedAxes));
-  status_.begin_anew();
-  answer(begin_answer().text(identity::kBanner).end());
-  if (machine_.alarm() != Alarm::kNone) {
-    message("'$H'|'$X' to unlock");
-  } else {
-    startup_line_ = 0;
-  }
+  greet();
+  if (machine_.alarm() == Alarm::kNone) startup_line_ = 0;
   if (stored_.take_damage()) message("The store was damaged: some settings are as delivered");
   tell_trouble();
+}
+
+/// A sender that has come needs no more than this to know what it talks to.
+void LineProtocol::greet() {
+  greeting_due_ = false;
+  status_.begin_anew();
+  answer(begin_answer().text(identity::kBanner).end());
+  if (machine_.alarm() != Alarm::kNone) message("'$H'|'$X' to unlock");
 }
 
 void LineProtocol::tell_trouble() {

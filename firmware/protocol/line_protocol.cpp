@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "firmware/protocol/code_texts.hpp"
 #include "firmware/protocol/realtime_commands.hpp"
@@ -106,8 +107,25 @@ void LineProtocol::begin_anew() {
   listing_.stop();
   auto_report_ = false;
   owed_ = Owed::kNothing;
+  unheard_ = greeting_due_ = false;
   startup_line_ = StoredState::kStartupLines;
   beginning_ = true;
+}
+
+void LineProtocol::begin_sender() {
+  receiver_.begin_anew();
+  assembler_ = {};
+  listing_.stop();
+  outbox_ = {};
+  auto_report_ = false;
+  unheard_ = owed_ != Owed::kNothing;
+  greeting_due_ = !beginning_;
+}
+
+void LineProtocol::lose_sender() {
+  begin_sender();
+  greeting_due_ = false;
+  if (!machine_.idle() || machine_.tool_runs()) machine_.safety_door();
 }
 
 /// True when there was something left to say about the line before.
@@ -117,7 +135,9 @@ bool LineProtocol::finish_line() {
   if (owed_ == Owed::kHoming) {
     owed_ = Owed::kNothing;
     if (machine_.alarm() != Alarm::kNone) {
-      refuse(error_number::kLocked, 0, "homing has failed");
+      if (!std::exchange(unheard_, false)) {
+        refuse(error_number::kLocked, 0, "homing has failed");
+      }
       return true;
     }
     startup_line_ = 0;
@@ -125,7 +145,7 @@ bool LineProtocol::finish_line() {
     return true;
   }
   owed_ = Owed::kNothing;
-  answer(begin_answer().text("ok").end());
+  if (!std::exchange(unheard_, false)) answer(begin_answer().text("ok").end());
   return true;
 }
 

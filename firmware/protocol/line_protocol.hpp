@@ -46,6 +46,14 @@ class LineProtocol {
   /// @param now microseconds.
   void poll(hal::TickCount now);
 
+  /// Another sender is at the link from now on: it is greeted, and gets no answer to lines
+  /// of the one before, which are forgotten where they have not been read yet.
+  void begin_sender();
+
+  /// The sender is gone, and nobody else is there: what moves or turns stops as by the
+  /// safety door. The place stays known, and whoever comes next may resume or reset.
+  void lose_sender();
+
  private:
   /// What the line before still waits for.
   enum class Owed : std::uint8_t { kNothing, kAck, kHoming };
@@ -65,6 +73,7 @@ class LineProtocol {
   [[nodiscard]] bool tell_news();
   [[nodiscard]] bool tell_result();
   void welcome();
+  void greet();
   void tell_trouble();
   void run_startup_line();
   void save_places();
@@ -118,6 +127,8 @@ class LineProtocol {
   bool auto_report_ = false;
   bool modes_wanted_ = false;  ///< 0x83: a parser state between other lines.
   bool beginning_ = true;      ///< After power-up or a reset: the banner is due.
+  bool greeting_due_ = false;  ///< A sender came; nothing else has happened.
+  bool unheard_ = false;       ///< Who sent the line that is owed an answer is gone.
   bool saving_failed_ = false;
   std::size_t startup_line_ = StoredState::kStartupLines;  ///< The next to be run.
 };

@@ -9,6 +9,7 @@
 
 #include KERFLINE_BOARD_HEADER
 #include "firmware/application.hpp"
+#include "firmware/link/link_choice.hpp"
 #include "firmware/machine/memory_watch.hpp"
 #include "firmware/store/flash_log.hpp"
 #include "hal/stm32f405/beam_watch.hpp"
@@ -20,6 +21,7 @@
 #include "hal/stm32f405/serial_line.hpp"
 #include "hal/stm32f405/start_up.hpp"
 #include "hal/stm32f405/time_base.hpp"
+#include "hal/stm32f405/usb/usb_line.hpp"
 #include "hal/stm32f405/watchdog.hpp"
 #include "planner/base/contract.hpp"
 
@@ -32,19 +34,22 @@ constexpr const chip::Board& kBoard = chip::KERFLINE_BOARD;
 using Port = chip::Port<kBoard>;
 using Power = chip::PowerPin<kBoard, Bus>;
 using SerialLine = chip::SerialLine<kBoard>;
+using UsbLine = chip::UsbLine<kBoard>;
 static_assert(hal::StepPort<Port>);
 static_assert(chip::StepTimer<Bus>::kTicksPerSecond == cnc::motion::kTicksPerSecond);
 
 // Start-up sets these up before it constructs the application.
 constinit Port port{};
 constinit SerialLine line{};
+constinit UsbLine usb_line{};
+cnc::LinkChoice link{usb_line, line};
 constinit chip::TimeBase<> clock_of_the_loop{};
 constinit chip::Flash<kBoard> flash{};
 cnc::FlashLog log{flash};
 constinit chip::PatientStore<cnc::FlashLog> store{log};
 constinit chip::ChipBoard<kBoard> board{};
 constinit cnc::MemoryWatch image_watch{};
-cnc::Application<Port> application{port, port, port, store, line, &board};
+cnc::Application<Port> application{port, port, port, store, link, &board};
 
 /// What a restart does not clear.
 struct Kept {
@@ -109,6 +114,7 @@ void begin_memory() {
   const chip::Clocks clocks = chip::ClockStart<Bus>::run(kBoard.crystal_hz);
   port.set_up(clocks);
   line.set_up(clocks);
+  usb_line.set_up(clocks);
   clock_of_the_loop.set_up(clocks);
   chip::watch_supply<Bus>();
   if (faulted && kept.fault.fault == chip::Fault::kImage) port.refuse_motion();
@@ -167,18 +173,30 @@ void look_for_damage(hal::TickCount now, hal::TickCount& next) {
   restart();
 }
 
+void follow_senders() {
+  switch (link.attend()) {
+    case cnc::LinkChoice::Change::kCame:
+      return application.begin_sender();
+    case cnc::LinkChoice::Change::kWent:
+      return application.lose_sender();
+    case cnc::LinkChoice::Change::kNone:
+      return;
+  }
+}
+
 [[noreturn]] void run() {
   chip::Polarity polarity{};
   hal::TickCount next_look = clock_of_the_loop.now();
   chip::Watchdog<>::begin();
   for (;;) {
     follow_settings(polarity);
+    follow_senders();
     const hal::TickCount now = clock_of_the_loop.now();
     application.poll(now);
     look_for_damage(now, next_look);
     // Fed by the loop, and only while the step interrupt comes, too.
     if (port.timer().take_alive()) chip::Watchdog<>::feed();
-    if (board.wants_boot_loader() && line.sent()) leave_for_boot_loader();
+    if (board.wants_boot_loader() && line.sent() && usb_line.sent()) leave_for_boot_loader();
   }
 }
 
@@ -245,6 +263,7 @@ void step_interrupt() {
   port.timer().on_interrupt([] { return application.on_step_interrupt(); });
 }
 void line_interrupt() { line.on_interrupt(); }
+void usb_interrupt() { usb_line.on_interrupt(); }
 /// Above the step interrupt, which it supervises.
 void clock_interrupt() {
   clock_of_the_loop.on_interrupt();
@@ -268,6 +287,7 @@ constexpr chip::VectorTable vector_table() {
   table.interrupt_entry(chip::interrupt::kSupply) = supply_interrupt;
   table.interrupt_entry(chip::interrupt::kTim2) = step_interrupt;
   table.interrupt_entry(SerialLine::kInterrupt) = line_interrupt;
+  table.interrupt_entry(UsbLine::kInterrupt) = usb_interrupt;
   return table;
 }
 

@@ -7,6 +7,7 @@
 #include "hal/stm32f405/clock.hpp"
 #include "hal/stm32f405/pin.hpp"
 #include "hal/stm32f405/pin_functions.hpp"
+#include "hal/stm32f405/usb/identity.hpp"
 
 namespace hal::stm32f405 {
 
@@ -55,7 +56,17 @@ struct Board {
   Pin transmit{};
   Pin receive{};
   std::uint32_t baud = 115'200;
+
+  bool has_usb = true;  ///< A socket at kUsbPins.
+  usb::Identity usb{};
+
+  Pin can_transmit{};  ///< CAN1, to a transceiver; a pair of kCanPins.
+  Pin can_receive{};
+  std::uint32_t can_bit_rate = 500'000;
 };
+
+/// D- and D+ of the full-speed core (the data sheet's table 9): there are no others.
+inline constexpr std::array<Pin, 2> kUsbPins{pa(11), pa(12)};
 
 /// Start of a flash sector, from the beginning of the flash; the first beyond
 /// the last is where the last one ends (RM0090, table 5).
@@ -119,9 +130,12 @@ constexpr PinCensus pins_of(const Board& board) {
                         board.mist,
                         board.flood,
                         board.transmit,
-                        board.receive}) {
+                        board.receive,
+                        board.can_transmit,
+                        board.can_receive}) {
     census.add(pin);
   }
+  if (board.has_usb) census.add(kUsbPins);
   return census;
 }
 
@@ -169,6 +183,9 @@ struct CheckedBoard {
   static_assert(kBoard.power_hz >= 1000 && kBoard.power_hz <= 50'000,
                 "the beam is to follow within 1 ms, in more than a thousand steps");
   static_assert(kSerial.exists(), "these two pins are no serial interface");
+  static_assert(!kBoard.can_transmit.exists() ||
+                    can_pins_of(kBoard.can_transmit, kBoard.can_receive).exists(),
+                "these two pins are no CAN1");
   static_assert(baud_is_near(kSerial.fast() ? kFullSpeed.apb2 : kFullSpeed.apb1, kBoard.baud) &&
                     baud_is_near(Clocks{}.apb1, kBoard.baud),
                 "this baud rate is not within reach");

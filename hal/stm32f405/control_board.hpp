@@ -10,6 +10,7 @@
 #include "hal/stm32f405/image.hpp"
 #include "hal/stm32f405/reset_cause.hpp"
 #include "hal/stm32f405/text_row.hpp"
+#include "hal/stm32f405/unique_id.hpp"
 
 namespace hal::stm32f405 {
 
@@ -105,17 +106,14 @@ class ChipBoard final : public ControlBoard {
     text.text(",").number(static_cast<std::uint32_t>(4 * report_.stack.size()));
   }
 
-  /// Other chips have it elsewhere, and reading nowhere is a fault.
   static void unique_id_row(TextRow& text) {
-    constexpr std::array<Word, 3> kFamilies{0x413, 0x411, 0x419};  // RM0090, 38.6.1; ES0182, 2.1.2.
-    const Word code = Bus::read(kDeviceCode) & 0xFFFU;
     text.text("UID:");
-    for (const Word family : kFamilies) {
-      if (code != family) continue;
-      for (Address word = 0; word < 3; ++word) text.hexadecimal(Bus::read(kUniqueId + 4 * word));
+    const auto id = unique_id<Bus>();
+    if (!id) {
+      text.text("unknown");
       return;
     }
-    text.text("unknown");
+    for (const Word word : *id) text.hexadecimal(word);
   }
 
   StartReport report_{};

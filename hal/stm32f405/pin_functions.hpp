@@ -75,4 +75,22 @@ constexpr SerialPins serial_pins_of(Pin transmit, Pin receive) {
   return {};
 }
 
+/// CAN1 on a pair of pins (the same table); PA12 and PA11 are USB's.
+struct CanPins {
+  Pin transmit{};
+  Pin receive{};
+
+  [[nodiscard]] constexpr bool exists() const { return transmit.exists(); }
+};
+
+inline constexpr std::array<CanPins, 2> kCanPins{{{pb(9), pb(8)}, {pd(1), pd(0)}}};
+
+/// The pair, or none.
+constexpr CanPins can_pins_of(Pin transmit, Pin receive) {
+  for (const CanPins& pins : kCanPins) {
+    if (pins.transmit == transmit && pins.receive == receive) return pins;
+  }
+  return {};
+}
+
 }  // namespace hal::stm32f405

@@ -22,6 +22,7 @@ inline constexpr Address kAhb2Reset = kBase + 0x14;
 inline constexpr Address kApb1Reset = kBase + 0x20;
 inline constexpr Address kApb2Reset = kBase + 0x24;
 inline constexpr Address kAhb1Enr = kBase + 0x30;
+inline constexpr Address kAhb2Enr = kBase + 0x34;
 inline constexpr Address kApb1Enr = kBase + 0x40;
 inline constexpr Address kApb2Enr = kBase + 0x44;
 inline constexpr Address kCsr = kBase + 0x74;

@@ -20,7 +20,8 @@ MAIN_BYTES, INTERRUPT_BYTES = 2048, 512
 # Eight words that the core pushes, eighteen of the FPU, and one to align them (Arm DDI 0403, B1.5.7).
 ENTRY_BYTES = 4 * 27
 # Functions that each priority may be in, the most urgent first; `stop` does not come back.
-LEVELS = (("clock_interrupt", "supply_interrupt"), ("step_interrupt",), ("line_interrupt",))
+LEVELS = (("clock_interrupt", "supply_interrupt"), ("step_interrupt",),
+          ("line_interrupt", "usb_interrupt"))
 MAIN = "start_up"
 # Calls through a pointer that is no virtual function's: start-up runs the constructors of objects.
 CONSTRUCTORS = r"_GLOBAL__sub_I_.*"

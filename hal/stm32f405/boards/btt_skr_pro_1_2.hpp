@@ -6,7 +6,8 @@ namespace hal::stm32f405 {
 
 /// BigTreeTech SKR Pro 1.2, F407ZG; pins as in grblHAL (STM32F4xx driver,
 /// boards/btt_skr_pro_v1_1_map.h). E0, E1 and E2 are A, B and C; the beam is
-/// PA8 on EXP1, as are the buttons; the probe is the BLTouch's input.
+/// PA8 on EXP1, as are the buttons; the probe is the BLTouch's input. CAN is the
+/// chip's pins: make sure that there is a transceiver behind them.
 inline constexpr Board kBttSkrPro12{
     .name = "BTT SKR Pro 1.2",
     .motors = {{{pe(9), pf(1), pf(2)},
@@ -28,6 +29,8 @@ inline constexpr Board kBttSkrPro12{
     .flood = pb(1),
     .transmit = pa(9),
     .receive = pa(10),
+    .can_transmit = pd(1),
+    .can_receive = pd(0),
 };
 
 }  // namespace hal::stm32f405

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace hal {
+
+/// A frame of CAN 2.0, as SocketCAN's can_frame has it.
+struct CanFrame {
+  std::uint32_t id = 0;  ///< 11 bits, or 29 of an extended one.
+  bool extended = false;
+  bool remote = false;      ///< Asks for `length` bytes and has none.
+  std::uint8_t length = 0;  ///< 0 to 8 bytes.
+  std::array<std::byte, 8> data{};
+
+  bool operator==(const CanFrame&) const = default;
+};
+
+/// What a node's error counters make of it (ISO 11898-1, 12.1.4).
+enum class CanState : std::uint8_t { kActive, kWarning, kPassive, kBusOff };
+
+struct CanHealth {
+  CanState state = CanState::kActive;
+  std::uint8_t transmit_errors = 0;
+  std::uint8_t receive_errors = 0;
+  std::uint32_t bus_offs = 0;     ///< Since start-up; each is left by itself.
+  std::uint32_t lost_frames = 0;  ///< Received, and no room for them.
+};
+
+/// A place on a CAN bus. Main loop context; no call blocks.
+class CanPort {
+ public:
+  /// The oldest frame that has arrived; false when there is none.
+  [[nodiscard]] virtual bool receive(CanFrame& frame) = 0;
+  /// Queues a frame; it goes out after those before it, and is repeated until another
+  /// node has it. False when there is no room.
+  [[nodiscard]] virtual bool send(const CanFrame& frame) = 0;
+  [[nodiscard]] virtual CanHealth health() const = 0;
+
+ protected:
+  ~CanPort() = default;
+};
+
+}  // namespace hal

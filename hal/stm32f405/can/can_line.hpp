@@ -1,0 +1,208 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "hal/interface/can_port.hpp"
+#include "hal/interface/spsc_ring.hpp"
+#include "hal/stm32f405/board.hpp"
+#include "hal/stm32f405/can/can_filter.hpp"
+#include "hal/stm32f405/can/can_timing.hpp"
+
+namespace hal::stm32f405 {
+
+/// CAN1: one interrupt routine, for all four of its interrupts, between the bus and two
+/// rings. Silent until it is told to speak: a node with a wrong rate would disturb
+/// all others.
+///
+/// A frame is repeated until somebody has it. After bus-off the node comes back by itself,
+/// once it has seen 128 times 11 bits of silence, and goes on with what it had to send.
+template <const Board& kBoard, RegisterBus Bus = MemoryBus>
+class CanLine final : public CanPort {
+ public:
+  static constexpr std::uint32_t kReceiveFrames = 32;
+  static constexpr std::uint32_t kSendFrames = 32;
+  static constexpr unsigned kPriority = 4;
+  static constexpr CanTiming kTiming = can_timing(kFullSpeed.apb1, kBoard.can_bit_rate);
+
+  enum class Voice : std::uint8_t {
+    kSilent,    ///< Hears, acknowledges nothing, sends nothing.
+    kSpeaking,  ///< A node like others.
+    kToItself,  ///< Hears what it sends, and nothing else: for tests.
+  };
+
+  /// Once, with interrupts off: silent, taking the frames of these filters. False when the
+  /// controller does not answer, and without the crystal, whose rate the bus relies on.
+  /// @param filters at most bxcan::kBanks; none: no frame is taken.
+  [[nodiscard]] bool set_up(const Clocks& clocks, std::span<const CanFilter> filters) noexcept {
+    if (clocks.source != ClockSource::kCrystal || filters.size() > bxcan::kBanks) return false;
+    set<Bus>(rcc::kApb1Enr, bxcan::kClock);
+    static_cast<void>(Bus::read(rcc::kApb1Enr));  // Two cycles for the clock, ES0182, 2.2.13.
+    PinSetUp<Bus>::hand_over(kPins.receive, kFunction, true);
+    PinSetUp<Bus>::hand_over(kPins.transmit, kFunction, false);
+    use(filters);
+    if (!speak(Voice::kSilent)) return false;
+    for (const unsigned number : kInterruptNumbers) enable_interrupt<Bus>(number, kPriority);
+    return true;
+  }
+
+  /// Main loop: leaves the bus and joins it again. False when it does not get there within
+  /// some 10 ms, as where the receive pin is stuck low; it joins as soon as it can.
+  [[nodiscard]] bool speak(Voice voice) noexcept {
+    Bus::write(bxcan::kControl, kMode | bxcan::kInitialise);
+    if (!reached(bxcan::kInitialise)) return false;
+    const Word modes = voice == Voice::kSilent     ? bxcan::kSilent
+                       : voice == Voice::kToItself ? bxcan::kLoopBack | bxcan::kSilent
+                                                   : 0;
+    Bus::write(bxcan::kTiming, kTiming.word() | modes);
+    Bus::write(bxcan::kInterrupts, bxcan::kAllInterrupts);
+    speaks_ = voice != Voice::kSilent;
+    Bus::write(bxcan::kControl, kMode);
+    pend_interrupt<Bus>(bxcan::kTransmitInterrupt);
+    return reached(0);
+  }
+
+  // Main loop.
+
+  [[nodiscard]] bool receive(CanFrame& frame) override { return received_.try_pop(frame); }
+
+  [[nodiscard]] bool send(const CanFrame& frame) override {
+    if (frame.length > frame.data.size() || !to_send_.try_push(frame)) return false;
+    pend_interrupt<Bus>(bxcan::kTransmitInterrupt);
+    return true;
+  }
+
+  [[nodiscard]] CanHealth health() const override {
+    const Word errors = Bus::read(bxcan::kErrors);
+    CanState state = CanState::kActive;
+    if ((errors & bxcan::kWarning) != 0) state = CanState::kWarning;
+    if ((errors & bxcan::kPassive) != 0) state = CanState::kPassive;
+    if ((errors & bxcan::kBusOff) != 0) state = CanState::kBusOff;
+    return {.state = state,
+            .transmit_errors = static_cast<std::uint8_t>(errors >> 16 & 0xFFU),
+            .receive_errors = static_cast<std::uint8_t>(errors >> 24),
+            .bus_offs = bus_offs_.load(std::memory_order_relaxed),
+            .lost_frames = lost_.load(std::memory_order_relaxed)};
+  }
+
+  // Its interrupts.
+
+  void on_interrupt() noexcept {
+    if ((Bus::read(bxcan::kStatus) & bxcan::kErrorAsked) != 0) {
+      Bus::write(bxcan::kStatus, bxcan::kErrorAsked);
+      // Only bus-off asks.
+      if ((Bus::read(bxcan::kErrors) & bxcan::kBusOff) != 0) count(bus_offs_);
+    }
+    for (unsigned number = 0; number < bxcan::kFifos; ++number) empty(number);
+    // Also clears what the mailboxes asked for.
+    Bus::write(bxcan::kTransmit, bxcan::kRequestsDone);
+    fill_mailboxes();
+  }
+
+ private:
+  static constexpr CanPins kPins = can_pins_of(kBoard.can_transmit, kBoard.can_receive);
+  static_assert(kPins.exists(), "these two pins are no CAN1");
+  static_assert(kTiming.exists(), "this rate is not within reach");
+  static constexpr unsigned kFunction = 9;
+  static constexpr Word kMode = bxcan::kRecoverAlone | bxcan::kInOrder | bxcan::kKeepOldest;
+  static constexpr std::array<unsigned, 4> kInterruptNumbers{bxcan::kTransmitInterrupt,
+                                                             bxcan::kFifo0Interrupt,
+                                                             bxcan::kFifo1Interrupt,
+                                                             bxcan::kStatusInterrupt};
+  /// It waits for a frame that is under way, then for 11 bits of silence: 2 ms at 125 kbit/s.
+  /// A look takes at least 4 clocks of 168 MHz.
+  static constexpr std::uint32_t kLooks = 420'000;
+
+  static bool reached(Word mode) noexcept {
+    return wait_for<Bus>(bxcan::kStatus, bxcan::kInitialise | bxcan::kSleep, mode, kLooks);
+  }
+
+  static void use(std::span<const CanFilter> filters) noexcept {
+    Bus::write(bxcan::kFilterControl, bxcan::kFiltersSetUp);
+    Bus::write(bxcan::kFiltersOn, 0);
+    Word lists = 0;
+    Word second_fifo = 0;
+    unsigned bank = 0;
+    for (const CanFilter& one : filters) {
+      Bus::write(bxcan::filter(bank), can_identifier(one.id, one.extended, false));
+      Bus::write(bxcan::filter(bank) + 4, second_word(one));
+      if (one.kind == CanFilter::Kind::kList) lists |= bit(bank);
+      if (one.fifo != 0) second_fifo |= bit(bank);
+      ++bank;
+    }
+    const Word all = bit(bank) - 1;
+    Bus::write(bxcan::kFilterLists, lists);
+    Bus::write(bxcan::kFilterWide, all);
+    Bus::write(bxcan::kFilterFifos, second_fifo);
+    Bus::write(bxcan::kFiltersOn, all);
+    Bus::write(bxcan::kFilterControl, bxcan::kFiltersUsed);
+  }
+
+  void empty(unsigned number) noexcept {
+    constexpr unsigned kMostAtOnce = 8;
+    for (unsigned frames = 0; frames < kMostAtOnce; ++frames) {
+      const Word state = Bus::read(bxcan::fifo(number));
+      if ((state & bxcan::kOverrun) != 0) {
+        count(lost_);
+        Bus::write(bxcan::fifo(number), bxcan::kOverrun);
+      }
+      if ((state & bxcan::kPending) == 0) return;
+      if (!received_.try_push(frame_in(bxcan::received(number)))) count(lost_);
+      Bus::write(bxcan::fifo(number), bxcan::kRelease);
+      // Until it is released there is no next one (RM0090, 32.9.2).
+      static_cast<void>(wait_for<Bus>(bxcan::fifo(number), bxcan::kRelease, 0, kFewLooks));
+    }
+  }
+  static constexpr std::uint32_t kFewLooks = 50;
+
+  static CanFrame frame_in(Address place) noexcept {
+    const Word identifier = Bus::read(place);
+    CanFrame frame;
+    frame.extended = (identifier & bxcan::kExtended) != 0;
+    frame.remote = (identifier & bxcan::kRemote) != 0;
+    frame.id = frame.extended ? identifier >> 3 : identifier >> 21;
+    const Word length = Bus::read(place + 4) & 0xFU;
+    frame.length = static_cast<std::uint8_t>(length < 8 ? length : 8);  // 9 to 15 mean 8.
+    const std::array<Word, 2> words{Bus::read(place + 8), Bus::read(place + 12)};
+    for (std::size_t at = 0; at < frame.length && !frame.remote; ++at) {
+      frame.data[at] = static_cast<std::byte>(words[at / 4] >> (8 * (at % 4)) & 0xFFU);
+    }
+    return frame;
+  }
+
+  void fill_mailboxes() noexcept {
+    if (!speaks_) return;
+    for (unsigned number = 0; number < bxcan::kMailboxes; ++number) {
+      if ((Bus::read(bxcan::kTransmit) & bxcan::empty(number)) == 0) continue;
+      CanFrame frame;
+      if (!to_send_.try_pop(frame)) return;
+      put(frame, bxcan::mailbox(number));
+    }
+  }
+
+  static void put(const CanFrame& frame, Address place) noexcept {
+    std::array<Word, 2> words{};
+    for (std::size_t at = 0; at < frame.length; ++at) {
+      words[at / 4] |= static_cast<Word>(frame.data[at]) << (8 * (at % 4));
+    }
+    Bus::write(place + 4, frame.length);
+    Bus::write(place + 8, words[0]);
+    Bus::write(place + 12, words[1]);
+    Bus::write(place, can_identifier(frame.id, frame.extended, frame.remote) | bxcan::kGo);
+  }
+
+  static void count(std::atomic<std::uint32_t>& counter) noexcept {
+    counter.store(counter.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+  }
+
+  SpscRing<CanFrame, kReceiveFrames> received_{};
+  SpscRing<CanFrame, kSendFrames> to_send_{};
+  std::atomic<std::uint32_t> bus_offs_{0};
+  std::atomic<std::uint32_t> lost_{0};
+  std::atomic<bool> speaks_{false};
+};
+
+}  // namespace hal::stm32f405

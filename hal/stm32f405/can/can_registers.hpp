@@ -1,0 +1,71 @@
+#pragma once
+
+#include "hal/stm32f405/registers.hpp"
+
+/// CAN1 (RM0090 rev. 19, chapter 32).
+namespace hal::stm32f405::bxcan {
+
+inline constexpr Address kBase = 0x4000'6400;
+inline constexpr Word kClock = bit(25);  ///< Of rcc::kApb1Enr.
+inline constexpr unsigned kTransmitInterrupt = 19;
+inline constexpr unsigned kFifo0Interrupt = 20;
+inline constexpr unsigned kFifo1Interrupt = 21;
+inline constexpr unsigned kStatusInterrupt = 22;
+
+inline constexpr Address kControl = kBase + 0x00;
+inline constexpr Address kStatus = kBase + 0x04;
+inline constexpr Address kTransmit = kBase + 0x08;
+constexpr Address fifo(unsigned number) { return kBase + 0x0C + 4 * number; }
+inline constexpr Address kInterrupts = kBase + 0x14;
+inline constexpr Address kErrors = kBase + 0x18;
+inline constexpr Address kTiming = kBase + 0x1C;
+/// Four words each: identifier, length, data.
+constexpr Address mailbox(unsigned number) { return kBase + 0x180 + 0x10 * number; }
+constexpr Address received(unsigned number) { return kBase + 0x1B0 + 0x10 * number; }
+inline constexpr Address kFilterControl = kBase + 0x200;
+inline constexpr Address kFilterLists = kBase + 0x204;
+inline constexpr Address kFilterWide = kBase + 0x20C;
+inline constexpr Address kFilterFifos = kBase + 0x214;
+inline constexpr Address kFiltersOn = kBase + 0x21C;
+constexpr Address filter(unsigned bank) { return kBase + 0x240 + 8 * bank; }
+inline constexpr unsigned kMailboxes = 3;
+inline constexpr unsigned kFifos = 2;
+inline constexpr unsigned kBanks = 14;  ///< The other half is CAN2's.
+
+// kControl; the first two are acknowledged in kStatus at the same places.
+inline constexpr Word kInitialise = bit(0);
+inline constexpr Word kSleep = bit(1);
+inline constexpr Word kInOrder = bit(2);     ///< Mailboxes as they were filled, not by identifier.
+inline constexpr Word kKeepOldest = bit(3);  ///< What overruns a FIFO is lost, not what is in it.
+inline constexpr Word kRecoverAlone = bit(6);
+// kStatus
+inline constexpr Word kErrorAsked = bit(2);
+// kTransmit
+constexpr Word empty(unsigned number) { return bit(26 + number); }
+inline constexpr Word kRequestsDone = bit(0) | bit(8) | bit(16);
+// fifo
+inline constexpr Word kPending = 3;
+inline constexpr Word kOverrun = bit(4);
+inline constexpr Word kRelease = bit(5);
+// kInterrupts
+inline constexpr Word kAllInterrupts =
+    bit(0) | bit(1) | bit(4) | bit(10) | bit(15);  ///< Empty, two FIFOs, bus-off, errors.
+// kErrors
+inline constexpr Word kWarning = bit(0);
+inline constexpr Word kPassive = bit(1);
+inline constexpr Word kBusOff = bit(2);
+// kTiming
+inline constexpr Word kLoopBack = bit(30);
+inline constexpr Word kSilent = bit(31);
+// Identifiers, of frames and filters.
+inline constexpr Word kGo = bit(0);
+inline constexpr Word kRemote = bit(1);
+inline constexpr Word kExtended = bit(2);
+// kFilterControl
+inline constexpr Word kFiltersSetUp = 0x2A1C'0E01;
+inline constexpr Word kFiltersUsed = 0x2A1C'0E00;
+
+static_assert(mailbox(2) == 0x4000'65A0 && received(1) == 0x4000'65C0);
+static_assert(filter(13) == 0x4000'66A8);
+
+}  // namespace hal::stm32f405::bxcan

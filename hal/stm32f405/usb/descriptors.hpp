@@ -1,0 +1,158 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "hal/stm32f405/usb/identity.hpp"
+
+/// What the device says about itself (USB 2.0, chapter 9; CDC 1.2 and its
+/// PSTN120, chapter 5): a serial line that asks for no driver of its own.
+namespace hal::stm32f405::usb {
+
+inline constexpr std::size_t kPacketBytes = 64;  ///< Of endpoints 0 and kData; full speed's most.
+inline constexpr unsigned kData = 1;             ///< Bulk, in and out.
+inline constexpr unsigned kNews = 2;             ///< By interrupt, in: what drivers expect to see.
+inline constexpr std::size_t kNewsBytes = 8;
+inline constexpr std::uint8_t kOnlyConfiguration = 1;
+inline constexpr std::uint8_t kInterfaces = 2;  ///< 0 controls, 1 has the data.
+
+enum class DescriptorType : std::uint8_t {
+  kDevice = 1,
+  kConfiguration = 2,
+  kString = 3,
+  kInterface = 4,
+  kEndpoint = 5,
+  kClassInterface = 0x24,
+};
+
+enum class StringIndex : std::uint8_t { kLanguages, kMaker, kProduct, kSerial };
+
+template <typename... Values>
+constexpr std::array<std::byte, sizeof...(Values)> bytes_of(Values... values) {
+  return {static_cast<std::byte>(values)...};
+}
+
+constexpr int low(std::size_t value) { return static_cast<int>(value & 0xFFU); }
+constexpr int high(std::size_t value) { return static_cast<int>(value >> 8 & 0xFFU); }
+
+constexpr auto device_descriptor(const Identity& identity) {
+  return bytes_of(18,
+                  DescriptorType::kDevice,
+                  0x00,
+                  0x02,  // USB 2.0
+                  2,
+                  0,
+                  0,  // Communications, by its interfaces
+                  kPacketBytes,
+                  low(identity.vendor),
+                  high(identity.vendor),
+                  low(identity.product),
+                  high(identity.product),
+                  0x00,
+                  0x01,  // Release 1.00
+                  StringIndex::kMaker,
+                  StringIndex::kProduct,
+                  StringIndex::kSerial,
+                  1);
+}
+
+inline constexpr std::size_t kConfigurationBytes = 67;
+
+inline constexpr auto kConfigurationDescriptor =
+    bytes_of(9,
+             DescriptorType::kConfiguration,
+             low(kConfigurationBytes),
+             high(kConfigurationBytes),
+             kInterfaces,
+             kOnlyConfiguration,
+             0,
+             0xC0,  // The board has a supply of its own
+             50,    // and takes 100 mA at most.
+             // Interface 0: an abstract control model without commands.
+             9,
+             DescriptorType::kInterface,
+             0,
+             0,
+             1,
+             2,
+             2,
+             0,
+             0,
+             5,
+             DescriptorType::kClassInterface,
+             0x00,
+             0x10,
+             0x01,
+             5,
+             DescriptorType::kClassInterface,
+             0x01,
+             0x00,
+             1,  // Calls are nobody's business.
+             4,
+             DescriptorType::kClassInterface,
+             0x02,
+             0x02,  // Line coding and state, no breaks.
+             5,
+             DescriptorType::kClassInterface,
+             0x06,
+             0,
+             1,
+             7,
+             DescriptorType::kEndpoint,
+             0x80U | kNews,
+             3,
+             kNewsBytes,
+             0,
+             255,
+             // Interface 1: the bytes.
+             9,
+             DescriptorType::kInterface,
+             1,
+             0,
+             2,
+             10,
+             0,
+             0,
+             0,
+             7,
+             DescriptorType::kEndpoint,
+             kData,
+             2,
+             kPacketBytes,
+             0,
+             0,
+             7,
+             DescriptorType::kEndpoint,
+             0x80U | kData,
+             2,
+             kPacketBytes,
+             0,
+             0);
+
+inline constexpr auto kLanguages = bytes_of(4, DescriptorType::kString, 0x09, 0x04);
+
+/// Each descriptor says its length, and they end where all ends.
+template <std::size_t Count>
+constexpr bool is_chain(const std::array<std::byte, Count>& bytes) {
+  std::size_t at = 0;
+  while (at + 1 < Count && bytes[at] != std::byte{0}) at += static_cast<std::size_t>(bytes[at]);
+  return at == Count;
+}
+/// How many descriptors of a type are in such a chain.
+template <std::size_t Count>
+constexpr int count_of(const std::array<std::byte, Count>& bytes, DescriptorType type) {
+  int count = 0;
+  for (std::size_t at = 0; at + 1 < Count; at += static_cast<std::size_t>(bytes[at])) {
+    if (bytes[at + 1] == static_cast<std::byte>(type)) ++count;
+  }
+  return count;
+}
+
+static_assert(kConfigurationDescriptor.size() == kConfigurationBytes);
+static_assert(is_chain(kConfigurationDescriptor) && is_chain(device_descriptor({})));
+static_assert(count_of(kConfigurationDescriptor, DescriptorType::kInterface) == kInterfaces);
+static_assert(count_of(kConfigurationDescriptor, DescriptorType::kEndpoint) == 3);
+static_assert(count_of(kConfigurationDescriptor, DescriptorType::kClassInterface) == 4);
+
+}  // namespace hal::stm32f405::usb

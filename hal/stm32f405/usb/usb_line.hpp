@@ -1,0 +1,253 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "hal/interface/session_stream.hpp"
+#include "hal/interface/spsc_ring.hpp"
+#include "hal/stm32f405/board.hpp"
+#include "hal/stm32f405/unique_id.hpp"
+#include "hal/stm32f405/usb/control_pipe.hpp"
+
+namespace hal::stm32f405 {
+
+/// The board's USB socket as a serial line: an interrupt between the core and two
+/// rings. Only the interrupt touches the core; the main loop asks for it.
+///
+/// No byte is dropped: a host that sends more than there is room for is told to
+/// wait (NAK), packet by packet. A session begins when a program at the host opens
+/// the line (DTR), or, with programs that do not say so, speaks; it ends when the line
+/// is closed, and when the bus is reset or suspended, as it is without a host.
+template <const Board& kBoard, RegisterBus Bus = MemoryBus>
+class UsbLine final : public SessionStream {
+ public:
+  static constexpr std::uint32_t kReceiveBytes = 1024;
+  static constexpr std::uint32_t kSendBytes = 1024;
+  static constexpr unsigned kInterrupt = otg::kInterrupt;
+  static constexpr unsigned kPriority = 4;
+
+  /// Once, with interrupts off. Nothing is there without the crystal: the host wants
+  /// its 48 MHz within 0.25 %.
+  void set_up(const Clocks& clocks) noexcept {
+    if (!kBoard.has_usb || clocks.source != ClockSource::kCrystal) return;
+    for (const Pin pin : kUsbPins) PinSetUp<Bus>::hand_over(pin, kFunction, false);
+    control_.device().introduce(kBoard.usb, "Kerfline", kBoard.name);
+    if (const auto serial = unique_id<Bus>()) control_.device().set_serial(*serial);
+    if (Core::set_up()) enable_interrupt<Bus>(kInterrupt, kPriority);
+  }
+
+  // Main loop.
+
+  [[nodiscard]] std::uint32_t session() const override {
+    return session_.load(std::memory_order_acquire);
+  }
+
+  [[nodiscard]] std::size_t read(std::span<std::byte> into) override {
+    const std::uint32_t session = session_.load(std::memory_order_acquire);
+    if (session == 0 || session != read_session_) {
+      received_.drop_before(begin_.load(std::memory_order_relaxed));
+      read_session_ = session;
+    }
+    std::size_t count = 0;
+    while (session != 0 && count < into.size() && received_.try_pop(into[count])) ++count;
+    if (waits_for_room_.load(std::memory_order_relaxed) && has_room()) {
+      pend_interrupt<Bus>(kInterrupt);
+    }
+    return count;
+  }
+
+  [[nodiscard]] std::size_t write(std::span<const std::byte> from) override {
+    if (session_.load(std::memory_order_acquire) == 0) return 0;
+    std::size_t count = 0;
+    while (count < from.size() && to_send_.try_push(from[count])) ++count;
+    if (count > 0) pend_interrupt<Bus>(kInterrupt);
+    return count;
+  }
+
+  /// Everything that was written is with the host, or nobody is there.
+  [[nodiscard]] bool sent() const {
+    return session() == 0 || (to_send_.size() == 0 && !sending_.load(std::memory_order_relaxed));
+  }
+
+  // Its interrupt.
+
+  void on_interrupt() noexcept {
+    for (unsigned turn = 0; turn < kMostTurns; ++turn) {
+      const Word status = Bus::read(otg::kStatus) & Core::kInterrupts;
+      if (status == 0) break;
+      attend(status);
+    }
+    exchange_data();
+  }
+
+ private:
+  using Core = usb::OtgCore<Bus>;
+  using Effect = usb::Effect;
+  static constexpr unsigned kFunction = 10;
+  /// Whatever is left has the core ask again.
+  static constexpr unsigned kMostTurns = 8;
+  static constexpr unsigned kMostEntries = 16;
+
+  void attend(Word status) noexcept {
+    // The others are flags of what is underneath, and go with that.
+    Bus::write(otg::kStatus,
+               status & (otg::kBusReset | otg::kSpeedKnown | otg::kSuspended | otg::kWakeUp));
+    // In this order: a reset forgets what came before it, and what was asked last ends what
+    // was being sent.
+    if ((status & otg::kReceived) != 0) take_packets();
+    if ((status & otg::kBusReset) != 0) on_bus_reset();
+    if ((status & otg::kSuspended) != 0) suspended_ = true;
+    if ((status & (otg::kWakeUp | otg::kBusReset)) != 0) suspended_ = false;
+    if ((status & otg::kInEndpoints) != 0) on_in_endpoints();
+    if ((status & otg::kOutEndpoints) != 0 && take_done(otg::out_status(usb::kData))) {
+      listening_ = false;
+    }
+    judge_session();
+  }
+
+  void on_bus_reset() noexcept {
+    control_.begin_anew();
+    Core::begin_anew();
+    forget_data();
+  }
+
+  void take_packets() noexcept {
+    for (unsigned entries = 0; entries < kMostEntries; ++entries) {
+      if ((Bus::read(otg::kStatus) & otg::kReceived) == 0) return;
+      take(Bus::read(otg::kReceivedPop));
+    }
+  }
+
+  /// What endpoint 0 does goes by these entries alone: they are in the order of the wire, which
+  /// the flags of its interrupts do not tell.
+  void take(Word entry) noexcept {
+    const bool data = otg::endpoint_in(entry) == usb::kData;
+    switch (otg::kind_in(entry)) {
+      case otg::Received::kSetUp:
+        return control_.take_request(otg::bytes_in(entry));
+      case otg::Received::kSetUpDone:
+        return apply(control_.on_request());
+      case otg::Received::kOut:
+        return data ? keep(otg::bytes_in(entry)) : control_.take_data(otg::bytes_in(entry));
+      case otg::Received::kOutDone:
+        if (!data) control_.on_received();
+        return;
+      default:
+        return;
+    }
+  }
+
+  void keep(std::size_t bytes) noexcept {
+    if (bytes > 0) spoken_ = true;
+    judge_session();  // Before the bytes, which belong to it.
+    Core::receive(bytes, [this](std::byte byte) {
+      // There is room: the endpoint takes a packet only when there is.
+      static_cast<void>(received_.try_push(byte));
+    });
+  }
+
+  void on_in_endpoints() noexcept {
+    const Word which = Bus::read(otg::kEndpoints);
+    if ((which & bit(0)) != 0 && take_done(otg::in_status(0))) control_.on_sent();
+    if ((which & bit(usb::kData)) != 0 && take_done(otg::in_status(usb::kData))) {
+      sending_.store(false, std::memory_order_relaxed);
+    }
+  }
+
+  /// Whether a transfer is over; told once.
+  static bool take_done(Address status) noexcept {
+    const Word flags = Bus::read(status);
+    Bus::write(status, flags);
+    return (flags & otg::kDone) != 0;
+  }
+
+  void apply(const usb::Answer& answer) noexcept {
+    const bool in = (answer.endpoint & 0x80U) != 0;
+    switch (answer.effect) {
+      case Effect::kAddress:
+        return Core::set_address(control_.device().address());
+      case Effect::kConfigure:
+        Core::close_data();
+        forget_data();
+        if (control_.device().configured()) Core::open_data();
+        return;
+      case Effect::kHalt:
+        return Core::stall(answer.endpoint & 0xFU, in);
+      case Effect::kUnhalt:
+        return Core::unstall(answer.endpoint & 0xFU, in);
+      case Effect::kLineState:
+        if (!control_.device().line_is_open()) spoken_ = false;
+        return judge_session();
+      case Effect::kNone:
+        return;
+    }
+  }
+
+  /// The endpoints are as new.
+  void forget_data() noexcept {
+    spoken_ = listening_ = ends_full_ = false;
+    sending_.store(false, std::memory_order_relaxed);
+  }
+
+  void judge_session() noexcept {
+    const usb::Device& device = control_.device();
+    const bool open = device.configured() && !suspended_ && (device.line_is_open() || spoken_);
+    if (open == (session_.load(std::memory_order_relaxed) != 0)) return;
+    take_back_answers();
+    begin_.store(received_.place(), std::memory_order_relaxed);
+    if (open && ++sessions_ == 0) ++sessions_;
+    session_.store(open ? sessions_ : 0, std::memory_order_release);
+  }
+
+  void take_back_answers() noexcept {
+    to_send_.clear();
+    if (!sending_.load(std::memory_order_relaxed)) return;
+    Core::stop_sending(usb::kData);
+    sending_.store(false, std::memory_order_relaxed);
+    ends_full_ = false;
+  }
+
+  [[nodiscard]] bool has_room() const {
+    return kReceiveBytes - received_.size() >= usb::kPacketBytes;
+  }
+
+  void exchange_data() noexcept {
+    if (!control_.device().configured() || suspended_) return;
+    if (!listening_ && has_room()) {
+      Core::allow_receiving(usb::kData);
+      listening_ = true;
+    }
+    waits_for_room_.store(!listening_, std::memory_order_relaxed);
+    if (sending_.load(std::memory_order_relaxed)) return;
+    std::array<std::byte, usb::kPacketBytes> packet{};
+    std::size_t count = 0;
+    while (count < packet.size() && to_send_.try_pop(packet[count])) ++count;
+    // A transfer ends with a packet that is not full, or the host's driver waits for more.
+    if (count == 0 && !ends_full_) return;
+    ends_full_ = count == packet.size();
+    sending_.store(true, std::memory_order_relaxed);
+    Core::send(usb::kData, std::span{packet}.first(count));
+  }
+
+  usb::ControlPipe<Bus> control_{};
+  SpscRing<std::byte, kReceiveBytes> received_{};
+  SpscRing<std::byte, kSendBytes> to_send_{};
+  std::atomic<std::uint32_t> session_{0};
+  /// Where in `received_` begins what came after the last change of session.
+  std::atomic<std::uint32_t> begin_{0};
+  std::atomic<bool> waits_for_room_{false};
+  std::atomic<bool> sending_{false};  ///< A packet is with the core.
+  std::uint32_t read_session_ = 0;    ///< Main loop: the one that was read last.
+
+  // The interrupt's.
+  std::uint32_t sessions_ = 0;
+  bool suspended_ = false;
+  bool spoken_ = false;     ///< The host sent bytes, whether it opened the line or not.
+  bool listening_ = false;  ///< The core may take a packet.
+  bool ends_full_ = false;  ///< The last packet was full.
+};
+
+}  // namespace hal::stm32f405

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <string>
+#include <vector>
+
+#include "tests/hal/stm32f405/chip_model.hpp"
+
+namespace hal::stm32f405 {
+
+/// CAN1's registers on a desk, by the manual's numbers: handshakes, mailboxes, FIFOs and
+/// where filters are set; whether a frame passes them is the emulator's to say.
+struct CanModel {
+  using Mail = std::array<std::uint32_t, 4>;
+
+  // What the test decides.
+  bool answers = true;
+
+  // What it sees.
+  std::vector<std::string> misuse;
+  std::uint32_t master = 0x0001'0002, status = 0x0000'0C02, timing = 0x0123'0000, errors = 0;
+  std::uint32_t interrupts = 0, transmitted = 0;
+  std::array<Mail, 3> mailboxes{};
+  std::vector<unsigned> requested;  ///< Mailboxes in the order in which they were filled.
+  struct Fifo {
+    std::deque<Mail> mails;
+    bool overrun = false;
+  };
+  std::array<Fifo, 2> fifos{};
+  std::uint32_t filter_master = 0x2A1C'0E01, lists = 0, wide = 0, second = 0, filters_on = 0;
+  std::array<std::array<std::uint32_t, 2>, 28> banks{};
+
+  [[nodiscard]] static bool has(std::uint32_t address) {
+    return address >= 0x4000'6400 && address < 0x4000'6800;
+  }
+  /// Others see the oldest request; the mailbox is empty again.
+  Mail take_sent() {
+    const unsigned number = requested.front();
+    requested.erase(requested.begin());
+    const Mail mail = mailboxes[number];
+    mailboxes[number][0] &= ~1U;
+    transmitted |= 3U << (8 * number);
+    return mail;
+  }
+  void arrive(unsigned fifo, const Mail& mail) {
+    if (fifos[fifo].mails.size() == 3) {
+      fifos[fifo].overrun = true;
+      return;
+    }
+    fifos[fifo].mails.push_back(mail);
+  }
+
+  std::uint32_t read(std::uint32_t address);
+  void write(std::uint32_t address, std::uint32_t value);
+};
+
+struct CanBus {
+  static CanModel& can() {
+    static CanModel model;
+    return model;
+  }
+  static Word read(Address address) noexcept {
+    return CanModel::has(address) ? can().read(address) : ModelBus::read(address);
+  }
+  static void write(Address address, Word value) noexcept {
+    CanModel::has(address) ? can().write(address, value) : ModelBus::write(address, value);
+  }
+};
+
+}  // namespace hal::stm32f405

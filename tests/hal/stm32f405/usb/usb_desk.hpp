@@ -1,0 +1,94 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "hal/stm32f405/boards/generic.hpp"
+#include "hal/stm32f405/usb/usb_line.hpp"
+#include "tests/hal/stm32f405/usb/usb_host.hpp"
+
+namespace hal::stm32f405 {
+
+/// A serial line over USB, the core's model under it and a host before it.
+class UsbDesk {
+ public:
+  using Line = UsbLine<kGeneric, UsbBus>;
+  using Bytes = UsbHost::Bytes;
+  using Shake = UsbHost::Shake;
+
+  explicit UsbDesk(unsigned seed = 1, Clocks clocks = kFullSpeed)
+      : chip{ModelBus::start_anew()}, host{start_core(), [this] { serve(); }, seed} {
+    chip.cells[kDeviceCode] = 0x1000'0413;
+    for (Address word = 0; word < 3; ++word) chip.cells[kUniqueId + 4 * word] = 0x1234'ABC0 + word;
+    line.set_up(clocks);
+  }
+
+  /// The interrupt, as long as somebody asks for it.
+  void serve() {
+    for (int calls = 0;; ++calls) {
+      const auto asked = std::find(chip.pended.begin(), chip.pended.end(), Line::kInterrupt);
+      if (asked == chip.pended.end() && !core.interrupts()) return;
+      chip.pended.clear();
+      line.on_interrupt();
+      if (calls == 100) {
+        ADD_FAILURE() << "the interrupt never ends";
+        return;
+      }
+    }
+  }
+
+  /// What the main loop reads now.
+  std::string hear(std::size_t most = 4096) {
+    std::string text(most, '\0');
+    text.resize(line.read(std::as_writable_bytes(std::span{text})));
+    serve();
+    return text;
+  }
+  std::size_t say(std::string_view text) {
+    const std::size_t taken = line.write(std::as_bytes(std::span{text}));
+    serve();
+    return taken;
+  }
+  [[nodiscard]] bool ready() { return host.enumerate() && host.open(); }
+
+  ChipModel& chip;
+  OtgModel& core = UsbBus::core();
+  Line line{};
+  UsbHost host;
+
+ private:
+  static OtgModel& start_core() { return UsbBus::core() = {}; }
+};
+
+inline UsbDesk::Bytes bytes_in(std::string_view text) { return {text.begin(), text.end()}; }
+inline std::string text_of(const UsbDesk::Bytes& bytes) { return {bytes.begin(), bytes.end()}; }
+/// As a string descriptor has it.
+inline std::string letters_of(const UsbDesk::Bytes& descriptor) {
+  std::string text;
+  for (std::size_t at = 2; at + 1 < descriptor.size(); at += 2) {
+    text += static_cast<char>(descriptor[at]);
+  }
+  return text;
+}
+/// So many bytes, none like its neighbours.
+inline std::string pattern(std::size_t bytes, unsigned from = 0) {
+  std::string text(bytes, '\0');
+  for (std::size_t at = 0; at < bytes; ++at) {
+    text[at] = static_cast<char>((at + from) * 167 + (at + from) / 256);
+  }
+  return text;
+}
+
+/// The driver did nothing that the manual forbids.
+class UsbTest : public testing::Test {
+ protected:
+  void TearDown() override {
+    EXPECT_TRUE(UsbBus::core().misuse.empty()) << UsbBus::core().misuse.front();
+  }
+};
+
+}  // namespace hal::stm32f405
