@@ -17,7 +17,7 @@ SKIPPED = 77
 FLASH = 0x08000000
 GPIO_WRITE = re.compile(r"GPIO([A-I]): unimplemented device write .*offset 0x(\w+), value 0x(\w+)\)")
 SET_RESET = 0x18
-PC, SP = 15, 13  # Registers as the debugger numbers them.
+PC, SP, XPSR = 15, 13, 25  # Registers as the debugger numbers them.
 
 
 def missing(*images: str) -> bool:
@@ -91,8 +91,10 @@ class Emulator:
 
 
 class Debugger:
-    """As much of the remote serial protocol as changes a register or a word. The core stands still
-    from the beginning of the with statement to its end."""
+    """As much of the remote serial protocol as changes a register or a word. The core stands still,
+    in no interrupt, from the beginning of the with statement to its end."""
+
+    MOST_LOOKS = 500
 
     def __init__(self, path: pathlib.Path):
         self.socket = socket.socket(socket.AF_UNIX)
@@ -104,12 +106,25 @@ class Debugger:
         self._ask("?")
         # The emulator lets registers be written by those only who have asked what there are.
         self._ask("qXfer:features:read:target.xml:0,ffb")
+        self._leave_interrupts()
         return self
 
     def __exit__(self, *_):
         self._send("D")
         self.socket.recv(64)
         self.socket.close()
+
+    def _leave_interrupts(self):
+        """What is planted in one would wait for its end, or make it another's."""
+        for _ in range(self.MOST_LOOKS):
+            status = struct.unpack("<I", bytes.fromhex(self._ask(f"p{XPSR:x}")[:8]))[0]
+            if status & 0x1FF == 0:
+                return
+            self._send("c")
+            time.sleep(0.002)
+            self.socket.sendall(b"\x03")
+            self._hear("T")
+        raise AssertionError("the core does not come out of its interrupts")
 
     def set_register(self, number: int, value: int):
         assert "OK" in self._ask(f"P{number:x}={struct.pack('<I', value).hex()}")
@@ -132,10 +147,15 @@ class Debugger:
         """The answer. That the core has stopped may be told by itself, at any time after the
         beginning: it answers `?` alone."""
         self._send(packet)
+        return self._hear("T" if packet == "?" else "")
+
+    def _hear(self, kind: str) -> str:
+        """The next packet that begins with `kind`; with none, that does not tell of a stop."""
         while True:
             while not (found := re.search(rb"\$([^#]*)#..", self.received)):
                 self.received += self.socket.recv(4096)
             self.received = self.received[found.end():]
             self.socket.sendall(b"+")
-            if packet == "?" or not found[1].startswith(b"T"):
-                return found[1].decode("ascii", errors="replace")
+            text = found[1].decode("ascii", errors="replace")
+            if text.startswith(kind) if kind else not text.startswith("T"):
+                return text
