@@ -104,8 +104,9 @@ class CanDriverTest(unittest.TestCase):
         self.assertEqual([], run.sent)
         offs = run.said["health"][-1][BUS_OFFS]
         self.assertGreater(offs, 3)
-        self.assertEqual(run.count("bus-off"), offs)
-        self.assertIn(run.count("recovered"), (offs - 1, offs))
+        # One more may come between the driver's last word and the end.
+        self.assertIn(run.count("bus-off"), (offs, offs + 1))
+        self.assertIn(run.count("recovered"), (run.count("bus-off") - 1, run.count("bus-off")))
 
     def test_a_silent_node_disturbs_nobody(self):
         run = Run(can_alone="on")
