@@ -34,6 +34,12 @@ void BlockQueue::pop_front() {
   unplanned_ = std::min(unplanned_, size_);
 }
 
+void BlockQueue::stand() {
+  if (front_trail_.empty()) return;
+  front_trail_.clear();
+  forget_plan();
+}
+
 void BlockQueue::clear() {
   size_ = 0;
   front_trail_.clear();

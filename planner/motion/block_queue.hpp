@@ -48,6 +48,8 @@ class BlockQueue {
   /// The oldest block is about to be taken away, but what it asks of those behind it still
   /// holds. @pre !empty()
   void leave_front(const Limits& limits, const PlanTerms& terms);
+  /// Nothing moves: what is gone asks nothing any more, for the window never spans a stop.
+  void stand();
   void clear();
   /// Counted from the oldest. @pre index < size()
   [[nodiscard]] const Block& at(std::size_t index) const {

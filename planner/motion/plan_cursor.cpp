@@ -27,6 +27,7 @@ std::size_t PlanCursor::chain_end() const {
 }
 
 TimeWindow PlanCursor::choose_window() {
+  queue_.stand();
   const std::size_t end = chain_end();
   std::uint8_t axes = 0;
   for (std::size_t index = index_; index < end; ++index) {
