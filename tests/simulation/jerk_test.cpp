@@ -159,14 +159,16 @@ TEST(JerkLimitedPrograms, KeepEveryLimitWhateverTheOperatorDoes) {
 }
 
 // Programs that once were not: blocks that came where one block ended, a lower pace where a
-// zone reached farther for it, a higher one that was tried and taken back.
+// zone reached farther for it, a higher one that was tried and taken back. And one that never
+// started again after a hold, for what blocks that were gone had asked for.
 TEST(JerkLimitedPrograms, KeepTheirLimitsWhereThePlanChangesAtTheWrongMoment) {
   struct Case {
     std::uint64_t seed;
     bool operated;
   };
   Worst worst;
-  for (const auto [seed, operated] : {Case{86'212, false}, Case{701, true}, Case{1766, true}}) {
+  constexpr Case kCases[] = {{86'212, false}, {701, true}, {1766, true}, {3994, true}};
+  for (const auto [seed, operated] : kCases) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     Random random{seed};
     const Job job{random};
