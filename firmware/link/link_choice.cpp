@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "firmware/link/realtime_byte.hpp"
+
 namespace cnc {
 namespace {
 
@@ -10,9 +12,8 @@ constexpr std::byte kReturn{'\r'};
 
 /// Acts by itself, in a line or between two: no line begins with it.
 constexpr bool is_realtime(std::byte byte) {
-  return byte == std::byte{'?'} || byte == std::byte{'!'} || byte == std::byte{'~'} ||
-         byte == std::byte{0x18} || byte == std::byte{0x19} ||
-         (byte & std::byte{0x80}) != std::byte{0};
+  const auto code = std::to_integer<std::uint8_t>(byte);
+  return code >= 0x80 || is_ascii_realtime(code);
 }
 
 }  // namespace

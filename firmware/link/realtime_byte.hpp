@@ -41,4 +41,18 @@ enum class RealtimeByte : std::uint8_t {
   kToolAcknowledge = 0xA3,
 };
 
+/// Those that are characters of ASCII; the others stand where UTF-8 goes on.
+[[nodiscard]] constexpr bool is_ascii_realtime(std::uint8_t byte) {
+  switch (static_cast<RealtimeByte>(byte)) {
+    case RealtimeByte::kReset:
+    case RealtimeByte::kStop:
+    case RealtimeByte::kCycleStart:
+    case RealtimeByte::kFeedHold:
+    case RealtimeByte::kStatus:
+      return true;
+    default:
+      return false;
+  }
+}
+
 }  // namespace cnc

@@ -52,8 +52,7 @@ bool Receiver::receive_low(std::uint8_t byte) {
   if (lead_waits_ && !store(kLatinLead)) return false;
   lead_waits_ = false;
   continuation_ = 0;
-  const bool acts = byte == '?' || byte == '!' || byte == '~' || byte == 0x19;
-  if (acts && comment_ == Comment::kNone) {
+  if (is_ascii_realtime(byte) && comment_ == Comment::kNone) {
     act(byte);
     return true;
   }
@@ -118,10 +117,15 @@ void Receiver::act(std::uint8_t code) {
   if (!commands_.try_push(command) && is_stop(command)) late_hold_.store(true);
 }
 
-void Receiver::reset() {
+/// Nothing was begun: neither a comment nor a character of several bytes.
+void Receiver::end_text() {
   comment_ = Comment::kNone;
   lead_waits_ = false;
   continuation_ = 0;
+}
+
+void Receiver::reset() {
+  end_text();
   lines_begin_.store(lines_.place());
   commands_begin_.store(commands_.place());
   late_hold_.store(false);
@@ -130,10 +134,8 @@ void Receiver::reset() {
 
 void Receiver::begin_anew() {
   drop_waiting();
+  end_text();
   plain_ = true;
-  comment_ = Comment::kNone;
-  lead_waits_ = false;
-  continuation_ = 0;
 }
 
 bool Receiver::take_reset() {

@@ -83,6 +83,7 @@ class Receiver {
   [[nodiscard]] bool store(std::uint8_t byte) { return lines_.try_push(static_cast<char>(byte)); }
   void follow_comment(char byte);
   void act(std::uint8_t code);
+  void end_text();
   void reset();
 
   hal::SpscRing<char, kRealBytes> lines_{};

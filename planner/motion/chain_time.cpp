@@ -80,10 +80,6 @@ class Stopwatch {
   float square_ = 0.0F;  ///< v².
 };
 
-}  // namespace
-
-namespace {
-
 bool alike(float a, float b) {
   constexpr float kShare = 0.1F;
   return std::abs(a - b) <= kShare * std::max(a, b);
