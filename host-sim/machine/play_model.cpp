@@ -24,10 +24,15 @@ void PlayModel::place(const cnc::Settings& settings) {
 
 const PlayModel::Steps& PlayModel::follow(const Steps& motors) {
   motors_ = motors;
-  for (std::size_t axis = 0; axis < axes_.size(); ++axis) {
-    axes_[axis] = std::clamp(axes_[axis], motors[axis] + low_[axis], motors[axis] + high_[axis]);
+  return axes_ = axes(motors);
+}
+
+PlayModel::Steps PlayModel::axes(const Steps& motors) const {
+  Steps found{};
+  for (std::size_t axis = 0; axis < found.size(); ++axis) {
+    found[axis] = std::clamp(axes_[axis], motors[axis] + low_[axis], motors[axis] + high_[axis]);
   }
-  return axes_;
+  return found;
 }
 
 }  // namespace sim

@@ -23,9 +23,12 @@ class PlayModel {
   /// stays where it is.
   void place(const cnc::Settings& settings);
 
+  /// Whether any axis has play: then each step of its motor has to be followed.
+  [[nodiscard]] bool any() const { return low_ != high_; }
   /// Where the axes are now that the motors have come here.
   const Steps& follow(const Steps& motors);
-  [[nodiscard]] const Steps& axes() const { return axes_; }
+  /// Where they would be.
+  [[nodiscard]] Steps axes(const Steps& motors) const;
 
  private:
   MachineModel model_;

@@ -54,7 +54,7 @@ class Simulator {
   [[nodiscard]] RunResult result() const;
   [[nodiscard]] const hal::host::RecordingPort& port() const { return controller_.port(); }
   /// Where the axes are, in steps: the motors less their play.
-  [[nodiscard]] const PlayModel::Steps& axes() const { return controller_.axes(); }
+  [[nodiscard]] PlayModel::Steps axes() const { return controller_.axes(); }
 
  private:
   void attend_pause();

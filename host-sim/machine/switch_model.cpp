@@ -1,6 +1,8 @@
 #include "host-sim/machine/switch_model.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sim {
 namespace {
@@ -57,6 +59,24 @@ hal::SwitchMask SwitchModel::read(const PlayModel::Steps& first,
     }
   }
   return mask;
+}
+
+std::uint64_t SwitchModel::steps_undisturbed(const PlayModel::Steps& first,
+                                             const PlayModel::Steps& second) const {
+  std::uint64_t steps = std::numeric_limits<std::uint64_t>::max();
+  // From the last step on either side of the change the next one makes it.
+  const auto stay_off = [&](std::int64_t distance) {
+    const auto beyond = static_cast<std::uint64_t>(std::abs(distance));
+    steps = std::min(steps, beyond > 0 ? beyond - 1 : 0);
+  };
+  for (std::size_t axis = 0; axis < switches_.size(); ++axis) {
+    const Switch& found = switches_[axis];
+    if (!found.present) continue;
+    if (contacts_[axis][0].bounces || contacts_[axis][1].bounces) return 0;
+    stay_off(first[axis] - found.step);
+    if (found.second) stay_off(second[axis] + found.second_ahead - found.step);
+  }
+  return steps;
 }
 
 /// The first contact is a sure one; what comes in the time after it is not.

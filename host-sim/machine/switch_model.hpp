@@ -24,6 +24,9 @@ class SwitchModel {
   [[nodiscard]] hal::SwitchMask read(const PlayModel::Steps& first,
                                      const PlayModel::Steps& second,
                                      std::uint64_t tick);
+  /// So many steps may each motor go from there, and they read the same; 0 while one bounces.
+  [[nodiscard]] std::uint64_t steps_undisturbed(const PlayModel::Steps& first,
+                                                const PlayModel::Steps& second) const;
 
  private:
   struct Switch {

@@ -1,5 +1,8 @@
 #include "host-sim/machine/virtual_controller.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace sim {
 namespace {
 
@@ -39,6 +42,7 @@ void VirtualController::follow_settings() {
   second_play_.place(settings);
   switches_.place(settings);
   z_steps_per_mm_ = settings.get(cnc::setting::kStepsPerMm, 2);
+  undisturbed_ = 0;
 }
 
 void VirtualController::advance_to(std::uint64_t tick) {
@@ -61,17 +65,36 @@ void VirtualController::advance_to(std::uint64_t tick) {
   now_ = tick;
 }
 
-/// What probe and switches read where the motors have taken their axes.
+/// An interrupt moves a motor by one step at most, so most of them touch nothing.
 void VirtualController::feel_machine() {
+  if (undisturbed_ == 0) return touch_machine();
+  --undisturbed_;
+  if (play_.any()) play_.follow(port_.position);
+  if (second_play_.any()) second_play_.follow(port_.second_position);
+}
+
+/// What probe and switches read where the motors have taken their axes.
+void VirtualController::touch_machine() {
   const PlayModel::Steps& axes = play_.follow(port_.position);
   const PlayModel::Steps& second = second_play_.follow(port_.second_position);
   const double z_mm = static_cast<double>(axes[2]) / static_cast<double>(z_steps_per_mm_);
   port_.probe = z_mm <= model_.probe_plate_z_mm;
   port_.limits = switches_.read(axes, second, now_);
+  undisturbed_ = steps_undisturbed(axes, second);
+}
+
+std::uint64_t VirtualController::steps_undisturbed(const PlayModel::Steps& axes,
+                                                   const PlayModel::Steps& second) const {
+  // What rounds is less than two steps.
+  const double to_plate =
+      std::abs(axes[2] - model_.probe_plate_z_mm * static_cast<double>(z_steps_per_mm_)) - 2.0;
+  const double whole = std::clamp(to_plate, 0.0, 1.0e9);
+  return std::min(switches_.steps_undisturbed(axes, second), static_cast<std::uint64_t>(whole));
 }
 
 void VirtualController::report_change() {
   port_.changed = false;
+  if (sinks_.empty()) return;
   const TraceRow row{.time_ns = now_ * kNanosecondsPerTick,
                      .position = port_.position,
                      .duty = static_cast<float>(port_.power) / cnc::motion::kFullOutput};

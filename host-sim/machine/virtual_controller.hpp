@@ -46,7 +46,7 @@ class VirtualController {
   [[nodiscard]] const cnc::Machine& machine() const { return firmware_.machine(); }
   [[nodiscard]] const hal::host::RecordingPort& port() const { return port_; }
   /// Where the axes are since power-up, in steps: the motors less their play.
-  [[nodiscard]] const PlayModel::Steps& axes() const { return play_.axes(); }
+  [[nodiscard]] PlayModel::Steps axes() const { return play_.axes(port_.position); }
   /// Door and buttons, for whoever plays the operator; limits and probe in it
   /// are the model's.
   [[nodiscard]] hal::InputState& panel() { return port_.panel; }
@@ -59,6 +59,9 @@ class VirtualController {
   void advance_to(std::uint64_t tick);
   void follow_settings();
   void feel_machine();
+  void touch_machine();
+  [[nodiscard]] std::uint64_t steps_undisturbed(const PlayModel::Steps& axes,
+                                                const PlayModel::Steps& second) const;
   void report_change();
   void hand_out_row();
 
@@ -68,6 +71,7 @@ class VirtualController {
   SwitchModel switches_;
   std::uint32_t settings_revision_ = 0;
   float z_steps_per_mm_ = 1.0F;
+  std::uint64_t undisturbed_ = 0;  ///< Step interrupts before a contact can change.
   hal::host::RecordingPort port_{};
   hal::host::MemoryStore own_store_{};
   Firmware firmware_;
