@@ -48,7 +48,7 @@ class FaultTest(unittest.TestCase):
     def assert_state(self, run, lit: bool):
         """The test means something: at the fault the beam was as the state says."""
         self.assertEqual(STOPPED, run.status, run.told)
-        self.assertEqual(lit, any(begin < AT_NS < end for begin, end in run.lit()), run.said)
+        self.assertEqual(lit, any(begin < AT_NS <= end for begin, end in run.lit()), run.said)
 
     def assert_dark_from(self, run, ns: int, instructions: int):
         driven = [at for at in run.times("pin", f"{BEAM_PIN} 0") if at >= ns]
@@ -107,6 +107,18 @@ class FaultTest(unittest.TestCase):
                     self.assertLess(run.lit_without_step()[0], MS)
                 else:
                     self.assertEqual(1, len(run.times("watchdog", "bites")))
+
+    def test_a_supply_below_the_brown_out_level(self):
+        """The chip resets itself, which lets go of the pin; then the image drives it low."""
+        states = some_of(list(STATES), 3)
+        for state, run in zip(states, in_parallel(
+                lambda state: CHIP.run(STATES[state][0], AT_NS + RESTARTED_NS, *CHIP_OPTIONS,
+                                       f"brown_out_ns={AT_NS}"), states)):
+            with self.subTest(state=state):
+                self.assert_state(run, STATES[state][1])
+                self.assertEqual(1, len(run.resets()))
+                self.assert_dark_from(run, run.resets()[0], MOST_INSTRUCTIONS)
+                self.assertIn("Restarted after the supply was too low", run.said)
 
     def test_an_image_that_changes_is_found(self):
         """At the end of the round that reads it: here, where the present one has, of the next."""

@@ -14,7 +14,12 @@ Board::Board(const Order& order, const Memory& memory, qemu::Object* core)
       services_{trace_, interrupts_, rcc_},
       power_control_{services_},
       flash_{services_, order.options, [this] { end(kPowerCutStatus); }},
-      watchdog_{services_, order.options.slow_hz, [this] { bite(); }},
+      watchdog_{services_,
+                order.options.slow_hz,
+                [this] {
+                  trace_.event("watchdog", "bites");
+                  reset_by(ResetCause::kWatchdog);
+                }},
       can_{services_, order.options, order.frames},
       beyond_{services_},
       memories_{memory.system, order.options.seed},
@@ -22,6 +27,7 @@ Board::Board(const Order& order, const Memory& memory, qemu::Object* core)
       cycle_counter_{services_, debug_control_},
       pin_script_{order.pins, ports_},
       memory_changes_{order.options, flash_, trace_},
+      brown_out_{[this] { reset_by(ResetCause::kBrownOut); }},
       stop_{[this] { end(kStoppedStatus); }},
       software_reset_{[] { qemu::qemu_system_reset(qemu::kGuestReset); }} {
   add(rcc_, memory.system);
@@ -47,6 +53,7 @@ Board::Board(const Order& order, const Memory& memory, qemu::Object* core)
   add(cycle_counter_, memory.core);
   rcc_.follow(cycle_counter_);
   connect_reset(core);
+  if (order.options.brown_out_ns > 0) brown_out_.set(order.options.brown_out_ns);
   if (order.options.stop_ns > 0) stop_.set(order.options.stop_ns);
 }
 
@@ -58,14 +65,13 @@ void Board::add(Peripheral& peripheral, qemu::MemoryRegion* container) {
 
 void Board::reset() {
   rcc_.note(cause_);
-  cause_ = ResetCause::kSoftware;  // Unless the watchdog says otherwise.
+  cause_ = ResetCause::kSoftware;  // Unless something else says otherwise.
   trace_.event("reset", "{:08x}", rcc_.flags());
   for (Peripheral* peripheral : all_) peripheral->reset();
 }
 
-void Board::bite() {
-  cause_ = ResetCause::kWatchdog;
-  trace_.event("watchdog", "bites");
+void Board::reset_by(ResetCause cause) {
+  cause_ = cause;
   // At once: after a request QEMU's main loop may let virtual time jump to the next alarm first,
   // where the core sleeps. No instruction is under way while an alarm is called.
   qemu::qemu_system_reset(qemu::kGuestReset);

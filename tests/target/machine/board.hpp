@@ -51,7 +51,7 @@ class Board {
 
  private:
   void add(Peripheral& peripheral, qemu::MemoryRegion* container);
-  void bite();
+  void reset_by(ResetCause cause);
   void connect_reset(qemu::Object* core);
   void end(int status);
 
@@ -74,6 +74,7 @@ class Board {
   PinScript pin_script_;
   MemoryChanges memory_changes_;
   std::vector<Peripheral*> all_;
+  Alarm brown_out_;
   Alarm stop_;
   Alarm software_reset_;
   ResetCause cause_ = ResetCause::kPowerOn;

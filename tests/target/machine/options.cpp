@@ -92,6 +92,7 @@ bool take_value(std::string_view name, std::string_view value, Options& options)
   if (name == "store") return take_store(value, options.stores);
   if (name == "crystal_hz") return take_number(value, options.crystal_hz, 26'000'000U);
   if (name == "slow_hz") return take_number(value, options.slow_hz, 47'000U);
+  if (name == "brown_out_ns") return take_number(value, options.brown_out_ns);
   return name == "stop_ns" && take_number(value, options.stop_ns);
 }
 

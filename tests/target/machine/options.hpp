@@ -50,7 +50,8 @@ struct Options {
   std::vector<WordStore> stores;
   std::uint32_t crystal_hz = 8'000'000;
   std::uint32_t slow_hz = 32'000;
-  std::int64_t stop_ns = 0;  // 0: never.
+  std::int64_t brown_out_ns = 0;  // 0: never.
+  std::int64_t stop_ns = 0;       // 0: never.
 };
 
 /// One `name=value` into the options; what is wrong with it, or nothing.

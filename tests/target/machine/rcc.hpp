@@ -14,6 +14,7 @@ enum class ResetCause : std::uint32_t {
   kPowerOn = 0x0E00'0000,   // PORRSTF, PINRSTF, BORRSTF
   kSoftware = 0x1400'0000,  // SFTRSTF, PINRSTF
   kWatchdog = 0x2400'0000,  // IWDGRSTF, PINRSTF
+  kBrownOut = 0x0600'0000,  // PINRSTF, BORRSTF
 };
 
 /// Hz of the crystal (0: none) and of the slow oscillator.
