@@ -1,6 +1,7 @@
 #include "planner/kerf/table_image.hpp"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 
 #include "planner/base/crc32.hpp"
@@ -19,17 +20,32 @@ std::uint32_t crc_of_image(std::span<const std::byte> bytes) {
   return crc.value();
 }
 
-/// Takes numbers off the front of bytes that are enough of them.
+class SpanSource final : public ImageSource {
+ public:
+  explicit SpanSource(std::span<const std::byte> bytes) : bytes_{bytes} {}
+
+  [[nodiscard]] std::size_t size() const override { return bytes_.size(); }
+  void read(std::size_t at, std::span<std::byte> into) override {
+    std::copy_n(bytes_.begin() + static_cast<std::ptrdiff_t>(at), into.size(), into.begin());
+  }
+
+ private:
+  std::span<const std::byte> bytes_;
+};
+
+/// Takes numbers off bytes that are enough of them.
 class ImageReader {
  public:
-  explicit ImageReader(std::span<const std::byte> bytes) : rest_{bytes} {}
+  explicit ImageReader(ImageSource& source, std::size_t at = 0) : source_{source}, at_{at} {}
 
   std::uint32_t number(std::size_t bytes) {
+    std::array<std::byte, 4> raw{};
+    source_.read(at_, std::span{raw}.first(bytes));
+    at_ += bytes;
     std::uint32_t value = 0;
     for (std::size_t i = 0; i < bytes; ++i) {
-      value |= std::to_integer<std::uint32_t>(rest_[i]) << (8 * i);
+      value |= std::to_integer<std::uint32_t>(raw[i]) << (8 * i);
     }
-    rest_ = rest_.subspan(bytes);
     return value;
   }
   std::uint32_t word() { return number(4); }
@@ -37,7 +53,8 @@ class ImageReader {
   float real() { return std::bit_cast<float>(word()); }
 
  private:
-  std::span<const std::byte> rest_;
+  ImageSource& source_;
+  std::size_t at_;
 };
 
 /// The same backwards.
@@ -91,10 +108,21 @@ std::optional<TableFault> overflow_of(std::size_t rows, std::size_t bands, std::
   return std::nullopt;
 }
 
+std::uint32_t crc_of_source(ImageSource& source, std::size_t bytes) {
+  Crc32 crc;
+  std::array<std::byte, 16> some{};
+  for (std::size_t at = 0; at < bytes; at += some.size()) {
+    const auto next = std::span{some}.first(std::min(some.size(), bytes - at));
+    source.read(at, next);
+    crc.add(next);
+  }
+  return crc.value();
+}
+
 /// Capacity comes before size: who sends too much hears of that.
-std::optional<TableFault> read_head(std::span<const std::byte> image, Counts& counts) {
-  if (image.size() < kHeadBytes + kSumBytes) return TableFault{TableError::kBadSize};
-  ImageReader reader{image};
+std::optional<TableFault> read_head(ImageSource& source, Counts& counts) {
+  if (source.size() < kHeadBytes + kSumBytes) return TableFault{TableError::kBadSize};
+  ImageReader reader{source};
   const std::uint32_t magic = reader.word();
   constexpr std::uint32_t kWithoutVersion = 0x00FF'FFFF;
   if (((magic ^ kMagic) & kWithoutVersion) != 0) return TableFault{TableError::kNotATable};
@@ -105,15 +133,14 @@ std::optional<TableFault> read_head(std::span<const std::byte> image, Counts& co
   counts.bands = reader.small();
   counts.points = reader.small();
   if (const auto fault = overflow_of(counts.rows, counts.bands, counts.points)) return fault;
-  if (counts.size != image.size() || counts.bytes() != image.size()) {
+  if (counts.size != source.size() || counts.bytes() != source.size()) {
     return TableFault{TableError::kBadSize};
-  }
-  const std::size_t summed = image.size() - kSumBytes;
-  if (ImageReader{image.subspan(summed)}.word() != crc_of_image(image.first(summed))) {
-    return TableFault{TableError::kBadSum};
   }
   constexpr auto kLastUnit = static_cast<std::uint32_t>(HeatUnit::kJoulesPerMillimetre);
   if (counts.unit > kLastUnit) return TableFault{TableError::kNotATable};
+  const std::size_t summed = source.size() - kSumBytes;
+  const std::uint32_t sum = crc_of_source(source, summed);
+  if (ImageReader{source, summed}.word() != sum) return TableFault{TableError::kBadSum};
   return std::nullopt;
 }
 
@@ -196,11 +223,18 @@ std::string_view name_in_image(std::span<const std::byte> image) {
 }
 
 std::optional<TableFault> read_image(std::span<const std::byte> image, StoredTable& table) {
+  SpanSource source{image};
+  return read_image(source, table);
+}
+
+std::optional<TableFault> read_image(ImageSource& source, StoredTable& table) {
   Counts counts;
-  if (const auto fault = read_head(image, counts)) return fault;
+  if (const auto fault = read_head(source, counts)) return fault;
   table.unit = static_cast<HeatUnit>(counts.unit);
-  table.set_name(name_in_image(image));
-  ImageReader reader{image.subspan(kHeadBytes)};
+  std::array<std::byte, kHeadBytes> head{};
+  source.read(0, head);
+  table.set_name(name_in_image(head));
+  ImageReader reader{source, kHeadBytes};
   read_rows(reader, table.make_rows(counts.rows));
   read_bands(reader, table.make_bands(counts.bands));
   for (Point& point : table.make_points(counts.points)) {

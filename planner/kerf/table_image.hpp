@@ -43,12 +43,25 @@ static_assert(kLongestName < kNameBytes);
 [[nodiscard]] Result<std::size_t, TableFault> write_image(
     const TableView<float>& table, std::span<std::byte, table_image::kMostBytes> image);
 
-/// Reads an image, which may be anything at all. @return what is wrong with it or with the
-/// table in it; nothing when `table` holds it. What is wrong leaves `table` undefined.
+/// The bytes of an image, wherever they are.
+class ImageSource {
+ public:
+  [[nodiscard]] virtual std::size_t size() const = 0;
+  /// Copies bytes from `at` on; anything where there are none. @pre at + into.size() ≤ size()
+  virtual void read(std::size_t at, std::span<std::byte> into) = 0;
+
+ protected:
+  ~ImageSource() = default;
+};
+
+/// Reads an image, which may be anything at all, front to back and twice. @return what is wrong
+/// with it or with the table in it; nothing when `table` holds it. What is wrong leaves `table`
+/// undefined.
+[[nodiscard]] std::optional<TableFault> read_image(ImageSource& source, StoredTable& table);
 [[nodiscard]] std::optional<TableFault> read_image(std::span<const std::byte> image,
                                                    StoredTable& table);
 
-/// The name in an image that read_image has taken.
+/// The name in the head of an image. @pre at least kHeadBytes
 [[nodiscard]] std::string_view name_in_image(std::span<const std::byte> image);
 
 }  // namespace cnc::kerf

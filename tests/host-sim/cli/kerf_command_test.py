@@ -218,6 +218,20 @@ class KerfCommand(unittest.TestCase):
         self.assertEqual(data[:4], b"KFT\x01")
         self.assertEqual(int.from_bytes(data[-4:], "little"), zlib.crc32(data[:-4]))
 
+    def test_the_controller_takes_the_image_and_gives_the_same_kerf(self):
+        image, job = self.folder / "image", self.folder / "job.nc"
+        kerf("image", "--material", "acrylic", "--out", image)
+        for question, status in (("acrylic,3,60,600", 0), ("acrylic,3,60,1081", 1),
+                                 ("acryl,3,60,600", 1)):
+            job.write_text(image.read_text() + f"$KQ={question}\n")
+            done = run("sim", job)
+            self.assertEqual(done.returncode, status, done.stdout)
+        damaged = image.read_text().replace("61637279", "61637278")
+        job.write_text(damaged)
+        done = run("sim", job)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("CRC-32 is wrong", done.stdout)
+
     def test_an_image_that_does_not_fit_says_so(self):
         rows = [["steel", "a laser", 0.1, 1 + n / 10, 1000, speed, .5, .4, .1, .005]
                 for n in range(9) for speed in (2000, 3000, 4000)]
