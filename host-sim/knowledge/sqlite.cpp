@@ -14,15 +14,7 @@ namespace {
 }
 
 int open_flags(SqlFile::Mode mode) {
-  switch (mode) {
-    case SqlFile::Mode::kRead:
-      return SQLITE_OPEN_READONLY;
-    case SqlFile::Mode::kWrite:
-      return SQLITE_OPEN_READWRITE;
-    case SqlFile::Mode::kCreate:
-      break;
-  }
-  return SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+  return SQLITE_OPEN_READWRITE | (mode == SqlFile::Mode::kCreate ? SQLITE_OPEN_CREATE : 0);
 }
 
 }  // namespace

@@ -50,7 +50,7 @@ class SqlStatement {
 /// A data base of SQLite. Failures throw std::runtime_error naming the file.
 class SqlFile {
  public:
-  enum class Mode { kRead, kWrite, kCreate };
+  enum class Mode { kWrite, kCreate };
 
   /// `:memory:` lives as long as the object.
   SqlFile(std::string file, Mode mode);

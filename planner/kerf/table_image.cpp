@@ -20,19 +20,6 @@ std::uint32_t crc_of_image(std::span<const std::byte> bytes) {
   return crc.value();
 }
 
-class SpanSource final : public ImageSource {
- public:
-  explicit SpanSource(std::span<const std::byte> bytes) : bytes_{bytes} {}
-
-  [[nodiscard]] std::size_t size() const override { return bytes_.size(); }
-  void read(std::size_t at, std::span<std::byte> into) override {
-    std::copy_n(bytes_.begin() + static_cast<std::ptrdiff_t>(at), into.size(), into.begin());
-  }
-
- private:
-  std::span<const std::byte> bytes_;
-};
-
 /// Takes numbers off bytes that are enough of them.
 class ImageReader {
  public:
@@ -220,11 +207,6 @@ std::string_view name_in_image(std::span<const std::byte> image) {
   const auto name = image.subspan(kNameAt, kNameBytes);
   const auto end = std::find(name.begin(), name.end(), std::byte{0});
   return {reinterpret_cast<const char*>(name.data()), static_cast<std::size_t>(end - name.begin())};
-}
-
-std::optional<TableFault> read_image(std::span<const std::byte> image, StoredTable& table) {
-  SpanSource source{image};
-  return read_image(source, table);
 }
 
 std::optional<TableFault> read_image(ImageSource& source, StoredTable& table) {
