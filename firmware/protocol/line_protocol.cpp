@@ -32,7 +32,8 @@ LineProtocol::LineProtocol(hal::ByteStream& link,
       machine_{machine},
       board_{board},
       stored_{store},
-      listing_{machine, stored_, board} {
+      kerf_{store},
+      listing_{machine, stored_, kerf_, board} {
   load_settings();
   machine_.set_power_table(stored_.load_power_table());
   machine_.set_places(stored_.load_places());

@@ -12,6 +12,7 @@
 #include "firmware/protocol/reply.hpp"
 #include "firmware/protocol/statement.hpp"
 #include "firmware/protocol/status_report.hpp"
+#include "firmware/store/kerf_tables.hpp"
 #include "firmware/store/stored_state.hpp"
 #include "hal/interface/byte_stream.hpp"
 #include "hal/interface/control_board.hpp"
@@ -93,6 +94,15 @@ class LineProtocol {
   void set_user_text(const Statement& statement);
   void set_power_table(const Statement& statement);
   [[nodiscard]] bool rests() const;
+
+  // `$K`, in kerf_statements.cpp.
+  void take_kerf_statement(const Statement& statement);
+  void refuse_kerf(const KerfTables::Trouble& trouble, std::uint16_t column);
+  void write_kerf_part(const Statement& statement);
+  void keep_kerf_table();
+  void erase_kerf_table(const Statement& statement);
+  void read_kerf_table(const Statement& statement);
+  void ask_kerf(const Statement& statement);
   void load_settings();
 
   void refuse(std::uint8_t number, std::uint32_t column, std::string_view reason);
@@ -112,6 +122,7 @@ class LineProtocol {
   Machine& machine_;
   hal::ControlBoard* board_;
   StoredState stored_;
+  KerfTables kerf_;
   std::array<char, 64> incoming_{};  ///< What the link hands over at a time.
   Receiver receiver_{};
   LineAssembler<kLongestLine> assembler_{};

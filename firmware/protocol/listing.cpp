@@ -5,6 +5,7 @@
 
 #include "firmware/link/receiver.hpp"
 #include "firmware/protocol/identity.hpp"
+#include "firmware/protocol/kerf_text.hpp"
 #include "firmware/protocol/power_table_text.hpp"
 #include "firmware/protocol/table_lines.hpp"
 
@@ -77,8 +78,46 @@ bool Listing::row(Reply& reply, const ReportForm& form) {
       put_power_table(reply, machine_.power_table());
       reply.end();
       return true;
+    case ListingKind::kKerfTables:
+      return kerf_row(reply);
+    case ListingKind::kKerfImage:
+      return kerf_image_row(reply);
   }
   return false;
+}
+
+/// The tables, and how many more there is room for.
+[[gnu::noinline]] bool Listing::kerf_row(Reply& reply) {
+  const std::size_t count = kerf_.count();
+  if (row_ > count) return false;
+  if (row_ == count) {
+    reply.text("[KERFROOM:").number(static_cast<std::uint32_t>(kerf_.stored())).text(" of ");
+    reply.number(KerfTables::kMostStored).text(" stored]").end();
+    return true;
+  }
+  const auto table = kerf_.table(row_);
+  if (table.ok()) {
+    put_kerf_table(reply, table.value(), row_ < KerfTables::built_in());
+  } else {
+    reply.text("[KERF:?|damaged]");
+  }
+  reply.end();
+  return true;
+}
+
+/// As it is written: what is printed can be sent back.
+[[gnu::noinline]] bool Listing::kerf_image_row(Reply& reply) {
+  if (row_ > KerfTables::kMostParts) return false;
+  std::array<std::byte, KerfTables::kPartBytes> bytes{};
+  const std::size_t size = kerf_.read_part(argument_, row_, bytes);
+  if (size > 0) {
+    put_kerf_part(reply, row_, std::span{bytes}.first(size));
+  } else {
+    reply.text("$KS");
+    row_ = KerfTables::kMostParts;  // The last row.
+  }
+  reply.end();
+  return true;
 }
 
 bool Listing::settings_row(Reply& reply) {

@@ -5,6 +5,7 @@
 #include "firmware/machine/machine.hpp"
 #include "firmware/protocol/reply.hpp"
 #include "firmware/protocol/report_lines.hpp"
+#include "firmware/store/kerf_tables.hpp"
 #include "firmware/store/stored_state.hpp"
 #include "hal/interface/control_board.hpp"
 
@@ -27,6 +28,8 @@ enum class ListingKind : std::uint8_t {
   kAlarms,          ///< `$EA`
   kErrors,          ///< `$EE`
   kPowerTable,      ///< `$PC`
+  kKerfTables,      ///< `$K`
+  kKerfImage,       ///< `$KR=`; the argument is the table's place in the list.
 };
 
 /// Makes an answer line by line, as the link takes them: `$ES` has more bytes
@@ -34,8 +37,8 @@ enum class ListingKind : std::uint8_t {
 class Listing {
  public:
   /// @param board may be null.
-  Listing(const Machine& machine, StoredState& stored, hal::ControlBoard* board)
-      : machine_{machine}, stored_{stored}, board_{board} {}
+  Listing(const Machine& machine, StoredState& stored, KerfTables& kerf, hal::ControlBoard* board)
+      : machine_{machine}, stored_{stored}, kerf_{kerf}, board_{board} {}
 
   void begin(ListingKind kind, std::uint16_t argument = 0);
   void stop() { kind_ = ListingKind::kNone; }
@@ -51,10 +54,13 @@ class Listing {
   [[nodiscard]] bool info_row(Reply& reply, const ReportForm& form);
   [[nodiscard]] bool board_row(Reply& reply, std::size_t row);
   [[nodiscard]] bool startup_row(Reply& reply);
+  [[nodiscard]] bool kerf_row(Reply& reply);
+  [[nodiscard]] bool kerf_image_row(Reply& reply);
   void put_version(Reply& reply);
 
   const Machine& machine_;
   StoredState& stored_;
+  KerfTables& kerf_;
   hal::ControlBoard* board_;
   ListingKind kind_ = ListingKind::kNone;
   std::size_t row_ = 0;

@@ -80,6 +80,8 @@ std::optional<Statement> read_command(std::string_view name) {
   if (name == "C") return Statement{.kind = StatementKind::kCheck};
   if (name == "X") return Statement{.kind = StatementKind::kUnlock};
   if (name == "DFU") return Statement{.kind = StatementKind::kBootLoader};
+  if (name == "K") return Statement{.kind = StatementKind::kListKerfTables};
+  if (name == "KS") return Statement{.kind = StatementKind::kKeepKerfTable};
   if (name == "SLP") return Statement{.kind = StatementKind::kSleep};
   if (name.front() == 'H') {
     std::string_view letters = name;
@@ -99,6 +101,10 @@ std::optional<Statement> read_assignment(std::string_view name) {
   if (name == "I") return Statement{.kind = StatementKind::kSetUserText};
   if (name == "RST") return Statement{.kind = StatementKind::kRestore};
   if (name == "PC") return Statement{.kind = StatementKind::kSetPowerTable};
+  if (name == "KW") return Statement{.kind = StatementKind::kWriteKerfPart};
+  if (name == "KE") return Statement{.kind = StatementKind::kEraseKerfTable};
+  if (name == "KR") return Statement{.kind = StatementKind::kReadKerfTable};
+  if (name == "KQ") return Statement{.kind = StatementKind::kAskKerf};
   if (name == "N0") return Statement{.kind = StatementKind::kSetStartupLine, .number = 0};
   if (name == "N1") return Statement{.kind = StatementKind::kSetStartupLine, .number = 1};
   const auto number = number_in(name);

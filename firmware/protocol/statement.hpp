@@ -21,6 +21,12 @@ enum class StatementKind : std::uint8_t {
   kRestore,         ///< `$RST=`
   kSetPowerTable,   ///< `$PC=`
   kBootLoader,      ///< `$DFU`
+  kListKerfTables,  ///< `$K`
+  kWriteKerfPart,   ///< `$KW=`
+  kKeepKerfTable,   ///< `$KS`
+  kEraseKerfTable,  ///< `$KE=`
+  kReadKerfTable,   ///< `$KR=`
+  kAskKerf,         ///< `$KQ=`
 };
 
 /// A line that begins with `$`.

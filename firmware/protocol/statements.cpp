@@ -1,8 +1,7 @@
-#include <algorithm>
-
 #include "firmware/protocol/code_texts.hpp"
 #include "firmware/protocol/line_protocol.hpp"
 #include "firmware/protocol/power_table_text.hpp"
+#include "firmware/protocol/sender_words.hpp"
 #include "firmware/protocol/table_lines.hpp"
 
 namespace cnc {
@@ -11,18 +10,6 @@ namespace {
 constexpr std::uint32_t kHomingEnabled = 1;  ///< Bit of $22.
 
 constexpr gcode::StoredPlaces kNoPlaces{};  ///< In flash: it is large.
-
-/// Whether a text, printed, could be counted as an acknowledgement or would end
-/// the brackets around it.
-bool confuses_senders(std::string_view text) {
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
-  const auto holds = [&](std::string_view word) {
-    return std::search(text.begin(), text.end(), word.begin(), word.end(), [&](char a, char b) {
-             return lower(a) == b;
-           }) != text.end();
-  };
-  return holds("ok") || holds("error") || holds("[") || holds("]");
-}
 
 bool homing_is_on(const Machine& machine) {
   const auto bits = static_cast<std::uint32_t>(machine.settings().get(setting::kHoming));
@@ -105,7 +92,7 @@ void LineProtocol::take_command(const Statement& statement) {
       message("Sleeping");
       return acknowledge();
     default:
-      return;
+      return take_kerf_statement(statement);
   }
 }
 
@@ -217,6 +204,7 @@ void LineProtocol::restore(const Statement& statement) {
   }
   if (all) {
     kept = stored_.save_user_text({}) && kept;
+    kept = kerf_.forget_all() && kept;
     for (std::size_t i = 0; i < StoredState::kStartupLines; ++i) {
       kept = stored_.save_startup_line(i, {}) && kept;
     }

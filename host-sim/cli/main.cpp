@@ -27,6 +27,7 @@ constexpr const char* kProgramFooter =
     "  kerfline check *.nc --json\n"
     "  cat part.nc | kerfline check -\n"
     "  kerfline serve --pty ttyKerfline --settings laser.settings\n"
+    "  kerfline kerf advise --material 'CSP 1N' --thickness 2 --power 1800 --speed 4000\n"
     "\n"
     "Exit status: 0 fine, 1 the program has faults, 2 the call is wrong.";
 
@@ -40,6 +41,7 @@ int run(int argc, char** argv) {
   sim::add_check_command(app, status);
   sim::add_serve_command(app, status);
   sim::add_replay_command(app, status);
+  sim::add_kerf_command(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

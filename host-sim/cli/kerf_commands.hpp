@@ -1,0 +1,12 @@
+#pragma once
+
+namespace CLI {
+class App;
+}
+
+namespace sim {
+
+/// Adds the commands of `kerfline kerf` that write files: plot, calibrate, image.
+void add_kerf_output_commands(CLI::App& kerf);
+
+}  // namespace sim

@@ -1,0 +1,142 @@
+#include "host-sim/cli/kerf_options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "host-sim/job/setting_line.hpp"
+#include "host-sim/knowledge/experiment_csv.hpp"
+#include "host-sim/report/text_table.hpp"
+
+namespace sim {
+namespace {
+
+constexpr const char* kPrinted = "printed";
+constexpr const char* kJoules = "J/mm";
+
+std::string law_text(const ThicknessRecord& row) {
+  if (row.measured) return "measured";
+  return fmt::format("{:.6g} Q + {:.4f}", row.slope, row.intercept);
+}
+
+}  // namespace
+
+void add_unit_option(CLI::App& command, std::string& unit) {
+  command
+      .add_option(
+          "--unit", unit, "Unit of Q = P / V: `printed` is W/(mm/min), the default; or `J/mm`")
+      ->check(CLI::IsMember({kPrinted, kJoules}));
+}
+
+std::optional<cnc::kerf::HeatUnit> unit_of(const std::string& option) {
+  if (option.empty()) return std::nullopt;
+  return option == kJoules ? cnc::kerf::HeatUnit::kJoulesPerMillimetre
+                           : cnc::kerf::HeatUnit::kWattMinutesPerMillimetre;
+}
+
+void RecordOptions::add_to(CLI::App& command) {
+  command.add_option("--db", data_base, "Data base; without it the shipped records")
+      ->type_name("FILE");
+  command.add_option("--material", material, "As it is named there, such as \"CSP 1N\"")
+      ->type_name("NAME");
+  add_unit_option(command, unit);
+}
+
+KnowledgeBase RecordOptions::open() const {
+  if (data_base.empty()) return KnowledgeBase::shipped();
+  return {data_base, SqlFile::Mode::kWrite};
+}
+
+std::optional<cnc::kerf::HeatUnit> RecordOptions::heat_unit() const { return unit_of(unit); }
+
+void CutOptions::add_to(CLI::App& command) {
+  command.add_option("--db", data_base, "Data base; made when there is none")
+      ->required()
+      ->type_name("FILE");
+  command
+      .add_option(
+          "--max-dross", limits.dross_area_mm2, "Greatest mean dross area of a good cut, mm2")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command
+      .add_option("--max-straightness",
+                  limits.straightness_mm,
+                  "Greatest straightness error of a good cut, mm")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+}
+
+std::vector<Experiment> add_cuts(const std::string& file, const CutOptions& options) {
+  const std::string text = read_text(file);
+  std::vector<Experiment> cuts = read_experiments(text, file);
+  for (Experiment& cut : cuts) cut.rejection = rejection_of(cut, options.limits);
+  KnowledgeBase base{options.data_base, SqlFile::Mode::kCreate};
+  base.add(cuts, file, text);
+  const auto accepted =
+      std::count_if(cuts.begin(), cuts.end(), [](const Experiment& cut) { return cut.accepted(); });
+  fmt::print("{}: {} cuts, {} accepted\n", file, cuts.size(), accepted);
+  for (const Experiment& cut : cuts) {
+    if (!cut.accepted()) fmt::print("{}:{}: rejected: {}\n", cut.file, cut.line, cut.rejection);
+  }
+  return cuts;
+}
+
+std::uint32_t thousandths_of(const char* option, double value, double most) {
+  if (!std::isfinite(value)) {
+    throw std::invalid_argument(fmt::format("{} {}: not a number", option, value));
+  }
+  if (value < 0.0 || value > most) {
+    throw std::invalid_argument(
+        fmt::format("{} {:g}: out of range, 0 to {:g}", option, value, most));
+  }
+  return to_thousandths(value);
+}
+
+std::uint32_t thickness_option(double mm) {
+  return thousandths_of("--thickness", mm, from_thousandths(cnc::kerf::kMostThicknessUm));
+}
+std::uint32_t power_option(double watts) {
+  return thousandths_of("--power", watts, from_thousandths(cnc::kerf::kMostPowerMw));
+}
+std::uint32_t speed_option(double mm_min) {
+  return thousandths_of("--speed", mm_min, from_thousandths(cnc::kerf::kMostSpeedUmMin));
+}
+
+void print_record(const MaterialRecord& record) {
+  fmt::print("{}: {}, gas {:g} MPa, Q in {}\n  {}{}\n",
+             record.name,
+             record.laser,
+             record.gas_pressure_mpa,
+             name_of(record.unit),
+             record.calibrated ? "" : "not calibrated on this machine; ",
+             record.provenance);
+  TextTable laws{{{"T mm"}, {"kerf mm"}, {"r"}, {"residual mm"}, {"greatest mm"}, {"cuts"}}};
+  TextTable region{{{"T mm"}, {"P W"}, {"V least mm/min"}, {"greatest"}, {"kerf mm"}, {"to mm"}}};
+  for (const ThicknessRecord& row : record.thicknesses) {
+    const std::string thickness = fmt::format("{:g}", from_thousandths(row.thickness_um));
+    laws.add_row({thickness,
+                  law_text(row),
+                  fmt::format("{:.2f}", row.correlation),
+                  fmt::format("{:.4f}", row.residual_sd_mm),
+                  fmt::format("{:.4f}", row.greatest_residual_mm),
+                  row.samples == 0 ? "?" : fmt::format("{}", row.samples)});
+    for (const PowerRecord& power : row.powers) {
+      const auto kerf_at = [&](std::uint32_t speed) {
+        const auto found = predict(record, {row.thickness_um, power.power_mw, speed});
+        return fmt::format("{:.4f}", found.value().kerf_mm);
+      };
+      region.add_row({thickness,
+                      fmt::format("{:g}", from_thousandths(power.power_mw)),
+                      fmt::format("{:g}", from_thousandths(power.speeds_um_min.least)),
+                      fmt::format("{:g}", from_thousandths(power.speeds_um_min.most)),
+                      kerf_at(power.speeds_um_min.least),
+                      kerf_at(power.speeds_um_min.most)});
+    }
+  }
+  fmt::print("{}{}", laws.text(2), region.text(2));
+}
+
+}  // namespace sim

@@ -1,0 +1,197 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <set>
+#include <stdexcept>
+
+#include "host-sim/cli/kerf_commands.hpp"
+#include "host-sim/cli/kerf_options.hpp"
+#include "host-sim/knowledge/coupon.hpp"
+#include "host-sim/knowledge/flash_lines.hpp"
+#include "host-sim/knowledge/kerf_figures.hpp"
+#include "host-sim/plot/png.hpp"
+#include "host-sim/trace/output_file.hpp"
+
+namespace sim {
+namespace {
+
+struct PlotOptions {
+  RecordOptions record;
+  int figure = 7;
+  double thickness_mm = 1.6;
+  std::string svg;
+  std::string png;
+};
+
+struct CalibrateOptions {
+  RecordOptions record;
+  CouponPlan plan;
+  double thickness_mm = 0.0;
+  std::vector<double> powers_w;
+  std::vector<double> speeds_mm_min;
+  std::string program;
+  std::string form;
+  std::string measured;
+  AcceptanceLimits limits;
+};
+
+struct ImageOptions {
+  RecordOptions record;
+  std::string name;
+  std::string out;
+  bool bytes = false;
+};
+
+void plot(const PlotOptions& options) {
+  if (options.svg.empty() && options.png.empty()) {
+    throw std::invalid_argument("--svg or --png is missing");
+  }
+  const KnowledgeBase base = options.record.open();
+  const MaterialRecord record = base.record_of(options.record.material, options.record.heat_unit());
+  const std::vector<Experiment> cuts = base.cuts_of(options.record.material);
+  const std::string figure =
+      options.figure == 8
+          ? draw_kerf_over_heat(record, cuts)
+          : draw_kerf_over_speed(record, thickness_option(options.thickness_mm), cuts);
+  if (!options.svg.empty()) write_file(options.svg, figure);
+  if (!options.png.empty()) write_png(options.png, figure);
+}
+
+void add_plot_command(CLI::App& kerf) {
+  CLI::App* command = kerf.add_subcommand(
+      "plot", "Draw a record: 7 kerf over speed and over power, 8 kerf over effective heat input.");
+  const auto options = std::make_shared<PlotOptions>();
+  options->record.add_to(*command);
+  command->get_option("--material")->required();
+  command->add_option("--figure", options->figure, "As numbered by Park and Ahn 2007")
+      ->check(CLI::IsMember({7, 8}))
+      ->capture_default_str();
+  command->add_option("--thickness", options->thickness_mm, "mm, of figure 7")
+      ->capture_default_str();
+  command->add_option("--svg", options->svg, "Write it as SVG")->type_name("FILE");
+  command->add_option("--png", options->png, "The same as pixels")->type_name("FILE");
+  command->callback([options] { plot(*options); });
+}
+
+/// Every power at every speed that were named.
+std::vector<cnc::kerf::Condition> named_slots(const CalibrateOptions& options) {
+  if (options.powers_w.empty() || options.speeds_mm_min.empty()) {
+    throw std::invalid_argument("--powers and --speeds belong together");
+  }
+  std::vector<cnc::kerf::Condition> slots;
+  for (const double power : options.powers_w) {
+    for (const double speed : options.speeds_mm_min) {
+      slots.push_back(
+          {thickness_option(options.thickness_mm), power_option(power), speed_option(speed)});
+    }
+  }
+  return slots;
+}
+
+void write_coupon(const CalibrateOptions& options) {
+  if (options.program.empty()) throw std::invalid_argument("--out or --measured is missing");
+  if (options.plan.full_power_w <= 0.0) throw std::invalid_argument("--full-power is missing");
+  CouponPlan plan = options.plan;
+  plan.material = options.record.material;
+  if (options.powers_w.empty() && options.speeds_mm_min.empty()) {
+    const MaterialRecord record = options.record.record();
+    plan.slots = default_slots(record, thickness_option(options.thickness_mm));
+    if (plan.laser.empty()) plan.laser = record.laser;
+    if (plan.gas_pressure_mpa <= 0.0) plan.gas_pressure_mpa = record.gas_pressure_mpa;
+  } else {
+    plan.slots = named_slots(options);
+  }
+  write_file(options.program, coupon_program(plan));
+  if (!options.form.empty()) write_file(options.form, coupon_form(plan));
+  fmt::print("{}: {} slots\n", options.program, plan.slots.size());
+}
+
+/// All that the data base knows of each material that was measured is fitted anew.
+void take_measurements(const CalibrateOptions& options) {
+  if (options.record.data_base.empty()) throw std::invalid_argument("--db is missing");
+  const CutOptions cuts{options.record.data_base, options.limits};
+  std::set<std::string> materials;
+  for (const Experiment& cut : add_cuts(options.measured, cuts)) materials.insert(cut.material);
+  KnowledgeBase base{options.record.data_base, SqlFile::Mode::kWrite};
+  FitOptions fitting;
+  fitting.unit = options.record.heat_unit().value_or(fitting.unit);
+  for (const std::string& material : materials) {
+    const MaterialRecord record = fit_record(base.cuts_of(material), fitting);
+    base.save(record);
+    print_record(record);
+  }
+}
+
+void add_calibrate_command(CLI::App& kerf) {
+  CLI::App* command = kerf.add_subcommand(
+      "calibrate",
+      "Write the G-code of a test coupon, a slot for each condition, and a form to measure it by\n"
+      "(--out, --form); or, with the form filled in, add its cuts and fit the record "
+      "(--measured).");
+  const auto options = std::make_shared<CalibrateOptions>();
+  options->record.add_to(*command);
+  CouponPlan& plan = options->plan;
+  command->add_option("--thickness", options->thickness_mm, "mm");
+  command->add_option("--powers", options->powers_w, "W; else those of the record")->delimiter(',');
+  command->add_option("--speeds", options->speeds_mm_min, "mm/min; else those of the record")
+      ->delimiter(',');
+  command->add_option("--full-power", plan.full_power_w, "What the laser gives at --full-s, W");
+  command->add_option("--full-s", plan.full_power_s, "$30")->capture_default_str();
+  command->add_option("--laser", plan.laser, "Its name in the form");
+  command->add_option("--gas", plan.gas_pressure_mpa, "Its pressure in the form, MPa")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--length", plan.length_mm, "Of a slot, mm")
+      ->check(CLI::Range(10.0, 1000.0))
+      ->capture_default_str();
+  command->add_option("--pitch", plan.pitch_mm, "From slot to slot, mm")
+      ->check(CLI::Range(1.0, 100.0))
+      ->capture_default_str();
+  command->add_option("--out", options->program, "The coupon's G-code")->type_name("FILE");
+  command->add_option("--form", options->form, "The form, CSV")->type_name("FILE");
+  command->add_option("--measured", options->measured, "A form that was filled in")
+      ->type_name("FILE");
+  command->callback([options] {
+    if (options->measured.empty()) {
+      write_coupon(*options);
+    } else {
+      take_measurements(*options);
+    }
+  });
+}
+
+void write_image_file(const ImageOptions& options) {
+  const MaterialRecord record = options.record.record();
+  const auto image = flash_image(record, options.name.empty() ? record.name : options.name);
+  if (options.bytes) {
+    write_file(options.out, {reinterpret_cast<const char*>(image.data()), image.size()});
+  } else {
+    write_file(options.out, flash_lines(image));
+  }
+  fmt::print("{}: {} bytes of flash\n", options.out, image.size());
+}
+
+void add_image_command(CLI::App& kerf) {
+  CLI::App* command = kerf.add_subcommand(
+      "image",
+      "Write a record as the lines that put it into a controller's flash: send the file by any\n"
+      "sender while the machine rests.");
+  const auto options = std::make_shared<ImageOptions>();
+  options->record.add_to(*command);
+  command->get_option("--material")->required();
+  command->add_option("--as", options->name, "Its name on the controller; else the material's")
+      ->type_name("NAME");
+  command->add_option("--out", options->out, "The file")->required()->type_name("FILE");
+  command->add_flag("--bytes", options->bytes, "The bytes themselves instead of lines");
+  command->callback([options] { write_image_file(*options); });
+}
+
+}  // namespace
+
+void add_kerf_output_commands(CLI::App& kerf) {
+  add_plot_command(kerf);
+  add_calibrate_command(kerf);
+  add_image_command(kerf);
+}
+
+}  // namespace sim

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host-sim/knowledge/material_record.hpp"
+
+namespace sim {
+
+/// A test coupon: one straight slot for each condition, one above the other.
+struct CouponPlan {
+  std::string material;
+  std::string laser;
+  double gas_pressure_mpa = 0.0;
+  std::vector<cnc::kerf::Condition> slots{};
+  double length_mm = 100.0;  ///< Of which the middle 60 mm are measured (Park and Ahn 2007, 3.2).
+  double pitch_mm = 8.0;
+  double margin_mm = 5.0;      ///< Around the slots, from X0 Y0 on.
+  double full_power_w = 0.0;   ///< What the laser gives at `full_power_s`.
+  double full_power_s = 1000;  ///< $30.
+};
+
+/// The permissible speeds of each power that was cut at a thickness: least, middle and greatest.
+/// Throws std::invalid_argument where the record has no such thickness.
+[[nodiscard]] std::vector<cnc::kerf::Condition> default_slots(const MaterialRecord& record,
+                                                              std::uint32_t thickness_um);
+
+/// The coupon as G-code, slot by slot with its number and condition in a comment.
+/// Throws std::invalid_argument where there is no slot, or one asks for more than full power.
+[[nodiscard]] std::string coupon_program(const CouponPlan& plan);
+
+/// The file to write the measurements into: a line per slot, what was measured still empty.
+[[nodiscard]] std::string coupon_form(const CouponPlan& plan);
+
+}  // namespace sim

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "planner/kerf/kerf_table.hpp"
+
+namespace sim {
+
+/// One test cut and what was measured on it. Whoever reads it in has checked the ranges.
+struct Experiment {
+  std::string material{};
+  std::string laser{};
+  double gas_pressure_mpa = 0.0;
+  cnc::kerf::Condition condition{};
+  double kerf_top_mm = 0.0;
+  double kerf_bottom_mm = 0.0;
+  double dross_area_mm2 = 0.0;   ///< Mean of the cut's faces, at the bottom.
+  double straightness_mm = 0.0;  ///< At the bottom.
+  std::string file{};
+  std::size_t line = 0;
+  std::string rejection{};  ///< Why it does not count; empty when it does.
+
+  /// The width that counts: mean of top and bottom.
+  [[nodiscard]] double kerf_mm() const { return 0.5 * (kerf_top_mm + kerf_bottom_mm); }
+  [[nodiscard]] bool accepted() const { return rejection.empty(); }
+};
+
+/// What a cut must keep. Source: Park and Ahn 2007, section 3.2.
+struct AcceptanceLimits {
+  double dross_area_mm2 = 0.5;
+  double straightness_mm = 0.01;
+};
+
+/// Why a cut is not good enough, with the numbers; empty when it is.
+[[nodiscard]] std::string rejection_of(const Experiment& cut, const AcceptanceLimits& limits);
+
+// Between the units of files and of tables; rounded to the nearest µm, mW and µm/min.
+// @pre 0 ≤ value ≤ 4e6
+[[nodiscard]] std::uint32_t to_thousandths(double value);
+[[nodiscard]] constexpr double from_thousandths(std::uint32_t value) { return value / 1000.0; }
+
+/// `W/(mm/min)` or `J/mm`.
+[[nodiscard]] const char* name_of(cnc::kerf::HeatUnit unit);
+
+}  // namespace sim

@@ -1,0 +1,147 @@
+#include "host-sim/knowledge/kerf_figures.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <stdexcept>
+
+#include "host-sim/plot/chart.hpp"
+
+namespace sim {
+namespace {
+
+namespace kerf = cnc::kerf;
+
+constexpr int kLineParts = 60;
+constexpr const char* kKerfLabel = "kerf in mm";
+
+/// From `least` to `most`, both included.
+std::uint32_t part_of(const kerf::Window& window, int part) {
+  const auto span = static_cast<std::uint64_t>(window.most - window.least);
+  return window.least +
+         static_cast<std::uint32_t>(span * static_cast<std::uint64_t>(part) / kLineParts);
+}
+
+/// Powers that were cut at the thickness, or at its neighbours.
+std::set<std::uint32_t> powers_around(const OwnedKerfTable<double>& table,
+                                      std::uint32_t thickness_um) {
+  const auto permissible = kerf::permissible_powers(table.view(), thickness_um);
+  if (!permissible.ok()) {
+    throw std::invalid_argument(table.name + ": " +
+                                describe(permissible.error(), {thickness_um, 0, 0}));
+  }
+  const auto around =
+      kerf::detail::neighbours(table.view().rows, &kerf::Row<double>::thickness_um, thickness_um);
+  std::set<std::uint32_t> powers;
+  for (const std::size_t row : {around.low, around.high}) {
+    for (const kerf::Band& band : table.view().bands_of(table.rows[row])) {
+      if (permissible.value().holds(band.power_mw)) powers.insert(band.power_mw);
+    }
+  }
+  return powers;
+}
+
+ChartPanel over_speed(const OwnedKerfTable<double>& table,
+                      std::uint32_t thickness_um,
+                      std::span<const Experiment> cuts) {
+  ChartPanel panel{.x_label = "speed in mm/min", .y_label = kKerfLabel};
+  for (const std::uint32_t power : powers_around(table, thickness_um)) {
+    ChartSeries series{.label = fmt::format("{:g} W", from_thousandths(power))};
+    const auto speeds = kerf::permissible_speeds(table.view(), thickness_um, power);
+    for (int part = 0; speeds.ok() && part <= kLineParts; ++part) {
+      const std::uint32_t speed = part_of(speeds.value(), part);
+      const auto width = kerf::kerf_width(table.view(), {thickness_um, power, speed});
+      series.line.push_back({from_thousandths(speed), width.value()});
+    }
+    for (const Experiment& cut : cuts) {
+      const kerf::Condition& at = cut.condition;
+      if (!cut.accepted() || at.thickness_um != thickness_um || at.power_mw != power) continue;
+      series.dots.push_back({from_thousandths(at.speed_um_min), cut.kerf_mm()});
+    }
+    panel.series.push_back(std::move(series));
+  }
+  return panel;
+}
+
+/// Speeds at round numbers, a handful from the least to the greatest of the thickness.
+std::set<std::uint32_t> sample_speeds(const OwnedKerfTable<double>& table,
+                                      std::uint32_t thickness_um) {
+  kerf::Window all{kerf::kMostSpeedUmMin, 0};
+  for (const std::uint32_t power : powers_around(table, thickness_um)) {
+    const auto speeds = kerf::permissible_speeds(table.view(), thickness_um, power);
+    if (!speeds.ok()) continue;
+    all = {std::min(all.least, speeds.value().least), std::max(all.most, speeds.value().most)};
+  }
+  std::set<std::uint32_t> speeds;
+  constexpr std::uint32_t kParts = 4;
+  for (std::uint32_t i = 0; all.least <= all.most && i <= kParts; ++i) {
+    speeds.insert(all.least + (all.most - all.least) / kParts * i);
+  }
+  return speeds;
+}
+
+ChartPanel over_power(const OwnedKerfTable<double>& table, std::uint32_t thickness_um) {
+  ChartPanel panel{.x_label = "power in W", .y_label = kKerfLabel};
+  const kerf::Window powers = kerf::permissible_powers(table.view(), thickness_um).value();
+  for (const std::uint32_t speed : sample_speeds(table, thickness_um)) {
+    ChartSeries series{.label = fmt::format("{:g} mm/min", from_thousandths(speed))};
+    for (int part = 0; part <= kLineParts; ++part) {
+      const std::uint32_t power = part_of(powers, part);
+      const auto width = kerf::kerf_width(table.view(), {thickness_um, power, speed});
+      if (width.ok()) series.line.push_back({from_thousandths(power), width.value()});
+    }
+    if (!series.line.empty()) panel.series.push_back(std::move(series));
+  }
+  return panel;
+}
+
+std::string origin_of(const MaterialRecord& record) {
+  return fmt::format(
+      "{}  ·  Q in {}  ·  {}", record.laser, name_of(record.unit), record.provenance);
+}
+
+}  // namespace
+
+std::string draw_kerf_over_speed(const MaterialRecord& record,
+                                 std::uint32_t thickness_um,
+                                 std::span<const Experiment> cuts) {
+  const OwnedKerfTable<double> table = table_of<double>(record);
+  return draw_chart(
+      fmt::format(
+          "{}, {:g} mm: kerf over speed and power", record.name, from_thousandths(thickness_um)),
+      origin_of(record),
+      {over_speed(table, thickness_um, cuts), over_power(table, thickness_um)});
+}
+
+std::string draw_kerf_over_heat(const MaterialRecord& record, std::span<const Experiment> cuts) {
+  const OwnedKerfTable<double> table = table_of<double>(record);
+  ChartPanel panel{.x_label = fmt::format("effective heat input Q in {}", name_of(record.unit)),
+                   .y_label = kKerfLabel};
+  for (const ThicknessRecord& row : record.thicknesses) {
+    ChartSeries series{.label = fmt::format("{:g} mm", from_thousandths(row.thickness_um))};
+    const auto add = [&](std::uint32_t power, std::uint32_t speed) {
+      const auto width = kerf::kerf_width(table.view(), {row.thickness_um, power, speed});
+      series.line.push_back({kerf::heat_input<double>(record.unit, power, speed), width.value()});
+    };
+    for (const PowerRecord& power : row.powers) {
+      add(power.power_mw, power.speeds_um_min.least);
+      add(power.power_mw, power.speeds_um_min.most);
+      for (const kerf::Point& point : power.points) add(power.power_mw, point.speed_um_min);
+    }
+    const auto by_heat = [](const ChartPoint& a, const ChartPoint& b) { return a.x < b.x; };
+    std::sort(series.line.begin(), series.line.end(), by_heat);
+    for (const Experiment& cut : cuts) {
+      const kerf::Condition& at = cut.condition;
+      if (!cut.accepted() || at.thickness_um != row.thickness_um) continue;
+      series.dots.push_back(
+          {kerf::heat_input<double>(record.unit, at.power_mw, at.speed_um_min), cut.kerf_mm()});
+    }
+    panel.series.push_back(std::move(series));
+  }
+  return draw_chart(
+      fmt::format("{}: kerf over effective heat input", record.name), origin_of(record), {panel});
+}
+
+}  // namespace sim

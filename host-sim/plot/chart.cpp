@@ -1,0 +1,182 @@
+#include "host-sim/plot/chart.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <limits>
+
+#include "host-sim/plot/colour_map.hpp"
+#include "host-sim/plot/svg_element.hpp"
+#include "host-sim/plot/view.hpp"
+
+namespace sim {
+namespace {
+
+constexpr double kChartWidthPx = 1600.0;
+constexpr double kChartHeightPx = 900.0;
+constexpr double kPanelTopPx = 160.0;
+constexpr double kPanelBottomPx = 800.0;
+constexpr double kLeftRoomPx = 120.0;   ///< Of each panel, for its numbers.
+constexpr double kRightRoomPx = 175.0;  ///< For the names of its lines.
+constexpr svg::LineStyle kRule{"#e9ebee", 1.0};
+constexpr svg::LineStyle kFrame{"#c3c8cf", 1.5};
+constexpr svg::TextStyle kNumber{.size_px = 20.0, .anchor = "middle", .fill = "#5b626c"};
+
+/// Numbers along one side, from one round number to another.
+class ChartAxis {
+ public:
+  void include(double value) {
+    least_ = std::min(least_, value);
+    most_ = std::max(most_, value);
+  }
+  [[nodiscard]] bool is_empty() const { return most_ < least_; }
+
+  /// To be called once everything is included.
+  void place(double from_px, double to_px) {
+    from_px_ = from_px;
+    to_px_ = to_px;
+    const double span = std::max(most_ - least_, 1e-3 * std::max(std::abs(most_), 1e-9));
+    step_ = round_step(span / 6.0);
+    first_ = std::floor(least_ / step_ + 1e-9);
+    last_ = std::max(std::ceil(most_ / step_ - 1e-9), first_ + 1.0);
+  }
+  [[nodiscard]] double px(double value) const {
+    return from_px_ + (to_px_ - from_px_) * (value / step_ - first_) / (last_ - first_);
+  }
+  template <typename Visit>
+  void for_each_tick(Visit visit) const {
+    const int decimals = std::max(0, -static_cast<int>(std::floor(std::log10(step_) + 1e-9)));
+    for (double tick = first_; tick <= last_ + 0.5; tick += 1.0) {
+      visit(px(tick * step_), fmt::format("{:.{}f}", tick * step_, decimals));
+    }
+  }
+
+ private:
+  double least_ = std::numeric_limits<double>::infinity();
+  double most_ = -std::numeric_limits<double>::infinity();
+  double from_px_ = 0.0;
+  double to_px_ = 0.0;
+  double step_ = 1.0;
+  double first_ = 0.0;
+  double last_ = 1.0;
+};
+
+class PanelDrawing {
+ public:
+  PanelDrawing(std::string& out, const ChartPanel& panel, const Box& box)
+      : out_{out}, panel_{panel}, box_{box} {
+    for (const ChartSeries& series : panel.series) {
+      for (const auto* points : {&series.line, &series.dots}) {
+        for (const ChartPoint& point : *points) {
+          x_.include(point.x);
+          y_.include(point.y);
+        }
+      }
+    }
+  }
+
+  void draw() {
+    const double middle_px = box_.left_px + 0.5 * box_.width_px;
+    if (x_.is_empty()) {
+      svg::add_text(
+          out_, middle_px, box_.top_px + 0.5 * box_.height_px, kNumber, "nothing to show");
+      return;
+    }
+    x_.place(box_.left_px, box_.right_px());
+    y_.place(box_.bottom_px(), box_.top_px);
+    add_axes();
+    svg::add_text(out_, middle_px, box_.bottom_px() + 64.0, kNumber, panel_.x_label);
+    svg::TextStyle left = kNumber;
+    left.anchor = "start";
+    svg::add_text(out_, box_.left_px - 80.0, box_.top_px - 24.0, left, panel_.y_label);
+    for (std::size_t i = 0; i < panel_.series.size(); ++i) {
+      const double share =
+          panel_.series.size() < 2
+              ? 0.4
+              : static_cast<double>(i) / static_cast<double>(panel_.series.size() - 1);
+      add_series(panel_.series[i], hex(speed_colour(share)));
+    }
+  }
+
+ private:
+  void add_axes() {
+    x_.for_each_tick([this](double px, const std::string& label) {
+      svg::add_line(out_, px, box_.top_px, px, box_.bottom_px(), kRule);
+      svg::add_text(out_, px, box_.bottom_px() + 30.0, kNumber, label);
+    });
+    svg::TextStyle right = kNumber;
+    right.anchor = "end";
+    y_.for_each_tick([&](double px, const std::string& label) {
+      svg::add_line(out_, box_.left_px, px, box_.right_px(), px, kRule);
+      svg::add_text(out_, box_.left_px - 12.0, px + 7.0, right, label);
+    });
+    svg::add_line(out_, box_.left_px, box_.top_px, box_.left_px, box_.bottom_px(), kFrame);
+    svg::add_line(out_, box_.left_px, box_.bottom_px(), box_.right_px(), box_.bottom_px(), kFrame);
+  }
+
+  void add_series(const ChartSeries& series, const std::string& colour) {
+    for (std::size_t i = 1; i < series.line.size(); ++i) {
+      const ChartPoint& from = series.line[i - 1];
+      const ChartPoint& to = series.line[i];
+      svg::add_line(out_, x_.px(from.x), y_.px(from.y), x_.px(to.x), y_.px(to.y), {colour, 3.0});
+    }
+    for (const ChartPoint& dot : series.dots) {
+      fmt::format_to(std::back_inserter(out_),
+                     R"(<circle cx="{:.1f}" cy="{:.1f}" r="6" fill="{}" fill-opacity="0.7"/>)"
+                     "\n",
+                     x_.px(dot.x),
+                     y_.px(dot.y),
+                     colour);
+    }
+    add_label(series, colour);
+  }
+
+  /// At the end of the line, moved down where another stands there already.
+  void add_label(const ChartSeries& series, const std::string& colour) {
+    const auto& points = series.line.empty() ? series.dots : series.line;
+    if (points.empty()) return;
+    constexpr double kRowPx = 24.0;
+    double y_px = y_.px(points.back().y) + 7.0;
+    const auto taken = [&](double other) { return std::abs(other - y_px) < kRowPx; };
+    while (std::any_of(labels_px_.begin(), labels_px_.end(), taken)) y_px += 2.0;
+    labels_px_.push_back(y_px);
+    svg::add_text(
+        out_, x_.px(points.back().x) + 12.0, y_px, {.size_px = 20.0, .fill = colour}, series.label);
+  }
+
+  std::string& out_;
+  const ChartPanel& panel_;
+  Box box_;
+  ChartAxis x_;
+  ChartAxis y_;
+  std::vector<double> labels_px_;
+};
+
+}  // namespace
+
+std::string draw_chart(const std::string& title,
+                       const std::string& subtitle,
+                       const std::vector<ChartPanel>& panels) {
+  std::string out = fmt::format(
+      R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0:.0f}" height="{1:.0f}" )"
+      R"(viewBox="0 0 {0:.0f} {1:.0f}" font-family="'DejaVu Sans', Verdana, sans-serif">)"
+      "\n",
+      kChartWidthPx,
+      kChartHeightPx);
+  svg::add_box(out, {0.0, 0.0, kChartWidthPx, kChartHeightPx}, "#ffffff");
+  svg::add_text(out, 40.0, 52.0, {.size_px = 30.0, .weight = "bold"}, title);
+  svg::add_text(out, 40.0, 86.0, {.size_px = 20.0, .fill = "#5b626c"}, subtitle);
+  const double width_px = kChartWidthPx / static_cast<double>(panels.size());
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const Box box{static_cast<double>(i) * width_px + kLeftRoomPx,
+                  kPanelTopPx,
+                  width_px - kLeftRoomPx - kRightRoomPx,
+                  kPanelBottomPx - kPanelTopPx};
+    PanelDrawing{out, panels[i], box}.draw();
+  }
+  return out + "</svg>\n";
+}
+
+}  // namespace sim

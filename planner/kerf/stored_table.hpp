@@ -1,0 +1,60 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <span>
+#include <string_view>
+
+#include "planner/kerf/kerf_table.hpp"
+
+namespace cnc::kerf {
+
+/// Room for one table on the controller.
+class StoredTable {
+ public:
+  static constexpr std::size_t kMostRows = 8;
+  static constexpr std::size_t kMostBands = 40;   ///< Five powers for each thickness.
+  static constexpr std::size_t kMostPoints = 48;  ///< Of rows without a law.
+
+  [[nodiscard]] TableView<float> view() const {
+    return {{name_.data(), name_size_},
+            unit,
+            {rows_.data(), row_count_},
+            {bands_.data(), band_count_},
+            {points_.data(), point_count_}};
+  }
+
+  /// Makes room for so many of each, and gives it to be filled. @pre they fit
+  [[nodiscard]] std::span<Row<float>> make_rows(std::size_t count) {
+    row_count_ = std::min(count, kMostRows);
+    return {rows_.data(), row_count_};
+  }
+  [[nodiscard]] std::span<Band> make_bands(std::size_t count) {
+    band_count_ = std::min(count, kMostBands);
+    return {bands_.data(), band_count_};
+  }
+  [[nodiscard]] std::span<Point> make_points(std::size_t count) {
+    point_count_ = std::min(count, kMostPoints);
+    return {points_.data(), point_count_};
+  }
+  /// What is longer than a name is cut off.
+  void set_name(std::string_view name) {
+    name_size_ = std::min(name.size(), name_.size());
+    std::copy_n(name.begin(), name_size_, name_.begin());
+  }
+
+  HeatUnit unit = HeatUnit::kWattMinutesPerMillimetre;
+
+ private:
+  std::array<char, kLongestName> name_{};
+  std::size_t name_size_ = 0;
+  std::array<Row<float>, kMostRows> rows_{};
+  std::size_t row_count_ = 0;
+  std::array<Band, kMostBands> bands_{};
+  std::size_t band_count_ = 0;
+  std::array<Point, kMostPoints> points_{};
+  std::size_t point_count_ = 0;
+};
+
+}  // namespace cnc::kerf

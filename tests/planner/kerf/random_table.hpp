@@ -1,0 +1,104 @@
+#pragma once
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "planner/kerf/stored_table.hpp"
+#include "planner/kerf/table_check.hpp"
+#include "tests/support/random_source.hpp"
+
+namespace cnc::kerf {
+
+/// A table that owns its parts.
+template <typename Real>
+struct OwnedTable {
+  std::string name = "random";
+  HeatUnit unit = HeatUnit::kWattMinutesPerMillimetre;
+  std::vector<Row<Real>> rows{};
+  std::vector<Band> bands{};
+  std::vector<Point> points{};
+
+  [[nodiscard]] TableView<Real> view() const { return {name, unit, rows, bands, points}; }
+};
+
+inline OwnedTable<float> in_single(const OwnedTable<double>& table) {
+  OwnedTable<float> single{table.name, table.unit, {}, table.bands, table.points};
+  for (const Row<double>& row : table.rows) {
+    single.rows.push_back(
+        {row.thickness_um,
+         {static_cast<float>(row.law.slope), static_cast<float>(row.law.intercept)},
+         row.measured,
+         row.first_band,
+         row.bands});
+  }
+  return single;
+}
+
+/// Sound tables of any thickness, power and speed that a controller has room for.
+class RandomTable {
+ public:
+  explicit RandomTable(proof::Random& random) : random_{random} {}
+
+  OwnedTable<double> next() {
+    OwnedTable<double> table;
+    table.unit =
+        random_.chance(0.5) ? HeatUnit::kWattMinutesPerMillimetre : HeatUnit::kJoulesPerMillimetre;
+    const std::size_t rows = 1 + random_.below(StoredTable::kMostRows);
+    for (const std::uint32_t thickness : rising(rows, 1, kMostThicknessUm)) {
+      add_row(table, thickness);
+    }
+    return table;
+  }
+
+  /// Distinct numbers of any size, rising.
+  std::vector<std::uint32_t> rising(std::size_t count, std::uint32_t least, std::uint32_t most) {
+    std::vector<std::uint32_t> all;
+    while (all.size() < count) {
+      const auto one = static_cast<std::uint32_t>(random_.magnitude(least, most));
+      if (std::find(all.begin(), all.end(), one) == all.end()) all.push_back(one);
+    }
+    std::sort(all.begin(), all.end());
+    return all;
+  }
+
+ private:
+  void add_row(OwnedTable<double>& table, std::uint32_t thickness) {
+    const std::size_t left = StoredTable::kMostPoints - table.points.size();
+    const bool measured = left >= 20 && random_.chance(0.4);
+    Row<double> row{thickness,
+                    {},
+                    measured,
+                    static_cast<std::uint16_t>(table.bands.size()),
+                    static_cast<std::uint16_t>(1 + random_.below(5))};
+    double least_heat = 1.0e30;
+    double most_heat = 0.0;
+    for (const std::uint32_t power : rising(row.bands, 100, kMostPowerMw)) {
+      const std::size_t count = 2 + (measured ? random_.below(3) : 0);
+      const auto speeds = rising(count, kLeastSpeedUmMin, kMostSpeedUmMin);
+      table.bands.push_back({power,
+                             speeds.front(),
+                             speeds.back(),
+                             static_cast<std::uint16_t>(table.points.size()),
+                             static_cast<std::uint16_t>(measured ? count : 0)});
+      for (const std::uint32_t speed : speeds) {
+        const auto heat = heat_input<double>(table.unit, power, speed);
+        least_heat = std::min(least_heat, heat);
+        most_heat = std::max(most_heat, heat);
+        if (!measured) continue;
+        table.points.push_back({speed, static_cast<std::uint32_t>(random_.between(1, 9.9e6))});
+      }
+    }
+    // Any two widths at the ends of the heat, or one that does not depend on it.
+    const double low = random_.between(0.001, 9.9);
+    const double high = random_.between(0.001, 9.9);
+    row.law.slope = (high - low) / (most_heat - least_heat);
+    row.law.intercept = low - row.law.slope * least_heat;
+    if (!(std::abs(row.law.intercept) <= 9.99)) row.law = {0.0, low};
+    table.rows.push_back(row);
+  }
+
+  proof::Random& random_;
+};
+
+}  // namespace cnc::kerf
