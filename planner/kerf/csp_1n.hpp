@@ -36,6 +36,9 @@ inline constexpr std::array<Band, 16> kBands{{
     band(1800, 3, 5),  // 2.0 mm
 }};
 
+// A false alarm on constexpr templates.
+// NOLINTBEGIN(bugprone-dynamic-static-initializers)
+
 /// Table 3.
 template <typename Real>
 inline constexpr std::array<Row<Real>, 4> kRows{{
@@ -57,6 +60,8 @@ inline constexpr TableView<Real> kCsp1n{
 template <typename Real>
 inline constexpr TableView<Real> kCsp1nPhysical{
     "CSP 1N J/mm", HeatUnit::kJoulesPerMillimetre, csp_1n::kRows<Real>, csp_1n::kBands, {}};
+
+// NOLINTEND(bugprone-dynamic-static-initializers)
 
 static_assert(!find_fault(kCsp1n<float>) && !find_fault(kCsp1n<double>));
 static_assert(!find_fault(kCsp1nPhysical<float>) && !find_fault(kCsp1nPhysical<double>));

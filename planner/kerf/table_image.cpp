@@ -10,7 +10,14 @@
 namespace cnc::kerf {
 namespace {
 
-using namespace table_image;
+using table_image::kBandBytes;
+using table_image::kHeadBytes;
+using table_image::kMagic;
+using table_image::kMostBytes;
+using table_image::kNameBytes;
+using table_image::kPointBytes;
+using table_image::kRowBytes;
+using table_image::kSumBytes;
 
 constexpr std::size_t kNameAt = 12;
 
