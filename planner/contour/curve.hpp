@@ -66,7 +66,7 @@ struct Curve {
     return std::sqrt(std::min((place - start).squaredNorm(), (place - end).squaredNorm()));
   }
 
-  /// Unit direction of travel at a place of the curve.
+  /// Unit direction of travel at a place of the circle.
   [[nodiscard]] Vector tangent_at(const Vector& place) const {
     if (curvature == Scalar{0}) return start_tangent;
     return (start_tangent + curvature * left_normal(place - start)).normalized();

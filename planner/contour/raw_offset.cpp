@@ -10,7 +10,7 @@ template <typename Scalar>
 bool RawOffset<Scalar>::add_loop(const ContourView<Scalar>& contour, std::size_t loop) {
   const std::uint32_t first = element_count_;
   CleanOutline<Scalar> outline{
-      {space_.vertices.begin() + first, space_.vertices.size() - first}, tolerance_.touch};
+      {space_.vertices.begin() + first, space_.vertices.size() - first}, tolerance_.shallow};
   if (!outline.read(contour, loop)) return false;
   for (std::uint32_t i = 0; i < outline.count(); ++i) {
     space_.elements[element_count_++] = outline.element(i);
@@ -78,8 +78,10 @@ void RawOffset<Scalar>::link(std::uint32_t first_raw) {
     RawCurve<Scalar>& after = space_.raw[i + 1 < raw_count_ ? i + 1 : first_raw];
     const Vector gap = after.curve.start - before.curve.end;
     if (draws_together(before.curve, after.curve)) {
-      before.curve.end += Scalar{0.5} * gap;
-      after.curve.start = before.curve.end;
+      const Vector joint = before.curve.end + Scalar{0.5} * gap;
+      before.curve.end_tangent = before.curve.tangent_at(joint);
+      after.curve.start_tangent = after.curve.tangent_at(joint);
+      before.curve.end = after.curve.start = joint;
       before.end_node = after.start_node = add_node(before.curve.end);
     } else {
       before.end_node = add_node(before.curve.end);

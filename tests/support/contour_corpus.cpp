@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "host-sim/contour/contour_text.hpp"
+#include "tests/support/contour_oracle.hpp"
 #include "tests/support/hostile_contours.hpp"
 
 namespace proof {
@@ -115,10 +116,12 @@ const char* name_of(Corpus corpus) {
   return kNames[static_cast<std::size_t>(corpus)];
 }
 
-Contour random_star(Random& random,
-                    std::size_t elements,
-                    double least_radius_mm,
-                    double most_radius_mm) {
+namespace {
+
+Contour drawn_star(Random& random,
+                   std::size_t elements,
+                   double least_radius_mm,
+                   double most_radius_mm) {
   Contour star;
   const double step = kTurn / static_cast<double>(elements);
   for (std::size_t i = 0; i < elements; ++i) {
@@ -142,7 +145,6 @@ Contour random_star(Random& random,
   return star;
 }
 
-namespace {
 
 OffsetCase drawn_case(Corpus corpus, Random& random) {
   switch (corpus) {
@@ -160,6 +162,17 @@ OffsetCase drawn_case(Corpus corpus, Random& random) {
 }
 
 }  // namespace
+
+Contour random_star(Random& random,
+                    std::size_t elements,
+                    double least_radius_mm,
+                    double most_radius_mm) {
+  Contour star = drawn_star(random, elements, least_radius_mm, most_radius_mm);
+  while (!is_simple(star.view())) {
+    star = drawn_star(random, elements, least_radius_mm, most_radius_mm);
+  }
+  return star;
+}
 
 OffsetCase random_case(Corpus corpus, std::uint64_t seed) {
   Random random{seed * 16 + static_cast<std::uint64_t>(corpus)};

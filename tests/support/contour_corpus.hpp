@@ -33,7 +33,7 @@ enum class Corpus {
 /// The same case for the same seed. Material is on the left.
 [[nodiscard]] OffsetCase random_case(Corpus corpus, std::uint64_t seed);
 
-/// A star around a place: polar angle grows all along, so it cannot cross itself.
+/// A star around the origin that does not cross itself.
 [[nodiscard]] sim::Contour random_star(
     Random& random, std::size_t elements, double least_radius_mm, double most_radius_mm);
 

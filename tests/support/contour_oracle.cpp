@@ -33,6 +33,47 @@ ClipperLib::Path flattened(const ExactContour& contour, std::size_t& next, doubl
   return path;
 }
 
+/// Whether another element is too near to step aside.
+bool crowded(const ExactContour& contour, std::size_t index, double x, double y) {
+  for (std::size_t i = 0; i < contour.elements().size(); ++i) {
+    if (i != index && contour.elements()[i].distance(x, y) < 4.0 * kStepAside_mm) return true;
+  }
+  return false;
+}
+
+/// What is wrong at a place of a contour. Every element should have material on
+/// its left and none on its right, of all loops and of its own.
+std::string crossing_at(const ExactContour& contour, std::size_t index, double share) {
+  double x = 0, y = 0, right_x = 0, right_y = 0;
+  contour.elements()[index].at(share, x, y, right_x, right_y);
+  if (crowded(contour, index, x, y)) return {};
+  const double dx = kStepAside_mm * right_x;
+  const double dy = kStepAside_mm * right_y;
+  const int left = contour.winding(x - dx, y - dy);
+  const int right = contour.winding(x + dx, y + dy);
+  if (left != 1 || right != 0) {
+    return fmt::format(
+        "({:.9g}, {:.9g}) has {} turns left and {} right of it", x, y, left, right);
+  }
+  const std::size_t loop = contour.loop_of(index);
+  const int own_left = contour.winding_of_loop(loop, x - dx, y - dy);
+  const int own_right = contour.winding_of_loop(loop, x + dx, y + dy);
+  const bool outline = own_left == 1 && own_right == 0;
+  const bool hole = own_left == 0 && own_right == -1;
+  if (outline || hole) return {};
+  return fmt::format("the loop at ({:.9g}, {:.9g}) crosses itself", x, y);
+}
+
+std::string crossing_in(const ExactContour& contour) {
+  for (std::size_t i = 0; i < contour.elements().size(); ++i) {
+    if (contour.elements()[i].length() < 10.0 * kStepAside_mm) continue;
+    for (const double share : {0.07, 0.43, 0.93}) {
+      if (std::string why = crossing_at(contour, i, share); !why.empty()) return why;
+    }
+  }
+  return {};
+}
+
 class OffsetCheck {
  public:
   OffsetCheck(const OffsetCase& wanted,
@@ -69,39 +110,8 @@ class OffsetCheck {
     }
   }
 
-  /// Every element has material on its left and none on its right, of all loops
-  /// and of its own: so loops cross neither themselves nor each other.
   void check_sides() {
-    for (std::size_t i = 0; i < result_.elements().size(); ++i) {
-      const ExactContour::Element& element = result_.elements()[i];
-      if (element.length() < 10.0 * kStepAside_mm) continue;
-      double x = 0, y = 0, right_x = 0, right_y = 0;
-      element.at(0.43, x, y, right_x, right_y);
-      if (crowded(i, x, y)) continue;
-      const double dx = kStepAside_mm * right_x;
-      const double dy = kStepAside_mm * right_y;
-      const int left = result_.winding(x - dx, y - dy);
-      const int right = result_.winding(x + dx, y + dy);
-      if (left != 1 || right != 0) {
-        complain(fmt::format(
-            "({:.9g}, {:.9g}) has {} turns left and {} right of it", x, y, left, right));
-      }
-      const std::size_t loop = result_.loop_of(i);
-      const int own_left = result_.winding_of_loop(loop, x - dx, y - dy);
-      const int own_right = result_.winding_of_loop(loop, x + dx, y + dy);
-      const bool outline = own_left == 1 && own_right == 0;
-      const bool hole = own_left == 0 && own_right == -1;
-      if (!outline && !hole) complain(fmt::format("the loop at ({:.9g}, {:.9g}) crosses itself", x, y));
-    }
-  }
-
-  /// Whether another element of the result is too near to step aside.
-  [[nodiscard]] bool crowded(std::size_t index, double x, double y) const {
-    for (std::size_t i = 0; i < result_.elements().size(); ++i) {
-      if (i == index) continue;
-      if (result_.elements()[i].distance(x, y) < 4.0 * kStepAside_mm) return true;
-    }
-    return false;
+    if (const std::string why = crossing_in(result_); !why.empty()) complain(why);
   }
 
   /// Random places, half of them near where the offset should be.
@@ -132,6 +142,8 @@ class OffsetCheck {
   }
 
   void check_area() {
+    // What is thinner than a chord's error is nothing to Clipper.
+    if (input_.area() < 4.0 * kChordTolerance_mm * input_.length()) return;
     const double clipper = clipper_area(input_, distance_, kChordTolerance_mm);
     const double own = result_.area();
     const double allowed = 2.5 * kChordTolerance_mm * (input_.length() + result_.length()) + 1.0e-3;
@@ -159,6 +171,10 @@ double clipper_area(const ExactContour& contour, double distance_mm, double tole
   double area = 0.0;
   for (const ClipperLib::Path& path : paths) area += ClipperLib::Area(path);
   return area / (kClipperUnits_per_mm * kClipperUnits_per_mm);
+}
+
+bool is_simple(const cnc::contour::ContourView<double>& contour) {
+  return crossing_in(ExactContour{contour}).empty();
 }
 
 OffsetVerdict check_offset(const OffsetCase& wanted,

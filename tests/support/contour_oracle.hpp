@@ -44,6 +44,10 @@ struct OffsetVerdict {
   double worst_deviation = 0.0;  ///< Of a place of the result from the distance, mm.
 };
 
+/// Whether loops have material on their left and none on their right: they cross
+/// neither themselves nor each other.
+[[nodiscard]] bool is_simple(const cnc::contour::ContourView<double>& contour);
+
 /// Checks an offset against distances and winding numbers of its own, and its
 /// area against Clipper's of the flattened input.
 [[nodiscard]] OffsetVerdict check_offset(const OffsetCase& wanted,

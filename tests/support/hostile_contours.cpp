@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "tests/support/contour_oracle.hpp"
+
 namespace proof {
 namespace {
 
@@ -232,7 +234,9 @@ OffsetCase random_mech(Random& random) {
   return {contour, random.chance(0.5) ? distance : -distance};
 }
 
-OffsetCase random_islands(Random& random) {
+namespace {
+
+Contour drawn_plate(Random& random) {
   Contour plate{{{-100.0, -60.0, 0.0}, {100.0, -60.0, 0.0}, {100.0, 60.0, 0.0}, {-100.0, 60.0, 0.0}},
                 {}};
   plate.end_loop();
@@ -247,6 +251,14 @@ OffsetCase random_islands(Random& random) {
       if (random.chance(0.5)) append(plate, moved(as_hole(circle(random.between(0.5, 3.0))), x, y));
     }
   }
+  return plate;
+}
+
+}  // namespace
+
+OffsetCase random_islands(Random& random) {
+  Contour plate = drawn_plate(random);
+  while (!is_simple(plate.view())) plate = drawn_plate(random);
   return {plate, random.signed_magnitude(0.05, 6.0)};
 }
 
