@@ -1,8 +1,6 @@
 #include "host-sim/contour/contour_offset.hpp"
 
 #include <algorithm>
-#include <stdexcept>
-
 namespace sim {
 namespace {
 
@@ -12,6 +10,9 @@ cnc::contour::Slice<Item> all_of(std::vector<Item>& items) {
 }
 
 }  // namespace
+
+OpenContour::OpenContour()
+    : std::runtime_error{"the offset does not close; do loops of the input cross each other?"} {}
 
 void ContourOffset::grow(std::size_t elements, std::size_t cuts) {
   elements_ = elements;
@@ -53,7 +54,7 @@ cnc::contour::ContourView<double> ContourOffset::offset(
       case OffsetFault::kNotANumber:
         throw std::invalid_argument{"a coordinate, a bulge or the distance is not finite"};
       case OffsetFault::kNotClosed:
-        throw std::runtime_error{"the offset does not close; do loops of the input cross?"};
+        throw OpenContour{};
       case OffsetFault::kTooManyElements:
       case OffsetFault::kResultTooLong:
         grow(2 * elements_ + 8, cut_count_ + 16);

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <stdexcept>
 #include <vector>
 
 #include "planner/contour/offset.hpp"
@@ -21,13 +22,18 @@ struct Contour {
   void end_loop() { loop_ends.push_back(static_cast<std::uint32_t>(vertices.size())); }
 };
 
+/// What is left of a contour does not lead back to its start.
+class OpenContour : public std::runtime_error {
+ public:
+  OpenContour();
+};
+
 /// The planner's offset with storage that grows until it is enough, and is used
 /// again for the next contour.
 class ContourOffset {
  public:
   /// Throws std::invalid_argument for numbers that are not finite, and
-  /// std::runtime_error where loops cannot be closed. The view lasts until the
-  /// next call.
+  /// OpenContour. The view lasts until the next call.
   cnc::contour::ContourView<double> offset(const cnc::contour::ContourView<double>& input,
                                            double distance_mm);
 

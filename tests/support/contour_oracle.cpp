@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <polyclipping/clipper.hpp>
+#include <clipper.hpp>
 
 namespace proof {
 namespace {

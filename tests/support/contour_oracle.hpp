@@ -19,6 +19,7 @@ class ExactContour {
     /// Place at a share of the length, and the unit normal to the right there.
     void at(double share, double& x, double& y, double& right_x, double& right_y) const;
     [[nodiscard]] double length() const;
+    [[nodiscard]] double distance_to_flat_arc(double x, double y) const;
   };
 
   explicit ExactContour(const cnc::contour::ContourView<double>& contour);

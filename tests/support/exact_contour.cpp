@@ -6,6 +6,8 @@
 namespace proof {
 namespace {
 
+constexpr double kFarCentre_mm = 1.0e4;
+
 double wrapped(double angle) {
   const double turn = 2.0 * std::numbers::pi;
   return angle - turn * std::floor(angle / turn);
@@ -28,6 +30,20 @@ ExactContour::Element element_of(const sim::ContourVertex& from, const sim::Cont
 
 }  // namespace
 
+// Where the centre is far away, its digits are those that matter.
+double ExactContour::Element::distance_to_flat_arc(double x, double y) const {
+  const long double dx = static_cast<long double>(x1) - x0;
+  const long double dy = static_cast<long double>(y1) - y0;
+  const long double chord = std::sqrt(dx * dx + dy * dy);
+  const long double half = static_cast<long double>(sweep) / 2.0L;
+  const long double reach = chord / (2.0L * std::tan(half));
+  const long double middle_x = (static_cast<long double>(x0) + x1) / 2.0L - reach * dy / chord;
+  const long double middle_y = (static_cast<long double>(y0) + y1) / 2.0L + reach * dx / chord;
+  const long double size = chord / (2.0L * std::abs(std::sin(half)));
+  const long double away = std::sqrt((x - middle_x) * (x - middle_x) + (y - middle_y) * (y - middle_y));
+  return static_cast<double>(std::abs(away - size));
+}
+
 double ExactContour::Element::distance(double x, double y) const {
   const double ends = std::min(std::hypot(x - x0, y - y0), std::hypot(x - x1, y - y1));
   if (radius == 0.0) {
@@ -41,6 +57,7 @@ double ExactContour::Element::distance(double x, double y) const {
   const double angle = std::atan2(y - centre_y, x - centre_x);
   const double turned = wrapped(sweep > 0.0 ? angle - start_angle : start_angle - angle);
   if (turned > std::abs(sweep)) return ends;
+  if (radius > kFarCentre_mm) return std::min(ends, distance_to_flat_arc(x, y));
   return std::min(ends, std::abs(std::hypot(x - centre_x, y - centre_y) - radius));
 }
 
@@ -52,6 +69,20 @@ void ExactContour::Element::at(
     y = y0 + share * (y1 - y0);
     right_x = (y1 - y0) / size;
     right_y = -(x1 - x0) / size;
+    return;
+  }
+  if (radius > kFarCentre_mm) {
+    // By the chord from the start, which leads the whole one by the rest's half sweep.
+    const double u = share * sweep / 2.0;
+    const double v = (1.0 - share) * sweep / 2.0;
+    const double chord = std::hypot(x1 - x0, y1 - y0);
+    const double along_x = (x1 - x0) / chord;
+    const double along_y = (y1 - y0) / chord;
+    const double reach = chord * std::sin(u) / std::sin(sweep / 2.0);
+    x = x0 + reach * (along_x * std::cos(v) + along_y * std::sin(v));
+    y = y0 + reach * (along_y * std::cos(v) - along_x * std::sin(v));
+    right_x = along_y * std::cos(v - u) + along_x * std::sin(u - v);
+    right_y = -along_x * std::cos(v - u) + along_y * std::sin(u - v);
     return;
   }
   const double angle = start_angle + share * sweep;
