@@ -77,8 +77,7 @@ ExitStatus offset_or_tell(const OffsetOptions& options) {
 
 void add_offset_command(CLI::App& app, ExitStatus& status) {
   CLI::App* command = app.add_subcommand(
-      "offset",
-      "Offset closed contours of lines and arcs: half a kerf outwards, pockets inwards.");
+      "offset", "Offset closed contours of lines and arcs: half a kerf outwards, pockets inwards.");
   command->footer(kOffsetFooter);
   const auto options = std::make_shared<OffsetOptions>();
   command->add_option("FILE", options->file, "Contours as text; - is standard input")->required();

@@ -42,11 +42,19 @@ cnc::contour::ContourView<double> ContourOffset::offset(
     grow(input.vertices.size(), std::max(cut_count_, 4 * input.vertices.size()));
   }
   for (;;) {
-    const cnc::contour::OffsetSpace<double> space{
-        all_of(vertices_), all_of(curves_), all_of(element_boxes_), all_of(raw_),
-        all_of(raw_boxes_), all_of(nodes_), all_of(cuts_), all_of(sorted_cuts_),
-        all_of(first_cuts_), all_of(pieces_), all_of(runs_), all_of(junctions_),
-        all_of(queue_)};
+    const cnc::contour::OffsetSpace<double> space{all_of(vertices_),
+                                                  all_of(curves_),
+                                                  all_of(element_boxes_),
+                                                  all_of(raw_),
+                                                  all_of(raw_boxes_),
+                                                  all_of(nodes_),
+                                                  all_of(cuts_),
+                                                  all_of(sorted_cuts_),
+                                                  all_of(first_cuts_),
+                                                  all_of(pieces_),
+                                                  all_of(runs_),
+                                                  all_of(junctions_),
+                                                  all_of(queue_)};
     cnc::contour::ContourWriter<double> out{all_of(result_), all_of(result_ends_)};
     const auto result = cnc::contour::offset<double>(input, distance_mm, space, out);
     if (result.ok()) return result.value();

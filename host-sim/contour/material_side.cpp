@@ -39,8 +39,7 @@ double twice_area(const Contour& contour, const Loop& loop) {
 /// the arc is seen under more than half of what it turns, less than half a turn.
 bool in_segment(const ContourVertex& from, const ContourVertex& to, const ContourVertex& place) {
   if (from.bulge == 0.0) return false;
-  const double side =
-      (to.x - from.x) * (place.y - from.y) - (to.y - from.y) * (place.x - from.x);
+  const double side = (to.x - from.x) * (place.y - from.y) - (to.y - from.y) * (place.x - from.x);
   if (side * from.bulge >= 0.0) return false;
   const double ahead_x = to.x - place.x;
   const double ahead_y = to.y - place.y;
@@ -56,8 +55,7 @@ bool is_around(const Contour& contour, const Loop& loop, const ContourVertex& pl
   for (std::uint32_t i = loop.first; i < loop.end; ++i) {
     const ContourVertex& from = contour.vertices[i];
     const ContourVertex& to = contour.vertices[loop.next(i)];
-    const double side =
-        (to.x - from.x) * (place.y - from.y) - (to.y - from.y) * (place.x - from.x);
+    const double side = (to.x - from.x) * (place.y - from.y) - (to.y - from.y) * (place.x - from.x);
     if ((from.y <= place.y) != (to.y <= place.y) && (side > 0.0) == (to.y > from.y)) {
       inside = !inside;
     }

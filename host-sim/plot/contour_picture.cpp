@@ -26,8 +26,7 @@ void include(Extent& extent, const Contour& contour) {
     const std::uint32_t first = contour.view().loop_begin(loop);
     for (std::uint32_t i = first; i < contour.loop_ends[loop]; ++i) {
       const ContourVertex& from = contour.vertices[i];
-      const ContourVertex& to =
-          contour.vertices[i + 1 < contour.loop_ends[loop] ? i + 1 : first];
+      const ContourVertex& to = contour.vertices[i + 1 < contour.loop_ends[loop] ? i + 1 : first];
       // The height of the arc goes with the ends; a large arc is framed too wide.
       const double reach = 0.5 * std::abs(from.bulge) * std::hypot(to.x - from.x, to.y - from.y);
       extent.include(from.x - reach, from.y - reach);
@@ -115,11 +114,11 @@ std::string draw_contours(const Contour& input,
   add_contour(out, input, view, kInputFill);
   for (std::size_t i = 0; i < offsets.size(); ++i) {
     const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(offsets.size());
-    add_contour(out,
-                offsets[i],
-                view,
-                fmt::format(R"(fill="none" stroke="{}" stroke-width="2.4")",
-                            hex(speed_colour(share))));
+    add_contour(
+        out,
+        offsets[i],
+        view,
+        fmt::format(R"(fill="none" stroke="{}" stroke-width="2.4")", hex(speed_colour(share))));
   }
   return out + "</svg>\n";
 }

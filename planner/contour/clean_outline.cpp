@@ -39,11 +39,10 @@ bool CleanOutline<Scalar>::turns_back(const Vector& start,
   const Vector in = corner - start;
   const Vector out = end - corner;
   const Scalar shorter = std::min(in.norm(), out.norm());
-  const bool straight = std::abs(bulge_in) * in.norm() <= touch_ &&
-                        std::abs(bulge_out) * out.norm() <= touch_;
+  const bool straight =
+      std::abs(bulge_in) * in.norm() <= touch_ && std::abs(bulge_out) * out.norm() <= touch_;
   if (!straight) {
-    return (end - start).norm() <= touch_ &&
-           std::abs(bulge_in + bulge_out) * shorter <= touch_;
+    return (end - start).norm() <= touch_ && std::abs(bulge_in + bulge_out) * shorter <= touch_;
   }
   const Scalar longer = std::max(in.norm(), out.norm());
   return in.dot(out) < Scalar{0} && std::abs(cross(in, out)) <= touch_ * longer;

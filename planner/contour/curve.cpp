@@ -21,9 +21,7 @@ FlatBox<Scalar> Curve<Scalar>::box() const {
 }
 
 template <typename Scalar>
-Curve<Scalar> curve_of(const BasicVec2<Scalar>& start,
-                       const BasicVec2<Scalar>& end,
-                       Scalar bulge) {
+Curve<Scalar> curve_of(const BasicVec2<Scalar>& start, const BasicVec2<Scalar>& end, Scalar bulge) {
   const BasicVec2<Scalar> chord = end - start;
   const Scalar length = chord.norm();
   const BasicVec2<Scalar> along = chord / length;

@@ -57,8 +57,7 @@ struct Curve {
   [[nodiscard]] Scalar from_circle(const Vector& place) const {
     const Scalar f = side(place);
     if (curvature == Scalar{0}) return Scalar{0.5} * std::abs(f);
-    return std::abs(f) /
-           (Scalar{1} + std::sqrt(std::max(Scalar{0}, Scalar{1} + curvature * f)));
+    return std::abs(f) / (Scalar{1} + std::sqrt(std::max(Scalar{0}, Scalar{1} + curvature * f)));
   }
 
   [[nodiscard]] Scalar distance(const Vector& place) const {

@@ -24,8 +24,8 @@ Meetings<Scalar> lines_meet(const Curve<Scalar>& a, const Curve<Scalar>& b, Scal
   const Scalar sine = cross(a.start_tangent, b.start_tangent);
   const BasicVec2<Scalar> between = b.start - a.start;
   const Scalar along = cross(between, b.start_tangent) / sine;
-  if (!(std::abs(along) < std::abs(a.end.x() - a.start.x()) + std::abs(a.end.y() - a.start.y()) +
-                              touch)) {
+  if (!(std::abs(along) <
+        std::abs(a.end.x() - a.start.x()) + std::abs(a.end.y() - a.start.y()) + touch)) {
     return found;
   }
   add_if_on_both(found, a, b, BasicVec2<Scalar>{a.start + along * a.start_tangent}, touch);

@@ -24,6 +24,14 @@ Scalar reach_of(const ContourView<Scalar>& input) {
   return most + faults;
 }
 
+/// Arcs of more than half a turn are two.
+template <typename Scalar>
+std::size_t element_count(const ContourView<Scalar>& input) {
+  std::size_t count = input.vertices.size();
+  for (const Vertex<Scalar>& vertex : input.vertices) count += std::abs(vertex.bulge) > Scalar{1};
+  return count;
+}
+
 template <typename Scalar>
 Result<ContourView<Scalar>, OffsetError> copied(const ContourView<Scalar>& input,
                                                 ContourWriter<Scalar>& out) {
@@ -40,7 +48,7 @@ Result<ContourView<Scalar>, OffsetError> copied(const ContourView<Scalar>& input
 
 template <typename Scalar>
 Tolerance<Scalar> Tolerance<Scalar>::for_coordinates_up_to(Scalar most) {
-  // A few roundings make a place, and some thousand make it worth a millimetre's touch.
+  // What a chain of computations may lose; single precision has no more to give.
   constexpr Scalar kRoundings = sizeof(Scalar) > sizeof(float) ? Scalar{1024} : Scalar{8};
   const Scalar touch =
       kRoundings * std::numeric_limits<Scalar>::epsilon() * std::max(Scalar{1}, most);
@@ -62,7 +70,7 @@ Result<ContourView<Scalar>, OffsetError> offset(const ContourView<Scalar>& input
   for (std::size_t loop = 0; loop < input.loop_ends.size(); ++loop) {
     if (!raw.add_loop(input, loop)) {
       return OffsetError{
-          OffsetFault::kTooManyElements, input.vertices.size(), space.elements.size()};
+          OffsetFault::kTooManyElements, element_count(input), space.elements.size()};
     }
   }
   NodeSet<Scalar> nodes{space.nodes, raw.node_count()};

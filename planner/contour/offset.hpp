@@ -30,7 +30,7 @@ struct OffsetError {
 /// they split, merge or vanish as they must. Corners become arcs (G1).
 ///
 /// Guarantee: every place of the result is at |distance| from the input within
-/// 64 `Tolerance::touch` (2e-8 mm in double for coordinates up to 1 m), and
+/// 128 `Tolerance::touch` (3e-8 mm in double for coordinates up to 1 m), and
 /// loops touch, but do not cross. Gaps of just twice the distance are closed.
 /// Zero-length elements count for nothing, nor does a way out and back along the
 /// same line, which encloses no material. Loops must not cross each other.

@@ -107,19 +107,19 @@ struct OffsetSizes {
 /// Working storage of an offset; nothing in it outlives the call.
 template <typename Scalar>
 struct OffsetSpace {
-  Slice<Vertex<Scalar>> vertices;          ///< elements
-  Slice<Curve<Scalar>> elements;           ///< elements
-  Slice<FlatBox<Scalar>> element_boxes;    ///< element_boxes()
-  Slice<RawCurve<Scalar>> raw;             ///< raw()
-  Slice<FlatBox<Scalar>> raw_boxes;        ///< raw_boxes()
-  Slice<Node<Scalar>> nodes;               ///< nodes()
-  Slice<Cut<Scalar>> cuts;                 ///< cuts
-  Slice<Cut<Scalar>> sorted_cuts;          ///< cuts
-  Slice<std::uint32_t> first_cuts;         ///< raw() + 1
-  Slice<Piece> pieces;                     ///< pieces()
-  Slice<Run> runs;                         ///< pieces()
-  Slice<Junction> junctions;               ///< nodes()
-  Slice<std::uint32_t> queue;              ///< nodes()
+  Slice<Vertex<Scalar>> vertices;        ///< elements
+  Slice<Curve<Scalar>> elements;         ///< elements
+  Slice<FlatBox<Scalar>> element_boxes;  ///< element_boxes()
+  Slice<RawCurve<Scalar>> raw;           ///< raw()
+  Slice<FlatBox<Scalar>> raw_boxes;      ///< raw_boxes()
+  Slice<Node<Scalar>> nodes;             ///< nodes()
+  Slice<Cut<Scalar>> cuts;               ///< cuts
+  Slice<Cut<Scalar>> sorted_cuts;        ///< cuts
+  Slice<std::uint32_t> first_cuts;       ///< raw() + 1
+  Slice<Piece> pieces;                   ///< pieces()
+  Slice<Run> runs;                       ///< pieces()
+  Slice<Junction> junctions;             ///< nodes()
+  Slice<std::uint32_t> queue;            ///< nodes()
 };
 
 /// Working storage with its capacity in the type.
@@ -127,8 +127,19 @@ template <typename Scalar, std::size_t kElements, std::size_t kCuts>
 class BoundedOffsetSpace {
  public:
   [[nodiscard]] OffsetSpace<Scalar> space() {
-    return {vertices_, elements_, element_boxes_, raw_, raw_boxes_, nodes_, cuts_,
-            sorted_cuts_, first_cuts_, pieces_, runs_, junctions_, queue_};
+    return {vertices_,
+            elements_,
+            element_boxes_,
+            raw_,
+            raw_boxes_,
+            nodes_,
+            cuts_,
+            sorted_cuts_,
+            first_cuts_,
+            pieces_,
+            runs_,
+            junctions_,
+            queue_};
   }
 
  private:

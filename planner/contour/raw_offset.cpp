@@ -9,8 +9,8 @@ namespace cnc::contour {
 template <typename Scalar>
 bool RawOffset<Scalar>::add_loop(const ContourView<Scalar>& contour, std::size_t loop) {
   const std::uint32_t first = element_count_;
-  CleanOutline<Scalar> outline{
-      {space_.vertices.begin() + first, space_.vertices.size() - first}, tolerance_.shallow};
+  CleanOutline<Scalar> outline{{space_.vertices.begin() + first, space_.vertices.size() - first},
+                               tolerance_.shallow};
   if (!outline.read(contour, loop)) return false;
   for (std::uint32_t i = 0; i < outline.count(); ++i) {
     space_.elements[element_count_++] = outline.element(i);

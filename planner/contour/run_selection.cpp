@@ -47,10 +47,8 @@ Standing RunSelection<Scalar>::judge(const Run& run) const {
 template <typename Scalar>
 Scalar RunSelection<Scalar>::excess_nearness(const Vector& place) const {
   Scalar excess{};
-  const FlatBox<Scalar> near{place.x() - distance_,
-                             place.y() - distance_,
-                             place.x() + distance_,
-                             place.y() + distance_};
+  const FlatBox<Scalar> near{
+      place.x() - distance_, place.y() - distance_, place.x() + distance_, place.y() + distance_};
   tree_.search(near, 0, [&](std::uint32_t element) {
     excess = std::max(excess, distance_ - space_.elements[element].distance(place));
     return excess <= tolerance_.shallow;

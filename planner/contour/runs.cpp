@@ -9,8 +9,10 @@ std::uint32_t RunFinder<Scalar>::find() {
   for (std::uint32_t i = 0; i < piece_count_; ++i) {
     const Piece& piece = space_.pieces[i];
     if (piece.dropped) continue;
-    if (space_.junctions[piece.start_node].in == 0) drop_from_loose_start(i);
-    else if (space_.junctions[piece.end_node].out == 0) drop_to_loose_end(i);
+    if (space_.junctions[piece.start_node].in == 0)
+      drop_from_loose_start(i);
+    else if (space_.junctions[piece.end_node].out == 0)
+      drop_to_loose_end(i);
   }
   for (std::uint32_t i = 0; i < piece_count_; ++i) {
     if (!space_.junctions[space_.pieces[i].start_node].plain()) add_run(i);
@@ -61,8 +63,8 @@ void RunFinder<Scalar>::cancel_if_double(std::uint32_t piece) {
 
 template <typename Scalar>
 bool RunFinder<Scalar>::coincide(const Piece& a, const Piece& b) const {
-  const BasicVec2<Scalar> middle = space_.raw[a.raw].curve.middle_between(
-      nodes_.place(a.start_node), nodes_.place(a.end_node));
+  const BasicVec2<Scalar> middle =
+      space_.raw[a.raw].curve.middle_between(nodes_.place(a.start_node), nodes_.place(a.end_node));
   const Curve<Scalar>& other = space_.raw[b.raw].curve;
   return other.faces(middle, Scalar{0}) &&
          other.from_circle(middle) <= Scalar{4} * tolerance_.touch;

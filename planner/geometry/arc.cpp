@@ -22,18 +22,14 @@ Scalar BasicArc<Scalar>::curvature() const {
 }
 
 template <std::floating_point Scalar>
-Scalar BasicArc<Scalar>::half_sweep() const
-  requires std::same_as<Scalar, float>
-{
+Scalar BasicArc<Scalar>::half_sweep() const requires std::same_as<Scalar, float> {
   const float size = std::abs(bulge_);
   const float half = size > 1.0F ? kPi - 2.0F * atan_unit(1.0F / size) : 2.0F * atan_unit(size);
   return bulge_ < 0.0F ? -half : half;
 }
 
 template <std::floating_point Scalar>
-Length BasicArc<Scalar>::length() const
-  requires std::same_as<Scalar, float>
-{
+Length BasicArc<Scalar>::length() const requires std::same_as<Scalar, float> {
   const float chord = (end_ - start_).norm();
   const float b = std::abs(bulge_);
   // chord * (1 + b²) * atan(b) / b; the quotient tends to 1, and atan(b) / b

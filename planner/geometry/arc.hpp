@@ -47,13 +47,11 @@ class BasicArc {
   [[nodiscard]] Scalar curvature() const;
 
   /// Half the sweep in radians, signed like the bulge.
-  [[nodiscard]] Scalar half_sweep() const
-    requires std::same_as<Scalar, float>;
+  [[nodiscard]] Scalar half_sweep() const requires std::same_as<Scalar, float>;
 
   /// Distance along the arc. Relative error below 1e-6 for every legal bulge
   /// (arc_test.cpp, LengthAgreesWithDoublePrecision).
-  [[nodiscard]] Length length() const
-    requires std::same_as<Scalar, float>;
+  [[nodiscard]] Length length() const requires std::same_as<Scalar, float>;
 
   /// Unit travel direction where the arc begins and where it ends.
   [[nodiscard]] Vector start_tangent() const;

@@ -111,8 +111,8 @@ OffsetCase star_case(Random& random, std::size_t elements) {
 }  // namespace
 
 const char* name_of(Corpus corpus) {
-  constexpr const char* kNames[] = {"star20", "star100", "star1000", "nest", "glyphs",
-                                    "spline", "mech",    "islands",  "hostile"};
+  constexpr const char* kNames[] = {
+      "star20", "star100", "star1000", "nest", "glyphs", "spline", "mech", "islands", "hostile"};
   return kNames[static_cast<std::size_t>(corpus)];
 }
 
@@ -145,18 +145,26 @@ Contour drawn_star(Random& random,
   return star;
 }
 
-
 OffsetCase drawn_case(Corpus corpus, Random& random) {
   switch (corpus) {
-    case Corpus::kStar20: return star_case(random, 20);
-    case Corpus::kStar100: return star_case(random, 100);
-    case Corpus::kStar1000: return star_case(random, 1000);
-    case Corpus::kNest: return real_case(random, parts()[random.below(parts().size())], 100.0);
-    case Corpus::kGlyphs: return real_case(random, glyphs()[random.below(glyphs().size())], 42.0);
-    case Corpus::kSpline: return {random_spline_outline(random), random.signed_magnitude(0.1, 12)};
-    case Corpus::kMech: return random_mech(random);
-    case Corpus::kIslands: return random_islands(random);
-    case Corpus::kHostile: return random_hostile(random);
+    case Corpus::kStar20:
+      return star_case(random, 20);
+    case Corpus::kStar100:
+      return star_case(random, 100);
+    case Corpus::kStar1000:
+      return star_case(random, 1000);
+    case Corpus::kNest:
+      return real_case(random, parts()[random.below(parts().size())], 100.0);
+    case Corpus::kGlyphs:
+      return real_case(random, glyphs()[random.below(glyphs().size())], 42.0);
+    case Corpus::kSpline:
+      return {random_spline_outline(random), random.signed_magnitude(0.1, 12)};
+    case Corpus::kMech:
+      return random_mech(random);
+    case Corpus::kIslands:
+      return random_islands(random);
+    case Corpus::kHostile:
+      return random_hostile(random);
   }
   throw std::invalid_argument{"no such corpus"};
 }

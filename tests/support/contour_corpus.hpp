@@ -17,15 +17,15 @@ struct OffsetCase {
 
 /// Families of contours as other offset programs were measured on.
 enum class Corpus {
-  kStar20,    ///< Stars of lines and arcs with so many elements.
+  kStar20,  ///< Stars of lines and arcs with so many elements.
   kStar100,
   kStar1000,
-  kNest,      ///< Parts of nesting problems, turned and scaled.
-  kGlyphs,    ///< Letters with their counters, as chords.
-  kSpline,    ///< Smooth closed B-splines as 400-gons.
-  kMech,      ///< Right angles with fillets; whole, half and quarter millimetres.
-  kIslands,   ///< Plates with holes with islands, all at once.
-  kHostile,   ///< What breaks offset programs.
+  kNest,     ///< Parts of nesting problems, turned and scaled.
+  kGlyphs,   ///< Letters with their counters, as chords.
+  kSpline,   ///< Smooth closed B-splines as 400-gons.
+  kMech,     ///< Right angles with fillets; whole, half and quarter millimetres.
+  kIslands,  ///< Plates with holes with islands, all at once.
+  kHostile,  ///< What breaks offset programs.
 };
 
 [[nodiscard]] const char* name_of(Corpus corpus);
@@ -34,7 +34,9 @@ enum class Corpus {
 [[nodiscard]] OffsetCase random_case(Corpus corpus, std::uint64_t seed);
 
 /// A star around the origin that does not cross itself.
-[[nodiscard]] sim::Contour random_star(
-    Random& random, std::size_t elements, double least_radius_mm, double most_radius_mm);
+[[nodiscard]] sim::Contour random_star(Random& random,
+                                       std::size_t elements,
+                                       double least_radius_mm,
+                                       double most_radius_mm);
 
 }  // namespace proof

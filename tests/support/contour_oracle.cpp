@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <clipper.hpp>
+#include <cmath>
 
 namespace proof {
 namespace {
@@ -52,8 +52,7 @@ std::string crossing_at(const ExactContour& contour, std::size_t index, double s
   const int left = contour.winding(x - dx, y - dy);
   const int right = contour.winding(x + dx, y + dy);
   if (left != 1 || right != 0) {
-    return fmt::format(
-        "({:.9g}, {:.9g}) has {} turns left and {} right of it", x, y, left, right);
+    return fmt::format("({:.9g}, {:.9g}) has {} turns left and {} right of it", x, y, left, right);
   }
   const std::size_t loop = contour.loop_of(index);
   const int own_left = contour.winding_of_loop(loop, x - dx, y - dy);
@@ -133,12 +132,14 @@ class OffsetCheck {
     if (away < 2.0 * kAllowedDeviation_mm) return;
     if (result_.distance(x, y) < kAllowedDeviation_mm) return;
     const bool inside = input_.winding(x, y) == 1;
-    const bool wanted =
-        distance_ > 0.0 ? inside || away < distance_ : inside && away > -distance_;
+    const bool wanted = distance_ > 0.0 ? inside || away < distance_ : inside && away > -distance_;
     const int turns = result_.winding(x, y);
     if (turns == (wanted ? 1 : 0)) return;
     complain(fmt::format("({:.9g}, {:.9g}) should be {}, but {} loops are around it",
-                         x, y, wanted ? "inside" : "outside", turns));
+                         x,
+                         y,
+                         wanted ? "inside" : "outside",
+                         turns));
   }
 
   void check_area() {

@@ -40,7 +40,8 @@ double ExactContour::Element::distance_to_flat_arc(double x, double y) const {
   const long double middle_x = (static_cast<long double>(x0) + x1) / 2.0L - reach * dy / chord;
   const long double middle_y = (static_cast<long double>(y0) + y1) / 2.0L + reach * dx / chord;
   const long double size = chord / (2.0L * std::abs(std::sin(half)));
-  const long double away = std::sqrt((x - middle_x) * (x - middle_x) + (y - middle_y) * (y - middle_y));
+  const long double away =
+      std::sqrt((x - middle_x) * (x - middle_x) + (y - middle_y) * (y - middle_y));
   return static_cast<double>(std::abs(away - size));
 }
 

@@ -200,8 +200,10 @@ Contour hostile_contour(Random& random, double& distance) {
       const double other = 0.5 * static_cast<double>(1 + random.below(8));
       return comb(random, width, other, random.between(1.0, 30.0));
     }
-    case 1: return near_tangent_wheel(random);
-    case 2: return needle(random);
+    case 1:
+      return near_tangent_wheel(random);
+    case 2:
+      return needle(random);
     case 3: {
       Contour rings = circle(10.0 + width);
       append(rings, as_hole(circle(10.0 - width)));
@@ -209,16 +211,17 @@ Contour hostile_contour(Random& random, double& distance) {
       distance = width;
       return rings;
     }
-    case 4: return random_star(random, 5 + random.below(20), 1.0, 60.0);
+    case 4:
+      return random_star(random, 5 + random.below(20), 1.0, 60.0);
     case 5: {
       const OffsetCase mech = random_mech(random);
       distance = std::abs(mech.distance_mm);
       return mech.contour;
     }
     default: {
-      Contour lens{{{-10.0, 0.0, random.magnitude(1.0e-9, 1.0)},
-                    {10.0, 0.0, random.magnitude(1.0e-9, 1.0)}},
-                   {}};
+      Contour lens{
+          {{-10.0, 0.0, random.magnitude(1.0e-9, 1.0)}, {10.0, 0.0, random.magnitude(1.0e-9, 1.0)}},
+          {}};
       lens.end_loop();
       return lens;
     }
@@ -237,8 +240,8 @@ OffsetCase random_mech(Random& random) {
 namespace {
 
 Contour drawn_plate(Random& random) {
-  Contour plate{{{-100.0, -60.0, 0.0}, {100.0, -60.0, 0.0}, {100.0, 60.0, 0.0}, {-100.0, 60.0, 0.0}},
-                {}};
+  Contour plate{
+      {{-100.0, -60.0, 0.0}, {100.0, -60.0, 0.0}, {100.0, 60.0, 0.0}, {-100.0, 60.0, 0.0}}, {}};
   plate.end_loop();
   for (int column = 0; column < 3; ++column) {
     for (int row = 0; row < 2; ++row) {

@@ -19,7 +19,8 @@ std::string refusal_of(std::string_view text) {
 
 TEST(ContourText, ReadsLoopsThatEndInClosedOrABlankLine) {
   const Contour contour = contour_from_text(
-      "# a lens and a triangle\n1 2 0.5\r\n3\t-4e1 .5\nclosed\n\n\n0 0\n1 0 # no bulge\n0 1\n", "x");
+      "# a lens and a triangle\n1 2 0.5\r\n3\t-4e1 .5\nclosed\n\n\n0 0\n1 0 # no bulge\n0 1\n",
+      "x");
   EXPECT_THAT(contour.loop_ends, testing::ElementsAre(2U, 5U));
   EXPECT_EQ(contour.vertices[1].y, -40.0);
   EXPECT_EQ(contour.vertices[1].bulge, 0.5);
@@ -58,11 +59,11 @@ std::vector<double> ys(const Contour& contour) {
 
 TEST(MaterialSide, OutlinesRunLeftAndHolesRightAndIslandsLeftAgain) {
   Contour contour = contour_from_text(
-      "0 0\n0 30\n30 30\n30 0\nclosed\n5 5\n25 5\n25 25\n5 25\nclosed\n10 10\n10 20\n20 20\nclosed\n",
+      "0 0\n0 30\n30 30\n30 0\nclosed\n5 5\n25 5\n25 25\n5 25\nclosed\n10 10\n10 20\n20 "
+      "20\nclosed\n",
       "x");
   put_material_left(contour);
-  EXPECT_THAT(ys(contour),
-              testing::ElementsAre(0, 0, 30, 30, 5, 25, 25, 5, 10, 20, 20));
+  EXPECT_THAT(ys(contour), testing::ElementsAre(0, 0, 30, 30, 5, 25, 25, 5, 10, 20, 20));
   const Contour again = contour;
   put_material_left(contour);
   EXPECT_EQ(ys(contour), ys(again));

@@ -50,8 +50,7 @@ double area(const ContourView<Scalar>& contour) {
     const std::uint32_t first = contour.loop_begin(loop);
     for (std::uint32_t i = first; i < contour.loop_ends[loop]; ++i) {
       const Vertex<Scalar>& from = contour.vertices[i];
-      const Vertex<Scalar>& to =
-          contour.vertices[i + 1 < contour.loop_ends[loop] ? i + 1 : first];
+      const Vertex<Scalar>& to = contour.vertices[i + 1 < contour.loop_ends[loop] ? i + 1 : first];
       const double x0 = from.x, y0 = from.y, x1 = to.x, y1 = to.y, b = from.bulge;
       sum += 0.5 * (x0 * y1 - x1 * y0);
       if (b == 0.0) continue;
