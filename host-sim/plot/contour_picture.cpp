@@ -27,10 +27,15 @@ void include(Extent& extent, const Contour& contour) {
     for (std::uint32_t i = first; i < contour.loop_ends[loop]; ++i) {
       const ContourVertex& from = contour.vertices[i];
       const ContourVertex& to = contour.vertices[i + 1 < contour.loop_ends[loop] ? i + 1 : first];
-      // The height of the arc goes with the ends; a large arc is framed too wide.
-      const double reach = 0.5 * std::abs(from.bulge) * std::hypot(to.x - from.x, to.y - from.y);
-      extent.include(from.x - reach, from.y - reach);
-      extent.include(from.x + reach, from.y + reach);
+      // The box over the chord as high as the arc; more than half a turn is framed wider.
+      const double out_x = 0.5 * from.bulge * (to.y - from.y);
+      const double out_y = -0.5 * from.bulge * (to.x - from.x);
+      const double aside = std::abs(from.bulge) > 1.0 ? std::hypot(out_x, out_y) : 0.0;
+      for (const ContourVertex& end : {from, to}) {
+        extent.include(end.x, end.y);
+        extent.include(end.x + out_x - aside, end.y + out_y - aside);
+        extent.include(end.x + out_x + aside, end.y + out_y + aside);
+      }
     }
   }
 }

@@ -92,10 +92,10 @@ void CleanOutline<Scalar>::close() {
 }
 
 template <typename Scalar>
-Curve<Scalar> CleanOutline<Scalar>::element(std::uint32_t index) const {
+Result<BasicArc<Scalar>, ArcError> CleanOutline<Scalar>::element(std::uint32_t index) const {
   const Vertex<Scalar>& vertex = kept_[begin_ + index];
   const std::uint32_t next = begin_ + index + 1 == end_ ? begin_ : begin_ + index + 1;
-  return curve_of<Scalar>(vertex.point(), kept_[next].point(), vertex.bulge);
+  return BasicArc<Scalar>::make(vertex.point(), kept_[next].point(), vertex.bulge);
 }
 
 template class CleanOutline<float>;

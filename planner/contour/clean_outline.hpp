@@ -18,8 +18,8 @@ class CleanOutline {
 
   /// Elements after `read`; none when the loop encloses nothing.
   [[nodiscard]] std::uint32_t count() const { return end_ - begin_; }
-  /// @pre index < count()
-  [[nodiscard]] Curve<Scalar> element(std::uint32_t index) const;
+  /// Fails where both ends are one place after all. @pre index < count()
+  [[nodiscard]] Result<BasicArc<Scalar>, ArcError> element(std::uint32_t index) const;
 
  private:
   using Vector = BasicVec2<Scalar>;

@@ -96,10 +96,9 @@ struct Curve {
   [[nodiscard]] FlatBox<Scalar> box() const;
 };
 
-/// @pre start and end differ, |bulge| ≤ 1.
 template <typename Scalar>
-[[nodiscard]] Curve<Scalar> curve_of(const BasicVec2<Scalar>& start,
-                                     const BasicVec2<Scalar>& end,
-                                     Scalar bulge);
+[[nodiscard]] Curve<Scalar> curve_of(const BasicArc<Scalar>& arc) {
+  return {arc.start(), arc.end(), arc.start_tangent(), arc.end_tangent(), arc.curvature()};
+}
 
 }  // namespace cnc::contour

@@ -13,7 +13,8 @@ bool RawOffset<Scalar>::add_loop(const ContourView<Scalar>& contour, std::size_t
                                tolerance_.shallow};
   if (!outline.read(contour, loop)) return false;
   for (std::uint32_t i = 0; i < outline.count(); ++i) {
-    space_.elements[element_count_++] = outline.element(i);
+    const auto arc = outline.element(i);
+    if (arc.ok()) space_.elements[element_count_++] = curve_of(arc.value());
   }
   const std::uint32_t first_raw = raw_count_;
   for (std::uint32_t i = first; i < element_count_; ++i) {

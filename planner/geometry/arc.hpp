@@ -31,7 +31,8 @@ class BasicArc {
  public:
   using Vector = BasicVec2<Scalar>;
 
-  static constexpr Length kShortestChord{1.0e-6F};
+  /// As much shorter in double as its digits are more.
+  static constexpr Length kShortestChord{sizeof(Scalar) > sizeof(float) ? 1.0e-12F : 1.0e-6F};
   /// Slack for a half turn whose bulge was computed in single precision.
   static constexpr Scalar kLargestBulge = Scalar{1.0F + 1.0e-5F};
 
