@@ -67,7 +67,7 @@ void add_contour(std::string& out,
                  const Contour& contour,
                  const View& view,
                  std::string_view attributes) {
-  fmt::format_to(std::back_inserter(out), "<path {} fill-rule=\"evenodd\" d=\"", attributes);
+  fmt::format_to(std::back_inserter(out), R"(<path {} fill-rule="evenodd" d=")", attributes);
   for (std::size_t loop = 0; loop < contour.loop_ends.size(); ++loop) {
     const std::uint32_t first = contour.view().loop_begin(loop);
     const std::uint32_t end = contour.loop_ends[loop];

@@ -74,6 +74,7 @@ class BoundedContour {
   [[nodiscard]] ContourView<Scalar> view() const { return writer_.view(); }
 
   BoundedContour() = default;
+  ~BoundedContour() = default;
   BoundedContour(const BoundedContour&) = delete;  // The writer points into it.
   BoundedContour& operator=(const BoundedContour&) = delete;
 

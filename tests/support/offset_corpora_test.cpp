@@ -55,7 +55,7 @@ INSTANTIATE_TEST_SUITE_P(All,
                                          Family{Corpus::kGlyphs, 200},
                                          Family{Corpus::kSpline, 50},
                                          Family{Corpus::kMech, 2000},
-                                         Family{Corpus::kIslands, 200},
+                                         Family{Corpus::kIslands, 100},
                                          Family{Corpus::kHostile, 1000}),
                          [](const auto& family) {
                            return std::string{name_of(family.param.corpus)};
