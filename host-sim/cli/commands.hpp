@@ -19,5 +19,6 @@ void add_check_command(CLI::App& app, ExitStatus& status);
 void add_serve_command(CLI::App& app, ExitStatus& status);
 void add_replay_command(CLI::App& app, ExitStatus& status);
 void add_kerf_command(CLI::App& app, ExitStatus& status);
+void add_offset_command(CLI::App& app, ExitStatus& status);
 
 }  // namespace sim

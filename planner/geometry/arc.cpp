@@ -6,24 +6,30 @@
 
 namespace cnc {
 
-Result<Arc, ArcError> Arc::make(const Vec2& start, const Vec2& end, float bulge) {
-  if ((end - start).norm() < kShortestChord.in_mm_and_s()) return ArcError::kChordTooShort;
+template <std::floating_point Scalar>
+Result<BasicArc<Scalar>, ArcError> BasicArc<Scalar>::make(const Vector& start,
+                                                          const Vector& end,
+                                                          Scalar bulge) {
+  if ((end - start).norm() < Scalar{kShortestChord.in_mm_and_s()}) return ArcError::kChordTooShort;
   if (!(std::abs(bulge) <= kLargestBulge)) return ArcError::kSweepTooLarge;
-  return Arc{start, end, bulge};
+  return BasicArc{start, end, bulge};
 }
 
-float Arc::curvature() const {
-  const float chord = (end_ - start_).norm();
-  return 4.0F * bulge_ / (chord * (1.0F + bulge_ * bulge_));
+template <std::floating_point Scalar>
+Scalar BasicArc<Scalar>::curvature() const {
+  const Scalar chord = (end_ - start_).norm();
+  return Scalar{4} * bulge_ / (chord * (Scalar{1} + bulge_ * bulge_));
 }
 
-float Arc::half_sweep() const {
+template <std::floating_point Scalar>
+Scalar BasicArc<Scalar>::half_sweep() const requires std::same_as<Scalar, float> {
   const float size = std::abs(bulge_);
   const float half = size > 1.0F ? kPi - 2.0F * atan_unit(1.0F / size) : 2.0F * atan_unit(size);
   return bulge_ < 0.0F ? -half : half;
 }
 
-Length Arc::length() const {
+template <std::floating_point Scalar>
+Length BasicArc<Scalar>::length() const requires std::same_as<Scalar, float> {
   const float chord = (end_ - start_).norm();
   const float b = std::abs(bulge_);
   // chord * (1 + b²) * atan(b) / b; the quotient tends to 1, and atan(b) / b
@@ -33,18 +39,32 @@ Length Arc::length() const {
 }
 
 // The tangents lead and trail the chord by half the sweep.
-Vec2 Arc::chord_turned_by_half_sweep(float direction) const {
-  const Vec2 chord = (end_ - start_).normalized();
-  const float scale = 1.0F / (1.0F + bulge_ * bulge_);
-  const float cosine = (1.0F - bulge_ * bulge_) * scale;
-  const float sine = direction * 2.0F * bulge_ * scale;
+template <std::floating_point Scalar>
+typename BasicArc<Scalar>::Vector BasicArc<Scalar>::chord_turned_by_half_sweep(
+    Scalar direction) const {
+  const Vector chord = (end_ - start_).normalized();
+  const Scalar scale = Scalar{1} / (Scalar{1} + bulge_ * bulge_);
+  const Scalar cosine = (Scalar{1} - bulge_ * bulge_) * scale;
+  const Scalar sine = direction * Scalar{2} * bulge_ * scale;
   return cosine * chord + sine * left_normal(chord);
 }
 
-Vec2 Arc::start_tangent() const { return chord_turned_by_half_sweep(-1.0F); }
+template <std::floating_point Scalar>
+typename BasicArc<Scalar>::Vector BasicArc<Scalar>::start_tangent() const {
+  return chord_turned_by_half_sweep(Scalar{-1});
+}
 
-Vec2 Arc::end_tangent() const { return chord_turned_by_half_sweep(1.0F); }
+template <std::floating_point Scalar>
+typename BasicArc<Scalar>::Vector BasicArc<Scalar>::end_tangent() const {
+  return chord_turned_by_half_sweep(Scalar{1});
+}
 
-Arc Arc::reversed() const { return Arc{end_, start_, -bulge_}; }
+template <std::floating_point Scalar>
+BasicArc<Scalar> BasicArc<Scalar>::reversed() const {
+  return BasicArc{end_, start_, -bulge_};
+}
+
+template class BasicArc<float>;
+template class BasicArc<double>;
 
 }  // namespace cnc

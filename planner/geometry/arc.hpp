@@ -1,5 +1,7 @@
 #pragma once
 
+#include <concepts>
+
 #include "planner/base/result.hpp"
 #include "planner/base/units.hpp"
 #include "planner/geometry/vector.hpp"
@@ -21,42 +23,58 @@ enum class ArcError {
 /// joined, and a nearly straight arc has no far-away centre to lose digits in.
 /// With h = sweep / 2: sin h = 2b / (1 + b²), cos h = (1 − b²) / (1 + b²), and
 /// the chord is 2 R sin h.
-class Arc {
+///
+/// The controller computes with `Arc`, path makers on the host with `WideArc`:
+/// angles and lengths, which need an arc tangent, are the controller's only.
+template <std::floating_point Scalar>
+class BasicArc {
  public:
-  static constexpr Length kShortestChord{1.0e-6F};
+  using Vector = BasicVec2<Scalar>;
+
+  /// As much shorter in double as its digits are more.
+  static constexpr Length kShortestChord{sizeof(Scalar) > sizeof(float) ? 1.0e-12F : 1.0e-6F};
   /// Slack for a half turn whose bulge was computed in single precision.
-  static constexpr float kLargestBulge = 1.0F + 1.0e-5F;
+  static constexpr Scalar kLargestBulge = Scalar{1.0F + 1.0e-5F};
 
-  [[nodiscard]] static Result<Arc, ArcError> make(const Vec2& start, const Vec2& end, float bulge);
+  [[nodiscard]] static Result<BasicArc, ArcError> make(const Vector& start,
+                                                       const Vector& end,
+                                                       Scalar bulge);
 
-  [[nodiscard]] const Vec2& start() const { return start_; }
-  [[nodiscard]] const Vec2& end() const { return end_; }
-  [[nodiscard]] float bulge() const { return bulge_; }
+  [[nodiscard]] const Vector& start() const { return start_; }
+  [[nodiscard]] const Vector& end() const { return end_; }
+  [[nodiscard]] Scalar bulge() const { return bulge_; }
 
   /// Signed 1/mm, positive when turning left. Exact zero for a line.
-  [[nodiscard]] float curvature() const;
+  [[nodiscard]] Scalar curvature() const;
 
   /// Half the sweep in radians, signed like the bulge.
-  [[nodiscard]] float half_sweep() const;
+  [[nodiscard]] Scalar half_sweep() const requires std::same_as<Scalar, float>;
 
   /// Distance along the arc. Relative error below 1e-6 for every legal bulge
   /// (arc_test.cpp, LengthAgreesWithDoublePrecision).
-  [[nodiscard]] Length length() const;
+  [[nodiscard]] Length length() const requires std::same_as<Scalar, float>;
 
   /// Unit travel direction where the arc begins and where it ends.
-  [[nodiscard]] Vec2 start_tangent() const;
-  [[nodiscard]] Vec2 end_tangent() const;
+  [[nodiscard]] Vector start_tangent() const;
+  [[nodiscard]] Vector end_tangent() const;
 
   /// The same curve travelled backwards.
-  [[nodiscard]] Arc reversed() const;
+  [[nodiscard]] BasicArc reversed() const;
 
  private:
-  Arc(const Vec2& start, const Vec2& end, float bulge) : start_{start}, end_{end}, bulge_{bulge} {}
-  [[nodiscard]] Vec2 chord_turned_by_half_sweep(float direction) const;
+  BasicArc(const Vector& start, const Vector& end, Scalar bulge)
+      : start_{start}, end_{end}, bulge_{bulge} {}
+  [[nodiscard]] Vector chord_turned_by_half_sweep(Scalar direction) const;
 
-  Vec2 start_;
-  Vec2 end_;
-  float bulge_;
+  Vector start_;
+  Vector end_;
+  Scalar bulge_;
 };
+
+using Arc = BasicArc<float>;
+using WideArc = BasicArc<double>;
+
+extern template class BasicArc<float>;
+extern template class BasicArc<double>;
 
 }  // namespace cnc

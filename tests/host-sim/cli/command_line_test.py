@@ -97,8 +97,32 @@ class CommandLine(unittest.TestCase):
         self.assertTrue((self.folder / "bracket.json").exists())
         self.assertTrue((self.folder / "circle_r20.json").exists())
 
+    def test_offset_writes_contours_and_a_picture(self):
+        part, cut, svg = (self.folder / name for name in ("part.txt", "cut.txt", "cut.svg"))
+        part.write_text("# clockwise, with a hole\n0 0\n0 10\n10 10\n10 0\n\n4 5 1\n6 5 1\n")
+        done = run("offset", part, "--distance", "-1", "0.5", "-o", cut, "--svg", svg)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        lines = cut.read_text().splitlines()
+        heads = [line for line in lines if line.startswith("#")]
+        self.assertEqual(heads, ["# distance -1 mm: 6 vertices, loops: 2",
+                                 "# distance 0.5 mm: 10 vertices, loops: 2"])
+        self.assertEqual(sorted(lines[1:5]), ["1 1 0", "1 9 0", "9 1 0", "9 9 0"])
+        self.assertEqual(svg.read_text().count('fill-rule="evenodd"'), 3)
+        again = run("offset", cut, "--distance", "0")
+        self.assertEqual(again.returncode, 0, again.stderr)
+
+    def test_offset_names_file_line_and_reason(self):
+        part = self.folder / "part.txt"
+        part.write_text("0 0\n1 nothing\n")
+        done = run("offset", part, "--distance", "1")
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(done.stderr, f"{part}:2: `nothing` is no number for y\n")
+        self.assertEqual(run("offset", self.folder / "none", "--distance", "1").returncode, 2)
+        self.assertEqual(run("offset", part).returncode, 2)
+        self.assertEqual(run("offset", "-", "--distance", "1", text="0 0\n1 0\n0 1\n").returncode, 0)
+
     def test_help_teaches(self):
-        for call in (["--help"], ["sim", "--help"], ["check", "--help"], ["--version"]):
+        for call in (["--help"], ["offset", "--help"], ["sim", "--help"], ["check", "--help"], ["--version"]):
             with self.subTest(call=call):
                 done = run(*call)
                 self.assertEqual(done.returncode, 0)

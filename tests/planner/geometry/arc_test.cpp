@@ -129,6 +129,14 @@ TEST_F(ArcOfEveryBulge, ReversedLeavesWhereItArrived) {
   }
 }
 
+TEST(Arc, InDoubleHasTheDigitsOfDouble) {
+  const WideArc arc = WideArc::make({0.0, 0.0}, {2.0e-9, 0.0}, std::sqrt(2.0) - 1.0).value();
+  EXPECT_NEAR(arc.curvature() * 1.0e-9, std::sqrt(0.5), 1.0e-15);
+  EXPECT_NEAR(arc.start_tangent().y(), -std::sqrt(0.5), 1.0e-15);
+  EXPECT_NEAR(arc.end_tangent().y(), std::sqrt(0.5), 1.0e-15);
+  EXPECT_FALSE(WideArc::make({0.0, 0.0}, {9.0e-13, 0.0}, 0.0).ok());
+}
+
 TEST(Arc, ReversingTwiceIsTheIdentityBitForBit) {
   const Arc arc = arc_of({1.1F, 2.2F}, {3.3F, 4.4F}, 0.37F);
   const Arc twice = arc.reversed().reversed();

@@ -1,0 +1,131 @@
+#include "host-sim/plot/contour_picture.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string_view>
+
+#include "host-sim/plot/colour_map.hpp"
+#include "host-sim/plot/grid.hpp"
+#include "host-sim/plot/svg_element.hpp"
+#include "host-sim/plot/view.hpp"
+
+namespace sim {
+namespace {
+
+constexpr double kContourWidthPx = 1600.0;
+constexpr double kContourMarginPx = 90.0;
+constexpr double kContourHeadingPx = 100.0;
+constexpr double kTallestContourPx = 1600.0;
+constexpr std::string_view kInputFill = R"(fill="#eef0f3" stroke="#5b626c" stroke-width="2.4")";
+
+void include(Extent& extent, const Contour& contour) {
+  for (std::size_t loop = 0; loop < contour.loop_ends.size(); ++loop) {
+    const std::uint32_t first = contour.view().loop_begin(loop);
+    for (std::uint32_t i = first; i < contour.loop_ends[loop]; ++i) {
+      const ContourVertex& from = contour.vertices[i];
+      const ContourVertex& to = contour.vertices[i + 1 < contour.loop_ends[loop] ? i + 1 : first];
+      // The box over the chord as high as the arc; more than half a turn is framed wider.
+      const double out_x = 0.5 * from.bulge * (to.y - from.y);
+      const double out_y = -0.5 * from.bulge * (to.x - from.x);
+      const double aside = std::abs(from.bulge) > 1.0 ? std::hypot(out_x, out_y) : 0.0;
+      for (const ContourVertex& end : {from, to}) {
+        extent.include(end.x, end.y);
+        extent.include(end.x + out_x - aside, end.y + out_y - aside);
+        extent.include(end.x + out_x + aside, end.y + out_y + aside);
+      }
+    }
+  }
+}
+
+/// Arcs of the document turn the other way, as its y runs downwards.
+void add_element(std::string& out,
+                 const ContourVertex& from,
+                 const ContourVertex& to,
+                 const View& view) {
+  const double x_px = view.x_px(to.x);
+  const double y_px = view.y_px(to.y);
+  if (from.bulge == 0.0) {
+    fmt::format_to(std::back_inserter(out), "L{:.2f} {:.2f}", x_px, y_px);
+    return;
+  }
+  const double size = std::abs(from.bulge);
+  const double chord_px = std::hypot(to.x - from.x, to.y - from.y) * view.px_per_mm();
+  const double radius_px = chord_px * (1.0 + size * size) / (4.0 * size);
+  fmt::format_to(std::back_inserter(out),
+                 "A{0:.6g} {0:.6g} 0 {1} {2} {3:.2f} {4:.2f}",
+                 radius_px,
+                 size > 1.0 ? 1 : 0,
+                 from.bulge > 0.0 ? 0 : 1,
+                 x_px,
+                 y_px);
+}
+
+void add_contour(std::string& out,
+                 const Contour& contour,
+                 const View& view,
+                 std::string_view attributes) {
+  fmt::format_to(std::back_inserter(out), R"(<path {} fill-rule="evenodd" d=")", attributes);
+  for (std::size_t loop = 0; loop < contour.loop_ends.size(); ++loop) {
+    const std::uint32_t first = contour.view().loop_begin(loop);
+    const std::uint32_t end = contour.loop_ends[loop];
+    const ContourVertex& start = contour.vertices[first];
+    fmt::format_to(
+        std::back_inserter(out), "M{:.2f} {:.2f}", view.x_px(start.x), view.y_px(start.y));
+    for (std::uint32_t i = first; i < end; ++i) {
+      add_element(out, contour.vertices[i], contour.vertices[i + 1 < end ? i + 1 : first], view);
+    }
+    out += 'Z';
+  }
+  out += "\"/>\n";
+}
+
+View view_of(const Extent& extent) {
+  const double size_mm = std::max({extent.width_mm(), extent.height_mm(), 1.0e-3});
+  const Extent framed{extent.left_mm - 0.04 * size_mm,
+                      extent.right_mm + 0.04 * size_mm,
+                      extent.bottom_mm - 0.04 * size_mm,
+                      extent.top_mm + 0.04 * size_mm};
+  const double width_px = kContourWidthPx - 2.0 * kContourMarginPx;
+  const double natural_px = width_px * framed.height_mm() / framed.width_mm();
+  return View{framed,
+              {kContourMarginPx,
+               kContourHeadingPx,
+               width_px,
+               std::clamp(natural_px, 200.0, kTallestContourPx)}};
+}
+
+}  // namespace
+
+std::string draw_contours(const Contour& input,
+                          const std::vector<Contour>& offsets,
+                          const std::string& title) {
+  Extent extent;
+  include(extent, input);
+  for (const Contour& contour : offsets) include(extent, contour);
+  const View view = view_of(extent);
+  const double height_px = view.box().bottom_px() + kContourMarginPx;
+  std::string out = fmt::format(
+      R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0:.0f}" height="{1:.0f}" )"
+      R"(viewBox="0 0 {0:.0f} {1:.0f}" font-family="'DejaVu Sans', Verdana, sans-serif">)"
+      "\n",
+      kContourWidthPx,
+      height_px);
+  svg::add_box(out, {0.0, 0.0, kContourWidthPx, height_px}, "#ffffff");
+  svg::add_text(out, kContourMarginPx, 60.0, {.size_px = 34.0, .weight = "bold"}, title);
+  add_grid(out, view);
+  add_contour(out, input, view, kInputFill);
+  for (std::size_t i = 0; i < offsets.size(); ++i) {
+    const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(offsets.size());
+    add_contour(
+        out,
+        offsets[i],
+        view,
+        fmt::format(R"(fill="none" stroke="{}" stroke-width="2.4")", hex(speed_colour(share))));
+  }
+  return out + "</svg>\n";
+}
+
+}  // namespace sim

@@ -1,0 +1,85 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+#include "planner/contour/curve.hpp"
+#include "planner/contour/slice.hpp"
+
+namespace cnc::contour {
+
+/// Boxes over a row of curves, eight to a box of the level above, in the order
+/// of the row: neighbours on a contour are neighbours in the plane, so that
+/// nothing needs sorting. A search meets O(log n) boxes beside what it finds.
+template <typename Scalar>
+class BoxTree {
+ public:
+  static constexpr std::uint32_t kFan = 8;
+  static constexpr std::uint32_t kLevels = 11;  ///< 8^11 is more than 32 bits count.
+
+  /// Storage for `count` curves.
+  [[nodiscard]] static constexpr std::size_t size_for(std::size_t count) {
+    return count + count / (kFan - 1) + kLevels + 1;
+  }
+
+  /// @pre boxes holds size_for(count).
+  explicit BoxTree(Slice<FlatBox<Scalar>> boxes) : boxes_{boxes} {}
+
+  /// The box of curve `index`, to be written before `build`.
+  [[nodiscard]] FlatBox<Scalar>& leaf(std::uint32_t index) { return boxes_[index]; }
+
+  void build(std::uint32_t count) {
+    first_[0] = 0;
+    count_[0] = count;
+    top_ = 0;
+    while (count_[top_] > kFan && top_ + 1 < kLevels) add_level();
+  }
+
+  /// Calls `visit(index)` for each curve from number `from` on whose box meets
+  /// `box`, in order, until one returns false.
+  template <typename Visit>
+  void search(const FlatBox<Scalar>& box, std::uint32_t from, Visit&& visit) const {
+    std::uint32_t level = top_;
+    std::uint32_t index = from >> (kShift * level);
+    while (index < count_[level]) {
+      if (boxes_[first_[level] + index].meets(box)) {
+        if (level > 0) {
+          --level;
+          index = std::max(index * kFan, from >> (kShift * level));
+          continue;
+        }
+        if (!visit(index)) return;
+      }
+      ++index;
+      while (level < top_ && (index % kFan == 0 || index >= count_[level])) {
+        index = (index + kFan - 1) / kFan;
+        ++level;
+      }
+    }
+  }
+
+ private:
+  static constexpr std::uint32_t kShift = 3;
+
+  void add_level() {
+    const std::uint32_t below = first_[top_];
+    const std::uint32_t count = count_[top_];
+    ++top_;
+    first_[top_] = below + count;
+    count_[top_] = (count + kFan - 1) / kFan;
+    for (std::uint32_t i = 0; i < count_[top_]; ++i) {
+      FlatBox<Scalar> box = boxes_[below + i * kFan];
+      const std::uint32_t end = std::min(count, (i + 1) * kFan);
+      for (std::uint32_t j = i * kFan + 1; j < end; ++j) box.include(boxes_[below + j]);
+      boxes_[first_[top_] + i] = box;
+    }
+  }
+
+  Slice<FlatBox<Scalar>> boxes_;
+  std::array<std::uint32_t, kLevels> first_{};
+  std::array<std::uint32_t, kLevels> count_{};
+  std::uint32_t top_ = 0;
+};
+
+}  // namespace cnc::contour

@@ -1,0 +1,209 @@
+#include "planner/contour/cutting.hpp"
+
+#include <cmath>
+
+namespace cnc::contour {
+
+template <typename Scalar>
+bool Cutting<Scalar>::find_meetings() {
+  BoxTree<Scalar> tree{space_.raw_boxes};
+  index_raw_curves(tree);
+  for (std::uint32_t i = 0; i < raw_count_ && !full_; ++i) {
+    tree.search(tree.leaf(i), i + 1, [&](std::uint32_t other) {
+      meet(i, other);
+      return !full_;
+    });
+  }
+  return !full_;
+}
+
+template <typename Scalar>
+void Cutting<Scalar>::index_raw_curves(BoxTree<Scalar>& tree) const {
+  for (std::uint32_t i = 0; i < raw_count_; ++i) {
+    FlatBox<Scalar> box = space_.raw[i].curve.box();
+    tree.leaf(i) = {box.x0 - tolerance_.touch,
+                    box.y0 - tolerance_.touch,
+                    box.x1 + tolerance_.touch,
+                    box.y1 + tolerance_.touch};
+  }
+  tree.build(raw_count_);
+}
+
+template <typename Scalar>
+void Cutting<Scalar>::meet(std::uint32_t a, std::uint32_t b) {
+  const RawCurve<Scalar>& first = space_.raw[a];
+  const RawCurve<Scalar>& second = space_.raw[b];
+  if (clear_of(first.curve, second.curve) || clear_of(second.curve, first.curve)) return;
+  end_on(first.curve.start, first.start_node, b);
+  end_on(first.curve.end, first.end_node, b);
+  end_on(second.curve.start, second.start_node, a);
+  end_on(second.curve.end, second.end_node, a);
+  const Meetings<Scalar> found = meetings_of(first.curve, second.curve, tolerance_.touch);
+  for (std::uint32_t i = 0; i < found.count; ++i) {
+    if (!is_joint(a, b, found.places[i])) meet_at(a, b, found.places[i]);
+  }
+}
+
+/// Whether a line has all of another on one side.
+template <typename Scalar>
+bool Cutting<Scalar>::clear_of(const Curve<Scalar>& line, const Curve<Scalar>& other) const {
+  if (line.curvature != Scalar{0} || other.curvature != Scalar{0}) return false;
+  const Scalar start = cross(line.start_tangent, other.start - line.start);
+  const Scalar end = cross(line.start_tangent, other.end - line.start);
+  return std::min(start, end) > tolerance_.touch || std::max(start, end) < -tolerance_.touch;
+}
+
+/// The end of one curve on another: what overlaps is found by its ends.
+template <typename Scalar>
+void Cutting<Scalar>::end_on(const Vector& place, std::uint32_t node, std::uint32_t raw) {
+  const RawCurve<Scalar>& other = space_.raw[raw];
+  if (node == other.start_node || node == other.end_node) return;
+  if (const std::uint32_t end = end_near(raw, place); end != kNone) {
+    nodes_.unite(node, end);
+  } else if (other.curve.faces(place, Scalar{0}) &&
+             other.curve.from_circle(place) <= tolerance_.touch) {
+    cut(raw, node, place);
+  }
+}
+
+/// Whether a meeting of neighbours is only that they join: up to there, neither
+/// has left the other.
+template <typename Scalar>
+bool Cutting<Scalar>::is_joint(std::uint32_t a, std::uint32_t b, const Vector& place) {
+  const RawCurve<Scalar>& first = space_.raw[a];
+  const RawCurve<Scalar>& second = space_.raw[b];
+  const auto is_end_of_second = [&](std::uint32_t node) {
+    return node == second.start_node || node == second.end_node;
+  };
+  const auto reaches = [&](const Vector& joint) {
+    if ((place - joint).norm() <= tolerance_.touch) return true;
+    const bool forwards = first.curve.order_of(joint) < first.curve.order_of(place);
+    const Vector middle = forwards ? first.curve.middle_between(joint, place)
+                                   : first.curve.middle_between(place, joint);
+    return second.curve.from_circle(middle) <= tolerance_.touch;
+  };
+  return (is_end_of_second(first.start_node) && reaches(first.curve.start)) ||
+         (is_end_of_second(first.end_node) && reaches(first.curve.end));
+}
+
+template <typename Scalar>
+void Cutting<Scalar>::meet_at(std::uint32_t a, std::uint32_t b, const Vector& place) {
+  const std::uint32_t end_of_a = end_near(a, place);
+  const std::uint32_t end_of_b = end_near(b, place);
+  if (end_of_a != kNone && end_of_b != kNone) {
+    nodes_.unite(end_of_a, end_of_b);
+  } else if (end_of_a != kNone) {
+    cut(b, end_of_a, place);
+  } else if (end_of_b != kNone) {
+    cut(a, end_of_b, place);
+  } else {
+    if (cut_count_ + 2 > space_.cuts.size()) {
+      full_ = true;
+      return;
+    }
+    const std::uint32_t node = nodes_.add(place);
+    cut(a, node, place);
+    cut(b, node, place);
+  }
+}
+
+template <typename Scalar>
+std::uint32_t Cutting<Scalar>::end_near(std::uint32_t raw, const Vector& place) const {
+  const RawCurve<Scalar>& curve = space_.raw[raw];
+  if ((curve.curve.start - place).norm() <= tolerance_.touch) return curve.start_node;
+  if ((curve.curve.end - place).norm() <= tolerance_.touch) return curve.end_node;
+  return kNone;
+}
+
+template <typename Scalar>
+void Cutting<Scalar>::cut(std::uint32_t raw, std::uint32_t node, const Vector& place) {
+  if (cut_count_ == space_.cuts.size()) {
+    full_ = true;
+    return;
+  }
+  space_.cuts[cut_count_++] = {space_.raw[raw].curve.order_of(place), raw, node};
+}
+
+template <typename Scalar>
+std::uint32_t Cutting<Scalar>::divide() {
+  sort_cuts();
+  for (std::uint32_t i = 0; i < raw_count_; ++i) unite_neighbours(i);
+  for (std::uint32_t i = 0; i < raw_count_; ++i) {
+    std::uint32_t from = nodes_.find(space_.raw[i].start_node);
+    for (std::uint32_t c = space_.first_cuts[i]; c < space_.first_cuts[i + 1]; ++c) {
+      const std::uint32_t to = nodes_.find(space_.sorted_cuts[c].node);
+      add_piece(i, from, to);
+      from = to;
+    }
+    add_piece(i, from, nodes_.find(space_.raw[i].end_node));
+  }
+  return piece_count_;
+}
+
+/// By raw curve, and along each: counted into place, as most have none or one.
+template <typename Scalar>
+void Cutting<Scalar>::sort_cuts() {
+  for (std::uint32_t i = 0; i <= raw_count_; ++i) space_.first_cuts[i] = 0;
+  for (std::uint32_t c = 0; c < cut_count_; ++c) ++space_.first_cuts[space_.cuts[c].raw];
+  std::uint32_t before = 0;
+  for (std::uint32_t i = 0; i <= raw_count_; ++i) {
+    before += space_.first_cuts[i];
+    space_.first_cuts[i] = before;
+  }
+  for (std::uint32_t c = cut_count_; c-- > 0;) {
+    space_.sorted_cuts[--space_.first_cuts[space_.cuts[c].raw]] = space_.cuts[c];
+  }
+  for (std::uint32_t i = 0; i < raw_count_; ++i) {
+    sort_along(space_.first_cuts[i], space_.first_cuts[i + 1]);
+  }
+}
+
+/// Shell's sort: short for a few, and no worse than n^1.5 for many.
+template <typename Scalar>
+void Cutting<Scalar>::sort_along(std::uint32_t first, std::uint32_t end) {
+  const Slice<Cut<Scalar>> cuts = space_.sorted_cuts;
+  std::uint32_t gap = 1;
+  while (gap < (end - first) / 3) gap = 3 * gap + 1;
+  for (; gap > 0; gap /= 3) {
+    for (std::uint32_t i = first + gap; i < end; ++i) {
+      const Cut<Scalar> moved = cuts[i];
+      std::uint32_t place = i;
+      for (; place >= first + gap && moved.order < cuts[place - gap].order; place -= gap) {
+        cuts[place] = cuts[place - gap];
+      }
+      cuts[place] = moved;
+    }
+  }
+}
+
+template <typename Scalar>
+void Cutting<Scalar>::unite_neighbours(std::uint32_t raw) {
+  const Scalar close = Scalar{4} * tolerance_.touch;
+  std::uint32_t before = space_.raw[raw].start_node;
+  const auto pass = [&](std::uint32_t node) {
+    const Vector way = nodes_.place(nodes_.find(node)) - nodes_.place(nodes_.find(before));
+    if (way.norm() <= close) nodes_.unite(before, node);
+    before = node;
+  };
+  for (std::uint32_t c = space_.first_cuts[raw]; c < space_.first_cuts[raw + 1]; ++c) {
+    pass(space_.sorted_cuts[c].node);
+  }
+  if (space_.first_cuts[raw] < space_.first_cuts[raw + 1]) pass(space_.raw[raw].end_node);
+}
+
+template <typename Scalar>
+void Cutting<Scalar>::add_piece(std::uint32_t raw,
+                                std::uint32_t start_node,
+                                std::uint32_t end_node) {
+  if (start_node == end_node) return;
+  Piece piece;
+  piece.raw = raw;
+  piece.start_node = start_node;
+  piece.end_node = end_node;
+  space_.pieces[piece_count_++] = piece;
+}
+
+template class Cutting<float>;
+template class Cutting<double>;
+
+}  // namespace cnc::contour

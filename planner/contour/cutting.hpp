@@ -1,0 +1,54 @@
+#pragma once
+
+#include "planner/contour/meeting.hpp"
+#include "planner/contour/node_set.hpp"
+#include "planner/contour/offset_space.hpp"
+
+namespace cnc::contour {
+
+/// Divides raw curves wherever they cross, touch or end on each other.
+///
+/// A meeting is computed once for both curves, so that they agree on it to the
+/// last bit; what comes within `touch` becomes one node before anything is
+/// decided.
+template <typename Scalar>
+class Cutting {
+ public:
+  Cutting(const OffsetSpace<Scalar>& space,
+          const Tolerance<Scalar>& tolerance,
+          NodeSet<Scalar>& nodes,
+          std::uint32_t raw_count)
+      : space_{space}, tolerance_{tolerance}, nodes_{nodes}, raw_count_{raw_count} {}
+
+  /// False when there are more meetings than the storage holds.
+  [[nodiscard]] bool find_meetings();
+
+  /// Writes the pieces and returns how many.
+  [[nodiscard]] std::uint32_t divide();
+
+ private:
+  using Vector = BasicVec2<Scalar>;
+
+  void index_raw_curves(BoxTree<Scalar>& tree) const;
+  void meet(std::uint32_t a, std::uint32_t b);
+  [[nodiscard]] bool clear_of(const Curve<Scalar>& line, const Curve<Scalar>& other) const;
+  void end_on(const Vector& place, std::uint32_t node, std::uint32_t raw);
+  [[nodiscard]] bool is_joint(std::uint32_t a, std::uint32_t b, const Vector& place);
+  void meet_at(std::uint32_t a, std::uint32_t b, const Vector& place);
+  [[nodiscard]] std::uint32_t end_near(std::uint32_t raw, const Vector& place) const;
+  void cut(std::uint32_t raw, std::uint32_t node, const Vector& place);
+  void sort_cuts();
+  void sort_along(std::uint32_t first, std::uint32_t end);
+  void unite_neighbours(std::uint32_t raw);
+  void add_piece(std::uint32_t raw, std::uint32_t start_node, std::uint32_t end_node);
+
+  OffsetSpace<Scalar> space_;
+  Tolerance<Scalar> tolerance_;
+  NodeSet<Scalar>& nodes_;
+  std::uint32_t raw_count_;
+  std::uint32_t cut_count_ = 0;
+  std::uint32_t piece_count_ = 0;
+  bool full_ = false;
+};
+
+}  // namespace cnc::contour

@@ -1,0 +1,48 @@
+#pragma once
+
+#include "planner/contour/contour.hpp"
+#include "planner/contour/node_set.hpp"
+#include "planner/contour/offset_space.hpp"
+
+namespace cnc::contour {
+
+/// Follows the runs that are kept around their loops and writes these. Where
+/// several leave a node, the one on the left is next, so that loops touch each
+/// other but never cross.
+template <typename Scalar>
+class LoopWriter {
+ public:
+  LoopWriter(const OffsetSpace<Scalar>& space,
+             const NodeSet<Scalar>& nodes,
+             ContourWriter<Scalar>& out)
+      : space_{space}, nodes_{nodes}, out_{out} {}
+
+  /// False when the result is longer than its storage.
+  /// @pre at every node as many kept runs leave as arrive
+  [[nodiscard]] bool write(std::uint32_t run_count);
+
+ private:
+  using Vector = BasicVec2<Scalar>;
+
+  struct Direction {
+    Vector tangent;
+    Scalar curvature;
+  };
+
+  [[nodiscard]] bool write_loop(std::uint32_t run);
+  [[nodiscard]] bool write_run(const Run& run);
+  [[nodiscard]] bool flush();
+  [[nodiscard]] std::uint32_t next_run(std::uint32_t node, const Piece& arriving) const;
+  [[nodiscard]] Direction leaving(const Run& run) const;
+  [[nodiscard]] static bool comes_first(const Direction& back,
+                                        const Direction& one,
+                                        const Direction& other);
+  [[nodiscard]] static Scalar clockwise(const Direction& back, const Direction& way);
+
+  OffsetSpace<Scalar> space_;
+  const NodeSet<Scalar>& nodes_;
+  ContourWriter<Scalar>& out_;
+  Piece pending_{};  ///< Not written yet, as more of the same curve may follow.
+};
+
+}  // namespace cnc::contour

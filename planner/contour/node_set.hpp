@@ -1,0 +1,48 @@
+#pragma once
+
+#include <algorithm>
+
+#include "planner/contour/offset_space.hpp"
+
+namespace cnc::contour {
+
+/// Nodes, and which of them are the same place.
+template <typename Scalar>
+class NodeSet {
+ public:
+  NodeSet(Slice<Node<Scalar>> nodes, std::uint32_t count) : nodes_{nodes}, count_{count} {}
+
+  [[nodiscard]] std::uint32_t count() const { return count_; }
+
+  /// @pre there is room
+  std::uint32_t add(const BasicVec2<Scalar>& place) {
+    nodes_[count_] = {place, count_};
+    return count_++;
+  }
+
+  /// The node that stands for all that are this place. Shortens the way there.
+  [[nodiscard]] std::uint32_t find(std::uint32_t node) {
+    while (nodes_[node].same_as != node) {
+      nodes_[node].same_as = nodes_[nodes_[node].same_as].same_as;
+      node = nodes_[node].same_as;
+    }
+    return node;
+  }
+
+  /// Ends of raw curves come first, and so they keep their place.
+  void unite(std::uint32_t a, std::uint32_t b) {
+    a = find(a);
+    b = find(b);
+    nodes_[std::max(a, b)].same_as = std::min(a, b);
+  }
+
+  [[nodiscard]] const BasicVec2<Scalar>& place(std::uint32_t node) const {
+    return nodes_[node].place;
+  }
+
+ private:
+  Slice<Node<Scalar>> nodes_;
+  std::uint32_t count_;
+};
+
+}  // namespace cnc::contour

@@ -1,0 +1,103 @@
+#include "planner/contour/raw_offset.hpp"
+
+#include <cmath>
+
+#include "planner/contour/clean_outline.hpp"
+
+namespace cnc::contour {
+
+template <typename Scalar>
+bool RawOffset<Scalar>::add_loop(const ContourView<Scalar>& contour, std::size_t loop) {
+  const std::uint32_t first = element_count_;
+  CleanOutline<Scalar> outline{{space_.vertices.begin() + first, space_.vertices.size() - first},
+                               tolerance_.shallow};
+  if (!outline.read(contour, loop)) return false;
+  for (std::uint32_t i = 0; i < outline.count(); ++i) {
+    const auto arc = outline.element(i);
+    if (arc.ok()) space_.elements[element_count_++] = curve_of(arc.value());
+  }
+  const std::uint32_t first_raw = raw_count_;
+  for (std::uint32_t i = first; i < element_count_; ++i) {
+    add_moved(space_.elements[i]);
+    add_join(space_.elements[i], space_.elements[i + 1 < element_count_ ? i + 1 : first]);
+  }
+  link(first_raw);
+  return true;
+}
+
+template <typename Scalar>
+void RawOffset<Scalar>::add_moved(const Curve<Scalar>& element) {
+  const Scalar growth = Scalar{1} + element.curvature * distance_;
+  if (growth <= Scalar{0}) return;
+  Curve<Scalar> moved = element;
+  moved.start -= distance_ * left_normal(element.start_tangent);
+  moved.end -= distance_ * left_normal(element.end_tangent);
+  moved.curvature = element.curvature / growth;
+  if ((moved.end - moved.start).norm() <= tolerance_.touch) return;
+  space_.raw[raw_count_++] = {moved, kNone, kNone};
+}
+
+template <typename Scalar>
+void RawOffset<Scalar>::add_join(const Curve<Scalar>& before, const Curve<Scalar>& after) {
+  const Scalar sine = cross(before.end_tangent, after.start_tangent);
+  if (sine * distance_ < Scalar{0}) return;
+  const Vector corner = after.start;
+  const Vector start = corner - distance_ * left_normal(before.end_tangent);
+  const Vector end = corner - distance_ * left_normal(after.start_tangent);
+  if (closes(end - start)) return;
+  space_.raw[raw_count_++] = {
+      {start, end, before.end_tangent, after.start_tangent, Scalar{1} / distance_}, kNone, kNone};
+}
+
+/// Whether ends of neighbours may be drawn together. The gap runs along both,
+/// so that half of it moves a curve aside by its square over 8 |distance|.
+template <typename Scalar>
+bool RawOffset<Scalar>::closes(const Vector& gap) const {
+  const Scalar square = gap.squaredNorm();
+  return square <= tolerance_.touch * std::max(tolerance_.touch, std::abs(distance_));
+}
+
+/// Ends that are one place, or meet along both curves; but nothing is turned
+/// around by that.
+template <typename Scalar>
+bool RawOffset<Scalar>::draws_together(const Curve<Scalar>& before,
+                                       const Curve<Scalar>& after) const {
+  const Vector gap = after.start - before.end;
+  const Scalar size = gap.norm();
+  if (size <= tolerance_.touch) return true;
+  const Scalar bend = Scalar{1} - before.end_tangent.dot(after.start_tangent);
+  if (!closes(gap) || bend * std::abs(distance_) > tolerance_.touch) return false;
+  const Scalar shorter =
+      std::min((before.end - before.start).norm(), (after.end - after.start).norm());
+  return gap.dot(before.end_tangent) >= Scalar{0} || Scalar{2} * size < shorter;
+}
+
+template <typename Scalar>
+void RawOffset<Scalar>::link(std::uint32_t first_raw) {
+  for (std::uint32_t i = first_raw; i < raw_count_; ++i) {
+    RawCurve<Scalar>& before = space_.raw[i];
+    RawCurve<Scalar>& after = space_.raw[i + 1 < raw_count_ ? i + 1 : first_raw];
+    const Vector gap = after.curve.start - before.curve.end;
+    if (draws_together(before.curve, after.curve)) {
+      const Vector joint = before.curve.end + Scalar{0.5} * gap;
+      before.curve.end_tangent = before.curve.tangent_at(joint);
+      after.curve.start_tangent = after.curve.tangent_at(joint);
+      before.curve.end = after.curve.start = joint;
+      before.end_node = after.start_node = add_node(before.curve.end);
+    } else {
+      before.end_node = add_node(before.curve.end);
+      after.start_node = add_node(after.curve.start);
+    }
+  }
+}
+
+template <typename Scalar>
+std::uint32_t RawOffset<Scalar>::add_node(const Vector& place) {
+  space_.nodes[node_count_] = {place, node_count_};
+  return node_count_++;
+}
+
+template class RawOffset<float>;
+template class RawOffset<double>;
+
+}  // namespace cnc::contour

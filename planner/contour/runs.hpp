@@ -1,0 +1,40 @@
+#pragma once
+
+#include "planner/contour/node_set.hpp"
+#include "planner/contour/offset_space.hpp"
+
+namespace cnc::contour {
+
+/// Gathers pieces into runs that are kept or dropped as one, after what needs no
+/// question is gone: pieces on top of each other, and whatever leads to a loose end.
+template <typename Scalar>
+class RunFinder {
+ public:
+  RunFinder(const OffsetSpace<Scalar>& space,
+            const Tolerance<Scalar>& tolerance,
+            const NodeSet<Scalar>& nodes,
+            std::uint32_t piece_count)
+      : space_{space}, tolerance_{tolerance}, nodes_{nodes}, piece_count_{piece_count} {}
+
+  /// Writes the runs and returns how many.
+  [[nodiscard]] std::uint32_t find();
+
+ private:
+  void connect();
+  void cancel_if_double(std::uint32_t piece);
+  [[nodiscard]] bool coincide(const Piece& a, const Piece& b) const;
+  void drop(std::uint32_t piece);
+  void drop_from_loose_start(std::uint32_t piece);
+  void drop_to_loose_end(std::uint32_t piece);
+  [[nodiscard]] std::uint32_t following(std::uint32_t piece) const;
+  [[nodiscard]] std::uint32_t only_in(std::uint32_t node) const;
+  void add_run(std::uint32_t piece);
+
+  OffsetSpace<Scalar> space_;
+  Tolerance<Scalar> tolerance_;
+  const NodeSet<Scalar>& nodes_;
+  std::uint32_t piece_count_;
+  std::uint32_t run_count_ = 0;
+};
+
+}  // namespace cnc::contour

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <string>
+
+#include "tests/support/contour_corpus.hpp"
+
+namespace proof {
+
+/// Closed contours by centres, radii and angles: nothing in common with the
+/// planner's tangents and curvatures.
+class ExactContour {
+ public:
+  struct Element {
+    double x0, y0, x1, y1;
+    double centre_x, centre_y, radius;  ///< A line has radius 0.
+    double start_angle, sweep;
+
+    [[nodiscard]] double distance(double x, double y) const;
+    /// Place at a share of the length, and the unit normal to the right there.
+    void at(double share, double& x, double& y, double& right_x, double& right_y) const;
+    [[nodiscard]] double length() const;
+    [[nodiscard]] double distance_to_flat_arc(double x, double y) const;
+  };
+
+  explicit ExactContour(const cnc::contour::ContourView<double>& contour);
+
+  [[nodiscard]] const std::vector<Element>& elements() const { return elements_; }
+  [[nodiscard]] double distance(double x, double y) const;
+  /// How often the loops run around a place counter-clockwise; all of them, or one.
+  [[nodiscard]] int winding(double x, double y) const;
+  [[nodiscard]] int winding_of_loop(std::size_t loop, double x, double y) const;
+  [[nodiscard]] std::size_t loop_of(std::size_t element) const { return loops_[element]; }
+  [[nodiscard]] double area() const;
+  [[nodiscard]] double length() const;
+
+ private:
+  std::vector<Element> elements_;
+  std::vector<std::size_t> loops_;
+  std::vector<std::size_t> loop_ends_;
+};
+
+/// What a check of one offset found.
+struct OffsetVerdict {
+  std::string complaint;         ///< Empty when all is right.
+  double worst_deviation = 0.0;  ///< Of a place of the result from the distance, mm.
+};
+
+/// Whether loops have material on their left and none on their right: they cross
+/// neither themselves nor each other.
+[[nodiscard]] bool is_simple(const cnc::contour::ContourView<double>& contour);
+
+/// Checks an offset against distances and winding numbers of its own, and its
+/// area against Clipper's of the flattened input.
+[[nodiscard]] OffsetVerdict check_offset(const OffsetCase& wanted,
+                                         const cnc::contour::ContourView<double>& result,
+                                         std::uint64_t seed);
+
+/// The area that Clipper's offset of the same contour encloses, as chords within
+/// `tolerance_mm`.
+[[nodiscard]] double clipper_area(const ExactContour& contour,
+                                  double distance_mm,
+                                  double tolerance_mm);
+
+}  // namespace proof
