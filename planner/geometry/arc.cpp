@@ -3,23 +3,9 @@
 #include <cmath>
 
 #include "planner/base/scalar_math.hpp"
+#include "planner/geometry/arc_formulas.hpp"
 
 namespace cnc {
-
-template <std::floating_point Scalar>
-Result<BasicArc<Scalar>, ArcError> BasicArc<Scalar>::make(const Vector& start,
-                                                          const Vector& end,
-                                                          Scalar bulge) {
-  if ((end - start).norm() < Scalar{kShortestChord.in_mm_and_s()}) return ArcError::kChordTooShort;
-  if (!(std::abs(bulge) <= kLargestBulge)) return ArcError::kSweepTooLarge;
-  return BasicArc{start, end, bulge};
-}
-
-template <std::floating_point Scalar>
-Scalar BasicArc<Scalar>::curvature() const {
-  const Scalar chord = (end_ - start_).norm();
-  return Scalar{4} * bulge_ / (chord * (Scalar{1} + bulge_ * bulge_));
-}
 
 template <std::floating_point Scalar>
 Scalar BasicArc<Scalar>::half_sweep() const requires std::same_as<Scalar, float> {
@@ -38,33 +24,6 @@ Length BasicArc<Scalar>::length() const requires std::same_as<Scalar, float> {
   return Length{chord * (1.0F + b * b) * quotient};
 }
 
-// The tangents lead and trail the chord by half the sweep.
-template <std::floating_point Scalar>
-typename BasicArc<Scalar>::Vector BasicArc<Scalar>::chord_turned_by_half_sweep(
-    Scalar direction) const {
-  const Vector chord = (end_ - start_).normalized();
-  const Scalar scale = Scalar{1} / (Scalar{1} + bulge_ * bulge_);
-  const Scalar cosine = (Scalar{1} - bulge_ * bulge_) * scale;
-  const Scalar sine = direction * Scalar{2} * bulge_ * scale;
-  return cosine * chord + sine * left_normal(chord);
-}
-
-template <std::floating_point Scalar>
-typename BasicArc<Scalar>::Vector BasicArc<Scalar>::start_tangent() const {
-  return chord_turned_by_half_sweep(Scalar{-1});
-}
-
-template <std::floating_point Scalar>
-typename BasicArc<Scalar>::Vector BasicArc<Scalar>::end_tangent() const {
-  return chord_turned_by_half_sweep(Scalar{1});
-}
-
-template <std::floating_point Scalar>
-BasicArc<Scalar> BasicArc<Scalar>::reversed() const {
-  return BasicArc{end_, start_, -bulge_};
-}
-
 template class BasicArc<float>;
-template class BasicArc<double>;
 
 }  // namespace cnc

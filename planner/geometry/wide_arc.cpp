@@ -1,0 +1,7 @@
+#include "planner/geometry/arc_formulas.hpp"
+
+namespace cnc {
+
+template class BasicArc<double>;
+
+}  // namespace cnc
