@@ -18,5 +18,6 @@ void add_sim_command(CLI::App& app, ExitStatus& status);
 void add_check_command(CLI::App& app, ExitStatus& status);
 void add_serve_command(CLI::App& app, ExitStatus& status);
 void add_replay_command(CLI::App& app, ExitStatus& status);
+void add_drawing_command(CLI::App& app, ExitStatus& status);
 
 }  // namespace sim

@@ -26,6 +26,7 @@ constexpr const char* kProgramFooter =
     "  kerfline sim part.nc --set '$110=6000' --report part.json --trace part.csv\n"
     "  kerfline check *.nc --json\n"
     "  cat part.nc | kerfline check -\n"
+    "  kerfline drawing part.dxf --svg part.svg\n"
     "  kerfline serve --pty ttyKerfline --settings laser.settings\n"
     "\n"
     "Exit status: 0 fine, 1 the program has faults, 2 the call is wrong.";
@@ -40,6 +41,7 @@ int run(int argc, char** argv) {
   sim::add_check_command(app, status);
   sim::add_serve_command(app, status);
   sim::add_replay_command(app, status);
+  sim::add_drawing_command(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -48,7 +48,7 @@ STANDARD_HEADERS = {
 FOREIGN = {
     "planner": ("Eigen",),
     "host-sim": ("Eigen", "fmt", "nlohmann", "CLI", "PkgConfig::", "librsvg", "cairo",
-                 "sys/", "netinet/", "arpa/", "civetweb", "Threads::"),
+                 "sys/", "netinet/", "arpa/", "civetweb", "Threads::", "pugixml"),
 }
 # glibc and newlib differ in the last bit of these.
 TRANSCENDENTAL = re.compile(
