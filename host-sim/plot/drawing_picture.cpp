@@ -16,7 +16,7 @@ using drawing::Contour;
 using drawing::Place;
 
 constexpr double kSidePx = 1000.0;
-constexpr double kMarginPx = 30.0;
+constexpr double kContourMarginPx = 30.0;
 constexpr double kChordPx = 0.1;
 constexpr double kRingPx = 9.0;
 
@@ -71,12 +71,12 @@ std::string draw_contours(const drawing::Drawing& drawn) {
   const double longest = std::max(bounds.width_mm(), bounds.height_mm());
   const double width = kSidePx * bounds.width_mm() / longest;
   const double height = kSidePx * bounds.height_mm() / longest;
-  const View view{bounds, {kMarginPx, kMarginPx, width, height}};
+  const View view{bounds, {kContourMarginPx, kContourMarginPx, width, height}};
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.1f}\" height=\"{1:.1f}\" "
       "viewBox=\"0 0 {0:.1f} {1:.1f}\">\n<title>{2}</title>\n",
-      width + 2.0 * kMarginPx,
-      height + 2.0 * kMarginPx,
+      width + 2.0 * kContourMarginPx,
+      height + 2.0 * kContourMarginPx,
       svg::escaped(drawn.file));
   add_paths(out, drawn, view);
   for (const drawing::Fault& fault : drawn.faults) {

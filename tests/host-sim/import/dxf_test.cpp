@@ -90,7 +90,7 @@ TEST(DxfReader, UnitsOfTheHeaderScale) {
 
 TEST(DxfReader, WhatIsBrokenIsNamedWithItsLine) {
   EXPECT_THAT(fault_of(dxf_of("0\nCIRCLE\n10\nnan\n40\n1\n")),
-              HasSubstr("line 16: `nan` is no number"));
+              HasSubstr("line 24: `nan` is no number"));
   EXPECT_THAT(fault_of(dxf_of("0\nCIRCLE\n40\n-1\n")), HasSubstr("radius"));
   EXPECT_THAT(fault_of(dxf_of("0\nELLIPSE\n11\n5\n40\n0\n")), HasSubstr("axes"));
   EXPECT_THAT(fault_of(dxf_of("0\nSPLINE\n71\n3\n10\n0\n20\n0\n")), HasSubstr("make no spline"));
@@ -101,13 +101,14 @@ TEST(DxfReader, WhatIsBrokenIsNamedWithItsLine) {
   EXPECT_THAT(fault_of("0\nSECTION\n2\nENTITIES\nzero\n"), HasSubstr("f:"));
   EXPECT_THAT(fault_of("0\nSECTION\n2\nENTITIES\nzero\nLINE\n"),
               HasSubstr("f:5: `zero` is no group code"));
-  EXPECT_THAT(fault_of("0\nSECTION\n2\nENTITIES\n0\nLINE\n"), HasSubstr("ends without EOF"));
+  EXPECT_THAT(fault_of("0\nSECTION\n2\nENTITIES\n"), HasSubstr("ends without EOF"));
   EXPECT_THAT(fault_of("0\nEOF\n"), HasSubstr("no section"));
 }
 
 TEST(JsonReader, PartsOfALayoutKeepTheirBulges) {
   const Drawing drawn = read(
-      R"([{"partid": "A", "paths": [[[0,0,-1],[10,0,-1],[0,0,-1]], [[5,2,0],[7,0,0],[5,-2,0],[5,2,0]]]},
+      R"([{"partid": "A", "paths": [[[0,0,-1],[10,0,-1],[0,0,-1]],
+           [[5,2,0],[7,0,0],[5,-2,0],[5,2,0]]]},
           {"partid": "B", "paths": [[[4,0,1],[6,0,1],[4,0,1]]]}])");
   ASSERT_THAT(drawn.contours, SizeIs(3));
   EXPECT_NEAR(drawn.contours[0].area_mm2, 25.0 * kHalfTurn, 1e-9);

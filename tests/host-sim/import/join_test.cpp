@@ -105,7 +105,7 @@ TEST(Crossings, ContoursThatCrossAreNamedWithThePlaceThoseThatTouchAreNot) {
   EXPECT_EQ(place_of("M0 0 L10 10 L10 0 L0 10 Z"), "5.000 95.000");
   EXPECT_EQ(place_of("M0 0 L5 5 L10 10 L10 0 L5 5 L0 10 Z"), "5.000 95.000") << "through a corner";
   EXPECT_EQ(place_of("M0 0 L10 0 L5 5 L10 10 L0 10 L5 5 Z"), "none") << "corners touch";
-  EXPECT_EQ(place_of("M0 0 H30 V10 H0Z M10 -5 h10 v20 h-10z"), "20.000 100.000");
+  EXPECT_EQ(place_of("M0 0 H30 V10 H0Z M10 -5 h10 v20 h-10z"), "10.000 90.000");
   EXPECT_EQ(place_of("M0 0 H10 V10 H0Z M10 0 h10 v10 h-10z"), "none") << "a common edge";
 }
 

@@ -121,13 +121,13 @@ TEST(SvgReader, WhatIsBrokenIsNamedWithItsPlace) {
     const Drawing drawn = read(text);
     return drawn.faults.empty() ? std::string{} : to_string(drawn.faults[0], "f");
   };
-  EXPECT_THAT(first_fault("<svg>\n<g></h></svg>"), HasSubstr("f:2:7: broken XML"));
+  EXPECT_THAT(first_fault("<svg>\n<g></h></svg>"), HasSubstr("f:2:6: broken XML"));
   EXPECT_THAT(first_fault(svg_of("<path d='M0 0 L5'/>")),
-              HasSubstr("L needs 2 numbers at character 9"));
+              HasSubstr("L needs 2 numbers at character 8"));
   EXPECT_THAT(first_fault(svg_of("<path d='M0 0 L nan 5'/>")), HasSubstr("L needs 2 numbers"));
   EXPECT_THAT(first_fault(svg_of("<path d='M0 0 L1e999 5'/>")), HasSubstr("L needs 2 numbers"));
   EXPECT_THAT(first_fault(svg_of("<path d='M0 0 X'/>")),
-              HasSubstr("no path command at character 7"));
+              HasSubstr("no path command at character 6"));
   EXPECT_THAT(first_fault(svg_of("<path d='L0 0'/>")), HasSubstr("does not begin with M"));
   EXPECT_THAT(first_fault(svg_of("<path d='M0 0 L1e30 5'/>")), HasSubstr("farther than 10 km"));
   EXPECT_THAT(first_fault(svg_of("<rect width='2em' height='1'/>")),
