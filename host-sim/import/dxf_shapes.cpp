@@ -85,8 +85,8 @@ DxfShapes spline_shapes(const DxfEntity& entity) {
   std::vector<Place> through = entity.places(11);
   const bool closed = (entity.whole(70, 0) & kClosedFlag) != 0;
   if (closed && !through.empty()) through.push_back(through.front());
-  const auto repeated = std::ranges::unique(through);
-  through.erase(repeated.begin(), repeated.end());
+  // The ranges of this library do not compile with Clang 14.
+  through.erase(std::unique(through.begin(), through.end()), through.end());
   if (through.size() < 2) return {{}, "it has neither control points nor fit points"};
   return {fitted_spline(through, tangent(entity, 12), tangent(entity, 13)), {}};
 }
