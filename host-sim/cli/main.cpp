@@ -27,6 +27,7 @@ constexpr const char* kProgramFooter =
     "  kerfline check *.nc --json\n"
     "  cat part.nc | kerfline check -\n"
     "  kerfline offset part.txt --distance 0.28 --svg part.svg -o cut.txt\n"
+    "  kerfline drawing part.dxf --svg part.svg\n"
     "  kerfline serve --pty ttyKerfline --settings laser.settings\n"
     "  kerfline kerf advise --material 'CSP 1N' --thickness 2 --power 1800 --speed 4000\n"
     "\n"
@@ -44,6 +45,7 @@ int run(int argc, char** argv) {
   sim::add_replay_command(app, status);
   sim::add_kerf_command(app, status);
   sim::add_offset_command(app, status);
+  sim::add_drawing_command(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

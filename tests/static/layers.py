@@ -48,7 +48,8 @@ STANDARD_HEADERS = {
 FOREIGN = {
     "planner": ("Eigen",),
     "host-sim": ("Eigen", "fmt", "nlohmann", "CLI", "PkgConfig::", "librsvg", "cairo",
-                 "sys/", "netinet/", "arpa/", "civetweb", "Threads::", "sqlite3", "SQLite::"),
+                 "sys/", "netinet/", "arpa/", "civetweb", "Threads::", "sqlite3", "SQLite::",
+                 "pugixml"),
 }
 # glibc and newlib differ in the last bit of these.
 TRANSCENDENTAL = re.compile(

@@ -123,6 +123,24 @@ class CommandLine(unittest.TestCase):
 
     def test_help_teaches(self):
         for call in (["--help"], ["offset", "--help"], ["sim", "--help"], ["check", "--help"], ["--version"]):
+    def test_drawing_lists_contours_and_names_faults(self):
+        part = self.folder / "part.svg"
+        part.write_text("<svg width='40mm' height='40mm' viewBox='0 0 40 40'>\n<circle cx='20' cy='20' r='10'/>"
+                        "<circle cx='20' cy='20' r='5'/>\n<path id='p' d='M1 1L9 1'/></svg>")
+        picture = self.folder / "out.svg"
+        done = run("drawing", part, "--svg", picture)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertIn("hole  in 1", done.stdout)
+        self.assertIn(f'{part}:3:1: path "p" at 1.000 39.000: the contour is open', done.stdout)
+        self.assertEqual(picture.read_text().count("<circle"), 1)
+        read = json.loads(run("drawing", part, "--json").stdout)
+        self.assertEqual([row["side"] for row in read["contours"]], ["outer", "hole", "open"])
+        self.assertEqual(read["contours"][0]["kinds"], {"arc": 1})
+        self.assertEqual(run("drawing", part, "--gap", "-1").returncode, 2)
+        self.assertEqual(run("drawing", self.folder / "none.svg").returncode, 2)
+
+    def test_help_teaches(self):
+        for call in (["--help"], ["sim", "--help"], ["drawing", "--help"], ["check", "--help"], ["--version"]):
             with self.subTest(call=call):
                 done = run(*call)
                 self.assertEqual(done.returncode, 0)

@@ -1,0 +1,145 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "host-sim/cli/commands.hpp"
+#include "host-sim/import/curve_measure.hpp"
+#include "host-sim/import/drawing.hpp"
+#include "host-sim/job/setting_line.hpp"
+#include "host-sim/plot/drawing_picture.hpp"
+#include "host-sim/trace/output_file.hpp"
+
+namespace sim {
+namespace {
+
+using drawing::Contour;
+using drawing::Drawing;
+
+// Chords of the outline in --json are within this of the curves, mm.
+constexpr double kJsonChordMm = 0.01;
+
+constexpr const char* kDrawingFooter =
+    "Reads SVG, DXF in ASCII, and the JSON of nesting jobs and cutting layouts.\n"
+    "Exit status: 0 fine, 1 the drawing has faults, 2 the call is wrong.";
+
+struct DrawingOptions {
+  std::string file;
+  drawing::ImportOptions import;
+  std::string svg;
+  bool json = false;
+};
+
+std::map<std::string, std::size_t> kinds_of(const Contour& contour) {
+  std::map<std::string, std::size_t> kinds;
+  for (const drawing::Shape& shape : contour.shapes) ++kinds[std::string{name_of(shape)}];
+  return kinds;
+}
+
+std::string_view side_of(const Contour& contour) {
+  if (!contour.closed) return "open";
+  return contour.is_hole() ? "hole" : "outer";
+}
+
+void print(const Drawing& drawn) {
+  fmt::print("{}: {} contours\n", drawn.file, drawn.contours.size());
+  for (std::size_t i = 0; i < drawn.contours.size(); ++i) {
+    const Contour& contour = drawn.contours[i];
+    const drawing::Layer& layer = drawn.layers[contour.entity.layer];
+    std::string kinds;
+    for (const auto& [kind, count] : kinds_of(contour)) kinds += fmt::format(" {} {}", count, kind);
+    const std::string in = contour.parent ? fmt::format(" in {}", *contour.parent + 1) : "";
+    fmt::print("  {:4} {:5}{}  layer \"{}\" {}  {:.3f} mm  {:.3f} mm2 {}  {}\n",
+               i + 1,
+               side_of(contour),
+               in,
+               layer.name,
+               layer.colour,
+               contour.length_mm,
+               std::abs(contour.area_mm2),
+               kinds,
+               contour.entity.name);
+  }
+  for (const drawing::Fault& fault : drawn.faults) {
+    fmt::print("{}: {}\n", name_of(fault.kind), to_string(fault, drawn.file));
+  }
+  if (drawn.more_faults != 0) fmt::print("and {} more faults\n", drawn.more_faults);
+}
+
+nlohmann::ordered_json to_json(const drawing::Place& place) { return {place.x(), place.y()}; }
+
+nlohmann::ordered_json to_json(const Contour& contour, const Drawing& drawn) {
+  nlohmann::ordered_json row;
+  row["entity"] = contour.entity.name;
+  row["line"] = contour.entity.line;
+  row["layer"] = drawn.layers[contour.entity.layer].name;
+  row["colour"] = drawn.layers[contour.entity.layer].colour;
+  row["side"] = side_of(contour);
+  row["depth"] = contour.depth;
+  row["parent"] = contour.parent ? nlohmann::ordered_json(*contour.parent) : nullptr;
+  row["length_mm"] = contour.length_mm;
+  row["area_mm2"] = std::abs(contour.area_mm2);
+  row["kinds"] = kinds_of(contour);
+  row["outline_mm"] = nlohmann::ordered_json::array();
+  for (const auto& place : outline_of(contour.shapes, kJsonChordMm)) {
+    row["outline_mm"].push_back(to_json(place));
+  }
+  return row;
+}
+
+nlohmann::ordered_json to_json(const drawing::Fault& fault) {
+  nlohmann::ordered_json row;
+  row["kind"] = name_of(fault.kind);
+  row["entity"] = fault.entity.name;
+  row["line"] = fault.entity.line;
+  row["column"] = fault.entity.column;
+  row["place_mm"] = fault.place_mm ? to_json(*fault.place_mm) : nlohmann::ordered_json(nullptr);
+  row["reason"] = fault.reason;
+  row["remedy"] = fault.remedy;
+  return row;
+}
+
+nlohmann::ordered_json to_json(const Drawing& drawn) {
+  nlohmann::ordered_json all;
+  all["file"] = drawn.file;
+  all["contours"] = nlohmann::ordered_json::array();
+  for (const Contour& contour : drawn.contours) all["contours"].push_back(to_json(contour, drawn));
+  all["faults"] = nlohmann::ordered_json::array();
+  for (const drawing::Fault& fault : drawn.faults) all["faults"].push_back(to_json(fault));
+  all["more_faults"] = drawn.more_faults;
+  return all;
+}
+
+ExitStatus look_at(const DrawingOptions& options) {
+  const Drawing drawn =
+      drawing::read_drawing(options.file, read_text(options.file), options.import);
+  if (options.json) {
+    constexpr auto kReplace = nlohmann::ordered_json::error_handler_t::replace;
+    fmt::print("{}\n", to_json(drawn).dump(1, ' ', false, kReplace));
+  } else {
+    print(drawn);
+  }
+  if (!options.svg.empty()) write_file(options.svg, draw_contours(drawn));
+  return drawn.has_errors() ? ExitStatus::kFaults : ExitStatus::kFine;
+}
+
+}  // namespace
+
+void add_drawing_command(CLI::App& app, ExitStatus& status) {
+  CLI::App* command = app.add_subcommand(
+      "drawing", "Look a drawing over: its contours, which of them are holes, and every fault.");
+  command->footer(kDrawingFooter);
+  const auto options = std::make_shared<DrawingOptions>();
+  command->add_option("FILE", options->file, "SVG, DXF or JSON; - is standard input")->required();
+  command->add_option("--gap", options->import.gap_mm, "Ends no farther apart are joined, mm")
+      ->check(CLI::Range(drawing::kLeastGapMm, drawing::kGreatestGapMm))
+      ->capture_default_str();
+  command->add_option("--svg", options->svg, "Draw what was read, with the places of faults");
+  command->add_flag("--json", options->json, "As JSON, with outlines within 0.01 mm");
+  command->callback([options, &status] { status = look_at(*options); });
+}
+
+}  // namespace sim

@@ -1,0 +1,133 @@
+#include "host-sim/import/curve_measure.hpp"
+
+#include <algorithm>
+
+namespace sim::drawing {
+namespace {
+
+constexpr int kDeepestHalving = 16;
+constexpr double kMostChords = 65'536.0;
+
+double gap_to_chord(const Place& place, const Place& start, const Place& end) {
+  const Place chord = end - start;
+  const double length_squared = chord.squaredNorm();
+  if (length_squared == 0.0) return distance(place, start);
+  const double share = std::clamp(dot(place - start, chord) / length_squared, 0.0, 1.0);
+  return distance(place, start + chord * share);
+}
+
+/// Halves a span until three places between the ends are near the chord.
+class Halver {
+ public:
+  Halver(const Shape& shape, std::size_t span, double tolerance_mm, std::vector<Place>& into)
+      : shape_{shape}, span_{span}, tolerance_{tolerance_mm}, into_{into} {}
+
+  void halve(double from, const Place& start, double to, const Place& end, int depth) {
+    const double middle = 0.5 * (from + to);
+    const Place half = at(middle);
+    if (depth >= kDeepestHalving || (depth >= 2 && flat(from, start, to, end, half))) {
+      into_.push_back(end);
+      return;
+    }
+    halve(from, start, middle, half, depth + 1);
+    halve(middle, half, to, end, depth + 1);
+  }
+
+  [[nodiscard]] Place at(double share) const { return jet(shape_, span_, share).place; }
+
+ private:
+  [[nodiscard]] bool flat(
+      double from, const Place& start, double to, const Place& end, const Place& half) const {
+    return gap_to_chord(half, start, end) <= tolerance_ &&
+           gap_to_chord(at(from + 0.25 * (to - from)), start, end) <= tolerance_ &&
+           gap_to_chord(at(from + 0.75 * (to - from)), start, end) <= tolerance_;
+  }
+
+  const Shape& shape_;
+  std::size_t span_;
+  double tolerance_;
+  std::vector<Place>& into_;
+};
+
+void flatten_arc(const Arc& arc, double tolerance_mm, std::vector<Place>& into) {
+  const double radius = distance(arc.start, arc.centre);
+  const double cosine = std::clamp(1.0 - tolerance_mm / std::max(radius, tolerance_mm), -1.0, 1.0);
+  const double widest = std::min(2.0 * std::acos(cosine), 0.25 * kFullTurn);
+  const double chords = std::min(std::ceil(std::abs(arc.sweep) / widest), kMostChords);
+  const Place first = arc.start - arc.centre;
+  const Place left{-first.y(), first.x()};
+  for (double chord = 1.0; chord < chords; ++chord) {
+    const Place turn = direction(arc.sweep * chord / chords);
+    into.emplace_back(arc.centre + first * turn.x() + left * turn.y());
+  }
+  into.push_back(arc.end);
+}
+
+/// Gauss-Legendre with five points on each quarter of a span.
+template <typename Function>
+double integral(const Shape& shape, const Function& function) {
+  struct Node {
+    double place;
+    double weight;
+  };
+  static constexpr std::array<Node, 5> kNodes{{{-0.906179845938664, 0.236926885056189},
+                                               {-0.538469310105683, 0.478628670499366},
+                                               {0.0, 0.568888888888889},
+                                               {0.538469310105683, 0.478628670499366},
+                                               {0.906179845938664, 0.236926885056189}}};
+  constexpr double kParts = 4.0;
+  double sum = 0.0;
+  for (std::size_t span = 0; span < span_count(shape); ++span) {
+    for (double part = 0.0; part < kParts; ++part) {
+      for (const Node& node : kNodes) {
+        const double share = (part + 0.5 + 0.5 * node.place) / kParts;
+        sum += node.weight * function(jet(shape, span, share));
+      }
+    }
+  }
+  return sum * 0.5 / kParts;
+}
+
+}  // namespace
+
+void flatten(const Shape& shape, double tolerance_mm, std::vector<Place>& into) {
+  if (const auto* const line = std::get_if<Line>(&shape)) {
+    into.push_back(line->end);
+  } else if (const auto* const arc = std::get_if<Arc>(&shape)) {
+    flatten_arc(*arc, tolerance_mm, into);
+  } else {
+    for (std::size_t span = 0; span < span_count(shape); ++span) {
+      Halver halver{shape, span, tolerance_mm, into};
+      halver.halve(0.0, halver.at(0.0), 1.0, halver.at(1.0), 0);
+    }
+    into.back() = end_of(shape);
+  }
+}
+
+std::vector<Place> outline_of(std::span<const Shape> shapes, double tolerance_mm) {
+  std::vector<Place> places;
+  if (!shapes.empty()) places.push_back(start_of(shapes.front()));
+  for (const Shape& shape : shapes) flatten(shape, tolerance_mm, places);
+  return places;
+}
+
+double length_of(const Shape& shape) {
+  if (const auto* const line = std::get_if<Line>(&shape)) return distance(line->start, line->end);
+  if (const auto* const arc = std::get_if<Arc>(&shape)) {
+    return distance(arc->start, arc->centre) * std::abs(arc->sweep);
+  }
+  return integral(shape, [](const Jet& at) { return at.first.norm(); });
+}
+
+double swept_area(const Shape& shape, const Place& from) {
+  if (const auto* const line = std::get_if<Line>(&shape)) {
+    return 0.5 * cross(line->start - from, line->end - from);
+  }
+  if (const auto* const arc = std::get_if<Arc>(&shape)) {
+    const double radius = distance(arc->start, arc->centre);
+    return 0.5 * (radius * radius * arc->sweep + cross(arc->centre - from, arc->end - arc->start));
+  }
+  return integral(shape, [&from](const Jet& at) { return 0.5 * cross(at.place - from, at.first); });
+}
+
+}  // namespace sim::drawing

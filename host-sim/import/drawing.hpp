@@ -1,0 +1,108 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host-sim/import/curve.hpp"
+
+namespace sim::drawing {
+
+/// What a user sorts a drawing by: contours are joined within one layer only.
+struct Layer {
+  std::string name;    ///< Of the DXF layer, the labelled SVG group, the part; may be empty.
+  std::string colour;  ///< SVG: stroke, else fill, as written. DXF: `ACI n` or `#rrggbb`.
+  auto operator<=>(const Layer&) const = default;
+};
+
+/// What of a file something was drawn by.
+struct Entity {
+  std::string name{};      ///< `path "outline"`, `LINE 2F`: kind, and id or handle if any.
+  std::size_t line = 0;    ///< From 1; 0 for the whole file.
+  std::size_t column = 0;  ///< From 1; 0 where the whole line is meant.
+  std::size_t layer = 0;   ///< Index into Drawing::layers.
+  std::size_t part = 0;    ///< Of files of parts: contours of others are none of its business.
+};
+
+enum class FaultKind : std::uint8_t {
+  kUnreadable,  ///< The file as a whole is refused.
+  kBadEntity,   ///< An entity is left out, because what it says makes no sense.
+  kTooMuch,     ///< A limit was reached; the rest is left out.
+  kText,        ///< Letters are no paths; left out.
+  kOpen,        ///< An end that meets no other one.
+  kBranch,      ///< More than two ends meet; which of them belong together is a guess.
+  kTooSmall,    ///< Shorter than the gap that is joined, or without area; left out.
+  kDuplicate,   ///< Drawn before at the same place; left out.
+  kCrossing,    ///< A contour crosses itself or another one.
+  kUnchecked,   ///< Too much to look for crossings everywhere.
+  kIgnored,     ///< Nothing that could be cut; left out. No error.
+};
+
+/// `unreadable`, `bad entity` …, for people and for JSON.
+[[nodiscard]] std::string_view name_of(FaultKind kind);
+
+/// Something that a user should know of a drawing.
+struct Fault {
+  FaultKind kind;
+  Entity entity;
+  std::optional<Place> place_mm;
+  std::string reason;
+  std::string remedy;
+
+  [[nodiscard]] bool is_error() const { return kind != FaultKind::kIgnored; }
+};
+
+/// `file:line:column: path "a" at 3.000 4.000: reason; remedy`.
+[[nodiscard]] std::string to_string(const Fault& fault, const std::string& file);
+
+/// A row of curves, each beginning where the one before it ends.
+struct Contour {
+  std::vector<Shape> shapes;
+  Entity entity;  ///< Of the first shape as drawn.
+  bool closed = false;
+  double length_mm = 0.0;
+  double area_mm2 = 0.0;              ///< Of closed ones, without the holes taken off.
+  std::size_t depth = 0;              ///< Closed contours around this one.
+  std::optional<std::size_t> parent;  ///< The innermost of them.
+
+  /// Odd depth. Outer contours turn left, holes turn right.
+  [[nodiscard]] bool is_hole() const { return depth % 2 == 1; }
+};
+
+/// What a file draws: all that is sound in it, and everything that is not.
+struct Drawing {
+  std::string file;
+  std::vector<Layer> layers;
+  std::vector<Contour> contours;
+  std::vector<Fault> faults;    ///< At most kMostFaults, in the order found.
+  std::size_t more_faults = 0;  ///< Found and not listed.
+
+  [[nodiscard]] bool has_errors() const;
+};
+
+/// Greater ones are refused as a whole.
+inline constexpr std::size_t kMostBytes = std::size_t{256} << 20;
+inline constexpr std::size_t kMostShapes = 2'000'000;
+inline constexpr std::size_t kMostFaults = 1'000;
+/// Nested groups, blocks and instances.
+inline constexpr std::size_t kDeepestNesting = 64;
+/// Farther from the origin than any machine reaches; nearer to a slip of units.
+inline constexpr double kFarthestMm = 1.0e7;
+
+struct ImportOptions {
+  double gap_mm = 0.01;  ///< Ends no farther apart are one place. 0 or more.
+};
+
+inline constexpr double kLeastGapMm = 0.0;
+inline constexpr double kGreatestGapMm = 10.0;
+
+/// Reads SVG, DXF or the JSON of nesting and cutting jobs, told by content. Never
+/// throws for what a file says; bounded by the limits above.
+/// @pre gap within its limits
+[[nodiscard]] Drawing read_drawing(const std::string& file,
+                                   const std::string& text,
+                                   const ImportOptions& options = {});
+
+}  // namespace sim::drawing

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "host-sim/import/sketch.hpp"
+
+namespace sim::drawing {
+
+/// Reads, in mm, the JSON of
+/// - cutting layouts (DBS): `[{"partid", "paths": [[[x, y, bulge], …], …]}, …]`, the
+///   bulge being that of the edge that follows;
+/// - nesting jobs: `{"items": [{"id", "shape": {"type": "simple_polygon", "data":
+///   [[x, y], …]}}, …]}`: each item once, where its own coordinates put it.
+///
+/// Faults name the place as a JSON pointer.
+void read_json(const std::string& text, Sketch& sketch);
+
+}  // namespace sim::drawing

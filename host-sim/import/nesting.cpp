@@ -1,0 +1,143 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "host-sim/import/piece.hpp"
+
+namespace sim::drawing {
+namespace {
+
+constexpr std::size_t kMostRayCrossings = 400'000'000;
+
+/// Where a horizontal line through an outline leaves and enters it, from left to right.
+std::vector<double> cuts_at(const std::vector<Place>& outline, double y) {
+  std::vector<double> cuts;
+  for (std::size_t i = 1; i < outline.size(); ++i) {
+    const Place& a = outline[i - 1];
+    const Place& b = outline[i];
+    if ((a.y() <= y) == (b.y() <= y)) continue;
+    cuts.push_back(a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x()));
+  }
+  std::ranges::sort(cuts);
+  return cuts;
+}
+
+/// A place inside, as far from the outline as three looks find: neighbours may share edges.
+Place place_inside(const Piece& piece) {
+  Place best = piece.outline.front();
+  double widest = -1.0;
+  for (const double share : {0.4871, 0.3229, 0.6513}) {
+    const double y = piece.box.least.y() + share * piece.box.height();
+    const std::vector<double> cuts = cuts_at(piece.outline, y);
+    for (std::size_t i = 1; i < cuts.size(); i += 2) {
+      if (cuts[i] - cuts[i - 1] <= widest) continue;
+      widest = cuts[i] - cuts[i - 1];
+      best = {0.5 * (cuts[i] + cuts[i - 1]), y};
+    }
+  }
+  return best;
+}
+
+/// Chords by the strips of height that they reach into.
+class Strips {
+ public:
+  explicit Strips(const std::vector<Piece>& pieces) : pieces_{pieces} {
+    double rise = 0.0;
+    std::size_t chords = 0;
+    for (const Piece& piece : pieces) {
+      if (!piece.contour.closed) continue;
+      least_ = std::min(least_, piece.box.least.y());
+      most_ = std::max(most_, piece.box.most.y());
+      chords += piece.outline.size();
+      for (std::size_t i = 1; i < piece.outline.size(); ++i) {
+        rise += std::abs(piece.outline[i].y() - piece.outline[i - 1].y());
+      }
+    }
+    if (chords == 0) return;
+    height_ = std::max({rise / static_cast<double>(chords), (most_ - least_) / 1.0e6, 1.0e-6});
+    strips_.resize(strip_of(most_) + 1);
+    for (std::size_t piece = 0; piece < pieces.size(); ++piece) {
+      if (pieces[piece].contour.closed) enter(piece);
+    }
+  }
+
+  /// Adds one for each crossing of the ray from `place` to the right; false when
+  /// the budget ends.
+  bool count(const Place& place, std::map<std::size_t, std::size_t>& hits, Budget& budget) const {
+    const auto& strip = strips_[strip_of(place.y())];
+    for (const auto& [piece, i] : strip) {
+      if (!pieces_[piece].box.around({.least = place, .most = place})) continue;
+      const Place& a = pieces_[piece].outline[i];
+      const Place& b = pieces_[piece].outline[i + 1];
+      if ((a.y() <= place.y()) == (b.y() <= place.y())) continue;
+      const double x = a.x() + (place.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+      if (x > place.x()) ++hits[piece];
+    }
+    return budget.spend(strip.size());
+  }
+
+ private:
+  [[nodiscard]] std::size_t strip_of(double y) const {
+    return static_cast<std::size_t>(std::max(0.0, std::floor((y - least_) / height_)));
+  }
+
+  void enter(std::size_t piece) {
+    const std::vector<Place>& outline = pieces_[piece].outline;
+    for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
+      const auto [low, high] = std::minmax(outline[i].y(), outline[i + 1].y());
+      for (std::size_t strip = strip_of(low); strip <= strip_of(high); ++strip) {
+        strips_[strip].emplace_back(piece, i);
+      }
+    }
+  }
+
+  const std::vector<Piece>& pieces_;
+  double least_ = OutlineBox::kInfinite;
+  double most_ = -OutlineBox::kInfinite;
+  double height_ = 1.0;
+  std::vector<std::vector<std::pair<std::size_t, std::size_t>>> strips_;
+};
+
+void turn_as_nested(Contour& contour) {
+  if ((contour.area_mm2 < 0.0) == contour.is_hole()) return;
+  std::ranges::reverse(contour.shapes);
+  for (Shape& shape : contour.shapes) shape = reversed(std::move(shape));
+  contour.area_mm2 = -contour.area_mm2;
+}
+
+}  // namespace
+
+void nest(Sketch& sketch, std::vector<Piece>& pieces) {
+  const Strips strips{pieces};
+  Budget budget{kMostRayCrossings};
+  std::map<std::size_t, std::size_t> hits;
+  for (std::size_t index = 0; index < pieces.size(); ++index) {
+    Contour& contour = pieces[index].contour;
+    if (!contour.closed) continue;
+    hits.clear();
+    if (!strips.count(place_inside(pieces[index]), hits, budget)) break;
+    double smallest = OutlineBox::kInfinite;
+    for (const auto& [other, count] : hits) {
+      const double area = std::abs(pieces[other].contour.area_mm2);
+      // Of two that hold each other's inside the greater one is around.
+      if (pieces[other].contour.entity.part != contour.entity.part) continue;
+      if (count % 2 == 0 || other == index || area <= std::abs(contour.area_mm2)) continue;
+      ++contour.depth;
+      if (area >= smallest) continue;
+      smallest = area;
+      contour.parent = other;
+    }
+  }
+  for (Piece& piece : pieces) {
+    if (piece.contour.closed) turn_as_nested(piece.contour);
+  }
+  if (budget.exhausted()) {
+    sketch.report({FaultKind::kUnchecked,
+                   {},
+                   {},
+                   "too many contours to tell which are holes",
+                   "cut the drawing in parts"});
+  }
+}
+
+}  // namespace sim::drawing

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "host-sim/import/drawing.hpp"
+#include "host-sim/import/outline_box.hpp"
+#include "host-sim/import/sketch.hpp"
+
+namespace sim::drawing {
+
+/// A contour on its way into the drawing, with its chords.
+struct Piece {
+  Contour contour;
+  std::vector<Place> outline;  ///< Within kChordToleranceMm; the first place again at the end.
+  OutlineBox box;
+};
+
+/// Fills in chords, box, length and, of a closed one, area.
+void measure(Piece& piece);
+
+/// Work left for a search that has no bound worth having: a drawing that takes
+/// more is told so instead of a user waiting for minutes.
+class Budget {
+ public:
+  explicit Budget(std::size_t steps) : left_{steps} {}
+  /// False when it is used up.
+  bool spend(std::size_t steps) {
+    left_ = steps > left_ ? 0 : left_ - steps;
+    return left_ != 0;
+  }
+  [[nodiscard]] bool exhausted() const { return left_ == 0; }
+
+ private:
+  std::size_t left_;
+};
+
+/// Joins chains of one layer whose ends are within the gap. Ends that stay alone
+/// become faults of the sketch.
+[[nodiscard]] std::vector<Piece> join(Sketch& sketch, std::vector<Piece> chains, double gap_mm);
+
+/// Leaves out what runs along an earlier piece of its layer, and says so.
+void drop_duplicates(Sketch& sketch, std::vector<Piece>& pieces, double gap_mm);
+
+/// Reports closed pieces that cross themselves or another one of their layer; true
+/// for each of them.
+[[nodiscard]] std::vector<bool> find_crossings(Sketch& sketch, const std::vector<Piece>& pieces);
+
+/// Finds depth and parent of closed pieces.
+void nest(Sketch& sketch, std::vector<Piece>& pieces);
+
+/// All of it: what a reader gathered becomes a drawing.
+[[nodiscard]] Drawing assemble(Sketch& sketch, const std::string& file, double gap_mm);
+
+}  // namespace sim::drawing

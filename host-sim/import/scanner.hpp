@@ -1,0 +1,86 @@
+#pragma once
+
+#include <charconv>
+#include <cmath>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace sim::drawing {
+
+/// Reads numbers and words as SVG's attributes have them: separated by blanks, by
+/// commas, or by nothing where no doubt is left.
+class Scanner {
+ public:
+  explicit Scanner(std::string_view text) : text_{text} {}
+
+  [[nodiscard]] bool at_end() {
+    skip_blanks();
+    return at_ == text_.size();
+  }
+  /// From 1.
+  [[nodiscard]] std::size_t column() const { return at_ + 1; }
+  [[nodiscard]] std::string_view rest() const { return text_.substr(at_); }
+
+  /// The next character, or 0.
+  [[nodiscard]] char peek() {
+    skip_blanks();
+    return at_ < text_.size() ? text_[at_] : '\0';
+  }
+  void skip() { ++at_; }
+  bool take(char wanted) {
+    if (peek() != wanted) return false;
+    ++at_;
+    return true;
+  }
+  /// Passes a comma, if there is one.
+  void separate() { static_cast<void>(take(',')); }
+
+  /// A finite number; nothing, and no step ahead, where there is none.
+  std::optional<double> number() {
+    skip_blanks();
+    std::size_t from = at_;
+    if (from < text_.size() && text_[from] == '+') ++from;
+    const std::size_t digits = from + (from < text_.size() && text_[from] == '-' ? 1 : 0);
+    if (digits >= text_.size() || !starts_number(text_[digits])) return {};
+    double value = 0.0;
+    const char* const end = text_.data() + text_.size();
+    const auto [stop, error] = std::from_chars(text_.data() + from, end, value);
+    if (error != std::errc{} || !std::isfinite(value)) return {};
+    at_ = static_cast<std::size_t>(stop - text_.data());
+    return value;
+  }
+
+  /// 0 or 1, which need not be separated from what follows.
+  std::optional<bool> flag() {
+    const char next = peek();
+    if (next != '0' && next != '1') return {};
+    ++at_;
+    return next == '1';
+  }
+
+  /// Letters and hyphens; empty where there are none.
+  std::string_view word() {
+    skip_blanks();
+    const std::size_t from = at_;
+    while (at_ < text_.size() && is_letter(text_[at_])) ++at_;
+    return text_.substr(from, at_ - from);
+  }
+
+ private:
+  static bool starts_number(char c) { return (c >= '0' && c <= '9') || c == '.'; }
+  static bool is_letter(char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || c == '-';
+  }
+  void skip_blanks() {
+    while (at_ < text_.size() &&
+           std::string_view{" \t\r\n\f"}.find(text_[at_]) != std::string_view::npos) {
+      ++at_;
+    }
+  }
+
+  std::string_view text_;
+  std::size_t at_ = 0;
+};
+
+}  // namespace sim::drawing

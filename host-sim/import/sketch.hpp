@@ -1,0 +1,66 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "host-sim/import/drawing.hpp"
+
+namespace sim::drawing {
+
+/// Shapes that a file itself draws in one go, each from where the one before ends.
+struct Chain {
+  std::vector<Shape> shapes;
+  std::size_t entity;  ///< Index into Sketch::entities.
+};
+
+/// At least the length of a shape, and 0 only where that is.
+[[nodiscard]] double length_of_hull(const Shape& shape);
+
+/// What a reader gathers of a file, before chains are joined to contours.
+class Sketch {
+ public:
+  [[nodiscard]] std::size_t layer(const Layer& layer);
+  [[nodiscard]] std::size_t add_entity(Entity entity);
+
+  /// Keeps the chain without its shapes of length zero; a chain of such only, or
+  /// one that leaves the plane, becomes a fault. False when there are too many.
+  bool add(Chain chain);
+
+  /// Beyond kMostFaults only counted.
+  void report(Fault fault);
+  /// A fault of the whole file.
+  void refuse(std::size_t line, std::size_t column, std::string reason, std::string remedy);
+  /// Things to ignore are told once for each kind, with their number.
+  void ignore(const std::string& what, const Entity& first, std::string remedy = {});
+  /// Turns what was ignored into faults. Call once, at the end.
+  void finish();
+
+  [[nodiscard]] bool full() const { return full_; }
+  [[nodiscard]] const Entity& entity(std::size_t index) const { return entities_[index]; }
+  [[nodiscard]] std::vector<Chain>& chains() { return chains_; }
+  [[nodiscard]] std::vector<Fault>& faults() { return faults_; }
+  [[nodiscard]] std::vector<Layer>& layers() { return layers_; }
+  [[nodiscard]] std::size_t more_faults() const { return more_faults_; }
+
+ private:
+  struct Ignored {
+    Entity first;
+    std::string remedy;
+    std::size_t count = 0;
+  };
+
+  std::vector<Layer> layers_;
+  std::map<Layer, std::size_t> layer_index_;
+  std::vector<Entity> entities_;
+  std::vector<Chain> chains_;
+  std::vector<Fault> faults_;
+  std::map<std::string, Ignored> ignored_;
+  std::size_t more_faults_ = 0;
+  std::size_t shapes_ = 0;
+  bool full_ = false;
+};
+
+}  // namespace sim::drawing

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host-sim/import/curve.hpp"
+
+namespace sim::drawing {
+
+/// Draws subpaths as SVG's path commands say it, in the units of the element.
+class SvgPen {
+ public:
+  void move_to(const Place& place);
+  void line_to(const Place& place);
+  void cubic_to(const Place& first, const Place& second, const Place& place);
+  void quadratic_to(const Place& control, const Place& place);
+  /// SVG 1.1, F.6: radii 0 make a line, too small ones are enlarged.
+  void arc_to(Place radii, double rotation_deg, bool large, bool positive, const Place& place);
+  void close();
+  void add(const Shape& shape) { shapes().push_back(shape); }
+
+  [[nodiscard]] const Place& at() const { return at_; }
+  [[nodiscard]] std::size_t shape_count() const { return count_; }
+  [[nodiscard]] std::vector<std::vector<Shape>>& subpaths() { return subpaths_; }
+
+ private:
+  std::vector<Shape>& shapes();
+
+  std::vector<std::vector<Shape>> subpaths_;
+  Place at_{0.0, 0.0};
+  Place start_{0.0, 0.0};
+  std::size_t count_ = 0;
+  bool open_ = false;
+};
+
+/// Draws the `d` of a path. Empty, or what is wrong and at which character.
+[[nodiscard]] std::string draw_path(std::string_view data, SvgPen& pen);
+
+/// Draws the `points` of a polyline. Empty, or what is wrong.
+[[nodiscard]] std::string draw_points(std::string_view points, bool closed, SvgPen& pen);
+
+}  // namespace sim::drawing

@@ -1,0 +1,119 @@
+#include "host-sim/import/svg_shapes.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace sim::drawing {
+namespace {
+
+/// Reads lengths of one element; remembers the first that is none.
+class LengthReader {
+ public:
+  LengthReader(const pugi::xml_node& node, const SvgViewport& viewport)
+      : node_{node}, viewport_{viewport} {}
+
+  /// Nothing where the attribute is missing, `auto` or wrong.
+  std::optional<double> find(const char* name, SvgDirection direction) {
+    const pugi::xml_attribute attribute = node_.attribute(name);
+    const std::string_view text = attribute.value();
+    if (!attribute || text == "auto") return {};
+    const auto length = svg_length(text, viewport_, direction);
+    if (!length && wrong_.empty()) wrong_ = fmt::format("{}=\"{}\" is no length", name, text);
+    return length;
+  }
+  double get(const char* name, SvgDirection direction) {
+    return find(name, direction).value_or(0.0);
+  }
+
+  /// Of a size or radius: below 0 is wrong, too.
+  double size(const char* name, SvgDirection direction) {
+    const double length = get(name, direction);
+    if (length < 0.0 && wrong_.empty()) wrong_ = fmt::format("{} is below 0", name);
+    return length;
+  }
+
+  [[nodiscard]] const std::string& wrong() const { return wrong_; }
+
+ private:
+  const pugi::xml_node& node_;
+  const SvgViewport& viewport_;
+  std::string wrong_;
+};
+
+constexpr SvgDirection kX = SvgDirection::kAcross;
+constexpr SvgDirection kY = SvgDirection::kUpright;
+constexpr SvgDirection kR = SvgDirection::kOther;
+
+void draw_rect(LengthReader& read, SvgPen& pen) {
+  const Place a{read.get("x", kX), read.get("y", kY)};
+  const Place size{read.size("width", kX), read.size("height", kY)};
+  const auto given_rx = read.find("rx", kX);
+  const auto given_ry = read.find("ry", kY);
+  if (!read.wrong().empty() || size.x() <= 0.0 || size.y() <= 0.0) return;
+  const double rx = std::clamp(given_rx.value_or(given_ry.value_or(0.0)), 0.0, 0.5 * size.x());
+  const double ry = std::clamp(given_ry.value_or(given_rx.value_or(0.0)), 0.0, 0.5 * size.y());
+  const Place b = a + size;
+  const Place r{rx, ry};
+  const bool sharp = rx == 0.0 || ry == 0.0;
+  const Place in = sharp ? Place{0.0, 0.0} : r;
+  const auto corner = [&](const Place& end) {
+    if (!sharp) pen.arc_to(r, 0.0, false, true, end);
+  };
+  pen.move_to({a.x() + in.x(), a.y()});
+  pen.line_to({b.x() - in.x(), a.y()});
+  corner({b.x(), a.y() + in.y()});
+  pen.line_to({b.x(), b.y() - in.y()});
+  corner({b.x() - in.x(), b.y()});
+  pen.line_to({a.x() + in.x(), b.y()});
+  corner({a.x(), b.y() - in.y()});
+  pen.line_to({a.x(), a.y() + in.y()});
+  corner({a.x() + in.x(), a.y()});
+  pen.close();
+}
+
+void draw_round(LengthReader& read, bool circle, SvgPen& pen) {
+  const Place centre{read.get("cx", kX), read.get("cy", kY)};
+  if (circle) {
+    const double radius = read.size("r", kR);
+    if (read.wrong().empty() && radius > 0.0) pen.add(arc_of(centre, radius, 0.0, kFullTurn));
+    return;
+  }
+  const auto rx = read.find("rx", kX);
+  const auto ry = read.find("ry", kY);
+  const Place radii{rx.value_or(ry.value_or(0.0)), ry.value_or(rx.value_or(0.0))};
+  if (!read.wrong().empty() || radii.x() <= 0.0 || radii.y() <= 0.0) return;
+  const Ellipse whole{centre, {radii.x(), 0.0}, {0.0, radii.y()}, 0.0, kFullTurn};
+  pen.add(transformed(whole, {}));
+}
+
+}  // namespace
+
+bool is_svg_shape(std::string_view name) {
+  static constexpr std::array<std::string_view, 7> kNames{
+      "path", "rect", "circle", "ellipse", "line", "polyline", "polygon"};
+  return std::ranges::find(kNames, name) != kNames.end();
+}
+
+std::string draw_svg_shape(std::string_view name,
+                           const pugi::xml_node& node,
+                           const SvgViewport& viewport,
+                           SvgPen& pen) {
+  if (name == "path") return draw_path(node.attribute("d").value(), pen);
+  if (name == "polyline" || name == "polygon") {
+    return draw_points(node.attribute("points").value(), name == "polygon", pen);
+  }
+  LengthReader read{node, viewport};
+  if (name == "rect") {
+    draw_rect(read, pen);
+  } else if (name == "line") {
+    pen.move_to({read.get("x1", kX), read.get("y1", kY)});
+    pen.line_to({read.get("x2", kX), read.get("y2", kY)});
+  } else {
+    draw_round(read, name == "circle", pen);
+  }
+  return read.wrong();
+}
+
+}  // namespace sim::drawing
