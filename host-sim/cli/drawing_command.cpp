@@ -16,8 +16,8 @@
 namespace sim {
 namespace {
 
-using drawing::Contour;
 using drawing::Drawing;
+using drawing::DrawnContour;
 
 // Chords of the outline in --json are within this of the curves, mm.
 constexpr double kJsonChordMm = 0.01;
@@ -33,13 +33,13 @@ struct DrawingOptions {
   bool json = false;
 };
 
-std::map<std::string, std::size_t> kinds_of(const Contour& contour) {
+std::map<std::string, std::size_t> kinds_of(const DrawnContour& contour) {
   std::map<std::string, std::size_t> kinds;
   for (const drawing::Shape& shape : contour.shapes) ++kinds[std::string{name_of(shape)}];
   return kinds;
 }
 
-std::string_view side_of(const Contour& contour) {
+std::string_view side_of(const DrawnContour& contour) {
   if (!contour.closed) return "open";
   return contour.is_hole() ? "hole" : "outer";
 }
@@ -47,7 +47,7 @@ std::string_view side_of(const Contour& contour) {
 void print(const Drawing& drawn) {
   fmt::print("{}: {} contours\n", drawn.file, drawn.contours.size());
   for (std::size_t i = 0; i < drawn.contours.size(); ++i) {
-    const Contour& contour = drawn.contours[i];
+    const DrawnContour& contour = drawn.contours[i];
     const drawing::Layer& layer = drawn.layers[contour.entity.layer];
     std::string kinds;
     for (const auto& [kind, count] : kinds_of(contour)) kinds += fmt::format(" {} {}", count, kind);
@@ -71,7 +71,7 @@ void print(const Drawing& drawn) {
 
 nlohmann::ordered_json to_json(const drawing::Place& place) { return {place.x(), place.y()}; }
 
-nlohmann::ordered_json to_json(const Contour& contour, const Drawing& drawn) {
+nlohmann::ordered_json to_json(const DrawnContour& contour, const Drawing& drawn) {
   nlohmann::ordered_json row;
   row["entity"] = contour.entity.name;
   row["line"] = contour.entity.line;
@@ -106,7 +106,8 @@ nlohmann::ordered_json to_json(const Drawing& drawn) {
   nlohmann::ordered_json all;
   all["file"] = drawn.file;
   all["contours"] = nlohmann::ordered_json::array();
-  for (const Contour& contour : drawn.contours) all["contours"].push_back(to_json(contour, drawn));
+  for (const DrawnContour& contour : drawn.contours)
+    all["contours"].push_back(to_json(contour, drawn));
   all["faults"] = nlohmann::ordered_json::array();
   for (const drawing::Fault& fault : drawn.faults) all["faults"].push_back(to_json(fault));
   all["more_faults"] = drawn.more_faults;

@@ -41,7 +41,7 @@ void drop_flat(Sketch& sketch, std::vector<Piece>& pieces, const std::vector<boo
   std::vector<Piece> kept;
   kept.reserve(pieces.size());
   for (std::size_t i = 0; i < pieces.size(); ++i) {
-    const Contour& contour = pieces[i].contour;
+    const DrawnContour& contour = pieces[i].contour;
     const double width = 2.0 * std::abs(contour.area_mm2) / contour.length_mm;
     if (contour.closed && !crossed[i] && width < kLeastWidthMm) {
       sketch.report({FaultKind::kTooSmall,

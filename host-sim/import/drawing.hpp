@@ -58,7 +58,7 @@ struct Fault {
 [[nodiscard]] std::string to_string(const Fault& fault, const std::string& file);
 
 /// A row of curves, each beginning where the one before it ends.
-struct Contour {
+struct DrawnContour {
   std::vector<Shape> shapes;
   Entity entity;  ///< Of the first shape as drawn.
   bool closed = false;
@@ -75,7 +75,7 @@ struct Contour {
 struct Drawing {
   std::string file;
   std::vector<Layer> layers;
-  std::vector<Contour> contours;
+  std::vector<DrawnContour> contours;
   std::vector<Fault> faults;    ///< At most kMostFaults, in the order found.
   std::size_t more_faults = 0;  ///< Found and not listed.
 

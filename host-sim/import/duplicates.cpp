@@ -73,8 +73,8 @@ class PieceLookup {
  private:
   bool same(const Piece& piece, const Piece& other) {
     if (!budget_.spend(1)) return false;
-    const Contour& a = piece.contour;
-    const Contour& b = other.contour;
+    const DrawnContour& a = piece.contour;
+    const DrawnContour& b = other.contour;
     return a.closed == b.closed && a.entity.layer == b.entity.layer &&
            (piece.box.least - other.box.least).cwiseAbs().maxCoeff() <= tolerance_ &&
            (piece.box.most - other.box.most).cwiseAbs().maxCoeff() <= tolerance_ &&

@@ -234,7 +234,7 @@ class Joiner {
 }  // namespace
 
 void measure(Piece& piece) {
-  Contour& contour = piece.contour;
+  DrawnContour& contour = piece.contour;
   piece.outline = outline_of(contour.shapes, kChordToleranceMm);
   piece.box = box_of(piece.outline);
   contour.length_mm = 0.0;

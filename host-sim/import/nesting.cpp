@@ -98,7 +98,7 @@ class Strips {
   std::vector<std::vector<std::pair<std::size_t, std::size_t>>> strips_;
 };
 
-void turn_as_nested(Contour& contour) {
+void turn_as_nested(DrawnContour& contour) {
   if ((contour.area_mm2 < 0.0) == contour.is_hole()) return;
   std::ranges::reverse(contour.shapes);
   for (Shape& shape : contour.shapes) shape = reversed(std::move(shape));
@@ -112,7 +112,7 @@ void nest(Sketch& sketch, std::vector<Piece>& pieces) {
   Budget budget{kMostRayCrossings};
   std::map<std::size_t, std::size_t> hits;
   for (std::size_t index = 0; index < pieces.size(); ++index) {
-    Contour& contour = pieces[index].contour;
+    DrawnContour& contour = pieces[index].contour;
     if (!contour.closed) continue;
     hits.clear();
     if (!strips.count(place_inside(pieces[index]), hits, budget)) break;

@@ -11,7 +11,7 @@ namespace sim::drawing {
 
 /// A contour on its way into the drawing, with its chords.
 struct Piece {
-  Contour contour;
+  DrawnContour contour;
   std::vector<Place> outline;  ///< Within kChordToleranceMm; the first place again at the end.
   OutlineBox box;
 };

@@ -12,11 +12,11 @@
 namespace sim {
 namespace {
 
-using drawing::Contour;
+using drawing::DrawnContour;
 using drawing::Place;
 
 constexpr double kSidePx = 1000.0;
-constexpr double kContourMarginPx = 30.0;
+constexpr double kDrawingMarginPx = 30.0;
 constexpr double kChordPx = 0.1;
 constexpr double kRingPx = 9.0;
 
@@ -30,7 +30,7 @@ void widen(Extent& bounds) {
 
 Extent bounds_of(const drawing::Drawing& drawn) {
   Extent bounds;
-  for (const Contour& contour : drawn.contours) {
+  for (const DrawnContour& contour : drawn.contours) {
     for (const Place& place : outline_of(contour.shapes, drawing::kChordToleranceMm)) {
       bounds.include(place.x(), place.y());
     }
@@ -39,7 +39,7 @@ Extent bounds_of(const drawing::Drawing& drawn) {
   return bounds;
 }
 
-void add_outline(std::string& data, const Contour& contour, const View& view) {
+void add_outline(std::string& data, const DrawnContour& contour, const View& view) {
   char letter = 'M';
   for (const Place& place : outline_of(contour.shapes, kChordPx / view.px_per_mm())) {
     fmt::format_to(std::back_inserter(data),
@@ -55,7 +55,7 @@ void add_outline(std::string& data, const Contour& contour, const View& view) {
 void add_paths(std::string& out, const drawing::Drawing& drawn, const View& view) {
   std::string closed;
   std::string open;
-  for (const Contour& contour : drawn.contours) {
+  for (const DrawnContour& contour : drawn.contours) {
     add_outline(contour.closed ? closed : open, contour, view);
   }
   out += fmt::format("<path d=\"{}\" fill=\"#d6d2cb\" fill-rule=\"evenodd\" stroke=\"#222222\"/>\n",
@@ -71,12 +71,12 @@ std::string draw_contours(const drawing::Drawing& drawn) {
   const double longest = std::max(bounds.width_mm(), bounds.height_mm());
   const double width = kSidePx * bounds.width_mm() / longest;
   const double height = kSidePx * bounds.height_mm() / longest;
-  const View view{bounds, {kContourMarginPx, kContourMarginPx, width, height}};
+  const View view{bounds, {kDrawingMarginPx, kDrawingMarginPx, width, height}};
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.1f}\" height=\"{1:.1f}\" "
       "viewBox=\"0 0 {0:.1f} {1:.1f}\">\n<title>{2}</title>\n",
-      width + 2.0 * kContourMarginPx,
-      height + 2.0 * kContourMarginPx,
+      width + 2.0 * kDrawingMarginPx,
+      height + 2.0 * kDrawingMarginPx,
       svg::escaped(drawn.file));
   add_paths(out, drawn, view);
   for (const drawing::Fault& fault : drawn.faults) {

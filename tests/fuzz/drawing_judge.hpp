@@ -18,7 +18,7 @@ inline void require_drawn(bool holds, const char* what) {
 }
 
 inline void judge_contour(const sim::drawing::Drawing& drawn,
-                          const sim::drawing::Contour& contour) {
+                          const sim::drawing::DrawnContour& contour) {
   using namespace sim::drawing;
   require_drawn(!contour.shapes.empty(), "a contour has curves");
   require_drawn(contour.entity.layer < drawn.layers.size(), "and a layer");

@@ -121,8 +121,6 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(run("offset", part).returncode, 2)
         self.assertEqual(run("offset", "-", "--distance", "1", text="0 0\n1 0\n0 1\n").returncode, 0)
 
-    def test_help_teaches(self):
-        for call in (["--help"], ["offset", "--help"], ["sim", "--help"], ["check", "--help"], ["--version"]):
     def test_drawing_lists_contours_and_names_faults(self):
         part = self.folder / "part.svg"
         part.write_text("<svg width='40mm' height='40mm' viewBox='0 0 40 40'>\n<circle cx='20' cy='20' r='10'/>"
@@ -140,7 +138,8 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(run("drawing", self.folder / "none.svg").returncode, 2)
 
     def test_help_teaches(self):
-        for call in (["--help"], ["sim", "--help"], ["drawing", "--help"], ["check", "--help"], ["--version"]):
+        for call in (["--help"], ["sim", "--help"], ["check", "--help"], ["offset", "--help"],
+                     ["drawing", "--help"], ["--version"]):
             with self.subTest(call=call):
                 done = run(*call)
                 self.assertEqual(done.returncode, 0)

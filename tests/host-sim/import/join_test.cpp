@@ -117,7 +117,7 @@ TEST(Crossings, AGridOfSquaresAndOneStarIsFoundFast) {
   const Drawing drawn = read(svg_of("<path d='" + d + "M-1 -1H101V101H-1z'/>"));
   EXPECT_THAT(drawn.faults, IsEmpty());
   ASSERT_THAT(drawn.contours, SizeIs(40'001));
-  const auto holes = std::ranges::count_if(drawn.contours, &Contour::is_hole);
+  const auto holes = std::ranges::count_if(drawn.contours, &DrawnContour::is_hole);
   EXPECT_EQ(holes, 40'000);
 }
 

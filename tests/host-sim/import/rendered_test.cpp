@@ -25,7 +25,7 @@ constexpr double kChordPx = 0.05;
 
 double outline_px(const Drawing& drawn) {
   double length = 0.0;
-  for (const Contour& contour : drawn.contours) length += contour.length_mm;
+  for (const DrawnContour& contour : drawn.contours) length += contour.length_mm;
   return length * kPixels / 100.0;
 }
 
@@ -49,7 +49,7 @@ class Canvas {
   void draw(const Drawing& drawn) {
     constexpr double kPxPerMm = kPixels / 100.0;
     cairo_set_fill_rule(context_.get(), CAIRO_FILL_RULE_EVEN_ODD);
-    for (const Contour& contour : drawn.contours) {
+    for (const DrawnContour& contour : drawn.contours) {
       cairo_new_sub_path(context_.get());
       for (const Place& place : outline_of(contour.shapes, 0.001)) {
         cairo_line_to(context_.get(), place.x() * kPxPerMm, (100.0 - place.y()) * kPxPerMm);

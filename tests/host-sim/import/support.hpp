@@ -30,7 +30,7 @@ inline std::vector<FaultKind> kinds_of(const Drawing& drawn) {
   return kinds;
 }
 
-inline std::vector<std::string> shapes_of(const Contour& contour) {
+inline std::vector<std::string> shapes_of(const DrawnContour& contour) {
   std::vector<std::string> names;
   for (const Shape& shape : contour.shapes) names.emplace_back(name_of(shape));
   return names;

@@ -17,7 +17,7 @@ constexpr double kPi = std::numbers::pi;
 
 double area_of(const Drawing& drawn) {
   double area = 0.0;
-  for (const Contour& contour : drawn.contours) area += contour.area_mm2;
+  for (const DrawnContour& contour : drawn.contours) area += contour.area_mm2;
   return area;
 }
 
