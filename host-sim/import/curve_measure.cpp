@@ -22,6 +22,7 @@ class Halver {
   Halver(const Shape& shape, std::size_t span, double tolerance_mm, std::vector<Place>& into)
       : shape_{shape}, span_{span}, tolerance_{tolerance_mm}, into_{into} {}
 
+  // Bounded by a depth. NOLINTNEXTLINE(misc-no-recursion)
   void halve(double from, const Place& start, double to, const Place& end, int depth) {
     const double middle = 0.5 * (from + to);
     const Place half = at(middle);

@@ -81,6 +81,7 @@ class PieceLookup {
            std::abs(a.length_mm - b.length_mm) <= 4.0 * tolerance_ + 0.01 * a.length_mm &&
            (same_chords(piece, other, tolerance_, budget_) ||
             (runs_along(piece, other, tolerance_, budget_) &&
+             // Both ways. NOLINTNEXTLINE(readability-suspicious-call-argument)
              runs_along(other, piece, tolerance_, budget_)));
   }
 

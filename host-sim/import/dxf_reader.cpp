@@ -117,6 +117,7 @@ class DxfReader {
   void read_section(std::string_view name) {
     if (name == "HEADER") read_header();
     while (group_ && !at("ENDSEC") && !at("EOF")) {
+      // NOLINTNEXTLINE(bugprone-branch-clone): what nobody reads is passed over twice.
       if (group_->code != 0) {
         next(cursor_);
       } else if (name == "TABLES" && group_->value == "LAYER") {
@@ -184,6 +185,7 @@ class DxfReader {
     return entity;
   }
 
+  // Bounded by a depth. NOLINTNEXTLINE(misc-no-recursion)
   void read_entity(DxfCursor& cursor, const Instance& within) {
     const DxfEntity entity = take_entity(cursor);
     if (++instances_ > kMostInstances) {
@@ -205,6 +207,7 @@ class DxfReader {
     read_visible(entity, vertices, within);
   }
 
+  // Bounded by a depth. NOLINTNEXTLINE(misc-no-recursion)
   void read_visible(const DxfEntity& entity,
                     const std::vector<DxfEntity>& vertices,
                     const Instance& within) {
@@ -258,6 +261,7 @@ class DxfReader {
     return {std::move(shapes), {}};
   }
 
+  // Bounded by a depth. NOLINTNEXTLINE(misc-no-recursion)
   void insert(const DxfEntity& entity, const Instance& within) {
     const auto block = blocks_.find(entity.text(2));
     if (block == blocks_.end()) {
@@ -293,6 +297,7 @@ class DxfReader {
   }
 
   /// One copy of a block. False when there are too many.
+  // Bounded by a depth. NOLINTNEXTLINE(misc-no-recursion)
   bool expand(const DxfBlock& block, const Instance& instance) {
     if (++instances_ > kMostInstances || sketch_.full()) return false;
     const auto kept = group_;

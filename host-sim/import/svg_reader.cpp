@@ -171,6 +171,7 @@ class SvgReader {
     if (!name.empty()) style.layer = name;
   }
 
+  // Bounded by a depth. NOLINTNEXTLINE(misc-no-recursion)
   void read_children(const pugi::xml_node& node, const Style& style) {
     if (style.depth >= kDeepestNesting) {
       bad(node, fmt::format("nested deeper than {} groups", kDeepestNesting), "ungroup it");
@@ -182,6 +183,7 @@ class SvgReader {
     }
   }
 
+  // Bounded by a depth. NOLINTNEXTLINE(misc-no-recursion)
   void read_element(const pugi::xml_node& node, Style style) {
     if (++elements_ > kMostElements) {
       sketch_.report(
@@ -241,6 +243,7 @@ class SvgReader {
               style);
   }
 
+  // Bounded by a depth. NOLINTNEXTLINE(misc-no-recursion)
   void read_use(const pugi::xml_node& node, Style style) {
     std::string_view link = node.attribute("href").value();
     if (link.empty()) link = node.attribute("xlink:href").value();
@@ -268,6 +271,7 @@ class SvgReader {
     used_.pop_back();
   }
 
+  // Bounded by a depth. NOLINTNEXTLINE(misc-no-recursion)
   void read_symbol(const pugi::xml_node& use, const pugi::xml_node& symbol, Style style) {
     const SvgViewport around = style.viewport;
     enter_box(symbol,

@@ -60,6 +60,7 @@ class BoxTree {
   }
 
  private:
+  // NOLINTNEXTLINE(bugprone-dynamic-static-initializers): constant in each instantiation.
   static constexpr std::uint32_t kShift = 3;
 
   void add_level() {

@@ -143,6 +143,7 @@ class BoundedOffsetSpace {
   }
 
  private:
+  // NOLINTNEXTLINE(bugprone-dynamic-static-initializers): constant in each instantiation.
   static constexpr OffsetSizes kSizes{kElements, kCuts};
   std::array<Vertex<Scalar>, kElements> vertices_{};
   std::array<Curve<Scalar>, kElements> elements_{};

@@ -9,10 +9,11 @@ std::uint32_t RunFinder<Scalar>::find() {
   for (std::uint32_t i = 0; i < piece_count_; ++i) {
     const Piece& piece = space_.pieces[i];
     if (piece.dropped) continue;
-    if (space_.junctions[piece.start_node].in == 0)
+    if (space_.junctions[piece.start_node].in == 0) {
       drop_from_loose_start(i);
-    else if (space_.junctions[piece.end_node].out == 0)
+    } else if (space_.junctions[piece.end_node].out == 0) {
       drop_to_loose_end(i);
+    }
   }
   for (std::uint32_t i = 0; i < piece_count_; ++i) {
     if (!space_.junctions[space_.pieces[i].start_node].plain()) add_run(i);

@@ -32,8 +32,10 @@ class BasicArc {
   using Vector = BasicVec2<Scalar>;
 
   /// As much shorter in double as its digits are more.
+  // NOLINTNEXTLINE(bugprone-dynamic-static-initializers): constant in each instantiation.
   static constexpr Length kShortestChord{sizeof(Scalar) > sizeof(float) ? 1.0e-12F : 1.0e-6F};
   /// Slack for a half turn whose bulge was computed in single precision.
+  // NOLINTNEXTLINE(bugprone-dynamic-static-initializers): constant in each instantiation.
   static constexpr Scalar kLargestBulge = Scalar{1.0F + 1.0e-5F};
 
   [[nodiscard]] static Result<BasicArc, ArcError> make(const Vector& start,
