@@ -35,6 +35,8 @@ class PowerOutput {
 
   void pass(std::uint32_t ticks) noexcept { stream_.pass(ticks); }
   [[nodiscard]] bool due() const noexcept { return stream_.due(); }
+  /// It is due, and there is something to follow.
+  [[nodiscard]] bool waits() const noexcept { return stream_.due() && !stream_.empty(); }
   /// @pre due(). Out of line, where registers are few.
   [[gnu::noinline]] void follow() noexcept {
     drive(stream_.follow(rest_.load(std::memory_order_relaxed)));

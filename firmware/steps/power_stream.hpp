@@ -33,6 +33,7 @@ class PowerStream {
 
   void pass(std::uint32_t ticks) noexcept { left_ -= static_cast<std::int32_t>(ticks); }
   [[nodiscard]] bool due() const noexcept { return left_ <= 0; }
+  [[nodiscard]] bool empty() const noexcept { return piece_.ticks == 0 && pieces_.size() == 0; }
   /// Until the output changes next; meaningless while due().
   [[nodiscard]] std::int32_t ticks_left() const noexcept { return left_; }
 

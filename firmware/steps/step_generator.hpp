@@ -222,6 +222,11 @@ class StepGenerator final : public StepDrive {
       return ticks_until(trains_.empty() ? ticks_ : trains_.next_due());
     }
     if (next == nullptr) return come_to_rest();
+    // The light is there before the steps.
+    if (beam_.waits()) {
+      beam_.follow();
+      return kAtOnce;
+    }
     const motion::Segment& segment = next->segment;
     if (segment.outputs.any()) drive_outputs(segment.outputs);
     const std::uint8_t wanted = direction_in(*next);
