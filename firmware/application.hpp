@@ -30,13 +30,32 @@ class Application {
               hal::ControlBoard* board = nullptr)
       : steps_{port}, machine_{steps_, outputs, inputs}, protocol_{link, machine_, store, board} {}
 
-  /// One turn of the main loop; to be called at least every few milliseconds.
-  /// Lines are read before segments are cut, so that a burst is planned as one.
+  /// Step interrupt, every kTurnTicks, after what was due before and before what is due then:
+  /// the boundary of a turn, whose number is returned. What the turn reads has come by now.
+  std::uint32_t begin_turn() noexcept { return steps_.begin_turn(); }
+
+  /// Main loop: begins the next turn whose boundary has passed; false when there is none. A turn
+  /// may be run late, and several one after the other: nothing it does depends on when, as long
+  /// as it ends within kTurnsToMotion.
+  [[nodiscard]] bool take_turn() { return steps_.take_turn(); }
+  /// The number of the turn taken; runs freely.
+  [[nodiscard]] std::uint32_t turn() const { return steps_.turn(); }
+
+  /// The turn that was taken. Lines are read before segments are cut, so that a
+  /// burst is planned as one.
   /// @param now microseconds.
-  void poll(hal::TickCount now) {
+  void run_turn(hal::TickCount now) {
     protocol_.poll(now);
     machine_.poll(now);
     protocol_.poll(now);
+    steps_.end_turn();
+  }
+
+  /// A boundary and its turn, for whoever has both in one thread.
+  /// @param now microseconds.
+  void poll(hal::TickCount now) {
+    begin_turn();
+    if (take_turn()) run_turn(now);
   }
 
   /// Main loop: another sender is at the link, or the one that was there is gone.

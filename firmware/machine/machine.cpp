@@ -75,12 +75,13 @@ void Machine::poll(hal::TickCount now) {
   if (state_.in(Mode::kFree)) dwell_.pass(elapsed_us);
   restart_dwell_.pass(elapsed_us);
   attend_mode(elapsed_us);
+  if (spline_rest_ > 0) --spline_rest_;
   run_actions();
   motion_.attend(elapsed_us);
   attend_motor_enable(elapsed_us);
   side_.feed_drive();
   motion_.feed_drive();
-  drive_.wake();
+  drive_.settle();
 }
 
 /// What goes on by itself in the present mode.

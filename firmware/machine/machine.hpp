@@ -158,6 +158,8 @@ class Machine {
 
   [[nodiscard]] const gcode::Interpreter& interpreter() const { return interpreter_; }
   [[nodiscard]] const MotionControl& motion() const { return motion_; }
+  /// Turns of the main loop that took too long for motion to begin in time.
+  [[nodiscard]] std::uint32_t late_turns() const { return drive_.late_turns(); }
   /// For whoever wants to see the plan itself; null for nobody.
   void observe(motion::SliceObserver* observer) { motion_.observe(observer); }
   void observe(motion::ShapingObserver* observer) { motion_.motors().observe(observer); }
@@ -295,6 +297,7 @@ class Machine {
   Position parts_from_{};           ///< Of the line whose parts differ in power…
   std::size_t part_ = 0;            ///< …so many of which have been taken.
   std::optional<ArcFit> spline_{};  ///< The spline being turned into arcs.
+  std::uint8_t spline_rest_ = 0;    ///< Turns until its next arc.
   motion::OutputChanges with_next_motion_{};
   std::optional<JogMove> jog_{};  ///< Waits for room in the planner.
   Dwell dwell_{};                 ///< Of an action.

@@ -127,17 +127,14 @@ float Machine::spline_tolerance() const {
   return std::max(wanted, ArcFit::kLeastToleranceMm);
 }
 
-/// A few arcs in each turn, as finding one takes some hundred thousand
-/// instructions.
+/// An arc every few turns, as finding one takes some hundred thousand instructions.
 bool Machine::move_spline(const Action& action) {
-  constexpr int kArcsPerTurn = 4;
-  if (!motion_.has_room()) return false;
+  constexpr std::uint8_t kTurnsPerArc = 3;
+  if (!motion_.has_room() || spline_rest_ > 0) return false;
   const bool begins = !spline_;
   if (begins) spline_.emplace(*action.spline, motion_.target(), spline_tolerance());
-  for (int i = 0; i < kArcsPerTurn && !spline_->done(); ++i) {
-    if (!motion_.has_room()) return false;
-    append(spline_->next(), action.feed, !begins || i > 0);
-  }
+  if (!spline_->done()) append(spline_->next(), action.feed, !begins);
+  spline_rest_ = kTurnsPerArc;
   if (!spline_->done()) return false;
   spline_.reset();
   return true;

@@ -30,6 +30,7 @@ Result<bool, motion::MotionError> MotionControl::append(const path::PathItem& it
   }
   if (element.start == element.end) return false;
   silence_us_ = 0;
+  ++taken_in_turn_;
   stage_.put(item);
   // As many lines to a row as half the blocks that are planned: what is held back is little
   // beside it, and few lines are known in small rows, many in large ones.
@@ -89,6 +90,7 @@ void MotionControl::attend(std::int32_t elapsed_us) {
   constexpr std::int32_t kGatheringUs = 10'000;
   // With so many blocks longer welds are worth more than more blocks.
   constexpr std::size_t kPlenty = 16;
+  taken_in_turn_ = 0;
   silence_us_ = std::min(silence_us_ + elapsed_us, kPatienceUs);
   held_us_ = stage_.empty() ? 0 : std::min(held_us_ + elapsed_us, kGatheringUs);
   const bool idle = segmenter_.idle();

@@ -20,7 +20,11 @@ class MotionControl {
         stage_{limits, &pixels_},
         segmenter_{queue_, limits, &pixels_} {}
 
-  [[nodiscard]] bool has_room() const { return stage_.has_room(); }
+  /// For another element, and for planning it in this turn: what a turn takes is bounded, so that
+  /// the processor is done with it in time.
+  [[nodiscard]] bool has_room() const {
+    return stage_.has_room() && taken_in_turn_ < kElementsInATurn;
+  }
 
   /// Appends the way from the target so far to `end`. Nothing to move counts
   /// as done. The last elements are held back until the next ones are known, or
@@ -88,6 +92,9 @@ class MotionControl {
   void observe(motion::SliceObserver* observer) { segmenter_.observe(observer); }
 
  private:
+  /// 8,000 in a second; a turn of so many takes the emulated chip 0.8 ms.
+  static constexpr std::uint32_t kElementsInATurn = 8;
+
   void pump();
   void take(const path::PathPiece& piece);
   void follow_tool();
@@ -105,6 +112,7 @@ class MotionControl {
   Position target_{};
   std::int32_t silence_us_ = 0;  ///< Since the last element came.
   std::int32_t held_us_ = 0;     ///< Since the stage has been holding elements.
+  std::uint32_t taken_in_turn_ = 0;
   std::uint32_t blocks_taken_ = 0;
 };
 

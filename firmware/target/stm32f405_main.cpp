@@ -11,6 +11,7 @@
 #include "firmware/application.hpp"
 #include "firmware/link/link_choice.hpp"
 #include "firmware/machine/memory_watch.hpp"
+#include "firmware/steps/turn_gate.hpp"
 #include "firmware/store/flash_log.hpp"
 #include "hal/stm32f405/beam_watch.hpp"
 #include "hal/stm32f405/control_board.hpp"
@@ -37,6 +38,7 @@ using SerialLine = chip::SerialLine<kBoard>;
 using UsbLine = chip::UsbLine<kBoard>;
 static_assert(hal::StepPort<Port>);
 static_assert(chip::StepTimer<Bus>::kTicksPerSecond == cnc::motion::kTicksPerSecond);
+static_assert(chip::StepTimer<Bus>::kTurnTicks == cnc::kTurnTicks);
 
 // Start-up sets these up before it constructs the application.
 constinit Port port{};
@@ -152,13 +154,10 @@ void follow_settings(chip::Polarity& followed) {
 }
 
 /// What nobody changes may have turned over in memory or flash: a piece of it each
-/// millisecond, so that settings are found within 0.2 s and the image within 2.1 s: two rounds.
-void look_for_damage(hal::TickCount now, hal::TickCount& next) {
-  constexpr std::uint32_t kPeriodUs = 1000;
+/// turn, so that settings are found within 0.2 s and the image within 2.1 s: two rounds.
+void look_for_damage() {
   constexpr std::size_t kSettingBytes = 32;
   constexpr std::size_t kImageBytes = 256;
-  if (!now.reached(next)) return;
-  next = now.plus(kPeriodUs);
   if (!application.machine().check_memory(kSettingBytes)) stop(chip::Fault::kConfiguration, 0, 0);
   if (!image_watch.check(kImageBytes)) stop(chip::Fault::kImage, 0, 0);
 }
@@ -184,20 +183,38 @@ void follow_senders() {
   }
 }
 
+/// One turn; its time is that of its boundary, so that nothing depends on when it is run.
+void run_turn() {
+  const std::uint32_t turn = application.turn();
+  line.begin_turn(turn);
+  usb_line.begin_turn(turn);
+  follow_senders();
+  application.run_turn(hal::TickCount{turn * cnc::kTurnUs});
+}
+
 [[noreturn]] void run() {
   chip::Polarity polarity{};
-  hal::TickCount next_look = clock_of_the_loop.now();
+  port.timer().begin_turns();
   chip::Watchdog<>::begin();
   for (;;) {
+    if (!application.take_turn()) {
+      asm volatile("wfi");  // An interrupt that came in between is followed by the clock's.
+      continue;
+    }
     follow_settings(polarity);
-    follow_senders();
-    const hal::TickCount now = clock_of_the_loop.now();
-    application.poll(now);
-    look_for_damage(now, next_look);
+    run_turn();
+    look_for_damage();
     // Fed by the loop, and only while the step interrupt comes, too.
     if (port.timer().take_alive()) chip::Watchdog<>::feed();
     if (board.wants_boot_loader() && line.sent() && usb_line.sent()) leave_for_boot_loader();
   }
+}
+
+/// Step interrupt: a turn begins, with what has come by now.
+void begin_turn() {
+  const std::uint32_t turn = application.begin_turn();
+  line.note_turn(turn);
+  usb_line.note_turn(turn);
 }
 
 }  // namespace
@@ -207,6 +224,11 @@ void cnc::contract_failed(const char*, const char*, int) {
 }
 
 extern "C" {
+
+/// For a debugger: where the tick stands to which the edge being driven belongs.
+extern const hal::TickCount* const step_tick;
+[[gnu::section(".places"), gnu::used]] constinit const hal::TickCount* const step_tick =
+    &port.timer().due();
 
 /// Called through the table of an abstract class that is not finished: never.
 [[noreturn]] void __cxa_pure_virtual() {
@@ -260,7 +282,7 @@ extern "C" {
 void supply_interrupt() { stop(chip::Fault::kSupply, 0, 0); }
 
 void step_interrupt() {
-  port.timer().on_interrupt([] { return application.on_step_interrupt(); });
+  port.timer().on_interrupt([] { return application.on_step_interrupt(); }, begin_turn);
 }
 void line_interrupt() { line.on_interrupt(); }
 void usb_interrupt() { usb_line.on_interrupt(); }

@@ -16,6 +16,7 @@
 #include "planner/motion/segmenter.hpp"
 #include "planner/path/path_stage.hpp"
 #include "tests/support/bench_jobs.hpp"
+#include "tests/support/let_in.hpp"
 
 namespace {
 
@@ -175,9 +176,12 @@ void step(benchmark::State& state, const Job& (*of)()) {
     std::size_t next = 0;
     const std::vector<motion::Segment>& segments = job.segments;
     while (next < segments.size() && !generator.full()) generator.push(segments[next++]);
-    generator.wake();
-    while (generator.on_interrupt() != 0) {
-      if (next < segments.size() && !generator.full()) generator.push(segments[next++]);
+    let_in(generator);
+    constexpr std::uint32_t kRefill = 32;  // A segment takes several interrupts.
+    for (std::uint32_t count = 1; generator.on_interrupt() != 0; ++count) {
+      if (next == segments.size() || count % kRefill != 0) continue;
+      while (next < segments.size() && !generator.full()) generator.push(segments[next++]);
+      let_in(generator);
     }
     benchmark::DoNotOptimize(port.position);
   }

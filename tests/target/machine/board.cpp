@@ -24,6 +24,7 @@ Board::Board(const Order& order, const Memory& memory, qemu::Object* core)
       memory_changes_{order.options, flash_, trace_},
       stop_{[this] { end(kStoppedStatus); }},
       software_reset_{[] { qemu::qemu_system_reset(qemu::kGuestReset); }} {
+  trace_.follow_word(order.options.word);
   add(rcc_, memory.system);
   add(power_control_, memory.system);
   for (char letter = 'A'; letter <= 'I'; ++letter) {

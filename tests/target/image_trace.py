@@ -1,0 +1,162 @@
+#!/usr/bin/env python3
+"""The image in the emulated chip and the host's simulator, given the same bytes in the same turns:
+each step with its direction, and each change of the beam, belongs to the same tick.
+
+    image_trace.py PLUGIN kerfline_generic_1mbaud.elf image_trace_jobs EXAMPLES [TEST...]
+
+KERFLINE_TRIALS=200 random jobs (6), from KERFLINE_SEED (1) on; KERFLINE_TURNS=0 drives the examples
+to their end (2500 turns of a millisecond). Ends with 77 (skipped) where something is missing.
+"""
+
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "faults"))
+from chip import (BOOT_NS, CHIP_OPTIONS, MS, STOPPED, in_parallel, main, seed,  # noqa: E402
+                  trials)
+
+CHIP = None
+JOBS, EXAMPLES = "", pathlib.Path()
+EXAMPLE_TURNS = int(os.environ.get("KERFLINE_TURNS", "2500")) or 10**9
+RANDOM_TURNS = 3000
+SETTLED_NS = 300 * MS  # What is set is stored by then.
+BURST_NS = 50_000  # After the boundary before; the bytes end 0.1 ms before their own.
+TICK_NS = 250
+AXES = (("PA0", "PA4"), ("PA1", "PA5"), ("PA2", "PA6"))
+BEAM = "TIM1_CH1"
+LATEST_TICKS = 40  # 10 us: the way to an edge, behind a boundary or a pulse.
+MACHINES = {"bracket": "laser", "circle_r20": "laser", "enclosure_lightburn": "laser",
+            "relief_inkscape": "laser", "sheet_8877": "laser", "pocket_fusion": "mill"}
+
+
+def word_address() -> int:
+    """Where the image keeps the tick of what it drives."""
+    place = CHIP.symbols["step_tick"]
+    image = CHIP.image.with_suffix(".bin").read_bytes()
+    at = place - 0x08000000
+    return int.from_bytes(image[at:at + 4], "little")
+
+
+class Image:
+    """A flash whose store holds a machine's settings, and runs of the image on it."""
+
+    def __init__(self, folder: pathlib.Path):
+        self.folder, self.flash = folder, folder / "flash"
+        settings = (folder / "settings").read_text()
+        run = CHIP.run(settings, SETTLED_NS, f"flash={self.flash}", f"word={word_address():x}",
+                       *CHIP_OPTIONS, "usart1_window=1")
+        self.trouble = "" if run.said.count("ok\r\n") == settings.count("\n") else run.said
+        self.start_ns = run.times("counts", "TIM2")[0]
+
+    def drive(self, turns: int):
+        """Its edges, as the simulator lists them, and what it says in the end."""
+        times = []
+        for line in (self.folder / "times").read_text().splitlines():
+            turn, count = map(int, line.split())
+            times.append(f"{self.start_ns + (turn - 1) * MS + BURST_NS} {count}\n")
+        # Whatever it is at by then: the next question is answered.
+        asked = "\x18$I+\n"
+        times.append(f"{self.start_ns + (turns + 3) * MS} 1\n")
+        times.append(f"{self.start_ns + (turns + 50) * MS} {len(asked) - 1}\n")
+        (self.folder / "times_ns").write_text("".join(times))
+        sent = (self.folder / "sent").read_bytes().decode("latin-1") + asked
+        return CHIP.run(sent, self.start_ns + (turns + 80) * MS, f"flash={self.flash}",
+                        f"word={word_address():x}", f"usart1_times={self.folder / 'times_ns'}",
+                        *CHIP_OPTIONS, from_ns=BOOT_NS)
+
+
+def edges_of(run, start_ns: int) -> tuple:
+    """Lines `TICK X Y Z COUNTS`, and by how many ticks the latest edge was late."""
+    steps = {step: axis for axis, (step, _) in enumerate(AXES)}
+    ways = {way: axis for axis, (_, way) in enumerate(AXES)}
+    sign, row, last, tick, latest, edges = [1, 1, 1], [0, 0, 0, 0], [0, 0, 0, 0], 0, 0, []
+    for ns, source, rest in run.trace:
+        if source == "word":
+            if row != last:
+                edges.append((tick, *row))
+                last = list(row)
+            tick = int(rest)
+            continue
+        name, _, value = rest.partition(" ")
+        if source == "compare" and name == BEAM:
+            row[3] = int(value)
+        elif source == "pin" and name in ways:
+            sign[ways[name]] = -1 if value == "1" else 1
+        elif source == "pin" and name in steps and value == "1":
+            row[steps[name]] += sign[steps[name]]
+            latest = max(latest, (ns - start_ns) // TICK_NS - tick)
+    if row != last:
+        edges.append((tick, *row))
+    return edges, latest
+
+
+class ImageTraceTest(unittest.TestCase):
+    def compare(self, name: str, first: str, second: str, most_turns: int) -> tuple:
+        """Whether they differ (or ""), the edges, and turns that the image was late with."""
+        with tempfile.TemporaryDirectory() as text:
+            folder = pathlib.Path(text)
+            done = subprocess.run([JOBS, first, second, str(most_turns), text],
+                                  capture_output=True, text=True, check=False)
+            if done.returncode != 0 or done.stderr:
+                return f"{name}: {done.stderr}", 0, 0
+            turns = int(done.stdout.split()[0])
+            wanted = [tuple(map(int, line.split()))
+                      for line in (folder / "edges").read_text().splitlines()]
+            image = Image(folder)
+            if image.trouble:
+                return f"{name}: settings: {image.trouble[-400:]}", 0, 0
+            run = image.drive(turns)
+            keep = os.environ.get("KERFLINE_KEEP")
+            if keep:
+                shutil.copytree(folder, pathlib.Path(keep) / name, dirs_exist_ok=True)
+        late = run.said.partition("[LATE TURNS:")[2].partition("]")[0]
+        if run.status != STOPPED or not late.isdigit() or "Restarted" in run.said:
+            return f"{name}: ended with {run.status} {run.told} {run.said[-400:]}", 0, 0
+        seen, latest = edges_of(run, image.start_ns)
+        end = 4000 * turns
+        wanted = [edge for edge in wanted if edge[0] < end]
+        seen = [edge for edge in seen if edge[0] < end]
+        if run.times("counts", "TIM2")[0] != image.start_ns or latest > LATEST_TICKS:
+            return f"{name}: an edge came {latest} ticks late", len(wanted), int(late)
+        if seen == wanted:
+            return "", len(wanted), int(late)
+        at = next((i for i, (a, b) in enumerate(zip(seen, wanted)) if a != b),
+                  min(len(seen), len(wanted)))
+        return (f"{name}: {len(wanted)} edges, the image's {len(seen)}; the first that differs is "
+                f"{at}: {wanted[at:at + 1]}, the image's {seen[at:at + 1]}; {late} late turns",
+                len(wanted), int(late))
+
+    def judge(self, what: str, results: list):
+        edges = sum(count for _, count, _ in results)
+        late = sum(turns for _, _, turns in results)
+        print(f"{what}: {len(results)} jobs, {edges} edges, {late} late turns")
+        self.assertEqual([], [trouble for trouble, _, _ in results if trouble])
+        self.assertEqual(0, late)
+        self.assertGreater(edges, 1000)
+
+    def test_the_examples(self):
+        def example(name: str):
+            return self.compare(name, str(EXAMPLES / f"{MACHINES[name]}.settings"),
+                                str(EXAMPLES / f"{name}.nc"), EXAMPLE_TURNS)
+
+        here = sorted(path.stem for path in EXAMPLES.glob("*.nc"))
+        self.assertEqual(sorted(MACHINES), here)
+        self.judge("examples", in_parallel(example, here))
+
+    def test_random_jobs_with_holds_and_overrides(self):
+        def job(number: int):
+            return self.compare(f"seed {number}", "random", str(number), RANDOM_TURNS)
+
+        seeds = list(range(seed(), seed() + trials(6)))
+        self.judge(f"seeds {seeds[0]} to {seeds[-1]}", in_parallel(job, seeds))
+
+
+if __name__ == "__main__":
+    JOBS, EXAMPLES = sys.argv[3], pathlib.Path(sys.argv[4])
+    del sys.argv[3:5]
+    main(globals(), "image_trace")
