@@ -55,8 +55,9 @@ class StepTimer {
   /// In a boundary, while nothing is played: the first interrupt is due then.
   void start() noexcept { wanted_ = true; }
 
-  /// The interrupt: one of the two, and once more if the other is due. `turn` is what belongs to a boundary; `play` is the step generator's part: it
-  /// returns the ticks until it wants to come again, 0 for not at all.
+  /// The interrupt: one of the two, and once more if the other is due. `turn` is what belongs to a
+  /// boundary; `play` is the step generator's part: it returns the ticks until it wants to come
+  /// again, 0 for not at all.
   template <typename Play, typename Turn>
   void on_interrupt(const Play& play, const Turn& turn) noexcept {
     Bus::write(timer::kTim2 + timer::kStatus, ~(timer::kCompare1 | timer::kCompare2));

@@ -120,11 +120,10 @@ int main(int count, char** arguments) {
   const std::string first = arguments[1];
   const std::string second = arguments[2];
   const auto turns = static_cast<std::uint32_t>(std::stoul(arguments[3]));
-  const trace::Job job =
-      first == "random"
-          ? trace::random_job(std::stoull(second), trace::kFirstTurn)
-          : trace::Job{.settings = trace::settings_in(trace::text_of(first)),
-                       .program = trace::text_of(second),
-                       .injections = {}};
+  const trace::Job job = first == "random"
+                             ? trace::random_job(std::stoull(second), trace::kFirstTurn)
+                             : trace::Job{.settings = trace::settings_in(trace::text_of(first)),
+                                          .program = trace::text_of(second),
+                                          .injections = {}};
   return trace::run(job, turns, arguments[4]);
 }

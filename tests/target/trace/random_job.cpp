@@ -107,9 +107,13 @@ class GcodeAuthor {
     const auto word = [&] { return random_.between(-2.0, 2.0); };
     text_ += fmt::format("G17F{:.0f}\n", random_.magnitude(300.0, 6000.0));
     feed_ = 0.0F;
-    text_ += fmt::format(
-        "G5X{:.3f}Y{:.3f}I{:.3f}J{:.3f}P{:.3f}Q{:.3f}\n", word(), word(), word(), word(), word(),
-        word());
+    text_ += fmt::format("G5X{:.3f}Y{:.3f}I{:.3f}J{:.3f}P{:.3f}Q{:.3f}\n",
+                         word(),
+                         word(),
+                         word(),
+                         word(),
+                         word(),
+                         word());
   }
 
   Random& random_;
