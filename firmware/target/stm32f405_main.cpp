@@ -145,8 +145,8 @@ chip::Polarity polarity_of(const cnc::Settings& settings) {
           .spindle = mask(cnc::setting::kSpindleInvert)};
 }
 
-/// Settings change at rest only.
-void follow_settings(chip::Polarity& followed) {
+/// Settings change at rest only. Out of line, as begin_chip() is.
+[[gnu::noinline]] void follow_settings(chip::Polarity& followed) {
   const chip::Polarity wanted = polarity_of(application.machine().settings());
   if (wanted == followed) return;
   followed = wanted;
