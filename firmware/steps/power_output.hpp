@@ -31,6 +31,7 @@ class PowerOutput {
   void settle() { shift_.settle(stream_); }
 
   void block(bool blocked) { blocked_.store(blocked, std::memory_order_relaxed); }
+  [[nodiscard]] bool blocked() const { return blocked_.load(std::memory_order_relaxed); }
   [[nodiscard]] std::uint16_t now() const { return now_.load(std::memory_order_relaxed); }
 
   // Step interrupt; set_rest() and drive_rest() from the main loop, too, while that does not run.
@@ -39,8 +40,10 @@ class PowerOutput {
   [[nodiscard]] std::uint32_t taken() const noexcept { return stream_.taken(); }
   void set_rest(std::uint16_t duty) noexcept { rest_.store(duty, std::memory_order_relaxed); }
   void pass(std::uint32_t ticks) noexcept { stream_.pass(ticks); }
-  void follow() noexcept {
-    if (stream_.due()) drive(stream_.follow(rest_.load(std::memory_order_relaxed)));
+  [[nodiscard]] bool due() const noexcept { return stream_.due(); }
+  /// @pre due(). Out of line, where registers are few.
+  [[gnu::noinline]] void follow() noexcept {
+    drive(stream_.follow(rest_.load(std::memory_order_relaxed)));
   }
   /// The earlier of this and the next change.
   [[nodiscard]] std::int32_t sooner(std::int32_t ticks) const noexcept {

@@ -19,14 +19,12 @@ struct BeamTiming {
   constexpr bool operator==(const BeamTiming&) const = default;
 };
 
-/// The same segment with its steps later by `ticks`, at most BeamTiming::kLongest.
-[[nodiscard]] inline motion::Segment delayed(const motion::Segment& segment, std::uint32_t ticks) {
-  motion::Segment late = segment;
-  late.ticks += ticks;
-  for (motion::StepTrain& train : late.trains) {
+/// Makes the steps of a segment later by `ticks`, at most BeamTiming::kLongest.
+inline void delay(motion::Segment& segment, std::uint32_t ticks) {
+  segment.ticks += ticks;
+  for (motion::StepTrain& train : segment.trains) {
     train.first_q16 += static_cast<std::int32_t>(ticks << 16U);
   }
-  return late;
 }
 
 /// Commands the output earlier or later than the motion, so that the light falls

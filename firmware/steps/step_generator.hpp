@@ -43,7 +43,8 @@ class StepGenerator final : public StepDrive {
   explicit StepGenerator(Port& port) : port_{port}, beam_{port} {}
 
   [[nodiscard]] bool full() const override {
-    return queue_.room(view_.segments_taken) == 0 || beam_.full(view_.pieces_taken);
+    // One more is being played where it lies.
+    return queue_.room(view_.segments_taken) <= 1 || beam_.full(view_.pieces_taken);
   }
 
   void push(const motion::Segment& segment) override {
@@ -52,8 +53,12 @@ class StepGenerator final : public StepDrive {
     beam_.add({segment.ticks, segment.power});
     ends_at_rest_ = segment.comes_to_rest;
     pushed_ticks_ += segment.ticks + wait;
-    CNC_ASSERT(queue_.room(view_.segments_taken) > 0);
-    queue_.stage(wait == 0 ? segment : delayed(segment, wait));
+    CNC_ASSERT(queue_.room(view_.segments_taken) > 1);
+    PlayableSegment& next = queue_.next();
+    next.segment = segment;
+    if (wait > 0) delay(next.segment, wait);
+    next.prepare();
+    queue_.stage_next();
   }
 
   [[nodiscard]] std::uint32_t ticks_waiting() const override {
@@ -76,7 +81,8 @@ class StepGenerator final : public StepDrive {
 
   void abort() override {
     beam_.shift().clear();
-    abort_.store(running(), std::memory_order_release);
+    abort_.store(running(), std::memory_order_relaxed);
+    note_urgency();
   }
 
   [[nodiscard]] bool take_starved() override {
@@ -94,6 +100,7 @@ class StepGenerator final : public StepDrive {
   }
   void block_power(bool blocked) override {
     beam_.block(blocked);
+    note_urgency();
     if (!running()) beam_.drive_rest();
   }
   [[nodiscard]] std::uint16_t power() const override { return view_.power; }
@@ -109,16 +116,18 @@ class StepGenerator final : public StepDrive {
     return std::as_bytes(std::span{&set_up_, 1});
   }
   void set_position(std::size_t axis, std::int32_t steps) override {
-    position_[axis].store(steps, std::memory_order_relaxed);
+    trains_.set_position(axis, steps);
     change_at_rest();
   }
 
   void watch_switches(std::uint8_t axes, std::uint8_t squared) override {
     switches_.add(axes, squared);
+    note_watching();
     change_at_rest();
   }
   void unwatch_switches() override {
     switches_.clear();
+    note_watching();
     if (!running()) change_at_rest();
   }
   [[nodiscard]] std::uint8_t switches_found() const override { return view_.switches_found; }
@@ -136,10 +145,14 @@ class StepGenerator final : public StepDrive {
   void arm_probe(bool contact) override {
     probe_contact_ = contact;
     probe_hit_.store(false);
-    probe_armed_.store(true, std::memory_order_release);
+    probe_armed_.store(true, std::memory_order_relaxed);
+    note_watching();
     change_at_rest();
   }
-  void disarm_probe() override { probe_armed_.store(false, std::memory_order_release); }
+  void disarm_probe() override {
+    probe_armed_.store(false, std::memory_order_relaxed);
+    note_watching();
+  }
   [[nodiscard]] bool probe_hit() const override { return view_.probe_hit; }
   [[nodiscard]] AxisArray<std::int32_t> probe_position() const override { return probe_position_; }
 
@@ -194,7 +207,7 @@ class StepGenerator final : public StepDrive {
   /// Does what is due. Returns the ticks after which to come again; 0: stop the timer.
   /// Kept out of line so that its instructions can be counted.
   [[gnu::noinline]] std::uint32_t on_interrupt() noexcept {
-    now_ += waited_;
+    now_ += static_cast<std::int32_t>(waited_);
     beam_.pass(waited_);
     waited_ = high_ ? end_pulse() : begin_pulse();
     return waited_;
@@ -208,6 +221,7 @@ class StepGenerator final : public StepDrive {
   };
 
   /// A slice of motion, and the pulse and the direction's set-up time that may be added.
+  static constexpr std::uint32_t kAtOnce = 1;
   static constexpr std::uint32_t kLongestWait = motion::kTicksPerSecond / 1000 + 100;
 
   void begin_turn_at_rest() noexcept {
@@ -225,7 +239,7 @@ class StepGenerator final : public StepDrive {
             .segments_taken = queue_.taken(),
             .pieces_taken = beam_.taken(),
             .starved = starved_.load(std::memory_order_relaxed),
-            .position = steps_now(),
+            .position = trains_.position(),
             .power = beam_.now(),
             .switches_found = switches_.found(),
             .switches_half_found =
@@ -234,12 +248,14 @@ class StepGenerator final : public StepDrive {
             .probe_hit = probe_hit_.load(std::memory_order_relaxed)};
   }
 
-  [[nodiscard]] AxisArray<std::int32_t> steps_now() const noexcept {
-    AxisArray<std::int32_t> steps{};
-    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-      steps[axis] = position_[axis].load(std::memory_order_relaxed);
-    }
-    return steps;
+  // Main loop: one look tells the interrupt that there is nothing of either.
+  void note_urgency() {
+    urgent_.store(abort_.load(std::memory_order_relaxed) || beam_.blocked(),
+                  std::memory_order_release);
+  }
+  void note_watching() {
+    watching_.store(probe_armed_.load(std::memory_order_relaxed) || switches_.active(),
+                    std::memory_order_release);
   }
 
   /// Main loop: views from before this are out of date. @pre !running()
@@ -253,42 +269,65 @@ class StepGenerator final : public StepDrive {
   std::uint32_t end_pulse() noexcept {
     port_.lower_steps();
     high_ = false;
-    if (probe_armed_.load(std::memory_order_acquire)) check_probe();
-    if (switches_.active()) switches_.look(port_.switches(), steps_now());
-    beam_.follow();
-    return std::max(set_up_.timing.pulse, ticks_until(next_due()));
+    if (watching_.load(std::memory_order_relaxed)) look_around();
+    if (beam_.due()) beam_.follow();
+    const std::uint32_t pulse = set_up_.timing.pulse;
+    return trains_.empty() ? pulse : std::max(pulse, ticks_until(trains_.next_due()));
   }
 
+  /// Steps before all else: what the output is due to do beside them waits for their pulse to end.
   std::uint32_t begin_pulse() noexcept {
-    if (abort_.load(std::memory_order_relaxed)) return drop_everything();
-    beam_.darken_if_blocked();
-    while (trains_.empty() && now_ >= ticks_) {
-      now_ -= ticks_;
-      if (!load_segment()) return come_to_rest();
-      if (direction_changed_) return set_up_.timing.direction_set_up;
+    if (urgent_.load(std::memory_order_relaxed)) {
+      if (abort_.load(std::memory_order_relaxed)) return drop_everything();
+      beam_.darken_if_blocked();
     }
-    beam_.follow();
-    const std::int32_t due = next_due();
-    if (due > static_cast<std::int32_t>(now_)) return ticks_until(due);
-    raise_due_steps();
-    return set_up_.timing.pulse;
+    if (trains_.empty()) return go_on();
+    const std::int32_t due = trains_.next_due();
+    if (due <= now_) return raise_due_steps();
+    if (beam_.due()) beam_.follow();
+    return ticks_until(due);
   }
 
-  bool load_segment() noexcept {
-    const motion::Segment* const segment = queue_.front();
-    if (segment == nullptr) return false;
-    count_begun(segment->ticks);
-    if (segment->outputs.any()) drive_outputs(segment->outputs);
-    ticks_ = segment->ticks;
-    comes_to_rest_ = segment->comes_to_rest;
-    const std::uint8_t moving = trains_.load(*segment);
-    const auto wanted =
-        static_cast<std::uint8_t>((direction_ & ~moving) | (segment->negative & moving));
-    queue_.drop_front();
-    direction_changed_ = wanted != direction_;
+  /// To the next segment, in an interrupt of its own, so that none is long. @pre no steps are left
+  [[gnu::noinline]] std::uint32_t go_on() noexcept {
+    PlayableSegment* const next = queue_.front();
+    if (now_ < ticks_) {
+      if (beam_.due()) {
+        beam_.follow();
+      } else if (next != nullptr && may_begin_early(*next)) {
+        play(*next);
+      }
+      return ticks_until(trains_.empty() ? ticks_ : trains_.next_due());
+    }
+    if (next == nullptr) return come_to_rest();
+    const motion::Segment& segment = next->segment;
+    if (segment.outputs.any()) drive_outputs(segment.outputs);
+    const std::uint8_t wanted = direction_in(*next);
+    play(*next);
+    if (wanted == direction_) return kAtOnce;
     direction_ = wanted;
-    if (direction_changed_) port_.set_direction({direction_});
-    return true;
+    port_.set_direction({wanted});
+    return set_up_.timing.direction_set_up;
+  }
+
+  /// Nothing acts at its very beginning.
+  [[nodiscard]] bool may_begin_early(const PlayableSegment& next) const noexcept {
+    return direction_in(next) == direction_ && !next.segment.outputs.any();
+  }
+
+  void play(PlayableSegment& next) noexcept {
+    now_ -= ticks_;
+    ticks_ = static_cast<std::int32_t>(next.segment.ticks);
+    count_begun(next.segment.ticks);
+    comes_to_rest_ = next.segment.comes_to_rest;
+    trains_.begin(next);
+    queue_.drop_front();
+  }
+
+  /// Motors that do not move stay as they are.
+  [[nodiscard]] std::uint8_t direction_in(const PlayableSegment& next) const noexcept {
+    return static_cast<std::uint8_t>((direction_ & ~next.moving) |
+                                     (next.segment.negative & next.moving));
   }
 
   void count_begun(std::uint32_t ticks) noexcept {
@@ -296,35 +335,35 @@ class StepGenerator final : public StepDrive {
                        std::memory_order_relaxed);
   }
 
-  /// Tick of the next step of any motor, or the end of the segment.
-  [[nodiscard]] std::int32_t next_due() const noexcept {
-    return trains_.empty() ? static_cast<std::int32_t>(ticks_) : trains_.next_due();
-  }
-
   /// Until this tick of the segment, or the next change of the output.
   [[nodiscard]] std::uint32_t ticks_until(std::int32_t tick) const noexcept {
-    const std::int32_t left = beam_.sooner(tick - static_cast<std::int32_t>(now_));
-    return left > 0 ? static_cast<std::uint32_t>(left) : 1U;
+    const std::int32_t left = beam_.sooner(tick - now_);
+    return left > 0 ? static_cast<std::uint32_t>(left) : kAtOnce;
   }
 
-  void raise_due_steps() noexcept {
-    const auto slot_end = static_cast<std::int32_t>(now_ + 2 * set_up_.timing.pulse);
-    const std::uint8_t due = trains_.take_before(slot_end, position_);
+  std::uint32_t raise_due_steps() noexcept {
+    const std::uint32_t pulse = set_up_.timing.pulse;
+    const std::uint8_t due = trains_.take_before(now_ + static_cast<std::int32_t>(2 * pulse));
     const hal::SwitchMask& gates = switches_.gates();
     port_.raise_steps({static_cast<std::uint8_t>(due & ~gates.first)},
                       {static_cast<std::uint8_t>(due & set_up_.second_motors & ~gates.second)});
     high_ = true;
+    return pulse;
   }
 
-  /// @pre armed
-  void check_probe() noexcept {
-    if (port_.probe_contact() != probe_contact_) return;
-    probe_position_ = steps_now();
-    probe_armed_.store(false, std::memory_order_relaxed);
-    probe_hit_.store(true, std::memory_order_release);
+  /// After each pulse, while a probe or switches are watched.
+  [[gnu::noinline]] void look_around() noexcept {
+    std::atomic_signal_fence(std::memory_order_acquire);
+    const AxisArray<std::int32_t> position = trains_.position();
+    if (probe_armed_.load(std::memory_order_relaxed) && port_.probe_contact() == probe_contact_) {
+      probe_position_ = position;
+      probe_armed_.store(false, std::memory_order_relaxed);
+      probe_hit_.store(true, std::memory_order_release);
+    }
+    if (switches_.active()) switches_.look(port_.switches(), position);
   }
 
-  std::uint32_t come_to_rest() noexcept {
+  [[gnu::noinline]] std::uint32_t come_to_rest() noexcept {
     if (!comes_to_rest_) {
       starved_.store(starved_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
       beam_.drop();
@@ -332,11 +371,11 @@ class StepGenerator final : public StepDrive {
     return stop();
   }
 
-  std::uint32_t drop_everything() noexcept {
+  [[gnu::noinline]] std::uint32_t drop_everything() noexcept {
     abort_.store(false, std::memory_order_relaxed);
     queue_.publish_all();
-    while (const motion::Segment* const dropped = queue_.front()) {
-      count_begun(dropped->ticks);
+    while (const PlayableSegment* const dropped = queue_.front()) {
+      count_begun(dropped->segment.ticks);
       queue_.drop_front();
     }
     beam_.drop();
@@ -362,14 +401,15 @@ class StepGenerator final : public StepDrive {
   // What each interrupt looks at comes first: within a short reach of the object's start.
   Port& port_;
   StepTrains trains_{};
-  std::uint32_t ticks_ = 0;  ///< Of the segment being played.
-  std::uint32_t now_ = 0;    ///< Ticks since it was due to start.
+  std::int32_t ticks_ = 0;  ///< Of the segment being played.
+  std::int32_t now_ = 0;    ///< Ticks since it was due to start; negative before.
   std::uint32_t waited_ = 0;
   SetUp set_up_{};
   bool high_ = false;
   bool comes_to_rest_ = false;  ///< After the segment being played.
-  bool direction_changed_ = false;
   std::uint8_t direction_ = 0;
+  std::atomic<bool> urgent_{false};    ///< abort_, or the output is blocked.
+  std::atomic<bool> watching_{false};  ///< A probe is armed, or switches are watched.
   std::atomic<bool> abort_{false};
   std::atomic<bool> probe_armed_{false};
   std::atomic<bool> probe_hit_{false};
@@ -377,12 +417,11 @@ class StepGenerator final : public StepDrive {
   std::atomic<bool> running_{false};
   std::atomic<std::uint32_t> starved_{0};  ///< Times.
   SwitchWatch switches_{};
-  MotorSteps position_{};
   AxisArray<std::int32_t> probe_position_{};
   std::atomic<std::uint32_t> begun_ticks_{0};
   std::atomic<std::uint32_t> longest_wait_{kLongestWait};
   PowerOutput<Port, 2 * QueueCapacity> beam_;
-  hal::StagedRing<motion::Segment, QueueCapacity> queue_{};
+  hal::StagedRing<PlayableSegment, QueueCapacity> queue_{};
   TurnGate gate_{};
   std::atomic<std::uint32_t> epoch_{0};  ///< Written by the main loop.
 

@@ -1,8 +1,7 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
-#include <atomic>
+#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -11,80 +10,108 @@
 
 namespace cnc {
 
-/// Where the motors are, in steps: written by the step interrupt, read by the main loop.
-using MotorSteps = AxisArray<std::atomic<std::int32_t>>;
+/// A segment with what the step interrupt need not find out by itself.
+struct PlayableSegment {
+  motion::Segment segment{};
+  std::uint32_t moving = 0;       ///< Bit i: axis i has steps.
+  std::int32_t earliest_q16 = 0;  ///< The first step of any.
 
-/// The step trains of the segment being played, of the motors that still have steps in it.
-/// Step interrupt only; integers.
-class StepTrains {
- public:
-  static constexpr std::int32_t kNever = 0x7FFF'FFFF;
-
-  /// Takes the trains of a segment. @pre empty(). @return the axes that have any.
-  std::uint8_t load(const motion::Segment& segment) noexcept {
-    std::uint8_t moving = 0;
+  void prepare() {
+    moving = 0;
+    earliest_q16 = kNoStep;
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
       const motion::StepTrain& train = segment.trains[axis];
       if (train.count == 0) continue;
-      const auto bit = static_cast<std::uint8_t>(1U << axis);
-      motors_[count_++] = {.due_q16 = train.first_q16,
-                           .interval_q16 = train.interval_q16,
-                           .growth_q16 = train.growth_q16,
-                           .way = (segment.negative & bit) != 0 ? -1 : 1,
-                           .left = train.count,
-                           .axis = static_cast<std::uint8_t>(axis)};
-      earliest_q16_ = std::min(earliest_q16_, train.first_q16);
-      moving = static_cast<std::uint8_t>(moving | bit);
+      moving |= 1U << axis;
+      earliest_q16 = std::min(earliest_q16, train.first_q16);
     }
-    return moving;
-  }
-  void clear() noexcept {
-    count_ = 0;
-    earliest_q16_ = kNever;
   }
 
-  [[nodiscard]] bool empty() const noexcept { return count_ == 0; }
+  static constexpr std::int32_t kNoStep = 0x7FFF'FFFF;
+};
+
+/// The step trains of the segment being played. They are driven where they lie, so that
+/// a segment begins at little cost: `first_q16` is where its next step is due, `count` how many
+/// are left. Step interrupt only; integers.
+class StepTrains {
+ public:
+  /// Goes over to the trains of a segment, which stays where it is until they are empty().
+  /// @pre empty()
+  void begin(PlayableSegment& next) noexcept {
+    trains_ = next.segment.trains.data();
+    negative_ = next.segment.negative;
+    moving_ = next.moving;
+    earliest_q16_ = next.earliest_q16;
+#pragma GCC unroll 6
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+      ends_[axis] += way(axis, trains_[axis].count);
+    }
+  }
+  /// Forgets the steps that are left.
+  void clear() noexcept {
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) ends_[axis] = position(axis);
+    moving_ = 0;
+  }
+
+  [[nodiscard]] bool empty() const noexcept { return moving_ == 0; }
   /// Tick of the segment in which the next step of any motor is due. @pre !empty()
   [[nodiscard]] std::int32_t next_due() const noexcept { return earliest_q16_ >> 16; }
 
-  /// Takes the steps that are due before this tick, one of each motor at most, and counts
-  /// them. @return their axes.
-  std::uint8_t take_before(std::int32_t tick, MotorSteps& position) noexcept {
-    std::uint8_t due = 0;
-    std::int32_t earliest = kNever;
-    for (std::size_t i = 0; i < count_;) {
-      Motor& motor = motors_[i];
-      if ((motor.due_q16 >> 16) < tick) {
-        due = static_cast<std::uint8_t>(due | (1U << motor.axis));
-        std::atomic<std::int32_t>& steps = position[motor.axis];
-        steps.store(steps.load(std::memory_order_relaxed) + motor.way, std::memory_order_relaxed);
-        if (--motor.left == 0) {
-          motor = motors_[--count_];
+  /// Takes the steps that are due before this tick, one of each motor at most.
+  /// @return their axes.
+  std::uint8_t take_before(std::int32_t tick) noexcept {
+    unsigned due = 0;
+    unsigned moving = moving_;
+    std::int32_t earliest = PlayableSegment::kNoStep;
+    // Unrolled, each motor's train is at a constant place.
+#pragma GCC unroll 6
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+      const unsigned bit = 1U << axis;
+      if ((moving & bit) == 0) continue;
+      motion::StepTrain& train = trains_[axis];
+      std::int32_t next = train.first_q16;
+      if ((next >> 16) < tick) {
+        due |= bit;
+        const unsigned steps_left = train.count - 1U;
+        train.count = static_cast<std::uint16_t>(steps_left);
+        next += train.interval_q16;
+        train.first_q16 = next;
+        train.interval_q16 += train.growth_q16;
+        if (steps_left == 0) {
+          moving ^= bit;
           continue;
         }
-        motor.due_q16 += motor.interval_q16;
-        motor.interval_q16 += motor.growth_q16;
       }
-      earliest = std::min(earliest, motor.due_q16);
-      ++i;
+      earliest = std::min(earliest, next);
     }
+    moving_ = moving;
     earliest_q16_ = earliest;
-    return due;
+    return static_cast<std::uint8_t>(due);
   }
 
- private:
-  struct Motor {
-    std::int32_t due_q16 = 0;  ///< Its next step, in ticks of the segment.
-    std::int32_t interval_q16 = 0;
-    std::int32_t growth_q16 = 0;
-    std::int32_t way = 1;    ///< Of a step: 1, or −1 backwards.
-    std::uint16_t left = 0;  ///< Steps.
-    std::uint8_t axis = 0;
-  };
+  /// Where a motor is, in steps.
+  [[nodiscard]] std::int32_t position(std::size_t axis) const noexcept {
+    if ((moving_ >> axis & 1U) == 0) return ends_[axis];
+    return ends_[axis] - way(axis, trains_[axis].count);
+  }
+  [[nodiscard]] AxisArray<std::int32_t> position() const noexcept {
+    AxisArray<std::int32_t> steps{};
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) steps[axis] = position(axis);
+    return steps;
+  }
+  /// Calls the place where a motor is so. @pre empty()
+  void set_position(std::size_t axis, std::int32_t steps) noexcept { ends_[axis] = steps; }
 
-  AxisArray<Motor> motors_{};
-  std::size_t count_ = 0;
-  std::int32_t earliest_q16_ = kNever;
+ private:
+  [[nodiscard]] std::int32_t way(std::size_t axis, std::int32_t steps) const noexcept {
+    return (negative_ >> axis & 1U) != 0 ? -steps : steps;
+  }
+
+  motion::StepTrain* trains_ = nullptr;
+  unsigned moving_ = 0;  ///< Axes that still have steps.
+  std::int32_t earliest_q16_ = PlayableSegment::kNoStep;
+  std::uint32_t negative_ = 0;
+  AxisArray<std::int32_t> ends_{};  ///< Where the motors are after the last of them.
 };
 
 }  // namespace cnc

@@ -42,7 +42,7 @@ class SwitchWatch {
   // Step interrupt; the gates at rest from the main loop, too.
 
   [[nodiscard]] bool active() const noexcept {
-    return watched_.load(std::memory_order_acquire) != 0;
+    return watched_.load(std::memory_order_relaxed) != 0;
   }
   /// Motors that get no steps.
   [[nodiscard]] const hal::SwitchMask& gates() const noexcept { return gates_; }

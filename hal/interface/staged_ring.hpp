@@ -29,11 +29,13 @@ class StagedRing {
   [[nodiscard]] std::uint32_t room(std::uint32_t taken) const {
     return Capacity - (staged() - taken);
   }
+  /// Where the next item is written before it is staged. @pre room() > 0
+  [[nodiscard]] Item& next() { return items_[staged() % Capacity]; }
+  void stage_next() { staged_.store(staged() + 1, std::memory_order_release); }
   /// @pre room() > 0
   void stage(const Item& item) {
-    const std::uint32_t place = staged();
-    items_[place % Capacity] = item;
-    staged_.store(place + 1, std::memory_order_release);
+    next() = item;
+    stage_next();
   }
 
   // Reader.
@@ -58,15 +60,14 @@ class StagedRing {
   [[nodiscard]] bool empty() const noexcept {
     return published_.load(std::memory_order_relaxed) == taken();
   }
-  /// The oldest item, where it lies; null when empty.
-  [[nodiscard]] const Item* front() const noexcept {
-    return empty() ? nullptr : &items_[taken() % Capacity];
-  }
+  /// The oldest item, where it lies and is the reader's until the writer comes round; null when
+  /// empty.
+  [[nodiscard]] Item* front() noexcept { return empty() ? nullptr : &items_[taken() % Capacity]; }
   /// Done with it. @pre front() is not null
   void drop_front() noexcept { taken_.store(taken() + 1, std::memory_order_release); }
   /// False when empty; `item` is then untouched.
   [[nodiscard]] bool try_pop(Item& item) noexcept {
-    const Item* const oldest = front();
+    Item* const oldest = front();
     if (oldest == nullptr) return false;
     item = *oldest;
     drop_front();

@@ -20,6 +20,7 @@
 #include "planner/motion/block_builder.hpp"
 #include "planner/motion/segmenter.hpp"
 #include "planner/path/path_stage.hpp"
+#include "tests/target/axes_text.hpp"
 #include "tests/target/freeform_text.hpp"
 #include "tests/target/quiet_machine.hpp"
 #include "tests/target/raster_text.hpp"
@@ -90,11 +91,13 @@ class FreeformLink final : public hal::ByteStream {
   void send(std::string_view opening) { rest_ = opening; }
   void send_job(std::string_view opening = "G21G90G1F12000") { text_ = FreeformText{opening}; }
   void send_raster() { raster_ = RasterText{}; }
+  void send_axes(int count) { axes_ = AxesText{count}; }
 
   [[nodiscard]] std::size_t read(std::span<std::byte> into) override {
     const std::uint32_t start = instructions();
     if (rest_.empty() && !text_.finished()) rest_ = text_.next();
     if (rest_.empty() && raster_ && !raster_->finished()) rest_ = raster_->next();
+    if (rest_.empty() && axes_ && !axes_->finished()) rest_ = axes_->next();
     std::size_t count = 0;
     while (count < into.size() && count < rest_.size()) {
       into[count] = static_cast<std::byte>(rest_[count]);
@@ -111,7 +114,8 @@ class FreeformLink final : public hal::ByteStream {
   }
 
   [[nodiscard]] bool finished() const {
-    return rest_.empty() && text_.finished() && (!raster_ || raster_->finished());
+    return rest_.empty() && text_.finished() && (!raster_ || raster_->finished()) &&
+           (!axes_ || axes_->finished());
   }
 
   std::uint32_t own_cost = 0;
@@ -120,6 +124,7 @@ class FreeformLink final : public hal::ByteStream {
  private:
   FreeformText text_{};
   std::optional<RasterText> raster_{};
+  std::optional<AxesText> axes_{};
   std::string_view rest_{};
 };
 
@@ -227,6 +232,20 @@ void count_raster(Application& application) {
   interrupt.print("raster: step interrupt", "interrupt");
 }
 
+/// Lines on several axes at once, each with a power.
+void count_axes(Application& application, int axes, const char* what) {
+  Cost unused;
+  Cost interrupt;
+  constexpr std::string_view kSame =
+      "$32=1\n$102=250\n$103=250\n$104=250\n$105=250\n$112=12000\n$113=12000\n$114=12000\n"
+      "$115=12000\n$122=3000\n$123=3000\n$124=3000\n$125=3000\n";
+  link_to_job.send(kSame);
+  run(application, unused, unused);
+  link_to_job.send_axes(axes);
+  run(application, unused, interrupt);
+  interrupt.print(what, "interrupt");
+}
+
 /// The stages alone, one after the other on each line.
 class Stages {
  public:
@@ -314,6 +333,9 @@ void run_on_target() {
   auto* const application = new (room.data()) Application{port, port, port, store, link_to_job};
   count_firmware(*application);
   count_raster(*application);
+  count_axes(*application, 3, "3 axes and power: step interrupt");
+  count_axes(*application, 4, "4 axes and power: step interrupt");
+  count_axes(*application, 6, "6 axes and power: step interrupt");
   count_fast_job(*application);
   static const cnc::motion::Limits limits = cnc::limits_from(application->machine().settings());
   auto* const stages = new (room.data()) Stages{limits};
