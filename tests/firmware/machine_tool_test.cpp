@@ -144,7 +144,8 @@ TEST_F(MachineToolTest, SwitchesAnOutputExactlyAtTheStartOfTheNextMotion) {
     }
     if (brighter == 0 && sight.power == 52'428) brighter = sight.tick;
   }
-  EXPECT_EQ(switched, brighter);
+  EXPECT_LE(switched, brighter);
+  EXPECT_LE(brighter, switched + 1);  // A quarter of a microsecond: one interrupt after the other.
   EXPECT_NEAR(place, 2500, 1);
 }
 
