@@ -75,7 +75,7 @@ void Machine::poll(hal::TickCount now) {
   if (state_.in(Mode::kFree)) dwell_.pass(elapsed_us);
   restart_dwell_.pass(elapsed_us);
   attend_mode(elapsed_us);
-  if (spline_rest_ > 0) --spline_rest_;
+  spline_points_ = kSplinePoints;
   run_actions();
   motion_.attend(elapsed_us);
   attend_motor_enable(elapsed_us);

@@ -177,6 +177,9 @@ class Machine {
     kCoolant,
     kPlunge,
   };
+  /// Of splines, in a turn: 0.4 ms on the emulated chip, and as much again for the last step of it.
+  static constexpr std::uint32_t kSplinePoints = 300;
+
   struct JogMove {
     Position end{};
     float feed = 0.0F;
@@ -297,7 +300,8 @@ class Machine {
   Position parts_from_{};           ///< Of the line whose parts differ in power…
   std::size_t part_ = 0;            ///< …so many of which have been taken.
   std::optional<ArcFit> spline_{};  ///< The spline being turned into arcs.
-  std::uint8_t spline_rest_ = 0;    ///< Turns until its next arc.
+  bool spline_begun_ = false;       ///< Its first arc has been appended.
+  std::uint32_t spline_points_ = kSplinePoints;  ///< To be looked at in this turn.
   motion::OutputChanges with_next_motion_{};
   std::optional<JogMove> jog_{};  ///< Waits for room in the planner.
   Dwell dwell_{};                 ///< Of an action.

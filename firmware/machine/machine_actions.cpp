@@ -1,7 +1,6 @@
 #include <algorithm>
 
 #include "firmware/machine/machine.hpp"
-#include "firmware/steps/turn_gate.hpp"
 
 namespace cnc {
 
@@ -128,20 +127,17 @@ float Machine::spline_tolerance() const {
   return std::max(wanted, ArcFit::kLeastToleranceMm);
 }
 
-/// An arc at a time, as finding one takes up to 1.1 million instructions, and only while there is
-/// motion enough for so long.
+/// Arc by arc, as the planner has room, and as many points of the curve as a turn may look at.
 bool Machine::move_spline(const Action& action) {
-  constexpr std::uint32_t kTurnsOfAnArc = 9;
-  constexpr std::uint32_t kEnough = kTicksAhead * 3 / 4;
-  static_assert((kTurnsOfAnArc + kTurnsToMotion) * kTurnTicks < kEnough);
-  if (!motion_.has_room() || spline_rest_ > 0) return false;
-  if (drive_.running() && drive_.ticks_waiting() < kEnough) return false;
-  drive_.take_turns(kTurnsOfAnArc);
-  const bool begins = !spline_;
-  if (begins) spline_.emplace(*action.spline, motion_.target(), spline_tolerance());
-  if (!spline_->done()) append(spline_->next(), action.feed, !begins);
-  spline_rest_ = 2;  // Not twice in a turn.
-  if (!spline_->done()) return false;
+  if (!spline_) {
+    spline_.emplace(*action.spline, motion_.target(), spline_tolerance());
+    spline_begun_ = false;
+  }
+  while (!spline_->done()) {
+    if (!motion_.has_room() || !spline_->work(spline_points_)) return false;
+    append(spline_->next(), action.feed, spline_begun_);
+    spline_begun_ = true;
+  }
   spline_.reset();
   return true;
 }

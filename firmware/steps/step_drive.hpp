@@ -43,10 +43,6 @@ class StepDrive {
   /// True once after motion was cut off because no segment came in time.
   [[nodiscard]] virtual bool take_starved() = 0;
 
-  /// What is to be done in this turn takes as long as so many more: those are left out, and what
-  /// is handed over in this one is driven as if it had been in the last of them. To be called
-  /// before that work. @pre turns ≤ kMostTurnsOfWork, in all of a turn's calls
-  virtual void take_turns(std::uint32_t turns) = 0;
   /// Turns that took so long that motion may have begun later than it should.
   [[nodiscard]] virtual std::uint32_t late_turns() const = 0;
 

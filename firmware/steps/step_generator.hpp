@@ -174,18 +174,11 @@ class StepGenerator final : public StepDrive {
   }
   /// The number of the turn under way; runs freely.
   [[nodiscard]] std::uint32_t turn() const { return view_.turn; }
-  void take_turns(std::uint32_t turns) override {
-    extra_turns_ += turns;
-    CNC_ASSERT(extra_turns_ <= kMostTurnsOfWork);
-    gate_.leave_out_before(view_.turn + extra_turns_);
-  }
   void end_turn() {
-    gate_.hand_over({.turn = view_.turn + extra_turns_,
+    gate_.hand_over({.turn = view_.turn,
                      .segments = queue_.staged(),
                      .pieces = beam_.pushed(),
                      .rest_power = rest_power_});
-    if (extra_turns_ > 0) gate_.leave_out_before(view_.turn + extra_turns_ + 1);
-    extra_turns_ = 0;
   }
   [[nodiscard]] std::uint32_t late_turns() const override { return gate_.late(); }
 
@@ -428,7 +421,6 @@ class StepGenerator final : public StepDrive {
   // Main loop only.
   StepView view_{};
   std::uint32_t starved_seen_ = 0;
-  std::uint32_t extra_turns_ = 0;  ///< That the one under way takes.
   std::uint16_t rest_power_ = 0;
   std::uint32_t pushed_ticks_ = 0;  ///< Runs freely.
   bool ends_at_rest_ = true;        ///< The segment pushed last.

@@ -18,9 +18,6 @@ inline constexpr std::uint32_t kTurnUs = 1000;
 /// long may its planning take without a step being anywhere else.
 inline constexpr std::uint32_t kTurnsToMotion = 3;
 
-/// How many turns the work of one may be said to take.
-inline constexpr std::uint32_t kMostTurnsOfWork = 12;
-
 /// The step interrupt as it was at the boundary of a turn: all that the main loop knows of it.
 struct StepView {
   std::uint32_t turn = 0;   ///< Boundaries before this one; runs freely.
@@ -55,15 +52,12 @@ class TurnGate {
  public:
   // Step interrupt, once at each boundary, in this order.
 
-  /// What the turn kTurnsToMotion boundaries ago has handed over; null when it is late, or left
-  /// out.
+  /// What the turn kTurnsToMotion boundaries ago has handed over; null when it is late.
   [[nodiscard]] const Handover* due() noexcept {
     const std::uint32_t turn = begun_ - kTurnsToMotion;
     const Slot& slot = slots_[turn % kSlots];
     const bool over = slot.ends.load(std::memory_order_acquire) == turn + 1;
-    const std::uint32_t free_from = free_from_.load(std::memory_order_acquire);
-    const bool left_out = static_cast<std::int32_t>(turn - free_from) < 0;
-    if (!over && !left_out && begun_ >= kTurnsToMotion) {
+    if (!over && begun_ >= kTurnsToMotion) {
       late_.store(late_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
     }
     return over ? &slot.content : nullptr;
@@ -78,16 +72,7 @@ class TurnGate {
   // Main loop.
 
   /// The next turn to be run; false when it has not begun.
-  [[nodiscard]] bool take(StepView& view) {
-    const std::uint32_t free_from = free_from_.load(std::memory_order_relaxed);
-    while (views_.try_pop(view)) {
-      if (static_cast<std::int32_t>(view.turn - free_from) >= 0) return true;
-    }
-    return false;
-  }
-  /// The turns before this one are left out, for the sake of the one under way, which hands over
-  /// in the place of the last of them. To be said before the work that takes so long.
-  void leave_out_before(std::uint32_t turn) { free_from_.store(turn, std::memory_order_release); }
+  [[nodiscard]] bool take(StepView& view) { return views_.try_pop(view); }
   void hand_over(const Handover& content) {
     Slot& slot = slots_[content.turn % kSlots];
     slot.content = content;
@@ -102,9 +87,9 @@ class TurnGate {
   [[nodiscard]] std::uint32_t late() const { return late_.load(std::memory_order_relaxed); }
 
  private:
-  /// Of the turns that may be under way, be left out, or wait to be let in.
-  static constexpr std::uint32_t kSlots = 16;
-  static_assert(kMostTurnsOfWork + kTurnsToMotion < kSlots);
+  /// Of the turns that may be under way or wait to be let in.
+  static constexpr std::uint32_t kSlots = 8;
+  static_assert(kTurnsToMotion < kSlots);
 
   struct Slot {
     Handover content{};
@@ -114,7 +99,6 @@ class TurnGate {
   std::array<Slot, kSlots> slots_{};
   hal::SpscRing<StepView, kSlots> views_{};
   std::atomic<std::uint32_t> late_{0};
-  std::atomic<std::uint32_t> free_from_{0};  ///< Turns before are left out, if they are not over.
   std::uint32_t begun_ = 0;
 };
 

@@ -22,7 +22,7 @@ class TurnMarks {
   [[nodiscard]] std::uint32_t end() const { return end_; }
 
  private:
-  static constexpr std::uint32_t kTurns = 16;
+  static constexpr std::uint32_t kTurns = 8;
 
   std::array<std::atomic<std::uint32_t>, kTurns> marks_{};
   std::uint32_t end_ = 0;

@@ -53,18 +53,5 @@ TEST_F(TurnGateTest, ALateTurnIsCountedAndComesInWithALaterOne) {
   EXPECT_EQ(gate.late(), 1U);
 }
 
-TEST_F(TurnGateTest, TurnsThatAreLeftOutAreNotLate) {
-  boundary();
-  EXPECT_EQ(take(), 0U);
-  gate.leave_out_before(6);  // The work of turn 0 takes as long as six.
-  for (int i = 1; i < 8; ++i) EXPECT_EQ(boundary(), std::nullopt);
-  gate.hand_over({.turn = 6, .segments = 7});
-  gate.leave_out_before(7);
-  EXPECT_EQ(take(), 7U);
-  EXPECT_EQ(boundary(), std::nullopt);
-  EXPECT_EQ(boundary(), 7U);
-  EXPECT_EQ(gate.late(), 0U);
-}
-
 }  // namespace
 }  // namespace cnc

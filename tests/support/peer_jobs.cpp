@@ -93,6 +93,23 @@ std::string zigzag() {
   return text;
 }
 
+/// When motion began.
+class FirstStep final : public sim::TraceSink {
+ public:
+  void on_row(const sim::TraceRow& row) override {
+    constexpr cnc::AxisArray<std::int32_t> kOrigin{};
+    if (!moved_ && row.position != kOrigin) {
+      moved_ = true;
+      seconds_ = 1.0e-9 * static_cast<double>(row.time_ns);
+    }
+  }
+  [[nodiscard]] double seconds() const { return seconds_; }
+
+ private:
+  bool moved_ = false;
+  double seconds_ = 0.0;
+};
+
 void change(sim::Simulator& simulator, std::uint16_t number, double value) {
   if (!simulator.change_setting(number, static_cast<float>(value)).empty()) std::abort();
 }
@@ -145,8 +162,11 @@ PeerResult run_peer_job(const PeerJob& job, double rise) {
       sim::read_program(job.program, sim::read_options_for(simulator.settings())), product);
   result.limits = limits_of(product);
   if (rise > 0.0) result.limits.jerk.fill(job.acceleration / rise);
+  FirstStep first;
+  simulator.add_sink(first);
   const sim::RunResult run = simulator.run();
-  result.seconds = run.job_time_s;
+  result.start_seconds = first.seconds();
+  result.seconds = run.job_time_s - result.start_seconds;
   result.refusals = run.refusals.size() + (run.alarm != 0 ? 1 : 0);
   return result;
 }

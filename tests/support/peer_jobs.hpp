@@ -43,6 +43,7 @@ struct PeerJob {
 /// What our simulator needs for a job, and what the limits allow.
 struct PeerResult {
   double seconds = 0.0;        ///< Of the machine, from the first to the last step.
+  double start_seconds = 0.0;  ///< From the first bytes to the first step.
   sim::ProgrammedPath path{};  ///< As the independent reader has it.
   sim::MotionLimits limits{};
   std::size_t refusals = 0;

@@ -55,7 +55,7 @@ TEST_F(BeamWatchTest, AMotionThatBeginsIsNotTakenForRest) {
   clock.set_up(kFullSpeed);
   chip_.cells[timer::kTim2 + timer::kCounter] = 5000;
   clock.begin_turns();
-  chip_.cells[timer::kTim2 + timer::kCounter] = 8000;
+  chip_.cells[timer::kTim2 + timer::kCounter] = chip_.cells[timer::kTim2 + timer::compare(2)];
   power_.set_duty(0);
   clock.on_interrupt([] { return 0U; }, [&] { clock.start(); });
   bool seen = false;
