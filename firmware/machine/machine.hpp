@@ -297,10 +297,10 @@ class Machine {
   gcode::Actions waiting_{};
   std::optional<ArcElements> arc_{};  ///< The arc being divided.
   std::uint32_t arc_index_ = 0;
-  Position parts_from_{};           ///< Of the line whose parts differ in power…
-  std::size_t part_ = 0;            ///< …so many of which have been taken.
-  std::optional<ArcFit> spline_{};  ///< The spline being turned into arcs.
-  bool spline_begun_ = false;       ///< Its first arc has been appended.
+  Position parts_from_{};                        ///< Of the line whose parts differ in power…
+  std::size_t part_ = 0;                         ///< …so many of which have been taken.
+  std::optional<ArcFit> spline_{};               ///< The spline being turned into arcs.
+  bool spline_begun_ = false;                    ///< Its first arc has been appended.
   std::uint32_t spline_points_ = kSplinePoints;  ///< To be looked at in this turn.
   motion::OutputChanges with_next_motion_{};
   std::optional<JogMove> jog_{};  ///< Waits for room in the planner.

@@ -19,7 +19,7 @@ namespace cnc {
 class BiarcTrial {
  public:
   static constexpr std::uint32_t kSamples = 24;   ///< Inside; ends not counted.
-  static constexpr std::uint32_t kClosely = 249; ///< Ten times as many, for the last look.
+  static constexpr std::uint32_t kClosely = 249;  ///< Ten times as many, for the last look.
   /// Stands for "does not fit at all", mm.
   static constexpr float kNoFit = 1.0e9F;
 

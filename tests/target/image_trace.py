@@ -150,7 +150,8 @@ class ImageTraceTest(unittest.TestCase):
     def judge(self, what: str, results: list):
         edges = sum(count for _, count, _ in results)
         late = sum(turns for _, _, turns in results)
-        print(f"{what}: {len(results)} jobs, {edges} edges, {late} late turns")
+        print(f"{what}: {len(results)} jobs, {edges} edges, {late} late turns: "
+              f"{[turns for _, _, turns in results]}")
         self.assertEqual([], [trouble for trouble, _, _ in results if trouble])
         self.assertEqual(0, late)
         self.assertGreater(edges, 1000)
