@@ -25,9 +25,38 @@ float cosine_near_zero(float x) {
   return 1.0F - z * (0.5F + z * tail);
 }
 
-}  // namespace
+// The same in double precision: 33 bits of half π in each of the first two parts, so
+// that a product with a quarter count below 2^20 is exact.
+constexpr double kHalfPiHighD = 1.57079632673412561417;
+constexpr double kHalfPiMiddleD = 6.07710050630396597660e-11;
+constexpr double kHalfPiLowD = 2.02226624879595063154e-21;
 
-SinCos turned_by_quarters(const SinCos& angle, int quarters) {
+// Taylor series up to π/4, whose first term left out is below 2e-17.
+double sine_near_zero(double x) {
+  const double z = x * x;
+  const double high = -1.0 / 39916800.0 + z * (1.0 / 6227020800.0 - z / 1307674368000.0);
+  const double low = -1.0 / 6.0 + z * (1.0 / 120.0 + z * (-1.0 / 5040.0 + z / 362880.0));
+  return x + x * z * (low + z * z * z * z * high);
+}
+
+double cosine_near_zero(double x) {
+  const double z = x * x;
+  const double high = -1.0 / 3628800.0 + z * (1.0 / 479001600.0 - z / 87178291200.0);
+  const double top = high + z * z * z / 20922789888000.0;
+  const double low = 1.0 / 24.0 + z * (-1.0 / 720.0 + z / 40320.0);
+  return 1.0 - z * (0.5 - z * (low + z * z * z * top));
+}
+
+// Taylor series up to tan(π/16), whose first term left out is below 1e-18 of x.
+double atan_near_zero(double x) {
+  const double z = x * x;
+  double tail = 0.0;
+  for (int odd = 23; odd >= 3; odd -= 2) tail = z * (1.0 / static_cast<double>(odd) - tail);
+  return x - x * tail;
+}
+
+template <typename Scalar>
+BasicSinCos<Scalar> quarters_further(const BasicSinCos<Scalar>& angle, int quarters) {
   const auto [s, c] = angle;
   switch (quarters & 3) {
     case 0:
@@ -41,6 +70,12 @@ SinCos turned_by_quarters(const SinCos& angle, int quarters) {
   }
 }
 
+}  // namespace
+
+SinCos turned_by_quarters(const SinCos& angle, int quarters) {
+  return quarters_further(angle, quarters);
+}
+
 SinCos sin_cos(float angle) {
   const float quarters = angle * (1.0F / kHalfPi);
   const auto count = static_cast<std::int32_t>(quarters + (quarters >= 0.0F ? 0.5F : -0.5F));
@@ -48,6 +83,16 @@ SinCos sin_cos(float angle) {
   const float rest =
       ((angle - turned * kHalfPiHigh) - turned * kHalfPiMiddle) - turned * kHalfPiLow;
   return turned_by_quarters({sine_near_zero(rest), cosine_near_zero(rest)}, count);
+}
+
+SinCosD sin_cos(double angle) {
+  constexpr double kQuartersInOne = 0.63661977236758134308;
+  const double quarters = angle * kQuartersInOne;
+  const auto count = static_cast<std::int32_t>(quarters + (quarters >= 0.0 ? 0.5 : -0.5));
+  const auto turned = static_cast<double>(count);
+  const double rest =
+      ((angle - turned * kHalfPiHighD) - turned * kHalfPiMiddleD) - turned * kHalfPiLowD;
+  return quarters_further<double>({sine_near_zero(rest), cosine_near_zero(rest)}, count);
 }
 
 float atan_unit(float t) {
@@ -74,6 +119,24 @@ float atan2_f(float y, float x) {
   const float quadrant = ay > ax ? kHalfPi - octant : octant;
   const float half = x < 0.0F ? kPi - quadrant : quadrant;
   return y < 0.0F ? -half : half;
+}
+
+double atan2_d(double y, double x) {
+  constexpr double kQuarterPi = 0.78539816339744830962;
+  constexpr double kTanEighthPi = 0.41421356237309504880;
+  const double ax = std::abs(x);
+  const double ay = std::abs(y);
+  const double larger = ax > ay ? ax : ay;
+  if (larger <= 0.0) return 0.0;
+  const double ratio = (ax > ay ? ay : ax) / larger;
+  const bool upper = ratio > kTanEighthPi;
+  const double part = upper ? (ratio - 1.0) / (ratio + 1.0) : ratio;
+  // Half the angle's tangent.
+  const double half_part = part / (1.0 + std::sqrt(1.0 + part * part));
+  const double octant = (upper ? kQuarterPi : 0.0) + 2.0 * atan_near_zero(half_part);
+  const double quadrant = ay > ax ? 2.0 * kQuarterPi - octant : octant;
+  const double half = x < 0.0 ? 4.0 * kQuarterPi - quadrant : quadrant;
+  return y < 0.0 ? -half : half;
 }
 
 float cube_root(float value) {

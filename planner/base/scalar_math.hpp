@@ -2,7 +2,8 @@
 
 namespace cnc {
 
-/// Our own transcendental functions, in single precision.
+/// Our own transcendental functions: in single precision what the controller
+/// needs, in double precision what path makers on the host need.
 ///
 /// The C libraries of host and controller round sin, cos and atan differently,
 /// and what decides motion must give the same bits on both. Only +, −, ×, ÷ and
@@ -15,10 +16,13 @@ inline constexpr float kHalfPi = 1.57079632679490F;
 
 [[nodiscard]] constexpr float square(float x) { return x * x; }
 
-struct SinCos {
-  float sine;
-  float cosine;
+template <typename Scalar>
+struct BasicSinCos {
+  Scalar sine;
+  Scalar cosine;
 };
+using SinCos = BasicSinCos<float>;
+using SinCosD = BasicSinCos<double>;
 
 /// Sine and cosine of an angle `quarters` quarter turns further; any sign.
 [[nodiscard]] SinCos turned_by_quarters(const SinCos& angle, int quarters);
@@ -30,6 +34,12 @@ inline constexpr float kSinCosRange = 1000.0F;
 inline constexpr double kSinCosError = 1.3e-7;
 [[nodiscard]] SinCos sin_cos(float angle);
 
+/// The same in double precision: absolute error at most kSinCosErrorD for
+/// |angle| ≤ kSinCosRangeD.
+inline constexpr double kSinCosRangeD = 1.0e5;
+inline constexpr double kSinCosErrorD = 3.0e-16;
+[[nodiscard]] SinCosD sin_cos(double angle);
+
 /// Arc tangent of t in [0, 1], in radians. Relative error at most kAtanError.
 inline constexpr double kAtanError = 2.0e-7;
 [[nodiscard]] float atan_unit(float t);
@@ -38,6 +48,10 @@ inline constexpr double kAtanError = 2.0e-7;
 /// Absolute error at most kAtan2Error radians.
 inline constexpr double kAtan2Error = 3.0e-7;
 [[nodiscard]] float atan2_f(float y, float x);
+
+/// The same in double precision. Absolute error at most kAtan2ErrorD radians.
+inline constexpr double kAtan2ErrorD = 1.0e-15;
+[[nodiscard]] double atan2_d(double y, double x);
 
 /// Cube root of a number in [1e-30, 1e30]. Relative error at most kCubeRootError.
 inline constexpr double kCubeRootError = 2.0e-7;

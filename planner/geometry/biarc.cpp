@@ -9,56 +9,100 @@
 namespace cnc {
 namespace {
 
-/// Below this the sine is its angle to the last bit of a float, but for 1e-9.
-constexpr float kSmallAngle = 1.0e-4F;
+/// Below it the sine is its angle to the last bit of a float, but for 1e-9; of a double, but for
+/// 1e-17.
+constexpr float small_angle(float /*of*/) { return 1.0e-4F; }
+constexpr double small_angle(double /*of*/) { return 1.0e-8; }
+
+/// Beyond, both arcs are half turns without end.
+constexpr float widest(float /*of*/) { return kPi - 1.0e-3F; }
+constexpr double widest(double /*of*/) { return 3.14159265358979323846 - 1.0e-6; }
+
+constexpr float quarter_turn(float /*of*/) { return kHalfPi; }
+constexpr double quarter_turn(double /*of*/) { return 1.57079632679489661923; }
+
+float angle_of(float y, float x) { return atan2_f(y, x); }
+double angle_of(double y, double x) { return atan2_d(y, x); }
 
 /// sin(share · angle) / sin(angle), the share itself as the angle vanishes.
-float sine_share(float share, float angle, float sine) {
-  if (std::abs(angle) < kSmallAngle) return share;
+template <typename Scalar>
+Scalar sine_share(Scalar share, Scalar angle, Scalar sine) {
+  if (std::abs(angle) < small_angle(Scalar{})) return share;
   return sin_cos(share * angle).sine / sine;
 }
 
 /// From the half sweep; as precise near 0 as the sweep is.
-float bulge_of(float half_sweep) {
-  const SinCos half = sin_cos(0.5F * half_sweep);
+template <typename Scalar>
+Scalar bulge_of(Scalar half_sweep) {
+  const auto half = sin_cos(Scalar(0.5) * half_sweep);
   return half.sine / half.cosine;
 }
 
-Vec2 turned(const Vec2& v, const SinCos& by) { return by.cosine * v + by.sine * left_normal(v); }
+template <typename Scalar>
+BasicVec2<Scalar> turned(const BasicVec2<Scalar>& v, const BasicSinCos<Scalar>& by) {
+  return by.cosine * v + by.sine * left_normal(v);
+}
 
-float angle_between(const Vec2& from, const Vec2& to) {
-  return atan2_f(cross(from, to), from.dot(to));
+template <typename Scalar>
+Scalar angle_between(const BasicVec2<Scalar>& from, const BasicVec2<Scalar>& to) {
+  return angle_of(cross(from, to), from.dot(to));
+}
+
+template <typename Scalar>
+Scalar bulge_of_tangent(const BasicVec2<Scalar>& tangent, const BasicVec2<Scalar>& chord) {
+  // tan(h / 2) = sin h / (1 + cos h), with h the angle between the two.
+  const Scalar sine = cross(tangent, chord);
+  const Scalar both = std::sqrt(tangent.squaredNorm() * chord.squaredNorm());
+  const Scalar denominator = both + std::max(Scalar(0), tangent.dot(chord));
+  return denominator > Scalar(0) ? std::clamp(sine / denominator, Scalar(-1), Scalar(1))
+                                 : Scalar(0);
+}
+
+template <typename Scalar>
+Result<BasicBiarc<Scalar>, BiarcError> biarc_at(const BasicBiarcEnds<Scalar>& ends,
+                                                Scalar joint_share) {
+  const BasicVec2<Scalar> chord = ends.end - ends.start;
+  if (chord.norm() < Scalar(Arc::kShortestChord.in_mm_and_s())) return BiarcError::kChordTooShort;
+  const Scalar a = angle_between(chord, ends.start_tangent);
+  const Scalar b = angle_between(chord, ends.end_tangent);
+  const Scalar w = Scalar(0.5) * (b - a);
+  if (std::abs(w) > widest(Scalar{})) return BiarcError::kSweepTooLarge;
+  const Scalar first_sweep = -a - (Scalar(1) - joint_share) * w;
+  const Scalar second_sweep = b - joint_share * w;
+  const Scalar most = quarter_turn(Scalar{});
+  if (!(std::abs(first_sweep) <= most && std::abs(second_sweep) <= most)) {
+    return BiarcError::kSweepTooLarge;
+  }
+  const Scalar length = sine_share(joint_share, w, sin_cos(w).sine);
+  const auto first_chord = sin_cos(-(Scalar(1) - joint_share) * w);
+  const auto first_turn = sin_cos(Scalar(2) * first_sweep);
+  return BasicBiarc<Scalar>{.joint = ends.start + length * turned(chord, first_chord),
+                            .joint_tangent = turned(ends.start_tangent, first_turn),
+                            .first_bulge = bulge_of(first_sweep),
+                            .second_bulge = bulge_of(second_sweep)};
 }
 
 }  // namespace
 
 float bulge_between(const Vec2& tangent, const Vec2& chord) {
-  // tan(h / 2) = sin h / (1 + cos h), with h the angle between the two.
-  const float sine = cross(tangent, chord);
-  const float both = std::sqrt(tangent.squaredNorm() * chord.squaredNorm());
-  const float denominator = both + std::max(0.0F, tangent.dot(chord));
-  return denominator > 0.0F ? std::clamp(sine / denominator, -1.0F, 1.0F) : 0.0F;
+  return bulge_of_tangent(tangent, chord);
 }
 
-Result<Biarc, BiarcError> make_biarc(const BiarcEnds& ends, float joint_share) {
-  constexpr float kWidest = kPi - 1.0e-3F;  // Beyond, both arcs are half turns without end.
-  const Vec2 chord = ends.end - ends.start;
-  if (chord.norm() < Arc::kShortestChord.in_mm_and_s()) return BiarcError::kChordTooShort;
-  const float a = angle_between(chord, ends.start_tangent);
-  const float b = angle_between(chord, ends.end_tangent);
-  const float w = 0.5F * (b - a);
-  if (std::abs(w) > kWidest) return BiarcError::kSweepTooLarge;
-  const float first_sweep = -a - (1.0F - joint_share) * w;
-  const float second_sweep = b - joint_share * w;
-  if (!(std::abs(first_sweep) <= kHalfPi && std::abs(second_sweep) <= kHalfPi)) {
-    return BiarcError::kSweepTooLarge;
-  }
-  const float length = sine_share(joint_share, w, sin_cos(w).sine);
-  const SinCos first_chord = sin_cos(-(1.0F - joint_share) * w);
-  return Biarc{.joint = ends.start + length * turned(chord, first_chord),
-               .joint_tangent = turned(ends.start_tangent, sin_cos(2.0F * first_sweep)),
-               .first_bulge = bulge_of(first_sweep),
-               .second_bulge = bulge_of(second_sweep)};
+template <typename Scalar>
+Scalar bulge_between(const BasicVec2<Scalar>& tangent, const BasicVec2<Scalar>& chord) {
+  return bulge_of_tangent(tangent, chord);
 }
+template double bulge_between(const Vec2D&, const Vec2D&);
+
+Result<Biarc, BiarcError> make_biarc(const BiarcEnds& ends, float joint_share) {
+  return biarc_at(ends, joint_share);
+}
+
+template <typename Scalar>
+Result<BasicBiarc<Scalar>, BiarcError> make_biarc(const BasicBiarcEnds<Scalar>& ends,
+                                                  Scalar joint_share) {
+  return biarc_at(ends, joint_share);
+}
+template Result<BasicBiarc<double>, BiarcError> make_biarc(const BasicBiarcEnds<double>&, double);
 
 }  // namespace cnc

@@ -1,0 +1,189 @@
+#include "planner/contour/arc_spline_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "planner/base/contract.hpp"
+#include "planner/contour/bisecting_fit.hpp"
+#include "planner/contour/fewest_arcs.hpp"
+#include "planner/geometry/biarc.hpp"
+
+namespace cnc {
+namespace {
+
+/// Looks between two samples to confirm a chain by.
+constexpr int kCloseLooks = 4;
+/// Of the tolerance, what is kept for what lies between samples.
+constexpr double kUnseenShare = 3.0e-3;
+/// Of the tolerance, what a chain may be found to deviate by; for what is between close looks.
+constexpr double kConfirmedShare = 0.999;
+constexpr int kMostTries = 14;
+constexpr int kMostPolygons = 4;
+
+constexpr double kLeastChord = 1.0e-9;
+
+bool within_half_a_turn(const Vec2D& chord, const Vec2D& tangent) {
+  constexpr double kLeastCosine = 1.0e-3;  // Of half the sweep.
+  return chord.dot(tangent) >= kLeastCosine * chord.norm();
+}
+
+double end_of_link(std::span<const FitLink> links, std::size_t index, double last) {
+  return index + 1 < links.size() ? links[index + 1].start.sample : last;
+}
+
+Vec2D end_of_chain(const ToleranceBand& band, FitEnd end, const FitLink& last) {
+  if (end != FitEnd::kFree) return band.point_at(band.last()).place;
+  return band.start_on(last.circle(), band.last()).place;
+}
+
+/// kNoFit where an arc goes round the long way: it would leave the curve between the
+/// places that are looked at.
+double deviation_of_chain(const ToleranceBand& band,
+                          FitEnd fit_end,
+                          std::span<const FitLink> links) {
+  double greatest = 0.0;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    const Vec2D& start = links[i].start.place;
+    const Vec2D chord =
+        (i + 1 < links.size() ? links[i + 1].start.place : end_of_chain(band, fit_end, links[i])) -
+        start;
+    if (chord.norm() >= kLeastChord && !within_half_a_turn(chord, links[i].start.tangent)) {
+      return ToleranceBand::kNoFit;
+    }
+    const double end = end_of_link(links, i, band.last());
+    const double from = links[i].start.sample;
+    greatest =
+        std::max(greatest, band.deviation_closely(links[i].circle(), from, end, kCloseLooks));
+  }
+  return greatest;
+}
+
+/// Writes links as arcs. Each bulge follows from the tangent in which the arc before ended,
+/// so that roundings of joints make no corners.
+class ChainWriter {
+ public:
+  ChainWriter(const FitLink& first, std::span<ChainArc> arcs)
+      : here_{first.start.place}, tangent_{first.start.tangent}, arcs_{arcs} {}
+
+  [[nodiscard]] bool go_to(const Vec2D& place, double curvature) {
+    const Vec2D chord = place - here_;
+    if (chord.norm() < kLeastChord) return true;
+    if (count_ == arcs_.size()) return false;
+    const bool goes_on = count_ > 0 && continues(place, curvature);
+    if (goes_on) {
+      const Vec2D whole = place - before_;
+      arcs_[count_ - 1].end = place;
+      arcs_[count_ - 1].bulge = bulge_between(tangent_before_, whole);
+      leave(place, whole, tangent_before_);
+      return true;
+    }
+    arcs_[count_++] = {.start = here_, .end = place, .bulge = bulge_between(tangent_, chord)};
+    before_ = here_;
+    tangent_before_ = tangent_;
+    curvature_ = curvature;
+    leave(place, chord, tangent_);
+    return true;
+  }
+  [[nodiscard]] std::size_t count() const { return count_; }
+
+ private:
+  /// The same circle, and no more than half of it.
+  [[nodiscard]] bool continues(const Vec2D& place, double curvature) const {
+    constexpr double kSameTurn = 1.0e-10;  // Radians.
+    const Vec2D whole = place - before_;
+    const double length = (here_ - before_).norm() + (place - here_).norm();
+    return std::abs(curvature - curvature_) * length < kSameTurn &&
+           within_half_a_turn(whole, tangent_before_);
+  }
+
+  void leave(const Vec2D& place, const Vec2D& chord, const Vec2D& tangent) {
+    tangent_ = (2.0 * tangent.dot(chord) / chord.squaredNorm() * chord - tangent).normalized();
+    here_ = place;
+  }
+
+  Vec2D here_;
+  Vec2D tangent_;
+  Vec2D before_{0.0, 0.0};
+  Vec2D tangent_before_{1.0, 0.0};
+  double curvature_ = 0.0;
+  std::span<ChainArc> arcs_;
+  std::size_t count_ = 0;
+};
+
+Result<std::size_t, FitError> write_chain(const ToleranceBand& band,
+                                          FitEnd end,
+                                          std::span<const FitLink> links,
+                                          std::span<ChainArc> arcs) {
+  ChainWriter writer{links.front(), arcs};
+  for (std::size_t i = 0; i + 1 < links.size(); ++i) {
+    if (!writer.go_to(links[i + 1].start.place, links[i].curvature)) return FitError::kTooManyArcs;
+  }
+  const FitLink& last = links.back();
+  const Vec2D place = end_of_chain(band, end, last);
+  if (!writer.go_to(place, last.curvature)) return FitError::kTooManyArcs;
+  if (writer.count() == 0) return FitError::kNoFit;
+  return writer.count();
+}
+
+Result<std::size_t, FitError> fit_fewest(const CurvePiece& piece,
+                                         const FitOptions& options,
+                                         const FitRoom& room,
+                                         std::span<ChainArc> arcs) {
+  double inner = (1.0 - kUnseenShare) * options.tolerance_mm;
+  for (int i = 0; i < kMostTries; ++i) {
+    const SampleDensity density{.sagitta_mm = 0.25 * inner, .bend_mm = 0.003 * inner};
+    const std::size_t count = sample_curve(piece, density, room.samples);
+    if (count == 0) return FitError::kTooManySamples;
+    if (count == 1) return FitError::kNoFit;
+    const ToleranceBand band{piece, room.samples.first(count), inner};
+    FewestArcs fewest{band, options, room.links};
+    const std::size_t made = fewest.run();
+    if (fewest.out_of_room()) return FitError::kTooManyArcs;
+    const auto links = room.links.first(made);
+    const double found =
+        made > 0 ? deviation_of_chain(band, options.end, links) : ToleranceBand::kNoFit;
+    if (found <= kConfirmedShare * options.tolerance_mm) {
+      return write_chain(band, options.end, links, arcs);
+    }
+    inner *= std::clamp(kConfirmedShare * options.tolerance_mm / found, 0.5, 0.999);
+  }
+  return FitError::kNoFit;
+}
+
+/// Where a corner of the polygon on either side of an edge is no biarc's end, the polygon is too
+/// coarse for its tangents: a finer one does.
+Result<std::size_t, FitError> fit_bisecting(const CurvePiece& piece,
+                                            const FitOptions& options,
+                                            const FitRoom& room,
+                                            std::span<ChainArc> arcs) {
+  double sagitta = options.polygon_share * options.tolerance_mm;
+  const BisectingLimits limits{.biarc_mm = kConfirmedShare * options.tolerance_mm - sagitta,
+                               .tolerance_mm = options.tolerance_mm};
+  for (int i = 0; i < kMostPolygons; ++i) {
+    const SampleDensity density{.sagitta_mm = 0.9 * sagitta, .bend_mm = 0.5 * sagitta};
+    const std::size_t count = sample_curve(piece, density, room.samples);
+    if (count == 0) return i == 0 ? FitError::kTooManySamples : FitError::kNoFit;
+    if (count == 1) return FitError::kNoFit;
+    const BisectingResult result = bisecting_fit(piece, room.samples.first(count), limits, arcs);
+    if (result.out_of_room) return FitError::kTooManyArcs;
+    if (result.arcs > 0) return result.arcs;
+    sagitta *= 0.25;
+  }
+  return FitError::kNoFit;
+}
+
+}  // namespace
+
+Result<std::size_t, FitError> fit_arcs(const CurvePiece& piece,
+                                       const FitOptions& options,
+                                       const FitRoom& room,
+                                       std::span<ChainArc> arcs) {
+  CNC_ASSERT(piece.curve != nullptr && piece.to > piece.from && options.tolerance_mm > 0.0);
+  CNC_ASSERT(options.polygon_share > 0.0 && options.polygon_share <= 0.5);
+  if (options.method == FitMethod::kBisecting) return fit_bisecting(piece, options, room, arcs);
+  const auto fewest = fit_fewest(piece, options, room, arcs);
+  if (fewest.ok() || fewest.error() != FitError::kNoFit) return fewest;
+  return fit_bisecting(piece, options, room, arcs);
+}
+
+}  // namespace cnc
