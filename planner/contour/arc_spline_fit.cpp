@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "planner/base/contract.hpp"
+#include "planner/contour/arc_check.hpp"
 #include "planner/contour/bisecting_fit.hpp"
 #include "planner/contour/fewest_arcs.hpp"
 #include "planner/geometry/biarc.hpp"
@@ -11,12 +12,13 @@
 namespace cnc {
 namespace {
 
-/// Looks between two samples to confirm a chain by.
-constexpr int kCloseLooks = 4;
 /// Of the tolerance, what is kept for what lies between samples.
 constexpr double kUnseenShare = 3.0e-3;
-/// Of the tolerance, what a chain may be found to deviate by; for what is between close looks.
+/// Of the tolerance, what a chain may be found to deviate by; for what a distance
+/// does between two looks that shows in neither.
 constexpr double kConfirmedShare = 0.999;
+/// Of the tolerance, how exactly a chain is looked at.
+constexpr double kFineShare = 5.0e-4;
 constexpr int kMostTries = 14;
 constexpr int kMostPolygons = 4;
 
@@ -27,33 +29,26 @@ bool within_half_a_turn(const Vec2D& chord, const Vec2D& tangent) {
   return chord.dot(tangent) >= kLeastCosine * chord.norm();
 }
 
-double end_of_link(std::span<const FitLink> links, std::size_t index, double last) {
-  return index + 1 < links.size() ? links[index + 1].start.sample : last;
-}
-
 Vec2D end_of_chain(const ToleranceBand& band, FitEnd end, const FitLink& last) {
   if (end != FitEnd::kFree) return band.point_at(band.last()).place;
   return band.start_on(last.circle(), band.last()).place;
 }
 
-/// kNoFit where an arc goes round the long way: it would leave the curve between the
-/// places that are looked at.
-double deviation_of_chain(const ToleranceBand& band,
-                          FitEnd fit_end,
+/// The chain and the piece from each other, both ways.
+double deviation_of_chain(const CurvePiece& piece,
+                          const ToleranceBand& band,
+                          const FitOptions& options,
                           std::span<const FitLink> links) {
+  const double fine_mm = kFineShare * options.tolerance_mm;
   double greatest = 0.0;
   for (std::size_t i = 0; i < links.size(); ++i) {
-    const Vec2D& start = links[i].start.place;
-    const Vec2D chord =
-        (i + 1 < links.size() ? links[i + 1].start.place : end_of_chain(band, fit_end, links[i])) -
-        start;
-    if (chord.norm() >= kLeastChord && !within_half_a_turn(chord, links[i].start.tangent)) {
-      return ToleranceBand::kNoFit;
-    }
-    const double end = end_of_link(links, i, band.last());
-    const double from = links[i].start.sample;
-    greatest =
-        std::max(greatest, band.deviation_closely(links[i].circle(), from, end, kCloseLooks));
+    const bool last = i + 1 == links.size();
+    const Vec2D end = last ? end_of_chain(band, options.end, links[i]) : links[i + 1].start.place;
+    const CurveStretch beside{.piece = &piece,
+                              .from = band.spans_at(links[i].start.sample),
+                              .to = band.spans_at(last ? band.last() : links[i + 1].start.sample)};
+    const BoundedArc arc{links[i].start.place, links[i].start.tangent, end};
+    greatest = std::max(greatest, arc_deviation(beside, arc, fine_mm));
   }
   return greatest;
 }
@@ -141,7 +136,7 @@ Result<std::size_t, FitError> fit_fewest(const CurvePiece& piece,
     if (fewest.out_of_room()) return FitError::kTooManyArcs;
     const auto links = room.links.first(made);
     const double found =
-        made > 0 ? deviation_of_chain(band, options.end, links) : ToleranceBand::kNoFit;
+        made > 0 ? deviation_of_chain(piece, band, options, links) : ToleranceBand::kNoFit;
     if (found <= kConfirmedShare * options.tolerance_mm) {
       return write_chain(band, options.end, links, arcs);
     }

@@ -37,7 +37,7 @@ struct FitOptions {
 enum class FitError : std::uint8_t {
   kTooManySamples,  ///< More than there is room for.
   kTooManyArcs,
-  kNoFit,  ///< Too wild, or no curve at all.
+  kNoFit,  ///< The curve jumps, or turns on the spot more sharply than its digits tell.
 };
 
 /// An arc of a chain in the making: from `start` until the next one's.
@@ -59,8 +59,7 @@ struct FitRoom {
 ///
 /// Guarantees, as long as the tolerance is at least 1e-9 of the greatest coordinate:
 /// * No place of the chain is farther than the tolerance from the piece, and none of
-///   the piece farther than that from the chain. Known exception: beside a hairpin much
-///   narrower than the tolerance by 0.8 % of it (seed 267 of the test).
+///   the piece farther than that from the chain: arc_deviation() confirms each arc.
 /// * Elements join exactly, and with one tangent within kFitKink radians, computed from
 ///   their ends and bulges, where they are longer than 1e-4 mm.
 /// * Ends are met as `options` asks, tangents within kFitKink.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "planner/contour/arc_check.hpp"
 #include "planner/contour/tolerance_band.hpp"
 
 namespace cnc {
@@ -28,31 +29,36 @@ double distance_of_polygon(const BiarcGauge& gauge,
   return greatest;
 }
 
+/// Where the curve passes the joint, in spans; of several places one.
+double spans_at_joint(const CurvePiece& piece,
+                      std::span<const CurveSample> polygon,
+                      const BiarcGauge& gauge) {
+  constexpr int kHalves = 40;
+  std::size_t i = 1;
+  while (i + 1 < polygon.size() && gauge.is_first(polygon[i].point.place)) ++i;
+  double low = polygon[i - 1].spans;
+  double high = polygon[i].spans;
+  for (int k = 0; k < kHalves; ++k) {
+    const double middle = 0.5 * (low + high);
+    (gauge.is_first(piece.at(middle).place) ? low : high) = middle;
+  }
+  return high;
+}
+
 bool stays_near(const CurvePiece& piece,
                 std::span<const CurveSample> polygon,
                 double share,
                 double tolerance_mm) {
-  constexpr int kLooks = 6;
-  constexpr double kHalfTurn = 3.14159265358979324;
-  constexpr double kMoreTurn = 1.0;  // Radians; beyond, an arc goes round the long way.
+  constexpr double kFine = 5.0e-4;  // Of the tolerance.
   const BiarcEndsD ends = ends_of(polygon);
   const BiarcD biarc = make_biarc(ends, share).value();
-  const double turned = polygon.back().turned - polygon.front().turned;
-  // An arc of at most half a turn turns by at least π times its bulge.
-  if (kHalfTurn * (std::abs(biarc.first_bulge) + std::abs(biarc.second_bulge)) >
-      turned + kMoreTurn) {
-    return false;
-  }
-  const BiarcGauge gauge{ends, biarc};
-  for (std::size_t i = 0; i + 1 < polygon.size(); ++i) {
-    const double stride = (polygon[i + 1].spans - polygon[i].spans) / kLooks;
-    for (int k = 0; k <= kLooks; ++k) {
-      const WayPoint point = piece.at(polygon[i].spans + static_cast<double>(k) * stride);
-      if (!(ToleranceBand::distance(gauge.beside(point.place), point) <= tolerance_mm))
-        return false;
-    }
-  }
-  return true;
+  const double joint = spans_at_joint(piece, polygon, BiarcGauge{ends, biarc});
+  const BoundedArc first{ends.start, ends.start_tangent, biarc.joint};
+  const BoundedArc second{biarc.joint, biarc.joint_tangent, ends.end};
+  const CurveStretch before{.piece = &piece, .from = polygon.front().spans, .to = joint};
+  const CurveStretch after{.piece = &piece, .from = joint, .to = polygon.back().spans};
+  return arc_deviation(before, first, kFine * tolerance_mm) <= tolerance_mm &&
+         arc_deviation(after, second, kFine * tolerance_mm) <= tolerance_mm;
 }
 
 }  // namespace

@@ -68,6 +68,11 @@ class Splitter {
     return before.travel().dot(after.travel()) < 0.0;
   }
 
+  [[nodiscard]] static bool turns_far(const Look& before, const Look& after) {
+    constexpr double kLeastCosine = 0.9;
+    return before.direction.dot(after.direction) < kLeastCosine;
+  }
+
   [[nodiscard]] Look look(std::size_t span, double share) const {
     const CurveJet jet = curve_->at(span, share);
     const double square = jet.first.squaredNorm();
@@ -112,7 +117,7 @@ class Splitter {
           cut_between(span, peak, after);
         }
       }
-      if (turns_back(middle, after)) cut_between(span, middle, after);
+      if (turns_far(middle, after) || turns_back(middle, after)) cut_between(span, middle, after);
       before = middle;
       middle = after;
     }
@@ -134,7 +139,24 @@ class Splitter {
     return look(span, 0.5 * (low.share + high.share));
   }
 
-  void cut_between(std::size_t span, Look low, Look high) {
+  /// Where the source turns far between two looks, there may be two cusps and no more to see of
+  /// them than of one: it is gone through in steps that turn little.
+  void cut_between(std::size_t span, Look low, const Look& high) {
+    constexpr int kMostSteps = 200;
+    for (int i = 0; i < kMostSteps && low.share < high.share; ++i) {
+      Look next = high;
+      while (turns_far(low, next) && next.share - low.share > kCuspShare) {
+        const Look middle = look(span, 0.5 * (low.share + next.share));
+        if (middle.share <= low.share || middle.share >= next.share) break;
+        next = middle;
+      }
+      cut_step(span, low, next);
+      low = next;
+    }
+  }
+
+  /// At most one cusp.
+  void cut_step(std::size_t span, Look low, Look high) {
     if (!turns_back(low, high)) return;
     while (high.share - low.share > kCuspShare) {
       const double share = 0.5 * (low.share + high.share);

@@ -119,22 +119,4 @@ double ToleranceBand::deviation(const TangentCircleD& circle, double from, doubl
   return greatest;
 }
 
-double ToleranceBand::deviation_closely(const TangentCircleD& circle,
-                                        double from,
-                                        double to,
-                                        int times) const {
-  double greatest = 0.0;
-  const auto look = [&](double sample) {
-    const WayPoint point = point_at(sample);
-    const bool agrees = agreement(circle, point) > 0.0;
-    greatest = std::max(greatest, agrees ? std::abs(circle.across(point.place)) : kNoFit);
-  };
-  look(from);
-  look(to);
-  const double step = 1.0 / static_cast<double>(times);
-  const auto count = static_cast<std::size_t>((to - from) / step);
-  for (std::size_t i = 1; i <= count; ++i) look(from + step * static_cast<double>(i));
-  return greatest;
-}
-
 }  // namespace cnc

@@ -44,7 +44,8 @@ class ToleranceBand {
 
   [[nodiscard]] double tolerance_mm() const { return tolerance_mm_; }
   [[nodiscard]] double last() const { return static_cast<double>(samples_.size() - 1); }
-  /// The curve beside a number of a sample.
+  /// The curve's place, and the curve, beside a number of a sample.
+  [[nodiscard]] double spans_at(double sample) const;
   [[nodiscard]] WayPoint point_at(double sample) const;
   [[nodiscard]] const CurveSample& sample(std::size_t index) const { return samples_[index]; }
   /// Where a circle that runs along the curve passes it there.
@@ -58,17 +59,10 @@ class ToleranceBand {
   [[nodiscard]] static double distance(const TangentCircleD& circle, const WayPoint& point);
   /// The greatest of the samples between two places.
   [[nodiscard]] double deviation(const TangentCircleD& circle, double from, double to) const;
-  /// The same between samples: with `times` looks at the curve for each.
-  [[nodiscard]] double deviation_closely(const TangentCircleD& circle,
-                                         double from,
-                                         double to,
-                                         int times) const;
   /// Stands for "does not fit at all", mm.
   static constexpr double kNoFit = 1.0e9;
 
  private:
-  [[nodiscard]] double spans_at(double sample) const;
-
   const CurvePiece* piece_;
   std::span<const CurveSample> samples_;
   double tolerance_mm_;
