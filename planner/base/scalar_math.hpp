@@ -15,10 +15,12 @@ inline constexpr float kHalfPi = 1.57079632679490F;
 
 [[nodiscard]] constexpr float square(float x) { return x * x; }
 
-struct SinCos {
-  float sine;
-  float cosine;
+template <typename Scalar>
+struct BasicSinCos {
+  Scalar sine;
+  Scalar cosine;
 };
+using SinCos = BasicSinCos<float>;
 
 /// Sine and cosine of an angle `quarters` quarter turns further; any sign.
 [[nodiscard]] SinCos turned_by_quarters(const SinCos& angle, int quarters);

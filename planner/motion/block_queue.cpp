@@ -139,12 +139,16 @@ namespace {
 [[gnu::noinline]] BrakingState entry_for(const Block& block,
                                          const Limits& limits,
                                          const PlanTerms& terms,
-                                         const BrakingState& exit) {
+                                         const BrakingState& exit,
+                                         std::uint32_t& looked_at) {
   const SpeedCap cap{block, terms.overrides};
   if (!block.turns() && !terms.window.filters()) {
+    ++looked_at;
     return {.speed_square = brake_over_line(block, cap, exit.speed_square)};
   }
-  return brake_backwards(Spans{block, limits, terms.window}, cap, exit);
+  const Spans spans{block, limits, terms.window};
+  looked_at += static_cast<std::uint32_t>(spans.count());
+  return brake_backwards(spans, cap, exit);
 }
 
 }  // namespace
@@ -173,6 +177,7 @@ bool as_good(const BrakingState& before, const BrakingState& now, const TimeWind
 void BlockQueue::plan_all(const Limits& limits, const PlanTerms& terms, std::size_t lead) {
   leaves_none_out_ = false;
   if (unplanned_ == 0) return;
+  ++plans_;
   const TimeWindow& window = terms.window;
   lay_heads(limits, terms);
   newest_ = unplanned_;
@@ -184,7 +189,7 @@ void BlockQueue::plan_all(const Limits& limits, const PlanTerms& terms, std::siz
     const bool same_tail = !window.filters() || lay_tail(ahead, block, limits, terms);
     if (index == lead) break;
     const BrakingState entry =
-        block.from_rest ? BrakingState{} : entry_for(block, limits, terms, exit);
+        block.from_rest ? BrakingState{} : entry_for(block, limits, terms, exit, looked_at_);
     if (was_planned && same_tail && as_good(block.entry, entry, window)) break;
     block.entry = entry;
     exit = entry;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <span>
 
 #include "planner/base/contract.hpp"
@@ -63,6 +64,9 @@ class BlockQueue {
   void plan(const Limits& limits, const PlanTerms& terms, std::size_t lead = 0);
   /// The same, and leaves none unplanned.
   void plan_all(const Limits& limits, const PlanTerms& terms, std::size_t lead = 0);
+  /// Spans of blocks that all plans so far have looked at, for who shares out the time that
+  /// planning takes; runs freely.
+  [[nodiscard]] std::uint32_t looked_at() const { return looked_at_; }
   /// Nothing comes for a while: the next plan leaves none of the blocks out.
   void leave_none_out() { leaves_none_out_ = unplanned_ > 0; }
   /// Nothing is known to follow the newest block: who starts from rest may take its end for
@@ -81,6 +85,8 @@ class BlockQueue {
     return newest_ > 0 && newest_ < size_ && size_ - newest_ > lead;
   }
 
+  /// Counts the plans: while it stays, so does what any block must meet.
+  [[nodiscard]] std::uint32_t plans() const { return plans_; }
   /// What a block must meet at its end. @pre planned
   [[nodiscard]] BrakingState exit_of(std::size_t index) const {
     return index + 1 < size_ ? at(index + 1).entry : BrakingState{};
@@ -117,6 +123,8 @@ class BlockQueue {
   bool leaves_none_out_ = false;
   bool ends_ = false;
   bool stops_at_end_ = false;
+  std::uint32_t looked_at_ = 0;
+  std::uint32_t plans_ = 0;
   std::size_t unplanned_ = 0;  ///< How many of the newest have no entry speed yet.
 };
 

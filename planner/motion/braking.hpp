@@ -79,10 +79,12 @@ BrakingState brake_backwards(const Spans& spans,
                              const BrakingState& exit,
                              Visitor&& visit) {
   Place end = spans.place_at_boundary(spans.count());
+  float end_mm = spans.boundary(spans.count());
   BrakingState state = exit;
   for (int span = spans.count() - 1; span >= 0; --span) {
     const Place start = spans.place_at_boundary(span);
-    const float length = spans.length_of(span);
+    const float start_mm = spans.boundary(span);
+    const float length = end_mm - start_mm;
     const float cap_square = std::min(cap.square_within(spans.speed_limit_square(span, start, end)),
                                       spans.zone_speed_square(span));
     if (cap_square < state.speed_square) state.speed_square = cap_square;
@@ -96,6 +98,7 @@ BrakingState brake_backwards(const Spans& spans,
     visit(span, point);
     state = point.start;
     end = start;
+    end_mm = start_mm;
   }
   return state;
 }

@@ -42,8 +42,8 @@ class BlockFraction {
   [[nodiscard]] std::uint64_t of(PathUnits place) {
     if (place >= length_) return kEnd;
     if (reciprocal_q31_ == 0) divide();
-    const std::uint64_t scaled = (static_cast<std::uint64_t>(place) >> right_) << left_;
-    return std::min((scaled * reciprocal_q31_) >> 31, kEnd - 1);
+    const auto scaled = static_cast<std::uint32_t>(place >> right_) << left_;
+    return (std::uint64_t{scaled} * reciprocal_q31_) >> 31;
   }
 
  private:
@@ -57,12 +57,13 @@ class BlockFraction {
       scaled <<= 1;
       ++left_;
     }
-    reciprocal_q31_ = (std::uint64_t{1} << 63) / scaled;
+    // Rounded down, so that no place within is the end.
+    reciprocal_q31_ = static_cast<std::uint32_t>(((std::uint64_t{1} << 63) - 1) / scaled);
   }
 
   PathUnits length_ = 1;
   /// 0 until a place within is asked for: the division is long.
-  std::uint64_t reciprocal_q31_ = 0;
+  std::uint32_t reciprocal_q31_ = 0;
   unsigned right_ = 0;
   unsigned left_ = 0;
 };

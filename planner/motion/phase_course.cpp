@@ -21,11 +21,9 @@ constexpr std::uint64_t kMostFineTicks = std::uint64_t{1} << (64U - kRestBits);
 
 }  // namespace
 
-PhaseCourse::PhaseCourse(const Stretch& stretch, Grain grain)
-    : whole_{stretch}, duration_{nearest_float(stretch.duration_ns)}, grain_{grain} {}
-
 void PhaseCourse::divide() {
   const bool fine = grain_ == Grain::kFine;
+  shift_ = 0;
   while ((whole_.duration_ns >> shift_) >= (fine ? kMostFineTicks : kMostTicks)) ++shift_;
   const std::uint64_t ticks = whole_.duration_ns >> shift_;
   per_tick_q63_ = kOneQ63 / ticks;
@@ -35,21 +33,21 @@ void PhaseCourse::divide() {
   start_slope_q30_ = static_cast<std::uint32_t>(alpha * static_cast<float>(kOneQ30));
 }
 
-PathUnits PhaseCourse::way_after(std::uint64_t ns) {
-  if (ns >= whole_.duration_ns) return whole_.way;
+PathUnits PhaseCourse::way_within(std::uint64_t ns) {
   if (per_tick_q63_ == 0) divide();
   if (grain_ == Grain::kFine) {
     return std::min(static_cast<PathUnits>(fine_way(ns >> shift_)), whole_.way);
   }
   const std::uint64_t x_q63 = (ns >> shift_) * per_tick_q63_;
+  const auto whole = static_cast<std::uint64_t>(whole_.way);
+  if (start_slope_q30_ == kOneQ30) return static_cast<PathUnits>(multiply_high(whole << 1, x_q63));
   const auto bend_q30 = static_cast<std::int64_t>(kOneQ30) -  // 1 − α.
                         static_cast<std::int64_t>(start_slope_q30_);
   const auto x_q32 = static_cast<std::int64_t>(x_q63 >> 31);
   const std::uint64_t slope_q62 =
       (start_slope_q30_ << 32) + static_cast<std::uint64_t>(bend_q30 * x_q32);
   const std::uint64_t share_q61 = multiply_high(x_q63, slope_q62);
-  const std::uint64_t way = multiply_high(static_cast<std::uint64_t>(whole_.way) << 3, share_q61);
-  return std::min(static_cast<PathUnits>(way), whole_.way);
+  return std::min(static_cast<PathUnits>(multiply_high(whole << 3, share_q61)), whole_.way);
 }
 
 /// The same with no digits left out.
@@ -65,8 +63,7 @@ std::uint64_t PhaseCourse::fine_way(std::uint64_t ticks) const {
   return multiply_high(static_cast<std::uint64_t>(whole_.way) << 3, share_q61);
 }
 
-float PhaseCourse::speed_after(std::uint64_t ns) const {
-  if (ns >= whole_.duration_ns) return whole_.end_speed;
+float PhaseCourse::speed_within(std::uint64_t ns) const {
   // From the nearer end: what is left of a long braking is small.
   const float change = whole_.end_speed - whole_.start_speed;
   if (ns <= whole_.duration_ns / 2) {

@@ -13,6 +13,9 @@ struct Stretch {
   float start_speed = 0.0F;  ///< mm/s, ≥ 0.
   float end_speed = 0.0F;
   float acceleration = 0.0F;  ///< mm/s², signed.
+
+  /// Else it stands for none.
+  [[nodiscard]] bool lasts() const { return duration_ns > 0; }
 };
 
 inline constexpr float kSecondsPerNanosecond = 1.0e-9F;
@@ -32,18 +35,33 @@ class PhaseCourse {
 
   PhaseCourse() = default;
   /// @pre the duration is positive
-  explicit PhaseCourse(const Stretch& stretch, Grain grain = Grain::kUsual);
+  explicit PhaseCourse(const Stretch& stretch, Grain grain = Grain::kUsual) {
+    begin(stretch, grain);
+  }
+  /// Another course. @pre the duration is positive
+  void begin(const Stretch& stretch, Grain grain = Grain::kUsual) {
+    whole_ = stretch;
+    duration_ = nearest_float(stretch.duration_ns);
+    per_tick_q63_ = 0;
+    grain_ = grain;
+  }
 
   [[nodiscard]] std::uint64_t duration_ns() const { return whole_.duration_ns; }
   /// @pre ns ≤ duration_ns()
-  [[nodiscard]] PathUnits way_after(std::uint64_t ns);
+  [[nodiscard]] PathUnits way_after(std::uint64_t ns) {
+    return ns >= whole_.duration_ns ? whole_.way : way_within(ns);
+  }
   /// mm/s.
-  [[nodiscard]] float speed_after(std::uint64_t ns) const;
+  [[nodiscard]] float speed_after(std::uint64_t ns) const {
+    return ns >= whole_.duration_ns ? whole_.end_speed : speed_within(ns);
+  }
   /// ns after `from_ns` until `way` more is driven; not beyond the end.
   [[nodiscard]] std::uint64_t time_of(PathUnits way, std::uint64_t from_ns) const;
   [[nodiscard]] const Stretch& whole() const { return whole_; }
 
  private:
+  [[nodiscard]] PathUnits way_within(std::uint64_t ns);
+  [[nodiscard]] float speed_within(std::uint64_t ns) const;
   void divide();
   [[nodiscard]] std::uint64_t fine_way(std::uint64_t ticks) const;
 
@@ -54,7 +72,7 @@ class PhaseCourse {
   std::uint64_t per_tick_q63_ = 0;
   std::uint64_t start_slope_q30_ = 0;  ///< α, 0…2.
   std::uint64_t rest_q24_ = 0;         ///< What per_tick_q63_ leaves out, where it is to be fine.
-  unsigned shift_ = 0;
+  unsigned shift_ = 0;                 ///< Known with per_tick_q63_.
   Grain grain_ = Grain::kUsual;
 };
 

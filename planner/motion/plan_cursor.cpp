@@ -71,7 +71,7 @@ void PlanCursor::block_left() {
   --index_;
 }
 
-bool PlanCursor::next(std::uint32_t most_ns, Drive drive, bool may_start, Stretch& stretch) {
+Stretch PlanCursor::next(std::uint32_t most_ns, Drive drive, bool may_start) {
   const bool at_rest = speed_ <= 0.0F && may_start;
   if (at_rest && !same_pace(terms_.greatest, overrides_)) take_up_overrides();
   if (terms_.window.filters() && speed_ > 0.0F && goes_on()) begin_block();
@@ -81,47 +81,52 @@ bool PlanCursor::next(std::uint32_t most_ns, Drive drive, bool may_start, Stretc
     lower_pace(most_ns, drive);
     if (driving_) try_higher_pace(most_ns, drive);
   }
-  stand_at_stop();
+  if (!driving_) stand_at_stop();
   if (speed_ <= 0.0F) {
-    if (!may_start) return false;
+    if (!may_start) return {};
     since_speeding_up_ns_ = kLongAgo;
     since_braking_ns_ = kLongAgo;
     clock_.rest();
   }
-  if (driving_ && profile_.at_end()) {
-    finish_block(stretch);
-    return true;
-  }
-  if (!ready_phase(drive)) return false;
+  if (driving_ && profile_.at_end()) return finish_block();
+  if (phase_.duration <= 0.0F && !begin_phase(drive)) return {};
+  const Stretch stretch = pass(most_ns);
+  if (terms_.window.filters()) note_change(stretch);
+  if (elapsed_ns_ == course_.duration_ns()) end_phase();
+  return stretch;
+}
+
+/// At most so long, within the phase.
+Stretch PlanCursor::pass(std::uint32_t most_ns) {
   const std::uint64_t left_ns = course_.duration_ns() - elapsed_ns_;
-  stretch.duration_ns = std::min<std::uint64_t>(most_ns, left_ns);
-  stretch.start_speed = speed_;
-  stretch.acceleration = course_.whole().acceleration;
-  elapsed_ns_ += stretch.duration_ns;
-  const bool phase_ends = elapsed_ns_ == course_.duration_ns();
+  const std::uint64_t duration_ns = std::min<std::uint64_t>(most_ns, left_ns);
+  const float start_speed = speed_;
   const PathUnits from = place_;
-  speed_ = phase_ends ? course_.whole().end_speed : course_.speed_after(elapsed_ns_);
+  elapsed_ns_ += duration_ns;
+  speed_ = course_.speed_after(elapsed_ns_);
   place_ = phase_from_ + course_.way_after(elapsed_ns_);
-  if (!phase_ends) place_ = in_time(place_);
-  stretch.way = place_ - from;
-  stretch.end_speed = speed_;
-  note_change(stretch);
-  if (!phase_ends) return true;
+  if (duration_ns < left_ns) {
+    if (terms_.window.filters()) place_ = in_time(place_);
+    place_ = std::min(place_, length_ - 1);  // Who is at the end has left the block.
+  }
+  return {.way = place_ - from,
+          .duration_ns = duration_ns,
+          .start_speed = start_speed,
+          .end_speed = speed_,
+          .acceleration = course_.whole().acceleration};
+}
+
+void PlanCursor::end_phase() {
   profile_.complete(phase_);
   phase_ = {};
   settle_place();
   if (profile_.at_end()) end_block();
-  return true;
 }
 
 /// Within the phase: where the plan would be if phases did not last whole nanoseconds.
 PathUnits PlanCursor::in_time(PathUnits place) const {
-  PathUnits most = length_ - 1;  // Who is at the end has left the block.
-  if (terms_.window.filters()) {
-    most = std::min(most, phase_from_ + course_.whole().way);
-    place += to_units(speed_ * clock_.late_ns(elapsed_ns_) * kSecondsPerNanosecond);
-  }
-  return std::min(place, most);
+  const float late_mm = speed_ * clock_.late_ns(elapsed_ns_) * kSecondsPerNanosecond;
+  return std::min(place + to_units(late_mm), phase_from_ + course_.whole().way);
 }
 
 Patience PlanCursor::patience() const {
@@ -147,14 +152,13 @@ void PlanCursor::note_change(const Stretch& stretch) {
 }
 
 /// Cutting a phase short may have rounded what was left of it to nothing.
-void PlanCursor::finish_block(Stretch& stretch) {
-  stretch = {.way = length_ - place_, .duration_ns = 1, .start_speed = speed_, .end_speed = speed_};
+Stretch PlanCursor::finish_block() {
   end_block();
+  return {.way = length_ - place_, .duration_ns = 1, .start_speed = speed_, .end_speed = speed_};
 }
 
-/// Makes sure there is a phase with time left; false when there is no motion.
-bool PlanCursor::ready_phase(Drive drive) {
-  if (phase_.duration > 0.0F) return true;
+/// False when there is no motion.
+bool PlanCursor::begin_phase(Drive drive) {
   if (!driving_) {
     if (index_ == queue_.size()) return false;
     begin_block();
@@ -168,12 +172,12 @@ bool PlanCursor::ready_phase(Drive drive) {
   }
   phase_from_ = place_;
   const std::uint64_t duration_ns = clock_.begin(phase_.duration, terms_.window.filters());
-  course_ = PhaseCourse{{.way = place_after(phase_) - place_,
-                         .duration_ns = duration_ns,
-                         .start_speed = phase_.start_speed,
-                         .end_speed = std::sqrt(phase_.end_speed_square),
-                         .acceleration = acceleration_of(phase_, duration_ns)},
-                        grain_of(terms_.window)};
+  course_.begin({.way = place_after(phase_) - place_,
+                 .duration_ns = duration_ns,
+                 .start_speed = phase_.start_speed,
+                 .end_speed = std::sqrt(phase_.end_speed_square),
+                 .acceleration = acceleration_of(phase_, duration_ns)},
+                grain_of(terms_.window));
   elapsed_ns_ = 0;
   return true;
 }
@@ -202,7 +206,7 @@ float PlanCursor::phase_distance_left() const {
 /// is one nevertheless: the window spreads what speed is left, and the motion stands
 /// before the path turns.
 void PlanCursor::stand_at_stop() {
-  if (driving_ || index_ == queue_.size() || !queue_.at(index_).from_rest) return;
+  if (index_ == queue_.size() || !queue_.at(index_).from_rest) return;
   speed_ = 0.0F;
   entry_square_ = 0.0F;
 }
@@ -214,6 +218,7 @@ void PlanCursor::begin_block() {
   place_ = 0;
   driving_ = true;
   replan_ = false;
+  followed_ = queue_.plans();
 }
 
 void PlanCursor::end_block() {

@@ -21,10 +21,10 @@ class PlanCursor {
  public:
   PlanCursor(BlockQueue& queue, const Limits& limits) : queue_{queue}, limits_{limits} {}
 
-  /// The next stretch, at most `most_ns` long, within one block and phase; false
-  /// when the plan stands still: everything planned, or halted, or it stands and
-  /// may not start yet.
-  [[nodiscard]] bool next(std::uint32_t most_ns, Drive drive, bool may_start, Stretch& stretch);
+  /// The next stretch, at most `most_ns` long, within one block and phase; of no
+  /// duration when the plan stands still: everything planned, or halted, or it stands
+  /// and may not start yet.
+  [[nodiscard]] Stretch next(std::uint32_t most_ns, Drive drive, bool may_start);
 
   /// Under a window a lower pace holds at once, a higher one as soon as the place
   /// and the speed are such that its plan can be taken up.
@@ -64,8 +64,10 @@ class PlanCursor {
   void plan_and_replan(const PlanTerms& terms);
   void replan();
   void refuse_late_blocks();
-  void finish_block(Stretch& stretch);
-  [[nodiscard]] bool ready_phase(Drive drive);
+  [[nodiscard]] Stretch finish_block();
+  [[nodiscard]] bool begin_phase(Drive drive);
+  [[nodiscard]] Stretch pass(std::uint32_t most_ns);
+  void end_phase();
   void stand_at_stop();
   void begin_block();
   void end_block();
@@ -82,14 +84,14 @@ class PlanCursor {
   std::uint64_t untried_ns_ = 0;    ///< Since a higher pace was last tried.
   std::uint64_t postponed_ns_ = 0;  ///< Until a lower pace is tried again.
   bool replan_ = false;
-  bool overtaken_ = false;  ///< As Patience knows it.
+  std::uint32_t followed_ = 0;  ///< The queue's plan that the present phase is of.
+  bool overtaken_ = false;      ///< As Patience knows it.
   std::uint32_t since_speeding_up_ns_ = kLongAgo;
   std::uint32_t since_braking_ns_ = kLongAgo;
   float braking_from_ = 0.0F;  ///< mm/s, the speed when the plan last did not brake.
 
   std::size_t index_ = 0;  ///< Of the block that is or will be planned through.
   bool driving_ = false;   ///< It has been begun.
-  SpeedProfile profile_{};
   Drive phase_drive_ = Drive::kOn;
   Phase phase_{};
   PhaseCourse course_{};
@@ -100,6 +102,7 @@ class PlanCursor {
   PathUnits phase_from_ = 0;
   float speed_ = 0.0F;         ///< mm/s.
   float entry_square_ = 0.0F;  ///< v² with which the next block is begun.
+  SpeedProfile profile_{};     ///< Last, for it is large.
 };
 
 }  // namespace cnc::motion

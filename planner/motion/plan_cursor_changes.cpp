@@ -56,7 +56,10 @@ bool PlanCursor::goes_on() const {
 }
 
 /// More blocks, an override or a hold may have changed what lies ahead.
+/// @pre driving_
 void PlanCursor::follow_plan(Drive drive) {
+  if (queue_.plans() == followed_ && !replan_ && drive == phase_drive_) return;
+  followed_ = queue_.plans();
   const bool same_zones = !terms_.window.filters() || queue_.at(index_).tail == profile_.tail();
   const bool same_plan = !replan_ && same_zones && queue_.exit_of(index_) == profile_.exit();
   if (same_plan && drive == phase_drive_) return;

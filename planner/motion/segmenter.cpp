@@ -52,7 +52,6 @@ bool Segmenter::next(Segment& segment) {
       if (slices == 0) return false;
       break;
     }
-    segment = {};
     make_segment(segment);
     if (segment.ticks > 0) break;
   }
@@ -71,9 +70,9 @@ bool Segmenter::next(std::uint32_t most_ns, PlannedSlice& slice) {
   if (ready_block()) {
     const Cut cut = cut_slice(most_ns);
     move_to(cut.to);
-    slice.duration_ns = static_cast<std::uint32_t>(cut.duration_ns);
-    slice.start_duty = cut.start_duty;
-    slice.end_duty = cut.end_duty;
+    slice.duration_ns = cut.duration_ns;
+    slice.start_duty = cut.duty.start;
+    slice.end_duty = cut.duty.end;
   } else {
     pass_to_rest();
   }
@@ -84,17 +83,67 @@ bool Segmenter::next(std::uint32_t most_ns, PlannedSlice& slice) {
 }
 
 void Segmenter::make_segment(Segment& segment) {
+  segment.negative = 0;
+  for (StepTrain& train : segment.trains) train.count = 0;
   if (ready_block()) {
-    const Cut cut = cut_slice(kLongestSliceNs);
-    time_trains(cut, segment);
-    segment.power = power_course(cut.start_duty, cut.end_duty, segment.ticks);
+    begin_joined();
+    const Cut first = cut_slice(kLongestSliceNs);
+    joined_.duty.start = first.duty.start;
+    join(first);
+    while (joins_next()) join(cut_slice(kShortSliceNs - joined_.duration_ns));
+    time_trains(segment);
+    segment.power = power_course(joined_.duty.start, joined_.duty.end, segment.ticks);
   } else {
     // Says so in no time.
     pass_to_rest();
+    segment.power = {};
     segment.ticks = 1;
     remainder_ns_ -= kNanosecondsPerTick;
   }
   segment.comes_to_rest = speed_ <= 0.0F;
+}
+
+void Segmenter::begin_joined() {
+  joined_.from = place_steps_;
+  joined_.speeds = {};
+  joined_.duration_ns = 0;
+  joined_.monotonic_to = reversals_.next();
+  const float speed_per_tick = speed_ / static_cast<float>(kTicksPerSecond);
+  for (const MotorPath::Motor& motor : path_.moving()) {
+    joined_.speeds[motor.axis()] = rates_[motor.axis()] * speed_per_tick;
+  }
+}
+
+void Segmenter::join(const Cut& cut) {
+  joined_.duration_ns += cut.duration_ns;
+  joined_.duty.end = cut.duty.end;
+  for (const MotorPath::Motor& motor : path_.moving()) {
+    place_steps_[motor.axis()] = motor.place(cut.to);
+    rates_[motor.axis()] = motor.speed(cut.to);
+  }
+}
+
+/// Makes sure that there is a slice to join, where one is wanted and the motion goes on alike.
+bool Segmenter::joins_next() {
+  constexpr std::uint32_t kShortestNs = kShortestSegment * std::uint32_t{kNanosecondsPerTick};
+  if (joined_.duration_ns >= kShortestNs || speed_ <= 0.0F || !ready_stretch()) return false;
+  if (!driving_ && (queue_.empty() || queue_.front().outputs.any())) return false;
+  return ready_block() && duties(speed_, speed_).start == joined_.duty.end && goes_on_as_joined();
+}
+
+/// No axis turns round until the next reversal, so its way to there tells where it goes.
+bool Segmenter::goes_on_as_joined() {
+  const PathUnits next = reversals_.next();
+  if (place_ > 0 && next == joined_.monotonic_to) return true;
+  joined_.monotonic_to = next;
+  const MotorPath::Point ahead = path_.at(fraction_.of(next));
+  for (const MotorPath::Motor& motor : path_.moving()) {
+    const std::int64_t here = place_steps_[motor.axis()].q32();
+    const std::int64_t gone = here - joined_.from[motor.axis()].q32();
+    const std::int64_t way = motor.place(ahead).q32() - here;
+    if ((gone < 0 && way > 0) || (gone > 0 && way < 0)) return false;
+  }
+  return true;
 }
 
 /// Makes sure there is a stretch with time left; false when there is no motion.
@@ -102,27 +151,25 @@ bool Segmenter::ready_stretch() {
   // At its end a stretch may have no time left for its last few units.
   const bool driven = place_ == stretch_from_ + course_.whole().way;
   if (!driven || elapsed_ns_ < course_.duration_ns()) return true;
-  Stretch stretch;
-  if (!next_stretch(stretch)) {
+  const Stretch stretch = next_stretch();
+  if (!stretch.lasts()) {
     speed_ = 0.0F;
     return false;
   }
-  course_ = PhaseCourse{stretch};
+  course_.begin(stretch);
   elapsed_ns_ = 0;
   stretch_from_ = place_;
   return true;
 }
 
 /// From the plan itself, or from what the filter makes of it.
-bool Segmenter::next_stretch(Stretch& stretch) {
-  const bool stands = filter_.at_rest() && plan_.speed() <= 0.0F;
+Stretch Segmenter::next_stretch() {
+  const bool stands = plan_.speed() <= 0.0F && filter_.at_rest();
   if (stands && drive_ == Drive::kOn) choose_window();
-  if (!window_.filters()) return plan_.next(kLongestSliceNs, drive_, true, stretch);
-  do {
-    if (!fill_cell()) return false;
-    stretch = filter_.take();
-  } while (stretch.duration_ns == 0);
-  return true;
+  if (!window_.filters()) return plan_.next(kLongestSliceNs, drive_, true);
+  Stretch stretch;
+  while (!stretch.lasts() && fill_cell()) stretch = filter_.take();
+  return stretch;
 }
 
 /// From rest to rest it stays the same.
@@ -140,8 +187,8 @@ bool Segmenter::fill_cell() {
   const bool may_start = filter_.at_rest();
   bool moves = !may_start;
   while (filter_.room_ns() > 0) {
-    Stretch stretch;
-    if (plan_.next(filter_.room_ns(), drive_, may_start && !moves, stretch)) {
+    const Stretch stretch = plan_.next(filter_.room_ns(), drive_, may_start && !moves);
+    if (stretch.lasts()) {
       filter_.add(stretch);
       moves = true;
     } else if (moves) {
@@ -163,13 +210,13 @@ bool Segmenter::ready_block() {
 
 void Segmenter::begin_block() {
   const Block& block = queue_.front();
-  path_ = MotorPath{block, place_steps_};
+  path_.begin(block, place_steps_);
   length_ = length_in_units(block);
   fraction_ = BlockFraction{length_};
   reversals_ = Reversals{block, length_};
   power_.begin(block, length_);
   const MotorPath::Point start = path_.at(0);
-  for (const std::size_t axis : path_.moving()) rates_[axis] = path_.speed(axis, start);
+  for (const MotorPath::Motor& motor : path_.moving()) rates_[motor.axis()] = motor.speed(start);
   merge(outputs_, block.outputs);
   driving_ = true;
 }
@@ -186,41 +233,44 @@ void Segmenter::end_block() {
 /// Where the speed of the path or of an axis changes by more than a third of
 /// itself slices are shorter, so that a parabola in the step index fits. Slices
 /// of a stretch are equally long.
-std::uint64_t Segmenter::longest_slice_ns() const {
+std::uint32_t Segmenter::longest_slice_ns() const {
+  const auto left = static_cast<std::uint32_t>(course_.duration_ns()) - elapsed_ns_;
+  if (left <= kShortSliceNs) return left;
   const float change = 3.0F * std::abs(course_.whole().acceleration) * kLongestSlice;
   const bool changes = change > speed_ || reversals_.near(place_);
   const std::uint32_t longest = changes ? kShortSliceNs : kLongestSliceNs;
-  const auto left = static_cast<std::uint32_t>(course_.duration_ns() - elapsed_ns_);
-  const std::uint32_t slices = std::max<std::uint32_t>(1, (left + longest - 1) / longest);
+  if (left <= longest) return left;
+  const std::uint32_t slices = (left + longest - 1) / longest;
   return (left + slices - 1) / slices;
 }
 
 /// The next slice ends with the stretch, where the block does, where an axis
 /// reverses, or where the power changes.
-Segmenter::Cut Segmenter::cut_slice(std::uint64_t most_ns) {
-  const std::uint64_t longest = std::min(longest_slice_ns(), most_ns);
-  std::uint64_t end_ns = std::min(elapsed_ns_ + longest, course_.duration_ns());
+Segmenter::Cut Segmenter::cut_slice(std::uint32_t most_ns) {
+  std::uint32_t end_ns = elapsed_ns_ + std::min(longest_slice_ns(), most_ns);
   PathUnits end = stretch_from_ + course_.way_after(end_ns);
   const PathUnits stop = std::min(reversals_.next(), power_.next_change());
   if (end > stop) {
-    end_ns = elapsed_ns_ + course_.time_of(stop - place_, elapsed_ns_);
+    end_ns = elapsed_ns_ + static_cast<std::uint32_t>(course_.time_of(stop - place_, elapsed_ns_));
     end = stop;
   }
   return cut(end_ns, end);
 }
 
 void Segmenter::move_to(const MotorPath::Point& point) {
-  for (const std::size_t axis : path_.moving()) place_steps_[axis] = path_.place(axis, point);
+  for (const MotorPath::Motor& motor : path_.moving()) {
+    place_steps_[motor.axis()] = motor.place(point);
+  }
 }
 
 void Segmenter::pass_to_rest() {
-  elapsed_ns_ = course_.duration_ns();
+  elapsed_ns_ = static_cast<std::uint32_t>(course_.duration_ns());
   stretch_from_ = place_ - course_.whole().way;
   speed_ = 0.0F;
 }
 
-Segmenter::Cut Segmenter::cut(std::uint64_t end_ns, PathUnits end) {
-  const std::uint64_t duration_ns = end_ns - elapsed_ns_;
+Segmenter::Cut Segmenter::cut(std::uint32_t end_ns, PathUnits end) {
+  const std::uint32_t duration_ns = end_ns - elapsed_ns_;
   const float speed = course_.speed_after(end_ns);
   const std::uint64_t to_fraction = fraction_.of(end);
   if (observer_ != nullptr) {
@@ -229,13 +279,12 @@ Segmenter::Cut Segmenter::cut(std::uint64_t end_ns, PathUnits end) {
                          to_fraction,
                          speed_,
                          course_.whole().acceleration,
-                         nearest_float(duration_ns) * kSecondsPerNanosecond});
+                         static_cast<float>(duration_ns) * kSecondsPerNanosecond});
   }
   const Cut cut{.to = path_.at(to_fraction),
                 .duration_ns = duration_ns,
                 .start_speed = speed_,
-                .start_duty = duty_at(speed_),
-                .end_duty = duty_at(speed)};
+                .duty = duties(speed_, speed)};
   speed_ = speed;
   place_ = end;
   reversals_.pass(place_);
@@ -245,29 +294,27 @@ Segmenter::Cut Segmenter::cut(std::uint64_t end_ns, PathUnits end) {
   return cut;
 }
 
-void Segmenter::time_trains(const Cut& cut, Segment& segment) {
+void Segmenter::time_trains(Segment& segment) {
   // What takes no time is a rounding of the stretch: a step of it is due at once.
   const float ticks =
-      nearest_float(std::max<std::uint64_t>(1, cut.duration_ns)) * kTicksPerNanosecond;
+      static_cast<float>(std::max<std::uint32_t>(1, joined_.duration_ns)) * kTicksPerNanosecond;
   const float shift = static_cast<float>(remainder_ns_) * kTicksPerNanosecond;
-  const float speed_per_tick = cut.start_speed / static_cast<float>(kTicksPerSecond);
-  for (const std::size_t axis : path_.moving()) {
-    const AxisSlice slice{.from = place_steps_[axis],
-                          .to = path_.place(axis, cut.to),
-                          .speed_steps_per_tick = rates_[axis] * speed_per_tick,
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const AxisSlice slice{.from = joined_.from[axis],
+                          .to = place_steps_[axis],
+                          .speed_steps_per_tick = joined_.speeds[axis],
                           .ticks = ticks};
+    if (slice.from == slice.to) continue;
     segment.trains[axis] = time_steps(slice, shift);
     if (slice.to.q32() < slice.from.q32()) {
       segment.negative = static_cast<std::uint8_t>(segment.negative | (1U << axis));
     }
-    place_steps_[axis] = slice.to;
-    rates_[axis] = path_.speed(axis, cut.to);
   }
-  pass_time(cut.duration_ns, segment);
+  pass_time(joined_.duration_ns, segment);
 }
 
 /// Segments last whole ticks; what is left of one goes to the next.
-void Segmenter::pass_time(std::uint64_t duration_ns, Segment& segment) {
+void Segmenter::pass_time(std::uint32_t duration_ns, Segment& segment) {
   const std::int32_t whole = static_cast<std::int32_t>(duration_ns) + remainder_ns_;
   segment.ticks =
       static_cast<std::uint32_t>(std::max<std::int32_t>(0, whole / kNanosecondsPerTick));
@@ -275,15 +322,22 @@ void Segmenter::pass_time(std::uint64_t duration_ns, Segment& segment) {
   remainder_ns_ = whole - static_cast<std::int32_t>(segment.ticks) * kNanosecondsPerTick;
 }
 
-/// 0…1 of full output at a speed of the path at the present place.
-float Segmenter::duty_at(float speed) const {
+/// At speeds of the path, in mm/s, with the power of the present place.
+Segmenter::Duties Segmenter::duties(float start_speed, float end_speed) const {
+  if (power_.duty() <= 0.0F) return {};
+  const auto duty_for = [this](float share) {
+    return limits_.beam.table.duty_for(std::clamp(share, 0.0F, 1.0F));
+  };
   const Block& block = queue_.front();
-  const bool follows_speed = block.beam.follows_speed && block.feed > 0.0F;
-  if (power_.duty() <= 0.0F) return 0.0F;
-  float share = power_.duty() * plan_.overrides().power;
-  if (follows_speed) share *= speed / block.feed;
-  const float duty = limits_.beam.table.duty_for(std::clamp(share, 0.0F, 1.0F));
-  return follows_speed ? std::max(duty, limits_.beam.least_duty) : duty;
+  const float share = power_.duty() * plan_.overrides().power;
+  if (!block.beam.follows_speed || block.feed <= 0.0F) {
+    const float duty = duty_for(share);
+    return {duty, duty};
+  }
+  const auto at_speed = [&](float speed) {
+    return std::max(duty_for(share * (speed / block.feed)), limits_.beam.least_duty);
+  };
+  return {at_speed(start_speed), at_speed(end_speed)};
 }
 
 }  // namespace cnc::motion

@@ -38,14 +38,20 @@ class SliceObserver {
 /// pixel, lasts at most a millisecond and reverses no axis. A change of plan, override or
 /// hold takes effect at the next stretch.
 ///
+/// Slices shorter than kShortestSegment go out as one segment with those after them, so that a
+/// queue of segments lasts. Only where an axis turns round, the power jumps, outputs change or
+/// the motion ends is a segment shorter.
+///
 /// Main loop only. All state is where the last slice handed out has ended.
 class Segmenter {
  public:
   static constexpr float kLongestSlice = 1.0e-3F;  ///< s.
+  /// Ticks: of these motors and beams take no notice, and 63 of them are six milliseconds.
+  static constexpr std::uint32_t kShortestSegment = kTicksPerSecond / 10'000;
 
   /// @param pixels of the blocks' rows; null where no block has any
   Segmenter(BlockQueue& queue, const Limits& limits, Pixels* pixels = nullptr)
-      : queue_{queue}, limits_{limits}, plan_{queue, limits}, power_{pixels} {}
+      : queue_{queue}, limits_{limits}, power_{pixels}, plan_{queue, limits} {}
 
   /// The next slice; false when there is none: everything driven, or halted.
   [[nodiscard]] bool next(Segment& segment);
@@ -84,40 +90,55 @@ class Segmenter {
 
  private:
   [[nodiscard]] bool ready_stretch();
-  [[nodiscard]] bool next_stretch(Stretch& stretch);
+  [[nodiscard]] Stretch next_stretch();
   void choose_window();
   [[nodiscard]] bool fill_cell();
+  /// Of the output, 0…1, at the start and at the end of a slice.
+  struct Duties {
+    float start = 0.0F;
+    float end = 0.0F;
+  };
   /// What a slice was.
   struct Cut {
     MotorPath::Point to{};
-    std::uint64_t duration_ns = 0;
+    std::uint32_t duration_ns = 0;
     float start_speed = 0.0F;  ///< mm/s.
-    float start_duty = 0.0F;
-    float end_duty = 0.0F;
+    Duties duty{};
+  };
+
+  /// Slices that go out as one segment.
+  struct Joined {
+    AxisArray<StepPosition> from{};
+    AxisArray<float> speeds{};  ///< Steps per tick, at the start.
+    std::uint32_t duration_ns = 0;
+    PathUnits monotonic_to = 0;  ///< On the block that was begun last: no axis turns round before.
+    Duties duty{};
   };
 
   [[nodiscard]] bool ready_block();
   void begin_block();
   void end_block();
-  [[nodiscard]] std::uint64_t longest_slice_ns() const;
-  [[nodiscard]] Cut cut_slice(std::uint64_t most_ns);
-  [[nodiscard]] Cut cut(std::uint64_t end_ns, PathUnits end);
+  [[nodiscard]] std::uint32_t longest_slice_ns() const;
+  [[nodiscard]] Cut cut_slice(std::uint32_t most_ns);
+  [[nodiscard]] Cut cut(std::uint32_t end_ns, PathUnits end);
   void move_to(const MotorPath::Point& point);
   void pass_to_rest();
   void make_segment(Segment& segment);
-  void time_trains(const Cut& cut, Segment& segment);
-  void pass_time(std::uint64_t duration_ns, Segment& segment);
-  [[nodiscard]] float duty_at(float speed) const;
+  void begin_joined();
+  void join(const Cut& cut);
+  [[nodiscard]] bool joins_next();
+  [[nodiscard]] bool goes_on_as_joined();
+  void time_trains(Segment& segment);
+  void pass_time(std::uint32_t duration_ns, Segment& segment);
+  [[nodiscard]] Duties duties(float start_speed, float end_speed) const;
 
   BlockQueue& queue_;
   const Limits& limits_;
-  PlanCursor plan_;
   TimeWindow window_{};
-  MotionFilter filter_{};
   Drive drive_ = Drive::kOn;
 
   PhaseCourse course_{};          ///< Of the stretch being cut.
-  std::uint64_t elapsed_ns_ = 0;  ///< Of the stretch.
+  std::uint32_t elapsed_ns_ = 0;  ///< Of the stretch.
   PathUnits stretch_from_ = 0;    ///< Like place_; below 0 when it began in an earlier block.
 
   bool driving_ = false;  ///< The front block has been begun.
@@ -131,10 +152,15 @@ class Segmenter {
   AxisArray<float> rates_{};  ///< Steps per mm of path, of the axes that move.
   float speed_ = 0.0F;        ///< mm/s.
 
+  Joined joined_{};
   SliceObserver* observer_ = nullptr;
   std::uint32_t blocks_ended_ = 0;
   OutputChanges outputs_{};        ///< Not handed out yet.
   std::int32_t remainder_ns_ = 0;  ///< Planned time beyond the whole ticks handed out.
+
+  // Last, for they are large: what is near to the start of an object is cheaper to reach.
+  PlanCursor plan_;
+  MotionFilter filter_{};
 };
 
 }  // namespace cnc::motion

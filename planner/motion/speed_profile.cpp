@@ -157,7 +157,8 @@ Phase SpeedProfile::change_speed(const Patience& patience) const {
 
 /// As far as the cap, the braking curve and the end of the span let it.
 Phase SpeedProfile::speed_up() const {
-  const float cap = std::max(here().cap_square, speed_square_);
+  const float cap = here().cap_square;
+  if (speed_square_ >= cap) return {};
   const float target = end_target_square();
   const float acceleration = steepest(Change::kSpeedUp, left_, cap);
   const float reach = next_below(speed_square_ + 2.0F * acceleration * left_);

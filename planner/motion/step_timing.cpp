@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planner/base/truncate.hpp"
+#include "planner/base/contract.hpp"
 
 namespace cnc::motion {
 namespace {
@@ -16,38 +16,46 @@ class Parabola {
  public:
   Parabola(float distance, float speed, float ticks)
       : speed_{std::max(0.0F, speed)},
-        acceleration_{2.0F * (distance - speed_ * ticks) / (ticks * ticks)},
+        twice_acceleration_{4.0F * (distance - speed_ * ticks) / (ticks * ticks)},
         ticks_{ticks} {}
 
   /// Stable for any sign of the acceleration; clamped to the slice.
   [[nodiscard]] float time_to(float distance) const {
-    const float discriminant = speed_ * speed_ + 2.0F * acceleration_ * distance;
+    const float discriminant = speed_ * speed_ + twice_acceleration_ * distance;
     const float sum = speed_ + std::sqrt(std::max(0.0F, discriminant));
     return sum > 0.0F ? std::min(ticks_, 2.0F * distance / sum) : ticks_;
   }
 
  private:
   float speed_;
-  float acceleration_;
+  float twice_acceleration_;
   float ticks_;
 };
 
 std::int32_t to_q16(float ticks) { return static_cast<std::int32_t>(ticks * kToQ16); }
 
+/// @pre distance ≥ 0
+float to_steps(std::int64_t distance) {
+  const auto whole = static_cast<std::uint32_t>(distance >> 32);
+  const auto rest = static_cast<std::uint32_t>(distance);
+  return static_cast<float>(whole) + static_cast<float>(rest) * StepPosition::kStepsPerUnit;
+}
+
 }  // namespace
 
 StepTrain time_steps(const AxisSlice& slice, float shift) {
-  const std::int32_t steps = slice.to.nearest_step() - slice.from.nearest_step();
+  const std::int32_t start_step = slice.from.nearest_step();
+  const std::int32_t steps = slice.to.nearest_step() - start_step;
   if (steps == 0) return {};
   const bool forward = steps > 0;
-  const std::int64_t travel = slice.to.q32() - slice.from.q32();
-  // From the start to the first half step in the direction of travel.
-  const std::int64_t centre = StepPosition::whole(slice.from.nearest_step()).q32();
-  const std::int64_t edge = forward ? centre + kHalfStep : centre - kHalfStep;
-  const std::int64_t lead = forward ? edge - slice.from.q32() : slice.from.q32() - edge;
-  const float first_edge = nearest_float(lead) * StepPosition::kStepsPerUnit;
-
-  const Parabola motion{nearest_float(forward ? travel : -travel) * StepPosition::kStepsPerUnit,
+  // More than one step each tick, and one by rounding, was not planned: memory has changed.
+  CNC_ASSERT(static_cast<float>(forward ? steps : -steps) <= slice.ticks + 1.0F);
+  const std::int64_t from = slice.from.q32();
+  const std::int64_t travel = slice.to.q32() - from;
+  const std::int64_t from_centre = from - StepPosition::whole(start_step).q32();
+  // To the first half step in the direction of travel.
+  const float first_edge = to_steps(kHalfStep - (forward ? from_centre : -from_centre));
+  const Parabola motion{to_steps(forward ? travel : -travel),
                         forward ? slice.speed_steps_per_tick : -slice.speed_steps_per_tick,
                         slice.ticks};
   StepTrain train;

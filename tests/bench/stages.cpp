@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "firmware/link/line_assembler.hpp"
 #include "firmware/machine/configuration.hpp"
 #include "firmware/steps/step_generator.hpp"
 #include "hal/host/recording_port.hpp"
@@ -16,6 +17,7 @@
 #include "planner/motion/segmenter.hpp"
 #include "planner/path/path_stage.hpp"
 #include "tests/support/bench_jobs.hpp"
+#include "tests/support/let_in.hpp"
 
 namespace {
 
@@ -43,24 +45,36 @@ void split_lines(Job& job) {
   }
 }
 
-void interpret_lines(Job& job) {
-  gcode::Interpreter interpreter;
-  Position place{};
-  for (const std::string_view line : job.lines) {
-    const auto actions = interpreter.interpret(line);
+/// Lines to elements of the path.
+class PathReader {
+ public:
+  template <typename Sink>
+  void read(std::string_view line, Sink&& take) {
+    const auto actions = interpreter_.interpret(line);
     for (const gcode::Action& action : actions.value()) {
       path::PathItem item{.tolerance = path::tolerance_within(0.01F, 0.002F)};
       item.request.feed_mm_s = action.feed;
       if (action.kind == gcode::ActionKind::kArc) {
         const ArcElements arc{
-            {place, action.end, action.plane, action.centre, action.clockwise, 1}};
+            {place_, action.end, action.plane, action.centre, action.clockwise, 1}};
         item.request.element = arc.element(0);
       } else {
-        item.request.element = {.start = place, .end = action.end};
+        item.request.element = {.start = place_, .end = action.end};
       }
-      place = action.end;
-      job.items.push_back(item);
+      place_ = action.end;
+      take(item);
     }
+  }
+
+ private:
+  gcode::Interpreter interpreter_;
+  Position place_{};
+};
+
+void interpret_lines(Job& job) {
+  PathReader reader;
+  for (const std::string_view line : job.lines) {
+    reader.read(line, [&job](const path::PathItem& item) { job.items.push_back(item); });
   }
 }
 
@@ -95,6 +109,39 @@ void drive(const Job& job, Sink&& take) {
     while (next < job.pieces.size() && !queue.full()) push(queue, job.pieces[next++]);
     if (segmenter.next(segment)) take(segment);
   }
+}
+
+/// All of it, from the bytes on, with one queue kept full.
+std::size_t make_segments(std::string_view text) {
+  motion::BlockQueueOf<motion::kLookAheadBlocks> queue;
+  motion::Segmenter segmenter{queue, limits()};
+  segmenter.reset({});
+  path::PathStage stage{limits()};
+  PathReader reader;
+  LineAssembler<256> assembler;
+  std::size_t segments = 0;
+  const auto cut = [&] {
+    motion::Segment segment;
+    if (segmenter.next(segment)) ++segments;
+    benchmark::DoNotOptimize(segment);
+  };
+  const auto drain = [&] {
+    while (const path::PathPiece* const piece = stage.next()) {
+      while (queue.full()) cut();
+      push(queue, *piece);
+    }
+  };
+  for (const char byte : text) {
+    if (!assembler.add(byte)) continue;
+    reader.read(assembler.line(), [&](const path::PathItem& item) {
+      stage.put(item);
+      drain();
+    });
+  }
+  stage.flush();
+  drain();
+  while (!segmenter.idle()) cut();
+  return segments;
 }
 
 Job make_job(std::string text) {
@@ -167,6 +214,13 @@ void plan_and_segment(benchmark::State& state, const Job& (*of)()) {
       static_cast<double>(job.segments.size()) / static_cast<double>(job.lines.size());
 }
 
+/// Text to segments, all stages taking turns as in the controller; nothing is stepped.
+void cut_from_text(benchmark::State& state, const Job& (*of)()) {
+  const Job& job = of();
+  for (auto _ : state) benchmark::DoNotOptimize(make_segments(job.text));
+  count_lines(state, job);
+}
+
 void step(benchmark::State& state, const Job& (*of)()) {
   const Job& job = of();
   for (auto _ : state) {
@@ -175,9 +229,12 @@ void step(benchmark::State& state, const Job& (*of)()) {
     std::size_t next = 0;
     const std::vector<motion::Segment>& segments = job.segments;
     while (next < segments.size() && !generator.full()) generator.push(segments[next++]);
-    generator.wake();
-    while (generator.on_interrupt() != 0) {
-      if (next < segments.size() && !generator.full()) generator.push(segments[next++]);
+    let_in(generator);
+    constexpr std::uint32_t kRefill = 32;  // A segment takes several interrupts.
+    for (std::uint32_t count = 1; generator.on_interrupt() != 0; ++count) {
+      if (next == segments.size() || count % kRefill != 0) continue;
+      while (next < segments.size() && !generator.full()) generator.push(segments[next++]);
+      let_in(generator);
     }
     benchmark::DoNotOptimize(port.position);
   }
@@ -205,6 +262,8 @@ BENCHMARK_CAPTURE(plan, freeform_20000, freeform)->Unit(benchmark::kMillisecond)
 BENCHMARK_CAPTURE(plan, arcs_400, arcs)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(plan_and_segment, freeform_20000, freeform)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(plan_and_segment, arcs_400, arcs)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(cut_from_text, freeform_20000, freeform)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(cut_from_text, arcs_400, arcs)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(step, freeform_20000, freeform)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(step, arcs_400, arcs)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(everything, freeform_20000, freeform)->Unit(benchmark::kMillisecond);

@@ -2,6 +2,8 @@
 
 #include <memory>
 
+#include "tests/support/let_in.hpp"
+
 namespace proof {
 
 bool play(const std::vector<cnc::motion::Segment>& segments,
@@ -16,10 +18,11 @@ bool play(const std::vector<cnc::motion::Segment>& segments,
     while (next < segments.size() && !generator->full()) generator->push(segments[next++]);
   };
   refill();
-  generator->wake();
+  let_in(*generator);
   while (generator->running()) {
     port.now += generator->on_interrupt();
     refill();
+    let_in(*generator);
   }
   return port.timing_kept();
 }

@@ -42,9 +42,9 @@ class RandomMotorPath : public testing::Test {
   [[nodiscard]] MotorState state_at(std::uint64_t fraction) const {
     MotorState state{.place = from};
     const MotorPath::Point point = path.at(fraction);
-    for (const std::size_t axis : path.moving()) {
-      state.place[axis] = path.place(axis, point);
-      state.speed[axis] = path.speed(axis, point);
+    for (const MotorPath::Motor& motor : path.moving()) {
+      state.place[motor.axis()] = motor.place(point);
+      state.speed[motor.axis()] = motor.speed(point);
     }
     return state;
   }
