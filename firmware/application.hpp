@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
+
 #include "firmware/machine/machine.hpp"
 #include "firmware/protocol/line_protocol.hpp"
 #include "firmware/steps/step_generator.hpp"
@@ -20,6 +23,9 @@ class Application {
  public:
   /// 64 segments of at most a millisecond.
   static constexpr std::uint32_t kSegmentQueue = 64;
+  /// One is being played. The others last until the next come in, a turn that is late considered.
+  static_assert((kSegmentQueue - 1) * motion::Segmenter::kShortestSegment >=
+                (kTurnsToMotion + 2) * kTurnTicks);
 
   /// @param board what `$I+` tells about and `$DFU` leaves for; none on a desk.
   Application(Port& port,
@@ -30,18 +36,44 @@ class Application {
               hal::ControlBoard* board = nullptr)
       : steps_{port}, machine_{steps_, outputs, inputs}, protocol_{link, machine_, store, board} {}
 
-  /// One turn of the main loop; to be called at least every few milliseconds.
-  /// Lines are read before segments are cut, so that a burst is planned as one.
+  /// Step interrupt, every kTurnTicks, after what was due before and before what is due then:
+  /// the boundary of a turn, whose number is returned. What the turn reads has come by now.
+  std::uint32_t begin_turn() noexcept { return steps_.begin_turn(); }
+
+  /// Main loop: begins the next turn whose boundary has passed; false when there is none. A turn
+  /// may be run late, and several one after the other: nothing it does depends on when, as long
+  /// as it ends within kTurnsToMotion.
+  [[nodiscard]] bool take_turn() { return steps_.take_turn(); }
+  /// The number of the turn taken; runs freely.
+  [[nodiscard]] std::uint32_t turn() const { return steps_.turn(); }
+
+  /// The turn that was taken. Lines are read before segments are cut, so that a
+  /// burst is planned as one.
   /// @param now microseconds.
-  void poll(hal::TickCount now) {
+  void run_turn(hal::TickCount now) {
     protocol_.poll(now);
     machine_.poll(now);
     protocol_.poll(now);
+    steps_.end_turn();
+  }
+
+  /// A boundary and its turn, for whoever has both in one thread.
+  /// @param now microseconds.
+  void poll(hal::TickCount now) {
+    begin_turn();
+    if (take_turn()) run_turn(now);
   }
 
   /// Main loop: another sender is at the link, or the one that was there is gone.
   void begin_sender() { protocol_.begin_sender(); }
   void lose_sender() { protocol_.lose_sender(); }
+
+  /// Main loop, once a millisecond: a piece of what nobody changes at work, such that settings that
+  /// turned over in memory are found within 0.2 s. False from then on: the program is to end.
+  [[nodiscard]] bool check_memory() {
+    constexpr std::size_t kBytes = 32;
+    return machine_.check_memory(kBytes);
+  }
 
   /// The step interrupt. Returns the ticks until the next one; 0 stops the timer.
   std::uint32_t on_step_interrupt() noexcept { return steps_.on_interrupt(); }

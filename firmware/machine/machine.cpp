@@ -42,6 +42,8 @@ bool Machine::idle() const {
 gcode::Refusal Machine::accept(std::string_view line) {
   CNC_ASSERT(!busy() && !locked());
   const Position from = interpreter_.position();
+  // Both have followed the same lines, else one of them has changed in memory.
+  CNC_ASSERT(state_.in(Mode::kCheck) || from == motion_.target());
   const auto actions = interpreter_.interpret(line);
   if (!actions.ok()) return actions.error();
   if (interpreter_.places_revision() != places_revision_) trust_places();
@@ -75,12 +77,13 @@ void Machine::poll(hal::TickCount now) {
   if (state_.in(Mode::kFree)) dwell_.pass(elapsed_us);
   restart_dwell_.pass(elapsed_us);
   attend_mode(elapsed_us);
+  spline_points_ = kSplinePoints;
   run_actions();
   motion_.attend(elapsed_us);
   attend_motor_enable(elapsed_us);
   side_.feed_drive();
   motion_.feed_drive();
-  drive_.wake();
+  drive_.settle();
 }
 
 /// What goes on by itself in the present mode.

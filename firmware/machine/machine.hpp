@@ -158,6 +158,8 @@ class Machine {
 
   [[nodiscard]] const gcode::Interpreter& interpreter() const { return interpreter_; }
   [[nodiscard]] const MotionControl& motion() const { return motion_; }
+  /// Turns of the main loop that took too long for motion to begin in time.
+  [[nodiscard]] std::uint32_t late_turns() const { return drive_.late_turns(); }
   /// For whoever wants to see the plan itself; null for nobody.
   void observe(motion::SliceObserver* observer) { motion_.observe(observer); }
   void observe(motion::ShapingObserver* observer) { motion_.motors().observe(observer); }
@@ -175,6 +177,9 @@ class Machine {
     kCoolant,
     kPlunge,
   };
+  /// Of splines, in a turn: 0.4 ms on the emulated chip, and as much again for the last step of it.
+  static constexpr std::uint32_t kSplinePoints = 300;
+
   struct JogMove {
     Position end{};
     float feed = 0.0F;
@@ -292,9 +297,11 @@ class Machine {
   gcode::Actions waiting_{};
   std::optional<ArcElements> arc_{};  ///< The arc being divided.
   std::uint32_t arc_index_ = 0;
-  Position parts_from_{};           ///< Of the line whose parts differ in power…
-  std::size_t part_ = 0;            ///< …so many of which have been taken.
-  std::optional<ArcFit> spline_{};  ///< The spline being turned into arcs.
+  Position parts_from_{};                        ///< Of the line whose parts differ in power…
+  std::size_t part_ = 0;                         ///< …so many of which have been taken.
+  std::optional<ArcFit> spline_{};               ///< The spline being turned into arcs.
+  bool spline_begun_ = false;                    ///< Its first arc has been appended.
+  std::uint32_t spline_points_ = kSplinePoints;  ///< To be looked at in this turn.
   motion::OutputChanges with_next_motion_{};
   std::optional<JogMove> jog_{};  ///< Waits for room in the planner.
   Dwell dwell_{};                 ///< Of an action.

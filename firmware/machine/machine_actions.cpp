@@ -127,18 +127,17 @@ float Machine::spline_tolerance() const {
   return std::max(wanted, ArcFit::kLeastToleranceMm);
 }
 
-/// A few arcs in each turn, as finding one takes some hundred thousand
-/// instructions.
+/// Arc by arc, as the planner has room, and as many points of the curve as a turn may look at.
 bool Machine::move_spline(const Action& action) {
-  constexpr int kArcsPerTurn = 4;
-  if (!motion_.has_room()) return false;
-  const bool begins = !spline_;
-  if (begins) spline_.emplace(*action.spline, motion_.target(), spline_tolerance());
-  for (int i = 0; i < kArcsPerTurn && !spline_->done(); ++i) {
-    if (!motion_.has_room()) return false;
-    append(spline_->next(), action.feed, !begins || i > 0);
+  if (!spline_) {
+    spline_.emplace(*action.spline, motion_.target(), spline_tolerance());
+    spline_begun_ = false;
   }
-  if (!spline_->done()) return false;
+  while (!spline_->done()) {
+    if (!motion_.has_room() || !spline_->work(spline_points_)) return false;
+    append(spline_->next(), action.feed, spline_begun_);
+    spline_begun_ = true;
+  }
   spline_.reset();
   return true;
 }

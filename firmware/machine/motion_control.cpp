@@ -25,11 +25,14 @@ float least_acceleration(const motion::Limits& limits, const motion::Block& bloc
 Result<bool, motion::MotionError> MotionControl::append(const path::PathItem& item) {
   const PathElement& element = item.request.element;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    // It was an end: one that is out of reach now has changed in memory.
+    CNC_ASSERT(limits_.scale[axis].reaches(element.start[axis]));
     const bool within = limits_.scale[axis].reaches(element.end[axis]);
     if (!within) return motion::MotionError::kBeyondMotorRange;
   }
   if (element.start == element.end) return false;
   silence_us_ = 0;
+  ++elements_taken_;
   stage_.put(item);
   // As many lines to a row as half the blocks that are planned: what is held back is little
   // beside it, and few lines are known in small rows, many in large ones.
@@ -89,6 +92,7 @@ void MotionControl::attend(std::int32_t elapsed_us) {
   constexpr std::int32_t kGatheringUs = 10'000;
   // With so many blocks longer welds are worth more than more blocks.
   constexpr std::size_t kPlenty = 16;
+  paid_for_ += std::min(work_owed(), kSpansInATurn);
   silence_us_ = std::min(silence_us_ + elapsed_us, kPatienceUs);
   held_us_ = stage_.empty() ? 0 : std::min(held_us_ + elapsed_us, kGatheringUs);
   const bool idle = segmenter_.idle();

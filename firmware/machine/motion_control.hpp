@@ -20,7 +20,9 @@ class MotionControl {
         stage_{limits, &pixels_},
         segmenter_{queue_, limits, &pixels_} {}
 
-  [[nodiscard]] bool has_room() const { return stage_.has_room(); }
+  /// For another element, and for planning it in this turn: what a turn takes is bounded, so that
+  /// the processor is done with it in time.
+  [[nodiscard]] bool has_room() const { return stage_.has_room() && work_owed() < kSpansInATurn; }
 
   /// Appends the way from the target so far to `end`. Nothing to move counts
   /// as done. The last elements are held back until the next ones are known, or
@@ -88,6 +90,17 @@ class MotionControl {
   void observe(motion::SliceObserver* observer) { segmenter_.observe(observer); }
 
  private:
+  /// To read an element takes the emulated chip as long as planning takes to look at so many spans
+  /// of blocks: a tenth of a turn.
+  static constexpr std::uint32_t kSpansForElement = 24;
+  /// 8 elements, or some of them and planning. A plan over all that waits takes longer, and is
+  /// paid for by turns in which no element is taken.
+  static constexpr std::uint32_t kSpansInATurn = 8 * kSpansForElement;
+
+  /// In spans, that the turns so far have done and not paid for.
+  [[nodiscard]] std::uint32_t work_owed() const {
+    return queue_.looked_at() + kSpansForElement * elements_taken_ - paid_for_;
+  }
   void pump();
   void take(const path::PathPiece& piece);
   void follow_tool();
@@ -103,8 +116,10 @@ class MotionControl {
   motion::MotorStageSetting motor_setting_{};
   AxisArray<std::int32_t> tool_{};  ///< Where the play of its axes left the tool when last seen.
   Position target_{};
-  std::int32_t silence_us_ = 0;  ///< Since the last element came.
-  std::int32_t held_us_ = 0;     ///< Since the stage has been holding elements.
+  std::int32_t silence_us_ = 0;       ///< Since the last element came.
+  std::int32_t held_us_ = 0;          ///< Since the stage has been holding elements.
+  std::uint32_t elements_taken_ = 0;  ///< Runs freely.
+  std::uint32_t paid_for_ = 0;        ///< Of the work until now; runs freely.
   std::uint32_t blocks_taken_ = 0;
 };
 

@@ -13,8 +13,8 @@ namespace {
 /// Rows of a listing in one turn, so that `$ES` does not keep the planner waiting.
 constexpr int kRowsInATurn = 8;
 
-/// Lines in one turn: a burst must not keep segments from being cut.
-constexpr int kLinesInATurn = 8;
+/// Lines at a look, of which a turn has two: a burst is planned in the time that a turn has.
+constexpr int kLinesInATurn = 4;
 
 /// Nothing but blanks and comments.
 bool is_empty(std::string_view line) {

@@ -199,8 +199,11 @@ bool Listing::info_row(Reply& reply, const ReportForm& form) {
         reply.number(wear.bytes_to_next_erase).letter(']').end();
       }
       return extended;
+    case 6:
+      if (extended) reply.text("[LATE TURNS:").number(machine_.late_turns()).letter(']').end();
+      return extended;
     default:
-      return extended && board_row(reply, row_ - 6);
+      return extended && board_row(reply, row_ - 7);
   }
 }
 

@@ -19,20 +19,26 @@ class PowerOutput {
 
   // Main loop.
 
-  [[nodiscard]] bool full() const { return stream_.room() < shift_.room_needed(); }
+  /// When the interrupt had taken so many pieces.
+  [[nodiscard]] bool full(std::uint32_t taken) const {
+    return stream_.room(taken) < shift_.room_needed();
+  }
+  [[nodiscard]] std::uint32_t pushed() const { return stream_.pushed(); }
   [[nodiscard]] PowerShift& shift() { return shift_; }
   [[nodiscard]] const PowerShift& shift() const { return shift_; }
   /// @pre !full()
   void add(const PowerPiece& piece) { shift_.add(piece, stream_); }
   void settle() { shift_.settle(stream_); }
 
-  void set_rest(std::uint16_t duty) { rest_.store(duty, std::memory_order_relaxed); }
   void block(bool blocked) { blocked_.store(blocked, std::memory_order_relaxed); }
   [[nodiscard]] bool blocked() const { return blocked_.load(std::memory_order_relaxed); }
   [[nodiscard]] std::uint16_t now() const { return now_.load(std::memory_order_relaxed); }
 
-  // Step interrupt; rest() from the main loop, too, while that does not run.
+  // Step interrupt; set_rest() and drive_rest() from the main loop, too, while that does not run.
 
+  void publish(std::uint32_t count) noexcept { stream_.publish(count); }
+  [[nodiscard]] std::uint32_t taken() const noexcept { return stream_.taken(); }
+  void set_rest(std::uint16_t duty) noexcept { rest_.store(duty, std::memory_order_relaxed); }
   void pass(std::uint32_t ticks) noexcept { stream_.pass(ticks); }
   [[nodiscard]] bool due() const noexcept { return stream_.due(); }
   /// It is due, and there is something to follow.

@@ -3,8 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
-#include "hal/interface/spsc_ring.hpp"
-#include "planner/base/contract.hpp"
+#include "hal/interface/staged_ring.hpp"
 #include "planner/motion/segment.hpp"
 
 namespace cnc {
@@ -16,7 +15,7 @@ struct PowerPiece {
 };
 
 /// What the output does, beside the steps and on the same clock: pieces from the
-/// main loop, played by the step interrupt.
+/// main loop, played by the step interrupt from when they are published.
 ///
 /// Time passes whether there is a piece or not. A piece that comes too late is
 /// entered where it should be by then, so it never lags behind the motion.
@@ -25,15 +24,20 @@ class PowerStream {
  public:
   // Main loop.
 
-  [[nodiscard]] std::uint32_t room() const { return Capacity - pieces_.size(); }
-  /// @pre room() > 0, and the piece lasts
-  void push(const PowerPiece& piece) { CNC_ASSERT(pieces_.try_push(piece)); }
+  /// Pieces since the beginning.
+  [[nodiscard]] std::uint32_t pushed() const { return pieces_.staged(); }
+  /// Places that are free when so many pieces have been taken.
+  [[nodiscard]] std::uint32_t room(std::uint32_t taken) const { return pieces_.room(taken); }
+  /// @pre there is room, and the piece lasts
+  void push(const PowerPiece& piece) { pieces_.stage(piece); }
 
   // Step interrupt. Integers only.
 
+  void publish(std::uint32_t count) noexcept { pieces_.publish(count); }
+  [[nodiscard]] std::uint32_t taken() const noexcept { return pieces_.taken(); }
   void pass(std::uint32_t ticks) noexcept { left_ -= static_cast<std::int32_t>(ticks); }
   [[nodiscard]] bool due() const noexcept { return left_ <= 0; }
-  [[nodiscard]] bool empty() const noexcept { return piece_.ticks == 0 && pieces_.size() == 0; }
+  [[nodiscard]] bool empty() const noexcept { return piece_.ticks == 0 && pieces_.empty(); }
   /// Until the output changes next; meaningless while due().
   [[nodiscard]] std::int32_t ticks_left() const noexcept { return left_; }
 
@@ -64,7 +68,7 @@ class PowerStream {
     left_ = 0;
   }
   void drop() noexcept {
-    pieces_.clear();
+    pieces_.drop_all();
     rest();
   }
 
@@ -72,7 +76,7 @@ class PowerStream {
   std::int32_t left_ = 0;  ///< Of the present stair; from 0 down: for how long it has been over.
   std::int32_t level_q8_ = 0;
   PowerPiece piece_{};  ///< Its ticks count from the end of the present stair.
-  hal::SpscRing<PowerPiece, Capacity> pieces_{};
+  hal::StagedRing<PowerPiece, Capacity> pieces_{};
 };
 
 }  // namespace cnc

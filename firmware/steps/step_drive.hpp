@@ -21,7 +21,7 @@ struct StepTiming {
 inline constexpr std::uint32_t kTicksAhead = motion::kTicksPerSecond / 50;
 
 /// The step generator as the main loop sees it: somewhere to put segments.
-/// Main loop context; nothing here blocks.
+/// Main loop context; nothing here blocks. What it tells is as it was when the turn began.
 class StepDrive {
  public:
   [[nodiscard]] virtual bool full() const = 0;
@@ -33,24 +33,28 @@ class StepDrive {
   [[nodiscard]] virtual std::uint32_t ticks_ahead() const = 0;
   /// There is room for a segment, and less motion waits than there should be.
   [[nodiscard]] bool wants_more() const { return !full() && ticks_waiting() < ticks_ahead(); }
-  /// Call when all that is to be pushed in this turn has been. Starts the step
-  /// interrupt when segments wait and it is not running.
-  virtual void wake() = 0;
+  /// Call when all that is to be pushed in this turn has been.
+  virtual void settle() = 0;
+  /// Something moves, or waits to be driven.
   [[nodiscard]] virtual bool running() const = 0;
-  /// Ends motion at once, where it is, and drops what waits. The motors may
-  /// lose steps when they were fast.
+  /// At once, without waiting for a boundary: ends motion at once, where it is, and drops what
+  /// waits. The motors may lose steps when they were fast.
   virtual void abort() = 0;
   /// True once after motion was cut off because no segment came in time.
   [[nodiscard]] virtual bool take_starved() = 0;
 
-  /// Motor positions in steps; while running, a moment's view of each axis.
+  /// Turns that took so long that motion may have begun later than it should.
+  [[nodiscard]] virtual std::uint32_t late_turns() const = 0;
+
+  /// Motor positions in steps.
   [[nodiscard]] virtual AxisArray<std::int32_t> position() const = 0;
-  /// Duty of the output when nothing moves, 65535 is full: 0 for a beam.
+  /// Duty of the output when nothing moves, 65535 is full: 0 for a beam. At once
+  /// at rest, and where it is 0.
   virtual void set_rest_power(std::uint16_t power) = 0;
   /// Keeps the output at 0 from the next interrupt on, within a millisecond,
   /// whatever segments and the rest power say; or no longer.
   virtual void block_power(bool blocked) = 0;
-  /// Duty of the output now.
+  /// Duty of the output.
   [[nodiscard]] virtual std::uint16_t power() const = 0;
   /// @pre !running(), and nothing waits
   virtual void set_beam_timing(const BeamTiming& timing) = 0;

@@ -6,12 +6,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <utility>
 
 #include "firmware/steps/power_output.hpp"
 #include "firmware/steps/step_drive.hpp"
 #include "firmware/steps/step_trains.hpp"
 #include "firmware/steps/switch_watch.hpp"
-#include "hal/interface/spsc_ring.hpp"
+#include "firmware/steps/turn_gate.hpp"
+#include "hal/interface/staged_ring.hpp"
 #include "hal/interface/step_port.hpp"
 #include "planner/base/axes.hpp"
 #include "planner/base/contract.hpp"
@@ -31,6 +33,10 @@ namespace cnc {
 /// ever lost. The beam has a stream of its own on the same clock; it changes at
 /// its time, or later by at most a pulse. Integers only; work per interrupt is
 /// one pass over the axes.
+///
+/// The main loop works in turns. It sees the interrupt as it was at its turn's boundary, and what
+/// it hands over in a turn comes in at a boundary, too (TurnGate); only what ends motion or power
+/// acts at once. Motion begins at a boundary, so every step's tick follows from those turns.
 template <hal::StepPort Port, std::uint32_t QueueCapacity>
 class StepGenerator final : public StepDrive {
  public:
@@ -38,7 +44,7 @@ class StepGenerator final : public StepDrive {
 
   [[nodiscard]] bool full() const override {
     // One more is being played where it lies.
-    return queue_.size() >= QueueCapacity - 1 || beam_.full();
+    return queue_.room(view_.segments_taken) <= 1 || beam_.full(view_.pieces_taken);
   }
 
   void push(const motion::Segment& segment) override {
@@ -47,30 +53,31 @@ class StepGenerator final : public StepDrive {
     beam_.add({segment.ticks, segment.power});
     ends_at_rest_ = segment.comes_to_rest;
     pushed_ticks_ += segment.ticks + wait;
-    CNC_ASSERT(queue_.size() < QueueCapacity - 1);
+    CNC_ASSERT(queue_.room(view_.segments_taken) > 1);
     PlayableSegment& next = queue_.next();
     next.segment = segment;
     if (wait > 0) delay(next.segment, wait);
     next.prepare();
-    queue_.push_next();
+    queue_.stage_next();
   }
 
   [[nodiscard]] std::uint32_t ticks_waiting() const override {
-    return pushed_ticks_ - begun_ticks_.load(std::memory_order_relaxed);
+    return pushed_ticks_ - view_.begun_ticks;
   }
 
   [[nodiscard]] std::uint32_t ticks_ahead() const override {
     return kTicksAhead + beam_.shift().look_ahead();
   }
 
-  void wake() override {
+  void settle() override {
     if (ends_at_rest_ && wants_more() && !beam_.shift().settled()) beam_.settle();
-    if (running() || queue_.size() == 0) return;
-    running_.store(true, std::memory_order_release);
-    port_.start_timer();
   }
 
-  [[nodiscard]] bool running() const override { return running_.load(std::memory_order_acquire); }
+  /// What waits will be driven.
+  [[nodiscard]] bool running() const override {
+    return view_.running || queue_.staged() != view_.segments_taken ||
+           abort_.load(std::memory_order_acquire);
+  }
 
   void abort() override {
     beam_.shift().clear();
@@ -78,20 +85,16 @@ class StepGenerator final : public StepDrive {
     note_urgency();
   }
 
-  [[nodiscard]] bool take_starved() override { return starved_.exchange(false); }
-
-  [[nodiscard]] AxisArray<std::int32_t> position() const override {
-    // Once more, if the interrupt went over to another segment meanwhile, which it does
-    // once in a slice.
-    for (;;) {
-      const std::uint32_t segment = trains_changed_.load(std::memory_order_acquire);
-      const AxisArray<std::int32_t> steps = trains_.position();
-      std::atomic_signal_fence(std::memory_order_acquire);
-      if (trains_changed_.load(std::memory_order_relaxed) == segment) return steps;
-    }
+  [[nodiscard]] bool take_starved() override {
+    return std::exchange(starved_seen_, view_.starved) != view_.starved;
   }
 
+  [[nodiscard]] AxisArray<std::int32_t> position() const override { return view_.position; }
+
   void set_rest_power(std::uint16_t power) override {
+    rest_power_ = power;
+    if (running() && power != 0) return;
+    gate_.replace_rest_power(power);
     beam_.set_rest(power);
     if (!running()) beam_.drive_rest();
   }
@@ -100,7 +103,7 @@ class StepGenerator final : public StepDrive {
     note_urgency();
     if (!running()) beam_.drive_rest();
   }
-  [[nodiscard]] std::uint16_t power() const override { return beam_.now(); }
+  [[nodiscard]] std::uint16_t power() const override { return view_.power; }
   void set_beam_timing(const BeamTiming& timing) override {
     beam_.shift().configure(timing);
     longest_wait_.store(kLongestWait + beam_.shift().wait(), std::memory_order_relaxed);
@@ -114,19 +117,22 @@ class StepGenerator final : public StepDrive {
   }
   void set_position(std::size_t axis, std::int32_t steps) override {
     trains_.set_position(axis, steps);
+    change_at_rest();
   }
 
   void watch_switches(std::uint8_t axes, std::uint8_t squared) override {
     switches_.add(axes, squared);
     note_watching();
+    change_at_rest();
   }
   void unwatch_switches() override {
     switches_.clear();
     note_watching();
+    if (!running()) change_at_rest();
   }
-  [[nodiscard]] std::uint8_t switches_found() const override { return switches_.found(); }
+  [[nodiscard]] std::uint8_t switches_found() const override { return view_.switches_found; }
   [[nodiscard]] std::uint8_t switches_half_found() const override {
-    return static_cast<std::uint8_t>(switches_.gates().first | switches_.gates().second);
+    return view_.switches_half_found;
   }
   [[nodiscard]] std::int32_t switch_position(std::size_t axis) const override {
     return switches_.position(axis);
@@ -141,14 +147,13 @@ class StepGenerator final : public StepDrive {
     probe_hit_.store(false);
     probe_armed_.store(true, std::memory_order_relaxed);
     note_watching();
+    change_at_rest();
   }
   void disarm_probe() override {
     probe_armed_.store(false, std::memory_order_relaxed);
     note_watching();
   }
-  [[nodiscard]] bool probe_hit() const override {
-    return probe_hit_.load(std::memory_order_acquire);
-  }
+  [[nodiscard]] bool probe_hit() const override { return view_.probe_hit; }
   [[nodiscard]] AxisArray<std::int32_t> probe_position() const override { return probe_position_; }
 
   /// Any context: ticks that an interrupt may ask for at most while something moves.
@@ -156,7 +161,41 @@ class StepGenerator final : public StepDrive {
     return longest_wait_.load(std::memory_order_relaxed);
   }
 
+  // Main loop, around each turn.
+
+  /// Begins the next turn whose boundary has passed; false when there is none.
+  [[nodiscard]] bool take_turn() {
+    StepView next{};
+    if (!gate_.take(next)) return false;
+    // Seen before what the main loop has changed at rest since then: nothing else has changed.
+    if (next.epoch == epoch_.load(std::memory_order_relaxed)) view_ = next;
+    view_.turn = next.turn;
+    return true;
+  }
+  /// The number of the turn under way; runs freely.
+  [[nodiscard]] std::uint32_t turn() const { return view_.turn; }
+  void end_turn() {
+    gate_.hand_over({.turn = view_.turn,
+                     .segments = queue_.staged(),
+                     .pieces = beam_.pushed(),
+                     .rest_power = rest_power_});
+  }
+  [[nodiscard]] std::uint32_t late_turns() const override { return gate_.late(); }
+
   // Step interrupt.
+
+  /// The boundary of a turn, after all that was due before it: lets in what is to come in now,
+  /// starts the timer when there is something to be driven, and looks around for the main loop.
+  /// Returns the turn's number.
+  [[gnu::noinline]] std::uint32_t begin_turn() noexcept {
+    if (const Handover* const content = gate_.due()) {
+      beam_.publish(content->pieces);
+      queue_.publish(content->segments);
+      beam_.set_rest(content->rest_power);
+    }
+    if (!running_.load(std::memory_order_relaxed)) begin_turn_at_rest();
+    return gate_.show(look());
+  }
 
   /// Does what is due. Returns the ticks after which to come again; 0: stop the timer.
   /// Kept out of line so that its instructions can be counted.
@@ -178,6 +217,30 @@ class StepGenerator final : public StepDrive {
   /// A slice of motion, and the pulse and the direction's set-up time that may be added.
   static constexpr std::uint32_t kLongestWait = motion::kTicksPerSecond / 1000 + 100;
 
+  void begin_turn_at_rest() noexcept {
+    if (abort_.load(std::memory_order_relaxed)) static_cast<void>(drop_everything());
+    beam_.drive_rest();
+    if (queue_.empty()) return;
+    running_.store(true, std::memory_order_relaxed);
+    port_.start_timer();
+  }
+
+  /// Also from the main loop, while the interrupt rests.
+  [[nodiscard]] StepView look() const noexcept {
+    return {.epoch = epoch_.load(std::memory_order_relaxed),
+            .begun_ticks = begun_ticks_.load(std::memory_order_relaxed),
+            .segments_taken = queue_.taken(),
+            .pieces_taken = beam_.taken(),
+            .starved = starved_.load(std::memory_order_relaxed),
+            .position = trains_.position(),
+            .power = beam_.now(),
+            .switches_found = switches_.found(),
+            .switches_half_found =
+                static_cast<std::uint8_t>(switches_.gates().first | switches_.gates().second),
+            .running = running_.load(std::memory_order_relaxed),
+            .probe_hit = probe_hit_.load(std::memory_order_relaxed)};
+  }
+
   // Main loop: one look tells the interrupt that there is nothing of either.
   void note_urgency() {
     urgent_.store(abort_.load(std::memory_order_relaxed) || beam_.blocked(),
@@ -186,6 +249,14 @@ class StepGenerator final : public StepDrive {
   void note_watching() {
     watching_.store(probe_armed_.load(std::memory_order_relaxed) || switches_.active(),
                     std::memory_order_release);
+  }
+
+  /// Main loop: views from before this are out of date. @pre !running()
+  void change_at_rest() {
+    const std::uint32_t turn = view_.turn;
+    epoch_.store(epoch_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
+    view_ = look();
+    view_.turn = turn;
   }
 
   std::uint32_t end_pulse() noexcept {
@@ -243,12 +314,12 @@ class StepGenerator final : public StepDrive {
   }
 
   void play(PlayableSegment& next) noexcept {
+    CNC_ASSERT(next.segment.ticks <= longest_wait());
     now_ -= ticks_;
     ticks_ = static_cast<std::int32_t>(next.segment.ticks);
     count_begun(next.segment.ticks);
     comes_to_rest_ = next.segment.comes_to_rest;
     trains_.begin(next);
-    note_change();
     queue_.drop_front();
   }
 
@@ -258,19 +329,18 @@ class StepGenerator final : public StepDrive {
                                      (next.segment.negative & next.moving));
   }
 
-  void note_change() noexcept {
-    trains_changed_.store(trains_changed_.load(std::memory_order_relaxed) + 1,
-                          std::memory_order_release);
-  }
-
   void count_begun(std::uint32_t ticks) noexcept {
     begun_ticks_.store(begun_ticks_.load(std::memory_order_relaxed) + ticks,
                        std::memory_order_relaxed);
   }
 
-  /// Until this tick of the segment, or the next change of the output.
+  /// Until this tick of the segment, or the next change of the output. A way beyond the segment's
+  /// end means that memory has changed: the beam would stay on without a step.
   [[nodiscard]] std::uint32_t ticks_until(std::int32_t tick) const noexcept {
-    const std::int32_t left = beam_.sooner(tick - now_);
+    constexpr std::int32_t kRounding = 100;
+    const std::int32_t way = tick - now_;
+    CNC_ASSERT(tick <= ticks_ + kRounding && way <= 2 * static_cast<std::int32_t>(longest_wait()));
+    const std::int32_t left = beam_.sooner(way);
     return left > 0 ? static_cast<std::uint32_t>(left) : kAtOnce;
   }
 
@@ -298,7 +368,7 @@ class StepGenerator final : public StepDrive {
 
   [[gnu::noinline]] std::uint32_t come_to_rest() noexcept {
     if (!comes_to_rest_) {
-      starved_.store(true, std::memory_order_relaxed);
+      starved_.store(starved_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
       beam_.drop();
     }
     return stop();
@@ -307,6 +377,7 @@ class StepGenerator final : public StepDrive {
   [[gnu::noinline]] std::uint32_t drop_everything() noexcept {
     abort_.store(false, std::memory_order_relaxed);
     urgent_.store(beam_.blocked(), std::memory_order_relaxed);
+    queue_.publish_all();
     while (const PlayableSegment* const dropped = queue_.front()) {
       count_begun(dropped->segment.ticks);
       queue_.drop_front();
@@ -317,7 +388,6 @@ class StepGenerator final : public StepDrive {
 
   std::uint32_t stop() noexcept {
     trains_.clear();
-    note_change();
     ticks_ = 0;
     comes_to_rest_ = true;
     now_ = 0;
@@ -349,16 +419,20 @@ class StepGenerator final : public StepDrive {
   std::atomic<bool> probe_hit_{false};
   bool probe_contact_ = true;
   std::atomic<bool> running_{false};
-  std::atomic<bool> starved_{false};
+  std::atomic<std::uint32_t> starved_{0};  ///< Times.
   SwitchWatch switches_{};
   AxisArray<std::int32_t> probe_position_{};
   std::atomic<std::uint32_t> begun_ticks_{0};
-  std::atomic<std::uint32_t> trains_changed_{0};  ///< Times.
   std::atomic<std::uint32_t> longest_wait_{kLongestWait};
   PowerOutput<Port, 2 * QueueCapacity> beam_;
-  hal::SpscRing<PlayableSegment, QueueCapacity> queue_{};
+  hal::StagedRing<PlayableSegment, QueueCapacity> queue_{};
+  TurnGate gate_{};
+  std::atomic<std::uint32_t> epoch_{0};  ///< Written by the main loop.
 
   // Main loop only.
+  StepView view_{};
+  std::uint32_t starved_seen_ = 0;
+  std::uint16_t rest_power_ = 0;
   std::uint32_t pushed_ticks_ = 0;  ///< Runs freely.
   bool ends_at_rest_ = true;        ///< The segment pushed last.
 };

@@ -11,6 +11,7 @@
 #include "firmware/application.hpp"
 #include "firmware/link/link_choice.hpp"
 #include "firmware/machine/memory_watch.hpp"
+#include "firmware/steps/turn_gate.hpp"
 #include "firmware/store/flash_log.hpp"
 #include "hal/stm32f405/beam_watch.hpp"
 #include "hal/stm32f405/control_board.hpp"
@@ -37,6 +38,7 @@ using SerialLine = chip::SerialLine<kBoard>;
 using UsbLine = chip::UsbLine<kBoard>;
 static_assert(hal::StepPort<Port>);
 static_assert(chip::StepTimer<Bus>::kTicksPerSecond == cnc::motion::kTicksPerSecond);
+static_assert(chip::StepTimer<Bus>::kTurnTicks == cnc::kTurnTicks);
 
 // Start-up sets these up before it constructs the application.
 constinit Port port{};
@@ -108,7 +110,7 @@ void begin_memory() {
 
 /// Clocks and everything on the chip, interrupts still off. Out of line: its frame is not to
 /// stay below that of the main loop.
-[[gnu::noinline]] void begin_chip() {
+[[gnu::cold, gnu::noinline]] void begin_chip() {
   const bool faulted = kept.fault.mark == chip::FaultRecord::kValid;
   kept.fault.mark = 0;
   const chip::Clocks clocks = chip::ClockStart<Bus>::run(kBoard.crystal_hz);
@@ -143,8 +145,8 @@ chip::Polarity polarity_of(const cnc::Settings& settings) {
           .spindle = mask(cnc::setting::kSpindleInvert)};
 }
 
-/// Settings change at rest only.
-void follow_settings(chip::Polarity& followed) {
+/// Settings change at rest only. Out of line, as begin_chip() is.
+[[gnu::noinline]] void follow_settings(chip::Polarity& followed) {
   const chip::Polarity wanted = polarity_of(application.machine().settings());
   if (wanted == followed) return;
   followed = wanted;
@@ -152,14 +154,10 @@ void follow_settings(chip::Polarity& followed) {
 }
 
 /// What nobody changes may have turned over in memory or flash: a piece of it each
-/// millisecond, so that settings are found within 0.2 s and the image within 2.1 s: two rounds.
-void look_for_damage(hal::TickCount now, hal::TickCount& next) {
-  constexpr std::uint32_t kPeriodUs = 1000;
-  constexpr std::size_t kSettingBytes = 32;
+/// turn, so that settings are found within 0.2 s and the image within 2.1 s: two rounds.
+void look_for_damage() {
   constexpr std::size_t kImageBytes = 256;
-  if (!now.reached(next)) return;
-  next = now.plus(kPeriodUs);
-  if (!application.machine().check_memory(kSettingBytes)) stop(chip::Fault::kConfiguration, 0, 0);
+  if (!application.check_memory()) stop(chip::Fault::kConfiguration, 0, 0);
   if (!image_watch.check(kImageBytes)) stop(chip::Fault::kImage, 0, 0);
 }
 
@@ -184,20 +182,47 @@ void follow_senders() {
   }
 }
 
+/// One turn; its time is that of its boundary, so that nothing depends on when it is run.
+void run_turn() {
+  const std::uint32_t turn = application.turn();
+  line.begin_turn(turn);
+  usb_line.begin_turn(turn);
+  follow_senders();
+  application.run_turn(hal::TickCount{turn * cnc::kTurnUs});
+}
+
 [[noreturn]] void run() {
   chip::Polarity polarity{};
-  hal::TickCount next_look = clock_of_the_loop.now();
+  port.timer().begin_turns();
   chip::Watchdog<>::begin();
   for (;;) {
+    if (!application.take_turn()) {
+      asm volatile("wfi");  // An interrupt that came in between is followed by the clock's.
+      continue;
+    }
     follow_settings(polarity);
-    follow_senders();
-    const hal::TickCount now = clock_of_the_loop.now();
-    application.poll(now);
-    look_for_damage(now, next_look);
+    run_turn();
+    look_for_damage();
     // Fed by the loop, and only while the step interrupt comes, too.
     if (port.timer().take_alive()) chip::Watchdog<>::feed();
     if (board.wants_boot_loader() && line.sent() && usb_line.sent()) leave_for_boot_loader();
   }
+}
+
+}  // namespace
+
+/// For a debugger: boundaries so far at which what was due to come in was not there yet.
+extern "C" std::uint32_t late_turns;
+std::uint32_t late_turns = 0;
+
+namespace {
+
+/// Step interrupt: a turn begins, with what has come by now.
+void begin_turn() {
+  const std::uint32_t turn = application.begin_turn();
+  late_turns = application.steps().late_turns();
+  line.note_turn(turn);
+  usb_line.note_turn(turn);
 }
 
 }  // namespace
@@ -207,6 +232,11 @@ void cnc::contract_failed(const char*, const char*, int) {
 }
 
 extern "C" {
+
+/// For a debugger: where the tick stands to which the edge being driven belongs.
+extern const hal::TickCount* const step_tick;
+[[gnu::section(".places"), gnu::used]] constinit const hal::TickCount* const step_tick =
+    &port.timer().due();
 
 /// Called through the table of an abstract class that is not finished: never.
 [[noreturn]] void __cxa_pure_virtual() {
@@ -260,13 +290,14 @@ extern "C" {
 void supply_interrupt() { stop(chip::Fault::kSupply, 0, 0); }
 
 void step_interrupt() {
-  port.timer().on_interrupt([] { return application.on_step_interrupt(); });
+  port.timer().on_interrupt([] { return application.on_step_interrupt(); }, begin_turn);
 }
 void line_interrupt() { line.on_interrupt(); }
 void usb_interrupt() { usb_line.on_interrupt(); }
 /// Above the step interrupt, which it supervises.
 void clock_interrupt() {
   clock_of_the_loop.on_interrupt();
+  port.timer().make_up();
   if (!application.machine().rests_dark()) return;
   const std::uint32_t longest_wait = application.steps().longest_wait();
   if (chip::BeamWatch<kBoard, Bus>::lit_at_rest(longest_wait))

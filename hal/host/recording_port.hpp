@@ -69,6 +69,20 @@ class RecordingPort final : public AuxiliaryOutputs, public MachineInputs {
     return state;
   }
 
+  /// As reset leaves the pins of a chip: all outputs low, the motors without current. Where they
+  /// stand, and what contacts there are, stays.
+  void reset() {
+    negative_ = {};
+    analog = {};
+    power = 0;
+    digital = 0;
+    set_spindle(false, false);
+    set_coolant(false, false);
+    motors_enabled = false;
+    timer_started = false;
+    changed = true;
+  }
+
   // What the machine sees and feeds back.
   std::array<std::int32_t, kMotors> position{};         ///< Steps since power-up.
   std::array<std::int32_t, kMotors> second_position{};  ///< Of second motors, likewise.

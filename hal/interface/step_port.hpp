@@ -23,8 +23,8 @@ struct SwitchMask {
 /// motion (beam or spindle), and the timer behind them.
 ///
 /// Called from the step interrupt: every operation is noexcept, wait-free,
-/// cannot fail, and on STM32F405 costs a few stores. `start_timer` alone is
-/// called from the main loop.
+/// cannot fail, and on STM32F405 costs a few stores. `start_timer` is called
+/// at the boundaries of the main loop's turns.
 ///
 /// | operation        | contract                                                   |
 /// |------------------|------------------------------------------------------------|
@@ -37,7 +37,7 @@ struct SwitchMask {
 /// | set_analog(c, v) | analog output c to v / 65535                               |
 /// | switches()       | the limit switches now, with their bounce                  |
 /// | probe_contact()  | whether the probe input reports contact now                |
-/// | start_timer()    | interrupt soon, then after the ticks each interrupt asks   |
+/// | start_timer()    | interrupt now, then after the ticks each interrupt asks    |
 template <typename Port>
 concept StepPort = requires(Port& port, AxisMask axes, std::uint16_t value, std::uint8_t bits) {
   requires noexcept(port.set_direction(axes));

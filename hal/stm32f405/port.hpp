@@ -116,7 +116,7 @@ class Port final : public AuxiliaryOutputs, public MachineInputs {
   /// Until the next restart, as an emergency stop that stays pressed.
   void refuse_motion() noexcept { refuses_motion_ = true; }
 
-  [[nodiscard]] StepTimer<Bus>& timer() { return timer_; }
+  [[nodiscard]] constexpr StepTimer<Bus>& timer() { return timer_; }
 
  private:
   static constexpr CheckedBoard<kBoard> kChecked{};

@@ -139,6 +139,7 @@ inline constexpr Word kCounterOn = bit(0);
 inline constexpr Word kReloadPreload = bit(7);
 inline constexpr Word kUpdate = bit(0);
 inline constexpr Word kCompare1 = bit(1);
+inline constexpr Word kCompare2 = bit(2);
 inline constexpr Word kMainOutput = bit(15);
 /// PWM mode 1 with preload: high while the counter is below the compare value.
 constexpr Word pwm_mode(unsigned channel) { return Word{0x68} << (8 * ((channel - 1) % 2)); }

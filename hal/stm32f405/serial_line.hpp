@@ -8,6 +8,7 @@
 #include "hal/interface/byte_stream.hpp"
 #include "hal/interface/spsc_ring.hpp"
 #include "hal/stm32f405/board.hpp"
+#include "hal/stm32f405/turn_marks.hpp"
 
 namespace hal::stm32f405 {
 
@@ -41,9 +42,12 @@ class SerialLine final : public ByteStream {
 
   // Main loop.
 
+  /// From now on read() hands out what had come when this turn began.
+  void begin_turn(std::uint32_t turn) { marks_.begin_turn(turn); }
+
   [[nodiscard]] std::size_t read(std::span<std::byte> into) override {
     std::size_t count = 0;
-    while (count < into.size() && received_.try_pop(into[count])) ++count;
+    while (count < into.size() && received_.try_pop_before(marks_.end(), into[count])) ++count;
     return count;
   }
 
@@ -62,6 +66,9 @@ class SerialLine final : public ByteStream {
   /// Everything that was written is on the wire.
   [[nodiscard]] bool sent() const { return to_send_.size() == 0; }
   [[nodiscard]] std::uint32_t lost_bytes() const { return lost_.load(std::memory_order_relaxed); }
+
+  /// An interrupt above its own: a turn begins.
+  void note_turn(std::uint32_t turn) noexcept { marks_.note(turn, received_.place()); }
 
   // Its interrupt.
 
@@ -109,6 +116,7 @@ class SerialLine final : public ByteStream {
 
   SpscRing<std::byte, kReceiveBytes> received_{};
   SpscRing<std::byte, kSendBytes> to_send_{};
+  TurnMarks marks_{};
   std::atomic<std::uint32_t> lost_{0};
   bool gap_ = false;  ///< A byte found no room, and its place is not marked yet.
 };

@@ -19,11 +19,16 @@ namespace hal::stm32f405 {
 /// late because this one was.
 ///
 /// Also at rest it interrupts, every 10 ms, to show that it would.
+///
+/// Another compare value is the boundary of the main loop's turns, every millisecond of the same
+/// clock. What was due before it is played before it, what is due at it or later after it,
+/// whatever either of them was late by: the boundary is a place in the order of things.
 template <RegisterBus Bus>
 class StepTimer {
  public:
   static constexpr std::uint32_t kTicksPerSecond = 4'000'000;
   static constexpr std::uint32_t kRestTicks = kTicksPerSecond / 100;
+  static constexpr std::uint32_t kTurnTicks = kTicksPerSecond / 1000;
   static constexpr unsigned kPriority = 1;  ///< Below those that end everything.
 
   /// Once, with interrupts off.
@@ -39,43 +44,36 @@ class StepTimer {
     enable_interrupt<Bus>(interrupt::kTim2, kPriority);
   }
 
-  /// Main loop: the first interrupt at once.
-  void start() noexcept {
-    wanted_.store(true, std::memory_order_release);
-    pend_interrupt<Bus>(interrupt::kTim2);
+  /// Main loop, once: boundaries are at multiples of a turn, the first one in the next.
+  void begin_turns() noexcept {
+    turn_ = TickCount{(now().raw() / kTurnTicks + 2) * kTurnTicks};
+    Bus::write(timer::kTim2 + timer::compare(2), turn_.raw());
+    turns_.store(true, std::memory_order_release);
+    Bus::write(timer::kTim2 + timer::kInterrupts, timer::kCompare1 | timer::kCompare2);
   }
 
-  /// The interrupt. `play` is the step generator's part: it returns the ticks
-  /// until it wants to come again, 0 for not at all.
-  template <typename Play>
-  void on_interrupt(const Play& play) noexcept {
-    Bus::write(timer::kTim2 + timer::kStatus, ~timer::kCompare1);
+  /// In a boundary, while nothing is played: the first interrupt is due then.
+  void start() noexcept { wanted_ = true; }
+
+  /// The interrupt: one of the two, and once more if the other is due. `turn` is what belongs to a
+  /// boundary; `play` is the step generator's part: it returns the ticks until it wants to come
+  /// again, 0 for not at all.
+  template <typename Play, typename Turn>
+  void on_interrupt(const Play& play, const Turn& turn) noexcept {
+    Bus::write(timer::kTim2 + timer::kStatus, ~(timer::kCompare1 | timer::kCompare2));
     alive_.store(true, std::memory_order_relaxed);
-    if (wanted_.exchange(false)) {
-      running_ = true;
-      due_ = now();
-      comes_ = due_;
-      // While this interrupt runs, the compare value is when it came: see ticks_left().
-      Bus::write(timer::kTim2 + timer::compare(1), due_.raw() - 1);
+    if (turn_is_due()) {
+      pass_boundary(turn);
+    } else if (now().reached(comes_)) {
+      step(play);
     }
-    if (!now().reached(comes_)) return;  // Asked for, and then the time came as well.
-    edge_made_ = false;
-    pulse_ended_ = false;
-    std::uint32_t wait = running_ ? play() : 0;
-    running_ = wait != 0;
-    if (!running_) {
-      due_ = now();
-      wait = kRestTicks;
-    }
-    due_ = due_.plus(wait);
-    if (!pulse_ended_) pulse_ = wait;
-    const std::uint32_t least = pulse_ended_ && pulse_ < wait ? pulse_ : wait;
-    const TickCount after_edge = edge_.plus(least + 1);  // Its tick was not a whole one.
-    comes_ = edge_made_ && after_edge.reached(due_) ? after_edge : due_;
-    Bus::write(timer::kTim2 + timer::compare(1), comes_.raw());
-    // The compare value meets a counter that is on its way, never one that is past.
-    if (now().reached(comes_)) pend_interrupt<Bus>(interrupt::kTim2);
+    // A compare value meets a counter that is on its way, never one that is past.
+    if (now().reached(comes_) || turn_is_due()) pend_interrupt<Bus>(interrupt::kTim2);
   }
+
+  /// Any context: the tick to which belongs what the interrupt drives, as it would be with no
+  /// way to the edge; where a debugger finds it.
+  [[nodiscard]] constexpr const TickCount& due() const noexcept { return due_; }
 
   /// Step interrupt, after pins have changed in `play`.
   void note_edge() noexcept {
@@ -95,14 +93,62 @@ class StepTimer {
     return comes.since(now());
   }
 
+  /// The clock's interrupt, above this one: asks for a boundary that is overdue by far, as it is
+  /// where its compare value has changed by itself.
+  void make_up() noexcept {
+    constexpr std::uint32_t kOverdue = kTicksPerSecond / 10'000;
+    const bool turns = turns_.load(std::memory_order_relaxed);
+    if (turns && now().reached(turn_.plus(kOverdue))) pend_interrupt<Bus>(interrupt::kTim2);
+  }
+
   /// Main loop: whether there was an interrupt since the last call.
   [[nodiscard]] bool take_alive() noexcept { return alive_.exchange(false); }
 
  private:
   static TickCount now() noexcept { return TickCount{Bus::read(timer::kTim2 + timer::kCounter)}; }
 
-  std::atomic<bool> wanted_{false};
+  /// The boundary has passed, and nothing that was due before it waits.
+  [[nodiscard]] bool turn_is_due() const noexcept {
+    return turns_.load(std::memory_order_relaxed) && (!running_ || due_.reached(turn_)) &&
+           now().reached(turn_);
+  }
+
+  template <typename Turn>
+  void pass_boundary(const Turn& turn) noexcept {
+    if (!running_) due_ = turn_;
+    turn();
+    if (wanted_) {
+      wanted_ = false;
+      running_ = true;
+      comes_ = due_;
+      // While this interrupt runs, the compare value is when it came: see ticks_left().
+      Bus::write(timer::kTim2 + timer::compare(1), due_.raw() - 1);
+    }
+    turn_ = turn_.plus(kTurnTicks);
+    Bus::write(timer::kTim2 + timer::compare(2), turn_.raw());
+  }
+
+  template <typename Play>
+  void step(const Play& play) noexcept {
+    edge_made_ = false;
+    pulse_ended_ = false;
+    std::uint32_t wait = running_ ? play() : 0;
+    running_ = wait != 0;
+    if (!running_) {
+      due_ = now();
+      wait = kRestTicks;
+    }
+    due_ = due_.plus(wait);
+    if (!pulse_ended_) pulse_ = wait;
+    const std::uint32_t least = pulse_ended_ && pulse_ < wait ? pulse_ : wait;
+    const TickCount after_edge = edge_.plus(least + 1);  // Its tick was not a whole one.
+    comes_ = edge_made_ && after_edge.reached(due_) ? after_edge : due_;
+    Bus::write(timer::kTim2 + timer::compare(1), comes_.raw());
+  }
+
   std::atomic<bool> alive_{false};
+  std::atomic<bool> turns_{false};
+  bool wanted_ = false;
   bool running_ = false;
   bool edge_made_ = false;
   bool pulse_ended_ = false;
@@ -110,6 +156,7 @@ class StepTimer {
   TickCount edge_{};
   TickCount due_{kRestTicks};    ///< By the times that `play` asked for.
   TickCount comes_{kRestTicks};  ///< That, or later for the sake of an edge.
+  TickCount turn_{};             ///< The next boundary.
 };
 
 }  // namespace hal::stm32f405

@@ -201,7 +201,7 @@ void draw(const PathRecorder& recorder, const Job& job, const JobOutputs& output
 }  // namespace
 
 Report simulate(const Job& job, const JobOutputs& outputs) {
-  const std::string text = read_text(job.file);
+  const std::string text = job.text ? *job.text : read_text(job.file);
   Simulator simulator{text,
                       {.after_refusal = AfterRefusal::kStop,
                        .machine = job.machine,
@@ -253,7 +253,7 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
 }
 
 Report check(const Job& job) {
-  const std::string text = read_text(job.file);
+  const std::string text = job.text ? *job.text : read_text(job.file);
   Simulator simulator{text,
                       {.after_refusal = AfterRefusal::kGoOn,
                        .machine = job.machine,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,8 @@ namespace sim {
 
 /// A program to run and the machine to run it on.
 struct Job {
-  std::string file;  ///< `-` is standard input.
+  std::string file;                   ///< `-` is standard input.
+  std::optional<std::string> text{};  ///< The program itself, where no file has it.
   std::vector<SettingChange> settings;
   /// Without switches: where on the machine the program's zero lies is not known.
   MachineModel machine{.has_switches = false};

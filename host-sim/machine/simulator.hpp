@@ -51,6 +51,8 @@ class Simulator {
   /// One turn of the main loop and the millisecond of interrupts after it.
   void turn();
   [[nodiscard]] bool done() const;
+  /// Segments are being played.
+  [[nodiscard]] bool moves() const { return controller_.step_timer_runs(); }
   [[nodiscard]] RunResult result() const;
   [[nodiscard]] const hal::host::RecordingPort& port() const { return controller_.port(); }
   /// Where the axes are, in steps: the motors less their play.

@@ -2,20 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <span>
+#include <utility>
+
+#include "planner/base/contract.hpp"
 
 namespace sim {
-namespace {
-
-constexpr std::uint64_t kTicksPerMicrosecond = cnc::motion::kTicksPerSecond / 1'000'000;
-
-}  // namespace
 
 VirtualController::VirtualController(hal::ByteStream& link, const MachineModel& model)
-    : model_{model},
-      play_{model_},
-      second_play_{model_},
-      switches_{model_},
-      firmware_{port_, port_, port_, own_store_, link} {}
+    : VirtualController{link, model, own_store_} {}
 
 VirtualController::VirtualController(hal::ByteStream& link,
                                      const MachineModel& model,
@@ -24,14 +20,31 @@ VirtualController::VirtualController(hal::ByteStream& link,
       play_{model_},
       second_play_{model_},
       switches_{model_},
-      firmware_{port_, port_, port_, store, link} {}
+      store_{store},
+      link_{link},
+      firmware_{std::in_place, port_, port_, port_, store, link} {}
 
 void VirtualController::turn() {
+  begin_turn();
+  if (hangs_ms_ == 0) {
+    run_turn();
+  } else if (--hangs_ms_ == 0) {
+    restart();
+  }
+  pass_turn();
+}
+
+void VirtualController::begin_turn() {
   last_event_ = now_;
   follow_settings();
   feel_machine();
-  firmware_.poll(hal::TickCount{static_cast<std::uint32_t>(now_ / kTicksPerMicrosecond)});
-  advance_to(now_ + kTicksPerTurn);
+  firmware_->begin_turn();
+}
+
+void VirtualController::run_turn() {
+  CNC_ASSERT(firmware_->take_turn());
+  firmware_->run_turn(hal::TickCount{firmware_->turn() * cnc::kTurnUs});
+  if (!firmware_->check_memory()) restart();
 }
 
 void VirtualController::follow_settings() {
@@ -46,6 +59,43 @@ void VirtualController::follow_settings() {
 }
 
 void VirtualController::advance_to(std::uint64_t tick) {
+  if (planted_ && planted_->tick < tick) {
+    play_until(planted_->tick);
+    happen(*planted_);
+    planted_.reset();
+  }
+  play_until(tick);
+}
+
+void VirtualController::happen(const PlantedBreakdown& breakdown) {
+  switch (breakdown.kind) {
+    case Breakdown::kProgramEnds:
+      return restart();
+    case Breakdown::kMainLoopHangs:
+      hangs_ms_ = kWatchdogMs;
+      return;
+    case Breakdown::kSettingTurnsOver: {
+      const auto settings = std::as_bytes(std::span{&machine().settings(), 1});
+      const std::size_t place = breakdown.bit / 8 % settings.size();
+      // What turns over in memory asks nobody.
+      // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)
+      const_cast<std::byte&>(settings[place]) ^= std::byte{1} << breakdown.bit % 8;
+    }
+  }
+}
+
+/// As the chip does: the outputs go low where the program ends, and it begins anew.
+void VirtualController::restart() {
+  port_.reset();
+  report_change();
+  firmware_.emplace(port_, port_, port_, store_, link_);
+  timer_runs_ = false;
+  hangs_ms_ = 0;
+  settings_revision_ = 0;
+  ++restarts_;
+}
+
+void VirtualController::play_until(std::uint64_t tick) {
   if (port_.changed) report_change();
   if (port_.timer_started) {
     port_.timer_started = false;
@@ -54,7 +104,7 @@ void VirtualController::advance_to(std::uint64_t tick) {
   }
   while (timer_runs_ && next_interrupt_ < tick) {
     now_ = last_event_ = next_interrupt_;
-    const std::uint32_t wait = firmware_.on_step_interrupt();
+    const std::uint32_t wait = firmware_->on_step_interrupt();
     if (port_.changed) {
       feel_machine();
       report_change();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "firmware/application.hpp"
@@ -8,6 +9,7 @@
 #include "hal/host/recording_port.hpp"
 #include "hal/interface/byte_stream.hpp"
 #include "hal/interface/record_store.hpp"
+#include "host-sim/machine/breakdown.hpp"
 #include "host-sim/machine/machine_model.hpp"
 #include "host-sim/machine/play_model.hpp"
 #include "host-sim/machine/switch_model.hpp"
@@ -35,15 +37,35 @@ class VirtualController {
   /// Sinks see every edge from now on; they must outlive the controller.
   void add_sink(TraceSink& sink) { sinks_.push_back(&sink); }
 
+  /// In place of one that has not happened yet. @pre the tick is not past
+  void plant(const PlantedBreakdown& breakdown) { planted_ = breakdown; }
+  /// By breakdowns: each ends motion and beam at once, and starts the firmware over with what it
+  /// stored.
+  [[nodiscard]] std::uint32_t restarts() const { return restarts_; }
+
   /// One turn of the main loop and the interrupts of the millisecond after it.
   void turn();
+
+  // The same in parts, for whoever has the main loop come late.
+
+  /// The boundary of a turn.
+  void begin_turn();
+  /// What the main loop does in the oldest turn that has begun and was not run; there is one.
+  void run_turn();
+  /// The interrupts of the millisecond after the boundary.
+  void pass_turn() { advance_to(now_ + kTicksPerTurn); }
+  /// Turns that were run after what they hand over was due.
+  [[nodiscard]] std::uint32_t late_turns() const { return firmware_->steps().late_turns(); }
+
   /// Hands out the last row and tells the sinks that there are no more.
   void end();
 
   [[nodiscard]] std::uint64_t now_ticks() const { return now_; }
+  /// Of the last interrupt in the last turn, or else its start.
+  [[nodiscard]] std::uint64_t last_event_ticks() const { return last_event_; }
   [[nodiscard]] bool step_timer_runs() const { return timer_runs_; }
-  [[nodiscard]] cnc::Machine& machine() { return firmware_.machine(); }
-  [[nodiscard]] const cnc::Machine& machine() const { return firmware_.machine(); }
+  [[nodiscard]] cnc::Machine& machine() { return firmware_->machine(); }
+  [[nodiscard]] const cnc::Machine& machine() const { return firmware_->machine(); }
   [[nodiscard]] const hal::host::RecordingPort& port() const { return port_; }
   /// Where the axes are since power-up, in steps: the motors less their play.
   [[nodiscard]] PlayModel::Steps axes() const { return play_.axes(port_.position); }
@@ -57,6 +79,9 @@ class VirtualController {
 
  private:
   void advance_to(std::uint64_t tick);
+  void play_until(std::uint64_t tick);
+  void happen(const PlantedBreakdown& breakdown);
+  void restart();
   void follow_settings();
   void feel_machine();
   void touch_machine();
@@ -74,7 +99,12 @@ class VirtualController {
   std::uint64_t undisturbed_ = 0;  ///< Step interrupts before a contact can change.
   hal::host::RecordingPort port_{};
   hal::host::MemoryStore own_store_{};
-  Firmware firmware_;
+  hal::RecordStore& store_;
+  hal::ByteStream& link_;
+  std::optional<Firmware> firmware_;  ///< Never empty.
+  std::optional<PlantedBreakdown> planted_;
+  std::uint32_t hangs_ms_ = 0;  ///< Before the watchdog bites; 0 while the main loop runs.
+  std::uint32_t restarts_ = 0;
   std::vector<TraceSink*> sinks_;
   std::uint64_t now_ = 0;             ///< Ticks of the step clock.
   std::uint64_t last_event_ = 0;      ///< Start of the last turn, or an interrupt in it.

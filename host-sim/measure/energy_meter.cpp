@@ -136,6 +136,7 @@ void EnergyMeter::add(const Sample& sample) {
   const double share = (from - before.place) / (after.place - before.place);
   const double light = before.light + share * (after.light - before.light);
   const double programmed = before.programmed + share * (after.programmed - before.programmed);
+  if (options_.on_window) options_.on_window((sample.light - light) / (sample.place - from));
   const double ratio = (sample.light - light) / (sample.programmed - programmed);
   const bool first = figures_.windows++ == 0;
   if (first || ratio < figures_.least) {

@@ -37,6 +37,8 @@ class EnergyMeter final : public TraceSink {
     double least_speed = 0.0;    ///< $31.
     /// Light of an output duty, 0…1 of the greatest; the duty itself when empty.
     std::function<double(float)> light{};
+    /// Told of each window that ends now: seconds of full power per mm.
+    std::function<void(double)> on_window{};
   };
 
   /// `deviation` follows the same trace on `path` and sees each row first; both must

@@ -45,9 +45,10 @@ class ControlBoardTest : public ControllerTest {
 
 TEST_F(ControlBoardTest, ExtendedInfoEndsWithTheBoardsRows) {
   say("");
-  EXPECT_NE(std::string::npos,
-            say("$I+\n").find("[FIRMWARE:Kerfline]\r\n[STORE WEAR:0,0]\r\n[BOARD:A "
-                              "board]\r\n[RESET:power on]\r\nok\r\n"));
+  EXPECT_NE(
+      std::string::npos,
+      say("$I+\n").find("[FIRMWARE:Kerfline]\r\n[STORE WEAR:0,0]\r\n[LATE TURNS:0]\r\n[BOARD:A "
+                        "board]\r\n[RESET:power on]\r\nok\r\n"));
   EXPECT_EQ(std::string::npos, say("$I\n").find("BOARD"));
 }
 

@@ -8,6 +8,7 @@
 
 #include "firmware/steps/step_generator.hpp"
 #include "hal/interface/step_port.hpp"
+#include "tests/support/let_in.hpp"
 
 namespace cnc {
 
@@ -88,7 +89,7 @@ class StepGeneratorTest : public testing::Test {
 
   /// Interrupts until the timer is stopped, or so many ticks are over.
   void run(std::uint64_t ticks = 1'000'000'000) {
-    generator.wake();
+    let_in(generator);
     if (port.started) next_ = port.now;
     port.started = false;
     const std::uint64_t end = port.now + ticks;
@@ -98,6 +99,7 @@ class StepGeneratorTest : public testing::Test {
       next_ = wait == 0 ? kNoInterrupt : next_ + wait;
     }
     if (next_ != kNoInterrupt) port.now = end;
+    let_in(generator);
   }
 
   /// `count` steps of one axis, evenly spread over `ticks`.

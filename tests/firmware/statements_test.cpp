@@ -82,12 +82,13 @@ TEST_F(StatementsTest, TellWhatTheControllerIs) {
   EXPECT_EQ(lines_of("$I"), (Lines{"[VER:1.1h.20261121:]", "[OPT:VNMPH+2,128,1024]", "ok"}));
   EXPECT_EQ(send("$I=left of the door"), "ok");
   const Lines lines = lines_of("$I+");
-  ASSERT_EQ(lines.size(), 7U);
+  ASSERT_EQ(lines.size(), 8U);
   EXPECT_EQ(lines[0], "[VER:1.1h.20261121:left of the door]");
   EXPECT_EQ(lines[2], "[AXS:3:XYZ]");
   EXPECT_EQ(lines[3], "[NEWOPT:ENUMS,RT+,HOME]");
   EXPECT_EQ(lines[4], "[FIRMWARE:Kerfline]");
   EXPECT_EQ(lines[5], "[STORE WEAR:0,0]");
+  EXPECT_EQ(lines[6], "[LATE TURNS:0]");
   for (const char* text : {"$I=it is OK", "$I=no Error", "$I=a[b", "$I=a]b"}) {
     EXPECT_EQ(send(text), "error:3") << text;
   }

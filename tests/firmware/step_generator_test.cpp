@@ -67,10 +67,25 @@ TEST_F(StepGeneratorTest, IsFullWhenAllButTheOneInPlayAreTaken) {
 }
 
 TEST_F(StepGeneratorTest, KeepsATimeWithoutSteps) {
-  generator.push({.ticks = 10'000});
+  for (int k = 0; k < 3; ++k) generator.push({.ticks = 4'000});
   generator.push(last(even(400, 1)));
   run();
-  EXPECT_NEAR(static_cast<double>(port.of_kind(Kind::kRaise).at(0).tick), 10'200.0, 1.0);
+  EXPECT_NEAR(static_cast<double>(port.of_kind(Kind::kRaise).at(0).tick), 12'200.0, 1.0);
+}
+
+/// What memory that turned over may make of a segment: each would leave the beam on without a step.
+TEST_F(StepGeneratorTest, PlaysNoSegmentLongerThanASlice) {
+  motion::Segment segment = last(even(4000, 4));
+  segment.ticks |= 1U << 16U;
+  generator.push(segment);
+  EXPECT_DEATH(run(), "contract failed");
+}
+
+TEST_F(StepGeneratorTest, WaitsForNoStepBeyondTheEnd) {
+  motion::Segment segment = last(even(4000, 4));
+  segment.trains[0].interval_q16 |= 1 << 29;
+  generator.push(segment);
+  EXPECT_DEATH(run(), "contract failed");
 }
 
 TEST_F(StepGeneratorTest, AbortsAtOnceAndForgetsTheRest) {
@@ -119,7 +134,8 @@ TEST_F(StepGeneratorTest, ChangesPowerWhereTheSegmentStarts) {
   EXPECT_EQ(changes[0].value, 3U);  // At once, as nothing moves.
   EXPECT_EQ(changes[1].value, 100U);
   EXPECT_EQ(changes[2].value, 200U);
-  EXPECT_EQ(changes[2].tick - changes[1].tick, 4000U);
+  // From rest a tick later: the segment is gone over to first, in an interrupt of its own.
+  EXPECT_NEAR(static_cast<double>(changes[2].tick - changes[1].tick), 4000.0, 1.0);
   EXPECT_EQ(changes[3].value, 3U);
   EXPECT_NEAR(static_cast<double>(changes[3].tick - changes[1].tick), 8000.0, 1.0);
 }

@@ -93,6 +93,18 @@ std::string zigzag() {
   return text;
 }
 
+/// Runs the job to its end; when motion began, in ticks: at a boundary of the main loop's turns.
+std::uint64_t run(sim::Simulator& simulator) {
+  std::uint64_t began = 0;
+  for (bool moved = false; !simulator.done();) {
+    const std::uint64_t boundary = simulator.now_ticks();
+    simulator.turn();
+    if (!moved && simulator.moves()) began = boundary;
+    moved = moved || simulator.moves();
+  }
+  return began;
+}
+
 void change(sim::Simulator& simulator, std::uint16_t number, double value) {
   if (!simulator.change_setting(number, static_cast<float>(value)).empty()) std::abort();
 }
@@ -145,9 +157,11 @@ PeerResult run_peer_job(const PeerJob& job, double rise) {
       sim::read_program(job.program, sim::read_options_for(simulator.settings())), product);
   result.limits = limits_of(product);
   if (rise > 0.0) result.limits.jerk.fill(job.acceleration / rise);
-  const sim::RunResult run = simulator.run();
-  result.seconds = run.job_time_s;
-  result.refusals = run.refusals.size() + (run.alarm != 0 ? 1 : 0);
+  const std::uint64_t began = run(simulator);
+  const sim::RunResult end = simulator.result();
+  result.start_seconds = static_cast<double>(began) / cnc::motion::kTicksPerSecond;
+  result.seconds = end.job_time_s - result.start_seconds;
+  result.refusals = end.refusals.size() + (end.alarm != 0 ? 1 : 0);
   return result;
 }
 

@@ -42,7 +42,11 @@ struct PeerJob {
 
 /// What our simulator needs for a job, and what the limits allow.
 struct PeerResult {
-  double seconds = 0.0;        ///< Of the machine, from the first to the last step.
+  /// s, of motion: from when it begins, before its first step, to its last step, as the optima
+  /// are: without what a sender or the gathering of lines takes before. How the peers' clocks were
+  /// started is not on record; start_seconds is the most that it can change.
+  double seconds = 0.0;
+  double start_seconds = 0.0;  ///< From the first bytes to when motion begins.
   sim::ProgrammedPath path{};  ///< As the independent reader has it.
   sim::MotionLimits limits{};
   std::size_t refusals = 0;

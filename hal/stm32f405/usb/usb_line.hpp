@@ -9,6 +9,7 @@
 #include "hal/interface/session_stream.hpp"
 #include "hal/interface/spsc_ring.hpp"
 #include "hal/stm32f405/board.hpp"
+#include "hal/stm32f405/turn_marks.hpp"
 #include "hal/stm32f405/unique_id.hpp"
 #include "hal/stm32f405/usb/control_pipe.hpp"
 
@@ -41,6 +42,9 @@ class UsbLine final : public SessionStream {
 
   // Main loop.
 
+  /// From now on read() hands out what had come when this turn began.
+  void begin_turn(std::uint32_t turn) { marks_.begin_turn(turn); }
+
   [[nodiscard]] std::uint32_t session() const override {
     return session_.load(std::memory_order_acquire);
   }
@@ -52,7 +56,10 @@ class UsbLine final : public SessionStream {
       read_session_ = session;
     }
     std::size_t count = 0;
-    while (session != 0 && count < into.size() && received_.try_pop(into[count])) ++count;
+    while (session != 0 && count < into.size() &&
+           received_.try_pop_before(marks_.end(), into[count])) {
+      ++count;
+    }
     if (waits_for_room_.load(std::memory_order_relaxed) && has_room()) {
       pend_interrupt<Bus>(kInterrupt);
     }
@@ -71,6 +78,9 @@ class UsbLine final : public SessionStream {
   [[nodiscard]] bool sent() const {
     return session() == 0 || (to_send_.size() == 0 && !sending_.load(std::memory_order_relaxed));
   }
+
+  /// An interrupt above its own: a turn begins.
+  void note_turn(std::uint32_t turn) noexcept { marks_.note(turn, received_.place()); }
 
   // Its interrupt.
 
@@ -235,6 +245,7 @@ class UsbLine final : public SessionStream {
   usb::ControlPipe<Bus> control_{};
   SpscRing<std::byte, kReceiveBytes> received_{};
   SpscRing<std::byte, kSendBytes> to_send_{};
+  TurnMarks marks_{};
   std::atomic<std::uint32_t> session_{0};
   /// Where in `received_` begins what came after the last change of session.
   std::atomic<std::uint32_t> begin_{0};

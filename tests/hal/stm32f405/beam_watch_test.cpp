@@ -54,16 +54,22 @@ TEST_F(BeamWatchTest, AMotionThatBeginsIsNotTakenForRest) {
   StepTimer<ModelBus> clock;
   clock.set_up(kFullSpeed);
   chip_.cells[timer::kTim2 + timer::kCounter] = 5000;
-  clock.on_interrupt([] { return 0U; });
+  clock.begin_turns();
+  chip_.cells[timer::kTim2 + timer::kCounter] = chip_.cells[timer::kTim2 + timer::compare(2)];
   power_.set_duty(0);
-  clock.start();
+  clock.on_interrupt([] { return 0U; }, [&] { clock.start(); });
   bool seen = false;
-  clock.on_interrupt([&] {
-    // The beam is lit before the interrupt has said when it comes next.
-    power_.set_duty(30'000);
-    seen = BeamWatch<kGeneric, ModelBus>::lit_at_rest(kSlice);
-    return 100U;
-  });
+  bool played = false;
+  clock.on_interrupt(
+      [&] {
+        // The beam is lit before the interrupt has said when it comes next.
+        power_.set_duty(30'000);
+        seen = BeamWatch<kGeneric, ModelBus>::lit_at_rest(kSlice);
+        played = true;
+        return 100U;
+      },
+      [] {});
+  EXPECT_TRUE(played);
   EXPECT_FALSE(seen);
 }
 

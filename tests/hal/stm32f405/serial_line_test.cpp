@@ -25,7 +25,13 @@ class SerialLineTest : public testing::Test {
       line_.on_interrupt();
     }
   }
+  /// All that has come, in a turn that begins now.
   std::string heard() {
+    line_.note_turn(++turn_);
+    line_.begin_turn(turn_);
+    return heard_in_turn();
+  }
+  std::string heard_in_turn() {
     std::array<std::byte, 4096> bytes{};
     const std::size_t count = line_.read(bytes);
     return {reinterpret_cast<const char*>(bytes.data()), count};
@@ -33,6 +39,7 @@ class SerialLineTest : public testing::Test {
 
   ChipModel& chip_ = ModelBus::start_anew();
   Line line_;
+  std::uint32_t turn_ = 0;
 };
 
 TEST_F(SerialLineTest, RunsAtItsRateFromEitherClock) {
@@ -46,6 +53,22 @@ TEST_F(SerialLineTest, HandsOverWhatArrives) {
   EXPECT_EQ("G1 X1\n?", heard());
   EXPECT_EQ("", heard());
   EXPECT_EQ(0U, line_.lost_bytes());
+}
+
+TEST_F(SerialLineTest, ATurnHearsWhatHadComeWhenItBegan) {
+  arrive("G1");
+  line_.note_turn(6);
+  arrive(" X1");
+  line_.note_turn(7);
+  arrive("\n");
+  line_.begin_turn(6);
+  EXPECT_EQ("G1", heard_in_turn());
+  EXPECT_EQ("", heard_in_turn());
+  line_.begin_turn(7);
+  EXPECT_EQ(" X1", heard_in_turn());
+  line_.note_turn(8);
+  line_.begin_turn(8);
+  EXPECT_EQ("\n", heard_in_turn());
 }
 
 TEST_F(SerialLineTest, ADamagedByteIsMarked) {

@@ -4,6 +4,8 @@
 
 #include <vector>
 
+#include "firmware/steps/turn_gate.hpp"
+
 namespace sim {
 namespace {
 
@@ -27,7 +29,8 @@ TEST(Simulator, TakesTheTimeOfATrapezoid) {
   // 100 mm at 100 mm/s with 500 mm/s²: 100/100 + 100/500 s.
   // Its end is said, a turn later: else the machine waits some ms for more.
   Simulator simulator{"G1 X100 F6000\nM2\n", {}};
-  EXPECT_NEAR(simulator.run().job_time_s, 1.2, 0.003);
+  constexpr double kToMotion = 1.0e-6 * cnc::kTurnsToMotion * cnc::kTurnUs;
+  EXPECT_NEAR(simulator.run().job_time_s, kToMotion + 1.2, 0.003);
 }
 
 TEST(Simulator, HandsOutOneRowForAnInstantInOrder) {

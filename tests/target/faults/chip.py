@@ -87,14 +87,30 @@ class Run:
                 since = None
         return spans
 
-    def lit_without_step(self) -> tuple:
-        """The longest time for which the beam was lit and no step came, and when it ended; ns."""
-        steps, longest = self.steps(), (0, 0)
+    def gaps_lit(self):
+        """Spans between steps in which the beam was lit: (begin, end)."""
+        steps = self.steps()
         for begin, end in self.lit():
             within = steps[bisect.bisect_left(steps, begin):bisect.bisect_right(steps, end)]
             edges = [begin, *within, end]
-            longest = max(longest, *((b - a, b) for a, b in zip(edges, edges[1:])))
-        return longest
+            yield from zip(edges, edges[1:])
+
+    def lit_without_step(self) -> tuple:
+        """The longest time for which the beam was lit and no step came, and when it ended; ns."""
+        return max(((end - begin, end) for begin, end in self.gaps_lit()), default=(0, 0))
+
+    def lit_without_motion(self) -> tuple:
+        """The same, where nothing moved slowly either: the steps before and after came quicker, by
+        more than four times."""
+        steps = self.steps()
+
+        def moves(begin: int, end: int) -> bool:
+            before = steps[:bisect.bisect_right(steps, begin)][-2:]
+            after = steps[bisect.bisect_left(steps, end):][:2]
+            return any(len(pair) == 2 and end - begin <= 4 * (pair[1] - pair[0])
+                       for pair in (before, after))
+        return max(((end - begin, end) for begin, end in self.gaps_lit()
+                    if end - begin > MS and not moves(begin, end)), default=(0, 0))
 
 
 class Chip:

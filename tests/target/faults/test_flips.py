@@ -21,8 +21,10 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from chip import BOOT_NS, CHIP_OPTIONS, MS, RAM, STOPPED, in_parallel, main, seed, trials  # noqa: E402
 
 CHIP = None
-# Fine steps and hard acceleration: while the beam is lit, steps are less than 1 ms apart.
-SETTINGS = "$32=1\n$100=1600\n$101=1600\n$120=5000\n$121=5000\n"
+# Fine steps and hard acceleration of all axes, as flips may move any of them: while the beam is lit
+# and something moves, steps are less than 1 ms apart.
+SETTINGS = "$32=1\n" + "".join(
+    f"${100 + axis}=1600\n${110 + axis}=6000\n${120 + axis}=5000\n" for axis in range(6))
 FLIPS_IN_A_RUN = 32
 APART_NS = 12 * MS
 FIRST_NS = BOOT_NS + 15 * MS
@@ -65,21 +67,23 @@ class FlipTest(unittest.TestCase):
         runs = [[(chosen.randrange(begin, end), chosen.randrange(8), FIRST_NS + i * APART_NS
                   + chosen.randrange(APART_NS)) for i in range(min(FLIPS_IN_A_RUN, count - first))]
                 for first in range(0, count, FLIPS_IN_A_RUN)]
-        kinds, worst, failed = collections.Counter(), (0,), []
+        kinds, failed = collections.Counter(), []
         for start in range(0, len(runs), 16):  # Traces are large.
             part = list(enumerate(runs))[start:start + 16]
             outcomes = in_parallel(lambda numbered: self.judge(*numbered, undisturbed), part)
             for (_, flips), (what, lit) in zip(part, outcomes):
                 kinds.update(what)
-                worst = max(worst, (lit, flips))
                 if lit > MOST_LIT_NS:
                     failed.append((lit, flips))
         print(f"seed {seed()}: {count} flips in {len(runs)} runs: {dict(kinds)}; "
-              f"lit without a step for at most {worst[0] / MS:.3f} ms")
-        self.assertEqual([], failed)
+              f"{len(failed)} times lit without motion for more than {MOST_LIT_NS / MS:.0f} ms")
+        for lit, flips in failed:
+            print(f"lit without motion for {lit / MS:.3f} ms: {flips}")
+        self.assertFalse(failed)
 
     def judge(self, number: int, flips: list, undisturbed) -> tuple:
-        """What the flips of a run did, by kinds, and how long the beam was lit without a step."""
+        """What the flips of a run did, by kinds, and how long the beam was lit without motion. A flip in a
+        line that waits may make its feed a slow one."""
         options = [f"flip={address:x}:{bit}:{ns}" for address, bit, ns in flips]
         run = self.run_job(f"-{number}", *options)
         self.assertEqual(STOPPED, run.status, run.told)
@@ -90,7 +94,9 @@ class FlipTest(unittest.TestCase):
         kinds["line refused"] += len(re.findall(r"error:", run.said))
         same = run.said == undisturbed.said and run.steps() == undisturbed.steps()
         kinds["runs the same to the last edge" if same else "runs that differ"] += 1
-        return kinds, run.lit_without_step()[0]
+        if run.lit_without_step()[0] > MOST_LIT_NS >= run.lit_without_motion()[0]:
+            kinds["a slow motion"] += 1
+        return kinds, run.lit_without_motion()[0]
 
     def test_settings_that_turn_over_are_found_within_a_second(self):
         begin, size = self.settings_place()

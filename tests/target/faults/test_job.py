@@ -19,7 +19,7 @@ CHIP = None
 LINES, LINE_MM, RADIUS_MM, FEED_MM_S = 2000, 0.1, 40.0, 100
 STEPS_PER_MM = 80
 WINDOW = 1024
-BITS_OF_A_BYTE = 10
+SPAN_NS = 100 * MS  # A speed is told over it: 800 steps.
 
 
 def circle() -> list:
@@ -27,6 +27,37 @@ def circle() -> list:
     turn = 2 * math.asin(LINE_MM / 2 / RADIUS_MM)
     return [(RADIUS_MM - RADIUS_MM * math.cos(i * turn), RADIUS_MM * math.sin(i * turn))
             for i in range(1, LINES + 1)]
+
+
+def places_of(run) -> list:
+    """Where both motors are, in steps, after each of their steps: (ns, x, y)."""
+    axis_of, sign, at, places = {"PA0": 0, "PA1": 1}, [1, 1], [0, 0], []
+    for ns, source, rest in run.trace:
+        pin, _, level = rest.partition(" ")
+        if source != "pin":
+            continue
+        if pin in ("PA4", "PA5"):
+            sign[("PA4", "PA5").index(pin)] = -1 if level == "1" else 1
+        elif pin in axis_of and level == "1":
+            at[axis_of[pin]] += sign[axis_of[pin]]
+            places.append((ns, *at))
+    return places
+
+
+def speeds_of(places: list, way: int) -> list:
+    """mm/s along the circle over one span after the other."""
+    def angle(place):
+        x, y = (steps / STEPS_PER_MM for steps in place[1:])
+        return math.atan2(way * y, RADIUS_MM - x)
+
+    speeds, start = [], places[0]
+    for place in places:
+        if place[0] - start[0] < SPAN_NS:
+            continue
+        turned = (angle(place) - angle(start)) % (2 * math.pi)
+        speeds.append(RADIUS_MM * turned / (place[0] - start[0]) * 1e9)
+        start = place
+    return speeds
 
 
 class JobTest(unittest.TestCase):
@@ -39,9 +70,10 @@ class JobTest(unittest.TestCase):
             run = CHIP.run(set_up + "".join(lines), BOOT_NS + int(1e9 * (seconds + 1.2)),
                            f"usart1_window={WINDOW}", *CHIP_OPTIONS)
             with self.subTest(mode=mode):
-                self.judge(run, set_up, lines, places[-1], seconds)
+                self.judge(run, set_up, lines, (places[-1], way), seconds)
 
-    def judge(self, run, set_up: str, lines: list, end: tuple, seconds: float):
+    def judge(self, run, set_up: str, lines: list, end_and_way: tuple, seconds: float):
+        end, way = end_and_way
         self.assertEqual(STOPPED, run.status, run.told)
         self.assertEqual(LINES + set_up.count("\n"), run.said.count("ok\r\n"))
         for trouble in ("error:", "ALARM:", "Restarted"):
@@ -50,28 +82,24 @@ class JobTest(unittest.TestCase):
         self.assertEqual(len(set_up) + sum(map(len, lines)), len(received))
         self.assertEqual([], run.times("USART1", "overrun"))
         self.assertEqual(10_000, min(b - a for a, b in zip(received, received[1:])), "1 Mbaud")
-        steps = {pin: 0 for pin in ("PA0", "PA1")}
-        way = {"PA4": 1, "PA5": 1}
-        for _, source, rest in run.trace:
-            pin, _, level = rest.partition(" ")
-            if source == "pin" and pin in way:
-                way[pin] = -1 if level == "1" else 1
-            if source == "pin" and pin in steps and level == "1":
-                steps[pin] += way[{"PA0": "PA4", "PA1": "PA5"}[pin]]
-        self.assertEqual([round(place * STEPS_PER_MM) for place in end], list(steps.values()))
-        self.assert_speed(run, seconds)
+        places = places_of(run)
+        self.assertEqual([round(place * STEPS_PER_MM) for place in end], list(places[-1][1:]))
+        self.assert_speed(run, places, way, seconds)
 
-    def assert_speed(self, run, seconds: float):
-        """Lit from the first step to the last without a gap, and as fast as was asked for."""
-        steps = run.steps()
+    def assert_speed(self, run, places: list, way: int, seconds: float):
+        """Lit from the first step to the last without a gap, and as fast as was asked for between
+        getting up to speed and stopping."""
         lit = [span for span in run.lit() if span[1] - span[0] > MS]
-        took = (steps[-1] - steps[0]) / 1e9
-        print(f"{LINES} lines in {took:.3f} s, of {seconds:.3f} s at {FEED_MM_S} mm/s throughout; "
-              f"lit in {len(lit)} spans")
+        first, last = places[0][0], places[-1][0]
+        middle = [place for place in places if first + 300 * MS < place[0] < last - 300 * MS]
+        speeds = speeds_of(middle, way)
+        print(f"{LINES} lines in {(last - first) / 1e9:.3f} s, of {seconds:.3f} s at {FEED_MM_S} "
+              f"mm/s throughout; lit in {len(lit)} spans; {min(speeds):.2f} to {max(speeds):.2f} "
+              f"mm/s over each {SPAN_NS // MS} ms of {(middle[-1][0] - middle[0][0]) / 1e9:.2f} s")
         self.assertEqual(1, len(lit))
-        self.assertLess(took, 1.2 * seconds + 0.05)
-        middle = [ns for ns in steps if steps[0] + 300 * MS < ns < steps[-1] - 300 * MS]
-        self.assertLess(max(b - a for a, b in zip(middle, middle[1:])), MS)
+        self.assertGreater(min(speeds), 0.99 * FEED_MM_S)
+        self.assertLess(max(speeds), 1.01 * FEED_MM_S)
+        self.assertLess(max(b[0] - a[0] for a, b in zip(middle, middle[1:])), MS)
 
 
 if __name__ == "__main__":

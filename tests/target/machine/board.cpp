@@ -30,6 +30,7 @@ Board::Board(const Order& order, const Memory& memory, qemu::Object* core)
       brown_out_{[this] { reset_by(ResetCause::kBrownOut); }},
       stop_{[this] { end(kStoppedStatus); }},
       software_reset_{[] { qemu::qemu_system_reset(qemu::kGuestReset); }} {
+  trace_.follow_words(order.options.words);
   add(rcc_, memory.system);
   add(power_control_, memory.system);
   for (char letter = 'A'; letter <= 'I'; ++letter) {

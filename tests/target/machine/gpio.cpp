@@ -54,7 +54,7 @@ void Gpio::follow() {
     const char now = drive(pin);
     if (now == drives_[pin]) continue;
     drives_[pin] = now;
-    trace().event("pin", "{}{} {}", name_, pin, now);
+    trace().driven("pin", "{}{} {}", name_, pin, now);
   }
   if (changed_) changed_();
 }

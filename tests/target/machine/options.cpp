@@ -53,6 +53,13 @@ bool take_store(std::string_view text, std::vector<WordStore>& stores) {
   });
 }
 
+bool take_word(std::string_view text, std::vector<std::uint32_t>& words) {
+  std::uint32_t address = 0;
+  if (!take_number(text, address, ~0U, 16) || address % 4 != 0) return false;
+  words.push_back(address);
+  return true;
+}
+
 bool take_cut_kind(std::string_view text, Cut& kind) {
   if (text == "none") kind = Cut::kNone;
   if (text == "whole") kind = Cut::kWhole;
@@ -63,6 +70,7 @@ bool take_cut_kind(std::string_view text, Cut& kind) {
 bool take_serial(std::string_view name, std::string_view value, SerialOptions& serial) {
   if (name == "in") return take_text(value, serial.input);
   if (name == "out") return take_text(value, serial.output);
+  if (name == "times") return take_text(value, serial.times);
   if (name == "chardev") return take_text(value, serial.chardev);
   if (name == "baud") return take_number(value, serial.baud, 10'500'000U);
   if (name == "from_ns") return take_number(value, serial.from_ns);
@@ -79,6 +87,7 @@ bool take_file(std::string_view name, std::string_view value, Options& options) 
 }
 
 bool take_value(std::string_view name, std::string_view value, Options& options) {
+  if (name == "word") return take_word(value, options.words);
   if (name == "seed") return take_number(value, options.seed);
   if (name == "cut") return take_number(value, options.cut);
   if (name == "cut_kind") return take_cut_kind(value, options.cut_kind);

@@ -18,6 +18,7 @@ struct SerialOptions {
   std::string chardev;       // Instead of both: the id of a -chardev.
   std::uint32_t baud = 0;    // Of the sender; 0: as the receiver.
   std::int64_t from_ns = 0;  // When the sender begins, at the earliest.
+  std::string times;         // File of when it sends how many bytes.
   std::uint32_t window = 0;  // Bytes of lines without an answer; 0: no waiting.
 };
 
@@ -39,6 +40,7 @@ struct Options {
   static constexpr std::size_t kSerialPorts = 6;
 
   std::string trace, flash, memory, pins, can_input, can_output;
+  std::vector<std::uint32_t> words;  // Addresses of words to be told.
   std::uint64_t seed = 1;
   std::uint32_t cut = 0;  // Operation; 0: none.
   Cut cut_kind = Cut::kNone;

@@ -20,6 +20,7 @@ namespace {
 SerialPeer::SerialPeer(const SerialOptions& options) : window_{options.window} {
   if (!options.chardev.empty()) connect(options.chardev);
   open_files(options);
+  if (!options.times.empty()) read_times(options.times);
 }
 
 SerialPeer::~SerialPeer() {
@@ -56,6 +57,23 @@ void SerialPeer::connect(const std::string& device) {
   qemu::qemu_chr_fe_set_handlers(&device_, room, take, nullptr, nullptr, this, nullptr, true);
 }
 
+/// Lines `NS BYTES`, in order of time.
+void SerialPeer::read_times(const std::string& file) {
+  std::ifstream stream{file};
+  if (!stream) give_up("cannot read", file);
+  for (Burst burst; stream >> burst.at_ns >> burst.bytes;) bursts_.push_back(burst);
+  timed_ = true;
+}
+
+/// Nothing goes out that no burst is for.
+bool SerialPeer::time_has_come() {
+  while (!bursts_.empty() && bursts_.front().bytes == 0) bursts_.pop_front();
+  if (bursts_.empty()) return false;
+  if (bursts_.front().at_ns <= now_ns()) return true;
+  alarm_.set(bursts_.front().at_ns);
+  return false;
+}
+
 bool SerialPeer::line_fits() {
   const auto end = std::find(to_send_.begin(), to_send_.end(), '\n');
   const auto length = static_cast<std::size_t>(end - to_send_.begin()) + 1;
@@ -66,7 +84,7 @@ bool SerialPeer::line_fits() {
 }
 
 bool SerialPeer::has_byte() {
-  if (to_send_.empty()) return false;
+  if (to_send_.empty() || (timed_ && !time_has_come())) return false;
   if (window_ != 0 && !in_line_) in_line_ = line_fits();
   return window_ == 0 || in_line_;
 }
@@ -75,6 +93,7 @@ std::optional<std::uint8_t> SerialPeer::send() {
   if (!has_byte()) return std::nullopt;
   const std::uint8_t byte = to_send_.front();
   to_send_.pop_front();
+  if (timed_) --bursts_.front().bytes;
   if (byte == '\n') in_line_ = false;
   if (has_device_) qemu::qemu_chr_fe_accept_input(&device_);
   return byte;

@@ -9,13 +9,14 @@
 
 #include "tests/target/machine/options.hpp"
 #include "tests/target/machine/qemu.hpp"
+#include "tests/target/machine/virtual_clock.hpp"
 
 namespace machine {
 
 /// Who is at the other end of a serial line: a file to send and one to write, or a character
 /// device. With a window it is a sender that counts characters: a line goes out when it and all
 /// lines without an answer (`ok…` or `error:…`) fit the window. A banner (`Grbl …`) says that the
-/// lines before it are never answered.
+/// lines before it are never answered. With times it sends so many bytes no sooner than then.
 class SerialPeer {
  public:
   /// Ends the emulator with a message where a file or a device is not there.
@@ -39,9 +40,21 @@ class SerialPeer {
   void open_files(const SerialOptions& options);
   void hear_answer(char character);
   void forget_lines();
+  void read_times(const std::string& file);
   [[nodiscard]] bool line_fits();
+  [[nodiscard]] bool time_has_come();
+
+  struct Burst {
+    std::int64_t at_ns = 0;
+    std::size_t bytes = 0;
+  };
 
   std::uint32_t window_;
+  bool timed_ = false;
+  std::deque<Burst> bursts_;
+  Alarm alarm_{[this] {
+    if (more_) more_();
+  }};
   std::deque<std::uint8_t> to_send_;
   std::FILE* output_ = nullptr;
   bool in_line_ = false;

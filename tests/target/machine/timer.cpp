@@ -84,7 +84,9 @@ void Timer::set_counting(bool on) {
   if (on == counting()) return;
   if (!on) place_ = clock() - origin_;
   control_ ^= 1U;
-  if (on) set_place(place_);
+  if (!on) return;
+  set_place(place_);
+  if (trace().follows_words()) trace().event("counts", "{} {}", place().name, count());
 }
 
 void Timer::note_matches(Ticks until) {
@@ -268,6 +270,11 @@ void Timer::write_compare(unsigned index, std::uint32_t value) {
   if (index >= kind_.channels) return;
   Channel& channel = channels_[index];
   channel.preload = value;
+  const bool drives_pin = field(kept_[kOutputs / 4], 4 * index, 1) != 0;
+  if (trace().follows_words()) {
+    trace().tell_words();
+    if (drives_pin) trace().event("compare", "{}_CH{} {}", place().name, index + 1, value);
+  }
   if ((mode_bits(index) & 8U) != 0) return;
   channel.compare = value;
   if (counting() && value == count()) flags_ |= 2U << index;

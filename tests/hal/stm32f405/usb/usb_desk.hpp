@@ -44,6 +44,7 @@ class UsbDesk {
   /// What the main loop reads now.
   std::string hear(std::size_t most = 4096) {
     std::string text(most, '\0');
+    begin_turn();
     text.resize(line.read(std::as_writable_bytes(std::span{text})));
     serve();
     return text;
@@ -52,6 +53,11 @@ class UsbDesk {
     const std::size_t taken = line.write(std::as_bytes(std::span{text}));
     serve();
     return taken;
+  }
+  /// All that has come may be read.
+  void begin_turn() {
+    line.note_turn(++turn_);
+    line.begin_turn(turn_);
   }
   [[nodiscard]] bool ready() { return host.enumerate() && host.open(); }
 
@@ -62,6 +68,8 @@ class UsbDesk {
 
  private:
   static OtgModel& start_core() { return UsbBus::core() = {}; }
+
+  std::uint32_t turn_ = 0;
 };
 
 inline UsbDesk::Bytes bytes_in(std::string_view text) { return {text.begin(), text.end()}; }

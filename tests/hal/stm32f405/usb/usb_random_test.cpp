@@ -75,6 +75,7 @@ class Talk {
   }
   void read() {
     std::string text(1 + desk_.host.below(200), '\0');
+    desk_.begin_turn();
     text.resize(desk_.line.read(std::as_writable_bytes(std::span{text})));
     heard_ += text;
     // All of it, and of a packet whose acknowledgement was lost, too.

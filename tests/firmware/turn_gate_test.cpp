@@ -1,0 +1,57 @@
+#include "firmware/steps/turn_gate.hpp"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+
+namespace cnc {
+namespace {
+
+class TurnGateTest : public testing::Test {
+ protected:
+  /// A boundary: the turn's content that comes in, if any does.
+  std::optional<std::uint32_t> boundary() {
+    const Handover* const due = gate.due();
+    const std::optional<std::uint32_t> segments =
+        due != nullptr ? std::optional{due->segments} : std::nullopt;
+    gate.show({});
+    return segments;
+  }
+  std::uint32_t take() {
+    StepView view;
+    return gate.take(view) ? view.turn : kNone;
+  }
+
+  static constexpr std::uint32_t kNone = ~0U;
+  TurnGate gate;
+};
+
+TEST_F(TurnGateTest, WhatATurnHandsOverComesInThreeBoundariesLaterHoweverLateItIsRun) {
+  for (const bool late : {false, true}) {
+    for (int i = 0; i < 3; ++i) boundary();
+    const std::uint32_t first = take();
+    ASSERT_NE(first, kNone);
+    gate.hand_over({.turn = first, .segments = 10 + first});
+    if (late) {
+      EXPECT_EQ(take(), first + 1);
+      gate.hand_over({.turn = first + 1, .segments = 11 + first});
+    }
+    EXPECT_EQ(boundary(), 10 + first);
+    while (take() != kNone) {
+    }
+  }
+}
+
+TEST_F(TurnGateTest, ALateTurnIsCountedAndComesInWithALaterOne) {
+  for (int i = 0; i < 4; ++i) boundary();
+  EXPECT_EQ(gate.late(), 1U) << "turn 0 is not over at boundary 3";
+  EXPECT_EQ(take(), 0U);
+  gate.hand_over({.turn = 0, .segments = 5});
+  EXPECT_EQ(take(), 1U);
+  gate.hand_over({.turn = 1, .segments = 6});
+  EXPECT_EQ(boundary(), 6U);
+  EXPECT_EQ(gate.late(), 1U);
+}
+
+}  // namespace
+}  // namespace cnc

@@ -1,0 +1,244 @@
+#!/usr/bin/env python3
+"""The image in the emulated chip and the host's simulator, given the same bytes in the same turns:
+each step with its direction, and each change of the beam, belongs to the same tick.
+
+Where the image was late with a turn, the simulator drives the job once more, late at the same
+boundaries; of the turns in motion one in a hundred may be late at most.
+
+    image_trace.py PLUGIN kerfline_generic_1mbaud.elf image_trace_jobs EXAMPLES [TEST...]
+
+KERFLINE_TRIALS=200 random jobs of 2000 edges or more (6), from KERFLINE_SEED (1) on; KERFLINE_TURNS=0
+drives the examples to their end (2500 turns of a millisecond). Ends with 77 (skipped) where something
+is missing.
+"""
+
+import dataclasses
+import os
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "faults"))
+from chip import (BOOT_NS, CHIP_OPTIONS, MS, STOPPED, in_parallel, main, seed,  # noqa: E402
+                  trials)
+
+CHIP = None
+JOBS, EXAMPLES = "", pathlib.Path()
+EXAMPLE_TURNS = int(os.environ.get("KERFLINE_TURNS", "2500")) or 10**9
+RANDOM_TURNS = 3000
+LEAST_EDGES = 2000  # Of a random job; those with fewer are passed over.
+SETTLED_NS = 300 * MS  # What is set is stored by then.
+BURST_NS = 50_000  # After the boundary before; the bytes end 0.1 ms before their own.
+TICK_NS = 250
+AXES = (("PA0", "PA4"), ("PA1", "PA5"), ("PA2", "PA6"))
+BEAM = "TIM1_CH1"
+MOST_LATE = 0.01  # Of the turns from the first edge to the last.
+ALARM_TICKS = 20_000  # 5 ms: what a turn that is late takes.
+LATEST_TICKS = 40  # 10 us: the way to an edge, behind a boundary or a pulse.
+MACHINES = {"bracket": "laser", "circle_r20": "laser", "enclosure_lightburn": "laser",
+            "relief_inkscape": "laser", "sheet_8877": "laser", "pocket_fusion": "mill"}
+
+
+def tick_address() -> int:
+    """Where the image keeps the tick of what it drives."""
+    place = CHIP.symbols["step_tick"]
+    image = CHIP.image.with_suffix(".bin").read_bytes()
+    at = place - 0x08000000
+    return int.from_bytes(image[at:at + 4], "little")
+
+
+def words() -> list:
+    """The options by which the emulated chip tells that tick, and how often a turn was late."""
+    return [f"word={tick_address():x}", f"word={CHIP.symbols['late_turns']:x}"]
+
+
+def lively_seeds(first: int, count: int) -> list:
+    """Of random jobs that are long enough, by the simulator."""
+    found = []
+    while len(found) < count:
+        with tempfile.TemporaryDirectory() as text:
+            subprocess.run([JOBS, "random", str(first), str(RANDOM_TURNS), text],
+                           capture_output=True, check=True)
+            edges = (pathlib.Path(text) / "edges").read_text().count("\n")
+        if edges >= LEAST_EDGES:
+            found.append(first)
+        first += 1
+    return found
+
+
+class Image:
+    """A flash whose store holds a machine's settings, and runs of the image on it."""
+
+    def __init__(self, folder: pathlib.Path):
+        self.folder, self.flash = folder, folder / "flash"
+        settings = (folder / "settings").read_text()
+        run = CHIP.run(settings, SETTLED_NS, f"flash={self.flash}", *words(),
+                       *CHIP_OPTIONS, "usart1_window=1")
+        self.trouble = "" if run.said.count("ok\r\n") == settings.count("\n") else run.said
+        self.start_ns = run.times("counts", "TIM2")[0]
+
+    def drive(self, turns: int):
+        """Its edges, as the simulator lists them, and what it says in the end."""
+        times = []
+        for line in (self.folder / "times").read_text().splitlines():
+            turn, count = map(int, line.split())
+            times.append(f"{self.start_ns + (turn - 1) * MS + BURST_NS} {count}\n")
+        # Whatever it is at by then: the next question is answered.
+        asked = "\x18$I+\n"
+        times.append(f"{self.start_ns + (turns + 3) * MS} 1\n")
+        times.append(f"{self.start_ns + (turns + 50) * MS} {len(asked) - 1}\n")
+        (self.folder / "times_ns").write_text("".join(times))
+        sent = (self.folder / "sent").read_bytes().decode("latin-1") + asked
+        return CHIP.run(sent, self.start_ns + (turns + 80) * MS, f"flash={self.flash}",
+                        *words(), f"usart1_times={self.folder / 'times_ns'}",
+                        *CHIP_OPTIONS, from_ns=BOOT_NS)
+
+
+def edges_of(run, start_ns: int) -> tuple:
+    """Lines `TICK X Y Z COUNTS`, and by how many ticks the latest edge was late."""
+    tick_word = f"{tick_address():08x} "
+    steps = {step: axis for axis, (step, _) in enumerate(AXES)}
+    ways = {way: axis for axis, (_, way) in enumerate(AXES)}
+    sign, row, last, tick, latest, edges = [1, 1, 1], [0, 0, 0, 0], [0, 0, 0, 0], 0, 0, []
+    for ns, source, rest in run.trace:
+        if source == "word":
+            if not rest.startswith(tick_word):
+                continue
+            if row != last:
+                edges.append((tick, *row))
+                last = list(row)
+            tick = int(rest.split()[1])
+            continue
+        name, _, value = rest.partition(" ")
+        if source == "compare" and name == BEAM:
+            row[3] = int(value)
+        elif source == "pin" and name in ways:
+            sign[ways[name]] = -1 if value == "1" else 1
+        elif source == "pin" and name in steps and value == "1":
+            row[steps[name]] += sign[steps[name]]
+            latest = max(latest, (ns - start_ns) // TICK_NS - tick)
+    if row != last:
+        edges.append((tick, *row))
+    return edges, latest
+
+
+def late_boundaries(run, start_ns: int) -> list:
+    """The turns of which the boundary found what was due then not there yet."""
+    word, found, before = f"{CHIP.symbols['late_turns']:08x} ", [], 0
+    for ns, source, rest in run.trace:
+        if source == "word" and rest.startswith(word):
+            count = int(rest.split()[1])
+            found += [(ns - start_ns) // MS] * (count - before)
+            before = count
+    return found
+
+
+def rows_of(folder: pathlib.Path) -> list:
+    """The simulator's edges."""
+    return [tuple(map(int, line.split()))
+            for line in (folder / "edges").read_text().splitlines()]
+
+
+@dataclasses.dataclass
+class Comparison:
+    """What is wrong (or ""), the edges, and of the turns in motion how many were late."""
+    trouble: str = ""
+    edges: int = 0
+    turns: int = 0
+    late: int = 0
+
+
+class ImageTraceTest(unittest.TestCase):
+    def compare(self, name: str, first: str, second: str, most_turns: int) -> Comparison:
+        with tempfile.TemporaryDirectory() as text:
+            folder = pathlib.Path(text)
+            done = subprocess.run([JOBS, first, second, str(most_turns), text],
+                                  capture_output=True, text=True, check=False)
+            if done.returncode != 0 or done.stderr:
+                return Comparison(f"{name}: {done.stderr}")
+            turns = int(done.stdout.split()[0])
+            image = Image(folder)
+            if image.trouble:
+                return Comparison(f"{name}: settings: {image.trouble[-400:]}")
+            run = image.drive(turns)
+            late = [turn for turn in late_boundaries(run, image.start_ns) if turn < turns]
+            if late:
+                (folder / "late").write_text("\n".join(map(str, late)))
+                subprocess.run([JOBS, "again", str(folder / "late"), str(turns), text],
+                               capture_output=True, check=True)
+            wanted = rows_of(folder)
+            alarm = (folder / "alarm").read_text()
+            if os.environ.get("KERFLINE_KEEP"):
+                shutil.copytree(folder, pathlib.Path(os.environ["KERFLINE_KEEP"]) / name,
+                                dirs_exist_ok=True)
+        seen, latest = edges_of(run, image.start_ns)
+        if run.status != STOPPED or "[LATE TURNS:" not in run.said or "Restarted" in run.said:
+            return Comparison(f"{name}: ended with {run.status} {run.told} {run.said[-400:]}")
+        if run.times("counts", "TIM2")[0] != image.start_ns or latest > LATEST_TICKS:
+            return Comparison(f"{name}: an edge came {latest} ticks late")
+        end, trouble = 4000 * turns, ""
+        if alarm:
+            end = 4000 * int(alarm)
+            trouble = self.judge_alarm(name, end, seen, wanted)
+        found = self.compare_edges(name, [row for row in seen if row[0] < end],
+                                   [row for row in wanted if row[0] < end], late)
+        found.trouble = found.trouble or trouble
+        return found
+
+    def judge_alarm(self, name: str, raised: int, seen: list, wanted: list) -> str:
+        """An alarm ends motion and light at once, whatever tick that is: soon, and as dark."""
+        after = [row for row in seen if row[0] > raised + ALARM_TICKS]
+        if after:
+            return f"{name}: the alarm of tick {raised} has not ended all: {after[0]}"
+        if seen and wanted and seen[-1][4] != wanted[-1][4]:
+            return f"{name}: after the alarm the output is {seen[-1][4]}, not {wanted[-1][4]}"
+        return ""
+
+    def compare_edges(self, name: str, seen: list, wanted: list, late: list) -> Comparison:
+        first, last = (wanted[0][0] // 4000, wanted[-1][0] // 4000) if wanted else (0, 0)
+        found = Comparison("", len(wanted), last + 1 - first,
+                           sum(first <= turn <= last for turn in late))
+        if seen != wanted:
+            at = next((i for i, (a, b) in enumerate(zip(seen, wanted)) if a != b),
+                      min(len(seen), len(wanted)))
+            found.trouble = (f"{name}: {len(wanted)} edges, the image's {len(seen)}; the first "
+                             f"that differs is {at}: {wanted[at:at + 1]}, the image's "
+                             f"{seen[at:at + 1]}; late turns: {late}")
+        return found
+
+    def judge(self, what: str, results: list):
+        edges, turns = sum(each.edges for each in results), sum(each.turns for each in results)
+        late = sum(each.late for each in results)
+        troubles = [each.trouble for each in results if each.trouble]
+        print(f"{what}: {len(results) - len(troubles)} of {len(results)} jobs are the same, "
+              f"{edges} edges; of {turns} turns in motion {late} were late, by jobs "
+              f"{[each.late for each in results]}")
+        print("\n".join(troubles))
+        self.assertFalse(troubles)
+        self.assertLessEqual(late, MOST_LATE * turns)
+        self.assertGreater(edges, 1000)
+
+    def test_the_examples(self):
+        def example(name: str):
+            return self.compare(name, str(EXAMPLES / f"{MACHINES[name]}.settings"),
+                                str(EXAMPLES / f"{name}.nc"), EXAMPLE_TURNS)
+
+        here = sorted(path.stem for path in EXAMPLES.glob("*.nc"))
+        self.assertEqual(sorted(MACHINES), here)
+        self.judge("examples", in_parallel(example, here))
+
+    def test_random_jobs_with_holds_and_overrides(self):
+        def job(number: int):
+            return self.compare(f"seed {number}", "random", str(number), RANDOM_TURNS)
+
+        seeds = lively_seeds(seed(), trials(6))
+        self.judge(f"seeds {seeds[0]} to {seeds[-1]}", in_parallel(job, seeds))
+
+
+if __name__ == "__main__":
+    JOBS, EXAMPLES = sys.argv[3], pathlib.Path(sys.argv[4])
+    del sys.argv[3:5]
+    main(globals(), "image_trace")
