@@ -1,12 +1,56 @@
 #include "host-sim/contour/contour_file.hpp"
 
+#include <string_view>
+
 #include "host-sim/contour/contour_text.hpp"
+#include "host-sim/contour/material_side.hpp"
 #include "host-sim/job/setting_line.hpp"
 
 namespace sim {
+namespace {
 
-Contour read_contour_file(const std::string& file) {
-  return contour_from_text(read_text(file), file == "-" ? "standard input" : file);
+/// A lone whole number is how a DXF begins, and no vertex.
+bool is_drawing(std::string_view text) {
+  constexpr std::string_view kByteOrder = "\xEF\xBB\xBF";
+  constexpr std::string_view kDigits = "0123456789";
+  if (text.starts_with(kByteOrder)) text.remove_prefix(kByteOrder.size());
+  text.remove_prefix(std::min(text.size(), text.find_first_not_of(" \t\r\n")));
+  if (text.empty()) return false;
+  if (std::string_view{"<{["}.find(text.front()) != std::string_view::npos) return true;
+  std::string_view line = text.substr(0, text.find_first_of("\r\n"));
+  line = line.substr(0, line.find_last_not_of(" \t") + 1);
+  return line.find_first_not_of(kDigits) == std::string_view::npos ||
+         text.starts_with("AutoCAD Binary DXF");
+}
+
+/// Errors end it; what is only left out as no path does not.
+void throw_faults(const drawing::Drawing& drawn, const std::vector<drawing::Fault>& more) {
+  std::string text;
+  for (const auto* const faults : {&drawn.faults, &more}) {
+    for (const drawing::Fault& fault : *faults) {
+      if (fault.is_error()) text += to_string(fault, drawn.file) + "\n";
+    }
+  }
+  if (drawn.more_faults != 0) text += "and " + std::to_string(drawn.more_faults) + " more\n";
+  if (text.empty() && drawn.contours.empty()) text = drawn.file + ": no contour in it\n";
+  if (!text.empty()) text.pop_back();
+  if (!text.empty()) throw FaultyDrawing{text};
+}
+
+}  // namespace
+
+Contour read_contour_file(const std::string& file, const OutlineOptions& options) {
+  const std::string text = read_text(file);
+  const std::string name = file == "-" ? "standard input" : file;
+  if (!is_drawing(text)) {
+    Contour contour = contour_from_text(text, name);
+    put_material_left(contour);
+    return contour;
+  }
+  const drawing::Drawing drawn = drawing::read_drawing(name, text);
+  Outline outline = outline_of(drawn, options);
+  throw_faults(drawn, outline.faults);
+  return std::move(outline.contour);
 }
 
 }  // namespace sim

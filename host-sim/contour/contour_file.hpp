@@ -1,14 +1,22 @@
 #pragma once
 
+#include <stdexcept>
 #include <string>
 
-#include "host-sim/contour/contour_offset.hpp"
+#include "host-sim/contour/outline.hpp"
 
 namespace sim {
 
-/// Reads contours from a file, `-` being standard input, as contour_text.hpp has
-/// them; formats of drawings come in here as well. Throws std::system_error naming
-/// the file, and ContourTextError.
-[[nodiscard]] Contour read_contour_file(const std::string& file);
+/// What is wrong with a drawing, one fault to a line.
+class FaultyDrawing : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Reads closed contours from a file, `-` being standard input: SVG, DXF or JSON as
+/// drawing.hpp has them, curves fitted as outline.hpp does, else text as contour_text.hpp has it;
+/// told by content. Material is on the left of every loop. Throws std::system_error naming the
+/// file, ContourTextError, and FaultyDrawing if there is any error in a drawing.
+[[nodiscard]] Contour read_contour_file(const std::string& file, const OutlineOptions& options);
 
 }  // namespace sim

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "host-sim/import/place.hpp"
+#include "planner/contour/plane_curve.hpp"
 
 namespace sim::drawing {
 
@@ -84,10 +85,8 @@ inline constexpr std::size_t kMostControlPoints = 100'000;
 /// Smooth parts of a shape, each with a share of 0…1 of its own.
 [[nodiscard]] std::size_t span_count(const Shape& shape);
 
-struct Jet {
-  Place place;
-  Place first;  ///< Derivative by the share.
-};
+/// Place and derivatives by the share.
+using Jet = cnc::contour::CurveJet;
 
 /// @pre span < span_count(shape), share in 0…1
 [[nodiscard]] Jet jet(const Shape& shape, std::size_t span, double share);

@@ -21,32 +21,51 @@ Homogeneous mixed(const Homogeneous& a, const Homogeneous& b, double share) {
   return {a.place * (1.0 - share) + b.place * share, a.weight * (1.0 - share) + b.weight * share};
 }
 
-/// De Boor in homogeneous coordinates; the last difference is the derivative.
+Homogeneous difference(const Homogeneous& from, const Homogeneous& to, double scale) {
+  return {(to.place - from.place) * scale, (to.weight - from.weight) * scale};
+}
+
+/// By the quotient rule from homogeneous coordinates and their derivatives.
+Jet projected(const Homogeneous& at, const Homogeneous& first, const Homogeneous& second) {
+  const Place place = at.place / at.weight;
+  const Place slope = (first.place - place * first.weight) / at.weight;
+  return {place,
+          slope,
+          (second.place - slope * (2.0 * first.weight) - place * second.weight) / at.weight};
+}
+
+/// De Boor in homogeneous coordinates: what is left of the triangle one step and two before its
+/// point are the differences that make the derivatives.
 Jet nurbs_jet(const Nurbs& curve, std::size_t knot, double share) {
   const std::size_t degree = curve.degree;
   const double width = curve.knots[knot + 1] - curve.knots[knot];
   const double at = curve.knots[knot] + width * share;
+  const auto low = [&](std::size_t i) { return curve.knots[knot - degree + i]; };
   std::array<Homogeneous, kHighestDegree + 1> points{};
   for (std::size_t i = 0; i <= degree; ++i) {
     const std::size_t source = knot - degree + i;
     points[i] = {curve.points[source] * curve.weights[source], curve.weights[source]};
   }
   Homogeneous rise{{0.0, 0.0}, 0.0};
+  Homogeneous bend{{0.0, 0.0}, 0.0};
   for (std::size_t level = 1; level <= degree; ++level) {
+    const auto reach = [&](std::size_t i) { return curve.knots[knot + 1 + i - level] - low(i); };
+    if (level + 1 == degree) {
+      const auto before =
+          difference(points[degree - 2], points[degree - 1], 1.0 / reach(degree - 1));
+      const auto after = difference(points[degree - 1], points[degree], 1.0 / reach(degree));
+      const double order = static_cast<double>(degree * level);
+      bend = difference(before, after, order * width);
+    }
+    if (level == degree) {
+      const double slope = static_cast<double>(degree) * width / reach(degree);
+      rise = difference(points[degree - 1], points[degree], slope);
+    }
     for (std::size_t i = degree; i >= level; --i) {
-      const double low = curve.knots[knot - degree + i];
-      const double high = curve.knots[knot + 1 + i - level];
-      if (level == degree) {
-        const double slope = static_cast<double>(degree) / (high - low) * width;
-        rise = {(points[i].place - points[i - 1].place) * slope,
-                (points[i].weight - points[i - 1].weight) * slope};
-      }
-      points[i] = mixed(points[i - 1], points[i], (at - low) / (high - low));
+      points[i] = mixed(points[i - 1], points[i], (at - low(i)) / reach(i));
     }
   }
-  const Homogeneous& found = points[degree];
-  const Place place = found.place / found.weight;
-  return {place, (rise.place - place * rise.weight) / found.weight};
+  return projected(points[degree], rise, bend);
 }
 
 Jet bezier_jet(const Bezier& curve, double t) {
@@ -54,15 +73,17 @@ Jet bezier_jet(const Bezier& curve, double t) {
   const double s = 1.0 - t;
   return {
       p[0] * (s * s * s) + p[1] * (3.0 * s * s * t) + p[2] * (3.0 * s * t * t) + p[3] * (t * t * t),
-      (p[1] - p[0]) * (3.0 * s * s) + (p[2] - p[1]) * (6.0 * s * t) +
-          (p[3] - p[2]) * (3.0 * t * t)};
+      (p[1] - p[0]) * (3.0 * s * s) + (p[2] - p[1]) * (6.0 * s * t) + (p[3] - p[2]) * (3.0 * t * t),
+      (p[2] - 2.0 * p[1] + p[0]) * (6.0 * s) + (p[3] - 2.0 * p[2] + p[1]) * (6.0 * t)};
 }
 
 Jet ellipse_jet(const Ellipse& ellipse, double share) {
   const double sweep = ellipse.to - ellipse.from;
   const Place turn = direction(ellipse.from + sweep * share);
-  return {ellipse.centre + ellipse.major * turn.x() + ellipse.minor * turn.y(),
-          (ellipse.minor * turn.x() - ellipse.major * turn.y()) * sweep};
+  const Place outward = ellipse.major * turn.x() + ellipse.minor * turn.y();
+  return {ellipse.centre + outward,
+          (ellipse.minor * turn.x() - ellipse.major * turn.y()) * sweep,
+          outward * (-sweep * sweep)};
 }
 
 Jet arc_jet(const Arc& arc, double share) {
@@ -129,7 +150,7 @@ std::size_t span_count(const Shape& shape) {
 Jet jet(const Shape& shape, std::size_t span, double share) {
   if (const auto* const line = std::get_if<Line>(&shape)) {
     const Place way = line->end - line->start;
-    return {line->start + way * share, way};
+    return {line->start + way * share, way, {0.0, 0.0}};
   }
   if (const auto* const curve = std::get_if<Bezier>(&shape)) return bezier_jet(*curve, share);
   if (const auto* const curve = std::get_if<Nurbs>(&shape)) {
@@ -140,6 +161,7 @@ Jet jet(const Shape& shape, std::size_t span, double share) {
   const auto* const arc = std::get_if<Arc>(&shape);
   Jet found = arc != nullptr ? arc_jet(*arc, whole) : ellipse_jet(std::get<Ellipse>(shape), whole);
   found.first /= count;
+  found.second /= count * count;
   return found;
 }
 

@@ -8,7 +8,7 @@
 namespace sim::drawing {
 
 std::string_view name_of(FaultKind kind) {
-  static constexpr std::array<std::string_view, 11> kNames{"unreadable",
+  static constexpr std::array<std::string_view, 12> kNames{"unreadable",
                                                            "bad entity",
                                                            "too much",
                                                            "text",
@@ -17,6 +17,7 @@ std::string_view name_of(FaultKind kind) {
                                                            "too small",
                                                            "duplicate",
                                                            "crossing",
+                                                           "no arcs",
                                                            "unchecked",
                                                            "ignored"};
   return kNames.at(static_cast<std::size_t>(kind));

@@ -36,6 +36,7 @@ enum class FaultKind : std::uint8_t {
   kTooSmall,    ///< Shorter than the gap that is joined, or without area; left out.
   kDuplicate,   ///< Drawn before at the same place; left out.
   kCrossing,    ///< A contour crosses itself or another one.
+  kNoArcs,      ///< No arcs follow it within the tolerance; its contour is left out.
   kUnchecked,   ///< Too much to look for crossings everywhere.
   kIgnored,     ///< Nothing that could be cut; left out. No error.
 };

@@ -1,13 +1,14 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <cmath>
 #include <numbers>
+
+#include "planner/geometry/vector.hpp"
 
 namespace sim::drawing {
 
 /// A place or a way in the plane of a drawing: mm, y upwards.
-using Place = Eigen::Matrix<double, 2, 1, Eigen::DontAlign>;
+using Place = cnc::WideVec2;
 
 inline constexpr double kFullTurn = 2.0 * std::numbers::pi;
 

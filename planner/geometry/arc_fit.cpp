@@ -42,83 +42,186 @@ float growth(float allowed, float deviation) {
 ArcFit::ArcFit(const Spline& spline, const Position& start, float tolerance_mm)
     : ahead_{spline}, origin_{start}, here_{start}, tolerance_mm_{tolerance_mm} {
   CNC_ASSERT(tolerance_mm >= kLeastToleranceMm);
+  begin();
 }
 
 float ArcFit::allowed() const {
   return tolerance_mm_ * (1.0F - kUnseen) - kRoundingMm - kRelativeError * trial_.extent();
 }
 
-/// A bracket between what fits and what does not, narrowed by the cubic law of
-/// `growth` and by halving.
-ArcFit::Reach ArcFit::farthest() {
-  constexpr float kPrecise = 0.004F;  // Of the reach: costs as much of the number of arcs.
-  constexpr float kShort = 1.0e-6F;   // Knots; below, the parameter has no digits left.
+void ArcFit::begin() {
   const float length = ahead_.length();
   const float guess = last_distance_ > 0.0F ? 1.1F * last_distance_ : length;
-  Reach reach;
-  float out_of_reach = length;
-  bool bounded = false;
-  float distance = std::min(guess, length);
-  for (int i = 0; i < kMostTrials && distance > kShort; ++i) {
-    distance = ahead_.expressible(distance);
-    trial_.sample(ahead_, distance);
-    const float most = allowed();
-    const BiarcTrial::Fit fit = trial_.best(most);
-    if (fit.deviation_mm <= most) {
-      reach = {.distance = distance, .joint_share = fit.joint_share};
-      if (distance >= length) break;
-    } else {
-      out_of_reach = distance;
-      bounded = true;
-      if (reach.distance <= 0.0F && trial_.extent() < 0.25F * tolerance_mm_) break;
-    }
-    if (bounded && out_of_reach - reach.distance <= kPrecise * out_of_reach) break;
-    distance *= growth(most, fit.deviation_mm);
-    if (bounded) {
-      const float margin = 0.1F * (out_of_reach - reach.distance);
-      distance = std::clamp(distance, reach.distance + margin, out_of_reach - margin);
-    } else {
-      distance = std::clamp(distance, 1.02F * reach.distance, length);
-    }
+  step_ = Step::kReach;
+  times_ = 0;
+  reach_ = {};
+  distance_ = std::min(guess, length);
+  out_of_reach_ = length;
+  bounded_ = false;
+  crumb_seen_ = false;
+}
+
+bool ArcFit::work(std::uint32_t& points) {
+  CNC_ASSERT(!done());
+  while (!second_waits_ && step_ != Step::kReady && points > 0) {
+    points -= std::min(points, do_step());
   }
-  return reach;
+  return second_waits_ || step_ == Step::kReady;
+}
+
+/// Returns the points of the curve it took, at most kPointsAtOnce.
+std::uint32_t ArcFit::do_step() {
+  switch (step_) {
+    case Step::kReach:
+      return reach_farther();
+    case Step::kConfirm:
+      return confirm();
+    case Step::kOther:
+      return look_for_other();
+    case Step::kConfirmOther:
+      return confirm_other();
+    case Step::kStraight:
+      return reach_straight();
+    case Step::kReady:
+      return 0;
+  }
+  return 0;
+}
+
+/// A bracket between what fits and what does not, narrowed by the cubic law of
+/// `growth` and by halving.
+std::uint32_t ArcFit::reach_farther() {
+  constexpr std::uint8_t kMostTimes = 28;
+  constexpr float kShort = 1.0e-6F;  // Knots; below, the parameter has no digits left.
+  if (times_ == kMostTimes || distance_ <= kShort) {
+    end_reach();
+    return 0;
+  }
+  ++times_;
+  distance_ = ahead_.expressible(distance_);
+  trial_.sample(ahead_, distance_);
+  const float most = allowed();
+  const BiarcTrial::Fit fit = trial_.best(most);
+  if (narrow(fit, most)) end_reach();
+  return BiarcTrial::kSamples * (1 + fit.biarcs);
+}
+
+/// True when it is narrow enough.
+bool ArcFit::narrow(const BiarcTrial::Fit& fit, float most) {
+  constexpr float kPrecise = 0.004F;  // Of the reach: costs as much of the number of arcs.
+  const float length = ahead_.length();
+  if (fit.deviation_mm <= most) {
+    reach_ = {.distance = distance_, .joint_share = fit.joint_share};
+    if (distance_ >= length) return true;
+  } else {
+    out_of_reach_ = distance_;
+    bounded_ = true;
+    if (reach_.distance <= 0.0F && trial_.extent() < 0.25F * tolerance_mm_) return true;
+  }
+  if (bounded_ && out_of_reach_ - reach_.distance <= kPrecise * out_of_reach_) return true;
+  distance_ *= growth(most, fit.deviation_mm);
+  if (bounded_) {
+    const float margin = 0.1F * (out_of_reach_ - reach_.distance);
+    distance_ = std::clamp(distance_, reach_.distance + margin, out_of_reach_ - margin);
+  } else {
+    distance_ = std::clamp(distance_, 1.02F * reach_.distance, length);
+  }
+  return false;
+}
+
+void ArcFit::end_reach() {
+  if (reach_.distance <= 0.0F) return begin_straight();
+  step_ = Step::kConfirm;
+  times_ = 0;
 }
 
 /// Looks more closely, and goes a little less far where that shows more.
-ArcFit::Reach ArcFit::confirmed(Reach reach) {
-  constexpr int kMostTimes = 16;
-  constexpr float kLess = 0.99F;
-  for (int i = 0; i < kMostTimes; ++i) {
-    trial_.sample(ahead_, reach.distance);
-    const float most = allowed();
-    float found = trial_.deviation_closely(ahead_, reach.joint_share);
-    if (found <= most) return reach;
-    const BiarcTrial::Fit other = trial_.best(0.0F);
-    if (i > 0 && other.deviation_mm <= most) {
-      reach.joint_share = other.joint_share;
-      found = trial_.deviation_closely(ahead_, reach.joint_share);
-      if (found <= most) return reach;
-    }
-    reach.distance = ahead_.expressible(reach.distance * kLess * growth(most, found));
+std::uint32_t ArcFit::confirm() {
+  constexpr std::uint8_t kMostTimes = 16;
+  if (times_ == kMostTimes) {
+    reach_ = {};
+    end_confirm();
+    return 0;
   }
-  return {};
+  trial_.sample(ahead_, reach_.distance);
+  found_mm_ = trial_.deviation_closely(ahead_, reach_.joint_share);
+  if (found_mm_ <= allowed()) {
+    end_confirm();
+  } else if (times_ == 0) {
+    go_less_far();
+  } else {
+    step_ = Step::kOther;
+  }
+  return BiarcTrial::kSamples + BiarcTrial::kClosely;
+}
+
+/// Another joint, where going less far has not been enough.
+std::uint32_t ArcFit::look_for_other() {
+  const BiarcTrial::Fit other = trial_.best(0.0F);
+  if (other.deviation_mm <= allowed()) {
+    reach_.joint_share = other.joint_share;
+    step_ = Step::kConfirmOther;
+  } else {
+    go_less_far();
+  }
+  return BiarcTrial::kSamples * other.biarcs;
+}
+
+std::uint32_t ArcFit::confirm_other() {
+  found_mm_ = trial_.deviation_closely(ahead_, reach_.joint_share);
+  if (found_mm_ <= allowed()) {
+    end_confirm();
+  } else {
+    go_less_far();
+  }
+  return BiarcTrial::kClosely;
+}
+
+void ArcFit::go_less_far() {
+  constexpr float kLess = 0.99F;
+  reach_.distance = ahead_.expressible(reach_.distance * kLess * growth(allowed(), found_mm_));
+  ++times_;
+  step_ = Step::kConfirm;
 }
 
 /// A last biarc much shorter than the one before would be all rounding, and a
 /// corner to the planner: they share what is left.
-ArcFit::Reach ArcFit::leave_no_crumb(const Reach& reach) {
+void ArcFit::end_confirm() {
   constexpr float kCrumb = 0.3F;
-  const float rest = ahead_.length() - reach.distance;
-  if (!ahead_.sees_end() || rest <= 0.0F || rest > kCrumb * reach.distance) return reach;
-  return confirmed({.distance = ahead_.expressible((1.0F - kCrumb) * ahead_.length()),
-                    .joint_share = reach.joint_share});
+  const float rest = ahead_.length() - reach_.distance;
+  const bool crumb = ahead_.sees_end() && rest > 0.0F && rest <= kCrumb * reach_.distance;
+  if (crumb && !crumb_seen_) {
+    crumb_seen_ = true;
+    reach_.distance = ahead_.expressible((1.0F - kCrumb) * ahead_.length());
+    times_ = 0;
+    step_ = Step::kConfirm;
+  } else if (reach_.distance > 0.0F) {
+    step_ = Step::kReady;
+  } else {
+    begin_straight();
+  }
 }
 
-Position ArcFit::place_of(const PlanePlace& place) const {
-  Position at = origin_;
-  at[0] += Coordinate{place.x};
-  at[1] += Coordinate{place.y};
-  return at;
+void ArcFit::begin_straight() {
+  distance_ = ahead_.length();
+  times_ = 0;
+  step_ = Step::kStraight;
+}
+
+/// Halves what is left until a line will do that is no longer than the bend
+/// may be.
+std::uint32_t ArcFit::reach_straight() {
+  constexpr std::uint8_t kMostHalvings = 40;
+  distance_ = ahead_.expressible(distance_);
+  trial_.sample(ahead_, distance_);
+  const bool short_enough = trial_.extent() <= tolerance_mm_;
+  if (short_enough && trial_.deviation_of_line() <= allowed()) {
+    step_ = Step::kReady;
+  } else {
+    distance_ *= 0.5F;
+    if (++times_ == kMostHalvings) step_ = Step::kReady;
+  }
+  return 2 * BiarcTrial::kSamples;
 }
 
 PathElement ArcFit::next() {
@@ -128,28 +231,21 @@ PathElement ArcFit::next() {
     here_ = second_.end;
     return second_;
   }
-  Reach reach = farthest();
-  if (reach.distance > 0.0F) reach = leave_no_crumb(confirmed(reach));
-  return reach.distance > 0.0F ? begin_biarc(reach) : go_straight();
+  while (step_ != Step::kReady) static_cast<void>(do_step());
+  const PathElement element = reach_.distance > 0.0F ? begin_biarc(reach_) : go_straight();
+  begin();
+  return element;
 }
 
-/// Halves what is left until a line will do that is no longer than the bend
-/// may be.
-float ArcFit::straight_reach() {
-  constexpr int kMostHalvings = 40;
-  float distance = ahead_.length();
-  for (int i = 0; i < kMostHalvings; ++i) {
-    distance = ahead_.expressible(distance);
-    trial_.sample(ahead_, distance);
-    const bool short_enough = trial_.extent() <= tolerance_mm_;
-    if (short_enough && trial_.deviation_of_line() <= allowed()) break;
-    distance *= 0.5F;
-  }
-  return distance;
+Position ArcFit::place_of(const PlanePlace& place) const {
+  Position at = origin_;
+  at[0] += Coordinate{place.x};
+  at[1] += Coordinate{place.y};
+  return at;
 }
 
 PathElement ArcFit::go_straight() {
-  last_distance_ = ahead_.expressible(straight_reach());
+  last_distance_ = ahead_.expressible(distance_);
   ahead_.advance(last_distance_);
   const PathElement line{.start = here_, .end = place_of(ahead_.place())};
   here_ = line.end;

@@ -25,8 +25,9 @@ namespace cnc {
 /// Where the curve turns within less than the tolerance, as at a cusp, a
 /// straight line takes its place, and there is a corner at one end or both.
 ///
-/// Each call does a bounded amount of work: kMostTrials stretches of curve are
-/// sampled and some ten biarcs held against each.
+/// The work for an element is counted in points of the curve that are looked at or
+/// held against a biarc, some dozens to some thousands. It can be done bit by bit
+/// between other work; what comes out is the same.
 class ArcFit {
  public:
   static constexpr float kLeastToleranceMm = 1.0e-4F;
@@ -40,19 +41,36 @@ class ArcFit {
   ArcFit(const Spline& spline, const Position& start, float tolerance_mm);
 
   [[nodiscard]] bool done() const { return !second_waits_ && ahead_.at_end(); }
-  /// @pre !done()
+  /// Works at the next element for so many points, and at most kPointsAtOnce more; takes what was
+  /// spent off them. True when the element is ready. @pre !done()
+  [[nodiscard]] bool work(std::uint32_t& points);
+  /// Works as long as it takes, when that has not been done. @pre !done()
   [[nodiscard]] PathElement next();
 
+  static constexpr std::uint32_t kPointsAtOnce = 12 * BiarcTrial::kSamples;
+  static_assert(BiarcTrial::kSamples + BiarcTrial::kClosely <= kPointsAtOnce);
+
  private:
+  /// What is done next for the element.
+  enum class Step : std::uint8_t { kReach, kConfirm, kOther, kConfirmOther, kStraight, kReady };
+
   struct Reach {
     float distance = 0.0F;  ///< In knots; 0 for none.
     float joint_share = 0.5F;
   };
 
-  [[nodiscard]] Reach farthest();
-  [[nodiscard]] Reach confirmed(Reach reach);
-  [[nodiscard]] Reach leave_no_crumb(const Reach& reach);
-  [[nodiscard]] float straight_reach();
+  void begin();
+  [[nodiscard]] std::uint32_t do_step();
+  [[nodiscard]] std::uint32_t reach_farther();
+  [[nodiscard]] bool narrow(const BiarcTrial::Fit& fit, float most);
+  void end_reach();
+  [[nodiscard]] std::uint32_t confirm();
+  [[nodiscard]] std::uint32_t look_for_other();
+  [[nodiscard]] std::uint32_t confirm_other();
+  void go_less_far();
+  void end_confirm();
+  void begin_straight();
+  [[nodiscard]] std::uint32_t reach_straight();
   [[nodiscard]] float allowed() const;
   [[nodiscard]] PathElement go_straight();
   [[nodiscard]] PathElement begin_biarc(const Reach& reach);
@@ -62,14 +80,20 @@ class ArcFit {
                                    const Vec2& joint);
   [[nodiscard]] Position place_of(const PlanePlace& place) const;
 
-  static constexpr int kMostTrials = 28;
-
   CurveAhead ahead_;
   BiarcTrial trial_{};
   Position origin_;
   Position here_;
   float tolerance_mm_;
   float last_distance_ = 0.0F;
+  Step step_ = Step::kReach;
+  std::uint8_t times_ = 0;  ///< This kind of step was done for the element.
+  Reach reach_{};           ///< Of the biarc: so far it fits.
+  float distance_ = 0.0F;   ///< Tried next.
+  float out_of_reach_ = 0.0F;
+  float found_mm_ = 0.0F;  ///< Deviation when last looked at closely.
+  bool bounded_ = false;   ///< Something was out of reach.
+  bool crumb_seen_ = false;
   bool second_waits_ = false;
   PathElement second_{};
 };

@@ -8,25 +8,31 @@
 namespace cnc {
 
 enum class BiarcError : std::uint8_t {
-  kChordTooShort,  ///< The ends are closer than Arc::kShortestChord.
+  kChordTooShort,  ///< The ends are closer than BasicArc::kShortestChord.
   kSweepTooLarge,  ///< One of the arcs would turn by more than half a turn.
 };
 
 /// Where a curve begins and ends, and which way it goes there.
-struct BiarcEnds {
-  Vec2 start;
-  Vec2 start_tangent;  ///< Unit vector.
-  Vec2 end;
-  Vec2 end_tangent;  ///< Unit vector.
+template <typename Scalar>
+struct BasicBiarcEnds {
+  BasicVec2<Scalar> start;
+  BasicVec2<Scalar> start_tangent;  ///< Unit vector.
+  BasicVec2<Scalar> end;
+  BasicVec2<Scalar> end_tangent;  ///< Unit vector.
 };
+using BiarcEnds = BasicBiarcEnds<float>;
+using WideBiarcEnds = BasicBiarcEnds<double>;
 
 /// Two arcs that meet at `joint` with one tangent, as bulges (see Arc).
-struct Biarc {
-  Vec2 joint;
-  Vec2 joint_tangent;  ///< Unit vector.
-  float first_bulge;
-  float second_bulge;
+template <typename Scalar>
+struct BasicBiarc {
+  BasicVec2<Scalar> joint;
+  BasicVec2<Scalar> joint_tangent;  ///< Unit vector.
+  Scalar first_bulge;
+  Scalar second_bulge;
 };
+using Biarc = BasicBiarc<float>;
+using WideBiarc = BasicBiarc<double>;
 
 /// The two arcs through both ends with both tangents; of the family of them
 /// the one whose joint lies at `joint_share` on the circle of all joints.
@@ -44,15 +50,19 @@ struct Biarc {
 ///
 /// Guarantee: the tangents at both ends and at the joint are met within
 /// kBiarcTangentError radians, the joint lies within kBiarcJointError · L of
-/// the exact one.
+/// the exact one; in double precision within kWideBiarcError of both.
 /// @param joint_share 0…1 without the ends.
 inline constexpr double kBiarcTangentError = 2.0e-6;
 inline constexpr double kBiarcJointError = 2.0e-6;
+inline constexpr double kWideBiarcError = 2.0e-14;
 [[nodiscard]] Result<Biarc, BiarcError> make_biarc(const BiarcEnds& ends, float joint_share);
+[[nodiscard]] Result<WideBiarc, BiarcError> make_biarc(const WideBiarcEnds& ends,
+                                                       double joint_share);
 
 /// The bulge of the arc over `chord` that begins in the direction `tangent`; with
 /// the two exchanged, of the arc that ends so. For at most half a turn, so in
 /// −1…1: beyond that meaningless but bounded. 0 where one of the two is null.
 [[nodiscard]] float bulge_between(const Vec2& tangent, const Vec2& chord);
+[[nodiscard]] double wide_bulge_between(const WideVec2& tangent, const WideVec2& chord);
 
 }  // namespace cnc

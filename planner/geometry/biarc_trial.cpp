@@ -120,7 +120,7 @@ BiarcTrial::Fit BiarcTrial::best(float enough_mm) const {
   constexpr int kMostSteps = 8;
   constexpr float kHopeless = 12.0F;  // Times what is enough: no share gains that much.
   if (!turns_gently_) return {};
-  Fit fit{.joint_share = 0.5F, .deviation_mm = deviation(0.5F)};
+  Fit fit{.joint_share = 0.5F, .deviation_mm = deviation(0.5F), .biarcs = 1};
   const bool hopeless = fit.deviation_mm < kNoFit && fit.deviation_mm > kHopeless * enough_mm;
   if (fit.deviation_mm <= enough_mm || hopeless) return fit;
   float low = kFirstShare;
@@ -129,10 +129,12 @@ BiarcTrial::Fit BiarcTrial::best(float enough_mm) const {
   Fit right{.joint_share = low + kGolden * (high - low)};
   left.deviation_mm = deviation(left.joint_share);
   right.deviation_mm = deviation(right.joint_share);
+  std::uint32_t biarcs = 3;
   for (int i = 0; i < kMostSteps; ++i) {
     const Fit& better = left.deviation_mm < right.deviation_mm ? left : right;
     if (better.deviation_mm < fit.deviation_mm) fit = better;
     if (fit.deviation_mm <= enough_mm) break;
+    ++biarcs;
     if (left.deviation_mm < right.deviation_mm) {
       high = right.joint_share;
       right = left;
@@ -145,6 +147,7 @@ BiarcTrial::Fit BiarcTrial::best(float enough_mm) const {
       right.deviation_mm = deviation(right.joint_share);
     }
   }
+  fit.biarcs = biarcs;
   return fit;
 }
 

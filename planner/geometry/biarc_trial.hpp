@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 
 #include "planner/geometry/biarc.hpp"
 #include "planner/geometry/curve_ahead.hpp"
@@ -17,14 +18,15 @@ namespace cnc {
 /// curve turns by more than a sixth of a turn between two, no biarc is taken.
 class BiarcTrial {
  public:
-  static constexpr std::size_t kSamples = 24;   ///< Inside; ends not counted.
-  static constexpr std::size_t kClosely = 249;  ///< Ten times as many, for the last look.
+  static constexpr std::uint32_t kSamples = 24;   ///< Inside; ends not counted.
+  static constexpr std::uint32_t kClosely = 249;  ///< Ten times as many, for the last look.
   /// Stands for "does not fit at all", mm.
   static constexpr float kNoFit = 1.0e9F;
 
   struct Fit {
     float joint_share = 0.5F;
     float deviation_mm = kNoFit;
+    std::uint32_t biarcs = 0;  ///< That were held against the curve for it.
   };
 
   /// The curve from where it is seen to `distance` ahead, at places equally far

@@ -1,79 +1,91 @@
 #include "planner/geometry/chord_frame.hpp"
 
+#include <algorithm>
 #include <array>
 
 namespace cnc {
 namespace {
 
 constexpr float kOneQ30 = 1073741824.0F;
-constexpr float kOneQ31 = 2147483648.0F;
-constexpr float kFromQ30 = 1.0F / kOneQ30;
+constexpr float kFromQ31 = 1.0F / 2147483648.0F;
 
-constexpr std::int32_t q30(long double value) {
-  return static_cast<std::int32_t>(value * 1073741824.0L + (value < 0.0L ? -0.5L : 0.5L));
+constexpr std::uint32_t kMostQ31 = 0x7FFF'FFFF;
+
+constexpr std::uint32_t q32(long double value) {
+  return static_cast<std::uint32_t>(std::min(value * 4294967296.0L + 0.5L, 4294967295.0L));
 }
 
-/// a · b / 2^shift, rounded.
-std::int32_t multiply(std::int32_t a, std::int32_t b, int shift) {
-  const std::int64_t product = static_cast<std::int64_t>(a) * b;
-  return static_cast<std::int32_t>((product + (std::int64_t{1} << (shift - 1))) >> shift);
+/// a · b of numbers below 1, in Q32: on the controller one instruction.
+constexpr std::uint32_t times(std::uint32_t a, std::uint32_t b) {
+  return static_cast<std::uint32_t>((std::uint64_t{a} * b) >> 32);
 }
 
 // Interpolants of S and C at Chebyshev nodes over x² ≤ (π/2)², in powers of
-// w = (x / 2)² so that no coefficient vanishes in Q30; error below 2e-11.
-using Polynomial = std::array<std::int32_t, 6>;
-constexpr Polynomial kSineQuotient{q30(0.9999999999828987L),
-                                   q30(-0.16666666616765985L * 4),
-                                   q30(0.00833333097233403L * 16),
-                                   q30(-0.00019840860936542099L * 64),
-                                   q30(2.752525717007601e-06L * 256),
-                                   q30(-2.3888990176685845e-08L * 1024)};
-constexpr Polynomial kVersineQuotient{q30(0.49999999999877304L),
-                                      q30(-0.04166666663086609L * 4),
-                                      q30(0.001388888719520905L * 16),
-                                      q30(-2.4801294036003528e-05L * 64),
-                                      q30(2.753433412673929e-07L * 256),
-                                      q30(-2.0043675589406907e-09L * 1024)};
+// w = (x / 2)² so that no coefficient vanishes in Q32; error below 2e-11. Their signs
+// alternate, so that they are differences of numbers between 0 and 1: the coefficients here
+// are without sign.
+using Polynomial = std::array<std::uint32_t, 6>;
+constexpr Polynomial kSineQuotient{q32(0.9999999999828987L),
+                                   q32(0.16666666616765985L * 4),
+                                   q32(0.00833333097233403L * 16),
+                                   q32(0.00019840860936542099L * 64),
+                                   q32(2.752525717007601e-06L * 256),
+                                   q32(2.3888990176685845e-08L * 1024)};
+constexpr Polynomial kVersineQuotient{kMostQ31,  // Less than half, as a height has a sign.
+                                      q32(0.04166666663086609L * 4),
+                                      q32(0.001388888719520905L * 16),
+                                      q32(2.4801294036003528e-05L * 64),
+                                      q32(2.753433412673929e-07L * 256),
+                                      q32(2.0043675589406907e-09L * 1024)};
 
-std::int32_t evaluate(const Polynomial& polynomial, std::int32_t w_q31) {
-  std::int32_t sum = polynomial.back();
-  for (std::size_t i = polynomial.size() - 1; i-- > 0;) {
-    sum = polynomial[i] + multiply(sum, w_q31, 31);
-  }
+constexpr std::uint32_t evaluate(const Polynomial& polynomial, std::uint32_t w) {
+  std::uint32_t sum = polynomial.back();
+  for (std::size_t i = polynomial.size() - 1; i-- > 0;) sum = polynomial[i] - times(sum, w);
   return sum;
+}
+
+/// (h / 2)² in Q32.
+std::uint32_t quarter_square(std::int32_t half_sweep_q30) {
+  return static_cast<std::uint32_t>((std::int64_t{half_sweep_q30} * half_sweep_q30) >> 30);
 }
 
 }  // namespace
 
 ChordFrame::ChordFrame(float half_sweep)
     : half_sweep_{half_sweep},
-      half_sweep_q30_{static_cast<std::int32_t>(half_sweep * kOneQ30)},
-      quarter_square_q31_{multiply(half_sweep_q30_, half_sweep_q30_, 31)},
-      inverse_sine_q30_{static_cast<std::int32_t>((std::int64_t{1} << 60) /
-                                                  evaluate(kSineQuotient, quarter_square_q31_))},
-      versine_q30_{evaluate(kVersineQuotient, quarter_square_q31_)} {}
+      quarter_square_q32_{quarter_square(static_cast<std::int32_t>(half_sweep * kOneQ30))},
+      versine_q32_{evaluate(kVersineQuotient, quarter_square_q32_)} {
+  const std::uint32_t sine_quotient = evaluate(kSineQuotient, quarter_square_q32_);
+  inverse_sine_q31_ = static_cast<std::uint32_t>((std::uint64_t{1} << 63) / sine_quotient);
+  inverse_sine_ = static_cast<float>(inverse_sine_q31_) * kFromQ31;
+  const auto half_sweep_q30 = static_cast<std::int32_t>(half_sweep * kOneQ30);
+  const std::int64_t product = std::int64_t{half_sweep_q30} * inverse_sine_q31_;
+  height_scale_q29_ = static_cast<std::int32_t>(product >> 32);
+}
 
 ChordPoint ChordFrame::at(std::uint32_t fraction) const {
-  const auto mu_q31 = static_cast<std::int32_t>(fraction ^ 0x8000'0000U);
-  const std::int32_t mu_square_q30 = multiply(mu_q31, mu_q31, 32);
-  const std::int32_t w_q31 = multiply(mu_square_q30, quarter_square_q31_, 30);
-  const std::int32_t sine_quotient = evaluate(kSineQuotient, w_q31);
-  const std::int32_t versine_quotient = evaluate(kVersineQuotient, w_q31);
+  const bool second_half = (fraction >> 31) != 0;
+  const std::uint32_t mu = second_half ? fraction << 1 : ~(fraction << 1);  // Q32, without sign.
+  const std::uint32_t mu_square = times(mu, mu);
+  const std::uint32_t w = times(mu_square, quarter_square_q32_);
+  const std::uint32_t sine_quotient = evaluate(kSineQuotient, w);
+  const std::uint32_t versine_quotient = evaluate(kVersineQuotient, w);
 
-  const std::int32_t sine_ratio =
-      multiply(multiply(mu_q31, sine_quotient, 31), inverse_sine_q30_, 30);
-  const std::int32_t height = versine_q30_ - multiply(mu_square_q30, versine_quotient, 30);
+  // Near the ends it may be rounded up to 1.
+  const std::uint32_t rounded = times(times(mu, sine_quotient), inverse_sine_q31_);
+  const auto size_q31 = static_cast<std::int32_t>(std::min(rounded, kMostQ31));
+  const std::int32_t sine_ratio_q31 = second_half ? size_q31 : -size_q31;
+  const auto height_q32 =
+      static_cast<std::int32_t>(versine_q32_ - times(mu_square, versine_quotient));
   // An arc that turns left lies to the right of its chord.
-  const std::int32_t across =
-      -multiply(multiply(half_sweep_q30_, height, 30), inverse_sine_q30_, 31);
+  const std::int64_t across_q62 = -(std::int64_t{height_scale_q29_} * height_q32);
 
   // cos(μh) = 1 − z C(z), with z = 4 w.
-  const float cosine = 1.0F - 4.0F * (static_cast<float>(w_q31) / kOneQ31) *
-                                  (static_cast<float>(versine_quotient) * kFromQ30);
-  const float ratio = static_cast<float>(sine_ratio) * kFromQ30;
-  return {.along_q30 = (1 << 29) + (sine_ratio >> 1),
-          .across_q30 = across,
-          .along_rate = cosine * (static_cast<float>(inverse_sine_q30_) * kFromQ30),
+  const float cosine = 1.0F - 2.0F * kFromQ31 * static_cast<float>(times(w, versine_quotient));
+  const float ratio = static_cast<float>(sine_ratio_q31) * kFromQ31;
+  return {.along_q30 = (1 << 29) + (sine_ratio_q31 >> 2),
+          .across_q30 = static_cast<std::int32_t>(across_q62 >> 32),
+          .along_rate = cosine * inverse_sine_,
           .across_rate = half_sweep_ * ratio};
 }
 

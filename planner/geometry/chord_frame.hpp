@@ -40,10 +40,11 @@ class ChordFrame {
 
  private:
   float half_sweep_;
-  std::int32_t half_sweep_q30_;
-  std::int32_t quarter_square_q31_;  ///< (h / 2)².
-  std::int32_t inverse_sine_q30_;    ///< h / sin h, 1…π/2.
-  std::int32_t versine_q30_;         ///< C(h²).
+  std::uint32_t quarter_square_q32_;  ///< (h / 2)².
+  std::uint32_t versine_q32_;         ///< C(h²).
+  std::uint32_t inverse_sine_q31_;    ///< h / sin h, 1…π/2.
+  std::int32_t height_scale_q29_;     ///< h² / sin h.
+  float inverse_sine_;
 };
 
 }  // namespace cnc

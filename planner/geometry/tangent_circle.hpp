@@ -8,29 +8,34 @@
 namespace cnc {
 
 /// A circle by a point, the tangent there and the curvature: a line has no case.
-struct TangentCircle {
-  Vec2 point;
-  Vec2 tangent;     ///< Unit vector.
-  float curvature;  ///< 1/mm, positive turns left.
+template <typename Scalar>
+struct BasicTangentCircle {
+  BasicVec2<Scalar> point;
+  BasicVec2<Scalar> tangent;  ///< Unit vector.
+  Scalar curvature;           ///< 1/mm, positive turns left.
 
   /// Distance from the circle, mm, positive on its right.
   /// With q from the point on the circle, in its frame: the square of the
   /// distance to the centre is (1 + k f) / k², f = k q² − 2 y, and so the
   /// distance to the circle f / (1 + √(1 + k f)).
-  [[nodiscard]] float across(const Vec2& place) const {
-    const Vec2 q = place - point;
-    const float f = curvature * q.squaredNorm() - 2.0F * cross(tangent, q);
-    return f / (1.0F + std::sqrt(std::max(0.0F, 1.0F + curvature * f)));
+  [[nodiscard]] Scalar across(const BasicVec2<Scalar>& place) const {
+    const BasicVec2<Scalar> q = place - point;
+    const Scalar f = curvature * q.squaredNorm() - Scalar{2} * cross(tangent, q);
+    return f / (Scalar{1} + std::sqrt(std::max(Scalar{0}, Scalar{1} + curvature * f)));
   }
 
   /// Whether `direction` at `place` is within a quarter turn of the circle's there.
-  [[nodiscard]] bool agrees(const Vec2& place, const Vec2& direction) const {
-    const Vec2 q = place - point;
-    const float along = direction.dot(tangent);
-    const float beside = cross(tangent, direction);
-    return along * (1.0F - curvature * cross(tangent, q)) + beside * curvature * q.dot(tangent) >
-           0.0F;
+  [[nodiscard]] bool agrees(const BasicVec2<Scalar>& place,
+                            const BasicVec2<Scalar>& direction) const {
+    const BasicVec2<Scalar> q = place - point;
+    const Scalar along = direction.dot(tangent);
+    const Scalar beside = cross(tangent, direction);
+    return along * (Scalar{1} - curvature * cross(tangent, q)) +
+               beside * curvature * q.dot(tangent) >
+           Scalar{0};
   }
 };
+using TangentCircle = BasicTangentCircle<float>;
+using WideTangentCircle = BasicTangentCircle<double>;  ///< Of path makers on the host.
 
 }  // namespace cnc

@@ -1,5 +1,3 @@
-#include "planner/base/scalar_math.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +7,7 @@
 #include <limits>
 #include <numbers>
 
+#include "planner/base/wide_scalar_math.hpp"
 #include "tests/support/random_source.hpp"
 
 namespace cnc {
@@ -172,6 +171,57 @@ TEST(Decay, KeepsItsBoundOverItsRange) {
     ASSERT_NEAR(static_cast<double>(decay(x)) / exact, 1.0, kDecayError) << x;
   }
   EXPECT_EQ(decay(0.0F), 1.0F);
+}
+
+void expect_sin_cos_near_d(double angle) {
+  const WideSinCos got = sin_cos(angle);
+  const auto exact = static_cast<long double>(angle);
+  const long double sine = std::abs(static_cast<long double>(got.sine) - std::sin(exact));
+  const long double cosine = std::abs(static_cast<long double>(got.cosine) - std::cos(exact));
+  ASSERT_LE(static_cast<double>(sine), kWideSinCosError) << "angle " << angle;
+  ASSERT_LE(static_cast<double>(cosine), kWideSinCosError) << "angle " << angle;
+}
+
+TEST(SinCosInDouble, KeepsItsBoundForEveryMagnitude) {
+  proof::Random random{21};
+  for (int trial = 0; trial < 400'000; ++trial) {
+    expect_sin_cos_near_d(random.signed_magnitude(1.0e-18, kWideSinCosRange));
+    expect_sin_cos_near_d(random.between(-4.0, 4.0));
+    if (HasFatalFailure()) return;
+  }
+}
+
+// Where the quarter is decided, and where sine or cosine is all rounding.
+TEST(SinCosInDouble, KeepsItsBoundAroundEveryEighthOfATurn) {
+  for (int eighth = -127'000; eighth <= 127'000; eighth += 7) {
+    double angle = eighth * (std::numbers::pi / 4.0);
+    if (std::abs(angle) > kWideSinCosRange - 1.0) continue;
+    angle = std::nextafter(angle, -1.0e9);
+    for (int off = 0; off < 3; ++off, angle = std::nextafter(angle, 1.0e9)) {
+      expect_sin_cos_near_d(angle);
+      if (HasFatalFailure()) return;
+    }
+  }
+}
+
+TEST(Atan2InDouble, KeepsItsBoundForVectorsOfEveryDirectionAndSize) {
+  proof::Random random{22};
+  for (int trial = 0; trial < 400'000; ++trial) {
+    const double y = random.signed_magnitude(1.0e-12, 1.0e6);
+    const double x = random.chance(0.5) ? random.signed_magnitude(1.0e-12, 1.0e6)
+                                        : y * random.between(-3.0, 3.0);
+    const long double exact = std::atan2(static_cast<long double>(y), static_cast<long double>(x));
+    const long double error = std::abs(static_cast<long double>(wide_atan2(y, x)) - exact);
+    ASSERT_LE(static_cast<double>(error), kWideAtan2Error) << y << ' ' << x;
+  }
+}
+
+TEST(Atan2InDouble, IsExactAlongTheAxes) {
+  EXPECT_EQ(wide_atan2(0.0, 0.0), 0.0);
+  EXPECT_EQ(wide_atan2(0.0, 3.0), 0.0);
+  EXPECT_EQ(wide_atan2(2.0, 0.0), std::numbers::pi / 2.0);
+  EXPECT_EQ(wide_atan2(-2.0, 0.0), -std::numbers::pi / 2.0);
+  EXPECT_EQ(wide_atan2(0.0, -1.0), std::numbers::pi);
 }
 
 }  // namespace

@@ -1,0 +1,204 @@
+#include "host-sim/contour/outline.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "host-sim/contour/free_form_row.hpp"
+#include "planner/base/contract.hpp"
+
+namespace sim {
+namespace {
+
+using cnc::contour::CurvePiece;
+using cnc::contour::FitEnd;
+using cnc::contour::FitError;
+using cnc::contour::SplitError;
+using drawing::Place;
+using drawing::Shape;
+
+constexpr std::size_t kFirstFitSamples = 4'096;
+constexpr std::size_t kMostFitSamples = std::size_t{1} << 22;  // Half a gigabyte.
+constexpr std::size_t kMostPieces = std::size_t{1} << 16;
+
+/// Of travel, where a shape begins or ends; null where it has none.
+Place direction_at(const Shape& shape, bool at_end) {
+  const std::size_t span = at_end ? span_count(shape) - 1 : 0;
+  const drawing::Jet found = jet(shape, span, at_end ? 1.0 : 0.0);
+  constexpr double kVanishing = 1.0e-9;
+  if (found.first.norm() > kVanishing * found.second.norm()) return found.first.normalized();
+  if (!(found.second.norm() > 0.0)) return {0.0, 0.0};
+  return (at_end ? -1.0 : 1.0) * found.second.normalized();
+}
+
+bool goes_on_smoothly(const Shape& before, const Shape& after) {
+  const Place from = direction_at(before, true);
+  const Place to = direction_at(after, false);
+  return from.dot(to) > 0.0 && std::abs(cnc::cross(from, to)) <= kDrawnSmooth;
+}
+
+/// Whether a fit may run on from one shape into the other.
+bool is_one_row(const Shape& before, const Shape& after) {
+  return is_free_form(before) && is_free_form(after) && goes_on_smoothly(before, after);
+}
+
+/// The shapes of one contour become vertices.
+class ContourFitter {
+ public:
+  ContourFitter(const drawing::DrawnContour& contour, const OutlineOptions& options)
+      : contour_{contour}, options_{options}, shapes_{contour.shapes} {}
+
+  [[nodiscard]] FittedContour run() {
+    if (contour_.closed) begin_between_rows();
+    std::size_t index = 0;
+    while (index < shapes_.size() && !fault_) {
+      if (const auto* const line = std::get_if<drawing::Line>(&shapes_[index])) {
+        add(line->start, 0.0);
+        ++index;
+      } else if (const auto* const arc = std::get_if<drawing::Arc>(&shapes_[index])) {
+        add_arc(*arc);
+        ++index;
+      } else {
+        index = fit_row(index);
+      }
+    }
+    if (fault_) return {{}, std::move(fault_)};
+    if (!contour_.closed) add(end_of(shapes_.back()), 0.0);
+    return {std::move(vertices_), {}};
+  }
+
+ private:
+  void begin_between_rows() {
+    for (std::size_t i = 0; i < shapes_.size(); ++i) {
+      const Shape& before = shapes_[i == 0 ? shapes_.size() - 1 : i - 1];
+      if (is_one_row(before, shapes_[i])) continue;
+      // std::ranges' returns a range that Clang 14 does not compile.
+      std::rotate(shapes_.begin(), shapes_.begin() + static_cast<std::ptrdiff_t>(i), shapes_.end());
+      return;
+    }
+  }
+
+  void add(const Place& place, double bulge) { vertices_.push_back({place.x(), place.y(), bulge}); }
+
+  void add_arc(const drawing::Arc& arc) {
+    if (std::abs(arc.sweep) <= 0.5 * drawing::kFullTurn) {
+      add(arc.start, std::tan(0.25 * arc.sweep));
+      return;
+    }
+    const Place radius = arc.start - arc.centre;
+    const Place turn = drawing::direction(0.5 * arc.sweep);
+    const Place left{-radius.y(), radius.x()};
+    add(arc.start, std::tan(0.125 * arc.sweep));
+    add(arc.centre + turn.x() * radius + turn.y() * left, std::tan(0.125 * arc.sweep));
+  }
+
+  /// Whether the path arrives at a shape without a corner; around the seam, too.
+  [[nodiscard]] bool arrives_smoothly(std::size_t index) const {
+    if (index > 0) return goes_on_smoothly(shapes_[index - 1], shapes_[index % shapes_.size()]);
+    return contour_.closed && goes_on_smoothly(shapes_.back(), shapes_.front());
+  }
+  [[nodiscard]] bool leaves_smoothly(std::size_t end) const {
+    if (end < shapes_.size()) return arrives_smoothly(end);
+    return arrives_smoothly(0);
+  }
+
+  /// @return the shape after the row.
+  [[nodiscard]] std::size_t fit_row(std::size_t from) {
+    std::size_t end = from + 1;
+    while (end < shapes_.size() && is_one_row(shapes_[end - 1], shapes_[end])) ++end;
+    const FreeFormRow row{std::span{shapes_}.subspan(from, end - from)};
+    std::vector<CurvePiece> pieces(16);
+    auto count = split_offset(row, 0.0, pieces, kDrawnSmooth);
+    while (!count.ok() && count.error() == SplitError::kTooManyPieces &&
+           pieces.size() < kMostPieces) {
+      pieces.resize(2 * pieces.size());
+      count = split_offset(row, 0.0, pieces, kDrawnSmooth);
+    }
+    if (!count.ok()) {
+      fail(start_of(shapes_[from]), "a curve that begins here is a place in parts of it");
+      return end;
+    }
+    for (std::size_t i = 0; i < count.value() && !fault_; ++i) {
+      const bool first = i == 0;
+      const bool last = i + 1 == count.value();
+      fit_piece(pieces[i],
+                first && arrives_smoothly(from) ? FitEnd::kTangent : FitEnd::kPlace,
+                last && leaves_smoothly(end) ? FitEnd::kTangent : FitEnd::kPlace);
+    }
+    return end;
+  }
+
+  void fit_piece(const CurvePiece& piece, FitEnd start, FitEnd end) {
+    const cnc::contour::FitOptions options{.tolerance_mm = options_.tolerance_mm,
+                                           .method = options_.method,
+                                           .start = start,
+                                           .end = end};
+    for (std::size_t size = kFirstFitSamples; size <= kMostFitSamples; size *= 4) {
+      samples_.resize(std::max(samples_.size(), size));
+      links_.resize(samples_.size() / 8);
+      fitted_.resize(samples_.size() / 4);
+      const auto made = fit_arcs(piece, options, {samples_, links_}, fitted_);
+      if (made.ok()) {
+        const auto arcs = std::span{fitted_}.first(made.value());
+        vertices_.insert(vertices_.end(), arcs.begin(), arcs.end());
+        return;
+      }
+      if (made.error() == FitError::kNoFit) break;
+    }
+    fail(piece.at(piece.from).place,
+         "no arcs were found within the tolerance for what begins here");
+  }
+
+  void fail(const Place& place, const char* reason) {
+    fault_ = drawing::Fault{drawing::FaultKind::kNoArcs,
+                            contour_.entity,
+                            place,
+                            reason,
+                            "draw it anew, or allow another tolerance"};
+  }
+
+  const drawing::DrawnContour& contour_;
+  const OutlineOptions& options_;
+  std::vector<Shape> shapes_;
+  std::vector<cnc::contour::CurveSample> samples_;
+  std::vector<cnc::contour::FitLink> links_;
+  std::vector<ContourVertex> fitted_;
+  std::vector<ContourVertex> vertices_;
+  std::optional<drawing::Fault> fault_;
+};
+
+}  // namespace
+
+std::string_view name_of(cnc::contour::FitMethod method) {
+  return method == cnc::contour::FitMethod::kFewest ? "fewest" : "paper";
+}
+
+bool is_free_form(const Shape& shape) {
+  return !std::holds_alternative<drawing::Line>(shape) &&
+         !std::holds_alternative<drawing::Arc>(shape);
+}
+
+FittedContour arcs_of(const drawing::DrawnContour& contour, const OutlineOptions& options) {
+  CNC_ASSERT(options.tolerance_mm >= kLeastToleranceMm &&
+             options.tolerance_mm <= kGreatestToleranceMm);
+  return ContourFitter{contour, options}.run();
+}
+
+Outline outline_of(const drawing::Drawing& drawing, const OutlineOptions& options) {
+  Outline outline;
+  for (std::size_t i = 0; i < drawing.contours.size(); ++i) {
+    if (!drawing.contours[i].closed) continue;
+    FittedContour fitted = arcs_of(drawing.contours[i], options);
+    if (fitted.fault) {
+      outline.faults.push_back(std::move(*fitted.fault));
+      continue;
+    }
+    auto& vertices = outline.contour.vertices;
+    vertices.insert(vertices.end(), fitted.vertices.begin(), fitted.vertices.end());
+    outline.contour.end_loop();
+    outline.drawn.push_back(i);
+  }
+  return outline;
+}
+
+}  // namespace sim

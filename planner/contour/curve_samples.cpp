@@ -1,0 +1,93 @@
+#include "planner/contour/curve_samples.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cnc::contour {
+namespace {
+
+/// Radians, between two samples.
+constexpr double kMostTurn = 0.2;
+
+/// What lies between two samples.
+struct SampleStep {
+  double chord = 0.0;
+  double turn = 0.0;  ///< Radians, signed.
+};
+
+SampleStep step_between(const WayPoint& from, const WayPoint& to) {
+  const double sine = cross(from.tangent, to.tangent);
+  const double cosine = from.tangent.dot(to.tangent);
+  constexpr double kTooMuch = 1.0e3;
+  // The sine is near enough to its angle where the turn is allowed at all.
+  return {.chord = (to.place - from.place).norm(),
+          .turn = cosine > 0.0 ? sine * (1.0 + sine * sine / 6.0) : kTooMuch};
+}
+
+/// An arc differs from a curve whose curvature grows by Δ over a chord c by about
+/// Δ c² / 64 on either side of the middle; between samples of a whole arc less.
+bool near_enough(const SampleStep& step, const SampleStep& before, const SampleDensity& density) {
+  const double size = std::abs(step.turn);
+  if (size > kMostTurn) return false;
+  if (step.chord * size > 8.0 * density.sagitta_mm) return false;
+  if (before.chord <= 0.0 || step.chord <= 0.0) return true;
+  const double change = std::abs(step.turn / step.chord - before.turn / before.chord);
+  return change * step.chord * step.chord <= density.bend_mm;
+}
+
+/// Near a cusp the turn between both ends does not show how far the curve leaves its chord.
+bool is_beside_chord(const WayPoint& from,
+                     const WayPoint& middle,
+                     const WayPoint& to,
+                     double sagitta_mm) {
+  const WideVec2 chord = to.place - from.place;
+  const WideVec2 seen = middle.place - from.place;
+  const double square = chord.squaredNorm();
+  const double along = seen.dot(chord);
+  if (!(along >= 0.0 && along <= square)) return false;
+  return std::abs(cross(chord, seen)) <= 0.9 * sagitta_mm * std::sqrt(square);
+}
+
+}  // namespace
+
+std::size_t sample_curve(const CurvePiece& piece,
+                         const SampleDensity& density,
+                         std::span<CurveSample> room) {
+  constexpr double kLargestStep = 1.0 / 8.0;  // Spans: what is less wide than one is seen.
+  constexpr double kLeastStep = 1.0e-14;
+  constexpr double kGrowth = 1.4;
+  if (room.empty()) return 0;
+  const double length = piece.to - piece.from;
+  room[0] = {.point = piece.at(piece.from), .spans = piece.from};
+  std::size_t count = 1;
+  double stride = kLargestStep / 16.0;
+  SampleStep before{};
+  while (room[count - 1].spans < piece.to) {
+    if (count == room.size()) return 0;
+    const CurveSample& last = room[count - 1];
+    const double rest = piece.to - last.spans;
+    const double least = kLeastStep * std::max(length, piece.to);
+    // No crumb at the end.
+    stride = std::clamp(stride, std::min(least, rest), kLargestStep);
+    const bool ends = rest <= 1.01 * stride;
+    if (!ends && rest < 2.0 * stride) stride = 0.5 * rest;
+    const double spans = ends ? piece.to : last.spans + stride;
+    const WayPoint point = piece.at(spans);
+    const SampleStep step = step_between(last.point, point);
+    const WayPoint middle = piece.at(0.5 * (last.spans + spans));
+    const bool near = near_enough(step, before, density) &&
+                      is_beside_chord(last.point, middle, point, density.sagitta_mm);
+    if (stride > least && !near) {
+      stride *= 0.6;
+      continue;
+    }
+    if (!near && (step.chord > density.sagitta_mm || std::abs(step.turn) > kMostTurn)) return 1;
+    room[count] = {.point = point, .spans = spans, .turned = last.turned + std::abs(step.turn)};
+    ++count;
+    before = step;
+    stride *= kGrowth;
+  }
+  return count;
+}
+
+}  // namespace cnc::contour

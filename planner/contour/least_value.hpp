@@ -1,0 +1,60 @@
+#pragma once
+
+namespace cnc::contour {
+
+/// Where a function was found least.
+struct LeastValue {
+  double at = 0.0;
+  double value = 1.0e30;
+};
+
+/// What a search may look at.
+struct SearchRange {
+  double low = 0.0;
+  double high = 1.0;
+  int looks = 8;   ///< Evenly spread, both ends among them; at least 2.
+  int steps = 20;  ///< Of the golden section around the best of them.
+};
+
+/// The least value of a function with one valley, or of the deepest that shows between
+/// looks; ends early at the first that is at most `enough`.
+template <typename Function>
+[[nodiscard]] LeastValue least_value(const SearchRange& range,
+                                     double enough,
+                                     const Function& function) {
+  constexpr double kGolden = 0.61803398874989485;
+  const double stride = (range.high - range.low) / static_cast<double>(range.looks - 1);
+  LeastValue best{.at = range.low};
+  const auto look = [&](double at) {
+    const double value = function(at);
+    if (value < best.value) best = {.at = at, .value = value};
+    return value;
+  };
+  for (int i = 0; i < range.looks && best.value > enough; ++i) {
+    look(range.low + stride * static_cast<double>(i));
+  }
+  double low = best.at - stride > range.low ? best.at - stride : range.low;
+  double high = best.at + stride < range.high ? best.at + stride : range.high;
+  double left = high - kGolden * (high - low);
+  double right = low + kGolden * (high - low);
+  double at_left = best.value > enough ? look(left) : 0.0;
+  double at_right = best.value > enough ? look(right) : 0.0;
+  for (int i = 0; i < range.steps && best.value > enough; ++i) {
+    if (at_left < at_right) {
+      high = right;
+      right = left;
+      at_right = at_left;
+      left = high - kGolden * (high - low);
+      at_left = look(left);
+    } else {
+      low = left;
+      left = right;
+      at_left = at_right;
+      right = low + kGolden * (high - low);
+      at_right = look(right);
+    }
+  }
+  return best;
+}
+
+}  // namespace cnc::contour

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "planner/base/scalar_math.hpp"
+#include "planner/geometry/arc.hpp"
+#include "planner/geometry/biarc.hpp"
+
+/// What biarc.cpp and wide_biarc.cpp are made of, each with the functions and limits of its
+/// precision. Apart from each other, so that an image has no double arithmetic in it.
+namespace cnc::biarc_formulas {
+
+/// sin(share · angle) / sin(angle), the share itself as the angle vanishes.
+template <typename Numbers, typename Scalar>
+Scalar sine_share(Scalar share, Scalar angle, Scalar sine) {
+  if (std::abs(angle) < Numbers::kSmallAngle) return share;
+  return sin_cos(share * angle).sine / sine;
+}
+
+/// From the half sweep; as precise near 0 as the sweep is.
+template <typename Scalar>
+Scalar bulge_of(Scalar half_sweep) {
+  const auto half = sin_cos(Scalar{0.5F} * half_sweep);
+  return half.sine / half.cosine;
+}
+
+template <typename Scalar>
+BasicVec2<Scalar> turned(const BasicVec2<Scalar>& v, const BasicSinCos<Scalar>& by) {
+  return by.cosine * v + by.sine * left_normal(v);
+}
+
+template <typename Scalar>
+Scalar bulge_of_tangent(const BasicVec2<Scalar>& tangent, const BasicVec2<Scalar>& chord) {
+  // tan(h / 2) = sin h / (1 + cos h), with h the angle between the two.
+  const Scalar sine = cross(tangent, chord);
+  const Scalar both = std::sqrt(tangent.squaredNorm() * chord.squaredNorm());
+  const Scalar denominator = both + std::max(Scalar{0}, tangent.dot(chord));
+  return denominator > Scalar{0} ? std::clamp(sine / denominator, Scalar{-1}, Scalar{1})
+                                 : Scalar{0};
+}
+
+template <typename Numbers, typename Scalar>
+Result<BasicBiarc<Scalar>, BiarcError> biarc_at(const BasicBiarcEnds<Scalar>& ends,
+                                                Scalar joint_share) {
+  const auto angle_between = [](const BasicVec2<Scalar>& from, const BasicVec2<Scalar>& to) {
+    return Numbers::angle_of(cross(from, to), from.dot(to));
+  };
+  const BasicVec2<Scalar> chord = ends.end - ends.start;
+  constexpr Scalar kShortest{BasicArc<Scalar>::kShortestChord.in_mm_and_s()};
+  if (chord.norm() < kShortest) return BiarcError::kChordTooShort;
+  const Scalar a = angle_between(chord, ends.start_tangent);
+  const Scalar b = angle_between(chord, ends.end_tangent);
+  const Scalar w = Scalar{0.5F} * (b - a);
+  if (std::abs(w) > Numbers::kWidest) return BiarcError::kSweepTooLarge;
+  const Scalar first_sweep = -a - (Scalar{1} - joint_share) * w;
+  const Scalar second_sweep = b - joint_share * w;
+  if (!(std::abs(first_sweep) <= Numbers::kQuarterTurn &&
+        std::abs(second_sweep) <= Numbers::kQuarterTurn)) {
+    return BiarcError::kSweepTooLarge;
+  }
+  const Scalar length = sine_share<Numbers>(joint_share, w, sin_cos(w).sine);
+  const auto first_chord = sin_cos(-(Scalar{1} - joint_share) * w);
+  const auto first_turn = sin_cos(Scalar{2} * first_sweep);
+  return BasicBiarc<Scalar>{.joint = ends.start + length * turned(chord, first_chord),
+                            .joint_tangent = turned(ends.start_tangent, first_turn),
+                            .first_bulge = bulge_of(first_sweep),
+                            .second_bulge = bulge_of(second_sweep)};
+}
+
+}  // namespace cnc::biarc_formulas

@@ -1,0 +1,26 @@
+#include "planner/base/wide_scalar_math.hpp"
+#include "planner/geometry/biarc_formulas.hpp"
+
+namespace cnc {
+namespace {
+
+struct DoubleNumbers {
+  /// Below it the sine is its angle to the last bit, but for 1e-17.
+  static constexpr double kSmallAngle = 1.0e-8;
+  /// Beyond, both arcs are half turns without end.
+  static constexpr double kWidest = 3.14159265358979323846 - 1.0e-6;
+  static constexpr double kQuarterTurn = 1.57079632679489661923;
+  static double angle_of(double y, double x) { return wide_atan2(y, x); }
+};
+
+}  // namespace
+
+double wide_bulge_between(const WideVec2& tangent, const WideVec2& chord) {
+  return biarc_formulas::bulge_of_tangent(tangent, chord);
+}
+
+Result<WideBiarc, BiarcError> make_biarc(const WideBiarcEnds& ends, double joint_share) {
+  return biarc_formulas::biarc_at<DoubleNumbers>(ends, joint_share);
+}
+
+}  // namespace cnc
