@@ -28,6 +28,7 @@ constexpr const char* kProgramFooter =
     "  cat part.nc | kerfline check -\n"
     "  kerfline offset part.txt --distance 0.28 --svg part.svg -o cut.txt\n"
     "  kerfline drawing part.dxf --svg part.svg\n"
+    "  kerfline cut part.dxf --material 'CSP 1N' --thickness 2 -o part.nc --svg part.svg\n"
     "  kerfline serve --pty ttyKerfline --settings laser.settings\n"
     "  kerfline kerf advise --material 'CSP 1N' --thickness 2 --power 1800 --speed 4000\n"
     "\n"
@@ -46,6 +47,7 @@ int run(int argc, char** argv) {
   sim::add_kerf_command(app, status);
   sim::add_offset_command(app, status);
   sim::add_drawing_command(app, status);
+  sim::add_cut_command(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

@@ -7,9 +7,10 @@
 #include <vector>
 
 #include "host-sim/cli/commands.hpp"
+#include "host-sim/cli/outline_options.hpp"
+#include "host-sim/contour/contour_dxf.hpp"
 #include "host-sim/contour/contour_file.hpp"
 #include "host-sim/contour/contour_text.hpp"
-#include "host-sim/contour/material_side.hpp"
 #include "host-sim/plot/contour_picture.hpp"
 #include "host-sim/trace/output_file.hpp"
 
@@ -17,20 +18,24 @@ namespace sim {
 namespace {
 
 constexpr const char* kOffsetFooter =
-    "FILE has a vertex to a line, `x y` or `x y bulge`, in mm; bulge = tan(sweep / 4) of\n"
-    "the arc to the next vertex, positive to the left. `closed` or a blank line ends a\n"
-    "loop, `#` begins a comment. Loops inside others are holes, loops in those islands,\n"
-    "whichever way they run. The result is written the same way.\n"
+    "FILE is a drawing, SVG, DXF or JSON, as `kerfline drawing` reads it, or text: a vertex to\n"
+    "a line, `x y` or `x y bulge`, in mm; bulge = tan(sweep / 4) of the arc to the next vertex,\n"
+    "positive to the left. `closed` or a blank line ends a loop, `#` begins a comment. Loops\n"
+    "inside others are holes, loops in those islands, whichever way they run. Lines and arcs\n"
+    "stay what they are, other curves become smooth arcs within the tolerance. The result is\n"
+    "written as text.\n"
     "\n"
     "Examples:\n"
-    "  kerfline offset part.txt --distance 0.28 -o cut.txt\n"
+    "  kerfline offset part.svg --distance 0.28 --tolerance 0.1 --dxf cut.dxf -o cut.txt\n"
     "  kerfline offset part.txt --distance -1 -2 -3 --svg pocket.svg -o pocket.txt";
 
 struct OffsetOptions {
   std::string file;
   std::vector<double> distances_mm;
+  OutlineOptions outline;
   std::string output;
   std::string svg;
+  std::string dxf;
 };
 
 Contour copied(const cnc::contour::ContourView<double>& view) {
@@ -39,8 +44,7 @@ Contour copied(const cnc::contour::ContourView<double>& view) {
 }
 
 ExitStatus offset_file(const OffsetOptions& options) {
-  Contour input = read_contour_file(options.file);
-  put_material_left(input);
+  const Contour input = read_contour_file(options.file, options.outline);
   ContourOffset offsetter;
   std::vector<Contour> offsets;
   std::string text;
@@ -59,6 +63,7 @@ ExitStatus offset_file(const OffsetOptions& options) {
     write_file(options.output, text);
   }
   if (!options.svg.empty()) write_file(options.svg, draw_contours(input, offsets, options.file));
+  if (!options.dxf.empty()) write_file(options.dxf, dxf_of_contours(offsets));
   return ExitStatus::kFine;
 }
 
@@ -66,6 +71,8 @@ ExitStatus offset_or_tell(const OffsetOptions& options) {
   try {
     return offset_file(options);
   } catch (const ContourTextError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+  } catch (const FaultyDrawing& error) {
     fmt::print(stderr, "{}\n", error.what());
   } catch (const OpenContour& error) {
     fmt::print(stderr, "{}: {}\n", options.file, error.what());
@@ -80,15 +87,18 @@ void add_offset_command(CLI::App& app, ExitStatus& status) {
       "offset", "Offset closed contours of lines and arcs: half a kerf outwards, pockets inwards.");
   command->footer(kOffsetFooter);
   const auto options = std::make_shared<OffsetOptions>();
-  command->add_option("FILE", options->file, "Contours as text; - is standard input")->required();
+  command->add_option("FILE", options->file, "A drawing, or contours as text; - is standard input")
+      ->required();
   command
       ->add_option("-d,--distance",
                    options->distances_mm,
                    "mm; positive lets material grow, negative lets it shrink; several at once")
       ->required()
       ->expected(1, -1);
+  add_outline_options(*command, options->outline);
   command->add_option("-o,--output", options->output, "Where to write; else standard output");
   command->add_option("--svg", options->svg, "Draw the contours and their offsets");
+  command->add_option("--dxf", options->dxf, "Write the offsets as polylines with bulges");
   command->callback([options, &status] { status = offset_or_tell(*options); });
 }
 

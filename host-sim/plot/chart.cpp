@@ -101,6 +101,12 @@ class PanelDrawing {
   }
 
  private:
+  struct Label {
+    double x_px;
+    double y_px;
+    double width_px;  ///< At most.
+  };
+
   void add_axes() {
     x_.for_each_tick([this](double px, const std::string& label) {
       svg::add_line(out_, px, box_.top_px, px, box_.bottom_px(), kRule);
@@ -138,12 +144,17 @@ class PanelDrawing {
     const auto& points = series.line.empty() ? series.dots : series.line;
     if (points.empty()) return;
     constexpr double kRowPx = 24.0;
-    double y_px = y_.px(points.back().y) + 7.0;
-    const auto taken = [&](double other) { return std::abs(other - y_px) < kRowPx; };
-    while (std::any_of(labels_px_.begin(), labels_px_.end(), taken)) y_px += 2.0;
-    labels_px_.push_back(y_px);
-    svg::add_text(
-        out_, x_.px(points.back().x) + 12.0, y_px, {.size_px = 20.0, .fill = colour}, series.label);
+    constexpr double kLetterPx = 12.0;
+    Label label{x_.px(points.back().x) + 12.0,
+                y_.px(points.back().y) + 7.0,
+                kLetterPx * static_cast<double>(series.label.size())};
+    const auto taken = [&](const Label& other) {
+      return std::abs(other.y_px - label.y_px) < kRowPx &&
+             other.x_px < label.x_px + label.width_px && label.x_px < other.x_px + other.width_px;
+    };
+    while (std::any_of(labels_.begin(), labels_.end(), taken)) label.y_px += 2.0;
+    labels_.push_back(label);
+    svg::add_text(out_, label.x_px, label.y_px, {.size_px = 20.0, .fill = colour}, series.label);
   }
 
   std::string& out_;
@@ -151,7 +162,7 @@ class PanelDrawing {
   Box box_;
   ChartAxis x_;
   ChartAxis y_;
-  std::vector<double> labels_px_;
+  std::vector<Label> labels_;
 };
 
 }  // namespace
@@ -159,12 +170,7 @@ class PanelDrawing {
 std::string draw_chart(const std::string& title,
                        const std::string& subtitle,
                        const std::vector<ChartPanel>& panels) {
-  std::string out = fmt::format(
-      R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0:.0f}" height="{1:.0f}" )"
-      R"(viewBox="0 0 {0:.0f} {1:.0f}" font-family="'DejaVu Sans', Verdana, sans-serif">)"
-      "\n",
-      kChartWidthPx,
-      kChartHeightPx);
+  std::string out = svg::document_start(kChartWidthPx, kChartHeightPx);
   svg::add_box(out, {0.0, 0.0, kChartWidthPx, kChartHeightPx}, "#ffffff");
   svg::add_text(out, 40.0, 52.0, {.size_px = 30.0, .weight = "bold"}, title);
   svg::add_text(out, 40.0, 86.0, {.size_px = 20.0, .fill = "#5b626c"}, subtitle);

@@ -107,12 +107,7 @@ std::string draw_contours(const Contour& input,
   for (const Contour& contour : offsets) include(extent, contour);
   const View view = view_of(extent);
   const double height_px = view.box().bottom_px() + kContourMarginPx;
-  std::string out = fmt::format(
-      R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0:.0f}" height="{1:.0f}" )"
-      R"(viewBox="0 0 {0:.0f} {1:.0f}" font-family="'DejaVu Sans', Verdana, sans-serif">)"
-      "\n",
-      kContourWidthPx,
-      height_px);
+  std::string out = svg::document_start(kContourWidthPx, height_px);
   svg::add_box(out, {0.0, 0.0, kContourWidthPx, height_px}, "#ffffff");
   svg::add_text(out, kContourMarginPx, 60.0, {.size_px = 34.0, .weight = "bold"}, title);
   add_grid(out, view);

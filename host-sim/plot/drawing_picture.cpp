@@ -39,19 +39,6 @@ Extent bounds_of(const drawing::Drawing& drawn) {
   return bounds;
 }
 
-void add_outline(std::string& data, const DrawnContour& contour, const View& view) {
-  char letter = 'M';
-  for (const Place& place : outline_of(contour.shapes, kChordPx / view.px_per_mm())) {
-    fmt::format_to(std::back_inserter(data),
-                   "{}{:.2f} {:.2f}",
-                   letter,
-                   view.x_px(place.x()),
-                   view.y_px(place.y()));
-    letter = 'L';
-  }
-  if (contour.closed) data += 'Z';
-}
-
 void add_paths(std::string& out, const drawing::Drawing& drawn, const View& view) {
   std::string closed;
   std::string open;
@@ -65,6 +52,19 @@ void add_paths(std::string& out, const drawing::Drawing& drawn, const View& view
 }
 
 }  // namespace
+
+void add_outline(std::string& data, const DrawnContour& contour, const View& view) {
+  char letter = 'M';
+  for (const Place& place : outline_of(contour.shapes, kChordPx / view.px_per_mm())) {
+    fmt::format_to(std::back_inserter(data),
+                   "{}{:.2f} {:.2f}",
+                   letter,
+                   view.x_px(place.x()),
+                   view.y_px(place.y()));
+    letter = 'L';
+  }
+  if (contour.closed) data += 'Z';
+}
 
 std::string draw_contours(const drawing::Drawing& drawn) {
   const Extent bounds = bounds_of(drawn);

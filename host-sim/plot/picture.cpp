@@ -103,15 +103,6 @@ void add_no_motion(std::string& out, const Box& box, bool in_any_axis) {
                 in_any_axis ? "no motion" : "no motion in X and Y");
 }
 
-std::string document_start(double height_px) {
-  return fmt::format(
-      R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0:.0f}" height="{1:.0f}" )"
-      R"(viewBox="0 0 {0:.0f} {1:.0f}" font-family="'DejaVu Sans', Verdana, sans-serif">)"
-      "\n",
-      kPictureWidthPx,
-      height_px);
-}
-
 /// The path with its marks, and the legend beside it.
 void add_motion(std::string& out,
                 const std::vector<PathVertex>& vertices,
@@ -136,7 +127,7 @@ std::string draw_svg(const Path& path, const PictureOptions& options) {
   const View view{bounds, plot_box(bounds)};
   const double height_px = view.box().bottom_px() + kBottomLabelsPx;
 
-  std::string out = document_start(height_px);
+  std::string out = svg::document_start(kPictureWidthPx, height_px);
   svg::add_box(out, {0.0, 0.0, kPictureWidthPx, height_px}, "#ffffff");
   add_heading(out, path, options.title);
   add_grid(out, view);

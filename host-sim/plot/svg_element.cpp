@@ -72,6 +72,15 @@ void add_line(std::string& out,
   out += "/>\n";
 }
 
+std::string document_start(double width_px, double height_px) {
+  return fmt::format(
+      R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0:.0f}" height="{1:.0f}" )"
+      R"(viewBox="0 0 {0:.0f} {1:.0f}" font-family="'DejaVu Sans', Verdana, sans-serif">)"
+      "\n",
+      width_px,
+      height_px);
+}
+
 void add_box(std::string& out, const Box& box, std::string_view fill) {
   fmt::format_to(std::back_inserter(out),
                  R"(<rect x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}" fill="{}"/>)"

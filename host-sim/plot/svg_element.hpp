@@ -24,6 +24,9 @@ struct LineStyle {
 /// that are no UTF-8 as `?`.
 [[nodiscard]] std::string escaped(std::string_view text);
 
+/// The start of a picture, with the font of its text; `</svg>` ends it.
+[[nodiscard]] std::string document_start(double width_px, double height_px);
+
 /// Append one element to `out`, coordinates in px.
 void add_text(
     std::string& out, double x_px, double y_px, const TextStyle& style, std::string_view text);

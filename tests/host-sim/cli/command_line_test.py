@@ -121,6 +121,25 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(run("offset", part).returncode, 2)
         self.assertEqual(run("offset", "-", "--distance", "1", text="0 0\n1 0\n0 1\n").returncode, 0)
 
+    def test_offset_reads_drawings_and_writes_dxf(self):
+        part, dxf = self.folder / "part.svg", self.folder / "cut.dxf"
+        part.write_text("<svg width='40mm' height='40mm' viewBox='0 0 40 40'>\n"
+                        "<ellipse cx='20' cy='20' rx='15' ry='10'/></svg>")
+        counts = {}
+        for fit in ("fewest", "paper"):
+            done = run("offset", part, "--distance", "0.28", "--tolerance", "0.1", "--fit", fit, "--dxf", dxf)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            counts[fit] = len(done.stdout.splitlines()) - 2
+            again = run("offset", dxf, "--distance", "0")
+            self.assertEqual(len(again.stdout.splitlines()) - 2, counts[fit], again.stderr)
+        self.assertLess(counts["fewest"], counts["paper"])
+        part.write_text("<svg width='9mm' height='9mm' viewBox='0 0 9 9'><path id='p' d='M1 1L8 1'/></svg>")
+        done = run("offset", part, "--distance", "1")
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn('path "p" at 1.000 8.000: the contour is open', done.stderr)
+        self.assertEqual(run("offset", dxf, "--distance", "1", "--tolerance", "0").returncode, 2)
+        self.assertEqual(run("offset", dxf, "--distance", "1", "--fit", "best").returncode, 2)
+
     def test_drawing_lists_contours_and_names_faults(self):
         part = self.folder / "part.svg"
         part.write_text("<svg width='40mm' height='40mm' viewBox='0 0 40 40'>\n<circle cx='20' cy='20' r='10'/>"

@@ -1,0 +1,28 @@
+#include "host-sim/cli/outline_options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <string>
+
+namespace sim {
+
+void add_outline_options(CLI::App& command, OutlineOptions& outline) {
+  std::map<std::string, cnc::contour::FitMethod> methods;
+  for (const auto method :
+       {cnc::contour::FitMethod::kFewest, cnc::contour::FitMethod::kBisecting}) {
+    methods.emplace(name_of(method), method);
+  }
+  command
+      .add_option(
+          "--tolerance", outline.tolerance_mm, "Between a drawing's curves and their arcs, mm")
+      ->check(CLI::Range(kLeastToleranceMm, kGreatestToleranceMm))
+      ->capture_default_str();
+  command
+      .add_option("--fit",
+                  outline.method,
+                  "How curves become arcs: fewest, or paper, halving until biarcs fit")
+      ->transform(CLI::CheckedTransformer(methods))
+      ->option_text("fewest|paper [fewest]");
+}
+
+}  // namespace sim

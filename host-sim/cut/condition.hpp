@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+
+#include "host-sim/knowledge/material_record.hpp"
+
+namespace sim::cut {
+
+/// Power and speed to cut with, and how wide that is.
+struct Condition {
+  cnc::kerf::Condition cut{};
+  double kerf_mm = 0.0;
+  double half_interval_mm = 0.0;  ///< 95 % of cuts are within so much of it.
+};
+
+/// Whatever is given is kept; the rest is chosen: the fastest speed that is permissible, and the
+/// least power that permits it. Throws std::invalid_argument saying what is permissible when
+/// nothing is.
+[[nodiscard]] Condition choose(const MaterialRecord& record,
+                               std::uint32_t thickness_um,
+                               std::optional<std::uint32_t> power_mw,
+                               std::optional<std::uint32_t> speed_um_min);
+
+/// The greatest power that the record has at a thickness, mW; 0 where it has none.
+[[nodiscard]] std::uint32_t greatest_power(const MaterialRecord& record,
+                                           std::uint32_t thickness_um);
+
+}  // namespace sim::cut

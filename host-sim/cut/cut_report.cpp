@@ -1,0 +1,140 @@
+#include "host-sim/cut/cut_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "host-sim/cut/order.hpp"
+#include "host-sim/knowledge/experiment.hpp"
+#include "host-sim/report/duration_text.hpp"
+
+namespace sim::cut {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+bool is_cut(const CutPlan& plan, std::size_t layer) {
+  return std::ranges::any_of(plan.cuts, [layer](const Cut& cut) { return cut.layer == layer; });
+}
+
+std::string name_of_drawing(const drawing::Drawing& drawn) {
+  return std::filesystem::path{drawn.file}.filename().string();
+}
+
+Json json_of(const std::vector<drawing::Fault>& faults, const std::string& file) {
+  Json rows = Json::array();
+  for (const drawing::Fault& fault : faults) {
+    Json row;
+    row["kind"] = name_of(fault.kind);
+    row["entity"] = fault.entity.name;
+    row["line"] = fault.entity.line;
+    row["column"] = fault.entity.column;
+    row["place_mm"] =
+        fault.place_mm ? Json{fault.place_mm->x(), fault.place_mm->y()} : Json(nullptr);
+    row["message"] = to_string(fault, file);
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+Json json_of(const LayerPlan& layer, const drawing::Layer& drawn) {
+  Json row;
+  row["layer"] = drawn.name;
+  row["colour"] = drawn.colour;
+  row["power_w"] = from_thousandths(layer.condition.cut.power_mw);
+  row["feed_mm_min"] = from_thousandths(layer.condition.cut.speed_um_min);
+  row["kerf_mm"] = layer.condition.kerf_mm;
+  return row;
+}
+
+/// Curves of the drawing that are cut as arcs.
+std::size_t curves_of(const CutJob& job) {
+  std::set<std::size_t> contours;
+  for (const Cut& cut : job.plan.cuts) contours.insert(cut.contour);
+  std::size_t curves = 0;
+  for (const std::size_t contour : contours) {
+    const auto& shapes = job.drawn.contours[contour].shapes;
+    curves += static_cast<std::size_t>(std::ranges::count_if(shapes, is_free_form));
+  }
+  return curves;
+}
+
+}  // namespace
+
+CutFigures figures_of(const CutPlan& plan) {
+  CutFigures figures{.cuts = plan.cuts.size(), .rapid_length_mm = rapid_length(plan.cuts)};
+  for (const Cut& cut : plan.cuts) {
+    for (const Stroke& stroke : cut.strokes) {
+      ++(stroke.bulge == 0.0 ? figures.lines : figures.arcs);
+      if (stroke.purpose != Purpose::kTab) figures.cut_length_mm += length_of(stroke);
+    }
+  }
+  return figures;
+}
+
+std::vector<std::string> lines_of(const CutJob& job, const CutFigures& figures) {
+  std::vector<std::string> lines;
+  lines.push_back(fmt::format("kerfline cut: {}", name_of_drawing(job.drawn)));
+  for (std::size_t i = 0; i < job.plan.layers.size(); ++i) {
+    if (!is_cut(job.plan, i)) continue;
+    const Condition& condition = job.plan.layers[i].condition;
+    lines.push_back(
+        fmt::format("layer \"{}\" {}: {}, {:g} mm; {:g} W at {:g} mm/min; kerf {:.4f} mm",
+                    job.drawn.layers[i].name,
+                    job.drawn.layers[i].colour,
+                    job.record.name,
+                    from_thousandths(condition.cut.thickness_um),
+                    from_thousandths(condition.cut.power_mw),
+                    from_thousandths(condition.cut.speed_um_min),
+                    condition.kerf_mm));
+  }
+  lines.push_back(
+      fmt::format("S{:g} is {:g} W; {}",
+                  job.beam.full_power_s,
+                  job.beam.full_power_w,
+                  job.beam.follows_speed ? "power follows the speed" : "power is constant"));
+  if (const std::size_t curves = curves_of(job); curves != 0) {
+    lines.push_back(fmt::format("{} curves as arcs within {:g} mm, fit {}",
+                                curves,
+                                job.plan.curves.tolerance_mm,
+                                name_of(job.plan.curves.method)));
+  }
+  lines.push_back(fmt::format("{} cuts, {} lines, {} arcs; {:.1f} mm cut, {:.1f} mm rapid; {}",
+                              figures.cuts,
+                              figures.lines,
+                              figures.arcs,
+                              figures.cut_length_mm,
+                              figures.rapid_length_mm,
+                              duration_text(figures.job_time_s)));
+  return lines;
+}
+
+Json json_of(const CutJob& job, const CutFigures& figures) {
+  Json json;
+  json["drawing"] = name_of_drawing(job.drawn);
+  json["material"] = job.record.name;
+  json["layers"] = Json::array();
+  for (std::size_t i = 0; i < job.plan.layers.size(); ++i) {
+    if (!is_cut(job.plan, i)) continue;
+    json["layers"].push_back(json_of(job.plan.layers[i], job.drawn.layers[i]));
+    json["thickness_mm"] = from_thousandths(job.plan.layers[i].condition.cut.thickness_um);
+  }
+  json["full_power_w"] = job.beam.full_power_w;
+  json["curves"] = curves_of(job);
+  json["tolerance_mm"] = job.plan.curves.tolerance_mm;
+  json["fit"] = name_of(job.plan.curves.method);
+  json["cuts"] = figures.cuts;
+  json["lines"] = figures.lines;
+  json["arcs"] = figures.arcs;
+  json["cut_length_mm"] = figures.cut_length_mm;
+  json["rapid_length_mm"] = figures.rapid_length_mm;
+  json["job_time_s"] = figures.job_time_s;
+  json["warnings"] = json_of(job.plan.warnings, job.drawn.file);
+  json["faults"] = json_of(job.plan.faults, job.drawn.file);
+  return json;
+}
+
+}  // namespace sim::cut

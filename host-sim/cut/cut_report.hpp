@@ -1,0 +1,38 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+
+#include "host-sim/cut/cut_program.hpp"
+#include "host-sim/cut/plan.hpp"
+
+namespace sim::cut {
+
+/// What a job of cuts amounts to.
+struct CutFigures {
+  std::size_t cuts = 0;
+  std::size_t lines = 0;  ///< Strokes that are straight, with leads and tabs…
+  std::size_t arcs = 0;   ///< …and that are not.
+  double cut_length_mm = 0.0;
+  double rapid_length_mm = 0.0;
+  double job_time_s = 0.0;  ///< As the simulated controller drives it.
+};
+
+[[nodiscard]] CutFigures figures_of(const CutPlan& plan);
+
+/// A job with what it was made from.
+struct CutJob {
+  const drawing::Drawing& drawn;
+  const CutPlan& plan;
+  const MaterialRecord& record;
+  Beam beam;
+};
+
+/// Material, conditions of each layer that is cut, and figures: the heading of the program, and
+/// what people are told.
+[[nodiscard]] std::vector<std::string> lines_of(const CutJob& job, const CutFigures& figures);
+
+/// The same for programs, with faults and warnings.
+[[nodiscard]] nlohmann::ordered_json json_of(const CutJob& job, const CutFigures& figures);
+
+}  // namespace sim::cut

@@ -1,0 +1,213 @@
+#include "host-sim/cut/edge_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+#include "host-sim/cut/clearance.hpp"
+#include "host-sim/cut/swept_area.hpp"
+#include "host-sim/import/curve_measure.hpp"
+#include "host-sim/measure/driven_path.hpp"
+#include "host-sim/measure/energy_meter.hpp"
+#include "planner/kerf/kerf_lookup.hpp"
+
+namespace sim::cut {
+namespace {
+
+/// Drawn edges are looked at so often, mm.
+constexpr double kEdgeEvery = 0.02;
+/// They are the drawing's own curves, not their arcs, as chords that leave them by about this, mm.
+constexpr double kEdgeChord = 1.0e-5;
+/// The plan's beam touches an edge that it comes to within this, mm; of a curve that was cut as
+/// arcs within this and their tolerance.
+constexpr double kTouches = 1.0e-3;
+/// Discs of the plan follow each other at this distance: between them the edge is off by less
+/// than a nanometre.
+constexpr double kDiscEvery = 0.0005;
+constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+/// The beam is wider for as long as it pierces, and a little on, mm.
+constexpr double kAroundPierce = 0.1;
+
+cnc::AxisArray<double> scales_of(const cnc::Settings& settings) {
+  cnc::AxisArray<double> steps{};
+  for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
+    steps[axis] = static_cast<double>(settings.get(cnc::setting::kStepsPerMm, axis));
+  }
+  return steps;
+}
+
+/// The kerf of a heat input under which nobody may have cut: the laws around the thickness.
+std::optional<double> kerf_of_heat(const cnc::kerf::TableView<double>& table,
+                                   std::uint32_t thickness_um,
+                                   double heat) {
+  using cnc::kerf::Row;
+  const auto around =
+      cnc::kerf::detail::neighbours(table.rows, &Row<double>::thickness_um, thickness_um);
+  const Row<double>& low = table.rows[around.low];
+  const Row<double>& high = table.rows[around.high];
+  if (low.measured || high.measured) return std::nullopt;
+  return cnc::kerf::detail::between(
+      low.law.slope * heat + low.law.intercept,
+      high.law.slope * heat + high.law.intercept,
+      cnc::kerf::detail::share<double>(low.thickness_um, high.thickness_um, thickness_um));
+}
+
+void note(EdgePeak& peak, double mm, const Place& place) {
+  if (std::abs(mm) > std::abs(peak.mm)) peak = {mm, place};
+}
+
+}  // namespace
+
+class EdgeCheck::Sweep final : public TraceSink {
+ public:
+  Sweep(const CutJob& job, const std::string& program, Simulator& simulator)
+      : job_{job},
+        table_{table_of<double>(job.record)},
+        scale_{scales_of(simulator.settings())},
+        path_{driven_path(read_program(program, read_options_for(simulator.settings())),
+                          cnc::limits_from(simulator.settings()))},
+        deviation_{path_, scale_, kNoLimit},
+        energy_{path_, deviation_, scale_, options_of(job, simulator)} {
+    simulator.add_sink(deviation_);
+    simulator.add_sink(energy_);
+    simulator.add_sink(*this);
+    lay_out_plan();
+  }
+
+  void on_row(const TraceRow& row) override {
+    // The output may have gone off just now: the way up to here was lit.
+    const bool lit = row.duty > 0.0F || duty_ > 0.0F;
+    duty_ = row.duty;
+    if (!lit) return;
+    const Place here{row.position[0] / scale_[0], row.position[1] / scale_[1]};
+    if (pierces_.nearest(here).distance_mm < kAroundPierce) return;
+    const Clearance::Nearest nearest = strokes_.nearest(here);
+    const LayerPlan& layer = job_.plan.layers[nearest.owner];
+    swept_.add(here, 0.5 * kerf_at(layer));
+    note_heat(ratio_of(layer));
+  }
+
+  [[nodiscard]] EdgeFigures figures() const;
+
+ private:
+  static constexpr double kNear = 2.0;  ///< mm.
+
+  struct Sum {
+    EdgeFigures figures{};
+    double sizes_mm = 0.0;
+  };
+  void look(const drawing::Shape& edge, Sum& sum) const;
+  void look(const Place& place, double stretch_mm, double touches_mm, Sum& sum) const;
+
+  EnergyMeter::Options options_of(const CutJob& job, Simulator& simulator) {
+    return {.most_speed = simulator.settings().get(cnc::setting::kMostSpindleSpeed),
+            .least_speed = simulator.settings().get(cnc::setting::kLeastSpindleSpeed),
+            .on_window = [this, &job](double seconds_per_mm) {
+              joules_per_mm_ = seconds_per_mm * job.beam.full_power_w;
+            }};
+  }
+
+  static double joules_per_mm(const LayerPlan& layer) {
+    const cnc::kerf::Condition& cut = layer.condition.cut;
+    return cnc::kerf::heat_input<double>(
+        cnc::kerf::HeatUnit::kJoulesPerMillimetre, cut.power_mw, cut.speed_um_min);
+  }
+  [[nodiscard]] double ratio_of(const LayerPlan& layer) const {
+    return joules_per_mm_ > 0.0 ? joules_per_mm_ / joules_per_mm(layer) : 1.0;
+  }
+  [[nodiscard]] double kerf_at(const LayerPlan& layer) const {
+    const cnc::kerf::Condition& cut = layer.condition.cut;
+    const double heat = ratio_of(layer) *
+                        cnc::kerf::heat_input<double>(table_.unit, cut.power_mw, cut.speed_um_min);
+    return kerf_of_heat(table_.view(), cut.thickness_um, heat).value_or(layer.condition.kerf_mm);
+  }
+  void note_heat(double ratio) {
+    least_ratio_ = std::min(least_ratio_, ratio);
+    greatest_ratio_ = std::max(greatest_ratio_, ratio);
+  }
+
+  /// The kerf of the plan along its lit strokes.
+  void lay_out_plan() {
+    for (const Cut& cut : job_.plan.cuts) {
+      const double radius = 0.5 * job_.plan.layers[cut.layer].condition.kerf_mm;
+      for (const Stroke& stroke : cut.strokes) {
+        strokes_.add(stroke, cut.layer);
+        if (stroke.purpose == Purpose::kPierce) pierces_.add(stroke, cut.layer);
+        if (stroke.purpose == Purpose::kTab) continue;
+        const int count = 1 + static_cast<int>(length_of(stroke) / kDiscEvery);
+        for (int i = 0; i <= count; ++i) {
+          planned_.add(place_at(stroke, static_cast<double>(i) / count), radius);
+        }
+      }
+    }
+    strokes_.prepare();
+    pierces_.prepare();
+  }
+
+  const CutJob& job_;
+  OwnedKerfTable<double> table_;
+  cnc::AxisArray<double> scale_;
+  ProgrammedPath path_;
+  PathDeviation deviation_;
+  double joules_per_mm_ = 0.0;  ///< Of the window that ends here.
+  EnergyMeter energy_;
+  Clearance strokes_{kNear};
+  Clearance pierces_{kNear};
+  SweptArea planned_;
+  SweptArea swept_;
+  float duty_ = 0.0F;
+  double least_ratio_ = 1.0;
+  double greatest_ratio_ = 1.0;
+};
+
+/// Looks at a stretch of a drawn edge; `sum` is of all sizes.
+void EdgeCheck::Sweep::look(const Place& place,
+                            double stretch_mm,
+                            double touches_mm,
+                            Sum& sum) const {
+  const double planned = planned_.depth_of(place);
+  const double cut = swept_.depth_of(place);
+  note(sum.figures.most_off_model, cut - planned, place);
+  if (planned < -touches_mm) {
+    sum.figures.untouched_mm += stretch_mm;
+    return;
+  }
+  ++sum.figures.places;
+  sum.sizes_mm += std::abs(cut);
+  note(cut > 0.0 ? sum.figures.most_off : sum.figures.most_left, cut, place);
+}
+
+void EdgeCheck::Sweep::look(const drawing::Shape& edge, Sum& sum) const {
+  const double touches = kTouches + (is_free_form(edge) ? job_.plan.curves.tolerance_mm : 0.0);
+  const std::vector<Place> places = drawing::outline_of({&edge, 1}, kEdgeChord);
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    const Stroke chord{places[i - 1], places[i]};
+    const int count = 1 + static_cast<int>(length_of(chord) / kEdgeEvery);
+    for (int k = 0; k < count; ++k) {
+      const Place place = place_at(chord, static_cast<double>(k) / count);
+      look(place, length_of(chord) / count, touches, sum);
+    }
+  }
+}
+
+EdgeFigures EdgeCheck::Sweep::figures() const {
+  Sum sum{{.least_heat_ratio = least_ratio_, .greatest_heat_ratio = greatest_ratio_}};
+  for (const drawing::DrawnContour& contour : job_.drawn.contours) {
+    if (job_.plan.layers[contour.entity.layer].settings.side != Side::kWaste) continue;
+    for (const drawing::Shape& edge : contour.shapes) look(edge, sum);
+  }
+  if (sum.figures.places != 0) {
+    sum.figures.mean_mm = sum.sizes_mm / static_cast<double>(sum.figures.places);
+  }
+  return sum.figures;
+}
+
+EdgeCheck::EdgeCheck(const CutJob& job, const std::string& program, Simulator& simulator)
+    : sweep_{std::make_unique<Sweep>(job, program, simulator)} {}
+
+EdgeCheck::~EdgeCheck() = default;
+
+EdgeFigures EdgeCheck::figures() const { return sweep_->figures(); }
+
+}  // namespace sim::cut

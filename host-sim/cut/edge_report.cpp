@@ -1,0 +1,52 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "host-sim/cut/edge_check.hpp"
+
+namespace sim::cut {
+namespace {
+
+constexpr double kMicrometres = 1000.0;
+
+std::string text_of(const EdgePeak& peak) {
+  return fmt::format("{:.1f} um at {:.3f} {:.3f}",
+                     kMicrometres * std::abs(peak.mm),
+                     peak.place.x(),
+                     peak.place.y());
+}
+
+nlohmann::ordered_json json_of(const EdgePeak& peak) {
+  return {{"mm", peak.mm}, {"place_mm", {peak.place.x(), peak.place.y()}}};
+}
+
+}  // namespace
+
+std::vector<std::string> lines_of(const EdgeFigures& figures) {
+  return {fmt::format("off the part at most {}, left on it at most {}, mean {:.1f} um",
+                      text_of(figures.most_off),
+                      text_of(figures.most_left),
+                      kMicrometres * figures.mean_mm),
+          fmt::format("beside the edge of the planned kerf at most {}; {:.2f} mm of edges in inner "
+                      "corners, slots and tabs are not reached",
+                      text_of(figures.most_off_model),
+                      figures.untouched_mm),
+          fmt::format("power over speed {:.3f} to {:.3f} of what was planned",
+                      figures.least_heat_ratio,
+                      figures.greatest_heat_ratio)};
+}
+
+nlohmann::ordered_json json_of(const EdgeFigures& figures) {
+  nlohmann::ordered_json json;
+  json["most_off"] = json_of(figures.most_off);
+  json["most_left"] = json_of(figures.most_left);
+  json["mean_mm"] = figures.mean_mm;
+  json["places"] = figures.places;
+  json["untouched_mm"] = figures.untouched_mm;
+  json["most_off_model"] = json_of(figures.most_off_model);
+  json["heat_ratio"] = {{"least", figures.least_heat_ratio},
+                        {"greatest", figures.greatest_heat_ratio}};
+  return json;
+}
+
+}  // namespace sim::cut

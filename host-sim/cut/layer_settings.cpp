@@ -1,0 +1,141 @@
+#include "host-sim/cut/layer_settings.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+namespace sim::cut {
+namespace {
+
+constexpr double kLongestWay = 1000.0;     ///< mm, of leads, tabs and overcuts.
+constexpr double kLongestPierce = 60.0;    ///< s.
+constexpr double kGreatestNumber = 1.0e6;  ///< W and mm/min.
+constexpr unsigned kMostTabs = 1000;
+
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view kBlanks = " \t\r\n";
+  const std::size_t first = text.find_first_not_of(kBlanks);
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
+}
+
+/// Throws std::invalid_argument unless all of the text is a number from `least` to `most`.
+double number_from(std::string_view key, std::string_view text, double least, double most) {
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
+    throw std::invalid_argument(fmt::format("{}={}: not a number", key, text));
+  }
+  if (value < least || value > most) {
+    throw std::invalid_argument(
+        fmt::format("{}={}: out of range, {:g} to {:g}", key, text, least, most));
+  }
+  return value;
+}
+
+Lead lead_from(std::string_view key, std::string_view text) {
+  if (text == "none") return {};
+  const std::size_t colon = text.find(':');
+  const std::string_view kind = text.substr(0, colon);
+  if (colon == std::string_view::npos || (kind != "line" && kind != "arc")) {
+    throw std::invalid_argument(
+        fmt::format("{}={}: wants `none`, `line:MM` or `arc:MM`, such as arc:2", key, text));
+  }
+  return {kind == "line" ? LeadKind::kLine : LeadKind::kArc,
+          number_from(key, text.substr(colon + 1), 0.01, kLongestWay)};
+}
+
+Side side_from(std::string_view text) {
+  if (text == "waste") return Side::kWaste;
+  if (text == "on") return Side::kOn;
+  if (text == "skip") return Side::kSkip;
+  throw std::invalid_argument(fmt::format("side={}: wants `waste`, `on` or `skip`", text));
+}
+
+}  // namespace
+
+void set(LayerSettings& settings, std::string_view key, std::string_view value) {
+  if (key == "power") {
+    settings.power_w = number_from(key, value, 0.001, kGreatestNumber);
+  } else if (key == "feed") {
+    settings.feed_mm_min = number_from(key, value, 0.001, kGreatestNumber);
+  } else if (key == "side") {
+    settings.side = side_from(value);
+  } else if (key == "lead-in") {
+    settings.lead_in = lead_from(key, value);
+  } else if (key == "lead-out") {
+    settings.lead_out = lead_from(key, value);
+  } else if (key == "overcut") {
+    settings.overcut_mm = number_from(key, value, 0.0, kLongestWay);
+  } else if (key == "tabs") {
+    settings.tabs = static_cast<unsigned>(number_from(key, value, 0.0, kMostTabs));
+  } else if (key == "tab-width") {
+    settings.tab_mm = number_from(key, value, 0.01, kLongestWay);
+  } else if (key == "pierce") {
+    settings.pierce_s = number_from(key, value, 0.0, kLongestPierce);
+  } else {
+    throw std::invalid_argument(
+        fmt::format("{}: no such setting; there are power, feed, side, lead-in, lead-out, "
+                    "overcut, tabs, tab-width and pierce",
+                    key));
+  }
+}
+
+LayerRule parse_rule(std::string_view text, std::string place) {
+  const auto refuse = [&place](const std::string& reason) {
+    return std::invalid_argument(fmt::format("{}: {}", place, reason));
+  };
+  // A name may have colons, as `a:b: feed=1`; keys and values of leads have none before a `=`.
+  const std::size_t equals = text.find('=');
+  const std::size_t colon = text.rfind(':', equals);
+  if (equals == std::string_view::npos || colon == std::string_view::npos) {
+    throw refuse(fmt::format("{}: wants `LAYER: key=value, key=value`", text));
+  }
+  LayerRule rule{std::string{trimmed(text.substr(0, colon))}, {}, place};
+  std::string_view rest = text.substr(colon + 1);
+  for (bool more = true; more;) {
+    const std::size_t comma = rest.find(',');
+    more = comma != std::string_view::npos;
+    const std::string_view pair = trimmed(rest.substr(0, comma));
+    if (more) rest.remove_prefix(comma + 1);
+    const std::size_t split = pair.find('=');
+    if (split == std::string_view::npos) throw refuse(fmt::format("{}: no `=`", pair));
+    rule.changes.emplace_back(trimmed(pair.substr(0, split)), trimmed(pair.substr(split + 1)));
+  }
+  LayerSettings tried;
+  try {
+    for (const auto& [key, value] : rule.changes) set(tried, key, value);
+  } catch (const std::invalid_argument& error) {
+    throw refuse(error.what());
+  }
+  return rule;
+}
+
+std::vector<LayerRule> read_rules(const std::string& text, const std::string& file) {
+  std::vector<LayerRule> rules;
+  std::size_t number = 0;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\n', begin), text.size());
+    const std::string_view line = trimmed(std::string_view{text}.substr(begin, end - begin));
+    begin = end + 1;
+    ++number;
+    if (line.empty() || line.front() == '#') continue;
+    rules.push_back(parse_rule(line, fmt::format("{}:{}", file, number)));
+  }
+  return rules;
+}
+
+LayerSettings settings_for(const drawing::Layer& layer,
+                           const LayerSettings& common,
+                           const std::vector<LayerRule>& rules) {
+  LayerSettings settings = common;
+  for (const LayerRule& rule : rules) {
+    if (rule.name != layer.name && rule.name != layer.colour) continue;
+    for (const auto& [key, value] : rule.changes) set(settings, key, value);
+  }
+  return settings;
+}
+
+}  // namespace sim::cut

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host-sim/import/drawing.hpp"
+
+namespace sim::cut {
+
+/// On which side of a drawn line the beam goes.
+enum class Side : std::uint8_t {
+  kWaste,  ///< Half a kerf beside it, so that the part has the drawn size.
+  kOn,     ///< On the line itself; open lines, too.
+  kSkip,   ///< Nowhere.
+};
+
+enum class LeadKind : std::uint8_t { kNone, kLine, kArc };
+
+struct Lead {
+  LeadKind kind = LeadKind::kNone;
+  double length_mm = 0.0;
+};
+
+/// How the contours of a layer are cut.
+struct LayerSettings {
+  std::optional<double> power_w{};      ///< Else chosen.
+  std::optional<double> feed_mm_min{};  ///< Else chosen.
+  Side side = Side::kWaste;
+  Lead lead_in{LeadKind::kArc, 2.0};
+  Lead lead_out{};
+  double overcut_mm = 0.0;
+  double tab_mm = 0.5;  ///< What is left standing at a tab.
+  unsigned tabs = 0;    ///< Of each part; holes have none.
+  double pierce_s = 0.0;
+};
+
+/// Takes `key=value`. Throws std::invalid_argument saying what is wrong, and what there is.
+void set(LayerSettings& settings, std::string_view key, std::string_view value);
+
+/// `NAME: key=value, key=value`: what is other for the layer, or colour, of this name.
+struct LayerRule {
+  std::string name;
+  std::vector<std::pair<std::string, std::string>> changes;
+  std::string place;  ///< `FILE:LINE` or `--layer`.
+};
+
+/// Throws std::invalid_argument with the place, also for keys and values that mean nothing.
+[[nodiscard]] LayerRule parse_rule(std::string_view text, std::string place);
+
+/// Rules, one to a line; blank lines and those that begin with `#` do not count.
+[[nodiscard]] std::vector<LayerRule> read_rules(const std::string& text, const std::string& file);
+
+/// The common settings with every rule that names the layer, later ones last.
+[[nodiscard]] LayerSettings settings_for(const drawing::Layer& layer,
+                                         const LayerSettings& common,
+                                         const std::vector<LayerRule>& rules);
+
+}  // namespace sim::cut

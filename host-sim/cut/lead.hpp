@@ -1,0 +1,33 @@
+#pragma once
+
+#include <vector>
+
+#include "host-sim/cut/clearance.hpp"
+#include "host-sim/cut/layer_settings.hpp"
+#include "host-sim/cut/stroke.hpp"
+
+namespace sim::cut {
+
+/// Where a lead must not be.
+struct LeadRoom {
+  const Clearance& parts;   ///< All drawn edges of parts.
+  double half_kerf_mm = 0;  ///< No nearer to any of them.
+};
+
+struct LedCut {
+  std::vector<Stroke> strokes{};
+  bool has_leads = false;  ///< Or there was no room for those that were asked for.
+};
+
+/// A closed row of strokes with the part on its left, as a cut: begun where there is room for the
+/// leads, in the middle of a long stroke rather than at a corner, led in from the waste on the
+/// right, with the beam off at tabs, overcut and led out. Leads are shortened to an eighth before
+/// they are left out. An arc is a quarter turn and touches the contour, a line comes at
+/// 45 degrees.
+/// @param tabs so many, evenly spaced
+[[nodiscard]] LedCut with_leads(const std::vector<Stroke>& loop,
+                                const LayerSettings& settings,
+                                unsigned tabs,
+                                const LeadRoom& room);
+
+}  // namespace sim::cut

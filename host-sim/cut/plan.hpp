@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "host-sim/contour/outline.hpp"
+#include "host-sim/cut/condition.hpp"
+#include "host-sim/cut/layer_settings.hpp"
+#include "host-sim/cut/stroke.hpp"
+#include "host-sim/import/drawing.hpp"
+
+namespace sim::cut {
+
+/// How the contours of one layer are cut, with power and speed chosen.
+struct LayerPlan {
+  LayerSettings settings;
+  Condition condition;
+};
+
+/// One pierce and what is cut from it on.
+struct Cut {
+  std::size_t contour = 0;  ///< Of the drawing.
+  std::size_t layer = 0;    ///< Of the drawing, and of the plan.
+  bool is_hole = false;
+  double area_mm2 = 0.0;  ///< Enclosed by the beam's path; 0 of an open line.
+  std::vector<Stroke> strokes{};
+  /// Cuts that must come before: what lies in a part is cut while the part holds still.
+  std::vector<std::size_t> after{};
+
+  [[nodiscard]] const Place& start() const { return strokes.front().from; }
+  [[nodiscard]] const Place& end() const { return strokes.back().to; }
+};
+
+/// What is to be cut, in order, and what of the drawing cannot be.
+struct CutPlan {
+  std::vector<LayerPlan> layers;
+  std::vector<Cut> cuts;
+  std::vector<drawing::Fault> faults;    ///< What is not cut as drawn.
+  std::vector<drawing::Fault> warnings;  ///< What is, and should be known.
+  OutlineOptions curves;                 ///< How the drawing's curves became arcs.
+};
+
+/// The closed contours of each layer, cut half a kerf beside the line, on the waste side, with
+/// leads, overcut and tabs; those of layers that say so on the line. Curves that are neither lines
+/// nor arcs are cut as arcs within the tolerance. Faults are contours that no arcs follow, holes
+/// too narrow for the kerf, and parts that are too close to each other for it; open contours are
+/// the drawing's own, and left out.
+/// @param layers one for each layer of the drawing
+/// @pre the tolerance of `curves` within its limits
+[[nodiscard]] CutPlan plan_cuts(const drawing::Drawing& drawn,
+                                std::vector<LayerPlan> layers,
+                                const OutlineOptions& curves = {});
+
+}  // namespace sim::cut

@@ -1,0 +1,104 @@
+#include "host-sim/cut/stroke.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace sim::cut {
+namespace {
+
+/// Shorter stretches are none, mm.
+constexpr double kShortestStretch = 1.0e-6;
+
+double sweep_of(const Stroke& stroke) { return 4.0 * std::atan(stroke.bulge); }
+
+Place left_of(const Place& way) { return {-way.y(), way.x()}; }
+
+Place turned(const Place& way, double angle) {
+  return std::cos(angle) * way + std::sin(angle) * left_of(way);
+}
+
+/// @pre the bulge is not 0
+Place centre_of(const Stroke& stroke) {
+  const double across = (1.0 - stroke.bulge * stroke.bulge) / (4.0 * stroke.bulge);
+  const Place chord = stroke.to - stroke.from;
+  return 0.5 * (stroke.from + stroke.to) + across * left_of(chord);
+}
+
+}  // namespace
+
+double length_of(const Stroke& stroke) {
+  const double chord = drawing::distance(stroke.from, stroke.to);
+  if (stroke.bulge == 0.0) return chord;
+  const double half = 0.5 * sweep_of(stroke);
+  return chord * half / std::sin(half);
+}
+
+Place place_at(const Stroke& stroke, double share) {
+  if (share <= 0.0) return stroke.from;
+  if (share >= 1.0) return stroke.to;
+  // In the frame of the chord: no far-away centre of a flat arc.
+  const double half = 0.5 * sweep_of(stroke);
+  const Place chord = stroke.to - stroke.from;
+  if (half == 0.0) return stroke.from + share * chord;
+  const double reach = std::sin(share * half) / std::sin(half);
+  return stroke.from + reach * turned(chord, (share - 1.0) * half);
+}
+
+Place tangent_at(const Stroke& stroke, double share) {
+  const Place chord = stroke.to - stroke.from;
+  const double length = std::hypot(chord.x(), chord.y());
+  return turned(chord / length, (share - 0.5) * sweep_of(stroke));
+}
+
+Stroke part_of(const Stroke& stroke, double from, double to) {
+  const double bulge = std::tan(0.25 * (to - from) * sweep_of(stroke));
+  return {place_at(stroke, from), place_at(stroke, to), bulge, stroke.purpose};
+}
+
+double distance_to(const Stroke& stroke, const Place& place) {
+  const Place chord = stroke.to - stroke.from;
+  const Place way = place - stroke.from;
+  const double ends =
+      std::min(drawing::distance(stroke.from, place), drawing::distance(stroke.to, place));
+  if (stroke.bulge == 0.0) {
+    const double square = chord.squaredNorm();
+    const double share = square > 0.0 ? drawing::dot(way, chord) / square : 0.0;
+    if (share <= 0.0 || share >= 1.0) return ends;
+    return std::abs(drawing::cross(chord, way)) / std::sqrt(square);
+  }
+  const Place centre = centre_of(stroke);
+  const Place from = stroke.from - centre;
+  const Place to = place - centre;
+  const double radius = std::hypot(from.x(), from.y());
+  const double sweep = sweep_of(stroke);
+  double angle = std::atan2(drawing::cross(from, to), drawing::dot(from, to));
+  if (sweep < 0.0) angle = -angle;
+  if (angle < 0.0) angle += 2.0 * std::numbers::pi;
+  if (angle > std::abs(sweep)) return ends;
+  return std::abs(std::hypot(to.x(), to.y()) - radius);
+}
+
+std::vector<Stroke> stretch_of(const std::vector<Stroke>& row, double from_mm, double to_mm) {
+  std::vector<Stroke> stretch;
+  double before = 0.0;
+  for (const Stroke& stroke : row) {
+    const double length = length_of(stroke);
+    const double first = std::max(from_mm - before, 0.0);
+    const double last = std::min(to_mm - before, length);
+    before += length;
+    if (last - first < kShortestStretch) continue;
+    const double from = first < kShortestStretch ? 0.0 : first / length;
+    const double to = length - last < kShortestStretch ? 1.0 : last / length;
+    stretch.push_back(from == 0.0 && to == 1.0 ? stroke : part_of(stroke, from, to));
+  }
+  return stretch;
+}
+
+double length_of(const std::vector<Stroke>& row) {
+  double sum = 0.0;
+  for (const Stroke& stroke : row) sum += length_of(stroke);
+  return sum;
+}
+
+}  // namespace sim::cut

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <optional>
+
+#include "planner/gcode/print_grid.hpp"
+
+namespace cnc::gcode {
+
+/// A centre seen from the start of its arc, in tenths of the last digit of places: half a turn
+/// between two places has no centre on their own grid where they are an odd number of digits apart,
+/// and its radii would differ by a whole one.
+struct GridCentre {
+  std::int64_t x = 0;
+  std::int64_t y = 0;
+};
+
+/// Smaller arcs are hardly more than their own rounding, in last digits.
+inline constexpr int kLeastRadiusOnGrid = 1;
+
+/// The centre of an arc whose ends are on the grid. In double both radii agree within 0.15 last
+/// digits; in float so they do within half a digit, for radii of up to a million of them
+/// (writer_test.cpp, over random arcs). Nothing where it is farther than kFarthestCentre.
+/// Source of the bulge: planner/geometry/arc.hpp.
+/// @pre 0 < |bulge| ≤ 1
+template <std::floating_point Scalar>
+[[nodiscard]] std::optional<GridCentre> centre_on_grid(GridPlace chord, Scalar bulge) {
+  const auto x = Scalar{5} * static_cast<Scalar>(chord.x);
+  const auto y = Scalar{5} * static_cast<Scalar>(chord.y);
+  const Scalar along = (Scalar{1} - bulge * bulge) / (Scalar{2} * bulge);
+  const Scalar centre_x = x - along * y;
+  const Scalar centre_y = y + along * x;
+  constexpr auto kFarthest = static_cast<Scalar>(kFarthestCentre);
+  if (!(std::abs(centre_x) < kFarthest && std::abs(centre_y) < kFarthest)) return std::nullopt;
+  return GridCentre{rounded(centre_x), rounded(centre_y)};
+}
+
+}  // namespace cnc::gcode

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "planner/base/contract.hpp"
+
+namespace cnc::gcode {
+
+/// Room for the longest lines that one motion takes.
+class LineText {
+ public:
+  /// Four lines of `G1X-500000.000Y…I…J…F…S…`, the longest that a writer makes.
+  static constexpr std::size_t kCapacity = 512;
+
+  void clear() { size_ = 0; }
+  void add(char character) {
+    CNC_ASSERT(size_ < kCapacity);
+    text_[size_++] = character;
+  }
+  /// A letter and a number of so many decimals, without zeros that mean nothing.
+  /// @pre decimals ≤ 9
+  void add_word(char letter, std::int64_t value, std::uint8_t decimals);
+
+  [[nodiscard]] std::string_view view() const { return {text_.data(), size_}; }
+
+ private:
+  std::array<char, kCapacity> text_{};
+  std::size_t size_ = 0;
+};
+
+}  // namespace cnc::gcode

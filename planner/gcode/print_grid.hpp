@@ -1,0 +1,65 @@
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+
+#include "planner/base/contract.hpp"
+#include "planner/base/truncate.hpp"
+
+namespace cnc::gcode {
+
+/// A place, or a way, in whole last digits as they are printed: what is written is
+/// exactly this, and what is computed of it is what a reader will compute.
+struct GridPlace {
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+
+  constexpr bool operator==(const GridPlace&) const = default;
+  friend constexpr GridPlace operator-(GridPlace a, GridPlace b) { return {a.x - b.x, a.y - b.y}; }
+};
+
+/// How many digits are printed after the point of a place.
+class PrintGrid {
+ public:
+  /// Fewer, and small arcs would no longer fit Grbl's 5 µm; more, and its reader, which
+  /// takes eight digits in all, would drop some.
+  static constexpr std::uint8_t kFewest = 3;
+  static constexpr std::uint8_t kMost = 5;
+
+  /// @pre kFewest ≤ decimals ≤ kMost
+  explicit constexpr PrintGrid(std::uint8_t decimals) : decimals_{decimals} {
+    CNC_ASSERT(decimals >= kFewest && decimals <= kMost);
+  }
+
+  [[nodiscard]] constexpr std::uint8_t decimals() const { return decimals_; }
+  /// Last digits to a millimetre.
+  [[nodiscard]] constexpr std::int32_t per_mm() const {
+    std::int32_t result = 1;
+    for (std::uint8_t i = 0; i < decimals_; ++i) result *= 10;
+    return result;
+  }
+
+ private:
+  std::uint8_t decimals_;
+};
+
+/// Places are no farther from zero, in last digits: 5 m with five decimals, 500 m with three.
+/// So two of them differ by what fits 32 bits.
+inline constexpr std::int32_t kFarthestOnGrid = 500'000'000;
+
+/// Centres are no farther from the start of their arcs, in tenths of a last digit: 10 m with five
+/// decimals, 1 km with three, which is as far as the reader goes.
+inline constexpr std::int64_t kFarthestCentre = 10'000'000'000;
+
+/// To the nearest, half away from zero. @pre |value| < 2^47
+template <std::floating_point Scalar>
+[[nodiscard]] std::int64_t rounded(Scalar value) {
+  const Scalar aside = value < 0 ? value - Scalar{0.5} : value + Scalar{0.5};
+  if constexpr (std::same_as<Scalar, float>) {
+    return truncated(aside);
+  } else {
+    return static_cast<std::int64_t>(aside);
+  }
+}
+
+}  // namespace cnc::gcode

@@ -1,0 +1,38 @@
+#include "planner/gcode/program_writer.hpp"
+
+namespace cnc::gcode {
+
+void ProgramWriter::add_line(GridPlace to) {
+  if (place_ == to) return;
+  add_motion(1, to);
+  end_line(to);
+}
+
+void ProgramWriter::add_arc(GridPlace to, GridCentre centre, bool clockwise) {
+  add_motion(clockwise ? 2 : 3, to);
+  const auto decimals = static_cast<std::uint8_t>(grid_.decimals() + 1);
+  if (centre.x != 0) text_.add_word('I', centre.x, decimals);
+  if (centre.y != 0) text_.add_word('J', centre.y, decimals);
+  end_line(to);
+}
+
+void ProgramWriter::add_motion(int motion, GridPlace to) {
+  if (motion != motion_) text_.add_word('G', motion, 0);
+  motion_ = motion;
+  if (!place_ || place_->x != to.x) text_.add_word('X', to.x, grid_.decimals());
+  if (!place_ || place_->y != to.y) text_.add_word('Y', to.y, grid_.decimals());
+}
+
+void ProgramWriter::end_line(GridPlace to) {
+  constexpr std::uint8_t kThousandths = 3;
+  if (motion_ != 0 && feed_ != written_feed_) text_.add_word('F', feed_, kThousandths);
+  if (motion_ != 0 && power_ != written_power_) text_.add_word('S', power_, kThousandths);
+  if (motion_ != 0) {
+    written_feed_ = feed_;
+    written_power_ = power_;
+  }
+  text_.add('\n');
+  place_ = to;
+}
+
+}  // namespace cnc::gcode

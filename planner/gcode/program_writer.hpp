@@ -1,0 +1,156 @@
+#pragma once
+
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+#include "planner/base/result.hpp"
+#include "planner/gcode/centre_on_grid.hpp"
+#include "planner/gcode/line_text.hpp"
+#include "planner/gcode/print_grid.hpp"
+#include "planner/geometry/vector.hpp"
+
+namespace cnc::gcode {
+
+enum class WriterError : std::uint8_t {
+  kOutOfRange,  ///< No number, or farther from zero than kFarthestOnGrid.
+  kTooFlat,     ///< The centre of the arc is farther away than kFarthestCentre.
+};
+
+/// Writes motion as G-code in the XY plane, mm, absolute, centres from the start: what is read
+/// again is within one last digit of what was given, and the two radii of an arc agree within a
+/// fraction of one, so that no reader has an arc to repair: centres have one more digit.
+///
+/// Lines have the words that differ from the line before, and no others. Every call returns whole
+/// lines, each with its end, none where nothing moves; they last until the next call. What is
+/// refused writes nothing and changes nothing.
+class ProgramWriter {
+ public:
+  explicit ProgramWriter(PrintGrid grid) : grid_{grid} {}
+
+  /// Of the motions from now on, in thousandths of mm/min and of S.
+  void set_feed(std::uint32_t thousandths) { feed_ = thousandths; }
+  void set_power(std::uint32_t thousandths) { power_ = thousandths; }
+
+  /// G0.
+  template <std::floating_point Scalar>
+  [[nodiscard]] Result<std::string_view, WriterError> rapid(const BasicVec2<Scalar>& to);
+
+  /// G1, G2 or G3: a line where the bulge is 0, else an arc of bulge tan(sweep / 4) and less than a
+  /// full turn; in two arcs where it is more than half of one. Arcs that would leave their chord by
+  /// less than a quarter of a last digit are lines.
+  /// @pre `from` is where the last motion ended, within half a last digit
+  template <std::floating_point Scalar>
+  [[nodiscard]] Result<std::string_view, WriterError> cut(const BasicVec2<Scalar>& from,
+                                                          const BasicVec2<Scalar>& to,
+                                                          Scalar bulge);
+
+  /// Where the last motion ended; nothing before the first.
+  [[nodiscard]] const std::optional<GridPlace>& place() const { return place_; }
+
+ private:
+  static constexpr std::uint32_t kNone = UINT32_MAX;
+  static constexpr int kNoMotion = -1;
+
+  template <std::floating_point Scalar>
+  [[nodiscard]] std::optional<GridPlace> on_grid(const BasicVec2<Scalar>& place_mm) const;
+  template <std::floating_point Scalar>
+  [[nodiscard]] bool add_arc(GridPlace to, GridPlace middle, Scalar bulge);
+  void add_line(GridPlace to);
+  void add_arc(GridPlace to, GridCentre centre, bool clockwise);
+  /// The number of G where it changes, and the ends that do.
+  void add_motion(int motion, GridPlace to);
+  void end_line(GridPlace to);
+
+  PrintGrid grid_;
+  LineText text_{};
+  std::optional<GridPlace> place_{};
+  int motion_ = kNoMotion;
+  std::uint32_t feed_ = 0;
+  std::uint32_t power_ = 0;
+  std::uint32_t written_feed_ = kNone;
+  std::uint32_t written_power_ = kNone;
+};
+
+template <std::floating_point Scalar>
+std::optional<GridPlace> ProgramWriter::on_grid(const BasicVec2<Scalar>& place_mm) const {
+  const auto scale = static_cast<Scalar>(grid_.per_mm());
+  constexpr auto kFarthest = static_cast<Scalar>(kFarthestOnGrid);
+  const Scalar x = place_mm.x() * scale;
+  const Scalar y = place_mm.y() * scale;
+  if (!(std::abs(x) <= kFarthest && std::abs(y) <= kFarthest)) return std::nullopt;
+  return GridPlace{static_cast<std::int32_t>(rounded(x)), static_cast<std::int32_t>(rounded(y))};
+}
+
+template <std::floating_point Scalar>
+Result<std::string_view, WriterError> ProgramWriter::rapid(const BasicVec2<Scalar>& to) {
+  const auto end = on_grid(to);
+  if (!end) return WriterError::kOutOfRange;
+  text_.clear();
+  if (place_ != *end) {
+    add_motion(0, *end);
+    end_line(*end);
+  }
+  return text_.view();
+}
+
+/// From where the last one ended. `middle` is that of the arc, which smaller ones go through in two
+/// lines. False, and nothing is added, where the centre is too far away.
+template <std::floating_point Scalar>
+bool ProgramWriter::add_arc(GridPlace to, GridPlace middle, Scalar bulge) {
+  constexpr auto kLeastRadius = static_cast<Scalar>(kLeastRadiusOnGrid);
+  const GridPlace chord = to - *place_;
+  const auto x = static_cast<Scalar>(chord.x);
+  const auto y = static_cast<Scalar>(chord.y);
+  const Scalar length = std::sqrt(x * x + y * y);
+  const Scalar size = std::abs(bulge);
+  if (size * length < Scalar{0.5}) {
+    add_line(to);
+    return true;
+  }
+  if (length * (Scalar{1} + size * size) < Scalar{4} * size * kLeastRadius) {
+    add_line(middle);
+    add_line(to);
+    return true;
+  }
+  const auto centre = centre_on_grid(chord, bulge);
+  if (!centre) return false;
+  add_arc(to, *centre, bulge < 0);
+  return true;
+}
+
+template <std::floating_point Scalar>
+Result<std::string_view, WriterError> ProgramWriter::cut(const BasicVec2<Scalar>& from,
+                                                         const BasicVec2<Scalar>& to,
+                                                         Scalar bulge) {
+  const auto apex_of = [](const BasicVec2<Scalar>& a, const BasicVec2<Scalar>& b, Scalar arc) {
+    const BasicVec2<Scalar> chord = b - a;
+    return BasicVec2<Scalar>{Scalar{0.5} * (a + b) - Scalar{0.5} * arc * left_normal(chord)};
+  };
+  const auto start = on_grid(from);
+  const auto end = on_grid(to);
+  const BasicVec2<Scalar> apex = apex_of(from, to, bulge);
+  const auto middle = on_grid(apex);
+  if (!start || !end || !middle) return WriterError::kOutOfRange;
+  CNC_ASSERT(place_.has_value());
+  text_.clear();
+  const ProgramWriter before = *this;
+  // tan(sweep / 8): half of the arc.
+  const Scalar half = bulge / (Scalar{1} + std::sqrt(Scalar{1} + bulge * bulge));
+  bool done = true;
+  if (std::abs(bulge) <= Scalar{1}) {
+    done = add_arc(*end, *middle, bulge);
+  } else {
+    const auto first = on_grid(apex_of(from, apex, half));
+    const auto second = on_grid(apex_of(apex, to, half));
+    if (!first || !second) return WriterError::kOutOfRange;
+    done = add_arc(*middle, *first, half) && add_arc(*end, *second, half);
+  }
+  if (done) return text_.view();
+  *this = before;
+  return WriterError::kTooFlat;
+}
+
+}  // namespace cnc::gcode

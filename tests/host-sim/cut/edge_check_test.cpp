@@ -1,0 +1,176 @@
+#include "host-sim/cut/edge_check.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+#include <string>
+
+#include "host-sim/job/setting_line.hpp"
+#include "host-sim/knowledge/knowledge_base.hpp"
+#include "tests/host-sim/cut/support.hpp"
+#include "tests/support/random_source.hpp"
+#include "tests/support/trials.hpp"
+
+namespace sim::cut {
+namespace {
+
+constexpr double kEdgeTolerance = 0.005;  ///< mm: what the product promises.
+constexpr double kHeatTolerance = 0.05;   ///< Of P / V.
+constexpr double kFullPowerW = 2800.0;
+
+/// Straights, large and small arcs, outer and inner corners, sharp and blunt.
+constexpr const char* kShapes =
+    "<path d=\"M10 10H60A15 15 0 0 1 75 25V50H60V44A6 6 0 0 0 48 44V50H30L22 38L16 50H10Z\"/>"
+    "<circle cx=\"24\" cy=\"22\" r=\"7\"/><circle cx=\"62\" cy=\"24\" r=\"1.2\"/>"
+    "<rect x=\"38\" y=\"18\" width=\"12\" height=\"9\"/><rect x=\"40\" y=\"32\" width=\"5\" "
+    "height=\"5\" rx=\"1\"/>";
+
+/// An outline of Béziers with corners and without, a line among them; in it an ellipse that is
+/// turned, and a hole of Béziers.
+constexpr const char* kCurves =
+    "<path d=\"M10 10C25 2 35 18 50 10S80 5 88 14C96 25 82 30 86 45L60 48C50 52 40 40 30 47"
+    "Q18 52 12 44C4 35 16 22 10 10Z\"/>"
+    "<ellipse cx=\"30\" cy=\"28\" rx=\"9\" ry=\"5\" transform=\"rotate(25 30 28)\"/>"
+    "<path d=\"M60 20C66 14 78 18 72 27C68 34 58 36 56 28C55 24 57 22 60 20Z\"/>";
+
+/// A plan for 2 mm steel at 1800 W, by the law whose kerf changes with the speed.
+class CutEdges : public testing::Test {
+ protected:
+  CutEdges() { make_plan({}); }
+
+  void make_plan(const OutlineOptions& curves) {
+    const Condition condition = choose(record, 2'000, 1'800'000, {});
+    LayerSettings settings{.overcut_mm = 1.0, .pierce_s = 0.1};
+    settings.lead_in = {LeadKind::kArc, 2.0};
+    plan = plan_cuts(
+        drawn, std::vector<LayerPlan>(drawn.layers.size(), {settings, condition}), curves);
+    EXPECT_TRUE(plan.faults.empty());
+  }
+
+  [[nodiscard]] CutJob job_of(bool follows_speed) const {
+    return {drawn, plan, record, {kFullPowerW, 1000.0, follows_speed}};
+  }
+  static std::string text_of(const CutJob& job) {
+    return program_of(job.plan, job.drawn, job.beam, cnc::gcode::PrintGrid{4}, {});
+  }
+
+  /// Drives a program, with `touch` once a millisecond, and looks at it as a job.
+  template <typename Touch>
+  EdgeFigures drive(const CutJob& job, const std::string& program, Touch touch) {
+    Simulator simulator{program, {.machine = {.has_switches = false}}};
+    std::vector<SettingChange> settings;
+    for (const char* const setting : {"$0=1",
+                                      "$11=0.003",
+                                      "$32=1",
+                                      "$100=400",
+                                      "$101=400",
+                                      "$110=12000",
+                                      "$111=12000",
+                                      "$120=800",
+                                      "$121=800"}) {
+      settings.push_back(parse_setting(setting, "test"));
+    }
+    apply_settings(settings, simulator.machine());
+    const EdgeCheck check{job, program, simulator};
+    while (!simulator.done()) {
+      touch(simulator.machine());
+      simulator.turn();
+    }
+    const RunResult result = simulator.run();
+    EXPECT_TRUE(result.refusals.empty());
+    return check.figures();
+  }
+  static void tell(const char* what, const EdgeFigures& figures) {
+    std::printf(
+        "%s: beside the model %.2f um, off %.2f um, left %.2f um, mean %.2f um, "
+        "P/V %.3f to %.3f, %zu places\n",
+        what,
+        1000.0 * std::abs(figures.most_off_model.mm),
+        1000.0 * figures.most_off.mm,
+        1000.0 * figures.most_left.mm,
+        1000.0 * figures.mean_mm,
+        figures.least_heat_ratio,
+        figures.greatest_heat_ratio,
+        figures.places);
+  }
+
+  drawing::Drawing drawn = drawing::read(drawing::svg_of(kShapes));
+  MaterialRecord record =
+      KnowledgeBase::shipped().record_of("CSP 1N", cnc::kerf::HeatUnit::kJoulesPerMillimetre);
+  CutPlan plan;
+};
+
+TEST_F(CutEdges, AreWithinFiveMicrometresOnStraightsArcsAndCorners) {
+  const CutJob job = job_of(true);
+  const EdgeFigures figures = drive(job, text_of(job), [](cnc::Machine&) {});
+  tell("100 %", figures);
+  EXPECT_GT(figures.places, 10'000U);
+  EXPECT_LT(std::abs(figures.most_off_model.mm), kEdgeTolerance);
+  EXPECT_LT(figures.most_off.mm, kEdgeTolerance);
+  EXPECT_GT(figures.most_left.mm, -kEdgeTolerance);
+}
+
+/// An operator who turns the feed between 50 and 150 % all the time.
+TEST_F(CutEdges, StayThereUnderFeedOverrides) {
+  const proof::Trials trials{1};
+  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    proof::Random random{seed};
+    const auto touch = [&random](cnc::Machine& machine) {
+      if (!random.chance(0.01)) return;
+      const int percent = 50 + static_cast<int>(random.below(101));
+      machine.set_overrides({.feed = percent});
+    };
+    const CutJob job = job_of(true);
+    const EdgeFigures figures = drive(job, text_of(job), touch);
+    tell("50 to 150 %, M4", figures);
+    EXPECT_LT(std::abs(figures.most_off_model.mm), kEdgeTolerance);
+    EXPECT_GT(figures.least_heat_ratio, 1.0 - kHeatTolerance);
+    EXPECT_LT(figures.greatest_heat_ratio, 1.0 + kHeatTolerance);
+    random = proof::Random{seed};
+    const CutJob other = job_of(false);
+    const EdgeFigures constant = drive(other, text_of(other), touch);
+    tell("50 to 150 %, M3", constant);
+    // Constant power heats less than the model only where the override drives faster.
+    EXPECT_LT(constant.least_heat_ratio, 0.9);
+    EXPECT_GT(constant.greatest_heat_ratio, 1.5);
+    EXPECT_GT(std::abs(constant.most_off_model.mm), kEdgeTolerance);
+  }
+}
+
+/// The edges are measured against the drawn curves, so a wide tolerance is seen, and a narrow one
+/// leaves the motion's error.
+TEST_F(CutEdges, OfCurvesAreWithinTheToleranceAndFiveMicrometres) {
+  drawn = drawing::read(drawing::svg_of(kCurves));
+  for (const double tolerance : {0.05, 0.01, 0.001}) {
+    SCOPED_TRACE(tolerance);
+    make_plan({.tolerance_mm = tolerance});
+    ASSERT_EQ(plan.cuts.size(), 3U);
+    const CutJob job = job_of(true);
+    const EdgeFigures figures = drive(job, text_of(job), [](cnc::Machine&) {});
+    std::printf("%.2f mm not reached; ", figures.untouched_mm);
+    tell(std::to_string(tolerance).c_str(), figures);
+    EXPECT_GT(figures.places, 10'000U);
+    EXPECT_LT(figures.untouched_mm, 1.0);
+    EXPECT_LT(std::abs(figures.most_off_model.mm), kEdgeTolerance);
+    EXPECT_LT(figures.most_off.mm, tolerance + kEdgeTolerance);
+    EXPECT_GT(figures.most_left.mm, -tolerance - kEdgeTolerance);
+    EXPECT_GT(figures.most_off.mm - figures.most_left.mm, tolerance);
+  }
+}
+
+/// The check sees what it should: work that lies 20 um beside its place.
+TEST_F(CutEdges, AreFoundOffWhereTheyAre) {
+  const std::string program = text_of(job_of(true));
+  drawn = drawing::read(
+      drawing::svg_of(std::string{"<g transform=\"translate(0.02 0)\">"} + kShapes + "</g>"));
+  plan = plan_cuts(drawn, std::vector<LayerPlan>(drawn.layers.size(), plan.layers.front()));
+  const EdgeFigures figures = drive(job_of(true), program, [](cnc::Machine&) {});
+  tell("moved by 20 um", figures);
+  EXPECT_NEAR(figures.most_off.mm, 0.02, kEdgeTolerance);
+  EXPECT_NEAR(figures.most_left.mm, -0.02, kEdgeTolerance);
+}
+
+}  // namespace
+}  // namespace sim::cut

@@ -1,0 +1,215 @@
+#include "host-sim/cut/plan.hpp"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "host-sim/import/curve_measure.hpp"
+#include "tests/host-sim/cut/support.hpp"
+#include "tests/support/random_source.hpp"
+#include "tests/support/trials.hpp"
+
+namespace sim::cut {
+namespace {
+
+using drawing::FaultKind;
+
+constexpr const char* kPlate =
+    "<rect x=\"10\" y=\"10\" width=\"60\" height=\"40\"/>"
+    "<circle cx=\"25\" cy=\"30\" r=\"8\"/><circle cx=\"25\" cy=\"30\" r=\"4\"/>";
+
+drawing::Drawing drawing_of(const std::string& content) {
+  return drawing::read(drawing::svg_of(content));
+}
+
+std::vector<Outline> outlines_of(const drawing::Drawing& drawn) {
+  std::vector<Outline> outlines;
+  for (const auto& contour : drawn.contours) {
+    outlines.push_back(outline_of(contour.shapes, 1.0e-4));
+  }
+  return outlines;
+}
+
+TEST(CutPlan, CutsWhatLiesInsideFirst) {
+  const CutPlan plan = plan_of(drawing_of(kPlate));
+  EXPECT_TRUE(plan.faults.empty());
+  ASSERT_EQ(plan.cuts.size(), 3U);
+  EXPECT_NEAR(plan.cuts[0].area_mm2, M_PI * (4 + kHalf) * (4 + kHalf), 1.0e-6);
+  EXPECT_NEAR(plan.cuts[1].area_mm2, -M_PI * (8 - kHalf) * (8 - kHalf), 1.0e-6);
+  EXPECT_TRUE(plan.cuts[1].is_hole);
+  EXPECT_NEAR(plan.cuts[2].area_mm2,
+              60.0 * 40.0 + 2.0 * (60.0 + 40.0) * kHalf + M_PI * kHalf * kHalf,
+              1.0e-6);
+}
+
+TEST(CutPlan, NamesHolesThatWouldVanish) {
+  const CutPlan plan =
+      plan_of(drawing_of("<rect x=\"0\" y=\"0\" width=\"30\" height=\"30\"/>"
+                         "<circle id=\"pin\" cx=\"10\" cy=\"10\" r=\"0.25\"/>"));
+  ASSERT_EQ(plan.faults.size(), 1U);
+  EXPECT_EQ(plan.faults[0].kind, FaultKind::kTooSmall);
+  const std::string text = to_string(plan.faults[0], "part.svg");
+  EXPECT_THAT(text,
+              testing::HasSubstr("circle \"pin\" at 10.250 90.000: is narrower than the kerf"));
+  EXPECT_EQ(plan.cuts.size(), 1U);
+}
+
+TEST(CutPlan, TellsOfSlotsThatTheBeamDoesNotReach) {
+  const CutPlan plan = plan_of(drawing_of("<path d=\"M0 0H40V20H20.2V10H19.8V20H0Z\"/>"));
+  ASSERT_EQ(plan.warnings.size(), 1U);
+  EXPECT_THAT(plan.warnings[0].reason, testing::HasSubstr("too narrow here for the kerf of 0.600"));
+  ASSERT_TRUE(plan.warnings[0].place_mm.has_value());
+  EXPECT_NEAR(plan.warnings[0].place_mm->x(), 20.0, 0.21);
+  EXPECT_NEAR(plan.warnings[0].place_mm->y(), 90.0, 0.01);
+}
+
+TEST(CutPlan, RefusesToCutOnePartOffAnother) {
+  const CutPlan plan =
+      plan_of(drawing_of("<rect x=\"0\" y=\"0\" width=\"10\" height=\"10\"/>"
+                         "<rect x=\"10.4\" y=\"0\" width=\"10\" height=\"10\"/>"));
+  ASSERT_EQ(plan.faults.size(), 2U);
+  EXPECT_EQ(plan.faults[0].kind, FaultKind::kCrossing);
+  EXPECT_THAT(plan.faults[0].reason, testing::HasSubstr("takes 0.200 mm off rect"));
+}
+
+TEST(CutPlan, CutsOnTheLineWhatItsLayerSays) {
+  const auto drawn =
+      drawing_of("<path d=\"M0 0H5\"/><rect x=\"20\" y=\"0\" width=\"9\" height=\"9\"/>");
+  const CutPlan plan = plan_of(drawn, {.side = Side::kOn});
+  ASSERT_EQ(plan.cuts.size(), 2U);
+  EXPECT_DOUBLE_EQ(length_of(plan.cuts[0].strokes), 5.0);
+  EXPECT_DOUBLE_EQ(length_of(plan.cuts[1].strokes), 36.0);
+}
+
+/// A frame that is not cut is no part, and what is in it is no hole.
+TEST(CutPlan, KnowsPartsInAFrameThatIsSkipped) {
+  const auto drawn = drawing_of(
+      "<rect x=\"0\" y=\"0\" width=\"90\" height=\"90\" stroke=\"red\"/>"
+      "<rect x=\"20\" y=\"20\" width=\"9\" height=\"9\" stroke=\"blue\"/>");
+  auto layers = layers_with(drawn, {});
+  ASSERT_EQ(layers.size(), 2U);
+  const bool first_is_red = drawn.layers[0].colour == "red";
+  layers[first_is_red ? 0 : 1].settings.side = Side::kSkip;
+  const CutPlan plan = plan_cuts(drawn, layers);
+  ASSERT_EQ(plan.cuts.size(), 1U);
+  EXPECT_FALSE(plan.cuts[0].is_hole);
+  EXPECT_GT(plan.cuts[0].area_mm2, 81.0);
+}
+
+TEST(CutPlan, LeavesTabsOvercutsAndPierces) {
+  LayerSettings settings{.overcut_mm = 1.5, .tab_mm = 0.4, .tabs = 4, .pierce_s = 0.5};
+  settings.lead_out = {LeadKind::kLine, 3.0};
+  const CutPlan plan = plan_of(drawing_of(kPlate), settings);
+  for (const Cut& cut : plan.cuts) {
+    double tabs = 0.0;
+    double overcut = 0.0;
+    int gaps = 0;
+    Purpose last = Purpose::kLeadIn;
+    for (const Stroke& stroke : cut.strokes) {
+      if (stroke.purpose == Purpose::kTab) tabs += length_of(stroke);
+      if (stroke.purpose == Purpose::kTab && last != Purpose::kTab) ++gaps;
+      if (stroke.purpose == Purpose::kOvercut) overcut += length_of(stroke);
+      last = stroke.purpose;
+    }
+    EXPECT_EQ(cut.strokes.front().purpose, Purpose::kPierce);
+    EXPECT_EQ(cut.strokes.back().purpose, Purpose::kLeadOut);
+    EXPECT_NEAR(overcut, 1.5, 1.0e-9);
+    EXPECT_EQ(gaps, cut.is_hole ? 0 : 4);
+    EXPECT_NEAR(tabs, cut.is_hole ? 0.0 : 4.0 * (0.4 + kTestKerf), 1.0e-9);
+  }
+}
+
+/// A sheet of plates at random places, with holes, islands and round corners.
+std::string random_sheet(proof::Random& random) {
+  std::string content;
+  for (int column = 0; column < 3; ++column) {
+    for (int row = 0; row < 3; ++row) {
+      const double x = 33.0 * column + random.between(0.5, 3.0);
+      const double y = 33.0 * row + random.between(0.5, 3.0);
+      const double width = random.between(8.0, 28.0);
+      const double height = random.between(8.0, 28.0);
+      const double corner = random.chance(0.5) ? random.between(0.2, 3.9) : 0.0;
+      content += fmt::format("<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" rx=\"{}\"/>",
+                             x,
+                             y,
+                             width,
+                             height,
+                             corner);
+      if (random.chance(0.7)) {
+        const double most = 0.5 * std::min(width, height) - 1.0;
+        const double radius = random.between(0.4, most);
+        content += fmt::format(
+            "<circle cx=\"{}\" cy=\"{}\" r=\"{}\"/>", x + 0.5 * width, y + 0.5 * height, radius);
+      }
+      if (random.chance(0.3)) {
+        content += fmt::format("<path d=\"M{} {}h{}l{} {}z\"/>",
+                               x + 1.0,
+                               y + height - 1.2,
+                               random.between(2.0, 6.0),
+                               random.between(-3.0, -1.0),
+                               random.between(-2.5, -1.5));
+      }
+    }
+  }
+  return content;
+}
+
+/// Nowhere does the beam come nearer to a drawn line than half a kerf, leads included; and
+/// along each line it is no farther, but in the corners that it cannot reach.
+TEST(CutPlan, NeverCutsIntoAPart) {
+  const proof::Trials trials{12};
+  double nearest = 1.0;
+  std::size_t strokes = 0;
+  std::size_t without_leads = 0;
+  std::size_t cuts = 0;
+  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+    if (proof::too_many_failures()) break;
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    proof::Random random{seed};
+    const auto drawn = drawing_of(random_sheet(random));
+    LayerSettings settings{.overcut_mm = random.chance(0.5) ? 1.0 : 0.0,
+                           .tabs = random.chance(0.5) ? 3U : 0U,
+                           .pierce_s = random.chance(0.5) ? 0.2 : 0.0};
+    const auto kind = [&random] { return random.chance(0.5) ? LeadKind::kArc : LeadKind::kLine; };
+    settings.lead_in = {kind(), random.between(0.5, 6.0)};
+    settings.lead_out = {kind(), random.between(0.5, 6.0)};
+    const CutPlan plan = plan_of(drawn, settings);
+    for (const auto& fault : plan.faults) {
+      // Only holes and corners that cross each other in the random sheet.
+      EXPECT_TRUE(fault.kind == FaultKind::kCrossing || fault.kind == FaultKind::kTooSmall);
+    }
+    if (!plan.faults.empty() || drawn.has_errors()) continue;
+    const auto outlines = outlines_of(drawn);
+    for (const Cut& cut : plan.cuts) {
+      ++cuts;
+      if (cut.strokes.front().purpose == Purpose::kContour) ++without_leads;
+      for (std::size_t i = 1; i < cut.strokes.size(); ++i) {
+        EXPECT_LT(drawing::distance(cut.strokes[i - 1].to, cut.strokes[i].from), 1.0e-6);
+      }
+      for (const Stroke& stroke : cut.strokes) {
+        ++strokes;
+        for (const Place& place : places_along(stroke, 0.25)) {
+          nearest = std::min(nearest, distance_to_all(outlines, place));
+        }
+      }
+    }
+    EXPECT_GT(nearest, kHalf - 2.0e-4);
+    for (std::size_t i = 0; i < plan.cuts.size(); ++i) {
+      for (const std::size_t before : plan.cuts[i].after) EXPECT_LT(before, i);
+    }
+  }
+  std::printf("%zu strokes of %zu cuts, %zu without leads: nearest %.6f mm, half a kerf %.6f\n",
+              strokes,
+              cuts,
+              without_leads,
+              nearest,
+              kHalf);
+  EXPECT_GT(strokes, 400U);
+  EXPECT_LT(without_leads, cuts / 4);
+}
+
+}  // namespace
+}  // namespace sim::cut
