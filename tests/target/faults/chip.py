@@ -16,6 +16,7 @@ EMULATOR = "qemu-system-arm"
 SKIPPED = 77
 POWER_CUT, STOPPED = 90, 91
 MS = 1_000_000  # ns.
+SLOWEST = 60  # Times as slow as the chip that the emulator is allowed to be.
 BOOT_NS = 40 * MS  # Clocks, the image's checksum, the store; then the banner.
 AT_ONCE = 2  # Emulators.
 CHIP_OPTIONS = ("erase_us=1000",)  # A store that is new is erased at its first use.
@@ -140,7 +141,8 @@ class Chip:
             sent.write_bytes(text.encode("latin-1"))
             command = self.command(f"trace={trace}", f"usart1_in={sent}", f"usart1_out={heard}",
                                    f"usart1_from_ns={from_ns}", f"stop_ns={stop_ns}", *options)
-            done = subprocess.run(command, capture_output=True, timeout=300, check=False)
+            limit_s = 300 + SLOWEST * stop_ns // 10**9
+            done = subprocess.run(command, capture_output=True, timeout=limit_s, check=False)
             lines = trace.read_text().splitlines() if trace.exists() else []
             said = heard.read_bytes().decode("latin-1") if heard.exists() else ""
         events = [(int(ns), source, rest)
