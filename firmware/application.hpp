@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "firmware/link/can/can_link.hpp"
 #include "firmware/machine/machine.hpp"
 #include "firmware/protocol/line_protocol.hpp"
 #include "firmware/steps/step_generator.hpp"
@@ -62,6 +63,16 @@ class Application {
   void poll(hal::TickCount now) {
     begin_turn();
     if (take_turn()) run_turn(now);
+  }
+
+  /// Main loop, before each turn: what came over CAN beside the text, and what is told there.
+  /// @param now microseconds.
+  void attend(CanLink& can, hal::TickCount now) {
+    const Alarm alarm = machine_.alarm();
+    can.tell({.stopped = alarm != Alarm::kNone, .alarm = static_cast<std::uint8_t>(alarm)});
+    can.attend(now);
+    if (can.take_stop()) machine_.emergency_stop();
+    for (std::byte byte{}; can.take_realtime(byte);) protocol_.act_at_once(byte);
   }
 
   /// Main loop: another sender is at the link, or the one that was there is gone.

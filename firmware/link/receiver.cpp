@@ -100,6 +100,11 @@ void Receiver::follow_comment(char byte) {
   }
 }
 
+void Receiver::act_at_once(std::uint8_t code) {
+  if (static_cast<RealtimeByte>(code) == RealtimeByte::kReset) return reset();
+  if (code >= 0x80 || is_ascii_realtime(code)) act(code);
+}
+
 void Receiver::act(std::uint8_t code) {
   const auto command = static_cast<RealtimeByte>(code);
   switch (command) {

@@ -36,6 +36,10 @@ class Receiver {
   /// From the front, as many as there is room for; returns how many.
   [[nodiscard]] std::size_t receive(std::span<const char> received);
 
+  /// A realtime byte that came beside the stream, as on CAN: it acts whatever the text is in the
+  /// middle of. Bytes that never act are passed over. Main loop.
+  void act_at_once(std::uint8_t code);
+
   /// Bytes that can be received now without being refused.
   [[nodiscard]] std::uint32_t room() const;
   /// What a status report tells: kAdvertisedBytes when nothing waits.

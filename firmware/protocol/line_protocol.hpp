@@ -47,6 +47,9 @@ class LineProtocol {
   /// @param now microseconds.
   void poll(hal::TickCount now);
 
+  /// A realtime byte that came beside the stream.
+  void act_at_once(std::byte byte) { receiver_.act_at_once(std::to_integer<std::uint8_t>(byte)); }
+
   /// Another sender is at the link from now on: it is greeted, and gets no answer to lines
   /// of the one before, which are forgotten where they have not been read yet.
   void begin_sender();

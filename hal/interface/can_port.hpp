@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace hal {
 
@@ -16,6 +17,14 @@ struct CanFrame {
 
   bool operator==(const CanFrame&) const = default;
 };
+
+/// A frame of 11 bits with these bytes, of which there are at most eight.
+[[nodiscard]] constexpr CanFrame can_frame(std::uint32_t id, std::span<const std::byte> bytes) {
+  CanFrame frame{.id = id, .length = static_cast<std::uint8_t>(bytes.size())};
+  std::size_t at = 0;
+  for (const std::byte byte : bytes) frame.data[at++] = byte;
+  return frame;
+}
 
 /// What a node's error counters make of it (ISO 11898-1, 12.1.4).
 enum class CanState : std::uint8_t { kActive, kWarning, kPassive, kBusOff };
@@ -36,6 +45,8 @@ class CanPort {
   /// Queues a frame; it goes out after those before it, and is repeated until another
   /// node has it. False when there is no room.
   [[nodiscard]] virtual bool send(const CanFrame& frame) = 0;
+  /// Frames that can be queued now.
+  [[nodiscard]] virtual std::size_t room() const = 0;
   [[nodiscard]] virtual CanHealth health() const = 0;
 
  protected:

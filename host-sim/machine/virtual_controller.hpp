@@ -64,6 +64,8 @@ class VirtualController {
   /// Of the last interrupt in the last turn, or else its start.
   [[nodiscard]] std::uint64_t last_event_ticks() const { return last_event_; }
   [[nodiscard]] bool step_timer_runs() const { return timer_runs_; }
+  /// Until it restarts.
+  [[nodiscard]] Firmware& firmware() { return *firmware_; }
   [[nodiscard]] cnc::Machine& machine() { return firmware_->machine(); }
   [[nodiscard]] const cnc::Machine& machine() const { return firmware_->machine(); }
   [[nodiscard]] const hal::host::RecordingPort& port() const { return port_; }

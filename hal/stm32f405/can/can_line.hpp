@@ -75,6 +75,8 @@ class CanLine final : public CanPort {
     return true;
   }
 
+  [[nodiscard]] std::size_t room() const override { return kSendFrames - to_send_.size(); }
+
   [[nodiscard]] CanHealth health() const override {
     const Word errors = Bus::read(bxcan::kErrors);
     CanState state = CanState::kActive;

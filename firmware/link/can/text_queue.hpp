@@ -1,0 +1,55 @@
+#pragma once
+
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "planner/base/contract.hpp"
+
+namespace cnc {
+
+/// Bytes on their way, of which those that were added last can still be taken back. One context.
+/// Counts run freely.
+class TextQueue {
+ public:
+  /// @param storage outlives this; a power of two, so that % becomes a mask
+  explicit TextQueue(std::span<std::byte> storage) : bytes_{storage} {
+    CNC_ASSERT(std::has_single_bit(storage.size()));
+  }
+
+  [[nodiscard]] std::uint32_t capacity() const {
+    return static_cast<std::uint32_t>(bytes_.size());
+  }
+  /// Bytes that can be added.
+  [[nodiscard]] std::uint32_t room() const { return capacity() - (added_ - taken_); }
+  /// Bytes that are settled and not taken.
+  [[nodiscard]] std::uint32_t settled() const { return settled_ - taken_; }
+
+  /// @pre bytes.size() is at most room()
+  void add(std::span<const std::byte> bytes) {
+    for (const std::byte byte : bytes) place(added_++) = byte;
+  }
+  void settle() { settled_ = added_; }
+  /// Forgets what is not settled.
+  void take_back() { added_ = settled_; }
+
+  /// The n-th settled byte. @pre n < settled()
+  [[nodiscard]] std::byte at(std::uint32_t n) const { return place(taken_ + n); }
+  /// @pre count is at most settled()
+  void drop(std::uint32_t count) { taken_ += count; }
+
+  void clear() { taken_ = settled_ = added_; }
+
+ private:
+  [[nodiscard]] std::byte& place(std::uint32_t count) const {
+    return bytes_[count & (capacity() - 1)];
+  }
+
+  std::span<std::byte> bytes_;
+  std::uint32_t added_ = 0;
+  std::uint32_t settled_ = 0;
+  std::uint32_t taken_ = 0;
+};
+
+}  // namespace cnc
