@@ -75,6 +75,9 @@ class Application {
     for (std::byte byte{}; can.take_realtime(byte);) protocol_.act_at_once(byte);
   }
 
+  /// Main loop: a realtime byte that came beside the text.
+  void act_at_once(std::byte byte) { protocol_.act_at_once(byte); }
+
   /// Main loop: another sender is at the link, or the one that was there is gone.
   void begin_sender() { protocol_.begin_sender(); }
   void lose_sender() { protocol_.lose_sender(); }

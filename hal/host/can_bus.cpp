@@ -6,8 +6,9 @@
 namespace hal::host {
 namespace {
 
-constexpr unsigned kAfterTheData = 1 + 1 + 1 + 7 + 3;  ///< Delimiters, acknowledgement, end, silence.
-constexpr unsigned kErrorBits = 6 + 8 + 3;             ///< Flag, delimiter, silence.
+constexpr unsigned kAfterTheData =
+    1 + 1 + 1 + 7 + 3;                      ///< Delimiters, acknowledgement, end, silence.
+constexpr unsigned kErrorBits = 6 + 8 + 3;  ///< Flag, delimiter, silence.
 constexpr unsigned kErrorOfSender = 8;
 constexpr unsigned kPassive = 128;
 constexpr unsigned kWarning = 96;
@@ -80,10 +81,10 @@ std::size_t CanBus::Node::room() const { return kFrames - to_send_.size(); }
 CanHealth CanBus::Node::health() const {
   CanHealth health = counts_;
   const unsigned errors = std::max(transmit_errors_, receive_errors_);
-  health.state = off_                  ? CanState::kBusOff
-                 : errors >= kPassive  ? CanState::kPassive
-                 : errors >= kWarning  ? CanState::kWarning
-                                       : CanState::kActive;
+  health.state = off_                 ? CanState::kBusOff
+                 : errors >= kPassive ? CanState::kPassive
+                 : errors >= kWarning ? CanState::kWarning
+                                      : CanState::kActive;
   health.transmit_errors = static_cast<std::uint8_t>(std::min(transmit_errors_, 255U));
   health.receive_errors = static_cast<std::uint8_t>(std::min(receive_errors_, 255U));
   return health;

@@ -31,6 +31,7 @@ class CanHost final : public hal::ByteStream {
 
   CanHost(const CanHost&) = delete;
   CanHost& operator=(const CanHost&) = delete;
+  ~CanHost() = default;
 
   /// Takes the frames that have come, sends those that are due; every millisecond or so.
   /// @param now microseconds

@@ -9,9 +9,11 @@
 #include "hal/host/file_store.hpp"
 #include "host-sim/cli/commands.hpp"
 #include "host-sim/cli/job_options.hpp"
+#include "host-sim/serve/can_transport.hpp"
 #include "host-sim/serve/pty_transport.hpp"
 #include "host-sim/serve/record_file.hpp"
 #include "host-sim/serve/server.hpp"
+#include "host-sim/serve/slcan_wire.hpp"
 #include "host-sim/serve/tcp_transport.hpp"
 #include "host-sim/serve/web_transport.hpp"
 
@@ -22,15 +24,20 @@ constexpr const char* kServeFooter =
     "Examples:\n"
     "  kerfline serve --pty ttyKerfline --settings laser.settings\n"
     "  kerfline serve --tcp 2323 --ws 8000\n"
+    "  kerfline serve --slcan ttyCan --node 17\n"
     "\n"
     "Prints a line for each way in, such as `tcp 127.0.0.1:2323`, and then `ready`. One\n"
     "sender at a time controls the machine. Ends on Ctrl-C or SIGTERM.\n"
     "When the sender is lost, the machine stops on its path, beam off, and is reset.";
 
+constexpr int kLastNode = cnc::can::kLastNode;
+
 struct ServeOptions {
   std::string pty;
   std::string tcp;
   std::string ws;
+  std::string slcan;
+  int node = cnc::can::kUsualNode;
   double speed = 1.0;
   std::string settings_file;
   std::vector<std::string> set;
@@ -52,6 +59,16 @@ void add_options(CLI::App& command, ServeOptions& options) {
                   "The page, and WebSocket for senders; from this machine only unless an address\n"
                   "is given; port 0 is any free")
       ->type_name("[ADDRESS:]PORT");
+  command
+      .add_option("--slcan",
+                  options.slcan,
+                  "A CAN adapter of the serial kind under this name, with the controller as the\n"
+                  "only node on its bus")
+      ->type_name("LINK");
+  command.add_option("--node", options.node, "The controller's number on a CAN bus")
+      ->check(CLI::Range(1, kLastNode))
+      ->type_name("N")
+      ->capture_default_str();
   command.add_option("--speed", options.speed, "Machine seconds per second")
       ->check(CLI::Range(0.01, 1000.0))
       ->type_name("N")
@@ -77,6 +94,17 @@ void add_options(CLI::App& command, ServeOptions& options) {
       ->capture_default_str();
 }
 
+void open_bus(const ServeOptions& options, Session& session, Reception& reception) {
+  if (options.slcan.empty()) return;
+  const auto condition = [&session] {
+    const auto alarm = static_cast<std::uint8_t>(session.controller().machine().alarm());
+    return cnc::CanLink::Condition{.stopped = alarm != 0, .alarm = alarm};
+  };
+  reception.add(std::make_unique<CanTransport>(std::make_unique<SlcanWire>(options.slcan),
+                                               static_cast<std::uint8_t>(options.node),
+                                               condition));
+}
+
 void open_ways_in(const ServeOptions& options, Reception& reception) {
   if (!options.pty.empty()) reception.add(std::make_unique<PtyTransport>(options.pty));
   if (!options.tcp.empty()) {
@@ -94,9 +122,9 @@ void announce(const Reception& reception) {
 }
 
 ExitStatus serve(const ServeOptions& options) {
-  if (options.pty.empty() && options.tcp.empty() && options.ws.empty()) {
+  if (options.pty.empty() && options.tcp.empty() && options.ws.empty() && options.slcan.empty()) {
     throw std::invalid_argument(
-        "serve: give senders a way in: --pty LINK, --tcp PORT or --ws PORT");
+        "serve: give senders a way in: --pty LINK, --tcp PORT, --ws PORT or --slcan LINK");
   }
   const StopSignals stop;
   hal::host::MemoryStore memory;
@@ -112,6 +140,7 @@ ExitStatus serve(const ServeOptions& options) {
   Reception reception{session};
   Server server{session, reception, options.speed};
   open_ways_in(options, reception);
+  open_bus(options, session, reception);
   if (!options.ws.empty()) {
     auto web = std::make_unique<WebTransport>(parse_address(options.ws), view);
     session.controller().add_sink(view);

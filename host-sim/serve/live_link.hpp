@@ -45,6 +45,10 @@ class LiveLink final : public hal::ByteStream {
   void receive(std::span<const std::byte> bytes);
   /// A byte that overtakes all others; at most kUrgent at a time, more are dropped.
   void interject(std::byte byte);
+  /// A realtime byte reaches the controller beside the stream: those who listen are to know.
+  void pass_by(std::byte byte) {
+    if (listener_ != nullptr) listener_->on_read({&byte, 1});
+  }
   /// Nothing waits for the controller.
   [[nodiscard]] bool heard_all() const { return incoming_.empty() && urgent_.empty(); }
   /// What the controller said and nobody has taken yet; as much as lies together.

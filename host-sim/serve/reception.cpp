@@ -14,6 +14,7 @@ constexpr std::size_t kPart = 1024;
 void Reception::attend(Clock::time_point now) {
   if (sender_) attend_sender(now);
   for (const auto& way : ways_in_) {
+    if (way->take_stop()) session_.emergency_stop();
     while (auto connection = way->accept()) meet(std::move(connection), *way, now);
   }
   see_off(now);
@@ -51,7 +52,10 @@ void Reception::attend_sender(Clock::time_point now) {
     session_.welcome_sender();
     greeted_ = true;
   }
-  if (greeted_ && session_.hears()) carry_in();
+  if (greeted_ && session_.hears()) {
+    for (std::byte byte{}; sender_->take_realtime(byte);) session_.act_at_once(byte);
+    carry_in();
+  }
   if (greeted_) carry_out();
   if (sender_->open()) return;
   sender_.reset();

@@ -34,9 +34,14 @@ void Session::welcome_sender() {
   turns_since_welcome_ = 0;
 }
 
+void Session::act_at_once(std::byte byte) {
+  link_.pass_by(byte);
+  controller_.firmware().act_at_once(byte);
+}
+
 void Session::lose_sender() {
   link_.disconnect();
-  link_.interject(kSafetyDoor);
+  act_at_once(kSafetyDoor);  // Whatever line or comment the sender was in the middle of.
   parting_ = Parting::kStopping;
   turns_of_parting_ = turns_still_ = 0;
 }

@@ -28,6 +28,11 @@ class Connection {
 
   /// Copies what has arrived; returns how many bytes.
   [[nodiscard]] virtual std::size_t read(std::span<std::byte> into) = 0;
+  /// A realtime byte that came beside the stream, and acts whatever the text is in the middle of.
+  [[nodiscard]] virtual bool take_realtime(std::byte& byte) {
+    static_cast<void>(byte);
+    return false;
+  }
   /// Sends what fits; returns how many bytes.
   [[nodiscard]] virtual std::size_t write(std::span<const std::byte> from) = 0;
   /// False once the sender has gone and all that it sent has been read.
@@ -48,9 +53,11 @@ class Transport {
 
   /// The next sender who wants to talk; null when there is none now.
   [[nodiscard]] virtual std::unique_ptr<Connection> accept() = 0;
+  /// True once after an emergency stop from there, whoever is the sender.
+  [[nodiscard]] virtual bool take_stop() { return false; }
   /// Adds what to wake up for.
   virtual void add_to(std::vector<pollfd>& descriptors) const = 0;
-  /// `pty`, `tcp` or `ws`.
+  /// `pty`, `tcp`, `ws`, `can` or `slcan`.
   [[nodiscard]] virtual std::string_view kind() const = 0;
   /// Where senders find it, for people and scripts.
   [[nodiscard]] virtual std::string address() const = 0;

@@ -6,13 +6,14 @@ namespace cnc::can {
 
 /// Nodes of CANopen's predefined connection set (CiA 301), 11-bit identifiers. What is smaller
 /// wins the bus. A node is 1 to 127.
-inline constexpr std::uint32_t kNetwork = 0x000;     ///< NMT: command, node (0: all).
-inline constexpr std::uint32_t kFailSafe = 0x001;    ///< Global fail-safe: whatever it holds, all stop.
-inline constexpr std::uint32_t kEmergency = 0x080;   ///< + node: error code, register, alarm.
-inline constexpr std::uint32_t kRealtime = 0x200;    ///< + node: realtime bytes to it.
-inline constexpr std::uint32_t kTextFrom = 0x480;    ///< + node: what it says, ISO 15765-2.
-inline constexpr std::uint32_t kTextTo = 0x500;      ///< + node: lines to it, ISO 15765-2.
-inline constexpr std::uint32_t kHeartbeat = 0x700;   ///< + node: its state.
+inline constexpr std::uint32_t kNetwork = 0x000;  ///< NMT: command, node (0: all).
+inline constexpr std::uint32_t kFailSafe =
+    0x001;  ///< Global fail-safe: whatever it holds, all stop.
+inline constexpr std::uint32_t kEmergency = 0x080;  ///< + node: error code, register, alarm.
+inline constexpr std::uint32_t kRealtime = 0x200;   ///< + node: realtime bytes to it.
+inline constexpr std::uint32_t kTextFrom = 0x480;   ///< + node: what it says, ISO 15765-2.
+inline constexpr std::uint32_t kTextTo = 0x500;     ///< + node: lines to it, ISO 15765-2.
+inline constexpr std::uint32_t kHeartbeat = 0x700;  ///< + node: its state.
 inline constexpr std::uint32_t kHostHeartbeat = 0x77F;
 
 inline constexpr std::uint8_t kLastNode = 0x7E;  ///< 0x7F is the host.
@@ -29,9 +30,9 @@ enum class NetworkCommand : std::uint8_t {
 /// Byte of a heartbeat.
 enum class NodeState : std::uint8_t {
   kBooting = 0x00,
-  kStopped = 0x04,          ///< An alarm.
+  kStopped = 0x04,  ///< An alarm.
   kOperational = 0x05,
-  kPreOperational = 0x7F,   ///< Nobody talks to it.
+  kPreOperational = 0x7F,  ///< Nobody talks to it.
 };
 
 /// Of an emergency message (CiA 301, 7.2.7.1).

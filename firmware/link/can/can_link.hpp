@@ -43,6 +43,7 @@ class CanLink final : public hal::SessionStream {
 
   CanLink(const CanLink&) = delete;
   CanLink& operator=(const CanLink&) = delete;
+  ~CanLink() = default;
 
   /// Before each turn: takes the frames that have come, sends those that are due.
   /// @param now microseconds
@@ -50,7 +51,8 @@ class CanLink final : public hal::SessionStream {
 
   /// True once after an emergency stop: ends all motion, dark, and leaves an alarm.
   [[nodiscard]] bool take_stop() { return std::exchange(stop_, false); }
-  /// Realtime bytes in the order in which they came; they act whatever the text is in the middle of.
+  /// Realtime bytes in the order in which they came; they act whatever the text is in the middle
+  /// of.
   [[nodiscard]] bool take_realtime(std::byte& byte);
 
   /// What is told to others from the next turn on.
@@ -89,7 +91,7 @@ class CanLink final : public hal::SessionStream {
   TextQueue realtime_{acts_};
   std::uint32_t session_ = 0;
   std::uint32_t sessions_ = 0;
-  std::uint32_t lost_ = 0;      ///< Frames, messages and answers lost so far, as last seen.
+  std::uint32_t lost_ = 0;  ///< Frames, messages and answers lost so far, as last seen.
   std::uint16_t error_ = can::kNoError;  ///< Of the link, not told yet.
   bool stop_ = false;
   bool host_beats_ = false;

@@ -41,9 +41,7 @@ struct Payload {
   std::array<std::byte, 8> bytes{};
   std::uint8_t length = 0;
 
-  [[nodiscard]] std::span<const std::byte> span() const {
-    return std::span{bytes}.first(length);
-  }
+  [[nodiscard]] std::span<const std::byte> span() const { return std::span{bytes}.first(length); }
 };
 
 /// What a receiver that needs no time between frames asks for.

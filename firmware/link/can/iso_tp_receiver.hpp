@@ -27,6 +27,7 @@ class IsoTpReceiver {
   IsoTpReceiver() = default;
   IsoTpReceiver(const IsoTpReceiver&) = delete;
   IsoTpReceiver& operator=(const IsoTpReceiver&) = delete;
+  ~IsoTpReceiver() = default;
 
   struct Counts {
     std::uint32_t broken = 0;  ///< Messages of which frames were missing, or that nobody ended.
@@ -68,7 +69,7 @@ class IsoTpReceiver {
   std::uint32_t block_ = 0;  ///< Frames that the sender was allowed and has not sent.
   std::uint8_t number_ = 0;  ///< Of the next frame.
   Flow flow_ = Flow::kNone;
-  hal::TickCount last_{};     ///< The last frame of the message, or the last flow control.
+  hal::TickCount last_{};  ///< The last frame of the message, or the last flow control.
   Counts counts_{};
 };
 

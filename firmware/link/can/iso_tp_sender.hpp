@@ -60,16 +60,16 @@ class IsoTpSender {
 
   TextQueue text_;
   Step step_ = Step::kIdle;
-  std::uint32_t length_ = 0;   ///< Of the message under way.
-  std::uint32_t sent_ = 0;     ///< Bytes of it.
-  std::uint32_t block_ = 0;    ///< Frames that may go before the next flow control.
+  std::uint32_t length_ = 0;  ///< Of the message under way.
+  std::uint32_t sent_ = 0;    ///< Bytes of it.
+  std::uint32_t block_ = 0;   ///< Frames that may go before the next flow control.
   std::uint32_t most_;
   std::uint32_t longest_;  ///< That the other side has room for.
   std::uint32_t separation_us_ = 0;
   std::uint8_t number_ = 0;
   std::uint8_t tries_ = 0;
   std::uint8_t waits_ = 0;
-  bool endless_ = false;  ///< No further flow control.
+  bool endless_ = false;    ///< No further flow control.
   hal::TickCount since_{};  ///< The last frame either way.
   Counts counts_{};
 };

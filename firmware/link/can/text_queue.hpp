@@ -18,9 +18,7 @@ class TextQueue {
     CNC_ASSERT(std::has_single_bit(storage.size()));
   }
 
-  [[nodiscard]] std::uint32_t capacity() const {
-    return static_cast<std::uint32_t>(bytes_.size());
-  }
+  [[nodiscard]] std::uint32_t capacity() const { return static_cast<std::uint32_t>(bytes_.size()); }
   /// Bytes that can be added.
   [[nodiscard]] std::uint32_t room() const { return capacity() - (added_ - taken_); }
   /// Bytes that are settled and not taken.

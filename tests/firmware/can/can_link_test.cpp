@@ -103,7 +103,9 @@ TEST_F(CanLinkTest, WhatIsForOthersIsNoneOfIts) {
 
 TEST_F(CanLinkTest, StopsOfAllKindsAreToldOnce) {
   const std::vector<std::pair<std::uint32_t, std::vector<int>>> stops{
-      {can::kNetwork, {0x02, 0x00}}, {can::kNetwork, {0x02, kNode}}, {can::kFailSafe, {}},
+      {can::kNetwork, {0x02, 0x00}},
+      {can::kNetwork, {0x02, kNode}},
+      {can::kFailSafe, {}},
       {can::kFailSafe, {1, 2, 3, 4, 5, 6, 7, 8}}};
   for (const auto& [id, codes] : stops) {
     std::vector<std::byte> bytes;

@@ -98,6 +98,21 @@ class Serve(ServeTest):
         self.assertNotIn("MPos:0.000", reports[0])
         self.assertEqual(*[report.split("|")[1] for report in reports])
 
+    def test_stops_the_machine_when_the_sender_is_lost_in_the_middle_of_a_comment(self):
+        served = self.serve("--tcp", 0, *LASER)
+        sender = served.tcp()
+        sender.until(BANNER)
+        sender.ask("M3 S500 G1 X100 F1200")
+        sender.send(b"G1 X200 (to the end of")
+        time.sleep(0.4)
+        sender.close()
+        time.sleep(1.0)
+        sender = served.tcp()
+        sender.until(BANNER)
+        report = self.answer_to_question(sender)
+        self.assertIn("<Idle", report)
+        self.assertLess(float(report.split("MPos:")[1].split(",")[0]), 30.0)
+
     def test_ends_on_signals_and_takes_its_link_along(self):
         for how in (signal.SIGTERM, signal.SIGINT):
             served = self.serve("--pty", self.link, "--ws", 0)

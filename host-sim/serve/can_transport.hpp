@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "firmware/link/can/can_link.hpp"
+#include "host-sim/serve/can_wire.hpp"
+#include "host-sim/serve/transport.hpp"
+
+namespace sim {
+
+/// The served controller as a node of a CAN bus: the link that runs on the controller, on the
+/// clock of this machine.
+class CanTransport final : public Transport {
+ public:
+  using Condition = cnc::CanLink::Condition;
+
+  /// @param condition asked for before each look
+  CanTransport(std::unique_ptr<CanWire> wire,
+               std::uint8_t node,
+               std::function<Condition()> condition);
+
+  [[nodiscard]] std::unique_ptr<Connection> accept() override;
+  void add_to(std::vector<pollfd>& descriptors) const override { wire_->add_to(descriptors); }
+  [[nodiscard]] std::string_view kind() const override { return wire_->kind(); }
+  /// With the node: `LINK node 17`.
+  [[nodiscard]] std::string address() const override;
+  [[nodiscard]] bool take_stop() override;
+
+ private:
+  class Sender;
+
+  void attend();
+
+  std::unique_ptr<CanWire> wire_;
+  cnc::CanLink link_;
+  std::function<Condition()> condition_;
+  std::uint32_t accepted_ = 0;  ///< The session of the last sender.
+};
+
+}  // namespace sim
