@@ -32,7 +32,8 @@ constexpr const char* kCutFooter =
     "Lines and arcs stay what they are, other curves become smooth arcs within the tolerance.\n"
     "--layer 'holes: feed=3000, lead-in=line:1' is for the layer, or colour, of that name; keys\n"
     "are power, feed, side (waste, on: on the line, skip), lead-in, lead-out (none, line:MM,\n"
-    "arc:MM), overcut, tabs, tab-width and pierce. --layers FILE has one such text to a line.\n"
+    "arc:MM), overcut, tabs, tab-width, pierce, corner-loop, corner-dwell and corner-angle.\n"
+    "--layers FILE has one such text to a line.\n"
     "\n"
     "Example:\n"
     "  kerfline cut part.dxf --material 'CSP 1N' --thickness 2 --lead-in arc:3 -o part.nc "
@@ -81,6 +82,20 @@ std::vector<cut::LayerRule> rules_of(const CutCommandOptions& options, const Dra
   return rules;
 }
 
+/// Names the layer of what is not permissible.
+cut::Condition condition_for(const drawing::Layer& layer,
+                             const MaterialRecord& record,
+                             std::uint32_t thickness,
+                             std::optional<std::uint32_t> power,
+                             std::optional<std::uint32_t> speed) {
+  try {
+    return cut::choose(record, thickness, power, speed);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(
+        fmt::format("layer \"{}\" {}: {}", layer.name, layer.colour, error.what()));
+  }
+}
+
 /// Power and feed of each layer; those that are skipped need none.
 std::vector<cut::LayerPlan> layers_of(const CutCommandOptions& options,
                                       const Drawing& drawn,
@@ -97,7 +112,7 @@ std::vector<cut::LayerPlan> layers_of(const CutCommandOptions& options,
       std::optional<std::uint32_t> speed;
       if (plan.settings.power_w) power = power_option(*plan.settings.power_w);
       if (plan.settings.feed_mm_min) speed = speed_option(*plan.settings.feed_mm_min);
-      plan.condition = cut::choose(record, thickness, power, speed);
+      plan.condition = condition_for(layer, record, thickness, power, speed);
     }
     layers.push_back(plan);
   }
@@ -264,6 +279,9 @@ void add_common_options(CLI::App& command, const std::shared_ptr<CutCommandOptio
   add("tabs", "COUNT", "Places at which parts stay in the sheet; 0");
   add("tab-width", "MM", "What is left standing at each; 0.5");
   add("pierce", "S", "Time to get through before a cut; 0");
+  add("corner-loop", "MM", "Radius of loops in the waste past outer corners; 0, none");
+  add("corner-dwell", "S", "Dark rest at corners without a loop; 0, none");
+  add("corner-angle", "DEG", "Corners that turn by less are none; 45");
 }
 
 }  // namespace

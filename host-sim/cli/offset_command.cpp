@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <string>
@@ -74,7 +75,7 @@ ExitStatus offset_or_tell(const OffsetOptions& options) {
     fmt::print(stderr, "{}\n", error.what());
   } catch (const FaultyDrawing& error) {
     fmt::print(stderr, "{}\n", error.what());
-  } catch (const OpenContour& error) {
+  } catch (const NoOffset& error) {
     fmt::print(stderr, "{}: {}\n", options.file, error.what());
   }
   return ExitStatus::kFaults;
@@ -94,7 +95,15 @@ void add_offset_command(CLI::App& app, ExitStatus& status) {
                    options->distances_mm,
                    "mm; positive lets material grow, negative lets it shrink; several at once")
       ->required()
-      ->expected(1, -1);
+      ->expected(1, -1)
+      // CLI::Range lets through what is no number.
+      ->check([](const std::string& text) {
+        double value = 0.0;
+        if (CLI::detail::lexical_cast(text, value) && std::abs(value) <= drawing::kFarthestMm) {
+          return std::string{};
+        }
+        return fmt::format("{} is no distance within {:g} mm", text, drawing::kFarthestMm);
+      });
   add_outline_options(*command, options->outline);
   command->add_option("-o,--output", options->output, "Where to write; else standard output");
   command->add_option("--svg", options->svg, "Draw the contours and their offsets");

@@ -1,5 +1,9 @@
 #include "host-sim/contour/contour_file.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include "host-sim/contour/contour_text.hpp"
@@ -37,6 +41,20 @@ void throw_faults(const drawing::Drawing& drawn, const std::vector<drawing::Faul
   if (!text.empty()) throw FaultyDrawing{text};
 }
 
+/// As a drawing's places are judged: sums with greater numbers lose the distance.
+void refuse_far(const Contour& contour, const std::string& name) {
+  for (std::size_t i = 0; i < contour.vertices.size(); ++i) {
+    const ContourVertex& vertex = contour.vertices[i];
+    if (std::max(std::abs(vertex.x), std::abs(vertex.y)) <= drawing::kFarthestMm) continue;
+    throw FaultyDrawing{fmt::format(
+        "{}: vertex {} at {:g} {:g}: farther than 10 km from the origin; is its unit mm?",
+        name,
+        i + 1,
+        vertex.x,
+        vertex.y)};
+  }
+}
+
 }  // namespace
 
 Contour read_contour_file(const std::string& file, const OutlineOptions& options) {
@@ -44,6 +62,7 @@ Contour read_contour_file(const std::string& file, const OutlineOptions& options
   const std::string name = file == "-" ? "standard input" : file;
   if (!is_drawing(text)) {
     Contour contour = contour_from_text(text, name);
+    refuse_far(contour, name);
     put_material_left(contour);
     return contour;
   }

@@ -1,6 +1,11 @@
 #include "host-sim/contour/contour_offset.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
 namespace sim {
 namespace {
 
@@ -9,10 +14,49 @@ cnc::contour::Slice<Item> all_of(std::vector<Item>& items) {
   return {items.data(), items.size()};
 }
 
+/// Where most vertices lie in a square with the distance as its side, and how many.
+struct Crowd {
+  drawing::Place place{0.0, 0.0};
+  std::size_t vertices = 0;
+};
+
+Crowd densest(const cnc::contour::ContourView<double>& input, double side_mm) {
+  std::unordered_map<std::uint64_t, std::size_t> counts;
+  Crowd crowd;
+  for (const ContourVertex& vertex : input.vertices) {
+    const double x = std::floor(vertex.x / side_mm);
+    const double y = std::floor(vertex.y / side_mm);
+    const auto column = static_cast<std::uint64_t>(static_cast<std::int64_t>(x));
+    const auto row = static_cast<std::uint64_t>(static_cast<std::int64_t>(y));
+    const std::size_t count = ++counts[column * 0x9E37'79B9'7F4A'7C15U ^ row];
+    if (count > crowd.vertices) crowd = {vertex.point(), count};
+  }
+  return crowd;
+}
+
+[[noreturn]] void refuse_crowd(const cnc::contour::ContourView<double>& input,
+                               double distance_mm,
+                               std::size_t most_meetings) {
+  const double side_mm = std::abs(distance_mm);
+  const Crowd crowd = densest(input, side_mm);
+  throw NoOffset{crowd.place,
+                 fmt::format("offset by {:g} mm, its elements cross each other more than {} times; "
+                             "most lie here, {} in a square of {:g} mm",
+                             distance_mm,
+                             most_meetings,
+                             crowd.vertices,
+                             side_mm),
+                 "simplify it there, or leave out what the tool does not reach"};
+}
+
 }  // namespace
 
-OpenContour::OpenContour()
-    : std::runtime_error{"the offset does not close; do loops of the input cross each other?"} {}
+NoOffset::NoOffset(const drawing::Place& place, std::string reason, std::string remedy)
+    : std::runtime_error{fmt::format(
+          "at {:.3f} {:.3f}: {}; {}", place.x(), place.y(), reason, remedy)},
+      place_{place},
+      reason_{std::move(reason)},
+      remedy_{std::move(remedy)} {}
 
 void ContourOffset::grow(std::size_t elements, std::size_t cuts) {
   elements_ = elements;
@@ -39,7 +83,9 @@ cnc::contour::ContourView<double> ContourOffset::offset(
     const cnc::contour::ContourView<double>& input, double distance_mm) {
   using cnc::contour::OffsetFault;
   if (elements_ < input.vertices.size()) {
-    grow(input.vertices.size(), std::max(cut_count_, 4 * input.vertices.size()));
+    constexpr std::size_t kMostAtFirst = 400'000;
+    const std::size_t cuts = std::min(4 * input.vertices.size(), kMostAtFirst);
+    grow(input.vertices.size(), std::max(cut_count_, std::min(cuts, most_meetings_)));
   }
   for (;;) {
     const cnc::contour::OffsetSpace<double> space{all_of(vertices_),
@@ -62,13 +108,17 @@ cnc::contour::ContourView<double> ContourOffset::offset(
       case OffsetFault::kNotANumber:
         throw std::invalid_argument{"a coordinate, a bulge or the distance is not finite"};
       case OffsetFault::kNotClosed:
-        throw OpenContour{};
+        throw NoOffset{input.vertices[0].point(),
+                       "the offset of the contour that begins here, or of one with it, does not "
+                       "close",
+                       "do loops of it cross each other? take them apart"};
       case OffsetFault::kTooManyElements:
       case OffsetFault::kResultTooLong:
         grow(2 * elements_ + 8, cut_count_ + 16);
         break;
       case OffsetFault::kTooManyMeetings:
-        grow(elements_, 2 * cut_count_ + 16);
+        if (cut_count_ >= most_meetings_) refuse_crowd(input, distance_mm, most_meetings_);
+        grow(elements_, std::min(4 * cut_count_ + 16, most_meetings_));
         break;
     }
   }

@@ -3,8 +3,10 @@
 #include <cstddef>
 #include <cstdint>
 #include <stdexcept>
+#include <string>
 #include <vector>
 
+#include "host-sim/import/place.hpp"
 #include "planner/contour/offset.hpp"
 
 namespace sim {
@@ -22,24 +24,42 @@ struct Contour {
   void end_loop() { loop_ends.push_back(static_cast<std::uint32_t>(vertices.size())); }
 };
 
-/// What is left of a contour does not lead back to its start.
-class OpenContour : public std::runtime_error {
+/// There is no offset of a contour: what is left of it does not lead back to its start, or its
+/// elements lie so close together that their offsets cross each other without end.
+class NoOffset : public std::runtime_error {
  public:
-  OpenContour();
+  /// `at X Y: reason; remedy`.
+  NoOffset(const drawing::Place& place, std::string reason, std::string remedy);
+
+  [[nodiscard]] const drawing::Place& place() const { return place_; }
+  [[nodiscard]] const std::string& reason() const { return reason_; }
+  [[nodiscard]] const std::string& remedy() const { return remedy_; }
+
+ private:
+  drawing::Place place_;
+  std::string reason_;
+  std::string remedy_;
 };
 
 /// The planner's offset with storage that grows until it is enough, and is used
 /// again for the next contour.
 class ContourOffset {
  public:
+  /// Places where moved elements cross or touch; 1.4 GB of storage.
+  static constexpr std::size_t kMostMeetings = 8'000'000;
+
+  explicit ContourOffset(std::size_t most_meetings = kMostMeetings)
+      : most_meetings_{most_meetings} {}
+
   /// Throws std::invalid_argument for numbers that are not finite, and
-  /// OpenContour. The view lasts until the next call.
+  /// NoOffset. The view lasts until the next call.
   cnc::contour::ContourView<double> offset(const cnc::contour::ContourView<double>& input,
                                            double distance_mm);
 
  private:
   void grow(std::size_t elements, std::size_t cuts);
 
+  std::size_t most_meetings_;
   std::size_t elements_ = 0;
   std::size_t cut_count_ = 0;
   std::vector<ContourVertex> vertices_;

@@ -6,8 +6,19 @@
 namespace sim::cut {
 namespace {
 
-constexpr double kMostCellsAside = 512.0;
 constexpr double kLookEvery = 0.02;  ///< mm.
+
+/// The bits of both numbers by turns: what is near in the plane is mostly near in this order.
+std::uint64_t interleaved(std::uint32_t x, std::uint32_t y) {
+  const auto spread = [](std::uint64_t bits) {
+    bits = (bits | bits << 16U) & 0x0000'FFFF'0000'FFFFU;
+    bits = (bits | bits << 8U) & 0x00FF'00FF'00FF'00FFU;
+    bits = (bits | bits << 4U) & 0x0F0F'0F0F'0F0F'0F0FU;
+    bits = (bits | bits << 2U) & 0x3333'3333'3333'3333U;
+    return (bits | bits << 1U) & 0x5555'5555'5555'5555U;
+  };
+  return spread(x) << 1U | spread(y);
+}
 
 }  // namespace
 
@@ -16,8 +27,9 @@ Clearance::Box Clearance::box_of(const Stroke& stroke) {
   const Place chord = stroke.to - stroke.from;
   const double size = std::abs(stroke.bulge);
   const double aside = 0.5 * std::max(size, size * size) * std::hypot(chord.x(), chord.y());
-  const Place margin{aside, aside};
-  return {stroke.from.cwiseMin(stroke.to) - margin, stroke.from.cwiseMax(stroke.to) + margin};
+  const Place least = stroke.from.cwiseMin(stroke.to);
+  const Place most = stroke.from.cwiseMax(stroke.to);
+  return {least.x() - aside, least.y() - aside, most.x() + aside, most.y() + aside};
 }
 
 void Clearance::add(const Stroke& stroke, std::size_t owner) {
@@ -25,50 +37,60 @@ void Clearance::add(const Stroke& stroke, std::size_t owner) {
 }
 
 void Clearance::prepare() {
-  cells_.clear();
+  sort_by_place();
+  boxes_.resize(cnc::contour::BoxTree<double>::size_for(entries_.size()));
+  tree_ = cnc::contour::BoxTree<double>{{boxes_.data(), boxes_.size()}};
+  for (std::uint32_t i = 0; i < entries_.size(); ++i) tree_.leaf(i) = box_of(entries_[i].stroke);
+  tree_.build(static_cast<std::uint32_t>(entries_.size()));
+}
+
+void Clearance::sort_by_place() {
   if (entries_.empty()) return;
   Box all = box_of(entries_.front().stroke);
-  for (const Entry& entry : entries_) {
-    const Box box = box_of(entry.stroke);
-    all.least = all.least.cwiseMin(box.least);
-    all.most = all.most.cwiseMax(box.most);
-  }
-  const Place reach{reach_mm_, reach_mm_};
-  origin_ = all.least - reach;
-  const Place size = all.most + reach - origin_;
-  cell_mm_ = std::max(reach_mm_, std::max(size.x(), size.y()) / kMostCellsAside);
-  columns_ = static_cast<std::size_t>(size.x() / cell_mm_) + 1;
-  rows_ = static_cast<std::size_t>(size.y() / cell_mm_) + 1;
-  cells_.resize(columns_ * rows_);
-  for (std::size_t i = 0; i < entries_.size(); ++i) {
+  for (const Entry& entry : entries_) all.include(box_of(entry.stroke));
+  constexpr double kCells = 1 << 20;
+  const double size = std::max({all.x1 - all.x0, all.y1 - all.y0, 1.0e-9});
+  const auto cell = [size](double along) {
+    return static_cast<std::uint32_t>(kCells * along / size);
+  };
+  std::vector<std::pair<std::uint64_t, std::uint32_t>> keys;
+  keys.reserve(entries_.size());
+  for (std::uint32_t i = 0; i < entries_.size(); ++i) {
     const Box box = box_of(entries_[i].stroke);
-    const std::size_t last_row = row(box.most.y() + reach_mm_);
-    const std::size_t last_column = column(box.most.x() + reach_mm_);
-    for (std::size_t r = row(box.least.y() - reach_mm_); r <= last_row; ++r) {
-      for (std::size_t c = column(box.least.x() - reach_mm_); c <= last_column; ++c) {
-        cells_[r * columns_ + c].push_back(static_cast<std::uint32_t>(i));
-      }
-    }
+    keys.emplace_back(
+        interleaved(cell(0.5 * (box.x0 + box.x1) - all.x0), cell(0.5 * (box.y0 + box.y1) - all.y0)),
+        i);
   }
-}
-
-std::size_t Clearance::column(double x) const {
-  const double cell = std::max(0.0, (x - origin_.x()) / cell_mm_);
-  return std::min(static_cast<std::size_t>(cell), columns_ - 1);
-}
-
-std::size_t Clearance::row(double y) const {
-  const double cell = std::max(0.0, (y - origin_.y()) / cell_mm_);
-  return std::min(static_cast<std::size_t>(cell), rows_ - 1);
+  std::ranges::sort(keys);
+  std::vector<Entry> sorted;
+  sorted.reserve(entries_.size());
+  for (const auto& [key, index] : keys) sorted.push_back(entries_[index]);
+  entries_ = std::move(sorted);
 }
 
 Clearance::Nearest Clearance::nearest(const Place& place) const {
-  Nearest found{reach_mm_, 0};
-  if (cells_.empty()) return found;
-  for (const std::uint32_t index : cells_[row(place.y()) * columns_ + column(place.x())]) {
+  Nearest found{reach_mm_, 0, 0};
+  if (entries_.empty()) return found;
+  const auto squared = [&place](const Box& box) {
+    const double x = std::max({box.x0 - place.x(), place.x() - box.x1, 0.0});
+    const double y = std::max({box.y0 - place.y(), place.y() - box.y1, 0.0});
+    return x * x + y * y;
+  };
+  const auto look = [&](std::uint32_t index) {
     const double distance = distance_to(entries_[index].stroke, place);
-    if (distance < found.distance_mm) found = {distance, entries_[index].owner};
-  }
+    ++found.looks;
+    const bool same = distance == found.distance_mm && entries_[index].owner < found.owner;
+    if (distance < found.distance_mm || same) {
+      found.distance_mm = distance;
+      found.owner = entries_[index].owner;
+    }
+    return true;
+  };
+  static_cast<void>(look(tree_.descend(squared)));
+  const auto is_near = [&](const Box& box) {
+    return squared(box) <= found.distance_mm * found.distance_mm;
+  };
+  tree_.search_where(is_near, 0, look);
   return found;
 }
 

@@ -5,21 +5,26 @@
 #include <vector>
 
 #include "host-sim/cut/stroke.hpp"
+#include "planner/contour/box_tree.hpp"
 
 namespace sim::cut {
 
-/// Finds what of many strokes is near a place, by cells of a grid that hold what reaches
-/// into them.
+/// Finds what of many strokes is near a place, and measures few of them for that, however close
+/// together they lie.
 class Clearance {
  public:
   /// What is nearest, and how near.
   struct Nearest {
     double distance_mm = 0.0;
     std::size_t owner = 0;  ///< Of the stroke, as given to add().
+    std::size_t looks = 0;  ///< Strokes that were measured for it.
   };
 
   /// Nothing farther than `reach` is looked for, mm > 0.
   explicit Clearance(double reach_mm) : reach_mm_{reach_mm} {}
+  ~Clearance() = default;
+  Clearance(const Clearance&) = delete;
+  Clearance& operator=(const Clearance&) = delete;
 
   void add(const Stroke& stroke, std::size_t owner);
   /// After the last add().
@@ -36,22 +41,15 @@ class Clearance {
     Stroke stroke{};
     std::size_t owner = 0;
   };
-  struct Box {
-    Place least;
-    Place most;
-  };
+  using Box = cnc::contour::FlatBox<double>;
 
   [[nodiscard]] static Box box_of(const Stroke& stroke);
-  [[nodiscard]] std::size_t column(double x) const;
-  [[nodiscard]] std::size_t row(double y) const;
+  void sort_by_place();
 
   double reach_mm_;
-  double cell_mm_ = 1.0;
-  Place origin_{0.0, 0.0};
-  std::size_t columns_ = 0;
-  std::size_t rows_ = 0;
   std::vector<Entry> entries_;
-  std::vector<std::vector<std::uint32_t>> cells_;
+  std::vector<Box> boxes_;
+  cnc::contour::BoxTree<double> tree_{cnc::contour::Slice<Box>{}};
 };
 
 }  // namespace sim::cut

@@ -44,6 +44,7 @@ class StrokeWriter {
       }
       writer_.set_feed(thousandths(std::max(stroke_feed, 0.001)));
       writer_.set_power(stroke.purpose == Purpose::kTab ? 0 : power_of(layer.condition));
+      if (stroke.dwell_s > 0.0) text_ += fmt::format("G4 P{:.3f}\n", stroke.dwell_s);
       write(stroke);
     }
   }

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <set>
 
 #include "host-sim/cut/order.hpp"
@@ -62,6 +64,32 @@ std::size_t curves_of(const CutJob& job) {
   return curves;
 }
 
+/// A loop is there instead of the arc around the corner.
+void add_corners(const Cut& cut, const LayerPlan& layer, CutFigures& figures) {
+  figures.corners += cut.corners.size();
+  for (const Stroke& stroke : cut.strokes) {
+    if (stroke.dwell_s > 0.0) {
+      ++figures.corner_dwells;
+      figures.corner_dwell_s += stroke.dwell_s;
+    }
+    if (stroke.purpose != Purpose::kCornerLoop) continue;
+    figures.corner_loop_mm += length_of(stroke);
+    if (stroke.bulge == 0.0) continue;
+    ++figures.corner_loops;
+    const double turn = 2.0 * std::numbers::pi - 4.0 * std::atan(-stroke.bulge);
+    figures.corner_loop_mm -= 0.5 * layer.condition.kerf_mm * turn;
+  }
+}
+
+std::string line_of_corners(const CutFigures& figures) {
+  return fmt::format("{} corners: {} loops, {:.1f} mm longer; {} dwells, {:g} s",
+                     figures.corners,
+                     figures.corner_loops,
+                     figures.corner_loop_mm,
+                     figures.corner_dwells,
+                     figures.corner_dwell_s);
+}
+
 }  // namespace
 
 CutFigures figures_of(const CutPlan& plan) {
@@ -71,6 +99,7 @@ CutFigures figures_of(const CutPlan& plan) {
       ++(stroke.bulge == 0.0 ? figures.lines : figures.arcs);
       if (stroke.purpose != Purpose::kTab) figures.cut_length_mm += length_of(stroke);
     }
+    add_corners(cut, plan.layers[cut.layer], figures);
   }
   return figures;
 }
@@ -102,6 +131,9 @@ std::vector<std::string> lines_of(const CutJob& job, const CutFigures& figures) 
                                 job.plan.curves.tolerance_mm,
                                 name_of(job.plan.curves.method)));
   }
+  if (figures.corner_loops + figures.corner_dwells != 0) {
+    lines.push_back(line_of_corners(figures));
+  }
   lines.push_back(fmt::format("{} cuts, {} lines, {} arcs; {:.1f} mm cut, {:.1f} mm rapid; {}",
                               figures.cuts,
                               figures.lines,
@@ -131,6 +163,11 @@ Json json_of(const CutJob& job, const CutFigures& figures) {
   json["arcs"] = figures.arcs;
   json["cut_length_mm"] = figures.cut_length_mm;
   json["rapid_length_mm"] = figures.rapid_length_mm;
+  json["corners"] = {{"count", figures.corners},
+                     {"loops", figures.corner_loops},
+                     {"loops_longer_mm", figures.corner_loop_mm},
+                     {"dwells", figures.corner_dwells},
+                     {"dwells_s", figures.corner_dwell_s}};
   json["job_time_s"] = figures.job_time_s;
   json["warnings"] = json_of(job.plan.warnings, job.drawn.file);
   json["faults"] = json_of(job.plan.faults, job.drawn.file);

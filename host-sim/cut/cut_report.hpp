@@ -15,7 +15,12 @@ struct CutFigures {
   std::size_t arcs = 0;   ///< …and that are not.
   double cut_length_mm = 0.0;
   double rapid_length_mm = 0.0;
-  double job_time_s = 0.0;  ///< As the simulated controller drives it.
+  std::size_t corners = 0;        ///< Of the beam's way beside parts…
+  std::size_t corner_loops = 0;   ///< …that are passed in a loop…
+  double corner_loop_mm = 0.0;    ///< …by which the cuts are longer;
+  std::size_t corner_dwells = 0;  ///< that the beam rests at…
+  double corner_dwell_s = 0.0;    ///< …in all.
+  double job_time_s = 0.0;        ///< As the simulated controller drives it.
 };
 
 [[nodiscard]] CutFigures figures_of(const CutPlan& plan);

@@ -86,6 +86,9 @@ class EdgeCheck::Sweep final : public TraceSink {
     const LayerPlan& layer = job_.plan.layers[nearest.owner];
     swept_.add(here, 0.5 * kerf_at(layer));
     note_heat(ratio_of(layer));
+    if (corners_.nearest(here).distance_mm < layer.condition.kerf_mm) {
+      corner_ratio_ = std::max(corner_ratio_, ratio_of(layer));
+    }
   }
 
   [[nodiscard]] EdgeFigures figures() const;
@@ -131,6 +134,7 @@ class EdgeCheck::Sweep final : public TraceSink {
   void lay_out_plan() {
     for (const Cut& cut : job_.plan.cuts) {
       const double radius = 0.5 * job_.plan.layers[cut.layer].condition.kerf_mm;
+      for (const Place& corner : cut.corners) corners_.add({corner, corner}, cut.layer);
       for (const Stroke& stroke : cut.strokes) {
         strokes_.add(stroke, cut.layer);
         if (stroke.purpose == Purpose::kPierce) pierces_.add(stroke, cut.layer);
@@ -142,6 +146,7 @@ class EdgeCheck::Sweep final : public TraceSink {
       }
     }
     strokes_.prepare();
+    corners_.prepare();
     pierces_.prepare();
   }
 
@@ -154,11 +159,13 @@ class EdgeCheck::Sweep final : public TraceSink {
   EnergyMeter energy_;
   Clearance strokes_{kNear};
   Clearance pierces_{kNear};
+  Clearance corners_{kNear};
   SweptArea planned_;
   SweptArea swept_;
   float duty_ = 0.0F;
   double least_ratio_ = 1.0;
   double greatest_ratio_ = 1.0;
+  double corner_ratio_ = 0.0;
 };
 
 /// Looks at a stretch of a drawn edge; `sum` is of all sizes.
@@ -192,7 +199,9 @@ void EdgeCheck::Sweep::look(const drawing::Shape& edge, Sum& sum) const {
 }
 
 EdgeFigures EdgeCheck::Sweep::figures() const {
-  Sum sum{{.least_heat_ratio = least_ratio_, .greatest_heat_ratio = greatest_ratio_}};
+  Sum sum{{.least_heat_ratio = least_ratio_,
+           .greatest_heat_ratio = greatest_ratio_,
+           .greatest_corner_ratio = corner_ratio_}};
   for (const drawing::DrawnContour& contour : job_.drawn.contours) {
     if (job_.plan.layers[contour.entity.layer].settings.side != Side::kWaste) continue;
     for (const drawing::Shape& edge : contour.shapes) look(edge, sum);

@@ -29,8 +29,9 @@ struct EdgeFigures {
   /// Greatest distance from the edge that the plan's path and kerf would leave, inner
   /// corners included.
   EdgePeak most_off_model{};
-  double least_heat_ratio = 1.0;     ///< P / V over what was planned, in windows of 0.05 mm…
-  double greatest_heat_ratio = 1.0;  ///< …of all that is cut.
+  double least_heat_ratio = 1.0;       ///< P / V over what was planned, in windows of 0.05 mm…
+  double greatest_heat_ratio = 1.0;    ///< …of all that is cut…
+  double greatest_corner_ratio = 0.0;  ///< …and within a kerf of corners; 0 where there are none.
 };
 
 /// Sweeps the kerf of the power and the speed really driven along where the motors really were,

@@ -23,6 +23,9 @@ nlohmann::ordered_json json_of(const EdgePeak& peak) {
 }  // namespace
 
 std::vector<std::string> lines_of(const EdgeFigures& figures) {
+  const double corners = figures.greatest_corner_ratio;
+  const std::string at_corners =
+      corners > 0.0 ? fmt::format(", at corners {:.3f} at most", corners) : std::string{};
   return {fmt::format("off the part at most {}, left on it at most {}, mean {:.1f} um",
                       text_of(figures.most_off),
                       text_of(figures.most_left),
@@ -31,9 +34,10 @@ std::vector<std::string> lines_of(const EdgeFigures& figures) {
                       "corners, slots and tabs are not reached",
                       text_of(figures.most_off_model),
                       figures.untouched_mm),
-          fmt::format("power over speed {:.3f} to {:.3f} of what was planned",
+          fmt::format("power over speed {:.3f} to {:.3f} of what was planned{}",
                       figures.least_heat_ratio,
-                      figures.greatest_heat_ratio)};
+                      figures.greatest_heat_ratio,
+                      at_corners)};
 }
 
 nlohmann::ordered_json json_of(const EdgeFigures& figures) {
@@ -45,7 +49,8 @@ nlohmann::ordered_json json_of(const EdgeFigures& figures) {
   json["untouched_mm"] = figures.untouched_mm;
   json["most_off_model"] = json_of(figures.most_off_model);
   json["heat_ratio"] = {{"least", figures.least_heat_ratio},
-                        {"greatest", figures.greatest_heat_ratio}};
+                        {"greatest", figures.greatest_heat_ratio},
+                        {"greatest_at_corners", figures.greatest_corner_ratio}};
   return json;
 }
 

@@ -10,7 +10,7 @@ namespace sim::cut {
 namespace {
 
 constexpr double kLongestWay = 1000.0;     ///< mm, of leads, tabs and overcuts.
-constexpr double kLongestPierce = 60.0;    ///< s.
+constexpr double kLongestPierce = 60.0;    ///< s, of pierces and dwells.
 constexpr double kGreatestNumber = 1.0e6;  ///< W and mm/min.
 constexpr unsigned kMostTabs = 1000;
 
@@ -75,10 +75,16 @@ void set(LayerSettings& settings, std::string_view key, std::string_view value) 
     settings.tab_mm = number_from(key, value, 0.01, kLongestWay);
   } else if (key == "pierce") {
     settings.pierce_s = number_from(key, value, 0.0, kLongestPierce);
+  } else if (key == "corner-loop") {
+    settings.corner_loop_mm = number_from(key, value, 0.0, kLongestWay);
+  } else if (key == "corner-dwell") {
+    settings.corner_dwell_s = number_from(key, value, 0.0, kLongestPierce);
+  } else if (key == "corner-angle") {
+    settings.corner_angle_deg = number_from(key, value, 1.0, 180.0);
   } else {
     throw std::invalid_argument(
         fmt::format("{}: no such setting; there are power, feed, side, lead-in, lead-out, "
-                    "overcut, tabs, tab-width and pierce",
+                    "overcut, tabs, tab-width, pierce, corner-loop, corner-dwell and corner-angle",
                     key));
   }
 }

@@ -35,6 +35,9 @@ struct LayerSettings {
   double tab_mm = 0.5;  ///< What is left standing at a tab.
   unsigned tabs = 0;    ///< Of each part; holes have none.
   double pierce_s = 0.0;
+  double corner_loop_mm = 0.0;     ///< Radius of loops past outer corners; 0: none.
+  double corner_dwell_s = 0.0;     ///< Dark rest at corners that have no loop; 0: none.
+  double corner_angle_deg = 45.0;  ///< What turns by less is no corner.
 };
 
 /// Takes `key=value`. Throws std::invalid_argument saying what is wrong, and what there is.

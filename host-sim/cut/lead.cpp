@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 namespace sim::cut {
 namespace {
@@ -18,8 +19,8 @@ constexpr double kDiagonal = 0.5 * std::numbers::sqrt2;
 
 /// A place on the row, mm from its start.
 struct Start {
-  double way_mm;
-  double room_mm;  ///< Length of the stroke around it.
+  double way_mm = 0.0;
+  double room_mm = 0.0;  ///< Length of the stroke around it.
 };
 
 Place right_of(const Place& way) { return {way.y(), -way.x()}; }
@@ -46,15 +47,14 @@ Stroke lead_out(const Lead& lead, double length, const Place& place, const Place
 }
 
 /// The middles of long strokes first, then where strokes meet.
-std::vector<Start> starts_of(const std::vector<Stroke>& loop) {
+std::vector<Start> starts_of(const MeasuredRow& loop) {
   std::vector<Start> middles;
   std::vector<Start> corners;
-  double before = 0.0;
-  for (const Stroke& stroke : loop) {
-    const double length = length_of(stroke);
+  for (std::size_t i = 0; i < loop.strokes().size(); ++i) {
+    const double before = loop.way_to(i);
+    const double length = loop.way_to(i + 1) - before;
     middles.push_back({before + 0.5 * length, length});
     corners.push_back({before, length});
-    before += length;
   }
   std::ranges::stable_sort(middles, std::greater{}, &Start::room_mm);
   std::ranges::stable_sort(corners, std::greater{}, &Start::room_mm);
@@ -62,14 +62,6 @@ std::vector<Start> starts_of(const std::vector<Stroke>& loop) {
   corners.resize(std::min(corners.size(), kMostStarts));
   middles.insert(middles.end(), corners.begin(), corners.end());
   return middles;
-}
-
-std::vector<Stroke> begun_at(const std::vector<Stroke>& loop, double way_mm) {
-  const double length = length_of(loop);
-  std::vector<Stroke> row = stretch_of(loop, way_mm, length);
-  const std::vector<Stroke> rest = stretch_of(loop, 0.0, way_mm);
-  row.insert(row.end(), rest.begin(), rest.end());
-  return row;
 }
 
 void add(std::vector<Stroke>& row, std::vector<Stroke> more, Purpose purpose) {
@@ -80,31 +72,31 @@ void add(std::vector<Stroke>& row, std::vector<Stroke> more, Purpose purpose) {
 }
 
 /// What is left standing is a kerf less than what is not cut.
-std::vector<Stroke> tabbed(const std::vector<Stroke>& row, unsigned tabs, double gap_mm) {
-  const double length = length_of(row);
+std::vector<Stroke> tabbed(const MeasuredRow& row, unsigned tabs, double gap_mm) {
+  const double length = row.length();
   std::vector<Stroke> result;
   double done = 0.0;
   for (unsigned i = 0; i < tabs; ++i) {
     const double middle = length * (i + 0.5) / tabs;
-    add(result, stretch_of(row, done, middle - 0.5 * gap_mm), Purpose::kContour);
-    add(result, stretch_of(row, middle - 0.5 * gap_mm, middle + 0.5 * gap_mm), Purpose::kTab);
+    add(result, row.stretch(done, middle - 0.5 * gap_mm), Purpose::kContour);
+    add(result, row.stretch(middle - 0.5 * gap_mm, middle + 0.5 * gap_mm), Purpose::kTab);
     done = middle + 0.5 * gap_mm;
   }
-  add(result, stretch_of(row, done, length), Purpose::kContour);
+  add(result, row.stretch(done, length), Purpose::kContour);
   return result;
 }
 
 /// The cut without its leads, from a place on.
-std::vector<Stroke> body_of(const std::vector<Stroke>& loop,
+std::vector<Stroke> body_of(const MeasuredRow& loop,
                             double way_mm,
                             const LayerSettings& settings,
                             unsigned tabs,
                             double kerf_mm) {
-  const std::vector<Stroke> row = begun_at(loop, way_mm);
+  const MeasuredRow row{loop.begun_at(way_mm)};
   const double gap = settings.tab_mm + kerf_mm;
-  const bool room_for_tabs = tabs * gap < 0.5 * length_of(row);
+  const bool room_for_tabs = tabs * gap < 0.5 * row.length();
   std::vector<Stroke> body = tabbed(row, room_for_tabs ? tabs : 0, gap);
-  add(body, stretch_of(row, 0.0, settings.overcut_mm), Purpose::kOvercut);
+  add(body, row.stretch(0.0, settings.overcut_mm), Purpose::kOvercut);
   return body;
 }
 
@@ -122,49 +114,72 @@ void slow_down_start(std::vector<Stroke>& strokes) {
   strokes.insert(strokes.begin(), pierce);
 }
 
-/// True where both leads of this share of their length have room; they are then added.
-bool add_leads(std::vector<Stroke>& body,
-               const LayerSettings& settings,
-               double share,
-               const LeadRoom& room) {
+/// Both leads of a cut that begins at a place of its contour; no strokes where none are asked for.
+struct Leads {
+  std::vector<Stroke> in{};
+  std::vector<Stroke> out{};
+};
+
+/// Nothing where one of them, at this share of its length, has no room.
+std::optional<Leads> leads_at(const MeasuredRow& loop,
+                              double way_mm,
+                              const LayerSettings& settings,
+                              double share,
+                              const LeadRoom& room) {
   const double least = room.half_kerf_mm - kClearSlack;
-  const Stroke in = lead_in(settings.lead_in,
-                            share * settings.lead_in.length_mm,
-                            body.front().from,
-                            tangent_at(body.front(), 0.0));
-  const Stroke out = lead_out(settings.lead_out,
-                              share * settings.lead_out.length_mm,
-                              body.back().to,
-                              tangent_at(body.back(), 1.0));
-  const bool has_in = settings.lead_in.kind != LeadKind::kNone;
-  const bool has_out = settings.lead_out.kind != LeadKind::kNone;
-  if (has_in && !room.parts.is_clear(in, least)) return false;
-  if (has_out && !room.parts.is_clear(out, least)) return false;
-  if (has_in) body.insert(body.begin(), in);
-  if (has_out) body.push_back(out);
-  return true;
+  Leads leads;
+  if (settings.lead_in.kind != LeadKind::kNone) {
+    const double length = share * settings.lead_in.length_mm;
+    leads.in = {lead_in(settings.lead_in, length, loop.place(way_mm), loop.leaving(way_mm))};
+    if (!room.parts.is_clear(leads.in.front(), least)) return std::nullopt;
+  }
+  if (settings.lead_out.kind != LeadKind::kNone) {
+    const double length = share * settings.lead_out.length_mm;
+    const double overcut = std::min(settings.overcut_mm, loop.length());
+    const double end = std::fmod(way_mm + overcut, loop.length());
+    leads.out = {lead_out(settings.lead_out, length, loop.place(end), loop.arriving(end))};
+    if (!room.parts.is_clear(leads.out.front(), least)) return std::nullopt;
+  }
+  return leads;
+}
+
+/// Where the leads have most room, and that share of them; none where they have no room.
+struct Beginning {
+  Start start{};
+  std::optional<Leads> leads{};
+};
+
+Beginning beginning_of(const MeasuredRow& loop,
+                       const LayerSettings& settings,
+                       const LeadRoom& room) {
+  const std::vector<Start> starts = starts_of(loop);
+  for (const double share : {1.0, 0.5, 0.25, 0.125}) {
+    for (const Start& start : starts) {
+      if (auto leads = leads_at(loop, start.way_mm, settings, share, room)) {
+        return {start, std::move(leads)};
+      }
+    }
+  }
+  return {starts.front(), std::nullopt};
 }
 
 }  // namespace
 
-LedCut with_leads(const std::vector<Stroke>& loop,
+LedCut with_leads(const MeasuredRow& loop,
                   const LayerSettings& settings,
                   unsigned tabs,
                   const LeadRoom& room) {
-  const std::vector<Start> starts = starts_of(loop);
-  const auto body_at = [&](const Start& start) {
-    return body_of(loop, start.way_mm, settings, tabs, 2.0 * room.half_kerf_mm);
-  };
-  LedCut cut;
-  for (const double share : {1.0, 0.5, 0.25, 0.125}) {
-    for (const Start& start : starts) {
-      cut.strokes = body_at(start);
-      cut.has_leads = add_leads(cut.strokes, settings, share, room);
-      if (cut.has_leads) break;
-    }
-    if (cut.has_leads) break;
+  const Beginning beginning = beginning_of(loop, settings, room);
+  LedCut cut{.has_leads = beginning.leads.has_value()};
+  std::vector<Stroke> body =
+      body_of(loop, beginning.start.way_mm, settings, tabs, 2.0 * room.half_kerf_mm);
+  cut.corners = treat_corners(body, settings, room.parts, room.half_kerf_mm);
+  if (beginning.leads) cut.strokes = beginning.leads->in;
+  cut.strokes.insert(cut.strokes.end(), body.begin(), body.end());
+  if (beginning.leads) {
+    const auto& out = beginning.leads->out;
+    cut.strokes.insert(cut.strokes.end(), out.begin(), out.end());
   }
-  if (!cut.has_leads) cut.strokes = body_at(starts.front());
   if (settings.pierce_s > 0.0) slow_down_start(cut.strokes);
   return cut;
 }

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "host-sim/cut/clearance.hpp"
+#include "host-sim/cut/corner.hpp"
 #include "host-sim/cut/layer_settings.hpp"
 #include "host-sim/cut/stroke.hpp"
 
@@ -17,15 +18,16 @@ struct LeadRoom {
 struct LedCut {
   std::vector<Stroke> strokes{};
   bool has_leads = false;  ///< Or there was no room for those that were asked for.
+  CornerWork corners{};
 };
 
 /// A closed row of strokes with the part on its left, as a cut: begun where there is room for the
 /// leads, in the middle of a long stroke rather than at a corner, led in from the waste on the
 /// right, with the beam off at tabs, overcut and led out. Leads are shortened to an eighth before
-/// they are left out. An arc is a quarter turn and touches the contour, a line comes at
-/// 45 degrees.
+/// they are left out; then corners are treated. An arc is a quarter turn and touches the contour, a
+/// line comes at 45 degrees.
 /// @param tabs so many, evenly spaced
-[[nodiscard]] LedCut with_leads(const std::vector<Stroke>& loop,
+[[nodiscard]] LedCut with_leads(const MeasuredRow& loop,
                                 const LayerSettings& settings,
                                 unsigned tabs,
                                 const LeadRoom& room);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "host-sim/contour/contour_offset.hpp"
@@ -174,7 +175,12 @@ void Planner::sort_contours() {
 
 void Planner::cut_beside(std::size_t i) {
   const Contour contour = contour_of(outlines_[i].strokes);
-  const auto loops = loops_of(offset_.offset(contour.view(), half_kerf(i)));
+  std::vector<std::vector<Stroke>> loops;
+  try {
+    loops = loops_of(offset_.offset(contour.view(), half_kerf(i)));
+  } catch (const NoOffset& failure) {
+    return fault(FaultKind::kTooMuch, i, failure.place(), failure.reason(), failure.remedy());
+  }
   if (loops.empty()) {
     return fault(
         FaultKind::kTooSmall,
@@ -203,8 +209,8 @@ void Planner::look_for_gouges(std::size_t i, const std::vector<Stroke>& loop) {
   Place where{0.0, 0.0};
   for (const Stroke& stroke : loop) {
     const auto looks = static_cast<int>(std::ceil(length_of(stroke) / kLookForGougesEvery));
-    for (int k = 0; k <= looks; ++k) {
-      const Place place = place_at(stroke, looks == 0 ? 0.0 : static_cast<double>(k) / looks);
+    for (int k = 1; k <= looks; ++k) {  // The start is the end of the stroke before.
+      const Place place = place_at(stroke, static_cast<double>(k) / looks);
       const Clearance::Nearest nearest = edges_.nearest(place);
       if (nearest.distance_mm >= worst.distance_mm) continue;
       worst = nearest;
@@ -266,8 +272,21 @@ void Planner::add_cut(std::size_t i, const std::vector<Stroke>& loop) {
           .area_mm2 = area_of(loop)};
   // Only what falls out and is wanted is held.
   const unsigned tabs = cut.area_mm2 > 0.0 ? settings.tabs : 0;
-  LedCut led = with_leads(loop, settings, tabs, {edges_, half_kerf(i)});
+  const double least_turn = settings.corner_angle_deg * std::numbers::pi / 180.0;
+  for (const Corner& corner : corners_of(loop, least_turn, half_kerf(i))) {
+    cut.corners.push_back(corner.place);
+  }
+  LedCut led = with_leads(MeasuredRow{loop}, settings, tabs, {edges_, half_kerf(i)});
   cut.strokes = std::move(led.strokes);
+  if (led.corners.without_room != 0) {
+    plan_.warnings.push_back(
+        {FaultKind::kTooSmall,
+         drawn_.contours[i].entity,
+         led.corners.first_without,
+         fmt::format("{} corners, this one first, have no room for their loops",
+                     led.corners.without_room),
+         "choose a smaller --corner-loop, or move the parts apart"});
+  }
   if (!led.has_leads) {
     plan_.warnings.push_back({FaultKind::kTooSmall,
                               drawn_.contours[i].entity,

@@ -25,6 +25,8 @@ struct Cut {
   bool is_hole = false;
   double area_mm2 = 0.0;  ///< Enclosed by the beam's path; 0 of an open line.
   std::vector<Stroke> strokes{};
+  /// Where its way turned sharply, whatever was done about it.
+  std::vector<Place> corners{};
   /// Cuts that must come before: what lies in a part is cut while the part holds still.
   std::vector<std::size_t> after{};
 

@@ -79,26 +79,63 @@ double distance_to(const Stroke& stroke, const Place& place) {
   return std::abs(std::hypot(to.x(), to.y()) - radius);
 }
 
-std::vector<Stroke> stretch_of(const std::vector<Stroke>& row, double from_mm, double to_mm) {
-  std::vector<Stroke> stretch;
-  double before = 0.0;
-  for (const Stroke& stroke : row) {
-    const double length = length_of(stroke);
-    const double first = std::max(from_mm - before, 0.0);
-    const double last = std::min(to_mm - before, length);
-    before += length;
-    if (last - first < kShortestStretch) continue;
-    const double from = first < kShortestStretch ? 0.0 : first / length;
-    const double to = length - last < kShortestStretch ? 1.0 : last / length;
-    stretch.push_back(from == 0.0 && to == 1.0 ? stroke : part_of(stroke, from, to));
-  }
-  return stretch;
-}
-
 double length_of(const std::vector<Stroke>& row) {
   double sum = 0.0;
   for (const Stroke& stroke : row) sum += length_of(stroke);
   return sum;
+}
+
+MeasuredRow::MeasuredRow(std::vector<Stroke> row) : row_{std::move(row)} {
+  ways_.reserve(row_.size() + 1);
+  ways_.push_back(0.0);
+  for (const Stroke& stroke : row_) ways_.push_back(ways_.back() + length_of(stroke));
+}
+
+std::vector<Stroke> MeasuredRow::stretch(double from_mm, double to_mm) const {
+  std::vector<Stroke> stretch;
+  const auto begin = std::upper_bound(ways_.begin() + 1, ways_.end(), from_mm);
+  for (auto i = static_cast<std::size_t>(begin - ways_.begin()) - 1; i < row_.size(); ++i) {
+    if (ways_[i] >= to_mm) break;
+    const double length = ways_[i + 1] - ways_[i];
+    const double first = std::max(from_mm - ways_[i], 0.0);
+    const double last = std::min(to_mm - ways_[i], length);
+    if (last - first < kShortestStretch) continue;
+    const double from = first < kShortestStretch ? 0.0 : first / length;
+    const double to = length - last < kShortestStretch ? 1.0 : last / length;
+    stretch.push_back(from == 0.0 && to == 1.0 ? row_[i] : part_of(row_[i], from, to));
+  }
+  return stretch;
+}
+
+std::vector<Stroke> MeasuredRow::begun_at(double way_mm) const {
+  std::vector<Stroke> row = stretch(way_mm, length());
+  const std::vector<Stroke> rest = stretch(0.0, way_mm);
+  row.insert(row.end(), rest.begin(), rest.end());
+  return row;
+}
+
+std::size_t MeasuredRow::stroke_at(double way_mm) const {
+  const auto next = std::upper_bound(ways_.begin() + 1, ways_.end() - 1, way_mm);
+  return static_cast<std::size_t>(next - ways_.begin()) - 1;
+}
+
+Place MeasuredRow::place(double way_mm) const {
+  const std::size_t i = stroke_at(way_mm);
+  return place_at(row_[i], (way_mm - ways_[i]) / (ways_[i + 1] - ways_[i]));
+}
+
+Place MeasuredRow::leaving(double way_mm) const {
+  const bool around = way_mm + kShortestStretch >= length();
+  const std::size_t i = around ? 0 : stroke_at(way_mm + kShortestStretch);
+  const double share = around ? 0.0 : (way_mm - ways_[i]) / (ways_[i + 1] - ways_[i]);
+  return tangent_at(row_[i], std::clamp(share, 0.0, 1.0));
+}
+
+Place MeasuredRow::arriving(double way_mm) const {
+  const bool around = way_mm <= kShortestStretch;
+  const std::size_t i = around ? row_.size() - 1 : stroke_at(way_mm - kShortestStretch);
+  const double share = around ? 1.0 : (way_mm - ways_[i]) / (ways_[i + 1] - ways_[i]);
+  return tangent_at(row_[i], std::clamp(share, 0.0, 1.0));
 }
 
 }  // namespace sim::cut

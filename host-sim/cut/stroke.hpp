@@ -11,12 +11,13 @@ using drawing::Place;
 
 /// What a stretch of a cut is for.
 enum class Purpose : std::uint8_t {
-  kPierce,   ///< The first bit of the lead-in, or of the contour, slowly.
-  kLeadIn,   ///< From the waste to the contour.
-  kContour,  ///< Along the edge of the part.
-  kTab,      ///< Along it too, with the beam off.
-  kOvercut,  ///< Once more along where the contour began.
-  kLeadOut,  ///< From the contour into the waste.
+  kPierce,      ///< The first bit of the lead-in, or of the contour, slowly.
+  kLeadIn,      ///< From the waste to the contour.
+  kContour,     ///< Along the edge of the part.
+  kTab,         ///< Along it too, with the beam off.
+  kOvercut,     ///< Once more along where the contour began.
+  kLeadOut,     ///< From the contour into the waste.
+  kCornerLoop,  ///< Past a corner of the part into the waste, and back to its next edge.
 };
 
 /// A line or arc that the beam is driven along; bulge = tan(sweep / 4), positive to the left,
@@ -26,6 +27,7 @@ struct Stroke {
   Place to{0.0, 0.0};
   double bulge = 0.0;
   Purpose purpose = Purpose::kContour;
+  double dwell_s = 0.0;  ///< The beam rests dark for so long before it goes along.
 };
 
 /// mm.
@@ -41,12 +43,34 @@ struct Stroke {
 /// How far a place is from the nearest of the stroke, mm.
 [[nodiscard]] double distance_to(const Stroke& stroke, const Place& place);
 
-/// What of a row of strokes lies between two lengths from its start, mm; ends that are
-/// met within a nanometre are not cut off.
-[[nodiscard]] std::vector<Stroke> stretch_of(const std::vector<Stroke>& row,
-                                             double from_mm,
-                                             double to_mm);
-
 [[nodiscard]] double length_of(const std::vector<Stroke>& row);
+
+/// A row of strokes with the way to each of them, so that nothing is looked for from the start.
+class MeasuredRow {
+ public:
+  explicit MeasuredRow(std::vector<Stroke> row);
+
+  [[nodiscard]] const std::vector<Stroke>& strokes() const { return row_; }
+  /// mm.
+  [[nodiscard]] double length() const { return ways_.back(); }
+  /// From the start of the row to that of a stroke, or to the end of the row, mm.
+  [[nodiscard]] double way_to(std::size_t stroke) const { return ways_[stroke]; }
+
+  /// What lies between two lengths from the start, mm; ends that are met within a nanometre
+  /// are not cut off.
+  [[nodiscard]] std::vector<Stroke> stretch(double from_mm, double to_mm) const;
+  /// The same of a closed row from a length on once around.
+  [[nodiscard]] std::vector<Stroke> begun_at(double way_mm) const;
+  /// The unit way that a closed row comes there, and that it goes on.
+  [[nodiscard]] Place arriving(double way_mm) const;
+  [[nodiscard]] Place leaving(double way_mm) const;
+  [[nodiscard]] Place place(double way_mm) const;
+
+ private:
+  [[nodiscard]] std::size_t stroke_at(double way_mm) const;
+
+  std::vector<Stroke> row_;
+  std::vector<double> ways_;  ///< One more than strokes.
+};
 
 }  // namespace sim::cut

@@ -17,8 +17,8 @@ constexpr double kTouchMm = 1.0e-7;
 
 /// A chord of a piece, from its place `index` to the next.
 struct Chord {
-  std::uint32_t piece;
-  std::uint32_t index;
+  std::uint32_t piece = 0;
+  std::uint32_t index = 0;
 };
 
 /// How an outline passes through a place: the ways back and on.
@@ -126,7 +126,10 @@ class CrossingFinder {
 
   /// False when there is no time for more.
   bool look(const Chord& a, const Chord& b) {
-    if (!budget_.spend(1)) return false;
+    if (!budget_.spend(1)) {
+      ended_at_ = a;
+      return false;
+    }
     if (layer(a) != layer(b) || adjacent(a, b)) return true;
     const auto pair = std::minmax(a.piece, b.piece);
     if (reported_.contains(pair)) return true;
@@ -137,7 +140,17 @@ class CrossingFinder {
     return true;
   }
 
-  [[nodiscard]] bool exhausted() const { return budget_.exhausted(); }
+  /// Where it was given up.
+  void report_exhausted() {
+    if (!budget_.exhausted()) return;
+    sketch_.report({FaultKind::kUnchecked,
+                    pieces_[ended_at_.piece].contour.entity,
+                    start(ended_at_),
+                    fmt::format("too many curves lie close together to look for crossings "
+                                "everywhere: {} pairs of them were looked at",
+                                kMostChordPairs),
+                    "simplify the drawing here, or cut it in parts"});
+  }
   [[nodiscard]] std::vector<bool> crossed() && { return std::move(crossed_); }
 
  private:
@@ -208,6 +221,7 @@ class CrossingFinder {
   std::vector<bool> crossed_;
   std::set<std::pair<std::size_t, std::size_t>> reported_;
   Budget budget_{kMostChordPairs};
+  Chord ended_at_{};
 };
 
 }  // namespace
@@ -216,13 +230,7 @@ std::vector<bool> find_crossings(Sketch& sketch, const std::vector<Piece>& piece
   const ChordGrid grid{pieces};
   CrossingFinder finder{sketch, pieces};
   grid.for_each_pair([&](const Chord& a, const Chord& b) { return finder.look(a, b); });
-  if (finder.exhausted()) {
-    sketch.report({FaultKind::kUnchecked,
-                   {},
-                   {},
-                   "too many curves lie close together to look for crossings everywhere",
-                   "simplify the drawing"});
-  }
+  finder.report_exhausted();
   return std::move(finder).crossed();
 }
 

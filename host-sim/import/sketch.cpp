@@ -28,6 +28,13 @@ bool within_reach(const Shape& shape) {
     return within_reach(ellipse->centre) && within_reach(ellipse->major) &&
            within_reach(ellipse->minor);
   }
+  if (const auto* const arc = std::get_if<Arc>(&shape)) {
+    // Up to half a turn an arc is no farther from its ends than they are from each other; more of
+    // one goes all round its centre.
+    const double radius = distance(arc->start, arc->centre);
+    const Place far = arc->centre.cwiseAbs() + Place{radius, radius};
+    if (std::abs(arc->sweep) > 0.5 * kFullTurn && !within_reach(far)) return false;
+  }
   return within_reach(start_of(shape)) && within_reach(end_of(shape));
 }
 

@@ -34,6 +34,11 @@ class LengthReader {
     return length;
   }
 
+  /// A part of no size is drawn as nothing, and was hardly meant to be.
+  void need_area(const char* what, bool has_area) {
+    if (!has_area && wrong_.empty()) wrong_ = fmt::format("{} is 0: it has no area", what);
+  }
+
   [[nodiscard]] const std::string& wrong() const { return wrong_; }
 
  private:
@@ -51,7 +56,8 @@ void draw_rect(LengthReader& read, SvgPen& pen) {
   const Place size{read.size("width", kX), read.size("height", kY)};
   const auto given_rx = read.find("rx", kX);
   const auto given_ry = read.find("ry", kY);
-  if (!read.wrong().empty() || size.x() <= 0.0 || size.y() <= 0.0) return;
+  read.need_area("width or height", size.x() > 0.0 && size.y() > 0.0);
+  if (!read.wrong().empty()) return;
   const double rx = std::clamp(given_rx.value_or(given_ry.value_or(0.0)), 0.0, 0.5 * size.x());
   const double ry = std::clamp(given_ry.value_or(given_rx.value_or(0.0)), 0.0, 0.5 * size.y());
   const Place b = a + size;
@@ -77,13 +83,15 @@ void draw_round(LengthReader& read, bool circle, SvgPen& pen) {
   const Place centre{read.get("cx", kX), read.get("cy", kY)};
   if (circle) {
     const double radius = read.size("r", kR);
-    if (read.wrong().empty() && radius > 0.0) pen.add(arc_of(centre, radius, 0.0, kFullTurn));
+    read.need_area("r", radius > 0.0);
+    if (read.wrong().empty()) pen.add(arc_of(centre, radius, 0.0, kFullTurn));
     return;
   }
   const auto rx = read.find("rx", kX);
   const auto ry = read.find("ry", kY);
   const Place radii{rx.value_or(ry.value_or(0.0)), ry.value_or(rx.value_or(0.0))};
-  if (!read.wrong().empty() || radii.x() <= 0.0 || radii.y() <= 0.0) return;
+  read.need_area("rx or ry", radii.x() > 0.0 && radii.y() > 0.0);
+  if (!read.wrong().empty()) return;
   const Ellipse whole{centre, {radii.x(), 0.0}, {0.0, radii.y()}, 0.0, kFullTurn};
   pen.add(transformed(whole, {}));
 }

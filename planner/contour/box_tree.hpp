@@ -40,10 +40,16 @@ class BoxTree {
   /// `box`, in order, until one returns false.
   template <typename Visit>
   void search(const FlatBox<Scalar>& box, std::uint32_t from, Visit&& visit) const {
+    search_where([&box](const FlatBox<Scalar>& other) { return other.meets(box); }, from, visit);
+  }
+
+  /// The same for boxes of which `holds(box)`, which may come to hold of less while it goes on.
+  template <typename Holds, typename Visit>
+  void search_where(const Holds& holds, std::uint32_t from, Visit&& visit) const {
     std::uint32_t level = top_;
     std::uint32_t index = from >> (kShift * level);
     while (index < count_[level]) {
-      if (boxes_[first_[level] + index].meets(box)) {
+      if (holds(boxes_[first_[level] + index])) {
         if (level > 0) {
           --level;
           index = std::max(index * kFan, from >> (kShift * level));
@@ -57,6 +63,23 @@ class BoxTree {
         ++level;
       }
     }
+  }
+
+  /// Down the boxes for which `measure(box)` is least: a curve that is near, if not the nearest.
+  /// @pre there is a curve
+  template <typename Measure>
+  [[nodiscard]] std::uint32_t descend(const Measure& measure) const {
+    std::uint32_t best = 0;
+    for (std::uint32_t level = top_ + 1; level-- > 0;) {
+      const std::uint32_t begin = level == top_ ? 0 : best * kFan;
+      const std::uint32_t end = level == top_ ? count_[level] : begin + kFan;
+      best = begin;
+      for (std::uint32_t i = begin + 1; i < std::min(end, count_[level]); ++i) {
+        const FlatBox<Scalar>* const row = boxes_.begin() + first_[level];
+        if (measure(row[i]) < measure(row[best])) best = i;
+      }
+    }
+    return best;
   }
 
  private:

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "planner/contour/clean_outline.hpp"
+#include "planner/contour/crowd_trim.hpp"
 
 namespace cnc::contour {
 
@@ -17,9 +18,15 @@ bool RawOffset<Scalar>::add_loop(const ContourView<Scalar>& contour, std::size_t
     if (arc.ok()) space_.elements[element_count_++] = curve_of(arc.value());
   }
   const std::uint32_t first_raw = raw_count_;
+  const CrowdTrim<Scalar> trim{
+      {space_.elements.begin() + first, element_count_ - first}, distance_, tolerance_};
   for (std::uint32_t i = first; i < element_count_; ++i) {
+    const std::uint32_t before = raw_count_;
     add_moved(space_.elements[i]);
+    if (raw_count_ != before && !trim.keeps(space_.raw[before].curve, i - first)) --raw_count_;
+    const std::uint32_t join = raw_count_;
     add_join(space_.elements[i], space_.elements[i + 1 < element_count_ ? i + 1 : first]);
+    if (raw_count_ != join && !trim.keeps(space_.raw[join].curve, i - first)) --raw_count_;
   }
   link(first_raw);
   return true;

@@ -11,14 +11,19 @@ namespace proof {
 /// How many random trials a property test makes. Each test names the number
 /// that takes it about half a minute in a release build; the full proof is
 ///   KERFLINE_TRIALS=100000 build/release/tests/simulation_tests
-/// and one trial alone, as named by a failure, is KERFLINE_SEED=<seed>.
+/// one trial alone, as named by a failure, is KERFLINE_SEED=<seed>, and both go
+/// on from a seed with so many.
 class Trials {
  public:
   explicit Trials(std::uint64_t usual) {
-    if (const char* const count = std::getenv("KERFLINE_TRIALS")) usual = std::stoull(count);
+    const char* const count = std::getenv("KERFLINE_TRIALS");
     const char* const seed = std::getenv("KERFLINE_SEED");
-    first_ = seed != nullptr ? std::stoull(seed) : 1;
-    end_ = first_ + (seed != nullptr ? 1 : usual);
+    if (seed != nullptr) {
+      first_ = std::stoull(seed);
+      usual = 1;
+    }
+    if (count != nullptr) usual = std::stoull(count);
+    end_ = first_ + usual;
   }
 
   [[nodiscard]] std::uint64_t first_seed() const { return first_; }

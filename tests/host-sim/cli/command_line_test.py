@@ -117,6 +117,13 @@ class CommandLine(unittest.TestCase):
         done = run("offset", part, "--distance", "1")
         self.assertEqual(done.returncode, 1)
         self.assertEqual(done.stderr, f"{part}:2: `nothing` is no number for y\n")
+        part.write_text("0 0\n5 0\n5 1e30\n")
+        self.assertEqual(run("offset", part, "--distance", "1").stderr,
+                         f"{part}: vertex 3 at 5 1e+30: farther than 10 km from the origin; is its unit mm?\n")
+        for distance in ("nan", "inf", "1e300", "x"):
+            done = run("offset", part, "--distance", distance)
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            self.assertIn("--distance", done.stderr)
         self.assertEqual(run("offset", self.folder / "none", "--distance", "1").returncode, 2)
         self.assertEqual(run("offset", part).returncode, 2)
         self.assertEqual(run("offset", "-", "--distance", "1", text="0 0\n1 0\n0 1\n").returncode, 0)

@@ -5,6 +5,7 @@
 """
 
 import json
+import math
 import pathlib
 import re
 import subprocess
@@ -24,6 +25,7 @@ CURVES = """<svg xmlns="http://www.w3.org/2000/svg" width="90mm" height="60mm" v
 <ellipse id="eye" cx="35" cy="30" rx="12" ry="7" transform="rotate(15 35 30)"/>
 </svg>
 """
+SHEET = '<svg width="200mm" height="200mm" viewBox="0 0 200 200">'
 FINE_STEPS = ("--set", "$0=1", "--set", "$100=400", "--set", "$101=400")
 STEEL = ("--material", "CSP 1N", "--thickness", "2")
 
@@ -119,6 +121,94 @@ class Cut(unittest.TestCase):
         open_line = self.refused(self.plate, *STEEL, status=1)
         self.assertIn('plate.svg:4:', open_line)
         self.assertIn('path "mark"', open_line)
+
+    def test_layers_that_are_not_permissible_are_named(self):
+        for more, what in (("power=100", "power 100 W is outside of what was cut; permissible are 1200 to"),
+                           ("feed=100", "no power is permissible for 100 mm/min; permissible are 3000 to")):
+            told = self.refused(self.plate, *STEEL, "--layer", f"red: side=on, {more}")
+            self.assertIn(f'layer "" red: CSP 1N: {what}', told)
+        for number in ("nan", "-1", "x", "101"):
+            self.assertIn("--thickness", self.refused(self.plate, "--material", "CSP 1N", "--thickness", number))
+        for key in ("corner-loop", "corner-dwell", "corner-angle", "pierce", "overcut"):
+            for number in ("nan", "-1", "1e9", "x"):
+                self.assertIn(f"{key}={number}: ", self.refused(self.plate, *STEEL, f"--{key}", number))
+
+    def test_what_no_drawing_is_says_where_and_what_to_do(self):
+        """Every way to be broken: file, line, entity, reason and remedy."""
+        svg = '<svg width="40mm" height="40mm" viewBox="0 0 40 40">\n{}</svg>'
+        dxf = "0\nSECTION\n2\nENTITIES\n0\n{}0\nENDSEC\n0\nEOF\n"
+        for name, content, told in (
+                ("empty.svg", "", ":1: it is empty; export the drawing again"),
+                ("word.svg", "hello", ":1: it is neither SVG nor DXF nor JSON; export"),
+                ("tags.svg", "<svg>\n<rect></svg>", ":2:9: broken XML: Start-end tags mismatch; export"),
+                ("end.svg", "<svg", ":1:4: broken XML: "),
+                ("end.json", '[{"a":1', ":1:8: broken JSON; export it again"),
+                ("nan.svg", svg.format('<path id="p" d="M1 1L nan 5Z"/>'),
+                 ':2:1: path "p": L needs 2 numbers at character 7 of d; it is left out; mend it'),
+                ("far.svg", svg.format('<path id="p" d="M1 1L1e9 5L3 4Z"/>'),
+                 ':2:1: path "p": a place that is no number, or farther than 10 km'),
+                ("flat.svg", svg.format('<path id="p" d="M1 1H9Z"/>'),
+                 ':2:1: path "p" at 1.000 39.000: the contour is closed and has no area; it is left out'),
+                ("rect.svg", svg.format('<rect id="r" x="1" y="1" width="0" height="5"/>'),
+                 ':2:1: rect "r": width or height is 0: it has no area; it is left out; mend it'),
+                ("dot.svg", svg.format('<circle id="c" r="0"/>'), ':2:1: circle "c": r is 0: it has no area'),
+                ("thin.svg", svg.format('<ellipse id="e" rx="3" ry="0"/>'), ':2:1: ellipse "e": rx or ry is 0'),
+                ("nan.dxf", dxf.format("LINE\n8\n0\n10\nnan\n20\n0\n11\n5\n21\n5\n"),
+                 ":6: LINE: line 10: `nan` is no number; it is left out; mend it in the drawing"),
+                ("dot.dxf", dxf.format("CIRCLE\n8\n0\n10\n5\n20\n5\n40\n0\n"),
+                 ":6: CIRCLE: its radius is not above 0; it is left out; mend it in the drawing"),
+                ("end.dxf", "0\nSECTION\n2\nENTITIES\n0\nLINE\n8\n0\n",
+                 "the file ends without EOF; it was cut off; copy or save it again")):
+            with self.subTest(name):
+                file = self.drawn(name, content)
+                stderr = self.refused(file, *STEEL, status=1)
+                self.assertIn(f"{file}", stderr)
+                self.assertIn(told, stderr)
+                self.assertIn("no program is written", stderr)
+                if not content:
+                    continue
+                read = run("drawing", file)
+                self.assertEqual(read.returncode, 1, read.stdout)
+                self.assertIn(told, read.stdout)
+
+    def test_a_scanned_outline_of_many_points_is_cut(self):
+        """200,000 places, 160 of them within half a kerf, a little off each."""
+        count, places = 200_000, []
+        for i in range(count):
+            angle, radius = 2 * math.pi * i / count, 95 + 0.01 * math.sin(2.4 * i * i)
+            places.append(f"{100 + radius * math.cos(angle):.5f},{100 + radius * math.sin(angle):.5f}")
+        content = SHEET + '<polygon points="{}"/></svg>'
+        scan = self.drawn("scan.svg", content.format(" ".join(places)))
+        name = self.folder / "out.json"
+        done = run("cut", scan, *STEEL, "-o", self.folder / "out.nc", "--report", name)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        report = json.loads(name.read_text())
+        self.assertAlmostEqual(report["cut_length_mm"], 2 * math.pi * 95.29, delta=4.0)
+        self.assertLess(report["arcs"], count // 4)
+
+    def test_an_outline_that_is_too_dense_is_told_with_place_and_limit(self):
+        """Hairs 0.1 um apart: each lies beside each."""
+        places = [f"{100 + 0.0001 * i:.4f},{10 + i % 2 * (20 + i * i % 1000 / 50):.4f}" for i in range(30_000)]
+        content = SHEET + '\n<polygon id="hair" points="{} 103,5 100,5"/></svg>'
+        hair = self.drawn("hair.svg", content.format(" ".join(places)))
+        self.assertRegex(self.refused(hair, *STEEL, status=1),
+                         r'hair\.svg:2:1: polygon "hair" at 10\d\.\d+ 1\d\d\.\d+: too many curves lie '
+                         r"close together to look for crossings everywhere: 200000000 pairs of them were "
+                         r"looked at; simplify the drawing here")
+
+    def test_corners_have_loops_and_dwells(self):
+        name, picture = self.folder / "out.json", self.folder / "out.svg"
+        done = self.cut("--corner-loop", "3", "--corner-dwell", "0.2", "--report", name, "--svg", picture)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        report = json.loads(name.read_text())["corners"]
+        self.assertEqual((report["count"], report["loops"], report["dwells"]), (5, 5, 0))
+        self.assertIn(f'5 corners: 5 loops, {report["loops_longer_mm"]:.1f} mm longer; 0 dwells', done.stdout)
+        done = self.cut("--corner-dwell", "0.2", "--report", name)
+        self.assertEqual(done.stdout.count("G4 P0.200\n"), 5)
+        self.assertEqual(json.loads(name.read_text())["corners"]["dwells_s"], 1.0)
+        done = self.cut("--corner-dwell", "0.2", "--corner-angle", "91", "--report", name)
+        self.assertNotIn("G4", done.stdout)
+        self.assertNotIn("corners:", done.stdout)
 
     def test_curves_are_cut_as_arcs_within_the_tolerance(self):
         leaf, name = self.drawn("leaf.svg", CURVES), self.folder / "out.json"

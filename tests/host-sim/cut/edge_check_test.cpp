@@ -39,9 +39,11 @@ class CutEdges : public testing::Test {
  protected:
   CutEdges() { make_plan({}); }
 
-  void make_plan(const OutlineOptions& curves) {
+  void make_plan(const OutlineOptions& curves, double loop_mm = 0.0, double dwell_s = 0.0) {
     const Condition condition = choose(record, 2'000, 1'800'000, {});
     LayerSettings settings{.overcut_mm = 1.0, .pierce_s = 0.1};
+    settings.corner_loop_mm = loop_mm;
+    settings.corner_dwell_s = dwell_s;
     settings.lead_in = {LeadKind::kArc, 2.0};
     plan = plan_cuts(
         drawn, std::vector<LayerPlan>(drawn.layers.size(), {settings, condition}), curves);
@@ -84,7 +86,7 @@ class CutEdges : public testing::Test {
   static void tell(const char* what, const EdgeFigures& figures) {
     std::printf(
         "%s: beside the model %.2f um, off %.2f um, left %.2f um, mean %.2f um, "
-        "P/V %.3f to %.3f, %zu places\n",
+        "P/V %.3f to %.3f, at corners %.3f, %zu places\n",
         what,
         1000.0 * std::abs(figures.most_off_model.mm),
         1000.0 * figures.most_off.mm,
@@ -92,6 +94,7 @@ class CutEdges : public testing::Test {
         1000.0 * figures.mean_mm,
         figures.least_heat_ratio,
         figures.greatest_heat_ratio,
+        figures.greatest_corner_ratio,
         figures.places);
   }
 
@@ -109,6 +112,39 @@ TEST_F(CutEdges, AreWithinFiveMicrometresOnStraightsArcsAndCorners) {
   EXPECT_LT(std::abs(figures.most_off_model.mm), kEdgeTolerance);
   EXPECT_LT(figures.most_off.mm, kEdgeTolerance);
   EXPECT_GT(figures.most_left.mm, -kEdgeTolerance);
+}
+
+/// Loops are as wide as the feed asks for under the acceleration: the beam passes corners at speed,
+/// which under constant power is what keeps them from burning.
+TEST_F(CutEdges, KeepTheirSizeWithLoopsAndDwellsAtCorners) {
+  drawn = drawing::read(drawing::svg_of("<path d=\"M20 20H60L75 45L20 70Z\"/>"));
+  make_plan({});
+  const CutJob plain = job_of(false);
+  const EdgeFigures burnt = drive(plain, text_of(plain), [](cnc::Machine&) {});
+  tell("corners as they are, M3", burnt);
+  make_plan({}, 9.0);
+  ASSERT_EQ(figures_of(plan).corner_loops, 4U);
+  for (const bool follows : {true, false}) {
+    const CutJob job = job_of(follows);
+    const EdgeFigures figures = drive(job, text_of(job), [](cnc::Machine&) {});
+    tell(follows ? "with loops, M4" : "with loops, M3", figures);
+    // Under constant power the start, from standstill, is as wide as ever.
+    EXPECT_LT(follows ? figures.most_off.mm : figures.mean_mm,
+              follows ? kEdgeTolerance : 0.6 * burnt.mean_mm);
+    EXPECT_GT(figures.most_left.mm, -kEdgeTolerance);
+    EXPECT_DOUBLE_EQ(figures.untouched_mm, burnt.untouched_mm);
+    EXPECT_LT(figures.greatest_corner_ratio, 1.0 + kHeatTolerance);
+    EXPECT_GT(figures.greatest_corner_ratio, 0.9);
+  }
+  EXPECT_GT(burnt.greatest_corner_ratio, 2.0);
+  make_plan({}, 0.0, 0.2);
+  ASSERT_EQ(figures_of(plan).corner_dwells, 4U);
+  const CutJob rests = job_of(true);
+  const EdgeFigures figures = drive(rests, text_of(rests), [](cnc::Machine&) {});
+  tell("with dwells, M4", figures);
+  EXPECT_LT(figures.most_off.mm, kEdgeTolerance);
+  EXPECT_GT(figures.most_left.mm, -kEdgeTolerance);
+  EXPECT_LT(figures.greatest_corner_ratio, 1.0 + kHeatTolerance);
 }
 
 /// An operator who turns the feed between 50 and 150 % all the time.

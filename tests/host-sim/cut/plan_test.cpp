@@ -165,6 +165,7 @@ TEST(CutPlan, NeverCutsIntoAPart) {
   std::size_t strokes = 0;
   std::size_t without_leads = 0;
   std::size_t cuts = 0;
+  std::size_t loops = 0;
   for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
     if (proof::too_many_failures()) break;
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
@@ -176,6 +177,8 @@ TEST(CutPlan, NeverCutsIntoAPart) {
     const auto kind = [&random] { return random.chance(0.5) ? LeadKind::kArc : LeadKind::kLine; };
     settings.lead_in = {kind(), random.between(0.5, 6.0)};
     settings.lead_out = {kind(), random.between(0.5, 6.0)};
+    settings.corner_loop_mm = random.chance(0.6) ? random.between(0.1, 5.0) : 0.0;
+    settings.corner_angle_deg = random.between(5.0, 120.0);
     const CutPlan plan = plan_of(drawn, settings);
     for (const auto& fault : plan.faults) {
       // Only holes and corners that cross each other in the random sheet.
@@ -191,6 +194,7 @@ TEST(CutPlan, NeverCutsIntoAPart) {
       }
       for (const Stroke& stroke : cut.strokes) {
         ++strokes;
+        if (stroke.purpose == Purpose::kCornerLoop) ++loops;
         for (const Place& place : places_along(stroke, 0.25)) {
           nearest = std::min(nearest, distance_to_all(outlines, place));
         }
@@ -208,6 +212,7 @@ TEST(CutPlan, NeverCutsIntoAPart) {
               nearest,
               kHalf);
   EXPECT_GT(strokes, 400U);
+  EXPECT_GT(loops, 20U);
   EXPECT_LT(without_leads, cuts / 4);
 }
 

@@ -72,12 +72,51 @@ TEST(Stroke, IsAsFarAsTheNearestOfManyPlaces) {
 
 TEST(Strokes, AreCutOutOfARowByTheirLength) {
   const std::vector<Stroke> row{{{0, 0}, {10, 0}, 0.0}, {{10, 0}, {10, 4}, 1.0}};
-  const auto middle = stretch_of(row, 9.0, 11.0);
+  const MeasuredRow measured{row};
+  EXPECT_DOUBLE_EQ(measured.length(), length_of(row));
+  const auto middle = measured.stretch(9.0, 11.0);
   ASSERT_EQ(middle.size(), 2U);
   EXPECT_NEAR(length_of(middle), 2.0, 1.0e-12);
   EXPECT_LT(drawing::distance(middle[0].to, middle[1].from), 1.0e-12);
-  EXPECT_TRUE(stretch_of(row, 3.0, 3.0).empty());
-  EXPECT_NEAR(length_of(stretch_of(row, -1.0, 99.0)), length_of(row), 1.0e-12);
+  EXPECT_TRUE(measured.stretch(3.0, 3.0).empty());
+  EXPECT_NEAR(length_of(measured.stretch(-1.0, 99.0)), length_of(row), 1.0e-12);
+}
+
+/// A half disc: what begins anywhere on it is all of it, and knows how it is come to and left.
+TEST(Strokes, OfAClosedRowBeginAnywhere) {
+  const std::vector<Stroke> row{{{-5, 0}, {5, 0}, 0.0}, {{5, 0}, {-5, 0}, 1.0}};
+  const MeasuredRow measured{row};
+  for (const double way : {0.0, 3.0, 10.0, 12.0, measured.length()}) {
+    SCOPED_TRACE(way);
+    const std::vector<Stroke> begun = measured.begun_at(way);
+    EXPECT_NEAR(length_of(begun), measured.length(), 1.0e-9);
+    EXPECT_LT(drawing::distance(begun.front().from, begun.back().to), 1.0e-12);
+    EXPECT_LT(drawing::distance(begun.front().from, measured.place(way)), 1.0e-9);
+    EXPECT_LT(drawing::distance(tangent_at(begun.front(), 0.0), measured.leaving(way)), 1.0e-9);
+    EXPECT_LT(drawing::distance(tangent_at(begun.back(), 1.0), measured.arriving(way)), 1.0e-9);
+  }
+}
+
+/// Work and not time: as close together as they may lie, few are measured to find the nearest.
+TEST(Clearance, MeasuresFewStrokesHoweverManyLieClose) {
+  for (const std::size_t count : {1'000U, 10'000U, 100'000U}) {
+    SCOPED_TRACE(count);
+    Clearance clearance{2.0};
+    const auto place = [count](std::size_t i, double radius) {
+      const double angle = 6.283185307179586 * static_cast<double>(i) / static_cast<double>(count);
+      return Place{radius * std::cos(angle), radius * std::sin(angle) * (1.0 + 0.2 * radius)};
+    };
+    for (std::size_t i = 0; i < count; ++i) clearance.add({place(i, 10.0), place(i + 1, 10.0)}, i);
+    clearance.prepare();
+    std::size_t looks = 0;
+    constexpr std::size_t kQuestions = 1'000;
+    for (std::size_t i = 0; i < kQuestions; ++i) {
+      looks += clearance.nearest(place(i * count / kQuestions, 10.3)).looks;
+    }
+    // Within reach are 3 of 100; the boxes of those that are as near grow with the root only.
+    const double most = 2.0 * std::sqrt(static_cast<double>(count));
+    EXPECT_LT(static_cast<double>(looks), most * static_cast<double>(kQuestions));
+  }
 }
 
 TEST(Clearance, FindsWhatLookingAtEveryStrokeFinds) {

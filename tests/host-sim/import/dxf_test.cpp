@@ -31,6 +31,23 @@ TEST(DxfReader, ABulgeOfOneIsHalfACircle) {
   EXPECT_EQ(drawn.layers.at(0).name, "Cut");
 }
 
+/// Its ends are near, but the circle that it nearly is reaches beyond all numbers.
+TEST(DxfReader, AnArcThatIsNearlyAHugeCircleIsTooFar) {
+  const auto bulged = [](const char* bulge) {
+    return read(dxf_of(std::string{"0\nLWPOLYLINE\n8\n0\n90\n2\n70\n1\n10\n0\n20\n0\n42\n"} +
+                       bulge + "\n10\n10\n20\n0\n42\n1\n"));
+  };
+  for (const char* const bulge : {"1e7", "-1e121", "1e300"}) {
+    SCOPED_TRACE(bulge);
+    const Drawing drawn = bulged(bulge);
+    ASSERT_THAT(kinds_of(drawn), ElementsAre(FaultKind::kBadEntity));
+    EXPECT_THAT(drawn.faults[0].reason, HasSubstr("farther than 10 km from the origin"));
+    EXPECT_THAT(drawn.contours, IsEmpty());
+  }
+  // The centre of a flat one may be anywhere.
+  EXPECT_THAT(bulged("1e-9").faults, IsEmpty());
+}
+
 TEST(DxfReader, AnEntitySeenFromBehindIsMirrored) {
   const Drawing drawn =
       read(dxf_of("0\nARC\n8\n0\n10\n10\n20\n5\n40\n2\n50\n0\n51\n90\n210\n0\n220\n0\n230\n-1\n"));

@@ -1,0 +1,111 @@
+#include "host-sim/cut/corner.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace sim::cut {
+namespace {
+
+/// Arcs around drawn corners have half the kerf as radius to within this, mm.
+constexpr double kSameRadius = 1.0e-6;
+/// The beam is measured to be clear within this; next to its edge it just is, mm.
+constexpr double kLoopSlack = 1.0e-5;
+/// What turns more has its loop too far away.
+constexpr double kSharpest = 170.0 * std::numbers::pi / 180.0;
+
+double sweep_of(const Stroke& stroke) { return 4.0 * std::atan(stroke.bulge); }
+
+bool is_around_corner(const Stroke& stroke, double half_kerf_mm) {
+  if (stroke.purpose != Purpose::kContour || stroke.bulge <= 0.0) return false;
+  const double sweep = sweep_of(stroke);
+  const double radius = length_of(stroke) / sweep;
+  return std::abs(radius - half_kerf_mm) <= kSameRadius;
+}
+
+double turn_between(const Stroke& before, const Stroke& after) {
+  const Place from = tangent_at(before, 1.0);
+  const Place to = tangent_at(after, 0.0);
+  return std::abs(std::atan2(drawing::cross(from, to), drawing::dot(from, to)));
+}
+
+/// Straight on from the arc's start, round to the right, and straight on to its end: both lines
+/// touch the loop, and cross where the corner would be if it were not round.
+std::vector<Stroke> loop_past(const Stroke& arc, double radius_mm) {
+  const double turn = sweep_of(arc);
+  const double round_mm = length_of(arc) / turn;
+  const double way = (round_mm + radius_mm) * std::tan(0.5 * turn);
+  const Place out = arc.from + way * tangent_at(arc, 0.0);
+  const Place back = arc.to - way * tangent_at(arc, 1.0);
+  const double sweep = 2.0 * std::numbers::pi - turn;
+  return {{arc.from, out, 0.0, Purpose::kCornerLoop},
+          {out, back, -std::tan(0.25 * sweep), Purpose::kCornerLoop},
+          {back, arc.to, 0.0, Purpose::kCornerLoop}};
+}
+
+/// Empty where there is no room.
+std::vector<Stroke> loop_with_room(const Stroke& arc,
+                                   double radius_mm,
+                                   const Clearance& parts,
+                                   double half_kerf_mm) {
+  if (sweep_of(arc) > kSharpest) return {};
+  for (const double share : {1.0, 0.5, 0.25, 0.125}) {
+    std::vector<Stroke> loop = loop_past(arc, share * radius_mm);
+    bool clear = true;
+    for (const Stroke& stroke : loop) {
+      clear = clear && parts.is_clear(stroke, half_kerf_mm - kLoopSlack);
+    }
+    if (clear) return loop;
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<Corner> corners_of(const std::vector<Stroke>& strokes,
+                               double least_turn,
+                               double half_kerf_mm) {
+  std::vector<Corner> corners;
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    const Stroke& stroke = strokes[i];
+    const Stroke& before = strokes[i > 0 ? i - 1 : strokes.size() - 1];
+    if (stroke.purpose != Purpose::kContour) continue;
+    const bool goes_on = before.purpose == Purpose::kContour && before.to == stroke.from;
+    if (goes_on && turn_between(before, stroke) >= least_turn) {
+      corners.push_back({i, false, stroke.from});
+    }
+    if (is_around_corner(stroke, half_kerf_mm) && sweep_of(stroke) >= least_turn) {
+      corners.push_back({i, true, place_at(stroke, 0.5)});
+    }
+  }
+  return corners;
+}
+
+CornerWork treat_corners(std::vector<Stroke>& strokes,
+                         const LayerSettings& settings,
+                         const Clearance& parts,
+                         double half_kerf_mm) {
+  CornerWork work;
+  if (settings.corner_loop_mm <= 0.0 && settings.corner_dwell_s <= 0.0) return work;
+  const double least_turn = settings.corner_angle_deg * std::numbers::pi / 180.0;
+  std::vector<Stroke> treated;
+  std::size_t done = 0;
+  for (const Corner& corner : corners_of(strokes, least_turn, half_kerf_mm)) {
+    for (; done < corner.stroke; ++done) treated.push_back(strokes[done]);
+    if (corner.is_outer && settings.corner_loop_mm > 0.0) {
+      const auto loop = loop_with_room(strokes[done], settings.corner_loop_mm, parts, half_kerf_mm);
+      if (!loop.empty()) {
+        treated.insert(treated.end(), loop.begin(), loop.end());
+        ++done;
+        continue;
+      }
+      if (work.without_room++ == 0) work.first_without = corner.place;
+    }
+    // Where the cut begins, the beam comes from its lead.
+    if (corner.stroke != 0) strokes[done].dwell_s = settings.corner_dwell_s;
+  }
+  treated.insert(treated.end(), strokes.begin() + static_cast<std::ptrdiff_t>(done), strokes.end());
+  strokes = std::move(treated);
+  return work;
+}
+
+}  // namespace sim::cut
