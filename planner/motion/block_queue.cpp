@@ -74,6 +74,13 @@ LimitZone zone_of(const Spans& spans, const Block& block, const PlanTerms& terms
   return zone;
 }
 
+/// Out of line, as spans are large.
+[[gnu::noinline]] LimitZone own_zone(const Block& block,
+                                     const Limits& limits,
+                                     const PlanTerms& terms) {
+  return zone_of(Spans{block, limits, terms.window}, block, terms);
+}
+
 /// v² that a block may be left with at most, from that of the one before.
 [[gnu::noinline]] float reachable_after(Block& block,
                                         float before_square,
@@ -137,7 +144,7 @@ void BlockQueue::lay_heads(const Limits& limits, const PlanTerms& terms) {
     block.tail = {};
     reachable_square_ = reachable_after(block, reachable_square_, limits, terms);
     block.reachable_square = reachable_square_;
-    const LimitZone own = zone_of(Spans{block, limits, terms.window}, block, terms);
+    const LimitZone own = own_zone(block, limits, terms);
     block.head = trail_.reaching(own);
     trail_.advance(block.length, terms.window.reach(block.reachable_square));
     trail_.add(own);
