@@ -74,6 +74,27 @@ LimitZone zone_of(const Spans& spans, const Block& block, const PlanTerms& terms
   return zone;
 }
 
+/// Out of line, as spans are large.
+[[gnu::noinline]] LimitZone own_zone(const Block& block,
+                                     const Limits& limits,
+                                     const PlanTerms& terms) {
+  return zone_of(Spans{block, limits, terms.window}, block, terms);
+}
+
+/// v² that a block may be left with at most, from that of the one before.
+[[gnu::noinline]] float reachable_after(Block& block,
+                                        float before_square,
+                                        const Limits& limits,
+                                        const PlanTerms& terms) {
+  constexpr float kRounding = 1.0F + 1.0e-4F;
+  constexpr float kAny = 1.0e12F;
+  block.reachable_square = kAny;
+  const Spans spans{block, limits, terms.window};
+  const float most =
+      before_square + 2.0F * kRounding * spans.greatest_acceleration() * block.length;
+  return std::min(most, most_square(spans, block, terms));
+}
+
 /// What blocks ahead ask of this one. False when that has changed, or may have
 /// for blocks before it. Out of line: spans are large, and plan_all() goes deep elsewhere.
 [[gnu::noinline]] bool lay_tail(ZoneTrail& ahead,
@@ -83,7 +104,7 @@ LimitZone zone_of(const Spans& spans, const Block& block, const PlanTerms& terms
   const Spans spans{block, limits, terms.window};
   const LimitZone own = zone_of(spans, block, terms);
   const BlockZones tail = ahead.reaching(own);
-  ahead.advance(block.length);
+  ahead.advance(block.length, terms.window.reach(block.reachable_square));
   const bool same = tail == block.tail && ahead.empty();
   ahead.add(own);
   block.tail = tail;
@@ -96,7 +117,7 @@ void BlockQueue::leave_front(const Limits& limits, const PlanTerms& terms) {
   if (!terms.window.filters()) return;
   const Block& block = front();
   if (block.from_rest) front_trail_.clear();
-  front_trail_.advance(block.length);
+  front_trail_.advance(block.length, terms.window.reach(block.reachable_square));
   front_trail_.add(zone_of(Spans{block, limits, terms.window}, block, terms));
 }
 
@@ -121,14 +142,11 @@ void BlockQueue::lay_heads(const Limits& limits, const PlanTerms& terms) {
     }
     block.head = {};
     block.tail = {};
-    const Spans spans{block, limits, terms.window};
-    constexpr float kRounding = 1.0F + 1.0e-4F;
-    reachable_square_ += 2.0F * kRounding * spans.greatest_acceleration() * block.length;
-    reachable_square_ = std::min(reachable_square_, most_square(spans, block, terms));
+    reachable_square_ = reachable_after(block, reachable_square_, limits, terms);
     block.reachable_square = reachable_square_;
-    const LimitZone own = zone_of(spans, block, terms);
+    const LimitZone own = own_zone(block, limits, terms);
     block.head = trail_.reaching(own);
-    trail_.advance(block.length);
+    trail_.advance(block.length, terms.window.reach(block.reachable_square));
     trail_.add(own);
   }
 }

@@ -4,18 +4,19 @@
 #include <cmath>
 
 #include "planner/base/scalar_math.hpp"
+#include "planner/motion/turning.hpp"
 
 namespace cnc::motion {
 namespace {
 
-/// As a piece is driven under a window.
-struct PiecePace {
-  float cap = 0.0F;  ///< mm/s.
+/// What holds so many mm further.
+struct Reach {
   float acceleration = 0.0F;
+  float length = 0.0F;
 };
 
 /// On an arc of radius R speed keeps v²/R = A and v³/R² = J.
-PiecePace pace_of(const ChainPiece& piece, float window_s) {
+PiecePace pace_of(const ChainPiece& piece, float window_s, float peak) {
   PiecePace pace{.cap = piece.speed,
                  .acceleration = std::min(piece.acceleration, piece.jerk * window_s)};
   if (piece.bend > 0.0F) {
@@ -23,6 +24,11 @@ PiecePace pace_of(const ChainPiece& piece, float window_s) {
     const float cube = pace.acceleration / (window_s * square(piece.bend));
     const float by_jerk = cube_root(std::clamp(cube, 1.0e-25F, 1.0e25F));
     pace.cap = std::min({pace.cap, by_acceleration, by_jerk});
+    /// Of the greatest speed: what turning leaves there is about what it leaves on the way.
+    constexpr float kShare = 0.7F;
+    const float usual = kShare * std::min(pace.cap, peak);
+    const Turning turning = Turning::of(piece.bend, pace.acceleration);
+    pace.acceleration = turning.within_jerk(pace.acceleration, square(usual), window_s);
   }
   return pace;
 }
@@ -100,13 +106,48 @@ void ChainTime::add(const ChainPiece& piece) {
   if (count_ < kMostPieces) pieces_[count_++] = piece;
 }
 
+/// mm/s that a single move of this length would come to.
+float ChainTime::peak_of(float window_s) const {
+  float length = 0.0F;
+  float most = 0.0F;
+  for (std::size_t i = 0; i < count_; ++i) {
+    length += pieces_[i].length;
+    most = std::max(most, std::min(pieces_[i].acceleration, pieces_[i].jerk * window_s));
+  }
+  const float lead = 0.5F * most * window_s;
+  return std::sqrt(square(lead) + most * length) - lead;
+}
+
+/// As each piece is driven: what turning leaves of the acceleration holds for half a window
+/// around it, as its speed does.
+ChainTime::Paces ChainTime::paces(float window_s) const {
+  const float peak = peak_of(window_s);
+  Paces paces{};
+  for (std::size_t i = 0; i < count_; ++i) paces[i] = pace_of(pieces_[i], window_s, peak);
+  Paces spread = paces;
+  const auto spread_from = [&](Reach& reach, std::size_t i) {
+    if (reach.length > 0.5F * pieces_[i].length) {
+      spread[i].acceleration = std::min(spread[i].acceleration, reach.acceleration);
+    }
+    reach.length -= pieces_[i].length;
+    if (reach.length > 0.0F && reach.acceleration < paces[i].acceleration) return;
+    reach = {paces[i].acceleration, 0.5F * std::min(peak, paces[i].cap) * window_s};
+  };
+  Reach behind;
+  for (std::size_t i = 0; i < count_; ++i) spread_from(behind, i);
+  Reach ahead;
+  for (std::size_t i = count_; i-- > 0;) spread_from(ahead, i);
+  return spread;
+}
+
 float ChainTime::seconds(float window_s) const {
+  const Paces all = paces(window_s);
   std::array<Ahead, kMostPieces> ahead{};
   Hold behind;
   float square_ahead = 0.0F;
   for (std::size_t i = count_; i-- > 0;) {
     const ChainPiece& piece = pieces_[i];
-    const auto [cap, acceleration] = pace_of(piece, window_s);
+    const auto [cap, acceleration] = all[i];
     const float tail = std::clamp(behind.length, 0.0F, piece.length);
     const float tail_speed = tail > 0.0F ? std::min(cap, behind.speed) : cap;
     ahead[i] = {std::min(square_ahead, square(tail_speed)), tail_speed, tail};
@@ -118,7 +159,7 @@ float ChainTime::seconds(float window_s) const {
   Hold held;
   for (std::size_t i = 0; i < count_; ++i) {
     const ChainPiece& piece = pieces_[i];
-    const PiecePace pace = pace_of(piece, window_s);
+    const PiecePace pace = all[i];
     const PiecePace held_pace{std::min(pace.cap, held.speed), pace.acceleration};
     const PiecePace tail_pace{ahead[i].tail_speed, pace.acceleration};
     const float head = std::clamp(held.length, 0.0F, piece.length);

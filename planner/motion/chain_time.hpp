@@ -14,6 +14,12 @@ struct ChainPiece {
   float bend = 0.0F;          ///< 1/mm of turning; 0 is straight.
 };
 
+/// As a piece is driven under a window.
+struct PiecePace {
+  float cap = 0.0F;           ///< mm/s.
+  float acceleration = 0.0F;  ///< mm/s².
+};
+
 /// About how long a chain of blocks from rest to rest takes under a window.
 ///
 /// What the plan makes of it, in short: each piece has one acceleration, A or J T; it keeps the
@@ -31,6 +37,10 @@ class ChainTime {
   [[nodiscard]] float seconds(float window_s) const;
 
  private:
+  using Paces = std::array<PiecePace, kMostPieces>;
+  [[nodiscard]] float peak_of(float window_s) const;
+  [[nodiscard]] Paces paces(float window_s) const;
+
   std::array<ChainPiece, kMostPieces> pieces_{};
   std::size_t count_ = 0;
 };

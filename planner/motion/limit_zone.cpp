@@ -45,10 +45,10 @@ void ZoneTrail::remove(std::size_t index) { zones_[index] = zones_[--count_]; }
 void ZoneTrail::add(const LimitZone& zone) {
   if (zone.length <= 0.0F) return;
   for (std::size_t i = count_; i-- > 0;) {
-    if (is_within(zone, zones_[i])) return;
-    if (is_within(zones_[i], zone)) remove(i);
+    if (zones_[i].whole <= zone.length && is_within(zone, zones_[i].zone)) return;
+    if (zones_[i].whole >= zone.length && is_within(zones_[i].zone, zone)) remove(i);
   }
-  zones_[count_++] = zone;
+  zones_[count_++] = {zone, zone.length};
   if (count_ > kCapacity) merge_cheapest();
 }
 
@@ -59,32 +59,37 @@ void ZoneTrail::merge_cheapest() {
   float least = 1.0e12F;
   for (std::size_t i = 0; i < count_; ++i) {
     for (std::size_t k = i + 1; k < count_; ++k) {
-      const float price = price_of_both(zones_[i], zones_[k]);
+      const float price = price_of_both(zones_[i].zone, zones_[k].zone);
       if (price >= least) continue;
       least = price;
       first = i;
       second = k;
     }
   }
-  zones_[first] = both(zones_[first], zones_[second]);
+  const float whole = std::min(zones_[first].whole, zones_[second].whole);
+  zones_[first] = {both(zones_[first].zone, zones_[second].zone), whole};
   remove(second);
 }
 
-void ZoneTrail::advance(float length) {
+/// A plan that has been beyond a place for the whole window leaves none of its mean before it,
+/// however short the way was; one that is as fast all along, for half of it.
+void ZoneTrail::advance(float length, float reach) {
+  const float window_share = reach > 0.0F ? 0.5F * length / reach : 0.0F;
   for (std::size_t i = count_; i-- > 0;) {
-    zones_[i].length -= length;
-    if (zones_[i].length <= 0.0F) remove(i);
+    LimitZone& zone = zones_[i].zone;
+    zone.length -= std::max(length, window_share * zones_[i].whole);
+    if (zone.length <= 0.0F) remove(i);
   }
 }
 
 BlockZones ZoneTrail::reaching(const LimitZone& own) const {
   ZoneTrail binding;
   for (std::size_t i = 0; i < count_; ++i) {
-    if (binds(zones_[i], own)) binding.zones_[binding.count_++] = zones_[i];
+    if (binds(zones_[i].zone, own)) binding.zones_[binding.count_++] = zones_[i];
   }
   BlockZones found{};
   while (binding.count_ > found.size()) binding.merge_cheapest();
-  for (std::size_t i = 0; i < binding.count_; ++i) found[i] = binding.zones_[i];
+  for (std::size_t i = 0; i < binding.count_; ++i) found[i] = binding.zones_[i].zone;
   return found;
 }
 

@@ -14,18 +14,24 @@ class ZoneTrail {
   [[nodiscard]] bool empty() const { return count_ == 0; }
   /// A block of the path begins to be left: its limits reach so far.
   void add(const LimitZone& zone);
-  /// So many mm further.
-  void advance(float length);
+  /// So many mm further, which the plan drives at most so fast that half a window is
+  /// `reach` mm: where it is slow, limits end for the time that it takes.
+  void advance(float length, float reach);
   /// What reaches into a block whose own limits are these.
   [[nodiscard]] BlockZones reaching(const LimitZone& own) const;
 
  private:
-  static constexpr std::size_t kCapacity = 4;
+  static constexpr std::size_t kCapacity = 3;
+
+  struct Reaching {
+    LimitZone zone{};
+    float whole = 0.0F;  ///< mm, how far it reached at first.
+  };
 
   void remove(std::size_t index);
   void merge_cheapest();
 
-  std::array<LimitZone, kCapacity + 1> zones_{};
+  std::array<Reaching, kCapacity + 1> zones_{};
   std::size_t count_ = 0;
 };
 

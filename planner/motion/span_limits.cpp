@@ -38,7 +38,7 @@ LimitZone Spans::zone_on(int span) const {
 
 float Spans::greatest_acceleration() const {
   if (sweep_ <= 0.0F) return straight_acceleration_;
-  return std::min(straight_acceleration_, plane_acceleration_ / plane_share_);
+  return std::min(straight_acceleration_, most_acceleration_ / plane_share_);
 }
 
 LimitZone Spans::zone(float cap_square, float reachable_square) const {
@@ -50,27 +50,42 @@ LimitZone Spans::zone(float cap_square, float reachable_square) const {
                     turning_.speed_ratio * square(share),
                     turning_.jerk_ratio * square(share) * share};
   }
+  zone.length = reach_within(cap_square, reachable_square);
+  return zone;
+}
+
+/// mm to either side of a place of this block from which its limits hold.
+float Spans::reach_within(float cap_square, float reachable_square) const {
   // Beyond a block that is left with v the plan may go on speeding up: that adds A T² / 12.
   const float speeding_up = all_axes_ * square(window_.seconds()) / 12.0F;
-  zone.length = std::min(window_.reach(cap_square), window_.reach(reachable_square) + speeding_up);
-  return zone;
+  return std::min(window_.reach(cap_square), window_.reach(reachable_square) + speeding_up);
+}
+
+/// What the window spans before a span; the arc itself, no farther.
+float Spans::angle_before(int span) const {
+  return std::max(start_angle_, angle_of(span) - reach_);
+}
+
+float Spans::angle_behind(int span) const {
+  return std::min(start_angle_ + sweep_, angle_of(span + 1) + reach_);
 }
 
 /// Of what the window spans around a span between two places: the greatest shares of the
 /// speed that fall to the axes of the plane.
-Shares Spans::greatest_shares(int span, const Place& from, const Place& to) const {
+Shares Spans::shares_around(int span, const Place& from, const Place& to) const {
   if (uniform_) return {plane_share_, plane_share_};
+  if (reach_ > 0.0F) {
+    const Shares shares = greatest_shares(angle_before(span), angle_behind(span));
+    return {plane_share_ * shares.first, plane_share_ * shares.second};
+  }
   const float start = angle_of(span);
   const float end = angle_of(span + 1);
-  const bool around = reach_ > 0.0F;
-  const Place& first = around ? place_of(start - reach_) : from;
-  const Place& last = around ? place_of(end + reach_) : to;
-  Shares shares{std::max(std::abs(first.tangent_first), std::abs(last.tangent_first)),
-                std::max(std::abs(first.tangent_second), std::abs(last.tangent_second))};
+  Shares shares{std::max(std::abs(from.tangent_first), std::abs(to.tangent_first)),
+                std::max(std::abs(from.tangent_second), std::abs(to.tangent_second))};
   // An axis that the tangent lies along in between has all of it.
   const float middle = 0.5F * (start + end) / kHalfPi;
   const auto nearest = static_cast<std::int32_t>(middle + (middle < 0.0F ? -0.5F : 0.5F));
-  const float half = 0.5F * (end - start) + reach_;
+  const float half = 0.5F * (end - start);
   if (std::abs(middle - static_cast<float>(nearest)) * kHalfPi > half) return shares;
   const bool along_second = (nearest & 1) != 0;
   (along_second ? shares.second : shares.first) = plane_share_;
@@ -79,7 +94,7 @@ Shares Spans::greatest_shares(int span, const Place& from, const Place& to) cons
 
 float Spans::speed_limit_square(int span, const Place& from, const Place& to) const {
   if (sweep_ <= 0.0F) return straight_speed_square_;
-  const Shares shares = greatest_shares(span, from, to);
+  const Shares shares = shares_around(span, from, to);
   float limit = straight_speed_square_;
   const auto keep = [&limit](float rate, float share) {
     if (square(rate) < limit * square(share)) limit = square(rate / share);
@@ -99,13 +114,14 @@ float Spans::steepest(int span,
     const LimitZone zone = zone_on(span);
     most = std::min(most, zone.acceleration);
     const float window_s = window_.seconds();
-    most = zone.turning.steepest(most, growing, speed_square, cap_square, window_s, lag());
+    const float lag = lag_of(zone.turning.curvature, most, window_s);
+    most = zone.turning.steepest(most, growing, speed_square, cap_square, window_s, lag);
   }
   if (sweep_ <= 0.0F) return most;
   if (uniform_) return within_turning(most, change);
   if (window_.filters()) {
     const Shares tangent =
-        greatest_shares(span, place_at_boundary(span), place_at_boundary(span + 1));
+        shares_around(span, place_at_boundary(span), place_at_boundary(span + 1));
     most = within_jerk(tangent, most, change);
   }
 
@@ -125,30 +141,21 @@ float Spans::steepest(int span,
   meet(from, true, around);
   meet(to, around, true);
   if (!around) return most;
-  meet(place_of(angle_of(span) - reach_), true, true);
-  meet(place_of(angle_of(span + 1) + reach_), true, true);
+  meet(place_of(angle_before(span)), true, true);
+  meet(place_of(angle_behind(span)), true, true);
   return most;
-}
-
-/// The motion is the mean: where the plan speeds up by a, the motion's jerk is a / T then, and
-/// −a / T when the window has passed. By then the plan may have gone on, and the motion is
-/// faster by up to a T / 2; where the plan slows down it was so before. But the faster it
-/// is, the less a the plan had, so less than T / 2 does: with 0.35 T no jerk of 20,000 random
-/// programs on arcs is beyond its limit, with nothing one in sixteen is.
-float Spans::lag() const {
-  constexpr float kLag = 0.35F;
-  return kLag * window_.seconds();
 }
 
 /// What turning leaves, of the plane's limits; as an acceleration of the path.
 float Spans::within_turning(float most, const SpeedChange& change) const {
   const float to_plane = square(plane_share_);
-  const float plane = turning_.steepest(plane_acceleration_,
-                                        plane_share_ * change.growing,
-                                        to_plane * change.speed_square,
-                                        to_plane * change.cap_square,
-                                        window_.seconds(),
-                                        lag());
+  const float plane =
+      turning_.steepest(plane_acceleration_,
+                        plane_share_ * change.growing,
+                        to_plane * change.speed_square,
+                        to_plane * change.cap_square,
+                        window_.seconds(),
+                        lag_of(turning_.curvature, plane_acceleration_, window_.seconds()));
   return std::min(most, plane / plane_share_);
 }
 
@@ -156,17 +163,18 @@ float Spans::within_turning(float most, const SpeedChange& change) const {
 /// its normal the share n is asked for the jerk t (a / T + κ² v³) + n 3 κ v a at most.
 float Spans::within_jerk(const Shares& tangent, float most, const SpeedChange& change) const {
   const float cap = std::sqrt(change.cap_square);
+  const float lag = lag_of(curvature_, plane_acceleration_, window_.seconds());
   return steepest_within(most, [&](float steep) {
     const float end = std::sqrt(change.speed_square + 2.0F * steep * change.growing);
-    return within_jerk_at(std::min(cap, end + steep * lag()), most, tangent);
+    return within_jerk_at(std::min(cap, end + steep * lag), most, tangent);
   });
 }
 
 float Spans::within_jerk_at(float speed, float most, const Shares& tangent) const {
-  const float bend = square(plane_share_) * turning_.curvature;
+  const float bend = square(plane_share_) * curvature_;
   const float window_s = window_.seconds();
   // In units of A = J T, as accelerations are limited by it too.
-  const float along = turning_.curvature * bend * speed * square(speed) * window_s;
+  const float along = curvature_ * bend * speed * square(speed) * window_s;
   const float across = 3.0F * bend * speed * window_s;
   const auto keep = [&](float limit, float share, float other) {
     const float steepness = share + across * other / plane_share_;

@@ -28,7 +28,7 @@ float margin_for(float angle) {
 /// With a window of so many radians either way an arc is taken as uniform, …
 constexpr float kFarReach = kTwoPi / 48.0F;
 /// … in spans of at most so many.
-constexpr float kUniformSpan = kTwoPi / 48.0F;
+constexpr float kUniformSpan = kTwoPi / 96.0F;
 
 /// Of the v² at which there all acceleration is for turning: a third of it is left to slow
 /// down by when an override is lowered or the feed held.
@@ -139,14 +139,19 @@ void Spans::lay_out_arc(const Block& block, const Limits& limits, const TimeWind
   acceleration_first_ = planned_acceleration(limits, axes.first, window);
   acceleration_second_ = planned_acceleration(limits, axes.second, window);
 
+  curvature_ = turn.curvature;
   const float least = std::min(acceleration_first_, acceleration_second_);
   plane_acceleration_ = least * margin_for(kGridAngle);
-  turning_ = Turning::of(turn.curvature, plane_acceleration_);
+  most_acceleration_ = plane_acceleration_;
+  turning_ = Turning::of(curvature_, plane_acceleration_);
   straight_speed_square_ = std::min(
       straight_speed_square_, turning_.speed_limit_square(window.seconds()) / square(plane_share_));
-  reach_ = window.reach(straight_speed_square_) / mm_per_radian_;
+  const float farthest = std::min(window.reach(straight_speed_square_) / mm_per_radian_, sweep_);
+  if (farthest > kFarReach) straight_speed_square_ *= kTurningShare;
+  const float around = reach_within(straight_speed_square_, block.reachable_square);
+  reach_ = std::min(farthest, around / mm_per_radian_);
   uniform_ = reach_ > kFarReach;
-  if (uniform_) straight_speed_square_ *= kTurningShare;
+  if (window.filters()) lay_out_turning(block.reachable_square);
   const float margin = margin_for(std::max(kGridAngle, uniform_ ? 0.0F : reach_));
   acceleration_first_ *= margin;
   acceleration_second_ *= margin;
@@ -155,6 +160,41 @@ void Spans::lay_out_arc(const Block& block, const Limits& limits, const TimeWind
   } else {
     lay_out_grid();
   }
+}
+
+/// Where an arc has few directions there is more than the lesser of its axes' limits. What is
+/// needed for turning is held against all of its normals, and what that leaves of each axis
+/// against all of its tangents: an ellipse of both fits in where
+///   (T_i a)² + (N_i b)² ≤ A_i²
+/// for the greatest shares T and N that either has of axis i.
+void Spans::lay_out_turning(float reachable_square) {
+  constexpr float kLeastShare = 1.0e-6F;
+  constexpr float kWorthIt = 1.01F;
+  /// Of what is needed on the way; nearer to it there is little left for speeding up.
+  constexpr float kRoom = 2.0F;
+  const Shares shares = greatest_shares(start_angle_, start_angle_ + sweep_);
+  const float margin = plane_acceleration_ / std::min(acceleration_first_, acceleration_second_);
+  const auto left_of = [&](float limit, float normal_share, float normal, float share) {
+    const float most = margin * limit;
+    const float used = normal_share * normal;
+    return std::sqrt(std::max(0.0F, square(most) - square(used))) / std::max(share, kLeastShare);
+  };
+  const auto left_beside = [&](float normal) {
+    return std::min(left_of(acceleration_first_, shares.second, normal, shares.first),
+                    left_of(acceleration_second_, shares.first, normal, shares.second));
+  };
+  most_acceleration_ = left_beside(0.0F);
+  if (most_acceleration_ < plane_acceleration_ * kWorthIt) return;
+  const float window_s = window_.seconds();
+  const float met =
+      plane_share_ * std::sqrt(reachable_square) + 0.5F * most_acceleration_ * window_s;
+  const float speed = std::min(plane_share_ * std::sqrt(straight_speed_square_), met);
+  const float needed = curvature_ * speed * std::max(speed, 3.0F * window_s * most_acceleration_);
+  const float normal = std::min(plane_acceleration_, kRoom * needed);
+  const float along = left_beside(normal);
+  if (along < plane_acceleration_ * kWorthIt) return;
+  plane_acceleration_ = along;
+  turning_ = {curvature_ * (along / normal), curvature_ / normal, square(curvature_) / along};
 }
 
 void Spans::lay_out_grid() {
@@ -194,7 +234,7 @@ float Spans::boundary(int index) const {
 }
 
 Place Spans::place_with(float cosine, float sine) const {
-  const float bend = square(plane_share_) * turning_.curvature;
+  const float bend = square(plane_share_) * curvature_;
   return {.tangent_first = plane_share_ * cosine,
           .tangent_second = side_ * plane_share_ * sine,
           .bend_first = -bend * sine,

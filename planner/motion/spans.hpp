@@ -15,12 +15,6 @@ struct Place {
   float bend_second = 0.0F;
 };
 
-/// Of the speed along the path, for the axes of the plane.
-struct Shares {
-  float first = 0.0F;
-  float second = 0.0F;
-};
-
 /// Which end of a span is known, and which way the speed is to change.
 enum class Travel : std::int8_t { kForward = 1, kBackward = -1 };
 enum class Change : std::int8_t { kSpeedUp = 1, kSlowDown = -1 };
@@ -40,9 +34,10 @@ struct SpeedChange {
 /// neighbours begin and end; an arc at each multiple of 3.75° of its tangent, too, quarter
 /// turns among them, so that within a span no axis reverses.
 ///
-/// Under a time window the limits of a place hold around it. On an arc that is
-/// so small that the window spans more than 7.5° either way, they are taken as
-/// the same in all directions, and its spans are at most 7.5° long.
+/// Under a time window the limits of a place hold around it, as far as the arc goes: what is
+/// beyond asks for itself, by its zones. On an arc of which the window spans more than 7.5°
+/// either way, they are taken as the same in all directions that it has, and its spans are
+/// at most 7.5° long.
 ///
 /// Only limits are divided here. The path stays one arc.
 class Spans {
@@ -91,6 +86,7 @@ class Spans {
 
  private:
   void lay_out_arc(const Block& block, const Limits& limits, const TimeWindow& window);
+  void lay_out_turning(float reachable_square);
   void lay_out_grid();
   void lay_out_edges();
   void add_edge(float distance);
@@ -102,13 +98,15 @@ class Spans {
   [[nodiscard]] Place place_of(float angle) const;
   [[nodiscard]] Place place_with(float cosine, float sine) const;
   [[nodiscard]] LimitZone zone_on(int span) const;
-  [[nodiscard]] Shares greatest_shares(int span, const Place& from, const Place& to) const;
+  [[nodiscard]] float angle_before(int span) const;
+  [[nodiscard]] float angle_behind(int span) const;
+  [[nodiscard]] Shares shares_around(int span, const Place& from, const Place& to) const;
+  [[nodiscard]] float reach_within(float cap_square, float reachable_square) const;
   [[nodiscard]] float within_turning(float most, const SpeedChange& change) const;
   [[nodiscard]] float within_jerk(const Shares& tangent,
                                   float most,
                                   const SpeedChange& change) const;
   [[nodiscard]] float within_jerk_at(float speed, float most, const Shares& tangent) const;
-  [[nodiscard]] float lag() const;
 
   int count_ = 1;      ///< Of spans.
   int own_count_ = 1;  ///< The same without edges of zones.
@@ -132,8 +130,10 @@ class Spans {
   float mm_per_radian_ = 0.0F;
   float plane_share_ = 0.0F;
   float reach_ = 0.0F;               ///< Radians either way that the window spans.
+  float curvature_ = 0.0F;           ///< Of the plane circle, 1/mm.
   Turning turning_{};                ///< Within the plane.
-  float plane_acceleration_ = 0.0F;  ///< The lesser of its axes.
+  float plane_acceleration_ = 0.0F;  ///< In all directions of the arc, with the turning.
+  float most_acceleration_ = 0.0F;   ///< The same if it did not turn.
   float acceleration_first_ = 0.0F;
   float acceleration_second_ = 0.0F;
   float rate_first_ = 0.0F;

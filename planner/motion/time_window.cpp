@@ -53,8 +53,7 @@ TimeWindow divided(float wanted_s) {
           .cell_ns = static_cast<std::uint32_t>(std::ceil(seconds / cells * 1.0e9F))};
 }
 
-/// Along the path of a block: what its axes allow, the plane of an arc taken as the
-/// same in all directions.
+/// Along the path of a block: what its axes allow, in all directions that an arc has.
 float along_path(const Block& block, const AxisArray<float>& of_axes) {
   constexpr float kNoLimit = 1.0e12F;
   float most = kNoLimit;
@@ -65,8 +64,11 @@ float along_path(const Block& block, const AxisArray<float>& of_axes) {
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) keep(axis, std::abs(block.direction[axis]));
   if (!block.turns()) return most;
   const PlaneAxes plane = axes_of(block.turn.plane);
-  keep(plane.first, block.turn.plane_share);
-  keep(plane.second, block.turn.plane_share);
+  const float start = block.turn.start_angle;
+  const float end = start + 2.0F * block.turn.half_sweep;
+  const Shares shares = greatest_shares(std::min(start, end), std::max(start, end));
+  keep(plane.first, block.turn.plane_share * shares.first);
+  keep(plane.second, block.turn.plane_share * shares.second);
   return most;
 }
 

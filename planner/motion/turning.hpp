@@ -4,6 +4,16 @@
 
 namespace cnc::motion {
 
+/// Of the speed along the path, for the axes of the plane.
+struct Shares {
+  float first = 0.0F;
+  float second = 0.0F;
+};
+
+/// The greatest that tangents from one angle to another have of a speed in the plane.
+/// @param start, end radians, start ≤ end.
+[[nodiscard]] Shares greatest_shares(float start, float end);
+
 /// How a curve divides an acceleration limit A, taken as the same in all
 /// directions, between turning and changing speed. With curvature κ, speed v and
 /// path acceleration a = α A:
@@ -44,6 +54,16 @@ struct Turning {
                                           float distance,
                                           float speed_square) const;
 };
+
+/// s, for how long the speed is taken to go on growing by a until the motion takes a back:
+/// at most 0.35 of the window, less where it turns more.
+///
+/// The motion is the mean: where the plan speeds up by a, the motion's jerk is a / T then, and
+/// −a / T when the window has passed. By then the plan may have gone on, and the motion is
+/// faster by up to a T / 2; where the plan slows down it was so before. But the faster it
+/// is, the less a the plan had: the more so, the more turning leaves of a, by k = κ A T².
+/// With 0.28 k^−¼ T no motion that was simulated over all k is beyond the limits of Turning.
+[[nodiscard]] float lag_of(float curvature, float acceleration, float window_s);
 
 /// The greatest a ≤ `most` that is within what is left at the speed that it leads to,
 /// `within(a)`, which falls as a grows. Never more, and at most a fifth less.

@@ -31,7 +31,8 @@ TimedProgram time_program(std::uint64_t seed) {
   Random random{seed};
   TestMachine machine = random_machine(random, kMachines);
   Program program = random_program(random, machine);
-  program.pushed_at_once = 64;  // The sender keeps up: the queue is always full.
+  // The sender keeps up: the queue is always full, or all is known. (Many items do not move.)
+  program.pushed_at_once = 4096;
   program.cut_at_once = 1;
   const double rise = random.magnitude(0.005, 0.05);
   sim::MotionLimits limits = limits_of(machine.limits);
@@ -54,13 +55,15 @@ void print(const std::vector<TimedProgram>& programs, std::size_t left_out) {
   };
   std::printf(
       "%zu random programs with limited jerk (%zu more have over %zu blocks): time / least known "
-      "time: least %.4f, median %.4f, nine of ten below %.4f, worst %.4f; the slowest are",
+      "time: least %.4f, median %.4f, nine of ten below %.4f, 99 of 100 below %.4f, worst %.4f; "
+      "the slowest are",
       programs.size(),
       left_out,
       kMostPieces,
       programs.front().ratio(),
       at(0.5),
       at(0.9),
+      at(0.99),
       programs.back().ratio());
   for (std::size_t i = 0; i < std::min<std::size_t>(12, programs.size()); ++i) {
     const TimedProgram& program = programs[programs.size() - 1 - i];
@@ -71,7 +74,7 @@ void print(const std::vector<TimedProgram>& programs, std::size_t left_out) {
 
 // Against the reference with full knowledge of the path. Those that take much longer consist of
 // arcs of micrometres to tenths of a millimetre, on which the planner takes limits as the same
-// in all directions and as one acceleration over 7.5°.
+// in all directions that an arc has.
 TEST(JerkLimitedPrograms, TakeHardlyLongerThanTheFastestMotionKnown) {
   const Trials trials{300};
   std::vector<TimedProgram> programs;
@@ -95,8 +98,8 @@ TEST(JerkLimitedPrograms, TakeHardlyLongerThanTheFastestMotionKnown) {
   };
   const auto count = static_cast<std::ptrdiff_t>(programs.size());
   EXPECT_LE(2 * beyond(1.03), count);
-  EXPECT_LE(5 * beyond(1.10), count);
-  EXPECT_LE(16 * beyond(1.25), count);
+  EXPECT_LE(7 * beyond(1.10), count);
+  EXPECT_LE(50 * beyond(1.25), count);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 #include "tests/support/random_source.hpp"
@@ -54,12 +55,64 @@ TEST(ZoneTrail, AsksForAllThatEveryBlockAsksFor) {
         ASSERT_EQ(both(got.turning, wanted.turning), got.turning);
       }
       const auto length = static_cast<float>(random.magnitude(1.0e-3, 2.0));
-      trail.advance(length);
+      trail.advance(length, 1.0e6F);
       trail.add(own);
       for (LimitZone& zone : all) zone.length -= length;
       all.push_back(own);
     }
   }
+}
+
+/// mm that a plan is ahead of its mean over `window_s` when it comes from a stretch of the speed
+/// `before` and has since been as fast as it may on stretches of so many mm; less the latter.
+double mean_before_end(const std::vector<std::pair<double, double>>& stretches,
+                       double before,
+                       double window_s) {
+  double back = 0.0;
+  double sum = 0.0;
+  double time = 0.0;
+  const auto pass = [&](double length, double speed) {
+    const double seconds = std::min(length / speed, window_s - time);
+    sum += seconds * (back + 0.5 * speed * seconds);
+    back += speed * seconds;
+    time += seconds;
+  };
+  double length = 0.0;
+  for (auto stretch = stretches.rbegin(); stretch != stretches.rend(); ++stretch) {
+    pass(stretch->first, stretch->second);
+    length += stretch->first;
+  }
+  pass(1.0e9, before);
+  return sum / window_s - length;
+}
+
+// However slow and short the blocks behind a fast one are: as soon as nothing of it is asked for
+// any more, the mean of the plan has left it, too.
+TEST(ZoneTrail, ForgetsABlockOnlyWhenTheMeanHasLeftIt) {
+  const std::uint64_t seed = 20261123;
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  proof::Random random{seed};
+  double nearest = 1.0e9;
+  for (int trial = 0; trial < 20'000; ++trial) {
+    const double window_s = random.magnitude(1.0e-3, 0.2);
+    const double speed = random.magnitude(0.1, 100.0);
+    const auto reach = [&](double of) { return static_cast<float>(0.5 * of * window_s); };
+    ZoneTrail trail;
+    trail.add({.length = reach(speed), .speed_square = 1.0F});
+    std::vector<std::pair<double, double>> stretches;
+    while (!trail.empty()) {
+      const double there = speed * random.magnitude(0.01, 3.0);
+      const double length = speed * window_s * random.magnitude(1.0e-3, 0.3);
+      stretches.emplace_back(length, there);
+      trail.advance(static_cast<float>(length), reach(there));
+    }
+    // Faster blocks are held to the zone's speed.
+    for (auto& stretch : stretches) stretch.second = std::min(stretch.second, speed);
+    const double beyond = mean_before_end(stretches, speed, window_s) / (speed * window_s);
+    ASSERT_LE(beyond, 1.0e-5) << "trial " << trial;
+    nearest = std::min(nearest, -beyond);
+  }
+  EXPECT_LT(nearest, 0.05) << "kept much too long";
 }
 
 // A slow zone of a hair's breadth is not made as long as a fast one: two fast ones become one.
