@@ -70,6 +70,7 @@ Answer read_answer(std::string_view line) {
   Answer answer{.checked = checked};
   if (take_prefix(rest, "ok")) {
     answer.kind = AnswerKind::kOk;
+    answer.text = rest;
     read_line_number(rest, answer);
   } else if (take_prefix(rest, "error:")) {
     answer.kind = AnswerKind::kError;

@@ -9,7 +9,7 @@ namespace sim {
 
 enum class AnswerKind : std::uint8_t {
   kOther,
-  kOk,
+  kOk,       ///< `text` is what follows, in most controllers nothing.
   kError,    ///< `code`
   kAlarm,    ///< `code`
   kBanner,   ///< The controller has begun anew.

@@ -167,7 +167,7 @@ void Sender::answered_until(std::size_t line) {
 }
 
 void Sender::take_end(const Answer& answer) {
-  if (answer.kind != AnswerKind::kOk || answer.checked) return;
+  if (answer.kind != AnswerKind::kOk || answer.checked || !answer.text.empty()) return;
   numbers_lines_ = false;
   enter(State::kWaiting);
 }

@@ -104,6 +104,7 @@ class Sender {
   void attend_wishes();
   void attend_losses();
   void repeat_question();
+  void end_line_again();
 
   void enter(State state);
   void stop(std::string why);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "firmware/link/receiver.hpp"
 #include "host-sim/send/sender.hpp"
 
 namespace sim {
@@ -24,6 +25,7 @@ void Sender::ask() {
 void Sender::begin() {
   ++questions_;
   asked_ = now_;
+  room_ = cnc::Receiver::kAdvertisedBytes;  // Only we know such lines; what it told may be damaged.
   begun_ = answered_;
   put(with_crc("N0M110"));
 }
@@ -36,8 +38,8 @@ void Sender::send_end() {
 
 std::size_t Sender::window() const {
   if (options_.window != 0) return options_.window;
-  const std::size_t room = room_ != 0 ? room_ : kGrblRoom;
-  return options_.checked ? std::min(room, kCheckedWindow) : room;
+  if (options_.checked) return kCheckedWindow;
+  return room_ != 0 ? room_ : kGrblRoom;
 }
 
 std::string Sender::text_of(std::size_t line) const {

@@ -30,6 +30,7 @@ void Sender::attend(Time now) {
   attend_wishes();
   if (state_ == State::kSending && numbers_lines_) attend_losses();
   repeat_question();
+  end_line_again();
   send_lines();
   const bool met = state_ != State::kMeeting || since(entered_) >= kFirstPoll;
   if (!met || since(polled_) < kPollPeriod) return;
@@ -44,6 +45,14 @@ void Sender::attend_silence() {
   if (state_ != State::kMeeting && since(heard_) > kSilenceLimit) fail("the controller is silent");
 }
 
+/// The last line may have lost its end, and whatever comes is part of it.
+void Sender::end_line_again() {
+  const bool waits = state_ == State::kWaiting || state_ == State::kStopping;
+  if (!options_.checked || !waits || since(heard_) < kDeaf || since(asked_) < kDeaf) return;
+  asked_ = now_;
+  put("");
+}
+
 /// Lines of which the controller has none waiting, and no answer comes: they, or the request
 /// for them, or the answers were lost.
 void Sender::attend_losses() {
@@ -51,7 +60,8 @@ void Sender::attend_losses() {
   const Time stall = next_ - answered_ == 1 ? kStallOfOne : kStall;
   if (since(moved_) < stall || !lines_out_.empty()) return;
   const bool told = room_told_ > moved_ + stall / 2 && room_now_;
-  if (told && *room_now_ >= room_) return go_back(answered_);
+  // A report may be damaged, but nothing waits where nothing is done.
+  if (told && (*room_now_ >= room_ || idle_reports_ > 1)) return go_back(answered_);
   if (!room_now_ && since(moved_) > 2 * kStallOfOne) return go_back(answered_);
   // A line that lost its end swallows what is asked.
   if (since(heard_) > kDeaf) return go_back(answered_);
