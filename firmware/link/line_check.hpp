@@ -55,7 +55,7 @@ class LineCheck {
  private:
   struct Checked;
 
-  [[nodiscard]] Judgement take(const Checked& line, hal::TickCount now);
+  [[nodiscard]] Judgement take(const Checked& checked, hal::TickCount now);
   [[nodiscard]] Verdict ask(std::uint32_t number, hal::TickCount now);
 
   std::uint32_t wanted_ = 1;
