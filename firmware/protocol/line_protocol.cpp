@@ -126,7 +126,9 @@ void LineProtocol::attend_realtime() {
 
 /// Who is gone while the beam is on cannot be asked what it is to do.
 void LineProtocol::watch_link() {
+  constexpr std::int32_t kTurnUs = 1000;
   const std::int32_t silent_us = now_.since(heard_);
+  if (silent_us < kTurnUs) return;
   if (silent_us > kLongSilenceUs) heard_ = now_.plus(-static_cast<std::uint32_t>(kLongSilenceUs));
   const float allowed_ms = machine_.settings().get(setting::kLinkWatchdog);
   if (!spoken_to_ || allowed_ms <= 0.0F || !machine_.beam_works()) return;
@@ -135,6 +137,7 @@ void LineProtocol::watch_link() {
 
 /// While a line waits for the machine, or for whoever reads the answers, none can be expected.
 void LineProtocol::watch_checks() {
+  if (!check_.strict()) return;
   if (owed_ != Owed::kNothing || machine_.busy()) check_.keep(now_);
   check_.attend(now_);
   receiver_.be_strict(check_.strict());
@@ -142,6 +145,7 @@ void LineProtocol::watch_checks() {
 
 void LineProtocol::begin_anew() {
   check_ = {};
+  receiver_.be_strict(false);
   assembler_ = {};
   listing_.stop();
   auto_report_ = false;
