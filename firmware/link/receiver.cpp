@@ -1,6 +1,7 @@
 #include "firmware/link/receiver.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace cnc {
 namespace {
@@ -38,9 +39,24 @@ std::size_t Receiver::receive(std::span<const char> received) {
 }
 
 bool Receiver::receive_other(std::uint8_t byte) {
-  const bool taken = byte >= 0x80 ? receive_high(byte) : receive_low(byte);
-  plain_ = comment_ == Comment::kNone && !lead_waits_ && continuation_ == 0;
+  const bool taken = strict_        ? receive_strict(byte)
+                     : byte >= 0x80 ? receive_high(byte)
+                                    : receive_low(byte);
+  plain_ = comment_ == Comment::kNone && !lead_waits_ && continuation_ == 0 && once_ == 0;
   return taken;
+}
+
+bool Receiver::receive_strict(std::uint8_t byte) {
+  const char last = lines_.last();
+  const bool between = last == '\n' || last == '\r';
+  const std::uint8_t before = std::exchange(once_, std::uint8_t{0});
+  if (!between || !(is_continuation(byte) || is_ascii_realtime(byte))) return store(byte);
+  if (byte != before && byte != static_cast<std::uint8_t>(RealtimeByte::kStatus)) {
+    once_ = byte;
+  } else {
+    act(byte);
+  }
+  return true;
 }
 
 bool Receiver::receive_low(std::uint8_t byte) {
@@ -108,6 +124,7 @@ void Receiver::act_at_once(std::uint8_t code) {
 void Receiver::act(std::uint8_t code) {
   const auto command = static_cast<RealtimeByte>(code);
   switch (command) {
+    case RealtimeByte::kReset:
     case RealtimeByte::kStop:
       return reset();
     case RealtimeByte::kStatus:
@@ -122,24 +139,34 @@ void Receiver::act(std::uint8_t code) {
   if (!commands_.try_push(command) && is_stop(command)) late_hold_.store(true);
 }
 
-/// Nothing was begun: neither a comment nor a character of several bytes.
+/// Nothing was begun: neither a comment nor a character of several bytes, nor a pair.
 void Receiver::end_text() {
   comment_ = Comment::kNone;
   lead_waits_ = false;
   continuation_ = 0;
+  once_ = 0;
 }
 
 void Receiver::reset() {
   end_text();
+  strict_ = false;
   lines_begin_.store(lines_.place());
   commands_begin_.store(commands_.place());
   late_hold_.store(false);
   reset_.store(true);
 }
 
+void Receiver::be_strict(bool strict) {
+  if (strict == strict_) return;
+  strict_ = strict;
+  end_text();
+  plain_ = true;
+}
+
 void Receiver::begin_anew() {
   drop_waiting();
   end_text();
+  strict_ = false;
   plain_ = true;
 }
 

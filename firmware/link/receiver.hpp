@@ -19,6 +19,10 @@ namespace cnc {
 /// where only a comment may hold them. Within a comment, from `(` to `)` or
 /// from `;` to the end of the line, nothing acts but a reset.
 ///
+/// Where every line is checked (`be_strict`), nothing acts within a line, comment or not, because
+/// any byte may be a damaged one: it is part of the line, and spoils it. Between lines a byte
+/// acts when it comes twice in a row; but for `?`, which does no harm.
+///
 /// No byte of a line is ever dropped: when there is no room, `receive` does not
 /// take the byte and wants to be offered it again, so that the link stops
 /// reading. A reset, which forgets all lines before it, is always taken.
@@ -57,6 +61,9 @@ class Receiver {
     commands_.clear();
   }
 
+  /// From the next byte on. Not while receive() may run.
+  void be_strict(bool strict);
+
   /// Forgets also what it was in the middle of: another sender begins. Whether a reset
   /// or a report is due stays. Not while receive() may run.
   void begin_anew();
@@ -82,6 +89,7 @@ class Receiver {
     return byte < 0x80 && (kPlain[byte >> 5] >> (byte & 31U) & 1U) != 0;
   }
   [[nodiscard]] bool receive_other(std::uint8_t byte);
+  [[nodiscard]] bool receive_strict(std::uint8_t byte);
   [[nodiscard]] bool receive_low(std::uint8_t byte);
   [[nodiscard]] bool receive_high(std::uint8_t byte);
   [[nodiscard]] bool store(std::uint8_t byte) { return lines_.try_push(static_cast<char>(byte)); }
@@ -105,6 +113,8 @@ class Receiver {
   Comment comment_ = Comment::kNone;
   bool lead_waits_ = false;        ///< C2 was received, and not yet stored.
   std::uint8_t continuation_ = 0;  ///< Bytes still to come of a character.
+  bool strict_ = false;
+  std::uint8_t once_ = 0;  ///< Came between two lines, and waits for its like.
 };
 
 }  // namespace cnc

@@ -31,8 +31,13 @@ bool Machine::locked() const {
 }
 
 bool Machine::busy() const {
-  return !waiting_.empty() || jog_ || step_pause_ || leaving_travel_ || cutting_off_ ||
-         door_stops_jog() || state_.in(Mode::kHome);
+  return !waiting_.empty() || jog_ || step_pause_ || stopping_for_ != Alarm::kNone ||
+         cutting_off_ || door_stops_jog() || state_.in(Mode::kHome);
+}
+
+bool Machine::beam_works() const {
+  const bool on = tool_.is_laser() && tool_.mode_now() != gcode::SpindleMode::kOff;
+  return on && state_.in(Mode::kFree) && !motion_.drained();
 }
 
 bool Machine::idle() const {
@@ -54,7 +59,7 @@ gcode::Refusal Machine::accept(std::string_view line) {
     return {};
   }
   if (travel_.left_by(actions.value(), from)) {
-    stop_for_travel();
+    stop_for(Alarm::kSoftLimit);
     return {};
   }
   waiting_ = actions.value();
@@ -88,7 +93,7 @@ void Machine::poll(hal::TickCount now) {
 
 /// What goes on by itself in the present mode.
 void Machine::attend_mode(std::int32_t elapsed_us) {
-  if (leaving_travel_ && at_rest()) return raise_alarm(Alarm::kSoftLimit);
+  if (stopping_for_ != Alarm::kNone && at_rest()) return raise_alarm(stopping_for_);
   switch (state_.mode()) {
     case Mode::kJog:
     case Mode::kJogEnding:

@@ -69,6 +69,9 @@ class Machine {
   void resume();
   void safety_door();
   void jog_cancel();
+  /// Nobody is at the link any more: a beam is dark at once, and when all stands still on
+  /// its path an alarm follows.
+  void lose_link();
   /// Stops at once, output off, modes forgotten. At rest the position stays
   /// known; else an alarm.
   void reset();
@@ -131,6 +134,8 @@ class Machine {
   [[nodiscard]] bool idle() const;
   /// A spindle turns; or a beam is on that does not go with the motion, and so off at rest.
   [[nodiscard]] bool tool_runs() const;
+  /// A beam is on and goes with a motion that is not held.
+  [[nodiscard]] bool beam_works() const;
   /// Without their bounce.
   [[nodiscard]] const hal::InputState& inputs() const { return inputs_.settled(); }
   /// Axes whose machine coordinates are known, bit i for axis i.
@@ -241,7 +246,7 @@ class Machine {
   [[nodiscard]] std::uint8_t door_substate() const;
 
   // Ends of the travel, in machine_limits.cpp.
-  void stop_for_travel();
+  void stop_for(Alarm alarm);
   void judge(gcode::Actions actions, const Position& from);
   void hit_limit();
   void set_homed(std::uint8_t axes);
@@ -285,7 +290,7 @@ class Machine {
   bool reset_pressed_ = false;
   bool cutting_off_ = false;  ///< Motion was cut off; the rest goes at the next turn.
   std::uint8_t homed_ = 0;
-  bool leaving_travel_ = false;  ///< Holding for the soft limit's alarm.
+  Alarm stopping_for_ = Alarm::kNone;  ///< Holding, for this alarm at standstill.
   DoorStage door_stage_ = DoorStage::kStopped;
   bool door_ends_jog_ = false;
   bool away_ = false;  ///< The parking axis is on its side trip; these are its places:

@@ -4,8 +4,8 @@ namespace cnc {
 
 /// A line that would leave the travel moves nothing: what was planned before is
 /// held, and when all stands still the alarm follows, with the place known.
-void Machine::stop_for_travel() {
-  leaving_travel_ = true;
+void Machine::stop_for(Alarm alarm) {
+  stopping_for_ = alarm;
   static_cast<void>(state_.take(Event::kHold));
   motion_.halt();
 }

@@ -52,7 +52,7 @@ void Machine::drop_everything() {
   pause_seen_ = false;
   step_pause_ = false;
   restarting_ = false;
-  leaving_travel_ = false;
+  stopping_for_ = Alarm::kNone;
   tool_wanted_.reset();
   probing_ = Probing::kNo;
   drive_.disarm_probe();

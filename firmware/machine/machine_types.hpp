@@ -47,6 +47,7 @@ enum class Alarm : std::uint8_t {
   kHomingRequired = 11,
   kStarved = 23,  ///< Motion was cut off because the planner came too late.
   kEmergencyStop = 24,
+  kLinkSilent = 25,  ///< Nobody was heard any more while the beam was on; the place is known.
 };
 
 /// Percent of the programmed value.

@@ -22,7 +22,7 @@ constexpr const char* kAxisNames = "X,Y,Z,A,B,C";
 
 // clang-format off
 // The size is spelled out: deduced, GCC 12 puts the table into RAM.
-constexpr std::array<SettingInfo, 107> kTable{{
+constexpr std::array<SettingInfo, 108> kTable{{
     SettingInfo{0, "Step pulse time", "microseconds", 1.0F, 12.0F, 5.0F, false,
      Group::kStepper, Type::kDecimal, kThousandths,
      "How long a step input is held high, and then low."},
@@ -304,6 +304,10 @@ constexpr std::array<SettingInfo, 107> kTable{{
     SettingInfo{857, "Beam lag", "microseconds", -kMostBeamDelay, kMostBeamDelay, 0.0F, false,
      Group::kSpindle, Type::kDecimal, kThousandths,
      "How much later than the motors all light comes; negative where the motors come later."},
+    SettingInfo{858, "Link watchdog", "milliseconds", 0.0F, 60000.0F, 250.0F, true,
+     Group::kGeneral, Type::kInteger, kWhole,
+     "How often a sender speaks at least while a laser works; later than this and a fifth more, "
+     "the machine stops dark: alarm 25. 0 waits for ever."},
 }};
 // clang-format on
 static_assert(kTable.size() <= Settings::kMostSettings);

@@ -165,6 +165,7 @@ inline constexpr std::uint16_t kLeastBeamPower = 854;
 inline constexpr std::uint16_t kBeamOnDelay = 855;
 inline constexpr std::uint16_t kBeamOffDelay = 856;
 inline constexpr std::uint16_t kBeamLag = 857;
+inline constexpr std::uint16_t kLinkWatchdog = 858;
 }  // namespace setting
 
 }  // namespace cnc

@@ -16,10 +16,24 @@ constexpr int kRowsInATurn = 8;
 /// Lines at a look, of which a turn has two: a burst is planned in the time that a turn has.
 constexpr int kLinesInATurn = 4;
 
+/// So long no byte at all: another second changes nothing. Ticks wrap.
+constexpr std::int32_t kLongSilenceUs = 1'000'000'000;
+
+/// A sender that speaks four times a second is a little late now and then: part of the time
+/// allowed.
+constexpr float kGrace = 1.2F;
+
 /// Nothing but blanks and comments.
 bool is_empty(std::string_view line) {
   gcode::LineReader reader{line};
   return !reader.begin(false) && reader.at_end();
+}
+
+/// Of all that it says so far.
+Reply& put_crc(Reply& reply) {
+  std::array<char, 8> digits{};
+  put_line_crc(reply.view(), digits.data());
+  return reply.letter('*').text({digits.data(), digits.size()});
 }
 
 }  // namespace
@@ -46,6 +60,10 @@ void LineProtocol::poll(hal::TickCount now) {
   for (;;) {
     receive();
     attend_realtime();
+    if (lines == 0) {
+      watch_link();
+      watch_checks();
+    }
     outbox_.send(link_);
     if (!outbox_.empty()) return;
     if (report() || tell_news()) continue;
@@ -63,7 +81,8 @@ void LineProtocol::poll(hal::TickCount now) {
     } else if (!finish_line()) {
       if (++lines > kLinesInATurn) return;
       if (!read_line()) return save_places();
-      handle(assembler_.line());
+      std::string_view line = assembler_.line();
+      if (passes_check(line)) handle(line);
       // Most lines are answered at once: nothing else is to be said before.
       const bool silent = outbox_.empty() && !listing_.active() && !tell_news();
       if (silent && !machine_.busy()) static_cast<void>(finish_line());
@@ -77,6 +96,8 @@ void LineProtocol::receive() {
     const std::size_t room = std::min<std::size_t>(incoming_.size(), receiver_.room());
     const std::size_t count = link_.read(std::as_writable_bytes(std::span{incoming_}.first(room)));
     if (count == 0) return;
+    heard_ = now_;
+    spoken_to_ = true;
     // No byte takes more than its own room.
     CNC_ASSERT(receiver_.receive(std::span{incoming_}.first(count)) == count);
   }
@@ -103,7 +124,28 @@ void LineProtocol::attend_realtime() {
   }
 }
 
+/// Who is gone while the beam is on cannot be asked what it is to do.
+void LineProtocol::watch_link() {
+  constexpr std::int32_t kTurnUs = 1000;
+  const std::int32_t silent_us = now_.since(heard_);
+  if (silent_us < kTurnUs) return;
+  if (silent_us > kLongSilenceUs) heard_ = now_.plus(-static_cast<std::uint32_t>(kLongSilenceUs));
+  const float allowed_ms = machine_.settings().get(setting::kLinkWatchdog);
+  if (!spoken_to_ || allowed_ms <= 0.0F || !machine_.beam_works()) return;
+  if (static_cast<float>(silent_us) > 1000.0F * kGrace * allowed_ms) machine_.lose_link();
+}
+
+/// While a line waits for the machine, or for whoever reads the answers, none can be expected.
+void LineProtocol::watch_checks() {
+  if (!check_.strict()) return;
+  if (owed_ != Owed::kNothing || machine_.busy()) check_.keep(now_);
+  check_.attend(now_);
+  receiver_.be_strict(check_.strict());
+}
+
 void LineProtocol::begin_anew() {
+  check_ = {};
+  receiver_.be_strict(false);
   assembler_ = {};
   listing_.stop();
   auto_report_ = false;
@@ -114,6 +156,7 @@ void LineProtocol::begin_anew() {
 }
 
 void LineProtocol::begin_sender() {
+  check_ = {};
   receiver_.begin_anew();
   assembler_ = {};
   listing_.stop();
@@ -146,7 +189,7 @@ bool LineProtocol::finish_line() {
     return true;
   }
   owed_ = Owed::kNothing;
-  if (!std::exchange(unheard_, false)) answer(begin_answer().text("ok").end());
+  if (!std::exchange(unheard_, false)) say_ok();
   return true;
 }
 
@@ -154,14 +197,48 @@ bool LineProtocol::read_line() {
   return receiver_.take_until([this](char byte) { return assembler_.add(byte); });
 }
 
+/// True when the line is to be done: as it came, or what is left of it without its check.
+bool LineProtocol::passes_check(std::string_view& line) {
+  const LineCheck::Judgement judged = check_.judge(line, !assembler_.too_long(), now_);
+  line = judged.text;
+  receiver_.be_strict(check_.strict());
+  switch (judged.verdict) {
+    case LineCheck::Verdict::kTake:
+      return true;
+    case LineCheck::Verdict::kBegin:
+      acknowledge();
+      return false;
+    case LineCheck::Verdict::kMissing:
+    case LineCheck::Verdict::kRepeated:
+      ask_again(judged.verdict);
+      return false;
+    case LineCheck::Verdict::kDrop:
+      return false;
+  }
+  return false;
+}
+
+/// Senders that sum up expect an acknowledgement behind it, as Marlin gives one.
+void LineProtocol::ask_again(LineCheck::Verdict verdict) {
+  Reply reply = begin_answer();
+  reply.text("Resend: ").number(check_.wanted());
+  if (check_.form() != LineCheck::Form::kCrc) {
+    answer(reply.end());
+    return acknowledge();
+  }
+  if (verdict == LineCheck::Verdict::kRepeated) reply.text(" N").number(check_.taken());
+  answer(put_crc(reply).end());
+}
+
 void LineProtocol::handle(std::string_view line) {
+  const std::string_view whole = line;
   if (assembler_.too_long()) {
     return refuse(
         error_number::kLineTooLong, kLongestLine + 1, "line is longer than 256 characters");
   }
   while (!line.empty() && gcode::is_blank(line.front())) line.remove_prefix(1);
   if (!line.empty() && line.front() == '$') return take_statement(line);
-  if (!machine_.locked()) return take_gcode(assembler_.line());
+  if (!machine_.locked()) return take_gcode(whole);
   if (is_empty(line)) return acknowledge();
   refuse(error_number::kLocked);
 }
@@ -196,7 +273,17 @@ Reply LineProtocol::begin_reason(std::uint32_t column) {
 
 void LineProtocol::refuse(std::uint8_t number, Reply& reason) {
   answer(reason.letter(']').end());
-  answer(begin_answer().text("error:").number(number).end());
+  answer_line(begin_answer().text("error:").number(number));
+}
+
+void LineProtocol::answer_line(Reply& reply) {
+  if (check_.numbered()) put_crc(reply.text(" N").number(check_.taken()));
+  answer(reply.end());
+}
+
+void LineProtocol::say_ok() {
+  Reply reply = begin_answer();
+  answer_line(reply.text("ok"));
 }
 
 void LineProtocol::message(std::string_view words) {

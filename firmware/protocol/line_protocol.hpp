@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "firmware/link/line_assembler.hpp"
+#include "firmware/link/line_check.hpp"
 #include "firmware/link/outbox.hpp"
 #include "firmware/link/receiver.hpp"
 #include "firmware/machine/machine.hpp"
@@ -29,6 +30,9 @@ namespace cnc {
 /// over), so a sender that waits for it never overruns the planner. No line is
 /// read before the answer to the one before is on its way. A refused line is
 /// answered by `[MSG:column: reason]` and `error:N` with Grbl's number.
+///
+/// A sender that checks its lines (LineCheck) has those that are missing asked for by `Resend: N`;
+/// with the CRC the answers say which line they are for, and carry one as well: `ok N12*8D1F03A2`.
 ///
 /// Never waits for the link: what is to be said is made line by line as the
 /// link takes it, a status report before anything else. No line but an
@@ -68,8 +72,12 @@ class LineProtocol {
   void begin_anew();
   [[nodiscard]] bool finish_line();
   [[nodiscard]] bool read_line();
+  [[nodiscard]] bool passes_check(std::string_view& line);
   void handle(std::string_view line);
   void take_gcode(std::string_view line);
+  void ask_again(LineCheck::Verdict verdict);
+  void watch_checks();
+  void watch_link();
 
   // What is said without being asked, in events.cpp.
   [[nodiscard]] bool report();
@@ -118,6 +126,9 @@ class LineProtocol {
   void message(std::string_view words);
   /// The next line to be said; goes out with answer(). One at a time.
   [[nodiscard]] Reply begin_answer() { return Reply{outbox_.room<Reply::kCapacity>()}; }
+  /// An acknowledgement; says which line it is for, where lines are numbered.
+  void answer_line(Reply& reply);
+  void say_ok();
   void answer(const Reply& reply) { outbox_.wrote(reply.view().size()); }
   [[nodiscard]] bool inches() const;
 
@@ -129,6 +140,7 @@ class LineProtocol {
   std::array<char, 64> incoming_{};  ///< What the link hands over at a time.
   Receiver receiver_{};
   LineAssembler<kLongestLine> assembler_{};
+  LineCheck check_{};
   Outbox<3 * Reply::kCapacity> outbox_{};  ///< A message, a reason and its number.
   Listing listing_;
   StatusReport status_{};
@@ -137,7 +149,9 @@ class LineProtocol {
   Alarm told_alarm_ = Alarm::kNone;
   bool tool_told_ = false;
   hal::TickCount now_{};
+  hal::TickCount heard_{};     ///< The last byte.
   hal::TickCount reported_{};  ///< The last report that nobody asked for.
+  bool spoken_to_ = false;     ///< At all.
   bool auto_report_ = false;
   bool modes_wanted_ = false;  ///< 0x83: a parser state between other lines.
   bool beginning_ = true;      ///< After power-up or a reset: the banner is due.

@@ -179,7 +179,7 @@ void LineProtocol::toggle_check_mode() {
   const bool was_on = machine_.state() == MachineState::kCheck;
   if (!machine_.toggle_check_mode()) return refuse(error_number::kNotIdle);
   message(was_on ? "Disabled" : "Enabled");
-  answer(begin_answer().text("ok").end());
+  say_ok();
   beginning_ = was_on;  // Leaving it is a reset.
 }
 
@@ -211,7 +211,7 @@ void LineProtocol::restore(const Statement& statement) {
   }
   if (!kept) return refuse(error_number::kStoreFailed);
   message("Restoring defaults");
-  answer(begin_answer().text("ok").end());
+  say_ok();
   machine_.reset();
   beginning_ = true;
 }

@@ -22,5 +22,6 @@ void add_kerf_command(CLI::App& app, ExitStatus& status);
 void add_offset_command(CLI::App& app, ExitStatus& status);
 void add_drawing_command(CLI::App& app, ExitStatus& status);
 void add_cut_command(CLI::App& app, ExitStatus& status);
+void add_send_command(CLI::App& app, ExitStatus& status);
 
 }  // namespace sim

@@ -30,6 +30,7 @@ constexpr const char* kProgramFooter =
     "  kerfline drawing part.dxf --svg part.svg\n"
     "  kerfline cut part.dxf --material 'CSP 1N' --thickness 2 -o part.nc --svg part.svg\n"
     "  kerfline serve --pty ttyKerfline --settings laser.settings\n"
+    "  kerfline send part.nc --port /dev/ttyACM0\n"
     "  kerfline kerf advise --material 'CSP 1N' --thickness 2 --power 1800 --speed 4000\n"
     "\n"
     "Exit status: 0 fine, 1 the program has faults, 2 the call is wrong.";
@@ -48,6 +49,7 @@ int run(int argc, char** argv) {
   sim::add_offset_command(app, status);
   sim::add_drawing_command(app, status);
   sim::add_cut_command(app, status);
+  sim::add_send_command(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

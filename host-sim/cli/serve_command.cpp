@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
@@ -121,6 +123,17 @@ void announce(const Reception& reception) {
   std::fflush(stdout);
 }
 
+/// A sender is no quicker because the machine's time is: it may be silent for as much longer.
+std::vector<SettingChange> settings_at_speed(const ServeOptions& options) {
+  std::vector<SettingChange> changes = settings_of(options.settings_file, options.set);
+  if (options.speed <= 1.0) return changes;
+  const cnc::SettingInfo& info = *cnc::find_setting(cnc::setting::kLinkWatchdog);
+  const double scaled = std::round(info.standard * options.speed);
+  const float allowed = std::min(static_cast<float>(scaled), info.most);
+  changes.insert(changes.begin(), {.number = info.number, .value = allowed, .place = "--speed"});
+  return changes;
+}
+
 ExitStatus serve(const ServeOptions& options) {
   if (options.pty.empty() && options.tcp.empty() && options.ws.empty() && options.slcan.empty()) {
     throw std::invalid_argument(
@@ -131,7 +144,7 @@ ExitStatus serve(const ServeOptions& options) {
   std::optional<hal::host::FileStore> file;
   if (!options.store.empty()) file.emplace(options.store);
   hal::host::MemoryStore& store = file ? *file : memory;
-  const ConversationSetting setting{.settings = settings_of(options.settings_file, options.set),
+  const ConversationSetting setting{.settings = settings_at_speed(options),
                                     .probe_plate_z_mm = options.machine.probe_plate_z_mm,
                                     .records = store.records()};
   Session session{options.machine, setting.settings, store};

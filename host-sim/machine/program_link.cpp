@@ -24,7 +24,13 @@ ProgramLink::ProgramLink(std::string program, AfterRefusal after_refusal)
 }
 
 std::size_t ProgramLink::read(std::span<std::byte> into) {
-  if (awaits_answer_ || nothing_to_send() || into.empty()) return 0;
+  if (into.empty()) return 0;
+  if (awaits_answer_ || nothing_to_send()) {
+    if (!status_due_) return 0;
+    status_due_ = false;
+    into[0] = std::byte{'?'};
+    return 1;
+  }
   const char byte = program_[sent_++];
   into[0] = static_cast<std::byte>(byte);
   const bool second_of_pair = byte == '\n' && after_return_;

@@ -34,6 +34,9 @@ class ProgramLink final : public hal::ByteStream {
 
   /// Nothing left to send and no answer outstanding.
   [[nodiscard]] bool finished() const { return !awaits_answer_ && nothing_to_send(); }
+  /// Asks for a status report when no line is being sent, as a sender does now and then to be
+  /// known to be there.
+  void ask_status() { status_due_ = true; }
   /// Sends nothing more.
   void stop() { stopped_ = true; }
 
@@ -57,6 +60,7 @@ class ProgramLink final : public hal::ByteStream {
   bool after_return_ = false;
   bool awaits_answer_ = false;
   bool stopped_ = false;
+  bool status_due_ = false;
   std::string received_;
   std::string message_;  ///< The last `[MSG:…]`, which explains the answer after it.
   std::vector<Refusal> refusals_;

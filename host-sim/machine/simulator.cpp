@@ -4,6 +4,8 @@ namespace sim {
 namespace {
 
 constexpr unsigned kTurnsPerProgress = 256;
+/// So often does the sender show that it is there.
+constexpr unsigned kTurnsPerStatus = 100;
 
 }  // namespace
 
@@ -31,6 +33,10 @@ RunResult Simulator::run() {
 }
 
 void Simulator::turn() {
+  if (++turns_to_status_ == kTurnsPerStatus) {
+    turns_to_status_ = 0;
+    link_.ask_status();
+  }
   controller_.turn();
   // There is nobody to home the machine, and where it stands is its zero.
   if (machine().alarm() == cnc::Alarm::kHomingRequired) machine().unlock();

@@ -64,6 +64,7 @@ class Simulator {
   RunOptions options_;
   ProgramLink link_;
   VirtualController controller_;
+  unsigned turns_to_status_ = 0;
   bool tool_changed_ = false;  ///< And the spindle is coming up to speed.
   std::vector<std::pair<std::size_t, std::string>> notes_;
 };

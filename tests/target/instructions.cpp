@@ -219,7 +219,7 @@ void count_raster(Application& application) {
   Cost lines;
   Cost turn;
   Cost interrupt;
-  link_to_job.send("$32=1\n$C\n");
+  link_to_job.send("$32=1\n$858=0\n$C\n");
   run(application, unused, unused);
   link_to_job.send_raster();
   run(application, lines, unused);

@@ -69,7 +69,8 @@ class ProgramLink final : public hal::ByteStream {
   std::int32_t place() { return static_cast<std::int32_t>(random(20'000)) - 10'000; }
 
   bool make_line() {
-    constexpr std::array<std::string_view, 10> kOpening{"$32=1\n",
+    constexpr std::array<std::string_view, 11> kOpening{"$32=1\n",
+                                                        "$858=0\n",
                                                         "$120=900\n",
                                                         "$PC=8:0,30:7.5,100:41.25\n",
                                                         "$854=9\n",

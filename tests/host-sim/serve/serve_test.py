@@ -83,7 +83,7 @@ class Serve(ServeTest):
         sender.until(BANNER)
         sender.ask("M3 S500")
         sender.ask("G1 X100 F1200")
-        time.sleep(0.4)
+        time.sleep(0.2)
         self.assertIn("<Run", self.answer_to_question(sender))
         sender.close()
         time.sleep(1.0)

@@ -24,7 +24,7 @@ AT_NS = BOOT_NS + 120 * MS
 RESTARTED_NS = 45 * MS
 
 # Fine steps and hard acceleration: while the beam is lit, steps are less than 1 ms apart.
-FINE = "$32=1\n$100=1600\n$101=1600\n$120=5000\n$121=5000\n"
+FINE = "$32=1\n$858=0\n$100=1600\n$101=1600\n$120=5000\n$121=5000\n"
 PAUSE = "(" + 60 * "." + ")\n"  # 5 ms of the wire.
 STATES = {
     "M3 cutting": (FINE + "M3S600\nG1X20F1500\n", True),

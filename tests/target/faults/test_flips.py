@@ -23,7 +23,7 @@ from chip import BOOT_NS, CHIP_OPTIONS, MS, RAM, STOPPED, in_parallel, main, see
 CHIP = None
 # Fine steps and hard acceleration of all axes, as flips may move any of them: while the beam is lit
 # and something moves, steps are less than 1 ms apart.
-SETTINGS = "$32=1\n" + "".join(
+SETTINGS = "$32=1\n$858=0\n" + "".join(
     f"${100 + axis}=1600\n${110 + axis}=6000\n${120 + axis}=5000\n" for axis in range(6))
 FLIPS_IN_A_RUN = 32
 APART_NS = 12 * MS

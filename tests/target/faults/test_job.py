@@ -65,7 +65,7 @@ class JobTest(unittest.TestCase):
         for way, mode in ((1, "M3"), (-1, "M4")):
             places = [(round(x, 3), round(way * y, 3)) for x, y in circle()]
             lines = [f"G1X{x}Y{y}\n" for x, y in places]
-            set_up = f"$32=1\n$100={STEPS_PER_MM}\n$101={STEPS_PER_MM}\n{mode}S500F{60 * FEED_MM_S}\n"
+            set_up = f"$32=1\n$858=0\n$100={STEPS_PER_MM}\n$101={STEPS_PER_MM}\n{mode}S500F{60 * FEED_MM_S}\n"
             seconds = LINES * LINE_MM / FEED_MM_S
             run = CHIP.run(set_up + "".join(lines), BOOT_NS + int(1e9 * (seconds + 1.2)),
                            f"usart1_window={WINDOW}", *CHIP_OPTIONS)

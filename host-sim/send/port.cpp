@@ -1,0 +1,166 @@
+#include "host-sim/send/port.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <netdb.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <poll.h>
+#include <sys/file.h>
+#include <sys/ioctl.h>
+#include <sys/socket.h>
+#include <termios.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+#include "host-sim/serve/descriptor.hpp"
+
+namespace sim {
+namespace {
+
+/// 5 ms at 115,200 baud.
+constexpr int kMostQueued = 64;
+
+bool is_only_slow() { return errno == EAGAIN || errno == EWOULDBLOCK || errno == EINTR; }
+
+class DescriptorPort final : public Port {
+ public:
+  /// @param paced it is slow, and says how much waits
+  DescriptorPort(Descriptor descriptor, bool paced)
+      : descriptor_{std::move(descriptor)}, paced_{paced} {}
+
+  std::size_t read(std::span<char> into) override {
+    const ssize_t count = ::read(number(), into.data(), into.size());
+    if (count > 0) return static_cast<std::size_t>(count);
+    if (count == 0 ? !paced_ : !is_only_slow()) open_ = false;
+    if (paced_ && count == 0) look_for_hang_up();
+    return 0;
+  }
+
+  std::size_t write(std::string_view bytes) override {
+    if (paced_) bytes = bytes.substr(0, room());
+    if (bytes.empty()) return 0;
+    const ssize_t count = ::write(number(), bytes.data(), bytes.size());
+    if (count >= 0) return static_cast<std::size_t>(count);
+    if (!is_only_slow()) open_ = false;
+    return 0;
+  }
+
+  bool open() const override { return open_; }
+  int number() const override { return descriptor_.number(); }
+
+ private:
+  [[nodiscard]] std::size_t room() const {
+    int queued = 0;
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): that is how ioctl is declared.
+    if (::ioctl(number(), TIOCOUTQ, &queued) < 0) return kMostQueued;
+    return static_cast<std::size_t>(std::max(0, kMostQueued - queued));
+  }
+  /// A serial port that has nothing says the same as one that was pulled out.
+  void look_for_hang_up() {
+    pollfd state{number(), POLLIN, 0};
+    if (::poll(&state, 1, 0) > 0 && (state.revents & (POLLHUP | POLLERR | POLLNVAL)) != 0) {
+      open_ = false;
+    }
+  }
+
+  Descriptor descriptor_;
+  bool paced_;
+  bool open_ = true;
+};
+
+std::optional<speed_t> speed_of(unsigned baud) {
+  constexpr std::array<std::pair<unsigned, speed_t>, 15> kSpeeds{{{9600, B9600},
+                                                                  {19200, B19200},
+                                                                  {38400, B38400},
+                                                                  {57600, B57600},
+                                                                  {115200, B115200},
+                                                                  {230400, B230400},
+                                                                  {460800, B460800},
+                                                                  {500000, B500000},
+                                                                  {576000, B576000},
+                                                                  {921600, B921600},
+                                                                  {1000000, B1000000},
+                                                                  {1500000, B1500000},
+                                                                  {2000000, B2000000},
+                                                                  {3000000, B3000000},
+                                                                  {4000000, B4000000}}};
+  for (const auto& [number, speed] : kSpeeds) {
+    if (number == baud) return speed;
+  }
+  return std::nullopt;
+}
+
+using Addresses = std::unique_ptr<addrinfo, decltype(&::freeaddrinfo)>;
+
+Addresses resolved(const std::string& address) {
+  const std::size_t colon = address.rfind(':');
+  if (colon == std::string::npos || colon == 0 || colon + 1 == address.size()) {
+    throw std::invalid_argument(fmt::format("--tcp {}: HOST:PORT is asked for", address));
+  }
+  addrinfo hints{};
+  hints.ai_socktype = SOCK_STREAM;
+  addrinfo* found = nullptr;
+  const int fault = ::getaddrinfo(
+      address.substr(0, colon).c_str(), address.substr(colon + 1).c_str(), &hints, &found);
+  if (fault != 0) {
+    throw std::invalid_argument(fmt::format("--tcp {}: {}", address, ::gai_strerror(fault)));
+  }
+  return {found, &::freeaddrinfo};
+}
+
+/// 0, or why there is no connection.
+int connect_within(int socket, const addrinfo& place, int milliseconds) {
+  if (::connect(socket, place.ai_addr, place.ai_addrlen) == 0) return 0;
+  if (errno != EINPROGRESS) return errno;
+  pollfd state{socket, POLLOUT, 0};
+  if (::poll(&state, 1, milliseconds) <= 0) return ETIMEDOUT;
+  int fault = 0;
+  socklen_t size = sizeof fault;
+  ::getsockopt(socket, SOL_SOCKET, SO_ERROR, &fault, &size);
+  return fault;
+}
+
+}  // namespace
+
+std::unique_ptr<Port> open_serial_port(const std::string& device, unsigned baud) {
+  const auto speed = speed_of(baud);
+  if (!speed) throw std::invalid_argument(fmt::format("--baud {}: no serial port has it", baud));
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): that is how open is declared.
+  Descriptor port{::open(device.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)};
+  checked(port.number(), device);
+  if (::flock(port.number(), LOCK_EX | LOCK_NB) < 0) {
+    throw std::invalid_argument(fmt::format("{}: another program uses it", device));
+  }
+  termios mode{};
+  checked(::tcgetattr(port.number(), &mode), device);
+  ::cfmakeraw(&mode);
+  mode.c_cflag |= CLOCAL | CREAD;
+  mode.c_cc[VMIN] = 0;
+  mode.c_cc[VTIME] = 0;
+  checked(::cfsetspeed(&mode, *speed), device);
+  checked(::tcsetattr(port.number(), TCSAFLUSH, &mode), device);
+  return std::make_unique<DescriptorPort>(std::move(port), true);
+}
+
+std::unique_ptr<Port> open_tcp_port(const std::string& address) {
+  constexpr int kPatienceMs = 5000;
+  const Addresses places = resolved(address);
+  int fault = ECONNREFUSED;
+  for (const addrinfo* place = places.get(); place != nullptr; place = place->ai_next) {
+    Descriptor socket{::socket(place->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)};
+    fault = socket.number() < 0 ? errno : connect_within(socket.number(), *place, kPatienceMs);
+    if (fault != 0) continue;
+    const int on = 1;
+    ::setsockopt(socket.number(), IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
+    return std::make_unique<DescriptorPort>(std::move(socket), false);
+  }
+  throw std::system_error(fault, std::generic_category(), "tcp " + address);
+}
+
+}  // namespace sim

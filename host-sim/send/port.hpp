@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace sim {
+
+/// The sender's end of a link; no call blocks.
+class Port {
+ public:
+  Port() = default;
+  Port(const Port&) = delete;
+  Port& operator=(const Port&) = delete;
+  virtual ~Port() = default;
+
+  /// What has come; 0 when nothing has, or when the link is gone: see open().
+  [[nodiscard]] virtual std::size_t read(std::span<char> into) = 0;
+  /// Takes what leaves soon: lines that wait in an adapter cannot be called back.
+  [[nodiscard]] virtual std::size_t write(std::string_view bytes) = 0;
+  [[nodiscard]] virtual bool open() const = 0;
+  /// To poll for what comes.
+  [[nodiscard]] virtual int number() const = 0;
+};
+
+/// A serial port, raw, 8N1, for this process alone. Throws std::system_error naming the device,
+/// std::invalid_argument for a rate that no port has.
+[[nodiscard]] std::unique_ptr<Port> open_serial_port(const std::string& device, unsigned baud);
+
+/// Raw TCP, connected within five seconds. Throws std::system_error naming the address, or
+/// std::invalid_argument.
+[[nodiscard]] std::unique_ptr<Port> open_tcp_port(const std::string& address);
+
+}  // namespace sim

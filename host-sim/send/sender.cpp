@@ -1,0 +1,258 @@
+#include "host-sim/send/sender.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace sim {
+namespace {
+
+bool is_at_rest(std::string_view state) {
+  return state.starts_with("Idle") || state.starts_with("Check");
+}
+
+/// Held at standstill, or nothing to hold.
+bool has_stopped(std::string_view state) {
+  return state == "Hold:0" || state.starts_with("Door:0") || state.starts_with("Door:1") ||
+         state.starts_with("Alarm") || state.starts_with("Idle") || state.starts_with("Sleep");
+}
+
+constexpr unsigned kIdleReports = 2;
+
+}  // namespace
+
+Sender::Sender(std::vector<JobLine> job, SendOptions options, Time now)
+    : job_{std::move(job)},
+      options_{options},
+      now_{now},
+      entered_{now},
+      asked_{now},
+      polled_{now},
+      moved_{now},
+      heard_{now} {}
+
+void Sender::receive(std::string_view bytes, Time now) {
+  now_ = now;
+  if (!bytes.empty()) heard_ = now;
+  for (const char byte : bytes) {
+    if (byte != '\n' && byte != '\r') {
+      incoming_ += byte;
+      continue;
+    }
+    if (!incoming_.empty() && !over()) take_line(incoming_);
+    incoming_.clear();
+  }
+  if (!over()) send_lines();
+}
+
+void Sender::take_line(std::string_view line) {
+  if (on_line) on_line('<', line);
+  const Answer answer = read_answer(line);
+  if (answer.kind == AnswerKind::kMessage) message_ = answer.text;
+  if (state_ == State::kMeeting) return meet(answer);
+  switch (answer.kind) {
+    case AnswerKind::kStatus:
+      return take_status(answer);
+    case AnswerKind::kOptions:
+      told_options_ = true;
+      room_ = answer.waiting_room.value_or(0);
+      return;
+    case AnswerKind::kAlarm:
+    case AnswerKind::kBanner:
+      return take_trouble(answer);
+    case AnswerKind::kOk:
+    case AnswerKind::kError:
+    case AnswerKind::kResend:
+      return numbers_lines_ && state_ == State::kSending ? take_checked(answer)
+                                                         : take_plain(answer);
+    default:
+      return;
+  }
+}
+
+void Sender::meet(const Answer& answer) {
+  if (answer.kind == AnswerKind::kStatus) machine_state_ = answer.state;
+  if (answer.kind == AnswerKind::kStatus || answer.kind == AnswerKind::kBanner) {
+    enter(State::kAsking);
+  }
+}
+
+void Sender::take_status(const Answer& answer) {
+  machine_state_ = answer.state;
+  room_now_ = answer.waiting_room;
+  room_told_ = now_;
+  if (machine_state_.starts_with("Hold") || machine_state_.starts_with("Door")) wants_hold_ = false;
+  if (machine_state_.starts_with("Run") || is_at_rest(machine_state_)) wants_resume_ = false;
+  idle_reports_ = is_at_rest(machine_state_) ? idle_reports_ + 1 : 0;
+  if (state_ == State::kWaiting && idle_reports_ >= kIdleReports) enter(State::kDone);
+  if (state_ == State::kAsking && machine_state_.starts_with("Alarm")) {
+    fail("the controller is in alarm: home or unlock it first");
+  }
+}
+
+void Sender::take_trouble(const Answer& answer) {
+  if (answer.kind == AnswerKind::kAlarm) {
+    return fail(fmt::format("ALARM:{} near line {}",
+                            answer.code,
+                            answered_ < job_.size() ? job_[answered_].number : 0));
+  }
+  // Opening a port may start a controller, and its banner comes when it likes.
+  if (state_ == State::kAsking || state_ == State::kBeginning) {
+    answers_owed_ = 0;
+    return enter(State::kAsking);
+  }
+  if (state_ == State::kStopping) return fail(std::move(trouble_));
+  fail("the controller has begun anew");
+}
+
+/// Counts answers: the first is for the oldest line.
+void Sender::take_plain(const Answer& answer) {
+  switch (state_) {
+    case State::kAsking:
+      if (answers_owed_ > 0) --answers_owed_;
+      moved_ = now_;
+      if (answers_owed_ == 0) take_options();
+      return;
+    case State::kBeginning:
+      // Of a line that has a number and a check, a Grbl only says that it is wrong.
+      if (answer.kind != AnswerKind::kOk || !answer.checked || answer.line != 0) {
+        if (answer.kind == AnswerKind::kError && questions_ > 3) {
+          fail("the controller knows no checked lines: send without --checked");
+        }
+        return;
+      }
+      numbers_lines_ = true;
+      return enter(State::kSending);
+    case State::kEnding:
+      return take_end(answer);
+    case State::kSending:
+      if (answered_ == next_) return;  // Nobody is owed one.
+      if (answer.kind == AnswerKind::kError) refused(answered_, answer);
+      return answered_until(answered_ + 1);
+    default:
+      return;
+  }
+}
+
+/// Believes nothing but what its CRC confirms; an answer is one for all lines before it, too.
+void Sender::take_checked(const Answer& answer) {
+  if (!answer.checked) return;
+  const bool resend = answer.kind == AnswerKind::kResend;
+  if (!resend && !answer.line) return;
+  const std::uint32_t count = resend ? answer.number - 1 : *answer.line;
+  const std::size_t taken = begun_ + count;
+  if (taken > furthest_) return;  // Never sent.
+  if (taken < answered_ && resend) {
+    return fail(fmt::format("the controller wants line {} again, which it has acknowledged",
+                            job_[taken].number));
+  }
+  if (answer.kind == AnswerKind::kError) refused(taken - 1, answer);
+  if (taken > answered_) answered_until(taken);
+  if (resend && !answer.line && taken < next_) go_back(taken);
+}
+
+void Sender::take_options() {
+  if (told_options_) enter(options_.checked ? State::kBeginning : State::kSending);
+}
+
+/// Also of lines that were to be sent again.
+void Sender::answered_until(std::size_t line) {
+  for (; answered_ < line && !sizes_.empty(); ++answered_) {
+    on_their_way_ -= sizes_.front();
+    sizes_.pop_front();
+  }
+  answered_ = line;
+  next_ = std::max(next_, answered_);
+  moved_ = now_;
+}
+
+void Sender::take_end(const Answer& answer) {
+  if (answer.kind != AnswerKind::kOk || answer.checked || !answer.text.empty()) return;
+  numbers_lines_ = false;
+  enter(State::kWaiting);
+}
+
+void Sender::refused(std::size_t line, const Answer& answer) {
+  ++errors_;
+  const std::size_t number = line < job_.size() ? job_[line].number : 0;
+  std::string why = fmt::format("line {}: error:{}", number, answer.code);
+  if (!message_.empty()) why += ": " + message_;
+  message_.clear();
+  if (options_.goes_on_after_errors) {
+    if (trouble_.empty()) trouble_ = std::move(why);
+    return;
+  }
+  stop(std::move(why));
+}
+
+double Sender::progress() const {
+  return job_.empty() ? 1.0 : static_cast<double>(answered_) / static_cast<double>(job_.size());
+}
+
+void Sender::hold() {
+  wants_hold_ = true;
+  wants_resume_ = false;
+  wished_ = now_;
+  put_realtime('!');
+}
+
+void Sender::resume() {
+  wants_hold_ = false;
+  wants_resume_ = true;
+  wished_ = now_;
+  put_realtime('~');
+}
+
+void Sender::stop(std::string why) {
+  if (over() || state_ == State::kStopping) return;
+  trouble_ = std::move(why);
+  if (state_ == State::kMeeting) return enter(State::kFailed);
+  enter(State::kStopping);
+  while (lines_out_.size() > (line_out_written_ > 0 ? 1U : 0U)) lines_out_.pop_back();
+  hold();
+}
+
+void Sender::fail(std::string why) {
+  if (over()) return;
+  trouble_ = std::move(why);
+  enter(State::kFailed);
+}
+
+void Sender::enter(State state) {
+  state_ = state;
+  entered_ = asked_ = moved_ = now_;
+  questions_ = 0;
+  idle_reports_ = 0;
+  switch (state) {
+    case State::kAsking:
+      return ask();
+    case State::kBeginning:
+      return begin();
+    case State::kEnding:
+      return send_end();
+    case State::kDone:
+      if (errors_ > 0) state_ = State::kFailed;
+      return;
+    default:
+      return;
+  }
+}
+
+/// Asked again and again: at standstill the reset that ends a job is due.
+void Sender::attend_wishes() {
+  constexpr Time kPatience{250};
+  constexpr Time kLongestStop{10'000};
+  if (state_ == State::kStopping) {
+    if (since(entered_) > kLongestStop) return fail(std::move(trouble_));
+    if (has_stopped(machine_state_) && since(wished_) >= kPatience) {
+      wished_ = now_;
+      put_realtime('\x18');
+      return;
+    }
+  }
+  if (since(wished_) < kPatience) return;
+  if (wants_hold_) hold();
+  if (wants_resume_) resume();
+}
+
+}  // namespace sim

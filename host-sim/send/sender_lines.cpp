@@ -1,0 +1,109 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "firmware/link/receiver.hpp"
+#include "host-sim/send/sender.hpp"
+
+namespace sim {
+namespace {
+
+constexpr std::size_t kGrblRoom = 128;
+/// Of a serial line at 115,200 baud 22 ms, longer than adapters keep answers back.
+constexpr std::size_t kCheckedWindow = 256;
+
+}  // namespace
+
+void Sender::ask() {
+  ++questions_;
+  asked_ = now_;
+  answers_owed_ += 2;
+  put("");  // Ends whatever another sender has begun.
+  put("$I");
+}
+
+void Sender::begin() {
+  ++questions_;
+  asked_ = now_;
+  room_ = cnc::Receiver::kAdvertisedBytes;  // Only we know such lines; what it told may be damaged.
+  begun_ = answered_;
+  put(with_crc("N0M110"));
+}
+
+void Sender::send_end() {
+  ++questions_;
+  asked_ = now_;
+  put(with_crc("M110"));
+}
+
+std::size_t Sender::window() const {
+  if (options_.window != 0) return options_.window;
+  if (options_.checked) return kCheckedWindow;
+  return room_ != 0 ? room_ : kGrblRoom;
+}
+
+std::string Sender::text_of(std::size_t line) const {
+  const std::string& text = job_[line].text;
+  return numbers_lines_ ? with_crc(fmt::format("N{}{}", line - begun_ + 1, text)) : text;
+}
+
+void Sender::send_lines() {
+  if (state_ != State::kSending) return;
+  while (next_ < job_.size()) {
+    if (numbers_lines_ && next_ - begun_ >= options_.most_number) break;
+    std::string line = text_of(next_);
+    // A line that is longer than the window goes alone.
+    const std::size_t size = line.size() + 1;
+    if (next_ != answered_ && on_their_way_ + size >= window()) return;
+    sizes_.push_back(size);
+    on_their_way_ += size;
+    put(std::move(line));
+    furthest_ = std::max(furthest_, ++next_);
+  }
+  if (answered_ < next_) return;
+  if (next_ < job_.size()) return enter(State::kBeginning);
+  enter(numbers_lines_ ? State::kEnding : State::kWaiting);
+}
+
+/// What has not left yet need not.
+void Sender::go_back(std::size_t line) {
+  while (lines_out_.size() > (line_out_written_ > 0 ? 1U : 0U)) lines_out_.pop_back();
+  resent_ += next_ - line;
+  for (; next_ > line; --next_) {
+    on_their_way_ -= sizes_.back();
+    sizes_.pop_back();
+  }
+  moved_ = now_;
+}
+
+void Sender::put(std::string line) {
+  if (on_line) on_line('>', line);
+  lines_out_.push_back(std::move(line) + "\n");
+}
+
+/// Where lines are checked a single byte may be a damaged one, so a pair is said, after the end
+/// of a line that may have lost its own: within a line nothing acts.
+void Sender::put_realtime(char byte) {
+  if (numbers_lines_) realtime_out_ += '\n';
+  realtime_out_.append(numbers_lines_ ? 2 : 1, byte);
+}
+
+/// Between two lines, so that none is spoiled by what is not part of it.
+std::string_view Sender::output() const {
+  if (!realtime_out_.empty() && line_out_written_ == 0) return realtime_out_;
+  if (lines_out_.empty()) return {};
+  return std::string_view{lines_out_.front()}.substr(line_out_written_);
+}
+
+void Sender::wrote(std::size_t count) {
+  if (!realtime_out_.empty() && line_out_written_ == 0) {
+    realtime_out_.erase(0, count);
+    return;
+  }
+  line_out_written_ += count;
+  if (lines_out_.empty() || line_out_written_ < lines_out_.front().size()) return;
+  lines_out_.pop_front();
+  line_out_written_ = 0;
+}
+
+}  // namespace sim

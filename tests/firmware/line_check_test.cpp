@@ -1,0 +1,180 @@
+#include "firmware/link/line_check.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/firmware/controller_test.hpp"
+
+namespace cnc {
+namespace {
+
+std::string with_crc(const std::string& line) {
+  std::string digits(8, '0');
+  put_line_crc(line, digits.data());
+  return line + "*" + digits;
+}
+
+std::string with_sum(const std::string& line) {
+  unsigned sum = 0;
+  for (const char c : line) sum ^= static_cast<unsigned char>(c);
+  return line + "*" + std::to_string(sum);
+}
+
+/// The controller as a sender of checked lines sees it.
+class CheckedLines : public ControllerTest {
+ protected:
+  std::vector<std::string> say(const std::string& bytes) {
+    link.outgoing.clear();
+    stream(bytes);
+    run(20);
+    return printed();
+  }
+  std::vector<std::string> crc(const std::string& line) { return say(with_crc(line) + "\n"); }
+  std::vector<std::string> sum(const std::string& line) { return say(with_sum(line) + "\n"); }
+  static std::vector<std::string> one(const std::string& line) { return {line}; }
+};
+
+TEST_F(CheckedLines, CrcIsThatOfZlib) {
+  EXPECT_EQ(with_crc("123456789"), "123456789*CBF43926");
+  EXPECT_EQ(with_crc("N0 M110"), "N0 M110*E0B0C1AA");
+}
+
+TEST_F(CheckedLines, TakesMarlinsLinesAndAnswersAsMarlinDoes) {
+  EXPECT_EQ(say("N0 M110 N0*125\n"), one("ok"));
+  EXPECT_EQ(sum("N1 G1 X1 F600"), one("ok"));
+  EXPECT_EQ(sum("N2 $G").back(), "ok");
+  EXPECT_EQ(say("N3 G1 X2*1\n"), (std::vector<std::string>{"Resend: 3", "ok"}));
+  EXPECT_EQ(sum("N3 G1 X2"), one("ok"));
+  EXPECT_EQ(sum("N3 G91 G1 X2"), (std::vector<std::string>{"Resend: 4", "ok"}));
+  run_until_idle();
+  EXPECT_DOUBLE_EQ(x_mm(), 2.0);
+}
+
+TEST_F(CheckedLines, BeginWithoutM110AtOne) {
+  EXPECT_EQ(sum("N7 G1 X7 F600"), (std::vector<std::string>{"Resend: 1", "ok"}));
+  EXPECT_EQ(sum("N1 G1 X1 F600"), one("ok"));
+  run_until_idle();
+  EXPECT_DOUBLE_EQ(x_mm(), 1.0);
+}
+
+TEST_F(CheckedLines, WithTheCrcAnswersSayWhichLineTheyAreFor) {
+  EXPECT_EQ(crc("N41 M110"), one(with_crc("ok N41")));
+  EXPECT_EQ(crc("N42 G1 X1 F600"), one(with_crc("ok N42")));
+  EXPECT_EQ(crc("N43 G99").back(), with_crc("error:20 N43"));
+  EXPECT_EQ(crc("N45 G1 X5"), one(with_crc("Resend: 44")));
+  EXPECT_EQ(crc("N42 G91 G1 X1"), one(with_crc("Resend: 44 N43")));
+  run_until_idle();
+  EXPECT_DOUBLE_EQ(x_mm(), 1.0);
+}
+
+TEST_F(CheckedLines, RefuseWhateverIsPlainOrOfTheOtherForm) {
+  for (const std::string damaged :
+       {"G1 X9 F600", "N1 G1 X9.33", "N1 G1 X9 F600", "", "$X", "N1 G1 X9 F600*", "*"}) {
+    crc("N0 M110");
+    EXPECT_EQ(say(damaged + "\n"), one(with_crc("Resend: 1"))) << damaged;
+  }
+  crc("N0 M110");
+  EXPECT_EQ(sum("N1 G1 X9 F600"), one(with_crc("Resend: 1")));
+  EXPECT_EQ(say(std::string(300, 'X') + "\n"), std::vector<std::string>{});
+  EXPECT_EQ(port.position[0], 0);
+}
+
+/// Of what is in flight behind a gap nothing is taken and nothing is said.
+TEST_F(CheckedLines, OneGapIsAskedForOnce) {
+  crc("N0 M110");
+  std::string flight;
+  for (int n = 2; n < 20; ++n)
+    flight += with_crc("N" + std::to_string(n) + " G91 G1 X1 F9000") + "\n";
+  EXPECT_EQ(say(flight), one(with_crc("Resend: 1")));
+  // The answer was lost with the resent line: the numbers begin again.
+  EXPECT_EQ(say(flight), one(with_crc("Resend: 1")));
+  const std::string first = with_crc("N1 G91 G1 X1 F9000") + "\n";
+  EXPECT_EQ(say(first + flight).size(), 19U);
+  run_until_idle();
+  EXPECT_DOUBLE_EQ(x_mm(), 19.0);
+  // All of it again: taken already, and so it is said, once.
+  EXPECT_EQ(say(first + flight), one(with_crc("Resend: 20 N19")));
+  // What is missing behind what was repeated is asked for.
+  EXPECT_EQ(crc("N21 G1 X1"), one(with_crc("Resend: 20")));
+  run_until_idle();
+  EXPECT_DOUBLE_EQ(x_mm(), 19.0);
+}
+
+TEST_F(CheckedLines, WhatIsAskedForIsAskedForAgainLater) {
+  crc("N0 M110");
+  EXPECT_EQ(say("N1 G1 damaged\n"), one(with_crc("Resend: 1")));
+  EXPECT_EQ(say("N1 G1 damaged\n"), std::vector<std::string>{});
+  run(300);
+  EXPECT_EQ(say("N1 G1 damaged\n"), one(with_crc("Resend: 1")));
+}
+
+TEST_F(CheckedLines, EndWithTheCrcOfM110WithoutANumber) {
+  crc("N0 M110");
+  EXPECT_EQ(crc("M110"), one("ok"));
+  EXPECT_EQ(crc("M110"), one("ok")) << "asked again, because the answer was lost";
+  EXPECT_EQ(say("G1 X1 F600\n"), one("ok"));
+}
+
+TEST_F(CheckedLines, EndWithAResetAndWithSilence) {
+  crc("N0 M110");
+  say("\x18\x18");
+  EXPECT_EQ(say("G1 X1 F600\n"), one("ok"));
+  crc("N0 M110");
+  run(5100);
+  EXPECT_EQ(say("G1 X1 F600\n"), one("ok"));
+  // Whoever was only slow goes on counting.
+  EXPECT_EQ(crc("N1 G1 X1"), one(with_crc("ok N1")));
+  EXPECT_EQ(say("G1 X1 F600\n"), one(with_crc("Resend: 2")));
+}
+
+TEST_F(CheckedLines, AreNotMissedWhileALineWaits) {
+  crc("N0 M110");
+  crc("N1 G4 P12");
+  run(11'000);
+  EXPECT_EQ(say("G1 X1 F600\n"), std::vector<std::string>{}) << "waits behind the dwell";
+  run(2000);
+  EXPECT_EQ(printed(), (std::vector<std::string>{with_crc("ok N1"), with_crc("Resend: 2")}));
+}
+
+TEST_F(CheckedLines, RealtimeBytesActInPairsBetweenLinesOnly) {
+  crc("N0 M110");
+  crc("N1 G1 X100 F600");
+  // Damage turns a 1 into !, X into 0x18, a blank into 0xA0.
+  EXPECT_EQ(say("N2 G1 \x18"
+                "20 F6!!00\xA0\xA0(?)*12345678\n"),
+            one(with_crc("Resend: 2")));
+  EXPECT_EQ(machine.state(), MachineState::kRun);
+  EXPECT_FALSE(machine.coolant().flood);
+  say("!");
+  EXPECT_EQ(machine.state(), MachineState::kRun) << "alone it may be damage";
+  say("~");
+  say("!!");
+  EXPECT_EQ(machine.state(), MachineState::kHold);
+  say("~~");
+  EXPECT_EQ(machine.state(), MachineState::kRun);
+  EXPECT_EQ(say("?").front().substr(0, 4), "<Run");
+  say("\x18\x18");
+  EXPECT_EQ(machine.alarm(), Alarm::kAbortInMotion);
+}
+
+TEST_F(CheckedLines, LeavePlainLinesAlone) {
+  for (const char* line : {"N5 G1 X1 F600 (2*3)", "N5 G1 X1;*12", "$I=a*12"}) {
+    EXPECT_EQ(send(line), "ok") << line;
+    run_until_idle();
+  }
+  EXPECT_EQ(say("N2*3"), std::vector<std::string>{});
+  EXPECT_EQ(say("\n"), (std::vector<std::string>{"Resend: 1", "ok"}));
+  EXPECT_EQ(send("G1 X2 *3"), "error:1");
+}
+
+TEST_F(CheckedLines, SayWhatIsWrongInTheStatementItself) {
+  crc("N0 M110");
+  EXPECT_EQ(crc("N1 $110=4000"), one(with_crc("ok N1")));
+  EXPECT_EQ(machine.settings().get(110), 4000.0F);
+  EXPECT_EQ(crc("N2 $C").back(), with_crc("ok N2"));
+  EXPECT_EQ(crc("N3 $CC").back(), with_crc("error:3 N3"));
+}
+
+}  // namespace
+}  // namespace cnc

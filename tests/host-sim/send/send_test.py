@@ -1,0 +1,211 @@
+"""`kerfline send` as a user runs it: over a pty and TCP of `kerfline serve`, killed, and through a
+relay that damages bytes."""
+import os
+import pathlib
+import random
+import signal
+import socket
+import subprocess
+import sys
+import threading
+import time
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "serve"))
+import served  # noqa: E402
+
+SETTINGS = ("--set", "$32=1", "--set", "$120=5000", "--set", "$121=5000")
+
+
+class Relay:
+    """Carries bytes to a server and back, and damages or drops some of them, one in `one_in`."""
+
+    def __init__(self, port, one_in, seed=1):
+        self.listener = socket.create_server(("127.0.0.1", 0))
+        self.port, self.target = self.listener.getsockname()[1], port
+        self.one_in, self.random, self.damaged = one_in, random.Random(seed), 0
+        threading.Thread(target=self.accept, daemon=True).start()
+
+    def accept(self):
+        near, _ = self.listener.accept()
+        far = socket.create_connection(("127.0.0.1", self.target))
+        for source, sink in ((near, far), (far, near)):
+            threading.Thread(target=self.carry, args=(source, sink), daemon=True).start()
+
+    def carry(self, source, sink):
+        try:
+            while data := source.recv(256):
+                sink.sendall(bytes(self.spoiled(data)))
+        except OSError:
+            pass
+        for end in (source, sink):
+            try:
+                end.shutdown(socket.SHUT_RDWR)
+            except OSError:
+                pass
+
+    def spoiled(self, data):
+        for byte in data:
+            if self.random.random() * self.one_in >= 1.0:
+                yield byte
+                continue
+            self.damaged += 1
+            if self.random.random() < 0.7:
+                yield byte ^ (1 << self.random.randrange(8))
+
+
+class SendTest(served.ServeTest):
+    def program_file(self, lines):
+        path = self.folder / "job.nc"
+        path.write_text("".join(f"{line}\n" for line in lines))
+        return path
+
+    def square(self, times):
+        """Ends where it says, and only if every line was done once."""
+        lines = ["(a square, and a step aside each time)", "G21 G91 F6000 M4 S500"]
+        for _ in range(times):
+            lines += ["G1 X3", "G1 Y2", "G1 X-2 ; back", "", "G1 Y-2"]
+        return self.program_file(lines + ["M5", "M2"]), float(times)
+
+    def start(self, *arguments):
+        return subprocess.Popen([self.program, "send", *map(str, arguments)],
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+                                stdin=subprocess.DEVNULL, text=True)
+
+    def send(self, *arguments):
+        process = self.start(*arguments)
+        out, err = process.communicate(timeout=100)
+        return process.returncode, out, err
+
+    def where(self, server):
+        stream = server.tcp()
+        stream.until(served.BANNER)
+        stream.send(b"?")
+        report = stream.until(">").split("MPos:")[1]
+        stream.close()
+        return [float(number) for number in report.split("|")[0].split(",")]
+
+    def check_x(self, server, expected):
+        deadline = time.monotonic() + 5
+        while time.monotonic() < deadline:
+            try:
+                place = self.where(server)
+                break
+            except (EOFError, TimeoutError):
+                time.sleep(0.2)
+        self.assertAlmostEqual(place[0], expected, 3)
+        self.assertAlmostEqual(place[1], 0.0, 3)
+
+    def test_sends_over_every_link_in_both_forms(self):
+        server = self.serve("--pty", self.link, "--tcp", 0, "--speed", 20, *SETTINGS)
+        job, far = self.square(20)
+        for link in (("--port", self.link), ("--tcp", f"127.0.0.1:{server.port('tcp')}")):
+            for form in ((), ("--checked",)):
+                with self.subTest(link=link[0], form=form):
+                    log = self.folder / "log"
+                    status, out, err = self.send(job, *link, *form, "--log", log)
+                    self.assertEqual((status, err), (0, ""))
+                    self.assertIn("83 of 83 lines", out)
+                    self.assertEqual(log.read_text().count(" < ok"), 83 + 2 + 2 * len(form))
+        self.check_x(server, 4 * far)
+
+    def test_says_which_line_was_refused_and_stops(self):
+        server = self.serve("--tcp", 0, *SETTINGS)
+        job = self.program_file(["G91 G1 X1 F6000", "G99 (no such word)", "G1 X1"])
+        status, out, err = self.send(job, "--tcp", f"127.0.0.1:{server.port('tcp')}")
+        self.assertEqual(status, 1)
+        self.assertIn("line 2: error:20: ", err)
+        status, out, err = self.send(
+            job, "--tcp", f"127.0.0.1:{server.port('tcp')}", "--keep-going", "--checked")
+        self.assertEqual(status, 1)
+        self.assertIn("3 of 3 lines", out)
+        self.assertIn("1 refused", out)
+
+    def test_names_what_is_wrong_with_the_call(self):
+        for arguments in (("x.nc",), ("x.nc", "--port", "a", "--tcp", "b:1"),
+                          ("/no/file", "--port", "/dev/null"),
+                          (self.program_file(["G4 P1"]), "--port", "/no/such/port"),
+                          (self.program_file(["G4 P1"]), "--tcp", "nowhere"),
+                          (self.program_file(["G1 X" + "0" * 240]), "--tcp", "localhost:9",
+                           "--checked")):
+            with self.subTest(arguments=arguments):
+                status, _, err = self.send(*arguments)
+                self.assertEqual(status, 2)
+                self.assertNotEqual(err, "")
+
+    def test_is_stopped_by_a_signal_at_standstill(self):
+        server = self.serve("--tcp", 0, *SETTINGS)
+        job = self.program_file(["G91 G1 X200 F1200 M4 S500"])
+        process = self.start(job, "--tcp", f"127.0.0.1:{server.port('tcp')}")
+        time.sleep(2.0)
+        process.send_signal(signal.SIGINT)
+        _, err = process.communicate(timeout=20)
+        self.assertEqual(process.returncode, 1)
+        self.assertIn("aborted", err)
+        stream = server.tcp()
+        stream.until(served.BANNER)
+        stream.send(b"?")
+        self.assertIn("<Idle|", stream.until(">"))
+
+    def test_killed_leaves_the_beam_dark(self):
+        for link in ("pty", "tcp"):
+            with self.subTest(link=link):
+                server = self.serve("--pty", self.link, "--tcp", 0, *SETTINGS)
+                job = self.program_file(["G91 G1 X200 F1200 M3 S500"])
+                where = (("--port", self.link) if link == "pty"
+                         else ("--tcp", f"127.0.0.1:{server.port('tcp')}"))
+                process = self.start(job, *where)
+                time.sleep(2.0)
+                process.send_signal(signal.SIGKILL)
+                process.communicate(timeout=20)
+                time.sleep(1.0)
+                before = self.where(server)
+                time.sleep(1.0)
+                self.assertEqual(self.where(server), before)
+                self.assertGreater(before[0], 1.0)
+                self.assertLess(before[0], 150.0)
+                self.assertEqual(server.stop()[0], 0)
+
+    def test_is_told_when_the_link_goes(self):
+        server = self.serve("--tcp", 0, *SETTINGS)
+        job = self.program_file(["G91 G1 X200 F1200"])
+        process = self.start(job, "--tcp", f"127.0.0.1:{server.port('tcp')}")
+        time.sleep(1.5)
+        server.stop(signal.SIGKILL)
+        _, err = process.communicate(timeout=20)
+        self.assertEqual(process.returncode, 1)
+        self.assertIn("the link is gone", err)
+
+    def test_repeats_what_a_relay_damages(self):
+        server = self.serve("--tcp", 0, "--speed", 20, *SETTINGS)
+        relay = Relay(server.port("tcp"), one_in=600)
+        job, far = self.square(300)
+        status, out, err = self.send(job, "--tcp", f"127.0.0.1:{relay.port}", "--checked")
+        self.assertEqual((status, err), (0, ""))
+        self.assertGreater(relay.damaged, 20)
+        self.check_x(server, far)
+
+    def test_knows_a_controller_without_checked_lines(self):
+        listener = socket.create_server(("127.0.0.1", 0))
+
+        def grbl():
+            link, _ = listener.accept()
+            link.sendall(served.BANNER.encode())
+            for line in link.makefile("rb"):
+                text = line.replace(b"?", b"").strip()
+                if text == b"$I":
+                    link.sendall(b"[VER:1.1h.20190825:]\r\n[OPT:V,15,128]\r\nok\r\n")
+                else:
+                    link.sendall(b"error:20\r\n" if b"*" in text else b"ok\r\n")
+                if b"?" in line:
+                    link.sendall(b"<Idle|MPos:0.000,0.000,0.000|FS:0,0>\r\n")
+
+        threading.Thread(target=grbl, daemon=True).start()
+        status, _, err = self.send(self.program_file(["G1 X1"]), "--checked", "--tcp",
+                                   f"127.0.0.1:{listener.getsockname()[1]}")
+        self.assertEqual(status, 1)
+        self.assertIn("knows no checked lines", err)
+
+
+if __name__ == "__main__":
+    served.main()
