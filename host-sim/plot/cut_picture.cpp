@@ -160,7 +160,7 @@ void add_key(std::string& out) {
   const std::array<Sample, 6> samples{{{"part", kPartColour, 14.0, ""},
                                        {"kerf", kBandColour, 14.0, ""},
                                        {"beam's path", kPathColour, 2.0, ""},
-                                       {"leads, overcut, loops", kLeadColour, 3.0, ""},
+                                       {"leads, loops", kLeadColour, 3.0, ""},
                                        {"tab", kTabColour, 3.0, ""},
                                        {"rapid", kRapidColour, 1.2, "7 6"}}};
   double x_px = kCutMarginPx;
