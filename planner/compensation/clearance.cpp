@@ -11,8 +11,8 @@ namespace {
 float length_bound(const Curve& curve) { return 1.5708F * (curve.end - curve.start).norm(); }
 
 bool ends_come_nearer(const Curve& a, const Curve& b, float limit) {
-  return b.distance(a.start) < limit || b.distance(a.end) < limit || a.distance(b.start) < limit ||
-         a.distance(b.end) < limit;
+  return distance(b, a.start) < limit || distance(b, a.end) < limit ||
+         distance(a, b.start) < limit || distance(a, b.end) < limit;
 }
 
 /// Direction of both tangents where the circles are nearest to each other, or farthest; zero
@@ -29,11 +29,21 @@ Vec2 common_direction(const Curve& a, const Curve& b) {
   return left_normal(across) / size;
 }
 
-/// Whether the place of an arc at which its tangent has the direction is nearer.
+/// Where the tangent of an arc has a direction: along a chord, which errs along the arc only, or
+/// by way of the centre where that is nearer.
+Vec2 place_with_tangent(const Curve& arc, const Vec2& direction) {
+  const Vec2 turn = direction - arc.start_tangent;
+  if (direction.dot(arc.start_tangent) < 0.0F) {
+    return arc.start - left_normal(turn) / arc.curvature;
+  }
+  const float chord = turn.norm() / arc.curvature;
+  const Vec2 along = (direction + arc.start_tangent).normalized();
+  return arc.start + (cross(arc.start_tangent, direction) < 0.0F ? -chord : chord) * along;
+}
+
 bool side_comes_nearer(const Curve& arc, const Vec2& direction, const Curve& other, float limit) {
-  const Vec2 place =
-      arc.start - left_normal(Vec2{direction - arc.start_tangent}) / arc.curvature;
-  return arc.faces(place, 0.0F) && other.distance(place) < limit;
+  const Vec2 place = place_with_tangent(arc, direction);
+  return arc.faces(place, 0.0F) && distance(other, place) < limit;
 }
 
 bool sides_come_nearer(const Curve& arc, const Vec2& direction, const Curve& other, float limit) {
@@ -42,6 +52,13 @@ bool sides_come_nearer(const Curve& arc, const Vec2& direction, const Curve& oth
 }
 
 }  // namespace
+
+float distance(const Curve& curve, const Vec2& place) {
+  const float own = curve.distance(place);
+  if (!(own * std::abs(curve.curvature) > 0.5F) || !curve.faces(place, 0.0F)) return own;
+  const Vec2 centre = curve.start + left_normal(curve.start_tangent) / curve.curvature;
+  return std::abs((place - centre).norm() - 1.0F / std::abs(curve.curvature));
+}
 
 bool come_nearer(const Curve& a, const Curve& b, float limit) {
   const float apart = (a.start - b.start).norm() - length_bound(a) - length_bound(b);

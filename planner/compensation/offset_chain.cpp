@@ -13,9 +13,6 @@ namespace {
 /// Nearer than the offset by more than this is too near. mm.
 constexpr float kTolerance = 5.0e-5F;
 
-/// What is farther than this from where it was cut off says whether it could be cut. mm.
-constexpr float kBrief = 2.0e-3F;
-
 /// So many offsets from where the path turns an element may lie that it does not reach: of a corner
 /// of 30 degrees that is all that a line would lose, too.
 constexpr float kReach = 4.0F;
@@ -63,7 +60,7 @@ Curve OffsetChain::raw(Name name, const Place& origin) const {
 /// Nowhere nearer to what is known of the path than the offset.
 bool OffsetChain::is_clear(const Vec2& place, const Place& origin) const {
   for (std::size_t i = is_entry(0) ? 1 : 0; i < size_; ++i) {
-    if (element(i, origin).distance(place) < std::abs(distance_) - kTolerance) return false;
+    if (compensation::distance(element(i, origin), place) < std::abs(distance_) - kTolerance) return false;
   }
   return true;
 }
@@ -183,7 +180,9 @@ bool OffsetChain::is_beside(const Vec2& cut, const Place& origin, std::size_t in
 
 /// Whether a place that is swallowed is clear, and not where the path is cut anyway.
 bool OffsetChain::could_be_cut(const Vec2& lost, const Vec2& cut, const Place& origin) const {
-  return (lost - cut).norm() > kBrief && is_clear(lost, origin);
+  // Ends of a slight turn are as good as clear: half of it times half of what it takes off.
+  const float brief = 2.0F * std::sqrt(kTolerance * std::abs(distance_)) + kTouch;
+  return (lost - cut).norm() > brief && is_clear(lost, origin);
 }
 
 Curve OffsetChain::driven(std::size_t index, Kind kind) const {
@@ -217,7 +216,7 @@ std::optional<std::size_t> OffsetChain::too_near_aslant(const Curve& way,
                                                         std::size_t touched,
                                                         const Vec2& corner) const {
   if (const auto near = too_near(way, origin, touched)) return near;
-  const float limit = std::min(std::abs(distance_), way.distance(corner)) - kTolerance;
+  const float limit = std::min(std::abs(distance_), compensation::distance(way, corner)) - kTolerance;
   const bool is_near = touched < size_ && come_nearer(way, element(touched, origin), limit);
   return is_near ? std::optional{touched} : std::nullopt;
 }
