@@ -54,11 +54,15 @@ std::optional<Fault> Compensator::put(const path::PathItem& item) {
   programmed_ = item.request.element.end;
   const Place end = place_of(programmed_);
   const Place& start = chain_.end();
-  const float chord = std::max(std::abs((end[0] - start[0]).mm()), std::abs((end[1] - start[1]).mm()));
+  const float x = (end[0] - start[0]).mm();
+  const float y = (end[1] - start[1]).mm();
   // Too short for a direction: the next element begins where this one does.
-  if (chord <= kTouch) return std::nullopt;
+  if (std::max(std::abs(x), std::abs(y)) <= kTouch) return std::nullopt;
   const motion::MotionRequest& request = item.request;
-  if (chain_.size() == OffsetChain::kCapacity) --given_, --free_;
+  if (chain_.size() == OffsetChain::kCapacity) {
+    --given_;
+    --free_;
+  }
   if (const auto fault = chain_.append({.end = end,
                                         .bulge = request.element.bulge,
                                         .feed_mm_s = request.feed_mm_s,
@@ -76,7 +80,8 @@ std::optional<Fault> Compensator::put(const path::PathItem& item) {
 }
 
 std::optional<Fault> Compensator::end() {
-  CNC_ASSERT(active_ && !ended_ && has_room());
+  CNC_ASSERT(active_ && has_room());
+  if (ended_) return std::nullopt;
   for (std::size_t i = given_; i < chain_.size(); ++i) {
     if (const auto fault = chain_.check(i, true)) return fault;
   }

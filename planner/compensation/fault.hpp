@@ -6,7 +6,7 @@ namespace cnc::compensation {
 
 /// Why a path cannot be driven beside what is programmed.
 enum class Reason : std::uint8_t {
-  kEntryNotALine,  ///< The first motion after G41 or G42 is no straight line in the plane.
+  kEntryNotALine,  ///< The first motion after G41.1 or G42.1 is no straight line in the plane.
   kEntryTooShort,  ///< It is no longer than the offset.
   kExitNotALine,   ///< The same of the first motion after G40.
   kOtherAxis,      ///< Something else than the two axes of the plane moves.

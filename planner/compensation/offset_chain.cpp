@@ -60,7 +60,8 @@ Curve OffsetChain::raw(Name name, const Place& origin) const {
 /// Nowhere nearer to what is known of the path than the offset.
 bool OffsetChain::is_clear(const Vec2& place, const Place& origin) const {
   for (std::size_t i = is_entry(0) ? 1 : 0; i < size_; ++i) {
-    if (compensation::distance(element(i, origin), place) < std::abs(distance_) - kTolerance) return false;
+    const float off = compensation::distance(element(i, origin), place);
+    if (off < std::abs(distance_) - kTolerance) return false;
   }
   return true;
 }
@@ -161,8 +162,7 @@ std::optional<Fault> OffsetChain::link(Name before, Name after, const Vec2& plac
     const bool lost =
         (!is_before && !is_entry(before.element) && could_be_cut(curve.start, place, origin)) ||
         (!is_after && could_be_cut(curve.end, place, origin)) ||
-        (swallowed &&
-         could_be_cut(curve.middle_between(curve.start, curve.end), place, origin));
+        (swallowed && could_be_cut(curve.middle_between(curve.start, curve.end), place, origin));
     if (lost) return fault(Reason::kWouldSplit, name.element, after.element);
     if (!is_before) stretch(name).live = is_after;
   }
@@ -216,7 +216,8 @@ std::optional<std::size_t> OffsetChain::too_near_aslant(const Curve& way,
                                                         std::size_t touched,
                                                         const Vec2& corner) const {
   if (const auto near = too_near(way, origin, touched)) return near;
-  const float limit = std::min(std::abs(distance_), compensation::distance(way, corner)) - kTolerance;
+  const float aside = std::min(std::abs(distance_), compensation::distance(way, corner));
+  const float limit = aside - kTolerance;
   const bool is_near = touched < size_ && come_nearer(way, element(touched, origin), limit);
   return is_near ? std::optional{touched} : std::nullopt;
 }

@@ -43,7 +43,8 @@ struct HeldElement {
 /// The last elements of a path, and the curve at an offset from them: raw curves in a row, each
 /// driven from where it leaves the one before. Where two do not join they are cut at the first
 /// place at which they meet and that is nowhere nearer to the path than the offset; what lies
-/// between is swallowed, as long as it is within four offsets of there. The first element of all is the entry, of which nothing is to be kept.
+/// between is swallowed, as long as it is within four offsets of there. The first element of all
+/// is the entry, of which nothing is to be kept.
 ///
 /// A bounded part of a path is known, and all holds within that part. Single precision, places
 /// counted from the element that is asked for: right to 5e-5 mm where elements are up to

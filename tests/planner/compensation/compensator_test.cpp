@@ -84,8 +84,7 @@ TEST(Compensator, GoesRoundASquareOnItsOutside) {
   // Clockwise, and the path on its left.
   Bench bench{-1.0F, -10.0F, 0.0F};
   bench.to(0, 0).to(0, 10).to(10, 10).to(10, 0).to(0, 0).end();
-  bench.expect_ends(
-      {{-1, 1}, {-1, 10}, {0, 11}, {10, 11}, {11, 10}, {11, 0}, {10, -1}, {0, -1}});
+  bench.expect_ends({{-1, 1}, {-1, 10}, {0, 11}, {10, 11}, {11, 10}, {11, 0}, {10, -1}, {0, -1}});
 }
 
 TEST(Compensator, TurnsIntoAnInnerCornerWhereBothOffsetsMeet) {
