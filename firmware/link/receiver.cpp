@@ -117,7 +117,6 @@ void Receiver::follow_comment(char byte) {
 }
 
 void Receiver::act_at_once(std::uint8_t code) {
-  if (static_cast<RealtimeByte>(code) == RealtimeByte::kReset) return reset();
   if (code >= 0x80 || is_ascii_realtime(code)) act(code);
 }
 

@@ -4,6 +4,7 @@
 
 #include "planner/contour/clean_outline.hpp"
 #include "planner/contour/crowd_trim.hpp"
+#include "planner/contour/moved_curve.hpp"
 
 namespace cnc::contour {
 
@@ -34,12 +35,8 @@ bool RawOffset<Scalar>::add_loop(const ContourView<Scalar>& contour, std::size_t
 
 template <typename Scalar>
 void RawOffset<Scalar>::add_moved(const Curve<Scalar>& element) {
-  const Scalar growth = Scalar{1} + element.curvature * distance_;
-  if (growth <= Scalar{0}) return;
-  Curve<Scalar> moved = element;
-  moved.start -= distance_ * left_normal(element.start_tangent);
-  moved.end -= distance_ * left_normal(element.end_tangent);
-  moved.curvature = element.curvature / growth;
+  if (is_used_up(element, distance_)) return;
+  const Curve<Scalar> moved = moved_aside(element, distance_);
   if ((moved.end - moved.start).norm() <= tolerance_.touch) return;
   space_.raw[raw_count_++] = {moved, kNone, kNone};
 }
@@ -48,12 +45,9 @@ template <typename Scalar>
 void RawOffset<Scalar>::add_join(const Curve<Scalar>& before, const Curve<Scalar>& after) {
   const Scalar sine = cross(before.end_tangent, after.start_tangent);
   if (sine * distance_ < Scalar{0}) return;
-  const Vector corner = after.start;
-  const Vector start = corner - distance_ * left_normal(before.end_tangent);
-  const Vector end = corner - distance_ * left_normal(after.start_tangent);
-  if (closes(end - start)) return;
-  space_.raw[raw_count_++] = {
-      {start, end, before.end_tangent, after.start_tangent, Scalar{1} / distance_}, kNone, kNone};
+  const Curve<Scalar> join = round_join(before, after, distance_);
+  if (closes(join.end - join.start)) return;
+  space_.raw[raw_count_++] = {join, kNone, kNone};
 }
 
 /// Whether ends of neighbours may be drawn together. The gap runs along both,

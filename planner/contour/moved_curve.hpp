@@ -1,0 +1,38 @@
+#pragma once
+
+#include "planner/contour/curve.hpp"
+
+namespace cnc::contour {
+
+/// Whether nothing is left of an element at a signed distance on its right: an arc whose
+/// radius is used up, as each of its places would be nearer to another place of the same arc.
+template <typename Scalar>
+[[nodiscard]] bool is_used_up(const Curve<Scalar>& element, Scalar distance) {
+  return Scalar{1} + element.curvature * distance <= Scalar{0};
+}
+
+/// The element at a signed distance, positive on its right. @pre !is_used_up()
+template <typename Scalar>
+[[nodiscard]] Curve<Scalar> moved_aside(const Curve<Scalar>& element, Scalar distance) {
+  Curve<Scalar> moved = element;
+  moved.start -= distance * left_normal(element.start_tangent);
+  moved.end -= distance * left_normal(element.end_tangent);
+  moved.curvature = element.curvature / (Scalar{1} + element.curvature * distance);
+  return moved;
+}
+
+/// The arc about the corner between two elements, from the one moved aside to the other.
+/// @pre the corner opens a gap between them, and distance is not 0
+template <typename Scalar>
+[[nodiscard]] Curve<Scalar> round_join(const Curve<Scalar>& before,
+                                       const Curve<Scalar>& after,
+                                       Scalar distance) {
+  const BasicVec2<Scalar> corner = after.start;
+  return {corner - distance * left_normal(before.end_tangent),
+          corner - distance * left_normal(after.start_tangent),
+          before.end_tangent,
+          after.start_tangent,
+          Scalar{1} / distance};
+}
+
+}  // namespace cnc::contour
