@@ -88,7 +88,6 @@ class Transfer {
  public:
   Transfer(const SendCommandOptions& options, std::vector<JobLine> job)
       : options_{options},
-        stop_{},
         port_{open_port(options)},
         lines_{job.size()},
         sender_{std::move(job), options.send, now()} {

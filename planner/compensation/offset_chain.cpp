@@ -34,7 +34,7 @@ void OffsetChain::begin(const Place& start, float distance_mm) {
   distance_ = distance_mm;
 }
 
-Vec2 OffsetChain::from(const Place& origin, const Place& place) const {
+Vec2 OffsetChain::from(const Place& origin, const Place& place) {
   return {(place[0] - origin[0]).mm(), (place[1] - origin[1]).mm()};
 }
 

@@ -61,7 +61,7 @@ class OffsetChain {
 
   /// Appends an element; the oldest one goes where there is no room. @pre its chord is longer
   /// than kTouch, and the oldest has been given out if there are kCapacity
-  [[nodiscard]] std::optional<Fault> append(const HeldElement& element);
+  [[nodiscard]] std::optional<Fault> append(const HeldElement& added);
 
   [[nodiscard]] std::size_t size() const { return size_; }
   /// Of the elements appended, how many have been forgotten.
@@ -109,7 +109,7 @@ class OffsetChain {
   [[nodiscard]] const Stretch& stretch(Name name) const {
     return at(name.element).stretches[static_cast<std::size_t>(name.kind)];
   }
-  [[nodiscard]] Vec2 from(const Place& origin, const Place& place) const;
+  [[nodiscard]] static Vec2 from(const Place& origin, const Place& place);
   [[nodiscard]] Curve element(std::size_t index, const Place& origin) const;
   [[nodiscard]] bool has_raw(Name name) const;
   [[nodiscard]] Curve raw(Name name, const Place& origin) const;
