@@ -31,19 +31,21 @@ bool Machine::locked() const {
 }
 
 bool Machine::busy() const {
-  return !waiting_.empty() || jog_ || step_pause_ || leaving_travel_ || cutting_off_ ||
-         door_stops_jog() || state_.in(Mode::kHome);
+  return !waiting_.empty() || jog_ || step_pause_ || stopping_for_ != Alarm::kNone ||
+         cutting_off_ || door_stops_jog() || state_.in(Mode::kHome);
 }
 
 bool Machine::idle() const {
-  return waiting_.empty() && !jog_ && !state_.in(Mode::kHome) && motion_.drained();
+  return waiting_.empty() && !jog_ && !state_.in(Mode::kHome) && !compensator_.active() &&
+         motion_.drained();
 }
 
 gcode::Refusal Machine::accept(std::string_view line) {
   CNC_ASSERT(!busy() && !locked());
   const Position from = interpreter_.position();
   // Both have followed the same lines, else one of them has changed in memory.
-  CNC_ASSERT(state_.in(Mode::kCheck) || from == motion_.target());
+  CNC_ASSERT(state_.in(Mode::kCheck) || from == target());
+  path_fault_.reset();
   const auto actions = interpreter_.interpret(line);
   if (!actions.ok()) return actions.error();
   if (interpreter_.places_revision() != places_revision_) trust_places();
@@ -54,7 +56,7 @@ gcode::Refusal Machine::accept(std::string_view line) {
     return {};
   }
   if (travel_.left_by(actions.value(), from)) {
-    stop_for_travel();
+    stop_for(Alarm::kSoftLimit);
     return {};
   }
   waiting_ = actions.value();
@@ -88,7 +90,7 @@ void Machine::poll(hal::TickCount now) {
 
 /// What goes on by itself in the present mode.
 void Machine::attend_mode(std::int32_t elapsed_us) {
-  if (leaving_travel_ && at_rest()) return raise_alarm(Alarm::kSoftLimit);
+  if (stopping_for_ != Alarm::kNone && at_rest()) return raise_alarm(stopping_for_);
   switch (state_.mode()) {
     case Mode::kJog:
     case Mode::kJogEnding:
@@ -115,6 +117,8 @@ void Machine::attend_mode(std::int32_t elapsed_us) {
 /// door is open.
 void Machine::run_actions() {
   if (cutting_off_ || state_.in(Mode::kDoor)) return;
+  if (stopping_for_ != Alarm::kNone) return;
+  give_out();
   while (!waiting_.empty() && run(waiting_.front())) waiting_ = waiting_.subspan(1);
   if (waiting_.empty() && step_pause_ && pause()) step_pause_ = false;
 }

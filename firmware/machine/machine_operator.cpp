@@ -17,7 +17,7 @@ void Machine::jog_cancel() {
 void Machine::resume() {
   if (state_.in(Mode::kDoor)) return resume_from_door();
   if (!state_.in(Mode::kHold) && !state_.in(Mode::kTool)) return;
-  if (leaving_travel_ || inputs().door || restarting_) return;
+  if (stopping_for_ != Alarm::kNone || inputs().door || restarting_) return;
   restarting_ = true;
   if (tool_.suspended()) {
     tool_.suspend(false);

@@ -47,6 +47,7 @@ enum class Alarm : std::uint8_t {
   kHomingRequired = 11,
   kStarved = 23,  ///< Motion was cut off because the planner came too late.
   kEmergencyStop = 24,
+  kCompensation = 25,  ///< The way beside the path (G41.1) cannot be driven; place known.
 };
 
 /// Percent of the programmed value.

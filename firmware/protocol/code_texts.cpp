@@ -45,7 +45,7 @@ constexpr std::array<CodeText, 35> kErrors{{
     {79, "The emergency stop is pressed."},
 }};
 
-constexpr std::array<CodeText, 13> kAlarms{{
+constexpr std::array<CodeText, 14> kAlarms{{
     {1, "A limit switch was reached. The place may be lost; home again."},
     {2, "The target lies beyond the travel. The place is kept."},
     {3, "Stopped while moving. The place may be lost; home again."},
@@ -59,6 +59,7 @@ constexpr std::array<CodeText, 13> kAlarms{{
     {11, "Homing is required."},
     {23, "Motion was cut off because the plan came too late."},
     {24, "The emergency stop is pressed."},
+    {25, "The path beside the programmed one cannot be driven. The place is kept."},
 }};
 
 }  // namespace

@@ -146,7 +146,13 @@ bool LineProtocol::finish_line() {
     return true;
   }
   owed_ = Owed::kNothing;
-  if (!std::exchange(unheard_, false)) answer(begin_answer().text("ok").end());
+  const auto fault = machine_.take_path_fault();
+  if (std::exchange(unheard_, false)) return true;
+  if (fault) {
+    refuse(*fault);
+  } else {
+    answer(begin_answer().text("ok").end());
+  }
   return true;
 }
 
