@@ -73,7 +73,7 @@ struct BusSender {
   void turn(std::uint64_t now_ns) {
     if (!silent) host.attend(hal::TickCount{static_cast<std::uint32_t>(now_ns / 1000)});
     hear();
-    while (streams && next < lines.size()) {
+    while (next < lines.size()) {
       const std::string line = lines[next] + "\n";
       if (in_flight + line.size() > 1000) return;
       const std::string_view rest = std::string_view{line}.substr(part);
@@ -118,7 +118,6 @@ struct BusSender {
   std::size_t part = 0;
   std::size_t oks = 0;
   std::size_t in_flight = 0;
-  bool streams = true;
   bool silent = false;
 };
 
