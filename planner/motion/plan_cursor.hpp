@@ -83,7 +83,7 @@ class PlanCursor {
   PlanTerms terms_{};
   std::uint64_t untried_ns_ = 0;    ///< Since a higher pace was last tried.
   std::uint64_t postponed_ns_ = 0;  ///< Until a lower pace is tried again.
-  std::uint32_t followed_ = 0;  ///< The queue's plan that the present phase is of.
+  std::uint32_t followed_ = 0;      ///< The queue's plan that the present phase is of.
   bool replan_ = false;
   bool overtaken_ = false;  ///< As Patience knows it.
   std::uint32_t since_speeding_up_ns_ = kLongAgo;
