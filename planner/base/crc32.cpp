@@ -6,38 +6,53 @@ namespace cnc {
 namespace {
 
 constexpr std::uint32_t kPolynomial = 0xEDB8'8320;
-constexpr std::uint32_t kNibble = 0xF;
+constexpr std::size_t kNibbles = 8;  ///< Of a word.
 
-constexpr std::array<std::uint32_t, 16> make_table() {
-  std::array<std::uint32_t, 16> table{};
-  for (std::uint32_t i = 0; i < table.size(); ++i) {
+/// What a nibble leaves when so many others come after it.
+using Remainders = std::array<std::uint32_t, 16>;
+
+constexpr std::array<Remainders, kNibbles> make_tables() {
+  std::array<Remainders, kNibbles> tables{};
+  for (std::uint32_t i = 0; i < 16; ++i) {
     std::uint32_t remainder = i;
-    for (int bit = 0; bit < 4; ++bit) {
-      remainder = (remainder >> 1) ^ ((remainder & 1U) != 0 ? kPolynomial : 0U);
+    for (Remainders& table : tables) {
+      for (int bit = 0; bit < 4; ++bit) {
+        remainder = (remainder >> 1) ^ ((remainder & 1U) != 0 ? kPolynomial : 0U);
+      }
+      table[i] = remainder;
     }
-    table[i] = remainder;
   }
-  return table;
+  return tables;
 }
 
-constexpr std::array<std::uint32_t, 16> kTable = make_table();
+constexpr std::array<Remainders, kNibbles> kTables = make_tables();
+
+/// Of the lowest nibble, with so many behind it.
+constexpr std::uint32_t remainder_of(std::uint32_t value, std::size_t behind) {
+  return kTables[behind][value & 0xFU];
+}
 
 }  // namespace
 
 void Crc32::add(std::byte byte) {
-  state_ ^= std::to_integer<std::uint32_t>(byte);
-  state_ = (state_ >> 4) ^ kTable[state_ & kNibble];
-  state_ = (state_ >> 4) ^ kTable[state_ & kNibble];
+  const std::uint32_t mixed = state_ ^ std::to_integer<std::uint32_t>(byte);
+  state_ = (mixed >> 8) ^ remainder_of(mixed, 1) ^ remainder_of(mixed >> 4, 0);
 }
 
 void Crc32::add(std::uint32_t word) {
-  state_ ^= word;
-  for (int nibble = 0; nibble < 8; ++nibble) {
-    state_ = (state_ >> 4) ^ kTable[state_ & kNibble];
-  }
+  const std::uint32_t mixed = state_ ^ word;
+  state_ = remainder_of(mixed, 7) ^ remainder_of(mixed >> 4, 6) ^ remainder_of(mixed >> 8, 5) ^
+           remainder_of(mixed >> 12, 4) ^ remainder_of(mixed >> 16, 3) ^
+           remainder_of(mixed >> 20, 2) ^ remainder_of(mixed >> 24, 1) ^
+           remainder_of(mixed >> 28, 0);
 }
 
 void Crc32::add(std::span<const std::byte> bytes) {
+  const auto at = [&bytes](std::size_t i) { return std::to_integer<std::uint32_t>(bytes[i]); };
+  while (bytes.size() >= sizeof(std::uint32_t)) {
+    add(at(0) | (at(1) << 8) | (at(2) << 16) | (at(3) << 24));
+    bytes = bytes.subspan(sizeof(std::uint32_t));
+  }
   for (const std::byte byte : bytes) add(byte);
 }
 

@@ -17,11 +17,7 @@ inline constexpr float kUnitsPerMm = 68'719'476'736.0F;
 inline constexpr float kMmPerUnit = 1.0F / kUnitsPerMm;
 
 /// @pre 0 ≤ mm < 2^27
-[[nodiscard]] inline PathUnits to_units(float mm) {
-  constexpr float kLong = 2048.0F;  // A float of this size has no digits below 2^-20.
-  if (mm < kLong) return truncated(mm * kUnitsPerMm);
-  return truncated(mm * 1'048'576.0F) * 65'536;
-}
+[[nodiscard]] PathUnits to_units(float mm);
 [[nodiscard]] inline float to_mm(PathUnits units) { return nearest_float(units) * kMmPerUnit; }
 
 /// At least one, so that each block has a beginning and an end.

@@ -57,6 +57,7 @@ void PlanCursor::reset() {
   overtaken_ = false;
   braking_from_ = 0.0F;
   clock_ = {};
+  lead_ = 0;
   postponed_ns_ = 0;
   index_ = 0;
   driving_ = false;
@@ -105,11 +106,9 @@ Stretch PlanCursor::pass(std::uint32_t most_ns) {
   elapsed_ns_ += duration_ns;
   speed_ = course_.speed_after(elapsed_ns_);
   place_ = phase_from_ + course_.way_after(elapsed_ns_);
-  if (duration_ns < left_ns) {
-    if (terms_.window.filters()) place_ = in_time(place_);
-    place_ = std::min(place_, length_ - 1);  // Who is at the end has left the block.
-  }
-  return {.way = place_ - from,
+  // Who is at the end has left the block.
+  if (duration_ns < left_ns) place_ = std::min(place_, length_ - 1);
+  return {.way = terms_.window.filters() ? way_in_time(place_ - from) : place_ - from,
           .duration_ns = duration_ns,
           .start_speed = start_speed,
           .end_speed = speed_,
@@ -123,10 +122,17 @@ void PlanCursor::end_phase() {
   if (profile_.at_end()) end_block();
 }
 
-/// Within the phase: where the plan would be if phases did not last whole nanoseconds.
-PathUnits PlanCursor::in_time(PathUnits place) const {
+/// As far as the plan would go if phases did not last whole nanoseconds; not beyond a stop. A
+/// cell of the window may end just where a phase does, so who is late leads into the next one.
+PathUnits PlanCursor::way_in_time(PathUnits way) {
   const float late_mm = speed_ * clock_.late_ns(elapsed_ns_) * kSecondsPerNanosecond;
-  return std::min(place + to_units(late_mm), phase_from_ + course_.whole().way);
+  const bool stops = index_ + 1 == queue_.size() || queue_.at(index_ + 1).from_rest;
+  PathUnits lead = to_units(late_mm);
+  if (stops) lead = std::min(lead, length_ - place_);
+  const PathUnits before = lead_;
+  lead = std::max(lead, before - way);
+  lead_ = static_cast<std::int32_t>(lead);
+  return way + lead - before;
 }
 
 Patience PlanCursor::patience() const {

@@ -71,7 +71,7 @@ class PlanCursor {
   void stand_at_stop();
   void begin_block();
   void end_block();
-  [[nodiscard]] PathUnits in_time(PathUnits place) const;
+  [[nodiscard]] PathUnits way_in_time(PathUnits way);
   [[nodiscard]] PathUnits place_after(const Phase& phase) const;
   [[nodiscard]] float phase_distance_left() const;
 
@@ -83,12 +83,13 @@ class PlanCursor {
   PlanTerms terms_{};
   std::uint64_t untried_ns_ = 0;    ///< Since a higher pace was last tried.
   std::uint64_t postponed_ns_ = 0;  ///< Until a lower pace is tried again.
+  std::uint32_t followed_ = 0;      ///< The queue's plan that the present phase is of.
   bool replan_ = false;
-  std::uint32_t followed_ = 0;  ///< The queue's plan that the present phase is of.
-  bool overtaken_ = false;      ///< As Patience knows it.
+  bool overtaken_ = false;  ///< As Patience knows it.
   std::uint32_t since_speeding_up_ns_ = kLongAgo;
   std::uint32_t since_braking_ns_ = kLongAgo;
   float braking_from_ = 0.0F;  ///< mm/s, the speed when the plan last did not brake.
+  std::int32_t lead_ = 0;      ///< PathUnits by which what was handed out is beyond the place.
 
   std::size_t index_ = 0;  ///< Of the block that is or will be planned through.
   bool driving_ = false;   ///< It has been begun.

@@ -160,14 +160,28 @@ TEST(JerkLimitedPrograms, KeepEveryLimitWhateverTheOperatorDoes) {
 
 // Programs that once were not: blocks that came where one block ended, a lower pace where a
 // zone reached farther for it, a higher one that was tried and taken back. And one that never
-// started again after a hold, for what blocks that were gone had asked for.
+// started again after a hold, for what blocks that were gone had asked for. Then phases that ended
+// just where a cell of the window did, and speeding up for so long that the rounding of its speed
+// was some tenths of a microsecond of the wait for braking.
 TEST(JerkLimitedPrograms, KeepTheirLimitsWhereThePlanChangesAtTheWrongMoment) {
   struct Case {
     std::uint64_t seed;
     bool operated;
   };
   Worst worst;
-  constexpr Case kCases[] = {{86'212, false}, {701, true}, {1766, true}, {3994, true}};
+  constexpr Case kCases[] = {{86'212, false},
+                             {701, true},
+                             {1766, true},
+                             {3994, true},
+                             {49'044, false},
+                             {74'622, false},
+                             {83'402, false},
+                             {618, true},
+                             {878, true},
+                             {994, true},
+                             {23'319, false},
+                             {26'175, false},
+                             {39'809, false}};
   for (const auto [seed, operated] : kCases) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     Random random{seed};

@@ -144,14 +144,16 @@ TEST(PhaseClock, RoundsUpWhereNothingIsToBeMadeUpFor) {
   EXPECT_EQ(clock.begin(20'000.0F, false), 20'000'000'000'000U);
 }
 
-TEST(PhaseClock, IsNotLateAfterACut) {
+TEST(PhaseClock, StaysAsLateAsItIsAtACut) {
   PhaseClock clock;
   EXPECT_EQ(clock.begin(1.5e-9F, true), 2U);
   clock.cut(0);
-  EXPECT_EQ(clock.begin(2.5e-9F, true), 3U);
+  EXPECT_EQ(clock.late_ns(0), 0.0F);
+  EXPECT_EQ(clock.begin(1.5e-9F, true), 2U);
   clock.cut(1);
-  EXPECT_EQ(clock.begin(2.5e-9F, true), 3U);
-  EXPECT_EQ(clock.begin(2.5e-9F, true), 2U);
+  EXPECT_EQ(clock.begin(2.0e-9F, true), 2U);
+  EXPECT_NEAR(clock.late_ns(0), 0.25F, 1.0e-6F);
+  EXPECT_NEAR(clock.late_ns(2), 0.25F, 1.0e-6F);
 }
 
 }  // namespace
