@@ -18,9 +18,13 @@
 #include <stdexcept>
 #include <utility>
 
-#include "host-sim/serve/descriptor.hpp"
+#include "hal/host/descriptor.hpp"
 
 namespace sim {
+
+using hal::host::checked;
+using hal::host::Descriptor;
+
 namespace {
 
 /// 5 ms at 115,200 baud.
