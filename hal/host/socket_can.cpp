@@ -136,8 +136,9 @@ void SocketCan::hear_only(std::span<const std::uint32_t> heard) const {
   constexpr can_err_mask_t kErrors = CAN_ERR_CRTL | CAN_ERR_BUSOFF | CAN_ERR_RESTARTED;
   std::vector<can_filter> filters;
   for (const std::uint32_t id : heard) {
-    filters.push_back({.can_id = id & kLimit11,
-                       .can_mask = CAN_SFF_MASK | CAN_EFF_FLAG | CAN_RTR_FLAG | CAN_ERR_FLAG});
+    // With the flag of errors in the mask the kernel would filter errors instead.
+    filters.push_back(
+        {.can_id = id & kLimit11, .can_mask = CAN_SFF_MASK | CAN_EFF_FLAG | CAN_RTR_FLAG});
   }
   const auto size = static_cast<socklen_t>(filters.size() * sizeof(can_filter));
   checked(::setsockopt(number(), SOL_CAN_RAW, CAN_RAW_FILTER, filters.data(), size), "can");

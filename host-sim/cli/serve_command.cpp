@@ -12,6 +12,7 @@
 #include "host-sim/cli/commands.hpp"
 #include "host-sim/can/socket_can_wire.hpp"
 #include "host-sim/cli/job_options.hpp"
+#include "host-sim/job/axis_scale.hpp"
 #include "host-sim/serve/can_transport.hpp"
 #include "host-sim/serve/pty_transport.hpp"
 #include "host-sim/serve/record_file.hpp"
@@ -19,6 +20,7 @@
 #include "host-sim/serve/slcan_wire.hpp"
 #include "host-sim/serve/tcp_transport.hpp"
 #include "host-sim/serve/web_transport.hpp"
+#include "host-sim/trace/trace_writer.hpp"
 
 namespace sim {
 namespace {
@@ -47,6 +49,7 @@ struct ServeOptions {
   std::vector<std::string> set;
   std::string store;
   std::string record;
+  std::string trace;
   MachineModel machine{};
 };
 
@@ -92,6 +95,8 @@ void add_options(CLI::App& command, ServeOptions& options) {
                   "the run. --settings and --set are on top of it")
       ->type_name("FILE");
   command.add_option("--record", options.record, "Keep the conversation, for kerfline replay")
+      ->type_name("FILE");
+  command.add_option("--trace", options.trace, "Write every step as text, as sim does")
       ->type_name("FILE");
   command
       .add_option("--probe-plate",
@@ -171,8 +176,14 @@ ExitStatus serve(const ServeOptions& options) {
     server.show(view, *web);
     reception.add(std::move(web));
   }
+  std::optional<TraceWriter> trace;
+  if (!options.trace.empty()) {
+    trace.emplace(options.trace, steps_per_mm<float>(session.controller().machine().settings()));
+    session.controller().add_sink(*trace);
+  }
   announce(reception);
   server.run(stop);
+  session.controller().end();
   record.close(session);
   return ExitStatus::kFine;
 }
