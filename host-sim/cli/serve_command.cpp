@@ -9,8 +9,8 @@
 #include <stdexcept>
 
 #include "hal/host/file_store.hpp"
-#include "host-sim/cli/commands.hpp"
 #include "host-sim/can/socket_can_wire.hpp"
+#include "host-sim/cli/commands.hpp"
 #include "host-sim/cli/job_options.hpp"
 #include "host-sim/job/axis_scale.hpp"
 #include "host-sim/serve/can_transport.hpp"
@@ -67,7 +67,7 @@ void add_options(CLI::App& command, ServeOptions& options) {
                   "is given; port 0 is any free")
       ->type_name("[ADDRESS:]PORT");
   command
-      .add_option("--can", options.can, "A CAN interface of the kernel, can0 or vcan0, as a node of it")
+      .add_option("--can", options.can, "A node of a CAN interface of the kernel, can0 or vcan0")
       ->type_name("INTERFACE");
   command
       .add_option("--slcan",
@@ -113,7 +113,7 @@ void open_buses(const ServeOptions& options, Session& session, Reception& recept
     return cnc::CanLink::Condition{.stopped = alarm != 0, .alarm = alarm};
   };
   const auto add = [&](std::unique_ptr<CanWire> wire) {
-    reception.add(std::make_unique<CanTransport>(std::move(wire), node, condition));
+    reception.add(std::make_unique<CanTransport>(std::move(wire), node, condition, options.speed));
   };
   if (!options.can.empty()) {
     add(std::make_unique<SocketCanWire>(options.can, cnc::can::heard_by_node(node)));

@@ -40,8 +40,12 @@ class CanTransport::Sender final : public Connection {
 
 CanTransport::CanTransport(std::unique_ptr<CanWire> wire,
                            std::uint8_t node,
-                           std::function<Condition()> condition)
-    : wire_{std::move(wire)}, link_{wire_->port(), node}, condition_{std::move(condition)} {}
+                           std::function<Condition()> condition,
+                           double speed)
+    : wire_{std::move(wire)},
+      link_{wire_->port(), node},
+      condition_{std::move(condition)},
+      speed_{speed} {}
 
 void CanTransport::attend() {
   wire_->carry();
@@ -52,14 +56,18 @@ void CanTransport::attend() {
 }
 
 /// Who was away itself, on a machine that had other things to do, cannot tell that others were
-/// silent: what they have said meanwhile may not have come yet.
+/// silent: they may have waited for the same processor. Nor is a host any quicker because the
+/// controller's time is.
 void CanTransport::pass_time() {
   using std::chrono::microseconds;
-  constexpr microseconds kMostAway{20'000};
+  constexpr microseconds kUsual{2000};  // Somewhat more than a turn.
   const auto looked = Clock::now();
   const auto away = std::chrono::floor<microseconds>(looked - looked_);
   looked_ += away;
-  now_ = now_.plus(static_cast<std::uint32_t>(std::min(away, kMostAway).count()));
+  const auto silent = static_cast<double>(std::min(away, kUsual).count()) / std::max(1.0, speed_);
+  const auto passed = static_cast<std::uint32_t>(away.count());
+  now_ = now_.plus(passed);
+  link_.excuse_host(passed - static_cast<std::uint32_t>(silent));
 }
 
 std::unique_ptr<Connection> CanTransport::accept() {
