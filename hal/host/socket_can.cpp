@@ -97,6 +97,7 @@ void set_option(int socket, int level, int option, const Value& value) {
 KernelFrame to_kernel(const CanFrame& frame) {
   KernelFrame raw{};
   raw.can_id = frame.id | (frame.extended ? CAN_EFF_FLAG : 0U) | (frame.remote ? CAN_RTR_FLAG : 0U);
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-union-access): one byte with two names.
   raw.can_dlc = frame.length;
   if (!frame.remote) std::memcpy(raw.data, frame.data.data(), frame.length);
   return raw;
@@ -107,6 +108,7 @@ CanFrame from_kernel(const KernelFrame& raw) {
   frame.extended = (raw.can_id & CAN_EFF_FLAG) != 0;
   frame.remote = (raw.can_id & CAN_RTR_FLAG) != 0;
   frame.id = raw.can_id & (frame.extended ? CAN_EFF_MASK : CAN_SFF_MASK);
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-union-access): one byte with two names.
   frame.length = std::min<std::uint8_t>(raw.can_dlc, CAN_MAX_DLEN);
   if (!frame.remote) std::memcpy(frame.data.data(), raw.data, frame.length);
   return frame;
