@@ -221,6 +221,8 @@ void run_turn() {
 
 }  // namespace target
 
+std::uint32_t late_turns = 0;
+
 void cnc::contract_failed(const char*, const char*, int) {
   target::stop(chip::Fault::kContract, 0, target::address_of(__builtin_return_address(0)));
 }

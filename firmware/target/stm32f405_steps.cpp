@@ -4,10 +4,6 @@
 
 template class cnc::StepGenerator<target::Port, target::Application::kSegmentQueue>;
 
-/// For a debugger: boundaries so far at which what was due to come in was not there yet.
-extern "C" std::uint32_t late_turns;
-std::uint32_t late_turns = 0;
-
 namespace {
 
 /// A turn begins, with what has come by now.
