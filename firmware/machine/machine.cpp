@@ -12,7 +12,7 @@ Machine::Machine(StepDrive& drive, hal::AuxiliaryOutputs& outputs, hal::MachineI
       tool_{drive, outputs},
       coolant_{outputs},
       homing_{drive, motion_, settings_},
-      side_{drive, motion_.motors(), limits_} {
+      side_{drive, motion_, limits_} {
   watch_memory();
   apply_settings();
 }
