@@ -2,20 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
+#include <algorithm>
 
 namespace sim {
-namespace {
-
-hal::TickCount now() {
-  using std::chrono::microseconds;
-  using std::chrono::steady_clock;
-  const auto since = steady_clock::now().time_since_epoch();
-  return hal::TickCount{
-      static_cast<std::uint32_t>(std::chrono::duration_cast<microseconds>(since).count())};
-}
-
-}  // namespace
 
 /// Whoever has a session, until it is over.
 class CanTransport::Sender final : public Connection {
@@ -51,14 +40,34 @@ class CanTransport::Sender final : public Connection {
 
 CanTransport::CanTransport(std::unique_ptr<CanWire> wire,
                            std::uint8_t node,
-                           std::function<Condition()> condition)
-    : wire_{std::move(wire)}, link_{wire_->port(), node}, condition_{std::move(condition)} {}
+                           std::function<Condition()> condition,
+                           double speed)
+    : wire_{std::move(wire)},
+      link_{wire_->port(), node},
+      condition_{std::move(condition)},
+      speed_{speed} {}
 
 void CanTransport::attend() {
   wire_->carry();
   link_.tell(condition_());
-  link_.attend(now());
+  pass_time();
+  link_.attend(now_);
   wire_->carry();
+}
+
+/// Who was away itself, on a machine that had other things to do, cannot tell that others were
+/// silent: they may have waited for the same processor. Nor is a host any quicker because the
+/// controller's time is.
+void CanTransport::pass_time() {
+  using std::chrono::microseconds;
+  constexpr microseconds kUsual{2000};  // Somewhat more than a turn.
+  const auto looked = Clock::now();
+  const auto away = std::chrono::floor<microseconds>(looked - looked_);
+  looked_ += away;
+  const auto silent = static_cast<double>(std::min(away, kUsual).count()) / std::max(1.0, speed_);
+  const auto passed = static_cast<std::uint32_t>(away.count());
+  now_ = now_.plus(passed);
+  link_.excuse_host(passed - static_cast<std::uint32_t>(silent));
 }
 
 std::unique_ptr<Connection> CanTransport::accept() {

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
 
 #include "firmware/link/can/can_link.hpp"
-#include "host-sim/serve/can_wire.hpp"
+#include "host-sim/can/can_wire.hpp"
 #include "host-sim/serve/transport.hpp"
 
 namespace sim {
@@ -16,9 +17,11 @@ class CanTransport final : public Transport {
   using Condition = cnc::CanLink::Condition;
 
   /// @param condition asked for before each look
+  /// @param speed controller seconds per second
   CanTransport(std::unique_ptr<CanWire> wire,
                std::uint8_t node,
-               std::function<Condition()> condition);
+               std::function<Condition()> condition,
+               double speed);
 
   [[nodiscard]] std::unique_ptr<Connection> accept() override;
   void add_to(std::vector<pollfd>& descriptors) const override { wire_->add_to(descriptors); }
@@ -30,11 +33,17 @@ class CanTransport final : public Transport {
  private:
   class Sender;
 
+  using Clock = std::chrono::steady_clock;
+
   void attend();
+  void pass_time();
 
   std::unique_ptr<CanWire> wire_;
   cnc::CanLink link_;
   std::function<Condition()> condition_;
+  double speed_;
+  Clock::time_point looked_ = Clock::now();
+  hal::TickCount now_{};        ///< What has passed for the link.
   std::uint32_t accepted_ = 0;  ///< The session of the last sender.
 };
 

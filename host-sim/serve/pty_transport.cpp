@@ -12,6 +12,9 @@
 namespace sim {
 namespace {
 
+using hal::host::checked;
+using hal::host::Descriptor;
+
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLongestDeviceName = 64;

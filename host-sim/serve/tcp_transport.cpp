@@ -10,6 +10,9 @@
 namespace sim {
 namespace {
 
+using hal::host::checked;
+using hal::host::Descriptor;
+
 constexpr int kWaitingSenders = 4;
 
 class TcpConnection final : public Connection {

@@ -55,6 +55,10 @@ class CanLink final : public hal::SessionStream {
   /// of.
   [[nodiscard]] bool take_realtime(std::byte& byte);
 
+  /// Before attend(): of the time since then so much is no silence of the host's, because nobody
+  /// could have heard it. Microseconds.
+  void excuse_host(std::uint32_t time) { host_heard_ = host_heard_.plus(time); }
+
   /// What is told to others from the next turn on.
   void tell(const Condition& condition) { condition_ = condition; }
 

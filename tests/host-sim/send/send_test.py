@@ -109,6 +109,46 @@ class SendTest(served.ServeTest):
                     self.assertEqual(log.read_text().count(" < ok"), 83 + 2 + 2 * len(form))
         self.check_x(server, 4 * far)
 
+    def test_sends_over_a_can_adapter(self):
+        server = self.serve("--slcan", self.link, "--tcp", 0, "--speed", 20, *SETTINGS)
+        job, far = self.square(20)
+        log = self.folder / "log"
+        for form in ((), ("--checked",)):
+            with self.subTest(form=form):
+                status, out, err = self.send(job, "--slcan", self.link, *form, "--log", log)
+                self.assertEqual((status, err), (0, ""))
+                self.assertIn("83 of 83 lines", out)
+                self.assertEqual(log.read_text().count(" < ok"), 83 + 2 + 2 * len(form))
+        self.check_x(server, 2 * far)
+
+    def test_tells_what_a_node_of_a_can_bus_tells(self):
+        server = self.serve("--slcan", self.link, *SETTINGS)
+        job = self.program_file(["G91 G1 X1 F6000", "G1 X2000"])
+        log = self.folder / "log"
+        status, _, err = self.send(job, "--slcan", self.link, "--node", 18, "--log", log)
+        self.assertEqual(status, 1)
+        self.assertIn("node 18 is silent on", err)
+        process = self.start(job, "--slcan", self.link, "--log", log)
+        time.sleep(2.0)
+        server.stop(signal.SIGKILL)
+        _, err = process.communicate(timeout=20)
+        self.assertEqual(process.returncode, 1)
+        self.assertIn("is gone", err)
+
+    def test_killed_on_a_can_bus_leaves_the_beam_dark(self):
+        server = self.serve("--slcan", self.link, "--tcp", 0, *SETTINGS)
+        job = self.program_file(["G91 G1 X200 F1200 M3 S500"])
+        process = self.start(job, "--slcan", self.link)
+        time.sleep(2.0)
+        process.send_signal(signal.SIGKILL)
+        process.communicate(timeout=20)
+        time.sleep(1.0)
+        before = self.where(server)
+        time.sleep(1.0)
+        self.assertEqual(self.where(server), before)
+        self.assertGreater(before[0], 1.0)
+        self.assertLess(before[0], 150.0)
+
     def test_says_which_line_was_refused_and_stops(self):
         server = self.serve("--tcp", 0, *SETTINGS)
         job = self.program_file(["G91 G1 X1 F6000", "G99 (no such word)", "G1 X1"])
@@ -126,6 +166,9 @@ class SendTest(served.ServeTest):
                           ("/no/file", "--port", "/dev/null"),
                           (self.program_file(["G4 P1"]), "--port", "/no/such/port"),
                           (self.program_file(["G4 P1"]), "--tcp", "nowhere"),
+                          (self.program_file(["G4 P1"]), "--can", "nosuchcan0"),
+                          (self.program_file(["G4 P1"]), "--slcan", "/no/such/port"),
+                          (self.program_file(["G4 P1"]), "--slcan", "a", "--node", 127),
                           (self.program_file(["G1 X" + "0" * 240]), "--tcp", "localhost:9",
                            "--checked")):
             with self.subTest(arguments=arguments):

@@ -13,6 +13,8 @@
 namespace sim {
 namespace {
 
+using hal::host::Descriptor;
+
 namespace fs = std::filesystem;
 
 Descriptor open_port(const std::string& path) {

@@ -87,6 +87,20 @@ TEST(Replay, SaysTheSameAtTheSameTimes) {
   }
 }
 
+/// Which came over a bus, beside all that is said, in the middle of a motion.
+TEST(Replay, StopsWhereTheMachineWasStopped) {
+  RecordedSession talk;
+  talk.send("G91 G1 X100 F600\n");
+  talk.turn(300);
+  talk.session().emergency_stop();
+  talk.turn(50);
+  talk.send("?");
+  talk.turn(5);
+  const Conversation recorded = talk.end();
+  ASSERT_NE(all_said(recorded).find("ALARM:24"), std::string::npos);
+  EXPECT_EQ(to_text(replay(recorded)), to_text(recorded));
+}
+
 TEST(Replay, IsJustAsSlowToReadAsTheSenderWas) {
   RecordedSession talk;
   for (int round = 0; round < 400; ++round) {
