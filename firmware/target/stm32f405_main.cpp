@@ -51,9 +51,10 @@ cnc::FlashLog log{flash};
 constinit chip::PatientStore<cnc::FlashLog> store{log};
 constinit chip::ChipBoard<kBoard> board{};
 constinit cnc::MemoryWatch image_watch{};
-cnc::Application<Port> application{port, port, port, store, link, &board};
+/// What a restart does not clear: this, and what follows the application.
+[[gnu::section(".noinit")]] cnc::KeptProgress kept_progress;
+cnc::Application<Port> application{port, port, port, store, link, &board, &kept_progress};
 
-/// What a restart does not clear.
 struct Kept {
   static constexpr std::uint32_t kBootLoader = 0x4446'5521;
 
