@@ -36,15 +36,23 @@ Passing on_line(const PathElement& line, const Position& place) {
   return passing;
 }
 
-/// A chord of a circle leaves it at half the angle that it spans. From whichever end is farther
-/// away, where the chord's direction is known best.
+/// How far along the arc a place is from an end of it, by the chord to there. Negative before it.
+float way_from(const Vec2& tangent, float curvature, const Vec2& chord) {
+  constexpr float kFlat = 1.0e-3F;
+  const float length = chord.norm();
+  if (tangent.dot(chord) <= 0.0F) return -length;
+  const float sine = std::min(1.0F, 0.5F * length * std::abs(curvature));
+  if (sine < kFlat) return length * (1.0F + square(sine) * (1.0F / 6.0F));
+  return 2.0F * atan2_f(sine, std::sqrt(1.0F - square(sine))) / std::abs(curvature);
+}
+
+/// From the end that is nearer: there is at most a quarter of a turn to it.
 float way_along(const Leg& from_start, const Leg& to_end, const Vec2& start, const Vec2& end) {
-  const bool by_start = start.squaredNorm() >= end.squaredNorm();
-  const Vec2& tangent = by_start ? from_start.tangent : to_end.tangent;
-  const float half = by_start ? atan2_f(cross(tangent, start), tangent.dot(start))
-                              : atan2_f(cross(end, tangent), tangent.dot(end));
-  const float way = 2.0F * half / from_start.curvature;
-  return by_start ? way : from_start.length - way;
+  const float curvature = from_start.curvature;
+  if (start.squaredNorm() <= end.squaredNorm()) {
+    return way_from(from_start.tangent, curvature, start);
+  }
+  return from_start.length - way_from(to_end.tangent, curvature, end);
 }
 
 Passing on_arc(const PathElement& arc, const Leg& leg, const Position& place) {

@@ -11,9 +11,8 @@ struct Passing {
   float distance_mm = 0.0F;
 };
 
-/// Of an arc or a helix the nearest by its angle in its plane: to 1e-5 of its length for places on
-/// it, and off along the arc by at most four times as much as they lie beside it. Where nothing
-/// moves the place is its end.
+/// Of an arc or a helix by its chords in its plane: for places on it to 1e-5 of its length, beside
+/// it off along the arc by at most as much as they lie beside it. Where nothing moves it is the end.
 [[nodiscard]] Passing passing_of(const PathElement& element, const Position& place);
 
 }  // namespace cnc::path
