@@ -6,6 +6,7 @@
 #include <string>
 #include <string_view>
 
+#include "hal/host/slcan_text.hpp"
 #include "hal/interface/can_port.hpp"
 
 namespace hal::host {
@@ -44,7 +45,6 @@ class Slcan final : public CanPort {
   void close();
 
  private:
-  static constexpr std::size_t kLongestLine = 32;
   static constexpr std::size_t kMostToSay = 2048;
 
   [[nodiscard]] bool obey(std::string_view line);

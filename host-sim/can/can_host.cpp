@@ -26,6 +26,8 @@ void CanHost::attend(hal::TickCount now) {
 
 void CanHost::take(const hal::CanFrame& frame, hal::TickCount now) {
   if (frame.extended || frame.remote) return;
+  const std::array ours = can::heard_by_host(node_);
+  if (std::find(ours.begin(), ours.end(), frame.id) != ours.end()) ++frames_;
   const std::span payload = std::span{frame.data}.first(frame.length);
   if (frame.id == can::kTextFrom + node_) {
     receiver_.take(payload, now);

@@ -51,6 +51,8 @@ class CanHost final : public hal::ByteStream {
 
   /// The last state that the node told; none before the first.
   [[nodiscard]] std::optional<cnc::can::NodeState> state() const { return state_; }
+  /// So many frames of the node have come.
+  [[nodiscard]] std::uint32_t frames() const { return frames_; }
   [[nodiscard]] const std::vector<Emergency>& emergencies() const { return emergencies_; }
   [[nodiscard]] const cnc::IsoTpReceiver::Counts& received() const { return receiver_.counts(); }
   [[nodiscard]] const cnc::IsoTpSender::Counts& sent() const { return sender_.counts(); }
@@ -66,6 +68,7 @@ class CanHost final : public hal::ByteStream {
   cnc::IsoTpSender sender_{said_, cnc::IsoTpReceiver::kLongest};
   std::optional<cnc::can::NodeState> state_;
   std::vector<Emergency> emergencies_;
+  std::uint32_t frames_ = 0;
   bool beats_ = true;
   hal::TickCount beaten_{};
 };

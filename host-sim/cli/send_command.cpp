@@ -13,6 +13,7 @@
 #include "host-sim/job/setting_line.hpp"
 #include "host-sim/report/duration_text.hpp"
 #include "host-sim/report/progress_bar.hpp"
+#include "host-sim/send/can_port.hpp"
 #include "host-sim/send/keys.hpp"
 #include "host-sim/send/port.hpp"
 #include "host-sim/send/sender.hpp"
@@ -27,6 +28,7 @@ constexpr const char* kSendFooter =
     "Examples:\n"
     "  kerfline send part.nc --port /dev/ttyACM0\n"
     "  kerfline send part.nc --tcp 127.0.0.1:2323 --checked --log part.log\n"
+    "  kerfline send part.nc --can can0 --node 17\n"
     "  kerfline cut part.dxf ... | kerfline send - --port /dev/ttyUSB0\n"
     "\n"
     "Any Grbl controller; --checked asks for Kerfline. Keys at a terminal: ! or blank holds,\n"
@@ -37,6 +39,9 @@ struct SendCommandOptions {
   std::string file;
   std::string port;
   std::string tcp;
+  std::string can;
+  std::string slcan;
+  int node = cnc::can::kUsualNode;
   unsigned baud = 115'200;
   std::string log;
   SendOptions send{};
@@ -46,11 +51,18 @@ void add_options(CLI::App& command, SendCommandOptions& options) {
   command.add_option("file", options.file, "The program; - reads standard input")
       ->required()
       ->type_name("FILE");
-  // Another kind of link is one more of these, and one more case in open_port().
   auto* const links = command.add_option_group("link", "Where the controller is");
   links->add_option("--port", options.port, "A serial port")->type_name("DEVICE");
   links->add_option("--tcp", options.tcp, "Raw TCP")->type_name("HOST:PORT");
+  links->add_option("--can", options.can, "A CAN interface of the kernel, can0 or vcan0")
+      ->type_name("INTERFACE");
+  links->add_option("--slcan", options.slcan, "A CAN adapter of the serial kind, at 1 Mbit/s")
+      ->type_name("DEVICE");
   links->require_option(1);
+  command.add_option("--node", options.node, "The controller's number on a CAN bus")
+      ->check(CLI::Range(1, static_cast<int>(cnc::can::kLastNode)))
+      ->type_name("N")
+      ->capture_default_str();
   command.add_option("--baud", options.baud, "Of the serial port; USB has none")
       ->type_name("RATE")
       ->capture_default_str();
@@ -79,7 +91,10 @@ void check_lengths(const std::vector<JobLine>& job, const SendCommandOptions& op
 }
 
 std::unique_ptr<Port> open_port(const SendCommandOptions& options) {
+  const auto node = static_cast<std::uint8_t>(options.node);
   if (!options.tcp.empty()) return open_tcp_port(options.tcp);
+  if (!options.can.empty()) return open_can_port(options.can, node);
+  if (!options.slcan.empty()) return open_slcan_port(options.slcan, options.baud, node);
   return open_serial_port(options.port, options.baud);
 }
 
@@ -99,7 +114,8 @@ class Transfer {
       carry_out();
       sleep();
       carry_in();
-      if (!port_->open()) sender_.lose_link();
+      tell_news();
+      if (!port_->open()) sender_.lose_link(port_->trouble());
       sender_.attend(now());
       attend_operator();
       show();
@@ -117,12 +133,21 @@ class Transfer {
   void open_log() {
     log_.open(options_.log);
     if (!log_) throw std::invalid_argument(options_.log + ": cannot be written");
-    sender_.on_line = [this](char way, std::string_view line) {
-      log_ << fmt::format("{:10.3f} {} {}\n", static_cast<double>(now().count()) / 1e3, way, line);
-    };
+    sender_.on_line = [this](char way, std::string_view line) { log(way, line); };
+  }
+
+  void log(char way, std::string_view line) {
+    log_ << fmt::format("{:10.3f} {} {}\n", static_cast<double>(now().count()) / 1e3, way, line);
+  }
+
+  void tell_news() {
+    for (std::string news = port_->take_news(); !news.empty(); news = port_->take_news()) {
+      if (!options_.log.empty()) log('*', news);
+    }
   }
 
   void carry_out() {
+    sender_.acted(port_->act(sender_.realtime()));
     for (;;) {
       const std::string_view bytes = sender_.output();
       if (bytes.empty()) return;
@@ -144,8 +169,9 @@ class Transfer {
   /// Until something comes, and not longer than a serial line takes to run dry.
   void sleep() {
     constexpr int kPeriodMs = 2;
-    pollfd waited{port_->number(), POLLIN, 0};
-    ::poll(&waited, 1, kPeriodMs);
+    waited_.clear();
+    port_->add_to(waited_);
+    ::poll(waited_.data(), waited_.size(), kPeriodMs);
   }
 
   void attend_operator() {
@@ -186,6 +212,7 @@ class Transfer {
   StopSignals stop_;
   Keys keys_{};
   std::unique_ptr<Port> port_;
+  std::vector<pollfd> waited_;
   std::ofstream log_;
   ProgressBar bar_{stderr, is_terminal(stderr), begun_};
   std::size_t lines_;
@@ -203,8 +230,8 @@ ExitStatus send(const SendCommandOptions& options) {
 void add_send_command(CLI::App& app, ExitStatus& status) {
   CLI::App* command =
       app.add_subcommand("send",
-                         "Send a program to a controller over a serial port or TCP, and wait\n"
-                         "until it is done.");
+                         "Send a program to a controller over a serial port, TCP or CAN,\n"
+                         "and wait until it is done.");
   command->footer(kSendFooter);
   const auto options = std::make_shared<SendCommandOptions>();
   add_options(*command, *options);

@@ -10,7 +10,9 @@
 
 #include "hal/host/file_store.hpp"
 #include "host-sim/cli/commands.hpp"
+#include "host-sim/can/socket_can_wire.hpp"
 #include "host-sim/cli/job_options.hpp"
+#include "host-sim/job/axis_scale.hpp"
 #include "host-sim/serve/can_transport.hpp"
 #include "host-sim/serve/pty_transport.hpp"
 #include "host-sim/serve/record_file.hpp"
@@ -18,6 +20,7 @@
 #include "host-sim/serve/slcan_wire.hpp"
 #include "host-sim/serve/tcp_transport.hpp"
 #include "host-sim/serve/web_transport.hpp"
+#include "host-sim/trace/trace_writer.hpp"
 
 namespace sim {
 namespace {
@@ -26,7 +29,7 @@ constexpr const char* kServeFooter =
     "Examples:\n"
     "  kerfline serve --pty ttyKerfline --settings laser.settings\n"
     "  kerfline serve --tcp 2323 --ws 8000\n"
-    "  kerfline serve --slcan ttyCan --node 17\n"
+    "  kerfline serve --can vcan0 --node 17\n"
     "\n"
     "Prints a line for each way in, such as `tcp 127.0.0.1:2323`, and then `ready`. One\n"
     "sender at a time controls the machine. Ends on Ctrl-C or SIGTERM.\n"
@@ -38,6 +41,7 @@ struct ServeOptions {
   std::string pty;
   std::string tcp;
   std::string ws;
+  std::string can;
   std::string slcan;
   int node = cnc::can::kUsualNode;
   double speed = 1.0;
@@ -45,6 +49,7 @@ struct ServeOptions {
   std::vector<std::string> set;
   std::string store;
   std::string record;
+  std::string trace;
   MachineModel machine{};
 };
 
@@ -61,6 +66,9 @@ void add_options(CLI::App& command, ServeOptions& options) {
                   "The page, and WebSocket for senders; from this machine only unless an address\n"
                   "is given; port 0 is any free")
       ->type_name("[ADDRESS:]PORT");
+  command
+      .add_option("--can", options.can, "A CAN interface of the kernel, can0 or vcan0, as a node of it")
+      ->type_name("INTERFACE");
   command
       .add_option("--slcan",
                   options.slcan,
@@ -88,6 +96,8 @@ void add_options(CLI::App& command, ServeOptions& options) {
       ->type_name("FILE");
   command.add_option("--record", options.record, "Keep the conversation, for kerfline replay")
       ->type_name("FILE");
+  command.add_option("--trace", options.trace, "Write every step as text, as sim does")
+      ->type_name("FILE");
   command
       .add_option("--probe-plate",
                   options.machine.probe_plate_z_mm,
@@ -96,15 +106,19 @@ void add_options(CLI::App& command, ServeOptions& options) {
       ->capture_default_str();
 }
 
-void open_bus(const ServeOptions& options, Session& session, Reception& reception) {
-  if (options.slcan.empty()) return;
+void open_buses(const ServeOptions& options, Session& session, Reception& reception) {
+  const auto node = static_cast<std::uint8_t>(options.node);
   const auto condition = [&session] {
     const auto alarm = static_cast<std::uint8_t>(session.controller().machine().alarm());
     return cnc::CanLink::Condition{.stopped = alarm != 0, .alarm = alarm};
   };
-  reception.add(std::make_unique<CanTransport>(std::make_unique<SlcanWire>(options.slcan),
-                                               static_cast<std::uint8_t>(options.node),
-                                               condition));
+  const auto add = [&](std::unique_ptr<CanWire> wire) {
+    reception.add(std::make_unique<CanTransport>(std::move(wire), node, condition));
+  };
+  if (!options.can.empty()) {
+    add(std::make_unique<SocketCanWire>(options.can, cnc::can::heard_by_node(node)));
+  }
+  if (!options.slcan.empty()) add(std::make_unique<SlcanWire>(options.slcan));
 }
 
 void open_ways_in(const ServeOptions& options, Reception& reception) {
@@ -135,9 +149,11 @@ std::vector<SettingChange> settings_at_speed(const ServeOptions& options) {
 }
 
 ExitStatus serve(const ServeOptions& options) {
-  if (options.pty.empty() && options.tcp.empty() && options.ws.empty() && options.slcan.empty()) {
+  const auto ways = {&options.pty, &options.tcp, &options.ws, &options.can, &options.slcan};
+  if (std::all_of(ways.begin(), ways.end(), [](const auto* way) { return way->empty(); })) {
     throw std::invalid_argument(
-        "serve: give senders a way in: --pty LINK, --tcp PORT, --ws PORT or --slcan LINK");
+        "serve: give senders a way in: --pty LINK, --tcp PORT, --ws PORT, --can INTERFACE or "
+        "--slcan LINK");
   }
   const StopSignals stop;
   hal::host::MemoryStore memory;
@@ -153,15 +169,21 @@ ExitStatus serve(const ServeOptions& options) {
   Reception reception{session};
   Server server{session, reception, options.speed};
   open_ways_in(options, reception);
-  open_bus(options, session, reception);
+  open_buses(options, session, reception);
   if (!options.ws.empty()) {
     auto web = std::make_unique<WebTransport>(parse_address(options.ws), view);
     session.controller().add_sink(view);
     server.show(view, *web);
     reception.add(std::move(web));
   }
+  std::optional<TraceWriter> trace;
+  if (!options.trace.empty()) {
+    trace.emplace(options.trace, steps_per_mm<float>(session.controller().machine().settings()));
+    session.controller().add_sink(*trace);
+  }
   announce(reception);
   server.run(stop);
+  session.controller().end();
   record.close(session);
   return ExitStatus::kFine;
 }

@@ -12,6 +12,7 @@
 
 #include "firmware/machine/configuration.hpp"
 #include "host-sim/job/travel_check.hpp"
+#include "host-sim/job/axis_scale.hpp"
 #include "host-sim/measure/driven_path.hpp"
 #include "host-sim/measure/energy_meter.hpp"
 #include "host-sim/measure/motion_meter.hpp"
@@ -29,15 +30,6 @@ namespace {
 
 std::string name_of(const std::string& file) {
   return file == "-" ? file : std::filesystem::path{file}.filename().string();
-}
-
-template <typename Number>
-cnc::AxisArray<Number> steps_per_mm(const cnc::Settings& settings) {
-  cnc::AxisArray<Number> steps{};
-  for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
-    steps[axis] = settings.get(cnc::setting::kStepsPerMm, axis);
-  }
-  return steps;
 }
 
 /// How far shapers can take the tool from where it is planned, and the play that it

@@ -1,26 +1,25 @@
 #include "host-sim/send/port.hpp"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <netdb.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <poll.h>
-#include <sys/file.h>
 #include <sys/ioctl.h>
 #include <sys/socket.h>
-#include <termios.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
-#include <optional>
 #include <stdexcept>
 #include <utility>
 
-#include "host-sim/serve/descriptor.hpp"
+#include "hal/host/descriptor.hpp"
+#include "host-sim/send/serial_device.hpp"
 
 namespace sim {
+
+using hal::host::Descriptor;
+
 namespace {
 
 /// 5 ms at 115,200 baud.
@@ -52,9 +51,12 @@ class DescriptorPort final : public Port {
   }
 
   bool open() const override { return open_; }
-  int number() const override { return descriptor_.number(); }
+  void add_to(std::vector<pollfd>& descriptors) const override {
+    descriptors.push_back({number(), POLLIN, 0});
+  }
 
  private:
+  [[nodiscard]] int number() const { return descriptor_.number(); }
   [[nodiscard]] std::size_t room() const {
     int queued = 0;
     // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): that is how ioctl is declared.
@@ -73,28 +75,6 @@ class DescriptorPort final : public Port {
   bool paced_;
   bool open_ = true;
 };
-
-std::optional<speed_t> speed_of(unsigned baud) {
-  constexpr std::array<std::pair<unsigned, speed_t>, 15> kSpeeds{{{9600, B9600},
-                                                                  {19200, B19200},
-                                                                  {38400, B38400},
-                                                                  {57600, B57600},
-                                                                  {115200, B115200},
-                                                                  {230400, B230400},
-                                                                  {460800, B460800},
-                                                                  {500000, B500000},
-                                                                  {576000, B576000},
-                                                                  {921600, B921600},
-                                                                  {1000000, B1000000},
-                                                                  {1500000, B1500000},
-                                                                  {2000000, B2000000},
-                                                                  {3000000, B3000000},
-                                                                  {4000000, B4000000}}};
-  for (const auto& [number, speed] : kSpeeds) {
-    if (number == baud) return speed;
-  }
-  return std::nullopt;
-}
 
 using Addresses = std::unique_ptr<addrinfo, decltype(&::freeaddrinfo)>;
 
@@ -129,23 +109,7 @@ int connect_within(int socket, const addrinfo& place, int milliseconds) {
 }  // namespace
 
 std::unique_ptr<Port> open_serial_port(const std::string& device, unsigned baud) {
-  const auto speed = speed_of(baud);
-  if (!speed) throw std::invalid_argument(fmt::format("--baud {}: no serial port has it", baud));
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): that is how open is declared.
-  Descriptor port{::open(device.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)};
-  checked(port.number(), device);
-  if (::flock(port.number(), LOCK_EX | LOCK_NB) < 0) {
-    throw std::invalid_argument(fmt::format("{}: another program uses it", device));
-  }
-  termios mode{};
-  checked(::tcgetattr(port.number(), &mode), device);
-  ::cfmakeraw(&mode);
-  mode.c_cflag |= CLOCAL | CREAD;
-  mode.c_cc[VMIN] = 0;
-  mode.c_cc[VTIME] = 0;
-  checked(::cfsetspeed(&mode, *speed), device);
-  checked(::tcsetattr(port.number(), TCSAFLUSH, &mode), device);
-  return std::make_unique<DescriptorPort>(std::move(port), true);
+  return std::make_unique<DescriptorPort>(open_serial_device(device, baud), true);
 }
 
 std::unique_ptr<Port> open_tcp_port(const std::string& address) {

@@ -49,10 +49,15 @@ class Sender {
   void receive(std::string_view bytes, Time now);
   /// What time alone brings. At least every few milliseconds.
   void attend(Time now);
-  void lose_link() { fail("the link is gone"); }
+  void lose_link(std::string why = "the link is gone") { fail(std::move(why)); }
+
+  /// Realtime bytes for a link that has a way of their own for them; else output() has them.
+  [[nodiscard]] std::string_view realtime() const { return realtime_; }
+  /// So many of them have gone that way.
+  void acted(std::size_t count) { realtime_.erase(0, count); }
 
   /// The next bytes to be written, no more than the rest of a line; empty for none.
-  [[nodiscard]] std::string_view output() const;
+  [[nodiscard]] std::string_view output();
   /// So many of them are.
   void wrote(std::size_t count);
 
@@ -94,7 +99,8 @@ class Sender {
   void send_end();
   void go_back(std::size_t line);
   void put(std::string line);
-  void put_realtime(char byte);
+  void put_realtime(char byte) { realtime_ += byte; }
+  [[nodiscard]] std::string between_lines(char byte) const;
   [[nodiscard]] std::string text_of(std::size_t line) const;
   void answered_until(std::size_t line);
   [[nodiscard]] std::size_t window() const;
@@ -128,7 +134,8 @@ class Sender {
   std::string incoming_;
   std::deque<std::string> lines_out_;
   std::size_t line_out_written_ = 0;
-  std::string realtime_out_;
+  std::string realtime_;      ///< Bytes that are to act,
+  std::string realtime_out_;  ///< and those on their way between the lines, as they are written.
 
   std::size_t next_ = 0;           ///< The line to be sent.
   std::size_t furthest_ = 0;       ///< All before it were sent once.

@@ -82,15 +82,19 @@ void Sender::put(std::string line) {
 }
 
 /// Where lines are checked a single byte may be a damaged one, so a pair is said, after the end
-/// of a line that may have lost its own: within a line nothing acts.
-void Sender::put_realtime(char byte) {
-  if (numbers_lines_) realtime_out_ += '\n';
-  realtime_out_.append(numbers_lines_ ? 2 : 1, byte);
+/// of a line that may have lost its own: within a line nothing acts. A question does no harm.
+std::string Sender::between_lines(char byte) const {
+  if (!numbers_lines_ || byte == '?') return {byte};
+  return {'\n', byte, byte};
 }
 
 /// Between two lines, so that none is spoiled by what is not part of it.
-std::string_view Sender::output() const {
-  if (!realtime_out_.empty() && line_out_written_ == 0) return realtime_out_;
+std::string_view Sender::output() {
+  if (line_out_written_ == 0) {
+    for (const char byte : realtime_) realtime_out_ += between_lines(byte);
+    realtime_.clear();
+    if (!realtime_out_.empty()) return realtime_out_;
+  }
   if (lines_out_.empty()) return {};
   return std::string_view{lines_out_.front()}.substr(line_out_written_);
 }

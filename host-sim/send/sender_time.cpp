@@ -35,7 +35,7 @@ void Sender::attend(Time now) {
   const bool met = state_ != State::kMeeting || since(entered_) >= kFirstPoll;
   if (!met || since(polled_) < kPollPeriod) return;
   polled_ = now_;
-  realtime_out_ += '?';
+  put_realtime('?');
 }
 
 void Sender::attend_silence() {
@@ -67,7 +67,7 @@ void Sender::attend_losses() {
   if (since(heard_) > kDeaf) return go_back(answered_);
   if (!told && since(polled_) >= kStall) {
     polled_ = now_;
-    realtime_out_ += '?';
+    put_realtime('?');
   }
 }
 

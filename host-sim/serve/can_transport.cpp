@@ -2,20 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
+#include <algorithm>
 
 namespace sim {
-namespace {
-
-hal::TickCount now() {
-  using std::chrono::microseconds;
-  using std::chrono::steady_clock;
-  const auto since = steady_clock::now().time_since_epoch();
-  return hal::TickCount{
-      static_cast<std::uint32_t>(std::chrono::duration_cast<microseconds>(since).count())};
-}
-
-}  // namespace
 
 /// Whoever has a session, until it is over.
 class CanTransport::Sender final : public Connection {
@@ -57,8 +46,20 @@ CanTransport::CanTransport(std::unique_ptr<CanWire> wire,
 void CanTransport::attend() {
   wire_->carry();
   link_.tell(condition_());
-  link_.attend(now());
+  pass_time();
+  link_.attend(now_);
   wire_->carry();
+}
+
+/// Who was away itself, on a machine that had other things to do, cannot tell that others were
+/// silent: what they have said meanwhile may not have come yet.
+void CanTransport::pass_time() {
+  using std::chrono::microseconds;
+  constexpr microseconds kMostAway{20'000};
+  const auto looked = Clock::now();
+  const auto away = std::chrono::floor<microseconds>(looked - looked_);
+  looked_ += away;
+  now_ = now_.plus(static_cast<std::uint32_t>(std::min(away, kMostAway).count()));
 }
 
 std::unique_ptr<Connection> CanTransport::accept() {

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <memory>
 
 #include "firmware/link/can/can_link.hpp"
-#include "host-sim/serve/can_wire.hpp"
+#include "host-sim/can/can_wire.hpp"
 #include "host-sim/serve/transport.hpp"
 
 namespace sim {
@@ -30,11 +31,16 @@ class CanTransport final : public Transport {
  private:
   class Sender;
 
+  using Clock = std::chrono::steady_clock;
+
   void attend();
+  void pass_time();
 
   std::unique_ptr<CanWire> wire_;
   cnc::CanLink link_;
   std::function<Condition()> condition_;
+  Clock::time_point looked_ = Clock::now();
+  hal::TickCount now_{};         ///< What has passed for the link.
   std::uint32_t accepted_ = 0;  ///< The session of the last sender.
 };
 

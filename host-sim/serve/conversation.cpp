@@ -14,6 +14,10 @@ namespace {
 
 constexpr std::string_view kFirstLine = "kerfline conversation 1";
 
+bool has_bytes(Exchange::Kind kind) {
+  return kind == Exchange::Kind::kHeard || kind == Exchange::Kind::kSaid;
+}
+
 /// Reads one conversation, a line at a time.
 class ConversationReader {
  public:
@@ -51,13 +55,13 @@ class ConversationReader {
 
  private:
   void read_exchange(std::string_view word, std::string_view line) {
-    const bool is_kind = word == ">" || word == "<" || word == "|";
+    const bool is_kind = word == ">" || word == "<" || word == "|" || word == "!";
     if (!is_kind) fail(fmt::format("`{}` is not known here", word));
     Exchange exchange{.kind = Exchange::Kind{word.front()},
                       .time_ns = number<std::uint64_t>(take_word(line)),
                       .bytes = {},
                       .line = number_};
-    if (exchange.kind != Exchange::Kind::kFull) exchange.bytes = bytes(line);
+    if (has_bytes(exchange.kind)) exchange.bytes = bytes(line);
     if (!read_.exchanges.empty() && exchange.time_ns < read_.exchanges.back().time_ns) {
       fail("time goes back");
     }
@@ -107,7 +111,7 @@ class ConversationReader {
 
 std::string head_text(const ConversationSetting& setting) {
   std::string text = fmt::format("{}\n", kFirstLine);
-  text += "# > heard by the controller, < said by it, | nobody took more; times in ns\n";
+  text += "# > heard by the controller, < said by it, | nobody took more, ! stopped; times in ns\n";
   text += fmt::format("probe_plate {}\n", setting.probe_plate_z_mm);
   for (const SettingChange& change : setting.settings) {
     text += fmt::format("set ${}={}\n", change.number, change.value);
@@ -121,7 +125,7 @@ std::string head_text(const ConversationSetting& setting) {
 
 std::string to_text(const Exchange& exchange) {
   const char kind = static_cast<char>(exchange.kind);
-  if (exchange.kind == Exchange::Kind::kFull) return fmt::format("{} {}\n", kind, exchange.time_ns);
+  if (!has_bytes(exchange.kind)) return fmt::format("{} {}\n", kind, exchange.time_ns);
   return fmt::format("{} {} {}\n", kind, exchange.time_ns, escaped(exchange.bytes));
 }
 

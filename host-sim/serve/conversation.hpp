@@ -16,6 +16,7 @@ struct Exchange {
     kHeard = '>',  ///< The controller read them.
     kSaid = '<',   ///< The controller wrote them.
     kFull = '|',   ///< It had more to say, but nobody took it; no bytes.
+    kStop = '!',   ///< An emergency stop came over a bus, beside all that is said; no bytes.
   };
   Kind kind = Kind::kHeard;
   std::uint64_t time_ns = 0;  ///< The controller's time.

@@ -16,6 +16,8 @@ class LinkListener {
   virtual void on_write(std::span<const std::byte> bytes) = 0;
   /// The controller wanted to write more than there was room for.
   virtual void on_full() = 0;
+  /// An emergency stop comes beside the link.
+  virtual void on_stop() = 0;
 
  protected:
   ~LinkListener() = default;
@@ -48,6 +50,10 @@ class LiveLink final : public hal::ByteStream {
   /// A realtime byte reaches the controller beside the stream: those who listen are to know.
   void pass_by(std::byte byte) {
     if (listener_ != nullptr) listener_->on_read({&byte, 1});
+  }
+  /// The controller is stopped beside the stream: those who listen are to know.
+  void stop_passes_by() {
+    if (listener_ != nullptr) listener_->on_stop();
   }
   /// Nothing waits for the controller.
   [[nodiscard]] bool heard_all() const { return incoming_.empty() && urgent_.empty(); }

@@ -12,6 +12,9 @@
 namespace sim {
 namespace {
 
+using hal::host::Descriptor;
+using hal::host::checked;
+
 namespace fs = std::filesystem;
 
 constexpr std::size_t kLongestDeviceName = 64;

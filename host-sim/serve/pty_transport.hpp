@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "host-sim/serve/descriptor.hpp"
+#include "hal/host/descriptor.hpp"
 #include "host-sim/serve/transport.hpp"
 
 namespace sim {
@@ -29,7 +29,7 @@ class PtyMaster {
   void flush() const;
 
  private:
-  Descriptor master_;
+  hal::host::Descriptor master_;
   std::string device_;
 };
 

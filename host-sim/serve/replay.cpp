@@ -23,15 +23,19 @@ class RecordedLink final : public hal::ByteStream {
 
   /// Lets the controller hear what it heard up to this time.
   void set_time(std::uint64_t now_ns) {
-    now_full_ = false;
+    now_full_ = now_stops_ = false;
     now_said_ = 0;
     for (; next_ < exchanges_.size() && exchanges_[next_].time_ns <= now_ns; ++next_) {
       const Exchange& exchange = exchanges_[next_];
       if (exchange.kind == Exchange::Kind::kHeard) waiting_ += exchange.bytes;
       if (exchange.kind == Exchange::Kind::kSaid) now_said_ += exchange.bytes.size();
       if (exchange.kind == Exchange::Kind::kFull) now_full_ = true;
+      if (exchange.kind == Exchange::Kind::kStop) now_stops_ = true;
     }
   }
+
+  /// Somebody on its bus stopped the controller before this turn.
+  [[nodiscard]] bool stops() const { return now_stops_; }
 
   std::size_t read(std::span<std::byte> into) override {
     const std::size_t count = std::min(into.size(), waiting_.size() - heard_);
@@ -59,6 +63,7 @@ class RecordedLink final : public hal::ByteStream {
   std::size_t heard_ = 0;     ///< Of waiting_.
   std::size_t now_said_ = 0;  ///< What may still be said in this turn, if it is full.
   bool now_full_ = false;
+  bool now_stops_ = false;
 };
 
 /// What was said, with the place of each byte.
@@ -106,6 +111,10 @@ Conversation replay(const Conversation& recorded) {
   link.tell(&recorder);
   for (std::uint64_t now_ns = 0; now_ns < recorded.end_ns; now_ns += kTurnNs) {
     link.set_time(now_ns);
+    if (link.stops()) {
+      recorder.on_stop();
+      controller.machine().emergency_stop();
+    }
     controller.turn();
   }
   recorder.finish();

@@ -8,6 +8,7 @@
 namespace sim {
 namespace {
 
+using hal::host::checked;
 using std::chrono::milliseconds;
 
 // With nothing going on a millisecond more or less is nobody's concern; a

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "host-sim/serve/descriptor.hpp"
+#include "hal/host/descriptor.hpp"
 #include "host-sim/serve/live_view.hpp"
 #include "host-sim/serve/pacer.hpp"
 #include "host-sim/serve/reception.hpp"
@@ -20,7 +20,7 @@ class StopSignals {
   [[nodiscard]] bool arrived() const;
 
  private:
-  Descriptor descriptor_;
+  hal::host::Descriptor descriptor_;
 };
 
 /// The loop of `kerfline serve`: one thread for the controller and everybody

@@ -39,6 +39,11 @@ void Session::act_at_once(std::byte byte) {
   controller_.firmware().act_at_once(byte);
 }
 
+void Session::emergency_stop() {
+  link_.stop_passes_by();
+  controller_.machine().emergency_stop();
+}
+
 void Session::lose_sender() {
   link_.disconnect();
   act_at_once(kSafetyDoor);  // Whatever line or comment the sender was in the middle of.

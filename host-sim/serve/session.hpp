@@ -36,7 +36,7 @@ class Session {
   /// A realtime byte beside the stream.
   void act_at_once(std::byte byte);
   /// From a bus, whoever is the sender.
-  void emergency_stop() { controller_.machine().emergency_stop(); }
+  void emergency_stop();
 
   /// The last sender's work has been brought to rest.
   [[nodiscard]] bool calm() const { return parting_ == Parting::kOver; }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "hal/host/slcan.hpp"
-#include "host-sim/serve/can_wire.hpp"
+#include "host-sim/can/can_wire.hpp"
 #include "host-sim/serve/pty_transport.hpp"
 
 namespace sim {

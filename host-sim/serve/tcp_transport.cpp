@@ -10,6 +10,9 @@
 namespace sim {
 namespace {
 
+using hal::host::Descriptor;
+using hal::host::checked;
+
 constexpr int kWaitingSenders = 4;
 
 class TcpConnection final : public Connection {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "host-sim/serve/descriptor.hpp"
+#include "hal/host/descriptor.hpp"
 #include "host-sim/serve/internet_address.hpp"
 #include "host-sim/serve/transport.hpp"
 
@@ -25,7 +25,7 @@ class TcpTransport final : public Transport {
 
  private:
   InternetAddress address_;
-  Descriptor listener_;
+  hal::host::Descriptor listener_;
 };
 
 }  // namespace sim

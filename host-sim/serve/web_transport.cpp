@@ -15,6 +15,8 @@
 namespace sim {
 namespace {
 
+using hal::host::checked;
+
 constexpr int kForbidden = 403;
 constexpr int kNotFound = 404;
 

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "host-sim/serve/descriptor.hpp"
+#include "hal/host/descriptor.hpp"
 #include "host-sim/serve/internet_address.hpp"
 #include "host-sim/serve/page_service.hpp"
 #include "host-sim/serve/transport.hpp"
@@ -54,7 +54,7 @@ class WebTransport final : public Transport {
 
   InternetAddress address_;
   PageService& service_;
-  Descriptor bell_;  ///< An eventfd: rung when a pipe has news.
+  hal::host::Descriptor bell_;  ///< An eventfd: rung when a pipe has news.
   std::mutex mutex_;
   std::deque<std::shared_ptr<WebPipe>> waiting_;  ///< Senders not accepted yet.
   std::vector<std::shared_ptr<WebPipe>> observers_;

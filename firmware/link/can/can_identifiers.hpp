@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 namespace cnc::can {
@@ -18,6 +19,16 @@ inline constexpr std::uint32_t kHostHeartbeat = 0x77F;
 
 inline constexpr std::uint8_t kLastNode = 0x7E;  ///< 0x7F is the host.
 inline constexpr std::uint8_t kUsualNode = 0x11;
+
+/// What a node takes from the bus; everything else may be kept away from it.
+[[nodiscard]] constexpr std::array<std::uint32_t, 5> heard_by_node(std::uint8_t node) {
+  return {kNetwork, kFailSafe, kRealtime + node, kTextTo + node, kHostHeartbeat};
+}
+
+/// What a host takes that talks to this node.
+[[nodiscard]] constexpr std::array<std::uint32_t, 3> heard_by_host(std::uint8_t node) {
+  return {kEmergency + node, kTextFrom + node, kHeartbeat + node};
+}
 
 /// First byte of kNetwork.
 enum class NetworkCommand : std::uint8_t {

@@ -10,7 +10,7 @@
 
 namespace sim {
 
-/// A bus that the served controller is a node of, whatever it is made of.
+/// A bus that a node of ours is on, whatever it is made of.
 class CanWire {
  public:
   CanWire() = default;
@@ -23,6 +23,8 @@ class CanWire {
   virtual void carry() = 0;
   /// Adds what to wake up for.
   virtual void add_to(std::vector<pollfd>& descriptors) const = 0;
+  /// False where the way to the bus is gone.
+  [[nodiscard]] virtual bool up() const { return true; }
   /// `can` or `slcan`.
   [[nodiscard]] virtual std::string_view kind() const = 0;
   /// Where others find the bus.

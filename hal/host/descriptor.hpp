@@ -6,7 +6,7 @@
 #include <system_error>
 #include <utility>
 
-namespace sim {
+namespace hal::host {
 
 /// Owns a file descriptor; -1 is none.
 class Descriptor {
@@ -37,4 +37,4 @@ inline int checked(int result, const std::string& what) {
   return result;
 }
 
-}  // namespace sim
+}  // namespace hal::host
