@@ -9,8 +9,8 @@
 #include <stdexcept>
 
 #include "hal/host/file_store.hpp"
-#include "host-sim/cli/commands.hpp"
 #include "host-sim/can/socket_can_wire.hpp"
+#include "host-sim/cli/commands.hpp"
 #include "host-sim/cli/job_options.hpp"
 #include "host-sim/job/axis_scale.hpp"
 #include "host-sim/serve/can_transport.hpp"
@@ -67,7 +67,8 @@ void add_options(CLI::App& command, ServeOptions& options) {
                   "is given; port 0 is any free")
       ->type_name("[ADDRESS:]PORT");
   command
-      .add_option("--can", options.can, "A CAN interface of the kernel, can0 or vcan0, as a node of it")
+      .add_option(
+          "--can", options.can, "A CAN interface of the kernel, can0 or vcan0, as a node of it")
       ->type_name("INTERFACE");
   command
       .add_option("--slcan",

@@ -11,8 +11,8 @@
 #include <stdexcept>
 
 #include "firmware/machine/configuration.hpp"
-#include "host-sim/job/travel_check.hpp"
 #include "host-sim/job/axis_scale.hpp"
+#include "host-sim/job/travel_check.hpp"
 #include "host-sim/measure/driven_path.hpp"
 #include "host-sim/measure/energy_meter.hpp"
 #include "host-sim/measure/motion_meter.hpp"

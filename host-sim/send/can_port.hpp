@@ -41,9 +41,9 @@ class CanNodePort final : public Port {
   CanHost host_;
   Clock::time_point begun_ = Clock::now();
   Clock::time_point looked_ = begun_;
-  Clock::duration silent_{};       ///< Of the node, while we listened.
+  Clock::duration silent_{};        ///< Of the node, while we listened.
   std::uint32_t frames_heard_ = 0;  ///< Of the node, as last seen.
-  std::size_t emergencies_ = 0;    ///< Told.
+  std::size_t emergencies_ = 0;     ///< Told.
   bool started_ = false;
   std::deque<std::string> news_;
   std::string trouble_;

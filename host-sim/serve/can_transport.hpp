@@ -40,7 +40,7 @@ class CanTransport final : public Transport {
   cnc::CanLink link_;
   std::function<Condition()> condition_;
   Clock::time_point looked_ = Clock::now();
-  hal::TickCount now_{};         ///< What has passed for the link.
+  hal::TickCount now_{};        ///< What has passed for the link.
   std::uint32_t accepted_ = 0;  ///< The session of the last sender.
 };
 

@@ -12,8 +12,8 @@
 namespace sim {
 namespace {
 
-using hal::host::Descriptor;
 using hal::host::checked;
+using hal::host::Descriptor;
 
 namespace fs = std::filesystem;
 

@@ -10,8 +10,8 @@
 namespace sim {
 namespace {
 
-using hal::host::Descriptor;
 using hal::host::checked;
+using hal::host::Descriptor;
 
 constexpr int kWaitingSenders = 4;
 

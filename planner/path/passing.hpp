@@ -12,7 +12,8 @@ struct Passing {
 };
 
 /// Of an arc or a helix by its chords in its plane: for places on it to 1e-5 of its length, beside
-/// it off along the arc by at most as much as they lie beside it. Where nothing moves it is the end.
+/// it off along the arc by at most as much as they lie beside it. Where nothing moves it is the
+/// end.
 [[nodiscard]] Passing passing_of(const PathElement& element, const Position& place);
 
 }  // namespace cnc::path
