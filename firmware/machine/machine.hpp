@@ -12,6 +12,8 @@
 #include "firmware/machine/machine_types.hpp"
 #include "firmware/machine/memory_watch.hpp"
 #include "firmware/machine/motion_control.hpp"
+#include "firmware/machine/progress.hpp"
+#include "firmware/machine/reentry.hpp"
 #include "firmware/machine/settings.hpp"
 #include "firmware/machine/side_trip.hpp"
 #include "firmware/machine/state_machine.hpp"
@@ -32,7 +34,11 @@ namespace cnc {
 /// Main loop only; no call blocks. `poll` keeps everything going.
 class Machine {
  public:
-  Machine(StepDrive& drive, hal::AuxiliaryOutputs& outputs, hal::MachineInputs& inputs);
+  /// @param kept outlives restarts; null where nothing does
+  Machine(StepDrive& drive,
+          hal::AuxiliaryOutputs& outputs,
+          hal::MachineInputs& inputs,
+          KeptProgress* kept = nullptr);
 
   // A line at a time.
 
@@ -104,6 +110,24 @@ class Machine {
   [[nodiscard]] bool single_block() const { return single_block_; }    ///< A pause after each line.
   [[nodiscard]] bool block_delete() const { return block_delete_; }  ///< Lines with / are skipped.
 
+  // A program that was interrupted, in machine_reentry.cpp.
+
+  /// How far the last program with numbered lines has come; none when it has ended.
+  [[nodiscard]] const Progress& progress() const { return progress_; }
+  /// What was stored of one before power-down.
+  void set_progress(const Progress& progress);
+  /// Where that is, machine coordinates. @pre progress().any()
+  [[nodiscard]] Position progress_place() const { return motion_.place_of(progress_.steps); }
+  /// It has been interrupted, and all stands still.
+  [[nodiscard]] bool interrupted() const;
+  /// The motors' counters still mean what they did, or the axes have been homed since.
+  [[nodiscard]] bool can_reenter() const { return place_is_kept_ || homed_ != 0; }
+  /// What is driven from now on is dark until it passes that place, on the line that was driven
+  /// or behind it. A reset ends that. @pre idle(), progress().any(), can_reenter()
+  void reenter();
+  void stop_reentry() { reentry_.cancel(); }
+  [[nodiscard]] bool reenters() const { return reentry_.active(); }
+
   // Settings.
 
   /// @pre idle()
@@ -132,6 +156,8 @@ class Machine {
   [[nodiscard]] Alarm alarm() const { return alarm_; }
   /// Nothing to do and nothing moving.
   [[nodiscard]] bool idle() const;
+  /// Nothing is moving; there may be more to do.
+  [[nodiscard]] bool at_rest() const { return motion_.drained() || motion_.halted(); }
   /// A spindle turns; or a beam is on that does not go with the motion, and so off at rest.
   [[nodiscard]] bool tool_runs() const;
   /// A beam is on and goes with a motion that is not held.
@@ -213,10 +239,19 @@ class Machine {
   [[nodiscard]] bool pause();
   [[nodiscard]] bool change_tool(std::uint32_t tool);
   [[nodiscard]] bool end_program();
-  void append(const PathElement& element, float feed, bool continues);
+  /// @param part of the line, from 0
+  void append(const PathElement& element, float feed, bool continues, std::size_t part = 0);
+  void drive(path::PathItem item);
+  [[nodiscard]] bool has_room() { return drive_rest() && motion_.has_room(); }
   [[nodiscard]] bool standstill();
   [[nodiscard]] path::Tolerance path_tolerance() const;
   [[nodiscard]] float spline_tolerance() const;
+
+  // A program that was interrupted, in machine_reentry.cpp.
+  void note_progress();
+  void forget_progress();
+  void darken_until_place(path::PathItem& item);
+  [[nodiscard]] bool drive_rest();
 
   // Jogs, in machine_jog.cpp.
   void attend_jog();
@@ -230,7 +265,6 @@ class Machine {
   void cancel_restart();
   [[nodiscard]] bool tool_turns() const;
   void switch_coolant_by_hand(gcode::Coolant wanted);
-  [[nodiscard]] bool at_rest() const { return motion_.drained() || motion_.halted(); }
 
   // The door, in machine_door.cpp.
   [[nodiscard]] bool door_stops_jog() const;
@@ -305,7 +339,7 @@ class Machine {
   Position parts_from_{};                        ///< Of the line whose parts differ in power…
   std::size_t part_ = 0;                         ///< …so many of which have been taken.
   std::optional<ArcFit> spline_{};               ///< The spline being turned into arcs.
-  bool spline_begun_ = false;                    ///< Its first arc has been appended.
+  std::size_t spline_arcs_ = 0;                  ///< So many have been appended.
   std::uint32_t spline_points_ = kSplinePoints;  ///< To be looked at in this turn.
   motion::OutputChanges with_next_motion_{};
   std::optional<JogMove> jog_{};  ///< Waits for room in the planner.
@@ -324,6 +358,12 @@ class Machine {
   bool probe_ended_ = false;
   bool program_ended_ = false;
   bool program_end_untold_ = false;
+
+  Progress progress_{};
+  KeptProgress* kept_progress_;
+  bool place_is_kept_ = false;  ///< Since progress_ was noted the motors have lost no step.
+  bool seen_suspended_ = false;
+  Reentry reentry_{};
 
   OverridePercent percent_{};
   hal::TickCount last_poll_{};

@@ -76,21 +76,27 @@ path::Tolerance Machine::path_tolerance() const {
 }
 
 /// @param continues the curve of the element before it
-void Machine::append(const PathElement& element, float feed, bool continues) {
-  const auto appended = motion_.append({.request = {.element = element,
-                                                    .feed_mm_s = feed,
-                                                    .beam = tool_.command_for(feed <= 0.0F),
-                                                    .outputs = with_next_motion_,
-                                                    .line = interpreter_.state().line_number},
-                                        .tolerance = path_tolerance(),
-                                        .continues = continues});
+void Machine::append(const PathElement& element, float feed, bool continues, std::size_t part) {
+  const motion::SourceLine line{interpreter_.state().line_number, static_cast<std::uint32_t>(part)};
+  drive({.request = {.element = element,
+                     .feed_mm_s = feed,
+                     .beam = tool_.command_for(feed <= 0.0F),
+                     .outputs = with_next_motion_,
+                     .line = line},
+         .tolerance = path_tolerance(),
+         .continues = continues});
+}
+
+void Machine::drive(path::PathItem item) {
+  if (reentry_.active()) darken_until_place(item);
+  const auto appended = motion_.append(item);
   // The interpreter keeps targets inside the motors' range, and arcs are divided.
   CNC_ASSERT(appended.ok());
   if (appended.value()) with_next_motion_ = {};
 }
 
 bool Machine::move_straight(const Action& action, float feed) {
-  if (!motion_.has_room()) return false;
+  if (!has_room()) return false;
   append({.start = motion_.target(), .end = action.end}, feed, false);
   return true;
 }
@@ -99,10 +105,10 @@ bool Machine::move_straight(const Action& action, float feed) {
 bool Machine::move_in_parts(const Action& action) {
   if (part_ == 0) parts_from_ = motion_.target();
   while (part_ < action.powers.size()) {
-    if (!motion_.has_room()) return false;
+    if (!has_room()) return false;
     tool_.set_speed(action.powers[part_]);
     ++part_;
-    append({.start = motion_.target(), .end = end_of_part(action)}, action.feed, false);
+    append({.start = motion_.target(), .end = end_of_part(action)}, action.feed, false, part_);
   }
   part_ = 0;
   return true;
@@ -131,12 +137,12 @@ float Machine::spline_tolerance() const {
 bool Machine::move_spline(const Action& action) {
   if (!spline_) {
     spline_.emplace(*action.spline, motion_.target(), spline_tolerance());
-    spline_begun_ = false;
+    spline_arcs_ = 0;
   }
   while (!spline_->done()) {
-    if (!motion_.has_room() || !spline_->work(spline_points_)) return false;
-    append(spline_->next(), action.feed, spline_begun_);
-    spline_begun_ = true;
+    if (!has_room() || !spline_->work(spline_points_)) return false;
+    append(spline_->next(), action.feed, spline_arcs_ > 0, spline_arcs_);
+    ++spline_arcs_;
   }
   spline_.reset();
   return true;
@@ -154,8 +160,8 @@ bool Machine::move_arc(const Action& action) {
     arc_index_ = 0;
   }
   while (arc_index_ < arc_->count()) {
-    if (!motion_.has_room()) return false;
-    append(arc_->element(arc_index_), action.feed, arc_index_ > 0);
+    if (!has_room()) return false;
+    append(arc_->element(arc_index_), action.feed, arc_index_ > 0, arc_index_);
     ++arc_index_;
   }
   arc_.reset();
@@ -241,9 +247,14 @@ bool Machine::change_tool(std::uint32_t tool) {
 
 bool Machine::end_program() {
   if (!standstill()) return false;
+  if (reentry_.active()) {
+    stop_for(Alarm::kPlaceNotMet);
+    return true;
+  }
   set_overrides({});
   tool_.off();
   coolant_.reset();
+  forget_progress();
   program_ended_ = true;
   program_end_untold_ = true;
   return true;

@@ -30,6 +30,7 @@ void Machine::hit_limit() {
 /// Axes whose place has become known, or has been lost.
 void Machine::set_homed(std::uint8_t axes) {
   homed_ = axes;
+  if (axes == 0) place_is_kept_ = false;
   travel_.configure(settings_, homed_);
 }
 

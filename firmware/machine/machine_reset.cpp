@@ -55,6 +55,7 @@ void Machine::drop_everything() {
   stopping_for_ = Alarm::kNone;
   tool_wanted_.reset();
   probing_ = Probing::kNo;
+  reentry_.cancel();
   drive_.disarm_probe();
   homing_.cancel();
   tool_.reset();

@@ -83,7 +83,7 @@ class MotionControl {
   [[nodiscard]] std::size_t blocks_free() const { return queue_.capacity() - queue_.size(); }
   /// N of the oldest block that is not driven to its end; 0 for none.
   [[nodiscard]] std::uint32_t line_in_execution() const {
-    return queue_.empty() ? stage_.line() : motion::line_of(queue_.front(), pixels_);
+    return (queue_.empty() ? stage_.line() : motion::line_of(queue_.front(), pixels_)).number;
   }
   /// mm/s, of the segments cut last: what the motors do in at most 20 ms.
   [[nodiscard]] float speed() const { return drive_.running() ? segmenter_.speed() : 0.0F; }

@@ -106,6 +106,11 @@ class LineProtocol {
   void set_power_table(const Statement& statement);
   [[nodiscard]] bool rests() const;
 
+  // `$RESUME`, in progress_statements.cpp.
+  void tell_progress();
+  void reenter(const Statement& statement);
+  void save_progress();
+
   // `$K`, in kerf_statements.cpp.
   void take_kerf_statement(const Statement& statement);
   void refuse_kerf(const KerfTables::Trouble& trouble, std::uint16_t column);

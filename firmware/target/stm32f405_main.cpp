@@ -54,14 +54,16 @@ cnc::FlashLog log{flash};
 constinit chip::PatientStore<cnc::FlashLog> store{log};
 constinit chip::ChipBoard<kBoard> board{};
 constinit cnc::MemoryWatch image_watch{};
+/// What a restart does not clear: this, and what follows the application.
+[[gnu::section(".noinit")]] cnc::KeptProgress kept_progress;
 
 }  // namespace
 
-Application application{port, port, port, store, link, &board};
+Application application{port, port, port, store, link, &board, &kept_progress};
 
 namespace {
 
-/// What a restart does not clear.
+
 struct Kept {
   static constexpr std::uint32_t kBootLoader = 0x4446'5521;
 

@@ -68,12 +68,14 @@ bool Segmenter::next(std::uint32_t most_ns, PlannedSlice& slice) {
   if (!ready_stretch()) return false;
   slice = {};
   if (ready_block()) {
+    slice.line = power_.line();
     const Cut cut = cut_slice(most_ns);
     move_to(cut.to);
     slice.duration_ns = cut.duration_ns;
     slice.start_duty = cut.duty.start;
     slice.end_duty = cut.duty.end;
   } else {
+    slice.line = power_.line();
     pass_to_rest();
   }
   slice.end = place_steps_;
@@ -100,11 +102,13 @@ void Segmenter::make_segment(Segment& segment) {
     segment.ticks = 1;
     remainder_ns_ -= kNanosecondsPerTick;
   }
+  segment.line = joined_.line;
   segment.comes_to_rest = speed_ <= 0.0F;
 }
 
 void Segmenter::begin_joined() {
   joined_.from = place_steps_;
+  joined_.line = power_.line();
   joined_.speeds = {};
   joined_.duration_ns = 0;
   joined_.monotonic_to = reversals_.next();

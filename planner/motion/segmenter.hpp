@@ -120,6 +120,7 @@ class Segmenter {
   struct Joined {
     AxisArray<StepPosition> from{};
     AxisArray<float> speeds{};  ///< Steps per tick, at the start.
+    SourceLine line{};
     std::uint32_t duration_ns = 0;
     PathUnits monotonic_to = 0;  ///< On the block that was begun last: no axis turns round before.
     Duties duty{};
