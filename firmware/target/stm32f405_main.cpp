@@ -63,7 +63,6 @@ Application application{port, port, port, store, link, &board, &kept_progress};
 
 namespace {
 
-
 struct Kept {
   static constexpr std::uint32_t kBootLoader = 0x4446'5521;
 
