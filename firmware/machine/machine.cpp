@@ -41,14 +41,16 @@ bool Machine::beam_works() const {
 }
 
 bool Machine::idle() const {
-  return waiting_.empty() && !jog_ && !state_.in(Mode::kHome) && motion_.drained();
+  return waiting_.empty() && !jog_ && !state_.in(Mode::kHome) && !compensator_.active() &&
+         motion_.drained();
 }
 
 gcode::Refusal Machine::accept(std::string_view line) {
   CNC_ASSERT(!busy() && !locked());
   const Position from = interpreter_.position();
   // Both have followed the same lines, else one of them has changed in memory.
-  CNC_ASSERT(state_.in(Mode::kCheck) || from == motion_.target());
+  CNC_ASSERT(state_.in(Mode::kCheck) || from == target());
+  path_fault_.reset();
   const auto actions = interpreter_.interpret(line);
   if (!actions.ok()) return actions.error();
   if (interpreter_.places_revision() != places_revision_) trust_places();
@@ -120,6 +122,8 @@ void Machine::attend_mode(std::int32_t elapsed_us) {
 /// door is open.
 void Machine::run_actions() {
   if (cutting_off_ || state_.in(Mode::kDoor)) return;
+  if (stopping_for_ != Alarm::kNone) return;
+  give_out();
   while (!waiting_.empty() && run(waiting_.front())) waiting_ = waiting_.subspan(1);
   if (waiting_.empty() && step_pause_ && pause()) step_pause_ = false;
 }
