@@ -34,7 +34,9 @@ TEST_F(MachineCompensationTest, DrivesHalfTheWidthBesideASquareAndBackOntoThePat
   EXPECT_NEAR(x_mm(), 20.0, 0.01);
   EXPECT_NEAR(y_mm(), 5.0, 0.01);
   for (const auto& [x, y] : {std::pair{20.0, 0.0}, {40.0, 10.0}, {20.0, 20.0}, {0.0, 10.0}}) {
-    if (y > 0.0) EXPECT_NEAR(nearest(x, y), 2.0, 0.01) << x << ", " << y;
+    if (y > 0.0) {
+      EXPECT_NEAR(nearest(x, y), 2.0, 0.01) << x << ", " << y;
+    }
   }
 }
 
