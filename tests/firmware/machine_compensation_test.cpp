@@ -27,8 +27,8 @@ class MachineCompensationTest : public ControllerTest {
 };
 
 TEST_F(MachineCompensationTest, DrivesHalfTheWidthBesideASquareAndBackOntoThePath) {
-  send_all({"G0 X20 Y-5", "M4 S1000", "G41.1 D4 G1 X20 Y0", "X40", "Y20", "X0", "Y0", "X20"});
-  // Clockwise would have it outside; this is the inside, from a place on the edge.
+  send_all({"G0 X20 Y8", "M4 S1000", "G41.1 D4 G1 X20 Y0", "X40", "Y20", "X0", "Y0", "X20"});
+  // On the inside, from the waste.
   EXPECT_EQ(send("G40 G1 X20 Y5"), "ok");
   run_until_idle();
   EXPECT_NEAR(x_mm(), 20.0, 0.01);
@@ -73,7 +73,7 @@ TEST_F(MachineCompensationTest, CheckModeFindsTheSame) {
 }
 
 TEST_F(MachineCompensationTest, CheckModeFindsNothingWrongWithASoundPath) {
-  send_all({"$C", "F600", "G0 X20 Y-5", "G41.1 D4 G1 X20 Y0", "X40", "Y20", "X0", "Y0", "X20"});
+  send_all({"$C", "F600", "G0 X20 Y8", "G41.1 D4 G1 X20 Y0", "X40", "Y20", "X0", "Y0", "X20"});
   send_all({"G40 G1 X20 Y5", "G2 X30 Y5 I5", "M2"});
   EXPECT_EQ(port.position[0], 0);
 }
