@@ -46,6 +46,13 @@ bool Machine::idle() const {
 }
 
 gcode::Refusal Machine::accept(std::string_view line) {
+  const gcode::Refusal refusal = take_line(line);
+  if (!waiting_.empty()) run_actions();
+  return refusal;
+}
+
+/// Apart from accept(): what the line is read with is gone before its actions go deep.
+[[gnu::noinline]] gcode::Refusal Machine::take_line(std::string_view line) {
   CNC_ASSERT(!busy() && !locked());
   const Position from = interpreter_.position();
   // Both have followed the same lines, else one of them has changed in memory.
@@ -66,7 +73,6 @@ gcode::Refusal Machine::accept(std::string_view line) {
   }
   waiting_ = actions.value();
   step_pause_ = single_block_;
-  run_actions();
   return {};
 }
 
@@ -123,7 +129,7 @@ void Machine::attend_mode(std::int32_t elapsed_us) {
 void Machine::run_actions() {
   if (cutting_off_ || state_.in(Mode::kDoor)) return;
   if (stopping_for_ != Alarm::kNone) return;
-  give_out();
+  if (compensator_.active()) give_out();
   while (!waiting_.empty() && run(waiting_.front())) waiting_ = waiting_.subspan(1);
   if (waiting_.empty() && step_pause_ && pause()) step_pause_ = false;
 }

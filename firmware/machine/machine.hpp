@@ -261,6 +261,7 @@ class Machine {
 
   // Ends of the travel, in machine_limits.cpp.
   void stop_for(Alarm alarm);
+  [[nodiscard]] gcode::Refusal take_line(std::string_view line);
   void judge(gcode::Actions actions, const Position& from);
   void hit_limit();
   void set_homed(std::uint8_t axes);

@@ -12,8 +12,8 @@ bool Machine::compensates() const {
 
 /// For another element of the programmed path.
 bool Machine::has_room() {
-  if (state_.in(Mode::kCheck)) return true;
-  if (!compensates()) return motion_.has_room();
+  if (!compensates()) return state_.in(Mode::kCheck) || motion_.has_room();
+  if (path_fault_) return false;  // What is left of the line is dropped with all that is held.
   give_out();
   return compensator_.has_room();
 }
@@ -64,8 +64,8 @@ void Machine::append_beside(const path::PathItem& item) {
   }
   if (!compensator_.active()) return compensator_.stand_at(element.end);
   with_next_motion_ = {};
-  if (const auto fault = compensator_.put(item)) return refuse_path(*fault);
-  give_out();
+  // It is given out when the next is asked for, or in the next turn: from here the way is deep.
+  if (const auto fault = compensator_.put(item)) refuse_path(*fault);
 }
 
 /// To be planned, as there is room; nowhere in check mode.

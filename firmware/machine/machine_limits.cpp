@@ -22,7 +22,6 @@ void Machine::judge(gcode::Actions actions, const Position& from) {
   if (!beside && interpreter_.state().compensation.side == gcode::CutterSide::kOn) return;
   if (!beside) compensator_.stand_at(from);
   waiting_ = actions;
-  run_actions();
 }
 
 /// While homing, switches are what is looked for; in alarm or asleep nothing
