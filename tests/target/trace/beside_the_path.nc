@@ -1,4 +1,4 @@
-(A plate with a notch and a hole, cut beside what is drawn: D is the width of the cut.)
+(A hole, cut beside what is drawn: D is the width of the cut.)
 G21 G90 G17 G94 G54
 M4 S600 F6000
 (The hole, clockwise: its waste is on the right.)
@@ -7,33 +7,5 @@ N10 G42.1 D0.4 G1 X46 Y35
 N20 G2 X34 Y35 I-6 J0
 N30 G2 X46 Y35 I6 J0
 N40 G40 G1 X44 Y33
-(The outline, counter-clockwise: right again.)
-G0 X32 Y16
-N50 G42.1 D0.4 G1 X34 Y20
-N60 G1 X55
-N70 G3 X60 Y25 I0 J5
-N80 G1 Y45
-N90 G3 X55 Y50 I-5 J0
-N100 G1 X48
-N110 G1 X46.5 Y47.5
-N120 G2 X36.5 Y48 I-5 J0.25
-N130 G1 X34 Y50
-N140 G1 X20
-N150 G1 X20.5 Y40
-N160 G1 X15 Y34
-N170 G1 X20 Y28
-N180 G3 X27 Y20 I7 J-0.9375
-N190 G1 X34
-N200 G40 G1 X36 Y17
-(The same on the left, a width more of it inside.)
-G0 X100 Y20
-G41.1 D1.5 G1 X102 Y26
-X80
-G2 X75 Y31 I0 J5
-G1 Y60
-X110 Y64
-X125 Y26
-X102
-G40 G1 X104 Y20
 M5
 M2
