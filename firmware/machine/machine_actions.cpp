@@ -24,7 +24,10 @@ std::uint16_t to_full_scale(float share) {
 /// True when the action is done; false to be asked again at the next poll.
 bool Machine::run(const Action& action) {
   if (state_.in(Mode::kCheck) && !is_path(action)) return true;
-  if (compensator_.beside() && is_path(action) && !leave_path(action)) return false;
+  // G40 itself goes on over several turns while there is no room for all that was held.
+  const bool leads_back = action.kind == ActionKind::kCompensation &&
+                          action.compensation.side == gcode::CutterSide::kOn;
+  if (compensator_.beside() && is_path(action) && !leads_back && !leave_path(action)) return false;
   switch (action.kind) {
     case ActionKind::kRapid:
       return move_straight(action, 0.0F);

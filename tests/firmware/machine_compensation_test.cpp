@@ -66,6 +66,16 @@ TEST_F(MachineCompensationTest, RefusesBeforeMotionWhatCannotBeCutWithItsLine) {
   EXPECT_NEAR(x_mm(), 1.0, 0.01);
 }
 
+/// More is held than is planned in a turn.
+TEST_F(MachineCompensationTest, G40WaitsForRoomForAllThatIsHeld) {
+  send_all({"G0 X10 Y0", "M4 S600 F6000", "G41.1 D1.5 G1 X12 Y6", "X8", "Y20", "X20 Y24"});
+  send_all({"X35 Y6", "X30 Y2", "X20 Y4", "X16 Y3", "X13 Y6", "G40 G1 X12 Y2"});
+  run_until_idle();
+  EXPECT_FALSE(said("ALARM")) << link.outgoing;
+  EXPECT_NEAR(x_mm(), 12.0, 0.01);
+  EXPECT_NEAR(y_mm(), 2.0, 0.01);
+}
+
 TEST_F(MachineCompensationTest, CheckModeFindsTheSame) {
   send_all({"$C", "G41.1 D4 F600 G1 X10 Y0", "X30", "Y10", "X20", "Y1"});
   EXPECT_EQ(send("G40 G1 X20 Y30"), "error:33");
