@@ -68,12 +68,12 @@ TEST_F(MachineCompensationTest, RefusesBeforeMotionWhatCannotBeCutWithItsLine) {
 
 /// More is held than is planned in a turn.
 TEST_F(MachineCompensationTest, G40WaitsForRoomForAllThatIsHeld) {
-  send_all({"G0 X10 Y0", "M4 S600 F6000", "G41.1 D1.5 G1 X12 Y6", "X8", "Y20", "X20 Y24"});
-  send_all({"X35 Y6", "X30 Y2", "X20 Y4", "X16 Y3", "X13 Y6", "G40 G1 X12 Y2"});
+  send_all({"G0 X30 Y0", "M4 S600 F6000", "G41.1 D1.5 G1 X32 Y6", "X10", "G2 X5 Y11 I0 J5"});
+  send_all({"G1 Y40", "X40 Y44", "X55 Y6", "X32", "G40 G1 X34 Y0"});
   run_until_idle();
   EXPECT_FALSE(said("ALARM")) << link.outgoing;
-  EXPECT_NEAR(x_mm(), 12.0, 0.01);
-  EXPECT_NEAR(y_mm(), 2.0, 0.01);
+  EXPECT_NEAR(x_mm(), 34.0, 0.01);
+  EXPECT_NEAR(y_mm(), 0.0, 0.01);
 }
 
 TEST_F(MachineCompensationTest, CheckModeFindsTheSame) {
