@@ -48,14 +48,22 @@ bool Machine::beam_works() const {
 
 bool Machine::idle() const {
   return waiting_.empty() && !reentry_.has_rest() && !jog_ && !state_.in(Mode::kHome) &&
-         motion_.drained();
+         !compensator_.active() && motion_.drained();
 }
 
 gcode::Refusal Machine::accept(std::string_view line) {
+  const gcode::Refusal refusal = take_line(line);
+  if (!waiting_.empty()) run_actions();
+  return refusal;
+}
+
+/// Apart from accept(): what the line is read with is gone before its actions go deep.
+[[gnu::noinline]] gcode::Refusal Machine::take_line(std::string_view line) {
   CNC_ASSERT(!busy() && !locked());
   const Position from = interpreter_.position();
   // Both have followed the same lines, else one of them has changed in memory.
-  CNC_ASSERT(state_.in(Mode::kCheck) || from == motion_.target());
+  CNC_ASSERT(state_.in(Mode::kCheck) || from == target());
+  path_fault_.reset();
   const auto actions = interpreter_.interpret(line);
   if (!actions.ok()) return actions.error();
   if (interpreter_.places_revision() != places_revision_) trust_places();
@@ -71,7 +79,6 @@ gcode::Refusal Machine::accept(std::string_view line) {
   }
   waiting_ = actions.value();
   step_pause_ = single_block_;
-  run_actions();
   return {};
 }
 
@@ -128,6 +135,8 @@ void Machine::attend_mode(std::int32_t elapsed_us) {
 /// door is open.
 void Machine::run_actions() {
   if (cutting_off_ || state_.in(Mode::kDoor)) return;
+  if (stopping_for_ != Alarm::kNone) return;
+  if (compensator_.active()) give_out();
   while (drive_rest() && !waiting_.empty() && run(waiting_.front())) {
     waiting_ = waiting_.subspan(1);
   }

@@ -22,6 +22,7 @@
 #include "hal/interface/auxiliary_outputs.hpp"
 #include "hal/interface/machine_inputs.hpp"
 #include "hal/interface/tick_count.hpp"
+#include "planner/compensation/compensator.hpp"
 #include "planner/gcode/interpreter.hpp"
 #include "planner/geometry/arc_elements.hpp"
 #include "planner/geometry/arc_fit.hpp"
@@ -182,6 +183,8 @@ class Machine {
   [[nodiscard]] bool take_probe_ended();
   /// The tool that M6 waits for.
   [[nodiscard]] std::optional<std::uint32_t> pending_tool() const;
+  /// Once after a line whose path, or one before, cannot be driven beside what is programmed.
+  [[nodiscard]] std::optional<compensation::Fault> take_path_fault();
   /// The last line was M2 or M30.
   [[nodiscard]] bool program_ended() const { return program_ended_; }
   /// True once after each M2 or M30, for the message before its answer.
@@ -241,8 +244,7 @@ class Machine {
   [[nodiscard]] bool end_program();
   /// @param part of the line, from 0
   void append(const PathElement& element, float feed, bool continues, std::size_t part = 0);
-  void drive(path::PathItem item);
-  [[nodiscard]] bool has_room() { return drive_rest() && motion_.has_room(); }
+  [[nodiscard]] bool drive(path::PathItem& item);
   [[nodiscard]] bool standstill();
   [[nodiscard]] path::Tolerance path_tolerance() const;
   [[nodiscard]] float spline_tolerance() const;
@@ -279,8 +281,20 @@ class Machine {
   void trip_to(StepPosition place, std::uint16_t rate, const motion::BeamCommand& beam);
   [[nodiscard]] std::uint8_t door_substate() const;
 
+  // Beside the programmed path, in machine_compensation.cpp.
+  [[nodiscard]] bool compensates() const;
+  [[nodiscard]] bool has_room();
+  [[nodiscard]] const Position& target() const;
+  [[nodiscard]] bool set_compensation(const gcode::Action& action);
+  [[nodiscard]] bool leave_path(const gcode::Action& action);
+  void append_beside(const path::PathItem& item);
+  void give_out();
+  void refuse_path(const compensation::Fault& fault);
+  void forget_exit();
+
   // Ends of the travel, in machine_limits.cpp.
   void stop_for(Alarm alarm);
+  [[nodiscard]] gcode::Refusal take_line(std::string_view line);
   void judge(gcode::Actions actions, const Position& from);
   void hit_limit();
   void set_homed(std::uint8_t axes);
@@ -336,6 +350,10 @@ class Machine {
   gcode::Actions waiting_{};
   std::optional<ArcElements> arc_{};  ///< The arc being divided.
   std::uint32_t arc_index_ = 0;
+  compensation::Compensator compensator_{};
+  gcode::CutterCompensation compensation_{};  ///< What G41.1 or G42.1 said.
+  Plane compensation_plane_ = Plane::kXY;
+  std::optional<compensation::Fault> path_fault_{};
   Position parts_from_{};                        ///< Of the line whose parts differ in power…
   std::size_t part_ = 0;                         ///< …so many of which have been taken.
   std::optional<ArcFit> spline_{};               ///< The spline being turned into arcs.

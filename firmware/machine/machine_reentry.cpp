@@ -49,8 +49,8 @@ void Machine::darken_until_place(path::PathItem& item) {
 bool Machine::drive_rest() {
   if (!reentry_.has_rest()) return true;
   if (!motion_.has_room()) return false;
-  const Reentry::Rest rest = reentry_.take_rest();
-  append(rest.element, rest.feed_mm_s, true, motion::SourceLine::kMostParts);
+  CNC_ASSERT(motion_.append(reentry_.rest()).ok());
+  reentry_.drop_rest();
   return true;
 }
 

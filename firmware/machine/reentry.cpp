@@ -20,8 +20,11 @@ Reentry::Verdict Reentry::judge(path::PathItem& item, float beside_mm) {
   if (passing.share >= 1.0F || passing.distance_mm > beside_mm) return Verdict::kDark;
   active_ = false;
   if (passing.place == element.start) return Verdict::kLit;
-  rest_ = Rest{.element = path::part_of(element, passing.place, element.end, 1.0F - passing.share),
-               .feed_mm_s = item.request.feed_mm_s};
+  rest_ = item;
+  rest_.request.element = path::part_of(element, passing.place, element.end, 1.0F - passing.share);
+  rest_.request.outputs = {};
+  rest_.continues = true;
+  has_rest_ = true;
   element = path::part_of(element, element.start, passing.place, passing.share);
   return Verdict::kSplit;
 }

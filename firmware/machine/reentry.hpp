@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 
 #include "planner/path/path_item.hpp"
 
@@ -30,7 +29,7 @@ class Reentry {
   }
   void cancel() {
     active_ = false;
-    rest_.reset();
+    has_rest_ = false;
   }
   [[nodiscard]] bool active() const { return active_; }
 
@@ -38,18 +37,11 @@ class Reentry {
   /// @param beside_mm how far from it the place may be
   [[nodiscard]] Verdict judge(path::PathItem& item, float beside_mm);
 
-  /// What is left of the element that was split.
-  struct Rest {
-    PathElement element{};
-    float feed_mm_s = 0.0F;
-  };
-  [[nodiscard]] bool has_rest() const { return rest_.has_value(); }
+  /// What is left of the element that was split, as it came.
+  [[nodiscard]] bool has_rest() const { return has_rest_; }
   /// @pre has_rest()
-  [[nodiscard]] Rest take_rest() {
-    const Rest rest = *rest_;
-    rest_.reset();
-    return rest;
-  }
+  [[nodiscard]] const path::PathItem& rest() const { return rest_; }
+  void drop_rest() { has_rest_ = false; }
 
  private:
   [[nodiscard]] bool may_hold(motion::SourceLine line) const;
@@ -57,7 +49,8 @@ class Reentry {
   motion::SourceLine line_{};
   Position place_{};
   bool active_ = false;
-  std::optional<Rest> rest_{};
+  bool has_rest_ = false;
+  path::PathItem rest_{};
 };
 
 }  // namespace cnc

@@ -192,7 +192,13 @@ bool LineProtocol::finish_line() {
     return true;
   }
   owed_ = Owed::kNothing;
-  if (!std::exchange(unheard_, false)) say_ok();
+  const auto fault = machine_.take_path_fault();
+  if (std::exchange(unheard_, false)) return true;
+  if (fault) {
+    refuse(*fault);
+  } else {
+    say_ok();
+  }
   return true;
 }
 

@@ -125,6 +125,7 @@ class LineProtocol {
   [[nodiscard]] Reply begin_reason(std::uint32_t column);
   void refuse(std::uint8_t number, Reply& reason);
   void refuse(std::uint8_t number);
+  void refuse(const compensation::Fault& fault);
   /// @param number 0: the fault's own.
   void refuse(const gcode::Fault& fault, std::uint32_t first_column, std::uint8_t number = 0);
   void acknowledge() { owed_ = Owed::kAck; }
