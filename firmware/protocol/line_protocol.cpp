@@ -75,7 +75,7 @@ void LineProtocol::poll(hal::TickCount now) {
       if (listing_.next(row, form_)) answer(row);
       continue;
     }
-    save_progress();
+    if (lines == 0) save_progress();
     if (machine_.busy()) return;
     if (beginning_) {
       welcome();

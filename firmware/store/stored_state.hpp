@@ -48,6 +48,7 @@ class StoredState {
   [[nodiscard]] const Progress& load_progress();
   [[nodiscard]] bool save_progress(const Progress& progress);
   [[nodiscard]] bool has_saved(const Progress& progress) const { return progress == progress_; }
+  [[nodiscard]] bool has_progress() const { return progress_.any(); }
 
   [[nodiscard]] hal::StoreWear wear() const { return store_.wear(); }
   /// True once after a record was damaged and its delivered value taken instead.
