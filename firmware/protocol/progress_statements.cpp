@@ -49,7 +49,8 @@ void LineProtocol::reenter(const Statement& statement) {
 void LineProtocol::save_progress() {
   const Progress& progress = machine_.progress();
   if (progress.any() ? !machine_.interrupted() : !stored_.has_progress()) return;
-  if (stored_.has_saved(progress) || saving_failed_ || machine_.tool_runs() || !machine_.at_rest()) return;
+  if (stored_.has_saved(progress) || saving_failed_ || machine_.tool_runs() || !machine_.at_rest())
+    return;
   if (stored_.save_progress(progress)) return;
   saving_failed_ = true;
   message("The store cannot keep where the program was");

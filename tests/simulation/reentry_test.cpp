@@ -77,9 +77,9 @@ class Burn : private sim::TraceSink {
 };
 
 /// A bench that is fed as a sender feeds it: each line as soon as the machine takes it.
-class Job {
+class InterruptedJob {
  public:
-  Job() : lines_{program()} {
+  InterruptedJob() : lines_{program()} {
     bench_.set({{120, 2000}, {121, 2000}, {110, 12000}, {111, 12000}});
     begin(0);
   }
@@ -129,7 +129,7 @@ std::vector<double> ways_of(const std::vector<Place>& places) {
 class Reentry : public testing::Test {
  protected:
   Reentry() {
-    Job job;
+    InterruptedJob job;
     Burn burn{job.bench()};
     for (duration_ms = 0; job.turn(); ++duration_ms) {
     }
@@ -173,7 +173,7 @@ TEST_F(Reentry, CompletesAPartWhoseSenderWasLostAtEveryHundredthOfASecond) {
   int taken_up = 0;
   for (int after = 0; after < duration_ms; after += 10) {
     SCOPED_TRACE(after);
-    Job job;
+    InterruptedJob job;
     Burn before{job.bench()};
     for (int ms = 0; ms < after; ++ms) static_cast<void>(job.turn());
     cnc::Machine& machine = job.bench().machine();
