@@ -29,7 +29,7 @@ namespace cnc {
 class Receiver {
  public:
   /// Senders are told less than there is: some overrun what they are told.
-  static constexpr std::uint32_t kRealBytes = 2048;
+  static constexpr std::uint32_t kRealBytes = 4096;
   static constexpr std::uint32_t kAdvertisedBytes = 1024;
 
   /// False: no room; offer the same byte again later.

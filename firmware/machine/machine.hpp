@@ -352,12 +352,11 @@ class Machine {
   std::uint32_t arc_index_ = 0;
   compensation::Compensator compensator_{};
   gcode::CutterCompensation compensation_{};  ///< What G41.1 or G42.1 said.
-  Plane compensation_plane_ = Plane::kXY;
   std::optional<compensation::Fault> path_fault_{};
   Position parts_from_{};                        ///< Of the line whose parts differ in power…
   std::size_t part_ = 0;                         ///< …so many of which have been taken.
   std::optional<ArcFit> spline_{};               ///< The spline being turned into arcs.
-  std::size_t spline_arcs_ = 0;                  ///< So many have been appended.
+  std::uint32_t spline_arcs_ = 0;                ///< So many have been appended.
   std::uint32_t spline_points_ = kSplinePoints;  ///< To be looked at in this turn.
   motion::OutputChanges with_next_motion_{};
   std::optional<JogMove> jog_{};  ///< Waits for room in the planner.
@@ -370,6 +369,7 @@ class Machine {
   bool optional_stop_ = false;
   bool single_block_ = false;
   bool block_delete_ = true;
+  Plane compensation_plane_ = Plane::kXY;  ///< Of G41.1 or G42.1.
   std::optional<std::uint32_t> tool_wanted_{};
   Probing probing_ = Probing::kNo;
   Probe last_probe_{};
@@ -377,10 +377,10 @@ class Machine {
   bool program_ended_ = false;
   bool program_end_untold_ = false;
 
+  bool seen_suspended_ = false;
+  bool place_is_kept_ = false;  ///< Since progress_ was noted the motors have lost no step.
   Progress progress_{};
   KeptProgress* kept_progress_;
-  bool place_is_kept_ = false;  ///< Since progress_ was noted the motors have lost no step.
-  bool seen_suspended_ = false;
   Reentry reentry_{};
 
   OverridePercent percent_{};

@@ -24,8 +24,10 @@ void Machine::set_progress(const Progress& progress) {
   if (kept_progress_ != nullptr) kept_progress_->keep(progress_);
 }
 
+/// What was noted before a restart is of a program that the restart interrupted.
 bool Machine::interrupted() const {
-  const bool stopped = state_.in(Mode::kHold) || state_.in(Mode::kDoor) || state_.in(Mode::kAlarm);
+  const bool stopped = state_.in(Mode::kHold) || state_.in(Mode::kDoor) ||
+                       state_.in(Mode::kAlarm) || !place_is_kept_;
   return stopped && progress_.any() && at_rest();
 }
 

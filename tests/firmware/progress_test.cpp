@@ -89,6 +89,10 @@ TEST_F(ProgressTest, OutlivesARestartInMemoryThatIsNotCleared) {
   MemoryLink other;
   Application<hal::host::RecordingPort> again{port, port, port, store, other, nullptr, &kept};
   EXPECT_EQ(again.machine().progress(), progress);
+  // The supply that failed may go on failing: it is stored in the first turn.
+  again.poll(hal::TickCount{0});
+  const Application<hal::host::RecordingPort> later{port, port, port, store, other};
+  EXPECT_EQ(later.machine().progress(), progress);
   auto bytes = std::as_writable_bytes(std::span{&kept, 1});
   for (std::byte& byte : bytes) {
     byte ^= std::byte{0x10};
