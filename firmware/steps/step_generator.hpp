@@ -254,8 +254,9 @@ class StepGenerator final : public StepDrive {
                     std::memory_order_release);
   }
 
-  /// Main loop: views from before this are out of date. @pre !running()
-  void change_at_rest() {
+  /// Main loop: views from before this are out of date. Out of line: asked for seldom, and long.
+  /// @pre !running()
+  [[gnu::noinline]] void change_at_rest() {
     const std::uint32_t turn = view_.turn;
     epoch_.store(epoch_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
     view_ = look();
