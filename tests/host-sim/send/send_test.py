@@ -135,10 +135,8 @@ class SendTest(served.ServeTest):
         self.assertEqual(process.returncode, 1)
         self.assertIn("is gone", err)
 
-    def test_killed_on_a_can_bus_leaves_the_beam_dark(self):
-        server = self.serve("--slcan", self.link, "--tcp", 0, *SETTINGS)
-        job = self.program_file(["G91 G1 X200 F1200 M3 S500"])
-        process = self.start(job, "--slcan", self.link)
+    def check_dark_when_killed(self, server, *where):
+        process = self.start(self.program_file(["G91 G1 X200 F1200 M3 S500"]), *where)
         time.sleep(2.0)
         process.send_signal(signal.SIGKILL)
         process.communicate(timeout=20)
@@ -148,6 +146,11 @@ class SendTest(served.ServeTest):
         self.assertEqual(self.where(server), before)
         self.assertGreater(before[0], 1.0)
         self.assertLess(before[0], 150.0)
+        self.assertEqual(server.stop()[0], 0)
+
+    def test_killed_on_a_can_bus_leaves_the_beam_dark(self):
+        server = self.serve("--slcan", self.link, "--tcp", 0, *SETTINGS)
+        self.check_dark_when_killed(server, "--slcan", self.link)
 
     def test_says_which_line_was_refused_and_stops(self):
         server = self.serve("--tcp", 0, *SETTINGS)
@@ -194,20 +197,9 @@ class SendTest(served.ServeTest):
         for link in ("pty", "tcp"):
             with self.subTest(link=link):
                 server = self.serve("--pty", self.link, "--tcp", 0, *SETTINGS)
-                job = self.program_file(["G91 G1 X200 F1200 M3 S500"])
                 where = (("--port", self.link) if link == "pty"
                          else ("--tcp", f"127.0.0.1:{server.port('tcp')}"))
-                process = self.start(job, *where)
-                time.sleep(2.0)
-                process.send_signal(signal.SIGKILL)
-                process.communicate(timeout=20)
-                time.sleep(1.0)
-                before = self.where(server)
-                time.sleep(1.0)
-                self.assertEqual(self.where(server), before)
-                self.assertGreater(before[0], 1.0)
-                self.assertLess(before[0], 150.0)
-                self.assertEqual(server.stop()[0], 0)
+                self.check_dark_when_killed(server, *where)
 
     def ring(self):
         """A part whose path comes nowhere near itself; and its length in mm."""
