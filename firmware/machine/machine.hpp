@@ -323,8 +323,6 @@ class Machine {
   motion::Limits limits_{};
   MemoryWatch settings_watch_{};
   MemoryWatch places_watch_{};
-  std::uint32_t places_revision_ = 0;
-  bool memory_is_sound_ = true;
   gcode::Interpreter interpreter_{};
   MotionControl motion_;
   ToolOutput tool_;
@@ -385,6 +383,8 @@ class Machine {
 
   OverridePercent percent_{};
   hal::TickCount last_poll_{};
+  std::uint32_t places_revision_ = 0;  ///< When places_watch_ was told of what it watches.
+  bool memory_is_sound_ = true;
   bool polled_ = false;
   bool motors_enabled_ = false;
   std::int64_t motors_idle_us_ = 0;
