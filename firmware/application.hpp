@@ -29,13 +29,17 @@ class Application {
                 (kTurnsToMotion + 2) * kTurnTicks);
 
   /// @param board what `$I+` tells about and `$DFU` leaves for; none on a desk.
+  /// @param kept memory that a restart leaves alone; null for none
   Application(Port& port,
               hal::AuxiliaryOutputs& outputs,
               hal::MachineInputs& inputs,
               hal::RecordStore& store,
               hal::ByteStream& link,
-              hal::ControlBoard* board = nullptr)
-      : steps_{port}, machine_{steps_, outputs, inputs}, protocol_{link, machine_, store, board} {}
+              hal::ControlBoard* board = nullptr,
+              KeptProgress* kept = nullptr)
+      : steps_{port},
+        machine_{steps_, outputs, inputs, kept},
+        protocol_{link, machine_, store, board} {}
 
   /// Step interrupt, every kTurnTicks, after what was due before and before what is due then:
   /// the boundary of a turn, whose number is returned. What the turn reads has come by now.

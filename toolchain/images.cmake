@@ -11,7 +11,10 @@ function(kerfline_board_image name header object offset_kib end_kib)
   math(EXPR end "0x08000000 + ${end_kib} * 1024" OUTPUT_FORMAT HEXADECIMAL)
   set(script ${PROJECT_SOURCE_DIR}/toolchain/stm32f405.ld)
   set(folder ${PROJECT_BINARY_DIR}/images)
-  add_executable(${name} ${PROJECT_SOURCE_DIR}/firmware/target/stm32f405_main.cpp)
+  set(main ${PROJECT_SOURCE_DIR}/firmware/target/stm32f405_main.cpp)
+  # The fast one first: of inline functions that both have, the linker takes the first.
+  add_executable(${name} ${PROJECT_SOURCE_DIR}/firmware/target/stm32f405_steps.cpp ${main})
+  set_source_files_properties(${main} PROPERTIES COMPILE_OPTIONS -Os)
   set_target_properties(${name} PROPERTIES
     SUFFIX .elf RUNTIME_OUTPUT_DIRECTORY ${folder} LINK_DEPENDS ${script})
   target_compile_definitions(${name} PRIVATE

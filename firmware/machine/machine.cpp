@@ -4,7 +4,10 @@
 
 namespace cnc {
 
-Machine::Machine(StepDrive& drive, hal::AuxiliaryOutputs& outputs, hal::MachineInputs& inputs)
+Machine::Machine(StepDrive& drive,
+                 hal::AuxiliaryOutputs& outputs,
+                 hal::MachineInputs& inputs,
+                 KeptProgress* kept)
     : drive_{drive},
       outputs_{outputs},
       input_port_{inputs},
@@ -12,7 +15,9 @@ Machine::Machine(StepDrive& drive, hal::AuxiliaryOutputs& outputs, hal::MachineI
       tool_{drive, outputs},
       coolant_{outputs},
       homing_{drive, motion_, settings_},
-      side_{drive, motion_.motors(), limits_} {
+      side_{drive, motion_, limits_},
+      kept_progress_{kept} {
+  if (kept != nullptr) progress_ = kept->progress();
   watch_memory();
   apply_settings();
 }
@@ -31,8 +36,9 @@ bool Machine::locked() const {
 }
 
 bool Machine::busy() const {
-  return !waiting_.empty() || jog_ || step_pause_ || stopping_for_ != Alarm::kNone ||
-         cutting_off_ || door_stops_jog() || state_.in(Mode::kHome);
+  return !waiting_.empty() || reentry_.has_rest() || jog_ || step_pause_ ||
+         stopping_for_ != Alarm::kNone || cutting_off_ || door_stops_jog() ||
+         state_.in(Mode::kHome);
 }
 
 bool Machine::beam_works() const {
@@ -41,14 +47,23 @@ bool Machine::beam_works() const {
 }
 
 bool Machine::idle() const {
-  return waiting_.empty() && !jog_ && !state_.in(Mode::kHome) && motion_.drained();
+  return waiting_.empty() && !reentry_.has_rest() && !jog_ && !state_.in(Mode::kHome) &&
+         !compensator_.active() && motion_.drained();
 }
 
 gcode::Refusal Machine::accept(std::string_view line) {
+  const gcode::Refusal refusal = take_line(line);
+  if (!waiting_.empty()) run_actions();
+  return refusal;
+}
+
+/// Apart from accept(): what the line is read with is gone before its actions go deep.
+[[gnu::noinline]] gcode::Refusal Machine::take_line(std::string_view line) {
   CNC_ASSERT(!busy() && !locked());
   const Position from = interpreter_.position();
   // Both have followed the same lines, else one of them has changed in memory.
-  CNC_ASSERT(state_.in(Mode::kCheck) || from == motion_.target());
+  CNC_ASSERT(state_.in(Mode::kCheck) || from == target());
+  path_fault_.reset();
   const auto actions = interpreter_.interpret(line);
   if (!actions.ok()) return actions.error();
   if (interpreter_.places_revision() != places_revision_) trust_places();
@@ -64,7 +79,6 @@ gcode::Refusal Machine::accept(std::string_view line) {
   }
   waiting_ = actions.value();
   step_pause_ = single_block_;
-  run_actions();
   return {};
 }
 
@@ -81,6 +95,7 @@ void Machine::poll(hal::TickCount now) {
   if (drive_.take_starved()) raise_alarm(Alarm::kStarved);
   if (state_.in(Mode::kFree)) dwell_.pass(elapsed_us);
   restart_dwell_.pass(elapsed_us);
+  note_progress();
   attend_mode(elapsed_us);
   spline_points_ = kSplinePoints;
   run_actions();
@@ -120,8 +135,12 @@ void Machine::attend_mode(std::int32_t elapsed_us) {
 /// door is open.
 void Machine::run_actions() {
   if (cutting_off_ || state_.in(Mode::kDoor)) return;
-  while (!waiting_.empty() && run(waiting_.front())) waiting_ = waiting_.subspan(1);
-  if (waiting_.empty() && step_pause_ && pause()) step_pause_ = false;
+  if (stopping_for_ != Alarm::kNone) return;
+  if (compensator_.active()) give_out();
+  while (drive_rest() && !waiting_.empty() && run(waiting_.front())) {
+    waiting_ = waiting_.subspan(1);
+  }
+  if (waiting_.empty() && !reentry_.has_rest() && step_pause_ && pause()) step_pause_ = false;
 }
 
 /// Current flows from before the first step until $1 after the last; with the

@@ -12,6 +12,8 @@
 #include "firmware/machine/machine_types.hpp"
 #include "firmware/machine/memory_watch.hpp"
 #include "firmware/machine/motion_control.hpp"
+#include "firmware/machine/progress.hpp"
+#include "firmware/machine/reentry.hpp"
 #include "firmware/machine/settings.hpp"
 #include "firmware/machine/side_trip.hpp"
 #include "firmware/machine/state_machine.hpp"
@@ -20,6 +22,7 @@
 #include "hal/interface/auxiliary_outputs.hpp"
 #include "hal/interface/machine_inputs.hpp"
 #include "hal/interface/tick_count.hpp"
+#include "planner/compensation/compensator.hpp"
 #include "planner/gcode/interpreter.hpp"
 #include "planner/geometry/arc_elements.hpp"
 #include "planner/geometry/arc_fit.hpp"
@@ -32,7 +35,11 @@ namespace cnc {
 /// Main loop only; no call blocks. `poll` keeps everything going.
 class Machine {
  public:
-  Machine(StepDrive& drive, hal::AuxiliaryOutputs& outputs, hal::MachineInputs& inputs);
+  /// @param kept outlives restarts; null where nothing does
+  Machine(StepDrive& drive,
+          hal::AuxiliaryOutputs& outputs,
+          hal::MachineInputs& inputs,
+          KeptProgress* kept = nullptr);
 
   // A line at a time.
 
@@ -104,6 +111,24 @@ class Machine {
   [[nodiscard]] bool single_block() const { return single_block_; }    ///< A pause after each line.
   [[nodiscard]] bool block_delete() const { return block_delete_; }  ///< Lines with / are skipped.
 
+  // A program that was interrupted, in machine_reentry.cpp.
+
+  /// How far the last program with numbered lines has come; none when it has ended.
+  [[nodiscard]] const Progress& progress() const { return progress_; }
+  /// What was stored of one before power-down.
+  void set_progress(const Progress& progress);
+  /// Where that is, machine coordinates. @pre progress().any()
+  [[nodiscard]] Position progress_place() const { return motion_.place_of(progress_.steps); }
+  /// It has been interrupted, and all stands still.
+  [[nodiscard]] bool interrupted() const;
+  /// The motors' counters still mean what they did, or the axes have been homed since.
+  [[nodiscard]] bool can_reenter() const { return place_is_kept_ || homed_ != 0; }
+  /// What is driven from now on is dark until it passes that place, on the line that was driven
+  /// or behind it. A reset ends that. @pre idle(), progress().any(), can_reenter()
+  void reenter();
+  void stop_reentry() { reentry_.cancel(); }
+  [[nodiscard]] bool reenters() const { return reentry_.active(); }
+
   // Settings.
 
   /// @pre idle()
@@ -132,6 +157,8 @@ class Machine {
   [[nodiscard]] Alarm alarm() const { return alarm_; }
   /// Nothing to do and nothing moving.
   [[nodiscard]] bool idle() const;
+  /// Nothing is moving; there may be more to do.
+  [[nodiscard]] bool at_rest() const { return motion_.drained() || motion_.halted(); }
   /// A spindle turns; or a beam is on that does not go with the motion, and so off at rest.
   [[nodiscard]] bool tool_runs() const;
   /// A beam is on and goes with a motion that is not held.
@@ -156,6 +183,8 @@ class Machine {
   [[nodiscard]] bool take_probe_ended();
   /// The tool that M6 waits for.
   [[nodiscard]] std::optional<std::uint32_t> pending_tool() const;
+  /// Once after a line whose path, or one before, cannot be driven beside what is programmed.
+  [[nodiscard]] std::optional<compensation::Fault> take_path_fault();
   /// The last line was M2 or M30.
   [[nodiscard]] bool program_ended() const { return program_ended_; }
   /// True once after each M2 or M30, for the message before its answer.
@@ -213,10 +242,18 @@ class Machine {
   [[nodiscard]] bool pause();
   [[nodiscard]] bool change_tool(std::uint32_t tool);
   [[nodiscard]] bool end_program();
-  void append(const PathElement& element, float feed, bool continues);
+  /// @param part of the line, from 0
+  void append(const PathElement& element, float feed, bool continues, std::size_t part = 0);
+  [[nodiscard]] bool drive(path::PathItem& item);
   [[nodiscard]] bool standstill();
   [[nodiscard]] path::Tolerance path_tolerance() const;
   [[nodiscard]] float spline_tolerance() const;
+
+  // A program that was interrupted, in machine_reentry.cpp.
+  void note_progress();
+  void forget_progress();
+  void darken_until_place(path::PathItem& item);
+  [[nodiscard]] bool drive_rest();
 
   // Jogs, in machine_jog.cpp.
   void attend_jog();
@@ -230,7 +267,6 @@ class Machine {
   void cancel_restart();
   [[nodiscard]] bool tool_turns() const;
   void switch_coolant_by_hand(gcode::Coolant wanted);
-  [[nodiscard]] bool at_rest() const { return motion_.drained() || motion_.halted(); }
 
   // The door, in machine_door.cpp.
   [[nodiscard]] bool door_stops_jog() const;
@@ -245,8 +281,20 @@ class Machine {
   void trip_to(StepPosition place, std::uint16_t rate, const motion::BeamCommand& beam);
   [[nodiscard]] std::uint8_t door_substate() const;
 
+  // Beside the programmed path, in machine_compensation.cpp.
+  [[nodiscard]] bool compensates() const;
+  [[nodiscard]] bool has_room();
+  [[nodiscard]] const Position& target() const;
+  [[nodiscard]] bool set_compensation(const gcode::Action& action);
+  [[nodiscard]] bool leave_path(const gcode::Action& action);
+  void append_beside(const path::PathItem& item);
+  void give_out();
+  void refuse_path(const compensation::Fault& fault);
+  void forget_exit();
+
   // Ends of the travel, in machine_limits.cpp.
   void stop_for(Alarm alarm);
+  [[nodiscard]] gcode::Refusal take_line(std::string_view line);
   void judge(gcode::Actions actions, const Position& from);
   void hit_limit();
   void set_homed(std::uint8_t axes);
@@ -275,8 +323,6 @@ class Machine {
   motion::Limits limits_{};
   MemoryWatch settings_watch_{};
   MemoryWatch places_watch_{};
-  std::uint32_t places_revision_ = 0;
-  bool memory_is_sound_ = true;
   gcode::Interpreter interpreter_{};
   MotionControl motion_;
   ToolOutput tool_;
@@ -302,10 +348,13 @@ class Machine {
   gcode::Actions waiting_{};
   std::optional<ArcElements> arc_{};  ///< The arc being divided.
   std::uint32_t arc_index_ = 0;
+  compensation::Compensator compensator_{};
+  gcode::CutterCompensation compensation_{};  ///< What G41.1 or G42.1 said.
+  std::optional<compensation::Fault> path_fault_{};
   Position parts_from_{};                        ///< Of the line whose parts differ in power…
   std::size_t part_ = 0;                         ///< …so many of which have been taken.
   std::optional<ArcFit> spline_{};               ///< The spline being turned into arcs.
-  bool spline_begun_ = false;                    ///< Its first arc has been appended.
+  std::uint32_t spline_arcs_ = 0;                ///< So many have been appended.
   std::uint32_t spline_points_ = kSplinePoints;  ///< To be looked at in this turn.
   motion::OutputChanges with_next_motion_{};
   std::optional<JogMove> jog_{};  ///< Waits for room in the planner.
@@ -318,6 +367,7 @@ class Machine {
   bool optional_stop_ = false;
   bool single_block_ = false;
   bool block_delete_ = true;
+  Plane compensation_plane_ = Plane::kXY;  ///< Of G41.1 or G42.1.
   std::optional<std::uint32_t> tool_wanted_{};
   Probing probing_ = Probing::kNo;
   Probe last_probe_{};
@@ -325,8 +375,16 @@ class Machine {
   bool program_ended_ = false;
   bool program_end_untold_ = false;
 
+  bool seen_suspended_ = false;
+  bool place_is_kept_ = false;  ///< Since progress_ was noted the motors have lost no step.
+  Progress progress_{};
+  KeptProgress* kept_progress_;
+  Reentry reentry_{};
+
   OverridePercent percent_{};
   hal::TickCount last_poll_{};
+  std::uint32_t places_revision_ = 0;  ///< When places_watch_ was told of what it watches.
+  bool memory_is_sound_ = true;
   bool polled_ = false;
   bool motors_enabled_ = false;
   std::int64_t motors_idle_us_ = 0;

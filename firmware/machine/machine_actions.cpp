@@ -9,6 +9,11 @@ using gcode::ActionKind;
 
 namespace {
 
+/// Motion along a path, or beside it from now on.
+bool is_path(const Action& action) {
+  return action.kind <= ActionKind::kProbe || action.kind == ActionKind::kCompensation;
+}
+
 std::uint16_t to_full_scale(float share) {
   const float legal = share < 0.0F ? 0.0F : (share > 1.0F ? 1.0F : share);
   return static_cast<std::uint16_t>(legal * motion::kFullOutput + 0.5F);
@@ -18,6 +23,11 @@ std::uint16_t to_full_scale(float share) {
 
 /// True when the action is done; false to be asked again at the next poll.
 bool Machine::run(const Action& action) {
+  if (state_.in(Mode::kCheck) && !is_path(action)) return true;
+  // G40 itself goes on over several turns while there is no room for all that was held.
+  const bool leads_back = action.kind == ActionKind::kCompensation &&
+                          action.compensation.side == gcode::CutterSide::kOn;
+  if (compensator_.beside() && is_path(action) && !leads_back && !leave_path(action)) return false;
   switch (action.kind) {
     case ActionKind::kRapid:
       return move_straight(action, 0.0F);
@@ -29,6 +39,8 @@ bool Machine::run(const Action& action) {
       return move_spline(action);
     case ActionKind::kProbe:
       return probe(action);
+    case ActionKind::kCompensation:
+      return set_compensation(action);
     case ActionKind::kDwell:
       return dwell(action.seconds);
     case ActionKind::kSpindleSpeed:
@@ -76,33 +88,42 @@ path::Tolerance Machine::path_tolerance() const {
 }
 
 /// @param continues the curve of the element before it
-void Machine::append(const PathElement& element, float feed, bool continues) {
-  const auto appended = motion_.append({.request = {.element = element,
-                                                    .feed_mm_s = feed,
-                                                    .beam = tool_.command_for(feed <= 0.0F),
-                                                    .outputs = with_next_motion_,
-                                                    .line = interpreter_.state().line_number},
-                                        .tolerance = path_tolerance(),
-                                        .continues = continues});
+void Machine::append(const PathElement& element, float feed, bool continues, std::size_t part) {
+  path::PathItem item{
+      .request = {.element = element,
+                  .feed_mm_s = feed,
+                  .beam = tool_.command_for(feed <= 0.0F),
+                  .outputs = with_next_motion_,
+                  .line = {interpreter_.state().line_number, static_cast<std::uint32_t>(part)}},
+      .tolerance = path_tolerance(),
+      .continues = continues};
+  if (compensates() || state_.in(Mode::kCheck)) return append_beside(item);
+  if (drive(item)) with_next_motion_ = {};
+}
+
+/// True when there is anything to move.
+bool Machine::drive(path::PathItem& item) {
+  if (reentry_.active()) darken_until_place(item);
+  const auto appended = motion_.append(item);
   // The interpreter keeps targets inside the motors' range, and arcs are divided.
   CNC_ASSERT(appended.ok());
-  if (appended.value()) with_next_motion_ = {};
+  return appended.value();
 }
 
 bool Machine::move_straight(const Action& action, float feed) {
-  if (!motion_.has_room()) return false;
-  append({.start = motion_.target(), .end = action.end}, feed, false);
+  if (!has_room()) return false;
+  append({.start = target(), .end = action.end}, feed, false);
   return true;
 }
 
 /// Equal parts of a line, each with its power, as the planner has room. To the nanometre.
 bool Machine::move_in_parts(const Action& action) {
-  if (part_ == 0) parts_from_ = motion_.target();
+  if (part_ == 0) parts_from_ = target();
   while (part_ < action.powers.size()) {
-    if (!motion_.has_room()) return false;
+    if (!has_room()) return false;
     tool_.set_speed(action.powers[part_]);
     ++part_;
-    append({.start = motion_.target(), .end = end_of_part(action)}, action.feed, false);
+    append({.start = target(), .end = end_of_part(action)}, action.feed, false, part_);
   }
   part_ = 0;
   return true;
@@ -130,13 +151,13 @@ float Machine::spline_tolerance() const {
 /// Arc by arc, as the planner has room, and as many points of the curve as a turn may look at.
 bool Machine::move_spline(const Action& action) {
   if (!spline_) {
-    spline_.emplace(*action.spline, motion_.target(), spline_tolerance());
-    spline_begun_ = false;
+    spline_.emplace(*action.spline, target(), spline_tolerance());
+    spline_arcs_ = 0;
   }
   while (!spline_->done()) {
-    if (!motion_.has_room() || !spline_->work(spline_points_)) return false;
-    append(spline_->next(), action.feed, spline_begun_);
-    spline_begun_ = true;
+    if (!has_room() || !spline_->work(spline_points_)) return false;
+    append(spline_->next(), action.feed, spline_arcs_ > 0, spline_arcs_);
+    ++spline_arcs_;
   }
   spline_.reset();
   return true;
@@ -145,7 +166,7 @@ bool Machine::move_spline(const Action& action) {
 /// Element by element, as the planner has room.
 bool Machine::move_arc(const Action& action) {
   if (!arc_) {
-    arc_.emplace(CentreArc{.start = motion_.target(),
+    arc_.emplace(CentreArc{.start = target(),
                            .end = action.end,
                            .plane = action.plane,
                            .centre = action.centre,
@@ -154,8 +175,8 @@ bool Machine::move_arc(const Action& action) {
     arc_index_ = 0;
   }
   while (arc_index_ < arc_->count()) {
-    if (!motion_.has_room()) return false;
-    append(arc_->element(arc_index_), action.feed, arc_index_ > 0);
+    if (!has_room()) return false;
+    append(arc_->element(arc_index_), action.feed, arc_index_ > 0, arc_index_);
     ++arc_index_;
   }
   arc_.reset();
@@ -241,9 +262,15 @@ bool Machine::change_tool(std::uint32_t tool) {
 
 bool Machine::end_program() {
   if (!standstill()) return false;
+  if (reentry_.active()) {
+    stop_for(Alarm::kPlaceNotMet);
+    return true;
+  }
+  forget_exit();
   set_overrides({});
   tool_.off();
   coolant_.reset();
+  forget_progress();
   program_ended_ = true;
   program_end_untold_ = true;
   return true;

@@ -10,6 +10,7 @@ std::optional<JogRefusal> Machine::jog(std::string_view words) {
   CNC_ASSERT(!busy());
   const bool from_rest = state_.in(Mode::kFree) && idle();
   if (!from_rest && !state_.in(Mode::kJog)) return JogRefusal{.number = kNotIdle};
+  forget_exit();
   const Position here = interpreter_.position();
   const auto actions = interpreter_.interpret_jog(words);
   if (!actions.ok()) {

@@ -2,15 +2,15 @@
 
 namespace cnc {
 
-/// A line that would leave the travel moves nothing: what was planned before is
-/// held, and when all stands still the alarm follows, with the place known.
+/// A line that would leave the travel, or damage the part, moves nothing: what was planned
+/// before is held, and when all stands still the alarm follows, with the place known.
 void Machine::stop_for(Alarm alarm) {
   stopping_for_ = alarm;
   static_cast<void>(state_.take(Event::kHold));
   motion_.halt();
 }
 
-/// In check mode a line does nothing but be found fault with.
+/// In check mode a line does nothing but be found fault with, beside its path, too.
 void Machine::judge(gcode::Actions actions, const Position& from) {
   if (travel_.left_by(actions, from)) return raise_alarm(Alarm::kSoftLimit);
   for (const gcode::Action& action : actions) {
@@ -18,6 +18,10 @@ void Machine::judge(gcode::Actions actions, const Position& from) {
     program_ended_ = true;
     program_end_untold_ = true;
   }
+  const bool beside = compensates() || compensator_.beside();
+  if (!beside && interpreter_.state().compensation.side == gcode::CutterSide::kOn) return;
+  if (!beside) compensator_.stand_at(from);
+  waiting_ = actions;
 }
 
 /// While homing, switches are what is looked for; in alarm or asleep nothing
@@ -30,6 +34,7 @@ void Machine::hit_limit() {
 /// Axes whose place has become known, or has been lost.
 void Machine::set_homed(std::uint8_t axes) {
   homed_ = axes;
+  if (axes == 0) place_is_kept_ = false;
   travel_.configure(settings_, homed_);
 }
 

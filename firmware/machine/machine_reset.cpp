@@ -26,7 +26,8 @@ void Machine::raise_alarm(Alarm alarm) {
   if (drive_.running() || alarm == Alarm::kStarved) set_homed(0);
   if (!state_.take(Event::kAlarm)) return;
   if (state_.in(Mode::kAlarm)) alarm_ = alarm;
-  needs_reset_ = needs_reset_ || alarm == Alarm::kHardLimit || alarm == Alarm::kSoftLimit;
+  needs_reset_ = needs_reset_ || alarm == Alarm::kHardLimit || alarm == Alarm::kSoftLimit ||
+                 alarm == Alarm::kCompensation;
   cut_off();
 }
 
@@ -55,6 +56,7 @@ void Machine::drop_everything() {
   stopping_for_ = Alarm::kNone;
   tool_wanted_.reset();
   probing_ = Probing::kNo;
+  reentry_.cancel();
   drive_.disarm_probe();
   homing_.cancel();
   tool_.reset();
@@ -62,6 +64,8 @@ void Machine::drop_everything() {
   motion_.drop_rest();
   motion_.go_on();
   side_.begin(motion_.place());
+  compensation_ = {};
+  compensator_.clear();
   interpreter_.reset();
   interpreter_.set_position(motion_.target());
   static_cast<void>(state_.take(Event::kReset));

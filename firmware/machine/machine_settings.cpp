@@ -19,6 +19,7 @@ Result<float, SettingError> Machine::change_setting(std::uint16_t number, float 
     // The motors stand where they are; that is another place now.
     const std::size_t axis = number - setting::kStepsPerMm;
     set_homed(static_cast<std::uint8_t>(homed_ & ~(1U << axis)));
+    forget_progress();
     motion_.drop_rest();
     interpreter_.set_position(motion_.target());
   }

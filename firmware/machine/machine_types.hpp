@@ -47,7 +47,9 @@ enum class Alarm : std::uint8_t {
   kHomingRequired = 11,
   kStarved = 23,  ///< Motion was cut off because the planner came too late.
   kEmergencyStop = 24,
-  kLinkSilent = 25,  ///< Nobody was heard any more while the beam was on; the place is known.
+  kLinkSilent = 25,    ///< Nobody was heard any more while the beam was on; the place is known.
+  kCompensation = 26,  ///< The way beside the path (G41.1) cannot be driven; place known.
+  kPlaceNotMet = 27,   ///< A program that was taken up again did not pass its place; it is known.
 };
 
 /// Percent of the programmed value.

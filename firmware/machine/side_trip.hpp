@@ -2,11 +2,7 @@
 
 #include <cstddef>
 
-#include "firmware/steps/step_drive.hpp"
-#include "planner/motion/block_builder.hpp"
-#include "planner/motion/block_queue.hpp"
-#include "planner/motion/motor_stage.hpp"
-#include "planner/motion/segmenter.hpp"
+#include "firmware/machine/motion_control.hpp"
 
 namespace cnc {
 
@@ -14,12 +10,15 @@ namespace cnc {
 /// the tool exactly where that motion goes on: to the fraction of a step.
 ///
 /// A queue and a segmenter of its own, as the ones that are held know where
-/// they stopped. Main loop only.
+/// they stopped; their room and their motors are lent. Main loop only.
 class SideTrip {
  public:
-  /// @param motors of the motion that is held.
-  SideTrip(StepDrive& drive, motion::MotorStage& motors, const motion::Limits& limits)
-      : drive_{drive}, motors_{motors}, limits_{limits} {}
+  /// @param held motion that goes on where it stopped.
+  SideTrip(StepDrive& drive, MotionControl& held, const motion::Limits& limits)
+      : drive_{drive},
+        motors_{held.motors()},
+        limits_{limits},
+        segmenter_{queue_, limits, held.segmenter_room()} {}
 
   /// The tool stands here. @pre at_rest()
   void begin(const AxisArray<StepPosition>& place);
@@ -41,7 +40,7 @@ class SideTrip {
   motion::MotorStage& motors_;
   const motion::Limits& limits_;
   motion::BlockQueueOf<1> queue_{};
-  motion::Segmenter segmenter_{queue_, limits_};
+  motion::Segmenter segmenter_;
 };
 
 }  // namespace cnc

@@ -20,6 +20,8 @@ class Travel {
   /// Whether a motion of these actions, begun at `from`, would leave it; of an
   /// arc or a spline its true extremes count.
   [[nodiscard]] bool left_by(gcode::Actions actions, const Position& from) const;
+  /// Whether a place is inside.
+  [[nodiscard]] bool holds(const Position& place) const { return contains(place); }
   /// The place inside that is nearest, axis by axis.
   [[nodiscard]] Position clamped(const Position& place) const;
 

@@ -45,7 +45,7 @@ constexpr std::array<CodeText, 35> kErrors{{
     {79, "The emergency stop is pressed."},
 }};
 
-constexpr std::array<CodeText, 14> kAlarms{{
+constexpr std::array<CodeText, 16> kAlarms{{
     {1, "A limit switch was reached. The place may be lost; home again."},
     {2, "The target lies beyond the travel. The place is kept."},
     {3, "Stopped while moving. The place may be lost; home again."},
@@ -60,6 +60,8 @@ constexpr std::array<CodeText, 14> kAlarms{{
     {23, "Motion was cut off because the plan came too late."},
     {24, "The emergency stop is pressed."},
     {25, "The link fell silent while the beam was on ($858). The place is kept."},
+    {26, "The path beside the programmed one cannot be driven. The place is kept."},
+    {27, "The path did not pass the place where the program was interrupted."},
 }};
 
 }  // namespace

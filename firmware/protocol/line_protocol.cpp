@@ -51,6 +51,8 @@ LineProtocol::LineProtocol(hal::ByteStream& link,
   load_settings();
   machine_.set_power_table(stored_.load_power_table());
   machine_.set_places(stored_.load_places());
+  const Progress& stored = stored_.load_progress();
+  if (!machine_.progress().any()) machine_.set_progress(stored);
 }
 
 void LineProtocol::poll(hal::TickCount now) {
@@ -73,6 +75,7 @@ void LineProtocol::poll(hal::TickCount now) {
       if (listing_.next(row, form_)) answer(row);
       continue;
     }
+    if (lines == 0) save_progress();
     if (machine_.busy()) return;
     if (beginning_) {
       welcome();
@@ -189,7 +192,13 @@ bool LineProtocol::finish_line() {
     return true;
   }
   owed_ = Owed::kNothing;
-  if (!std::exchange(unheard_, false)) say_ok();
+  const auto fault = machine_.take_path_fault();
+  if (std::exchange(unheard_, false)) return true;
+  if (fault) {
+    refuse(*fault);
+  } else {
+    say_ok();
+  }
   return true;
 }
 

@@ -106,6 +106,11 @@ class LineProtocol {
   void set_power_table(const Statement& statement);
   [[nodiscard]] bool rests() const;
 
+  // `$RESUME`, in progress_statements.cpp.
+  void tell_progress();
+  void reenter(const Statement& statement);
+  void save_progress();
+
   // `$K`, in kerf_statements.cpp.
   void take_kerf_statement(const Statement& statement);
   void refuse_kerf(const KerfTables::Trouble& trouble, std::uint16_t column);
@@ -120,6 +125,7 @@ class LineProtocol {
   [[nodiscard]] Reply begin_reason(std::uint32_t column);
   void refuse(std::uint8_t number, Reply& reason);
   void refuse(std::uint8_t number);
+  void refuse(const compensation::Fault& fault);
   /// @param number 0: the fault's own.
   void refuse(const gcode::Fault& fault, std::uint32_t first_column, std::uint8_t number = 0);
   void acknowledge() { owed_ = Owed::kAck; }

@@ -67,6 +67,13 @@ std::string_view coolant_words(const gcode::Coolant& coolant) {
   return coolant.flood ? " M8" : " M9";
 }
 
+/// Nothing for G40, which senders do not ask for.
+void put_compensation(Reply& reply, const gcode::CutterCompensation& wanted, bool inches) {
+  if (wanted.side == gcode::CutterSide::kOn) return;
+  reply.text(wanted.side == gcode::CutterSide::kLeft ? " G41.1 D" : " G42.1 D");
+  reply.value(wanted.width_mm / (inches ? kMillimetresPerInch : 1.0F), 0);
+}
+
 /// With the tolerances, as G64 means others without them.
 void put_path_control(Reply& reply, const gcode::PathControl& path, bool inches) {
   switch (path.mode) {
@@ -136,6 +143,7 @@ void put_parser_state(Reply& reply, const Machine& machine) {
   reply.text(inches ? " G20" : " G21");
   reply.text(state.distance == gcode::DistanceMode::kAbsolute ? " G90" : " G91");
   reply.text(state.feed_mode == gcode::FeedMode::kUnitsPerMinute ? " G94" : " G93");
+  put_compensation(reply, state.compensation, inches);
   put_path_control(reply, state.path, inches);
   reply.text(spindle_word(machine.spindle())).text(coolant_words(machine.coolant()));
   reply.text(" T").number(state.tool).text(" F").value(feed, 0);

@@ -82,6 +82,7 @@ std::optional<Statement> read_command(std::string_view name) {
   if (name == "DFU") return Statement{.kind = StatementKind::kBootLoader};
   if (name == "K") return Statement{.kind = StatementKind::kListKerfTables};
   if (name == "KS") return Statement{.kind = StatementKind::kKeepKerfTable};
+  if (name == "RESUME") return Statement{.kind = StatementKind::kAskProgress};
   if (name == "SLP") return Statement{.kind = StatementKind::kSleep};
   if (name.front() == 'H') {
     std::string_view letters = name;
@@ -105,6 +106,7 @@ std::optional<Statement> read_assignment(std::string_view name) {
   if (name == "KE") return Statement{.kind = StatementKind::kEraseKerfTable};
   if (name == "KR") return Statement{.kind = StatementKind::kReadKerfTable};
   if (name == "KQ") return Statement{.kind = StatementKind::kAskKerf};
+  if (name == "RESUME") return Statement{.kind = StatementKind::kReenter};
   if (name == "N0") return Statement{.kind = StatementKind::kSetStartupLine, .number = 0};
   if (name == "N1") return Statement{.kind = StatementKind::kSetStartupLine, .number = 1};
   const auto number = number_in(name);

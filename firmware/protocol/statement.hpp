@@ -27,6 +27,8 @@ enum class StatementKind : std::uint8_t {
   kEraseKerfTable,  ///< `$KE=`
   kReadKerfTable,   ///< `$KR=`
   kAskKerf,         ///< `$KQ=`
+  kAskProgress,     ///< `$RESUME`
+  kReenter,         ///< `$RESUME=`
 };
 
 /// A line that begins with `$`.

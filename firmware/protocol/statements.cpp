@@ -58,6 +58,8 @@ void LineProtocol::take_statement(std::string_view line) {
       return unlock();
     case StatementKind::kCheck:
       return toggle_check_mode();
+    case StatementKind::kAskProgress:
+      return tell_progress();
     default:
       break;
   }
@@ -87,6 +89,8 @@ void LineProtocol::take_command(const Statement& statement) {
       return home(statement);
     case StatementKind::kBootLoader:
       return enter_boot_loader();
+    case StatementKind::kReenter:
+      return reenter(statement);
     case StatementKind::kSleep:
       if (!machine_.sleep()) return refuse(error_number::kNotIdle);
       message("Sleeping");

@@ -48,6 +48,8 @@ class StepDrive {
 
   /// Motor positions in steps.
   [[nodiscard]] virtual AxisArray<std::int32_t> position() const = 0;
+  /// Where in the program what the motors do comes from, or did last.
+  [[nodiscard]] virtual motion::SourceLine line() const = 0;
   /// Duty of the output when nothing moves, 65535 is full: 0 for a beam. At once
   /// at rest, and where it is 0.
   virtual void set_rest_power(std::uint16_t power) = 0;

@@ -91,6 +91,8 @@ class StepGenerator final : public StepDrive {
 
   [[nodiscard]] AxisArray<std::int32_t> position() const override { return view_.position; }
 
+  [[nodiscard]] motion::SourceLine line() const override { return view_.line; }
+
   void set_rest_power(std::uint16_t power) override {
     rest_power_ = power;
     if (running() && power != 0) return;
@@ -233,6 +235,7 @@ class StepGenerator final : public StepDrive {
             .pieces_taken = beam_.taken(),
             .starved = starved_.load(std::memory_order_relaxed),
             .position = trains_.position(),
+            .line = line_,
             .power = beam_.now(),
             .switches_found = switches_.found(),
             .switches_half_found =
@@ -251,8 +254,9 @@ class StepGenerator final : public StepDrive {
                     std::memory_order_release);
   }
 
-  /// Main loop: views from before this are out of date. @pre !running()
-  void change_at_rest() {
+  /// Main loop: views from before this are out of date. Out of line: asked for seldom, and long.
+  /// @pre !running()
+  [[gnu::noinline]] void change_at_rest() {
     const std::uint32_t turn = view_.turn;
     epoch_.store(epoch_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
     view_ = look();
@@ -319,6 +323,7 @@ class StepGenerator final : public StepDrive {
     ticks_ = static_cast<std::int32_t>(next.segment.ticks);
     count_begun(next.segment.ticks);
     comes_to_rest_ = next.segment.comes_to_rest;
+    line_ = next.segment.line;
     trains_.begin(next);
     queue_.drop_front();
   }
@@ -412,6 +417,7 @@ class StepGenerator final : public StepDrive {
   bool high_ = false;
   bool comes_to_rest_ = false;  ///< After the segment being played.
   std::uint8_t direction_ = 0;
+  motion::SourceLine line_{};          ///< Of the segment being played, or played last.
   std::atomic<bool> urgent_{false};    ///< abort_, or the output is blocked.
   std::atomic<bool> watching_{false};  ///< A probe is armed, or switches are watched.
   std::atomic<bool> abort_{false};

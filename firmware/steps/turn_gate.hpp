@@ -27,6 +27,7 @@ struct StepView {
   std::uint32_t pieces_taken = 0;
   std::uint32_t starved = 0;  ///< Times.
   AxisArray<std::int32_t> position{};
+  motion::SourceLine line{};  ///< Of the segment begun last.
   std::uint16_t power = 0;
   std::uint8_t switches_found = 0;
   std::uint8_t switches_half_found = 0;

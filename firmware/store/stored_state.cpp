@@ -15,8 +15,10 @@ constexpr std::uint16_t kG30 = 0x4101;
 constexpr std::uint16_t kStartupLine = 0x5000;
 constexpr std::uint16_t kUserText = 0x5100;
 constexpr std::uint16_t kPowerTable = 0x5200;
+constexpr std::uint16_t kProgress = 0x5300;
 
 constexpr std::size_t kPlaceBytes = kAxisCount * sizeof(std::uint64_t);
+constexpr std::size_t kProgressBytes = (1 + kAxisCount) * sizeof(std::uint32_t);
 constexpr std::size_t kPointBytes = sizeof(std::uint16_t) + sizeof(std::uint32_t);
 using Record = std::array<std::byte, hal::RecordStore::kLongestRecord>;
 static_assert(motion::PowerTable::kMostPoints * kPointBytes <= hal::RecordStore::kLongestRecord);
@@ -140,6 +142,38 @@ bool StoredState::save_power_table(const motion::PowerTable& table) {
     size += kPointBytes;
   }
   return store_.save(kPowerTable, std::span{record}.first(size));
+}
+
+const Progress& StoredState::load_progress() {
+  Record record{};
+  const std::size_t size = store_.load(kProgress, record);
+  progress_ = {};
+  if (size == 0) return progress_;
+  found_damage_ = found_damage_ || size != kProgressBytes;
+  if (size != kProgressBytes) return progress_;
+  const auto word = [&record](std::size_t index) {
+    return get<std::uint32_t>(std::span{record}.subspan(index * sizeof(std::uint32_t)));
+  };
+  progress_.line = std::bit_cast<motion::SourceLine>(word(0));
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    progress_.steps[axis] = static_cast<std::int32_t>(word(1 + axis));
+  }
+  return progress_;
+}
+
+bool StoredState::save_progress(const Progress& progress) {
+  std::array<std::byte, kProgressBytes> record{};
+  const auto put_word = [&record](std::size_t index, std::uint32_t word) {
+    put(std::span{record}.subspan(index * sizeof(std::uint32_t)), word);
+  };
+  put_word(0, std::bit_cast<std::uint32_t>(progress.line));
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    put_word(1 + axis, static_cast<std::uint32_t>(progress.steps[axis]));
+  }
+  const auto bytes = std::span<const std::byte>{record};
+  if (!store_.save(kProgress, progress.any() ? bytes : bytes.first(0))) return false;
+  progress_ = progress;
+  return true;
 }
 
 StoredText StoredState::load_text(std::uint16_t number) {

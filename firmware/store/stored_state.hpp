@@ -4,6 +4,7 @@
 #include <optional>
 #include <string_view>
 
+#include "firmware/machine/progress.hpp"
 #include "firmware/machine/settings.hpp"
 #include "firmware/store/stored_text.hpp"
 #include "hal/interface/record_store.hpp"
@@ -43,6 +44,12 @@ class StoredState {
   [[nodiscard]] motion::PowerTable load_power_table();
   [[nodiscard]] bool save_power_table(const motion::PowerTable& table);
 
+  /// Of a program that was interrupted; none where none was.
+  [[nodiscard]] const Progress& load_progress();
+  [[nodiscard]] bool save_progress(const Progress& progress);
+  [[nodiscard]] bool has_saved(const Progress& progress) const { return progress == progress_; }
+  [[nodiscard]] bool has_progress() const { return progress_.any(); }
+
   [[nodiscard]] hal::StoreWear wear() const { return store_.wear(); }
   /// True once after a record was damaged and its delivered value taken instead.
   [[nodiscard]] bool take_damage();
@@ -55,6 +62,7 @@ class StoredState {
 
   hal::RecordStore& store_;
   gcode::StoredPlaces saved_{};
+  Progress progress_{};
   bool found_damage_ = false;
 };
 

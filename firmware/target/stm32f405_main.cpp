@@ -1,5 +1,5 @@
-/// The controller on an STM32F405: the one file that knows both the firmware and
-/// this port. The build says which board it is for, by its header and its name.
+/// The controller on an STM32F405: start-up, main loop and ends, small rather than fast;
+/// stm32f405_steps.cpp has the step interrupt.
 
 #include <array>
 #include <bit>
@@ -7,43 +7,46 @@
 #include <cstdint>
 #include <span>
 
-#include KERFLINE_BOARD_HEADER
-#include "firmware/application.hpp"
 #include "firmware/link/link_choice.hpp"
 #include "firmware/machine/memory_watch.hpp"
 #include "firmware/steps/turn_gate.hpp"
 #include "firmware/store/flash_log.hpp"
+#include "firmware/target/stm32f405_controller.hpp"
 #include "hal/stm32f405/beam_watch.hpp"
 #include "hal/stm32f405/control_board.hpp"
 #include "hal/stm32f405/flash.hpp"
 #include "hal/stm32f405/image.hpp"
 #include "hal/stm32f405/patient_store.hpp"
-#include "hal/stm32f405/port.hpp"
-#include "hal/stm32f405/serial_line.hpp"
 #include "hal/stm32f405/start_up.hpp"
 #include "hal/stm32f405/time_base.hpp"
-#include "hal/stm32f405/usb/usb_line.hpp"
 #include "hal/stm32f405/watchdog.hpp"
 #include "planner/base/contract.hpp"
 
 namespace chip = hal::stm32f405;
 
+namespace target {
 namespace {
 
 using Bus = chip::MemoryBus;
-constexpr const chip::Board& kBoard = chip::KERFLINE_BOARD;
-using Port = chip::Port<kBoard>;
 using Power = chip::PowerPin<kBoard, Bus>;
-using SerialLine = chip::SerialLine<kBoard>;
-using UsbLine = chip::UsbLine<kBoard>;
 static_assert(hal::StepPort<Port>);
 static_assert(chip::StepTimer<Bus>::kTicksPerSecond == cnc::motion::kTicksPerSecond);
 static_assert(chip::StepTimer<Bus>::kTurnTicks == cnc::kTurnTicks);
 
+}  // namespace
+
+namespace {
+constinit chip::ByteRings line_rings{};
+constinit chip::ByteRings usb_rings{};
+}  // namespace
+
 // Start-up sets these up before it constructs the application.
 constinit Port port{};
-constinit SerialLine line{};
-constinit UsbLine usb_line{};
+constinit SerialLine line{line_rings};
+constinit UsbLine usb_line{usb_rings};
+
+namespace {
+
 cnc::LinkChoice link{usb_line, line};
 constinit chip::TimeBase<> clock_of_the_loop{};
 constinit chip::Flash<kBoard> flash{};
@@ -51,9 +54,15 @@ cnc::FlashLog log{flash};
 constinit chip::PatientStore<cnc::FlashLog> store{log};
 constinit chip::ChipBoard<kBoard> board{};
 constinit cnc::MemoryWatch image_watch{};
-cnc::Application<Port> application{port, port, port, store, link, &board};
+/// What a restart does not clear: this, and what follows the application.
+[[gnu::section(".noinit")]] cnc::KeptProgress kept_progress;
 
-/// What a restart does not clear.
+}  // namespace
+
+Application application{port, port, port, store, link, &board, &kept_progress};
+
+namespace {
+
 struct Kept {
   static constexpr std::uint32_t kBootLoader = 0x4446'5521;
 
@@ -211,25 +220,15 @@ void run_turn() {
 
 }  // namespace
 
-/// For a debugger: boundaries so far at which what was due to come in was not there yet.
-extern "C" std::uint32_t late_turns;
+}  // namespace target
+
 std::uint32_t late_turns = 0;
 
-namespace {
-
-/// Step interrupt: a turn begins, with what has come by now.
-void begin_turn() {
-  const std::uint32_t turn = application.begin_turn();
-  late_turns = application.steps().late_turns();
-  line.note_turn(turn);
-  usb_line.note_turn(turn);
-}
-
-}  // namespace
-
 void cnc::contract_failed(const char*, const char*, int) {
-  stop(chip::Fault::kContract, 0, address_of(__builtin_return_address(0)));
+  target::stop(chip::Fault::kContract, 0, target::address_of(__builtin_return_address(0)));
 }
+
+using namespace target;
 
 extern "C" {
 
@@ -289,9 +288,7 @@ extern const hal::TickCount* const step_tick;
 
 void supply_interrupt() { stop(chip::Fault::kSupply, 0, 0); }
 
-void step_interrupt() {
-  port.timer().on_interrupt([] { return application.on_step_interrupt(); }, begin_turn);
-}
+void step_interrupt();
 void line_interrupt() { line.on_interrupt(); }
 void usb_interrupt() { usb_line.on_interrupt(); }
 /// Above the step interrupt, which it supervises.

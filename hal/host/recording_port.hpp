@@ -18,12 +18,8 @@ class RecordingPort final : public AuxiliaryOutputs, public MachineInputs {
   // StepPort
   void set_direction(AxisMask negative) noexcept { negative_ = negative; }
   void raise_steps(AxisMask axes, AxisMask second) noexcept {
-    for (std::size_t axis = 0; axis < kMotors; ++axis) {
-      const unsigned bit = 1U << axis;
-      const std::int32_t step = (negative_.bits & bit) != 0 ? -1 : 1;
-      if ((axes.bits & bit) != 0) position[axis] += step;
-      if ((second.bits & bit) != 0) second_position[axis] += step;
-    }
+    count_steps(axes, position);
+    if (second.bits != 0) count_steps(second, second_position);
     changed = true;
   }
   void lower_steps() noexcept {}
@@ -101,6 +97,14 @@ class RecordingPort final : public AuxiliaryOutputs, public MachineInputs {
   InputState panel{};  ///< Door and buttons; whoever simulates the operator sets them.
 
  private:
+  /// Without a branch for each motor: which of them step next nobody can predict.
+  void count_steps(AxisMask axes, std::array<std::int32_t, kMotors>& steps) const noexcept {
+    for (std::size_t axis = 0; axis < kMotors; ++axis) {
+      const std::int32_t way = 1 - 2 * (negative_.bits >> axis & 1);
+      steps[axis] += way * (axes.bits >> axis & 1);
+    }
+  }
+
   AxisMask negative_{};
 };
 

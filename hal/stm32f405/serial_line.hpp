@@ -6,8 +6,8 @@
 #include <span>
 
 #include "hal/interface/byte_stream.hpp"
-#include "hal/interface/spsc_ring.hpp"
 #include "hal/stm32f405/board.hpp"
+#include "hal/stm32f405/byte_rings.hpp"
 #include "hal/stm32f405/turn_marks.hpp"
 
 namespace hal::stm32f405 {
@@ -21,11 +21,11 @@ template <const Board& kBoard, RegisterBus Bus = MemoryBus>
 class SerialLine final : public ByteStream {
  public:
   static constexpr std::byte kLostByte{0x7F};
-  /// What arrives in 88 ms at 115,200 baud: the longest that the main loop is away.
-  static constexpr std::uint32_t kReceiveBytes = 1024;
-  static constexpr std::uint32_t kSendBytes = 1024;
   static constexpr unsigned kInterrupt = CheckedBoard<kBoard>::kSerial.interrupt;
   static constexpr unsigned kPriority = 4;
+
+  constexpr explicit SerialLine(ByteRings& rings)
+      : received_{rings.received}, to_send_{rings.to_send} {}
 
   /// Once, with interrupts off.
   void set_up(const Clocks& clocks) noexcept {
@@ -103,7 +103,7 @@ class SerialLine final : public ByteStream {
   }
 
   void send() noexcept {
-    for (std::uint32_t sent = 0; sent < kSendBytes; ++sent) {
+    for (std::uint32_t sent = 0; sent < ByteRings::kSendBytes; ++sent) {
       if ((Bus::read(kPins.base + usart::kStatus) & usart::kRoomToSend) == 0) return;
       std::byte byte{};
       if (!to_send_.try_pop(byte)) {
@@ -114,8 +114,8 @@ class SerialLine final : public ByteStream {
     }
   }
 
-  SpscRing<std::byte, kReceiveBytes> received_{};
-  SpscRing<std::byte, kSendBytes> to_send_{};
+  SpscRing<std::byte, ByteRings::kReceiveBytes>& received_;
+  SpscRing<std::byte, ByteRings::kSendBytes>& to_send_;
   TurnMarks marks_{};
   std::atomic<std::uint32_t> lost_{0};
   bool gap_ = false;  ///< A byte found no room, and its place is not marked yet.

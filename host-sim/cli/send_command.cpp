@@ -1,51 +1,35 @@
 #include <fmt/format.h>
-#include <poll.h>
 
 #include <CLI/CLI.hpp>
-#include <array>
-#include <chrono>
-#include <cstdio>
-#include <fstream>
+#include <algorithm>
+#include <charconv>
 #include <memory>
 #include <stdexcept>
 
 #include "host-sim/cli/commands.hpp"
+#include "host-sim/cli/transfer.hpp"
 #include "host-sim/job/setting_line.hpp"
-#include "host-sim/report/duration_text.hpp"
-#include "host-sim/report/progress_bar.hpp"
-#include "host-sim/send/can_port.hpp"
-#include "host-sim/send/keys.hpp"
-#include "host-sim/send/port.hpp"
-#include "host-sim/send/sender.hpp"
-#include "host-sim/serve/server.hpp"
+#include "host-sim/send/approach.hpp"
 
 namespace sim {
 namespace {
-
-using Clock = std::chrono::steady_clock;
 
 constexpr const char* kSendFooter =
     "Examples:\n"
     "  kerfline send part.nc --port /dev/ttyACM0\n"
     "  kerfline send part.nc --tcp 127.0.0.1:2323 --checked --log part.log\n"
     "  kerfline send part.nc --can can0 --node 17\n"
+    "  kerfline send part.nc --port /dev/ttyACM0 --from-line 120\n"
+    "  kerfline send part.nc --port /dev/ttyACM0 --numbered\n"
+    "  kerfline send part.nc --port /dev/ttyACM0 --resume\n"
     "  kerfline cut part.dxf ... | kerfline send - --port /dev/ttyUSB0\n"
     "\n"
-    "Any Grbl controller; --checked asks for Kerfline. Keys at a terminal: ! or blank holds,\n"
+    "Any Grbl controller; --checked and --resume ask for Kerfline. What was sent --numbered or\n"
+    "--checked and was interrupted, by whatever, goes on with --resume where the beam went dark:\n"
+    "the controller is reset if it is held, and the path is driven dark up to that place. Keys at "
+    "a terminal: ! or blank holds,\n"
     "~ or r resumes, q or Ctrl-C holds and resets: the place stays known.\n"
     "Exit status: 0 all done and at rest, 1 refused, aborted or cut off, 2 the call is wrong.";
-
-struct SendCommandOptions {
-  std::string file;
-  std::string port;
-  std::string tcp;
-  std::string can;
-  std::string slcan;
-  int node = cnc::can::kUsualNode;
-  unsigned baud = 115'200;
-  std::string log;
-  SendOptions send{};
-};
 
 void add_options(CLI::App& command, SendCommandOptions& options) {
   command.add_option("file", options.file, "The program; - reads standard input")
@@ -74,6 +58,13 @@ void add_options(CLI::App& command, SendCommandOptions& options) {
       ->type_name("BYTES");
   command.add_flag(
       "--keep-going", options.send.goes_on_after_errors, "Go on after a line that is refused");
+  command.add_flag("--numbered", options.numbered, "With N in each line: --resume can go on then");
+  auto* const resume =
+      command.add_flag("--resume", options.resume, "Go on where the controller was interrupted");
+  command.add_option("--from-line", options.from_line, "Begin with this line of the file")
+      ->check(CLI::PositiveNumber)
+      ->excludes(resume)
+      ->type_name("LINE");
   command.add_option("--log", options.log, "Every line in both directions, with its time")
       ->type_name("FILE");
 }
@@ -81,8 +72,11 @@ void add_options(CLI::App& command, SendCommandOptions& options) {
 /// Lines that would never be taken are found before anything moves.
 void check_lengths(const std::vector<JobLine>& job, const SendCommandOptions& options) {
   constexpr std::size_t kLongest = 256;
-  constexpr std::size_t kNumberAndCheck = 17;
-  const std::size_t most = kLongest - (options.send.checked ? kNumberAndCheck : 0);
+  constexpr std::size_t kNumber = 8;
+  constexpr std::size_t kCheck = 9;
+  const std::size_t most = kLongest - (options.send.checked                 ? kNumber + kCheck
+                                       : options.numbered || options.resume ? kNumber
+                                                                            : 0);
   for (const JobLine& line : job) {
     if (line.text.size() <= most) continue;
     throw std::invalid_argument(
@@ -90,139 +84,101 @@ void check_lengths(const std::vector<JobLine>& job, const SendCommandOptions& op
   }
 }
 
-std::unique_ptr<Port> open_port(const SendCommandOptions& options) {
-  const auto node = static_cast<std::uint8_t>(options.node);
-  if (!options.tcp.empty()) return open_tcp_port(options.tcp);
-  if (!options.can.empty()) return open_can_port(options.can, node);
-  if (!options.slcan.empty()) return open_slcan_port(options.slcan, options.baud, node);
-  return open_serial_port(options.port, options.baud);
+/// What a controller says of itself before a job begins in its midst.
+struct Standing {
+  bool laser = false;
+  bool in_alarm = false;
+  std::uint32_t line = 0;  ///< Of a job, from 1; 0 for none that was interrupted.
+  bool known = false;      ///< And its place still holds.
+};
+
+void read_standing(std::string_view words, Standing& standing) {
+  if (words == "$32=1") standing.laser = true;
+  if (words.starts_with("<Alarm")) standing.in_alarm = true;
+  if (words.starts_with("<Idle")) standing.in_alarm = false;
+  constexpr std::string_view kResume = "[RESUME:";
+  if (!words.starts_with(kResume)) return;
+  words.remove_prefix(kResume.size());
+  std::from_chars(words.data(), words.data() + words.size(), standing.line);
+  standing.known = words.ends_with("|can]");
 }
 
-/// One job over one port, at a terminal or not.
-class Transfer {
- public:
-  Transfer(const SendCommandOptions& options, std::vector<JobLine> job)
-      : options_{options},
-        port_{open_port(options)},
-        lines_{job.size()},
-        sender_{std::move(job), options.send, now()} {
-    if (!options.log.empty()) open_log();
+/// Lines that are sent plain, before those of the job.
+ExitStatus say(const SendCommandOptions& options,
+               Line& line,
+               std::vector<JobLine> words,
+               Standing* standing) {
+  Transfer transfer{options, line, std::move(words), {.takes_up = options.resume}};
+  if (standing != nullptr) {
+    transfer.on_answer = [standing](std::string_view answer) { read_standing(answer, *standing); };
   }
+  return transfer.run();
+}
 
-  ExitStatus run() {
-    while (!sender_.over()) {
-      carry_out();
-      sleep();
-      carry_in();
-      tell_news();
-      if (!port_->open()) sender_.lose_link(port_->trouble());
-      sender_.attend(now());
-      attend_operator();
-      show();
-    }
-    carry_out();
-    bar_.clear();
-    return tell();
+std::size_t index_of(const std::vector<JobLine>& job, const SendCommandOptions& options) {
+  const auto found = std::find_if(job.begin(), job.end(), [&](const JobLine& line) {
+    return line.number >= options.from_line;
+  });
+  if (found == job.end()) {
+    throw std::invalid_argument(
+        fmt::format("{}: has no line {} to begin with", options.file, options.from_line));
   }
+  return static_cast<std::size_t>(found - job.begin());
+}
 
- private:
-  [[nodiscard]] Sender::Time now() const {
-    return std::chrono::duration_cast<Sender::Time>(Clock::now() - begun_);
+/// Where the controller was interrupted; throws std::invalid_argument where that is of no use.
+std::size_t index_of(const std::vector<JobLine>& job,
+                     const SendCommandOptions& options,
+                     const Standing& standing) {
+  if (standing.line == 0) {
+    throw std::invalid_argument("the controller knows of no job that was interrupted");
   }
-
-  void open_log() {
-    log_.open(options_.log);
-    if (!log_) throw std::invalid_argument(options_.log + ": cannot be written");
-    sender_.on_line = [this](char way, std::string_view line) { log(way, line); };
+  if (standing.line > job.size()) {
+    throw std::invalid_argument(fmt::format("{}: has {} lines, but line {} of them was interrupted",
+                                            options.file,
+                                            job.size(),
+                                            standing.line));
   }
-
-  void log(char way, std::string_view line) {
-    log_ << fmt::format("{:10.3f} {} {}\n", static_cast<double>(now().count()) / 1e3, way, line);
+  if (!standing.known) {
+    throw std::invalid_argument("the machine may have lost its place: home it before");
   }
+  return standing.line - 1;
+}
 
-  void tell_news() {
-    for (std::string news = port_->take_news(); !news.empty(); news = port_->take_news()) {
-      if (!options_.log.empty()) log('*', news);
-    }
-  }
-
-  void carry_out() {
-    sender_.acted(port_->act(sender_.realtime()));
-    for (;;) {
-      const std::string_view bytes = sender_.output();
-      if (bytes.empty()) return;
-      const std::size_t count = port_->write(bytes);
-      if (count == 0) return;
-      sender_.wrote(count);
-    }
-  }
-
-  void carry_in() {
-    std::array<char, 4096> bytes{};
-    for (;;) {
-      const std::size_t count = port_->read(bytes);
-      if (count == 0) return;
-      sender_.receive({bytes.data(), count}, now());
-    }
-  }
-
-  /// Until something comes, and not longer than a serial line takes to run dry.
-  void sleep() {
-    constexpr int kPeriodMs = 2;
-    waited_.clear();
-    port_->add_to(waited_);
-    ::poll(waited_.data(), waited_.size(), kPeriodMs);
-  }
-
-  void attend_operator() {
-    if (stop_.arrived()) sender_.abort();
-    const auto key = keys_.take();
-    if (!key) return;
-    if (*key == '!' || *key == ' ') sender_.hold();
-    if (*key == '~' || *key == 'r') sender_.resume();
-    if (*key == 'q') sender_.abort();
-  }
-
-  void show() {
-    const double done = sender_.progress();
-    const double seconds = static_cast<double>(now().count()) / 1e3;
-    const std::string left = done > 0.0 ? duration_text(seconds * (1.0 - done) / done) : "?";
-    bar_.update(
-        done,
-        fmt::format(
-            "{}/{} lines, {} left, {}", sender_.answered(), lines_, left, sender_.machine_state()),
-        Clock::now());
-  }
-
-  ExitStatus tell() const {
-    const bool fine = sender_.state() == Sender::State::kDone;
-    if (!fine) fmt::print(stderr, "kerfline: {}: {}\n", options_.file, sender_.trouble());
-    fmt::print("{}: {} of {} lines in {}, {} sent again, {} refused\n",
-               options_.file,
-               sender_.answered(),
-               lines_,
-               duration_text(static_cast<double>(now().count()) / 1e3),
-               sender_.resent(),
-               sender_.errors());
-    return fine ? ExitStatus::kFine : ExitStatus::kFaults;
-  }
-
-  const SendCommandOptions& options_;
-  Clock::time_point begun_ = Clock::now();
-  StopSignals stop_;
-  Keys keys_{};
-  std::unique_ptr<Port> port_;
-  std::vector<pollfd> waited_;
-  std::ofstream log_;
-  ProgressBar bar_{stderr, is_terminal(stderr), begun_};
-  std::size_t lines_;
-  Sender sender_;
-};
+/// Brings the machine to the line with which the job begins, and drops the lines before it.
+ExitStatus begin_within(const SendCommandOptions& options, Line& line, std::vector<JobLine>& job) {
+  Standing standing;
+  std::vector<JobLine> questions{{.text = "$$"}};
+  if (options.resume) questions.push_back({.text = "$RESUME"});
+  const ExitStatus asked = say(options, line, std::move(questions), &standing);
+  if (asked != ExitStatus::kFine) return asked;
+  const std::size_t index =
+      options.resume ? index_of(job, options, standing) : index_of(job, options);
+  Approach approach = approach_to(job, index, standing.laser);
+  std::vector<JobLine> lines;
+  if (standing.in_alarm) lines.push_back({.text = "$X"});
+  if (options.resume) lines.push_back({.text = fmt::format("$RESUME={}", standing.line)});
+  lines.insert(lines.end(), approach.lines.begin(), approach.lines.end());
+  const ExitStatus said = say(options, line, std::move(lines), nullptr);
+  job[index].text.insert(0, approach.motion);
+  fmt::print("{}: begins with line {}\n", options.file, job[index].number);
+  job.erase(job.begin(), job.begin() + static_cast<std::ptrdiff_t>(index));
+  return said;
+}
 
 ExitStatus send(const SendCommandOptions& options) {
   std::vector<JobLine> job = read_job(read_text(options.file));
   check_lengths(job, options);
-  return Transfer{options, std::move(job)}.run();
+  if (options.numbered || options.resume || options.send.checked) number_lines(job);
+  Line line{options};
+  if (!options.begins_at_start()) {
+    const ExitStatus begun = begin_within(options, line, job);
+    if (begun != ExitStatus::kFine) return begun;
+  }
+  Transfer transfer{options, line, std::move(job), options.send};
+  const ExitStatus status = transfer.run();
+  transfer.tell();
+  return status;
 }
 
 }  // namespace

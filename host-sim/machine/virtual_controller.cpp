@@ -88,7 +88,7 @@ void VirtualController::happen(const PlantedBreakdown& breakdown) {
 void VirtualController::restart() {
   port_.reset();
   report_change();
-  firmware_.emplace(port_, port_, port_, store_, link_);
+  firmware_.emplace(port_, port_, port_, store_, link_, nullptr, &kept_progress_);
   timer_runs_ = false;
   hangs_ms_ = 0;
   settings_revision_ = 0;

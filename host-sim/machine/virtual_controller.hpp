@@ -103,6 +103,7 @@ class VirtualController {
   hal::host::MemoryStore own_store_{};
   hal::RecordStore& store_;
   hal::ByteStream& link_;
+  cnc::KeptProgress kept_progress_{};
   std::optional<Firmware> firmware_;  ///< Never empty.
   std::optional<PlantedBreakdown> planted_;
   std::uint32_t hangs_ms_ = 0;  ///< Before the watchdog bites; 0 while the main loop runs.

@@ -44,4 +44,14 @@ std::vector<JobLine> read_job(std::string_view program) {
   return lines;
 }
 
+void number_lines(std::vector<JobLine>& job) {
+  std::uint32_t n = 0;
+  for (JobLine& line : job) {
+    line.n = ++n;
+    if (line.text.front() != 'N' && line.text.front() != 'n') continue;
+    const std::size_t end = line.text.find_first_not_of("0123456789", 1);
+    line.text.erase(0, end == std::string::npos ? line.text.size() : end);
+  }
+}
+
 }  // namespace sim

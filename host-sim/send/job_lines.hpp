@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,10 +12,15 @@ namespace sim {
 struct JobLine {
   std::string text;        ///< Without comments and blanks, never empty.
   std::size_t number = 0;  ///< In the file, from 1.
+  std::uint32_t n = 0;     ///< Sent with it as N; 0 for none.
 };
 
 /// What of a program is worth its way over a link: comments, blanks, empty lines and `%` mean
 /// nothing to any controller, and cost time. `$` lines stay as they are, and so do their blanks.
 [[nodiscard]] std::vector<JobLine> read_job(std::string_view program);
+
+/// Gives each line its place among them as number, from 1 on, instead of one that it may have: so
+/// a controller can tell which one it has come to.
+void number_lines(std::vector<JobLine>& job);
 
 }  // namespace sim

@@ -84,10 +84,21 @@ void Sender::take_status(const Answer& answer) {
   if (machine_state_.starts_with("Hold") || machine_state_.starts_with("Door")) wants_hold_ = false;
   if (machine_state_.starts_with("Run") || is_at_rest(machine_state_)) wants_resume_ = false;
   idle_reports_ = is_at_rest(machine_state_) ? idle_reports_ + 1 : 0;
+  if (options_.takes_up && machine_state_.starts_with("Alarm")) ++idle_reports_;
   if (state_ == State::kWaiting && idle_reports_ >= kIdleReports) enter(State::kDone);
-  if (state_ == State::kAsking && machine_state_.starts_with("Alarm")) {
-    fail("the controller is in alarm: home or unlock it first");
+  if (state_ == State::kAsking) judge_state();
+}
+
+/// Lines are sent to a machine that does nothing else.
+void Sender::judge_state() {
+  const bool alarm = machine_state_.starts_with("Alarm");
+  if (!options_.takes_up) {
+    if (alarm) fail("the controller is in alarm: home or unlock it first");
+    return;
   }
+  if (said_reset_ || alarm || is_at_rest(machine_state_) || !has_stopped(machine_state_)) return;
+  said_reset_ = true;
+  put_realtime('\x18');
 }
 
 void Sender::take_trouble(const Answer& answer) {
@@ -115,7 +126,7 @@ void Sender::take_plain(const Answer& answer) {
       return;
     case State::kBeginning:
       // Of a line that has a number and a check, a Grbl only says that it is wrong.
-      if (answer.kind != AnswerKind::kOk || !answer.checked || answer.line != 0) {
+      if (answer.kind != AnswerKind::kOk || !answer.checked || answer.line != first_n_ - 1) {
         if (answer.kind == AnswerKind::kError && questions_ > 3) {
           fail("the controller knows no checked lines: send without --checked");
         }
@@ -140,7 +151,8 @@ void Sender::take_checked(const Answer& answer) {
   const bool resend = answer.kind == AnswerKind::kResend;
   if (!resend && !answer.line) return;
   const std::uint32_t count = resend ? answer.number - 1 : *answer.line;
-  const std::size_t taken = begun_ + count;
+  if (count + 1 < first_n_) return;  // Of lines before.
+  const std::size_t taken = begun_ + (count + 1 - first_n_);
   if (taken > furthest_) return;  // Never sent.
   if (taken < answered_ && resend) {
     return fail(fmt::format("the controller wants line {} again, which it has acknowledged",

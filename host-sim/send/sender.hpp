@@ -20,6 +20,8 @@ struct SendOptions {
   /// little as keeps a serial line full, because all of it is sent again when one is damaged.
   std::size_t window = 0;
   bool goes_on_after_errors = false;
+  /// Resets a controller that is held, and speaks to one in alarm: to take up what was interrupted.
+  bool takes_up = false;
   std::uint32_t most_number = 9'999'999;  ///< Of a line; counting begins anew after it.
 };
 
@@ -85,6 +87,7 @@ class Sender {
   void take_line(std::string_view line);
   void meet(const Answer& answer);
   void take_status(const Answer& answer);
+  void judge_state();
   void take_trouble(const Answer& answer);
   void take_plain(const Answer& answer);
   void take_options();
@@ -102,6 +105,7 @@ class Sender {
   void put_realtime(char byte) { realtime_ += byte; }
   [[nodiscard]] std::string between_lines(char byte) const;
   [[nodiscard]] std::string text_of(std::size_t line) const;
+  [[nodiscard]] std::uint32_t number_of(std::size_t line) const;
   void answered_until(std::size_t line);
   [[nodiscard]] std::size_t window() const;
 
@@ -142,7 +146,8 @@ class Sender {
   std::size_t answered_ = 0;       ///< All before it are.
   std::deque<std::size_t> sizes_;  ///< Of the lines from answered_ to next_, in bytes,
   std::size_t on_their_way_ = 0;   ///< and their sum.
-  std::size_t begun_ = 0;          ///< The line that has the number 1.
+  std::size_t begun_ = 0;          ///< The line with which checked ones began,
+  std::uint32_t first_n_ = 1;      ///< and its number.
   std::size_t resent_ = 0;
   std::size_t errors_ = 0;
   std::size_t room_ = 0;                   ///< For lines, as the controller told it.
@@ -150,6 +155,7 @@ class Sender {
   Time room_told_{};
   bool numbers_lines_ = false;  ///< Checked lines have begun.
   bool told_options_ = false;
+  bool said_reset_ = false;
   unsigned answers_owed_ = 0;  ///< To questions.
   bool wants_hold_ = false;
   bool wants_resume_ = false;

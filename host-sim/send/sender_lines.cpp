@@ -27,7 +27,10 @@ void Sender::begin() {
   asked_ = now_;
   room_ = cnc::Receiver::kAdvertisedBytes;  // Only we know such lines; what it told may be damaged.
   begun_ = answered_;
-  put(with_crc("N0M110"));
+  first_n_ = begun_ < job_.size() && job_[begun_].n <= options_.most_number
+                 ? std::max(1U, job_[begun_].n)
+                 : 1U;
+  put(with_crc(fmt::format("N{}M110", first_n_ - 1)));
 }
 
 void Sender::send_end() {
@@ -43,14 +46,19 @@ std::size_t Sender::window() const {
 }
 
 std::string Sender::text_of(std::size_t line) const {
-  const std::string& text = job_[line].text;
-  return numbers_lines_ ? with_crc(fmt::format("N{}{}", line - begun_ + 1, text)) : text;
+  const auto& [text, number, n] = job_[line];
+  if (numbers_lines_) return with_crc(fmt::format("N{}{}", number_of(line), text));
+  return n == 0 || text.starts_with('$') ? text : fmt::format("N{}{}", n, text);
+}
+
+std::uint32_t Sender::number_of(std::size_t line) const {
+  return first_n_ + static_cast<std::uint32_t>(line - begun_);
 }
 
 void Sender::send_lines() {
   if (state_ != State::kSending) return;
   while (next_ < job_.size()) {
-    if (numbers_lines_ && next_ - begun_ >= options_.most_number) break;
+    if (numbers_lines_ && number_of(next_) > options_.most_number) break;
     std::string line = text_of(next_);
     // A line that is longer than the window goes alone.
     const std::size_t size = line.size() + 1;

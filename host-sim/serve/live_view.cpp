@@ -151,9 +151,9 @@ std::string LiveView::path_text(Watcher& watcher) const {
 
 template <typename Question>
 auto LiveView::ask(Question question) -> std::optional<std::invoke_result_t<Question>> {
-  using Answer = std::invoke_result_t<Question>;
-  const auto task = std::make_shared<std::packaged_task<Answer()>>(std::move(question));
-  std::future<Answer> answer = task->get_future();
+  using Answered = std::invoke_result_t<Question>;
+  const auto task = std::make_shared<std::packaged_task<Answered()>>(std::move(question));
+  std::future<Answered> answer = task->get_future();
   {
     const std::lock_guard lock{mutex_};
     questions_.emplace_back([task] { (*task)(); });

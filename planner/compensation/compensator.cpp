@@ -32,7 +32,7 @@ std::optional<Fault> Compensator::refusal_of(const path::PathItem& item) const {
   const PathElement& element = item.request.element;
   const PlaneAxes axes = axes_of(plane_);
   Fault fault = chain_.fault(Reason::kOtherAxis, chain_.size(), chain_.size());
-  fault.line = item.request.line;
+  fault.line = item.request.line.number;
   if (element.bulge != 0.0F && element.plane != plane_) return fault;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     if (axis == axes.first || axis == axes.second) continue;

@@ -256,7 +256,9 @@ Fault OffsetChain::fault(Reason reason, std::size_t index, std::size_t other) co
   const auto number = [this](std::size_t i) {
     return forgotten_ + static_cast<std::uint32_t>(i) + 1;
   };
-  const auto line = [this](std::size_t i) { return i < size_ ? at(i).line : 0; };
+  const auto line = [this](std::size_t i) {
+    return i < size_ ? std::uint32_t{at(i).line.number} : 0U;
+  };
   return {.reason = reason,
           .element = number(index),
           .line = line(index),

@@ -34,7 +34,7 @@ struct HeldElement {
   float feed_mm_s = 0.0F;
   motion::BeamCommand beam{};
   path::Tolerance tolerance{};
-  std::uint32_t line = 0;
+  motion::SourceLine line{};
   motion::OutputChanges outputs{};
   bool continues = false;
   std::array<Stretch, kKinds> stretches{};

@@ -23,6 +23,7 @@ enum class ActionKind : std::uint8_t {
   kSpindleSpeed,  ///< `value` is the new S.
   kSpindle,       ///< M3, M4, M5: `spindle`.
   kCoolant,       ///< M7, M8, M9: `coolant` is the new state.
+  kCompensation,  ///< G40, G41.1, G42.1: `compensation`, in `plane`.
   kTool,          ///< `number` is the selected T.
   kToolChange,    ///< M6: `number` is the tool to be put in.
   kOutput,        ///< M62…M65, M67, M68: `output`.
@@ -32,6 +33,17 @@ enum class ActionKind : std::uint8_t {
 };
 
 enum class SpindleMode : std::uint8_t { kOff, kConstant, kDynamic };  ///< M5, M3, M4.
+
+/// Beside the path, as it is driven.
+enum class CutterSide : std::uint8_t { kOn, kLeft, kRight };  ///< G40, G41.1, G42.1.
+
+/// How far beside.
+struct CutterCompensation {
+  CutterSide side = CutterSide::kOn;
+  /// D: of the whole cut.
+  float width_mm = 0.0F;
+  constexpr bool operator==(const CutterCompensation&) const = default;
+};
 
 struct Coolant {
   bool mist = false;
@@ -78,6 +90,7 @@ struct Action {
   /// list of actions: until the next line.
   const Spline* spline = nullptr;
 
+  CutterCompensation compensation{};
   ProbeMode probe{};
   float seconds = 0.0F;
   float value = 0.0F;

@@ -9,9 +9,9 @@
 
 namespace cnc::gcode {
 
-/// The most that one line can ask for: S, T, M6, output, spindle, coolant, offsets,
-/// either two legs of G28 or a dwell and a motion, stop.
-inline constexpr std::size_t kMostActions = 10;
+/// The most that one line can ask for: S, T, M6, output, spindle, coolant,
+/// compensation, offsets, either two legs of G28 or a dwell and a motion, stop with G40 before it.
+inline constexpr std::size_t kMostActions = 12;
 
 /// The actions of one line, filled in place: an action is large, and making it
 /// elsewhere only to copy it would cost more than reading its line.

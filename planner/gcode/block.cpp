@@ -65,7 +65,7 @@ Refusal Block::add_modal(const Word& word, const Result<const ModalWord*, FaultD
 }
 
 Refusal Block::add_value(const Word& word) {
-  constexpr std::uint32_t kKnown = mask_of("ABCEFIJKLNPQRSTXYZ");
+  constexpr std::uint32_t kKnown = mask_of("ABCDEFIJKLNPQRSTXYZ");
   constexpr std::uint32_t kNeverNegative = mask_of("FNST");
   constexpr std::uint32_t kAlwaysWhole = mask_of("LNT");
   const std::uint32_t bit = bit_of(word.letter);

@@ -30,9 +30,10 @@ void adopt(const Block& block, ModalGroup group, Mode& mode) {
 /// its own line.
 Refusal Execution::run() {
   using Step = Refusal (Execution::*)();
-  static constexpr std::array<Step, 18> kOrder{{
+  static constexpr std::array<Step, 20> kOrder{{
       &Execution::check_signs,
       &Execution::check_open_nurbs,
+      &Execution::check_compensated_words,
       &Execution::number_line,
       &Execution::set_feed,
       &Execution::set_spindle_speed,
@@ -43,6 +44,7 @@ Refusal Execution::run() {
       &Execution::set_coolant,
       &Execution::dwell,
       &Execution::set_tool_length,
+      &Execution::set_compensation,
       &Execution::set_path_control,
       &Execution::set_offsets,
       &Execution::go_to_stored_place,
@@ -244,6 +246,8 @@ Refusal Execution::stop() {
   const auto word = block_.meaning<Stop>(ModalGroup::kStop);
   if (word == Stop::kEnd) {
     end_program();
+  } else if (next_.modal.compensation.side != CutterSide::kOn) {
+    return block_.blame(FaultDetail::kNotBesideThePath, ModalGroup::kStop);
   } else {
     actions_.append(ActionKind::kPause).number = word == Stop::kOptionalPause ? 1 : 0;
   }
@@ -261,6 +265,10 @@ void Execution::end_program() {
   modal.coordinate_system = 0;
   modal.spindle = SpindleMode::kOff;
   modal.coolant = Coolant{};
+  if (modal.compensation.side != CutterSide::kOn) {
+    modal.compensation = {};
+    static_cast<void>(actions_.append(ActionKind::kCompensation));
+  }
   static_cast<void>(actions_.append(ActionKind::kEnd));
 }
 

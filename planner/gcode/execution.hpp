@@ -67,9 +67,9 @@ class Execution {
     std::optional<ControlPoint> point{};
   };
 
-  // The steps, in execution.cpp; G64 in execution_path.cpp, offsets in execution_offsets.cpp,
-  // motion in execution_motion.cpp, arcs in execution_arc.cpp, splines in execution_spline.cpp and
-  // execution_nurbs.cpp, jogs in execution_jog.cpp.
+  // The steps, in execution.cpp; G64 in execution_path.cpp, G41.1 in execution_compensation.cpp,
+  // offsets in execution_offsets.cpp, motion in execution_motion.cpp, arcs in execution_arc.cpp,
+  // splines in execution_spline.cpp and execution_nurbs.cpp, jogs in execution_jog.cpp.
   void set_modes();
   [[nodiscard]] Refusal check_signs();
   [[nodiscard]] Refusal number_line();
@@ -82,6 +82,9 @@ class Execution {
   [[nodiscard]] Refusal set_spindle();
   [[nodiscard]] Refusal set_coolant();
   [[nodiscard]] Refusal dwell();
+  [[nodiscard]] Refusal set_compensation();
+  [[nodiscard]] Refusal read_compensation(CutterCompensation& wanted);
+  [[nodiscard]] Refusal check_compensated_words();
   [[nodiscard]] Refusal set_path_control();
   [[nodiscard]] Refusal take_tolerance(char letter, std::optional<float>& tolerance_mm);
   [[nodiscard]] Refusal set_tool_length();

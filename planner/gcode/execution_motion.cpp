@@ -87,6 +87,9 @@ Refusal Execution::move_straight() {
 /// probe really stopped.
 Refusal Execution::probe() {
   if (!block_.has_axis_word()) return blame_motion(FaultDetail::kAxisWordsMissing);
+  if (next_.modal.compensation.side != CutterSide::kOn) {
+    return blame_motion(FaultDetail::kNotBesideThePath);
+  }
   Position target = next_.position;
   if (const auto fault = read_target(target)) return fault;
   if (target == next_.position) return blame_motion(FaultDetail::kProbeGoesNowhere);

@@ -93,10 +93,13 @@ enum class FaultDetail : std::uint8_t {
   kTooManyPowers,
   kPowersNeedLaser,
   kPowersNeedLine,
+  kNotBesideThePath,
+  kAlreadyBesideThePath,
+  kNotACutWidth,
 };
 
 inline constexpr std::size_t kFaultDetailCount =
-    static_cast<std::size_t>(FaultDetail::kPowersNeedLine) + 1;
+    static_cast<std::size_t>(FaultDetail::kNotACutWidth) + 1;
 
 /// Why a line was refused. A refused line changes nothing and moves nothing.
 struct Fault {

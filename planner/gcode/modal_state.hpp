@@ -62,6 +62,7 @@ struct ModalState {
   Units units = Units::kMillimetres;
   std::uint8_t coordinate_system = 0;  ///< 0 is G54.
   PathControl path{};
+  CutterCompensation compensation{};
   bool tool_length_in_use = false;  ///< G43.1, else G49.
   SpindleMode spindle = SpindleMode::kOff;
   Coolant coolant{};

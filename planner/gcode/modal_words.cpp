@@ -18,7 +18,7 @@ constexpr ModalWord word(std::uint16_t tenths, ModalGroup group, Meaning meaning
 using enum ModalGroup;
 
 /// The motion words come first: they are looked up most.
-constexpr std::array<ModalWord, 50> kGWords{{
+constexpr std::array<ModalWord, 52> kGWords{{
     word(0, kMotion, MotionMode::kRapid),
     word(10, kMotion, MotionMode::kLine),
     word(20, kMotion, MotionMode::kArcClockwise),
@@ -42,7 +42,9 @@ constexpr std::array<ModalWord, 50> kGWords{{
     word(383, kMotion, MotionMode::kProbeContactOrNot),
     word(384, kMotion, MotionMode::kProbeRelease),
     word(385, kMotion, MotionMode::kProbeReleaseOrNot),
-    word(400, kCutterRadius, 0),
+    word(400, kCutterRadius, CutterRadius::kOff),
+    word(411, kCutterRadius, CutterRadius::kLeft),
+    word(421, kCutterRadius, CutterRadius::kRight),
     word(431, kToolLength, ToolLength::kSet),
     word(490, kToolLength, ToolLength::kCancel),
     word(530, kNonModal, NonModal::kMachineCoordinates),
@@ -93,7 +95,8 @@ constexpr std::array<ModalWord, 17> kMWords{{
 
 /// Whole numbers that other controllers give decimals to: G49.1 is a word that
 /// is not supported, whereas G1.5 is a slip.
-constexpr std::array<std::uint32_t, 10> kKnownWithDecimals{5, 28, 30, 38, 43, 49, 61, 90, 91, 92};
+constexpr std::array<std::uint32_t, 12> kKnownWithDecimals{
+    5, 28, 30, 38, 41, 42, 43, 49, 61, 90, 91, 92};
 
 const ModalWord* find(std::span<const ModalWord> words, std::uint32_t tenths) {
   for (const ModalWord& word : words) {

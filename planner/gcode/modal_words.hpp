@@ -19,7 +19,7 @@ enum class ModalGroup : std::uint8_t {
   kArcDistance,       ///< G group 4, DistanceMode
   kFeedMode,          ///< G group 5, FeedMode
   kUnits,             ///< G group 6, Units
-  kCutterRadius,      ///< G group 7, only G40: nothing to choose
+  kCutterRadius,      ///< G group 7, CutterRadius
   kToolLength,        ///< G group 8, ToolLength
   kCoordinateSystem,  ///< G group 12, index of the system
   kPathControl,       ///< G group 13, PathMode
@@ -47,6 +47,7 @@ enum class NonModal : std::uint8_t {
   kRestoreG92,          ///< G92.3
 };
 
+enum class CutterRadius : std::uint8_t { kOff, kLeft, kRight };        ///< G40, G41.1, G42.1.
 enum class ToolLength : std::uint8_t { kSet, kCancel };                ///< G43.1, G49.
 enum class Stop : std::uint8_t { kPause, kOptionalPause, kEnd };       ///< M0, M1, M2 and M30.
 enum class CoolantWord : std::uint8_t { kMist, kFlood, kOff, kBoth };  ///< M7, M8, M9, M7 M8.

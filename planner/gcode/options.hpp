@@ -25,6 +25,7 @@ struct Options {
   /// step counters hold may be less than what a Coordinate does.
   Position reach = kFarthestPosition;
   float largest_path_tolerance_mm = 10.0F;  ///< P and Q of G64; as $11.
+  float widest_cut_mm = 100.0F;             ///< D of G41.1.
   float longest_dwell_s = 86'400.0F;        ///< A day: whoever writes more meant milliseconds.
 };
 

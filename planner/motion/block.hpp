@@ -7,6 +7,7 @@
 #include "planner/base/step_position.hpp"
 #include "planner/motion/pixels.hpp"
 #include "planner/motion/segment.hpp"
+#include "planner/motion/source_line.hpp"
 #include "planner/motion/turning.hpp"
 
 namespace cnc::motion {
@@ -84,8 +85,8 @@ struct Block {
   BlockZones tail{};  ///< From blocks behind it.
 
   BeamCommand beam{};
-  RowPart row{};           ///< Where there is one, its pixels say the duty.
-  std::uint32_t line = 0;  ///< Source line, for reports.
+  RowPart row{};  ///< Where there is one, its pixels say the duty.
+  SourceLine line{};
 
   [[nodiscard]] bool is_rapid() const { return feed <= 0.0F; }
   [[nodiscard]] bool turns() const { return turn.curvature > 0.0F; }

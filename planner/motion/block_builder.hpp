@@ -20,7 +20,7 @@ struct MotionRequest {
   BeamCommand beam{};
   RowPart row{};  ///< Where there is one, its pixels say the duty.
   OutputChanges outputs{};
-  std::uint32_t line = 0;
+  SourceLine line{};
   bool fixed_feed = false;  ///< Overrides do not touch it: jogs, homing, parking.
 };
 

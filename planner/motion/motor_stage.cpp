@@ -61,11 +61,13 @@ float MotorStage::cell_seconds() const {
 }
 
 /// What goes out first is the time before the motion, in which shapers begin.
-void MotorStage::begin(float duty, const void* owner) {
+void MotorStage::begin(const PlannedSlice& slice, const void* owner) {
   at_rest_ = false;
   owner_ = owner;
-  rest_duty_ = setting_.dark_at_rest ? 0.0F : duty;
+  rest_duty_ = setting_.dark_at_rest ? 0.0F : slice.start_duty;
   outputs_.clear(grid_.ahead + 2);
+  lines_.begin(slice.line, grid_.ahead + 2);
+  line_ = slice.line;
   for (std::uint32_t cell = 0; cell < grid_.ahead; ++cell) {
     outputs_.hold(rest_duty_, grid_.cell_ticks);
     outputs_.close_cell();
@@ -74,10 +76,11 @@ void MotorStage::begin(float duty, const void* owner) {
 
 void MotorStage::add(const PlannedSlice& slice, const void* owner) {
   CNC_ASSERT(slice.duration_ns <= room_ns());
-  if (at_rest_) begin(slice.start_duty, owner);
+  if (at_rest_) begin(slice, owner);
   CNC_ASSERT(owner_ == owner);
   rests_ = false;
   tool_ = slice.end;
+  line_ = slice.line;
   used_ns_ += slice.duration_ns;
   if (!setting_.dark_at_rest) rest_duty_ = slice.end_duty;
   outputs_.add(slice, (used_ns_ + kNsPerTick / 2) / kNsPerTick);
@@ -92,6 +95,7 @@ void MotorStage::close_cell() {
   CNC_ASSERT(room_ns() == 0 && out_tick_ == grid_.cell_ticks);
   history_.push(tool_);
   outputs_.close_cell();
+  lines_.add(line_);
   cells_at_rest_ = rests_ ? cells_at_rest_ + 1 : 0;
   used_ns_ = 0;
   rests_ = true;
@@ -138,6 +142,7 @@ bool MotorStage::take(Segment& segment) {
   segment = {};
   segment.ticks = piece.ticks;
   segment.outputs = piece.outputs;
+  segment.line = lines_.line();
   segment.power = power_course(
       static_cast<float>(piece.start) * kDuty, static_cast<float>(piece.end) * kDuty, piece.ticks);
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) time_train(axis, end_tick, segment);

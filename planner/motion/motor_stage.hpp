@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "planner/motion/backlash.hpp"
+#include "planner/motion/line_delay.hpp"
 #include "planner/motion/output_delay.hpp"
 #include "planner/motion/place_history.hpp"
 #include "planner/motion/planned_slice.hpp"
@@ -101,7 +102,7 @@ class MotorStage {
 
   [[nodiscard]] std::uint32_t cell_ns() const;
   [[nodiscard]] float cell_seconds() const;
-  void begin(float duty, const void* owner);
+  void begin(const PlannedSlice& slice, const void* owner);
   void lay_course(std::size_t axis, StepPosition tool);
   [[nodiscard]] StepPosition place_at(const Course& course, std::uint32_t tick) const;
   void time_train(std::size_t axis, std::uint32_t end_tick, Segment& segment);
@@ -116,12 +117,14 @@ class MotorStage {
   // Of the cell being filled.
   std::uint32_t used_ns_ = 0;
   bool rests_ = true;       ///< No slice so far.
-  Places tool_{};           ///< Where the plan has come to.
+  Places tool_{};           ///< Where the plan has come to…
+  SourceLine line_{};       ///< …and on which line.
   float rest_duty_ = 0.0F;  ///< When it stands still.
   std::uint32_t cells_at_rest_ = 0;
 
   PlaceHistory history_{};
   OutputDelay outputs_{};
+  LineDelay lines_{};
   AxisArray<Backlash> backlash_{};
 
   // Of the cell that goes out.

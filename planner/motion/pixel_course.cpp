@@ -9,6 +9,7 @@ void PixelCourse::begin(const Block& block, PathUnits length) {
   length_ = length;
   change_ = length;
   duty_ = block.beam.duty;
+  line_ = block.line;
   if (!row_.any()) return;
   CNC_ASSERT(pixels_ != nullptr);
   pixels_->drop_before(row_.first);
@@ -30,13 +31,14 @@ void PixelCourse::pass(PathUnits place) {
 void PixelCourse::take_front() {
   const Pixel& pixel = pixels_->front();
   duty_ = pixel.duty;
+  line_ = pixel.line;
   change_ = length_;
   if (pixel.end_mm >= row_.to_mm) return;
   const float from_start = std::max(0.0F, pixel.end_mm - row_.from_mm) * scale_;
   change_ = std::min(to_units(from_start), length_);
 }
 
-std::uint32_t line_of(const Block& block, const Pixels& pixels) {
+SourceLine line_of(const Block& block, const Pixels& pixels) {
   const bool known = block.row.any() && !pixels.empty();
   const bool of_its_row = known && static_cast<std::int32_t>(pixels.first() - block.row.first) >= 0;
   return of_its_row ? pixels.front().line : block.line;

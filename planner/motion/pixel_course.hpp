@@ -21,6 +21,8 @@ class PixelCourse {
   [[nodiscard]] PathUnits next_change() const { return change_; }
   /// Of the beam at the present place, see BeamCommand.
   [[nodiscard]] float duty() const { return duty_; }
+  /// Where that comes from.
+  [[nodiscard]] SourceLine line() const { return line_; }
 
  private:
   void take_front();
@@ -31,9 +33,10 @@ class PixelCourse {
   PathUnits length_ = 0;  ///< Of the block.
   PathUnits change_ = 0;
   float duty_ = 0.0F;
+  SourceLine line_{};
 };
 
 /// The source line that is being driven, or comes first. @param block the oldest
-[[nodiscard]] std::uint32_t line_of(const Block& block, const Pixels& pixels);
+[[nodiscard]] SourceLine line_of(const Block& block, const Pixels& pixels);
 
 }  // namespace cnc::motion

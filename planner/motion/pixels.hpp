@@ -5,14 +5,15 @@
 #include <cstdint>
 
 #include "planner/base/contract.hpp"
+#include "planner/motion/source_line.hpp"
 
 namespace cnc::motion {
 
 /// A stretch of a row on which the power is the same.
 struct Pixel {
-  float end_mm = 0.0F;     ///< From the start of its row, at most 100 mm; to 1e-5 mm.
-  float duty = 0.0F;       ///< As in BeamCommand.
-  std::uint32_t line = 0;  ///< Source line, for reports.
+  float end_mm = 0.0F;  ///< From the start of its row, at most 100 mm; to 1e-5 mm.
+  float duty = 0.0F;    ///< As in BeamCommand.
+  SourceLine line{};
 };
 
 /// What an element drives of a row of pixels; nothing where its power is all the same.

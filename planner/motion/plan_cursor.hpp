@@ -19,7 +19,9 @@ namespace cnc::motion {
 /// Main loop only.
 class PlanCursor {
  public:
-  PlanCursor(BlockQueue& queue, const Limits& limits) : queue_{queue}, limits_{limits} {}
+  /// @param profile for nobody else while the plan moves
+  PlanCursor(BlockQueue& queue, const Limits& limits, SpeedProfile& profile)
+      : queue_{queue}, limits_{limits}, profile_{profile} {}
 
   /// The next stretch, at most `most_ns` long, within one block and phase; of no
   /// duration when the plan stands still: everything planned, or halted, or it stands
@@ -40,6 +42,8 @@ class PlanCursor {
 
   /// The front of the queue is about to be taken away. @pre the plan has left it
   void block_left();
+  /// Somebody else has used the profile. @pre at rest
+  void take_up_profile();
   /// Forgets everything; the queue is empty.
   void reset();
 
@@ -79,6 +83,7 @@ class PlanCursor {
 
   BlockQueue& queue_;
   const Limits& limits_;
+  SpeedProfile& profile_;
   Overrides overrides_{};
   PlanTerms terms_{};
   std::uint64_t untried_ns_ = 0;    ///< Since a higher pace was last tried.
@@ -103,7 +108,6 @@ class PlanCursor {
   PathUnits phase_from_ = 0;
   float speed_ = 0.0F;         ///< mm/s.
   float entry_square_ = 0.0F;  ///< v² with which the next block is begun.
-  SpeedProfile profile_{};     ///< Last, for it is large.
 };
 
 }  // namespace cnc::motion

@@ -1,4 +1,5 @@
-// What happens to a plan that is being driven: more blocks, other overrides, holds.
+// How a plan begins, and what happens to it while it is driven: more blocks, other overrides,
+// holds.
 
 #include <algorithm>
 
@@ -11,6 +12,62 @@ namespace {
 constexpr std::uint64_t kBetweenTriesNs = 20'000'000;
 
 }  // namespace
+
+/// The end of the chain of blocks that begins at the present one: the next that begins
+/// from rest, or the end of the queue.
+std::size_t PlanCursor::chain_end() const {
+  std::size_t end = index_ + 1;
+  while (end < queue_.size() && !queue_.at(end).from_rest) ++end;
+  return end;
+}
+
+TimeWindow PlanCursor::choose_window() {
+  queue_.stand();
+  const std::size_t end = chain_end();
+  std::uint8_t axes = 0;
+  for (std::size_t index = index_; index < end; ++index) {
+    axes = static_cast<std::uint8_t>(axes | moving_axes(queue_.at(index)));
+  }
+  const TimeWindow longest = window_for(limits_, axes);
+  const bool stop_known = end < queue_.size() || queue_.ends();
+  if (!longest.filters() || !stop_known) return longest;
+  // A pace that is lower than programmed may yet be raised.
+  const Overrides greatest = greater_pace(overrides_, {});
+  WindowChoice choice{limits_};
+  for (std::size_t index = index_; index < end; ++index) {
+    const Block& block = queue_.at(index);
+    const bool begun = driving_ && index == index_;
+    choice.add(block,
+               begun ? to_mm(length_ - place_) : block.length,
+               SpeedCap{block, greatest}.square_within(block.speed_limit_square));
+  }
+  const TimeWindow window = choice.window();
+  if (end == queue_.size() && window != longest) queue_.stop_at_end();
+  return window;
+}
+
+void PlanCursor::reset() {
+  since_speeding_up_ns_ = kLongAgo;
+  since_braking_ns_ = kLongAgo;
+  overtaken_ = false;
+  braking_from_ = 0.0F;
+  clock_ = {};
+  lead_ = 0;
+  postponed_ns_ = 0;
+  index_ = 0;
+  driving_ = false;
+  phase_ = {};
+  speed_ = 0.0F;
+  entry_square_ = 0.0F;
+}
+
+void PlanCursor::take_up_profile() {
+  phase_ = {};
+  if (!driving_) return;
+  queue_.plan(limits_, terms_, index_);
+  profile_.begin_within(
+      queue_.at(index_), limits_, terms_, queue_.exit_of(index_), to_mm(length_ - place_));
+}
 
 void PlanCursor::set_overrides(const Overrides& overrides) {
   overrides_ = overrides;

@@ -15,6 +15,7 @@ struct PlannedSlice {
   float start_duty = 0.0F;  ///< Of the output, 0…1; it changes evenly.
   float end_duty = 0.0F;
   OutputChanges outputs{};  ///< At its start.
+  SourceLine line{};
 };
 
 /// Of two changes before the same segment the later wins, output by output.

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "planner/base/axes.hpp"
+#include "planner/motion/source_line.hpp"
 
 namespace cnc::motion {
 
@@ -61,6 +62,7 @@ struct Segment {
   std::uint8_t negative = 0;   ///< Bit i: axis i runs backwards.
   bool comes_to_rest = false;  ///< The plan stands still after it: an empty queue is no fault.
   OutputChanges outputs{};     ///< At its start.
+  SourceLine line{};           ///< Where it begins, or one before.
   AxisArray<StepTrain> trains{};
 };
 

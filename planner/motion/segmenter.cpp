@@ -28,7 +28,7 @@ void Segmenter::reset(const AxisArray<StepPosition>& place) {
   queue_.clear();
   plan_.reset();
   window_ = {};
-  filter_ = {};
+  if (room_.user == this) room_.user = nullptr;
   plan_.set_window({});
   course_ = {};
   elapsed_ns_ = 0;
@@ -68,12 +68,14 @@ bool Segmenter::next(std::uint32_t most_ns, PlannedSlice& slice) {
   if (!ready_stretch()) return false;
   slice = {};
   if (ready_block()) {
+    slice.line = power_.line();
     const Cut cut = cut_slice(most_ns);
     move_to(cut.to);
     slice.duration_ns = cut.duration_ns;
     slice.start_duty = cut.duty.start;
     slice.end_duty = cut.duty.end;
   } else {
+    slice.line = power_.line();
     pass_to_rest();
   }
   slice.end = place_steps_;
@@ -100,11 +102,13 @@ void Segmenter::make_segment(Segment& segment) {
     segment.ticks = 1;
     remainder_ns_ -= kNanosecondsPerTick;
   }
+  segment.line = joined_.line;
   segment.comes_to_rest = speed_ <= 0.0F;
 }
 
 void Segmenter::begin_joined() {
   joined_.from = place_steps_;
+  joined_.line = power_.line();
   joined_.speeds = {};
   joined_.duration_ns = 0;
   joined_.monotonic_to = reversals_.next();
@@ -162,13 +166,25 @@ bool Segmenter::ready_stretch() {
   return true;
 }
 
+/// True: from now on, until the motion stands, what is in there is this segmenter's.
+bool Segmenter::has_room() {
+  if (room_.user == this) return true;
+  const bool used = room_.user != nullptr && !room_.user->stands();
+  if (used || drive_ == Drive::kHalt) return false;
+  room_.user = this;
+  room_.filter.begin(window_);
+  plan_.take_up_profile();
+  return true;
+}
+
 /// From the plan itself, or from what the filter makes of it.
 Stretch Segmenter::next_stretch() {
-  const bool stands = plan_.speed() <= 0.0F && filter_.at_rest();
+  if (!has_room()) return {};
+  const bool stands = plan_.speed() <= 0.0F && room_.filter.at_rest();
   if (stands && drive_ == Drive::kOn) choose_window();
   if (!window_.filters()) return plan_.next(kLongestSliceNs, drive_, true);
   Stretch stretch;
-  while (!stretch.lasts() && fill_cell()) stretch = filter_.take();
+  while (!stretch.lasts() && fill_cell()) stretch = room_.filter.take();
   return stretch;
 }
 
@@ -179,20 +195,20 @@ void Segmenter::choose_window() {
   if (window == window_) return;
   window_ = window;
   plan_.set_window(window);
-  filter_.begin(window);
+  room_.filter.begin(window);
 }
 
 /// False when neither plan nor motion move.
 bool Segmenter::fill_cell() {
-  const bool may_start = filter_.at_rest();
+  const bool may_start = room_.filter.at_rest();
   bool moves = !may_start;
-  while (filter_.room_ns() > 0) {
-    const Stretch stretch = plan_.next(filter_.room_ns(), drive_, may_start && !moves);
+  while (room_.filter.room_ns() > 0) {
+    const Stretch stretch = plan_.next(room_.filter.room_ns(), drive_, may_start && !moves);
     if (stretch.lasts()) {
-      filter_.add(stretch);
+      room_.filter.add(stretch);
       moves = true;
     } else if (moves) {
-      filter_.rest();
+      room_.filter.rest();
     } else {
       return false;
     }

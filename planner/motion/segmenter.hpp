@@ -2,13 +2,13 @@
 
 #include <cstdint>
 
-#include "planner/motion/motion_filter.hpp"
 #include "planner/motion/motor_path.hpp"
 #include "planner/motion/pixel_course.hpp"
 #include "planner/motion/plan_cursor.hpp"
 #include "planner/motion/planned_slice.hpp"
 #include "planner/motion/reversals.hpp"
 #include "planner/motion/segment.hpp"
+#include "planner/motion/segmenter_room.hpp"
 
 namespace cnc::motion {
 
@@ -49,9 +49,14 @@ class Segmenter {
   /// Ticks: of these motors and beams take no notice, and 63 of them are six milliseconds.
   static constexpr std::uint32_t kShortestSegment = kTicksPerSecond / 10'000;
 
+  /// @param room may be shared with segmenters that stand while this one moves
   /// @param pixels of the blocks' rows; null where no block has any
-  Segmenter(BlockQueue& queue, const Limits& limits, Pixels* pixels = nullptr)
-      : queue_{queue}, limits_{limits}, power_{pixels}, plan_{queue, limits} {}
+  Segmenter(BlockQueue& queue, const Limits& limits, SegmenterRoom& room, Pixels* pixels = nullptr)
+      : queue_{queue},
+        limits_{limits},
+        room_{room},
+        power_{pixels},
+        plan_{queue, limits, room.profile} {}
 
   /// The next slice; false when there is none: everything driven, or halted.
   [[nodiscard]] bool next(Segment& segment);
@@ -89,6 +94,11 @@ class Segmenter {
   void observe(SliceObserver* observer) { observer_ = observer; }
 
  private:
+  /// Plan and motion, as long as the room is this segmenter's.
+  [[nodiscard]] bool stands() const {
+    return speed_ <= 0.0F && plan_.speed() <= 0.0F && room_.filter.at_rest();
+  }
+  [[nodiscard]] bool has_room();
   [[nodiscard]] bool ready_stretch();
   [[nodiscard]] Stretch next_stretch();
   void choose_window();
@@ -110,6 +120,7 @@ class Segmenter {
   struct Joined {
     AxisArray<StepPosition> from{};
     AxisArray<float> speeds{};  ///< Steps per tick, at the start.
+    SourceLine line{};
     std::uint32_t duration_ns = 0;
     PathUnits monotonic_to = 0;  ///< On the block that was begun last: no axis turns round before.
     Duties duty{};
@@ -134,6 +145,7 @@ class Segmenter {
 
   BlockQueue& queue_;
   const Limits& limits_;
+  SegmenterRoom& room_;
   TimeWindow window_{};
   Drive drive_ = Drive::kOn;
 
@@ -158,9 +170,7 @@ class Segmenter {
   OutputChanges outputs_{};        ///< Not handed out yet.
   std::int32_t remainder_ns_ = 0;  ///< Planned time beyond the whole ticks handed out.
 
-  // Last, for they are large: what is near to the start of an object is cheaper to reach.
-  PlanCursor plan_;
-  MotionFilter filter_{};
+  PlanCursor plan_;  ///< Last, for it is large: what is near to the start is cheaper to reach.
 };
 
 }  // namespace cnc::motion

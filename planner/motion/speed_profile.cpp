@@ -41,13 +41,29 @@ void SpeedProfile::begin(const Block& block,
   brake_from_the_end(block, terms.overrides);
 }
 
+void SpeedProfile::begin_within(const Block& block,
+                                const Limits& limits,
+                                const PlanTerms& terms,
+                                const BrakingState& exit,
+                                float left_of_block) {
+  lay_out(block, limits, terms, exit, left_of_block);
+  speed_square_ = 0.0F;
+}
+
 void SpeedProfile::replan(const Block& block,
                           const Limits& limits,
                           const PlanTerms& terms,
                           const BrakingState& exit) {
-  const float left = left_of_block({.left = left_});
+  lay_out(block, limits, terms, exit, left_of_block({.left = left_}));
+}
+
+void SpeedProfile::lay_out(const Block& block,
+                           const Limits& limits,
+                           const PlanTerms& terms,
+                           const BrakingState& exit,
+                           float left_of_block) {
   spans_ = Spans{block, limits, terms.window};
-  find_span(left);
+  find_span(left_of_block);
   exit_ = exit;
   brake_from_the_end(block, terms.overrides);
 }

@@ -49,6 +49,12 @@ class SpeedProfile {
              const PlanTerms& terms,
              const BrakingState& exit,
              float speed_square);
+  /// Takes a block up at rest, `left_of_block` mm before its end.
+  void begin_within(const Block& block,
+                    const Limits& limits,
+                    const PlanTerms& terms,
+                    const BrakingState& exit,
+                    float left_of_block);
   /// Something ahead changed, or the zones that reach into the block; place and
   /// speed stay.
   void replan(const Block& block,
@@ -93,6 +99,11 @@ class SpeedProfile {
   [[nodiscard]] const BrakingPoint& here() const {
     return braking_[static_cast<std::size_t>(span_)];
   }
+  void lay_out(const Block& block,
+               const Limits& limits,
+               const PlanTerms& terms,
+               const BrakingState& exit,
+               float left_of_block);
   void brake_from_the_end(const Block& block, const Overrides& overrides);
   void find_span(float left_of_block);
   [[nodiscard]] Phase change_speed(const Patience& patience) const;

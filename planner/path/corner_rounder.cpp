@@ -37,9 +37,9 @@ const PathPiece* CornerRounder::next() {
   return piece;
 }
 
-std::uint32_t CornerRounder::line() const {
+motion::SourceLine CornerRounder::line() const {
   if (!has_room()) return ready_[taken_].request.line;
-  return first_ ? first_->item.request.line : 0;
+  return first_ ? first_->item.request.line : motion::SourceLine{};
 }
 
 void CornerRounder::clear() {
@@ -164,6 +164,7 @@ void CornerRounder::give_blend(const Blend& blend,
     const bool earlier = in_halves && i == 0;
     motion::MotionRequest& part = next_ready();
     part = earlier ? first_->item.request : second_->item.request;
+    if (!in_halves) part.line = first_->item.request.line;
     part.element = blend.parts[i];
     part.row = earlier ? part.row.part(1.0F - trim_mm / corner_.before.length, 1.0F)
                        : part.row.part(0.0F, trim_mm / corner_.after.length);

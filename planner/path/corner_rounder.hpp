@@ -54,7 +54,7 @@ class CornerRounder {
   /// What is held is to be driven without a stop before it.
   [[nodiscard]] bool goes_on() const { return first_ && first_->joint == motion::Joint::kSmooth; }
   /// Source line of the oldest element held; 0 for none.
-  [[nodiscard]] std::uint32_t line() const;
+  [[nodiscard]] motion::SourceLine line() const;
 
  private:
   void meet(const PathItem& item, const Corner& corner);

@@ -28,10 +28,10 @@ void PathStage::hurry(bool stands) {
   if (stands || rounder_.goes_on()) welder_.hurry();
 }
 
-std::uint32_t PathStage::line() const {
+motion::SourceLine PathStage::line() const {
   if (!rounder_.empty()) return rounder_.line();
   if (!welder_.empty()) return welder_.line();
-  return row_.empty() ? 0 : row_.item().request.line;
+  return row_.empty() ? motion::SourceLine{} : row_.item().request.line;
 }
 
 void PathStage::row_left() {

@@ -43,7 +43,7 @@ class PathStage {
 
   [[nodiscard]] bool empty() const { return row_.empty() && welder_.empty() && rounder_.empty(); }
   /// Source line of the oldest element held; 0 for none.
-  [[nodiscard]] std::uint32_t line() const;
+  [[nodiscard]] motion::SourceLine line() const;
 
  private:
   [[nodiscard]] bool move_on();

@@ -245,14 +245,14 @@ void Welder::finish() {
   chain_.continues = smooth;
   if (given_out_) piece.outputs = {};
   given_out_ = true;
-  piece.line = reach.end.line;
+  piece.line = line_;
   piece.element = {.start = from_, .end = place_of(reach.end), .plane = plane_};
   if (reach.circle.curvature != 0.0F) {
     piece.element.bulge = bulge_between(Vec2{1.0F, reach.circle.slope}, reach.seen);
   }
-  line_ = reach.end.line;
   hurries_ = false;
   go_to(reach);
+  if (!empty()) line_ = point(0).line;
 }
 
 /// The end's direction is the start's, mirrored at the chord.

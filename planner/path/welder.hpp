@@ -48,14 +48,14 @@ class Welder {
 
   [[nodiscard]] bool empty() const { return count_ == 0 && !fitting_; }
   /// Source line of the oldest line held; 0 for none.
-  [[nodiscard]] std::uint32_t line() const { return empty() ? 0 : line_; }
+  [[nodiscard]] motion::SourceLine line() const { return empty() ? motion::SourceLine{} : line_; }
 
  private:
   /// An end of a line, as far as it differs from those before: in the plane of the chain.
   struct Point {
     Coordinate first{};
     Coordinate second{};
-    std::uint32_t line = 0;
+    motion::SourceLine line{};
   };
   /// An end that could be reached.
   struct Reach {
@@ -92,7 +92,7 @@ class Welder {
   std::array<Point, kMostHeld> points_{};
   std::size_t oldest_ = 0;
   std::size_t count_ = 0;
-  std::uint32_t line_ = 0;
+  motion::SourceLine line_{};  ///< Of the oldest line held.
   bool closing_ = false;
   bool hurries_ = false;
 

@@ -101,7 +101,8 @@ void push(motion::BlockQueue& queue, const path::PathPiece& piece) {
 template <typename Sink>
 void drive(const Job& job, Sink&& take) {
   motion::BlockQueueOf<motion::kLookAheadBlocks> queue;
-  motion::Segmenter segmenter{queue, limits()};
+  motion::SegmenterRoom room;
+  motion::Segmenter segmenter{queue, limits(), room};
   segmenter.reset({});
   motion::Segment segment;
   std::size_t next = 0;
@@ -114,7 +115,8 @@ void drive(const Job& job, Sink&& take) {
 /// All of it, from the bytes on, with one queue kept full.
 std::size_t make_segments(std::string_view text) {
   motion::BlockQueueOf<motion::kLookAheadBlocks> queue;
-  motion::Segmenter segmenter{queue, limits()};
+  motion::SegmenterRoom room;
+  motion::Segmenter segmenter{queue, limits(), room};
   segmenter.reset({});
   path::PathStage stage{limits()};
   PathReader reader;

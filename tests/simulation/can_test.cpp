@@ -137,5 +137,28 @@ TEST_F(CanTest, TextPassesAsFastAsTheBusAllows) {
   EXPECT_GT(found, 0.9 * possible);
 }
 
+/// At 100 mm/s a pixel of 0.1 mm lasts a millisecond.
+TEST_F(CanTest, ARasterIsDrivenAtSpeed) {
+  constexpr std::size_t kPixels = 5000;
+  add(0x11);
+  for (const auto& [number, value] : {std::pair{32, 1.0F}, {110, 30'000.0F}, {120, 1.0e6F}}) {
+    const auto setting = static_cast<std::uint16_t>(number);
+    ASSERT_TRUE(station().machine().change_setting(setting, value).ok());
+  }
+  sender().lines = {"G91G1F6000M4"};
+  for (std::size_t i = 0; i < kPixels; ++i) {
+    sender().lines.push_back("X.1S" + std::to_string(100 + i * 37 % 900));
+  }
+  finish(20'000);
+  const EdgeRows& edges = station().edges;
+  ASSERT_FALSE(edges.rows.empty());
+  const double seconds = 1e-9 * static_cast<double>(edges.moved_ns - edges.rows.front().time_ns);
+  const double pixels = static_cast<double>(kPixels) * 1e-3;
+  std::printf("%.3f s for %.3f s of pixels\n", seconds, pixels);
+  EXPECT_EQ(sender().errors.size(), 0U);
+  EXPECT_GT(seconds, 0.999 * pixels);
+  EXPECT_LT(seconds, 1.005 * pixels);
+}
+
 }  // namespace
 }  // namespace proof

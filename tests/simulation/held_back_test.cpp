@@ -8,10 +8,10 @@
 namespace proof {
 namespace {
 
-using Setting = std::pair<int, double>;
+using SettingValue = std::pair<int, double>;
 
 /// ms from the first line to standstill.
-int time_of(const std::vector<Setting>& settings, const std::vector<std::string>& lines) {
+int time_of(const std::vector<SettingValue>& settings, const std::vector<std::string>& lines) {
   MachineBench bench;
   bench.set(settings);
   for (const std::string& line : lines) bench.send(line);
@@ -25,7 +25,7 @@ int time_of(const std::vector<Setting>& settings, const std::vector<std::string>
 
 /// Lines that are sent at once, and then nothing: the last is given out before the
 /// machine brakes for it, so all takes no longer than when the end is said.
-void expect_no_braking(const std::vector<Setting>& settings, std::vector<std::string> lines) {
+void expect_no_braking(const std::vector<SettingValue>& settings, std::vector<std::string> lines) {
   const int silent = time_of(settings, lines);
   lines.emplace_back("G4 P0");
   EXPECT_NEAR(silent, time_of(settings, lines), 5);
@@ -47,7 +47,7 @@ TEST(SilentSender, CausesNoneOnManyShortLines) {
 TEST(SilentSender, CausesNoneWhereJerkIsLimited) {
   for (const double speed : {1200.0, 3000.0, 6000.0}) {
     SCOPED_TRACE(speed);
-    const std::vector<Setting> settings{{110, speed}, {120, 80.0}, {800, 320.0}};
+    const std::vector<SettingValue> settings{{110, speed}, {120, 80.0}, {800, 320.0}};
     expect_no_braking(settings, {"G21 G90 G1 F6000 X40", "X80"});
   }
 }

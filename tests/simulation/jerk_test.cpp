@@ -152,7 +152,8 @@ TEST(JerkLimitedPrograms, KeepEveryLimitWhateverTheOperatorDoes) {
   for (auto seed = trials.first_seed(); seed < trials.end_seed() && !too_many_failures(); ++seed) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     Random random{seed};
-    const Job job{random};
+    Job job{random};
+    job.program.side_trips = random.chance(0.5);
     try_program(job, Meddler{seed}, worst);
   }
   print("operators", worst);

@@ -28,7 +28,7 @@ TARGETS = {
     "kerfline": "host-sim",
 }
 # The files that put a port and the firmware together.
-COMPOSITION_ROOTS = re.compile(r"firmware/target/\w+_main\.cpp")
+COMPOSITION_ROOTS = re.compile(r"firmware/target/stm32f405_\w+\.[ch]pp")
 
 FREESTANDING = set("""array atomic bit cfloat climits compare concepts cstdarg cstddef cstdint
     initializer_list limits new numbers optional ratio source_location span tuple type_traits

@@ -230,6 +230,11 @@ class ImageTraceTest(unittest.TestCase):
         self.assertEqual(sorted(MACHINES), here)
         self.judge("examples", in_parallel(example, here))
 
+    def test_a_path_beside_the_programmed_one(self):
+        program = pathlib.Path(__file__).with_name("trace") / "beside_the_path.nc"
+        self.judge("beside the path",
+                   [self.compare("beside", str(EXAMPLES / "laser.settings"), str(program), 10**9)])
+
     def test_random_jobs_with_holds_and_overrides(self):
         def job(number: int):
             return self.compare(f"seed {number}", "random", str(number), RANDOM_TURNS)

@@ -249,7 +249,8 @@ void count_axes(Application& application, int axes, const char* what) {
 /// The stages alone, one after the other on each line.
 class Stages {
  public:
-  explicit Stages(const cnc::motion::Limits& limits) : limits_{limits}, segmenter_{queue_, limits} {
+  explicit Stages(const cnc::motion::Limits& limits)
+      : limits_{limits}, segmenter_{queue_, limits, room_} {
     segmenter_.reset({});
   }
 
@@ -314,6 +315,7 @@ class Stages {
   cnc::path::PathStage stage_{limits_};
   cnc::motion::Block block_{};
   cnc::motion::BlockQueueOf<kBlocks> queue_{};
+  cnc::motion::SegmenterRoom room_{};
   cnc::motion::Segmenter segmenter_;
   Cost parse_{};
   Cost path_{};

@@ -7,8 +7,8 @@
 #include <span>
 
 #include "hal/interface/session_stream.hpp"
-#include "hal/interface/spsc_ring.hpp"
 #include "hal/stm32f405/board.hpp"
+#include "hal/stm32f405/byte_rings.hpp"
 #include "hal/stm32f405/turn_marks.hpp"
 #include "hal/stm32f405/unique_id.hpp"
 #include "hal/stm32f405/usb/control_pipe.hpp"
@@ -25,10 +25,11 @@ namespace hal::stm32f405 {
 template <const Board& kBoard, RegisterBus Bus = MemoryBus>
 class UsbLine final : public SessionStream {
  public:
-  static constexpr std::uint32_t kReceiveBytes = 1024;
-  static constexpr std::uint32_t kSendBytes = 1024;
   static constexpr unsigned kInterrupt = otg::kInterrupt;
   static constexpr unsigned kPriority = 4;
+
+  constexpr explicit UsbLine(ByteRings& rings)
+      : received_{rings.received}, to_send_{rings.to_send} {}
 
   /// Once, with interrupts off. Nothing is there without the crystal: the host wants
   /// its 48 MHz within 0.25 %.
@@ -221,7 +222,7 @@ class UsbLine final : public SessionStream {
   }
 
   [[nodiscard]] bool has_room() const {
-    return kReceiveBytes - received_.size() >= usb::kPacketBytes;
+    return ByteRings::kReceiveBytes - received_.size() >= usb::kPacketBytes;
   }
 
   void exchange_data() noexcept {
@@ -243,8 +244,8 @@ class UsbLine final : public SessionStream {
   }
 
   usb::ControlPipe<Bus> control_{};
-  SpscRing<std::byte, kReceiveBytes> received_{};
-  SpscRing<std::byte, kSendBytes> to_send_{};
+  SpscRing<std::byte, ByteRings::kReceiveBytes>& received_;
+  SpscRing<std::byte, ByteRings::kSendBytes>& to_send_;
   TurnMarks marks_{};
   std::atomic<std::uint32_t> session_{0};
   /// Where in `received_` begins what came after the last change of session.

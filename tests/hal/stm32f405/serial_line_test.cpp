@@ -38,7 +38,8 @@ class SerialLineTest : public testing::Test {
   }
 
   ChipModel& chip_ = ModelBus::start_anew();
-  Line line_;
+  ByteRings rings_{};
+  Line line_{rings_};
   std::uint32_t turn_ = 0;
 };
 
@@ -89,7 +90,7 @@ TEST_F(SerialLineTest, AnOverrunIsMarkedAlsoWhenNothingElseArrived) {
 }
 
 TEST_F(SerialLineTest, WhatFindsNoRoomIsMarkedWhereItIsMissing) {
-  const std::string full(Line::kReceiveBytes, 'a');
+  const std::string full(ByteRings::kReceiveBytes, 'a');
   arrive(full + "bc");
   EXPECT_EQ(full, heard());
   EXPECT_EQ(2U, line_.lost_bytes());
@@ -114,7 +115,7 @@ TEST_F(SerialLineTest, SendsInOrderAndThenStopsAsking) {
 
 TEST_F(SerialLineTest, TakesNoMoreThanItHasRoomFor) {
   const std::string text(2000, 'z');
-  EXPECT_EQ(Line::kSendBytes, line_.write(std::as_bytes(std::span{text})));
+  EXPECT_EQ(ByteRings::kSendBytes, line_.write(std::as_bytes(std::span{text})));
   EXPECT_EQ(0U, line_.write(std::as_bytes(std::span{text})));
 }
 

@@ -201,6 +201,83 @@ class SendTest(served.ServeTest):
                          else ("--tcp", f"127.0.0.1:{server.port('tcp')}"))
                 self.check_dark_when_killed(server, *where)
 
+    def ring(self):
+        """A part whose path comes nowhere near itself; and its length in mm."""
+        lines = ["G21 G90 M4 S500 F2400"]
+        for row in range(8):
+            ends = (0, 20) if row % 2 == 0 else (20, 0)
+            lines += [f"G1 X{ends[0]} Y{3 * row}", f"(row {row})", f"X{ends[1]}"]
+        return self.program_file(lines + ["G2 X5 Y26 I0 J5", "M5", "M2"])
+
+    def burnt(self, trace):
+        """Steps that were lit, place by place, and how often each."""
+        places = {}
+        last = None
+        for row in trace.read_text().splitlines():
+            if not row[:1].isdigit():
+                continue
+            fields = row.split(",")
+            place, lit = tuple(fields[1:3]), float(fields[7]) > 0
+            if lit and place != last:
+                places[place] = places.get(place, 0) + 1
+            last = place
+        return places
+
+    def test_goes_on_where_a_killed_sender_left_the_part(self):
+        job = self.ring()
+        whole = self.folder / "whole.csv"
+        subprocess.run([self.program, "sim", str(job), *SETTINGS, "--trace", str(whole)],
+                       check=True, stdout=subprocess.DEVNULL)
+        expected = self.burnt(whole)
+        for link, form in (("pty", ("--numbered",)), ("tcp", ("--checked",))):
+            with self.subTest(link=link, form=form):
+                trace = self.folder / f"{link}.csv"
+                server = self.serve("--pty", self.link, "--tcp", 0, "--trace", trace, *SETTINGS)
+                where = (("--port", self.link) if link == "pty"
+                         else ("--tcp", f"127.0.0.1:{server.port('tcp')}"))
+                process = self.start(job, *where, *form)
+                time.sleep(3.0)
+                process.send_signal(signal.SIGKILL)
+                process.communicate(timeout=20)
+                time.sleep(1.0)
+                status, out, err = self.send(job, *where, *form, "--resume")
+                self.assertEqual((status, err), (0, ""))
+                self.assertIn("begins with line ", out)
+                self.assertNotIn("begins with line 1\n", out)
+                self.assertEqual(server.stop()[0], 0)
+                burnt = self.burnt(trace)
+                # 250 steps are a millimetre; 40 mm/s are 10 steps in a millisecond.
+                left = [place for place in expected if place not in burnt]
+                twice = [place for place in burnt if burnt[place] > expected.get(place, 0)]
+                self.assertLess(len(left), 12)
+                self.assertLess(len(twice), 40)
+
+    def test_begins_within_a_job(self):
+        server = self.serve("--tcp", 0, "--speed", 20, *SETTINGS)
+        where = ("--tcp", f"127.0.0.1:{server.port('tcp')}")
+        job = self.program_file(["G20 G90", "G0 X1", "M3 S300", "G1 F100 X2", "G2 X3 I0.5",
+                                 "X4 I0.5", "G91 G1 X1", "X1", "M5"])
+        log = self.folder / "log"
+        status, out, err = self.send(job, *where, "--from-line", 6, "--log", log)
+        self.assertEqual((status, err), (0, ""))
+        self.assertIn("begins with line 6\n", out)
+        said = [line.split(" > ")[1] for line in log.read_text().splitlines() if " > " in line]
+        self.assertEqual(said[-4:], ["G2X4I0.5", "G91G1X1", "X1", "M5"])
+        self.assertIn("G0X76.200000", said)
+        self.assertIn("G20G90G94", said)
+        self.check_x(server, 6 * 25.4)
+        for words, why in ((["G91 G0 X1", "X1"], "where X is there depends"),
+                           (["G92 X3", "G1 X1 F100"], "G92 is in use"),
+                           (["G99", "G1 X1 F100"], "line 1: ")):
+            status, _, err = self.send(self.program_file(words), *where, "--from-line", 2)
+            self.assertEqual(status, 2)
+            self.assertIn(why, err)
+        status, _, err = self.send(job, *where, "--from-line", 10)
+        self.assertIn("has no line 10", err)
+        status, _, err = self.send(job, *where, "--resume")
+        self.assertEqual(status, 2)
+        self.assertIn("knows of no job that was interrupted", err)
+
     def test_is_told_when_the_link_goes(self):
         server = self.serve("--tcp", 0, *SETTINGS)
         job = self.program_file(["G91 G1 X200 F1200"])

@@ -109,6 +109,8 @@ class TurnRecorder final : public TraceSink {
       const int steps = row.position[axis] - position_[axis];
       position_[axis] = row.position[axis];
       if (steps == 0) continue;
+      if (turns.empty()) first_ns = row.time_ns;
+      last_ns = row.time_ns;
       if (turns.empty() || turns.back().axis != axis) turns.push_back({.axis = axis});
       turns.back().steps += steps;
     }
@@ -116,6 +118,8 @@ class TurnRecorder final : public TraceSink {
   void on_end(std::uint64_t) override {}
 
   std::vector<MotorTurn> turns;
+  std::uint64_t first_ns = 0;  ///< Of the first step,
+  std::uint64_t last_ns = 0;   ///< and of the last.
 
  private:
   std::array<int, 3> position_{};
@@ -143,6 +147,16 @@ TurningJob random_job(std::size_t count, std::uint64_t seed) {
   return job;
 }
 
+/// A row of pixels of 0.1 mm, each with its power, as short as it can be written.
+TurningJob raster_row(std::size_t pixels) {
+  TurningJob job;
+  job.lines = {{.text = "G91G1F6000M4", .number = 1}};
+  for (std::size_t i = 0; i < pixels; ++i) {
+    job.lines.push_back({.text = "X.1S" + std::to_string(100 + i * 37 % 900), .number = i + 2});
+  }
+  return job;
+}
+
 struct WireRate {
   double bytes_per_ms = 11.52;  ///< 115,200 baud.
   double bit_errors = 0.0;
@@ -157,6 +171,7 @@ struct SendOutcome {
   std::size_t injected = 0;
   std::size_t carried = 0;
   std::size_t resent = 0;
+  double motion_seconds = 0.0;  ///< From the first step to the last.
   std::vector<MotorTurn> turns;
 };
 
@@ -200,6 +215,7 @@ SendOutcome run(const TurningJob& job, const SendOptions& options, const WireRat
           .injected = there.injected + back.injected,
           .carried = there.carried,
           .resent = sender.resent(),
+          .motion_seconds = 1e-9 * static_cast<double>(recorder.last_ns - recorder.first_ns),
           .turns = std::move(recorder.turns)};
 }
 
@@ -242,6 +258,17 @@ TEST(Sender, KeepsASerialLineFull) {
     std::printf("%s: %.1f %% of the line\n", checked ? "checked" : "plain", 100.0 * share);
     EXPECT_GE(share, 0.95) << checked;
   }
+}
+
+/// At 100 mm/s a pixel lasts a millisecond, in which eleven bytes pass.
+TEST(Sender, KeepsARasterAtSpeed) {
+  constexpr std::size_t kPixels = 5000;
+  const SendOutcome outcome = run(raster_row(kPixels), {}, {});
+  EXPECT_EQ(outcome.state, Sender::State::kDone) << outcome.trouble;
+  const double seconds = static_cast<double>(kPixels) * 1e-3;
+  std::printf("%.3f s for %.3f s of pixels\n", outcome.motion_seconds, seconds);
+  EXPECT_GT(outcome.motion_seconds, 0.999 * seconds);
+  EXPECT_LT(outcome.motion_seconds, 1.005 * seconds);
 }
 
 /// Whatever the wires do to bytes in both directions: the job, the whole job, in its order.

@@ -29,7 +29,8 @@ class PlanCursorTest : public testing::Test {
 
   Limits limits = plain_limits();
   BlockQueueOf<kLookAheadBlocks> queue;
-  PlanCursor plan{queue, limits};
+  SpeedProfile profile;
+  PlanCursor plan{queue, limits, profile};
   proof::Random random{20261123};
   PathUnits length = 0;
 };

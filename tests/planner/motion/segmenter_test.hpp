@@ -63,7 +63,8 @@ class SegmenterTest : public testing::Test {
 
   Limits limits = plain_limits();
   BlockQueueOf<kLookAheadBlocks> queue;
-  Segmenter segmenter{queue, limits};
+  SegmenterRoom room{};
+  Segmenter segmenter{queue, limits, room};
   Position goal{};
   std::vector<Segment> segments;
   AxisArray<std::int32_t> steps{};

@@ -52,7 +52,7 @@ def in_main_loop(chip: Chip, action: str, at_ns: int) -> list:
              for place in range(0, len(code), 4)]
     words += [(TABLE + 4 * entry, CODE | 1) for entry in range(TABLE_ENTRIES)]
     # The pointer to the table last: alarms of one instant come in their order.
-    words.append((chip.symbols["_ZN12_GLOBAL__N_14lineE"], TABLE))
+    words.append((chip.symbols["_ZN6target4lineE"], TABLE))
     return [f"store={address:x}:{word:x}:{at_ns}" for address, word in words]
 
 

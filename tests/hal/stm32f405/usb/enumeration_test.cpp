@@ -165,7 +165,8 @@ TEST_F(UsbEnumeration, IsNotThereWithoutTheCrystalOrTheCore) {
   UsbBus::core() = {};
   UsbBus::core().answers = false;
   ChipModel& chip = ModelBus::start_anew();
-  UsbDesk::Line line;
+  ByteRings rings;
+  UsbDesk::Line line{rings};
   line.set_up(kFullSpeed);
   EXPECT_FALSE(UsbBus::core().attached());
   EXPECT_EQ(0U, chip.cells[core::interrupt_on(67)]);
@@ -176,7 +177,8 @@ TEST_F(UsbEnumeration, WaitsUntilTheCoreIsADevice) {
   UsbBus::core() = {};
   UsbBus::core().looks_as_host = 1000;
   ModelBus::start_anew();
-  UsbDesk::Line line;
+  ByteRings rings;
+  UsbDesk::Line line{rings};
   line.set_up(kFullSpeed);
   EXPECT_TRUE(UsbBus::core().attached());
 }

@@ -63,7 +63,8 @@ class UsbDesk {
 
   ChipModel& chip;
   OtgModel& core = UsbBus::core();
-  Line line{};
+  ByteRings rings{};
+  Line line{rings};
   UsbHost host;
 
  private:

@@ -1,0 +1,105 @@
+#include "firmware/machine/machine.hpp"
+
+/// The way beside the programmed path: elements go through the compensator before they are planned.
+namespace cnc {
+
+using gcode::CutterSide;
+
+/// From G41.1 or G42.1 until all up to G40 is planned.
+bool Machine::compensates() const {
+  return compensation_.side != CutterSide::kOn || compensator_.active();
+}
+
+/// For another element of the programmed path.
+bool Machine::has_room() {
+  if (!drive_rest()) return false;
+  if (!compensates()) return state_.in(Mode::kCheck) || motion_.has_room();
+  if (path_fault_) return false;  // What is left of the line is dropped with all that is held.
+  give_out();
+  return compensator_.has_room();
+}
+
+/// Where the programmed path ends.
+const Position& Machine::target() const {
+  const bool apart = compensator_.active() || compensator_.beside() || state_.in(Mode::kCheck);
+  return apart ? compensator_.programmed() : motion_.target();
+}
+
+bool Machine::set_compensation(const gcode::Action& action) {
+  if (action.compensation.side != CutterSide::kOn) {
+    compensation_ = action.compensation;
+    compensation_plane_ = action.plane;
+    return true;
+  }
+  compensation_ = {};
+  give_out();
+  if (!compensator_.active()) return true;
+  if (!compensator_.has_room()) return false;
+  if (const auto fault = compensator_.end()) {
+    refuse_path(*fault);
+    return false;
+  }
+  give_out();
+  return !compensator_.active();
+}
+
+/// The first motion after G40 leads from beside the path to its own end.
+bool Machine::leave_path(const gcode::Action& action) {
+  const bool straight =
+      action.kind == gcode::ActionKind::kRapid || action.kind == gcode::ActionKind::kLine;
+  const std::optional<compensation::Fault> fault =
+      straight ? compensator_.leave(action.end) : compensator_.refuse_to_leave();
+  if (fault) refuse_path(*fault);
+  return !fault;
+}
+
+/// The entry, what lies beside, or the exit; in check mode also what is not compensated.
+void Machine::append_beside(const path::PathItem& item) {
+  const PathElement& element = item.request.element;
+  if (element.start == element.end) return;
+  const bool entry = compensation_.side != CutterSide::kOn && !compensator_.active();
+  if (entry) {
+    const bool left = compensation_.side == CutterSide::kLeft;
+    const float offset_mm = 0.5F * compensation_.width_mm;
+    compensator_.begin(element.start, compensation_plane_, left ? -offset_mm : offset_mm);
+  }
+  if (!compensator_.active()) return compensator_.stand_at(element.end);
+  with_next_motion_ = {};
+  // It is given out when the next is asked for, or in the next turn: from here the way is deep.
+  if (const auto fault = compensator_.put(item)) refuse_path(*fault);
+}
+
+/// To be planned, as there is room; nowhere in check mode.
+void Machine::give_out() {
+  path::PathItem item;
+  const auto room = [this] { return drive_rest() && motion_.has_room(); };
+  while (compensator_.active() && (state_.in(Mode::kCheck) || room())) {
+    if (!compensator_.take(item)) return;
+    if (state_.in(Mode::kCheck)) continue;
+    if (!travel_.holds(item.request.element.end)) return stop_for(Alarm::kSoftLimit);
+    static_cast<void>(drive(item));
+  }
+}
+
+/// The line that is being done is refused, and with it all that is held: what was given out stops
+/// on its way, as at the end of the travel.
+void Machine::refuse_path(const compensation::Fault& fault) {
+  path_fault_ = fault;
+  if (state_.in(Mode::kCheck)) return raise_alarm(Alarm::kCompensation);
+  stop_for(Alarm::kCompensation);
+}
+
+std::optional<compensation::Fault> Machine::take_path_fault() {
+  const auto fault = path_fault_;
+  path_fault_.reset();
+  return fault;
+}
+
+/// The machine goes on from where it is, and not from where the program was.
+void Machine::forget_exit() {
+  if (!compensator_.beside()) return;
+  interpreter_.set_position(motion_.target());
+  compensator_.clear();
+}
+
+}  // namespace cnc

@@ -1,0 +1,59 @@
+#include "firmware/protocol/code_texts.hpp"
+#include "firmware/protocol/line_protocol.hpp"
+#include "planner/gcode/decimal.hpp"
+
+namespace cnc {
+
+/// `[RESUME:120|12.000,3.500,0.000|can]`: the line, machine coordinates, and whether they still
+/// hold; `[RESUME:0]` where no program was interrupted.
+void LineProtocol::tell_progress() {
+  const Progress& progress = machine_.progress();
+  Reply reply = begin_answer();
+  reply.text("[RESUME:").number(progress.line.number);
+  if (progress.any()) {
+    reply.letter('|');
+    put_places(reply, machine_.progress_place(), form_);
+    reply.text(machine_.can_reenter() ? "|can" : "|home");
+  }
+  answer(reply.letter(']').end());
+  acknowledge();
+}
+
+/// The line is said again, so that nobody takes up another program than he means; 0 ends it.
+void LineProtocol::reenter(const Statement& statement) {
+  const auto line = gcode::read_decimal(statement.text);
+  const bool whole = line.ok() && line.value().length == statement.text.size() &&
+                     line.value().value.is_integer() && !line.value().value.is_negative();
+  const std::uint32_t wanted = whole ? line.value().value.whole : 0;
+  if (!whole) {
+    return refuse(error_number::kBadNumber, statement.column, "not the number of a line");
+  }
+  if (wanted == 0) {
+    machine_.stop_reentry();
+    return acknowledge();
+  }
+  if (wanted != machine_.progress().line.number) {
+    return refuse(error_number::kBadNumber, statement.column, "no program was interrupted there");
+  }
+  if (!machine_.can_reenter()) {
+    return refuse(error_number::kLocked, 0, "the place may be lost: home before");
+  }
+  if (machine_.locked()) return refuse(error_number::kLocked);
+  machine_.reenter();
+  message("Dark until the place is passed");
+  acknowledge();
+}
+
+/// At rest: what a hold or an alarm has left of a program outlives power; when the program ends
+/// it is forgotten.
+void LineProtocol::save_progress() {
+  const Progress& progress = machine_.progress();
+  if (progress.any() ? !machine_.interrupted() : !stored_.has_progress()) return;
+  if (stored_.has_saved(progress) || saving_failed_ || machine_.tool_runs() || !machine_.at_rest())
+    return;
+  if (stored_.save_progress(progress)) return;
+  saving_failed_ = true;
+  message("The store cannot keep where the program was");
+}
+
+}  // namespace cnc

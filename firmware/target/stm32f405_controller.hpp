@@ -1,0 +1,31 @@
+#pragma once
+
+/// What the image's sources share: the board, by the header and the name that the build
+/// gives, and the objects that stm32f405_main.cpp sets up.
+
+#include KERFLINE_BOARD_HEADER
+#include "firmware/application.hpp"
+#include "hal/stm32f405/port.hpp"
+#include "hal/stm32f405/serial_line.hpp"
+#include "hal/stm32f405/usb/usb_line.hpp"
+
+namespace target {
+
+inline constexpr const hal::stm32f405::Board& kBoard = hal::stm32f405::KERFLINE_BOARD;
+using Port = hal::stm32f405::Port<kBoard>;
+using SerialLine = hal::stm32f405::SerialLine<kBoard>;
+using UsbLine = hal::stm32f405::UsbLine<kBoard>;
+using Application = cnc::Application<Port>;
+
+extern Port port;
+extern SerialLine line;
+extern UsbLine usb_line;
+extern Application application;
+
+}  // namespace target
+
+/// For a debugger: boundaries so far at which what was due to come in was not there yet.
+extern "C" std::uint32_t late_turns;
+
+/// In stm32f405_steps.cpp, which is compiled for speed and not for size.
+extern template class cnc::StepGenerator<target::Port, target::Application::kSegmentQueue>;

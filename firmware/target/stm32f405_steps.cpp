@@ -1,0 +1,23 @@
+/// The step interrupt of an STM32F405, and all that it calls: fast rather than small.
+
+#include "firmware/target/stm32f405_controller.hpp"
+
+template class cnc::StepGenerator<target::Port, target::Application::kSegmentQueue>;
+
+namespace {
+
+/// A turn begins, with what has come by now.
+void begin_turn() {
+  const std::uint32_t turn = target::application.begin_turn();
+  late_turns = target::application.steps().late_turns();
+  target::line.note_turn(turn);
+  target::usb_line.note_turn(turn);
+}
+
+}  // namespace
+
+extern "C" void step_interrupt();
+void step_interrupt() {
+  target::port.timer().on_interrupt([] { return target::application.on_step_interrupt(); },
+                                    begin_turn);
+}

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "hal/interface/spsc_ring.hpp"
+
+namespace hal::stm32f405 {
+
+/// Between a link's interrupt and the main loop. Apart from the link, which begins with other
+/// values than zeros: those of an object the image has to hold.
+struct ByteRings {
+  /// What arrives in 88 ms at 115,200 baud: the longest that the main loop is away.
+  static constexpr std::uint32_t kReceiveBytes = 1024;
+  static constexpr std::uint32_t kSendBytes = 1024;
+
+  SpscRing<std::byte, kReceiveBytes> received{};
+  SpscRing<std::byte, kSendBytes> to_send{};
+};
+
+}  // namespace hal::stm32f405
