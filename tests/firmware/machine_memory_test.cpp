@@ -81,6 +81,19 @@ TEST_F(MachineMemoryTest, AChangeDoesNotHideWhatTurnedOverBefore) {
   EXPECT_TRUE(is_found());
 }
 
+// A jerk that became 2 mm/s³ would leave the beam lit on one place.
+TEST_F(MachineMemoryTest, IsFoundBeforeAnyMotionThatFollowsFromIt) {
+  send_all({"$32=1", "M3 S500", "G1 X1 F3000"});
+  run_until_idle();
+  const auto place = port.position;
+  turn(machine.settings(), 40, 6);
+  send_all({"G1 X2"});
+  for (int turns = 0; turns < 20 && machine.check_memory(0); ++turns) run(1);
+  EXPECT_FALSE(machine.check_memory(0));
+  EXPECT_EQ(port.position, place);
+  EXPECT_EQ(port.power, 0);
+}
+
 TEST_F(MachineMemoryTest, ABeamRestsDarkAndASpindleDoesNot) {
   EXPECT_EQ(send("$32=1"), "ok");
   EXPECT_TRUE(machine.rests_dark());
