@@ -4,6 +4,9 @@
 #include <cstring>
 #include <span>
 
+#include "firmware/machine/configuration.hpp"
+#include "firmware/machine/motion_control.hpp"
+#include "firmware/steps/step_generator.hpp"
 #include "tests/firmware/controller_test.hpp"
 
 namespace cnc {
@@ -92,6 +95,21 @@ TEST_F(MachineMemoryTest, IsFoundBeforeAnyMotionThatFollowsFromIt) {
   EXPECT_FALSE(machine.check_memory(0));
   EXPECT_EQ(port.position, place);
   EXPECT_EQ(port.power, 0);
+}
+
+TEST(MotionControl, DrivesNoWayThatBeginsElsewhere) {
+  hal::host::RecordingPort port;
+  StepGenerator<hal::host::RecordingPort, 64> steps{port};
+  const motion::Limits limits = limits_from(Settings{});
+  MotionControl motion{steps, limits};
+  path::PathItem item{};
+  item.request.feed_mm_s = 10.0F;
+  item.request.element.start[0] = Coordinate{1 << 30};
+  const auto drive = [&] {
+    static_cast<void>(motion.append(item));
+    motion.flush();
+  };
+  EXPECT_DEATH(drive(), "contract failed");
 }
 
 TEST_F(MachineMemoryTest, ABeamRestsDarkAndASpindleDoesNot) {
