@@ -101,9 +101,11 @@ void Machine::poll(hal::TickCount now) {
   run_actions();
   motion_.attend(elapsed_us);
   attend_motor_enable(elapsed_us);
+  const bool rested = !drive_.running();
   side_.feed_drive();
   motion_.feed_drive();
   drive_.settle();
+  if (rested && drive_.running()) check_settings();
 }
 
 /// What goes on by itself in the present mode.

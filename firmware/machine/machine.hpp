@@ -307,6 +307,7 @@ class Machine {
 
   void watch_memory();
   void trust_places();
+  void check_settings();
 
   // Settings, in machine_settings.cpp.
   void apply_settings();

@@ -32,6 +32,10 @@ bool Machine::check_memory(std::size_t bytes) {
   return memory_is_sound_;
 }
 
+/// All of what motion is planned by, before any of it is driven: an acceleration or jerk that
+/// turned over might leave the beam lit on one place until a round has found it.
+void Machine::check_settings() { memory_is_sound_ = memory_is_sound_ && settings_watch_.sound(); }
+
 bool Machine::places_are_sound() {
   memory_is_sound_ = memory_is_sound_ && places_watch_.sound();
   return memory_is_sound_;

@@ -80,7 +80,7 @@ void Machine::switch_coolant_by_hand(gcode::Coolant wanted) {
 }
 
 void Machine::toggle_block_delete() {
-  memory_is_sound_ = memory_is_sound_ && settings_watch_.sound();
+  check_settings();
   block_delete_ = !block_delete_;
   apply_settings();
 }

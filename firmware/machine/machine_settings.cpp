@@ -4,7 +4,7 @@ namespace cnc {
 
 Result<float, SettingError> Machine::change_setting(std::uint16_t number, float value) {
   CNC_ASSERT(idle());
-  memory_is_sound_ = memory_is_sound_ && settings_watch_.sound();
+  check_settings();
   const bool other_scale =
       number >= setting::kStepsPerMm && number < setting::kStepsPerMm + kAxisCount;
   const float before = other_scale ? settings_.get(number) : 0.0F;
@@ -36,7 +36,7 @@ bool Machine::place_fits(std::size_t axis) const {
 
 void Machine::set_power_table(const motion::PowerTable& table) {
   CNC_ASSERT(idle());
-  memory_is_sound_ = memory_is_sound_ && settings_watch_.sound();
+  check_settings();
   power_table_ = table;
   apply_settings();
 }

@@ -53,12 +53,28 @@ void MotionControl::pump() {
 
 /// Apart from pump(), which goes deep for its pieces: a block is large.
 void MotionControl::take(const path::PathPiece& piece) {
+  // Else memory has changed, and a way that is long on paper would be driven on one place.
+  CNC_ASSERT(joins(piece.request.element.start));
   const auto block = motion::build_block(piece.request, limits_);
   // Pieces lie between ends that were within reach, to a tolerance.
   CNC_ASSERT(block.ok() || block.error() == motion::MotionError::kNothingToMove);
   if (!block.ok()) return;
   queue_.push(block.value(), piece.joint);
   ++blocks_taken_;
+}
+
+/// Whether a piece that starts here goes on where the one before it ends, to a step.
+bool MotionControl::joins(const Position& start) const {
+  constexpr std::uint64_t kStep = std::uint64_t{1} << 32;
+  const AxisArray<StepPosition>& end =
+      queue_.empty() ? segmenter_.place() : queue_.at(queue_.size() - 1).end;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const auto steps = limits_.scale[axis].steps_at(start[axis]);
+    if (!steps) return false;
+    const auto apart = static_cast<std::uint64_t>(steps->q32() - end[axis].q32());
+    if (apart + kStep > 2 * kStep) return false;
+  }
+  return true;
 }
 
 void MotionControl::flush() {

@@ -105,6 +105,7 @@ class MotionControl {
   }
   void pump();
   void take(const path::PathPiece& piece);
+  [[nodiscard]] bool joins(const Position& start) const;
   void follow_tool();
   [[nodiscard]] bool runs_dry() const;
 

@@ -6,6 +6,7 @@
 #include <cstdint>
 
 #include "planner/base/axes.hpp"
+#include "planner/base/contract.hpp"
 #include "planner/motion/segment.hpp"
 
 namespace cnc {
@@ -72,12 +73,13 @@ class StepTrains {
       std::int32_t next = train.first_q16;
       if ((next >> 16) < tick) {
         due |= bit;
-        const unsigned steps_left = train.count - 1U;
+        const int steps_left = train.count - 1;
         train.count = static_cast<std::uint16_t>(steps_left);
         next += train.interval_q16;
         train.first_q16 = next;
         train.interval_q16 += train.growth_q16;
-        if (steps_left == 0) {
+        if (steps_left <= 0) {
+          CNC_ASSERT(steps_left == 0);  // Else memory has changed.
           moving ^= bit;
           continue;
         }

@@ -4,6 +4,9 @@
 #include <cstring>
 #include <span>
 
+#include "firmware/machine/configuration.hpp"
+#include "firmware/machine/motion_control.hpp"
+#include "firmware/steps/step_generator.hpp"
 #include "tests/firmware/controller_test.hpp"
 
 namespace cnc {
@@ -79,6 +82,34 @@ TEST_F(MachineMemoryTest, AChangeDoesNotHideWhatTurnedOverBefore) {
   turn(machine.settings(), 44, 3);
   EXPECT_EQ(send("$110=6000"), "ok");
   EXPECT_TRUE(is_found());
+}
+
+// A jerk that became 2 mm/s³ would leave the beam lit on one place.
+TEST_F(MachineMemoryTest, IsFoundBeforeAnyMotionThatFollowsFromIt) {
+  send_all({"$32=1", "M3 S500", "G1 X1 F3000"});
+  run_until_idle();
+  const auto place = port.position;
+  turn(machine.settings(), 40, 6);
+  send_all({"G1 X2"});
+  for (int turns = 0; turns < 20 && machine.check_memory(0); ++turns) run(1);
+  EXPECT_FALSE(machine.check_memory(0));
+  EXPECT_EQ(port.position, place);
+  EXPECT_EQ(port.power, 0);
+}
+
+TEST(MotionControl, DrivesNoWayThatBeginsElsewhere) {
+  hal::host::RecordingPort port;
+  StepGenerator<hal::host::RecordingPort, 64> steps{port};
+  const motion::Limits limits = limits_from(Settings{});
+  MotionControl motion{steps, limits};
+  path::PathItem item{};
+  item.request.feed_mm_s = 10.0F;
+  item.request.element.start[0] = Coordinate{1 << 30};
+  const auto drive = [&] {
+    static_cast<void>(motion.append(item));
+    motion.flush();
+  };
+  EXPECT_DEATH(drive(), "contract failed");
 }
 
 TEST_F(MachineMemoryTest, ABeamRestsDarkAndASpindleDoesNot) {

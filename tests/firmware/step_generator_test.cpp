@@ -88,6 +88,15 @@ TEST_F(StepGeneratorTest, WaitsForNoStepBeyondTheEnd) {
   EXPECT_DEATH(run(), "contract failed");
 }
 
+TEST_F(StepGeneratorTest, DrivesNoMotorWithoutSteps) {
+  PlayableSegment segment{.segment = even(4000, 4)};
+  segment.prepare();
+  segment.moving |= 1U << 3U;
+  StepTrains trains;
+  trains.begin(segment);
+  EXPECT_DEATH(static_cast<void>(trains.take_before(100)), "contract failed");
+}
+
 TEST_F(StepGeneratorTest, AbortsAtOnceAndForgetsTheRest) {
   generator.push(even(4000, 40));
   generator.push(last(even(4000, 40)));

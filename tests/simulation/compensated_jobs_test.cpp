@@ -15,30 +15,6 @@ namespace {
 
 constexpr double kStepMm = 1.0 / 250.0;  ///< Of $100 and $101.
 
-double rounded(double mm) { return std::round(mm * 1.0e4) * 1.0e-4; }
-
-/// A star that begins within a line, with four decimals; without arcs of more than half a turn.
-sim::Contour random_outline(Random& random) {
-  const auto is_long = [](const auto& vertex) { return std::abs(vertex.bulge) > 1.0; };
-  sim::Contour star;
-  do {
-    star = random_star(random, 3 + random.below(10), 8.0, 30.0);
-  } while (std::ranges::any_of(star.vertices, is_long));
-  sim::Contour outline;
-  auto& vertices = outline.vertices;
-  star.vertices[0].bulge = 0.0;
-  const auto& next = star.vertices[1];
-  vertices.push_back({0.5 * (star.vertices[0].x + next.x), 0.5 * (star.vertices[0].y + next.y), 0});
-  vertices.insert(vertices.end(), star.vertices.begin() + 1, star.vertices.end());
-  vertices.push_back(star.vertices[0]);
-  for (auto& vertex : vertices) {
-    vertex.x = rounded(vertex.x);
-    vertex.y = rounded(vertex.y);
-  }
-  outline.end_loop();
-  return outline;
-}
-
 /// A line or an arc by its radius, as far as it is none of nearly half a turn.
 std::string line_to(const sim::Contour& outline, std::size_t index) {
   const auto& vertices = outline.vertices;
@@ -107,8 +83,8 @@ void drive(Beside& job, const sim::Contour& outline, double offset_mm) {
 }
 
 void judge(Random& random, Tally& tally) {
-  const sim::Contour outline = random_outline(random);
-  const double offset_mm = 0.5 * rounded(2.0 * random.signed_magnitude(0.05, 1.0));
+  const sim::Contour outline = programmed_star(random, 12);
+  const double offset_mm = 0.5 * programmed(2.0 * random.signed_magnitude(0.05, 1.0));
   sim::ContourOffset offsetter;
   const auto wanted = offsetter.offset(outline.view(), offset_mm);
   const ExactContour exact{outline.view()};

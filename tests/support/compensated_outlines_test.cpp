@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "planner/compensation/compensator.hpp"
+#include "tests/support/contour_corpus.hpp"
 #include "tests/support/contour_oracle.hpp"
 #include "tests/support/trials.hpp"
 
@@ -28,33 +29,11 @@ struct Outline {
   double entry_y = 0.0;
 };
 
-double rounded(double mm) { return std::round(mm * 1.0e4) * 1.0e-4; }
-
-/// Without arcs of more than half a turn, which are two elements.
-sim::Contour random_shape(Random& random) {
-  const auto is_long = [](const auto& vertex) { return std::abs(vertex.bulge) > 1.0; };
-  for (;;) {
-    sim::Contour star = random_star(random, 3 + random.below(12), 8.0, 30.0);
-    if (std::ranges::none_of(star.vertices, is_long)) return star;
-  }
-}
-
-/// Places have four decimals, as a program has.
 Outline random_outline(Random& random) {
-  Outline outline;
-  sim::Contour star = random_shape(random);
-  auto& vertices = outline.contour.vertices;
-  star.vertices[0].bulge = 0.0;
-  const auto& next = star.vertices[1];
-  vertices.push_back({0.5 * (star.vertices[0].x + next.x), 0.5 * (star.vertices[0].y + next.y), 0});
-  vertices.insert(vertices.end(), star.vertices.begin() + 1, star.vertices.end());
-  vertices.push_back(star.vertices[0]);
-  for (auto& vertex : vertices) {
-    vertex.x = rounded(vertex.x);
-    vertex.y = rounded(vertex.y);
+  Outline outline{.contour = programmed_star(random, 14)};
+  for (auto& vertex : outline.contour.vertices) {
     vertex.bulge = static_cast<double>(static_cast<float>(vertex.bulge));
   }
-  outline.contour.end_loop();
   outline.offset_mm = random.signed_magnitude(0.05, 10.0);
   return outline;
 }
@@ -195,8 +174,8 @@ void judge(Random& random, Tally& tally) {
   const auto& first = outline.contour.vertices[0];
   std::array<double, 4> at{};
   exact_outline.elements()[0].at(0.0, at[0], at[1], at[2], at[3]);
-  outline.entry_x = rounded(first.x + 1.5 * outline.offset_mm * at[2]);
-  outline.entry_y = rounded(first.y + 1.5 * outline.offset_mm * at[3]);
+  outline.entry_x = programmed(first.x + 1.5 * outline.offset_mm * at[2]);
+  outline.entry_y = programmed(first.y + 1.5 * outline.offset_mm * at[3]);
 
   const Driven driven = OutlineDriver{outline}.drive();
   const double r = std::abs(outline.offset_mm);

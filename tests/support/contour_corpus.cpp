@@ -1,5 +1,6 @@
 #include "tests/support/contour_corpus.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <iterator>
@@ -187,6 +188,29 @@ OffsetCase random_case(Corpus corpus, std::uint64_t seed) {
   OffsetCase drawn = drawn_case(corpus, random);
   if (drawn.plain.vertices.empty()) drawn.plain = drawn.contour;
   return drawn;
+}
+
+double programmed(double mm) { return std::round(mm * 1.0e4) * 1.0e-4; }
+
+Contour programmed_star(Random& random, std::size_t most_elements) {
+  const auto is_long = [](const auto& vertex) { return std::abs(vertex.bulge) > 1.0; };
+  Contour star;
+  do {
+    star = random_star(random, 3 + random.below(most_elements - 2), 8.0, 30.0);
+  } while (std::ranges::any_of(star.vertices, is_long));
+  Contour outline;
+  auto& vertices = outline.vertices;
+  star.vertices[0].bulge = 0.0;
+  const auto& next = star.vertices[1];
+  vertices.push_back({0.5 * (star.vertices[0].x + next.x), 0.5 * (star.vertices[0].y + next.y), 0});
+  vertices.insert(vertices.end(), star.vertices.begin() + 1, star.vertices.end());
+  vertices.push_back(star.vertices[0]);
+  for (auto& vertex : vertices) {
+    vertex.x = programmed(vertex.x);
+    vertex.y = programmed(vertex.y);
+  }
+  outline.end_loop();
+  return outline;
 }
 
 }  // namespace proof

@@ -39,4 +39,11 @@ enum class Corpus {
                                        double least_radius_mm,
                                        double most_radius_mm);
 
+/// To four decimals, as programs have them.
+[[nodiscard]] double programmed(double mm);
+
+/// A star of 3 elements up to this many, whose outline begins within a line; places are programmed,
+/// and no arc is of more than half a turn. Of 8 to 30 mm.
+[[nodiscard]] sim::Contour programmed_star(Random& random, std::size_t most_elements);
+
 }  // namespace proof
