@@ -52,7 +52,7 @@ class TextLink final : public hal::ByteStream {
 
 void set_laser(cnc::Machine& machine) {
   for (const auto& [number, value] :
-       {std::pair{32, 1.0F}, {120, 2000.0F}, {121, 2000.0F}, {858, 250.0F}}) {
+       {std::pair{32, 1.0F}, {120, 2000.0F}, {121, 2000.0F}}) {
     ASSERT_TRUE(machine.change_setting(static_cast<std::uint16_t>(number), value).ok());
   }
 }
