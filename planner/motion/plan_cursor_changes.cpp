@@ -100,10 +100,12 @@ void PlanCursor::stop_phase_short() {
   settle_place();
 }
 
-/// The profile counts in floats, of which each phase rounds one. Set right in one
-/// phase much later, the sum would be a jump of speed.
+/// The profile counts in floats, of which each phase and each change of plan rounds one. Set
+/// right in one phase much later, the sum would be a jump of speed. A phase of less than a unit has
+/// not moved the place, but the profile: it would be driven again and again.
 void PlanCursor::settle_place() {
-  if (terms_.window.filters()) profile_.settle(to_mm(length_ - place_));
+  if (!terms_.window.filters() || profile_.at_end() || place_ == phase_from_) return;
+  profile_.settle(to_mm(to_units(profile_.end_of_span()) - place_));
 }
 
 /// Into the next block, which was planned before: whatever changes the plan now finds the
@@ -186,6 +188,7 @@ void PlanCursor::plan_and_replan(const PlanTerms& terms) {
 
 void PlanCursor::replan() {
   profile_.replan(queue_.at(index_), limits_, terms_, queue_.exit_of(index_));
+  settle_place();
 }
 
 /// Blocks came so late that the plan is too fast already for what they ask for

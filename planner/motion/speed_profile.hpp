@@ -83,13 +83,15 @@ class SpeedProfile {
   void complete(const Phase& phase) { move(phase.left, phase.end_speed_square); }
   /// All but `distance` mm of it was; the speed is `speed` mm/s now.
   void stop_short(const Phase& phase, float distance, float speed);
-  /// The place is so many mm from the end of the block, which is more exact than
-  /// the sum of what phases left. Holds in the last span.
-  void settle(float left_of_block) {
-    if (span_ + 1 == spans_.count() && settles(left_of_block)) left_ = left_of_block;
+  /// mm from the start of the block. @pre !at_end()
+  [[nodiscard]] float end_of_span() const { return spans_.boundary(span_ + 1); }
+  /// The place is so many mm from the end of its span, which is more exact than the sum of
+  /// what phases left.
+  void settle(float left_of_span) {
+    if (settles(left_of_span)) left_ = left_of_span;
   }
-  /// Nearer to the end than a micrometre that sum is exact enough.
-  [[nodiscard]] static bool settles(float left_of_block) { return left_of_block > 1.0e-3F; }
+  /// Nearer to the end than a nanometre that sum is exact enough.
+  [[nodiscard]] static bool settles(float left) { return left > 1.0e-6F; }
   /// mm to the end of the block after the phase.
   [[nodiscard]] float left_of_block(const Phase& phase) const {
     return spans_.boundary(spans_.count()) - spans_.boundary(span_ + 1) + phase.left;

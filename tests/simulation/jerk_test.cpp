@@ -163,7 +163,8 @@ TEST(JerkLimitedPrograms, KeepEveryLimitWhateverTheOperatorDoes) {
 // zone reached farther for it, a higher one that was tried and taken back. And one that never
 // started again after a hold, for what blocks that were gone had asked for. Then phases that ended
 // just where a cell of the window did, and speeding up for so long that the rounding of its speed
-// was some tenths of a microsecond of the wait for braking.
+// was some tenths of a microsecond of the wait for braking; and overrides on arcs of many spans or
+// of a micrometre, of which each rounded the place.
 TEST(JerkLimitedPrograms, KeepTheirLimitsWhereThePlanChangesAtTheWrongMoment) {
   struct Case {
     std::uint64_t seed;
@@ -182,7 +183,10 @@ TEST(JerkLimitedPrograms, KeepTheirLimitsWhereThePlanChangesAtTheWrongMoment) {
                              {994, true},
                              {23'319, false},
                              {26'175, false},
-                             {39'809, false}};
+                             {39'809, false},
+                             {1850, true},
+                             {2858, true},
+                             {4730, true}};
   for (const auto [seed, operated] : kCases) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     Random random{seed};
