@@ -3,7 +3,8 @@
 
     image_files.py IMAGE.elf 0x08000000
 
-Writes IMAGE.bin, .hex (Intel HEX) and .dfu (DfuSe, as dfu-util reads it) beside it.
+Writes IMAGE.bin, .hex (Intel HEX) and .dfu (DfuSe, as dfu-util reads it) beside it; or, if there
+is something in it that must not run on a controller, nothing, and removes it.
 """
 import hashlib
 import pathlib
@@ -12,10 +13,20 @@ import subprocess
 import sys
 import zlib
 
+from banned_symbols import banned
+
+NM = "arm-none-eabi-nm"
 OBJCOPY = "arm-none-eabi-objcopy"
 SIZE = "arm-none-eabi-size"
 FLASH = 0x08000000
 ST, DFU_MODE = 0x0483, 0xDF11  # USB vendor, and product of the boot loader in ROM.
+
+
+def complaints(elf: pathlib.Path) -> list:
+    """What is in the image though it must not be, came it from the sources or a library."""
+    symbols = subprocess.run([NM, "-P", elf], capture_output=True, text=True, check=True)
+    return [f"{what}: {symbol} in {elf.name}" for line in symbols.stdout.splitlines()
+            for symbol in line.split()[:1] for what in banned(symbol)]
 
 
 def dfuse(image: bytes, address: int) -> bytes:
@@ -40,6 +51,10 @@ def how_to_flash(image: pathlib.Path, address: int) -> str:
 
 def main() -> int:
     elf, address = pathlib.Path(sys.argv[1]), int(sys.argv[2], 16)
+    if found := complaints(elf):
+        elf.unlink()
+        print("\n".join(found))
+        return 1
     binary = elf.with_suffix(".bin")
     subprocess.run([OBJCOPY, "-O", "binary", elf, binary], check=True)
     subprocess.run([OBJCOPY, "-O", "ihex", elf, elf.with_suffix(".hex")], check=True)

@@ -12,34 +12,17 @@ import subprocess
 import sys
 from typing import Iterator
 
+from source_files import ROOT
+
+sys.path.insert(0, str(ROOT / "toolchain"))
+from banned_symbols import banned  # noqa: E402  pylint: disable=wrong-import-position
+
 TOOLS = "arm-none-eabi-"
+OWN_CODE = "--target=elf32-littlearm"  # Not what an object keeps for the link-time optimizer.
 LARGEST_FRAME_BYTES = 1024
 INDIRECT = "__indirect_call"
 # The objects that own all state: one Application and its port each.
 OWNERS = ("bare_controller", "stm32f405_main")
-
-_LIBM = """a?sinh? a?cosh? a?tanh? atan2 exp exp2 exp10 expm1 log log2 log10 log1p pow hypot cbrt
-    sincos erfc? [lt]gamma""".split()
-
-BANNED = {
-    "heap": r"_?(malloc|calloc|realloc|free|memalign|aligned_alloc|strn?dup)(_r)?|_?sbrk(_r)?"
-            r"|_Z(nw|na|dl|da).*",
-    # An abstract class names __cxa_pure_virtual; that is a call which never happens, no exception.
-    "exceptions": r"__cxa_(?!pure_virtual).*|_Unwind_.*|__gxx_personality.*|__aeabi_unwind.*"
-                  r"|_ZSt\d+__throw_.*|_ZSt9terminatev",
-    "run-time type information": r"_ZT[IS].*|__dynamic_cast",
-    # The float <-> 64-bit integer conversions of libgcc that compute in double are among them.
-    "double arithmetic": r"__aeabi_(d|cd).*|__aeabi_[a-z]+2d|__aeabi_f2u?lz|__powidf2|__(mul|div)dc3",
-    "printf": r"_?(v?(as|s|sn|f|d)?i?(printf|scanf))(_r)?|puts|putchar|putc|fwrite|fputs|fflush"
-              r"|strto(f|d|ld)|atof|_ZN?K?S[oi].*|_ZNSt8ios_base.*"
-              r"|_ZSt(8to_chars|10from_chars)PK?cS\d?_R?[fde].*",
-    "library mathematics that differs between machines":
-        "(" + "|".join(_LIBM) + ")[fl]?",
-    "square root as a call (use std::sqrt on floats)": r"sqrt[fl]?",
-    "atomics that are not lock-free": r"__(atomic|sync)_.*",
-    "the end of the program (use CNC_ASSERT)": r"abort|_?exit|atexit|__assert_func|raise",
-}
-_BANNED = [(what, re.compile(pattern)) for what, pattern in BANNED.items()]
 
 
 def tool(name: str, *arguments) -> list:
@@ -57,8 +40,15 @@ def built_objects(build: pathlib.Path) -> list:
     return [pathlib.Path(entry["directory"]) / output for entry, output in zip(entries, outputs)]
 
 
+def call_files(build: pathlib.Path, objects: list) -> list:
+    """Those of the objects that were compiled for good, and of the images."""
+    beside = [path.with_suffix(".ci") for path in objects]
+    return [path for path in beside if path.is_file()] + sorted(build.glob("images/*.ltrans.ci"))
+
+
 class CallGraph:
-    """Frames and calls of every function, from the .ci files that GCC writes beside the objects."""
+    """Frames and calls of every function, from the .ci files that GCC writes beside what it has
+    compiled: objects, and images as a whole."""
 
     def __init__(self, files: list):
         self.names, self.frames, self.dynamic, self.calls = {}, {}, set(), {}
@@ -87,9 +77,6 @@ class CallGraph:
     def name(self, function: str) -> str:
         return self.names.get(function, function)
 
-    def callers(self, symbol: str) -> list:
-        return [self.name(caller) for caller, callees in self.calls.items() if symbol in callees]
-
     def deepest(self) -> tuple:
         """({function: (stack bytes below and with it, next function)}, [cycles])."""
         depths, cycles, path = {}, [], []
@@ -111,20 +98,33 @@ class CallGraph:
         return depths, cycles
 
 
-def symbol_complaints(objects: list, graph: CallGraph) -> Iterator:
+def symbol_complaints(objects: list) -> Iterator:
     found = {}
-    for line in tool("nm", "-A", "-P", *objects) if objects else []:
+    for line in tool("nm", OWN_CODE, "-A", "-P", *objects) if objects else []:
         file, _, rest = line.partition(": ")
         symbol, kind, *place = rest.split()
         if kind in "dDbB" and not any(owner in file for owner in OWNERS):
             key = ("state outside Application", f"{symbol}, {int(place[1], 16)} bytes of RAM")
-            found.setdefault(key, set()).add(pathlib.Path(file).name)
-        for what, pattern in _BANNED:
-            if pattern.fullmatch(symbol):
-                found.setdefault((what, symbol), set()).add(pathlib.Path(file).name)
+            found.setdefault(key, set()).add(pathlib.Path(file))
+        for what in banned(symbol):
+            found.setdefault((what, symbol), set()).add(pathlib.Path(file))
     for (what, symbol), files in sorted(found.items()):
-        callers = "; ".join(graph.callers(symbol))
-        yield f"{what}: {symbol} in {', '.join(sorted(files))}" + (callers and f", from {callers}")
+        names = ", ".join(sorted({path.name for path in files}))
+        callers = "; ".join(callers_of(symbol, files))
+        yield f"{what}: {symbol} in {names}" + (callers and f", from {callers}")
+
+
+def callers_of(symbol: str, objects) -> list:
+    """The functions that name it, each of which has a section of its own."""
+    found, function = set(), ""
+    for line in tool("objdump", "-r", *objects):
+        if section := re.match(r"RELOCATION RECORDS FOR \[\.text\.(\S+)\]", line):
+            function = section[1]
+        elif line.startswith("RELOCATION"):
+            function = ""
+        elif function and line.split()[-1:] == [symbol]:
+            found.add(function)
+    return tool("c++filt", *sorted(found)) if found else []
 
 
 def stack_complaints(graph: CallGraph, largest_frame: int) -> Iterator:
@@ -140,7 +140,7 @@ def stack_complaints(graph: CallGraph, largest_frame: int) -> Iterator:
 def sizes(objects: list) -> dict:
     """Bytes of text, data and bss of each target of the build."""
     total = {}
-    for line in tool("size", *objects)[1:] if objects else []:
+    for line in tool("size", OWN_CODE, *objects)[1:] if objects else []:
         fields = line.split(None, 5)
         target = re.search(r"CMakeFiles/(?:kerfline_)?(\w+)\.dir/", fields[5])[1]
         old = total.get(target, (0, 0, 0))
@@ -180,11 +180,11 @@ def main() -> int:
         print("skipped: not built; cmake --preset cortex-m4f && cmake --build --preset cortex-m4f")
         return 77
     named = built_objects(options.build)
-    objects = [path for path in named if path.is_file() and path.with_suffix(".ci").is_file()]
-    graph = CallGraph([path.with_suffix(".ci") for path in objects])
+    objects = [path for path in named if path.is_file()]
+    graph = CallGraph(call_files(options.build, objects))
     print_report(sizes(objects), graph)
     found = [*(f"not built: {path.name}" for path in named if path not in objects),
-             *symbol_complaints(objects, graph), *stack_complaints(graph, options.largest_frame)]
+             *symbol_complaints(objects), *stack_complaints(graph, options.largest_frame)]
     print("\n".join(found) or "controller: clean")
     return bool(found)
 

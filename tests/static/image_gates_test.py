@@ -1,5 +1,5 @@
-"""Plants what must not be in an image, one at a time: the linker's assertions and image_stack.py
-have to find each."""
+"""Plants what must not be in an image, one at a time: the linker's assertions, image_files.py and
+image_stack.py have to find each."""
 import contextlib
 import io
 import pathlib
@@ -13,6 +13,9 @@ from unittest import mock
 import image_stack
 from source_files import ROOT
 
+sys.path.insert(0, str(ROOT / "toolchain"))
+import image_files  # noqa: E402  pylint: disable=wrong-import-position
+
 COMPILER = "arm-none-eabi-g++"
 SCRIPT = ROOT / "toolchain/stm32f405.ld"
 FLAGS = """-std=c++20 -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -O2 -fno-exceptions
@@ -25,7 +28,7 @@ PROGRAM = """
 volatile int sink;
 [[gnu::noipa]] int planted(int);
 extern "C" {
-[[gnu::noipa]] void start_up() { sink = planted(sink); }
+[[gnu::noipa, gnu::used]] void start_up() { sink = planted(sink); }
 void reset_entry() { start_up(); }
 void step_interrupt() { sink = 1; }
 void supply_interrupt() { sink = 2; }
@@ -39,15 +42,19 @@ RIGHT = "int planted(int n) { return n + 1; }"
 
 # what the linker says: a source
 LINKER = {
-    "a heap": "#include <cstdlib>\nint planted(int n) { return std::malloc(n) != nullptr; }",
-    "a heap: new": "int* p;\nint planted(int n) { p = new int{n}; return *p; }",
-    "printf": "#include <cstdio>\nint planted(int n) { char t[9]; return std::snprintf(t, 9, \"%d\", n) + t[0]; }",
-    "double arithmetic": "int planted(int n) { double d = n; return d * d * 1.1 > 2.0; }",
-    "an end of the program": "#include <cstdlib>\nint planted(int n) { if (n > 3) std::abort(); return n; }",
     "more than 96 KiB of static RAM": "char big[97 * 1024];\nint planted(int n) { big[n] = 1; return big[n + 1]; }",
     "the image has more than 256 KiB":
         "const int big[66000] = {1, 2};\nint planted(int n) { return const_cast<const volatile int*>(big)[n]; }",
-    "exceptions": "extern \"C\" void __cxa_throw() { asm volatile(\"\"); }\n"
+}
+# what image_files.py says: a source
+FILES = {
+    "heap: malloc": "#include <cstdlib>\nint planted(int n) { return std::malloc(n) != nullptr; }",
+    "heap: _Znwj": "int* volatile p;\nint planted(int n) { p = new int{n}; return *p; }",
+    "printf: snprintf": "#include <cstdio>\nint planted(int n) { char t[9]; return std::snprintf(t, 9, \"%d\", n) + t[0]; }",
+    "double arithmetic: __aeabi_dmul": "int planted(int n) { double d = n; return d * d * 1.1 > 2.0; }",
+    "the end of the program (use CNC_ASSERT): abort":
+        "#include <cstdlib>\nint planted(int n) { if (n > 3) std::abort(); return n; }",
+    "exceptions: __cxa_throw": "extern \"C\" [[gnu::noipa]] void __cxa_throw() { asm volatile(\"\"); }\n"
                   "int planted(int n) { __cxa_throw(); return n; }",
 }
 # what image_stack.py says: a source
@@ -70,12 +77,12 @@ STACK = {
 }
 
 
-def link(folder: pathlib.Path, source: str, **places: int) -> tuple:
+def link(folder: pathlib.Path, source: str, options=(), **places: int) -> tuple:
     """(path of the image, what the linker said)."""
     (folder / "a.cpp").write_text(PROGRAM + source, encoding="utf-8")
     elf = folder / "a.elf"
     symbols = [f"-Wl,--defsym={name}={place}" for name, place in {**PLACES, **places}.items()]
-    run = subprocess.run([COMPILER, *FLAGS, *symbols, f"-T{SCRIPT}", "-o", elf, folder / "a.cpp"],
+    run = subprocess.run([COMPILER, *FLAGS, *options, *symbols, f"-T{SCRIPT}", "-o", elf, folder / "a.cpp"],
                          capture_output=True, text=True, check=False)
     return elf, run.stderr
 
@@ -86,7 +93,7 @@ class ImageGates(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def stack_of(self, source: str, *options: str, **places: int) -> str:
-        elf, said = link(self.folder, source, **places)
+        elf, said = link(self.folder, source, (), **places)
         self.assertTrue(elf.exists(), said)
         output = io.StringIO()
         with contextlib.redirect_stdout(output), mock.patch.object(sys, "argv", ["", str(elf), *options]):
@@ -105,6 +112,26 @@ class ImageGates(unittest.TestCase):
                 elf, said = link(self.folder, source)
                 self.assertIn(expected, said)
                 self.assertFalse(elf.exists())
+
+    def files_of(self, source: str, *options: str) -> tuple:
+        """(status, what image_files.py said, whether the image is still there)."""
+        elf, said = link(self.folder, source, options)
+        self.assertTrue(elf.exists(), said)
+        output = io.StringIO()
+        with contextlib.redirect_stdout(output), mock.patch.object(
+                sys, "argv", ["", str(elf), hex(PLACES["application_begin"])]):
+            status = image_files.main()
+        return status, output.getvalue(), elf.exists()
+
+    def test_nothing_is_made_of_an_image_with_any_of_these(self):
+        self.assertEqual(self.files_of(RIGHT)[0::2], (0, True))
+        for expected, source in FILES.items():
+            for options in (), ("-flto", "-flto-partition=one"):
+                with self.subTest(expected, options=options):
+                    status, said, exists = self.files_of(source, "-Wl,--defsym=end=0", *options)
+                    self.assertIn(expected, said)
+                    self.assertTrue(status)
+                    self.assertFalse(exists)
 
     def test_each_use_of_the_stack_is_found(self):
         for expected, source in STACK.items():

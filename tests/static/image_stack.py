@@ -3,10 +3,11 @@ function, calls through tables of virtual functions included, and interrupts wit
 
 usage: image_stack.py IMAGE.elf [--main BYTES] [--interrupt BYTES]
 
-A call through a pointer is taken to reach any virtual function, or, from the class of POINTED_AT,
-any of its functions whose address is taken. So it fails when the address of another function is
-taken, besides on more than these bytes, on recursion, on frames of a size known only at run time,
-and when the image's stack is smaller than what may be needed at once.
+A call through a pointer is taken to reach any virtual function (their addresses are also taken
+where the optimizer guesses which one a call means, and compares), or, from the class of
+POINTED_AT, any of its functions whose address is taken. So it fails when the address of another
+function is taken, besides on more than these bytes, on recursion, on frames of a size known only at
+run time, and when the image's stack is smaller than what may be needed at once.
 """
 import argparse
 import functools
@@ -29,7 +30,7 @@ CONSTRUCTORS = r"_GLOBAL__sub_I_.*"
 POINTED_AT = r"_ZN3cnc5gcode9Execution\w+"
 
 FUNCTION = re.compile(r"^([0-9a-f]{8}) <(.+)>:$")
-INSTRUCTION = re.compile(r"^\s+[0-9a-f]+:\s+(\S+)\s*(.*)$")
+INSTRUCTION = re.compile(r"^\s+([0-9a-f]+):\s+(\S+)\s*(.*)$")
 BRANCH = re.compile(r"bl?(eq|ne|lt|gt|le|ge|mi|pl|hi|ls|cc|cs|vs|vc)?(\.[nw])?|cbn?z")
 
 
@@ -74,7 +75,7 @@ class Function:
 
 class Image:
     def __init__(self, elf: pathlib.Path):
-        self.functions, self.addresses = {}, {}
+        self.functions, self.addresses, self.instructions = {}, {}, set()
         halves, taken = {}, set()
         current = None
         code = {line.split()[-1] for line in tool("objdump", "-t", elf) if line[15:16] == "F"}
@@ -86,13 +87,17 @@ class Image:
                 self.functions[current] = Function()
                 self.addresses[int(found[1], 16)] = current
             elif current and (found := INSTRUCTION.match(line)):
-                self.functions[current].read(found[1], found[2].split(";")[0], current)
-                if half := re.match(r"(\w+), #(\d+)", found[2]):
-                    if found[1] == "movw":
+                operation, operands = found[2], found[3]
+                if not operation.startswith("."):
+                    self.instructions.add(int(found[1], 16))
+                self.functions[current].read(operation, operands.split(";")[0], current)
+                if half := re.match(r"(\w+), #(\d+)", operands):
+                    if operation == "movw":
                         halves[half[1]] = int(half[2])
-                    elif found[1] == "movt":
+                    elif operation == "movt":
                         taken.add(int(half[2]) << 16 | halves.get(half[1], 0))
-        self.words = self._words_of(elf)
+        self.words = {at: word for at, word in self._words_of(elf).items()
+                      if at not in self.instructions and at + 2 not in self.instructions}
         self.classes = self._virtual_functions(elf)
         self.pointed_at = self._pointed_at(elf, taken)
         self.steps = {name for name in self.pointed_at if re.fullmatch(POINTED_AT, name)}
@@ -101,7 +106,7 @@ class Image:
 
     @staticmethod
     def _words_of(elf: pathlib.Path) -> dict:
-        """{address: word} of code and constants."""
+        """{address: word} of constants, and of code, some of which looks like an address."""
         words = {}
         for line in tool("objdump", "-s", "-j", ".text", "-j", ".data", elf):
             if found := re.match(r" ([0-9a-f]+) ((?:[0-9a-f]{2,8} ){1,4})", line):
@@ -188,10 +193,10 @@ def report(image: Image, limits: argparse.Namespace, stack: int) -> list:
     complaints += [f"size known only at run time: {name}"
                    for name, function in image.functions.items() if function.dynamic]
     complaints += [f"its address is taken: {readable([name])}"
-                   for name in sorted(image.pointed_at - image.steps)]
-    if image.steps and not any(function.pointer_calls and re.fullmatch(POINTED_AT, name)
-                               for name, function in image.functions.items()):
-        complaints.append("somebody else calls the functions of POINTED_AT by their addresses")
+                   for name in sorted(image.pointed_at - image.steps - set(image.class_of))]
+    if image.steps and sum(function.pointer_calls and bool(re.fullmatch(POINTED_AT, name))
+                           for name, function in image.functions.items()) != 1:
+        complaints.append("not one function of POINTED_AT alone calls the others by address")
     if complaints:
         return complaints
     total, way = image.depth(MAIN)
