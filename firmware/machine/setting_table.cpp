@@ -304,10 +304,10 @@ constexpr std::array<SettingInfo, 108> kTable{{
     SettingInfo{857, "Beam lag", "microseconds", -kMostBeamDelay, kMostBeamDelay, 0.0F, false,
      Group::kSpindle, Type::kDecimal, kThousandths,
      "How much later than the motors all light comes; negative where the motors come later."},
-    SettingInfo{858, "Link watchdog", "milliseconds", 0.0F, 60000.0F, 0.0F, true,
+    SettingInfo{858, "Link watchdog", "milliseconds", 0.0F, 60000.0F, 250.0F, true,
      Group::kGeneral, Type::kInteger, kWhole,
-     "How often a sender speaks at least while a laser works; later than this and a fifth more, "
-     "the machine stops dark: alarm 25. 0 waits for ever."},
+     "So long, and a fifth more, a sender may be silent while a laser works: one that polls, or "
+     "that owes a line. Slow polls are waited for. Then dark: alarm 25. 0 waits for ever."},
 }};
 // clang-format on
 static_assert(kTable.size() <= Settings::kMostSettings);

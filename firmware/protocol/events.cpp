@@ -19,7 +19,9 @@ bool LineProtocol::report() {
   const bool due = report_is_due();
   if (due) reported_ = now_;
   const bool full = receiver_.take_full_status_request();
-  if (!receiver_.take_status_request() && !full && !due) return false;
+  const bool asked = receiver_.take_status_request() || full;
+  if (!asked && !due) return false;
+  if (asked) silence_.poll(now_);
   Reply reply = begin_answer();
   status_.write(reply, machine_, receiver_.advertised_room(), form_, full);
   answer(reply);

@@ -16,13 +16,6 @@ constexpr int kRowsInATurn = 8;
 /// Lines at a look, of which a turn has two: a burst is planned in the time that a turn has.
 constexpr int kLinesInATurn = 4;
 
-/// So long no byte at all: another second changes nothing. Ticks wrap.
-constexpr std::int32_t kLongSilenceUs = 1'000'000'000;
-
-/// A sender that speaks four times a second is a little late now and then: part of the time
-/// allowed.
-constexpr float kGrace = 1.2F;
-
 /// Nothing but blanks and comments.
 bool is_empty(std::string_view line) {
   gcode::LineReader reader{line};
@@ -99,8 +92,7 @@ void LineProtocol::receive() {
     const std::size_t room = std::min<std::size_t>(incoming_.size(), receiver_.room());
     const std::size_t count = link_.read(std::as_writable_bytes(std::span{incoming_}.first(room)));
     if (count == 0) return;
-    heard_ = now_;
-    spoken_to_ = true;
+    silence_.hear(now_);
     // No byte takes more than its own room.
     CNC_ASSERT(receiver_.receive(std::span{incoming_}.first(count)) == count);
   }
@@ -129,13 +121,15 @@ void LineProtocol::attend_realtime() {
 
 /// Who is gone while the beam is on cannot be asked what it is to do.
 void LineProtocol::watch_link() {
-  constexpr std::int32_t kTurnUs = 1000;
-  const std::int32_t silent_us = now_.since(heard_);
-  if (silent_us < kTurnUs) return;
-  if (silent_us > kLongSilenceUs) heard_ = now_.plus(-static_cast<std::uint32_t>(kLongSilenceUs));
   const float allowed_ms = machine_.settings().get(setting::kLinkWatchdog);
-  if (!spoken_to_ || allowed_ms <= 0.0F || !machine_.beam_works()) return;
-  if (static_cast<float>(silent_us) > 1000.0F * kGrace * allowed_ms) machine_.lose_link();
+  const bool gone = silence_.gone(now_, allowed_ms, sender_owes());
+  if (gone && allowed_ms > 0.0F && machine_.beam_works()) machine_.lose_link();
+}
+
+/// All lines are answered, and more must come: the program has not switched the beam off.
+bool LineProtocol::sender_owes() const {
+  const bool lit = machine_.interpreter().state().spindle != gcode::SpindleMode::kOff;
+  return lit && owed_ == Owed::kNothing && !machine_.busy();
 }
 
 /// While a line waits for the machine, or for whoever reads the answers, none can be expected.
@@ -159,6 +153,7 @@ void LineProtocol::begin_anew() {
 }
 
 void LineProtocol::begin_sender() {
+  silence_.begin_sender();
   check_ = {};
   receiver_.begin_anew();
   assembler_ = {};
@@ -286,6 +281,7 @@ void LineProtocol::refuse(std::uint8_t number, Reply& reason) {
 }
 
 void LineProtocol::answer_line(Reply& reply) {
+  silence_.answer(now_);
   if (check_.numbered()) put_crc(reply.text(" N").number(check_.taken()));
   answer(reply.end());
 }

@@ -8,6 +8,7 @@
 #include "firmware/link/line_check.hpp"
 #include "firmware/link/outbox.hpp"
 #include "firmware/link/receiver.hpp"
+#include "firmware/link/silence_watch.hpp"
 #include "firmware/machine/machine.hpp"
 #include "firmware/protocol/listing.hpp"
 #include "firmware/protocol/reply.hpp"
@@ -52,7 +53,10 @@ class LineProtocol {
   void poll(hal::TickCount now);
 
   /// A realtime byte that came beside the stream.
-  void act_at_once(std::byte byte) { receiver_.act_at_once(std::to_integer<std::uint8_t>(byte)); }
+  void act_at_once(std::byte byte) {
+    silence_.hear(now_);
+    receiver_.act_at_once(std::to_integer<std::uint8_t>(byte));
+  }
 
   /// Another sender is at the link from now on: it is greeted, and gets no answer to lines
   /// of the one before, which are forgotten where they have not been read yet.
@@ -78,6 +82,7 @@ class LineProtocol {
   void ask_again(LineCheck::Verdict verdict);
   void watch_checks();
   void watch_link();
+  [[nodiscard]] bool sender_owes() const;
 
   // What is said without being asked, in events.cpp.
   [[nodiscard]] bool report();
@@ -147,6 +152,7 @@ class LineProtocol {
   Receiver receiver_{};
   LineAssembler<kLongestLine> assembler_{};
   LineCheck check_{};
+  SilenceWatch silence_{};
   Outbox<3 * Reply::kCapacity> outbox_{};  ///< A message, a reason and its number.
   Listing listing_;
   StatusReport status_{};
@@ -155,9 +161,7 @@ class LineProtocol {
   Alarm told_alarm_ = Alarm::kNone;
   bool tool_told_ = false;
   hal::TickCount now_{};
-  hal::TickCount heard_{};     ///< The last byte.
   hal::TickCount reported_{};  ///< The last report that nobody asked for.
-  bool spoken_to_ = false;     ///< At all.
   bool auto_report_ = false;
   bool modes_wanted_ = false;  ///< 0x83: a parser state between other lines.
   bool beginning_ = true;      ///< After power-up or a reset: the banner is due.

@@ -51,8 +51,7 @@ class TextLink final : public hal::ByteStream {
 };
 
 void set_laser(cnc::Machine& machine) {
-  for (const auto& [number, value] :
-       {std::pair{32, 1.0F}, {120, 2000.0F}, {121, 2000.0F}, {858, 250.0F}}) {
+  for (const auto& [number, value] : {std::pair{32, 1.0F}, {120, 2000.0F}, {121, 2000.0F}}) {
     ASSERT_TRUE(machine.change_setting(static_cast<std::uint16_t>(number), value).ok());
   }
 }
@@ -73,8 +72,10 @@ class LinkWatch : public testing::Test {
     last_byte_ms = now_ms;
   }
   void turn() {
+    const std::size_t answered = link.outgoing.size();
     controller.turn();
     ++now_ms;
+    if (link.outgoing.find("ok\r\n", answered) != std::string::npos) last_answer_ms = now_ms;
     if (controller.port().power > 0) last_light_ms = now_ms;
   }
   void wait(int ms) {
@@ -93,6 +94,7 @@ class LinkWatch : public testing::Test {
   cnc::Machine& machine = controller.machine();
   int now_ms = 0;
   int last_byte_ms = 0;
+  int last_answer_ms = 0;
   int last_light_ms = 0;
 };
 
@@ -119,6 +121,7 @@ TEST_F(LinkWatch, EndsAJobWhoseSenderFallsSilentAtEveryHundredthOfASecond) {
   int alarms = 0;
   for (int after = 0; after < 2400; after += 10) {
     SCOPED_TRACE(after);
+    talk(4 * kPollMs);
     say(kProgram);
     talk(after);
     link.outgoing.clear();
@@ -142,6 +145,27 @@ TEST_F(LinkWatch, EndsAJobWhoseSenderFallsSilentAtEveryHundredthOfASecond) {
   }
   std::printf("%d alarms\n", alarms);
   EXPECT_GT(alarms, 150);
+}
+
+/// One that does not poll, and is not at the end of its program: it owes a line as soon as all
+/// that it said has been answered.
+TEST_F(LinkWatch, EndsAJobThatIsNotFollowedUpAfterAnyOfItsCuts) {
+  int ended = 0;
+  for (std::size_t end = 0; end < kProgram.size(); ++end) {
+    if (kProgram[end] != '\n') continue;
+    const std::string_view said = kProgram.substr(0, end + 1);
+    const std::size_t line = said.rfind('\n', end - 1) + 1;
+    if (said.substr(line, 3) != "G1 " && said.substr(line, 3) != "G2 ") continue;
+    SCOPED_TRACE(said);
+    say(said);
+    wait(5000);
+    if (machine.alarm() == Alarm::kLinkSilent) ++ended;
+    EXPECT_LE(last_light_ms - std::max(last_byte_ms, last_answer_ms), kDarkMs);
+    EXPECT_EQ(controller.port().power, 0);
+    say("$X\nM5\nG90 G0 X0 Y0\n");
+    wait(3000);
+  }
+  EXPECT_EQ(ended, 5) << "the first after M3 takes less than is allowed";
 }
 
 TEST_F(LinkWatch, WaitsForEverWhereItIsToldTo) {
