@@ -74,9 +74,20 @@ class Application {
   void attend(CanLink& can, hal::TickCount now) {
     const Alarm alarm = machine_.alarm();
     can.tell({.stopped = alarm != Alarm::kNone, .alarm = static_cast<std::uint8_t>(alarm)});
+    can.want_node(can_node());
     can.attend(now);
     if (can.take_stop()) machine_.emergency_stop();
+    if (const std::uint8_t node = can.take_node_to_store()) can.note_stored(store_can_node(node));
     for (std::byte byte{}; can.take_realtime(byte);) protocol_.act_at_once(byte);
+  }
+
+  /// The number that this controller is to have on a CAN bus.
+  [[nodiscard]] std::uint8_t can_node() const {
+    return static_cast<std::uint8_t>(machine_.settings().get(setting::kCanNode));
+  }
+  /// Main loop: keeps another one; false where the machine is at work, or the store fails.
+  [[nodiscard]] bool store_can_node(std::uint8_t node) {
+    return protocol_.store_setting(setting::kCanNode, static_cast<float>(node));
   }
 
   /// Main loop: a realtime byte that came beside the text.

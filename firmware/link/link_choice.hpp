@@ -29,6 +29,8 @@ class LinkChoice final : public hal::ByteStream {
   /// Looks who is there; until the next look nothing changes hands. Before each turn.
   [[nodiscard]] Change attend();
 
+  [[nodiscard]] bool first_has_word() const { return session_ != 0; }
+
   /// Nothing from and to a sender who came after the last look.
   [[nodiscard]] std::size_t read(std::span<std::byte> into) override;
   [[nodiscard]] std::size_t write(std::span<const std::byte> from) override;

@@ -22,7 +22,7 @@ constexpr const char* kAxisNames = "X,Y,Z,A,B,C";
 
 // clang-format off
 // The size is spelled out: deduced, GCC 12 puts the table into RAM.
-constexpr std::array<SettingInfo, 108> kTable{{
+constexpr std::array<SettingInfo, 109> kTable{{
     SettingInfo{0, "Step pulse time", "microseconds", 1.0F, 12.0F, 5.0F, false,
      Group::kStepper, Type::kDecimal, kThousandths,
      "How long a step input is held high, and then low."},
@@ -308,6 +308,9 @@ constexpr std::array<SettingInfo, 108> kTable{{
      Group::kGeneral, Type::kInteger, kWhole,
      "So long, and a fifth more, a sender may be silent while a laser works: one that polls, or "
      "that owes a line. Slow polls are waited for. Then dark: alarm 25. 0 waits for ever."},
+    SettingInfo{859, "CAN node", "", 1.0F, 126.0F, 17.0F, false,
+     Group::kGeneral, Type::kInteger, kWhole,
+     "This controller's number on a CAN bus. It changes as soon as nobody talks to it there."},
 }};
 // clang-format on
 static_assert(kTable.size() <= Settings::kMostSettings);

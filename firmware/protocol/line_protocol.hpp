@@ -62,6 +62,10 @@ class LineProtocol {
   /// of the one before, which are forgotten where they have not been read yet.
   void begin_sender();
 
+  /// What came beside the stream and is no byte: changes a setting and keeps it, as a line would.
+  /// False where the machine is at work, the value out of range or the store fails.
+  [[nodiscard]] bool store_setting(std::uint16_t number, float value);
+
   /// The sender is gone, and nobody else is there: what moves or turns stops as by the
   /// safety door. The place stays known, and whoever comes next may resume or reset.
   void lose_sender();

@@ -100,6 +100,12 @@ void LineProtocol::take_command(const Statement& statement) {
   }
 }
 
+bool LineProtocol::store_setting(std::uint16_t number, float value) {
+  const SettingInfo* const info = find_setting(number);
+  return info != nullptr && rests() && machine_.change_setting(number, value).ok() &&
+         stored_.save_setting(*info, value);
+}
+
 void LineProtocol::change_setting(const Statement& statement) {
   float value = 0.0F;
   const SettingInfo* const info = find_setting(statement.number);

@@ -5,6 +5,7 @@
 
 #include KERFLINE_BOARD_HEADER
 #include "firmware/application.hpp"
+#include "firmware/target/stm32f405_can.hpp"
 #include "hal/stm32f405/port.hpp"
 #include "hal/stm32f405/serial_line.hpp"
 #include "hal/stm32f405/usb/usb_line.hpp"
@@ -15,6 +16,7 @@ inline constexpr const hal::stm32f405::Board& kBoard = hal::stm32f405::KERFLINE_
 using Port = hal::stm32f405::Port<kBoard>;
 using SerialLine = hal::stm32f405::SerialLine<kBoard>;
 using UsbLine = hal::stm32f405::UsbLine<kBoard>;
+using Can = CanSide<kBoard>;
 using Application = cnc::Application<Port>;
 
 extern Port port;

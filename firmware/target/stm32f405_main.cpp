@@ -37,7 +37,7 @@ static_assert(chip::StepTimer<Bus>::kTurnTicks == cnc::kTurnTicks);
 
 namespace {
 constinit chip::ByteRings line_rings{};
-constinit chip::ByteRings usb_rings{};
+constinit chip::UsbRings usb_rings{};
 }  // namespace
 
 // Start-up sets these up before it constructs the application.
@@ -47,7 +47,8 @@ constinit UsbLine usb_line{usb_rings};
 
 namespace {
 
-cnc::LinkChoice link{usb_line, line};
+cnc::LinkChoice cables{usb_line, line};
+Can can{cables};
 constinit chip::TimeBase<> clock_of_the_loop{};
 constinit chip::Flash<kBoard> flash{};
 cnc::FlashLog log{flash};
@@ -59,7 +60,7 @@ constinit cnc::MemoryWatch image_watch{};
 
 }  // namespace
 
-Application application{port, port, port, store, link, &board, &kept_progress};
+Application application{port, port, port, store, can.link(), &board, &kept_progress};
 
 namespace {
 
@@ -126,6 +127,7 @@ void begin_memory() {
   port.set_up(clocks);
   line.set_up(clocks);
   usb_line.set_up(clocks);
+  Can::set_up(clocks);
   clock_of_the_loop.set_up(clocks);
   chip::watch_supply<Bus>();
   if (faulted && kept.fault.fault == chip::Fault::kImage) port.refuse_motion();
@@ -181,7 +183,7 @@ void look_for_damage() {
 }
 
 void follow_senders() {
-  switch (link.attend()) {
+  switch (can.follow(cables.attend())) {
     case cnc::LinkChoice::Change::kCame:
       return application.begin_sender();
     case cnc::LinkChoice::Change::kWent:
@@ -196,8 +198,10 @@ void run_turn() {
   const std::uint32_t turn = application.turn();
   line.begin_turn(turn);
   usb_line.begin_turn(turn);
+  const hal::TickCount now{turn * cnc::kTurnUs};
+  can.attend(application, turn, now);
   follow_senders();
-  application.run_turn(hal::TickCount{turn * cnc::kTurnUs});
+  application.run_turn(now);
 }
 
 [[noreturn]] void run() {
@@ -291,6 +295,7 @@ void supply_interrupt() { stop(chip::Fault::kSupply, 0, 0); }
 void step_interrupt();
 void line_interrupt() { line.on_interrupt(); }
 void usb_interrupt() { usb_line.on_interrupt(); }
+void can_interrupt() { Can::on_interrupt(); }
 /// Above the step interrupt, which it supervises.
 void clock_interrupt() {
   clock_of_the_loop.on_interrupt();
@@ -316,6 +321,11 @@ constexpr chip::VectorTable vector_table() {
   table.interrupt_entry(chip::interrupt::kTim2) = step_interrupt;
   table.interrupt_entry(SerialLine::kInterrupt) = line_interrupt;
   table.interrupt_entry(UsbLine::kInterrupt) = usb_interrupt;
+  if (kBoard.can_transmit.exists()) {
+    for (const unsigned number : chip::bxcan::kInterruptNumbers) {
+      table.interrupt_entry(number) = can_interrupt;
+    }
+  }
   return table;
 }
 

@@ -12,6 +12,7 @@ void begin_turn() {
   late_turns = target::application.steps().late_turns();
   target::line.note_turn(turn);
   target::usb_line.note_turn(turn);
+  target::Can::note_turn(turn);
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ class CanBus {
     [[nodiscard]] bool send(const CanFrame& frame) override;
     [[nodiscard]] std::size_t room() const override;
     [[nodiscard]] CanHealth health() const override;
+    void hear_only(std::span<const std::uint32_t> /*heard*/, std::size_t /*urgent*/) override {}
 
     /// Pulled out, or plugged in again: neither hears nor speaks.
     void plug(bool in) { plugged_ = in; }

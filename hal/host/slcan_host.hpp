@@ -23,6 +23,7 @@ class SlcanHost final : public CanPort {
   [[nodiscard]] bool send(const CanFrame& frame) override;
   [[nodiscard]] std::size_t room() const override;
   [[nodiscard]] CanHealth health() const override { return counts_; }
+  void hear_only(std::span<const std::uint32_t> /*heard*/, std::size_t /*urgent*/) override {}
 
   // The wire's side.
 

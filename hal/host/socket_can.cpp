@@ -130,11 +130,11 @@ bool is_only_full(int fault) { return fault == EAGAIN || fault == EINTR || fault
 
 SocketCan::SocketCan(const std::string& interface, std::span<const std::uint32_t> heard)
     : socket_{open_socket(interface)} {
-  hear_only(heard);
+  SocketCan::hear_only(heard, 0);
   bind_to(socket_, interface);
 }
 
-void SocketCan::hear_only(std::span<const std::uint32_t> heard) const {
+void SocketCan::hear_only(std::span<const std::uint32_t> heard, std::size_t /*urgent*/) {
   constexpr can_err_mask_t kErrors = CAN_ERR_CRTL | CAN_ERR_BUSOFF | CAN_ERR_RESTARTED;
   std::vector<can_filter> filters;
   for (const std::uint32_t id : heard) {
@@ -200,14 +200,14 @@ void SocketCan::take_fault(int fault) {
 }
 
 void SocketCan::take_error(std::uint32_t kinds, std::span<const std::uint8_t> details) {
-  constexpr unsigned kWarning = CAN_ERR_CRTL_RX_WARNING | CAN_ERR_CRTL_TX_WARNING;
-  constexpr unsigned kPassive = CAN_ERR_CRTL_RX_PASSIVE | CAN_ERR_CRTL_TX_PASSIVE;
+  constexpr unsigned kWarned = CAN_ERR_CRTL_RX_WARNING | CAN_ERR_CRTL_TX_WARNING;
+  constexpr unsigned kTurnedPassive = CAN_ERR_CRTL_RX_PASSIVE | CAN_ERR_CRTL_TX_PASSIVE;
   if ((kinds & CAN_ERR_CRTL) != 0) {
     const unsigned what = details[1];
     if ((what & CAN_ERR_CRTL_RX_OVERFLOW) != 0) ++health_.lost_frames;
     if ((what & CAN_ERR_CRTL_ACTIVE) != 0) health_.state = CanState::kActive;
-    if ((what & kWarning) != 0) health_.state = CanState::kWarning;
-    if ((what & kPassive) != 0) health_.state = CanState::kPassive;
+    if ((what & kWarned) != 0) health_.state = CanState::kWarning;
+    if ((what & kTurnedPassive) != 0) health_.state = CanState::kPassive;
     health_.transmit_errors = details[6];
     health_.receive_errors = details[7];
   }

@@ -30,6 +30,7 @@ class SocketCan final : public CanPort {
   [[nodiscard]] std::size_t room() const override { return kFrames - to_send_.size(); }
   /// Of the errors, what the interface reports; a virtual one has none.
   [[nodiscard]] CanHealth health() const override { return health_; }
+  void hear_only(std::span<const std::uint32_t> heard, std::size_t urgent) override;
 
   /// Sends what waits, as far as the interface takes it. No descriptor says when it takes more, so
   /// this is for now and then.
@@ -40,7 +41,6 @@ class SocketCan final : public CanPort {
   [[nodiscard]] int number() const { return socket_.number(); }
 
  private:
-  void hear_only(std::span<const std::uint32_t> heard) const;
   void take_fault(int fault);
   void take_error(std::uint32_t kinds, std::span<const std::uint8_t> details);
   void count_drops(std::uint32_t drops);

@@ -48,6 +48,9 @@ class CanPort {
   /// Frames that can be queued now.
   [[nodiscard]] virtual std::size_t room() const = 0;
   [[nodiscard]] virtual CanHealth health() const = 0;
+  /// From now on no frames but those of these identifiers of 11 bits are of use, the first
+  /// `urgent` of which no others keep waiting. A port that cannot tell them apart passes all.
+  virtual void hear_only(std::span<const std::uint32_t> identifiers, std::size_t urgent) = 0;
 
  protected:
   ~CanPort() = default;

@@ -18,4 +18,13 @@ struct ByteRings {
   SpscRing<std::byte, kSendBytes> to_send{};
 };
 
+/// The same for USB, which tells the host to wait.
+struct UsbRings {
+  static constexpr std::uint32_t kReceiveBytes = 512;  ///< In a turn, which is a frame of USB.
+  static constexpr std::uint32_t kSendBytes = 1024;
+
+  SpscRing<std::byte, kReceiveBytes> received{};
+  SpscRing<std::byte, kSendBytes> to_send{};
+};
+
 }  // namespace hal::stm32f405

@@ -43,7 +43,7 @@ struct ServeOptions {
   std::string ws;
   std::string can;
   std::string slcan;
-  int node = cnc::can::kUsualNode;
+  int node = 0;  ///< 0: as it is set.
   double speed = 1.0;
   std::string settings_file;
   std::vector<std::string> set;
@@ -75,10 +75,13 @@ void add_options(CLI::App& command, ServeOptions& options) {
                   "A CAN adapter of the serial kind under this name, with the controller as the\n"
                   "only node on its bus")
       ->type_name("LINK");
-  command.add_option("--node", options.node, "The controller's number on a CAN bus")
+  command
+      .add_option(
+          "--node",
+          options.node,
+          "The controller's number on a CAN bus: a setting, $859, that is 17 unless changed")
       ->check(CLI::Range(1, kLastNode))
-      ->type_name("N")
-      ->capture_default_str();
+      ->type_name("N");
   command.add_option("--speed", options.speed, "Machine seconds per second")
       ->check(CLI::Range(0.01, 1000.0))
       ->type_name("N")
@@ -106,16 +109,24 @@ void add_options(CLI::App& command, ServeOptions& options) {
       ->capture_default_str();
 }
 
-void open_buses(const ServeOptions& options, Session& session, Reception& reception) {
-  const auto node = static_cast<std::uint8_t>(options.node);
+CanTransport::Controller node_of(Session& session) {
   const auto condition = [&session] {
     const auto alarm = static_cast<std::uint8_t>(session.controller().machine().alarm());
     return cnc::CanLink::Condition{.stopped = alarm != 0, .alarm = alarm};
   };
+  const auto node = [&session] { return session.controller().firmware().can_node(); };
+  const auto store_node = [&session](std::uint8_t number) {
+    return session.controller().firmware().store_can_node(number);
+  };
+  return {.condition = condition, .node = node, .store_node = store_node};
+}
+
+void open_buses(const ServeOptions& options, Session& session, Reception& reception) {
   const auto add = [&](std::unique_ptr<CanWire> wire) {
-    reception.add(std::make_unique<CanTransport>(std::move(wire), node, condition, options.speed));
+    reception.add(std::make_unique<CanTransport>(std::move(wire), node_of(session), options.speed));
   };
   if (!options.can.empty()) {
+    const std::uint8_t node = session.controller().firmware().can_node();
     add(std::make_unique<SocketCanWire>(options.can, cnc::can::heard_by_node(node)));
   }
   if (!options.slcan.empty()) add(std::make_unique<SlcanWire>(options.slcan));
@@ -138,8 +149,13 @@ void announce(const Reception& reception) {
 }
 
 /// A sender is no quicker because the machine's time is: it may be silent for as much longer.
-std::vector<SettingChange> settings_at_speed(const ServeOptions& options) {
+std::vector<SettingChange> all_settings(const ServeOptions& options) {
   std::vector<SettingChange> changes = settings_of(options.settings_file, options.set);
+  if (options.node != 0) {
+    changes.push_back({.number = cnc::setting::kCanNode,
+                       .value = static_cast<float>(options.node),
+                       .place = "--node"});
+  }
   if (options.speed <= 1.0) return changes;
   const cnc::SettingInfo& info = *cnc::find_setting(cnc::setting::kLinkWatchdog);
   const double scaled = std::round(info.standard * options.speed);
@@ -160,7 +176,7 @@ ExitStatus serve(const ServeOptions& options) {
   std::optional<hal::host::FileStore> file;
   if (!options.store.empty()) file.emplace(options.store);
   hal::host::MemoryStore& store = file ? *file : memory;
-  const ConversationSetting setting{.settings = settings_at_speed(options),
+  const ConversationSetting setting{.settings = all_settings(options),
                                     .probe_plate_z_mm = options.machine.probe_plate_z_mm,
                                     .records = store.records()};
   Session session{options.machine, setting.settings, store};

@@ -38,20 +38,22 @@ class CanTransport::Sender final : public Connection {
   std::uint32_t session_;
 };
 
-CanTransport::CanTransport(std::unique_ptr<CanWire> wire,
-                           std::uint8_t node,
-                           std::function<Condition()> condition,
-                           double speed)
+/// Simulated controllers on one bus differ by the number that they begin with.
+CanTransport::CanTransport(std::unique_ptr<CanWire> wire, Controller controller, double speed)
     : wire_{std::move(wire)},
-      link_{wire_->port(), node},
-      condition_{std::move(condition)},
+      controller_{std::move(controller)},
+      link_{wire_->port(), controller_.node(), {.serial = controller_.node()}},
       speed_{speed} {}
 
 void CanTransport::attend() {
   wire_->carry();
-  link_.tell(condition_());
+  link_.tell(controller_.condition());
+  link_.want_node(controller_.node());
   pass_time();
   link_.attend(now_);
+  if (const std::uint8_t node = link_.take_node_to_store()) {
+    link_.note_stored(controller_.store_node(node));
+  }
   wire_->carry();
 }
 

@@ -14,14 +14,15 @@ namespace sim {
 /// clock of this machine.
 class CanTransport final : public Transport {
  public:
-  using Condition = cnc::CanLink::Condition;
+  /// What the link has to know of the controller, asked for at each look, and to do with it.
+  struct Controller {
+    std::function<cnc::CanLink::Condition()> condition;
+    std::function<std::uint8_t()> node;            ///< Its setting.
+    std::function<bool(std::uint8_t)> store_node;  ///< As its setting; false: not now.
+  };
 
-  /// @param condition asked for before each look
   /// @param speed controller seconds per second
-  CanTransport(std::unique_ptr<CanWire> wire,
-               std::uint8_t node,
-               std::function<Condition()> condition,
-               double speed);
+  CanTransport(std::unique_ptr<CanWire> wire, Controller controller, double speed);
 
   [[nodiscard]] std::unique_ptr<Connection> accept() override;
   void add_to(std::vector<pollfd>& descriptors) const override { wire_->add_to(descriptors); }
@@ -39,8 +40,8 @@ class CanTransport final : public Transport {
   void pass_time();
 
   std::unique_ptr<CanWire> wire_;
+  Controller controller_;
   cnc::CanLink link_;
-  std::function<Condition()> condition_;
   double speed_;
   Clock::time_point looked_ = Clock::now();
   hal::TickCount now_{};        ///< What has passed for the link.

@@ -22,7 +22,7 @@ MAIN_BYTES, INTERRUPT_BYTES = 2048, 512
 ENTRY_BYTES = 4 * 27
 # Functions that each priority may be in, the most urgent first; `stop` does not come back.
 LEVELS = (("clock_interrupt", "supply_interrupt"), ("step_interrupt",),
-          ("line_interrupt", "usb_interrupt"))
+          ("line_interrupt", "usb_interrupt", "can_interrupt"))
 MAIN = "start_up"
 # Calls through a pointer that is no virtual function's: start-up runs the constructors of objects.
 CONSTRUCTORS = r"_GLOBAL__sub_I_.*"

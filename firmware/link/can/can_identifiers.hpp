@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 
 namespace cnc::can {
@@ -16,13 +17,17 @@ inline constexpr std::uint32_t kTextFrom = 0x480;   ///< + node: what it says, I
 inline constexpr std::uint32_t kTextTo = 0x500;     ///< + node: lines to it, ISO 15765-2.
 inline constexpr std::uint32_t kHeartbeat = 0x700;  ///< + node: its state.
 inline constexpr std::uint32_t kHostHeartbeat = 0x77F;
+inline constexpr std::uint32_t kLssFrom = 0x7E4;  ///< What a node answers to
+inline constexpr std::uint32_t kLssTo = 0x7E5;    ///< whoever gives out numbers (CiA 305).
 
 inline constexpr std::uint8_t kLastNode = 0x7E;  ///< 0x7F is the host.
 inline constexpr std::uint8_t kUsualNode = 0x11;
 
-/// What a node takes from the bus; everything else may be kept away from it.
-[[nodiscard]] constexpr std::array<std::uint32_t, 5> heard_by_node(std::uint8_t node) {
-  return {kNetwork, kFailSafe, kRealtime + node, kTextTo + node, kHostHeartbeat};
+/// What a node takes from the bus; everything else may be kept away from it. What is urgent
+/// first.
+inline constexpr std::size_t kUrgent = 3;
+[[nodiscard]] constexpr std::array<std::uint32_t, 6> heard_by_node(std::uint8_t node) {
+  return {kNetwork, kFailSafe, kRealtime + node, kTextTo + node, kHostHeartbeat, kLssTo};
 }
 
 /// What a host takes that talks to this node.

@@ -7,10 +7,28 @@
 namespace cnc {
 
 void CanLink::attend(hal::TickCount now) {
+  follow_node();
   hal::CanFrame frame;
   for (std::size_t n = 0; n < kFramesInATurn && port_.receive(frame); ++n) take(frame, now);
   look_for_loss(now);
   send_due(now);
+}
+
+void CanLink::want_node(std::uint8_t node) {
+  if (node == wanted_) return;
+  wanted_ = node;
+  next_ = node;
+}
+
+/// A number never changes while somebody talks to it, or is about to set it.
+void CanLink::follow_node() {
+  if (next_ != 0 && session_ == 0 && !numbering_.configured_now()) {
+    booting_ = booting_ || next_ != node_;
+    node_ = std::exchange(next_, std::uint8_t{0});
+  }
+  if (heard_ == node_) return;
+  heard_ = node_;
+  port_.hear_only(can::heard_by_node(node_), can::kUrgent);
 }
 
 void CanLink::take(const hal::CanFrame& frame, hal::TickCount now) {
@@ -31,6 +49,10 @@ void CanLink::take(const hal::CanFrame& frame, hal::TickCount now) {
   } else if (frame.id == can::kHostHeartbeat) {
     host_beats_ = true;
     host_heard_ = now;
+  } else if (frame.id == can::kLssTo) {
+    if (const auto reply = numbering_.take(payload, node_)) {
+      static_cast<void>(send(can::kLssFrom, *reply));  // A master that hears none asks again.
+    }
   }
 }
 
@@ -51,6 +73,8 @@ void CanLink::take_network(std::span<const std::byte> payload, hal::TickCount no
       return take_realtime(reset);
     }
     case can::NetworkCommand::kResetCommunication:
+      numbering_.end_configuration();
+      if (numbering_.set_node() != 0) next_ = numbering_.set_node();
       return end_session(can::kNoError);
   }
 }

@@ -9,6 +9,7 @@
 #include "firmware/link/can/can_identifiers.hpp"
 #include "firmware/link/can/iso_tp_receiver.hpp"
 #include "firmware/link/can/iso_tp_sender.hpp"
+#include "firmware/link/can/lss_slave.hpp"
 #include "hal/interface/can_port.hpp"
 #include "hal/interface/session_stream.hpp"
 #include "hal/interface/tick_count.hpp"
@@ -37,9 +38,11 @@ class CanLink final : public hal::SessionStream {
   };
 
   /// @param port outlives this
-  /// @param node 1 to can::kLastNode
-  explicit CanLink(hal::CanPort& port, std::uint8_t node = can::kUsualNode)
-      : port_{port}, node_{node} {}
+  /// @param node 1 to can::kLastNode, until another is wanted
+  explicit CanLink(hal::CanPort& port,
+                   std::uint8_t node = can::kUsualNode,
+                   const LssSlave::Identity& identity = {})
+      : port_{port}, node_{node}, numbering_{identity} {}
 
   CanLink(const CanLink&) = delete;
   CanLink& operator=(const CanLink&) = delete;
@@ -58,6 +61,16 @@ class CanLink final : public hal::SessionStream {
   /// Before attend(): of the time since then so much is no silence of the host's, because nobody
   /// could have heard it. Microseconds.
   void excuse_host(std::uint32_t time) { host_heard_ = host_heard_.plus(time); }
+
+  /// The setting of this node's number, which it takes on as soon as nobody talks to it.
+  /// @param node 1 to can::kLastNode
+  void want_node(std::uint8_t node);
+  /// The number that a master on the bus has set, once, when it is to be stored as the setting;
+  /// note_stored() says whether it was. 0: nothing is.
+  [[nodiscard]] std::uint8_t take_node_to_store() {
+    return numbering_.take_store_request() ? numbering_.set_node() : 0;
+  }
+  void note_stored(bool ok) { static_cast<void>(send(can::kLssFrom, LssSlave::stored(ok))); }
 
   /// What is told to others from the next turn on.
   void tell(const Condition& condition) { condition_ = condition; }
@@ -78,6 +91,7 @@ class CanLink final : public hal::SessionStream {
   void take(const hal::CanFrame& frame, hal::TickCount now);
   void take_network(std::span<const std::byte> payload, hal::TickCount now);
   void take_realtime(std::span<const std::byte> payload);
+  void follow_node();
   void begin_session();
   void end_session(std::uint16_t error);
   void look_for_loss(hal::TickCount now);
@@ -88,6 +102,7 @@ class CanLink final : public hal::SessionStream {
 
   hal::CanPort& port_;
   std::uint8_t node_;
+  LssSlave numbering_;
   IsoTpReceiver receiver_{};
   std::array<std::byte, kSaidBytes> said_{};
   IsoTpSender sender_{said_, kSaidBytes / 2};
@@ -101,6 +116,9 @@ class CanLink final : public hal::SessionStream {
   bool host_beats_ = false;
   bool failed_ = false;  ///< Nobody is there until the network is started, or a reset comes.
   bool booting_ = true;
+  std::uint8_t wanted_ = 0;  ///< The setting; 0: none.
+  std::uint8_t next_ = 0;    ///< What this node's number is to become; 0: what it is.
+  std::uint8_t heard_ = 0;   ///< The number that the port was told of.
   Condition condition_{};
   Condition told_{};
   hal::TickCount host_heard_{};

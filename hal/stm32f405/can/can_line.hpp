@@ -11,6 +11,7 @@
 #include "hal/stm32f405/board.hpp"
 #include "hal/stm32f405/can/can_filter.hpp"
 #include "hal/stm32f405/can/can_timing.hpp"
+#include "hal/stm32f405/turn_marks.hpp"
 
 namespace hal::stm32f405 {
 
@@ -24,7 +25,7 @@ template <const Board& kBoard, RegisterBus Bus = MemoryBus>
 class CanLine final : public CanPort {
  public:
   static constexpr std::uint32_t kReceiveFrames = 32;
-  static constexpr std::uint32_t kSendFrames = 32;
+  static constexpr std::uint32_t kSendFrames = 16;
   static constexpr unsigned kPriority = 4;
   static constexpr CanTiming kTiming = can_timing(kFullSpeed.apb1, kBoard.can_bit_rate);
 
@@ -45,7 +46,7 @@ class CanLine final : public CanPort {
     PinSetUp<Bus>::hand_over(kPins.transmit, kFunction, false);
     use(filters);
     if (!speak(Voice::kSilent)) return false;
-    for (const unsigned number : kInterruptNumbers) enable_interrupt<Bus>(number, kPriority);
+    for (const unsigned number : bxcan::kInterruptNumbers) enable_interrupt<Bus>(number, kPriority);
     return true;
   }
 
@@ -67,7 +68,15 @@ class CanLine final : public CanPort {
 
   // Main loop.
 
-  [[nodiscard]] bool receive(CanFrame& frame) override { return received_.try_pop(frame); }
+  /// From now on receive() hands out what had come when this turn began.
+  void begin_turn(std::uint32_t turn) {
+    in_turns_ = true;
+    marks_.begin_turn(turn);
+  }
+
+  [[nodiscard]] bool receive(CanFrame& frame) override {
+    return in_turns_ ? received_.try_pop_before(marks_.end(), frame) : received_.try_pop(frame);
+  }
 
   [[nodiscard]] bool send(const CanFrame& frame) override {
     if (frame.length > frame.data.size() || !to_send_.try_push(frame)) return false;
@@ -90,6 +99,25 @@ class CanLine final : public CanPort {
             .lost_frames = lost_.load(std::memory_order_relaxed)};
   }
 
+  void hear_only(std::span<const std::uint32_t> identifiers, std::size_t urgent) override {
+    std::array<CanFilter, bxcan::kBanks> filters{};
+    std::size_t count = 0;
+    const auto add = [&](std::span<const std::uint32_t> part, std::uint8_t fifo) {
+      for (std::size_t at = 0; at < part.size() && count < filters.size(); at += 2) {
+        filters[count++] = {.kind = CanFilter::Kind::kList,
+                            .fifo = fifo,
+                            .id = part[at],
+                            .other = part[at + 1 < part.size() ? at + 1 : at]};
+      }
+    };
+    add(identifiers.first(urgent), 0);
+    add(identifiers.subspan(urgent), 1);
+    use(std::span{filters}.first(count));
+  }
+
+  /// An interrupt above its own: a turn begins.
+  void note_turn(std::uint32_t turn) noexcept { marks_.note(turn, received_.place()); }
+
   // Its interrupts.
 
   void on_interrupt() noexcept {
@@ -110,10 +138,6 @@ class CanLine final : public CanPort {
   static_assert(kTiming.exists(), "this rate is not within reach");
   static constexpr unsigned kFunction = 9;
   static constexpr Word kMode = bxcan::kRecoverAlone | bxcan::kInOrder | bxcan::kKeepOldest;
-  static constexpr std::array<unsigned, 4> kInterruptNumbers{bxcan::kTransmitInterrupt,
-                                                             bxcan::kFifo0Interrupt,
-                                                             bxcan::kFifo1Interrupt,
-                                                             bxcan::kStatusInterrupt};
   /// It waits for a frame that is under way, then for 11 bits of silence: 2 ms at 125 kbit/s.
   /// A look takes at least 4 clocks of 168 MHz.
   static constexpr std::uint32_t kLooks = 420'000;
@@ -205,6 +229,8 @@ class CanLine final : public CanPort {
   std::atomic<std::uint32_t> bus_offs_{0};
   std::atomic<std::uint32_t> lost_{0};
   std::atomic<bool> speaks_{false};
+  TurnMarks marks_{};
+  bool in_turns_ = false;
 };
 
 }  // namespace hal::stm32f405

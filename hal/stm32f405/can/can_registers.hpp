@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "hal/stm32f405/registers.hpp"
 
 /// CAN1 (RM0090 rev. 19, chapter 32).
@@ -11,6 +13,8 @@ inline constexpr unsigned kTransmitInterrupt = 19;
 inline constexpr unsigned kFifo0Interrupt = 20;
 inline constexpr unsigned kFifo1Interrupt = 21;
 inline constexpr unsigned kStatusInterrupt = 22;
+inline constexpr std::array kInterruptNumbers{
+    kTransmitInterrupt, kFifo0Interrupt, kFifo1Interrupt, kStatusInterrupt};
 
 inline constexpr Address kControl = kBase + 0x00;
 inline constexpr Address kStatus = kBase + 0x04;

@@ -28,7 +28,7 @@ class UsbLine final : public SessionStream {
   static constexpr unsigned kInterrupt = otg::kInterrupt;
   static constexpr unsigned kPriority = 4;
 
-  constexpr explicit UsbLine(ByteRings& rings)
+  constexpr explicit UsbLine(UsbRings& rings)
       : received_{rings.received}, to_send_{rings.to_send} {}
 
   /// Once, with interrupts off. Nothing is there without the crystal: the host wants
@@ -222,7 +222,7 @@ class UsbLine final : public SessionStream {
   }
 
   [[nodiscard]] bool has_room() const {
-    return ByteRings::kReceiveBytes - received_.size() >= usb::kPacketBytes;
+    return UsbRings::kReceiveBytes - received_.size() >= usb::kPacketBytes;
   }
 
   void exchange_data() noexcept {
@@ -244,8 +244,8 @@ class UsbLine final : public SessionStream {
   }
 
   usb::ControlPipe<Bus> control_{};
-  SpscRing<std::byte, ByteRings::kReceiveBytes>& received_;
-  SpscRing<std::byte, ByteRings::kSendBytes>& to_send_;
+  SpscRing<std::byte, UsbRings::kReceiveBytes>& received_;
+  SpscRing<std::byte, UsbRings::kSendBytes>& to_send_;
   TurnMarks marks_{};
   std::atomic<std::uint32_t> session_{0};
   /// Where in `received_` begins what came after the last change of session.

@@ -26,11 +26,15 @@ class MemoryPort final : public hal::CanPort {
   }
   [[nodiscard]] std::size_t room() const override { return most - outgoing.size(); }
   [[nodiscard]] hal::CanHealth health() const override { return counted; }
+  void hear_only(std::span<const std::uint32_t> identifiers, std::size_t /*urgent*/) override {
+    heard.assign(identifiers.begin(), identifiers.end());
+  }
 
   std::deque<hal::CanFrame> incoming;
   std::vector<hal::CanFrame> outgoing;
   std::size_t most = 32;
   hal::CanHealth counted{};
+  std::vector<std::uint32_t> heard;  ///< Identifiers that are of use.
 };
 
 class CanLinkTest : public testing::Test {
@@ -200,6 +204,54 @@ TEST_F(CanLinkTest, AlarmsAndTheirEndsAreToldOnce) {
   ASSERT_EQ(told.size(), 1U);
   EXPECT_EQ(told[0].data[0], std::byte{0});
   EXPECT_EQ(told[0].data[1], std::byte{0});
+}
+
+/// Whether the node of this number, and it alone, is there.
+TEST_F(CanLinkTest, AnotherNumberIsTakenOnWhenNobodyTalksToIt) {
+  const auto is_node = [&](std::uint8_t node) {
+    const auto wanted = can::heard_by_node(node);
+    return link.node() == node && port.heard == std::vector(wanted.begin(), wanted.end());
+  };
+  link.want_node(kNode);
+  pass_ms(1);
+  EXPECT_TRUE(is_node(kNode));
+  hear_text("$\n");
+  pass_ms(1);
+  link.want_node(0x24);
+  pass_ms(1000);
+  EXPECT_TRUE(is_node(kNode)) << "somebody talks to it";
+  port.outgoing.clear();
+  hear(can::kNetwork, {0x82, kNode});
+  pass_ms(2);
+  EXPECT_TRUE(is_node(0x24));
+  const auto beats = said(can::kHeartbeat + 0x24);
+  ASSERT_EQ(beats.size(), 1U);
+  EXPECT_EQ(beats[0].data[0], std::byte{0}) << "it begins anew";
+  hear_text("$\n");
+  pass_ms(1);
+  EXPECT_EQ(link.session(), 0U);
+}
+
+TEST_F(CanLinkTest, AMasterGivesItANumberThatCountsFromTheNextReset) {
+  link.want_node(kNode);
+  hear(can::kLssTo, {0x04, 1, 0, 0, 0, 0, 0, 0});
+  hear(can::kLssTo, {0x11, 0x42, 0, 0, 0, 0, 0, 0});
+  hear(can::kLssTo, {0x17, 0, 0, 0, 0, 0, 0, 0});
+  pass_ms(3);
+  EXPECT_EQ(link.take_node_to_store(), 0x42);
+  EXPECT_EQ(link.take_node_to_store(), 0);
+  link.note_stored(true);
+  const auto answers = said(can::kLssFrom);
+  ASSERT_EQ(answers.size(), 2U);
+  EXPECT_EQ(answers[0].data[0], std::byte{0x11});
+  EXPECT_EQ(answers[1].data[0], std::byte{0x17});
+  EXPECT_EQ(link.session(), 0U) << "that is no sender";
+  link.want_node(0x42);  // As it is stored.
+  pass_ms(10);
+  EXPECT_EQ(link.node(), kNode);
+  hear(can::kNetwork, {0x82, 0});
+  pass_ms(2);
+  EXPECT_EQ(link.node(), 0x42);
 }
 
 TEST_F(CanLinkTest, ABusThatTakesNothingLosesNothing) {

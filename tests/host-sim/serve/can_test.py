@@ -4,6 +4,7 @@ are put together here, independently of the firmware.
 
     can_test.py KERFLINE
 """
+import contextlib
 import sys
 import time
 
@@ -18,7 +19,8 @@ from served import BANNER, LASER, ServeTest, main
 NODE = 0x23
 TO, FROM, REALTIME = 0x500 + NODE, 0x480 + NODE, 0x200 + NODE
 EMERGENCY, HEARTBEAT, HOST_HEARTBEAT, NETWORK = 0x080 + NODE, 0x700 + NODE, 0x77F, 0x000
-START, STOP = 0x01, 0x02
+START, STOP, RESET_COMMUNICATION = 0x01, 0x02, 0x82
+LSS_TO, LSS_FROM = 0x7E5, 0x7E4
 
 
 class Host:
@@ -122,12 +124,18 @@ class Can(ServeTest):
         # What is tried here is the bus: a host that beats and says nothing more is none of $858's.
         served = self.serve("--slcan", self.link, "--node", NODE, *LASER, "--set", "$858=0",
                             *arguments)
+        self.served = served
         self.assertEqual(served.ways["slcan"], f"{self.link} node {NODE}")
         host = Host(str(self.link), beats)
-        self.addCleanup(host.bus.shutdown)
+        self.addCleanup(self.leave, host)
         host.send(NETWORK, START, NODE)
         host.until(BANNER)
         return host
+
+    @staticmethod
+    def leave(host):
+        with contextlib.suppress(can.CanError):  # Where the other end is gone already.
+            host.bus.shutdown()
 
     def test_greets_and_answers(self):
         host = self.open()
@@ -135,6 +143,31 @@ class Can(ServeTest):
         self.assertIn("<Idle", host.report())
         self.assertEqual(host.ask("G21 G90 G0 X0 Y0 (a comment longer than a frame or two)"), "ok\r\n")
         self.assertIn(host.until_frame(HEARTBEAT), (b"\x00", b"\x05", b"\x7f"))
+
+    def test_a_master_finds_it_and_gives_it_a_number(self):
+        """As CiA 305 has it, by the frames; the simulator's serial number is that of its node."""
+        store = self.folder / "store"
+        host = self.open("--store", store)
+
+        def configure(command, *data):
+            host.frames.clear()
+            host.send(LSS_TO, command, *data, *[0] * (7 - len(data)))
+            return host.until_frame(LSS_FROM)[:2]
+
+        for command, number in (0x40, 0), (0x41, 0x4B657266), (0x42, 1):
+            host.send(LSS_TO, command, *number.to_bytes(4, "little"), 0, 0, 0)
+        self.assertEqual(configure(0x43, NODE), b"\x44\0")
+        self.assertEqual(configure(0x11, 127), b"\x11\x01")
+        self.assertEqual(configure(0x11, NODE + 1), b"\x11\0")
+        self.assertEqual(configure(0x17), b"\x17\0")
+        host.send(LSS_TO, 0x04, 0, 0, 0, 0, 0, 0, 0)
+        self.assertIn("<Idle", host.report(), "its number is the old one")
+        host.send(NETWORK, RESET_COMMUNICATION, NODE)
+        host.frames.clear()
+        self.assertEqual(host.until_frame(HEARTBEAT + 1), b"\0", "it begins as another")
+        self.served.stop()
+        served = self.serve("--slcan", self.link, "--store", store)
+        self.assertEqual(served.ways["slcan"], f"{self.link} node {NODE + 1}", "it was stored")
 
     def test_drives_a_job(self):
         host = self.open("--speed", 20)

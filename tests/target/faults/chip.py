@@ -131,6 +131,8 @@ class Chip:
     def command(self, *options: str) -> list:
         return [EMULATOR, "-M", "netduinoplus2", "-display", "none", "-monitor", "none",
                 "-serial", "none", "-icount", f"shift={self.shift},sleep=off",
+                # Of a board with a boot loader the vectors lie farther up.
+                "-global", f"armv7m.init-nsvtor={self.symbols['image_begin']:#x}",
                 "-kernel", str(self.image), "-plugin", ",".join([self.plugin, *options])]
 
     def run(self, text: str, stop_ns: int, *options: str, from_ns: int = BOOT_NS) -> Run:

@@ -99,13 +99,14 @@ TEST_F(CanLineTest, HasItsPinsAndFilters) {
 }
 
 TEST_F(CanLineTest, SendsInOrderThroughThreeMailboxes) {
+  constexpr int kFrames = Line::kSendFrames;
   speak();
-  for (int i = 0; i < 30; ++i) ASSERT_TRUE(line_.send(frame_of(0x100U - i, {i, 2 * i})));
+  for (int i = 0; i < kFrames; ++i) ASSERT_TRUE(line_.send(frame_of(0x100U - i, {i, 2 * i})));
   line_.on_interrupt();
   EXPECT_NE(0U, can_.master & 1U << 2) << "in the order of requests";
   EXPECT_NE(0U, can_.master & 1U << 6) << "back from bus-off by itself";
-  for (unsigned i = 0; i < 30; ++i) {
-    ASSERT_EQ(std::min(3U, 30 - i), can_.requested.size());
+  for (unsigned i = 0; i < Line::kSendFrames; ++i) {
+    ASSERT_EQ(std::min(3U, Line::kSendFrames - i), can_.requested.size());
     const Mail mail = can_.take_sent();
     EXPECT_EQ((0x100 - i) << 21, mail[0] & ~1U);
     EXPECT_EQ(2U, mail[1]);
@@ -113,6 +114,21 @@ TEST_F(CanLineTest, SendsInOrderThroughThreeMailboxes) {
     line_.on_interrupt();
   }
   EXPECT_EQ(0U, can_.transmitted) << "what was done is acknowledged";
+}
+
+TEST_F(CanLineTest, HearsOtherIdentifiersWhenItIsToldTo) {
+  const std::array<std::uint32_t, 6> heard{0x000, 0x001, 0x211, 0x511, 0x77F, 0x7E5};
+  line_.hear_only(heard, 3);
+  EXPECT_EQ(0U, can_.filter_master & 1U);
+  EXPECT_EQ(15U, can_.filters_on);
+  EXPECT_EQ(15U, can_.lists & 15U);
+  EXPECT_EQ(12U, can_.second) << "what is urgent has a FIFO of its own";
+  const std::array<std::array<std::uint32_t, 2>, 4> pairs{
+      {{0x000, 0x001}, {0x211, 0x211}, {0x511, 0x77F}, {0x7E5, 0x7E5}}};
+  for (std::size_t bank = 0; bank < pairs.size(); ++bank) {
+    EXPECT_EQ(pairs[bank][0] << 21, can_.banks[bank][0]);
+    EXPECT_EQ(pairs[bank][1] << 21, can_.banks[bank][1]);
+  }
 }
 
 TEST_F(CanLineTest, WritesEveryKindOfFrame) {

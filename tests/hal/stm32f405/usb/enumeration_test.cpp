@@ -165,7 +165,7 @@ TEST_F(UsbEnumeration, IsNotThereWithoutTheCrystalOrTheCore) {
   UsbBus::core() = {};
   UsbBus::core().answers = false;
   ChipModel& chip = ModelBus::start_anew();
-  ByteRings rings;
+  UsbRings rings;
   UsbDesk::Line line{rings};
   line.set_up(kFullSpeed);
   EXPECT_FALSE(UsbBus::core().attached());
@@ -177,7 +177,7 @@ TEST_F(UsbEnumeration, WaitsUntilTheCoreIsADevice) {
   UsbBus::core() = {};
   UsbBus::core().looks_as_host = 1000;
   ModelBus::start_anew();
-  ByteRings rings;
+  UsbRings rings;
   UsbDesk::Line line{rings};
   line.set_up(kFullSpeed);
   EXPECT_TRUE(UsbBus::core().attached());

@@ -63,7 +63,7 @@ class UsbDesk {
 
   ChipModel& chip;
   OtgModel& core = UsbBus::core();
-  ByteRings rings{};
+  UsbRings rings{};
   Line line{rings};
   UsbHost host;
 

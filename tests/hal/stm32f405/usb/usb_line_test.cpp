@@ -47,9 +47,9 @@ TEST_F(UsbLineTest, AHostThatSendsTooMuchWaits) {
     const std::string packet = pattern(64, static_cast<unsigned>(sent.size()));
     if (desk_.host.send(bytes_in(packet)) != Shake::kAck) break;
     sent += packet;
-    ASSERT_LE(sent.size(), ByteRings::kReceiveBytes);
+    ASSERT_LE(sent.size(), UsbRings::kReceiveBytes);
   }
-  EXPECT_EQ(ByteRings::kReceiveBytes, sent.size());
+  EXPECT_EQ(UsbRings::kReceiveBytes, sent.size());
   for (int tries = 0; tries < 10; ++tries) EXPECT_EQ(Shake::kNak, desk_.host.send({1}));
   // Less than a packet of room is none.
   std::string heard = desk_.hear(63);
@@ -67,7 +67,7 @@ TEST_F(UsbLineTest, AHostThatFetchesNothingStopsTheWriter) {
        said += pattern(taken, static_cast<unsigned>(said.size()))) {
     taken = desk_.say(pattern(100, static_cast<unsigned>(said.size())));
   }
-  EXPECT_EQ(ByteRings::kSendBytes + 64, said.size());  // And a packet with the core.
+  EXPECT_EQ(UsbRings::kSendBytes + 64, said.size());  // And a packet with the core.
   EXPECT_FALSE(desk_.line.sent());
   EXPECT_EQ(said, text_of(desk_.host.fetch_transfer()));
   EXPECT_TRUE(desk_.line.sent());
