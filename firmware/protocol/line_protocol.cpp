@@ -41,11 +41,11 @@ LineProtocol::LineProtocol(hal::ByteStream& link,
       stored_{store},
       kerf_{store},
       listing_{machine, stored_, kerf_, board} {
-  load_settings();
+  const Progress kept = machine_.progress();
+  load_settings();  // Other steps per millimetre make the machine forget its progress.
   machine_.set_power_table(stored_.load_power_table());
   machine_.set_places(stored_.load_places());
-  const Progress& stored = stored_.load_progress();
-  if (!machine_.progress().any()) machine_.set_progress(stored);
+  machine_.set_progress(kept.any() ? kept : stored_.load_progress());
 }
 
 void LineProtocol::poll(hal::TickCount now) {

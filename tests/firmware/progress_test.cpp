@@ -101,6 +101,19 @@ TEST_F(ProgressTest, OutlivesARestartInMemoryThatIsNotCleared) {
   }
 }
 
+/// Another scale makes it forget, but not the scale that start-up loads.
+TEST_F(ProgressTest, OutlivesTheSettingsThatAreLoadedWithIt) {
+  KeptProgress kept;
+  const Progress progress{.line = 77, .steps = {1, -2, 3, -4, 5, -6}};
+  kept.keep(progress);
+  EXPECT_EQ(send("$100=1600"), "ok");
+  MemoryLink other;
+  Application<hal::host::RecordingPort> again{port, port, port, store, other, nullptr, &kept};
+  EXPECT_EQ(again.machine().settings().get(setting::kStepsPerMm), 1600.0F);
+  EXPECT_EQ(again.machine().progress(), progress);
+  EXPECT_EQ(kept.progress(), progress);
+}
+
 TEST_F(ProgressTest, IsTakenUpOnlyWhereItIs) {
   EXPECT_EQ(send("$RESUME=12"), "error:2");
   lose_the_sender();

@@ -50,7 +50,8 @@ LINKER = {
 FILES = {
     "heap: malloc": "#include <cstdlib>\nint planted(int n) { return std::malloc(n) != nullptr; }",
     "heap: _Znwj": "int* volatile p;\nint planted(int n) { p = new int{n}; return *p; }",
-    "printf: snprintf": "#include <cstdio>\nint planted(int n) { char t[9]; return std::snprintf(t, 9, \"%d\", n) + t[0]; }",
+    "printf: snprintf": "#include <cstdio>\n"
+                        "int planted(int n) { char t[9]; return std::snprintf(t, 9, \"%d\", n) + t[0]; }",
     "double arithmetic: __aeabi_dmul": "int planted(int n) { double d = n; return d * d * 1.1 > 2.0; }",
     "the end of the program (use CNC_ASSERT): abort":
         "#include <cstdlib>\nint planted(int n) { if (n > 3) std::abort(); return n; }",

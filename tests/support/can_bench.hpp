@@ -42,6 +42,9 @@ struct BusStation {
   BusStation(hal::host::CanBus& bus, std::uint8_t node)
       : place{bus.join()}, link{place, node}, controller{link, {}} {
     controller.add_sink(edges);
+    EXPECT_TRUE(machine().change_setting(cnc::setting::kCanNode, node).ok());
+    // What is tried is the bus; its senders do not poll.
+    EXPECT_TRUE(machine().change_setting(cnc::setting::kLinkWatchdog, 0.0F).ok());
   }
 
   void turn() {

@@ -18,7 +18,7 @@ using Line = chip::CanLine<chip::kBttSkrPro12>;
 using Routine = void (*)();
 
 constexpr unsigned kToItself = 5;
-constexpr unsigned kToOthers = 40;
+constexpr unsigned kToOthers = 24;  ///< More than the driver has room for.
 constexpr std::uint32_t kFirstId = 0x300;
 
 constinit Line line{};
