@@ -308,7 +308,7 @@ constexpr std::array<SettingInfo, 109> kTable{{
      Group::kGeneral, Type::kInteger, kWhole,
      "So long, and a fifth more, a sender may be silent while a laser works: one that polls, or "
      "that owes a line. Slow polls are waited for. Then dark: alarm 25. 0 waits for ever."},
-    SettingInfo{859, "CAN node", "", 1.0F, 126.0F, 17.0F, false,
+    SettingInfo{859, "CAN node", "number", 1.0F, 126.0F, 17.0F, false,
      Group::kGeneral, Type::kInteger, kWhole,
      "This controller's number on a CAN bus. It changes as soon as nobody talks to it there."},
 }};
