@@ -18,6 +18,7 @@
 #include "host-sim/serve/record_file.hpp"
 #include "host-sim/serve/server.hpp"
 #include "host-sim/serve/slcan_wire.hpp"
+#include "host-sim/serve/tcp_slcan_wire.hpp"
 #include "host-sim/serve/tcp_transport.hpp"
 #include "host-sim/serve/web_transport.hpp"
 #include "host-sim/trace/trace_writer.hpp"
@@ -36,6 +37,8 @@ constexpr const char* kServeFooter =
     "When the sender is lost, the machine stops on its path, beam off, and is reset.";
 
 constexpr int kLastNode = cnc::can::kLastNode;
+
+constexpr std::string_view kTcp = "tcp:";  ///< Begins where --slcan is a port, not a file.
 
 struct ServeOptions {
   std::string pty;
@@ -72,8 +75,8 @@ void add_options(CLI::App& command, ServeOptions& options) {
   command
       .add_option("--slcan",
                   options.slcan,
-                  "A CAN adapter of the serial kind under this name, with the controller as the\n"
-                  "only node on its bus")
+                  "A CAN adapter of the serial kind under this name, or behind a port as\n"
+                  "tcp:[ADDRESS:]PORT, with the controller as the only node on its bus")
       ->type_name("LINK");
   command
       .add_option(
@@ -129,7 +132,12 @@ void open_buses(const ServeOptions& options, Session& session, Reception& recept
     const std::uint8_t node = session.controller().firmware().can_node();
     add(std::make_unique<SocketCanWire>(options.can, cnc::can::heard_by_node(node)));
   }
-  if (!options.slcan.empty()) add(std::make_unique<SlcanWire>(options.slcan));
+  if (options.slcan.starts_with(kTcp)) {
+    const std::string_view place = std::string_view{options.slcan}.substr(kTcp.size());
+    add(std::make_unique<TcpSlcanWire>(parse_address(place)));
+  } else if (!options.slcan.empty()) {
+    add(std::make_unique<SlcanWire>(options.slcan));
+  }
 }
 
 void open_ways_in(const ServeOptions& options, Reception& reception) {

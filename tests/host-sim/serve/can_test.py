@@ -144,6 +144,17 @@ class Can(ServeTest):
         self.assertEqual(host.ask("G21 G90 G0 X0 Y0 (a comment longer than a frame or two)"), "ok\r\n")
         self.assertIn(host.until_frame(HEARTBEAT), (b"\x00", b"\x05", b"\x7f"))
 
+    def test_is_behind_a_port_as_well_for_one_host_after_another(self):
+        served = self.serve("--slcan", "tcp:0", "--node", NODE)
+        address = served.ways["slcan"].split()[0].removeprefix("tcp:")
+        for _ in range(2):
+            host = Host("socket://" + address)
+            host.send(NETWORK, START, NODE)
+            host.until(BANNER)
+            self.assertIn("[VER:1.1h", host.ask("$I"))
+            host.bus.shutdown()
+            time.sleep(0.3)
+
     def test_a_master_finds_it_and_gives_it_a_number(self):
         """As CiA 305 has it, by the frames; the simulator's serial number is that of its node."""
         store = self.folder / "store"

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "hal/host/slcan.hpp"
+#include "host-sim/can/can_wire.hpp"
+#include "host-sim/serve/tcp_transport.hpp"
+
+namespace sim {
+
+/// A CAN adapter of the serial kind behind a TCP port, as python-can's `socket://` and socat know
+/// them. One host at a time: whoever comes meanwhile waits.
+class TcpSlcanWire final : public CanWire {
+ public:
+  /// Throws as TcpTransport.
+  explicit TcpSlcanWire(const InternetAddress& address) : listener_{address} {}
+
+  [[nodiscard]] hal::CanPort& port() override { return slcan_; }
+  void carry() override;
+  void add_to(std::vector<pollfd>& descriptors) const override;
+  [[nodiscard]] std::string_view kind() const override { return "slcan"; }
+  [[nodiscard]] std::string address() const override { return "tcp:" + listener_.address(); }
+
+ private:
+  TcpTransport listener_;
+  std::unique_ptr<Connection> host_;
+  hal::host::Slcan slcan_{};
+};
+
+}  // namespace sim
