@@ -119,6 +119,9 @@ async function gSender(talk) {
   await talk.state('Idle');
 }
 
+/// They ask by a timer for as long as they are connected; the controller counts on it ($858).
+const kPollMs = { candle: 75, ugs: 200, laserGrbl: 250, gSender: 250 };
+
 const settings = ['--settings', example('laser.settings')];
 
 await run(`conversations over ${kind}`, async ({ folder, keep }) => {
@@ -127,6 +130,7 @@ await run(`conversations over ${kind}`, async ({ folder, keep }) => {
   for (const sender of [candle, ugs, laserGrbl, gSender]) {
     const talk = await Talk.open(kind, controller.ways[kind]);
     await greeting(talk);
+    talk.pollEvery(kPollMs[sender.name]);
     await sender(talk);
     talk.close();
     await sleep(700);

@@ -134,7 +134,13 @@ export class Talk {
     await until('all lines are answered', () => this.acks - first === lines.length, 60_000);
   }
 
+  /// Asks for reports until it is closed.
+  pollEvery(ms) {
+    this.polling = setInterval(() => this.write('?'), ms);
+  }
+
   close() {
+    clearInterval(this.polling);
     this.transport.close();
   }
 }
