@@ -68,6 +68,7 @@ std::optional<LssSlave::Payload> LssSlave::take(std::span<const std::byte> paylo
   } else if (command == Command::kConfigureBitRate) {
     return answer(command, kOutOfRange);
   } else if (command == Command::kStore) {
+    if (node_ == 0) return stored(true);  // What counts is stored already.
     store_ = true;
   } else if (command >= Command::kAskVendor && command <= Command::kAskSerial) {
     return answer(command, identity_[from(Command::kAskVendor)]);

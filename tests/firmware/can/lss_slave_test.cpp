@@ -91,6 +91,8 @@ TEST_F(LssSlaveTest, TellsWhoItIs) {
 
 TEST_F(LssSlaveTest, AsksOnceForItsNumberToBeStored) {
   say({0x04, 1});
+  EXPECT_EQ(say({0x17}), whole({0x17, 0})) << "nothing was set, so nothing is to be stored";
+  EXPECT_FALSE(slave.take_store_request());
   say({0x11, 5});
   EXPECT_TRUE(say({0x17}).empty()) << "whoever stores it answers";
   EXPECT_TRUE(slave.take_store_request());
