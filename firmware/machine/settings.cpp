@@ -1,11 +1,19 @@
 #include "firmware/machine/settings.hpp"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
+#include <numeric>
 
 #include "planner/base/contract.hpp"
 
 namespace cnc {
+namespace {
+
+std::uint32_t bits_of(float value) { return std::bit_cast<std::uint32_t>(value); }
+
+}  // namespace
+
 const SettingInfo* find_setting(std::uint16_t number) {
   const std::size_t index = setting_row(number);
   return index < setting_table().size() ? &setting_table()[index] : nullptr;
@@ -13,7 +21,15 @@ const SettingInfo* find_setting(std::uint16_t number) {
 
 Settings::Settings() {
   const auto table = setting_table();
-  for (std::size_t i = 0; i < table.size(); ++i) values_[i] = table[i].standard;
+  for (std::size_t i = 0; i < table.size(); ++i) {
+    values_[i] = table[i].standard;
+    sum_ += bits_of(table[i].standard);
+  }
+}
+
+bool Settings::sound() const {
+  const auto add = [](std::uint32_t sum, float value) { return sum + bits_of(value); };
+  return std::accumulate(values_.begin(), values_.end(), std::uint32_t{0}, add) == sum_;
 }
 
 std::string_view describe(SettingError error) {
@@ -45,6 +61,7 @@ Result<float, SettingError> Settings::set(std::uint16_t number, float value) {
   if (!(value >= info.least)) return SettingError::kBelowRange;
   if (value > info.most) return SettingError::kAboveRange;
   if (info.whole && value != std::floor(value)) return SettingError::kNotWhole;
+  sum_ += bits_of(value) - bits_of(values_[index]);
   values_[index] = value;
   ++revision_;
   return value;

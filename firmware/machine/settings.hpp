@@ -101,9 +101,13 @@ class Settings {
   Result<float, SettingError> set(std::uint16_t number, float value);
   /// Another number after each change, for whoever keeps what follows from them.
   [[nodiscard]] std::uint32_t revision() const { return revision_; }
+  /// Whether the values are those that were set: false where one turned over in memory, also
+  /// between two changes.
+  [[nodiscard]] bool sound() const;
 
  private:
   std::array<float, kMostSettings> values_{};
+  std::uint32_t sum_ = 0;  ///< Of the values' bits, kept by what they are set to.
   std::uint32_t revision_ = 1;
 };
 

@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <cstring>
+#include <functional>
 #include <span>
+#include <utility>
 
 #include "firmware/machine/configuration.hpp"
 #include "firmware/machine/motion_control.hpp"
@@ -12,28 +14,30 @@
 namespace cnc {
 namespace {
 
+constexpr std::size_t kBytes = 32;
+constexpr int kMostPieces = 128;  ///< Of a millisecond each on the chip.
+
+bool finds_damage(Machine& machine) {
+  for (int piece = 0; piece < kMostPieces; ++piece) {
+    if (!machine.check_memory(kBytes)) return true;
+  }
+  return false;
+}
+
+/// As radiation does it: past the type.
+template <typename Object>
+void turn(const Object& object, std::size_t byte, unsigned bit) {
+  unsigned char value = 0;
+  auto* const at = reinterpret_cast<unsigned char*>(const_cast<Object*>(&object)) + byte;
+  std::memcpy(&value, at, 1);
+  value = static_cast<unsigned char>(value ^ 1U << bit);
+  std::memcpy(at, &value, 1);
+}
+
 /// Settings and places that turn over in memory while nobody changes them.
 class MachineMemoryTest : public ControllerTest {
  protected:
-  static constexpr std::size_t kBytes = 32;
-  static constexpr int kMostPieces = 128;  ///< Of a millisecond each on the chip.
-
-  bool is_found() {
-    for (int piece = 0; piece < kMostPieces; ++piece) {
-      if (!machine.check_memory(kBytes)) return true;
-    }
-    return false;
-  }
-
-  /// As radiation does it: past the type.
-  template <typename Object>
-  static void turn(const Object& object, std::size_t byte, unsigned bit) {
-    unsigned char value = 0;
-    auto* const at = reinterpret_cast<unsigned char*>(const_cast<Object*>(&object)) + byte;
-    std::memcpy(&value, at, 1);
-    value = static_cast<unsigned char>(value ^ 1U << bit);
-    std::memcpy(at, &value, 1);
-  }
+  bool is_found() { return finds_damage(machine); }
 };
 
 TEST_F(MachineMemoryTest, ASettingIsFoundWithinAFewPieces) {
@@ -82,6 +86,34 @@ TEST_F(MachineMemoryTest, AChangeDoesNotHideWhatTurnedOverBefore) {
   turn(machine.settings(), 44, 3);
   EXPECT_EQ(send("$110=6000"), "ok");
   EXPECT_TRUE(is_found());
+}
+
+/// Outputs that do something while settings are being applied.
+class BusyOutputs final : public hal::AuxiliaryOutputs {
+ public:
+  void set_spindle(bool, bool) override {
+    if (meanwhile) std::exchange(meanwhile, {})();
+  }
+  void set_coolant(bool, bool) override {}
+  void set_digital(std::uint8_t, bool) override {}
+  void set_analog_output(std::uint8_t, std::uint16_t) override {}
+  void set_motors_enabled(bool) override {}
+
+  std::function<void()> meanwhile;
+};
+
+// A jerk of 0 that becomes a trace of one is of no range that would refuse it.
+TEST(MachineMemory, WhatTurnsOverWhileSettingsAreAppliedIsNotTrusted) {
+  for (std::size_t row = 0; row < setting_table().size(); ++row) {
+    hal::host::RecordingPort port;
+    BusyOutputs outputs;
+    StepGenerator<hal::host::RecordingPort, 64> steps{port};
+    Machine machine{steps, outputs, port, nullptr};
+    outputs.meanwhile = [&] { turn(machine.settings(), 4 * row, 0); };
+    EXPECT_TRUE(machine.change_setting(setting::kRate, 6000.0F).ok());
+    EXPECT_FALSE(outputs.meanwhile);
+    EXPECT_TRUE(finds_damage(machine)) << "$" << setting_table()[row].number;
+  }
 }
 
 // A jerk that became 2 mm/s³ would leave the beam lit on one place.

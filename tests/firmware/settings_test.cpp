@@ -77,6 +77,18 @@ TEST(Settings, RefuseBrokenNumbersWhereOnlyWholeOnesMeanAnything) {
   EXPECT_TRUE(settings.set(setting::kLaserMode, 1.0F).ok());
 }
 
+TEST(Settings, KnowThatAValueTurnedOverThoughAnotherIsSet) {
+  Settings settings;
+  EXPECT_TRUE(settings.sound());
+  ASSERT_TRUE(settings.set(setting::kRate, 4000.0F).ok());
+  EXPECT_TRUE(settings.sound());
+  constexpr std::size_t kByte = 4 * 7 + 1;
+  auto* const byte = reinterpret_cast<unsigned char*>(&settings) + kByte;
+  *byte = static_cast<unsigned char>(*byte ^ 0x10U);
+  ASSERT_TRUE(settings.set(setting::kRate, 5000.0F).ok());
+  EXPECT_FALSE(settings.sound());
+}
+
 TEST(SettingsDeathTest, StopWhoReadsANumberThatIsNotThere) {
   EXPECT_DEATH(static_cast<void>(Settings{}.get(7)), "contract failed");
 }

@@ -17,14 +17,14 @@ SKIPPED = 77
 POWER_CUT, STOPPED = 90, 91
 MS = 1_000_000  # ns.
 SLOWEST = 60  # Times as slow as the chip that the emulator is allowed to be.
-BOOT_NS = 40 * MS  # Clocks, the image's checksum, the store; then the banner.
+BOOT_NS = 45 * MS  # Clocks, the image's checksum, the store; then the banner.
 AT_ONCE = 2  # Emulators.
 CHIP_OPTIONS = ("erase_us=1000",)  # A store that is new is erased at its first use.
 RAM = 0x20000000
 
 # Of the generic board.
 BEAM_PIN, BEAM_TIMER = "PA8", "TIM1_CH1"
-STEP_PINS = ("PA0", "PA1", "PA2")
+STEP_PINS = ("PA0", "PA1", "PA2", "PC0", "PC1", "PC2")  # Of all six axes.
 FLOOD_PIN = "PB4"
 
 
