@@ -317,7 +317,6 @@ class Machine {
 
   // Settings, in machine_settings.cpp.
   void apply_settings();
-  void derive_from_settings();
   void apply_limits();
   void apply_motor_settings();
   void apply_language_settings();

@@ -41,18 +41,9 @@ void Machine::set_power_table(const motion::PowerTable& table) {
   apply_settings();
 }
 
-/// What turned over before it was trusted is in its checksum: settings answer for themselves,
-/// and what follows from them follows twice.
+/// By parts, out of line, of which each makes large values and gives their room back. A setting that
+/// turned over before all was trusted is in the checksum, so settings answer for themselves.
 void Machine::apply_settings() {
-  derive_from_settings();
-  settings_watch_.accept();
-  derive_from_settings();
-  memory_is_sound_ = memory_is_sound_ && settings_.sound();
-  check_settings();
-}
-
-/// By parts, out of line, of which each makes large values and gives their room back.
-[[gnu::noinline]] void Machine::derive_from_settings() {
   apply_limits();
   travel_.configure(settings_, homed_);
   apply_motor_settings();
@@ -61,6 +52,8 @@ void Machine::apply_settings() {
   tool_.configure({.most_speed = settings_.get(setting::kMostSpindleSpeed),
                    .least_speed = settings_.get(setting::kLeastSpindleSpeed),
                    .laser = settings_.get(setting::kLaserMode) != 0.0F});
+  settings_watch_.accept();
+  memory_is_sound_ = memory_is_sound_ && settings_.sound();
 }
 
 [[gnu::noinline]] void Machine::apply_limits() {

@@ -29,6 +29,7 @@ FLIPS_IN_A_RUN = 32
 APART_NS = 12 * MS
 FIRST_NS = BOOT_NS + 15 * MS
 MOST_LIT_NS = MS
+MOST_APART_NS = 2000
 RESTARTED = re.compile(r"\[MSG:(Restarted [^\]]*)\]")
 
 
@@ -36,6 +37,12 @@ def job() -> str:
     """Longer than any run, each line whole in itself: after a restart the rest of it goes on."""
     return "".join(f"G90G21M{3 + way // 4 % 2}S{400 + 50 * (way % 3)}"
                    f"G1X{way % 7 / 20}Y{way % 5 / 10}F1500\n" for way in range(600))
+
+
+def at_the_same_times(steps: list, others: list) -> bool:
+    """To what the emulator takes an interrupt sooner or later from run to run."""
+    return len(steps) == len(others) and all(
+        abs(a - b) < MOST_APART_NS for a, b in zip(steps, others))
 
 
 class FlipTest(unittest.TestCase):
@@ -92,8 +99,8 @@ class FlipTest(unittest.TestCase):
         kinds.update(re.sub(r" at 0x\w+|\d+", "", text) for text in told)
         kinds["ALARM"] += len(re.findall(r"ALARM:", run.said))
         kinds["line refused"] += len(re.findall(r"error:", run.said))
-        same = run.said == undisturbed.said and run.steps() == undisturbed.steps()
-        kinds["runs the same to the last edge" if same else "runs that differ"] += 1
+        same = run.said == undisturbed.said and at_the_same_times(run.steps(), undisturbed.steps())
+        kinds["runs the same to the last step" if same else "runs that differ"] += 1
         if run.lit_without_step()[0] > MOST_LIT_NS >= run.lit_without_motion()[0]:
             kinds["a slow motion"] += 1
         return kinds, run.lit_without_motion()[0]
