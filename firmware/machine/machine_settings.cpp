@@ -41,8 +41,8 @@ void Machine::set_power_table(const motion::PowerTable& table) {
   apply_settings();
 }
 
-/// By parts, out of line, of which each makes large values and gives their room back. A setting that
-/// turned over before all was trusted is in the checksum, so settings answer for themselves.
+/// By parts, out of line, of which each makes large values and gives their room back. A setting
+/// that turned over before all was trusted is in the checksum, so settings answer for themselves.
 void Machine::apply_settings() {
   apply_limits();
   travel_.configure(settings_, homed_);
