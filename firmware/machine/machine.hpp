@@ -137,6 +137,8 @@ class Machine {
   /// How much light the beam gives at which duty. @pre idle()
   void set_power_table(const motion::PowerTable& table);
   [[nodiscard]] const motion::PowerTable& power_table() const { return power_table_; }
+  /// Where M190, G41 and G42 find kerfs from now on. @param kerf outlives this
+  void use_kerf(kerf::KerfSource& kerf);
   /// What was stored at the last power-down. @pre idle()
   void set_places(const gcode::StoredPlaces& places);
 
@@ -321,6 +323,7 @@ class Machine {
   hal::MachineInputs& input_port_;
   Settings settings_{};
   motion::PowerTable power_table_{};
+  kerf::KerfSource* kerf_ = nullptr;  ///< None until somebody has one.
   motion::Limits limits_{};
   MemoryWatch settings_watch_{};
   MemoryWatch places_watch_{};

@@ -41,6 +41,7 @@ LineProtocol::LineProtocol(hal::ByteStream& link,
       stored_{store},
       kerf_{store},
       listing_{machine, stored_, kerf_, board} {
+  machine_.use_kerf(kerf_);
   const Progress kept = machine_.progress();
   load_settings();  // Other steps per millimetre make the machine forget its progress.
   machine_.set_power_table(stored_.load_power_table());

@@ -70,7 +70,12 @@ std::string_view coolant_words(const gcode::Coolant& coolant) {
 /// Nothing for G40, which senders do not ask for.
 void put_compensation(Reply& reply, const gcode::CutterCompensation& wanted, bool inches) {
   if (wanted.side == gcode::CutterSide::kOn) return;
-  reply.text(wanted.side == gcode::CutterSide::kLeft ? " G41.1 D" : " G42.1 D");
+  const bool left = wanted.side == gcode::CutterSide::kLeft;
+  if (wanted.by_kerf) {
+    reply.text(left ? " G41" : " G42");
+    return;
+  }
+  reply.text(left ? " G41.1 D" : " G42.1 D");
   reply.value(wanted.width_mm / (inches ? kMillimetresPerInch : 1.0F), 0);
 }
 

@@ -231,6 +231,13 @@ Result<kerf::TableView<float>, KerfTablesError> KerfTables::table(std::size_t in
   return table_.view();
 }
 
+Result<float, kerf::Refusal> KerfTables::width_mm(std::size_t index,
+                                                 const kerf::Condition& condition) {
+  const auto found = table(index);
+  if (!found.ok()) return kerf::Refusal{.reason = kerf::RefusalReason::kNoSpeed};
+  return kerf::kerf_width(found.value(), condition);
+}
+
 Result<std::size_t, KerfTablesError> KerfTables::find(std::string_view name) const {
   for (std::size_t i = 0; i < kBuiltInTables.size(); ++i) {
     if (kBuiltInTables[i].name == name) return i;

@@ -9,6 +9,7 @@
 
 #include "hal/interface/record_store.hpp"
 #include "planner/base/result.hpp"
+#include "planner/kerf/kerf_source.hpp"
 #include "planner/kerf/table_image.hpp"
 
 namespace cnc {
@@ -33,7 +34,7 @@ enum class KerfTablesError : std::uint8_t {
 ///
 /// One table at a time is in memory. Saving may take most of a second: take_part(), keep(),
 /// forget() and forget_all() only while nothing moves. Main loop context.
-class KerfTables {
+class KerfTables final : public kerf::KerfSource {
  public:
   static constexpr std::size_t kMostStored = 4;
   static constexpr std::size_t kPartBytes = hal::RecordStore::kLongestRecord;
@@ -61,7 +62,9 @@ class KerfTables {
   [[nodiscard]] bool forget_all();
 
   /// Tables there are, built-in ones first; stored ones that are damaged count.
-  [[nodiscard]] std::size_t count() const;
+  [[nodiscard]] std::size_t count() const override;
+  [[nodiscard]] Result<float, kerf::Refusal> width_mm(std::size_t index,
+                                                      const kerf::Condition& condition) override;
   [[nodiscard]] std::size_t stored() const;
   [[nodiscard]] static std::size_t built_in();
   /// One of them; a stored one is valid until the next call of a member. @pre index < count()

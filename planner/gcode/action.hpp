@@ -35,12 +35,13 @@ enum class ActionKind : std::uint8_t {
 enum class SpindleMode : std::uint8_t { kOff, kConstant, kDynamic };  ///< M5, M3, M4.
 
 /// Beside the path, as it is driven.
-enum class CutterSide : std::uint8_t { kOn, kLeft, kRight };  ///< G40, G41.1, G42.1.
+enum class CutterSide : std::uint8_t { kOn, kLeft, kRight };  ///< G40, G41 and G41.1, G42 and G42.1.
 
 /// How far beside.
 struct CutterCompensation {
   CutterSide side = CutterSide::kOn;
-  /// D: of the whole cut.
+  bool by_kerf = false;  ///< G41, G42: the width is what the material's table has.
+  /// Of the whole cut; D of G41.1 and G42.1.
   float width_mm = 0.0F;
   constexpr bool operator==(const CutterCompensation&) const = default;
 };

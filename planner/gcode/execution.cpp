@@ -30,7 +30,7 @@ void adopt(const Block& block, ModalGroup group, Mode& mode) {
 /// its own line.
 Refusal Execution::run() {
   using Step = Refusal (Execution::*)();
-  static constexpr std::array<Step, 20> kOrder{{
+  static constexpr std::array<Step, 21> kOrder{{
       &Execution::check_signs,
       &Execution::check_open_nurbs,
       &Execution::check_compensated_words,
@@ -44,6 +44,7 @@ Refusal Execution::run() {
       &Execution::set_coolant,
       &Execution::dwell,
       &Execution::set_tool_length,
+      &Execution::set_material,
       &Execution::set_compensation,
       &Execution::set_path_control,
       &Execution::set_offsets,
@@ -109,6 +110,9 @@ Refusal Execution::set_feed() {
     const bool inches = modal.units == Units::kInches;
     modal.feed = inches ? modal.rotary_feed * kMillimetresPerInch : modal.rotary_feed;
   }
+  if (keeps_kerf() && modal.feed != context_.modal.feed) {
+    return block_.blame(FaultDetail::kNotBesideThePath, 'F');
+  }
   return std::nullopt;
 }
 
@@ -120,6 +124,9 @@ Refusal Execution::set_spindle_speed() {
   if (speed > options_.highest_spindle_speed) {
     return with_limit(block_.blame(FaultDetail::kTooLarge, 'S'), options_.highest_spindle_speed);
   }
+  if (keeps_kerf() && speed != context_.modal.spindle_speed) {
+    return block_.blame(FaultDetail::kNotBesideThePath, 'S');
+  }
   next_.modal.spindle_speed = speed;
   actions_.append(ActionKind::kSpindleSpeed).value = speed;
   return std::nullopt;
@@ -128,6 +135,7 @@ Refusal Execution::set_spindle_speed() {
 /// One for each part of a G1, as LightBurn clusters them; the last one stays.
 Refusal Execution::set_powers() {
   if (!options_.laser) return block_.blame(FaultDetail::kPowersNeedLaser, 'S');
+  if (keeps_kerf()) return block_.blame(FaultDetail::kNotBesideThePath, 'S');
   for (const float power : block_.powers()) {
     if (power <= options_.highest_spindle_speed) continue;
     Fault fault =

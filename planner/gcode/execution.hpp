@@ -84,6 +84,10 @@ class Execution {
   [[nodiscard]] Refusal dwell();
   [[nodiscard]] Refusal set_compensation();
   [[nodiscard]] Refusal read_compensation(CutterCompensation& wanted);
+  [[nodiscard]] Refusal read_cut_width(float& width_mm);
+  [[nodiscard]] Refusal look_up_kerf(float& width_mm) const;
+  [[nodiscard]] Refusal set_material();
+  [[nodiscard]] bool keeps_kerf() const;
   [[nodiscard]] Refusal check_compensated_words();
   [[nodiscard]] Refusal set_path_control();
   [[nodiscard]] Refusal take_tolerance(char letter, std::optional<float>& tolerance_mm);

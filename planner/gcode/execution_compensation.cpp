@@ -1,4 +1,6 @@
+#include <algorithm>
 #include <array>
+#include <cstdint>
 
 #include "planner/base/units.hpp"
 #include "planner/gcode/execution.hpp"
@@ -8,6 +10,36 @@ namespace {
 
 /// Less is a slip: no tool is so thin.
 constexpr float kNarrowestCutMm = 0.01F;
+
+constexpr float kMicrometresPerMillimetre = 1000.0F;
+constexpr float kMicrometresPerMinute = 60.0F * kMicrometresPerMillimetre;  ///< Of mm/s.
+
+/// The nearest whole number. @pre value ≥ 0
+std::uint32_t whole(float value) { return static_cast<std::uint32_t>(value + 0.5F); }
+
+/// What was asked for and the nearest that is permissible, in mm, W or mm/min.
+Fault kerf_fault(Fault fault, const kerf::Condition& asked, const kerf::Refusal& refusal) {
+  constexpr float kThousandth = 1.0F / 1000.0F;
+  std::uint32_t value = asked.power_mw;
+  switch (refusal.reason) {
+    case kerf::RefusalReason::kThickness:
+      fault.detail = FaultDetail::kNotThisThickness;
+      value = asked.thickness_um;
+      break;
+    case kerf::RefusalReason::kPower:
+      fault.detail = FaultDetail::kNotThisPower;
+      break;
+    case kerf::RefusalReason::kSpeed:
+      fault.detail = FaultDetail::kNotThisSpeed;
+      value = asked.speed_um_min;
+      break;
+    case kerf::RefusalReason::kNoSpeed:
+      break;
+  }
+  fault.value = static_cast<float>(value) * kThousandth;
+  fault.limit = static_cast<float>(std::clamp(value, refusal.least, refusal.most)) * kThousandth;
+  return fault;
+}
 
 }  // namespace
 
@@ -57,17 +89,82 @@ Refusal Execution::set_compensation() {
 Refusal Execution::read_compensation(CutterCompensation& wanted) {
   const auto word = block_.meaning<CutterRadius>(ModalGroup::kCutterRadius);
   if (word == CutterRadius::kOff) return std::nullopt;
-  wanted.side = word == CutterRadius::kLeft ? CutterSide::kLeft : CutterSide::kRight;
+  const bool left = word == CutterRadius::kLeft || word == CutterRadius::kLeftByWidth;
+  wanted.side = left ? CutterSide::kLeft : CutterSide::kRight;
+  wanted.by_kerf = word == CutterRadius::kLeft || word == CutterRadius::kRight;
+  return wanted.by_kerf ? look_up_kerf(wanted.width_mm) : read_cut_width(wanted.width_mm);
+}
+
+/// D of G41.1 and G42.1.
+Refusal Execution::read_cut_width(float& width_mm) {
   const Decimal* const number = block_.take('D');
   if (number == nullptr) return missing('D', ModalGroup::kCutterRadius);
-  wanted.width_mm = to_length(*number).mm();
-  if (wanted.width_mm < kNarrowestCutMm || wanted.width_mm > options_.widest_cut_mm) {
+  width_mm = to_length(*number).mm();
+  if (width_mm < kNarrowestCutMm || width_mm > options_.widest_cut_mm) {
     const bool inches = next_.modal.units == Units::kInches;
     Fault fault = block_.blame(FaultDetail::kNotACutWidth, 'D');
     fault.limit = options_.widest_cut_mm / (inches ? kMillimetresPerInch : 1.0F);
     return fault;
   }
   return std::nullopt;
+}
+
+/// What the material's table has for the power and speed that are set now: S and F do not change
+/// until G40.
+Refusal Execution::look_up_kerf(float& width_mm) const {
+  const auto blame = [this](FaultDetail detail) {
+    return block_.blame(detail, ModalGroup::kCutterRadius);
+  };
+  const ModalState& modal = next_.modal;
+  if (!options_.laser) return blame(FaultDetail::kKerfNeedsLaser);
+  const bool selected = options_.kerf != nullptr && modal.material.thickness_um != 0 &&
+                        modal.material.table < options_.kerf->count();
+  if (!selected) return blame(FaultDetail::kMaterialMissing);
+  if (options_.greatest_power_mw == 0) return blame(FaultDetail::kKerfNeedsWatts);
+  if (modal.feed <= 0.0F) return blame(FaultDetail::kFeedMissing);
+  const float share = std::min(modal.spindle_speed / options_.full_power_speed, 1.0F);
+  const kerf::Condition condition{
+      .thickness_um = modal.material.thickness_um,
+      .power_mw = whole(share * static_cast<float>(options_.greatest_power_mw)),
+      .speed_um_min = whole(modal.feed * kMicrometresPerMinute)};
+  const auto width = options_.kerf->width_mm(modal.material.table, condition);
+  if (!width.ok()) {
+    return kerf_fault(block_.blame(FaultDetail::kNoSpeedAtAll, ModalGroup::kCutterRadius),
+                      condition,
+                      width.error());
+  }
+  width_mm = width.value();
+  return std::nullopt;
+}
+
+/// M190 P Q: a kerf table, and a thickness of which it knows something or not.
+Refusal Execution::set_material() {
+  if (!block_.has(ModalGroup::kMaterial)) return std::nullopt;
+  const std::size_t count = options_.kerf != nullptr ? options_.kerf->count() : 0;
+  std::uint32_t table = 0;
+  const auto last = static_cast<std::uint32_t>(count > 0 ? count - 1 : 0);
+  if (const auto fault = take_index(
+          'P', ModalGroup::kMaterial, last, FaultDetail::kNoSuchMaterial, table)) {
+    return fault;
+  }
+  const Decimal* const thickness = block_.take('Q');
+  if (thickness == nullptr) return missing('Q', ModalGroup::kMaterial);
+  const float thickness_um = to_length(*thickness).mm() * kMicrometresPerMillimetre;
+  constexpr auto kMost = static_cast<float>(kerf::kMostThicknessUm);
+  if (thickness_um < 1.0F) return block_.blame(FaultDetail::kNegative, 'Q');
+  if (thickness_um > kMost) {
+    Fault fault = block_.blame(FaultDetail::kTooLarge, 'Q');
+    const bool inches = next_.modal.units == Units::kInches;
+    fault.limit = kMost / kMicrometresPerMillimetre / (inches ? kMillimetresPerInch : 1.0F);
+    return fault;
+  }
+  next_.modal.material = {.table = table, .thickness_um = whole(thickness_um)};
+  return std::nullopt;
+}
+
+/// Beside the path by a kerf, which is one for all of it, and this line does not end it.
+bool Execution::keeps_kerf() const {
+  return context_.modal.compensation.by_kerf && !block_.has(ModalGroup::kCutterRadius);
 }
 
 }  // namespace cnc::gcode

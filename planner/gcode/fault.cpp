@@ -77,6 +77,14 @@ constexpr std::array<Explanation, kFaultDetailCount> kExplanations{{
     {kUnsupportedWord, "%w has no place between G41.1 or G42.1 and G40"},
     {kUnsupportedWord, "%w changes what G40 has to end first"},
     {kValueTooLarge, "%w is no width of a cut, limit %n"},
+    {kValueTooLarge, "%w names no kerf table, the last is %n: $K lists them"},
+    {kValueWordMissing, "%w needs a material: M190 P(table) Q(thickness)"},
+    {kUnsupportedWord, "%w needs laser mode, $32=1"},
+    {kUnsupportedWord, "%w needs the beam's watts: $PC"},
+    {kValueTooLarge, "%v mm is no thickness of the material, the nearest is %l mm"},
+    {kValueTooLarge, "%v W does not cut the material, the nearest is %l W"},
+    {kValueTooLarge, "%v mm/min does not cut the material, the nearest is %l mm/min"},
+    {kValueTooLarge, "at %v W no speed cuts the material"},
 }};
 
 constexpr const Explanation& explanation_of(FaultDetail detail) {

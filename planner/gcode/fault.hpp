@@ -96,10 +96,18 @@ enum class FaultDetail : std::uint8_t {
   kNotBesideThePath,
   kAlreadyBesideThePath,
   kNotACutWidth,
+  kNoSuchMaterial,
+  kMaterialMissing,
+  kKerfNeedsLaser,
+  kKerfNeedsWatts,
+  kNotThisThickness,
+  kNotThisPower,
+  kNotThisSpeed,
+  kNoSpeedAtAll,
 };
 
 inline constexpr std::size_t kFaultDetailCount =
-    static_cast<std::size_t>(FaultDetail::kNotACutWidth) + 1;
+    static_cast<std::size_t>(FaultDetail::kNoSpeedAtAll) + 1;
 
 /// Why a line was refused. A refused line changes nothing and moves nothing.
 struct Fault {

@@ -48,6 +48,13 @@ struct PathControl {
   constexpr bool operator==(const PathControl&) const = default;
 };
 
+/// What is cut, by M190.
+struct Material {
+  std::uint32_t table = 0;         ///< P: its place in the list of `$K`.
+  std::uint32_t thickness_um = 0;  ///< Q; 0: none is selected.
+  constexpr bool operator==(const Material&) const = default;
+};
+
 /// G54…G59, G59.1…G59.3.
 inline constexpr std::size_t kCoordinateSystemCount = 9;
 
@@ -63,6 +70,7 @@ struct ModalState {
   std::uint8_t coordinate_system = 0;  ///< 0 is G54.
   PathControl path{};
   CutterCompensation compensation{};
+  Material material{};
   bool tool_length_in_use = false;  ///< G43.1, else G49.
   SpindleMode spindle = SpindleMode::kOff;
   Coolant coolant{};

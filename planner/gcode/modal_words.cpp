@@ -18,7 +18,7 @@ constexpr ModalWord word(std::uint16_t tenths, ModalGroup group, Meaning meaning
 using enum ModalGroup;
 
 /// The motion words come first: they are looked up most.
-constexpr std::array<ModalWord, 52> kGWords{{
+constexpr std::array<ModalWord, 54> kGWords{{
     word(0, kMotion, MotionMode::kRapid),
     word(10, kMotion, MotionMode::kLine),
     word(20, kMotion, MotionMode::kArcClockwise),
@@ -43,8 +43,10 @@ constexpr std::array<ModalWord, 52> kGWords{{
     word(384, kMotion, MotionMode::kProbeRelease),
     word(385, kMotion, MotionMode::kProbeReleaseOrNot),
     word(400, kCutterRadius, CutterRadius::kOff),
-    word(411, kCutterRadius, CutterRadius::kLeft),
-    word(421, kCutterRadius, CutterRadius::kRight),
+    word(410, kCutterRadius, CutterRadius::kLeft),
+    word(411, kCutterRadius, CutterRadius::kLeftByWidth),
+    word(420, kCutterRadius, CutterRadius::kRight),
+    word(421, kCutterRadius, CutterRadius::kRightByWidth),
     word(431, kToolLength, ToolLength::kSet),
     word(490, kToolLength, ToolLength::kCancel),
     word(530, kNonModal, NonModal::kMachineCoordinates),
@@ -73,7 +75,7 @@ constexpr std::array<ModalWord, 52> kGWords{{
     word(940, kFeedMode, FeedMode::kUnitsPerMinute),
 }};
 
-constexpr std::array<ModalWord, 17> kMWords{{
+constexpr std::array<ModalWord, 18> kMWords{{
     word(0, kStop, Stop::kPause),
     word(10, kStop, Stop::kOptionalPause),
     word(20, kStop, Stop::kEnd),
@@ -91,6 +93,7 @@ constexpr std::array<ModalWord, 17> kMWords{{
     word(650, kOutput, Output::kOff),
     word(670, kOutput, Output::kAnalogWithMotion),
     word(680, kOutput, Output::kAnalog),
+    word(1900, kMaterial, 0),
 }};
 
 /// Whole numbers that other controllers give decimals to: G49.1 is a word that

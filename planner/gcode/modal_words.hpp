@@ -28,9 +28,10 @@ enum class ModalGroup : std::uint8_t {
   kToolChange,        ///< M group 6, only M6: nothing to choose
   kSpindle,           ///< M group 7, SpindleMode
   kCoolant,           ///< M group 8, CoolantWord
+  kMaterial,          ///< Only M190: nothing to choose
 };
 
-inline constexpr std::size_t kModalGroupCount = 16;
+inline constexpr std::size_t kModalGroupCount = 17;
 
 enum class NonModal : std::uint8_t {
   kNothing,
@@ -47,7 +48,13 @@ enum class NonModal : std::uint8_t {
   kRestoreG92,          ///< G92.3
 };
 
-enum class CutterRadius : std::uint8_t { kOff, kLeft, kRight };        ///< G40, G41.1, G42.1.
+enum class CutterRadius : std::uint8_t {
+  kOff,              ///< G40
+  kLeft,             ///< G41: by the kerf of the material.
+  kRight,            ///< G42
+  kLeftByWidth,      ///< G41.1
+  kRightByWidth,     ///< G42.1
+};
 enum class ToolLength : std::uint8_t { kSet, kCancel };                ///< G43.1, G49.
 enum class Stop : std::uint8_t { kPause, kOptionalPause, kEnd };       ///< M0, M1, M2 and M30.
 enum class CoolantWord : std::uint8_t { kMist, kFlood, kOff, kBoth };  ///< M7, M8, M9, M7 M8.

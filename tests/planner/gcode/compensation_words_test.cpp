@@ -14,7 +14,7 @@ class CompensationWords : public InterpreterTest {
 TEST_F(CompensationWords, ChooseSideWidthAndPlane) {
   const Action action = take_one("G19 G41.1 D0.3");
   EXPECT_EQ(action.kind, ActionKind::kCompensation);
-  EXPECT_EQ(action.compensation, (CutterCompensation{CutterSide::kLeft, 0.3F}));
+  EXPECT_EQ(action.compensation, (CutterCompensation{.side = CutterSide::kLeft, .width_mm = 0.3F}));
   EXPECT_EQ(action.plane, Plane::kYZ);
   EXPECT_EQ(take_one("G40").compensation, CutterCompensation{});
   EXPECT_EQ(take_one("G20 G42.1 D.01").compensation.width_mm, 0.254F);

@@ -1,0 +1,118 @@
+#include <gtest/gtest.h>
+
+#include <array>
+
+#include "planner/kerf/csp_1n.hpp"
+#include "tests/planner/gcode/interpreter_test.hpp"
+
+namespace cnc::gcode {
+namespace {
+
+/// The table that is built in, twice.
+class BuiltIn final : public kerf::KerfSource {
+ public:
+  [[nodiscard]] std::size_t count() const override { return 2; }
+  [[nodiscard]] Result<float, kerf::Refusal> width_mm(std::size_t,
+                                                      const kerf::Condition& condition) override {
+    asked = condition;
+    return kerf::kerf_width(kerf::kCsp1n<float>, condition);
+  }
+  kerf::Condition asked{};
+};
+
+/// M190, and G41 and G42 by the kerf of what it selects.
+class KerfWords : public InterpreterTest {
+ protected:
+  KerfWords() {
+    options.laser = true;
+    options.kerf = &kerf;
+    options.full_power_speed = 1000.0F;
+    options.greatest_power_mw = 2'000'000;
+    interpreter.set_options(options);
+  }
+  FaultDetail refused(std::string_view line) { return refuse(line).detail; }
+
+  BuiltIn kerf;
+  Options options{};
+};
+
+/// The worked example of Park and Ahn 2007: 2 mm at 725 W and 2700 mm/min.
+TEST_F(KerfWords, TakeTheWidthFromTheTable) {
+  static_cast<void>(take("M190 P0 Q2"));
+  const auto actions = take("G42 F2700 S362.5");
+  ASSERT_EQ(actions.size(), 2U);
+  const CutterCompensation wanted = actions[1].compensation;
+  EXPECT_EQ(wanted.side, CutterSide::kRight);
+  EXPECT_TRUE(wanted.by_kerf);
+  EXPECT_EQ(kerf.asked, (kerf::Condition{2000, 725'000, 2'700'000}));
+  const auto exact = kerf::kerf_width(kerf::kCsp1n<float>, kerf.asked);
+  ASSERT_TRUE(exact.ok());
+  EXPECT_EQ(wanted.width_mm, exact.value());
+}
+
+TEST_F(KerfWords, ReadInchesAsTheyAre) {
+  static_cast<void>(take("G20 M190 P1 Q.078740157"));
+  EXPECT_EQ(interpreter.state().material, (Material{.table = 1, .thickness_um = 2000}));
+  static_cast<void>(take("G41 F106.2992126 S362.5"));
+  EXPECT_EQ(kerf.asked, (kerf::Condition{2000, 725'000, 2'700'000}));
+}
+
+TEST_F(KerfWords, KeepPowerAndSpeedUntilG40) {
+  static_cast<void>(take("M190 P0 Q2"));
+  static_cast<void>(take("G41 F2700 S362.5"));
+  EXPECT_EQ(refused("G1 X5 F2600"), FaultDetail::kNotBesideThePath);
+  EXPECT_EQ(refused("G1 X5 S300"), FaultDetail::kNotBesideThePath);
+  EXPECT_EQ(refused("G1 X5 S300 S200"), FaultDetail::kNotBesideThePath);
+  EXPECT_EQ(take("G1 X5 F2700 S362.5").back().kind, ActionKind::kLine);
+  EXPECT_TRUE(take("G41").empty()) << "as it is";
+  EXPECT_EQ(refused("G41.1 D0.3"), FaultDetail::kAlreadyBesideThePath);
+  EXPECT_EQ(take("G40 G1 X9 F2600 S300").back().kind, ActionKind::kLine);
+  static_cast<void>(take("G41.1 D0.3"));
+  EXPECT_EQ(take("G1 X5 F2600 S200").back().kind, ActionKind::kLine) << "that width is fixed";
+}
+
+TEST_F(KerfWords, SayWhatIsMissing) {
+  EXPECT_EQ(refused("G41 F2700 S362.5"), FaultDetail::kMaterialMissing);
+  EXPECT_EQ(refused("M190"), FaultDetail::kWordMissing);
+  EXPECT_EQ(refused("M190 P0"), FaultDetail::kWordMissing);
+  EXPECT_EQ(refused("M190 P2 Q2"), FaultDetail::kNoSuchMaterial);
+  EXPECT_EQ(refused("M190 P0.5 Q2"), FaultDetail::kNotAnInteger);
+  for (const char* line : {"M190 P0 Q0", "M190 P0 Q-1"}) {
+    EXPECT_EQ(refused(line), FaultDetail::kNegative) << line;
+  }
+  EXPECT_EQ(refused("M190 P0 Q101"), FaultDetail::kTooLarge);
+  EXPECT_EQ(interpreter.state().material, Material{}) << "a refused line changes nothing";
+  static_cast<void>(take("M190 P0 Q2"));
+  EXPECT_EQ(refused("G41 S362.5"), FaultDetail::kFeedMissing);
+  options.greatest_power_mw = 0;
+  interpreter.set_options(options);
+  EXPECT_EQ(refused("G41 F2700 S362.5"), FaultDetail::kKerfNeedsWatts);
+  options.laser = false;
+  interpreter.set_options(options);
+  EXPECT_EQ(refused("G41 F2700 S362.5"), FaultDetail::kKerfNeedsLaser);
+}
+
+/// With the nearest that is permissible, in the words of the refusal.
+TEST_F(KerfWords, RefuseWhatNobodyHasCut) {
+  const auto told = [this](std::string_view line) {
+    std::array<char, 96> text{};
+    const Fault fault = refuse(line);
+    return std::string(text.data(), describe(fault, text));
+  };
+  static_cast<void>(take("M190 P0 Q2"));
+  EXPECT_EQ(told("G41 F2700 S600"), "1200 W does not cut the material, the nearest is 1000 W");
+  EXPECT_EQ(told("G41 F9000 S362.5").substr(0, 37), "9000 mm/min does not cut the material");
+  static_cast<void>(take("M190 P0 Q50"));
+  EXPECT_EQ(told("G41 F2700 S362.5").substr(0, 37), "50 mm is no thickness of the material");
+}
+
+TEST_F(KerfWords, OutliveTheProgramAndNotAReset) {
+  static_cast<void>(take("M190 P0 Q2"));
+  static_cast<void>(take("M2"));
+  EXPECT_EQ(interpreter.state().material.thickness_um, 2000U);
+  interpreter.reset();
+  EXPECT_EQ(interpreter.state().material, Material{});
+}
+
+}  // namespace
+}  // namespace cnc::gcode
