@@ -36,15 +36,15 @@ class KerfWords : public InterpreterTest {
   Options options{};
 };
 
-/// The worked example of Park and Ahn 2007: 2 mm at 725 W and 2700 mm/min.
+/// The worked example of Park and Ahn 2007: 2 mm at 1800 W and 4000 mm/min.
 TEST_F(KerfWords, TakeTheWidthFromTheTable) {
   static_cast<void>(take("M190 P0 Q2"));
-  const auto actions = take("G42 F2700 S362.5");
+  const auto actions = take("G42 F4000 S900");
   ASSERT_EQ(actions.size(), 2U);
   const CutterCompensation wanted = actions[1].compensation;
   EXPECT_EQ(wanted.side, CutterSide::kRight);
   EXPECT_TRUE(wanted.by_kerf);
-  EXPECT_EQ(kerf.asked, (kerf::Condition{2000, 725'000, 2'700'000}));
+  EXPECT_EQ(kerf.asked, (kerf::Condition{2000, 1'800'000, 4'000'000}));
   const auto exact = kerf::kerf_width(kerf::kCsp1n<float>, kerf.asked);
   ASSERT_TRUE(exact.ok());
   EXPECT_EQ(wanted.width_mm, exact.value());
@@ -53,26 +53,25 @@ TEST_F(KerfWords, TakeTheWidthFromTheTable) {
 TEST_F(KerfWords, ReadInchesAsTheyAre) {
   static_cast<void>(take("G20 M190 P1 Q.078740157"));
   EXPECT_EQ(interpreter.state().material, (Material{.table = 1, .thickness_um = 2000}));
-  static_cast<void>(take("G41 F106.2992126 S362.5"));
-  EXPECT_EQ(kerf.asked, (kerf::Condition{2000, 725'000, 2'700'000}));
+  static_cast<void>(take("G41 F157.4803150 S900"));
+  EXPECT_EQ(kerf.asked, (kerf::Condition{2000, 1'800'000, 4'000'000}));
 }
 
 TEST_F(KerfWords, KeepPowerAndSpeedUntilG40) {
   static_cast<void>(take("M190 P0 Q2"));
-  static_cast<void>(take("G41 F2700 S362.5"));
-  EXPECT_EQ(refused("G1 X5 F2600"), FaultDetail::kNotBesideThePath);
+  static_cast<void>(take("G41 F4000 S900"));
+  EXPECT_EQ(refused("G1 X5 F3900"), FaultDetail::kNotBesideThePath);
   EXPECT_EQ(refused("G1 X5 S300"), FaultDetail::kNotBesideThePath);
-  EXPECT_EQ(refused("G1 X5 S300 S200"), FaultDetail::kNotBesideThePath);
-  EXPECT_EQ(take("G1 X5 F2700 S362.5").back().kind, ActionKind::kLine);
+  EXPECT_EQ(take("G1 X5 F4000 S900").back().kind, ActionKind::kLine);
   EXPECT_TRUE(take("G41").empty()) << "as it is";
   EXPECT_EQ(refused("G41.1 D0.3"), FaultDetail::kAlreadyBesideThePath);
-  EXPECT_EQ(take("G40 G1 X9 F2600 S300").back().kind, ActionKind::kLine);
+  EXPECT_EQ(take("G40 G1 X9 F3900 S300").back().kind, ActionKind::kLine);
   static_cast<void>(take("G41.1 D0.3"));
-  EXPECT_EQ(take("G1 X5 F2600 S200").back().kind, ActionKind::kLine) << "that width is fixed";
+  EXPECT_EQ(take("G1 X5 F3900 S200").back().kind, ActionKind::kLine) << "that width is fixed";
 }
 
 TEST_F(KerfWords, SayWhatIsMissing) {
-  EXPECT_EQ(refused("G41 F2700 S362.5"), FaultDetail::kMaterialMissing);
+  EXPECT_EQ(refused("G41 F4000 S900"), FaultDetail::kMaterialMissing);
   EXPECT_EQ(refused("M190"), FaultDetail::kWordMissing);
   EXPECT_EQ(refused("M190 P0"), FaultDetail::kWordMissing);
   EXPECT_EQ(refused("M190 P2 Q2"), FaultDetail::kNoSuchMaterial);
@@ -83,13 +82,13 @@ TEST_F(KerfWords, SayWhatIsMissing) {
   EXPECT_EQ(refused("M190 P0 Q101"), FaultDetail::kTooLarge);
   EXPECT_EQ(interpreter.state().material, Material{}) << "a refused line changes nothing";
   static_cast<void>(take("M190 P0 Q2"));
-  EXPECT_EQ(refused("G41 S362.5"), FaultDetail::kFeedMissing);
+  EXPECT_EQ(refused("G41 S900"), FaultDetail::kFeedMissing);
   options.greatest_power_mw = 0;
   interpreter.set_options(options);
-  EXPECT_EQ(refused("G41 F2700 S362.5"), FaultDetail::kKerfNeedsWatts);
+  EXPECT_EQ(refused("G41 F4000 S900"), FaultDetail::kKerfNeedsWatts);
   options.laser = false;
   interpreter.set_options(options);
-  EXPECT_EQ(refused("G41 F2700 S362.5"), FaultDetail::kKerfNeedsLaser);
+  EXPECT_EQ(refused("G41 F4000 S900"), FaultDetail::kKerfNeedsLaser);
 }
 
 /// With the nearest that is permissible, in the words of the refusal.
@@ -100,10 +99,10 @@ TEST_F(KerfWords, RefuseWhatNobodyHasCut) {
     return std::string(text.data(), describe(fault, text));
   };
   static_cast<void>(take("M190 P0 Q2"));
-  EXPECT_EQ(told("G41 F2700 S600"), "1200 W does not cut the material, the nearest is 1000 W");
-  EXPECT_EQ(told("G41 F9000 S362.5").substr(0, 37), "9000 mm/min does not cut the material");
+  EXPECT_EQ(told("G41 F4000 S250"), "500.000 W does not cut the material, the nearest is 1200.000 W");
+  EXPECT_EQ(told("G41 F9000 S900").substr(0, 41), "9000.000 mm/min does not cut the material");
   static_cast<void>(take("M190 P0 Q50"));
-  EXPECT_EQ(told("G41 F2700 S362.5").substr(0, 37), "50 mm is no thickness of the material");
+  EXPECT_EQ(told("G41 F4000 S900").substr(0, 41), "50.000 mm is no thickness of the material");
 }
 
 TEST_F(KerfWords, OutliveTheProgramAndNotAReset) {
