@@ -36,7 +36,7 @@ bool Machine::place_fits(std::size_t axis) const {
 
 void Machine::use_kerf(kerf::KerfSource& kerf) {
   kerf_ = &kerf;
-  apply_language_settings();
+  apply_settings();
 }
 
 void Machine::set_power_table(const motion::PowerTable& table) {
