@@ -99,6 +99,7 @@ void Machine::poll(hal::TickCount now) {
   attend_mode(elapsed_us);
   spline_points_ = kSplinePoints;
   run_actions();
+  if (!compensates()) motion_.stay_on_path();
   motion_.attend(elapsed_us);
   attend_motor_enable(elapsed_us);
   const bool rested = !drive_.running();

@@ -287,6 +287,9 @@ class Machine {
   [[nodiscard]] bool compensates() const;
   [[nodiscard]] bool has_room();
   [[nodiscard]] const Position& target() const;
+  [[nodiscard]] bool follows_kerf() const;
+  [[nodiscard]] bool set_kerf_control(const gcode::CutterCompensation& wanted);
+  [[nodiscard]] motion::BeamCommand beam_for(bool rapid) const;
   [[nodiscard]] bool set_compensation(const gcode::Action& action);
   [[nodiscard]] bool leave_path(const gcode::Action& action);
   void append_beside(const path::PathItem& item);
@@ -353,7 +356,8 @@ class Machine {
   std::optional<ArcElements> arc_{};  ///< The arc being divided.
   std::uint32_t arc_index_ = 0;
   compensation::Compensator compensator_{};
-  gcode::CutterCompensation compensation_{};  ///< What G41.1 or G42.1 said.
+  gcode::CutterCompensation compensation_{};  ///< What G41, G42, G41.1 or G42.1 said.
+  kerf::KerfCourse kerf_course_{};            ///< While the path follows the kerf.
   std::optional<compensation::Fault> path_fault_{};
   Position parts_from_{};                        ///< Of the line whose parts differ in power…
   std::size_t part_ = 0;                         ///< …so many of which have been taken.

@@ -92,7 +92,7 @@ void Machine::append(const PathElement& element, float feed, bool continues, std
   path::PathItem item{
       .request = {.element = element,
                   .feed_mm_s = feed,
-                  .beam = tool_.command_for(feed <= 0.0F),
+                  .beam = beam_for(feed <= 0.0F),
                   .outputs = with_next_motion_,
                   .line = {interpreter_.state().line_number, static_cast<std::uint32_t>(part)}},
       .tolerance = path_tolerance(),

@@ -1,4 +1,6 @@
 #include "firmware/machine/machine.hpp"
+#include "planner/base/contract.hpp"
+#include "planner/gcode/kerf_condition.hpp"
 
 /// The way beside the programmed path: elements go through the compensator before they are planned.
 namespace cnc {
@@ -25,8 +27,35 @@ const Position& Machine::target() const {
   return apart ? compensator_.programmed() : motion_.target();
 }
 
+bool Machine::follows_kerf() const { return settings_.get(setting::kKerfControl) != 0.0F; }
+
+/// Whether the motors are to follow the kerf from here on. It changes at standstill.
+bool Machine::set_kerf_control(const gcode::CutterCompensation& wanted) {
+  const bool follows = wanted.by_kerf && follows_kerf() && !state_.in(Mode::kCheck);
+  if (!follows && !motion_.follows_kerf()) return true;
+  if (!standstill()) return false;
+  motion_.follow_kerf(nullptr);
+  if (!follows) return true;
+  const gcode::ModalState& modal = interpreter_.state();
+  const auto table = kerf_->view(modal.material.table);
+  const auto condition = gcode::kerf_condition(modal, interpreter_.options());
+  const bool cuts = table.ok() && !kerf_course_.begin(table.value(), condition);
+  CNC_ASSERT(cuts);  // As it did for the line.
+  motion_.follow_kerf(&kerf_course_);
+  return true;
+}
+
+/// Beside an edge by its kerf the power goes with the speed, under M3, too: else where the speed is
+/// another the kerf would be.
+motion::BeamCommand Machine::beam_for(bool rapid) const {
+  motion::BeamCommand beam = tool_.command_for(rapid);
+  if (!rapid && compensation_.by_kerf && !follows_kerf()) beam.follows_speed = true;
+  return beam;
+}
+
 bool Machine::set_compensation(const gcode::Action& action) {
   if (action.compensation.side != CutterSide::kOn) {
+    if (!set_kerf_control(action.compensation)) return false;
     compensation_ = action.compensation;
     compensation_plane_ = action.plane;
     return true;

@@ -164,6 +164,12 @@ void MotionControl::configure(const motion::MotorStageSetting& setting) {
   motors_.reset(segmenter_.place(), {});
 }
 
+void MotionControl::follow_kerf(const kerf::KerfCourse* course) {
+  // Else the stage was not told of the motions so far.
+  if (!motors_.active()) motors_.reset(segmenter_.place(), {});
+  segmenter_.follow_kerf(course);
+}
+
 void MotionControl::drop_rest() {
   follow_tool();
   const AxisArray<std::int32_t> motors = drive_.position();

@@ -87,6 +87,14 @@ class MotionControl {
   }
   /// mm/s, of the segments cut last: what the motors do in at most 20 ms.
   [[nodiscard]] float speed() const { return drive_.running() ? segmenter_.speed() : 0.0F; }
+  /// Beside edges the motors follow the kerf of the power and speed that are driven; null: not any
+  /// more. @param course outlives its use @pre drained(), and they are on the path
+  void follow_kerf(const kerf::KerfCourse* course);
+  [[nodiscard]] bool follows_kerf() const { return segmenter_.follows_kerf(); }
+  /// Nothing is beside any edge: as soon as the motors are on the path and at rest, they stay.
+  void stay_on_path() {
+    if (follows_kerf() && segmenter_.on_path() && drained()) follow_kerf(nullptr);
+  }
   [[nodiscard]] std::size_t blocks() const { return queue_.size(); }
   [[nodiscard]] std::uint32_t blocks_taken() const { return blocks_taken_; }
   void observe(motion::SliceObserver* observer) { segmenter_.observe(observer); }

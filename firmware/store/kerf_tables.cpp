@@ -231,11 +231,10 @@ Result<kerf::TableView<float>, KerfTablesError> KerfTables::table(std::size_t in
   return table_.view();
 }
 
-Result<float, kerf::Refusal> KerfTables::width_mm(std::size_t index,
-                                                 const kerf::Condition& condition) {
+Result<kerf::TableView<float>, kerf::Refusal> KerfTables::view(std::size_t index) {
   const auto found = table(index);
   if (!found.ok()) return kerf::Refusal{.reason = kerf::RefusalReason::kNoSpeed};
-  return kerf::kerf_width(found.value(), condition);
+  return found.value();
 }
 
 Result<std::size_t, KerfTablesError> KerfTables::find(std::string_view name) const {

@@ -63,8 +63,7 @@ class KerfTables final : public kerf::KerfSource {
 
   /// Tables there are, built-in ones first; stored ones that are damaged count.
   [[nodiscard]] std::size_t count() const override;
-  [[nodiscard]] Result<float, kerf::Refusal> width_mm(std::size_t index,
-                                                      const kerf::Condition& condition) override;
+  [[nodiscard]] Result<kerf::TableView<float>, kerf::Refusal> view(std::size_t index) override;
   [[nodiscard]] std::size_t stored() const;
   [[nodiscard]] static std::size_t built_in();
   /// One of them; a stored one is valid until the next call of a member. @pre index < count()

@@ -129,18 +129,24 @@ bool Compensator::give(const Curve& way, path::PathItem& item) {
   if (start == driven_) return false;
   const Vec2 begin{(start[axes.first] - origin[0]).mm(), (start[axes.second] - origin[1]).mm()};
   const float bulge = way.curvature == 0.0F ? 0.0F : way.bulge_between(begin, way.end);
+  motion::BeamCommand beam = held.beam;
+  if (!chain_.is_entry(given_)) beam.beside = side();
   item = {.request = {.element = {.start = start,
                                   .end = driven_,
                                   .plane = plane_,
                                   .bulge = std::clamp(bulge, -1.0F, 1.0F)},
                       .feed_mm_s = held.feed_mm_s,
-                      .beam = held.beam,
+                      .beam = beam,
                       .outputs = outputs_,
                       .line = held.line},
           .tolerance = held.tolerance,
           .continues = held.continues || kind_ == kKinds || after_join};
   outputs_ = {};
   return true;
+}
+
+motion::Beside Compensator::side() const {
+  return chain_.distance() < 0.0F ? motion::Beside::kLeft : motion::Beside::kRight;
 }
 
 std::optional<Fault> Compensator::leave(const Position& to) {

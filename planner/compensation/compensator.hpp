@@ -57,6 +57,7 @@ class Compensator {
   [[nodiscard]] std::optional<Fault> refusal_of(const path::PathItem& item) const;
   [[nodiscard]] Place place_of(const Position& position) const;
   [[nodiscard]] std::optional<Curve> next_stretch();
+  [[nodiscard]] motion::Beside side() const;
   [[nodiscard]] bool give(const Curve& way, path::PathItem& item);
 
   OffsetChain chain_{};

@@ -35,7 +35,11 @@ enum class ActionKind : std::uint8_t {
 enum class SpindleMode : std::uint8_t { kOff, kConstant, kDynamic };  ///< M5, M3, M4.
 
 /// Beside the path, as it is driven.
-enum class CutterSide : std::uint8_t { kOn, kLeft, kRight };  ///< G40, G41 and G41.1, G42 and G42.1.
+enum class CutterSide : std::uint8_t {
+  kOn,
+  kLeft,
+  kRight
+};  ///< G40, G41 and G41.1, G42 and G42.1.
 
 /// How far beside.
 struct CutterCompensation {

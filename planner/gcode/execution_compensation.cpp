@@ -4,6 +4,7 @@
 
 #include "planner/base/units.hpp"
 #include "planner/gcode/execution.hpp"
+#include "planner/gcode/kerf_condition.hpp"
 
 namespace cnc::gcode {
 namespace {
@@ -42,6 +43,13 @@ Fault kerf_fault(Fault fault, const kerf::Condition& asked, const kerf::Refusal&
 }
 
 }  // namespace
+
+kerf::Condition kerf_condition(const ModalState& modal, const Options& options) {
+  const float share = std::min(modal.spindle_speed / options.full_power_speed, 1.0F);
+  return {.thickness_um = modal.material.thickness_um,
+          .power_mw = whole(share * static_cast<float>(options.greatest_power_mw)),
+          .speed_um_min = whole(modal.feed * kMicrometresPerMinute)};
+}
 
 /// What stops the machine, or moves it otherwise than along a path, has no place on the way beside
 /// it: how an element ends is known with the next one only.
@@ -122,12 +130,9 @@ Refusal Execution::look_up_kerf(float& width_mm) const {
   if (!selected) return blame(FaultDetail::kMaterialMissing);
   if (options_.greatest_power_mw == 0) return blame(FaultDetail::kKerfNeedsWatts);
   if (modal.feed <= 0.0F) return blame(FaultDetail::kFeedMissing);
-  const float share = std::min(modal.spindle_speed / options_.full_power_speed, 1.0F);
-  const kerf::Condition condition{
-      .thickness_um = modal.material.thickness_um,
-      .power_mw = whole(share * static_cast<float>(options_.greatest_power_mw)),
-      .speed_um_min = whole(modal.feed * kMicrometresPerMinute)};
-  const auto width = options_.kerf->width_mm(modal.material.table, condition);
+  const kerf::Condition condition = kerf_condition(modal, options_);
+  const auto view = options_.kerf->view(modal.material.table);
+  const auto width = view.ok() ? kerf::kerf_width(view.value(), condition) : view.error();
   if (!width.ok()) {
     return kerf_fault(block_.blame(FaultDetail::kNoSpeedAtAll, ModalGroup::kCutterRadius),
                       condition,
@@ -143,8 +148,8 @@ Refusal Execution::set_material() {
   const std::size_t count = options_.kerf != nullptr ? options_.kerf->count() : 0;
   std::uint32_t table = 0;
   const auto last = static_cast<std::uint32_t>(count > 0 ? count - 1 : 0);
-  if (const auto fault = take_index(
-          'P', ModalGroup::kMaterial, last, FaultDetail::kNoSuchMaterial, table)) {
+  if (const auto fault =
+          take_index('P', ModalGroup::kMaterial, last, FaultDetail::kNoSuchMaterial, table)) {
     return fault;
   }
   const Decimal* const thickness = block_.take('Q');

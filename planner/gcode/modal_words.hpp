@@ -49,11 +49,11 @@ enum class NonModal : std::uint8_t {
 };
 
 enum class CutterRadius : std::uint8_t {
-  kOff,              ///< G40
-  kLeft,             ///< G41: by the kerf of the material.
-  kRight,            ///< G42
-  kLeftByWidth,      ///< G41.1
-  kRightByWidth,     ///< G42.1
+  kOff,           ///< G40
+  kLeft,          ///< G41: by the kerf of the material.
+  kRight,         ///< G42
+  kLeftByWidth,   ///< G41.1
+  kRightByWidth,  ///< G42.1
 };
 enum class ToolLength : std::uint8_t { kSet, kCancel };                ///< G43.1, G49.
 enum class Stop : std::uint8_t { kPause, kOptionalPause, kEnd };       ///< M0, M1, M2 and M30.

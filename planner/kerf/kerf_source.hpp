@@ -11,10 +11,9 @@ namespace cnc::kerf {
 class KerfSource {
  public:
   [[nodiscard]] virtual std::size_t count() const = 0;
-  /// The width of the cut in mm, as kerf_width() has it. A table that is damaged is refused as one
+  /// One of them, until the next call of any member; one that is damaged is refused as a table
   /// without any speed. @pre index < count()
-  [[nodiscard]] virtual Result<float, Refusal> width_mm(std::size_t index,
-                                                        const Condition& condition) = 0;
+  [[nodiscard]] virtual Result<TableView<float>, Refusal> view(std::size_t index) = 0;
 
  protected:
   ~KerfSource() = default;

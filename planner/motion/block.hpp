@@ -12,10 +12,14 @@
 
 namespace cnc::motion {
 
+/// An edge that a beam goes half a kerf beside: seen along its way, the beam is on this side.
+enum class Beside : std::uint8_t { kNothing, kLeft, kRight };
+
 /// The beam or spindle output that goes with a motion.
 struct BeamCommand {
   float duty = 0.0F;           ///< 0…1 of full power at the programmed feed; a beam's light.
   bool follows_speed = false;  ///< M4: scaled by speed / programmed feed.
+  Beside beside = Beside::kNothing;
   constexpr bool operator==(const BeamCommand&) const = default;
 };
 

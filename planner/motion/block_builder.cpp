@@ -56,7 +56,6 @@ float lay_out_turn(const PathElement& element,
   travel[axes.first] = 0.0F;
   travel[axes.second] = 0.0F;
   const Vec2 tangent = arc.start_tangent();
-  turn.plane = element.plane;
   turn.half_sweep = arc.half_sweep();
   turn.start_angle = atan2_f(tangent.y(), tangent.x());
   turn.curvature = std::abs(arc.curvature());
@@ -113,6 +112,7 @@ Result<Block, MotionError> build_block(const MotionRequest& request, const Limit
   const PathElement& element = request.element;
   Block block;
   block.beam = request.beam;
+  block.turn.plane = element.plane;
   block.row = request.row;
   block.outputs = request.outputs;
   block.line = request.line;

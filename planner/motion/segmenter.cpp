@@ -16,6 +16,10 @@ constexpr std::uint32_t kLongestSliceNs = 1'000'000;
 /// Where speed changes a lot.
 constexpr std::uint32_t kShortSliceNs = 250'000;
 
+float fraction_of(std::uint64_t q32) {
+  return static_cast<float>(static_cast<std::uint32_t>(q32 >> 8U)) * (1.0F / 16'777'216.0F);
+}
+
 bool has_steps(const Segment& segment) {
   return std::any_of(segment.trains.begin(), segment.trains.end(), [](const StepTrain& train) {
     return train.count > 0;
@@ -40,6 +44,7 @@ void Segmenter::reset(const AxisArray<StepPosition>& place) {
   remainder_ns_ = 0;
   outputs_ = {};
   place_steps_ = place;
+  kerf_.reset();
 }
 
 bool Segmenter::next(Segment& segment) {
@@ -79,6 +84,7 @@ bool Segmenter::next(std::uint32_t most_ns, PlannedSlice& slice) {
     pass_to_rest();
   }
   slice.end = place_steps_;
+  if (kerf_.follows()) kerf_.add_to(slice.end);
   slice.outputs = outputs_;
   outputs_ = {};
   return true;
@@ -234,6 +240,7 @@ void Segmenter::begin_block() {
   const MotorPath::Point start = path_.at(0);
   for (const MotorPath::Motor& motor : path_.moving()) rates_[motor.axis()] = motor.speed(start);
   merge(outputs_, block.outputs);
+  if (kerf_.follows()) kerf_.begin(block);
   driving_ = true;
 }
 
@@ -302,6 +309,7 @@ Segmenter::Cut Segmenter::cut(std::uint32_t end_ns, PathUnits end) {
                 .start_speed = speed_,
                 .duty = duties(speed_, speed)};
   speed_ = speed;
+  if (kerf_.follows()) follow_kerf_to(end, to_fraction);
   place_ = end;
   reversals_.pass(place_);
   power_.pass(place_);
@@ -336,6 +344,23 @@ void Segmenter::pass_time(std::uint32_t duration_ns, Segment& segment) {
       static_cast<std::uint32_t>(std::max<std::int32_t>(0, whole / kNanosecondsPerTick));
   if (segment.ticks == 0 && has_steps(segment)) segment.ticks = 1;
   remainder_ns_ = whole - static_cast<std::int32_t>(segment.ticks) * kNanosecondsPerTick;
+}
+
+void Segmenter::follow_kerf_to(PathUnits end, std::uint64_t fraction) {
+  if (kerf_.ends() && queue_.size() > 1) kerf_.meet(queue_.at(1));
+  kerf_.move(fraction_of(fraction), to_mm(end - place_), heat(), limits_);
+}
+
+/// Of the programmed one: power by power over speed by speed, as M3 or M4 have it here.
+float Segmenter::heat() const {
+  constexpr float kSlowest = 1.0e-3F;  // mm/s
+  const Block& block = queue_.front();
+  const float feed = kerf_.course().speed_mm_s();
+  const float speed = std::max(speed_, kSlowest);
+  const bool by_speed = block.beam.follows_speed && block.feed > 0.0F;
+  const float heat = plan_.overrides().power * (feed / (by_speed ? block.feed : speed));
+  // There is no more than full power.
+  return block.beam.duty > 0.0F ? std::min(heat, feed / (block.beam.duty * speed)) : heat;
 }
 
 /// At speeds of the path, in mm/s, with the power of the present place.

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "planner/motion/kerf_shift.hpp"
 #include "planner/motion/motor_path.hpp"
 #include "planner/motion/pixel_course.hpp"
 #include "planner/motion/plan_cursor.hpp"
@@ -87,6 +88,14 @@ class Segmenter {
   [[nodiscard]] const TimeWindow& window() const { return window_; }
   [[nodiscard]] bool halted() const { return drive_ == Drive::kHalt && at_rest(); }
 
+  /// Beside edges the motors follow the kerf of the power and speed that are driven: slices end
+  /// off the path by so much. Segments do not. Null: not any more.
+  /// @param course outlives its use @pre at rest, and on the path
+  void follow_kerf(const kerf::KerfCourse* course) { kerf_.follow(course); }
+  [[nodiscard]] bool follows_kerf() const { return kerf_.follows(); }
+  /// The motors are where place() says.
+  [[nodiscard]] bool on_path() const { return kerf_.settled(); }
+
   /// Forgets all motion; the motors stand at `place` now. A halt stays.
   void reset(const AxisArray<StepPosition>& place);
 
@@ -134,6 +143,8 @@ class Segmenter {
   [[nodiscard]] Cut cut(std::uint32_t end_ns, PathUnits end);
   void move_to(const MotorPath::Point& point);
   void pass_to_rest();
+  void follow_kerf_to(PathUnits end, std::uint64_t fraction);
+  [[nodiscard]] float heat() const;
   void make_segment(Segment& segment);
   void begin_joined();
   void join(const Cut& cut);
@@ -163,6 +174,7 @@ class Segmenter {
   AxisArray<StepPosition> place_steps_{};
   AxisArray<float> rates_{};  ///< Steps per mm of path, of the axes that move.
   float speed_ = 0.0F;        ///< mm/s.
+  KerfShift kerf_{};
 
   Joined joined_{};
   SliceObserver* observer_ = nullptr;

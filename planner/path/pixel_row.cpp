@@ -82,7 +82,8 @@ bool PixelRow::may_go_on(const motion::MotionRequest& next, bool same_power) con
   const motion::MotionRequest& row = item_.request;
   const bool for_welder = item_.tolerance.weld_mm > 0.0F && same_power && !graded_;
   return next.feed_mm_s == row.feed_mm_s && !next.outputs.any() &&
-         next.beam.follows_speed == row.beam.follows_speed && !for_welder;
+         next.beam.follows_speed == row.beam.follows_speed && next.beam.beside == row.beam.beside &&
+         !for_welder;
 }
 
 /// The row to a new end passes all ends so far, goes ahead, and is not too long.

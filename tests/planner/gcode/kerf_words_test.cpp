@@ -2,6 +2,7 @@
 
 #include <array>
 
+#include "planner/gcode/kerf_condition.hpp"
 #include "planner/kerf/csp_1n.hpp"
 #include "tests/planner/gcode/interpreter_test.hpp"
 
@@ -12,12 +13,9 @@ namespace {
 class BuiltIn final : public kerf::KerfSource {
  public:
   [[nodiscard]] std::size_t count() const override { return 2; }
-  [[nodiscard]] Result<float, kerf::Refusal> width_mm(std::size_t,
-                                                      const kerf::Condition& condition) override {
-    asked = condition;
-    return kerf::kerf_width(kerf::kCsp1n<float>, condition);
+  [[nodiscard]] Result<kerf::TableView<float>, kerf::Refusal> view(std::size_t) override {
+    return kerf::kCsp1n<float>;
   }
-  kerf::Condition asked{};
 };
 
 /// M190, and G41 and G42 by the kerf of what it selects.
@@ -29,6 +27,9 @@ class KerfWords : public InterpreterTest {
     options.full_power_speed = 1000.0F;
     options.greatest_power_mw = 2'000'000;
     interpreter.set_options(options);
+  }
+  [[nodiscard]] kerf::Condition asked() const {
+    return kerf_condition(interpreter.state(), options);
   }
   FaultDetail refused(std::string_view line) { return refuse(line).detail; }
 
@@ -44,8 +45,8 @@ TEST_F(KerfWords, TakeTheWidthFromTheTable) {
   const CutterCompensation wanted = actions[1].compensation;
   EXPECT_EQ(wanted.side, CutterSide::kRight);
   EXPECT_TRUE(wanted.by_kerf);
-  EXPECT_EQ(kerf.asked, (kerf::Condition{2000, 1'800'000, 4'000'000}));
-  const auto exact = kerf::kerf_width(kerf::kCsp1n<float>, kerf.asked);
+  EXPECT_EQ(asked(), (kerf::Condition{2000, 1'800'000, 4'000'000}));
+  const auto exact = kerf::kerf_width(kerf::kCsp1n<float>, asked());
   ASSERT_TRUE(exact.ok());
   EXPECT_EQ(wanted.width_mm, exact.value());
 }
@@ -54,7 +55,7 @@ TEST_F(KerfWords, ReadInchesAsTheyAre) {
   static_cast<void>(take("G20 M190 P1 Q.078740157"));
   EXPECT_EQ(interpreter.state().material, (Material{.table = 1, .thickness_um = 2000}));
   static_cast<void>(take("G41 F157.4803150 S900"));
-  EXPECT_EQ(kerf.asked, (kerf::Condition{2000, 1'800'000, 4'000'000}));
+  EXPECT_EQ(asked(), (kerf::Condition{2000, 1'800'000, 4'000'000}));
 }
 
 TEST_F(KerfWords, KeepPowerAndSpeedUntilG40) {
@@ -99,7 +100,8 @@ TEST_F(KerfWords, RefuseWhatNobodyHasCut) {
     return std::string(text.data(), describe(fault, text));
   };
   static_cast<void>(take("M190 P0 Q2"));
-  EXPECT_EQ(told("G41 F4000 S250"), "500.000 W does not cut the material, the nearest is 1200.000 W");
+  EXPECT_EQ(told("G41 F4000 S250"),
+            "500.000 W does not cut the material, the nearest is 1200.000 W");
   EXPECT_EQ(told("G41 F9000 S900").substr(0, 41), "9000.000 mm/min does not cut the material");
   static_cast<void>(take("M190 P0 Q50"));
   EXPECT_EQ(told("G41 F4000 S900").substr(0, 41), "50.000 mm is no thickness of the material");
