@@ -137,8 +137,9 @@ class Machine {
   /// How much light the beam gives at which duty. @pre idle()
   void set_power_table(const motion::PowerTable& table);
   [[nodiscard]] const motion::PowerTable& power_table() const { return power_table_; }
-  /// Where M190, G41 and G42 find kerfs from now on. @param kerf outlives this
-  void use_kerf(kerf::KerfSource& kerf);
+  /// What M190, G41 and G42 know of kerfs from now on. @param table its view outlives its use
+  void use_kerf(const kerf::SelectedTable& table) { kerf_ = table; }
+  [[nodiscard]] const kerf::SelectedTable& kerf() const { return kerf_; }
   /// What was stored at the last power-down. @pre idle()
   void set_places(const gcode::StoredPlaces& places);
 
@@ -326,10 +327,10 @@ class Machine {
   hal::MachineInputs& input_port_;
   Settings settings_{};
   motion::PowerTable power_table_{};
-  kerf::KerfSource* kerf_ = nullptr;  ///< None until somebody has one.
   motion::Limits limits_{};
   MemoryWatch settings_watch_{};
   MemoryWatch places_watch_{};
+  kerf::SelectedTable kerf_{};
   gcode::Interpreter interpreter_{};
   MotionControl motion_;
   ToolOutput tool_;

@@ -37,10 +37,9 @@ bool Machine::set_kerf_control(const gcode::CutterCompensation& wanted) {
   motion_.follow_kerf(nullptr);
   if (!follows) return true;
   const gcode::ModalState& modal = interpreter_.state();
-  const auto table = kerf_->view(modal.material.table);
-  const auto condition = gcode::kerf_condition(modal, interpreter_.options());
-  const bool cuts = table.ok() && !kerf_course_.begin(table.value(), condition);
-  CNC_ASSERT(cuts);  // As it did for the line.
+  const auto refusal =
+      kerf_course_.begin(kerf_.view, gcode::kerf_condition(modal, interpreter_.options()));
+  CNC_ASSERT(!refusal);  // As for the line.
   motion_.follow_kerf(&kerf_course_);
   return true;
 }

@@ -34,11 +34,6 @@ bool Machine::place_fits(std::size_t axis) const {
   return place >= -reach && place <= reach;
 }
 
-void Machine::use_kerf(kerf::KerfSource& kerf) {
-  kerf_ = &kerf;
-  apply_settings();
-}
-
 void Machine::set_power_table(const motion::PowerTable& table) {
   CNC_ASSERT(idle());
   check_settings();
@@ -75,7 +70,7 @@ void Machine::apply_settings() {
 [[gnu::noinline]] void Machine::apply_language_settings() {
   gcode::Options options = gcode_options_from(settings_);
   options.block_delete = block_delete_;
-  options.kerf = kerf_;
+  options.kerf = &kerf_;
   options.full_power_speed = settings_.get(setting::kMostSpindleSpeed);
   const auto points = power_table_.points();
   if (!points.empty()) options.greatest_power_mw = points.back().milliwatts;

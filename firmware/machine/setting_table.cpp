@@ -311,7 +311,7 @@ constexpr std::array<SettingInfo, 110> kTable{{
     SettingInfo{859, "CAN node", "number", 1.0F, 126.0F, 17.0F, false,
      Group::kGeneral, Type::kInteger, kWhole,
      "This controller's number on a CAN bus. It changes as soon as nobody talks to it there."},
-    SettingInfo{860, "Kerf control", "", 0.0F, 1.0F, 0.0F, true,
+    SettingInfo{860, "Kerf control", "0 power, 1 path", 0.0F, 1.0F, 0.0F, true,
      Group::kSpindle, Type::kChoice, "Power goes with speed,Path follows kerf",
      "Beside an edge by the kerf of the material (G41, G42): what to do where the speed is not "
      "the programmed one. Keep power by speed, M3 too, or go farther from the edge or nearer."},

@@ -107,7 +107,7 @@ void LineProtocol::run_startup_line() {
   line.remove_prefix(1);
   if (line.empty() || machine_.locked()) return;
   answer(shown.end());
-  const gcode::Refusal refusal = machine_.accept(line);
+  const gcode::Refusal refusal = accept(line);
   if (!refusal) return;
   Reply reply = begin_answer();
   reply.text("[MSG:Startup line, column ").number(refusal->column).text(": ");

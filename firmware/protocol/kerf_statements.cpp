@@ -103,4 +103,15 @@ void LineProtocol::refuse_kerf(const KerfTables::Trouble& trouble, std::uint16_t
   acknowledge();
 }
 
+/// As it is now; of one that is damaged or forgotten, nothing.
+void LineProtocol::select_kerf(std::uint32_t index) {
+  kerf::SelectedTable selected{.count = static_cast<std::uint32_t>(kerf_.count()), .index = index};
+  if (index < selected.count) {
+    const auto table = kerf_.table(index);
+    if (table.ok()) selected.view = table.value();
+  }
+  machine_.use_kerf(selected);
+  kerf_seen_ = kerf_.revision();
+}
+
 }  // namespace cnc

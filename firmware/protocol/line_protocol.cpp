@@ -41,7 +41,6 @@ LineProtocol::LineProtocol(hal::ByteStream& link,
       stored_{store},
       kerf_{store},
       listing_{machine, stored_, kerf_, board} {
-  machine_.use_kerf(kerf_);
   const Progress kept = machine_.progress();
   load_settings();  // Other steps per millimetre make the machine forget its progress.
   machine_.set_power_table(stored_.load_power_table());
@@ -248,8 +247,16 @@ void LineProtocol::handle(std::string_view line) {
   refuse(error_number::kLocked);
 }
 
+/// Whatever has changed of the kerf tables, the line finds the one that is selected.
+gcode::Refusal LineProtocol::accept(std::string_view line) {
+  const gcode::Material& material = machine_.interpreter().state().material;
+  const bool wanted = material.thickness_um != 0 && !machine_.kerf().holds(material.table);
+  if (wanted || kerf_seen_ != kerf_.revision()) select_kerf(material.table);
+  return machine_.accept(line);
+}
+
 void LineProtocol::take_gcode(std::string_view line) {
-  const gcode::Refusal refusal = machine_.accept(line);
+  const gcode::Refusal refusal = accept(line);
   if (refusal) return refuse(*refusal, 1);
   saving_failed_ = false;
   acknowledge();

@@ -82,6 +82,7 @@ class LineProtocol {
   [[nodiscard]] bool read_line();
   [[nodiscard]] bool passes_check(std::string_view& line);
   void handle(std::string_view line);
+  [[nodiscard]] gcode::Refusal accept(std::string_view line);
   void take_gcode(std::string_view line);
   void ask_again(LineCheck::Verdict verdict);
   void watch_checks();
@@ -128,6 +129,7 @@ class LineProtocol {
   void erase_kerf_table(const Statement& statement);
   void read_kerf_table(const Statement& statement);
   void ask_kerf(const Statement& statement);
+  void select_kerf(std::uint32_t index);
   void load_settings();
 
   void refuse(std::uint8_t number, std::uint32_t column, std::string_view reason);
@@ -152,6 +154,7 @@ class LineProtocol {
   hal::ControlBoard* board_;
   StoredState stored_;
   KerfTables kerf_;
+  std::uint32_t kerf_seen_ = 0;      ///< When the machine was told of them.
   std::array<char, 64> incoming_{};  ///< What the link hands over at a time.
   Receiver receiver_{};
   LineAssembler<kLongestLine> assembler_{};

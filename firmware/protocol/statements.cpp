@@ -235,7 +235,7 @@ void LineProtocol::set_startup_line(const Statement& statement) {
   if (!stored_.save_startup_line(statement.number, statement.text)) {
     return refuse(error_number::kStoreFailed);
   }
-  const gcode::Refusal refusal = machine_.accept(statement.text);
+  const gcode::Refusal refusal = accept(statement.text);
   if (!refusal) return acknowledge();
   if (!stored_.save_startup_line(statement.number, before.view())) {
     return refuse(error_number::kStoreFailed);

@@ -109,6 +109,7 @@ KerfTables::Trouble KerfTables::take_part(std::size_t part, std::span<const std:
     return {.table = kerf::TableFault{kerf::TableError::kBadSize}};
   }
   if (part == 0) {
+    ++revision_;
     const auto fault = kerf::read_image(bytes, table_);
     if (fault && shows_in_head(fault->error)) return {.table = fault};
   }
@@ -168,6 +169,7 @@ void KerfTables::forget_parts(std::size_t bank) {
 }
 
 std::optional<kerf::TableFault> KerfTables::read(const Entry& entry) {
+  ++revision_;
   StoredImage image{store_, entry.bank, entry.bytes};
   return kerf::read_image(image, table_);
 }
@@ -189,6 +191,7 @@ KerfTables::Directory KerfTables::load_directory() const {
 }
 
 bool KerfTables::save_directory(const Directory& directory) {
+  ++revision_;
   std::array<std::byte, kMostStored * kEntryBytes> record{};
   bool any = false;
   for (std::size_t i = 0; i < kMostStored; ++i) {
@@ -229,12 +232,6 @@ Result<kerf::TableView<float>, KerfTablesError> KerfTables::table(std::size_t in
   if (index < built_in()) return kBuiltInTables[index];
   if (read(entry_of(index))) return KerfTablesError::kDamaged;
   return table_.view();
-}
-
-Result<kerf::TableView<float>, kerf::Refusal> KerfTables::view(std::size_t index) {
-  const auto found = table(index);
-  if (!found.ok()) return kerf::Refusal{.reason = kerf::RefusalReason::kNoSpeed};
-  return found.value();
 }
 
 Result<std::size_t, KerfTablesError> KerfTables::find(std::string_view name) const {

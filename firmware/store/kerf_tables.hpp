@@ -9,7 +9,6 @@
 
 #include "hal/interface/record_store.hpp"
 #include "planner/base/result.hpp"
-#include "planner/kerf/kerf_source.hpp"
 #include "planner/kerf/table_image.hpp"
 
 namespace cnc {
@@ -34,7 +33,7 @@ enum class KerfTablesError : std::uint8_t {
 ///
 /// One table at a time is in memory. Saving may take most of a second: take_part(), keep(),
 /// forget() and forget_all() only while nothing moves. Main loop context.
-class KerfTables final : public kerf::KerfSource {
+class KerfTables {
  public:
   static constexpr std::size_t kMostStored = 4;
   static constexpr std::size_t kPartBytes = hal::RecordStore::kLongestRecord;
@@ -62,10 +61,11 @@ class KerfTables final : public kerf::KerfSource {
   [[nodiscard]] bool forget_all();
 
   /// Tables there are, built-in ones first; stored ones that are damaged count.
-  [[nodiscard]] std::size_t count() const override;
-  [[nodiscard]] Result<kerf::TableView<float>, kerf::Refusal> view(std::size_t index) override;
+  [[nodiscard]] std::size_t count() const;
   [[nodiscard]] std::size_t stored() const;
   [[nodiscard]] static std::size_t built_in();
+  /// Another number whenever a stored table, the list or what is in memory of it has changed.
+  [[nodiscard]] std::uint32_t revision() const { return revision_; }
   /// One of them; a stored one is valid until the next call of a member. @pre index < count()
   [[nodiscard]] Result<kerf::TableView<float>, KerfTablesError> table(std::size_t index);
   [[nodiscard]] Result<std::size_t, KerfTablesError> find(std::string_view name) const;
@@ -92,6 +92,7 @@ class KerfTables final : public kerf::KerfSource {
   hal::RecordStore& store_;
   std::size_t size_ = 0;  ///< Bytes of the parts taken, in the spare bank.
   bool checked_ = false;
+  std::uint32_t revision_ = 1;
   kerf::StoredTable table_{};  ///< What was looked at last.
 };
 

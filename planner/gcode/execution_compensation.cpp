@@ -5,6 +5,7 @@
 #include "planner/base/units.hpp"
 #include "planner/gcode/execution.hpp"
 #include "planner/gcode/kerf_condition.hpp"
+#include "planner/kerf/kerf_lookup.hpp"
 
 namespace cnc::gcode {
 namespace {
@@ -126,13 +127,12 @@ Refusal Execution::look_up_kerf(float& width_mm) const {
   const ModalState& modal = next_.modal;
   if (!options_.laser) return blame(FaultDetail::kKerfNeedsLaser);
   const bool selected = options_.kerf != nullptr && modal.material.thickness_um != 0 &&
-                        modal.material.table < options_.kerf->count();
+                        options_.kerf->holds(modal.material.table);
   if (!selected) return blame(FaultDetail::kMaterialMissing);
   if (options_.greatest_power_mw == 0) return blame(FaultDetail::kKerfNeedsWatts);
   if (modal.feed <= 0.0F) return blame(FaultDetail::kFeedMissing);
   const kerf::Condition condition = kerf_condition(modal, options_);
-  const auto view = options_.kerf->view(modal.material.table);
-  const auto width = view.ok() ? kerf::kerf_width(view.value(), condition) : view.error();
+  const auto width = kerf::kerf_width(options_.kerf->view, condition);
   if (!width.ok()) {
     return kerf_fault(block_.blame(FaultDetail::kNoSpeedAtAll, ModalGroup::kCutterRadius),
                       condition,
@@ -145,9 +145,9 @@ Refusal Execution::look_up_kerf(float& width_mm) const {
 /// M190 P Q: a kerf table, and a thickness of which it knows something or not.
 Refusal Execution::set_material() {
   if (!block_.has(ModalGroup::kMaterial)) return std::nullopt;
-  const std::size_t count = options_.kerf != nullptr ? options_.kerf->count() : 0;
+  const std::uint32_t count = options_.kerf != nullptr ? options_.kerf->count : 0;
   std::uint32_t table = 0;
-  const auto last = static_cast<std::uint32_t>(count > 0 ? count - 1 : 0);
+  const std::uint32_t last = count > 0 ? count - 1 : 0;
   if (const auto fault =
           take_index('P', ModalGroup::kMaterial, last, FaultDetail::kNoSuchMaterial, table)) {
     return fault;

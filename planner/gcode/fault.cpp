@@ -78,7 +78,7 @@ constexpr std::array<Explanation, kFaultDetailCount> kExplanations{{
     {kUnsupportedWord, "%w changes what G40 has to end first"},
     {kValueTooLarge, "%w is no width of a cut, limit %n"},
     {kValueTooLarge, "%w names no kerf table, the last is %n: $K lists them"},
-    {kValueWordMissing, "%w needs a material: M190 P(table) Q(thickness)"},
+    {kValueWordMissing, "%w needs a material, in a line before: M190 P(table) Q(thickness)"},
     {kUnsupportedWord, "%w needs laser mode, $32=1"},
     {kUnsupportedWord, "%w needs the beam's watts: $PC"},
     {kValueTooLarge, "%v mm is no thickness of the material, the nearest is %l mm"},

@@ -4,7 +4,7 @@
 
 #include "planner/base/coordinate.hpp"
 #include "planner/gcode/arc_geometry.hpp"
-#include "planner/kerf/kerf_source.hpp"
+#include "planner/kerf/selected_table.hpp"
 
 namespace cnc::gcode {
 
@@ -25,12 +25,12 @@ struct Options {
   /// How far from machine zero each axis can go, either way; what the motors'
   /// step counters hold may be less than what a Coordinate does.
   Position reach = kFarthestPosition;
-  float largest_path_tolerance_mm = 10.0F;  ///< P and Q of G64; as $11.
-  float widest_cut_mm = 100.0F;             ///< D of G41.1.
-  kerf::KerfSource* kerf = nullptr;         ///< For M190, G41 and G42; null for none.
-  float full_power_speed = 1000.0F;         ///< S of the beam's greatest power, $30,
-  std::uint32_t greatest_power_mw = 0;      ///< which is this; 0: nobody knows.
-  float longest_dwell_s = 86'400.0F;        ///< A day: whoever writes more meant milliseconds.
+  float largest_path_tolerance_mm = 10.0F;    ///< P and Q of G64; as $11.
+  float widest_cut_mm = 100.0F;               ///< D of G41.1.
+  const kerf::SelectedTable* kerf = nullptr;  ///< For M190, G41 and G42; null for none.
+  float full_power_speed = 1000.0F;           ///< S of the beam's greatest power, $30,
+  std::uint32_t greatest_power_mw = 0;        ///< which is this; 0: nobody knows.
+  float longest_dwell_s = 86'400.0F;          ///< A day: whoever writes more meant milliseconds.
 };
 
 }  // namespace cnc::gcode

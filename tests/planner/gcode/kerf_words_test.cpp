@@ -9,20 +9,12 @@
 namespace cnc::gcode {
 namespace {
 
-/// The table that is built in, twice.
-class BuiltIn final : public kerf::KerfSource {
- public:
-  [[nodiscard]] std::size_t count() const override { return 2; }
-  [[nodiscard]] Result<kerf::TableView<float>, kerf::Refusal> view(std::size_t) override {
-    return kerf::kCsp1n<float>;
-  }
-};
-
 /// M190, and G41 and G42 by the kerf of what it selects.
 class KerfWords : public InterpreterTest {
  protected:
   KerfWords() {
     options.laser = true;
+    kerf = {.count = 2, .view = kerf::kCsp1n<float>};
     options.kerf = &kerf;
     options.full_power_speed = 1000.0F;
     options.greatest_power_mw = 2'000'000;
@@ -33,7 +25,7 @@ class KerfWords : public InterpreterTest {
   }
   FaultDetail refused(std::string_view line) { return refuse(line).detail; }
 
-  BuiltIn kerf;
+  kerf::SelectedTable kerf;
   Options options{};
 };
 
@@ -54,6 +46,7 @@ TEST_F(KerfWords, TakeTheWidthFromTheTable) {
 TEST_F(KerfWords, ReadInchesAsTheyAre) {
   static_cast<void>(take("G20 M190 P1 Q.078740157"));
   EXPECT_EQ(interpreter.state().material, (Material{.table = 1, .thickness_um = 2000}));
+  kerf.index = 1;
   static_cast<void>(take("G41 F157.4803150 S900"));
   EXPECT_EQ(asked(), (kerf::Condition{2000, 1'800'000, 4'000'000}));
 }
@@ -73,6 +66,8 @@ TEST_F(KerfWords, KeepPowerAndSpeedUntilG40) {
 
 TEST_F(KerfWords, SayWhatIsMissing) {
   EXPECT_EQ(refused("G41 F4000 S900"), FaultDetail::kMaterialMissing);
+  EXPECT_EQ(refused("M190 P1 Q2 G41 F4000 S900"), FaultDetail::kMaterialMissing)
+      << "its table is not at hand yet";
   EXPECT_EQ(refused("M190"), FaultDetail::kWordMissing);
   EXPECT_EQ(refused("M190 P0"), FaultDetail::kWordMissing);
   EXPECT_EQ(refused("M190 P2 Q2"), FaultDetail::kNoSuchMaterial);
