@@ -133,6 +133,21 @@ bool Listing::settings_row(Reply& reply) {
   return true;
 }
 
+/// The next tool whose radius is known.
+bool Listing::tool_row(Reply& reply, const ReportForm& form) {
+  constexpr std::size_t kBefore = gcode::kCoordinateSystemCount + 5;
+  for (; row_ < kBefore + gcode::kToolCount; ++row_) {
+    const std::size_t tool = row_ - kBefore;
+    const auto& rows = machine_.interpreter().places().tool_radii;
+    const Coordinate radius = rows[tool / kAxisCount][tool % kAxisCount];
+    if (radius == Coordinate{}) continue;
+    reply.text("[TOOL:").number(static_cast<std::uint32_t>(tool + 1)).letter('|');
+    reply.place(radius, form.inches).letter(']').end();
+    return true;
+  }
+  return false;
+}
+
 bool Listing::parameters_row(Reply& reply, const ReportForm& form) {
   constexpr std::size_t kSystems = gcode::kCoordinateSystemCount;
   const gcode::Interpreter& interpreter = machine_.interpreter();
@@ -160,7 +175,7 @@ bool Listing::parameters_row(Reply& reply, const ReportForm& form) {
       put_probe(reply, machine_.last_probe(), form);
       return true;
     default:
-      return false;
+      return tool_row(reply, form);
   }
 }
 

@@ -51,6 +51,7 @@ class Listing {
   [[nodiscard]] bool row(Reply& reply, const ReportForm& form);
   [[nodiscard]] bool settings_row(Reply& reply);
   [[nodiscard]] bool parameters_row(Reply& reply, const ReportForm& form);
+  [[nodiscard]] bool tool_row(Reply& reply, const ReportForm& form);
   [[nodiscard]] bool info_row(Reply& reply, const ReportForm& form);
   [[nodiscard]] bool board_row(Reply& reply, std::size_t row);
   [[nodiscard]] bool startup_row(Reply& reply);

@@ -9,8 +9,6 @@ namespace {
 
 constexpr std::uint32_t kHomingEnabled = 1;  ///< Bit of $22.
 
-constexpr gcode::StoredPlaces kNoPlaces{};  ///< In flash: it is large.
-
 bool homing_is_on(const Machine& machine) {
   const auto bits = static_cast<std::uint32_t>(machine.settings().get(setting::kHoming));
   return (bits & kHomingEnabled) != 0;
@@ -209,8 +207,8 @@ void LineProtocol::restore(const Statement& statement) {
     kept = stored_.save_power_table({}) && kept;
   }
   if (all || what == "#") {
-    machine_.set_places(kNoPlaces);
-    kept = stored_.save_places(kNoPlaces) && kept;
+    kept = stored_.forget_places() && kept;
+    machine_.set_places(stored_.places());
   }
   if (all) {
     kept = stored_.save_user_text({}) && kept;

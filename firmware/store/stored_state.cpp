@@ -9,9 +9,9 @@ namespace cnc {
 namespace {
 
 // Numbers of records. A setting's is its own.
-constexpr std::uint16_t kSystems = 0x4000;  ///< + 0…8 for G54…G59.3.
-constexpr std::uint16_t kG28 = 0x4100;
-constexpr std::uint16_t kG30 = 0x4101;
+constexpr std::uint16_t kSystems = 0x4000;    ///< + 0…8 for G54…G59.3.
+constexpr std::uint16_t kG28 = 0x4100;        ///< + 1 for G30.
+constexpr std::uint16_t kToolRadii = 0x4200;  ///< + 0…1, six tools each.
 constexpr std::uint16_t kStartupLine = 0x5000;
 constexpr std::uint16_t kUserText = 0x5100;
 constexpr std::uint16_t kPowerTable = 0x5200;
@@ -39,8 +39,14 @@ Word get(std::span<const std::byte> from) {
   return word;
 }
 
-constexpr std::uint16_t system_record(std::size_t index) {
-  return static_cast<std::uint16_t>(kSystems + index);
+/// Of the places in their order.
+constexpr std::uint16_t place_record(std::size_t index) {
+  constexpr std::size_t kHomes = gcode::kCoordinateSystemCount;
+  constexpr std::size_t kTools = kHomes + 2;
+  const std::size_t number = index < kHomes   ? kSystems + index
+                             : index < kTools ? kG28 + index - kHomes
+                                              : kToolRadii + index - kTools;
+  return static_cast<std::uint16_t>(number);
 }
 
 }  // namespace
@@ -85,11 +91,8 @@ Position StoredState::load_place(std::uint16_t number) {
 }
 
 const gcode::StoredPlaces& StoredState::load_places() {
-  for (std::size_t i = 0; i < saved_.systems.size(); ++i) {
-    saved_.systems[i] = load_place(system_record(i));
-  }
-  saved_.g28 = load_place(kG28);
-  saved_.g30 = load_place(kG30);
+  for (std::size_t i = 0; i < saved_.kCount; ++i)
+    gcode::place_at(saved_, i) = load_place(place_record(i));
   return saved_;
 }
 
@@ -109,11 +112,19 @@ bool StoredState::save_place(std::uint16_t number, const Position& place, Positi
 
 bool StoredState::save_places(const gcode::StoredPlaces& places) {
   bool all = true;
-  for (std::size_t i = 0; i < places.systems.size(); ++i) {
-    all = save_place(system_record(i), places.systems[i], saved_.systems[i]) && all;
+  for (std::size_t i = 0; i < saved_.kCount; ++i) {
+    all =
+        save_place(place_record(i), gcode::place_at(places, i), gcode::place_at(saved_, i)) && all;
   }
-  all = save_place(kG28, places.g28, saved_.g28) && all;
-  return save_place(kG30, places.g30, saved_.g30) && all;
+  return all;
+}
+
+bool StoredState::forget_places() {
+  bool all = true;
+  for (std::size_t i = 0; i < saved_.kCount; ++i) {
+    all = save_place(place_record(i), {}, gcode::place_at(saved_, i)) && all;
+  }
+  return all;
 }
 
 motion::PowerTable StoredState::load_power_table() {

@@ -33,6 +33,9 @@ class StoredState {
   [[nodiscard]] const gcode::StoredPlaces& load_places();
   /// Saves those that differ from what was loaded or saved last.
   [[nodiscard]] bool save_places(const gcode::StoredPlaces& places);
+  [[nodiscard]] bool forget_places();
+  /// As loaded or saved last.
+  [[nodiscard]] const gcode::StoredPlaces& places() const { return saved_; }
   [[nodiscard]] bool has_saved(const gcode::StoredPlaces& places) const { return places == saved_; }
 
   [[nodiscard]] StoredText load_startup_line(std::size_t index);

@@ -12,7 +12,7 @@ namespace hal::stm32f405 {
 struct ByteRings {
   /// What arrives in 88 ms at 115,200 baud: the longest that the main loop is away.
   static constexpr std::uint32_t kReceiveBytes = 1024;
-  static constexpr std::uint32_t kSendBytes = 1024;
+  static constexpr std::uint32_t kSendBytes = 512;
 
   SpscRing<std::byte, kReceiveBytes> received{};
   SpscRing<std::byte, kSendBytes> to_send{};
@@ -21,7 +21,7 @@ struct ByteRings {
 /// The same for USB, which tells the host to wait.
 struct UsbRings {
   static constexpr std::uint32_t kReceiveBytes = 512;  ///< In a turn, which is a frame of USB.
-  static constexpr std::uint32_t kSendBytes = 1024;
+  static constexpr std::uint32_t kSendBytes = 512;
 
   SpscRing<std::byte, kReceiveBytes> received{};
   SpscRing<std::byte, kSendBytes> to_send{};

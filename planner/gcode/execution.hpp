@@ -85,6 +85,7 @@ class Execution {
   [[nodiscard]] Refusal set_compensation();
   [[nodiscard]] Refusal read_compensation(CutterCompensation& wanted);
   [[nodiscard]] Refusal read_cut_width(float& width_mm);
+  [[nodiscard]] Refusal read_tool_width(float& width_mm);
   [[nodiscard]] Refusal look_up_kerf(float& width_mm) const;
   [[nodiscard]] Refusal set_material();
   [[nodiscard]] bool keeps_kerf() const;
@@ -104,6 +105,7 @@ class Execution {
   void end_program();
 
   [[nodiscard]] Refusal set_system();
+  [[nodiscard]] Refusal set_tool_radius();
   [[nodiscard]] Refusal read_origin(bool from_present_place, Position& origin);
   [[nodiscard]] Refusal set_g92();
   void switch_g92(NonModal word);

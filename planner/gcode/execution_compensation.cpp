@@ -100,8 +100,29 @@ Refusal Execution::read_compensation(CutterCompensation& wanted) {
   if (word == CutterRadius::kOff) return std::nullopt;
   const bool left = word == CutterRadius::kLeft || word == CutterRadius::kLeftByWidth;
   wanted.side = left ? CutterSide::kLeft : CutterSide::kRight;
-  wanted.by_kerf = word == CutterRadius::kLeft || word == CutterRadius::kRight;
-  return wanted.by_kerf ? look_up_kerf(wanted.width_mm) : read_cut_width(wanted.width_mm);
+  const bool by_width = word == CutterRadius::kLeftByWidth || word == CutterRadius::kRightByWidth;
+  if (by_width) return read_cut_width(wanted.width_mm);
+  wanted.by_kerf = options_.laser && !block_.has('D');
+  return wanted.by_kerf ? look_up_kerf(wanted.width_mm) : read_tool_width(wanted.width_mm);
+}
+
+/// Of the tool that D of G41 and G42 names, or the one that is in.
+Refusal Execution::read_tool_width(float& width_mm) {
+  std::uint32_t tool = next_.modal.tool;
+  if (block_.has('D')) {
+    if (const auto fault =
+            take_index('D', ModalGroup::kCutterRadius, kToolCount, FaultDetail::kTooLarge, tool)) {
+      return fault;
+    }
+  }
+  const bool listed = tool >= 1 && tool <= kToolCount;
+  if (listed) {
+    width_mm = 2.0F * places_.tool_radii[(tool - 1) / kAxisCount][(tool - 1) % kAxisCount].mm();
+  }
+  if (!listed || width_mm < kNarrowestCutMm) {
+    return block_.blame(FaultDetail::kToolHasNoRadius, ModalGroup::kCutterRadius);
+  }
+  return std::nullopt;
 }
 
 /// D of G41.1 and G42.1.
@@ -125,7 +146,6 @@ Refusal Execution::look_up_kerf(float& width_mm) const {
     return block_.blame(detail, ModalGroup::kCutterRadius);
   };
   const ModalState& modal = next_.modal;
-  if (!options_.laser) return blame(FaultDetail::kKerfNeedsLaser);
   const bool selected = options_.kerf != nullptr && modal.material.thickness_um != 0 &&
                         options_.kerf->holds(modal.material.table);
   if (!selected) return blame(FaultDetail::kMaterialMissing);

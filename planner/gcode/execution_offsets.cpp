@@ -1,3 +1,4 @@
+#include "planner/base/units.hpp"
 #include "planner/gcode/execution.hpp"
 
 namespace cnc::gcode {
@@ -57,17 +58,18 @@ Refusal Execution::set_offsets() {
   return std::nullopt;
 }
 
-/// G10 L2 sets the origin of a system, L20 puts it where the present place gets
+/// G10: L1 is a tool's; L2 sets the origin of a system, L20 puts it where the present place gets
 /// the given coordinates. P0 is the system in use.
 Refusal Execution::set_system() {
   constexpr auto kGroup = ModalGroup::kNonModal;
+  const Decimal* const kind = block_.take('L');
+  if (kind != nullptr && *kind == Decimal{.whole = 1}) return set_tool_radius();
   if (!block_.has_axis_word()) return block_.blame(FaultDetail::kAxisWordsMissing, kGroup);
   std::uint32_t number = 0;
   if (const auto fault = take_index(
           'P', kGroup, kCoordinateSystemCount, FaultDetail::kNoSuchCoordinateSystem, number)) {
     return fault;
   }
-  const Decimal* const kind = block_.take('L');
   if (kind == nullptr) return missing('L', kGroup);
   const bool from_present_place = *kind == Decimal{.whole = 20};
   if (!from_present_place && *kind != Decimal{.whole = 2}) {
@@ -79,6 +81,32 @@ Refusal Execution::set_system() {
   Position origin = system;
   if (const auto fault = read_origin(from_present_place, origin)) return fault;
   store(system, origin);
+  return std::nullopt;
+}
+
+/// G10 L1: P is the tool, R its radius; R0 forgets it.
+Refusal Execution::set_tool_radius() {
+  constexpr auto kGroup = ModalGroup::kNonModal;
+  if (block_.has_axis_word()) return block_.blame_first_axis_word(FaultDetail::kAxisWordUnused);
+  std::uint32_t tool = 0;
+  if (const auto fault = take_index('P', kGroup, kToolCount, FaultDetail::kTooLarge, tool)) {
+    return fault;
+  }
+  if (tool == 0) return block_.blame(FaultDetail::kNegative, 'P');
+  const Decimal* const radius = block_.take('R');
+  if (radius == nullptr) return missing('R', kGroup);
+  const Coordinate length = to_length(*radius);
+  const float most_mm = 0.5F * options_.widest_cut_mm;
+  if (length < Coordinate{} || length.mm() > most_mm) {
+    Fault fault = block_.blame(FaultDetail::kNotACutWidth, 'R');
+    const bool inches = next_.modal.units == Units::kInches;
+    fault.limit = most_mm / (inches ? kMillimetresPerInch : 1.0F);
+    return fault;
+  }
+  AxisArray<Coordinate>& row = places_.tool_radii[(tool - 1) / kAxisCount];
+  AxisArray<Coordinate> changed = row;
+  changed[(tool - 1) % kAxisCount] = length;
+  store(row, changed);
   return std::nullopt;
 }
 

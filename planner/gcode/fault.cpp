@@ -79,7 +79,7 @@ constexpr std::array<Explanation, kFaultDetailCount> kExplanations{{
     {kValueTooLarge, "%w is no width of a cut, limit %n"},
     {kValueTooLarge, "%w names no kerf table, the last is %n: $K lists them"},
     {kValueWordMissing, "%w needs a material, in a line before: M190 P(table) Q(thickness)"},
-    {kUnsupportedWord, "%w needs laser mode, $32=1"},
+    {kValueWordMissing, "%w needs the radius of the tool: G10 L1 P(tool) R(radius)"},
     {kUnsupportedWord, "%w needs the beam's watts: $PC"},
     {kValueTooLarge, "%v mm is no thickness of the material, the nearest is %l mm"},
     {kValueTooLarge, "%v W does not cut the material, the nearest is %l W"},

@@ -98,7 +98,7 @@ enum class FaultDetail : std::uint8_t {
   kNotACutWidth,
   kNoSuchMaterial,
   kMaterialMissing,
-  kKerfNeedsLaser,
+  kToolHasNoRadius,
   kKerfNeedsWatts,
   kNotThisThickness,
   kNotThisPower,

@@ -95,13 +95,30 @@ struct Shift {
   constexpr bool operator==(const Shift&) const = default;
 };
 
-/// Places that outlive a program; the firmware stores them in flash.
+/// Tools whose radius is known, 1…12, six to a row.
+inline constexpr std::size_t kToolRows = 2;
+inline constexpr std::uint32_t kToolCount = kToolRows * kAxisCount;
+
+/// Places and lengths that outlive a program; the firmware stores them in flash.
 struct StoredPlaces {
   std::array<Position, kCoordinateSystemCount> systems{};  ///< Origins, in machine coordinates.
   Position g28{};
   Position g30{};
+  /// G10 L1; rows of lengths are kept as places are. 0: not known.
+  std::array<AxisArray<Coordinate>, kToolRows> tool_radii{};
+
+  static constexpr std::size_t kCount = kCoordinateSystemCount + 2 + kToolRows;
 
   constexpr bool operator==(const StoredPlaces&) const = default;
 };
+
+/// One of them, in their order. @pre index < kCount
+template <typename Places>
+[[nodiscard]] constexpr auto& place_at(Places& places, std::size_t index) {
+  constexpr std::size_t kHomes = kCoordinateSystemCount;
+  if (index < kHomes) return places.systems[index];
+  if (index < kHomes + 2) return index == kHomes ? places.g28 : places.g30;
+  return places.tool_radii[index - kHomes - 2];
+}
 
 }  // namespace cnc::gcode

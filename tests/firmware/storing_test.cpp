@@ -100,5 +100,21 @@ TEST_F(StoringTest, KeepsAStartupLineBeforeItMovesAnything) {
   EXPECT_EQ(printed().front(), "$N0=G91 G1 X1 F300") << "and the one before stays";
 }
 
+/// With the places, by $# and after power-up.
+TEST_F(StoringTest, KeepsTheRadiiOfTools) {
+  send_all({"G10 L1 P3 R1.5", "G10 L1 P12 R.25"});
+  run(20);
+  StoredState again{store};
+  EXPECT_EQ(again.load_places(), machine.interpreter().places());
+  link.outgoing.clear();
+  EXPECT_EQ(send("$#"), "ok");
+  EXPECT_NE(link.outgoing.find("[TOOL:3|1.500]\r\n[TOOL:12|0.250]\r\n"), std::string::npos)
+      << link.outgoing;
+  EXPECT_EQ(send("$RST=#"), "ok");
+  run(20);
+  EXPECT_EQ(StoredState{store}.load_places(), gcode::StoredPlaces{});
+  EXPECT_EQ(machine.interpreter().places(), gcode::StoredPlaces{});
+}
+
 }  // namespace
 }  // namespace cnc

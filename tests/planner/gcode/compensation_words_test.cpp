@@ -81,5 +81,39 @@ TEST_F(CompensationWords, WhatStopsOrLeavesThePathWaitsForG40) {
   EXPECT_EQ(take("G40 G1 X5 M0").size(), 3U);
 }
 
+TEST_F(CompensationWords, TakeTheWidthOfATool) {
+  EXPECT_EQ(take_one("G10 L1 P3 R1.5").kind, ActionKind::kOffsets);
+  EXPECT_EQ(take_one("G20 G10 L1 P12 R.0625").kind, ActionKind::kOffsets);
+  EXPECT_EQ(interpreter.places().tool_radii[0][2], from_mm(1.5F));
+  const Action action = take_one("G21 G42 D3");
+  EXPECT_EQ(action.compensation,
+            (CutterCompensation{.side = CutterSide::kRight, .width_mm = 3.0F}));
+  static_cast<void>(take("G40"));
+  EXPECT_FLOAT_EQ(take_one("G41 D12").compensation.width_mm, 3.175F);
+}
+
+/// Of the tool that is in, where D names none.
+TEST_F(CompensationWords, TakeTheWidthOfTheToolThatIsIn) {
+  static_cast<void>(take("G10 L1 P2 R2"));
+  static_cast<void>(take("T2 M6"));
+  EXPECT_EQ(take("G41").back().compensation.width_mm, 4.0F);
+}
+
+TEST_F(CompensationWords, WantAToolWhoseRadiusIsKnown) {
+  EXPECT_EQ(refuse("G41 D3").detail, FaultDetail::kToolHasNoRadius);
+  EXPECT_EQ(refuse("G41").detail, FaultDetail::kToolHasNoRadius);
+  EXPECT_EQ(refuse("G41 D13").detail, FaultDetail::kTooLarge);
+  EXPECT_EQ(refuse("G41 D1.5").detail, FaultDetail::kNotAnInteger);
+  EXPECT_EQ(refuse("G10 L1 R1").detail, FaultDetail::kWordMissing);
+  EXPECT_EQ(refuse("G10 L1 P1").detail, FaultDetail::kWordMissing);
+  EXPECT_EQ(refuse("G10 L1 P0 R1").detail, FaultDetail::kNegative);
+  EXPECT_EQ(refuse("G10 L1 P1 R-1").detail, FaultDetail::kNotACutWidth);
+  EXPECT_EQ(refuse("G10 L1 P1 R51").detail, FaultDetail::kNotACutWidth);
+  EXPECT_EQ(refuse("G10 L1 P1 R1 X2").detail, FaultDetail::kAxisWordUnused);
+  static_cast<void>(take("G10 L1 P1 R1"));
+  static_cast<void>(take("G10 L1 P1 R0"));
+  EXPECT_EQ(refuse("G41 D1").detail, FaultDetail::kToolHasNoRadius);
+}
+
 }  // namespace
 }  // namespace cnc::gcode

@@ -84,7 +84,7 @@ TEST_F(KerfWords, SayWhatIsMissing) {
   EXPECT_EQ(refused("G41 F4000 S900"), FaultDetail::kKerfNeedsWatts);
   options.laser = false;
   interpreter.set_options(options);
-  EXPECT_EQ(refused("G41 F4000 S900"), FaultDetail::kKerfNeedsLaser);
+  EXPECT_EQ(refused("G41 F4000 S900"), FaultDetail::kToolHasNoRadius);
 }
 
 /// With the nearest that is permissible, in the words of the refusal.
