@@ -240,7 +240,7 @@ void Segmenter::begin_block() {
   const MotorPath::Point start = path_.at(0);
   for (const MotorPath::Motor& motor : path_.moving()) rates_[motor.axis()] = motor.speed(start);
   merge(outputs_, block.outputs);
-  if (kerf_.follows()) kerf_.begin(block);
+  if (kerf_.follows()) begin_kerf(block);
   driving_ = true;
 }
 
@@ -346,7 +346,10 @@ void Segmenter::pass_time(std::uint32_t duration_ns, Segment& segment) {
   remainder_ns_ = whole - static_cast<std::int32_t>(segment.ticks) * kNanosecondsPerTick;
 }
 
-void Segmenter::follow_kerf_to(PathUnits end, std::uint64_t fraction) {
+/// Apart, like what follows: seldom wanted.
+[[gnu::cold, gnu::noinline]] void Segmenter::begin_kerf(const Block& block) { kerf_.begin(block); }
+
+[[gnu::cold, gnu::noinline]] void Segmenter::follow_kerf_to(PathUnits end, std::uint64_t fraction) {
   if (kerf_.ends() && queue_.size() > 1) kerf_.meet(queue_.at(1));
   kerf_.move(fraction_of(fraction), to_mm(end - place_), heat(), limits_);
 }

@@ -143,6 +143,7 @@ class Segmenter {
   [[nodiscard]] Cut cut(std::uint32_t end_ns, PathUnits end);
   void move_to(const MotorPath::Point& point);
   void pass_to_rest();
+  void begin_kerf(const Block& block);
   void follow_kerf_to(PathUnits end, std::uint64_t fraction);
   [[nodiscard]] float heat() const;
   void make_segment(Segment& segment);
