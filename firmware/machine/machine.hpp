@@ -357,7 +357,7 @@ class Machine {
   std::optional<ArcElements> arc_{};  ///< The arc being divided.
   std::uint32_t arc_index_ = 0;
   compensation::Compensator compensator_{};
-  gcode::CutterCompensation compensation_{};  ///< What G41, G42, G41.1 or G42.1 said.
+  gcode::CutterCompensation compensation_{};  ///< What G41 or G42 said.
   kerf::KerfCourse kerf_course_{};            ///< While the path follows the kerf.
   std::optional<compensation::Fault> path_fault_{};
   Position parts_from_{};                        ///< Of the line whose parts differ in power…
@@ -376,7 +376,7 @@ class Machine {
   bool optional_stop_ = false;
   bool single_block_ = false;
   bool block_delete_ = true;
-  Plane compensation_plane_ = Plane::kXY;  ///< Of G41.1 or G42.1.
+  Plane compensation_plane_ = Plane::kXY;  ///< Of G41 or G42.
   std::optional<std::uint32_t> tool_wanted_{};
   Probing probing_ = Probing::kNo;
   Probe last_probe_{};

@@ -7,7 +7,7 @@ namespace cnc {
 
 using gcode::CutterSide;
 
-/// From G41.1 or G42.1 until all up to G40 is planned.
+/// From G41 or G42 until all up to G40 is planned.
 bool Machine::compensates() const {
   return compensation_.side != CutterSide::kOn || compensator_.active();
 }

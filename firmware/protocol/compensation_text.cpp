@@ -46,7 +46,7 @@ void put_compensation_fault(Reply& reply, const compensation::Fault& fault) {
 /// An invalid target: of the line that is answered, or of one before.
 void LineProtocol::refuse(const compensation::Fault& fault) {
   Reply reason = begin_reason(0);
-  put_compensation_fault(reason.text("since G41.1 or G42.1, "), fault);
+  put_compensation_fault(reason.text("since G41 or G42, "), fault);
   refuse(static_cast<std::uint8_t>(gcode::ErrorCode::kInvalidTarget), reason);
 }
 

@@ -9,7 +9,7 @@
 
 namespace cnc::compensation {
 
-/// G41.1, G42.1 and G40: a programmed path in, the path beside it out, as lines and arcs.
+/// G41, G42 and G40: a programmed path in, the path beside it out, as lines and arcs.
 ///
 /// The first element is the entry, as in LinuxCNC: a straight line, longer than the offset, that
 /// ends where the next element's offset begins, or at the corner of both. Elements are held
@@ -20,7 +20,7 @@ class Compensator {
  public:
   static constexpr std::size_t kLookAhead = OffsetChain::kLookAhead;
 
-  /// G41.1, G42.1: from the next element on.
+  /// G41, G42: from the next element on.
   /// @param here where the machine is
   /// @param offset_mm signed, positive is the right of the path (G42.1); not 0
   void begin(const Position& here, Plane plane, float offset_mm);

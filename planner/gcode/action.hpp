@@ -23,7 +23,7 @@ enum class ActionKind : std::uint8_t {
   kSpindleSpeed,  ///< `value` is the new S.
   kSpindle,       ///< M3, M4, M5: `spindle`.
   kCoolant,       ///< M7, M8, M9: `coolant` is the new state.
-  kCompensation,  ///< G40, G41.1, G42.1: `compensation`, in `plane`.
+  kCompensation,  ///< G40, G41, G42, G41.1, G42.1: `compensation`, in `plane`.
   kTool,          ///< `number` is the selected T.
   kToolChange,    ///< M6: `number` is the tool to be put in.
   kOutput,        ///< M62…M65, M67, M68: `output`.

@@ -74,7 +74,7 @@ constexpr std::array<Explanation, kFaultDetailCount> kExplanations{{
     {kValueTooLarge, "S has more than %n values"},
     {kUnsupportedWord, "S with several values needs laser mode, $32=1"},
     {kWordUnused, "S with several values needs a G1 that moves"},
-    {kUnsupportedWord, "%w has no place between G41.1 or G42.1 and G40"},
+    {kUnsupportedWord, "%w has no place between G41 or G42 and G40"},
     {kUnsupportedWord, "%w changes what G40 has to end first"},
     {kValueTooLarge, "%w is no width of a cut, limit %n"},
     {kValueTooLarge, "%w names no kerf table, the last is %n: $K lists them"},

@@ -54,7 +54,7 @@ TEST_F(MachineCompensationTest, MovesNothingBeforeTheLookAheadIsFull) {
 TEST_F(MachineCompensationTest, RefusesBeforeMotionWhatCannotBeCutWithItsLine) {
   send_all({"G41.1 D4 G1 X10 Y0", "N20 X30", "N30 Y10", "N40 X20", "N50 Y1"});
   EXPECT_EQ(send("N60 G40 G1 X20 Y30"), "error:33");
-  EXPECT_TRUE(said("[MSG:0: since G41.1 or G42.1, element ")) << link.outgoing;
+  EXPECT_TRUE(said("[MSG:0: since G41 or G42, element ")) << link.outgoing;
   EXPECT_TRUE(said("(N")) << link.outgoing;
   EXPECT_TRUE(said("ALARM:26"));
   EXPECT_EQ(port.position[0], 0);
