@@ -231,9 +231,12 @@ class ImageTraceTest(unittest.TestCase):
         self.judge("examples", in_parallel(example, here))
 
     def test_a_path_beside_the_programmed_one(self):
-        program = pathlib.Path(__file__).with_name("trace") / "beside_the_path.nc"
+        def job(name: str):
+            program = pathlib.Path(__file__).with_name("trace") / f"{name}.nc"
+            return self.compare(name, str(EXAMPLES / "laser.settings"), str(program), 10**9)
+
         self.judge("beside the path",
-                   [self.compare("beside", str(EXAMPLES / "laser.settings"), str(program), 10**9)])
+                   in_parallel(job, ["beside_the_path", "kerf_path", "kerf_power"]))
 
     def test_random_jobs_with_holds_and_overrides(self):
         def job(number: int):
