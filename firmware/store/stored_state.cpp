@@ -91,7 +91,7 @@ Position StoredState::load_place(std::uint16_t number) {
 }
 
 const gcode::StoredPlaces& StoredState::load_places() {
-  for (std::size_t i = 0; i < saved_.kCount; ++i)
+  for (std::size_t i = 0; i < gcode::StoredPlaces::kCount; ++i)
     gcode::place_at(saved_, i) = load_place(place_record(i));
   return saved_;
 }
@@ -112,7 +112,7 @@ bool StoredState::save_place(std::uint16_t number, const Position& place, Positi
 
 bool StoredState::save_places(const gcode::StoredPlaces& places) {
   bool all = true;
-  for (std::size_t i = 0; i < saved_.kCount; ++i) {
+  for (std::size_t i = 0; i < gcode::StoredPlaces::kCount; ++i) {
     all =
         save_place(place_record(i), gcode::place_at(places, i), gcode::place_at(saved_, i)) && all;
   }
@@ -121,7 +121,7 @@ bool StoredState::save_places(const gcode::StoredPlaces& places) {
 
 bool StoredState::forget_places() {
   bool all = true;
-  for (std::size_t i = 0; i < saved_.kCount; ++i) {
+  for (std::size_t i = 0; i < gcode::StoredPlaces::kCount; ++i) {
     all = save_place(place_record(i), {}, gcode::place_at(saved_, i)) && all;
   }
   return all;
