@@ -2,14 +2,9 @@
 
 #include "firmware/machine/settings.hpp"
 #include "host-sim/measure/programmed_path.hpp"
-#include "planner/path/path_item.hpp"
+#include "planner/motion/limits.hpp"
 
 namespace sim {
-
-/// An element of the product's in double precision.
-[[nodiscard]] PathPiece piece_of(const cnc::PathElement& element,
-                                 float feed_mm_s,
-                                 bool stop_before);
 
 /// How a machine with these settings understands a program.
 [[nodiscard]] ReadOptions read_options_for(const cnc::Settings& settings);

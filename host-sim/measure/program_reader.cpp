@@ -30,7 +30,9 @@ bool contains(const std::array<int, Count>& words, int word) {
 }  // namespace
 
 ProgramReader::ProgramReader(const ReadOptions& options)
-    : options_{options}, position_{options.start} {
+    : options_{options},
+      compensation_{options.laser_mode, options.kerf_width},
+      position_{options.start} {
   path_.start = path_.end = options.start;
 }
 
@@ -49,11 +51,16 @@ void ProgramReader::note(std::string text) {
 
 // The order of RS274/NGC (NISTIR 6556, table 8).
 void ProgramReader::read_line(std::string_view text) {
+  if (text.starts_with('$')) {
+    if (options_.on_statement) options_.on_statement(text);
+    return;
+  }
   const ProgramLine line = take_apart(text);
   for (const std::string& fault : line.faults) note(fault);
   const std::vector<int> single = modes_.apply_modes(line);
   apply_spindle(line);
   apply_outputs(line);
+  apply_compensation(line);
   const bool taken = apply_single(line, single);
   if (!taken) move(line);
   stop_or_end(line);
@@ -79,10 +86,22 @@ void ProgramReader::apply_outputs(const ProgramLine& line) {
       stop_pending_ = stop_pending_ || options_.stop_at_coolant;
     } else if (contains(kOutputWords, m)) {
       stop_pending_ = stop_pending_ || options_.stop_at_output;
-    } else if (!contains(kSpindleWords, m) && !contains(kStopWords, m)) {
+    } else if (!contains(kSpindleWords, m) && !contains(kStopWords, m) &&
+               !CutterCompensation::knows_m(m)) {
       note("M" + std::to_string(m) + " left out");
     }
   }
+}
+
+void ProgramReader::apply_compensation(const ProgramLine& line) {
+  constexpr double kSecondsPerMinute = 60.0;
+  const double feed_mm_min = kSecondsPerMinute * modes_.feed(1.0, 0.0);
+  const double before = compensation_.offset_mm();
+  std::string left =
+      compensation_.apply(line, modes_.scaled(0, 1.0), spindle_speed_, feed_mm_min);
+  if (!left.empty()) note(std::move(left));
+  const bool shifts = compensation_.by_kerf() && !options_.power_keeps_kerf;
+  if (shifts && compensation_.offset_mm() != before) stop_pending_ = true;
 }
 
 void ProgramReader::stop_or_end(const ProgramLine& line) {
@@ -90,6 +109,7 @@ void ProgramReader::stop_or_end(const ProgramLine& line) {
     if (m == 0 || (m == 1 && options_.optional_stop)) stop_pending_ = true;
     if (m != 2 && m != 30) continue;
     modes_.end_program();
+    compensation_.end_program();
     spindle_ = SpindleState::kOff;
     stop_pending_ = ended_ = true;
   }
@@ -100,7 +120,8 @@ bool ProgramReader::apply_single(const ProgramLine& line, const std::vector<int>
   bool taken = line.has_g(431);
   for (const int g : numbers) {
     if (g == 40) stop_pending_ = true;
-    if (g == 40 || g == 530) continue;  // G53 is for ModalState::target.
+    // G53 is for ModalState::target.
+    if (g == 40 || g == 530 || CutterCompensation::knows_g(g)) continue;
     taken = true;
     if (!apply_home(line, g) && !apply_offset(line, g)) {
       note("G" + std::to_string(g / 10) + "." + std::to_string(g % 10) + " left out");
@@ -118,7 +139,10 @@ bool ProgramReader::apply_home(const ProgramLine& line, int g) {
 }
 
 bool ProgramReader::apply_offset(const ProgramLine& line, int g) {
-  if (g == 100) return modes_.set_coordinate_system(line, position_);
+  if (g == 100) {
+    return compensation_.set_tool(line, modes_.scaled(0, 1.0)) ||
+           modes_.set_coordinate_system(line, position_);
+  }
   if (g == 920) modes_.set_shift(line, position_);
   if (g == 921) modes_.clear_shift();
   if (g == 922) modes_.suspend_shift();
@@ -217,6 +241,12 @@ void ProgramReader::add_piece(const Curve& curve, Travel travel, double feed) {
                           line_number_,
                           stop_pending_,
                           modes_.tolerance(options_.path_tolerance, options_.arc_tolerance)});
+  PathPiece& piece = path_.pieces.back();
+  if (const double offset = compensation_.offset_mm(); offset != 0.0) {
+    piece.beside = {offset, modes_.plane()};
+    const bool keeps_kerf = compensation_.by_kerf() && options_.power_keeps_kerf;
+    if (keeps_kerf && spindle_ == SpindleState::kConstant) piece.spindle = SpindleState::kDynamic;
+  }
   stop_pending_ = false;
 }
 

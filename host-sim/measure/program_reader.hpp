@@ -24,6 +24,7 @@ class ProgramReader {
   void read_line(std::string_view text);
   void apply_spindle(const ProgramLine& line);
   void apply_outputs(const ProgramLine& line);
+  void apply_compensation(const ProgramLine& line);
   void stop_or_end(const ProgramLine& line);
   /// The G numbers that are no modes; true when one of them took the axis words.
   [[nodiscard]] bool apply_single(const ProgramLine& line, const std::vector<int>& numbers);
@@ -46,6 +47,7 @@ class ProgramReader {
   ReadOptions options_;
   ProgrammedPath path_;
   ModalState modes_;
+  CutterCompensation compensation_;
   Point position_{};
   Point first_home_{};                ///< G28.
   Point second_home_{};               ///< G30.

@@ -1,12 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "host-sim/measure/curve.hpp"
+#include "host-sim/measure/cutter_compensation.hpp"
 
 namespace sim {
 
@@ -20,6 +23,12 @@ struct ProgramTolerance {
   double motors = 0.0;  ///< By input shaping and until backlash is taken up.
 };
 
+/// Where a piece is driven that is not driven where it is programmed (G41, G42).
+struct BesidePath {
+  double offset_mm = 0.0;  ///< Positive to the right of the path.
+  cnc::Plane plane = cnc::Plane::kXY;
+};
+
 /// One line or one arc of at most half a turn, with what rides along.
 struct PathPiece {
   Curve curve;
@@ -31,6 +40,8 @@ struct PathPiece {
   int line = 0;              ///< Of the program, the first is 1.
   bool stop_before = false;  ///< The machine stands still before this piece.
   ProgramTolerance tolerance{};
+  std::optional<BesidePath> beside{};  ///< See beside_path().
+  bool continues = false;              ///< Part of one curve with the piece before it.
 
   /// The wanted speed in the six-axis length of the curve; infinite for rapids.
   [[nodiscard]] double path_feed() const;
@@ -62,6 +73,10 @@ struct ReadOptions {
   double path_tolerance = 0.0;   ///< mm, $11: where the program says no other.
   double arc_tolerance = 0.0;    ///< mm, $12: of it for short lines.
   Point start{};                 ///< Where the machine stands, machine coordinates.
+  CutWidth kerf_width{};         ///< Of a material; without it G41 by the kerf is left out.
+  bool power_keeps_kerf = true;  ///< $860=0: beside an edge by its kerf M3 follows the speed.
+  /// Told every line that begins with $, which is no G-code.
+  std::function<void(std::string_view)> on_statement{};
 };
 
 /// The simulator's own reading of a program. It shares no code with the

@@ -9,6 +9,7 @@
 #include "host-sim/job/setting_line.hpp"
 #include "host-sim/machine/simulator.hpp"
 #include "host-sim/measure/driven_path.hpp"
+#include "host-sim/measure/path_items.hpp"
 #include "host-sim/measure/program_line.hpp"
 #include "tests/support/drive.hpp"
 #include "tests/support/jerk_time.hpp"

@@ -1,0 +1,113 @@
+#include "host-sim/measure/beside_path.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace sim {
+namespace {
+
+using testing::IsEmpty;
+
+void expect_ends(const ProgrammedPath& path, const std::vector<std::array<double, 2>>& ends) {
+  ASSERT_EQ(path.pieces.size(), ends.size());
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    EXPECT_NEAR(path.pieces[i].curve.end()[0], ends[i][0], 1.0e-5) << i;
+    EXPECT_NEAR(path.pieces[i].curve.end()[1], ends[i][1], 1.0e-5) << i;
+    if (i == 0) continue;
+    EXPECT_EQ(path.pieces[i].curve.start(), path.pieces[i - 1].curve.end()) << i;
+  }
+}
+
+TEST(BesidePath, IsThePathWhereNothingIsBeside) {
+  const ProgrammedPath path = beside_path(read_program("F60 G1 X10\nG40 Y5\n"));
+  expect_ends(path, {{10.0, 0.0}, {10.0, 5.0}});
+}
+
+/// An entry at right angles from the waste ends in the corner of both offsets.
+TEST(BesidePath, RunsWithinASquareAndBackOntoThePath) {
+  const ProgrammedPath path = beside_path(read_program(
+      "F60 G0 X20 Y8\nG41.1 D4 G1 X20 Y0\nX40\nY20\nX0\nY0\nX20\nG40 G1 X20 Y5\nX30\n"));
+  EXPECT_THAT(path.notes, IsEmpty());
+  expect_ends(path,
+              {{20.0, 8.0},
+               {22.0, 2.0},
+               {38.0, 2.0},
+               {38.0, 18.0},
+               {2.0, 18.0},
+               {2.0, 2.0},
+               {20.0, 2.0},
+               {20.0, 5.0},
+               {30.0, 5.0}});
+  EXPECT_EQ(path.pieces[1].line, 2);
+  EXPECT_EQ(path.pieces[6].line, 7);
+}
+
+TEST(BesidePath, GoesRoundOuterCornersInArcs) {
+  const ProgrammedPath path =
+      beside_path(read_program(
+      "F60 G0 X10 Y-30\nG42.1 D2 G1 X10 Y-10\nX10 Y10\nX-10\nG40 X-20 Y20\nM2\n"));
+  EXPECT_THAT(path.notes, IsEmpty());
+  expect_ends(path, {{10.0, -30.0},
+               {11.0, -10.0},
+               {11.0, 10.0},
+               {10.0, 11.0},
+               {-10.0, 11.0},
+               {-20.0, 20.0}});
+  ASSERT_TRUE(path.pieces[3].curve.circle());
+  EXPECT_NEAR(path.pieces[3].curve.circle()->radius, 1.0, 1.0e-6);
+}
+
+TEST(BesidePath, TakesTheWidthFromTheTool) {
+  for (const char* const word : {"G42 D3", "M6 T3\nG42"}) {
+    const std::string text =
+        std::string{"G10 L1 P3 R1.5\nF60 G0 X10 Y-30\n"} + word + " G1 X10 Y-10\nX10 Y10\nG40 X20 Y20\n";
+    const ProgrammedPath path = beside_path(read_program(text));
+    expect_ends(path, {{10.0, -30.0}, {11.5, -10.0}, {11.5, 10.0}, {20.0, 20.0}});
+  }
+}
+
+TEST(BesidePath, AsksForTheKerfOfTheMaterial) {
+  std::vector<CutCondition> asked;
+  ReadOptions options{.laser_mode = true};
+  options.kerf_width = [&asked](const CutCondition& condition) {
+    asked.push_back(condition);
+    return 0.5;
+  };
+  const char* const text =
+      "M190 P1 Q2\nM3 S900 F4000 G0 X10 Y-30\nG42 G1 X10 Y-10\nX10 Y10\nG40 X20 Y20\nM3 X0\n";
+  const ProgrammedPath path = beside_path(read_program(text, options));
+  expect_ends(path, {{10.0, -30.0}, {10.25, -10.0}, {10.25, 10.0}, {20.0, 20.0}, {0.0, 20.0}});
+  ASSERT_EQ(asked.size(), 1U);
+  EXPECT_EQ(asked[0].table, 1);
+  EXPECT_EQ(asked[0].thickness_mm, 2.0);
+  EXPECT_EQ(asked[0].spindle_speed, 900.0);
+  EXPECT_NEAR(asked[0].feed_mm_min, 4000.0, 1.0e-9);
+  // With $860=0 the power goes with the speed beside the edge, under M3, too.
+  EXPECT_EQ(path.pieces[2].spindle, SpindleState::kDynamic);
+  EXPECT_EQ(path.pieces[4].spindle, SpindleState::kConstant);
+  options.power_keeps_kerf = false;
+  EXPECT_EQ(beside_path(read_program(text, options)).pieces[2].spindle, SpindleState::kConstant);
+}
+
+TEST(BesidePath, SaysWhereTheKerfIsNotKnown) {
+  const ProgrammedPath path =
+      read_program("F60 S1\nG42 G1 X10\nG40 Y5\n", {.laser_mode = true});
+  ASSERT_EQ(path.notes.size(), 1U);
+  EXPECT_EQ(path.notes[0].line, 2);
+  EXPECT_EQ(path.notes[0].text, "the kerf is not known here, G41 and G42 are left out");
+}
+
+TEST(BesidePath, StatementsAreNoWords) {
+  std::string heard;
+  ReadOptions options;
+  options.on_statement = [&heard](std::string_view statement) { heard += statement; };
+  EXPECT_THAT(read_program("$PC=100:2000\nG0 X1\n$860=1\n", options).notes, IsEmpty());
+  EXPECT_EQ(heard, "$PC=100:2000$860=1");
+}
+
+}  // namespace
+}  // namespace sim
