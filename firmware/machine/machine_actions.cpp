@@ -98,6 +98,7 @@ void Machine::append(const PathElement& element, float feed, bool continues, std
       .tolerance = path_tolerance(),
       .continues = continues};
   if (compensates() || state_.in(Mode::kCheck)) return append_beside(item);
+  compensation_.by_kerf = false;  // The exit was the last that has to keep it.
   if (drive(item)) with_next_motion_ = {};
 }
 

@@ -44,8 +44,8 @@ bool Machine::set_kerf_control(const gcode::CutterCompensation& wanted) {
   return true;
 }
 
-/// Beside an edge by its kerf the power goes with the speed, under M3, too: else where the speed is
-/// another the kerf would be.
+/// Beside an edge by its kerf, and on the exit, which begins there, the power goes with the speed,
+/// under M3, too: else where the speed is another the kerf would be.
 motion::BeamCommand Machine::beam_for(bool rapid) const {
   motion::BeamCommand beam = tool_.command_for(rapid);
   if (!rapid && compensation_.by_kerf && !follows_kerf()) beam.follows_speed = true;
@@ -59,7 +59,7 @@ bool Machine::set_compensation(const gcode::Action& action) {
     compensation_plane_ = action.plane;
     return true;
   }
-  compensation_ = {};
+  compensation_.side = CutterSide::kOn;
   give_out();
   if (!compensator_.active()) return true;
   if (!compensator_.has_room()) return false;

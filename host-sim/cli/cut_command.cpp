@@ -3,17 +3,17 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "host-sim/cli/commands.hpp"
+#include "host-sim/cli/cut_runs.hpp"
 #include "host-sim/cli/job_options.hpp"
 #include "host-sim/cli/kerf_options.hpp"
 #include "host-sim/cli/outline_options.hpp"
 #include "host-sim/cut/cut_report.hpp"
-#include "host-sim/cut/edge_check.hpp"
-#include "host-sim/job/job.hpp"
 #include "host-sim/plot/cut_picture.hpp"
 #include "host-sim/trace/output_file.hpp"
 
@@ -33,6 +33,8 @@ constexpr const char* kCutFooter =
     "--layer 'holes: feed=3000, lead-in=line:1' is for the layer, or colour, of that name; keys\n"
     "are power, feed, side (waste, on: on the line, skip), lead-in, lead-out (none, line:MM,\n"
     "arc:MM), overcut, tabs, tab-width, pierce, corner-loop, corner-dwell and corner-angle.\n"
+    "With --kerf-table the program has the drawn outlines and M190, and the controller goes by\n"
+    "its own table, its $PC and $860; tabs, corner loops and dwells keep a contour from it.\n"
     "--layers FILE has one such text to a line.\n"
     "\n"
     "Example:\n"
@@ -52,6 +54,7 @@ struct CutCommandOptions {
   std::string layers_file;
   double full_power_w = 0.0;  ///< 0: the greatest of the record.
   bool constant_power = false;
+  std::optional<unsigned> kerf_table{};  ///< The controller finds the way beside parts.
   bool anyway = false;
   bool check = false;
   unsigned decimals = 4;
@@ -154,7 +157,9 @@ std::vector<SettingChange> machine_of(const CutCommandOptions& options) {
 cut::Beam beam_of(const CutCommandOptions& options,
                   const std::vector<SettingChange>& settings,
                   const MaterialRecord& record) {
-  cut::Beam beam{.full_power_w = options.full_power_w, .follows_speed = !options.constant_power};
+  cut::Beam beam{.full_power_w = options.full_power_w,
+                 .follows_speed = !options.constant_power,
+                 .kerf_table = options.kerf_table};
   if (beam.full_power_w == 0.0) {
     beam.full_power_w =
         from_thousandths(cut::greatest_power(record, thickness_option(options.thickness_mm)));
@@ -167,50 +172,15 @@ cut::Beam beam_of(const CutCommandOptions& options,
   return beam;
 }
 
-/// Runs the program and compares the parts with the drawing.
-cut::EdgeFigures checked(const CutJob& job,
-                         const CutCommandOptions& options,
-                         const std::vector<SettingChange>& settings) {
-  const cnc::gcode::PrintGrid grid{static_cast<std::uint8_t>(options.decimals)};
-  const std::string program = program_of(job.plan, job.drawn, job.beam, grid, {});
-  Simulator simulator{program, {.machine = {.has_switches = false}}};
-  apply_settings(settings, simulator.machine());
-  const cut::EdgeCheck check{job, program, simulator};
-  static_cast<void>(simulator.run());
-  return check.figures();
-}
-
-/// The edges with the power that follows the speed and with a constant one, side by side.
-nlohmann::ordered_json check_edges(const CutJob& job,
-                                   const CutCommandOptions& options,
-                                   const std::vector<SettingChange>& settings,
-                                   std::FILE* told) {
-  nlohmann::ordered_json rows = nlohmann::ordered_json::object();
-  for (const bool follows : {true, false}) {
-    CutJob variant = job;
-    variant.beam.follows_speed = follows;
-    const cut::EdgeFigures figures = checked(variant, options, settings);
-    fmt::print(told, "{}:\n", follows ? "power follows the speed, M4" : "constant power, M3");
-    for (const std::string& line : lines_of(figures)) fmt::print(told, "  {}\n", line);
-    rows[follows ? "m4" : "m3"] = json_of(figures);
-  }
-  return rows;
-}
-
 /// The program, with the time that it takes in its heading; with faults where the machine
 /// refuses it.
 std::string timed_program(const CutCommandOptions& options,
                           const CutJob& job,
-                          const std::vector<SettingChange>& settings,
+                          const CutRun& run,
                           CutFigures& figures,
                           ExitStatus& status) {
-  const cnc::gcode::PrintGrid grid{static_cast<std::uint8_t>(options.decimals)};
-  const auto write = [&] {
-    return program_of(job.plan, job.drawn, job.beam, grid, lines_of(job, figures));
-  };
   const std::string name = options.output.empty() ? "the program" : options.output;
-  const Report report = check(
-      {.file = name, .text = write(), .settings = settings, .machine = {.has_switches = false}});
+  const Report report = check_program(job, run, name);
   figures.job_time_s = report.job_time_s;
   for (const Fault& fault : report.faults) fmt::print(stderr, "{}\n", to_string(fault));
   if (!report.faults.empty()) {
@@ -219,7 +189,7 @@ std::string timed_program(const CutCommandOptions& options,
                "--settings, or move the drawing\n");
     status = ExitStatus::kFaults;
   }
-  return write();
+  return program_of(job, run, lines_of(job, figures));
 }
 
 ExitStatus cut_drawing(const CutCommandOptions& options) {
@@ -228,13 +198,14 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
   const MaterialRecord record = options.record.record();
   const auto layers = layers_of(options, drawn, record);
   const std::vector<drawing::Fault> faults = faults_of(drawn, layers);
-  const CutPlan plan = plan_cuts(drawn, layers, options.curves);
+  const auto beside = options.kerf_table ? cut::WayBeside::kOnController : cut::WayBeside::kHere;
+  const CutPlan plan = plan_cuts(drawn, layers, options.curves, beside);
   print_faults(faults, drawn);
   print_faults(plan.faults, drawn);
   print_faults(plan.warnings, drawn);
   const bool sound = faults.empty() && plan.faults.empty();
-  const std::vector<SettingChange> settings = machine_of(options);
-  const CutJob job{drawn, plan, record, beam_of(options, settings, record)};
+  const CutRun run{static_cast<std::uint8_t>(options.decimals), machine_of(options)};
+  const CutJob job{drawn, plan, record, beam_of(options, run.settings, record)};
   CutFigures figures = figures_of(plan);
   if (!options.svg.empty()) write_file(options.svg, draw_cuts(drawn, plan, drawn.file));
   if (plan.cuts.empty() || (!sound && !options.anyway)) {
@@ -245,7 +216,7 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
     return ExitStatus::kFaults;
   }
   ExitStatus status = sound ? ExitStatus::kFine : ExitStatus::kFaults;
-  const std::string program = timed_program(options, job, settings, figures, status);
+  const std::string program = timed_program(options, job, run, figures, status);
   std::FILE* const told = options.output.empty() ? stderr : stdout;
   for (const std::string& line : lines_of(job, figures)) fmt::print(told, "{}\n", line);
   if (options.output.empty()) {
@@ -254,7 +225,7 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
     write_file(options.output, program);
   }
   nlohmann::ordered_json report = json_of(job, figures);
-  if (options.check) report["edges"] = check_edges(job, options, settings, told);
+  if (options.check) report["edges"] = check_edges(job, run, told);
   if (!options.report.empty()) {
     constexpr auto kReplace = nlohmann::ordered_json::error_handler_t::replace;
     write_file(options.report, report.dump(2, ' ', false, kReplace) + "\n");
@@ -306,6 +277,13 @@ void add_cut_command(CLI::App& app, ExitStatus& status) {
           "--full-power", options->full_power_w, "What the laser gives at $30; the record's most")
       ->check(CLI::PositiveNumber)
       ->type_name("W");
+  command
+      ->add_option("--kerf-table",
+                   options->kerf_table,
+                   "Leave the way beside parts to the controller (G42), which has the material as "
+                   "table P of $K")
+      ->check(CLI::Range(0U, 99U))
+      ->type_name("P");
   command->add_flag("--constant-power", options->constant_power, "M3 instead of M4");
   command->add_option("--gap", options->import.gap_mm, "Ends no farther apart are joined, mm")
       ->check(CLI::Range(drawing::kLeastGapMm, drawing::kGreatestGapMm))

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -35,16 +36,31 @@ class StrokeWriter {
   void go_to(const Place& place) { take(writer_.rapid(place), place); }
 
   void write(const Cut& cut, const LayerPlan& layer) {
-    const double feed = from_thousandths(layer.condition.cut.speed_um_min);
+    if (beam_.kerf_table && !cut.programmed.empty()) return write_for_controller(cut, layer);
     go_to(cut.start());
     for (const Stroke& stroke : cut.strokes) {
-      double stroke_feed = feed;
-      if (stroke.purpose == Purpose::kPierce) {
-        stroke_feed = std::min(feed, 60.0 * length_of(stroke) / layer.settings.pierce_s);
-      }
-      writer_.set_feed(thousandths(std::max(stroke_feed, 0.001)));
+      const bool pierces = stroke.purpose == Purpose::kPierce;
+      writer_.set_feed(pierces ? pierce_feed(stroke, layer) : layer.condition.cut.speed_um_min);
       writer_.set_power(stroke.purpose == Purpose::kTab ? 0 : power_of(layer.condition));
       if (stroke.dwell_s > 0.0) text_ += fmt::format("G4 P{:.3f}\n", stroke.dwell_s);
+      write(stroke);
+    }
+  }
+
+  /// G42 goes by F and S as they are.
+  void write_for_controller(const Cut& cut, const LayerPlan& layer) {
+    const std::uint32_t feed = layer.condition.cut.speed_um_min;
+    const std::uint32_t power = power_of(layer.condition);
+    go_to(cut.programmed.front().from);
+    for (const Stroke& stroke : cut.programmed) {
+      const bool pierces = stroke.purpose == Purpose::kPierce;
+      if (stroke.purpose == Purpose::kLeadIn) {
+        text_ +=
+            fmt::format("F{:.3f} S{:.3f}\nG42\n", from_thousandths(feed), from_thousandths(power));
+      }
+      if (stroke.purpose == Purpose::kLeadOut) text_ += "G40\n";
+      writer_.set_feed(pierces ? pierce_feed(stroke, layer) : feed);
+      writer_.set_power(power);
       write(stroke);
     }
   }
@@ -54,6 +70,13 @@ class StrokeWriter {
  private:
   static std::uint32_t thousandths(double value) {
     return static_cast<std::uint32_t>(std::lround(1000.0 * value));
+  }
+
+  /// So slow that it takes its time.
+  static std::uint32_t pierce_feed(const Stroke& stroke, const LayerPlan& layer) {
+    const double feed = std::min(from_thousandths(layer.condition.cut.speed_um_min),
+                                 60.0 * length_of(stroke) / layer.settings.pierce_s);
+    return thousandths(std::max(feed, 0.001));
   }
 
   [[nodiscard]] std::uint32_t power_of(const Condition& condition) const {
@@ -111,7 +134,14 @@ std::string program_of(const CutPlan& plan,
                        const std::vector<std::string>& heading) {
   std::string text;
   for (const std::string& line : heading) text += comment(line);
-  text += fmt::format("G21 G90 G17 G94 G54\nM8\n{} S0\n", beam.follows_speed ? "M4" : "M3");
+  text += "G21 G90 G17 G94 G54\n";
+  if (beam.kerf_table && !plan.cuts.empty()) {
+    // One sheet has one thickness.
+    const Condition& any = plan.layers[plan.cuts.front().layer].condition;
+    text +=
+        fmt::format("M190 P{} Q{:g}\n", *beam.kerf_table, from_thousandths(any.cut.thickness_um));
+  }
+  text += fmt::format("M8\n{} S0\n", beam.follows_speed ? "M4" : "M3");
   StrokeWriter writer{beam, grid};
   for (std::size_t i = 0; i < plan.cuts.size(); ++i) {
     const Cut& cut = plan.cuts[i];

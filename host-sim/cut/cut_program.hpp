@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,8 @@ struct Beam {
   double full_power_w = 0.0;     ///< What it gives at `full_power_s`.
   double full_power_s = 1000.0;  ///< $30.
   bool follows_speed = true;     ///< M4: power by the speed really driven; else M3.
+  /// Of the material in the controller's list ($K), where it finds the way beside parts itself.
+  std::optional<unsigned> kerf_table{};
 };
 
 /// A plan as G-code: one M4 or M3, a rapid to each cut, and no word that changes nothing.

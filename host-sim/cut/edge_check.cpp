@@ -8,6 +8,8 @@
 #include "host-sim/cut/clearance.hpp"
 #include "host-sim/cut/swept_area.hpp"
 #include "host-sim/import/curve_measure.hpp"
+#include "host-sim/machine/machine_reading.hpp"
+#include "host-sim/measure/course_heat.hpp"
 #include "host-sim/measure/driven_path.hpp"
 #include "host-sim/measure/energy_meter.hpp"
 #include "planner/kerf/kerf_lookup.hpp"
@@ -26,6 +28,8 @@ constexpr double kTouches = 1.0e-3;
 /// than a nanometre.
 constexpr double kDiscEvery = 0.0005;
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+/// What the beam cuts under conditions that nobody has cut under counts so far around it, mm.
+constexpr double kAroundUnknown = 0.1;
 /// The beam is wider for as long as it pierces, and a little on, mm.
 constexpr double kAroundPierce = 0.1;
 
@@ -65,14 +69,23 @@ class EdgeCheck::Sweep final : public TraceSink {
       : job_{job},
         table_{table_of<double>(job.record)},
         scale_{scales_of(simulator.settings())},
-        path_{driven_path(read_program(program, read_options_for(simulator.settings())),
+        path_{driven_path(read_for_machine(program, simulator.settings()),
                           cnc::limits_from(simulator.settings()))},
         deviation_{path_, scale_, kNoLimit},
-        energy_{path_, deviation_, scale_, options_of(job, simulator)} {
+        energy_{path_, deviation_, scale_, options_of(job, simulator)},
+        heat_{scale_, [this](const std::array<double, 2>& place, double seconds_per_mm) {
+                joules_per_mm_ = seconds_per_mm * job_.beam.full_power_w;
+                sweep({place[0], place[1]});
+              }} {
+    lay_out_plan();
+    // Motors that follow the kerf leave the path on which energy is measured.
+    if (simulator.settings().get(cnc::setting::kKerfControl) != 0.0F) {
+      simulator.add_sink(heat_);
+      return;
+    }
     simulator.add_sink(deviation_);
     simulator.add_sink(energy_);
     simulator.add_sink(*this);
-    lay_out_plan();
   }
 
   void on_row(const TraceRow& row) override {
@@ -80,15 +93,7 @@ class EdgeCheck::Sweep final : public TraceSink {
     const bool lit = row.duty > 0.0F || duty_ > 0.0F;
     duty_ = row.duty;
     if (!lit) return;
-    const Place here{row.position[0] / scale_[0], row.position[1] / scale_[1]};
-    if (pierces_.nearest(here).distance_mm < kAroundPierce) return;
-    const Clearance::Nearest nearest = strokes_.nearest(here);
-    const LayerPlan& layer = job_.plan.layers[nearest.owner];
-    swept_.add(here, 0.5 * kerf_at(layer));
-    note_heat(ratio_of(layer));
-    if (corners_.nearest(here).distance_mm < layer.condition.kerf_mm) {
-      corner_ratio_ = std::max(corner_ratio_, ratio_of(layer));
-    }
+    sweep({row.position[0] / scale_[0], row.position[1] / scale_[1]});
   }
 
   [[nodiscard]] EdgeFigures figures() const;
@@ -100,6 +105,22 @@ class EdgeCheck::Sweep final : public TraceSink {
     EdgeFigures figures{};
     double sizes_mm = 0.0;
   };
+
+  /// The kerf of the heat there is, around a place of the beam.
+  void sweep(const Place& here) {
+    if (pierces_.nearest(here).distance_mm < kAroundPierce) return;
+    const Clearance::Nearest nearest = strokes_.nearest(here);
+    const LayerPlan& layer = job_.plan.layers[nearest.owner];
+    const double radius = 0.5 * kerf_at(layer);
+    swept_.add(here, radius);
+    // All edges around, also where this beam was too narrow to come to them.
+    if (!is_known(layer)) unknown_.add(here, radius + kAroundUnknown);
+    note_heat(ratio_of(layer));
+    if (corners_.nearest(here).distance_mm < layer.condition.kerf_mm) {
+      corner_ratio_ = std::max(corner_ratio_, ratio_of(layer));
+    }
+  }
+
   void look(const drawing::Shape& edge, Sum& sum) const;
   void look(const Place& place, double stretch_mm, double touches_mm, Sum& sum) const;
 
@@ -125,6 +146,16 @@ class EdgeCheck::Sweep final : public TraceSink {
                         cnc::kerf::heat_input<double>(table_.unit, cut.power_mw, cut.speed_um_min);
     return kerf_of_heat(table_.view(), cut.thickness_um, heat).value_or(layer.condition.kerf_mm);
   }
+  /// Whether somebody has cut so, this power at the speed that has this heat.
+  [[nodiscard]] bool is_known(const LayerPlan& layer) const {
+    const cnc::kerf::Condition& cut = layer.condition.cut;
+    const auto speeds =
+        cnc::kerf::permissible_speeds(table_.view(), cut.thickness_um, cut.power_mw);
+    const double speed = cut.speed_um_min / ratio_of(layer);
+    constexpr double kMeasured = 0.01;  // Of heat that is as planned.
+    return speeds.ok() && speed >= (1.0 - kMeasured) * speeds.value().least &&
+           speed <= (1.0 + kMeasured) * speeds.value().most;
+  }
   void note_heat(double ratio) {
     least_ratio_ = std::min(least_ratio_, ratio);
     greatest_ratio_ = std::max(greatest_ratio_, ratio);
@@ -145,6 +176,11 @@ class EdgeCheck::Sweep final : public TraceSink {
         }
       }
     }
+    for (const Cut& cut : job_.plan.cuts) {
+      for (const Stroke& stroke : cut.programmed) {
+        if (stroke.purpose == Purpose::kPierce) pierces_.add(stroke, cut.layer);
+      }
+    }
     strokes_.prepare();
     corners_.prepare();
     pierces_.prepare();
@@ -157,11 +193,13 @@ class EdgeCheck::Sweep final : public TraceSink {
   PathDeviation deviation_;
   double joules_per_mm_ = 0.0;  ///< Of the window that ends here.
   EnergyMeter energy_;
+  CourseHeat heat_;
   Clearance strokes_{kNear};
   Clearance pierces_{kNear};
   Clearance corners_{kNear};
   SweptArea planned_;
   SweptArea swept_;
+  SweptArea unknown_;
   float duty_ = 0.0F;
   double least_ratio_ = 1.0;
   double greatest_ratio_ = 1.0;
@@ -176,6 +214,11 @@ void EdgeCheck::Sweep::look(const Place& place,
   const double planned = planned_.depth_of(place);
   const double cut = swept_.depth_of(place);
   note(sum.figures.most_off_model, cut - planned, place);
+  if (unknown_.depth_of(place) > -kTouches) {
+    sum.figures.unknown_mm += stretch_mm;
+  } else {
+    note(sum.figures.most_off_known, cut - planned, place);
+  }
   if (planned < -touches_mm) {
     sum.figures.untouched_mm += stretch_mm;
     return;

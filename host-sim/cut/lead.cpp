@@ -10,10 +10,6 @@ namespace {
 
 /// Places to begin at that are looked at for each length of the leads.
 constexpr std::size_t kMostStarts = 64;
-/// The beam is measured to be clear within this; the contour itself just is, mm.
-constexpr double kClearSlack = 1.0e-5;
-/// Under which a pierce takes its time: too short to see, long enough to take steps, mm.
-constexpr double kPierceWay = 0.1;
 constexpr double kQuarterBulge = std::numbers::sqrt2 - 1.0;  // tan(π / 8).
 constexpr double kDiagonal = 0.5 * std::numbers::sqrt2;
 
@@ -22,8 +18,6 @@ struct Start {
   double way_mm = 0.0;
   double room_mm = 0.0;  ///< Length of the stroke around it.
 };
-
-Place right_of(const Place& way) { return {way.y(), -way.x()}; }
 
 /// The lead that ends in `place`, going the way `tangent`; its length is that of its path.
 Stroke lead_in(const Lead& lead, double length, const Place& place, const Place& tangent) {
@@ -103,13 +97,13 @@ std::vector<Stroke> body_of(const MeasuredRow& loop,
 void slow_down_start(std::vector<Stroke>& strokes) {
   const Stroke first = strokes.front();
   const double length = length_of(first);
-  if (length <= 2.0 * kPierceWay) {
+  if (length <= 2.0 * kPierceWayMm) {
     strokes.front().purpose = Purpose::kPierce;
     return;
   }
-  Stroke pierce = part_of(first, 0.0, kPierceWay / length);
+  Stroke pierce = part_of(first, 0.0, kPierceWayMm / length);
   pierce.purpose = Purpose::kPierce;
-  strokes.front() = part_of(first, kPierceWay / length, 1.0);
+  strokes.front() = part_of(first, kPierceWayMm / length, 1.0);
   strokes.front().from = pierce.to;
   strokes.insert(strokes.begin(), pierce);
 }
@@ -126,7 +120,7 @@ std::optional<Leads> leads_at(const MeasuredRow& loop,
                               const LayerSettings& settings,
                               double share,
                               const LeadRoom& room) {
-  const double least = room.half_kerf_mm - kClearSlack;
+  const double least = room.half_kerf_mm - kClearSlackMm;
   Leads leads;
   if (settings.lead_in.kind != LeadKind::kNone) {
     const double length = share * settings.lead_in.length_mm;

@@ -9,6 +9,11 @@
 
 namespace sim::cut {
 
+/// The beam is measured to be clear within this; the contour itself just is, mm.
+inline constexpr double kClearSlackMm = 1.0e-5;
+/// Under which a pierce takes its time: too short to see, long enough to take steps, mm.
+inline constexpr double kPierceWayMm = 0.1;
+
 /// Where a lead must not be.
 struct LeadRoom {
   const Clearance& parts;   ///< All drawn edges of parts.

@@ -9,6 +9,7 @@
 
 #include "host-sim/contour/contour_offset.hpp"
 #include "host-sim/cut/clearance.hpp"
+#include "host-sim/cut/controller_way.hpp"
 #include "host-sim/cut/drawn_strokes.hpp"
 #include "host-sim/cut/lead.hpp"
 #include "host-sim/cut/order.hpp"
@@ -89,8 +90,9 @@ class Planner {
  public:
   Planner(const drawing::Drawing& drawn,
           std::vector<LayerPlan> layers,
-          const OutlineOptions& curves)
-      : drawn_{drawn}, reach_mm_{2.0 * widest_kerf(layers)}, edges_{reach_mm_} {
+          const OutlineOptions& curves,
+          WayBeside beside)
+      : drawn_{drawn}, beside_{beside}, reach_mm_{2.0 * widest_kerf(layers)}, edges_{reach_mm_} {
     plan_.layers = std::move(layers);
     plan_.curves = curves;
   }
@@ -133,9 +135,11 @@ class Planner {
   void look_for_gouges(std::size_t i, const std::vector<Stroke>& loop);
   void look_for_rests(std::size_t i, const std::vector<std::vector<Stroke>>& loops);
   void add_cut(std::size_t i, const std::vector<Stroke>& loop);
+  void leave_to_controller(Cut& cut, bool one_loop);
   void put_parts_last();
 
   const drawing::Drawing& drawn_;
+  WayBeside beside_;
   CutPlan plan_;
   std::vector<Outline> outlines_;  ///< One for each contour; empty ones are not cut.
   double reach_mm_;                ///< Twice the widest kerf: nothing farther matters.
@@ -193,6 +197,9 @@ void Planner::cut_beside(std::size_t i) {
   for (const std::vector<Stroke>& loop : loops) {
     look_for_gouges(i, loop);
     add_cut(i, loop);
+    if (beside_ == WayBeside::kOnController) {
+      leave_to_controller(plan_.cuts.back(), loops.size() == 1);
+    }
   }
 }
 
@@ -297,6 +304,29 @@ void Planner::add_cut(std::size_t i, const std::vector<Stroke>& loop) {
   plan_.cuts.push_back(std::move(cut));
 }
 
+/// Where the controller cannot find the way beside the part, it is given the way itself.
+void Planner::leave_to_controller(Cut& cut, bool one_loop) {
+  const LayerSettings& settings = layer_of(cut.contour).settings;
+  ControllerWay way;
+  if (!one_loop) {
+    way.reason = "the kerf parts it";
+  } else if (settings.tabs != 0 && !cut.is_hole) {
+    way.reason = "it has tabs";
+  } else if (settings.corner_loop_mm > 0.0 || settings.corner_dwell_s > 0.0) {
+    way.reason = "it has corner loops or dwells";
+  } else {
+    way = controller_way(
+        outlines_[cut.contour].strokes, cut.strokes, settings, {edges_, half_kerf(cut.contour)});
+  }
+  cut.programmed = std::move(way.strokes);
+  if (way.reason.empty()) return;
+  plan_.warnings.push_back({FaultKind::kTooSmall,
+                            drawn_.contours[cut.contour].entity,
+                            cut.start(),
+                            "is not left to the controller: " + way.reason,
+                            "its way has the kerf that is planned; it changes with no override"});
+}
+
 /// What lies in a part, and what is on a line, comes before the cut that frees it.
 void Planner::put_parts_last() {
   std::vector<std::vector<std::size_t>> cuts_of(outlines_.size());
@@ -327,9 +357,10 @@ void Planner::put_parts_last() {
 
 CutPlan plan_cuts(const drawing::Drawing& drawn,
                   std::vector<LayerPlan> layers,
-                  const OutlineOptions& curves) {
+                  const OutlineOptions& curves,
+                  WayBeside beside) {
   CNC_ASSERT(layers.size() == drawn.layers.size());
-  return Planner{drawn, std::move(layers), curves}.make();
+  return Planner{drawn, std::move(layers), curves, beside}.make();
 }
 
 }  // namespace sim::cut

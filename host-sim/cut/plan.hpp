@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,12 @@ struct LayerPlan {
   Condition condition;
 };
 
+/// Who moves the beam half a kerf aside.
+enum class WayBeside : std::uint8_t {
+  kHere,          ///< The program has the beam's path.
+  kOnController,  ///< It has the drawn outline, and G42 by the kerf of the material.
+};
+
 /// One pierce and what is cut from it on.
 struct Cut {
   std::size_t contour = 0;  ///< Of the drawing.
@@ -25,6 +32,9 @@ struct Cut {
   bool is_hole = false;
   double area_mm2 = 0.0;  ///< Enclosed by the beam's path; 0 of an open line.
   std::vector<Stroke> strokes{};
+  /// The same for a controller that finds the way beside the part (see ControllerWay); none where
+  /// it is given the strokes.
+  std::vector<Stroke> programmed{};
   /// Where its way turned sharply, whatever was done about it.
   std::vector<Place> corners{};
   /// Cuts that must come before: what lies in a part is cut while the part holds still.
@@ -49,9 +59,12 @@ struct CutPlan {
 /// too narrow for the kerf, and parts that are too close to each other for it; open contours are
 /// the drawing's own, and left out.
 /// @param layers one for each layer of the drawing
+/// @param beside on the controller, what is cut beside the line has `programmed`, too; warnings
+/// tell of which has not
 /// @pre the tolerance of `curves` within its limits
 [[nodiscard]] CutPlan plan_cuts(const drawing::Drawing& drawn,
                                 std::vector<LayerPlan> layers,
-                                const OutlineOptions& curves = {});
+                                const OutlineOptions& curves = {},
+                                WayBeside beside = WayBeside::kHere);
 
 }  // namespace sim::cut

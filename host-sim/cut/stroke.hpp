@@ -9,6 +9,9 @@ namespace sim::cut {
 
 using drawing::Place;
 
+/// A quarter turn to the right.
+[[nodiscard]] inline Place right_of(const Place& way) { return {way.y(), -way.x()}; }
+
 /// What a stretch of a cut is for.
 enum class Purpose : std::uint8_t {
   kPierce,      ///< The first bit of the lead-in, or of the contour, slowly.

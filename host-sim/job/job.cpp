@@ -13,8 +13,7 @@
 #include "firmware/machine/configuration.hpp"
 #include "host-sim/job/axis_scale.hpp"
 #include "host-sim/job/travel_check.hpp"
-#include "host-sim/machine/kerf_question.hpp"
-#include "host-sim/measure/beside_path.hpp"
+#include "host-sim/machine/machine_reading.hpp"
 #include "host-sim/measure/driven_path.hpp"
 #include "host-sim/measure/energy_meter.hpp"
 #include "host-sim/measure/motion_meter.hpp"
@@ -70,15 +69,6 @@ class MotionKindTeller final : public TraceSink {
   const PathDeviation& follower_;
   PathRecorder& recorder_;
 };
-
-/// What a machine with these settings makes of a program's words, G41 and G42 included.
-ProgrammedPath read_for(const std::string& text, const cnc::Settings& settings) {
-  KerfQuestion kerf{settings};
-  ReadOptions options = read_options_for(settings);
-  options.on_statement = [&kerf](std::string_view statement) { kerf.hear(statement); };
-  options.kerf_width = [&kerf](const CutCondition& condition) { return kerf.width(condition); };
-  return beside_path(read_program(text, options));
-}
 
 double cut_length(const ProgrammedPath& path) {
   double sum = 0.0;
@@ -210,7 +200,7 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
                        .machine = job.machine,
                        .on_progress = job.on_progress}};
   apply_settings(job.settings, simulator.machine());
-  ProgrammedPath path = read_for(text, simulator.settings());
+  ProgrammedPath path = read_for_machine(text, simulator.settings());
   for (PathPiece& piece : path.pieces) {
     piece.tolerance.motors = allowed_for_motors(simulator.settings());
   }
@@ -262,7 +252,7 @@ Report check(const Job& job) {
                        .machine = job.machine,
                        .on_progress = job.on_progress}};
   apply_settings(job.settings, simulator.machine());
-  const ProgrammedPath path = read_for(text, simulator.settings());
+  const ProgrammedPath path = read_for_machine(text, simulator.settings());
   Report report = report_on(job, simulator.run(), path);
   report.path_length_mm = path.length();
   const auto bounds = path.bounds();

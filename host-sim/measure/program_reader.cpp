@@ -97,11 +97,11 @@ void ProgramReader::apply_compensation(const ProgramLine& line) {
   constexpr double kSecondsPerMinute = 60.0;
   const double feed_mm_min = kSecondsPerMinute * modes_.feed(1.0, 0.0);
   const double before = compensation_.offset_mm();
-  std::string left =
-      compensation_.apply(line, modes_.scaled(0, 1.0), spindle_speed_, feed_mm_min);
+  std::string left = compensation_.apply(line, modes_.scaled(0, 1.0), spindle_speed_, feed_mm_min);
   if (!left.empty()) note(std::move(left));
   const bool shifts = compensation_.by_kerf() && !options_.power_keeps_kerf;
   if (shifts && compensation_.offset_mm() != before) stop_pending_ = true;
+  if (before != 0.0 && compensation_.offset_mm() == 0.0) leaves_edge_ = compensation_.by_kerf();
 }
 
 void ProgramReader::stop_or_end(const ProgramLine& line) {
@@ -242,11 +242,12 @@ void ProgramReader::add_piece(const Curve& curve, Travel travel, double feed) {
                           stop_pending_,
                           modes_.tolerance(options_.path_tolerance, options_.arc_tolerance)});
   PathPiece& piece = path_.pieces.back();
-  if (const double offset = compensation_.offset_mm(); offset != 0.0) {
-    piece.beside = {offset, modes_.plane()};
-    const bool keeps_kerf = compensation_.by_kerf() && options_.power_keeps_kerf;
-    if (keeps_kerf && spindle_ == SpindleState::kConstant) piece.spindle = SpindleState::kDynamic;
-  }
+  const double offset = compensation_.offset_mm();
+  if (offset != 0.0) piece.beside = {offset, modes_.plane()};
+  const bool by_kerf = offset != 0.0 ? compensation_.by_kerf() : leaves_edge_;
+  leaves_edge_ = false;
+  const bool keeps_kerf = by_kerf && options_.power_keeps_kerf;
+  if (keeps_kerf && spindle_ == SpindleState::kConstant) piece.spindle = SpindleState::kDynamic;
   stop_pending_ = false;
 }
 

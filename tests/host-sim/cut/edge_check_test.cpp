@@ -40,13 +40,19 @@ class CutEdges : public testing::Test {
   CutEdges() { make_plan({}); }
 
   void make_plan(const OutlineOptions& curves, double loop_mm = 0.0, double dwell_s = 0.0) {
-    const Condition condition = choose(record, 2'000, 1'800'000, {});
+    make_plan_for(choose(record, 2'000, 1'800'000, {}), curves, loop_mm, dwell_s);
+  }
+  void make_plan_for(const Condition& condition,
+                     const OutlineOptions& curves,
+                     double loop_mm,
+                     double dwell_s,
+                     WayBeside beside = WayBeside::kHere) {
     LayerSettings settings{.overcut_mm = 1.0, .pierce_s = 0.1};
     settings.corner_loop_mm = loop_mm;
     settings.corner_dwell_s = dwell_s;
     settings.lead_in = {LeadKind::kArc, 2.0};
     plan = plan_cuts(
-        drawn, std::vector<LayerPlan>(drawn.layers.size(), {settings, condition}), curves);
+        drawn, std::vector<LayerPlan>(drawn.layers.size(), {settings, condition}), curves, beside);
     EXPECT_TRUE(plan.faults.empty());
   }
 
@@ -59,7 +65,10 @@ class CutEdges : public testing::Test {
 
   /// Drives a program, with `touch` once a millisecond, and looks at it as a job.
   template <typename Touch>
-  EdgeFigures drive(const CutJob& job, const std::string& program, Touch touch) {
+  EdgeFigures drive(const CutJob& job,
+                    const std::string& program,
+                    Touch touch,
+                    const char* kerf_control = "$860=0") {
     Simulator simulator{program, {.machine = {.has_switches = false}}};
     std::vector<SettingChange> settings;
     for (const char* const setting : {"$0=1",
@@ -70,7 +79,8 @@ class CutEdges : public testing::Test {
                                       "$110=12000",
                                       "$111=12000",
                                       "$120=800",
-                                      "$121=800"}) {
+                                      "$121=800",
+                                      kerf_control}) {
       settings.push_back(parse_setting(setting, "test"));
     }
     apply_settings(settings, simulator.machine());
@@ -173,6 +183,47 @@ TEST_F(CutEdges, StayThereUnderFeedOverrides) {
     EXPECT_GT(constant.greatest_heat_ratio, 1.5);
     EXPECT_GT(std::abs(constant.most_off_model.mm), kEdgeTolerance);
   }
+}
+
+/// The controller is given the drawn outlines, material and thickness, and an operator turns the
+/// feed between 50 and 150 %.
+TEST_F(CutEdges, StayThereWhereTheControllerFindsTheWayBesideThem) {
+  make_plan_for(
+      choose(record, 2'000, 1'800'000, 4'000'000), {}, 0.0, 0.0, WayBeside::kOnController);
+  for (const Cut& cut : plan.cuts) EXPECT_FALSE(cut.programmed.empty());
+  for (const drawing::Fault& warning : plan.warnings) ADD_FAILURE() << warning.reason;
+  CutJob job = job_of(false);
+  job.beam.kerf_table = 1;
+  const std::string program = "$PC=100:2800\n" + text_of(job);
+  const proof::Trials trials{1};
+  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    proof::Random random{seed};
+    const auto touch = [&random](cnc::Machine& machine) {
+      if (!random.chance(0.01)) return;
+      const int percent = 50 + static_cast<int>(random.below(101));
+      machine.set_overrides({.feed = percent});
+    };
+    const EdgeFigures power = drive(job, program, touch);
+    tell("power keeps the kerf", power);
+    EXPECT_GT(power.places, 10'000U);
+    EXPECT_LT(std::abs(power.most_off_model.mm), kEdgeTolerance);
+    EXPECT_GT(power.least_heat_ratio, 1.0 - kHeatTolerance);
+    EXPECT_LT(power.greatest_heat_ratio, 1.0 + kHeatTolerance);
+    const EdgeFigures path = drive(job, program, touch, "$860=1");
+    tell("path follows the kerf", path);
+    std::printf("known: %.2f um at %.3f %.3f, %.1f mm are not\n",
+                1000.0 * path.most_off_known.mm,
+                path.most_off_known.place.x(),
+                path.most_off_known.place.y(),
+                path.unknown_mm);
+    EXPECT_LT(std::abs(path.most_off_known.mm), kEdgeTolerance);
+    EXPECT_LT(path.least_heat_ratio, 0.9);
+    EXPECT_GT(path.greatest_heat_ratio, 1.5);
+  }
+  const EdgeFigures even = drive(
+      job, program, [](cnc::Machine&) {}, "$860=1");
+  EXPECT_LT(std::abs(even.most_off_known.mm), kEdgeTolerance);
 }
 
 /// The edges are measured against the drawn curves, so a wide tolerance is seen, and a narrow one

@@ -47,24 +47,20 @@ TEST(BesidePath, RunsWithinASquareAndBackOntoThePath) {
 }
 
 TEST(BesidePath, GoesRoundOuterCornersInArcs) {
-  const ProgrammedPath path =
-      beside_path(read_program(
-      "F60 G0 X10 Y-30\nG42.1 D2 G1 X10 Y-10\nX10 Y10\nX-10\nG40 X-20 Y20\nM2\n"));
+  const ProgrammedPath path = beside_path(
+      read_program("F60 G0 X10 Y-30\nG42.1 D2 G1 X10 Y-10\nX10 Y10\nX-10\nG40 X-20 Y20\nM2\n"));
   EXPECT_THAT(path.notes, IsEmpty());
-  expect_ends(path, {{10.0, -30.0},
-               {11.0, -10.0},
-               {11.0, 10.0},
-               {10.0, 11.0},
-               {-10.0, 11.0},
-               {-20.0, 20.0}});
+  expect_ends(
+      path,
+      {{10.0, -30.0}, {11.0, -10.0}, {11.0, 10.0}, {10.0, 11.0}, {-10.0, 11.0}, {-20.0, 20.0}});
   ASSERT_TRUE(path.pieces[3].curve.circle());
   EXPECT_NEAR(path.pieces[3].curve.circle()->radius, 1.0, 1.0e-6);
 }
 
 TEST(BesidePath, TakesTheWidthFromTheTool) {
   for (const char* const word : {"G42 D3", "M6 T3\nG42"}) {
-    const std::string text =
-        std::string{"G10 L1 P3 R1.5\nF60 G0 X10 Y-30\n"} + word + " G1 X10 Y-10\nX10 Y10\nG40 X20 Y20\n";
+    const std::string text = std::string{"G10 L1 P3 R1.5\nF60 G0 X10 Y-30\n"} + word +
+                             " G1 X10 Y-10\nX10 Y10\nG40 X20 Y20\n";
     const ProgrammedPath path = beside_path(read_program(text));
     expect_ends(path, {{10.0, -30.0}, {11.5, -10.0}, {11.5, 10.0}, {20.0, 20.0}});
   }
@@ -88,14 +84,14 @@ TEST(BesidePath, AsksForTheKerfOfTheMaterial) {
   EXPECT_NEAR(asked[0].feed_mm_min, 4000.0, 1.0e-9);
   // With $860=0 the power goes with the speed beside the edge, under M3, too.
   EXPECT_EQ(path.pieces[2].spindle, SpindleState::kDynamic);
+  EXPECT_EQ(path.pieces[3].spindle, SpindleState::kDynamic) << "the exit";
   EXPECT_EQ(path.pieces[4].spindle, SpindleState::kConstant);
   options.power_keeps_kerf = false;
   EXPECT_EQ(beside_path(read_program(text, options)).pieces[2].spindle, SpindleState::kConstant);
 }
 
 TEST(BesidePath, SaysWhereTheKerfIsNotKnown) {
-  const ProgrammedPath path =
-      read_program("F60 S1\nG42 G1 X10\nG40 Y5\n", {.laser_mode = true});
+  const ProgrammedPath path = read_program("F60 S1\nG42 G1 X10\nG40 Y5\n", {.laser_mode = true});
   ASSERT_EQ(path.notes.size(), 1U);
   EXPECT_EQ(path.notes[0].line, 2);
   EXPECT_EQ(path.notes[0].text, "the kerf is not known here, G41 and G42 are left out");

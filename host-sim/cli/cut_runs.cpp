@@ -1,0 +1,103 @@
+#include "host-sim/cli/cut_runs.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <nlohmann/json.hpp>
+
+#include "firmware/store/kerf_tables.hpp"
+#include "host-sim/cut/edge_check.hpp"
+#include "host-sim/job/job.hpp"
+#include "host-sim/knowledge/experiment.hpp"
+#include "host-sim/knowledge/flash_lines.hpp"
+
+namespace sim {
+namespace {
+
+using cut::CutJob;
+
+/// A program for the simulated machine, and what that has to be told before.
+struct SimulatedProgram {
+  std::string statements;  ///< Whole lines.
+  std::string program;
+  [[nodiscard]] std::string text() const { return statements + program; }
+  [[nodiscard]] std::size_t lines_before() const {
+    return static_cast<std::size_t>(std::ranges::count(statements, '\n'));
+  }
+};
+
+/// A controller that finds the way beside parts gets the table of the material, and the watts of
+/// its beam: this one has no others.
+SimulatedProgram simulated(CutJob job, const CutRun& run) {
+  SimulatedProgram simulated;
+  if (job.beam.kerf_table) {
+    job.beam.kerf_table = static_cast<unsigned>(cnc::KerfTables::built_in());
+    simulated.statements = fmt::format("$PC=100:{:.3f}\n", job.beam.full_power_w) +
+                           flash_lines(flash_image(job.record, "job"));
+  }
+  simulated.program = program_of(job, run, {});
+  return simulated;
+}
+
+struct EdgeVariant {
+  const char* key;
+  const char* name;
+  bool follows_speed;
+  const char* setting;
+};
+
+constexpr std::array kBesideHere{
+    EdgeVariant{"m4", "power follows the speed, M4", true, "$860=0"},
+    EdgeVariant{"m3", "constant power, M3", false, "$860=0"},
+};
+constexpr std::array kBesideOnController{
+    EdgeVariant{"power_keeps_kerf", "power keeps the kerf, $860=0", false, "$860=0"},
+    EdgeVariant{"path_follows_kerf", "path follows the kerf, $860=1", false, "$860=1"},
+};
+
+cut::EdgeFigures drive(const CutJob& job, const CutRun& run, const char* setting) {
+  const std::string text = simulated(job, run).text();
+  Simulator simulator{text, {.machine = {.has_switches = false}}};
+  apply_settings(run.settings, simulator.machine());
+  apply_settings({parse_setting(setting, "--check")}, simulator.machine());
+  const cut::EdgeCheck check{job, text, simulator};
+  static_cast<void>(simulator.run());
+  return check.figures();
+}
+
+}  // namespace
+
+std::string program_of(const CutJob& job,
+                       const CutRun& run,
+                       const std::vector<std::string>& heading) {
+  return cut::program_of(
+      job.plan, job.drawn, job.beam, cnc::gcode::PrintGrid{run.decimals}, heading);
+}
+
+Report check_program(const CutJob& job, const CutRun& run, const std::string& name) {
+  const SimulatedProgram program = simulated(job, run);
+  Report report = check({.file = name,
+                         .text = program.text(),
+                         .settings = run.settings,
+                         .machine = {.has_switches = false}});
+  for (Fault& fault : report.faults) {
+    fault.line -= std::min(fault.line, program.lines_before());
+  }
+  return report;
+}
+
+nlohmann::ordered_json check_edges(const CutJob& job, const CutRun& run, std::FILE* told) {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::object();
+  for (const EdgeVariant& variant : job.beam.kerf_table ? kBesideOnController : kBesideHere) {
+    CutJob changed = job;
+    changed.beam.follows_speed = variant.follows_speed;
+    const cut::EdgeFigures figures = drive(changed, run, variant.setting);
+    fmt::print(told, "{}:\n", variant.name);
+    for (const std::string& line : lines_of(figures)) fmt::print(told, "  {}\n", line);
+    rows[variant.key] = json_of(figures);
+  }
+  return rows;
+}
+
+}  // namespace sim

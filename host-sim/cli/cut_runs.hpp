@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <cstdio>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "host-sim/cut/cut_report.hpp"
+#include "host-sim/job/setting_line.hpp"
+#include "host-sim/report/report.hpp"
+
+namespace sim {
+
+/// Where the programs of a job run: how they are written, and the machine as it is set.
+struct CutRun {
+  std::uint8_t decimals = 4;
+  std::vector<SettingChange> settings{};
+};
+
+/// The program of a job, with its heading.
+[[nodiscard]] std::string program_of(const cut::CutJob& job,
+                                     const CutRun& run,
+                                     const std::vector<std::string>& heading);
+
+/// Looks the program over on the simulated machine, which has the job's kerf table; lines count as
+/// in the program. @param name what it is called in faults
+[[nodiscard]] Report check_program(const cut::CutJob& job,
+                                   const CutRun& run,
+                                   const std::string& name);
+
+/// Drives it and measures the edges, under power that follows the speed and under constant power
+/// side by side; where the controller finds the way beside the parts, once with power that keeps
+/// the kerf and once with a path that follows it. Tells people what came of it.
+[[nodiscard]] nlohmann::ordered_json check_edges(const cut::CutJob& job,
+                                                 const CutRun& run,
+                                                 std::FILE* told);
+
+}  // namespace sim

@@ -1,0 +1,120 @@
+#include "host-sim/cut/controller_way.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+
+namespace sim::cut {
+namespace {
+
+/// How far the end goes beyond where the beam came to the outline, mm.
+constexpr double kLap = 0.05;
+
+/// What of the beam's way follows the edge; none where no lead comes before it.
+std::vector<Stroke> contour_of(const std::vector<Stroke>& beam) {
+  std::vector<Stroke> contour;
+  if (beam.front().purpose == Purpose::kContour) return contour;
+  for (const Stroke& stroke : beam) {
+    if (stroke.purpose == Purpose::kContour) contour.push_back(stroke);
+  }
+  return contour;
+}
+
+/// The way along the outline to the place that is nearest to another, which is half a kerf beside
+/// it; nothing where that is at the end of a stroke.
+std::optional<double> foot_of(const MeasuredRow& outline, const Place& place, double half_kerf) {
+  constexpr double kAtAnEnd = 1.0e-3;  // mm
+  for (std::size_t i = 0; i < outline.strokes().size(); ++i) {
+    const Stroke& stroke = outline.strokes()[i];
+    if (std::abs(distance_to(stroke, place) - half_kerf) > 1.0e-4) continue;
+    const double length = length_of(stroke);
+    // The distance along it is smooth, and has one least place within half a turn.
+    double low = 0.0;
+    double high = 1.0;
+    for (int k = 0; k < 100; ++k) {
+      const double a = low + (high - low) / 3.0;
+      const double b = high - (high - low) / 3.0;
+      const bool left = drawing::distance(place_at(stroke, a), place) <
+                        drawing::distance(place_at(stroke, b), place);
+      (left ? high : low) = left ? b : a;
+    }
+    const double share = 0.5 * (low + high);
+    if (std::min(share, 1.0 - share) * length < kAtAnEnd) continue;
+    if (std::abs(drawing::distance(place_at(stroke, share), place) - half_kerf) > 1.0e-4) continue;
+    return outline.way_to(i) + share * length;
+  }
+  return std::nullopt;
+}
+
+/// How far behind its start along the edge the beam comes to it: the entry's offset and the
+/// outline's meet in the corner of both.
+double lag_of(const Place& entry, const Place& leaving, double half_kerf) {
+  const double turn = std::atan2(-drawing::cross(entry, leaving), entry.dot(leaving));
+  return turn > 0.0 ? half_kerf * std::tan(0.5 * turn) : 0.0;
+}
+
+/// Into the waste from beside the edge, where there is room.
+std::optional<Place> exit_of(const Place& beside,
+                             const Place& tangent,
+                             double length,
+                             const LeadRoom& room) {
+  for (const double share : {1.0, 0.5, 0.25}) {
+    for (const double along : {1.0, 0.0, -1.0}) {
+      const Place way = (right_of(tangent) + along * tangent).normalized();
+      const Place end = beside + share * length * way;
+      if (room.parts.is_clear({beside, end}, room.half_kerf_mm - kClearSlackMm)) return end;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+ControllerWay controller_way(const std::vector<Stroke>& outline,
+                             const std::vector<Stroke>& beam,
+                             const LayerSettings& settings,
+                             const LeadRoom& room) {
+  const double half_kerf = room.half_kerf_mm;
+  const std::vector<Stroke> contour = contour_of(beam);
+  if (contour.empty()) return {.reason = "it has no lead-in"};
+  const MeasuredRow drawn{outline};
+  const auto foot = foot_of(drawn, contour.front().from, half_kerf);
+  if (!foot) return {.reason = "its lead ends at a corner"};
+  const MeasuredRow row{drawn.begun_at(*foot)};
+  const Place& start = row.strokes().front().from;
+  const Place leaving = row.leaving(0.0);
+  const double whole = drawing::distance(beam.front().from, start);
+  const double pierce = settings.pierce_s > 0.0 ? kPierceWayMm : 0.0;
+  if (whole - pierce < 1.1 * half_kerf) return {.reason = "its lead-in is no longer than the kerf"};
+  const Place entry = (start - beam.front().from) / whole;
+  const double lag = lag_of(entry, leaving, half_kerf);
+  const MeasuredRow beside{contour};
+  const Place reached = beside.place(std::min(lag, beside.length()));
+  if (!room.parts.is_clear({beam.front().from, reached}, half_kerf - kClearSlackMm)) {
+    return {.reason = "there is no room for a straight lead-in"};
+  }
+  const double lap = std::min(settings.overcut_mm + lag + kLap, 0.5 * row.length());
+  const Place tangent = row.leaving(lap);
+  const Place last = row.place(lap) + half_kerf * right_of(tangent);
+  const double exit_mm = std::max(settings.lead_out.length_mm, 4.0 * half_kerf);
+  const auto exit = exit_of(last, tangent, exit_mm, room);
+  if (!exit) return {.reason = "there is no room for a lead-out"};
+
+  ControllerWay way;
+  const Place entered = beam.front().from + pierce * entry;
+  if (pierce > 0.0) way.strokes.push_back({beam.front().from, entered, 0.0, Purpose::kPierce});
+  way.strokes.push_back({entered, start, 0.0, Purpose::kLeadIn});
+  for (Stroke stroke : row.strokes()) {
+    stroke.purpose = Purpose::kContour;
+    way.strokes.push_back(stroke);
+  }
+  for (Stroke stroke : row.stretch(0.0, lap)) {
+    stroke.purpose = Purpose::kOvercut;
+    way.strokes.push_back(stroke);
+  }
+  way.strokes.push_back({row.place(lap), *exit, 0.0, Purpose::kLeadOut});
+  return way;
+}
+
+}  // namespace sim::cut
