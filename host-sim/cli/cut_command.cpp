@@ -207,7 +207,10 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
   const CutRun run{static_cast<std::uint8_t>(options.decimals), machine_of(options)};
   const CutJob job{drawn, plan, record, beam_of(options, run.settings, record)};
   CutFigures figures = figures_of(plan);
-  if (!options.svg.empty()) write_file(options.svg, draw_cuts(drawn, plan, drawn.file));
+  const auto draw = [&](const cut::EdgeFigures* edges) {
+    if (!options.svg.empty()) write_file(options.svg, draw_cuts(drawn, plan, drawn.file, edges));
+  };
+  draw(nullptr);
   if (plan.cuts.empty() || (!sound && !options.anyway)) {
     fmt::print(stderr,
                "kerfline: {}\n",
@@ -225,7 +228,11 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
     write_file(options.output, program);
   }
   nlohmann::ordered_json report = json_of(job, figures);
-  if (options.check) report["edges"] = check_edges(job, run, told);
+  if (options.check) {
+    EdgeChecks checks = check_edges(job, run, told);
+    report["edges"] = std::move(checks.rows);
+    draw(&checks.first);
+  }
   if (!options.report.empty()) {
     constexpr auto kReplace = nlohmann::ordered_json::error_handler_t::replace;
     write_file(options.report, report.dump(2, ' ', false, kReplace) + "\n");

@@ -4,10 +4,8 @@
 
 #include <algorithm>
 #include <array>
-#include <nlohmann/json.hpp>
 
 #include "firmware/store/kerf_tables.hpp"
-#include "host-sim/cut/edge_check.hpp"
 #include "host-sim/job/job.hpp"
 #include "host-sim/knowledge/experiment.hpp"
 #include "host-sim/knowledge/flash_lines.hpp"
@@ -52,8 +50,8 @@ constexpr std::array kBesideHere{
     EdgeVariant{"m3", "constant power, M3", false, "$860=0"},
 };
 constexpr std::array kBesideOnController{
-    EdgeVariant{"power_keeps_kerf", "power keeps the kerf, $860=0", false, "$860=0"},
-    EdgeVariant{"path_follows_kerf", "path follows the kerf, $860=1", false, "$860=1"},
+    EdgeVariant{"power_keeps_kerf", "power keeps the kerf, M4 and $860=0", true, "$860=0"},
+    EdgeVariant{"path_follows_kerf", "path follows the kerf, M3 and $860=1", false, "$860=1"},
 };
 
 cut::EdgeFigures drive(const CutJob& job, const CutRun& run, const char* setting) {
@@ -87,17 +85,18 @@ Report check_program(const CutJob& job, const CutRun& run, const std::string& na
   return report;
 }
 
-nlohmann::ordered_json check_edges(const CutJob& job, const CutRun& run, std::FILE* told) {
-  nlohmann::ordered_json rows = nlohmann::ordered_json::object();
+EdgeChecks check_edges(const CutJob& job, const CutRun& run, std::FILE* told) {
+  EdgeChecks checks{.rows = nlohmann::ordered_json::object()};
   for (const EdgeVariant& variant : job.beam.kerf_table ? kBesideOnController : kBesideHere) {
     CutJob changed = job;
     changed.beam.follows_speed = variant.follows_speed;
     const cut::EdgeFigures figures = drive(changed, run, variant.setting);
     fmt::print(told, "{}:\n", variant.name);
     for (const std::string& line : lines_of(figures)) fmt::print(told, "  {}\n", line);
-    rows[variant.key] = json_of(figures);
+    if (checks.rows.empty()) checks.first = figures;
+    checks.rows[variant.key] = json_of(figures);
   }
-  return rows;
+  return checks;
 }
 
 }  // namespace sim

@@ -2,11 +2,12 @@
 
 #include <cstdint>
 #include <cstdio>
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "host-sim/cut/cut_report.hpp"
+#include "host-sim/cut/edge_check.hpp"
 #include "host-sim/job/setting_line.hpp"
 #include "host-sim/report/report.hpp"
 
@@ -29,11 +30,15 @@ struct CutRun {
                                    const CutRun& run,
                                    const std::string& name);
 
+/// The edges of a job, for programs, and those of its first way to be driven.
+struct EdgeChecks {
+  nlohmann::ordered_json rows{};
+  cut::EdgeFigures first{};
+};
+
 /// Drives it and measures the edges, under power that follows the speed and under constant power
 /// side by side; where the controller finds the way beside the parts, once with power that keeps
 /// the kerf and once with a path that follows it. Tells people what came of it.
-[[nodiscard]] nlohmann::ordered_json check_edges(const cut::CutJob& job,
-                                                 const CutRun& run,
-                                                 std::FILE* told);
+[[nodiscard]] EdgeChecks check_edges(const cut::CutJob& job, const CutRun& run, std::FILE* told);
 
 }  // namespace sim

@@ -104,6 +104,7 @@ class EdgeCheck::Sweep final : public TraceSink {
   struct Sum {
     EdgeFigures figures{};
     double sizes_mm = 0.0;
+    double since_mm = 0.0;  ///< The last place of the profile.
   };
 
   /// The kerf of the heat there is, around a place of the beam.
@@ -123,6 +124,8 @@ class EdgeCheck::Sweep final : public TraceSink {
 
   void look(const drawing::Shape& edge, Sum& sum) const;
   void look(const Place& place, double stretch_mm, double touches_mm, Sum& sum) const;
+  /// The place is of the row, if it is far enough from the last one or begins an edge.
+  static void add_to_profile(const EdgePlace& edge, double stretch_mm, Sum& sum);
 
   EnergyMeter::Options options_of(const CutJob& job, Simulator& simulator) {
     return {.most_speed = simulator.settings().get(cnc::setting::kMostSpindleSpeed),
@@ -206,6 +209,17 @@ class EdgeCheck::Sweep final : public TraceSink {
   double corner_ratio_ = 0.0;
 };
 
+void EdgeCheck::Sweep::add_to_profile(const EdgePlace& edge, double stretch_mm, Sum& sum) {
+  constexpr double kEvery = 0.1;
+  std::vector<EdgePlace>& row = sum.figures.profile;
+  sum.since_mm += stretch_mm;
+  EdgePlace next = edge;
+  next.joins = !row.empty() && drawing::distance(row.back().place, edge.place) < 2.0 * kEvery;
+  if (next.joins && sum.since_mm < kEvery) return;
+  sum.since_mm = 0.0;
+  row.push_back(next);
+}
+
 /// Looks at a stretch of a drawn edge; `sum` is of all sizes.
 void EdgeCheck::Sweep::look(const Place& place,
                             double stretch_mm,
@@ -219,7 +233,9 @@ void EdgeCheck::Sweep::look(const Place& place,
   } else {
     note(sum.figures.most_off_known, cut - planned, place);
   }
-  if (planned < -touches_mm) {
+  const bool reached = planned >= -touches_mm;
+  add_to_profile({.place = place, .mm = cut, .reached = reached, .joins = true}, stretch_mm, sum);
+  if (!reached) {
     sum.figures.untouched_mm += stretch_mm;
     return;
   }

@@ -18,6 +18,14 @@ struct EdgePeak {
   Place place{0.0, 0.0};
 };
 
+/// What of a place on a drawn edge was cut off the part, as a row along the edges.
+struct EdgePlace {
+  Place place{0.0, 0.0};
+  double mm = 0.0;
+  bool reached = false;  ///< By the plan's beam.
+  bool joins = false;    ///< The edge comes here from the place before.
+};
+
 /// How well the parts fit: the edge that the beam leaves, seen from the drawn one. Positive is
 /// cut off the part, negative is left on it.
 struct EdgeFigures {
@@ -36,6 +44,7 @@ struct EdgeFigures {
   double least_heat_ratio = 1.0;  ///< P / V over what was planned, in windows of 0.05 mm…
   double greatest_heat_ratio = 1.0;    ///< …of all that is cut…
   double greatest_corner_ratio = 0.0;  ///< …and within a kerf of corners; 0 where there are none.
+  std::vector<EdgePlace> profile{};    ///< Every tenth of a millimetre.
 };
 
 /// Sweeps the kerf of the power and the speed really driven along where the motors really were,

@@ -6,7 +6,7 @@
 namespace sim {
 namespace {
 
-constexpr double kSecondsPerNanosecond = 1.0e-9;
+constexpr double kCourseSecondsPerNs = 1.0e-9;
 /// mm in two milliseconds: what is slower counts as 2.5 mm/s, as at rest there is no number.
 constexpr double kStandstill = 5.0e-3;
 
@@ -16,7 +16,7 @@ CourseHeat::CourseHeat(const cnc::AxisArray<double>& steps_per_mm, OnPlace on_pl
     : step_mm_{1.0 / steps_per_mm[0], 1.0 / steps_per_mm[1]}, on_place_{std::move(on_place)} {}
 
 void CourseHeat::on_row(const TraceRow& row) {
-  const double time_s = static_cast<double>(row.time_ns) * kSecondsPerNanosecond;
+  const double time_s = static_cast<double>(row.time_ns) * kCourseSecondsPerNs;
   Lit here{.time_s = time_s};
   for (std::size_t axis = 0; axis < steps_.size(); ++axis) {
     const double rest = row.position[axis] * step_mm_[axis];

@@ -10,6 +10,7 @@
 
 #include "host-sim/import/curve_measure.hpp"
 #include "host-sim/plot/drawing_picture.hpp"
+#include "host-sim/plot/edge_layer.hpp"
 #include "host-sim/plot/grid.hpp"
 #include "host-sim/plot/svg_element.hpp"
 #include "host-sim/plot/view.hpp"
@@ -25,6 +26,8 @@ using drawing::Place;
 constexpr double kCutWidthPx = 1600.0;
 constexpr double kCutMarginPx = 90.0;
 constexpr double kCutHeadingPx = 150.0;
+constexpr double kEdgeHeadingPx = 180.0;
+constexpr double kEdgeKeyPx = 142.0;
 constexpr double kCutTallestPx = 1600.0;
 
 constexpr std::string_view kPartColour = "#d8dde3";
@@ -58,7 +61,7 @@ Extent bounds_of(const drawing::Drawing& drawn, const cut::CutPlan& plan) {
   return bounds;
 }
 
-View view_of_cuts(const Extent& extent) {
+View view_of_cuts(const Extent& extent, double heading_px) {
   const double size_mm = std::max({extent.width_mm(), extent.height_mm(), 1.0e-3});
   const double margin = 0.04 * size_mm;
   const Extent framed{extent.left_mm - margin,
@@ -67,9 +70,8 @@ View view_of_cuts(const Extent& extent) {
                       extent.top_mm + margin};
   const double width_px = kCutWidthPx - 2.0 * kCutMarginPx;
   const double natural_px = width_px * framed.height_mm() / framed.width_mm();
-  return View{
-      framed,
-      {kCutMarginPx, kCutHeadingPx, width_px, std::clamp(natural_px, 200.0, kCutTallestPx)}};
+  return View{framed,
+              {kCutMarginPx, heading_px, width_px, std::clamp(natural_px, 200.0, kCutTallestPx)}};
 }
 
 /// Arcs of the document turn the other way, as its y runs downwards.
@@ -177,8 +179,10 @@ void add_key(std::string& out) {
 
 std::string draw_cuts(const drawing::Drawing& drawn,
                       const cut::CutPlan& plan,
-                      const std::string& title) {
-  const View view = view_of_cuts(bounds_of(drawn, plan));
+                      const std::string& title,
+                      const cut::EdgeFigures* edges) {
+  const double heading_px = edges != nullptr ? kEdgeHeadingPx : kCutHeadingPx;
+  const View view = view_of_cuts(bounds_of(drawn, plan), heading_px);
   const double height_px = view.box().bottom_px() + kCutMarginPx;
   std::string out = svg::document_start(kCutWidthPx, height_px);
   svg::add_box(out, {0.0, 0.0, kCutWidthPx, height_px}, "#ffffff");
@@ -201,6 +205,7 @@ std::string draw_cuts(const drawing::Drawing& drawn,
     add_path(out, data_of(cut, view, tab), kTabColour, 3.0);
   }
   add_rapids(out, plan, view);
+  if (edges != nullptr) add_edges(out, *edges, view, kEdgeKeyPx);
   return out + "</svg>\n";
 }
 

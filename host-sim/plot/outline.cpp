@@ -148,9 +148,9 @@ Refusal refusal_of(const cnc::gcode::Fault& fault, std::size_t line) {
 
 }  // namespace
 
-Outline outline_of(std::string_view program,
-                   cnc::gcode::Interpreter reader,
-                   std::size_t most_points) {
+ProgramOutline program_outline_of(std::string_view program,
+                                  cnc::gcode::Interpreter reader,
+                                  std::size_t most_points) {
   OutlinePen pen{to_point(reader.position()), most_points};
   pen.set_output(reader.state());
   std::optional<Refusal> refused;

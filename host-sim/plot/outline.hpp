@@ -13,7 +13,7 @@ namespace sim {
 
 /// The path of a program that has not run, seen from above. For drawing only:
 /// it is some hundredths of a millimetre wide, or coarser where it is long.
-struct Outline {
+struct ProgramOutline {
   std::vector<PathVertex> vertices;  ///< Machine coordinates; speeds are not known.
   std::optional<Refusal> refused;    ///< The outline ends before this line.
 };
@@ -27,8 +27,8 @@ inline constexpr std::size_t kMostOutlinePoints = 20'000'000;
 ///
 /// Lines of `$` are no G-code and passed over; the contact of a probe is taken as
 /// programmed; M2 and M30 do not end it, as they do not end what a sender sends.
-[[nodiscard]] Outline outline_of(std::string_view program,
-                                 cnc::gcode::Interpreter reader,
-                                 std::size_t most_points = kMostOutlinePoints);
+[[nodiscard]] ProgramOutline program_outline_of(std::string_view program,
+                                                cnc::gcode::Interpreter reader,
+                                                std::size_t most_points = kMostOutlinePoints);
 
 }  // namespace sim

@@ -34,7 +34,7 @@ ordered_json travel_of(const cnc::Settings& settings) {
   return travel;
 }
 
-std::string text_of(const Outline& outline) {
+std::string text_of(const ProgramOutline& outline) {
   ordered_json points = ordered_json::array();
   for (const PathVertex& vertex : outline.vertices) {
     points.push_back(rounded(vertex.x_mm));
@@ -182,7 +182,7 @@ PageService::Document LiveView::picture() {
 std::optional<PageService::Document> LiveView::outline(std::string_view program) {
   const auto reader = ask([this] { return controller_.machine().interpreter(); });
   if (!reader) return {};
-  return Document{"application/json", text_of(outline_of(program, *reader))};
+  return Document{"application/json", text_of(program_outline_of(program, *reader))};
 }
 
 }  // namespace sim

@@ -244,6 +244,33 @@ class Cut(unittest.TestCase):
         self.assertIn('odd.svg:2:1: path "leaf" at 9.000 52.000: a curve that begins here is',
                       self.refused(odd, *STEEL, status=1))
 
+    def test_the_controller_finds_the_way_beside_parts(self):
+        name, picture, program = (self.folder / f"out.{key}" for key in ("json", "svg", "nc"))
+        done = self.cut("--kerf-table", "1", "--unit", "J/mm", "--power", "1800", "--feed", "4000", "--check",
+                        "--overcut", "1", "--pierce", "0.1", "-o", program, "--svg", picture,
+                        "--report", name, "--set", "$11=0.003", *FINE_STEPS)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("controller", done.stderr)
+        text = program.read_text()
+        self.assertEqual((text.count("M190 P1 Q2\n"), text.count("\nG42\n"), text.count("\nG40\n")), (1, 3, 3))
+        self.assertIn("X95\n", text.replace("Y25", "").replace("Y60", ""))
+        edges = json.loads(name.read_text())["edges"]
+        self.assertEqual(list(edges), ["power_keeps_kerf", "path_follows_kerf"])
+        self.assertLess(abs(edges["power_keeps_kerf"]["most_off_model"]["mm"]), 0.005)
+        self.assertGreater(edges["power_keeps_kerf"]["heat_ratio"]["least"], 0.95)
+        self.assertLess(edges["power_keeps_kerf"]["heat_ratio"]["greatest"], 1.05)
+        self.assertLess(abs(edges["path_follows_kerf"]["most_off_known"]["mm"]), 0.005)
+        self.assertIn("within 5 um", picture.read_text())
+
+    def test_what_the_controller_cannot_do_it_is_not_given(self):
+        done = self.cut("--kerf-table", "0", "--tabs", "2")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn('path "plate" at', done.stderr)
+        self.assertIn("is not left to the controller: it has tabs", done.stderr)
+        self.assertEqual(done.stdout.count("\nG42\n"), 2)
+        self.assertEqual(self.cut("--kerf-table", "-1").returncode, 2)
+        self.assertEqual(self.cut("--kerf-table", "x").returncode, 2)
+
     def test_anyway_cuts_what_is_sound(self):
         done = run("cut", self.plate, *STEEL, "--anyway", "-o", self.folder / "out.nc")
         self.assertEqual(done.returncode, 1)

@@ -24,7 +24,7 @@ struct Vertex {
   bool operator==(const Vertex&) const = default;
 };
 
-std::vector<Vertex> vertices_of(const Outline& outline) {
+std::vector<Vertex> vertices_of(const ProgramOutline& outline) {
   std::vector<Vertex> vertices;
   for (const PathVertex& vertex : outline.vertices) {
     vertices.push_back({vertex.x_mm, vertex.y_mm, vertex.move});
@@ -33,7 +33,7 @@ std::vector<Vertex> vertices_of(const Outline& outline) {
 }
 
 std::vector<Vertex> drawn(std::string_view program, const Interpreter& reader = Interpreter{}) {
-  const Outline outline = outline_of(program, reader);
+  const ProgramOutline outline = program_outline_of(program, reader);
   EXPECT_FALSE(outline.refused) << outline.refused->reason;
   return vertices_of(outline);
 }
@@ -101,7 +101,8 @@ TEST(Outline, FollowsSplines) {
 }
 
 TEST(Outline, EndsBeforeTheRefusedLineAndSaysWhich) {
-  const Outline outline = outline_of("G1 X5 F600\r\n\r\n(part)\rX6 H1\nX7\n", Interpreter{});
+  const ProgramOutline outline =
+      program_outline_of("G1 X5 F600\r\n\r\n(part)\rX6 H1\nX7\n", Interpreter{});
   const std::vector<Vertex> wanted{{0, 0, Move::kTravel}, {5, 0, Move::kFeed}};
   EXPECT_EQ(vertices_of(outline), wanted);
   ASSERT_TRUE(outline.refused);
@@ -125,14 +126,15 @@ TEST(Outline, OfNothingIsThePlace) {
 TEST(Outline, KeepsItsSizeHoweverLongTheProgram) {
   std::string program = "G91 G1 F600\n";
   for (int i = 0; i < 60'000; ++i) program += "X1 Y1\nX1 Y-1\n";
-  const Outline outline = outline_of(program, Interpreter{});
+  const ProgramOutline outline = program_outline_of(program, Interpreter{});
   EXPECT_FALSE(outline.refused);
   EXPECT_LE(outline.vertices.size(), PathRecorder::kMostVertices + 1);
   EXPECT_NEAR(outline.vertices.back().x_mm, 120'000.0, 1e-6);
 }
 
 TEST(Outline, RefusesTheLineThatAsksForTooMuch) {
-  const Outline outline = outline_of("G1 X1 F600\nG2 X1 I500 P60000\nG1 X2", Interpreter{}, 10'000);
+  const ProgramOutline outline =
+      program_outline_of("G1 X1 F600\nG2 X1 I500 P60000\nG1 X2", Interpreter{}, 10'000);
   EXPECT_FALSE(outline.vertices.empty());
   ASSERT_TRUE(outline.refused);
   EXPECT_EQ(outline.refused->line, 2U);
