@@ -63,7 +63,7 @@ bool Cutting<Scalar>::clear_of(const Curve<Scalar>& line, const Curve<Scalar>& o
 ///
 /// No bulge is needed: with x half the sweep, an arc is as high as its chord times tan(x/2) / 2,
 /// which is no more than the chord times sin(x) / 2. Ends that were drawn together may be some
-/// `touch` beside their curve, or make it a little more than half a turn: hence 5/8, and 16 `touch`.
+/// `touch` beside their curve, or make it a bit more than half a turn: hence 5/8, and 16 `touch`.
 /// All distances are times the chord of `curve`, which spares a root.
 template <typename Scalar>
 bool Cutting<Scalar>::beside(const Curve<Scalar>& curve, const Curve<Scalar>& other) const {

@@ -132,7 +132,8 @@ Vertex<double>* our_vertices(int number) {
 /// How many loops the offset has; less than 0 when there is none.
 int our_offset(int number, double distance_mm) {
   static Offsetter offsetter;
-  const auto result = offsetter.offset(cases()[static_cast<std::size_t>(number)].view(), distance_mm);
+  const Case& one = cases()[static_cast<std::size_t>(number)];
+  const auto result = offsetter.offset(one.view(), distance_mm);
   last_result = result.ok() ? result.value() : ContourView<double>{};
   return result.ok() ? static_cast<int>(last_result.loop_ends.size()) : -1;
 }
