@@ -34,6 +34,10 @@ void Cutting<Scalar>::meet(std::uint32_t a, std::uint32_t b) {
   const RawCurve<Scalar>& first = space_.raw[a];
   const RawCurve<Scalar>& second = space_.raw[b];
   if (clear_of(first.curve, second.curve) || clear_of(second.curve, first.curve)) return;
+  if (first.end_node != second.start_node &&  // As neighbours have, which are as many as the rest.
+      (beside(first.curve, second.curve) || beside(second.curve, first.curve))) {
+    return;
+  }
   end_on(first.curve.start, first.start_node, b);
   end_on(first.curve.end, first.end_node, b);
   end_on(second.curve.start, second.start_node, a);
@@ -51,6 +55,30 @@ bool Cutting<Scalar>::clear_of(const Curve<Scalar>& line, const Curve<Scalar>& o
   const Scalar start = cross(line.start_tangent, other.start - line.start);
   const Scalar end = cross(line.start_tangent, other.end - line.start);
   return std::min(start, end) > tolerance_.touch || std::max(start, end) < -tolerance_.touch;
+}
+
+/// Whether another curve is all on one side of the band between the chord of a curve and its
+/// parallel that touches it, by so much that no place is within `touch` of both. That spares
+/// most pairs of which one is an arc everything else.
+///
+/// No bulge is needed: with x half the sweep, an arc is as high as its chord times tan(x/2) / 2,
+/// which is no more than the chord times sin(x) / 2. Ends that were drawn together may be some
+/// `touch` beside their curve, or make it a bit more than half a turn: hence 5/8, and 16 `touch`.
+/// All distances are times the chord of `curve`, which spares a root.
+template <typename Scalar>
+bool Cutting<Scalar>::beside(const Curve<Scalar>& curve, const Curve<Scalar>& other) const {
+  constexpr Scalar kHeight{0.625};
+  const Vector chord = curve.end - curve.start;
+  const Vector far = other.end - other.start;
+  const Scalar length = std::abs(chord.x()) + std::abs(chord.y());
+  const Scalar height = kHeight * std::abs(cross(other.start_tangent, far));
+  const Scalar slack = length * (height + Scalar{16} * tolerance_.touch);
+  const Scalar start = cross(chord, other.start - curve.start);
+  const Scalar end = cross(chord, other.end - curve.start);
+  // A curve that turns left lies on the right of its chord.
+  const Scalar own = -kHeight * length * cross(chord, curve.end_tangent);
+  return std::min(start, end) > std::max(Scalar{0}, own) + slack ||
+         std::max(start, end) < std::min(Scalar{0}, own) - slack;
 }
 
 /// The end of one curve on another: what overlaps is found by its ends.
@@ -107,11 +135,18 @@ void Cutting<Scalar>::meet_at(std::uint32_t a, std::uint32_t b, const Vector& pl
   }
 }
 
+/// Most are apart in x already, which spares the root.
+template <typename Scalar>
+bool Cutting<Scalar>::is_near(const Vector& one, const Vector& other) const {
+  return std::abs(one.x() - other.x()) <= tolerance_.touch &&
+         (one - other).norm() <= tolerance_.touch;
+}
+
 template <typename Scalar>
 std::uint32_t Cutting<Scalar>::end_near(std::uint32_t raw, const Vector& place) const {
   const RawCurve<Scalar>& curve = space_.raw[raw];
-  if ((curve.curve.start - place).norm() <= tolerance_.touch) return curve.start_node;
-  if ((curve.curve.end - place).norm() <= tolerance_.touch) return curve.end_node;
+  if (is_near(curve.curve.start, place)) return curve.start_node;
+  if (is_near(curve.curve.end, place)) return curve.end_node;
   return kNone;
 }
 

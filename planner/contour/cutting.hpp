@@ -32,9 +32,11 @@ class Cutting {
   void index_raw_curves(BoxTree<Scalar>& tree) const;
   void meet(std::uint32_t a, std::uint32_t b);
   [[nodiscard]] bool clear_of(const Curve<Scalar>& line, const Curve<Scalar>& other) const;
+  [[nodiscard]] bool beside(const Curve<Scalar>& curve, const Curve<Scalar>& other) const;
   void end_on(const Vector& place, std::uint32_t node, std::uint32_t raw);
   [[nodiscard]] bool is_joint(std::uint32_t a, std::uint32_t b, const Vector& place);
   void meet_at(std::uint32_t a, std::uint32_t b, const Vector& place);
+  [[nodiscard]] bool is_near(const Vector& one, const Vector& other) const;
   [[nodiscard]] std::uint32_t end_near(std::uint32_t raw, const Vector& place) const;
   void cut(std::uint32_t raw, std::uint32_t node, const Vector& place);
   void sort_cuts();
