@@ -22,9 +22,9 @@ constexpr const char* kOffsetFooter =
     "FILE is a drawing, SVG, DXF or JSON, as `kerfline drawing` reads it, or text: a vertex to\n"
     "a line, `x y` or `x y bulge`, in mm; bulge = tan(sweep / 4) of the arc to the next vertex,\n"
     "positive to the left. `closed` or a blank line ends a loop, `#` begins a comment. Loops\n"
-    "inside others are holes, loops in those islands, whichever way they run. Lines and arcs\n"
-    "stay what they are, other curves become smooth arcs within the tolerance. The result is\n"
-    "written as text.\n"
+    "inside others are holes, loops in those islands, whichever way they run; parts of a file of\n"
+    "parts have nothing to do with each other. Lines and arcs stay what they are, other curves\n"
+    "become smooth arcs within the tolerance. The result is written as text.\n"
     "\n"
     "Examples:\n"
     "  kerfline offset part.svg --distance 0.28 --tolerance 0.1 --dxf cut.dxf -o cut.txt\n"
@@ -39,19 +39,22 @@ struct OffsetOptions {
   std::string dxf;
 };
 
-Contour copied(const cnc::contour::ContourView<double>& view) {
-  return {{view.vertices.begin(), view.vertices.end()},
-          {view.loop_ends.begin(), view.loop_ends.end()}};
+void append(Contour& contour, const cnc::contour::ContourView<double>& more) {
+  const auto before = static_cast<std::uint32_t>(contour.vertices.size());
+  contour.vertices.insert(contour.vertices.end(), more.vertices.begin(), more.vertices.end());
+  for (const std::uint32_t end : more.loop_ends) contour.loop_ends.push_back(before + end);
 }
 
 ExitStatus offset_file(const OffsetOptions& options) {
-  const Contour input = read_contour_file(options.file, options.outline);
+  const std::vector<Contour> parts = read_contour_file(options.file, options.outline);
+  Contour input;
+  for (const Contour& part : parts) append(input, part.view());
   ContourOffset offsetter;
   std::vector<Contour> offsets;
   std::string text;
   for (const double distance_mm : options.distances_mm) {
-    offsets.push_back(copied(offsetter.offset(input.view(), distance_mm)));
-    const Contour& result = offsets.back();
+    Contour& result = offsets.emplace_back();
+    for (const Contour& part : parts) append(result, offsetter.offset(part.view(), distance_mm));
     text += fmt::format("# distance {} mm: {} vertices, loops: {}\n{}",
                         distance_mm,
                         result.vertices.size(),

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string_view>
 
 #include "host-sim/contour/contour_text.hpp"
@@ -55,21 +56,37 @@ void refuse_far(const Contour& contour, const std::string& name) {
   }
 }
 
+/// The loops of each part by themselves, in the file's order.
+std::vector<Contour> parts_of(const Outline& outline, const drawing::Drawing& drawn) {
+  std::map<std::size_t, Contour> parts;
+  const auto view = outline.contour.view();
+  for (std::size_t loop = 0; loop < view.loop_ends.size(); ++loop) {
+    Contour& part = parts[drawn.contours[outline.drawn[loop]].entity.part];
+    for (std::uint32_t i = view.loop_begin(loop); i < view.loop_ends[loop]; ++i) {
+      part.vertices.push_back(view.vertices[i]);
+    }
+    part.end_loop();
+  }
+  std::vector<Contour> contours;
+  for (auto& [number, part] : parts) contours.push_back(std::move(part));
+  return contours;
+}
+
 }  // namespace
 
-Contour read_contour_file(const std::string& file, const OutlineOptions& options) {
+std::vector<Contour> read_contour_file(const std::string& file, const OutlineOptions& options) {
   const std::string text = read_text(file);
   const std::string name = file == "-" ? "standard input" : file;
   if (!is_drawing(text)) {
     Contour contour = contour_from_text(text, name);
     refuse_far(contour, name);
     put_material_left(contour);
-    return contour;
+    return {contour};
   }
   const drawing::Drawing drawn = drawing::read_drawing(name, text);
-  Outline outline = outline_of(drawn, options);
+  const Outline outline = outline_of(drawn, options);
   throw_faults(drawn, outline.faults);
-  return std::move(outline.contour);
+  return parts_of(outline, drawn);
 }
 
 }  // namespace sim

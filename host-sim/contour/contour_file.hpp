@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "host-sim/contour/outline.hpp"
 
@@ -15,8 +16,10 @@ class FaultyDrawing : public std::runtime_error {
 
 /// Reads closed contours from a file, `-` being standard input: SVG, DXF or JSON as
 /// drawing.hpp has them, curves fitted as outline.hpp does, else text as contour_text.hpp has it;
-/// told by content. Material is on the left of every loop. Throws std::system_error naming the
+/// told by content. One contour for each part of a file of parts, which may lie on each other; else
+/// one. Material is on the left of every loop. Throws std::system_error naming the
 /// file, ContourTextError, and FaultyDrawing if there is any error in a drawing.
-[[nodiscard]] Contour read_contour_file(const std::string& file, const OutlineOptions& options);
+[[nodiscard]] std::vector<Contour> read_contour_file(const std::string& file,
+                                                     const OutlineOptions& options);
 
 }  // namespace sim

@@ -147,6 +147,19 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(run("offset", dxf, "--distance", "1", "--tolerance", "0").returncode, 2)
         self.assertEqual(run("offset", dxf, "--distance", "1", "--fit", "best").returncode, 2)
 
+    def test_offset_takes_parts_of_a_file_one_by_one(self):
+        """Parts of a nesting job all lie at their own zero."""
+        square = [[0, 0], [10, 0], [10, 10], [0, 10], [0, 0]]
+        cross = [[x - 3, y + 4] for x, y in square]
+        items = [{"id": i, "demand": 1, "allowed_orientations": [0.0],
+                  "shape": {"type": "simple_polygon", "data": data}}
+                 for i, data in enumerate((square, cross, square))]
+        nest = self.folder / "nest.json"
+        nest.write_text(json.dumps({"name": "nest", "items": items, "strip_height": 20}))
+        done = run("offset", nest, "--distance", "1")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("# distance 1 mm: 24 vertices, loops: 3\n", done.stdout)
+
     def test_drawing_lists_contours_and_names_faults(self):
         part = self.folder / "part.svg"
         part.write_text("<svg width='40mm' height='40mm' viewBox='0 0 40 40'>\n<circle cx='20' cy='20' r='10'/>"
