@@ -16,14 +16,13 @@ class LineAssembler {
  public:
   /// True when the byte completes a line; read it before the next byte.
   bool add(char byte) {
-    if (complete_) start_anew();
-    if (byte == '\n' && after_return_) {
-      after_return_ = false;
-      return false;
+    if (ended_by_ != kNothing) {
+      const bool pair = ended_by_ == '\r' && byte == '\n';
+      start_anew();
+      if (pair) return false;
     }
-    after_return_ = byte == '\r';
     if (byte == '\r' || byte == '\n') {
-      complete_ = true;
+      ended_by_ = byte;
       return true;
     }
     if (size_ == Capacity) {
@@ -39,17 +38,18 @@ class LineAssembler {
   [[nodiscard]] bool too_long() const { return too_long_; }
 
  private:
+  static constexpr char kNothing = 0;
+
   void start_anew() {
     size_ = 0;
     too_long_ = false;
-    complete_ = false;
+    ended_by_ = kNothing;
   }
 
   std::array<char, Capacity> bytes_{};
   std::size_t size_ = 0;
   bool too_long_ = false;
-  bool complete_ = false;
-  bool after_return_ = false;
+  char ended_by_ = kNothing;  ///< The line that is there, which the next byte begins anew.
 };
 
 }  // namespace cnc

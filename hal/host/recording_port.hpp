@@ -97,12 +97,27 @@ class RecordingPort final : public AuxiliaryOutputs, public MachineInputs {
   InputState panel{};  ///< Door and buttons; whoever simulates the operator sets them.
 
  private:
-  /// Without a branch for each motor: which of them step next nobody can predict.
-  void count_steps(AxisMask axes, std::array<std::int32_t, kMotors>& steps) const noexcept {
-    for (std::size_t axis = 0; axis < kMotors; ++axis) {
-      const std::int32_t way = 1 - 2 * (negative_.bits >> axis & 1);
-      steps[axis] += way * (axes.bits >> axis & 1);
+  using Steps = std::array<std::int32_t, kMotors>;
+
+  /// One for each motor of a mask, by masks.
+  static constexpr auto kOnes = [] {
+    std::array<Steps, 1U << kMotors> ones{};
+    for (std::size_t mask = 0; mask < ones.size(); ++mask) {
+      for (std::size_t axis = 0; axis < kMotors; ++axis) {
+        ones[mask][axis] = static_cast<std::int32_t>(mask >> axis & 1);
+      }
     }
+    return ones;
+  }();
+
+  /// Without a branch for each motor: which of them step next nobody can predict. Looked up, as
+  /// with shifts for each motor a fifth of the step generator's time went here.
+  void count_steps(AxisMask axes, Steps& steps) const noexcept {
+    const Steps& forward = kOnes[axes.bits & ~negative_.bits & (kOnes.size() - 1)];
+    const Steps& backward = kOnes[axes.bits & negative_.bits & (kOnes.size() - 1)];
+#pragma GCC unroll 6
+    for (std::size_t axis = 0; axis < kMotors; ++axis)
+      steps[axis] += forward[axis] - backward[axis];
   }
 
   AxisMask negative_{};

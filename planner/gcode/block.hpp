@@ -34,6 +34,10 @@ class Block {
   [[nodiscard]] bool empty() const { return groups_ == 0 && letters_ == 0; }
 
   [[nodiscard]] bool has(ModalGroup group) const { return (groups_ & bit_of(group)) != 0; }
+  /// Of G and M words.
+  [[nodiscard]] bool has_no_word_but_motion() const {
+    return (groups_ & ~bit_of(ModalGroup::kMotion)) == 0;
+  }
   /// @pre has(group)
   template <typename Meaning>
   [[nodiscard]] Meaning meaning(ModalGroup group) const {

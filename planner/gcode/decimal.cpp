@@ -12,39 +12,52 @@ constexpr std::size_t kDecimals = 9;
 constexpr std::array<std::uint32_t, kDecimals + 1> kPowersOfTen{
     1, 10, 100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000, kBillion};
 
-/// Walks over a text and stands on anything but a blank.
+/// Out of line, as few numbers have blanks; a function of places, so that a cursor may stay in
+/// registers.
+[[gnu::noinline]] std::size_t behind_blanks(std::string_view text, std::size_t at) {
+  while (at < text.size() && is_blank(text[at])) ++at;
+  return at;
+}
+
+/// Walks over a text and over the blanks in it, which it looks for where no digit follows.
 class Cursor {
  public:
-  explicit Cursor(std::string_view text) : text_{text} { skip_blanks(); }
+  explicit Cursor(std::string_view text) : text_{text} {}
 
-  [[nodiscard]] std::size_t position() const { return at_; }
+  /// Behind all blanks.
+  [[nodiscard]] std::size_t position() {
+    skip_blanks();
+    return at_;
+  }
   [[nodiscard]] std::size_t digits_taken() const { return digits_taken_; }
 
-  [[nodiscard]] bool at_digit() const {
-    return at_ < text_.size() && text_[at_] >= '0' && text_[at_] <= '9';
+  [[nodiscard]] bool at_digit() {
+    if (stands_on_digit()) return true;
+    skip_blanks();
+    return stands_on_digit();
   }
   /// @pre at_digit()
   [[nodiscard]] std::uint32_t digit() const { return static_cast<std::uint32_t>(text_[at_] - '0'); }
 
   void leave_digit() {
     ++digits_taken_;
-    step();
+    ++at_;
   }
 
-  /// Steps over `wanted` if it stands here.
+  /// Steps over `wanted` if it comes next.
   bool take(char wanted) {
+    skip_blanks();
     if (at_ == text_.size() || text_[at_] != wanted) return false;
-    step();
+    ++at_;
     return true;
   }
 
  private:
-  void step() {
-    ++at_;
-    skip_blanks();
+  [[nodiscard]] bool stands_on_digit() const {
+    return at_ < text_.size() && text_[at_] >= '0' && text_[at_] <= '9';
   }
   void skip_blanks() {
-    while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
+    if (at_ < text_.size() && is_blank(text_[at_])) at_ = behind_blanks(text_, at_);
   }
 
   std::string_view text_;

@@ -30,6 +30,9 @@ void adopt(const Block& block, ModalGroup group, Mode& mode) {
 /// its own line.
 Refusal Execution::run() {
   using Step = Refusal (Execution::*)();
+  // What is between these two is asked for by G and M words alone.
+  static constexpr std::size_t kSelectTool = 6;
+  static constexpr std::size_t kMove = 18;
   static constexpr std::array<Step, 21> kOrder{{
       &Execution::check_signs,
       &Execution::check_open_nurbs,
@@ -54,8 +57,11 @@ Refusal Execution::run() {
       &Execution::stop,
   }};
   set_modes();
-  for (const Step step : kOrder) {
-    if (const auto fault = (this->*step)()) return fault;
+  // Most lines have none: an eighth of what reading them costs.
+  const bool only_moves = block_.has_no_word_but_motion();
+  for (std::size_t step = 0; step < kOrder.size(); ++step) {
+    if (const auto fault = (this->*kOrder[step])()) return fault;
+    if (step == kSelectTool && only_moves) step = kMove - 1;
   }
   return block_.unused_word();
 }

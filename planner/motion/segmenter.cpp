@@ -324,11 +324,11 @@ void Segmenter::time_trains(Segment& segment) {
       static_cast<float>(std::max<std::uint32_t>(1, joined_.duration_ns)) * kTicksPerNanosecond;
   const float shift = static_cast<float>(remainder_ns_) * kTicksPerNanosecond;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    if (joined_.from[axis] == place_steps_[axis]) continue;
     const AxisSlice slice{.from = joined_.from[axis],
                           .to = place_steps_[axis],
                           .speed_steps_per_tick = joined_.speeds[axis],
                           .ticks = ticks};
-    if (slice.from == slice.to) continue;
     segment.trains[axis] = time_steps(slice, shift);
     if (slice.to.q32() < slice.from.q32()) {
       segment.negative = static_cast<std::uint8_t>(segment.negative | (1U << axis));

@@ -112,8 +112,9 @@ void drive(const Job& job, Sink&& take) {
   }
 }
 
-/// All of it, from the bytes on, with one queue kept full.
-std::size_t make_segments(std::string_view text) {
+/// From the bytes on, with one queue kept full, to whoever takes the segments.
+template <typename Sink>
+void cut_text(std::string_view text, Sink&& take) {
   motion::BlockQueueOf<motion::kLookAheadBlocks> queue;
   motion::SegmenterRoom room;
   motion::Segmenter segmenter{queue, limits(), room};
@@ -121,11 +122,9 @@ std::size_t make_segments(std::string_view text) {
   path::PathStage stage{limits()};
   PathReader reader;
   LineAssembler<256> assembler;
-  std::size_t segments = 0;
+  motion::Segment segment;
   const auto cut = [&] {
-    motion::Segment segment;
-    if (segmenter.next(segment)) ++segments;
-    benchmark::DoNotOptimize(segment);
+    if (segmenter.next(segment)) take(segment);
   };
   const auto drain = [&] {
     while (const path::PathPiece* const piece = stage.next()) {
@@ -143,8 +142,34 @@ std::size_t make_segments(std::string_view text) {
   stage.flush();
   drain();
   while (!segmenter.idle()) cut();
-  return segments;
 }
+
+/// The pins, and the generator that moves them.
+class Motors {
+ public:
+  void take(const motion::Segment& segment) {
+    while (generator_.full()) play(kPlayedAtOnce);
+    generator_.push(segment);
+  }
+  void finish() {
+    while (generator_.running()) play(kPlayedAtOnce);
+  }
+  [[nodiscard]] const hal::host::RecordingPort& port() const { return port_; }
+
+ private:
+  /// Interrupts between two turns: half of what waits, at some 25 for each segment.
+  static constexpr int kPlayedAtOnce = 800;
+
+  void play(int interrupts) {
+    let_in(generator_);
+    while (interrupts-- > 0 && generator_.on_interrupt() != 0) {
+    }
+    let_in(generator_);
+  }
+
+  hal::host::RecordingPort port_{};
+  StepGenerator<hal::host::RecordingPort, 64> generator_{port_};
+};
 
 Job make_job(std::string text) {
   Job job;
@@ -219,26 +244,31 @@ void plan_and_segment(benchmark::State& state, const Job& (*of)()) {
 /// Text to segments, all stages taking turns as in the controller; nothing is stepped.
 void cut_from_text(benchmark::State& state, const Job& (*of)()) {
   const Job& job = of();
-  for (auto _ : state) benchmark::DoNotOptimize(make_segments(job.text));
+  for (auto _ : state) {
+    cut_text(job.text, [](const motion::Segment& segment) { benchmark::DoNotOptimize(segment); });
+  }
+  count_lines(state, job);
+}
+
+/// Text to step edges, all stages taking turns.
+void step_from_text(benchmark::State& state, const Job& (*of)()) {
+  const Job& job = of();
+  for (auto _ : state) {
+    Motors motors;
+    cut_text(job.text, [&motors](const motion::Segment& segment) { motors.take(segment); });
+    motors.finish();
+    benchmark::DoNotOptimize(motors.port().position);
+  }
   count_lines(state, job);
 }
 
 void step(benchmark::State& state, const Job& (*of)()) {
   const Job& job = of();
   for (auto _ : state) {
-    hal::host::RecordingPort port;
-    StepGenerator<hal::host::RecordingPort, 64> generator{port};
-    std::size_t next = 0;
-    const std::vector<motion::Segment>& segments = job.segments;
-    while (next < segments.size() && !generator.full()) generator.push(segments[next++]);
-    let_in(generator);
-    constexpr std::uint32_t kRefill = 32;  // A segment takes several interrupts.
-    for (std::uint32_t count = 1; generator.on_interrupt() != 0; ++count) {
-      if (next == segments.size() || count % kRefill != 0) continue;
-      while (next < segments.size() && !generator.full()) generator.push(segments[next++]);
-      let_in(generator);
-    }
-    benchmark::DoNotOptimize(port.position);
+    Motors motors;
+    for (const motion::Segment& segment : job.segments) motors.take(segment);
+    motors.finish();
+    benchmark::DoNotOptimize(motors.port().position);
   }
   count_lines(state, job);
 }
@@ -268,6 +298,8 @@ BENCHMARK_CAPTURE(cut_from_text, freeform_20000, freeform)->Unit(benchmark::kMil
 BENCHMARK_CAPTURE(cut_from_text, arcs_400, arcs)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(step, freeform_20000, freeform)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(step, arcs_400, arcs)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(step_from_text, freeform_20000, freeform)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(step_from_text, arcs_400, arcs)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(everything, freeform_20000, freeform)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(everything, arcs_400, arcs)->Unit(benchmark::kMillisecond);
 
