@@ -1,6 +1,7 @@
 #include "planner/gcode/execution.hpp"
 
 #include <array>
+#include <span>
 
 #include "planner/base/units.hpp"
 
@@ -29,11 +30,7 @@ void adopt(const Block& block, ModalGroup group, Mode& mode) {
 /// comes first: no step can tell, except F, which Grbl reads in the units of
 /// its own line.
 Refusal Execution::run() {
-  using Step = Refusal (Execution::*)();
-  // What is between these two is asked for by G and M words alone.
-  static constexpr std::size_t kSelectTool = 6;
-  static constexpr std::size_t kMove = 18;
-  static constexpr std::array<Step, 21> kOrder{{
+  static constexpr std::array<Step, 7> kFirst{{
       &Execution::check_signs,
       &Execution::check_open_nurbs,
       &Execution::check_compensated_words,
@@ -41,6 +38,10 @@ Refusal Execution::run() {
       &Execution::set_feed,
       &Execution::set_spindle_speed,
       &Execution::select_tool,
+  }};
+  // Asked for by G and M words alone. Most lines have none but that of their motion, and an eighth
+  // of what reading them costs would be spent here.
+  static constexpr std::array<Step, 11> kByWord{{
       &Execution::change_tool,
       &Execution::set_output,
       &Execution::set_spindle,
@@ -52,18 +53,27 @@ Refusal Execution::run() {
       &Execution::set_path_control,
       &Execution::set_offsets,
       &Execution::go_to_stored_place,
+  }};
+  static constexpr std::array<Step, 3> kLast{{
       &Execution::move,
       &Execution::check_powers,
       &Execution::stop,
   }};
   set_modes();
-  // Most lines have none: an eighth of what reading them costs.
-  const bool only_moves = block_.has_no_word_but_motion();
-  for (std::size_t step = 0; step < kOrder.size(); ++step) {
-    if (const auto fault = (this->*kOrder[step])()) return fault;
-    if (step == kSelectTool && only_moves) step = kMove - 1;
+  if (const auto fault = take_steps(kFirst)) return fault;
+  if (!block_.has_no_word_but_motion()) {
+    if (const auto fault = take_steps(kByWord)) return fault;
   }
+  if (const auto fault = take_steps(kLast)) return fault;
   return block_.unused_word();
+}
+
+/// Up to the first that is refused.
+Refusal Execution::take_steps(std::span<const Step> steps) {
+  for (const Step step : steps) {
+    if (const auto fault = (this->*step)()) return fault;
+  }
+  return std::nullopt;
 }
 
 void Execution::commit() {

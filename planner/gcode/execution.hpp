@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <span>
 
 #include "planner/gcode/action_list.hpp"
 #include "planner/gcode/arc_geometry.hpp"
@@ -59,6 +60,9 @@ class Execution {
   std::uint32_t commit_jog();
 
  private:
+  using Step = Refusal (Execution::*)();
+
+  [[nodiscard, gnu::noinline]] Refusal take_steps(std::span<const Step> steps);
   /// What a line of a NURBS adds when it is committed.
   struct NurbsLine {
     bool begins = false;
