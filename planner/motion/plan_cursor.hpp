@@ -58,6 +58,7 @@ class PlanCursor {
   [[nodiscard]] TimeWindow quickest(const WindowChoice& choice, std::size_t end);
   [[nodiscard]] std::uint64_t time_to(std::size_t end, const TimeWindow& window);
   [[nodiscard]] Patience patience() const;
+  [[nodiscard]] Stretch follow(std::uint32_t most_ns, Drive drive, bool may_start);
   void note_change(const Stretch& stretch);
   void stop_phase_short();
   void settle_place();

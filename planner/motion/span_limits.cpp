@@ -167,13 +167,29 @@ class AxisBox {
            within(limits_.second, along_second, along_first, size_square);
   }
 
- private:
-  /// Turned towards the axis, as far as the angle goes: not all of the vector falls to it.
-  [[nodiscard]] bool within(float limit, float own, float other, float size_square) const {
-    if (size_square <= square(limit)) return true;
-    const bool beside = other * half_.cosine > own * half_.sine;
-    return beside && own * half_.cosine + other * half_.sine <= limit;
+  /// The longest vector along the tangent that it holds.
+  [[nodiscard]] float most_along() const {
+    const float first = std::abs(middle_.cosine);
+    const float second = std::abs(middle_.sine);
+    return std::min(limits_.first / share_of(first, second),
+                    limits_.second / share_of(second, first));
   }
+
+ private:
+  /// Of a vector with these parts along an axis and across, turned towards the axis as far as the
+  /// angle goes; more than all of it where that is farther than the axis.
+  [[nodiscard]] float turned(float own, float other) const {
+    const bool beside = other * half_.cosine > own * half_.sine;
+    return beside ? own * half_.cosine + other * half_.sine : kFar;
+  }
+  [[nodiscard]] float share_of(float own, float other) const {
+    return std::min(1.0F, turned(own, other));
+  }
+  [[nodiscard]] bool within(float limit, float own, float other, float size_square) const {
+    return size_square <= square(limit) || turned(own, other) <= limit;
+  }
+
+  static constexpr float kFar = 1.0e12F;
 
   SinCos middle_;
   SinCos half_;
@@ -186,7 +202,9 @@ class AxisBox {
 /// within the window, the acceleration a along the tangent and κ v² across it; and the jerk
 /// a / T − κ² v³, then −a / T − κ² v³, along it and up to 3 κ v a across it. (Jerk in units of 1 /
 /// T, as accelerations are limited by it, too.)
-float Spans::within_turning(int span, float most, const SpeedChange& change) const {
+[[gnu::noinline]] float Spans::within_turning(int span,
+                                              float most,
+                                              const SpeedChange& change) const {
   const float window_s = window_.seconds();
   const float cap = std::sqrt(change.cap_square);
   const float lag = lag_of(curvature_, plane_acceleration_, window_s);
@@ -203,7 +221,7 @@ float Spans::within_turning(int span, float most, const SpeedChange& change) con
     return box.holds(sign * along, normal) && box.holds(along + inwards, 0.0F) &&
            box.holds(along - inwards, across) && box.holds(-along - inwards, across);
   };
-  float high = std::min(most, most_acceleration_ / plane_share_);
+  float high = std::min(most, box.most_along() / plane_share_);
   if (fits(high)) return high;
   const float to_plane = square(plane_share_);
   const float anywhere = turning_.steepest(plane_acceleration_,
@@ -213,7 +231,7 @@ float Spans::within_turning(int span, float most, const SpeedChange& change) con
                                            window_s,
                                            lag);
   float low = std::min(high, anywhere / plane_share_);
-  constexpr int kBisections = 7;
+  constexpr int kBisections = 5;
   for (int i = 0; i < kBisections; ++i) {
     const float middle = 0.5F * (low + high);
     (fits(middle) ? low : high) = middle;
