@@ -108,6 +108,7 @@ void PlanCursor::reset() {
 
 void PlanCursor::take_up_profile() {
   phase_ = {};
+  speed_ = 0.0F;
   if (!driving_) return;
   queue_.plan(limits_, terms_, index_);
   profile_.begin_within(

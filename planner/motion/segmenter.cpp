@@ -161,11 +161,7 @@ bool Segmenter::ready_stretch() {
   // At its end a stretch may have no time left for its last few units.
   const bool driven = place_ == stretch_from_ + course_.whole().way;
   if (!driven || elapsed_ns_ < course_.duration_ns()) return true;
-  const bool may_move = has_room();
-  if (may_move && drive_ == Drive::kOn && plan_.speed() <= 0.0F && room_.filter.at_rest()) {
-    choose_window();
-  }
-  const Stretch stretch = may_move ? next_stretch() : Stretch{};
+  const Stretch stretch = next_stretch();
   if (!stretch.lasts()) {
     speed_ = 0.0F;
     return false;
@@ -188,7 +184,10 @@ bool Segmenter::has_room() {
 }
 
 /// From the plan itself, or from what the filter makes of it.
-[[gnu::noinline]] Stretch Segmenter::next_stretch() {
+Stretch Segmenter::next_stretch() {
+  if (!has_room()) return {};
+  const bool stands = plan_.speed() <= 0.0F && room_.filter.at_rest();
+  if (stands && drive_ == Drive::kOn) choose_window();
   if (!window_.filters()) return plan_.next(kLongestSliceNs, drive_, true);
   Stretch stretch;
   while (!stretch.lasts() && fill_cell()) stretch = room_.filter.take();
