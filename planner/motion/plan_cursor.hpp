@@ -37,7 +37,8 @@ class PlanCursor {
   /// The motion is the mean of the plan over so long from now on. @pre at rest
   void set_window(const TimeWindow& window);
   /// The window that suits the way to the next stop; the longest where it is not known. It
-  /// stays so: nothing that comes later joins that way. @pre at rest, not at_end()
+  /// stays so: nothing that comes later joins that way.
+  /// @pre at rest, not at_end()
   [[nodiscard]] TimeWindow choose_window();
 
   /// The front of the queue is about to be taken away. @pre the plan has left it
@@ -54,7 +55,10 @@ class PlanCursor {
 
  private:
   [[nodiscard]] std::size_t chain_end() const;
+  [[nodiscard]] TimeWindow quickest(const WindowChoice& choice, std::size_t end);
+  [[nodiscard]] std::uint64_t time_to(std::size_t end, const TimeWindow& window);
   [[nodiscard]] Patience patience() const;
+  [[nodiscard]] Stretch follow(std::uint32_t most_ns, Drive drive, bool may_start);
   void note_change(const Stretch& stretch);
   void stop_phase_short();
   void settle_place();

@@ -103,9 +103,11 @@ class Segmenter {
   void observe(SliceObserver* observer) { observer_ = observer; }
 
  private:
-  /// Plan and motion, as long as the room is this segmenter's.
+  /// Plan and motion, as long as the room is this segmenter's. A cell may end a nanosecond before
+  /// the plan's last phase does.
   [[nodiscard]] bool stands() const {
-    return speed_ <= 0.0F && plan_.speed() <= 0.0F && room_.filter.at_rest();
+    constexpr float kStill = 1.0e-6F;  // mm/s: a nanometre a second.
+    return speed_ <= 0.0F && plan_.speed() <= kStill && room_.filter.at_rest();
   }
   [[nodiscard]] bool has_room();
   [[nodiscard]] bool ready_stretch();

@@ -118,7 +118,7 @@ float Spans::steepest(int span,
     most = zone.turning.steepest(most, growing, speed_square, cap_square, window_s, lag);
   }
   if (sweep_ <= 0.0F) return most;
-  if (uniform_) return within_turning(most, change);
+  if (uniform_) return within_turning(span, most, change);
   if (window_.filters()) {
     const Shares tangent =
         shares_around(span, place_at_boundary(span), place_at_boundary(span + 1));
@@ -146,17 +146,97 @@ float Spans::steepest(int span,
   return most;
 }
 
-/// What turning leaves, of the plane's limits; as an acceleration of the path.
-float Spans::within_turning(float most, const SpeedChange& change) const {
+namespace {
+
+/// Whether vectors, given along the tangent and along the normal, are within the limits of both
+/// axes wherever the tangent is within an angle.
+class AxisBox {
+ public:
+  /// @param first, last radians, of the tangent. @param limits of the axes
+  AxisBox(float first, float last, const Shares& limits)
+      : middle_{sin_cos(0.5F * (first + last))},
+        half_{sin_cos(std::min(0.5F * (last - first), kHalfPi))},
+        limits_{limits} {}
+
+  /// Out of line, as it is asked for often.
+  [[nodiscard, gnu::noinline]] bool holds(float tangent, float normal) const {
+    const float along_first = std::abs(tangent * middle_.cosine - normal * middle_.sine);
+    const float along_second = std::abs(tangent * middle_.sine + normal * middle_.cosine);
+    const float size_square = square(tangent) + square(normal);
+    return within(limits_.first, along_first, along_second, size_square) &&
+           within(limits_.second, along_second, along_first, size_square);
+  }
+
+  /// The longest vector along the tangent that it holds.
+  [[nodiscard]] float most_along() const {
+    const float first = std::abs(middle_.cosine);
+    const float second = std::abs(middle_.sine);
+    return std::min(limits_.first / share_of(first, second),
+                    limits_.second / share_of(second, first));
+  }
+
+ private:
+  /// Of a vector with these parts along an axis and across, turned towards the axis as far as the
+  /// angle goes; more than all of it where that is farther than the axis.
+  [[nodiscard]] float turned(float own, float other) const {
+    const bool beside = other * half_.cosine > own * half_.sine;
+    return beside ? own * half_.cosine + other * half_.sine : kFar;
+  }
+  [[nodiscard]] float share_of(float own, float other) const {
+    return std::min(1.0F, turned(own, other));
+  }
+  [[nodiscard]] bool within(float limit, float own, float other, float size_square) const {
+    return size_square <= square(limit) || turned(own, other) <= limit;
+  }
+
+  static constexpr float kFar = 1.0e12F;
+
+  SinCos middle_;
+  SinCos half_;
+  Shares limits_;
+};
+
+}  // namespace
+
+/// What turning leaves where the window spans many directions. The plan's a makes, somewhere
+/// within the window, the acceleration a along the tangent and κ v² across it; and the jerk
+/// a / T − κ² v³, then −a / T − κ² v³, along it and up to 3 κ v a across it. (Jerk in units of 1 /
+/// T, as accelerations are limited by it, too.)
+[[gnu::noinline]] float Spans::within_turning(int span,
+                                              float most,
+                                              const SpeedChange& change) const {
+  const float window_s = window_.seconds();
+  const float cap = std::sqrt(change.cap_square);
+  const float lag = lag_of(curvature_, plane_acceleration_, window_s);
+  const AxisBox box{
+      angle_before(span), angle_behind(span), {acceleration_first_, acceleration_second_}};
+  const float sign = static_cast<float>(change.change);
+  const auto fits = [&](float steep) {
+    const float end = std::sqrt(change.speed_square + 2.0F * steep * change.growing);
+    const float speed = plane_share_ * std::min(cap, end + steep * lag);
+    const float along = plane_share_ * steep;
+    const float normal = curvature_ * square(speed);
+    const float inwards = curvature_ * normal * speed * window_s;
+    const float across = 3.0F * curvature_ * speed * along * window_s * sign;
+    return box.holds(sign * along, normal) && box.holds(along + inwards, 0.0F) &&
+           box.holds(along - inwards, across) && box.holds(-along - inwards, across);
+  };
+  float high = std::min(most, box.most_along() / plane_share_);
+  if (fits(high)) return high;
   const float to_plane = square(plane_share_);
-  const float plane =
-      turning_.steepest(plane_acceleration_,
-                        plane_share_ * change.growing,
-                        to_plane * change.speed_square,
-                        to_plane * change.cap_square,
-                        window_.seconds(),
-                        lag_of(turning_.curvature, plane_acceleration_, window_.seconds()));
-  return std::min(most, plane / plane_share_);
+  const float anywhere = turning_.steepest(plane_acceleration_,
+                                           plane_share_ * change.growing,
+                                           to_plane * change.speed_square,
+                                           to_plane * change.cap_square,
+                                           window_s,
+                                           lag);
+  float low = std::min(high, anywhere / plane_share_);
+  constexpr int kBisections = 5;
+  for (int i = 0; i < kBisections; ++i) {
+    const float middle = 0.5F * (low + high);
+    (fits(middle) ? low : high) = middle;
+  }
+  return low;
 }
 
 /// Where directions are told apart: an axis along which the tangent has the share t and

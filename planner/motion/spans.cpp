@@ -25,7 +25,7 @@ float margin_for(float angle) {
   return 1.0F - kRounding - 0.625F * square(angle);
 }
 
-/// With a window of so many radians either way an arc is taken as uniform, …
+/// With a window of so many radians either way an arc's limits are those of many directions, …
 constexpr float kFarReach = kTwoPi / 48.0F;
 /// … in spans of at most so many.
 constexpr float kUniformSpan = kTwoPi / 96.0F;
@@ -147,7 +147,10 @@ void Spans::lay_out_arc(const Block& block, const Limits& limits, const TimeWind
   straight_speed_square_ = std::min(
       straight_speed_square_, turning_.speed_limit_square(window.seconds()) / square(plane_share_));
   const float farthest = std::min(window.reach(straight_speed_square_) / mm_per_radian_, sweep_);
-  if (farthest > kFarReach) straight_speed_square_ *= kTurningShare;
+  if (farthest > kFarReach) {
+    const float centripetal = 1.0F / (turning_.speed_ratio * square(plane_share_));
+    straight_speed_square_ = std::min(straight_speed_square_, kTurningShare * centripetal);
+  }
   const float around = reach_within(straight_speed_square_, block.reachable_square);
   reach_ = std::min(farthest, around / mm_per_radian_);
   uniform_ = reach_ > kFarReach;
@@ -156,6 +159,7 @@ void Spans::lay_out_arc(const Block& block, const Limits& limits, const TimeWind
   acceleration_first_ *= margin;
   acceleration_second_ *= margin;
   if (uniform_) {
+    most_acceleration_ = std::sqrt(square(acceleration_first_) + square(acceleration_second_));
     count_ = std::max(1, static_cast<int>(std::ceil(sweep_ / kUniformSpan)));
   } else {
     lay_out_grid();

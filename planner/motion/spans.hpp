@@ -36,8 +36,8 @@ struct SpeedChange {
 ///
 /// Under a time window the limits of a place hold around it, as far as the arc goes: what is
 /// beyond asks for itself, by its zones. On an arc of which the window spans more than 7.5°
-/// either way, they are taken as the same in all directions that it has, and its spans are
-/// at most 7.5° long.
+/// either way spans are at most 7.5° long, and each keeps the limits of all directions that
+/// the window may span around it.
 ///
 /// Only limits are divided here. The path stays one arc.
 class Spans {
@@ -102,7 +102,7 @@ class Spans {
   [[nodiscard]] float angle_behind(int span) const;
   [[nodiscard]] Shares shares_around(int span, const Place& from, const Place& to) const;
   [[nodiscard]] float reach_within(float cap_square, float reachable_square) const;
-  [[nodiscard]] float within_turning(float most, const SpeedChange& change) const;
+  [[nodiscard]] float within_turning(int span, float most, const SpeedChange& change) const;
   [[nodiscard]] float within_jerk(const Shares& tangent,
                                   float most,
                                   const SpeedChange& change) const;
@@ -122,7 +122,7 @@ class Spans {
   std::array<int, kMostEdges> edge_indices_{};  ///< Of the boundaries that they are.
 
   // Of an arc.
-  bool uniform_ = false;      ///< Limits taken as the same in all directions.
+  bool uniform_ = false;      ///< The window spans many directions.
   int first_grid_ = 0;        ///< Grid index of boundary 1.
   float start_angle_ = 0.0F;  ///< Of the tangent, mirrored so that it grows.
   float sweep_ = 0.0F;
@@ -133,7 +133,7 @@ class Spans {
   float curvature_ = 0.0F;           ///< Of the plane circle, 1/mm.
   Turning turning_{};                ///< Within the plane.
   float plane_acceleration_ = 0.0F;  ///< In all directions of the arc, with the turning.
-  float most_acceleration_ = 0.0F;   ///< The same if it did not turn.
+  float most_acceleration_ = 0.0F;   ///< At most, if it did not turn.
   float acceleration_first_ = 0.0F;
   float acceleration_second_ = 0.0F;
   float rate_first_ = 0.0F;

@@ -1,7 +1,6 @@
 #include "planner/motion/time_window.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "planner/base/scalar_math.hpp"
@@ -82,7 +81,7 @@ TimeWindow window_for(const Limits& limits, std::uint8_t axes) {
   return seconds < kShortest ? TimeWindow{} : divided(seconds);
 }
 
-void WindowChoice::add(const Block& block, float length, float speed_square) {
+[[gnu::noinline]] void WindowChoice::add(const Block& block, float length, float speed_square) {
   axes_ = static_cast<std::uint8_t>(axes_ | moving_axes(block));
   length_ += length;
   const float jerk = along_path(block, limits_.jerk_mm_s3);
@@ -96,38 +95,17 @@ void WindowChoice::add(const Block& block, float length, float speed_square) {
   }
   jerk_ = std::min(jerk_, jerk);
   rise_ = std::max(rise_, rise);
-  chain_.add({.length = length,
-              .speed = std::sqrt(speed_square),
-              .acceleration = acceleration,
-              .jerk = jerk,
-              .bend = bend});
 }
 
-TimeWindow WindowChoice::window() const {
+TimeWindow WindowChoice::window(float share) const {
   const float longest = longest_rise(limits_, axes_);
   if (longest < kShortest) return {};
   // mm, less than any step: the rest of a way that was halted may be a hundred-millionth.
   constexpr float kLeastLength = 1.0e-4F;
   const float by_length = cube_root_of(std::max(length_, kLeastLength) / (2.0F * jerk_));
   const float shortest = std::min(kShortestChosen, longest);
-  return divided(quickest(std::clamp(std::min(rise_, by_length), shortest, longest), shortest));
-}
-
-/// Of that one and some shorter ones.
-float WindowChoice::quickest(float window_s, float shortest_s) const {
-  constexpr std::array<float, 3> kShares{0.7F, 0.5F, 0.35F};
-  /// What an estimate must promise.
-  constexpr float kWorthIt = 0.97F;
-  float chosen = window_s;
-  float least = kWorthIt * chain_.seconds(window_s);
-  for (const float share : kShares) {
-    const float shorter = std::max(shortest_s, share * window_s);
-    const float seconds = chain_.seconds(shorter);
-    if (seconds >= least) continue;
-    least = seconds;
-    chosen = shorter;
-  }
-  return chosen;
+  const float of_one_move = std::clamp(std::min(rise_, by_length), shortest, longest);
+  return divided(std::max(shortest, share * of_one_move));
 }
 
 }  // namespace cnc::motion

@@ -5,7 +5,6 @@
 #include <cstdint>
 
 #include "planner/motion/block.hpp"
-#include "planner/motion/chain_time.hpp"
 #include "planner/motion/limits.hpp"
 
 namespace cnc::motion {
@@ -57,21 +56,18 @@ struct TimeWindow {
 /// (Biagiotti and Melchiorri, Trajectory Planning for Automatic Machines and
 /// Robots, 2008, section 3.4: the cases in which the greatest acceleration is not reached).
 /// That is of one move. In a chain of unlike blocks slow ones hold back their neighbours for
-/// as long as the window is, so a shorter one is taken where ChainTime makes it quicker.
+/// as long as the window is, so a share of it may be quicker; the plan tells which.
 class WindowChoice {
  public:
   explicit WindowChoice(const Limits& limits) : limits_{limits} {}
 
   /// The chain goes on over `length` mm of a block, at most at v² = `speed_square`.
   void add(const Block& block, float length, float speed_square);
-  /// @pre all of the chain was added
-  [[nodiscard]] TimeWindow window() const;
+  /// @param share at most 1 @pre all of the chain was added
+  [[nodiscard]] TimeWindow window(float share = 1.0F) const;
 
  private:
-  [[nodiscard]] float quickest(float window_s, float shortest_s) const;
-
   const Limits& limits_;
-  ChainTime chain_{};
   std::uint8_t axes_ = 0;
   float length_ = 0.0F;
   float rise_ = 0.0F;     ///< s: the longest that a block asks for, its speed considered.

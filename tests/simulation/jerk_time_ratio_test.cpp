@@ -73,8 +73,8 @@ void print(const std::vector<TimedProgram>& programs, std::size_t left_out) {
 }
 
 // Against the reference with full knowledge of the path. Those that take much longer consist of
-// arcs of micrometres to tenths of a millimetre, on which the planner takes limits as the same
-// in all directions that an arc has.
+// arcs of micrometres to tenths of a millimetre: the planner keeps the limits of all directions
+// that the window spans, and beside arcs those of all that an arc has.
 TEST(JerkLimitedPrograms, TakeHardlyLongerThanTheFastestMotionKnown) {
   const Trials trials{300};
   std::vector<TimedProgram> programs;
@@ -94,12 +94,15 @@ TEST(JerkLimitedPrograms, TakeHardlyLongerThanTheFastestMotionKnown) {
   print(programs, left_out);
   if (trials.count() < 100) return;
   const auto beyond = [&](double ratio) {
-    return std::ranges::count_if(programs, [&](const auto& p) { return p.ratio() > ratio; });
+    const auto slow =
+        std::ranges::count_if(programs, [&](const auto& p) { return p.ratio() > ratio; });
+    return static_cast<double>(slow);
   };
-  const auto count = static_cast<std::ptrdiff_t>(programs.size());
-  EXPECT_LE(2 * beyond(1.03), count);
-  EXPECT_LE(7 * beyond(1.10), count);
-  EXPECT_LE(50 * beyond(1.25), count);
+  const auto count = static_cast<double>(programs.size());
+  EXPECT_LE(2.8 * beyond(1.03), count);
+  EXPECT_LE(6.8 * beyond(1.10), count);
+  EXPECT_LE(30.0 * beyond(1.20), count);
+  EXPECT_LE(75.0 * beyond(1.25), count);
 }
 
 }  // namespace

@@ -17,14 +17,28 @@ constexpr float kFeed = 50.0F;  // mm/s.
 class PlanCursorTest : public testing::Test {
  protected:
   void push_lines(std::size_t count) {
-    Position at{};
-    for (std::size_t i = 0; i < count; ++i) {
-      Position to = at;
-      to[0] += Coordinate{std::llround(random.magnitude(0.02, 2.0) * 1.0e6)};
-      queue.push(block_of({.start = at, .end = to}, limits, kFeed), Joint::kSmooth);
-      length += length_in_units(queue.at(queue.size() - 1));
-      at = to;
+    for (std::size_t i = 0; i < count; ++i) push_line(random.magnitude(0.02, 2.0), kFeed);
+  }
+  void push_line(double mm, float feed) {
+    Position to = at;
+    to[0] += Coordinate{std::llround(mm * 1.0e6)};
+    queue.push(block_of({.start = at, .end = to}, limits, feed), Joint::kSmooth);
+    length += length_in_units(queue.at(queue.size() - 1));
+    at = to;
+  }
+  /// s, of all that is in the queue under a window.
+  double time_under(const TimeWindow& window) {
+    plan.reset();
+    plan.set_window(window);
+    double seconds = static_cast<double>(window.seconds());
+    PathUnits driven = 0;
+    while (!plan.at_end()) {
+      const Stretch stretch = plan.next(1'000'000, Drive::kOn, driven == 0);
+      seconds += 1.0e-9 * static_cast<double>(stretch.duration_ns);
+      driven += stretch.way;
     }
+    EXPECT_EQ(driven, length);
+    return seconds;
   }
 
   Limits limits = plain_limits();
@@ -33,6 +47,7 @@ class PlanCursorTest : public testing::Test {
   PlanCursor plan{queue, limits, profile};
   proof::Random random{20261123};
   PathUnits length = 0;
+  Position at{};
 };
 
 // Phases last whole nanoseconds. Of an even course each stretch is v · t nevertheless, where it
@@ -56,6 +71,30 @@ TEST_F(PlanCursorTest, GivesOutItsWayAsIfPhasesEndedInTime) {
   }
   EXPECT_EQ(driven, length);
   EXPECT_GT(even, 500);
+}
+
+// Where short slow lines hold back long ones, a shorter window is quicker; never is a slower one
+// taken.
+TEST_F(PlanCursorTest, TakesTheWindowOfTheQuickestPlan) {
+  limits.jerk_mm_s3.fill(25'000.0F);
+  int shorter = 0;
+  for (int trial = 0; trial < 200; ++trial) {
+    queue.clear();
+    length = 0;
+    WindowChoice single{limits};
+    for (std::size_t i = 0; i < 1 + random.below(6); ++i) {
+      const auto feed = static_cast<float>(random.magnitude(1.0, 200.0));
+      push_line(random.magnitude(0.01, 2.0), feed);
+      single.add(queue.at(i), queue.at(i).length, feed * feed);
+    }
+    queue.expect_no_more();
+    plan.reset();
+    const TimeWindow chosen = plan.choose_window();
+    const TimeWindow usual = single.window();
+    ASSERT_LE(time_under(chosen), time_under(usual) * (1.0 + 1.0e-6)) << "trial " << trial;
+    if (chosen.seconds() < 0.9F * usual.seconds()) ++shorter;
+  }
+  EXPECT_GT(shorter, 5);
 }
 
 }  // namespace

@@ -192,5 +192,32 @@ TEST(Spans, OfAHalfTurnFromTheXAxisAreFortyEight) {
   EXPECT_NEAR(static_cast<double>(spans.boundary(24)), 10.0 * kHalfPiExact, 1.0e-5);
 }
 
+/// mm/s² from rest on a span of a half turn whose tangent lies along Y at both ends and along X in
+/// the middle, all limits being reached in 20 ms.
+float from_rest(float y_acceleration, float place_of_span) {
+  Limits limits = plain_limits();
+  limits.acceleration_mm_s2[1] = y_acceleration;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    limits.jerk_mm_s3[axis] = limits.acceleration_mm_s2[axis] / 0.02F;
+  }
+  const Block block = block_of({.end = place({2.0}), .bulge = 1.0F}, limits);
+  const Spans spans{block, limits, window_for(limits, 3)};
+  const int span = static_cast<int>(place_of_span * static_cast<float>(spans.count() - 1));
+  return spans.steepest(span,
+                        spans.place_at_boundary(span),
+                        spans.place_at_boundary(span + 1),
+                        {.distance = spans.length_of(span),
+                         .cap_square = spans.speed_limit_square(span),
+                         .growing = 0.1F * spans.length_of(span)});
+}
+
+TEST(Spans, UnderAWindowHaveTheLimitsOfTheDirectionsAroundThem) {
+  constexpr float kAlike = 500.0F;
+  constexpr float kStronger = 5'000.0F;
+  EXPECT_GT(from_rest(kStronger, 0.0F), 1.3F * from_rest(kAlike, 0.0F));
+  EXPECT_GT(from_rest(kStronger, 1.0F), 1.3F * from_rest(kAlike, 1.0F));
+  EXPECT_LE(from_rest(kStronger, 0.5F), kAlike);
+}
+
 }  // namespace
 }  // namespace cnc::motion

@@ -62,6 +62,15 @@ TEST(WindowChoice, IsAsLongAsTheRampToALowSpeed) {
   EXPECT_NEAR(chosen(10.0F, 2.5F), 0.01, 1.0e-6);
 }
 
+TEST(WindowChoice, CanBeAShareOfThat) {
+  const Limits limits = with_jerk(25'000.0F, 25'000.0F);
+  const Block block = straight_block(10.0F, limits);
+  WindowChoice choice{limits};
+  choice.add(block, block.length, 1.0e4F);
+  EXPECT_NEAR(static_cast<double>(choice.window(0.5F).seconds()), 0.01, 1.0e-6);
+  EXPECT_NEAR(static_cast<double>(choice.window(0.01F).seconds()), 1.0e-3, 1.0e-6);
+}
+
 TEST(WindowChoice, HasALeastLength) {
   EXPECT_GE(chosen(1.0e-6F, 100.0F), 1.0e-3);
   EXPECT_FALSE(WindowChoice{plain_limits()}.window().filters());
