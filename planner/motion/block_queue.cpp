@@ -127,14 +127,14 @@ void BlockQueue::stop_before_newest() {
 }
 
 /// Of the blocks that were not planned before.
-void BlockQueue::lay_heads(const Limits& limits, const PlanTerms& terms) {
+void BlockQueue::lay_heads(const Limits& limits, const PlanTerms& terms, std::size_t end) {
   if (!terms.window.filters()) return;
   if (unplanned_ == size_) {
     // What blocks that are gone ask for stays as it was: who takes back a plan finds the old one.
     trail_ = front_trail_;
     reachable_square_ = left_square_;
   }
-  for (std::size_t index = size_ - unplanned_; index < size_; ++index) {
+  for (std::size_t index = size_ - unplanned_; index < end; ++index) {
     Block& block = changeable(index);
     if (block.from_rest) {
       trail_.clear();  // The window never spans a stop.
@@ -189,19 +189,37 @@ bool as_good(const BrakingState& before, const BrakingState& now, const TimeWind
 
 }  // namespace
 
-// Backward pass from the newest block. Where a block that was planned before
-// gets the same entry again, and nothing reaches beyond it that did not before,
-// all older ones would, too.
 void BlockQueue::plan_all(const Limits& limits, const PlanTerms& terms, std::size_t lead) {
   leaves_none_out_ = false;
   if (unplanned_ == 0) return;
   ++plans_;
-  const TimeWindow& window = terms.window;
-  lay_heads(limits, terms);
+  lay_heads(limits, terms, size_);
   newest_ = unplanned_;
+  plan_backwards(limits, terms, lead, size_);
+  unplanned_ = 0;
+}
+
+void BlockQueue::plan_chain(const Limits& limits,
+                            const PlanTerms& terms,
+                            std::size_t lead,
+                            std::size_t end) {
+  CNC_ASSERT(unplanned_ == size_ && end <= size_);
+  ++plans_;
+  lay_heads(limits, terms, end);
+  if (end < size_) changeable(end).entry = {};
+  plan_backwards(limits, terms, lead, end);
+}
+
+// From the newest block. Where a block that was planned before gets the same entry again, and
+// nothing reaches beyond it that did not before, all older ones would, too.
+void BlockQueue::plan_backwards(const Limits& limits,
+                                const PlanTerms& terms,
+                                std::size_t lead,
+                                std::size_t end) {
+  const TimeWindow& window = terms.window;
   BrakingState exit{};
   ZoneTrail ahead;
-  for (std::size_t index = size_; index-- > lead;) {
+  for (std::size_t index = end; index-- > lead;) {
     Block& block = changeable(index);
     const bool was_planned = index < size_ - unplanned_;
     const bool same_tail = !window.filters() || lay_tail(ahead, block, limits, terms);
@@ -213,7 +231,6 @@ void BlockQueue::plan_all(const Limits& limits, const PlanTerms& terms, std::siz
     exit = entry;
     if (block.from_rest) ahead.clear();
   }
-  unplanned_ = 0;
 }
 
 }  // namespace cnc::motion

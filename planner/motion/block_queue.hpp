@@ -64,6 +64,9 @@ class BlockQueue {
   void plan(const Limits& limits, const PlanTerms& terms, std::size_t lead = 0);
   /// The same, and leaves none unplanned.
   void plan_all(const Limits& limits, const PlanTerms& terms, std::size_t lead = 0);
+  /// Only the blocks from `lead` up to `end`, which ends at a stop, to look at that plan: the next
+  /// one is of all. @pre forget_plan() was called since the last plan of all, end ≤ size()
+  void plan_chain(const Limits& limits, const PlanTerms& terms, std::size_t lead, std::size_t end);
   /// Spans of blocks that all plans so far have looked at, for who shares out the time that
   /// planning takes; runs freely.
   [[nodiscard]] std::uint32_t looked_at() const { return looked_at_; }
@@ -106,7 +109,11 @@ class BlockQueue {
     return place < capacity() ? place : place - capacity();
   }
 
-  void lay_heads(const Limits& limits, const PlanTerms& terms);
+  void lay_heads(const Limits& limits, const PlanTerms& terms, std::size_t end);
+  void plan_backwards(const Limits& limits,
+                      const PlanTerms& terms,
+                      std::size_t lead,
+                      std::size_t end);
 
   static constexpr std::size_t kReplanShare = 16;
 
