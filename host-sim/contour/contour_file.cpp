@@ -68,6 +68,7 @@ std::vector<Contour> parts_of(const Outline& outline, const drawing::Drawing& dr
     part.end_loop();
   }
   std::vector<Contour> contours;
+  contours.reserve(parts.size());
   for (auto& [number, part] : parts) contours.push_back(std::move(part));
   return contours;
 }

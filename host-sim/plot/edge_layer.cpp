@@ -32,7 +32,7 @@ constexpr std::string_view kNotReached = "#8a8f98";
 
 std::string_view colour_of(const EdgePlace& edge) {
   if (!edge.reached) return kNotReached;
-  const auto bin = std::ranges::find_if(
+  const auto* const bin = std::ranges::find_if(
       kEdgeBins, [&edge](const EdgeBin& each) { return edge.mm <= each.most_mm; });
   return bin->colour;
 }
