@@ -34,6 +34,15 @@ constexpr const char* kCurves =
     "<ellipse cx=\"30\" cy=\"28\" rx=\"9\" ry=\"5\" transform=\"rotate(25 30 28)\"/>"
     "<path d=\"M60 20C66 14 78 18 72 27C68 34 58 36 56 28C55 24 57 22 60 20Z\"/>";
 
+/// An operator who turns the feed between 50 and 150 % all the time; asked once a millisecond.
+auto turning_the_feed(proof::Random& random) {
+  return [&random](cnc::Machine& machine) {
+    if (!random.chance(0.01)) return;
+    const int percent = 50 + static_cast<int>(random.below(101));
+    machine.set_overrides({.feed = percent});
+  };
+}
+
 /// A plan for 2 mm steel at 1800 W, by the law whose kerf changes with the speed.
 class CutEdges : public testing::Test {
  protected:
@@ -157,17 +166,12 @@ TEST_F(CutEdges, KeepTheirSizeWithLoopsAndDwellsAtCorners) {
   EXPECT_LT(figures.greatest_corner_ratio, 1.0 + kHeatTolerance);
 }
 
-/// An operator who turns the feed between 50 and 150 % all the time.
 TEST_F(CutEdges, StayThereUnderFeedOverrides) {
   const proof::Trials trials{1};
   for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
-    const auto touch = [&random](cnc::Machine& machine) {
-      if (!random.chance(0.01)) return;
-      const int percent = 50 + static_cast<int>(random.below(101));
-      machine.set_overrides({.feed = percent});
-    };
+    const auto touch = turning_the_feed(random);
     const CutJob job = job_of(true);
     const EdgeFigures figures = drive(job, text_of(job), touch);
     tell("50 to 150 %, M4", figures);
@@ -199,11 +203,7 @@ TEST_F(CutEdges, StayThereWhereTheControllerFindsTheWayBesideThem) {
   for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
-    const auto touch = [&random](cnc::Machine& machine) {
-      if (!random.chance(0.01)) return;
-      const int percent = 50 + static_cast<int>(random.below(101));
-      machine.set_overrides({.feed = percent});
-    };
+    const auto touch = turning_the_feed(random);
     const EdgeFigures power = drive(job, program, touch);
     tell("power keeps the kerf", power);
     EXPECT_GT(power.places, 10'000U);
