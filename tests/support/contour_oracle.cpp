@@ -178,6 +178,16 @@ bool is_simple(const cnc::contour::ContourView<double>& contour) {
   return crossing_in(ExactContour{contour}).empty();
 }
 
+bool is_simple_at(const cnc::contour::ContourView<double>& contour, int looks) {
+  const ExactContour exact{contour};
+  for (std::size_t i = 0; i < exact.elements().size(); ++i) {
+    for (int look = 1; look <= looks; ++look) {
+      if (!crossing_at(exact, i, look / (looks + 1.0)).empty()) return false;
+    }
+  }
+  return true;
+}
+
 OffsetVerdict check_offset(const OffsetCase& wanted,
                            const cnc::contour::ContourView<double>& result,
                            std::uint64_t seed) {

@@ -48,6 +48,8 @@ struct OffsetVerdict {
 /// Whether loops have material on their left and none on their right: they cross
 /// neither themselves nor each other.
 [[nodiscard]] bool is_simple(const cnc::contour::ContourView<double>& contour);
+/// The same, with so many looks at each element in place of three.
+[[nodiscard]] bool is_simple_at(const cnc::contour::ContourView<double>& contour, int looks);
 
 /// Checks an offset against distances and winding numbers of its own, and its
 /// area against Clipper's of the flattened input.
