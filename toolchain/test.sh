@@ -6,16 +6,22 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.." || exit 1
 
 passed=0
 failed=0
+failures=()  # What failed, by name; told once more at the end.
 
 step() { printf '\n==== %s (%s s)\n' "$*" "$SECONDS"; }
+
+fail() {
+  echo "FAILED: $1" >&2
+  failures+=("$1")
+  failed=$((failed + 1))
+}
 
 # build PRESET [TARGET]
 build() {
   step "build $1"
   cmake --preset "$1" >/dev/null &&
     cmake --build --preset "$1" ${2:+--target "$2"} -- -k 0 && return
-  echo "FAILED: build of $1" >&2
-  failed=$((failed + 1))
+  fail "build of $1"
   return 1
 }
 
@@ -29,10 +35,24 @@ test_preset() {
     failed=$((failed + BASH_REMATCH[1]))
     skipped=$(grep -c '(Skipped)$' "$log")  # ctest counts them as passed.
     passed=$((passed + BASH_REMATCH[2] - BASH_REMATCH[1] - skipped))
+    mapfile -t -O "${#failures[@]}" failures < <(names_of_failed "$1")
   else
-    echo "FAILED: ctest of $1 gave no result" >&2
-    failed=$((failed + 1))
+    fail "ctest of $1 gave no result"
   fi
+}
+
+# names_of_failed PRESET: as ctest lists them under its summary.
+names_of_failed() {
+  sed -n "/^The following tests FAILED:/,/^Errors/s/^[[:space:]]*[0-9]* - \(.*\)/$1: \1/p" \
+    "build/$1/ctest.log"
+}
+
+# again PRESET: what failed once more and alone, so that the end of the log tells why and whether
+# it is a matter of load. It changes no verdict.
+again() {
+  [[ " ${failures[*]-} " == *" $1: "* ]] || return 0
+  step "once more: what failed of $1"
+  ctest --preset "$1" --rerun-failed --output-on-failure 2>&1 | tail -60
 }
 
 # Every fuzz program for a short while, from the seeds beside it and the examples.
@@ -51,7 +71,7 @@ fuzz() {
       tail -15; then
       passed=$((passed + 1))
     else
-      failed=$((failed + 1))
+      fail "$name"
     fi
   done
 }
@@ -61,8 +81,7 @@ benchmarks() {
   step "benchmarks"
   build/release/tests/bench_stages --benchmark_min_time=0.05 2>/dev/null
   build/release/tests/bench_job_times
-  tests/bench/count_instructions.py build/release/host-sim/kerfline ||
-    failed=$((failed + 1))
+  tests/bench/count_instructions.py build/release/host-sim/kerfline || fail "instruction counts"
 }
 
 # The senders that the lock file pins, away from the sources.
@@ -71,8 +90,7 @@ install_senders() {
   mkdir -p build/senders
   cp tests/senders/package.json tests/senders/package-lock.json build/senders/
   npm ci --prefix build/senders --no-audit --no-fund --loglevel=error && return
-  echo "FAILED: npm ci of tests/senders" >&2
-  failed=$((failed + 1))
+  fail "npm ci of tests/senders"
 }
 
 toolchain/setup.sh test || exit 1
@@ -86,6 +104,10 @@ export KERFLINE_TRIALS="${KERFLINE_TRIALS:-60}"
 build sanitize && test_preset sanitize
 fuzz
 
+again release
+again sanitize
+
 step finished
+for name in ${failures[@]+"${failures[@]}"}; do echo "failed: $name"; done
 echo "$passed passed, $failed failed"
 ((failed == 0))
