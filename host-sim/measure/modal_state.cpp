@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/base/units.hpp"
+
 namespace sim {
 namespace {
 
 constexpr double kMillimetresPerInch = 25.4;
-constexpr double kSecondsPerMinute = 60.0;
 
 /// Units, feed mode and path control, and what is always so: no compensation (G40).
 bool is_applied_before(int g) {
@@ -163,9 +164,9 @@ std::optional<std::array<double, 2>> ModalState::centre(const ProgramLine& line,
 double ModalState::feed(double linear_length, double rotary_length) const {
   const bool linear = linear_length > 0.0;
   if (inverse_time_)
-    return (linear ? linear_length : rotary_length) * feed_word_ / kSecondsPerMinute;
+    return (linear ? linear_length : rotary_length) * feed_word_ / cnc::kSecondsPerMinute;
   const double unit = linear && feed_in_inches_ ? kMillimetresPerInch : 1.0;
-  return feed_word_ * unit / kSecondsPerMinute;
+  return feed_word_ * unit / cnc::kSecondsPerMinute;
 }
 
 bool ModalState::set_coordinate_system(const ProgramLine& line, const Point& position) {

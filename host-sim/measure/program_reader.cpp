@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "host-sim/measure/programmed_arc.hpp"
+#include "planner/base/units.hpp"
 
 namespace sim {
 namespace {
@@ -94,8 +95,7 @@ void ProgramReader::apply_outputs(const ProgramLine& line) {
 }
 
 void ProgramReader::apply_compensation(const ProgramLine& line) {
-  constexpr double kSecondsPerMinute = 60.0;
-  const double feed_mm_min = kSecondsPerMinute * modes_.feed(1.0, 0.0);
+  const double feed_mm_min = cnc::kSecondsPerMinute * modes_.feed(1.0, 0.0);
   const double before = compensation_.offset_mm();
   std::string left = compensation_.apply(line, modes_.scaled(0, 1.0), spindle_speed_, feed_mm_min);
   if (!left.empty()) note(std::move(left));
