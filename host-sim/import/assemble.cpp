@@ -15,6 +15,7 @@ constexpr std::size_t kMostPlaces = 20'000'000;
 std::vector<Piece> pieces_of(Sketch& sketch) {
   std::vector<Piece> pieces;
   pieces.reserve(sketch.chains().size());
+  const std::size_t most = sketch.share_of(kMostPlaces);
   std::size_t places = 0;
   for (Chain& chain : sketch.chains()) {
     Piece piece;
@@ -22,7 +23,7 @@ std::vector<Piece> pieces_of(Sketch& sketch) {
     piece.contour.entity = sketch.entity(chain.entity);
     measure(piece);
     places += piece.outline.size();
-    if (places > kMostPlaces) {
+    if (places > most) {
       sketch.report({FaultKind::kTooMuch,
                      piece.contour.entity,
                      {},

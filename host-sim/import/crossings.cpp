@@ -11,7 +11,9 @@ namespace sim::drawing {
 namespace {
 
 // Pairs of chords looked at; some seconds.
-constexpr std::size_t kMostChordPairs = 200'000'000;
+constexpr std::size_t kMostChordPairs = 100'000'000;
+// Pairs of contours that cross: nobody mends so many, nor asks for the rest.
+constexpr std::size_t kMostCrossings = 10'000;
 // Chords of one curve differ from it by more than this; true crossings do not.
 constexpr double kTouchMm = 1.0e-7;
 
@@ -122,7 +124,10 @@ class ChordGrid {
 class CrossingFinder {
  public:
   CrossingFinder(Sketch& sketch, const std::vector<Piece>& pieces)
-      : sketch_{sketch}, pieces_{pieces}, crossed_(pieces.size(), false) {}
+      : sketch_{sketch},
+        pieces_{pieces},
+        crossed_(pieces.size(), false),
+        budget_{sketch.share_of(kMostChordPairs)} {}
 
   /// False when there is no time for more.
   bool look(const Chord& a, const Chord& b) {
@@ -137,18 +142,25 @@ class CrossingFinder {
       reported_.insert(pair);
       report(pair, *place);
     }
-    return true;
+    return reported_.size() < kMostCrossings;
   }
 
-  /// Where it was given up.
-  void report_exhausted() {
+  /// Why and where it was given up.
+  void report_rest() {
+    if (reported_.size() >= kMostCrossings) {
+      sketch_.report({FaultKind::kUnchecked,
+                      {},
+                      {},
+                      fmt::format("{} contours cross; more were not looked for", reported_.size()),
+                      "take the crossings apart"});
+    }
     if (!budget_.exhausted()) return;
     sketch_.report({FaultKind::kUnchecked,
                     pieces_[ended_at_.piece].contour.entity,
                     start(ended_at_),
                     fmt::format("too many curves lie close together to look for crossings "
                                 "everywhere: {} pairs of them were looked at",
-                                kMostChordPairs),
+                                sketch_.share_of(kMostChordPairs)),
                     "simplify the drawing here, or cut it in parts"});
   }
   [[nodiscard]] std::vector<bool> crossed() && { return std::move(crossed_); }
@@ -220,7 +232,7 @@ class CrossingFinder {
   const std::vector<Piece>& pieces_;
   std::vector<bool> crossed_;
   std::set<std::pair<std::size_t, std::size_t>> reported_;
-  Budget budget_{kMostChordPairs};
+  Budget budget_;
   Chord ended_at_{};
 };
 
@@ -230,7 +242,7 @@ std::vector<bool> find_crossings(Sketch& sketch, const std::vector<Piece>& piece
   const ChordGrid grid{pieces};
   CrossingFinder finder{sketch, pieces};
   grid.for_each_pair([&](const Chord& a, const Chord& b) { return finder.look(a, b); });
-  finder.report_exhausted();
+  finder.report_rest();
   return std::move(finder).crossed();
 }
 

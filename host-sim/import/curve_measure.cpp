@@ -8,12 +8,13 @@ namespace {
 constexpr int kDeepestHalving = 16;
 constexpr double kMostChords = 65'536.0;
 
-double gap_to_chord(const Place& place, const Place& start, const Place& end) {
+bool near_chord(const Place& place, const Place& start, const Place& end, double tolerance) {
   const Place chord = end - start;
   const double length_squared = chord.squaredNorm();
-  if (length_squared == 0.0) return distance(place, start);
-  const double share = std::clamp(dot(place - start, chord) / length_squared, 0.0, 1.0);
-  return distance(place, start + chord * share);
+  const double share = length_squared == 0.0
+                           ? 0.0
+                           : std::clamp(dot(place - start, chord) / length_squared, 0.0, 1.0);
+  return (place - start - chord * share).squaredNorm() <= tolerance * tolerance;
 }
 
 /// Halves a span until three places between the ends are near the chord.
@@ -39,9 +40,9 @@ class Halver {
  private:
   [[nodiscard]] bool flat(
       double from, const Place& start, double to, const Place& end, const Place& half) const {
-    return gap_to_chord(half, start, end) <= tolerance_ &&
-           gap_to_chord(at(from + 0.25 * (to - from)), start, end) <= tolerance_ &&
-           gap_to_chord(at(from + 0.75 * (to - from)), start, end) <= tolerance_;
+    return near_chord(half, start, end, tolerance_) &&
+           near_chord(at(from + 0.25 * (to - from)), start, end, tolerance_) &&
+           near_chord(at(from + 0.75 * (to - from)), start, end, tolerance_);
   }
 
   const Shape& shape_;
@@ -50,18 +51,40 @@ class Halver {
   std::vector<Place>& into_;
 };
 
-void flatten_arc(const Arc& arc, double tolerance_mm, std::vector<Place>& into) {
-  const double radius = distance(arc.start, arc.centre);
+/// How many chords of a turn leave a circle by no more than the tolerance.
+double chords_of(double radius, double sweep, double tolerance_mm) {
   const double cosine = std::clamp(1.0 - tolerance_mm / std::max(radius, tolerance_mm), -1.0, 1.0);
   const double widest = std::min(2.0 * std::acos(cosine), 0.25 * kFullTurn);
-  const double chords = std::min(std::ceil(std::abs(arc.sweep) / widest), kMostChords);
-  const Place first = arc.start - arc.centre;
-  const Place left{-first.y(), first.x()};
+  return std::min(std::ceil(std::abs(sweep) / widest), kMostChords);
+}
+
+/// Without its end. It is the image of a unit circle, which it stretches by `stretch` at most, and
+/// its chords are those of the circle's: they leave it by no more than those of the circle whose
+/// radius is the stretch.
+void flatten_turn(const Ellipse& turn,
+                  double stretch,
+                  double tolerance_mm,
+                  std::vector<Place>& into) {
+  const double sweep = turn.to - turn.from;
+  const double chords = chords_of(stretch, sweep, tolerance_mm);
   for (double chord = 1.0; chord < chords; ++chord) {
-    const Place turn = direction(arc.sweep * chord / chords);
-    into.emplace_back(arc.centre + first * turn.x() + left * turn.y());
+    const Place way = direction(turn.from + sweep * chord / chords);
+    into.emplace_back(turn.centre + turn.major * way.x() + turn.minor * way.y());
   }
+}
+
+void flatten_arc(const Arc& arc, double tolerance_mm, std::vector<Place>& into) {
+  const Place first = arc.start - arc.centre;
+  const Ellipse turn{arc.centre, first, {-first.y(), first.x()}, 0.0, arc.sweep};
+  flatten_turn(turn, first.norm(), tolerance_mm, into);
   into.push_back(arc.end);
+}
+
+/// The longest half axis: the greater singular value of the map that makes it of a circle.
+double longest_axis(const Ellipse& ellipse) {
+  const double sum = ellipse.major.squaredNorm() + ellipse.minor.squaredNorm();
+  const double area = cross(ellipse.major, ellipse.minor);
+  return std::sqrt(0.5 * (sum + std::sqrt(std::max(0.0, sum * sum - 4.0 * area * area))));
 }
 
 /// Gauss-Legendre with five points on each quarter of a span.
@@ -96,6 +119,9 @@ void flatten(const Shape& shape, double tolerance_mm, std::vector<Place>& into) 
     into.push_back(line->end);
   } else if (const auto* const arc = std::get_if<Arc>(&shape)) {
     flatten_arc(*arc, tolerance_mm, into);
+  } else if (const auto* const ellipse = std::get_if<Ellipse>(&shape)) {
+    flatten_turn(*ellipse, longest_axis(*ellipse), tolerance_mm, into);
+    into.push_back(end_of(shape));
   } else {
     for (std::size_t span = 0; span < span_count(shape); ++span) {
       Halver halver{shape, span, tolerance_mm, into};

@@ -94,6 +94,9 @@ inline constexpr double kFarthestMm = 1.0e7;
 
 struct ImportOptions {
   double gap_mm = 0.01;  ///< Ends no farther apart are one place. 0 or more.
+  /// Share of the work that a drawing may take, above 0 and at most 1: of what copies it draws,
+  /// what curves become and what is compared. All of it may be twenty seconds.
+  double effort = 1.0;
 };
 
 inline constexpr double kLeastGapMm = 0.0;
@@ -101,7 +104,7 @@ inline constexpr double kGreatestGapMm = 10.0;
 
 /// Reads SVG, DXF or the JSON of nesting and cutting jobs, told by content. Never
 /// throws for what a file says; bounded by the limits above.
-/// @pre gap within its limits
+/// @pre gap and effort within their limits
 [[nodiscard]] Drawing read_drawing(const std::string& file,
                                    const std::string& text,
                                    const ImportOptions& options = {});

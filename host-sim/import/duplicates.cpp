@@ -49,7 +49,8 @@ bool same_chords(const Piece& piece, const Piece& other, double tolerance, Budge
 /// Looks pieces up by the lower left corner of their boxes.
 class PieceLookup {
  public:
-  explicit PieceLookup(double tolerance) : tolerance_{tolerance}, budget_{kMostComparisons} {}
+  PieceLookup(double tolerance, std::size_t comparisons)
+      : tolerance_{tolerance}, budget_{comparisons} {}
 
   /// The earlier piece that runs the same way, or nothing.
   const Piece* find(const Piece& piece, const std::vector<Piece>& kept) {
@@ -100,7 +101,7 @@ class PieceLookup {
 
 void drop_duplicates(Sketch& sketch, std::vector<Piece>& pieces, double gap_mm) {
   // Chords of one curve cut differently are apart by their tolerance, twice.
-  PieceLookup lookup{std::max(gap_mm, 3.0 * kChordToleranceMm)};
+  PieceLookup lookup{std::max(gap_mm, 3.0 * kChordToleranceMm), sketch.share_of(kMostComparisons)};
   std::vector<Piece> kept;
   kept.reserve(pieces.size());
   for (Piece& piece : pieces) {

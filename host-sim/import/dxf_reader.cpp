@@ -65,7 +65,8 @@ bool is_text(std::string_view type) {
 
 class DxfReader {
  public:
-  DxfReader(const std::string& text, Sketch& sketch) : cursor_{text}, sketch_{sketch} {}
+  DxfReader(const std::string& text, Sketch& sketch)
+      : cursor_{text}, sketch_{sketch}, most_instances_{sketch.share_of(kMostInstances)} {}
 
   void read() {
     next(cursor_);
@@ -188,8 +189,8 @@ class DxfReader {
   // Bounded by a depth. NOLINTNEXTLINE(misc-no-recursion)
   void read_entity(DxfCursor& cursor, const Instance& within) {
     const DxfEntity entity = take_entity(cursor);
-    if (++instances_ > kMostInstances) {
-      if (instances_ == kMostInstances + 1) too_many(entity);
+    if (++instances_ > most_instances_) {
+      if (instances_ == most_instances_ + 1) too_many(entity);
       return;
     }
     std::vector<DxfEntity> vertices;
@@ -284,27 +285,33 @@ class DxfReader {
                             turned_by(entity.number(50, 0.0) * kDegreeInRadians);
     const Transform inner =
         scaled_by(entity.number(41, 1.0), entity.number(42, 1.0)) * moved_by(-block->second.base);
+    const InsertArray array = insert_array(entity);
+    if (array.left_out > 0) left_out(entity, within, array.left_out);
     open_.push_back(&block->second);
-    for (int row = 0; row < std::max(1, entity.whole(71, 1)); ++row) {
-      for (int column = 0; column < std::max(1, entity.whole(70, 1)); ++column) {
-        const Place step{column * entity.number(44, 0.0), row * entity.number(45, 0.0)};
-        instance.to_mm = frame * moved_by(step) * inner;
-        if (!expand(block->second, instance)) column = row = kNoMore;
-      }
-      if (row >= kNoMore) break;
+    for (std::size_t copy = 0; copy < array.columns * array.rows; ++copy) {
+      instance.to_mm = frame * moved_by(array.step(copy)) * inner;
+      if (!expand(block->second, instance)) break;
     }
     open_.pop_back();
+  }
+
+  void left_out(const DxfEntity& entity, const Instance& within, std::size_t copies) {
+    sketch_.report({FaultKind::kDuplicate,
+                    described(entity, within),
+                    {},
+                    fmt::format("{} of its copies have no spacing and lie on others", copies),
+                    "they are left out; set the spacing, or one row and column"});
   }
 
   /// One copy of a block. False when there are too many.
   // Bounded by a depth. NOLINTNEXTLINE(misc-no-recursion)
   bool expand(const DxfBlock& block, const Instance& instance) {
-    if (++instances_ > kMostInstances || sketch_.full()) return false;
+    if (++instances_ > most_instances_ || sketch_.full()) return false;
     const auto kept = group_;
     DxfCursor cursor = block.body;
     next(cursor);
-    while (group_ && !at("ENDBLK") && !at("ENDSEC") && !at("EOF") && instances_ <= kMostInstances &&
-           !sketch_.full()) {
+    while (group_ && !at("ENDBLK") && !at("ENDSEC") && !at("EOF") &&
+           instances_ <= most_instances_ && !sketch_.full()) {
       if (group_->code == 0) {
         read_entity(cursor, instance);
       } else {
@@ -356,7 +363,7 @@ class DxfReader {
         {FaultKind::kTooMuch,
          described(entity, {}),
          {},
-         fmt::format("more than {} entities are drawn; the rest is left out", kMostInstances),
+         fmt::format("more than {} entities are drawn; the rest is left out", most_instances_),
          "cut the drawing in parts"});
   }
 
@@ -368,11 +375,10 @@ class DxfReader {
     static_cast<void>(sketch_.add({std::move(drawn.shapes), sketch_.add_entity(std::move(named))}));
   }
 
-  static constexpr int kNoMore = 1'000'000'000;
-
   DxfCursor cursor_;
   DxfCursor before_{{}};
   Sketch& sketch_;
+  std::size_t most_instances_;
   std::optional<DxfGroup> group_;
   std::map<std::string, DxfLayer, std::less<>> layers_;
   std::map<std::string, DxfBlock, std::less<>> blocks_;

@@ -113,6 +113,18 @@ std::optional<Transform> dxf_plane(const DxfEntity& entity) {
   return up > 0.0 ? Transform{} : scaled_by(-1.0, 1.0);
 }
 
+InsertArray insert_array(const DxfEntity& entity) {
+  InsertArray array{.columns = static_cast<std::size_t>(std::max(1, entity.whole(70, 1))),
+                    .rows = static_cast<std::size_t>(std::max(1, entity.whole(71, 1))),
+                    .spacing = {entity.number(44, 0.0), entity.number(45, 0.0)},
+                    .left_out = 0};
+  const std::size_t asked = array.columns * array.rows;
+  if (array.spacing.x() == 0.0) array.columns = 1;
+  if (array.spacing.y() == 0.0) array.rows = 1;
+  array.left_out = asked - array.columns * array.rows;
+  return array;
+}
+
 bool is_dxf_shape(std::string_view type) {
   static constexpr std::array<std::string_view, 6> kTypes{
       "LINE", "ARC", "CIRCLE", "LWPOLYLINE", "ELLIPSE", "SPLINE"};

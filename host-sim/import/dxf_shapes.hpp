@@ -30,6 +30,22 @@ struct DxfShapes {
   std::string wrong;  ///< Empty, or why there are none.
 };
 
+/// The copies of an INSERT, in the units and axes of its own. Those without a spacing would be
+/// drawn one on the other: one of them is, and the others are counted.
+struct InsertArray {
+  std::size_t columns;
+  std::size_t rows;
+  Place spacing;         ///< From column to column, and from row to row.
+  std::size_t left_out;  ///< Copies that lie on those that are drawn.
+
+  /// Where copy `index` of columns · rows is, row after row.
+  [[nodiscard]] Place step(std::size_t index) const {
+    return {static_cast<double>(index % columns) * spacing.x(),
+            static_cast<double>(index / columns) * spacing.y()};
+  }
+};
+[[nodiscard]] InsertArray insert_array(const DxfEntity& entity);
+
 /// In the units of the drawing. @pre is_dxf_shape(entity.type), no bad_number()
 [[nodiscard]] DxfShapes dxf_shapes(const DxfEntity& entity);
 

@@ -64,16 +64,20 @@ class Strips {
   /// Adds one for each crossing of the ray from `place` to the right; false when
   /// the budget ends.
   bool count(const Place& place, std::map<std::size_t, std::size_t>& hits, Budget& budget) const {
+    // What is looked at closely takes so many times as long.
+    constexpr std::size_t kCloseLook = 16;
     const auto& strip = strips_[strip_of(place.y())];
+    std::size_t close = 0;
     for (const auto& [piece, i] : strip) {
       if (!pieces_[piece].box.around({.least = place, .most = place})) continue;
+      ++close;
       const Place& a = pieces_[piece].outline[i];
       const Place& b = pieces_[piece].outline[i + 1];
       if ((a.y() <= place.y()) == (b.y() <= place.y())) continue;
       const double x = a.x() + (place.y() - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
       if (x > place.x()) ++hits[piece];
     }
-    return budget.spend(strip.size());
+    return budget.spend(strip.size() + kCloseLook * close);
   }
 
  private:
@@ -109,7 +113,7 @@ void turn_as_nested(DrawnContour& contour) {
 
 void nest(Sketch& sketch, std::vector<Piece>& pieces) {
   const Strips strips{pieces};
-  Budget budget{kMostRayCrossings};
+  Budget budget{sketch.share_of(kMostRayCrossings)};
   std::map<std::size_t, std::size_t> hits;
   for (std::size_t index = 0; index < pieces.size(); ++index) {
     DrawnContour& contour = pieces[index].contour;

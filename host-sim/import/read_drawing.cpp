@@ -44,7 +44,8 @@ Drawing read_drawing(const std::string& file,
                      const std::string& text,
                      const ImportOptions& options) {
   CNC_ASSERT(options.gap_mm >= kLeastGapMm && options.gap_mm <= kGreatestGapMm);
-  Sketch sketch;
+  CNC_ASSERT(options.effort > 0.0 && options.effort <= 1.0);
+  Sketch sketch{options.effort};
   read_any(text, sketch);
   return assemble(sketch, file, options.gap_mm);
 }

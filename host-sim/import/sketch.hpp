@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 #include <string>
@@ -22,6 +23,9 @@ struct Chain {
 /// What a reader gathers of a file, before chains are joined to contours.
 class Sketch {
  public:
+  /// @pre effort in (0, 1], as ImportOptions has it
+  explicit Sketch(double effort) : effort_{effort} {}
+
   [[nodiscard]] std::size_t layer(const Layer& layer);
   [[nodiscard]] std::size_t add_entity(Entity entity);
 
@@ -38,6 +42,11 @@ class Sketch {
   /// Turns what was ignored into faults. Call once, at the end.
   void finish();
 
+  /// The share that this drawing may have of a bound on work; 1 or more.
+  [[nodiscard]] std::size_t share_of(std::size_t work) const {
+    return std::max<std::size_t>(1, static_cast<std::size_t>(effort_ * static_cast<double>(work)));
+  }
+
   [[nodiscard]] bool full() const { return full_; }
   [[nodiscard]] const Entity& entity(std::size_t index) const { return entities_[index]; }
   [[nodiscard]] std::vector<Chain>& chains() { return chains_; }
@@ -52,6 +61,7 @@ class Sketch {
     std::size_t count = 0;
   };
 
+  double effort_;
   std::vector<Layer> layers_;
   std::map<Layer, std::size_t> layer_index_;
   std::vector<Entity> entities_;

@@ -178,19 +178,19 @@ class SvgReader {
       return;
     }
     for (const pugi::xml_node& child : node.children()) {
-      if (sketch_.full() || elements_ > kMostElements) return;
+      if (sketch_.full() || elements_ > most_elements_) return;
       if (child.type() == pugi::node_element) read_element(child, style);
     }
   }
 
   // Bounded by a depth. NOLINTNEXTLINE(misc-no-recursion)
   void read_element(const pugi::xml_node& node, Style style) {
-    if (++elements_ > kMostElements) {
+    if (++elements_ > most_elements_) {
       sketch_.report(
           {FaultKind::kTooMuch,
            entity_of(node),
            {},
-           fmt::format("more than {} elements are drawn; the rest is left out", kMostElements),
+           fmt::format("more than {} elements are drawn; the rest is left out", most_elements_),
            "cut the drawing in parts"});
       return;
     }
@@ -323,6 +323,7 @@ class SvgReader {
   Sketch& sketch_;
   IdCollector ids_;
   std::vector<pugi::xml_node> used_;
+  std::size_t most_elements_ = sketch_.share_of(kMostElements);
   std::size_t elements_ = 0;
 };
 

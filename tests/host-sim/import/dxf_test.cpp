@@ -77,6 +77,35 @@ TEST(DxfReader, BlocksOfBlocksAreExpandedInRowsAndColumnsAndNotInCircles) {
   EXPECT_NEAR(drawn.contours[5].length_mm, 4.0 * kHalfTurn, 1e-9);
 }
 
+/// Copies without a spacing lie on each other: as many as a number can say are told, not drawn.
+TEST(DxfReader, CopiesWithoutASpacingAreOne) {
+  const std::string block =
+      "0\nBLOCK\n2\nA\n0\nELLIPSE\n10\n0\n20\n0\n11\n4\n21\n0\n40\n0.5\n0\nENDBLK\n";
+  const auto inserted = [&](const std::string& array) {
+    return read(dxf_of("0\nINSERT\n2\nA\n" + array, block));
+  };
+  const Drawing rows = inserted("70\n2\n71\n11113\n44\n10\n");
+  EXPECT_THAT(rows.contours, SizeIs(2));
+  ASSERT_THAT(kinds_of(rows), ElementsAre(FaultKind::kDuplicate));
+  EXPECT_THAT(rows.faults[0].reason, HasSubstr("22224 of its copies have no spacing"));
+  EXPECT_TRUE(rows.has_errors());
+  const Drawing all = inserted("70\n1000000000\n71\n1000000000\n");
+  EXPECT_THAT(all.contours, SizeIs(1));
+  ASSERT_THAT(kinds_of(all), ElementsAre(FaultKind::kDuplicate));
+  EXPECT_THAT(inserted("70\n2\n71\n2\n44\n10\n45\n10\n").faults, IsEmpty());
+}
+
+/// What it may take is a share of what a drawing may take: here of 500,000 entities.
+TEST(DxfReader, CopiesBeyondTheEffortAreLeftOutAndToldSo) {
+  const std::string text =
+      dxf_of("0\nINSERT\n2\nA\n70\n9000\n44\n5\n", "0\nBLOCK\n2\nA\n0\nCIRCLE\n40\n1\n0\nENDBLK\n");
+  EXPECT_THAT(read_drawing("f", text).contours, SizeIs(9000));
+  const Drawing part = read_drawing("f", text, {.effort = 0.002});
+  EXPECT_THAT(part.contours, SizeIs(499));
+  ASSERT_THAT(kinds_of(part), ElementsAre(FaultKind::kTooMuch));
+  EXPECT_THAT(part.faults[0].reason, HasSubstr("more than 1000 entities"));
+}
+
 TEST(DxfReader, InsertsThatDoubleAreBounded) {
   std::string blocks = "0\nBLOCK\n2\nB0\n0\nCIRCLE\n40\n1\n0\nENDBLK\n";
   for (int i = 1; i < 40; ++i) {
