@@ -2,11 +2,21 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <string>
 
 namespace proof {
+
+/// KERFLINE_TRIALS, else what is usual; of that no more than KERFLINE_MOST_TRIALS, where tests
+/// are to be shorter than usual and none is to be longer.
+[[nodiscard]] inline std::uint64_t trials_wanted(std::uint64_t usual) {
+  const char* const count = std::getenv("KERFLINE_TRIALS");
+  if (count != nullptr) return std::stoull(count);
+  const char* const most = std::getenv("KERFLINE_MOST_TRIALS");
+  return most != nullptr ? std::min<std::uint64_t>(usual, std::stoull(most)) : usual;
+}
 
 /// How many random trials a property test makes. Each test names the number
 /// that takes it about half a minute in a release build; the full proof is
@@ -16,14 +26,12 @@ namespace proof {
 class Trials {
  public:
   explicit Trials(std::uint64_t usual) {
-    const char* const count = std::getenv("KERFLINE_TRIALS");
     const char* const seed = std::getenv("KERFLINE_SEED");
     if (seed != nullptr) {
       first_ = std::stoull(seed);
       usual = 1;
     }
-    if (count != nullptr) usual = std::stoull(count);
-    end_ = first_ + usual;
+    end_ = first_ + trials_wanted(usual);
   }
 
   [[nodiscard]] std::uint64_t first_seed() const { return first_; }

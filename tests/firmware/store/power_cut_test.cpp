@@ -4,19 +4,14 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <cstdlib>
 #include <string>
+
+#include "tests/support/trials.hpp"
 
 namespace cnc {
 namespace {
 
 using hal::host::CutKind;
-
-/// KERFLINE_TRIALS=n runs n seeds.
-std::uint64_t seeds() {
-  const char* text = std::getenv("KERFLINE_TRIALS");
-  return text == nullptr ? 1 : std::strtoull(text, nullptr, 10);
-}
 
 /// Under sanitizers, two hundred times slower, one cut of so many does.
 #ifdef __SANITIZE_ADDRESS__
@@ -27,7 +22,8 @@ constexpr std::uint64_t kOneOf = 1;
 
 void run_and_tell(PowerCutTrial trial) {
   trial.every = std::max(trial.every, kOneOf);
-  for (trial.seed = 1; trial.seed <= seeds() && !testing::Test::HasFailure(); ++trial.seed) {
+  for (trial.seed = 1; trial.seed <= proof::trials_wanted(1) && !testing::Test::HasFailure();
+       ++trial.seed) {
     const PowerCutCount count = run(trial);
     std::printf("seed %llu: %d saves, %llu operations, %llu erases, %llu cuts, %llu appeared\n",
                 static_cast<unsigned long long>(trial.seed),

@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <random>
 
 #include "host-sim/machine/virtual_controller.hpp"
 #include "host-sim/send/job_lines.hpp"
+#include "tests/support/trials.hpp"
 
 namespace sim {
 namespace {
@@ -219,12 +219,6 @@ SendOutcome run(const TurningJob& job, const SendOptions& options, const WireRat
           .turns = std::move(recorder.turns)};
 }
 
-/// The greatest count for one environment variable in all tests is KERFLINE_TRIALS.
-std::size_t wanted_errors(std::size_t usual) {
-  const char* const given = std::getenv("KERFLINE_TRIALS");
-  return given != nullptr ? std::stoul(given) : usual;
-}
-
 TEST(Sender, SendsPlainLinesToTheEnd) {
   const TurningJob job = random_job(2000, 1);
   const SendOutcome outcome = run(job, {}, {});
@@ -274,7 +268,7 @@ TEST(Sender, KeepsARasterAtSpeed) {
 /// Whatever the wires do to bytes in both directions: the job, the whole job, in its order.
 TEST(Sender, CheckedLinesMoveRightOnADamagingLine) {
   constexpr std::size_t kLines = 20'000;
-  const std::size_t wanted = wanted_errors(5000);
+  const std::size_t wanted = proof::trials_wanted(5000);
   std::size_t injected = 0;
   double clean_s = 0.0;
   double damaged_s = 0.0;
@@ -295,7 +289,7 @@ TEST(Sender, CheckedLinesMoveRightOnADamagingLine) {
 
 /// The same by the dozen, so that errors meet in one line, and in its repetition.
 TEST(Sender, CheckedLinesMoveRightOnATerribleLine) {
-  const std::size_t wanted = wanted_errors(50'000);
+  const std::size_t wanted = proof::trials_wanted(50'000);
   std::size_t injected = 0;
   for (std::uint64_t seed = 1; injected < wanted; ++seed) {
     const TurningJob job = random_job(2000, seed);

@@ -1,17 +1,11 @@
-#include <cstdlib>
-
 #include "tests/hal/stm32f405/usb/usb_desk.hpp"
+#include "tests/support/trials.hpp"
 
 namespace hal::stm32f405 {
 namespace {
 
 class UsbRandom : public UsbTest {};
 using Shake = UsbDesk::Shake;
-
-unsigned trials(unsigned usual) {
-  const char* const wanted = std::getenv("KERFLINE_TRIALS");
-  return wanted == nullptr ? usual : static_cast<unsigned>(std::atoi(wanted));
-}
 
 /// One long conversation with a host that does things in any order.
 class Talk {
@@ -146,7 +140,7 @@ class Talk {
 };
 
 TEST_F(UsbRandom, NoByteIsLostOrDoubledWhateverTheHostDoes) {
-  for (unsigned seed = 1; seed <= trials(300); ++seed) {
+  for (unsigned seed = 1; seed <= proof::trials_wanted(300); ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Talk{seed}.run();
     if (HasFailure()) return;
