@@ -98,12 +98,12 @@ TEST(DxfReader, CopiesWithoutASpacingAreOne) {
 /// What it may take is a share of what a drawing may take: here of 500,000 entities.
 TEST(DxfReader, CopiesBeyondTheEffortAreLeftOutAndToldSo) {
   const std::string text =
-      dxf_of("0\nINSERT\n2\nA\n70\n9000\n44\n5\n", "0\nBLOCK\n2\nA\n0\nCIRCLE\n40\n1\n0\nENDBLK\n");
-  EXPECT_THAT(read_drawing("f", text).contours, SizeIs(9000));
-  const Drawing part = read_drawing("f", text, {.effort = 0.002});
-  EXPECT_THAT(part.contours, SizeIs(499));
+      dxf_of("0\nINSERT\n2\nA\n70\n900\n44\n5\n", "0\nBLOCK\n2\nA\n0\nCIRCLE\n40\n1\n0\nENDBLK\n");
+  EXPECT_THAT(read_drawing("f", text).contours, SizeIs(900));
+  const Drawing part = read_drawing("f", text, {.effort = 0.0002});
+  EXPECT_THAT(part.contours, SizeIs(49));
   ASSERT_THAT(kinds_of(part), ElementsAre(FaultKind::kTooMuch));
-  EXPECT_THAT(part.faults[0].reason, HasSubstr("more than 1000 entities"));
+  EXPECT_THAT(part.faults[0].reason, HasSubstr("more than 100 entities"));
 }
 
 TEST(DxfReader, InsertsThatDoubleAreBounded) {
