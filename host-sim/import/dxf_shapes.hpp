@@ -40,8 +40,9 @@ struct InsertArray {
 
   /// Where copy `index` of columns · rows is, row after row.
   [[nodiscard]] Place step(std::size_t index) const {
+    const std::size_t row = index / columns;
     return {static_cast<double>(index % columns) * spacing.x(),
-            static_cast<double>(index / columns) * spacing.y()};
+            static_cast<double>(row) * spacing.y()};
   }
 };
 [[nodiscard]] InsertArray insert_array(const DxfEntity& entity);
