@@ -11,7 +11,7 @@ namespace sim::drawing {
 namespace {
 
 // Pairs of chords looked at; some seconds.
-constexpr std::size_t kMostChordPairs = 100'000'000;
+constexpr std::size_t kMostChordPairs = 200'000'000;
 // Pairs of contours that cross: nobody mends so many, nor asks for the rest.
 constexpr std::size_t kMostCrossings = 10'000;
 // Chords of one curve differ from it by more than this; true crossings do not.

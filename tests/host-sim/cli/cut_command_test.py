@@ -193,7 +193,7 @@ class Cut(unittest.TestCase):
         hair = self.drawn("hair.svg", content.format(" ".join(places)))
         self.assertRegex(self.refused(hair, *STEEL, status=1),
                          r'hair\.svg:2:1: polygon "hair" at 10\d\.\d+ 1\d\d\.\d+: too many curves lie '
-                         r"close together to look for crossings everywhere: 100000000 pairs of them were "
+                         r"close together to look for crossings everywhere: 200000000 pairs of them were "
                          r"looked at; simplify the drawing here")
 
     def test_corners_have_loops_and_dwells(self):
