@@ -189,10 +189,7 @@ class DxfReader {
   // Bounded by a depth. NOLINTNEXTLINE(misc-no-recursion)
   void read_entity(DxfCursor& cursor, const Instance& within) {
     const DxfEntity entity = take_entity(cursor);
-    if (++instances_ > most_instances_) {
-      if (instances_ == most_instances_ + 1) too_many(entity);
-      return;
-    }
+    if (!count(entity)) return;
     std::vector<DxfEntity> vertices;
     if (entity.type == "POLYLINE") {
       while (at("VERTEX") && vertices.size() < kMostShapes) vertices.push_back(take_entity(cursor));
@@ -290,7 +287,8 @@ class DxfReader {
     open_.push_back(&block->second);
     for (std::size_t copy = 0; copy < array.columns * array.rows; ++copy) {
       instance.to_mm = frame * moved_by(array.step(copy)) * inner;
-      if (!expand(block->second, instance)) break;
+      if (!count(entity) || sketch_.full()) break;
+      expand(block->second, instance);
     }
     open_.pop_back();
   }
@@ -303,10 +301,16 @@ class DxfReader {
                     "they are left out; set the spacing, or one row and column"});
   }
 
-  /// One copy of a block. False when there are too many.
+  /// One more is drawn. False, and told once, where there are too many.
+  bool count(const DxfEntity& entity) {
+    if (++instances_ <= most_instances_) return true;
+    if (instances_ == most_instances_ + 1) too_many(entity);
+    return false;
+  }
+
+  /// One copy of a block.
   // Bounded by a depth. NOLINTNEXTLINE(misc-no-recursion)
-  bool expand(const DxfBlock& block, const Instance& instance) {
-    if (++instances_ > most_instances_ || sketch_.full()) return false;
+  void expand(const DxfBlock& block, const Instance& instance) {
     const auto kept = group_;
     DxfCursor cursor = block.body;
     next(cursor);
@@ -319,7 +323,6 @@ class DxfReader {
       }
     }
     group_ = kept;
-    return true;
   }
 
   [[nodiscard]] Layer layer_of(const DxfEntity& entity, const Instance& within) const {

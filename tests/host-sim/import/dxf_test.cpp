@@ -104,6 +104,11 @@ TEST(DxfReader, CopiesBeyondTheEffortAreLeftOutAndToldSo) {
   EXPECT_THAT(part.contours, SizeIs(49));
   ASSERT_THAT(kinds_of(part), ElementsAre(FaultKind::kTooMuch));
   EXPECT_THAT(part.faults[0].reason, HasSubstr("more than 100 entities"));
+  // Where the copy itself is the one too many.
+  const Drawing odd = read_drawing("f", text, {.effort = 0.0002021});
+  EXPECT_THAT(odd.contours, SizeIs(50));
+  ASSERT_THAT(kinds_of(odd), ElementsAre(FaultKind::kTooMuch));
+  EXPECT_THAT(odd.faults[0].reason, HasSubstr("more than 101 entities"));
 }
 
 TEST(DxfReader, InsertsThatDoubleAreBounded) {
