@@ -14,6 +14,7 @@ function(kerfline_board_image name header object offset_kib end_kib)
   set(main ${PROJECT_SOURCE_DIR}/firmware/target/stm32f405_main.cpp)
   # The fast one first: of inline functions that both have, the linker takes the first.
   add_executable(${name} ${PROJECT_SOURCE_DIR}/firmware/target/stm32f405_steps.cpp
+    ${PROJECT_SOURCE_DIR}/firmware/target/stm32f405_conversions.cpp
     $<TARGET_OBJECTS:kerfline_planner> ${main})
   set_source_files_properties(${main} PROPERTIES COMPILE_OPTIONS -Os)
   set_target_properties(${name} PROPERTIES

@@ -5,6 +5,13 @@
 
 namespace cnc {
 
+namespace {
+
+/// So near to its end, in mm, an element is done with: a step or two.
+constexpr float kAtEndMm = 0.02F;
+
+}  // namespace
+
 /// Whether it is the part of the line that was driven, or comes after it.
 bool Reentry::may_hold(motion::SourceLine line) const {
   if (line.number != line_.number) return line.number > line_.number;
@@ -17,8 +24,11 @@ Reentry::Verdict Reentry::judge(path::PathItem& item, float beside_mm) {
   if (!may_hold(line)) return Verdict::kDark;
   PathElement& element = item.request.element;
   const path::Passing passing = path::passing_of(element, place_);
-  if (passing.share >= 1.0F || passing.distance_mm > beside_mm) return Verdict::kDark;
+  if (passing.distance_mm > beside_mm) return Verdict::kDark;
+  const bool at_end = passing.share >= 1.0F;
+  if (at_end && passing.distance_mm > kAtEndMm) return Verdict::kDark;
   active_ = false;
+  if (at_end) return Verdict::kDark;
   if (passing.place == element.start) return Verdict::kLit;
   rest_ = item;
   rest_.request.element = path::part_of(element, passing.place, element.end, 1.0F - passing.share);

@@ -96,11 +96,15 @@ float Spans::speed_limit_square(int span, const Place& from, const Place& to) co
   if (sweep_ <= 0.0F) return straight_speed_square_;
   const Shares shares = shares_around(span, from, to);
   float limit = straight_speed_square_;
-  const auto keep = [&limit](float rate, float share) {
-    if (square(rate) < limit * square(share)) limit = square(rate / share);
+  const auto keep = [&limit](float most, float share) {
+    if (most < limit * share) limit = most / share;
   };
-  keep(rate_first_, shares.first);
-  keep(rate_second_, shares.second);
+  keep(square(rate_first_), square(shares.first));
+  keep(square(rate_second_), square(shares.second));
+  // At a level speed. Of the normal each axis has as much as the other has of the tangent.
+  const float bend = plane_share_ * curvature_;
+  keep(acceleration_first_, bend * shares.second);
+  keep(acceleration_second_, bend * shares.first);
   return limit;
 }
 

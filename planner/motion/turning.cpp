@@ -39,9 +39,8 @@ Turning Turning::of(float curvature, float acceleration) {
 
 float Turning::speed_limit_square(float window_s) const {
   constexpr float kNoLimit = 1.0e12F;
-  if (curvature <= 0.0F) return kNoLimit;
+  if (curvature <= 0.0F || window_s <= 0.0F) return kNoLimit;
   const float centripetal = 1.0F / speed_ratio;
-  if (window_s <= 0.0F) return centripetal;
   constexpr float kJerkShare = 0.95F;
   constexpr float kCubes = 1.0e25F;  // Of what a cube root may be asked for.
   const float cube = kJerkShare / (window_s * jerk_ratio);
@@ -56,7 +55,6 @@ float Turning::steepest(float acceleration,
                         float lag_s) const {
   if (curvature <= 0.0F) return acceleration;
   const float most = within_acceleration(acceleration, distance, speed_square);
-  if (window_s <= 0.0F) return most;
   const auto within = [&](float steep) {
     const float end_square = std::min(cap_square, speed_square + 2.0F * steep * distance);
     const float met = std::sqrt(end_square) + steep * lag_s;

@@ -30,12 +30,14 @@ struct Turning {
   [[nodiscard]] static Turning of(float curvature, float acceleration);
 
   /// v² at which, on a level course, all of A is for turning, or nineteen twentieths of
-  /// the jerk: the rest is for the way there. @param window_s T; 0 is none.
+  /// the jerk: the rest is for the way there. @param window_s T; without one, 0, each axis
+  /// has a limit of its own, which is not known here, and this is none.
   [[nodiscard]] float speed_limit_square(float window_s) const;
 
   /// The greatest a that may hold over `distance` mm from where v² is
   /// `speed_square`, v² growing all the way up to at most `cap_square`.
   /// @param acceleration A along the path.
+  /// @pre window_s > 0
   /// @param lag_s for how long v may go on growing by a until the motion takes a back.
   [[nodiscard]] float steepest(float acceleration,
                                float distance,

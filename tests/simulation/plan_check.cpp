@@ -109,7 +109,9 @@ class PlanCheck {
       const double axis_speed = std::abs(tangent[axis]) * speed;
       steps_per_s += axis_speed * static_cast<double>(limits_.scale[axis].steps_per_mm());
       figures_.rate.note(axis_speed / static_cast<double>(motor_rate(limits_, axis)), index_, axis);
-      const double axis_acceleration = tangent[axis] * acceleration + bend[axis] * speed * speed;
+      const double turning = bend[axis] * speed * speed;
+      figures_.centripetal.note(std::abs(turning) / acceleration_limit(axis), index_, axis);
+      const double axis_acceleration = tangent[axis] * acceleration + turning;
       figures_.acceleration.note(
           std::abs(axis_acceleration) / acceleration_limit(axis), index_, axis);
     }
@@ -121,13 +123,6 @@ class PlanCheck {
   void check_path(double speed) {
     const double wanted = static_cast<double>(block().block.feed);
     if (wanted > 0.0) figures_.feed.note(speed / wanted, index_);
-    if (!block().exact.turns()) return;
-    const double plane_speed = speed * block().exact.plane_share();
-    const cnc::PlaneAxes axes = block().exact.plane();
-    figures_.centripetal.note(
-        plane_speed * plane_speed / block().exact.radius() /
-            std::min(acceleration_limit(axes.first), acceleration_limit(axes.second)),
-        index_);
   }
 
   /// One of the 20,000 looks in a second.

@@ -26,7 +26,7 @@ struct PlanFigures {
   Greatest acceleration;   ///< |tangent · a + bend · v²| / limit, per axis.
   Greatest speed_change;   ///< Δ(axis speed) in 50 µs / limit, within a block.
   Greatest feed;           ///< Path speed / programmed feed.
-  Greatest centripetal;    ///< (v · plane share)² / R / least limit of the plane's axes.
+  Greatest centripetal;    ///< What an axis has of v²/R / its limit.
   Greatest joint;          ///< Turn at a joint without a stop / what rounding may make of none.
   Greatest speed_jump;     ///< From slice to slice, mm/s.
   Greatest way_error;      ///< Way by speed − way by fraction, mm.

@@ -119,11 +119,9 @@ double speed_limit_squared(const PathPiece& piece,
   }
   if (steps > 0.0) speed = std::min(speed, limits.step_rate / steps);
   double highest = speed * speed;
-  if (const auto& circle = piece.curve.circle()) {
-    const auto axes = cnc::axes_of(circle->plane);
-    const double acceleration =
-        std::min(limits.acceleration[axes.first], limits.acceleration[axes.second]);
-    highest = std::min(highest, acceleration / norm(curvature));
+  for (std::size_t i = 0; i < curvature.size(); ++i) {
+    const double bend = std::abs(curvature[i]);
+    if (limits.acceleration[i] < highest * bend) highest = limits.acceleration[i] / bend;
   }
   return highest;
 }
