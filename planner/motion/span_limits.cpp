@@ -101,6 +101,7 @@ float Spans::speed_limit_square(int span, const Place& from, const Place& to) co
   };
   keep(square(rate_first_), square(shares.first));
   keep(square(rate_second_), square(shares.second));
+  if (window_.filters()) return limit;  // What turning asks for then is in it already.
   // At a level speed. Of the normal each axis has as much as the other has of the tangent.
   const float bend = plane_share_ * curvature_;
   keep(acceleration_first_, bend * shares.second);

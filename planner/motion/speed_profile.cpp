@@ -17,7 +17,7 @@ constexpr float kAbovePlan = 1.0F + 1.0e-4F;
 constexpr float kSteeperThanPlan = 1.0F + 5.0e-4F;
 
 /// As much too fast for braking as rounding of the wait for it can make one.
-constexpr float kLate = 1.005F;
+constexpr float kLate = 1.0005F;
 
 /// Two units in the last place of a float.
 constexpr float kSpeedSquareRounding = 2.4e-7F;
