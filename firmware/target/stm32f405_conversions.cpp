@@ -4,14 +4,14 @@
 #include "planner/base/truncate.hpp"
 
 // The names and registers are those of the run-time ABI for the Arm architecture.
-extern "C" __attribute__((pcs("aapcs"), used, noinline)) float unsigned_to_float(std::uint64_t value)
-    __asm__("__aeabi_ul2f");
-extern "C" __attribute__((pcs("aapcs"), used)) float signed_to_float(std::int64_t value)
-    __asm__("__aeabi_l2f");
+#define KERFLINE_OF_THE_COMPILER __attribute__((pcs("aapcs"), used, noinline))
 
-float unsigned_to_float(std::uint64_t value) {
-  return cnc::float_of_bits(value);
+extern "C" {
+KERFLINE_OF_THE_COMPILER float unsigned_to_float(std::uint64_t value) __asm__("__aeabi_ul2f");
+KERFLINE_OF_THE_COMPILER float signed_to_float(std::int64_t value) __asm__("__aeabi_l2f");
 }
+
+float unsigned_to_float(std::uint64_t value) { return cnc::float_of_bits(value); }
 
 float signed_to_float(std::int64_t value) {
   const auto bits = static_cast<std::uint64_t>(value);
