@@ -15,9 +15,10 @@ namespace {
 
 constexpr double kWithinLimit = 1.001;
 
-/// An operator may change his mind where all jerk is needed for a curve.
+/// An operator may change his mind where all jerk is needed for a curve: of 5,000 seeds nine
+/// exceed the limit, 2546 by 3.2 %; and 3008, that of acceleration by 0.3 %.
 constexpr double kWithinJerk = 1.001;
-constexpr double kWithinJerkWhenLate = 1.05;
+constexpr double kWithinJerkWhenLate = 1.04;
 
 /// A slice of a filtered motion is a parabola between places of a smoother curve.
 constexpr double kFilteredEdgeSlack = 0.05;
