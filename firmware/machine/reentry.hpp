@@ -8,7 +8,7 @@ namespace cnc {
 
 /// Takes a program up again where it was interrupted: its path is driven dark from the line on
 /// that was driven then, and lit from the place on that the tool had come to. So the beam
-/// comes on at speed, and nothing is burnt twice.
+/// comes on at speed, and no more than a step or two is burnt twice.
 class Reentry {
  public:
   /// How many lines may lie between the one that is known and the place: those of a weld, or of
@@ -16,7 +16,7 @@ class Reentry {
   static constexpr std::uint32_t kMostLines = 4096;
 
   enum class Verdict : std::uint8_t {
-    kDark,   ///< The whole element.
+    kDark,   ///< The whole element; who has come to its end need not look at the next.
     kSplit,  ///< Dark to its new end; what is left of it is lit.
     kLit,    ///< The place is behind: nothing more to do.
     kLost,   ///< The path does not pass the place.

@@ -31,7 +31,7 @@ namespace cnc {
 }
 
 /// The nearest float. What static_cast does, but a Cortex-M4 has no conversion of 64 bits:
-/// what fits into 32 and a sign is one instruction instead of thirty.
+/// what fits into 32 and a sign is one instruction instead of a call.
 [[nodiscard]] constexpr float nearest_float(std::uint64_t value) {
   const auto low = static_cast<std::uint32_t>(value);
   return value == low ? static_cast<float>(low) : static_cast<float>(value);
