@@ -54,8 +54,8 @@ struct SpeedProfile {
 /// With u = v² and u' = 2a, the rules for each axis, |t a + t' u| ≤ A with the
 /// curve's tangent t and its derivative t', are linear in u. A backward pass
 /// finds the greatest u from which the rest can be travelled, a forward pass the
-/// greatest u that can be reached (Pham and Pham, TOPP-RA, 2018). Arcs also keep
-/// v²/R within the lesser acceleration of the two axes of their plane.
+/// greatest u that can be reached (Pham and Pham, TOPP-RA, 2018). On arcs each axis
+/// keeps its share of v²/R alone, a = 0, within its limit, too.
 /// It stands still at both ends, where the path turns, and before pieces marked stop_before.
 ///
 /// Accuracy: at most 0.02 mm and 0.5 degrees between samples, closer at the ends of a
