@@ -19,7 +19,6 @@ namespace cnc::motion {
 
 /// The braking curve within a span.
 struct BrakingPoint {
-  BrakingState start{};       ///< At the start of the span.
   BrakingState end{};         ///< At its end, v² within its cap.
   float deceleration = 0.0F;  ///< Towards its end, mm/s² ≥ 0.
   float cap_square = 0.0F;    ///< Within the span, after feed and overrides.
@@ -42,34 +41,12 @@ struct BrakingPoint {
   }
 };
 
-/// The span as the pass goes back over it.
-[[nodiscard]] inline BrakingPoint braking_point(
-    float cap_square, float deceleration, float length, const BrakingState& end, float window_s) {
-  BrakingPoint point{.end = end,
-                     .deceleration = deceleration,
-                     .cap_square = cap_square,
-                     .steepest = std::max(deceleration, end.steepest)};
-  // Rounded down, so that the speeds as stored never ask for more.
-  const float from = next_below(end.speed_square + 2.0F * deceleration * length);
-  BrakingState& start = point.start;
-  start.speed_square = std::min(cap_square, std::max(end.speed_square, from));
-  start.steepest = point.steepest;
-  start.commit_square = point.commit_square(length);
-  // Where the cap is reached in time, what lies behind it no longer matters.
-  if (window_s <= 0.0F) return point;
-  const float cap = std::sqrt(cap_square);
-  start.kept = std::min(cap, point.committed(length, window_s));
-  if (start.speed_square >= cap_square &&
-      commit_speed(start.commit_square, start.steepest, window_s) >= cap) {
-    start.steepest = deceleration;
-    start.commit_square = cap_square + 2.0F * cap * deceleration * window_s;
-  }
-  return point;
-}
+/// What is known at the start of a span so long, as the pass goes back over it.
+[[nodiscard]] BrakingState start_of(const BrakingPoint& point, float length, float window_s);
 
 /// Backward pass over one block: visits its spans from last to first with their
 /// BrakingPoints and returns what is known at the start of the block, so that
-/// `exit` can be met at its end.
+/// `exit` can be met at its end; as far back as the span `first`.
 ///
 /// Because the acceleration limits are linear in (a, v²) and allow a = 0 below
 /// the speed limit, what can be braked from is always an interval from 0, and
@@ -79,11 +56,12 @@ template <typename Visitor>
 BrakingState brake_backwards(const Spans& spans,
                              const SpeedCap& cap,
                              const BrakingState& exit,
-                             Visitor&& visit) {
+                             Visitor&& visit,
+                             int first = 0) {
   Place end = spans.place_at_boundary(spans.count());
   float end_mm = spans.boundary(spans.count());
   BrakingState state = exit;
-  for (int span = spans.count() - 1; span >= 0; --span) {
+  for (int span = spans.count() - 1; span >= first; --span) {
     const Place start = spans.place_at_boundary(span);
     const float start_mm = spans.boundary(span);
     const float length = end_mm - start_mm;
@@ -95,10 +73,12 @@ BrakingState brake_backwards(const Spans& spans,
         end,
         start,
         {length, state.speed_square, cap_square, Travel::kBackward, Change::kSlowDown, length});
-    const BrakingPoint point =
-        braking_point(cap_square, deceleration, length, state, spans.window_s());
+    const BrakingPoint point{.end = state,
+                             .deceleration = deceleration,
+                             .cap_square = cap_square,
+                             .steepest = std::max(deceleration, state.steepest)};
     visit(span, point);
-    state = point.start;
+    state = start_of(point, length, spans.window_s());
     end = start;
     end_mm = start_mm;
   }

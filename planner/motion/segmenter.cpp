@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/base/scalar_math.hpp"
 #include "planner/base/truncate.hpp"
 #include "planner/motion/power_course.hpp"
 #include "planner/motion/step_timing.hpp"
@@ -15,6 +16,13 @@ constexpr float kTicksPerNanosecond = 1.0F / static_cast<float>(kNanosecondsPerT
 constexpr std::uint32_t kLongestSliceNs = 1'000'000;
 /// Where speed changes a lot.
 constexpr std::uint32_t kShortSliceNs = 250'000;
+/// Shorter slices are joined.
+constexpr std::uint32_t kShortestNs =
+    Segmenter::kShortestSegment * std::uint32_t{kNanosecondsPerTick};
+
+/// Radians of half a turn that a slice may have: a 48th of a turn.
+constexpr float kWidestSlice = kTwoPi / 96.0F;
+constexpr float kFar = 1.0e12F;  // mm
 
 float fraction_of(std::uint64_t q32) {
   return static_cast<float>(static_cast<std::uint32_t>(q32 >> 8U)) * (1.0F / 16'777'216.0F);
@@ -135,7 +143,6 @@ void Segmenter::join(const Cut& cut) {
 
 /// Makes sure that there is a slice to join, where one is wanted and the motion goes on alike.
 bool Segmenter::joins_next() {
-  constexpr std::uint32_t kShortestNs = kShortestSegment * std::uint32_t{kNanosecondsPerTick};
   if (joined_.duration_ns >= kShortestNs || speed_ <= 0.0F || !ready_stretch()) return false;
   if (!driving_ && (queue_.empty() || queue_.front().outputs.any())) return false;
   return ready_block() && duties(speed_, speed_).start == joined_.duty.end && goes_on_as_joined();
@@ -236,6 +243,9 @@ void Segmenter::begin_block() {
   length_ = length_in_units(block);
   fraction_ = BlockFraction{length_};
   reversals_ = Reversals{block, length_};
+  // Under a window stretches are short.
+  const bool widely = block.turns() && !window_.filters();
+  widest_mm_ = widely ? kWidestSlice * block.length / std::abs(block.turn.half_sweep) : kFar;
   power_.begin(block, length_);
   const MotorPath::Point start = path_.at(0);
   for (const MotorPath::Motor& motor : path_.moving()) rates_[motor.axis()] = motor.speed(start);
@@ -254,14 +264,21 @@ void Segmenter::end_block() {
 }
 
 /// Where the speed of the path or of an axis changes by more than a third of
-/// itself slices are shorter, so that a parabola in the step index fits. Slices
-/// of a stretch are equally long.
+/// itself slices are shorter, and on an arc they turn by a 48th at most, so that a parabola in
+/// the step index fits. Slices of a stretch are equally long.
 std::uint32_t Segmenter::longest_slice_ns() const {
   const auto left = static_cast<std::uint32_t>(course_.duration_ns()) - elapsed_ns_;
-  if (left <= kShortSliceNs) return left;
-  const float change = 3.0F * std::abs(course_.whole().acceleration) * kLongestSlice;
-  const bool changes = change > speed_ || reversals_.near(place_);
-  const std::uint32_t longest = changes ? kShortSliceNs : kLongestSliceNs;
+  std::uint32_t longest = kShortSliceNs;
+  if (left > kShortSliceNs) {
+    const float change = 3.0F * std::abs(course_.whole().acceleration) * kLongestSlice;
+    const bool changes = change > speed_ || reversals_.near(place_);
+    longest = changes ? kShortSliceNs : kLongestSliceNs;
+  }
+  if (speed_ * kLongestSlice > widest_mm_) {
+    const float turning_ns =
+        std::max(static_cast<float>(kShortestNs), widest_mm_ / speed_ * kNanosecondsPerSecond);
+    longest = std::min(longest, static_cast<std::uint32_t>(turning_ns));
+  }
   if (left <= longest) return left;
   const std::uint32_t slices = (left + longest - 1) / longest;
   return (left + slices - 1) / slices;

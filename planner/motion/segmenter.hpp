@@ -167,9 +167,10 @@ class Segmenter {
   std::uint32_t elapsed_ns_ = 0;  ///< Of the stretch.
   PathUnits stretch_from_ = 0;    ///< Like place_; below 0 when it began in an earlier block.
 
-  bool driving_ = false;  ///< The front block has been begun.
-  PathUnits length_ = 0;  ///< Of the front block.
-  PathUnits place_ = 0;   ///< Within it.
+  bool driving_ = false;    ///< The front block has been begun.
+  PathUnits length_ = 0;    ///< Of the front block.
+  PathUnits place_ = 0;     ///< Within it.
+  float widest_mm_ = 0.0F;  ///< As long as a slice may be for its turning.
   BlockFraction fraction_{};
   Reversals reversals_{};
   PixelCourse power_;

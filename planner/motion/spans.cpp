@@ -1,7 +1,6 @@
 #include "planner/motion/spans.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "planner/base/scalar_math.hpp"
@@ -9,7 +8,6 @@
 namespace cnc::motion {
 namespace {
 
-constexpr int kGridPerQuarter = Spans::kGridPerTurn / 4;
 constexpr float kGridAngle = kTwoPi / static_cast<float>(Spans::kGridPerTurn);
 
 /// Boundaries nearer than this to an end of the arc are left out: a reversal
@@ -19,10 +17,12 @@ constexpr float kSliver = 1.0e-5F;
 /// Limits are met at places at most a grid step, or the reach of the window, apart.
 /// Between them an axis acceleration f can rise by at most (angle)² / 8 · |f″| with
 /// |f″| ≤ 5 times the limit (differentiate t·a + t′·v² twice, with v² linear in the
-/// angle): 0.27 % for 3.75°.
+/// angle): 0.27 % for 3.75°. A thousandth at least is left for rounding, and for who measures it
+/// by steps.
 float margin_for(float angle) {
   constexpr float kRounding = 2.0e-4F;
-  return 1.0F - kRounding - 0.625F * square(angle);
+  constexpr float kLeast = 1.0e-3F;
+  return 1.0F - std::max(kLeast, kRounding + 0.625F * square(angle));
 }
 
 /// With a window of so many radians either way an arc's limits are those of many directions, …
@@ -34,33 +34,9 @@ constexpr float kUniformSpan = kTwoPi / 96.0F;
 /// down by when an override is lowered or the feed held.
 constexpr float kTurningShare = 0.95F;
 
-/// sin(k · 3.75°) for a quarter turn, by Taylor's series at compile time.
-constexpr std::array<float, kGridPerQuarter + 1> make_quarter_sines() {
-  std::array<float, kGridPerQuarter + 1> sines{};
-  for (int k = 0; k <= kGridPerQuarter; ++k) {
-    const long double x = 1.57079632679489661923L * k / kGridPerQuarter;
-    long double term = x;
-    long double sum = x;
-    for (int n = 1; n < 12; ++n) {
-      term *= -x * x / static_cast<long double>((2 * n) * (2 * n + 1));
-      sum += term;
-    }
-    sines[static_cast<std::size_t>(k)] = static_cast<float>(sum);
-  }
-  return sines;
-}
-constexpr auto kQuarterSines = make_quarter_sines();
-
-SinCos grid_sin_cos(int index) {
-  const int wrapped = ((index % Spans::kGridPerTurn) + Spans::kGridPerTurn) % Spans::kGridPerTurn;
-  const auto within = static_cast<std::size_t>(wrapped % kGridPerQuarter);
-  return turned_by_quarters({kQuarterSines[within], kQuarterSines[kGridPerQuarter - within]},
-                            wrapped / kGridPerQuarter);
-}
-
 }  // namespace
 
-Spans::Spans(const Block& block, const Limits& limits, const TimeWindow& window)
+Spans::Spans(const Block& block, const Limits& limits, const TimeWindow& window, Grid grid)
     : length_{block.length},
       straight_acceleration_{block.acceleration},
       straight_speed_square_{block.speed_limit_square},
@@ -77,7 +53,7 @@ Spans::Spans(const Block& block, const Limits& limits, const TimeWindow& window)
     }
     all_axes_ = std::sqrt(sum);
   }
-  if (block.turns()) lay_out_arc(block, limits, window);
+  if (block.turns()) lay_out_arc(block, limits, grid);
   own_count_ = count_;
   if (window.filters()) lay_out_edges();
 }
@@ -114,19 +90,8 @@ void Spans::add_edge(float distance) {
   ++edge_count_;
 }
 
-/// How many edges of zones come before a boundary.
-int Spans::edges_before(int index) const {
-  int before = 0;
-  while (before < edge_count_ && edge_indices_[static_cast<std::size_t>(before)] < index) ++before;
-  return before;
-}
-
-bool Spans::is_edge(int index) const {
-  const int before = edges_before(index);
-  return before < edge_count_ && edge_indices_[static_cast<std::size_t>(before)] == index;
-}
-
-void Spans::lay_out_arc(const Block& block, const Limits& limits, const TimeWindow& window) {
+void Spans::lay_out_arc(const Block& block, const Limits& limits, Grid grid) {
+  const TimeWindow& window = window_;
   const Turn& turn = block.turn;
   const PlaneAxes axes = axes_of(turn.plane);
   plane_share_ = turn.plane_share;
@@ -155,7 +120,9 @@ void Spans::lay_out_arc(const Block& block, const Limits& limits, const TimeWind
   reach_ = std::min(farthest, around / mm_per_radian_);
   uniform_ = reach_ > kFarReach;
   if (window.filters()) lay_out_turning(block.reachable_square);
-  const float margin = margin_for(std::max(kGridAngle, uniform_ ? 0.0F : reach_));
+  if (grid == Grid::kFine && !window.filters()) split_ = finest_split();
+  grid_angle_ = kGridAngle / static_cast<float>(split_);
+  const float margin = margin_for(std::max(grid_angle_, uniform_ ? 0.0F : reach_));
   acceleration_first_ *= margin;
   acceleration_second_ *= margin;
   if (uniform_) {
@@ -201,66 +168,26 @@ void Spans::lay_out_turning(float reachable_square) {
   turning_ = {curvature_ * (along / normal), curvature_ / normal, square(curvature_) / along};
 }
 
+/// In how many a span of the usual grid is divided.
+int Spans::finest_split() const {
+  constexpr float kMostSplit = 16.0F;
+  constexpr float kShortestSpan = 0.7e-3F;  // s.
+  // However fast it may be driven: one axis alone may turn the motion.
+  const float turned =
+      std::max(acceleration_first_, acceleration_second_) / (curvature_ * square(plane_share_));
+  const float seconds = length_ / std::sqrt(std::min(straight_speed_square_, turned));
+  const float most = std::min(seconds / kShortestSpan, static_cast<float>(kMostFineSpans - 2));
+  constexpr float kRounding = 1.0e-3F;
+  const float split = most / std::max(1.0F, sweep_ / kGridAngle) + kRounding;
+  return static_cast<int>(std::clamp(split, 1.0F, kMostSplit));
+}
+
 void Spans::lay_out_grid() {
-  first_grid_ = static_cast<int>(std::floor((start_angle_ + kSliver) / kGridAngle)) + 1;
+  first_grid_ = static_cast<int>(std::floor((start_angle_ + kSliver) / grid_angle_)) + 1;
   const int last_grid =
-      static_cast<int>(std::ceil((start_angle_ + sweep_ - kSliver) / kGridAngle)) - 1;
-  count_ = std::clamp(last_grid - first_grid_ + 2, 1, kMostSpans - kMostEdges);
-}
-
-/// At a boundary that the arc itself asks for.
-float Spans::own_angle(int own) const {
-  if (own <= 0) return start_angle_;
-  if (own >= own_count_) return start_angle_ + sweep_;
-  if (uniform_) {
-    return start_angle_ + sweep_ * (static_cast<float>(own) / static_cast<float>(own_count_));
-  }
-  return static_cast<float>(first_grid_ + own - 1) * kGridAngle;
-}
-
-/// @pre within an arc
-float Spans::own_boundary(int own) const {
-  return (own_angle(own) - start_angle_) * mm_per_radian_;
-}
-
-float Spans::angle_of(int index) const {
-  if (edge_count_ == 0) return own_angle(index);
-  if (is_edge(index)) return start_angle_ + boundary(index) / mm_per_radian_;
-  return own_angle(index - edges_before(index));
-}
-
-float Spans::boundary(int index) const {
-  if (index <= 0) return 0.0F;
-  if (index >= count_) return length_;
-  if (edge_count_ == 0) return own_boundary(index);
-  const int before = edges_before(index);
-  return is_edge(index) ? edges_[static_cast<std::size_t>(before)] : own_boundary(index - before);
-}
-
-Place Spans::place_with(float cosine, float sine) const {
-  const float bend = square(plane_share_) * curvature_;
-  return {.tangent_first = plane_share_ * cosine,
-          .tangent_second = side_ * plane_share_ * sine,
-          .bend_first = -bend * sine,
-          .bend_second = side_ * bend * cosine};
-}
-
-Place Spans::place_of(float angle) const {
-  const SinCos turned = sin_cos(angle);
-  return place_with(turned.cosine, turned.sine);
-}
-
-Place Spans::place_at_boundary(int index) const {
-  if (sweep_ <= 0.0F) return {};
-  const bool off_grid = uniform_ || index <= 0 || index >= count_ || is_edge(index);
-  if (off_grid) return place_of(angle_of(index));
-  const SinCos turned = grid_sin_cos(first_grid_ + index - edges_before(index) - 1);
-  return place_with(turned.cosine, turned.sine);
-}
-
-Place Spans::place_at(float distance) const {
-  if (sweep_ <= 0.0F) return {};
-  return place_of(start_angle_ + distance / mm_per_radian_);
+      static_cast<int>(std::ceil((start_angle_ + sweep_ - kSliver) / grid_angle_)) - 1;
+  const int most = split_ > 1 ? kMostFineSpans : kMostSpans - kMostEdges;
+  count_ = std::clamp(last_grid - first_grid_ + 2, 1, most);
 }
 
 }  // namespace cnc::motion

@@ -32,7 +32,8 @@ struct SpeedChange {
 
 /// Divides a block into spans on which one acceleration can hold: where zones of its
 /// neighbours begin and end; an arc at each multiple of 3.75° of its tangent, too, quarter
-/// turns among them, so that within a span no axis reverses.
+/// turns among them, so that within a span no axis reverses. Whoever drives the block may ask for
+/// a finer grid, which there is without a time window.
 ///
 /// Under a time window the limits of a place hold around it, as far as the arc goes: what is
 /// beyond asks for itself, by its zones. On an arc of which the window spans more than 7.5°
@@ -46,10 +47,20 @@ class Spans {
   static constexpr int kMostEdges = 4;  ///< Of zones, within a block.
   static constexpr int kMostSpans = kGridPerTurn / 2 + 2 + kMostEdges;
 
+  /// The fine one has up to 16 spans instead of one, as far as there is room for kMostFineSpans
+  /// and each takes 0.7 ms at least: more is left of limits that change along the arc.
+  enum class Grid : std::uint8_t { kUsual, kFine };
+  static constexpr int kMostFineSpans = 2 * kGridPerTurn + 2;
+
   Spans() = default;
-  Spans(const Block& block, const Limits& limits, const TimeWindow& window = {});
+  Spans(const Block& block,
+        const Limits& limits,
+        const TimeWindow& window = {},
+        Grid grid = Grid::kUsual);
 
   [[nodiscard]] int count() const { return count_; }
+  /// They are shorter than those of the usual grid.
+  [[nodiscard]] bool fine() const { return split_ > 1; }
   [[nodiscard]] const BlockZones& tail() const { return tail_; }
   /// s.
   [[nodiscard]] float window_s() const { return window_.seconds(); }
@@ -85,8 +96,9 @@ class Spans {
                                const SpeedChange& change) const;
 
  private:
-  void lay_out_arc(const Block& block, const Limits& limits, const TimeWindow& window);
+  void lay_out_arc(const Block& block, const Limits& limits, Grid grid);
   void lay_out_turning(float reachable_square);
+  [[nodiscard]] int finest_split() const;
   void lay_out_grid();
   void lay_out_edges();
   void add_edge(float distance);
@@ -123,6 +135,8 @@ class Spans {
 
   // Of an arc.
   bool uniform_ = false;      ///< The window spans many directions.
+  int split_ = 1;             ///< Spans in 3.75°.
+  float grid_angle_ = 0.0F;   ///< Radians from one boundary to the next.
   int first_grid_ = 0;        ///< Grid index of boundary 1.
   float start_angle_ = 0.0F;  ///< Of the tangent, mirrored so that it grows.
   float sweep_ = 0.0F;

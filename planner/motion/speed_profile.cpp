@@ -10,6 +10,9 @@ namespace {
 
 /// A gain in v² or a level stretch smaller than this share is rounding.
 constexpr float kNegligible = 1.0e-5F;
+/// So is a gain of ten times that where no jerk is measured: it has four digits at most, and so
+/// would the acceleration.
+constexpr float kLeastGain = 1.0e-4F;
 
 /// A speed above the cap, or a braking steeper than planned, by more than this
 /// means that an override has lowered the plan; else it is rounding.
@@ -33,12 +36,14 @@ void SpeedProfile::begin(const Block& block,
                          const PlanTerms& terms,
                          const BrakingState& exit,
                          float speed_square) {
-  spans_ = Spans{block, limits, terms.window};
-  span_ = 0;
-  left_ = spans_.length_of(0);
   speed_square_ = speed_square;
-  exit_ = exit;
-  brake_from_the_end(block, terms.overrides);
+  grid_ = grid_for(block, terms, exit);
+  lay_out(block, limits, terms, exit, block.length);
+  // What was planned on the usual grid may be a little above the finer one's curve.
+  const float curve = end_target_square() + 2.0F * here().deceleration * left_;
+  if (!spans_.fine() || speed_square_ <= std::min(curve, here().cap_square)) return;
+  grid_ = Spans::Grid::kUsual;
+  lay_out(block, limits, terms, exit, block.length);
 }
 
 void SpeedProfile::begin_within(const Block& block,
@@ -46,8 +51,9 @@ void SpeedProfile::begin_within(const Block& block,
                                 const PlanTerms& terms,
                                 const BrakingState& exit,
                                 float left_of_block) {
-  lay_out(block, limits, terms, exit, left_of_block);
   speed_square_ = 0.0F;
+  grid_ = grid_for(block, terms, exit);
+  lay_out(block, limits, terms, exit, left_of_block);
 }
 
 void SpeedProfile::replan(const Block& block,
@@ -62,43 +68,53 @@ void SpeedProfile::lay_out(const Block& block,
                            const PlanTerms& terms,
                            const BrakingState& exit,
                            float left_of_block) {
-  spans_ = Spans{block, limits, terms.window};
+  spans_ = Spans{block, limits, terms.window, grid_};
   find_span(left_of_block);
   exit_ = exit;
   brake_from_the_end(block, terms.overrides);
 }
 
+/// To the end of the block: what can be braked from on the fine grid cannot on the other. Only
+/// from rest and to rest: along a way of many arcs it would gain thousandths, for a third more of
+/// segments.
+Spans::Grid SpeedProfile::grid_for(const Block& block,
+                                   const PlanTerms& terms,
+                                   const BrakingState& exit) const {
+  if (!block.turns() || terms.window.filters()) return Spans::Grid::kUsual;
+  const bool rests = std::min(speed_square_, exit.speed_square) <= 0.0F;
+  return rests ? Spans::Grid::kFine : Spans::Grid::kUsual;
+}
+
+/// As far back as the present span.
 void SpeedProfile::brake_from_the_end(const Block& block, const Overrides& overrides) {
   const SpeedCap cap{block, overrides};
   if (!block.turns() && spans_.window_s() <= 0.0F) {
     const float cap_square = cap.square_within(block.speed_limit_square);
-    braking_.front() = {.end = {.speed_square = std::min(exit_.speed_square, cap_square)},
-                        .deceleration = block.acceleration,
-                        .cap_square = cap_square};
+    here_ = {.end = {.speed_square = std::min(exit_.speed_square, cap_square)},
+             .deceleration = block.acceleration,
+             .cap_square = cap_square};
     return;
   }
-  static_cast<void>(
-      brake_backwards(spans_, cap, exit_, [this](int span, const BrakingPoint& point) {
-        braking_[static_cast<std::size_t>(span)] = point;
-      }));
+  braking_.begin(spans_.window_s() > 0.0F);
+  static_cast<void>(brake_backwards(
+      spans_,
+      cap,
+      exit_,
+      [this](int span, const BrakingPoint& point) { braking_.keep(span, point); },
+      span_));
+  here_ = braking_.at(span_);
 }
 
 /// Other zones make other spans: the one with so much of the block to go.
 void SpeedProfile::find_span(float left_of_block) {
   const float length = spans_.boundary(spans_.count());
   span_ = 0;
+  left_ = spans_.length_of(0);
+  if (left_of_block >= length) return;
   while (span_ + 1 < spans_.count() && length - spans_.boundary(span_ + 1) >= left_of_block) {
     ++span_;
   }
   left_ = left_of_block - (length - spans_.boundary(span_ + 1));
-}
-
-/// v² to be met at the end of the present span.
-float SpeedProfile::end_target_square() const {
-  const bool last = span_ + 1 == spans_.count();
-  const float ahead =
-      last ? exit_.speed_square : braking_[static_cast<std::size_t>(span_) + 1].start.speed_square;
-  return std::min(ahead, here().cap_square);
 }
 
 float SpeedProfile::steepest(Change change, float growing, float most_square) const {
@@ -166,8 +182,9 @@ Phase SpeedProfile::change_speed(const Patience& patience) const {
   }
   const Phase up = committed(speed_up());
   // All along a span any gain counts: a chain of very short ones is sped up along, too.
+  const float least_gain = spans_.window_s() > 0.0F ? kNegligible : kLeastGain;
   const bool worth_it =
-      up.left <= 0.0F || up.end_speed_square > speed_square_ * (1.0F + kNegligible);
+      up.left <= 0.0F || up.end_speed_square > speed_square_ * (1.0F + least_gain);
   return worth_it && up.distance > 0.0F ? up : level_or_follow(left_);
 }
 
@@ -187,8 +204,12 @@ Phase SpeedProfile::speed_up() const {
   const float gain = slopes > 0.0F ? (curve - speed_square_) * (acceleration / slopes) : 0.0F;
   const float peak = std::clamp(speed_square_ + gain, speed_square_, cap);
   if (peak <= speed_square_) return {};
-  const float rise = (peak - speed_square_) / (2.0F * acceleration);
-  return phase_to(peak, rise, std::max(left_ - rise, fall_from(peak)));
+  // Of the gain and the drop, small beside v², the steeper one tells its way with more digits.
+  const float fall = fall_from(peak);
+  float rise = (peak - speed_square_) / (2.0F * acceleration);
+  const bool steeper_fall = acceleration < here().deceleration;
+  if (spans_.window_s() <= 0.0F && steeper_fall) rise = std::min(rise, left_ - fall);
+  return phase_to(peak, rise, std::max(left_ - rise, fall));
 }
 
 /// What of a phase ends early enough to be level before braking.
@@ -226,8 +247,21 @@ Phase SpeedProfile::level_or_follow(float longest_level) const {
   if (level > longest_level) {
     return phase_to(speed_square_, longest_level, left_ - longest_level);
   }
+  if (fall <= 0.0F) return level_on();
   if (level > left_ * kNegligible) return phase_to(speed_square_, level, fall);
   return phase_to(std::min(end_target_square(), speed_square_), left_, 0.0F);
+}
+
+/// To the end of the span, and over those behind it on which nothing changes either.
+[[gnu::cold, gnu::noinline]] Phase SpeedProfile::level_on() const {
+  int last = span_;
+  if (spans_.window_s() <= 0.0F) {
+    while (last + 1 < spans_.count() && braking_.stays_level(last + 1, speed_square_)) ++last;
+  }
+  const float beyond = spans_.boundary(last + 1) - spans_.boundary(span_ + 1);
+  Phase phase = phase_to(speed_square_, left_ + beyond, 0.0F);
+  phase.passes = last - span_;
+  return phase;
 }
 
 Phase SpeedProfile::level_for(float seconds) const {
@@ -239,15 +273,14 @@ Phase SpeedProfile::level_for(float seconds) const {
 /// in which v² is below it, for the limits are linear in (a, v²) and hold at
 /// standstill; so what the plan can stop from here can stop. (Within a span
 /// the limits at the very place may be tighter than at its ends, by the margin.)
-/// Above it, or above the cap where turning leaves less, the plan is not made for this speed:
-/// an override has lowered it.
+/// Above it, or under a window above the cap where turning leaves less, the plan is not made for
+/// this speed: an override has lowered it.
 float SpeedProfile::planned_deceleration() const {
   const float planned = here().deceleration;
   const bool beyond_cap = speed_square_ > here().cap_square * kAbovePlan;
   if (spans_.window_s() > 0.0F && beyond_cap) return 0.0F;
   const float curve = end_target_square() + 2.0F * planned * left_;
   if (speed_square_ < curve) return planned * (speed_square_ / curve);
-  if (spans_.window_s() <= 0.0F) return planned;
   return speed_square_ <= curve * kLate ? planned * (speed_square_ / curve) : 0.0F;
 }
 
@@ -280,7 +313,11 @@ Phase SpeedProfile::brake_to(float target_square, const Patience& patience) cons
 /// are within the caps.
 void SpeedProfile::stop_short(const Phase& phase, float distance, float speed) {
   const auto [least, most] = std::minmax(speed_square_, phase.end_speed_square);
-  move(phase.left + distance, std::clamp(speed * speed, least, most));
+  const float speed_square = std::clamp(speed * speed, least, most);
+  if (phase.passes == 0) return move(phase.left + distance, speed_square);
+  find_span(left_of_block(phase) + distance);
+  here_ = braking_.at(span_);
+  move(left_, speed_square);
 }
 
 void SpeedProfile::move(float left, float speed_square) {
@@ -289,6 +326,7 @@ void SpeedProfile::move(float left, float speed_square) {
   if (left_ > 0.0F) return;
   ++span_;
   left_ = at_end() ? 0.0F : spans_.length_of(span_);
+  if (!at_end()) here_ = braking_.at(span_);
 }
 
 }  // namespace cnc::motion

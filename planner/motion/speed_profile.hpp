@@ -1,8 +1,6 @@
 #pragma once
 
-#include <array>
-
-#include "planner/motion/braking.hpp"
+#include "planner/motion/braking_curve.hpp"
 #include "planner/motion/plan_terms.hpp"
 
 namespace cnc::motion {
@@ -14,7 +12,8 @@ struct Phase {
   float duration = 0.0F;      ///< s; 0 means standing still.
   float distance = 0.0F;      ///< mm.
   float end_speed_square = 0.0F;
-  float left = 0.0F;  ///< mm to the end of its span after it; 0 ends the span.
+  float left = 0.0F;  ///< mm to the end of its last span after it; 0 ends the span.
+  int passes = 0;     ///< So many whole spans before its last.
 };
 
 /// How long the course must stay level yet before the speed may change, s; jerk
@@ -80,7 +79,10 @@ class SpeedProfile {
   [[nodiscard]] Phase next_phase(Drive drive, const Patience& patience = {}) const;
 
   /// The whole phase was driven.
-  void complete(const Phase& phase) { move(phase.left, phase.end_speed_square); }
+  void complete(const Phase& phase) {
+    span_ += phase.passes;
+    move(phase.left, phase.end_speed_square);
+  }
   /// All but `distance` mm of it was; the speed is `speed` mm/s now.
   void stop_short(const Phase& phase, float distance, float speed);
   /// The place is so many mm from the end of the block, which is more exact than
@@ -92,13 +94,15 @@ class SpeedProfile {
   [[nodiscard]] static bool settles(float left_of_block) { return left_of_block > 1.0e-3F; }
   /// mm to the end of the block after the phase.
   [[nodiscard]] float left_of_block(const Phase& phase) const {
-    return spans_.boundary(spans_.count()) - spans_.boundary(span_ + 1) + phase.left;
+    const int behind = span_ + phase.passes + 1;
+    return spans_.boundary(spans_.count()) - spans_.boundary(behind) + phase.left;
   }
 
  private:
-  [[nodiscard]] const BrakingPoint& here() const {
-    return braking_[static_cast<std::size_t>(span_)];
-  }
+  [[nodiscard]] const BrakingPoint& here() const { return here_; }
+  [[nodiscard]] Spans::Grid grid_for(const Block& block,
+                                     const PlanTerms& terms,
+                                     const BrakingState& exit) const;
   void lay_out(const Block& block,
                const Limits& limits,
                const PlanTerms& terms,
@@ -110,17 +114,21 @@ class SpeedProfile {
   [[nodiscard]] Phase speed_up() const;
   [[nodiscard]] Phase committed(const Phase& phase) const;
   [[nodiscard]] Phase level_or_follow(float longest_level) const;
+  [[nodiscard]] Phase level_on() const;
   [[nodiscard]] Phase level_for(float seconds) const;
   [[nodiscard]] Phase brake_to(float target_square, const Patience& patience) const;
   [[nodiscard]] Phase phase_to(float end_square, float distance, float left) const;
   [[nodiscard]] float steepest(Change change, float growing, float most_square) const;
-  [[nodiscard]] float end_target_square() const;
+  /// v² to be met at the end of the present span.
+  [[nodiscard]] float end_target_square() const { return here().end.speed_square; }
   [[nodiscard]] float fall_from(float speed_square) const;
   [[nodiscard]] float planned_deceleration() const;
   void move(float left, float speed_square);
 
+  Spans::Grid grid_ = Spans::Grid::kUsual;
   Spans spans_{};
-  std::array<BrakingPoint, Spans::kMostSpans> braking_{};
+  BrakingCurve braking_{};
+  BrakingPoint here_{};  ///< Of it, on the present span.
   BrakingState exit_{};
   float speed_square_ = 0.0F;
   /// mm to the end of the span. Counted from there, because braking ends there

@@ -165,8 +165,8 @@ double random_ratio(std::uint64_t seed) {
   return plan.seconds / sim::optimal_time(path, limits_of(machine.limits));
 }
 
-// The odd program may be some percent slower: on arcs the product's acceleration is
-// constant over 3.75° and does not profit from v²/R where that relieves an axis.
+// The odd program may be some percent slower: on arcs of some µm the product's acceleration is
+// constant over 3.75°, and nowhere does it profit from v²/R where that relieves an axis.
 TEST(RandomPrograms, AreDrivenNearlyAsFastAsTheirLimitsAllow) {
   const Trials trials{1000};
   std::vector<double> ratios;
@@ -180,7 +180,8 @@ TEST(RandomPrograms, AreDrivenNearlyAsFastAsTheirLimitsAllow) {
   std::ranges::sort(ratios);
   ASSERT_FALSE(ratios.empty());
   const double median = ratios[ratios.size() / 2];
-  EXPECT_LE(median, 1.01);
+  EXPECT_LE(median, 1.002);
+  EXPECT_LE(ratios.back(), 1.04);
   const auto slow = static_cast<std::size_t>(ratios.end() - std::ranges::upper_bound(ratios, 1.02));
   std::printf(
       "random programs: %zu, %zu above 1.02; time / optimal time: least %.5f, median %.5f, "

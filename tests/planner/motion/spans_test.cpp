@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "planner/motion/braking.hpp"
 #include "tests/planner/motion/motion_test.hpp"
@@ -29,18 +30,23 @@ class RandomSpans : public testing::Test {
     element = any_arc(random);
     limits = any_limits(random);
     block = block_of(element, limits);
-    spans = Spans{block, limits};
+    fine = random.chance(0.5);
+    spans = Spans{block, limits, {}, fine ? Spans::Grid::kFine : Spans::Grid::kUsual};
     exact = ExactMotion{element};
   }
 
   /// Greatest |axis acceleration| / limit over the span, driven from v² = `from`
-  /// with constant `acceleration`.
-  [[nodiscard]] double greatest_load(int span, double from, double acceleration) const {
+  /// with constant `acceleration`; on its last `length` mm, if given.
+  [[nodiscard]] double greatest_load(int span,
+                                     double from,
+                                     double acceleration,
+                                     std::optional<double> length = {}) const {
     double greatest = 0.0;
+    const double driven = length.value_or(static_cast<double>(spans.length_of(span)));
+    const double start = static_cast<double>(spans.boundary(span + 1)) - driven;
     for (int sample = 0; sample <= 16; ++sample) {
-      const double into = static_cast<double>(spans.length_of(span)) * sample / 16.0;
-      const double fraction =
-          (static_cast<double>(spans.boundary(span)) + into) / static_cast<double>(block.length);
+      const double into = driven * sample / 16.0;
+      const double fraction = (start + into) / static_cast<double>(block.length);
       const double speed_square = std::max(0.0, from + 2.0 * acceleration * into);
       const AxisArray<double> tangent = exact.tangent_at(fraction);
       const AxisArray<double> bend = exact.bend_at(fraction);
@@ -56,6 +62,7 @@ class RandomSpans : public testing::Test {
   PathElement element;
   Limits limits;
   Block block;
+  bool fine = false;  ///< Of the spans.
   Spans spans;
   ExactMotion exact{PathElement{.end = place({1.0})}};
 };
@@ -66,7 +73,7 @@ TEST_F(RandomSpans, CoverTheBlockInOrder) {
     any();
     ASSERT_EQ(spans.boundary(0), 0.0F);
     ASSERT_EQ(spans.boundary(spans.count()), block.length);
-    ASSERT_LE(spans.count(), Spans::kMostSpans);
+    ASSERT_LE(spans.count(), fine ? Spans::kMostFineSpans : Spans::kMostSpans);
     for (int span = 0; span < spans.count(); ++span) ASSERT_GT(spans.length_of(span), 0.0F);
   }
 }
@@ -163,13 +170,57 @@ TEST_F(RandomSpans, KeepEveryAccelerationOfTheBrakingCurve) {
     const float exit = spans.speed_limit_square(spans.count() - 1) *
                        static_cast<float>(random.chance(0.5) ? 0.0 : random.unit());
     brake_backwards(spans, cap, {.speed_square = exit}, [&](int span, const BrakingPoint& point) {
-      const auto from = static_cast<double>(point.start.speed_square);
-      const double most = from / (2.0 * static_cast<double>(spans.length_of(span)));
-      const double deceleration = std::min(static_cast<double>(point.deceleration), most);
-      EXPECT_LE(greatest_load(span, from, -deceleration), 1.0005)
+      // Level at the cap as long as that is on or below the curve, and then along it.
+      const BrakingState start = start_of(point, spans.length_of(span), 0.0F);
+      const auto from = static_cast<double>(start.speed_square);
+      const double drop = std::max(0.0, from - static_cast<double>(point.end.speed_square));
+      const auto length = static_cast<double>(spans.length_of(span));
+      const auto deceleration = static_cast<double>(point.deceleration);
+      const double fall = deceleration > 0.0 ? std::min(length, drop / (2.0 * deceleration)) : 0.0;
+      EXPECT_LE(greatest_load(span, from, -deceleration, fall), 1.0005)
           << "trial " << trial << ", span " << span;
+      // Slower by a share, and slowing down by as much less: so a hold may brake anywhere.
+      const double share = random.unit();
+      EXPECT_LE(greatest_load(span, share * from, -share * deceleration, fall), 1.0005)
+          << "trial " << trial << ", span " << span << ", share " << share;
     });
     if (HasFailure()) return;
+  }
+}
+
+TEST(Spans, OfAHalfTurnAreFourTimesAsManyOnTheFineGrid) {
+  const Limits limits = plain_limits();
+  const Block block = block_of({.end = place({20.0}), .bulge = -1.0F}, limits);
+  const Spans spans{block, limits, {}, Spans::Grid::kFine};
+  EXPECT_EQ(spans.count(), 192);
+  EXPECT_NEAR(static_cast<double>(spans.boundary(96)), 10.0 * kHalfPiExact, 1.0e-5);
+}
+
+// More of them would cost more time than they gain, and fill the queue of segments.
+TEST(Spans, OfTheFineGridTakeSevenTenthsOfAMillisecond) {
+  const Limits limits = plain_limits();  // 500 mm/s² at most.
+  for (const double radius : {1.0e-4, 1.0e-3, 1.0e-2, 0.1, 1.0, 10.0}) {
+    const Block block = block_of({.end = place({2.0 * radius}), .bulge = -1.0F}, limits);
+    const Spans spans{block, limits, {}, Spans::Grid::kFine};
+    const double seconds = std::numbers::pi * std::sqrt(radius / 500.0);
+    const auto most = static_cast<int>(seconds / 0.7e-3);
+    EXPECT_EQ(spans.count(), 48 * std::clamp(most / 48, 1, 4)) << "radius " << radius;
+  }
+}
+
+// The look-ahead plans on the usual grid what is driven on the fine one.
+TEST_F(RandomSpans, CanAlwaysBrakeFromWhereTheUsualGridCan) {
+  SCOPED_TRACE("seed 20260913");
+  for (int trial = 0; trial < 10'000; ++trial) {
+    any();
+    const SpeedCap cap{block, {}};
+    const Spans usual{block, limits};
+    const Spans finer{block, limits, {}, Spans::Grid::kFine};
+    const float last = usual.speed_limit_square(usual.count() - 1);
+    const BrakingState exit{.speed_square = random.chance(0.5) ? 0.0F : last};
+    const float planned = brake_backwards(usual, cap, exit).speed_square;
+    ASSERT_GE(brake_backwards(finer, cap, exit).speed_square, planned * (1.0F - 1.0e-4F))
+        << "trial " << trial;
   }
 }
 

@@ -161,6 +161,56 @@ TEST_F(SpeedProfileTest, DrivesAFullSpeedArcAtItsCentripetalLimit) {
   EXPECT_TRUE(profile.at_end());
 }
 
+// However many spans it has: at each of them a phase would cost as much as a segment does.
+TEST_F(SpeedProfileTest, DrivesAnArcThatIsNoFasterAnywhereInOnePhase) {
+  begin(block_of({.end = place({40.0}), .bulge = 1.0F}, limits, 20.0F), 400.0F, 400.0F);
+  const Phase phase = profile.next_phase(Drive::kOn);
+  EXPECT_FLOAT_EQ(phase.distance, block.length);
+  EXPECT_GT(phase.passes, 40);
+  profile.complete(phase);
+  EXPECT_TRUE(profile.at_end());
+}
+
+// The spans from where it must slow down on are driven one by one.
+TEST_F(SpeedProfileTest, SlowsDownInTimeAfterSuchAPhase) {
+  begin(block_of({.end = place({40.0}), .bulge = 1.0F}, limits, 80.0F), 0.0F, 6'400.0F);
+  const Phase level = profile.next_phase(Drive::kOn);
+  EXPECT_GT(level.passes, 40);
+  EXPECT_NEAR(level.distance, block.length - 6'400.0F / (2.0F * 500.0F), 1.0F);
+  profile.complete(level);
+  const Ride braking = drive();
+  EXPECT_TRUE(profile.at_end());
+  EXPECT_NEAR(braking.distance + static_cast<double>(level.distance),
+              static_cast<double>(block.length),
+              1.0e-4);
+  EXPECT_EQ(profile.speed_square(), 0.0F);
+}
+
+TEST_F(SpeedProfileTest, GoesOnFromWhereverSuchAPhaseIsLeft) {
+  const std::uint64_t seed = 20261124;
+  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  proof::Random random{seed};
+  for (int trial = 0; trial < 5'000; ++trial) {
+    const auto bulge = static_cast<float>(random.magnitude(0.2, 1.0));
+    begin(block_of({.end = place({40.0}), .bulge = bulge}, limits, 20.0F), 400.0F, 400.0F);
+    const Phase phase = profile.next_phase(Drive::kOn);
+    ASSERT_GT(phase.passes, 8) << "trial " << trial;
+    const auto seconds = 0.9F * static_cast<float>(random.unit()) * phase.duration;
+    stop_within(phase, seconds);
+    const double driven = 20.0 * static_cast<double>(seconds);
+    // A third: slower from there on. Else as if nothing had been.
+    const bool slower = random.chance(0.3);
+    if (slower) overrides.feed = 0.5F;
+    profile.replan(block, limits, {.overrides = overrides}, {.speed_square = 100.0F});
+    const Ride rest = drive();
+    ASSERT_TRUE(profile.at_end()) << "trial " << trial;
+    ASSERT_NEAR((driven + rest.distance) / static_cast<double>(block.length), 1.0, 1.0e-5)
+        << "trial " << trial << " after " << seconds << " s";
+    ASSERT_FLOAT_EQ(profile.speed_square(), 100.0F) << "trial " << trial;
+    overrides = {};
+  }
+}
+
 TEST_F(SpeedProfileTest, ReachesTheEndOfEveryRandomBlockAtThePlannedSpeed) {
   const std::uint64_t seed = 20260919;
   SCOPED_TRACE(testing::Message() << "seed " << seed);
