@@ -110,13 +110,15 @@ float CornerRounder::granted(float allowance_mm) const {
 }
 
 /// As much of each side as makes no more difference than rounding, or less: a blend
-/// takes all of a side or leaves more than a crumb.
+/// takes all of a side or leaves more than a crumb. What it takes beyond its trim turns it by as
+/// much as its chord is long, and that of a blend that nearly turns back is short.
 float CornerRounder::without_crumbs(float trim_mm) const {
-  constexpr float kAll = 0.5F * motion::kTangentTurn;
+  const Vec2 both = corner_.before.tangent + corner_.after.tangent;
+  const float all_share = 0.5F * motion::kTangentTurn * std::min(1.0F, both.norm());
   float trim = trim_mm;
   for (const float side : {corner_.before.length - first_->used_mm, corner_.after.length}) {
     const float rest = side - trim;
-    const bool all = rest <= kRoundedEndMm + kAll * trim;
+    const bool all = rest <= kRoundedEndMm + all_share * trim;
     if (!all && rest < kCrumbMm) trim = fitting_trim(corner_, 0.5F * side);
   }
   return trim;
