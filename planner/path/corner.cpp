@@ -29,19 +29,28 @@ float slope_square(const Leg& leg) {
   return sum;
 }
 
+/// (Radians by which it turns off the plane)², as if it did not turn in it.
+float turn_square_off_plane(const Leg& before, const Leg& after) {
+  const float of_before = 1.0F / std::sqrt(1.0F + slope_square(before));
+  const float of_after = 1.0F / std::sqrt(1.0F + slope_square(after));
+  float sum = square(of_before - of_after);
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    sum += square(of_before * before.slope[axis] - of_after * after.slope[axis]);
+  }
+  return sum;
+}
+
 /// Whether the axes off the plane go on as they came, round the corner too: the
 /// blend is shorter than what it replaces, so their slope on it is steeper.
 bool rides_along(const Corner& corner) {
+  const float off_plane = turn_square_off_plane(corner.before, corner.after);
+  if (off_plane > square(0.25F * motion::kTangentTurn)) return false;
   const float slope = slope_square(corner.before);
-  const float allowed = motion::kTangentTurn * (1.0F + slope);
-  // By the less steep one: what is a small turn of a steep leg is a large one of the other.
-  const float lesser = motion::kTangentTurn * (1.0F + std::min(slope, slope_square(corner.after)));
-  const bool same =
-      motion::turn_square(corner.before.slope, corner.after.slope) <= square(0.25F * lesser);
-  if (!same || slope == 0.0F) return same;
+  if (slope == 0.0F) return true;
   const float half = 0.5F * std::abs(corner.turn);
   if (half > 1.0F) return false;
   // Of straight legs; half the allowance is left for what curved ones add.
+  const float allowed = motion::kTangentTurn * (1.0F + slope);
   return std::sqrt(slope) * (tangent_of(half) / half - 1.0F) <= 0.5F * allowed;
 }
 
