@@ -106,7 +106,7 @@ void Segmenter::make_segment(Segment& segment) {
     const Cut first = cut_slice(kLongestSliceNs);
     joined_.duty.start = first.duty.start;
     join(first);
-    while (joins_next()) join(cut_slice(kShortSliceNs - joined_.duration_ns));
+    while (joins_next()) join(cut_slice(2 * kShortestNs - joined_.duration_ns));
     time_trains(segment);
     segment.power = power_course(joined_.duty.start, joined_.duty.end, segment.ticks);
   } else {
