@@ -30,10 +30,9 @@ BrakingPoint BrakingCurve::at(int span) const {
 }
 
 bool BrakingCurve::stays_level(int span, float speed_square) const {
-  /// A gain in v² smaller than this share is rounding.
-  constexpr float kNegligible = 1.0F + 1.0e-5F;
   const PlainBraking& point = (*std::get_if<Plain>(&points_))[static_cast<std::size_t>(span)];
-  return point.cap_square >= speed_square && point.cap_square <= speed_square * kNegligible &&
+  return point.cap_square >= speed_square &&
+         point.cap_square <= speed_square * (1.0F + kNegligible) &&
          point.end_square >= speed_square;
 }
 

@@ -6,19 +6,16 @@
 #include "planner/base/scalar_math.hpp"
 #include "planner/base/truncate.hpp"
 #include "planner/motion/power_course.hpp"
-#include "planner/motion/step_timing.hpp"
 
 namespace cnc::motion {
 namespace {
 
-constexpr std::int32_t kNanosecondsPerTick = 1'000'000'000 / kTicksPerSecond;
-constexpr float kTicksPerNanosecond = 1.0F / static_cast<float>(kNanosecondsPerTick);
+constexpr std::uint32_t kNanosecondsPerTick = 1'000'000'000 / kTicksPerSecond;
 constexpr std::uint32_t kLongestSliceNs = 1'000'000;
 /// Where speed changes a lot.
 constexpr std::uint32_t kShortSliceNs = 250'000;
 /// Shorter slices are joined.
-constexpr std::uint32_t kShortestNs =
-    Segmenter::kShortestSegment * std::uint32_t{kNanosecondsPerTick};
+constexpr std::uint32_t kShortestNs = Segmenter::kShortestSegment * kNanosecondsPerTick;
 
 /// Radians of half a turn that a slice may have: a 48th of a turn.
 constexpr float kWidestSlice = kTwoPi / 96.0F;
@@ -26,12 +23,6 @@ constexpr float kFar = 1.0e12F;  // mm
 
 float fraction_of(std::uint64_t q32) {
   return static_cast<float>(static_cast<std::uint32_t>(q32 >> 8U)) * (1.0F / 16'777'216.0F);
-}
-
-bool has_steps(const Segment& segment) {
-  return std::any_of(segment.trains.begin(), segment.trains.end(), [](const StepTrain& train) {
-    return train.count > 0;
-  });
 }
 
 }  // namespace
@@ -49,7 +40,7 @@ void Segmenter::reset(const AxisArray<StepPosition>& place) {
   driving_ = false;
   blocks_ended_ = 0;
   speed_ = 0.0F;
-  remainder_ns_ = 0;
+  joined_.reset();
   outputs_ = {};
   place_steps_ = place;
   kerf_.reset();
@@ -68,10 +59,7 @@ bool Segmenter::next(Segment& segment) {
     make_segment(segment);
     if (segment.ticks > 0) break;
   }
-  if (segment.ticks == 0) {
-    segment.ticks = 1;
-    remainder_ns_ -= kNanosecondsPerTick;
-  }
+  if (segment.ticks == 0) joined_.lend_tick(segment);
   segment.outputs = outputs_;
   outputs_ = {};
   return true;
@@ -104,37 +92,34 @@ void Segmenter::make_segment(Segment& segment) {
   if (ready_block()) {
     begin_joined();
     const Cut first = cut_slice(kLongestSliceNs);
-    joined_.duty.start = first.duty.start;
+    const float start_duty = first.duty.start;
     join(first);
-    while (joins_next()) join(cut_slice(2 * kShortestNs - joined_.duration_ns));
-    time_trains(segment);
-    segment.power = power_course(joined_.duty.start, joined_.duty.end, segment.ticks);
+    while (joins_next()) join(cut_slice(2 * kShortestNs - joined_.duration_ns()));
+    joined_.time(place_steps_, segment);
+    segment.power = power_course(start_duty, end_duty_, segment.ticks);
   } else {
     // Says so in no time.
     pass_to_rest();
     segment.power = {};
-    segment.ticks = 1;
-    remainder_ns_ -= kNanosecondsPerTick;
+    joined_.lend_tick(segment);
   }
-  segment.line = joined_.line;
+  segment.line = line_;
   segment.comes_to_rest = speed_ <= 0.0F;
 }
 
 void Segmenter::begin_joined() {
-  joined_.from = place_steps_;
-  joined_.line = power_.line();
-  joined_.speeds = {};
-  joined_.duration_ns = 0;
-  joined_.monotonic_to = reversals_.next();
+  joined_.begin(place_steps_);
+  line_ = power_.line();
+  monotonic_to_ = reversals_.next();
   const float speed_per_tick = speed_ / static_cast<float>(kTicksPerSecond);
   for (const MotorPath::Motor& motor : path_.moving()) {
-    joined_.speeds[motor.axis()] = rates_[motor.axis()] * speed_per_tick;
+    joined_.set_speed(motor.axis(), rates_[motor.axis()] * speed_per_tick);
   }
 }
 
 void Segmenter::join(const Cut& cut) {
-  joined_.duration_ns += cut.duration_ns;
-  joined_.duty.end = cut.duty.end;
+  joined_.add(cut.duration_ns);
+  end_duty_ = cut.duty.end;
   for (const MotorPath::Motor& motor : path_.moving()) {
     place_steps_[motor.axis()] = motor.place(cut.to);
     rates_[motor.axis()] = motor.speed(cut.to);
@@ -143,21 +128,21 @@ void Segmenter::join(const Cut& cut) {
 
 /// Makes sure that there is a slice to join, where one is wanted and the motion goes on alike.
 bool Segmenter::joins_next() {
-  if (joined_.duration_ns >= kShortestNs || speed_ <= 0.0F || !ready_stretch()) return false;
+  if (joined_.duration_ns() >= kShortestNs || speed_ <= 0.0F || !ready_stretch()) return false;
   if (!driving_ && (queue_.empty() || queue_.front().outputs.any())) return false;
-  return ready_block() && duties(speed_, speed_).start == joined_.duty.end && goes_on_as_joined();
+  return ready_block() && duties(speed_, speed_).start == end_duty_ && goes_on_as_joined();
 }
 
 /// No axis turns round until the next reversal, so its way to there tells where it goes.
 bool Segmenter::goes_on_as_joined() {
   const PathUnits next = reversals_.next();
-  if (place_ > 0 && next == joined_.monotonic_to) return true;
-  joined_.monotonic_to = next;
+  if (place_ > 0 && next == monotonic_to_) return true;
+  monotonic_to_ = next;
   const MotorPath::Point ahead = path_.at(fraction_.of(next));
   for (const MotorPath::Motor& motor : path_.moving()) {
-    const std::int64_t here = place_steps_[motor.axis()].q32();
-    const std::int64_t gone = here - joined_.from[motor.axis()].q32();
-    const std::int64_t way = motor.place(ahead).q32() - here;
+    const StepPosition here = place_steps_[motor.axis()];
+    const std::int64_t gone = joined_.gone(motor.axis(), here);
+    const std::int64_t way = motor.place(ahead).q32() - here.q32();
     if ((gone < 0 && way > 0) || (gone > 0 && way < 0)) return false;
   }
   return true;
@@ -333,34 +318,6 @@ Segmenter::Cut Segmenter::cut(std::uint32_t end_ns, PathUnits end) {
   elapsed_ns_ = end_ns;
   if (place_ == length_) end_block();
   return cut;
-}
-
-void Segmenter::time_trains(Segment& segment) {
-  // What takes no time is a rounding of the stretch: a step of it is due at once.
-  const float ticks =
-      static_cast<float>(std::max<std::uint32_t>(1, joined_.duration_ns)) * kTicksPerNanosecond;
-  const float shift = static_cast<float>(remainder_ns_) * kTicksPerNanosecond;
-  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    if (joined_.from[axis] == place_steps_[axis]) continue;
-    const AxisSlice slice{.from = joined_.from[axis],
-                          .to = place_steps_[axis],
-                          .speed_steps_per_tick = joined_.speeds[axis],
-                          .ticks = ticks};
-    segment.trains[axis] = time_steps(slice, shift);
-    if (slice.to.q32() < slice.from.q32()) {
-      segment.negative = static_cast<std::uint8_t>(segment.negative | (1U << axis));
-    }
-  }
-  pass_time(joined_.duration_ns, segment);
-}
-
-/// Segments last whole ticks; what is left of one goes to the next.
-void Segmenter::pass_time(std::uint32_t duration_ns, Segment& segment) {
-  const std::int32_t whole = static_cast<std::int32_t>(duration_ns) + remainder_ns_;
-  segment.ticks =
-      static_cast<std::uint32_t>(std::max<std::int32_t>(0, whole / kNanosecondsPerTick));
-  if (segment.ticks == 0 && has_steps(segment)) segment.ticks = 1;
-  remainder_ns_ = whole - static_cast<std::int32_t>(segment.ticks) * kNanosecondsPerTick;
 }
 
 /// Apart, like what follows: seldom wanted.

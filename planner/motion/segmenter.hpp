@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "planner/motion/joined_slices.hpp"
 #include "planner/motion/kerf_shift.hpp"
 #include "planner/motion/motor_path.hpp"
 #include "planner/motion/pixel_course.hpp"
@@ -127,16 +128,6 @@ class Segmenter {
     Duties duty{};
   };
 
-  /// Slices that go out as one segment.
-  struct Joined {
-    AxisArray<StepPosition> from{};
-    AxisArray<float> speeds{};  ///< Steps per tick, at the start.
-    SourceLine line{};
-    std::uint32_t duration_ns = 0;
-    PathUnits monotonic_to = 0;  ///< On the block that was begun last: no axis turns round before.
-    Duties duty{};
-  };
-
   [[nodiscard]] bool ready_block();
   void begin_block();
   void end_block();
@@ -153,8 +144,6 @@ class Segmenter {
   void join(const Cut& cut);
   [[nodiscard]] bool joins_next();
   [[nodiscard]] bool goes_on_as_joined();
-  void time_trains(Segment& segment);
-  void pass_time(std::uint32_t duration_ns, Segment& segment);
   [[nodiscard]] Duties duties(float start_speed, float end_speed) const;
 
   BlockQueue& queue_;
@@ -180,11 +169,15 @@ class Segmenter {
   float speed_ = 0.0F;        ///< mm/s.
   KerfShift kerf_{};
 
-  Joined joined_{};
+  // Of the segment being made.
+  JoinedSlices joined_{};
+  SourceLine line_{};
+  PathUnits monotonic_to_ = 0;  ///< On the block begun last: no axis turns round before.
+  float end_duty_ = 0.0F;       ///< Where the slice joined last ends.
+
   SliceObserver* observer_ = nullptr;
   std::uint32_t blocks_ended_ = 0;
-  OutputChanges outputs_{};        ///< Not handed out yet.
-  std::int32_t remainder_ns_ = 0;  ///< Planned time beyond the whole ticks handed out.
+  OutputChanges outputs_{};  ///< Not handed out yet.
 
   PlanCursor plan_;  ///< Last, for it is large: what is near to the start is cheaper to reach.
 };

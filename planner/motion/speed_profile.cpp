@@ -8,10 +8,8 @@
 namespace cnc::motion {
 namespace {
 
-/// A gain in v² or a level stretch smaller than this share is rounding.
-constexpr float kNegligible = 1.0e-5F;
-/// So is a gain of ten times that where no jerk is measured: it has four digits at most, and so
-/// would the acceleration.
+/// Where no jerk is measured a gain of ten times what is negligible is rounding, too: it has four
+/// digits at most, and so would the acceleration.
 constexpr float kLeastGain = 1.0e-4F;
 
 /// A speed above the cap, or a braking steeper than planned, by more than this
@@ -37,13 +35,11 @@ void SpeedProfile::begin(const Block& block,
                          const BrakingState& exit,
                          float speed_square) {
   speed_square_ = speed_square;
-  grid_ = grid_for(block, terms, exit);
-  lay_out(block, limits, terms, exit, block.length);
+  lay_out(block, limits, terms, exit, block.length, grid_for(block, terms, exit));
   // What was planned on the usual grid may be a little above the finer one's curve.
   const float curve = end_target_square() + 2.0F * here().deceleration * left_;
   if (!spans_.fine() || speed_square_ <= std::min(curve, here().cap_square)) return;
-  grid_ = Spans::Grid::kUsual;
-  lay_out(block, limits, terms, exit, block.length);
+  lay_out(block, limits, terms, exit, block.length, Spans::Grid::kUsual);
 }
 
 void SpeedProfile::begin_within(const Block& block,
@@ -52,23 +48,24 @@ void SpeedProfile::begin_within(const Block& block,
                                 const BrakingState& exit,
                                 float left_of_block) {
   speed_square_ = 0.0F;
-  grid_ = grid_for(block, terms, exit);
-  lay_out(block, limits, terms, exit, left_of_block);
+  lay_out(block, limits, terms, exit, left_of_block, grid_for(block, terms, exit));
 }
 
 void SpeedProfile::replan(const Block& block,
                           const Limits& limits,
                           const PlanTerms& terms,
                           const BrakingState& exit) {
-  lay_out(block, limits, terms, exit, left_of_block({.left = left_}));
+  const Spans::Grid grid = spans_.fine() ? Spans::Grid::kFine : Spans::Grid::kUsual;
+  lay_out(block, limits, terms, exit, left_of_block({.left = left_}), grid);
 }
 
 void SpeedProfile::lay_out(const Block& block,
                            const Limits& limits,
                            const PlanTerms& terms,
                            const BrakingState& exit,
-                           float left_of_block) {
-  spans_ = Spans{block, limits, terms.window, grid_};
+                           float left_of_block,
+                           Spans::Grid grid) {
+  spans_ = Spans{block, limits, terms.window, grid};
   find_span(left_of_block);
   exit_ = exit;
   brake_from_the_end(block, terms.overrides);

@@ -107,7 +107,8 @@ class SpeedProfile {
                const Limits& limits,
                const PlanTerms& terms,
                const BrakingState& exit,
-               float left_of_block);
+               float left_of_block,
+               Spans::Grid grid);
   void brake_from_the_end(const Block& block, const Overrides& overrides);
   void find_span(float left_of_block);
   [[nodiscard]] Phase change_speed(const Patience& patience) const;
@@ -125,7 +126,6 @@ class SpeedProfile {
   [[nodiscard]] float planned_deceleration() const;
   void move(float left, float speed_square);
 
-  Spans::Grid grid_ = Spans::Grid::kUsual;
   Spans spans_{};
   BrakingCurve braking_{};
   BrakingPoint here_{};  ///< Of it, on the present span.
