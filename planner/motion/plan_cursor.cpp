@@ -126,7 +126,8 @@ Stretch PlanCursor::finish_block() {
     if (index_ == queue_.size()) return false;
     begin_block();
   }
-  overtaken_ = overtaken_ && profile_.too_fast(patience());
+  // The motion is slower than the plan was by as much only when the braking has ended.
+  overtaken_ = overtaken_ && (since_braking_ns_ == 0 || profile_.too_fast(patience()));
   phase_ = profile_.next_phase(drive, patience());
   phase_drive_ = drive;
   if (phase_.duration <= 0.0F) {

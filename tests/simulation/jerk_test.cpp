@@ -15,10 +15,10 @@ namespace {
 
 constexpr double kWithinLimit = 1.001;
 
-/// An operator may change his mind where all jerk is needed for a curve: of 5,000 seeds nine
-/// exceed the limit, 2546 by 3.2 %; and 3008, that of acceleration by 0.3 %.
+/// An operator may change his mind where all jerk is needed for a curve: of 5,000 seeds five
+/// exceed it, 2476, 2637, 3593 and 4499 by 0.3 % at most; and 3008 by 3.7 %, and that of
+/// acceleration by 0.3 %.
 constexpr double kWithinJerk = 1.001;
-constexpr double kWithinJerkWhenLate = 1.04;
 
 /// A slice of a filtered motion is a parabola between places of a smoother curve.
 constexpr double kFilteredEdgeSlack = 0.05;
@@ -58,9 +58,8 @@ void expect_followed(const Job& job, const RecordedPlan& plan, const PlanFigures
   EXPECT_TRUE(edges.pulses_kept && edges.final_position);
 }
 
-void expect_within_limits(const PlanFigures& figures, const Greatest& jerk, bool late) {
-  EXPECT_LE(jerk.value, late ? kWithinJerkWhenLate : kWithinJerk)
-      << "slice " << jerk.slice << ", axis " << jerk.axis;
+void expect_within_limits(const PlanFigures& figures, const Greatest& jerk) {
+  EXPECT_LE(jerk.value, kWithinJerk) << "slice " << jerk.slice << ", axis " << jerk.axis;
   EXPECT_LE(figures.acceleration.value, kWithinLimit) << "slice " << figures.acceleration.slice;
 }
 
@@ -84,9 +83,8 @@ void try_program(const Job& job, const Operator& operate, Worst& worst) {
   const PlanFigures figures = check_plan(plan, job.machine, Sampling::kAtSlicesOnly);
   const Greatest jerk = greatest_jerk(plan, job.machine);
   expect_followed(job, plan, figures);
-  const bool late = static_cast<bool>(operate);
-  expect_within_limits(figures, jerk, late);
-  if (!late) {
+  expect_within_limits(figures, jerk);
+  if (!operate) {
     EXPECT_LE(figures.feed.value, kWithinLimit) << "slice " << figures.feed.slice;
   }
   keep(worst, figures, jerk);
@@ -160,7 +158,8 @@ TEST(JerkLimitedPrograms, KeepEveryLimitWhateverTheOperatorDoes) {
 // started again after a hold, for what blocks that were gone had asked for. Then phases that ended
 // just where a cell of the window did, and speeding up for so long that the rounding of its speed
 // was some tenths of a microsecond of the wait for braking. And a pace that was lowered just
-// before braking, for which it was half a percent harder.
+// before braking, for which it was half a percent harder; and one lowered during a hold, which was
+// harder as soon as the plan, but not the motion yet, was slower than the lower pace.
 TEST(JerkLimitedPrograms, KeepTheirLimitsWhereThePlanChangesAtTheWrongMoment) {
   struct Case {
     std::uint64_t seed;
@@ -179,6 +178,7 @@ TEST(JerkLimitedPrograms, KeepTheirLimitsWhereThePlanChangesAtTheWrongMoment) {
                              {123, true},
                              {893, true},
                              {994, true},
+                             {2546, true},
                              {23'319, false},
                              {26'175, false},
                              {39'809, false}};
@@ -188,7 +188,6 @@ TEST(JerkLimitedPrograms, KeepTheirLimitsWhereThePlanChangesAtTheWrongMoment) {
     const Job job{random};
     try_program(job, operated ? Operator{Meddler{seed}} : Operator{}, worst);
   }
-  EXPECT_LE(worst.jerk, kWithinJerk);
   print("old offenders", worst);
 }
 
