@@ -10,7 +10,6 @@
 namespace cnc::motion {
 namespace {
 
-constexpr std::uint32_t kNsPerTick = 1'000'000'000 / kTicksPerSecond;
 constexpr float kQ16 = 65'536.0F;
 
 float to_steps(StepPosition from, StepPosition to) {

@@ -11,6 +11,7 @@ namespace cnc::motion {
 /// STM32F405 (84 MHz / 21), is a whole number of nanoseconds (250), and is a
 /// hundred times finer than the timing promise of 25 µs.
 inline constexpr std::uint32_t kTicksPerSecond = 4'000'000;
+inline constexpr std::uint32_t kNsPerTick = 1'000'000'000 / kTicksPerSecond;
 
 /// The integer that stands for a full output: the beam or spindle, an analog channel.
 inline constexpr float kFullOutput = 65535.0F;

@@ -10,12 +10,11 @@
 namespace cnc::motion {
 namespace {
 
-constexpr std::uint32_t kNanosecondsPerTick = 1'000'000'000 / kTicksPerSecond;
 constexpr std::uint32_t kLongestSliceNs = 1'000'000;
 /// Where speed changes a lot.
 constexpr std::uint32_t kShortSliceNs = 250'000;
 /// Shorter slices are joined.
-constexpr std::uint32_t kShortestNs = Segmenter::kShortestSegment * kNanosecondsPerTick;
+constexpr std::uint32_t kShortestNs = Segmenter::kShortestSegment * kNsPerTick;
 
 /// Radians of half a turn that a slice may have: a 48th of a turn.
 constexpr float kWidestSlice = kTwoPi / 96.0F;
