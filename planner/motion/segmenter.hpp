@@ -153,8 +153,8 @@ class Segmenter {
   Drive drive_ = Drive::kOn;
 
   PhaseCourse course_{};          ///< Of the stretch being cut.
-  std::uint32_t elapsed_ns_ = 0;  ///< Of the stretch.
   PathUnits stretch_from_ = 0;    ///< Like place_; below 0 when it began in an earlier block.
+  std::uint32_t elapsed_ns_ = 0;  ///< Of the stretch.
 
   bool driving_ = false;    ///< The front block has been begun.
   PathUnits length_ = 0;    ///< Of the front block.
@@ -171,9 +171,9 @@ class Segmenter {
 
   // Of the segment being made.
   JoinedSlices joined_{};
-  SourceLine line_{};
   PathUnits monotonic_to_ = 0;  ///< On the block begun last: no axis turns round before.
-  float end_duty_ = 0.0F;       ///< Where the slice joined last ends.
+  SourceLine line_{};
+  float end_duty_ = 0.0F;  ///< Where the slice joined last ends.
 
   SliceObserver* observer_ = nullptr;
   std::uint32_t blocks_ended_ = 0;
