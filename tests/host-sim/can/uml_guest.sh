@@ -14,6 +14,9 @@ for module in net/can/can net/can/can-raw drivers/net/can/dev/can-dev drivers/ne
   insmod "$modules/$module.ko" || echo "$module" >>no_modules
 done
 ip link add dev vcan0 type vcan
+# Who listens misses no frame, however late a busy machine lets him read: 4 MB wait for each.
+echo 4194304 >/proc/sys/net/core/rmem_max
+echo 4194304 >/proc/sys/net/core/rmem_default
 exec >guest.log 2>&1 </dev/null
 
 # until_seen WORD FILE [TIMES]: at most a minute.
@@ -42,6 +45,7 @@ end_serving() {
   kill $served
   wait $served
   echo $? >"$name.status"
+  sleep 2  # For what they have yet to write.
   kill $candump $isotpdump
 }
 # send NAME JOB
