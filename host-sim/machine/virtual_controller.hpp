@@ -27,7 +27,7 @@ class VirtualController {
  public:
   using Firmware = cnc::Application<hal::host::RecordingPort>;
   static constexpr std::uint64_t kTicksPerTurn = cnc::motion::kTicksPerSecond / 1000;
-  static constexpr std::uint64_t kNanosecondsPerTick = 1'000'000'000 / cnc::motion::kTicksPerSecond;
+  static constexpr std::uint64_t kNanosecondsPerTick = cnc::motion::kNsPerTick;
 
   /// The link must outlive the controller. What it stores is gone with it.
   VirtualController(hal::ByteStream& link, const MachineModel& model);

@@ -10,7 +10,7 @@
 namespace cnc::motion {
 
 /// A gain in v² or a level stretch smaller than this share is rounding.
-inline constexpr float kNegligible = 1.0e-5F;
+inline constexpr float kNegligibleShare = 1.0e-5F;
 
 /// The greatest speed, mm/s, up to which one may speed up; see BrakingState.
 [[nodiscard]] inline float commit_speed(float commit_square, float steepest, float window_s) {

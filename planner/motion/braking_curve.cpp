@@ -32,7 +32,7 @@ BrakingPoint BrakingCurve::at(int span) const {
 bool BrakingCurve::stays_level(int span, float speed_square) const {
   const PlainBraking& point = (*std::get_if<Plain>(&points_))[static_cast<std::size_t>(span)];
   return point.cap_square >= speed_square &&
-         point.cap_square <= speed_square * (1.0F + kNegligible) &&
+         point.cap_square <= speed_square * (1.0F + kNegligibleShare) &&
          point.end_square >= speed_square;
 }
 

@@ -179,7 +179,7 @@ Phase SpeedProfile::change_speed(const Patience& patience) const {
   }
   const Phase up = committed(speed_up());
   // All along a span any gain counts: a chain of very short ones is sped up along, too.
-  const float least_gain = spans_.window_s() > 0.0F ? kNegligible : kLeastGain;
+  const float least_gain = spans_.window_s() > 0.0F ? kNegligibleShare : kLeastGain;
   const bool worth_it =
       up.left <= 0.0F || up.end_speed_square > speed_square_ * (1.0F + least_gain);
   return worth_it && up.distance > 0.0F ? up : level_or_follow(left_);
@@ -245,7 +245,7 @@ Phase SpeedProfile::level_or_follow(float longest_level) const {
     return phase_to(speed_square_, longest_level, left_ - longest_level);
   }
   if (fall <= 0.0F) return level_on();
-  if (level > left_ * kNegligible) return phase_to(speed_square_, level, fall);
+  if (level > left_ * kNegligibleShare) return phase_to(speed_square_, level, fall);
   return phase_to(std::min(end_target_square(), speed_square_), left_, 0.0F);
 }
 
