@@ -126,7 +126,7 @@ Stretch PlanCursor::finish_block() {
     if (index_ == queue_.size()) return false;
     begin_block();
   }
-  // The motion is slower than the plan was by as much only when the braking has ended.
+  // Until the braking has ended the motion may be faster than the plan, and than the lower pace.
   overtaken_ = overtaken_ && (since_braking_ns_ == 0 || profile_.too_fast(patience()));
   phase_ = profile_.next_phase(drive, patience());
   phase_drive_ = drive;

@@ -13,8 +13,9 @@ namespace {
 constexpr std::uint32_t kLongestSliceNs = 1'000'000;
 /// Where speed changes a lot.
 constexpr std::uint32_t kShortSliceNs = 250'000;
-/// Shorter slices are joined.
+/// Shorter slices are joined, to segments that one parabola fits.
 constexpr std::uint32_t kShortestNs = Segmenter::kShortestSegment * kNsPerTick;
+constexpr std::uint32_t kLongestJoinedNs = 2 * kShortestNs;
 
 /// Radians of half a turn that a slice may have: a 48th of a turn.
 constexpr float kWidestSlice = kTwoPi / 96.0F;
@@ -93,7 +94,7 @@ void Segmenter::make_segment(Segment& segment) {
     const Cut first = cut_slice(kLongestSliceNs);
     const float start_duty = first.duty.start;
     join(first);
-    while (joins_next()) join(cut_slice(2 * kShortestNs - joined_.duration_ns()));
+    while (joins_next()) join(cut_slice(kLongestJoinedNs - joined_.duration_ns()));
     joined_.time(place_steps_, segment);
     segment.power = power_course(start_duty, end_duty_, segment.ticks);
   } else {

@@ -110,8 +110,8 @@ float CornerRounder::granted(float allowance_mm) const {
 }
 
 /// As much of each side as makes no more difference than rounding, or less: a blend
-/// takes all of a side or leaves more than a crumb. What it takes beyond its trim turns it by as
-/// much as its chord is long, and that of a blend that nearly turns back is short.
+/// takes all of a side or leaves more than a crumb. What it takes beyond its trim turns it by so
+/// much of its chord, which is short where it nearly turns back.
 float CornerRounder::without_crumbs(float trim_mm) const {
   const Vec2 both = corner_.before.tangent + corner_.after.tangent;
   const float all_share = 0.5F * motion::kTangentTurn * std::min(1.0F, both.norm());
