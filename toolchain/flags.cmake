@@ -37,6 +37,7 @@ endif()
 option(KERFLINE_FUZZ "libFuzzer programs of tests/fuzz; needs Clang" OFF)
 if(KERFLINE_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link)
+  add_link_options(-fsanitize=fuzzer-no-link)
 endif()
 
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
