@@ -62,7 +62,7 @@ class Execution {
  private:
   using Step = Refusal (Execution::*)();
 
-  [[nodiscard, gnu::noinline]] Refusal take_steps(std::span<const Step> steps);
+  [[nodiscard]] Refusal take_steps(std::span<const Step> steps);
   /// What a line of a NURBS adds when it is committed.
   struct NurbsLine {
     bool begins = false;
