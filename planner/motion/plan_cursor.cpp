@@ -88,7 +88,7 @@ PathUnits PlanCursor::way_in_time(PathUnits way) {
   if (stops) lead = std::min(lead, length_ - place_);
   const PathUnits before = lead_;
   lead = std::max(lead, before - way);
-  lead_ = static_cast<std::int32_t>(lead);
+  lead_ = lead;
   return way + lead - before;
 }
 
