@@ -330,6 +330,8 @@ class Machine {
   motion::Limits limits_{};
   MemoryWatch settings_watch_{};
   MemoryWatch places_watch_{};
+  std::uint32_t places_revision_ = 0;  ///< When places_watch_ was told of what it watches.
+  bool memory_is_sound_ = true;
   kerf::SelectedTable kerf_{};
   gcode::Interpreter interpreter_{};
   MotionControl motion_;
@@ -358,6 +360,7 @@ class Machine {
   std::uint32_t arc_index_ = 0;
   compensation::Compensator compensator_{};
   gcode::CutterCompensation compensation_{};  ///< What G41 or G42 said.
+  Plane compensation_plane_ = Plane::kXY;     ///< Of G41 or G42.
   kerf::KerfCourse kerf_course_{};            ///< While the path follows the kerf.
   std::optional<compensation::Fault> path_fault_{};
   Position parts_from_{};                        ///< Of the line whose parts differ in power…
@@ -376,7 +379,6 @@ class Machine {
   bool optional_stop_ = false;
   bool single_block_ = false;
   bool block_delete_ = true;
-  Plane compensation_plane_ = Plane::kXY;  ///< Of G41 or G42.
   std::optional<std::uint32_t> tool_wanted_{};
   Probing probing_ = Probing::kNo;
   Probe last_probe_{};
@@ -392,8 +394,6 @@ class Machine {
 
   OverridePercent percent_{};
   hal::TickCount last_poll_{};
-  std::uint32_t places_revision_ = 0;  ///< When places_watch_ was told of what it watches.
-  bool memory_is_sound_ = true;
   bool polled_ = false;
   bool motors_enabled_ = false;
   std::int64_t motors_idle_us_ = 0;

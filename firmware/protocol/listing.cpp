@@ -87,7 +87,7 @@ bool Listing::row(Reply& reply, const ReportForm& form) {
 }
 
 /// The tables, and how many more there is room for.
-[[gnu::noinline]] bool Listing::kerf_row(Reply& reply) {
+bool Listing::kerf_row(Reply& reply) {
   const std::size_t count = kerf_.count();
   if (row_ > count) return false;
   if (row_ == count) {
@@ -106,7 +106,7 @@ bool Listing::row(Reply& reply, const ReportForm& form) {
 }
 
 /// As it is written: what is printed can be sent back.
-[[gnu::noinline]] bool Listing::kerf_image_row(Reply& reply) {
+bool Listing::kerf_image_row(Reply& reply) {
   if (row_ > KerfTables::kMostParts) return false;
   std::array<std::byte, KerfTables::kPartBytes> bytes{};
   const std::size_t size = kerf_.read_part(argument_, row_, bytes);
