@@ -18,7 +18,7 @@ class MotionControl {
       : drive_{drive},
         limits_{limits},
         stage_{limits, &pixels_},
-        segmenter_{queue_, limits, room_, &pixels_} {}
+        segmenter_{queue_, limits, &pixels_} {}
 
   /// For another element, and for planning it in this turn: what a turn takes is bounded, so that
   /// the processor is done with it in time.
@@ -65,8 +65,6 @@ class MotionControl {
   void configure(const motion::MotorStageSetting& setting);
   /// Between plan and motors, for whoever moves them while this motion is held.
   [[nodiscard]] motion::MotorStage& motors() { return motors_; }
-  /// For a segmenter that moves while this motion is held.
-  [[nodiscard]] motion::SegmenterRoom& segmenter_room() { return room_; }
 
   [[nodiscard]] Position place_of(const AxisArray<std::int32_t>& steps) const;
   /// Where the tool is, in motor steps without backlash.
@@ -122,7 +120,6 @@ class MotionControl {
   motion::Pixels pixels_{};
   path::PathStage stage_;
   motion::BlockQueueOf<motion::kLookAheadBlocks> queue_{};
-  motion::SegmenterRoom room_{};
   motion::Segmenter segmenter_;
   motion::MotorStage motors_{};
   motion::MotorStageSetting motor_setting_{};

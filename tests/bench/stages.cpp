@@ -101,8 +101,7 @@ void push(motion::BlockQueue& queue, const path::PathPiece& piece) {
 template <typename Sink>
 void drive(const Job& job, Sink&& take) {
   motion::BlockQueueOf<motion::kLookAheadBlocks> queue;
-  motion::SegmenterRoom room;
-  motion::Segmenter segmenter{queue, limits(), room};
+  motion::Segmenter segmenter{queue, limits()};
   segmenter.reset({});
   motion::Segment segment;
   std::size_t next = 0;
@@ -116,8 +115,7 @@ void drive(const Job& job, Sink&& take) {
 template <typename Sink>
 void cut_text(std::string_view text, Sink&& take) {
   motion::BlockQueueOf<motion::kLookAheadBlocks> queue;
-  motion::SegmenterRoom room;
-  motion::Segmenter segmenter{queue, limits(), room};
+  motion::Segmenter segmenter{queue, limits()};
   segmenter.reset({});
   path::PathStage stage{limits()};
   PathReader reader;
