@@ -4,7 +4,7 @@
 ///
 /// Prints a line for each segment: its length in seconds and the steps of X, Y and Z.
 
-#include <cstdio>
+#include <iostream>
 #include <memory>
 
 #include "planner/gcode/interpreter.hpp"
@@ -15,12 +15,12 @@
 namespace {
 
 void print(const cnc::motion::Segment& segment) {
-  std::printf("%.6f", static_cast<double>(segment.ticks) / cnc::motion::kTicksPerSecond);
+  std::cout << static_cast<double>(segment.ticks) / cnc::motion::kTicksPerSecond;
   for (std::size_t axis = 0; axis < cnc::kLinearAxisCount; ++axis) {
     const bool backwards = (segment.negative >> axis & 1U) != 0;
-    std::printf(" %s%d", backwards ? "-" : "", int{segment.trains[axis].count});
+    std::cout << ' ' << (backwards ? "-" : "") << segment.trains[axis].count;
   }
-  std::printf("\n");
+  std::cout << '\n';
 }
 
 /// One cycle of a main loop: a millisecond passes, and all segments that are ready go out.
@@ -48,7 +48,7 @@ bool drive(const cnc::gcode::Action& action,
 }
 
 int refuse(const char* line) {
-  std::fprintf(stderr, "embed: '%s' is refused\n", line);
+  std::cerr << "embed: '" << line << "' is refused\n";
   return 1;
 }
 
