@@ -3,8 +3,6 @@
 set(CMAKE_SYSTEM_NAME Generic)
 set(CMAKE_SYSTEM_PROCESSOR arm)
 set(CMAKE_CXX_COMPILER arm-none-eabi-g++)
-set(CMAKE_AR arm-none-eabi-gcc-ar)  # These two read what the link-time optimizer is to get.
-set(CMAKE_RANLIB arm-none-eabi-gcc-ranlib)
 set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 
 # Not -ffreestanding: newlib is there, and its freestanding mode would turn
@@ -19,9 +17,6 @@ string(JOIN " " CMAKE_CXX_FLAGS_INIT
   -fno-unwind-tables -fno-asynchronous-unwind-tables -fno-use-cxa-atexit
   -fcallgraph-info=su,da
   -DEIGEN_NO_IO)
-
-# What the planner leaves to link time is compiled in one part, and its call graph is one file.
-set(CMAKE_EXE_LINKER_FLAGS_INIT -flto-partition=one)
 
 # Headers of the host's Eigen, nothing else of the host.
 set(Eigen3_DIR /usr/share/eigen3/cmake)

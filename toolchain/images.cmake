@@ -4,25 +4,50 @@ find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
 set(KERFLINE_STACK_BYTES 8192 CACHE STRING "Stack of the images, its guard included")
 
-# kerfline_board_image(NAME HEADER OBJECT OFFSET_KIB END_KIB): the board OBJECT of
-# hal/stm32f405/boards/HEADER.hpp, from and to these places in the flash.
+# The layers once more, compiled for size.
+function(kerfline_small_layer name)
+  get_target_property(sources ${name} SOURCES)
+  foreach(source ${sources})
+    get_source_file_property(skipped ${source} TARGET_DIRECTORY ${name} HEADER_FILE_ONLY)
+    if(skipped)
+      list(REMOVE_ITEM sources ${source})
+    endif()
+  endforeach()
+  get_target_property(flags ${name} KERFLINE_FLAGS)
+  add_library(${name}_small STATIC EXCLUDE_FROM_ALL ${sources})
+  target_link_libraries(${name}_small PRIVATE ${flags} PUBLIC ${ARGN})
+  target_compile_options(${name}_small PRIVATE -Os)
+  set_target_properties(${name}_small PROPERTIES UNITY_BUILD ON)
+endfunction()
+kerfline_small_layer(kerfline_planner kerfline_flags Eigen3::Eigen)
+kerfline_small_layer(kerfline_firmware kerfline_flags kerfline_planner_small kerfline_hal_interface)
+
+# The step interrupt is fast on every board.
+set(steps ${PROJECT_SOURCE_DIR}/firmware/target/stm32f405_steps.cpp)
+set_source_files_properties(${steps} PROPERTIES COMPILE_OPTIONS -O2)
+
+# kerfline_board_image(NAME HEADER OBJECT OFFSET_KIB END_KIB [SMALL]): the board OBJECT of
+# hal/stm32f405/boards/HEADER.hpp, from and to these addresses of the flash; SMALL compiles
+# everything but the step interrupt for size.
 function(kerfline_board_image name header object offset_kib end_kib)
+  cmake_parse_arguments(PARSE_ARGV 5 image "SMALL" "" "")
   math(EXPR begin "0x08000000 + ${offset_kib} * 1024" OUTPUT_FORMAT HEXADECIMAL)
   math(EXPR end "0x08000000 + ${end_kib} * 1024" OUTPUT_FORMAT HEXADECIMAL)
   set(script ${PROJECT_SOURCE_DIR}/toolchain/stm32f405.ld)
   set(folder ${PROJECT_BINARY_DIR}/images)
-  set(main ${PROJECT_SOURCE_DIR}/firmware/target/stm32f405_main.cpp)
-  # The fast one first: of inline functions that both have, the linker takes the first.
-  add_executable(${name} ${PROJECT_SOURCE_DIR}/firmware/target/stm32f405_steps.cpp
-    ${PROJECT_SOURCE_DIR}/firmware/target/stm32f405_conversions.cpp
-    $<TARGET_OBJECTS:kerfline_planner> ${main})
-  set_source_files_properties(${main} PROPERTIES COMPILE_OPTIONS -Os)
+  add_executable(${name} ${steps} ${PROJECT_SOURCE_DIR}/firmware/target/stm32f405_main.cpp)
+  if(image_SMALL)
+    target_compile_options(${name} PRIVATE -Os)
+    set(firmware kerfline_firmware_small)
+  else()
+    set(firmware kerfline_firmware)
+  endif()
   set_target_properties(${name} PROPERTIES
     SUFFIX .elf RUNTIME_OUTPUT_DIRECTORY ${folder} LINK_DEPENDS ${script})
   target_compile_definitions(${name} PRIVATE
     KERFLINE_BOARD_HEADER="hal/stm32f405/boards/${header}.hpp" KERFLINE_BOARD=${object})
   target_link_libraries(${name} PRIVATE
-    kerfline_controller_flags kerfline_firmware kerfline_hal_stm32f405)
+    kerfline_controller_flags ${firmware} kerfline_hal_stm32f405)
   target_link_options(${name} PRIVATE
     -nostartfiles --specs=nano.specs -Wl,--gc-sections -T${script}
     -Wl,--defsym=application_begin=${begin} -Wl,--defsym=application_end=${end}
@@ -42,8 +67,8 @@ if(NOT DEFINED generic_${KERFLINE_GENERIC_CRYSTAL})
 endif()
 
 # Where the board's boot loader leaves off, and where its store begins or 256 KiB are full.
-kerfline_board_image(kerfline_generic generic ${generic_${KERFLINE_GENERIC_CRYSTAL}} 0 256)
-kerfline_board_image(kerfline_generic_1mbaud generic kGeneric1MBaud 0 256)
-kerfline_board_image(kerfline_btt_skr_2 btt_skr_2 kBttSkr2 32 288)
-kerfline_board_image(kerfline_btt_skr_pro_1_2 btt_skr_pro_1_2 kBttSkrPro12 32 288)
-kerfline_board_image(kerfline_mks_robin_nano_v3 mks_robin_nano_v3 kMksRobinNanoV3 48 256)
+kerfline_board_image(kerfline_generic generic ${generic_${KERFLINE_GENERIC_CRYSTAL}} 0 768)
+kerfline_board_image(kerfline_generic_1mbaud generic kGeneric1MBaud 0 768)
+kerfline_board_image(kerfline_btt_skr_2 btt_skr_2 kBttSkr2 32 768)
+kerfline_board_image(kerfline_btt_skr_pro_1_2 btt_skr_pro_1_2 kBttSkrPro12 32 768)
+kerfline_board_image(kerfline_mks_robin_nano_v3 mks_robin_nano_v3 kMksRobinNanoV3 48 256 SMALL)

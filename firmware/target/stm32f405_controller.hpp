@@ -29,5 +29,5 @@ extern Application application;
 /// For a debugger: boundaries so far at which what was due to come in was not there yet.
 extern "C" std::uint32_t late_turns;
 
-/// In stm32f405_steps.cpp, which is compiled for speed and not for size.
+/// Instantiated in stm32f405_steps.cpp, which is compiled for speed on every board.
 extern template class cnc::StepGenerator<target::Port, target::Application::kSegmentQueue>;

@@ -1,5 +1,5 @@
-/// The controller on an STM32F405: start-up, main loop and ends, small rather than fast;
-/// stm32f405_steps.cpp has the step interrupt.
+/// The controller on an STM32F405: start-up, main loop and ends. stm32f405_steps.cpp has the
+/// step interrupt.
 
 #include <array>
 #include <bit>

@@ -1,4 +1,5 @@
-/// The step interrupt of an STM32F405, and all that it calls: fast rather than small.
+/// The step interrupt of an STM32F405 and all that it calls. The file is compiled for speed, on
+/// boards whose image is compiled for size, too.
 
 #include "firmware/target/stm32f405_controller.hpp"
 

@@ -27,6 +27,20 @@ std::uint32_t crc_of_image(std::span<const std::byte> bytes) {
   return crc.value();
 }
 
+/// An image that lies in memory.
+class SpanSource final : public ImageSource {
+ public:
+  explicit SpanSource(std::span<const std::byte> bytes) : bytes_{bytes} {}
+
+  [[nodiscard]] std::size_t size() const override { return bytes_.size(); }
+  void read(std::size_t at, std::span<std::byte> into) override {
+    std::copy_n(bytes_.begin() + static_cast<std::ptrdiff_t>(at), into.size(), into.begin());
+  }
+
+ private:
+  std::span<const std::byte> bytes_;
+};
+
 /// Takes numbers off bytes that are enough of them.
 class ImageReader {
  public:
@@ -231,6 +245,11 @@ std::optional<TableFault> read_image(ImageSource& source, StoredTable& table) {
     point.kerf_nm = reader.word();
   }
   return find_fault(table.view());
+}
+
+std::optional<TableFault> read_image(std::span<const std::byte> image, StoredTable& table) {
+  SpanSource source{image};
+  return read_image(source, table);
 }
 
 }  // namespace cnc::kerf

@@ -18,7 +18,6 @@ sys.path.insert(0, str(ROOT / "toolchain"))
 from banned_symbols import banned  # noqa: E402  pylint: disable=wrong-import-position
 
 TOOLS = "arm-none-eabi-"
-OWN_CODE = "--target=elf32-littlearm"  # Not what an object keeps for the link-time optimizer.
 LARGEST_FRAME_BYTES = 1024
 INDIRECT = "__indirect_call"
 # The objects that own all state: one Application and its port each.
@@ -40,15 +39,15 @@ def built_objects(build: pathlib.Path) -> list:
     return [pathlib.Path(entry["directory"]) / output for entry, output in zip(entries, outputs)]
 
 
-def call_files(build: pathlib.Path, objects: list) -> list:
-    """Those of the objects that were compiled for good, and of the images."""
+def call_files(objects: list) -> list:
+    """The call graphs that the compiler wrote beside the objects."""
     beside = [path.with_suffix(".ci") for path in objects]
-    return [path for path in beside if path.is_file()] + sorted(build.glob("images/*.ltrans.ci"))
+    return [path for path in beside if path.is_file()]
 
 
 class CallGraph:
-    """Frames and calls of every function, from the .ci files that GCC writes beside what it has
-    compiled: objects, and images as a whole."""
+    """Frames and calls of every function, from the .ci files that GCC writes beside each
+    object."""
 
     def __init__(self, files: list):
         self.names, self.frames, self.dynamic, self.calls = {}, {}, set(), {}
@@ -100,7 +99,7 @@ class CallGraph:
 
 def symbol_complaints(objects: list) -> Iterator:
     found = {}
-    for line in tool("nm", OWN_CODE, "-A", "-P", *objects) if objects else []:
+    for line in tool("nm", "-A", "-P", *objects) if objects else []:
         file, _, rest = line.partition(": ")
         symbol, kind, *place = rest.split()
         if kind in "dDbB" and not any(owner in file for owner in OWNERS):
@@ -140,7 +139,7 @@ def stack_complaints(graph: CallGraph, largest_frame: int) -> Iterator:
 def sizes(objects: list) -> dict:
     """Bytes of text, data and bss of each target of the build."""
     total = {}
-    for line in tool("size", OWN_CODE, *objects)[1:] if objects else []:
+    for line in tool("size", *objects)[1:] if objects else []:
         fields = line.split(None, 5)
         target = re.search(r"CMakeFiles/(?:kerfline_)?(\w+)\.dir/", fields[5])[1]
         old = total.get(target, (0, 0, 0))
@@ -181,7 +180,7 @@ def main() -> int:
         return 77
     named = built_objects(options.build)
     objects = [path for path in named if path.is_file()]
-    graph = CallGraph(call_files(options.build, objects))
+    graph = CallGraph(call_files(objects))
     print_report(sizes(objects), graph)
     found = [*(f"not built: {path.name}" for path in named if path not in objects),
              *symbol_complaints(objects), *stack_complaints(graph, options.largest_frame)]
