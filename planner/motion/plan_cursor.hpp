@@ -19,9 +19,7 @@ namespace cnc::motion {
 /// Main loop only.
 class PlanCursor {
  public:
-  /// @param profile for nobody else while the plan moves
-  PlanCursor(BlockQueue& queue, const Limits& limits, SpeedProfile& profile)
-      : queue_{queue}, limits_{limits}, profile_{profile} {}
+  PlanCursor(BlockQueue& queue, const Limits& limits) : queue_{queue}, limits_{limits} {}
 
   /// The next stretch, at most `most_ns` long, within one block and phase; of no
   /// duration when the plan stands still: everything planned, or halted, or it stands
@@ -43,8 +41,6 @@ class PlanCursor {
 
   /// The front of the queue is about to be taken away. @pre the plan has left it
   void block_left();
-  /// Somebody else has used the profile. @pre at rest
-  void take_up_profile();
   /// Forgets everything; the queue is empty.
   void reset();
 
@@ -87,7 +83,7 @@ class PlanCursor {
 
   BlockQueue& queue_;
   const Limits& limits_;
-  SpeedProfile& profile_;
+  SpeedProfile profile_{};  ///< Of the block that is being planned through.
   /// Overrides as last requested; the current plan may still use older ones.
   Overrides overrides_{};
   PlanTerms terms_{};

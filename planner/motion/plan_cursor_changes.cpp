@@ -108,15 +108,6 @@ void PlanCursor::reset() {
   entry_square_ = 0.0F;
 }
 
-void PlanCursor::take_up_profile() {
-  phase_ = {};
-  speed_ = 0.0F;
-  if (!driving_) return;
-  queue_.plan(limits_, terms_, index_);
-  profile_.begin_within(
-      queue_.at(index_), limits_, terms_, queue_.exit_of(index_), to_mm(length_ - place_));
-}
-
 void PlanCursor::set_overrides(const Overrides& overrides) {
   overrides_ = overrides;
   if (!terms_.window.filters() && !same_pace(overrides, terms_.overrides)) take_up_overrides();

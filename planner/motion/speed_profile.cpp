@@ -42,15 +42,6 @@ void SpeedProfile::begin(const Block& block,
   lay_out(block, limits, terms, exit, block.length, Spans::Grid::kUsual);
 }
 
-void SpeedProfile::begin_within(const Block& block,
-                                const Limits& limits,
-                                const PlanTerms& terms,
-                                const BrakingState& exit,
-                                float left_of_block) {
-  speed_square_ = 0.0F;
-  lay_out(block, limits, terms, exit, left_of_block, grid_for(block, terms, exit));
-}
-
 void SpeedProfile::replan(const Block& block,
                           const Limits& limits,
                           const PlanTerms& terms,

@@ -51,12 +51,6 @@ class SpeedProfile {
              const PlanTerms& terms,
              const BrakingState& exit,
              float speed_square);
-  /// Takes a block up at rest, `left_of_block` mm before its end.
-  void begin_within(const Block& block,
-                    const Limits& limits,
-                    const PlanTerms& terms,
-                    const BrakingState& exit,
-                    float left_of_block);
   /// Something ahead changed, or the zones that reach into the block; place and
   /// speed stay.
   void replan(const Block& block,

@@ -146,8 +146,7 @@ TEST(JerkLimitedPrograms, KeepEveryLimitWhateverTheOperatorDoes) {
   for (auto seed = trials.first_seed(); seed < trials.end_seed() && !too_many_failures(); ++seed) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     Random random{seed};
-    Job job{random};
-    job.program.side_trips = random.chance(0.5);
+    const Job job{random};
     try_program(job, Meddler{seed}, worst);
   }
   print("operators", worst);

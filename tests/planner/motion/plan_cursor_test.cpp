@@ -43,8 +43,7 @@ class PlanCursorTest : public testing::Test {
 
   Limits limits = plain_limits();
   BlockQueueOf<kLookAheadBlocks> queue;
-  SpeedProfile profile;
-  PlanCursor plan{queue, limits, profile};
+  PlanCursor plan{queue, limits};
   proof::Random random{20261123};
   PathUnits length = 0;
   Position at{};
