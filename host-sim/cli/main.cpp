@@ -52,6 +52,8 @@ int run(int argc, char** argv) {
   sim::add_drawing_command(app, status);
   sim::add_cut_command(app, status);
   sim::add_send_command(app, status);
+  sim::add_completion_command(app);
+  sim::add_manual_command(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
