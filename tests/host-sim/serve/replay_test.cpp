@@ -5,6 +5,7 @@
 #include <random>
 #include <string_view>
 
+#include "firmware/protocol/identity.hpp"
 #include "host-sim/serve/recorder.hpp"
 #include "host-sim/serve/session.hpp"
 
@@ -135,6 +136,26 @@ TEST(Replay, FindsTheFirstDifference) {
     return;
   }
   FAIL() << "the controller never said G54";
+}
+
+TEST(Replay, ComparesAcrossVersions) {
+  RecordedSession talk;
+  talk.send("$I+\n");
+  talk.turn(500);
+  Conversation recorded = talk.end();
+  const std::string now{cnc::identity::version()};
+  for (Exchange& exchange : recorded.exchanges) {
+    const std::size_t place = exchange.bytes.find(now);
+    if (place == std::string::npos) continue;
+    exchange.bytes.replace(place, now.size(), "0.1");
+    const Conversation said = replay(recorded);
+    EXPECT_NE(all_said(recorded), all_said(said));
+    EXPECT_EQ(first_difference(recorded, said, true), std::nullopt);
+    exchange.bytes.replace(exchange.bytes.find("FIRMWARE"), 3, "SOF");
+    EXPECT_NE(first_difference(recorded, said, false), std::nullopt);
+    return;
+  }
+  FAIL() << "the controller never said its version";
 }
 
 TEST(Replay, NoticesThatSomethingIsMissingAtTheEnd) {
