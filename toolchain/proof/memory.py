@@ -8,6 +8,14 @@ from shell import ROOT, output_of
 PROVEN = ROOT / "tests/proven"
 
 
+def head() -> str:
+    """The commit that is checked out; "" without git."""
+    try:
+        return output_of("git", "rev-parse", "HEAD")
+    except (OSError, subprocess.CalledProcessError):
+        return ""
+
+
 def tree_key() -> str:
     """Of the committed tree, what is changed, and what is new; "" without git."""
     try:

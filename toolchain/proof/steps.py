@@ -9,6 +9,7 @@ from typing import Callable
 import ctest_run
 import fuzzing
 import seeds
+from memory import head
 from shell import ROOT, Outcome, run
 
 TEST, PROVE = "test", "prove"
@@ -82,7 +83,8 @@ def steps_of(tier: str) -> list:
 
 
 def environment() -> None:
-    """What all steps share: compilations remembered across clones, talkative sanitizers."""
+    """What all steps share: compilations remembered across clones, sanitizers that say where, and
+    the commit from which the seeds of random tests are derived."""
     os.environ.update({
         "PATH": f"/usr/lib/ccache:{os.environ['PATH']}",
         "CCACHE_DIR": os.environ.get("CCACHE_DIR", str(ROOT / "build/ccache")),
@@ -90,3 +92,5 @@ def environment() -> None:
         "UBSAN_OPTIONS": "print_stacktrace=1",
         "ASAN_OPTIONS": "detect_stack_use_after_return=1",
     })
+    os.environ.setdefault("KERFLINE_SEED_BASE", head()[:10])
+    print(f"random tests: KERFLINE_SEED_BASE={os.environ['KERFLINE_SEED_BASE']}")
