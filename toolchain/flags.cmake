@@ -59,6 +59,7 @@ endif()
 option(KERFLINE_FUZZ "libFuzzer programs of tests/fuzz; needs Clang" OFF)
 if(KERFLINE_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link)
+  add_link_options(-fsanitize=fuzzer-no-link)
 endif()
 
 # Global: a project that takes planner/ alone links Eigen from its own folder.
