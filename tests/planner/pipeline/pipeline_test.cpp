@@ -152,6 +152,7 @@ TEST_F(PipelineTest, DropsTheRestOfAHeldMotion) {
   ASSERT_TRUE(go(place({20.0, 20.0})).value());
   pipeline->flush();
   cycle(150);
+  ASSERT_TRUE(go(place({40.0, 20.0})).value()) << "which is held back";
   pipeline->halt();
   for (int i = 0; i < kMostCycles && !pipeline->held(); ++i) cycle();
   pipeline->restart(motors, motors);
@@ -186,6 +187,26 @@ TEST_F(PipelineTest, TakesUpBacklashWhereAnAxisReverses) {
   ASSERT_TRUE(go(place({1.0})).value());
   finish();
   EXPECT_EQ(motors[0], steps_at(place({1.0}))[0] - 8);
+}
+
+// As after homing: the counters say another place, and the play is where it was.
+TEST_F(PipelineTest, StartsAgainElsewhereWithItsBacklash) {
+  motion::MotorStageSetting setting;
+  setting.most_steps_per_s.fill(50'000.0F);
+  setting.backlash[0] = {.steps = 8, .rate = 5'000.0F, .acceleration = 50'000.0F};
+  pipeline->configure(setting);
+  ASSERT_TRUE(go(place({-2.0})).value());
+  finish();
+  const Steps tool = steps_at(place({7.0}));
+  motors = tool;
+  motors[0] -= 8;
+  pipeline->restart(tool, motors);
+  ASSERT_TRUE(go(place({5.0})).value());
+  finish();
+  EXPECT_EQ(motors[0], steps_at(place({5.0}))[0] - 8);
+  ASSERT_TRUE(go(place({6.0})).value());
+  finish();
+  EXPECT_EQ(motors[0], steps_at(place({6.0}))[0]);
 }
 
 TEST_F(PipelineTest, KnowsTheLineThatIsDriven) {
