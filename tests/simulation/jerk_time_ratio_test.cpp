@@ -79,7 +79,7 @@ TEST(JerkLimitedPrograms, TakeHardlyLongerThanTheFastestMotionKnown) {
   const Trials trials{300};
   std::vector<TimedProgram> programs;
   std::size_t left_out = 0;
-  for (auto seed = trials.first_seed(); seed < trials.end_seed() && !too_many_failures(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     const TimedProgram program = time_program(seed);
     if (program.least > 0.0) {

@@ -9,6 +9,7 @@
 #include "planner/motion/braking.hpp"
 #include "planner/motion/junction.hpp"
 #include "tests/planner/motion/motion_test.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc::motion {
 namespace {
@@ -94,8 +95,8 @@ TEST_F(BlockQueueTest, StopsAtAReversal) {
 
 // Of straight blocks the best plan is known: backwards, v0² = v1² + 2 a L.
 TEST_F(BlockQueueTest, FindsTheBestPlanOfRandomLines) {
-  const std::uint64_t seed = 20260914;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const std::uint64_t seed = proof::test_seed();
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   proof::Random random{seed};
   for (int trial = 0; trial < 300; ++trial) {
     limits = any_limits(random);
@@ -124,8 +125,8 @@ TEST_F(BlockQueueTest, FindsTheBestPlanOfRandomLines) {
 }
 
 TEST_F(BlockQueueTest, StandsStillWhereThePathTurns) {
-  const std::uint64_t seed = 20260915;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const std::uint64_t seed = proof::test_seed();
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   proof::Random random{seed};
   for (int trial = 0; trial < 200; ++trial) {
     limits = any_limits(random);
@@ -142,8 +143,8 @@ TEST_F(BlockQueueTest, StandsStillWhereThePathTurns) {
 }
 
 TEST_F(BlockQueueTest, PlansAtOnceWhatItPlansOneByOne) {
-  const std::uint64_t seed = 20260916;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const std::uint64_t seed = proof::test_seed();
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   proof::Random random{seed};
   for (int trial = 0; trial < 200; ++trial) {
     limits = any_limits(random);
@@ -163,8 +164,8 @@ TEST_F(BlockQueueTest, PlansAtOnceWhatItPlansOneByOne) {
 }
 
 TEST_F(BlockQueueTest, NeverGetsSlowerByMoreBlocks) {
-  const std::uint64_t seed = 20260917;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const std::uint64_t seed = proof::test_seed();
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   proof::Random random{seed};
   for (int trial = 0; trial < 60; ++trial) {
     limits = any_limits(random);
@@ -224,7 +225,7 @@ TEST_F(BlockQueueTest, PlansTheSameAroundTheEndOfItsRing) {
 // Who tries a pace and goes back to the one before must find its plan, or would be too fast
 // for it at once.
 TEST_F(BlockQueueTest, FindsItsPlanAgainUnderAWindowWhenAnotherIsTakenBack) {
-  proof::Random random{5};
+  proof::Random random{proof::test_seed()};
   limits.jerk_mm_s3.fill(25'000.0F);
   const PlanTerms terms{.window = window_for(limits, 0x3F)};
   const PlanTerms faster{

@@ -68,7 +68,7 @@ TEST_F(SegmenterRoomTest, WhoForgetsAllLeavesTheRoom) {
 /// Against the same with a room for itself: as long, and to the same place.
 TEST_F(SegmenterRoomTest, MakesNoDifferenceToAnyMotion) {
   const proof::Trials trials{300};
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     std::array<double, 2> time_s{};
     for (const bool shared : {false, true}) {

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "tests/planner/motion/motion_test.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc::motion {
 namespace {
@@ -92,8 +93,8 @@ TEST_F(SpeedProfileTest, IsATrapezoidOnALongWay) {
 }
 
 TEST_F(SpeedProfileTest, TakesTheClosedFormTimeForRandomLines) {
-  const std::uint64_t seed = 20260918;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const std::uint64_t seed = proof::test_seed();
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   proof::Random random{seed};
   for (int trial = 0; trial < 20'000; ++trial) {
     const double speed = random.magnitude(0.1, 199.0);
@@ -187,8 +188,8 @@ TEST_F(SpeedProfileTest, SlowsDownInTimeAfterSuchAPhase) {
 }
 
 TEST_F(SpeedProfileTest, GoesOnFromWhereverSuchAPhaseIsLeft) {
-  const std::uint64_t seed = 20261124;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const std::uint64_t seed = proof::test_seed();
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   proof::Random random{seed};
   for (int trial = 0; trial < 5'000; ++trial) {
     const auto bulge = static_cast<float>(random.magnitude(0.2, 1.0));
@@ -212,8 +213,8 @@ TEST_F(SpeedProfileTest, GoesOnFromWhereverSuchAPhaseIsLeft) {
 }
 
 TEST_F(SpeedProfileTest, ReachesTheEndOfEveryRandomBlockAtThePlannedSpeed) {
-  const std::uint64_t seed = 20260919;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const std::uint64_t seed = proof::test_seed();
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   proof::Random random{seed};
   for (int trial = 0; trial < 5'000; ++trial) {
     limits = any_limits(random);
@@ -228,8 +229,8 @@ TEST_F(SpeedProfileTest, ReachesTheEndOfEveryRandomBlockAtThePlannedSpeed) {
 }
 
 TEST_F(SpeedProfileTest, HaltsWithinEveryRandomBlock) {
-  const std::uint64_t seed = 20260920;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const std::uint64_t seed = proof::test_seed();
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   proof::Random random{seed};
   for (int trial = 0; trial < 5'000; ++trial) {
     limits = any_limits(random);

@@ -66,8 +66,7 @@ TEST(RandomRows, HaveAtEachPlaceThePowerThatTheProgramHasThere) {
   const proof::Trials trials{30};
   std::size_t lines = 0;
   std::size_t pieces = 0;
-  for (auto seed = trials.first_seed(); seed < trials.end_seed() && !proof::too_many_failures();
-       ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     const std::vector<PathItem> items = random_rows(random);
