@@ -35,6 +35,8 @@ std::string name_of(const testing::TestInfo& test) {
 class Repeater : public testing::EmptyTestEventListener {
  public:
   void take(std::uint64_t seed) { seed_ = seed; }
+  /// Notes the running test: a report cannot look it up, because it holds GoogleTest's lock.
+  void begin() { test_ = name_of(running_test()); }
 
   void OnTestStart(const testing::TestInfo& /*test*/) override {
     seed_.reset();
@@ -47,10 +49,11 @@ class Repeater : public testing::EmptyTestEventListener {
     std::printf("to repeat: KERFLINE_SEED=%llu %s --gtest_filter='%s'\n",
                 static_cast<Wide>(*seed_),
                 program_invocation_name,
-                name_of(running_test()).c_str());
+                test_.c_str());
   }
 
  private:
+  std::string test_;
   std::optional<std::uint64_t> seed_;
   std::optional<std::uint64_t> printed_;
 };
@@ -143,6 +146,7 @@ std::uint64_t first_seed_of(std::string_view base, std::string_view test) {
 Trials::Trials(std::uint64_t usual, Range range) : first_{first_seed_of_running_test(range)} {
   const bool chosen = variable("KERFLINE_SEED").has_value();
   random_count_ = trials_wanted(chosen ? 1 : usual);
+  repeater().begin();
   if (!chosen) once_failed_ = seeds_that_once_failed();
   print_seeds(first_, random_count_, once_failed_.size());
 }
@@ -162,6 +166,7 @@ bool Trials::Iterator::operator==(std::default_sentinel_t /*end*/) const {
 std::uint64_t test_seed() {
   const std::uint64_t seed = first_seed_of_running_test(Trials::Range::kFromBase);
   print_seeds(seed, 1, 0);
+  repeater().begin();
   repeater().take(seed);
   return seed;
 }

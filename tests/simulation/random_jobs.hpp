@@ -5,6 +5,17 @@
 
 namespace proof {
 
+/// A random program on a random machine without a limit of jerk; some programs weld their lines.
+struct WeldedJob {
+  TestMachine machine;
+  Program program;
+
+  explicit WeldedJob(Random& random) : machine{random_machine(random)} {
+    program = random_program(random, machine);
+    if (random.chance(0.4)) program.weld_mm = static_cast<float>(random.magnitude(1.0e-4, 0.1));
+  }
+};
+
 /// Limits jerk so that acceleration reaches its limit after `ramp_s` seconds.
 inline void limit_jerk(TestMachine& machine, double ramp_s) {
   for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
