@@ -155,10 +155,12 @@ TEST(LongLegs, AreJoinedByTheLargestArcWithinTheTolerance) {
     if (corner.turn() < 0.1 || corner.turn() > 3.1) continue;
     ASSERT_EQ(corner.plan().blocks.size(), 3U);
     const double radius = corner.plan().blocks[1].exact.radius();
-    ASSERT_LE(radius, corner.radius() + 2.0e-6) << "of ends rounded to a nanometre";
+    // Ends are rounded to a nanometre, which a radius of a tenth of a micrometre shows both ways.
+    constexpr double kOfRounding = 2.0e-6;
+    ASSERT_LE(radius, corner.radius() + kOfRounding);
     // 3 nm of the tolerance are kept for rounding.
     if (corner.turn() > 0.6) {
-      ASSERT_GE(radius, corner.radius() * (1.0 - 4.0e-3));
+      ASSERT_GE(radius, corner.radius() * (1.0 - 4.0e-3) - kOfRounding);
     }
     ASSERT_GT(corner.least_speed(1), 0.0);
   }

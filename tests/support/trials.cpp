@@ -70,8 +70,9 @@ Repeater& repeater() {
 
 std::uint64_t first_seed_of_running_test(Trials::Range range) {
   if (const auto seed = variable("KERFLINE_SEED")) return std::stoull(*seed);
+  const bool prove = variable("KERFLINE_TIER") == "prove";
   const bool fixed =
-      range == Trials::Range::kFromBaseInProve && variable("KERFLINE_TIER") != "prove";
+      range == Trials::Range::kFixed || (range == Trials::Range::kFromBaseInProve && !prove);
   const std::string base = fixed ? "" : variable("KERFLINE_SEED_BASE").value_or("");
   return first_seed_of(base, name_of(running_test()));
 }

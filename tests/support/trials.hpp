@@ -33,6 +33,9 @@ class Trials {
     /// The range from seed 1 unless KERFLINE_TIER=prove: for tests of a property of which a known
     /// fault of the product violates about one in some hundred new seeds.
     kFromBaseInProve,
+    /// Always the range from seed 1: for a share of the trials, which other samples exceed by
+    /// chance.
+    kFixed,
   };
 
   /// @pre A test is running. Reads the seed file; a fault in it is a failure of the test.

@@ -88,6 +88,7 @@ TEST_F(TrialsTest, OfAKnownFaultTakeNewSeedsInProveOnly) {
   EXPECT_THAT(seeds_of(Trials(1, known)), ElementsAre(1));
   setenv("KERFLINE_TIER", "prove", 1);
   EXPECT_GT(seeds_of(Trials(1, known)).front(), 1U);
+  EXPECT_THAT(seeds_of(Trials(1, Trials::Range::kFixed)), ElementsAre(1));
 }
 
 TEST_F(TrialsTest, GoOnFromASeedWithSoManyTrials) {
