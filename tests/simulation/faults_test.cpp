@@ -140,7 +140,7 @@ class FaultInScene : public testing::TestWithParam<std::pair<Scene, std::string_
   template <typename Check>
   void try_faults(std::uint64_t usual, const Check& check) const {
     const Trials trials{usual};
-    for (std::uint64_t seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+    for (const std::uint64_t seed : trials) {
       SCOPED_TRACE("KERFLINE_SEED=" + std::to_string(seed));
       Random random{seed};
       Stage stage{GetParam().first, random};

@@ -8,6 +8,7 @@
 #include "firmware/protocol/identity.hpp"
 #include "host-sim/serve/recorder.hpp"
 #include "host-sim/serve/session.hpp"
+#include "tests/support/trials.hpp"
 
 namespace sim {
 namespace {
@@ -57,7 +58,7 @@ std::string all_said(const Conversation& conversation) {
 }
 
 TEST(Replay, SaysTheSameAtTheSameTimes) {
-  for (unsigned seed = 1; seed <= 5; ++seed) {
+  for (const std::uint64_t seed : proof::Trials{5}) {
     std::mt19937 random{seed};
     RecordedSession talk;
     for (int round = 0; round < 300; ++round) {
@@ -83,8 +84,8 @@ TEST(Replay, SaysTheSameAtTheSameTimes) {
     const Conversation recorded = talk.end();
     ASSERT_GT(all_said(recorded).size(), 1000U);
     const Conversation again = replay(recorded);
-    EXPECT_EQ(first_difference(recorded, again, true), std::nullopt) << "seed " << seed;
-    EXPECT_EQ(to_text(again), to_text(recorded)) << "seed " << seed;
+    EXPECT_EQ(first_difference(recorded, again, true), std::nullopt) << "KERFLINE_SEED=" << seed;
+    EXPECT_EQ(to_text(again), to_text(recorded)) << "KERFLINE_SEED=" << seed;
   }
 }
 

@@ -3,12 +3,13 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/random_source.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc {
 namespace {
 
 TEST(NearestFloat, IsTheNearestFloat) {
-  proof::Random random{20261124};
+  proof::Random random{proof::test_seed()};
   for (int trial = 0; trial < 200'000; ++trial) {
     const std::uint64_t high = random.below(std::uint64_t{1} << 32);
     const std::uint64_t low = random.below(std::uint64_t{1} << 32);
