@@ -13,6 +13,7 @@ import signal
 import subprocess
 import sys
 import tempfile
+import threading
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
@@ -75,8 +76,12 @@ class RunScript(unittest.TestCase):
         (self.folder / "host-sim/examples/long.nc").write_text("G21 G90 M4\n" + "".join(lines))
         with subprocess.Popen([self.folder / "toolchain/run.sh", "long"], stdout=subprocess.DEVNULL,
                               stderr=subprocess.PIPE, text=True, start_new_session=True) as script:
+            end = threading.Timer(60, os.killpg, (script.pid, signal.SIGTERM))
+            end.start()
             told = script.stderr.readline()
-            os.killpg(script.pid, signal.SIGTERM)
+            end.cancel()
+            if script.poll() is None:
+                os.killpg(script.pid, signal.SIGTERM)
         self.assertRegex(told, r"^host-sim/examples/long\.nc: \d+ % after \d+ s\n$")
 
     def test_refuses_what_it_does_not_know_at_once(self):

@@ -3,6 +3,7 @@
 usage: version_test.py CMAKE
 """
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -101,11 +102,12 @@ class DescribedVersion(Scratch):
 
 class CompiledVersion(Scratch):
     def build(self):
-        """(objects that are compiled, version that the program prints)"""
+        """(sources that are compiled, version that the program prints)"""
         run = subprocess.run([CMAKE, "--build", self.root / "build", "--verbose"],
                              capture_output=True, text=True, check=True)
         program = subprocess.run([self.root / "build/main"], capture_output=True, text=True, check=True)
-        return run.stdout.count(" -c "), program.stdout.strip()
+        sources = [pathlib.Path(name).name for name in re.findall(r" -c (\S+)", run.stdout)]
+        return sources, program.stdout.strip()
 
     def check(self, unity):
         header = "firmware/protocol/identity.hpp"
@@ -120,8 +122,8 @@ class CompiledVersion(Scratch):
                        capture_output=True, check=True)
         self.assertEqual(self.build()[1], f"1.2.3+{first}")
         second = self.commit()
-        self.assertEqual(self.build(), (1, f"1.2.3+{second}"))
-        self.assertEqual(self.build()[0], 0, "nothing is new")
+        self.assertEqual(self.build(), (["version.cpp"], f"1.2.3+{second}"))
+        self.assertEqual(self.build()[0], [], "nothing is new")
 
     def test_a_commit_compiles_one_source(self):
         self.check("OFF")
