@@ -222,8 +222,7 @@ TEST_F(PipelineTest, KnowsTheLineThatIsDriven) {
 
 // Whatever comes, in whatever bursts: every step of it is driven, and none is lost by a hold.
 TEST_F(PipelineTest, DrivesEveryRandomPathToItsEnd) {
-  const proof::Trials trials{100};
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : proof::Trials{100}) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     limits = motion::any_limits(random);
