@@ -19,7 +19,7 @@ struct KnownExcess {
 
 /// Operators that change the pace where a curve needs all jerk: Job and Meddler.
 inline constexpr std::array<KnownExcess, 5> kOperatorExcess{{
-    {3008, 1.0374444, 1.0032157, 0.0},
+    {3008, 1.0374444, 1.0040653, 0.0},
     {2476, 1.0031062, 0.0, 0.0},
     {3593, 1.0025564, 0.0, 0.0},
     {2637, 1.0025054, 0.0, 0.0},
