@@ -79,7 +79,9 @@ TEST(JerkLimitedPrograms, AreNotFasterThanTheLimitsAllow) {
   for (const std::uint64_t seed : Trials{60}) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     const TimedProgram program = time_program(seed);
-    if (program.least > 0.0) EXPECT_GE(program.ratio(), kFastest);
+    if (program.least > 0.0) {
+      EXPECT_GE(program.ratio(), kFastest);
+    }
   }
 }
 

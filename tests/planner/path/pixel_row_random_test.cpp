@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "tests/planner/path/row_drive.hpp"
 #include "tests/support/trials.hpp"
