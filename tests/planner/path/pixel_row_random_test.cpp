@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <optional>
 
 #include "tests/planner/path/row_drive.hpp"
 #include "tests/support/trials.hpp"
@@ -46,7 +47,7 @@ Demand demand_at(const std::vector<PathItem>& items,
                  std::size_t from,
                  const Place& place,
                  double slack) {
-  constexpr std::size_t kAhead = 40;
+  constexpr std::size_t kAhead = 100;  // A blend may pass over dozens of short lines.
   constexpr std::size_t kBehind = 10;
   const std::size_t begin = from - std::min(from, kBehind);
   const std::size_t end = std::min(items.size(), from + kAhead);

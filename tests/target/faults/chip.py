@@ -4,7 +4,6 @@ and what its pins do, from power-on to a set instant of virtual time."""
 import bisect
 import concurrent.futures
 import dataclasses
-import os
 import pathlib
 import random
 import re
