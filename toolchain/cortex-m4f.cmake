@@ -7,13 +7,17 @@ set(CMAKE_TRY_COMPILE_TARGET_TYPE STATIC_LIBRARY)
 
 # Not -ffreestanding: newlib is there, and its freestanding mode would turn
 # memcpy and sqrtf, which are a few instructions each, into calls.
-# -fno-schedule-insns: moved apart before registers are given out, instructions need more of
-# those than there are; without, 2 % of the code and of what a segment costs are saved.
+# -fno-schedule-insns: instructions that are moved apart before registers are allocated need more
+# registers than there are. Without that pass the code is smaller, and a line of G-code and the step
+# interrupt cost fewer instructions (tests/target/instructions.py).
+# -fno-devirtualize-speculatively: a guess at the function that a virtual call reaches takes the
+# address of that function, which may be of a class that the image does not use; tests/static/
+# image_stack.py could not tell it from a call by pointer.
 # -fcallgraph-info writes every function's stack frame and calls beside its
 # object; tests/static/cortex_gates.py reads them.
 string(JOIN " " CMAKE_CXX_FLAGS_INIT
   -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard
-  -ffunction-sections -fdata-sections -fno-schedule-insns
+  -ffunction-sections -fdata-sections -fno-schedule-insns -fno-devirtualize-speculatively
   -fno-unwind-tables -fno-asynchronous-unwind-tables -fno-use-cxa-atexit
   -fcallgraph-info=su,da
   -DEIGEN_NO_IO)

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-"""Makes what flashing tools want out of a linked image, and says what it is.
+"""Completes a linked image, and makes the files that flashing tools want out of it.
 
     image_files.py IMAGE.elf 0x08000000
 
-Writes IMAGE.bin, .hex (Intel HEX) and .dfu (DfuSe, as dfu-util reads it) beside it; or, if there
-is something in it that must not run on a controller, nothing, and removes it.
+Writes the checksum into the image's header (hal/stm32f405/image.hpp), by which start-up finds
+an image that is truncated or damaged. Writes IMAGE.bin, .hex (Intel HEX) and .dfu (DfuSe, as
+dfu-util reads it) beside it; or, if there is something in it that must not run on a controller,
+nothing, and removes it.
 """
 import hashlib
 import pathlib
@@ -19,6 +21,7 @@ NM = "arm-none-eabi-nm"
 OBJCOPY = "arm-none-eabi-objcopy"
 SIZE = "arm-none-eabi-size"
 FLASH = 0x08000000
+HEADER_MAGIC, CHECKSUM = 0x4E46524B, 8  # Of ImageHeader: its first word, offset of its last.
 ST, DFU_MODE = 0x0483, 0xDF11  # USB vendor, and product of the boot loader in ROM.
 
 
@@ -27,6 +30,58 @@ def complaints(elf: pathlib.Path) -> list:
     symbols = subprocess.run([NM, "-P", elf], capture_output=True, text=True, check=True)
     return [f"{what}: {symbol} in {elf.name}" for line in symbols.stdout.splitlines()
             for symbol in line.split()[:1] for what in banned(symbol)]
+
+
+def symbols_of(elf: pathlib.Path) -> dict:
+    """{symbol: address}."""
+    listing = subprocess.run([NM, elf], capture_output=True, text=True, check=True).stdout
+    return {name: int(address, 16)
+            for address, _, name in (line.split(maxsplit=2) for line in listing.splitlines()
+                                     if line[0] != " ")}
+
+
+def place_in_file(elf: bytes, address: int) -> int:
+    """Where the bytes are in an ELF file that are loaded to an address."""
+    headers, = struct.unpack_from("<I", elf, 28)
+    size, count = struct.unpack_from("<HH", elf, 42)
+    for number in range(count):
+        kind, offset, _, begin, length = struct.unpack_from("<5I", elf, headers + number * size)
+        if kind == 1 and begin <= address < begin + length:
+            return offset + address - begin
+    raise ValueError(f"nothing is loaded to {address:#x}")
+
+
+def checksum_of(image: bytes, at: int) -> int:
+    """CRC-32 of an image whose header is at this offset: of all bytes but the checksum's own."""
+    field = at + CHECKSUM
+    return zlib.crc32(image[field + 4:], zlib.crc32(image[:field]))
+
+
+def fill_header(elf: pathlib.Path, address: int) -> int:
+    """Completes the ELF file, so that a debugger and an emulator load what is flashed. @return the
+    checksum, as `$I+` shows it on the chip."""
+    at = symbols_of(elf)["image_header"] - address
+    image = binary_of(elf)
+    magic, length = struct.unpack_from("<II", image, at)
+    if (magic, length) != (HEADER_MAGIC, len(image)):
+        raise ValueError(f"the header says {magic:#x} and {length} bytes of {len(image)}")
+    checksum = checksum_of(image, at)
+    content = bytearray(elf.read_bytes())
+    struct.pack_into("<I", content, place_in_file(content, address + at + CHECKSUM), checksum)
+    elf.write_bytes(content)
+    return checksum
+
+
+def binary_of(elf: pathlib.Path) -> bytes:
+    """The image, which has no gaps: what is in one would differ between the files."""
+    binary = elf.with_suffix(".bin")
+    contents = []
+    for fill in ("0xff", "0"):
+        subprocess.run([OBJCOPY, "--gap-fill", fill, "-O", "binary", elf, binary], check=True)
+        contents.append(binary.read_bytes())
+    if contents[0] != contents[1]:
+        raise ValueError(f"{elf.name} has a gap between its sections")
+    return contents[0]
 
 
 def dfuse(image: bytes, address: int) -> bytes:
@@ -51,19 +106,22 @@ def how_to_flash(image: pathlib.Path, address: int) -> str:
 
 def main() -> int:
     elf, address = pathlib.Path(sys.argv[1]), int(sys.argv[2], 16)
-    if found := complaints(elf):
+    found = complaints(elf)
+    try:
+        checksum = fill_header(elf, address)
+        image = binary_of(elf)
+    except ValueError as error:
+        found.append(str(error))
+    if found:
         elf.unlink()
         print("\n".join(found))
         return 1
-    binary = elf.with_suffix(".bin")
-    subprocess.run([OBJCOPY, "-O", "binary", elf, binary], check=True)
     subprocess.run([OBJCOPY, "-O", "ihex", elf, elf.with_suffix(".hex")], check=True)
-    image = binary.read_bytes()
     elf.with_suffix(".dfu").write_bytes(dfuse(image, address))
     sizes = subprocess.run([SIZE, elf], capture_output=True, text=True, check=True)
     text, data, bss = map(int, sizes.stdout.splitlines()[1].split()[:3])
     print(f"{elf.stem}: {text + data} bytes of flash, {data + bss} of RAM with the stack, "
-          f"checksum {zlib.crc32(image):08x}\n  sha256 {hashlib.sha256(image).hexdigest()}\n"
+          f"checksum {checksum:08x}\n  sha256 {hashlib.sha256(image).hexdigest()}\n"
           f"  {how_to_flash(elf, address)}")
     return 0
 

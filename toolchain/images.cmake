@@ -2,11 +2,12 @@
 # sums and the command that flashes it.
 find_package(Python3 REQUIRED COMPONENTS Interpreter)
 
-set(KERFLINE_STACK_BYTES 8192 CACHE STRING "Stack of the images, its guard included")
+set(KERFLINE_STACK_BYTES 8192 CACHE STRING "Stack of the images, above its guard")
 
 # The layers once more, compiled for size.
 function(kerfline_small_layer name)
   get_target_property(sources ${name} SOURCES)
+  list(FILTER sources EXCLUDE REGEX "/version\\.cpp$")
   foreach(source ${sources})
     get_source_file_property(skipped ${source} TARGET_DIRECTORY ${name} HEADER_FILE_ONLY)
     if(skipped)
@@ -17,10 +18,10 @@ function(kerfline_small_layer name)
   add_library(${name}_small STATIC EXCLUDE_FROM_ALL ${sources})
   target_link_libraries(${name}_small PRIVATE ${flags} PUBLIC ${ARGN})
   target_compile_options(${name}_small PRIVATE -Os)
-  set_target_properties(${name}_small PROPERTIES UNITY_BUILD ON)
 endfunction()
 kerfline_small_layer(kerfline_planner kerfline_flags Eigen3::Eigen)
 kerfline_small_layer(kerfline_firmware kerfline_flags kerfline_planner_small kerfline_hal_interface)
+kerfline_add_version(kerfline_firmware_small)
 
 # The step interrupt is fast on every board.
 set(steps ${PROJECT_SOURCE_DIR}/firmware/target/stm32f405_steps.cpp)
@@ -43,7 +44,7 @@ function(kerfline_board_image name header object offset_kib end_kib)
     set(firmware kerfline_firmware)
   endif()
   set_target_properties(${name} PROPERTIES
-    SUFFIX .elf RUNTIME_OUTPUT_DIRECTORY ${folder} LINK_DEPENDS ${script})
+    UNITY_BUILD OFF SUFFIX .elf RUNTIME_OUTPUT_DIRECTORY ${folder} LINK_DEPENDS ${script})
   target_compile_definitions(${name} PRIVATE
     KERFLINE_BOARD_HEADER="hal/stm32f405/boards/${header}.hpp" KERFLINE_BOARD=${object})
   target_link_libraries(${name} PRIVATE
@@ -66,9 +67,12 @@ if(NOT DEFINED generic_${KERFLINE_GENERIC_CRYSTAL})
   message(FATAL_ERROR "KERFLINE_GENERIC_CRYSTAL is 8, 12 or 25, not ${KERFLINE_GENERIC_CRYSTAL}")
 endif()
 
-# Where the board's boot loader leaves off, and where its store begins or 256 KiB are full.
+# From where the board's boot loader ends to where the store begins on the largest chip that the
+# board comes with: sector 10 with 1 MiB, sector 6 with 512 KiB. The generic image runs on both; it
+# finds out at start which one it is on.
 kerfline_board_image(kerfline_generic generic ${generic_${KERFLINE_GENERIC_CRYSTAL}} 0 768)
 kerfline_board_image(kerfline_generic_1mbaud generic kGeneric1MBaud 0 768)
 kerfline_board_image(kerfline_btt_skr_2 btt_skr_2 kBttSkr2 32 768)
 kerfline_board_image(kerfline_btt_skr_pro_1_2 btt_skr_pro_1_2 kBttSkrPro12 32 768)
-kerfline_board_image(kerfline_mks_robin_nano_v3 mks_robin_nano_v3 kMksRobinNanoV3 48 256 SMALL)
+kerfline_board_image(kerfline_mks_robin_nano_v3_0 mks_robin_nano_v3 kMksRobinNanoV30 48 768)
+kerfline_board_image(kerfline_mks_robin_nano_v3_1 mks_robin_nano_v3 kMksRobinNanoV31 48 256 SMALL)

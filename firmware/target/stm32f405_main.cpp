@@ -11,10 +11,13 @@
 #include "firmware/machine/memory_watch.hpp"
 #include "firmware/steps/turn_gate.hpp"
 #include "firmware/store/flash_log.hpp"
+#include "firmware/target/refusal.hpp"
 #include "firmware/target/stm32f405_controller.hpp"
 #include "hal/stm32f405/beam_watch.hpp"
 #include "hal/stm32f405/control_board.hpp"
+#include "hal/stm32f405/fitness.hpp"
 #include "hal/stm32f405/flash.hpp"
+#include "hal/stm32f405/flash_size.hpp"
 #include "hal/stm32f405/image.hpp"
 #include "hal/stm32f405/patient_store.hpp"
 #include "hal/stm32f405/start_up.hpp"
@@ -50,7 +53,7 @@ namespace {
 cnc::LinkChoice cables{usb_line, line};
 Can can{cables};
 constinit chip::TimeBase<> clock_of_the_loop{};
-constinit chip::Flash<kBoard> flash{};
+constinit chip::Flash<> flash{};
 cnc::FlashLog log{flash};
 constinit chip::PatientStore<cnc::FlashLog> store{log};
 constinit chip::ChipBoard<kBoard> board{};
@@ -66,6 +69,8 @@ namespace {
 
 struct Kept {
   static constexpr std::uint32_t kBootLoader = 0x4446'5521;
+  /// The last start has not found the image fit to run.
+  static constexpr std::uint32_t kUnfit = 0x4E4F'5421;
 
   std::uint32_t wanted;
   chip::FaultRecord fault;
@@ -118,12 +123,75 @@ void begin_memory() {
   for (std::uint32_t* to = bss_begin; to < bss_end;) *to++ = 0;
 }
 
-/// Clocks and everything on the chip, interrupts still off. Out of line: its frame is not to
-/// stay below that of the main loop.
-[[gnu::cold, gnu::noinline]] void begin_chip() {
+/// The image but for the four bytes of its checksum.
+std::array<std::span<const std::byte>, 2> checked_parts() {
+  const std::size_t at = address_of(&image_header.checksum) - address_of(image_begin);
+  const std::span image{image_begin, image_end};
+  return {image.first(at), image.subspan(at + sizeof image_header.checksum)};
+}
+
+/// Checks that the flash holds what was built. Needs no memory that is set up.
+bool image_is_whole() {
+  cnc::Crc32 sum;
+  for (const std::span<const std::byte> part : checked_parts()) sum.add(part);
+  return image_header.magic == chip::ImageHeader::kMagic &&
+         image_header.bytes == static_cast<std::uint32_t>(image_end - image_begin) &&
+         image_header.checksum == sum.value();
+}
+
+/// Waits for the next reset, which tries again: the beam is off, and nothing else was begun.
+[[noreturn, gnu::noinline]] void stand_still() {
+  kept = {};
+  for (;;) asm volatile("wfi");
+}
+
+/// From a refusal to the boot loader, when the last two bytes of the serial line are out.
+[[noreturn]] void leave_refusal() {
+  constexpr std::uint32_t kLooks = 200'000;
+  for (std::uint32_t look = 0; look < kLooks; ++look) asm volatile("nop");
+  kept.wanted = Kept::kBootLoader;
+  restart();
+}
+
+/// Tells on every link why nothing runs, until a reset or the way into the boot loader.
+[[noreturn]] void refuse(const chip::Clocks& clocks, const chip::Fitness& fitness) {
+  kept.fault.mark = 0;
+  port.set_up_at_rest();
+  line.set_up(clocks);
+  usb_line.set_up(clocks);
+  constexpr std::size_t kLongestReason = 160;
+  std::array<char, kLongestReason> reason{};
+  const std::string_view why{reason.data(), chip::describe(fitness, reason)};
+  RefusalTalk serial{line, why};
+  RefusalTalk usb{usb_line, why};
+  serial.greet();
+  std::uint32_t session = 0;
+  bool leaves = false;
+  for (std::uint32_t turn = 0;; ++turn) {
+    asm volatile("cpsid i" ::: "memory");
+    line.note_turn(turn);
+    usb_line.note_turn(turn);
+    asm volatile("cpsie i" ::: "memory");
+    line.begin_turn(turn);
+    usb_line.begin_turn(turn);
+    if (const std::uint32_t now = usb_line.session(); now != session) {
+      session = now;
+      usb.greet();
+    }
+    leaves = serial.attend() || leaves;
+    leaves = usb.attend() || leaves;
+    const bool said = serial.idle() && line.sent() && (session == 0 || usb.idle());
+    if (leaves && said && usb_line.sent()) leave_refusal();
+  }
+}
+
+/// Everything on the chip, interrupts still off. Out of line: its frame is not to stay below
+/// that of the main loop.
+[[gnu::cold, gnu::noinline]] void begin_chip(const chip::Clocks& clocks,
+                                             const chip::StoreSectors& sectors) {
   const bool faulted = kept.fault.mark == chip::FaultRecord::kValid;
   kept.fault.mark = 0;
-  const chip::Clocks clocks = chip::ClockStart<Bus>::run(kBoard.crystal_hz);
+  flash.use(sectors);
   port.set_up(clocks);
   line.set_up(clocks);
   usb_line.set_up(clocks);
@@ -131,13 +199,12 @@ void begin_memory() {
   clock_of_the_loop.set_up(clocks);
   chip::watch_supply<Bus>();
   if (faulted && kept.fault.fault == chip::Fault::kImage) port.refuse_motion();
-  const std::span image{image_begin, image_end};
-  image_watch.add(image);
-  image_watch.accept();
+  for (const std::span<const std::byte> part : checked_parts()) image_watch.add(part);
+  image_watch.expect(image_header.checksum);
   board.set_report({.clocks = clocks,
                     .cause = chip::take_reset_cause<Bus>(faulted),
                     .fault = kept.fault,
-                    .image_bytes = static_cast<std::uint32_t>(image.size()),
+                    .image_bytes = image_header.bytes,
                     .image_checksum = image_watch.expected(),
                     .stack = {stack_bottom, stack_top}});
 }
@@ -164,12 +231,13 @@ chip::Polarity polarity_of(const cnc::Settings& settings) {
   port.configure(wanted);
 }
 
-/// What nobody changes may have turned over in memory or flash: a piece of it each
-/// turn, so that settings are found within 0.2 s and the image within 2.1 s: two rounds.
+/// Stops when a bit has turned over in settings or image. Each cycle reads a piece, so that a
+/// change is found within two rounds: 0.2 s for the settings, 2.1 s for the image.
 void look_for_damage() {
-  constexpr std::size_t kImageBytes = 256;
+  constexpr std::size_t kCyclesOfRound = 800;
+  const std::size_t piece = image_header.bytes / kCyclesOfRound + 1;
   if (!application.check_memory()) stop(chip::Fault::kConfiguration, 0, 0);
-  if (!image_watch.check(kImageBytes)) stop(chip::Fault::kImage, 0, 0);
+  if (!image_watch.check(piece)) stop(chip::Fault::kImage, 0, 0);
 }
 
 [[noreturn]] void leave_for_boot_loader() {
@@ -249,22 +317,35 @@ extern const hal::TickCount* const step_tick;
 [[noreturn]] void start_up() {
   Power::darken();
   if (kept.wanted == Kept::kBootLoader) enter_boot_loader();
-  kept.wanted = 0;
+  // Of a damaged image the code that finds this out may be damaged, too, and restart for ever.
+  if (kept.wanted == Kept::kUnfit && kept.fault.mark == chip::FaultRecord::kValid) stand_still();
+  kept.wanted = Kept::kUnfit;
   chip::forget_boot_loader<Bus>();
   chip::start_core<Bus>(address_of(image_begin), address_of(stack_guard));
+  const chip::Clocks clocks = chip::ClockStart<Bus>::run(kBoard.crystal_hz);
+  const chip::Fitness fitness =
+      chip::fitness_of(image_is_whole(), address_of(image_end), chip::flash_kib<Bus>());
   begin_memory();
-  begin_chip();
+  if (fitness.fault) refuse(clocks, fitness);
+  kept.wanted = 0;
+  begin_chip(clocks, fitness.store);
   for (const Routine* routine = init_begin; routine != init_end; ++routine) (*routine)();
   asm volatile("cpsie i" ::: "memory");
   run();
 }
 
-/// Also entered from boot loaders, whose stack is anywhere.
+/// Also entered from boot loaders, whose stack is anywhere and whose masks may be set: BASEPRI
+/// would hold the interrupts back, and with CONTROL.SPSEL the stack would be another one.
 [[gnu::naked, noreturn]] void reset_entry() {
   asm volatile(
-      "cpsid i            \n"
+      "cpsid i              \n"
+      "movs  r0, #0         \n"
+      "msr   basepri, r0    \n"
+      "msr   faultmask, r0  \n"
+      "msr   control, r0    \n"
+      "isb                  \n"
       "ldr   r0, =stack_top \n"
-      "mov   sp, r0       \n"
+      "msr   msp, r0        \n"
       "b     start_up     \n");
 }
 

@@ -28,9 +28,6 @@ struct Motor {
 struct Board {
   const char* name = "";
   std::uint32_t crystal_hz = 8'000'000;
-  std::uint32_t flash_kib = 1024;
-  /// Two sectors of one size for what is kept, beyond the image.
-  std::array<std::uint8_t, 2> store_sectors{10, 11};
 
   std::array<Motor, kAxes> motors{};
   std::array<Motor, kAxes> second_motors{};  ///< Of axes that have two.
@@ -67,17 +64,6 @@ struct Board {
 
 /// D- and D+ of the full-speed core (the data sheet's table 9): there are no others.
 inline constexpr std::array<Pin, 2> kUsbPins{pa(11), pa(12)};
-
-/// Start of a flash sector, from the beginning of the flash; the first beyond
-/// the last is where the last one ends (RM0090, table 5).
-constexpr std::uint32_t sector_start(unsigned sector) {
-  constexpr std::uint32_t kSmall = 16 * 1024;
-  if (sector <= 4) return sector * kSmall;
-  return (sector - 4) * 8 * kSmall;
-}
-constexpr std::uint32_t sector_bytes(unsigned sector) {
-  return sector_start(sector + 1) - sector_start(sector);
-}
 
 /// A bit for each pin of one port; which pins a board has named so far, and
 /// whether one of them twice.
@@ -151,13 +137,6 @@ constexpr bool motors_are_whole(const Board& board) {
   return true;
 }
 
-constexpr bool store_fits(const Board& board) {
-  const unsigned first = board.store_sectors[0];
-  const unsigned second = board.store_sectors[1];
-  return first < second && second < 12 && sector_bytes(first) == sector_bytes(second) &&
-         sector_start(second + 1) <= board.flash_kib * 1024;
-}
-
 /// The wire sees the rate within 2 %, at full speed and at 16 MHz.
 constexpr bool baud_is_near(std::uint32_t clock_hz, std::uint32_t baud) {
   if (baud == 0 || clock_hz / baud < 16) return false;
@@ -189,7 +168,6 @@ struct CheckedBoard {
   static_assert(baud_is_near(kSerial.fast() ? kFullSpeed.apb2 : kFullSpeed.apb1, kBoard.baud) &&
                     baud_is_near(Clocks{}.apb1, kBoard.baud),
                 "this baud rate is not within reach");
-  static_assert(store_fits(kBoard), "the store's sectors are not two of one size in the flash");
 };
 
 }  // namespace hal::stm32f405

@@ -15,12 +15,16 @@ concept RegisterBus = requires(Address address, Word value) {
   noexcept->std::same_as<Word>;
   { Type::write(address, value) }
   noexcept->std::same_as<void>;
+  { Type::barrier() }
+  noexcept->std::same_as<void>;
 };
 
 /// The chip itself.
 struct MemoryBus {
   static Word read(Address address) noexcept { return *at(address); }
   static void write(Address address, Word value) noexcept { *at(address) = value; }
+  /// Completes all accesses so far before the next instruction, which is fetched again.
+  static void barrier() noexcept { asm volatile("dsb \n isb" ::: "memory"); }
 
  private:
   static volatile Word* at(Address address) noexcept {

@@ -4,20 +4,28 @@
 #include <cstdint>
 
 #include "hal/interface/flash_sectors.hpp"
-#include "hal/stm32f405/board.hpp"
+#include "hal/stm32f405/bus.hpp"
+#include "hal/stm32f405/sectors.hpp"
 
 namespace hal::stm32f405 {
 
-/// The two sectors of the chip's flash that the board keeps for the store.
+/// The two sectors of the chip's flash that are the store's. Before use() there is none, and
+/// everything reads as erased.
 ///
 /// Both operations stop the core while they last, because it runs from the same
 /// flash: 16 to 100 us for a word, 1 to 2 s for a sector of 128 KiB. What
 /// arrives on the wire meanwhile is lost and marked as such. The watchdog has to be
 /// told before (PatientStore).
-template <const Board& kBoard, RegisterBus Bus = MemoryBus>
+template <RegisterBus Bus = MemoryBus>
 class Flash final : public FlashSectors {
  public:
-  [[nodiscard]] std::size_t sector_count() const override { return kBoard.store_sectors.size(); }
+  /// Names the sectors, once, at start-up. @pre store_fits(sectors, the chip's size)
+  void use(const StoreSectors& sectors) noexcept {
+    sectors_ = sectors;
+    in_use_ = true;
+  }
+
+  [[nodiscard]] std::size_t sector_count() const override { return sectors_.size(); }
   [[nodiscard]] std::size_t words_per_sector() const override { return kWords; }
 
   /// @pre the place exists; elsewhere it reads as erased.
@@ -36,7 +44,7 @@ class Flash final : public FlashSectors {
   [[nodiscard]] bool erase(std::size_t sector) override {
     if (!exists(sector, 0) || !unlock()) return false;
     const Word what =
-        flash::kEraseSector | flash::kBy32 | flash::number_of_sector(kBoard.store_sectors[sector]);
+        flash::kEraseSector | flash::kBy32 | flash::number_of_sector(sectors_[sector]);
     Bus::write(flash::kControl, what);
     Bus::write(flash::kControl, what | flash::kStart);
     const bool done = finish(kEraseLooks);
@@ -45,26 +53,26 @@ class Flash final : public FlashSectors {
   }
 
  private:
-  static_assert(CheckedBoard<kBoard>::kSerial.exists());
-  /// Of a larger sector the rest stays empty: a log is looked through from its start.
-  static constexpr std::uint32_t kMostBytes = 16 * 1024;
-  static constexpr std::uint32_t kSectorBytes = sector_bytes(kBoard.store_sectors[0]);
-  static constexpr std::size_t kWords = (kSectorBytes < kMostBytes ? kSectorBytes : kMostBytes) / 4;
+  /// The rest of a sector stays empty: a log is looked through from its start.
+  static constexpr std::size_t kWords = 16 * kKib / 4;
   // A look takes some ten clocks of 168 MHz, when the flash lets the core run at all.
   static constexpr std::uint32_t kProgramLooks = 100'000;
   static constexpr std::uint32_t kEraseLooks = 100'000'000;
 
-  static bool exists(std::size_t sector, std::size_t word) {
-    return sector < kBoard.store_sectors.size() && word < kWords;
+  [[nodiscard]] bool exists(std::size_t sector, std::size_t word) const {
+    return in_use_ && sector < sectors_.size() && word < kWords;
   }
-  static Address address(std::size_t sector, std::size_t word) {
-    return flash::kMemory + sector_start(kBoard.store_sectors[sector]) +
-           4 * static_cast<Address>(word);
+  [[nodiscard]] Address address(std::size_t sector, std::size_t word) const {
+    return flash::kMemory + sector_start(sectors_[sector]) + 4 * static_cast<Address>(word);
   }
 
+  /// A boot loader may leave the flash unlocked, and keys that are not asked for would lock it
+  /// until the next reset (RM0090, 3.6.1).
   static bool unlock() noexcept {
-    Bus::write(flash::kKey, flash::kFirstKey);
-    Bus::write(flash::kKey, flash::kSecondKey);
+    if ((Bus::read(flash::kControl) & flash::kLock) != 0) {
+      Bus::write(flash::kKey, flash::kFirstKey);
+      Bus::write(flash::kKey, flash::kSecondKey);
+    }
     Bus::write(flash::kStatus, flash::kErrors);
     return (Bus::read(flash::kControl) & flash::kLock) == 0;
   }
@@ -85,12 +93,15 @@ class Flash final : public FlashSectors {
     set<Bus>(flash::kAcr, flash::kDataCache);
   }
 
-  static bool is_erased(std::size_t sector) noexcept {
+  [[nodiscard]] bool is_erased(std::size_t sector) const noexcept {
     for (std::size_t word = 0; word < kWords; ++word) {
       if (Bus::read(address(sector, word)) != kErased) return false;
     }
     return true;
   }
+
+  StoreSectors sectors_{};
+  bool in_use_ = false;
 };
 
 }  // namespace hal::stm32f405

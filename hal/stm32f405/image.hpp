@@ -16,6 +16,21 @@ extern Routine init_begin[], init_end[];
 
 namespace hal::stm32f405 {
 
+/// Behind the vectors: by what start-up finds an image that is truncated or damaged. The linker
+/// script lays it out, toolchain/image_files.py computes the checksum.
+struct ImageHeader {
+  static constexpr std::uint32_t kMagic = 0x4E'46'52'4B;  ///< "KRFN"
+
+  std::uint32_t magic;
+  std::uint32_t bytes;     ///< Of the image, from its vectors to its end.
+  std::uint32_t checksum;  ///< CRC-32 of all of them but the four of this field.
+};
+}  // namespace hal::stm32f405
+
+extern "C" const hal::stm32f405::ImageHeader image_header;
+
+namespace hal::stm32f405 {
+
 /// The stack is full of these until it is used.
 inline constexpr std::uint32_t kPaint = 0xC0DE'5AFE;
 

@@ -22,6 +22,14 @@ class Port final : public AuxiliaryOutputs, public MachineInputs {
   /// Once, with interrupts off. Motors without current, outputs off.
   void set_up(const Clocks& clocks) noexcept {
     clocks_ = clocks;
+    set_up_at_rest();
+    inputs_.set_up();
+    power_.set_up(clocks);
+    timer_.set_up(clocks);
+  }
+  /// Sets up the pins that are at rest from then on, and no timer: all that a board needs on which
+  /// nothing runs.
+  void set_up_at_rest() noexcept {
     steps_.set_up();
     directions_.set_up();
     for (const Motor& motor : kBoard.motors) PinSetUp<Bus>::make_output(motor.enable, true);
@@ -33,9 +41,6 @@ class Port final : public AuxiliaryOutputs, public MachineInputs {
          {kBoard.spindle_enable, kBoard.spindle_direction, kBoard.mist, kBoard.flood}) {
       PinSetUp<Bus>::make_output(pin, false);
     }
-    inputs_.set_up();
-    power_.set_up(clocks);
-    timer_.set_up(clocks);
   }
 
   /// Main loop, while nothing moves: which pins are the other way round.

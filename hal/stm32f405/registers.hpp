@@ -178,6 +178,7 @@ inline constexpr Word kBegin = 0xCCCC;
 /// What the chip is, chapters 38 and 39.
 inline constexpr Address kDeviceCode = 0xE004'2000;
 inline constexpr Address kUniqueId = 0x1FFF'7A10;
+inline constexpr Address kFlashSize = 0x1FFF'7A20;     ///< KiB in the upper half of the word.
 inline constexpr Address kSystemMemory = 0x1FFF'0000;  ///< ST's boot loader, table 3.
 
 /// The core: system control, system timer, interrupts, memory protection.

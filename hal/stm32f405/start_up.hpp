@@ -41,7 +41,9 @@ void forget_boot_loader() noexcept {
   Bus::write(rcc::kAhb1Reset, 0);
 }
 
-/// The core as the program wants it: FPU, faults of their own, its vectors.
+/// Sets the core up for the program: FPU, faults of their own, its vectors, the stack's guard. What
+/// follows already runs under them: the barriers make the writes take effect first (Arm, DDI 0403E,
+/// A3.7.3 and B3.2.5).
 /// @param guard see guard_stack
 template <RegisterBus Bus>
 void start_core(Address vectors, Address guard) noexcept {
@@ -49,6 +51,7 @@ void start_core(Address vectors, Address guard) noexcept {
   Bus::write(core::kVectors, vectors);
   set<Bus>(core::kFaultControl, core::kFaultsOn);
   guard_stack<Bus>(guard);
+  Bus::barrier();
 }
 
 }  // namespace hal::stm32f405

@@ -7,18 +7,24 @@
 
 namespace hal::stm32f405 {
 
-/// The 96 bits that no other chip has; none on chips that have them elsewhere,
-/// where reading them would be a fault. Any context.
+/// Checks that the chip is one of the F405, F407 and F429 families, whose factory data lie where
+/// this port reads them; on others reading there may be a fault. Any context.
 template <RegisterBus Bus>
-[[nodiscard]] std::optional<std::array<Word, 3>> unique_id() noexcept {
+[[nodiscard]] bool is_known_family() noexcept {
   constexpr std::array<Word, 3> kFamilies{0x413, 0x411, 0x419};  // RM0090, 38.6.1; ES0182, 2.1.2.
   const Word code = Bus::read(kDeviceCode) & 0xFFFU;
   for (const Word family : kFamilies) {
-    if (code != family) continue;
-    return std::array<Word, 3>{
-        Bus::read(kUniqueId), Bus::read(kUniqueId + 4), Bus::read(kUniqueId + 8)};
+    if (code == family) return true;
   }
-  return std::nullopt;
+  return false;
+}
+
+/// Returns the 96 bits that no other chip has; nothing on chips of other families. Any context.
+template <RegisterBus Bus>
+[[nodiscard]] std::optional<std::array<Word, 3>> unique_id() noexcept {
+  if (!is_known_family<Bus>()) return std::nullopt;
+  return std::array<Word, 3>{
+      Bus::read(kUniqueId), Bus::read(kUniqueId + 4), Bus::read(kUniqueId + 8)};
 }
 
 }  // namespace hal::stm32f405

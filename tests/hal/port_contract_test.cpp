@@ -128,7 +128,7 @@ using Benches = testing::Types<HostBench,
                                ChipBench<stm32f405::kGeneric>,
                                ChipBench<stm32f405::kBttSkr2>,
                                ChipBench<stm32f405::kBttSkrPro12>,
-                               ChipBench<stm32f405::kMksRobinNanoV3>>;
+                               ChipBench<stm32f405::kMksRobinNanoV30>>;
 TYPED_TEST_SUITE(PortContract, Benches);
 
 TYPED_TEST(PortContract, EachStepMovesItsMotorOnceInItsDirection) {

@@ -4,6 +4,7 @@ import contextlib
 import io
 import pathlib
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
@@ -25,7 +26,7 @@ PLACES = {"application_begin": 0x08000000, "application_end": 0x08100000, "stack
 
 PROGRAM = """
 #include <cstddef>
-volatile int sink;
+volatile int sink = 5;  // Initial values, which every image has.
 [[gnu::noipa]] int planted(int);
 extern "C" {
 [[gnu::noipa, gnu::used]] void start_up() { sink = planted(sink); }
@@ -42,7 +43,7 @@ RIGHT = "int planted(int n) { return n + 1; }"
 
 # what the linker says: a source
 LINKER = {
-    "more than 96 KiB of static RAM": "char big[97 * 1024];\nint planted(int n) { big[n] = 1; return big[n + 1]; }",
+    "region `RAM' overflowed": "char big[129 * 1024];\nint planted(int n) { big[n] = 1; return big[n + 1]; }",
     "region `FLASH' overflowed":
         "const int big[264000] = {1, 2};\nint planted(int n) { return const_cast<const volatile int*>(big)[n]; }",
 }
@@ -113,6 +114,23 @@ class ImageGates(unittest.TestCase):
                 elf, said = link(self.folder, source)
                 self.assertIn(expected, said)
                 self.assertFalse(elf.exists())
+
+    def test_the_linker_refuses_a_stack_beyond_the_core_coupled_memory(self):
+        _, said = link(self.folder, RIGHT, stack_bytes=65536)
+        self.assertIn("region `CCM' overflowed", said)
+
+    def test_the_checksum_is_in_the_image_and_in_its_elf_file(self):
+        self.files_of(RIGHT)
+        elf = self.folder / "a.elf"
+        image = image_files.binary_of(elf)
+        at = image_files.symbols_of(elf)["image_header"] - PLACES["application_begin"]
+        magic, length, checksum = struct.unpack_from("<III", image, at)
+        self.assertEqual((image_files.HEADER_MAGIC, len(image)), (magic, length))
+        self.assertEqual(image_files.checksum_of(image, at), checksum)
+        for place in (0, at, len(image) - 1):
+            changed = bytearray(image)
+            changed[place] ^= 1
+            self.assertNotEqual(checksum, image_files.checksum_of(bytes(changed), at))
 
     def files_of(self, source: str, *options: str) -> tuple:
         """(status, what image_files.py said, whether the image is still there)."""

@@ -17,7 +17,7 @@ import struct
 import subprocess
 import sys
 
-MAIN_BYTES, INTERRUPT_BYTES = 2048, 512
+MAIN_BYTES, INTERRUPT_BYTES = 4096, 512
 # Eight words that the core pushes, eighteen of the FPU, and one to align them (Arm DDI 0403, B1.5.7).
 ENTRY_BYTES = 4 * 27
 # Functions that each priority may be in, the most urgent first; `stop` does not come back.

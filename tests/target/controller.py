@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The controller's own image, unchanged, in the emulator: it boots, talks, and ends well.
 
-    controller.py build/cortex-m4f/images/kerfline_generic.elf
+    controller.py PLUGIN build/cortex-m4f/images/kerfline_generic.elf
 
 The emulator has no clock but the slowest and its switches all read as closed: the image has to say
 so, to refuse motion, and otherwise to be what it is. Ends with 77 (skipped) where the image or the
@@ -17,9 +17,9 @@ import zlib
 
 import emulator
 
-IMAGE = pathlib.Path()
+PLUGIN, IMAGE = "", pathlib.Path()
 BANNER = r"Grbl 1\.1h \['\$' for help\]\r\n"
-SCRATCH = 0x20001000  # Within the stack, far from both ends.
+SCRATCH = 0x2001F000  # RAM behind all that the image uses.
 # Generic board: power PA8, spindle enable PB1.
 DARK = [("A", emulator.SET_RESET, 1 << 24), ("B", emulator.SET_RESET, 1 << 17)]
 
@@ -33,7 +33,7 @@ class ControllerTest(unittest.TestCase):
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
-        self.chip = emulator.Emulator(IMAGE, pathlib.Path(self.folder.name))
+        self.chip = emulator.Emulator(PLUGIN, IMAGE, pathlib.Path(self.folder.name))
         self.addCleanup(self.chip.__exit__)
         self.greeting = self.chip.hear(r"\[MSG:Reset to continue\]\r\n")
 
@@ -50,7 +50,9 @@ class ControllerTest(unittest.TestCase):
         self.assertIn("[FIRMWARE:Kerfline]", told)
         self.assertIn("[BOARD:Generic F405/F407]", told)
         binary = IMAGE.with_suffix(".bin").read_bytes()
-        self.assertIn(f"[IMAGE:{zlib.crc32(binary):08x},{len(binary)}]", told)
+        field = symbol("image_header") - symbol("image_begin") + 8
+        checksum = zlib.crc32(binary[field + 4:], zlib.crc32(binary[:field]))
+        self.assertIn(f"[IMAGE:{checksum:08x},{len(binary)}]", told)
         self.assertRegex(told, r"\[CLOCK:16 MHz,internal without PLL\]")
         used, size = map(int, re.search(r"\[STACK:(\d+),(\d+)\]", told).groups())
         self.assertTrue(500 < used < size, (used, size))
@@ -135,7 +137,7 @@ class ControllerTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if emulator.missing(sys.argv[1]):
+    if emulator.missing(*sys.argv[1:3]):
         sys.exit(emulator.SKIPPED)
-    IMAGE = pathlib.Path(sys.argv.pop(1))
+    PLUGIN, IMAGE = sys.argv.pop(1), pathlib.Path(sys.argv.pop(1))
     unittest.main()

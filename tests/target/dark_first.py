@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Counts the instructions from reset until the beam's pin is driven low, in the emulator.
 
-    dark_first.py kerfline_generic.elf=A8 kerfline_btt_skr_2.elf=B0 ...
+    dark_first.py PLUGIN kerfline_generic.elf=A8 kerfline_btt_skr_2.elf=B0 ...
 
 Each image with the pin of its beam. Fails above 64 instructions, or when the pin drives before it
 is low. Ends with 77 (skipped) where an image or the emulator is missing.
@@ -17,9 +17,9 @@ MOST = 64
 LONGEST_LOG = 2000
 
 
-def instructions_until_dark(image: pathlib.Path, port: str, pin: int, folder: str) -> int:
+def instructions_until_dark(plugin: str, image: pathlib.Path, port: str, pin: int, folder: str) -> int:
     """The instruction that makes the pin a low output; 0 when it never does, or not low first."""
-    words = [*emulator.command(image, pathlib.Path(folder)), "-serial", "none",
+    words = [*emulator.command(plugin, image, pathlib.Path(folder)), "-serial", "none",
              "-d", "exec,nochain,unimp", "-singlestep"]
     low, count = False, 0
     with subprocess.Popen(words, stderr=subprocess.PIPE, text=True) as process:
@@ -40,13 +40,14 @@ def instructions_until_dark(image: pathlib.Path, port: str, pin: int, folder: st
 
 
 def main() -> int:
-    images = [argument.rpartition("=")[::2] for argument in sys.argv[1:]]
-    if emulator.missing(*(image for image, _ in images)):
+    images = [argument.rpartition("=")[::2] for argument in sys.argv[2:]]
+    if emulator.missing(sys.argv[1], *(image for image, _ in images)):
         return emulator.SKIPPED
     good = True
     for image, pin in images:
         with tempfile.TemporaryDirectory() as folder:
-            count = instructions_until_dark(pathlib.Path(image), pin[0], int(pin[1:]), folder)
+            count = instructions_until_dark(sys.argv[1], pathlib.Path(image), pin[0],
+                                            int(pin[1:]), folder)
         print(f"{pathlib.Path(image).stem}: P{pin} is low after {count} instructions")
         good = good and 0 < count <= MOST
     return not good

@@ -22,11 +22,11 @@ PC, SP, XPSR = 15, 13, 25  # Registers as the debugger numbers them.
 THUMB = 1 << 24
 
 
-def missing(*images: str) -> bool:
-    """Tells, and returns true, when there is nothing to run or nothing to run it in."""
-    if all(pathlib.Path(image).exists() for image in images) and shutil.which(EMULATOR):
+def missing(*files: str) -> bool:
+    """Tells, and returns true, when there is nothing to run or nothing to run it in: images, plug-in."""
+    if all(pathlib.Path(file).exists() for file in files) and shutil.which(EMULATOR):
         return False
-    print(f"skipped: needs {EMULATOR} and {' '.join(images)} (preset cortex-m4f)")
+    print(f"skipped: needs {EMULATOR} and {' '.join(files)} (presets cortex-m4f and release)")
     return True
 
 
@@ -35,15 +35,17 @@ def pin_writes(log: str) -> list:
     return [(found[1], int(found[2], 16), int(found[3], 16)) for found in GPIO_WRITE.finditer(log)]
 
 
-def command(image: pathlib.Path, folder: pathlib.Path) -> list:
-    """The emulator on this image. Where the image is behind a boot loader, in place of that the two
+def command(plugin: str, image: pathlib.Path, folder: pathlib.Path) -> list:
+    """The emulator on this image, with the chip's own memories by the plug-in of machine/, and nothing
+    else of it. Where the image is behind a boot loader, in place of that the two
     words by which the core finds it, from a file in the folder.
 
     Its time goes by instructions. By the clock on the wall the tick came whether or not the core had
     been given time meanwhile: on a busy machine it was in its interrupt for seconds and nowhere else.
     """
     words = [EMULATOR, "-M", "netduinoplus2", "-display", "none", "-monitor", "none",
-             "-icount", f"shift={INSTRUCTION_NS_LOG2}", "-kernel", str(image)]
+             "-icount", f"shift={INSTRUCTION_NS_LOG2}", "-kernel", str(image),
+             "-plugin", f"{plugin},memories_only=on"]
     where = subprocess.run(["arm-none-eabi-nm", image], capture_output=True, text=True, check=True)
     begin = int(re.search(r"(\w+) \w image_begin", where.stdout)[1], 16)
     if begin != FLASH:
@@ -56,10 +58,10 @@ def command(image: pathlib.Path, folder: pathlib.Path) -> list:
 class Emulator:
     """A running image; use it in a with statement."""
 
-    def __init__(self, image: pathlib.Path, folder: pathlib.Path):
+    def __init__(self, plugin: str, image: pathlib.Path, folder: pathlib.Path):
         self.log_path = folder / "emulator.log"
         self.socket_path = folder / "debugger"
-        words = [*command(image, folder), "-serial", "stdio", "-d", "unimp", "-D", str(self.log_path),
+        words = [*command(plugin, image, folder), "-serial", "stdio", "-d", "unimp", "-D", str(self.log_path),
                  "-gdb", f"unix:{self.socket_path},server=on,wait=off"]
         self.process = subprocess.Popen(words, stdin=subprocess.PIPE, stdout=subprocess.PIPE)
         self.heard = b""

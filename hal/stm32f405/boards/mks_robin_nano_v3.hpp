@@ -4,14 +4,13 @@
 
 namespace hal::stm32f405 {
 
-/// Makerbase Robin Nano V3, F407VE; pins as in grblHAL (STM32F4xx driver,
+/// Makerbase Robin Nano V3: V3.0 has an F407VG with 1 MiB of flash, V3.1 an F407VE with 512 KiB
+/// and the same pins. Pins as in grblHAL (STM32F4xx driver,
 /// boards/mks_robin_nano_v3.0_map.h). E0 is A, E1 is B; the beam is the
 /// 3D-touch connector. There mist shares a pin with the spindle's direction:
 /// here it has none.
-inline constexpr Board kMksRobinNanoV3{
-    .name = "MKS Robin Nano V3",
-    .flash_kib = 512,
-    .store_sectors = {6, 7},
+inline constexpr Board kMksRobinNanoV30{
+    .name = "MKS Robin Nano V3.0",
     .motors = {{{pe(3), pe(2), pe(4)},
                 {pe(0), pb(9), pe(1)},
                 {pb(5), pb(4), pb(8)},
@@ -30,5 +29,11 @@ inline constexpr Board kMksRobinNanoV3{
     .transmit = pa(9),
     .receive = pa(10),
 };
+
+constexpr Board as_v31(Board board) {
+  board.name = "MKS Robin Nano V3.1";
+  return board;
+}
+inline constexpr Board kMksRobinNanoV31 = as_v31(kMksRobinNanoV30);
 
 }  // namespace hal::stm32f405

@@ -1,5 +1,7 @@
 #include "tests/hal/stm32f405/chip_model.hpp"
 
+#include "hal/stm32f405/sectors.hpp"
+
 namespace hal::stm32f405 {
 
 Word ChipModel::read(Address address) {
@@ -48,9 +50,9 @@ void ChipModel::write(Address address, Word value) {
     return;
   }
   if (address == flash::kKey) {
-    flash_keys =
-        value == (flash_keys == 0 ? flash::kFirstKey : flash::kSecondKey) ? flash_keys + 1 : 0;
-    if (flash_keys == 2 && !flash_refuses) flash_locked = false;
+    const bool right = value == (flash_keys == 0 ? flash::kFirstKey : flash::kSecondKey);
+    if (!flash_locked || !right) flash_key_was_wrong = true;
+    if (!flash_key_was_wrong && ++flash_keys == 2 && !flash_refuses) flash_locked = false;
     return;
   }
   if (address == flash::kControl) return write_flash_control(value);

@@ -22,6 +22,8 @@ struct ChipModel {
   std::map<Address, Word> cells;
   std::vector<std::pair<Address, Word>> writes;
   std::uint64_t reads = 0;
+  std::size_t barriers = 0;
+  std::size_t writes_at_barrier = 0;              ///< How many there were at the last one.
   std::map<unsigned, Word> pins_driven_high;      ///< By port: what stands in the output register.
   std::vector<unsigned> pended;                   ///< Interrupts asked for by number.
   std::vector<Word> sent;                         ///< Data that went out on a serial interface.
@@ -29,6 +31,7 @@ struct ChipModel {
   std::map<Address, Word> flash_words;
   unsigned flash_keys = 0;
   bool flash_locked = true;
+  bool flash_key_was_wrong = false;  ///< Then it stays locked until a reset (RM0090, 3.6.1).
 
   [[nodiscard]] bool is_high(Pin pin) { return (pins_driven_high[pin.port] & pin.mask()) != 0; }
   [[nodiscard]] Word mode_of(Pin pin) {
@@ -69,6 +72,10 @@ struct ModelBus {
   }
   static Word read(Address address) noexcept { return chip().read(address); }
   static void write(Address address, Word value) noexcept { chip().write(address, value); }
+  static void barrier() noexcept {
+    ++chip().barriers;
+    chip().writes_at_barrier = chip().writes.size();
+  }
 };
 
 }  // namespace hal::stm32f405

@@ -2,14 +2,17 @@
 
 #include <gtest/gtest.h>
 
-#include "hal/stm32f405/boards/generic.hpp"
-#include "hal/stm32f405/boards/mks_robin_nano_v3.hpp"
 #include "tests/hal/stm32f405/chip_model.hpp"
 
 namespace hal::stm32f405 {
 namespace {
 
-using RobinFlash = Flash<kMksRobinNanoV3, ModelBus>;
+/// Of a chip with 512 KiB.
+Flash<ModelBus> small_flash() {
+  Flash<ModelBus> flash;
+  flash.use(*store_sectors_of(512));
+  return flash;
+}
 
 TEST(Flash, SectorsLieWhereTheManualHasThem) {
   EXPECT_EQ(0x4000U, sector_start(1));
@@ -19,9 +22,9 @@ TEST(Flash, SectorsLieWhereTheManualHasThem) {
   EXPECT_EQ(64U * 1024, sector_bytes(4));
 }
 
-TEST(Flash, WhatIsProgrammedIsReadWhereTheBoardSays) {
+TEST(Flash, WhatIsProgrammedIsReadInTheChipsSectors) {
   ChipModel& chip = ModelBus::start_anew();
-  RobinFlash flash;
+  Flash<ModelBus> flash = small_flash();
   EXPECT_EQ(2U, flash.sector_count());
   EXPECT_EQ(4'096U, flash.words_per_sector());
   EXPECT_TRUE(flash.program(1, 3, 0x1234'5678));
@@ -31,9 +34,31 @@ TEST(Flash, WhatIsProgrammedIsReadWhereTheBoardSays) {
   EXPECT_TRUE(chip.flash_locked) << "locked again";
 }
 
+TEST(Flash, WithoutSectorsThereIsNothing) {
+  ChipModel& chip = ModelBus::start_anew();
+  Flash<ModelBus> flash;
+  EXPECT_FALSE(flash.program(0, 0, 1));
+  EXPECT_FALSE(flash.erase(0));
+  EXPECT_EQ(FlashSectors::kErased, flash.read(0, 0));
+  EXPECT_TRUE(chip.writes.empty());
+  flash.use({10, 11});
+  EXPECT_TRUE(flash.program(0, 0, 1));
+  EXPECT_EQ(1U, chip.flash_words[0x080C'0000]);
+}
+
+TEST(Flash, KeysAreWrittenOnlyToAFlashThatIsLocked) {
+  ChipModel& chip = ModelBus::start_anew();
+  chip.flash_locked = false;  // As a boot loader leaves it.
+  Flash<ModelBus> flash = small_flash();
+  EXPECT_TRUE(flash.program(0, 0, 1));
+  EXPECT_TRUE(chip.flash_locked);
+  EXPECT_TRUE(flash.program(0, 1, 2)) << "a key too many would lock it for good";
+  EXPECT_EQ(2U, flash.read(0, 1));
+}
+
 TEST(Flash, BitsOnlyFall) {
   ModelBus::start_anew();
-  RobinFlash flash;
+  Flash<ModelBus> flash = small_flash();
   EXPECT_TRUE(flash.program(0, 0, 0xFFFF'0000));
   EXPECT_TRUE(flash.program(0, 0, 0x0FFF'0000));
   EXPECT_FALSE(flash.program(0, 0, 0xFFFF'FFFF));
@@ -42,7 +67,7 @@ TEST(Flash, BitsOnlyFall) {
 
 TEST(Flash, ErasingTakesOneSector) {
   ChipModel& chip = ModelBus::start_anew();
-  RobinFlash flash;
+  Flash<ModelBus> flash = small_flash();
   ASSERT_TRUE(flash.program(0, 5, 1));
   ASSERT_TRUE(flash.program(1, 5, 2));
   EXPECT_TRUE(flash.erase(0));
@@ -53,7 +78,7 @@ TEST(Flash, ErasingTakesOneSector) {
 
 TEST(Flash, RefusalsAreToldAndPlacesOutsideDoNotExist) {
   ChipModel& chip = ModelBus::start_anew();
-  RobinFlash flash;
+  Flash<ModelBus> flash = small_flash();
   EXPECT_FALSE(flash.program(2, 0, 1));
   EXPECT_FALSE(flash.program(0, 32'768, 1));
   EXPECT_FALSE(flash.erase(2));

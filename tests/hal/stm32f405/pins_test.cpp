@@ -32,7 +32,7 @@ using Boards = testing::Types<On<kGeneric>,
                               On<kGeneric25>,
                               On<kBttSkr2>,
                               On<kBttSkrPro12>,
-                              On<kMksRobinNanoV3>,
+                              On<kMksRobinNanoV30>,
                               On<kTwoMotors>>;
 TYPED_TEST_SUITE(BoardPins, Boards);
 

@@ -25,6 +25,7 @@ BOOT_NS = 40 * MS  # Clocks, the image's checksum, the store; then the banner.
 AT_ONCE = 2  # Emulators.
 CHIP_OPTIONS = ("erase_us=1000",)  # A store that is new is erased at its first use.
 RAM = 0x20000000
+FLASH = 0x08000000
 
 # Of the generic board.
 BEAM_PIN, BEAM_TIMER = "PA8", "TIM1_CH1"
@@ -123,21 +124,23 @@ class Chip:
     def instruction_ns(self) -> int:
         return 1 << self.shift
 
-    def command(self, *options: str) -> list:
+    def command(self, *options: str, kernel: pathlib.Path | None = None) -> list:
         return [EMULATOR, "-M", "netduinoplus2", "-display", "none", "-monitor", "none",
                 "-serial", "none", "-icount", f"shift={self.shift},sleep=off",
                 # Of a board with a boot loader the vectors lie farther up.
                 "-global", f"armv7m.init-nsvtor={self.symbols['image_begin']:#x}",
-                "-kernel", str(self.image), "-plugin", ",".join([self.plugin, *options])]
+                "-kernel", str(kernel or self.image), "-plugin", ",".join([self.plugin, *options])]
 
-    def run(self, text: str, stop_ns: int, *options: str, from_ns: int = BOOT_NS) -> Run:
-        """Sends this from then on, and ends then."""
+    def run(self, text: str, stop_ns: int, *options: str, from_ns: int = BOOT_NS,
+            kernel: pathlib.Path | None = None) -> Run:
+        """Sends this from then on, and ends then. `kernel` is another file in place of the image."""
         with tempfile.TemporaryDirectory() as name:
             folder = pathlib.Path(name)
             sent, heard, trace = folder / "sent", folder / "heard", folder / "trace"
             sent.write_bytes(text.encode("latin-1"))
             command = self.command(f"trace={trace}", f"usart1_in={sent}", f"usart1_out={heard}",
-                                   f"usart1_from_ns={from_ns}", f"stop_ns={stop_ns}", *options)
+                                   f"usart1_from_ns={from_ns}", f"stop_ns={stop_ns}", *options,
+                                   kernel=kernel)
             limit_s = 300 + SLOWEST * stop_ns // 10**9
             done = subprocess.run(command, capture_output=True, timeout=limit_s, check=False)
             lines = trace.read_text().splitlines() if trace.exists() else []

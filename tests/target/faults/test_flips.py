@@ -69,11 +69,11 @@ class FlipTest(unittest.TestCase):
         self.assertEqual(STOPPED, undisturbed.status, undisturbed.told)
         self.assertGreater(sum(end - begin for begin, end in undisturbed.lit()), 100 * MS)
         self.assertLess(undisturbed.lit_without_step()[0], MOST_LIT_NS)
-        end = CHIP.symbols["bss_end"]
-        begin = CHIP.symbols["stack_bottom"]
+        places = [range(CHIP.symbols["stack_bottom"], CHIP.symbols["stack_top"]),
+                  range(CHIP.symbols["data_begin"], CHIP.symbols["bss_end"])]
         seed = first_seed(self)
         count, chosen = trials(128), random.Random(seed)
-        runs = [[(chosen.randrange(begin, end), chosen.randrange(8), FIRST_NS + i * APART_NS
+        runs = [[(self.one_of(places, chosen), chosen.randrange(8), FIRST_NS + i * APART_NS
                   + chosen.randrange(APART_NS)) for i in range(min(FLIPS_IN_A_RUN, count - first))]
                 for first in range(0, count, FLIPS_IN_A_RUN)]
         kinds, failed = collections.Counter(), []
@@ -89,6 +89,16 @@ class FlipTest(unittest.TestCase):
         for lit, flips in failed:
             print(f"lit without motion for {lit / MS:.3f} ms: {flips}")
         self.assertFalse(failed)
+
+    @staticmethod
+    def one_of(places: list, chosen: random.Random) -> int:
+        """An address of any of the ranges, each as likely as the next."""
+        at = chosen.randrange(sum(map(len, places)))
+        for place in places:
+            if at < len(place):
+                return place[at]
+            at -= len(place)
+        raise AssertionError
 
     def judge(self, number: int, flips: list, undisturbed) -> tuple:
         """What the flips of a run did, by kinds, and how long the beam was lit without motion. A flip in a

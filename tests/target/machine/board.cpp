@@ -21,8 +21,8 @@ Board::Board(const Order& order, const Memory& memory, qemu::Object* core)
                   reset_by(ResetCause::kWatchdog);
                 }},
       can_{services_, order.options, order.frames},
-      beyond_{services_},
-      memories_{memory.system, order.options.seed},
+      beyond_memory_{services_, {"beyond SRAM", 0x2002'0000, {}, 0x1'0000}},
+      memories_{memory, order.options},
       debug_control_{services_},
       cycle_counter_{services_, debug_control_},
       pin_script_{order.pins, ports_},
@@ -49,7 +49,13 @@ Board::Board(const Order& order, const Memory& memory, qemu::Object* core)
   flash_.map_memory(memory.system);
   add(watchdog_, memory.system);
   add(can_, memory.system);
-  add(beyond_, memory.system);
+  add(beyond_memory_, memory.system);
+  constexpr std::uint32_t kFlash = 0x0800'0000, kLargest = 1024;
+  if (const std::uint32_t kib = order.options.flash_kib; kib < kLargest) {
+    beyond_flash_.emplace(services_,
+                          Place{"beyond flash", kFlash + kib * 1024, {}, (kLargest - kib) * 1024});
+    add(*beyond_flash_, memory.system);
+  }
   add(debug_control_, memory.core);
   add(cycle_counter_, memory.core);
   rcc_.follow(cycle_counter_);

@@ -28,12 +28,6 @@ struct Order {
   std::vector<TimedFrame> frames;
 };
 
-/// Where things are to be laid: the memory of the system and, for what is in the core, the core's.
-struct Memory {
-  qemu::MemoryRegion* system;
-  qemu::MemoryRegion* core;
-};
-
 /// The whole machine: makes the peripherals, lays them over the emulator's memory and resets them
 /// with the system.
 class Board {
@@ -67,7 +61,8 @@ class Board {
   Flash flash_;
   Watchdog watchdog_;
   Can can_;
-  BeyondMemory beyond_;
+  BeyondMemory beyond_memory_;
+  std::optional<BeyondMemory> beyond_flash_;
   Memories memories_;
   DebugControl debug_control_;
   CycleCounter cycle_counter_;

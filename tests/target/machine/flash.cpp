@@ -53,6 +53,7 @@ const qemu::MemoryRegionOps Flash::kMemoryOps = {nullptr,
 Flash::Flash(const Services& services, const Options& options, std::function<void()> power_cut)
     : Peripheral{services, {"FLASH", 0x4002'3C00, {}}},
       options_{options},
+      size_{options.flash_kib * 1024},
       power_cut_{std::move(power_cut)},
       random_{options.seed},
       line_{services.interrupts, kInterrupt},
@@ -63,12 +64,12 @@ Flash::Flash(const Services& services, const Options& options, std::function<voi
 
 void Flash::map_memory(qemu::MemoryRegion* container) {
   qemu::memory_region_init_rom_device(
-      &region_, nullptr, &kMemoryOps, this, "machine-flash", kSize, nullptr);
-  qemu::memory_region_init_alias(&alias_, nullptr, "machine-flash-at-0", &region_, 0, kSize);
+      &region_, nullptr, &kMemoryOps, this, "machine-flash", size_, nullptr);
+  qemu::memory_region_init_alias(&alias_, nullptr, "machine-flash-at-0", &region_, 0, size_);
   qemu::memory_region_add_subregion_overlap(container, kAddress, &region_, kOverlayPriority);
   qemu::memory_region_add_subregion_overlap(container, 0, &alias_, kOverlayPriority);
   memory_ = static_cast<std::uint8_t*>(qemu::memory_region_get_ram_ptr(&region_));
-  std::memset(memory_, 0xFF, kSize);
+  std::memset(memory_, 0xFF, size_);
   load();
 }
 
@@ -76,21 +77,23 @@ void Flash::load() {
   if (options_.flash.empty()) return;
   std::FILE* const file = std::fopen(options_.flash.c_str(), "rb");
   if (file == nullptr) return;  // Erased flash, then: the file is made at the end.
-  const std::size_t got = std::fread(memory_, 1, kSize, file);
+  const std::size_t got = std::fread(memory_, 1, size_, file);
   std::fclose(file);
-  if (got != kSize) fmt::print(stderr, "machine: {} has {} bytes\n", options_.flash, got);
+  if (got != size_) fmt::print(stderr, "machine: {} has {} bytes\n", options_.flash, got);
 }
 
 void Flash::save() const {
   if (options_.flash.empty()) return;
   std::FILE* const file = std::fopen(options_.flash.c_str(), "wb");
-  const bool good = file != nullptr && std::fwrite(memory_, 1, kSize, file) == kSize;
+  const bool good = file != nullptr && std::fwrite(memory_, 1, size_, file) == size_;
   if (file == nullptr || std::fclose(file) != 0 || !good) {
     fmt::print(stderr, "machine: cannot write {}\n", options_.flash);
   }
 }
 
-bool Flash::has(std::uint32_t address) { return address >= kAddress && address < kAddress + kSize; }
+bool Flash::has(std::uint32_t address) const {
+  return address >= kAddress && address < kAddress + size_;
+}
 
 void Flash::turn_over(std::uint32_t address, std::uint8_t mask) {
   const std::uint32_t offset = address - kAddress;
@@ -185,6 +188,7 @@ void Flash::write_control(std::uint32_t value) {
 void Flash::erase(std::uint32_t sector) {
   const std::uint32_t parallelism = field(control_, 8, 2);
   if (sector >= kSectors || parallelism > 2) return refuse(kSizeError, "no such sector, or size");
+  if (sector_at(sector).offset >= size_) return refuse(kSizeError, "no such sector in this chip");
   trace().event("flash", "erase {}", sector);
   const auto [offset, size] = sector_at(sector);
   const bool cut = is_cut();

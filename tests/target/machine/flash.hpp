@@ -11,15 +11,13 @@
 
 namespace machine {
 
-/// The megabyte of flash and its interface (RM0090, 3.5 to 3.9): keys, programming of bytes, half
-/// words and words that clears bits only, erasing of sectors, times by the data sheet, errors, and
-/// power that goes during an operation. Not modelled: mass erase and option bytes (refused), the
-/// core's standstill while the flash is busy. Stricter than the chip: programming while busy and a
-/// second unlock after a wrong key are refused and told.
+/// The flash, a megabyte or less, and its interface (RM0090, 3.5 to 3.9): keys, programming of
+/// bytes, half words and words that clears bits only, erasing of sectors, times by the data sheet,
+/// errors, and power that goes during an operation. Not modelled: mass erase and option bytes
+/// (refused), the core's standstill while the flash is busy. Stricter than the chip: programming
+/// while busy and a second unlock after a wrong key are refused and told.
 class Flash final : public Peripheral, public ClockFollower {
  public:
-  static constexpr std::uint32_t kSize = 0x10'0000;
-
   /// `power_cut` is called when the operation of the options is over; it does not return.
   Flash(const Services& services, const Options& options, std::function<void()> power_cut);
 
@@ -28,7 +26,7 @@ class Flash final : public Peripheral, public ClockFollower {
   /// Writes the memory to the file of the options.
   void save() const;
 
-  [[nodiscard]] static bool has(std::uint32_t address);
+  [[nodiscard]] bool has(std::uint32_t address) const;
   /// Turns bits of a byte over, whatever the interface says. @pre has(address)
   void turn_over(std::uint32_t address, std::uint8_t mask);
 
@@ -61,6 +59,7 @@ class Flash final : public Peripheral, public ClockFollower {
   static constexpr std::uint32_t kLock = 1U << 31U;
 
   const Options& options_;
+  std::uint32_t size_;
   std::function<void()> power_cut_;
   Random random_;
   InterruptLine line_;

@@ -3,16 +3,17 @@
 #include <cstdint>
 #include <string>
 
+#include "tests/target/machine/options.hpp"
 #include "tests/target/machine/peripheral.hpp"
 
 namespace machine {
 
-/// What lies beyond the chip's 128 KB: QEMU 7.2 has 64 KB more memory there. Any access is a bus
-/// fault and is told.
+/// What lies beyond the chip's 128 KB of SRAM, or its flash: QEMU 7.2 has more memory there. Any
+/// access is a bus fault and is told.
 class BeyondMemory final : public Peripheral {
  public:
-  explicit BeyondMemory(const Services& services)
-      : Peripheral{services, {"beyond SRAM", 0x2002'0000, {}, 0x1'0000}} {}
+  explicit BeyondMemory(const Services& services, const Place& place)
+      : Peripheral{services, place} {}
 
   void reset() override {}
 
@@ -22,17 +23,25 @@ class BeyondMemory final : public Peripheral {
   void write(std::uint32_t, std::uint32_t) override {}
 };
 
-/// The core-coupled memory, and the words of system memory that say which chip it is (RM0090,
-/// 2.3.1 and 39). The unique identifier is made of the seed.
+/// The memory of the system and, for what is in the core, the core's.
+struct Memory {
+  qemu::MemoryRegion* system;
+  qemu::MemoryRegion* core;
+};
+
+/// The core-coupled memory, and the words that say which chip it is (RM0090, 2.3.1, 38.6.1 and 39).
+/// The unique identifier is made of the seed.
 class Memories {
  public:
-  Memories(qemu::MemoryRegion* container, std::uint64_t seed);
+  Memories(const Memory& memory, const Options& options);
 
   /// Writes the 128 KB of SRAM to a file, where one is named.
   static void save(const std::string& file);
 
  private:
-  qemu::MemoryRegion coupled_{}, identity_{};
+  void lay_identity(qemu::MemoryRegion* container, const Options& options);
+
+  qemu::MemoryRegion coupled_{}, identity_{}, device_code_{};
 };
 
 }  // namespace machine

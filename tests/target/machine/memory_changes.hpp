@@ -25,7 +25,7 @@ class MemoryChanges {
  private:
   static void turn(const BitFlip& flip, Flash& flash, Trace& trace) {
     const auto mask = static_cast<std::uint8_t>(1U << flip.bit);
-    if (Flash::has(flip.address)) {
+    if (flash.has(flip.address)) {
       flash.turn_over(flip.address, mask);
     } else {
       std::uint8_t byte = 0;

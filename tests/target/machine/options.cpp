@@ -86,6 +86,15 @@ bool take_file(std::string_view name, std::string_view value, Options& options) 
   return name == "can_out" && take_text(value, options.can_output);
 }
 
+bool take_flash_size(std::string_view text, std::uint32_t& kib) {
+  return take_number(text, kib, 1024U) && (kib == 256 || kib == 512 || kib == 1024);
+}
+
+bool take_switch(std::string_view text, bool& on) {
+  on = text == "on";
+  return text == "on" || text == "off";
+}
+
 bool take_value(std::string_view name, std::string_view value, Options& options) {
   if (name == "word") return take_word(value, options.words);
   if (name == "seed") return take_number(value, options.seed);
@@ -93,10 +102,9 @@ bool take_value(std::string_view name, std::string_view value, Options& options)
   if (name == "cut_kind") return take_cut_kind(value, options.cut_kind);
   if (name == "erase_us") return take_number(value, options.erase_us);
   if (name == "can_corrupt") return take_number(value, options.can_corrupt_percent, 100U);
-  if (name == "can_alone") {
-    options.can_alone = value == "on";
-    return value == "on" || value == "off";
-  }
+  if (name == "can_alone") return take_switch(value, options.can_alone);
+  if (name == "memories_only") return take_switch(value, options.memories_only);
+  if (name == "flash_kib") return take_flash_size(value, options.flash_kib);
   if (name == "flip") return take_flip(value, options.flips);
   if (name == "store") return take_store(value, options.stores);
   if (name == "crystal_hz") return take_number(value, options.crystal_hz, 26'000'000U);

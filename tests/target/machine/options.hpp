@@ -44,6 +44,8 @@ struct Options {
   std::uint64_t seed = 1;
   std::uint32_t cut = 0;  // Operation; 0: none.
   Cut cut_kind = Cut::kNone;
+  std::uint32_t flash_kib = 1024;
+  bool memories_only = false;  // Nothing of the chip but what the emulator's own memory lacks.
   std::uint32_t erase_us = 0;  // 0: as the data sheet has it.
   std::array<SerialOptions, kSerialPorts> serial;
   std::uint32_t can_corrupt_percent = 0;

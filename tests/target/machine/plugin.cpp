@@ -19,6 +19,7 @@ namespace {
 struct Session {
   Order order;
   std::unique_ptr<Board> board;
+  std::unique_ptr<Memories> memories;  // Instead of the board, where nothing else is wanted.
   qemu::Notifier ready{};
 };
 
@@ -39,6 +40,10 @@ void on_machine_ready(qemu::Notifier*, void*) {
       qemu::object_resolve_path_component(core, "armv7m-container[0]");
   const Memory memory{qemu::get_system_memory(),
                       reinterpret_cast<qemu::MemoryRegion*>(core_memory)};
+  if (now.order.options.memories_only) {
+    now.memories = std::make_unique<Memories>(memory, now.order.options);
+    return;
+  }
   now.board = std::make_unique<Board>(now.order, memory, core);
   qemu::qemu_register_reset([](void*) { session().board->reset(); }, nullptr);
 }

@@ -50,8 +50,17 @@ class CoreTest(unittest.TestCase):
         self.assertEqual([[1, 1]] * 3, said["beyond"])
         self.assertEqual(4, len(outcome.events("misuse", "beyond SRAM")))
         self.assertEqual([[1024]], said["flash_kb"])
+        self.assertEqual([[0x413]], said["code"])
+        self.assertEqual([[0, 0]] * 3, said["flash_end"])
         self.assertEqual(said["unique"], Emulator.run("memory").said["unique"])
         self.assertNotEqual(said["unique"], Emulator.run("memory", "seed=2").said["unique"])
+
+    def test_the_flash_ends_where_the_chip_says(self):
+        for kib, ends in ((512, [[0, 0], [0, 1], [1, 0]]), (256, [[0, 1], [1, 1], [1, 0]])):
+            outcome = Emulator.run("memory", f"flash_kib={kib}")
+            self.assertEqual([[kib]], outcome.said["flash_kb"])
+            self.assertEqual(ends, outcome.said["flash_end"])
+            self.assertTrue(outcome.events("misuse", "beyond flash"))
 
     def test_cycles_are_time_at_the_clock_of_the_core(self):
         said = Emulator.run("memory").said
@@ -77,7 +86,8 @@ class CoreTest(unittest.TestCase):
         empty = Files(self)("empty", "")
         wrong = Files(self)("wrong", "5 PA0 1\n4 PA0 0\n")
         for option in ("nonsense=1", "nonsense", "cut=-1", "cut_kind=half", "flip=20000000:8:1",
-                       "flip=20000000:1", "store=20000002:0:1", "can_corrupt=101", "usart7_in=x", "usart1_window=x",
+                       "flip=20000000:1", "store=20000002:0:1", "can_corrupt=101", "flash_kib=128",
+                       "flash_kib=2048", "memories_only=yes", "usart7_in=x", "usart1_window=x",
                        f"usart1_in={empty}.not", f"can_in={empty}.not", f"pins={wrong}",
                        f"can_in={wrong}", "usart1_chardev=nobody", "trace="):
             outcome = Emulator.run("clocks", option)

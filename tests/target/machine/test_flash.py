@@ -31,6 +31,11 @@ class FlashTest(unittest.TestCase):
         self.assertAlmostEqual(700, Emulator.run("flash", "erase_us=700").said["erase_us"][0][0],
                                delta=1)
 
+    def test_a_small_chip_saves_as_much_as_it_has(self):
+        flash = Files(self)("flash")
+        Emulator.run("flash_cut", f"flash={flash}", "erase_us=100", "flash_kib=256")
+        self.assertEqual(256 << 10, len(flash.read_bytes()))
+
     def test_a_wrong_key_locks_until_reset(self):
         self.assertEqual([[1]], Emulator.run("flash_keys").said["locked"])
 

@@ -61,6 +61,7 @@ struct CanBus {
     static CanModel model;
     return model;
   }
+  static void barrier() noexcept {}
   static Word read(Address address) noexcept {
     return CanModel::has(address) ? can().read(address) : ModelBus::read(address);
   }

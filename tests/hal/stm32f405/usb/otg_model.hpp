@@ -98,6 +98,7 @@ struct UsbBus {
     static OtgModel model;
     return model;
   }
+  static void barrier() noexcept {}
   static Word read(Address address) noexcept {
     return OtgModel::has(address) ? core().read(address) : ModelBus::read(address);
   }

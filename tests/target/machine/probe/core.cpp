@@ -44,6 +44,11 @@ void try_memory() {
     say("beyond", read_faults(address) ? 1 : 0, write_faults(address, 1) ? 1 : 0);
   }
   say("flash_kb", at(0x1FFF'7A20) >> 16U);
+  say("code", at(0xE004'2000) & 0xFFFU);
+  for (const Word kib : {256U, 512U, 1024U}) {
+    const Word end = 0x0800'0000 + kib * 1024;
+    say("flash_end", read_faults(end - 4) ? 1 : 0, kib < 1024 && read_faults(end) ? 1 : 0);
+  }
   for (const Word offset : {0U, 4U, 8U}) say("unique", at(0x1FFF'7A10 + offset));
   constexpr Word kDebugControl = 0xE000'EDFC, kCycles = 0xE000'1004, kCycleControl = 0xE000'1000;
   at(kCycleControl) = 1;

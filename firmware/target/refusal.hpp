@@ -1,0 +1,130 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "hal/interface/byte_stream.hpp"
+
+namespace target {
+
+/// Speaks for a controller on one link while its image must not run: a greeting, then the reason
+/// and an error for every line. It needs no clock, no store and no other part of the firmware. Main
+/// loop context.
+class RefusalTalk {
+ public:
+  /// @param reason a line `[MSG:…]` with its end; it outlives this, as the stream does.
+  RefusalTalk(hal::ByteStream& stream, std::string_view reason)
+      : stream_{stream}, reason_{reason} {}
+
+  /// Begins with the banner and the reason, as senders expect when they connect; what was owed to
+  /// an earlier sender is dropped.
+  void greet() {
+    owed_.fill(0);
+    rest_ = {};
+    length_ = 0;
+    owe(kGreeting);
+    owe(kReason);
+  }
+
+  /// Takes the bytes that have come and sends what fits; never waits. @return whether the line
+  /// `$DFU` has come, by which a user leaves for the boot loader.
+  [[nodiscard]] bool attend() {
+    std::array<std::byte, 32> bytes{};
+    bool wants_loader = false;
+    const std::size_t count = stream_.read(bytes);
+    for (const std::byte byte : std::span{bytes}.first(count)) {
+      if (take(static_cast<char>(byte))) wants_loader = true;
+    }
+    send();
+    return wants_loader;
+  }
+
+  /// Checks that everything owed is written.
+  [[nodiscard]] bool idle() const { return rest_.empty() && next_owed() == kParts; }
+
+ private:
+  /// In the order in which they are sent.
+  enum Part : std::size_t { kGreeting, kStatus, kReason, kError, kOk, kParts };
+  static constexpr std::string_view kLeave = "$DFU";
+
+  /// @return whether the line `$DFU` ends with this byte.
+  bool take(char byte) {
+    constexpr char kReset = 0x18;
+    if (byte == '?') {
+      owe(kStatus);
+    } else if (byte == kReset) {
+      greet();
+    } else if (byte == '\n' || byte == '\r') {
+      return end_line();
+    } else {
+      if (length_ < line_.size()) line_[length_] = byte;
+      ++length_;
+    }
+    return false;
+  }
+
+  /// An empty line is the second half of a line's end, and is owed nothing.
+  bool end_line() {
+    if (length_ == 0) return false;
+    const bool leaves = std::string_view{line_.data(), std::min(length_, line_.size())} == kLeave &&
+                        length_ == kLeave.size();
+    length_ = 0;
+    if (leaves) {
+      owe(kOk);
+      return true;
+    }
+    if (owed_[kReason] == 0) owe(kReason);
+    owe(kError);
+    return false;
+  }
+
+  void owe(Part part) { ++owed_[part]; }
+
+  [[nodiscard]] std::size_t next_owed() const {
+    std::size_t part = 0;
+    while (part < kParts && owed_[part] == 0) ++part;
+    return part;
+  }
+
+  void send() {
+    while (true) {
+      if (rest_.empty()) {
+        const std::size_t part = next_owed();
+        if (part == kParts) return;
+        --owed_[part];
+        rest_ = text_of(part);
+      }
+      const std::size_t sent = stream_.write(std::as_bytes(std::span{rest_}));
+      rest_.remove_prefix(sent);
+      if (sent == 0) return;
+    }
+  }
+
+  [[nodiscard]] std::string_view text_of(std::size_t part) const {
+    switch (part) {
+      case kGreeting:
+        return "\r\nGrbl 1.1h ['$' for help]\r\n";
+      case kStatus:
+        return "<Alarm|MPos:0.000,0.000,0.000|FS:0,0>\r\n";
+      case kReason:
+        return reason_;
+      case kError:
+        return "error:9\r\n";  // Locked.
+      default:
+        return "ok\r\n";
+    }
+  }
+
+  hal::ByteStream& stream_;
+  std::string_view reason_;
+  std::string_view rest_{};                     ///< Of what is being sent.
+  std::array<std::uint32_t, kParts> owed_{};    ///< How often each part is still to be sent.
+  std::array<char, kLeave.size() + 1> line_{};  ///< Beginning of the line that is coming in.
+  std::size_t length_ = 0;                      ///< Bytes of that line so far.
+};
+
+}  // namespace target

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+
+#include "hal/stm32f405/bus.hpp"
+#include "hal/stm32f405/sectors.hpp"
+#include "hal/stm32f405/text_row.hpp"
+
+namespace hal::stm32f405 {
+
+/// Why an image must not run on the chip that it is on.
+enum class Unfitness : std::uint8_t {
+  kDamaged,      ///< Its bytes are not those that were built: truncated, or changed.
+  kUnknownChip,  ///< How much flash there is cannot be read.
+  kSmallChip,    ///< The flash has no space for the store behind the image.
+};
+
+struct Fitness {
+  std::optional<Unfitness> fault{};
+  std::uint32_t flash_kib = 0;   ///< Of the chip; 0 when unknown.
+  std::uint32_t wanted_kib = 0;  ///< Of the smallest chip on which the image runs.
+  StoreSectors store{};          ///< Valid without a fault.
+};
+
+/// Judges an image that ends at `end` and is whole or not on a chip with so much flash, 0 when
+/// unknown.
+constexpr Fitness fitness_of(bool whole, Address end, std::uint32_t flash_kib) {
+  Fitness fitness{.flash_kib = flash_kib};
+  const auto fits = [end](std::uint32_t kib) {
+    const std::optional<StoreSectors> store = store_sectors_of(kib);
+    return store && end - flash::kMemory <= sector_start((*store)[0]);
+  };
+  fitness.wanted_kib = fits(512) ? 512 : 1024;
+  if (!whole) {
+    fitness.fault = Unfitness::kDamaged;
+  } else if (flash_kib == 0) {
+    fitness.fault = Unfitness::kUnknownChip;
+  } else if (!fits(flash_kib)) {
+    fitness.fault = Unfitness::kSmallChip;
+  } else {
+    fitness.store = *store_sectors_of(flash_kib);
+  }
+  return fitness;
+}
+
+/// Writes the line that tells a user why nothing runs and what to do. @return its bytes.
+/// @pre fitness.fault
+inline std::size_t describe(const Fitness& fitness, std::span<char> into) {
+  TextRow text{into};
+  text.text("[MSG:Nothing runs: ");
+  switch (*fitness.fault) {
+    case Unfitness::kDamaged:
+      text.text(
+          "the image in the flash is damaged or incomplete. Flash it again, after $DFU or by "
+          "the board's loader");
+      break;
+    case Unfitness::kUnknownChip:
+      text.text(
+          "the chip does not tell its flash size as an F405, F407 or F429 does. Use a board "
+          "with one of them");
+      break;
+    case Unfitness::kSmallChip:
+      text.text("the chip has ")
+          .number(fitness.flash_kib)
+          .text(" KiB of flash, and the image with ");
+      text.text("its store takes ").number(fitness.wanted_kib);
+      text.text(" KiB. Use a board with a larger chip");
+      break;
+  }
+  text.text("]\r\n");
+  return text.size();
+}
+
+}  // namespace hal::stm32f405
