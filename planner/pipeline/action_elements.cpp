@@ -24,7 +24,8 @@ void ActionElements::begin(const Action& action, const Position& from, float spl
   } else if (action.kind == ActionKind::kSpline) {
     curve_.emplace<ArcFit>(*action.spline, from, spline_tolerance_mm);
   } else {
-    curve_ = Line{.from = from, .end = action.end, .powers = action.powers};
+    // Not an assignment to the variant, which could end in abort() as far as a compiler knows.
+    curve_.emplace<Line>() = {.from = from, .end = action.end, .powers = action.powers};
   }
 }
 

@@ -42,7 +42,7 @@ class ActionElements {
   /// @pre accepts(action)
   void begin(const gcode::Action& action, const Position& from, float spline_tolerance_mm);
   /// Forgets the action.
-  void clear() { curve_ = None{}; }
+  void clear() { curve_.emplace<None>(); }
 
   /// Returns whether an action has been begun and not cleared.
   [[nodiscard]] bool active() const { return !std::holds_alternative<None>(curve_); }
