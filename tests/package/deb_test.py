@@ -12,6 +12,7 @@ import socket
 import subprocess
 import sys
 import tempfile
+import threading
 import time
 import unittest
 import urllib.request
@@ -19,12 +20,13 @@ import urllib.request
 CPACK, BUILD = sys.argv[1], pathlib.Path(sys.argv[2])
 EXAMPLES = "/usr/share/doc/kerfline/examples"
 BANNER = b"Grbl 1.1h ['$' for help]\r\n"
+LONGEST_S = 400  # Of a command: the archive may be slow, but a test that hangs says where.
 
 
 def run(*command, **options):
     """Standard output; what went wrong, if it did, as the message of an error."""
     done = subprocess.run([str(word) for word in command], capture_output=True, text=True, check=False,
-                          **options)
+                          stdin=subprocess.DEVNULL, timeout=LONGEST_S, **options)
     if done.returncode != 0:
         raise AssertionError(f"{command}: status {done.returncode}\n{done.stdout}\n{done.stderr}")
     return done.stdout
@@ -99,6 +101,8 @@ class Package(unittest.TestCase):
     def test_serves(self):
         with subprocess.Popen(["chroot", self.root, "kerfline", "serve", "--tcp", "0", "--ws", "0"],
                               stdout=subprocess.PIPE, text=True) as served:
+            end_of_all = threading.Timer(LONGEST_S, served.kill)
+            end_of_all.start()
             try:
                 ways = dict(served.stdout.readline().split() for _ in range(3))
                 with socket.create_connection(ways["tcp"].rsplit(":", 1), timeout=10) as link:
@@ -116,6 +120,8 @@ class Package(unittest.TestCase):
                     self.assertIn(b"<title>Kerfline</title>", page.read())
             finally:
                 served.terminate()
+                served.wait()
+                end_of_all.cancel()
 
 
 if __name__ == "__main__":
