@@ -15,42 +15,41 @@ void ActionElements::begin(const Action& action, const Position& from, float spl
   feed_mm_s_ = action.kind == ActionKind::kRapid ? 0.0F : action.feed;
   taken_ = 0;
   if (action.kind == ActionKind::kArc) {
-    curve_.emplace<ArcElements>(CentreArc{.start = from,
-                                          .end = action.end,
-                                          .plane = action.plane,
-                                          .centre = action.centre,
-                                          .clockwise = action.clockwise,
-                                          .turns = action.turns});
+    curve_ = Curve::kArc;
+    arc_.emplace(CentreArc{.start = from,
+                           .end = action.end,
+                           .plane = action.plane,
+                           .centre = action.centre,
+                           .clockwise = action.clockwise,
+                           .turns = action.turns});
   } else if (action.kind == ActionKind::kSpline) {
-    curve_.emplace<ArcFit>(*action.spline, from, spline_tolerance_mm);
+    curve_ = Curve::kSpline;
+    spline_.emplace(*action.spline, from, spline_tolerance_mm);
   } else {
-    // Not an assignment to the variant, which could end in abort() as far as a compiler knows.
-    curve_.emplace<Line>() = {.from = from, .end = action.end, .powers = action.powers};
+    curve_ = Curve::kLine;
+    line_ = {.from = from, .end = action.end, .powers = action.powers};
   }
 }
 
 bool ActionElements::done() const {
-  if (const auto* const fit = std::get_if<ArcFit>(&curve_)) return fit->done();
-  if (const auto* const arc = std::get_if<ArcElements>(&curve_)) return taken_ == arc->count();
-  const auto* const line = std::get_if<Line>(&curve_);
-  CNC_ASSERT(line != nullptr);
-  return taken_ == line->count();
+  CNC_ASSERT(active());
+  if (curve_ == Curve::kSpline) return spline_->done();
+  return taken_ == (curve_ == Curve::kArc ? arc_->count() : line_.count());
 }
 
 bool ActionElements::work(std::uint32_t& points) {
-  auto* const fit = std::get_if<ArcFit>(&curve_);
-  return fit == nullptr || fit->work(points);
+  return curve_ != Curve::kSpline || spline_->work(points);
 }
 
 ActionPart ActionElements::next() {
   CNC_ASSERT(!done());
   ActionPart part{.feed_mm_s = feed_mm_s_, .continues = taken_ > 0, .index = taken_};
-  if (auto* const fit = std::get_if<ArcFit>(&curve_)) {
-    part.element = fit->next();
-  } else if (const auto* const arc = std::get_if<ArcElements>(&curve_)) {
-    part.element = arc->element(taken_);
-  } else if (const auto* const line = std::get_if<Line>(&curve_)) {
-    part = next_of(*line);
+  if (curve_ == Curve::kSpline) {
+    part.element = spline_->next();
+  } else if (curve_ == Curve::kArc) {
+    part.element = arc_->element(taken_);
+  } else {
+    part = next_of(line_);
   }
   here_ = part.element.end;
   ++taken_;

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <variant>
 
 #include "planner/gcode/action.hpp"
 #include "planner/geometry/arc_elements.hpp"
@@ -42,10 +41,10 @@ class ActionElements {
   /// @pre accepts(action)
   void begin(const gcode::Action& action, const Position& from, float spline_tolerance_mm);
   /// Forgets the action.
-  void clear() { curve_.emplace<None>(); }
+  void clear() { curve_ = Curve::kNone; }
 
   /// Returns whether an action has been begun and not cleared.
-  [[nodiscard]] bool active() const { return !std::holds_alternative<None>(curve_); }
+  [[nodiscard]] bool active() const { return curve_ != Curve::kNone; }
   /// Returns whether no element is left. @pre active()
   [[nodiscard]] bool done() const;
 
@@ -59,7 +58,7 @@ class ActionElements {
   [[nodiscard]] ActionPart next();
 
  private:
-  struct None {};
+  enum class Curve : std::uint8_t { kNone, kLine, kArc, kSpline };
   struct Line {
     Position from{};
     Position end{};
@@ -71,7 +70,11 @@ class ActionElements {
 
   [[nodiscard]] ActionPart next_of(const Line& line) const;
 
-  std::variant<None, Line, ArcElements, ArcFit> curve_{};
+  // Not a variant: to a compiler for size its accesses may end in abort().
+  Curve curve_ = Curve::kNone;
+  Line line_{};
+  std::optional<ArcElements> arc_{};
+  std::optional<ArcFit> spline_{};
   Position here_{};  ///< End of the elements so far.
   float feed_mm_s_ = 0.0F;
   std::uint32_t taken_ = 0;  ///< Number of elements so far.
