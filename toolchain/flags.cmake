@@ -1,13 +1,35 @@
-# Flags that every target shares. What decides motion must give the same bits on
-# every machine, so no contraction of a*b+c and no vector code in Eigen.
+# Read by the top folder, or by planner/ where another project takes that alone.
+include_guard(GLOBAL)
+cmake_path(GET CMAKE_CURRENT_LIST_DIR PARENT_PATH kerfline_root)
+
+option(KERFLINE_HOST "Build for the machine that runs the program, not for a controller" ON)
+option(KERFLINE_CONTRACT_TEXT "A failed contract names its condition, file and line"
+  ${KERFLINE_HOST})
+
+# Flags that decide bits and layouts in headers, so they are part of what the planner asks of
+# other projects. Motion has the same bits on every machine: no contraction of a*b+c, no vector
+# code in Eigen.
+add_library(kerfline_same_bits INTERFACE)
+target_compile_features(kerfline_same_bits INTERFACE cxx_std_20)
+target_compile_options(kerfline_same_bits INTERFACE
+  $<$<COMPILE_LANGUAGE:CXX>:-ffp-contract=off> $<$<COMPILE_LANGUAGE:CXX>:-fno-math-errno>)
+target_compile_definitions(kerfline_same_bits INTERFACE
+  EIGEN_DONT_VECTORIZE EIGEN_MAX_STATIC_ALIGN_BYTES=0
+  KERFLINE_CONTRACT_TEXT=$<BOOL:${KERFLINE_CONTRACT_TEXT}>)
+
+# Flags that every target of this project shares.
 add_library(kerfline_flags INTERFACE)
-target_include_directories(kerfline_flags INTERFACE ${PROJECT_SOURCE_DIR})
+target_link_libraries(kerfline_flags INTERFACE kerfline_same_bits)
+target_include_directories(kerfline_flags INTERFACE ${kerfline_root})
 target_compile_options(kerfline_flags INTERFACE
-  -Wall -Wextra -Wconversion -Wshadow -Werror -ffp-contract=off -fno-math-errno
-  -ffile-prefix-map=${PROJECT_SOURCE_DIR}/=)  # The same image from any folder.
+  -Wall -Wextra -Wconversion -Wshadow
+  -ffile-prefix-map=${kerfline_root}/=)  # The same image from any folder.
 target_compile_definitions(kerfline_flags INTERFACE
-  EIGEN_DONT_VECTORIZE EIGEN_NO_MALLOC EIGEN_NO_DEBUG EIGEN_STACK_ALLOCATION_LIMIT=1024
-  EIGEN_MAX_STATIC_ALIGN_BYTES=0)
+  EIGEN_NO_MALLOC EIGEN_NO_DEBUG EIGEN_STACK_ALLOCATION_LIMIT=1024)
+if(KERFLINE_TOP_LEVEL)
+  # Within another project a new compiler's warning is no error.
+  target_compile_options(kerfline_flags INTERFACE -Werror)
+endif()
 if(KERFLINE_HOST AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # False alarms of GCC 12 inside std::string (GCC bugs 105329, 105651). The
   # controller's build, which has no std::string, keeps these warnings.
@@ -37,14 +59,21 @@ endif()
 option(KERFLINE_FUZZ "libFuzzer programs of tests/fuzz; needs Clang" OFF)
 if(KERFLINE_FUZZ)
   add_compile_options(-fsanitize=fuzzer-no-link)
+  add_link_options(-fsanitize=fuzzer-no-link)
 endif()
 
-find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+# Global: a project that takes planner/ alone links Eigen from its own folder.
+find_package(Eigen3 3.4 REQUIRED NO_MODULE GLOBAL)
 
 # Every .cpp below a layer's folder belongs to the layer.
-function(kerfline_layer name flags)
+function(kerfline_sources result)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
   list(FILTER sources EXCLUDE REGEX "/target/|/examples/|/main\\.cpp$")
+  set(${result} ${sources} PARENT_SCOPE)
+endfunction()
+
+function(kerfline_layer name flags)
+  kerfline_sources(sources)
   if(sources)
     add_library(${name} STATIC ${sources})
     target_link_libraries(${name} PRIVATE ${flags} PUBLIC kerfline_flags ${ARGN})
@@ -54,5 +83,3 @@ function(kerfline_layer name flags)
   endif()
   set_target_properties(${name} PROPERTIES KERFLINE_FLAGS ${flags})
 endfunction()
-
-include(toolchain/compile_checks.cmake)

@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs the Debian packages of packages.txt that are missing, and nothing
-# else: `setup.sh run` what building and running needs, `setup.sh test` also
-# what the tests need. Asks nothing; with nothing missing it needs no root.
+# else: `setup.sh run` installs those for building and running, `setup.sh test`
+# those for the tests besides, `setup.sh prove` those for everything. It asks
+# nothing; with nothing missing it needs no root.
 set -euo pipefail
 
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -9,7 +10,8 @@ part=${1:-run}
 case $part in
   run) parts=' run ' ;;
   test) parts=' run test ' ;;
-  *) echo "usage: setup.sh [run|test]" >&2; exit 2 ;;
+  prove) parts=' run test prove ' ;;
+  *) echo "usage: setup.sh [run|test|prove]" >&2; exit 2 ;;
 esac
 
 wanted=()

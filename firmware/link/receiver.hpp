@@ -78,15 +78,19 @@ class Receiver {
  private:
   enum class Comment : std::uint8_t { kNone, kBrackets, kRestOfLine };
 
-  /// Bit i of word w: byte 32 w + i is a blank, a line end, or anything printable but
-  /// ! ? ~ ( ) ;
-  static constexpr std::array<std::uint32_t, 4> kPlain{
-      0x0000'2600, 0x77FF'FCFD, 0xFFFF'FFFF, 0x3FFF'FFFF};
+  /// By byte: a blank, a line end, or anything printable but ! ? ~ ( ) ;
+  static constexpr std::array<bool, 0x80> kPlain = [] {
+    std::array<bool, 0x80> plain{};
+    for (const char c : {'\t', '\n', '\r'}) plain[static_cast<std::size_t>(c)] = true;
+    for (char c = ' '; c < '~'; ++c) plain[static_cast<std::size_t>(c)] = true;
+    for (const char c : {'!', '?', '(', ')', ';'}) plain[static_cast<std::size_t>(c)] = false;
+    return plain;
+  }();
 
   /// Nothing but part of a line outside comments, as nearly all bytes are: it neither
   /// acts nor begins a comment or a character of several bytes.
   [[nodiscard]] static constexpr bool is_plain(std::uint8_t byte) {
-    return byte < 0x80 && (kPlain[byte >> 5] >> (byte & 31U) & 1U) != 0;
+    return byte < kPlain.size() && kPlain[byte];
   }
   [[nodiscard]] bool receive_other(std::uint8_t byte);
   [[nodiscard]] bool receive_strict(std::uint8_t byte);

@@ -2,17 +2,19 @@
 
 #include "firmware/steps/step_drive.hpp"
 #include "firmware/steps/turn_gate.hpp"
-#include "planner/motion/motor_segments.hpp"
+#include "planner/motion/segment.hpp"
 
 namespace cnc {
 
-/// Hands segments to the drive until it has enough of them or there are no more, or until there
-/// is three times as much as is driven in a turn: planning a start takes no longer than the rest.
-inline void feed_segments(StepDrive& drive, motion::Segmenter& plan, motion::MotorStage& motors) {
-  constexpr std::uint32_t kTicksInATurn = 3 * kTurnTicks;
-  for (std::uint32_t cut = 0; drive.wants_more() && cut < kTicksInATurn;) {
+/// Hands segments to the drive until it has enough of them, until there are no more, or until they
+/// last three cycles: so planning a start takes no longer than planning the rest.
+/// @param next makes the next segment; false if there is none
+template <typename Source>
+void feed_segments(StepDrive& drive, Source&& next) {
+  constexpr std::uint32_t kTicksInCycle = 3 * kTurnTicks;
+  for (std::uint32_t cut = 0; drive.wants_more() && cut < kTicksInCycle;) {
     motion::Segment segment;
-    if (!motion::next_segment(plan, motors, segment)) return;
+    if (!next(segment)) return;
     drive.push(segment);
     cut += segment.ticks;
   }

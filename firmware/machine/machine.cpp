@@ -57,8 +57,8 @@ gcode::Refusal Machine::accept(std::string_view line) {
   return refusal;
 }
 
-/// Apart from accept(): what the line is read with is gone before its actions go deep.
-[[gnu::noinline]] gcode::Refusal Machine::take_line(std::string_view line) {
+/// Reads a line and leaves its actions waiting.
+gcode::Refusal Machine::take_line(std::string_view line) {
   CNC_ASSERT(!busy() && !locked());
   const Position from = interpreter_.position();
   // Both have followed the same lines, else one of them has changed in memory.

@@ -24,8 +24,8 @@
 #include "hal/interface/tick_count.hpp"
 #include "planner/compensation/compensator.hpp"
 #include "planner/gcode/interpreter.hpp"
-#include "planner/geometry/arc_elements.hpp"
-#include "planner/geometry/arc_fit.hpp"
+#include "planner/pipeline/action_elements.hpp"
+#include "planner/pipeline/path_tolerance.hpp"
 
 namespace cnc {
 
@@ -231,11 +231,7 @@ class Machine {
 
   // Actions, in machine_actions.cpp; probing in machine_probe.cpp. True when done.
   [[nodiscard]] bool run(const gcode::Action& action);
-  [[nodiscard]] bool move_straight(const gcode::Action& action, float feed);
-  [[nodiscard]] bool move_in_parts(const gcode::Action& action);
-  [[nodiscard]] Position end_of_part(const gcode::Action& action) const;
-  [[nodiscard]] bool move_arc(const gcode::Action& action);
-  [[nodiscard]] bool move_spline(const gcode::Action& action);
+  [[nodiscard]] bool move(const gcode::Action& action);
   [[nodiscard]] bool probe(const gcode::Action& action);
   [[nodiscard]] bool finish_probe(const gcode::Action& action);
   void end_probe(const Position& place, bool success);
@@ -245,12 +241,10 @@ class Machine {
   [[nodiscard]] bool pause();
   [[nodiscard]] bool change_tool(std::uint32_t tool);
   [[nodiscard]] bool end_program();
-  /// @param part of the line, from 0
-  void append(const PathElement& element, float feed, bool continues, std::size_t part = 0);
+  void append(const ActionPart& part);
   [[nodiscard]] bool drive(path::PathItem& item);
   [[nodiscard]] bool standstill();
-  [[nodiscard]] path::Tolerance path_tolerance() const;
-  [[nodiscard]] float spline_tolerance() const;
+  [[nodiscard]] UsualTolerance usual_tolerance() const;
 
   // A program that was interrupted, in machine_reentry.cpp.
   void note_progress();
@@ -330,6 +324,8 @@ class Machine {
   motion::Limits limits_{};
   MemoryWatch settings_watch_{};
   MemoryWatch places_watch_{};
+  std::uint32_t places_revision_ = 0;  ///< When places_watch_ was told of what it watches.
+  bool memory_is_sound_ = true;
   kerf::SelectedTable kerf_{};
   gcode::Interpreter interpreter_{};
   MotionControl motion_;
@@ -354,17 +350,13 @@ class Machine {
   Travel travel_{};
 
   gcode::Actions waiting_{};
-  std::optional<ArcElements> arc_{};  ///< The arc being divided.
-  std::uint32_t arc_index_ = 0;
+  ActionElements elements_{};  ///< Of the action that is being driven.
   compensation::Compensator compensator_{};
   gcode::CutterCompensation compensation_{};  ///< What G41 or G42 said.
+  Plane compensation_plane_ = Plane::kXY;     ///< Of G41 or G42.
   kerf::KerfCourse kerf_course_{};            ///< While the path follows the kerf.
   std::optional<compensation::Fault> path_fault_{};
-  Position parts_from_{};                        ///< Of the line whose parts differ in power…
-  std::size_t part_ = 0;                         ///< …so many of which have been taken.
-  std::optional<ArcFit> spline_{};               ///< The spline being turned into arcs.
-  std::uint32_t spline_arcs_ = 0;                ///< So many have been appended.
-  std::uint32_t spline_points_ = kSplinePoints;  ///< To be looked at in this turn.
+  std::uint32_t spline_points_ = kSplinePoints;  ///< Budget of this cycle.
   motion::OutputChanges with_next_motion_{};
   std::optional<JogMove> jog_{};  ///< Waits for room in the planner.
   Dwell dwell_{};                 ///< Of an action.
@@ -376,7 +368,6 @@ class Machine {
   bool optional_stop_ = false;
   bool single_block_ = false;
   bool block_delete_ = true;
-  Plane compensation_plane_ = Plane::kXY;  ///< Of G41 or G42.
   std::optional<std::uint32_t> tool_wanted_{};
   Probing probing_ = Probing::kNo;
   Probe last_probe_{};
@@ -392,8 +383,6 @@ class Machine {
 
   OverridePercent percent_{};
   hal::TickCount last_poll_{};
-  std::uint32_t places_revision_ = 0;  ///< When places_watch_ was told of what it watches.
-  bool memory_is_sound_ = true;
   bool polled_ = false;
   bool motors_enabled_ = false;
   std::int64_t motors_idle_us_ = 0;

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include "firmware/machine/machine.hpp"
 
 namespace cnc {
@@ -30,13 +28,10 @@ bool Machine::run(const Action& action) {
   if (compensator_.beside() && is_path(action) && !leads_back && !leave_path(action)) return false;
   switch (action.kind) {
     case ActionKind::kRapid:
-      return move_straight(action, 0.0F);
     case ActionKind::kLine:
-      return action.powers.empty() ? move_straight(action, action.feed) : move_in_parts(action);
     case ActionKind::kArc:
-      return move_arc(action);
     case ActionKind::kSpline:
-      return move_spline(action);
+      return move(action);
     case ActionKind::kProbe:
       return probe(action);
     case ActionKind::kCompensation:
@@ -74,29 +69,20 @@ bool Machine::standstill() {
   return motion_.drained();
 }
 
-/// G61 stays within $11, corners and welds together. G64 rounds within its P and welds
-/// within its Q; P alone stands for both, and where there is no P it is $11's.
-path::Tolerance Machine::path_tolerance() const {
-  const gcode::PathControl& control = interpreter_.state().path;
-  const float usual = settings_.get(setting::kJunctionDeviation);
-  if (control.mode == gcode::PathMode::kStop) return {};
-  if (!control.tolerance_mm && !control.naive_tolerance_mm) {
-    return path::tolerance_within(usual, settings_.get(setting::kArcTolerance));
-  }
-  return {.corner_mm = control.tolerance_mm.value_or(usual),
-          .weld_mm = control.naive_tolerance_mm.value_or(control.tolerance_mm.value_or(0.0F))};
+UsualTolerance Machine::usual_tolerance() const {
+  return {.path_mm = settings_.get(setting::kJunctionDeviation),
+          .arc_mm = settings_.get(setting::kArcTolerance)};
 }
 
-/// @param continues the curve of the element before it
-void Machine::append(const PathElement& element, float feed, bool continues, std::size_t part) {
-  path::PathItem item{
-      .request = {.element = element,
-                  .feed_mm_s = feed,
-                  .beam = beam_for(feed <= 0.0F),
-                  .outputs = with_next_motion_,
-                  .line = {interpreter_.state().line_number, static_cast<std::uint32_t>(part)}},
-      .tolerance = path_tolerance(),
-      .continues = continues};
+void Machine::append(const ActionPart& part) {
+  const gcode::ModalState& modal = interpreter_.state();
+  path::PathItem item{.request = {.element = part.element,
+                                  .feed_mm_s = part.feed_mm_s,
+                                  .beam = beam_for(part.feed_mm_s <= 0.0F),
+                                  .outputs = with_next_motion_,
+                                  .line = {modal.line_number, part.index}},
+                      .tolerance = path_tolerance(modal.path, usual_tolerance()),
+                      .continues = part.continues};
   if (compensates() || state_.in(Mode::kCheck)) return append_beside(item);
   compensation_.by_kerf = false;  // The exit was the last that has to keep it.
   if (drive(item)) with_next_motion_ = {};
@@ -111,76 +97,20 @@ bool Machine::drive(path::PathItem& item) {
   return appended.value();
 }
 
-bool Machine::move_straight(const Action& action, float feed) {
-  if (!has_room()) return false;
-  append({.start = target(), .end = action.end}, feed, false);
-  return true;
-}
-
-/// Equal parts of a line, each with its power, as the planner has room. To the nanometre.
-bool Machine::move_in_parts(const Action& action) {
-  if (part_ == 0) parts_from_ = target();
-  while (part_ < action.powers.size()) {
-    if (!has_room()) return false;
-    tool_.set_speed(action.powers[part_]);
-    ++part_;
-    append({.start = target(), .end = end_of_part(action)}, action.feed, false, part_);
+/// Appends the elements of the action as the planner has capacity, and computes as many points of a
+/// spline as a cycle may.
+bool Machine::move(const Action& action) {
+  if (!elements_.active()) {
+    elements_.begin(
+        action, target(), spline_tolerance(interpreter_.state().path, usual_tolerance()));
   }
-  part_ = 0;
-  return true;
-}
-
-Position Machine::end_of_part(const Action& action) const {
-  const auto count = static_cast<std::int64_t>(action.powers.size());
-  Position end = action.end;
-  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    const std::int64_t way = (action.end[axis] - parts_from_[axis]).nanometres();
-    if (way == 0) continue;
-    const auto part = static_cast<std::int64_t>(part_);
-    end[axis] = parts_from_[axis] + Coordinate{way * part / count};
+  while (!elements_.done()) {
+    if (!has_room() || !elements_.work(spline_points_)) return false;
+    const ActionPart part = elements_.next();
+    if (part.power_s) tool_.set_speed(*part.power_s);
+    append(part);
   }
-  return end;
-}
-
-/// How far arcs may be from the curve they stand for: Q of G64, or $12.
-float Machine::spline_tolerance() const {
-  const float naive = interpreter_.state().path.naive_tolerance_mm.value_or(0.0F);
-  const float wanted = naive > 0.0F ? naive : settings_.get(setting::kArcTolerance);
-  return std::max(wanted, ArcFit::kLeastToleranceMm);
-}
-
-/// Arc by arc, as the planner has room, and as many points of the curve as a turn may look at.
-bool Machine::move_spline(const Action& action) {
-  if (!spline_) {
-    spline_.emplace(*action.spline, target(), spline_tolerance());
-    spline_arcs_ = 0;
-  }
-  while (!spline_->done()) {
-    if (!has_room() || !spline_->work(spline_points_)) return false;
-    append(spline_->next(), action.feed, spline_arcs_ > 0, spline_arcs_);
-    ++spline_arcs_;
-  }
-  spline_.reset();
-  return true;
-}
-
-/// Element by element, as the planner has room.
-bool Machine::move_arc(const Action& action) {
-  if (!arc_) {
-    arc_.emplace(CentreArc{.start = target(),
-                           .end = action.end,
-                           .plane = action.plane,
-                           .centre = action.centre,
-                           .clockwise = action.clockwise,
-                           .turns = action.turns});
-    arc_index_ = 0;
-  }
-  while (arc_index_ < arc_->count()) {
-    if (!has_room()) return false;
-    append(arc_->element(arc_index_), action.feed, arc_index_ > 0, arc_index_);
-    ++arc_index_;
-  }
-  arc_.reset();
+  elements_.clear();
   return true;
 }
 

@@ -93,7 +93,7 @@ void Machine::append_beside(const path::PathItem& item) {
   }
   if (!compensator_.active()) return compensator_.stand_at(element.end);
   with_next_motion_ = {};
-  // It is given out when the next is asked for, or in the next turn: from here the way is deep.
+  // It is given out when the next is asked for, or in the next cycle.
   if (const auto fault = compensator_.put(item)) refuse_path(*fault);
 }
 

@@ -16,7 +16,7 @@ bool Machine::probe(const Action& action) {
         return false;
       }
       drive_.arm_probe(action.probe.towards_contact);
-      append({.start = motion_.target(), .end = action.end}, action.feed, false);
+      append({.element = {.start = motion_.target(), .end = action.end}, .feed_mm_s = action.feed});
       motion_.flush();
       probing_ = Probing::kMoving;
       return false;

@@ -42,9 +42,7 @@ void Machine::cut_off() {
 void Machine::drop_everything() {
   cutting_off_ = false;
   waiting_ = {};
-  arc_.reset();
-  part_ = 0;
-  spline_.reset();
+  elements_.clear();
   jog_.reset();
   with_next_motion_ = {};
   dwelling_ = false;

@@ -41,8 +41,8 @@ void Machine::set_power_table(const motion::PowerTable& table) {
   apply_settings();
 }
 
-/// By parts, out of line, of which each makes large values and gives their room back. A setting
-/// that turned over before all was trusted is in the checksum, so settings answer for themselves.
+/// A setting that turned over before all was trusted is in the checksum, so settings answer for
+/// themselves.
 void Machine::apply_settings() {
   apply_limits();
   travel_.configure(settings_, homed_);
@@ -56,18 +56,18 @@ void Machine::apply_settings() {
   memory_is_sound_ = memory_is_sound_ && settings_.sound();
 }
 
-[[gnu::noinline]] void Machine::apply_limits() {
+void Machine::apply_limits() {
   limits_ = limits_from(settings_);
   limits_.beam = beam_response_from(settings_, power_table_);
 }
 
-[[gnu::noinline]] void Machine::apply_motor_settings() {
+void Machine::apply_motor_settings() {
   motion_.configure(motor_stage_from(settings_));
   drive_.set_timing(step_timing_from(settings_));
   drive_.set_beam_timing(beam_timing_from(settings_));
 }
 
-[[gnu::noinline]] void Machine::apply_language_settings() {
+void Machine::apply_language_settings() {
   gcode::Options options = gcode_options_from(settings_);
   options.block_delete = block_delete_;
   options.kerf = &kerf_;

@@ -29,7 +29,9 @@ void SideTrip::go(std::size_t axis,
 
 void SideTrip::feed_drive() {
   if (segmenter_.idle() && motors_.at_rest()) return;  // Most of the time.
-  feed_segments(drive_, segmenter_, motors_);
+  feed_segments(drive_, [this](motion::Segment& segment) {
+    return motion::next_segment(segmenter_, motors_, segment);
+  });
 }
 
 }  // namespace cnc

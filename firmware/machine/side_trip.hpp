@@ -9,16 +9,13 @@ namespace cnc {
 /// Takes one axis away and back while the planned motion is held, and leaves
 /// the tool exactly where that motion goes on: to the fraction of a step.
 ///
-/// A queue and a segmenter of its own, as the ones that are held know where
-/// they stopped; their room and their motors are lent. Main loop only.
+/// It has a queue and a segmenter of its own, because the ones that are held know where they
+/// stopped; the motors are lent. Main loop only.
 class SideTrip {
  public:
   /// @param held motion that goes on where it stopped.
   SideTrip(StepDrive& drive, MotionControl& held, const motion::Limits& limits)
-      : drive_{drive},
-        motors_{held.motors()},
-        limits_{limits},
-        segmenter_{queue_, limits, held.segmenter_room()} {}
+      : drive_{drive}, motors_{held.motors()}, limits_{limits}, segmenter_{queue_, limits} {}
 
   /// The tool stands here. @pre at_rest()
   void begin(const AxisArray<StepPosition>& place);

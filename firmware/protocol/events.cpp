@@ -101,13 +101,10 @@ void LineProtocol::tell_trouble() {
 
 /// Shown as Grbl does, but without an answer that a sender would count.
 void LineProtocol::run_startup_line() {
-  Reply shown = begin_answer();
-  shown.letter('>').text(stored_.load_startup_line(startup_line_++).view());
-  std::string_view line = shown.view();
-  line.remove_prefix(1);
+  const StoredText line = stored_.load_startup_line(startup_line_++);
   if (line.empty() || machine_.locked()) return;
-  answer(shown.end());
-  const gcode::Refusal refusal = accept(line);
+  answer(begin_answer().letter('>').text(line.view()).end());
+  const gcode::Refusal refusal = accept(line.view());
   if (!refusal) return;
   Reply reply = begin_answer();
   reply.text("[MSG:Startup line, column ").number(refusal->column).text(": ");

@@ -2,8 +2,8 @@
 
 #include <string_view>
 
-/// What the controller says about itself. Senders read the shape of each line,
-/// so that it says Grbl where they look for Grbl, and its own name in `$I+`.
+/// The controller's answers about itself. Senders read the shape of each line: the banner and
+/// `[VER:` name Grbl, `[FIRMWARE:` in `$I+` and `[KERFLINE:` name the controller.
 namespace cnc::identity {
 
 inline constexpr std::string_view kBanner = "Grbl 1.1h ['$' for help]";
@@ -14,5 +14,10 @@ inline constexpr std::string_view kOptions = "VNMPH+2";
 /// grblHAL's names: `$ES` and its kin, realtime bytes also as 0x80…, homing.
 inline constexpr std::string_view kNewOptions = "ENUMS,RT+,HOME";
 inline constexpr std::string_view kFirmware = "Kerfline";
+
+/// Returns the project's version and the commit of the build, such as `0.2.0+9fa115e`, with
+/// `-dirty` after a modified tree, and without a commit if the sources were no git work tree.
+/// Defined by toolchain/write_version.cmake, in a source of its own.
+[[nodiscard]] std::string_view version();
 
 }  // namespace cnc::identity

@@ -36,7 +36,7 @@ void LineProtocol::refuse_kerf(const KerfTables::Trouble& trouble, std::uint16_t
   refuse(error_number::kBadNumber, reason);
 }
 
-[[gnu::noinline]] void LineProtocol::write_kerf_part(const Statement& statement) {
+void LineProtocol::write_kerf_part(const Statement& statement) {
   KerfPart part;
   if (!read_kerf_part(statement.text, part)) {
     return refuse(
@@ -47,7 +47,7 @@ void LineProtocol::refuse_kerf(const KerfTables::Trouble& trouble, std::uint16_t
   acknowledge();
 }
 
-[[gnu::noinline]] void LineProtocol::keep_kerf_table() {
+void LineProtocol::keep_kerf_table() {
   const auto trouble = kerf_.check();
   if (trouble) return refuse_kerf(trouble, 1);
   if (confuses_senders(kerf_.candidate())) {
@@ -58,7 +58,7 @@ void LineProtocol::refuse_kerf(const KerfTables::Trouble& trouble, std::uint16_t
 }
 
 /// `*` forgets all, also what is damaged so that it has no name any more.
-[[gnu::noinline]] void LineProtocol::erase_kerf_table(const Statement& statement) {
+void LineProtocol::erase_kerf_table(const Statement& statement) {
   if (statement.text == "*") {
     if (!kerf_.forget_all()) return refuse(error_number::kStoreFailed);
     return acknowledge();
@@ -69,7 +69,7 @@ void LineProtocol::refuse_kerf(const KerfTables::Trouble& trouble, std::uint16_t
   acknowledge();
 }
 
-[[gnu::noinline]] void LineProtocol::read_kerf_table(const Statement& statement) {
+void LineProtocol::read_kerf_table(const Statement& statement) {
   const auto found = kerf_.find(statement.text);
   if (!found.ok()) return refuse_kerf({.tables = found.error()}, statement.column);
   if (found.value() < KerfTables::built_in()) {
@@ -79,7 +79,7 @@ void LineProtocol::refuse_kerf(const KerfTables::Trouble& trouble, std::uint16_t
   acknowledge();
 }
 
-[[gnu::noinline]] void LineProtocol::ask_kerf(const Statement& statement) {
+void LineProtocol::ask_kerf(const Statement& statement) {
   const auto question = read_kerf_question(statement.text);
   if (!question) {
     return refuse(error_number::kBadNumber,

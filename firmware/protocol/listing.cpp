@@ -87,7 +87,7 @@ bool Listing::row(Reply& reply, const ReportForm& form) {
 }
 
 /// The tables, and how many more there is room for.
-[[gnu::noinline]] bool Listing::kerf_row(Reply& reply) {
+bool Listing::kerf_row(Reply& reply) {
   const std::size_t count = kerf_.count();
   if (row_ > count) return false;
   if (row_ == count) {
@@ -106,7 +106,7 @@ bool Listing::row(Reply& reply, const ReportForm& form) {
 }
 
 /// As it is written: what is printed can be sent back.
-[[gnu::noinline]] bool Listing::kerf_image_row(Reply& reply) {
+bool Listing::kerf_image_row(Reply& reply) {
   if (row_ > KerfTables::kMostParts) return false;
   std::array<std::byte, KerfTables::kPartBytes> bytes{};
   const std::size_t size = kerf_.read_part(argument_, row_, bytes);
@@ -185,7 +185,6 @@ void Listing::put_version(Reply& reply) {
 }
 
 bool Listing::info_row(Reply& reply, const ReportForm& form) {
-  const bool extended = kind_ == ListingKind::kExtendedInfo;
   switch (row_) {
     case 0:
       put_version(reply);
@@ -196,29 +195,36 @@ bool Listing::info_row(Reply& reply, const ReportForm& form) {
       reply.number(Receiver::kAdvertisedBytes).letter(']').end();
       return true;
     case 2:
-      if (extended) {
-        reply.text("[AXS:").number(static_cast<std::uint32_t>(form.axes)).letter(':');
-        reply.text({kAxisLetters.data(), form.axes}).letter(']').end();
-      }
-      return extended;
-    case 3:
+      reply.text("[KERFLINE:").text(identity::version()).letter(']').end();
+      return true;
+    default:
+      return kind_ == ListingKind::kExtendedInfo && extended_info_row(reply, form, row_ - 3);
+  }
+}
+
+bool Listing::extended_info_row(Reply& reply, const ReportForm& form, std::size_t row) {
+  switch (row) {
+    case 0:
+      reply.text("[AXS:").number(static_cast<std::uint32_t>(form.axes)).letter(':');
+      reply.text({kAxisLetters.data(), form.axes}).letter(']').end();
+      return true;
+    case 1:
       reply.text("[NEWOPT:").text(identity::kNewOptions).letter(']').end();
       return true;
-    case 4:
+    case 2:
       reply.text("[FIRMWARE:").text(identity::kFirmware).letter(']').end();
       return true;
-    case 5:
-      if (extended) {
-        const hal::StoreWear wear = stored_.wear();
-        reply.text("[STORE WEAR:").number(wear.erases).letter(',');
-        reply.number(wear.bytes_to_next_erase).letter(']').end();
-      }
-      return extended;
-    case 6:
-      if (extended) reply.text("[LATE TURNS:").number(machine_.late_turns()).letter(']').end();
-      return extended;
+    case 3: {
+      const hal::StoreWear wear = stored_.wear();
+      reply.text("[STORE WEAR:").number(wear.erases).letter(',');
+      reply.number(wear.bytes_to_next_erase).letter(']').end();
+      return true;
+    }
+    case 4:
+      reply.text("[LATE TURNS:").number(machine_.late_turns()).letter(']').end();
+      return true;
     default:
-      return extended && board_row(reply, row_ - 7);
+      return board_row(reply, row - 5);
   }
 }
 

@@ -53,6 +53,7 @@ class Listing {
   [[nodiscard]] bool parameters_row(Reply& reply, const ReportForm& form);
   [[nodiscard]] bool tool_row(Reply& reply, const ReportForm& form);
   [[nodiscard]] bool info_row(Reply& reply, const ReportForm& form);
+  [[nodiscard]] bool extended_info_row(Reply& reply, const ReportForm& form, std::size_t row);
   [[nodiscard]] bool board_row(Reply& reply, std::size_t row);
   [[nodiscard]] bool startup_row(Reply& reply);
   [[nodiscard]] bool kerf_row(Reply& reply);

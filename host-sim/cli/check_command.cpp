@@ -38,6 +38,7 @@ nlohmann::ordered_json summary(const Report& report) {
   const nlohmann::ordered_json all = to_json(report);
   nlohmann::ordered_json picked;
   for (const char* key : {"job",
+                          "version",
                           "job_time_s",
                           "path_length_mm",
                           "lines",

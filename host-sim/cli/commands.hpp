@@ -24,4 +24,8 @@ void add_drawing_command(CLI::App& app, ExitStatus& status);
 void add_cut_command(CLI::App& app, ExitStatus& status);
 void add_send_command(CLI::App& app, ExitStatus& status);
 
+/// Each adds a subcommand that prints a text about all commands of `app`, which must outlive it.
+void add_completion_command(CLI::App& app);
+void add_manual_command(CLI::App& app);
+
 }  // namespace sim

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "firmware/protocol/identity.hpp"
 #include "host-sim/cli/commands.hpp"
 #include "host-sim/cli/cut_runs.hpp"
 #include "host-sim/cli/job_options.hpp"
@@ -228,6 +229,7 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
     write_file(options.output, program);
   }
   nlohmann::ordered_json report = json_of(job, figures);
+  report["version"] = cnc::identity::version();
   if (options.check) {
     EdgeChecks checks = check_edges(job, run, told);
     report["edges"] = std::move(checks.rows);

@@ -138,7 +138,8 @@ void add_drawing_command(CLI::App& app, ExitStatus& status) {
   command->add_option("--gap", options->import.gap_mm, "Ends no farther apart are joined, mm")
       ->check(CLI::Range(drawing::kLeastGapMm, drawing::kGreatestGapMm))
       ->capture_default_str();
-  command->add_option("--svg", options->svg, "Draw what was read, with the places of faults");
+  command->add_option("--svg", options->svg, "Draw what was read, with the places of faults")
+      ->type_name("FILE");
   command->add_flag("--json", options->json, "As JSON, with outlines within 0.01 mm");
   command->callback([options, &status] { status = look_at(*options); });
 }

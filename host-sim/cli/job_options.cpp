@@ -6,6 +6,7 @@
 #include <cstdlib>
 
 #include "host-sim/report/progress_bar.hpp"
+#include "host-sim/report/progress_lines.hpp"
 
 namespace sim {
 
@@ -22,6 +23,8 @@ void JobOptions::add_to(CLI::App& command) {
       ->type_name("Z")
       ->capture_default_str();
   command.add_flag("--json", json, "Print the report as JSON");
+  command.add_flag(
+      "--progress", progress, "Print percent and time every 5 s where no terminal shows a bar");
 }
 
 std::vector<SettingChange> settings_of(const std::string& file,
@@ -37,12 +40,18 @@ std::vector<Report> for_each_job(const JobOptions& options,
   using Clock = std::chrono::steady_clock;
   const std::vector<SettingChange> settings = settings_of(options.settings_file, options.set);
   std::vector<Report> reports;
-  ProgressBar bar{stderr, is_terminal(stderr), Clock::now()};
+  const bool on_terminal = is_terminal(stderr);
+  ProgressBar bar{stderr, on_terminal, Clock::now()};
   for (const std::string& file : options.files) {
+    ProgressLines lines{stderr, options.progress && !on_terminal, Clock::now()};
+    const auto show = [&bar, &lines, &file](double share) {
+      bar.update(share, file, Clock::now());
+      lines.update(share, file, Clock::now());
+    };
     Job job{.file = file,
             .settings = settings,
             .machine = {.probe_plate_z_mm = options.probe_plate_z_mm, .has_switches = false},
-            .on_progress = [&bar, &file](double share) { bar.update(share, file, Clock::now()); }};
+            .on_progress = show};
     reports.push_back(work(job));
   }
   return reports;

@@ -19,6 +19,7 @@ struct JobOptions {
   std::vector<std::string> set;
   double probe_plate_z_mm = MachineModel{}.probe_plate_z_mm;
   bool json = false;
+  bool progress = false;
 
   void add_to(CLI::App& command);
 };
@@ -28,7 +29,8 @@ struct JobOptions {
 [[nodiscard]] std::vector<SettingChange> settings_of(const std::string& file,
                                                      const std::vector<std::string>& set);
 
-/// Runs `work` on every file with a progress bar where a terminal looks on.
+/// Runs `work` on every file with a progress bar on a terminal, or with lines if `progress` asks
+/// for them.
 [[nodiscard]] std::vector<Report> for_each_job(const JobOptions& options,
                                                const std::function<Report(const Job&)>& work);
 

@@ -4,8 +4,10 @@
 #include <cstdlib>
 #include <exception>
 #include <stdexcept>
+#include <string>
 #include <system_error>
 
+#include "firmware/protocol/identity.hpp"
 #include "host-sim/cli/commands.hpp"
 #include "planner/base/contract.hpp"
 
@@ -39,7 +41,7 @@ int run(int argc, char** argv) {
   CLI::App app{kDescription, "kerfline"};
   app.footer(kProgramFooter);
   app.require_subcommand(1);
-  app.set_version_flag("--version", KERFLINE_VERSION);
+  app.set_version_flag("--version", std::string{cnc::identity::version()});
   sim::ExitStatus status = sim::ExitStatus::kFine;
   sim::add_sim_command(app, status);
   sim::add_check_command(app, status);
@@ -50,6 +52,8 @@ int run(int argc, char** argv) {
   sim::add_drawing_command(app, status);
   sim::add_cut_command(app, status);
   sim::add_send_command(app, status);
+  sim::add_completion_command(app);
+  sim::add_manual_command(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

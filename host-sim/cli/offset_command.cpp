@@ -108,9 +108,12 @@ void add_offset_command(CLI::App& app, ExitStatus& status) {
         return fmt::format("{} is no distance within {:g} mm", text, drawing::kFarthestMm);
       });
   add_outline_options(*command, options->outline);
-  command->add_option("-o,--output", options->output, "Where to write; else standard output");
-  command->add_option("--svg", options->svg, "Draw the contours and their offsets");
-  command->add_option("--dxf", options->dxf, "Write the offsets as polylines with bulges");
+  command->add_option("-o,--output", options->output, "Where to write; else standard output")
+      ->type_name("FILE");
+  command->add_option("--svg", options->svg, "Draw the contours and their offsets")
+      ->type_name("FILE");
+  command->add_option("--dxf", options->dxf, "Write the offsets as polylines with bulges")
+      ->type_name("FILE");
   command->callback([options, &status] { status = offset_or_tell(*options); });
 }
 

@@ -40,6 +40,7 @@ export function show(news, view, controls) {
   set('state', news.state + detail);
   at('state').dataset.state = news.state;
   set('who', controls ? 'You control the machine' : news.sender ? `Controlled by ${kWays[news.sender]}` : 'Nobody controls it');
+  set('version', news.version);
   showPlaces(news);
   set('feed', String(news.feed));
   set('power', (news.power * 100).toFixed(0));

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "firmware/protocol/identity.hpp"
 #include "host-sim/trace/output_file.hpp"
 
 namespace sim {
@@ -51,6 +52,7 @@ void add_axes(Json& json, const Report& report) {
 Json to_json(const Report& report) {
   Json json;
   json["job"] = report.job;
+  json["version"] = cnc::identity::version();
   json["job_time_s"] = report.job_time_s;
   json["path_length_mm"] = report.path_length_mm;
   json["cut_length_mm"] = report.cut_length_mm;

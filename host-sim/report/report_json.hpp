@@ -13,6 +13,7 @@ namespace sim {
 /// | key                                                    | value                       |
 /// |--------------------------------------------------------|-----------------------------|
 /// | `job`                                                  | name of the file            |
+/// | `version`                                              | that of Kerfline, and commit|
 /// | `job_time_s`                                           | number                      |
 /// | `path_length_mm`, `cut_length_mm`                      | number                      |
 /// | `lines`, `blocks`                                      | integer                     |

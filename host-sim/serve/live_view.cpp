@@ -6,6 +6,7 @@
 #include <future>
 #include <nlohmann/json.hpp>
 
+#include "firmware/protocol/identity.hpp"
 #include "firmware/protocol/report_lines.hpp"
 #include "host-sim/plot/outline.hpp"
 #include "host-sim/plot/picture.hpp"
@@ -127,7 +128,8 @@ std::string LiveView::state_text(std::string_view sender_kind) const {
       {"homed", machine.homed()},
       {"sender", sender_kind},
       {"travel", travel_of(machine.settings())},
-      {"most_spindle", machine.settings().get(cnc::setting::kMostSpindleSpeed)}};
+      {"most_spindle", machine.settings().get(cnc::setting::kMostSpindleSpeed)},
+      {"version", cnc::identity::version()}};
   const std::string text = state.dump();
   return text.substr(1, text.size() - 2);
 }

@@ -25,6 +25,7 @@ namespace sim {
 ///     {"t":1.25,"state":"Run","substate":0,"alarm":0,"mpos":[…],"wco":[…],
 ///      "motors":[…],"feed":1200,"power":0.5,"spindle":500,"overrides":[100,100,100],
 ///      "line":12,"homed":3,"sender":"ws","travel":[300,200,50],"most_spindle":1000,
+///      "version":"0.2.0+9fa115e",
 ///      "path":{"from":17,"points":[x,y,speed,move, …]}}
 ///
 /// Lengths in mm, speeds of the path in mm/s, `feed` in mm/min, `power` the

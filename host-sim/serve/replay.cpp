@@ -66,13 +66,30 @@ class RecordedLink final : public hal::ByteStream {
   bool now_stops_ = false;
 };
 
-/// What was said, with the place of each byte.
+/// The line of `$I` that differs between builds that behave alike.
+constexpr std::string_view kVersionLine = "[KERFLINE:";
+
+/// Everything that the controller said but its version, with the exchange of each byte.
 struct Speech {
   explicit Speech(const Conversation& conversation) {
     for (const Exchange& exchange : conversation.exchanges) {
       if (exchange.kind != Exchange::Kind::kSaid) continue;
       bytes += exchange.bytes;
       places.insert(places.end(), exchange.bytes.size(), &exchange);
+    }
+    drop_versions();
+  }
+
+  /// Removes the text between `[KERFLINE:` and the next `]`.
+  void drop_versions() {
+    std::size_t from = 0;
+    while ((from = bytes.find(kVersionLine, from)) != std::string::npos) {
+      from += kVersionLine.size();
+      const std::size_t to = std::min(bytes.find(']', from), bytes.size());
+      bytes.erase(from, to - from);
+      const auto begin = places.begin();
+      places.erase(begin + static_cast<std::ptrdiff_t>(from),
+                   begin + static_cast<std::ptrdiff_t>(to));
     }
   }
 

@@ -22,7 +22,8 @@ struct Difference {
 };
 
 /// The first difference in what was said, byte for byte. Times count only when
-/// they are asked for: an answer a millisecond later is no other answer.
+/// they are asked for: an answer a millisecond later is no other answer. The version in `$I`
+/// never counts: recordings outlive commits.
 [[nodiscard]] std::optional<Difference> first_difference(const Conversation& expected,
                                                          const Conversation& said,
                                                          bool with_times);

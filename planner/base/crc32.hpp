@@ -9,7 +9,7 @@ namespace cnc {
 /// CRC-32 of IEEE 802.3, as in zlib and Ethernet: reflected polynomial 0xEDB88320, begun and ended
 /// inverted. Finds every burst of up to 32 bits and, in what is below 11 KB, any three wrong bits.
 ///
-/// 512 bytes of table: the eight look-ups of a word, a nibble each, do not wait for each other.
+/// The eight look-ups of a word, a nibble each, do not wait for each other.
 class Crc32 {
  public:
   void add(std::byte byte);

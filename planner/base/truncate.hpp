@@ -1,6 +1,5 @@
 #pragma once
 
-#include <bit>
 #include <cstdint>
 
 namespace cnc {
@@ -15,23 +14,9 @@ namespace cnc {
   return std::int64_t{chunks} * 65'536 + static_cast<std::int32_t>(rest);
 }
 
-/// The nearest float, the even one of two, as IEEE 754 rounds.
-/// What fits into 32 bits is one instruction there, and the same as for any other.
-[[nodiscard]] constexpr float float_of_bits(std::uint64_t value) {
-  const auto low = static_cast<std::uint32_t>(value);
-  const auto high = static_cast<std::uint32_t>(value >> 32U);
-  if (high == 0) return static_cast<float>(low);
-  const auto shift = static_cast<unsigned>(std::countl_zero(high));
-  const std::uint64_t moved = value << shift;
-  // The 32 upper bits, and in the last of them whether anything is below them: 24 remain.
-  const auto upper = static_cast<std::uint32_t>(moved >> 32U) |
-                     static_cast<std::uint32_t>(static_cast<std::uint32_t>(moved) != 0);
-  const auto power = std::bit_cast<float>((127U + 32U - shift) << 23U);
-  return static_cast<float>(upper) * power;
-}
-
-/// The nearest float. What static_cast does, but a Cortex-M4 has no conversion of 64 bits:
-/// what fits into 32 and a sign is one instruction instead of a call.
+/// The nearest float, the even one of two, as IEEE 754 rounds. What static_cast does, but a
+/// Cortex-M4 has no conversion of 64 bits: what fits into 32 and a sign is one instruction instead
+/// of a call.
 [[nodiscard]] constexpr float nearest_float(std::uint64_t value) {
   const auto low = static_cast<std::uint32_t>(value);
   return value == low ? static_cast<float>(low) : static_cast<float>(value);

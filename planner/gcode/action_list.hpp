@@ -19,10 +19,8 @@ class ActionList {
  public:
   void clear() { size_ = 0; }
 
-  /// A fresh action at the end, with nothing but its kind.
-  /// Out of line, or each of its callers would hold an empty action on the stack.
-  /// @pre fewer than kMostActions so far.
-  [[gnu::noinline]] Action& append(ActionKind kind) {
+  /// Appends an action that has nothing but its kind. @pre fewer than kMostActions so far
+  Action& append(ActionKind kind) {
     CNC_ASSERT(size_ < kMostActions);
     Action& action = actions_[size_++];
     action = Action{};

@@ -12,13 +12,6 @@ constexpr std::size_t kDecimals = 9;
 constexpr std::array<std::uint32_t, kDecimals + 1> kPowersOfTen{
     1, 10, 100, 1'000, 10'000, 100'000, 1'000'000, 10'000'000, 100'000'000, kBillion};
 
-/// Out of line, as few numbers have blanks; a function of places, so that a cursor may stay in
-/// registers.
-[[gnu::noinline]] std::size_t behind_blanks(std::string_view text, std::size_t at) {
-  while (at < text.size() && is_blank(text[at])) ++at;
-  return at;
-}
-
 /// Walks over a text and over the blanks in it, which it looks for where no digit follows.
 class Cursor {
  public:
@@ -57,7 +50,7 @@ class Cursor {
     return at_ < text_.size() && text_[at_] >= '0' && text_[at_] <= '9';
   }
   void skip_blanks() {
-    if (at_ < text_.size() && is_blank(text_[at_])) at_ = behind_blanks(text_, at_);
+    while (at_ < text_.size() && is_blank(text_[at_])) ++at_;
   }
 
   std::string_view text_;

@@ -15,13 +15,6 @@
 
 namespace cnc::gcode {
 
-/// What a line is worked out with: its block, what it asks for, and what it would change.
-struct Bench {
-  Block block{};
-  ActionList actions{};
-  Context next{};
-};
-
 /// Works out what one block does: goes through the steps of RS274/NGC table 8
 /// in order, checks each, and notes its actions and its changes. Nothing
 /// outside is touched before commit(), so a fault in the last step undoes the
@@ -31,21 +24,20 @@ struct Bench {
 /// is taken (gnea/grbl, gcode.c, steps 2 and 3).
 class Execution {
  public:
-  /// All arguments outlive the execution. @pre `bench.actions` is empty.
+  /// All arguments outlive the execution. @pre `actions` is empty.
   Execution(const Options& options,
             Context& context,
             StoredPlaces& places,
             SplineStore& store,
-            Bench& bench)
+            Block& block,
+            ActionList& actions)
       : options_{options},
         context_{context},
         places_{places},
         store_{store},
-        block_{bench.block},
-        actions_{bench.actions},
-        next_{bench.next} {
-    next_ = context;
-  }
+        block_{block},
+        actions_{actions},
+        next_{context} {}
 
   [[nodiscard]] Refusal run();
 
@@ -62,7 +54,7 @@ class Execution {
  private:
   using Step = Refusal (Execution::*)();
 
-  [[nodiscard, gnu::noinline]] Refusal take_steps(std::span<const Step> steps);
+  [[nodiscard]] Refusal take_steps(std::span<const Step> steps);
   /// What a line of a NURBS adds when it is committed.
   struct NurbsLine {
     bool begins = false;
@@ -175,8 +167,8 @@ class Execution {
   SplineStore& store_;
   Block& block_;
   ActionList& actions_;
-  Context& next_;
 
+  Context next_;               ///< What the line would leave behind.
   float inverse_time_ = 0.0F;  ///< F of this line in G93, 1/min.
   bool powers_wait_ = false;   ///< The several values of S, for the motion that they go with.
   std::optional<NurbsLine> nurbs_line_;

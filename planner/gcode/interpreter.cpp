@@ -15,23 +15,23 @@ bool in_range(const Position& place) {
 }  // namespace
 
 Result<Actions, Fault> Interpreter::interpret(std::string_view line) {
-  bench_.actions.clear();
-  if (const auto fault = read_block(line, options_.block_delete, bench_.block)) return *fault;
-  if (bench_.block.empty()) return bench_.actions.all();
-  Execution execution{options_, context_, places_, spline_store_, bench_};
+  actions_.clear();
+  if (const auto fault = read_block(line, options_.block_delete, block_)) return *fault;
+  if (block_.empty()) return actions_.all();
+  Execution execution{options_, context_, places_, spline_store_, block_, actions_};
   if (const auto fault = execution.run()) return *fault;
   execution.commit();
   if (execution.stores_place()) ++places_revision_;
-  return bench_.actions.all();
+  return actions_.all();
 }
 
 Result<Actions, Fault> Interpreter::interpret_jog(std::string_view words) {
-  bench_.actions.clear();
-  if (const auto fault = read_block(words, false, bench_.block)) return *fault;
-  Execution execution{options_, context_, places_, spline_store_, bench_};
+  actions_.clear();
+  if (const auto fault = read_block(words, false, block_)) return *fault;
+  Execution execution{options_, context_, places_, spline_store_, block_, actions_};
   if (const auto fault = execution.run_jog()) return *fault;
   jog_line_number_ = execution.commit_jog();
-  return bench_.actions.all();
+  return actions_.all();
 }
 
 void Interpreter::set_position(const Position& machine) {

@@ -72,7 +72,8 @@ class Interpreter {
   Options options_;
   Context context_{};
   StoredPlaces places_{};
-  Bench bench_{};
+  Block block_{};         ///< Of the line being read.
+  ActionList actions_{};  ///< Of the last line.
   SplineStore spline_store_{};
   std::uint32_t jog_line_number_ = 0;
   std::uint32_t places_revision_ = 0;

@@ -39,11 +39,6 @@ class Bezier {
   Bezier(const std::array<WeightedPoint, kHighestDegree + 1>& points, std::size_t degree)
       : points_{points}, degree_{degree} {}
 
-  /// To be filled by set(). @pre degree is 1…kHighestDegree
-  explicit Bezier(std::size_t degree) : degree_{degree} {}
-  /// @pre index ≤ degree()
-  void set(std::size_t index, const WeightedPoint& point) { points_[index] = point; }
-
   [[nodiscard]] std::size_t degree() const { return degree_; }
   /// @pre index ≤ degree()
   [[nodiscard]] const WeightedPoint& point(std::size_t index) const { return points_[index]; }

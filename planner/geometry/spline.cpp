@@ -37,9 +37,9 @@ WeightedPoint Spline::blossom(std::size_t segment, std::size_t times_end) const 
 
 Bezier Spline::segment(std::size_t index) const {
   CNC_ASSERT(complete() && index < segment_count());
-  Bezier curve{order_ - 1};
-  for (std::size_t i = 0; i < order_; ++i) curve.set(i, blossom(index, i));
-  return curve;
+  std::array<WeightedPoint, kHighestOrder> points{};
+  for (std::size_t i = 0; i < order_; ++i) points[i] = blossom(index, i);
+  return Bezier{points, order_ - 1};
 }
 
 }  // namespace cnc

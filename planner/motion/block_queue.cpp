@@ -74,18 +74,11 @@ LimitZone zone_of(const Spans& spans, const Block& block, const PlanTerms& terms
   return zone;
 }
 
-/// Out of line, as spans are large.
-[[gnu::noinline]] LimitZone own_zone(const Block& block,
-                                     const Limits& limits,
-                                     const PlanTerms& terms) {
-  return zone_of(Spans{block, limits, terms.window}, block, terms);
-}
-
 /// v² that a block may be left with at most, from that of the one before.
-[[gnu::noinline]] float reachable_after(Block& block,
-                                        float before_square,
-                                        const Limits& limits,
-                                        const PlanTerms& terms) {
+float reachable_after(Block& block,
+                      float before_square,
+                      const Limits& limits,
+                      const PlanTerms& terms) {
   constexpr float kRounding = 1.0F + 1.0e-4F;
   constexpr float kAny = 1.0e12F;
   block.reachable_square = kAny;
@@ -95,12 +88,9 @@ LimitZone zone_of(const Spans& spans, const Block& block, const PlanTerms& terms
   return std::min(most, most_square(spans, block, terms));
 }
 
-/// What blocks ahead ask of this one. False when that has changed, or may have
-/// for blocks before it. Out of line: spans are large, and plan_all() goes deep elsewhere.
-[[gnu::noinline]] bool lay_tail(ZoneTrail& ahead,
-                                Block& block,
-                                const Limits& limits,
-                                const PlanTerms& terms) {
+/// Computes the zones that later blocks impose on `block`. Returns false when they have changed, or
+/// may have changed for blocks before it.
+bool lay_tail(ZoneTrail& ahead, Block& block, const Limits& limits, const PlanTerms& terms) {
   const Spans spans{block, limits, terms.window};
   const LimitZone own = zone_of(spans, block, terms);
   const BlockZones tail = ahead.reaching(own);
@@ -144,7 +134,7 @@ void BlockQueue::lay_heads(const Limits& limits, const PlanTerms& terms, std::si
     block.tail = {};
     reachable_square_ = reachable_after(block, reachable_square_, limits, terms);
     block.reachable_square = reachable_square_;
-    const LimitZone own = own_zone(block, limits, terms);
+    const LimitZone own = zone_of(Spans{block, limits, terms.window}, block, terms);
     block.head = trail_.reaching(own);
     trail_.advance(block.length, terms.window.reach(block.reachable_square));
     trail_.add(own);
@@ -154,11 +144,11 @@ void BlockQueue::lay_heads(const Limits& limits, const PlanTerms& terms, std::si
 namespace {
 
 /// What a block can be entered with, its corner aside.
-[[gnu::noinline]] BrakingState entry_for(const Block& block,
-                                         const Limits& limits,
-                                         const PlanTerms& terms,
-                                         const BrakingState& exit,
-                                         std::uint32_t& looked_at) {
+BrakingState entry_for(const Block& block,
+                       const Limits& limits,
+                       const PlanTerms& terms,
+                       const BrakingState& exit,
+                       std::uint32_t& looked_at) {
   const SpeedCap cap{block, terms.overrides};
   if (!block.turns() && !terms.window.filters()) {
     ++looked_at;

@@ -14,7 +14,7 @@
 
 namespace cnc::motion {
 
-/// How far ahead a program is planned; 34 KB on the controller.
+/// How far ahead a program is planned.
 inline constexpr std::size_t kLookAheadBlocks = 128;
 
 /// Blocks waiting to be driven, oldest first, with the look-ahead over them.
@@ -118,21 +118,24 @@ class BlockQueue {
   static constexpr std::size_t kReplanShare = 16;
 
   std::span<Block> blocks_;
-  ZoneTrail trail_{};        ///< Of the blocks that have a head.
-  ZoneTrail front_trail_{};  ///< Of those that were taken away.
-  /// v² that the newest of those may be left with at most, and the block taken away last.
-  float reachable_square_ = 0.0F;
-  float left_square_ = 0.0F;
-  AxisArray<float> last_exit_tangent_{};
   std::size_t first_ = 0;
   std::size_t size_ = 0;
-  std::size_t newest_ = 0;  ///< How many the last plan was the first of.
+  AxisArray<float> last_exit_tangent_{};
+
+  // The plan.
+  std::size_t unplanned_ = 0;  ///< How many of the newest have no entry speed yet.
+  std::size_t newest_ = 0;     ///< How many the last plan was the first of.
   bool leaves_none_out_ = false;
   bool ends_ = false;
   bool stops_at_end_ = false;
-  std::uint32_t looked_at_ = 0;
   std::uint32_t plans_ = 0;
-  std::size_t unplanned_ = 0;  ///< How many of the newest have no entry speed yet.
+  std::uint32_t looked_at_ = 0;
+
+  // What blocks ask of those behind them.
+  ZoneTrail trail_{};              ///< Of the blocks that have a head.
+  ZoneTrail front_trail_{};        ///< Of those that were taken away.
+  float reachable_square_ = 0.0F;  ///< v² with which the newest of the former may be left at most…
+  float left_square_ = 0.0F;       ///< …and the block that was taken away last.
 };
 
 /// Room for blocks; a base, so that it is there before the queue that uses it.

@@ -2,8 +2,7 @@
 
 namespace cnc::motion {
 
-/// Out of line, for it is called for each span of each block.
-[[gnu::noinline]] BrakingState start_of(const BrakingPoint& point, float length, float window_s) {
+BrakingState start_of(const BrakingPoint& point, float length, float window_s) {
   // Rounded down, so that the speeds as stored never ask for more.
   const float end_square = point.end.speed_square;
   const float from = next_below(end_square + 2.0F * point.deceleration * length);

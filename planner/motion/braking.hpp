@@ -42,6 +42,12 @@ struct BrakingPoint {
     const float braked = kSurely * commit_speed(commit_square(left), steepest, wait_s);
     return std::max(braked, std::min(end.kept, std::sqrt(cap_square)));
   }
+  /// Whether a motion with v² = `speed_square` can neither speed up within the span nor has to
+  /// brake in it. @pre no time window
+  [[nodiscard]] bool stays_level(float speed_square) const {
+    return cap_square >= speed_square && cap_square <= speed_square * (1.0F + kNegligibleShare) &&
+           end.speed_square >= speed_square;
+  }
 };
 
 /// What is known at the start of a span so long, as the pass goes back over it.

@@ -27,9 +27,7 @@ class MotorPath {
    public:
     Motor() = default;
     Motor(std::size_t axis, StepPosition start, std::int64_t chord, float per_mm)
-        : start_{start}, chord_{chord}, chord_per_mm_{nearest_float(chord) * per_mm} {
-      axis_ = static_cast<std::uint8_t>(axis);
-    }
+        : axis_{axis}, start_{start}, chord_{chord}, chord_per_mm_{nearest_float(chord) * per_mm} {}
     /// It lies in the plane in which the block turns. @param normal of the chord along it
     void turn(std::int64_t normal, float per_mm);
 
@@ -74,13 +72,13 @@ class MotorPath {
       return high * 4 + (low >> 30);
     }
 
+    std::size_t axis_ = 0;
+    bool turns_ = false;
     StepPosition start_{};
     Length chord_{};
     Length normal_{};            ///< Of the chord, along this axis.
     float chord_per_mm_ = 0.0F;  ///< Steps of chord per mm of path.
     float normal_per_mm_ = 0.0F;
-    std::uint8_t axis_ = 0;
-    bool turns_ = false;
   };
 
   MotorPath() = default;

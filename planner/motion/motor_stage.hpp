@@ -45,7 +45,6 @@ class ShapingObserver {
 /// place that leaves with the mean speed of this cell and the one before.
 ///
 /// Whoever begins a motion has the stage until it has come to rest. Main loop only.
-/// 4.6 KB of places, 4.6 KB of outputs.
 class MotorStage {
  public:
   using Places = AxisArray<StepPosition>;

@@ -43,7 +43,7 @@ struct RowPart {
 class Pixels {
  public:
   /// With 0.1 mm each what 500 mm/s² need to brake from 200 mm/s, and more than three
-  /// times what 3000 mm/s² need from 300 mm/s; 6 KB on the controller.
+  /// times what 3000 mm/s² need from 300 mm/s.
   static constexpr std::size_t kMost = 512;
 
   [[nodiscard]] std::size_t room() const { return kMost - (end_ - first_); }

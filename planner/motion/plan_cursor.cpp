@@ -55,7 +55,7 @@ Stretch PlanCursor::follow(std::uint32_t most_ns, Drive drive, bool may_start) {
 }
 
 /// At most so long, within the phase.
-[[gnu::noinline]] Stretch PlanCursor::pass(std::uint32_t most_ns) {
+Stretch PlanCursor::pass(std::uint32_t most_ns) {
   const std::uint64_t left_ns = course_.duration_ns() - elapsed_ns_;
   const std::uint64_t duration_ns = std::min<std::uint64_t>(most_ns, left_ns);
   const float start_speed = speed_;
@@ -88,7 +88,7 @@ PathUnits PlanCursor::way_in_time(PathUnits way) {
   if (stops) lead = std::min(lead, length_ - place_);
   const PathUnits before = lead_;
   lead = std::max(lead, before - way);
-  lead_ = static_cast<std::int32_t>(lead);
+  lead_ = lead;
   return way + lead - before;
 }
 
@@ -120,8 +120,8 @@ Stretch PlanCursor::finish_block() {
   return {.way = length_ - place_, .duration_ns = 1, .start_speed = speed_, .end_speed = speed_};
 }
 
-/// False when there is no motion. Out of line, for planning goes deep elsewhere.
-[[gnu::noinline]] bool PlanCursor::begin_phase(Drive drive) {
+/// Begins the next phase. Returns false when there is no motion.
+bool PlanCursor::begin_phase(Drive drive) {
   if (!driving_) {
     if (index_ == queue_.size()) return false;
     begin_block();
@@ -175,7 +175,7 @@ void PlanCursor::stand_at_stop() {
   entry_square_ = 0.0F;
 }
 
-[[gnu::noinline]] void PlanCursor::begin_block() {
+void PlanCursor::begin_block() {
   const Block& block = queue_.at(index_);
   profile_.begin(block, limits_, terms_, queue_.exit_of(index_), entry_square_);
   length_ = length_in_units(block);

@@ -19,9 +19,7 @@ namespace cnc::motion {
 /// Main loop only.
 class PlanCursor {
  public:
-  /// @param profile for nobody else while the plan moves
-  PlanCursor(BlockQueue& queue, const Limits& limits, SpeedProfile& profile)
-      : queue_{queue}, limits_{limits}, profile_{profile} {}
+  PlanCursor(BlockQueue& queue, const Limits& limits) : queue_{queue}, limits_{limits} {}
 
   /// The next stretch, at most `most_ns` long, within one block and phase; of no
   /// duration when the plan stands still: everything planned, or halted, or it stands
@@ -43,8 +41,6 @@ class PlanCursor {
 
   /// The front of the queue is about to be taken away. @pre the plan has left it
   void block_left();
-  /// Somebody else has used the profile. @pre at rest
-  void take_up_profile();
   /// Forgets everything; the queue is empty.
   void reset();
 
@@ -87,31 +83,37 @@ class PlanCursor {
 
   BlockQueue& queue_;
   const Limits& limits_;
-  SpeedProfile& profile_;
+  SpeedProfile profile_{};  ///< Of the block that is being planned through.
+  /// Overrides as last requested; the current plan may still use older ones.
   Overrides overrides_{};
   PlanTerms terms_{};
   std::uint64_t untried_ns_ = 0;    ///< Since a higher pace was last tried.
   std::uint64_t postponed_ns_ = 0;  ///< Until a lower pace is tried again.
   std::uint32_t followed_ = 0;      ///< The queue's plan that the present phase is of.
   bool replan_ = false;
-  bool overtaken_ = false;  ///< As Patience knows it.
+
+  // The block.
+  std::size_t index_ = 0;      ///< Of the block that is or will be planned through.
+  bool driving_ = false;       ///< It has been begun.
+  PathUnits length_ = 0;       ///< Of the block.
+  PathUnits place_ = 0;        ///< Within the block.
+  float speed_ = 0.0F;         ///< mm/s.
+  float entry_square_ = 0.0F;  ///< v² with which the next block is begun.
+
+  // Its present phase.
+  Drive phase_drive_ = Drive::kOn;
+  Phase phase_{};
+  PathUnits phase_from_ = 0;
+  PhaseCourse course_{};
+  std::uint64_t elapsed_ns_ = 0;  ///< Of the course.
+  PhaseClock clock_{};
+  PathUnits lead_ = 0;  ///< Distance by which what was handed out is beyond the place.
+
+  // What Patience is made of.
   std::uint32_t since_speeding_up_ns_ = kLongAgo;
   std::uint32_t since_braking_ns_ = kLongAgo;
   float braking_from_ = 0.0F;  ///< mm/s, the speed when the plan last did not brake.
-  std::int32_t lead_ = 0;      ///< PathUnits by which what was handed out is beyond the place.
-
-  std::size_t index_ = 0;  ///< Of the block that is or will be planned through.
-  bool driving_ = false;   ///< It has been begun.
-  Drive phase_drive_ = Drive::kOn;
-  Phase phase_{};
-  PhaseCourse course_{};
-  PhaseClock clock_{};
-  std::uint64_t elapsed_ns_ = 0;  ///< Of the course.
-  PathUnits length_ = 0;          ///< Of the block.
-  PathUnits place_ = 0;           ///< Within the block.
-  PathUnits phase_from_ = 0;
-  float speed_ = 0.0F;         ///< mm/s.
-  float entry_square_ = 0.0F;  ///< v² with which the next block is begun.
+  bool overtaken_ = false;
 };
 
 }  // namespace cnc::motion

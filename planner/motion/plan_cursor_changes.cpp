@@ -24,10 +24,10 @@ std::size_t PlanCursor::chain_end() const {
 
 /// ns that the plan takes from the present block to that one under a window, which it leaves set.
 /// @pre at rest, and no block is begun
-[[gnu::noinline]] std::uint64_t PlanCursor::time_to(std::size_t end, const TimeWindow& window) {
+std::uint64_t PlanCursor::time_to(std::size_t end, const TimeWindow& window) {
   constexpr std::uint32_t kAnyNs = 1'000'000'000;
   const std::size_t first = index_;
-  const std::int32_t lead = lead_;
+  const PathUnits lead = lead_;
   set_window(window);
   queue_.plan_chain(limits_, terms_, index_, end);
   std::uint64_t took_ns = window.whole_ns();
@@ -106,15 +106,6 @@ void PlanCursor::reset() {
   phase_ = {};
   speed_ = 0.0F;
   entry_square_ = 0.0F;
-}
-
-void PlanCursor::take_up_profile() {
-  phase_ = {};
-  speed_ = 0.0F;
-  if (!driving_) return;
-  queue_.plan(limits_, terms_, index_);
-  profile_.begin_within(
-      queue_.at(index_), limits_, terms_, queue_.exit_of(index_), to_mm(length_ - place_));
 }
 
 void PlanCursor::set_overrides(const Overrides& overrides) {

@@ -31,7 +31,7 @@ void Segmenter::reset(const AxisArray<StepPosition>& place) {
   queue_.clear();
   plan_.reset();
   window_ = {};
-  if (room_.user == this) room_.user = nullptr;
+  filter_ = {};
   plan_.set_window({});
   course_ = {};
   elapsed_ns_ = 0;
@@ -164,25 +164,13 @@ bool Segmenter::ready_stretch() {
   return true;
 }
 
-/// True: from now on, until the motion stands, what is in there is this segmenter's.
-bool Segmenter::has_room() {
-  if (room_.user == this) return true;
-  const bool used = room_.user != nullptr && !room_.user->stands();
-  if (used || drive_ == Drive::kHalt) return false;
-  room_.user = this;
-  room_.filter.begin(window_);
-  plan_.take_up_profile();
-  return true;
-}
-
 /// From the plan itself, or from what the filter makes of it.
 Stretch Segmenter::next_stretch() {
-  if (!has_room()) return {};
-  const bool stands = plan_.speed() <= 0.0F && room_.filter.at_rest();
+  const bool stands = plan_.speed() <= 0.0F && filter_.at_rest();
   if (stands && drive_ == Drive::kOn) choose_window();
   if (!window_.filters()) return plan_.next(kLongestSliceNs, drive_, true);
   Stretch stretch;
-  while (!stretch.lasts() && fill_cell()) stretch = room_.filter.take();
+  while (!stretch.lasts() && fill_cell()) stretch = filter_.take();
   return stretch;
 }
 
@@ -193,20 +181,20 @@ void Segmenter::choose_window() {
   if (window == window_) return;
   window_ = window;
   plan_.set_window(window);
-  room_.filter.begin(window);
+  filter_.begin(window);
 }
 
 /// False when neither plan nor motion move.
 bool Segmenter::fill_cell() {
-  const bool may_start = room_.filter.at_rest();
+  const bool may_start = filter_.at_rest();
   bool moves = !may_start;
-  while (room_.filter.room_ns() > 0) {
-    const Stretch stretch = plan_.next(room_.filter.room_ns(), drive_, may_start && !moves);
+  while (filter_.room_ns() > 0) {
+    const Stretch stretch = plan_.next(filter_.room_ns(), drive_, may_start && !moves);
     if (stretch.lasts()) {
-      room_.filter.add(stretch);
+      filter_.add(stretch);
       moves = true;
     } else if (moves) {
-      room_.filter.rest();
+      filter_.rest();
     } else {
       return false;
     }
@@ -235,7 +223,7 @@ void Segmenter::begin_block() {
   const MotorPath::Point start = path_.at(0);
   for (const MotorPath::Motor& motor : path_.moving()) rates_[motor.axis()] = motor.speed(start);
   merge(outputs_, block.outputs);
-  if (kerf_.follows()) begin_kerf(block);
+  if (kerf_.follows()) kerf_.begin(block);
   driving_ = true;
 }
 
@@ -320,10 +308,7 @@ Segmenter::Cut Segmenter::cut(std::uint32_t end_ns, PathUnits end) {
   return cut;
 }
 
-/// Apart, like what follows: seldom wanted.
-[[gnu::cold, gnu::noinline]] void Segmenter::begin_kerf(const Block& block) { kerf_.begin(block); }
-
-[[gnu::cold, gnu::noinline]] void Segmenter::follow_kerf_to(PathUnits end, std::uint64_t fraction) {
+void Segmenter::follow_kerf_to(PathUnits end, std::uint64_t fraction) {
   if (kerf_.ends() && queue_.size() > 1) kerf_.meet(queue_.at(1));
   kerf_.move(fraction_of(fraction), to_mm(end - place_), heat(), limits_);
 }

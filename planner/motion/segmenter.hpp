@@ -4,13 +4,13 @@
 
 #include "planner/motion/joined_slices.hpp"
 #include "planner/motion/kerf_shift.hpp"
+#include "planner/motion/motion_filter.hpp"
 #include "planner/motion/motor_path.hpp"
 #include "planner/motion/pixel_course.hpp"
 #include "planner/motion/plan_cursor.hpp"
 #include "planner/motion/planned_slice.hpp"
 #include "planner/motion/reversals.hpp"
 #include "planner/motion/segment.hpp"
-#include "planner/motion/segmenter_room.hpp"
 
 namespace cnc::motion {
 
@@ -51,14 +51,9 @@ class Segmenter {
   /// Ticks: of these motors and beams take no notice, and 63 of them are six milliseconds.
   static constexpr std::uint32_t kShortestSegment = kTicksPerSecond / 10'000;
 
-  /// @param room may be shared with segmenters that stand while this one moves
   /// @param pixels of the blocks' rows; null where no block has any
-  Segmenter(BlockQueue& queue, const Limits& limits, SegmenterRoom& room, Pixels* pixels = nullptr)
-      : queue_{queue},
-        limits_{limits},
-        room_{room},
-        power_{pixels},
-        plan_{queue, limits, room.profile} {}
+  Segmenter(BlockQueue& queue, const Limits& limits, Pixels* pixels = nullptr)
+      : queue_{queue}, limits_{limits}, plan_{queue, limits}, power_{pixels} {}
 
   /// The next slice; false when there is none: everything driven, or halted.
   [[nodiscard]] bool next(Segment& segment);
@@ -104,13 +99,6 @@ class Segmenter {
   void observe(SliceObserver* observer) { observer_ = observer; }
 
  private:
-  /// Plan and motion, as long as the room is this segmenter's. A cell may end a nanosecond before
-  /// the plan's last phase does.
-  [[nodiscard]] bool stands() const {
-    constexpr float kStill = 1.0e-6F;  // mm/s: a nanometre a second.
-    return speed_ <= 0.0F && plan_.speed() <= kStill && room_.filter.at_rest();
-  }
-  [[nodiscard]] bool has_room();
   [[nodiscard]] bool ready_stretch();
   [[nodiscard]] Stretch next_stretch();
   void choose_window();
@@ -136,7 +124,6 @@ class Segmenter {
   [[nodiscard]] Cut cut(std::uint32_t end_ns, PathUnits end);
   void move_to(const MotorPath::Point& point);
   void pass_to_rest();
-  void begin_kerf(const Block& block);
   void follow_kerf_to(PathUnits end, std::uint64_t fraction);
   [[nodiscard]] float heat() const;
   void make_segment(Segment& segment);
@@ -148,8 +135,9 @@ class Segmenter {
 
   BlockQueue& queue_;
   const Limits& limits_;
-  SegmenterRoom& room_;
+  PlanCursor plan_;
   TimeWindow window_{};
+  MotionFilter filter_{};  ///< Of the plan, under a window.
   Drive drive_ = Drive::kOn;
 
   PhaseCourse course_{};          ///< Of the stretch being cut.
@@ -178,8 +166,6 @@ class Segmenter {
   SliceObserver* observer_ = nullptr;
   std::uint32_t blocks_ended_ = 0;
   OutputChanges outputs_{};  ///< Not handed out yet.
-
-  PlanCursor plan_;  ///< Last, for it is large: what is near to the start is cheaper to reach.
 };
 
 }  // namespace cnc::motion

@@ -47,9 +47,9 @@ ShaperTaps taps_of(const ShaperImpulses& impulses, std::uint32_t ahead, float ce
     const std::int32_t amplitude = last ? left : exact;
     const auto later = static_cast<std::int32_t>(static_cast<float>(amplitude) * (age - whole));
     left -= amplitude;
-    taps.age[taps.count] = static_cast<std::uint16_t>(whole);
+    taps.age[taps.count] = static_cast<std::uint32_t>(whole);
     taps.weight_q30[taps.count++] = amplitude - later;
-    taps.age[taps.count] = static_cast<std::uint16_t>(whole + 1.0F);
+    taps.age[taps.count] = static_cast<std::uint32_t>(whole + 1.0F);
     taps.weight_q30[taps.count++] = later;
   }
   return taps;
@@ -74,7 +74,7 @@ ShaperGrid grid_of(const AxisArray<ShaperSetting>& settings) {
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     ShaperTaps& taps = grid.taps[axis];
     taps = ShaperTaps{};
-    taps.age[0] = static_cast<std::uint16_t>(grid.ahead);
+    taps.age[0] = grid.ahead;
     if (impulses[axis].count > 1) taps = taps_of(impulses[axis], grid.ahead, cell);
     const std::uint32_t oldest = taps.age[taps.count - 1];
     grid.behind = std::max(grid.behind, oldest - grid.ahead);

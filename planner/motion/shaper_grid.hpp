@@ -19,7 +19,7 @@ struct ShaperTaps {
   static constexpr std::int32_t kOne = std::int32_t{1} << 30;
 
   std::size_t count = 1;
-  std::array<std::uint16_t, kMost> age{};
+  std::array<std::uint32_t, kMost> age{};
   std::array<std::int32_t, kMost> weight_q30{kOne};
 };
 
@@ -29,8 +29,7 @@ struct ShaperTaps {
 struct ShaperGrid {
   static constexpr float kLongestCell = 1.0e-3F;   ///< s.
   static constexpr float kShortestCell = 2.5e-4F;  ///< s.
-  /// Places that are kept of each axis: with six of them 4.6 KB. What 10 Hz need
-  /// in the longest cells.
+  /// Places that are kept of each axis: as many as 10 Hz need in the longest cells.
   static constexpr std::size_t kMostPlaces = 192;
 
   std::uint32_t cell_ticks = 2000;

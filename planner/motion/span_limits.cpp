@@ -163,8 +163,7 @@ class AxisBox {
         half_{sin_cos(std::min(0.5F * (last - first), kHalfPi))},
         limits_{limits} {}
 
-  /// Out of line, as it is asked for often.
-  [[nodiscard, gnu::noinline]] bool holds(float tangent, float normal) const {
+  [[nodiscard]] bool holds(float tangent, float normal) const {
     const float along_first = std::abs(tangent * middle_.cosine - normal * middle_.sine);
     const float along_second = std::abs(tangent * middle_.sine + normal * middle_.cosine);
     const float size_square = square(tangent) + square(normal);
@@ -207,9 +206,7 @@ class AxisBox {
 /// within the window, the acceleration a along the tangent and κ v² across it; and the jerk
 /// a / T − κ² v³, then −a / T − κ² v³, along it and up to 3 κ v a across it. (Jerk in units of 1 /
 /// T, as accelerations are limited by it, too.)
-[[gnu::noinline]] float Spans::within_turning(int span,
-                                              float most,
-                                              const SpeedChange& change) const {
+float Spans::within_turning(int span, float most, const SpeedChange& change) const {
   const float window_s = window_.seconds();
   const float cap = std::sqrt(change.cap_square);
   const float lag = lag_of(curvature_, plane_acceleration_, window_s);

@@ -47,8 +47,8 @@ class Spans {
   static constexpr int kMostEdges = 4;  ///< Of zones, within a block.
   static constexpr int kMostSpans = kGridPerTurn / 2 + 2 + kMostEdges;
 
-  /// The fine one has up to 16 spans instead of one, as far as there is room for kMostFineSpans
-  /// and each takes 0.7 ms at least: more is left of limits that change along the arc.
+  /// The fine grid has up to 16 spans instead of one, at most kMostFineSpans in all, and each span
+  /// takes 0.7 ms at least: more is left of limits that change along the arc.
   enum class Grid : std::uint8_t { kUsual, kFine };
   static constexpr int kMostFineSpans = 2 * kGridPerTurn + 2;
 

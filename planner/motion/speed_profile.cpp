@@ -42,15 +42,6 @@ void SpeedProfile::begin(const Block& block,
   lay_out(block, limits, terms, exit, block.length, Spans::Grid::kUsual);
 }
 
-void SpeedProfile::begin_within(const Block& block,
-                                const Limits& limits,
-                                const PlanTerms& terms,
-                                const BrakingState& exit,
-                                float left_of_block) {
-  speed_square_ = 0.0F;
-  lay_out(block, limits, terms, exit, left_of_block, grid_for(block, terms, exit));
-}
-
 void SpeedProfile::replan(const Block& block,
                           const Limits& limits,
                           const PlanTerms& terms,
@@ -85,21 +76,18 @@ Spans::Grid SpeedProfile::grid_for(const Block& block,
 /// As far back as the present span.
 void SpeedProfile::brake_from_the_end(const Block& block, const Overrides& overrides) {
   const SpeedCap cap{block, overrides};
+  const auto keep = [this](int span, const BrakingPoint& point) {
+    braking_[static_cast<std::size_t>(span)] = point;
+  };
   if (!block.turns() && spans_.window_s() <= 0.0F) {
     const float cap_square = cap.square_within(block.speed_limit_square);
-    here_ = {.end = {.speed_square = std::min(exit_.speed_square, cap_square)},
-             .deceleration = block.acceleration,
-             .cap_square = cap_square};
+    keep(span_,
+         {.end = {.speed_square = std::min(exit_.speed_square, cap_square)},
+          .deceleration = block.acceleration,
+          .cap_square = cap_square});
     return;
   }
-  braking_.begin(spans_.window_s() > 0.0F);
-  static_cast<void>(brake_backwards(
-      spans_,
-      cap,
-      exit_,
-      [this](int span, const BrakingPoint& point) { braking_.keep(span, point); },
-      span_));
-  here_ = braking_.at(span_);
+  static_cast<void>(brake_backwards(spans_, cap, exit_, keep, span_));
 }
 
 /// Other zones make other spans: the one with so much of the block to go.
@@ -250,10 +238,12 @@ Phase SpeedProfile::level_or_follow(float longest_level) const {
 }
 
 /// To the end of the span, and over those behind it on which nothing changes either.
-[[gnu::cold, gnu::noinline]] Phase SpeedProfile::level_on() const {
+Phase SpeedProfile::level_on() const {
   int last = span_;
   if (spans_.window_s() <= 0.0F) {
-    while (last + 1 < spans_.count() && braking_.stays_level(last + 1, speed_square_)) ++last;
+    while (last + 1 < spans_.count() && point_of(last + 1).stays_level(speed_square_)) {
+      ++last;
+    }
   }
   const float beyond = spans_.boundary(last + 1) - spans_.boundary(span_ + 1);
   Phase phase = phase_to(speed_square_, left_ + beyond, 0.0F);
@@ -313,7 +303,6 @@ void SpeedProfile::stop_short(const Phase& phase, float distance, float speed) {
   const float speed_square = std::clamp(speed * speed, least, most);
   if (phase.passes == 0) return move(phase.left + distance, speed_square);
   find_span(left_of_block(phase) + distance);
-  here_ = braking_.at(span_);
   move(left_, speed_square);
 }
 
@@ -323,7 +312,6 @@ void SpeedProfile::move(float left, float speed_square) {
   if (left_ > 0.0F) return;
   ++span_;
   left_ = at_end() ? 0.0F : spans_.length_of(span_);
-  if (!at_end()) here_ = braking_.at(span_);
 }
 
 }  // namespace cnc::motion

@@ -1,6 +1,9 @@
 #pragma once
 
-#include "planner/motion/braking_curve.hpp"
+#include <array>
+#include <cstddef>
+
+#include "planner/motion/braking.hpp"
 #include "planner/motion/plan_terms.hpp"
 
 namespace cnc::motion {
@@ -48,12 +51,6 @@ class SpeedProfile {
              const PlanTerms& terms,
              const BrakingState& exit,
              float speed_square);
-  /// Takes a block up at rest, `left_of_block` mm before its end.
-  void begin_within(const Block& block,
-                    const Limits& limits,
-                    const PlanTerms& terms,
-                    const BrakingState& exit,
-                    float left_of_block);
   /// Something ahead changed, or the zones that reach into the block; place and
   /// speed stay.
   void replan(const Block& block,
@@ -99,7 +96,11 @@ class SpeedProfile {
   }
 
  private:
-  [[nodiscard]] const BrakingPoint& here() const { return here_; }
+  /// @pre !at_end()
+  [[nodiscard]] const BrakingPoint& here() const { return point_of(span_); }
+  [[nodiscard]] const BrakingPoint& point_of(int span) const {
+    return braking_[static_cast<std::size_t>(span)];
+  }
   [[nodiscard]] Spans::Grid grid_for(const Block& block,
                                      const PlanTerms& terms,
                                      const BrakingState& exit) const;
@@ -127,8 +128,9 @@ class SpeedProfile {
   void move(float left, float speed_square);
 
   Spans spans_{};
-  BrakingCurve braking_{};
-  BrakingPoint here_{};  ///< Of it, on the present span.
+  /// The braking curve by spans, from the present span to the end of the block.
+  std::array<BrakingPoint, Spans::kMostFineSpans> braking_{};
+  static_assert(Spans::kMostSpans <= Spans::kMostFineSpans);
   BrakingState exit_{};
   float speed_square_ = 0.0F;
   /// mm to the end of the span. Counted from there, because braking ends there

@@ -81,7 +81,7 @@ TimeWindow window_for(const Limits& limits, std::uint8_t axes) {
   return seconds < kShortest ? TimeWindow{} : divided(seconds);
 }
 
-[[gnu::noinline]] void WindowChoice::add(const Block& block, float length, float speed_square) {
+void WindowChoice::add(const Block& block, float length, float speed_square) {
   axes_ = static_cast<std::uint8_t>(axes_ | moving_axes(block));
   length_ += length;
   const float jerk = along_path(block, limits_.jerk_mm_s3);

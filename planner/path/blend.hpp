@@ -18,7 +18,7 @@ struct Blend {
 /// the halves belong to different elements, two that meet smoothly at the
 /// place nearest the corner.
 /// @param trim_mm how far both places are from the corner, along the legs.
-[[nodiscard, gnu::noinline]] Blend make_blend(
+[[nodiscard]] Blend make_blend(
     const Corner& corner, const Position& from, const Position& to, float trim_mm, bool in_halves);
 
 /// Of an element, what lies between two places on it.

@@ -28,6 +28,11 @@ bool differ(const motion::MotionRequest& a, const motion::MotionRequest& b) {
          !(b.outputs == motion::OutputChanges{});
 }
 
+/// An element of which no corner has taken anything.
+HeldItem held_whole(const PathItem& item, motion::Joint joint) {
+  return {.item = item, .start = item.request.element.start, .joint = joint};
+}
+
 }  // namespace
 
 const PathPiece* CornerRounder::next() {
@@ -53,7 +58,8 @@ void CornerRounder::clear() {
 void CornerRounder::put(const PathItem& item) {
   CNC_ASSERT(has_room());
   if (!first_) {
-    hold(first_, item, last_ ? joint_at(examine(*last_, item, limits_)) : motion::Joint::kStop);
+    first_ =
+        held_whole(item, last_ ? joint_at(examine(*last_, item, limits_)) : motion::Joint::kStop);
     last_.reset();
     return;
   }
@@ -69,20 +75,11 @@ void CornerRounder::put(const PathItem& item) {
 void CornerRounder::meet(const PathItem& item, const Corner& corner) {
   if (corner.kind == Corner::Kind::kBlend) {
     corner_ = corner;
-    hold(second_, item, motion::Joint::kStop);
+    second_ = held_whole(item, motion::Joint::kStop);
     return;
   }
   give_rest(*first_, first_->item.request.element.end, -1.0F);
-  hold(first_, item, joint_at(corner));
-}
-
-void CornerRounder::hold(std::optional<HeldItem>& place,
-                         const PathItem& item,
-                         motion::Joint joint) {
-  HeldItem& held = place.emplace();
-  held.item = item;
-  held.start = item.request.element.start;
-  held.joint = joint;
+  first_ = held_whole(item, joint_at(corner));
 }
 
 void CornerRounder::flush() {
@@ -144,15 +141,13 @@ void CornerRounder::blend(float trim_mm, bool in_halves) {
   const bool all_after = corner_.after.length - trim_mm < kCrumbMm;
   const Position from =
       all_before ? first_->start : place_on(corner_.before, corner_.plane, corner, -trim_mm);
-  second_->start = all_after ? second_->item.request.element.end
-                             : place_on(corner_.after, corner_.plane, corner, trim_mm);
-  const Blend blend = make_blend(corner_, from, second_->start, trim_mm, in_halves);
-  if (blend.count == 0) {
-    second_->start = corner;
-    return give_rest(*first_, corner, -1.0F);
-  }
+  const Position to = all_after ? second_->item.request.element.end
+                                : place_on(corner_.after, corner_.plane, corner, trim_mm);
+  const Blend blend = make_blend(corner_, from, to, trim_mm, in_halves);
+  if (blend.count == 0) return give_rest(*first_, corner, -1.0F);
   give_rest(*first_, from, all_before ? 0.0F : left);
   give_blend(blend, all_before ? first_->joint : motion::Joint::kSmooth, trim_mm, in_halves);
+  second_->start = to;
   second_->used_mm = trim_mm;
   second_->joint = motion::Joint::kSmooth;
 }
@@ -164,23 +159,21 @@ void CornerRounder::give_blend(const Blend& blend,
                                bool in_halves) {
   for (std::size_t i = 0; i < blend.count; ++i) {
     const bool earlier = in_halves && i == 0;
-    motion::MotionRequest& part = next_ready();
-    part = earlier ? first_->item.request : second_->item.request;
+    motion::MotionRequest part = earlier ? first_->item.request : second_->item.request;
     if (!in_halves) part.line = first_->item.request.line;
     part.element = blend.parts[i];
     part.row = earlier ? part.row.part(1.0F - trim_mm / corner_.before.length, 1.0F)
                        : part.row.part(0.0F, trim_mm / corner_.after.length);
     if (earlier) part.outputs = {};
     if (!earlier) second_->item.request.outputs = {};
-    give(joint);
+    give(part, joint);
     joint = motion::Joint::kSmooth;
   }
 }
 
 /// @param left_mm of the element in its plane; negative for all that is left.
 void CornerRounder::give_rest(const HeldItem& held, const Position& end, float left_mm) {
-  motion::MotionRequest& request = next_ready();
-  request = held.item.request;
+  motion::MotionRequest request = held.item.request;
   const PathElement& whole = held.item.request.element;
   if (held.used_mm > 0.0F || left_mm >= 0.0F) {
     const float length = length_in(whole, whole.bulge != 0.0F ? whole.plane : corner_.plane);
@@ -192,23 +185,17 @@ void CornerRounder::give_rest(const HeldItem& held, const Position& end, float l
       request.row = request.row.part(from, left_mm >= 0.0F ? from + share : 1.0F);
     }
   }
-  give(held.joint);
-}
-
-/// The place of the next piece, which give() makes one.
-motion::MotionRequest& CornerRounder::next_ready() {
-  CNC_ASSERT(ready_count_ < kMostReady);
-  return ready_[ready_count_].request;
+  give(request, held.joint);
 }
 
 /// A piece of which its corners left nothing is left out; its outputs went with
 /// the blend before it. A stop there is a stop at the next.
-void CornerRounder::give(motion::Joint joint) {
-  PathPiece& piece = ready_[ready_count_];
+void CornerRounder::give(const motion::MotionRequest& request, motion::Joint joint) {
   stop_left_over_ = stop_left_over_ || joint == motion::Joint::kStop;
-  if (piece.request.element.start == piece.request.element.end) return;
-  ++ready_count_;
-  piece.joint = stop_left_over_ ? motion::Joint::kStop : motion::Joint::kSmooth;
+  if (request.element.start == request.element.end) return;
+  CNC_ASSERT(ready_count_ < kMostReady);
+  const motion::Joint as_driven = stop_left_over_ ? motion::Joint::kStop : motion::Joint::kSmooth;
+  ready_[ready_count_++] = {.request = request, .joint = as_driven};
   stop_left_over_ = false;
 }
 

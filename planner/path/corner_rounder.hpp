@@ -58,15 +58,13 @@ class CornerRounder {
 
  private:
   void meet(const PathItem& item, const Corner& corner);
-  static void hold(std::optional<HeldItem>& place, const PathItem& item, motion::Joint joint);
   void settle(float allowance_mm);
   void blend(float trim_mm, bool in_halves);
   void give_blend(const Blend& blend, motion::Joint joint, float trim_mm, bool in_halves);
   [[nodiscard]] float granted(float allowance_mm) const;
   [[nodiscard]] float without_crumbs(float trim_mm) const;
   void give_rest(const HeldItem& held, const Position& end, float left_mm);
-  [[nodiscard]] motion::MotionRequest& next_ready();
-  void give(motion::Joint joint);
+  void give(const motion::MotionRequest& request, motion::Joint joint);
 
   /// The rest of one element, a blend of two, and the one after.
   static constexpr std::size_t kMostReady = 4;

@@ -233,7 +233,7 @@ void Welder::forget_first(std::size_t count) {
   smooth_.index -= std::min(smooth_.index, count);
 }
 
-[[gnu::noinline]] void Welder::finish() {
+void Welder::finish() {
   const bool smooth = smooth_.points > 0 && 2 * smooth_.points >= farthest_.points;
   Reach reach = smooth ? smooth_ : farthest_;
   if (reach.points == 0) {

@@ -30,7 +30,7 @@ class Welder {
   /// Whether the item can be welded to what is held, or begin a chain.
   [[nodiscard]] bool takes(const PathItem& item) const;
   /// @pre takes(item), has_room()
-  [[gnu::noinline]] void put(const PathItem& item);
+  void put(const PathItem& item);
   [[nodiscard]] bool has_room() const { return count_ < kMostHeld && !closing_; }
   /// Nothing more will be welded to what is held. False when that was known.
   bool close() {
@@ -43,7 +43,7 @@ class Welder {
 
   /// The next arc or line, until the next call of anything else; null when there is none
   /// yet. Looks at kMostLooks points at most.
-  [[nodiscard, gnu::noinline]] const PathItem* next();
+  [[nodiscard]] const PathItem* next();
   void clear();
 
   [[nodiscard]] bool empty() const { return count_ == 0 && !fitting_; }

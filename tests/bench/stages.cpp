@@ -12,10 +12,9 @@
 #include "hal/host/recording_port.hpp"
 #include "host-sim/machine/simulator.hpp"
 #include "planner/gcode/interpreter.hpp"
-#include "planner/geometry/arc_elements.hpp"
-#include "planner/motion/block_builder.hpp"
-#include "planner/motion/segmenter.hpp"
-#include "planner/path/path_stage.hpp"
+#include "planner/pipeline/action_elements.hpp"
+#include "planner/pipeline/path_tolerance.hpp"
+#include "planner/pipeline/pipeline.hpp"
 #include "tests/support/bench_jobs.hpp"
 #include "tests/support/let_in.hpp"
 
@@ -45,29 +44,30 @@ void split_lines(Job& job) {
   }
 }
 
-/// Lines to elements of the path.
+/// Reads lines as elements of the path.
 class PathReader {
  public:
   template <typename Sink>
   void read(std::string_view line, Sink&& take) {
     const auto actions = interpreter_.interpret(line);
     for (const gcode::Action& action : actions.value()) {
-      path::PathItem item{.tolerance = path::tolerance_within(0.01F, 0.002F)};
-      item.request.feed_mm_s = action.feed;
-      if (action.kind == gcode::ActionKind::kArc) {
-        const ArcElements arc{
-            {place_, action.end, action.plane, action.centre, action.clockwise, 1}};
-        item.request.element = arc.element(0);
-      } else {
-        item.request.element = {.start = place_, .end = action.end};
+      if (!ActionElements::accepts(action)) continue;
+      elements_.begin(action, place_, kUsual.arc_mm);
+      while (!elements_.done()) {
+        const ActionPart part = elements_.next();
+        take(path::PathItem{.request = {.element = part.element, .feed_mm_s = part.feed_mm_s},
+                            .tolerance = path_tolerance({}, kUsual),
+                            .continues = part.continues});
       }
       place_ = action.end;
-      take(item);
     }
   }
 
  private:
+  static constexpr UsualTolerance kUsual{};
+
   gcode::Interpreter interpreter_;
+  ActionElements elements_;
   Position place_{};
 };
 
@@ -101,8 +101,7 @@ void push(motion::BlockQueue& queue, const path::PathPiece& piece) {
 template <typename Sink>
 void drive(const Job& job, Sink&& take) {
   motion::BlockQueueOf<motion::kLookAheadBlocks> queue;
-  motion::SegmenterRoom room;
-  motion::Segmenter segmenter{queue, limits(), room};
+  motion::Segmenter segmenter{queue, limits()};
   segmenter.reset({});
   motion::Segment segment;
   std::size_t next = 0;
@@ -112,36 +111,29 @@ void drive(const Job& job, Sink&& take) {
   }
 }
 
-/// From the bytes on, with one queue kept full, to whoever takes the segments.
+/// Takes bytes through the pipeline as a fast sender does, and gives its segments to `take`.
 template <typename Sink>
 void cut_text(std::string_view text, Sink&& take) {
-  motion::BlockQueueOf<motion::kLookAheadBlocks> queue;
-  motion::SegmenterRoom room;
-  motion::Segmenter segmenter{queue, limits(), room};
-  segmenter.reset({});
-  path::PathStage stage{limits()};
+  constexpr std::int32_t kCycleUs = 1000;
+  Pipeline pipeline{limits()};
   PathReader reader;
   LineAssembler<256> assembler;
   motion::Segment segment;
-  const auto cut = [&] {
-    if (segmenter.next(segment)) take(segment);
-  };
-  const auto drain = [&] {
-    while (const path::PathPiece* const piece = stage.next()) {
-      while (queue.full()) cut();
-      push(queue, *piece);
-    }
+  const auto cycle = [&] {
+    pipeline.attend(kCycleUs);
+    if (pipeline.next(segment)) take(segment);
   };
   for (const char byte : text) {
     if (!assembler.add(byte)) continue;
     reader.read(assembler.line(), [&](const path::PathItem& item) {
-      stage.put(item);
-      drain();
+      while (!pipeline.has_room()) cycle();
+      benchmark::DoNotOptimize(pipeline.append(item));
     });
   }
-  stage.flush();
-  drain();
-  while (!segmenter.idle()) cut();
+  while (!pipeline.empty()) {
+    pipeline.flush();
+    cycle();
+  }
 }
 
 /// The pins, and the generator that moves them.

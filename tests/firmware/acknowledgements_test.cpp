@@ -7,6 +7,7 @@
 #include "firmware/protocol/identity.hpp"
 #include "tests/firmware/controller_test.hpp"
 #include "tests/support/random_source.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc {
 namespace {
@@ -117,7 +118,7 @@ TEST_F(AcknowledgementsTest, EveryLineHasOneWhateverEndsItAndHoweverItArrives) {
       "", " ", "(comment)", "; ok?", "G21", "$G", "G1 X", "%", "$110", "$7=1"};
   const char* const ends[]{"\r", "\n", "\r\n"};
   std::size_t lines = 0;
-  for (std::uint64_t seed = 1; seed <= 3'000; ++seed) {
+  for (const std::uint64_t seed : proof::Trials{3000}) {
     proof::Random random{seed};
     const std::string end = ends[random.below(3)];
     std::string text;
@@ -131,7 +132,7 @@ TEST_F(AcknowledgementsTest, EveryLineHasOneWhateverEndsItAndHoweverItArrives) {
       application.poll(hal::TickCount{0});
     }
     for (int k = 0; k < 20; ++k) application.poll(hal::TickCount{0});
-    ASSERT_EQ(answers().size(), 40U) << "seed " << seed;
+    ASSERT_EQ(answers().size(), 40U) << "KERFLINE_SEED=" << seed;
     // A line that ended with CR must not swallow an LF that ends the next one.
     link.incoming = "\r\n";
     application.poll(hal::TickCount{0});

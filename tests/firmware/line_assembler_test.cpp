@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/support/random_source.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc {
 namespace {
@@ -79,8 +80,8 @@ TEST(LineAssembler, KeepsEveryOtherByteAsItIs) {
 }
 
 TEST(LineAssembler, GivesBackEveryLineOfRandomText) {
-  const std::uint64_t seed = 20260923;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const std::uint64_t seed = proof::test_seed();
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   proof::Random random{seed};
   const char* const ends[]{"\r", "\n", "\r\n"};
   for (int trial = 0; trial < 2'000; ++trial) {

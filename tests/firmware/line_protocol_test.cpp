@@ -1,5 +1,6 @@
 #include "tests/firmware/controller_test.hpp"
 #include "tests/support/random_source.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc {
 namespace {
@@ -123,8 +124,8 @@ TEST_F(LineProtocolTest, AnswersADwellWhenItIsOver) {
 }
 
 TEST_F(LineProtocolTest, AnswersRandomBytesLineByLine) {
-  const std::uint64_t seed = 20260924;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const std::uint64_t seed = proof::test_seed();
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   proof::Random random{seed};
   constexpr std::string_view kBytes = "GXYZFIJRPMS$=%()/;0123456789.- \t\x7F\xC3";
   std::size_t lines = 0;

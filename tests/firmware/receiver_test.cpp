@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/support/random_source.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc {
 namespace {
@@ -164,7 +165,7 @@ TEST_F(ReceiverTest, TellsTheAdvertisedRoomOnly) {
 // What a byte does depends on the bytes before it, not on how they were grouped;
 // and no byte takes more than its own room.
 TEST_F(ReceiverTest, GivesBackEveryLineByteOfRandomTextInOrder) {
-  for (std::uint64_t seed = 1; seed <= 300; ++seed) {
+  for (const std::uint64_t seed : proof::Trials{300}) {
     proof::Random random{seed};
     std::string sent;
     std::string expected;
@@ -199,7 +200,7 @@ TEST_F(ReceiverTest, GivesBackEveryLineByteOfRandomTextInOrder) {
       }
     }
     for (char byte = 0; take(fresh, byte);) taken.push_back(byte);
-    ASSERT_EQ(taken, expected) << "seed " << seed;
+    ASSERT_EQ(taken, expected) << "KERFLINE_SEED=" << seed;
   }
 }
 

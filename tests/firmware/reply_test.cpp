@@ -7,6 +7,7 @@
 #include <string>
 
 #include "tests/support/random_source.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc {
 namespace {
@@ -33,7 +34,7 @@ TEST(Reply, WritesSettingsWithAsManyDecimalsAsTheyHave) {
 }
 
 TEST(Reply, WritesEveryValueToTheDigitsOfAFloat) {
-  proof::Random random{20261121};
+  proof::Random random{proof::test_seed()};
   for (int k = 0; k < 100'000; ++k) {
     const auto number = static_cast<float>(random.signed_magnitude(0.001, 1.0e6));
     const double read = std::stod(value(number, 3));

@@ -8,11 +8,11 @@
 #include <vector>
 
 #include "tests/support/random_source.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc {
 namespace {
 
-constexpr int kSeeds = 300;
 constexpr std::uint32_t kTurnUs = 1000;
 
 /// Milliseconds as the watch sees them, beginning shortly before the ticks wrap.
@@ -112,8 +112,8 @@ TEST_F(SilenceWatchTest, OfAnHourOfSilenceNothingWrapsAround) {
 /// Lives by a schedule of its own: polls or does not, and has lines to say within a window.
 class SilenceWatchRandom : public SilenceWatchTest {
  protected:
-  void begin(int seed) {
-    random = proof::Random{static_cast<std::uint64_t>(seed)};
+  void begin(std::uint64_t seed) {
+    random = proof::Random{seed};
     watch = {};
     polled.clear();
     polls = random.chance(0.5);
@@ -166,8 +166,8 @@ class SilenceWatchRandom : public SilenceWatchTest {
 /// One that is alive is never gone. Once it is dead it is, in the time that follows from what it
 /// has shown, worked out here from the polls and the answers themselves.
 TEST_F(SilenceWatchRandom, TheLivingAreLeftAloneAndTheDeadAreNot) {
-  for (int seed = 0; seed < kSeeds; ++seed) {
-    SCOPED_TRACE(seed);
+  for (const std::uint64_t seed : proof::Trials{300}) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     begin(seed);
     for (std::uint32_t left = 5000 + below(10'000); left > 0; --left) {
       live();

@@ -1,3 +1,6 @@
+#include <regex>
+
+#include "firmware/protocol/identity.hpp"
 #include "tests/firmware/controller_test.hpp"
 
 namespace cnc {
@@ -81,20 +84,28 @@ TEST_F(StatementsTest, ShowModesThatAreAcceptedBackInOneLine) {
 }
 
 TEST_F(StatementsTest, TellWhatTheControllerIs) {
-  EXPECT_EQ(lines_of("$I"), (Lines{"[VER:1.1h.20261121:]", "[OPT:VNMPH+2,128,1024]", "ok"}));
+  const std::string kerfline = "[KERFLINE:" + std::string{identity::version()} + "]";
+  EXPECT_EQ(lines_of("$I"),
+            (Lines{"[VER:1.1h.20261121:]", "[OPT:VNMPH+2,128,1024]", kerfline, "ok"}));
   EXPECT_EQ(send("$I=left of the door"), "ok");
   const Lines lines = lines_of("$I+");
-  ASSERT_EQ(lines.size(), 8U);
+  ASSERT_EQ(lines.size(), 9U);
   EXPECT_EQ(lines[0], "[VER:1.1h.20261121:left of the door]");
-  EXPECT_EQ(lines[2], "[AXS:3:XYZ]");
-  EXPECT_EQ(lines[3], "[NEWOPT:ENUMS,RT+,HOME]");
-  EXPECT_EQ(lines[4], "[FIRMWARE:Kerfline]");
-  EXPECT_EQ(lines[5], "[STORE WEAR:0,0]");
-  EXPECT_EQ(lines[6], "[LATE TURNS:0]");
+  EXPECT_EQ(lines[2], kerfline);
+  EXPECT_EQ(lines[3], "[AXS:3:XYZ]");
+  EXPECT_EQ(lines[4], "[NEWOPT:ENUMS,RT+,HOME]");
+  EXPECT_EQ(lines[5], "[FIRMWARE:Kerfline]");
+  EXPECT_EQ(lines[6], "[STORE WEAR:0,0]");
+  EXPECT_EQ(lines[7], "[LATE TURNS:0]");
   for (const char* text : {"$I=it is OK", "$I=no Error", "$I=a[b", "$I=a]b"}) {
     EXPECT_EQ(send(text), "error:3") << text;
   }
   EXPECT_EQ(send("$I=" + std::string(97, 'x')), "error:14");
+}
+
+TEST(Identity, VersionIsThatOfTheProjectAndTheCommit) {
+  const std::regex shape{R"(\d+\.\d+\.\d+(\+[0-9a-f]{7}(-dirty)?)?)"};
+  EXPECT_TRUE(std::regex_match(std::string{identity::version()}, shape)) << identity::version();
 }
 
 TEST_F(StatementsTest, RunStartupLinesAfterAReset) {

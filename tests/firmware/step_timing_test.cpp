@@ -4,6 +4,7 @@
 
 #include "tests/firmware/edge_port.hpp"
 #include "tests/support/random_source.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc {
 namespace {
@@ -156,8 +157,8 @@ void expect_legal_pulses(const std::vector<Edge>& edges, const StepTiming& timin
 }
 
 TEST_F(RandomSegments, KeepPulseWidthLowTimeAndSetUpTime) {
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
+  for (const std::uint64_t seed : proof::Trials{60}) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     begin(seed, {.reverses = true});
     play(64);
     expect_legal_pulses(port.edges, timing);
@@ -166,8 +167,8 @@ TEST_F(RandomSegments, KeepPulseWidthLowTimeAndSetUpTime) {
 }
 
 TEST_F(RandomSegments, EmitEveryStepOnceInTheRightDirection) {
-  for (std::uint64_t seed = 101; seed <= 160; ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
+  for (const std::uint64_t seed : proof::Trials{60}) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     begin(seed, {.reverses = true});
     play(64);
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
@@ -182,8 +183,8 @@ TEST_F(RandomSegments, EmitEveryStepOnceInTheRightDirection) {
 
 // Segments as the planner makes them, but for the ends of phases and blocks.
 TEST_F(RandomSegments, EmitEveryStepWithinASlotOfItsTime) {
-  for (std::uint64_t seed = 201; seed <= 300; ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
+  for (const std::uint64_t seed : proof::Trials{100}) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     begin(seed, {.shortest_ticks = 1000.0});
     play_and_expect_steps_late_by_at_most(2.0 * timing.pulse);
     if (HasFatalFailure()) return;
@@ -195,8 +196,8 @@ TEST_F(RandomSegments, EmitEveryStepWithinASlotOfItsTime) {
 // then keeps them slow; tests/simulation drives those.)
 TEST_F(RandomSegments, EmitEveryStepWithin25MicrosecondsDownToTwoSlots) {
   constexpr double kPromise = 100.0;
-  for (std::uint64_t seed = 301; seed <= 400; ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
+  for (const std::uint64_t seed : proof::Trials{100}) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     begin(seed, {.shortest_ticks = 80.0, .shortest_interval = 120.0, .usual_timing = true});
     play_and_expect_steps_late_by_at_most(kPromise);
     if (HasFatalFailure()) return;
@@ -205,8 +206,8 @@ TEST_F(RandomSegments, EmitEveryStepWithin25MicrosecondsDownToTwoSlots) {
 
 TEST_F(RandomSegments, EmitEveryStepWithin25MicrosecondsWithReversals) {
   constexpr double kPromise = 100.0;
-  for (std::uint64_t seed = 401; seed <= 500; ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
+  for (const std::uint64_t seed : proof::Trials{100}) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     begin(seed,
           {.reverses = true,
            .shortest_ticks = 1000.0,

@@ -169,6 +169,7 @@ await run('the page of kerfline serve', async ({ folder, keep }) => {
   const page = await Page.open(browser, `http://${address}/`, foreign);
   await page.page.locator('#control').click();
   await page.state('Idle');
+  check(/^\d+\.\d+\.\d+/.test(await page.text('version')), 'the page shows the version');
   await outlineOfJob(page, folder);
   await byMouse(page, job);
   await byKeyboard(page, job);

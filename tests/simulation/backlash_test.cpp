@@ -92,7 +92,7 @@ void disturb_job(std::uint64_t seed) {
 
 TEST(ShapersAndBacklash, EndEveryJobToTheStep) {
   const Trials trials{150};
-  for (auto seed = trials.first_seed(); seed < trials.end_seed() && !too_many_failures(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     disturb_job(seed);
   }
@@ -111,7 +111,7 @@ sim::MachineModel switches_near() {
 /// from their switches, to the step, and afterwards go where they are told.
 TEST(ShapersAndBacklash, HomeToTheSameStep) {
   const Trials trials{25};
-  for (auto seed = trials.first_seed(); seed < trials.end_seed() && !too_many_failures(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     Random random{seed};
     sim::MachineModel model = switches_near();
@@ -145,7 +145,7 @@ TEST(ShapersAndBacklash, HomeToTheSameStep) {
 /// of the tool.
 TEST(ShapersAndBacklash, ProbeWhereTheToolTouches) {
   const Trials trials{25};
-  for (auto seed = trials.first_seed(); seed < trials.end_seed() && !too_many_failures(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     Random random{seed};
     sim::MachineModel model;
@@ -246,7 +246,7 @@ TEST(Backlash, IsTakenUpByParkingToo) {
 /// What was aborted stands within the play of where it says, and homing sets it right.
 TEST(ShapersAndBacklash, KnowWhereAnAbortLeftThem) {
   const Trials trials{60};
-  for (auto seed = trials.first_seed(); seed < trials.end_seed() && !too_many_failures(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     Random random{seed};
     MachineBench bench{switches_near()};

@@ -114,7 +114,7 @@ void judge(Random& random, Tally& tally) {
 TEST(CompensatedJobs, DriveTheHostsOffsetOrAreRefusedBeforeTheyMove) {
   const Trials trials{60};
   Tally tally;
-  for (auto seed = trials.first_seed(); seed < trials.end_seed() && !too_many_failures(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     Random random{seed};
     judge(random, tally);

@@ -155,7 +155,7 @@ void expect_within(double tolerance,
 TEST(RandomTexts, ArePulsedWithinPAndQBothWays) {
   const Trials trials{40};
   Tried tried;
-  for (auto seed = trials.first_seed(); seed < trials.end_seed() && !too_many_failures(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     Random random{seed};
     const double p = random.magnitude(0.002, 0.1);
@@ -169,7 +169,7 @@ TEST(RandomTexts, ArePulsedWithinPAndQBothWays) {
 TEST(RandomTexts, ArePulsedWithinJunctionDeviationBothWays) {
   const Trials trials{40};
   Tried tried;
-  for (auto seed = trials.first_seed(); seed < trials.end_seed() && !too_many_failures(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     Random random{seed};
     const double whole = random.magnitude(0.002, 0.1);

@@ -57,7 +57,7 @@ double hold_delay(std::uint64_t seed) {
 TEST(FeedHold, StopsALongLineAtTheLimitOfTheAxis) {
   const Trials trials{60};
   double longest = 0.0;
-  for (auto seed = trials.first_seed(); seed < trials.end_seed() && !too_many_failures(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     longest = std::max(longest, hold_delay(seed));
   }
@@ -81,7 +81,7 @@ void hold_line_at(std::size_t turns, double speed, double acceleration) {
 TEST(FeedHold, AtAnyMillisecondOfALineLosesNothing) {
   constexpr std::size_t kApart = 7;
   const Trials trials{105};
-  for (auto seed = trials.first_seed(); seed < trials.end_seed() && !too_many_failures(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     Random random{seed};
     const double speed = random.magnitude(10.0, 100.0);
     const double acceleration = random.magnitude(100.0, 5000.0);

@@ -40,7 +40,7 @@ TEST(FilteredMotion, OnStraightWaysKeepsRateAccelerationAndJerk) {
   const Trials trials{40};
   double jerk = 0.0;
   double acceleration = 0.0;
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     Random random{seed};
     const TestMachine machine =

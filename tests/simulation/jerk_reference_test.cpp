@@ -44,7 +44,7 @@ TEST(JerkReference, EnclosesRandomPrograms) {
   const Trials trials{40};
   std::vector<double> gaps;
   std::vector<double> costs;
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     const ReferenceJob job = reference_job(seed);
     if (job.path.pieces.empty() || job.path.pieces.size() > 60) continue;

@@ -107,7 +107,7 @@ void meddle_with(cnc::Machine& machine, Random& random) {
 TEST(RandomRaster, HasThePowerOfTheProgramAtEachPlace) {
   const Trials trials{200};
   std::size_t lit = 0;
-  for (auto seed = trials.first_seed(); seed < trials.end_seed() && !too_many_failures(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     Random random{seed};
     const std::string text = random_picture(random);

@@ -83,7 +83,7 @@ TEST(RandomSplines, ArePulsedWithinTheirTolerance) {
   const Trials trials{40};
   double excess = 0.0;
   std::size_t blocks = 0;
-  for (auto seed = trials.first_seed(); seed < trials.end_seed() && !too_many_failures(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     Random random{seed};
     const std::string text = random_splines(random, random.magnitude(0.1, 50.0));

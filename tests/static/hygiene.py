@@ -14,7 +14,8 @@ from source_files import ROOT, project_files
 MACHINE_PATH = re.compile(r"(?<![\w.}])/(?:work|home|root|tmp/bash_job" + r"s)/")
 MARK = re.compile(r"\b(?:TO" + "DO|FIX" + "ME|X" + r"XX)\b")
 TOP_LEVEL = {"planner", "hal", "firmware", "host-sim", "tests", "toolchain", "CMakeLists.txt",
-             "CMakePresets.json", "docs", "README.md", "ARCHITECTURE.md", "LICENSE"}
+             "CMakePresets.json", "docs", "README.md", "ARCHITECTURE.md", "CHANGELOG.md",
+             "LICENSE"}
 LARGEST_BYTES = 2_000_000
 
 

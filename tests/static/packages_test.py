@@ -19,8 +19,8 @@ def parts() -> dict:
 
 
 class Packages(unittest.TestCase):
-    def test_two_parts(self):
-        self.assertEqual(["run", "test"], list(parts()))
+    def test_three_parts(self):
+        self.assertEqual(["run", "test", "prove"], list(parts()))
 
     def test_names_are_plain_and_given_once(self):
         names = [name for part in parts().values() for name in part]

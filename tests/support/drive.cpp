@@ -85,24 +85,11 @@ class Driver {
 
   bool cut() {
     if (operate_) operate_(segmenter_, plan_.segments.size());
-    if (program_.side_trips && segmenter_.halted()) take_side_trip();
     Segment segment;
     if (!segmenter_.next(segment)) return false;
     plan_.segments.push_back(segment);
     if (plan_.segments.size() > kMostSegments) throw std::logic_error("the motion does not end");
     return true;
-  }
-
-  void take_side_trip() {
-    side_.reset({});
-    cnc::PathElement element{};
-    element.end[0] = cnc::Coordinate{1'000'000};
-    side_queue_.push(build_block({.element = element}, machine_.limits).value());
-    for (Segment segment; side_.next(segment);) {
-    }
-    if (side_.place()[0] != *machine_.limits.scale[0].steps_at(element.end[0])) {
-      throw std::logic_error("the side trip ends elsewhere");
-    }
   }
 
   static constexpr std::size_t kMostSegments = 3'000'000;
@@ -113,10 +100,7 @@ class Driver {
   const Operator& operate_;
   RecordedPlan plan_{};
   BlockQueueOf<kLookAheadBlocks> queue_{};
-  cnc::motion::SegmenterRoom room_{};
-  Segmenter segmenter_{queue_, machine_.limits, room_};
-  BlockQueueOf<1> side_queue_{};
-  Segmenter side_{side_queue_, machine_.limits, room_};
+  Segmenter segmenter_{queue_, machine_.limits};
   cnc::path::PathStage stage_{machine_.limits};
   std::size_t next_ = 0;
   int idle_turns_ = 0;  ///< In which only what is held back was looked at.

@@ -7,6 +7,8 @@
 #include <random>
 #include <string>
 
+#include "tests/support/trials.hpp"
+
 namespace sim {
 namespace {
 
@@ -121,8 +123,8 @@ TEST(OptimalTime, RampOnACircle) {
 }
 
 TEST(OptimalTime, RandomPathsKeepEveryLimit) {
-  const unsigned seed = 20240616;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const auto seed = static_cast<unsigned>(proof::test_seed());
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   std::mt19937 random{seed};
   std::uniform_real_distribution<double> place{-5.0, 5.0};
   MotionLimits limits = limits_of(1000.0);

@@ -20,7 +20,6 @@ struct Program {
   std::size_t pushed_at_once = 64;  ///< Blocks that arrive before the next segments are cut…
   std::size_t cut_at_once = 20;     ///< … and so many segments before more blocks arrive.
   float weld_mm = 0.0F;             ///< G64 Q; the corners' tolerance is the machine's $11.
-  bool side_trips = false;  ///< Whenever it is halted, another motion takes the segmenter's room.
 };
 
 struct ProgramSize {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "tests/support/random_source.hpp"
+#include "tests/support/trials.hpp"
 
 namespace sim {
 namespace {
@@ -75,8 +76,8 @@ TEST(StraightMove, UnlimitedJerkIsATrapezoid) {
 }
 
 TEST(StraightMove, PhasesDriveTheLengthWithinEveryLimit) {
-  for (std::uint64_t seed = 1; seed <= 10'000; ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
+  for (const std::uint64_t seed : proof::Trials{10'000}) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     const double length = random.magnitude(1.0e-4, 1.0e3);
     const double speed = random.magnitude(0.1, 1.0e3);

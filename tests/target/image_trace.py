@@ -7,7 +7,7 @@ boundaries; of the turns in motion one in a hundred may be late at most.
 
     image_trace.py PLUGIN kerfline_generic_1mbaud.elf image_trace_jobs EXAMPLES [TEST...]
 
-KERFLINE_TRIALS=200 random jobs of 2000 edges or more (6), from KERFLINE_SEED (1) on; KERFLINE_TURNS=0
+KERFLINE_TRIALS=200 random jobs of 2000 edges or more (6), from KERFLINE_SEED on; KERFLINE_TURNS=0
 drives the examples to their end (2500 turns of a millisecond). Ends with 77 (skipped) where something
 is missing.
 """
@@ -22,7 +22,7 @@ import tempfile
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "faults"))
-from chip import (BOOT_NS, CHIP_OPTIONS, MS, STOPPED, in_parallel, main, seed,  # noqa: E402
+from chip import (BOOT_NS, CHIP_OPTIONS, MS, STOPPED, first_seed, in_parallel, main,  # noqa: E402
                   trials)
 
 CHIP = None
@@ -242,7 +242,7 @@ class ImageTraceTest(unittest.TestCase):
         def job(number: int):
             return self.compare(f"seed {number}", "random", str(number), RANDOM_TURNS)
 
-        seeds = lively_seeds(seed(), trials(6))
+        seeds = lively_seeds(first_seed(self), trials(6))
         self.judge(f"seeds {seeds[0]} to {seeds[-1]}", in_parallel(job, seeds))
 
 

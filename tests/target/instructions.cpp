@@ -250,7 +250,7 @@ void count_axes(Application& application, int axes, const char* what) {
 class Stages {
  public:
   explicit Stages(const cnc::motion::Limits& limits)
-      : limits_{limits}, segmenter_{queue_, limits, room_} {
+      : limits_{limits}, segmenter_{queue_, limits} {
     segmenter_.reset({});
   }
 
@@ -315,7 +315,6 @@ class Stages {
   cnc::path::PathStage stage_{limits_};
   cnc::motion::Block block_{};
   cnc::motion::BlockQueueOf<kBlocks> queue_{};
-  cnc::motion::SegmenterRoom room_{};
   cnc::motion::Segmenter segmenter_;
   Cost parse_{};
   Cost path_{};

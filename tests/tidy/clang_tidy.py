@@ -3,7 +3,10 @@
 Most of its time goes into reading Eigen and the standard library, so the sources of a layer are
 checked as one, which includes them all, wherever they compile so.
 
-usage: clang_tidy.py CLANG_TIDY CLANG BUILD_FOLDER [--jobs N] [--only REGEX]
+With --changed it checks the files that have changed since the commit in tests/proven, which are all of
+them in a clone that does not have that commit.
+
+usage: clang_tidy.py CLANG_TIDY CLANG BUILD_FOLDER [--jobs N] [--only REGEX] [--changed]
 """
 import argparse
 import concurrent.futures
@@ -16,7 +19,9 @@ import sys
 import tempfile
 import time
 
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "static"))
+HERE = pathlib.Path(__file__).resolve()
+sys.path[:0] = [str(HERE.parents[1] / "static"), str(HERE.parents[2] / "toolchain/proof")]
+from memory import proven_commit  # noqa: E402
 from source_files import ROOT  # noqa: E402
 
 LAYERS = ("planner", "firmware", "hal", "host-sim")
@@ -70,12 +75,40 @@ def commands(build: pathlib.Path) -> dict:
     return sources
 
 
+def changed_since(commit: str) -> set:
+    """Names from the root of the files that differ from the commit, new ones included."""
+    def lines(*command: str) -> list:
+        return subprocess.run(["git", "-c", "safe.directory=*", *command], cwd=ROOT, check=True,
+                              capture_output=True, text=True).stdout.splitlines()
+    return {*lines("diff", "--name-only", commit),
+            *lines("ls-files", "--others", "--exclude-standard")}
+
+
+def of_changed(found: dict, changed: set) -> dict:
+    """Of the commands those of changed sources, and of a source for each changed header."""
+    chosen = {name: arguments for name, arguments in found.items() if name in changed}
+    missing = {name for name in changed if name.endswith(".hpp")}
+    for name in chosen:
+        missing -= included(name, set())
+    for name in sorted(found, key=lambda name: name.count("/")):
+        seen = included(name, set()) & missing
+        if seen:
+            chosen[name] = found[name]
+            missing -= seen
+    return chosen
+
+
 class Checker:
     """Checks groups of files, each group as one source in a scratch folder."""
 
     def __init__(self, options: argparse.Namespace, scratch: str):
         self.options, self.scratch = options, pathlib.Path(scratch)
         self.commands = commands(options.build)
+        commit = proven_commit() if options.changed else ""
+        if commit:
+            count = len(self.commands)
+            self.commands = of_changed(self.commands, changed_since(commit))
+            print(f"{len(self.commands)} of {count} files, for what has changed since {commit[:10]}")
 
     def groups(self) -> list:
         """Files of one layer with the same flags."""
@@ -150,6 +183,7 @@ def main() -> int:
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("--jobs", type=int, default=2)
     parser.add_argument("--only", default="", help="regex on file names")
+    parser.add_argument("--changed", action="store_true")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory() as scratch:
         return run(options, scratch)

@@ -8,6 +8,7 @@ import io
 import json
 import pathlib
 import shutil
+import subprocess
 import sys
 import tempfile
 import unittest
@@ -53,11 +54,12 @@ class PlantedFaults(unittest.TestCase):
             command = f"g++ -std=c++20 -I{self.root} -o a.o -c {path}"
             self.entries.append({"directory": str(self.root), "command": command, "file": str(path)})
 
-    def check(self):
+    def check(self, changed=False):
         """(exit status, output)"""
         self.build.mkdir(exist_ok=True)
         (self.build / "compile_commands.json").write_text(json.dumps(self.entries))
-        options = argparse.Namespace(tidy=TOOLS[0], clang=TOOLS[1], build=self.build, jobs=2, only="")
+        options = argparse.Namespace(tidy=TOOLS[0], clang=TOOLS[1], build=self.build, jobs=2, only="",
+                                     changed=changed)
         output = io.StringIO()
         with contextlib.redirect_stdout(output), mock.patch.object(clang_tidy, "ROOT", self.root), \
                 tempfile.TemporaryDirectory() as scratch:
@@ -99,6 +101,40 @@ class PlantedFaults(unittest.TestCase):
         self.plant(self.build / "headers_alone/firmware/bad.hpp.cpp", '#include "firmware/bad.hpp"\n')
         status, output = self.check()
         self.assertIn("firmware/bad.hpp:2:12", output)
+        self.assertTrue(status)
+
+    def commit(self):
+        """What is planted so far, as a commit; its name."""
+        git = ("git", "-C", str(self.root), "-c", "user.name=a", "-c", "user.email=a@b")
+        for words in (("init", "-q"), ("add", "."), ("commit", "-qm", "so far")):
+            subprocess.run([*git, *words], check=True)
+        return subprocess.run([*git, "rev-parse", "HEAD"], check=True, capture_output=True,
+                              text=True).stdout.strip()
+
+    def check_since(self, commit):
+        with mock.patch.object(clang_tidy, "proven_commit", lambda: commit):
+            return self.check(changed=True)
+
+    def test_changed_files_only(self):
+        self.plant(self.root / "planner/old.cpp", "int OldName() { return 1; }\n")
+        self.plant(self.root / "planner/used.hpp", "#pragma once\nint sides();\n")
+        self.plant(self.root / "planner/user.cpp", '#include "planner/used.hpp"\n')
+        commit = self.commit()
+        status, output = self.check_since(commit)
+        self.assertIn("0 files in 0 groups", output)
+        self.assertFalse(status)
+        self.plant(self.root / "planner/new.cpp", "int NewName() { return 1; }\n")
+        self.plant(self.root / "planner/used.hpp", "#pragma once\ninline int BadName() { return 1; }\n")
+        status, output = self.check_since(commit)
+        self.assertIn("planner/new.cpp:1:5", output)
+        self.assertIn("planner/used.hpp:2:12", output)
+        self.assertNotIn("old.cpp", output)
+        self.assertTrue(status)
+
+    def test_all_files_where_the_proven_commit_is_unknown(self):
+        self.plant(self.root / "planner/old.cpp", "int OldName() { return 1; }\n")
+        status, output = self.check_since("")
+        self.assertIn("planner/old.cpp:1:5", output)
         self.assertTrue(status)
 
     def test_source_that_does_not_compile(self):

@@ -255,7 +255,7 @@ class Wires {
 
 TEST(IsoTp, TextPassesWhateverItsPiecesAndWhoeverReadsSlowly) {
   const proof::Trials trials{2000};
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     Wires wires{random, 0.0};
@@ -281,7 +281,7 @@ TEST(IsoTp, TextPassesWhateverItsPiecesAndWhoeverReadsSlowly) {
 TEST(IsoTp, OfWhatIsLostNoPartIsEverRead) {
   const proof::Trials trials{2000};
   std::size_t whole = 0;
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     Wires wires{random, random.between(0.0, 0.3)};

@@ -91,11 +91,11 @@ class Trial {
     if (doubt_) keep(with_doubt, *doubt_);
     if (found != values_) ++count_.appeared;
     ASSERT_TRUE(found == values_ || found == with_doubt)
-        << "seed " << trial_.seed << ", cut " << count_.cuts;
+        << "KERFLINE_SEED=" << trial_.seed << ", cut " << count_.cuts;
     for (int i = 0; i < kOtherPowerUps; ++i) {
       flash.power_up(random_(), unsteadiness);
       FlashLog again{flash};
-      ASSERT_EQ(all_of(again), found) << "seed " << trial_.seed << ", cut " << count_.cuts;
+      ASSERT_EQ(all_of(again), found) << "KERFLINE_SEED=" << trial_.seed << ", cut " << count_.cuts;
       const Doubt save = next_save();
       ASSERT_TRUE(again.save(save.number, save.value));
       keep(found, save);

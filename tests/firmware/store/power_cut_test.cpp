@@ -22,8 +22,9 @@ constexpr std::uint64_t kOneOf = 1;
 
 void run_and_tell(PowerCutTrial trial) {
   trial.every = std::max(trial.every, kOneOf);
-  for (trial.seed = 1; trial.seed <= proof::trials_wanted(1) && !testing::Test::HasFailure();
-       ++trial.seed) {
+  for (const std::uint64_t seed : proof::Trials{1}) {
+    if (testing::Test::HasFailure()) return;
+    trial.seed = seed;
     const PowerCutCount count = run(trial);
     std::printf("seed %llu: %d saves, %llu operations, %llu erases, %llu cuts, %llu appeared\n",
                 static_cast<unsigned long long>(trial.seed),

@@ -24,11 +24,12 @@ TEST(SocketCanInterface, IsNamedWithWhatIsWrongWithIt) {
   }
 }
 
-/// Two nodes on a bus of the kernel, whose name is in KERFLINE_CAN; tests/host-sim/can has one.
+/// Two nodes on a bus of the kernel, whose name is in KERFLINE_CAN. CTest leaves these tests to
+/// tests/host-sim/can, which has such a bus.
 class SocketCanTest : public testing::Test {
  protected:
   void SetUp() override {
-    if (interface().empty()) GTEST_SKIP() << "KERFLINE_CAN names no CAN interface";
+    ASSERT_FALSE(interface().empty()) << "KERFLINE_CAN names no CAN interface";
   }
   static std::string interface() {
     const char* const name = std::getenv("KERFLINE_CAN");

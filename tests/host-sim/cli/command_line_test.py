@@ -176,6 +176,20 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(run("drawing", part, "--gap", "-1").returncode, 2)
         self.assertEqual(run("drawing", self.folder / "none.svg").returncode, 2)
 
+    def test_version_is_in_reports_and_answers(self):
+        version = run("--version").stdout.strip()
+        self.assertRegex(version, r"^\d+\.\d+\.\d+(\+[0-9a-f]{7}(-dirty)?)?$")
+        self.assertEqual(json.loads(run("check", "-", "--json", text="G0 X1\n").stdout)["version"], version)
+
+    def test_prints_completions_and_manual(self):
+        for shell in ("bash", "zsh", "fish"):
+            self.assertIn("--probe-plate" if shell != "fish" else "-l probe-plate",
+                          run("completion", shell).stdout)
+        done = run("completion", "tcsh")
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("tcsh", done.stderr)
+        self.assertIn(".SH NAME\nkerfline ", run("manual").stdout)
+
     def test_help_teaches(self):
         for call in (["--help"], ["sim", "--help"], ["check", "--help"], ["offset", "--help"],
                      ["drawing", "--help"], ["--version"]):

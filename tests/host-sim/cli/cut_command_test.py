@@ -53,6 +53,7 @@ class Cut(unittest.TestCase):
         self.assertEqual(done.returncode, 0, done.stderr)
         report = json.loads(names["json"].read_text())
         self.assertEqual(report["cuts"], 4)
+        self.assertEqual(report["version"], run("--version").stdout.strip())
         self.assertEqual(report["faults"], [])
         self.assertEqual([layer["feed_mm_min"] for layer in report["layers"]], [5000.0, 5000.0])
         program = names["nc"].read_text()

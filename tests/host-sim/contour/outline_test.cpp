@@ -212,7 +212,7 @@ TEST(Outline, StaysWithinTheToleranceBothWaysForRandomPaths) {
   std::size_t contours = 0;
   std::size_t arcs = 0;
   double worst = 0.0;
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE("KERFLINE_SEED=" + std::to_string(seed));
     proof::Random random{seed};
     const Drawing drawn = read_path(random_path(random));

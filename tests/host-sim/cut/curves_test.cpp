@@ -187,8 +187,7 @@ TEST(CutCurves, KeepHalfAKerfAwayWithinTheTolerance) {
   const proof::Trials trials{8};
   Tally outlines;
   Tally splines;
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
-    if (proof::too_many_failures()) break;
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     const auto outline = random_outline(random);

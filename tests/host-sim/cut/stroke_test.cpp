@@ -34,7 +34,7 @@ KnownArc random_arc(proof::Random& random) {
 
 TEST(Stroke, IsTheArcOfItsBulge) {
   const proof::Trials trials{2'000};
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     const KnownArc arc = random_arc(random);
@@ -52,7 +52,7 @@ TEST(Stroke, IsTheArcOfItsBulge) {
 
 TEST(Stroke, IsAsFarAsTheNearestOfManyPlaces) {
   const proof::Trials trials{500};
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     const KnownArc arc = random_arc(random);
@@ -121,7 +121,7 @@ TEST(Clearance, MeasuresFewStrokesHoweverManyLieClose) {
 
 TEST(Clearance, FindsWhatLookingAtEveryStrokeFinds) {
   const proof::Trials trials{100};
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     const double reach = random.magnitude(0.1, 50.0);

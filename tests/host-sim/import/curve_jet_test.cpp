@@ -57,7 +57,7 @@ TEST(CurveJet, HasTheDerivativesOfItsPlaces) {
   const proof::Trials trials{4'000};
   constexpr double kStep = 1.0e-4;
   constexpr double kOff = 2.0e-4;  // Of what the derivative is, or the size of the drawing.
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     proof::Random random{seed};
     const Shape shape = random_shape(random);
     const std::size_t span = random.below(span_count(shape));

@@ -6,7 +6,6 @@
 
 import json
 import math
-import os
 import pathlib
 import random
 import subprocess
@@ -16,6 +15,9 @@ import unittest
 
 import ezdxf
 from ezdxf import path
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "support"))
+from seeds import seeds_of  # noqa: E402
 
 KERFLINE = ""
 TOLERANCE_MM = 0.03  # Chords of both within 0.01, and ends joined over 0.01.
@@ -106,9 +108,7 @@ class Drawer:
 
 class ByEzdxf(unittest.TestCase):
     def test_random_drawings_are_the_same_curves(self):
-        seeds = range(1, 1 + int(os.environ.get("KERFLINE_TRIALS", "60")))
-        if "KERFLINE_SEED" in os.environ:
-            seeds = [int(os.environ["KERFLINE_SEED"])]
+        seeds = seeds_of(self, 60)
         with tempfile.TemporaryDirectory() as folder:
             for seed in seeds:
                 with self.subTest(seed=seed):

@@ -123,7 +123,7 @@ TEST(KerfFit, ItsIntervalHoldsNinetyFiveOfAHundredCuts) {
   const proof::Trials trials{3000};
   constexpr double kScatterMm = 0.03;  // More than the measuring error, which is a floor.
   std::size_t within = 0;
-  for (std::uint64_t seed = trials.first_seed(); seed != trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     proof::Random random{seed};
     const auto normal = [&random] {
       double sum = -6.0;

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <random>
 
+#include "tests/support/trials.hpp"
+
 namespace sim {
 namespace {
 
@@ -86,8 +88,8 @@ TEST(Curve, HelixInTheOtherPlanes) {
 }
 
 TEST(Curve, TangentAndCurvatureAreDerivatives) {
-  const unsigned seed = 20240613;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const auto seed = static_cast<unsigned>(proof::test_seed());
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   RandomCurves random{seed};
   for (int trial = 0; trial < 200; ++trial) {
     const Curve curve = random.curve();
@@ -104,8 +106,8 @@ TEST(Curve, TangentAndCurvatureAreDerivatives) {
 }
 
 TEST(Curve, NearestPointAgreesWithASearch) {
-  const unsigned seed = 20240614;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const auto seed = static_cast<unsigned>(proof::test_seed());
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   RandomCurves random{seed};
   for (int trial = 0; trial < 300; ++trial) {
     const Curve curve = random.curve();
@@ -127,8 +129,8 @@ TEST(Curve, NearestPointAgreesWithASearch) {
 }
 
 TEST(Curve, StaysInItsBounds) {
-  const unsigned seed = 20240615;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const auto seed = static_cast<unsigned>(proof::test_seed());
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   RandomCurves random{seed};
   for (int trial = 0; trial < 200; ++trial) {
     const Curve curve = random.curve();

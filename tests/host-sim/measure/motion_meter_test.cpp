@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "tests/host-sim/measure/synthetic_trace.hpp"
+#include "tests/support/trials.hpp"
 
 namespace sim {
 namespace {
@@ -166,8 +167,8 @@ TEST(MotionMeter, CentripetalAccelerationOfCircles) {
 }
 
 TEST(MotionMeter, ErrorsOfTimeAddWhatTheBoundSays) {
-  const unsigned seed = 20240611;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const auto seed = static_cast<unsigned>(proof::test_seed());
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   const SyntheticMachine machine{.jitter_s = 25.0e-6, .seed = seed};
   const Ramps ramps{500.0, 100.0, 100.0};
   const auto meter = measured(

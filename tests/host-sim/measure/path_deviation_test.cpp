@@ -7,6 +7,7 @@
 #include <random>
 
 #include "tests/host-sim/measure/synthetic_trace.hpp"
+#include "tests/support/trials.hpp"
 
 namespace sim {
 namespace {
@@ -96,8 +97,8 @@ TEST(PathDeviation, UnlikeStepsAndRotaryAxes) {
 }
 
 TEST(PathDeviation, RandomPrograms) {
-  const unsigned seed = 20240612;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const auto seed = static_cast<unsigned>(proof::test_seed());
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   std::mt19937 random{seed};
   std::uniform_int_distribution<int> kind{0, 5};
   std::uniform_real_distribution<double> exponent{-3.0, 0.7};

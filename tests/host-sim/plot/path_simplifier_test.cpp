@@ -6,6 +6,8 @@
 #include <cmath>
 #include <random>
 
+#include "tests/support/trials.hpp"
+
 namespace sim {
 namespace {
 
@@ -29,7 +31,7 @@ double distance_to_path(const PathVertex& point, const Vertices& path) {
 }
 
 /// A walk that mixes smooth curves, corners and turns on the spot.
-Vertices random_walk(unsigned seed, double stride_mm) {
+Vertices random_walk(std::uint64_t seed, double stride_mm) {
   std::mt19937 random{seed};
   std::normal_distribution<double> turn{0.0, 0.15};
   std::uniform_real_distribution<double> any{-3.14, 3.14};
@@ -91,9 +93,9 @@ TEST(PathSimplifier, FollowsTheSpeed) {
 // Property: the promise of the header, over walks from far below to far above the tolerance.
 TEST(PathSimplifier, StaysWithinTheTolerance) {
   constexpr double kToleranceMm = 0.01;
-  for (unsigned seed = 1; seed <= 60; ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
-    const double stride_mm = 1e-4 * std::pow(1.12, seed);
+  for (const std::uint64_t seed : proof::Trials{60}) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    const double stride_mm = 1e-4 * std::pow(1.12, static_cast<double>(1 + seed % 60));
     const Vertices points = random_walk(seed, stride_mm);
     const Vertices path = simplified(points, {.distance_mm = kToleranceMm});
     for (const PathVertex& point : points) {

@@ -45,6 +45,7 @@ TEST(ReportJson, HasTheDocumentedKeysInOrder) {
   const ordered_json json = to_json(bracket());
   EXPECT_THAT(keys_of(json),
               ElementsAre("job",
+                          "version",
                           "job_time_s",
                           "path_length_mm",
                           "cut_length_mm",

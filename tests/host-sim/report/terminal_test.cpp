@@ -4,6 +4,7 @@
 #include <string>
 
 #include "host-sim/report/progress_bar.hpp"
+#include "host-sim/report/progress_lines.hpp"
 #include "host-sim/report/text_table.hpp"
 #include "host-sim/report/utf8.hpp"
 
@@ -89,6 +90,25 @@ TEST_F(ProgressBarTest, ShowsTheShareAndClearsItself) {
   EXPECT_THAT(text, HasSubstr("100 %"));
   EXPECT_THAT(text, testing::Not(HasSubstr(" 60 %")));
   EXPECT_THAT(text, EndsWith("\r\033[K"));
+}
+
+class ProgressLinesTest : public ProgressBarTest {};
+
+TEST_F(ProgressLinesTest, AreSilentUnlessAskedFor) {
+  ProgressLines lines{stream_, false, start_};
+  lines.update(0.5, "part.nc", start_ + 10s);
+  EXPECT_EQ(shown(), "");
+}
+
+TEST_F(ProgressLinesTest, PrintShareAndTimeEveryFiveSeconds) {
+  ProgressLines lines{stream_, true, start_};
+  lines.update(0.1, "part.nc", start_ + 4900ms);  // A job that soon ends prints nothing.
+  lines.update(0.25, "part.nc", start_ + 5s);
+  lines.update(0.3, "part.nc", start_ + 9900ms);
+  lines.update(7.0, "part.nc", start_ + 10200ms);
+  EXPECT_EQ(shown(),
+            "part.nc: 25 % after 5 s\n"
+            "part.nc: 100 % after 10 s\n");
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "host-sim/serve/escaped_text.hpp"
+#include "tests/support/trials.hpp"
 
 namespace sim {
 namespace {
@@ -16,11 +17,11 @@ TEST(EscapedText, StaysReadable) {
 }
 
 TEST(EscapedText, GivesAnyBytesBack) {
-  for (unsigned seed = 1; seed <= 200; ++seed) {
+  for (const std::uint64_t seed : proof::Trials{200}) {
     std::mt19937 random{seed};
     std::string bytes(random() % 40, '\0');
     for (char& byte : bytes) byte = static_cast<char>(random());
-    EXPECT_EQ(unescaped(escaped(bytes)), bytes) << "seed " << seed;
+    EXPECT_EQ(unescaped(escaped(bytes)), bytes) << "KERFLINE_SEED=" << seed;
   }
 }
 

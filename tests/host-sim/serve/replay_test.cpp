@@ -5,8 +5,10 @@
 #include <random>
 #include <string_view>
 
+#include "firmware/protocol/identity.hpp"
 #include "host-sim/serve/recorder.hpp"
 #include "host-sim/serve/session.hpp"
+#include "tests/support/trials.hpp"
 
 namespace sim {
 namespace {
@@ -56,7 +58,7 @@ std::string all_said(const Conversation& conversation) {
 }
 
 TEST(Replay, SaysTheSameAtTheSameTimes) {
-  for (unsigned seed = 1; seed <= 5; ++seed) {
+  for (const std::uint64_t seed : proof::Trials{5}) {
     std::mt19937 random{seed};
     RecordedSession talk;
     for (int round = 0; round < 300; ++round) {
@@ -82,8 +84,8 @@ TEST(Replay, SaysTheSameAtTheSameTimes) {
     const Conversation recorded = talk.end();
     ASSERT_GT(all_said(recorded).size(), 1000U);
     const Conversation again = replay(recorded);
-    EXPECT_EQ(first_difference(recorded, again, true), std::nullopt) << "seed " << seed;
-    EXPECT_EQ(to_text(again), to_text(recorded)) << "seed " << seed;
+    EXPECT_EQ(first_difference(recorded, again, true), std::nullopt) << "KERFLINE_SEED=" << seed;
+    EXPECT_EQ(to_text(again), to_text(recorded)) << "KERFLINE_SEED=" << seed;
   }
 }
 
@@ -135,6 +137,26 @@ TEST(Replay, FindsTheFirstDifference) {
     return;
   }
   FAIL() << "the controller never said G54";
+}
+
+TEST(Replay, ComparesAcrossVersions) {
+  RecordedSession talk;
+  talk.send("$I+\n");
+  talk.turn(500);
+  Conversation recorded = talk.end();
+  const std::string now{cnc::identity::version()};
+  for (Exchange& exchange : recorded.exchanges) {
+    const std::size_t place = exchange.bytes.find(now);
+    if (place == std::string::npos) continue;
+    exchange.bytes.replace(place, now.size(), "0.1");
+    const Conversation said = replay(recorded);
+    EXPECT_NE(all_said(recorded), all_said(said));
+    EXPECT_EQ(first_difference(recorded, said, true), std::nullopt);
+    exchange.bytes.replace(exchange.bytes.find("FIRMWARE"), 3, "SOF");
+    EXPECT_NE(first_difference(recorded, said, false), std::nullopt);
+    return;
+  }
+  FAIL() << "the controller never said its version";
 }
 
 TEST(Replay, NoticesThatSomethingIsMissingAtTheEnd) {

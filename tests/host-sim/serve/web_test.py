@@ -4,6 +4,7 @@
     web_test.py KERFLINE
 """
 import json
+import subprocess
 import time
 
 from served import BANNER, LASER, ServeTest, main
@@ -26,6 +27,8 @@ class Web(ServeTest):
 
     def test_lets_any_number_watch(self):
         served = self.serve("--ws", 0, "--tcp", 0)
+        version = subprocess.run([self.program, "--version"], capture_output=True, text=True,
+                                 check=True).stdout.strip()
         watchers = [WebSocket(served.port("ws"), "/observe") for _ in range(3)]
         sender = served.tcp()
         sender.until(BANNER)
@@ -46,6 +49,7 @@ class Web(ServeTest):
             self.assertIn("Run", states)
             self.assertGreater(points, 1)
             self.assertEqual(news["sender"], "tcp")
+            self.assertEqual(news["version"], version)
             watcher.close()
 
     def test_serves_its_page_and_nobody_elses(self):

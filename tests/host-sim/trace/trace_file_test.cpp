@@ -9,6 +9,7 @@
 #include "host-sim/trace/trace_writer.hpp"
 #include "tests/host-sim/trace/random_rows.hpp"
 #include "tests/host-sim/trace/scratch_file.hpp"
+#include "tests/support/trials.hpp"
 
 namespace sim {
 namespace {
@@ -42,8 +43,8 @@ TEST(TraceWriter, WritesExactlyTheseBytes) {
 }
 
 TEST(TraceReader, GivesBackWhatWasWritten) {
-  const unsigned seed = 20250131;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const auto seed = static_cast<unsigned>(proof::test_seed());
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   const ScratchFile file{".csv"};
   const std::vector<TraceRow> rows = random_rows(seed, 50'000);
   const std::vector<std::string> comments{"first", "", "third: ä"};

@@ -9,6 +9,7 @@
 
 #include "tests/host-sim/trace/random_rows.hpp"
 #include "tests/host-sim/trace/scratch_file.hpp"
+#include "tests/support/trials.hpp"
 
 namespace sim {
 namespace {
@@ -113,8 +114,8 @@ TEST(VcdWriter, SeparatesPulsesThatTouch) {
 // Property: whatever the rows, the file tells their positions and output at
 // every time, and no time is written twice or out of order.
 TEST(VcdWriter, TellsEveryRow) {
-  const unsigned seed = 20250202;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const auto seed = static_cast<unsigned>(proof::test_seed());
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   const std::vector<TraceRow> rows = random_rows(seed, 3'000);
   const VcdFile file{written(rows, rows.back().time_ns + 100, {})};
   EXPECT_TRUE(file.is_in_order());
@@ -136,8 +137,8 @@ TEST(VcdWriter, TellsEveryRow) {
 // Property: counting rising edges by direction gives the positions, which is
 // what a logic analyser's user would do.
 TEST(VcdWriter, HasOneRisingEdgeForEachStep) {
-  const unsigned seed = 20250203;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const auto seed = static_cast<unsigned>(proof::test_seed());
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   const std::vector<TraceRow> rows = random_rows(seed, 3'000);
   const VcdFile file{written(rows, rows.back().time_ns, {})};
   double was_high = 0.0;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/support/random_source.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc {
 namespace {
@@ -44,8 +45,8 @@ std::uint32_t crc_by_bits(std::span<const std::byte> bytes) {
 }
 
 TEST(Crc32, IsTheSameHoweverTheBytesAreDivided) {
-  const std::uint64_t seed = 20261123;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const std::uint64_t seed = proof::test_seed();
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   proof::Random random{seed};
   for (int trial = 0; trial < 300; ++trial) {
     std::vector<std::byte> bytes(random.below(100));

@@ -9,6 +9,7 @@
 
 #include "planner/base/wide_scalar_math.hpp"
 #include "tests/support/random_source.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc {
 namespace {
@@ -62,7 +63,7 @@ TEST(SinCos, IsExactForNull) {
 }
 
 TEST(SinCos, MirrorsWithTheAngle) {
-  proof::Random random{7};
+  proof::Random random{proof::test_seed()};
   for (int trial = 0; trial < 10'000; ++trial) {
     const auto angle = static_cast<float>(random.magnitude(1.0e-6, 1000.0));
     ASSERT_EQ(sin_cos(-angle).sine, -sin_cos(angle).sine) << angle;
@@ -112,8 +113,8 @@ void expect_atan2_near(float y, float x) {
 }
 
 TEST(Atan2, KeepsItsBoundForEveryDirectionAndSize) {
-  const std::uint64_t seed = 20260905;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const std::uint64_t seed = proof::test_seed();
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   proof::Random random{seed};
   for (int trial = 0; trial < 400'000; ++trial) {
     const auto y = static_cast<float>(random.signed_magnitude(1.0e-20, 1.0e20));
@@ -183,7 +184,7 @@ void expect_sin_cos_near_d(double angle) {
 }
 
 TEST(SinCosInDouble, KeepsItsBoundForEveryMagnitude) {
-  proof::Random random{21};
+  proof::Random random{proof::test_seed()};
   for (int trial = 0; trial < 400'000; ++trial) {
     expect_sin_cos_near_d(random.signed_magnitude(1.0e-18, kWideSinCosRange));
     expect_sin_cos_near_d(random.between(-4.0, 4.0));
@@ -205,7 +206,7 @@ TEST(SinCosInDouble, KeepsItsBoundAroundEveryEighthOfATurn) {
 }
 
 TEST(Atan2InDouble, KeepsItsBoundForVectorsOfEveryDirectionAndSize) {
-  proof::Random random{22};
+  proof::Random random{proof::test_seed()};
   for (int trial = 0; trial < 400'000; ++trial) {
     const double y = random.signed_magnitude(1.0e-12, 1.0e6);
     const double x = random.chance(0.5) ? random.signed_magnitude(1.0e-12, 1.0e6)

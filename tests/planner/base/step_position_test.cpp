@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "tests/support/random_source.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc {
 namespace {
@@ -29,7 +30,7 @@ static_assert(StepPosition::whole(1 << 30).nearest_step() == 1 << 30);
 static_assert(StepPosition::whole(-(1 << 30)).nearest_step() == -(1 << 30));
 
 TEST(StepPosition, NearestStepIsNeverMoreThanHalfAStepAway) {
-  proof::Random random{3};
+  proof::Random random{proof::test_seed()};
   for (int trial = 0; trial < 100'000; ++trial) {
     const auto q32 = static_cast<std::int64_t>(random.signed_magnitude(1.0, 4.6e18));
     const std::int64_t off = q32 - StepPosition::whole(StepPosition{q32}.nearest_step()).q32();
@@ -60,11 +61,10 @@ class AxisScaleOfRandomResolution : public testing::Test {
         std::llround(random.signed_magnitude(1.0, static_cast<double>(kFarthest))));
   }
 
-  proof::Random random{20260907};
+  proof::Random random{proof::test_seed()};
 };
 
 TEST_F(AxisScaleOfRandomResolution, IsExactToTheLastBit) {
-  SCOPED_TRACE("seed 20260907");
   int within = 0;
   for (int trial = 0; trial < 200'000; ++trial) {
     const AxisScale scale{any_resolution()};
@@ -96,7 +96,6 @@ TEST_F(AxisScaleOfRandomResolution, MirrorsWithThePlace) {
 }
 
 TEST_F(AxisScaleOfRandomResolution, FindsItsWayBackToTheStep) {
-  SCOPED_TRACE("seed 20260907");
   for (int trial = 0; trial < 200'000; ++trial) {
     const AxisScale scale{any_resolution()};
     const auto step = static_cast<std::int32_t>(random.signed_magnitude(1.0, 1.07e9));
@@ -110,7 +109,6 @@ TEST_F(AxisScaleOfRandomResolution, FindsItsWayBackToTheStep) {
 
 // |place · steps_per_mm − step| ≤ half a nanometre's worth, in whole numbers.
 TEST_F(AxisScaleOfRandomResolution, PutsAStepAtTheNearestNanometre) {
-  SCOPED_TRACE("seed 20260907");
   for (int trial = 0; trial < 200'000; ++trial) {
     const AxisScale scale{any_resolution()};
     const auto step = static_cast<std::int32_t>(random.signed_magnitude(1.0, 2.1e9));

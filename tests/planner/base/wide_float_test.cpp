@@ -23,7 +23,7 @@ Wide random_wide(proof::Random& random) {
 TEST(WideFloat, ComputesWithFortyFourBits) {
   const proof::Trials trials{200'000};
   double worst = 0.0;
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     proof::Random random{seed};
     const Wide a = random_wide(random);
     const Wide b = random_wide(random);
@@ -41,7 +41,7 @@ TEST(WideFloat, ComputesWithFortyFourBits) {
 
 TEST(WideFloat, HoldsEveryPlaceInNanometres) {
   const proof::Trials trials{100'000};
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     proof::Random random{seed};
     const auto whole = static_cast<std::int64_t>(random.signed_magnitude(1.0, 4.0e12));
     ASSERT_EQ(nearest_whole(to_wide(whole)), whole) << "KERFLINE_SEED=" << seed;

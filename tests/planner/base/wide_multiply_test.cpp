@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/random_source.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc {
 namespace {
@@ -14,7 +15,7 @@ std::uint64_t any_bits(proof::Random& random) {
 }
 
 TEST(MultiplyHigh, IsTheUpperHalfOfTheProduct) {
-  proof::Random random{20261121};
+  proof::Random random{proof::test_seed()};
   for (int trial = 0; trial < 100'000; ++trial) {
     const std::uint64_t a = any_bits(random);
     const std::uint64_t b = any_bits(random);

@@ -107,7 +107,7 @@ TEST_F(ArcSplineFit, StaysWithinItsToleranceBothWaysAndHasNoKink) {
   const proof::Trials trials{400};
   std::size_t pieces = 0;
   std::size_t arcs = 0;
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE("KERFLINE_SEED=" + std::to_string(seed));
     proof::Random random{seed};
     const exact::RandomCurve curve{random};

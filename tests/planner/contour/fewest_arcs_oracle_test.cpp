@@ -108,7 +108,7 @@ TEST(FewestArcs, AreFewerThanDynamicProgrammingFindsOnALatticeAndNeverTwoMore) {
   std::size_t ours = 0;
   std::size_t theirs = 0;
   std::size_t more = 0;
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE("KERFLINE_SEED=" + std::to_string(seed));
     proof::Random random{seed};
     std::vector<WideVec2> points;

@@ -6,6 +6,8 @@
 #include <numbers>
 #include <random>
 
+#include "tests/support/trials.hpp"
+
 namespace cnc::gcode {
 namespace {
 
@@ -57,8 +59,8 @@ TEST(RadiusDeviation, IsExactOnTheCircle) {
 }
 
 TEST(RadiusDeviation, KeepsItsErrorBound) {
-  const unsigned seed = 20260907;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const auto seed = static_cast<unsigned>(proof::test_seed());
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   RandomVectors vectors{seed};
   for (int trial = 0; trial < 200'000; ++trial) {
     const PlaneVector centre = vectors();
@@ -73,8 +75,8 @@ TEST(RadiusDeviation, KeepsItsErrorBound) {
 }
 
 TEST(CentreByRadius, LiesAsFarFromTheEndsAsTheRadiusSays) {
-  const unsigned seed = 20260908;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const auto seed = static_cast<unsigned>(proof::test_seed());
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   RandomVectors vectors{seed};
   for (int trial = 0; trial < 200'000; ++trial) {
     const PlaneVector end = vectors();

@@ -7,6 +7,8 @@
 #include <random>
 #include <string>
 
+#include "tests/support/trials.hpp"
+
 namespace cnc::gcode {
 namespace {
 
@@ -93,8 +95,8 @@ std::int64_t exact_nanometres(const std::string& text, std::int64_t nanometres_p
 }
 
 TEST(Decimal, MillimetresAndInchesAreTheNearestNanometre) {
-  const unsigned seed = 20260901;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const auto seed = static_cast<unsigned>(proof::test_seed());
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   std::mt19937 random{seed};
   for (int trial = 0; trial < 200'000; ++trial) {
     const std::string text = random_decimal(random, 9);
@@ -105,8 +107,8 @@ TEST(Decimal, MillimetresAndInchesAreTheNearestNanometre) {
 }
 
 TEST(Decimal, FloatsKeepTheirErrorBound) {
-  const unsigned seed = 20260902;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const auto seed = static_cast<unsigned>(proof::test_seed());
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   std::mt19937 random{seed};
   for (int trial = 0; trial < 200'000; ++trial) {
     const std::string text = random_decimal(random, 9);

@@ -2,6 +2,7 @@
 #include <random>
 
 #include "tests/planner/gcode/interpreter_test.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc::gcode {
 namespace {
@@ -21,8 +22,8 @@ std::string decimal(std::int64_t thousandths) {
 }
 
 TEST_F(Exactness, AMillionIncrementsEndWhereIntegersDo) {
-  const unsigned seed = 20260903;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const auto seed = static_cast<unsigned>(proof::test_seed());
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   std::mt19937 random{seed};
   std::uniform_int_distribution<std::int64_t> step{-99'999, 99'999};
   static_cast<void>(take("G91 G1 F100"));
@@ -39,8 +40,8 @@ TEST_F(Exactness, AMillionIncrementsEndWhereIntegersDo) {
 }
 
 TEST_F(Exactness, OffsetsOfAllKindsAddUpAndComeOffAgain) {
-  const unsigned seed = 20260904;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const auto seed = static_cast<unsigned>(proof::test_seed());
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   std::mt19937 random{seed};
   std::uniform_int_distribution<std::int64_t> place{-999'999, 999'999};
   for (int trial = 0; trial < 10'000; ++trial) {

@@ -2,6 +2,7 @@
 #include <string>
 
 #include "tests/planner/gcode/interpreter_test.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc::gcode {
 namespace {
@@ -31,8 +32,8 @@ class RandomLines : public InterpreterTest {
 };
 
 TEST_F(RandomLines, OfAnyBytes) {
-  const unsigned seed = 20260905;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const auto seed = static_cast<unsigned>(proof::test_seed());
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   std::mt19937 random{seed};
   std::string line;
   for (int trial = 0; trial < 300'000; ++trial) {
@@ -45,8 +46,8 @@ TEST_F(RandomLines, OfAnyBytes) {
 
 // Pieces of real lines, so that many get as far as the arcs and offsets.
 TEST_F(RandomLines, OfPlausibleWords) {
-  const unsigned seed = 20260906;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const auto seed = static_cast<unsigned>(proof::test_seed());
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   std::mt19937 random{seed};
   const char* const pieces[]{
       "G0",  "G1",  "G2",    "G3",    "G4",    "G10",   "G17",   "G18",   "G19",   "G20",

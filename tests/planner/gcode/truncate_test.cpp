@@ -5,12 +5,14 @@
 #include <cmath>
 #include <random>
 
+#include "tests/support/trials.hpp"
+
 namespace cnc::gcode {
 namespace {
 
 TEST(Truncated, IsWhatACastIs) {
-  const unsigned seed = 20260912;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const auto seed = static_cast<unsigned>(proof::test_seed());
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   std::mt19937 random{seed};
   std::uniform_real_distribution<float> exponent{-3.0F, 46.99F};
   for (int trial = 0; trial < 200'000; ++trial) {

@@ -164,8 +164,7 @@ class WriterReadBack : public InterpreterTest {
 
 TEST_F(WriterReadBack, RandomArcsNeedNoRepairAndStayWithinADigit) {
   const proof::Trials trials{20'000};
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
-    if (proof::too_many_failures()) break;
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     const auto decimals = static_cast<std::uint8_t>(3 + random.below(3));
@@ -203,8 +202,7 @@ TEST_F(WriterReadBack, RandomArcsNeedNoRepairAndStayWithinADigit) {
 /// As on the controller: float places, and what it writes is still an arc without a repair.
 TEST_F(WriterReadBack, ArcsInSinglePrecisionNeedNoRepair) {
   const proof::Trials trials{20'000};
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
-    if (proof::too_many_failures()) break;
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     digit_mm = 0.001;

@@ -55,7 +55,7 @@ struct Counts {
 TEST(ArcCount, OfCubicsIsWithinATenthOfTheLeast) {
   const proof::Trials trials{60};
   Counts counts;
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     proof::Random random{seed};
     counts.add(exact::random_cubic(random), 0.002);
   }
@@ -65,7 +65,7 @@ TEST(ArcCount, OfCubicsIsWithinATenthOfTheLeast) {
 TEST(ArcCount, OfSplinesIsWithinATenthOfTheLeast) {
   const proof::Trials trials{20};
   Counts counts;
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     proof::Random random{seed};
     counts.add(exact::random_spline(random), 0.01);
   }

@@ -7,6 +7,7 @@
 
 #include "tests/planner/geometry/exact_circle.hpp"
 #include "tests/support/random_source.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc {
 namespace {
@@ -92,7 +93,7 @@ class RandomArcs : public testing::Test {
     return random.chance(0.3) ? random.magnitude(1.0e-4, 6.28) : random.between(0.01, 6.28);
   }
 
-  proof::Random random{20260909};
+  proof::Random random{proof::test_seed()};
 };
 
 void expect_a_chain_with_exact_ends(const CentreArc& arc, const ArcElements& elements) {
@@ -108,7 +109,6 @@ void expect_a_chain_with_exact_ends(const CentreArc& arc, const ArcElements& ele
 }
 
 TEST_F(RandomArcs, BeginAndEndExactlyAndHangTogether) {
-  SCOPED_TRACE("seed 20260909");
   for (int trial = 0; trial < 20'000; ++trial) {
     CentreArc arc = arc_on(any_circle(0.001, 2000.0), any_angle(), any_sweep());
     arc.turns = static_cast<std::uint16_t>(1 + random.below(4));
@@ -132,7 +132,6 @@ void expect_near_programmed_circle(const CentreArc& arc, const PathElement& elem
 }
 
 TEST_F(RandomArcs, StayWithinHalfAMicrometreOfTheCircle) {
-  SCOPED_TRACE("seed 20260909");
   for (int trial = 0; trial < 50'000; ++trial) {
     const Circle circle = any_circle(0.05, 2000.0);
     const CentreArc arc = arc_on(circle, any_angle(), any_sweep());
@@ -145,7 +144,6 @@ TEST_F(RandomArcs, StayWithinHalfAMicrometreOfTheCircle) {
 }
 
 TEST_F(RandomArcs, StayWithinHalfAMicrometreOfFullCircles) {
-  SCOPED_TRACE("seed 20260909");
   for (int trial = 0; trial < 20'000; ++trial) {
     const Circle circle = any_circle(100.0, 2000.0);
     const CentreArc arc = arc_on(circle, any_angle(), 0.0L);
@@ -158,7 +156,6 @@ TEST_F(RandomArcs, StayWithinHalfAMicrometreOfFullCircles) {
 }
 
 TEST_F(RandomArcs, StayWithinHalfAMicrometreNearHalfATurn) {
-  SCOPED_TRACE("seed 20260909");
   for (int trial = 0; trial < 50'000; ++trial) {
     const Circle circle = any_circle(1000.0, 2000.0);
     const Real sweep = kExactPi + random.signed_magnitude(1.0e-8, 1.0e-3);
@@ -173,7 +170,6 @@ TEST_F(RandomArcs, StayWithinHalfAMicrometreNearHalfATurn) {
 
 // The arc repair: the end is off by up to the default limit.
 TEST_F(RandomArcs, MoveTheirCentreToTheNearestPointOfTheBisector) {
-  SCOPED_TRACE("seed 20260909");
   for (int trial = 0; trial < 50'000; ++trial) {
     const Circle circle = any_circle(0.5, 2000.0);
     CentreArc arc = arc_on(circle, any_angle(), random.between(0.05, 6.2));

@@ -55,7 +55,7 @@ double mm(Coordinate length) { return static_cast<double>(length.nanometres()) *
 // Both ways: nothing of the arc lies outside, and each side is touched.
 TEST(ArcReach, IsTheSmallestBoxAroundAllOfTheArc) {
   const proof::Trials trials{5000};
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     const RandomArc random_arc{random};

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "tests/support/random_source.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc {
 namespace {
@@ -69,12 +70,11 @@ class ArcOfEveryBulge : public testing::Test {
   /// Legal bulges of either sign and of every magnitude.
   float any_bulge() { return static_cast<float>(random.signed_magnitude(1.0e-12, 1.0)); }
 
-  proof::Random random{20240607};
+  proof::Random random{proof::test_seed()};
 };
 
 // Over the whole legal range, including the switch to the series.
 TEST_F(ArcOfEveryBulge, LengthAgreesWithDoublePrecision) {
-  SCOPED_TRACE("seed 20240607");
   for (int trial = 0; trial < 100'000; ++trial) {
     const float bulge = any_bulge();
     const double b = std::abs(static_cast<double>(bulge));
@@ -86,7 +86,6 @@ TEST_F(ArcOfEveryBulge, LengthAgreesWithDoublePrecision) {
 }
 
 TEST_F(ArcOfEveryBulge, HalfSweepIsTwiceTheAngleOfTheBulge) {
-  SCOPED_TRACE("seed 20240607");
   for (int trial = 0; trial < 100'000; ++trial) {
     const float bulge = any_bulge();
     const double exact = 2.0 * std::atan(static_cast<double>(bulge));

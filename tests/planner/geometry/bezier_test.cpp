@@ -27,7 +27,7 @@ constexpr double kHalfNanometre = 0.51e-6;
 // The segments, cut anywhere, against the definition of a NURBS.
 TEST(Spline, IsCutIntoBezierCurvesToTheNanometre) {
   const proof::Trials trials{3000};
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     const Spline spline =
@@ -65,7 +65,7 @@ TEST(Bezier, HasTangentsAlsoWhereControlPointsCoincide) {
 TEST(CurveAhead, IsSeenInProportionToItsDistance) {
   const proof::Trials trials{3000};
   double worst = 0.0;
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     const Spline spline =

@@ -67,7 +67,7 @@ TEST(Biarc, MeetsBothTangentsForEveryShapeAndJoint) {
   const proof::Trials trials{200'000};
   Worst worst;
   std::size_t made = 0;
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     proof::Random random{seed};
     const double size = random.magnitude(1.0e-3, 1.0e3);
     const double direction = random.between(-kPiExact, kPiExact);
@@ -101,7 +101,7 @@ TEST(Biarc, MeetsBothTangentsForEveryShapeAndJoint) {
 TEST(BiarcInDouble, MeetsBothTangentsForEveryShapeAndJoint) {
   const proof::Trials trials{200'000};
   double worst = 0.0;
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     proof::Random random{seed};
     const double size = random.magnitude(1.0e-3, 1.0e3);
     const double spread = random.chance(0.5) ? 2.5 : random.magnitude(1.0e-9, 1.0);

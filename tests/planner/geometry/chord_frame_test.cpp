@@ -8,6 +8,7 @@
 
 #include "planner/base/scalar_math.hpp"
 #include "tests/support/random_source.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc {
 namespace {
@@ -50,11 +51,10 @@ class ChordFrameTest : public testing::Test {
   }
   std::uint32_t any_fraction() { return static_cast<std::uint32_t>(random.bits()); }
 
-  proof::Random random{20260908};
+  proof::Random random{proof::test_seed()};
 };
 
 TEST_F(ChordFrameTest, KeepsItsBoundForEveryArcAndFraction) {
-  SCOPED_TRACE("seed 20260908");
   for (int trial = 0; trial < 400'000; ++trial) {
     expect_exact(any_half_sweep(), any_fraction());
     if (HasFatalFailure()) return;
@@ -71,7 +71,6 @@ TEST_F(ChordFrameTest, KeepsItsBoundEvenlyOverSweepAndFraction) {
 }
 
 TEST_F(ChordFrameTest, KeepsItsBoundNearBothEnds) {
-  SCOPED_TRACE("seed 20260908");
   for (int trial = 0; trial < 100'000; ++trial) {
     const float half_sweep = any_half_sweep();
     const auto near = static_cast<std::uint32_t>(random.magnitude(1.0, 1.0e6));
@@ -109,7 +108,6 @@ TEST_F(ChordFrameTest, IsExactForALine) {
 }
 
 TEST_F(ChordFrameTest, RatesAreTheDerivatives) {
-  SCOPED_TRACE("seed 20260908");
   for (int trial = 0; trial < 200'000; ++trial) {
     const float half_sweep = any_half_sweep();
     const std::uint32_t fraction = any_fraction();

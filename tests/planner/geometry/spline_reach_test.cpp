@@ -44,7 +44,7 @@ struct Extremes {
 
 TEST(SplineReach, IsThatOfTheCurveAndNotOfItsHull) {
   const proof::Trials trials{300};
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     const Spline spline =
@@ -73,7 +73,7 @@ TEST(SplineReach, IsThatOfTheCurveAndNotOfItsHull) {
 
 TEST(SplineLength, IsGoodEnoughForDurations) {
   const proof::Trials trials{300};
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     proof::Random random{seed};
     const Spline spline =
         random.chance(0.5) ? exact::random_cubic(random) : exact::random_spline(random);

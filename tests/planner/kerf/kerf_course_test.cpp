@@ -8,6 +8,7 @@
 
 #include "planner/kerf/csp_1n.hpp"
 #include "tests/support/random_source.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc::kerf {
 namespace {
@@ -22,7 +23,7 @@ TEST(KerfCourse, IsTheTablesWhereverItKnowsTheSpeed) {
   EXPECT_NEAR(course.aside_mm(1.0F), 0.0F, 1.0e-6F);
   const auto programmed = kerf_width(kCsp1nPhysical<double>, kExample);
   ASSERT_TRUE(programmed.ok());
-  proof::Random random{1};
+  proof::Random random{proof::test_seed()};
   for (int trial = 0; trial < 10'000; ++trial) {
     Condition there = kExample;
     there.speed_um_min = static_cast<std::uint32_t>(3'000'000U + random.below(2'000'001U));

@@ -163,7 +163,7 @@ TEST(KerfLookup, IsOnTheControllerWithinAMicrometreOfTheHost) {
   double greatest = 0.0;
   std::size_t cut = 0;
   std::size_t refused = 0;
-  for (std::uint64_t seed = trials.first_seed(); seed != trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE("KERFLINE_SEED=" + std::to_string(seed));
     proof::Random random{seed};
     RandomTable tables{random};

@@ -60,7 +60,7 @@ TEST(KerfTableImage, IsReadAsItWasWritten) {
 
 TEST(KerfTableImage, OfAnyTableIsReadAsItWasWritten) {
   const proof::Trials trials{3000};
-  for (std::uint64_t seed = trials.first_seed(); seed != trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE("KERFLINE_SEED=" + std::to_string(seed));
     proof::Random random{seed};
     const OwnedTable<float> written = in_single(RandomTable{random}.next());
@@ -95,7 +95,7 @@ TEST(KerfTableImage, OfAnotherLengthIsNone) {
 TEST(KerfTableImage, OfNonsenseIsNeverATableThatCannotBeLookedUp) {
   const proof::Trials trials{20'000};
   std::size_t taken = 0;
-  for (std::uint64_t seed = trials.first_seed(); seed != trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE("KERFLINE_SEED=" + std::to_string(seed));
     proof::Random random{seed};
     Bytes image = image_of(in_single(RandomTable{random}.next()).view());

@@ -93,7 +93,7 @@ void expect_smooth(std::uint64_t seed) {
 
 TEST(Backlash, IsTakenUpWithinItsShares) {
   const proof::Trials trials{60};
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     expect_smooth(seed);
     if (HasFailure()) return;

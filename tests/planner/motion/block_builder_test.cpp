@@ -7,6 +7,7 @@
 
 #include "planner/motion/spans.hpp"
 #include "tests/planner/motion/motion_test.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc::motion {
 namespace {
@@ -91,13 +92,12 @@ class RandomBlocks : public testing::Test {
     limits = any_limits(random);
   }
 
-  proof::Random random{20260910};
+  proof::Random random{proof::test_seed()};
   PathElement element;
   Limits limits;
 };
 
 TEST_F(RandomBlocks, HaveTheirExactLengthAndTangents) {
-  SCOPED_TRACE("seed 20260910");
   for (int trial = 0; trial < 50'000; ++trial, SetUp()) {
     const Block block = block_of(element, limits);
     const ExactMotion exact{element};
@@ -112,7 +112,6 @@ TEST_F(RandomBlocks, HaveTheirExactLengthAndTangents) {
 }
 
 TEST_F(RandomBlocks, KeepTheRatesOfEveryMotorAndOfAllTogether) {
-  SCOPED_TRACE("seed 20260910");
   for (int trial = 0; trial < 10'000; ++trial, SetUp()) {
     const Block block = block_of(element, limits);
     const ExactMotion exact{element};

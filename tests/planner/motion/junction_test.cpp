@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "tests/planner/motion/motion_test.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc::motion {
 namespace {
@@ -55,14 +56,14 @@ bool goes_on(proof::Random& random, double turn) {
 constexpr double kTangent = kTangentTurn;
 
 TEST(Junction, GoesOnWhereThePathDoesNotTurn) {
-  proof::Random random{5};
+  proof::Random random{proof::test_seed()};
   for (int trial = 0; trial < 20'000; ++trial) {
     ASSERT_TRUE(goes_on(random, random.between(0.0, 0.998 * kTangent)));
   }
 }
 
 TEST(Junction, IsAStopWhereverItTurns) {
-  proof::Random random{6};
+  proof::Random random{proof::test_seed()};
   for (int trial = 0; trial < 50'000; ++trial) {
     const double turn = random.magnitude(1.002 * kTangent, std::numbers::pi);
     ASSERT_FALSE(goes_on(random, turn)) << turn;

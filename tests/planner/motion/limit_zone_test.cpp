@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/support/random_source.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc::motion {
 namespace {
@@ -37,8 +38,8 @@ LimitZone at(const std::vector<LimitZone>& zones, float place) {
 
 // However many blocks there are, nothing that one asks for is forgotten.
 TEST(ZoneTrail, AsksForAllThatEveryBlockAsksFor) {
-  const std::uint64_t seed = 20261121;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const std::uint64_t seed = proof::test_seed();
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   proof::Random random{seed};
   for (int trial = 0; trial < 2'000; ++trial) {
     ZoneTrail trail;
@@ -89,8 +90,8 @@ double mean_before_end(const std::vector<std::pair<double, double>>& stretches,
 // However slow and short the blocks behind a fast one are: as soon as nothing of it is asked for
 // any more, the mean of the plan has left it, too.
 TEST(ZoneTrail, ForgetsABlockOnlyWhenTheMeanHasLeftIt) {
-  const std::uint64_t seed = 20261123;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const std::uint64_t seed = proof::test_seed();
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   proof::Random random{seed};
   double nearest = 1.0e9;
   for (int trial = 0; trial < 20'000; ++trial) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "tests/support/random_source.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc::motion {
 namespace {
@@ -59,8 +60,8 @@ class MotionFilterTest : public testing::Test {
 };
 
 TEST_F(MotionFilterTest, EndsWhereThePlanDoesWhateverItDid) {
-  const std::uint64_t seed = 20261121;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const std::uint64_t seed = proof::test_seed();
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   proof::Random random{seed};
   for (int trial = 0; trial < 200; ++trial) {
     const auto cells = static_cast<std::uint32_t>(1 + random.below(TimeWindow::kMostCells));

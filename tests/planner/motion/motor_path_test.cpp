@@ -7,6 +7,7 @@
 #include <cstdint>
 
 #include "tests/planner/motion/motion_test.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc::motion {
 namespace {
@@ -57,7 +58,7 @@ class RandomMotorPath : public testing::Test {
     return moved / resolution - ExactMotion{element}.place_at(fraction)[axis];
   }
 
-  proof::Random random{20260922};
+  proof::Random random{proof::test_seed()};
   Limits limits;
   PathElement element;
   Block block;
@@ -82,7 +83,6 @@ TEST_F(RandomMotorPath, StartsWhereItIsToldTo) {
 }
 
 TEST_F(RandomMotorPath, IsWithinHalfAMicrometreOfTheExactCurve) {
-  SCOPED_TRACE("seed 20260922");
   for (int trial = 0; trial < 50'000; ++trial) {
     any();
     const double fraction = random.unit();
@@ -95,7 +95,6 @@ TEST_F(RandomMotorPath, IsWithinHalfAMicrometreOfTheExactCurve) {
 
 // Half a micrometre at R = 2000 is 2.5e-7 of the radius.
 TEST_F(RandomMotorPath, IsWithinHalfAMicrometreOfTheGreatestArcs) {
-  SCOPED_TRACE("seed 20260922");
   limits = plain_limits();
   double worst = 0.0;
   for (int trial = 0; trial < 50'000; ++trial) {
@@ -113,7 +112,6 @@ TEST_F(RandomMotorPath, IsWithinHalfAMicrometreOfTheGreatestArcs) {
 }
 
 TEST_F(RandomMotorPath, JumpsNowhere) {
-  SCOPED_TRACE("seed 20260922");
   for (int trial = 0; trial < 2'000; ++trial) {
     any();
     MotorState before = state_at(0);
@@ -131,7 +129,6 @@ TEST_F(RandomMotorPath, JumpsNowhere) {
 }
 
 TEST_F(RandomMotorPath, KnowsItsSpeed) {
-  SCOPED_TRACE("seed 20260922");
   for (int trial = 0; trial < 50'000; ++trial) {
     any();
     const double fraction = random.unit();

@@ -186,7 +186,7 @@ class ShapedRun {
 
 TEST(MotorStage, IsTheConvolutionInTimeAndTheBeamIsWithIt) {
   const proof::Trials trials{150};
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     ShapedRun{seed}.run();
     if (HasFailure()) return;

@@ -8,6 +8,7 @@
 
 #include "planner/motion/phase_clock.hpp"
 #include "tests/support/random_source.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc::motion {
 namespace {
@@ -27,8 +28,8 @@ Stretch any_stretch(proof::Random& random) {
 }
 
 TEST(PhaseCourse, FollowsTheParabolaAndMeetsBothEnds) {
-  const std::uint64_t seed = 20261121;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const std::uint64_t seed = proof::test_seed();
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   proof::Random random{seed};
   for (int trial = 0; trial < 20'000; ++trial) {
     const Stretch stretch = any_stretch(random);
@@ -81,8 +82,8 @@ std::int64_t roughest(PhaseCourse course, std::uint64_t cell_ns) {
 // Speeding up for ten seconds and holding for a hundred at most: places are good to a unit or
 // two, so third differences, which are jerk times the cube of the time, to eight times as much.
 TEST(PhaseCourse, IsSmoothToItsUnitsWhereItIsFine) {
-  const std::uint64_t seed = 20261122;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const std::uint64_t seed = proof::test_seed();
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   proof::Random random{seed};
   constexpr std::uint64_t kCell = 400'000;
   std::int64_t usual = 0;
@@ -100,7 +101,7 @@ TEST(PhaseCourse, IsSmoothToItsUnitsWhereItIsFine) {
 }
 
 TEST(PhaseCourse, KnowsWhenAPlaceIsReached) {
-  proof::Random random{7};
+  proof::Random random{proof::test_seed()};
   for (int trial = 0; trial < 20'000; ++trial) {
     const Stretch stretch = any_stretch(random);
     PhaseCourse course{stretch};
@@ -116,7 +117,7 @@ TEST(PhaseCourse, KnowsWhenAPlaceIsReached) {
 }
 
 TEST(PhaseClock, IsNeverLateByMoreThanANanosecondAndKnowsIt) {
-  proof::Random random{11};
+  proof::Random random{proof::test_seed()};
   PhaseClock clock;
   double exact_ns = 0.0;
   double passed_ns = 0.0;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "tests/planner/motion/motion_test.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc::motion {
 namespace {
@@ -43,9 +44,8 @@ class PlanCursorTest : public testing::Test {
 
   Limits limits = plain_limits();
   BlockQueueOf<kLookAheadBlocks> queue;
-  SpeedProfile profile;
-  PlanCursor plan{queue, limits, profile};
-  proof::Random random{20261123};
+  PlanCursor plan{queue, limits};
+  proof::Random random{proof::test_seed()};
   PathUnits length = 0;
   Position at{};
 };

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "tests/planner/motion/motion_test.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc::motion {
 namespace {
@@ -19,8 +20,8 @@ TEST(Reversals, OfALineAreNone) {
 
 // Up to 3 km of arc: between one and the next no axis of the plane turns back.
 TEST(Reversals, AreAtEveryQuarterTurnOfTheTangent) {
-  const std::uint64_t seed = 20261121;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
+  const std::uint64_t seed = proof::test_seed();
+  SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
   proof::Random random{seed};
   Limits limits = plain_limits();
   limits.scale.fill(AxisScale{1.0F});

@@ -72,7 +72,7 @@ TEST_F(ShortWays, AreSegmentsThatLastForFiveTurnsOfTheMainLoop) {
   constexpr std::uint32_t kFiveTurns = 5 * kMillisecond;
   const proof::Trials trials{60};
   std::uint32_t least = ~0U;
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     begin(seed);
     for (int count = 0; count < 400; ++count) {

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "tests/planner/motion/segmenter_test.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc::motion {
 namespace {
@@ -49,8 +50,8 @@ class RandomDrive : public SegmenterTest {
 };
 
 TEST_F(RandomDrive, EndsExactlyAtTheLastBlock) {
-  for (std::uint64_t seed = 1; seed <= 60; ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
+  for (const std::uint64_t seed : proof::Trials{60}) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     begin(seed);
     for (int count = 0; count < 30; ++count) push_any();
     drive_to_the_end();
@@ -60,8 +61,8 @@ TEST_F(RandomDrive, EndsExactlyAtTheLastBlock) {
 }
 
 TEST_F(RandomDrive, EndsExactlyWhateverTheOperatorDoes) {
-  for (std::uint64_t seed = 101; seed <= 160; ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
+  for (const std::uint64_t seed : proof::Trials{60}) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     begin(seed);
     for (int round = 0; round < 60; ++round) {
       if (!queue.full()) push_any();
@@ -74,8 +75,8 @@ TEST_F(RandomDrive, EndsExactlyWhateverTheOperatorDoes) {
 }
 
 TEST_F(RandomDrive, NeverHandsOutMoreThanAMillisecondNorANegativeTime) {
-  for (std::uint64_t seed = 201; seed <= 240; ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
+  for (const std::uint64_t seed : proof::Trials{40}) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     begin(seed);
     for (int count = 0; count < 20; ++count) push_any();
     drive_to_the_end();
@@ -91,8 +92,8 @@ TEST_F(RandomDrive, NeverHandsOutMoreThanAMillisecondNorANegativeTime) {
 
 // No motor is asked for more than it can be stepped at, but for rounding.
 TEST_F(RandomDrive, KeepsTheStepRateOfEveryMotor) {
-  for (std::uint64_t seed = 301; seed <= 340; ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
+  for (const std::uint64_t seed : proof::Trials{40}) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     begin(seed);
     for (int count = 0; count < 20; ++count) push_any();
     drive_to_the_end();
@@ -147,8 +148,8 @@ class LimitWatch : public SliceObserver {
 };
 
 TEST_F(RandomDrive, KeepsEveryAxisWithinItsLimits) {
-  for (std::uint64_t seed = 401; seed <= 480; ++seed) {
-    SCOPED_TRACE(testing::Message() << "seed " << seed);
+  for (const std::uint64_t seed : proof::Trials{80}) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     begin(seed);
     LimitWatch watch;
     watch.limits = limits;

@@ -63,8 +63,7 @@ class SegmenterTest : public testing::Test {
 
   Limits limits = plain_limits();
   BlockQueueOf<kLookAheadBlocks> queue;
-  SegmenterRoom room{};
-  Segmenter segmenter{queue, limits, room};
+  Segmenter segmenter{queue, limits};
   Position goal{};
   std::vector<Segment> segments;
   AxisArray<std::int32_t> steps{};

@@ -39,7 +39,7 @@ void expect_sound(const ShaperGrid& grid) {
 
 TEST(ShaperGrid, KeepsAllAxesInStepWhateverIsSet) {
   const proof::Trials trials{20'000};
-  for (auto seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     expect_sound(grid_of(proof::random_shapers(random)));

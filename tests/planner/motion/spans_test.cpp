@@ -8,6 +8,7 @@
 
 #include "planner/motion/braking.hpp"
 #include "tests/planner/motion/motion_test.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc::motion {
 namespace {
@@ -53,7 +54,7 @@ class RandomSpans : public testing::Test {
     return greatest;
   }
 
-  proof::Random random{20260913};
+  proof::Random random{proof::test_seed()};
   PathElement element;
   Limits limits;
   Block block;
@@ -63,7 +64,6 @@ class RandomSpans : public testing::Test {
 };
 
 TEST_F(RandomSpans, CoverTheBlockInOrder) {
-  SCOPED_TRACE("seed 20260913");
   for (int trial = 0; trial < 20'000; ++trial) {
     any();
     ASSERT_EQ(spans.boundary(0), 0.0F);
@@ -87,7 +87,6 @@ TEST_F(RandomSpans, AreAtMostAGridStepLong) {
 
 // No axis reverses within a span: its tangent component keeps its sign.
 TEST_F(RandomSpans, HaveABoundaryAtEveryQuarterTurnOfTheTangent) {
-  SCOPED_TRACE("seed 20260913");
   for (int trial = 0; trial < 20'000; ++trial) {
     any();
     for (int span = 0; span < spans.count(); ++span) {
@@ -104,7 +103,6 @@ TEST_F(RandomSpans, HaveABoundaryAtEveryQuarterTurnOfTheTangent) {
 }
 
 TEST_F(RandomSpans, KeepTheRateOfEveryAxisBetweenTheirBoundaries) {
-  SCOPED_TRACE("seed 20260913");
   for (int trial = 0; trial < 10'000; ++trial) {
     any();
     for (int span = 0; span < spans.count(); ++span) {
@@ -134,7 +132,6 @@ TEST_F(RandomSpans, KeepTheCentripetalAccelerationAtTheirSpeedLimit) {
 }
 
 TEST_F(RandomSpans, KeepEveryAccelerationBetweenTheirBoundariesWhenSpeedingUp) {
-  SCOPED_TRACE("seed 20260913");
   for (int trial = 0; trial < 10'000; ++trial) {
     any();
     for (int span = 0; span < spans.count(); ++span) {
@@ -158,7 +155,6 @@ TEST_F(RandomSpans, KeepEveryAccelerationBetweenTheirBoundariesWhenSpeedingUp) {
 }
 
 TEST_F(RandomSpans, KeepEveryAccelerationOfTheBrakingCurve) {
-  SCOPED_TRACE("seed 20260913");
   for (int trial = 0; trial < 10'000; ++trial) {
     any();
     const SpeedCap cap{block, {}};
@@ -198,7 +194,6 @@ TEST(Spans, OfTheFineGridTakeSevenTenthsOfAMillisecond) {
 
 // The look-ahead plans on the usual grid what is driven on the fine one.
 TEST_F(RandomSpans, CanAlwaysBrakeFromWhereTheUsualGridCan) {
-  SCOPED_TRACE("seed 20260913");
   for (int trial = 0; trial < 10'000; ++trial) {
     any();
     const SpeedCap cap{block, {}};

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "tests/planner/motion/motion_test.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc::motion {
 namespace {
@@ -92,20 +93,19 @@ TEST_F(SpeedProfileTest, IsATrapezoidOnALongWay) {
 }
 
 TEST_F(SpeedProfileTest, TakesTheClosedFormTimeForRandomLines) {
-  const std::uint64_t seed = 20260918;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
-  proof::Random random{seed};
-  for (int trial = 0; trial < 20'000; ++trial) {
+  for (const std::uint64_t seed : proof::Trials{20'000}) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    proof::Random random{seed};
     const double speed = random.magnitude(0.1, 199.0);
     limits.acceleration_mm_s2[0] = static_cast<float>(random.magnitude(1.0, 20'000.0));
     const auto a = static_cast<double>(limits.acceleration_mm_s2[0]);
     begin(straight_block(random.magnitude(0.001, 1000.0), limits, static_cast<float>(speed)));
     const auto length = static_cast<double>(block.length);
     const Ride ride = drive();
-    ASSERT_TRUE(profile.at_end()) << "trial " << trial;
-    ASSERT_NEAR(ride.time / trapezoid_time(length, a, speed), 1.0, 1.0e-4) << "trial " << trial;
-    ASSERT_NEAR(ride.distance / length, 1.0, 1.0e-5) << "trial " << trial;
-    ASSERT_EQ(profile.speed_square(), 0.0F) << "trial " << trial;
+    ASSERT_TRUE(profile.at_end());
+    ASSERT_NEAR(ride.time / trapezoid_time(length, a, speed), 1.0, 1.0e-4);
+    ASSERT_NEAR(ride.distance / length, 1.0, 1.0e-5);
+    ASSERT_EQ(profile.speed_square(), 0.0F);
   }
 }
 
@@ -187,14 +187,13 @@ TEST_F(SpeedProfileTest, SlowsDownInTimeAfterSuchAPhase) {
 }
 
 TEST_F(SpeedProfileTest, GoesOnFromWhereverSuchAPhaseIsLeft) {
-  const std::uint64_t seed = 20261124;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
-  proof::Random random{seed};
-  for (int trial = 0; trial < 5'000; ++trial) {
+  for (const std::uint64_t seed : proof::Trials{5000}) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    proof::Random random{seed};
     const auto bulge = static_cast<float>(random.magnitude(0.2, 1.0));
     begin(block_of({.end = place({40.0}), .bulge = bulge}, limits, 20.0F), 400.0F, 400.0F);
     const Phase phase = profile.next_phase(Drive::kOn);
-    ASSERT_GT(phase.passes, 8) << "trial " << trial;
+    ASSERT_GT(phase.passes, 8);
     const auto seconds = 0.9F * static_cast<float>(random.unit()) * phase.duration;
     stop_within(phase, seconds);
     const double driven = 20.0 * static_cast<double>(seconds);
@@ -203,44 +202,42 @@ TEST_F(SpeedProfileTest, GoesOnFromWhereverSuchAPhaseIsLeft) {
     if (slower) overrides.feed = 0.5F;
     profile.replan(block, limits, {.overrides = overrides}, {.speed_square = 100.0F});
     const Ride rest = drive();
-    ASSERT_TRUE(profile.at_end()) << "trial " << trial;
+    ASSERT_TRUE(profile.at_end());
     ASSERT_NEAR((driven + rest.distance) / static_cast<double>(block.length), 1.0, 1.0e-5)
-        << "trial " << trial << " after " << seconds << " s";
-    ASSERT_FLOAT_EQ(profile.speed_square(), 100.0F) << "trial " << trial;
+        << "after " << seconds << " s";
+    ASSERT_FLOAT_EQ(profile.speed_square(), 100.0F);
     overrides = {};
   }
 }
 
 TEST_F(SpeedProfileTest, ReachesTheEndOfEveryRandomBlockAtThePlannedSpeed) {
-  const std::uint64_t seed = 20260919;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
-  proof::Random random{seed};
-  for (int trial = 0; trial < 5'000; ++trial) {
+  for (const std::uint64_t seed : proof::Trials{5000}) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    proof::Random random{seed};
     limits = any_limits(random);
     const auto feed = static_cast<float>(random.magnitude(1, 500));
     begin(block_of(any_element(random, {}), limits, feed));
     const Ride ride = drive();
-    ASSERT_TRUE(profile.at_end()) << "trial " << trial;
-    ASSERT_NEAR(ride.distance / static_cast<double>(block.length), 1.0, 1.0e-5) << trial;
-    ASSERT_LE(ride.top_speed, static_cast<double>(block.feed) * 1.0001) << "trial " << trial;
-    ASSERT_EQ(profile.speed_square(), 0.0F) << "trial " << trial;
+    ASSERT_TRUE(profile.at_end());
+    EXPECT_NEAR(ride.distance / static_cast<double>(block.length), 1.0, 1.0e-5) << block.length;
+    ASSERT_LE(ride.top_speed, static_cast<double>(block.feed) * 1.0001);
+    ASSERT_EQ(profile.speed_square(), 0.0F);
   }
 }
 
 TEST_F(SpeedProfileTest, HaltsWithinEveryRandomBlock) {
-  const std::uint64_t seed = 20260920;
-  SCOPED_TRACE(testing::Message() << "seed " << seed);
-  proof::Random random{seed};
-  for (int trial = 0; trial < 5'000; ++trial) {
+  for (const std::uint64_t seed : proof::Trials{5000}) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    proof::Random random{seed};
     limits = any_limits(random);
     const auto feed = static_cast<float>(random.magnitude(1, 500));
     begin(block_of(any_element(random, {}), limits, feed));
     const Phase first = profile.next_phase(Drive::kOn);
     stop_within(first, 0.5F * first.duration);
     drive(Drive::kHalt);
-    ASSERT_EQ(profile.speed_square(), 0.0F) << "trial " << trial;
+    ASSERT_EQ(profile.speed_square(), 0.0F);
     drive();
-    ASSERT_TRUE(profile.at_end()) << "trial " << trial;
+    ASSERT_TRUE(profile.at_end());
   }
 }
 

@@ -7,6 +7,7 @@
 
 #include "tests/planner/motion/motion_test.hpp"
 #include "tests/support/random_source.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc::motion {
 namespace {
@@ -55,11 +56,10 @@ class StepTiming : public testing::Test {
     return motion;
   }
 
-  proof::Random random{20260921};
+  proof::Random random{proof::test_seed()};
 };
 
 TEST_F(StepTiming, CountsEveryStep) {
-  SCOPED_TRACE("seed 20260921");
   for (int trial = 0; trial < 100'000; ++trial) {
     const AxisSlice slice = any_motion().slice();
     const std::int32_t steps = slice.to.nearest_step() - slice.from.nearest_step();
@@ -68,7 +68,6 @@ TEST_F(StepTiming, CountsEveryStep) {
 }
 
 TEST_F(StepTiming, KeepsEveryStepWithinTwoPercentOfTheSlice) {
-  SCOPED_TRACE("seed 20260921");
   for (int trial = 0; trial < 100'000; ++trial) {
     const Motion motion = any_motion();
     const AxisSlice slice = motion.slice();
@@ -81,7 +80,6 @@ TEST_F(StepTiming, KeepsEveryStepWithinTwoPercentOfTheSlice) {
 }
 
 TEST_F(StepTiming, IsExactForUpToThreeSteps) {
-  SCOPED_TRACE("seed 20260921");
   int seen = 0;
   for (int trial = 0; trial < 200'000; ++trial) {
     const Motion motion = any_motion();
@@ -131,7 +129,6 @@ TEST_F(StepTiming, ShiftsEveryStepBySoMuch) {
 
 // From or to standstill, where the change of speed is the greatest.
 TEST_F(StepTiming, KeepsEveryStepWithinTheSliceFromStandstill) {
-  SCOPED_TRACE("seed 20260921");
   for (int trial = 0; trial < 50'000; ++trial) {
     Motion motion{.from = random.between(-100.0, 100.0), .ticks = 1000.0};
     const double top = random.signed_magnitude(1.0e-5, 0.02);

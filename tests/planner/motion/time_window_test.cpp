@@ -4,6 +4,7 @@
 
 #include "planner/motion/path_units.hpp"
 #include "tests/planner/motion/motion_test.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc::motion {
 namespace {
@@ -86,7 +87,7 @@ TEST(WindowChoice, IsTheLongestThatABlockOfTheChainAsksFor) {
 }
 
 TEST(BlockFraction, IsExactAtTheEndsAndInOrder) {
-  proof::Random random{20261121};
+  proof::Random random{proof::test_seed()};
   for (int trial = 0; trial < 20'000; ++trial) {
     const auto length = static_cast<PathUnits>(random.magnitude(1.0, 1.0e17));
     BlockFraction fraction{length};

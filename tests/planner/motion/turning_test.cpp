@@ -6,12 +6,13 @@
 
 #include "planner/base/scalar_math.hpp"
 #include "tests/support/random_source.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc::motion {
 namespace {
 
 TEST(CubeRoot, IsGoodToItsBound) {
-  proof::Random random{20261121};
+  proof::Random random{proof::test_seed()};
   for (int trial = 0; trial < 100'000; ++trial) {
     const auto value = static_cast<float>(random.magnitude(1.0e-25, 1.0e25));
     const double exact = std::cbrt(static_cast<double>(value));
@@ -33,7 +34,7 @@ Load load(double curvature, double v, double a, double most, double window_s) {
 }
 
 TEST(Turning, KeepsAccelerationAndJerkOfACircle) {
-  proof::Random random{20261121};
+  proof::Random random{proof::test_seed()};
   double worst = 0.0;
   for (int trial = 0; trial < 20'000; ++trial) {
     const double most = random.magnitude(10.0, 10'000.0);
@@ -62,7 +63,7 @@ TEST(Turning, KeepsAccelerationAndJerkOfACircle) {
 // Met where the change leads to, and to as much more as the motion is behind; a fifth more is
 // too much there or, for acceleration, at the end of the way.
 TEST(Turning, IsAsSteepAsTheSpeedItLeadsToAllows) {
-  proof::Random random{20261122};
+  proof::Random random{proof::test_seed()};
   int by_jerk = 0;
   for (int trial = 0; trial < 20'000; ++trial) {
     const double most = random.magnitude(10.0, 10'000.0);

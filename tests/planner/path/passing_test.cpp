@@ -29,7 +29,7 @@ PathElement random_element(Random& random) {
 /// A place on an element, rounded to the nanometre, is found again; both parts lie on it.
 TEST(Passing, FindsPlacesOnElementsAgain) {
   const proof::Trials trials{20'000};
-  for (std::uint64_t seed = trials.first_seed(); seed < trials.end_seed(); ++seed) {
+  for (const std::uint64_t seed : trials) {
     Random random{seed};
     SCOPED_TRACE(seed);
     const PathElement element = random_element(random);

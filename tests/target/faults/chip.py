@@ -10,7 +10,12 @@ import random
 import re
 import shutil
 import subprocess
+import sys
 import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "support"))
+from seeds import first_seed, trials  # noqa: E402
 
 EMULATOR = "qemu-system-arm"
 SKIPPED = 77
@@ -29,19 +34,10 @@ STEP_PINS = ("PA0", "PA1", "PA2", "PC0", "PC1", "PC2")  # Of all six axes.
 FLOOD_PIN = "PB4"
 
 
-def trials(usual: int) -> int:
-    """How many a test is to try: KERFLINE_TRIALS says otherwise."""
-    return int(os.environ.get("KERFLINE_TRIALS", usual))
-
-
-def seed() -> int:
-    return int(os.environ.get("KERFLINE_SEED", "1"))
-
-
-def some_of(cases: list, usual: int) -> list:
+def some_of(test: unittest.TestCase, cases: list, usual: int) -> list:
     """As many cases as are to be tried, in their order."""
     count = min(trials(usual), len(cases))
-    chosen = set(random.Random(seed()).sample(range(len(cases)), count))
+    chosen = set(random.Random(first_seed(test)).sample(range(len(cases)), count))
     return [case for place, case in enumerate(cases) if place in chosen]
 
 

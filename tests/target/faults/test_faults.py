@@ -60,7 +60,7 @@ class FaultTest(unittest.TestCase):
         return taken
 
     def test_every_fault_in_every_state(self):
-        cases = some_of(list(itertools.product(TOLD, STATES)), 10)
+        cases = some_of(self, list(itertools.product(TOLD, STATES)), 10)
 
         def one(case):
             fault, state = case
@@ -79,7 +79,7 @@ class FaultTest(unittest.TestCase):
     def test_a_main_loop_that_hangs(self):
         """The motion that was cut ahead is driven and ends dark; then the watchdog bites. A spindle
         turns until then."""
-        states = some_of(list(STATES), 3)
+        states = some_of(self, list(STATES), 3)
         for state, run in zip(states, in_parallel(
                 lambda state: CHIP.run(STATES[state][0], AT_NS + 220 * MS, *CHIP_OPTIONS,
                                        *in_main_loop(CHIP, "hang", AT_NS)), states)):
@@ -94,7 +94,7 @@ class FaultTest(unittest.TestCase):
                     self.assertTrue(all(end < AT_NS + 25 * MS for _, end in run.lit()))
 
     def test_a_step_interrupt_that_hangs(self):
-        states = some_of(list(STATES), 3)
+        states = some_of(self, list(STATES), 3)
         for state, run in zip(states, in_parallel(
                 lambda state: CHIP.run(STATES[state][0], AT_NS + 220 * MS, *CHIP_OPTIONS,
                                        *in_function(CHIP, "step_interrupt", AT_NS)), states)):
@@ -110,7 +110,7 @@ class FaultTest(unittest.TestCase):
 
     def test_a_supply_below_the_brown_out_level(self):
         """The chip resets itself, which lets go of the pin; then the image drives it low."""
-        states = some_of(list(STATES), 3)
+        states = some_of(self, list(STATES), 3)
         for state, run in zip(states, in_parallel(
                 lambda state: CHIP.run(STATES[state][0], AT_NS + RESTARTED_NS, *CHIP_OPTIONS,
                                        f"brown_out_ns={AT_NS}"), states)):

@@ -16,7 +16,8 @@ import tempfile
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-from chip import (BOOT_NS, CHIP_OPTIONS, MS, STOPPED, in_parallel, main, seed, trials)  # noqa: E402
+from chip import (BOOT_NS, CHIP_OPTIONS, MS, STOPPED, first_seed, in_parallel, main,  # noqa: E402
+                  trials)
 from plant import in_main_loop  # noqa: E402
 
 CHIP = None
@@ -43,7 +44,7 @@ def way_driven(run, until_ns: int) -> float:
 
 class ResumeTest(unittest.TestCase):
     def places(self) -> list:
-        chosen = random.Random(seed())
+        chosen = random.Random(first_seed(self))
         return [chosen.uniform(0.1, 0.9) for _ in range(trials(6))]
 
     def assert_told(self, said: str, way_mm: float, behind_mm: float) -> str:

@@ -20,7 +20,7 @@ class UsbDesk {
   using Bytes = UsbHost::Bytes;
   using Shake = UsbHost::Shake;
 
-  explicit UsbDesk(unsigned seed = 1, Clocks clocks = kFullSpeed)
+  explicit UsbDesk(std::uint64_t seed = 1, Clocks clocks = kFullSpeed)
       : chip{ModelBus::start_anew()}, host{start_core(), [this] { serve(); }, seed} {
     chip.cells[kDeviceCode] = 0x1000'0413;
     for (Address word = 0; word < 3; ++word) chip.cells[kUniqueId + 4 * word] = 0x1234'ABC0 + word;

@@ -24,7 +24,7 @@ class UsbHost {
     unsigned lost_answers_percent = 0;    ///< Of handshakes, either way.
   };
 
-  UsbHost(OtgModel& core, std::function<void()> device_turn, unsigned seed = 1)
+  UsbHost(OtgModel& core, std::function<void()> device_turn, std::uint64_t seed = 1)
       : core_{core}, turn_{std::move(device_turn)}, random_{seed} {}
 
   void set_manner(Manner manner) { manner_ = manner; }

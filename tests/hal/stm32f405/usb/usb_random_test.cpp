@@ -10,7 +10,7 @@ using Shake = UsbDesk::Shake;
 /// One long conversation with a host that does things in any order.
 class Talk {
  public:
-  explicit Talk(unsigned seed) : desk_{seed} {
+  explicit Talk(std::uint64_t seed) : desk_{seed} {
     desk_.host.set_manner({.device_turns_percent = 20 + desk_.host.below(81),
                            .lost_answers_percent = desk_.host.below(25)});
   }
@@ -140,8 +140,8 @@ class Talk {
 };
 
 TEST_F(UsbRandom, NoByteIsLostOrDoubledWhateverTheHostDoes) {
-  for (unsigned seed = 1; seed <= proof::trials_wanted(300); ++seed) {
-    SCOPED_TRACE("seed " + std::to_string(seed));
+  for (const std::uint64_t seed : proof::Trials{300}) {
+    SCOPED_TRACE("KERFLINE_SEED=" + std::to_string(seed));
     Talk{seed}.run();
     if (HasFailure()) return;
   }

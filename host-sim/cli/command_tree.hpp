@@ -1,0 +1,44 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace sim {
+
+/// An option, a flag or a positional argument, as `--help` prints it.
+struct ParameterText {
+  std::vector<std::string> names;  ///< `-o`, `--output`; of a positional its one name.
+  std::string value;               ///< ` FILE REQUIRED`, ` Z=-10`; empty for a flag.
+  std::string description;
+  std::vector<std::string> choices;  ///< The only values that it takes; empty: any.
+  bool takes_value = false;
+  bool takes_file = false;  ///< The value is the name of a file, of a link or of a device.
+  bool may_repeat = false;
+};
+
+/// One command with everything that `--help` prints about it.
+struct CommandText {
+  std::string path;  ///< With the names above it: `kerfline kerf advise`.
+  std::string description;
+  std::string footer;
+  std::vector<ParameterText> positionals;
+  std::vector<ParameterText> options;
+  std::vector<std::string> subcommands;  ///< Their names, without this command's path.
+};
+
+/// Lists `app` and all commands below it, each in front of its subcommands.
+[[nodiscard]] std::vector<CommandText> command_tree(const CLI::App& app);
+
+/// Returns the command of `path`, which must be in the list.
+[[nodiscard]] const CommandText& command_of(std::span<const CommandText> commands,
+                                            const std::string& path);
+
+/// Returns the first sentence of a description on one line, without the full stop.
+[[nodiscard]] std::string first_sentence(std::string text);
+
+}  // namespace sim

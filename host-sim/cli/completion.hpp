@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "host-sim/cli/command_tree.hpp"
+
+namespace sim {
+
+/// Each returns the script with which a shell completes commands, options, closed sets of values
+/// and names of files after `kerfline`.
+[[nodiscard]] std::string bash_completion(std::span<const CommandText> commands);
+[[nodiscard]] std::string zsh_completion(std::span<const CommandText> commands);
+[[nodiscard]] std::string fish_completion(std::span<const CommandText> commands);
+
+}  // namespace sim

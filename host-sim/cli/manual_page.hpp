@@ -1,0 +1,16 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "host-sim/cli/command_tree.hpp"
+
+namespace sim {
+
+/// Returns kerfline(1) as man's roff: what `--help` prints for each command, the program's own
+/// first.
+[[nodiscard]] std::string manual_page(std::span<const CommandText> commands,
+                                      std::string_view version);
+
+}  // namespace sim

@@ -1,0 +1,80 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <variant>
+
+#include "planner/gcode/action.hpp"
+#include "planner/geometry/arc_elements.hpp"
+#include "planner/geometry/arc_fit.hpp"
+#include "planner/geometry/path_element.hpp"
+
+namespace cnc {
+
+/// One element of an action's path.
+struct ActionPart {
+  PathElement element{};
+  float feed_mm_s = 0.0F;          ///< As in motion::MotionRequest; 0 is a rapid.
+  bool continues = false;          ///< The element is part of one curve with the one before it.
+  std::uint32_t index = 0;         ///< Number of the part for motion::SourceLine.
+  std::optional<float> power_s{};  ///< The S that holds from this part on; none if S stays.
+};
+
+/// Divides an action of G-code that moves the tool into path elements: a straight line into one
+/// element, a line with several powers into equal parts, an arc or a helix into elements of at
+/// most half a turn, a spline into arcs within a tolerance.
+///
+/// The elements are computed one at a time, so that a caller without capacity for the next one
+/// goes on later. Consecutive elements join exactly, and the last one ends at the action's end.
+/// Main loop only; nothing is allocated.
+class ActionElements {
+ public:
+  /// Returns whether begin() accepts the action: it moves along a path that the action alone
+  /// determines. A probe does not, because its contact ends it.
+  [[nodiscard]] static bool accepts(const gcode::Action& action);
+
+  /// Begins an action and forgets the one before.
+  /// @param action its powers and its spline must stay until the last element is taken
+  /// @param from where the path so far ends, machine coordinates
+  /// @param spline_tolerance_mm distance of arcs from their spline; at least
+  /// ArcFit::kLeastToleranceMm
+  /// @pre accepts(action)
+  void begin(const gcode::Action& action, const Position& from, float spline_tolerance_mm);
+  /// Forgets the action.
+  void clear() { curve_ = None{}; }
+
+  /// Returns whether an action has been begun and not cleared.
+  [[nodiscard]] bool active() const { return !std::holds_alternative<None>(curve_); }
+  /// Returns whether no element is left. @pre active()
+  [[nodiscard]] bool done() const;
+
+  /// Works on the next element; only that of a spline takes any work.
+  /// @param points budget of curve points, from which the points that were evaluated are taken;
+  /// exceeded by at most ArcFit::kPointsAtOnce
+  /// @return true when next() has the element ready
+  /// @pre !done()
+  [[nodiscard]] bool work(std::uint32_t& points);
+  /// Returns the next element and goes on to the one after it. @pre !done()
+  [[nodiscard]] ActionPart next();
+
+ private:
+  struct None {};
+  struct Line {
+    Position from{};
+    Position end{};
+    std::span<const float> powers{};  ///< One for each part; empty for a line of one element.
+
+    [[nodiscard]] std::uint32_t count() const;
+    [[nodiscard]] Position end_of(std::uint32_t part) const;
+  };
+
+  [[nodiscard]] ActionPart next_of(const Line& line) const;
+
+  std::variant<None, Line, ArcElements, ArcFit> curve_{};
+  Position here_{};  ///< End of the elements so far.
+  float feed_mm_s_ = 0.0F;
+  std::uint32_t taken_ = 0;  ///< Number of elements so far.
+};
+
+}  // namespace cnc

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <algorithm>
+
+#include "planner/gcode/modal_state.hpp"
+#include "planner/geometry/arc_fit.hpp"
+#include "planner/path/path_item.hpp"
+
+namespace cnc {
+
+/// Tolerances that hold where the program gives none, mm.
+struct UsualTolerance {
+  float path_mm = 0.01F;  ///< Of corners and welds together ($11).
+  float arc_mm = 0.002F;  ///< Of arcs that stand for a curve or for short lines ($12).
+};
+
+/// Returns how far the driven path may be from the programmed one: none under G61.1. G61 and a
+/// G64 alone keep corners and welds together within the usual tolerance. With a P, corners are
+/// rounded within P and short lines welded within Q; P alone stands for both.
+[[nodiscard]] inline path::Tolerance path_tolerance(const gcode::PathControl& control,
+                                                    const UsualTolerance& usual) {
+  if (control.mode == gcode::PathMode::kStop) return {};
+  if (!control.tolerance_mm && !control.naive_tolerance_mm) {
+    return path::tolerance_within(usual.path_mm, usual.arc_mm);
+  }
+  return {.corner_mm = control.tolerance_mm.value_or(usual.path_mm),
+          .weld_mm = control.naive_tolerance_mm.value_or(control.tolerance_mm.value_or(0.0F))};
+}
+
+/// Returns how far arcs may be from the spline that they stand for, mm: Q of G64, or the usual
+/// tolerance of arcs.
+[[nodiscard]] inline float spline_tolerance(const gcode::PathControl& control,
+                                            const UsualTolerance& usual) {
+  const float naive = control.naive_tolerance_mm.value_or(0.0F);
+  return std::max(naive > 0.0F ? naive : usual.arc_mm, ArcFit::kLeastToleranceMm);
+}
+
+}  // namespace cnc

@@ -1,0 +1,166 @@
+#include "planner/pipeline/pipeline.hpp"
+
+#include <algorithm>
+
+#include "planner/base/contract.hpp"
+
+namespace cnc {
+namespace {
+
+/// Returns the least acceleration of the axes that the block moves, mm/s².
+float least_acceleration(const motion::Limits& limits, const motion::Block& block) {
+  const std::uint8_t axes = motion::moving_axes(block);
+  float least = 1.0e9F;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    if ((axes >> axis & 1U) != 0) least = std::min(least, limits.acceleration_mm_s2[axis]);
+  }
+  return least;
+}
+
+/// Returns whether a place is less than a step from where the motion before it ends, per axis.
+bool joins(const motion::Limits& limits,
+           const Position& start,
+           const AxisArray<StepPosition>& end) {
+  constexpr std::uint64_t kStep = std::uint64_t{1} << 32;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const auto steps = limits.scale[axis].steps_at(start[axis]);
+    if (!steps) return false;
+    const auto apart = static_cast<std::uint64_t>(steps->q32() - end[axis].q32());
+    if (apart + kStep > 2 * kStep) return false;
+  }
+  return true;
+}
+
+}  // namespace
+
+Result<bool, motion::MotionError> Pipeline::append(const path::PathItem& item) {
+  const PathElement& element = item.request.element;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    // The start was an end: if it is out of range now, memory has changed.
+    CNC_ASSERT(limits_.scale[axis].reaches(element.start[axis]));
+    const bool within = limits_.scale[axis].reaches(element.end[axis]);
+    if (!within) return motion::MotionError::kBeyondMotorRange;
+  }
+  if (element.start == element.end) return false;
+  supply_.restart();
+  budget_.take_element();
+  path_.put(item);
+  // A row has at most half as many lines as blocks are planned: so what is held back is short
+  // compared with the plan, and a program's start is known in small rows, the rest in large ones.
+  if (2 * path_.gathered() >= queue_.size()) path_.end_row();
+  target_ = element.end;
+  pump();
+  return true;
+}
+
+/// Turns pieces of the path into blocks as far as the queue has capacity.
+void Pipeline::pump() {
+  while (!queue_.full()) {
+    const path::PathPiece* const piece = path_.next();
+    if (piece == nullptr) return;
+    take(*piece);
+  }
+}
+
+void Pipeline::take(const path::PathPiece& piece) {
+  const AxisArray<StepPosition>& end =
+      queue_.empty() ? segmenter_.place() : queue_.at(queue_.size() - 1).end;
+  // Otherwise memory has changed, and a long distance would be driven on one place.
+  CNC_ASSERT(joins(limits_, piece.request.element.start, end));
+  const auto block = motion::build_block(piece.request, limits_);
+  // Pieces lie between ends that were within range, to a tolerance.
+  CNC_ASSERT(block.ok() || block.error() == motion::MotionError::kNothingToMove);
+  if (!block.ok()) return;
+  queue_.push(block.value(), piece.joint);
+  ++blocks_taken_;
+}
+
+void Pipeline::flush() {
+  path_.flush();
+  pump();
+  queue_.leave_none_out();
+  if (path_.empty()) queue_.expect_no_more();
+}
+
+void Pipeline::attend(std::int32_t elapsed_us) {
+  budget_.begin_cycle(queue_.looked_at());
+  supply_.pass(elapsed_us, !path_.empty());
+  release_held();
+  pump();
+  if (path_.empty() && supply_.silent_at_rest()) queue_.expect_no_more();
+}
+
+/// Releases what is held back if the sender is silent, or if it has been gathered for long enough
+/// and the plan would soon brake for the want of it.
+void Pipeline::release_held() {
+  // With this many blocks longer welds are worth more than more blocks.
+  constexpr std::size_t kPlenty = 16;
+  const bool idle = segmenter_.idle();
+  const bool silent = idle ? supply_.silent_at_rest() : supply_.silent();
+  if (silent) queue_.leave_none_out();
+  const bool waits = idle ? !supply_.has_gathered() : queue_.size() >= kPlenty;
+  if (path_.empty() || (waits && !silent) || !runs_dry()) return;
+  if (silent) {
+    path_.flush();
+  } else {
+    path_.hurry(idle);
+  }
+}
+
+/// Returns whether the plan would soon have to brake for what is not planned yet. Its distance is
+/// then at most twice the braking distance, and what is driven in the next cycles, and, where jerk
+/// is limited, what the plan is ahead by and drives at constant speed before it brakes.
+bool Pipeline::runs_dry() const {
+  constexpr float kCyclesAheadS = 0.05F;
+  constexpr float kWindows = 1.5F;
+  if (segmenter_.idle()) return true;
+  const float speed = std::max(segmenter_.speed(), segmenter_.planned_speed());
+  const float ahead_s = kCyclesAheadS + kWindows * segmenter_.window().seconds();
+  const float acceleration = std::min(least_acceleration(limits_, queue_.front()),
+                                      least_acceleration(limits_, queue_.at(queue_.size() - 1)));
+  const float reach = speed * (speed / acceleration + ahead_s);
+  float distance = segmenter_.left_of_block();
+  for (std::size_t i = 1; i < queue_.size() && distance <= reach; ++i) {
+    distance += queue_.at(i).length;
+  }
+  return distance <= reach;
+}
+
+void Pipeline::restart(const AxisArray<std::int32_t>& tool, const AxisArray<std::int32_t>& motors) {
+  target_ = place_of(tool);
+  path_.clear();
+  pixels_.clear();
+  AxisArray<StepPosition> place{};
+  AxisArray<std::int32_t> ahead{};
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    place[axis] = StepPosition::whole(tool[axis]);
+    ahead[axis] = motors[axis] - tool[axis];
+  }
+  segmenter_.reset(place);
+  motors_.reset(place, ahead);
+}
+
+bool Pipeline::configure(const motion::MotorStageSetting& setting) {
+  if (setting == motor_setting_) return false;
+  motor_setting_ = setting;
+  motors_.configure(setting);
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) motors_.rebase(axis);
+  motors_.reset(segmenter_.place(), {});
+  return true;
+}
+
+void Pipeline::follow_kerf(const kerf::KerfCourse* course) {
+  // Without shapers and backlash the stage has not been told of the motions so far.
+  if (!motors_.active()) motors_.reset(segmenter_.place(), {});
+  segmenter_.follow_kerf(course);
+}
+
+Position Pipeline::place_of(const AxisArray<std::int32_t>& steps) const {
+  Position place;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    place[axis] = limits_.scale[axis].place_of(steps[axis]);
+  }
+  return place;
+}
+
+}  // namespace cnc

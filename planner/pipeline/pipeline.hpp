@@ -1,0 +1,138 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+
+#include "planner/base/coordinate.hpp"
+#include "planner/motion/block_builder.hpp"
+#include "planner/motion/block_queue.hpp"
+#include "planner/motion/motor_segments.hpp"
+#include "planner/path/path_stage.hpp"
+#include "planner/pipeline/supply_watch.hpp"
+#include "planner/pipeline/work_budget.hpp"
+
+namespace cnc {
+
+/// The planner's front door: path elements in, segments for a step generator out.
+///
+/// It wires the stages: the path that is driven (welds, corners), blocks, look-ahead, plan,
+/// segments, input shaping and backlash. The caller appends elements while has_room(), calls
+/// attend() once in each cycle of its main loop, and takes segments with next() whenever its step
+/// generator wants some. ActionElements makes the elements of a line of G-code.
+///
+/// It is pure: it has no clock, drive or port, and time passes only in attend() and next().
+/// Main loop only; no call blocks, allocates or works without a bound.
+class Pipeline {
+ public:
+  /// @param limits of the machine; must outlive this, and changes only while empty()
+  explicit Pipeline(const motion::Limits& limits)
+      : limits_{limits}, path_{limits, &pixels_}, segmenter_{queue_, limits, &pixels_} {}
+
+  // Elements in.
+
+  /// Returns whether append() may be called in this cycle. What a cycle plans is bounded, so false
+  /// may become true with the next attend().
+  [[nodiscard]] bool has_room() const {
+    return path_.has_room() && budget_.allows_element(queue_.looked_at());
+  }
+  /// Appends an element that starts at target(). The last elements are held back until the ones
+  /// after them are known, or flush().
+  /// @return false for an element that does not move; an error if its end is out of the motors'
+  /// range, and then nothing has changed
+  /// @pre has_room()
+  Result<bool, motion::MotionError> append(const path::PathItem& item);
+  /// Releases what is held back, because no element follows before the motion has ended. Call it
+  /// in each cycle until empty().
+  void flush();
+  /// Passes time: releases what is held back before the motion would brake for the want of it, and
+  /// plans. Call it once in each cycle.
+  /// @param elapsed_us since the last call
+  void attend(std::int32_t elapsed_us);
+  /// Returns the end of the elements so far, machine coordinates.
+  [[nodiscard]] const Position& target() const { return target_; }
+
+  // Segments out.
+
+  /// Makes the next segment, of at most a millisecond.
+  /// @return false if there is none: the motion is held, or no block is left until the next
+  /// attend(), or the motor stage drives another motion
+  [[nodiscard]] bool next(motion::Segment& segment) {
+    return motion::next_segment(segmenter_, motors_, segment);
+  }
+  /// Returns whether all elements have been given out as segments.
+  [[nodiscard]] bool empty() const {
+    return path_.empty() && segmenter_.idle() && motors_.at_rest();
+  }
+  /// Returns whether halt() has taken effect: the last segment came to rest.
+  [[nodiscard]] bool held() const { return segmenter_.halted() && motors_.at_rest(); }
+
+  // The operator.
+
+  /// Slows down within the limits and holds the rest of the motion.
+  void halt() { segmenter_.halt(); }
+  /// Ends a halt.
+  void go_on() { segmenter_.go_on(); }
+  void set_overrides(const motion::Overrides& overrides) { segmenter_.set_overrides(overrides); }
+  [[nodiscard]] const motion::Overrides& overrides() const { return segmenter_.overrides(); }
+
+  // Standing.
+
+  /// Drops all motion that is left; a halt stays.
+  /// @param tool where the tool stands, motor steps without backlash: the new target()
+  /// @param motors where the motors stand, steps
+  /// @pre no segment that was taken is still being driven
+  void restart(const AxisArray<std::int32_t>& tool, const AxisArray<std::int32_t>& motors);
+  /// Sets input shaping and backlash. Afterwards the motors stand where the tool does.
+  /// @return false if nothing has changed
+  /// @pre empty() or held(), or the setting is the one that holds
+  bool configure(const motion::MotorStageSetting& setting);
+  /// Stage between plan and motors, which another motion may use while this one is held.
+  [[nodiscard]] motion::MotorStage& motors() { return motors_; }
+  [[nodiscard]] const motion::MotorStage& motors() const { return motors_; }
+  /// Lets the motors follow, offset from the path, the kerf of the driven power and speed.
+  /// @param course must outlive its use; null ends it
+  /// @pre empty(), and on_path()
+  void follow_kerf(const kerf::KerfCourse* course);
+  [[nodiscard]] bool follows_kerf() const { return segmenter_.follows_kerf(); }
+  /// Returns whether the motors stand where place() says, not offset by a kerf.
+  [[nodiscard]] bool on_path() const { return segmenter_.on_path(); }
+
+  // Reports.
+
+  /// Returns the end of the last segment, to the fraction of a step.
+  [[nodiscard]] const AxisArray<StepPosition>& place() const { return segmenter_.place(); }
+  /// Returns the machine coordinates of motor positions in steps.
+  [[nodiscard]] Position place_of(const AxisArray<std::int32_t>& steps) const;
+  /// Returns the speed at the end of the last segment, mm/s.
+  [[nodiscard]] float speed() const { return segmenter_.speed(); }
+  /// Returns the source line of the oldest element that is not given out to its end; 0 for none.
+  [[nodiscard]] motion::SourceLine line() const {
+    return queue_.empty() ? path_.line() : motion::line_of(queue_.front(), pixels_);
+  }
+  /// Blocks that wait to be cut into segments.
+  [[nodiscard]] const motion::BlockQueue& queue() const { return queue_; }
+  /// Running count of the blocks so far.
+  [[nodiscard]] std::uint32_t blocks_taken() const { return blocks_taken_; }
+  /// Reports every slice of the plan from now on; null ends it. @param observer must outlive this
+  void observe(motion::SliceObserver* observer) { segmenter_.observe(observer); }
+
+ private:
+  void pump();
+  void take(const path::PathPiece& piece);
+  void release_held();
+  [[nodiscard]] bool runs_dry() const;
+
+  const motion::Limits& limits_;
+  motion::Pixels pixels_{};
+  path::PathStage path_;
+  motion::BlockQueueOf<motion::kLookAheadBlocks> queue_{};
+  motion::Segmenter segmenter_;
+  motion::MotorStage motors_{};
+  motion::MotorStageSetting motor_setting_{};
+  Position target_{};
+  SupplyWatch supply_{};
+  WorkBudget budget_{};
+  std::uint32_t blocks_taken_ = 0;
+};
+
+}  // namespace cnc

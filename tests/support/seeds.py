@@ -1,0 +1,67 @@
+"""Seeds of the random tests in Python, as tests/support/trials.hpp has them for those in C++."""
+import inspect
+import os
+import pathlib
+import re
+import unittest
+
+
+def first_seed_of(base: str, test: str) -> int:
+    """1 without a base, else 1 to 4e9 by a hash of base and test, the same as in trials.cpp."""
+    if not base:
+        return 1
+    mask = (1 << 64) - 1
+    value = 0xCBF29CE484222325
+    for byte in f"{base} {test}".encode():
+        value = (value ^ byte) * 0x100000001B3 & mask
+    value = (value ^ value >> 30) * 0xBF58476D1CE4E5B9 & mask
+    value = (value ^ value >> 27) * 0x94D049BB133111EB & mask
+    return 1 + (value ^ value >> 31) % 4_000_000_000
+
+
+def trials(usual: int) -> int:
+    """KERFLINE_TRIALS, else `usual`."""
+    return int(os.environ.get("KERFLINE_TRIALS", usual))
+
+
+def name_of(test: unittest.TestCase) -> str:
+    """Class and method, as a section of a seed file names them."""
+    return ".".join(test.id().split(".")[-2:])
+
+
+def first_seed(test: unittest.TestCase) -> int:
+    """The first seed of a running test; prints it and the base once for each call."""
+    base = os.environ.get("KERFLINE_SEED_BASE", "")
+    chosen = os.environ.get("KERFLINE_SEED")
+    seed = int(chosen) if chosen else first_seed_of(base, name_of(test))
+    print(f"{name_of(test)}: base '{base}', to repeat: KERFLINE_SEED={seed}", flush=True)
+    return seed
+
+
+def read_seeds(text: str) -> dict:
+    """The seeds by test of a seed file (seed_file.hpp says its form). Raises ValueError."""
+    seeds, section = {}, None
+    for number, line in enumerate(text.splitlines(), 1):
+        if not line.strip() or line.lstrip().startswith("#"):
+            continue
+        if head := re.fullmatch(r"\[(\w+\.\w+)\]\s*", line):
+            section = seeds.setdefault(head[1], [])
+        elif (seed := re.fullmatch(r"(\d+)\s*#\s*\S.*", line)) and section is not None:
+            section.append(int(seed[1]))
+        else:
+            raise ValueError(f"line {number}: {line}")
+    return seeds
+
+
+def seeds_of(test: unittest.TestCase, usual: int) -> list:
+    """The seeds that once failed, from the .seeds file beside the test, then the random range."""
+    first = first_seed(test)
+    if "KERFLINE_SEED" in os.environ:
+        return list(range(first, first + trials(1)))
+    file = pathlib.Path(inspect.getfile(type(test))).with_suffix(".seeds")
+    once_failed = read_seeds(file.read_text("utf-8")) if file.exists() else {}
+    for section in once_failed:
+        suite, method = section.split(".")
+        if suite == type(test).__name__ and not hasattr(test, method):
+            raise ValueError(f"{file}: {suite} has no test {method}")
+    return once_failed.get(name_of(test), []) + list(range(first, first + trials(usual)))

@@ -1,0 +1,29 @@
+"""Seeds of random tests in Python: the same as in C++, and seed files that are read in full."""
+import os
+import unittest
+from unittest import mock
+
+import seeds
+
+
+class SeedsTest(unittest.TestCase):
+    def test_a_first_seed_is_that_of_trials(self):
+        self.assertEqual(seeds.first_seed_of("", "FirstSeed.IsAsInPython"), 1)
+        self.assertEqual(seeds.first_seed_of("2789883", "FirstSeed.IsAsInPython"), 2_943_632_798)
+
+    def test_seeds_that_once_failed_come_first(self):
+        with mock.patch.dict(os.environ, {"KERFLINE_SEED_BASE": "a", "KERFLINE_TRIALS": "2"}):
+            first = seeds.first_seed_of("a", seeds.name_of(self))
+            self.assertEqual(seeds.seeds_of(self, 60), [4711, first, first + 1])
+        with mock.patch.dict(os.environ, {"KERFLINE_SEED": "9"}):
+            self.assertEqual(seeds.seeds_of(self, 60)[0], 9)
+
+    def test_a_line_that_is_no_seed_is_refused(self):
+        self.assertEqual(seeds.read_seeds("# x\n\n[A.b]\n3  # Late.\n"), {"A.b": [3]})
+        for text in ("3 # Late.", "[A.b]\n3", "[A.b]\n3 #", "[A.b]\nthree # Late.", "[A.b\n3 # x"):
+            with self.subTest(text=text), self.assertRaises(ValueError):
+                seeds.read_seeds(text)
+
+
+if __name__ == "__main__":
+    unittest.main()

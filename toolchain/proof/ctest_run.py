@@ -1,0 +1,80 @@
+"""Runs ctest and reads its JUnit report: a test that was skipped did not pass."""
+import os
+import subprocess
+import xml.etree.ElementTree as ElementTree
+
+from shell import ROOT, Outcome
+
+# Gates that a machine may lack, by the name in KERFLINE_WITHOUT; the README says when.
+MAY_BE_MISSING = {"uml": ("host-sim.uml_can",)}
+PROGRESS_TESTS = 200  # A line is printed after so many tests.
+
+
+def allowed_to_skip() -> set:
+    names = os.environ.get("KERFLINE_WITHOUT", "").split()
+    unknown = [name for name in names if name not in MAY_BE_MISSING]
+    if unknown:
+        raise SystemExit(f"KERFLINE_WITHOUT names {unknown}; known are {sorted(MAY_BE_MISSING)}")
+    return {test for name in names for test in MAY_BE_MISSING[name]}
+
+
+def run_tests(preset: str, tier: str, most_trials: dict | None = None) -> Outcome:
+    """All tests of a preset that belong to the tier.
+
+    `most_trials` bounds the random trials of each test, by tier: sanitizers cost ten times the time.
+    """
+    folder = ROOT / "build" / preset
+    report = folder / "ctest.xml"
+    report.unlink(missing_ok=True)
+    environment = os.environ | {"KERFLINE_TIER": tier}
+    if most_trials:
+        environment.setdefault("KERFLINE_MOST_TRIALS", str(most_trials[tier]))
+    command = ["ctest", "--preset", preset, f"-j{os.cpu_count()}", "--output-on-failure",
+               "--output-junit", str(report), "--test-output-size-passed", "65536"]
+    if tier == "test":
+        command += ["--label-exclude", "^prove$"]
+    follow(command, environment)
+    if not report.is_file():
+        return Outcome(failed=[f"ctest of {preset} gave no result"])
+    outcome = outcome_of(report, preset)
+    if outcome.failed:
+        print(f"once more, alone: what failed of {preset}", flush=True)
+        subprocess.run(["ctest", "--preset", preset, "--rerun-failed", "--output-on-failure"],
+                       cwd=ROOT, env=environment, check=False)
+    return outcome
+
+
+def follow(command: list, environment: dict) -> None:
+    """Prints failures as they come, and a line of progress now and then."""
+    print("+", *command, flush=True)
+    with subprocess.Popen(command, cwd=ROOT, env=environment, text=True, errors="replace",
+                          stdout=subprocess.PIPE, stderr=subprocess.STDOUT) as process:
+        ended = 0
+        for line in process.stdout:
+            begins = line.lstrip().startswith("Start ")
+            ends = " Test " in line and "sec" in line and "#" in line
+            ended += ends
+            if ends and line.rstrip().rpartition("sec")[0].find("Passed") >= 0:
+                if ended % PROGRESS_TESTS == 0:
+                    print(line.rstrip(), flush=True)
+            elif not begins:
+                print(line, end="", flush=True)
+
+
+def outcome_of(report, preset: str) -> Outcome:
+    """What a JUnit report of ctest says. Skipped, disabled and missing tests have failed."""
+    outcome = Outcome()
+    may_skip = allowed_to_skip()
+    for case in ElementTree.parse(report).getroot().iter("testcase"):
+        name, status = case.get("name"), case.get("status")
+        outcome.seconds[f"{preset}: {name}"] = float(case.get("time", 0))
+        if status == "run":
+            outcome.passed += 1
+        elif status == "notrun" and name in may_skip:
+            print(f"not run, as KERFLINE_WITHOUT says: {name}")
+        elif status == "fail":
+            outcome.failed.append(f"{preset}: {name}")
+        else:
+            reason = (case.findtext("system-out") or "").strip().rpartition("\n")[2]
+            outcome.failed.append(f"{preset}: {name} (did not run: {reason or status})")
+    return outcome

@@ -1,0 +1,46 @@
+"""Runs the random tests at new seeds for a while: KERFLINE_MINUTES, 10 unless it says otherwise."""
+import os
+import re
+import subprocess
+import time
+import xml.etree.ElementTree as ElementTree
+
+from shell import ROOT, Outcome
+
+MARK = "base '"  # Printed by each test that draws random numbers, before the base of its seeds.
+
+
+def random_tests() -> list:
+    """Names of the tests of the last release run that printed where their seeds begin."""
+    report = ElementTree.parse(ROOT / "build/release/ctest.xml").getroot()
+    return [case.get("name") for case in report.iter("testcase")
+            if MARK in (case.findtext("system-out") or "")]
+
+
+def run_once(names: list, base: str) -> list:
+    """The names of those that failed at this base."""
+    report = ROOT / "build/release/seeds.xml"
+    pattern = "^(" + "|".join(re.escape(name) for name in names) + ")$"
+    subprocess.run(["ctest", "--preset", "release", f"-j{os.cpu_count()}", "-R", pattern, "--quiet",
+                    "--output-junit", str(report)], cwd=ROOT, check=False,
+                   env=os.environ | {"KERFLINE_TIER": "prove", "KERFLINE_SEED_BASE": base})
+    failed = []
+    for case in ElementTree.parse(report).getroot().iter("testcase"):
+        if case.get("status") != "run":
+            failed.append(f"{case.get('name')} at KERFLINE_SEED_BASE={base}")
+            print((case.findtext("system-out") or "")[-3000:], flush=True)
+    return failed
+
+
+def run_for_a_while(_tier: str) -> Outcome:
+    end = time.monotonic() + 60.0 * float(os.environ.get("KERFLINE_MINUTES", "10"))
+    names = random_tests()
+    if not names:
+        return Outcome(failed=["no test of the release run says where its seeds begin"])
+    base = os.environ["KERFLINE_SEED_BASE"]
+    rounds, failed = 0, []
+    while time.monotonic() < end:
+        rounds += 1
+        failed += run_once(names, f"{base}/{rounds}")
+        print(f"{len(names)} random tests, {rounds} rounds, {len(failed)} failed", flush=True)
+    return Outcome(passed=rounds * len(names) - len(failed), failed=failed)

@@ -1,0 +1,48 @@
+"""Commands of the steps, and what came of them."""
+import dataclasses
+import pathlib
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+
+
+@dataclasses.dataclass
+class Outcome:
+    """Tests that passed, the names of those that failed, and seconds by test."""
+    passed: int = 0
+    failed: list = dataclasses.field(default_factory=list)
+    seconds: dict = dataclasses.field(default_factory=dict)
+
+    @classmethod
+    def of(cls, name: str, good: bool) -> "Outcome":
+        """Of a step that is one test."""
+        return cls(passed=1) if good else cls(failed=[name])
+
+    def __add__(self, other: "Outcome") -> "Outcome":
+        return Outcome(self.passed + other.passed, self.failed + other.failed,
+                       self.seconds | other.seconds)
+
+
+def run(*command: str, quiet: bool = False, log: pathlib.Path | None = None) -> bool:
+    """Runs a command at the root of the tree. True when it ended well.
+
+    `quiet` shows the output of a failure only; `log` receives the output besides.
+    """
+    print("+", *command, flush=True)
+    if quiet or log:
+        done = subprocess.run(command, cwd=ROOT, check=False, text=True, errors="replace",
+                              stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+        if log:
+            log.write_text(done.stdout)
+        if not quiet or done.returncode:
+            sys.stdout.write(done.stdout)
+            sys.stdout.flush()
+        return done.returncode == 0
+    return subprocess.run(command, cwd=ROOT, check=False).returncode == 0
+
+
+def output_of(*command: str) -> str:
+    """Standard output, without its last line end. Raises CalledProcessError."""
+    return subprocess.run(command, cwd=ROOT, check=True, capture_output=True,
+                          text=True).stdout.rstrip("\n")

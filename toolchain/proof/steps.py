@@ -1,0 +1,96 @@
+"""The steps that prove a change, in order, each with its tiers.
+
+`test` guards against a broken product in at most 25 minutes on two cores; `prove` is everything.
+"""
+import dataclasses
+import os
+from typing import Callable
+
+import ctest_run
+import fuzzing
+import seeds
+from memory import head
+from shell import ROOT, Outcome, run
+
+TEST, PROVE = "test", "prove"
+BOTH = (TEST, PROVE)
+
+
+@dataclasses.dataclass(frozen=True)
+class Step:
+    """A stage of a run. `needs` names the steps without which it cannot begin."""
+    name: str
+    work: Callable[[str], Outcome]  # Takes the tier.
+    tiers: tuple = BOTH
+    needs: tuple = ()
+
+
+def build(preset: str, *targets: str) -> Callable[[str], Outcome]:
+    """Configures a preset and builds targets of it (all without any); goes on after an error."""
+    def work(_tier: str) -> Outcome:
+        configured = run("cmake", "--preset", preset, quiet=True)
+        if not configured:
+            return Outcome.of(f"configure {preset}", configured)
+        chosen = ("--target", *targets) if targets else ()
+        return Outcome.of(f"build {preset}", run("cmake", "--build", "--preset", preset, *chosen,
+                                                 "--", "-k", "0"))
+    return work
+
+
+def install_senders(_tier: str) -> Outcome:
+    """The sender programs that the lock file pins, away from the sources."""
+    folder = ROOT / "build/senders"
+    folder.mkdir(parents=True, exist_ok=True)
+    for name in ("package.json", "package-lock.json"):
+        (folder / name).write_bytes((ROOT / "tests/senders" / name).read_bytes())
+    return Outcome.of("npm ci of tests/senders", run(
+        "npm", "ci", "--prefix", str(folder), "--no-audit", "--no-fund", "--loglevel=error"))
+
+
+def test(preset: str, **arguments) -> Callable[[str], Outcome]:
+    return lambda tier: ctest_run.run_tests(preset, tier, **arguments)
+
+
+def benchmarks(_tier: str) -> Outcome:
+    """Prints figures of this machine; judges the instruction counts only."""
+    programs = ROOT / "build/release/tests"
+    stages = run(str(programs / "bench_stages"), "--benchmark_min_time=0.05")
+    times = run(str(programs / "bench_job_times"))
+    counts = run("tests/bench/count_instructions.py", "build/release/host-sim/kerfline")
+    return (Outcome.of("bench_stages", stages) + Outcome.of("bench_job_times", times)
+            + Outcome.of("instruction counts", counts))
+
+
+STEPS = (
+    Step("senders", install_senders),
+    Step("build cortex-m4f", build("cortex-m4f")),
+    Step("build release", build("release")),
+    Step("test release", test("release"), needs=("build release",)),
+    Step("build sanitize", build("sanitize", "all", "fuzzers")),
+    Step("test sanitize", test("sanitize", most_trials={TEST: 6, PROVE: 60}),
+         needs=("build sanitize",)),
+    Step("fuzz", fuzzing.run_all, needs=("build sanitize",)),
+    Step("headers alone, controller", build("cortex-m4f", "headers_alone"), (PROVE,)),
+    Step("headers alone, host", build("release", "headers_alone"), (PROVE,)),
+    Step("build benchmarks", build("release", "benchmarks"), (PROVE,), ("build release",)),
+    Step("benchmarks", benchmarks, (PROVE,), ("build benchmarks",)),
+    Step("new seeds", seeds.run_for_a_while, (PROVE,), ("test release",)),
+)
+
+
+def steps_of(tier: str) -> list:
+    return [step for step in STEPS if tier in step.tiers]
+
+
+def environment() -> None:
+    """What all steps share: compilations remembered across clones, sanitizers that say where, and
+    the commit from which the seeds of random tests are derived."""
+    os.environ.update({
+        "PATH": f"/usr/lib/ccache:{os.environ['PATH']}",
+        "CCACHE_DIR": os.environ.get("CCACHE_DIR", str(ROOT / "build/ccache")),
+        "CCACHE_BASEDIR": "/", "CCACHE_NOHASHDIR": "1",
+        "UBSAN_OPTIONS": "print_stacktrace=1",
+        "ASAN_OPTIONS": "detect_stack_use_after_return=1",
+    })
+    os.environ.setdefault("KERFLINE_SEED_BASE", head()[:10])
+    print(f"random tests: KERFLINE_SEED_BASE={os.environ['KERFLINE_SEED_BASE']}")
