@@ -30,7 +30,8 @@ kerfline_small_layer(kerfline_planner kerfline_flags Eigen3::Eigen)
 kerfline_small_layer(kerfline_firmware kerfline_flags kerfline_planner_small kerfline_hal_interface)
 
 # The step interrupt is fast on every board.
-set(steps ${PROJECT_SOURCE_DIR}/firmware/target/stm32f405_steps.cpp)
+set(target ${PROJECT_SOURCE_DIR}/firmware/target)
+set(steps ${target}/stm32f405_steps.cpp)
 set_source_files_properties(${steps} PROPERTIES COMPILE_OPTIONS -O2)
 
 # kerfline_board_image(NAME HEADER OBJECT OFFSET_KIB END_KIB [SMALL]): the board OBJECT of
@@ -42,7 +43,8 @@ function(kerfline_board_image name header object offset_kib end_kib)
   math(EXPR end "0x08000000 + ${end_kib} * 1024" OUTPUT_FORMAT HEXADECIMAL)
   set(script ${PROJECT_SOURCE_DIR}/toolchain/stm32f405.ld)
   set(folder ${PROJECT_BINARY_DIR}/images)
-  add_executable(${name} ${steps} ${PROJECT_SOURCE_DIR}/firmware/target/stm32f405_main.cpp)
+  add_executable(${name} ${steps} ${target}/stm32f405_main.cpp ${target}/stm32f405_start.cpp
+    ${target}/stm32f405_ends.cpp)
   if(image_SMALL)
     target_compile_options(${name} PRIVATE -Os)
     set(firmware kerfline_firmware_small)
