@@ -1,8 +1,7 @@
-/// The controller on an STM32F405: start-up, main loop and ends. stm32f405_steps.cpp has the
-/// step interrupt.
+/// The controller on an STM32F405: start-up, main loop, vectors. stm32f405_start.cpp has what
+/// precedes the program, stm32f405_ends.cpp what ends it, stm32f405_steps.cpp the step interrupt.
 
 #include <array>
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 #include <span>
@@ -11,11 +10,11 @@
 #include "firmware/machine/memory_watch.hpp"
 #include "firmware/steps/turn_gate.hpp"
 #include "firmware/store/flash_log.hpp"
-#include "firmware/target/refusal.hpp"
 #include "firmware/target/stm32f405_controller.hpp"
+#include "firmware/target/stm32f405_ends.hpp"
+#include "firmware/target/stm32f405_start.hpp"
 #include "hal/stm32f405/beam_watch.hpp"
 #include "hal/stm32f405/control_board.hpp"
-#include "hal/stm32f405/fitness.hpp"
 #include "hal/stm32f405/flash.hpp"
 #include "hal/stm32f405/flash_size.hpp"
 #include "hal/stm32f405/image.hpp"
@@ -23,7 +22,6 @@
 #include "hal/stm32f405/start_up.hpp"
 #include "hal/stm32f405/time_base.hpp"
 #include "hal/stm32f405/watchdog.hpp"
-#include "planner/base/contract.hpp"
 
 namespace chip = hal::stm32f405;
 
@@ -66,124 +64,6 @@ constinit cnc::MemoryWatch image_watch{};
 Application application{port, port, port, store, can.link(), &board, &kept_progress};
 
 namespace {
-
-struct Kept {
-  static constexpr std::uint32_t kBootLoader = 0x4446'5521;
-  /// The last start has not found the image fit to run.
-  static constexpr std::uint32_t kUnfit = 0x4E4F'5421;
-
-  std::uint32_t wanted;
-  chip::FaultRecord fault;
-};
-[[gnu::section(".noinit")]] Kept kept;
-
-[[noreturn]] void restart() {
-  asm volatile("dsb" ::: "memory");
-  Bus::write(chip::core::kResetControl, chip::core::kResetNow);
-  for (;;) {
-  }
-}
-
-/// The end of the program: whatever it was at, the beam is dark first. The
-/// restart takes the current off the motors, and tells what it was.
-[[noreturn]] void stop(chip::Fault fault, std::uint32_t exception, std::uint32_t place) {
-  Power::darken();
-  kept.fault = {.mark = chip::FaultRecord::kValid,
-                .fault = fault,
-                .exception = static_cast<std::uint8_t>(exception),
-                .place = place};
-  restart();
-}
-
-std::uint32_t address_of(const void* object) { return std::bit_cast<std::uint32_t>(object); }
-
-/// From flash to ST's boot loader, which wants the chip as reset leaves it.
-[[noreturn]] void enter_boot_loader() {
-  kept.wanted = 0;
-  chip::set<Bus>(chip::rcc::kApb2Enr, chip::rcc::kSystemClock);
-  Bus::write(chip::syscfg::kRemap, chip::syscfg::kSystemMemory);
-  asm volatile(
-      "msr msp, %0 \n"
-      "cpsie i     \n"
-      "bx %1       \n"
-      :
-      : "r"(Bus::read(chip::kSystemMemory)), "r"(Bus::read(chip::kSystemMemory + 4)));
-  __builtin_unreachable();
-}
-
-/// Memory as C++ wants it; the stack below this function painted.
-void begin_memory() {
-  const auto* const own_frame = static_cast<std::uint32_t*>(__builtin_frame_address(0));
-  constexpr std::ptrdiff_t kOwnWords = 32;
-  for (std::uint32_t* word = stack_bottom; word < own_frame - kOwnWords; ++word) {
-    *word = chip::kPaint;
-  }
-  const std::uint32_t* from = data_load;
-  for (std::uint32_t* to = data_begin; to < data_end;) *to++ = *from++;
-  for (std::uint32_t* to = bss_begin; to < bss_end;) *to++ = 0;
-}
-
-/// The image but for the four bytes of its checksum.
-std::array<std::span<const std::byte>, 2> checked_parts() {
-  const std::size_t at = address_of(&image_header.checksum) - address_of(image_begin);
-  const std::span image{image_begin, image_end};
-  return {image.first(at), image.subspan(at + sizeof image_header.checksum)};
-}
-
-/// Checks that the flash holds what was built. Needs no memory that is set up.
-bool image_is_whole() {
-  cnc::Crc32 sum;
-  for (const std::span<const std::byte> part : checked_parts()) sum.add(part);
-  return image_header.magic == chip::ImageHeader::kMagic &&
-         image_header.bytes == static_cast<std::uint32_t>(image_end - image_begin) &&
-         image_header.checksum == sum.value();
-}
-
-/// Waits for the next reset, which tries again: the beam is off, and nothing else was begun.
-[[noreturn, gnu::noinline]] void stand_still() {
-  kept = {};
-  for (;;) asm volatile("wfi");
-}
-
-/// From a refusal to the boot loader, when the last two bytes of the serial line are out.
-[[noreturn]] void leave_refusal() {
-  constexpr std::uint32_t kLooks = 200'000;
-  for (std::uint32_t look = 0; look < kLooks; ++look) asm volatile("nop");
-  kept.wanted = Kept::kBootLoader;
-  restart();
-}
-
-/// Tells on every link why nothing runs, until a reset or the way into the boot loader.
-[[noreturn]] void refuse(const chip::Clocks& clocks, const chip::Fitness& fitness) {
-  kept.fault.mark = 0;
-  port.set_up_at_rest();
-  line.set_up(clocks);
-  usb_line.set_up(clocks);
-  constexpr std::size_t kLongestReason = 160;
-  std::array<char, kLongestReason> reason{};
-  const std::string_view why{reason.data(), chip::describe(fitness, reason)};
-  RefusalTalk serial{line, why};
-  RefusalTalk usb{usb_line, why};
-  serial.greet();
-  std::uint32_t session = 0;
-  bool leaves = false;
-  for (std::uint32_t turn = 0;; ++turn) {
-    asm volatile("cpsid i" ::: "memory");
-    line.note_turn(turn);
-    usb_line.note_turn(turn);
-    asm volatile("cpsie i" ::: "memory");
-    line.begin_turn(turn);
-    usb_line.begin_turn(turn);
-    if (const std::uint32_t now = usb_line.session(); now != session) {
-      session = now;
-      usb.greet();
-    }
-    leaves = serial.attend() || leaves;
-    leaves = usb.attend() || leaves;
-    const bool said = serial.idle() && line.sent() && (session == 0 || usb.idle());
-    if (leaves && said && usb_line.sent()) leave_refusal();
-  }
-}
 
 /// Everything on the chip, interrupts still off. Out of line: its frame is not to stay below
 /// that of the main loop.
@@ -296,10 +176,6 @@ void run_turn() {
 
 std::uint32_t late_turns = 0;
 
-void cnc::contract_failed(const char*, const char*, int) {
-  target::stop(chip::Fault::kContract, 0, target::address_of(__builtin_return_address(0)));
-}
-
 using namespace target;
 
 extern "C" {
@@ -308,11 +184,6 @@ extern "C" {
 extern const hal::TickCount* const step_tick;
 [[gnu::section(".places"), gnu::used]] constinit const hal::TickCount* const step_tick =
     &port.timer().due();
-
-/// Called through the table of an abstract class that is not finished: never.
-[[noreturn]] void __cxa_pure_virtual() {
-  stop(chip::Fault::kContract, 0, address_of(__builtin_return_address(0)));
-}
 
 [[noreturn]] void start_up() {
   Power::darken();
@@ -348,30 +219,6 @@ extern const hal::TickCount* const step_tick;
       "msr   msp, r0        \n"
       "b     start_up     \n");
 }
-
-/// @param frame what the core pushed: r0 to r3, r12, lr, pc, status.
-[[noreturn, gnu::used]] void fault_taken(const std::uint32_t* frame, std::uint32_t exception) {
-  Power::darken();
-  constexpr std::uint32_t kNmi = 2;
-  constexpr std::ptrdiff_t kFrameWords = 8;
-  constexpr std::ptrdiff_t kProgramCounter = 6;
-  if (frame < stack_bottom) stop(chip::Fault::kStack, exception, 0);
-  if (exception == kNmi) stop(chip::Fault::kCrystal, exception, 0);
-  const bool readable = frame + kFrameWords <= stack_top;
-  stop(chip::Fault::kException, exception, readable ? frame[kProgramCounter] : 0);
-}
-
-/// A stack that has run over is of no use to its fault: a new one first.
-[[gnu::naked, noreturn]] void fault_entry() {
-  asm volatile(
-      "mrs   r0, msp      \n"
-      "mrs   r1, ipsr     \n"
-      "ldr   r2, =stack_top \n"
-      "mov   sp, r2       \n"
-      "b     fault_taken  \n");
-}
-
-void supply_interrupt() { stop(chip::Fault::kSupply, 0, 0); }
 
 void step_interrupt();
 void line_interrupt() { line.on_interrupt(); }

@@ -19,7 +19,7 @@ float length(float x, float y) { return std::sqrt(x * x + y * y); }
 
 }  // namespace
 
-ArcElements::ArcElements(const CentreArc& arc) : arc_{arc}, axes_{axes_of(arc.plane)} {
+ArcElements::ArcElements(const CentreArc& arc) noexcept : arc_{arc}, axes_{axes_of(arc.plane)} {
   const float x0 = (arc.start[axes_.first] - arc.centre[0]).mm();
   const float y0 = (arc.start[axes_.second] - arc.centre[1]).mm();
   const float x1 = (arc.end[axes_.first] - arc.centre[0]).mm();

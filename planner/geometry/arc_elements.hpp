@@ -28,7 +28,7 @@ struct CentreArc {
 /// business of whoever read the numbers.
 class ArcElements {
  public:
-  explicit ArcElements(const CentreArc& arc);
+  explicit ArcElements(const CentreArc& arc) noexcept;
 
   [[nodiscard]] std::uint32_t count() const { return count_; }
   /// @pre index < count()

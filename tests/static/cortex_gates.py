@@ -21,7 +21,7 @@ TOOLS = "arm-none-eabi-"
 LARGEST_FRAME_BYTES = 1024
 INDIRECT = "__indirect_call"
 # The objects that own all state: one Application and its port each.
-OWNERS = ("bare_controller", "stm32f405_main")
+OWNERS = ("bare_controller", "stm32f405_main", "stm32f405_ends")
 
 
 def tool(name: str, *arguments) -> list:
@@ -32,9 +32,11 @@ def tool(name: str, *arguments) -> list:
 
 def built_objects(build: pathlib.Path) -> list:
     """The object files of the build, as its compile commands name them; not those of the test
-    program in tests/target, which never goes onto a controller."""
+    program in tests/target, which never goes onto a controller, nor of headers by themselves, which
+    only toolchain/prove.sh compiles."""
     entries = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
-    entries = [entry for entry in entries if "/tests/target/" not in entry["command"]]
+    entries = [entry for entry in entries if "/tests/target/" not in entry["command"]
+               and "/headers_alone/" not in entry["file"]]
     outputs = [re.search(r" -o (\S+) ", entry["command"])[1] for entry in entries]
     return [pathlib.Path(entry["directory"]) / output for entry, output in zip(entries, outputs)]
 
@@ -98,32 +100,51 @@ class CallGraph:
 
 
 def symbol_complaints(objects: list) -> Iterator:
-    found = {}
+    found, kinds = {}, {}
     for line in tool("nm", "-A", "-P", *objects) if objects else []:
         file, _, rest = line.partition(": ")
         symbol, kind, *place = rest.split()
+        kinds.setdefault(symbol, set()).add(kind)
         if kind in "dDbB" and not any(owner in file for owner in OWNERS):
             key = ("state outside Application", f"{symbol}, {int(place[1], 16)} bytes of RAM")
             found.setdefault(key, set()).add(pathlib.Path(file))
         for what in banned(symbol):
             found.setdefault((what, symbol), set()).add(pathlib.Path(file))
     for (what, symbol), files in sorted(found.items()):
+        if is_dropped(symbol, objects, kinds):
+            continue
         names = ", ".join(sorted({path.name for path in files}))
         callers = "; ".join(callers_of(symbol, files))
         yield f"{what}: {symbol} in {names}" + (callers and f", from {callers}")
 
 
+def sections_with(symbol: str, objects) -> set:
+    """The sections that name it."""
+    found, section = set(), ""
+    for line in tool("objdump", "-r", *objects):
+        if begin := re.match(r"RELOCATION RECORDS FOR \[(\S+)\]", line):
+            section = begin[1]
+        elif line.split()[-1:] == [symbol]:
+            found.add(section)
+    return found
+
+
+def is_dropped(symbol: str, objects: list, kinds: dict) -> bool:
+    """Whether the linker leaves it out everywhere: a weak function that nothing names, which the
+    compiler has inlined wherever it was called; or what only such functions name."""
+    sections = sections_with(symbol, objects)
+    if not sections:
+        return kinds.get(symbol) == {"W"}
+    functions = [re.sub(r"^\.text\.(unlikely\.)?", "", section) for section in sections]
+    return all(kinds.get(function) == {"W"} and not sections_with(function, objects)
+               for function in functions)
+
+
 def callers_of(symbol: str, objects) -> list:
     """The functions that name it, each of which has a section of its own."""
-    found, function = set(), ""
-    for line in tool("objdump", "-r", *objects):
-        if section := re.match(r"RELOCATION RECORDS FOR \[\.text\.(\S+)\]", line):
-            function = section[1]
-        elif line.startswith("RELOCATION"):
-            function = ""
-        elif function and line.split()[-1:] == [symbol]:
-            found.add(function)
-    return tool("c++filt", *sorted(found)) if found else []
+    functions = [section.removeprefix(".text.") for section in sections_with(symbol, objects)
+                 if section.startswith(".text.")]
+    return tool("c++filt", *sorted(functions)) if functions else []
 
 
 def stack_complaints(graph: CallGraph, largest_frame: int) -> Iterator:

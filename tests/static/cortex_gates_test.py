@@ -49,6 +49,9 @@ PLANTED = {
         "#include <atomic>\nlong long f(std::atomic<long long>& a) { return a.load(); }", []),
     "the end of the program": (
         "#include <optional>\nint f(std::optional<int> a) { return a.value(); }", []),
+    "the end of the program (use CNC_ASSERT): abort in a.obj, from g(int)": (
+        "#include <cstdlib>\n[[gnu::noinline]] inline int g(int n) { if (n) std::abort(); return n; }\n"
+        "int f(int n) { return g(n); }", []),
     "stack: 20": (
         "void g(char*);\nvoid f() { char t[2000]; g(t); }", []),
     "stack: size known only at run time": (
@@ -93,6 +96,13 @@ class PlantedFaults(unittest.TestCase):
 
     def test_right_source_is_clean(self):
         status, output = self.check(RIGHT, [])
+        self.assertIn("controller: clean", output)
+        self.assertEqual(0, status)
+
+    def test_a_function_that_the_linker_drops_is_no_fault(self):
+        """As the compiler leaves one that it has inlined wherever it was called."""
+        status, output = self.check(
+            "#include <cstdlib>\n[[gnu::weak]] void g() { std::abort(); }\n" + RIGHT, [])
         self.assertIn("controller: clean", output)
         self.assertEqual(0, status)
 

@@ -249,8 +249,7 @@ void count_axes(Application& application, int axes, const char* what) {
 /// The stages alone, one after the other on each line.
 class Stages {
  public:
-  explicit Stages(const cnc::motion::Limits& limits)
-      : limits_{limits}, segmenter_{queue_, limits} {
+  explicit Stages(const cnc::motion::Limits& limits) : limits_{limits}, segmenter_{queue_, limits} {
     segmenter_.reset({});
   }
 
