@@ -81,9 +81,9 @@ class Receiver {
   /// By byte: a blank, a line end, or anything printable but ! ? ~ ( ) ;
   static constexpr std::array<bool, 0x80> kPlain = [] {
     std::array<bool, 0x80> plain{};
-    for (const char c : {'\t', '\n', '\r'}) plain[static_cast<std::size_t>(c)] = true;
-    for (char c = ' '; c < '~'; ++c) plain[static_cast<std::size_t>(c)] = true;
-    for (const char c : {'!', '?', '(', ')', ';'}) plain[static_cast<std::size_t>(c)] = false;
+    for (const unsigned char c : {'\t', '\n', '\r'}) plain[c] = true;
+    for (unsigned char c = ' '; c < '~'; ++c) plain[c] = true;
+    for (const unsigned char c : {'!', '?', '(', ')', ';'}) plain[c] = false;
     return plain;
   }();
 

@@ -27,7 +27,7 @@ struct ImageHeader {
 };
 }  // namespace hal::stm32f405
 
-extern "C" const hal::stm32f405::ImageHeader image_header;
+extern "C" const hal::stm32f405::ImageHeader image_header;  // NOLINT(readability-identifier-naming)
 
 namespace hal::stm32f405 {
 

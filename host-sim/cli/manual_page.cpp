@@ -76,7 +76,7 @@ std::string parameters_roff(const CommandText& command) {
 }
 
 std::string synopsis_of(const CommandText& command) {
-  std::string roff = "\\fB" + escaped_roff(command.path) + "\\fR [\\fIOPTIONS\\fR]";
+  std::string roff = "\\fB" + escaped_roff(command.path) + R"(\fR [\fIOPTIONS\fR])";
   for (const ParameterText& positional : command.positionals) {
     roff += " \\fI" + escaped_roff(positional.names.front()) + "\\fR";
     if (positional.may_repeat) roff += " ...";

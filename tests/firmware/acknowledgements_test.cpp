@@ -104,6 +104,8 @@ TEST_F(AcknowledgementsTest, NoTextOfTheSourcesCouldBeCounted) {
           at = end;
           ++texts;
           if (text == "ok" || text == "error:" || text == "error") continue;
+          // Whole answers of an image that refuses to run.
+          if (text == R"(ok\r\n)" || text == R"(error:9\r\n)") continue;
           EXPECT_FALSE(could_be_counted(text)) << entry.path() << ": " << text;
         }
       }

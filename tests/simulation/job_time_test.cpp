@@ -168,7 +168,8 @@ double random_ratio(std::uint64_t seed) {
 // The odd program may be some percent slower: on arcs of some µm the product's acceleration is
 // constant over 3.75°, and nowhere does it profit from v²/R where that relieves an axis.
 TEST(RandomPrograms, AreDrivenNearlyAsFastAsTheirLimitsAllow) {
-  const Trials trials{1000};
+  // Seed 3739481575 takes 0.9929 of the time that the reference finds the least.
+  const Trials trials{1000, Trials::Range::kKnownFault};
   std::vector<double> ratios;
   for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);

@@ -70,9 +70,9 @@ Repeater& repeater() {
 
 std::uint64_t first_seed_of_running_test(Trials::Range range) {
   if (const auto seed = variable("KERFLINE_SEED")) return std::stoull(*seed);
-  const bool prove = variable("KERFLINE_TIER") == "prove";
+  const bool new_seeds = variable("KERFLINE_TIER") == "seeds";
   const bool fixed =
-      range == Trials::Range::kFixed || (range == Trials::Range::kFromBaseInProve && !prove);
+      range == Trials::Range::kFixed || (range == Trials::Range::kKnownFault && !new_seeds);
   const std::string base = fixed ? "" : variable("KERFLINE_SEED_BASE").value_or("");
   return first_seed_of(base, name_of(running_test()));
 }
@@ -149,6 +149,7 @@ Trials::Trials(std::uint64_t usual, Range range) : first_{first_seed_of_running_
   random_count_ = trials_wanted(chosen ? 1 : usual);
   repeater().begin();
   if (!chosen) once_failed_ = seeds_that_once_failed();
+  if (range == Range::kKnownFault) std::printf("a known fault violates some new seeds\n");
   print_seeds(first_, random_count_, once_failed_.size());
 }
 

@@ -30,9 +30,9 @@ class Trials {
  public:
   enum class Range {
     kFromBase,
-    /// The range from seed 1 unless KERFLINE_TIER=prove: for tests of a property of which a known
-    /// fault of the product violates about one in some hundred new seeds.
-    kFromBaseInProve,
+    /// The range from seed 1 unless KERFLINE_TIER=seeds, which is the last step of prove.sh: for
+    /// tests of a property that a known fault violates at about one in some hundred new seeds.
+    kKnownFault,
     /// Always the range from seed 1: for a share of the trials, which other samples exceed by
     /// chance.
     kFixed,

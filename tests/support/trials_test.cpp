@@ -74,19 +74,19 @@ TEST_F(TrialsTest, RunTheSeedsThatOnceFailedFirstAndInEveryTier) {
   EXPECT_THAT(seeds_of(Trials{2}), ElementsAre(4711, 815, 1, 2));
   setenv("KERFLINE_MOST_TRIALS", "1", 1);
   EXPECT_THAT(seeds_of(Trials{2}), ElementsAre(4711, 815, 1));
-  setenv("KERFLINE_TIER", "prove", 1);
+  setenv("KERFLINE_TIER", "seeds", 1);
   EXPECT_THAT(seeds_of(Trials{0}), ElementsAre(4711, 815));
   setenv("KERFLINE_SEED", "7", 1);
   EXPECT_THAT(seeds_of(Trials{1000}), ElementsAre(7));
 }
 
-TEST_F(TrialsTest, OfAKnownFaultTakeNewSeedsInProveOnly) {
+TEST_F(TrialsTest, OfAKnownFaultTakeNewSeedsInTheLastStepOfProveOnly) {
   setenv("KERFLINE_SEED_BASE", "2789883", 1);
-  const Trials::Range known = Trials::Range::kFromBaseInProve;
+  const Trials::Range known = Trials::Range::kKnownFault;
   EXPECT_THAT(seeds_of(Trials(1, known)), ElementsAre(1));
   setenv("KERFLINE_TIER", "test", 1);
   EXPECT_THAT(seeds_of(Trials(1, known)), ElementsAre(1));
-  setenv("KERFLINE_TIER", "prove", 1);
+  setenv("KERFLINE_TIER", "seeds", 1);
   EXPECT_GT(seeds_of(Trials(1, known)).front(), 1U);
   EXPECT_THAT(seeds_of(Trials(1, Trials::Range::kFixed)), ElementsAre(1));
 }

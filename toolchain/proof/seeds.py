@@ -10,6 +10,9 @@ from shell import ROOT, Outcome
 MARK = "base '"  # Printed by each test that draws random numbers, before the base of its seeds.
 
 
+KNOWN = "a known fault violates some new seeds"  # Printed by tests that then may fail here.
+
+
 def random_tests() -> list:
     """Names of the tests of the last release run that printed where their seeds begin."""
     report = ElementTree.parse(ROOT / "build/release/ctest.xml").getroot()
@@ -18,17 +21,23 @@ def random_tests() -> list:
 
 
 def run_once(names: list, base: str) -> list:
-    """The names of those that failed at this base."""
+    """The names of those that failed at this base, but for known faults, which are printed."""
     report = ROOT / "build/release/seeds.xml"
     pattern = "^(" + "|".join(re.escape(name) for name in names) + ")$"
     subprocess.run(["ctest", "--preset", "release", f"-j{os.cpu_count()}", "-R", pattern, "--quiet",
-                    "--output-junit", str(report)], cwd=ROOT, check=False,
-                   env=os.environ | {"KERFLINE_TIER": "prove", "KERFLINE_SEED_BASE": base})
+                    "--output-junit", str(report), "--test-output-size-failed", "65536"], cwd=ROOT,
+                   check=False,
+                   env=os.environ | {"KERFLINE_TIER": "seeds", "KERFLINE_SEED_BASE": base})
     failed = []
     for case in ElementTree.parse(report).getroot().iter("testcase"):
-        if case.get("status") != "run":
+        text = case.findtext("system-out") or ""
+        if case.get("status") == "run":
+            continue
+        if KNOWN in text:
+            print(f"known fault: {case.get('name')} at KERFLINE_SEED_BASE={base}", flush=True)
+        else:
             failed.append(f"{case.get('name')} at KERFLINE_SEED_BASE={base}")
-            print((case.findtext("system-out") or "")[-3000:], flush=True)
+            print(text[-3000:], flush=True)
     return failed
 
 

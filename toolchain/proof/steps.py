@@ -65,7 +65,7 @@ STEPS = (
     Step("senders", install_senders),
     Step("build cortex-m4f", build("cortex-m4f")),
     Step("build release", build("release")),
-    Step("test release", test("release"), needs=("build release",)),
+    Step("test release", test("release", most_trials={TEST: 60}), needs=("build release",)),
     Step("build sanitize", build("sanitize", "all", "fuzzers")),
     Step("test sanitize", test("sanitize", most_trials={TEST: 6, PROVE: 60}),
          needs=("build sanitize",)),

@@ -108,7 +108,8 @@ class Drawer:
 
 class ByEzdxf(unittest.TestCase):
     def test_random_drawings_are_the_same_curves(self):
-        seeds = seeds_of(self, 60)
+        # At seed 1314348124 both readers differ by 0.096 mm.
+        seeds = seeds_of(self, 60, known_fault=True)
         with tempfile.TemporaryDirectory() as folder:
             for seed in seeds:
                 with self.subTest(seed=seed):

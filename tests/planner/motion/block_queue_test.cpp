@@ -260,7 +260,7 @@ class TakenBackPace : public BlockQueueTest {
 
 // A queue that did not find the plan of before would be too fast for its plan at once.
 TEST_F(TakenBackPace, LeavesThePlanOfBefore) {
-  for (const std::uint64_t seed : proof::Trials{200, proof::Trials::Range::kFromBaseInProve}) {
+  for (const std::uint64_t seed : proof::Trials{200, proof::Trials::Range::kKnownFault}) {
     if (std::ranges::count(kKnown, seed, &KnownExcess::seed) != 0) continue;
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     const std::vector<Block> before = try_pace(seed);
