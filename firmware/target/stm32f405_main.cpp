@@ -65,10 +65,8 @@ Application application{port, port, port, store, can.link(), &board, &kept_progr
 
 namespace {
 
-/// Everything on the chip, interrupts still off. Out of line: its frame is not to stay below
-/// that of the main loop.
-[[gnu::cold, gnu::noinline]] void begin_chip(const chip::Clocks& clocks,
-                                             const chip::StoreSectors& sectors) {
+/// Sets up everything on the chip, with interrupts still off.
+void begin_chip(const chip::Clocks& clocks, const chip::StoreSectors& sectors) {
   const bool faulted = kept.fault.mark == chip::FaultRecord::kValid;
   kept.fault.mark = 0;
   flash.use(sectors);
@@ -103,8 +101,8 @@ chip::Polarity polarity_of(const cnc::Settings& settings) {
           .spindle = mask(cnc::setting::kSpindleInvert)};
 }
 
-/// Settings change at rest only. Out of line, as begin_chip() is.
-[[gnu::noinline]] void follow_settings(chip::Polarity& followed) {
+/// Turns the pins over that settings have changed, which happens at rest only.
+void follow_settings(chip::Polarity& followed) {
   const chip::Polarity wanted = polarity_of(application.machine().settings());
   if (wanted == followed) return;
   followed = wanted;
