@@ -4,6 +4,7 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <span>
 
 #include "firmware/link/realtime_byte.hpp"
@@ -81,9 +82,10 @@ class Receiver {
   /// By byte: a blank, a line end, or anything printable but ! ? ~ ( ) ;
   static constexpr std::array<bool, 0x80> kPlain = [] {
     std::array<bool, 0x80> plain{};
-    for (const unsigned char c : {'\t', '\n', '\r'}) plain[c] = true;
-    for (unsigned char c = ' '; c < '~'; ++c) plain[c] = true;
-    for (const unsigned char c : {'!', '?', '(', ')', ';'}) plain[c] = false;
+    using Bytes = std::initializer_list<std::uint8_t>;
+    for (const std::uint8_t byte : Bytes{'\t', '\n', '\r'}) plain[byte] = true;
+    for (std::uint8_t byte = ' '; byte < '~'; ++byte) plain[byte] = true;
+    for (const std::uint8_t byte : Bytes{'!', '?', '(', ')', ';'}) plain[byte] = false;
     return plain;
   }();
 

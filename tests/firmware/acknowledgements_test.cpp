@@ -119,13 +119,11 @@ TEST_F(AcknowledgementsTest, EveryLineHasOneWhateverEndsItAndHoweverItArrives) {
   const char* const kinds[]{
       "", " ", "(comment)", "; ok?", "G21", "$G", "G1 X", "%", "$110", "$7=1"};
   const char* const ends[]{"\r", "\n", "\r\n"};
-  std::size_t lines = 0;
   for (const std::uint64_t seed : proof::Trials{3000}) {
     proof::Random random{seed};
     const std::string end = ends[random.below(3)];
     std::string text;
     for (int k = 0; k < 40; ++k) text += kinds[random.below(std::size(kinds))] + end;
-    lines += 40;
     link.outgoing.clear();
     for (std::size_t at = 0; at < text.size();) {
       const std::size_t size = 1 + random.below(24);
@@ -139,7 +137,6 @@ TEST_F(AcknowledgementsTest, EveryLineHasOneWhateverEndsItAndHoweverItArrives) {
     link.incoming = "\r\n";
     application.poll(hal::TickCount{0});
   }
-  EXPECT_EQ(lines, 120'000U);
 }
 
 TEST_F(AcknowledgementsTest, TheProbeResultComesBeforeItsAnswer) {

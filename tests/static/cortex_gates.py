@@ -36,7 +36,7 @@ def built_objects(build: pathlib.Path) -> list:
     only toolchain/prove.sh compiles."""
     entries = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
     entries = [entry for entry in entries if "/tests/target/" not in entry["command"]
-               and "/headers_alone/" not in entry["file"]]
+               and "/headers_alone/" not in entry["command"]]
     outputs = [re.search(r" -o (\S+) ", entry["command"])[1] for entry in entries]
     return [pathlib.Path(entry["directory"]) / output for entry, output in zip(entries, outputs)]
 
