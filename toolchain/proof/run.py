@@ -8,12 +8,13 @@ where it was interrupted. When all of it has passed on a clean tree, it writes t
 The last line is `N passed, N failed`; the exit status is 0 only without a failure.
 """
 import argparse
+import csv
 import sys
 import time
 
 import steps
 from memory import Memory
-from shell import Outcome
+from shell import ROOT, Outcome
 
 SLOWEST = 10
 
@@ -65,6 +66,14 @@ def sum_up(total: Outcome, rows: list) -> None:
         print(f"failed: {name}")
 
 
+def write_stages(tier: str, rows: list) -> None:
+    """For toolchain/figures.py."""
+    file = ROOT / "build/proof" / f"{tier}_stages.csv"
+    file.parent.mkdir(parents=True, exist_ok=True)
+    with file.open("w", encoding="utf-8", newline="") as out:
+        csv.writer(out).writerows((name, seconds) for name, seconds, _ in rows)
+
+
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -88,6 +97,8 @@ def main() -> int:
     memory = Memory(options.tier, keeps=options.tier == steps.PROVE, forget=options.again)
     total, rows = run_steps(options.tier, chosen, memory)
     sum_up(total, rows)
+    if not options.only:
+        write_stages(options.tier, rows)
     if options.tier == steps.PROVE and not options.only and not total.failed:
         memory.write_proven(rows)
     print(f"{total.passed} passed, {len(total.failed)} failed")

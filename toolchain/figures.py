@@ -1,0 +1,81 @@
+#!/usr/bin/env python3
+"""Writes docs/figures.md from what was built and measured: the images, the instructions on the
+emulated chip, and the stages of the last test.sh and prove.sh.
+
+    toolchain/figures.py [BUILD_FOLDER]    build, or that of another clone
+"""
+import csv
+import pathlib
+import re
+import subprocess
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[1]
+NEVER = "not measured here"
+
+
+def table(head: list, rows: list) -> list:
+    return ["| " + " | ".join(head) + " |", "|" + "---|" * len(head),
+            *("| " + " | ".join(map(str, row)) + " |" for row in rows), ""]
+
+
+def images(build: pathlib.Path) -> list:
+    """Bytes of flash, of static RAM and of stack of each image."""
+    rows = []
+    for elf in sorted((build / "cortex-m4f/images").glob("*.elf")):
+        symbols = {name: int(value, 16) for value, _, name in
+                   (line.split() for line in subprocess.run(
+                       ["arm-none-eabi-nm", elf], capture_output=True, text=True,
+                       check=True).stdout.splitlines() if len(line.split()) == 3)}
+        flash = elf.with_suffix(".bin").stat().st_size
+        ram = symbols["bss_end"] - symbols["data_begin"]
+        stack = subprocess.run(
+            [sys.executable, "-B", ROOT / "tests/static/image_stack.py", elf],
+            capture_output=True, text=True, check=False).stdout
+        need = {name.rstrip(":"): bytes_ for bytes_, name in
+                re.findall(r"^ *(\d+)  (\S+)", stack, re.MULTILINE)}
+        interrupt = max(int(value) for name, value in need.items() if name.endswith("_interrupt"))
+        rows.append([elf.stem, f"{flash:,}", f"{symbols['application_end'] - symbols['image_begin']:,}",
+                     f"{ram:,}", f"{need['main']} / {interrupt} / {need['all']}"])
+    return rows
+
+
+def instructions() -> list:
+    with (ROOT / "tests/target/instructions.csv").open(encoding="utf-8") as file:
+        return [[row["stage"], row["average"], row["worst"]] for row in csv.DictReader(file)]
+
+
+def stages(build: pathlib.Path, tier: str) -> list:
+    file = build / "proof" / f"{tier}_stages.csv"
+    if not file.is_file():
+        return [[NEVER, ""]]
+    with file.open(encoding="utf-8") as rows:
+        return [[name, f"{float(seconds):.0f}"] for name, seconds in csv.reader(rows)]
+
+
+def main() -> int:
+    build = pathlib.Path(sys.argv[1]) if len(sys.argv) > 1 else ROOT / "build"
+    lines = [
+        "# Figures", "", "`toolchain/figures.py` writes this page.", "",
+        "## Images", "",
+        "Bytes, by `cmake --preset cortex-m4f && cmake --build --preset cortex-m4f`. Static RAM is",
+        "without the stack, which has 8,192 bytes of CCM; the main loop may use 4,096 of it and each",
+        "interrupt 512 (`tests/static/image_stack.py`).", "",
+        *table(["image", "flash", "may be", "static RAM", "stack: main loop / interrupt / at once"],
+               images(build)),
+        "The generic image may be 262,144 bytes on chips with 512 KiB, where its store begins.", "",
+        "## Instructions on the controller's processor", "",
+        "By `tests/target/instructions.py`.", "",
+        *table(["stage", "average", "worst"], instructions()),
+        "## Time of a proof", "",
+        "Seconds on two cores of an x86-64 machine, from a clean clone with cold caches.", "",
+        *table(["`toolchain/test.sh`", "s"], stages(build, "test")),
+        *table(["`toolchain/prove.sh`", "s"], stages(build, "prove")),
+    ]
+    (ROOT / "docs").mkdir(exist_ok=True)
+    (ROOT / "docs/figures.md").write_text("\n".join(lines).rstrip("\n") + "\n", encoding="utf-8")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
