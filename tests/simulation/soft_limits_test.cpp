@@ -162,7 +162,9 @@ TEST(SoftLimits, KeepRandomProgramsAndJogsInside) {
     EXPECT_EQ(bench.rows_outside, 0U);
   }
   std::printf("soft limits: %zu alarms\n", alarms);
-  EXPECT_GT(alarms, trials.count()) << "hardly anything was asked for outside";
+  if (trials.judges_shares()) {
+    EXPECT_GT(alarms, trials.count()) << "hardly anything was asked for outside";
+  }
 }
 
 }  // namespace

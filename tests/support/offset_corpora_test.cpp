@@ -85,7 +85,9 @@ TEST(OffsetOfNonsense, EndsWithAResultOrAReason) {
       ++refused;
     }
   }
-  EXPECT_LT(refused, trials.count());
+  if (trials.judges_shares()) {
+    EXPECT_LT(refused, trials.count());
+  }
 }
 
 // The oracles themselves: each finds what is wrong on purpose.

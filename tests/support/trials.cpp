@@ -144,7 +144,8 @@ std::uint64_t first_seed_of(std::string_view base, std::string_view test) {
   return 1 + (hash ^ (hash >> 31)) % kSeedCount;
 }
 
-Trials::Trials(std::uint64_t usual, Range range) : first_{first_seed_of_running_test(range)} {
+Trials::Trials(std::uint64_t usual, Range range)
+    : usual_{usual}, first_{first_seed_of_running_test(range)} {
   const bool chosen = variable("KERFLINE_SEED").has_value();
   random_count_ = trials_wanted(chosen ? 1 : usual);
   repeater().begin();

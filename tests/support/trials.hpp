@@ -60,11 +60,15 @@ class Trials {
 
   [[nodiscard]] Iterator begin() const { return {*this, 0}; }
   [[nodiscard]] std::default_sentinel_t end() const { return {}; }
+  /// Returns whether the range has at least its usual length: a share of fewer trials proves
+  /// nothing, so a test judges it only then.
+  [[nodiscard]] bool judges_shares() const { return random_count_ >= usual_; }
   /// Number of seeds, those that once failed included.
   [[nodiscard]] std::uint64_t count() const { return once_failed_.size() + random_count_; }
 
  private:
   std::vector<std::uint64_t> once_failed_;
+  std::uint64_t usual_ = 0;
   std::uint64_t first_ = 1;
   std::uint64_t random_count_ = 0;
 };

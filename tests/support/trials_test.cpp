@@ -91,6 +91,13 @@ TEST_F(TrialsTest, OfAKnownFaultTakeNewSeedsInTheLastStepOfProveOnly) {
   EXPECT_THAT(seeds_of(Trials(1, Trials::Range::kFixed)), ElementsAre(1));
 }
 
+TEST_F(TrialsTest, JudgeSharesOfTheUsualNumberOnly) {
+  EXPECT_TRUE(Trials{3}.judges_shares());
+  setenv("KERFLINE_MOST_TRIALS", "2", 1);
+  EXPECT_FALSE(Trials{3}.judges_shares());
+  EXPECT_TRUE(Trials{2}.judges_shares());
+}
+
 TEST_F(TrialsTest, GoOnFromASeedWithSoManyTrials) {
   setenv("KERFLINE_SEED", "5", 1);
   setenv("KERFLINE_TRIALS", "2", 1);

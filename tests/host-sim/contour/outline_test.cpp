@@ -231,7 +231,9 @@ TEST(Outline, StaysWithinTheToleranceBothWaysForRandomPaths) {
       arcs += loop.size() - 1;
     }
   }
-  EXPECT_GE(2 * contours, trials.count());
+  if (trials.judges_shares()) {
+    EXPECT_GE(2 * contours, trials.count());
+  }
   std::printf("%zu contours, %zu elements: %.4f of the tolerance\n", contours, arcs, worst);
 }
 

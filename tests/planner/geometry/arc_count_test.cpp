@@ -32,7 +32,7 @@ struct Counts {
     }
   }
 
-  void judge(const char* name) {
+  void judge(const char* name, const proof::Trials& trials) {
     ASSERT_FALSE(ratios.empty());
     std::ranges::sort(ratios);
     const double median = ratios[ratios.size() / 2];
@@ -47,6 +47,7 @@ struct Counts {
         median,
         ratios[ratios.size() * 95 / 100],
         ratios.back());
+    if (!trials.judges_shares()) return;
     EXPECT_LE(total, 1.10);
     EXPECT_LE(median, 1.10);
   }
@@ -59,7 +60,7 @@ TEST(ArcCount, OfCubicsIsWithinATenthOfTheLeast) {
     proof::Random random{seed};
     counts.add(exact::random_cubic(random), 0.002);
   }
-  counts.judge("cubics");
+  counts.judge("cubics", trials);
 }
 
 TEST(ArcCount, OfSplinesIsWithinATenthOfTheLeast) {
@@ -69,7 +70,7 @@ TEST(ArcCount, OfSplinesIsWithinATenthOfTheLeast) {
     proof::Random random{seed};
     counts.add(exact::random_spline(random), 0.01);
   }
-  counts.judge("splines");
+  counts.judge("splines", trials);
 }
 
 }  // namespace

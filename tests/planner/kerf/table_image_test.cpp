@@ -118,7 +118,9 @@ TEST(KerfTableImage, OfNonsenseIsNeverATableThatCannotBeLookedUp) {
       }
     }
   }
-  EXPECT_GT(taken, trials.count() / 20);
+  if (trials.judges_shares()) {
+    EXPECT_GT(taken, trials.count() / 20);
+  }
 }
 
 TEST(KerfTableImage, SaysWhatItIsNot) {
