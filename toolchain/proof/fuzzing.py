@@ -1,4 +1,5 @@
 """Runs every fuzz program for a while, from the seeds beside it and the examples."""
+import concurrent.futures
 import os
 
 from shell import ROOT, Outcome, run
@@ -6,16 +7,18 @@ from shell import ROOT, Outcome, run
 SECONDS = {"test": 15, "prove": 360}  # Each; FUZZ_SECONDS says otherwise.
 
 
-def run_all(tier: str) -> Outcome:
+def fuzz(name: str, tier: str) -> Outcome:
     folder = ROOT / "build/sanitize"
+    corpus = folder / f"{name}.corpus"
+    corpus.mkdir(parents=True, exist_ok=True)
+    return Outcome.of(name, run(
+        str(folder / "tests" / name),
+        f"-max_total_time={os.environ.get('FUZZ_SECONDS', SECONDS[tier])}", "-timeout=10",
+        "-print_final_stats=1", f"-artifact_prefix={folder / name}.",
+        str(corpus), "tests/fuzz/seeds", "host-sim/examples", log=folder / f"{name}.log"))
+
+
+def run_all(tier: str) -> Outcome:
     names = sorted(f"fuzz_{path.stem}" for path in (ROOT / "tests/fuzz").glob("*.cpp"))
-    total = Outcome()
-    for name in names:
-        corpus = folder / f"{name}.corpus"
-        corpus.mkdir(parents=True, exist_ok=True)
-        total += Outcome.of(name, run(
-            str(folder / "tests" / name),
-            f"-max_total_time={os.environ.get('FUZZ_SECONDS', SECONDS[tier])}", "-timeout=10",
-            "-print_final_stats=1", f"-artifact_prefix={folder / name}.",
-            str(corpus), "tests/fuzz/seeds", "host-sim/examples", log=folder / f"{name}.log"))
-    return total
+    with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
+        return sum(pool.map(lambda name: fuzz(name, tier), names), Outcome())

@@ -27,7 +27,7 @@ class Outcome:
 def run(*command: str, quiet: bool = False, log: pathlib.Path | None = None) -> bool:
     """Runs a command at the root of the tree. True when it ended well.
 
-    `quiet` shows the output of a failure only; `log` receives the output besides.
+    `quiet` and `log` show the output of a failure only; `log` receives it in any case.
     """
     print("+", *command, flush=True)
     if quiet or log:
@@ -35,7 +35,7 @@ def run(*command: str, quiet: bool = False, log: pathlib.Path | None = None) -> 
                               stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
         if log:
             log.write_text(done.stdout)
-        if not quiet or done.returncode:
+        if done.returncode or not (quiet or log):
             sys.stdout.write(done.stdout)
             sys.stdout.flush()
         return done.returncode == 0
