@@ -1,0 +1,52 @@
+# Tests of the images in the emulator. A sanitizer's run-time library cannot be loaded into that, so
+# the release build runs them all.
+#
+# instructions: for the chip alone, what each stage costs there.
+# controller, dark_first: the controller's own images, unchanged.
+# image_trace: the controller's image and the simulator, edge by edge.
+add_test(NAME target.instructions
+  COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/instructions.py
+    ${PROJECT_SOURCE_DIR}/build/cortex-m4f/tests/target/instructions.elf)
+set_tests_properties(target.instructions PROPERTIES
+  LABELS target TIMEOUT 300 SKIP_RETURN_CODE 77)
+set(images ${PROJECT_SOURCE_DIR}/build/cortex-m4f/images)
+set(plugin ${PROJECT_BINARY_DIR}/tests/target/machine/f405_machine.so)
+add_test(NAME target.controller
+  COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/controller.py
+    ${plugin} ${images}/kerfline_generic.elf)
+add_test(NAME target.dark_first
+  COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/dark_first.py
+    ${plugin} ${images}/kerfline_generic.elf=A8 ${images}/kerfline_btt_skr_2.elf=B0
+    ${images}/kerfline_btt_skr_pro_1_2.elf=A8 ${images}/kerfline_mks_robin_nano_v3_0.elf=A8
+    ${images}/kerfline_mks_robin_nano_v3_1.elf=A8)
+set_tests_properties(target.controller target.dark_first PROPERTIES
+  LABELS target TIMEOUT 300 SKIP_RETURN_CODE 77)
+# faults: what goes wrong, in the emulated chip with all its peripherals.
+foreach(test faults fitness flips cuts job)
+  set(image kerfline_generic)
+  if(test STREQUAL job)
+    set(image kerfline_generic_1mbaud)
+  endif()
+  add_test(NAME target.${test}
+    COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/faults/test_${test}.py
+      ${plugin} ${images}/${image}.elf)
+  set_tests_properties(target.${test} PROPERTIES LABELS target TIMEOUT 300 SKIP_RETURN_CODE 77)
+endforeach()
+add_test(NAME target.resume
+  COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/faults/test_resume.py
+    ${plugin} ${images}/kerfline_generic.elf)
+set_tests_properties(target.resume PROPERTIES LABELS target TIMEOUT 300 SKIP_RETURN_CODE 77)
+add_test(NAME target.can_image
+  COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/faults/test_can.py
+    ${plugin} ${images}/kerfline_btt_skr_pro_1_2.elf)
+set_tests_properties(target.can_image PROPERTIES LABELS target TIMEOUT 300 SKIP_RETURN_CODE 77)
+# image_trace: every edge of the image, and of the simulator.
+file(GLOB trace_sources CONFIGURE_DEPENDS trace/*.cpp)
+add_executable(image_trace_jobs ${trace_sources} ../contract_handler.cpp)
+target_link_libraries(image_trace_jobs PRIVATE kerfline_test_support)
+add_test(NAME target.image_trace
+  COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/image_trace.py
+    ${plugin} ${images}/kerfline_generic_1mbaud.elf $<TARGET_FILE:image_trace_jobs>
+    ${PROJECT_SOURCE_DIR}/host-sim/examples)
+set_tests_properties(target.image_trace PROPERTIES
+  LABELS target TIMEOUT 600 SKIP_RETURN_CODE 77)
