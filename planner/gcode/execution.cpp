@@ -329,14 +329,11 @@ Refusal Execution::check_range(FaultDetail detail, std::size_t axis, Coordinate 
   return fault;
 }
 
-/// For places that the machine is to go to.
-Refusal Execution::check_reach(std::size_t axis, Coordinate place) const {
-  const Coordinate reach = options_.reach[axis];
-  if (place >= -reach && place <= reach) return std::nullopt;
-  Fault fault = block_.blame(FaultDetail::kTargetOutOfRange, kAxisLetters[axis]);
-  fault.value = place.mm();
-  fault.limit = reach.mm();
-  return fault;
+Fault Execution::out_of_reach(Fault word, std::size_t axis, Coordinate place) const {
+  word.letter = kAxisLetters[axis];
+  word.value = place.mm();
+  word.limit = options_.reach[axis].mm();
+  return word;
 }
 
 Fault Execution::missing(char letter, ModalGroup for_group) const {

@@ -156,7 +156,11 @@ class Execution {
   [[nodiscard]] Coordinate to_length(const Decimal& number) const;
   [[nodiscard]] Coordinate to_axis_value(std::size_t axis, const Decimal& number) const;
   [[nodiscard]] Refusal check_range(FaultDetail detail, std::size_t axis, Coordinate place) const;
-  [[nodiscard]] Refusal check_reach(std::size_t axis, Coordinate place) const;
+  [[nodiscard]] bool within_reach(std::size_t axis, Coordinate place) const {
+    return place >= -options_.reach[axis] && place <= options_.reach[axis];
+  }
+  /// Completes a fault of the word that leads to `place`, which is out of the axis' reach.
+  [[nodiscard]] Fault out_of_reach(Fault word, std::size_t axis, Coordinate place) const;
   [[nodiscard]] Fault missing(char letter, ModalGroup for_group) const;
   [[nodiscard]] Fault blame_motion(FaultDetail detail) const;
   [[nodiscard]] Fault blame_centre(FaultDetail detail, float value_mm, float limit_mm) const;

@@ -129,8 +129,11 @@ Refusal Execution::check_sides(PlaneVector end, PlaneVector centre, std::uint16_
   const std::array<std::int64_t, 2> offsets{centre.first, centre.second};
   for (std::size_t i = 0; i < axes.size(); ++i) {
     const Coordinate middle = next_.position[axes[i]] + Coordinate{offsets[i]};
-    if (const auto fault = check_reach(axes[i], middle + radius)) return fault;
-    if (const auto fault = check_reach(axes[i], middle - radius)) return fault;
+    for (const Coordinate side : {middle + radius, middle - radius}) {
+      if (within_reach(axes[i], side)) continue;
+      const Fault word = blame_centre(FaultDetail::kTargetOutOfRange, 0.0F, 0.0F);
+      return out_of_reach(word, axes[i], side);
+    }
   }
   return std::nullopt;
 }

@@ -60,7 +60,10 @@ Refusal Execution::read_target(Position& target) {
     if (!in_machine_coordinates) {
       place += incremental ? next_.position[axis] : work_offset(next_, places_, axis);
     }
-    if (const auto fault = check_reach(axis, place)) return fault;
+    if (!within_reach(axis, place)) {
+      const Fault word = block_.blame(FaultDetail::kTargetOutOfRange, kAxisLetters[axis]);
+      return out_of_reach(word, axis, place);
+    }
     target[axis] = place;
   }
   return std::nullopt;

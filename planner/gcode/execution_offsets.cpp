@@ -174,7 +174,9 @@ Refusal Execution::go_to_stored_place() {
     }
   }
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    if (const auto fault = check_reach(axis, end[axis])) return fault;
+    if (within_reach(axis, end[axis])) continue;
+    const Fault fault = block_.blame(FaultDetail::kTargetOutOfRange, ModalGroup::kNonModal);
+    return out_of_reach(fault, axis, end[axis]);
   }
   actions_.append(ActionKind::kRapid).end = end;
   next_.position = end;

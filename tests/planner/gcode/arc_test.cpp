@@ -2,6 +2,7 @@
 #include <cstdio>
 #include <numbers>
 #include <random>
+#include <utility>
 
 #include "tests/planner/gcode/interpreter_test.hpp"
 #include "tests/support/trials.hpp"
@@ -65,6 +66,21 @@ const Circle kCircles[]{
     {"G2 X11.02 R5", Plane::kXY, true, {6010, 2000}, {um(11'020), mm(2), mm(3)}},
     {"G20 G2 X1 Y1 R50", Plane::kXY, true, {-1, -1}, {um(25'400), um(25'400), mm(3)}},
 };
+
+// The far side of a circle may lie along an axis of which the line has no word.
+TEST_F(ArcWords, NameTheAxisThatTheFarSideIsBeyond) {
+  Options options{};
+  options.reach.fill(mm(100));
+  for (const auto& [line, words] :
+       {std::pair{"G2 X0 J60", "Y would be 120.000, limit 100.000"},
+        std::pair{"G2 Y0 I-60", "X would be -120.000, limit 100.000"},
+        std::pair{"G2 X1 Y1 R-99", "X would be"},
+        std::pair{"G18 G3 X0 K60", "Z would be 120.000, limit 100.000"}}) {
+    interpreter = Interpreter{options};
+    static_cast<void>(take("F60"));
+    EXPECT_EQ(words_of(refuse(line)).rfind(words, 0), 0U) << line << ": " << words_of(refuse(line));
+  }
+}
 
 TEST_F(ArcWords, HaveTheirCentrePlaneDirectionAndTurns) {
   for (const Circle& want : kCircles) {

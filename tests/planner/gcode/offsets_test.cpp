@@ -128,6 +128,21 @@ TEST_F(Offsets, G30GoesByTheNamedPlaceWithTheNamedAxes) {
   EXPECT_EQ(interpreter.position(), legs[1].end);
 }
 
+// A finer resolution, set later, may leave a stored place out of the motors' reach.
+TEST_F(Offsets, G28RefusesAPlaceThatIsNoLongerWithinReach) {
+  interpreter.set_position({mm(1), mm(200), mm(3)});
+  static_cast<void>(take("G28.1"));
+  static_cast<void>(take("G30.1"));
+  interpreter.set_position({});
+  Options options{};
+  options.reach.fill(mm(100));
+  interpreter.set_options(options);
+  for (const char* const line : {"G28", "G30", "G28 Y0"}) {
+    EXPECT_EQ(words_of(refuse(line)), "Y would be 200.000, limit 100.000") << line;
+  }
+  EXPECT_EQ(take("G28 X5").back().end, (Position{mm(1)}));
+}
+
 TEST_F(Offsets, G28LeavesTheMotionModeAlone) {
   static_cast<void>(take("G1 F60"));
   static_cast<void>(take("G28"));
