@@ -41,10 +41,9 @@ def built_objects(build: pathlib.Path) -> list:
     return [pathlib.Path(entry["directory"]) / output for entry, output in zip(entries, outputs)]
 
 
-def call_files(objects: list) -> list:
-    """The call graphs that the compiler wrote beside the objects."""
-    beside = [path.with_suffix(".ci") for path in objects]
-    return [path for path in beside if path.is_file()]
+def call_file(compiled: pathlib.Path) -> pathlib.Path:
+    """The call graph that the compiler writes beside an object."""
+    return compiled.with_suffix(".ci")
 
 
 class CallGraph:
@@ -201,9 +200,12 @@ def main() -> int:
         return 77
     named = built_objects(options.build)
     objects = [path for path in named if path.is_file()]
-    graph = CallGraph(call_files(objects))
+    described = [path for path in objects if call_file(path).is_file()]
+    graph = CallGraph([call_file(path) for path in described])
     print_report(sizes(objects), graph)
     found = [*(f"not built: {path.name}" for path in named if path not in objects),
+             *(f"no call graph: {path.name}; compile it with -fcallgraph-info, not from a cache"
+               for path in objects if path not in described),
              *symbol_complaints(objects), *stack_complaints(graph, options.largest_frame)]
     print("\n".join(found) or "controller: clean")
     return bool(found)

@@ -2,6 +2,7 @@
 import contextlib
 import io
 import json
+import os
 import pathlib
 import shutil
 import subprocess
@@ -79,14 +80,18 @@ float f(std::span<const float> a, Port& p, std::int64_t n) {
 
 
 class PlantedFaults(unittest.TestCase):
-    def check(self, source, flags):
-        """(exit status, output) of the check on a build of this one source."""
+    def check(self, source, flags, without=()):
+        """(exit status, output) of the check on a build of this one source, without some FLAGS."""
         with tempfile.TemporaryDirectory() as folder:
             build = pathlib.Path(folder)
             (build / "CMakeFiles/kerfline_planner.dir").mkdir(parents=True)
             (build / "a.cpp").write_text(source, encoding="utf-8")
-            command = [COMPILER, *FLAGS, *flags, "-o", "CMakeFiles/kerfline_planner.dir/a.obj", "-c", "a.cpp"]
-            subprocess.run(command, cwd=build, check=True)
+            chosen = [flag for flag in FLAGS if flag not in without]
+            command = [COMPILER, *chosen, *flags, "-o", "CMakeFiles/kerfline_planner.dir/a.obj",
+                       "-c", "a.cpp"]
+            # A compiler cache keeps no call graphs.
+            subprocess.run(command, cwd=build, check=True,
+                           env=os.environ | {"CCACHE_DISABLE": "1"})
             (build / "compile_commands.json").write_text(
                 json.dumps([{"directory": folder, "command": " ".join(command)}]))
             output = io.StringIO()
@@ -112,6 +117,11 @@ class PlantedFaults(unittest.TestCase):
                 status, output = self.check(source, flags)
                 self.assertIn(expected, output)
                 self.assertTrue(status)
+
+    def test_an_object_without_its_call_graph_is_a_fault(self):
+        status, output = self.check(RIGHT, [], without=["-fcallgraph-info=su,da"])
+        self.assertIn("no call graph: a.obj", output)
+        self.assertTrue(status)
 
     def test_the_message_names_the_caller(self):
         _, output = self.check("#include <cmath>\nfloat turn(float a) { return std::cos(a); }", [])
