@@ -33,7 +33,7 @@ function(kerfline_compile_checks)
     return()
   endif()
   add_custom_target(headers_alone)
-  # What runs on the controller is judged where it runs: once is enough.
+  # Headers of the controller are compiled by its own compiler only: once is enough.
   if(KERFLINE_HOST)
     kerfline_headers_alone(kerfline_hal_host hal/host)
     kerfline_headers_alone(kerfline_hal_stm32f405 hal/stm32f405)  # For clang-tidy.

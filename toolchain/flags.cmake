@@ -41,7 +41,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "Clang")
   target_compile_options(kerfline_flags INTERFACE -Wno-error)
 endif()
 
-# What runs on the controller: also no exceptions, no RTTI, no silent doubles.
+# Code of the controller: also no exceptions, no RTTI, no silent doubles.
 add_library(kerfline_controller_flags INTERFACE)
 target_link_libraries(kerfline_controller_flags INTERFACE kerfline_flags)
 target_compile_options(kerfline_controller_flags INTERFACE

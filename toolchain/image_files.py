@@ -21,7 +21,7 @@ NM = "arm-none-eabi-nm"
 OBJCOPY = "arm-none-eabi-objcopy"
 SIZE = "arm-none-eabi-size"
 FLASH = 0x08000000
-HEADER_MAGIC, CHECKSUM = 0x4E46524B, 8  # Of ImageHeader: its first word, offset of its last.
+HEADER_MAGIC, CHECKSUM = 0x4E46524B, 8  # First word of ImageHeader, offset of its last.
 ST, DFU_MODE = 0x0483, 0xDF11  # USB vendor, and product of the boot loader in ROM.
 
 

@@ -1,7 +1,7 @@
 #pragma once
 
-/// What the image's sources share: the board, by the header and the name that the build
-/// gives, and the objects that stm32f405_main.cpp sets up.
+/// Declarations that the sources of an image share: the board, by the header and the name that the
+/// build gives, and the objects that stm32f405_main.cpp sets up.
 
 #include KERFLINE_BOARD_HEADER
 #include "firmware/application.hpp"

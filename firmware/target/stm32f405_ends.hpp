@@ -9,10 +9,10 @@
 
 namespace target {
 
-/// What a restart does not clear.
+/// Memory that keeps its content over a restart.
 struct Kept {
   static constexpr std::uint32_t kBootLoader = 0x4446'5521;
-  /// The last start has not found the image fit to run.
+  /// The last start did not find the image fit to run.
   static constexpr std::uint32_t kUnfit = 0x4E4F'5421;
 
   std::uint32_t wanted;

@@ -56,7 +56,7 @@ cnc::FlashLog log{flash};
 constinit chip::PatientStore<cnc::FlashLog> store{log};
 constinit chip::ChipBoard<kBoard> board{};
 constinit cnc::MemoryWatch image_watch{};
-/// What a restart does not clear: this, and what follows the application.
+/// Keeps its content over a restart, as the objects after the application do.
 [[gnu::section(".noinit")]] cnc::KeptProgress kept_progress;
 
 }  // namespace
@@ -186,7 +186,7 @@ extern const hal::TickCount* const step_tick;
 [[noreturn]] void start_up() {
   Power::darken();
   if (kept.wanted == Kept::kBootLoader) enter_boot_loader();
-  // Of a damaged image the code that finds this out may be damaged, too, and restart for ever.
+  // In a damaged image the check itself may be damaged and restart the chip for ever.
   if (kept.wanted == Kept::kUnfit && kept.fault.mark == chip::FaultRecord::kValid) stand_still();
   kept.wanted = Kept::kUnfit;
   chip::forget_boot_loader<Bus>();

@@ -1,6 +1,7 @@
 #pragma once
 
-/// What precedes the program on an STM32F405: its memory, and whether the image may run here.
+/// Start-up of an STM32F405 before the program: initializes memory, and checks whether the image
+/// may run on this chip.
 
 #include <array>
 #include <cstddef>
