@@ -9,8 +9,9 @@ namespace cnc {
 /// Collects bytes into lines. A line ends with CR, LF or CR LF, and the pair
 /// counts once, so that every line gets one answer.
 ///
-/// A line that does not fit keeps its first Capacity bytes; `too_long` then
-/// says so, and the rest up to the line end is dropped.
+/// Of a line that does not fit the text of its comments is dropped, however long they are. If that
+/// is not enough it keeps its first Capacity bytes; `too_long` then says so, and the rest up to
+/// the line end is dropped.
 template <std::size_t Capacity>
 class LineAssembler {
  public:
@@ -22,9 +23,11 @@ class LineAssembler {
       if (pair) return false;
     }
     if (byte == '\r' || byte == '\n') {
+      if (dropped_ != 0) drop_comments();
       ended_by_ = byte;
       return true;
     }
+    if (size_ == Capacity) drop_comments();
     if (size_ == Capacity) {
       too_long_ = true;
     } else {
@@ -36,6 +39,14 @@ class LineAssembler {
   /// Without its line end. @pre add() returned true last
   [[nodiscard]] std::string_view line() const { return {bytes_.data(), size_}; }
   [[nodiscard]] bool too_long() const { return too_long_; }
+  /// All bytes that came are there.
+  [[nodiscard]] bool whole() const { return !too_long_ && dropped_ == 0; }
+  /// Where a byte of line() was as it came, both from 1; 0 where that is not known, between two
+  /// comments of which text was dropped.
+  [[nodiscard]] std::size_t column_as_it_came(std::size_t column) const {
+    if (dropped_ == 0 || column <= first_drop_) return column;
+    return column > last_drop_ ? column + dropped_ : 0;
+  }
 
  private:
   static constexpr char kNothing = 0;
@@ -44,10 +55,32 @@ class LineAssembler {
     size_ = 0;
     too_long_ = false;
     ended_by_ = kNothing;
+    dropped_ = 0;
+  }
+
+  /// Keeps the brackets of comments, nested ones too, and the semicolon.
+  void drop_comments() {
+    std::size_t kept = 0;
+    char comment = kNothing;
+    for (std::size_t i = 0; i < size_; ++i) {
+      const char byte = bytes_[i];
+      if (comment == '(' && byte == ')') comment = kNothing;
+      if (comment == ';' || (comment == '(' && byte != '(')) {
+        if (dropped_++ == 0) first_drop_ = kept;
+        last_drop_ = kept;
+        continue;
+      }
+      if (byte == '(' || byte == ';') comment = byte;
+      bytes_[kept++] = byte;
+    }
+    size_ = kept;
   }
 
   std::array<char, Capacity> bytes_{};
   std::size_t size_ = 0;
+  std::size_t dropped_ = 0;     ///< Bytes of comments,
+  std::size_t first_drop_ = 0;  ///< before these bytes of the line.
+  std::size_t last_drop_ = 0;
   bool too_long_ = false;
   char ended_by_ = kNothing;  ///< The line that is there, which the next byte begins anew.
 };

@@ -1,31 +1,52 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "hal/interface/tick_count.hpp"
 
 namespace cnc {
 
+/// What ends a line that carries a check: `*` and its digits, behind them nothing but blanks and
+/// comments.
+struct LineMark {
+  enum class Form : std::uint8_t { kNone, kSum, kCrc };
+
+  std::string_view covered;  ///< All before the `*`.
+  std::string_view digits;   ///< One to three decimal ones, or eight hexadecimal ones.
+
+  /// What the check is of the bytes that it covers; kNone where it is wrong.
+  [[nodiscard]] Form form() const;
+};
+
+/// Finds the check of a line. A `*` within brackets or comments, and one that other digits or
+/// anything else follow, is none.
+[[nodiscard]] std::optional<LineMark> find_mark(std::string_view line);
+
 /// Tells lines that carry a number and a check from plain ones, and what is to become
 /// of each: `N12 G1 X5*86`, the sum of Marlin and RepRap (all bytes before the `*`, exclusive or),
 /// or `N12 G1 X5*3FB66097`, a CRC-32 (`Crc32`) as eight upper-case hexadecimal digits.
 ///
-/// A checked line is taken when it has the number that is wanted, and never twice. Of a gap
-/// one line is asked for again, once, however much is on its way behind it. The first checked
-/// line is N1, or any that says M110: its number counts from then on. After it
-/// every line must be checked, in the form of the first: a plain one is a damaged one.
+/// A sender that can repeat lines says M110 first: its number counts from then on. From then on a
+/// checked line is taken when it has the number that is wanted, and never twice. Until then a good
+/// check means nothing, a wrong one is a fault of its line, and numbers are the program's own.
+///
+/// Under the CRC every line must be checked, in that form: a plain one is a damaged one. Of a gap
+/// one line is asked for again, once, however much is on its way behind it. Under the sum lines
+/// without a number may come in between, as in Marlin.
 /// `M110*` with the CRC and no number ends that, and so does kLapseUs without a good line, because
-/// somebody else may be at the link by then; the count goes on.
+/// another sender may be at the link by then; the count goes on.
 class LineCheck {
  public:
-  enum class Form : std::uint8_t { kNone, kSum, kCrc };
+  using Form = LineMark::Form;
   enum class Verdict : std::uint8_t {
     kTake,      ///< `text`, as if it had come plain.
     kBegin,     ///< Nothing but M110: to be acknowledged.
     kMissing,   ///< wanted() is to be asked for.
     kRepeated,  ///< The same; what came has been taken before.
     kDrop,      ///< It was asked for.
+    kWrong,     ///< The check behind `text` is wrong, and nobody can repeat the line.
   };
   struct Judgement {
     Verdict verdict = Verdict::kTake;
@@ -39,8 +60,10 @@ class LineCheck {
   /// @param whole false: bytes of the line are missing.
   [[nodiscard]] Judgement judge(std::string_view line, bool whole, hal::TickCount now);
 
-  /// Every line must be checked.
-  [[nodiscard]] bool strict() const { return form_ != Form::kNone && !lapsed_; }
+  /// Numbered lines must be checked, and come in order.
+  [[nodiscard]] bool active() const { return form_ != Form::kNone && !lapsed_; }
+  /// Every line must be checked: under the CRC.
+  [[nodiscard]] bool strict() const { return active() && form_ == Form::kCrc; }
   [[nodiscard]] Form form() const { return form_; }
   /// The line judged last was taken under this number, in the form of the CRC.
   [[nodiscard]] bool numbered() const { return numbered_; }
@@ -55,6 +78,9 @@ class LineCheck {
  private:
   struct Checked;
 
+  [[nodiscard]] Judgement judge_plain(std::string_view line,
+                                      std::string_view text,
+                                      hal::TickCount now);
   [[nodiscard]] Judgement take(const Checked& checked, hal::TickCount now);
   [[nodiscard]] Verdict ask(std::uint32_t number, hal::TickCount now);
 

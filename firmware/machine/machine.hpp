@@ -106,10 +106,14 @@ class Machine {
   void acknowledge_tool();
   void toggle_optional_stop() { optional_stop_ = !optional_stop_; }
   void toggle_single_block() { single_block_ = !single_block_; }
-  void toggle_block_delete();
+  /// Until the setting is written again; whether lines with / are skipped from now on.
+  bool toggle_block_delete();
   [[nodiscard]] bool optional_stop() const { return optional_stop_; }  ///< M1 pauses.
   [[nodiscard]] bool single_block() const { return single_block_; }    ///< A pause after each line.
-  [[nodiscard]] bool block_delete() const { return block_delete_; }  ///< Lines with / are skipped.
+  /// Lines with / are skipped: $890, or the opposite where it was toggled.
+  [[nodiscard]] bool block_delete() const {
+    return (settings_.get(setting::kBlockDelete) != 0.0F) != block_delete_switched_;
+  }
 
   // A program that was interrupted, in machine_reentry.cpp.
 
@@ -367,7 +371,7 @@ class Machine {
   bool restarting_ = false;  ///< resume() waits for the spindle.
   bool optional_stop_ = false;
   bool single_block_ = false;
-  bool block_delete_ = true;
+  bool block_delete_switched_ = false;
   std::optional<std::uint32_t> tool_wanted_{};
   Probing probing_ = Probing::kNo;
   Probe last_probe_{};

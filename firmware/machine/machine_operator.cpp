@@ -79,10 +79,11 @@ void Machine::switch_coolant_by_hand(gcode::Coolant wanted) {
   interpreter_.set_coolant(wanted);
 }
 
-void Machine::toggle_block_delete() {
+bool Machine::toggle_block_delete() {
   check_settings();
-  block_delete_ = !block_delete_;
+  block_delete_switched_ = !block_delete_switched_;
   apply_settings();
+  return block_delete();
 }
 
 void Machine::set_overrides(const OverridePercent& percent) {

@@ -10,6 +10,7 @@ Result<float, SettingError> Machine::change_setting(std::uint16_t number, float 
   const float before = other_scale ? settings_.get(number) : 0.0F;
   const auto stored = settings_.set(number, value);
   if (!stored.ok()) return stored;
+  if (number == setting::kBlockDelete) block_delete_switched_ = false;
   if (other_scale && !place_fits(number - setting::kStepsPerMm)) {
     static_cast<void>(settings_.set(number, before));
     return SettingError::kPlaceLost;
@@ -69,7 +70,7 @@ void Machine::apply_motor_settings() {
 
 void Machine::apply_language_settings() {
   gcode::Options options = gcode_options_from(settings_);
-  options.block_delete = block_delete_;
+  options.block_delete = block_delete();
   options.kerf = &kerf_;
   options.full_power_speed = settings_.get(setting::kMostSpindleSpeed);
   const auto points = power_table_.points();

@@ -22,7 +22,7 @@ constexpr const char* kAxisNames = "X,Y,Z,A,B,C";
 
 // clang-format off
 // The size is spelled out: deduced, GCC 12 puts the table into RAM.
-constexpr std::array<SettingInfo, 110> kTable{{
+constexpr std::array<SettingInfo, 111> kTable{{
     SettingInfo{0, "Step pulse time", "microseconds", 1.0F, 12.0F, 5.0F, false,
      Group::kStepper, Type::kDecimal, kThousandths,
      "How long a step input is held high, and then low."},
@@ -315,6 +315,10 @@ constexpr std::array<SettingInfo, 110> kTable{{
      Group::kSpindle, Type::kChoice, "Power goes with speed,Path follows kerf",
      "Beside an edge by the kerf of the material (G41, G42): what to do where the speed is not "
      "the programmed one. Keep power by speed, M3 too, or go farther from the edge or nearer."},
+    SettingInfo{890, "Block delete", "0 or 1", 0.0F, 1.0F, 1.0F, true,
+     Group::kGeneral, Type::kSwitch, "",
+     "Skip lines that begin with /. $B switches it until this is set again; L among the pins of "
+     "0x87 shows it."},
 }};
 // clang-format on
 static_assert(kTable.size() <= Settings::kMostSettings);

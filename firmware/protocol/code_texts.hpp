@@ -24,6 +24,7 @@ struct CodeText {
 /// The numbers that the protocol itself gives; those of G-code are gcode::ErrorCode.
 /// Source: gnea/grbl, doc/csv/error_codes_en_US.csv, and grblHAL's 79.
 namespace error_number {
+inline constexpr std::uint8_t kWrongCheck = 1;
 inline constexpr std::uint8_t kBadNumber = 2;
 inline constexpr std::uint8_t kNoSuchStatement = 3;
 inline constexpr std::uint8_t kNegativeValue = 4;

@@ -134,7 +134,7 @@ bool LineProtocol::sender_owes() const {
 
 /// While a line waits for the machine, or for whoever reads the answers, none can be expected.
 void LineProtocol::watch_checks() {
-  if (!check_.strict()) return;
+  if (!check_.active()) return;
   if (owed_ != Owed::kNothing || machine_.busy()) check_.keep(now_);
   check_.attend(now_);
   receiver_.be_strict(check_.strict());
@@ -203,7 +203,7 @@ bool LineProtocol::read_line() {
 
 /// True when the line is to be done: as it came, or what is left of it without its check.
 bool LineProtocol::passes_check(std::string_view& line) {
-  const LineCheck::Judgement judged = check_.judge(line, !assembler_.too_long(), now_);
+  const LineCheck::Judgement judged = check_.judge(line, assembler_.whole(), now_);
   line = judged.text;
   receiver_.be_strict(check_.strict());
   switch (judged.verdict) {
@@ -217,6 +217,12 @@ bool LineProtocol::passes_check(std::string_view& line) {
       ask_again(judged.verdict);
       return false;
     case LineCheck::Verdict::kDrop:
+      answer(put_crc(begin_answer().text("Dropped: ").number(check_.wanted())).end());
+      return false;
+    case LineCheck::Verdict::kWrong:
+      refuse(error_number::kWrongCheck,
+             static_cast<std::uint32_t>(line.size() + 1),
+             "the check does not fit its line");
       return false;
   }
   return false;
@@ -237,9 +243,11 @@ void LineProtocol::ask_again(LineCheck::Verdict verdict) {
 void LineProtocol::handle(std::string_view line) {
   const std::string_view whole = line;
   if (assembler_.too_long()) {
-    return refuse(
-        error_number::kLineTooLong, kLongestLine + 1, "line is longer than 256 characters");
+    return refuse(error_number::kLineTooLong,
+                  kLongestLine + 1,
+                  "line is longer than 256 characters without comments");
   }
+  line = gcode::without_mark(line);
   while (!line.empty() && gcode::is_blank(line.front())) line.remove_prefix(1);
   if (!line.empty() && line.front() == '$') return take_statement(line);
   if (!machine_.locked()) return take_gcode(whole);
@@ -265,7 +273,8 @@ void LineProtocol::take_gcode(std::string_view line) {
 void LineProtocol::refuse(const gcode::Fault& fault,
                           std::uint32_t first_column,
                           std::uint8_t number) {
-  Reply reason = begin_reason(fault.column == 0 ? 0 : fault.column + first_column - 1);
+  const std::uint32_t column = fault.column == 0 ? 0 : fault.column + first_column - 1;
+  Reply reason = begin_reason(static_cast<std::uint32_t>(assembler_.column_as_it_came(column)));
   reason.wrote(gcode::describe(fault, reason.room()));
   const auto own = static_cast<std::uint8_t>(fault.code());
   refuse(number == 0 ? own : number, reason);

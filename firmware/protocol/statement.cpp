@@ -79,6 +79,7 @@ std::optional<Statement> read_command(std::string_view name) {
   }
   if (name == "C") return Statement{.kind = StatementKind::kCheck};
   if (name == "X") return Statement{.kind = StatementKind::kUnlock};
+  if (name == "B") return Statement{.kind = StatementKind::kBlockDelete};
   if (name == "DFU") return Statement{.kind = StatementKind::kBootLoader};
   if (name == "K") return Statement{.kind = StatementKind::kListKerfTables};
   if (name == "KS") return Statement{.kind = StatementKind::kKeepKerfTable};

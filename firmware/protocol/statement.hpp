@@ -20,6 +20,7 @@ enum class StatementKind : std::uint8_t {
   kSleep,           ///< `$SLP`
   kRestore,         ///< `$RST=`
   kSetPowerTable,   ///< `$PC=`
+  kBlockDelete,     ///< `$B`
   kBootLoader,      ///< `$DFU`
   kListKerfTables,  ///< `$K`
   kWriteKerfPart,   ///< `$KW=`

@@ -85,6 +85,9 @@ void LineProtocol::take_command(const Statement& statement) {
       return restore(statement);
     case StatementKind::kHome:
       return home(statement);
+    case StatementKind::kBlockDelete:
+      message(machine_.toggle_block_delete() ? "Enabled" : "Disabled");
+      return acknowledge();
     case StatementKind::kBootLoader:
       return enter_boot_loader();
     case StatementKind::kReenter:

@@ -63,7 +63,8 @@ void put_feed_and_speed(Reply& reply, const Machine& machine, const ReportForm& 
   reply.letter(',').whole(machine.spindle_now());
 }
 
-void put_pins(Reply& reply, const hal::InputState& inputs) {
+/// Block delete is a switch as grblHAL has it; as it is on by default, only the full report has it.
+void put_pins(Reply& reply, const hal::InputState& inputs, bool block_delete) {
   std::array<char, kAxisCount + 7> letters{};
   std::size_t count = 0;
   const auto add = [&](bool active, char letter) {
@@ -79,6 +80,7 @@ void put_pins(Reply& reply, const hal::InputState& inputs) {
   add(inputs.reset, 'R');
   add(inputs.start, 'S');
   add(inputs.emergency_stop, 'E');
+  add(block_delete, 'L');
   if (count > 0) reply.text("|Pn:").text({letters.data(), count});
 }
 
@@ -119,7 +121,7 @@ void StatusReport::write(Reply& reply,
   const std::uint32_t line = machine.line_number();
   if ((shown & kLineNumber) != 0 && line != 0) reply.text("|Ln:").number(line);
   if ((shown & kFeedAndSpeed) != 0) put_feed_and_speed(reply, machine, form);
-  if ((shown & kPins) != 0) put_pins(reply, machine.inputs());
+  if ((shown & kPins) != 0) put_pins(reply, machine.inputs(), full && machine.block_delete());
   put_slow_fields(reply, machine, offset, form, shown, full);
   if (full) put_rest_of_full(reply, machine, form);
   reply.letter('>').end();

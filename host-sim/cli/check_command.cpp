@@ -42,6 +42,7 @@ nlohmann::ordered_json summary(const Report& report) {
                           "job_time_s",
                           "path_length_mm",
                           "lines",
+                          "refused_lines",
                           "blocks",
                           "bounds_mm",
                           "warnings",

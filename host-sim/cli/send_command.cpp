@@ -8,6 +8,7 @@
 
 #include "host-sim/cli/commands.hpp"
 #include "host-sim/cli/transfer.hpp"
+#include "host-sim/job/program_text.hpp"
 #include "host-sim/job/setting_line.hpp"
 #include "host-sim/send/approach.hpp"
 
@@ -80,7 +81,10 @@ void check_lengths(const std::vector<JobLine>& job, const SendCommandOptions& op
   for (const JobLine& line : job) {
     if (line.text.size() <= most) continue;
     throw std::invalid_argument(
-        fmt::format("{}:{}: longer than {} characters", options.file, line.number, most));
+        fmt::format("{}:{}: longer than {} characters without comments and blanks",
+                    options.file,
+                    line.number,
+                    most));
   }
 }
 
@@ -166,8 +170,24 @@ ExitStatus begin_within(const SendCommandOptions& options, Line& line, std::vect
   return said;
 }
 
+/// What was left out of the file is printed; false where the file must not be sent.
+bool tell(const ProgramText& program, const SendCommandOptions& options) {
+  for (const LineNote& note : program.notes) {
+    fmt::print(stderr, "{}\n", place_and_text(options.file, note));
+  }
+  for (const LineNote& fault : program.faults) {
+    fmt::print(stderr, "{}\n", place_and_text(options.file, fault));
+  }
+  return program.faults.empty();
+}
+
 ExitStatus send(const SendCommandOptions& options) {
-  std::vector<JobLine> job = read_job(read_text(options.file));
+  const ProgramText program = prepare_program(read_text(options.file));
+  if (!tell(program, options)) {
+    fmt::print(stderr, "{}: nothing was sent\n", options.file);
+    return ExitStatus::kFaults;
+  }
+  std::vector<JobLine> job = read_job(program.text);
   check_lengths(job, options);
   if (options.numbered || options.resume || options.send.checked) number_lines(job);
   Line line{options};

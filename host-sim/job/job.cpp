@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -12,7 +11,7 @@
 
 #include "firmware/machine/configuration.hpp"
 #include "host-sim/job/axis_scale.hpp"
-#include "host-sim/job/travel_check.hpp"
+#include "host-sim/job/job_report.hpp"
 #include "host-sim/machine/machine_reading.hpp"
 #include "host-sim/measure/driven_path.hpp"
 #include "host-sim/measure/energy_meter.hpp"
@@ -28,10 +27,6 @@
 
 namespace sim {
 namespace {
-
-std::string name_of(const std::string& file) {
-  return file == "-" ? file : std::filesystem::path{file}.filename().string();
-}
 
 /// How far shapers can take the tool from where it is planned, and the play that it
 /// may have to cross, mm: of a plan within the accelerations the shaped place of an axis is off by
@@ -70,42 +65,15 @@ class MotionKindTeller final : public TraceSink {
   PathRecorder& recorder_;
 };
 
-double cut_length(const ProgrammedPath& path) {
+/// Of what comes before the line at which sending ended.
+double cut_length(const ProgrammedPath& path, const RunResult& result) {
+  const int end = result.refusals.empty() ? std::numeric_limits<int>::max()
+                                          : static_cast<int>(result.refusals.front().line);
   double sum = 0.0;
   for (const PathPiece& piece : path.pieces) {
-    const bool cuts = piece.travel == Travel::kFeed && piece.spindle != SpindleState::kOff &&
-                      piece.spindle_speed > 0.0;
-    if (cuts) sum += piece.curve.linear_length();
+    if (piece.line < end) sum += cut_length(piece);
   }
   return sum;
-}
-
-Report report_on(const Job& job, const RunResult& result, const ProgrammedPath& path) {
-  Report report;
-  report.job = name_of(job.file);
-  report.job_time_s = result.job_time_s;
-  report.cut_length_mm = cut_length(path);
-  report.lines = result.lines;
-  report.blocks = result.blocks;
-  for (const auto& [line, text] : result.notes) {
-    report.warnings.push_back(fmt::format("{}:{}: {}", job.file, line, text));
-  }
-  for (const ReadNote& note : path.notes) {
-    if (!result.refusals.empty()) break;
-    report.warnings.push_back(fmt::format("{}:{}: {}", job.file, note.line, note.text));
-  }
-  for (const Refusal& refusal : result.refusals) {
-    report.faults.push_back(
-        {job.file, refusal.line, refusal.column, refusal.number, refusal.reason});
-  }
-  if (result.alarm != 0) {
-    report.faults.push_back({job.file,
-                             result.lines,
-                             0,
-                             result.alarm,
-                             fmt::format("the machine stopped with alarm {}", result.alarm)});
-  }
-  return report;
 }
 
 void add_measured(const MotionMeter& meter, Report& report) {
@@ -186,7 +154,7 @@ class BeamMeter {
 
 void draw(const PathRecorder& recorder, const Job& job, const JobOutputs& outputs) {
   if (outputs.svg.empty() && outputs.png.empty()) return;
-  const PictureOptions options{.title = name_of(job.file), .kerf_width_mm = outputs.kerf_width_mm};
+  const PictureOptions options{.title = job_name(job.file), .kerf_width_mm = outputs.kerf_width_mm};
   if (!outputs.svg.empty()) write_svg(outputs.svg, recorder.path(), options);
   if (!outputs.png.empty()) write_png(outputs.png, draw_svg(recorder.path(), options));
 }
@@ -194,7 +162,8 @@ void draw(const PathRecorder& recorder, const Job& job, const JobOutputs& output
 }  // namespace
 
 Report simulate(const Job& job, const JobOutputs& outputs) {
-  const std::string text = job.text ? *job.text : read_text(job.file);
+  const ProgramText program = prepared(job);
+  const std::string& text = program.text;
   Simulator simulator{text,
                       {.after_refusal = AfterRefusal::kStop,
                        .machine = job.machine,
@@ -235,36 +204,21 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
   }
 
   const RunResult result = simulator.run();
-  Report report = report_on(job, result, path);
+  Report report = report_on(job, program, result);
+  report.cut_length_mm = cut_length(path, result);
+  if (result.refusals.empty()) {
+    warn(job, path.notes, report);
+  } else {
+    report.warnings.push_back(fmt::format("{}: all figures end before line {}, which is refused",
+                                          job.file,
+                                          result.refusals.front().line));
+  }
   add_measured(meter, report);
   add_bounds(tool, simulator.settings(), report);
   add_deviation(deviation, report);
   report.max_shaping_error_mm = shaping.greatest_distance();
   if (beam) beam->add_to(report);
   draw(recorder, job, outputs);
-  return report;
-}
-
-Report check(const Job& job) {
-  const std::string text = job.text ? *job.text : read_text(job.file);
-  Simulator simulator{text,
-                      {.after_refusal = AfterRefusal::kGoOn,
-                       .machine = job.machine,
-                       .on_progress = job.on_progress}};
-  apply_settings(job.settings, simulator.machine());
-  const ProgrammedPath path = read_for_machine(text, simulator.settings());
-  Report report = report_on(job, simulator.run(), path);
-  report.path_length_mm = path.length();
-  const auto bounds = path.bounds();
-  for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
-    report.axes[axis].least_mm = bounds.low[axis];
-    report.axes[axis].greatest_mm = bounds.high[axis];
-  }
-  const auto overruns = check_travel(path, simulator.settings(), job.file, text);
-  report.faults.insert(report.faults.end(), overruns.begin(), overruns.end());
-  std::stable_sort(report.faults.begin(), report.faults.end(), [](const Fault& a, const Fault& b) {
-    return a.line < b.line;
-  });
   return report;
 }
 

@@ -4,7 +4,8 @@
 
 #include <algorithm>
 #include <cctype>
-#include <optional>
+
+#include "host-sim/measure/program_line.hpp"
 
 namespace sim {
 namespace {
@@ -15,65 +16,53 @@ constexpr int kTravelExceeded = 15;
 /// A job as large as the travel may exceed it by the rounding of its decimals.
 constexpr double kSlackMm = 1.0e-6;
 
-std::string line_of(const std::string& text, int number) {
-  std::size_t start = 0;
-  for (int line = 1; line < number; ++line) {
-    const std::size_t end = text.find('\n', start);
-    if (end == std::string::npos) return {};
-    start = end + 1;
-  }
-  return text.substr(start, text.find('\n', start) - start);
+std::string_view line_of(std::string_view text, int number) {
+  std::string_view line;
+  for (; number > 0 && !text.empty(); --number) line = take_line(text);
+  return line;
 }
 
-std::size_t column_of(const std::string& line, char letter) {
+std::size_t column_of(std::string_view line, char letter) {
   for (std::size_t i = 0; i < line.size(); ++i) {
     if (std::toupper(static_cast<unsigned char>(line[i])) == letter) return i + 1;
   }
   return 0;
 }
 
-struct Overrun {
-  int line;
-  double extent_mm;  ///< Of the whole program.
-};
-
-std::optional<Overrun> find_overrun(const ProgrammedPath& path, std::size_t axis, double travel) {
-  double low = path.start[axis];
-  double high = low;
-  std::optional<Overrun> overrun;
-  for (const PathPiece& piece : path.pieces) {
-    const auto bounds = piece.curve.bounds();
-    low = std::min(low, bounds.low[axis]);
-    high = std::max(high, bounds.high[axis]);
-    if (high - low <= travel + kSlackMm) continue;
-    if (!overrun) overrun = Overrun{piece.line, 0.0};
-    overrun->extent_mm = high - low;
-  }
-  return overrun;
-}
-
 }  // namespace
 
-std::vector<Fault> check_travel(const ProgrammedPath& path,
-                                const cnc::Settings& settings,
-                                const std::string& file,
-                                const std::string& text) {
+TravelCheck::TravelCheck(const cnc::Settings& settings) {
+  for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
+    travel_[axis] = static_cast<double>(settings.get(cnc::setting::kTravel, axis));
+  }
+}
+
+void TravelCheck::put(const PathPiece& piece) {
+  const Bounds one = piece.curve.bounds();
+  for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
+    bounds_.low[axis] = std::min(bounds_.low[axis], one.low[axis]);
+    bounds_.high[axis] = std::max(bounds_.high[axis], one.high[axis]);
+    const double extent = bounds_.high[axis] - bounds_.low[axis];
+    const bool beyond = travel_[axis] > 0.0 && extent > travel_[axis] + kSlackMm;
+    if (beyond && first_overrun_[axis] == 0) first_overrun_[axis] = piece.line;
+  }
+}
+
+std::vector<Fault> TravelCheck::faults(const std::string& file, std::string_view text) const {
   std::vector<Fault> faults;
   for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
-    const double travel = settings.get(cnc::setting::kTravel, axis);
-    if (travel <= 0.0) continue;
-    const auto overrun = find_overrun(path, axis, travel);
-    if (!overrun) continue;
+    const int line = first_overrun_[axis];
+    if (line == 0) continue;
     const char letter = cnc::kAxisLetters[axis];
     faults.push_back({.file = file,
-                      .line = static_cast<std::size_t>(overrun->line),
-                      .column = column_of(line_of(text, overrun->line), letter),
+                      .line = static_cast<std::size_t>(line),
+                      .column = column_of(line_of(text, line), letter),
                       .number = kTravelExceeded,
                       .message = fmt::format("{} needs {:.3f} mm of travel, ${} allows {:g}",
                                              letter,
-                                             overrun->extent_mm,
+                                             bounds_.high[axis] - bounds_.low[axis],
                                              cnc::setting::kTravel + axis,
-                                             travel)});
+                                             travel_[axis])});
   }
   return faults;
 }

@@ -1,17 +1,34 @@
 #include "host-sim/machine/machine_reading.hpp"
 
-#include "host-sim/machine/kerf_question.hpp"
-#include "host-sim/measure/beside_path.hpp"
+#include <utility>
+
 #include "host-sim/measure/driven_path.hpp"
 
 namespace sim {
+namespace {
 
-ProgrammedPath read_for_machine(const std::string& text, const cnc::Settings& settings) {
-  KerfQuestion kerf{settings};
+ReadOptions reading_options(const cnc::Settings& settings, KerfQuestion& kerf) {
   ReadOptions options = read_options_for(settings);
   options.on_statement = [&kerf](std::string_view statement) { kerf.hear(statement); };
   options.kerf_width = [&kerf](const CutCondition& condition) { return kerf.width(condition); };
-  return beside_path(read_program(text, options));
+  return options;
 }
+
+ReadOptions with_sink(ReadOptions options, BesideWay& beside) {
+  options.on_piece = [&beside](const PathPiece& piece) { beside.put(piece); };
+  return options;
+}
+
+}  // namespace
+
+ProgrammedPath read_for_machine(const std::string& text, const cnc::Settings& settings) {
+  KerfQuestion kerf{settings};
+  return beside_path(read_program(text, reading_options(settings, kerf)));
+}
+
+MachineReading::MachineReading(const cnc::Settings& settings, PieceSink sink)
+    : kerf_{settings},
+      beside_{std::move(sink)},
+      reader_{with_sink(reading_options(settings, kerf_), beside_)} {}
 
 }  // namespace sim

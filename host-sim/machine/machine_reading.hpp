@@ -2,7 +2,12 @@
 
 #include <string>
 
+#include <string_view>
+
 #include "firmware/machine/settings.hpp"
+#include "host-sim/machine/kerf_question.hpp"
+#include "host-sim/measure/beside_path.hpp"
+#include "host-sim/measure/program_reader.hpp"
 #include "host-sim/measure/programmed_path.hpp"
 
 namespace sim {
@@ -12,5 +17,27 @@ namespace sim {
 /// controller has or is sent.
 [[nodiscard]] ProgrammedPath read_for_machine(const std::string& text,
                                               const cnc::Settings& settings);
+
+/// The same line by line, for a program of which the lines are read as the controller takes them:
+/// refused ones are no part of the path, and no path is kept.
+class MachineReading {
+ public:
+  MachineReading(const cnc::Settings& settings, PieceSink sink);
+  // Its parts know of each other.
+  MachineReading(const MachineReading&) = delete;
+  MachineReading& operator=(const MachineReading&) = delete;
+
+  void take(std::size_t line, std::string_view text) {
+    reader_.read_line(text, static_cast<int>(line));
+  }
+  /// There are no more lines.
+  void end() { beside_.end(); }
+  [[nodiscard]] const std::vector<ReadNote>& notes() const { return reader_.path().notes; }
+
+ private:
+  KerfQuestion kerf_;
+  BesideWay beside_;
+  ProgramReader reader_;
+};
 
 }  // namespace sim

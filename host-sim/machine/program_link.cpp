@@ -36,8 +36,12 @@ std::size_t ProgramLink::read(std::span<std::byte> into) {
   const bool second_of_pair = byte == '\n' && after_return_;
   after_return_ = byte == '\r';
   if (second_of_pair) return 1;
-  if (!in_line_) ++line_;
+  if (!in_line_) {
+    ++line_;
+    line_begin_ = sent_ - 1;
+  }
   in_line_ = byte != '\n' && byte != '\r';
+  if (!in_line_) line_end_ = sent_ - 1;
   awaits_answer_ = !in_line_;
   return 1;
 }
@@ -63,13 +67,30 @@ void ProgramLink::take_answer(std::string_view answer) {
   const bool refused = answer.starts_with(kError);
   if (!refused && answer != kAccepted) return;  // A greeting, an alarm, a report.
   awaits_answer_ = false;
-  if (!refused) return;
+  if (!refused) {
+    take_message();
+    if (on_taken) on_taken(line_, line_text());
+    return;
+  }
+  ++refused_;
+  if (after_refusal_ == AfterRefusal::kStop) stop();
+  if (refusals_.size() == kMostRefusals) return message_.clear();
   Refusal refusal{.line = line_, .column = 0, .number = 0, .reason = {}};
   read_number(answer.substr(kError.size()), refusal.number);
   const std::size_t digits = read_number(message_, refusal.column);
   refusal.reason = message_.size() > digits + 2 ? message_.substr(digits + 2) : message_;
   refusals_.push_back(refusal);
-  if (after_refusal_ == AfterRefusal::kStop) stop();
+  message_.clear();
+}
+
+/// Statements are answered by messages as well, and the end of a program by one.
+void ProgramLink::take_message() {
+  if (message_.empty()) return;
+  const bool statement = line_text().find_first_not_of(" \t") == line_text().find('$');
+  if (!statement && message_ != "Pgm End" && messages_.size() < kMostRefusals) {
+    messages_.emplace_back(line_, message_);
+  }
+  message_.clear();
 }
 
 double ProgramLink::progress() const {

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "hal/interface/byte_stream.hpp"
@@ -44,18 +46,37 @@ class ProgramLink final : public hal::ByteStream {
   [[nodiscard]] std::size_t line() const { return line_; }
   /// Share of the program sent, 0…1.
   [[nodiscard]] double progress() const;
+  /// The first kMostRefusals.
   [[nodiscard]] const std::vector<Refusal>& refusals() const { return refusals_; }
+  [[nodiscard]] std::size_t refused() const { return refused_; }
+  /// What the controller says to a line of G-code that it takes, by line; the first kMostRefusals.
+  [[nodiscard]] const std::vector<std::pair<std::size_t, std::string>>& messages() const {
+    return messages_;
+  }
+  [[nodiscard]] std::string_view program() const { return program_; }
+
+  /// What a report lists of a program that is full of faults.
+  static constexpr std::size_t kMostRefusals = 1000;
+
+  /// Told of every line that the controller takes, in their order.
+  std::function<void(std::size_t line, std::string_view text)> on_taken{};
 
  private:
   [[nodiscard]] bool nothing_to_send() const {
     return (stopped_ && !in_line_) || sent_ >= program_.size();
   }
   void take_answer(std::string_view answer);
+  void take_message();
+  [[nodiscard]] std::string_view line_text() const {
+    return program().substr(line_begin_, line_end_ - line_begin_);
+  }
 
   std::string program_;
   AfterRefusal after_refusal_;
   std::size_t sent_ = 0;
   std::size_t line_ = 0;
+  std::size_t line_begin_ = 0;
+  std::size_t line_end_ = 0;
   bool in_line_ = false;
   bool after_return_ = false;
   bool awaits_answer_ = false;
@@ -64,6 +85,8 @@ class ProgramLink final : public hal::ByteStream {
   std::string received_;
   std::string message_;  ///< The last `[MSG:…]`, which explains the answer after it.
   std::vector<Refusal> refusals_;
+  std::size_t refused_ = 0;
+  std::vector<std::pair<std::size_t, std::string>> messages_;
 };
 
 }  // namespace sim

@@ -1,9 +1,13 @@
 #include "host-sim/machine/simulator.hpp"
 
+#include <algorithm>
+
 namespace sim {
 namespace {
 
 constexpr unsigned kTurnsPerProgress = 256;
+/// Pauses that are listed.
+constexpr std::size_t kMostPauses = 1000;
 /// So often does the sender show that it is there.
 constexpr unsigned kTurnsPerStatus = 100;
 
@@ -12,7 +16,9 @@ constexpr unsigned kTurnsPerStatus = 100;
 Simulator::Simulator(std::string program, RunOptions options)
     : options_{std::move(options)},
       link_{std::move(program), options_.after_refusal},
-      controller_{link_, options_.machine} {}
+      controller_{link_, options_.machine} {
+  link_.on_taken = options_.on_taken;
+}
 
 std::string Simulator::change_setting(std::uint16_t number, float value) {
   const auto stored = machine().change_setting(number, value);
@@ -54,25 +60,35 @@ void Simulator::attend_pause() {
   switch (machine().state()) {
     case cnc::MachineState::kHold:
       if (machine().status().substate != 0) return;
-      notes_.emplace_back(link_.line(), "the program pauses here (M0); resumed at once");
+      note("the program pauses here (M0); resumed at once");
       return machine().resume();
     case cnc::MachineState::kTool:
       if (tool_changed_) return;
       tool_changed_ = true;
-      notes_.emplace_back(link_.line(), "the program asks for another tool (M6); resumed at once");
+      note("the program asks for another tool (M6); resumed at once");
       return machine().acknowledge_tool();
     default:
       tool_changed_ = false;
   }
 }
 
+void Simulator::note(std::string text) {
+  if (notes_.size() > kMostPauses) return;
+  if (notes_.size() == kMostPauses) text = "more pauses are not listed";
+  notes_.emplace_back(link_.line(), std::move(text));
+}
+
 RunResult Simulator::result() const {
   const cnc::Machine& machine = controller_.machine();
+  auto notes = notes_;
+  for (const auto& [line, message] : link_.messages()) notes.emplace_back(line, message);
+  std::ranges::stable_sort(notes, {}, &std::pair<std::size_t, std::string>::first);
   return {.job_time_s = static_cast<double>(now_ticks()) / cnc::motion::kTicksPerSecond,
           .lines = link_.line(),
           .blocks = machine.motion().blocks_taken(),
           .refusals = link_.refusals(),
-          .notes = notes_,
+          .refused = link_.refused(),
+          .notes = std::move(notes),
           .alarm = static_cast<int>(machine.alarm()),
           .final_position = port().position};
 }

@@ -16,6 +16,8 @@ struct RunOptions {
   MachineModel machine{};
   /// Called now and then with the share of the program sent, 0…1.
   std::function<void(double)> on_progress{};
+  /// Told of every line that the controller takes.
+  std::function<void(std::size_t line, std::string_view text)> on_taken{};
 };
 
 /// How a run went, apart from what the sinks saw.
@@ -23,7 +25,8 @@ struct RunResult {
   double job_time_s = 0.0;
   std::size_t lines = 0;
   std::size_t blocks = 0;
-  std::vector<Refusal> refusals;
+  std::vector<Refusal> refusals;  ///< The first ProgramLink::kMostRefusals.
+  std::size_t refused = 0;        ///< Lines.
   std::vector<std::pair<std::size_t, std::string>> notes;  ///< Line and what happened.
   int alarm = 0;                                           ///< Grbl's number; 0 is none.
   cnc::AxisArray<std::int32_t> final_position{};           ///< Motor steps.
@@ -41,6 +44,8 @@ class Simulator {
 
   /// Sinks see every edge from now on; they must outlive the run.
   void add_sink(TraceSink& sink) { controller_.add_sink(sink); }
+
+  [[nodiscard]] std::string_view program() const { return link_.program(); }
 
   /// Until the program is answered and the machine stands still, or an alarm.
   [[nodiscard]] RunResult run();
@@ -60,6 +65,7 @@ class Simulator {
 
  private:
   void attend_pause();
+  void note(std::string text);
 
   RunOptions options_;
   ProgramLink link_;

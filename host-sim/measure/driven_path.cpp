@@ -12,7 +12,8 @@ ReadOptions read_options_for(const cnc::Settings& settings) {
           .stop_at_coolant = true,
           .path_tolerance = settings.get(cnc::setting::kJunctionDeviation),
           .arc_tolerance = settings.get(cnc::setting::kArcTolerance),
-          .power_keeps_kerf = settings.get(cnc::setting::kKerfControl) == 0.0F};
+          .power_keeps_kerf = settings.get(cnc::setting::kKerfControl) == 0.0F,
+          .block_delete = settings.get(cnc::setting::kBlockDelete) != 0.0F};
 }
 
 ProgrammedPath driven_path(const ProgrammedPath& programmed, const cnc::motion::Limits& limits) {

@@ -16,6 +16,10 @@ bool is_applied_before(int g) {
   return std::ranges::find(kNumbers, g) != kNumbers.end();
 }
 
+bool is_motion(int g) {
+  return g == 0 || g == 10 || g == 20 || g == 30 || (g >= 50 && g <= 53) || (g >= 382 && g <= 385);
+}
+
 }  // namespace
 
 double ModalState::scaled(std::size_t axis, double value) const {
@@ -37,7 +41,8 @@ std::vector<int> ModalState::apply_modes(const ProgramLine& line) {
   std::vector<int> left;
   for (const int g : line.g) {
     const bool done = is_applied_before(g) || apply_plane(g) || apply_distance(g) ||
-                      apply_tool_offset(g, line) || apply_coordinate_system(g) || apply_motion(g);
+                      apply_tool_offset(g, line) || apply_coordinate_system(g) ||
+                      apply_motion(g, line);
     if (!done) left.push_back(g);
   }
   return left;
@@ -95,7 +100,7 @@ bool ModalState::apply_tool_offset(int g, const ProgramLine& line) {
   return true;
 }
 
-bool ModalState::apply_motion(int g) {
+bool ModalState::apply_motion(int g, const ProgramLine& line) {
   constexpr std::array kStraight{
       Motion::kRapid, Motion::kLine, Motion::kClockwise, Motion::kCounterClockwise};
   if (g == 0 || g == 10 || g == 20 || g == 30) {
@@ -107,7 +112,9 @@ bool ModalState::apply_motion(int g) {
   } else if (g >= 382 && g <= 385) {
     motion_ = Motion::kProbe;
   } else if (g == 800) {
-    motion_ = Motion::kNone;
+    // Beside a motion it ends cycles only.
+    const bool beside = std::ranges::any_of(line.g, is_motion);
+    if (!beside) motion_ = Motion::kNone;
   } else {
     return false;
   }

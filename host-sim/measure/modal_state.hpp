@@ -66,7 +66,7 @@ class ModalState {
   [[nodiscard]] bool apply_plane(int g);
   [[nodiscard]] bool apply_distance(int g);
   [[nodiscard]] bool apply_tool_offset(int g, const ProgramLine& line);
-  [[nodiscard]] bool apply_motion(int g);
+  [[nodiscard]] bool apply_motion(int g, const ProgramLine& line);
   [[nodiscard]] bool apply_coordinate_system(int g);
   void apply_feed(const ProgramLine& line);
   void apply_path_control(const ProgramLine& line);

@@ -10,7 +10,8 @@ namespace sim {
 namespace {
 
 bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
-bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+bool is_white(char c) { return static_cast<unsigned char>(c) <= ' '; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
 char to_upper(char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c; }
 
 /// Capital letters and digits only: no comments, no blanks.
@@ -20,7 +21,7 @@ std::string without_comments(std::string_view text) {
   for (const char c : text) {
     if (c == ';' && !in_comment) break;
     if (c == '(') in_comment = true;
-    if (!in_comment && !is_blank(c)) bare.push_back(to_upper(c));
+    if (!in_comment && !is_white(c)) bare.push_back(to_upper(c));
     if (c == ')') in_comment = false;
   }
   return bare;
@@ -34,9 +35,11 @@ std::optional<double> take_number(std::string_view& text) {
   // from_chars would also read "inf" and "nan".
   if (digits.size() <= sign || is_letter(digits[sign])) return std::nullopt;
   double value = 0.0;
+  // As many digits as the controller takes.
+  constexpr double kTooLarge = 1.0e9;
   const auto [end, error] = std::from_chars(
       digits.data(), digits.data() + digits.size(), value, std::chars_format::fixed);
-  if (error != std::errc{}) return std::nullopt;
+  if (error != std::errc{} || std::abs(value) >= kTooLarge) return std::nullopt;
   text.remove_prefix(static_cast<std::size_t>(end - text.data()));
   return value;
 }
@@ -53,6 +56,16 @@ void add_word(ProgramLine& line, char letter, double value) {
   }
 }
 
+/// True where the rest of the line is left out: behind a slash, and in what names a program.
+bool skips(std::string_view& rest, bool block_delete) {
+  if (rest.starts_with('/')) {
+    if (block_delete) return true;
+    rest.remove_prefix(1);
+    if (!rest.empty() && is_digit(rest.front())) rest.remove_prefix(1);
+  }
+  return rest.starts_with('%') || rest.starts_with(':') || rest.starts_with('O');
+}
+
 }  // namespace
 
 std::optional<double> ProgramLine::value(char letter) const {
@@ -66,12 +79,12 @@ bool ProgramLine::has_axis_words() const {
                              [this](char letter) { return value(letter).has_value(); });
 }
 
-ProgramLine take_apart(std::string_view text) {
+ProgramLine take_apart(std::string_view text, bool block_delete) {
   ProgramLine line;
   const std::string bare = without_comments(text);
-  if (bare.empty() || bare.front() == '/' || bare.front() == '%') return line;
   std::string_view rest = bare;
-  while (!rest.empty()) {
+  if (skips(rest, block_delete)) return line;
+  for (bool first = true; !rest.empty(); first = false) {
     const char letter = rest.front();
     rest.remove_prefix(1);
     const std::optional<double> number = is_letter(letter) ? take_number(rest) : std::nullopt;
@@ -80,6 +93,7 @@ ProgramLine take_apart(std::string_view text) {
       break;
     }
     add_word(line, letter, *number);
+    if (first && letter == 'N' && skips(rest, block_delete)) break;
     while (letter == 'S' && rest.starts_with(':')) {
       rest.remove_prefix(1);
       const std::optional<double> power = take_number(rest);

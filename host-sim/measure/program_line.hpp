@@ -25,8 +25,9 @@ struct ProgramLine {
 /// Takes the first line off a program; its end, CR, LF or CR LF, goes with it.
 [[nodiscard]] std::string_view take_line(std::string_view& text);
 
-/// Comments, white space, `%` lines and lines that `/` deletes have no words.
-/// Letters may be small, and words may have spaces inside.
-[[nodiscard]] ProgramLine take_apart(std::string_view text);
+/// Comments, white space, control bytes, `%` lines, names of programs (`O1234`, `:1234`) and lines
+/// that `/` deletes have no words. Letters may be small, and words may have spaces inside.
+/// @param block_delete false: a / at the front or after N means nothing
+[[nodiscard]] ProgramLine take_apart(std::string_view text, bool block_delete = true);
 
 }  // namespace sim

@@ -15,6 +15,12 @@ double rotary_distance(const Point& from, const Point& to) {
   return norm(run);
 }
 
+/// P of an arc, as the controller takes it.
+constexpr double kMostArcTurns = 65'535.0;
+
+/// What notes cost memory for.
+constexpr std::size_t kMostReadNotes = 1000;
+
 /// Radius below which a circle is none (mm): half a nanometre.
 constexpr double kNoCircle = 0.5e-6;
 
@@ -38,25 +44,24 @@ ProgramReader::ProgramReader(const ReadOptions& options)
 }
 
 void ProgramReader::read(std::string_view text) {
-  line_number_ = 0;
   ended_ = false;
-  while (!text.empty() && !ended_) {
-    ++line_number_;
-    read_line(take_line(text));
-  }
+  for (int number = 1; !text.empty() && !ended_; ++number) read_line(take_line(text), number);
 }
 
 void ProgramReader::note(std::string text) {
+  if (path_.notes.size() > kMostReadNotes) return;
+  if (path_.notes.size() == kMostReadNotes) text = "more like this is not listed";
   path_.notes.push_back({line_number_, std::move(text)});
 }
 
 // The order of RS274/NGC (NISTIR 6556, table 8).
-void ProgramReader::read_line(std::string_view text) {
+void ProgramReader::read_line(std::string_view text, int number) {
+  line_number_ = number;
   if (text.starts_with('$')) {
     if (options_.on_statement) options_.on_statement(text);
     return;
   }
-  const ProgramLine line = take_apart(text);
+  const ProgramLine line = take_apart(text, options_.block_delete);
   for (const std::string& fault : line.faults) note(fault);
   const std::vector<int> single = modes_.apply_modes(line);
   apply_spindle(line);
@@ -217,7 +222,12 @@ void ProgramReader::move_in_parts(const ProgramLine& line, const Point& to) {
 
 void ProgramReader::move_round(const ProgramLine& line, const Point& to, bool clockwise) {
   ProgrammedArc arc{position_, to, modes_.plane(), {}, clockwise, 1};
-  arc.turns = static_cast<int>(std::lround(line.value('P').value_or(1.0)));
+  const double turns = line.value('P').value_or(1.0);
+  if (turns < 1.0 || turns > kMostArcTurns || turns != std::floor(turns)) {
+    return note("P is no number of turns: 1 to 65535");
+  }
+  arc.turns = static_cast<int>(turns);
+  note_third_offset(line);
   const auto radius = line.value('R');
   if (radius && is_closed(arc)) return note("an arc by radius needs another end");
   arc.centre = radius ? centre_from_radius(arc, modes_.scaled(0, *radius))
@@ -230,18 +240,25 @@ void ProgramReader::move_round(const ProgramLine& line, const Point& to, bool cl
   for (const Curve& piece : pieces) add_piece(piece, Travel::kFeed, feed);
 }
 
+/// Taken, as Grbl takes it; elsewhere it may be the pitch of a helix.
+void ProgramReader::note_third_offset(const ProgramLine& line) {
+  constexpr std::array<char, 3> kOffsets{'I', 'J', 'K'};
+  const char letter = kOffsets[cnc::axes_of(modes_.plane()).normal];
+  if (line.value(letter).value_or(0.0) == 0.0) return;
+  note(std::string{letter} + " lies outside the plane of the arc and has no effect");
+}
+
 void ProgramReader::add_piece(const Curve& curve, Travel travel, double feed) {
   path_.end = position_ = curve.end();
   if (curve.length() <= 0.0) return;
-  path_.pieces.push_back({curve,
-                          travel,
-                          feed,
-                          spindle_speed_,
-                          spindle_,
-                          line_number_,
-                          stop_pending_,
-                          modes_.tolerance(options_.path_tolerance, options_.arc_tolerance)});
-  PathPiece& piece = path_.pieces.back();
+  PathPiece piece{curve,
+                  travel,
+                  feed,
+                  spindle_speed_,
+                  spindle_,
+                  line_number_,
+                  stop_pending_,
+                  modes_.tolerance(options_.path_tolerance, options_.arc_tolerance)};
   const double offset = compensation_.offset_mm();
   if (offset != 0.0) piece.beside = {offset, modes_.plane()};
   const bool by_kerf = offset != 0.0 ? compensation_.by_kerf() : leaves_edge_;
@@ -249,6 +266,8 @@ void ProgramReader::add_piece(const Curve& curve, Travel travel, double feed) {
   const bool keeps_kerf = by_kerf && options_.power_keeps_kerf;
   if (keeps_kerf && spindle_ == SpindleState::kConstant) piece.spindle = SpindleState::kDynamic;
   stop_pending_ = false;
+  if (options_.on_piece) return options_.on_piece(piece);
+  path_.pieces.push_back(piece);
 }
 
 }  // namespace sim

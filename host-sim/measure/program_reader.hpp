@@ -16,12 +16,15 @@ class ProgramReader {
 
   /// One program: up to M2, M30 or the end of the text. Lines count from 1.
   void read(std::string_view text);
+  /// One line of it; the first is line 1.
+  void read_line(std::string_view text, int number);
+  /// The line read last had M2 or M30.
+  [[nodiscard]] bool ended() const { return ended_; }
 
   /// Everything read so far.
   [[nodiscard]] const ProgrammedPath& path() const { return path_; }
 
  private:
-  void read_line(std::string_view text);
   void apply_spindle(const ProgramLine& line);
   void apply_outputs(const ProgramLine& line);
   void apply_compensation(const ProgramLine& line);
@@ -41,6 +44,7 @@ class ProgramReader {
   void take_control_point(const ProgramLine& line, const Point& to);
   void end_nurbs();
   void move_along(const ProgrammedSpline& spline);
+  void note_third_offset(const ProgramLine& line);
   void add_piece(const Curve& curve, Travel travel, double feed);
   void note(std::string text);
 

@@ -47,6 +47,8 @@ struct PathPiece {
   [[nodiscard]] double path_feed() const;
 };
 
+using PieceSink = std::function<void(const PathPiece&)>;
+
 /// Something in the program that the reader left out.
 struct ReadNote {
   int line = 0;
@@ -75,15 +77,19 @@ struct ReadOptions {
   Point start{};                 ///< Where the machine stands, machine coordinates.
   CutWidth kerf_width{};         ///< Of a material; without it G41 by the kerf is left out.
   bool power_keeps_kerf = true;  ///< $860=0: beside an edge by its kerf M3 follows the speed.
+  bool block_delete = true;      ///< $890: lines with / are left out.
   /// Told every line that begins with $, which is no G-code.
   std::function<void(std::string_view)> on_statement{};
+  /// Gets the pieces one by one instead of the path, which stays empty.
+  PieceSink on_piece{};
 };
 
 /// The simulator's own reading of a program. It shares no code with the
 /// product's parser and geometry, so that one checks the other.
 ///
 /// Reads valid programs, up to M2, M30 or the end of the text. What it does not
-/// understand it leaves out and notes. Places that the machine alone can know
+/// understand it leaves out and notes. Its limits are the controller's: nine digits before a point,
+/// 65,535 turns. Places that the machine alone can know
 /// (the contact of a probe) are taken as programmed.
 [[nodiscard]] ProgrammedPath read_program(std::string_view text, const ReadOptions& options = {});
 [[nodiscard]] ProgrammedPath read_program(std::istream& text, const ReadOptions& options = {});

@@ -57,6 +57,7 @@ Json to_json(const Report& report) {
   json["path_length_mm"] = report.path_length_mm;
   json["cut_length_mm"] = report.cut_length_mm;
   json["lines"] = report.lines;
+  json["refused_lines"] = report.refused_lines;
   json["blocks"] = report.blocks;
   add_axes(json, report);
   json["max_path_deviation_mm"] = report.max_path_deviation_mm;

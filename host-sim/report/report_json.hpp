@@ -16,7 +16,8 @@ namespace sim {
 /// | `version`                                              | that of Kerfline, and commit|
 /// | `job_time_s`                                           | number                      |
 /// | `path_length_mm`, `cut_length_mm`                      | number                      |
-/// | `lines`, `blocks`                                      | integer                     |
+/// | `lines`, `refused_lines`, `blocks`                     | integer; no figure counts   |
+/// |                                                        | refused lines               |
 /// | `max_speed_mm_s`, `max_speed_mm_min`,                  | object with a number        |
 /// | `max_acceleration_mm_s2`, `max_jerk_mm_s3`             | for each axis X Y Z A B C   |
 /// | `bounds_mm`                                            | per axis `[least, greatest]`|

@@ -1,6 +1,6 @@
 #include "host-sim/send/job_lines.hpp"
 
-#include "planner/gcode/decimal.hpp"
+#include "planner/gcode/line_reader.hpp"
 
 namespace sim {
 namespace {
@@ -14,7 +14,7 @@ std::string code_of(std::string_view line) {
   for (const char c : line) {
     if (c == ';' && !comment) break;
     if (c == '(') comment = true;
-    if (!comment && !is_blank(c) && c != '%') kept += c;
+    if (!comment && !is_blank(c)) kept += c;
     if (c == ')') comment = false;
   }
   return kept;
@@ -23,7 +23,10 @@ std::string code_of(std::string_view line) {
 std::string worth_sending(std::string_view line) {
   while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
   while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
-  return line.starts_with('$') ? std::string{line} : code_of(line);
+  if (line.starts_with('$')) return std::string{line};
+  cnc::gcode::LineReader reader{line};
+  const bool nothing = !reader.begin(false) && reader.at_end();
+  return nothing ? std::string{} : code_of(line);
 }
 
 }  // namespace

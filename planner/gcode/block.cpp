@@ -56,6 +56,7 @@ Refusal Block::add_modal(const Word& word, const Result<const ModalWord*, FaultD
     const ModalWord* const both = combined(*words_[index_of(modal->group)], *modal);
     if (both == nullptr) return blame_word(FaultDetail::kModalGroupTwice, word);
     words_[index_of(modal->group)] = both;
+    if (both == modal) word_columns_[index_of(modal->group)] = word.column;
     return std::nullopt;
   }
   groups_ |= bit_of(modal->group);
@@ -69,6 +70,7 @@ Refusal Block::add_value(const Word& word) {
   constexpr std::uint32_t kNeverNegative = mask_of("FNST");
   constexpr std::uint32_t kAlwaysWhole = mask_of("LNT");
   const std::uint32_t bit = bit_of(word.letter);
+  if (word.letter == 'O') return blame_word(FaultDetail::kOWord, word);
   if ((bit & kKnown) == 0) return blame_word(FaultDetail::kUnsupported, word);
   if ((bit & letters_) != 0) return blame_word(FaultDetail::kRepeated, word);
   if ((bit & kNeverNegative) != 0 && word.value.is_negative()) {
@@ -131,7 +133,9 @@ Fault Block::blame(FaultDetail detail, ModalGroup group) const {
 }
 
 Fault Block::blame_first_axis_word(FaultDetail detail) const {
-  return blame(detail, leftmost(letters_ & axis_letters()));
+  constexpr std::uint32_t kOffsets = mask_of("IJK");
+  const std::uint32_t axes = letters_ & axis_letters();
+  return blame(detail, leftmost(axes != 0 ? axes : letters_ & kOffsets));
 }
 
 Refusal Block::unused_word() const {
@@ -158,8 +162,12 @@ Refusal read_block(std::string_view line, bool block_delete, Block& block) {
   if (const auto fault = reader.begin(block_delete)) return fault;
   while (!reader.at_end()) {
     Word word;
+    const bool first = block.empty();
     if (const auto fault = reader.read(word)) return fault;
     if (const auto fault = block.add(word)) return fault;
+    if (first && word.letter == 'N') {
+      if (const auto fault = reader.pass_slash_after_number(block_delete)) return fault;
+    }
     while (word.letter == 'S' && reader.at_more_values()) {
       if (const auto fault = reader.read_more(word)) return fault;
       if (const auto fault = block.add_power(word)) return fault;

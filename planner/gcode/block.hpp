@@ -65,7 +65,8 @@ class Block {
   [[nodiscard]] Fault blame(FaultDetail detail, char letter) const;
   /// A fault that blames the G or M word of this group. @pre has(group)
   [[nodiscard]] Fault blame(FaultDetail detail, ModalGroup group) const;
-  /// A fault that blames the first axis word. @pre has_axis_word()
+  /// A fault that blames the first axis word, or of I J K where there is none.
+  /// @pre has_axis_word() or one of those
   [[nodiscard]] Fault blame_first_axis_word(FaultDetail detail) const;
   /// kUnused for the leftmost value that nobody took, if there is one.
   [[nodiscard]] Refusal unused_word() const;

@@ -53,6 +53,10 @@ struct DecimalReading {
 /// The same for inches; 25.4 mm each, exactly.
 [[nodiscard]] Coordinate from_inches(const Decimal& number);
 
-[[nodiscard]] constexpr bool is_blank(char c) { return c == ' ' || c == '\t'; }
+/// Means nothing wherever it stands: a blank, or a control byte that ends no line. Grbl drops
+/// those, too.
+[[nodiscard]] constexpr bool is_blank(char c) {
+  return static_cast<unsigned char>(c) <= ' ' && c != '\r' && c != '\n';
+}
 
 }  // namespace cnc::gcode

@@ -15,6 +15,9 @@
 
 namespace cnc::gcode {
 
+/// Length in mm of a kArc from `start`, along X Y Z, for durations. In execution_arc.cpp.
+[[nodiscard]] float arc_length(const Position& start, const Action& arc);
+
 /// Works out what one block does: goes through the steps of RS274/NGC table 8
 /// in order, checks each, and notes its actions and its changes. Nothing
 /// outside is touched before commit(), so a fault in the last step undoes the
@@ -95,6 +98,8 @@ class Execution {
   [[nodiscard]] Refusal change_tool();
   [[nodiscard]] Refusal stop();
   [[nodiscard]] Refusal check_jog_words() const;
+  [[nodiscard]] Refusal check_durations();
+  [[nodiscard]] Fault too_long(float seconds) const;
 
   [[nodiscard]] Refusal set_digital_output(Output output);
   [[nodiscard]] Refusal set_analog_output(Output output);
@@ -109,6 +114,7 @@ class Execution {
 
   [[nodiscard]] bool only_sets_mode() const;
   [[nodiscard]] bool moves() const;
+  [[nodiscard]] bool has_centre_word() const;
   [[nodiscard]] Refusal check_feed() const;
   [[nodiscard]] Refusal read_target(Position& target);
   [[nodiscard]] Refusal move_straight();
@@ -123,7 +129,6 @@ class Execution {
   [[nodiscard]] Refusal check_centre_in_range(PlaneVector centre) const;
   [[nodiscard]] Refusal check_sides(PlaneVector end, PlaneVector centre, std::uint16_t turns) const;
   [[nodiscard]] Refusal check_end_on_circle(PlaneVector end, PlaneVector centre) const;
-  [[nodiscard]] float arc_speed(const Action& arc, PlaneVector end, PlaneVector centre) const;
   [[nodiscard]] PlaneVector from_here(const Position& target) const;
 
   [[nodiscard]] Refusal move_along_spline(MotionMode mode);

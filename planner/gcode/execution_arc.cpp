@@ -16,12 +16,15 @@ constexpr float to_mm(std::int64_t nanometres) { return Coordinate{nanometres}.m
 
 }  // namespace
 
-/// G2 and G3 (RS274/NGC 3.5.3). Axes outside the plane ride along.
+/// G2 and G3 (RS274/NGC 3.5.3). Axes outside the plane ride along. About a centre and without an
+/// end in the plane it is a whole turn, as in LinuxCNC.
 Refusal Execution::move_along_arc() {
   const PlaneAxes plane = axes_of(next_.modal.plane);
-  if (!block_.has_axis_word()) return blame_motion(FaultDetail::kAxisWordsMissing);
-  if (!block_.has(kAxisLetters[plane.first]) && !block_.has(kAxisLetters[plane.second])) {
-    return blame_motion(FaultDetail::kNoAxisWordInPlane);
+  if (block_.has('R') || !has_centre_word()) {
+    if (!block_.has_axis_word()) return blame_motion(FaultDetail::kAxisWordsMissing);
+    if (!block_.has(kAxisLetters[plane.first]) && !block_.has(kAxisLetters[plane.second])) {
+      return blame_motion(FaultDetail::kNoAxisWordInPlane);
+    }
   }
   Position target = next_.position;
   if (const auto fault = read_target(target)) return fault;
@@ -39,7 +42,9 @@ Refusal Execution::move_along_arc() {
                 next_.position[plane.second] + Coordinate{centre.second}};
   arc.clockwise = next_.modal.motion == MotionMode::kArcClockwise;
   arc.turns = turns;
-  arc.feed = arc_speed(arc, end, centre);
+  arc.feed = next_.modal.feed_mode == FeedMode::kInverseTime
+                 ? arc_length(next_.position, arc) * inverse_time_ / kSecondsPerMinute
+                 : next_.modal.feed;
   next_.position = target;
   return std::nullopt;
 }
@@ -67,7 +72,14 @@ Refusal Execution::find_centre(PlaneVector end, PlaneVector& centre) {
   return check_end_on_circle(end, centre);
 }
 
-/// From I J K: relative to the start (G91.1), or a place like any other (G90.1).
+/// An offset along one of the plane's two axes.
+bool Execution::has_centre_word() const {
+  const PlaneAxes plane = axes_of(next_.modal.plane);
+  return block_.has(kOffsetLetters[plane.first]) || block_.has(kOffsetLetters[plane.second]);
+}
+
+/// From I J K: relative to the start (G91.1), or a place like any other (G90.1). One along the
+/// plane's third axis means nothing; posts write it, and Grbl takes it.
 Refusal Execution::read_centre(PlaneVector& centre) {
   const PlaneAxes plane = axes_of(next_.modal.plane);
   const char first = kOffsetLetters[plane.first];
@@ -86,6 +98,7 @@ Refusal Execution::read_centre(PlaneVector& centre) {
     return value.nanometres();
   };
   centre = {offset(first, plane.first), offset(second, plane.second)};
+  static_cast<void>(block_.take(kOffsetLetters[plane.normal]));
   if (centre.is_null()) return blame_centre(FaultDetail::kCentreIsStart, 0.0F, 0.0F);
   return std::nullopt;
 }
@@ -145,14 +158,20 @@ Refusal Execution::check_end_on_circle(PlaneVector end, PlaneVector centre) cons
   return blame_centre(FaultDetail::kEndOffCircle, deviation, allowed);
 }
 
-float Execution::arc_speed(const Action& arc, PlaneVector end, PlaneVector centre) const {
-  if (next_.modal.feed_mode != FeedMode::kInverseTime) return next_.modal.feed;
-  const std::size_t normal = axes_of(arc.plane).normal;
-  const float rise = (arc.end[normal] - next_.position[normal]).mm();
+float arc_length(const Position& start, const Action& arc) {
+  const PlaneAxes plane = axes_of(arc.plane);
+  const auto from_start = [&](std::size_t axis, Coordinate place) {
+    return (place - start[axis]).nanometres();
+  };
+  const PlaneVector end{from_start(plane.first, arc.end[plane.first]),
+                        from_start(plane.second, arc.end[plane.second])};
+  const PlaneVector centre{from_start(plane.first, arc.centre[0]),
+                           from_start(plane.second, arc.centre[1])};
+  const float rise = (arc.end[plane.normal] - start[plane.normal]).mm();
   const float angle =
       sweep_angle(end, centre, arc.clockwise) + static_cast<float>(arc.turns - 1) * kTwoPi;
   const float along = centre.length() * angle;
-  return std::sqrt(along * along + rise * rise) * inverse_time_ / kSecondsPerMinute;
+  return std::sqrt(along * along + rise * rise);
 }
 
 PlaneVector Execution::from_here(const Position& target) const {

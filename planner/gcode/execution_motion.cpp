@@ -1,8 +1,22 @@
+#include <algorithm>
+
 #include "planner/base/units.hpp"
 #include "planner/gcode/execution.hpp"
 #include "planner/gcode/path_length.hpp"
+#include "planner/geometry/spline_length.hpp"
 
 namespace cnc::gcode {
+namespace {
+
+/// Longer than any straight motion and any turn of an arc within the range of places. Longer
+/// splines, which go from one end of the range to the other several times, are not driven so slowly.
+constexpr float kLongestTurnMm = 1.0e7F;
+
+constexpr bool is_arc(MotionMode mode) {
+  return mode == MotionMode::kArcClockwise || mode == MotionMode::kArcCounterClockwise;
+}
+
+}  // namespace
 
 /// The motion mode acts when its word is in the line, or when there are axis
 /// words that no other word of the line claims (Grbl's implicit motion).
@@ -22,8 +36,7 @@ Refusal Execution::move() {
   }
   if (straight) return move_straight();
   if (probes) return probe();
-  const bool arc = mode == MotionMode::kArcClockwise || mode == MotionMode::kArcCounterClockwise;
-  return arc ? move_along_arc() : move_along_spline(mode);
+  return is_arc(mode) ? move_along_arc() : move_along_spline(mode);
 }
 
 /// Senders give back the modes that they were told in one line, `G2 … F0` among
@@ -35,9 +48,49 @@ bool Execution::only_sets_mode() const {
          next_.modal.feed_mode == FeedMode::kInverseTime;
 }
 
+/// Without a word that claims the axes a centre alone is another whole turn, as in LinuxCNC.
 bool Execution::moves() const {
-  if (block_.axis_use() == AxisUse::kNone) return block_.has_axis_word();
-  return block_.axis_use() == AxisUse::kMotion;
+  if (block_.axis_use() != AxisUse::kNone) return block_.axis_use() == AxisUse::kMotion;
+  return block_.has_axis_word() || (is_arc(next_.modal.motion) && has_centre_word());
+}
+
+/// Rejects a slip that would keep the machine at work for years. What the axes allow counts as
+/// well as F; overrides do not.
+Refusal Execution::check_durations() {
+  Position start = context_.position;
+  for (const Action& action : actions_.all()) {
+    const bool rapid = action.kind == ActionKind::kRapid;
+    const bool arc = action.kind == ActionKind::kArc;
+    const bool spline = action.kind == ActionKind::kSpline;
+    const bool straight = rapid || action.kind == ActionKind::kLine ||
+                          action.kind == ActionKind::kProbe;
+    if (!straight && !arc && !spline) continue;
+    const float speed = rapid ? options_.slowest_rate_mm_s
+                              : std::min(action.feed, options_.slowest_rate_mm_s);
+    const float longest = speed * options_.longest_motion_s;
+    if (longest < kLongestTurnMm * static_cast<float>(action.turns)) {
+      const float length = arc      ? arc_length(start, action)
+                           : spline ? length_of(*action.spline)
+                                    : straight_length(start, action.end);
+      if (length > longest) return too_long(length / speed);
+    }
+    start = action.end;
+  }
+  return std::nullopt;
+}
+
+Fault Execution::too_long(float seconds) const {
+  constexpr float kSecondsPerDay = 86'400.0F;
+  constexpr float kMostDays = 1.0e9F;  // As many as the message shows.
+  Fault fault{.detail = FaultDetail::kMotionTooLong};
+  if (block_.has('F')) {
+    fault = block_.blame(fault.detail, 'F');
+  } else if (block_.has_axis_word()) {
+    fault = block_.blame_first_axis_word(fault.detail);
+  }
+  fault.value = std::min(seconds / kSecondsPerDay, kMostDays);
+  fault.limit = options_.longest_motion_s / kSecondsPerDay;
+  return fault;
 }
 
 Refusal Execution::check_feed() const {
@@ -116,6 +169,7 @@ float Execution::straight_speed(const Position& target) const {
   return only_rotary_axes_move(next_.position, target) ? modal.rotary_feed : modal.feed;
 }
 
+/// The word of the motion, or what stands for it.
 Fault Execution::blame_motion(FaultDetail detail) const {
   if (block_.has(ModalGroup::kMotion)) return block_.blame(detail, ModalGroup::kMotion);
   return block_.blame_first_axis_word(detail);

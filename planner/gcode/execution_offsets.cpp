@@ -19,8 +19,6 @@ Refusal Execution::set_tool_length() {
     length = to_length(*z);
     constexpr std::size_t kZ = index_of(Axis::kZ);
     if (const auto fault = check_range(FaultDetail::kOffsetOutOfRange, kZ, length)) return fault;
-  } else if (block_.has_axis_word()) {
-    return block_.blame_first_axis_word(FaultDetail::kAxisWordUnused);
   }
   next_.modal.tool_length_in_use = set;
   offsets_changed_ |= next_.shift.tool_length != length;

@@ -12,16 +12,22 @@ constexpr bool is_line_end(char c) { return c == '\r' || c == '\n'; }
 
 constexpr bool is_visible_ascii(char c) { return c > ' ' && c <= '~'; }
 
-FaultDetail detail_of(DecimalError error) {
-  return error == DecimalError::kNoDigits ? FaultDetail::kNumberMissing
-                                          : FaultDetail::kNumberTooLong;
-}
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Begins an expression or a parameter of LinuxCNC and Fanuc.
+constexpr bool begins_expression(char c) { return c == '[' || c == '#' || c == '<'; }
 
 }  // namespace
 
+std::string_view without_mark(std::string_view line) {
+  if (line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);
+  return line;
+}
+
 Refusal LineReader::begin(bool block_delete) {
   drop_line_end();
-  if (line_.size() > kLongestLine) {
+  at_ = line_.size() - without_mark(line_).size();
+  if (too_long()) {
     return Fault{.detail = FaultDetail::kLineTooLong,
                  .column = kLongestLine + 1,
                  .limit = static_cast<float>(kLongestLine)};
@@ -29,13 +35,27 @@ Refusal LineReader::begin(bool block_delete) {
   if (const auto fault = skip_to_word()) return fault;
   if (at('/')) return pass_slash(block_delete);
   if (at('%')) return pass_percent();
-  return std::nullopt;
+  return pass_name();
 }
 
 Refusal LineReader::read(Word& word) {
   const char letter = upper_case(line_[at_]);
   if (letter < 'A' || letter > 'Z') return not_a_letter();
   return read_value(letter, word);
+}
+
+/// A file may have any comments, the machine's memory has not: only what is no comment counts.
+bool LineReader::too_long() const {
+  if (line_.size() <= kLongestLine) return false;
+  std::size_t code = 0;
+  bool within = false;
+  for (const char c : line_) {
+    if (c == ';' && !within) break;
+    if (c == '(') within = true;
+    if (!within) ++code;
+    if (c == ')') within = false;
+  }
+  return code > kLongestLine || line_.size() > kLongestLineWithComments;
 }
 
 /// The number behind the letter or colon here.
@@ -45,11 +65,7 @@ Refusal LineReader::read_value(char letter, Word& word) {
   const auto number = read_decimal(rest);
   word.letter = letter;
   word.column = static_cast<std::uint16_t>(at_ + 1);
-  if (!number.ok()) {
-    Fault fault = fault_here(detail_of(number.error()));
-    fault.letter = letter;
-    return fault;
-  }
+  if (!number.ok()) return no_number(letter, number.error());
   word.value = number.value().value;
   at_ += 1 + number.value().length;
   return skip_to_word();
@@ -93,14 +109,33 @@ Refusal LineReader::pass_slash(bool block_delete) {
     return std::nullopt;
   }
   ++at_;
-  return skip_to_word();
+  if (!at_end() && is_digit(line_[at_])) ++at_;
+  if (const auto fault = skip_to_word()) return fault;
+  return pass_name();
 }
 
+/// What follows % is the name of a program; a word there is a slip that would not be driven.
 Refusal LineReader::pass_percent() {
   const Fault not_alone = fault_here(FaultDetail::kPercentNotAlone);
   ++at_;
   if (const auto fault = skip_to_word()) return fault;
-  if (!at_end()) return not_alone;
+  const bool word = line_.size() > at_ + 1 && upper_case(line_[at_]) == 'G' &&
+                    is_digit(line_[at_ + 1]);
+  if (word) return not_alone;
+  at_ = line_.size();
+  return std::nullopt;
+}
+
+/// `O1234` and `:1234` alone in a line number a program; all other words with O are refused.
+Refusal LineReader::pass_name() {
+  const bool colon = at(':');
+  if (!colon && !at('O') && !at('o')) return std::nullopt;
+  const Fault unsupported = colon ? not_a_letter() : fault_here(FaultDetail::kOWord);
+  Word word;
+  const Refusal fault = read_value(':', word);
+  if (fault || !at_end() || !word.value.is_integer() || word.value.is_negative()) {
+    return unsupported;
+  }
   return std::nullopt;
 }
 
@@ -108,10 +143,22 @@ Fault LineReader::fault_here(FaultDetail detail) const {
   return Fault{.detail = detail, .column = static_cast<std::uint16_t>(at_ + 1)};
 }
 
+Fault LineReader::no_number(char letter, DecimalError error) const {
+  Fault fault = fault_here(FaultDetail::kNumberTooLong);
+  fault.letter = letter;
+  if (error == DecimalError::kTooLong) return fault;
+  std::size_t next = at_ + 1;
+  while (next < line_.size() && is_blank(line_[next])) ++next;
+  const bool expression = next < line_.size() && begins_expression(line_[next]);
+  fault.detail = expression ? FaultDetail::kExpressionForNumber : FaultDetail::kNumberMissing;
+  return fault;
+}
+
 Fault LineReader::not_a_letter() const {
   const char found = line_[at_];
   if (is_visible_ascii(found)) {
-    Fault fault = fault_here(FaultDetail::kNotALetter);
+    Fault fault = fault_here(begins_expression(found) ? FaultDetail::kExpression
+                                                      : FaultDetail::kNotALetter);
     fault.letter = found;
     return fault;
   }

@@ -9,8 +9,13 @@
 
 namespace cnc::gcode {
 
-/// The longest line that is read, its CR and LF not counted.
+/// The longest line that is read, its CR and LF and its comments not counted.
 inline constexpr std::size_t kLongestLine = 256;
+/// The same with its comments: columns are 16 bits wide.
+inline constexpr std::size_t kLongestLineWithComments = 65'534;
+
+/// The line without the byte order mark that some editors put before the first one.
+[[nodiscard]] std::string_view without_mark(std::string_view line);
 
 /// A letter and its number, and where it stands.
 struct Word {
@@ -22,8 +27,9 @@ struct Word {
 /// Splits one line into words.
 ///
 /// What RS274/NGC lets pass is passed over: blanks anywhere, comments in ( )
-/// and after ; with any bytes in them, CR and LF at the end, a line of a lone
-/// %, lower case. Everything else outside a word is refused.
+/// and after ; with any bytes in them, CR and LF at the end, lower case. So are control bytes, a
+/// byte order mark, and what names a program: a line that begins with %, and O or : with a number
+/// alone in a line. Everything else outside a word is refused.
 ///
 /// Stands at a word or at the end whenever a call has returned no fault.
 class LineReader {
@@ -32,8 +38,8 @@ class LineReader {
   explicit LineReader(std::string_view line) : line_{line} {}
 
   /// Goes to the first word. Call once, before anything else.
-  /// @param block_delete true: a line that begins with / is as good as empty;
-  ///   false: the / means nothing.
+  /// @param block_delete true: what follows a / at the front or after N is as good as a comment;
+  ///   false: the / means nothing. A digit after it, as of switches 1 to 9, belongs to it.
   [[nodiscard]] Refusal begin(bool block_delete);
 
   [[nodiscard]] bool at_end() const { return at_ == line_.size(); }
@@ -41,6 +47,10 @@ class LineReader {
   /// Reads the word here and goes to the next one.
   /// @pre !at_end()
   [[nodiscard]] Refusal read(Word& word);
+  /// Goes behind a / that follows the N read last, as begin() does.
+  [[nodiscard]] Refusal pass_slash_after_number(bool block_delete) {
+    return at('/') ? pass_slash(block_delete) : pass_name();
+  }
 
   /// Another value of the word read last stands here, after a colon.
   [[nodiscard]] bool at_more_values() const { return at(':'); }
@@ -49,14 +59,17 @@ class LineReader {
 
  private:
   void drop_line_end();
+  [[nodiscard]] bool too_long() const;
   [[nodiscard]] Refusal read_value(char letter, Word& word);
   [[nodiscard]] Refusal skip_to_word();
   [[nodiscard]] Refusal skip_comment();
   [[nodiscard]] Refusal pass_percent();
   [[nodiscard]] Refusal pass_slash(bool block_delete);
+  [[nodiscard]] Refusal pass_name();
   [[nodiscard]] bool at(char wanted) const { return !at_end() && line_[at_] == wanted; }
   [[nodiscard]] Fault fault_here(FaultDetail detail) const;
   [[nodiscard]] Fault not_a_letter() const;
+  [[nodiscard]] Fault no_number(char letter, DecimalError error) const;
 
   std::string_view line_;
   std::size_t at_ = 0;

@@ -133,7 +133,11 @@ AxisUse ModalWord::axis_use() const {
     const bool moves = meaning != static_cast<std::uint8_t>(MotionMode::kNone);
     return moves ? AxisUse::kMotion : AxisUse::kNone;
   }
-  if (group == kToolLength) return AxisUse::kToolLength;
+  // G49 only switches off, and may stand beside a motion, as in LinuxCNC.
+  if (group == kToolLength) {
+    const bool sets = meaning == static_cast<std::uint8_t>(ToolLength::kSet);
+    return sets ? AxisUse::kToolLength : AxisUse::kNone;
+  }
   if (group != kNonModal) return AxisUse::kNone;
   switch (static_cast<NonModal>(meaning)) {
     case NonModal::kSetSystem:
@@ -158,6 +162,11 @@ Result<const ModalWord*, FaultDetail> find_m_word(const Decimal& number) {
 
 const ModalWord* combined(const ModalWord& a, const ModalWord& b) {
   static constexpr ModalWord kBoth = word(80, ModalGroup::kCoolant, CoolantWord::kBoth);
+  const auto ends_cycles = [](const ModalWord& modal) {
+    return modal.group == ModalGroup::kMotion &&
+           modal.meaning == static_cast<std::uint8_t>(MotionMode::kNone);
+  };
+  if (ends_cycles(a) != ends_cycles(b)) return ends_cycles(a) ? &b : &a;
   const auto is = [](const ModalWord& modal, CoolantWord wanted) {
     return modal.group == ModalGroup::kCoolant &&
            modal.meaning == static_cast<std::uint8_t>(wanted);

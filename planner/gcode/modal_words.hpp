@@ -89,7 +89,8 @@ struct ModalWord {
 [[nodiscard]] Result<const ModalWord*, FaultDetail> find_m_word(const Decimal& number);
 
 /// What two words of one group mean together; null where they exclude each
-/// other, as all do but M7 and M8 (RS274/NGC 3.6.4).
+/// other, as all do but M7 and M8 (RS274/NGC 3.6.4), and G80 beside a motion, which heads of
+/// programs have: the motion is what counts.
 [[nodiscard]] const ModalWord* combined(const ModalWord& a, const ModalWord& b);
 
 }  // namespace cnc::gcode

@@ -17,7 +17,7 @@ inline constexpr Position kFarthestPosition{Coordinate{Coordinate::kFarthestNano
 
 /// What the user may set about reading G-code.
 struct Options {
-  bool block_delete = true;  ///< Lines that begin with / are skipped, as in LinuxCNC.
+  bool block_delete = true;  ///< Lines that begin with / are skipped, as in LinuxCNC; $890.
   ArcTolerance arc{};
   std::uint32_t highest_tool = 255;            ///< Grbl's limit of T.
   bool laser = false;                          ///< S may have several values in a line.
@@ -31,6 +31,8 @@ struct Options {
   float full_power_speed = 1000.0F;           ///< S of the beam's greatest power, $30,
   std::uint32_t greatest_power_mw = 0;        ///< which is this; 0: nobody knows.
   float longest_dwell_s = 86'400.0F;          ///< A day: whoever writes more meant milliseconds.
+  float longest_motion_s = 2'592'000.0F;      ///< 30 days: a slip of F, or of its unit in G93.
+  float slowest_rate_mm_s = 1.0e6F;           ///< The least rate of an axis, $110…$115.
 };
 
 }  // namespace cnc::gcode

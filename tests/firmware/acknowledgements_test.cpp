@@ -202,7 +202,7 @@ TEST_F(AcknowledgementsTest, EveryNumberOfTheTableIsGiven) {
                                       std::string_view{"G59.7"},
                                       std::string_view{"F100 G53 G2 X1 R5"},
                                       std::string_view{"G80 X1"},
-                                      std::string_view{"F100 G2 Z1 I1"},
+                                      std::string_view{"F100 G2 Z1 K1"},
                                       std::string_view{"F100 G2 X1 Y1 I99"},
                                       std::string_view{"F100 G2 X1 R0"},
                                       std::string_view{"F100 G2 X1"},

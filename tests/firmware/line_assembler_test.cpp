@@ -71,6 +71,39 @@ TEST(LineAssembler, SaysWhenALineDoesNotFitAndDropsTheRestOfIt) {
   EXPECT_EQ(lines_of(thousand), (std::vector<Line>{{sixteen, true}, {"G0", false}}));
 }
 
+TEST(LineAssembler, DropsCommentsOfLinesThatDoNotFit) {
+  EXPECT_EQ(texts_of("G0(0123456789)X1\n"), (Texts{"G0(0123456789)X1"})) << "fits";
+  EXPECT_EQ(lines_of("G0(0123456789a)X1\n"), (std::vector<Line>{{"G0()X1", false}}));
+  EXPECT_EQ(texts_of("(" + std::string(1000, 'x') + ")G0 (y)X1;" + std::string(1000, 'z') + "\n"),
+            (Texts{"()G0 ()X1;"}));
+  EXPECT_EQ(texts_of("G0 X1234 (two)(" + std::string(100, 'x') + ")(y)\n"),
+            (Texts{"G0 X1234 ()()()"}));
+  EXPECT_EQ(texts_of("G0(a(b" + std::string(100, 'x') + ")X1\n"), (Texts{"G0(()X1"}))
+      << "nested brackets are for the reader to refuse";
+  EXPECT_EQ(texts_of("G0(" + std::string(100, 'x') + "\nG1\n"), (Texts{"G0(", "G1"})) << "unclosed";
+  EXPECT_EQ(lines_of("(x)0123456789abcdefg\n"), (std::vector<Line>{{"()0123456789abcd", true}}));
+}
+
+TEST(LineAssembler, KnowsWhereBytesStoodInTheLineThatCame) {
+  LineAssembler<16> assembler;
+  const auto assemble = [&assembler](std::string_view line) {
+    for (const char byte : line) static_cast<void>(assembler.add(byte));
+  };
+  assemble("G0 X1(" + std::string(100, 'x') + ")Y2\n");
+  ASSERT_EQ(assembler.line(), "G0 X1()Y2");
+  EXPECT_FALSE(assembler.whole());
+  EXPECT_EQ(assembler.column_as_it_came(4), 4U);
+  EXPECT_EQ(assembler.column_as_it_came(8), 108U);
+  assemble("X1(" + std::string(100, 'x') + ")Y2(" + std::string(100, 'z') + ")Z3\n");
+  ASSERT_EQ(assembler.line(), "X1()Y2()Z3");
+  EXPECT_EQ(assembler.column_as_it_came(1), 1U);
+  EXPECT_EQ(assembler.column_as_it_came(5), 0U) << "not known";
+  EXPECT_EQ(assembler.column_as_it_came(9), 209U);
+  assemble("X1(y)Y2\n");
+  EXPECT_TRUE(assembler.whole());
+  EXPECT_EQ(assembler.column_as_it_came(6), 6U);
+}
+
 TEST(LineAssembler, KeepsEveryOtherByteAsItIs) {
   std::string bytes;
   for (int value = 0; value < 256; ++value) {
@@ -92,6 +125,7 @@ TEST(LineAssembler, GivesBackEveryLineOfRandomText) {
     for (std::size_t count = random.below(20); count > 0; --count) {
       std::string text(random.below(24), ' ');
       for (char& c : text) c = static_cast<char>(' ' + static_cast<char>(random.below(90)));
+      std::erase_if(text, [](char c) { return c == '(' || c == ';'; });  // No comments.
       bytes.append(text).append(end);
       wanted.push_back({text.substr(0, 16), text.size() > 16});
     }

@@ -51,11 +51,101 @@ TEST_F(CheckedLines, TakesMarlinsLinesAndAnswersAsMarlinDoes) {
   EXPECT_DOUBLE_EQ(x_mm(), 2.0);
 }
 
-TEST_F(CheckedLines, BeginWithoutM110AtOne) {
-  EXPECT_EQ(sum("N7 G1 X7 F600"), (std::vector<std::string>{"Resend: 1", "ok"}));
+/// A program that has numbers and sums of its own comes from a sender that can repeat nothing.
+TEST_F(CheckedLines, WithoutM110NumbersAreTheProgramsOwn) {
+  for (const char* line : {"N1 G1 X1 F600", "N10 G91", "N20 X1", "N20 X1", "N5 X1", "X1", "N6 X1 "}) {
+    EXPECT_EQ(sum(line), one("ok")) << line;
+  }
+  EXPECT_EQ(say("N30 X1 (2*3)\nX1\n$G\n").size(), 4U) << "plain ones between them";
+  EXPECT_EQ(crc("N7 X1"), one("ok"));
+  run_until_idle();
+  EXPECT_DOUBLE_EQ(x_mm(), 9.0);
+}
+
+TEST_F(CheckedLines, WithoutM110AWrongCheckIsAFaultOfItsLine) {
+  const std::vector<std::string> wrong{"[MSG:7: the check does not fit its line]", "error:1"};
+  for (const char* line : {"N1 G21*20", "N2 G21*20", "N2 G21*999", "N9 G21*12345678", "N9 G21*0 ; 27"}) {
+    EXPECT_EQ(say(std::string(line) + "\n"), wrong) << line;
+  }
   EXPECT_EQ(sum("N1 G1 X1 F600"), one("ok"));
+  EXPECT_EQ(say("N1 G21*20\n"), wrong) << "after a good one, too";
+  EXPECT_EQ(say("N2 G1 X9*1\nN3 G1 X9*2\n").back(), "error:1");
   run_until_idle();
   EXPECT_DOUBLE_EQ(x_mm(), 1.0);
+}
+
+TEST_F(CheckedLines, AStarThatIsNoCheckIsJudgedLikeAnythingElse) {
+  for (const char* line : {"N10 G1 X[2*5]", "G1 X[2*5] F100", "N1 G21*", "N1 G21*1234", "N1 G21*2A",
+                           "N1 G21*27*", "N1 G21*27 X1", "N1 G21*2 7", "*27 G21"}) {
+    const auto said = say(std::string(line) + "\n");
+    EXPECT_EQ(said.size(), 2U) << line;
+    EXPECT_TRUE(said.back().starts_with("error:")) << line;
+  }
+  for (const char* line : {"N10 G1 X1 F600 (2*3)", "G1 X1;*12", "(a*12) G21", "$I=a*12"}) {
+    EXPECT_EQ(say(std::string(line) + "\n"), one("ok")) << line;
+    run_until_idle();
+  }
+}
+
+TEST_F(CheckedLines, ACommentMayFollowTheCheck) {
+  EXPECT_EQ(say("N1 G21*27 ; mm\n"), one("ok"));
+  EXPECT_EQ(say("N1 G21*27 (mm)\n"), one("ok"));
+  EXPECT_EQ(say("N1 G21*27 \t\n"), one("ok"));
+  EXPECT_EQ(sum("N1 (mm) G21"), one("ok"));
+  EXPECT_EQ(say("N0 M110*35 ; begin\n"), one("ok"));
+  EXPECT_EQ(sum("N1 G1 X1 F600"), one("ok"));
+}
+
+TEST_F(CheckedLines, BeginAsOtherHostsSay) {
+  // OctoPrint, Repetier-Host, Printrun (whose first line is N0), a plain one.
+  for (const char* begin : {"N0 M110 N0*125", "N0 M110*35", "M110 N0*35", "m110*93", "M110", "M110 N0"}) {
+    say("\x18");
+    run(100);
+    EXPECT_EQ(say(std::string(begin) + "\n"), one("ok")) << begin;
+    EXPECT_EQ(sum("N1 G21"), one("ok")) << begin;
+    EXPECT_EQ(sum("N3 G21"), (std::vector<std::string>{"Resend: 2", "ok"})) << begin;
+  }
+  EXPECT_EQ(sum("N-1 M110"), one("ok"));
+  EXPECT_EQ(sum("N0 G21"), one("ok"));
+  EXPECT_EQ(sum("N2 G21"), (std::vector<std::string>{"Resend: 1", "ok"}));
+}
+
+TEST_F(CheckedLines, UnderTheSumLinesWithoutANumberComeInBetween) {
+  say("N0 M110*35\n");
+  EXPECT_EQ(sum("N1 G1 X1 F600"), one("ok"));
+  EXPECT_EQ(say("G1 X2\n"), one("ok"));
+  EXPECT_EQ(say("$G\n").back(), "ok");
+  EXPECT_EQ(say("N2 G1 X9\n"), (std::vector<std::string>{"Resend: 2", "ok"})) << "lost its check";
+  EXPECT_EQ(sum("G1 X9"), (std::vector<std::string>{"Resend: 2", "ok"})) << "lost its number";
+  run_until_idle();
+  EXPECT_DOUBLE_EQ(x_mm(), 2.0);
+  // Nobody who sums up knows of pairs.
+  EXPECT_EQ(sum("N2 G1 X50"), one("ok"));
+  say("!");
+  EXPECT_EQ(machine.state(), MachineState::kHold);
+}
+
+TEST_F(CheckedLines, EveryLineHasOneAnswer) {
+  for (const char* begin : {"", "N0 M110*35\n", "N0 M110*E0B0C1AA\n"}) {
+    say("\x18\x18");
+    run(100);
+    say(begin);
+    for (int n = 0; n < 5; ++n) {
+      for (const char* line : {"N4 G1 X9*1", "N9 G1 X9*3FB66097", "N4*3", "*", "N1 G1 X9 F600*99x"}) {
+        int answers = 0;
+        for (const std::string& said : say(std::string(line) + "\n")) {
+          const bool resend = said.starts_with("Resend:");
+          const bool marlins = resend && said.find('*') == std::string::npos;  // Its ok follows.
+          if ((resend && !marlins) || said.starts_with("Dropped: ") || said.starts_with("error:") ||
+              said == "ok") {
+            ++answers;
+          }
+        }
+        EXPECT_EQ(answers, 1) << begin << line;
+      }
+    }
+  }
+  EXPECT_EQ(port.position[0], 0);
 }
 
 TEST_F(CheckedLines, WithTheCrcAnswersSayWhichLineTheyAreFor) {
@@ -76,25 +166,30 @@ TEST_F(CheckedLines, RefuseWhateverIsPlainOrOfTheOtherForm) {
   }
   crc("N0 M110");
   EXPECT_EQ(sum("N1 G1 X9 F600"), one(with_crc("Resend: 1")));
-  EXPECT_EQ(say(std::string(300, 'X') + "\n"), std::vector<std::string>{});
+  EXPECT_EQ(say(std::string(300, 'X') + "\n"), one(with_crc("Dropped: 1")));
   EXPECT_EQ(port.position[0], 0);
 }
 
-/// Of what is in flight behind a gap nothing is taken and nothing is said.
+/// Of what is in flight behind a gap nothing is taken.
 TEST_F(CheckedLines, OneGapIsAskedForOnce) {
+  const auto asked = [this](const std::string& bytes) {
+    auto said = say(bytes);
+    std::erase_if(said, [](const std::string& line) { return line.starts_with("Dropped: "); });
+    return said;
+  };
   crc("N0 M110");
   std::string flight;
   for (int n = 2; n < 20; ++n)
     flight += with_crc("N" + std::to_string(n) + " G91 G1 X1 F9000") + "\n";
-  EXPECT_EQ(say(flight), one(with_crc("Resend: 1")));
+  EXPECT_EQ(asked(flight), one(with_crc("Resend: 1")));
   // The answer was lost with the resent line: the numbers begin again.
-  EXPECT_EQ(say(flight), one(with_crc("Resend: 1")));
+  EXPECT_EQ(asked(flight), one(with_crc("Resend: 1")));
   const std::string first = with_crc("N1 G91 G1 X1 F9000") + "\n";
   EXPECT_EQ(say(first + flight).size(), 19U);
   run_until_idle();
   EXPECT_DOUBLE_EQ(x_mm(), 19.0);
   // All of it again: taken already, and so it is said, once.
-  EXPECT_EQ(say(first + flight), one(with_crc("Resend: 20 N19")));
+  EXPECT_EQ(asked(first + flight), one(with_crc("Resend: 20 N19")));
   // What is missing behind what was repeated is asked for.
   EXPECT_EQ(crc("N21 G1 X1"), one(with_crc("Resend: 20")));
   run_until_idle();
@@ -104,7 +199,7 @@ TEST_F(CheckedLines, OneGapIsAskedForOnce) {
 TEST_F(CheckedLines, WhatIsAskedForIsAskedForAgainLater) {
   crc("N0 M110");
   EXPECT_EQ(say("N1 G1 damaged\n"), one(with_crc("Resend: 1")));
-  EXPECT_EQ(say("N1 G1 damaged\n"), std::vector<std::string>{});
+  EXPECT_EQ(say("N1 G1 damaged\n"), one(with_crc("Dropped: 1")));
   run(300);
   EXPECT_EQ(say("N1 G1 damaged\n"), one(with_crc("Resend: 1")));
 }
@@ -164,8 +259,15 @@ TEST_F(CheckedLines, LeavePlainLinesAlone) {
     run_until_idle();
   }
   EXPECT_EQ(say("N2*3"), std::vector<std::string>{});
-  EXPECT_EQ(say("\n"), (std::vector<std::string>{"Resend: 1", "ok"}));
+  EXPECT_EQ(say("\n").back(), "error:1");
   EXPECT_EQ(send("G1 X2 *3"), "error:1");
+}
+
+TEST_F(CheckedLines, UnderTheCrcACommentMayStandBeforeTheCheck) {
+  crc("N0 M110");
+  EXPECT_EQ(crc("N1 $110=4000 ; mm/min*2"), one(with_crc("ok N1")));
+  EXPECT_EQ(crc("N2 G1 X1 F600 (2*3"), (std::vector<std::string>{
+                "[MSG:15: comment has no ')']", with_crc("error:1 N2")}));
 }
 
 TEST_F(CheckedLines, SayWhatIsWrongInTheStatementItself) {

@@ -140,6 +140,30 @@ TEST_F(MachineStatesTest, SkipsDeletedBlocksOnlyWhenAsked) {
   EXPECT_EQ(port.position[0], 500);
 }
 
+TEST_F(MachineStatesTest, BlockDeleteIsASettingAndASwitch) {
+  const auto letters = [this] { return report("\xC2\x87").find("|Pn:L") != std::string::npos; };
+  EXPECT_TRUE(letters()) << "as it was before there was a setting";
+  EXPECT_EQ(report().find("|Pn:"), std::string::npos) << "senders would show a pin for ever";
+  send_all({"$890=0", "/G0 X1", "N10 /G0 X2"});
+  run_until_idle();
+  EXPECT_EQ(port.position[0], 500);
+  EXPECT_FALSE(letters());
+  link.outgoing.clear();
+  EXPECT_EQ(send("$B"), "ok");
+  EXPECT_EQ(printed().front(), "[MSG:Enabled]");
+  EXPECT_TRUE(letters());
+  send_all({"/G0 X3", "N10 /G0 X3"});
+  link.outgoing.clear();
+  EXPECT_EQ(send("$b"), "ok");
+  EXPECT_EQ(printed().front(), "[MSG:Disabled]");
+  send_all({"$B", "$890=0"});
+  EXPECT_FALSE(machine.block_delete()) << "the setting counts from when it is written";
+  run_until_idle();
+  EXPECT_EQ(port.position[0], 500);
+  EXPECT_EQ(send("G1 X9 F60"), "ok");
+  EXPECT_EQ(send("$B"), "error:8") << "in motion the next lines are planned already";
+}
+
 TEST_F(MachineStatesTest, StopsTheSpindleOnlyInAHoldAndBringsItBack) {
   send_all({"M3 S500"});
   machine.toggle_spindle_stop();

@@ -59,6 +59,39 @@ TEST(ReadProgram, SmallLettersSpacesCommentsAndDeletedLines) {
               ElementsAre(Point{10.5, 0.5}, Point{10.5, -0.25}, Point{10.5, -0.25, 1}));
 }
 
+TEST(ReadProgram, NamesOfProgramsControlBytesAndSlashes) {
+  EXPECT_THAT(ends("%1001\nO0001 (BOX)\n:12\n% end\nN1 O5\nG0\x01 X1\x1a\nN10 /X2\n/3 X3\n"),
+              ElementsAre(Point{1}));
+  EXPECT_THAT(ends(read_program("N10 /G0X2\n/3 X3\n/X4\n", {.block_delete = false})),
+              ElementsAre(Point{2}, Point{3}, Point{4}));
+}
+
+TEST(ReadProgram, G80AndG49BesideAMotion) {
+  EXPECT_THAT(ends("G0 G80 X1\nG80 G0 X2\nX3\nG43.1 Z5\nG49 G0 Z1\nG49 Z2\n"),
+              ElementsAre(Point{1}, Point{2}, Point{3}, Point{3, 0, 1}, Point{3, 0, 2}));
+}
+
+TEST(ReadProgram, HasTheLimitsOfTheController) {
+  for (const char* line : {"G2 I1 P65536", "G2 I1 P0", "G2 I1 P1.5", "G2 I1 P-2", "G1 X1234567890"}) {
+    const ProgrammedPath path = read_program(std::string{"F1\n"} + line + "\n");
+    EXPECT_THAT(path.pieces, IsEmpty()) << line;
+    EXPECT_EQ(path.notes.size(), 1U) << line;
+  }
+  EXPECT_EQ(read_program("F1 G2 I1 P65535").pieces.size(), 2U * 65'535U);
+  std::string text;
+  for (int i = 0; i < 5000; ++i) text += "M50\n";
+  EXPECT_EQ(read_program(text).notes.size(), 1001U);
+}
+
+TEST(ReadProgram, HandsPiecesOutOneByOne) {
+  std::vector<Point> places;
+  ReadOptions options;
+  options.on_piece = [&places](const PathPiece& piece) { places.push_back(piece.curve.end()); };
+  const ProgrammedPath path = read_program("G0 X1\nX2\n", options);
+  EXPECT_THAT(path.pieces, IsEmpty());
+  EXPECT_THAT(places, ElementsAre(Point{1}, Point{2}));
+}
+
 TEST(ReadProgram, ReadsFromAStreamAndStopsAtTheEnd) {
   std::istringstream text{"G0X1\nM30\nG0X2\n"};
   EXPECT_THAT(ends(read_program(text)), ElementsAre(Point{1}));

@@ -1,3 +1,4 @@
+#include <array>
 #include <string>
 
 #include "tests/planner/gcode/interpreter_test.hpp"
@@ -32,14 +33,21 @@ TEST_F(AcceptedLines, ManySpellingsOfOneMove) {
       "G1 X10.5 Y-0.25 F600 (" + std::string(232, 'x') + ")",
       "G1 X10.500000000000000000000000001 Y-0.2499999999999999999999999999 F600",
       "G1.0 X10.5 Y-0.25 F600",
+      "\xef\xbb\xbfG1 X10.5 Y-0.25 F600",
+      std::string("G1\0 X1\x01\x0b" "0.5 Y-0.2\x7" "5 F600\x1a", 25),
+      "G49 G80 G1 X10.5 Y-0.25 F600",
+      "G1 X10.5 G80 Y-0.25 F600 G49",
+      "G0 G80 G17 G40 G49 G90 X10.5 Y-0.25 F600 (a head)",
+      "(" + std::string(1000, 'x') + ") G1 X10.5 Y-0.25 F600 ;" + std::string(300, 'y'),
   };
   for (const std::string& line : spellings) {
     interpreter = Interpreter{};
     const Action action = take_one(line);
-    EXPECT_EQ(action.kind, ActionKind::kLine) << line;
+    const bool rapid = line.starts_with("G0 ");
+    EXPECT_EQ(action.kind, rapid ? ActionKind::kRapid : ActionKind::kLine) << line;
     EXPECT_EQ(action.end[0], Coordinate{10'500'000}) << line;
     EXPECT_EQ(action.end[1], Coordinate{-250'000}) << line;
-    EXPECT_EQ(action.feed, 10.0F) << line;
+    EXPECT_EQ(action.feed, rapid ? 0.0F : 10.0F) << line;
     EXPECT_EQ(interpreter.position(), action.end) << line;
   }
 }
@@ -69,6 +77,25 @@ TEST_F(AcceptedLines, LinesThatAskForNothing) {
                            " % ",
                            "%\r\n",
                            "% ; start",
+                           "%1001",
+                           "%name",
+                           "% end",
+                           "%%",
+                           "%_N_BOX_MPF ; Siemens",
+                           "%O1234 (BOX)",
+                           "%PM",
+                           "O0001",
+                           "o1234 (BOX)",
+                           "O 1 2 3 4 ; box",
+                           "N10 O1234",
+                           ":1001",
+                           ":1001(BOX)",
+                           "\xef\xbb\xbf",
+                           "\xef\xbb\xbf%",
+                           "\x1a",
+                           "/1G0 X1",
+                           "N5 /G0 X1",
+                           "n5/2 nonsense",
                            "(comment)",
                            ";",
                            "; (",
@@ -90,10 +117,11 @@ TEST_F(AcceptedLines, LinesThatAskForNothing) {
   }
 }
 
-TEST_F(AcceptedLines, LongestLineIsReadWithItsLineEnd) {
-  const std::string line = "G0 X1 (" + std::string(248, 'x') + ")";
+TEST_F(AcceptedLines, LongestLineIsReadWithItsLineEndAndItsComments) {
+  const std::string line = "G0 X1" + std::string(251, ' ');
   ASSERT_EQ(line.size(), kLongestLine);
   EXPECT_EQ(take(line + "\r\n").size(), 1U);
+  EXPECT_EQ(take("(" + std::string(65'000, 'x') + ")" + line + "; more\n").size(), 1U);
 }
 
 TEST_F(AcceptedLines, BlockDeleteIsASwitch) {
@@ -101,6 +129,84 @@ TEST_F(AcceptedLines, BlockDeleteIsASwitch) {
   interpreter = Interpreter{Options{.block_delete = false}};
   EXPECT_EQ(take_one("/G0 X1").end[0], mm(1));
   EXPECT_EQ(take_one(" / N1 G0 X2").end[0], mm(2));
+  EXPECT_EQ(take_one("N10 /G0 X3").end[0], mm(3));
+  EXPECT_EQ(interpreter.state().line_number, 10U);
+  EXPECT_EQ(take_one("/3 G0 X4").end[0], mm(4));
+}
+
+TEST_F(AcceptedLines, ASkippedLineKeepsItsNumber) {
+  EXPECT_TRUE(take("N10 /G0 X1").empty());
+  EXPECT_EQ(interpreter.state().line_number, 10U);
+}
+
+TEST_F(AcceptedLines, G49SwitchesTheToolLengthOffBeforeTheMotionOfItsLine) {
+  static_cast<void>(take("G43.1 Z3"));
+  EXPECT_EQ(take_one("G0 Z10").end[2], mm(13));
+  EXPECT_EQ(take("G49 G0 Z10").back().end[2], mm(10));
+  static_cast<void>(take("G43.1 Z3"));
+  EXPECT_EQ(take("G49 Z11").back().end[2], mm(11)) << "as the mode says";
+}
+
+TEST_F(AcceptedLines, G80BesideAMotionLeavesTheMotion) {
+  EXPECT_EQ(take_one("G80 G0 X1").kind, ActionKind::kRapid);
+  static_cast<void>(take("F100 G1 G80"));
+  EXPECT_EQ(interpreter.state().motion, MotionMode::kLine);
+  static_cast<void>(take("G80"));
+  EXPECT_EQ(interpreter.state().motion, MotionMode::kNone);
+}
+
+TEST_F(AcceptedLines, OffsetsAlongTheThirdAxisOfAnArcMeanNothing) {
+  const auto centre = [this](const char* line) {
+    interpreter.set_position({});
+    const Action action = take_one(line);
+    EXPECT_EQ(action.kind, ActionKind::kArc) << line;
+    return action.centre;
+  };
+  const std::array<Coordinate, 2> at_five{mm(5), mm(0)};
+  EXPECT_EQ(centre("F100 G17 G2 X10 I5 J0 K0.000"), at_five);
+  EXPECT_EQ(centre("G2 X10 K-3 I5"), at_five);
+  EXPECT_EQ(centre("G90.1 G2 X10 I5 J0 K7"), at_five);
+  EXPECT_EQ(centre("G91.1 G18 G3 Z10 K5 I0 J0"), at_five);
+  EXPECT_EQ(centre("G19 G3 Y10 J5 I1"), at_five);
+}
+
+TEST_F(AcceptedLines, AnArcWithoutAnEndInItsPlaneIsAWholeTurn) {
+  static_cast<void>(take("G0 X-4.5 F100"));
+  const auto turn = [this](const char* line) {
+    const Action action = take_one(line);
+    EXPECT_EQ(action.kind, ActionKind::kArc) << line;
+    EXPECT_EQ(action.centre[0], mm(0)) << line;
+    EXPECT_EQ(action.end[0], Coordinate{-4'500'000}) << line;
+    return action;
+  };
+  EXPECT_TRUE(turn("G2 I4.5").clockwise);
+  EXPECT_FALSE(turn("G03 I4.5 J0").clockwise);
+  EXPECT_EQ(turn("G2 I4.5 P3").turns, 3);
+  EXPECT_EQ(turn("G2 I4.5 Z-1").end[2], mm(-1));
+  EXPECT_EQ(turn("I4.5").end[2], mm(-1)) << "as the mode says";
+  EXPECT_EQ(turn("Z-2 I4.5").end[2], mm(-2));
+  EXPECT_EQ(turn("G91 I4.5 Z-1").end[2], mm(-3));
+  EXPECT_EQ(turn("G90 G90.1 G2 I0 J0").end[2], mm(-3));
+  const float feed = turn("G93 G91.1 I4.5 F1").feed;
+  EXPECT_EQ(turn("I4.5 J0 F2").feed, 2.0F * feed);
+  EXPECT_EQ(take_one("G94 G18 G91.1 G2 K1 F1").centre[0], mm(-2));
+}
+
+TEST_F(AcceptedLines, MotionsOfLessThanAMonth) {
+  EXPECT_EQ(take_one("G1 X1 F0.0000232").kind, ActionKind::kLine);
+  EXPECT_EQ(take_one("G93 G1 X2 F0.0000232").kind, ActionKind::kLine);
+  EXPECT_EQ(take_one("G2 I0.001 P65535 F0.0000232").kind, ActionKind::kArc);
+  EXPECT_EQ(refusal_number("G1 X3 F0.000023"), 38);
+  EXPECT_EQ(refusal_number("G94 G1 X3 F0.000023"), 38);
+}
+
+TEST_F(AcceptedLines, RatesOfTheAxesCountForTheLengthOfAMotion) {
+  interpreter = Interpreter{Options{.slowest_rate_mm_s = 1.0F / 60.0F}};
+  EXPECT_EQ(take_one("G0 X43000").kind, ActionKind::kRapid);
+  EXPECT_EQ(refusal_number("G0 X87000"), 38);
+  EXPECT_EQ(refusal_number("G1 X87000 F1000"), 38);
+  static_cast<void>(take("G0 X86000"));
+  EXPECT_EQ(refuse("G28").column, 0) << "no word of the line is to blame";
 }
 
 TEST_F(AcceptedLines, MotionModeLastsUntilTheNext) {

@@ -42,6 +42,15 @@ TEST(Fault, WritesWordsAsTheyAreWritten) {
   EXPECT_EQ(unsupported('O', 0.9996F), "O1 is not supported");
 }
 
+TEST(Fault, NamesWhatIsMissing) {
+  EXPECT_EQ(words({.detail = FaultDetail::kOWord}),
+            "O-words are not supported, only a program's number alone");
+  EXPECT_EQ(words({.detail = FaultDetail::kExpression, .letter = '#'}),
+            "parameters and expressions ('#') are not supported");
+  EXPECT_EQ(words({.detail = FaultDetail::kExpressionForNumber, .letter = 'X'}),
+            "X has a parameter or an expression, which are not supported");
+}
+
 TEST(Fault, WritesLargeLimitsInFull) {
   const Fault fault{
       .detail = FaultDetail::kTargetOutOfRange, .letter = 'A', .value = -1.0e7F, .limit = 1.0e6F};

@@ -13,7 +13,8 @@ struct Refused {
   std::string before;  ///< A line that sets the scene, may be empty.
 };
 
-const std::string kLongestAccepted = "G1 X1 F1 (" + std::string(245, 'x') + ")";
+/// But for comments.
+const std::string kLongestAccepted = "G1 X1 F1" + std::string(248, ' ');
 
 const Refused kRefused[]{
     // 1: a word begins with a letter.
@@ -30,8 +31,8 @@ const Refused kRefused[]{
     {1, 5, "G0X1-2", ""},
     {1, 8, "G0 X1.2.3", ""},
     {1, 9, "G0 X1(c)0", ""},
-    {1, 7, "G0 X1 \x01", ""},
-    {1, 1, "\xef\xbb\xbfG0 X1", ""},
+    {1, 7, "G0 X1 \x7f", ""},
+    {1, 4, "G0 \xef\xbb\xbfX1", ""},
     {1, 6, "G0 X1\xc2\xb5", ""},
     {1, 6, "G0 X1\rY2", ""},
     {1, 6, "G0 X1\nY2", ""},
@@ -42,7 +43,11 @@ const Refused kRefused[]{
     {1, 4, "G0 /X1", ""},
     {1, 4, "G0 %", ""},
     {1, 1, "% G0 X1", ""},
-    {1, 1, "%%", ""},
+    {1, 1, "%g21", ""},
+    {1, 1, ":1001 sub", ""},
+    {1, 1, ":", ""},
+    {1, 1, ":-1", ""},
+    {1, 4, "G0 :1001", ""},
     {1, 6, "G0 X1'", ""},
     // 2: a number follows the letter.
     {2, 1, "G", ""},
@@ -62,7 +67,6 @@ const Refused kRefused[]{
     {2, 4, "G0 X1234567890", ""},
     {2, 4, "G0 X123456789012345678901234567890", ""},
     {2, 4, "G0 X-123456789012345678901234567890.5", ""},
-    {2, 1, "O<name> sub", ""},
     {2, 4, "G0 X(c)1", ""},
     // 4: not negative.
     {4, 1, "F-1", ""},
@@ -80,6 +84,8 @@ const Refused kRefused[]{
     {4, 11, "G2 X10 I5 P0", "G1 F100"},
     // 11: the line is too long.
     {11, 257, kLongestAccepted + " ", ""},
+    {11, 257, "(comment)" + kLongestAccepted + " ; more", ""},
+    {11, 257, "(" + std::string(65'534, 'x') + ")", ""},
     {11, 257, std::string(4000, 'G'), ""},
     // 20: not supported.
     {20, 1, "G6", ""},
@@ -118,6 +124,13 @@ const Refused kRefused[]{
     {20, 1, "M100", ""},
     {20, 1, "M-3", ""},
     {20, 1, "O100 sub", ""},
+    {20, 1, "O<name> sub", ""},
+    {20, 1, "o100 if [#1 gt 2]", ""},
+    {20, 1, "O1.5", ""},
+    {20, 1, "O-1", ""},
+    {20, 1, "O100 G0 X1", ""},
+    {20, 4, "N5 O100 call", ""},
+    {20, 7, "G0 X1 O5", ""},
     {36, 7, "G0 X1 D1", ""},
     {20, 4, "G1 H1", ""},
     {20, 4, "G1 U1", ""},
@@ -140,7 +153,6 @@ const Refused kRefused[]{
     {21, 7, "G61.1 G61", ""},
     {21, 5, "G80 G80", ""},
     {21, 4, "G4 G53 P1", ""},
-    {21, 4, "G0 G80", ""},
     {21, 7, "G92.1 G92.2", ""},
     {21, 7, "G28.1 G30.1", ""},
     {21, 4, "M3 M5", ""},
@@ -187,7 +199,8 @@ const Refused kRefused[]{
     {24, 5, "G10 G0 L2 P1 X0", ""},
     {24, 4, "G1 G92 X0", ""},
     {24, 4, "G0 G43.1 Z1", ""},
-    {24, 5, "G49 G0 X1", ""},
+    {24, 8, "G49 G0 G92 X1", ""},
+    {24, 8, "G80 G0 G1 X1", ""},
     {24, 5, "G92 G43.1 Z1", ""},
     // 25: a letter twice.
     {25, 7, "G0 X1 X2", ""},
@@ -199,7 +212,7 @@ const Refused kRefused[]{
     {25, 10, "G2 X1 I1 I1", ""},
     {25, 10, "G0 X1 Y2 x3", ""},
     // 26: axis words missing.
-    {26, 1, "G2 I5", "F100"},
+    {26, 1, "G2 K5", "F100"},
     {26, 1, "G3 R5", "F100"},
     {26, 1, "G38.3", "F100"},
     {26, 1, "G10 L2 P1", ""},
@@ -237,15 +250,15 @@ const Refused kRefused[]{
     {31, 5, "G80 X1", ""},
     {31, 5, "G21 Y1 X1", "G80"},
     {31, 7, "G92.1 X1", "G80"},
-    {31, 5, "G49 X1", ""},
     {31, 11, "G10 L1 P1 X0", ""},
     {31, 5, "G49 C1", "G80"},
     // 32: no axis word in the plane of the arc.
-    {32, 1, "G2 Z1 I5", "F100"},
+    {32, 1, "G2 Z1 K5", "F100"},
     {32, 1, "G3 A1 R5", "F100"},
-    {32, 5, "G18 G2 Y1 I5", "F100"},
-    {32, 5, "G19 G2 X1 J5", "F100"},
-    {32, 1, "Z1 I5", "G2 X0 Y0 I5 F100"},
+    {32, 1, "G3 A1 R5 I1", "F100"},
+    {32, 5, "G18 G2 Y1 J5", "F100"},
+    {32, 5, "G19 G2 X1 I5", "F100"},
+    {32, 1, "Z1", "G2 X0 Y0 I5 F100"},
     // 33: impossible targets.
     {33, 4, "G0 X1000000.000001", ""},
     {33, 4, "G0 X-999999999", ""},
@@ -303,13 +316,15 @@ const Refused kRefused[]{
     {36, 1, "Q1", ""},
     {36, 4, "X1 I1", "G1 F100"},
     {36, 6, "G0 X1e5", ""},
-    {36, 11, "G2 X10 I5 K1", "F100"},
+    {36, 11, "G2 X10 R5 K1", "F100"},
+    {36, 1, "K1", "G2 X0 Y0 I5 F100"},
+    {36, 5, "G40 I5", "G1 F100"},
     {36, 8, "G2 X10 I5 R5", "F100"},
     {36, 8, "G2 X10 J5 I5 R5", "F100"},
     {36, 4, "G4 R1 P1", ""},
     {36, 15, "G10 L20 P1 X0 R1", ""},
     {36, 5, "G28 P1", ""},
-    {36, 1, "I5", "G2 X0 Y0 I5 F100"},
+    {36, 1, "R5", "G2 X0 Y0 I5 F100"},
     {36, 11, "M67 E1 Q2 P1", ""},
     // 37: the axis of the tool length.
     {37, 1, "G43.1", ""},
@@ -326,6 +341,13 @@ const Refused kRefused[]{
     {38, 9, "G20 G64 P0.4", ""},
     {38, 5, "M68 E4 Q1", ""},
     {38, 11, "G2 X10 I5 P65536", "F100"},
+    {38, 7, "G1 Y1 F.0000001", "G93 G1 X1 F1"},
+    {38, 7, "G1 X1 F0.000002", ""},
+    {38, 4, "G1 X1000", "G1 F0.01"},
+    {38, 0, "G2 I1 P65535", "G1 F.1"},
+    {38, 0, "I1 P65535", "G2 X0 Y0 I1 F.1"},
+    {38, 11, "G38.2 Z-1 F0.00001", ""},
+    {38, 26, "G5 X10 Y0 I2 J0 P-2 Q0   F.0001", ""},
 };
 
 class RefusedLines : public InterpreterTest {};
@@ -338,6 +360,20 @@ TEST_F(RefusedLines, HaveTheirNumberAndColumnAndChangeNothing) {
     EXPECT_EQ(static_cast<int>(fault.code()), refused.number) << refused.line;
     EXPECT_EQ(fault.column, refused.column) << refused.line << ": " << words_of(fault);
   }
+}
+
+TEST_F(RefusedLines, NameWhatIsNotSupported) {
+  const auto detail = [this](const char* line) { return refuse(line).detail; };
+  for (const char* line : {"O100 sub", "o<box> call [1]", "O100 while [#1 lt 2]", "N1 O5 endsub"}) {
+    EXPECT_EQ(detail(line), FaultDetail::kOWord) << line;
+  }
+  for (const char* line : {"#1=2", "[1]", "<a>=1", "G0 X1 #2"}) {
+    EXPECT_EQ(detail(line), FaultDetail::kExpression) << line;
+  }
+  for (const char* line : {"G0 X[1+1]", "G0 X#1", "G1 F #<feed>", "N10 G1 X[2*5]"}) {
+    EXPECT_EQ(detail(line), FaultDetail::kExpressionForNumber) << line;
+  }
+  EXPECT_EQ(detail("G0 XY1"), FaultDetail::kNumberMissing);
 }
 
 TEST_F(RefusedLines, CoverEveryNumber) {

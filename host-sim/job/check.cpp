@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "host-sim/job/job.hpp"
+#include "host-sim/job/job_report.hpp"
+#include "host-sim/job/program_watch.hpp"
+#include "host-sim/job/travel_check.hpp"
+#include "host-sim/machine/machine_reading.hpp"
+
+namespace sim {
+namespace {
+
+/// Reads along with the controller: what it refuses has no part in the figures, and of the path
+/// nothing is kept.
+class CheckedPath {
+ public:
+  explicit CheckedPath(const cnc::Settings& settings)
+      : travel_{settings}, watch_{settings}, reading_{settings, [this](const PathPiece& piece) {
+                                                        put(piece);
+                                                      }} {}
+
+  void take(std::size_t line, std::string_view text) {
+    watch_.take(line, text);
+    reading_.take(line, text);
+  }
+
+  void add_to(const Job& job, std::string_view text, Report& report) {
+    reading_.end();
+    watch_.end();
+    report.path_length_mm = length_;
+    report.cut_length_mm = cut_length_;
+    for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
+      report.axes[axis].least_mm = travel_.bounds().low[axis];
+      report.axes[axis].greatest_mm = travel_.bounds().high[axis];
+    }
+    warn(job, watch_.notes(), report);
+    warn(job, reading_.notes(), report);
+    const auto overruns = travel_.faults(job.file, text);
+    report.faults.insert(report.faults.end(), overruns.begin(), overruns.end());
+  }
+
+ private:
+  void put(const PathPiece& piece) {
+    length_ += piece.curve.length();
+    cut_length_ += cut_length(piece);
+    travel_.put(piece);
+    watch_.put(piece);
+  }
+
+  double length_ = 0.0;
+  double cut_length_ = 0.0;
+  TravelCheck travel_;
+  ProgramWatch watch_;
+  MachineReading reading_;
+};
+
+}  // namespace
+
+Report check(const Job& job) {
+  ProgramText program = prepared(job);
+  std::optional<CheckedPath> path;
+  Simulator simulator{
+      std::move(program.text),
+      {.after_refusal = AfterRefusal::kGoOn,
+       .machine = job.machine,
+       .on_progress = job.on_progress,
+       .on_taken = [&path](std::size_t line, std::string_view text) { path->take(line, text); }}};
+  apply_settings(job.settings, simulator.machine());
+  path.emplace(simulator.settings());
+  Report report = report_on(job, program, simulator.run());
+  path->add_to(job, simulator.program(), report);
+  if (report.refused_lines > 0) {
+    report.warnings.push_back(fmt::format("{}: bounds, length and time leave out {} refused line{}",
+                                          job.file,
+                                          report.refused_lines,
+                                          report.refused_lines == 1 ? "" : "s"));
+  }
+  std::stable_sort(report.faults.begin(), report.faults.end(), [](const Fault& a, const Fault& b) {
+    return a.line < b.line;
+  });
+  return report;
+}
+
+}  // namespace sim

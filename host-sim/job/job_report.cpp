@@ -1,0 +1,79 @@
+#include "host-sim/job/job_report.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+namespace sim {
+namespace {
+
+/// Grbl's number for what is no G-code.
+constexpr int kUnreadable = 1;
+
+}  // namespace
+
+std::string job_name(const std::string& file) {
+  return file == "-" ? file : std::filesystem::path{file}.filename().string();
+}
+
+ProgramText prepared(const Job& job) {
+  bool block_delete = true;
+  for (const SettingChange& change : job.settings) {
+    if (change.number == cnc::setting::kBlockDelete) block_delete = change.value != 0.0F;
+  }
+  return prepare_program(job.text ? *job.text : read_text(job.file), block_delete);
+}
+
+double cut_length(const PathPiece& piece) {
+  const bool cuts = piece.travel == Travel::kFeed && piece.spindle != SpindleState::kOff &&
+                    piece.spindle_speed > 0.0;
+  return cuts ? piece.curve.linear_length() : 0.0;
+}
+
+void warn(const Job& job, const std::vector<LineNote>& notes, Report& report) {
+  for (const LineNote& note : notes) report.warnings.push_back(place_and_text(job.file, note));
+}
+
+void warn(const Job& job, const std::vector<ReadNote>& notes, Report& report) {
+  for (const ReadNote& note : notes) {
+    report.warnings.push_back(fmt::format("{}:{}: {}", job.file, note.line, note.text));
+  }
+}
+
+Report report_on(const Job& job, const ProgramText& program, const RunResult& result) {
+  Report report;
+  report.job = job_name(job.file);
+  report.job_time_s = result.job_time_s;
+  report.lines = result.lines;
+  report.blocks = result.blocks;
+  report.refused_lines = result.refused;
+  warn(job, program.notes, report);
+  for (const auto& [line, text] : result.notes) {
+    report.warnings.push_back(fmt::format("{}:{}: {}", job.file, line, text));
+  }
+  for (const Refusal& refusal : result.refusals) {
+    report.faults.push_back(
+        {job.file, refusal.line, refusal.column, refusal.number, refusal.reason});
+  }
+  if (result.refused > result.refusals.size()) {
+    report.warnings.push_back(fmt::format("{}: {} lines are refused, of which the first {} are listed",
+                                          job.file,
+                                          result.refused,
+                                          result.refusals.size()));
+  }
+  for (const LineNote& fault : program.faults) {
+    if (program.readable) break;  // The controller has refused these lines itself.
+    report.faults.push_back(
+        {job.file, fault.line, fault.column, kUnreadable, fault.text});
+  }
+  if (result.alarm != 0) {
+    report.faults.push_back({job.file,
+                             result.lines,
+                             0,
+                             result.alarm,
+                             fmt::format("the machine stopped with alarm {}", result.alarm)});
+  }
+  return report;
+}
+
+}  // namespace sim

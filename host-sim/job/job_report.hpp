@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host-sim/job/job.hpp"
+#include "host-sim/job/program_text.hpp"
+#include "host-sim/machine/simulator.hpp"
+#include "host-sim/measure/programmed_path.hpp"
+#include "host-sim/report/report.hpp"
+
+namespace sim {
+
+/// The name of a file without its folders; `-` is standard input.
+[[nodiscard]] std::string job_name(const std::string& file);
+
+/// The program of a job as it is driven. Throws std::system_error for the file.
+[[nodiscard]] ProgramText prepared(const Job& job);
+
+/// Of a piece that is driven with beam or spindle on, mm; else 0.
+[[nodiscard]] double cut_length(const PathPiece& piece);
+
+/// What a run was like, whoever measured it: name, time, lines, faults and the warnings of text and
+/// controller.
+[[nodiscard]] Report report_on(const Job& job, const ProgramText& program, const RunResult& result);
+
+void warn(const Job& job, const std::vector<LineNote>& notes, Report& report);
+void warn(const Job& job, const std::vector<ReadNote>& notes, Report& report);
+
+}  // namespace sim

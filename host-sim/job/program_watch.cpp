@@ -1,0 +1,145 @@
+#include "host-sim/job/program_watch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "planner/base/units.hpp"
+
+namespace sim {
+namespace {
+
+/// Feeds that are equal but for rounding are one.
+constexpr double kRounding = 1.0e-6;
+
+bool has_m(const ProgramLine& words, int number) {
+  return std::ranges::find(words.m, number) != words.m.end();
+}
+
+/// False where it was told before, or too much was.
+bool is_news(std::vector<double>& told, double value) {
+  if (told.size() >= ProgramWatch::kMostNotes) return false;
+  const bool known = std::ranges::any_of(
+      told, [value](double other) { return std::abs(value - other) <= kRounding * value; });
+  if (!known) told.push_back(value);
+  return !known;
+}
+
+}  // namespace
+
+ProgramWatch::ProgramWatch(const cnc::Settings& settings)
+    : most_power_{static_cast<double>(settings.get(cnc::setting::kMostSpindleSpeed))},
+      laser_{settings.get(cnc::setting::kLaserMode) != 0.0F},
+      soft_limits_{settings.get(cnc::setting::kSoftLimits) != 0.0F},
+      block_delete_{settings.get(cnc::setting::kBlockDelete) != 0.0F} {
+  for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
+    rates_[axis] = static_cast<double>(settings.get(cnc::setting::kRate, axis)) /
+                   static_cast<double>(cnc::kSecondsPerMinute);
+  }
+}
+
+/// Most lines have nothing but axis words, and are not taken apart for this.
+void ProgramWatch::take(std::size_t line, std::string_view text) {
+  const std::size_t front = text.find_first_not_of(" \t");
+  if (front == std::string_view::npos) return;
+  if (text[front] == '$') {
+    homed_ = homed_ || text.substr(front).starts_with("$H") || text.substr(front).starts_with("$h");
+    return;
+  }
+  if (text.find_first_of("SsMmPp") == std::string_view::npos) return;
+  take_words(line, take_apart(text, block_delete_));
+}
+
+/// In the order in which a controller does it: S, M3 to M5, dwell, motion, stop.
+void ProgramWatch::take_words(std::size_t line, const ProgramLine& words) {
+  if (const auto power = words.value('S')) {
+    check_power(line, *power);
+    for (const double part : words.powers) check_power(line, part);
+    power_ = words.powers.empty() ? *power : words.powers.back();
+  }
+  take_spindle(line, words);
+  take_dwell(line, words);
+  const bool ends = has_m(words, 2) || has_m(words, 30);
+  if (ends || has_m(words, 0) || has_m(words, 6)) go_dark();
+  if (ends) constant_ = false;
+}
+
+void ProgramWatch::take_spindle(std::size_t line, const ProgramLine& words) {
+  const bool was_lit = lit();
+  if (has_m(words, 3)) constant_ = true;
+  if (has_m(words, 4) || has_m(words, 5)) constant_ = false;
+  if (!lit()) return go_dark();
+  if (!was_lit || has_m(words, 3)) lit_line_ = line;
+}
+
+void ProgramWatch::take_dwell(std::size_t line, const ProgramLine& words) {
+  if (!words.has_g(40) || words.value('P').value_or(0.0) <= 0.0 || !lit()) return;
+  note(line, "the beam is off during this dwell: under M3 nothing burns at rest");
+  lit_line_ = 0;
+}
+
+void ProgramWatch::check_power(std::size_t line, double power) {
+  if (power <= most_power_ || !is_news(powers_told_, power)) return;
+  note(line, fmt::format("S{:g} is above ${}={:g} and gives no more than that",
+                         power,
+                         cnc::setting::kMostSpindleSpeed,
+                         most_power_));
+}
+
+void ProgramWatch::put(const PathPiece& piece) {
+  if (soft_limits_ && !homed_) {
+    note(static_cast<std::size_t>(piece.line),
+         "soft limits ($20) guard homed axes only: home the machine ($H) before this program");
+    homed_ = true;
+  }
+  if (piece.travel != Travel::kFeed) return;
+  if (piece.spindle != SpindleState::kOff) lit_line_ = 0;
+  check_feed(piece);
+}
+
+/// The first axis that is asked for more than its rate; arcs turn through all directions of theirs.
+void ProgramWatch::check_feed(const PathPiece& piece) {
+  const Point run = piece.curve.end() - piece.curve.start();
+  const double length = piece.curve.linear_length();
+  const double whole = length > 0.0 ? length : piece.curve.length();
+  if (whole <= 0.0) return;
+  for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
+    double share = std::abs(run[axis]) / whole;
+    if (const auto& circle = piece.curve.circle()) {
+      const auto axes = cnc::axes_of(circle->plane);
+      if (axis == axes.first || axis == axes.second) share = 1.0;
+    }
+    if (piece.feed * share <= rates_[axis] * (1.0 + kRounding)) continue;
+    if (!is_news(feeds_told_, piece.feed)) return;
+    const auto minute = static_cast<double>(cnc::kSecondsPerMinute);
+    return note(static_cast<std::size_t>(piece.line),
+                fmt::format("F{:g} is above ${}={:g}, the rate of {}: driven more slowly",
+                            std::round(piece.feed * minute * 1000.0) / 1000.0,
+                            cnc::setting::kRate + axis,
+                            rates_[axis] * minute,
+                            cnc::kAxisLetters[axis]));
+  }
+}
+
+/// What was asked for and never moved, as with a focus dot.
+void ProgramWatch::go_dark() {
+  if (lit_line_ != 0) {
+    note(lit_line_, "M3 is on here and off again without a motion: nothing burns at rest");
+  }
+  lit_line_ = 0;
+}
+
+void ProgramWatch::note(std::size_t line, std::string text) {
+  if (notes_.size() > kMostNotes) return;
+  if (notes_.size() == kMostNotes) text = "more like this is not listed";
+  notes_.push_back({line, 0, std::move(text)});
+}
+
+std::vector<LineNote> ProgramWatch::notes() const {
+  std::vector<LineNote> sorted = notes_;
+  std::ranges::stable_sort(sorted, {}, &LineNote::line);
+  return sorted;
+}
+
+}  // namespace sim
