@@ -56,9 +56,9 @@ class Pixels {
   [[nodiscard]] std::uint32_t first() const { return first_; }
   [[nodiscard]] std::uint32_t next() const { return end_; }
 
-  /// @pre room() > 0
+  /// @pre room() > 0; the two pixels of a row that is held may be pushed after take_back(), too
   void push(const Pixel& pixel) {
-    CNC_ASSERT(room() > 0);
+    CNC_ASSERT(size() < kStored);
     kept_ = std::min(kept_, kStored - 1 - size());
     pixels_[slot_of(size())] = pixel;
     ++end_;
@@ -83,7 +83,7 @@ class Pixels {
   [[nodiscard]] bool take_back(std::uint32_t number) {
     const std::uint32_t count = first_ - number;
     if (static_cast<std::int32_t>(count) <= 0) return true;
-    if (count > kept_) return false;
+    if (count > kept_ || size() + count > kStored - kHeldBack) return false;
     kept_ -= count;
     first_ = number;
     slot_ = slot_of(kStored - count);
@@ -96,7 +96,9 @@ class Pixels {
   }
 
  private:
-  static constexpr std::uint32_t kStored = kMost + kKept;
+  /// Pixels that a row may push although there is no room: it was begun when there was.
+  static constexpr std::uint32_t kHeldBack = 2;
+  static constexpr std::uint32_t kStored = kMost + kKept + kHeldBack;
 
   [[nodiscard]] std::uint32_t size() const { return end_ - first_; }
   [[nodiscard]] std::uint32_t slot_of(std::uint32_t index) const {
