@@ -20,7 +20,6 @@ class MotionControl : private Pipeline {
   using Pipeline::go_on;
   using Pipeline::halt;
   using Pipeline::has_room;
-  using Pipeline::keep_path;
   using Pipeline::line;
   using Pipeline::motor_place;
   using Pipeline::motors;
@@ -45,9 +44,15 @@ class MotionControl : private Pipeline {
 
   // The path that was driven dark, see LightGap.
 
-  /// Returns the distance that was driven since a tick of the drive's clock.
+  /// Keeps the path that is driven from now on, and where on it the motion is now; or no longer.
+  void keep_path(bool keeps) {
+    Pipeline::keep_path(keeps);
+    trail_.hold(keeps);
+  }
+  /// Returns the distance that was driven since a tick of the drive's clock, which is shortly
+  /// after keep_path() at the latest.
   [[nodiscard]] motion::PathUnits distance_since(std::uint32_t tick) const {
-    return trail_.distance_since(tick);
+    return trail_.distance_since(tick, travelled());
   }
   [[nodiscard]] bool is_lit_after(std::uint32_t tick) const { return trail_.is_lit_after(tick); }
   /// As Pipeline's: the motion goes on so far back, once the motors have been brought to place().

@@ -24,7 +24,7 @@ double mm(PathUnits units) {
 
 TEST(PlaceTrail, KnowsNoDistanceAtFirst) {
   const PlaceTrail trail;
-  EXPECT_EQ(trail.distance_since(0), 0);
+  EXPECT_EQ(trail.distance_since(0, 0), 0);
   EXPECT_FALSE(trail.is_lit_after(0));
 }
 
@@ -55,10 +55,10 @@ TEST(PlaceTrail, KnowsDistancesOfTheLastTenthOfASecond) {
     constexpr std::uint32_t kKnown = motion::kTicksPerSecond / 10;
     for (const auto& [then, at] : way) {
       if (tick - then > kKnown) continue;
-      EXPECT_NEAR(mm(trail.distance_since(then)), place - at, 0.006) << "seed " << seed;
+      EXPECT_NEAR(mm(trail.distance_since(then, units(from + place))), place - at, 0.006) << "seed " << seed;
     }
-    EXPECT_EQ(trail.distance_since(tick), 0);
-    EXPECT_EQ(trail.distance_since(tick + 1000), 0) << "yet to come";
+    EXPECT_EQ(trail.distance_since(tick, units(from + place)), 0);
+    EXPECT_EQ(trail.distance_since(tick + 1000, units(from + place)), 0) << "yet to come";
     if (proof::too_many_failures()) break;
   }
 }
@@ -67,11 +67,36 @@ TEST(PlaceTrail, StandsStillWhileTheClockDoes) {
   PlaceTrail trail;
   trail.begin(100, units(5.0));
   for (int i = 0; i < 1000; ++i) trail.add(100, units(5.0));
-  EXPECT_EQ(trail.distance_since(100), 0);
+  EXPECT_EQ(trail.distance_since(100, units(5.0)), 0);
   trail.add(4100, units(6.0));
   trail.add(12'100, units(8.0));
-  EXPECT_NEAR(mm(trail.distance_since(100)), 3.0, 1.0e-4);
-  EXPECT_NEAR(mm(trail.distance_since(4100)), 2.0, 1.0e-4);
+  EXPECT_NEAR(mm(trail.distance_since(100, units(8.0))), 3.0, 1.0e-4);
+  EXPECT_NEAR(mm(trail.distance_since(4100, units(8.0))), 2.0, 1.0e-4);
+}
+
+/// While a long braking goes on.
+TEST(PlaceTrail, KeepsWhereTheMotionWasWhileItIsHeld) {
+  PlaceTrail trail;
+  trail.begin(0, 0);
+  std::uint32_t tick = 0;
+  const auto drive = [&](int segments) {
+    for (; segments > 0; --segments) {
+      tick += 4000;
+      trail.add(tick, units(0.001 * tick));
+    }
+  };
+  drive(100);
+  trail.hold(true);
+  const std::uint32_t held = tick;
+  drive(1000);
+  const std::uint64_t now = units(0.001 * tick);
+  for (std::int32_t off = -360'000; off <= 56'000; off += 1000) {
+    const std::uint32_t then = held + static_cast<std::uint32_t>(off);
+    EXPECT_NEAR(mm(trail.distance_since(then, now)), 0.001 * (tick - then), 1.0e-3) << off;
+  }
+  trail.hold(false);
+  drive(100);
+  EXPECT_NEAR(mm(trail.distance_since(tick - 40'000, units(0.001 * tick))), 40.0, 1.0e-3);
 }
 
 TEST(PlaceTrail, KnowsUntilWhenItIsLit) {

@@ -18,6 +18,7 @@ namespace {
 using cnc::MachineState;
 
 constexpr double kStepsPerMm = 250.0;
+constexpr double kStepMm = 1.0 / kStepsPerMm;
 /// Left out or burnt twice at most, mm.
 constexpr double kMostGap = 0.1;
 
@@ -262,16 +263,14 @@ Gap judge(const Whole& whole, const std::vector<Row>& burnt, std::size_t before,
   }
   const std::size_t came_to = before == 0 ? 0 : before - 1;
   std::size_t at = whole.nearest(burnt[before], came_to, 2.0);
-  const double twice = whole.ways[came_to] - whole.ways[at];
-  gap.twice_mm = std::max(0.0, twice);
-  gap.left_mm = std::max(0.0, -twice);
-  std::size_t covered = std::max(at, came_to);
+  gap.twice_mm = std::max(0.0, whole.ways[came_to] - whole.ways[at]);
+  std::size_t covered = came_to;
   int other_power = 0;
   for (std::size_t i = before; i < burnt.size(); ++i) {
     at = whole.nearest(burnt[i], at, 0.6);
     gap.beside_mm = std::max(gap.beside_mm, distance(whole.rows[at], burnt[i]));
     if (at > covered + 1) {
-      gap.left_mm = std::max(gap.left_mm, whole.ways[at] - whole.ways[covered]);
+      gap.left_mm = std::max(gap.left_mm, whole.ways[at] - whole.ways[covered + 1] + kStepMm);
     }
     covered = std::max(covered, at);
     if (same_power && !whole.burns_so(at, burnt[i].duty)) ++other_power;

@@ -322,6 +322,7 @@ TEST_F(TakenBackTest, SaysHowMuchIsNotKnownAnyMore) {
     motors[axis] = pipeline->place()[axis].nearest_step();
   }
   pipeline->go_on();
+  pipeline->keep_path(false);
   finish();
   EXPECT_EQ(motors, steps_at(pipeline->target()));
 }
