@@ -160,13 +160,12 @@ TEST_F(MachineDoorTest, SaysOfALostLinkHowMuchIsUncut) {
   EXPECT_NE(link.outgoing.find(",0.000,0.000 on]"), std::string::npos) << link.outgoing;
 }
 
-/// A slow shaper lets the light come long after the plan, and in that time more pixels go by than
+/// A slow shaper lets the light come long after the plan, and in that time more blocks go by than
 /// are kept.
 TEST_F(MachineDoorTest, HoldsWhereThePathIsNotKnownAnyMore) {
-  send_all({"$32=1", "$810=2", "$820=10", "M3 S1000"});
-  for (int line = 1; line <= 160; ++line) {
-    stream("G1 F6000 X" + std::to_string(0.2 * line) +
-           " S1:9:2:8:3:7:4:6:5:10:1:9:2:8:3:7:4:6:5:900\n");
+  send_all({"$32=1", "$120=20000", "$121=20000", "$810=2", "$820=10", "M3 S1000"});
+  for (int line = 1; line <= 600; ++line) {
+    stream("G1 F4500 X" + std::to_string(0.1 * line) + " Y" + (line % 2 == 0 ? "0" : "0.01") + "\n");
   }
   run(500);
   ASSERT_GT(port.power, 0);
@@ -188,7 +187,7 @@ TEST_F(MachineDoorTest, HoldsWhereThePathIsNotKnownAnyMore) {
   EXPECT_EQ(port.power, 0);
   machine.resume();
   run_until_idle();
-  EXPECT_EQ(port.position[0], 8000);
+  EXPECT_EQ(port.position[0], 15'000);
 }
 
 TEST_F(MachineDoorTest, OpenedAgainWhileResumingStopsAnew) {

@@ -18,7 +18,9 @@ namespace {
 using cnc::MachineState;
 
 constexpr double kStepsPerMm = 250.0;
-constexpr double kStepMm = 1.0 / kStepsPerMm;
+/// Between two edges of one step, and of one dark pixel or less.
+constexpr double kLongestStepMm = 0.02;
+constexpr double kLongestPixelMm = 1.0;
 /// Left out or burnt twice at most, mm.
 constexpr double kMostGap = 0.1;
 
@@ -214,9 +216,11 @@ struct Whole {
     while (cut.turn()) ++duration_ms;
     rows = cut.burnt;
     ways.assign(rows.size(), 0.0);
+    lit.assign(rows.size(), 0.0);
     for (std::size_t i = 1; i < rows.size(); ++i) {
       const double way = distance(rows[i - 1], rows[i]);
-      ways[i] = ways[i - 1] + (way < 1.0 ? way : 0.0);
+      ways[i] = ways[i - 1] + (way < kLongestPixelMm ? way : 0.0);
+      lit[i] = lit[i - 1] + (way < kLongestStepMm ? way : 0.0);
     }
   }
 
@@ -245,6 +249,7 @@ struct Whole {
   int duration_ms = 0;
   std::vector<Row> rows;
   std::vector<double> ways;  ///< mm from the start, without rapids.
+  std::vector<double> lit;   ///< The same, without dark pixels.
 };
 
 /// Both 0 if nothing is missing and nothing burnt twice.
@@ -258,24 +263,22 @@ struct Gap {
 Gap judge(const Whole& whole, const std::vector<Row>& burnt, std::size_t before, bool same_power) {
   Gap gap;
   if (before >= burnt.size()) {
-    if (before > 0) gap.left_mm = whole.ways.back() - whole.ways[before - 1];
+    if (before > 0) gap.left_mm = whole.lit.back() - whole.lit[before - 1];
     return gap;
   }
   const std::size_t came_to = before == 0 ? 0 : before - 1;
   std::size_t at = whole.nearest(burnt[before], came_to, 2.0);
-  gap.twice_mm = std::max(0.0, whole.ways[came_to] - whole.ways[at]);
+  gap.twice_mm = std::max(0.0, whole.lit[came_to] - whole.lit[at]);
   std::size_t covered = came_to;
   int other_power = 0;
   for (std::size_t i = before; i < burnt.size(); ++i) {
     at = whole.nearest(burnt[i], at, 0.6);
     gap.beside_mm = std::max(gap.beside_mm, distance(whole.rows[at], burnt[i]));
-    if (at > covered + 1) {
-      gap.left_mm = std::max(gap.left_mm, whole.ways[at] - whole.ways[covered + 1] + kStepMm);
-    }
+    gap.left_mm = std::max(gap.left_mm, whole.lit[at] - whole.lit[covered]);
     covered = std::max(covered, at);
     if (same_power && !whole.burns_so(at, burnt[i].duty)) ++other_power;
   }
-  gap.left_mm = std::max(gap.left_mm, whole.ways.back() - whole.ways[covered]);
+  gap.left_mm = std::max(gap.left_mm, whole.lit.back() - whole.lit[covered]);
   EXPECT_EQ(other_power, 0);
   return gap;
 }
