@@ -16,6 +16,7 @@ Machine::Machine(StepDrive& drive,
       coolant_{outputs},
       homing_{drive, motion_, settings_},
       side_{drive, motion_, limits_},
+      gap_{drive, motion_},
       kept_progress_{kept} {
   if (kept != nullptr) progress_ = kept->progress();
   watch_memory();
@@ -111,7 +112,10 @@ void Machine::poll(hal::TickCount now) {
 
 /// What goes on by itself in the present mode.
 void Machine::attend_mode(std::int32_t elapsed_us) {
-  if (stopping_for_ != Alarm::kNone && at_rest()) return raise_alarm(stopping_for_);
+  if (stopping_for_ != Alarm::kNone && at_rest()) {
+    find_gap();
+    return raise_alarm(stopping_for_);
+  }
   switch (state_.mode()) {
     case Mode::kJog:
     case Mode::kJogEnding:

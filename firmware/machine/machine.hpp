@@ -9,6 +9,7 @@
 #include "firmware/machine/dwell.hpp"
 #include "firmware/machine/homing.hpp"
 #include "firmware/machine/input_filter.hpp"
+#include "firmware/machine/light_gap.hpp"
 #include "firmware/machine/machine_types.hpp"
 #include "firmware/machine/memory_watch.hpp"
 #include "firmware/machine/motion_control.hpp"
@@ -192,6 +193,8 @@ class Machine {
   [[nodiscard]] std::optional<std::uint32_t> pending_tool() const;
   /// Once after a line whose path, or one before, cannot be driven beside what is programmed.
   [[nodiscard]] std::optional<compensation::Fault> take_path_fault();
+  /// Returns once what a door, a lost link or a reset after it leave uncut.
+  [[nodiscard]] std::optional<Uncut> take_uncut() { return gap_.take_uncut(); }
   /// The last line was M2 or M30.
   [[nodiscard]] bool program_ended() const { return program_ended_; }
   /// True once after each M2 or M30, for the message before its answer.
@@ -272,6 +275,8 @@ class Machine {
   // The door, in machine_door.cpp.
   [[nodiscard]] bool door_stops_jog() const;
   void attend_door();
+  void end_door();
+  void find_gap();
   void pull_out();
   void park();
   void resume_from_door();
@@ -337,6 +342,7 @@ class Machine {
   CoolantOutput coolant_;
   Homing homing_;
   SideTrip side_;
+  LightGap gap_;
   InputFilter inputs_{};
   StateMachine state_{};
   Alarm alarm_ = Alarm::kNone;

@@ -4,7 +4,7 @@
 namespace cnc {
 
 /// Motion is held, a beam is dark at once; the rest follows when all stands
-/// still. A door opened again while resuming starts anew.
+/// still. A door that is opened again while resuming starts this again.
 void Machine::safety_door() {
   if (state_.in(Mode::kHome)) return raise_alarm(Alarm::kHomingDoor);
   const bool jogging = state_.in(Mode::kJog) || state_.in(Mode::kJogEnding);
@@ -17,7 +17,9 @@ void Machine::safety_door() {
   door_stage_ = DoorStage::kStopping;
   motion_.halt();
   side_.halt();
-  if (tool_.is_laser()) tool_.suspend(true);
+  if (!tool_.is_laser()) return;
+  tool_.suspend(true);
+  if (!reopened) gap_.begin();
 }
 
 /// Until it stands still nobody knows where the next line begins.
@@ -50,14 +52,32 @@ void Machine::attend_door() {
       return;
     case DoorStage::kPlunge:
       away_ = false;
-      return restart();
+      return end_door();
   }
+}
+
+/// The operator confirms that a part of the path stays uncut.
+void Machine::end_door() {
+  if (!gap_.leave_unknown()) return restart();
+  static_cast<void>(state_.take(Event::kStay));
+}
+
+/// Goes back to where a beam went dark; a program that is interrupted now goes on from there, too.
+void Machine::find_gap() {
+  if (!gap_.opens()) return;
+  gap_.find();
+  if (!gap_.any() || !progress_.any()) return;
+  const motion::SourceLine line = motion_.line();
+  progress_.steps = gap_.place();
+  if (line.number != 0) progress_.line = line;
+  if (kept_progress_ != nullptr) kept_progress_->keep(progress_);
 }
 
 /// Out of the work with the spindle still turning.
 void Machine::pull_out() {
   door_stage_ = DoorStage::kPullOut;
-  side_.begin(away_ ? side_.place() : motion_.place());
+  side_.begin(away_ || gap_.any() ? side_.place() : motion_.motor_place());
+  find_gap();
   if (away_ || !parks()) return;
   const std::size_t axis = parking_axis();
   const Coordinate here = limits_.scale[axis].place_of(side_.place()[axis].nearest_step());
@@ -85,6 +105,7 @@ void Machine::resume_from_door() {
   if (door_stage_ != DoorStage::kStopped || inputs().door) return;
   door_stage_ = DoorStage::kUnpark;
   if (away_) trip_to(pulled_out_, setting::kParkingRate, {});
+  if (gap_.any()) side_.go(motion_.place(), 0.0F, {});
   attend_door();
 }
 

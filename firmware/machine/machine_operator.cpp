@@ -12,6 +12,7 @@ void Machine::feed_hold() {
 void Machine::lose_link() {
   stop_for(Alarm::kLinkSilent);
   tool_.suspend(true);
+  gap_.begin();
 }
 
 void Machine::jog_cancel() {

@@ -55,6 +55,7 @@ void Machine::drop_everything() {
   tool_wanted_.reset();
   probing_ = Probing::kNo;
   reentry_.cancel();
+  gap_.leave();
   drive_.disarm_probe();
   homing_.cancel();
   tool_.reset();

@@ -6,7 +6,28 @@ namespace cnc {
 
 void MotionControl::feed_drive() {
   follow_tool();
-  feed_segments(drive_, [this](motion::Segment& segment) { return next(segment); });
+  feed_segments(drive_, [this](motion::Segment& segment) {
+    note_place();
+    const bool more = next(segment);
+    lit_ = more && !segment.power.dark();
+    return more;
+  });
+}
+
+/// The motor stage gives out a cell later by ticks_ahead(), and all of it was laid down before.
+void MotionControl::note_place() {
+  const std::uint32_t tick = drive_.ticks_handed_over();
+  if (lit_) trail_.note_light(tick);
+  lit_ = false;
+  const bool staged = motors().active() || follows_kerf();
+  if (staged && !motors().between_cells()) return;
+  trail_.add(tick + motors().ticks_ahead(), travelled());
+}
+
+float MotionControl::go_back(motion::PathUnits distance) {
+  const float unknown_mm = Pipeline::go_back(distance);
+  trail_.begin(drive_.ticks_handed_over(), travelled());
+  return unknown_mm;
 }
 
 AxisArray<std::int32_t> MotionControl::tool_steps() const {

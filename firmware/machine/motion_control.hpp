@@ -1,5 +1,6 @@
 #pragma once
 
+#include "firmware/machine/place_trail.hpp"
 #include "firmware/steps/step_drive.hpp"
 #include "planner/pipeline/pipeline.hpp"
 
@@ -19,6 +20,8 @@ class MotionControl : private Pipeline {
   using Pipeline::go_on;
   using Pipeline::halt;
   using Pipeline::has_room;
+  using Pipeline::line;
+  using Pipeline::motor_place;
   using Pipeline::motors;
   using Pipeline::observe;
   using Pipeline::overrides;
@@ -38,6 +41,24 @@ class MotionControl : private Pipeline {
   /// Drops all motion that waits; the target becomes the place of the tool.
   /// @pre the drive is not running
   void drop_rest();
+
+  // The path that was driven dark, see LightGap.
+
+  /// Keeps the path that is driven from now on, and where on it the motion is now; or no longer.
+  void keep_path(bool keeps) {
+    Pipeline::keep_path(keeps);
+    trail_.hold(keeps);
+  }
+  /// Returns the distance that was driven since a tick of the drive's clock, which is shortly
+  /// after keep_path() at the latest.
+  [[nodiscard]] motion::PathUnits distance_since(std::uint32_t tick) const {
+    return trail_.distance_since(tick, travelled());
+  }
+  [[nodiscard]] bool is_lit_after(std::uint32_t tick) const { return trail_.is_lit_after(tick); }
+  /// As Pipeline's: the motion goes on so far back, once the motors have been brought to place().
+  /// @pre drained() or halted()
+  float go_back(motion::PathUnits distance);
+
   /// Sets input shaping and backlash; nothing happens if they stay.
   /// @pre nothing moves, or they stay
   void configure(const motion::MotorStageSetting& setting);
@@ -58,7 +79,9 @@ class MotionControl : private Pipeline {
 
   /// Number of blocks that wait, and of those that could be added.
   [[nodiscard]] std::size_t blocks() const { return queue().size(); }
-  [[nodiscard]] std::size_t blocks_free() const { return queue().capacity() - blocks(); }
+  [[nodiscard]] std::size_t blocks_free() const {
+    return blocks() < queue().capacity() ? queue().capacity() - blocks() : 0;
+  }
   /// Returns the N of the oldest element that is not driven to its end; 0 for none.
   [[nodiscard]] std::uint32_t line_in_execution() const { return line().number; }
   /// Returns the speed of the segments cut last, mm/s: the motors have it within 20 ms.
@@ -66,8 +89,11 @@ class MotionControl : private Pipeline {
 
  private:
   void follow_tool();
+  void note_place();
 
   StepDrive& drive_;
+  PlaceTrail trail_{};
+  bool lit_ = false;  ///< The segment that was handed over last.
   AxisArray<std::int32_t> tool_{};  ///< Place of the tool, within the backlash, when last seen.
 };
 

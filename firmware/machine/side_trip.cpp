@@ -9,21 +9,30 @@ void SideTrip::begin(const AxisArray<StepPosition>& place) {
   segmenter_.go_on();
 }
 
-/// The block is built between the nearest steps, for its limits, and then given
-/// the exact places.
 void SideTrip::go(std::size_t axis,
                   StepPosition to,
                   float feed_mm_s,
                   const motion::BeamCommand& beam) {
-  const AxisScale& scale = limits_.scale[axis];
+  AxisArray<StepPosition> end = place();
+  end[axis] = to;
+  go(end, feed_mm_s, beam);
+}
+
+/// The block is built between the nearest steps, for its limits, and then given
+/// the exact places.
+void SideTrip::go(const AxisArray<StepPosition>& to,
+                  float feed_mm_s,
+                  const motion::BeamCommand& beam) {
   motion::MotionRequest request{.feed_mm_s = feed_mm_s, .beam = beam, .fixed_feed = true};
-  request.element.start[axis] = scale.place_of(place()[axis].nearest_step());
-  request.element.end[axis] = scale.place_of(to.nearest_step());
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const AxisScale& scale = limits_.scale[axis];
+    request.element.start[axis] = scale.place_of(place()[axis].nearest_step());
+    request.element.end[axis] = scale.place_of(to[axis].nearest_step());
+  }
   auto block = motion::build_block(request, limits_);
   if (!block.ok()) return;
   motion::Block exact = block.value();
-  exact.end = place();
-  exact.end[axis] = to;
+  exact.end = to;
   queue_.push(exact);
 }
 

@@ -6,8 +6,8 @@
 
 namespace cnc {
 
-/// Takes one axis away and back while the planned motion is held, and leaves
-/// the tool exactly where that motion goes on: to the fraction of a step.
+/// Takes one axis away and back while the planned motion is held, or all axes to where that motion
+/// goes on, and leaves the tool there exactly: to the fraction of a step.
 ///
 /// It has a queue and a segmenter of its own, because the ones that are held know where they
 /// stopped; the motors are lent. Main loop only.
@@ -23,6 +23,8 @@ class SideTrip {
   /// Moves one axis. Nowhere, or out of reach, is done at once.
   /// @pre at_rest(), and begin() since a halt: there is room for one way only
   void go(std::size_t axis, StepPosition to, float feed_mm_s, const motion::BeamCommand& beam);
+  /// The same for all axes, along a straight line.
+  void go(const AxisArray<StepPosition>& to, float feed_mm_s, const motion::BeamCommand& beam);
   /// Slows down; at rest, begin(place()) forgets the way that was left.
   void halt() { segmenter_.halt(); }
 

@@ -23,10 +23,11 @@ struct Transition {
 };
 
 /// The first row that fits counts.
-constexpr std::array<Transition, 18> kTransitions{{
+constexpr std::array<Transition, 19> kTransitions{{
     {from({kFree}), Event::kHold, kHold},
     {from({kHold, kDoor, kTool}), Event::kResume, kFree},
     {from({kFree, kHold, kJog, kJogEnding}), Event::kDoor, kDoor},
+    {from({kDoor}), Event::kStay, kHold},
 
     {from({kFree, kJog}), Event::kJog, kJog},
     {from({kJog}), Event::kJogCancel, kJogEnding},

@@ -24,6 +24,7 @@ enum class Event : std::uint8_t {
   kHold,
   kResume,  ///< Cycle start; after a door it comes when all is restored.
   kDoor,
+  kStay,  ///< After a door all is restored, but the operator is to confirm.
   kJog,
   kJogCancel,
   kHome,

@@ -2,6 +2,7 @@
 
 #include "firmware/protocol/identity.hpp"
 #include "firmware/protocol/line_protocol.hpp"
+#include "firmware/protocol/report_lines.hpp"
 
 namespace cnc {
 
@@ -48,6 +49,10 @@ bool LineProtocol::tell_news() {
     if (machine_.needs_reset()) message("Reset to continue");
     return true;
   }
+  if (const auto uncut = machine_.take_uncut()) {
+    tell_uncut(*uncut);
+    return true;
+  }
   const auto tool = machine_.pending_tool();
   const bool news = tool.has_value() && !tool_told_;
   tool_told_ = tool.has_value();
@@ -56,6 +61,22 @@ bool LineProtocol::tell_news() {
         begin_answer().text("[MSG:Tool change: T").number(*tool).text(", then cycle start]").end());
   }
   return news;
+}
+
+/// `[MSG:17.204 mm are uncut from 12.000,3.500,0.000 on; ~ goes on without them]`, in machine
+/// coordinates.
+void LineProtocol::tell_uncut(const Uncut& uncut) {
+  Reply reply = begin_answer();
+  reply.text("[MSG:").place(from_mm(uncut.distance_mm), form_.inches);
+  reply.text(form_.inches ? " in are uncut from " : " mm are uncut from ");
+  put_places(reply, machine_.motion().place_of(uncut.from), form_);
+  reply.text(" on");
+  if (machine_.state() == MachineState::kHold) {
+    reply.text("; ~ goes on without them");
+  } else if (machine_.progress().any()) {
+    reply.text("; $RESUME cuts them");
+  }
+  answer(reply.letter(']').end());
 }
 
 /// What senders want to read before the acknowledgement of the line that did it.

@@ -93,6 +93,7 @@ class LineProtocol {
   [[nodiscard]] bool report();
   [[nodiscard]] bool report_is_due() const;
   [[nodiscard]] bool tell_news();
+  void tell_uncut(const Uncut& uncut);
   [[nodiscard]] bool tell_result();
   void welcome();
   void greet();

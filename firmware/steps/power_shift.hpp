@@ -54,6 +54,10 @@ class PowerShift {
   }
   /// By how much further ahead motion has to be known.
   [[nodiscard]] std::uint32_t look_ahead() const { return wait() + held_ticks(); }
+  /// How long after its command the light ends, as the motors see it.
+  [[nodiscard]] std::int32_t light_behind() const {
+    return timing_.lag + static_cast<std::int32_t>(timing_.off_delay);
+  }
   /// Places in the stream that add() and settle() may need together.
   [[nodiscard]] std::uint32_t room_needed() const { return static_cast<std::uint32_t>(count_) + 5; }
 

@@ -56,6 +56,11 @@ class StepDrive {
   /// Keeps the output at 0 from the next interrupt on, within a millisecond,
   /// whatever segments and the rest power say; or no longer.
   virtual void block_power(bool blocked) = 0;
+  /// Running count of the ticks of motion that were handed over.
+  [[nodiscard]] virtual std::uint32_t ticks_handed_over() const = 0;
+  /// Tick of the motion, as ticks_handed_over() counts, at which the light ended when the output
+  /// was blocked last. @pre it was blocked, !running()
+  [[nodiscard]] virtual std::uint32_t light_ended() const = 0;
   /// Duty of the output.
   [[nodiscard]] virtual std::uint16_t power() const = 0;
   /// @pre !running(), and nothing waits

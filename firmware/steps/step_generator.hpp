@@ -101,9 +101,16 @@ class StepGenerator final : public StepDrive {
     if (!running()) beam_.drive_rest();
   }
   void block_power(bool blocked) override {
+    if (blocked && !beam_.blocked()) dark_noted_.store(false, std::memory_order_relaxed);
     beam_.block(blocked);
     note_urgency();
     if (!running()) beam_.drive_rest();
+  }
+  [[nodiscard]] std::uint32_t ticks_handed_over() const override { return pushed_ticks_; }
+  [[nodiscard]] std::uint32_t light_ended() const override {
+    const bool noted = dark_noted_.load(std::memory_order_acquire);
+    return (noted ? dark_tick_ : pushed_ticks_) +
+           static_cast<std::uint32_t>(beam_.shift().light_behind());
   }
   [[nodiscard]] std::uint16_t power() const override { return view_.power; }
   void set_beam_timing(const BeamTiming& timing) override {
@@ -277,12 +284,20 @@ class StepGenerator final : public StepDrive {
     if (urgent_.load(std::memory_order_relaxed)) {
       if (abort_.load(std::memory_order_relaxed)) return drop_everything();
       beam_.darken_if_blocked();
+      if (!dark_noted_.load(std::memory_order_relaxed)) note_dark();
     }
     if (trains_.empty()) return go_on();
     const std::int32_t due = trains_.next_due();
     if (due <= now_) return raise_due_steps();
     if (beam_.due()) beam_.follow();
     return ticks_until(due);
+  }
+
+  /// The output was blocked at this tick of the motion.
+  [[gnu::noinline]] void note_dark() noexcept {
+    dark_tick_ = begun_ticks_.load(std::memory_order_relaxed) +
+                 static_cast<std::uint32_t>(now_ - ticks_);
+    dark_noted_.store(true, std::memory_order_release);
   }
 
   /// To the next segment, in an interrupt of its own, so that none is long. @pre no steps are left
@@ -429,6 +444,8 @@ class StepGenerator final : public StepDrive {
   SwitchWatch switches_{};
   AxisArray<std::int32_t> probe_position_{};
   std::atomic<std::uint32_t> begun_ticks_{0};
+  std::uint32_t dark_tick_ = 0;         ///< Of the motion, as begun_ticks_ counts.
+  std::atomic<bool> dark_noted_{true};  ///< dark_tick_ is of the last time the output was blocked.
   std::atomic<std::uint32_t> longest_wait_{kLongestWait};
   PowerOutput<Port, 2 * QueueCapacity> beam_;
   hal::StagedRing<PlayableSegment, QueueCapacity> queue_{};

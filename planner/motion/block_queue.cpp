@@ -10,6 +10,10 @@ namespace cnc::motion {
 
 void BlockQueue::push(const Block& block, Joint joint) {
   CNC_ASSERT(!full());
+  if (size_ + kept_ == blocks_.size()) {
+    start_ = blocks_[place_of(blocks_.size() - kept_)].end;
+    --kept_;
+  }
   Block& added = changeable(size_);
   added = block;
   added.from_rest = stops_before(block, joint);
@@ -31,7 +35,25 @@ void BlockQueue::pop_front() {
   left_square_ = front().reachable_square;
   first_ = place_of(1);
   --size_;
+  ++kept_;
   unplanned_ = std::min(unplanned_, size_);
+}
+
+void BlockQueue::take_back() {
+  CNC_ASSERT(kept_ > 0);
+  first_ = place_of(blocks_.size() - 1);
+  ++size_;
+  --kept_;
+  forget_plan();
+}
+
+void BlockQueue::begin_at(const AxisArray<StepPosition>& place, const Block& front) {
+  Block& begun = changeable(0);
+  begun = front;
+  begun.from_rest = true;
+  kept_ = 0;
+  start_ = place;
+  forget_plan();
 }
 
 void BlockQueue::stand() {
@@ -40,8 +62,11 @@ void BlockQueue::stand() {
   forget_plan();
 }
 
-void BlockQueue::clear() {
+void BlockQueue::clear(const AxisArray<StepPosition>& place) {
   size_ = 0;
+  kept_ = 0;
+  keeps_all_ = false;
+  start_ = place;
   front_trail_.clear();
   unplanned_ = 0;
   leaves_none_out_ = false;

@@ -17,6 +17,10 @@ namespace cnc::motion {
 /// How far ahead a program is planned.
 inline constexpr std::size_t kLookAheadBlocks = 128;
 
+/// How many blocks behind the motion can be taken back at least. Motion is cut 20 ms and a few
+/// cycles before it is driven: at 1,300 blocks per second these are as many blocks.
+inline constexpr std::size_t kBlocksKept = 32;
+
 /// Blocks waiting to be driven, oldest first, with the look-ahead over them.
 /// How many there is room for is in the type of its owner, BlockQueueOf.
 ///
@@ -24,14 +28,20 @@ inline constexpr std::size_t kLookAheadBlocks = 128;
 /// moment; blocks that arrive can only make it faster. Planning is left until
 /// somebody asks for a speed (`plan`), so a burst of lines is planned once.
 ///
+/// Blocks that were driven are kept in the capacity beyond that, and in what is free, until newer
+/// ones take their place; take_back() returns them to the queue.
+///
 /// Main loop only.
 class BlockQueue {
  public:
   BlockQueue(const BlockQueue&) = delete;
   BlockQueue& operator=(const BlockQueue&) = delete;
 
-  [[nodiscard]] std::size_t capacity() const { return blocks_.size(); }
-  [[nodiscard]] bool full() const { return size_ == capacity(); }
+  [[nodiscard]] std::size_t capacity() const { return capacity_; }
+  /// With blocks that were taken back there may be more than capacity().
+  [[nodiscard]] bool full() const {
+    return size_ >= capacity_ || (keeps_all_ && size_ + kept_ == blocks_.size());
+  }
   [[nodiscard]] bool empty() const { return size_ == 0; }
   [[nodiscard]] std::size_t size() const { return size_; }
 
@@ -46,12 +56,36 @@ class BlockQueue {
     return blocks_[first_];
   }
   void pop_front();
+
+  /// Number of driven blocks that take_back() can return.
+  [[nodiscard]] std::size_t kept() const { return kept_; }
+  /// Returns the one that was driven last. @pre kept() > 0
+  [[nodiscard]] const Block& newest_kept() const {
+    CNC_ASSERT(kept_ > 0);
+    return blocks_[place_of(blocks_.size() - 1)];
+  }
+  /// From now on no driven block is dropped for newer ones: the queue is full before; or no longer.
+  void keep_all(bool keeps) { keeps_all_ = keeps; }
+  /// Returns the block that was driven last to the front. stand() and a plan of all must follow.
+  /// @pre kept() > 0, and the machine stands
+  void take_back();
+  /// Returns where the oldest block begins, driven ones that are kept included.
+  [[nodiscard]] const AxisArray<StepPosition>& start() const { return start_; }
+  /// Returns where the block at the front begins, or the next one will.
+  [[nodiscard]] const AxisArray<StepPosition>& start_of_front() const {
+    return kept_ == 0 ? start_ : newest_kept().end;
+  }
+  /// The motion begins from rest at `place`, with `front` instead of the block at the front; the
+  /// blocks before it are forgotten. @pre !empty()
+  void begin_at(const AxisArray<StepPosition>& place, const Block& front);
+
   /// The oldest block is about to be taken away, but what it asks of those behind it still
   /// holds. @pre !empty()
   void leave_front(const Limits& limits, const PlanTerms& terms);
   /// Nothing moves: what is gone asks nothing any more, for the window never spans a stop.
   void stand();
-  void clear();
+  /// Forgets all blocks; the machine stands at `place`.
+  void clear(const AxisArray<StepPosition>& place = {});
   /// Counted from the oldest. @pre index < size()
   [[nodiscard]] const Block& at(std::size_t index) const {
     CNC_ASSERT(index < size_);
@@ -97,7 +131,9 @@ class BlockQueue {
 
  protected:
   /// @param storage not empty; must outlive the queue
-  explicit BlockQueue(std::span<Block> storage) : blocks_{storage} {}
+  /// @param kept share of it that driven blocks have at least
+  BlockQueue(std::span<Block> storage, std::size_t kept)
+      : blocks_{storage}, capacity_{storage.size() - kept} {}
   ~BlockQueue() = default;
 
  private:
@@ -106,7 +142,7 @@ class BlockQueue {
   /// In the ring. No division: the capacity is not a constant here.
   [[nodiscard]] std::size_t place_of(std::size_t index) const {
     const std::size_t place = first_ + index;
-    return place < capacity() ? place : place - capacity();
+    return place < blocks_.size() ? place : place - blocks_.size();
   }
 
   void lay_heads(const Limits& limits, const PlanTerms& terms, std::size_t end);
@@ -118,8 +154,12 @@ class BlockQueue {
   static constexpr std::size_t kReplanShare = 16;
 
   std::span<Block> blocks_;
+  std::size_t capacity_;
   std::size_t first_ = 0;
   std::size_t size_ = 0;
+  std::size_t kept_ = 0;  ///< Driven blocks before the first.
+  bool keeps_all_ = false;
+  AxisArray<StepPosition> start_{};  ///< Of the oldest block, kept ones included.
   AxisArray<float> last_exit_tangent_{};
 
   // The plan.
@@ -144,13 +184,13 @@ struct BlockStorage {
   std::array<Block, kCapacity> storage{};
 };
 
-/// A queue that owns the room for so many blocks.
-template <std::size_t kCapacity>
-class BlockQueueOf final : private BlockStorage<kCapacity>, public BlockQueue {
+/// A queue that owns the storage for so many blocks, and for driven ones.
+template <std::size_t kCapacity, std::size_t kKept = 0>
+class BlockQueueOf final : private BlockStorage<kCapacity + kKept>, public BlockQueue {
   static_assert(kCapacity > 0);
 
  public:
-  BlockQueueOf() : BlockQueue{this->storage} {}
+  BlockQueueOf() : BlockQueue{this->storage, kKept} {}
 };
 
 }  // namespace cnc::motion

@@ -83,6 +83,12 @@ class MotorStage {
   /// The next segment; false when the cell is used up.
   [[nodiscard]] bool take(Segment& segment);
 
+  /// Returns whether all of the cell that goes out was taken: the plan and the output are at the
+  /// ends of cells.
+  [[nodiscard]] bool between_cells() const { return out_tick_ == grid_.cell_ticks; }
+  /// Returns the time in ticks from when a place is laid down until it goes out.
+  [[nodiscard]] std::uint32_t ticks_ahead() const { return grid_.ahead * grid_.cell_ticks; }
+
   /// Tells `observer` of every cell from now on; null for nobody.
   void observe(ShapingObserver* observer) { observer_ = observer; }
 

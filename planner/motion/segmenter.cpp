@@ -28,7 +28,19 @@ float fraction_of(std::uint64_t q32) {
 }  // namespace
 
 void Segmenter::reset(const AxisArray<StepPosition>& place) {
-  queue_.clear();
+  queue_.clear(place);
+  ended_ = travelled();
+  blocks_ended_ = 0;
+  stand(place);
+}
+
+void Segmenter::go_back(const AxisArray<StepPosition>& place, PathUnits distance) {
+  ended_ = travelled() - static_cast<std::uint64_t>(distance);
+  stand(place);
+}
+
+/// Nothing of the motion so far is left.
+void Segmenter::stand(const AxisArray<StepPosition>& place) {
   plan_.reset();
   window_ = {};
   filter_ = {};
@@ -38,12 +50,17 @@ void Segmenter::reset(const AxisArray<StepPosition>& place) {
   stretch_from_ = 0;
   place_ = 0;
   driving_ = false;
-  blocks_ended_ = 0;
   speed_ = 0.0F;
   joined_.reset();
   outputs_ = {};
   place_steps_ = place;
   kerf_.reset();
+}
+
+AxisArray<StepPosition> Segmenter::motors() const {
+  AxisArray<StepPosition> motors = place_steps_;
+  if (kerf_.follows()) kerf_.add_to(motors);
+  return motors;
 }
 
 bool Segmenter::next(Segment& segment) {
@@ -79,8 +96,7 @@ bool Segmenter::next(std::uint32_t most_ns, PlannedSlice& slice) {
     slice.line = power_.line();
     pass_to_rest();
   }
-  slice.end = place_steps_;
-  if (kerf_.follows()) kerf_.add_to(slice.end);
+  slice.end = motors();
   slice.outputs = outputs_;
   outputs_ = {};
   return true;
@@ -231,6 +247,7 @@ void Segmenter::end_block() {
   plan_.block_left();
   queue_.pop_front();
   ++blocks_ended_;
+  ended_ += static_cast<std::uint64_t>(length_);
   driving_ = false;
   stretch_from_ -= length_;
   place_ = 0;

@@ -76,6 +76,12 @@ class Segmenter {
   [[nodiscard]] float left_of_block() const {
     return driving_ ? to_mm(length_ - place_) : queue_.front().length;
   }
+  /// Distance from the start of the oldest block. @pre !idle()
+  [[nodiscard]] PathUnits into_block() const { return driving_ ? place_ : 0; }
+  /// Running length of all that was handed out (wraps); what is taken back counts no longer.
+  [[nodiscard]] std::uint64_t travelled() const {
+    return ended_ + static_cast<std::uint64_t>(place_);
+  }
   /// mm/s at the end of the last slice handed out.
   [[nodiscard]] float speed() const { return speed_; }
   /// mm/s of the plan, which is ahead of what was handed out where jerk is limited:
@@ -94,11 +100,17 @@ class Segmenter {
 
   /// Forgets all motion; the motors stand at `place` now. A halt stays.
   void reset(const AxisArray<StepPosition>& place);
+  /// Goes on from `place`, from rest, through the blocks of the queue, some of which were taken
+  /// back. @param distance that was handed out beyond that place @pre at rest
+  void go_back(const AxisArray<StepPosition>& place, PathUnits distance);
+  /// Returns where the motors stand after the last slice: place(), and what follows the kerf.
+  [[nodiscard]] AxisArray<StepPosition> motors() const;
 
   /// Tells `observer` of every slice from now on; null for nobody.
   void observe(SliceObserver* observer) { observer_ = observer; }
 
  private:
+  void stand(const AxisArray<StepPosition>& place);
   [[nodiscard]] bool ready_stretch();
   [[nodiscard]] Stretch next_stretch();
   void choose_window();
@@ -165,6 +177,7 @@ class Segmenter {
 
   SliceObserver* observer_ = nullptr;
   std::uint32_t blocks_ended_ = 0;
+  std::uint64_t ended_ = 0;  ///< Length of the blocks that ended.
   OutputChanges outputs_{};  ///< Not handed out yet.
 };
 

@@ -72,6 +72,14 @@ class Pipeline {
   void halt() { segmenter_.halt(); }
   /// Ends a halt.
   void go_on() { segmenter_.go_on(); }
+  /// Keeps the path of all segments taken from now on, and as much as is known of those before; or
+  /// no longer. While it is kept has_room() may become false for as long.
+  void keep_path(bool keeps) { queue_.keep_all(keeps); }
+  /// Takes back the last `distance` of what was given out as segments: place() moves there, and
+  /// next() goes on from there, from rest, once the motors have been brought to motor_place().
+  /// @return part of the distance, mm, that is not known any more and stays given out
+  /// @pre held() or empty()
+  float go_back(motion::PathUnits distance);
   void set_overrides(const motion::Overrides& overrides) { segmenter_.set_overrides(overrides); }
   [[nodiscard]] const motion::Overrides& overrides() const { return segmenter_.overrides(); }
 
@@ -101,6 +109,11 @@ class Pipeline {
 
   /// Returns the end of the last segment, to the fraction of a step.
   [[nodiscard]] const AxisArray<StepPosition>& place() const { return segmenter_.place(); }
+  /// Returns where the motors stand after the last segment: place(), and offset by a kerf.
+  [[nodiscard]] AxisArray<StepPosition> motor_place() const { return segmenter_.motors(); }
+  /// Returns the running length of all that was laid down (wraps). The motors come to its end
+  /// motors().ticks_ahead() after the last segment, where motors().between_cells().
+  [[nodiscard]] std::uint64_t travelled() const { return segmenter_.travelled(); }
   /// Returns the machine coordinates of motor positions in steps.
   [[nodiscard]] Position place_of(const AxisArray<std::int32_t>& steps) const;
   /// Returns the speed at the end of the last segment, mm/s.
@@ -120,12 +133,13 @@ class Pipeline {
   void pump();
   void take(const path::PathPiece& piece);
   void release_held();
+  [[nodiscard]] bool can_take_back(const motion::Block& block);
   [[nodiscard]] bool runs_dry() const;
 
   const motion::Limits& limits_;
   motion::Pixels pixels_{};
   path::PathStage path_;
-  motion::BlockQueueOf<motion::kLookAheadBlocks> queue_{};
+  motion::BlockQueueOf<motion::kLookAheadBlocks, motion::kBlocksKept> queue_{};
   motion::Segmenter segmenter_;
   motion::MotorStage motors_{};
   motion::MotorStageSetting motor_setting_{};

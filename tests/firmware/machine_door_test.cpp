@@ -9,6 +9,14 @@ class MachineDoorTest : public ControllerTest {
     port.panel.door = open;
     run(5);
   }
+  /// Until all is restored.
+  void wait_while_restoring() {
+    for (int left = 10'000; substate() == 3 && left > 0; --left) {
+      run(1);
+      EXPECT_EQ(port.power, 0);
+    }
+    EXPECT_NE(substate(), 3);
+  }
   [[nodiscard]] int substate() const {
     return machine.state() == MachineState::kDoor ? machine.status().substate : -1;
   }
@@ -51,10 +59,135 @@ TEST_F(MachineDoorTest, DarkensABeamAtOnceThoughItStillMoves) {
   EXPECT_EQ(port.power, 0);
   EXPECT_EQ(substate(), 2);
   run(400);
+  EXPECT_EQ(port.power, 0);
+  EXPECT_EQ(substate(), 0);
+}
+
+TEST_F(MachineDoorTest, GoesBackDarkToWhereTheLightEndedAndCutsTheRest) {
+  send_all({"$32=1", "M3 S1000", "G1 X50 F6000"});
+  run(300);
+  const auto dark_from = port.position[0];
+  machine.safety_door();
+  run(400);
+  const auto stood = port.position[0];
+  EXPECT_GT(stood, dark_from + 1000) << "it has braked";
   machine.resume();
-  run(10);
+  EXPECT_EQ(substate(), 3);
+  wait_while_restoring();
   EXPECT_EQ(machine.state(), MachineState::kRun);
-  EXPECT_GT(port.power, 0);
+  EXPECT_NEAR(port.position[0], dark_from, 25) << "0.1 mm";
+  EXPECT_EQ(machine.take_uncut(), std::nullopt);
+  run_until_idle();
+  EXPECT_EQ(port.position[0], 12'500);
+}
+
+TEST_F(MachineDoorTest, LeavesAMillWhereItStands) {
+  send_all({"M3 S1000", "G1 X50 F6000"});
+  run(300);
+  machine.safety_door();
+  run(500);
+  const auto stood = port.position;
+  machine.resume();
+  run(3000);
+  EXPECT_EQ(substate(), 3);
+  EXPECT_EQ(port.position, stood);
+}
+
+TEST_F(MachineDoorTest, StaysWhereItStandsWhenNoLightIsMissing) {
+  send_all({"$32=1", "M3 S1000", "G0 X50"});
+  run(300);
+  machine.safety_door();
+  run(500);
+  const auto stood = port.position;
+  EXPECT_EQ(substate(), 0);
+  machine.resume();
+  run(3);
+  EXPECT_EQ(machine.state(), MachineState::kRun);
+  EXPECT_EQ(port.position, stood);
+  run_until_idle();
+  EXPECT_EQ(port.position[0], 12'500);
+}
+
+TEST_F(MachineDoorTest, OpenedAgainOnTheWayBackFindsTheSamePlace) {
+  send_all({"$32=1", "M3 S1000", "G1 X50 F6000"});
+  run(300);
+  const auto dark_from = port.position[0];
+  machine.safety_door();
+  run(400);
+  const auto stood = port.position[0];
+  machine.resume();
+  run(60);
+  machine.safety_door();
+  run(400);
+  EXPECT_EQ(substate(), 0);
+  EXPECT_LT(port.position[0], stood);
+  EXPECT_GT(port.position[0], dark_from + 25);
+  machine.resume();
+  wait_while_restoring();
+  EXPECT_NEAR(port.position[0], dark_from, 25);
+  run_until_idle();
+  EXPECT_EQ(port.position[0], 12'500);
+}
+
+TEST_F(MachineDoorTest, IsTakenUpWhereTheLightEndedAfterAReset) {
+  send_all({"$32=1", "M3 S1000", "N7 G1 X50 F6000"});
+  run(300);
+  const auto dark_from = port.position[0];
+  machine.safety_door();
+  run(400);
+  const auto stood = port.position[0];
+  machine.reset();
+  link.outgoing.clear();
+  run(20);
+  EXPECT_EQ(machine.progress().line.number, 7U);
+  EXPECT_NEAR(machine.progress().steps[0], dark_from, 25);
+  const std::size_t message = link.outgoing.find("[MSG:") + 5;
+  ASSERT_LT(message, link.outgoing.size());
+  EXPECT_NEAR(std::stod(link.outgoing.substr(message)), 0.004 * (stood - dark_from), 0.1);
+  const std::string from = std::to_string(0.004 * machine.progress().steps[0]).substr(0, 6);
+  EXPECT_NE(link.outgoing.find(" mm are uncut from " + from + ",0.000,0.000 on; $RESUME cuts them]"),
+            std::string::npos)
+      << link.outgoing;
+}
+
+TEST_F(MachineDoorTest, SaysOfALostLinkHowMuchIsUncut) {
+  send_all({"$32=1", "M3 S1000", "G1 X50 F6000"});
+  run(300);
+  machine.lose_link();
+  run(500);
+  EXPECT_EQ(machine.alarm(), Alarm::kLinkSilent);
+  EXPECT_NE(link.outgoing.find(" mm are uncut from "), std::string::npos) << link.outgoing;
+  EXPECT_NE(link.outgoing.find(",0.000,0.000 on]"), std::string::npos) << link.outgoing;
+}
+
+/// A slow shaper lets the light come long after the plan, and in that time more blocks go by than
+/// are kept.
+TEST_F(MachineDoorTest, HoldsWhereThePathIsNotKnownAnyMore) {
+  send_all({"$32=1", "$120=20000", "$121=20000", "$810=2", "$820=10", "M3 S1000"});
+  for (int line = 1; line <= 600; ++line) {
+    stream("G1 F4500 X" + std::to_string(0.1 * line) + " Y" + (line % 2 == 0 ? "0" : "0.01") + "\n");
+  }
+  run(500);
+  ASSERT_GT(port.power, 0);
+  machine.safety_door();
+  run(1000);
+  ASSERT_EQ(substate(), 0);
+  const auto braked = port.position[0];
+  link.outgoing.clear();
+  machine.resume();
+  wait_while_restoring();
+  EXPECT_EQ(machine.state(), MachineState::kHold);
+  run(10);
+  EXPECT_NE(link.outgoing.find(" on; ~ goes on without them]"), std::string::npos)
+      << link.outgoing;
+  const auto stood = port.position;
+  EXPECT_LT(stood[0], braked - 250) << "what is known it cuts";
+  run(500);
+  EXPECT_EQ(port.position, stood);
+  EXPECT_EQ(port.power, 0);
+  machine.resume();
+  run_until_idle();
+  EXPECT_EQ(port.position[0], 15'000);
 }
 
 TEST_F(MachineDoorTest, OpenedAgainWhileResumingStopsAnew) {

@@ -29,6 +29,14 @@ TEST(StateMachine, HoldsAndResumes) {
   EXPECT_TRUE(ignored({}, Event::kResume));
 }
 
+TEST(StateMachine, StaysHeldAfterADoorWhereTheOperatorIsToConfirm) {
+  EXPECT_EQ(after({Event::kDoor, Event::kStay}), Mode::kHold);
+  EXPECT_EQ(after({Event::kDoor, Event::kStay, Event::kResume}), Mode::kFree);
+  EXPECT_TRUE(ignored({}, Event::kStay));
+  EXPECT_TRUE(ignored({Event::kHold}, Event::kStay));
+  EXPECT_TRUE(ignored({Event::kDoor}, Event::kHold));
+}
+
 TEST(StateMachine, EndsAJogForWhateverHolds) {
   EXPECT_EQ(after({Event::kJog, Event::kJog, Event::kHold}), Mode::kJogEnding);
   EXPECT_EQ(after({Event::kJog, Event::kJogCancel, Event::kOver}), Mode::kFree);

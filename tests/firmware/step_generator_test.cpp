@@ -321,5 +321,48 @@ TEST_F(StepGeneratorTest, DarkensTheOutputWithinAnInterrupt) {
   EXPECT_EQ(port.power, 500);
 }
 
+TEST_F(StepGeneratorTest, KnowsAtWhichTickOfTheMotionTheLightEnded) {
+  motion::Segment bright = even(4000, 40);
+  bright.power.first = 30'000;
+  generator.push(bright);
+  generator.push(bright);
+  generator.push(last(bright));
+  EXPECT_EQ(generator.ticks_handed_over(), 12'000U);
+  run(5950);
+  ASSERT_EQ(port.power, 30'000);
+  generator.block_power(true);
+  const auto before = port.position[0];
+  run(1000);
+  generator.block_power(true);
+  run();
+  EXPECT_NEAR(generator.light_ended(), 5950.0, 105.0);
+  EXPECT_NEAR(before, 0.01 * generator.light_ended(), 1.5);
+}
+
+TEST_F(StepGeneratorTest, SaysOfAnOutputBlockedAtRestThatTheLightEndedThere) {
+  generator.push(last(even(4000, 40)));
+  run();
+  generator.block_power(true);
+  EXPECT_EQ(generator.light_ended(), 4000U);
+  generator.block_power(false);
+  generator.push(last(even(4000, 40)));
+  run();
+  generator.block_power(true);
+  EXPECT_EQ(generator.light_ended(), 8000U);
+}
+
+/// The light is as late as the motors' steps have to wait for it.
+TEST_F(StepGeneratorTest, CountsTheBeamsDelaysAsLight) {
+  generator.set_beam_timing({.lag = 1000, .on_delay = 0, .off_delay = 300});
+  motion::Segment bright = even(4000, 40);
+  bright.power.first = 30'000;
+  generator.push(bright);
+  generator.push(last(bright));
+  run(3000);
+  generator.block_power(true);
+  run();
+  EXPECT_NEAR(generator.light_ended(), 3000.0 + 1300.0, 105.0);
+}
+
 }  // namespace
 }  // namespace cnc

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+
+#include "firmware/machine/motion_control.hpp"
+
+namespace cnc {
+
+/// Part of the path that stays uncut, from a place on.
+struct Uncut {
+  float distance_mm = 0.0F;
+  AxisArray<std::int32_t> from{};  ///< Motor steps.
+};
+
+/// The gap between where a blocked beam went dark and where the motors came to rest after it.
+///
+/// The path is kept from when the beam is blocked. At rest the motion is taken back to where the
+/// light ended, if any is missing since, so that it goes on from there; until then the motors have
+/// to be brought to the place of the motion. Main loop only.
+class LightGap {
+ public:
+  /// Shorter parts that are not known any more are no reason to stop for.
+  static constexpr float kNegligibleMm = 0.1F;
+
+  LightGap(StepDrive& drive, MotionControl& motion) : drive_{drive}, motion_{motion} {}
+
+  /// The beam is blocked, and the motion slows down.
+  void begin();
+  /// Takes the motion back, if there is a gap. @pre begin() was called, and all stands still
+  void find();
+  /// Returns whether the motion was taken back and has not gone on.
+  [[nodiscard]] bool any() const { return found_; }
+  /// Returns whether begin() was called, and neither find() nor end() since.
+  [[nodiscard]] bool opens() const { return opens_; }
+  /// The motion goes on, or is dropped.
+  void end();
+  /// The same, and reports all of it as uncut.
+  void leave();
+  /// Reports the part of it that cannot be cut again, if it matters. Returns whether there is one.
+  [[nodiscard]] bool leave_unknown();
+
+  /// Returns where the motion goes on, to the step where that is known. @pre any()
+  [[nodiscard]] const AxisArray<std::int32_t>& place() const { return gap_.from; }
+  /// Returns once what was reported last.
+  [[nodiscard]] std::optional<Uncut> take_uncut();
+
+ private:
+  StepDrive& drive_;
+  MotionControl& motion_;
+  bool opens_ = false;
+  bool found_ = false;
+  float unknown_mm_ = 0.0F;
+  Uncut gap_{};
+  std::optional<Uncut> uncut_{};
+};
+
+}  // namespace cnc
