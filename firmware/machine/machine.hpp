@@ -63,11 +63,10 @@ class Machine {
   /// @pre !busy()
   [[nodiscard]] std::optional<JogRefusal> jog(std::string_view words);
 
-  /// Homing is switched on ($22), of single axes too where some are named, and
-  /// nothing stands against it now.
-  [[nodiscard]] bool can_home(std::uint8_t axes = 0) const;
+  /// Returns why `axes` cannot be homed now, as home() takes them.
+  [[nodiscard]] HomingRefusal why_not_home(std::uint8_t axes) const;
   /// Searches the switches of these axes, bit i for axis i; 0 is all, in the
-  /// passes of $44…$49. busy() until over. @pre can_home(axes)
+  /// passes of $44…$49. busy() until over. @pre why_not_home(axes) is kNone
   void home(std::uint8_t axes);
 
   // The operator, at any time.
@@ -93,6 +92,8 @@ class Machine {
   /// False while the door is open or the emergency stop is pressed, and after
   /// an alarm that asks for a reset first.
   bool unlock();
+  /// At power-up: what was stored could not all be read. Nothing moves before a reset and an unlock.
+  void lock_for_damage() { raise_alarm(Alarm::kStoreDamaged); }
   /// The alarm is one that only a reset makes fit to be unlocked.
   [[nodiscard]] bool needs_reset() const { return needs_reset_; }
 

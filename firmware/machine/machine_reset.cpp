@@ -27,7 +27,7 @@ void Machine::raise_alarm(Alarm alarm) {
   if (!state_.take(Event::kAlarm)) return;
   if (state_.in(Mode::kAlarm)) alarm_ = alarm;
   needs_reset_ = needs_reset_ || alarm == Alarm::kHardLimit || alarm == Alarm::kSoftLimit ||
-                 alarm == Alarm::kCompensation;
+                 alarm == Alarm::kCompensation || alarm == Alarm::kStoreDamaged;
   cut_off();
 }
 

@@ -47,8 +47,8 @@ constexpr std::array<SettingInfo, 110> kTable{{
     SettingInfo{10, "Status report options", "mask", 0.0F, 511.0F, 3.0F, true,
      Group::kGeneral, Type::kBits,
      "Machine position,Buffers,Line number,Feed and speed,Pins,Work offset,Overrides,N/A,N/A",
-     "Fields of a status report. 0 to 3: bit 0 chooses machine or work position, bit 1 "
-     "adds the buffers, all other fields are on, as in Grbl. From 4 on each bit adds the "
+     "Fields of a status report. 0 to 31: bit 0 chooses machine or work position, bit 1 "
+     "adds the buffers, all other fields are on, as in Grbl. From 32 on each bit adds the "
      "field it names."},
     SettingInfo{11, "Junction deviation", "mm", 0.0F, 10.0F, 0.01F, false,
      Group::kGeneral, Type::kDecimal, kThousandths,

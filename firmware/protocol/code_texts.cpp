@@ -7,7 +7,7 @@
 namespace cnc {
 namespace {
 
-constexpr std::array<CodeText, 35> kErrors{{
+constexpr std::array<CodeText, 34> kErrors{{
     {1, "A word of G-code begins with a letter, and only a comment holds other bytes."},
     {2, "A number is missing or has a wrong form."},
     {3, "No such $ statement, or not here."},
@@ -17,7 +17,6 @@ constexpr std::array<CodeText, 35> kErrors{{
     {7, "The store cannot keep this."},
     {8, "Only possible while the machine is idle."},
     {9, "G-code is locked out during an alarm, a jog or sleep."},
-    {10, "Soft limits need homing ($22)."},
     {11, "The line is too long."},
     {13, "The safety door is open."},
     {14, "The text is too long to be kept."},
@@ -45,7 +44,7 @@ constexpr std::array<CodeText, 35> kErrors{{
     {79, "The emergency stop is pressed."},
 }};
 
-constexpr std::array<CodeText, 16> kAlarms{{
+constexpr std::array<CodeText, 17> kAlarms{{
     {1, "A limit switch was reached. The place may be lost; home again."},
     {2, "The target lies beyond the travel. The place is kept."},
     {3, "Stopped while moving. The place may be lost; home again."},
@@ -62,6 +61,7 @@ constexpr std::array<CodeText, 16> kAlarms{{
     {25, "The link fell silent while the beam was on ($858). The place is kept."},
     {26, "The path beside the programmed one cannot be driven. The place is kept."},
     {27, "The path did not pass the place where the program was interrupted."},
+    {28, "The store is damaged. Check settings and offsets, and store one again."},
 }};
 
 }  // namespace

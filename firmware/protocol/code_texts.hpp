@@ -32,7 +32,6 @@ inline constexpr std::uint8_t kPulseTooShort = 6;
 inline constexpr std::uint8_t kStoreFailed = 7;
 inline constexpr std::uint8_t kNotIdle = 8;
 inline constexpr std::uint8_t kLocked = 9;
-inline constexpr std::uint8_t kSoftLimitsNeedHoming = 10;
 inline constexpr std::uint8_t kLineTooLong = 11;
 inline constexpr std::uint8_t kDoorOpen = 13;
 inline constexpr std::uint8_t kTextTooLong = 14;

@@ -77,7 +77,10 @@ void LineProtocol::welcome() {
   form_.axes = static_cast<std::size_t>(machine_.settings().get(setting::kReportedAxes));
   greet();
   if (machine_.alarm() == Alarm::kNone) startup_line_ = 0;
-  if (stored_.take_damage()) message("The store was damaged: some settings are as delivered");
+  if (machine_.alarm() == Alarm::kStoreDamaged) {
+    message("The store is damaged: check settings and offsets, store one again");
+  }
+  tell_waiting_limits();
   tell_trouble();
 }
 

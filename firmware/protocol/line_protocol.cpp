@@ -46,6 +46,7 @@ LineProtocol::LineProtocol(hal::ByteStream& link,
   machine_.set_power_table(stored_.load_power_table());
   machine_.set_places(stored_.load_places());
   machine_.set_progress(kept.any() ? kept : stored_.load_progress());
+  if (stored_.damaged()) machine_.lock_for_damage();
 }
 
 void LineProtocol::poll(hal::TickCount now) {

@@ -104,6 +104,7 @@ class LineProtocol {
   void take_statement(std::string_view line);
   void take_command(const Statement& statement);
   void change_setting(const Statement& statement);
+  void tell_waiting_limits();
   void refuse_setting(const Statement& statement, SettingError error);
   void jog(const Statement& statement);
   void home(const Statement& statement);
