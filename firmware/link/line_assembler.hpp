@@ -36,6 +36,10 @@ class LineAssembler {
   /// Without its line end. @pre add() returned true last
   [[nodiscard]] std::string_view line() const { return {bytes_.data(), size_}; }
   [[nodiscard]] bool too_long() const { return too_long_; }
+  /// The line that is there ended with CR: an LF next belongs to it.
+  [[nodiscard]] bool ends_with_return() const { return ended_by_ == '\r'; }
+  /// In the middle of a line.
+  [[nodiscard]] bool has_begun() const { return ended_by_ == kNothing && size_ > 0; }
 
  private:
   static constexpr char kNothing = 0;

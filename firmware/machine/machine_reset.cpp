@@ -41,6 +41,8 @@ void Machine::cut_off() {
 
 void Machine::drop_everything() {
   cutting_off_ = false;
+  if (tool_change_.open()) close_tool_change();
+  line_failed_ = false;
   waiting_ = {};
   elements_.clear();
   jog_.reset();
@@ -58,6 +60,8 @@ void Machine::drop_everything() {
   drive_.disarm_probe();
   homing_.cancel();
   tool_.reset();
+  rest_light_.renew();
+  rest_light_.forget_program();
   coolant_.reset();
   motion_.drop_rest();
   motion_.go_on();

@@ -18,7 +18,7 @@ enum class MachineState : std::uint8_t {
   kCheck,  ///< Lines are read and judged, nothing moves.
   kHome,
   kSleep,  ///< All off; only a reset wakes.
-  kTool,   ///< A tool is to be changed (M6): waits for resume() or acknowledge_tool().
+  kTool,   ///< A tool is to be changed (M6): waits for resume().
 };
 
 /// With the number that follows the colon in a report.

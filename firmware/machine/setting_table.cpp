@@ -22,7 +22,7 @@ constexpr const char* kAxisNames = "X,Y,Z,A,B,C";
 
 // clang-format off
 // The size is spelled out: deduced, GCC 12 puts the table into RAM.
-constexpr std::array<SettingInfo, 110> kTable{{
+constexpr std::array<SettingInfo, 112> kTable{{
     SettingInfo{0, "Step pulse time", "microseconds", 1.0F, 12.0F, 5.0F, false,
      Group::kStepper, Type::kDecimal, kThousandths,
      "How long a step input is held high, and then low."},
@@ -315,6 +315,13 @@ constexpr std::array<SettingInfo, 110> kTable{{
      Group::kSpindle, Type::kChoice, "Power goes with speed,Path follows kerf",
      "Beside an edge by the kerf of the material (G41, G42): what to do where the speed is not "
      "the programmed one. Keep power by speed, M3 too, or go farther from the edge or nearer."},
+    SettingInfo{870, "Light at rest, power", "percent", 0.0F, 100.0F, 0.0F, false,
+     Group::kSpindle, Type::kDecimal, kThousandths,
+     "Greatest duty of a laser that M3 lights where nothing moves: in G4, and after M3 alone in "
+     "G1. 0 is dark."},
+    SettingInfo{871, "Light at rest, time", "milliseconds", 0.0F, 60000.0F, 0.0F, true,
+     Group::kSpindle, Type::kInteger, kWhole,
+     "How long between two motions, or M5. 0 is dark."},
 }};
 // clang-format on
 static_assert(kTable.size() <= Settings::kMostSettings);

@@ -7,7 +7,7 @@
 namespace cnc {
 namespace {
 
-constexpr std::array<CodeText, 34> kErrors{{
+constexpr std::array<CodeText, 35> kErrors{{
     {1, "A word of G-code begins with a letter, and only a comment holds other bytes."},
     {2, "A number is missing or has a wrong form."},
     {3, "No such $ statement, or not here."},
@@ -42,6 +42,7 @@ constexpr std::array<CodeText, 34> kErrors{{
     {37, "G43.1 needs Z and no other axis."},
     {38, "The value is larger than supported."},
     {79, "The emergency stop is pressed."},
+    {200, "Not done to its end: it was stopped, or the probe did not change."},
 }};
 
 constexpr std::array<CodeText, 17> kAlarms{{

@@ -38,6 +38,7 @@ inline constexpr std::uint8_t kTextTooLong = 14;
 inline constexpr std::uint8_t kJogBeyondTravel = 15;
 inline constexpr std::uint8_t kNotAJog = 16;
 inline constexpr std::uint8_t kEmergencyStop = 79;
+inline constexpr std::uint8_t kNotDone = 200;  ///< Our own, beyond all that grblHAL uses.
 }  // namespace error_number
 
 }  // namespace cnc

@@ -48,6 +48,10 @@ bool LineProtocol::tell_news() {
     if (machine_.needs_reset()) message("Reset to continue");
     return true;
   }
+  if (machine_.rest_light().take_refusal()) {
+    message("The program asks for light at rest beyond $870 or $871");
+    return true;
+  }
   const auto tool = machine_.pending_tool();
   const bool news = tool.has_value() && !tool_told_;
   tool_told_ = tool.has_value();

@@ -70,6 +70,7 @@ void LineProtocol::poll(hal::TickCount now) {
       continue;
     }
     if (lines == 0) save_progress();
+    attend_tool_change();
     if (machine_.busy()) return;
     if (beginning_) {
       welcome();
@@ -114,7 +115,9 @@ void LineProtocol::attend_realtime() {
       modes_wanted_ = true;
     } else if (command == RealtimeByte::kAutoReport) {
       auto_report_ = !auto_report_;
-    } else {
+    } else if (command == RealtimeByte::kToolAcknowledge) {
+      acknowledge_tool();
+    } else if (!ends_tool_change(command)) {
       apply(command, machine_);
     }
   }
@@ -143,6 +146,7 @@ void LineProtocol::watch_checks() {
 
 void LineProtocol::begin_anew() {
   check_ = {};
+  tool_change_ends_ = false;
   receiver_.be_strict(false);
   assembler_ = {};
   listing_.stop();
@@ -156,6 +160,7 @@ void LineProtocol::begin_anew() {
 void LineProtocol::begin_sender() {
   silence_.begin_sender();
   check_ = {};
+  tool_change_ends_ = false;
   receiver_.begin_anew();
   assembler_ = {};
   listing_.stop();
@@ -189,8 +194,11 @@ bool LineProtocol::finish_line() {
   }
   owed_ = Owed::kNothing;
   const auto fault = machine_.take_path_fault();
+  const bool failed = machine_.take_line_failure();
   if (std::exchange(unheard_, false)) return true;
-  if (fault) {
+  if (failed) {
+    refuse(error_number::kNotDone);
+  } else if (fault) {
     refuse(*fault);
   } else {
     say_ok();
@@ -257,6 +265,7 @@ gcode::Refusal LineProtocol::accept(std::string_view line) {
 }
 
 void LineProtocol::take_gcode(std::string_view line) {
+  if (machine_.changes_tool() && machine_.inputs().door) return refuse(error_number::kDoorOpen);
   const gcode::Refusal refusal = accept(line);
   if (refusal) return refuse(*refusal, 1);
   saving_failed_ = false;

@@ -230,8 +230,11 @@ void clock_interrupt() {
   port.timer().make_up();
   if (!application.machine().rests_dark()) return;
   const std::uint32_t longest_wait = application.steps().longest_wait();
-  if (chip::BeamWatch<kBoard, Bus>::lit_at_rest(longest_wait))
+  using Watch = chip::BeamWatch<kBoard, Bus>;
+  if (Watch::lit_at_rest(longest_wait) &&
+      Watch::brighter_than(application.machine().rest_light().allowed())) {
     stop(chip::Fault::kBeam, 0, chip::StepTimer<Bus>::ticks_left());
+  }
 }
 
 }  // extern "C"
