@@ -271,6 +271,7 @@ class Machine {
   // Jogs, in machine_jog.cpp.
   void attend_jog();
   void append_jog();
+  void drive_straight(const Position& end, float feed_mm_s, std::uint32_t line = 0);
   void drop_jog();
 
   void attend_homing(std::int32_t elapsed_us);  // In machine_homing.cpp.
@@ -278,7 +279,6 @@ class Machine {
   // The operator, in machine_operator.cpp.
   void restart();
   void cancel_restart();
-  void give_tool_back();
   [[nodiscard]] bool tool_turns() const;
   void switch_coolant_by_hand(gcode::Coolant wanted);
 
@@ -287,7 +287,7 @@ class Machine {
   void close_tool_change();
   void stop_in_tool_change();
   void drop_in_tool_change();
-  void go_straight(const Position& end);
+  void go_back_to(const Position& place);
 
   // The door, in machine_door.cpp.
   [[nodiscard]] bool door_stops_jog() const;

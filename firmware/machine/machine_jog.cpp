@@ -34,17 +34,21 @@ std::optional<JogRefusal> Machine::jog(std::string_view words) {
   return {};
 }
 
-/// Overrides do not touch a jog, and a beam is off during it.
 void Machine::append_jog() {
+  drive_straight(jog_->end, jog_->feed, jog_->line);
+  jog_.reset();
+}
+
+/// Overrides do not touch a jog, and a beam is off during it. Without a feed it is rapid.
+void Machine::drive_straight(const Position& end, float feed_mm_s, std::uint32_t line) {
   const auto appended =
-      motion_.append({.request = {.element = {.start = motion_.target(), .end = jog_->end},
-                                  .feed_mm_s = jog_->feed,
+      motion_.append({.request = {.element = {.start = motion_.target(), .end = end},
+                                  .feed_mm_s = feed_mm_s,
                                   .beam = beam_for(true),
-                                  .line = jog_->line,
+                                  .line = line,
                                   .fixed_feed = true}});
   CNC_ASSERT(appended.ok());
   motion_.flush();
-  jog_.reset();
 }
 
 void Machine::attend_jog() {

@@ -25,20 +25,13 @@ void Machine::resume() {
   if (state_.in(Mode::kDoor)) return resume_from_door();
   if (!state_.in(Mode::kHold) && !state_.in(Mode::kTool)) return;
   if (stopping_for_ != Alarm::kNone || inputs().door || restarting_) return;
-  if (tool_change_.stage() == ToolChange::Stage::kOpen) {
-    return tool_change_.go_to(ToolChange::Stage::kEnding);
-  }
-  if (tool_change_.open()) return;
+  if (tool_change_.open()) return tool_change_.end();
   restarting_ = true;
-  give_tool_back();
+  if (tool_.suspended()) {
+    tool_.suspend(false);
+    if (tool_turns()) restart_dwell_.start(settings_.get(setting::kSpindleRestoreDelay));
+  }
   if (restart_dwell_.over()) restart();
-}
-
-/// A spindle is given its time ($392).
-void Machine::give_tool_back() {
-  if (!tool_.suspended()) return;
-  tool_.suspend(false);
-  if (tool_turns()) restart_dwell_.start(settings_.get(setting::kSpindleRestoreDelay));
 }
 
 void Machine::restart() {

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <utility>
 
 #include "firmware/machine/machine.hpp"
@@ -12,7 +13,7 @@ bool Machine::acknowledge_tool() {
   check_settings();
   forget_exit();
   ToolChange::Job& job = tool_change_.job();
-  job.interpreter = interpreter_;
+  job.kept.interpreter = interpreter_;
   job.waiting = waiting_;
   job.with_next_motion = with_next_motion_;
   job.place = motion_.target();
@@ -30,7 +31,7 @@ bool Machine::acknowledge_tool() {
 void Machine::close_tool_change() {
   check_settings();
   ToolChange::Job& job = tool_change_.job();
-  interpreter_.end_tool_change(job.interpreter);
+  interpreter_.end_tool_change(job.kept.interpreter);
   settings_watch_.accept();
   trust_places();
   waiting_ = job.waiting;
@@ -42,10 +43,6 @@ void Machine::close_tool_change() {
 /// What stops a program ends here what moves: nothing of it goes on, and the change stays open.
 void Machine::stop_in_tool_change() {
   line_failed_ = line_failed_ || !waiting_.empty() || jog_;
-  if (tool_change_.returns()) {
-    tool_.suspend(true);
-    restart_dwell_.cancel();
-  }
   motion_.halt();
   tool_change_.go_to(Stage::kStopping);
 }
@@ -64,47 +61,35 @@ void Machine::drop_in_tool_change() {
   tool_change_.go_to(Stage::kOpen);
 }
 
-/// Dark, and without an override of the feed, as a jog.
-void Machine::go_straight(const Position& end) {
-  jog_ = JogMove{.end = end};
-  append_jog();
+void Machine::attend_tool_change() {
+  const Stage stage = tool_change_.stage();
+  const bool rests = waiting_.empty() && !jog_ && motion_.drained();
+  if (stage == Stage::kStopping) {
+    if (at_rest()) drop_in_tool_change();
+  } else if (inputs().door && !motion_.drained()) {
+    stop_in_tool_change();
+  } else if (jog_ && motion_.has_room()) {
+    append_jog();
+  } else if (stage == Stage::kEnding && rests) {
+    go_back_to(tool_change_.job().place);
+    tool_change_.go_to(Stage::kReturning);
+  } else if (stage == Stage::kReturning && rests) {
+    close_tool_change();
+    resume();
+  }
 }
 
-void Machine::attend_tool_change() {
-  if (inputs().door && !motion_.drained() && tool_change_.stage() != Stage::kStopping) {
-    stop_in_tool_change();
-  }
-  const Position& back = tool_change_.job().place;
-  const Position high = ToolChange::no_lower(back, motion_.target());
-  switch (tool_change_.stage()) {
-    case Stage::kClosed:
-      return;
-    case Stage::kStopping:
-      if (at_rest()) drop_in_tool_change();
-      return;
-    case Stage::kEnding:
-      if (waiting_.empty() && !jog_ && motion_.drained()) {
-        go_straight(ToolChange::no_lower(motion_.target(), back));
-        go_straight(high);
-        return tool_change_.go_to(Stage::kAcross);
-      }
-      [[fallthrough]];
-    case Stage::kOpen:
-      if (jog_ && motion_.has_room()) append_jog();
-      return;
-    case Stage::kAcross:
-      if (!motion_.drained()) return;
-      give_tool_back();
-      return tool_change_.go_to(Stage::kSpindle);
-    case Stage::kSpindle:
-      if (!restart_dwell_.over()) return;
-      go_straight(back);
-      return tool_change_.go_to(Stage::kDown);
-    case Stage::kDown:
-      if (!motion_.drained()) return;
-      close_tool_change();
-      return restart();
-  }
+/// Rapid: up, across, down.
+void Machine::go_back_to(const Position& place) {
+  constexpr std::size_t kZ = index_of(Axis::kZ);
+  Position way = motion_.target();
+  const Coordinate height = std::max(way[kZ], place[kZ]);
+  way[kZ] = height;
+  drive_straight(way, 0.0F);
+  way = place;
+  way[kZ] = height;
+  drive_straight(way, 0.0F);
+  drive_straight(place, 0.0F);
 }
 
 bool Machine::take_line_failure() { return std::exchange(line_failed_, false); }

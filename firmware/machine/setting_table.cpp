@@ -317,11 +317,10 @@ constexpr std::array<SettingInfo, 112> kTable{{
      "the programmed one. Keep power by speed, M3 too, or go farther from the edge or nearer."},
     SettingInfo{870, "Light at rest, power", "percent", 0.0F, 100.0F, 0.0F, false,
      Group::kSpindle, Type::kDecimal, kThousandths,
-     "Greatest duty of a laser that M3 lights where nothing moves: in G4, and after M3 alone in "
-     "G1. 0 is dark."},
+     "Greatest duty where M3 lights a laser that stands: in G4, and after M3 in G1."},
     SettingInfo{871, "Light at rest, time", "milliseconds", 0.0F, 60000.0F, 0.0F, true,
      Group::kSpindle, Type::kInteger, kWhole,
-     "How long between two motions, or M5. 0 is dark."},
+     "How long, between two motions."},
 }};
 // clang-format on
 static_assert(kTable.size() <= Settings::kMostSettings);

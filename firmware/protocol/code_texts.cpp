@@ -42,7 +42,7 @@ constexpr std::array<CodeText, 35> kErrors{{
     {37, "G43.1 needs Z and no other axis."},
     {38, "The value is larger than supported."},
     {79, "The emergency stop is pressed."},
-    {200, "Not done to its end: it was stopped, or the probe did not change."},
+    {200, "Stopped, or the probe did not change."},
 }};
 
 constexpr std::array<CodeText, 17> kAlarms{{

@@ -49,7 +49,7 @@ bool LineProtocol::tell_news() {
     return true;
   }
   if (machine_.rest_light().take_refusal()) {
-    message("The program asks for light at rest beyond $870 or $871");
+    message("Dark at rest: $870, $871");
     return true;
   }
   const auto tool = machine_.pending_tool();
@@ -82,7 +82,7 @@ void LineProtocol::welcome() {
   greet();
   if (machine_.alarm() == Alarm::kNone) startup_line_ = 0;
   if (machine_.alarm() == Alarm::kStoreDamaged) {
-    message("The store is damaged: check settings and offsets, store one again");
+    message("The store is damaged. Check settings and offsets, and store one again.");
   }
   tell_waiting_limits();
   tell_trouble();

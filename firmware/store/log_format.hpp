@@ -1,6 +1,5 @@
 #pragma once
 
-#include <bit>
 #include <cstddef>
 #include <cstdint>
 
@@ -17,7 +16,10 @@ constexpr std::uint32_t kMagic = 0x4B46'4C01;
 constexpr std::uint32_t kCommitted = 0x600D'5EC7;
 /// Whether a word says so, or would but for one bit. A commit that was cut off just before its end
 /// is made firm by the power-up that takes it for one.
-constexpr bool is_commit(std::uint32_t word) { return std::popcount(word ^ kCommitted) <= 1; }
+constexpr bool is_commit(std::uint32_t word) {
+  const std::uint32_t wrong = word ^ kCommitted;
+  return (wrong & (wrong - 1)) == 0;
+}
 
 // Words of a sector's head.
 constexpr std::size_t kMagicAt = 0;

@@ -46,12 +46,13 @@ TEST(DamagedStoreTest, IsAnAlarmThatWantsAReset) {
   };
   const std::string said = talk("$X\nG0 X1\n");
   EXPECT_NE(said.find("ALARM:28\r\n[MSG:Reset to continue]"), std::string::npos) << said;
-  EXPECT_NE(said.find("[MSG:The store is damaged: check settings and offsets, store one again]"),
+  EXPECT_NE(said.find("[MSG:The store is damaged. Check settings and offsets, and store one again.]"),
             std::string::npos)
       << said;
   EXPECT_EQ(said.find("ok"), std::string::npos) << said;
   const std::string after = talk("\x18$X\nG0 X1\n");
-  EXPECT_EQ(after.find("damaged"), std::string::npos) << after;
+  EXPECT_NE(after.find("damaged"), std::string::npos) << "until it is unlocked: " << after;
+  EXPECT_EQ(talk("\x18").find("damaged"), std::string::npos);
   EXPECT_NE(after.find("[MSG:Caution: Unlocked]\r\nok\r\nok"), std::string::npos) << after;
 }
 

@@ -80,7 +80,7 @@ TEST_F(MachineToolTest, LeavesTheLaserDarkAtRest) {
   EXPECT_EQ(port.power, 0);
 }
 
-const std::string kNoLight = "[MSG:The program asks for light at rest beyond $870 or $871]";
+const std::string kNoLight = "[MSG:Dark at rest: $870, $871]";
 
 TEST_F(MachineToolTest, SaysOnceInAProgramThatADwellStaysDark) {
   use_laser();
