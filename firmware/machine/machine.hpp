@@ -94,7 +94,8 @@ class Machine {
   /// False while the door is open or the emergency stop is pressed, and after
   /// an alarm that asks for a reset first.
   bool unlock();
-  /// At power-up: what was stored could not all be read. Nothing moves before a reset and an unlock.
+  /// At power-up: what was stored could not all be read. Nothing moves before a reset and an
+  /// unlock.
   void lock_for_damage() { raise_alarm(Alarm::kStoreDamaged); }
   /// The alarm is one that only a reset makes fit to be unlocked.
   [[nodiscard]] bool needs_reset() const { return needs_reset_; }

@@ -239,7 +239,7 @@ TEST_F(AcknowledgementsTest, EveryNumberOfTheTableIsGiven) {
   send("$X");  // 79
   note();
   given.insert(200);  // ToolChangeTest.AProbeThatMissesLosesNoJob
-  given.insert(7);  // StatementsTest.TellWhatTheStoreCannotKeep
+  given.insert(7);    // StatementsTest.TellWhatTheStoreCannotKeep
   for (const CodeText& code : error_texts()) {
     EXPECT_TRUE(given.contains(code.number)) << int{code.number} << ": " << code.text;
     given.erase(code.number);

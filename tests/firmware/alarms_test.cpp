@@ -46,8 +46,9 @@ TEST(DamagedStoreTest, IsAnAlarmThatWantsAReset) {
   };
   const std::string said = talk("$X\nG0 X1\n");
   EXPECT_NE(said.find("ALARM:28\r\n[MSG:Reset to continue]"), std::string::npos) << said;
-  EXPECT_NE(said.find("[MSG:The store is damaged. Check settings and offsets, and store one again.]"),
-            std::string::npos)
+  EXPECT_NE(
+      said.find("[MSG:The store is damaged. Check settings and offsets, and store one again.]"),
+      std::string::npos)
       << said;
   EXPECT_EQ(said.find("ok"), std::string::npos) << said;
   const std::string after = talk("\x18$X\nG0 X1\n");

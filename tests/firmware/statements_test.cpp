@@ -227,8 +227,7 @@ TEST_F(StatementsTest, SingleAxesAreHomedOnlyWhereTheirBitAllowsIt) {
   for (const char* line : {"$HX", "$HXY", "$hx", "$H X", "$HZYXABC"}) {
     EXPECT_EQ(send(line), "error:5") << line;
     send("$22=1");
-    EXPECT_EQ(lines_of(line),
-              (Lines{"[MSG:1: $22=3 allows homing of single axes]", "error:5"}));
+    EXPECT_EQ(lines_of(line), (Lines{"[MSG:1: $22=3 allows homing of single axes]", "error:5"}));
     send("$22=0");
   }
   send_all({"$22=3", "$26=0"});

@@ -143,8 +143,21 @@ TEST_F(ToolChangeTest, AProbeThatMissesLosesNoJob) {
 TEST_F(ToolChangeTest, WhatBelongsToTheProgramIsRefused) {
   run_to_tool();
   acknowledge();
-  for (const char* line : {"M3 S500", "M5", "S400", "T3", "M6", "M0", "M1", "M2", "M30", "M7", "M9",
-                           "M62 P1", "G41.1 D1", "G0 X1 M8", "G10 L20 P1 X0 M3"}) {
+  for (const char* line : {"M3 S500",
+                           "M5",
+                           "S400",
+                           "T3",
+                           "M6",
+                           "M0",
+                           "M1",
+                           "M2",
+                           "M30",
+                           "M7",
+                           "M9",
+                           "M62 P1",
+                           "G41.1 D1",
+                           "G0 X1 M8",
+                           "G10 L20 P1 X0 M3"}) {
     const Lines said = lines_of(line);
     EXPECT_EQ(said.back(), "error:20") << line;
     EXPECT_NE(said.front().find("waits for the end of the tool change: ~"), std::string::npos);

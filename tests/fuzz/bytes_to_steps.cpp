@@ -42,6 +42,7 @@ bool contains_word(std::string line, std::string_view word) {
   return line.find(word) != std::string::npos;
 }
 
+// clang-format off
 constexpr std::array kTokens = std::to_array<std::string_view>({
     // Statements.
     "$\n", "$$\n", "$#\n", "$G\n", "$I\n", "$I+\n", "$N\n", "$ES\n", "$EG\n", "$ESH\n", "$EA\n",
@@ -76,6 +77,7 @@ constexpr std::array kTokens = std::to_array<std::string_view>({
     "?", "!", "~", "\x18", "\x83", "\x84", "\x85", "\x87", "\x88", "\x89", "\x8C", "\x91", "\x96",
     "\x9A", "\x9D", "\x9E", "\xA0", "\xA1", "\xA3", "\r", "\r\n",
 });
+// clang-format on
 
 /// What the fuzzer sends and what comes back.
 class BytesLink final : public hal::ByteStream {
