@@ -47,6 +47,10 @@ class LineAssembler {
     if (dropped_ == 0 || column <= first_drop_) return column;
     return column > last_drop_ ? column + dropped_ : 0;
   }
+  /// The line that is there ended with CR: an LF next belongs to it.
+  [[nodiscard]] bool ends_with_return() const { return ended_by_ == '\r'; }
+  /// In the middle of a line.
+  [[nodiscard]] bool has_begun() const { return ended_by_ == kNothing && size_ > 0; }
 
  private:
   static constexpr char kNothing = 0;

@@ -131,6 +131,13 @@ void Receiver::act(std::uint8_t code) {
       return status_.store(true);
     case RealtimeByte::kFullStatus:
       return full_status_.store(true);
+    case RealtimeByte::kToolAcknowledge:
+      acknowledged_.store(lines_.place());
+      break;
+    case RealtimeByte::kCycleStart:
+    case RealtimeByte::kCycleStartRaw:
+      started_.store(lines_.place());
+      break;
     default:
       break;
   }
@@ -169,8 +176,43 @@ void Receiver::begin_anew() {
   plain_ = true;
 }
 
+void Receiver::keep_back(bool after_return) {
+  if (after_return) skip_line_feed(0);
+  const auto waiting = static_cast<std::int32_t>(acknowledged_.load() - lines_.taken());
+  kept_ = waiting > 0 ? static_cast<std::uint32_t>(waiting) : 0;
+  keeps_back_ = true;
+}
+
+/// A byte that acts may have come in the middle of a line.
+bool Receiver::has_whole_kept() {
+  while (kept_ > 0 && lines_.at(kept_ - 1) != '\n' && lines_.at(kept_ - 1) != '\r') {
+    if (kept_ >= lines_.size()) return false;
+    ++kept_;
+  }
+  return true;
+}
+
+bool Receiver::is_at_start(bool after_return) {
+  if (after_return) skip_line_feed(kept_);
+  return static_cast<std::int32_t>(lines_.taken() + kept_ - started_.load()) >= 0;
+}
+
+void Receiver::release(bool after_return) {
+  if (after_return) skip_line_feed(kept_);
+  keeps_back_ = false;
+  kept_ = 0;
+}
+
+/// Of a pair whose first half ended a line: alone it would end another.
+void Receiver::skip_line_feed(std::uint32_t index) {
+  if (index >= lines_.size() || lines_.at(index) != '\n') return;
+  static_cast<void>(lines_.pop_behind(index, [](char) { return true; }));
+}
+
 bool Receiver::take_reset() {
   if (!reset_.exchange(false)) return false;
+  keeps_back_ = false;
+  kept_ = 0;
   lines_.drop_before(lines_begin_.load());
   commands_.drop_before(commands_begin_.load());
   return true;

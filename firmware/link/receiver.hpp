@@ -53,11 +53,26 @@ class Receiver {
   /// Gives the bytes of lines to `take` until it says true; false when there were too few.
   template <typename Take>
   [[nodiscard]] bool take_until(Take&& take) {
-    return !reset_.load() && lines_.pop_until(take);
+    if (reset_.load()) return false;
+    if (!keeps_back_) return lines_.pop_until(take);
+    return has_whole_kept() && lines_.pop_behind(kept_, take);
   }
+
+  /// Keeps back the lines, to their ends, that came before the last kToolAcknowledge: what came
+  /// after it is taken first, until release().
+  /// @param after_return the line taken last ended with CR, so an LF after it belongs to it
+  void keep_back(bool after_return);
+  [[nodiscard]] bool keeps_back() const { return keeps_back_; }
+  /// All that came before the last cycle start is taken, but for what is kept back.
+  [[nodiscard]] bool is_at_start(bool after_return);
+  void release(bool after_return);
+  /// Lines, or parts of them, wait.
+  [[nodiscard]] bool has_text() const { return lines_.size() != 0; }
 
   /// Forgets what waits, as a reset by a button does.
   void drop_waiting() {
+    keeps_back_ = false;
+    kept_ = 0;
     lines_.clear();
     commands_.clear();
   }
@@ -100,6 +115,8 @@ class Receiver {
   [[nodiscard]] bool receive_high(std::uint8_t byte);
   [[nodiscard]] bool store(std::uint8_t byte) { return lines_.try_push(static_cast<char>(byte)); }
   void follow_comment(char byte);
+  [[nodiscard]] bool has_whole_kept();
+  void skip_line_feed(std::uint32_t index);
   void act(std::uint8_t code);
   void end_text();
   void reset();
@@ -113,6 +130,12 @@ class Receiver {
   /// Where the lines, and the commands, after the last reset begin.
   std::atomic<std::uint32_t> lines_begin_{0};
   std::atomic<std::uint32_t> commands_begin_{0};
+  /// Where the lines begin that came after the last byte of its kind.
+  std::atomic<std::uint32_t> acknowledged_{0};
+  std::atomic<std::uint32_t> started_{0};
+  // The main loop's.
+  bool keeps_back_ = false;
+  std::uint32_t kept_ = 0;  ///< Bytes in front that are kept back.
 
   // The rest belongs to receive().
   bool plain_ = true;  ///< Nothing of what follows.

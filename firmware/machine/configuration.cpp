@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "firmware/machine/tool_output.hpp"
 #include "planner/base/units.hpp"
 
 namespace cnc {
@@ -130,6 +131,12 @@ gcode::Options gcode_options_from(const Settings& settings) {
                                          settings.get(setting::kRate, axis) / kSecondsPerMinute);
   }
   return options;
+}
+
+RestLight::Allowance rest_light_from(const Settings& settings) {
+  if (settings.get(setting::kLaserMode) == 0.0F) return {};
+  return {.greatest_duty = to_full_scale(0.01F * settings.get(setting::kRestLightDuty)),
+          .longest_us = 1000 * static_cast<std::int32_t>(settings.get(setting::kRestLightTime))};
 }
 
 StepTiming step_timing_from(const Settings& settings) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "firmware/machine/rest_light.hpp"
 #include "firmware/machine/settings.hpp"
 #include "firmware/steps/step_drive.hpp"
 #include "planner/gcode/options.hpp"
@@ -17,6 +18,7 @@ namespace cnc {
                                                       const motion::PowerTable& table);
 [[nodiscard]] gcode::Options gcode_options_from(const Settings& settings);
 [[nodiscard]] BeamTiming beam_timing_from(const Settings& settings);
+[[nodiscard]] RestLight::Allowance rest_light_from(const Settings& settings);
 [[nodiscard]] StepTiming step_timing_from(const Settings& settings);
 
 }  // namespace cnc

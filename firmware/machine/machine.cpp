@@ -3,6 +3,14 @@
 #include "planner/base/truncate.hpp"
 
 namespace cnc {
+namespace {
+
+/// G1, G2, G3: modes in which M3 means light.
+bool cuts_by_mode(gcode::MotionMode mode) {
+  return mode >= gcode::MotionMode::kLine && mode <= gcode::MotionMode::kArcCounterClockwise;
+}
+
+}  // namespace
 
 Machine::Machine(StepDrive& drive,
                  hal::AuxiliaryOutputs& outputs,
@@ -38,18 +46,18 @@ bool Machine::locked() const {
 
 bool Machine::busy() const {
   return !waiting_.empty() || reentry_.has_rest() || jog_ || step_pause_ ||
-         stopping_for_ != Alarm::kNone || cutting_off_ || door_stops_jog() ||
+         stopping_for_ != Alarm::kNone || cutting_off_ || door_stops_jog() || tool_change_.busy() ||
          state_.in(Mode::kHome);
 }
 
 bool Machine::beam_works() const {
   const bool on = tool_.is_laser() && tool_.mode_now() != gcode::SpindleMode::kOff;
-  return on && state_.in(Mode::kFree) && !motion_.drained();
+  return on && state_.in(Mode::kFree) && (!motion_.drained() || rest_light_.lit());
 }
 
 bool Machine::idle() const {
   return waiting_.empty() && !reentry_.has_rest() && !jog_ && !state_.in(Mode::kHome) &&
-         !compensator_.active() && motion_.drained();
+         !compensator_.active() && !tool_change_.open() && motion_.drained();
 }
 
 gcode::Refusal Machine::accept(std::string_view line) {
@@ -74,13 +82,20 @@ gcode::Refusal Machine::take_line(std::string_view line) {
     judge(actions.value(), from);
     return {};
   }
-  if (travel_.left_by(actions.value(), from)) {
+  if (travel_.left_by(actions.value(), from)) return leave_travel(from);
+  waiting_ = actions.value();
+  step_pause_ = single_block_ && !tool_change_.open();
+  return {};
+}
+
+/// A program is stopped. In a tool change the line is refused, and the program waits.
+gcode::Refusal Machine::leave_travel(const Position& from) {
+  if (!tool_change_.open()) {
     stop_for(Alarm::kSoftLimit);
     return {};
   }
-  waiting_ = actions.value();
-  step_pause_ = single_block_;
-  return {};
+  interpreter_.set_position(from);
+  return gcode::Fault{.detail = gcode::FaultDetail::kBeyondTravel};
 }
 
 void Machine::poll(hal::TickCount now) {
@@ -94,12 +109,13 @@ void Machine::poll(hal::TickCount now) {
     drop_everything();
   }
   if (drive_.take_starved()) raise_alarm(Alarm::kStarved);
-  if (state_.in(Mode::kFree)) dwell_.pass(elapsed_us);
+  if (state_.in(Mode::kFree) || tool_change_.open()) dwell_.pass(elapsed_us);
   restart_dwell_.pass(elapsed_us);
   note_progress();
   attend_mode(elapsed_us);
   spline_points_ = kSplinePoints;
   run_actions();
+  attend_rest_light(elapsed_us);
   if (!compensates()) motion_.stay_on_path();
   motion_.attend(elapsed_us);
   attend_motor_enable(elapsed_us);
@@ -131,6 +147,7 @@ void Machine::attend_mode(std::int32_t elapsed_us) {
       return;
     case Mode::kHold:
     case Mode::kTool:
+      if (tool_change_.open()) attend_tool_change();
       if (restarting_ && restart_dwell_.over()) restart();
       return;
     default:
@@ -142,12 +159,37 @@ void Machine::attend_mode(std::int32_t elapsed_us) {
 /// door is open.
 void Machine::run_actions() {
   if (cutting_off_ || state_.in(Mode::kDoor)) return;
-  if (stopping_for_ != Alarm::kNone) return;
+  if (stopping_for_ != Alarm::kNone || tool_change_.stage() == ToolChange::Stage::kStopping) return;
   if (compensator_.active()) give_out();
   while (drive_rest() && !waiting_.empty() && run(waiting_.front())) {
     waiting_ = waiting_.subspan(1);
   }
   if (waiting_.empty() && !reentry_.has_rest() && step_pause_ && pause()) step_pause_ = false;
+}
+
+bool Machine::may_light_at_rest() const {
+  const bool dot = rest_light_.wish() == RestLight::Wish::kDot;
+  return rest_light_.wish() != RestLight::Wish::kNone && tool_.is_laser() &&
+         tool_.mode_now() == gcode::SpindleMode::kConstant && state_.in(Mode::kFree) &&
+         stopping_for_ == Alarm::kNone && !reentry_.active() &&
+         (!dot || cuts_by_mode(interpreter_.state().motion));
+}
+
+/// What S means, by the power table.
+std::uint16_t Machine::duty_at_rest() const {
+  const float share = tool_.share_now();
+  return share > 0.0F ? to_full_scale(limits_.beam.table.duty_for(share)) : std::uint16_t{0};
+}
+
+/// Light where nothing moves, as M3 means it: in a dwell, or as a dot that stays in G1 to G3.
+/// It is dark again before the motion that was planned in this cycle begins.
+void Machine::attend_rest_light(std::int32_t elapsed_us) {
+  if (!motion_.drained()) rest_light_.renew();
+  const std::uint16_t light =
+      rest_light_.pass(elapsed_us, may_light_at_rest() ? duty_at_rest() : std::uint16_t{0});
+  if (light != 0) rest_light_.arm();
+  tool_.light_at_rest(light);
+  if (light == 0) rest_light_.disarm();
 }
 
 /// Current flows from before the first step until $1 after the last; with the

@@ -15,9 +15,11 @@
 #include "firmware/machine/motion_control.hpp"
 #include "firmware/machine/progress.hpp"
 #include "firmware/machine/reentry.hpp"
+#include "firmware/machine/rest_light.hpp"
 #include "firmware/machine/settings.hpp"
 #include "firmware/machine/side_trip.hpp"
 #include "firmware/machine/state_machine.hpp"
+#include "firmware/machine/tool_change.hpp"
 #include "firmware/machine/tool_output.hpp"
 #include "firmware/machine/travel.hpp"
 #include "hal/interface/auxiliary_outputs.hpp"
@@ -64,11 +66,10 @@ class Machine {
   /// @pre !busy()
   [[nodiscard]] std::optional<JogRefusal> jog(std::string_view words);
 
-  /// Homing is switched on ($22), of single axes too where some are named, and
-  /// nothing stands against it now.
-  [[nodiscard]] bool can_home(std::uint8_t axes = 0) const;
+  /// Returns why `axes` cannot be homed now, as home() takes them.
+  [[nodiscard]] HomingRefusal why_not_home(std::uint8_t axes) const;
   /// Searches the switches of these axes, bit i for axis i; 0 is all, in the
-  /// passes of $44…$49. busy() until over. @pre can_home(axes)
+  /// passes of $44…$49. busy() until over. @pre why_not_home(axes) is kNone
   void home(std::uint8_t axes);
 
   // The operator, at any time.
@@ -94,6 +95,9 @@ class Machine {
   /// False while the door is open or the emergency stop is pressed, and after
   /// an alarm that asks for a reset first.
   bool unlock();
+  /// At power-up: what was stored could not all be read. Nothing moves before a reset and an
+  /// unlock.
+  void lock_for_damage() { raise_alarm(Alarm::kStoreDamaged); }
   /// The alarm is one that only a reset makes fit to be unlocked.
   [[nodiscard]] bool needs_reset() const { return needs_reset_; }
 
@@ -103,8 +107,11 @@ class Machine {
   void toggle_spindle_stop();
   void toggle_flood();
   void toggle_mist();
-  /// The tool that M6 asked for is in.
-  void acknowledge_tool();
+  /// The sender takes part in the tool change that M6 asked for: from now on its lines and jogs are
+  /// taken, as long as changes_tool(), and resume() goes on. False where no tool is asked for, or
+  /// that was said before.
+  bool acknowledge_tool();
+  [[nodiscard]] bool changes_tool() const { return tool_change_.open(); }
   void toggle_optional_stop() { optional_stop_ = !optional_stop_; }
   void toggle_single_block() { single_block_ = !single_block_; }
   /// Until the setting is written again; whether lines with / are skipped from now on.
@@ -155,8 +162,11 @@ class Machine {
   [[nodiscard]] bool check_memory(std::size_t bytes);
   /// The same of all places at once, for whoever is to keep them.
   [[nodiscard]] bool places_are_sound();
-  /// Any context: the output goes with the motion, and is dark while nothing moves.
+  /// Any context: the output goes with the motion, and is dark while nothing moves, but for what
+  /// rest_light() allows.
   [[nodiscard]] bool rests_dark() const { return tool_.is_dark_at_rest(); }
+  /// Any context: for RestLight::allowed().
+  [[nodiscard]] RestLight& rest_light() { return rest_light_; }
 
   // What there is to report.
 
@@ -167,7 +177,7 @@ class Machine {
   [[nodiscard]] bool idle() const;
   /// Nothing is moving; there may be more to do.
   [[nodiscard]] bool at_rest() const { return motion_.drained() || motion_.halted(); }
-  /// A spindle turns; or a beam is on that does not go with the motion, and so off at rest.
+  /// A spindle turns; or a beam is lit that does not go with the motion.
   [[nodiscard]] bool tool_runs() const;
   /// A beam is on and goes with a motion that is not held.
   [[nodiscard]] bool beam_works() const;
@@ -199,6 +209,8 @@ class Machine {
   [[nodiscard]] bool program_ended() const { return program_ended_; }
   /// True once after each M2 or M30, for the message before its answer.
   [[nodiscard]] bool take_program_ended();
+  /// True once after a line of a tool change that was stopped, or that probed in vain.
+  [[nodiscard]] bool take_line_failure();
 
   [[nodiscard]] const gcode::Interpreter& interpreter() const { return interpreter_; }
   [[nodiscard]] const MotionControl& motion() const { return motion_; }
@@ -234,15 +246,20 @@ class Machine {
   void attend_inputs();
   void attend_mode(std::int32_t elapsed_us);
   void run_actions();
+  [[nodiscard]] bool may_light_at_rest() const;
+  [[nodiscard]] std::uint16_t duty_at_rest() const;
+  void attend_rest_light(std::int32_t elapsed_us);
   void attend_motor_enable(std::int32_t elapsed_us);
 
   // Actions, in machine_actions.cpp; probing in machine_probe.cpp. True when done.
   [[nodiscard]] bool run(const gcode::Action& action);
   [[nodiscard]] bool move(const gcode::Action& action);
   [[nodiscard]] bool probe(const gcode::Action& action);
+  [[nodiscard]] bool fail_probe(Alarm alarm);
   [[nodiscard]] bool finish_probe(const gcode::Action& action);
   void end_probe(const Position& place, bool success);
   [[nodiscard]] bool dwell(float seconds);
+  [[nodiscard]] bool wait(float seconds);
   [[nodiscard]] bool set_spindle(gcode::SpindleMode mode);
   [[nodiscard]] bool switch_output(const gcode::OutputChange& change);
   [[nodiscard]] bool pause();
@@ -262,6 +279,7 @@ class Machine {
   // Jogs, in machine_jog.cpp.
   void attend_jog();
   void append_jog();
+  void drive_straight(const Position& end, float feed_mm_s, std::uint32_t line = 0);
   void drop_jog();
 
   void attend_homing(std::int32_t elapsed_us);  // In machine_homing.cpp.
@@ -271,6 +289,13 @@ class Machine {
   void cancel_restart();
   [[nodiscard]] bool tool_turns() const;
   void switch_coolant_by_hand(gcode::Coolant wanted);
+
+  // A tool change, in machine_tool_change.cpp.
+  void attend_tool_change();
+  void close_tool_change();
+  void stop_in_tool_change();
+  void drop_in_tool_change();
+  void go_back_to(const Position& place);
 
   // The door, in machine_door.cpp.
   [[nodiscard]] bool door_stops_jog() const;
@@ -304,6 +329,7 @@ class Machine {
   // Ends of the travel, in machine_limits.cpp.
   void stop_for(Alarm alarm);
   [[nodiscard]] gcode::Refusal take_line(std::string_view line);
+  [[nodiscard]] gcode::Refusal leave_travel(const Position& from);
   void judge(gcode::Actions actions, const Position& from);
   void hit_limit();
   void set_homed(std::uint8_t axes);
@@ -339,6 +365,7 @@ class Machine {
   gcode::Interpreter interpreter_{};
   MotionControl motion_;
   ToolOutput tool_;
+  RestLight rest_light_{};
   CoolantOutput coolant_;
   Homing homing_;
   SideTrip side_;
@@ -379,6 +406,8 @@ class Machine {
   bool single_block_ = false;
   bool block_delete_switched_ = false;
   std::optional<std::uint32_t> tool_wanted_{};
+  ToolChange tool_change_{};
+  bool line_failed_ = false;  ///< See take_line_failure().
   Probing probing_ = Probing::kNo;
   Probe last_probe_{};
   bool probe_ended_ = false;

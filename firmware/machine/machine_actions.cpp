@@ -12,11 +12,6 @@ bool is_path(const Action& action) {
   return action.kind <= ActionKind::kProbe || action.kind == ActionKind::kCompensation;
 }
 
-std::uint16_t to_full_scale(float share) {
-  const float legal = share < 0.0F ? 0.0F : (share > 1.0F ? 1.0F : share);
-  return static_cast<std::uint16_t>(legal * motion::kFullOutput + 0.5F);
-}
-
 }  // namespace
 
 /// True when the action is done; false to be asked again at the next poll.
@@ -37,7 +32,7 @@ bool Machine::run(const Action& action) {
     case ActionKind::kCompensation:
       return set_compensation(action);
     case ActionKind::kDwell:
-      return dwell(action.seconds);
+      return wait(action.seconds);
     case ActionKind::kSpindleSpeed:
       if (tool_.speed_waits_for_standstill() && !standstill()) return false;
       tool_.set_speed(action.value);
@@ -90,7 +85,7 @@ void Machine::append(const ActionPart& part) {
 
 /// True when there is anything to move.
 bool Machine::drive(path::PathItem& item) {
-  if (reentry_.active()) darken_until_place(item);
+  if (reentry_.active() && !tool_change_.open()) darken_until_place(item);
   const auto appended = motion_.append(item);
   // The interpreter keeps targets inside the motors' range, and arcs are divided.
   CNC_ASSERT(appended.ok());
@@ -125,12 +120,26 @@ bool Machine::dwell(float seconds) {
   return true;
 }
 
+/// G4, in which M3 may light the beam.
+bool Machine::wait(float seconds) {
+  const bool begins = !dwelling_;
+  const bool over = dwell(seconds);
+  if (over) {
+    rest_light_.end();
+  } else if (begins && dwelling_) {
+    rest_light_.ask(RestLight::Wish::kDwell);
+  }
+  return over;
+}
+
 /// A spindle that starts or turns round is given its time ($394).
 bool Machine::set_spindle(gcode::SpindleMode mode) {
   if (!standstill()) return false;
   if (!dwelling_) {
     const bool same = mode == tool_.mode();
     tool_.set_mode(mode);
+    rest_light_.renew();
+    if (mode == gcode::SpindleMode::kConstant) rest_light_.ask(RestLight::Wish::kDot);
     if (same || !tool_turns()) return true;
   }
   return dwell(settings_.get(setting::kSpindleOnDelay));
@@ -202,6 +211,7 @@ bool Machine::end_program() {
   tool_.off();
   coolant_.reset();
   forget_progress();
+  rest_light_.forget_program();
   program_ended_ = true;
   program_end_untold_ = true;
   return true;

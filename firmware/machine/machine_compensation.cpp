@@ -47,6 +47,7 @@ bool Machine::set_kerf_control(const gcode::CutterCompensation& wanted) {
 /// Beside an edge by its kerf, and on the exit, which begins there, the power goes with the speed,
 /// under M3, too: else where the speed is another the kerf would be.
 motion::BeamCommand Machine::beam_for(bool rapid) const {
+  if (tool_change_.open()) return {};  // A spindle's output is off, too.
   motion::BeamCommand beam = tool_.command_for(rapid);
   if (!rapid && compensation_.by_kerf && !follows_kerf()) beam.follows_speed = true;
   return beam;

@@ -6,6 +6,7 @@ namespace cnc {
 /// Motion is held, a beam is dark at once; the rest follows when all stands
 /// still. A door that is opened again while resuming starts this again.
 void Machine::safety_door() {
+  if (tool_change_.open()) return stop_in_tool_change();
   if (state_.in(Mode::kHome)) return raise_alarm(Alarm::kHomingDoor);
   const bool jogging = state_.in(Mode::kJog) || state_.in(Mode::kJogEnding);
   const bool reopened = state_.in(Mode::kDoor) && door_stage_ > DoorStage::kStopped;

@@ -2,15 +2,18 @@
 
 namespace cnc {
 
-bool Machine::can_home(std::uint8_t axes) const {
-  if (!has_homing_option(settings_, homing_option::kEnabled)) return false;
-  if (axes != 0 && !has_homing_option(settings_, homing_option::kSingleAxis)) return false;
-  if (needs_reset_ || inputs().door || inputs().emergency_stop) return false;
-  return state_.allows(Event::kHome) && idle() && !busy();
+HomingRefusal Machine::why_not_home(std::uint8_t axes) const {
+  using enum HomingRefusal;
+  if (!has_homing_option(settings_, homing_option::kEnabled)) return kSwitchedOff;
+  if (axes != 0 && !has_homing_option(settings_, homing_option::kSingleAxis)) return kAllAxesOnly;
+  if (inputs().door) return kDoorOpen;
+  if (inputs().emergency_stop) return kEmergencyStop;
+  const bool fit = state_.allows(Event::kHome) && idle() && !busy() && !needs_reset_;
+  return fit ? kNone : kNotNow;
 }
 
 void Machine::home(std::uint8_t axes) {
-  CNC_ASSERT(can_home(axes));
+  CNC_ASSERT(why_not_home(axes) == HomingRefusal::kNone);
   static_cast<void>(state_.take(Event::kHome));
   alarm_ = Alarm::kNone;
   forget_exit();

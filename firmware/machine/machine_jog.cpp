@@ -9,7 +9,8 @@ constexpr std::uint8_t kBeyondTravel = 15;
 std::optional<JogRefusal> Machine::jog(std::string_view words) {
   CNC_ASSERT(!busy());
   const bool from_rest = state_.in(Mode::kFree) && idle();
-  if (!from_rest && !state_.in(Mode::kJog)) return JogRefusal{.number = kNotIdle};
+  const bool changes_tool = tool_change_.stage() == ToolChange::Stage::kOpen;
+  if (!from_rest && !state_.in(Mode::kJog) && !changes_tool) return JogRefusal{.number = kNotIdle};
   forget_exit();
   const Position here = interpreter_.position();
   const auto actions = interpreter_.interpret_jog(words);
@@ -27,23 +28,27 @@ std::optional<JogRefusal> Machine::jog(std::string_view words) {
     end = travel_.clamped(end);
     interpreter_.set_position(end);
   }
-  static_cast<void>(state_.take(Event::kJog));
+  if (!changes_tool) static_cast<void>(state_.take(Event::kJog));
   jog_ = JogMove{.end = end, .feed = action.feed, .line = interpreter_.jog_line_number()};
-  attend_jog();
+  if (!changes_tool) attend_jog();
   return {};
 }
 
-/// Overrides do not touch a jog, and a beam is off during it.
 void Machine::append_jog() {
+  drive_straight(jog_->end, jog_->feed, jog_->line);
+  jog_.reset();
+}
+
+/// Overrides do not touch a jog, and a beam is off during it. Without a feed it is rapid.
+void Machine::drive_straight(const Position& end, float feed_mm_s, std::uint32_t line) {
   const auto appended =
-      motion_.append({.request = {.element = {.start = motion_.target(), .end = jog_->end},
-                                  .feed_mm_s = jog_->feed,
-                                  .beam = tool_.command_for(true),
-                                  .line = jog_->line,
+      motion_.append({.request = {.element = {.start = motion_.target(), .end = end},
+                                  .feed_mm_s = feed_mm_s,
+                                  .beam = beam_for(true),
+                                  .line = line,
                                   .fixed_feed = true}});
   CNC_ASSERT(appended.ok());
   motion_.flush();
-  jog_.reset();
 }
 
 void Machine::attend_jog() {

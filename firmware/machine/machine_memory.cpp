@@ -10,6 +10,7 @@ void Machine::watch_memory() {
   settings_watch_.add_object(limits_);
   settings_watch_.add_object(interpreter_.options());
   settings_watch_.add_object(tool_.settings());
+  settings_watch_.add_object(rest_light_.allowance());
   settings_watch_.add(drive_.set_up_memory());
   places_watch_.add_object(interpreter_.places());
   trust_places();

@@ -5,6 +5,7 @@
 namespace cnc {
 
 void Machine::feed_hold() {
+  if (tool_change_.open()) return stop_in_tool_change();
   if (restarting_) cancel_restart();
   if (state_.take(Event::kHold)) motion_.halt();
 }
@@ -16,6 +17,7 @@ void Machine::lose_link() {
 }
 
 void Machine::jog_cancel() {
+  if (tool_change_.open()) return stop_in_tool_change();
   if (state_.take(Event::kJogCancel)) motion_.halt();
 }
 
@@ -24,6 +26,7 @@ void Machine::resume() {
   if (state_.in(Mode::kDoor)) return resume_from_door();
   if (!state_.in(Mode::kHold) && !state_.in(Mode::kTool)) return;
   if (stopping_for_ != Alarm::kNone || inputs().door || restarting_) return;
+  if (tool_change_.open()) return tool_change_.end();
   restarting_ = true;
   if (tool_.suspended()) {
     tool_.suspend(false);
@@ -49,10 +52,6 @@ void Machine::cancel_restart() {
 /// A spindle that takes time to come up to speed.
 bool Machine::tool_turns() const {
   return tool_.mode() != gcode::SpindleMode::kOff && !tool_.is_laser();
-}
-
-void Machine::acknowledge_tool() {
-  if (state_.in(Mode::kTool)) resume();
 }
 
 std::optional<std::uint32_t> Machine::pending_tool() const { return tool_wanted_; }

@@ -12,8 +12,7 @@ bool Machine::probe(const Action& action) {
       if (!standstill()) return false;
       if (drive_.probe_contact() == action.probe.towards_contact) {
         end_probe(motion_.target(), false);
-        raise_alarm(Alarm::kProbeAtTarget);
-        return false;
+        return fail_probe(Alarm::kProbeAtTarget);
       }
       drive_.arm_probe(action.probe.towards_contact);
       append({.element = {.start = motion_.target(), .end = action.end}, .feed_mm_s = action.feed});
@@ -33,14 +32,23 @@ bool Machine::probe(const Action& action) {
   return true;
 }
 
+/// A program cannot go on; in a tool change the line alone has failed. True when it is done with.
+bool Machine::fail_probe(Alarm alarm) {
+  if (!tool_change_.open()) {
+    raise_alarm(alarm);
+    return false;
+  }
+  line_failed_ = true;
+  interpreter_.set_position(motion_.target());
+  return true;
+}
+
 bool Machine::finish_probe(const Action& action) {
   probing_ = Probing::kNo;
   drive_.disarm_probe();
   if (!drive_.probe_hit()) {
     end_probe(motion_.target(), false);
-    if (!action.probe.error_if_missed) return true;
-    raise_alarm(Alarm::kProbeMissed);
-    return false;
+    return !action.probe.error_if_missed || fail_probe(Alarm::kProbeMissed);
   }
   AxisArray<std::int32_t> steps = drive_.probe_position();
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {

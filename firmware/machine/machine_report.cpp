@@ -32,7 +32,7 @@ MachineStatus Machine::status() const {
 float Machine::feed_now_mm_min() const { return kSecondsPerMinute * motion_.speed(); }
 
 bool Machine::tool_runs() const {
-  return spindle() != gcode::SpindleMode::kOff && !tool_.is_laser();
+  return spindle() != gcode::SpindleMode::kOff && (!tool_.is_laser() || rest_light_.lit());
 }
 
 float Machine::spindle_now() const {

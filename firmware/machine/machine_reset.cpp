@@ -27,7 +27,7 @@ void Machine::raise_alarm(Alarm alarm) {
   if (!state_.take(Event::kAlarm)) return;
   if (state_.in(Mode::kAlarm)) alarm_ = alarm;
   needs_reset_ = needs_reset_ || alarm == Alarm::kHardLimit || alarm == Alarm::kSoftLimit ||
-                 alarm == Alarm::kCompensation;
+                 alarm == Alarm::kCompensation || alarm == Alarm::kStoreDamaged;
   cut_off();
 }
 
@@ -41,6 +41,8 @@ void Machine::cut_off() {
 
 void Machine::drop_everything() {
   cutting_off_ = false;
+  if (tool_change_.open()) close_tool_change();
+  line_failed_ = false;
   waiting_ = {};
   elements_.clear();
   jog_.reset();
@@ -59,6 +61,8 @@ void Machine::drop_everything() {
   drive_.disarm_probe();
   homing_.cancel();
   tool_.reset();
+  rest_light_.renew();
+  rest_light_.forget_program();
   coolant_.reset();
   motion_.drop_rest();
   motion_.go_on();

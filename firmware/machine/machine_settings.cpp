@@ -53,6 +53,7 @@ void Machine::apply_settings() {
   tool_.configure({.most_speed = settings_.get(setting::kMostSpindleSpeed),
                    .least_speed = settings_.get(setting::kLeastSpindleSpeed),
                    .laser = settings_.get(setting::kLaserMode) != 0.0F});
+  rest_light_.configure(rest_light_from(settings_));
   settings_watch_.accept();
   memory_is_sound_ = memory_is_sound_ && settings_.sound();
 }

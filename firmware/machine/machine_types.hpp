@@ -18,7 +18,7 @@ enum class MachineState : std::uint8_t {
   kCheck,  ///< Lines are read and judged, nothing moves.
   kHome,
   kSleep,  ///< All off; only a reset wakes.
-  kTool,   ///< A tool is to be changed (M6): waits for resume() or acknowledge_tool().
+  kTool,   ///< A tool is to be changed (M6): waits for resume().
 };
 
 /// With the number that follows the colon in a report.
@@ -50,6 +50,7 @@ enum class Alarm : std::uint8_t {
   kLinkSilent = 25,    ///< Nobody was heard any more while the beam was on; the place is known.
   kCompensation = 26,  ///< The way beside the path (G41.1) cannot be driven; place known.
   kPlaceNotMet = 27,   ///< A program that was taken up again did not pass its place; it is known.
+  kStoreDamaged = 28,  ///< Settings or places that had been stored could not be read at start.
 };
 
 /// Percent of the programmed value.
@@ -57,6 +58,16 @@ struct OverridePercent {
   int feed = 100;   ///< 10…200.
   int rapid = 100;  ///< 5…100.
   int power = 100;  ///< 10…200.
+};
+
+/// Why axes cannot be homed.
+enum class HomingRefusal : std::uint8_t {
+  kNone,
+  kSwitchedOff,  ///< $22.
+  kAllAxesOnly,  ///< Single axes were named, and $22 has no bit 1.
+  kDoorOpen,
+  kEmergencyStop,
+  kNotNow,  ///< The machine is at work, or an alarm wants a reset first.
 };
 
 /// Why a jog was refused.

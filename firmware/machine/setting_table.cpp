@@ -22,7 +22,7 @@ constexpr const char* kAxisNames = "X,Y,Z,A,B,C";
 
 // clang-format off
 // The size is spelled out: deduced, GCC 12 puts the table into RAM.
-constexpr std::array<SettingInfo, 111> kTable{{
+constexpr std::array<SettingInfo, 113> kTable{{
     SettingInfo{0, "Step pulse time", "microseconds", 1.0F, 12.0F, 5.0F, false,
      Group::kStepper, Type::kDecimal, kThousandths,
      "How long a step input is held high, and then low."},
@@ -47,8 +47,8 @@ constexpr std::array<SettingInfo, 111> kTable{{
     SettingInfo{10, "Status report options", "mask", 0.0F, 511.0F, 3.0F, true,
      Group::kGeneral, Type::kBits,
      "Machine position,Buffers,Line number,Feed and speed,Pins,Work offset,Overrides,N/A,N/A",
-     "Fields of a status report. 0 to 3: bit 0 chooses machine or work position, bit 1 "
-     "adds the buffers, all other fields are on, as in Grbl. From 4 on each bit adds the "
+     "Fields of a status report. 0 to 31: bit 0 chooses machine or work position, bit 1 "
+     "adds the buffers, all other fields are on, as in Grbl. From 32 on each bit adds the "
      "field it names."},
     SettingInfo{11, "Junction deviation", "mm", 0.0F, 10.0F, 0.01F, false,
      Group::kGeneral, Type::kDecimal, kThousandths,
@@ -315,6 +315,12 @@ constexpr std::array<SettingInfo, 111> kTable{{
      Group::kSpindle, Type::kChoice, "Power goes with speed,Path follows kerf",
      "Beside an edge by the kerf of the material (G41, G42): what to do where the speed is not "
      "the programmed one. Keep power by speed, M3 too, or go farther from the edge or nearer."},
+    SettingInfo{870, "Light at rest, power", "percent", 0.0F, 100.0F, 0.0F, false,
+     Group::kSpindle, Type::kDecimal, kThousandths,
+     "Greatest duty where M3 lights a laser that stands: in G4, and after M3 in G1."},
+    SettingInfo{871, "Light at rest, time", "milliseconds", 0.0F, 60000.0F, 0.0F, true,
+     Group::kSpindle, Type::kInteger, kWhole,
+     "How long, between two motions."},
     SettingInfo{890, "Block delete", "0 or 1", 0.0F, 1.0F, 1.0F, true,
      Group::kGeneral, Type::kSwitch, "",
      "Skip lines that begin with /. $B switches it until this is set again; L among the pins of "

@@ -172,6 +172,8 @@ inline constexpr std::uint16_t kBeamLag = 857;
 inline constexpr std::uint16_t kLinkWatchdog = 858;
 inline constexpr std::uint16_t kCanNode = 859;
 inline constexpr std::uint16_t kKerfControl = 860;
+inline constexpr std::uint16_t kRestLightDuty = 870;
+inline constexpr std::uint16_t kRestLightTime = 871;
 inline constexpr std::uint16_t kBlockDelete = 890;
 }  // namespace setting
 

@@ -3,6 +3,12 @@
 #include <algorithm>
 
 namespace cnc {
+
+std::uint16_t to_full_scale(float share) {
+  const float legal = share < 0.0F ? 0.0F : (share > 1.0F ? 1.0F : share);
+  return static_cast<std::uint16_t>(legal * motion::kFullOutput + 0.5F);
+}
+
 void ToolOutput::configure(const ToolSettings& settings) {
   settings_ = settings;
   if (!settings_.laser) dark_at_rest_.store(false, std::memory_order_relaxed);
@@ -43,14 +49,21 @@ float ToolOutput::duty() const {
   return std::clamp(speed_, least, settings_.most_speed) / settings_.most_speed;
 }
 
+float ToolOutput::share_now() const { return std::min(1.0F, duty() * override_); }
+
+void ToolOutput::light_at_rest(std::uint16_t duty) {
+  if (duty == light_at_rest_) return;
+  light_at_rest_ = duty;
+  apply();
+}
+
 void ToolOutput::apply() {
   const bool enabled = mode_now() != gcode::SpindleMode::kOff;
   const bool reversed = !settings_.laser && mode_ == gcode::SpindleMode::kDynamic;
   outputs_.set_spindle(enabled, reversed);
-  const bool dark = settings_.laser || suspended_;
   drive_.block_power(suspended_ && settings_.laser);
-  const float rest = dark ? 0.0F : std::min(1.0F, duty() * override_);
-  drive_.set_rest_power(static_cast<std::uint16_t>(rest * motion::kFullOutput + 0.5F));
+  const std::uint16_t lit = settings_.laser ? light_at_rest_ : to_full_scale(share_now());
+  drive_.set_rest_power(enabled ? lit : std::uint16_t{0});
 }
 
 motion::BeamCommand ToolOutput::command_for(bool rapid) const {

@@ -9,6 +9,9 @@
 
 namespace cnc {
 
+/// Returns a share of full output as a duty, 65535 for all of it; beyond 0…1 the nearer of them.
+[[nodiscard]] std::uint16_t to_full_scale(float share);
+
 /// What the operator's settings say about the tool ($30…$32).
 struct ToolSettings {
   float most_speed = 1000.0F;
@@ -42,6 +45,12 @@ class ToolOutput {
   /// Off, with the speed forgotten, as after power-up.
   void reset();
 
+  /// The share of the greatest power that S and the override mean, 0…1; 0 with M5.
+  [[nodiscard]] float share_now() const;
+  /// What a beam gives where nothing moves from now on; 65535 is full. Any change of mode to M5,
+  /// and suspend(), end it.
+  void light_at_rest(std::uint16_t duty);
+
   /// For the motion that comes next.
   [[nodiscard]] motion::BeamCommand command_for(bool rapid) const;
 
@@ -51,7 +60,8 @@ class ToolOutput {
     return suspended_ ? gcode::SpindleMode::kOff : mode_;
   }
   [[nodiscard]] bool is_laser() const { return settings_.laser; }
-  /// Any context. The output is dark before this says so, and as long as it does, at rest.
+  /// Any context. The output is dark before this says so, and as long as it does, at rest, but for
+  /// what light_at_rest() allows.
   [[nodiscard]] bool is_dark_at_rest() const {
     return dark_at_rest_.load(std::memory_order_relaxed);
   }
@@ -72,6 +82,7 @@ class ToolOutput {
   gcode::SpindleMode mode_ = gcode::SpindleMode::kOff;
   float speed_ = 0.0F;
   float override_ = 1.0F;
+  std::uint16_t light_at_rest_ = 0;
   bool suspended_ = false;
 };
 

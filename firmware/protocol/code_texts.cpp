@@ -17,7 +17,6 @@ constexpr std::array<CodeText, 35> kErrors{{
     {7, "The store cannot keep this."},
     {8, "Only possible while the machine is idle."},
     {9, "G-code is locked out during an alarm, a jog or sleep."},
-    {10, "Soft limits need homing ($22)."},
     {11, "The line is too long."},
     {13, "The safety door is open."},
     {14, "The text is too long to be kept."},
@@ -43,9 +42,10 @@ constexpr std::array<CodeText, 35> kErrors{{
     {37, "G43.1 needs Z and no other axis."},
     {38, "The value is larger than supported."},
     {79, "The emergency stop is pressed."},
+    {200, "Stopped, or the probe did not change."},
 }};
 
-constexpr std::array<CodeText, 16> kAlarms{{
+constexpr std::array<CodeText, 17> kAlarms{{
     {1, "A limit switch was reached. The place may be lost; home again."},
     {2, "The target lies beyond the travel. The place is kept."},
     {3, "Stopped while moving. The place may be lost; home again."},
@@ -62,6 +62,7 @@ constexpr std::array<CodeText, 16> kAlarms{{
     {25, "The link fell silent while the beam was on ($858). The place is kept."},
     {26, "The path beside the programmed one cannot be driven. The place is kept."},
     {27, "The path did not pass the place where the program was interrupted."},
+    {28, "The store is damaged. Check settings and offsets, and store one again."},
 }};
 
 }  // namespace

@@ -33,13 +33,13 @@ inline constexpr std::uint8_t kPulseTooShort = 6;
 inline constexpr std::uint8_t kStoreFailed = 7;
 inline constexpr std::uint8_t kNotIdle = 8;
 inline constexpr std::uint8_t kLocked = 9;
-inline constexpr std::uint8_t kSoftLimitsNeedHoming = 10;
 inline constexpr std::uint8_t kLineTooLong = 11;
 inline constexpr std::uint8_t kDoorOpen = 13;
 inline constexpr std::uint8_t kTextTooLong = 14;
 inline constexpr std::uint8_t kJogBeyondTravel = 15;
 inline constexpr std::uint8_t kNotAJog = 16;
 inline constexpr std::uint8_t kEmergencyStop = 79;
+inline constexpr std::uint8_t kNotDone = 200;  ///< Our own, beyond all that grblHAL uses.
 }  // namespace error_number
 
 }  // namespace cnc

@@ -53,6 +53,10 @@ bool LineProtocol::tell_news() {
     tell_uncut(*uncut);
     return true;
   }
+  if (machine_.rest_light().take_refusal()) {
+    message("Dark at rest: $870, $871");
+    return true;
+  }
   const auto tool = machine_.pending_tool();
   const bool news = tool.has_value() && !tool_told_;
   tool_told_ = tool.has_value();
@@ -98,7 +102,10 @@ void LineProtocol::welcome() {
   form_.axes = static_cast<std::size_t>(machine_.settings().get(setting::kReportedAxes));
   greet();
   if (machine_.alarm() == Alarm::kNone) startup_line_ = 0;
-  if (stored_.take_damage()) message("The store was damaged: some settings are as delivered");
+  if (machine_.alarm() == Alarm::kStoreDamaged) {
+    message("The store is damaged. Check settings and offsets, and store one again.");
+  }
+  tell_waiting_limits();
   tell_trouble();
 }
 

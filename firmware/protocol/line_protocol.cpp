@@ -46,6 +46,7 @@ LineProtocol::LineProtocol(hal::ByteStream& link,
   machine_.set_power_table(stored_.load_power_table());
   machine_.set_places(stored_.load_places());
   machine_.set_progress(kept.any() ? kept : stored_.load_progress());
+  if (stored_.damaged()) machine_.lock_for_damage();
 }
 
 void LineProtocol::poll(hal::TickCount now) {
@@ -69,6 +70,7 @@ void LineProtocol::poll(hal::TickCount now) {
       continue;
     }
     if (lines == 0) save_progress();
+    attend_tool_change();
     if (machine_.busy()) return;
     if (beginning_) {
       welcome();
@@ -113,7 +115,9 @@ void LineProtocol::attend_realtime() {
       modes_wanted_ = true;
     } else if (command == RealtimeByte::kAutoReport) {
       auto_report_ = !auto_report_;
-    } else {
+    } else if (command == RealtimeByte::kToolAcknowledge) {
+      acknowledge_tool();
+    } else if (!ends_tool_change(command)) {
       apply(command, machine_);
     }
   }
@@ -142,6 +146,7 @@ void LineProtocol::watch_checks() {
 
 void LineProtocol::begin_anew() {
   check_ = {};
+  tool_change_ends_ = false;
   receiver_.be_strict(false);
   assembler_ = {};
   listing_.stop();
@@ -155,6 +160,7 @@ void LineProtocol::begin_anew() {
 void LineProtocol::begin_sender() {
   silence_.begin_sender();
   check_ = {};
+  tool_change_ends_ = false;
   receiver_.begin_anew();
   assembler_ = {};
   listing_.stop();
@@ -188,8 +194,11 @@ bool LineProtocol::finish_line() {
   }
   owed_ = Owed::kNothing;
   const auto fault = machine_.take_path_fault();
+  const bool failed = machine_.take_line_failure();
   if (std::exchange(unheard_, false)) return true;
-  if (fault) {
+  if (failed) {
+    refuse(error_number::kNotDone);
+  } else if (fault) {
     refuse(*fault);
   } else {
     say_ok();
@@ -264,6 +273,7 @@ gcode::Refusal LineProtocol::accept(std::string_view line) {
 }
 
 void LineProtocol::take_gcode(std::string_view line) {
+  if (machine_.changes_tool() && machine_.inputs().door) return refuse(error_number::kDoorOpen);
   const gcode::Refusal refusal = accept(line);
   if (refusal) return refuse(*refusal, 1);
   saving_failed_ = false;

@@ -89,6 +89,11 @@ class LineProtocol {
   void watch_link();
   [[nodiscard]] bool sender_owes() const;
 
+  // A tool change, in tool_change.cpp.
+  void acknowledge_tool();
+  [[nodiscard]] bool ends_tool_change(RealtimeByte command);
+  void attend_tool_change();
+
   // What is said without being asked, in events.cpp.
   [[nodiscard]] bool report();
   [[nodiscard]] bool report_is_due() const;
@@ -105,6 +110,7 @@ class LineProtocol {
   void take_statement(std::string_view line);
   void take_command(const Statement& statement);
   void change_setting(const Statement& statement);
+  void tell_waiting_limits();
   void refuse_setting(const Statement& statement, SettingError error);
   void jog(const Statement& statement);
   void home(const Statement& statement);
@@ -168,6 +174,7 @@ class LineProtocol {
   Owed owed_ = Owed::kNothing;
   Alarm told_alarm_ = Alarm::kNone;
   bool tool_told_ = false;
+  bool tool_change_ends_ = false;  ///< `~` has come; lines before it are done first.
   hal::TickCount now_{};
   hal::TickCount reported_{};  ///< The last report that nobody asked for.
   bool auto_report_ = false;

@@ -45,8 +45,10 @@ void LineProtocol::reenter(const Statement& statement) {
 }
 
 /// At rest: what a hold or an alarm has left of a program outlives power; when the program ends
-/// it is forgotten.
+/// it is forgotten. A save would end what tells of damage in the store, which the operator has not
+/// acknowledged yet.
 void LineProtocol::save_progress() {
+  if (machine_.alarm() == Alarm::kStoreDamaged) return;
   const Progress& progress = machine_.progress();
   if (progress.any() ? !machine_.interrupted() : !stored_.has_progress()) return;
   if (stored_.has_saved(progress) || saving_failed_ || machine_.tool_runs() || !machine_.at_rest())

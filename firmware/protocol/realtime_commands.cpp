@@ -84,8 +84,6 @@ void apply(RealtimeByte command, Machine& machine) {
       return machine.toggle_flood();
     case RealtimeByte::kMist:
       return machine.toggle_mist();
-    case RealtimeByte::kToolAcknowledge:
-      return machine.acknowledge_tool();
     default:
       return;
   }

@@ -7,13 +7,6 @@
 namespace cnc {
 namespace {
 
-constexpr std::uint32_t kHomingEnabled = 1;  ///< Bit of $22.
-
-bool homing_is_on(const Machine& machine) {
-  const auto bits = static_cast<std::uint32_t>(machine.settings().get(setting::kHoming));
-  return (bits & kHomingEnabled) != 0;
-}
-
 /// False when the text is anything but a number.
 bool read_value(std::string_view text, float& value) {
   const auto reading = gcode::read_decimal(text);
@@ -114,20 +107,22 @@ void LineProtocol::change_setting(const Statement& statement) {
     return refuse(error_number::kNoSuchStatement, 1, "not a setting of the form $N=value");
   }
   if (info == nullptr) return refuse_setting(statement, SettingError::kUnknown);
-  const bool wants_soft_limits = info->number == setting::kSoftLimits && value == 1.0F;
-  if (wants_soft_limits && !homing_is_on(machine_)) {
-    return refuse(error_number::kSoftLimitsNeedHoming);
-  }
   const auto stored = machine_.change_setting(info->number, value);
   if (!stored.ok()) return refuse_setting(statement, stored.error());
-  bool kept = stored_.save_setting(*info, value);
-  const bool lost_homing = info->number == setting::kHoming && !homing_is_on(machine_);
-  if (lost_homing && machine_.settings().get(setting::kSoftLimits) != 0.0F) {
-    static_cast<void>(machine_.change_setting(setting::kSoftLimits, 0.0F).ok());
-    kept = stored_.save_setting(*find_setting(setting::kSoftLimits), 0.0F) && kept;
+  if (!stored_.save_setting(*info, value)) return refuse(error_number::kStoreFailed);
+  if (info->number == setting::kSoftLimits || info->number == setting::kHoming) {
+    tell_waiting_limits();
   }
-  if (!kept) return refuse(error_number::kStoreFailed);
   acknowledge();
+}
+
+/// $20 and $22 keep their values whatever the other is, so that a backup may be restored in any
+/// order. Axes that were homed keep their limits.
+void LineProtocol::tell_waiting_limits() {
+  const Settings& settings = machine_.settings();
+  const bool waiting = settings.get(setting::kSoftLimits) != 0.0F && machine_.homed() == 0 &&
+                       !has_homing_option(settings, homing_option::kEnabled);
+  if (waiting) message("Soft limits ($20) wait for homing ($22)");
 }
 
 void LineProtocol::refuse_setting(const Statement& statement, SettingError error) {
@@ -148,6 +143,7 @@ void LineProtocol::refuse_setting(const Statement& statement, SettingError error
 
 void LineProtocol::jog(const Statement& statement) {
   if (machine_.state() == MachineState::kAlarm) return refuse(error_number::kLocked);
+  if (machine_.changes_tool() && machine_.inputs().door) return refuse(error_number::kDoorOpen);
   const auto refusal = machine_.jog(statement.text);
   if (!refusal) return acknowledge();
   if (refusal->fault) return refuse(*refusal->fault, statement.column, refusal->number);
@@ -155,10 +151,20 @@ void LineProtocol::jog(const Statement& statement) {
 }
 
 void LineProtocol::home(const Statement& statement) {
-  if (!homing_is_on(machine_)) return refuse(error_number::kHomingDisabled);
-  if (machine_.inputs().door) return refuse(error_number::kDoorOpen);
-  if (machine_.inputs().emergency_stop) return refuse(error_number::kEmergencyStop);
-  if (!machine_.can_home()) return refuse(error_number::kNotIdle);
+  switch (machine_.why_not_home(statement.axes)) {
+    case HomingRefusal::kNone:
+      break;
+    case HomingRefusal::kSwitchedOff:
+      return refuse(error_number::kHomingDisabled);
+    case HomingRefusal::kAllAxesOnly:
+      return refuse(error_number::kHomingDisabled, 1, "$22=3 allows homing of single axes");
+    case HomingRefusal::kDoorOpen:
+      return refuse(error_number::kDoorOpen);
+    case HomingRefusal::kEmergencyStop:
+      return refuse(error_number::kEmergencyStop);
+    case HomingRefusal::kNotNow:
+      return refuse(error_number::kNotIdle);
+  }
   machine_.home(statement.axes);
   owed_ = Owed::kHoming;
 }

@@ -17,6 +17,9 @@ constexpr std::uint32_t kPins = 16;
 constexpr std::uint32_t kWorkOffset = 32;
 constexpr std::uint32_t kOverrides = 64;
 constexpr std::uint32_t kGrblBits = kMachinePosition | kBuffers;
+/// Values of Grbl and its older masks end here. A report without WCO, Ov and what comes after them
+/// would leave senders of Grbl without the work position.
+constexpr std::uint32_t kFirstOfGrblHal = kWorkOffset;
 
 // How many reports a slow field pauses, as in Grbl.
 constexpr int kOffsetPauseAtRest = 10;
@@ -27,7 +30,7 @@ constexpr int kOverridePauseMoving = 20;
 std::uint32_t fields(const Machine& machine, bool full) {
   const auto chosen = static_cast<std::uint32_t>(machine.settings().get(setting::kStatusReport));
   if (full) return ~kMachinePosition | (chosen & kMachinePosition);
-  return chosen <= kGrblBits ? chosen | ~kGrblBits : chosen;
+  return chosen < kFirstOfGrblHal ? (chosen & kGrblBits) | ~kGrblBits : chosen;
 }
 
 Position work_offset(const Machine& machine) {

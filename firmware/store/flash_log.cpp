@@ -79,12 +79,13 @@ bool FlashLog::is_last(const FoundRecord& record) const {
 bool FlashLog::append(std::uint16_t number, std::span<const std::byte> record) {
   const std::size_t begin = tail_is_fresh_ ? tail_ : tail_ + 1;
   const std::size_t end = begin + extent_of(record);
-  if (!has_room_ || end > sector_.words()) return false;
+  if (!has_room_ || end >= sector_.words()) return false;
   // A word that looks erased may have been begun in a life that ended just then.
   if ((tail_is_fresh_ || sector_.program(tail_, 0)) &&
       sector_.write_record(begin, number, record)) {
+    has_room_ = sector_.mark(end);
     tail_is_fresh_ = true;
-    tail_ = end;
+    tail_ = end + 1;
     return true;
   }
   // What was written must not count later; where that fails too, nothing can be done about it.

@@ -20,6 +20,10 @@ namespace cnc {
 /// a cut may have left half done; it writes nothing where nothing was saved since the last time.
 /// Flash that holds no log, or another's, is an empty one, and is erased by the first save.
 ///
+/// What had been saved and cannot be read any more is damage, and is told apart from a save that
+/// was cut off: each bit of a log that turns over is harmless or noticed. Damage stays as it is
+/// until the next save, so every power-up before that notices it.
+///
 /// Main loop context. Costs, with w words in a sector: the constructor reads at most 28 w words
 /// where the sector holds garbage and 2 w elsewhere; load at most 2 w; save at most w²/4 and once
 /// an erase, when the sector is full, else 4 w. RAM: this object, no buffer.
@@ -31,6 +35,7 @@ class FlashLog final : public hal::RecordStore {
   [[nodiscard]] std::size_t load(std::uint16_t number, std::span<std::byte> into) override;
   [[nodiscard]] bool save(std::uint16_t number, std::span<const std::byte> record) override;
   [[nodiscard]] hal::StoreWear wear() const override;
+  [[nodiscard]] bool damaged() const override { return damaged_; }
 
   /// The next higher number that has a record; nothing begins.
   [[nodiscard]] std::optional<std::uint16_t> number_after(
@@ -43,11 +48,12 @@ class FlashLog final : public hal::RecordStore {
     std::size_t touched = log_format::kFirstRecord;  ///< After the last word that is not erased.
     std::optional<FoundRecord> last{};               ///< The last record, if no seal is after it.
     bool sealed = false;                             ///< A seal, and nothing after it.
-    bool clean = true;                               ///< Nothing but records, seals and zeros.
+    bool clean = true;  ///< Up to the last record, seal or mark nothing but these and zeros.
   };
 
   // Powering up, in log_recovery.cpp.
   void choose_sector();
+  [[nodiscard]] bool holds_later_log(std::size_t sector) const;
   [[nodiscard]] Tail find_tail() const;
   void settle_tail();
   void start_anew(const Tail& tail);
@@ -68,6 +74,7 @@ class FlashLog final : public hal::RecordStore {
   hal::FlashSectors& flash_;
   LogSector sector_;
   bool exists_ = false;    ///< sector_ holds a log.
+  bool damaged_ = false;   ///< See damaged().
   bool clean_ = true;      ///< Each record's head in it is that of a whole record.
   bool has_room_ = false;  ///< What follows the tail is erased, as far as can be seen.
   /// The word at the tail was never begun: it was reached in this life.

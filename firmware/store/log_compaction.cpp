@@ -43,21 +43,22 @@ std::size_t FlashLog::copy_all_but(std::optional<std::uint16_t> number, LogSecto
 /// erased, or when flash refuses.
 bool FlashLog::compact(std::optional<std::uint16_t> number, std::span<const std::byte> record) {
   const std::size_t extent = words_of(record);
-  const std::size_t words = log_format::kFirstRecord + words_without(number) + extent;
+  const std::size_t words = log_format::kFirstRecord + words_without(number) + extent + 1;
   if (words > sector_.words()) return false;
   LogSector next{flash_, exists_ ? (sector_.index() + 1) % flash_.sector_count() : 0};
   const std::uint32_t sequence = exists_ ? sector_.sequence() + 1 : 1;
   ++erases_;
   if (!next.erase() || !next.write_head({.sequence = sequence, .erases = erases_})) return false;
   const std::size_t tail = copy_all_but(number, next);
-  if (tail == 0 || tail + extent > next.words()) return false;
+  if (tail == 0 || tail + extent >= next.words()) return false;
   if (!record.empty() && !next.write_record(tail, *number, record)) return false;
+  if (!next.mark(tail + extent)) return false;
   if (!next.commit()) {
     static_cast<void>(next.bar());
     return false;
   }
   sector_ = next;
-  tail_ = tail + extent;
+  tail_ = tail + extent + 1;
   exists_ = has_room_ = tail_is_fresh_ = clean_ = true;
   return true;
 }

@@ -14,6 +14,12 @@ namespace cnc::log_format {
 constexpr std::uint32_t kMagic = 0x4B46'4C01;
 /// The sector is complete and counts.
 constexpr std::uint32_t kCommitted = 0x600D'5EC7;
+/// Whether a word says so, or would but for one bit. A commit that was cut off just before its end
+/// is made firm by the power-up that takes it for one.
+constexpr bool is_commit(std::uint32_t word) {
+  const std::uint32_t wrong = word ^ kCommitted;
+  return (wrong & (wrong - 1)) == 0;
+}
 
 // Words of a sector's head.
 constexpr std::size_t kMagicAt = 0;
@@ -32,9 +38,9 @@ struct SectorHead {
   std::uint32_t erases = 0;    ///< Of all sectors of the log together.
 };
 
-inline std::uint32_t head_crc(const SectorHead& head) {
+inline std::uint32_t head_crc(const SectorHead& head, std::uint32_t magic = kMagic) {
   Crc32 crc;
-  crc.add(kMagic);
+  crc.add(magic);
   crc.add(head.sequence);
   crc.add(head.erases);
   return crc.value();
@@ -85,6 +91,15 @@ inline Crc32 crc_at(std::uint32_t sequence, std::size_t place) {
 /// The word that says: all before it is firm. With bit 31 set no part of it is a record's head.
 inline std::uint32_t seal_at(std::uint32_t sequence, std::size_t place) {
   return crc_at(sequence, place).value() | 0x8000'0000U;
+}
+
+/// The word behind each save: the record before it was written to its end. A record that is not
+/// whole and has one behind it is damaged; without one a power cut may have interrupted it. It
+/// shares no more bits with a seal than any two words do.
+inline std::uint32_t mark_at(std::uint32_t sequence, std::size_t place) {
+  Crc32 crc = crc_at(sequence, place);
+  crc.add(kMagic);
+  return crc.value() | 0x8000'0000U;
 }
 
 }  // namespace cnc::log_format

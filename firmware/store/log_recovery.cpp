@@ -8,10 +8,14 @@ namespace cnc {
 /// The sector with the highest sequence of those that are complete. One that is nearly complete
 /// may read as complete the next time, when later values are in another: it is barred.
 void FlashLog::choose_sector() {
+  unsigned headless = 0;
   for (std::size_t i = 0; i < flash_.sector_count(); ++i) {
     LogSector sector{flash_, i};
     log_format::SectorHead head;
-    if (!sector.read_head(head)) continue;
+    if (!sector.read_head(head)) {
+      headless |= sector.is_headless() ? 1U << i : 0U;
+      continue;
+    }
     erases_ = std::max(erases_, head.erases);
     if (!sector.committed()) {
       if (!sector.barred()) static_cast<void>(sector.bar());
@@ -20,6 +24,17 @@ void FlashLog::choose_sector() {
       exists_ = true;
     }
   }
+  for (std::size_t i = 0; headless != 0; ++i, headless >>= 1U) {
+    damaged_ = damaged_ || ((headless & 1U) != 0 && (!exists_ || holds_later_log(i)));
+  }
+}
+
+/// Whether a sector without its head holds what was saved after all that the chosen one has. One
+/// whose erasing was cut off is the older of the two.
+bool FlashLog::holds_later_log(std::size_t sector) const {
+  const LogSector later{flash_, sector, sector_.sequence() + 1};
+  FoundRecord found;
+  return later.next_record(log_format::kFirstRecord, later.words(), false, found);
 }
 
 FlashLog::Tail FlashLog::find_tail() const {
@@ -29,7 +44,9 @@ FlashLog::Tail FlashLog::find_tail() const {
     const std::uint32_t word = sector_.word(place);
     FoundRecord found;
     const bool is_record = sector_.read_record(place, found);
-    const bool is_seal = word == log_format::seal_at(sector_.sequence(), place);
+    const bool may_be_sign = word >> 31U != 0 && word != hal::FlashSectors::kErased;
+    const bool is_seal = may_be_sign && word == log_format::seal_at(sector_.sequence(), place);
+    const bool is_mark = may_be_sign && sector_.has_mark(place);
     if (is_record) tail.last = found;
     if (is_seal) tail.last.reset();
     place = is_record ? found.end() : place + 1;
@@ -37,6 +54,8 @@ FlashLog::Tail FlashLog::find_tail() const {
     if (is_record || is_seal) {
       tail.end = place;
       tail.sealed = is_seal;
+    }
+    if (is_record || is_seal || is_mark) {
       tail.clean = tail.clean && !debris;
       debris = false;
     } else {
@@ -51,6 +70,8 @@ void FlashLog::settle_tail() {
   const Tail tail = find_tail();
   tail_ = tail.end;
   clean_ = tail.clean;
+  damaged_ = damaged_ || !tail.clean;
+  if (damaged_) return;  // A seal would hide it. The next save takes what is whole along.
   has_room_ = tail.sealed || (sector_.confirm() && seal(tail));
   if (!has_room_) start_anew(tail);
 }

@@ -28,9 +28,19 @@ std::byte byte_of(std::uint32_t word, std::size_t index) {
 }  // namespace
 
 bool LogSector::read_head(SectorHead& head) const {
-  if (word(log_format::kMagicAt) != log_format::kMagic) return false;
   head = {.sequence = word(log_format::kSequenceAt), .erases = word(log_format::kErasesAt)};
-  return word(log_format::kHeadCrcAt) == log_format::head_crc(head);
+  return has_whole_head(head) && word(log_format::kMagicAt) == log_format::kMagic;
+}
+
+bool LogSector::has_whole_head(const SectorHead& head) const {
+  const std::uint32_t crc = log_format::head_crc(head, word(log_format::kMagicAt));
+  return word(log_format::kHeadCrcAt) == crc;
+}
+
+bool LogSector::is_headless() const {
+  const SectorHead head{.sequence = word(log_format::kSequenceAt),
+                        .erases = word(log_format::kErasesAt)};
+  return committed() && !has_whole_head(head);
 }
 
 bool LogSector::write_head(const SectorHead& head) {

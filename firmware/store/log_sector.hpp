@@ -38,9 +38,11 @@ class LogSector {
   /// Takes the head's sequence, too; not the commit.
   [[nodiscard]] bool write_head(const log_format::SectorHead& head);
   [[nodiscard]] bool committed() const {
-    return word(log_format::kCommitAt) == log_format::kCommitted ||
-           word(log_format::kConfirmAt) == log_format::kCommitted;
+    return log_format::is_commit(word(log_format::kCommitAt)) ||
+           log_format::is_commit(word(log_format::kConfirmAt));
   }
+  /// A sector that was complete and has lost its head. One of another version has its own.
+  [[nodiscard]] bool is_headless() const;
   [[nodiscard]] bool commit() { return program(log_format::kCommitAt, log_format::kCommitted); }
   /// Makes a commit firm that may have been cut off.
   [[nodiscard]] bool confirm() { return program(log_format::kConfirmAt, log_format::kCommitted); }
@@ -50,6 +52,13 @@ class LogSector {
 
   /// False when no whole record begins there.
   [[nodiscard]] bool read_record(std::size_t place, FoundRecord& found) const;
+  [[nodiscard]] bool has_mark(std::size_t place) const {
+    return word(place) == log_format::mark_at(sequence_, place);
+  }
+  /// See log_format::mark_at.
+  [[nodiscard]] bool mark(std::size_t place) {
+    return program(place, log_format::mark_at(sequence_, place));
+  }
   /// False when no record's head that fits into the sector is there.
   [[nodiscard]] bool read_record_head(std::size_t place, FoundRecord& found) const;
   /// The first record at `place` or after it and before `end`. @param trusting takes every
@@ -75,6 +84,7 @@ class LogSector {
   [[nodiscard]] bool blot_out(std::size_t begin, std::size_t end);
 
  private:
+  [[nodiscard]] bool has_whole_head(const log_format::SectorHead& head) const;
   [[nodiscard]] std::uint32_t crc_of(const FoundRecord& record) const;
 
   hal::FlashSectors* flash_;

@@ -51,12 +51,6 @@ constexpr std::uint16_t place_record(std::size_t index) {
 
 }  // namespace
 
-bool StoredState::take_damage() {
-  const bool found = found_damage_;
-  found_damage_ = false;
-  return found;
-}
-
 std::optional<float> StoredState::load_setting(const SettingInfo& info) {
   Record record{};
   const std::size_t size = store_.load(info.number, record);

@@ -54,8 +54,8 @@ class StoredState {
   [[nodiscard]] bool has_progress() const { return progress_.any(); }
 
   [[nodiscard]] hal::StoreWear wear() const { return store_.wear(); }
-  /// True once after a record was damaged and its delivered value taken instead.
-  [[nodiscard]] bool take_damage();
+  /// A record that had been saved could not be read, or held no value of its kind, since power-up.
+  [[nodiscard]] bool damaged() const { return found_damage_ || store_.damaged(); }
 
  private:
   [[nodiscard]] Position load_place(std::uint16_t number);

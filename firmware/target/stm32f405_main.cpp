@@ -72,7 +72,6 @@ void begin_chip(const chip::Clocks& clocks, const chip::StoreSectors& sectors) {
   flash.use(sectors);
   port.set_up(clocks);
   line.set_up(clocks);
-  usb_line.set_up(clocks);
   Can::set_up(clocks);
   clock_of_the_loop.set_up(clocks);
   chip::watch_supply<Bus>();
@@ -199,6 +198,9 @@ extern const hal::TickCount* const step_tick;
   kept.wanted = 0;
   begin_chip(clocks, fitness.store);
   for (const Routine* routine = init_begin; routine != init_end; ++routine) (*routine)();
+  // The store is ready now. A host that saw the board before would ask it in vain: making a store
+  // sound may take seconds of erasing.
+  usb_line.set_up(clocks);
   asm volatile("cpsie i" ::: "memory");
   run();
 }
@@ -228,8 +230,11 @@ void clock_interrupt() {
   port.timer().make_up();
   if (!application.machine().rests_dark()) return;
   const std::uint32_t longest_wait = application.steps().longest_wait();
-  if (chip::BeamWatch<kBoard, Bus>::lit_at_rest(longest_wait))
+  using Watch = chip::BeamWatch<kBoard, Bus>;
+  if (Watch::lit_at_rest(longest_wait) &&
+      Watch::brighter_than(application.machine().rest_light().allowed())) {
     stop(chip::Fault::kBeam, 0, chip::StepTimer<Bus>::ticks_left());
+  }
 }
 
 }  // extern "C"

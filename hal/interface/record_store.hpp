@@ -30,6 +30,9 @@ class RecordStore {
   /// changed: the store is full or out of order.
   [[nodiscard]] virtual bool save(std::uint16_t number, std::span<const std::byte> record) = 0;
   [[nodiscard]] virtual StoreWear wear() const = 0;
+  /// Since the last power-up: something that had been saved could not be read, and load() may
+  /// return an older record, or none. A save that power cut off is no damage.
+  [[nodiscard]] virtual bool damaged() const { return false; }
 
  protected:
   ~RecordStore() = default;

@@ -12,7 +12,8 @@ namespace hal::stm32f405 {
 ///
 /// While something moves, the step interrupt has set its next time, at most a
 /// slice of motion ahead, and keeps it. At rest it comes every 10 ms, and one
-/// that hangs or was forgotten is overdue. A lit beam allows neither.
+/// that hangs or was forgotten is overdue. A lit beam allows neither, but for light at rest that
+/// the settings allow: its duty is read from the registers, too, and the caller counts its time.
 template <const Board& kBoard, RegisterBus Bus = MemoryBus>
 class BeamWatch {
  public:
@@ -26,6 +27,11 @@ class BeamWatch {
     if (!PowerPin<kBoard, Bus>::lit()) return false;
     const std::int32_t left = StepTimer<Bus>::ticks_left();
     return left < -kMostLate || left > static_cast<std::int32_t>(longest_wait);
+  }
+
+  /// The same where light at rest is allowed up to a duty; 0 allows none.
+  [[nodiscard]] static bool brighter_than(std::uint16_t allowed) noexcept {
+    return allowed == 0 || PowerPin<kBoard, Bus>::exceeds(allowed);
   }
 };
 

@@ -58,6 +58,9 @@ class ChipBoard final : public ControlBoard {
       case 6:
         unique_id_row(text);
         break;
+      case 7:
+        text.text("BROWN-OUT:").text(brown_out_level());
+        break;
       default:
         break;
     }
@@ -98,6 +101,14 @@ class ChipBoard final : public ControlBoard {
   }
   static constexpr const char* text_of(ResetCause cause) { return stm32f405::text_of(cause); }
   static constexpr const char* text_of(Fault fault) { return stm32f405::text_of(fault); }
+
+  /// Below this supply the chip holds itself in reset (RM0090, 3.9.10 and the data sheet's VBOR):
+  /// an option byte that stays as the board's maker or owner has set it.
+  static const char* brown_out_level() {
+    static constexpr const char* kLevels[]{
+        "2.7 V", "2.4 V", "2.1 V", "1.8 V, BOR level 3 is safer"};
+    return kLevels[Bus::read(flash::kOptions) >> flash::kBrownOutShift & 3U];
+  }
 
   /// Bytes used at the most, of all.
   void stack_row(TextRow& text) const {

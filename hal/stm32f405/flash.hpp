@@ -15,7 +15,8 @@ namespace hal::stm32f405 {
 /// Both operations stop the core while they last, because it runs from the same
 /// flash: 16 to 100 us for a word, 1 to 2 s for a sector of 128 KiB. What
 /// arrives on the wire meanwhile is lost and marked as such. The watchdog has to be
-/// told before (PatientStore).
+/// told before (PatientStore). While the supply is below the supervisor's level
+/// (watch_supply) both refuse: it may be gone before a word is whole.
 template <RegisterBus Bus = MemoryBus>
 class Flash final : public FlashSectors {
  public:
@@ -34,7 +35,7 @@ class Flash final : public FlashSectors {
   }
 
   [[nodiscard]] bool program(std::size_t sector, std::size_t word, std::uint32_t value) override {
-    if (!exists(sector, word) || !unlock()) return false;
+    if (!exists(sector, word) || supply_is_low() || !unlock()) return false;
     Bus::write(flash::kControl, flash::kProgram | flash::kBy32);
     Bus::write(address(sector, word), value);
     const bool done = finish(kProgramLooks);
@@ -42,7 +43,7 @@ class Flash final : public FlashSectors {
   }
 
   [[nodiscard]] bool erase(std::size_t sector) override {
-    if (!exists(sector, 0) || !unlock()) return false;
+    if (!exists(sector, 0) || supply_is_low() || !unlock()) return false;
     const Word what =
         flash::kEraseSector | flash::kBy32 | flash::number_of_sector(sectors_[sector]);
     Bus::write(flash::kControl, what);
@@ -65,6 +66,8 @@ class Flash final : public FlashSectors {
   [[nodiscard]] Address address(std::size_t sector, std::size_t word) const {
     return flash::kMemory + sector_start(sectors_[sector]) + 4 * static_cast<Address>(word);
   }
+
+  static bool supply_is_low() noexcept { return (Bus::read(pwr::kCsr) & pwr::kSupplyIsLow) != 0; }
 
   /// A boot loader may leave the flash unlocked, and keys that are not asked for would lock it
   /// until the next reset (RM0090, 3.6.1).

@@ -28,6 +28,7 @@ class PatientStore final : public RecordStore {
     return saved;
   }
   [[nodiscard]] StoreWear wear() const override { return store_.wear(); }
+  [[nodiscard]] bool damaged() const override { return store_.damaged(); }
 
  private:
   Store& store_;

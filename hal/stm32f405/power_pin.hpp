@@ -51,6 +51,12 @@ class PowerPin {
   /// Any context: whether the pin is told to be high at times. After set_up().
   [[nodiscard]] static bool lit() noexcept { return Bus::read(kChannel.timer + compare()) != 0; }
 
+  /// Any context: whether its pulses are longer than those of a duty, as the registers say it.
+  [[nodiscard]] static bool exceeds(std::uint16_t duty) noexcept {
+    const std::uint32_t period = Bus::read(kChannel.timer + timer::kReload) + 1;
+    return Bus::read(kChannel.timer + compare()) > (duty * period + kFull / 2) / kFull;
+  }
+
  private:
   static constexpr PowerChannel kChannel = CheckedBoard<kBoard>::kPower;
   static constexpr std::uint32_t kFull = 65535;

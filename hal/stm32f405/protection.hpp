@@ -25,7 +25,8 @@ void guard_stack(Address guard) noexcept {
   Bus::write(core::kProtection, kRestAsWithout | kOn);
 }
 
-/// The supply below 2.9 V interrupts: the beam goes dark before the brown-out.
+/// The supply below 2.9 V interrupts: the beam goes dark before the brown-out, and flash takes no
+/// writes (Flash).
 template <RegisterBus Bus>
 void watch_supply() noexcept {
   modify<Bus>(pwr::kCr, 7 << 5, pwr::kSupervisor2900mV | pwr::kSupervisorOn);

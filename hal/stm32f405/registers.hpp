@@ -60,6 +60,8 @@ inline constexpr Address kCr = 0x4000'7000;
 inline constexpr Word kHighestScale = bit(14);
 inline constexpr Word kSupervisorOn = bit(4);
 inline constexpr Word kSupervisor2900mV = 7 << 5;
+inline constexpr Address kCsr = kCr + 0x04;
+inline constexpr Word kSupplyIsLow = bit(2);  ///< Below the supervisor's level, while that is on.
 }  // namespace pwr
 
 /// External interrupts, chapter 12.
@@ -77,6 +79,8 @@ inline constexpr Address kAcr = kBase + 0x00;
 inline constexpr Address kKey = kBase + 0x04;
 inline constexpr Address kStatus = kBase + 0x0C;
 inline constexpr Address kControl = kBase + 0x10;
+inline constexpr Address kOptions = kBase + 0x14;
+inline constexpr unsigned kBrownOutShift = 2;  ///< Two bits of the options: 3 is the lowest level.
 inline constexpr Address kMemory = 0x0800'0000;
 
 inline constexpr Word kFirstKey = 0x4567'0123;

@@ -66,7 +66,7 @@ void Simulator::attend_pause() {
       if (tool_changed_) return;
       tool_changed_ = true;
       note("the program asks for another tool (M6); resumed at once");
-      return machine().acknowledge_tool();
+      return machine().resume();
     default:
       tool_changed_ = false;
   }

@@ -30,6 +30,9 @@ void adopt(const Block& block, ModalGroup group, Mode& mode) {
 /// comes first: no step can tell, except F, which Grbl reads in the units of
 /// its own line.
 Refusal Execution::run() {
+  if (options_.changes_tool) {
+    if (const auto fault = check_tool_change_words()) return fault;
+  }
   static constexpr std::array<Step, 7> kFirst{{
       &Execution::check_signs,
       &Execution::check_open_nurbs,
@@ -67,6 +70,24 @@ Refusal Execution::run() {
   }
   if (const auto fault = take_steps(kLast)) return fault;
   return block_.unused_word();
+}
+
+/// Spindle, coolant, outputs, tool, pauses and what else the program has set wait for it.
+Refusal Execution::check_tool_change_words() const {
+  constexpr std::array<ModalGroup, 7> kOfTheProgram{ModalGroup::kToolChange,
+                                                    ModalGroup::kSpindle,
+                                                    ModalGroup::kCoolant,
+                                                    ModalGroup::kOutput,
+                                                    ModalGroup::kStop,
+                                                    ModalGroup::kMaterial,
+                                                    ModalGroup::kCutterRadius};
+  for (const ModalGroup group : kOfTheProgram) {
+    if (block_.has(group)) return block_.blame(FaultDetail::kNotInToolChange, group);
+  }
+  for (const char letter : {'S', 'T'}) {
+    if (block_.has(letter)) return block_.blame(FaultDetail::kNotInToolChange, letter);
+  }
+  return std::nullopt;
 }
 
 /// Up to the first that is refused.

@@ -89,6 +89,7 @@ class Execution {
   [[nodiscard]] Refusal set_material();
   [[nodiscard]] bool keeps_kerf() const;
   [[nodiscard]] Refusal check_compensated_words();
+  [[nodiscard]] Refusal check_tool_change_words() const;
   [[nodiscard]] Refusal set_path_control();
   [[nodiscard]] Refusal take_tolerance(char letter, std::optional<float>& tolerance_mm);
   [[nodiscard]] Refusal set_tool_length();

@@ -80,6 +80,8 @@ constexpr std::array<Explanation, kFaultDetailCount> kExplanations{{
     {kWordUnused, "S with several values needs a G1 that moves"},
     {kUnsupportedWord, "%w has no place between G41 or G42 and G40"},
     {kUnsupportedWord, "%w changes what G40 has to end first"},
+    {kUnsupportedWord, "%w waits for the end of the tool change: ~"},
+    {kInvalidTarget, "the target lies beyond the travel"},
     {kValueTooLarge, "%w is no width of a cut, limit %n"},
     {kValueTooLarge, "%w names no kerf table, the last is %n: $K lists them"},
     {kValueWordMissing, "%w needs a material, in a line before: M190 P(table) Q(thickness)"},

@@ -99,6 +99,8 @@ enum class FaultDetail : std::uint8_t {
   kPowersNeedLine,
   kNotBesideThePath,
   kAlreadyBesideThePath,
+  kNotInToolChange,
+  kBeyondTravel,
   kNotACutWidth,
   kNoSuchMaterial,
   kMaterialMissing,

@@ -45,6 +45,20 @@ void Interpreter::set_places(const StoredPlaces& places) {
   places_ = places;
 }
 
+void Interpreter::begin_tool_change(const Position& machine) {
+  set_position(machine);
+  options_.changes_tool = true;
+}
+
+/// Large objects are changed in place: the stack of a controller has no room for them.
+void Interpreter::end_tool_change(Interpreter& before) {
+  before.context_.shift = context_.shift;
+  before.context_.modal.tool_length_in_use = context_.modal.tool_length_in_use;
+  before.places_ = places_;
+  before.places_revision_ = places_revision_;
+  *this = before;
+}
+
 void Interpreter::reset() {
   context_.modal = ModalState{};
   context_.shift = Shift{};

@@ -64,6 +64,11 @@ class Interpreter {
   /// As after a soft reset: modes, G92 and tool length as at start-up; stored
   /// places and position stay.
   void reset();
+  /// From here on only lines that belong to a tool change are taken (Options::changes_tool).
+  void begin_tool_change(const Position& machine);
+  /// Everything is as in `before`, of that time, but for offsets and stored places, which `before`
+  /// is given, too.
+  void end_tool_change(Interpreter& before);
   [[nodiscard]] const Options& options() const { return options_; }
   /// From the next line on.
   void set_options(const Options& options) { options_ = options; }

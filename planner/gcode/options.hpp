@@ -18,6 +18,9 @@ inline constexpr Position kFarthestPosition{Coordinate{Coordinate::kFarthestNano
 /// What the user may set about reading G-code.
 struct Options {
   bool block_delete = true;  ///< Lines that begin with / are skipped, as in LinuxCNC; $890.
+  /// A tool is being changed, and only lines that have to do with that are taken: motions, probes,
+  /// dwells, offsets and tool lengths.
+  bool changes_tool = false;
   ArcTolerance arc{};
   std::uint32_t highest_tool = 255;            ///< Grbl's limit of T.
   bool laser = false;                          ///< S may have several values in a line.

@@ -27,6 +27,36 @@ class AlarmsTest : public ControllerTest {
   }
 };
 
+/// As after a power-up that found damage.
+class DamagedStore final : public hal::host::MemoryStore {
+ public:
+  [[nodiscard]] bool damaged() const override { return true; }
+};
+
+TEST(DamagedStoreTest, IsAnAlarmThatWantsAReset) {
+  DamagedStore store;
+  hal::host::RecordingPort port;
+  MemoryLink link;
+  Application<hal::host::RecordingPort> application{port, port, port, store, link};
+  const auto talk = [&](std::string_view lines) {
+    link.outgoing.clear();
+    link.incoming = lines;
+    for (std::uint32_t k = 0; k < 50; ++k) application.poll(hal::TickCount{1000 * k});
+    return link.outgoing;
+  };
+  const std::string said = talk("$X\nG0 X1\n");
+  EXPECT_NE(said.find("ALARM:28\r\n[MSG:Reset to continue]"), std::string::npos) << said;
+  EXPECT_NE(
+      said.find("[MSG:The store is damaged. Check settings and offsets, and store one again.]"),
+      std::string::npos)
+      << said;
+  EXPECT_EQ(said.find("ok"), std::string::npos) << said;
+  const std::string after = talk("\x18$X\nG0 X1\n");
+  EXPECT_NE(after.find("damaged"), std::string::npos) << "until it is unlocked: " << after;
+  EXPECT_EQ(talk("\x18").find("damaged"), std::string::npos);
+  EXPECT_NE(after.find("[MSG:Caution: Unlocked]\r\nok\r\nok"), std::string::npos) << after;
+}
+
 TEST_F(AlarmsTest, HardLimit) {
   send("$21=1");
   send("G1 X50 F600");

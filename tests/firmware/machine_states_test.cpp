@@ -89,7 +89,7 @@ TEST_F(MachineStatesTest, WaitsForAToolWithAllOff) {
   EXPECT_FALSE(port.spindle_enabled);
   EXPECT_EQ(port.power, 0);
   EXPECT_EQ(port.position[0], 1250);
-  machine.acknowledge_tool();
+  machine.resume();
   EXPECT_TRUE(port.spindle_enabled);
   run(3900);
   EXPECT_EQ(port.position[0], 1250) << "the spindle has not its time";

@@ -80,6 +80,119 @@ TEST_F(MachineToolTest, LeavesTheLaserDarkAtRest) {
   EXPECT_EQ(port.power, 0);
 }
 
+const std::string kNoLight = "[MSG:Dark at rest: $870, $871]";
+
+TEST_F(MachineToolTest, SaysOnceInAProgramThatADwellStaysDark) {
+  use_laser();
+  link.outgoing.clear();
+  stream("M3 S500\nG1 X1 F1000\nG4 P0.1\nG1 X2\nG4 P0.1\nM5\nM2\n");
+  run_until_idle();
+  const auto count = [this] {
+    const auto lines = printed();
+    return std::count(lines.begin(), lines.end(), kNoLight);
+  };
+  EXPECT_EQ(count(), 1);
+  link.outgoing.clear();
+  stream("M3 S500\nG1 X3\nG1 X4\nM5\nM4\nG4 P0.1\nM5\nM3 S0\nG4 P0.1\nM5\nM2\n");
+  run_until_idle();
+  EXPECT_EQ(count(), 0) << "M4 and S0 mean no light, and M3 before a motion is no dot";
+  stream("M3 S500\nG4 P0.1\nM2\n");
+  run_until_idle();
+  EXPECT_EQ(count(), 1) << "another program";
+}
+
+TEST_F(MachineToolTest, BurnsInADwellAsLongAndAsBrightAsIsAllowed) {
+  use_laser();
+  send_all({"$870=50", "$871=300", "M3 S500", "G1 X1 F1000"});
+  run_until_idle();
+  EXPECT_EQ(port.power, 0);
+  stream("G4 P0.2\n");
+  run(100);
+  EXPECT_EQ(port.power, 32'768);
+  run(200);
+  EXPECT_EQ(port.power, 0);
+  link.outgoing.clear();
+  stream("G4 P1\n");
+  run(150);
+  EXPECT_EQ(port.power, 0) << "300 ms in all since the last motion";
+  EXPECT_NE(link.outgoing.find(kNoLight), std::string::npos) << link.outgoing;
+  run_until_idle();
+  send_all({"G1 X2", "S501"});
+  run_until_idle();
+  stream("G4 P0.1\n");
+  run(50);
+  EXPECT_EQ(port.power, 0) << "brighter than allowed";
+}
+
+TEST_F(MachineToolTest, GoesDarkAtOnceInALitDwell) {
+  use_laser();
+  send_all({"$870=50", "$871=10000"});
+  for (const char* stop : {"!", "\x84", "\x18"}) {
+    send_all({"M3 S400", "G1 F1000"});
+    stream("G4 P5\n");
+    run(100);
+    EXPECT_EQ(port.power, 26'214) << stop;
+    EXPECT_TRUE(machine.tool_runs()) << "nothing is stored meanwhile";
+    stream(stop);
+    run(2);
+    EXPECT_EQ(port.power, 0) << stop;
+    run(20);
+    stream("~");
+    run(100);
+    EXPECT_EQ(port.power, stop[0] == '\x18' ? 0 : 26'214) << "it goes on where it was";
+    stream("\x18");
+    run(20);
+    EXPECT_EQ(port.power, 0);
+  }
+}
+
+TEST_F(MachineToolTest, BurnsAFocusDotWhereM3StandsInG1) {
+  use_laser();
+  send_all({"$870=2", "$871=1000", "G1 F1 M3 S10"});
+  run(100);
+  EXPECT_EQ(port.power, 0) << "a motion may follow";
+  run(200);
+  EXPECT_EQ(port.power, 655);
+  send_all({"S15"});
+  run(5);
+  EXPECT_EQ(port.power, 983);
+  EXPECT_EQ(send("$1=20"), "error:8") << "flash would keep the processor from darkening it";
+  send_all({"G1 X1 F1000"});
+  run_until_idle();
+  EXPECT_EQ(port.power, 0);
+  run(1000);
+  EXPECT_EQ(port.power, 0) << "the motion has ended it";
+  send_all({"M3"});
+  run(500);
+  EXPECT_EQ(port.power, 983);
+  run(1500);
+  EXPECT_EQ(port.power, 0) << "its time is over";
+  send_all({"M5", "M3"});
+  run(500);
+  EXPECT_EQ(port.power, 983);
+  send_all({"M5"});
+  EXPECT_EQ(port.power, 0);
+  send_all({"G0", "M3"});
+  run(500);
+  EXPECT_EQ(port.power, 0) << "dark in G0, as in Grbl";
+}
+
+TEST_F(MachineToolTest, LosesALinkInALitDwellAsInACut) {
+  use_laser();
+  send_all({"$870=50", "$871=10000", "$858=200", "M3 S400", "G1 F1000"});
+  stream("?");
+  run(100);
+  stream("?");
+  run(100);
+  stream("?");
+  stream("G4 P9\n");
+  run(100);
+  EXPECT_EQ(port.power, 26'214);
+  run(1500);
+  EXPECT_EQ(port.power, 0);
+  EXPECT_EQ(machine.alarm(), Alarm::kLinkSilent);
+}
+
 TEST_F(MachineToolTest, ScalesADynamicLaserByItsSpeed) {
   use_laser();
   send_all({"M4 S1000", "G1 X20 F6000"});  // 100 mm/s after 10 mm.

@@ -115,7 +115,7 @@ TEST_F(PowerTableStatements, ADamagedRecordIsNone) {
   ASSERT_TRUE(store.save(0x5200, std::vector<std::byte>(12, std::byte{0x10})));
   StoredState state{store};
   EXPECT_TRUE(state.load_power_table().points().empty());
-  EXPECT_TRUE(state.take_damage());
+  EXPECT_TRUE(state.damaged());
 }
 
 class BeamFloor : public PowerTableStatements {};

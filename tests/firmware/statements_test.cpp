@@ -1,7 +1,10 @@
+#include <algorithm>
+#include <random>
 #include <regex>
 
 #include "firmware/protocol/identity.hpp"
 #include "tests/firmware/controller_test.hpp"
+#include "tests/support/trials.hpp"
 
 namespace cnc {
 namespace {
@@ -188,9 +191,49 @@ TEST_F(StatementsTest, NameTheRangeOfASetting) {
 }
 
 TEST_F(StatementsTest, SettingsThatDependOnEachOther) {
-  EXPECT_EQ(send("$20=1"), "error:10");
-  send_all({"$22=1", "$20=1", "$22=0"});
-  EXPECT_EQ(lines_of("$20")[0], "$20=0") << "soft limits end with homing, as in Grbl";
+  const std::string waiting = "[MSG:Soft limits ($20) wait for homing ($22)]";
+  EXPECT_EQ(lines_of("$20=1"), (Lines{waiting, "ok"})) << "a backup has this line before $22";
+  EXPECT_EQ(lines_of("$22=1"), Lines{"ok"});
+  EXPECT_EQ(lines_of("$20")[0], "$20=1");
+  EXPECT_EQ(lines_of("$22=0"), (Lines{waiting, "ok"}));
+  EXPECT_EQ(lines_of("$20")[0], "$20=1") << "soft limits are never switched off silently";
+}
+
+// Whatever the order is in which a backup names its settings, they are the same afterwards.
+TEST_F(StatementsTest, SettingsOfABackupInAnyOrder) {
+  std::vector<std::string> backup;
+  for (const SettingInfo& info : setting_table()) {
+    const float value = info.whole ? info.most : 0.5F * (info.least + info.most);
+    if (info.number == setting::kReportInches) continue;
+    backup.push_back("$" + std::to_string(info.number) + "=" + std::to_string(value));
+  }
+  const auto restore_backup = [&] {
+    EXPECT_EQ(send("$RST=$"), "ok");
+    run(20);
+    send("$X");
+    for (const std::string& line : backup) EXPECT_EQ(send(line), "ok") << line;
+    return lines_of("$$");
+  };
+  const Lines expected = restore_backup();
+  std::mt19937_64 random{proof::test_seed()};
+  for (int order = 0; order < 5; ++order) {
+    std::shuffle(backup.begin(), backup.end(), random);
+    EXPECT_EQ(restore_backup(), expected) << "KERFLINE_SEED=" << proof::test_seed();
+  }
+}
+
+// What is asked before homing is what homing requires: $22 without bit 1 homes all axes or none.
+TEST_F(StatementsTest, SingleAxesAreHomedOnlyWhereTheirBitAllowsIt) {
+  for (const char* line : {"$HX", "$HXY", "$hx", "$H X", "$HZYXABC"}) {
+    EXPECT_EQ(send(line), "error:5") << line;
+    send("$22=1");
+    EXPECT_EQ(lines_of(line), (Lines{"[MSG:1: $22=3 allows homing of single axes]", "error:5"}));
+    send("$22=0");
+  }
+  send_all({"$22=3", "$26=0"});
+  stream("$HX\n");
+  run(10);
+  EXPECT_EQ(machine.state(), MachineState::kHome);
 }
 
 TEST_F(StatementsTest, TakeNamesInLowerCaseAndWithBlanks) {

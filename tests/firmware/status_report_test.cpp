@@ -47,10 +47,25 @@ TEST_F(StatusReportTest, ReportsTheFieldsThatAreChosen) {
   send("$10=1");
   report();
   EXPECT_EQ(report(), "<Idle|MPos:0.000,0.000,0.000|FS:0,0>");
-  send("$10=5");
+  send("$10=65");
+  report();
   EXPECT_EQ(report(), "<Idle|MPos:0.000,0.000,0.000>");
   send("$10=511");
   EXPECT_EQ(field(report(), "Bf"), "128,1024");
+}
+
+// Masks of Grbl and of its versions before 1.1, which have bits that 1.1 passes over.
+TEST_F(StatusReportTest, KeepsSpeedOffsetAndOverridesForEveryValueOfGrbl) {
+  for (int value = 0; value < 32; ++value) {
+    send("$10=" + std::to_string(value));
+    std::string reports;
+    for (int count = 0; count < 25; ++count) reports += report();
+    for (const char* name : {"|FS:", "|WCO:", "|Ov:"}) {
+      EXPECT_NE(reports.find(name), std::string::npos) << value << ' ' << name;
+    }
+    EXPECT_EQ(reports.find("|Bf:") != std::string::npos, (value & 2) != 0) << value;
+    EXPECT_EQ(reports.find("MPos:") != std::string::npos, (value & 1) != 0) << value;
+  }
 }
 
 TEST_F(StatusReportTest, ReportsAChangeOfOffsetAtOnce) {

@@ -53,17 +53,20 @@ TEST_F(StoredStateTest, KeepsTexts) {
   EXPECT_EQ(again.load_user_text().view(), "third from the left");
 }
 
-TEST_F(StoredStateTest, TakesTheDeliveredStateForDamagedRecords) {
+TEST_F(StoredStateTest, TakesTheDeliveredStateForDamagedRecordsAndSaysSo) {
+  EXPECT_EQ(state.load_setting(rate), std::nullopt);
+  EXPECT_FALSE(state.damaged()) << "absence is no damage";
   ASSERT_TRUE(store.save(110, filled(3, 1)));
   EXPECT_EQ(state.load_setting(rate), std::nullopt);
-  EXPECT_TRUE(state.take_damage());
-  EXPECT_FALSE(state.take_damage());
+  EXPECT_TRUE(state.damaged());
   ASSERT_TRUE(store.save(110, filled(4, 0xFF)));  // No number at all.
-  EXPECT_EQ(state.load_setting(rate), std::nullopt);
-  EXPECT_TRUE(state.take_damage());
+  StoredState second{store};
+  EXPECT_EQ(second.load_setting(rate), std::nullopt);
+  EXPECT_TRUE(second.damaged());
   ASSERT_TRUE(store.save(0x4000, filled(48, 0x7F)));  // Out of every range.
-  EXPECT_EQ(state.load_places(), gcode::StoredPlaces{});
-  EXPECT_TRUE(state.take_damage());
+  StoredState third{store};
+  EXPECT_EQ(third.load_places(), gcode::StoredPlaces{});
+  EXPECT_TRUE(third.damaged());
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <memory>
 #include <random>
 
@@ -80,8 +82,11 @@ TEST_F(FlashLogTest, TakesAnyFlashForAnEmptyLogAndErasesItOnlyToSave) {
 
 TEST_F(FlashLogTest, DoesNotTakeALogOfAnotherVersion) {
   EXPECT_TRUE(FlashLog{flash}.save(1, bytes(4, 1)));
+  const log_format::SectorHead head{.sequence = 1, .erases = 1};
   flash.set_word(0, log_format::kMagicAt, log_format::kMagic + 1);
+  flash.set_word(0, log_format::kHeadCrcAt, log_format::head_crc(head, log_format::kMagic + 1));
   EXPECT_TRUE(after_power_up().empty());
+  EXPECT_FALSE(FlashLog{flash}.damaged());
 }
 
 TEST_F(FlashLogTest, LosesOfADamagedSectorOnlyWhatIsDamaged) {
@@ -89,17 +94,20 @@ TEST_F(FlashLogTest, LosesOfADamagedSectorOnlyWhatIsDamaged) {
   for (std::uint16_t number = 1; number <= 5; ++number) {
     EXPECT_TRUE(log.save(number, bytes(8, static_cast<unsigned char>(number))));
   }
-  // Each record is four words; any word of the second, of whatever value.
+  // Each record is four words and its mark; any word of the second, of whatever value.
   std::mt19937 random{proof::test_seed()};
   for (int i = 0; i < 200; ++i) {
     FlashModel damaged = flash;
-    const std::size_t place = log_format::kFirstRecord + 4 + i % 4;
+    const std::size_t place = log_format::kFirstRecord + 5 + i % 4;
     damaged.set_word(0, place, damaged.read(0, place) ^ (1U << (random() % 32)));
     FlashLog again{damaged};
     const Values found = all_of(again);
     EXPECT_EQ(found.size(), 4U);
     EXPECT_FALSE(found.contains(2));
+    EXPECT_TRUE(again.damaged());
+    EXPECT_TRUE(FlashLog{damaged}.damaged()) << "at each power-up until something is saved";
     EXPECT_TRUE(again.save(2, bytes(8, 9)));
+    EXPECT_FALSE(FlashLog{damaged}.damaged());
     for (int k = 0; k < 60; ++k) EXPECT_TRUE(again.save(6, bytes(16, k % 2 == 0)));
     EXPECT_EQ(all_of(again).size(), 6U) << "compaction, too";
   }
@@ -111,6 +119,60 @@ TEST_F(FlashLogTest, FallsBackToTheSectorBeforeWhenTheLastOneCannotBeRead) {
   for (int k = 0; flash.erases(1) == 0; ++k) EXPECT_TRUE(log.save(2, bytes(16, k % 2 == 0)));
   flash.set_word(1, log_format::kSequenceAt, 0);
   EXPECT_EQ(after_power_up()[1], bytes(4, 1));
+  EXPECT_TRUE(FlashLog{flash}.damaged());
+}
+
+/// Flips each bit of all words that are not erased, and of the two behind them.
+void expect_each_flip_harmless_or_noticed(const FlashModel& flash, const char* state) {
+  FlashModel sound = flash;
+  FlashLog whole{sound};
+  const Values expected = all_of(whole);
+  EXPECT_FALSE(whole.damaged()) << state;
+  int flips = 0;
+  int noticed = 0;
+  for (std::size_t sector = 0; sector < flash.sector_count(); ++sector) {
+    std::size_t end = flash.words_per_sector();
+    while (end > 0 && flash.read(sector, end - 1) == FlashModel::kErased) --end;
+    if (end > 0) end = std::min(end + 2, flash.words_per_sector());
+    for (std::size_t bit = 0; bit < 32 * end; ++bit) {
+      FlashModel flipped = flash;
+      flipped.set_word(sector, bit / 32, flash.read(sector, bit / 32) ^ (1U << bit % 32));
+      for (int power_up = 0; power_up < 2; ++power_up) {
+        FlashLog log{flipped};
+        if (power_up == 0) noticed += log.damaged() ? 1 : 0;
+        ASSERT_TRUE(log.damaged() || all_of(log) == expected)
+            << state << ", sector " << sector << ", word " << bit / 32 << ", bit " << bit % 32
+            << ", power-up " << power_up;
+      }
+      ++flips;
+    }
+  }
+  std::printf("%s: %d flips, %d noticed\n", state, flips, noticed);
+}
+
+TEST_F(FlashLogTest, EachBitThatTurnsOverIsHarmlessOrNoticed) {
+  {
+    FlashLog log{flash};
+    EXPECT_TRUE(log.save(1, bytes(4, 1)));
+    expect_each_flip_harmless_or_noticed(flash, "one save");
+    EXPECT_TRUE(log.save(2, bytes(4, 0)));
+    expect_each_flip_harmless_or_noticed(flash, "two saves");
+    EXPECT_TRUE(log.save(1, bytes(12, 0xFF)));
+    EXPECT_TRUE(log.save(2, {}));
+    expect_each_flip_harmless_or_noticed(flash, "another value, and one forgotten");
+  }
+  FlashLog{flash};
+  expect_each_flip_harmless_or_noticed(flash, "after a power-up");
+  FlashLog log{flash};
+  EXPECT_TRUE(log.save(3, bytes(4, 3)));
+  expect_each_flip_harmless_or_noticed(flash, "a save after a power-up");
+  for (int k = 0; flash.erases(1) == 0; ++k) EXPECT_TRUE(log.save(4, bytes(16, k % 2 == 0)));
+  expect_each_flip_harmless_or_noticed(flash, "in the second sector");
+  FlashLog{flash};
+  expect_each_flip_harmless_or_noticed(flash, "in the second sector after a power-up");
+  FlashLog again{flash};
+  for (int k = 0; flash.erases(0) == 1; ++k) EXPECT_TRUE(again.save(4, bytes(16, k % 2 == 0)));
+  expect_each_flip_harmless_or_noticed(flash, "in the first sector again");
 }
 
 TEST_F(FlashLogTest, RefusesWhatDoesNotFitAndChangesNothing) {
@@ -118,7 +180,7 @@ TEST_F(FlashLogTest, RefusesWhatDoesNotFitAndChangesNothing) {
   EXPECT_FALSE(log.save(1, bytes(97, 1)));
   std::uint16_t number = 0;
   while (log.save(number, bytes(96, 7))) ++number;
-  EXPECT_EQ(number, (kWords - log_format::kFirstRecord) / 26U);
+  EXPECT_EQ(number, (kWords - log_format::kFirstRecord - 1) / 26U);
   const Values full = all_of(log);
   const std::uint64_t operations = flash.operations();
   EXPECT_FALSE(log.save(number, bytes(96, 7)));
@@ -141,7 +203,7 @@ TEST_F(FlashLogTest, CountsErasesAndTakesTurns) {
   EXPECT_EQ(FlashLog{flash}.wear().erases, erases);
   EXPECT_LE(flash.erases(0) - flash.erases(1), 1U);
   EXPECT_LT(log.wear().bytes_to_next_erase, 4 * kWords);
-  EXPECT_LE(erases, 5000U / ((kWords - log_format::kFirstRecord) / 3 - 1) + 1);
+  EXPECT_LE(erases, 5000U / ((kWords - log_format::kFirstRecord) / 4 - 1) + 1);
 }
 
 TEST_F(FlashLogTest, IsFalseWhenFlashRefusesAndKeepsWhatItHad) {
@@ -164,7 +226,7 @@ TEST_F(FlashLogTest, IsFalseWhenFlashRefusesAndKeepsWhatItHad) {
       FlashLog again{refusing};
       ASSERT_EQ(all_of(again), expected) << operations;
     }
-    EXPECT_EQ(needed, room == 600U ? 7U : 13U) << "erase, head, record and commit";
+    EXPECT_EQ(needed, room == 600U ? 7U : 14U) << "erase, head, record, mark and commit";
   }
 }
 

@@ -86,6 +86,7 @@ class Trial {
   }
 
   void judge(FlashLog& log, FlashModel& flash, Unsteadiness unsteadiness) {
+    EXPECT_FALSE(log.damaged()) << "a cut is no damage; cut " << count_.cuts;
     Values found = all_of(log);
     Values with_doubt = values_;
     if (doubt_) keep(with_doubt, *doubt_);
@@ -95,6 +96,7 @@ class Trial {
     for (int i = 0; i < kOtherPowerUps; ++i) {
       flash.power_up(random_(), unsteadiness);
       FlashLog again{flash};
+      ASSERT_FALSE(again.damaged()) << "KERFLINE_SEED=" << trial_.seed << ", cut " << count_.cuts;
       ASSERT_EQ(all_of(again), found) << "KERFLINE_SEED=" << trial_.seed << ", cut " << count_.cuts;
       const Doubt save = next_save();
       ASSERT_TRUE(again.save(save.number, save.value));

@@ -50,6 +50,17 @@ TEST_F(BeamWatchTest, ADarkOneMayRestAsLongAsItLikes) {
   }
 }
 
+TEST_F(BeamWatchTest, LightAtRestIsJudgedByTheRegisters) {
+  using Watch = BeamWatch<kGeneric, ModelBus>;
+  for (const std::uint16_t duty : {std::uint16_t{700}, std::uint16_t{6554}, std::uint16_t{65535}}) {
+    power_.set_duty(duty);
+    EXPECT_TRUE(Watch::brighter_than(0));
+    EXPECT_FALSE(Watch::brighter_than(duty));
+    EXPECT_FALSE(Watch::brighter_than(65535));
+    EXPECT_TRUE(Watch::brighter_than(static_cast<std::uint16_t>(duty / 2)));
+  }
+}
+
 TEST_F(BeamWatchTest, AMotionThatBeginsIsNotTakenForRest) {
   StepTimer<ModelBus> clock;
   clock.set_up(kFullSpeed);

@@ -56,6 +56,19 @@ TEST(Flash, KeysAreWrittenOnlyToAFlashThatIsLocked) {
   EXPECT_EQ(2U, flash.read(0, 1));
 }
 
+TEST(Flash, NothingIsWrittenWhileTheSupplyFails) {
+  ChipModel& chip = ModelBus::start_anew();
+  Flash<ModelBus> flash = small_flash();
+  EXPECT_TRUE(flash.program(0, 0, 1));
+  chip.cells[pwr::kCsr] = pwr::kSupplyIsLow;
+  EXPECT_FALSE(flash.program(0, 1, 1));
+  EXPECT_FALSE(flash.erase(0));
+  EXPECT_EQ(1U, flash.read(0, 0));
+  EXPECT_EQ(FlashSectors::kErased, flash.read(0, 1));
+  chip.cells[pwr::kCsr] = 0;
+  EXPECT_TRUE(flash.program(0, 1, 1)) << "as soon as it is back";
+}
+
 TEST(Flash, BitsOnlyFall) {
   ModelBus::start_anew();
   Flash<ModelBus> flash = small_flash();

@@ -1,0 +1,97 @@
+#include <algorithm>
+#include <utility>
+
+#include "firmware/machine/machine.hpp"
+
+/// A tool change in which the sender takes part.
+namespace cnc {
+
+using Stage = ToolChange::Stage;
+
+bool Machine::acknowledge_tool() {
+  if (!state_.in(Mode::kTool) || tool_change_.open() || restarting_) return false;
+  check_settings();
+  forget_exit();
+  ToolChange::Job& job = tool_change_.job();
+  job.kept.interpreter = interpreter_;
+  job.waiting = waiting_;
+  job.with_next_motion = with_next_motion_;
+  job.place = motion_.target();
+  job.step_pause = step_pause_;
+  waiting_ = {};
+  with_next_motion_ = {};
+  step_pause_ = false;
+  interpreter_.begin_tool_change(motion_.target());
+  settings_watch_.accept();
+  tool_change_.go_to(Stage::kOpen);
+  return true;
+}
+
+/// The program's own lines and modes again, with the offsets as they are now.
+void Machine::close_tool_change() {
+  check_settings();
+  ToolChange::Job& job = tool_change_.job();
+  interpreter_.end_tool_change(job.kept.interpreter);
+  settings_watch_.accept();
+  trust_places();
+  waiting_ = job.waiting;
+  with_next_motion_ = job.with_next_motion;
+  step_pause_ = job.step_pause;
+  tool_change_.go_to(Stage::kClosed);
+}
+
+/// What stops a program ends here what moves: nothing of it goes on, and the change stays open.
+void Machine::stop_in_tool_change() {
+  line_failed_ = line_failed_ || !waiting_.empty() || jog_;
+  motion_.halt();
+  tool_change_.go_to(Stage::kStopping);
+}
+
+void Machine::drop_in_tool_change() {
+  waiting_ = {};
+  elements_.clear();
+  jog_.reset();
+  dwelling_ = false;
+  dwell_.cancel();
+  probing_ = Probing::kNo;
+  drive_.disarm_probe();
+  motion_.drop_rest();
+  motion_.go_on();
+  interpreter_.set_position(motion_.target());
+  tool_change_.go_to(Stage::kOpen);
+}
+
+void Machine::attend_tool_change() {
+  const Stage stage = tool_change_.stage();
+  const bool rests = waiting_.empty() && !jog_ && motion_.drained();
+  if (stage == Stage::kStopping) {
+    if (at_rest()) drop_in_tool_change();
+  } else if (inputs().door && !motion_.drained()) {
+    stop_in_tool_change();
+  } else if (jog_ && motion_.has_room()) {
+    append_jog();
+  } else if (stage == Stage::kEnding && rests) {
+    go_back_to(tool_change_.job().place);
+    tool_change_.go_to(Stage::kReturning);
+  } else if (stage == Stage::kReturning && rests) {
+    close_tool_change();
+    resume();
+  }
+}
+
+/// Rapid: up, across, down.
+void Machine::go_back_to(const Position& place) {
+  constexpr std::size_t kZ = index_of(Axis::kZ);
+  Position way = motion_.target();
+  const Coordinate height = std::max(way[kZ], place[kZ]);
+  way[kZ] = height;
+  drive_straight(way, 0.0F);
+  way = place;
+  way[kZ] = height;
+  drive_straight(way, 0.0F);
+  drive_straight(place, 0.0F);
+}
+
+bool Machine::take_line_failure() { return std::exchange(line_failed_, false); }
+
+}  // namespace cnc
