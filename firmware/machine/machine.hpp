@@ -12,6 +12,7 @@
 #include "firmware/machine/machine_types.hpp"
 #include "firmware/machine/memory_watch.hpp"
 #include "firmware/machine/motion_control.hpp"
+#include "firmware/machine/motor_enable.hpp"
 #include "firmware/machine/progress.hpp"
 #include "firmware/machine/reentry.hpp"
 #include "firmware/machine/settings.hpp"
@@ -227,7 +228,7 @@ class Machine {
   void attend_inputs();
   void attend_mode(std::int32_t elapsed_us);
   void run_actions();
-  void attend_motor_enable(std::int32_t elapsed_us);
+  [[nodiscard]] MotorEnable::Need motor_need() const;
 
   // Actions, in machine_actions.cpp; probing in machine_probe.cpp. True when done.
   [[nodiscard]] bool run(const gcode::Action& action);
@@ -333,6 +334,7 @@ class Machine {
   CoolantOutput coolant_;
   Homing homing_;
   SideTrip side_;
+  MotorEnable motor_enable_;
   InputFilter inputs_{};
   StateMachine state_{};
   Alarm alarm_ = Alarm::kNone;
@@ -384,8 +386,6 @@ class Machine {
   OverridePercent percent_{};
   hal::TickCount last_poll_{};
   bool polled_ = false;
-  bool motors_enabled_ = false;
-  std::int64_t motors_idle_us_ = 0;
 };
 
 }  // namespace cnc

@@ -22,7 +22,7 @@ constexpr const char* kAxisNames = "X,Y,Z,A,B,C";
 
 // clang-format off
 // The size is spelled out: deduced, GCC 12 puts the table into RAM.
-constexpr std::array<SettingInfo, 110> kTable{{
+constexpr std::array<SettingInfo, 112> kTable{{
     SettingInfo{0, "Step pulse time", "microseconds", 1.0F, 12.0F, 5.0F, false,
      Group::kStepper, Type::kDecimal, kThousandths,
      "How long a step input is held high, and then low."},
@@ -97,7 +97,7 @@ constexpr std::array<SettingInfo, 110> kTable{{
     SettingInfo{27, "Homing switch pull-off distance", "mm", 0.0F, 1000.0F, 1.0F, false,
      Group::kHoming, Type::kDecimal, kThousandths,
      "How far to move away from a switch."},
-    SettingInfo{29, "Direction set-up time", "microseconds", 0.25F, 12.0F, 2.0F, false,
+    SettingInfo{29, "Direction set-up time", "microseconds", 0.25F, 12.0F, 5.0F, false,
      Group::kStepper, Type::kDecimal, kThousandths,
      "From a change of direction to the next step."},
     SettingInfo{30, "Maximum spindle speed", "RPM", 1.0F, 1.0e6F, 1000.0F, false,
@@ -109,6 +109,9 @@ constexpr std::array<SettingInfo, 110> kTable{{
     SettingInfo{32, "Laser mode", "0 or 1", 0.0F, 1.0F, 0.0F, true,
      Group::kSpindle, Type::kSwitch, "",
      "Power follows speed and is off whenever nothing moves."},
+    SettingInfo{37, "Motors kept enabled", "mask", 0.0F, 63.0F, 0.0F, true,
+     Group::kStepper, Type::kAxisMask, kAxisNames,
+     "Axes whose motors always have current, also asleep: a Z that would sink."},
     SettingInfo{40, "Limit jogging to the travel", "0 or 1", 0.0F, 1.0F, 0.0F, true,
      Group::kJogging, Type::kSwitch, "",
      "Stop jogs at the end of the travel."},
@@ -315,6 +318,10 @@ constexpr std::array<SettingInfo, 110> kTable{{
      Group::kSpindle, Type::kChoice, "Power goes with speed,Path follows kerf",
      "Beside an edge by the kerf of the material (G41, G42): what to do where the speed is not "
      "the programmed one. Keep power by speed, M3 too, or go farther from the edge or nearer."},
+    SettingInfo{884, "Enable to step delay", "milliseconds", 0.0F, 1000.0F, 0.0F, true,
+     Group::kStepper, Type::kInteger, kWhole,
+     "From current in motors that had none to their first step, beyond 1 ms. Drivers with a wired "
+     "enable input take up to 200."},
 }};
 // clang-format on
 static_assert(kTable.size() <= Settings::kMostSettings);

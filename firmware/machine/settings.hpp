@@ -163,6 +163,7 @@ inline constexpr std::uint16_t kDirectionSetUp = 29;
 inline constexpr std::uint16_t kMostSpindleSpeed = 30;
 inline constexpr std::uint16_t kLeastSpindleSpeed = 31;
 inline constexpr std::uint16_t kLaserMode = 32;
+inline constexpr std::uint16_t kKeptMotors = 37;
 inline constexpr std::uint16_t kJogLimited = 40;
 inline constexpr std::uint16_t kParking = 41;
 inline constexpr std::uint16_t kParkingAxis = 42;
@@ -197,6 +198,7 @@ inline constexpr std::uint16_t kBeamLag = 857;
 inline constexpr std::uint16_t kLinkWatchdog = 858;
 inline constexpr std::uint16_t kCanNode = 859;
 inline constexpr std::uint16_t kKerfControl = 860;
+inline constexpr std::uint16_t kEnableDelay = 884;
 }  // namespace setting
 
 }  // namespace cnc
