@@ -130,7 +130,7 @@ int main() {
   print_board<kMksRobinNanoV31>("`kerfline_mks_robin_nano_v3_1`");
   print_other_beam(kMksRobinNanoV31He1, kSheet<kMksRobinNanoV31He1>);
   print_board<kGeneric>(
-      "`kerfline_generic`,\n"
+      "`kerfline_generic` for 1 MiB of flash, `kerfline_generic_512` for 512 KiB,\n"
       "`kerfline_generic_1mbaud` with a serial line of 1,000,000 baud");
   print_board<kGenericCan>("`kerfline_generic_can`");
   return 0;

@@ -88,9 +88,10 @@ endif()
 set(beam ${beam_${KERFLINE_ROBIN_NANO_BEAM}})
 
 # From where the board's boot loader ends to where the store begins on the largest chip that the
-# board comes with: sector 10 with 1 MiB, sector 6 with 512 KiB. The generic image runs on both; it
-# finds out at start which one it is on.
+# board comes with: sector 10 with 1 MiB, sector 6 with 512 KiB. kerfline_generic_512 runs on both and
+# finds out at start which one it is on; so do the other images that end at 768, where they fit.
 kerfline_board_image(kerfline_generic generic ${generic_${KERFLINE_GENERIC_CRYSTAL}} 0 768)
+kerfline_board_image(kerfline_generic_512 generic ${generic_${KERFLINE_GENERIC_CRYSTAL}} 0 256 SMALL)
 kerfline_board_image(kerfline_generic_can generic kGenericCan 0 768)
 kerfline_board_image(kerfline_generic_1mbaud generic kGeneric1MBaud 0 768)
 kerfline_board_image(kerfline_btt_skr_2 btt_skr_2 kBttSkr2 32 768)

@@ -16,7 +16,7 @@ add_test(NAME target.controller
     ${plugin} ${images}/kerfline_generic.elf)
 add_test(NAME target.dark_first
   COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/dark_first.py
-    ${plugin} ${images}/kerfline_generic.elf=A8
+    ${plugin} ${images}/kerfline_generic.elf=A8 ${images}/kerfline_generic_512.elf=A8
     ${images}/kerfline_generic_can.elf=A8 ${images}/kerfline_btt_skr_2.elf=B0
     ${images}/kerfline_btt_skr_pro_1_2.elf=A8 ${images}/kerfline_mks_robin_nano_v3_0.elf=A8
     ${images}/kerfline_mks_robin_nano_v3_1.elf=A8)
@@ -27,6 +27,8 @@ foreach(test faults fitness flips cuts job drivers)
   set(image kerfline_generic)
   if(test STREQUAL job)
     set(image kerfline_generic_1mbaud)
+  elseif(test MATCHES "fitness|cuts")
+    set(image kerfline_generic_512)
   elseif(test STREQUAL drivers)
     set(image kerfline_mks_robin_nano_v3_1)
   endif()
