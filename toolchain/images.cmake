@@ -83,18 +83,22 @@ set_property(CACHE KERFLINE_ROBIN_NANO_BEAM PROPERTY STRINGS 3D-TOUCH HE1)
 set(beam_3D-TOUCH "")
 set(beam_HE1 He1)
 if(NOT DEFINED beam_${KERFLINE_ROBIN_NANO_BEAM})
-  message(FATAL_ERROR "KERFLINE_ROBIN_NANO_BEAM is 3D-TOUCH or HE1, not ${KERFLINE_ROBIN_NANO_BEAM}")
+  message(FATAL_ERROR
+    "KERFLINE_ROBIN_NANO_BEAM is 3D-TOUCH or HE1, not ${KERFLINE_ROBIN_NANO_BEAM}")
 endif()
 set(beam ${beam_${KERFLINE_ROBIN_NANO_BEAM}})
 
 # From where the board's boot loader ends to where the store begins on the largest chip that the
-# board comes with: sector 10 with 1 MiB, sector 6 with 512 KiB. kerfline_generic_512 runs on both and
-# finds out at start which one it is on; so do the other images that end at 768, where they fit.
-kerfline_board_image(kerfline_generic generic ${generic_${KERFLINE_GENERIC_CRYSTAL}} 0 768)
-kerfline_board_image(kerfline_generic_512 generic ${generic_${KERFLINE_GENERIC_CRYSTAL}} 0 256 SMALL)
+# board comes with: sector 10 with 1 MiB, sector 6 with 512 KiB. kerfline_generic_512 runs on both
+# and finds out at start which one it is on; so do the images that end at 768, where they fit.
+set(generic ${generic_${KERFLINE_GENERIC_CRYSTAL}})
+kerfline_board_image(kerfline_generic generic ${generic} 0 768)
+kerfline_board_image(kerfline_generic_512 generic ${generic} 0 256 SMALL)
 kerfline_board_image(kerfline_generic_can generic kGenericCan 0 768)
 kerfline_board_image(kerfline_generic_1mbaud generic kGeneric1MBaud 0 768)
 kerfline_board_image(kerfline_btt_skr_2 btt_skr_2 kBttSkr2 32 768)
 kerfline_board_image(kerfline_btt_skr_pro_1_2 btt_skr_pro_1_2 kBttSkrPro12 32 768)
-kerfline_board_image(kerfline_mks_robin_nano_v3_0 mks_robin_nano_v3 kMksRobinNanoV30${beam} 48 768)
-kerfline_board_image(kerfline_mks_robin_nano_v3_1 mks_robin_nano_v3 kMksRobinNanoV31${beam} 48 256 SMALL)
+kerfline_board_image(kerfline_mks_robin_nano_v3_0 mks_robin_nano_v3
+  kMksRobinNanoV30${beam} 48 768)
+kerfline_board_image(kerfline_mks_robin_nano_v3_1 mks_robin_nano_v3
+  kMksRobinNanoV31${beam} 48 256 SMALL)

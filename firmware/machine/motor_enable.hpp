@@ -24,8 +24,8 @@ class MotorEnable {
   /// Switches the current as the machine needs it. Once in each turn, before motion is handed over.
   void attend(Need need, std::int32_t elapsed_us);
 
-  /// Checks that the current has flowed for $884 where it was switched on: before that no motion may
-  /// be handed over.
+  /// Checks that the current has flowed for $884 where it was switched on: before that no motion
+  /// may be handed over.
   [[nodiscard]] bool ready() const { return wait_us_ <= 0; }
 
  private:

@@ -336,8 +336,8 @@ static_assert(std::all_of(kTable.begin(), kTable.end(), [](const SettingInfo& in
 }));
 
 /// The row of each number: settings are looked up for every line, and a search costs as much as a
-/// word of G-code. Most numbers have none, so only blocks of numbers in which there is a setting are
-/// stored.
+/// word of G-code. Most numbers have none, so only blocks of numbers in which there is a setting
+/// are stored.
 class RowIndex {
  public:
   constexpr RowIndex() {
@@ -379,8 +379,6 @@ constexpr RowIndex kRows{};
 
 std::span<const SettingInfo> setting_table() { return kTable; }
 
-std::size_t setting_row(std::uint16_t number) {
-  return kRows.row_of(number);
-}
+std::size_t setting_row(std::uint16_t number) { return kRows.row_of(number); }
 
 }  // namespace cnc

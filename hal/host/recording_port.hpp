@@ -94,7 +94,7 @@ class RecordingPort final : public AuxiliaryOutputs, public MachineInputs {
   bool probe = false;
   SwitchMask limits{};
   std::uint8_t motors_enabled = 0;  ///< By axes.
-  InputState panel{};  ///< Door and buttons; whoever simulates the operator sets them.
+  InputState panel{};               ///< Door and buttons; whoever simulates the operator sets them.
 
  private:
   using Steps = std::array<std::int32_t, kMotors>;

@@ -20,7 +20,7 @@ struct BoardSheet {
   const char* chips = "";    ///< Those with which the board is sold.
   const char* caution = "";  ///< A question to answer before flashing, and the reason for it.
   const char* notes = "";
-  std::array<const char*, kAxes> sockets{};   ///< Of the motors' drivers.
+  std::array<const char*, kAxes> sockets{};    ///< Of the motors' drivers.
   std::span<const Connector> connectors = {};  ///< Of all pins but the motors' and USB's.
 };
 

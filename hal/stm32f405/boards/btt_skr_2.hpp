@@ -59,11 +59,13 @@ template <>
 inline constexpr BoardSheet kSheet<kBttSkr2>{
     .chips = "STM32F407VG, since October 2021 STM32F429VG",
     .caution =
-        "Is the board revision B? Revision A has a fault that destroys motor drivers. Its transistor "
+        "Is the board revision B? Revision A has a fault that destroys motor drivers. Its "
+        "transistor "
         "Q1 reads G090N06; that of revision B reads HY1904. Do not put drivers into a revision A "
         "that has not been repaired",
-    .notes = "HE0 (PB3) and HE1 (PB4) are pins of the debugger's JTAG. From reset until start-up, "
-             "PB4 is pulled up; PC13 keeps the outputs without supply meanwhile.",
+    .notes =
+        "HE0 (PB3) and HE1 (PB4) are pins of the debugger's JTAG. From reset until start-up, "
+        "PB4 is pulled up; PC13 keeps the outputs without supply meanwhile.",
     .sockets = {"X", "Y", "Z", "E0", "E1", nullptr},
     .connectors = kBttSkr2Connectors,
 };

@@ -70,7 +70,8 @@ inline constexpr BoardSheet kSheet<kGeneric>{
 template <>
 inline constexpr BoardSheet kSheet<kGenericCan>{
     .chips = "STM32F407 or STM32F429 with 100 pins and 1 MiB of flash or more",
-    .notes = "Its pins are those of the chip, on the headers of any board. CAN needs a transceiver.",
+    .notes =
+        "Its pins are those of the chip, on the headers of any board. CAN needs a transceiver.",
 };
 
 }  // namespace hal::stm32f405

@@ -77,17 +77,18 @@ inline constexpr auto kMksRobinNanoHe1Connectors = with_he1(kMksRobinNanoConnect
 
 constexpr BoardSheet robin_nano_sheet(const char* chips, std::span<const Connector> connectors) {
   return {.chips = chips,
-          .notes = "PA13 and PA14 are the debugger's pins, too: attach one while the board is held in "
-                   "reset. Boards up to V3.0_002 have FAN1 and FAN2 printed the other way round.",
+          .notes =
+              "PA13 and PA14 are the debugger's pins, too: attach one while the board is held in "
+              "reset. Boards up to V3.0_002 have FAN1 and FAN2 printed the other way round.",
           .sockets = {"X", "Y", "Z", "E0", "E1", nullptr},
           .connectors = connectors};
 }
 template <>
-inline constexpr BoardSheet kSheet<kMksRobinNanoV30> =
-    robin_nano_sheet("STM32F407VG", kMksRobinNanoConnectors);
+inline constexpr BoardSheet kSheet<kMksRobinNanoV30> = robin_nano_sheet("STM32F407VG",
+                                                                        kMksRobinNanoConnectors);
 template <>
-inline constexpr BoardSheet kSheet<kMksRobinNanoV31> =
-    robin_nano_sheet("STM32F407VE", kMksRobinNanoConnectors);
+inline constexpr BoardSheet kSheet<kMksRobinNanoV31> = robin_nano_sheet("STM32F407VE",
+                                                                        kMksRobinNanoConnectors);
 template <>
 inline constexpr BoardSheet kSheet<kMksRobinNanoV30He1> =
     robin_nano_sheet("STM32F407VG", kMksRobinNanoHe1Connectors);

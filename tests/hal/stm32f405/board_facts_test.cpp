@@ -1,5 +1,6 @@
-// Pins that a board has for something else, by its makers' own firmware (Marlin, pins_BTT_SKR_V2_0_common.h,
-// pins_BTT_SKR_PRO_common.h, pins_MKS_ROBIN_NANO_V3_common.h): no board names one of them.
+// Pins that a board has for something else, by its makers' own firmware (Marlin,
+// pins_BTT_SKR_V2_0_common.h, pins_BTT_SKR_PRO_common.h, pins_MKS_ROBIN_NANO_V3_common.h): no board
+// names one of them.
 
 #include <gtest/gtest.h>
 
@@ -41,8 +42,8 @@ TEST(BoardFacts, NoneIsADriversUartAThermistorsOrAMemorys) {
     const PinCensus pins = pins_of(taken.board);
     for (const std::vector<Pin>& some : {taken.driver_uarts, taken.thermistors, taken.memories}) {
       for (const Pin pin : some) {
-        EXPECT_FALSE(pins.has(pin)) << taken.board.name << ": P" << char('A' + pin.port)
-                                    << unsigned{pin.number};
+        EXPECT_FALSE(pins.has(pin))
+            << taken.board.name << ": P" << char('A' + pin.port) << unsigned{pin.number};
       }
     }
   }

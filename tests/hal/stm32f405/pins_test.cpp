@@ -155,7 +155,9 @@ TEST(Pins, MotorsHaveCurrentByAxes) {
   ChipModel& chip = ModelBus::start_anew();
   Port<kBttSkr2, ModelBus> port;
   port.set_up(kFullSpeed);
-  const auto driven_low = [&](unsigned axis) { return !chip.is_high(kBttSkr2.motors[axis].enable); };
+  const auto driven_low = [&](unsigned axis) {
+    return !chip.is_high(kBttSkr2.motors[axis].enable);
+  };
   port.set_motors_enabled(0b00100);
   EXPECT_TRUE(driven_low(2));
   EXPECT_FALSE(driven_low(0) || driven_low(1) || driven_low(3) || driven_low(4));

@@ -4,7 +4,8 @@ it runs and stores, or it says why it does not, beam and motors off.
 
     test_fitness.py PLUGIN kerfline_generic_512.elf [TEST...]
 
-The images beside it that are made for 1 MiB are tried, too. Ends with 77 (skipped) where the emulator, the plug-in or the image is missing.
+The images beside it that are made for 1 MiB are tried, too. Ends with 77 (skipped) where the emulator,
+the plug-in or the image is missing.
 """
 
 import pathlib
