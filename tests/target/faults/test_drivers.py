@@ -48,10 +48,12 @@ class DriversTest(unittest.TestCase):
         self.assertGreater(waited, 60 * MS)
         self.assertLess(waited, 65 * MS)
 
-    def test_axes_that_are_kept_have_current_from_the_start_and_at_rest(self):
+    def test_axes_that_are_kept_have_current_before_motion_and_at_rest(self):
         text = FAST + "$1=10\n$37=4\nG1X1F3000\n"
         run = self.drive(text, 250)
         self.assertTrue(run.times("pin", f"{STEPS['X']} 1"))
+        begun = {axis: run.times("pin", f"{pin} 0")[0] for axis, pin in ENABLES.items()}
+        self.assertLess(begun["Z"], begun["X"])
         self.assertEqual({"X": "1", "Y": "1", "Z": "0"},
                          {axis: self.level(run, pin) for axis, pin in ENABLES.items()})
 
