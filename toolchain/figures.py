@@ -63,7 +63,7 @@ def main() -> int:
         "interrupt 512 (`tests/static/image_stack.py`).", "",
         *table(["image", "flash", "may be", "static RAM", "stack: main loop / interrupt / at once"],
                images(build)),
-        "The generic image may be 262,144 bytes on chips with 512 KiB, where its store begins.", "",
+        "Images that may be 786,432 bytes run on chips with 512 KiB, too, where they have 262,144 at most.", "",
         "## Instructions on the controller's processor", "",
         "By `tests/target/instructions.py`.", "",
         *table(["stage", "average", "worst"], instructions()),

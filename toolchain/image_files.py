@@ -10,6 +10,7 @@ nothing, and removes it.
 """
 import hashlib
 import pathlib
+import re
 import struct
 import subprocess
 import sys
@@ -19,6 +20,7 @@ from banned_symbols import banned
 
 NM = "arm-none-eabi-nm"
 OBJCOPY = "arm-none-eabi-objcopy"
+READELF = "arm-none-eabi-readelf"
 SIZE = "arm-none-eabi-size"
 FLASH = 0x08000000
 HEADER_MAGIC, CHECKSUM = 0x4E46524B, 8  # First word of ImageHeader, offset of its last.
@@ -96,12 +98,25 @@ def dfuse(image: bytes, address: int) -> bytes:
     return body + struct.pack("<I", zlib.crc32(body) ^ 0xFFFFFFFF)
 
 
+def dfu_command(image: pathlib.Path) -> str:
+    return f"dfu-util -a 0 -d {ST:04x}:{DFU_MODE:04x} -D {image.with_suffix('.dfu').name}"
+
+
 def how_to_flash(image: pathlib.Path, address: int) -> str:
     if address == FLASH:
-        return (f"dfu-util -a 0 -d {ST:04x}:{DFU_MODE:04x} -D {image.with_suffix('.dfu').name}"
+        return (f"{dfu_command(image)}"
                 f"   or   st-flash --reset write {image.with_suffix('.bin').name} 0x{FLASH:08x}")
     return (f"copy {image.with_suffix('.bin').name} to the card as the board's boot loader wants it,"
-            f" or   st-flash --reset write {image.with_suffix('.bin').name} 0x{address:08x}")
+            f" or   st-flash --reset write {image.with_suffix('.bin').name} 0x{address:08x},"
+            f" or, with BOOT0 high,   {dfu_command(image)}, which leaves the board's loader")
+
+
+def caution_of(elf: pathlib.Path) -> str:
+    """The question to answer before this image is flashed, which the board's header has; or nothing."""
+    text = subprocess.run([READELF, "-p", ".caution", elf], capture_output=True, text=True,
+                          check=True).stdout
+    found = re.search(r"\[ *0\]  (.+)", text)
+    return found[1] if found else ""
 
 
 def main() -> int:
@@ -123,6 +138,8 @@ def main() -> int:
     print(f"{elf.stem}: {text + data} bytes of flash, {data + bss} of RAM with the stack, "
           f"checksum {checksum:08x}\n  sha256 {hashlib.sha256(image).hexdigest()}\n"
           f"  {how_to_flash(elf, address)}")
+    if caution := caution_of(elf):
+        print(f"  CAUTION: {caution}.")
     return 0
 
 

@@ -46,7 +46,7 @@ function(kerfline_board_image name header object offset_kib end_kib)
   set(script ${PROJECT_SOURCE_DIR}/toolchain/stm32f405.ld)
   set(folder ${PROJECT_BINARY_DIR}/images)
   add_executable(${name} ${steps} ${target}/stm32f405_main.cpp ${target}/stm32f405_start.cpp
-    ${target}/stm32f405_ends.cpp)
+    ${target}/stm32f405_ends.cpp ${target}/stm32f405_caution.cpp)
   if(image_SMALL)
     target_compile_options(${name} PRIVATE -Os)
     set(firmware kerfline_firmware_small)
@@ -77,12 +77,28 @@ if(NOT DEFINED generic_${KERFLINE_GENERIC_CRYSTAL})
   message(FATAL_ERROR "KERFLINE_GENERIC_CRYSTAL is 8, 12 or 25, not ${KERFLINE_GENERIC_CRYSTAL}")
 endif()
 
+set(KERFLINE_ROBIN_NANO_BEAM 3D-TOUCH CACHE STRING
+  "Connector of the beam on MKS Robin Nano V3: 3D-TOUCH, or the TTL header of HE1")
+set_property(CACHE KERFLINE_ROBIN_NANO_BEAM PROPERTY STRINGS 3D-TOUCH HE1)
+set(beam_3D-TOUCH "")
+set(beam_HE1 He1)
+if(NOT DEFINED beam_${KERFLINE_ROBIN_NANO_BEAM})
+  message(FATAL_ERROR
+    "KERFLINE_ROBIN_NANO_BEAM is 3D-TOUCH or HE1, not ${KERFLINE_ROBIN_NANO_BEAM}")
+endif()
+set(beam ${beam_${KERFLINE_ROBIN_NANO_BEAM}})
+
 # From where the board's boot loader ends to where the store begins on the largest chip that the
-# board comes with: sector 10 with 1 MiB, sector 6 with 512 KiB. The generic image runs on both; it
-# finds out at start which one it is on.
-kerfline_board_image(kerfline_generic generic ${generic_${KERFLINE_GENERIC_CRYSTAL}} 0 768)
+# board comes with: sector 10 with 1 MiB, sector 6 with 512 KiB. kerfline_generic_512 runs on both
+# and finds out at start which one it is on; so do the images that end at 768, where they fit.
+set(generic ${generic_${KERFLINE_GENERIC_CRYSTAL}})
+kerfline_board_image(kerfline_generic generic ${generic} 0 768)
+kerfline_board_image(kerfline_generic_512 generic ${generic} 0 256 SMALL)
+kerfline_board_image(kerfline_generic_can generic kGenericCan 0 768)
 kerfline_board_image(kerfline_generic_1mbaud generic kGeneric1MBaud 0 768)
 kerfline_board_image(kerfline_btt_skr_2 btt_skr_2 kBttSkr2 32 768)
 kerfline_board_image(kerfline_btt_skr_pro_1_2 btt_skr_pro_1_2 kBttSkrPro12 32 768)
-kerfline_board_image(kerfline_mks_robin_nano_v3_0 mks_robin_nano_v3 kMksRobinNanoV30 48 768)
-kerfline_board_image(kerfline_mks_robin_nano_v3_1 mks_robin_nano_v3 kMksRobinNanoV31 48 256 SMALL)
+kerfline_board_image(kerfline_mks_robin_nano_v3_0 mks_robin_nano_v3
+  kMksRobinNanoV30${beam} 48 768)
+kerfline_board_image(kerfline_mks_robin_nano_v3_1 mks_robin_nano_v3
+  kMksRobinNanoV31${beam} 48 256 SMALL)

@@ -1,7 +1,5 @@
 #include "firmware/machine/machine.hpp"
 
-#include "planner/base/truncate.hpp"
-
 namespace cnc {
 namespace {
 
@@ -25,6 +23,7 @@ Machine::Machine(StepDrive& drive,
       homing_{drive, motion_, settings_},
       side_{drive, motion_, limits_},
       gap_{drive, motion_},
+      motor_enable_{outputs, settings_},
       kept_progress_{kept} {
   if (kept != nullptr) progress_ = kept->progress();
   watch_memory();
@@ -118,10 +117,12 @@ void Machine::poll(hal::TickCount now) {
   attend_rest_light(elapsed_us);
   if (!compensates()) motion_.stay_on_path();
   motion_.attend(elapsed_us);
-  attend_motor_enable(elapsed_us);
+  motor_enable_.attend(motor_need(), elapsed_us);
   const bool rested = !drive_.running();
-  side_.feed_drive();
-  motion_.feed_drive();
+  if (motor_enable_.ready()) {
+    side_.feed_drive();
+    motion_.feed_drive();
+  }
   drive_.settle();
   if (rested && drive_.running()) check_settings();
 }
@@ -192,23 +193,11 @@ void Machine::attend_rest_light(std::int32_t elapsed_us) {
   if (light == 0) rest_light_.disarm();
 }
 
-/// Current flows from before the first step until $1 after the last; with the
-/// greatest $1 it stays.
-void Machine::attend_motor_enable(std::int32_t elapsed_us) {
-  constexpr float kAlways = 255.0F;
-  const float delay_ms = settings_.get(setting::kIdleDelay);
-  bool enabled = motors_enabled_;
+MotorEnable::Need Machine::motor_need() const {
   if (!motion_.drained() || !side_.at_rest() || state_.in(Mode::kHome)) {
-    enabled = true;
-    motors_idle_us_ = 0;
-  } else if (delay_ms != kAlways || state_.in(Mode::kSleep)) {
-    motors_idle_us_ += elapsed_us;
-    const bool over = motors_idle_us_ >= truncated(delay_ms * 1000.0F);
-    enabled = enabled && !over && !state_.in(Mode::kSleep);
+    return MotorEnable::Need::kMotion;
   }
-  if (enabled == motors_enabled_) return;
-  motors_enabled_ = enabled;
-  outputs_.set_motors_enabled(enabled);
+  return state_.in(Mode::kSleep) ? MotorEnable::Need::kSleep : MotorEnable::Need::kRest;
 }
 
 }  // namespace cnc

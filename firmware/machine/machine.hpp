@@ -13,6 +13,7 @@
 #include "firmware/machine/machine_types.hpp"
 #include "firmware/machine/memory_watch.hpp"
 #include "firmware/machine/motion_control.hpp"
+#include "firmware/machine/motor_enable.hpp"
 #include "firmware/machine/progress.hpp"
 #include "firmware/machine/reentry.hpp"
 #include "firmware/machine/rest_light.hpp"
@@ -249,7 +250,7 @@ class Machine {
   [[nodiscard]] bool may_light_at_rest() const;
   [[nodiscard]] std::uint16_t duty_at_rest() const;
   void attend_rest_light(std::int32_t elapsed_us);
-  void attend_motor_enable(std::int32_t elapsed_us);
+  [[nodiscard]] MotorEnable::Need motor_need() const;
 
   // Actions, in machine_actions.cpp; probing in machine_probe.cpp. True when done.
   [[nodiscard]] bool run(const gcode::Action& action);
@@ -370,6 +371,7 @@ class Machine {
   Homing homing_;
   SideTrip side_;
   LightGap gap_;
+  MotorEnable motor_enable_;
   InputFilter inputs_{};
   StateMachine state_{};
   Alarm alarm_ = Alarm::kNone;
@@ -423,8 +425,6 @@ class Machine {
   OverridePercent percent_{};
   hal::TickCount last_poll_{};
   bool polled_ = false;
-  bool motors_enabled_ = false;
-  std::int64_t motors_idle_us_ = 0;
 };
 
 }  // namespace cnc

@@ -22,7 +22,7 @@ constexpr const char* kAxisNames = "X,Y,Z,A,B,C";
 
 // clang-format off
 // The size is spelled out: deduced, GCC 12 puts the table into RAM.
-constexpr std::array<SettingInfo, 113> kTable{{
+constexpr std::array<SettingInfo, 115> kTable{{
     SettingInfo{0, "Step pulse time", "microseconds", 1.0F, 12.0F, 5.0F, false,
      Group::kStepper, Type::kDecimal, kThousandths,
      "How long a step input is held high, and then low."},
@@ -97,7 +97,7 @@ constexpr std::array<SettingInfo, 113> kTable{{
     SettingInfo{27, "Homing switch pull-off distance", "mm", 0.0F, 1000.0F, 1.0F, false,
      Group::kHoming, Type::kDecimal, kThousandths,
      "How far to move away from a switch."},
-    SettingInfo{29, "Direction set-up time", "microseconds", 0.25F, 12.0F, 2.0F, false,
+    SettingInfo{29, "Direction set-up time", "microseconds", 0.25F, 12.0F, 5.0F, false,
      Group::kStepper, Type::kDecimal, kThousandths,
      "From a change of direction to the next step."},
     SettingInfo{30, "Maximum spindle speed", "RPM", 1.0F, 1.0e6F, 1000.0F, false,
@@ -109,6 +109,9 @@ constexpr std::array<SettingInfo, 113> kTable{{
     SettingInfo{32, "Laser mode", "0 or 1", 0.0F, 1.0F, 0.0F, true,
      Group::kSpindle, Type::kSwitch, "",
      "Power follows speed and is off whenever nothing moves."},
+    SettingInfo{37, "Motors kept enabled", "mask", 0.0F, 63.0F, 0.0F, true,
+     Group::kStepper, Type::kAxisMask, kAxisNames,
+     "Axes whose motors always have current, also asleep: a Z that would sink."},
     SettingInfo{40, "Limit jogging to the travel", "0 or 1", 0.0F, 1.0F, 0.0F, true,
      Group::kJogging, Type::kSwitch, "",
      "Stop jogs at the end of the travel."},
@@ -308,7 +311,7 @@ constexpr std::array<SettingInfo, 113> kTable{{
      Group::kGeneral, Type::kInteger, kWhole,
      "So long, and a fifth more, a sender may be silent while a laser works: one that polls, or "
      "that owes a line. Slow polls are waited for. Then dark: alarm 25. 0 waits for ever."},
-    SettingInfo{859, "CAN node", "number", 1.0F, 126.0F, 17.0F, false,
+    SettingInfo{859, "CAN node", "number", 1.0F, 126.0F, 17.0F, true,
      Group::kGeneral, Type::kInteger, kWhole,
      "This controller's number on a CAN bus. It changes as soon as nobody talks to it there."},
     SettingInfo{860, "Kerf control", "0 power, 1 path", 0.0F, 1.0F, 0.0F, true,
@@ -321,6 +324,10 @@ constexpr std::array<SettingInfo, 113> kTable{{
     SettingInfo{871, "Light at rest, time", "milliseconds", 0.0F, 60000.0F, 0.0F, true,
      Group::kSpindle, Type::kInteger, kWhole,
      "How long, between two motions."},
+    SettingInfo{884, "Enable to step delay", "milliseconds", 0.0F, 1000.0F, 0.0F, true,
+     Group::kStepper, Type::kInteger, kWhole,
+     "From current in motors that had none to their first step, beyond 1 ms. Drivers with a wired "
+     "enable input take up to 200."},
     SettingInfo{890, "Block delete", "0 or 1", 0.0F, 1.0F, 1.0F, true,
      Group::kGeneral, Type::kSwitch, "",
      "Skip lines that begin with /. $B switches it until this is set again; L among the pins of "
@@ -334,24 +341,54 @@ static_assert(std::is_sorted(kTable.begin(),
                                return a.number < b.number;
                              }));
 
-/// The row of each number, or how many rows there are: settings are looked up for every
-/// line, and a search costs as much as a word of G-code.
-constexpr std::size_t kNumbers = kTable.back().number + 1U;
-constexpr std::array<std::uint8_t, kNumbers> kRows = [] {
-  std::array<std::uint8_t, kNumbers> rows{};
-  rows.fill(static_cast<std::uint8_t>(kTable.size()));
-  for (std::size_t row = 0; row < kTable.size(); ++row) {
-    rows[kTable[row].number] = static_cast<std::uint8_t>(row);
+static_assert(std::all_of(kTable.begin(), kTable.end(), [](const SettingInfo& info) {
+  return info.whole == (info.type != SettingType::kDecimal);
+}));
+
+/// The row of each number: settings are looked up for every line, and a search costs as much as a
+/// word of G-code. Most numbers have none, so only blocks of numbers in which there is a setting
+/// are stored.
+class RowIndex {
+ public:
+  constexpr RowIndex() {
+    for (Block& block : blocks_) block.fill(kNone);
+    for (std::size_t row = 0; row < kTable.size(); ++row) {
+      const std::size_t number = kTable[row].number;
+      std::uint8_t& block = block_of_[number / kBlock];
+      if (block == 0) block = ++used_;
+      blocks_[block][number % kBlock] = static_cast<std::uint8_t>(row);
+    }
   }
-  return rows;
-}();
+  /// Returns the number of rows where there is no such setting.
+  [[nodiscard]] constexpr std::size_t row_of(std::size_t number) const {
+    return number < kNumbers ? blocks_[block_of_[number / kBlock]][number % kBlock] : kNone;
+  }
+
+ private:
+  static constexpr std::size_t kBlock = 16;
+  static constexpr std::size_t kNumbers = kTable.back().number + 1U;
+  static constexpr auto kNone = static_cast<std::uint8_t>(kTable.size());
+  using Block = std::array<std::uint8_t, kBlock>;
+
+  /// The first block is that of numbers without a setting.
+  static constexpr std::size_t kBlocks = [] {
+    std::size_t count = 1;
+    for (std::size_t row = 0; row < kTable.size(); ++row) {
+      if (row == 0 || kTable[row].number / kBlock != kTable[row - 1].number / kBlock) ++count;
+    }
+    return count;
+  }();
+
+  std::array<Block, kBlocks> blocks_{};
+  std::array<std::uint8_t, kNumbers / kBlock + 1> block_of_{};
+  std::uint8_t used_ = 0;
+};
+constexpr RowIndex kRows{};
 
 }  // namespace
 
 std::span<const SettingInfo> setting_table() { return kTable; }
 
-std::size_t setting_row(std::uint16_t number) {
-  return number < kNumbers ? kRows[number] : kTable.size();
-}
+std::size_t setting_row(std::uint16_t number) { return kRows.row_of(number); }
 
 }  // namespace cnc

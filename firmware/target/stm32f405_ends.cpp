@@ -45,7 +45,9 @@ void enter_boot_loader() {
 }
 
 void stand_still() {
-  kept = {};
+  // Word by word: the image may end before the library's function that fills memory.
+  kept.wanted = 0;
+  kept.fault.mark = 0;
   for (;;) asm volatile("wfi");
 }
 

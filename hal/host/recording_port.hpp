@@ -54,7 +54,7 @@ class RecordingPort final : public AuxiliaryOutputs, public MachineInputs {
     set_analog(output, value);
   }
 
-  void set_motors_enabled(bool enabled) override { motors_enabled = enabled; }
+  void set_motors_enabled(std::uint8_t axes) override { motors_enabled = axes; }
 
   // MachineInputs
   [[nodiscard]] InputState read_inputs() override {
@@ -74,7 +74,7 @@ class RecordingPort final : public AuxiliaryOutputs, public MachineInputs {
     digital = 0;
     set_spindle(false, false);
     set_coolant(false, false);
-    motors_enabled = false;
+    motors_enabled = 0;
     timer_started = false;
     changed = true;
   }
@@ -93,8 +93,8 @@ class RecordingPort final : public AuxiliaryOutputs, public MachineInputs {
   bool timer_started = false;  ///< Cleared by the reader.
   bool probe = false;
   SwitchMask limits{};
-  bool motors_enabled = false;
-  InputState panel{};  ///< Door and buttons; whoever simulates the operator sets them.
+  std::uint8_t motors_enabled = 0;  ///< By axes.
+  InputState panel{};               ///< Door and buttons; whoever simulates the operator sets them.
 
  private:
   using Steps = std::array<std::int32_t, kMotors>;

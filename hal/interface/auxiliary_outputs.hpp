@@ -15,8 +15,9 @@ class AuxiliaryOutputs {
   virtual void set_digital(std::uint8_t output, bool high) = 0;
   /// @param value 65535 is full scale.
   virtual void set_analog_output(std::uint8_t output, std::uint16_t value) = 0;
-  /// Current in the motors. Without it they turn freely and may lose their place.
-  virtual void set_motors_enabled(bool enabled) = 0;
+  /// Current in the motors of these axes, a bit each from X on, and in no others. Without it they
+  /// turn freely and may lose their place.
+  virtual void set_motors_enabled(std::uint8_t axes) = 0;
 
  protected:
   ~AuxiliaryOutputs() = default;

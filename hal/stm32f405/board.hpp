@@ -33,6 +33,7 @@ struct Board {
   std::array<Motor, kAxes> second_motors{};  ///< Of axes that have two.
   Pin motors_enable{};                       ///< Of all motors at once.
   Pin motor_power{};                         ///< Driven high from start-up on.
+  Pin held_low{};                            ///< Driven low from start-up on.
   std::array<Pin, kAxes> limits{};
   std::array<Pin, kAxes> second_limits{};
   Pin probe{};
@@ -87,6 +88,7 @@ class PinCensus {
   constexpr void add(const std::array<Thing, Count>& things) {
     for (const Thing& thing : things) add(thing);
   }
+  constexpr bool operator==(const PinCensus&) const = default;
   [[nodiscard]] constexpr bool clash() const { return clash_; }
   [[nodiscard]] constexpr bool has(Pin pin) const { return (named_[pin.port] & pin.mask()) != 0; }
 
@@ -104,6 +106,7 @@ constexpr PinCensus pins_of(const Board& board) {
   census.add(board.outputs);
   for (const Pin pin : {board.motors_enable,
                         board.motor_power,
+                        board.held_low,
                         board.probe,
                         board.door,
                         board.hold,
@@ -123,6 +126,24 @@ constexpr PinCensus pins_of(const Board& board) {
   }
   if (board.has_usb) census.add(kUsbPins);
   return census;
+}
+
+/// Checks that no output is a pin of the debugger (PA13, PA14), which drives them when it is
+/// attached. Inputs may be, and a pin that is held where its reset pull-down has it.
+constexpr bool debugger_is_left_alone(Board board) {
+  for (Pin* const pin : {&board.probe,
+                         &board.door,
+                         &board.hold,
+                         &board.start,
+                         &board.reset,
+                         &board.emergency_stop,
+                         &board.held_low}) {
+    *pin = {};
+  }
+  board.limits = {};
+  board.second_limits = {};
+  const PinCensus outputs = pins_of(board);
+  return !outputs.has(pa(13)) && !outputs.has(pa(14));
 }
 
 /// Each motor that steps has a direction, and some pin that enables it.
@@ -154,7 +175,7 @@ struct CheckedBoard {
 
   static_assert(is_usable_crystal(kBoard.crystal_hz), "the PLL cannot use this crystal");
   static_assert(!kPins.clash(), "a pin does not exist, or does two things");
-  static_assert(!kPins.has(pa(13)) && !kPins.has(pa(14)), "PA13 and PA14 are the debugger's");
+  static_assert(debugger_is_left_alone(kBoard), "PA13 and PA14 are the debugger's: no outputs");
   static_assert(motors_are_whole(kBoard), "a motor steps without direction or enable");
   static_assert(kBoard.motors[0].step.exists() && kBoard.motors[1].step.exists(),
                 "a machine has X and Y");

@@ -66,7 +66,9 @@ inline std::size_t describe(const Fitness& fitness, std::span<char> into) {
           .number(fitness.flash_kib)
           .text(" KiB of flash, and the image with ");
       text.text("its store takes ").number(fitness.wanted_kib);
-      text.text(" KiB. Use a board with a larger chip");
+      text.text(fitness.flash_kib >= 512
+                    ? " KiB. Use an image for 512 KiB, or a board with a larger chip"
+                    : " KiB. Use a board with a larger chip");
       break;
   }
   text.text("]\r\n");

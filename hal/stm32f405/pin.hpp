@@ -52,7 +52,7 @@ struct PinSetUp {
     if (!pin.exists()) return;
     turn_port_on(pin);
     write(pin, high);
-    modify<Bus>(gpio::speed(pin.port), two_bits(pin, 3), two_bits(pin, kMediumSpeed));
+    modify<Bus>(gpio::speed(pin.port), two_bits(pin, 3), two_bits(pin, speed_of(pin)));
     set_mode(pin, PinMode::kOutput);
   }
 
@@ -83,6 +83,12 @@ struct PinSetUp {
  private:
   /// 25 MHz: edges of some 10 ns, which drivers see and long cables do not ring from.
   static constexpr Word kMediumSpeed = 1;
+  static constexpr Word kLowSpeed = 0;
+
+  /// PC13 to PC15 are fed through the backup domain's switch: 2 MHz at most (DS8626, table 7).
+  static constexpr Word speed_of(Pin pin) {
+    return pin.port == pc(13).port && pin.number >= 13 ? kLowSpeed : kMediumSpeed;
+  }
 
   static constexpr Word two_bits(Pin pin, Word value) { return value << (2U * pin.number); }
 };

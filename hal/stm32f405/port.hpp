@@ -36,6 +36,7 @@ class Port final : public AuxiliaryOutputs, public MachineInputs {
     for (const Motor& motor : kBoard.second_motors) PinSetUp<Bus>::make_output(motor.enable, true);
     PinSetUp<Bus>::make_output(kBoard.motors_enable, true);
     PinSetUp<Bus>::make_output(kBoard.motor_power, true);
+    PinSetUp<Bus>::make_output(kBoard.held_low, false);
     for (const Pin pin : kBoard.outputs) PinSetUp<Bus>::make_output(pin, false);
     for (const Pin pin :
          {kBoard.spindle_enable, kBoard.spindle_direction, kBoard.mist, kBoard.flood}) {
@@ -99,14 +100,15 @@ class Port final : public AuxiliaryOutputs, public MachineInputs {
     if (output < kBoard.outputs.size()) PinSetUp<Bus>::write(kBoard.outputs[output], high);
   }
   void set_analog_output(std::uint8_t, std::uint16_t) override {}
-  void set_motors_enabled(bool enabled) override {
-    motors_enabled_ = enabled;
+  /// Motors that share a pin have current when one of them is to have it.
+  void set_motors_enabled(std::uint8_t axes) override {
+    motors_enabled_ = axes;
     for (std::size_t axis = 0; axis < kAxes; ++axis) {
-      const bool high = enabled == ((polarity_.enables >> axis & 1U) != 0);
+      const bool high = ((axes ^ polarity_.enables) >> axis & 1U) == 0;
       PinSetUp<Bus>::write(kBoard.motors[axis].enable, high);
       PinSetUp<Bus>::write(kBoard.second_motors[axis].enable, high);
     }
-    PinSetUp<Bus>::write(kBoard.motors_enable, enabled == ((polarity_.enables & 1U) != 0));
+    PinSetUp<Bus>::write(kBoard.motors_enable, (axes != 0) == ((polarity_.enables & 1U) != 0));
   }
 
   // MachineInputs
@@ -138,7 +140,7 @@ class Port final : public AuxiliaryOutputs, public MachineInputs {
   Clocks clocks_{};
   Polarity polarity_{};
   bool refuses_motion_ = false;
-  bool motors_enabled_ = false;
+  std::uint8_t motors_enabled_ = 0;
   bool spindle_enabled_ = false;
   bool spindle_reversed_ = false;
   bool mist_on_ = false;

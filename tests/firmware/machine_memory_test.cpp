@@ -97,7 +97,7 @@ class BusyOutputs final : public hal::AuxiliaryOutputs {
   void set_coolant(bool, bool) override {}
   void set_digital(std::uint8_t, bool) override {}
   void set_analog_output(std::uint8_t, std::uint16_t) override {}
-  void set_motors_enabled(bool) override {}
+  void set_motors_enabled(std::uint8_t) override {}
 
   std::function<void()> meanwhile;
 };

@@ -71,6 +71,15 @@ TEST(Settings, RefuseEveryOtherNumber) {
   }
 }
 
+TEST(Settings, AreWholeUnlessTheyAreDecimals) {
+  Settings settings;
+  for (const SettingInfo& info : setting_table()) {
+    const auto set = settings.set(info.number, info.least + 0.5F);
+    if (info.type == SettingType::kDecimal || info.least + 0.5F > info.most) continue;
+    EXPECT_EQ(set.error(), SettingError::kNotWhole) << info.number;
+  }
+}
+
 TEST(Settings, RefuseBrokenNumbersWhereOnlyWholeOnesMeanAnything) {
   Settings settings;
   EXPECT_EQ(settings.set(setting::kLaserMode, 0.5F).error(), SettingError::kNotWhole);
@@ -127,7 +136,7 @@ TEST(Configuration, LeavesRoomForTakingUpBacklash) {
 TEST(Configuration, ReadsPulseTimesInTicks) {
   Settings settings;
   EXPECT_EQ(step_timing_from(settings).pulse, 20U);
-  EXPECT_EQ(step_timing_from(settings).direction_set_up, 8U);
+  EXPECT_EQ(step_timing_from(settings).direction_set_up, 20U) << "external drivers want 5 µs";
   ASSERT_TRUE(settings.set(setting::kDirectionSetUp, 0.25F).ok());
   EXPECT_EQ(step_timing_from(settings).direction_set_up, 1U);
 }

@@ -30,7 +30,7 @@ struct HostBench {
     port.start_timer();
     return port.timer_started;
   }
-  bool motors_have_current() { return port.motors_enabled; }
+  bool motors_have_current() { return port.motors_enabled != 0; }
   bool spindle_enabled() { return port.spindle_enabled; }
   void touch_probe(bool contact) { port.probe = contact; }
   void close_limit(std::size_t axis) { port.limits.first = static_cast<std::uint8_t>(1U << axis); }
@@ -206,11 +206,11 @@ TYPED_TEST(PortContract, TheTimerIsStartedByAskingForIt) {
 TYPED_TEST(PortContract, NothingIsOnUntilItIsAskedFor) {
   EXPECT_FALSE(this->bench_.motors_have_current());
   EXPECT_FALSE(this->bench_.spindle_enabled());
-  this->bench_.port.set_motors_enabled(true);
+  this->bench_.port.set_motors_enabled(0b111111);
   this->bench_.port.set_spindle(true, false);
   EXPECT_TRUE(this->bench_.motors_have_current());
   EXPECT_TRUE(this->bench_.spindle_enabled());
-  this->bench_.port.set_motors_enabled(false);
+  this->bench_.port.set_motors_enabled(0);
   this->bench_.port.set_spindle(false, true);
   EXPECT_FALSE(this->bench_.motors_have_current());
   EXPECT_FALSE(this->bench_.spindle_enabled());

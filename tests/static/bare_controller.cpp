@@ -30,7 +30,7 @@ struct BareOutputs final : hal::AuxiliaryOutputs {
   void set_coolant(bool mist, bool) override { pins = mist; }
   void set_digital(std::uint8_t output, bool) override { pins = output; }
   void set_analog_output(std::uint8_t output, std::uint16_t) override { pins = output; }
-  void set_motors_enabled(bool enabled) override { pins = enabled; }
+  void set_motors_enabled(std::uint8_t axes) override { pins = axes; }
 };
 
 struct BareInputs final : hal::MachineInputs {

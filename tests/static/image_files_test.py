@@ -45,7 +45,9 @@ class DfuSe(unittest.TestCase):
         image = pathlib.Path("kerfline.elf")
         self.assertIn("dfu-util", image_files.how_to_flash(image, 0x08000000))
         self.assertIn("0x0800c000", image_files.how_to_flash(image, 0x0800C000))
-        self.assertNotIn("dfu-util", image_files.how_to_flash(image, 0x0800C000))
+        behind_a_loader = image_files.how_to_flash(image, 0x0800C000)
+        self.assertIn("to the card", behind_a_loader)
+        self.assertIn("kerfline.dfu, which leaves the board's loader", behind_a_loader)
 
 
 if __name__ == "__main__":

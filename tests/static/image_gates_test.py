@@ -142,6 +142,14 @@ class ImageGates(unittest.TestCase):
             status = image_files.main()
         return status, output.getvalue(), elf.exists()
 
+    def test_a_board_s_caution_is_printed_and_is_not_in_the_image(self):
+        text = '[[gnu::section(".caution"), gnu::used]] constexpr char caution[] = "Is it blue?";'
+        status, said, _ = self.files_of(RIGHT + text)
+        self.assertEqual(0, status)
+        self.assertIn("  CAUTION: Is it blue?.\n", said)
+        self.assertNotIn(b"Is it blue?", (self.folder / "a.bin").read_bytes())
+        self.assertNotIn("CAUTION", self.files_of(RIGHT)[1])
+
     def test_nothing_is_made_of_an_image_with_any_of_these(self):
         self.assertEqual(self.files_of(RIGHT)[0::2], (0, True))
         for expected, source in FILES.items():

@@ -17,6 +17,9 @@ import zlib
 
 import emulator
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "faults"))
+from plant import assemble  # noqa: E402
+
 PLUGIN, IMAGE = "", pathlib.Path()
 BANNER = r"Grbl 1\.1h \['\$' for help\]\r\n"
 SCRATCH = 0x2001F000  # RAM behind all that the image uses.
@@ -56,6 +59,27 @@ class ControllerTest(unittest.TestCase):
         self.assertRegex(told, r"\[CLOCK:16 MHz,internal without PLL\]")
         used, size = map(int, re.search(r"\[STACK:(\d+),(\d+)\]", told).groups())
         self.assertTrue(500 < used < size, (used, size))
+
+    def test_starts_from_a_loader_that_left_masks_and_another_stack(self):
+        left = assemble(f"""
+            movs r0, #0x10
+            msr  basepri, r0
+            ldr  r0, ={SCRATCH + 0x800:#x}
+            msr  psp, r0
+            movs r0, #2
+            msr  control, r0
+            isb
+            cpsid f
+            ldr  r0, ={symbol("reset_entry") | 1:#x}
+            bx   r0
+        """)
+        left += bytes(-len(left) % 4)
+        with self.chip.debugger() as debugger:
+            for at in range(0, len(left), 4):
+                debugger.set_word(SCRATCH + at, int.from_bytes(left[at:at + 4], "little"))
+            debugger.go_to(SCRATCH)
+        self.chip.hear(BANNER)
+        self.assertIn("[FIRMWARE:Kerfline]", self.ask("$I+"))
 
     def test_answers_as_grbl(self):
         self.chip.say("?")

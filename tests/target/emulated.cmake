@@ -16,16 +16,21 @@ add_test(NAME target.controller
     ${plugin} ${images}/kerfline_generic.elf)
 add_test(NAME target.dark_first
   COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/dark_first.py
-    ${plugin} ${images}/kerfline_generic.elf=A8 ${images}/kerfline_btt_skr_2.elf=B0
+    ${plugin} ${images}/kerfline_generic.elf=A8 ${images}/kerfline_generic_512.elf=A8
+    ${images}/kerfline_generic_can.elf=A8 ${images}/kerfline_btt_skr_2.elf=B0
     ${images}/kerfline_btt_skr_pro_1_2.elf=A8 ${images}/kerfline_mks_robin_nano_v3_0.elf=A8
     ${images}/kerfline_mks_robin_nano_v3_1.elf=A8)
 set_tests_properties(target.controller target.dark_first PROPERTIES
   LABELS target TIMEOUT 300 SKIP_RETURN_CODE 77)
 # faults: what goes wrong, in the emulated chip with all its peripherals.
-foreach(test faults fitness flips cuts job)
+foreach(test faults fitness flips cuts job drivers)
   set(image kerfline_generic)
   if(test STREQUAL job)
     set(image kerfline_generic_1mbaud)
+  elseif(test MATCHES "fitness|cuts")
+    set(image kerfline_generic_512)
+  elseif(test STREQUAL drivers)
+    set(image kerfline_mks_robin_nano_v3_1)
   endif()
   add_test(NAME target.${test}
     COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/faults/test_${test}.py
@@ -38,7 +43,7 @@ add_test(NAME target.resume
 set_tests_properties(target.resume PROPERTIES LABELS target TIMEOUT 300 SKIP_RETURN_CODE 77)
 add_test(NAME target.can_image
   COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/faults/test_can.py
-    ${plugin} ${images}/kerfline_btt_skr_pro_1_2.elf)
+    ${plugin} ${images}/kerfline_generic_can.elf)
 set_tests_properties(target.can_image PROPERTIES LABELS target TIMEOUT 300 SKIP_RETURN_CODE 77)
 # image_trace: every edge of the image, and of the simulator.
 file(GLOB trace_sources CONFIGURE_DEPENDS trace/*.cpp)

@@ -18,7 +18,7 @@ class QuietMachine : public hal::AuxiliaryOutputs, public hal::MachineInputs {
   void set_coolant(bool, bool) final {}
   void set_digital(std::uint8_t, bool) final {}
   void set_analog_output(std::uint8_t, std::uint16_t) final {}
-  void set_motors_enabled(bool) final {}
+  void set_motors_enabled(std::uint8_t) final {}
   [[nodiscard]] hal::InputState read_inputs() final { return {}; }
 
   bool started = false;

@@ -1,10 +1,10 @@
 #pragma once
 
-#include "hal/stm32f405/board.hpp"
+#include "hal/stm32f405/board_sheet.hpp"
 
 namespace hal::stm32f405 {
 
-/// Any board with an F405 or F407 and its pins on headers. X, Y, Z, beam,
+/// Any board with an F405, F407 or F429 and its pins on headers. X, Y, Z, beam,
 /// coolant and buttons are where grblHAL has them (STM32F4xx driver,
 /// boards/generic_map.h); the rest is ours, on pins that a package of 64 has.
 inline constexpr Board kGeneric{
@@ -51,5 +51,27 @@ constexpr Board with_baud(Board board, const char* name, std::uint32_t baud) {
 
 inline constexpr Board kGeneric1MBaud =
     with_baud(kGeneric, "Generic F405/F407, 1 Mbaud", 1'000'000);
+
+/// With a transceiver at CAN1, on pins that packages of 100 and more have.
+constexpr Board with_can(Board board, const char* name) {
+  board.name = name;
+  board.can_transmit = pd(1);
+  board.can_receive = pd(0);
+  return board;
+}
+
+inline constexpr Board kGenericCan = with_can(kGeneric, "Generic F407, CAN");
+
+template <>
+inline constexpr BoardSheet kSheet<kGeneric>{
+    .chips = "STM32F405, STM32F407 or STM32F429 with 512 KiB of flash or more",
+    .notes = "Its pins are those of the chip, on the headers of any board.",
+};
+template <>
+inline constexpr BoardSheet kSheet<kGenericCan>{
+    .chips = "STM32F407 or STM32F429 with 100 pins and 1 MiB of flash or more",
+    .notes =
+        "Its pins are those of the chip, on the headers of any board. CAN needs a transceiver.",
+};
 
 }  // namespace hal::stm32f405

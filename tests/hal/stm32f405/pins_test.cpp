@@ -30,9 +30,11 @@ class BoardPins : public testing::Test {};
 using Boards = testing::Types<On<kGeneric>,
                               On<kGeneric12>,
                               On<kGeneric25>,
+                              On<kGenericCan>,
                               On<kBttSkr2>,
                               On<kBttSkrPro12>,
                               On<kMksRobinNanoV30>,
+                              On<kMksRobinNanoV31He1>,
                               On<kTwoMotors>>;
 TYPED_TEST_SUITE(BoardPins, Boards);
 
@@ -147,6 +149,51 @@ TEST(Pins, EachControlHasItsBitOfTheSetting) {
   EXPECT_EQ((InputState{
                 .door = true, .hold = true, .start = true, .reset = true, .emergency_stop = true}),
             port.read_inputs());
+}
+
+TEST(Pins, MotorsHaveCurrentByAxes) {
+  ChipModel& chip = ModelBus::start_anew();
+  Port<kBttSkr2, ModelBus> port;
+  port.set_up(kFullSpeed);
+  const auto driven_low = [&](unsigned axis) {
+    return !chip.is_high(kBttSkr2.motors[axis].enable);
+  };
+  port.set_motors_enabled(0b00100);
+  EXPECT_TRUE(driven_low(2));
+  EXPECT_FALSE(driven_low(0) || driven_low(1) || driven_low(3) || driven_low(4));
+  port.configure({.enables = 0b00011});
+  EXPECT_TRUE(driven_low(0) && driven_low(1) && driven_low(2)) << "what is active has changed";
+  port.set_motors_enabled(0b11011);
+  EXPECT_TRUE(!driven_low(0) && !driven_low(1) && !driven_low(2) && driven_low(3) && driven_low(4));
+}
+
+TEST(Pins, ASharedEnableIsOnWhileAnyAxisIsToHaveCurrent) {
+  ChipModel& chip = ModelBus::start_anew();
+  Port<kGeneric, ModelBus> port;
+  port.set_up(kFullSpeed);
+  port.set_motors_enabled(0b000100);
+  EXPECT_FALSE(chip.is_high(kGeneric.motors_enable));
+  port.set_motors_enabled(0);
+  EXPECT_TRUE(chip.is_high(kGeneric.motors_enable));
+}
+
+TEST(Pins, ARobinNanoHoldsTheSwitchOfItsUsbLow) {
+  ChipModel& chip = ModelBus::start_anew();
+  Port<kMksRobinNanoV30, ModelBus> port;
+  port.set_up_at_rest();
+  EXPECT_EQ(1U, chip.mode_of(pa(14)));
+  EXPECT_FALSE(chip.is_high(pa(14)));
+}
+
+/// DS8626, table 7: they share the current of the backup domain.
+TEST(Pins, PinsOfTheBackupDomainAreSlow) {
+  ChipModel& chip = ModelBus::start_anew();
+  for (const Pin pin : {pc(12), pc(13), pc(14), pc(15), pb(13)}) {
+    PinSetUp<ModelBus>::make_output(pin, true);
+    const Word speed = chip.cells[gpio::speed(pin.port)] >> (2U * pin.number) & 3U;
+    const bool slow = pin.port == pc(0).port && pin.number >= 13;
+    EXPECT_EQ(slow ? 0U : 1U, speed) << unsigned{pin.number};
+  }
 }
 
 TEST(Pins, WithTooSlowAClockTheMachineIsHeldStopped) {

@@ -1,7 +1,7 @@
 """The image of a board with CAN, as a node of a bus on which others say what a script has: text,
 stops, a host that falls silent, and a master that gives out numbers.
 
-    test_can.py PLUGIN kerfline_btt_skr_pro_1_2.elf
+    test_can.py PLUGIN kerfline_generic_can.elf
 """
 
 import pathlib
@@ -17,7 +17,7 @@ EMERGENCY, HEARTBEAT, HOST_HEARTBEAT, LSS_TO, LSS_FROM = 0x080, 0x700, 0x77F, 0x
 START, STOP, RESET_COMMUNICATION = 0x01, 0x02, 0x82
 BEGIN = 100 * MS  # Of talking: the image has started.
 SET_UP = ["$32=1", "$858=0", "$120=2000", "$121=2000"]
-STEP_PIN, BEAM_PIN, BEAM_TIMER = "PE9", "PA8", "TIM1_CH1"
+STEP_PIN, BEAM_PIN, BEAM_TIMER = "PA0", "PA8", "TIM1_CH1"
 
 
 class Script:

@@ -2,7 +2,7 @@
 """Power goes at flash operations of a script of savings; after the next start everything that was
 acknowledged is there.
 
-    test_cuts.py PLUGIN kerfline_generic.elf [TEST...]
+    test_cuts.py PLUGIN kerfline_generic_512.elf [TEST...]
 
 On a chip with 1 MiB of flash and one with 512 KiB. KERFLINE_TRIALS=400 cuts that often on each (6),
 KERFLINE_SEED chooses where. Ends with 77 (skipped) where

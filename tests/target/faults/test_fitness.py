@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""The generic image on chips with 1 MiB, 512 KiB and 256 KiB of flash, and images that are not whole:
+"""The generic image for 512 KiB on chips with 1 MiB, 512 KiB and 256 KiB of flash, and images that are not whole:
 it runs and stores, or it says why it does not, beam and motors off.
 
-    test_fitness.py PLUGIN kerfline_generic.elf [TEST...]
+    test_fitness.py PLUGIN kerfline_generic_512.elf [TEST...]
 
-Ends with 77 (skipped) where the emulator, the plug-in or the image is missing.
+The images beside it that are made for 1 MiB are tried, too. Ends with 77 (skipped) where the emulator,
+the plug-in or the image is missing.
 """
 
 import pathlib
@@ -13,7 +14,7 @@ import tempfile
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
-from chip import BEAM_PIN, BOOT_NS, CHIP_OPTIONS, FLASH, MS, STOPPED, main  # noqa: E402
+from chip import BEAM_PIN, BOOT_NS, CHIP_OPTIONS, FLASH, MS, STOPPED, Chip, main  # noqa: E402
 
 CHIP = None
 ENABLE_PIN = "PA15"  # Of all motors of the generic board, low where they have current.
@@ -67,6 +68,22 @@ class FitnessTest(unittest.TestCase):
         enables = [rest for _, source, rest in run.trace
                    if source == "pin" and rest.startswith(ENABLE_PIN + " ")]
         self.assertEqual([f"{ENABLE_PIN} 1"], enables[-1:])
+
+    def test_images_for_1_mib_run_on_512_kib_only_where_they_fit(self):
+        refused = 0
+        for name in ("kerfline_generic", "kerfline_generic_can"):
+            with self.subTest(name):
+                chip = Chip(CHIP.plugin, CHIP.image.with_name(f"{name}.elf"))
+                size = chip.image.with_suffix(".bin").stat().st_size
+                run = chip.run("$110=5432\n", BOOT_NS + 100 * MS, "flash_kib=512", *CHIP_OPTIONS)
+                if FLASH + size <= STORE[512]:
+                    self.assertEqual(1, run.said.count("ok\r\n"), run.said)
+                    continue
+                refused += 1
+                self.assert_refused(run, "the chip has 512 KiB of flash, and the image with its store "
+                                         "takes 1024 KiB. Use an image for 512 KiB, or a board with a "
+                                         "larger chip]\r\n", 1)
+        self.assertGreater(refused, 0, "no image is large enough for this test")
 
     def test_the_way_into_the_boot_loader_stays_open(self):
         """There is none here: what would jump into it is a fault, and the image says again why it does

@@ -126,7 +126,7 @@ class GcodeAuthor {
 std::string settings_of(const proof::TestMachine& machine, Random& random) {
   const cnc::motion::Limits& limits = machine.limits;
   std::string text = fmt::format("$858=0\n$32={}\n", random.chance(0.7) ? 1 : 0);
-  text += fmt::format("$0={:.2f}\n", machine.timing.pulse / 4.0);
+  text += fmt::format("$0={:.2f}\n$29=2\n", machine.timing.pulse / 4.0);
   text += fmt::format("$11={:.4f}\n", limits.junction_deviation_mm);
   for (std::size_t axis = 0; axis < kAxes; ++axis) {
     text += fmt::format("${}={:.3f}\n", 100 + axis, limits.scale[axis].steps_per_mm());

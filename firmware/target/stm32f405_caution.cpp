@@ -1,0 +1,23 @@
+/// The question to answer before the image is flashed onto its board. It is in the ELF file, from
+/// which toolchain/image_files.py prints it, and never on the chip.
+
+#include <array>
+#include <cstddef>
+#include <string_view>
+
+#include KERFLINE_BOARD_HEADER
+#include "hal/stm32f405/board_sheet.hpp"
+
+namespace target {
+namespace {
+
+constexpr std::string_view kText = hal::stm32f405::kSheet<hal::stm32f405::KERFLINE_BOARD>.caution;
+
+[[gnu::section(".caution"), gnu::used]] constexpr auto kCaution = [] {
+  std::array<char, kText.size() + 1> text{};
+  for (std::size_t i = 0; i < kText.size(); ++i) text[i] = kText[i];
+  return text;
+}();
+
+}  // namespace
+}  // namespace target

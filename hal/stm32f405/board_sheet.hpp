@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "hal/stm32f405/board.hpp"
+
+namespace hal::stm32f405 {
+
+/// The connector at which a pin comes out, as the board's maker has printed it.
+struct Connector {
+  Pin pin{};
+  const char* name = "";
+};
+
+/// What a user is to know of a board besides its pins. No image contains it: docs/boards.md is
+/// written from it, and what is printed when an image is built.
+struct BoardSheet {
+  const char* chips = "";    ///< Those with which the board is sold.
+  const char* caution = "";  ///< A question to answer before flashing, and the reason for it.
+  const char* notes = "";
+  std::array<const char*, kAxes> sockets{};    ///< Of the motors' drivers.
+  std::span<const Connector> connectors = {};  ///< Of all pins but the motors' and USB's.
+};
+
+/// Each board's header has its own.
+template <const Board& kBoard>
+inline constexpr BoardSheet kSheet{};
+
+/// Returns the connector's name; null where the sheet has none for the pin.
+constexpr const char* connector_of(const BoardSheet& sheet, Pin pin) {
+  for (const Connector& connector : sheet.connectors) {
+    if (connector.pin == pin) return connector.name;
+  }
+  return nullptr;
+}
+
+/// Checks that a sheet names each pin of the board once, and no other pin.
+constexpr bool sheet_is_whole(const BoardSheet& sheet, const Board& board) {
+  Board rest = board;
+  rest.has_usb = false;
+  rest.second_motors = {};
+  for (std::size_t axis = 0; axis < kAxes; ++axis) {
+    if (rest.motors[axis].step.exists() && sheet.sockets[axis] == nullptr) return false;
+    rest.motors[axis] = {};
+  }
+  const PinCensus pins = pins_of(rest);
+  PinCensus named;
+  for (const Connector& connector : sheet.connectors) {
+    if (!pins.has(connector.pin)) return false;
+    named.add(connector.pin);
+  }
+  return !named.clash() && named == pins;
+}
+
+/// The sheet of a board that is sold as one: instantiating it is the check.
+template <const Board& kBoard>
+struct CheckedSheet {
+  static_assert(sheet_is_whole(kSheet<kBoard>, kBoard),
+                "the sheet names each pin of the board once, and no other");
+};
+
+}  // namespace hal::stm32f405
