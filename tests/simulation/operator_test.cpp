@@ -188,6 +188,8 @@ bool abort_after(std::uint64_t seed) {
   for (std::size_t turn = 0; turn < turns && !simulator.done(); ++turn) simulator.turn();
   if (after_hold) machine.feed_hold();
   for (std::size_t turn = after_hold ? random.below(4000) : 0; turn > 0; --turn) simulator.turn();
+  const Steps before = simulator.port().position;
+  for (int turn = 0; turn < 10; ++turn) simulator.turn();
   const bool at_rest = machine.motion().drained() || machine.motion().halted();
   machine.reset();
   simulator.turn();
@@ -197,6 +199,11 @@ bool abort_after(std::uint64_t seed) {
     return false;
   }
   EXPECT_EQ(simulator.port().power, 0);
+  // Motion may be planned of which nothing has been driven yet.
+  if (machine.alarm() == cnc::Alarm::kNone) {
+    EXPECT_EQ(stopped, before);
+    return false;
+  }
   for (int turn = 0; turn < 100; ++turn) simulator.turn();
   EXPECT_EQ(simulator.port().position, stopped) << "moves on after the abort";
   EXPECT_EQ(machine.alarm(), cnc::Alarm::kAbortInMotion);
