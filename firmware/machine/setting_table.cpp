@@ -317,8 +317,7 @@ constexpr std::array<SettingInfo, 111> kTable{{
      "the programmed one. Keep power by speed, M3 too, or go farther from the edge or nearer."},
     SettingInfo{890, "Block delete", "0 or 1", 0.0F, 1.0F, 1.0F, true,
      Group::kGeneral, Type::kSwitch, "",
-     "Skip lines that begin with /. $B switches it until this is set again; L among the pins of "
-     "0x87 shows it."},
+     "Skip lines that begin with /. $B switches it until this is set."},
 }};
 // clang-format on
 static_assert(kTable.size() <= Settings::kMostSettings);
