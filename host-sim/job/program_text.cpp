@@ -8,6 +8,7 @@
 
 #include "firmware/link/line_check.hpp"
 #include "firmware/link/realtime_byte.hpp"
+#include "planner/gcode/block.hpp"
 #include "planner/gcode/line_reader.hpp"
 
 namespace sim {
@@ -146,10 +147,21 @@ class Preparation {
     if (mark) {
       found_[kChecks].add(line_, star + 1, "checks of lines, all of them right, are left out");
       blank(line, star, 1 + mark->digits.size());
+      blank_number_of_statement(line);
     }
     if (!counts_anew(text)) return;
     found_[kCounting].add(line_, 0, "M110 is for senders that repeat lines: it is left out");
     blank(line, 0, line.size());
+  }
+
+  /// `N5 $G`: with a check a controller takes it, without one a statement has no number.
+  void blank_number_of_statement(std::span<char> line) {
+    const std::string_view text{line.data(), line.size()};
+    const std::size_t dollar = text.find('$');
+    if (dollar == std::string_view::npos) return;
+    const std::string_view before = text.substr(0, dollar);
+    const bool number = before.find_first_not_of("Nn0123456789 \t") == std::string_view::npos;
+    if (number) blank(line, 0, dollar);
   }
 
   /// M110, with or without a number before and behind it.
@@ -197,9 +209,9 @@ class Preparation {
   }
 
   void blank_rest(std::span<char> line) {
-    const std::string_view text{line.data(), line.size()};
-    cnc::gcode::LineReader reader{text};
-    const bool nothing = !reader.begin(block_delete_) && reader.at_end();
+    cnc::gcode::Block block;
+    const bool nothing =
+        !cnc::gcode::read_block({line.data(), line.size()}, block_delete_, block) && block.empty();
     if (!nothing) {
       found_[kRest].add(
           line_, 0, fmt::format("the program ended in line {}: nothing from here on is driven", end_line_));

@@ -70,7 +70,7 @@ TEST(Check, RefusesWhatTheControllerRefusesAndCostsNoMoreForIt) {
   EXPECT_THAT(faults_of(checked("G2 X0 Y0 I10 P10000000 F1000\n")),
               ElementsAre(HasSubstr("f:1:14: P10000000 is greater than 65535")));
   EXPECT_THAT(faults_of(checked("G93\nG1 Y1 F.0000001\n")),
-              ElementsAre(HasSubstr("f:2:7: motion would take 6944.44")));
+              ElementsAre("f:2:7: motion takes more than 30 days: check F"));
   EXPECT_EQ(checked("G0 X[1]\n").path_length_mm, 0.0);
 }
 

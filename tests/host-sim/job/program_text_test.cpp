@@ -58,6 +58,10 @@ TEST(ProgramText, LeavesOutGoodChecksOfAnyForm) {
   EXPECT_THAT(program.faults, IsEmpty());
 }
 
+TEST(ProgramText, LeavesOutTheNumberOfAStatementWithItsCheck) {
+  EXPECT_EQ(prepare_program(with_sum("N5 $G") + "\nN6 $G\n").text, "   $G   \nN6 $G\n");
+}
+
 TEST(ProgramText, NamesWrongChecksByLineAndKeepsThem) {
   const std::string file = "N1 G21*20\nN2 G1 X5 F500*52\nN3 G0*12345678\nG0 X1*0 ; no\n";
   const ProgramText program = prepare_program(file);
