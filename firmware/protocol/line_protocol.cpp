@@ -242,9 +242,8 @@ void LineProtocol::ask_again(LineCheck::Verdict verdict) {
 void LineProtocol::handle(std::string_view line) {
   const std::string_view whole = line;
   if (assembler_.too_long()) {
-    return refuse(error_number::kLineTooLong,
-                  kLongestLine + 1,
-                  "line is longer than 256 characters");
+    return refuse(
+        error_number::kLineTooLong, kLongestLine + 1, "line is longer than 256 characters");
   }
   line = gcode::without_mark(line);
   while (!line.empty() && gcode::is_blank(line.front())) line.remove_prefix(1);

@@ -57,7 +57,16 @@ class Preparation {
   }
 
  private:
-  enum Kind : std::uint8_t { kMark, kControl, kAtOnce, kForeign, kChecks, kCounting, kSlash, kRest };
+  enum Kind : std::uint8_t {
+    kMark,
+    kControl,
+    kAtOnce,
+    kForeign,
+    kChecks,
+    kCounting,
+    kSlash,
+    kRest
+  };
   static constexpr std::size_t kKinds = 8;
 
   void drop_mark() {
@@ -107,8 +116,8 @@ class Preparation {
   }
 
   static std::string at_once_text(unsigned char byte) {
-    const std::string shown =
-        byte < ' ' ? fmt::format("byte 0x{:02X}", byte) : fmt::format("'{}'", static_cast<char>(byte));
+    const std::string shown = byte < ' ' ? fmt::format("byte 0x{:02X}", byte)
+                                         : fmt::format("'{}'", static_cast<char>(byte));
     return shown + " is a command that acts at once: it is left out of the program";
   }
 
@@ -174,8 +183,8 @@ class Preparation {
     bool found = false;
     while (!reader.at_end()) {
       if (reader.read(word)) return false;
-      const bool counts = word.letter == 'M' && word.value.is_integer() &&
-                          word.value.whole == kCountAnew;
+      const bool counts =
+          word.letter == 'M' && word.value.is_integer() && word.value.whole == kCountAnew;
       if (!counts && word.letter != 'N') return false;
       found = found || counts;
     }
@@ -200,7 +209,8 @@ class Preparation {
     bool ends = false;
     for (bool first = true; !reader.at_end(); first = false) {
       if (reader.read(word)) return false;
-      if (first && word.letter == 'N' && reader.pass_slash_after_number(block_delete_)) return false;
+      if (first && word.letter == 'N' && reader.pass_slash_after_number(block_delete_))
+        return false;
       const bool end = word.value == cnc::gcode::Decimal{.whole = 2} ||
                        word.value == cnc::gcode::Decimal{.whole = 30};
       ends = ends || (word.letter == 'M' && end);
@@ -214,7 +224,9 @@ class Preparation {
         !cnc::gcode::read_block({line.data(), line.size()}, block_delete_, block) && block.empty();
     if (!nothing) {
       found_[kRest].add(
-          line_, 0, fmt::format("the program ended in line {}: nothing from here on is driven", end_line_));
+          line_,
+          0,
+          fmt::format("the program ended in line {}: nothing from here on is driven", end_line_));
     }
     blank(line, 0, line.size());
   }

@@ -61,8 +61,8 @@ Refusal Execution::check_duration(float length_mm, float speed_mm_s) const {
   return fault;
 }
 
-/// Goes to the target of the line at the feed that is set, if that takes no longer than it may. Most
-/// motions are so fast that no length needs to be known.
+/// Goes to the target of the line at the feed that is set, if that takes no longer than it may.
+/// Most motions are so fast that no length needs to be known.
 Refusal Execution::go_straight(Action& action, const Position& target) {
   const Position start = next_.position;
   action.end = target;

@@ -120,8 +120,8 @@ Refusal LineReader::pass_percent() {
   const Fault not_alone = fault_here(FaultDetail::kPercentNotAlone);
   ++at_;
   if (const auto fault = skip_to_word()) return fault;
-  const bool word = line_.size() > at_ + 1 && upper_case(line_[at_]) == 'G' &&
-                    is_digit(line_[at_ + 1]);
+  const bool word =
+      line_.size() > at_ + 1 && upper_case(line_[at_]) == 'G' && is_digit(line_[at_ + 1]);
   if (word) return not_alone;
   at_ = line_.size();
   return std::nullopt;
@@ -147,8 +147,8 @@ Fault LineReader::no_number(char letter, DecimalError error) const {
 Fault LineReader::not_a_letter() const {
   const char found = line_[at_];
   if (is_visible_ascii(found)) {
-    Fault fault = fault_here(begins_expression(found) ? FaultDetail::kExpression
-                                                      : FaultDetail::kNotALetter);
+    Fault fault =
+        fault_here(begins_expression(found) ? FaultDetail::kExpression : FaultDetail::kNotALetter);
     fault.letter = found;
     return fault;
   }

@@ -63,7 +63,8 @@ TEST_F(LineProtocolTest, CommentsDoNotCountForTheLengthOfALine) {
 }
 
 TEST_F(LineProtocolTest, PassesOverAByteOrderMarkAndControlBytes) {
-  stream(std::string("\xef\xbb\xbf$110=5000\n\xef\xbb\xbfG21\n\0G1\x01 X1\x0c F600\x1a\n\x1a\n", 37));
+  stream(
+      std::string("\xef\xbb\xbf$110=5000\n\xef\xbb\xbfG21\n\0G1\x01 X1\x0c F600\x1a\n\x1a\n", 37));
   run_until_idle();
   EXPECT_EQ(answers(), (std::vector<std::string>{"ok", "ok", "ok", "ok"}));
   EXPECT_EQ(machine.settings().get(110), 5000.0F);

@@ -34,7 +34,10 @@ TEST_F(AcceptedLines, ManySpellingsOfOneMove) {
       "G1 X10.500000000000000000000000001 Y-0.2499999999999999999999999999 F600",
       "G1.0 X10.5 Y-0.25 F600",
       "\xef\xbb\xbfG1 X10.5 Y-0.25 F600",
-      std::string("G1\0 X1\x01\x0b" "0.5 Y-0.2\x7" "5 F600\x1a", 25),
+      std::string("G1\0 X1\x01\x0b"
+                  "0.5 Y-0.2\x7"
+                  "5 F600\x1a",
+                  25),
       "G49 G80 G1 X10.5 Y-0.25 F600",
       "G1 X10.5 G80 Y-0.25 F600 G49",
       "G0 G80 G17 G40 G49 G90 X10.5 Y-0.25 F600 (a head)",

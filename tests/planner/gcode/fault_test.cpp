@@ -43,8 +43,7 @@ TEST(Fault, WritesWordsAsTheyAreWritten) {
 }
 
 TEST(Fault, NamesWhatIsMissing) {
-  EXPECT_EQ(words({.detail = FaultDetail::kOWord}),
-            "O-words are not supported");
+  EXPECT_EQ(words({.detail = FaultDetail::kOWord}), "O-words are not supported");
   EXPECT_EQ(words({.detail = FaultDetail::kExpression, .letter = '#'}),
             "parameters and expressions are not supported");
   EXPECT_EQ(words({.detail = FaultDetail::kExpressionForNumber, .letter = 'X'}),
