@@ -23,7 +23,7 @@ class LineAssembler {
       if (pair) return false;
     }
     if (byte == '\r' || byte == '\n') {
-      if (dropped_ != 0) drop_comments();
+      if (shortened_) drop_comments();
       ended_by_ = byte;
       return true;
     }
@@ -40,13 +40,7 @@ class LineAssembler {
   [[nodiscard]] std::string_view line() const { return {bytes_.data(), size_}; }
   [[nodiscard]] bool too_long() const { return too_long_; }
   /// All bytes that came are there.
-  [[nodiscard]] bool whole() const { return !too_long_ && dropped_ == 0; }
-  /// Where a byte of line() was as it came, both from 1; 0 where that is not known, between two
-  /// comments of which text was dropped.
-  [[nodiscard]] std::size_t column_as_it_came(std::size_t column) const {
-    if (dropped_ == 0 || column <= first_drop_) return column;
-    return column > last_drop_ ? column + dropped_ : 0;
-  }
+  [[nodiscard]] bool whole() const { return !too_long_ && !shortened_; }
   /// The line that is there ended with CR: an LF next belongs to it.
   [[nodiscard]] bool ends_with_return() const { return ended_by_ == '\r'; }
   /// In the middle of a line.
@@ -59,7 +53,7 @@ class LineAssembler {
     size_ = 0;
     too_long_ = false;
     ended_by_ = kNothing;
-    dropped_ = 0;
+    shortened_ = false;
   }
 
   /// Keeps the brackets of comments, nested ones too, and the semicolon.
@@ -70,8 +64,7 @@ class LineAssembler {
       const char byte = bytes_[i];
       if (comment == '(' && byte == ')') comment = kNothing;
       if (comment == ';' || (comment == '(' && byte != '(')) {
-        if (dropped_++ == 0) first_drop_ = kept;
-        last_drop_ = kept;
+        shortened_ = true;
         continue;
       }
       if (byte == '(' || byte == ';') comment = byte;
@@ -82,9 +75,7 @@ class LineAssembler {
 
   std::array<char, Capacity> bytes_{};
   std::size_t size_ = 0;
-  std::size_t dropped_ = 0;     ///< Bytes of comments,
-  std::size_t first_drop_ = 0;  ///< before these bytes of the line.
-  std::size_t last_drop_ = 0;
+  bool shortened_ = false;  ///< By text of comments.
   bool too_long_ = false;
   char ended_by_ = kNothing;  ///< The line that is there, which the next byte begins anew.
 };

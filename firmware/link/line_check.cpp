@@ -53,7 +53,8 @@ constexpr bool is_hex_digit(char c) {
 /// One to three digits, or the eight of a CRC.
 bool looks_like_check(std::string_view digits) {
   if (digits.size() == kCrcDigits) return true;
-  return !digits.empty() && digits.size() <= kMostSumDigits && std::ranges::all_of(digits, is_digit);
+  return !digits.empty() && digits.size() <= kMostSumDigits &&
+         std::ranges::all_of(digits, is_digit);
 }
 
 bool has_crc(std::string_view covered, std::string_view digits) {

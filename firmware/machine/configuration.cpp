@@ -127,8 +127,6 @@ gcode::Options gcode_options_from(const Settings& settings) {
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     const AxisScale scale{settings.get(setting::kStepsPerMm, axis)};
     options.reach[axis] = std::min(scale.place_of(kFarthestStep), farthest_on(axis));
-    options.slowest_rate_mm_s = std::min(options.slowest_rate_mm_s,
-                                         settings.get(setting::kRate, axis) / kSecondsPerMinute);
   }
   return options;
 }

@@ -120,9 +120,7 @@ class Machine {
   [[nodiscard]] bool optional_stop() const { return optional_stop_; }  ///< M1 pauses.
   [[nodiscard]] bool single_block() const { return single_block_; }    ///< A pause after each line.
   /// Lines with / are skipped: $890, or the opposite where it was toggled.
-  [[nodiscard]] bool block_delete() const {
-    return (settings_.get(setting::kBlockDelete) != 0.0F) != block_delete_switched_;
-  }
+  [[nodiscard]] bool block_delete() const { return interpreter_.options().block_delete; }
 
   // A program that was interrupted, in machine_reentry.cpp.
 

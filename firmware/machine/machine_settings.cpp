@@ -71,7 +71,7 @@ void Machine::apply_motor_settings() {
 
 void Machine::apply_language_settings() {
   gcode::Options options = gcode_options_from(settings_);
-  options.block_delete = block_delete();
+  options.block_delete = (settings_.get(setting::kBlockDelete) != 0.0F) != block_delete_switched_;
   options.kerf = &kerf_;
   options.full_power_speed = settings_.get(setting::kMostSpindleSpeed);
   const auto points = power_table_.points();

@@ -330,8 +330,7 @@ constexpr std::array<SettingInfo, 115> kTable{{
      "enable input take up to 200."},
     SettingInfo{890, "Block delete", "0 or 1", 0.0F, 1.0F, 1.0F, true,
      Group::kGeneral, Type::kSwitch, "",
-     "Skip lines that begin with /. $B switches it until this is set again; L among the pins of "
-     "0x87 shows it."},
+     "Skip lines that begin with /. $B switches it until this is set."},
 }};
 // clang-format on
 static_assert(kTable.size() <= Settings::kMostSettings);

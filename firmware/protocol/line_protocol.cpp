@@ -223,10 +223,8 @@ bool LineProtocol::passes_check(std::string_view& line) {
       return false;
     case LineCheck::Verdict::kMissing:
     case LineCheck::Verdict::kRepeated:
-      ask_again(judged.verdict);
-      return false;
     case LineCheck::Verdict::kDrop:
-      answer(put_crc(begin_answer().text("Dropped: ").number(check_.wanted())).end());
+      ask_again(judged.verdict);
       return false;
     case LineCheck::Verdict::kWrong:
       refuse(error_number::kWrongCheck,
@@ -240,7 +238,8 @@ bool LineProtocol::passes_check(std::string_view& line) {
 /// Senders that sum up expect an acknowledgement behind it, as Marlin gives one.
 void LineProtocol::ask_again(LineCheck::Verdict verdict) {
   Reply reply = begin_answer();
-  reply.text("Resend: ").number(check_.wanted());
+  reply.text(verdict == LineCheck::Verdict::kDrop ? "Dropped: " : "Resend: ");
+  reply.number(check_.wanted());
   if (check_.form() != LineCheck::Form::kCrc) {
     answer(reply.end());
     return acknowledge();
@@ -252,9 +251,8 @@ void LineProtocol::ask_again(LineCheck::Verdict verdict) {
 void LineProtocol::handle(std::string_view line) {
   const std::string_view whole = line;
   if (assembler_.too_long()) {
-    return refuse(error_number::kLineTooLong,
-                  kLongestLine + 1,
-                  "line is longer than 256 characters without comments");
+    return refuse(
+        error_number::kLineTooLong, kLongestLine + 1, "line is longer than 256 characters");
   }
   line = gcode::without_mark(line);
   while (!line.empty() && gcode::is_blank(line.front())) line.remove_prefix(1);
@@ -283,8 +281,9 @@ void LineProtocol::take_gcode(std::string_view line) {
 void LineProtocol::refuse(const gcode::Fault& fault,
                           std::uint32_t first_column,
                           std::uint8_t number) {
-  const std::uint32_t column = fault.column == 0 ? 0 : fault.column + first_column - 1;
-  Reply reason = begin_reason(static_cast<std::uint32_t>(assembler_.column_as_it_came(column)));
+  // Columns of a line that has lost text of its comments are not those that came.
+  const bool known = fault.column != 0 && assembler_.whole();
+  Reply reason = begin_reason(known ? fault.column + first_column - 1 : 0);
   reason.wrote(gcode::describe(fault, reason.room()));
   const auto own = static_cast<std::uint8_t>(fault.code());
   refuse(number == 0 ? own : number, reason);

@@ -56,15 +56,15 @@ Report report_on(const Job& job, const ProgramText& program, const RunResult& re
         {job.file, refusal.line, refusal.column, refusal.number, refusal.reason});
   }
   if (result.refused > result.refusals.size()) {
-    report.warnings.push_back(fmt::format("{}: {} lines are refused, of which the first {} are listed",
-                                          job.file,
-                                          result.refused,
-                                          result.refusals.size()));
+    report.warnings.push_back(
+        fmt::format("{}: {} lines are refused, of which the first {} are listed",
+                    job.file,
+                    result.refused,
+                    result.refusals.size()));
   }
   for (const LineNote& fault : program.faults) {
     if (program.readable) break;  // The controller has refused these lines itself.
-    report.faults.push_back(
-        {job.file, fault.line, fault.column, kUnreadable, fault.text});
+    report.faults.push_back({job.file, fault.line, fault.column, kUnreadable, fault.text});
   }
   if (result.alarm != 0) {
     report.faults.push_back({job.file,

@@ -8,6 +8,7 @@
 
 #include "firmware/link/line_check.hpp"
 #include "firmware/link/realtime_byte.hpp"
+#include "planner/gcode/block.hpp"
 #include "planner/gcode/line_reader.hpp"
 
 namespace sim {
@@ -56,7 +57,16 @@ class Preparation {
   }
 
  private:
-  enum Kind : std::uint8_t { kMark, kControl, kAtOnce, kForeign, kChecks, kCounting, kSlash, kRest };
+  enum Kind : std::uint8_t {
+    kMark,
+    kControl,
+    kAtOnce,
+    kForeign,
+    kChecks,
+    kCounting,
+    kSlash,
+    kRest
+  };
   static constexpr std::size_t kKinds = 8;
 
   void drop_mark() {
@@ -106,8 +116,8 @@ class Preparation {
   }
 
   static std::string at_once_text(unsigned char byte) {
-    const std::string shown =
-        byte < ' ' ? fmt::format("byte 0x{:02X}", byte) : fmt::format("'{}'", static_cast<char>(byte));
+    const std::string shown = byte < ' ' ? fmt::format("byte 0x{:02X}", byte)
+                                         : fmt::format("'{}'", static_cast<char>(byte));
     return shown + " is a command that acts at once: it is left out of the program";
   }
 
@@ -146,10 +156,21 @@ class Preparation {
     if (mark) {
       found_[kChecks].add(line_, star + 1, "checks of lines, all of them right, are left out");
       blank(line, star, 1 + mark->digits.size());
+      blank_number_of_statement(line);
     }
     if (!counts_anew(text)) return;
     found_[kCounting].add(line_, 0, "M110 is for senders that repeat lines: it is left out");
     blank(line, 0, line.size());
+  }
+
+  /// `N5 $G`: with a check a controller takes it, without one a statement has no number.
+  void blank_number_of_statement(std::span<char> line) {
+    const std::string_view text{line.data(), line.size()};
+    const std::size_t dollar = text.find('$');
+    if (dollar == std::string_view::npos) return;
+    const std::string_view before = text.substr(0, dollar);
+    const bool number = before.find_first_not_of("Nn0123456789 \t") == std::string_view::npos;
+    if (number) blank(line, 0, dollar);
   }
 
   /// M110, with or without a number before and behind it.
@@ -162,8 +183,8 @@ class Preparation {
     bool found = false;
     while (!reader.at_end()) {
       if (reader.read(word)) return false;
-      const bool counts = word.letter == 'M' && word.value.is_integer() &&
-                          word.value.whole == kCountAnew;
+      const bool counts =
+          word.letter == 'M' && word.value.is_integer() && word.value.whole == kCountAnew;
       if (!counts && word.letter != 'N') return false;
       found = found || counts;
     }
@@ -188,7 +209,8 @@ class Preparation {
     bool ends = false;
     for (bool first = true; !reader.at_end(); first = false) {
       if (reader.read(word)) return false;
-      if (first && word.letter == 'N' && reader.pass_slash_after_number(block_delete_)) return false;
+      if (first && word.letter == 'N' && reader.pass_slash_after_number(block_delete_))
+        return false;
       const bool end = word.value == cnc::gcode::Decimal{.whole = 2} ||
                        word.value == cnc::gcode::Decimal{.whole = 30};
       ends = ends || (word.letter == 'M' && end);
@@ -197,12 +219,14 @@ class Preparation {
   }
 
   void blank_rest(std::span<char> line) {
-    const std::string_view text{line.data(), line.size()};
-    cnc::gcode::LineReader reader{text};
-    const bool nothing = !reader.begin(block_delete_) && reader.at_end();
+    cnc::gcode::Block block;
+    const bool nothing =
+        !cnc::gcode::read_block({line.data(), line.size()}, block_delete_, block) && block.empty();
     if (!nothing) {
       found_[kRest].add(
-          line_, 0, fmt::format("the program ended in line {}: nothing from here on is driven", end_line_));
+          line_,
+          0,
+          fmt::format("the program ended in line {}: nothing from here on is driven", end_line_));
     }
     blank(line, 0, line.size());
   }

@@ -14,7 +14,7 @@ struct LineNote {
   std::string text;
 };
 
-/// A program of a file as every tool drives it, from `check` to the page: line for line and column
+/// A program of a file as every tool drives it: line for line and column
 /// for column the file, with blanks in the place of everything that a file may hold and a
 /// controller must not get, or must not be left to understand in its own way.
 struct ProgramText {

@@ -81,10 +81,11 @@ void ProgramWatch::take_dwell(std::size_t line, const ProgramLine& words) {
 
 void ProgramWatch::check_power(std::size_t line, double power) {
   if (power <= most_power_ || !is_news(powers_told_, power)) return;
-  note(line, fmt::format("S{:g} is above ${}={:g} and gives no more than that",
-                         power,
-                         cnc::setting::kMostSpindleSpeed,
-                         most_power_));
+  note(line,
+       fmt::format("S{:g} is above ${}={:g} and gives no more than that",
+                   power,
+                   cnc::setting::kMostSpindleSpeed,
+                   most_power_));
 }
 
 void ProgramWatch::put(const PathPiece& piece) {

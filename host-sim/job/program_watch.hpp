@@ -45,8 +45,8 @@ class ProgramWatch {
   bool laser_;
   bool soft_limits_;
   bool block_delete_;
-  double power_ = 0.0;     ///< S.
-  bool constant_ = false;  ///< M3.
+  double power_ = 0.0;        ///< S.
+  bool constant_ = false;     ///< M3.
   std::size_t lit_line_ = 0;  ///< Asked for light that has not burnt yet; 0 for none.
   bool homed_ = false;
   std::vector<double> powers_told_;

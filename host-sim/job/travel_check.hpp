@@ -27,7 +27,7 @@ class TravelCheck {
 
  private:
   cnc::AxisArray<double> travel_{};
-  Bounds bounds_{};                       ///< With the start, which is zero.
+  Bounds bounds_{};                      ///< With the start, which is zero.
   cnc::AxisArray<int> first_overrun_{};  ///< Its line; 0 for none.
 };
 

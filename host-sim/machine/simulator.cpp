@@ -81,7 +81,13 @@ void Simulator::note(std::string text) {
 RunResult Simulator::result() const {
   const cnc::Machine& machine = controller_.machine();
   auto notes = notes_;
-  for (const auto& [line, message] : link_.messages()) notes.emplace_back(line, message);
+  const auto is_known = [this](std::size_t line) {
+    return std::ranges::any_of(notes_, [line](const auto& note) { return note.first == line; });
+  };
+  // A change of tools is noted already, with what becomes of it here.
+  for (const auto& [line, message] : link_.messages()) {
+    if (!is_known(line)) notes.emplace_back(line, message);
+  }
   std::ranges::stable_sort(notes, {}, &std::pair<std::size_t, std::string>::first);
   return {.job_time_s = static_cast<double>(now_ticks()) / cnc::motion::kTicksPerSecond,
           .lines = link_.line(),

@@ -36,11 +36,11 @@ struct AxisReport {
 struct Report {
   std::string job;  ///< Name of the file, or `-`.
   double job_time_s = 0.0;
-  double path_length_mm = 0.0;  ///< All motion, X, Y and Z together.
-  double cut_length_mm = 0.0;   ///< With the beam or spindle on.
-  std::size_t lines = 0;        ///< Read from the file.
+  double path_length_mm = 0.0;    ///< All motion, X, Y and Z together.
+  double cut_length_mm = 0.0;     ///< With the beam or spindle on.
+  std::size_t lines = 0;          ///< Read from the file.
   std::size_t refused_lines = 0;  ///< Of them; no figure counts them.
-  std::size_t blocks = 0;       ///< Path elements planned.
+  std::size_t blocks = 0;         ///< Path elements planned.
   cnc::AxisArray<AxisReport> axes{};
   /// Beam energy per mm over what S and F ask for, in windows of 0.05 mm of the
   /// path; not a number where no beam was measured.

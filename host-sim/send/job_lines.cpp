@@ -1,6 +1,7 @@
 #include "host-sim/send/job_lines.hpp"
 
-#include "planner/gcode/line_reader.hpp"
+#include "planner/gcode/block.hpp"
+#include "planner/gcode/decimal.hpp"
 
 namespace sim {
 namespace {
@@ -24,8 +25,8 @@ std::string worth_sending(std::string_view line) {
   while (!line.empty() && is_blank(line.front())) line.remove_prefix(1);
   while (!line.empty() && is_blank(line.back())) line.remove_suffix(1);
   if (line.starts_with('$')) return std::string{line};
-  cnc::gcode::LineReader reader{line};
-  const bool nothing = !reader.begin(false) && reader.at_end();
+  cnc::gcode::Block block;
+  const bool nothing = !cnc::gcode::read_block(line, false, block) && block.empty();
   return nothing ? std::string{} : code_of(line);
 }
 

@@ -70,7 +70,6 @@ Refusal Block::add_value(const Word& word) {
   constexpr std::uint32_t kNeverNegative = mask_of("FNST");
   constexpr std::uint32_t kAlwaysWhole = mask_of("LNT");
   const std::uint32_t bit = bit_of(word.letter);
-  if (word.letter == 'O') return blame_word(FaultDetail::kOWord, word);
   if ((bit & kKnown) == 0) return blame_word(FaultDetail::kUnsupported, word);
   if ((bit & letters_) != 0) return blame_word(FaultDetail::kRepeated, word);
   if ((bit & kNeverNegative) != 0 && word.value.is_negative()) {
@@ -96,6 +95,13 @@ Refusal Block::add_power(const Word& word) {
   }
   powers_[power_count_++] = word.value.to_float();
   return std::nullopt;
+}
+
+/// Alone in its line or behind N.
+Refusal Block::name_program(const Word& word, bool at_end) const {
+  const bool alone = groups_ == 0 && (letters_ & ~bit_of('N')) == 0 && at_end;
+  if (alone && word.value.is_integer() && !word.value.is_negative()) return std::nullopt;
+  return blame_word(FaultDetail::kOWord, word);
 }
 
 NonModal Block::non_modal() const {
@@ -146,7 +152,7 @@ Refusal Block::unused_word() const {
 /// @pre letters is not empty.
 char Block::leftmost(std::uint32_t letters) const {
   char found = ' ';
-  std::uint16_t found_column = kLongestLine + 1;
+  std::uint16_t found_column = kLongestLineWithComments + 1;
   for (char letter = 'A'; letter <= 'Z'; ++letter) {
     const std::uint16_t column = value_columns_[index_of(letter)];
     if ((letters & bit_of(letter)) == 0 || column > found_column) continue;
@@ -164,6 +170,7 @@ Refusal read_block(std::string_view line, bool block_delete, Block& block) {
     Word word;
     const bool first = block.empty();
     if (const auto fault = reader.read(word)) return fault;
+    if (word.letter == 'O') return block.name_program(word, reader.at_end());
     if (const auto fault = block.add(word)) return fault;
     if (first && word.letter == 'N') {
       if (const auto fault = reader.pass_slash_after_number(block_delete)) return fault;

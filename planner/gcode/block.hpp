@@ -31,6 +31,9 @@ class Block {
   /// Files another value of S, or says why it may not be one.
   [[nodiscard]] Refusal add_power(const Word& word);
 
+  /// Checks an O word, the number of a program, which means nothing; all others are refused.
+  [[nodiscard]] Refusal name_program(const Word& word, bool at_end) const;
+
   [[nodiscard]] bool empty() const { return groups_ == 0 && letters_ == 0; }
 
   [[nodiscard]] bool has(ModalGroup group) const { return (groups_ & bit_of(group)) != 0; }

@@ -57,9 +57,8 @@ Refusal Execution::run() {
       &Execution::set_offsets,
       &Execution::go_to_stored_place,
   }};
-  static constexpr std::array<Step, 4> kLast{{
+  static constexpr std::array<Step, 3> kLast{{
       &Execution::move,
-      &Execution::check_durations,
       &Execution::check_powers,
       &Execution::stop,
   }};

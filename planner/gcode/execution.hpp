@@ -15,9 +15,6 @@
 
 namespace cnc::gcode {
 
-/// Length in mm of a kArc from `start`, along X Y Z, for durations. In execution_arc.cpp.
-[[nodiscard]] float arc_length(const Position& start, const Action& arc);
-
 /// Works out what one block does: goes through the steps of RS274/NGC table 8
 /// in order, checks each, and notes its actions and its changes. Nothing
 /// outside is touched before commit(), so a fault in the last step undoes the
@@ -99,8 +96,6 @@ class Execution {
   [[nodiscard]] Refusal change_tool();
   [[nodiscard]] Refusal stop();
   [[nodiscard]] Refusal check_jog_words() const;
-  [[nodiscard]] Refusal check_durations();
-  [[nodiscard]] Fault too_long(float seconds) const;
 
   [[nodiscard]] Refusal set_digital_output(Output output);
   [[nodiscard]] Refusal set_analog_output(Output output);
@@ -117,6 +112,8 @@ class Execution {
   [[nodiscard]] bool moves() const;
   [[nodiscard]] bool has_centre_word() const;
   [[nodiscard]] Refusal check_feed() const;
+  [[nodiscard]] Refusal check_duration(float length_mm, float speed_mm_s) const;
+  [[nodiscard]] Refusal go_straight(Action& action, const Position& target);
   [[nodiscard]] Refusal read_target(Position& target);
   [[nodiscard]] Refusal move_straight();
   [[nodiscard]] Refusal probe();
@@ -128,7 +125,8 @@ class Execution {
   [[nodiscard]] Refusal read_centre(PlaneVector& centre);
   [[nodiscard]] Refusal centre_from_radius(PlaneVector end, PlaneVector& centre);
   [[nodiscard]] Refusal check_centre_in_range(PlaneVector centre) const;
-  [[nodiscard]] Refusal check_sides(PlaneVector end, PlaneVector centre, std::uint16_t turns) const;
+  [[nodiscard]] Refusal check_sides(PlaneVector centre, float radius_mm) const;
+  [[nodiscard]] float arc_length(const Action& arc, float sweep, float radius_mm) const;
   [[nodiscard]] Refusal check_end_on_circle(PlaneVector end, PlaneVector centre) const;
   [[nodiscard]] PlaneVector from_here(const Position& target) const;
 
@@ -139,7 +137,7 @@ class Execution {
   [[nodiscard]] Refusal read_first_arm(PlanePlace& arm);
   [[nodiscard]] PlanePlace take_arm(char first, char second);
   [[nodiscard]] Refusal check_control_point(const PlanePlace& place, char letter) const;
-  void append_spline(const Position& end);
+  [[nodiscard]] Refusal append_spline(const Position& end);
   [[nodiscard]] float spline_speed() const;
   [[nodiscard]] Fault missing_in_motion(char letter) const;
 

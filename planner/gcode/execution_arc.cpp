@@ -33,20 +33,25 @@ Refusal Execution::move_along_arc() {
   const PlaneVector end = from_here(target);
   PlaneVector centre;
   if (const auto fault = find_centre(end, centre)) return fault;
-  if (const auto fault = check_sides(end, centre, turns)) return fault;
+  const bool clockwise = next_.modal.motion == MotionMode::kArcClockwise;
+  const float sweep = sweep_angle(end, centre, clockwise);
+  const float radius_mm = centre.length();
+  if (turns > 1 || sweep > kPi) {
+    if (const auto fault = check_sides(centre, radius_mm)) return fault;
+  }
 
   Action& arc = actions_.append(ActionKind::kArc);
   arc.end = target;
   arc.plane = next_.modal.plane;
   arc.centre = {next_.position[plane.first] + Coordinate{centre.first},
                 next_.position[plane.second] + Coordinate{centre.second}};
-  arc.clockwise = next_.modal.motion == MotionMode::kArcClockwise;
+  arc.clockwise = clockwise;
   arc.turns = turns;
-  arc.feed = next_.modal.feed_mode == FeedMode::kInverseTime
-                 ? arc_length(next_.position, arc) * inverse_time_ / kSecondsPerMinute
-                 : next_.modal.feed;
+  const float length = arc_length(arc, sweep, radius_mm);
+  const bool inverse_time = next_.modal.feed_mode == FeedMode::kInverseTime;
+  arc.feed = inverse_time ? length * inverse_time_ / kSecondsPerMinute : next_.modal.feed;
   next_.position = target;
-  return std::nullopt;
+  return check_duration(length, arc.feed);
 }
 
 Refusal Execution::read_turns(std::uint16_t& turns) {
@@ -133,11 +138,9 @@ Refusal Execution::check_centre_in_range(PlaneVector centre) const {
 }
 
 /// More than half a turn reaches the far side of the circle; less stays by its chord.
-Refusal Execution::check_sides(PlaneVector end, PlaneVector centre, std::uint16_t turns) const {
-  const bool clockwise = next_.modal.motion == MotionMode::kArcClockwise;
-  if (turns == 1 && sweep_angle(end, centre, clockwise) <= kPi) return std::nullopt;
+Refusal Execution::check_sides(PlaneVector centre, float radius_mm) const {
   const PlaneAxes plane = axes_of(next_.modal.plane);
-  const Coordinate radius{truncated(centre.length() * 1.0e6F)};
+  const Coordinate radius{truncated(radius_mm * 1.0e6F)};
   const std::array<std::size_t, 2> axes{plane.first, plane.second};
   const std::array<std::int64_t, 2> offsets{centre.first, centre.second};
   for (std::size_t i = 0; i < axes.size(); ++i) {
@@ -158,19 +161,11 @@ Refusal Execution::check_end_on_circle(PlaneVector end, PlaneVector centre) cons
   return blame_centre(FaultDetail::kEndOffCircle, deviation, allowed);
 }
 
-float arc_length(const Position& start, const Action& arc) {
-  const PlaneAxes plane = axes_of(arc.plane);
-  const auto from_start = [&](std::size_t axis, Coordinate place) {
-    return (place - start[axis]).nanometres();
-  };
-  const PlaneVector end{from_start(plane.first, arc.end[plane.first]),
-                        from_start(plane.second, arc.end[plane.second])};
-  const PlaneVector centre{from_start(plane.first, arc.centre[0]),
-                           from_start(plane.second, arc.centre[1])};
-  const float rise = (arc.end[plane.normal] - start[plane.normal]).mm();
-  const float angle =
-      sweep_angle(end, centre, arc.clockwise) + static_cast<float>(arc.turns - 1) * kTwoPi;
-  const float along = centre.length() * angle;
+/// mm along X Y Z.
+float Execution::arc_length(const Action& arc, float sweep, float radius_mm) const {
+  const std::size_t normal = axes_of(arc.plane).normal;
+  const float rise = (arc.end[normal] - next_.position[normal]).mm();
+  const float along = radius_mm * (sweep + static_cast<float>(arc.turns - 1) * kTwoPi);
   return std::sqrt(along * along + rise * rise);
 }
 

@@ -18,7 +18,6 @@ Refusal Execution::run_jog() {
   }
   if (const auto fault = check_feed()) return fault;
   if (const auto fault = move_straight()) return fault;
-  if (const auto fault = check_durations()) return fault;
   return block_.unused_word();
 }
 

@@ -1,16 +1,12 @@
-#include <algorithm>
-
 #include "planner/base/units.hpp"
 #include "planner/gcode/execution.hpp"
 #include "planner/gcode/path_length.hpp"
-#include "planner/geometry/spline_length.hpp"
 
 namespace cnc::gcode {
 namespace {
 
-/// Longer than any straight motion and any turn of an arc within the range of places. Longer
-/// splines, which go from one end of the range to the other several times, are not driven so slowly.
-constexpr float kLongestTurnMm = 1.0e7F;
+/// What is faster takes less than a month from one end of the range of places to the other.
+constexpr float kSlowMmPerS = 4.0F;
 
 constexpr bool is_arc(MotionMode mode) {
   return mode == MotionMode::kArcClockwise || mode == MotionMode::kArcCounterClockwise;
@@ -54,43 +50,26 @@ bool Execution::moves() const {
   return block_.has_axis_word() || (is_arc(next_.modal.motion) && has_centre_word());
 }
 
-/// Rejects a slip that would keep the machine at work for years. What the axes allow counts as
-/// well as F; overrides do not.
-Refusal Execution::check_durations() {
-  Position start = context_.position;
-  for (const Action& action : actions_.all()) {
-    const bool rapid = action.kind == ActionKind::kRapid;
-    const bool arc = action.kind == ActionKind::kArc;
-    const bool spline = action.kind == ActionKind::kSpline;
-    const bool straight = rapid || action.kind == ActionKind::kLine ||
-                          action.kind == ActionKind::kProbe;
-    if (!straight && !arc && !spline) continue;
-    const float speed = rapid ? options_.slowest_rate_mm_s
-                              : std::min(action.feed, options_.slowest_rate_mm_s);
-    const float longest = speed * options_.longest_motion_s;
-    if (longest < kLongestTurnMm * static_cast<float>(action.turns)) {
-      const float length = arc      ? arc_length(start, action)
-                           : spline ? length_of(*action.spline)
-                                    : straight_length(start, action.end);
-      if (length > longest) return too_long(length / speed);
-    }
-    start = action.end;
-  }
-  return std::nullopt;
+/// Rejects a slip that would keep the machine at work for years. Overrides do not count, nor does
+/// that an axis may be slower.
+Refusal Execution::check_duration(float length_mm, float speed_mm_s) const {
+  if (length_mm <= speed_mm_s * options_.longest_motion_s) return std::nullopt;
+  Fault fault{.detail = FaultDetail::kMotionTooLong};
+  if (block_.has('F')) fault = block_.blame(fault.detail, 'F');
+  constexpr float kDaysPerSecond = 1.0F / 86'400.0F;
+  fault.limit = options_.longest_motion_s * kDaysPerSecond;
+  return fault;
 }
 
-Fault Execution::too_long(float seconds) const {
-  constexpr float kSecondsPerDay = 86'400.0F;
-  constexpr float kMostDays = 1.0e9F;  // As many as the message shows.
-  Fault fault{.detail = FaultDetail::kMotionTooLong};
-  if (block_.has('F')) {
-    fault = block_.blame(fault.detail, 'F');
-  } else if (block_.has_axis_word()) {
-    fault = block_.blame_first_axis_word(fault.detail);
-  }
-  fault.value = std::min(seconds / kSecondsPerDay, kMostDays);
-  fault.limit = options_.longest_motion_s / kSecondsPerDay;
-  return fault;
+/// Goes to the target of the line at the feed that is set, if that takes no longer than it may.
+/// Most motions are so fast that no length needs to be known.
+Refusal Execution::go_straight(Action& action, const Position& target) {
+  const Position start = next_.position;
+  action.end = target;
+  action.feed = straight_speed(target);
+  next_.position = target;
+  if (action.feed > kSlowMmPerS) return std::nullopt;
+  return check_duration(straight_length(start, target), action.feed);
 }
 
 Refusal Execution::check_feed() const {
@@ -130,11 +109,11 @@ Refusal Execution::move_straight() {
   const bool rapid = next_.modal.motion == MotionMode::kRapid;
   Action& action = actions_.append(rapid ? ActionKind::kRapid : ActionKind::kLine);
   action.end = target;
-  if (!rapid) action.feed = straight_speed(target);
   if (!rapid && powers_wait_) {
     action.powers = block_.powers();
     powers_wait_ = false;
   }
+  if (!rapid) return go_straight(action, target);
   next_.position = target;
   return std::nullopt;
 }
@@ -151,14 +130,11 @@ Refusal Execution::probe() {
   if (target == next_.position) return blame_motion(FaultDetail::kProbeGoesNowhere);
   const MotionMode mode = next_.modal.motion;
   Action& action = actions_.append(ActionKind::kProbe);
-  action.end = target;
-  action.feed = straight_speed(target);
   action.probe.towards_contact =
       mode == MotionMode::kProbeContact || mode == MotionMode::kProbeContactOrNot;
   action.probe.error_if_missed =
       mode == MotionMode::kProbeContact || mode == MotionMode::kProbeRelease;
-  next_.position = target;
-  return std::nullopt;
+  return go_straight(action, target);
 }
 
 float Execution::straight_speed(const Position& target) const {

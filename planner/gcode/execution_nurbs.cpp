@@ -103,9 +103,8 @@ Refusal Execution::end_nurbs() {
   Position end = store_.start;
   end[0] += Coordinate{last.x};
   end[1] += Coordinate{last.y};
-  append_spline(end);
   next_.modal.motion = MotionMode::kNone;
-  return std::nullopt;
+  return append_spline(end);
 }
 
 void Execution::commit_nurbs() {

@@ -41,7 +41,7 @@ Refusal Execution::move_along_cubic() {
   spline.clear();
   spline.set_order(4);
   for (const PlanePlace& place : {PlanePlace{}, first, second, last}) spline.append({place});
-  append_spline(target);
+  if (const auto fault = append_spline(target)) return fault;
   next_.cubic_exit = {.known = true,
                       .place = {target[0], target[1]},
                       .arm = {Coordinate{-arm.x}, Coordinate{-arm.y}}};
@@ -62,8 +62,7 @@ Refusal Execution::move_along_quadratic() {
   for (const PlanePlace& place : {PlanePlace{}, middle, PlanePlace{end.first, end.second}}) {
     spline.append({place});
   }
-  append_spline(target);
-  return std::nullopt;
+  return append_spline(target);
 }
 
 Refusal Execution::read_spline_end(Position& target) {
@@ -114,12 +113,15 @@ Refusal Execution::check_control_point(const PlanePlace& place, char letter) con
   return std::nullopt;
 }
 
-void Execution::append_spline(const Position& end) {
+Refusal Execution::append_spline(const Position& end) {
   Action& action = actions_.append(ActionKind::kSpline);
   action.end = end;
   action.spline = &store_.spline;
   action.feed = spline_speed();
   next_.position = end;
+  constexpr float kSlow = 1.0F;  // mm/s; all faster ones are driven in time.
+  if (action.feed > kSlow) return std::nullopt;
+  return check_duration(length_of(store_.spline), action.feed);
 }
 
 float Execution::spline_speed() const {

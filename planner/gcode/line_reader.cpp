@@ -35,11 +35,12 @@ Refusal LineReader::begin(bool block_delete) {
   if (const auto fault = skip_to_word()) return fault;
   if (at('/')) return pass_slash(block_delete);
   if (at('%')) return pass_percent();
-  return pass_name();
+  first_ = at_;
+  return std::nullopt;
 }
 
 Refusal LineReader::read(Word& word) {
-  const char letter = upper_case(line_[at_]);
+  const char letter = at(':') && at_ == first_ ? 'O' : upper_case(line_[at_]);
   if (letter < 'A' || letter > 'Z') return not_a_letter();
   return read_value(letter, word);
 }
@@ -110,8 +111,8 @@ Refusal LineReader::pass_slash(bool block_delete) {
   }
   ++at_;
   if (!at_end() && is_digit(line_[at_])) ++at_;
-  if (const auto fault = skip_to_word()) return fault;
-  return pass_name();
+  first_ = at_ + 1;  // No colon is one at the front.
+  return skip_to_word();
 }
 
 /// What follows % is the name of a program; a word there is a slip that would not be driven.
@@ -119,23 +120,10 @@ Refusal LineReader::pass_percent() {
   const Fault not_alone = fault_here(FaultDetail::kPercentNotAlone);
   ++at_;
   if (const auto fault = skip_to_word()) return fault;
-  const bool word = line_.size() > at_ + 1 && upper_case(line_[at_]) == 'G' &&
-                    is_digit(line_[at_ + 1]);
+  const bool word =
+      line_.size() > at_ + 1 && upper_case(line_[at_]) == 'G' && is_digit(line_[at_ + 1]);
   if (word) return not_alone;
   at_ = line_.size();
-  return std::nullopt;
-}
-
-/// `O1234` and `:1234` alone in a line number a program; all other words with O are refused.
-Refusal LineReader::pass_name() {
-  const bool colon = at(':');
-  if (!colon && !at('O') && !at('o')) return std::nullopt;
-  const Fault unsupported = colon ? not_a_letter() : fault_here(FaultDetail::kOWord);
-  Word word;
-  const Refusal fault = read_value(':', word);
-  if (fault || !at_end() || !word.value.is_integer() || word.value.is_negative()) {
-    return unsupported;
-  }
   return std::nullopt;
 }
 
@@ -147,18 +135,20 @@ Fault LineReader::no_number(char letter, DecimalError error) const {
   Fault fault = fault_here(FaultDetail::kNumberTooLong);
   fault.letter = letter;
   if (error == DecimalError::kTooLong) return fault;
+  fault.detail = letter == 'O' ? FaultDetail::kOWord : FaultDetail::kNumberMissing;
   std::size_t next = at_ + 1;
   while (next < line_.size() && is_blank(line_[next])) ++next;
-  const bool expression = next < line_.size() && begins_expression(line_[next]);
-  fault.detail = expression ? FaultDetail::kExpressionForNumber : FaultDetail::kNumberMissing;
+  if (letter != 'O' && next < line_.size() && begins_expression(line_[next])) {
+    fault.detail = FaultDetail::kExpressionForNumber;
+  }
   return fault;
 }
 
 Fault LineReader::not_a_letter() const {
   const char found = line_[at_];
   if (is_visible_ascii(found)) {
-    Fault fault = fault_here(begins_expression(found) ? FaultDetail::kExpression
-                                                      : FaultDetail::kNotALetter);
+    Fault fault =
+        fault_here(begins_expression(found) ? FaultDetail::kExpression : FaultDetail::kNotALetter);
     fault.letter = found;
     return fault;
   }

@@ -28,8 +28,8 @@ struct Word {
 ///
 /// What RS274/NGC lets pass is passed over: blanks anywhere, comments in ( )
 /// and after ; with any bytes in them, CR and LF at the end, lower case. So are control bytes, a
-/// byte order mark, and what names a program: a line that begins with %, and O or : with a number
-/// alone in a line. Everything else outside a word is refused.
+/// byte order mark, and a line that begins with %, which names a program. A : at the front is an O.
+/// Everything else outside a word is refused.
 ///
 /// Stands at a word or at the end whenever a call has returned no fault.
 class LineReader {
@@ -49,7 +49,7 @@ class LineReader {
   [[nodiscard]] Refusal read(Word& word);
   /// Goes behind a / that follows the N read last, as begin() does.
   [[nodiscard]] Refusal pass_slash_after_number(bool block_delete) {
-    return at('/') ? pass_slash(block_delete) : pass_name();
+    return at('/') ? pass_slash(block_delete) : std::nullopt;
   }
 
   /// Another value of the word read last stands here, after a colon.
@@ -65,7 +65,6 @@ class LineReader {
   [[nodiscard]] Refusal skip_comment();
   [[nodiscard]] Refusal pass_percent();
   [[nodiscard]] Refusal pass_slash(bool block_delete);
-  [[nodiscard]] Refusal pass_name();
   [[nodiscard]] bool at(char wanted) const { return !at_end() && line_[at_] == wanted; }
   [[nodiscard]] Fault fault_here(FaultDetail detail) const;
   [[nodiscard]] Fault not_a_letter() const;
@@ -73,6 +72,7 @@ class LineReader {
 
   std::string_view line_;
   std::size_t at_ = 0;
+  std::size_t first_ = 0;  ///< Where the first word begins.
 };
 
 }  // namespace cnc::gcode

@@ -35,7 +35,6 @@ struct Options {
   std::uint32_t greatest_power_mw = 0;        ///< which is this; 0: nobody knows.
   float longest_dwell_s = 86'400.0F;          ///< A day: whoever writes more meant milliseconds.
   float longest_motion_s = 2'592'000.0F;      ///< 30 days: a slip of F, or of its unit in G93.
-  float slowest_rate_mm_s = 1.0e6F;           ///< The least rate of an axis, $110…$115.
 };
 
 }  // namespace cnc::gcode

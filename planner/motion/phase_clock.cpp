@@ -9,6 +9,8 @@ namespace cnc::motion {
 
 std::uint64_t PhaseClock::begin(float seconds, bool keeps_up) {
   constexpr float kLong = 1.0e4F;  // s.
+  constexpr float kMost = 1.0e8F;  // s: what is slower is not worth its time.
+  seconds = std::min(seconds, kMost);
   start_late_ns_ = keeps_up ? end_late_ns_ : 0.0F;
   end_late_ns_ = start_late_ns_;
   if (seconds >= kLong) {

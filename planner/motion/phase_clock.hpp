@@ -15,7 +15,8 @@ namespace cnc::motion {
 class PhaseClock {
  public:
   /// ns that the next phase lasts, ≥ 1. Rounded up, so that no speed is above the plan's;
-  /// where a phase takes hours, microseconds do.
+  /// where a phase takes hours, microseconds do. At most three years, which only axes of a
+  /// millimetre per minute need.
   /// @param keeps_up less by what the phases before it took too long.
   [[nodiscard]] std::uint64_t begin(float seconds, bool keeps_up);
 

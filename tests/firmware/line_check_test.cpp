@@ -53,7 +53,8 @@ TEST_F(CheckedLines, TakesMarlinsLinesAndAnswersAsMarlinDoes) {
 
 /// A program that has numbers and sums of its own comes from a sender that can repeat nothing.
 TEST_F(CheckedLines, WithoutM110NumbersAreTheProgramsOwn) {
-  for (const char* line : {"N1 G1 X1 F600", "N10 G91", "N20 X1", "N20 X1", "N5 X1", "X1", "N6 X1 "}) {
+  for (const char* line :
+       {"N1 G1 X1 F600", "N10 G91", "N20 X1", "N20 X1", "N5 X1", "X1", "N6 X1 "}) {
     EXPECT_EQ(sum(line), one("ok")) << line;
   }
   EXPECT_EQ(say("N30 X1 (2*3)\nX1\n$G\n").size(), 4U) << "plain ones between them";
@@ -64,7 +65,8 @@ TEST_F(CheckedLines, WithoutM110NumbersAreTheProgramsOwn) {
 
 TEST_F(CheckedLines, WithoutM110AWrongCheckIsAFaultOfItsLine) {
   const std::vector<std::string> wrong{"[MSG:7: the check does not fit its line]", "error:1"};
-  for (const char* line : {"N1 G21*20", "N2 G21*20", "N2 G21*999", "N9 G21*12345678", "N9 G21*0 ; 27"}) {
+  for (const char* line :
+       {"N1 G21*20", "N2 G21*20", "N2 G21*999", "N9 G21*12345678", "N9 G21*0 ; 27"}) {
     EXPECT_EQ(say(std::string(line) + "\n"), wrong) << line;
   }
   EXPECT_EQ(sum("N1 G1 X1 F600"), one("ok"));
@@ -75,8 +77,15 @@ TEST_F(CheckedLines, WithoutM110AWrongCheckIsAFaultOfItsLine) {
 }
 
 TEST_F(CheckedLines, AStarThatIsNoCheckIsJudgedLikeAnythingElse) {
-  for (const char* line : {"N10 G1 X[2*5]", "G1 X[2*5] F100", "N1 G21*", "N1 G21*1234", "N1 G21*2A",
-                           "N1 G21*27*", "N1 G21*27 X1", "N1 G21*2 7", "*27 G21"}) {
+  for (const char* line : {"N10 G1 X[2*5]",
+                           "G1 X[2*5] F100",
+                           "N1 G21*",
+                           "N1 G21*1234",
+                           "N1 G21*2A",
+                           "N1 G21*27*",
+                           "N1 G21*27 X1",
+                           "N1 G21*2 7",
+                           "*27 G21"}) {
     const auto said = say(std::string(line) + "\n");
     EXPECT_EQ(said.size(), 2U) << line;
     EXPECT_TRUE(said.back().starts_with("error:")) << line;
@@ -98,7 +107,8 @@ TEST_F(CheckedLines, ACommentMayFollowTheCheck) {
 
 TEST_F(CheckedLines, BeginAsOtherHostsSay) {
   // OctoPrint, Repetier-Host, Printrun (whose first line is N0), a plain one.
-  for (const char* begin : {"N0 M110 N0*125", "N0 M110*35", "M110 N0*35", "m110*93", "M110", "M110 N0"}) {
+  for (const char* begin :
+       {"N0 M110 N0*125", "N0 M110*35", "M110 N0*35", "m110*93", "M110", "M110 N0"}) {
     say("\x18");
     run(100);
     EXPECT_EQ(say(std::string(begin) + "\n"), one("ok")) << begin;
@@ -131,7 +141,8 @@ TEST_F(CheckedLines, EveryLineHasOneAnswer) {
     run(100);
     say(begin);
     for (int n = 0; n < 5; ++n) {
-      for (const char* line : {"N4 G1 X9*1", "N9 G1 X9*3FB66097", "N4*3", "*", "N1 G1 X9 F600*99x"}) {
+      for (const char* line :
+           {"N4 G1 X9*1", "N9 G1 X9*3FB66097", "N4*3", "*", "N1 G1 X9 F600*99x"}) {
         int answers = 0;
         for (const std::string& said : say(std::string(line) + "\n")) {
           const bool resend = said.starts_with("Resend:");
@@ -266,8 +277,8 @@ TEST_F(CheckedLines, LeavePlainLinesAlone) {
 TEST_F(CheckedLines, UnderTheCrcACommentMayStandBeforeTheCheck) {
   crc("N0 M110");
   EXPECT_EQ(crc("N1 $110=4000 ; mm/min*2"), one(with_crc("ok N1")));
-  EXPECT_EQ(crc("N2 G1 X1 F600 (2*3"), (std::vector<std::string>{
-                "[MSG:15: comment has no ')']", with_crc("error:1 N2")}));
+  EXPECT_EQ(crc("N2 G1 X1 F600 (2*3"),
+            (std::vector<std::string>{"[MSG:15: comment has no ')']", with_crc("error:1 N2")}));
 }
 
 TEST_F(CheckedLines, SayWhatIsWrongInTheStatementItself) {

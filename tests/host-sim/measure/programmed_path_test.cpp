@@ -72,7 +72,8 @@ TEST(ReadProgram, G80AndG49BesideAMotion) {
 }
 
 TEST(ReadProgram, HasTheLimitsOfTheController) {
-  for (const char* line : {"G2 I1 P65536", "G2 I1 P0", "G2 I1 P1.5", "G2 I1 P-2", "G1 X1234567890"}) {
+  for (const char* line :
+       {"G2 I1 P65536", "G2 I1 P0", "G2 I1 P1.5", "G2 I1 P-2", "G1 X1234567890"}) {
     const ProgrammedPath path = read_program(std::string{"F1\n"} + line + "\n");
     EXPECT_THAT(path.pieces, IsEmpty()) << line;
     EXPECT_EQ(path.notes.size(), 1U) << line;

@@ -34,7 +34,10 @@ TEST_F(AcceptedLines, ManySpellingsOfOneMove) {
       "G1 X10.500000000000000000000000001 Y-0.2499999999999999999999999999 F600",
       "G1.0 X10.5 Y-0.25 F600",
       "\xef\xbb\xbfG1 X10.5 Y-0.25 F600",
-      std::string("G1\0 X1\x01\x0b" "0.5 Y-0.2\x7" "5 F600\x1a", 25),
+      std::string("G1\0 X1\x01\x0b"
+                  "0.5 Y-0.2\x7"
+                  "5 F600\x1a",
+                  25),
       "G49 G80 G1 X10.5 Y-0.25 F600",
       "G1 X10.5 G80 Y-0.25 F600 G49",
       "G0 G80 G17 G40 G49 G90 X10.5 Y-0.25 F600 (a head)",
@@ -200,13 +203,8 @@ TEST_F(AcceptedLines, MotionsOfLessThanAMonth) {
   EXPECT_EQ(refusal_number("G94 G1 X3 F0.000023"), 38);
 }
 
-TEST_F(AcceptedLines, RatesOfTheAxesCountForTheLengthOfAMotion) {
-  interpreter = Interpreter{Options{.slowest_rate_mm_s = 1.0F / 60.0F}};
-  EXPECT_EQ(take_one("G0 X43000").kind, ActionKind::kRapid);
-  EXPECT_EQ(refusal_number("G0 X87000"), 38);
-  EXPECT_EQ(refusal_number("G1 X87000 F1000"), 38);
-  static_cast<void>(take("G0 X86000"));
-  EXPECT_EQ(refuse("G28").column, 0) << "no word of the line is to blame";
+TEST_F(AcceptedLines, WordsBehindLongCommentsAreBlamedWhereTheyStand) {
+  EXPECT_EQ(refuse("(" + std::string(1000, 'x') + ") G1 F100 X1 L5").column, 1015);
 }
 
 TEST_F(AcceptedLines, MotionModeLastsUntilTheNext) {

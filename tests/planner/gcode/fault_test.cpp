@@ -43,12 +43,11 @@ TEST(Fault, WritesWordsAsTheyAreWritten) {
 }
 
 TEST(Fault, NamesWhatIsMissing) {
-  EXPECT_EQ(words({.detail = FaultDetail::kOWord}),
-            "O-words are not supported, only a program's number alone");
+  EXPECT_EQ(words({.detail = FaultDetail::kOWord}), "O-words are not supported");
   EXPECT_EQ(words({.detail = FaultDetail::kExpression, .letter = '#'}),
-            "parameters and expressions ('#') are not supported");
+            "parameters and expressions are not supported");
   EXPECT_EQ(words({.detail = FaultDetail::kExpressionForNumber, .letter = 'X'}),
-            "X has a parameter or an expression, which are not supported");
+            "parameters and expressions are not supported");
 }
 
 TEST(Fault, WritesLargeLimitsInFull) {
