@@ -5,9 +5,9 @@
 namespace cnc {
 
 void LightGap::begin() {
-  end();
+  close();
   opens_ = true;
-  gap_ = {.from = motion_.tool_steps()};
+  gap_.from = motion_.tool_steps();
   motion_.keep_path(true);
 }
 
@@ -15,7 +15,7 @@ void LightGap::begin() {
 void LightGap::find() {
   opens_ = false;
   const std::uint32_t tick = drive_.light_ended();
-  if (!motion_.is_lit_after(tick)) return end();
+  if (!motion_.is_lit_after(tick)) return close();
   const motion::PathUnits distance = motion_.distance_since(tick);
   gap_.distance_mm = motion::to_mm(distance);
   unknown_mm_ = motion_.go_back(distance);
@@ -26,7 +26,7 @@ void LightGap::find() {
   }
 }
 
-void LightGap::end() {
+void LightGap::close() {
   opens_ = false;
   found_ = false;
   unknown_mm_ = 0.0F;
@@ -34,18 +34,18 @@ void LightGap::end() {
 }
 
 void LightGap::leave() {
-  if (found_) uncut_ = gap_;
-  end();
+  reported_ = reported_ || found_;
+  close();
 }
 
-bool LightGap::leave_unknown() {
+bool LightGap::end() {
   const bool matters = unknown_mm_ > kNegligibleMm;
   gap_.distance_mm = unknown_mm_;
-  if (matters) uncut_ = gap_;
-  end();
+  reported_ = reported_ || matters;
+  close();
   return matters;
 }
 
-std::optional<Uncut> LightGap::take_uncut() { return std::exchange(uncut_, std::nullopt); }
+const Uncut* LightGap::take_uncut() { return std::exchange(reported_, false) ? &gap_ : nullptr; }
 
 }  // namespace cnc

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "firmware/machine/motion_control.hpp"
 
 namespace cnc {
@@ -30,28 +28,29 @@ class LightGap {
   void find();
   /// Returns whether the motion was taken back and has not gone on.
   [[nodiscard]] bool any() const { return found_; }
-  /// Returns whether begin() was called, and neither find() nor end() since.
+  /// Returns whether begin() was called, and find() was not.
   [[nodiscard]] bool opens() const { return opens_; }
-  /// The motion goes on, or is dropped.
-  void end();
-  /// The same, and reports all of it as uncut.
+  /// The motion is dropped: reports all of the gap as uncut.
   void leave();
-  /// Reports the part of it that cannot be cut again, if it matters. Returns whether there is one.
-  [[nodiscard]] bool leave_unknown();
+  /// The motion goes on. Returns whether a part of the gap that matters is not known any more, and
+  /// reports that as uncut.
+  [[nodiscard]] bool end();
 
   /// Returns where the motion goes on, to the step where that is known. @pre any()
   [[nodiscard]] const AxisArray<std::int32_t>& place() const { return gap_.from; }
-  /// Returns once what was reported last.
-  [[nodiscard]] std::optional<Uncut> take_uncut();
+  /// Returns once what was reported last, else null.
+  [[nodiscard]] const Uncut* take_uncut();
 
  private:
+  void close();
+
   StepDrive& drive_;
   MotionControl& motion_;
   bool opens_ = false;
   bool found_ = false;
   float unknown_mm_ = 0.0F;
   Uncut gap_{};
-  std::optional<Uncut> uncut_{};
+  bool reported_ = false;
 };
 
 }  // namespace cnc

@@ -203,7 +203,7 @@ class Machine {
   /// Once after a line whose path, or one before, cannot be driven beside what is programmed.
   [[nodiscard]] std::optional<compensation::Fault> take_path_fault();
   /// Returns once what a door, a lost link or a reset after it leave uncut.
-  [[nodiscard]] std::optional<Uncut> take_uncut() { return gap_.take_uncut(); }
+  [[nodiscard]] const Uncut* take_uncut() { return gap_.take_uncut(); }
   /// The last line was M2 or M30.
   [[nodiscard]] bool program_ended() const { return program_ended_; }
   /// True once after each M2 or M30, for the message before its answer.
@@ -271,6 +271,7 @@ class Machine {
 
   // A program that was interrupted, in machine_reentry.cpp.
   void note_progress();
+  void place_progress(const AxisArray<std::int32_t>& steps);
   void forget_progress();
   void darken_until_place(path::PathItem& item);
   [[nodiscard]] bool drive_rest();

@@ -59,7 +59,7 @@ void Machine::attend_door() {
 
 /// The operator confirms that a part of the path stays uncut.
 void Machine::end_door() {
-  if (!gap_.leave_unknown()) return restart();
+  if (!gap_.end()) return restart();
   static_cast<void>(state_.take(Event::kStay));
 }
 
@@ -67,11 +67,7 @@ void Machine::end_door() {
 void Machine::find_gap() {
   if (!gap_.opens()) return;
   gap_.find();
-  if (!gap_.any() || !progress_.any()) return;
-  const motion::SourceLine line = motion_.line();
-  progress_.steps = gap_.place();
-  if (line.number != 0) progress_.line = line;
-  if (kept_progress_ != nullptr) kept_progress_->keep(progress_);
+  if (gap_.any()) place_progress(gap_.place());
 }
 
 /// Out of the work with the spindle still turning.

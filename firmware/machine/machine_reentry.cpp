@@ -11,8 +11,15 @@ void Machine::note_progress() {
   if (reentry_.active() || !drive_.running() || was_dark) return;
   if (state_.in(Mode::kJog) || state_.in(Mode::kJogEnding) || state_.in(Mode::kHome)) return;
   if (drive_.line().number == 0) return;
-  progress_ = {.line = drive_.line(), .steps = motion_.tool_steps()};
+  progress_.line = drive_.line();
   place_is_kept_ = true;
+  place_progress(motion_.tool_steps());
+}
+
+/// The tool worked there last, on the line that is known or behind it.
+void Machine::place_progress(const AxisArray<std::int32_t>& steps) {
+  if (!progress_.any()) return;
+  progress_.steps = steps;
   if (kept_progress_ != nullptr) kept_progress_->keep(progress_);
 }
 

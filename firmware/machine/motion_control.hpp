@@ -20,7 +20,6 @@ class MotionControl : private Pipeline {
   using Pipeline::go_on;
   using Pipeline::halt;
   using Pipeline::has_room;
-  using Pipeline::line;
   using Pipeline::motor_place;
   using Pipeline::motors;
   using Pipeline::observe;

@@ -49,7 +49,7 @@ bool LineProtocol::tell_news() {
     if (machine_.needs_reset()) message("Reset to continue");
     return true;
   }
-  if (const auto uncut = machine_.take_uncut()) {
+  if (const Uncut* const uncut = machine_.take_uncut()) {
     tell_uncut(*uncut);
     return true;
   }
@@ -71,16 +71,10 @@ bool LineProtocol::tell_news() {
 /// coordinates.
 void LineProtocol::tell_uncut(const Uncut& uncut) {
   Reply reply = begin_answer();
-  reply.text("[MSG:").place(from_mm(uncut.distance_mm), form_.inches);
-  reply.text(form_.inches ? " in are uncut from " : " mm are uncut from ");
+  reply.text("[MSG:").place(from_mm(uncut.distance_mm), false).text(" mm are uncut from ");
   put_places(reply, machine_.motion().place_of(uncut.from), form_);
-  reply.text(" on");
-  if (machine_.state() == MachineState::kHold) {
-    reply.text("; ~ goes on without them");
-  } else if (machine_.progress().any()) {
-    reply.text("; $RESUME cuts them");
-  }
-  answer(reply.letter(']').end());
+  const bool held = machine_.state() == MachineState::kHold;
+  answer(reply.text(held ? " on; ~ goes on without them]" : " on]").end());
 }
 
 /// What senders want to read before the acknowledgement of the line that did it.

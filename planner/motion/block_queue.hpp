@@ -61,7 +61,6 @@ class BlockQueue {
   [[nodiscard]] std::size_t kept() const { return kept_; }
   /// Returns the one that was driven last. @pre kept() > 0
   [[nodiscard]] const Block& newest_kept() const {
-    CNC_ASSERT(kept_ > 0);
     return blocks_[place_of(blocks_.size() - 1)];
   }
   /// From now on no driven block is dropped for newer ones: the queue is full before; or no longer.

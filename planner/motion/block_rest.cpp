@@ -5,25 +5,14 @@
 namespace cnc::motion {
 namespace {
 
-constexpr float kQ16 = 65'536.0F;
-constexpr float kFractionUnit = 1.0F / 4294967296.0F;
-
-/// Returns a length on one motor's scale on another's.
-StepPosition on_scale(std::int64_t steps_q32, const AxisScale& from, const AxisScale& to) {
-  if (from.steps_per_mm() == to.steps_per_mm()) return StepPosition{steps_q32};
+/// The chord from `start` to the end of the block in `axis`, in mm.
+float chord_mm(const Block& block,
+               const AxisArray<StepPosition>& start,
+               std::size_t axis,
+               const Limits& limits) {
+  const std::int64_t steps_q32 = block.end[axis].q32() - start[axis].q32();
   const float steps = nearest_float(steps_q32) * StepPosition::kStepsPerUnit;
-  const float scaled = steps * (to.steps_per_mm() / from.steps_per_mm());
-  return StepPosition{truncated(scaled * kQ16) * 65'536};
-}
-
-/// Turns the chord from `start` to the end of the block by a quarter turn, as the builder does.
-void turn_chord(Block& block, const AxisArray<StepPosition>& start, const Limits& limits) {
-  const PlaneAxes axes = axes_of(block.turn.plane);
-  const AxisScale& first = limits.scale[axes.first];
-  const AxisScale& second = limits.scale[axes.second];
-  const std::int64_t along_first = block.end[axes.first].q32() - start[axes.first].q32();
-  const std::int64_t along_second = block.end[axes.second].q32() - start[axes.second].q32();
-  block.normal = {on_scale(-along_second, second, first), on_scale(along_first, first, second)};
+  return steps / limits.scale[axis].steps_per_mm();
 }
 
 }  // namespace
@@ -33,23 +22,28 @@ BlockRest rest_of(const Block& block,
                   PathUnits place,
                   const Limits& limits) {
   BlockRest rest{.block = block, .start = start};
-  rest.block.from_rest = true;
   if (place <= 0) return rest;
   const PathUnits length = length_in_units(block);
-  const std::uint64_t fraction = BlockFraction{length}.of(place);
   const MotorPath path{block, start};
-  const MotorPath::Point point = path.at(fraction);
+  const MotorPath::Point point = path.at(BlockFraction{length}.of(place));
   for (const MotorPath::Motor& motor : path.moving()) {
     rest.start[motor.axis()] = motor.place(point);
   }
-  const float share = nearest_float(fraction) * kFractionUnit;
-  rest.block.outputs = {};
+  const float whole_mm = to_mm(length);
+  const float share = to_mm(place) / whole_mm;
+  Turn& turn = rest.block.turn;
+  turn.start_angle += 2.0F * turn.half_sweep * share;
   rest.block.length = to_mm(length - place);
+  turn.half_sweep *= rest.block.length / whole_mm;
+  rest.block.outputs = {};
   rest.block.row = block.row.part(share, 1.0F);
-  if (!block.turns()) return rest;
-  rest.block.turn.start_angle += 2.0F * block.turn.half_sweep * share;
-  rest.block.turn.half_sweep *= to_mm(length - place) / to_mm(length);
-  turn_chord(rest.block, rest.start, limits);
+  // The chord is turned as the builder does.
+  const PlaneAxes axes = axes_of(turn.plane);
+  const float first = chord_mm(block, rest.start, axes.first, limits);
+  const float second = chord_mm(block, rest.start, axes.second, limits);
+  const auto along_first = limits.scale[axes.first].steps_at(from_mm(-second));
+  const auto along_second = limits.scale[axes.second].steps_at(from_mm(first));
+  if (along_first && along_second) rest.block.normal = {*along_first, *along_second};
   return rest;
 }
 

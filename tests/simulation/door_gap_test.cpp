@@ -183,7 +183,7 @@ class Cut : private sim::TraceSink {
     for (int left = 3000; machine.state() == MachineState::kDoor && left > 0; --left) bench_.run(1);
     EXPECT_EQ(burnt.size(), lit) << "lit behind the door";
     EXPECT_NE(machine.state(), MachineState::kHold) << "the path is not known";
-    EXPECT_EQ(machine.take_uncut(), std::nullopt);
+    EXPECT_EQ(machine.take_uncut(), nullptr);
   }
 
   MachineBench& bench() { return bench_; }
