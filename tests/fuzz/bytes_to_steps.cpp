@@ -235,7 +235,9 @@ class Bench {
   [[nodiscard]] const BytesLink& link() const { return link_; }
   /// Lines behind the pause of a single block wait for the operator.
   [[nodiscard]] bool pauses() const {
-    return link_.single_block && application_.machine().state() == cnc::MachineState::kHold;
+    const cnc::MachineState state = application_.machine().state();
+    return link_.single_block &&
+           (state == cnc::MachineState::kHold || state == cnc::MachineState::kDoor);
   }
 
  private:
