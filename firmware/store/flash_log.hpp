@@ -48,6 +48,7 @@ class FlashLog final : public hal::RecordStore {
     std::size_t touched = log_format::kFirstRecord;  ///< After the last word that is not erased.
     std::optional<FoundRecord> last{};               ///< The last record, if no seal is after it.
     bool sealed = false;                             ///< A seal, and nothing after it.
+    bool lost = false;  ///< Something that was whole once is no record any more.
     bool clean = true;  ///< Up to the last record, seal or mark nothing but these and zeros.
   };
 

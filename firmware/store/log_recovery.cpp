@@ -39,7 +39,10 @@ bool FlashLog::holds_later_log(std::size_t sector) const {
 
 FlashLog::Tail FlashLog::find_tail() const {
   Tail tail;
-  bool debris = false;  // Since the last record or seal.
+  bool debris = false;  // Since the last record, seal or mark.
+  // Directly before the next one. Before a zero it is the record that a power-up has copied behind
+  // the zeros, because it may read otherwise at any time.
+  bool torn = false;
   for (std::size_t place = log_format::kFirstRecord; place < sector_.words();) {
     const std::uint32_t word = sector_.word(place);
     FoundRecord found;
@@ -57,9 +60,11 @@ FlashLog::Tail FlashLog::find_tail() const {
     }
     if (is_record || is_seal || is_mark) {
       tail.clean = tail.clean && !debris;
-      debris = false;
-    } else {
-      debris = debris || (word != 0 && word != hal::FlashSectors::kErased);
+      tail.lost = tail.lost || torn;
+      debris = torn = false;
+    } else if (word != hal::FlashSectors::kErased) {
+      debris = debris || word != 0;
+      torn = word != 0;
     }
   }
   tail.sealed = tail.sealed && tail.end == tail.touched;
@@ -70,7 +75,7 @@ void FlashLog::settle_tail() {
   const Tail tail = find_tail();
   tail_ = tail.end;
   clean_ = tail.clean;
-  damaged_ = damaged_ || !tail.clean;
+  damaged_ = damaged_ || tail.lost;
   if (damaged_) return;  // A seal would hide it. The next save takes what is whole along.
   has_room_ = tail.sealed || (sector_.confirm() && seal(tail));
   if (!has_room_) start_anew(tail);

@@ -239,11 +239,29 @@ TEST_F(ToolChangeTest, MovesNothingWhileTheDoorIsOpen) {
 }
 
 TEST_F(ToolChangeTest, RefusesWhatLeavesTheTravelWithoutAnAlarm) {
-  machine.set_places({});
-  run_to_tool();
+  send_all({"$22=1", "$20=1", "$25=3000", "$26=5"});
+  plate = [&](const auto& position) {
+    for (unsigned axis = 0; axis < 3; ++axis) {
+      const unsigned bit = position[axis] > 500 ? 1U << axis : 0U;
+      port.limits.first = static_cast<std::uint8_t>((port.limits.first & ~(1U << axis)) | bit);
+    }
+    return false;
+  };
+  ASSERT_EQ(send("$H"), "ok");
+  send_all({"G0 X-10"});
+  stream("M6 T2\nG0 X-20\n");
+  run(2000);
   acknowledge();
-  EXPECT_EQ(lines_of("G38.2 X20 F100").back(), "error:33");
+  EXPECT_EQ(lines_of("G0 X-301").back(), "error:33");
+  EXPECT_EQ(lines_of("$J=X-301 F1000").back(), "error:15");
   EXPECT_EQ(state(), "Tool");
+  EXPECT_EQ(lines_of("G91 G0 X-4").back(), "ok") << "from where it stands";
+  run(1000);
+  EXPECT_EQ(machine.position()[0].mm(), -14.0F);
+  EXPECT_EQ(machine.alarm(), Alarm::kNone);
+  stream("~");
+  run_until_idle();
+  EXPECT_EQ(machine.position()[0].mm(), -20.0F);
 }
 
 TEST_F(ToolChangeTest, AResetEndsItWithTheOffsets) {

@@ -71,7 +71,8 @@ constexpr std::array kTokens = std::to_array<std::string_view>({
     "M9\n", "M62P1\n", "M67E2Q0.5\n", "G10L1P2R0.4\n", "G10L2P1X1\n", "G10L20P0X0Y0\n", "G28.1\n",
     "G28X1\n", "G30\n", "G92X7\n", "G92.1\n", "G43.1Z2\n", "G49\n", "G41.1D0.4\n", "G42.1D1\n",
     "T2\n", "G41D2\n", "G41\n", "G40\n", "M190P0Q10\n", "F300S1000\n", "G61.1\n", "G64P0.1Q0.05\n",
-    "G91\n", "G90\n", "G93\n", "G94\n", "G20\n", "G21\n", "G18\n", "G17\n", "G55\n", "G80\n", "/G0X9\n",
+    "G91\n", "G90\n", "G93\n", "G94\n", "G20\n", "G21\n", "G18\n", "G17\n", "G55\n", "G80\n",
+    "/G0X9\n",
     "N1G1X5*86\n", "N0M110*125\n",
     // Realtime bytes.
     "?", "!", "~", "\x18", "\x83", "\x84", "\x85", "\x87", "\x88", "\x89", "\x8C", "\x91", "\x96",
@@ -234,7 +235,9 @@ class Bench {
   [[nodiscard]] const BytesLink& link() const { return link_; }
   /// Lines behind the pause of a single block wait for the operator.
   [[nodiscard]] bool pauses() const {
-    return link_.single_block && application_.machine().state() == cnc::MachineState::kHold;
+    const cnc::MachineState state = application_.machine().state();
+    return link_.single_block &&
+           (state == cnc::MachineState::kHold || state == cnc::MachineState::kDoor);
   }
 
  private:
