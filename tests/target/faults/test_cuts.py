@@ -25,6 +25,7 @@ ERASE_US = 20_000
 KINDS = ("none", "whole", "torn")
 FILLING = 222  # Start-up lines: with them a sector is nearly full.
 BOOT_NS = 150 * MS  # A store that is full is read twice before the banner.
+SCRIPT_NS = 1500 * MS  # The script's 60 lines, by an image that is compiled for size.
 RECOVERED_NS = 900 * MS  # What a cut left is made whole before that.
 WINDOW = "usart1_window=1"  # A line goes out when the one before is answered.
 SETTINGS = (110, 111, 112, 120, 121, 122, 130, 131, 132)
@@ -88,7 +89,7 @@ class CutTest(unittest.TestCase):
         lines = script(60, 60)
         whole = self.folder / "whole"
         shutil.copy(filled, whole)
-        run = self.run_on(whole, text_of(lines), BOOT_NS + 1100 * MS)
+        run = self.run_on(whole, text_of(lines), BOOT_NS + SCRIPT_NS)
         self.assertEqual(len(lines), run.said.count("ok\r\n"), run.said[-400:])
         operations = len(run.times("flash"))
         self.assertGreater(len(run.times("flash", "erase")), 0, "the script compacts")
@@ -110,7 +111,7 @@ class CutTest(unittest.TestCase):
         """What is lost when power goes in the given operation, or nothing."""
         flash = self.folder / f"cut{number}"
         shutil.copy(filled, flash)
-        run = self.run_on(flash, text_of(lines), BOOT_NS + 1100 * MS, f"cut={at}",
+        run = self.run_on(flash, text_of(lines), BOOT_NS + SCRIPT_NS, f"cut={at}",
                           f"cut_kind={kind}", f"seed={number + 1}")
         if run.status != POWER_CUT:
             return f"cut {at} {kind}: {run.status} {run.told}"
