@@ -15,7 +15,7 @@ namespace sim {
 struct Job {
   std::string file;                   ///< `-` is standard input.
   std::optional<std::string> text{};  ///< The program itself, where no file has it.
-  std::vector<SettingChange> settings;
+  std::vector<SettingChange> settings{};
   /// Without switches: where on the machine the program's zero lies is not known.
   MachineModel machine{.has_switches = false};
   std::function<void(double)> on_progress{};  ///< Share done, 0…1.

@@ -102,7 +102,7 @@ TEST(Homing, IsEndedByAResetAndByTheDoor) {
   bench.controller.panel().door = true;
   bench.run(10);
   EXPECT_EQ(bench.machine().alarm(), Alarm::kHomingDoor);
-  EXPECT_NE(bench.machine().why_not_home(0), HomingRefusal::kNone);
+  EXPECT_NE(bench.machine().why_not_home(0), cnc::HomingRefusal::kNone);
   bench.controller.panel().door = false;
   bench.home();
   EXPECT_EQ(bench.machine().alarm(), Alarm::kNone);

@@ -145,7 +145,7 @@ class Chaos {
     if (!quiet_ || machine.busy() || !machine.idle()) return machine.resume();
     if (random_.chance(0.2)) {
       static_cast<void>(machine.toggle_check_mode());
-    } else if (machine.why_not_home(0) == HomingRefusal::kNone && random_.chance(0.2)) {
+    } else if (machine.why_not_home(0) == cnc::HomingRefusal::kNone && random_.chance(0.2)) {
       machine.home(0);
     } else {
       static_cast<void>(machine.jog("F6000" + place()));
@@ -190,7 +190,7 @@ class Chaos {
         static_cast<void>(machine.toggle_check_mode());
         return;
       case 13:
-        if (machine.why_not_home(0) == HomingRefusal::kNone) machine.home(0);
+        if (machine.why_not_home(0) == cnc::HomingRefusal::kNone) machine.home(0);
         return;
       case 14:
         panel.emergency_stop = !panel.emergency_stop;

@@ -46,7 +46,7 @@ class MachineBench {
   }
   void home(std::uint8_t axes = 0) {
     run(5);
-    ASSERT_EQ(machine().why_not_home(axes), HomingRefusal::kNone);
+    ASSERT_EQ(machine().why_not_home(axes), cnc::HomingRefusal::kNone);
     machine().home(axes);
     finish();
   }
