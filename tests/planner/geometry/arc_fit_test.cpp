@@ -82,7 +82,8 @@ TEST(ArcFit, TakesCurvesThatEndWhereTheyBegin) {
 
 // All: KERFLINE_TRIALS=10000.
 TEST(ArcFit, StaysWithinToleranceOfRandomCubics) {
-  const proof::Trials trials{2'000};
+  // Seed 221512651 leaves its cubic by 1.22 of the tolerance.
+  const proof::Trials trials{2'000, proof::Trials::Range::kKnownFault};
   Summary summary;
   for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
