@@ -264,11 +264,21 @@ PathElement ArcFit::begin_biarc(const Reach& reach) {
                        .end_tangent = arrival.x() * forward + arrival.y() * left_normal(forward)};
   const PathElement lone{.start = here_, .end = end, .bulge = bulge_between(forward, ends.end)};
   const auto biarc = make_biarc(ends, reach.joint_share);
-  if (!biarc.ok() || is_lone_arc(ends)) {
+  const bool too_short = !biarc.ok() && biarc.error() == BiarcError::kChordTooShort;
+  if (too_short || is_lone_arc(ends)) {
     here_ = end;
     return lone;
   }
-  return divide(lone, ends, biarc.value().joint);
+  return divide(lone, ends, biarc.ok() ? biarc.value().joint : joint_of_trial(forward, reach));
+}
+
+/// Returns the joint of the biarc that was held against the curve, relative to its start. The ends
+/// that are driven are rounded, so where an arc is nearly half a turn they may have no biarc.
+Vec2 ArcFit::joint_of_trial(const Vec2& forward, const Reach& reach) const {
+  const auto biarc = make_biarc(trial_.ends(), reach.joint_share);
+  const Vec2 joint = biarc.ok() ? biarc.value().joint : Vec2{0.5F * trial_.ends().end};
+  const Vec2 along = forward.normalized();
+  return joint.x() * along + joint.y() * left_normal(along);
 }
 
 /// As seen from the chord the two tangents of a lone arc are mirror images.

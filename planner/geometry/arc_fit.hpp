@@ -75,6 +75,7 @@ class ArcFit {
   [[nodiscard]] PathElement go_straight();
   [[nodiscard]] PathElement begin_biarc(const Reach& reach);
   [[nodiscard]] bool is_lone_arc(const BiarcEnds& ends) const;
+  [[nodiscard]] Vec2 joint_of_trial(const Vec2& forward, const Reach& reach) const;
   [[nodiscard]] PathElement divide(const PathElement& whole,
                                    const BiarcEnds& ends,
                                    const Vec2& joint);
