@@ -344,50 +344,24 @@ static_assert(std::all_of(kTable.begin(), kTable.end(), [](const SettingInfo& in
   return info.whole == (info.type != SettingType::kDecimal);
 }));
 
-/// The row of each number: settings are looked up for every line, and a search costs as much as a
-/// word of G-code. Most numbers have none, so only blocks of numbers in which there is a setting
-/// are stored.
-class RowIndex {
- public:
-  constexpr RowIndex() {
-    for (Block& block : blocks_) block.fill(kNone);
-    for (std::size_t row = 0; row < kTable.size(); ++row) {
-      const std::size_t number = kTable[row].number;
-      std::uint8_t& block = block_of_[number / kBlock];
-      if (block == 0) block = ++used_;
-      blocks_[block][number % kBlock] = static_cast<std::uint8_t>(row);
-    }
+/// The row of each number, or how many rows there are: settings are looked up for every
+/// line, and a search costs as much as a word of G-code.
+constexpr std::size_t kNumbers = kTable.back().number + 1U;
+constexpr std::array<std::uint8_t, kNumbers> kRows = [] {
+  std::array<std::uint8_t, kNumbers> rows{};
+  rows.fill(static_cast<std::uint8_t>(kTable.size()));
+  for (std::size_t row = 0; row < kTable.size(); ++row) {
+    rows[kTable[row].number] = static_cast<std::uint8_t>(row);
   }
-  /// Returns the number of rows where there is no such setting.
-  [[nodiscard]] constexpr std::size_t row_of(std::size_t number) const {
-    return number < kNumbers ? blocks_[block_of_[number / kBlock]][number % kBlock] : kNone;
-  }
-
- private:
-  static constexpr std::size_t kBlock = 16;
-  static constexpr std::size_t kNumbers = kTable.back().number + 1U;
-  static constexpr auto kNone = static_cast<std::uint8_t>(kTable.size());
-  using Block = std::array<std::uint8_t, kBlock>;
-
-  /// The first block is that of numbers without a setting.
-  static constexpr std::size_t kBlocks = [] {
-    std::size_t count = 1;
-    for (std::size_t row = 0; row < kTable.size(); ++row) {
-      if (row == 0 || kTable[row].number / kBlock != kTable[row - 1].number / kBlock) ++count;
-    }
-    return count;
-  }();
-
-  std::array<Block, kBlocks> blocks_{};
-  std::array<std::uint8_t, kNumbers / kBlock + 1> block_of_{};
-  std::uint8_t used_ = 0;
-};
-constexpr RowIndex kRows{};
+  return rows;
+}();
 
 }  // namespace
 
 std::span<const SettingInfo> setting_table() { return kTable; }
 
-std::size_t setting_row(std::uint16_t number) { return kRows.row_of(number); }
+std::size_t setting_row(std::uint16_t number) {
+  return number < kNumbers ? kRows[number] : kTable.size();
+}
 
 }  // namespace cnc

@@ -50,43 +50,18 @@ enum class SettingType : std::uint8_t {
 
 /// One user setting. `number` is what the user writes: `$110=12000`.
 struct SettingInfo {
-  /// In the order of the table's columns; the members lie so that there is no space between them.
-  constexpr SettingInfo(std::uint16_t its_number,
-                        const char* its_name,
-                        const char* its_unit,
-                        float its_least,
-                        float its_most,
-                        float its_standard,
-                        bool is_whole,
-                        SettingGroup its_group,
-                        SettingType its_type,
-                        const char* its_format,
-                        const char* its_help)
-      : number{its_number},
-        group{its_group},
-        whole{is_whole},
-        type{its_type},
-        name{its_name},
-        unit{its_unit},
-        least{its_least},
-        most{its_most},
-        standard{its_standard},
-        format{its_format},
-        help{its_help} {}
-
   std::uint16_t number;
-  SettingGroup group;
-  bool whole : 1;  ///< Only whole numbers.
-  SettingType type : 7;
   const char* name;
   const char* unit;
   float least;
   float most;
-  float standard;      ///< As delivered.
-  const char* format;  ///< Of grblHAL's `$ES`; what it means depends on the type.
-  const char* help;    ///< One or two sentences for whoever sets it.
+  float standard;  ///< As delivered.
+  bool whole;      ///< Only whole numbers.
+  SettingGroup group;
+  SettingType type;
+  const char* format;  ///< Of grblHAL's `$ES`; the type determines its meaning.
+  const char* help;    ///< One or two sentences for the user that sets it.
 };
-static_assert(sizeof(void*) != 4 || sizeof(SettingInfo) == 32, "the table is large");
 
 enum class SettingError : std::uint8_t {
   kUnknown,     ///< No setting has this number.

@@ -43,7 +43,7 @@ namespace cnc {
 template <hal::StepPort Port, std::uint32_t QueueCapacity>
 class StepGenerator final : public StepDrive {
  public:
-  [[gnu::cold]] explicit StepGenerator(Port& port) : port_{port}, beam_{port} {}
+  explicit StepGenerator(Port& port) : port_{port}, beam_{port} {}
 
   [[nodiscard]] bool full() const override {
     // One more is being played where it lies.
@@ -82,7 +82,7 @@ class StepGenerator final : public StepDrive {
            abort_.load(std::memory_order_acquire);
   }
 
-  [[gnu::cold]] void abort() override {
+  void abort() override {
     beam_.shift().clear();
     abort_.store(running(), std::memory_order_relaxed);
     note_urgency();
@@ -96,14 +96,14 @@ class StepGenerator final : public StepDrive {
 
   [[nodiscard]] motion::SourceLine line() const override { return view_.line; }
 
-  [[gnu::cold]] void set_rest_power(std::uint16_t power) override {
+  void set_rest_power(std::uint16_t power) override {
     rest_power_ = power;
     if (running() && power != 0) return;
     gate_.replace_rest_power(power);
     beam_.set_rest(power);
     if (!running()) beam_.drive_rest();
   }
-  [[gnu::cold]] void block_power(bool blocked) override {
+  void block_power(bool blocked) override {
     if (blocked && !beam_.blocked()) dark_noted_.store(false, std::memory_order_relaxed);
     beam_.block(blocked);
     note_urgency();
@@ -132,12 +132,12 @@ class StepGenerator final : public StepDrive {
     change_at_rest();
   }
 
-  [[gnu::cold]] void watch_switches(std::uint8_t axes, std::uint8_t squared) override {
+  void watch_switches(std::uint8_t axes, std::uint8_t squared) override {
     switches_.add(axes, squared);
     note_watching();
     change_at_rest();
   }
-  [[gnu::cold]] void unwatch_switches() override {
+  void unwatch_switches() override {
     switches_.clear();
     note_watching();
     if (!running()) change_at_rest();
@@ -154,7 +154,7 @@ class StepGenerator final : public StepDrive {
   }
 
   [[nodiscard]] bool probe_contact() const override { return port_.probe_contact(); }
-  [[gnu::cold]] void arm_probe(bool contact) override {
+  void arm_probe(bool contact) override {
     probe_contact_ = contact;
     probe_hit_.store(false);
     probe_armed_.store(true, std::memory_order_relaxed);
@@ -266,7 +266,7 @@ class StepGenerator final : public StepDrive {
 
   /// Main loop: views from before this are out of date. Out of line: asked for seldom, and long.
   /// @pre !running()
-  [[gnu::cold, gnu::noinline]] void change_at_rest() {
+  [[gnu::noinline]] void change_at_rest() {
     const std::uint32_t turn = view_.turn;
     epoch_.store(epoch_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
     view_ = look();
@@ -397,7 +397,7 @@ class StepGenerator final : public StepDrive {
     return stop();
   }
 
-  [[gnu::cold, gnu::noinline]] std::uint32_t drop_everything() noexcept {
+  [[gnu::noinline]] std::uint32_t drop_everything() noexcept {
     abort_.store(false, std::memory_order_relaxed);
     urgent_.store(beam_.blocked(), std::memory_order_relaxed);
     queue_.publish_all();
