@@ -92,7 +92,7 @@ class MotionControl : private Pipeline {
 
   StepDrive& drive_;
   PlaceTrail trail_{};
-  bool lit_ = false;  ///< The segment that was handed over last.
+  bool lit_ = false;                ///< The segment that was handed over last.
   AxisArray<std::int32_t> tool_{};  ///< Place of the tool, within the backlash, when last seen.
 };
 

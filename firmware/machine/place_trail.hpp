@@ -33,8 +33,7 @@ class PlaceTrail {
 
   /// Returns the distance from where the motion is at `tick` to `travelled`; from the nearest
   /// sample for ticks before or after all of them.
-  [[nodiscard]] motion::PathUnits distance_since(std::uint32_t tick,
-                                                 std::uint64_t travelled) const;
+  [[nodiscard]] motion::PathUnits distance_since(std::uint32_t tick, std::uint64_t travelled) const;
   /// Returns whether the output is lit after `tick`.
   [[nodiscard]] bool is_lit_after(std::uint32_t tick) const { return after(lit_until_, tick) > 0; }
 

@@ -298,8 +298,8 @@ class StepGenerator final : public StepDrive {
 
   /// The output was blocked at this tick of the motion.
   [[gnu::noinline]] void note_dark() noexcept {
-    dark_tick_ = begun_ticks_.load(std::memory_order_relaxed) +
-                 static_cast<std::uint32_t>(now_ - ticks_);
+    dark_tick_ =
+        begun_ticks_.load(std::memory_order_relaxed) + static_cast<std::uint32_t>(now_ - ticks_);
     dark_noted_.store(true, std::memory_order_release);
   }
 

@@ -60,9 +60,7 @@ class BlockQueue {
   /// Number of driven blocks that take_back() can return.
   [[nodiscard]] std::size_t kept() const { return kept_; }
   /// Returns the one that was driven last. @pre kept() > 0
-  [[nodiscard]] const Block& newest_kept() const {
-    return blocks_[place_of(blocks_.size() - 1)];
-  }
+  [[nodiscard]] const Block& newest_kept() const { return blocks_[place_of(blocks_.size() - 1)]; }
   /// From now on no driven block is dropped for newer ones: the queue is full before; or no longer.
   void keep_all(bool keeps) { keeps_all_ = keeps; }
   /// Returns the block that was driven last to the front. stand() and a plan of all must follow.

@@ -165,7 +165,8 @@ TEST_F(MachineDoorTest, SaysOfALostLinkHowMuchIsUncut) {
 TEST_F(MachineDoorTest, HoldsWhereThePathIsNotKnownAnyMore) {
   send_all({"$32=1", "$120=20000", "$121=20000", "$810=2", "$820=10", "M3 S1000"});
   for (int line = 1; line <= 600; ++line) {
-    stream("G1 F4500 X" + std::to_string(0.1 * line) + " Y" + (line % 2 == 0 ? "0" : "0.01") + "\n");
+    stream("G1 F4500 X" + std::to_string(0.1 * line) + " Y" + (line % 2 == 0 ? "0" : "0.01") +
+           "\n");
   }
   run(500);
   ASSERT_GT(port.power, 0);
@@ -178,8 +179,7 @@ TEST_F(MachineDoorTest, HoldsWhereThePathIsNotKnownAnyMore) {
   wait_while_restoring();
   EXPECT_EQ(machine.state(), MachineState::kHold);
   run(10);
-  EXPECT_NE(link.outgoing.find(" on; ~ goes on without them]"), std::string::npos)
-      << link.outgoing;
+  EXPECT_NE(link.outgoing.find(" on; ~ goes on without them]"), std::string::npos) << link.outgoing;
   const auto stood = port.position;
   EXPECT_LT(stood[0], braked - 250) << "what is known it cuts";
   run(500);

@@ -55,7 +55,8 @@ TEST(PlaceTrail, KnowsDistancesOfTheLastTenthOfASecond) {
     constexpr std::uint32_t kKnown = motion::kTicksPerSecond / 10;
     for (const auto& [then, at] : way) {
       if (tick - then > kKnown) continue;
-      EXPECT_NEAR(mm(trail.distance_since(then, units(from + place))), place - at, 0.006) << "seed " << seed;
+      EXPECT_NEAR(mm(trail.distance_since(then, units(from + place))), place - at, 0.006)
+          << "seed " << seed;
     }
     EXPECT_EQ(trail.distance_since(tick, units(from + place)), 0);
     EXPECT_EQ(trail.distance_since(tick + 1000, units(from + place)), 0) << "yet to come";
