@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "hal/stm32f405/boards/btt_skr_pro_1_2.hpp"
+#include "hal/stm32f405/boards/generic.hpp"
 #include "hal/stm32f405/can/can_line.hpp"
 #include "hal/stm32f405/clock.hpp"
 #include "hal/stm32f405/time_base.hpp"
@@ -14,7 +14,7 @@
 namespace {
 
 namespace chip = hal::stm32f405;
-using Line = chip::CanLine<chip::kBttSkrPro12>;
+using Line = chip::CanLine<chip::kGenericCan>;
 using Routine = void (*)();
 
 constexpr unsigned kToItself = 5;

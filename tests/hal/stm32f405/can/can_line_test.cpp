@@ -2,13 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include "hal/stm32f405/boards/btt_skr_pro_1_2.hpp"
+#include "hal/stm32f405/boards/generic.hpp"
 #include "tests/hal/stm32f405/can/can_model.hpp"
 
 namespace hal::stm32f405 {
 namespace {
 
-using Line = CanLine<kBttSkrPro12, CanBus>;
+using Line = CanLine<kGenericCan, CanBus>;
 using Mail = CanModel::Mail;
 
 CanFrame frame_of(std::uint32_t id, std::initializer_list<int> bytes, bool extended = false) {
