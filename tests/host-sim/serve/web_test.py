@@ -4,11 +4,13 @@
     web_test.py KERFLINE
 """
 import json
+import re
+import socket
 import subprocess
 import time
 
 from served import BANNER, LASER, ServeTest, main
-from web_client import TEXT, WebSocket, http, post, request
+from web_client import CLOSE, TEXT, WebSocket, head, http, post, request
 
 
 class Web(ServeTest):
@@ -67,7 +69,10 @@ class Web(ServeTest):
         self.assertEqual(http(port, origin="http://evil.example")[0], 403)
         for path, names, status in (("/", {"host": f"evil.example:{port}"}, 403),
                                     ("/observe", {"origin": "http://evil.example"}, 403),
-                                    ("/", {"origin": f"http://localhost:{port}"}, 101)):
+                                    ("/", {"origin": f"http://localhost:{port}"}, 403),
+                                    ("/", {"origin": f"http://10.9.8.7:{port}"}, 403),
+                                    ("/", {"origin": f"http://LOCALHOST:{port}",
+                                           "host": f"LocalHost:{port}"}, 101)):
             web = WebSocket(port, path, **names)
             self.assertEqual(web.status, status, names)
             web.close()
@@ -79,13 +84,14 @@ class Web(ServeTest):
         sender.ask("G10 L2 P1 X100")
         sender.ask("G0 X1 Y2")
         outline = self.outline_of(served, b"M4 S500\nG1 X10 F600\nG0 X20\n")
-        self.assertEqual(outline, {"points": [101, 2, 0, 110, 2, 2, 120, 2, 0]})
+        self.assertEqual(outline, {"points": [101, 2, 0, 110, 2, 2, 120, 2, 0], "faults": []})
         outline = self.outline_of(served, b"G1 X5 F600\r\nG1 X6 Q\xff\r\nX9\r\n")
         self.assertEqual(outline["points"], [101, 2, 0, 105, 2, 1])
         self.assertEqual(outline["refused"]["line"], 2)
         self.assertEqual(outline["refused"]["number"], 2)
         self.assertEqual(outline["refused"]["reason"], "Q has no number")
-        self.assertEqual(self.outline_of(served, b""), {"points": [101, 2, 0]})
+        self.assertEqual(outline["faults"], ["line 2: Q has no number"])
+        self.assertEqual(self.outline_of(served, b""), {"points": [101, 2, 0], "faults": []})
         sender.close()
 
     def outline_of(self, served, program):
@@ -106,6 +112,55 @@ class Web(ServeTest):
                                  extra="Transfer-Encoding: chunked\r\n")[0], 411)
         self.assertEqual(post(port, "/outline", b"", origin="http://evil.example")[0], 403)
         self.assertEqual(post(port, "/outline", b"", host=f"evil.example:{port}")[0], 403)
+
+    def test_answers_the_head_alone(self):
+        port = self.serve("--ws", 0).port("ws")
+        for path in ("/", "/app.js", "/picture.svg"):
+            first, rest = head(port, path)
+            self.assertIn(b" 200 ", first.split(b"\r\n")[0])
+            length = int(re.search(rb"Content-Length: (\d+)", first)[1])
+            self.assertEqual(length, len(http(port, path)[1].split(b"\r\n\r\n", 1)[1]))
+            self.assertEqual(rest, b"")
+
+    def test_hangs_up_on_frames_that_break_the_rules(self):
+        served = self.serve("--ws", 0)
+        for frame in (b"\x82\x01?", b"\xc2\x81\0\0\0\0?", b"\xa2\x81\0\0\0\0?", b"\x83\x80\0\0\0\0"):
+            for path in ("/", "/observe", "/operate"):
+                web = WebSocket(served.port("ws"), path)
+                web.link.sendall(frame)
+                opcode, data = web.frame()
+                while opcode != CLOSE:
+                    opcode, data = web.frame()
+                self.assertEqual(data, b"\x03\xea", (frame, path))
+                self.assertEqual(web.link.recv(1), b"")
+                web.close()
+
+    def test_silent_and_slow_connections_keep_nobody_waiting(self):
+        port = self.serve("--ws", 0).port("ws")
+        silent = [socket.create_connection(("127.0.0.1", port)) for _ in range(200)]
+        for index, link in enumerate(silent):
+            link.sendall(b"GET / HTTP/1.1\r\nX: "[:index % 20])
+        slow = socket.create_connection(("127.0.0.1", port))
+        slow.sendall(f"POST /outline HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\n"
+                     "Content-Length: 1000\r\n\r\nG1".encode())
+        begun = time.monotonic()
+        self.assertEqual(http(port)[0], 200)
+        self.assertLess(time.monotonic() - begun, 2.0)
+        for link in [*silent, slow]:
+            link.close()
+
+    def test_tells_a_watcher_more_than_there_may_be(self):
+        port = self.serve("--ws", 0).port("ws")
+        watchers = [WebSocket(port, "/observe") for _ in range(16)]
+        for watcher in watchers:
+            self.assertIn("state", json.loads(watcher.frame()[1]))
+        more = WebSocket(port, "/observe")
+        self.assertIn("Sixteen pages watch", json.loads(more.frame()[1])["refused"])
+        self.assertEqual(more.frame(), (CLOSE, b"\x03\xf5"))
+        watchers.pop().close()
+        time.sleep(0.3)
+        again = WebSocket(port, "/observe")
+        self.assertIn("state", json.loads(again.frame()[1]))
 
 
 if __name__ == "__main__":
