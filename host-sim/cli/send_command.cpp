@@ -8,6 +8,7 @@
 #include "host-sim/cli/commands.hpp"
 #include "host-sim/cli/transfer.hpp"
 #include "host-sim/job/setting_line.hpp"
+#include "host-sim/report/printable.hpp"
 #include "host-sim/send/take_up.hpp"
 
 namespace sim {
@@ -27,7 +28,8 @@ constexpr const char* kSendFooter =
     "--checked and was interrupted, by whatever, goes on with --resume where the beam went dark:\n"
     "the controller is reset if it is held, and the path is driven dark up to that place. Keys at "
     "a terminal: ! or blank holds,\n"
-    "~ or r resumes, q or Ctrl-C holds and resets: the place stays known.\n"
+    "~ or r resumes, q or Ctrl-C holds and resets: the place stays known. Without a terminal it\n"
+    "prints for what the machine waits; SIGINT stops as q does.\n"
     "Exit status: 0 all done and at rest, 1 refused, aborted or cut off, 2 the call is wrong.";
 
 void add_options(CLI::App& command, SendCommandOptions& options) {
@@ -57,6 +59,10 @@ void add_options(CLI::App& command, SendCommandOptions& options) {
       ->type_name("BYTES");
   command.add_flag(
       "--keep-going", options.send.goes_on_after_errors, "Go on after a line that is refused");
+  command.add_flag(
+      "--stop-when-held",
+      options.stop_when_held,
+      "End the job where it would wait for an operator: at M0, M6, a hold, an open door");
   command.add_flag("--numbered", options.numbered, "With N in each line: --resume can go on then");
   auto* const resume =
       command.add_flag("--resume", options.resume, "Go on where the controller was interrupted");
@@ -114,7 +120,7 @@ ExitStatus begin_within(const SendCommandOptions& options, Line& line, std::vect
   const std::size_t index = options.resume ? interrupted_at(job, standing) : index_of(job, options);
   std::vector<JobLine> lines = lines_before(job, index, standing, options.resume);
   const ExitStatus said = say(options, line, std::move(lines), nullptr);
-  fmt::print("{}: begins with line {}\n", options.file, job[index].number);
+  fmt::print("{}: begins with line {}\n", printable(options.file), job[index].number);
   job.erase(job.begin(), job.begin() + static_cast<std::ptrdiff_t>(index));
   return said;
 }

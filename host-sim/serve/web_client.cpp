@@ -65,6 +65,7 @@ void WebClient::read_head(Clock::time_point now) {
   if (!request)
     return answer(web_refusal(http_status::kBadRequest, "The request is malformed."), now);
   request_ = std::move(*request);
+  only_head_ = request_.method == "HEAD";
   received_.erase(0, end + 4);
   stage_ = Stage::kHasHead;
 }
@@ -84,7 +85,7 @@ void WebClient::end_body() {
 }
 
 void WebClient::answer(const WebReply& reply, Clock::time_point now) {
-  to_send_ = web_answer(reply, request_.method == "HEAD");
+  to_send_ = web_answer(reply, only_head_);
   until_ = now + kPatience;
   stage_ = Stage::kAnswering;
   send(now);

@@ -69,6 +69,7 @@ class WebClient {
   std::string to_send_;
   HttpRequest request_{};
   std::size_t body_bytes_ = 0;
+  bool only_head_ = false;
   std::future<WebReply> work_;
 };
 
