@@ -83,6 +83,7 @@ class LineProtocol {
   void begin_anew();
   [[nodiscard]] bool finish_line();
   [[nodiscard]] bool read_line();
+  [[nodiscard]] bool refuse_lost_line();
   [[nodiscard]] bool passes_check(std::string_view& line);
   void handle(std::string_view line);
   [[nodiscard]] gcode::Refusal accept(std::string_view line);

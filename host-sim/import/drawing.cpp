@@ -1,11 +1,11 @@
 #include "host-sim/import/drawing.hpp"
 
-#include "host-sim/report/printable.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+
+#include "host-sim/report/printable.hpp"
 
 namespace sim::drawing {
 

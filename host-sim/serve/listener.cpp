@@ -30,6 +30,9 @@ Descriptor listen_at(InternetAddress& address, std::string_view way) {
   const std::string name = std::string{way} + " " + to_string(address);
   Descriptor listener{
       checked(::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0), name)};
+  // Every connection has it from here. What waits in the kernel keeps a hold waiting.
+  constexpr int kUnreadBytes = 64 * 1024;
+  set_option(listener, SOL_SOCKET, SO_RCVBUF, kUnreadBytes);
   set_option(listener, SOL_SOCKET, SO_REUSEADDR, 1);  // Else a restart has to wait a minute.
   sockaddr_in place{};
   place.sin_family = AF_INET;

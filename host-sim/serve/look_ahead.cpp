@@ -8,7 +8,7 @@ namespace sim {
 namespace {
 
 // The receiver has capacity for a chunk, whatever it is in the middle of.
-constexpr std::size_t kChunk = 1024;
+constexpr std::size_t kChunk = 64;
 static_assert(kChunk < cnc::Receiver::kRealBytes);
 
 std::span<const char> as_chars(std::span<const std::byte> bytes) {
@@ -20,9 +20,16 @@ std::span<const char> as_chars(std::span<const std::byte> bytes) {
 LookAhead::LookAhead() : receiver_{std::make_unique<cnc::Receiver>()} {}
 
 void LookAhead::hear(std::span<const std::byte> bytes, Session& session) {
-  receiver_->be_strict(session.controller().firmware().checks_lines());
+  const bool strict = session.controller().firmware().checks_lines();
+  receiver_->be_strict(strict);
   std::span<const char> rest = as_chars(bytes);
   while (!rest.empty()) {
+    // Most bytes need no sorting; the last of them tells the receiver where it is.
+    const std::size_t run = strict ? 0 : receiver_->plain_run(rest);
+    if (run > kChunk) {
+      lines_.append(rest.data(), run - 1);
+      rest = rest.subspan(run - 1);
+    }
     const std::span<const char> chunk = rest.first(std::min(rest.size(), kChunk));
     const std::size_t count = receiver_->receive(chunk);
     CNC_ASSERT(count == chunk.size());

@@ -76,7 +76,7 @@ TEST_F(LookAheadTest, LosesNoLineHoweverFarAheadTheyCome) {
 }
 
 TEST_F(LookAheadTest, NothingActsWithinACheckedLine) {
-  hear("N0M110*125\n");
+  hear("N0 M110*125\n");
   turn(5);
   ASSERT_TRUE(session.controller().firmware().checks_lines()) << said;
   hear("N1 G4 P0!*00\n");
