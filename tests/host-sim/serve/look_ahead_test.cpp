@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "host-sim/send/answer.hpp"
+
 namespace sim {
 namespace {
 
@@ -76,10 +78,10 @@ TEST_F(LookAheadTest, LosesNoLineHoweverFarAheadTheyCome) {
 }
 
 TEST_F(LookAheadTest, NothingActsWithinACheckedLine) {
-  hear("N0 M110*125\n");
+  hear(with_crc("N0M110") + "\n");
   turn(5);
   ASSERT_TRUE(session.controller().firmware().checks_lines()) << said;
-  hear("N1 G4 P0!*00\n");
+  hear("N1 G4 P0!*00000000\n");
   EXPECT_EQ(beside, "");
   hear("!!");
   EXPECT_EQ(beside, "!");

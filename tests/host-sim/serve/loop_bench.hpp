@@ -32,6 +32,8 @@ class LoopBench {
   [[nodiscard]] cnc::MachineState state() const { return state_; }
   [[nodiscard]] bool lit() const { return lit_; }
   [[nodiscard]] bool has_sender() const { return has_sender_; }
+  /// How often the loop has slept, a millisecond at most each time.
+  [[nodiscard]] unsigned sleeps() const { return sleeps_; }
   /// Waits until `done` holds; false after 20 s.
   template <typename Done>
   [[nodiscard]] static bool wait(Done&& done) {
@@ -56,6 +58,7 @@ class LoopBench {
       descriptors_.clear();
       reception_.add_to(descriptors_);
       ::poll(descriptors_.data(), descriptors_.size(), 1);
+      ++sleeps_;
     }
   }
 
@@ -72,6 +75,7 @@ class LoopBench {
   std::atomic<bool> lit_{false};
   std::atomic<bool> has_sender_{false};
   std::atomic<bool> ends_{false};
+  std::atomic<unsigned> sleeps_{0};
   std::thread loop_;  ///< The last member: it uses the others.
 };
 
