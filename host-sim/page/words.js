@@ -1,20 +1,20 @@
 // Numbers in words: what to do about an alarm or an error.
 
 const kAlarmRemedies = {
-  1: 'Move the axis off the switch by hand, then home.',
+  1: 'Move the axis off the switch by hand first.',
   2: 'Unlock, and move the job or its origin so that it fits.',
-  3: 'Home again; without switches, unlock and set the origin again.',
+  3: 'Without switches: unlock, and set the origin again.',
   4: 'Unlock; free the probe, or move away from the plate, and probe again.',
   5: 'Unlock; start nearer to the plate, or probe farther.',
   6: 'Home again.',
   7: 'Close the door and home again.',
-  8: 'Look at the limit switch; raise the pull-off $27; home again.',
-  9: 'Look at the limit switch; raise the travel $130…; home again.',
-  10: 'Look at the second switch of the axis; home again.',
+  8: 'Check the limit switch, or raise the pull-off $27; home again.',
+  9: 'Check the limit switch, or raise the travel $130…; home again.',
+  10: 'Check the second switch of the axis; home again.',
   11: 'Home the machine.',
   23: 'Home again; send fewer tiny lines, or slower.',
   24: 'Release the emergency stop, then home.',
-  25: 'Look at the cable and the sender; unlock, and resume the job.',
+  25: 'Check the cable and the sender; unlock, and resume the job.',
   26: 'Unlock, and mend the line that is named.',
   27: 'Unlock, and begin the job anew or from a line.',
 };
@@ -25,7 +25,7 @@ const kErrorRemedies = {
   15: 'Jog less far, or home again.',
   20: 'Leave the word out, or have the program written for Grbl.',
   22: 'Set a feed with F.',
-  33: 'Look at the target: it is out of reach.',
+  33: 'Check the target: it is out of reach.',
   79: 'Release the emergency stop.',
 };
 
