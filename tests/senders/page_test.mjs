@@ -106,7 +106,7 @@ async function byKeyboard(page, job) {
   await page.openJob(job);
   await page.page.evaluate(() => document.activeElement?.blur());
   const start = await page.place();
-  await press('R');
+  await press('Shift+R');
   await page.state('Run');
   await page.moved(start);
   await press('Space');
@@ -115,9 +115,9 @@ async function byKeyboard(page, job) {
   await page.state('Run');
   await press(']');
   await until('the override', async () => (await page.text('feed-percent')).startsWith('110'));
-  await press('X');
+  await press('Shift+X');
   await page.state('Alarm');
-  await press('U');
+  await press('Shift+U');
   await page.state('Idle');
   const [x] = await page.place();
   await press('Shift+ArrowRight');

@@ -162,6 +162,73 @@ class Web(ServeTest):
         again = WebSocket(port, "/observe")
         self.assertIn("state", json.loads(again.frame()[1]))
 
+    def order(self, served, what, body=b""):
+        status, answer = post(served.port("ws"), f"/job/{what}", body)
+        return status, json.loads(answer)
+
+    def job(self, watcher):
+        """The job as the next news has it."""
+        return json.loads(watcher.frame()[1])["job"]
+
+    def until_job(self, watcher, state):
+        end = time.monotonic() + 60
+        while (job := self.job(watcher))["state"] != state:
+            self.assertLess(time.monotonic(), end, job)
+        return job
+
+    def test_a_job_outlives_its_page_and_lets_nothing_but_realtime_bytes_in(self):
+        served = self.serve("--ws", 0, "--tcp", 0, *LASER)
+        port = served.port("ws")
+        watcher = WebSocket(port, "/observe")
+        self.assertEqual(http(port, "/job")[0], 404)
+        self.assertIn("a program", self.order(served, "run")[1]["waits"])
+        program = b"G91 M4 S300 F1200\nG1 X20\nG1 Y20\nG1 X-20\nM5\n"
+        self.assertEqual(post(port, "/job?name=a%20b.nc", program)[0], 200)
+        self.assertIn("take control", self.order(served, "run")[1]["waits"])
+        page = WebSocket(port, "/operate")
+        page.until(BANNER)
+        self.assertEqual(self.order(served, "run"), (200, {"runs": "a b.nc"}))
+        self.until_job(watcher, "running")
+        page.send(b"G10 L20 P0 X0\nG1 X99\n")
+        for _ in range(2):
+            page.until("only realtime commands act]\r\nerror:8\r\n")
+        self.assertEqual(post(port, "/job?name=other.nc", b"G0 X1\n")[0], 409)
+        self.assertEqual(self.order(served, "run")[0], 409)
+        page.close()
+        time.sleep(0.3)
+        sender = served.tcp()
+        self.assertEqual(sender.until("\r\n"), "[MSG:A job of the page runs]\r\n")
+        page = WebSocket(port, "/operate")
+        page.until("[MSG:A job of the page runs]\r\n")
+        page.send(b"!")
+        while json.loads(watcher.frame()[1])["state"] != "Hold":
+            pass
+        page.send(b"~")
+        done = self.until_job(watcher, "done")
+        self.assertEqual((done["name"], done["done"], done["count"]), ("a b.nc", 5, 5))
+        self.assertEqual(json.loads(watcher.frame()[1])["mpos"], [0, 20, 0])
+
+    def test_a_faulty_program_runs_when_its_faults_were_accepted_and_stops_at_them(self):
+        served = self.serve("--ws", 0, *LASER)
+        watcher = WebSocket(served.port("ws"), "/observe")
+        page = WebSocket(served.port("ws"), "/operate")
+        page.until(BANNER)
+        program = b"G91 G1 X1 F600\nG7\nG1 X50\nG1 Y9999\n"
+        post(served.port("ws"), "/job?name=f.nc", program)
+        status, answer = self.order(served, "run")
+        self.assertEqual(status, 409)
+        self.assertEqual([fault.split(":")[0] for fault in answer["faults"]], ["line 2", "line 4"])
+        some = json.dumps(answer["faults"][:1]).encode()
+        self.assertEqual(self.order(served, "run", some)[0], 409, "each of them")
+        self.assertEqual(self.order(served, "run", json.dumps(answer["faults"]).encode())[0], 200)
+        stopped = self.until_job(watcher, "stopped")
+        self.assertIn("line 2: error:20", stopped["trouble"])
+        self.assertEqual(stopped["line"], 3)
+        while (news := json.loads(watcher.frame()[1]))["state"] != "Idle":
+            pass
+        self.assertLessEqual(news["mpos"][0], 1.0, "nothing behind the line is driven")
+        self.assertEqual(news["mpos"][1], 0.0)
+
 
 if __name__ == "__main__":
     main()
