@@ -93,6 +93,9 @@ class Application {
   /// Main loop: a realtime byte that came beside the text.
   void act_at_once(std::byte byte) { protocol_.act_at_once(byte); }
 
+  /// Every line must carry a number and a check.
+  [[nodiscard]] bool checks_lines() const { return protocol_.checks_lines(); }
+
   /// Main loop: another sender is at the link, or the one that was there is gone.
   void begin_sender() { protocol_.begin_sender(); }
   void lose_sender() { protocol_.lose_sender(); }

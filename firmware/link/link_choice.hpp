@@ -34,6 +34,9 @@ class LinkChoice final : public hal::ByteStream {
   /// Nothing from and to a sender who came after the last look.
   [[nodiscard]] std::size_t read(std::span<std::byte> into) override;
   [[nodiscard]] std::size_t write(std::span<const std::byte> from) override;
+  [[nodiscard]] bool may_wait() const override {
+    return session_ != 0 ? first_.may_wait() : second_.may_wait();
+  }
 
  private:
   void drop_second();

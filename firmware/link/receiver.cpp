@@ -42,12 +42,51 @@ bool Receiver::receive_other(std::uint8_t byte) {
   const bool taken = strict_        ? receive_strict(byte)
                      : byte >= 0x80 ? receive_high(byte)
                                     : receive_low(byte);
-  plain_ = comment_ == Comment::kNone && !lead_waits_ && continuation_ == 0 && once_ == 0;
+  judge_plain();
   return taken;
 }
 
+void Receiver::judge_plain() {
+  plain_ =
+      comment_ == Comment::kNone && !lead_waits_ && continuation_ == 0 && once_ == 0 && !overrun_;
+}
+
+void Receiver::receive_all(std::span<const char> received) {
+  while (!received.empty()) {
+    received = received.subspan(receive(received));
+    if (received.empty()) return;
+    overrun_ = true;
+    // What was begun before the byte is lost; the byte itself may still act.
+    if (std::exchange(lead_waits_, false)) continue;
+    lose(received.front());
+    received = received.subspan(1);
+  }
+}
+
+/// What acts within lines that are lost follows the comments in them. CR, LF and CR LF end one.
+void Receiver::lose(char byte) {
+  const auto code = static_cast<std::uint8_t>(byte);
+  if (!is_continuation(code)) {
+    continuation_ = continuations_after(code);
+  } else if (continuation_ > 0) {
+    --continuation_;
+  }
+  follow_comment(byte);
+  judge_plain();
+  const bool ends = byte == '\r' || (byte == '\n' && lost_last_ != '\r');
+  lost_last_ = byte;
+  if (ends) lost_lines_.store(lost_lines_.load() + 1);
+}
+
+bool Receiver::take_lost_line() {
+  const std::uint32_t lost = lost_lines_.load();
+  if (lost == 0) return false;
+  lost_lines_.store(lost - 1);
+  return true;
+}
+
 bool Receiver::receive_strict(std::uint8_t byte) {
-  const char last = lines_.last();
+  const char last = overrun_ ? lost_last_ : lines_.last();
   const bool between = last == '\n' || last == '\r';
   const std::uint8_t before = std::exchange(once_, std::uint8_t{0});
   if (!between || !(is_continuation(byte) || is_ascii_realtime(byte))) return store(byte);
@@ -156,6 +195,7 @@ void Receiver::end_text() {
 void Receiver::reset() {
   end_text();
   strict_ = false;
+  end_overrun();
   lines_begin_.store(lines_.place());
   commands_begin_.store(commands_.place());
   late_hold_.store(false);

@@ -41,9 +41,22 @@ class Receiver {
   /// From the front, as many as there is room for; returns how many.
   [[nodiscard]] std::size_t receive(std::span<const char> received);
 
+  /// All of them, so that realtime bytes act whatever waits: from the first byte of a line on that
+  /// finds no room, lines are lost until the next reset, because none may follow a gap.
+  void receive_all(std::span<const char> received);
+  /// True once for each line that was lost, after all before it have been taken.
+  [[nodiscard]] bool take_lost_line();
+
   /// A realtime byte that came beside the stream, as on CAN: it acts whatever the text is in the
   /// middle of. Bytes that never act are passed over. Main loop.
   void act_at_once(std::uint8_t code);
+
+  /// How many bytes from the front are nothing but part of a line, here and now.
+  [[nodiscard]] std::size_t plain_run(std::span<const char> bytes) const {
+    std::size_t run = 0;
+    while (plain_ && run < bytes.size() && is_plain(static_cast<std::uint8_t>(bytes[run]))) ++run;
+    return run;
+  }
 
   /// Bytes that can be received now without being refused.
   [[nodiscard]] std::uint32_t room() const;
@@ -75,6 +88,7 @@ class Receiver {
     kept_ = 0;
     lines_.clear();
     commands_.clear();
+    end_overrun();
   }
 
   /// From the next byte on. Not while receive() may run.
@@ -113,7 +127,15 @@ class Receiver {
   [[nodiscard]] bool receive_strict(std::uint8_t byte);
   [[nodiscard]] bool receive_low(std::uint8_t byte);
   [[nodiscard]] bool receive_high(std::uint8_t byte);
-  [[nodiscard]] bool store(std::uint8_t byte) { return lines_.try_push(static_cast<char>(byte)); }
+  [[nodiscard]] bool store(std::uint8_t byte) {
+    return !overrun_ && lines_.try_push(static_cast<char>(byte));
+  }
+  void lose(char byte);
+  void end_overrun() {
+    overrun_ = false;
+    lost_lines_.store(0);
+  }
+  void judge_plain();
   void follow_comment(char byte);
   [[nodiscard]] bool has_whole_kept();
   void skip_line_feed(std::uint32_t index);
@@ -137,6 +159,8 @@ class Receiver {
   bool keeps_back_ = false;
   std::uint32_t kept_ = 0;  ///< Bytes in front that are kept back.
 
+  std::atomic<std::uint32_t> lost_lines_{0};
+
   // The rest belongs to receive().
   bool plain_ = true;  ///< Nothing of what follows.
   Comment comment_ = Comment::kNone;
@@ -144,6 +168,8 @@ class Receiver {
   std::uint8_t continuation_ = 0;  ///< Bytes still to come of a character.
   bool strict_ = false;
   std::uint8_t once_ = 0;  ///< Came between two lines, and waits for its like.
+  bool overrun_ = false;   ///< Lines are lost.
+  char lost_last_ = 0;     ///< The last byte that was.
 };
 
 }  // namespace cnc

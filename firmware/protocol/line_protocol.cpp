@@ -78,7 +78,10 @@ void LineProtocol::poll(hal::TickCount now) {
       run_startup_line();
     } else if (!finish_line()) {
       if (++lines > kLinesInATurn) return;
-      if (!read_line()) return save_places();
+      if (!read_line()) {
+        if (refuse_lost_line()) continue;
+        return save_places();
+      }
       std::string_view line = assembler_.line();
       if (passes_check(line)) handle(line);
       // Most lines are answered at once: nothing else is to be said before.
@@ -89,14 +92,15 @@ void LineProtocol::poll(hal::TickCount now) {
 }
 
 void LineProtocol::receive() {
+  const bool may_wait = link_.may_wait();
   // At most what there is room for.
   for (std::size_t chunk = 0; chunk < Receiver::kRealBytes / incoming_.size(); ++chunk) {
-    const std::size_t room = std::min<std::size_t>(incoming_.size(), receiver_.room());
+    const std::size_t room =
+        may_wait ? std::min<std::size_t>(incoming_.size(), receiver_.room()) : incoming_.size();
     const std::size_t count = link_.read(std::as_writable_bytes(std::span{incoming_}.first(room)));
     if (count == 0) return;
     silence_.hear(now_);
-    // No byte takes more than its own room.
-    CNC_ASSERT(receiver_.receive(std::span{incoming_}.first(count)) == count);
+    receiver_.receive_all(std::span{incoming_}.first(count));
   }
 }
 
@@ -208,6 +212,14 @@ bool LineProtocol::finish_line() {
 
 bool LineProtocol::read_line() {
   return receiver_.take_until([this](char byte) { return assembler_.add(byte); });
+}
+
+/// What was kept of the first of them is dropped: it has no end.
+bool LineProtocol::refuse_lost_line() {
+  if (!receiver_.take_lost_line()) return false;
+  assembler_ = {};
+  refuse(error_number::kLineTooLong, 0, "more lines came than there is room for: reset");
+  return true;
 }
 
 /// True when the line is to be done: as it came, or what is left of it without its check.

@@ -58,6 +58,9 @@ class LineProtocol {
     receiver_.act_at_once(std::to_integer<std::uint8_t>(byte));
   }
 
+  /// Every line must carry a number and a check.
+  [[nodiscard]] bool checks_lines() const { return check_.strict(); }
+
   /// Another sender is at the link from now on: it is greeted, and gets no answer to lines
   /// of the one before, which are forgotten where they have not been read yet.
   void begin_sender();
@@ -80,6 +83,7 @@ class LineProtocol {
   void begin_anew();
   [[nodiscard]] bool finish_line();
   [[nodiscard]] bool read_line();
+  [[nodiscard]] bool refuse_lost_line();
   [[nodiscard]] bool passes_check(std::string_view& line);
   void handle(std::string_view line);
   [[nodiscard]] gcode::Refusal accept(std::string_view line);

@@ -63,6 +63,8 @@ class SerialLine final : public ByteStream {
     return count;
   }
 
+  [[nodiscard]] bool may_wait() const override { return false; }
+
   /// Everything that was written is on the wire.
   [[nodiscard]] bool sent() const { return to_send_.size() == 0; }
   [[nodiscard]] std::uint32_t lost_bytes() const { return lost_.load(std::memory_order_relaxed); }

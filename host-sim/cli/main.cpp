@@ -9,6 +9,7 @@
 
 #include "firmware/protocol/identity.hpp"
 #include "host-sim/cli/commands.hpp"
+#include "host-sim/report/printable.hpp"
 #include "planner/base/contract.hpp"
 
 void cnc::contract_failed(const char* condition, const char* file, int line) {
@@ -69,7 +70,7 @@ int main(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "kerfline: {}\n", error.what());
+    fmt::print(stderr, "kerfline: {}\n", sim::printable(error.what()));
     return static_cast<int>(sim::ExitStatus::kUsage);
   }
 }

@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <charconv>
 #include <memory>
 #include <stdexcept>
 
@@ -10,7 +9,8 @@
 #include "host-sim/cli/transfer.hpp"
 #include "host-sim/job/program_text.hpp"
 #include "host-sim/job/setting_line.hpp"
-#include "host-sim/send/approach.hpp"
+#include "host-sim/report/printable.hpp"
+#include "host-sim/send/take_up.hpp"
 
 namespace sim {
 namespace {
@@ -29,7 +29,8 @@ constexpr const char* kSendFooter =
     "--checked and was interrupted, by whatever, goes on with --resume where the beam went dark:\n"
     "the controller is reset if it is held, and the path is driven dark up to that place. Keys at "
     "a terminal: ! or blank holds,\n"
-    "~ or r resumes, q or Ctrl-C holds and resets: the place stays known.\n"
+    "~ or r resumes, q or Ctrl-C holds and resets: the place stays known. Without a terminal it\n"
+    "prints for what the machine waits; SIGINT stops as q does.\n"
     "Exit status: 0 all done and at rest, 1 refused, aborted or cut off, 2 the call is wrong.";
 
 void add_options(CLI::App& command, SendCommandOptions& options) {
@@ -59,6 +60,10 @@ void add_options(CLI::App& command, SendCommandOptions& options) {
       ->type_name("BYTES");
   command.add_flag(
       "--keep-going", options.send.goes_on_after_errors, "Go on after a line that is refused");
+  command.add_flag(
+      "--stop-when-held",
+      options.stop_when_held,
+      "End the job where it would wait for an operator: at M0, M6, a hold, an open door");
   command.add_flag("--numbered", options.numbered, "With N in each line: --resume can go on then");
   auto* const resume =
       command.add_flag("--resume", options.resume, "Go on where the controller was interrupted");
@@ -88,25 +93,6 @@ void check_lengths(const std::vector<JobLine>& job, const SendCommandOptions& op
   }
 }
 
-/// What a controller says of itself before a job begins in its midst.
-struct Standing {
-  bool laser = false;
-  bool in_alarm = false;
-  std::uint32_t line = 0;  ///< Of a job, from 1; 0 for none that was interrupted.
-  bool known = false;      ///< And its place still holds.
-};
-
-void read_standing(std::string_view words, Standing& standing) {
-  if (words == "$32=1") standing.laser = true;
-  if (words.starts_with("<Alarm")) standing.in_alarm = true;
-  if (words.starts_with("<Idle")) standing.in_alarm = false;
-  constexpr std::string_view kResume = "[RESUME:";
-  if (!words.starts_with(kResume)) return;
-  words.remove_prefix(kResume.size());
-  std::from_chars(words.data(), words.data() + words.size(), standing.line);
-  standing.known = words.ends_with("|can]");
-}
-
 /// Lines that are sent plain, before those of the job.
 ExitStatus say(const SendCommandOptions& options,
                Line& line,
@@ -114,7 +100,7 @@ ExitStatus say(const SendCommandOptions& options,
                Standing* standing) {
   Transfer transfer{options, line, std::move(words), {.takes_up = options.resume}};
   if (standing != nullptr) {
-    transfer.on_answer = [standing](std::string_view answer) { read_standing(answer, *standing); };
+    transfer.on_answer = [standing](std::string_view answer) { standing->read(answer); };
   }
   return transfer.run();
 }
@@ -130,42 +116,15 @@ std::size_t index_of(const std::vector<JobLine>& job, const SendCommandOptions& 
   return static_cast<std::size_t>(found - job.begin());
 }
 
-/// Where the controller was interrupted; throws std::invalid_argument where that is of no use.
-std::size_t index_of(const std::vector<JobLine>& job,
-                     const SendCommandOptions& options,
-                     const Standing& standing) {
-  if (standing.line == 0) {
-    throw std::invalid_argument("the controller knows of no job that was interrupted");
-  }
-  if (standing.line > job.size()) {
-    throw std::invalid_argument(fmt::format("{}: has {} lines, but line {} of them was interrupted",
-                                            options.file,
-                                            job.size(),
-                                            standing.line));
-  }
-  if (!standing.known) {
-    throw std::invalid_argument("the machine may have lost its place: home it before");
-  }
-  return standing.line - 1;
-}
-
 /// Brings the machine to the line with which the job begins, and drops the lines before it.
 ExitStatus begin_within(const SendCommandOptions& options, Line& line, std::vector<JobLine>& job) {
   Standing standing;
-  std::vector<JobLine> questions{{.text = "$$"}};
-  if (options.resume) questions.push_back({.text = "$RESUME"});
-  const ExitStatus asked = say(options, line, std::move(questions), &standing);
+  const ExitStatus asked = say(options, line, standing_questions(options.resume), &standing);
   if (asked != ExitStatus::kFine) return asked;
-  const std::size_t index =
-      options.resume ? index_of(job, options, standing) : index_of(job, options);
-  Approach approach = approach_to(job, index, standing.laser);
-  std::vector<JobLine> lines;
-  if (standing.in_alarm) lines.push_back({.text = "$X"});
-  if (options.resume) lines.push_back({.text = fmt::format("$RESUME={}", standing.line)});
-  lines.insert(lines.end(), approach.lines.begin(), approach.lines.end());
+  const std::size_t index = options.resume ? interrupted_at(job, standing) : index_of(job, options);
+  std::vector<JobLine> lines = lines_before(job, index, standing, options.resume);
   const ExitStatus said = say(options, line, std::move(lines), nullptr);
-  job[index].text.insert(0, approach.motion);
-  fmt::print("{}: begins with line {}\n", options.file, job[index].number);
+  fmt::print("{}: begins with line {}\n", printable(options.file), job[index].number);
   job.erase(job.begin(), job.begin() + static_cast<std::ptrdiff_t>(index));
   return said;
 }

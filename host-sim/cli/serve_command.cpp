@@ -16,10 +16,12 @@
 #include "host-sim/serve/can_transport.hpp"
 #include "host-sim/serve/pty_transport.hpp"
 #include "host-sim/serve/record_file.hpp"
+#include "host-sim/serve/served_job.hpp"
 #include "host-sim/serve/server.hpp"
 #include "host-sim/serve/slcan_wire.hpp"
 #include "host-sim/serve/tcp_slcan_wire.hpp"
 #include "host-sim/serve/tcp_transport.hpp"
+#include "host-sim/serve/web_routes.hpp"
 #include "host-sim/serve/web_transport.hpp"
 #include "host-sim/trace/trace_writer.hpp"
 
@@ -189,13 +191,16 @@ ExitStatus serve(const ServeOptions& options) {
                                     .records = store.records()};
   Session session{options.machine, setting.settings, store};
   RecordFile record{options.record, setting, session};
-  LiveView view{session.controller()};
+  ServedJob job;
+  LiveView view{session.controller(), job};
   Reception reception{session};
+  reception.set_job(job);
+  WebRoutes routes{session.controller(), view, reception, job};
   Server server{session, reception, options.speed};
   open_ways_in(options, reception);
   open_buses(options, session, reception);
   if (!options.ws.empty()) {
-    auto web = std::make_unique<WebTransport>(parse_address(options.ws), view);
+    auto web = std::make_unique<WebTransport>(parse_address(options.ws), routes);
     session.controller().add_sink(view);
     server.show(view, *web);
     reception.add(std::move(web));

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "host-sim/report/duration_text.hpp"
+#include "host-sim/report/printable.hpp"
 #include "host-sim/send/can_port.hpp"
 
 namespace sim {
@@ -59,18 +60,22 @@ ExitStatus Transfer::run() {
     if (!line_.port->open()) sender_.lose_link(line_.port->trouble());
     sender_.attend(line_.now());
     attend_operator();
+    attend_wait();
     show();
   }
   carry_out();
   bar_.clear();
   const bool fine = sender_.state() == Sender::State::kDone;
-  if (!fine) fmt::print(stderr, "kerfline: {}: {}\n", options_.file, sender_.trouble());
+  if (!fine) {
+    fmt::print(
+        stderr, "kerfline: {}: {}\n", printable(options_.file), printable(sender_.trouble()));
+  }
   return fine ? ExitStatus::kFine : ExitStatus::kFaults;
 }
 
 void Transfer::tell() const {
   fmt::print("{}: {} of {} lines in {}, {} sent again, {} refused\n",
-             options_.file,
+             printable(options_.file),
              sender_.answered(),
              lines_,
              duration_text(static_cast<double>(line_.now().count()) / 1e3),
@@ -120,6 +125,17 @@ void Transfer::attend_operator() {
   if (*key == '!' || *key == ' ') sender_.hold();
   if (*key == '~' || *key == 'r') sender_.resume();
   if (*key == 'q') sender_.abort();
+}
+
+/// An operator at a terminal sees the state, and has keys.
+void Transfer::attend_wait() {
+  if (sender_.state() == Sender::State::kStopping) return;
+  const std::string words = wait_.attend(sender_.machine_state(), sender_.file_line(), line_.now());
+  if (words.empty()) return;
+  if (options_.stop_when_held) return sender_.abort("stopped instead of waiting: it " + words);
+  if (keys_.any()) return;
+  bar_.clear();
+  fmt::print(stderr, "kerfline: {}: {}\n", printable(options_.file), words);
 }
 
 void Transfer::show() {

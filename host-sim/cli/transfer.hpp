@@ -17,6 +17,7 @@
 #include "host-sim/send/keys.hpp"
 #include "host-sim/send/port.hpp"
 #include "host-sim/send/sender.hpp"
+#include "host-sim/send/wait_watch.hpp"
 #include "host-sim/serve/server.hpp"
 
 namespace sim {
@@ -33,6 +34,7 @@ struct SendCommandOptions {
   std::string log;
   bool numbered = false;
   bool resume = false;
+  bool stop_when_held = false;
   std::size_t from_line = 0;
   SendOptions send{};
 
@@ -79,11 +81,13 @@ class Transfer {
   void carry_in();
   void sleep();
   void attend_operator();
+  void attend_wait();
   void show();
 
   const SendCommandOptions& options_;
   Line& line_;
   Keys keys_{};
+  WaitWatch wait_{};
   std::vector<pollfd> waited_;
   ProgressBar bar_;
   std::size_t lines_;

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 
+#include "host-sim/report/printable.hpp"
+
 namespace sim::drawing {
 
 std::string_view name_of(FaultKind kind) {
@@ -24,7 +26,7 @@ std::string_view name_of(FaultKind kind) {
 }
 
 std::string to_string(const Fault& fault, const std::string& file) {
-  std::string text = file;
+  std::string text = printable(file);
   if (fault.entity.line != 0) text += fmt::format(":{}", fault.entity.line);
   if (fault.entity.column != 0) text += fmt::format(":{}", fault.entity.column);
   text += ": ";

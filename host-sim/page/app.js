@@ -1,18 +1,23 @@
-// Wires the page: what is observed to the displays, the controls to the sender.
+// Wires the page: what is observed to the displays, the controls to the sender and the job.
 
 import { Job } from './job.js';
 import { listenToKeys } from './keys.js';
 import { Log } from './log.js';
+import { Notice } from './notice.js';
 import { Observer } from './observer.js';
+import { leavesBehind, reasons } from './permission.js';
+import { ask } from './question.js';
 import { Sender } from './sender.js';
 import { show } from './display.js';
 import { View } from './view.js';
+import { alarmWords } from './words.js';
 
 const kRealtime = { reset: 0x18, hold: 0x21, resume: 0x7E, jogCancel: 0x85 };
 const kFeed = { all: 0x90, plus10: 0x91, minus10: 0x92, plus1: 0x93, minus1: 0x94 };
 const kPower = { all: 0x99, plus10: 0x9A, minus10: 0x9B, plus1: 0x9C, minus1: 0x9D };
 const kRapid = { 100: 0x95, 50: 0x96, 25: 0x97 };
 const kTryAgainLater = 1013;
+const kHadControl = 'control'; // In the memory of the tab: a reload takes it again.
 
 const at = (id) => document.getElementById(id);
 const sender = new Sender();
@@ -20,20 +25,21 @@ const observer = new Observer();
 const view = new View(at('view'));
 const job = new Job();
 const log = new Log(at('log'));
+const notice = new Notice(at('notice'));
 let news = null;
 let controls = false;
 
-function notice(text) {
-  at('notice').textContent = text;
-  at('notice').hidden = text === '';
-}
-
 function enable() {
-  for (const element of document.querySelectorAll('[data-control]')) element.disabled = !controls;
-  const moving = ['Run', 'Jog', 'Home'].includes(news?.state);
-  at('run').disabled = !controls || job.text === '' || job.running || moving;
-  at('hold').disabled = !controls || !moving;
-  at('resume').disabled = !controls || !['Hold', 'Door', 'Tool'].includes(news?.state);
+  const why = reasons(news, controls);
+  for (const element of document.querySelectorAll('[data-control]')) {
+    const reason = why[element.dataset.control];
+    element.disabled = reason !== '';
+    element.title = reason === '' ? '' : `Not now: ${reason}`;
+  }
+  at('open').classList.toggle('disabled', why.open !== '');
+  at('open').title = why.open;
+  at('take-up').hidden = news?.job.state !== 'stopped';
+  at('why').textContent = why.run === '' ? '' : `Run waits for ${why.run}.`;
   at('control').setAttribute('aria-pressed', String(controls));
   at('control').firstChild.data = controls ? 'Give up control ' : 'Take control ';
 }
@@ -59,39 +65,86 @@ function slide(id, index, codes) {
   at(id).addEventListener('change', () => override(codes, news.overrides[index], Number(at(id).value)));
 }
 
-async function run() {
-  notice('');
-  const fault = await job.run(sender);
-  if (fault) notice(fault);
+function tellFaults(faults) {
+  if (faults.length === 0) return;
+  const more = faults.length > 1 ? ` (and ${faults.length - 1} more)` : '';
+  notice.tell(`${job.name}, ${faults[0]}${more}`, (now) => now.job.state === 'running');
 }
 
-// Of another job meanwhile, nobody wants to know any more.
-async function outline() {
-  const text = job.text;
-  const { points, fault } = await job.outline()
-    .catch((reason) => ({ points: [], fault: `${job.name} is not drawn: ${reason.message}` }));
-  if (job.text !== text) return;
-  if (fault) notice(fault);
-  view.job = points;
+function tellWhatItWaitsFor({ waits }) {
+  if (waits) notice.tell(`The job waits for ${waits}.`, (now) => now.job.state === 'running');
+}
+
+// A program that the controller will refuse in parts, or that leaves the travel, is run only after
+// the operator has read which lines those are.
+async function run() {
+  notice.clear();
+  let answer = await job.run([]);
+  if (answer.faults) {
+    const yes = await ask(`${news.job.name} has faults. The job stops at a line that is refused.`,
+      answer.faults, 'Run all the same');
+    if (!yes) return;
+    answer = await job.run(answer.faults);
+  }
+  tellWhatItWaitsFor(answer);
+}
+
+async function takeUp() {
+  notice.clear();
+  const yes = await ask(`Resume ${news.job.name} at line ${news.job.line}?`,
+    ['The machine goes, dark, to where the beam went out, and cuts on from there.'], 'Resume');
+  if (yes) tellWhatItWaitsFor(await job.resume());
+}
+
+async function showProgram(load) {
+  const faults = await load().catch((reason) => [reason.message]);
+  view.job = job.points;
   view.fit();
+  tellFaults(faults);
+}
+
+async function open(file) {
+  if (reasons(news, controls).open) return;
+  notice.clear();
+  await showProgram(() => job.open(file));
+}
+
+// What the last news did not say yet.
+function follow(before) {
+  if (news.job.state !== 'none' && news.job.name !== job.name && before?.job.name !== news.job.name) {
+    showProgram(() => job.restore());
+  }
+  if (news.job.state === 'stopped' && before?.job.state !== 'stopped' && news.job.trouble !== '') {
+    notice.tell(`${news.job.name} stopped: ${news.job.trouble}`, (now) => now.job.state !== 'stopped');
+  }
+  const alarm = news.state === 'Alarm' && news.alarm > 0 ? alarmWords(news.alarm, news.alarm_text) : '';
+  if (at('alarm').textContent !== alarm) at('alarm').textContent = alarm;
+  at('alarm').hidden = alarm === '';
 }
 
 observer.addEventListener('news', (event) => {
+  const before = news;
   news = view.news = event.detail;
   view.path = observer.path;
+  notice.attend(news);
+  follow(before);
   show(news, view, controls);
   view.draw();
   enable();
 });
+observer.addEventListener('refused', (event) => notice.tell(event.detail, () => true));
 observer.addEventListener('lost', () => {
+  news = null;
   at('state').textContent = 'Lost';
   at('state').dataset.state = 'Lost';
+  enable();
 });
 
 sender.addEventListener('ready', () => {
   controls = true;
-  notice('');
-  sender.send('$I', true).catch(() => {});
+  sessionStorage.setItem(kHadControl, 'yes');
+  notice.clear();
+  if (news?.job.state !== 'running') sender.send('$I', true).catch(() => {});
   enable();
 });
 sender.addEventListener('line', (event) => log.answer(event.detail));
@@ -99,27 +152,24 @@ sender.addEventListener('sent', (event) => log.sent(event.detail));
 sender.addEventListener('closed', (event) => {
   controls = false;
   if (event.detail === kTryAgainLater) {
-    notice('Another sender controls the machine. You can watch; take control when it is gone.');
+    notice.tell('Another sender controls the machine. You can watch; take control when it is gone.',
+      (now) => now.sender === '' || now.sender === 'job');
   }
   enable();
 });
 
-job.addEventListener('change', () => {
-  at('job-name').textContent = job.count === 0 ? job.name : `${job.name}  ${job.done}/${job.count}`;
-  at('progress').value = job.count === 0 ? 0 : job.done / job.count;
-  enable();
-});
-
-at('control').onclick = () => (sender.connected ? sender.disconnect() : sender.connect());
+at('control').onclick = () => {
+  sessionStorage.removeItem(kHadControl);
+  if (sender.connected) sender.disconnect(); else sender.connect();
+};
 at('file').onchange = async () => {
   const file = at('file').files[0];
-  if (!file) return;
   at('file').value = ''; // The same file, changed meanwhile, may be chosen again.
-  notice('');
-  await job.open(file);
-  await outline();
+  if (file) await open(file);
 };
 at('run').onclick = run;
+at('take-up').onclick = takeUp;
+at('stop').onclick = async () => tellWhatItWaitsFor(await job.stop());
 at('hold').onclick = () => sender.realtime(kRealtime.hold);
 at('resume').onclick = () => sender.realtime(kRealtime.resume);
 at('reset').onclick = () => sender.realtime(kRealtime.reset);
@@ -130,6 +180,7 @@ at('zero').onclick = () => command('G10 L20 P0 X0 Y0 Z0');
 at('shortcuts-button').onclick = () => at('shortcuts').showModal();
 at('send').onsubmit = (event) => {
   event.preventDefault();
+  if (reasons(news, controls).console) return;
   if (at('line').value.trim() !== '') command(at('line').value.trim());
   at('line').value = '';
 };
@@ -140,9 +191,15 @@ for (const button of document.querySelectorAll('[data-rapid]')) {
 }
 for (const button of document.querySelectorAll('[data-jog]')) button.onclick = () => jog(button.dataset.jog);
 
+// The job goes on without the page; the operator is to know that.
+addEventListener('beforeunload', (event) => {
+  if (!leavesBehind(news, controls)) return;
+  event.preventDefault();
+  event.returnValue = '';
+});
+
 listenToKeys({
-  o: () => at('file').click(),
-  ' ': () => (at('resume').disabled ? at('hold') : at('resume')).click(),
+  o: () => { if (!reasons(news, controls).open) at('file').click(); },
   '/': () => at('line').focus(),
   '[': () => controls && sender.realtime(kFeed.minus10),
   ']': () => controls && sender.realtime(kFeed.plus10),
@@ -151,3 +208,4 @@ listenToKeys({
   '-': () => view.zoom(0.8),
 });
 enable();
+if (sessionStorage.getItem(kHadControl)) sender.connect();

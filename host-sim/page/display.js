@@ -1,7 +1,10 @@
 // The numbers beside the canvas.
 
 const kAxes = ['X', 'Y', 'Z'];
-const kWays = { pty: 'a sender on the serial port', tcp: 'a sender over TCP', ws: 'a sender over WebSocket' };
+const kWays = {
+  pty: 'a sender on the serial port', tcp: 'a sender over TCP', ws: 'a sender over WebSocket',
+  can: 'a sender on the CAN bus', slcan: 'a sender on the CAN bus', page: 'another page',
+};
 
 const at = (id) => document.getElementById(id);
 
@@ -35,13 +38,27 @@ function showOverride(id, output, percent) {
   set(output, `${percent} %`);
 }
 
+function owner(news, controls) {
+  if (controls) return 'You control the machine';
+  if (news.sender === 'job') return 'A job runs, and nobody controls it';
+  return news.sender ? `Controlled by ${kWays[news.sender] ?? news.sender}` : 'Nobody controls it';
+}
+
+function showJob(job) {
+  const counted = ['running', 'stopped', 'done'].includes(job.state);
+  const at = job.state === 'stopped' && job.line > 0 ? `, stopped at line ${job.line}` : job.state === 'done' ? ', done' : '';
+  set('job-name', job.state === 'none' ? 'no job' : counted ? `${job.name}  ${job.done}/${job.count}${at}` : job.name);
+  document.getElementById('progress').value = counted && job.count > 0 ? job.done / job.count : 0;
+}
+
 export function show(news, view, controls) {
   const detail = news.alarm > 0 && news.state === 'Alarm' ? ` ${news.alarm}` : '';
   set('state', news.state + detail);
   at('state').dataset.state = news.state;
-  set('who', controls ? 'You control the machine' : news.sender ? `Controlled by ${kWays[news.sender]}` : 'Nobody controls it');
+  set('who', owner(news, controls));
   set('version', news.version);
   showPlaces(news);
+  showJob(news.job);
   set('feed', String(news.feed));
   set('power', (news.power * 100).toFixed(0));
   set('spindle', String(news.spindle));

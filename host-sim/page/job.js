@@ -1,54 +1,35 @@
-// A program on its way to the controller.
+// The job as the server has it: the server sends it, whoever watches. A page opens a program, asks
+// for it to be run, and shows how far it is.
 
-export class Job extends EventTarget {
+export class Job {
   name = '';
-  text = '';
-  running = false;
-  done = 0;
-  count = 0;
+  points = []; // The path to come: x, y, move of each vertex, machine coordinates.
+  faults = [];
 
+  // Sends a program to the server. Returns what is wrong, empty for nothing.
   async open(file) {
-    this.name = file.name;
-    this.text = await file.text();
-    this.done = this.count = 0;
-    this.#tell();
+    const text = await file.text();
+    return this.#take(await fetch(`job?name=${encodeURIComponent(file.name)}`, { method: 'POST', body: text }));
   }
 
-  // Where the program would go if it ran now, as the controller itself reads it.
-  async outline() {
-    const answer = await fetch('outline', { method: 'POST', body: this.text });
-    if (!answer.ok) throw new Error(await answer.text());
-    const { points, refused } = await answer.json();
-    const place = refused && [this.name, refused.line, refused.column].filter(Boolean).join(':');
-    return { points, fault: refused ? `${place}: ${refused.reason}` : '' };
+  // The program that the server has, of this page or another.
+  async restore() { return this.#take(await fetch('job')); }
+
+  // Returns why it does not run: {} for a job that does, else { waits } or { faults }.
+  run(accepted) { return this.#order('run', JSON.stringify(accepted)); }
+  resume() { return this.#order('resume', ''); }
+  stop() { return this.#order('stop', ''); }
+
+  async #take(answer) {
+    if (!answer.ok) return [await answer.text()];
+    const { name, points, faults } = await answer.json();
+    Object.assign(this, { name, points, faults });
+    return faults;
   }
 
-  // Streams the program; ends at its end, at the first refused line or at a reset.
-  // The sender keeps the controller's buffer full, we keep the sender's queue short.
-  async run(sender) {
-    const lines = this.text.split(/\r?\n/).map((line, index) => [line.trim(), index + 1])
-      .filter(([line]) => line !== '');
-    this.count = lines.length;
-    this.done = 0;
-    this.running = true;
-    this.#tell();
-    let fault = null;
-    const answers = [];
-    for (const [line, number] of lines) {
-      if (fault) break;
-      answers.push(sender.send(line, true).then((answer) => {
-        ++this.done;
-        this.#tell();
-        if (answer !== 'ok') fault ??= `${this.name}:${number}: ${answer}`;
-      }, (reason) => { fault ??= `the job ended: ${reason.message}`; }));
-      if (answers.length >= 64) await answers.shift();
-    }
-    if (fault) sender.dropWaiting();
-    await Promise.all(answers);
-    this.running = false;
-    this.#tell();
-    return fault;
+  async #order(what, body) {
+    const answer = await fetch(`job/${what}`, { method: 'POST', body });
+    if (answer.ok) return {};
+    return answer.status === 409 ? answer.json() : { waits: await answer.text() };
   }
-
-  #tell() { this.dispatchEvent(new CustomEvent('change')); }
 }

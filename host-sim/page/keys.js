@@ -1,12 +1,13 @@
-// Keys for everything: a key presses the button of the same name, so that what
-// is disabled stays so.
+// Keys for everything: a key presses the button of the same name, so that what is disabled stays
+// so. What makes the machine move, or changes where its zero is, takes Shift; stops do not.
 
 const kJogs = {
   ArrowLeft: 'X-1', ArrowRight: 'X1', ArrowUp: 'Y1', ArrowDown: 'Y-1', PageUp: 'Z1', PageDown: 'Z-1',
 };
-const kButtons = {
-  c: 'control', r: 'run', x: 'reset', h: 'home', u: 'unlock', z: 'zero', Escape: 'jog-cancel', '?': 'shortcuts-button',
+const kWithShift = {
+  r: 'run', g: 'take-up', h: 'home', u: 'unlock', z: 'zero', x: 'reset', q: 'stop', ' ': 'resume',
 };
+const kAlone = { c: 'control', ' ': 'hold', Escape: 'jog-cancel', '?': 'shortcuts-button' };
 
 export function listenToKeys(actions) {
   document.addEventListener('keydown', (event) => {
@@ -17,16 +18,21 @@ export function listenToKeys(actions) {
       if (event.key === 'Escape') target.blur();
       return;
     }
-    if (target.matches('button, a') && (event.key === ' ' || event.key === 'Enter')) return;
+    if (event.repeat) return;
+    if (target.matches('button, a') && event.key === 'Enter') return;
     if (target.matches('input[type="range"]') && event.key.startsWith('Arrow')) return;
-    if (press(event.key, actions)) event.preventDefault();
+    if (press(event, actions)) event.preventDefault();
+  });
+  // A focused button must not be pressed by the key that holds the machine.
+  document.addEventListener('keyup', (event) => {
+    if (event.key === ' ' && event.target.matches('button, a')) event.preventDefault();
   });
 }
 
-function press(key, actions) {
-  const name = key.length === 1 ? key.toLowerCase() : key;
-  const button = kJogs[name] ? document.querySelector(`[data-jog="${kJogs[name]}"]`)
-    : document.getElementById(kButtons[name] ?? '');
+function press(event, actions) {
+  const name = event.key.length === 1 ? event.key.toLowerCase() : event.key;
+  const button = event.shiftKey && kJogs[name] ? document.querySelector(`[data-jog="${kJogs[name]}"]`)
+    : document.getElementById((event.shiftKey && kWithShift[name]) || kAlone[name] || '');
   if (button) {
     button.click();
     return true;

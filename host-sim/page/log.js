@@ -1,5 +1,7 @@
 // The conversation, the last lines of it.
 
+import { answerWords } from './words.js';
+
 const kMostLines = 400;
 
 export class Log {
@@ -8,7 +10,7 @@ export class Log {
   constructor(element) { this.#element = element; }
 
   sent(text) { this.#add('b', `> ${text}`); }
-  answer(text) { this.#add(/^(error|ALARM):/.test(text) ? 'em' : 'span', text); }
+  answer(text) { this.#add(/^(error|ALARM):/.test(text) ? 'em' : 'span', answerWords(text)); }
 
   #add(kind, text) {
     const line = document.createElement(kind);

@@ -20,6 +20,10 @@ export class Observer extends EventTarget {
   }
 
   #receive(news) {
+    if (news.refused) {
+      this.dispatchEvent(new CustomEvent('refused', { detail: news.refused }));
+      return;
+    }
     this.path.length = Math.min(this.path.length, news.path.from * 4);
     for (const number of news.path.points) this.path.push(number);
     this.dispatchEvent(new CustomEvent('news', { detail: news }));

@@ -1,6 +1,7 @@
-// A G-code sender over the WebSocket of the byte stream: lines by character
-// counting, realtime bytes at once.
+// A G-code sender over the WebSocket of the page: lines by character counting, realtime bytes at
+// once. While a job of the server runs, only realtime bytes are to be sent.
 
+const kJobRuns = '[MSG:A job of the page runs]'; // In place of a greeting.
 const kStandardBuffer = 128; // Bytes that every controller of this kind takes.
 
 export class Sender extends EventTarget {
@@ -15,7 +16,7 @@ export class Sender extends EventTarget {
   get connected() { return this.#socket !== null; }
 
   connect() {
-    const socket = new WebSocket(`ws://${location.host}/`);
+    const socket = new WebSocket(`ws://${location.host}/operate`);
     socket.binaryType = 'arraybuffer';
     socket.onmessage = (event) => this.#receive(event.data);
     socket.onclose = (event) => this.#closed(event.code);
@@ -64,11 +65,14 @@ export class Sender extends EventTarget {
 
   #take(line) {
     if (/^Grbl /.test(line)) this.#restarted();
+    if (line === kJobRuns) this.#begin();
+    if (line.startsWith('<')) return; // Reports that the job asks for.
     const options = /^\[OPT:[^,]*,\d+,(\d+)/.exec(line);
     if (options) this.#buffer = Number(options[1]);
     const isAnswer = line === 'ok' || line.startsWith('error:');
     const entry = isAnswer ? this.#inFlight.shift() : undefined;
-    if (!(isAnswer && entry?.quiet && line === 'ok') && line !== '') this.#tell('line', line);
+    const quiet = line === '' || (line === 'ok' && (!entry || entry.quiet));
+    if (!quiet) this.#tell('line', line);
     entry?.resolve(line);
     this.#pump();
   }
@@ -77,6 +81,10 @@ export class Sender extends EventTarget {
   #restarted() {
     for (const entry of this.#inFlight.splice(0)) entry.reject(new Error('reset'));
     this.dropWaiting();
+    this.#begin();
+  }
+
+  #begin() {
     this.#ready = true;
     this.#tell('ready', '');
   }

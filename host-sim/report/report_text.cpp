@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "host-sim/report/duration_text.hpp"
+#include "host-sim/report/printable.hpp"
 #include "host-sim/report/text_table.hpp"
 #include "host-sim/report/utf8.hpp"
 
@@ -121,8 +122,10 @@ std::vector<std::string> summary_row(const Report& report) {
 }  // namespace
 
 std::string to_string(const Fault& fault) {
-  if (fault.column == 0) return fmt::format("{}:{}: {}", fault.file, fault.line, fault.message);
-  return fmt::format("{}:{}:{}: {}", fault.file, fault.line, fault.column, fault.message);
+  const std::string file = printable(fault.file);
+  const std::string message = printable(fault.message);
+  if (fault.column == 0) return fmt::format("{}:{}: {}", file, fault.line, message);
+  return fmt::format("{}:{}:{}: {}", file, fault.line, fault.column, message);
 }
 
 std::string report_text(const Report& report, bool colour) {

@@ -67,7 +67,7 @@ class Sender {
   void hold();
   void resume();
   /// Ends the job: held, and at standstill reset.
-  void abort() { stop("aborted"); }
+  void abort(std::string why = "aborted") { stop(std::move(why)); }
 
   [[nodiscard]] State state() const { return state_; }
   [[nodiscard]] bool over() const { return state_ == State::kDone || state_ == State::kFailed; }
@@ -76,6 +76,10 @@ class Sender {
   /// Share of the job's lines that were answered, 0…1.
   [[nodiscard]] double progress() const;
   [[nodiscard]] std::size_t answered() const { return answered_; }
+  /// The line of the file that comes next; 0 behind the last.
+  [[nodiscard]] std::size_t file_line() const {
+    return answered_ < job_.size() ? job_[answered_].number : 0;
+  }
   [[nodiscard]] std::size_t resent() const { return resent_; }
   [[nodiscard]] std::size_t errors() const { return errors_; }
 

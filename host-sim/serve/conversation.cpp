@@ -15,7 +15,8 @@ namespace {
 constexpr std::string_view kFirstLine = "kerfline conversation 1";
 
 bool has_bytes(Exchange::Kind kind) {
-  return kind == Exchange::Kind::kHeard || kind == Exchange::Kind::kSaid;
+  return kind == Exchange::Kind::kHeard || kind == Exchange::Kind::kSaid ||
+         kind == Exchange::Kind::kBeside;
 }
 
 /// Reads one conversation, a line at a time.
@@ -55,7 +56,8 @@ class ConversationReader {
 
  private:
   void read_exchange(std::string_view word, std::string_view line) {
-    const bool is_kind = word == ">" || word == "<" || word == "|" || word == "!";
+    constexpr std::string_view kKinds = "><^|!";
+    const bool is_kind = word.size() == 1 && kKinds.find(word.front()) != std::string_view::npos;
     if (!is_kind) fail(fmt::format("`{}` is not known here", word));
     Exchange exchange{.kind = Exchange::Kind{word.front()},
                       .time_ns = number<std::uint64_t>(take_word(line)),
@@ -111,7 +113,9 @@ class ConversationReader {
 
 std::string head_text(const ConversationSetting& setting) {
   std::string text = fmt::format("{}\n", kFirstLine);
-  text += "# > heard by the controller, < said by it, | nobody took more, ! stopped; times in ns\n";
+  text +=
+      "# > heard by the controller, < said by it, ^ acted beside its lines, | nobody took more, "
+      "! stopped; times in ns\n";
   text += fmt::format("probe_plate {}\n", setting.probe_plate_z_mm);
   for (const SettingChange& change : setting.settings) {
     text += fmt::format("set ${}={}\n", change.number, change.value);

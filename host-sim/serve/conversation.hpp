@@ -13,10 +13,11 @@ namespace sim {
 /// Some bytes that passed between sender and controller in one turn.
 struct Exchange {
   enum class Kind : char {
-    kHeard = '>',  ///< The controller read them.
-    kSaid = '<',   ///< The controller wrote them.
-    kFull = '|',   ///< It had more to say, but nobody took it; no bytes.
-    kStop = '!',   ///< An emergency stop came over a bus, beside all that is said; no bytes.
+    kHeard = '>',   ///< The controller read them.
+    kSaid = '<',    ///< The controller wrote them.
+    kBeside = '^',  ///< Realtime bytes reached it beside the stream.
+    kFull = '|',    ///< It had more to say, but nobody took it; no bytes.
+    kStop = '!',    ///< An emergency stop came over a bus, beside all that is said; no bytes.
   };
   Kind kind = Kind::kHeard;
   std::uint64_t time_ns = 0;  ///< The controller's time.
@@ -38,6 +39,7 @@ struct ConversationSetting {
 ///     set $110=12000
 ///     record 3 "\x00\x01"
 ///     > 120000000 "G0 X1\n"
+///     ^ 121000000 "?"
 ///     < 121000000 "ok\r\n"
 ///     end 500000000
 ///

@@ -16,6 +16,8 @@ class LinkListener {
   virtual void on_write(std::span<const std::byte> bytes) = 0;
   /// The controller wanted to write more than there was room for.
   virtual void on_full() = 0;
+  /// A realtime byte reaches the controller beside the link.
+  virtual void on_beside(std::byte byte) = 0;
   /// An emergency stop comes beside the link.
   virtual void on_stop() = 0;
 
@@ -43,13 +45,15 @@ class LiveLink final : public hal::ByteStream {
   /// Forgets what was on its way in both directions.
   void disconnect();
   [[nodiscard]] std::size_t room() const { return incoming_.room(); }
+  /// Forgets the lines that the controller has not read.
+  void drop_incoming() { incoming_.clear(); }
   /// @pre bytes.size() is at most room()
   void receive(std::span<const std::byte> bytes);
   /// A byte that overtakes all others; at most kUrgent at a time, more are dropped.
   void interject(std::byte byte);
   /// A realtime byte reaches the controller beside the stream: those who listen are to know.
   void pass_by(std::byte byte) {
-    if (listener_ != nullptr) listener_->on_read({&byte, 1});
+    if (listener_ != nullptr) listener_->on_beside(byte);
   }
   /// The controller is stopped beside the stream: those who listen are to know.
   void stop_passes_by() {

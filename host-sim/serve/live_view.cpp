@@ -3,13 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <future>
 #include <nlohmann/json.hpp>
 
+#include "firmware/protocol/code_texts.hpp"
 #include "firmware/protocol/identity.hpp"
 #include "firmware/protocol/report_lines.hpp"
-#include "host-sim/plot/outline.hpp"
-#include "host-sim/plot/picture.hpp"
 
 namespace sim {
 namespace {
@@ -19,7 +17,6 @@ using std::chrono::milliseconds;
 
 constexpr milliseconds kPeriod{50};
 constexpr milliseconds kRepeat{1000};  // A watcher sees that the server lives.
-constexpr milliseconds kLongestWait{2000};
 constexpr std::size_t kPointsPerMessage = 2000;
 // A watcher with so many bytes before him gets the next news later.
 constexpr std::size_t kTooSlow = std::size_t{1} << 18;
@@ -35,27 +32,44 @@ ordered_json travel_of(const cnc::Settings& settings) {
   return travel;
 }
 
-std::string text_of(const ProgramOutline& outline) {
-  ordered_json points = ordered_json::array();
-  for (const PathVertex& vertex : outline.vertices) {
-    points.push_back(rounded(vertex.x_mm));
-    points.push_back(rounded(vertex.y_mm));
-    points.push_back(static_cast<int>(vertex.move));
+std::string_view name_of(ServedJob::State state) {
+  switch (state) {
+    case ServedJob::State::kNone:
+      return "none";
+    case ServedJob::State::kLoaded:
+      return "loaded";
+    case ServedJob::State::kRunning:
+      return "running";
+    case ServedJob::State::kStopped:
+      return "stopped";
+    case ServedJob::State::kDone:
+      return "done";
   }
-  ordered_json text{{"points", std::move(points)}};
-  if (const auto& refused = outline.refused) {
-    text["refused"] = {{"line", refused->line},
-                       {"column", refused->column},
-                       {"number", refused->number},
-                       {"reason", refused->reason}};
+  return {};
+}
+
+ordered_json state_of(const ServedJob& job) {
+  return {{"name", job.name()},
+          {"state", name_of(job.state())},
+          {"done", job.done()},
+          {"count", job.count()},
+          {"line", job.file_line()},
+          {"trouble", job.trouble()}};
+}
+
+std::string_view text_of(cnc::Alarm alarm) {
+  for (const cnc::CodeText& text : cnc::alarm_texts()) {
+    if (text.number == static_cast<std::uint8_t>(alarm)) return text.text;
   }
-  // A word at fault may be any byte.
-  return text.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
+  return {};
 }
 
 }  // namespace
 
-LiveView::LiveView(const VirtualController& controller) : controller_{controller} { keep_scale(); }
+LiveView::LiveView(const VirtualController& controller, const ServedJob& job)
+    : controller_{controller}, job_{job} {
+  keep_scale();
+}
 
 void LiveView::keep_scale() {
   cnc::AxisArray<float> steps_per_mm{};
@@ -69,33 +83,33 @@ void LiveView::keep_scale() {
   watchers_.clear();
 }
 
-void LiveView::publish(const std::vector<std::shared_ptr<WebPipe>>& watchers,
+void LiveView::publish(const std::vector<std::shared_ptr<WebSocket>>& watchers,
                        std::string_view sender_kind,
                        Clock::time_point now) {
   next_ = now + kPeriod;
   keep_scale();
-  std::erase_if(watchers_, [](const auto& entry) { return entry.second.pipe.expired(); });
+  std::erase_if(watchers_, [](const auto& entry) { return entry.second.socket.expired(); });
   if (watchers.empty()) return;
   const std::string state = state_text(sender_kind);
   const bool news = state != last_state_ || now >= repeat_at_;
   if (news) repeat_at_ = now + kRepeat;
   last_state_ = state;
-  for (const auto& pipe : watchers) {
-    const auto [place, is_new] = watchers_.try_emplace(pipe.get());
+  for (const auto& socket : watchers) {
+    const auto [place, is_new] = watchers_.try_emplace(socket.get());
     Watcher& watcher = place->second;
-    watcher.pipe = pipe;
+    watcher.socket = socket;
     const bool grown = watcher.points_sent != recorder_->settled().size();
-    if (news || is_new || grown) tell(watcher, *pipe, state);
+    if (news || is_new || grown) tell(watcher, *socket, state);
   }
 }
 
-void LiveView::tell(Watcher& watcher, WebPipe& pipe, const std::string& state) const {
-  if (pipe.unsent() > kTooSlow) return;
+void LiveView::tell(Watcher& watcher, WebSocket& socket, const std::string& state) const {
+  if (socket.unsent() > kTooSlow) return;
   const double seconds =
       static_cast<double>(controller_.now_ticks()) / cnc::motion::kTicksPerSecond;
   const std::string message =
       fmt::format(R"({{"t":{:.3f},{},"path":{}}})", seconds, state, path_text(watcher));
-  pipe.write(std::as_bytes(std::span{message}));
+  socket.write(message);
 }
 
 /// Its members, without the braces around them.
@@ -129,8 +143,11 @@ std::string LiveView::state_text(std::string_view sender_kind) const {
       {"sender", sender_kind},
       {"travel", travel_of(machine.settings())},
       {"most_spindle", machine.settings().get(cnc::setting::kMostSpindleSpeed)},
-      {"version", cnc::identity::version()}};
-  const std::string text = state.dump();
+      {"version", cnc::identity::version()},
+      {"alarm_text", text_of(machine.alarm())},
+      {"job", state_of(job_)}};
+  // A file may have any name, and what was refused any byte.
+  const std::string text = state.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
   return text.substr(1, text.size() - 2);
 }
 
@@ -151,40 +168,10 @@ std::string LiveView::path_text(Watcher& watcher) const {
   return ordered_json{{"from", from}, {"points", points}}.dump();
 }
 
-template <typename Question>
-auto LiveView::ask(Question question) -> std::optional<std::invoke_result_t<Question>> {
-  using Answered = std::invoke_result_t<Question>;
-  const auto task = std::make_shared<std::packaged_task<Answered()>>(std::move(question));
-  std::future<Answered> answer = task->get_future();
-  {
-    const std::lock_guard lock{mutex_};
-    questions_.emplace_back([task] { (*task)(); });
-  }
-  if (answer.wait_for(kLongestWait) != std::future_status::ready) return {};
-  return answer.get();
-}
-
-void LiveView::answer_questions() {
-  const std::lock_guard lock{mutex_};
-  for (const auto& question : questions_) question();
-  questions_.clear();
-}
-
 Path LiveView::path_so_far() const {
   PathRecorder copy = *recorder_;
   copy.on_end(controller_.now_ticks() * VirtualController::kNanosecondsPerTick);
   return copy.path();
-}
-
-PageService::Document LiveView::picture() {
-  const std::optional<Path> path = ask([this] { return path_so_far(); });
-  return {"image/svg+xml", draw_svg(path.value_or(Path{}), {.title = "Motion so far"})};
-}
-
-std::optional<PageService::Document> LiveView::outline(std::string_view program) {
-  const auto reader = ask([this] { return controller_.machine().interpreter(); });
-  if (!reader) return {};
-  return Document{"application/json", text_of(program_outline_of(program, *reader))};
 }
 
 }  // namespace sim

@@ -1,24 +1,22 @@
 #pragma once
 
 #include <optional>
-#include <string>
-#include <string_view>
+#include <variant>
+
+#include "host-sim/serve/http_request.hpp"
+#include "host-sim/serve/web_reply.hpp"
 
 namespace sim {
 
-/// Answers what a page asks for, in the threads of the web server.
+/// Answers what a page asks for. In the loop's thread; what takes time is left to the work.
 class PageService {
  public:
-  struct Document {
-    std::string type;
-    std::string content;
-  };
-  /// The picture of the motion so far. May wait for the loop, but not for long.
-  [[nodiscard]] virtual Document picture() = 0;
+  using Answer = std::variant<WebReply, WebWork>;
 
-  /// Where a program would go if it were sent now; nothing when the loop does
-  /// not answer. May take seconds for a large program.
-  [[nodiscard]] virtual std::optional<Document> outline(std::string_view program) = 0;
+  /// Why a request is refused, by its head alone; nothing when its body may be read.
+  [[nodiscard]] virtual std::optional<WebReply> refusal(const HttpRequest& request) const = 0;
+  /// The answer to a request that was not refused.
+  [[nodiscard]] virtual Answer answer(HttpRequest request) = 0;
 
  protected:
   ~PageService() = default;

@@ -75,6 +75,15 @@ void PtyLink::point_to(const std::string& device) {
       throw std::invalid_argument(
           fmt::format("--pty {}: there is a file of this name, and it is no link to a pty", path_));
     }
+    // A pty is gone with its server, and what is left of the link leads nowhere.
+    const fs::path leads_to = fs::read_symlink(link);
+    if (leads_to != device_ && fs::exists(leads_to)) {
+      throw std::invalid_argument(
+          fmt::format("--pty {}: leads to {}, which is in use, perhaps by another server: choose "
+                      "another name, or remove the link",
+                      path_,
+                      leads_to.string()));
+    }
   }
   const fs::path fresh{fmt::format("{}.{}", path_, ::getpid())};
   fs::create_symlink(device, fresh);

@@ -44,7 +44,7 @@ class PtyLink {
 
   /// Points to this device from now on, without a moment in which there is no
   /// link. Throws std::system_error, or std::invalid_argument when something
-  /// else than the link of another run has that name.
+  /// else than the link of a run that has ended has that name.
   void point_to(const std::string& device);
   [[nodiscard]] const std::string& path() const { return path_; }
 

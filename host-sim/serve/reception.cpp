@@ -1,18 +1,25 @@
 #include "host-sim/serve/reception.hpp"
 
 #include <algorithm>
-#include <array>
 #include <utility>
 
 namespace sim {
 namespace {
 
-constexpr std::size_t kPart = 1024;
+constexpr std::size_t kSenderPart = std::size_t{64} << 10;
+// Bytes read at a time: some milliseconds' worth, which the machine catches up.
+constexpr std::size_t kMostAtOnce = std::size_t{4} << 20;
 
 }  // namespace
 
 void Reception::attend(Clock::time_point now) {
-  if (sender_) attend_sender(now);
+  if (sender_) {
+    greet(now);
+    if (greeted_ && session_.hears()) carry_in();
+  }
+  if (job_runs()) job_->attend(session_, now);
+  if (greeted_) carry_out(now);
+  look_for_end(now);
   for (const auto& way : ways_in_) {
     if (way->take_stop()) session_.emergency_stop();
     while (auto connection = way->accept()) meet(std::move(connection), *way, now);
@@ -20,24 +27,33 @@ void Reception::attend(Clock::time_point now) {
   see_off(now);
 }
 
+std::string_view Reception::sender_kind() const {
+  if (sender_) return sender_kind_;
+  return job_runs() ? kJob : std::string_view{};
+}
+
+/// To a job that runs only a page comes.
 void Reception::meet(std::unique_ptr<Connection> connection,
                      const Transport& way,
                      Clock::time_point now) {
-  if (sender_) {
-    departing_.push_back({std::move(connection), now + kFarewell, kRefusal});
+  const std::string_view kind = connection->kind().empty() ? way.kind() : connection->kind();
+  if (sender_ || (job_runs() && kind != kPage)) {
+    departing_.push_back({std::move(connection), now + kFarewell, sender_ ? kRefusal : kJobRuns});
     return;
   }
   sender_ = std::move(connection);
-  sender_kind_ = way.kind();
+  sender_kind_ = kind;
   greet_at_ = now + kGreetAfter;
-  greeted_ = false;
+  if (job_runs()) static_cast<void>(sender_->write(std::as_bytes(std::span{kJobRuns})));
 }
 
 void Reception::see_off(Clock::time_point now) {
-  std::array<std::byte, kPart> unheard{};
+  part_.resize(kSenderPart);
   for (Departing& one : departing_) {
     // Reading on keeps the kernel from throwing our words away with a reset.
-    if (one.connection->read(unheard) == unheard.size()) continue;
+    for (std::size_t read = 0; read < kMostAtOnce; read += kSenderPart) {
+      if (one.connection->read(part_) == 0) break;
+    }
     if (one.words.empty()) continue;
     one.words.remove_prefix(one.connection->write(std::as_bytes(std::span{one.words})));
     if (one.words.empty()) one.connection->end();
@@ -47,46 +63,68 @@ void Reception::see_off(Clock::time_point now) {
   });
 }
 
-void Reception::attend_sender(Clock::time_point now) {
-  if (!greeted_ && now >= greet_at_ && session_.calm()) {
-    session_.welcome_sender();
-    greeted_ = true;
-  }
-  if (greeted_ && session_.hears()) {
-    for (std::byte byte{}; sender_->take_realtime(byte);) session_.act_at_once(byte);
-    carry_in();
-  }
-  if (greeted_) carry_out();
-  if (sender_->open()) return;
-  sender_.reset();
-  sender_kind_ = {};
-  if (greeted_) session_.lose_sender();
+void Reception::greet(Clock::time_point now) {
+  if (greeted_ || now < greet_at_ || !session_.calm()) return;
+  session_.welcome_sender();
+  greeted_ = true;
 }
 
+/// Also what comes behind lines that the controller cannot take yet.
 void Reception::carry_in() {
-  std::array<std::byte, kPart> bytes{};
-  while (session_.link().room() > 0) {
-    const std::size_t wanted = std::min(bytes.size(), session_.link().room());
-    const std::size_t count = sender_->read(std::span{bytes}.first(wanted));
-    session_.link().receive(std::span{bytes}.first(count));
-    if (count < wanted) return;
+  for (std::byte byte{}; sender_->take_realtime(byte);) session_.act_at_once(byte);
+  part_.resize(kSenderPart);
+  for (std::size_t read = 0; read < kMostAtOnce && !look_ahead_.overrun();) {
+    const std::size_t count = sender_->read(part_);
+    if (count == 0) break;
+    look_ahead_.hear(std::span{part_}.first(count), session_);
+    read += count;
+  }
+  if (job_runs()) return refuse_lines();
+  look_ahead_.hand_over(session_);
+}
+
+/// Each has its answer, as a sender that counts them expects.
+void Reception::refuse_lines() {
+  const std::string lines = look_ahead_.take_lines();
+  for (auto line = std::count(lines.begin(), lines.end(), '\n'); line > 0; --line) {
+    static_cast<void>(sender_->write(std::as_bytes(std::span{kOnlyRealtime})));
   }
 }
 
-void Reception::carry_out() {
+/// What a page does not take while a job runs must not keep the job waiting.
+void Reception::carry_out(Clock::time_point now) {
   LiveLink& link = session_.link();
   while (!link.outgoing().empty()) {
-    const std::size_t count = sender_->write(link.outgoing());
+    std::size_t count = link.outgoing().size();
+    if (job_runs()) {
+      if (sender_) static_cast<void>(sender_->write(link.outgoing()));
+      job_->hear(link.outgoing(), now);
+    } else if (sender_) {
+      count = sender_->write(link.outgoing());
+    }
     if (count == 0) return;
     link.taken(count);
   }
+}
+
+void Reception::look_for_end(Clock::time_point now) {
+  if (sender_ && look_ahead_.overrun()) {
+    departing_.push_back({std::move(sender_), now + kFarewell, kTooFarAhead});
+  } else if (sender_ && !sender_->open()) {
+    sender_.reset();
+  }
+  if (sender_) return;
+  look_ahead_.forget();
+  if (!greeted_ || job_runs()) return;
+  greeted_ = false;
+  session_.lose_sender();
 }
 
 void Reception::add_to(std::vector<pollfd>& descriptors) {
   for (const auto& way : ways_in_) way->add_to(descriptors);
   for (const Departing& one : departing_) one.connection->add_to(descriptors, {.read = true});
   if (!sender_) return;
-  const Wishes wishes{.read = greeted_ && session_.hears() && session_.link().room() > 0,
+  const Wishes wishes{.read = greeted_ && session_.hears(),
                       .write = greeted_ && !session_.link().outgoing().empty()};
   if (wishes.read || wishes.write) sender_->add_to(descriptors, wishes);
 }

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "host-sim/serve/look_ahead.hpp"
+#include "host-sim/serve/served_job.hpp"
 #include "host-sim/serve/session.hpp"
 #include "host-sim/serve/transport.hpp"
 
@@ -14,8 +16,14 @@ namespace sim {
 /// Lets one sender at a time at the controller and carries the bytes between
 /// them. Whoever comes meanwhile is told so in a line and hung up on.
 ///
+/// The sender's stream is always read to its end: its realtime bytes act, and its end is
+/// noticed, however many lines wait.
+///
 /// A sender is greeted kGreetAfter after it came: many flush their port just
 /// after opening it. What it sends before waits for the greeting.
+///
+/// While a job of the server runs, the job is the sender: of a page that operates the machine
+/// realtime bytes act, its lines are refused, and it may come and go.
 class Reception {
  public:
   using Clock = std::chrono::steady_clock;
@@ -23,19 +31,32 @@ class Reception {
   /// How long one who was refused may take to read why.
   static constexpr std::chrono::milliseconds kFarewell{500};
   static constexpr std::string_view kRefusal = "[MSG:Another sender is connected]\r\n";
+  static constexpr std::string_view kJobRuns = "[MSG:A job of the page runs]\r\n";
+  static constexpr std::string_view kTooFarAhead =
+      "[MSG:More than 64 MiB of lines wait for the machine: the sender is hung up on]\r\n";
+  static constexpr std::string_view kOnlyRealtime =
+      "[MSG:0: a job runs: only realtime commands act]\r\nerror:8\r\n";
+  /// What a page is as a sender, and the job.
+  static constexpr std::string_view kPage = "page";
+  static constexpr std::string_view kJob = "job";
 
   /// The session must outlive it.
   explicit Reception(Session& session) : session_{session} {}
 
   void add(std::unique_ptr<Transport> transport) { ways_in_.push_back(std::move(transport)); }
   [[nodiscard]] const std::vector<std::unique_ptr<Transport>>& ways_in() const { return ways_in_; }
+  /// The job that the server may run; must outlive it.
+  void set_job(ServedJob& job) { job_ = &job; }
 
   /// Looks after everybody, without blocking.
   void attend(Clock::time_point now);
   /// What to wake up for.
   void add_to(std::vector<pollfd>& descriptors);
-  /// How the sender came: `pty`, `tcp`, `ws`; empty when there is none.
-  [[nodiscard]] std::string_view sender_kind() const { return sender_kind_; }
+  /// How the sender came: `pty`, `tcp`, `ws`, `page`, `can`, `slcan`, or `job` for a job that
+  /// nobody operates; empty when there is none.
+  [[nodiscard]] std::string_view sender_kind() const;
+  /// A page has control of the machine.
+  [[nodiscard]] bool operated_by_page() const { return greeted_ && sender_kind_ == kPage; }
 
  private:
   struct Departing {
@@ -44,20 +65,26 @@ class Reception {
     std::string_view words;  ///< Not sent yet.
   };
 
+  [[nodiscard]] bool job_runs() const { return job_ != nullptr && job_->running(); }
   void meet(std::unique_ptr<Connection> connection, const Transport& way, Clock::time_point now);
   void see_off(Clock::time_point now);
-  void attend_sender(Clock::time_point now);
+  void greet(Clock::time_point now);
   void carry_in();
-  void carry_out();
+  void refuse_lines();
+  void carry_out(Clock::time_point now);
+  void look_for_end(Clock::time_point now);
 
   Session& session_;
+  ServedJob* job_ = nullptr;
   std::vector<std::unique_ptr<Transport>> ways_in_;
   // After the transports, which their connections refer to.
   std::unique_ptr<Connection> sender_;
+  LookAhead look_ahead_{};       ///< Of the sender.
+  std::vector<std::byte> part_;  ///< Read last.
   std::vector<Departing> departing_;
   std::string_view sender_kind_;
   Clock::time_point greet_at_;
-  bool greeted_ = false;
+  bool greeted_ = false;  ///< The session has a sender, a connection or a job.
 };
 
 }  // namespace sim

@@ -23,6 +23,7 @@ class Recorder final : public LinkListener {
   void on_read(std::span<const std::byte> bytes) override { add(Exchange::Kind::kHeard, bytes); }
   void on_write(std::span<const std::byte> bytes) override { add(Exchange::Kind::kSaid, bytes); }
   void on_full() override { add(Exchange::Kind::kFull, {}); }
+  void on_beside(std::byte byte) override { add(Exchange::Kind::kBeside, {&byte, 1}); }
   void on_stop() override { add(Exchange::Kind::kStop, {}); }
 
   /// Hands out the exchange that might have gone on.

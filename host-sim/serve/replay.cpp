@@ -24,10 +24,12 @@ class RecordedLink final : public hal::ByteStream {
   /// Lets the controller hear what it heard up to this time.
   void set_time(std::uint64_t now_ns) {
     now_full_ = now_stops_ = false;
+    now_beside_.clear();
     now_said_ = 0;
     for (; next_ < exchanges_.size() && exchanges_[next_].time_ns <= now_ns; ++next_) {
       const Exchange& exchange = exchanges_[next_];
       if (exchange.kind == Exchange::Kind::kHeard) waiting_ += exchange.bytes;
+      if (exchange.kind == Exchange::Kind::kBeside) now_beside_ += exchange.bytes;
       if (exchange.kind == Exchange::Kind::kSaid) now_said_ += exchange.bytes.size();
       if (exchange.kind == Exchange::Kind::kFull) now_full_ = true;
       if (exchange.kind == Exchange::Kind::kStop) now_stops_ = true;
@@ -36,6 +38,10 @@ class RecordedLink final : public hal::ByteStream {
 
   /// Somebody on its bus stopped the controller before this turn.
   [[nodiscard]] bool stops() const { return now_stops_; }
+  /// Realtime bytes that acted beside the stream before this turn.
+  [[nodiscard]] std::span<const std::byte> beside() const {
+    return std::as_bytes(std::span{now_beside_});
+  }
 
   std::size_t read(std::span<std::byte> into) override {
     const std::size_t count = std::min(into.size(), waiting_.size() - heard_);
@@ -60,6 +66,7 @@ class RecordedLink final : public hal::ByteStream {
   LinkListener* listener_ = nullptr;
   std::size_t next_ = 0;
   std::string waiting_;
+  std::string now_beside_;
   std::size_t heard_ = 0;     ///< Of waiting_.
   std::size_t now_said_ = 0;  ///< What may still be said in this turn, if it is full.
   bool now_full_ = false;
@@ -131,6 +138,10 @@ Conversation replay(const Conversation& recorded) {
     if (link.stops()) {
       recorder.on_stop();
       controller.machine().emergency_stop();
+    }
+    for (const std::byte byte : link.beside()) {
+      recorder.on_beside(byte);
+      controller.firmware().act_at_once(byte);
     }
     controller.turn();
   }

@@ -49,9 +49,8 @@ void Server::catch_up() {
 }
 
 void Server::show_view() {
-  view_->answer_questions();
   const auto now = LiveView::Clock::now();
-  if (view_->due(now)) view_->publish(web_->observers(), reception_.sender_kind(), now);
+  if (view_->due(now)) view_->publish(web_->watchers(), reception_.sender_kind(), now);
 }
 
 void Server::sleep(const StopSignals& stop) {

@@ -41,6 +41,8 @@ class Connection {
   virtual void end() = 0;
   /// Adds what to wake up for.
   virtual void add_to(std::vector<pollfd>& descriptors, Wishes wishes) const = 0;
+  /// What it is, where the transport has more than one kind; else empty.
+  [[nodiscard]] virtual std::string_view kind() const { return {}; }
 };
 
 /// A way in for senders.

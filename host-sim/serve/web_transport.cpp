@@ -1,189 +1,169 @@
 #include "host-sim/serve/web_transport.hpp"
 
-#include <civetweb.h>
-#include <fmt/format.h>
-#include <sys/eventfd.h>
+#include <sys/socket.h>
 
+#include <algorithm>
 #include <array>
-#include <stdexcept>
 
-#include "host-sim/page/page_file.hpp"
-#include "host-sim/serve/outline_request.hpp"
-#include "host-sim/serve/web_answer.hpp"
+#include "host-sim/serve/http_status.hpp"
+#include "host-sim/serve/listener.hpp"
+#include "host-sim/serve/reception.hpp"
 #include "host-sim/serve/web_guard.hpp"
 
 namespace sim {
 namespace {
 
-using hal::host::checked;
+constexpr std::size_t kKeyCharacters = 24;  ///< Of 16 bytes in Base64.
+constexpr std::ptrdiff_t kMostAtWork = 2;
+constexpr std::string_view kTooManyWatch =
+    R"({"refused":"Sixteen pages watch this machine already. Close one of them, and reload."})";
 
-constexpr int kForbidden = 403;
-constexpr int kNotFound = 404;
-
+/// Of a sender; the transport keeps the socket until it is gone.
 class WebConnection final : public Connection {
  public:
-  explicit WebConnection(std::shared_ptr<WebPipe> pipe) : pipe_{std::move(pipe)} {}
+  WebConnection(std::shared_ptr<WebSocket> socket, std::string_view kind)
+      : socket_{std::move(socket)}, kind_{kind} {}
   WebConnection(const WebConnection&) = delete;
   WebConnection& operator=(const WebConnection&) = delete;
-  ~WebConnection() override { pipe_->end(); }
+  ~WebConnection() override { end(); }
 
-  std::size_t read(std::span<std::byte> into) override { return pipe_->read(into); }
-  std::size_t write(std::span<const std::byte> from) override { return pipe_->write(from); }
-  bool open() override { return pipe_->open(); }
-  void end() override { pipe_->end(); }
-  void add_to(std::vector<pollfd>&, Wishes) const override {}  // The transport's bell rings.
+  std::size_t read(std::span<std::byte> into) override { return socket_->read(into); }
+  std::size_t write(std::span<const std::byte> from) override { return socket_->write(from); }
+  bool open() override { return socket_->open(); }
+  void end() override { socket_->end(web_close::kTryAgainLater); }
+  void add_to(std::vector<pollfd>&, Wishes) const override {}  // The transport adds it.
+  [[nodiscard]] std::string_view kind() const override { return kind_; }
 
  private:
-  std::shared_ptr<WebPipe> pipe_;
+  std::shared_ptr<WebSocket> socket_;
+  std::string_view kind_;
 };
 
-std::string_view header(const mg_connection* connection, const char* name) {
-  const char* value = mg_get_header(connection, name);
-  return value == nullptr ? std::string_view{} : value;
-}
-
-std::string_view type_of(std::string_view path) {
-  if (path.ends_with(".js")) return "text/javascript; charset=utf-8";
-  if (path.ends_with(".css")) return "text/css; charset=utf-8";
-  if (path.ends_with(".svg")) return "image/svg+xml";
-  return "text/html; charset=utf-8";
+/// What is wrong with a handshake (RFC 6455, 4.2.1); nothing when it is sound.
+std::optional<WebReply> handshake_fault(const HttpRequest& request) {
+  if (request.header("sec-websocket-version") != "13") {
+    return web_refusal(http_status::kUpgradeRequired,
+                       "Only version 13 of WebSocket is spoken here.");
+  }
+  const bool sound = request.method == "GET" && request.lists("connection", "upgrade") &&
+                     request.header("sec-websocket-key").size() == kKeyCharacters;
+  if (sound) return {};
+  return web_refusal(http_status::kBadRequest, "The handshake of the WebSocket is malformed.");
 }
 
 }  // namespace
 
-/// What the server calls, in its own threads.
-struct WebTransport::Handlers {
-  static WebTransport& self(void* data) { return *static_cast<WebTransport*>(data); }
-
-  /// Before anything else, WebSockets included. @returns 0 to go on
-  static int on_begin(mg_connection* connection) {
-    const WebTransport& transport = self(mg_get_request_info(connection)->user_data);
-    const bool ours = is_our_host(header(connection, "Host"), transport.address_) &&
-                      is_our_origin(header(connection, "Origin"), transport.address_);
-    return ours ? 0 : send_refusal(connection, kForbidden, "This machine has no such name.");
-  }
-
-  static int on_request(mg_connection* connection, void* data) {
-    WebTransport& transport = self(data);
-    const std::string_view path = mg_get_request_info(connection)->local_uri;
-    for (const PageFile& file : page_files()) {
-      if (file.path == path) return send_document(connection, type_of(path), file.content);
-    }
-    if (path == "/picture.svg") {
-      const PageService::Document picture = transport.service_.picture();
-      return send_document(connection, picture.type, picture.content);
-    }
-    if (path == "/outline") return answer_outline(connection, transport.service_);
-    return send_refusal(connection, kNotFound, "There is nothing of that name here.");
-  }
-
-  static void on_ready(mg_connection* connection, void* data) {
-    WebTransport& transport = self(data);
-    const bool observes =
-        std::string_view{mg_get_request_info(connection)->local_uri} == "/observe";
-    auto pipe = std::make_shared<WebPipe>([&transport] { transport.wake(); });
-    {
-      const std::lock_guard lock{transport.mutex_};
-      if (observes) {
-        transport.observers_.push_back(pipe);
-      } else {
-        transport.waiting_.push_back(pipe);
-      }
-      transport.peers_[connection] = std::make_unique<WebSocketPeer>(
-          connection,
-          pipe,
-          observes ? WebSocketPeer::Role::kWatcher : WebSocketPeer::Role::kSender);
-    }
-    transport.wake();
-  }
-
-  static int on_data(
-      mg_connection* connection, int opcode, char* bytes, std::size_t count, void* data) {
-    WebTransport& transport = self(data);
-    WebSocketPeer* peer = nullptr;
-    {
-      const std::lock_guard lock{transport.mutex_};
-      peer = transport.peers_.at(connection).get();
-    }
-    // Only this thread removes it.
-    return peer->on_frame(opcode, std::as_bytes(std::span{bytes, count})) ? 1 : 0;
-  }
-
-  static void on_close(const mg_connection* connection, void* data) {
-    WebTransport& transport = self(data);
-    std::unique_ptr<WebSocketPeer> peer;
-    {
-      const std::lock_guard lock{transport.mutex_};
-      const auto found = transport.peers_.find(connection);
-      if (found == transport.peers_.end()) return;
-      peer = std::move(found->second);
-      transport.peers_.erase(found);
-    }
-  }
-};
-
-void WebTransport::Stopper::operator()(mg_context* server) const { mg_stop(server); }
-
 WebTransport::WebTransport(const InternetAddress& address, PageService& service)
-    : address_{address},
-      service_{service},
-      bell_{checked(::eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK), "eventfd")} {
-  const std::string ports = to_string(address);
-  std::array<const char*, 11> options{"listening_ports",
-                                      ports.c_str(),
-                                      "num_threads",
-                                      "24",
-                                      "tcp_nodelay",
-                                      "1",
-                                      "enable_websocket_ping_pong",
-                                      "yes",
-                                      "request_timeout_ms",
-                                      "10000",
-                                      nullptr};
-  mg_callbacks callbacks{};
-  callbacks.begin_request = Handlers::on_begin;
-  server_.reset(mg_start(&callbacks, this, options.data()));
-  mg_server_port port{};
-  if (!server_ || mg_get_server_ports(server_.get(), 1, &port) != 1) {
-    throw std::runtime_error(fmt::format("ws {}: cannot listen there; is the port in use?", ports));
-  }
-  address_.port = static_cast<std::uint16_t>(port.port);
-  mg_set_request_handler(server_.get(), "/", Handlers::on_request, this);
-  mg_set_websocket_handler(server_.get(),
-                           "/",
-                           nullptr,  // on_begin has looked at it.
-                           Handlers::on_ready,
-                           Handlers::on_data,
-                           Handlers::on_close,
-                           this);
-}
+    : address_{address}, service_{service}, listener_{listen_at(address_, "ws")} {}
 
-WebTransport::~WebTransport() {
-  const std::lock_guard lock{mutex_};
-  for (const auto& pipe : waiting_) pipe->end();
-  for (const auto& pipe : observers_) pipe->end();
-}
-
-void WebTransport::wake() const { ::eventfd_write(bell_.number(), 1); }
+WebTransport::~WebTransport() = default;
 
 std::unique_ptr<Connection> WebTransport::accept() {
-  eventfd_t rung = 0;
-  ::eventfd_read(bell_.number(), &rung);
-  const std::lock_guard lock{mutex_};
-  if (waiting_.empty()) return nullptr;
-  auto connection = std::make_unique<WebConnection>(std::move(waiting_.front()));
-  waiting_.pop_front();
-  return connection;
+  if (arrivals_.empty()) attend(Clock::now());
+  if (arrivals_.empty()) return nullptr;
+  const Arrival arrival = std::move(arrivals_.front());
+  arrivals_.pop_front();
+  return std::make_unique<WebConnection>(arrival.socket, arrival.kind);
+}
+
+void WebTransport::attend(Clock::time_point now) {
+  accept_clients(now);
+  for (const auto& client : clients_) attend_client(*client, now);
+  std::erase_if(clients_,
+                [](const auto& client) { return client->stage() == WebClient::Stage::kOver; });
+  attend_sockets(now);
+}
+
+void WebTransport::accept_clients(Clock::time_point now) {
+  constexpr int kMostAtOnce = 16;
+  for (int count = 0; count < kMostAtOnce; ++count) {
+    auto socket = accept_at(listener_);
+    if (!socket) return;
+    if (clients_.size() >= kMostClients) make_place();
+    clients_.push_back(std::make_unique<WebClient>(std::move(*socket), now));
+  }
+}
+
+/// Whoever has asked nothing yet waits for nothing.
+void WebTransport::make_place() {
+  const auto silent =
+      std::find_if(clients_.begin(), clients_.end(), [](const auto& c) { return c->silent(); });
+  const bool works = clients_.front()->stage() == WebClient::Stage::kWorking;
+  if (silent != clients_.end()) {
+    clients_.erase(silent);
+  } else if (!works) {
+    clients_.erase(clients_.begin());
+  }
+}
+
+void WebTransport::attend_client(WebClient& client, Clock::time_point now) {
+  client.attend(now);
+  if (client.stage() == WebClient::Stage::kHasHead) judge(client, now);
+  if (client.stage() == WebClient::Stage::kHasAll) answer(client, now);
+}
+
+void WebTransport::judge(WebClient& client, Clock::time_point now) {
+  const HttpRequest& request = client.request();
+  const std::string_view host = request.header("host");
+  if (!is_our_host(host, address_)) {
+    return client.answer(web_refusal(http_status::kForbidden, "This machine has no such name."),
+                         now);
+  }
+  if (!is_same_origin(request.header("origin"), host)) {
+    return client.answer(
+        web_refusal(http_status::kForbidden, "Another page must not ask for this."), now);
+  }
+  if (request.wants_web_socket()) return open_socket(client, now);
+  if (const auto refused = service_.refusal(request)) return client.answer(*refused, now);
+  client.want_body(now);
+}
+
+void WebTransport::open_socket(WebClient& client, Clock::time_point now) {
+  if (const auto fault = handshake_fault(client.request())) return client.answer(*fault, now);
+  const std::string path = client.request().path;
+  auto socket = std::make_shared<WebSocket>(client.become_socket());
+  sockets_.push_back(socket);
+  if (path == "/observe") return add_watcher(std::move(socket));
+  arrivals_.push_back(
+      {std::move(socket), path == "/operate" ? Reception::kPage : std::string_view{}});
+}
+
+void WebTransport::add_watcher(std::shared_ptr<WebSocket> socket) {
+  if (watchers_.size() < kMostWatchers) {
+    watchers_.push_back(std::move(socket));
+    return;
+  }
+  socket->write(kTooManyWatch);
+  socket->end(web_close::kTryAgainLater);
+}
+
+/// Two answers are being made at a time; others wait.
+void WebTransport::answer(WebClient& client, Clock::time_point now) {
+  const auto at_work = std::count_if(clients_.begin(), clients_.end(), [](const auto& one) {
+    return one->stage() == WebClient::Stage::kWorking;
+  });
+  if (at_work >= kMostAtWork) return;
+  PageService::Answer answer = service_.answer(std::move(client.request()));
+  if (auto* work = std::get_if<WebWork>(&answer)) return client.work(std::move(*work));
+  client.answer(std::get<WebReply>(answer), now);
+}
+
+void WebTransport::attend_sockets(Clock::time_point now) {
+  std::array<std::byte, 1024> unheard{};
+  for (const auto& watcher : watchers_) {
+    while (watcher->read(unheard) == unheard.size()) {
+    }
+  }
+  for (const auto& socket : sockets_) socket->attend(now);
+  const auto gone = [](const auto& socket) { return socket->gone(); };
+  std::erase_if(sockets_, gone);
+  std::erase_if(watchers_, gone);
 }
 
 void WebTransport::add_to(std::vector<pollfd>& descriptors) const {
-  descriptors.push_back({bell_.number(), POLLIN, 0});
-}
-
-std::vector<std::shared_ptr<WebPipe>> WebTransport::observers() {
-  const std::lock_guard lock{mutex_};
-  std::erase_if(observers_, [](const auto& pipe) { return !pipe->open(); });
-  return observers_;
+  descriptors.push_back({listener_.number(), POLLIN, 0});
+  for (const auto& client : clients_) client->add_to(descriptors);
+  for (const auto& socket : sockets_) socket->add_to(descriptors);
 }
 
 }  // namespace sim

@@ -1,9 +1,8 @@
 #pragma once
 
+#include <chrono>
 #include <deque>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,25 +11,25 @@
 #include "host-sim/serve/internet_address.hpp"
 #include "host-sim/serve/page_service.hpp"
 #include "host-sim/serve/transport.hpp"
-#include "host-sim/serve/web_pipe.hpp"
-#include "host-sim/serve/web_socket_peer.hpp"
-
-struct mg_context;
+#include "host-sim/serve/web_client.hpp"
+#include "host-sim/serve/web_socket.hpp"
 
 namespace sim {
 
-/// The web server: the page, the byte stream of a sender as a WebSocket at `/`
-/// (text or binary frames), and a WebSocket at `/observe` for any number who
-/// only watch; a picture of the motion so far at `/picture.svg`; and at `/outline`,
-/// for a program sent with POST, where it would go. Asked under a foreign name,
-/// it answers 403 (see web_guard.hpp).
+/// The web server: what the service answers over HTTP, the byte stream of a sender as a WebSocket
+/// at `/` (text or binary frames), that of our page at `/operate`, and a WebSocket at `/observe`
+/// for those who only watch. Asked under a foreign name, it answers 403 (see web_guard.hpp).
 ///
-/// The server has threads of its own; they touch nothing but pipes and what the
-/// service has copied for them.
+/// All of it runs in the loop, nothing blocks, and everything is bounded: a connection more than
+/// kMostClients takes the place of the oldest one that has asked nothing yet, and a watcher more
+/// than kMostWatchers is told so.
 class WebTransport final : public Transport {
  public:
-  /// Port 0 is any free one; `service` must outlive it. Throws
-  /// std::runtime_error naming the address.
+  static constexpr std::size_t kMostClients = 64;
+  static constexpr std::size_t kMostWatchers = 16;
+
+  /// Port 0 is any free one; `service` must outlive it. Throws std::system_error naming the
+  /// address.
   WebTransport(const InternetAddress& address, PageService& service);
   WebTransport(const WebTransport&) = delete;
   WebTransport& operator=(const WebTransport&) = delete;
@@ -41,25 +40,35 @@ class WebTransport final : public Transport {
   [[nodiscard]] std::string_view kind() const override { return "ws"; }
   [[nodiscard]] std::string address() const override { return to_string(address_); }
 
-  /// Those who watch; whoever is gone or too slow is left out.
-  [[nodiscard]] std::vector<std::shared_ptr<WebPipe>> observers();
+  /// Those who watch.
+  [[nodiscard]] const std::vector<std::shared_ptr<WebSocket>>& watchers() const {
+    return watchers_;
+  }
 
  private:
-  struct Handlers;
-  struct Stopper {
-    void operator()(mg_context* server) const;
+  using Clock = std::chrono::steady_clock;
+  struct Arrival {
+    std::shared_ptr<WebSocket> socket;
+    std::string_view kind;
   };
 
-  void wake() const;
+  void attend(Clock::time_point now);
+  void accept_clients(Clock::time_point now);
+  void make_place();
+  void attend_client(WebClient& client, Clock::time_point now);
+  void judge(WebClient& client, Clock::time_point now);
+  void open_socket(WebClient& client, Clock::time_point now);
+  void add_watcher(std::shared_ptr<WebSocket> socket);
+  void answer(WebClient& client, Clock::time_point now);
+  void attend_sockets(Clock::time_point now);
 
   InternetAddress address_;
   PageService& service_;
-  hal::host::Descriptor bell_;  ///< An eventfd: rung when a pipe has news.
-  std::mutex mutex_;
-  std::deque<std::shared_ptr<WebPipe>> waiting_;  ///< Senders not accepted yet.
-  std::vector<std::shared_ptr<WebPipe>> observers_;
-  std::map<const void*, std::unique_ptr<WebSocketPeer>> peers_;  ///< By connection.
-  std::unique_ptr<mg_context, Stopper> server_;  ///< The last: stops before the others go.
+  hal::host::Descriptor listener_;
+  std::vector<std::unique_ptr<WebClient>> clients_;  ///< The oldest first.
+  std::deque<Arrival> arrivals_;                     ///< Senders not accepted yet.
+  std::vector<std::shared_ptr<WebSocket>> sockets_;  ///< All that are not gone.
+  std::vector<std::shared_ptr<WebSocket>> watchers_;
 };
 
 }  // namespace sim

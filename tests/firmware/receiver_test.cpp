@@ -147,6 +147,29 @@ TEST_F(ReceiverTest, TakesAResetEvenWhenItIsFull) {
   EXPECT_EQ(receiver.room(), Receiver::kRealBytes);
 }
 
+TEST_F(ReceiverTest, ActsWhateverWaitsWhereTheSenderCannotBeMadeToWait) {
+  const std::string full(Receiver::kRealBytes - 2, 'x');
+  receiver.receive_all(full);
+  receiver.receive_all(std::string_view{"\nG1\xC2!X\xC2\x85\r\nG2 (no ! \xE2\x82\xAC)?\nG3\r~"});
+  EXPECT_EQ(commands(), (std::vector<int>{'!', 0x85, '~'}));
+  EXPECT_TRUE(receiver.take_status_request());
+  EXPECT_EQ(lines(), full + "\nG");
+  for (int lost = 0; lost < 3; ++lost) EXPECT_TRUE(receiver.take_lost_line()) << lost;
+  EXPECT_FALSE(receiver.take_lost_line());
+}
+
+TEST_F(ReceiverTest, TakesNoLineAfterOneThatWasLostUntilAReset) {
+  receiver.receive_all(std::string(Receiver::kRealBytes + 1, 'x'));
+  static_cast<void>(lines());
+  receiver.receive_all(std::string_view{"y\nG1\n"});
+  EXPECT_EQ(lines(), "");
+  EXPECT_TRUE(receiver.take_lost_line());
+  receiver.receive_all(std::string_view{"\x18G2\n"});
+  EXPECT_TRUE(receiver.take_reset());
+  EXPECT_FALSE(receiver.take_lost_line());
+  EXPECT_EQ(lines(), "G2\n");
+}
+
 TEST_F(ReceiverTest, NeverForgetsAStopAmongTooManyOverrides) {
   for (int k = 0; k < 200; ++k) receive("\x91");
   receive("!");

@@ -1,6 +1,7 @@
 // The page of `kerfline serve` in a browser: takes control, sees the outline of
 // a job, starts one, sees the tool move, holds, resumes, resets; by mouse, then
-// by keyboard. A second page and a wrong Host are refused.
+// by keyboard. A second page and a wrong Host are refused. page_job_test.mjs has what a job on the
+// server may and must not.
 
 import fs from 'node:fs';
 import http from 'node:http';
@@ -55,7 +56,7 @@ async function outlineOfJob(page, folder) {
   const open = async (text) => {
     const job = path.join(folder, 'outline.nc');
     fs.writeFileSync(job, text);
-    const reply = page.page.waitForResponse((response) => response.url().endsWith('/outline'));
+    const reply = page.page.waitForResponse((response) => /\/job\?/.test(response.url()));
     await page.openJob(job);
     return (await reply).json();
   };
@@ -68,7 +69,7 @@ async function outlineOfJob(page, folder) {
   await until('the outline is drawn', async () => (await picture()) !== before);
   check(await page.page.locator('#notice').isHidden(), 'nothing to complain of');
   await open('G1 X5 F600\nG1 X6 Q\n');
-  await until('the page says what is refused', async () => (await page.text('notice')) === 'outline.nc:2:7: Q has no number');
+  await until('the page says what is refused', async () => (await page.text('notice')).includes('outline.nc, line 2: Q has no number'));
 }
 
 async function byMouse(page, job) {
@@ -105,21 +106,21 @@ async function byKeyboard(page, job) {
   await page.openJob(job);
   await page.page.evaluate(() => document.activeElement?.blur());
   const start = await page.place();
-  await press('r');
+  await press('Shift+R');
   await page.state('Run');
   await page.moved(start);
   await press('Space');
   await page.state('Hold');
-  await press('Space');
+  await press('Shift+Space');
   await page.state('Run');
   await press(']');
   await until('the override', async () => (await page.text('feed-percent')).startsWith('110'));
-  await press('x');
+  await press('Shift+X');
   await page.state('Alarm');
-  await press('u');
+  await press('Shift+U');
   await page.state('Idle');
   const [x] = await page.place();
-  await press('ArrowRight');
+  await press('Shift+ArrowRight');
   await until('a jog of ten', async () => Math.abs((await page.place())[0] - x - 10) < 0.002);
   await press('/');
   await page.page.keyboard.type('$G');

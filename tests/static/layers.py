@@ -53,7 +53,7 @@ STANDARD_HEADERS = {
 FOREIGN = {
     "planner": ("Eigen",),
     "host-sim": ("Eigen", "fmt", "nlohmann", "CLI", "PkgConfig::", "librsvg", "cairo",
-                 "sys/", "netinet/", "arpa/", "civetweb", "Threads::", "sqlite3", "SQLite::",
+                 "sys/", "netinet/", "arpa/", "Threads::", "sqlite3", "SQLite::",
                  "pugixml"),
 }
 # Targets that carry flags only

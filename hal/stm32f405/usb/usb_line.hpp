@@ -75,6 +75,9 @@ class UsbLine final : public SessionStream {
     return count;
   }
 
+  /// A host that is told to wait keeps a hold behind its lines.
+  [[nodiscard]] bool may_wait() const override { return false; }
+
   /// Everything that was written is with the host, or nobody is there.
   [[nodiscard]] bool sent() const {
     return session() == 0 || (to_send_.size() == 0 && !sending_.load(std::memory_order_relaxed));

@@ -280,6 +280,27 @@ class SendTest(served.ServeTest):
         self.assertEqual(status, 2)
         self.assertIn("knows of no job that was interrupted", err)
 
+    def test_says_for_what_it_waits_where_nobody_sits_at_a_terminal(self):
+        server = self.serve("--tcp", 0, *SETTINGS)
+        where = ("--tcp", f"127.0.0.1:{server.port('tcp')}")
+        job = self.program_file(["G91 G1 X1 F6000", "M0", "G1 X1"])
+        process = self.start(job, *where)
+        words = process.stderr.readline()
+        self.assertIn("waits before line ", words)
+        self.assertIn("cycle start (`~`) goes on", words)
+        process.send_signal(signal.SIGINT)
+        process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 1)
+        status, _, err = self.send(job, *where, "--stop-when-held")
+        self.assertEqual(status, 1)
+        self.assertIn("stopped instead of waiting: it waits before line ", err)
+
+    def test_shows_escape_sequences_in_names_instead_of_sending_them_to_the_terminal(self):
+        status, _, err = self.send("/no/\x1b[31mfile", "--tcp", "localhost:9")
+        self.assertEqual(status, 2)
+        self.assertNotIn("\x1b", err)
+        self.assertIn("\\x1B[31mfile", err)
+
     def test_is_told_when_the_link_goes(self):
         server = self.serve("--tcp", 0, *SETTINGS)
         job = self.program_file(["G91 G1 X200 F1200"])

@@ -126,12 +126,26 @@ TEST(PtyTransport, RemovesItsLinkAndOnlyItsOwn) {
   EXPECT_FALSE(fs::is_symlink(link.path()));
   {
     const PtyTransport first{link.path()};
-    { const PtyTransport other{link.path()}; }
-    EXPECT_FALSE(fs::is_symlink(link.path()));
+    fs::remove(link.path());
     fs::create_symlink("/dev/pts/ptmx", link.path());
   }
   EXPECT_TRUE(fs::is_symlink(link.path())) << "somebody else's by now";
   fs::remove(link.path());
+}
+
+TEST(PtyTransport, LeavesTheLinkOfAServerThatRuns) {
+  const ScratchFile link{".tty"};
+  PtyTransport first{link.path()};
+  const fs::path device = fs::read_symlink(link.path());
+  try {
+    const PtyTransport second{link.path()};
+    FAIL() << "took the link away";
+  } catch (const std::invalid_argument& refused) {
+    EXPECT_NE(std::string{refused.what()}.find(device.string()), std::string::npos);
+  }
+  EXPECT_EQ(fs::read_symlink(link.path()), device);
+  const Descriptor port = open_port(link.path());
+  EXPECT_NE(first.accept(), nullptr) << "and the first is heard as before";
 }
 
 TEST(PtyTransport, ReplacesALinkThatAnotherRunLeftButNoFile) {

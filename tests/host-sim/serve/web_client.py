@@ -23,9 +23,20 @@ def post(port, path, body, length=None, **names):
     return status, answer.split(b"\r\n\r\n", 1)[1]
 
 
+def head(port, path="/"):
+    """(head, what follows it) of a HEAD, until the server hangs up."""
+    link = socket.create_connection(("127.0.0.1", port), timeout=20)
+    link.sendall(f"HEAD {path} HTTP/1.1\r\nHost: 127.0.0.1:{port}\r\n\r\n".encode())
+    answer = b""
+    while part := link.recv(65536):
+        answer += part
+    link.close()
+    return tuple(answer.split(b"\r\n\r\n", 1))
+
+
 def request(port, path, host=None, origin=None, extra="", method="GET", body=b""):
     """The same and the socket, still open."""
-    link = socket.create_connection(("127.0.0.1", port), timeout=5)
+    link = socket.create_connection(("127.0.0.1", port), timeout=20)
     lines = [f"{method} {path} HTTP/1.1", f"Host: {host or f'127.0.0.1:{port}'}"]
     if origin:
         lines.append(f"Origin: {origin}")

@@ -38,12 +38,23 @@ TEST(WebGuard, KnowsThatPort80IsNotWritten) {
   EXPECT_TRUE(is_our_host("localhost", {"127.0.0.1", 80}));
 }
 
-TEST(WebGuard, TakesRequestsOfItsOwnPageAndOfNoPage) {
-  EXPECT_TRUE(is_our_origin("", kHere));
-  EXPECT_TRUE(is_our_origin("http://localhost:8000", kHere));
-  EXPECT_FALSE(is_our_origin("https://evil.example", kHere));
-  EXPECT_FALSE(is_our_origin("http://localhost:9000", kHere));
-  EXPECT_FALSE(is_our_origin("null", kHere));
+TEST(WebGuard, KnowsNamesInAnyCase) {
+  EXPECT_TRUE(is_our_host("LocalHost:8000", kHere));
+  EXPECT_TRUE(is_same_origin("HTTP://localhost:8000", "LOCALHOST:8000"));
+}
+
+TEST(WebGuard, TakesRequestsOfTheVeryPageThatItServesAndOfNoPage) {
+  EXPECT_TRUE(is_same_origin("", "localhost:8000"));
+  EXPECT_TRUE(is_same_origin("http://localhost:8000", "localhost:8000"));
+  for (const char* origin : {"https://evil.example",
+                             "http://localhost:9000",
+                             "http://127.0.0.1:8000",
+                             "http://192.168.1.9:8000",
+                             "https://localhost:8000",
+                             "http://localhost:8000/",
+                             "null"}) {
+    EXPECT_FALSE(is_same_origin(origin, "localhost:8000")) << origin;
+  }
 }
 
 TEST(InternetAddress, IsThisMachineUnlessItIsSaid) {

@@ -1,0 +1,25 @@
+// The banner: one sentence that stays until its cause has ended, or until it is dismissed.
+
+export class Notice {
+  #element;
+  #ends = null;
+
+  constructor(element) {
+    this.#element = element;
+    element.querySelector('button').onclick = () => this.clear();
+  }
+
+  // `ends` is asked at every news whether the cause has ended.
+  tell(text, ends = () => false) {
+    this.#element.querySelector('span').textContent = text;
+    this.#element.hidden = false;
+    this.#ends = ends;
+  }
+
+  clear() {
+    this.#element.hidden = true;
+    this.#ends = null;
+  }
+
+  attend(news) { if (this.#ends?.(news)) this.clear(); }
+}

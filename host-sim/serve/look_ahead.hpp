@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "firmware/link/receiver.hpp"
+#include "host-sim/serve/session.hpp"
+
+namespace sim {
+
+/// Reads a sender's stream ahead of the controller, so that realtime bytes act and a closed
+/// connection is noticed however many lines wait.
+///
+/// A second `cnc::Receiver` sorts the bytes by the controller's own rules: realtime bytes go
+/// beside the stream at once, bytes of lines wait here until the controller has capacity for
+/// them. A reset forgets the lines before it, as it does in the controller.
+class LookAhead {
+ public:
+  /// Bytes of lines that wait at most. A sender that is further ahead is to be hung up on:
+  /// its realtime bytes could not be read any more.
+  static constexpr std::size_t kMost = std::size_t{64} << 20;
+
+  LookAhead();
+
+  /// Sorts what a sender has sent, in order.
+  void hear(std::span<const std::byte> bytes, Session& session);
+  /// Hands lines to the controller as far as its link has capacity.
+  void hand_over(Session& session);
+
+  /// Takes all lines, and the beginning of one, instead.
+  [[nodiscard]] std::string take_lines();
+
+  [[nodiscard]] std::size_t size() const { return lines_.size() - taken_; }
+  [[nodiscard]] bool overrun() const { return size() > kMost; }
+  /// Forgets everything: the sender is gone, or another one begins.
+  void forget();
+
+ private:
+  void act_on_realtime(Session& session);
+  void keep_lines();
+
+  std::unique_ptr<cnc::Receiver> receiver_;  ///< Always there.
+  std::string lines_;
+  std::size_t taken_ = 0;  ///< Bytes of `lines_` that were handed over.
+};
+
+}  // namespace sim
