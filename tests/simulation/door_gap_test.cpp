@@ -19,9 +19,9 @@ namespace {
 
 using cnc::MachineState;
 
-constexpr double kStepsPerMm = 250.0;
-constexpr double kAcceleration = 2000.0;  // mm/s²
-constexpr double kJerk = 60'000.0;        // mm/s³
+constexpr double kDoorStepsPerMm = 250.0;
+constexpr double kDoorAcceleration = 2000.0;  // mm/s²
+constexpr double kDoorJerk = 60'000.0;        // mm/s³
 /// Left out or burnt twice at most, mm.
 constexpr double kMostGap = 0.1;
 
@@ -47,8 +47,8 @@ class Cut : private sim::TraceSink {
       : job_{job}, jerk_{variant.jerk}, bench_{model()} {
     bench_.set({{32, 1}});
     for (int axis = 0; axis < 3; ++axis) {
-      bench_.set({{110 + axis, 12'000}, {120 + axis, kAcceleration}});
-      if (variant.jerk) bench_.set({{800 + axis, kJerk}});
+      bench_.set({{110 + axis, 12'000}, {120 + axis, kDoorAcceleration}});
+      if (variant.jerk) bench_.set({{800 + axis, kDoorJerk}});
       if (variant.shaped) bench_.set({{810 + axis, 2}, {820 + axis, 40}});
     }
     if (variant.parks) {
@@ -96,7 +96,7 @@ class Cut : private sim::TraceSink {
     std::vector<Burnt> back;
     for (int left = 3000; machine.state() == MachineState::kDoor && left > 0; --left) {
       bench_.run(1);
-      back.push_back({bench_.motor(0) / kStepsPerMm, bench_.motor(1) / kStepsPerMm, 0.0});
+      back.push_back({bench_.motor(0) / kDoorStepsPerMm, bench_.motor(1) / kDoorStepsPerMm, 0.0});
     }
     judge_limits(back);
     EXPECT_EQ(burnt.size(), lit) << "lit behind the door";
@@ -116,12 +116,12 @@ class Cut : private sim::TraceSink {
     for (std::size_t i = 3 * kApart; i < ms.size(); ++i) {
       const Burnt &d = ms[i], &c = ms[i - kApart], &b = ms[i - 2 * kApart], &a = ms[i - 3 * kApart];
       for (const double change : {d.x - 2.0 * c.x + b.x, d.y - 2.0 * c.y + b.y}) {
-        EXPECT_LE(std::abs(change) / (kSeconds * kSeconds), kAcceleration + 120.0);
+        EXPECT_LE(std::abs(change) / (kSeconds * kSeconds), kDoorAcceleration + 120.0);
       }
       if (!jerk_) continue;
       for (const double change :
            {d.x - 3.0 * c.x + 3.0 * b.x - a.x, d.y - 3.0 * c.y + 3.0 * b.y - a.y}) {
-        EXPECT_LE(std::abs(change) / (kSeconds * kSeconds * kSeconds), kJerk + 24'000.0);
+        EXPECT_LE(std::abs(change) / (kSeconds * kSeconds * kSeconds), kDoorJerk + 24'000.0);
       }
     }
   }
@@ -134,8 +134,8 @@ class Cut : private sim::TraceSink {
 
   void on_row(const sim::TraceRow& row) override {
     if (row.duty <= 0.0F) return;
-    burnt.push_back({(row.position[0] - from_[0]) / kStepsPerMm,
-                     (row.position[1] - from_[1]) / kStepsPerMm,
+    burnt.push_back({(row.position[0] - from_[0]) / kDoorStepsPerMm,
+                     (row.position[1] - from_[1]) / kDoorStepsPerMm,
                      static_cast<double>(row.duty)});
   }
 
