@@ -43,7 +43,7 @@ namespace cnc {
 template <hal::StepPort Port, std::uint32_t QueueCapacity>
 class StepGenerator final : public StepDrive {
  public:
-  [[gnu::cold]] explicit StepGenerator(Port& port) : port_{port}, beam_{port} {}
+  explicit StepGenerator(Port& port) : port_{port}, beam_{port} {}
 
   [[nodiscard]] bool full() const override {
     // One more is being played where it lies.
