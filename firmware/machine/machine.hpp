@@ -188,6 +188,8 @@ class Machine {
   [[nodiscard]] std::optional<std::uint32_t> pending_tool() const;
   /// Once after a line whose path, or one before, cannot be driven beside what is programmed.
   [[nodiscard]] std::optional<compensation::Fault> take_path_fault();
+  /// The last motions of a path are held, and only another motion, G40 or M2 sets them free.
+  [[nodiscard]] bool waits_for_g40() const;
   /// The last line was M2 or M30.
   [[nodiscard]] bool program_ended() const { return program_ended_; }
   /// True once after each M2 or M30, for the message before its answer.
@@ -286,8 +288,10 @@ class Machine {
   [[nodiscard]] bool set_kerf_control(const gcode::CutterCompensation& wanted);
   [[nodiscard]] motion::BeamCommand beam_for(bool rapid) const;
   [[nodiscard]] bool set_compensation(const gcode::Action& action);
+  [[nodiscard]] bool stands_beside(const gcode::Action& action) const;
   [[nodiscard]] bool leave_path(const gcode::Action& action);
-  void append_beside(const path::PathItem& item);
+  void append_beside(path::PathItem& item);
+  void drive_apart(path::PathItem& item);
   void give_out();
   void refuse_path(const compensation::Fault& fault);
   void forget_exit();

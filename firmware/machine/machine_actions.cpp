@@ -25,7 +25,8 @@ bool Machine::run(const Action& action) {
   // G40 itself goes on over several turns while there is no room for all that was held.
   const bool leads_back = action.kind == ActionKind::kCompensation &&
                           action.compensation.side == gcode::CutterSide::kOn;
-  if (compensator_.beside() && is_path(action) && !leads_back && !leave_path(action)) return false;
+  const bool leaves = compensator_.beside() && is_path(action) && !leads_back;
+  if (leaves && !stands_beside(action) && !leave_path(action)) return false;
   switch (action.kind) {
     case ActionKind::kRapid:
     case ActionKind::kLine:
@@ -84,6 +85,7 @@ void Machine::append(const ActionPart& part) {
                       .tolerance = path_tolerance(modal.path, usual_tolerance()),
                       .continues = part.continues};
   if (compensates() || state_.in(Mode::kCheck)) return append_beside(item);
+  if (compensator_.beside()) return drive_apart(item);
   compensation_.by_kerf = false;  // The exit was the last that has to keep it.
   if (drive(item)) with_next_motion_ = {};
 }

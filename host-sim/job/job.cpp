@@ -12,6 +12,7 @@
 
 #include "firmware/machine/configuration.hpp"
 #include "host-sim/job/axis_scale.hpp"
+#include "host-sim/job/fault_place.hpp"
 #include "host-sim/job/travel_check.hpp"
 #include "host-sim/machine/machine_reading.hpp"
 #include "host-sim/measure/driven_path.hpp"
@@ -80,23 +81,25 @@ double cut_length(const ProgrammedPath& path) {
   return sum;
 }
 
-Report report_on(const Job& job, const RunResult& result, const ProgrammedPath& path) {
+Report report_on(const Job& job,
+                 const RunResult& result,
+                 const ProgrammedPath& path,
+                 std::string_view text) {
   Report report;
   report.job = name_of(job.file);
   report.job_time_s = result.job_time_s;
   report.cut_length_mm = cut_length(path);
   report.lines = result.lines;
   report.blocks = result.blocks;
-  for (const auto& [line, text] : result.notes) {
-    report.warnings.push_back(fmt::format("{}:{}: {}", job.file, line, text));
+  for (const auto& [line, words] : result.notes) {
+    report.warnings.push_back(fmt::format("{}:{}: {}", job.file, line, words));
   }
   for (const ReadNote& note : path.notes) {
     if (!result.refusals.empty()) break;
     report.warnings.push_back(fmt::format("{}:{}: {}", job.file, note.line, note.text));
   }
   for (const Refusal& refusal : result.refusals) {
-    report.faults.push_back(
-        {job.file, refusal.line, refusal.column, refusal.number, refusal.reason});
+    report.faults.push_back(fault_of(job.file, refusal, path, text));
   }
   if (result.alarm != 0) {
     report.faults.push_back({job.file,
@@ -235,7 +238,7 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
   }
 
   const RunResult result = simulator.run();
-  Report report = report_on(job, result, path);
+  Report report = report_on(job, result, path, text);
   add_measured(meter, report);
   add_bounds(tool, simulator.settings(), report);
   add_deviation(deviation, report);
@@ -253,7 +256,7 @@ Report check(const Job& job) {
                        .on_progress = job.on_progress}};
   apply_settings(job.settings, simulator.machine());
   const ProgrammedPath path = read_for_machine(text, simulator.settings());
-  Report report = report_on(job, simulator.run(), path);
+  Report report = report_on(job, simulator.run(), path, text);
   report.path_length_mm = path.length();
   const auto bounds = path.bounds();
   for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {

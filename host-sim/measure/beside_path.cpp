@@ -16,33 +16,85 @@ class BesideWay {
 
   void put(const PathPiece& piece) {
     if (!piece.beside) return leave(piece);
+    const cnc::path::PathItem item = item_of(piece);
     if (!compensator_->active()) {
-      compensator_->begin(item_of(piece).request.element.start,
+      // The entry moves in the plane; other axes may be moved before.
+      if (!cnc::compensation::moves_in(piece.beside->plane, item.request.element)) {
+        return path_.pieces.push_back(piece);
+      }
+      compensator_->begin(item.request.element.start,
                           piece.beside->plane,
                           static_cast<float>(piece.beside->offset_mm));
       stops_ = piece.stop_before;
     }
     if (refused_) return;
-    refused_ = compensator_->put(item_of(piece)).has_value();
+    refuse(compensator_->put(item));
     take();
   }
 
   void end() {
     if (!compensator_->active()) return;
-    if (!refused_ && !compensator_->end()) take();
-    compensator_->clear();
+    if (!refused_) {
+      refuse(compensator_->end());
+      take();
+    }
+    if (refused_) compensator_->clear();
     refused_ = false;
   }
 
  private:
-  /// The first piece after G40 begins beside the path, as the rest does not.
+  /// The first piece after G40 that moves in the plane leads back from beside the path. Pieces
+  /// before it move other axes beside the path.
   void leave(const PathPiece& piece) {
-    const bool exit = compensator_->active();
+    const bool follows = compensator_->active() || compensator_->beside();
     end();
     path_.pieces.push_back(piece);
-    if (!exit || path_.pieces.size() < 2) return;
-    path_.pieces.back().curve =
-        Curve::line(path_.pieces[path_.pieces.size() - 2].curve.end(), piece.curve.end());
+    if (!follows || path_.pieces.size() < 2) return;
+    if (!compensator_->beside()) return straighten(piece.curve.end());
+    const cnc::path::PathItem item = item_of(piece);
+    const cnc::Position& to = item.request.element.end;
+    if (cnc::compensation::moves_in(compensator_->plane(), item.request.element)) {
+      return return_to_path(piece, item);
+    }
+    const cnc::PlaneAxes axes = cnc::axes_of(compensator_->plane());
+    Point above = piece.curve.end();
+    above[axes.first] = before_last().curve.end()[axes.first];
+    above[axes.second] = before_last().curve.end()[axes.second];
+    compensator_->stand_at(to);
+    straighten(above);
+  }
+
+  /// As the machine: first round the end of the path where the straight line would cut its corner.
+  void return_to_path(const PathPiece& piece, const cnc::path::PathItem& item) {
+    const auto [fault, turn] =
+        compensator_->leave(item.request.element.end, piece.travel == Travel::kRapid);
+    refuse(fault);
+    refused_ = false;
+    compensator_->clear();
+    if (turn) {
+      PathPiece round = piece;
+      round.curve = piece_of(*turn, item.request.feed_mm_s, false).curve;
+      path_.pieces.back().stop_before = false;
+      path_.pieces.insert(path_.pieces.end() - 1, round);
+    }
+    straighten(piece.curve.end());
+  }
+
+  [[nodiscard]] const PathPiece& before_last() const {
+    return path_.pieces[path_.pieces.size() - 2];
+  }
+  /// Lets the last piece lead straight from the one before it to a point.
+  void straighten(const Point& to) {
+    path_.pieces.back().curve = Curve::line(before_last().curve.end(), to);
+  }
+
+  void refuse(const std::optional<cnc::compensation::Fault>& fault) {
+    if (!fault) return;
+    refused_ = true;
+    if (path_.refused) return;
+    const bool other = fault->other_line != fault->line;
+    path_.refused = {static_cast<int>(fault->line),
+                     other ? static_cast<int>(fault->other_line) : 0};
   }
 
   void take() {
