@@ -91,7 +91,8 @@ OffsetChain::Exit OffsetChain::exit(const Position& here, const Position& to, bo
   Exit exit;
   if (!at(last).waste && length > std::abs(distance_)) {
     const Vec2 tangent = round(target / length, length, -1.0F);
-    if (goes_round(own.end_tangent, tangent)) {
+    // Farther round than a third of a turn is the part.
+    if (goes_round(own.end_tangent, tangent) && own.end_tangent.dot(tangent) >= -0.5F) {
       const Vec2 leaving = -distance_ * left_normal(tangent);
       exit.turn = {start, leaving, own.end_tangent, tangent, 1.0F / distance_};
       start = leaving;

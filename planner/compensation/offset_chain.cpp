@@ -151,10 +151,9 @@ Vec2 OffsetChain::round(const Vec2& direction, float length, float side) const {
   return cosine * direction + sine * left_normal(direction);
 }
 
-/// Whether the tool goes from one direction to another round the outside of a corner, by a third of
-/// a turn at most: beyond that is the part.
+/// Whether the tool goes from one direction to another round the outside of a corner.
 bool OffsetChain::goes_round(const Vec2& before, const Vec2& after) const {
-  return cross(before, after) * distance_ > 0.0F && before.dot(after) >= -0.5F;
+  return cross(before, after) * distance_ > 0.0F;
 }
 
 /// Finds whether a straight entry has to go round the corner at its end.
