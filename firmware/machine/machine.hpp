@@ -288,7 +288,6 @@ class Machine {
   [[nodiscard]] bool set_kerf_control(const gcode::CutterCompensation& wanted);
   [[nodiscard]] motion::BeamCommand beam_for(bool rapid) const;
   [[nodiscard]] bool set_compensation(const gcode::Action& action);
-  [[nodiscard]] bool stands_beside(const gcode::Action& action) const;
   [[nodiscard]] bool leave_path(const gcode::Action& action);
   void append_beside(path::PathItem& item);
   void drive_apart(path::PathItem& item);

@@ -25,8 +25,7 @@ bool Machine::run(const Action& action) {
   // G40 itself goes on over several turns while there is no room for all that was held.
   const bool leads_back = action.kind == ActionKind::kCompensation &&
                           action.compensation.side == gcode::CutterSide::kOn;
-  const bool leaves = compensator_.beside() && is_path(action) && !leads_back;
-  if (leaves && !stands_beside(action) && !leave_path(action)) return false;
+  if (compensator_.beside() && is_path(action) && !leads_back && !leave_path(action)) return false;
   switch (action.kind) {
     case ActionKind::kRapid:
     case ActionKind::kLine:

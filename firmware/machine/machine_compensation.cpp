@@ -78,29 +78,22 @@ bool Machine::set_compensation(const gcode::Action& action) {
   return !compensator_.active();
 }
 
-/// Whether the action moves, but no axis of the plane of compensation, as to lift a tool.
-bool Machine::stands_beside(const gcode::Action& action) const {
-  const bool straight =
-      action.kind == gcode::ActionKind::kRapid || action.kind == gcode::ActionKind::kLine;
-  return straight && compensator_.beside() &&
-         !compensation::moves_in(compensator_.plane(),
-                                 {.start = compensator_.programmed(), .end = action.end});
-}
-
 /// The first motion after G40 in the plane leads from beside the path to its own end, first round
-/// the corner there if it would cut it.
+/// the corner there if it would cut it. Before it other axes may move, as to lift a tool.
 bool Machine::leave_path(const gcode::Action& action) {
   const bool rapid = action.kind == gcode::ActionKind::kRapid;
   if (!rapid && action.kind != gcode::ActionKind::kLine) {
     refuse_path(compensator_.refuse_to_leave());
     return false;
   }
+  const PathElement way{.start = compensator_.programmed(), .end = action.end};
+  if (!compensation::moves_in(compensator_.plane(), way)) return true;
   if (!drive_rest() || !(state_.in(Mode::kCheck) || motion_.has_room())) return false;
-  const auto [fault, turn] = compensator_.leave(action.end, rapid);
+  const auto fault = compensator_.leave(action.end, rapid);
   if (fault) refuse_path(*fault);
-  if (turn && !state_.in(Mode::kCheck)) {
-    append({.element = *turn, .feed_mm_s = rapid ? 0.0F : action.feed});
-  }
+  path::PathItem turn;
+  const bool turns = !fault && compensator_.take(turn) && !state_.in(Mode::kCheck);
+  if (turns) static_cast<void>(drive(turn));
   return !fault;
 }
 

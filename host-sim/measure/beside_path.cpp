@@ -48,44 +48,24 @@ class BesideWay {
   void leave(const PathPiece& piece) {
     const bool follows = compensator_->active() || compensator_->beside();
     end();
-    path_.pieces.push_back(piece);
-    if (!follows || path_.pieces.size() < 2) return;
-    if (!compensator_->beside()) return straighten(piece.curve.end());
+    if (!follows || path_.pieces.empty()) return path_.pieces.push_back(piece);
+    const Point here = path_.pieces.back().curve.end();
+    Point to = piece.curve.end();
     const cnc::path::PathItem item = item_of(piece);
-    const cnc::Position& to = item.request.element.end;
-    if (cnc::compensation::moves_in(compensator_->plane(), item.request.element)) {
-      return return_to_path(piece, item);
+    if (compensator_->beside() && moves_in(compensator_->plane(), item.request.element)) {
+      refuse(compensator_->leave(item.request.element.end, piece.travel == Travel::kRapid));
+      take();
+      refused_ = false;
+      compensator_->clear();
+    } else if (compensator_->beside()) {
+      const cnc::PlaneAxes axes = cnc::axes_of(compensator_->plane());
+      to[axes.first] = here[axes.first];
+      to[axes.second] = here[axes.second];
+      compensator_->stand_at(item.request.element.end);
     }
-    const cnc::PlaneAxes axes = cnc::axes_of(compensator_->plane());
-    Point above = piece.curve.end();
-    above[axes.first] = before_last().curve.end()[axes.first];
-    above[axes.second] = before_last().curve.end()[axes.second];
-    compensator_->stand_at(to);
-    straighten(above);
-  }
-
-  /// As the machine: first round the end of the path where the straight line would cut its corner.
-  void return_to_path(const PathPiece& piece, const cnc::path::PathItem& item) {
-    const auto [fault, turn] =
-        compensator_->leave(item.request.element.end, piece.travel == Travel::kRapid);
-    refuse(fault);
-    refused_ = false;
-    compensator_->clear();
-    if (turn) {
-      PathPiece round = piece;
-      round.curve = piece_of(*turn, item.request.feed_mm_s, false).curve;
-      path_.pieces.back().stop_before = false;
-      path_.pieces.insert(path_.pieces.end() - 1, round);
-    }
-    straighten(piece.curve.end());
-  }
-
-  [[nodiscard]] const PathPiece& before_last() const {
-    return path_.pieces[path_.pieces.size() - 2];
-  }
-  /// Lets the last piece lead straight from the one before it to a point.
-  void straighten(const Point& to) {
-    path_.pieces.back().curve = Curve::line(before_last().curve.end(), to);
+    const Point from = path_.pieces.back().curve.end();
+    path_.pieces.push_back(piece);
+    path_.pieces.back().curve = Curve::line(from, to);
   }
 
   void refuse(const std::optional<cnc::compensation::Fault>& fault) {

@@ -8,24 +8,9 @@
 namespace cnc::compensation {
 namespace {
 
-/// The arc from the origin to a point that ends with a direction; a line where it is straight.
-Curve ending_with(const Vec2& end, const Vec2& tangent) {
-  Curve way = straight(Vec2::Zero(), end);
-  const Vec2 along = way.end_tangent;
-  const float length = end.norm();
-  if (!(length > 0.0F)) return way;
-  way.curvature = 2.0F * cross(along, tangent) / length;
-  way.end_tangent = tangent;
-  way.start_tangent = 2.0F * along.dot(tangent) * along - tangent;
-  return way;
-}
-
-/// More than half a turn, as an entry that is too short for its width comes to be.
-bool turns_too_far(const Curve& way) {
-  constexpr float kRounding = 1.0e-4F;
-  const Vec2 chord = way.end - way.start;
-  return way.end_tangent.dot(chord) < -kRounding * chord.norm();
-}
+/// Rounding of a half turn, of which an entry that is too short for its width makes more.
+constexpr float kHalfTurn = 1.0e-4F;
+constexpr float kThirdOfATurn = -0.5F;  ///< Its cosine.
 
 }  // namespace
 
@@ -37,19 +22,33 @@ Curve OffsetChain::driven(std::size_t index, Kind kind) const {
   way.start = stretch(name).start;
   way.end = stretch(name).end;
   if (!path_.is_entry(index) || kind != Kind::kParallel) return way;
-  return at(index).bulge == 0.0F ? straight(Vec2::Zero(), way.end)
-                                 : ending_with(way.end, way.end_tangent);
+  const Vec2 tangent = way.end_tangent;
+  way = straight(Vec2::Zero(), way.end);
+  if (at(index).bulge == 0.0F) return way;
+  const float half = cross(way.end_tangent, tangent);
+  way.curvature = 2.0F * half / way.end.norm();
+  way.start_tangent = 2.0F * way.end_tangent.dot(tangent) * way.end_tangent - tangent;
+  way.end_tangent = tangent;
+  return way;
+}
+
+/// The height above which a rapid has nothing to cut.
+Coordinate OffsetChain::air_below(const Position& start, const Position& end, bool rapid) const {
+  const std::size_t normal = path_.axes().normal;
+  return rapid ? std::min(start[normal], end[normal])
+               : Coordinate{-Coordinate::kFarthestNanometres};
 }
 
 /// The edge that a way comes too near to, if there is one.
 /// @param own the way is beside this element, and need not be compared with it
-std::optional<std::size_t> OffsetChain::too_near(const Way& way,
+/// @param air edges below this height are passed above
+std::optional<std::size_t> OffsetChain::too_near(const Curve& way,
                                                  const Place& origin,
-                                                 std::size_t own) const {
+                                                 std::size_t own,
+                                                 Coordinate air) const {
   for (std::size_t i = 0; i < size(); ++i) {
-    if (i == own || !path_.is_edge(i)) continue;
-    if (way.rapid && path_.is_above(way.start, way.end, i)) continue;
-    if (come_nearer(way.curve, path_.curve(i, origin), limit())) return i;
+    if (i == own || !path_.is_edge(i) || path_.is_below(i, air)) continue;
+    if (come_nearer(way, path_.curve(i, origin), limit())) return i;
   }
   return std::nullopt;
 }
@@ -70,39 +69,48 @@ std::optional<Fault> OffsetChain::check(std::size_t index, bool last) const {
   const std::size_t next = std::min(path_.next(index), final_one);
   if (!goes_on) return fault(Reason::kUnreachable, next, next);
   const HeldElement& held = at(index);
+  const Coordinate air = air_below(path_.position(index), held.end, held.feed_mm_s <= 0.0F);
   for (const Kind kind : {Kind::kParallel, Kind::kJoin}) {
     if (!stretch({index, kind}).live) continue;
-    const Way way{driven(index, kind), path_.position(index), held.end, held.feed_mm_s <= 0.0F};
-    if (entry && turns_too_far(way.curve)) return fault(Reason::kEntryTooShort, index, index);
+    const Curve way = driven(index, kind);
+    const bool in = entry && kind == Kind::kParallel;
+    if (in && way.end_tangent.dot(way.end) < -kHalfTurn * way.end.norm()) {
+      return fault(Reason::kEntryTooShort, index, index);
+    }
     const bool parallel = kind == Kind::kParallel && !entry;
-    const auto near = too_near(way, path_.start_of(index), parallel ? index : size());
+    const auto near = too_near(way, path_.start_of(index), parallel ? index : size(), air);
     if (near) return fault(Reason::kTooNear, index, *near);
   }
   return std::nullopt;
 }
 
-OffsetChain::Exit OffsetChain::exit(const Position& here, const Position& to, bool rapid) const {
+std::optional<Fault> OffsetChain::leave(const Position& here, const Position& to, bool rapid) {
   const std::size_t last = path_.previous(size());
+  const Name join{last, Kind::kJoin};
+  // As seen from the end of the path.
   const Place origin = path_.start_of(size());
-  const Curve own = path_.curve(last, origin);
+  const Vec2 tangent = path_.curve(last, origin).end_tangent;
   const Vec2 target = HeldPath::from(origin, path_.place_of(to));
   const float length = target.norm();
   Vec2 start = HeldPath::from(origin, path_.place_of(here));
-  Exit exit;
   if (!at(last).waste && length > std::abs(distance_)) {
-    const Vec2 tangent = round(target / length, length, -1.0F);
+    exit_tangent_ = round(target / length, length, -1.0F);
     // Farther round than a third of a turn is the part.
-    if (goes_round(own.end_tangent, tangent) && own.end_tangent.dot(tangent) >= -0.5F) {
-      const Vec2 leaving = -distance_ * left_normal(tangent);
-      exit.turn = {start, leaving, own.end_tangent, tangent, 1.0F / distance_};
-      start = leaving;
-    }
+    exit_rounds_ = cross(tangent, exit_tangent_) * distance_ > 0.0F &&
+                   tangent.dot(exit_tangent_) >= kThirdOfATurn;
   }
+  const Coordinate air = air_below(here, to, rapid);
   std::optional<std::size_t> near;
-  if (exit.turn) near = too_near({*exit.turn, here, here, rapid}, origin, size());
-  if (!near) near = too_near({straight(start, target), here, to, rapid}, origin, size());
-  if (near) exit.fault = fault(Reason::kTooNear, size(), *near);
-  return exit;
+  if (exit_rounds_) {
+    stretch(join).exists = true;
+    add_raw(join, true);
+    const Curve turn = raw(join, origin);
+    start = turn.end;
+    near = too_near(turn, origin, size(), air);
+  }
+  if (!near) near = too_near(straight(start, target), origin, size(), air);
+  if (near) return fault(Reason::kTooNear, size(), *near);
+  return std::nullopt;
 }
 
 }  // namespace cnc::compensation

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 
 #include "planner/base/contract.hpp"
 #include "planner/motion/planned_slice.hpp"
@@ -83,7 +82,7 @@ std::optional<Fault> Compensator::put(const path::PathItem& item) {
 std::optional<Fault> Compensator::end() {
   CNC_ASSERT(active_ && has_room());
   if (ended_) return std::nullopt;
-  chain_.finish();
+  if (chain_.size() > 0) chain_.finish();
   for (std::size_t i = given_; i < chain_.size(); ++i) {
     if (const auto fault = chain_.check(i, true)) return fault;
   }
@@ -155,27 +154,20 @@ motion::Beside Compensator::side() const {
 
 void Compensator::stand_at(const Position& here) {
   const PlaneAxes axes = axes_of(plane_);
-  const Position before = std::exchange(driven_, here);
   programmed_ = here;
-  if (!beside_) return;
-  driven_[axes.first] = before[axes.first];
-  driven_[axes.second] = before[axes.second];
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    if (axis != axes.first && axis != axes.second) driven_[axis] = here[axis];
+  }
 }
 
-Compensator::Exit Compensator::leave(const Position& to, bool rapid) {
+std::optional<Fault> Compensator::leave(const Position& to, bool rapid) {
   beside_ = false;
-  const OffsetChain::Exit way = chain_.exit(driven_, to, rapid);
-  Exit exit{.fault = way.fault};
-  if (way.fault || !way.turn) return exit;
-  const PlaneAxes axes = axes_of(plane_);
-  PathElement turn{.start = driven_, .end = driven_, .plane = plane_};
-  turn.end[axes.first] = programmed_[axes.first] + from_mm(way.turn->end.x());
-  turn.end[axes.second] = programmed_[axes.second] + from_mm(way.turn->end.y());
-  if (!moves_in(plane_, turn)) return exit;
-  turn.bulge = std::clamp(way.turn->bulge_between(way.turn->start, way.turn->end), -1.0F, 1.0F);
-  driven_ = turn.end;
-  exit.turn = turn;
-  return exit;
+  if (const auto fault = chain_.leave(driven_, to, rapid)) return fault;
+  // Only the join can be left of the last element.
+  given_ = chain_.path().previous(chain_.size());
+  free_ = given_ + 1;
+  kind_ = static_cast<std::size_t>(Kind::kJoin);
+  return std::nullopt;
 }
 
 Fault Compensator::refuse_to_leave() const {

@@ -27,12 +27,6 @@ class Compensator {
   static constexpr std::size_t kLookAhead = HeldPath::kLookAhead;
   /// Elements in a row that move no axis of the plane.
   static constexpr std::size_t kMostStanding = 8;
-  /// The way to the point to which the first motion after G40 leads.
-  struct Exit {
-    std::optional<Fault> fault{};
-    /// An arc round the end of the path comes first; the straight line follows.
-    std::optional<PathElement> turn{};
-  };
 
   /// G41, G42: from the next element on.
   /// @param here where the machine is
@@ -60,9 +54,10 @@ class Compensator {
   [[nodiscard]] std::optional<Fault> put(const path::PathItem& item);
   /// The next element to be driven; false when there is none yet.
   [[nodiscard]] bool take(path::PathItem& item);
-  /// How a straight exit from the end of the path to a point is driven, or that it would damage
-  /// the part. @pre beside() @param rapid it cuts nothing that is below it
-  [[nodiscard]] Exit leave(const Position& to, bool rapid);
+  /// Whether a straight line from the end of the path to a point, the exit, damages nothing. Where
+  /// it goes round the corner at the end first, that arc can be taken. @pre beside()
+  /// @param rapid it cuts nothing that is below it
+  [[nodiscard]] std::optional<Fault> leave(const Position& to, bool rapid);
   /// Whether it was left some other way.
   [[nodiscard]] Fault refuse_to_leave() const;
 

@@ -49,11 +49,11 @@ struct HeldElement {
 ///
 /// The first element is the entry and never an edge, nor are rapids. Where the path comes back to
 /// a point at which an earlier element began, without a rapid between, the elements between form a
-/// closed outline, and to it belongs all that goes over it once more. Then up to kLead elements
-/// before the outline are its lead-in, and, once the path has ended, up to kLead elements after it
-/// its lead-out: they lie in the waste. Without a closed
-/// outline all elements are edges. The path's first points stay known when their elements are
-/// forgotten, so an outline of any length is seen to close.
+/// closed outline. Then up to kLead elements before the outline are its lead-in, and, once the path
+/// has ended, up to twice as many after it its overlap and lead-out: they lie in the waste, or
+/// bound nothing else than the outline. Without a closed outline all elements are edges. The path's
+/// first points stay known when their elements are forgotten, so an outline of any length is seen
+/// to close.
 class HeldPath {
  public:
   /// A stop before 16 elements ahead are known would be none of a look-ahead.
@@ -65,9 +65,9 @@ class HeldPath {
 
   void begin(const Position& start, Plane plane);
   /// Appends an element; the oldest one is forgotten if the path is full.
-  /// @return whether an element has become waste
+  /// @return whether earlier elements have to be offset once more: some have become waste
   [[nodiscard]] bool append(const HeldElement& added);
-  /// Ends the path. @return whether an element has become waste
+  /// Ends the path. @return as append(). @pre size() > 0
   [[nodiscard]] bool end_path();
 
   [[nodiscard]] std::size_t size() const { return size_; }
@@ -97,8 +97,10 @@ class HeldPath {
   }
   /// How far points that are driven twice are apart, at most kSamePoint, mm.
   [[nodiscard]] float rounding() const { return rounding_; }
-  /// Whether a motion is higher above the plane than an element, all of it.
-  [[nodiscard]] bool is_above(const Position& start, const Position& end, std::size_t index) const;
+  /// Whether all of an element is lower above the plane than a height.
+  [[nodiscard]] bool is_below(std::size_t index, Coordinate height) const {
+    return position(index)[axes_.normal] < height && at(index).end[axes_.normal] < height;
+  }
   /// The next element that moves in the plane, size() for none; the one before, size() for none.
   [[nodiscard]] std::size_t next(std::size_t index) const;
   [[nodiscard]] std::size_t previous(std::size_t index) const;
@@ -113,12 +115,10 @@ class HeldPath {
     return forgotten_ + static_cast<std::uint32_t>(size_) - 1;
   }
   enum class Pass : std::uint8_t { kNever, kEnds, kGoesOn };
-  [[nodiscard]] bool is_on(const Curve& curve, const Vec2& point);
-  [[nodiscard]] Pass pass_by(const Place& node);
-  [[nodiscard]] bool runs_along(std::size_t index);
-  [[nodiscard]] bool follows_loop();
-  [[nodiscard]] std::uint32_t start_of_loop();
-  [[nodiscard]] bool discard(std::uint32_t first, std::uint32_t end, std::uint32_t most);
+  [[nodiscard]] std::uint32_t start_of_loop() const;
+  [[nodiscard]] bool passes(const Place& node) const;
+  [[nodiscard]] bool discard(std::uint32_t end);
+  void measure_rounding();
 
   std::array<HeldElement, kCapacity> elements_{};
   std::array<Place, kLead + 1> first_nodes_{};  ///< Where the elements 1 to kLead + 1 begin.
@@ -132,7 +132,6 @@ class HeldPath {
   std::uint32_t loop_end_ = 0;    ///< Its last element.
   std::uint32_t rapid_ = 0;       ///< The last rapid; 0 for none.
   float rounding_ = 0.0F;
-  float beside_ = 0.0F;  ///< How far points of the comparison under way are apart.
 };
 
 }  // namespace cnc::compensation

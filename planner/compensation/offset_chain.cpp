@@ -20,53 +20,53 @@ void OffsetChain::begin(const Position& start, Plane plane, float distance_mm) {
   path_.begin(start, plane);
   settled_ = 0;
   distance_ = distance_mm;
-  entry_tangent_.reset();
+  entry_rounds_ = exit_rounds_ = false;
   trouble_.reset();
 }
 
 /// An element, with the tangent at the end of an entry that goes round its end.
 Curve OffsetChain::own_curve(std::size_t index, const Place& origin) const {
   Curve own = path_.curve(index, origin);
-  if (path_.is_entry(index) && entry_tangent_) own.end_tangent = *entry_tangent_;
+  if (path_.is_entry(index) && entry_rounds_) own.end_tangent = entry_tangent_;
   return own;
 }
 
 bool OffsetChain::has_raw(Name name) const {
   if (path_.at(name.element).stands) return false;
   if (name.kind == Kind::kJoin) {
-    return stretch(name).exists && path_.next(name.element) < path_.size();
+    return stretch(name).exists && (exit_rounds_ || path_.next(name.element) < size());
   }
   return !contour::is_used_up(path_.curve(name.element, path_.start_of(name.element)), distance_);
+}
+
+/// The arc about a corner from one direction to another.
+Curve OffsetChain::round_about(const Vec2& corner, const Vec2& before, const Vec2& after) const {
+  return {corner - distance_ * left_normal(before),
+          corner - distance_ * left_normal(after),
+          before,
+          after,
+          1.0F / distance_};
 }
 
 /// @pre has_raw(name)
 Curve OffsetChain::raw(Name name, const Place& origin) const {
   const Curve own = own_curve(name.element, origin);
   if (name.kind == Kind::kJoin) {
-    return contour::round_join(own, path_.curve(path_.next(name.element), origin), distance_);
+    const std::size_t next = path_.next(name.element);
+    return round_about(own.end,
+                       own.end_tangent,
+                       next < size() ? path_.curve(next, origin).start_tangent : exit_tangent_);
   }
   const Curve moved = contour::moved_aside(own, distance_);
-  return path_.is_entry(name.element) && entry_tangent_ ? straight(own.start, moved.end) : moved;
-}
-
-/// Nowhere nearer than the offset to anything that is known of the path.
-bool OffsetChain::is_clear_of_all(const Vec2& place, const Place& origin) const {
-  for (std::size_t i = path_.is_entry(0) ? 1 : 0; i < size(); ++i) {
-    if (at(i).stands) continue;
-    const float off = compensation::distance(path_.curve(i, origin), place);
-    if (off < std::abs(distance_) - kTolerance) return false;
-  }
-  return true;
+  return path_.is_entry(name.element) && entry_rounds_ ? straight(own.start, moved.end) : moved;
 }
 
 float OffsetChain::limit() const { return std::abs(distance_) - kTolerance - path_.rounding(); }
 
-/// Nowhere too near to an edge.
-bool OffsetChain::is_clear(const Vec2& place, const Place& origin) const {
-  for (std::size_t i = 0; i < size(); ++i) {
-    if (path_.is_edge(i) && compensation::distance(path_.curve(i, origin), place) < limit()) {
-      return false;
-    }
+bool OffsetChain::is_clear(const Vec2& place, const Place& origin, bool of_all) const {
+  for (std::size_t i = path_.is_entry(0) ? 1 : 0; i < size(); ++i) {
+    const bool counts = of_all ? !at(i).stands : path_.is_edge(i);
+    if (counts && compensation::distance(path_.curve(i, origin), place) < limit()) return false;
   }
   return true;
 }
@@ -79,7 +79,7 @@ void OffsetChain::append(const HeldElement& added) {
   const bool leads_changed = path_.append(added);
   const std::size_t last = size() - 1;
   if (added.stands) {
-    path_.at(last).stretches = {{{.exists = false}, {.exists = false}}};
+    for (Stretch& none : path_.at(last).stretches) none.exists = false;
     return;
   }
   if (path_.is_entry(last)) return add_raw({last, Kind::kParallel}, true);
@@ -122,24 +122,14 @@ void OffsetChain::extend(std::size_t index) {
   const Name join{last, Kind::kJoin};
   stretch(join) = {.exists = !smooth && !concave};
   if (stretch(join).exists) add_raw(join, true);
-  add_raw({index, Kind::kParallel}, !concave);
-  if (concave && path_.is_entry(last)) aim_at_start(last, index);
-}
-
-/// Lets an entry lead to the start of the next element's offset where the corner of both offsets
-/// cannot be reached without coming too near to that element.
-void OffsetChain::aim_at_start(std::size_t entry, std::size_t index) {
-  const Name to{index, Kind::kParallel};
-  const Name from{entry, Kind::kParallel};
-  if (!has_raw(to) || !stretch(from).live) return;
-  const Place origin = path_.start_of(entry);
-  const Curve edge = path_.curve(index, origin);
-  const bool reached =
-      stretch(to).live && !come_nearer(driven(entry, Kind::kParallel), edge, limit());
-  if (reached) return;
-  stretch(from).end = raw(to, origin).start;
-  stretch(to).start = raw(to, path_.start_of(index)).start;
-  stretch(to).live = true;
+  const Name name{index, Kind::kParallel};
+  add_raw(name, !concave);
+  // An entry that is too short for the corner of both offsets leads to the start of this one.
+  Stretch& in = stretch({last, Kind::kParallel});
+  Stretch& out = stretch(name);
+  if (!path_.is_entry(last) || out.live || !has_raw(name)) return;
+  in.end = out.start + HeldPath::from(path_.start_of(last), corner);
+  out.live = in.live;
 }
 
 /// The direction of the tangent, to the circle about a corner, of a path that comes along
@@ -151,22 +141,15 @@ Vec2 OffsetChain::round(const Vec2& direction, float length, float side) const {
   return cosine * direction + sine * left_normal(direction);
 }
 
-/// Whether the tool goes from one direction to another round the outside of a corner.
-bool OffsetChain::goes_round(const Vec2& before, const Vec2& after) const {
-  return cross(before, after) * distance_ > 0.0F;
-}
-
 /// Finds whether a straight entry has to go round the corner at its end.
 void OffsetChain::aim(std::size_t entry, const Curve& after) {
-  entry_tangent_.reset();
-  const Place& origin = path_.start_of(entry);
+  const Name name{entry, Kind::kParallel};
+  const Place origin = path_.start_of(entry);
   const Curve own = path_.curve(entry, origin);
-  if (own.curvature == 0.0F && !at(path_.next(entry)).waste) {
-    const Vec2 tangent = round(own.end_tangent, own.end.norm(), 1.0F);
-    if (goes_round(tangent, after.start_tangent)) entry_tangent_ = tangent;
-  }
-  if (!stretch({entry, Kind::kParallel}).live) return;
-  stretch({entry, Kind::kParallel}).end = raw({entry, Kind::kParallel}, origin).end;
+  entry_tangent_ = round(own.end_tangent, own.end.norm(), 1.0F);
+  entry_rounds_ = own.curvature == 0.0F && !at(path_.next(entry)).waste &&
+                  cross(entry_tangent_, after.start_tangent) * distance_ > 0.0F;
+  if (stretch(name).live) stretch(name).end = raw(name, origin).end;
 }
 
 /// @param joins it begins where the raw curve before it ends
@@ -193,7 +176,7 @@ void OffsetChain::attach(Name name) {
     if (!stretch(before).live) continue;
     if (const auto place = first_meeting(before, name)) return link(before, name, *place);
     // From here on it could be cut, so that it is not swallowed.
-    if (is_clear(stretch(before).start, path_.start_of(before.element))) break;
+    if (is_clear(stretch(before).start, path_.start_of(before.element), false)) break;
   }
 }
 
@@ -208,7 +191,7 @@ std::optional<Vec2> OffsetChain::first_meeting(Name before, Name after) const {
   float least = 2.0F;
   for (std::uint32_t i = 0; i < found.count; ++i) {
     const float here = a.order_of(found.places[i]);
-    if (here < order || here >= least || !is_clear(found.places[i], origin)) continue;
+    if (here < order || here >= least || !is_clear(found.places[i], origin, false)) continue;
     least = here;
     first = found.places[i];
   }
@@ -218,7 +201,7 @@ std::optional<Vec2> OffsetChain::first_meeting(Name before, Name after) const {
       path_.next(before.element) == after.element && before.kind == Kind::kParallel;
   const bool slight = gap.squaredNorm() <= kTouch * std::max(kTouch, std::abs(distance_)) &&
                       a.end_tangent.dot(b.start_tangent) > 0.0F;
-  if (!first && neighbours && slight && is_clear(b.start, origin)) first = b.start;
+  if (!first && neighbours && slight && is_clear(b.start, origin, false)) first = b.start;
   return first;
 }
 
@@ -264,7 +247,7 @@ bool OffsetChain::is_beside(const Vec2& cut, const Place& origin, std::size_t in
 bool OffsetChain::could_be_cut(const Vec2& lost, const Vec2& cut, const Place& origin) const {
   // Ends of a slight turn are as good as clear: half of it times half of what it takes off.
   const float brief = 2.0F * std::sqrt(kTolerance * std::abs(distance_)) + kTouch;
-  return (lost - cut).norm() > brief && is_clear_of_all(lost, origin);
+  return (lost - cut).norm() > brief && is_clear(lost, origin, true);
 }
 
 Fault OffsetChain::fault(Reason reason, std::size_t index, std::size_t other) const {

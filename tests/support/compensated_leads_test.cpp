@@ -95,27 +95,32 @@ double nearest_between(const Piece& way, const Piece& piece, double low, double 
   return std::min(off_lower, off_upper);
 }
 
-/// How near a way comes to an outline where that is nearer than `radius`: densely sampled, and
-/// searched between samples.
+/// How near a part of a way comes to a piece where that is nearer than `radius`: halves it until it
+/// is far enough, or short enough for a search.
+double clearance_between(
+    const Piece& way, const Piece& piece, double radius, double low, double high) {
+  const double half = 0.5 * (high - low) * way.length();
+  const double middle = 0.5 * (low + high);
+  const auto [x, y] = way.at(middle);
+  const double here = piece.distance(x, y);
+  // Nothing on this part can be nearer than this.
+  if (here - half >= radius) return radius;
+  if (half > 0.125 * radius + 0.125) {
+    return std::min(clearance_between(way, piece, radius, low, middle),
+                    clearance_between(way, piece, radius, middle, high));
+  }
+  double least = std::min(here, nearest_between(way, piece, low, high));
+  for (const double end : {low, high}) {
+    const auto [end_x, end_y] = way.at(end);
+    least = std::min(least, piece.distance(end_x, end_y));
+  }
+  return least;
+}
+
 double clearance(const Piece& way, const std::vector<Piece>& outline, double radius) {
-  const double length = way.length();
-  const int steps = 4 + static_cast<int>(length / (0.25 * radius + 0.25));
-  const double reach = radius + 0.5 * length / steps;
   double least = radius;
   for (const Piece& piece : outline) {
-    for (int i = 0; i < steps; ++i) {
-      const auto [x, y] = way.at((i + 0.5) / steps);
-      // Nothing on this part can be nearer than this.
-      const double here = piece.distance(x, y);
-      if (here > reach) continue;
-      const double low = static_cast<double>(i) / steps;
-      const double high = static_cast<double>(i + 1) / steps;
-      for (const double end : {low, high}) {
-        const auto [end_x, end_y] = way.at(end);
-        least = std::min(least, piece.distance(end_x, end_y));
-      }
-      least = std::min({least, here, nearest_between(way, piece, low, high)});
-    }
+    least = std::min(least, clearance_between(way, piece, radius, 0.0, 1.0));
   }
   return least;
 }
@@ -173,10 +178,9 @@ class Drive {
   }
   void leave() {
     move_to(here_, program_.exit[0]);
-    const auto [refused, turn] = compensator_.leave(here_, false);
-    fault = refused;
+    fault = compensator_.leave(here_, false);
+    take();
     if (fault) return;
-    if (turn) way.push_back(*turn);
     way.push_back({.start = way.back().end, .end = here_});
   }
 

@@ -182,16 +182,21 @@ std::vector<LeadStep> lead_points(Lead lead, const LeadSize& size) {
   return {};
 }
 
-/// Whether the tool has room for a lead beside a convex outline.
+/// Whether the tool has room for a lead beside a convex outline, `along` mm after its start.
 bool has_room(const std::vector<LeadStep>& points,
               const LeadSize& size,
               const Shape& shape,
-              bool inside) {
+              bool inside,
+              double along) {
   if (shape.inradius <= 0.0 || shape.half_edge < 3.0 * size.radius) return false;
+  // A short entry would cut into a curve that bends away from it on its way to the corner of both
+  // offsets, which is beside the start.
+  const bool brief = points.size() == 2 && points[1].y < 1.3 * size.radius;
+  if (brief && shape.steps[0].bulge != 0.0) return false;
   const double margin = size.radius * (size.turn == 0.0 ? 1.05 : 2.1);
   return std::all_of(points.begin() + 1, points.end(), [&](const LeadStep& point) {
     if (!inside) return point.y == 0.0 || point.y >= margin * 0.99;
-    return std::hypot(point.x, point.y - shape.inradius) <= shape.inradius - margin;
+    return std::hypot(point.x + along, point.y - shape.inradius) <= shape.inradius - margin;
   });
 }
 
@@ -270,8 +275,10 @@ LeadProgram random_lead_program(Random& random) {
   append_lead_out(program, out_points, end);
   if (program.out == Lead::kNone) program.exit.clear();
 
-  program.roomy =
-      has_room(in_points, in, shape, inside) && has_room(out_points, out, shape, inside);
+  const bool straight = shape.steps[0].bulge == 0.0;
+  const double after = straight ? std::hypot(end.x - shape.start.x, end.y - shape.start.y) : 0.0;
+  program.roomy = has_room(in_points, in, shape, inside, 0.0) &&
+                  has_room(out_points, out, shape, inside, after);
   program.start.x = programmed(program.start.x);
   program.start.y = programmed(program.start.y);
   for (auto* steps : {&program.overlap, &program.lead_out, &program.exit}) {

@@ -185,11 +185,11 @@ TEST(Compensator, RefusesAnExitThroughThePart) {
   bench.to(0, 0).to(0, 10).end();
   ASSERT_FALSE(bench.fault);
   EXPECT_TRUE(bench.compensator().beside());
-  EXPECT_FALSE(bench.compensator().leave(bench.at(5, 20), false).fault);
+  EXPECT_FALSE(bench.compensator().leave(bench.at(5, 20), false));
   EXPECT_FALSE(bench.compensator().beside());
   Bench through{1.0F, 0.0F, -10.0F};
   through.to(0, 0).to(0, 10).end();
-  const auto fault = through.compensator().leave(through.at(-5, 5), false).fault;
+  const auto fault = through.compensator().leave(through.at(-5, 5), false);
   ASSERT_TRUE(fault);
   EXPECT_EQ(fault->other, 2U);
 }

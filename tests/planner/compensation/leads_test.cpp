@@ -104,7 +104,7 @@ TEST(Leads, ArcsInAndOutMayCrossOneAnother) {
   rectangle(path.to(-10, 5).to(0, 15, kQuarter)).to(-10, 25, kQuarter).end();
   ASSERT_FALSE(path.fault) << path.fault_text();
   expect_place(path.way.back().end, -10.0F, 22.0F);
-  EXPECT_FALSE(path.compensator.leave(path.at(-20, 25), false).fault);
+  EXPECT_FALSE(path.compensator.leave(path.at(-20, 25), false));
 }
 
 /// The same leads without a closed outline between them are no leads.
@@ -125,11 +125,12 @@ TEST(Leads, CutNothingOfTheOutline) {
   EXPECT_TRUE(path.way.empty());
 }
 
+/// The lead-out ends above the floor of a recess, along which the path has come.
 TEST(Leads, OfALongOutlineAreSeenWhenItCloses) {
-  Path path{-10.0F, -5.0F, -3.0F};
+  Path path{-20.0F, 12.0F, -3.0F};
   path.to(-10, 5).to(0, 15, kQuarter).to(0, 30);
   for (int i = 1; i <= 20; ++i) path.to(2.0F * static_cast<float>(i), 30);
-  path.to(40, 0).to(0, 0).to(0, 15).to(-10, 25, kQuarter).end();
+  path.to(40, -20).to(-20, -20).to(-20, 0).to(0, 0).to(0, 15).to(-7, 15, 1.0F).to(-7, 4).end();
   EXPECT_FALSE(path.fault) << path.fault_text();
 }
 
@@ -158,10 +159,11 @@ TEST(Leads, AnExitDoesNotCutTheCornerWhereItBegins) {
   Path path{-4.0F, 5.0F};
   path.to(0, 5).to(0, 10).to(10, 10).to(10, 0).to(0, 0).end();
   ASSERT_FALSE(path.fault) << path.fault_text();
-  const auto exit = path.compensator.leave(path.at(-2, 0), false);
-  EXPECT_FALSE(exit.fault);
-  ASSERT_TRUE(exit.turn);
-  expect_place(exit.turn->end, -0.5F, -std::sqrt(0.75F));
+  EXPECT_FALSE(path.compensator.leave(path.at(-2, 0), false));
+  path::PathItem turn;
+  ASSERT_TRUE(path.compensator.take(turn));
+  expect_place(turn.request.element.end, -0.5F, -std::sqrt(0.75F));
+  EXPECT_FALSE(path.compensator.take(turn));
 }
 
 TEST(Leads, WhatIsDrivenTwiceMayBeRoundedOtherwise) {
@@ -203,7 +205,7 @@ TEST(Leads, ARapidAboveThePartIsNoCut) {
     if (lifted) path.rapid().lift(5);
     path.end();
     ASSERT_FALSE(path.fault) << path.fault_text();
-    EXPECT_EQ(path.compensator.leave(path.at(20, 20), true).fault.has_value(), !lifted);
+    EXPECT_EQ(path.compensator.leave(path.at(20, 20), true).has_value(), !lifted);
   }
 }
 
