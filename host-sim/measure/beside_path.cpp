@@ -52,7 +52,8 @@ class BesideWay {
     const Point here = path_.pieces.back().curve.end();
     Point to = piece.curve.end();
     const cnc::path::PathItem item = item_of(piece);
-    if (compensator_->beside() && moves_in(compensator_->plane(), item.request.element)) {
+    if (compensator_->beside() &&
+        cnc::compensation::moves_in(compensator_->plane(), item.request.element)) {
       refuse(compensator_->leave(item.request.element.end, piece.travel == Travel::kRapid));
       take();
       refused_ = false;

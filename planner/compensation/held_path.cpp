@@ -61,7 +61,7 @@ bool HeldPath::discard(std::uint32_t end) {
 /// beside it.
 void HeldPath::measure_rounding() {
   for (std::size_t i = 0; i < size_; ++i) {
-    if (!is_edge(i)) continue;
+    if (at(i).stands) continue;
     const Place origin = start_of(i);
     const Curve edge = curve(i, origin);
     for (std::size_t other = 0; other < size_; ++other) {
