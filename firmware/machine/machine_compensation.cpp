@@ -79,22 +79,27 @@ bool Machine::set_compensation(const gcode::Action& action) {
 }
 
 /// The first motion after G40 in the plane leads from beside the path to its own end, first round
-/// the corner there if it would cut it. Before it other axes may move, as to lift a tool.
+/// the corner there if it would cut it. So does one to where the program is already. Before it
+/// other axes may move, as to lift a tool.
 bool Machine::leave_path(const gcode::Action& action) {
+  const auto refuse = [this](compensation::Fault fault) {
+    fault.line = interpreter_.state().line_number;
+    refuse_path(fault);
+    return false;
+  };
   const bool rapid = action.kind == gcode::ActionKind::kRapid;
   if (!rapid && action.kind != gcode::ActionKind::kLine) {
-    refuse_path(compensator_.refuse_to_leave());
-    return false;
+    return refuse(compensator_.refuse_to_leave());
   }
   const PathElement way{.start = compensator_.programmed(), .end = action.end};
-  if (!compensation::moves_in(compensator_.plane(), way)) return true;
+  const bool stays = way.start != way.end && !compensation::moves_in(compensator_.plane(), way);
+  if (stays) return true;
   if (!drive_rest() || !(state_.in(Mode::kCheck) || motion_.has_room())) return false;
-  const auto fault = compensator_.leave(action.end, rapid);
-  if (fault) refuse_path(*fault);
+  if (const auto fault = compensator_.leave(action.end, rapid)) return refuse(*fault);
   path::PathItem turn;
-  const bool turns = !fault && compensator_.take(turn) && !state_.in(Mode::kCheck);
+  const bool turns = compensator_.take(turn) && !state_.in(Mode::kCheck);
   if (turns) static_cast<void>(drive(turn));
-  return !fault;
+  return true;
 }
 
 /// The entry, what lies beside, or the exit; in check mode also what is not compensated.

@@ -28,14 +28,14 @@ class BesideWay {
       stops_ = piece.stop_before;
     }
     if (refused_) return;
-    refuse(compensator_->put(item));
+    refuse(compensator_->put(item), piece.line);
     take();
   }
 
   void end() {
     if (!compensator_->active()) return;
     if (!refused_) {
-      refuse(compensator_->end());
+      refuse(compensator_->end(), 0);
       take();
     }
     if (refused_) compensator_->clear();
@@ -48,13 +48,19 @@ class BesideWay {
   void leave(const PathPiece& piece) {
     const bool follows = compensator_->active() || compensator_->beside();
     end();
-    if (!follows || path_.pieces.empty()) return path_.pieces.push_back(piece);
+    const bool nowhere = piece.curve.length() <= 0.0;
+    if (!follows || path_.pieces.empty()) {
+      if (!nowhere) path_.pieces.push_back(piece);
+      return;
+    }
     const Point here = path_.pieces.back().curve.end();
     Point to = piece.curve.end();
     const cnc::path::PathItem item = item_of(piece);
-    if (compensator_->beside() &&
-        cnc::compensation::moves_in(compensator_->plane(), item.request.element)) {
-      refuse(compensator_->leave(item.request.element.end, piece.travel == Travel::kRapid));
+    const bool leads_back =
+        nowhere || cnc::compensation::moves_in(compensator_->plane(), item.request.element);
+    if (compensator_->beside() && leads_back) {
+      refuse(compensator_->leave(item.request.element.end, piece.travel == Travel::kRapid),
+             piece.line);
       take();
       refused_ = false;
       compensator_->clear();
@@ -69,12 +75,13 @@ class BesideWay {
     path_.pieces.back().curve = Curve::line(from, to);
   }
 
-  void refuse(const std::optional<cnc::compensation::Fault>& fault) {
+  /// @param line of the piece that is refused, where the fault has none
+  void refuse(const std::optional<cnc::compensation::Fault>& fault, int line) {
     if (!fault) return;
     refused_ = true;
     if (path_.refused) return;
     const bool other = fault->other_line != fault->line;
-    path_.refused = {static_cast<int>(fault->line),
+    path_.refused = {fault->line != 0 ? static_cast<int>(fault->line) : line,
                      other ? static_cast<int>(fault->other_line) : 0};
   }
 

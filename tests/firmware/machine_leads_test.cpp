@@ -210,11 +210,21 @@ TEST_F(MachineLeadsTest, AToolIsLiftedBeforeTheExit) {
   expect_driven({"G0 X30 Y0"});
 }
 
+/// So does nc_files/gmoccapy_2_tools….
+TEST_F(MachineLeadsTest, AMotionToWhereTheProgramIsLeadsBack) {
+  send_all({"G0 X-5 Y5", "G41.1 D2 G1 X0 Y5", "Y20", "G40", "G0 Z5"});
+  run_until_idle();
+  EXPECT_NEAR(mm(0), -1.0, 0.01);
+  expect_driven({"G0 X0 Y20"});
+  EXPECT_NEAR(mm(0), 0.0, 0.01);
+  EXPECT_NEAR(mm(1), 20.0, 0.01);
+}
+
 TEST_F(MachineLeadsTest, AnExitIsRefusedWithBothElements) {
   send_all({"G0 X-5 Y5", "N10 G41.1 D2 G1 X0 Y5", "N20 Y20", "N30 X10"});
   send_all({"G40"});
   EXPECT_EQ(send("N50 G1 X5 Y10"), "error:33");
-  EXPECT_NE(link.outgoing.find("[MSG:0: since G41 or G42, element 4 leads into element 3 (N30)]"),
+  EXPECT_NE(link.outgoing.find("[MSG:0: since G41 or G42, element 4 (N50) leads into element 3 (N30)]"),
             std::string::npos)
       << link.outgoing;
 }

@@ -10,7 +10,7 @@ namespace proof {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-const double kQuarterBulge = std::tan(kPi / 8.0);
+const double kBulgeOfAQuarter = std::tan(kPi / 8.0);
 
 /// A direction of travel at a point, and the waste on its left or right.
 struct Frame {
@@ -71,7 +71,7 @@ Shape rounded(Random& random) {
     if (slot && turn % 2 == 0) {
       put(along - f, aside, 1.0);
     } else if (!slot) {
-      put(along, -aside + f, kQuarterBulge);
+      put(along, -aside + f, kBulgeOfAQuarter);
     }
   }
   steps.push_back(shape.start);
@@ -168,14 +168,16 @@ std::vector<LeadStep> lead_points(Lead lead, const LeadSize& size) {
     case Lead::kLineTangent:
       return {{}, {line, 0.0}, {line, second}};
     case Lead::kQuarterArc:
-      return {{}, {arc, arc, kQuarterBulge}, beyond(arc, arc, kPi / 2.0)};
+      return {{}, {arc, arc, kBulgeOfAQuarter}, beyond(arc, arc, kPi / 2.0)};
     case Lead::kHalfArc:
       return {{}, {0.0, 2.0 * arc, 1.0}, beyond(0.0, 2.0 * arc, kPi)};
     case Lead::kLineAndArc:
-      return {
-          {}, {arc, arc, kQuarterBulge}, {arc, arc + second}, beyond(arc, arc + second, kPi / 2.0)};
+      return {{},
+              {arc, arc, kBulgeOfAQuarter},
+              {arc, arc + second},
+              beyond(arc, arc + second, kPi / 2.0)};
     case Lead::kArcAlone:
-      return {{}, {arc, arc, kQuarterBulge}};
+      return {{}, {arc, arc, kBulgeOfAQuarter}};
     case Lead::kNone:
       return {{}, {0.0, 1.05 * radius}};
   }

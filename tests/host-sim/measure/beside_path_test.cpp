@@ -82,6 +82,13 @@ TEST(BesidePath, LeavesAsTheMachineDoes) {
   EXPECT_NEAR(path.end[1], -3.0, 1.0e-5);
 }
 
+TEST(BesidePath, IsLeftByAMotionToWhereTheProgramIs) {
+  const ProgrammedPath path = beside_path(
+      read_program("F60 G0 X-2 Y5\nG41.1 D2 G1 X0 Y5\nY20\nG40\nG0 Z5\nG0 X0 Y20\nG1 X3\nG1 X3\n"));
+  expect_ends(path,
+              {{-2.0, 5.0}, {-1.0, 6.0}, {-1.0, 20.0}, {-1.0, 20.0}, {0.0, 20.0}, {3.0, 20.0}});
+}
+
 TEST(BesidePath, NamesTheLinesOfWhatIsRefused) {
   const ProgrammedPath path =
       beside_path(read_program("F60\nG41.1 D4 G1 X10 Y0\nX30\nY10\nX20\nY1\nG40 G1 X20 Y30\n"));
