@@ -19,7 +19,7 @@ using cnc::compensation::Compensator;
 using cnc::compensation::Fault;
 using Piece = ExactPiece;
 
-constexpr double kGouge = 1.0e-4;  ///< mm.
+constexpr double kDeepestMm = 1.0e-4;  ///< Deeper is a gouge.
 
 cnc::Coordinate coordinate(double mm) {
   return cnc::Coordinate{static_cast<std::int64_t>(std::llround(mm * 1.0e6))};
@@ -85,7 +85,7 @@ class Drive {
   cnc::Position here_{};
 };
 
-struct Tally {
+struct LeadTally {
   std::uint64_t driven = 0;
   std::uint64_t refused = 0;
   std::array<std::uint64_t, kLeads> in{};
@@ -118,7 +118,7 @@ void expect_all_is_reached(const LeadProgram& program,
       const double beside_x = x + program.offset_mm * (ahead_y - y) / step;
       const double beside_y = y - program.offset_mm * (ahead_x - x) / step;
       if (std::hypot(x - joint.x, y - joint.y) < 3.0 * r) continue;
-      if (nearest(outline, beside_x, beside_y) < r - kGouge) continue;
+      if (nearest(outline, beside_x, beside_y) < r - kDeepestMm) continue;
       EXPECT_LE(nearest(way, beside_x, beside_y), 1.0e-3) << x << ", " << y;
     }
   }
@@ -131,7 +131,7 @@ double rounding_of(const LeadProgram& program) {
   return along ? 1.5e-4 : 0.0;
 }
 
-void judge(Random& random, Tally& tally) {
+void judge(Random& random, LeadTally& tally) {
   const LeadProgram program = random_lead_program(random);
   const double r = std::abs(program.offset_mm);
   const Drive drive{program};
@@ -161,7 +161,7 @@ void judge(Random& random, Tally& tally) {
   double least = r;
   for (const Piece& piece : way) least = std::min(least, clearance(piece, outline, r));
   const double rounded = rounding_of(program);
-  EXPECT_GE(least, r - kGouge - rounded)
+  EXPECT_GE(least, r - kDeepestMm - rounded)
       << "offset " << program.offset_mm << ", leads " << static_cast<int>(program.in) << " and "
       << static_cast<int>(program.out);
   if (!way.empty()) tally.deepest = std::max(tally.deepest, r - least - rounded);
@@ -177,7 +177,7 @@ void judge(Random& random, Tally& tally) {
 // 100,000: KERFLINE_TRIALS=100000.
 TEST(CompensatedLeads, CutNothingOfTheOutlineAndAreDrivenWhereThereIsRoom) {
   const Trials trials{2000};
-  Tally tally;
+  LeadTally tally;
   for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     Random random{seed};

@@ -18,7 +18,8 @@ TEST(FaultPlace, IsTheFirstWordBehindTheNumberOfTheLine) {
 
 /// A path that cannot be driven keeps its reason, its motions, line and column.
 TEST(FaultPlace, OfAPathBesideIsTheMotionThatCannotBeDriven) {
-  Job job{.file = "part.nc"};
+  Job job;
+  job.file = "part.nc";
   job.text = "G21 F600\nG41.1 D4 G1 X10 Y0\nN20 X30\nY10\nX20\nY1\nG40 G1 X20 Y30\nG1 X40\n";
   for (const Report& report : {check(job), simulate(job, {})}) {
     ASSERT_EQ(report.faults.size(), 2U);
@@ -30,7 +31,8 @@ TEST(FaultPlace, OfAPathBesideIsTheMotionThatCannotBeDriven) {
 }
 
 TEST(FaultPlace, AProgramThatEndsBesideThePathEndsWithAWarning) {
-  Job job{.file = "part.nc"};
+  Job job;
+  job.file = "part.nc";
   job.text = "G21 F600\nG41.1 D1 G1 X5 Y0\nX10\nY10\nX0\n";
   const Report report = check(job);
   EXPECT_TRUE(report.faults.empty());
