@@ -204,6 +204,8 @@ class Machine {
   [[nodiscard]] std::optional<compensation::Fault> take_path_fault();
   /// Returns once what a door, a lost link or a reset after it leave uncut.
   [[nodiscard]] const Uncut* take_uncut() { return gap_.take_uncut(); }
+  /// The last motions of a path are held, and only another motion, G40 or M2 sets them free.
+  [[nodiscard]] bool waits_for_g40() const;
   /// The last line was M2 or M30.
   [[nodiscard]] bool program_ended() const { return program_ended_; }
   /// True once after each M2 or M30, for the message before its answer.
@@ -321,7 +323,8 @@ class Machine {
   [[nodiscard]] motion::BeamCommand beam_for(bool rapid) const;
   [[nodiscard]] bool set_compensation(const gcode::Action& action);
   [[nodiscard]] bool leave_path(const gcode::Action& action);
-  void append_beside(const path::PathItem& item);
+  void append_beside(path::PathItem& item);
+  void drive_apart(path::PathItem& item);
   void give_out();
   void refuse_path(const compensation::Fault& fault);
   void forget_exit();

@@ -79,6 +79,7 @@ void Machine::append(const ActionPart& part) {
                       .tolerance = path_tolerance(modal.path, usual_tolerance()),
                       .continues = part.continues};
   if (compensates() || state_.in(Mode::kCheck)) return append_beside(item);
+  if (compensator_.beside()) return drive_apart(item);
   compensation_.by_kerf = false;  // The exit was the last that has to keep it.
   if (drive(item)) with_next_motion_ = {};
 }

@@ -18,7 +18,12 @@ bool Machine::has_room() {
   if (!compensates()) return state_.in(Mode::kCheck) || motion_.has_room();
   if (path_fault_) return false;  // What is left of the line is dropped with all that is held.
   give_out();
+  if (!compensator_.active()) return state_.in(Mode::kCheck) || motion_.has_room();
   return compensator_.has_room();
+}
+
+bool Machine::waits_for_g40() const {
+  return compensator_.active() && waiting_.empty() && compensator_.has_room();
 }
 
 /// Where the programmed path ends.
@@ -55,6 +60,8 @@ motion::BeamCommand Machine::beam_for(bool rapid) const {
 
 bool Machine::set_compensation(const gcode::Action& action) {
   if (action.compensation.side != CutterSide::kOn) {
+    // A width of 0 (D0 without a tool) is the programmed path itself.
+    if (action.compensation.width_mm <= 0.0F) return true;
     if (!set_kerf_control(action.compensation)) return false;
     compensation_ = action.compensation;
     compensation_plane_ = action.plane;
@@ -72,22 +79,38 @@ bool Machine::set_compensation(const gcode::Action& action) {
   return !compensator_.active();
 }
 
-/// The first motion after G40 leads from beside the path to its own end.
+/// The first motion after G40 in the plane leads from beside the path to its own end, first round
+/// the corner there if it would cut it. So does one to where the program is already. Before it
+/// other axes may move, as to lift a tool.
 bool Machine::leave_path(const gcode::Action& action) {
-  const bool straight =
-      action.kind == gcode::ActionKind::kRapid || action.kind == gcode::ActionKind::kLine;
-  const std::optional<compensation::Fault> fault =
-      straight ? compensator_.leave(action.end) : compensator_.refuse_to_leave();
-  if (fault) refuse_path(*fault);
-  return !fault;
+  const auto refuse = [this](compensation::Fault fault) {
+    fault.line = interpreter_.state().line_number;
+    refuse_path(fault);
+    return false;
+  };
+  const bool rapid = action.kind == gcode::ActionKind::kRapid;
+  if (!rapid && action.kind != gcode::ActionKind::kLine) {
+    return refuse(compensator_.refuse_to_leave());
+  }
+  const PathElement way{.start = compensator_.programmed(), .end = action.end};
+  const bool stays = way.start != way.end && !compensation::moves_in(compensator_.plane(), way);
+  if (stays) return true;
+  if (!drive_rest() || !(state_.in(Mode::kCheck) || motion_.has_room())) return false;
+  if (const auto fault = compensator_.leave(action.end, rapid)) return refuse(*fault);
+  path::PathItem turn;
+  const bool turns = compensator_.take(turn) && !state_.in(Mode::kCheck);
+  if (turns) static_cast<void>(drive(turn));
+  return true;
 }
 
 /// The entry, what lies beside, or the exit; in check mode also what is not compensated.
-void Machine::append_beside(const path::PathItem& item) {
+void Machine::append_beside(path::PathItem& item) {
   const PathElement& element = item.request.element;
   if (element.start == element.end) return;
-  const bool entry = compensation_.side != CutterSide::kOn && !compensator_.active();
-  if (entry) {
+  const bool wanted = compensation_.side != CutterSide::kOn;
+  if (wanted && !compensator_.active()) {
+    // The entry moves in the plane; other axes may be moved before.
+    if (!compensation::moves_in(compensation_plane_, element)) return drive_apart(item);
     const bool left = compensation_.side == CutterSide::kLeft;
     const float offset_mm = 0.5F * compensation_.width_mm;
     compensator_.begin(element.start, compensation_plane_, left ? -offset_mm : offset_mm);
@@ -96,6 +119,21 @@ void Machine::append_beside(const path::PathItem& item) {
   with_next_motion_ = {};
   // It is given out when the next is asked for, or in the next cycle.
   if (const auto fault = compensator_.put(item)) refuse_path(*fault);
+}
+
+/// Drives an item without an offset. Where the machine is beside the path, only other axes than
+/// those of the plane move.
+void Machine::drive_apart(path::PathItem& item) {
+  PathElement& element = item.request.element;
+  const Position end = element.end;
+  if (compensator_.beside()) {
+    const PlaneAxes axes = axes_of(compensator_.plane());
+    for (const std::size_t axis : {axes.first, axes.second}) {
+      element.start[axis] = element.end[axis] = compensator_.driven()[axis];
+    }
+  }
+  compensator_.stand_at(end);
+  if (!state_.in(Mode::kCheck) && drive(item)) with_next_motion_ = {};
 }
 
 /// To be planned, as there is room; nowhere in check mode.

@@ -10,14 +10,12 @@ namespace {
 std::string_view words_of(compensation::Reason reason) {
   using enum compensation::Reason;
   switch (reason) {
-    case kEntryNotALine:
-      return " is the entry, and no straight line";
     case kEntryTooShort:
       return " is the entry, and no longer than half the cut";
     case kExitNotALine:
       return " is the exit, and no straight line";
     case kOtherAxis:
-      return " moves another axis than those of the plane";
+      return " moves beside the plane";
     case kUnreachable:
       return " is narrower than the cut";
     case kTooNear:

@@ -27,9 +27,15 @@ class CheckedPath {
     reading_.take(line, text);
   }
 
-  void add_to(const Job& job, std::string_view text, Report& report) {
+  /// There are no more lines.
+  void end() {
     reading_.end();
     watch_.end();
+  }
+
+  [[nodiscard]] const std::optional<RefusedBeside>& refused() const { return reading_.refused(); }
+
+  void add_to(const Job& job, std::string_view text, Report& report) const {
     report.path_length_mm = length_;
     report.cut_length_mm = cut_length_;
     for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
@@ -70,7 +76,9 @@ Report check(const Job& job) {
        .on_taken = [&path](std::size_t line, std::string_view text) { path->take(line, text); }}};
   apply_settings(job.settings, simulator.machine());
   path.emplace(simulator.settings());
-  Report report = report_on(job, program, simulator.run());
+  const RunResult result = simulator.run();
+  path->end();
+  Report report = report_on(job, program, result, path->refused(), simulator.program());
   path->add_to(job, simulator.program(), report);
   if (report.refused_lines > 0) {
     report.warnings.push_back(fmt::format("{}: bounds, length and time leave out {} refused line{}",

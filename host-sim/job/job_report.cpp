@@ -4,6 +4,8 @@
 
 #include <filesystem>
 
+#include "host-sim/job/fault_place.hpp"
+
 namespace sim {
 namespace {
 
@@ -40,7 +42,11 @@ void warn(const Job& job, const std::vector<ReadNote>& notes, Report& report) {
   }
 }
 
-Report report_on(const Job& job, const ProgramText& program, const RunResult& result) {
+Report report_on(const Job& job,
+                 const ProgramText& program,
+                 const RunResult& result,
+                 const std::optional<RefusedBeside>& beside,
+                 std::string_view text) {
   Report report;
   report.job = job_name(job.file);
   report.job_time_s = result.job_time_s;
@@ -48,12 +54,11 @@ Report report_on(const Job& job, const ProgramText& program, const RunResult& re
   report.blocks = result.blocks;
   report.refused_lines = result.refused;
   warn(job, program.notes, report);
-  for (const auto& [line, text] : result.notes) {
-    report.warnings.push_back(fmt::format("{}:{}: {}", job.file, line, text));
+  for (const auto& [line, words] : result.notes) {
+    report.warnings.push_back(fmt::format("{}:{}: {}", job.file, line, words));
   }
   for (const Refusal& refusal : result.refusals) {
-    report.faults.push_back(
-        {job.file, refusal.line, refusal.column, refusal.number, refusal.reason});
+    report.faults.push_back(fault_of(job.file, refusal, beside, text));
   }
   if (result.refused > result.refusals.size()) {
     report.warnings.push_back(

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "host-sim/job/job.hpp"
@@ -20,9 +22,14 @@ namespace sim {
 /// Of a piece that is driven with beam or spindle on, mm; else 0.
 [[nodiscard]] double cut_length(const PathPiece& piece);
 
-/// What a run was like, whoever measured it: name, time, lines, faults and the warnings of text and
-/// controller.
-[[nodiscard]] Report report_on(const Job& job, const ProgramText& program, const RunResult& result);
+/// Begins the report of a run by name, time, lines, faults and the warnings of text and controller.
+/// @param beside see beside_path()
+/// @param text the program as the controller was sent it
+[[nodiscard]] Report report_on(const Job& job,
+                               const ProgramText& program,
+                               const RunResult& result,
+                               const std::optional<RefusedBeside>& beside,
+                               std::string_view text);
 
 void warn(const Job& job, const std::vector<LineNote>& notes, Report& report);
 void warn(const Job& job, const std::vector<ReadNote>& notes, Report& report);

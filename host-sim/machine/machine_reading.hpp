@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "firmware/machine/settings.hpp"
 #include "host-sim/machine/kerf_question.hpp"
@@ -32,6 +34,8 @@ class MachineReading {
   /// There are no more lines.
   void end() { beside_.end(); }
   [[nodiscard]] const std::vector<ReadNote>& notes() const { return reader_.path().notes; }
+  /// See beside_path().
+  [[nodiscard]] const std::optional<RefusedBeside>& refused() const { return beside_.refused(); }
 
  private:
   KerfQuestion kerf_;

@@ -36,6 +36,7 @@ class ProgramLink final : public hal::ByteStream {
 
   /// Nothing left to send and no answer outstanding.
   [[nodiscard]] bool finished() const { return !awaits_answer_ && nothing_to_send(); }
+  [[nodiscard]] bool awaits_answer() const { return awaits_answer_; }
   /// Asks for a status report when no line is being sent, as a sender does now and then to be
   /// known to be there.
   void ask_status() { status_due_ = true; }

@@ -10,6 +10,10 @@ constexpr unsigned kTurnsPerProgress = 256;
 constexpr std::size_t kMostPauses = 1000;
 /// So often does the sender show that it is there.
 constexpr unsigned kTurnsPerStatus = 100;
+/// So long may motors stand still before motions that nothing will set free are given up.
+constexpr unsigned kTurnsOfWaiting = 100;
+/// A line whose motion raised an alarm is answered within so many turns.
+constexpr unsigned kTurnsToAnswer = 100;
 
 }  // namespace
 
@@ -29,6 +33,7 @@ RunResult Simulator::run() {
   unsigned turns = 0;
   while (!done()) {
     turn();
+    if (in_alarm()) link_.stop();
     attend_pause();
     if (options_.on_progress && ++turns % kTurnsPerProgress == 0) {
       options_.on_progress(link_.progress());
@@ -46,13 +51,26 @@ void Simulator::turn() {
   controller_.turn();
   // There is nobody to home the machine, and where it stands is its zero.
   if (machine().alarm() == cnc::Alarm::kHomingRequired) machine().unlock();
+  count_turns();
   if (!controller_.step_timer_runs() && done()) controller_.take_back_idle_time();
 }
 
+/// Turns in which nothing moves although the program has not come to its end.
+void Simulator::count_turns() {
+  const bool waits = in_alarm() || (link_.finished() && machine().waits_for_g40());
+  waiting_turns_ = waits && !controller_.step_timer_runs() ? waiting_turns_ + 1 : 0;
+}
+
+bool Simulator::in_alarm() const { return controller_.machine().alarm() != cnc::Alarm::kNone; }
+
+/// The answer to the line that raised an alarm has its reason.
 bool Simulator::done() const {
   const cnc::Machine& machine = controller_.machine();
-  if (machine.alarm() != cnc::Alarm::kNone) return !controller_.step_timer_runs();
-  return link_.finished() && machine.idle();
+  if (in_alarm()) {
+    return !controller_.step_timer_runs() &&
+           (!link_.awaits_answer() || waiting_turns_ > kTurnsToAnswer);
+  }
+  return link_.finished() && (machine.idle() || waiting_turns_ > kTurnsOfWaiting);
 }
 
 /// An operator who presses cycle start at once.
@@ -89,6 +107,11 @@ RunResult Simulator::result() const {
     if (!is_known(line)) notes.emplace_back(line, message);
   }
   std::ranges::stable_sort(notes, {}, &std::pair<std::size_t, std::string>::first);
+  if (machine.waits_for_g40()) {
+    notes.emplace_back(link_.line(),
+                       "the program ends with G41 or G42 on, and its last motions are not driven; "
+                       "end it with G40 or M2");
+  }
   return {.job_time_s = static_cast<double>(now_ticks()) / cnc::motion::kTicksPerSecond,
           .lines = link_.line(),
           .blocks = machine.motion().blocks_taken(),

@@ -66,11 +66,14 @@ class Simulator {
  private:
   void attend_pause();
   void note(std::string text);
+  void count_turns();
+  [[nodiscard]] bool in_alarm() const;
 
   RunOptions options_;
   ProgramLink link_;
   VirtualController controller_;
   unsigned turns_to_status_ = 0;
+  unsigned waiting_turns_ = 0;
   bool tool_changed_ = false;  ///< And the spindle is coming up to speed.
   std::vector<std::pair<std::size_t, std::string>> notes_;
 };

@@ -27,7 +27,8 @@ std::optional<double> CutterCompensation::width_of(const ProgramLine& line,
                                                    double scale) const {
   if (by_word) return line.value('D').value_or(0.0) * scale;
   if (by_kerf_) return width_ ? width_(condition_) : std::nullopt;
-  return 2.0 * radius_of(line.value('D').value_or(tool_));
+  const double tool = line.value('D').value_or(0.0);
+  return 2.0 * radius_of(tool == 0.0 ? tool_ : tool);
 }
 
 std::string CutterCompensation::apply(const ProgramLine& line,
@@ -49,7 +50,8 @@ std::string CutterCompensation::apply(const ProgramLine& line,
   condition_.feed_mm_min = feed_mm_min;
   const std::optional<double> width = width_of(line, by_word, scale);
   offset_mm_ = (left ? -0.5 : 0.5) * width.value_or(0.0);
-  return width ? std::string{} : "the kerf is not known here, G41 and G42 are left out";
+  if (!width) return "the kerf is not known here, G41 and G42 are left out";
+  return *width > 0.0 ? std::string{} : "D is 0: G41 and G42 drive the path as it is programmed";
 }
 
 bool CutterCompensation::set_tool(const ProgramLine& line, double scale) {

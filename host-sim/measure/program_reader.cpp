@@ -106,7 +106,9 @@ void ProgramReader::apply_compensation(const ProgramLine& line) {
   if (!left.empty()) note(std::move(left));
   const bool shifts = compensation_.by_kerf() && !options_.power_keeps_kerf;
   if (shifts && compensation_.offset_mm() != before) stop_pending_ = true;
-  if (before != 0.0 && compensation_.offset_mm() == 0.0) leaves_edge_ = compensation_.by_kerf();
+  if (before == 0.0 || compensation_.offset_mm() != 0.0) return;
+  leaves_edge_ = compensation_.by_kerf();
+  is_beside_ = true;
 }
 
 void ProgramReader::stop_or_end(const ProgramLine& line) {
@@ -250,7 +252,12 @@ void ProgramReader::note_third_offset(const ProgramLine& line) {
 
 void ProgramReader::add_piece(const Curve& curve, Travel travel, double feed) {
   path_.end = position_ = curve.end();
-  if (curve.length() <= 0.0) return;
+  // From beside the path a motion to where the program is already leads back, too.
+  const bool nowhere = curve.length() <= 0.0;
+  if (nowhere && !is_beside_) return;
+  const cnc::PlaneAxes axes = cnc::axes_of(modes_.plane());
+  const Point way = curve.end() - curve.start();
+  is_beside_ = is_beside_ && !nowhere && way[axes.first] == 0.0 && way[axes.second] == 0.0;
   PathPiece piece{curve,
                   travel,
                   feed,

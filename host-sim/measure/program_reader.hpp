@@ -62,6 +62,7 @@ class ProgramReader {
   int line_number_ = 0;
   bool stop_pending_ = true;
   bool ended_ = false;
+  bool is_beside_ = false;    ///< After G40, until a motion in the plane.
   bool leaves_edge_ = false;  ///< The next motion is the exit from an edge by its kerf.
 };
 

@@ -55,12 +55,19 @@ struct ReadNote {
   std::string text;
 };
 
+/// Lines of the program whose motions G41 and G42 cannot drive beside what is programmed.
+struct RefusedBeside {
+  int line = 0;
+  int other_line = 0;  ///< Of the motion that is in the way; 0 for none.
+};
+
 /// What a program asks for, in machine coordinates and double precision.
 struct ProgrammedPath {
   Point start{};
   Point end{};
   std::vector<PathPiece> pieces;  ///< Each begins where the former ends.
   std::vector<ReadNote> notes;
+  std::optional<RefusedBeside> refused{};  ///< See beside_path().
 
   [[nodiscard]] double length() const;  ///< Six-axis length, mm.
   [[nodiscard]] Bounds bounds() const;

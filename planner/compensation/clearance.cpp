@@ -53,6 +53,13 @@ bool sides_come_nearer(const Curve& arc, const Vec2& direction, const Curve& oth
 
 }  // namespace
 
+Curve straight(const Vec2& start, const Vec2& end) {
+  const Vec2 way = end - start;
+  const float length = way.norm();
+  const Vec2 along = length > 0.0F ? Vec2{way / length} : Vec2{1.0F, 0.0F};
+  return {start, end, along, along, 0.0F};
+}
+
 float distance(const Curve& curve, const Vec2& place) {
   const float own = curve.distance(place);
   if (!(own * std::abs(curve.curvature) > 0.5F) || !curve.faces(place, 0.0F)) return own;

@@ -9,6 +9,12 @@ using Curve = contour::Curve<float>;
 /// Places of single precision, seen from a place near by, that are one. mm.
 inline constexpr float kTouch = 2.0e-5F;
 
+/// Nearer than the offset by more than this is too near. mm.
+inline constexpr float kTolerance = 5.0e-5F;
+
+/// A straight way. @pre its ends are apart, or the tangent means nothing
+[[nodiscard]] Curve straight(const Vec2& start, const Vec2& end);
+
 /// From a place to the nearest one of a curve, mm. Curve::distance loses half of the digits near
 /// the centre of an arc, which is where the path beside a narrow one runs.
 [[nodiscard]] float distance(const Curve& curve, const Vec2& place);

@@ -9,16 +9,24 @@
 
 namespace cnc::compensation {
 
+/// Whether an element moves an axis of a plane.
+[[nodiscard]] bool moves_in(Plane plane, const PathElement& element);
+
 /// G41, G42 and G40: a programmed path in, the path beside it out, as lines and arcs.
 ///
-/// The first element is the entry, as in LinuxCNC: a straight line, longer than the offset, that
+/// The first element is the entry, as in LinuxCNC: a line or an arc, longer than the offset, that
 /// ends where the next element's offset begins, or at the corner of both. Elements are held
-/// until 16 after them are known, or G40 says that none follow; each is compared with all of
-/// these before it is given out, so that what cannot be cut is refused before the motion that it
-/// would damage. After a fault nothing more is given out.
+/// until 16 after them are known, or G40 says that none follow; each is compared with the edges
+/// among these before it is given out, so that what cannot be cut is refused before the motion that
+/// it would damage. After a fault nothing more is given out. Leads are no edges (HeldPath).
+///
+/// Other axes move along the offset of their element; an element that moves no axis of the plane
+/// is driven where the offset path is at that point.
 class Compensator {
  public:
-  static constexpr std::size_t kLookAhead = OffsetChain::kLookAhead;
+  static constexpr std::size_t kLookAhead = HeldPath::kLookAhead;
+  /// Elements in a row that move no axis of the plane.
+  static constexpr std::size_t kMostStanding = 8;
 
   /// G41, G42: from the next element on.
   /// @param here where the machine is
@@ -28,8 +36,9 @@ class Compensator {
   [[nodiscard]] std::optional<Fault> end();
   /// Forgets everything.
   void clear();
-  /// Where the programmed path has come to without compensation. @pre !active() && !beside()
-  void stand_at(const Position& here) { programmed_ = here; }
+  /// Where the programmed path has come to without compensation. Where beside(), the machine has
+  /// moved other axes than those of the plane. @pre !active()
+  void stand_at(const Position& here);
 
   /// Between begin() and end(), or elements wait to be taken.
   [[nodiscard]] bool active() const { return active_; }
@@ -40,25 +49,29 @@ class Compensator {
   /// Nothing is held.
   [[nodiscard]] bool empty() const { return given_ == chain_.size() || !active_; }
 
-  /// Takes an element that moves. @pre active(), has_room(), and it begins where the programmed
-  /// path has ended so far
+  /// Takes an element that moves. @pre active(), has_room(), it begins where the programmed path
+  /// has ended so far, and the first one moves in the plane
   [[nodiscard]] std::optional<Fault> put(const path::PathItem& item);
   /// The next element to be driven; false when there is none yet.
   [[nodiscard]] bool take(path::PathItem& item);
-  /// Whether a straight line from the end of the path to a place, the exit, damages nothing.
-  [[nodiscard]] std::optional<Fault> leave(const Position& to);
+  /// Whether a straight line from the end of the path to a point, the exit, damages nothing. Where
+  /// it goes round the corner at the end first, that arc can be taken. @pre beside()
+  /// @param rapid it cuts nothing that is below it
+  [[nodiscard]] std::optional<Fault> leave(const Position& to, bool rapid);
   /// Whether it was left some other way.
   [[nodiscard]] Fault refuse_to_leave() const;
 
   /// Where the programmed path ends.
   [[nodiscard]] const Position& programmed() const { return programmed_; }
+  /// Where the path that was given out ends.
+  [[nodiscard]] const Position& driven() const { return driven_; }
+  [[nodiscard]] Plane plane() const { return plane_; }
 
  private:
-  [[nodiscard]] std::optional<Fault> refusal_of(const path::PathItem& item) const;
-  [[nodiscard]] Place place_of(const Position& position) const;
-  [[nodiscard]] std::optional<Curve> next_stretch();
+  [[nodiscard]] std::optional<Fault> refusal_of(const path::PathItem& item, float chord_mm) const;
   [[nodiscard]] motion::Beside side() const;
-  [[nodiscard]] bool give(const Curve& way, path::PathItem& item);
+  [[nodiscard]] bool give(const HeldElement& held, Kind kind, path::PathItem& item);
+  void lead_along(const Curve& curve, PathElement& way) const;
 
   OffsetChain chain_{};
   Position programmed_{};

@@ -6,10 +6,9 @@ namespace cnc::compensation {
 
 /// Why a path cannot be driven beside what is programmed.
 enum class Reason : std::uint8_t {
-  kEntryNotALine,  ///< The first motion after G41.1 or G42.1 is no straight line in the plane.
-  kEntryTooShort,  ///< It is no longer than the offset.
-  kExitNotALine,   ///< The same of the first motion after G40.
-  kOtherAxis,      ///< Something else than the two axes of the plane moves.
+  kEntryTooShort,  ///< The first motion after G41.1 or G42.1 is no longer than the offset.
+  kExitNotALine,   ///< The first motion after G40 is no straight line in the plane.
+  kOtherAxis,      ///< An arc in another plane, or too many motions that stand in the plane.
   kUnreachable,    ///< Nothing at the offset leads on from this element: it is narrower than that.
   kTooNear,        ///< Beside this element the path would come too near to another one.
   kWouldSplit,     ///< The path would cross itself, and leave out what could be cut.

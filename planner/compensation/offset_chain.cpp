@@ -10,121 +10,179 @@
 namespace cnc::compensation {
 namespace {
 
-/// Nearer than the offset by more than this is too near. mm.
-constexpr float kTolerance = 5.0e-5F;
-
 /// So many offsets from where the path turns an element may lie that it does not reach: of a corner
 /// of 30 degrees that is all that a line would lose, too.
 constexpr float kReach = 4.0F;
 
-/// @pre they are not one place, or the tangent means nothing
-Curve straight(const Vec2& start, const Vec2& end) {
-  const Vec2 way = end - start;
-  const float length = way.norm();
-  const Vec2 along = length > 0.0F ? Vec2{way / length} : Vec2{1.0F, 0.0F};
-  return {start, end, along, along, 0.0F};
-}
-
 }  // namespace
 
-void OffsetChain::begin(const Place& start, float distance_mm) {
-  first_ = size_ = settled_ = 0;
-  forgotten_ = 0;
-  start_ = start;
+void OffsetChain::begin(const Position& start, Plane plane, float distance_mm) {
+  path_.begin(start, plane);
+  settled_ = 0;
   distance_ = distance_mm;
+  entry_rounds_ = exit_rounds_ = false;
+  trouble_.reset();
 }
 
-Vec2 OffsetChain::from(const Place& origin, const Place& place) {
-  return {(place[0] - origin[0]).mm(), (place[1] - origin[1]).mm()};
-}
-
-Curve OffsetChain::element(std::size_t index, const Place& origin) const {
-  const auto arc =
-      Arc::make(from(origin, start_of(index)), from(origin, at(index).end), at(index).bulge);
-  CNC_ASSERT(arc.ok());
-  return contour::curve_of(arc.value());
+/// An element, with the tangent at the end of an entry that goes round its end.
+Curve OffsetChain::own_curve(std::size_t index, const Place& origin) const {
+  Curve own = path_.curve(index, origin);
+  if (path_.is_entry(index) && entry_rounds_) own.end_tangent = entry_tangent_;
+  return own;
 }
 
 bool OffsetChain::has_raw(Name name) const {
-  if (name.kind == Kind::kJoin) return stretch(name).exists && name.element + 1 < size_;
-  return !contour::is_used_up(element(name.element, start_of(name.element)), distance_);
+  if (path_.at(name.element).stands) return false;
+  if (name.kind == Kind::kJoin) {
+    return stretch(name).exists && (exit_rounds_ || path_.next(name.element) < size());
+  }
+  return !contour::is_used_up(path_.curve(name.element, path_.start_of(name.element)), distance_);
+}
+
+/// The arc about a corner from one direction to another.
+Curve OffsetChain::round_about(const Vec2& corner, const Vec2& before, const Vec2& after) const {
+  return {corner - distance_ * left_normal(before),
+          corner - distance_ * left_normal(after),
+          before,
+          after,
+          1.0F / distance_};
 }
 
 /// @pre has_raw(name)
 Curve OffsetChain::raw(Name name, const Place& origin) const {
-  const Curve own = element(name.element, origin);
-  if (name.kind == Kind::kParallel) return contour::moved_aside(own, distance_);
-  return contour::round_join(own, element(name.element + 1, origin), distance_);
+  const Curve own = own_curve(name.element, origin);
+  if (name.kind == Kind::kJoin) {
+    const std::size_t next = path_.next(name.element);
+    return round_about(own.end,
+                       own.end_tangent,
+                       next < size() ? path_.curve(next, origin).start_tangent : exit_tangent_);
+  }
+  const Curve moved = contour::moved_aside(own, distance_);
+  return path_.is_entry(name.element) && entry_rounds_ ? straight(own.start, moved.end) : moved;
 }
 
-/// Nowhere nearer to what is known of the path than the offset.
-bool OffsetChain::is_clear(const Vec2& place, const Place& origin) const {
-  for (std::size_t i = is_entry(0) ? 1 : 0; i < size_; ++i) {
-    const float off = compensation::distance(element(i, origin), place);
-    if (off < std::abs(distance_) - kTolerance) return false;
+float OffsetChain::limit() const { return std::abs(distance_) - kTolerance - path_.rounding(); }
+
+bool OffsetChain::is_clear(const Vec2& place, const Place& origin, bool of_all) const {
+  for (std::size_t i = path_.is_entry(0) ? 1 : 0; i < size(); ++i) {
+    const bool counts = of_all ? !at(i).stands : path_.is_edge(i);
+    if (counts && compensation::distance(path_.curve(i, origin), place) < limit()) return false;
   }
   return true;
 }
 
-std::optional<Fault> OffsetChain::append(const HeldElement& added) {
-  if (size_ == kCapacity) {
+void OffsetChain::append(const HeldElement& added) {
+  if (path_.full()) {
     CNC_ASSERT(settled_ > 0);
     --settled_;
-    start_ = at(0).end;
-    first_ = (first_ + 1) % kCapacity;
-    --size_;
-    ++forgotten_;
   }
-  at(size_++) = added;
-  const std::size_t last = size_ - 1;
-  if (last == 0) return add_raw({0, Kind::kParallel}, true);
-  const Place& corner = start_of(last);
-  const Curve before = element(last - 1, corner);
-  const Curve after = element(last, corner);
+  const bool leads_changed = path_.append(added);
+  const std::size_t last = size() - 1;
+  if (added.stands) {
+    for (Stretch& none : path_.at(last).stretches) none.exists = false;
+    return;
+  }
+  if (path_.is_entry(last)) return add_raw({last, Kind::kParallel}, true);
+  if (leads_changed) {
+    rebuild();
+  } else {
+    extend(last);
+  }
+}
+
+void OffsetChain::finish() {
+  if (path_.end_path()) rebuild();
+}
+
+/// Offsets all again that has not been given out: some of it has turned out to be a lead.
+void OffsetChain::rebuild() {
+  std::size_t first = settled_;
+  while (first < size() && !at(first).stretches[0].live) ++first;
+  if (first == size()) return;
+  trouble_.reset();
+  stretch({first, Kind::kParallel}).end = raw({first, Kind::kParallel}, path_.start_of(first)).end;
+  while ((first = path_.next(first)) < size()) extend(first);
+}
+
+/// Offsets an element after all that are before it.
+void OffsetChain::extend(std::size_t index) {
+  if (trouble_) {
+    path_.at(index).stretches = {};
+    return;
+  }
+  const std::size_t last = path_.previous(index);
+  const Place corner = path_.start_of(index);
+  const Curve after = path_.curve(index, corner);
+  if (path_.is_entry(last)) aim(last, after);
+  const Curve before = own_curve(last, corner);
   const float gap = std::abs(distance_) * (before.end_tangent - after.start_tangent).norm();
   const float sine = cross(before.end_tangent, after.start_tangent);
   const bool smooth = gap <= kTouch;
   const bool concave = !smooth && sine * distance_ < 0.0F;
-  const Name join{last - 1, Kind::kJoin};
+  const Name join{last, Kind::kJoin};
   stretch(join) = {.exists = !smooth && !concave};
-  if (stretch(join).exists) {
-    if (const auto fault = add_raw(join, true)) return fault;
-  }
-  return add_raw({last, Kind::kParallel}, !concave);
+  if (stretch(join).exists) add_raw(join, true);
+  const Name name{index, Kind::kParallel};
+  add_raw(name, !concave);
+  // An entry that is too short for the corner of both offsets leads to the start of this one.
+  Stretch& in = stretch({last, Kind::kParallel});
+  Stretch& out = stretch(name);
+  if (!path_.is_entry(last) || out.live || !has_raw(name)) return;
+  in.end = out.start + HeldPath::from(path_.start_of(last), corner);
+  out.live = in.live;
+}
+
+/// The direction of the tangent, to the circle about a corner, of a path that comes along
+/// `direction` from `length` mm before it; to leave it, with the other sign of `side`.
+/// @pre length ≥ |distance()|
+Vec2 OffsetChain::round(const Vec2& direction, float length, float side) const {
+  const float sine = -side * distance_ / length;
+  const float cosine = std::sqrt(std::max(0.0F, 1.0F - sine * sine));
+  return cosine * direction + sine * left_normal(direction);
+}
+
+/// Finds whether a straight entry has to go round the corner at its end.
+void OffsetChain::aim(std::size_t entry, const Curve& after) {
+  const Name name{entry, Kind::kParallel};
+  const Place origin = path_.start_of(entry);
+  const Curve own = path_.curve(entry, origin);
+  entry_tangent_ = round(own.end_tangent, own.end.norm(), 1.0F);
+  entry_rounds_ = own.curvature == 0.0F && !at(path_.next(entry)).waste &&
+                  cross(entry_tangent_, after.start_tangent) * distance_ > 0.0F;
+  if (stretch(name).live) stretch(name).end = raw(name, origin).end;
 }
 
 /// @param joins it begins where the raw curve before it ends
-std::optional<Fault> OffsetChain::add_raw(Name name, bool joins) {
+void OffsetChain::add_raw(Name name, bool joins) {
   Stretch& added = stretch(name);
   added.live = false;
-  if (!has_raw(name)) return std::nullopt;
-  const Curve curve = raw(name, start_of(name.element));
+  if (!has_raw(name)) return;
+  const Curve curve = raw(name, path_.start_of(name.element));
   added.start = curve.start;
   added.end = curve.end;
   const std::size_t order = name.order();
   std::size_t before = order == 0 ? 0 : order - 1;
-  if (before > 0 && !stretch(name_at(before)).exists) --before;
+  while (before > 0 && !stretch(name_at(before)).exists) --before;
   added.live = order == 0 || (joins && stretch(name_at(before)).live);
-  return added.live ? std::nullopt : attach(name);
+  if (!added.live) attach(name);
 }
 
 /// Finds where the path leaves a curve for this one. Nothing to be found is no fault: what
 /// follows may swallow this one.
-std::optional<Fault> OffsetChain::attach(Name name) {
+void OffsetChain::attach(Name name) {
   for (std::size_t order = name.order(); order-- > 0;) {
     const Name before = name_at(order);
     if (before.element < settled_) break;
     if (!stretch(before).live) continue;
     if (const auto place = first_meeting(before, name)) return link(before, name, *place);
     // From here on it could be cut, so that it is not swallowed.
-    if (is_clear(stretch(before).start, start_of(before.element))) break;
+    if (is_clear(stretch(before).start, path_.start_of(before.element), false)) break;
   }
-  return std::nullopt;
 }
 
 /// The first place that is on both, beyond where the first begins, as seen from its element.
 std::optional<Vec2> OffsetChain::first_meeting(Name before, Name after) const {
-  const Place& origin = start_of(before.element);
+  const Place origin = path_.start_of(before.element);
   const Curve a = raw(before, origin);
   const Curve b = raw(after, origin);
   const auto found = contour::meetings_of(a, b, kTouch);
@@ -133,131 +191,71 @@ std::optional<Vec2> OffsetChain::first_meeting(Name before, Name after) const {
   float least = 2.0F;
   for (std::uint32_t i = 0; i < found.count; ++i) {
     const float here = a.order_of(found.places[i]);
-    if (here < order || here >= least || !is_clear(found.places[i], origin)) continue;
+    if (here < order || here >= least || !is_clear(found.places[i], origin, false)) continue;
     least = here;
     first = found.places[i];
   }
   // Tangents that differ by rounding only, whose curves miss each other.
   const Vec2 gap = b.start - a.end;
-  const bool neighbours = before.element + 1 == after.element && before.kind == Kind::kParallel;
+  const bool neighbours =
+      path_.next(before.element) == after.element && before.kind == Kind::kParallel;
   const bool slight = gap.squaredNorm() <= kTouch * std::max(kTouch, std::abs(distance_)) &&
                       a.end_tangent.dot(b.start_tangent) > 0.0F;
-  if (!first && neighbours && slight && is_clear(b.start, origin)) first = b.start;
+  if (!first && neighbours && slight && is_clear(b.start, origin, false)) first = b.start;
   return first;
 }
 
 /// Drives one curve to a place, and another one from there on; swallows what is between.
-std::optional<Fault> OffsetChain::link(Name before, Name after, const Vec2& place) {
-  const Place& origin = start_of(before.element);
+void OffsetChain::link(Name before, Name after, const Vec2& place) {
+  const Place origin = path_.start_of(before.element);
   for (std::size_t order = before.order(); order <= after.order(); ++order) {
     const Name name = name_at(order);
     const bool is_before = order == before.order();
     const bool is_after = order == after.order();
     const bool swallowed = !is_before && !is_after;
     if (swallowed && name.kind == Kind::kParallel && !is_beside(place, origin, name.element)) {
-      return fault(Reason::kUnreachable, name.element, name.element);
+      return fail(Reason::kUnreachable, before, name.element, name.element);
     }
     if (!has_raw(name)) continue;
     const Curve curve = raw(name, origin);
     const bool lost =
-        (!is_before && !is_entry(before.element) && could_be_cut(curve.start, place, origin)) ||
+        (!is_before && !path_.is_entry(before.element) &&
+         could_be_cut(curve.start, place, origin)) ||
         (!is_after && could_be_cut(curve.end, place, origin)) ||
         (swallowed && could_be_cut(curve.middle_between(curve.start, curve.end), place, origin));
-    if (lost) return fault(Reason::kWouldSplit, name.element, after.element);
+    if (lost) return fail(Reason::kWouldSplit, before, name.element, after.element);
     if (!is_before) stretch(name).live = is_after;
   }
   stretch(before).end = place;
-  stretch(after).start = place + from(start_of(after.element), origin);
-  return std::nullopt;
+  stretch(after).start = place + HeldPath::from(path_.start_of(after.element), origin);
+}
+
+/// Keeps a fault until the path after `before` is to be driven.
+void OffsetChain::fail(Reason reason, Name before, std::size_t index, std::size_t other) {
+  trouble_ = fault(reason, index, other);
+  trouble_after_ = path_.forgotten() + static_cast<std::uint32_t>(before.element);
 }
 
 /// Whether an element is a detail of the corner that is cut there, and no slot.
 bool OffsetChain::is_beside(const Vec2& cut, const Place& origin, std::size_t index) const {
   const float reach = kReach * std::abs(distance_);
-  return (from(origin, start_of(index)) - cut).norm() <= reach &&
-         (from(origin, at(index).end) - cut).norm() <= reach;
+  return (HeldPath::from(origin, path_.start_of(index)) - cut).norm() <= reach &&
+         (HeldPath::from(origin, path_.start_of(index + 1)) - cut).norm() <= reach;
 }
 
 /// Whether a place that is swallowed is clear, and not where the path is cut anyway.
 bool OffsetChain::could_be_cut(const Vec2& lost, const Vec2& cut, const Place& origin) const {
   // Ends of a slight turn are as good as clear: half of it times half of what it takes off.
   const float brief = 2.0F * std::sqrt(kTolerance * std::abs(distance_)) + kTouch;
-  return (lost - cut).norm() > brief && is_clear(lost, origin);
-}
-
-Curve OffsetChain::driven(std::size_t index, Kind kind) const {
-  const Place& origin = start_of(index);
-  const Name name{index, kind};
-  Curve way = raw(name, origin);
-  way.start_tangent = way.tangent_at(stretch(name).start);
-  way.end_tangent = way.tangent_at(stretch(name).end);
-  way.start = stretch(name).start;
-  way.end = stretch(name).end;
-  if (!is_entry(index) || kind != Kind::kParallel) return way;
-  return straight(Vec2::Zero(), way.end);
-}
-
-/// The element that a way comes too near to, if there is one.
-/// @param own the way is beside this element, and need not be compared with it
-std::optional<std::size_t> OffsetChain::too_near(const Curve& way,
-                                                 const Place& origin,
-                                                 std::size_t own) const {
-  const float limit = std::abs(distance_) - kTolerance;
-  for (std::size_t i = is_entry(0) ? 1 : 0; i < size_; ++i) {
-    if (i != own && come_nearer(way, element(i, origin), limit)) return i;
-  }
-  return std::nullopt;
-}
-
-/// The same of an entry or exit: aslant to its end beside an element it passes the end of that
-/// element a little nearer, as it does in LinuxCNC.
-std::optional<std::size_t> OffsetChain::too_near_aslant(const Curve& way,
-                                                        const Place& origin,
-                                                        std::size_t touched,
-                                                        const Vec2& corner) const {
-  if (const auto near = too_near(way, origin, touched)) return near;
-  const float aside = std::min(std::abs(distance_), compensation::distance(way, corner));
-  const float limit = aside - kTolerance;
-  const bool is_near = touched < size_ && come_nearer(way, element(touched, origin), limit);
-  return is_near ? std::optional{touched} : std::nullopt;
-}
-
-std::optional<Fault> OffsetChain::check(std::size_t index, bool last) const {
-  const bool lives_last = at(size_ - 1).stretches[0].live;
-  if (last && !lives_last) return fault(Reason::kUnreachable, size_ - 1, size_ - 1);
-  bool goes_on = last;
-  for (std::size_t i = index + 1; i < size_; ++i) {
-    goes_on = goes_on || at(i).stretches[0].live || at(i).stretches[1].live;
-  }
-  const std::size_t next = index + 1 < size_ ? index + 1 : index;
-  if (!goes_on) return fault(Reason::kUnreachable, next, next);
-  for (const Kind kind : {Kind::kParallel, Kind::kJoin}) {
-    if (!stretch({index, kind}).live) continue;
-    const Place& origin = start_of(index);
-    const Curve way = driven(index, kind);
-    const bool entry = is_entry(index) && kind == Kind::kParallel;
-    const auto near = entry ? too_near_aslant(way, origin, index + 1, from(origin, at(index).end))
-                            : too_near(way, origin, kind == Kind::kParallel ? index : size_);
-    if (near) return fault(Reason::kTooNear, index, *near);
-  }
-  return std::nullopt;
-}
-
-std::optional<Fault> OffsetChain::check_exit(const Place& to) const {
-  const std::size_t last = size_ - 1;
-  const Place& origin = start_of(last);
-  const Curve way = straight(stretch({last, Kind::kParallel}).end, from(origin, to));
-  const auto near = too_near_aslant(way, origin, last, from(origin, at(last).end));
-  if (near) return fault(Reason::kTooNear, size_, *near);
-  return std::nullopt;
+  return (lost - cut).norm() > brief && is_clear(lost, origin, true);
 }
 
 Fault OffsetChain::fault(Reason reason, std::size_t index, std::size_t other) const {
   const auto number = [this](std::size_t i) {
-    return forgotten_ + static_cast<std::uint32_t>(i) + 1;
+    return path_.forgotten() + static_cast<std::uint32_t>(i) + 1;
   };
   const auto line = [this](std::size_t i) {
-    return i < size_ ? std::uint32_t{at(i).line.number} : 0U;
+    return i < size() ? std::uint32_t{at(i).line.number} : 0U;
   };
   return {.reason = reason,
           .element = number(index),

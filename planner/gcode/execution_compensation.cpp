@@ -106,7 +106,8 @@ Refusal Execution::read_compensation(CutterCompensation& wanted) {
   return wanted.by_kerf ? look_up_kerf(wanted.width_mm) : read_tool_width(wanted.width_mm);
 }
 
-/// Of the tool that D of G41 and G42 names, or the one that is in.
+/// Of the tool that D of G41 and G42 names, or the one that is in, which is D0, too. D0 without a
+/// tool is the programmed path itself, as in LinuxCNC.
 Refusal Execution::read_tool_width(float& width_mm) {
   std::uint32_t tool = next_.modal.tool;
   if (block_.has('D')) {
@@ -114,6 +115,8 @@ Refusal Execution::read_tool_width(float& width_mm) {
             take_index('D', ModalGroup::kCutterRadius, kToolCount, FaultDetail::kTooLarge, tool)) {
       return fault;
     }
+    if (tool == 0) tool = next_.modal.tool;
+    if (tool == 0) return std::nullopt;
   }
   const bool listed = tool >= 1 && tool <= kToolCount;
   if (listed) {
@@ -125,11 +128,12 @@ Refusal Execution::read_tool_width(float& width_mm) {
   return std::nullopt;
 }
 
-/// D of G41.1 and G42.1.
+/// D of G41.1 and G42.1; 0 is the programmed path itself.
 Refusal Execution::read_cut_width(float& width_mm) {
   const Decimal* const number = block_.take('D');
   if (number == nullptr) return missing('D', ModalGroup::kCutterRadius);
   width_mm = to_length(*number).mm();
+  if (width_mm == 0.0F) return std::nullopt;
   if (width_mm < kNarrowestCutMm || width_mm > options_.widest_cut_mm) {
     const bool inches = next_.modal.units == Units::kInches;
     Fault fault = block_.blame(FaultDetail::kNotACutWidth, 'D');

@@ -48,7 +48,7 @@ TEST_F(CompensationWords, EndWithTheProgramAndAReset) {
 
 TEST_F(CompensationWords, NeedAWidthThatIsOne) {
   EXPECT_EQ(refused("G41.1"), FaultDetail::kWordMissing);
-  for (const char* line : {"G41.1 D0", "G41.1 D-1", "G42.1 D0.009", "G42.1 D100.1"}) {
+  for (const char* line : {"G41.1 D-1", "G42.1 D0.009", "G42.1 D100.1"}) {
     EXPECT_EQ(refused(line), FaultDetail::kNotACutWidth) << line;
   }
   EXPECT_EQ(refused("G40 D1"), FaultDetail::kUnused);
@@ -97,6 +97,23 @@ TEST_F(CompensationWords, TakeTheWidthOfTheToolThatIsIn) {
   static_cast<void>(take("G10 L1 P2 R2"));
   static_cast<void>(take("T2 M6"));
   EXPECT_EQ(take("G41").back().compensation.width_mm, 4.0F);
+}
+
+/// D0 is the tool that is in; without one, and as a width, the path as it is programmed.
+TEST_F(CompensationWords, TakeNoToolAndNoWidth) {
+  const CutterCompensation none{.side = CutterSide::kLeft, .width_mm = 0.0F};
+  EXPECT_EQ(take_one("G41 D0").compensation, none);
+  EXPECT_TRUE(take("G41.1 D0").empty()) << "as it is";
+  EXPECT_EQ(refused("M5"), FaultDetail::kNotBesideThePath);
+  static_cast<void>(take("G40"));
+  EXPECT_EQ(take_one("G41.1 D0").compensation, none);
+  static_cast<void>(take("G40"));
+  static_cast<void>(take("G10 L1 P2 R2"));
+  static_cast<void>(take("T2 M6"));
+  EXPECT_EQ(take("G42 D0").back().compensation.width_mm, 4.0F);
+  static_cast<void>(take("G40"));
+  static_cast<void>(take("T3 M6"));
+  EXPECT_EQ(refused("G41 D0"), FaultDetail::kToolHasNoRadius);
 }
 
 TEST_F(CompensationWords, WantAToolWhoseRadiusIsKnown) {
