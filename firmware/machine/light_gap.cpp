@@ -16,11 +16,10 @@ void LightGap::find() {
   opens_ = false;
   const std::uint32_t tick = drive_.light_ended();
   if (!motion_.is_lit_after(tick)) return close();
-  const motion::PathUnits distance = motion_.distance_since(tick);
-  gap_.distance_mm = motion::to_mm(distance);
-  unknown_mm_ = motion_.go_back(distance);
+  gap_.distance = motion_.distance_since(tick);
+  unknown_ = motion_.go_back(gap_.distance);
   found_ = true;
-  if (unknown_mm_ > 0.0F) return;
+  if (unknown_ > 0) return;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     gap_.from[axis] = motion_.place()[axis].nearest_step();
   }
@@ -29,7 +28,7 @@ void LightGap::find() {
 void LightGap::close() {
   opens_ = false;
   found_ = false;
-  unknown_mm_ = 0.0F;
+  unknown_ = 0;
   motion_.keep_path(false);
 }
 
@@ -39,8 +38,8 @@ void LightGap::leave() {
 }
 
 bool LightGap::end() {
-  const bool matters = unknown_mm_ > kNegligibleMm;
-  gap_.distance_mm = unknown_mm_;
+  const bool matters = unknown_ > kNegligible;
+  gap_.distance = unknown_;
   reported_ = reported_ || matters;
   close();
   return matters;

@@ -6,7 +6,7 @@ namespace cnc {
 
 /// Part of the path that stays uncut, from a place on.
 struct Uncut {
-  float distance_mm = 0.0F;
+  motion::PathUnits distance = 0;
   AxisArray<std::int32_t> from{};  ///< Motor steps.
 };
 
@@ -18,7 +18,7 @@ struct Uncut {
 class LightGap {
  public:
   /// Shorter parts that are not known any more are no reason to stop for.
-  static constexpr float kNegligibleMm = 0.1F;
+  static constexpr auto kNegligible = static_cast<motion::PathUnits>(0.1F * motion::kUnitsPerMm);
 
   LightGap(StepDrive& drive, MotionControl& motion) : drive_{drive}, motion_{motion} {}
 
@@ -48,7 +48,7 @@ class LightGap {
   MotionControl& motion_;
   bool opens_ = false;
   bool found_ = false;
-  float unknown_mm_ = 0.0F;
+  motion::PathUnits unknown_ = 0;
   Uncut gap_{};
   bool reported_ = false;
 };

@@ -24,10 +24,10 @@ void MotionControl::note_place() {
   trail_.add(tick + motors().ticks_ahead(), travelled());
 }
 
-float MotionControl::go_back(motion::PathUnits distance) {
-  const float unknown_mm = Pipeline::go_back(distance);
+motion::PathUnits MotionControl::go_back(motion::PathUnits distance) {
+  const motion::PathUnits unknown = Pipeline::go_back(distance);
   trail_.begin(drive_.ticks_handed_over(), travelled());
-  return unknown_mm;
+  return unknown;
 }
 
 AxisArray<std::int32_t> MotionControl::tool_steps() const {

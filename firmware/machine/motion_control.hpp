@@ -56,7 +56,7 @@ class MotionControl : private Pipeline {
   [[nodiscard]] bool is_lit_after(std::uint32_t tick) const { return trail_.is_lit_after(tick); }
   /// As Pipeline's: the motion goes on so far back, once the motors have been brought to place().
   /// @pre drained() or halted()
-  float go_back(motion::PathUnits distance);
+  motion::PathUnits go_back(motion::PathUnits distance);
 
   /// Sets input shaping and backlash; nothing happens if they stay.
   /// @pre nothing moves, or they stay

@@ -71,7 +71,9 @@ bool LineProtocol::tell_news() {
 /// coordinates.
 void LineProtocol::tell_uncut(const Uncut& uncut) {
   Reply reply = begin_answer();
-  reply.text("[MSG:").place(from_mm(uncut.distance_mm), false).text(" mm are uncut from ");
+  reply.text("[MSG:")
+      .place(motion::to_coordinate(uncut.distance), false)
+      .text(" mm are uncut from ");
   put_places(reply, machine_.motion().place_of(uncut.from), form_);
   const bool held = machine_.state() == MachineState::kHold;
   answer(reply.text(held ? " on; ~ goes on without them]" : " on]").end());

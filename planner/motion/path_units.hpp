@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "planner/base/coordinate.hpp"
 #include "planner/base/truncate.hpp"
 #include "planner/motion/block.hpp"
 
@@ -19,6 +20,11 @@ inline constexpr float kMmPerUnit = 1.0F / kUnitsPerMm;
 /// @pre 0 ≤ mm < 2^27
 [[nodiscard]] PathUnits to_units(float mm);
 [[nodiscard]] inline float to_mm(PathUnits units) { return nearest_float(units) * kMmPerUnit; }
+
+/// To the nanometre below. @pre 0 ≤ units < 2^59
+[[nodiscard]] constexpr Coordinate to_coordinate(PathUnits units) {
+  return Coordinate{((units >> 16) * 1'000'000) >> 20};
+}
 
 /// At least one, so that each block has a beginning and an end.
 [[nodiscard]] inline PathUnits length_in_units(const Block& block) {

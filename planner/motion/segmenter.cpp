@@ -5,6 +5,7 @@
 
 #include "planner/base/scalar_math.hpp"
 #include "planner/base/truncate.hpp"
+#include "planner/motion/block_rest.hpp"
 #include "planner/motion/power_course.hpp"
 
 namespace cnc::motion {
@@ -34,9 +35,15 @@ void Segmenter::reset(const AxisArray<StepPosition>& place) {
   stand(place);
 }
 
-void Segmenter::go_back(const AxisArray<StepPosition>& place, PathUnits distance) {
+void Segmenter::go_back(PathUnits place, PathUnits distance) {
   ended_ = travelled() - static_cast<std::uint64_t>(distance);
-  stand(place);
+  const Block& whole = queue_.front();
+  place_steps_ = queue_.start_of_front();
+  path_.begin(whole, place_steps_);
+  fraction_ = BlockFraction{length_in_units(whole)};
+  move_to(path_.at(fraction_.of(place)));
+  queue_.begin_at(place_steps_, rest_of(whole, place_steps_, place, limits_));
+  stand(place_steps_);
 }
 
 /// Nothing of the motion so far is left.

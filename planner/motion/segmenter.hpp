@@ -100,9 +100,9 @@ class Segmenter {
 
   /// Forgets all motion; the motors stand at `place` now. A halt stays.
   void reset(const AxisArray<StepPosition>& place);
-  /// Goes on from `place`, from rest, through the blocks of the queue, some of which were taken
-  /// back. @param distance that was handed out beyond that place @pre at rest
-  void go_back(const AxisArray<StepPosition>& place, PathUnits distance);
+  /// Goes on from rest at `place` on the block at the front of the queue, to which blocks were
+  /// taken back. @param distance that was handed out beyond it @pre at rest; 0 ≤ place < its length
+  void go_back(PathUnits place, PathUnits distance);
   /// Returns where the motors stand after the last slice: place(), and what follows the kerf.
   [[nodiscard]] AxisArray<StepPosition> motors() const;
 

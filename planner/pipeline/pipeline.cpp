@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "planner/base/contract.hpp"
-#include "planner/motion/block_rest.hpp"
 
 namespace cnc {
 namespace {
@@ -132,29 +131,26 @@ bool Pipeline::can_take_back(const motion::Block& block) {
   return !block.row.any() || pixels_.take_back(block.row.first);
 }
 
-float Pipeline::go_back(motion::PathUnits distance) {
+motion::PathUnits Pipeline::go_back(motion::PathUnits distance) {
   // A shorter rest of a block is driven from a little earlier on.
   constexpr motion::PathUnits kShortestRest = motion::PathUnits{1} << 26;  // 1 µm.
   motion::PathUnits into = segmenter_.idle() ? 0 : segmenter_.into_block();
   motion::PathUnits left = distance;
-  if (!queue_.empty() && !can_take_back(queue_.front())) return motion::to_mm(distance);
+  if (!queue_.empty() && !can_take_back(queue_.front())) return distance;
   while (left > into && queue_.kept() > 0 && can_take_back(queue_.newest_kept())) {
     queue_.take_back();
     left -= into;
     into = motion::length_in_units(queue_.front());
   }
-  if (queue_.empty()) return motion::to_mm(distance);
+  if (queue_.empty()) return distance;
   const motion::PathUnits unknown = std::max<motion::PathUnits>(0, left - into);
   const motion::PathUnits length = motion::length_in_units(queue_.front());
   const motion::PathUnits longest = std::max<motion::PathUnits>(0, length - kShortestRest);
   const motion::PathUnits place = std::min(into - (left - unknown), longest);
-  const motion::BlockRest rest =
-      motion::rest_of(queue_.front(), queue_.start_of_front(), place, limits_);
-  queue_.begin_at(rest.start, rest.block);
-  segmenter_.go_back(rest.start, distance - unknown);
+  segmenter_.go_back(place, distance - unknown);
   // Without shapers and backlash the stage is not told of how the motors come there.
-  if (!motors_.active()) motors_.reset(rest.start, {});
-  return motion::to_mm(unknown);
+  if (!motors_.active()) motors_.reset(segmenter_.place(), {});
+  return unknown;
 }
 
 void Pipeline::restart(const AxisArray<std::int32_t>& tool, const AxisArray<std::int32_t>& motors) {

@@ -77,9 +77,9 @@ class Pipeline {
   void keep_path(bool keeps) { queue_.keep_all(keeps); }
   /// Takes back the last `distance` of what was given out as segments: place() moves there, and
   /// next() goes on from there, from rest, once the motors have been brought to motor_place().
-  /// @return part of the distance, mm, that is not known any more and stays given out
+  /// @return part of the distance that is not known any more and stays given out
   /// @pre held() or empty()
-  float go_back(motion::PathUnits distance);
+  motion::PathUnits go_back(motion::PathUnits distance);
   void set_overrides(const motion::Overrides& overrides) { segmenter_.set_overrides(overrides); }
   [[nodiscard]] const motion::Overrides& overrides() const { return segmenter_.overrides(); }
 

@@ -53,19 +53,23 @@ TEST(BlockRest, RunsOnTheWholeBlockToItsEnd) {
     const PathUnits length = length_in_units(block);
     const auto where =
         static_cast<PathUnits>(random.between(0.0, 1.0) * static_cast<double>(length - 1));
-    const BlockRest rest = rest_of(block, start, where, limits);
+    const MotorPath path{block, start};
+    Places there = start;
+    const MotorPath::Point point = path.at(BlockFraction{length}.of(where));
+    for (const MotorPath::Motor& motor : path.moving()) there[motor.axis()] = motor.place(point);
+    const Block rest = rest_of(block, there, where, limits);
     const double gone = static_cast<double>(where) / static_cast<double>(length);
     const auto whole_mm = static_cast<double>(block.length);
-    EXPECT_NEAR(static_cast<double>(rest.block.length), (1.0 - gone) * whole_mm, 1.0e-6 * whole_mm);
-    EXPECT_EQ(rest.block.end, block.end);
-    EXPECT_EQ(rest.block.feed, block.feed);
+    EXPECT_NEAR(static_cast<double>(rest.length), (1.0 - gone) * whole_mm, 1.0e-6 * whole_mm);
+    EXPECT_EQ(rest.end, block.end);
+    EXPECT_EQ(rest.feed, block.feed);
     for (const double share : {0.0, 0.1, 0.35, 0.5, 0.8, 1.0}) {
       const Places wanted = at(block, start, gone + share * (1.0 - gone));
-      const double off = distance(at(rest.block, rest.start, share), wanted, limits);
+      const double off = distance(at(rest, there, share), wanted, limits);
       worst = std::max(worst, off / (whole_mm + 2.0));
       EXPECT_LT(off, 1.0e-6 * whole_mm + 2.0e-6) << "seed " << seed << ", share " << share;
     }
-    const AxisArray<float> tangent = exit_tangent(rest.block);
+    const AxisArray<float> tangent = exit_tangent(rest);
     for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
       EXPECT_NEAR(tangent[axis], exit_tangent(block)[axis], 2.0e-6F) << "seed " << seed;
     }
@@ -78,12 +82,11 @@ TEST(BlockRest, FromTheStartIsTheWholeBlock) {
   const Limits limits = plain_limits();
   Block block = block_of({.end = place({3.0, 4.0}), .bulge = 0.5F}, limits);
   block.outputs.raise = 1;
-  const BlockRest rest = rest_of(block, {}, 0, limits);
-  EXPECT_EQ(rest.block.length, block.length);
-  EXPECT_EQ(rest.block.turn.half_sweep, block.turn.half_sweep);
-  EXPECT_EQ(rest.block.normal, block.normal);
-  EXPECT_TRUE(rest.block.outputs.any());
-  EXPECT_EQ(rest.start, Places{});
+  const Block rest = rest_of(block, {}, 0, limits);
+  EXPECT_EQ(rest.length, block.length);
+  EXPECT_EQ(rest.turn.half_sweep, block.turn.half_sweep);
+  EXPECT_EQ(rest.normal, block.normal);
+  EXPECT_TRUE(rest.outputs.any());
 }
 
 TEST(BlockRest, ChangesNoOutputAgainAndHasTheRestOfTheRow) {
@@ -91,11 +94,11 @@ TEST(BlockRest, ChangesNoOutputAgainAndHasTheRestOfTheRow) {
   Block block = straight_block(8.0, limits);
   block.outputs.raise = 1;
   block.row = {.first = 7, .from_mm = 1.0F, .to_mm = 9.0F};
-  const BlockRest rest = rest_of(block, {}, to_units(2.0F), limits);
-  EXPECT_FALSE(rest.block.outputs.any());
-  EXPECT_EQ(rest.block.row.first, 7U);
-  EXPECT_NEAR(rest.block.row.from_mm, 3.0F, 1.0e-6F);
-  EXPECT_EQ(rest.block.row.to_mm, 9.0F);
+  const Block rest = rest_of(block, steps_at(place({2.0}), limits), to_units(2.0F), limits);
+  EXPECT_FALSE(rest.outputs.any());
+  EXPECT_EQ(rest.row.first, 7U);
+  EXPECT_NEAR(rest.row.from_mm, 3.0F, 1.0e-6F);
+  EXPECT_EQ(rest.row.to_mm, 9.0F);
 }
 
 }  // namespace

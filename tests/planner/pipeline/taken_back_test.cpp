@@ -48,7 +48,7 @@ TEST_F(TakenBackTest, GoesOnFromWhereItWasAsIfItHadBeenHaltedThere) {
   const double back = stood - way[way.size() / 2].first;
   EXPECT_EQ(pipeline->go_back(
                 static_cast<motion::PathUnits>(back * static_cast<double>(motion::kUnitsPerMm))),
-            0.0F);
+            0);
   EXPECT_NEAR(travelled_mm(), stood - back, 1.0e-6);
   EXPECT_TRUE(pipeline->held());
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
@@ -72,8 +72,8 @@ TEST_F(TakenBackTest, SaysHowMuchIsNotKnownAnyMore) {
   begin(300);
   halt_after(500.0);
   const double stood = travelled_mm();
-  const float unknown_mm = pipeline->go_back(
-      static_cast<motion::PathUnits>(400.0 * static_cast<double>(motion::kUnitsPerMm)));
+  const float unknown_mm = motion::to_mm(pipeline->go_back(
+      static_cast<motion::PathUnits>(400.0 * static_cast<double>(motion::kUnitsPerMm))));
   EXPECT_GT(unknown_mm, 1.0F);
   EXPECT_LT(unknown_mm, 400.0F - 2.0F * motion::kBlocksKept);
   EXPECT_NEAR(travelled_mm(), stood - 400.0 + static_cast<double>(unknown_mm), 1.0e-3);
@@ -90,7 +90,7 @@ TEST_F(TakenBackTest, SaysHowMuchIsNotKnownAnyMore) {
 TEST_F(TakenBackTest, TakesBackWhatWasDrivenToTheEnd) {
   begin(3);
   finish();
-  EXPECT_EQ(pipeline->go_back(motion::to_units(3.0F)), 0.0F);
+  EXPECT_EQ(pipeline->go_back(motion::to_units(3.0F)), 0);
   EXPECT_FALSE(pipeline->empty());
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     motors[axis] = pipeline->place()[axis].nearest_step();
@@ -103,7 +103,7 @@ TEST_F(TakenBackTest, TakesNothingBackAfterAllWasForgotten) {
   begin(3);
   finish();
   pipeline->restart(motors, motors);
-  EXPECT_EQ(pipeline->go_back(motion::to_units(3.0F)), 3.0F);
+  EXPECT_EQ(pipeline->go_back(motion::to_units(3.0F)), motion::to_units(3.0F));
   EXPECT_TRUE(pipeline->empty());
 }
 
