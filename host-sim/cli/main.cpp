@@ -8,7 +8,12 @@
 #include <system_error>
 
 #include "firmware/protocol/identity.hpp"
+#include "hal/host/replacing_file.hpp"
 #include "host-sim/cli/commands.hpp"
+#include "host-sim/cli/file_options.hpp"
+#include "host-sim/cli/help_formatter.hpp"
+#include "host-sim/cli/nearest_name.hpp"
+#include "host-sim/cli/standard_streams.hpp"
 #include "planner/base/contract.hpp"
 
 void cnc::contract_failed(const char* condition, const char* file, int line) {
@@ -40,6 +45,7 @@ constexpr const char* kProgramFooter =
 int run(int argc, char** argv) {
   CLI::App app{kDescription, "kerfline"};
   app.footer(kProgramFooter);
+  app.formatter(sim::help_formatter());
   app.require_subcommand(1);
   app.set_version_flag("--version", std::string{cnc::identity::version()});
   sim::ExitStatus status = sim::ExitStatus::kFine;
@@ -54,11 +60,15 @@ int run(int argc, char** argv) {
   sim::add_send_command(app, status);
   sim::add_completion_command(app);
   sim::add_manual_command(app);
+  app.parse_complete_callback([&app] { sim::refuse_shared_files(app); });
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    const int code = app.exit(error);
-    return code == 0 ? 0 : static_cast<int>(sim::ExitStatus::kUsage);
+    if (error.get_exit_code() == 0) return app.exit(error);
+    const auto unknown = sim::unknown_word(app, {argv + 1, argv + argc});
+    sim::print_error(unknown ? unknown->c_str() : error.what());
+    fmt::print(stderr, "Run with --help for more information.\n");
+    return static_cast<int>(sim::ExitStatus::kUsage);
   }
   return static_cast<int>(status);
 }
@@ -66,10 +76,14 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  sim::prepare_standard_streams();
+  hal::host::ReplacingFile::remove_unfinished_on_signals();
+  constexpr int kUsage = static_cast<int>(sim::ExitStatus::kUsage);
+  int status = kUsage;
   try {
-    return run(argc, argv);
+    status = run(argc, argv);
   } catch (const std::exception& error) {
-    fmt::print(stderr, "kerfline: {}\n", error.what());
-    return static_cast<int>(sim::ExitStatus::kUsage);
+    sim::print_error(error.what());
   }
+  return sim::finish_standard_output() ? status : kUsage;
 }

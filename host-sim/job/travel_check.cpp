@@ -69,9 +69,10 @@ std::vector<Fault> check_travel(const ProgrammedPath& path,
                       .line = static_cast<std::size_t>(overrun->line),
                       .column = column_of(line_of(text, overrun->line), letter),
                       .number = kTravelExceeded,
-                      .message = fmt::format("{} needs {:.3f} mm of travel, ${} allows {:g}",
+                      .message = fmt::format("{} needs {:.3f} {} of travel, ${} allows {:g}",
                                              letter,
                                              overrun->extent_mm,
+                                             axis < cnc::kLinearAxisCount ? "mm" : "degrees",
                                              cnc::setting::kTravel + axis,
                                              travel)});
   }

@@ -1,0 +1,40 @@
+#include "host-sim/cli/standard_streams.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <initializer_list>
+
+namespace sim {
+
+void prepare_standard_streams() {
+  for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(number, F_GETFD) >= 0) continue;
+    // The wrong way round, so that using it fails; it gets the lowest number that is free.
+    const int mode = number == STDIN_FILENO ? O_WRONLY : O_RDONLY;
+    if (::open("/dev/null", mode) != number) ::_exit(2);
+  }
+  static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
+  static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
+}
+
+bool finish_standard_output() {
+  const bool failed_before = std::ferror(stdout) != 0;
+  errno = 0;
+  if (std::fflush(stdout) == 0 && !failed_before) return true;
+  const int reason = errno;
+  static_cast<void>(std::fprintf(stderr,
+                                 "kerfline: standard output: %s\n",
+                                 reason == 0 ? "not all was written" : std::strerror(reason)));
+  return false;
+}
+
+void print_error(const char* reason) {
+  static_cast<void>(std::fprintf(stderr, "kerfline: %s\n", reason));
+}
+
+}  // namespace sim
