@@ -58,6 +58,14 @@ std::uint32_t crc_of(std::string_view text) {
   return ~crc;
 }
 
+/// The last line of a file with these lines before it.
+std::string end_of(std::string_view text) {
+  const auto records = std::count(text.begin(), text.end(), '\n') - 1;
+  std::ostringstream line;
+  line << kEnd << records << ' ' << std::hex << std::setfill('0') << std::setw(8) << crc_of(text);
+  return line.str() + '\n';
+}
+
 std::string text_of(const MemoryStore::Records& records) {
   std::ostringstream text;
   text << kHead;
@@ -66,9 +74,7 @@ std::string text_of(const MemoryStore::Records& records) {
     for (const std::byte byte : record) text << std::setw(2) << std::to_integer<unsigned>(byte);
     text << '\n';
   }
-  const std::uint32_t crc = crc_of(text.str());
-  text << kEnd << std::dec << records.size() << ' ' << std::hex << std::setw(8) << crc << '\n';
-  return text.str();
+  return text.str() + end_of(text.str());
 }
 
 std::string read_whole(int file) {
@@ -88,18 +94,8 @@ std::optional<std::string> wrong_end(std::string_view& text) {
   const std::size_t last = text.substr(0, text.size() - 1).rfind('\n') + 1;
   const std::string_view line = text.substr(last);
   if (!line.starts_with(kEnd) || !line.ends_with('\n')) return "the file is cut off";
-  const std::string_view figures = line.substr(kEnd.size(), line.size() - kEnd.size() - 1);
-  const std::size_t blank = figures.find(' ');
-  std::uint32_t crc = 0;
-  std::size_t count = 0;
-  const bool is_end = blank != std::string_view::npos &&
-                      read_number(figures.substr(0, blank), 10, count) &&
-                      read_number(figures.substr(blank + 1), 16, crc);
   text = text.substr(0, last);
-  const auto lines = static_cast<std::size_t>(std::ranges::count(text, '\n'));
-  if (!is_end || crc != crc_of(text) || count + 1 != lines) {
-    return "the file is damaged: its checksum is another";
-  }
+  if (line != end_of(text)) return "the file is damaged: its checksum is another";
   return std::nullopt;
 }
 

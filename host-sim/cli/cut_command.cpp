@@ -148,7 +148,7 @@ std::string timed_program(const CutCommandOptions& options,
                           CutFigures& figures,
                           ExitStatus& status) {
   const std::string name = options.output.empty() ? "the program" : options.output;
-  const Report report = check_program(job, run, name);
+  const Report report = check_program(job, run, lines_of(job, figures), name);
   figures.job_time_s = report.job_time_s;
   for (const Fault& fault : report.faults) fmt::print(stderr, "{}\n", to_string(fault));
   if (!report.faults.empty()) {

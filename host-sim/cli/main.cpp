@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <exception>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
@@ -64,7 +65,12 @@ int run(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return app.exit(error);
+    if (error.get_exit_code() == 0) {
+      std::ostringstream text;
+      const int code = app.exit(error, text);
+      fmt::print("{}", text.str());
+      return code;
+    }
     const auto unknown = sim::unknown_word(app, {argv + 1, argv + argc});
     sim::print_error(unknown ? unknown->c_str() : error.what());
     fmt::print(stderr, "Run with --help for more information.\n");
@@ -80,10 +86,17 @@ int main(int argc, char** argv) {
   hal::host::ReplacingFile::remove_unfinished_on_signals();
   constexpr int kUsage = static_cast<int>(sim::ExitStatus::kUsage);
   int status = kUsage;
+  int output_error = 0;
   try {
     status = run(argc, argv);
+  } catch (const std::system_error& error) {
+    if (sim::standard_output_failed()) {
+      output_error = error.code().value();
+    } else {
+      sim::print_error(error.what());
+    }
   } catch (const std::exception& error) {
     sim::print_error(error.what());
   }
-  return sim::finish_standard_output() ? status : kUsage;
+  return sim::finish_standard_output(output_error) ? status : kUsage;
 }

@@ -109,7 +109,7 @@ bool report_vanished(const std::string& file,
       const double wide = std::abs(size.area_mm2) / std::max(size.length_mm, 1.0e-9);
       if (!shrinks || std::abs(distance_mm) < wide) continue;
       if (size.area_mm2 < 0.0) turn_round(alone);
-      if (!offsetter.offset(alone.view(), -std::abs(distance_mm)).loop_ends.size() != 0) continue;
+      if (offsetter.offset(alone.view(), -std::abs(distance_mm)).loop_ends.size() != 0) continue;
       any = true;
       fmt::print(stderr,
                  "{}: the {} that begins at {:.3f} {:.3f} vanishes at distance {:g} mm; choose a "

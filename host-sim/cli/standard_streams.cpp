@@ -22,11 +22,13 @@ void prepare_standard_streams() {
   static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
 }
 
-bool finish_standard_output() {
-  const bool failed_before = std::ferror(stdout) != 0;
+bool standard_output_failed() { return std::ferror(stdout) != 0; }
+
+bool finish_standard_output(int reason) {
+  const bool failed_before = standard_output_failed();
   errno = 0;
   if (std::fflush(stdout) == 0 && !failed_before) return true;
-  const int reason = errno;
+  if (reason == 0) reason = errno;
   static_cast<void>(std::fprintf(stderr,
                                  "kerfline: standard output: %s\n",
                                  reason == 0 ? "not all was written" : std::strerror(reason)));

@@ -8,8 +8,11 @@ namespace sim {
 void prepare_standard_streams();
 
 /// Writes what standard output still holds. False where any of it did not arrive; the reason goes
-/// to standard error.
-[[nodiscard]] bool finish_standard_output();
+/// to standard error. @param reason of an earlier failure, as errno has it; 0 for none
+[[nodiscard]] bool finish_standard_output(int reason);
+
+/// Whether standard output failed to take something.
+[[nodiscard]] bool standard_output_failed();
 
 /// Prints `kerfline: REASON` to standard error, if that takes it.
 void print_error(const char* reason);

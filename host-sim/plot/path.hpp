@@ -15,7 +15,8 @@ enum class Move : std::uint8_t {
 /// The quantity that the colours of a picture show.
 enum class Shown : std::uint8_t {
   kSpeed,  ///< Along X, Y and Z together, mm/s.
-  kDepth,  ///< Of the tool, mm: below Z0, or below the highest cut where all are above it.
+  kDepth,  ///< Of the tool, mm: below Z0, or below the highest cut along X or Y where all are above
+           ///< it.
   kPower,  ///< Share of the greatest output, 0…1.
 };
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <functional>
 #include <utility>
 
 #include "planner/base/contract.hpp"
@@ -99,15 +99,28 @@ void PathRecorder::come_to_rest() {
   close_window();
 }
 
+// Plunges through the air and links above the work are cuts to the controller, too: what goes along
+// is counted, but for its highest hundredth.
 void PathRecorder::measure_depths() {
-  float highest = -std::numeric_limits<float>::infinity();
-  float lowest = std::numeric_limits<float>::infinity();
-  for (const PathVertex& vertex : path_.vertices) {
-    if (vertex.move != Move::kCut) continue;
-    highest = std::max(highest, vertex.speed_mm_s);
-    lowest = std::min(lowest, vertex.speed_mm_s);
+  constexpr double kLinks = 0.01;
+  std::vector<std::pair<float, double>> cuts;  // Height and length.
+  double left_mm = 0.0;
+  for (std::size_t i = 1; i < path_.vertices.size(); ++i) {
+    const PathVertex& from = path_.vertices[i - 1];
+    const PathVertex& to = path_.vertices[i];
+    if (to.move != Move::kCut) continue;
+    cuts.emplace_back(to.speed_mm_s, std::hypot(to.x_mm - from.x_mm, to.y_mm - from.y_mm));
+    left_mm += kLinks * cuts.back().second;
   }
-  const float zero = lowest < 0.0F ? 0.0F : highest;
+  std::ranges::sort(cuts, std::ranges::greater{});
+  float zero = 0.0F;
+  if (!cuts.empty() && cuts.back().first >= 0.0F) {
+    for (const auto& [height_mm, length_mm] : cuts) {
+      zero = height_mm;
+      left_mm -= length_mm;
+      if (left_mm < 0.0) break;
+    }
+  }
   for (PathVertex& vertex : path_.vertices) {
     vertex.speed_mm_s = std::max(zero - vertex.speed_mm_s, 0.0F);
   }

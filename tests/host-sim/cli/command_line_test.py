@@ -292,6 +292,14 @@ class CommandLine(unittest.TestCase):
             self.assertIn(heading, svg.read_text())
             self.assertEqual("kerf" in svg.read_text(), kerf, heading)
 
+    def test_depth_counts_from_zero_or_from_the_highest_cut(self):
+        for levels, deepest in (((-1, -4), "4"), ((10, 6), "4"), ((2, -3), "3")):
+            svg = self.folder / "out.svg"
+            text = f"G21 G90\nG0 Z20\nM3 S500\nG1 Z{levels[0]} F600\nX20\nZ{levels[1]}\nX0\nM5\nG0 Z20\n"
+            self.assertEqual(run("sim", "-", "--set", "$32=0", "--svg", svg, text=text).returncode, 0)
+            legend = svg.read_text().partition("Depth, mm")[2].partition(">cut<")[0]
+            self.assertEqual(re.findall(r">([\d.]+)</text>", legend)[-1], deepest, levels)
+
     def test_an_offset_that_vanishes_is_told(self):
         part = self.folder / "part.txt"
         part.write_text("0 0\n40 0\n40 30\n0 30\n\n10 10 1\n14 10 1\n")
@@ -327,7 +335,7 @@ class CommandLine(unittest.TestCase):
             run(*call, "--svg", svg)
             head = svg.read_text()[:400]
             self.assertIn("viewBox=", head)
-            self.assertIn("max-width:100%;height:auto", head)
+            self.assertIn("max-width:100%;max-height:100vh", head)
 
 
 if __name__ == "__main__":

@@ -112,7 +112,7 @@ class Cut(unittest.TestCase):
         self.assertEqual(re.findall(r'paint-order="stroke">(\d+)<', text), ["1", "2", "3", "4"])
         self.assertIn("85.0 \u00d7 50.0 mm", text)
         self.assertIn("1400 W at 5000 mm/min, kerf 0.5617 mm", text)
-        self.assertIn("max-width:100%;height:auto", text)
+        self.assertIn("max-width:100%;max-height:100vh", text)
         length = re.search(r"([\d.]+) mm cut", done.stderr)[1]
         self.assertIn(f"{length} mm cut", text)
 

@@ -42,6 +42,7 @@ class Command:
 
 STEEL = ("--material", "CSP 1N")
 SETTINGS = "$110=1000\n"
+COUPON = (*STEEL, "--thickness", "2", "--full-power", "2000", "--laser", "a")
 COMMANDS = {
     "sim": Command((), {"FILE": PROGRAM, "--settings": SETTINGS},
                    ("--trace", "--vcd", "--report", "--svg", "--png"), takes_stdin=True,
@@ -58,22 +59,22 @@ COMMANDS = {
     "kerf show": Command(("--material", "tin", "--cuts"), {}, (), {"--db": CUTS}),
     "kerf advise": Command((*STEEL, "--thickness", "2"), {}, (), {"--db": CUTS}),
     "kerf plot": Command(STEEL, {}, ("--svg", "--png"), {"--db": CUTS}),
-    "kerf calibrate": Command((*STEEL, "--thickness", "2", "--full-power", "2000", "--laser", "a"),
-                              {}, ("--out", "--form"), {"--db": CUTS}),
+    "kerf calibrate": Command(COUPON, {}, ("--out",), {"--db": CUTS}),
     "kerf image": Command(STEEL, {}, ("--out",), {"--db": CUTS}),
     "offset": Command(("--distance", "1"), {"FILE": PLATE}, ("--output", "--svg", "--dxf"),
                       takes_stdin=True),
     "drawing": Command((), {"FILE": PLATE}, ("--svg",), takes_stdin=True),
     "cut": Command((*STEEL, "--thickness", "2"),
-                   {"DRAWING": PLATE, "--layers": "#000000: tabs=2\n", "--settings": SETTINGS},
-                   ("--output", "--svg", "--report"), takes_stdin=True,
+                   {"DRAWING": PLATE, "--layers": ": tabs=2\n", "--settings": SETTINGS},
+                   ("--output", "--svg", "--report"), {"--db": CUTS}, takes_stdin=True,
                    empty_is_refused=("--layers", "--settings")),
     "send": Command((), {"file": PROGRAM}, ("--log",), takes_stdin=True, empty_is_refused=("file",)),
 }
-# A second way to call a command, for options that exclude others.
+# Further ways to call a command, for options that exclude or need others.
+FORM = Command((*COUPON, "--out", "/dev/null"), {}, ("--form",))
 MEASURED = Command((), {"--measured": CUTS}, (), {"--db": None}, takes_stdin=True,
                    empty_is_refused=("--measured",))
-CALLS = [*COMMANDS.items(), ("kerf calibrate", MEASURED)]
+CALLS = [*COMMANDS.items(), ("kerf calibrate", FORM), ("kerf calibrate", MEASURED)]
 NO_FILES = {"completion", "manual", "kerf", ""}
 # Devices, whose opening is the business of ports.
 DEVICES = {("send", "--port"), ("send", "--slcan")}
@@ -88,7 +89,7 @@ def file_options_in(text):
     """Options whose value is a file by its type, and positionals but those of a closed set."""
     found = set()
     for line in text.splitlines():
-        if match := re.match(r"  (?:-\w,)?(--[\w-]+) (FILE|LINK|DEVICE)\b", line):
+        if match := re.match(r" {2,4}(?:-\w,)?(--[\w-]+) (FILE|LINK|DEVICE)\b", line):
             found.add(match[1])
     _, _, positionals = text.partition("\nPositionals:\n")
     for line in positionals.split("\n\n")[0].splitlines():
@@ -113,8 +114,11 @@ class Bench:
         self.files = {}
         for option, content in command.inputs.items():
             self.put(option, content)
+        if name == "replay":  # With what this controller says.
+            subprocess.run([KERFLINE[0], "replay", self.files["FILE"], "--update"], check=True,
+                           capture_output=True, env=ENVIRONMENT)
         for option in command.outputs:
-            self.put(option, "old\n" * 3)
+            self.put(option, "previous\n" * 3)
         for option, content in command.kept.items():
             self.files[option] = self.path(option)
             if content is not None:
@@ -137,10 +141,9 @@ class Bench:
         self.files[option].write_text(content)
 
     def words(self, files):
-        words = [*self.name.split(), *self.command.call]
-        for option, file in files.items():
-            words += [str(file)] if not option.startswith("-") else [option, str(file)]
-        return words
+        positionals = [str(file) for option, file in files.items() if not option.startswith("-")]
+        named = [word for option, file in files.items() if option.startswith("-") for word in (option, str(file))]
+        return [*self.name.split(), *positionals, *self.command.call, *named]
 
     def contents(self):
         """What every file in the folder is, links as what they lead to."""
