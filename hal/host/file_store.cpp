@@ -1,21 +1,32 @@
 #include "hal/host/file_store.hpp"
 
 #include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
+#include <cerrno>
 #include <charconv>
-#include <cstdio>
-#include <fstream>
 #include <iomanip>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
+
+#include "hal/host/replacing_file.hpp"
 
 namespace hal::host {
 namespace {
 
+constexpr std::string_view kHead = "kerfline store 2\n";
+constexpr std::string_view kEnd = "end ";
+
 /// Reads `number` in the base; false when the text holds anything else.
-bool read_number(std::string_view text, int base, unsigned& number) {
+template <typename Number>
+bool read_number(std::string_view text, int base, Number& number) {
   const auto read = std::from_chars(text.data(), text.data() + text.size(), number, base);
   return read.ec == std::errc{} && read.ptr == text.data() + text.size();
 }
@@ -36,39 +47,129 @@ bool read_record(std::string_view line, unsigned& number, std::vector<std::byte>
   return true;
 }
 
+/// CRC-32 of IEEE 802.3, as in zlib.
+std::uint32_t crc_of(std::string_view text) {
+  constexpr std::uint32_t kPolynomial = 0xEDB8'8320;
+  std::uint32_t crc = 0xFFFF'FFFF;
+  for (const char letter : text) {
+    crc ^= static_cast<unsigned char>(letter);
+    for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1U) != 0 ? kPolynomial : 0U);
+  }
+  return ~crc;
+}
+
+/// The last line of a file with these lines before it.
+std::string end_of(std::string_view text) {
+  const auto records = std::count(text.begin(), text.end(), '\n') - 1;
+  std::ostringstream line;
+  line << kEnd << records << ' ' << std::hex << std::setfill('0') << std::setw(8) << crc_of(text);
+  return line.str() + '\n';
+}
+
 std::string text_of(const MemoryStore::Records& records) {
   std::ostringstream text;
+  text << kHead;
   for (const auto& [number, record] : records) {
     text << std::dec << number << ':' << std::hex << std::setfill('0');
     for (const std::byte byte : record) text << std::setw(2) << std::to_integer<unsigned>(byte);
     text << '\n';
   }
-  return text.str();
+  return text.str() + end_of(text.str());
 }
 
-/// Writes and waits until the disk has it.
-bool write_through(const std::string& path, const std::string& text) {
-  const int file = ::creat(path.c_str(), 0666);
-  if (file < 0) return false;
-  const bool written = ::write(file, text.data(), text.size()) == std::ssize(text);
-  const bool kept = written && ::fsync(file) == 0;
-  return ::close(file) == 0 && kept;
+std::string read_whole(int file) {
+  std::string text;
+  std::array<char, 4096> part{};
+  for (;;) {
+    const ::ssize_t count = ::read(file, part.data(), part.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) throw std::system_error{errno, std::generic_category()};
+    if (count == 0) return text;
+    text.append(part.data(), static_cast<std::size_t>(count));
+  }
 }
+
+/// Splits the records off a file of the second format, or says what is wrong with its last line.
+std::optional<std::string> wrong_end(std::string_view& text) {
+  const std::size_t last = text.substr(0, text.size() - 1).rfind('\n') + 1;
+  const std::string_view line = text.substr(last);
+  if (!line.starts_with(kEnd) || !line.ends_with('\n')) return "the file is cut off";
+  text = text.substr(0, last);
+  if (line != end_of(text)) return "the file is damaged: its checksum is another";
+  return std::nullopt;
+}
+
+constexpr const char* kRemedy =
+    "; put a copy in its place, or remove it to begin with the delivered settings";
 
 }  // namespace
 
-FileStore::FileStore(std::string path) : path_{std::move(path)} { read(); }
+FileStore::FileStore(std::string path) : path_{std::move(path)} {
+  try {
+    const bool is_new = open_and_lock();
+    if (!is_new) {
+      read();
+      return;
+    }
+    if (write()) return;
+    static_cast<void>(::unlink(without_links(path_).c_str()));
+    throw std::runtime_error("cannot be written; is the disk full?");
+  } catch (const std::exception& error) {
+    release();
+    // A line of the file begins with its colon.
+    const std::string reason = error.what();
+    throw std::runtime_error(path_ + (reason.starts_with(':') ? "" : ": ") + reason);
+  }
+}
+
+FileStore::~FileStore() { release(); }
+
+void FileStore::release() {
+  if (lock_ >= 0) static_cast<void>(::close(lock_));
+  lock_ = -1;
+}
+
+bool FileStore::open_and_lock() {
+  constexpr int kMostTries = 100;  // Another process replaces the file once in a while.
+  const std::string target = without_links(path_);
+  for (int i = 0; i < kMostTries; ++i) {
+    release();
+    lock_ = ::open(target.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    const bool is_new = lock_ >= 0;
+    if (!is_new && errno == EEXIST) lock_ = ::open(target.c_str(), O_RDWR | O_CLOEXEC | O_NOCTTY);
+    if (lock_ < 0) throw std::system_error{errno, std::generic_category(), "cannot open"};
+    struct ::stat locked {};
+    struct ::stat named {};
+    if (::fstat(lock_, &locked) != 0 || !S_ISREG(locked.st_mode)) {
+      throw std::runtime_error("is no regular file");
+    }
+    if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
+      if (errno != EWOULDBLOCK) throw std::system_error{errno, std::generic_category(), "no lock"};
+      throw std::runtime_error("another server uses it; end that one, or name another file");
+    }
+    if (::stat(target.c_str(), &named) == 0 && named.st_ino == locked.st_ino) return is_new;
+  }
+  throw std::runtime_error("it is replaced again and again by another process");
+}
 
 void FileStore::read() {
-  std::ifstream file{path_};
-  std::string line;
-  for (int at = 1; std::getline(file, line); ++at) {
+  const std::string whole = read_whole(lock_);
+  std::string_view text = whole;
+  if (text.empty()) throw std::runtime_error(std::string{"the file is empty"} + kRemedy);
+  const bool has_end = text.starts_with(kHead);
+  if (has_end) {
+    if (const auto wrong = wrong_end(text)) throw std::runtime_error(*wrong + kRemedy);
+    text.remove_prefix(kHead.size());
+  }
+  for (int at = has_end ? 2 : 1; !text.empty(); ++at) {
+    const std::size_t end = std::min(text.find('\n'), text.size());
     unsigned number = 0;
     std::vector<std::byte> record;
-    if (!read_record(line, number, record)) {
-      throw std::runtime_error(path_ + ":" + std::to_string(at) + ": not a stored record");
+    if (!read_record(text.substr(0, end), number, record)) {
+      throw std::runtime_error(":" + std::to_string(at) + ": not a stored record" + kRemedy);
     }
     records_[static_cast<std::uint16_t>(number)] = record;
+    text.remove_prefix(std::min(end + 1, text.size()));
   }
 }
 
@@ -80,9 +181,19 @@ bool FileStore::save(std::uint16_t number, std::span<const std::byte> record) {
   return false;
 }
 
-bool FileStore::write() const {
-  const std::string fresh = path_ + ".new";
-  return write_through(fresh, text_of(records_)) && std::rename(fresh.c_str(), path_.c_str()) == 0;
+/// The new file is locked before it has the name.
+bool FileStore::write() {
+  try {
+    ReplacingFile fresh{path_};
+    fresh.write(text_of(records_));
+    if (::flock(fresh.descriptor(), LOCK_EX | LOCK_NB) != 0) return false;
+    fresh.commit();
+    release();
+    lock_ = ::fcntl(fresh.descriptor(), F_DUPFD_CLOEXEC, 0);
+    return true;
+  } catch (const std::system_error&) {
+    return false;
+  }
 }
 
 }  // namespace hal::host

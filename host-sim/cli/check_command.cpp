@@ -12,24 +12,31 @@
 namespace sim {
 namespace {
 
-std::string bounds_text(const Report& report) {
+/// Of the axes from `first` to before `last`; empty where none of them moves.
+std::string bounds_text(const Report& report, std::size_t first, std::size_t last) {
   std::string text;
-  for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
+  for (std::size_t axis = first; axis < last; ++axis) {
     const AxisReport& bounds = report.axes[axis];
     if (bounds.least_mm == bounds.greatest_mm) continue;
     text += fmt::format(
         "  {} {:.3f} to {:.3f}", cnc::kAxisLetters[axis], bounds.least_mm, bounds.greatest_mm);
   }
-  return text.empty() ? "  no motion" : text;
+  return text;
 }
 
 void print(const Report& report) {
-  fmt::print("{}: {} lines, {}, {:.1f} mm\n",
+  fmt::print("{}: {} lines, {}, {:.1f} mm, {:.1f} mm of it cut\n",
              report.job,
              report.lines,
              duration_text(report.job_time_s),
-             report.path_length_mm);
-  fmt::print("  bounds in mm:{}\n", bounds_text(report));
+             report.path_length_mm,
+             report.cut_length_mm);
+  const std::string linear = bounds_text(report, 0, cnc::kLinearAxisCount);
+  const std::string rotary = bounds_text(report, cnc::kLinearAxisCount, cnc::kAxisCount);
+  if (!linear.empty() || rotary.empty()) {
+    fmt::print("  bounds in mm:{}\n", linear.empty() ? "  no motion" : linear);
+  }
+  if (!rotary.empty()) fmt::print("  bounds in degrees:{}\n", rotary);
   for (const std::string& warning : report.warnings) fmt::print("  warning: {}\n", warning);
   for (const Fault& fault : report.faults) fmt::print("{}\n", to_string(fault));
 }
@@ -41,10 +48,12 @@ nlohmann::ordered_json summary(const Report& report) {
                           "version",
                           "job_time_s",
                           "path_length_mm",
+                          "cut_length_mm",
                           "lines",
                           "refused_lines",
                           "blocks",
                           "bounds_mm",
+                          "bounds_deg",
                           "warnings",
                           "faults"}) {
     picked[key] = all.at(key);
@@ -57,7 +66,7 @@ ExitStatus check_all(const JobOptions& options) {
   if (options.json) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const Report& report : reports) all.push_back(summary(report));
-    fmt::print("{}\n", (reports.size() == 1 ? all[0] : all).dump(2));
+    fmt::print("{}\n", dumped(all));
   } else {
     for (const Report& report : reports) print(report);
   }
@@ -70,6 +79,13 @@ void add_check_command(CLI::App& app, ExitStatus& status) {
   CLI::App* command = app.add_subcommand(
       "check",
       "Look programs over: time, bounds, travel, and every fault as file:line:column: message.");
+  command->footer(
+      "Examples:\n"
+      "  kerfline check part.nc --settings laser.settings\n"
+      "  kerfline check *.nc --json\n"
+      "  cat part.nc | kerfline check -\n"
+      "\n"
+      "Exit status: 0 fine, 1 the program has faults, 2 the call is wrong.");
   const auto options = std::make_shared<JobOptions>();
   options->add_to(*command);
   command->callback([options, &status] { status = check_all(*options); });

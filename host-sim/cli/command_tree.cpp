@@ -2,19 +2,15 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
-#include <string_view>
 #include <utility>
+
+#include "host-sim/cli/file_options.hpp"
 
 namespace sim {
 namespace {
 
 bool names_file(const CLI::Option& option) {
-  constexpr std::array<std::string_view, 3> kFileTypes{"FILE", "DEVICE", "LINK"};
-  const std::string type = option.get_type_name();
-  return option.get_positional()
-             ? option.get_type_name().find('{') == std::string::npos
-             : std::find(kFileTypes.begin(), kFileTypes.end(), type) != kFileTypes.end();
+  return file_role(option).has_value() || option.get_type_name() == "DEVICE";
 }
 
 /// Returns `a` and `b` of `{a,b}` and of `{a->0,b->1}`, which is how CLI11 describes a closed set.

@@ -10,12 +10,14 @@
 
 #include "firmware/protocol/identity.hpp"
 #include "host-sim/cli/commands.hpp"
+#include "host-sim/cli/cut_options.hpp"
 #include "host-sim/cli/cut_runs.hpp"
 #include "host-sim/cli/job_options.hpp"
-#include "host-sim/cli/kerf_options.hpp"
-#include "host-sim/cli/outline_options.hpp"
 #include "host-sim/cut/cut_report.hpp"
+#include "host-sim/cut/kerf_notes.hpp"
 #include "host-sim/plot/cut_picture.hpp"
+#include "host-sim/report/report_json.hpp"
+#include "host-sim/trace/input_file.hpp"
 #include "host-sim/trace/output_file.hpp"
 
 namespace sim {
@@ -26,45 +28,6 @@ using cut::CutJob;
 using cut::CutPlan;
 using cut::LayerSettings;
 using drawing::Drawing;
-
-constexpr const char* kCutFooter =
-    "Parts get the drawn size: the beam goes half a kerf beside the line, on the side of the\n"
-    "waste. Power and feed that are not given are chosen: the fastest permissible cut.\n"
-    "Lines and arcs stay what they are, other curves become smooth arcs within the tolerance.\n"
-    "--layer 'holes: feed=3000, lead-in=line:1' is for the layer, or colour, of that name; keys\n"
-    "are power, feed, side (waste, on: on the line, skip), lead-in, lead-out (none, line:MM,\n"
-    "arc:MM), overcut, tabs, tab-width, pierce, corner-loop, corner-dwell and corner-angle.\n"
-    "With --kerf-table the program has the drawn outlines and M190, and the controller goes by\n"
-    "its own table, its $PC and $860; tabs, corner loops and dwells keep a contour from it.\n"
-    "--layers FILE has one such text to a line.\n"
-    "\n"
-    "Example:\n"
-    "  kerfline cut part.dxf --material 'CSP 1N' --thickness 2 --lead-in arc:3 -o part.nc "
-    "--svg part.svg\n"
-    "\n"
-    "Exit status: 0 fine, 1 the drawing has faults, 2 the call is wrong.";
-
-struct CutCommandOptions {
-  std::string file;
-  drawing::ImportOptions import;
-  OutlineOptions curves;
-  RecordOptions record;
-  double thickness_mm = 0.0;
-  std::vector<std::pair<std::string, std::string>> common;  ///< Keys of LayerSettings.
-  std::vector<std::string> layers;
-  std::string layers_file;
-  double full_power_w = 0.0;  ///< 0: the greatest of the record.
-  bool constant_power = false;
-  std::optional<unsigned> kerf_table{};  ///< The controller finds the way beside parts.
-  bool anyway = false;
-  bool check = false;
-  unsigned decimals = 4;
-  std::string settings_file;
-  std::vector<std::string> set;
-  std::string output;
-  std::string svg;
-  std::string report;
-};
 
 std::vector<cut::LayerRule> rules_of(const CutCommandOptions& options, const Drawing& drawn) {
   std::vector<cut::LayerRule> rules;
@@ -91,9 +54,13 @@ cut::Condition condition_for(const drawing::Layer& layer,
                              const MaterialRecord& record,
                              std::uint32_t thickness,
                              std::optional<std::uint32_t> power,
-                             std::optional<std::uint32_t> speed) {
+                             std::optional<std::uint32_t> speed,
+                             double full_power_w) {
+  const std::uint32_t most = full_power_w > 0.0
+                                 ? thousandths_of("--full-power", full_power_w, 4.0e6, "W")
+                                 : cnc::kerf::kMostPowerMw;
   try {
-    return cut::choose(record, thickness, power, speed);
+    return cut::choose(record, thickness, power, speed, most);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(
         fmt::format("layer \"{}\" {}: {}", layer.name, layer.colour, error.what()));
@@ -116,7 +83,7 @@ std::vector<cut::LayerPlan> layers_of(const CutCommandOptions& options,
       std::optional<std::uint32_t> speed;
       if (plan.settings.power_w) power = power_option(*plan.settings.power_w);
       if (plan.settings.feed_mm_min) speed = speed_option(*plan.settings.feed_mm_min);
-      plan.condition = condition_for(layer, record, thickness, power, speed);
+      plan.condition = condition_for(layer, record, thickness, power, speed, options.full_power_w);
     }
     layers.push_back(plan);
   }
@@ -181,7 +148,7 @@ std::string timed_program(const CutCommandOptions& options,
                           CutFigures& figures,
                           ExitStatus& status) {
   const std::string name = options.output.empty() ? "the program" : options.output;
-  const Report report = check_program(job, run, name);
+  const Report report = check_program(job, run, lines_of(job, figures), name);
   figures.job_time_s = report.job_time_s;
   for (const Fault& fault : report.faults) fmt::print(stderr, "{}\n", to_string(fault));
   if (!report.faults.empty()) {
@@ -206,7 +173,12 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
   print_faults(plan.warnings, drawn);
   const bool sound = faults.empty() && plan.faults.empty();
   const CutRun run{static_cast<std::uint8_t>(options.decimals), machine_of(options)};
-  const CutJob job{drawn, plan, record, beam_of(options, run.settings, record)};
+  const CutJob job{drawn,
+                   plan,
+                   record,
+                   beam_of(options, run.settings, record),
+                   kerf_notes(record, options.record.records(), plan.layers)};
+  for (const std::string& note : job.notes) fmt::print(stderr, "kerfline: warning: {}\n", note);
   CutFigures figures = figures_of(plan);
   const auto draw = [&](const cut::EdgeFigures* edges) {
     if (!options.svg.empty()) write_file(options.svg, draw_cuts(drawn, plan, drawn.file, edges));
@@ -236,32 +208,9 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
     draw(&checks.first);
   }
   if (!options.report.empty()) {
-    constexpr auto kReplace = nlohmann::ordered_json::error_handler_t::replace;
-    write_file(options.report, report.dump(2, ' ', false, kReplace) + "\n");
+    write_file(options.report, dumped(std::move(report)) + "\n");
   }
   return status;
-}
-
-void add_common_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>& options) {
-  const auto add = [&](const std::string& key, const std::string& type, const std::string& help) {
-    command
-        .add_option_function<std::string>(
-            "--" + key,
-            [options, key](const std::string& value) { options->common.emplace_back(key, value); },
-            help)
-        ->type_name(type);
-  };
-  add("power", "W", "Else chosen");
-  add("feed", "MM/MIN", "Else chosen");
-  add("lead-in", "KIND:MM", "none, line:MM or arc:MM; arc:2");
-  add("lead-out", "KIND:MM", "The same; none");
-  add("overcut", "MM", "How far to go on where the contour began; 0");
-  add("tabs", "COUNT", "Places at which parts stay in the sheet; 0");
-  add("tab-width", "MM", "What is left standing at each; 0.5");
-  add("pierce", "S", "Time to get through before a cut; 0");
-  add("corner-loop", "MM", "Radius of loops in the waste past outer corners; 0, none");
-  add("corner-dwell", "S", "Dark rest at corners without a loop; 0, none");
-  add("corner-angle", "DEG", "Corners that turn by less are none; 45");
 }
 
 }  // namespace
@@ -269,50 +218,8 @@ void add_common_options(CLI::App& command, const std::shared_ptr<CutCommandOptio
 void add_cut_command(CLI::App& app, ExitStatus& status) {
   CLI::App* command = app.add_subcommand(
       "cut", "Make a program that cuts the parts of a drawing to size, whatever the kerf.");
-  command->footer(kCutFooter);
   const auto options = std::make_shared<CutCommandOptions>();
-  command->add_option("DRAWING", options->file, "SVG, DXF or JSON; - is standard input")
-      ->required();
-  options->record.add_to(*command);
-  command->get_option("--material")->required();
-  command->add_option("--thickness", options->thickness_mm, "mm")->required()->type_name("T");
-  add_common_options(*command, options);
-  command->add_option("--layer", options->layers, "What is other for a layer; may be repeated")
-      ->type_name("TEXT")
-      ->allow_extra_args(false);
-  command->add_option("--layers", options->layers_file, "File of them")->type_name("FILE");
-  command
-      ->add_option(
-          "--full-power", options->full_power_w, "What the laser gives at $30; the record's most")
-      ->check(CLI::PositiveNumber)
-      ->type_name("W");
-  command
-      ->add_option("--kerf-table",
-                   options->kerf_table,
-                   "Leave the way beside parts to the controller (G42), which has the material as "
-                   "table P of $K")
-      ->check(CLI::Range(0U, 99U))
-      ->type_name("P");
-  command->add_flag("--constant-power", options->constant_power, "M3 instead of M4");
-  command->add_option("--gap", options->import.gap_mm, "Ends no farther apart are joined, mm")
-      ->check(CLI::Range(drawing::kLeastGapMm, drawing::kGreatestGapMm))
-      ->capture_default_str();
-  add_outline_options(*command, options->curves);
-  command->add_flag("--anyway", options->anyway, "Cut what is sound of a drawing with faults");
-  command->add_flag("--check", options->check, "Drive it and measure how well the parts fit");
-  command->add_option("--decimals", options->decimals, "Of places, mm")
-      ->check(CLI::Range(unsigned{cnc::gcode::PrintGrid::kFewest},
-                         unsigned{cnc::gcode::PrintGrid::kMost}))
-      ->capture_default_str();
-  command->add_option("--settings", options->settings_file, "The machine's $N=value lines")
-      ->type_name("FILE");
-  command->add_option("--set", options->set, "One setting of the machine; may be repeated")
-      ->type_name("$N=V")
-      ->allow_extra_args(false);
-  command->add_option("-o,--output", options->output, "The program; else standard output")
-      ->type_name("FILE");
-  command->add_option("--svg", options->svg, "Draw parts, path and kerf")->type_name("FILE");
-  command->add_option("--report", options->report, "Write the report as JSON")->type_name("FILE");
+  add_cut_options(*command, options);
   command->callback([options, &status] { status = cut_drawing(*options); });
 }
 

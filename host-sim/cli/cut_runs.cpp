@@ -27,14 +27,16 @@ struct SimulatedProgram {
 
 /// A controller that finds the way beside parts gets the table of the material, and the watts of
 /// its beam: this one has no others.
-SimulatedProgram simulated(CutJob job, const CutRun& run) {
+SimulatedProgram simulated(CutJob job,
+                           const CutRun& run,
+                           const std::vector<std::string>& heading) {
   SimulatedProgram simulated;
   if (job.beam.kerf_table) {
     job.beam.kerf_table = static_cast<unsigned>(cnc::KerfTables::built_in());
     simulated.statements = fmt::format("$PC=100:{:.3f}\n", job.beam.full_power_w) +
                            flash_lines(flash_image(job.record, "job"));
   }
-  simulated.program = program_of(job, run, {});
+  simulated.program = program_of(job, run, heading);
   return simulated;
 }
 
@@ -55,7 +57,7 @@ constexpr std::array kBesideOnController{
 };
 
 cut::EdgeFigures drive(const CutJob& job, const CutRun& run, const char* setting) {
-  const std::string text = simulated(job, run).text();
+  const std::string text = simulated(job, run, {}).text();
   Simulator simulator{text, {.machine = {.has_switches = false}}};
   apply_settings(run.settings, simulator.machine());
   apply_settings({parse_setting(setting, "--check")}, simulator.machine());
@@ -73,8 +75,11 @@ std::string program_of(const CutJob& job,
       job.plan, job.drawn, job.beam, cnc::gcode::PrintGrid{run.decimals}, heading);
 }
 
-Report check_program(const CutJob& job, const CutRun& run, const std::string& name) {
-  const SimulatedProgram program = simulated(job, run);
+Report check_program(const CutJob& job,
+                     const CutRun& run,
+                     const std::vector<std::string>& heading,
+                     const std::string& name) {
+  const SimulatedProgram program = simulated(job, run, heading);
   Report report = check({.file = name,
                          .text = program.text(),
                          .settings = run.settings,

@@ -28,6 +28,7 @@ struct CutRun {
 /// in the program. @param name what it is called in faults
 [[nodiscard]] Report check_program(const cut::CutJob& job,
                                    const CutRun& run,
+                                   const std::vector<std::string>& heading,
                                    const std::string& name);
 
 /// The edges of a job, for programs, and those of its first way to be driven.

@@ -7,10 +7,14 @@
 #include <string>
 
 #include "host-sim/cli/commands.hpp"
+#include "host-sim/cli/file_options.hpp"
+#include "host-sim/cli/value_range.hpp"
 #include "host-sim/import/curve_measure.hpp"
 #include "host-sim/import/drawing.hpp"
 #include "host-sim/job/setting_line.hpp"
 #include "host-sim/plot/drawing_picture.hpp"
+#include "host-sim/report/report_json.hpp"
+#include "host-sim/trace/input_file.hpp"
 #include "host-sim/trace/output_file.hpp"
 
 namespace sim {
@@ -23,6 +27,10 @@ using drawing::DrawnContour;
 constexpr double kJsonChordMm = 0.01;
 
 constexpr const char* kDrawingFooter =
+    "Examples:\n"
+    "  kerfline drawing part.dxf --svg part.svg\n"
+    "  kerfline drawing part.svg --gap 0.1 --json\n"
+    "\n"
     "Reads SVG, DXF in ASCII, and the JSON of nesting jobs and cutting layouts.\n"
     "Exit status: 0 fine, 1 the drawing has faults, 2 the call is wrong.";
 
@@ -118,8 +126,8 @@ ExitStatus look_at(const DrawingOptions& options) {
   const Drawing drawn =
       drawing::read_drawing(options.file, read_text(options.file), options.import);
   if (options.json) {
-    constexpr auto kReplace = nlohmann::ordered_json::error_handler_t::replace;
-    fmt::print("{}\n", to_json(drawn).dump(1, ' ', false, kReplace));
+    constexpr int kIndent = 1;
+    fmt::print("{}\n", dumped(to_json(drawn), kIndent));
   } else {
     print(drawn);
   }
@@ -134,12 +142,16 @@ void add_drawing_command(CLI::App& app, ExitStatus& status) {
       "drawing", "Look a drawing over: its contours, which of them are holes, and every fault.");
   command->footer(kDrawingFooter);
   const auto options = std::make_shared<DrawingOptions>();
-  command->add_option("FILE", options->file, "SVG, DXF or JSON; - is standard input")->required();
+  mark_file(command->add_option("FILE", options->file, "SVG, DXF or JSON; - is standard input")
+                ->required(),
+            FileRole::kInput);
   command->add_option("--gap", options->import.gap_mm, "Ends no farther apart are joined, mm")
-      ->check(CLI::Range(drawing::kLeastGapMm, drawing::kGreatestGapMm))
+      ->check(in_range(drawing::kLeastGapMm, drawing::kGreatestGapMm, "mm"))
       ->capture_default_str();
-  command->add_option("--svg", options->svg, "Draw what was read, with the places of faults")
-      ->type_name("FILE");
+  mark_file(
+      command->add_option("--svg", options->svg, "Draw what was read, with the places of faults")
+          ->type_name("FILE"),
+      FileRole::kOutput);
   command->add_flag("--json", options->json, "As JSON, with outlines within 0.01 mm");
   command->callback([options, &status] { status = look_at(*options); });
 }

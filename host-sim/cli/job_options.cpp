@@ -5,14 +5,19 @@
 #include <chrono>
 #include <cstdlib>
 
+#include "host-sim/cli/file_options.hpp"
+#include "host-sim/cli/value_range.hpp"
 #include "host-sim/report/progress_bar.hpp"
 #include "host-sim/report/progress_lines.hpp"
 
 namespace sim {
 
 void JobOptions::add_to(CLI::App& command) {
-  command.add_option("FILE", files, "G-code programs; - is standard input")->required();
-  command.add_option("--settings", settings_file, "File of $N=value lines")->type_name("FILE");
+  mark_file(command.add_option("FILE", files, "G-code programs; - is standard input")->required(),
+            FileRole::kInput);
+  mark_file(
+      command.add_option("--settings", settings_file, "File of $N=value lines")->type_name("FILE"),
+      FileRole::kInput);
   command.add_option("--set", set, "One setting, such as '$110=12000' (mm/min); may be repeated")
       ->type_name("$N=V")
       ->allow_extra_args(false);
@@ -20,6 +25,7 @@ void JobOptions::add_to(CLI::App& command) {
       .add_option("--probe-plate",
                   probe_plate_z_mm,
                   "Height of the simulated probe plate, mm in machine coordinates")
+      ->check(in_range(-10'000.0, 10'000.0, "mm"))
       ->type_name("Z")
       ->capture_default_str();
   command.add_flag("--json", json, "Print the report as JSON");

@@ -6,8 +6,10 @@
 #include <stdexcept>
 
 #include "host-sim/cli/commands.hpp"
+#include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/kerf_commands.hpp"
 #include "host-sim/cli/kerf_options.hpp"
+#include "host-sim/cli/value_range.hpp"
 #include "host-sim/knowledge/experiment_csv.hpp"
 #include "host-sim/knowledge/shipped_records.hpp"
 
@@ -38,8 +40,12 @@ void add_add_command(CLI::App& kerf, ExitStatus&) {
       "add",
       fmt::format("Judge test cuts and keep them, the rejected ones too.\nThe header of a file: {}",
                   kExperimentHeader));
+  command->footer(
+      "Example:\n"
+      "  kerfline kerf add cuts.csv --db my.db --laser 'K40 tube'");
   const auto options = std::make_shared<AddOptions>();
-  command->add_option("CUTS.csv", options->files, "Files of test cuts")->required();
+  mark_file(command->add_option("CUTS.csv", options->files, "Files of test cuts")->required(),
+            FileRole::kInput);
   options->cuts.add_to(*command);
   command->callback([options] {
     for (const std::string& file : options->files) {
@@ -49,7 +55,7 @@ void add_add_command(CLI::App& kerf, ExitStatus&) {
 }
 
 void fit(const FitCommandOptions& options) {
-  KnowledgeBase base = options.record.open();
+  KnowledgeBase base = options.record.open(SqlFile::Mode::kWrite);
   std::vector<Experiment> cuts = base.cuts_of(options.record.material);
   std::erase_if(cuts, [&options](const Experiment& cut) {
     const bool other_laser = !options.laser.empty() && cut.laser != options.laser;
@@ -76,29 +82,32 @@ void add_fit_command(CLI::App& kerf, ExitStatus&) {
       "Fit kerf = l1 Q + l2 per thickness to the accepted cuts of a material, with its "
       "permissible\n"
       "region. The record takes the place of the one with the same name and unit.");
+  command->footer(
+      "Example:\n"
+      "  kerfline kerf fit --db my.db --material acrylic --unit J/mm");
   const auto options = std::make_shared<FitCommandOptions>();
   options->record.add_to(*command);
   command->get_option("--db")->required();
   command->get_option("--material")->required();
   command->add_option("--laser", options->laser, "Only cuts by this laser")->type_name("NAME");
   command->add_option("--gas", options->gas_pressure_mpa, "Only cuts at this gas pressure, MPa")
-      ->check(CLI::NonNegativeNumber);
+      ->check(in_range(0.0, 10.0, "MPa"));
   LawCriterion& criterion = options->fit.criterion;
   command
       ->add_option("--law-close",
                    criterion.close_mm,
                    "The law holds where no mean of cuts is farther from it, mm")
-      ->check(CLI::NonNegativeNumber)
+      ->check(in_range(0.0, 10.0, "mm"))
       ->capture_default_str();
   command
       ->add_option(
           "--law-correlation",
           criterion.least_correlation,
           "Or where the correlation is at least this and no mean is farther than --law-far")
-      ->check(CLI::Range(0.0, 1.0))
+      ->check(in_range(0.0, 1.0, ""))
       ->capture_default_str();
   command->add_option("--law-far", criterion.far_mm, "mm")
-      ->check(CLI::NonNegativeNumber)
+      ->check(in_range(0.0, 10.0, "mm"))
       ->capture_default_str();
   command->callback([options] { fit(*options); });
 }
@@ -130,6 +139,11 @@ void add_show_command(CLI::App& kerf, ExitStatus&) {
   CLI::App* command = kerf.add_subcommand(
       "show",
       "Print a record: laws, residuals, permissible region; without --material their names.");
+  command->footer(
+      "Examples:\n"
+      "  kerfline kerf show\n"
+      "  kerfline kerf show --material 'CSP 1N'\n"
+      "  kerfline kerf show --db my.db --material acrylic --cuts");
   const auto options = std::make_shared<RecordOptions>();
   const auto with_cuts = std::make_shared<bool>(false);
   options->add_to(*command);
@@ -217,6 +231,10 @@ void add_advise_command(CLI::App& kerf, ExitStatus& status) {
   CLI::App* command = kerf.add_subcommand(
       "advise",
       "Say what is permissible and how wide the beam cuts; exit status 1 when it is refused.");
+  command->footer(
+      "Examples:\n"
+      "  kerfline kerf advise --material 'CSP 1N' --thickness 2\n"
+      "  kerfline kerf advise --material 'CSP 1N' --thickness 2 --power 1800 --speed 4000");
   const auto options = std::make_shared<AdviseOptions>();
   options->record.add_to(*command);
   command->get_option("--material")->required();
@@ -233,6 +251,13 @@ void add_kerf_command(CLI::App& app, ExitStatus& status) {
                                       "How wide the beam cuts: test cuts, laws fitted to them, "
                                       "figures, tables for the controller.");
   kerf->require_subcommand(1);
+  kerf->footer(
+      "Examples:\n"
+      "  kerfline kerf show\n"
+      "  kerfline kerf advise --material 'CSP 1N' --thickness 2 --power 1800 --speed 4000\n"
+      "  kerfline kerf calibrate --material acrylic --thickness 3 --full-power 60 --laser mine\\\n"
+      "      --powers 30,45,60 --speeds 400,600,800 --out coupon.nc --form slots.csv\n"
+      "  kerfline kerf calibrate --measured slots.csv --db my.db --unit J/mm");
   add_add_command(*kerf, status);
   add_fit_command(*kerf, status);
   add_show_command(*kerf, status);

@@ -7,9 +7,12 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "host-sim/cli/file_options.hpp"
+#include "host-sim/cli/value_range.hpp"
 #include "host-sim/job/setting_line.hpp"
 #include "host-sim/knowledge/experiment_csv.hpp"
 #include "host-sim/report/text_table.hpp"
+#include "host-sim/trace/input_file.hpp"
 
 namespace sim {
 namespace {
@@ -20,6 +23,25 @@ constexpr const char* kJoules = "J/mm";
 std::string law_text(const ThicknessRecord& row) {
   if (row.measured) return "measured";
   return fmt::format("{:.6g} Q + {:.4f}", row.slope, row.intercept);
+}
+
+/// Cuts without a name of their laser are fine until there are others of the material.
+void require_named_laser(const std::vector<Experiment>& cuts,
+                         const KnowledgeBase& base,
+                         const std::string& file) {
+  for (const Experiment& cut : cuts) {
+    if (!cut.laser.empty()) continue;
+    for (const Experiment& known : base.cuts_of(cut.material)) {
+      if (known.laser.empty()) continue;
+      throw std::invalid_argument(
+          fmt::format("{}:{}: the laser has no name, and the data base has cuts of {} by `{}`; say "
+                      "with --laser NAME which laser cut these",
+                      file,
+                      cut.line,
+                      cut.material,
+                      known.laser));
+    }
+  }
 }
 
 }  // namespace
@@ -38,71 +60,84 @@ std::optional<cnc::kerf::HeatUnit> unit_of(const std::string& option) {
 }
 
 void RecordOptions::add_to(CLI::App& command) {
-  command.add_option("--db", data_base, "Data base; without it the shipped records")
-      ->type_name("FILE");
+  mark_file(command.add_option("--db", data_base, "Data base; without it the shipped records")
+                ->type_name("FILE"),
+            FileRole::kKept);
   command.add_option("--material", material, "As it is named there, such as \"CSP 1N\"")
       ->type_name("NAME");
   add_unit_option(command, unit);
 }
 
-KnowledgeBase RecordOptions::open() const {
+KnowledgeBase RecordOptions::open(SqlFile::Mode mode) const {
   if (data_base.empty()) return KnowledgeBase::shipped();
-  return {data_base, SqlFile::Mode::kWrite};
+  return {data_base, mode};
 }
 
 std::optional<cnc::kerf::HeatUnit> RecordOptions::heat_unit() const { return unit_of(unit); }
 
 void CutOptions::add_to(CLI::App& command) {
-  command.add_option("--db", data_base, "Data base; made when there is none")
-      ->required()
-      ->type_name("FILE");
+  mark_file(command.add_option("--db", data_base, "Data base; made when there is none")
+                ->required()
+                ->type_name("FILE"),
+            FileRole::kKept);
   command
       .add_option(
           "--max-dross", limits.dross_area_mm2, "Greatest mean dross area of a good cut, mm2")
-      ->check(CLI::NonNegativeNumber)
+      ->check(in_range(0.0, 1.0e6, "mm2"))
       ->capture_default_str();
   command
       .add_option("--max-straightness",
                   limits.straightness_mm,
                   "Greatest straightness error of a good cut, mm")
-      ->check(CLI::NonNegativeNumber)
+      ->check(in_range(0.0, 1000.0, "mm"))
       ->capture_default_str();
+  command.add_option("--laser", laser, "Name of the laser, for cuts whose file leaves it empty")
+      ->type_name("NAME");
 }
 
 std::vector<Experiment> add_cuts(const std::string& file, const CutOptions& options) {
   const std::string text = read_text(file);
-  std::vector<Experiment> cuts = read_experiments(text, file);
+  ExperimentFile found = read_experiment_file(text, name_of_input(file), options.laser);
+  std::vector<Experiment>& cuts = found.cuts;
   for (Experiment& cut : cuts) cut.rejection = rejection_of(cut, options.limits);
   KnowledgeBase base{options.data_base, SqlFile::Mode::kCreate};
+  if (options.asks_for_laser) require_named_laser(cuts, base, file);
   base.add(cuts, file, text);
   const auto accepted =
       std::count_if(cuts.begin(), cuts.end(), [](const Experiment& cut) { return cut.accepted(); });
-  fmt::print("{}: {} cuts, {} accepted\n", file, cuts.size(), accepted);
+  fmt::print("{}: {} cuts, {} accepted{}\n",
+             file,
+             cuts.size(),
+             accepted,
+             found.unmeasured == 0
+                 ? ""
+                 : fmt::format(", {} lines without a measurement left out", found.unmeasured));
   for (const Experiment& cut : cuts) {
     if (!cut.accepted()) fmt::print("{}:{}: rejected: {}\n", cut.file, cut.line, cut.rejection);
   }
-  return cuts;
+  return std::move(cuts);
 }
 
-std::uint32_t thousandths_of(const char* option, double value, double most) {
+std::uint32_t thousandths_of(const char* option, double value, double most, const char* unit) {
   if (!std::isfinite(value)) {
-    throw std::invalid_argument(fmt::format("{} {}: not a number", option, value));
+    throw std::invalid_argument(
+        fmt::format("{} {}: not a number; 0 to {:g} {}", option, value, most, unit));
   }
   if (value < 0.0 || value > most) {
     throw std::invalid_argument(
-        fmt::format("{} {:g}: out of range, 0 to {:g}", option, value, most));
+        fmt::format("{} {:g}: out of range, 0 to {:g} {}", option, value, most, unit));
   }
   return to_thousandths(value);
 }
 
 std::uint32_t thickness_option(double mm) {
-  return thousandths_of("--thickness", mm, from_thousandths(cnc::kerf::kMostThicknessUm));
+  return thousandths_of("--thickness", mm, from_thousandths(cnc::kerf::kMostThicknessUm), "mm");
 }
 std::uint32_t power_option(double watts) {
-  return thousandths_of("--power", watts, from_thousandths(cnc::kerf::kMostPowerMw));
+  return thousandths_of("--power", watts, from_thousandths(cnc::kerf::kMostPowerMw), "W");
 }
 std::uint32_t speed_option(double mm_min) {
-  return thousandths_of("--speed", mm_min, from_thousandths(cnc::kerf::kMostSpeedUmMin));
+  return thousandths_of("--speed", mm_min, from_thousandths(cnc::kerf::kMostSpeedUmMin), "mm/min");
 }
 
 void print_record(const MaterialRecord& record) {

@@ -19,16 +19,21 @@ struct RecordOptions {
   std::string unit;
 
   void add_to(CLI::App& command);
-  /// The data base as it is, or the shipped records where none is named.
-  [[nodiscard]] KnowledgeBase open() const;
+  /// The data base as it is, or the shipped records where none is named. Questions only read.
+  [[nodiscard]] KnowledgeBase open(SqlFile::Mode mode = SqlFile::Mode::kRead) const;
   [[nodiscard]] std::optional<cnc::kerf::HeatUnit> heat_unit() const;
   [[nodiscard]] MaterialRecord record() const { return open().record_of(material, heat_unit()); }
+  /// All records of the data base.
+  [[nodiscard]] std::vector<MaterialRecord> records() const { return open().records(); }
 };
 
 /// Where test cuts go: `add`, and `calibrate` with measured slots.
 struct CutOptions {
   std::string data_base;
   AcceptanceLimits limits;
+  std::string laser{};  ///< Of cuts whose file does not name it.
+  /// The cuts are to be fitted at once, so that it must be known whose they are.
+  bool asks_for_laser = false;
 
   void add_to(CLI::App& command);
 };
@@ -41,9 +46,12 @@ struct CutOptions {
 void add_unit_option(CLI::App& command, std::string& unit);
 [[nodiscard]] std::optional<cnc::kerf::HeatUnit> unit_of(const std::string& option);
 
-/// The option's value in thousandths. Throws std::invalid_argument naming it when it is not a
-/// number, negative, or more than `most`.
-[[nodiscard]] std::uint32_t thousandths_of(const char* option, double value, double most);
+/// The option's value in thousandths. Throws std::invalid_argument naming it, with range and unit,
+/// when it is not a number, negative, or more than `most`.
+[[nodiscard]] std::uint32_t thousandths_of(const char* option,
+                                           double value,
+                                           double most,
+                                           const char* unit);
 [[nodiscard]] std::uint32_t thickness_option(double mm);
 [[nodiscard]] std::uint32_t power_option(double watts);
 [[nodiscard]] std::uint32_t speed_option(double mm_min);

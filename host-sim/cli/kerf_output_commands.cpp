@@ -1,12 +1,15 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <set>
 #include <stdexcept>
 
+#include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/kerf_commands.hpp"
 #include "host-sim/cli/kerf_options.hpp"
+#include "host-sim/cli/value_range.hpp"
 #include "host-sim/knowledge/coupon.hpp"
 #include "host-sim/knowledge/flash_lines.hpp"
 #include "host-sim/knowledge/kerf_figures.hpp"
@@ -61,6 +64,10 @@ void plot(const PlotOptions& options) {
 void add_plot_command(CLI::App& kerf) {
   CLI::App* command = kerf.add_subcommand(
       "plot", "Draw a record: 7 kerf over speed and over power, 8 kerf over effective heat input.");
+  command->footer(
+      "Examples:\n"
+      "  kerfline kerf plot --material 'CSP 1N' --thickness 2 --svg kerf.svg\n"
+      "  kerfline kerf plot --material 'CSP 1N' --figure 8 --unit J/mm --png kerf.png");
   const auto options = std::make_shared<PlotOptions>();
   options->record.add_to(*command);
   command->get_option("--material")->required();
@@ -69,8 +76,10 @@ void add_plot_command(CLI::App& kerf) {
       ->capture_default_str();
   command->add_option("--thickness", options->thickness_mm, "mm, of figure 7")
       ->capture_default_str();
-  command->add_option("--svg", options->svg, "Write it as SVG")->type_name("FILE");
-  command->add_option("--png", options->png, "The same as pixels")->type_name("FILE");
+  mark_file(command->add_option("--svg", options->svg, "Write it as SVG")->type_name("FILE"),
+            FileRole::kOutput);
+  mark_file(command->add_option("--png", options->png, "The same as pixels")->type_name("FILE"),
+            FileRole::kOutput);
   command->callback([options] { plot(*options); });
 }
 
@@ -97,27 +106,54 @@ void write_coupon(const CalibrateOptions& options) {
   if (options.powers_w.empty() && options.speeds_mm_min.empty()) {
     const MaterialRecord record = options.record.record();
     plan.slots = default_slots(record, thickness_option(options.thickness_mm));
-    if (plan.laser.empty()) plan.laser = record.laser;
+    // The slots are cut by this machine; the laser of a record from elsewhere is another.
+    if (plan.laser.empty() && record.calibrated) plan.laser = record.laser;
     if (plan.gas_pressure_mpa <= 0.0) plan.gas_pressure_mpa = record.gas_pressure_mpa;
   } else {
     plan.slots = named_slots(options);
   }
   write_file(options.program, coupon_program(plan));
-  if (!options.form.empty()) write_file(options.form, coupon_form(plan));
+  if (!options.form.empty()) {
+    write_file(options.form, coupon_form(plan));
+    if (plan.laser.empty()) {
+      fmt::print(stderr,
+                 "kerfline: {} names no laser; with --laser NAME its cuts are told from those of "
+                 "other lasers\n",
+                 options.form);
+    }
+  }
   fmt::print("{}: {} slots\n", options.program, plan.slots.size());
 }
 
-/// All that the data base knows of each material that was measured is fitted anew.
+/// Cuts of the same material by the same laser with the same gas as some of `measured`.
+std::vector<Experiment> cuts_like(const std::vector<Experiment>& measured,
+                                  const KnowledgeBase& base,
+                                  const std::string& material) {
+  std::vector<Experiment> cuts = base.cuts_of(material);
+  std::erase_if(cuts, [&](const Experiment& cut) {
+    return std::ranges::none_of(measured, [&](const Experiment& one) {
+      return one.material == material && one.laser == cut.laser &&
+             one.gas_pressure_mpa == cut.gas_pressure_mpa;
+    });
+  });
+  return cuts;
+}
+
+/// All that the data base knows of each material that was measured, by this laser, is fitted anew.
 void take_measurements(const CalibrateOptions& options) {
   if (options.record.data_base.empty()) throw std::invalid_argument("--db is missing");
-  const CutOptions cuts{options.record.data_base, options.limits};
+  if (!options.program.empty() || !options.form.empty()) {
+    throw std::invalid_argument("--measured reads a form; --out and --form write a new one");
+  }
+  const CutOptions cuts{options.record.data_base, options.limits, options.plan.laser, true};
+  const std::vector<Experiment> measured = add_cuts(options.measured, cuts);
   std::set<std::string> materials;
-  for (const Experiment& cut : add_cuts(options.measured, cuts)) materials.insert(cut.material);
+  for (const Experiment& cut : measured) materials.insert(cut.material);
   KnowledgeBase base{options.record.data_base, SqlFile::Mode::kWrite};
   FitOptions fitting;
   fitting.unit = options.record.heat_unit().value_or(fitting.unit);
   for (const std::string& material : materials) {
-    const MaterialRecord record = fit_record(base.cuts_of(material), fitting);
+    const MaterialRecord record = fit_record(cuts_like(measured, base, material), fitting);
     base.save(record);
     print_record(record);
   }
@@ -129,6 +165,15 @@ void add_calibrate_command(CLI::App& kerf) {
       "Write the G-code of a test coupon, a slot for each condition, and a form to measure it by\n"
       "(--out, --form); or, with the form filled in, add its cuts and fit the record "
       "(--measured).");
+  command->footer(
+      "Examples:\n"
+      "  kerfline kerf calibrate --material acrylic --thickness 3 --full-power 60 --laser mine "
+      "--out coupon.nc --form slots.csv\n"
+      "  kerfline kerf calibrate --measured slots.csv --db my.db --unit J/mm\n"
+      "\n"
+      "In the form dross and straightness may stay empty: they are not judged then. Lines of "
+      "slots\n"
+      "that were not measured may stay empty, too.");
   const auto options = std::make_shared<CalibrateOptions>();
   options->record.add_to(*command);
   CouponPlan& plan = options->plan;
@@ -136,21 +181,27 @@ void add_calibrate_command(CLI::App& kerf) {
   command->add_option("--powers", options->powers_w, "W; else those of the record")->delimiter(',');
   command->add_option("--speeds", options->speeds_mm_min, "mm/min; else those of the record")
       ->delimiter(',');
-  command->add_option("--full-power", plan.full_power_w, "What the laser gives at --full-s, W");
-  command->add_option("--full-s", plan.full_power_s, "$30")->capture_default_str();
-  command->add_option("--laser", plan.laser, "Its name in the form");
+  command->add_option("--full-power", plan.full_power_w, "What the laser gives at --full-s, W")
+      ->check(in_range(0.001, from_thousandths(cnc::kerf::kMostPowerMw), "W"));
+  command->add_option("--full-s", plan.full_power_s, "$30")
+      ->check(in_range(1.0, 1.0e6, ""))
+      ->capture_default_str();
+  command->add_option(
+      "--laser", plan.laser, "Its name in the form, and of cuts whose form leaves it empty");
   command->add_option("--gas", plan.gas_pressure_mpa, "Its pressure in the form, MPa")
-      ->check(CLI::NonNegativeNumber);
+      ->check(in_range(0.0, 10.0, "MPa"));
   command->add_option("--length", plan.length_mm, "Of a slot, mm")
-      ->check(CLI::Range(10.0, 1000.0))
+      ->check(in_range(10.0, 1000.0, "mm"))
       ->capture_default_str();
   command->add_option("--pitch", plan.pitch_mm, "From slot to slot, mm")
-      ->check(CLI::Range(1.0, 100.0))
+      ->check(in_range(1.0, 100.0, "mm"))
       ->capture_default_str();
-  command->add_option("--out", options->program, "The coupon's G-code")->type_name("FILE");
-  command->add_option("--form", options->form, "The form, CSV")->type_name("FILE");
-  command->add_option("--measured", options->measured, "A form that was filled in")
-      ->type_name("FILE");
+  const auto add_file = [&](FileRole role, const char* name, std::string& file, const char* help) {
+    mark_file(command->add_option(name, file, help)->type_name("FILE"), role);
+  };
+  add_file(FileRole::kOutput, "--out", options->program, "The coupon's G-code");
+  add_file(FileRole::kOutput, "--form", options->form, "The form, CSV");
+  add_file(FileRole::kInput, "--measured", options->measured, "A form that was filled in");
   command->callback([options] {
     if (options->measured.empty()) {
       write_coupon(*options);
@@ -176,12 +227,16 @@ void add_image_command(CLI::App& kerf) {
       "image",
       "Write a record as the lines that put it into a controller's flash: send the file by any\n"
       "sender while the machine rests.");
+  command->footer(
+      "Example:\n"
+      "  kerfline kerf image --material acrylic --db my.db --as acrylic --out acrylic.kerf");
   const auto options = std::make_shared<ImageOptions>();
   options->record.add_to(*command);
   command->get_option("--material")->required();
   command->add_option("--as", options->name, "Its name on the controller; else the material's")
       ->type_name("NAME");
-  command->add_option("--out", options->out, "The file")->required()->type_name("FILE");
+  mark_file(command->add_option("--out", options->out, "The file")->required()->type_name("FILE"),
+            FileRole::kOutput);
   command->add_flag("--bytes", options->bytes, "The bytes themselves instead of lines");
   command->callback([options] { write_image_file(*options); });
 }

@@ -3,13 +3,18 @@
 #include <CLI/CLI.hpp>
 #include <cstdlib>
 #include <exception>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <system_error>
 
 #include "firmware/protocol/identity.hpp"
+#include "hal/host/replacing_file.hpp"
 #include "host-sim/cli/commands.hpp"
-#include "host-sim/report/printable.hpp"
+#include "host-sim/cli/file_options.hpp"
+#include "host-sim/cli/help_formatter.hpp"
+#include "host-sim/cli/nearest_name.hpp"
+#include "host-sim/cli/standard_streams.hpp"
 #include "planner/base/contract.hpp"
 
 void cnc::contract_failed(const char* condition, const char* file, int line) {
@@ -41,6 +46,7 @@ constexpr const char* kProgramFooter =
 int run(int argc, char** argv) {
   CLI::App app{kDescription, "kerfline"};
   app.footer(kProgramFooter);
+  app.formatter(sim::help_formatter());
   app.require_subcommand(1);
   app.set_version_flag("--version", std::string{cnc::identity::version()});
   sim::ExitStatus status = sim::ExitStatus::kFine;
@@ -55,11 +61,20 @@ int run(int argc, char** argv) {
   sim::add_send_command(app, status);
   sim::add_completion_command(app);
   sim::add_manual_command(app);
+  app.parse_complete_callback([&app] { sim::refuse_shared_files(app); });
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    const int code = app.exit(error);
-    return code == 0 ? 0 : static_cast<int>(sim::ExitStatus::kUsage);
+    if (error.get_exit_code() == 0) {
+      std::ostringstream text;
+      const int code = app.exit(error, text);
+      fmt::print("{}", text.str());
+      return code;
+    }
+    const auto unknown = sim::unknown_word(app, {argv + 1, argv + argc});
+    sim::print_error(unknown ? unknown->c_str() : error.what());
+    fmt::print(stderr, "Run with --help for more information.\n");
+    return static_cast<int>(sim::ExitStatus::kUsage);
   }
   return static_cast<int>(status);
 }
@@ -67,10 +82,21 @@ int run(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  sim::prepare_standard_streams();
+  hal::host::ReplacingFile::remove_unfinished_on_signals();
+  constexpr int kUsage = static_cast<int>(sim::ExitStatus::kUsage);
+  int status = kUsage;
+  int output_error = 0;
   try {
-    return run(argc, argv);
+    status = run(argc, argv);
+  } catch (const std::system_error& error) {
+    if (sim::standard_output_failed()) {
+      output_error = error.code().value();
+    } else {
+      sim::print_error(error.what());
+    }
   } catch (const std::exception& error) {
-    fmt::print(stderr, "kerfline: {}\n", sim::printable(error.what()));
-    return static_cast<int>(sim::ExitStatus::kUsage);
+    sim::print_error(error.what());
   }
+  return sim::finish_standard_output(output_error) ? status : kUsage;
 }

@@ -4,6 +4,8 @@
 #include <map>
 #include <string>
 
+#include "host-sim/cli/value_range.hpp"
+
 namespace sim {
 
 void add_outline_options(CLI::App& command, OutlineOptions& outline) {
@@ -15,7 +17,7 @@ void add_outline_options(CLI::App& command, OutlineOptions& outline) {
   command
       .add_option(
           "--tolerance", outline.tolerance_mm, "Between a drawing's curves and their arcs, mm")
-      ->check(CLI::Range(kLeastToleranceMm, kGreatestToleranceMm))
+      ->check(in_range(kLeastToleranceMm, kGreatestToleranceMm, "mm"))
       ->capture_default_str();
   command
       .add_option("--fit",

@@ -4,8 +4,10 @@
 #include <memory>
 
 #include "host-sim/cli/commands.hpp"
+#include "host-sim/cli/file_options.hpp"
 #include "host-sim/job/setting_line.hpp"
 #include "host-sim/serve/replay.hpp"
+#include "host-sim/trace/input_file.hpp"
 #include "host-sim/trace/output_file.hpp"
 
 namespace sim {
@@ -63,8 +65,10 @@ void add_replay_command(CLI::App& app, ExitStatus& status) {
       "replay", "Repeat conversations recorded by serve and compare what the controller says.");
   command->footer(kReplayFooter);
   const auto options = std::make_shared<ReplayOptions>();
-  command->add_option("FILE", options->files, "Conversations recorded by `serve --record`")
-      ->required();
+  mark_file(
+      command->add_option("FILE", options->files, "Conversations recorded by `serve --record`")
+          ->required(),
+      FileRole::kInput);
   command->add_flag("--times", options->with_times, "Compare the times of answers, too");
   command->add_flag("--update", options->update, "Rewrite what the controller says");
   command->callback([options, &status] { status = replay_all(*options); });

@@ -6,11 +6,13 @@
 #include <stdexcept>
 
 #include "host-sim/cli/commands.hpp"
+#include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/transfer.hpp"
+#include "host-sim/cli/value_range.hpp"
 #include "host-sim/job/program_text.hpp"
-#include "host-sim/job/setting_line.hpp"
 #include "host-sim/report/printable.hpp"
 #include "host-sim/send/take_up.hpp"
+#include "host-sim/trace/input_file.hpp"
 
 namespace sim {
 namespace {
@@ -34,9 +36,10 @@ constexpr const char* kSendFooter =
     "Exit status: 0 all done and at rest, 1 refused, aborted or cut off, 2 the call is wrong.";
 
 void add_options(CLI::App& command, SendCommandOptions& options) {
-  command.add_option("file", options.file, "The program; - reads standard input")
-      ->required()
-      ->type_name("FILE");
+  mark_file(command.add_option("file", options.file, "The program; - reads standard input")
+                ->required()
+                ->type_name("FILE"),
+            FileRole::kInput);
   auto* const links = command.add_option_group("link", "Where the controller is");
   links->add_option("--port", options.port, "A serial port")->type_name("DEVICE");
   links->add_option("--tcp", options.tcp, "Raw TCP")->type_name("HOST:PORT");
@@ -46,17 +49,18 @@ void add_options(CLI::App& command, SendCommandOptions& options) {
       ->type_name("DEVICE");
   links->require_option(1);
   command.add_option("--node", options.node, "The controller's number on a CAN bus")
-      ->check(CLI::Range(1, static_cast<int>(cnc::can::kLastNode)))
+      ->check(in_whole_range(1, cnc::can::kLastNode))
       ->type_name("N")
       ->capture_default_str();
   command.add_option("--baud", options.baud, "Of the serial port; USB has none")
+      ->check(in_whole_range(1, 10'000'000, "baud"))
       ->type_name("RATE")
       ->capture_default_str();
   command.add_flag("--checked",
                    options.send.checked,
                    "Number and check every line, and repeat what was damaged");
   command.add_option("--window", options.send.window, "Bytes on their way at most; else as told")
-      ->check(CLI::Range(16, 65'536))
+      ->check(in_whole_range(16, 65'536, "bytes"))
       ->type_name("BYTES");
   command.add_flag(
       "--keep-going", options.send.goes_on_after_errors, "Go on after a line that is refused");
@@ -68,11 +72,13 @@ void add_options(CLI::App& command, SendCommandOptions& options) {
   auto* const resume =
       command.add_flag("--resume", options.resume, "Go on where the controller was interrupted");
   command.add_option("--from-line", options.from_line, "Begin with this line of the file")
-      ->check(CLI::PositiveNumber)
+      ->check(in_whole_range(1, 1'000'000'000))
       ->excludes(resume)
       ->type_name("LINE");
-  command.add_option("--log", options.log, "Every line in both directions, with its time")
-      ->type_name("FILE");
+  mark_file(
+      command.add_option("--log", options.log, "Every line in both directions, with its time")
+          ->type_name("FILE"),
+      FileRole::kOutput);
 }
 
 /// Lines that would never be taken are found before anything moves.
@@ -149,15 +155,17 @@ ExitStatus send(const SendCommandOptions& options) {
   std::vector<JobLine> job = read_job(program.text);
   check_lengths(job, options);
   if (options.numbered || options.resume || options.send.checked) number_lines(job);
+  if (job.empty()) throw std::invalid_argument(options.file + ": has no line to send");
   Line line{options};
-  if (!options.begins_at_start()) {
-    const ExitStatus begun = begin_within(options, line, job);
-    if (begun != ExitStatus::kFine) return begun;
+  ExitStatus status = ExitStatus::kFine;
+  if (!options.begins_at_start()) status = begin_within(options, line, job);
+  if (status == ExitStatus::kFine) {
+    Transfer transfer{options, line, std::move(job), options.send};
+    status = transfer.run();
+    transfer.tell();
   }
-  Transfer transfer{options, line, std::move(job), options.send};
-  const ExitStatus status = transfer.run();
-  transfer.tell();
-  return status;
+  const bool is_logged = line.close_log();
+  return is_logged || status != ExitStatus::kFine ? status : ExitStatus::kUsage;
 }
 
 }  // namespace

@@ -2,16 +2,20 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstdio>
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <system_error>
 
 #include "hal/host/file_store.hpp"
 #include "host-sim/can/socket_can_wire.hpp"
 #include "host-sim/cli/commands.hpp"
+#include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/job_options.hpp"
+#include "host-sim/cli/value_range.hpp"
 #include "host-sim/job/axis_scale.hpp"
 #include "host-sim/serve/can_transport.hpp"
 #include "host-sim/serve/pty_transport.hpp"
@@ -59,7 +63,9 @@ struct ServeOptions {
 };
 
 void add_options(CLI::App& command, ServeOptions& options) {
-  command.add_option("--pty", options.pty, "A serial port under this name")->type_name("LINK");
+  mark_file(
+      command.add_option("--pty", options.pty, "A serial port under this name")->type_name("LINK"),
+      FileRole::kKept);
   command
       .add_option("--tcp",
                   options.tcp,
@@ -74,42 +80,45 @@ void add_options(CLI::App& command, ServeOptions& options) {
   command
       .add_option("--can", options.can, "A node of a CAN interface of the kernel, can0 or vcan0")
       ->type_name("INTERFACE");
-  command
-      .add_option("--slcan",
-                  options.slcan,
-                  "A CAN adapter of the serial kind under this name, or behind a port as\n"
-                  "tcp:[ADDRESS:]PORT, with the controller as the only node on its bus")
-      ->type_name("LINK");
+  mark_file(
+      command
+          .add_option("--slcan",
+                      options.slcan,
+                      "A CAN adapter of the serial kind under this name, or behind a port as\n"
+                      "tcp:[ADDRESS:]PORT, with the controller as the only node on its bus")
+          ->type_name("LINK"),
+      FileRole::kKept);
   command
       .add_option(
           "--node",
           options.node,
           "The controller's number on a CAN bus: a setting, $859, that is 17 unless changed")
-      ->check(CLI::Range(1, kLastNode))
+      ->check(in_whole_range(1, kLastNode))
       ->type_name("N");
   command.add_option("--speed", options.speed, "Machine seconds per second")
-      ->check(CLI::Range(0.01, 1000.0))
+      ->check(in_range(0.01, 1000.0, "s per s"))
       ->type_name("N")
       ->capture_default_str();
-  command.add_option("--settings", options.settings_file, "File of $N=value lines")
-      ->type_name("FILE");
+  const auto add_file = [&](FileRole role, const char* name, std::string& file, const char* help) {
+    mark_file(command.add_option(name, file, help)->type_name("FILE"), role);
+  };
+  add_file(FileRole::kInput, "--settings", options.settings_file, "File of $N=value lines");
   command.add_option("--set", options.set, "One setting, such as '$110=12000'; may be repeated")
       ->type_name("$N=V")
       ->allow_extra_args(false);
-  command
-      .add_option("--store",
-                  options.store,
-                  "Keep changed settings, offsets and start-up lines there; else they end with\n"
-                  "the run. --settings and --set are on top of it")
-      ->type_name("FILE");
-  command.add_option("--record", options.record, "Keep the conversation, for kerfline replay")
-      ->type_name("FILE");
-  command.add_option("--trace", options.trace, "Write every step as text, as sim does")
-      ->type_name("FILE");
+  add_file(FileRole::kKept,
+           "--store",
+           options.store,
+           "Keep changed settings, offsets and start-up lines there; else they end with\n"
+           "the run. --settings and --set are on top of it");
+  add_file(
+      FileRole::kOutput, "--record", options.record, "Keep the conversation, for kerfline replay");
+  add_file(FileRole::kOutput, "--trace", options.trace, "Write every step as text, as sim does");
   command
       .add_option("--probe-plate",
                   options.machine.probe_plate_z_mm,
                   "Height of the simulated probe plate, mm in machine coordinates")
+      ->check(in_range(-10'000.0, 10'000.0, "mm"))
       ->type_name("Z")
       ->capture_default_str();
 }
@@ -155,7 +164,9 @@ void announce(const Reception& reception) {
     if (way->kind() == "ws") fmt::print("page http://{}/\n", way->address());
   }
   fmt::print("ready\n");
-  std::fflush(stdout);
+  if (std::fflush(stdout) != 0) {
+    throw std::system_error{errno, std::generic_category(), "standard output"};
+  }
 }
 
 /// A sender is no quicker because the machine's time is: it may be silent for as much longer.
@@ -181,12 +192,13 @@ ExitStatus serve(const ServeOptions& options) {
         "serve: give senders a way in: --pty LINK, --tcp PORT, --ws PORT, --can INTERFACE or "
         "--slcan LINK");
   }
+  const std::vector<SettingChange> settings = all_settings(options);
   const StopSignals stop;
   hal::host::MemoryStore memory;
   std::optional<hal::host::FileStore> file;
   if (!options.store.empty()) file.emplace(options.store);
   hal::host::MemoryStore& store = file ? *file : memory;
-  const ConversationSetting setting{.settings = all_settings(options),
+  const ConversationSetting setting{.settings = settings,
                                     .probe_plate_z_mm = options.machine.probe_plate_z_mm,
                                     .records = store.records()};
   Session session{options.machine, setting.settings, store};

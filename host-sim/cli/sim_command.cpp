@@ -7,7 +7,9 @@
 #include <stdexcept>
 
 #include "host-sim/cli/commands.hpp"
+#include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/job_options.hpp"
+#include "host-sim/cli/value_range.hpp"
 #include "host-sim/report/report_json.hpp"
 #include "host-sim/report/report_text.hpp"
 
@@ -44,6 +46,29 @@ JobOutputs outputs_for(const SimOptions& options, const std::string& file) {
           .kerf_width_mm = asked.kerf_width_mm};
 }
 
+/// All files of the call, with the names that placeholders become.
+std::vector<NamedFile> files_of(const SimOptions& options) {
+  std::vector<NamedFile> files;
+  for (const std::string& file : options.job.files) {
+    files.push_back({"FILE", file, FileRole::kInput});
+  }
+  if (!options.job.settings_file.empty()) {
+    files.push_back({"--settings", options.job.settings_file, FileRole::kInput});
+  }
+  for (const std::string& file : options.job.files) {
+    const JobOutputs outputs = outputs_for(options, file);
+    for (const auto& [option, name] : std::initializer_list<std::pair<const char*, std::string>>{
+             {"--trace", outputs.trace},
+             {"--vcd", outputs.vcd},
+             {"--svg", outputs.svg},
+             {"--png", outputs.png},
+             {"--report", with_job_name(options.report, file)}}) {
+      if (!name.empty()) files.push_back({option, name, FileRole::kOutput});
+    }
+  }
+  return files;
+}
+
 void write_report(const SimOptions& options, const Report& report, const std::string& file) {
   if (options.report.empty()) return;
   write_json(with_job_name(options.report, file), std::span{&report, 1});
@@ -53,7 +78,7 @@ void print(const std::vector<Report>& reports, bool json) {
   if (!json) return print_table(stdout, reports, may_colour());
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const Report& report : reports) all.push_back(to_json(report));
-  fmt::print("{}\n", (reports.size() == 1 ? all[0] : all).dump(2));
+  fmt::print("{}\n", dumped(reports.size() == 1 ? all[0] : all));
 }
 
 ExitStatus simulate_all(const SimOptions& options) {
@@ -64,6 +89,7 @@ ExitStatus simulate_all(const SimOptions& options) {
     require_placeholder(options.outputs.png, "--png");
     require_placeholder(options.report, "--report");
   }
+  refuse_shared_files(files_of(options));
   const std::vector<Report> reports = for_each_job(options.job, [&](const Job& job) {
     Report report = simulate(job, outputs_for(options, job.file));
     write_report(options, report, job.file);
@@ -80,19 +106,29 @@ void add_sim_command(CLI::App& app, ExitStatus& status) {
       "sim",
       "Run programs through the simulated controller and measure the motion.\n"
       "With several programs, {} in an output name stands for the name of each.");
+  command->footer(
+      "Examples:\n"
+      "  kerfline sim part.nc --settings laser.settings --svg part.svg\n"
+      "  kerfline sim part.nc --set '$110=6000' --report part.json --trace part.csv\n"
+      "  kerfline sim *.nc --settings laser.settings --png 'pictures/{}.png'\n"
+      "\n"
+      "Exit status: 0 fine, 1 the program has faults or stopped in an alarm, 2 the call is wrong.");
   const auto options = std::make_shared<SimOptions>();
   options->job.add_to(*command);
-  command->add_option("--trace", options->outputs.trace, "Write every step as text")
-      ->type_name("FILE");
-  command->add_option("--vcd", options->outputs.vcd, "Write the edges for logic-analyser viewers")
-      ->type_name("FILE");
-  command->add_option("--report", options->report, "Write the report as JSON")->type_name("FILE");
-  command->add_option("--svg", options->outputs.svg, "Draw the path as cut")->type_name("FILE");
-  command->add_option("--png", options->outputs.png, "The same as pixels")->type_name("FILE");
-  command->add_option("--kerf", options->outputs.kerf_width_mm, "Kerf width in the picture, mm")
-      ->check(CLI::NonNegativeNumber)
-      ->type_name("WIDTH")
-      ->capture_default_str();
+  const auto add_output = [&](const char* name, std::string& file, const char* help) {
+    mark_file(command->add_option(name, file, help)->type_name("FILE"), FileRole::kOutput);
+  };
+  add_output("--trace", options->outputs.trace, "Write every step as text");
+  add_output("--vcd", options->outputs.vcd, "Write the edges for logic-analyser viewers");
+  add_output("--report", options->report, "Write the report as JSON");
+  add_output("--svg", options->outputs.svg, "Draw the path as cut");
+  add_output("--png", options->outputs.png, "The same as pixels");
+  command
+      ->add_option("--kerf",
+                   options->outputs.kerf_width_mm,
+                   "Width of the cut in the picture; else 0.1 of a laser and a line of a mill")
+      ->check(in_range(0.0, 100.0, "mm"))
+      ->type_name("WIDTH");
   command->callback([options, &status] { status = simulate_all(*options); });
 }
 

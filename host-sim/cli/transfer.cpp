@@ -5,7 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <cstdio>
-#include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "host-sim/report/duration_text.hpp"
@@ -25,15 +25,39 @@ std::unique_ptr<Port> open_port(const SendCommandOptions& options) {
 
 }  // namespace
 
-Line::Line(const SendCommandOptions& options) : port{open_port(options)} {
-  if (options.log.empty()) return;
-  file.open(options.log);
-  if (!file) throw std::invalid_argument(options.log + ": cannot be written");
+Line::Line(const SendCommandOptions& options) {
+  if (!options.log.empty()) file.emplace(options.log);
+  port = open_port(options);
 }
 
 void Line::log(char way, std::string_view words) {
-  if (!file.is_open()) return;
-  file << fmt::format("{:10.3f} {} {}\n", static_cast<double>(now().count()) / 1e3, way, words);
+  if (!file) return;
+  try {
+    fmt::format_to(fmt::appender(file->buffer()),
+                   "{:10.3f} {} {}\n",
+                   static_cast<double>(now().count()) / 1e3,
+                   way,
+                   words);
+    file->drain_when_full();
+  } catch (const std::system_error& error) {
+    drop_log(error);
+  }
+}
+
+bool Line::close_log() {
+  try {
+    if (file) file->close();
+  } catch (const std::system_error& error) {
+    drop_log(error);
+  }
+  file.reset();
+  return !log_failed;
+}
+
+void Line::drop_log(const std::system_error& error) {
+  fmt::print(stderr, "kerfline: --log: {}; the job goes on without its log\n", error.what());
+  log_failed = true;
+  file.reset();
 }
 
 Transfer::Transfer(const SendCommandOptions& options,

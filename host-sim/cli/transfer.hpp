@@ -4,11 +4,12 @@
 
 #include <chrono>
 #include <cstddef>
-#include <fstream>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "firmware/link/can/can_identifiers.hpp"
@@ -19,6 +20,7 @@
 #include "host-sim/send/sender.hpp"
 #include "host-sim/send/wait_watch.hpp"
 #include "host-sim/serve/server.hpp"
+#include "host-sim/trace/output_file.hpp"
 
 namespace sim {
 
@@ -42,21 +44,32 @@ struct SendCommandOptions {
 };
 
 /// The link, and the log of what is said over it. Throws as the open functions of ports do, and
-/// std::invalid_argument for a log that cannot be written.
+/// std::system_error for a log that cannot be written. A log that cannot be written any more, as on
+/// a full disk, ends with a message and does not stop the job.
 struct Line {
   using Clock = std::chrono::steady_clock;
 
   explicit Line(const SendCommandOptions& options);
+  /// Keeps the log of a job that ended in an exception.
+  ~Line() { static_cast<void>(close_log()); }
+  Line(const Line&) = delete;
+  Line& operator=(const Line&) = delete;
 
   [[nodiscard]] Sender::Time now() const {
     return std::chrono::duration_cast<Sender::Time>(Clock::now() - begun);
   }
   void log(char way, std::string_view words);
+  /// Puts the log in its place. False where it could not be written.
+  [[nodiscard]] bool close_log();
 
   Clock::time_point begun = Clock::now();
   StopSignals stop{};
   std::unique_ptr<Port> port;
-  std::ofstream file{};
+  std::optional<OutputFile> file{};
+  bool log_failed = false;
+
+ private:
+  void drop_log(const std::system_error& error);
 };
 
 /// One job over a line, at a terminal or not.

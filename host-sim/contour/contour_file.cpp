@@ -10,6 +10,7 @@
 #include "host-sim/contour/contour_text.hpp"
 #include "host-sim/contour/material_side.hpp"
 #include "host-sim/job/setting_line.hpp"
+#include "host-sim/trace/input_file.hpp"
 
 namespace sim {
 namespace {

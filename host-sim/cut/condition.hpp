@@ -17,10 +17,12 @@ struct Condition {
 /// Whatever is given is kept; the rest is chosen: the fastest speed that is permissible, and the
 /// least power that permits it. Throws std::invalid_argument saying what is permissible when
 /// nothing is.
+/// @param most_power_mw what the laser gives; no power above it is chosen
 [[nodiscard]] Condition choose(const MaterialRecord& record,
                                std::uint32_t thickness_um,
                                std::optional<std::uint32_t> power_mw,
-                               std::optional<std::uint32_t> speed_um_min);
+                               std::optional<std::uint32_t> speed_um_min,
+                               std::uint32_t most_power_mw = cnc::kerf::kMostPowerMw);
 
 /// The greatest power that the record has at a thickness, mW; 0 where it has none.
 [[nodiscard]] std::uint32_t greatest_power(const MaterialRecord& record,

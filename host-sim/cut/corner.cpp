@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace sim::cut {
 namespace {
@@ -42,11 +43,15 @@ std::vector<Stroke> loop_past(const Stroke& arc, double radius_mm) {
           {back, arc.to, 0.0, Purpose::kCornerLoop}};
 }
 
-/// Empty where there is no room.
-std::vector<Stroke> loop_with_room(const Stroke& arc,
-                                   double radius_mm,
-                                   const Clearance& parts,
-                                   double half_kerf_mm) {
+struct RoomyLoop {
+  std::vector<Stroke> strokes{};  ///< None where there is no room.
+  double share = 1.0;             ///< Of the radius.
+};
+
+RoomyLoop loop_with_room(const Stroke& arc,
+                         double radius_mm,
+                         const Clearance& parts,
+                         double half_kerf_mm) {
   if (sweep_of(arc) > kSharpest) return {};
   for (const double share : {1.0, 0.5, 0.25, 0.125}) {
     std::vector<Stroke> loop = loop_past(arc, share * radius_mm);
@@ -54,7 +59,7 @@ std::vector<Stroke> loop_with_room(const Stroke& arc,
     for (const Stroke& stroke : loop) {
       clear = clear && parts.is_clear(stroke, half_kerf_mm - kLoopSlack);
     }
-    if (clear) return loop;
+    if (clear) return {std::move(loop), share};
   }
   return {};
 }
@@ -93,8 +98,9 @@ CornerWork treat_corners(std::vector<Stroke>& strokes,
     for (; done < corner.stroke; ++done) treated.push_back(strokes[done]);
     if (corner.is_outer && settings.corner_loop_mm > 0.0) {
       const auto loop = loop_with_room(strokes[done], settings.corner_loop_mm, parts, half_kerf_mm);
-      if (!loop.empty()) {
-        treated.insert(treated.end(), loop.begin(), loop.end());
+      if (!loop.strokes.empty()) {
+        treated.insert(treated.end(), loop.strokes.begin(), loop.strokes.end());
+        if (loop.share < 1.0 && work.smaller++ == 0) work.first_smaller = corner.place;
         ++done;
         continue;
       }

@@ -30,6 +30,8 @@ struct Corner {
 struct CornerWork {
   std::size_t without_room = 0;  ///< Outer corners whose loops would come too near to a part…
   std::optional<Place> first_without{};  ///< …and the first of them.
+  std::size_t smaller = 0;               ///< Loops with less than the radius that was set…
+  std::optional<Place> first_smaller{};  ///< …and the first of them.
 };
 
 /// Against burnt corners, as the settings ask. A loop goes straight on past an outer corner, turns

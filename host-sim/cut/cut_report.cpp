@@ -9,6 +9,7 @@
 #include <numbers>
 #include <set>
 
+#include "host-sim/cut/kerf_notes.hpp"
 #include "host-sim/cut/order.hpp"
 #include "host-sim/knowledge/experiment.hpp"
 #include "host-sim/report/duration_text.hpp"
@@ -49,6 +50,7 @@ Json json_of(const LayerPlan& layer, const drawing::Layer& drawn) {
   row["power_w"] = from_thousandths(layer.condition.cut.power_mw);
   row["feed_mm_min"] = from_thousandths(layer.condition.cut.speed_um_min);
   row["kerf_mm"] = layer.condition.kerf_mm;
+  row["kerf_half_interval_mm"] = layer.condition.half_interval_mm;
   return row;
 }
 
@@ -120,6 +122,10 @@ std::vector<std::string> lines_of(const CutJob& job, const CutFigures& figures) 
                     from_thousandths(condition.cut.speed_um_min),
                     condition.kerf_mm));
   }
+  constexpr std::size_t kLineWidth = 76;
+  for (const std::string& note : job.notes) {
+    for (const std::string& line : wrapped("warning: " + note, kLineWidth)) lines.push_back(line);
+  }
   lines.push_back(
       fmt::format("S{:g} is {:g} W; {}",
                   job.beam.full_power_s,
@@ -154,6 +160,11 @@ Json json_of(const CutJob& job, const CutFigures& figures) {
     json["layers"].push_back(json_of(job.plan.layers[i], job.drawn.layers[i]));
     json["thickness_mm"] = from_thousandths(job.plan.layers[i].condition.cut.thickness_um);
   }
+  json["kerf"] = {{"unit", name_of(job.record.unit)},
+                  {"laser", job.record.laser},
+                  {"measured_on_this_machine", job.record.calibrated},
+                  {"provenance", job.record.provenance},
+                  {"warnings", job.notes}};
   json["full_power_w"] = job.beam.full_power_w;
   json["curves"] = curves_of(job);
   json["tolerance_mm"] = job.plan.curves.tolerance_mm;

@@ -31,10 +31,11 @@ struct CutJob {
   const CutPlan& plan;
   const MaterialRecord& record;
   Beam beam;
+  std::vector<std::string> notes{};  ///< Of the kerf; see kerf_notes().
 };
 
-/// Material, conditions of each layer that is cut, and figures: the heading of the program, and
-/// what people are told.
+/// Material, conditions of each layer that is cut, notes, and figures: the heading of the program,
+/// and what people are told.
 [[nodiscard]] std::vector<std::string> lines_of(const CutJob& job, const CutFigures& figures);
 
 /// The same for programs, with faults and warnings.

@@ -130,6 +130,9 @@ std::vector<LayerRule> read_rules(const std::string& text, const std::string& fi
     if (line.empty() || line.front() == '#') continue;
     rules.push_back(parse_rule(line, fmt::format("{}:{}", file, number)));
   }
+  if (rules.empty()) {
+    throw std::invalid_argument(fmt::format("{}: has no rule `LAYER: key=value`", file));
+  }
   return rules;
 }
 

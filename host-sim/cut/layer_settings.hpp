@@ -53,7 +53,8 @@ struct LayerRule {
 /// Throws std::invalid_argument with the place, also for keys and values that mean nothing.
 [[nodiscard]] LayerRule parse_rule(std::string_view text, std::string place);
 
-/// Rules, one to a line; blank lines and those that begin with `#` do not count.
+/// Rules, one to a line; blank lines and those that begin with `#` do not count. Throws
+/// std::invalid_argument as parse_rule() does, and for a file without any.
 [[nodiscard]] std::vector<LayerRule> read_rules(const std::string& text, const std::string& file);
 
 /// The common settings with every rule that names the layer, later ones last.

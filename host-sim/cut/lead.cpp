@@ -80,6 +80,12 @@ std::vector<Stroke> tabbed(const MeasuredRow& row, unsigned tabs, double gap_mm)
   return result;
 }
 
+/// Tabs take less than half of the cut.
+unsigned tabs_with_room(const MeasuredRow& loop, unsigned tabs, double gap_mm) {
+  while (tabs > 0 && tabs * gap_mm >= 0.5 * loop.length()) --tabs;
+  return tabs;
+}
+
 /// The cut without its leads, from a place on.
 std::vector<Stroke> body_of(const MeasuredRow& loop,
                             double way_mm,
@@ -87,9 +93,7 @@ std::vector<Stroke> body_of(const MeasuredRow& loop,
                             unsigned tabs,
                             double kerf_mm) {
   const MeasuredRow row{loop.begun_at(way_mm)};
-  const double gap = settings.tab_mm + kerf_mm;
-  const bool room_for_tabs = tabs * gap < 0.5 * row.length();
-  std::vector<Stroke> body = tabbed(row, room_for_tabs ? tabs : 0, gap);
+  std::vector<Stroke> body = tabbed(row, tabs, settings.tab_mm + kerf_mm);
   add(body, row.stretch(0.0, settings.overcut_mm), Purpose::kOvercut);
   return body;
 }
@@ -141,6 +145,7 @@ std::optional<Leads> leads_at(const MeasuredRow& loop,
 struct Beginning {
   Start start{};
   std::optional<Leads> leads{};
+  double share = 1.0;
 };
 
 Beginning beginning_of(const MeasuredRow& loop,
@@ -150,7 +155,7 @@ Beginning beginning_of(const MeasuredRow& loop,
   for (const double share : {1.0, 0.5, 0.25, 0.125}) {
     for (const Start& start : starts) {
       if (auto leads = leads_at(loop, start.way_mm, settings, share, room)) {
-        return {start, std::move(leads)};
+        return {start, std::move(leads), share};
       }
     }
   }
@@ -164,9 +169,11 @@ LedCut with_leads(const MeasuredRow& loop,
                   unsigned tabs,
                   const LeadRoom& room) {
   const Beginning beginning = beginning_of(loop, settings, room);
-  LedCut cut{.has_leads = beginning.leads.has_value()};
-  std::vector<Stroke> body =
-      body_of(loop, beginning.start.way_mm, settings, tabs, 2.0 * room.half_kerf_mm);
+  const double kerf = 2.0 * room.half_kerf_mm;
+  LedCut cut{.has_leads = beginning.leads.has_value(),
+             .lead_share = beginning.share,
+             .tabs = tabs_with_room(loop, tabs, settings.tab_mm + kerf)};
+  std::vector<Stroke> body = body_of(loop, beginning.start.way_mm, settings, cut.tabs, kerf);
   cut.corners = treat_corners(body, settings, room.parts, room.half_kerf_mm);
   if (beginning.leads) cut.strokes = beginning.leads->in;
   cut.strokes.insert(cut.strokes.end(), body.begin(), body.end());

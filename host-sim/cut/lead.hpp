@@ -22,7 +22,9 @@ struct LeadRoom {
 
 struct LedCut {
   std::vector<Stroke> strokes{};
-  bool has_leads = false;  ///< Or there was no room for those that were asked for.
+  bool has_leads = false;   ///< Or there was no room for those that were asked for.
+  double lead_share = 1.0;  ///< Of the length that was asked for.
+  unsigned tabs = 0;        ///< As many as have room.
   CornerWork corners{};
 };
 
@@ -31,7 +33,7 @@ struct LedCut {
 /// right, with the beam off at tabs, overcut and led out. Leads are shortened to an eighth before
 /// they are left out; then corners are treated. An arc is a quarter turn and touches the contour, a
 /// line comes at 45 degrees.
-/// @param tabs so many, evenly spaced
+/// @param tabs so many, evenly spaced; fewer where they would take half of the cut
 [[nodiscard]] LedCut with_leads(const MeasuredRow& loop,
                                 const LayerSettings& settings,
                                 unsigned tabs,

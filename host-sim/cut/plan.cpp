@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <set>
 
 #include "host-sim/contour/contour_offset.hpp"
 #include "host-sim/cut/clearance.hpp"
@@ -13,6 +14,7 @@
 #include "host-sim/cut/drawn_strokes.hpp"
 #include "host-sim/cut/lead.hpp"
 #include "host-sim/cut/order.hpp"
+#include "host-sim/cut/unfulfilled.hpp"
 #include "planner/base/contract.hpp"
 
 namespace sim::cut {
@@ -77,6 +79,10 @@ double area_of(const std::vector<Stroke>& loop) {
     twice += radius * radius * (sweep - std::sin(sweep));
   }
   return 0.5 * twice;
+}
+
+void append(std::vector<drawing::Fault>& faults, const std::vector<drawing::Fault>& more) {
+  faults.insert(faults.end(), more.begin(), more.end());
 }
 
 double widest_kerf(const std::vector<LayerPlan>& layers) {
@@ -145,6 +151,7 @@ class Planner {
   double reach_mm_;                ///< Twice the widest kerf: nothing farther matters.
   Clearance edges_;
   ContourOffset offset_;
+  std::set<std::size_t> told_layers_;  ///< Those with a cut on the line, so far.
 };
 
 /// Contours that are not cut beside their line are no parts, and nothing is a hole in them.
@@ -206,6 +213,10 @@ void Planner::cut_beside(std::size_t i) {
 void Planner::cut_along(std::size_t i) {
   Cut cut{.contour = i, .layer = drawn_.contours[i].entity.layer};
   cut.strokes = outlines_[i].strokes;
+  if (told_layers_.insert(cut.layer).second) {
+    append(plan_.warnings,
+           unfulfilled_on_line(layer_of(i).settings, drawn_.contours[i].entity, cut.start()));
+  }
   plan_.cuts.push_back(std::move(cut));
 }
 
@@ -284,23 +295,8 @@ void Planner::add_cut(std::size_t i, const std::vector<Stroke>& loop) {
     cut.corners.push_back(corner.place);
   }
   LedCut led = with_leads(MeasuredRow{loop}, settings, tabs, {edges_, half_kerf(i)});
+  append(plan_.warnings, unfulfilled(led, drawn_.contours[i].entity, tabs));
   cut.strokes = std::move(led.strokes);
-  if (led.corners.without_room != 0) {
-    plan_.warnings.push_back(
-        {FaultKind::kTooSmall,
-         drawn_.contours[i].entity,
-         led.corners.first_without,
-         fmt::format("{} corners, this one first, have no room for their loops",
-                     led.corners.without_room),
-         "choose a smaller --corner-loop, or move the parts apart"});
-  }
-  if (!led.has_leads) {
-    plan_.warnings.push_back({FaultKind::kTooSmall,
-                              drawn_.contours[i].entity,
-                              cut.start(),
-                              "has no room for its leads; it is cut without",
-                              "shorten them for its layer, or move the parts apart"});
-  }
   plan_.cuts.push_back(std::move(cut));
 }
 

@@ -12,6 +12,8 @@
 #include "firmware/machine/configuration.hpp"
 #include "host-sim/job/axis_scale.hpp"
 #include "host-sim/job/job_report.hpp"
+#include "host-sim/job/measuring_error.hpp"
+#include "host-sim/job/picture_choice.hpp"
 #include "host-sim/machine/machine_reading.hpp"
 #include "host-sim/measure/driven_path.hpp"
 #include "host-sim/measure/energy_meter.hpp"
@@ -22,6 +24,7 @@
 #include "host-sim/plot/path_recorder.hpp"
 #include "host-sim/plot/picture.hpp"
 #include "host-sim/plot/png.hpp"
+#include "host-sim/trace/input_file.hpp"
 #include "host-sim/trace/trace_writer.hpp"
 #include "host-sim/trace/vcd_writer.hpp"
 
@@ -152,9 +155,15 @@ class BeamMeter {
   EnergyMeter energy_;
 };
 
-void draw(const PathRecorder& recorder, const Job& job, const JobOutputs& outputs) {
+void draw(const PathRecorder& recorder,
+          const Report& report,
+          const JobOutputs& outputs,
+          const cnc::Settings& settings) {
   if (outputs.svg.empty() && outputs.png.empty()) return;
-  const PictureOptions options{.title = job_name(job.file), .kerf_width_mm = outputs.kerf_width_mm};
+  const double usual_kerf = is_mill(settings) ? 0.0 : PictureOptions{}.kerf_width_mm;
+  const PictureOptions options{.title = report.job,
+                               .kerf_width_mm = outputs.kerf_width_mm.value_or(usual_kerf),
+                               .cut_length_mm = report.cut_length_mm};
   if (!outputs.svg.empty()) write_svg(outputs.svg, recorder.path(), options);
   if (!outputs.png.empty()) write_png(outputs.png, draw_svg(recorder.path(), options));
 }
@@ -180,7 +189,8 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
   ShapingMeter shaping{steps_per_mm<double>(simulator.settings())};
   MotionMeter meter{steps_per_mm<double>(simulator.settings())};
   PathDeviation deviation{path, steps_per_mm<double>(simulator.settings())};
-  PathRecorder recorder{steps_per_mm<float>(simulator.settings())};
+  PathRecorder recorder{steps_per_mm<float>(simulator.settings()),
+                        shown_of(path, simulator.settings())};
   MotionKindTeller teller{deviation, recorder};
   simulator.add_sink(meter);
   simulator.add_sink(tool);
@@ -214,11 +224,12 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
                                           result.refusals.front().line));
   }
   add_measured(meter, report);
+  add_measuring_errors(simulator.settings(), report);
   add_bounds(tool, simulator.settings(), report);
   add_deviation(deviation, report);
   report.max_shaping_error_mm = shaping.greatest_distance();
   if (beam) beam->add_to(report);
-  draw(recorder, job, outputs);
+  draw(recorder, report, outputs, simulator.settings());
   return report;
 }
 

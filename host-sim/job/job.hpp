@@ -27,7 +27,8 @@ struct JobOutputs {
   std::string vcd;
   std::string svg;
   std::string png;
-  double kerf_width_mm = 0.1;
+  /// In pictures; without a number 0.1 mm, and none of a mill.
+  std::optional<double> kerf_width_mm{};
 };
 
 /// Runs a job through the simulated controller as a sender would, measures its

@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <stdexcept>
+#include <utility>
 
 #include "host-sim/job/fault_place.hpp"
+#include "host-sim/trace/input_file.hpp"
 
 namespace sim {
 namespace {
@@ -23,7 +26,12 @@ ProgramText prepared(const Job& job) {
   for (const SettingChange& change : job.settings) {
     if (change.number == cnc::setting::kBlockDelete) block_delete = change.value != 0.0F;
   }
-  return prepare_program(job.text ? *job.text : read_text(job.file), block_delete);
+  std::string text = job.text ? *job.text : read_text(job.file);
+  // An export that failed leaves an empty file; that it took no time would be no answer.
+  if (text.empty() && !job.text) {
+    throw std::invalid_argument(fmt::format("{}: is empty; it has no program", job.file));
+  }
+  return prepare_program(std::move(text), block_delete);
 }
 
 double cut_length(const PathPiece& piece) {

@@ -2,14 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <cerrno>
+#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <fstream>
-#include <iostream>
-#include <iterator>
 #include <stdexcept>
-#include <system_error>
+
+#include "host-sim/trace/input_file.hpp"
 
 namespace sim {
 namespace {
@@ -45,14 +43,22 @@ SettingChange parse_setting(std::string_view text, std::string place) {
 }
 
 std::vector<SettingChange> read_settings_file(const std::string& file) {
-  std::ifstream stream{file};
-  if (!stream) throw std::system_error(errno, std::generic_category(), file);
+  const std::string whole = read_text(file);
+  std::string_view rest = whole;
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (rest.starts_with(kByteOrderMark)) rest.remove_prefix(kByteOrderMark.size());
   std::vector<SettingChange> changes;
-  std::string line;
-  for (int number = 1; std::getline(stream, line); ++number) {
-    const std::string_view text = trimmed(line);
+  for (int number = 1; !rest.empty(); ++number) {
+    const std::size_t end = std::min(rest.find('\n'), rest.size());
+    const std::string_view text = trimmed(rest.substr(0, end));
+    rest.remove_prefix(std::min(end + 1, rest.size()));
     if (text.empty()) continue;
-    changes.push_back(parse_setting(text, fmt::format("{}:{}", file, number)));
+    changes.push_back(parse_setting(text, fmt::format("{}:{}", name_of_input(file), number)));
+  }
+  if (changes.empty()) {
+    throw std::invalid_argument(
+        fmt::format("{}: has no line $N=value; leave the option out for the delivered settings",
+                    name_of_input(file)));
   }
   return changes;
 }
@@ -67,15 +73,6 @@ void apply_settings(const std::vector<SettingChange>& changes, cnc::Machine& mac
                                             change.value,
                                             cnc::describe(stored.error())));
   }
-}
-
-std::string read_text(const std::string& file) {
-  if (file == "-") return {std::istreambuf_iterator<char>{std::cin}, {}};
-  std::ifstream stream{file, std::ios::binary};
-  std::string text;
-  if (stream) text.assign(std::istreambuf_iterator<char>{stream}, {});
-  if (!stream) throw std::system_error(errno, std::generic_category(), file);
-  return text;
 }
 
 }  // namespace sim

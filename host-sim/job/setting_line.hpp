@@ -21,16 +21,12 @@ struct SettingChange {
 [[nodiscard]] SettingChange parse_setting(std::string_view text, std::string place);
 
 /// Reads a file of them, one a line; blank lines and what follows `;` or `#` do
-/// not count. Throws std::invalid_argument with the place, std::system_error
-/// when the file cannot be read.
+/// not count. Throws std::invalid_argument with the place, also for a file without any,
+/// std::system_error when the file cannot be read.
 [[nodiscard]] std::vector<SettingChange> read_settings_file(const std::string& file);
 
 /// Gives them to a machine. Throws std::invalid_argument with the place of the
 /// first that it refuses. @pre machine.idle()
 void apply_settings(const std::vector<SettingChange>& changes, cnc::Machine& machine);
-
-/// The whole text of a file, or of standard input for `-`. Throws
-/// std::system_error naming the file.
-[[nodiscard]] std::string read_text(const std::string& file);
 
 }  // namespace sim

@@ -58,9 +58,10 @@ std::vector<Fault> TravelCheck::faults(const std::string& file, std::string_view
                       .line = static_cast<std::size_t>(line),
                       .column = column_of(line_of(text, line), letter),
                       .number = kTravelExceeded,
-                      .message = fmt::format("{} needs {:.3f} mm of travel, ${} allows {:g}",
+                      .message = fmt::format("{} needs {:.3f} {} of travel, ${} allows {:g}",
                                              letter,
                                              bounds_.high[axis] - bounds_.low[axis],
+                                             axis < cnc::kLinearAxisCount ? "mm" : "degrees",
                                              cnc::setting::kTravel + axis,
                                              travel_[axis])});
   }

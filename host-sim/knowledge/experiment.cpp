@@ -12,13 +12,13 @@ std::string rejection_of(const Experiment& cut, const AcceptanceLimits& limits) 
     reasons += (reasons.empty() ? "" : "; ") + reason;
   };
   if (cut.kerf_top_mm <= 0.0 || cut.kerf_bottom_mm <= 0.0) add("not cut through: a kerf is 0");
-  if (cut.dross_area_mm2 > limits.dross_area_mm2) {
+  if (cut.dross_area_mm2 && *cut.dross_area_mm2 > limits.dross_area_mm2) {
     add(fmt::format(
-        "dross area {:g} mm2 is above {:g} mm2", cut.dross_area_mm2, limits.dross_area_mm2));
+        "dross area {:g} mm2 is above {:g} mm2", *cut.dross_area_mm2, limits.dross_area_mm2));
   }
-  if (cut.straightness_mm > limits.straightness_mm) {
+  if (cut.straightness_mm && *cut.straightness_mm > limits.straightness_mm) {
     add(fmt::format(
-        "straightness {:g} mm is above {:g} mm", cut.straightness_mm, limits.straightness_mm));
+        "straightness {:g} mm is above {:g} mm", *cut.straightness_mm, limits.straightness_mm));
   }
   return reasons;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 
 #include "planner/kerf/kerf_table.hpp"
@@ -15,8 +16,9 @@ struct Experiment {
   cnc::kerf::Condition condition{};
   double kerf_top_mm = 0.0;
   double kerf_bottom_mm = 0.0;
-  double dross_area_mm2 = 0.0;   ///< Mean of the cut's faces, at the bottom.
-  double straightness_mm = 0.0;  ///< At the bottom.
+  /// Mean of the cut's faces, at the bottom; none where it was not measured, and so not judged.
+  std::optional<double> dross_area_mm2{};
+  std::optional<double> straightness_mm{};  ///< At the bottom; none as above.
   std::string file{};
   std::size_t line = 0;
   std::string rejection{};  ///< Why it does not count; empty when it does.

@@ -55,12 +55,12 @@ std::string_view trimmed_field(std::string_view text) {
 
 class CsvReader {
  public:
-  explicit CsvReader(const std::string& file) : file_{file} {}
+  CsvReader(const std::string& file, const std::string& laser) : file_{file}, laser_{laser} {}
 
-  std::vector<Experiment> read(std::string_view text) {
+  ExperimentFile read(std::string_view text) {
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
     if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
-    std::vector<Experiment> cuts;
+    ExperimentFile found;
     while (!text.empty()) {
       const std::size_t end = text.find('\n');
       const std::string_view line = trimmed_field(text.substr(0, end));
@@ -70,13 +70,18 @@ class CsvReader {
       const Fields fields = split(line);
       if (!has_header_) {
         read_header(fields);
+      } else if (is_unmeasured(fields)) {
+        ++found.unmeasured;
       } else {
-        cuts.push_back(read_cut(fields));
+        found.cuts.push_back(read_cut(fields));
       }
     }
     if (!has_header_) fail(fmt::format("no header; it is: {}", kExperimentHeader));
-    if (cuts.empty()) fail("no test cut below the header");
-    return cuts;
+    if (found.cuts.empty() && found.unmeasured != 0) {
+      fail("no line has a measurement; fill in kerf_top_mm and kerf_bottom_mm");
+    }
+    if (found.cuts.empty()) fail("no test cut below the header");
+    return found;
   }
 
  private:
@@ -132,6 +137,12 @@ class CsvReader {
     }
   }
 
+  [[nodiscard]] bool is_unmeasured(const Fields& fields) const {
+    if (fields.size() != width_) return false;
+    return std::ranges::all_of(std::array{kKerfTop, kKerfBottom, kDross, kStraightness},
+                               [&](Column column) { return fields[place_[column]].empty(); });
+  }
+
   std::string text_of(const Fields& fields, Column column) const {
     const std::string& text = fields[place_[column]];
     if (text.empty()) fail(kColumns[column].name, "is empty");
@@ -154,6 +165,11 @@ class CsvReader {
     return value;
   }
 
+  std::optional<double> number_or_none(const Fields& fields, Column column) const {
+    if (fields[place_[column]].empty()) return std::nullopt;
+    return number_of(fields, column);
+  }
+
   Experiment read_cut(const Fields& fields) const {
     if (fields.size() != width_) {
       fail(fmt::format("{} fields, the header has {}", fields.size(), width_));
@@ -166,21 +182,23 @@ class CsvReader {
                        cut.material,
                        cnc::kerf::kLongestName));
     }
-    cut.laser = text_of(fields, kLaser);
+    cut.laser = fields[place_[kLaser]];
+    if (cut.laser.empty()) cut.laser = laser_;
     cut.gas_pressure_mpa = number_of(fields, kGasPressure);
     cut.condition = {to_thousandths(number_of(fields, kThickness)),
                      to_thousandths(number_of(fields, kPower)),
                      to_thousandths(number_of(fields, kSpeed))};
     cut.kerf_top_mm = number_of(fields, kKerfTop);
     cut.kerf_bottom_mm = number_of(fields, kKerfBottom);
-    cut.dross_area_mm2 = number_of(fields, kDross);
-    cut.straightness_mm = number_of(fields, kStraightness);
+    cut.dross_area_mm2 = number_or_none(fields, kDross);
+    cut.straightness_mm = number_or_none(fields, kStraightness);
     cut.file = file_;
     cut.line = line_;
     return cut;
   }
 
   const std::string& file_;
+  const std::string& laser_;
   std::size_t line_ = 0;
   bool has_header_ = false;
   std::size_t width_ = 0;
@@ -189,8 +207,14 @@ class CsvReader {
 
 }  // namespace
 
+ExperimentFile read_experiment_file(std::string_view text,
+                                    const std::string& file,
+                                    const std::string& laser) {
+  return CsvReader{file, laser}.read(text);
+}
+
 std::vector<Experiment> read_experiments(std::string_view text, const std::string& file) {
-  return CsvReader{file}.read(text);
+  return read_experiment_file(text, file).cuts;
 }
 
 }  // namespace sim

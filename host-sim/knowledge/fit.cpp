@@ -139,7 +139,9 @@ void add_powers(const Powers& region, ThicknessRecord& row) {
 void require_one_of(const std::set<std::string>& found, const char* what) {
   if (found.size() <= 1) return;
   std::string names;
-  for (const std::string& name : found) names += (names.empty() ? "" : ", ") + name;
+  for (const std::string& name : found) {
+    names += (names.empty() ? "" : ", ") + (name.empty() ? "one without a name" : name);
+  }
   throw std::invalid_argument(
       fmt::format("the cuts are of several {}: {}; choose one", what, names));
 }

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <set>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "host-sim/plot/chart.hpp"
 
@@ -15,7 +17,7 @@ namespace {
 namespace kerf = cnc::kerf;
 
 constexpr int kLineParts = 60;
-constexpr const char* kKerfLabel = "kerf in mm";
+constexpr const char* kKerfLabel = "kerf in mm, bands hold 95 % of cuts";
 
 /// From `least` to `most`, both included.
 std::uint32_t part_of(const kerf::Window& window, int part) {
@@ -43,17 +45,40 @@ std::set<std::uint32_t> powers_around(const OwnedKerfTable<double>& table,
   return powers;
 }
 
-ChartPanel over_speed(const OwnedKerfTable<double>& table,
+/// Adds a place of the law, with the interval of single cuts around it.
+void add_point(ChartSeries& series,
+               const MaterialRecord& record,
+               const kerf::Condition& at,
+               double x) {
+  const auto found = predict(record, at);
+  if (!found.ok()) return;
+  series.line.push_back({x, found.value().kerf_mm});
+  series.half_bands.push_back(found.value().half_interval_mm);
+}
+
+void sort_by_x(ChartSeries& series) {
+  std::vector<std::pair<ChartPoint, double>> points;
+  for (std::size_t i = 0; i < series.line.size(); ++i) {
+    points.emplace_back(series.line[i], series.half_bands[i]);
+  }
+  std::ranges::sort(points, {}, [](const auto& point) { return point.first.x; });
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    series.line[i] = points[i].first;
+    series.half_bands[i] = points[i].second;
+  }
+}
+
+ChartPanel over_speed(const MaterialRecord& record,
                       std::uint32_t thickness_um,
                       std::span<const Experiment> cuts) {
+  const OwnedKerfTable<double> table = table_of<double>(record);
   ChartPanel panel{.x_label = "speed in mm/min", .y_label = kKerfLabel};
   for (const std::uint32_t power : powers_around(table, thickness_um)) {
     ChartSeries series{.label = fmt::format("{:g} W", from_thousandths(power))};
     const auto speeds = kerf::permissible_speeds(table.view(), thickness_um, power);
     for (int part = 0; speeds.ok() && part <= kLineParts; ++part) {
       const std::uint32_t speed = part_of(speeds.value(), part);
-      const auto width = kerf::kerf_width(table.view(), {thickness_um, power, speed});
-      series.line.push_back({from_thousandths(speed), width.value()});
+      add_point(series, record, {thickness_um, power, speed}, from_thousandths(speed));
     }
     for (const Experiment& cut : cuts) {
       const kerf::Condition& at = cut.condition;
@@ -82,15 +107,15 @@ std::set<std::uint32_t> sample_speeds(const OwnedKerfTable<double>& table,
   return speeds;
 }
 
-ChartPanel over_power(const OwnedKerfTable<double>& table, std::uint32_t thickness_um) {
+ChartPanel over_power(const MaterialRecord& record, std::uint32_t thickness_um) {
+  const OwnedKerfTable<double> table = table_of<double>(record);
   ChartPanel panel{.x_label = "power in W", .y_label = kKerfLabel};
   const kerf::Window powers = kerf::permissible_powers(table.view(), thickness_um).value();
   for (const std::uint32_t speed : sample_speeds(table, thickness_um)) {
     ChartSeries series{.label = fmt::format("{:g} mm/min", from_thousandths(speed))};
     for (int part = 0; part <= kLineParts; ++part) {
       const std::uint32_t power = part_of(powers, part);
-      const auto width = kerf::kerf_width(table.view(), {thickness_um, power, speed});
-      if (width.ok()) series.line.push_back({from_thousandths(power), width.value()});
+      add_point(series, record, {thickness_um, power, speed}, from_thousandths(power));
     }
     if (!series.line.empty()) panel.series.push_back(std::move(series));
   }
@@ -98,8 +123,10 @@ ChartPanel over_power(const OwnedKerfTable<double>& table, std::uint32_t thickne
 }
 
 std::string origin_of(const MaterialRecord& record) {
-  return fmt::format(
-      "{}  ·  Q in {}  ·  {}", record.laser, name_of(record.unit), record.provenance);
+  return fmt::format("{}  ·  Q in {}  ·  {}",
+                     record.laser.empty() ? "a laser without a name" : record.laser,
+                     name_of(record.unit),
+                     record.provenance);
 }
 
 }  // namespace
@@ -107,31 +134,30 @@ std::string origin_of(const MaterialRecord& record) {
 std::string draw_kerf_over_speed(const MaterialRecord& record,
                                  std::uint32_t thickness_um,
                                  std::span<const Experiment> cuts) {
-  const OwnedKerfTable<double> table = table_of<double>(record);
   return draw_chart(
       fmt::format(
           "{}, {:g} mm: kerf over speed and power", record.name, from_thousandths(thickness_um)),
       origin_of(record),
-      {over_speed(table, thickness_um, cuts), over_power(table, thickness_um)});
+      {over_speed(record, thickness_um, cuts), over_power(record, thickness_um)});
 }
 
 std::string draw_kerf_over_heat(const MaterialRecord& record, std::span<const Experiment> cuts) {
-  const OwnedKerfTable<double> table = table_of<double>(record);
   ChartPanel panel{.x_label = fmt::format("effective heat input Q in {}", name_of(record.unit)),
                    .y_label = kKerfLabel};
   for (const ThicknessRecord& row : record.thicknesses) {
     ChartSeries series{.label = fmt::format("{:g} mm", from_thousandths(row.thickness_um))};
     const auto add = [&](std::uint32_t power, std::uint32_t speed) {
-      const auto width = kerf::kerf_width(table.view(), {row.thickness_um, power, speed});
-      series.line.push_back({kerf::heat_input<double>(record.unit, power, speed), width.value()});
+      add_point(series,
+                record,
+                {row.thickness_um, power, speed},
+                kerf::heat_input<double>(record.unit, power, speed));
     };
     for (const PowerRecord& power : row.powers) {
       add(power.power_mw, power.speeds_um_min.least);
       add(power.power_mw, power.speeds_um_min.most);
       for (const kerf::Point& point : power.points) add(power.power_mw, point.speed_um_min);
     }
-    const auto by_heat = [](const ChartPoint& a, const ChartPoint& b) { return a.x < b.x; };
-    std::sort(series.line.begin(), series.line.end(), by_heat);
+    sort_by_x(series);
     for (const Experiment& cut : cuts) {
       const kerf::Condition& at = cut.condition;
       if (!cut.accepted() || at.thickness_um != row.thickness_um) continue;

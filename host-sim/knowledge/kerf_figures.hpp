@@ -9,8 +9,9 @@
 namespace sim {
 
 /// Kerf over speed for each power, and over power for each of some speeds, at one thickness, as far
-/// as permissible; accepted cuts of it as dots. An SVG document. Source: Park and Ahn 2007, Fig. 7.
-/// Throws std::invalid_argument where the thickness is not permissible.
+/// as permissible; accepted cuts of it as dots, the interval of 95 % of cuts as bands. An SVG
+/// document. Source: Park and Ahn 2007, Fig. 7. Throws std::invalid_argument where the thickness is
+/// not permissible.
 [[nodiscard]] std::string draw_kerf_over_speed(const MaterialRecord& record,
                                                std::uint32_t thickness_um,
                                                std::span<const Experiment> cuts);

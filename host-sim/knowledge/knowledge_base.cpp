@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cstdio>
 #include <filesystem>
 #include <span>
 #include <stdexcept>
@@ -21,6 +22,13 @@ kerf::HeatUnit unit_named(const std::string& name) {
              : kerf::HeatUnit::kWattMinutesPerMillimetre;
 }
 
+/// Stands in a column of what was not measured.
+constexpr double kNotMeasured = -1.0;
+
+std::optional<double> measured(double value) {
+  return value < 0.0 ? std::nullopt : std::optional{value};
+}
+
 std::uint32_t crc_of_text(std::string_view text) {
   cnc::Crc32 crc;
   crc.add(std::as_bytes(std::span{text.data(), text.size()}));
@@ -28,7 +36,12 @@ std::uint32_t crc_of_text(std::string_view text) {
 }
 
 const std::string& existing(const std::string& file, SqlFile::Mode mode) {
-  if (mode == SqlFile::Mode::kCreate || std::filesystem::exists(file)) return file;
+  std::error_code is_none;
+  const bool exists = std::filesystem::exists(file, is_none);
+  if (std::filesystem::is_directory(file, is_none)) {
+    throw std::runtime_error(fmt::format("{}: Is a directory", file));
+  }
+  if (mode == SqlFile::Mode::kCreate || exists) return file;
   throw std::runtime_error(fmt::format(
       "{}: no such data base; `kerfline kerf add CUTS.csv --db {}` makes one", file, file));
 }
@@ -36,17 +49,23 @@ const std::string& existing(const std::string& file, SqlFile::Mode mode) {
 }  // namespace
 
 KnowledgeBase::KnowledgeBase(const std::string& file, SqlFile::Mode mode)
-    : file_{existing(file, mode), mode} {
-  prepare_file();
+    : is_new_{!std::filesystem::exists(file)}, file_{existing(file, mode), mode} {
+  try {
+    prepare_file(mode);
+  } catch (...) {
+    // Half a data base is no data base; what a full disk left of a new one goes.
+    if (is_new_ && mode == SqlFile::Mode::kCreate) std::remove(file.c_str());
+    throw;
+  }
 }
 
-void KnowledgeBase::prepare_file() {
+void KnowledgeBase::prepare_file(SqlFile::Mode mode) {
   SqlStatement version = file_.prepare("PRAGMA user_version");
   static_cast<void>(version.next());
   if (version.whole(0) == kSchemaVersion) return;
   SqlStatement tables = file_.prepare("SELECT count(*) FROM sqlite_master");
   static_cast<void>(tables.next());
-  if (version.whole(0) != 0 || tables.whole(0) != 0) {
+  if (version.whole(0) != 0 || tables.whole(0) != 0 || mode != SqlFile::Mode::kCreate) {
     throw std::runtime_error(fmt::format(
         "{}: not a data base of kerf knowledge, version {}", file_.name(), kSchemaVersion));
   }
@@ -89,8 +108,8 @@ void KnowledgeBase::add(const std::vector<Experiment>& cuts,
         .bind(cut.condition.speed_um_min)
         .bind(cut.kerf_top_mm)
         .bind(cut.kerf_bottom_mm)
-        .bind(cut.dross_area_mm2)
-        .bind(cut.straightness_mm)
+        .bind(cut.dross_area_mm2.value_or(kNotMeasured))
+        .bind(cut.straightness_mm.value_or(kNotMeasured))
         .bind(cut.rejection)
         .run();
   }
@@ -111,8 +130,8 @@ std::vector<Experiment> KnowledgeBase::cuts_of(std::string_view material) const 
                     .condition = {rows.small(2), rows.small(3), rows.small(4)},
                     .kerf_top_mm = rows.real(5),
                     .kerf_bottom_mm = rows.real(6),
-                    .dross_area_mm2 = rows.real(7),
-                    .straightness_mm = rows.real(8),
+                    .dross_area_mm2 = measured(rows.real(7)),
+                    .straightness_mm = measured(rows.real(8)),
                     .file = rows.text(9),
                     .line = static_cast<std::size_t>(rows.whole(10)),
                     .rejection = rows.text(11)});

@@ -17,8 +17,8 @@ namespace sim {
 /// Every member throws std::runtime_error naming the file when SQLite fails.
 class KnowledgeBase {
  public:
-  /// Throws also when the file is no such data base, or one of another version, and
-  /// unless `mode` creates it when there is none.
+  /// Throws also when the file is no such data base, is empty, or one of another version, and
+  /// unless `mode` creates it when there is none. With kRead nothing is ever written.
   KnowledgeBase(const std::string& file, SqlFile::Mode mode);
 
   /// The shipped records and nothing else.
@@ -48,8 +48,9 @@ class KnowledgeBase {
   [[nodiscard]] std::vector<ThicknessRecord> thicknesses_of(std::int64_t record) const;
   [[nodiscard]] std::vector<PowerRecord> powers_of(std::int64_t thickness) const;
   [[nodiscard]] std::vector<cnc::kerf::Point> points_of(std::int64_t power) const;
-  void prepare_file();
+  void prepare_file(SqlFile::Mode mode);
 
+  bool is_new_;  ///< No file had the name before.
   SqlFile file_;
 };
 

@@ -14,7 +14,16 @@ namespace {
 }
 
 int open_flags(SqlFile::Mode mode) {
+  if (mode == SqlFile::Mode::kRead) return SQLITE_OPEN_READONLY;
   return SQLITE_OPEN_READWRITE | (mode == SqlFile::Mode::kCreate ? SQLITE_OPEN_CREATE : 0);
+}
+
+/// Whether only a writer can bring the file back to its last whole state.
+bool is_left_half_changed(sqlite3* connection) {
+  constexpr const char* kLook = "SELECT count(*) FROM sqlite_master";
+  return sqlite3_exec(connection, kLook, nullptr, nullptr, nullptr) != SQLITE_OK &&
+         (sqlite3_extended_errcode(connection) == SQLITE_READONLY_ROLLBACK ||
+          sqlite3_extended_errcode(connection) == SQLITE_READONLY_RECOVERY);
 }
 
 }  // namespace
@@ -75,11 +84,18 @@ std::int64_t SqlStatement::whole(int column) const {
 void SqlFile::Closer::operator()(sqlite3* connection) const { sqlite3_close(connection); }
 
 SqlFile::SqlFile(std::string file, Mode mode) : file_{std::move(file)} {
+  open(open_flags(mode));
+  if (mode == Mode::kRead && is_left_half_changed(connection_.get())) open(SQLITE_OPEN_READWRITE);
+  run("PRAGMA foreign_keys = ON");
+}
+
+void SqlFile::open(int flags) {
+  constexpr int kPatienceMs = 5000;  // For another command that is writing.
   sqlite3* connection = nullptr;
-  const int code = sqlite3_open_v2(file_.c_str(), &connection, open_flags(mode), nullptr);
+  const int code = sqlite3_open_v2(file_.c_str(), &connection, flags, nullptr);
   connection_.reset(connection);
   if (code != SQLITE_OK) fail_in_sql(file_, connection);
-  run("PRAGMA foreign_keys = ON");
+  sqlite3_busy_timeout(connection, kPatienceMs);
 }
 
 void SqlFile::run(const char* sql) const {

@@ -50,9 +50,10 @@ class SqlStatement {
 /// A data base of SQLite. Failures throw std::runtime_error naming the file.
 class SqlFile {
  public:
-  enum class Mode { kWrite, kCreate };
+  enum class Mode { kRead, kWrite, kCreate };
 
-  /// `:memory:` lives as long as the object.
+  /// `:memory:` lives as long as the object. kRead changes nothing, but a file that a process left
+  /// in the middle of a change, which is brought back to its state before that.
   SqlFile(std::string file, Mode mode);
 
   [[nodiscard]] const std::string& name() const { return file_; }
@@ -67,6 +68,8 @@ class SqlFile {
   struct Closer {
     void operator()(sqlite3* connection) const;
   };
+
+  void open(int flags);
 
   std::string file_;
   std::unique_ptr<sqlite3, Closer> connection_;

@@ -74,6 +74,10 @@ class PanelDrawing {
           y_.include(point.y);
         }
       }
+      for (std::size_t i = 0; i < series.half_bands.size(); ++i) {
+        y_.include(series.line[i].y - series.half_bands[i]);
+        y_.include(series.line[i].y + series.half_bands[i]);
+      }
     }
   }
 
@@ -91,16 +95,45 @@ class PanelDrawing {
     svg::TextStyle left = kNumber;
     left.anchor = "start";
     svg::add_text(out_, box_.left_px - 80.0, box_.top_px - 24.0, left, panel_.y_label);
+    for (const bool bands : {true, false}) add_all_series(bands);
+  }
+
+ private:
+  void add_all_series(bool bands) {
     for (std::size_t i = 0; i < panel_.series.size(); ++i) {
       const double share =
           panel_.series.size() < 2
               ? 0.4
               : static_cast<double>(i) / static_cast<double>(panel_.series.size() - 1);
-      add_series(panel_.series[i], hex(speed_colour(share)));
+      const std::string colour = hex(speed_colour(share));
+      if (bands) {
+        add_band(panel_.series[i], colour);
+      } else {
+        add_series(panel_.series[i], colour);
+      }
     }
   }
 
- private:
+  /// Below all lines: along the upper side of the band, and back along the lower one.
+  void add_band(const ChartSeries& series, const std::string& colour) {
+    if (series.half_bands.empty()) return;
+    std::string points;
+    const auto add = [&](std::size_t i, double sign) {
+      const ChartPoint& point = series.line[i];
+      fmt::format_to(std::back_inserter(points),
+                     "{:.1f},{:.1f} ",
+                     x_.px(point.x),
+                     y_.px(point.y + sign * series.half_bands[i]));
+    };
+    for (std::size_t i = 0; i < series.half_bands.size(); ++i) add(i, 1.0);
+    for (std::size_t i = series.half_bands.size(); i-- > 0;) add(i, -1.0);
+    fmt::format_to(std::back_inserter(out_),
+                   R"(<polygon class="band" points="{}" fill="{}" fill-opacity="0.13"/>)"
+                   "\n",
+                   points,
+                   colour);
+  }
+
   struct Label {
     double x_px;
     double y_px;

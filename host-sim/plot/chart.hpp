@@ -15,6 +15,7 @@ struct ChartSeries {
   std::string label;
   std::vector<ChartPoint> line{};
   std::vector<ChartPoint> dots{};
+  std::vector<double> half_bands{};  ///< How far the band reaches around each point of the line.
 };
 
 /// One pair of axes. Both begin and end at round numbers around what is shown.

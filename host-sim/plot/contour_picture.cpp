@@ -40,27 +40,12 @@ void include(Extent& extent, const Contour& contour) {
   }
 }
 
-/// Arcs of the document turn the other way, as its y runs downwards.
 void add_element(std::string& out,
                  const ContourVertex& from,
                  const ContourVertex& to,
                  const View& view) {
-  const double x_px = view.x_px(to.x);
-  const double y_px = view.y_px(to.y);
-  if (from.bulge == 0.0) {
-    fmt::format_to(std::back_inserter(out), "L{:.2f} {:.2f}", x_px, y_px);
-    return;
-  }
-  const double size = std::abs(from.bulge);
-  const double chord_px = std::hypot(to.x - from.x, to.y - from.y) * view.px_per_mm();
-  const double radius_px = chord_px * (1.0 + size * size) / (4.0 * size);
-  fmt::format_to(std::back_inserter(out),
-                 "A{0:.6g} {0:.6g} 0 {1} {2} {3:.2f} {4:.2f}",
-                 radius_px,
-                 size > 1.0 ? 1 : 0,
-                 from.bulge > 0.0 ? 0 : 1,
-                 x_px,
-                 y_px);
+  svg::add_bulge(
+      out, view.x_px(from.x), view.y_px(from.y), view.x_px(to.x), view.y_px(to.y), from.bulge);
 }
 
 void add_contour(std::string& out,

@@ -6,9 +6,13 @@
 #include <array>
 #include <cmath>
 #include <iterator>
+#include <set>
 #include <string_view>
+#include <vector>
 
+#include "host-sim/cut/cut_report.hpp"
 #include "host-sim/import/curve_measure.hpp"
+#include "host-sim/knowledge/experiment.hpp"
 #include "host-sim/plot/drawing_picture.hpp"
 #include "host-sim/plot/edge_layer.hpp"
 #include "host-sim/plot/grid.hpp"
@@ -25,17 +29,21 @@ using drawing::Place;
 
 constexpr double kCutWidthPx = 1600.0;
 constexpr double kCutMarginPx = 90.0;
-constexpr double kCutHeadingPx = 150.0;
-constexpr double kEdgeHeadingPx = 180.0;
-constexpr double kEdgeKeyPx = 142.0;
 constexpr double kCutTallestPx = 1600.0;
+constexpr double kTextLinePx = 28.0;
+constexpr std::size_t kMostLayerLines = 6;
 
+// Told apart by people who are blind to red and green, and in grey, by lightness and by their
+// widths: of the palette of M. Okabe and K. Ito, "Color universal design", 2008.
 constexpr std::string_view kPartColour = "#d8dde3";
-constexpr std::string_view kBandColour = "#e8833a";
-constexpr std::string_view kPathColour = "#b01818";
-constexpr std::string_view kLeadColour = "#1f5fbf";
-constexpr std::string_view kTabColour = "#178a3c";
-constexpr std::string_view kRapidColour = "#8a8f98";
+constexpr std::string_view kBandColour = "#e69f00";
+constexpr std::string_view kPathColour = "#000000";
+constexpr std::string_view kLeadColour = "#0072b2";
+constexpr std::string_view kTabRim = "#000000";
+constexpr std::string_view kTabColour = "#f0e442";
+constexpr double kTabRimPx = 8.0;
+constexpr double kTabPx = 4.5;
+constexpr std::string_view kRapidColour = "#7a7f87";
 
 bool is_lead(const Stroke& stroke) {
   return stroke.purpose != Purpose::kContour && stroke.purpose != Purpose::kTab;
@@ -74,29 +82,12 @@ View view_of_cuts(const Extent& extent, double heading_px) {
               {kCutMarginPx, heading_px, width_px, std::clamp(natural_px, 200.0, kCutTallestPx)}};
 }
 
-/// Arcs of the document turn the other way, as its y runs downwards.
 void add_stroke(std::string& data, const Stroke& stroke, bool joins, const View& view) {
-  if (!joins) {
-    fmt::format_to(std::back_inserter(data),
-                   "M{:.2f} {:.2f}",
-                   view.x_px(stroke.from.x()),
-                   view.y_px(stroke.from.y()));
-  }
-  const double x_px = view.x_px(stroke.to.x());
-  const double y_px = view.y_px(stroke.to.y());
-  const double size = std::abs(stroke.bulge);
-  if (size == 0.0) {
-    fmt::format_to(std::back_inserter(data), "L{:.2f} {:.2f}", x_px, y_px);
-    return;
-  }
-  const double chord_px = drawing::distance(stroke.from, stroke.to) * view.px_per_mm();
-  fmt::format_to(std::back_inserter(data),
-                 "A{0:.6g} {0:.6g} 0 {1} {2} {3:.2f} {4:.2f}",
-                 chord_px * (1.0 + size * size) / (4.0 * size),
-                 size > 1.0 ? 1 : 0,
-                 stroke.bulge > 0.0 ? 0 : 1,
-                 x_px,
-                 y_px);
+  const double x_px = view.x_px(stroke.from.x());
+  const double y_px = view.y_px(stroke.from.y());
+  if (!joins) fmt::format_to(std::back_inserter(data), "M{:.2f} {:.2f}", x_px, y_px);
+  svg::add_bulge(
+      data, x_px, y_px, view.x_px(stroke.to.x()), view.y_px(stroke.to.y()), stroke.bulge);
 }
 
 /// All strokes of a cut that are asked for, as path data.
@@ -152,7 +143,20 @@ void add_rapids(std::string& out, const cut::CutPlan& plan, const View& view) {
   }
 }
 
-void add_key(std::string& out) {
+/// In the order of cutting, beside the start of each.
+void add_numbers(std::string& out, const cut::CutPlan& plan, const View& view) {
+  constexpr double kNumberPx = 17.0;
+  for (std::size_t i = 0; i < plan.cuts.size(); ++i) {
+    const Place& start = plan.cuts[i].start();
+    svg::add_rimmed_text(out,
+                         view.x_px(start.x()) + 7.0,
+                         view.y_px(start.y()) - 7.0,
+                         kNumberPx,
+                         fmt::format("{}", i + 1));
+  }
+}
+
+void add_key(std::string& out, double y_px) {
   struct Sample {
     std::string_view name;
     std::string_view colour;
@@ -163,16 +167,54 @@ void add_key(std::string& out) {
                                        {"kerf", kBandColour, 14.0, ""},
                                        {"beam's path", kPathColour, 2.0, ""},
                                        {"leads, loops", kLeadColour, 3.0, ""},
-                                       {"tab", kTabColour, 3.0, ""},
+                                       {"tab", kTabColour, kTabPx, ""},
                                        {"rapid", kRapidColour, 1.2, "7 6"}}};
   double x_px = kCutMarginPx;
   constexpr double kStepPx = 235.0;
   for (const Sample& sample : samples) {
+    if (sample.colour == kTabColour) {
+      svg::add_line(out, x_px, y_px, x_px + 40.0, y_px, {kTabRim, kTabRimPx});
+    }
     svg::add_line(
-        out, x_px, 108.0, x_px + 40.0, 108.0, {sample.colour, sample.width_px, sample.dashes});
-    svg::add_text(out, x_px + 50.0, 115.0, {.size_px = 20.0}, sample.name);
+        out, x_px, y_px, x_px + 40.0, y_px, {sample.colour, sample.width_px, sample.dashes});
+    svg::add_text(out, x_px + 50.0, y_px + 7.0, {.size_px = 20.0}, sample.name);
     x_px += kStepPx;
   }
+}
+
+/// Size, lengths and, of each layer that is cut, power, feed and kerf.
+std::vector<std::string> facts_of(const drawing::Drawing& drawn, const cut::CutPlan& plan) {
+  Extent parts;
+  for (const drawing::DrawnContour& contour : drawn.contours) {
+    for (const Place& place : outline_of(contour.shapes, drawing::kChordToleranceMm)) {
+      parts.include(place.x(), place.y());
+    }
+  }
+  const cut::CutFigures figures = cut::figures_of(plan);
+  std::vector<std::string> facts;
+  facts.push_back(fmt::format(
+      "{:.1f} \u00d7 {:.1f} mm  \u00b7  {} cuts  \u00b7  {:.1f} mm cut, {:.1f} mm rapid",
+      parts.is_empty() ? 0.0 : parts.width_mm(),
+      parts.is_empty() ? 0.0 : parts.height_mm(),
+      figures.cuts,
+      figures.cut_length_mm,
+      figures.rapid_length_mm));
+  std::set<std::size_t> layers;
+  for (const Cut& cut : plan.cuts) layers.insert(cut.layer);
+  for (const std::size_t layer : layers) {
+    if (facts.size() > kMostLayerLines) {
+      facts.push_back(fmt::format("and {} more layers", layers.size() - kMostLayerLines));
+      break;
+    }
+    const cut::Condition& condition = plan.layers[layer].condition;
+    facts.push_back(fmt::format("layer \"{}\" {}: {:g} W at {:g} mm/min, kerf {:.4f} mm",
+                                drawn.layers[layer].name,
+                                drawn.layers[layer].colour,
+                                from_thousandths(condition.cut.power_mw),
+                                from_thousandths(condition.cut.speed_um_min),
+                                condition.kerf_mm));
+  }
+  return facts;
 }
 
 }  // namespace
@@ -181,13 +223,21 @@ std::string draw_cuts(const drawing::Drawing& drawn,
                       const cut::CutPlan& plan,
                       const std::string& title,
                       const cut::EdgeFigures* edges) {
-  const double heading_px = edges != nullptr ? kEdgeHeadingPx : kCutHeadingPx;
+  const std::vector<std::string> facts = facts_of(drawn, plan);
+  constexpr double kFirstFactPx = 94.0;
+  const double key_px = kFirstFactPx + kTextLinePx * static_cast<double>(facts.size()) + 4.0;
+  const double edge_key_px = key_px + 34.0;
+  const double heading_px = (edges != nullptr ? edge_key_px : key_px) + 40.0;
   const View view = view_of_cuts(bounds_of(drawn, plan), heading_px);
   const double height_px = view.box().bottom_px() + kCutMarginPx;
   std::string out = svg::document_start(kCutWidthPx, height_px);
   svg::add_box(out, {0.0, 0.0, kCutWidthPx, height_px}, "#ffffff");
   svg::add_text(out, kCutMarginPx, 60.0, {.size_px = 30.0, .weight = "bold"}, title);
-  add_key(out);
+  for (std::size_t i = 0; i < facts.size(); ++i) {
+    const double y_px = kFirstFactPx + kTextLinePx * static_cast<double>(i);
+    svg::add_text(out, kCutMarginPx, y_px, {.size_px = 20.0, .fill = "#444a52"}, facts[i]);
+  }
+  add_key(out, key_px);
   add_grid(out, view);
   add_parts(out, drawn, view);
   for (const Cut& cut : plan.cuts) {
@@ -202,10 +252,12 @@ std::string draw_cuts(const drawing::Drawing& drawn,
     const auto tab = [](const Stroke& stroke) { return stroke.purpose == Purpose::kTab; };
     add_path(out, data_of(cut, view, along), kPathColour, 1.4);
     add_path(out, data_of(cut, view, is_lead), kLeadColour, 2.0);
-    add_path(out, data_of(cut, view, tab), kTabColour, 3.0);
+    add_path(out, data_of(cut, view, tab), kTabRim, kTabRimPx);
+    add_path(out, data_of(cut, view, tab), kTabColour, kTabPx);
   }
   add_rapids(out, plan, view);
-  if (edges != nullptr) add_edges(out, *edges, view, kEdgeKeyPx);
+  if (edges != nullptr) add_edges(out, *edges, view, edge_key_px);
+  add_numbers(out, plan, view);
   return out + "</svg>\n";
 }
 

@@ -51,6 +51,20 @@ void add_paths(std::string& out, const drawing::Drawing& drawn, const View& view
                      open);
 }
 
+/// As the listing numbers them, from 1, where each begins.
+void add_numbers_of(std::string& out, const drawing::Drawing& drawn, const View& view) {
+  constexpr double kNumberPx = 14.0;
+  for (std::size_t i = 0; i < drawn.contours.size(); ++i) {
+    const auto places = outline_of(drawn.contours[i].shapes, kChordPx / view.px_per_mm());
+    if (places.empty()) continue;
+    svg::add_rimmed_text(out,
+                         view.x_px(places.front().x()) + 4.0,
+                         view.y_px(places.front().y()) - 4.0,
+                         kNumberPx,
+                         fmt::format("{}", i + 1));
+  }
+}
+
 }  // namespace
 
 void add_outline(std::string& data, const DrawnContour& contour, const View& view) {
@@ -74,7 +88,8 @@ std::string draw_contours(const drawing::Drawing& drawn) {
   const View view{bounds, {kDrawingMarginPx, kDrawingMarginPx, width, height}};
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.1f}\" height=\"{1:.1f}\" "
-      "viewBox=\"0 0 {0:.1f} {1:.1f}\">\n<title>{2}</title>\n",
+      "viewBox=\"0 0 {0:.1f} {1:.1f}\" style=\"max-width:100%;max-height:100vh\" "
+      "font-family=\"'DejaVu Sans', Verdana, sans-serif\">\n<title>{2}</title>\n",
       width + 2.0 * kDrawingMarginPx,
       height + 2.0 * kDrawingMarginPx,
       svg::escaped(drawn.file));
@@ -89,6 +104,7 @@ std::string draw_contours(const drawing::Drawing& drawn) {
         kRingPx,
         svg::escaped(fault.reason));
   }
+  add_numbers_of(out, drawn, view);
   return out + "</svg>\n";
 }
 

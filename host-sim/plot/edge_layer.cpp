@@ -22,13 +22,14 @@ struct EdgeBin {
   std::string_view name;
 };
 
-/// Two sizes that a user asks for: what is promised, and what is seen.
-constexpr std::array<EdgeBin, 5> kEdgeBins{{{-0.02, "#1b3fae", "> 20 um left"},
-                                            {-0.005, "#5fa8e8", "> 5 um left"},
-                                            {0.005, "#178a3c", "within 5 um"},
-                                            {0.02, "#f0a020", "> 5 um off"},
-                                            {1.0e9, "#c01818", "> 20 um off"}}};
-constexpr std::string_view kNotReached = "#8a8f98";
+/// Two sizes that a user asks for: what is promised, and what is seen. Blue to orange over black:
+/// told apart by people who are blind to red and green.
+constexpr std::array<EdgeBin, 5> kEdgeBins{{{-0.02, "#08306b", "> 20 um left"},
+                                            {-0.005, "#56b4e9", "> 5 um left"},
+                                            {0.005, "#000000", "within 5 um"},
+                                            {0.02, "#e69f00", "> 5 um off"},
+                                            {1.0e9, "#d55e00", "> 20 um off"}}};
+constexpr std::string_view kNotReached = "#b4b8be";
 
 std::string_view colour_of(const EdgePlace& edge) {
   if (!edge.reached) return kNotReached;

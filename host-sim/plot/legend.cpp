@@ -25,9 +25,12 @@ class Legend {
   Legend(std::string& out, const Box& box) : out_{out}, box_{box}, y_px_{box.top_px} {}
 
   void add_speed_scale(const LegendContent& content) {
-    svg::add_text(out_, box_.left_px, y_px_ + 16.0, kHeading, "Speed, mm/min");
+    const char* heading = content.shown == Shown::kSpeed   ? "Speed, mm/min"
+                          : content.shown == Shown::kDepth ? "Depth, mm"
+                                                           : "Power, %";
+    svg::add_text(out_, box_.left_px, y_px_ + 16.0, kHeading, heading);
     const Box bar{box_.left_px, y_px_ + 38.0, 30.0, kScaleHeightPx};
-    add_colours(bar);
+    add_colours(bar, content.shown);
     const double top = content.top_speed_mm_min;
     const long ticks = std::lround(top / content.tick_speed_mm_min);
     for (long tick = 0; tick <= ticks; ++tick) {
@@ -48,10 +51,11 @@ class Legend {
     const double band_px = std::min(content.kerf_width_mm * view.px_per_mm(), 24.0);
     const Box band{box_.left_px, y_px_ - 0.5 * band_px, kSampleWidthPx, band_px};
     if (band_px > 0.0) svg::add_box(out_, band, kKerfStroke);
-    const std::string stroke = hex(speed_colour(0.6));
+    const std::string stroke = colour_of(content.shown, 0.6);
+    const char* wide = content.shown == Shown::kDepth ? "tool" : "kerf";
     const bool has_kerf = content.kerf_width_mm > 0.0;
     add_line_sample({stroke, kCutWidthPx},
-                    has_kerf ? fmt::format("cut, kerf {:g} mm", content.kerf_width_mm) : "cut");
+                    has_kerf ? fmt::format("cut, {} {:g} mm", wide, content.kerf_width_mm) : "cut");
   }
 
   template <typename Mark>
@@ -76,7 +80,7 @@ class Legend {
   }
 
  private:
-  void add_colours(const Box& bar) {
+  void add_colours(const Box& bar, Shown shown) {
     constexpr int kSteps = 58;  // Finer than the path: the scale itself is continuous.
     const double step_px = bar.height_px / kSteps;
     for (int i = 0; i < kSteps; ++i) {
@@ -84,7 +88,7 @@ class Legend {
       const double overlap_px = i == 0 ? 0.0 : 0.5;  // No hairlines between the steps.
       svg::add_box(out_,
                    {bar.left_px, top_px, bar.width_px, step_px + overlap_px},
-                   hex(speed_colour((i + 0.5) / kSteps)));
+                   colour_of(shown, (i + 0.5) / kSteps));
     }
   }
 
@@ -104,7 +108,10 @@ void add_legend(std::string& out, const Box& box, const View& view, const Legend
   Legend legend{out, box};
   if (content.top_speed_mm_min > 0.0) legend.add_speed_scale(content);
   if (content.has_cut) legend.add_cut_sample(content, view);
-  if (content.has_feed) legend.add_line_sample({hex(speed_colour(0.6)), kFeedWidthPx}, "beam off");
+  if (content.has_feed) {
+    legend.add_line_sample({colour_of(content.shown, 0.6), kFeedWidthPx},
+                           content.shown == Shown::kDepth ? "spindle off" : "beam off");
+  }
   if (content.has_travel) {
     const std::string dashes = fmt::format("{} {}", kTravelDashPx, kTravelGapPx);
     legend.add_line_sample({kTravelStroke, kTravelWidthPx, dashes}, "rapid");

@@ -51,6 +51,15 @@ double greatest_speed_mm_s(const std::vector<PathVertex>& vertices) {
   return 0.0;
 }
 
+double greatest_shown(const std::vector<PathVertex>& vertices, Shown shown) {
+  if (shown == Shown::kSpeed) return kScatter * greatest_speed_mm_s(vertices);
+  float greatest = 0.0F;
+  for (const PathVertex& vertex : vertices) {
+    if (vertex.move == Move::kCut) greatest = std::max(greatest, vertex.speed_mm_s);
+  }
+  return static_cast<double>(greatest);
+}
+
 /// The longest way without a change of move.
 double longest_run_mm(const std::vector<PathVertex>& vertices, Move move) {
   double longest_mm = 0.0;
@@ -65,17 +74,26 @@ double longest_run_mm(const std::vector<PathVertex>& vertices, Move move) {
 
 }  // namespace
 
+double legend_unit(Shown shown) {
+  constexpr double kMmMin = 1.0 / 60.0;
+  constexpr double kPercent = 0.01;
+  if (shown == Shown::kSpeed) return kMmMin;
+  return shown == Shown::kPower ? kPercent : 1.0;
+}
+
 LegendContent legend_content(const std::vector<PathVertex>& vertices,
                              double kerf_width_mm,
-                             double px_per_mm) {
+                             double px_per_mm,
+                             Shown shown) {
   const auto is_seen = [&](Move move) {
     return longest_run_mm(vertices, move) * px_per_mm >= kVisiblePx;
   };
-  LegendContent content{.kerf_width_mm = kerf_width_mm,
+  LegendContent content{.shown = shown,
+                        .kerf_width_mm = kerf_width_mm,
                         .has_cut = is_seen(Move::kCut),
                         .has_feed = is_seen(Move::kFeed),
                         .has_travel = is_seen(Move::kTravel)};
-  const double top_mm_min = kScatter * 60.0 * greatest_speed_mm_s(vertices);
+  const double top_mm_min = greatest_shown(vertices, shown) / legend_unit(shown);
   if (top_mm_min <= 0.0) return content;
   content.tick_speed_mm_min = round_step(top_mm_min / 6.0);
   content.top_speed_mm_min =

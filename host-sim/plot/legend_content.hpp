@@ -8,7 +8,9 @@ namespace sim {
 
 /// What the picture shows and the legend explains.
 struct LegendContent {
-  double top_speed_mm_min = 0.0;   ///< The end of the colour scale; 0: no scale.
+  Shown shown = Shown::kSpeed;
+  /// The end of the colour scale, in mm/min; of depth in mm, of power in percent. 0: no scale.
+  double top_speed_mm_min = 0.0;
   double tick_speed_mm_min = 0.0;  ///< Divides the scale.
   double kerf_width_mm = 0.0;
   bool has_cut = false;
@@ -20,6 +22,10 @@ struct LegendContent {
 /// a few steps with the beam off at a corner are no entry of their own.
 [[nodiscard]] LegendContent legend_content(const std::vector<PathVertex>& vertices,
                                            double kerf_width_mm,
-                                           double px_per_mm);
+                                           double px_per_mm,
+                                           Shown shown = Shown::kSpeed);
+
+/// The unit of a legend's scale in that of the path's vertices: mm/s, mm, or shares.
+[[nodiscard]] double legend_unit(Shown shown);
 
 }  // namespace sim

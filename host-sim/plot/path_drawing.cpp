@@ -89,11 +89,12 @@ void add_data(std::string& out, const PathData& data, std::string_view attribute
   fmt::format_to(std::back_inserter(out), "<path {} d=\"{}\"/>\n", attributes, data.text());
 }
 
-void add_coloured(std::string& out, const ColouredData& data, double width) {
+void add_coloured(std::string& out, const ColouredData& data, double width, Shown shown) {
   fmt::format_to(std::back_inserter(out), "<g stroke-width=\"{:.4g}\">\n", width);
-  for (std::size_t i = kColours; i-- > 0;) {
+  for (std::size_t drawn = 0; drawn < kColours; ++drawn) {
+    const std::size_t i = shown == Shown::kSpeed ? kColours - 1 - drawn : drawn;
     const double middle = (static_cast<double>(i) + 0.5) / kColours;
-    add_data(out, data[i], fmt::format("stroke=\"{}\"", hex(speed_colour(middle))));
+    add_data(out, data[i], fmt::format("stroke=\"{}\"", colour_of(shown, middle)));
   }
   out += "</g>\n";
 }
@@ -135,6 +136,10 @@ void add_travel(std::string& out, const PathData& data, double px_per_unit) {
 
 }  // namespace
 
+std::string colour_of(Shown shown, double share) {
+  return hex(speed_colour(shown == Shown::kSpeed ? share : 1.0 - share));
+}
+
 void add_path(std::string& out,
               const std::vector<PathVertex>& vertices,
               const View& view,
@@ -145,8 +150,8 @@ void add_path(std::string& out,
   open_group(out, view, unit_mm);
   add_kerf(out, layers.kerf, drawing.kerf_width_mm / unit_mm);
   add_travel(out, layers.travel, px_per_unit);
-  add_coloured(out, layers.feed, kFeedWidthPx / px_per_unit);
-  add_coloured(out, layers.cut, kCutWidthPx / px_per_unit);
+  add_coloured(out, layers.feed, kFeedWidthPx / px_per_unit, drawing.shown);
+  add_coloured(out, layers.cut, kCutWidthPx / px_per_unit, drawing.shown);
   out += "</g>\n";
 }
 

@@ -20,11 +20,15 @@ inline constexpr std::string_view kKerfStroke = "#d6d2cb";
 
 struct PathDrawing {
   double kerf_width_mm = 0.0;   ///< Drawn below the cut, true to scale; 0 draws none.
-  double top_speed_mm_s = 0.0;  ///< The end of the colour scale.
+  double top_speed_mm_s = 0.0;  ///< The end of the colour scale, of whatever is shown.
+  Shown shown = Shown::kSpeed;
 };
 
-/// Appends the path: kerf lowest, then travel, feed, and cut from fast to slow,
-/// so that a short slow corner is not hidden. Each colour is one <path>, which
+/// The colour of a share of the scale: fast is light, deep and powerful are dark.
+[[nodiscard]] std::string colour_of(Shown shown, double share);
+
+/// Appends the path: kerf lowest, then travel, feed, and cut from light to dark,
+/// so that a short slow corner and the last depth are not hidden. Each colour is one <path>, which
 /// keeps the file small whatever the order of speeds.
 void add_path(std::string& out,
               const std::vector<PathVertex>& vertices,

@@ -1,6 +1,8 @@
 #include "host-sim/plot/path_recorder.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <utility>
 
 #include "planner/base/contract.hpp"
@@ -25,8 +27,9 @@ PathTolerance first_tolerance(double step_mm) {
 
 }  // namespace
 
-PathRecorder::PathRecorder(const cnc::AxisArray<float>& steps_per_mm)
-    : window_{coarsest_step_mm(steps_per_mm)},
+PathRecorder::PathRecorder(const cnc::AxisArray<float>& steps_per_mm, Shown shown)
+    : shown_{shown},
+      window_{coarsest_step_mm(steps_per_mm)},
       simplifier_{first_tolerance(coarsest_step_mm(steps_per_mm))} {
   for (std::size_t axis = 0; axis < cnc::kLinearAxisCount; ++axis) {
     mm_per_step_[axis] = 1.0 / static_cast<double>(steps_per_mm[axis]);
@@ -50,6 +53,8 @@ void PathRecorder::on_row(const TraceRow& row) {
 void PathRecorder::on_end(std::uint64_t time_ns) {
   if (has_started_) come_to_rest();
   path_.vertices = simplifier_.finish();
+  if (shown_ == Shown::kDepth) measure_depths();
+  path_.shown = shown_;
   path_.duration_s = 1e-9 * static_cast<double>(time_ns);
 }
 
@@ -83,7 +88,8 @@ void PathRecorder::start(const TraceRow& row) {
 void PathRecorder::add_sample(const SpeedWindow::Point& point) {
   const bool stays =
       !samples_.empty() && samples_.back().x_mm == point.x_mm && samples_.back().y_mm == point.y_mm;
-  if (!stays) samples_.push_back({point.x_mm, point.y_mm, last_move_});
+  const float value = shown_ == Shown::kPower ? duty_ : static_cast<float>(point.z_mm);
+  if (!stays) samples_.push_back({point.x_mm, point.y_mm, last_move_, value});
 }
 
 void PathRecorder::come_to_rest() {
@@ -93,12 +99,40 @@ void PathRecorder::come_to_rest() {
   close_window();
 }
 
+// Plunges through the air and links above the work are cuts to the controller, too: what goes along
+// is counted, but for its highest hundredth.
+void PathRecorder::measure_depths() {
+  constexpr double kLinks = 0.01;
+  std::vector<std::pair<float, double>> cuts;  // Height and length.
+  double left_mm = 0.0;
+  for (std::size_t i = 1; i < path_.vertices.size(); ++i) {
+    const PathVertex& from = path_.vertices[i - 1];
+    const PathVertex& to = path_.vertices[i];
+    if (to.move != Move::kCut) continue;
+    cuts.emplace_back(to.speed_mm_s, std::hypot(to.x_mm - from.x_mm, to.y_mm - from.y_mm));
+    left_mm += kLinks * cuts.back().second;
+  }
+  std::ranges::sort(cuts, std::ranges::greater{});
+  float zero = 0.0F;
+  if (!cuts.empty() && cuts.back().first >= 0.0F) {
+    for (const auto& [height_mm, length_mm] : cuts) {
+      zero = height_mm;
+      left_mm -= length_mm;
+      if (left_mm < 0.0) break;
+    }
+  }
+  for (PathVertex& vertex : path_.vertices) {
+    vertex.speed_mm_s = std::max(zero - vertex.speed_mm_s, 0.0F);
+  }
+}
+
 void PathRecorder::close_window() {
   last_speed_mm_s_ = static_cast<float>(window_.speed_mm_s(static_cast<double>(last_speed_mm_s_)));
   for (const Sample& sample : samples_) {
     const bool is_travel = sample.move == Move::kTravel;
-    const float speed_mm_s = is_travel ? 0.0F : last_speed_mm_s_;
-    greatest_speed_mm_s_ = std::max(greatest_speed_mm_s_, speed_mm_s);
+    const float driven = shown_ == Shown::kSpeed ? last_speed_mm_s_ : sample.value;
+    const float speed_mm_s = is_travel ? 0.0F : driven;
+    greatest_speed_mm_s_ = std::max(greatest_speed_mm_s_, std::abs(speed_mm_s));
     simplifier_.push({sample.x_mm, sample.y_mm, speed_mm_s, sample.move});
   }
   samples_.clear();

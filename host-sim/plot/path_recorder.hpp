@@ -26,7 +26,7 @@ class PathRecorder final : public TraceSink {
   static constexpr std::size_t kMostVertices = 50'000;
 
   /// Steps per mm of X, Y and Z, all > 0; motions of A, B and C do not show.
-  explicit PathRecorder(const cnc::AxisArray<float>& steps_per_mm);
+  explicit PathRecorder(const cnc::AxisArray<float>& steps_per_mm, Shown shown = Shown::kSpeed);
 
   /// Says how the rows from now on are driven. Until the first call, whatever
   /// moves with the beam off is taken for travel.
@@ -48,6 +48,7 @@ class PathRecorder final : public TraceSink {
     double x_mm;
     double y_mm;
     Move move;
+    float value;  ///< Height or output; the speed is that of the window.
   };
 
   [[nodiscard]] Move move_of_stretch() const;
@@ -59,8 +60,11 @@ class PathRecorder final : public TraceSink {
   void come_to_rest();
   /// Gives the samples of the window their speed and starts the next window.
   void close_window();
+  /// Heights become depths, now that the highest cut is known.
+  void measure_depths();
 
   cnc::AxisArray<double> mm_per_step_{};
+  Shown shown_;
   std::optional<bool> is_rapid_;
   Position position_{};             ///< Of the last row.
   float duty_ = 0.0F;               ///< Since the last row.

@@ -71,21 +71,23 @@ std::string length_text(double mm) {
 }
 
 /// Dimensions of what is cut (or of all motion when nothing is), length and time.
-std::string subtitle_of(const Path& path) {
+std::string subtitle_of(const Path& path, double cut_length_mm) {
   const bool has_cut = has(path.vertices, Move::kCut);
   const Extent part = bounds_of(path.vertices, has_cut ? Move::kCut : Move::kTravel);
   if (part.width_mm() + part.height_mm() == 0.0) return duration_text(path.duration_s);
   std::string text = fmt::format("{:.1f} × {:.1f} mm", part.width_mm(), part.height_mm());
-  if (has_cut) text += "  ·  " + length_text(length_mm(path.vertices, Move::kCut)) + " cut";
+  const double cut_mm = cut_length_mm >= 0.0 ? cut_length_mm : length_mm(path.vertices, Move::kCut);
+  if (has_cut) text += "  ·  " + length_text(cut_mm) + " cut";
   return text + "  ·  " + duration_text(path.duration_s);
 }
 
-void add_heading(std::string& out, const Path& path, const std::string& title) {
+void add_heading(std::string& out, const Path& path, const PictureOptions& options) {
+  const std::string& title = options.title;
   const std::string_view name = title.empty() ? std::string_view{"Path"} : title;
   const svg::TextStyle bold{.size_px = 34.0, .weight = "bold"};
   svg::add_text(out, kLeftLabelsPx, 58.0, bold, name);
   const svg::TextStyle grey{.size_px = 23.0, .fill = "#5b626c"};
-  svg::add_text(out, kLeftLabelsPx, 96.0, grey, subtitle_of(path));
+  svg::add_text(out, kLeftLabelsPx, 96.0, grey, subtitle_of(path, options.cut_length_mm));
 }
 
 void add_marks(std::string& out, const std::vector<PathVertex>& vertices, const View& view) {
@@ -107,13 +109,14 @@ void add_no_motion(std::string& out, const Box& box, bool in_any_axis) {
 void add_motion(std::string& out,
                 const std::vector<PathVertex>& vertices,
                 const View& view,
-                double kerf_width_mm) {
+                double kerf_width_mm,
+                Shown shown) {
   const Box& box = view.box();
-  const LegendContent legend = legend_content(vertices, kerf_width_mm, view.px_per_mm());
-  const double top_mm_s = legend.top_speed_mm_min / 60.0;
+  const LegendContent legend = legend_content(vertices, kerf_width_mm, view.px_per_mm(), shown);
+  const double top_mm_s = legend.top_speed_mm_min * legend_unit(shown);
   const PathTolerance invisible{.distance_mm = kInvisiblePx / view.px_per_mm(),
                                 .speed_mm_s = static_cast<float>(top_mm_s / 64.0)};
-  add_path(out, simplified(vertices, invisible), view, {kerf_width_mm, top_mm_s});
+  add_path(out, simplified(vertices, invisible), view, {kerf_width_mm, top_mm_s, shown});
   add_marks(out, vertices, view);
   const Box legend_box{box.right_px() + kMarginPx, box.top_px, kLegendWidthPx, box.height_px};
   add_legend(out, legend_box, view, legend);
@@ -129,11 +132,13 @@ std::string draw_svg(const Path& path, const PictureOptions& options) {
 
   std::string out = svg::document_start(kPictureWidthPx, height_px);
   svg::add_box(out, {0.0, 0.0, kPictureWidthPx, height_px}, "#ffffff");
-  add_heading(out, path, options.title);
+  add_heading(out, path, options);
   add_grid(out, view);
   const bool moves_in_plane = extent.width_mm() + extent.height_mm() > 0.0;
   if (!moves_in_plane) add_no_motion(out, view.box(), path.vertices.empty());
-  if (!path.vertices.empty()) add_motion(out, path.vertices, view, options.kerf_width_mm);
+  if (!path.vertices.empty()) {
+    add_motion(out, path.vertices, view, options.kerf_width_mm, path.shown);
+  }
   return out + "</svg>\n";
 }
 

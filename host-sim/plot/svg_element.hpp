@@ -24,7 +24,18 @@ struct LineStyle {
 /// that are no UTF-8 as `?`.
 [[nodiscard]] std::string escaped(std::string_view text);
 
-/// The start of a picture, with the font of its text; `</svg>` ends it.
+/// Appends a line or an arc to path data that is at (x1, y1); bulge = tan(sweep / 4), positive to
+/// the left in a drawing whose y runs upwards. Flat arcs are curves of their tangents instead of
+/// parts of a circle, whose far centre renderers lose.
+void add_bulge(
+    std::string& data, double x1_px, double y1_px, double x2_px, double y2_px, double bulge);
+
+/// A number or a short text with a white rim, to be read over lines.
+void add_rimmed_text(
+    std::string& out, double x_px, double y_px, double size_px, std::string_view text);
+
+/// The start of a picture, with the font of its text; `</svg>` ends it. It is as wide as given, and
+/// smaller where a browser's window is.
 [[nodiscard]] std::string document_start(double width_px, double height_px);
 
 /// Append one element to `out`, coordinates in px.

@@ -1,24 +1,59 @@
 #include "host-sim/report/progress_bar.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string>
+
+#include "host-sim/report/utf8.hpp"
 
 namespace sim {
+namespace {
+
+/// Of the terminal; of anything else as many as are wanted.
+std::size_t columns_of(std::FILE* stream) {
+  winsize size{};
+  const bool is_known = ::ioctl(::fileno(stream), TIOCGWINSZ, &size) == 0 && size.ws_col != 0;
+  return is_known ? size.ws_col : std::numeric_limits<std::size_t>::max();
+}
+
+/// The longest beginning of the text that fits, with a mark where it is cut off.
+std::string shortened(std::string_view text, std::size_t columns) {
+  if (display_width(text) <= columns) return std::string{text};
+  std::string start;
+  while (!text.empty()) {
+    const std::string_view next = text.substr(0, first_character(text).bytes);
+    if (display_width(start) + display_width(next) + 1 > columns) break;
+    start += next;
+    text.remove_prefix(next.size());
+  }
+  return columns == 0 ? "" : start + "\u2026";
+}
+
+}  // namespace
 
 void ProgressBar::update(double fraction, std::string_view label, Time now) {
-  constexpr int kCells = 30;
+  constexpr std::size_t kMostCells = 30;
+  constexpr std::size_t kFewestCells = 10;
+  constexpr std::size_t kBesides = 10;  // `[`, `] 100 % `, and the last column, which may wrap.
   if (!is_shown_ || now < next_) return;
   const double done = std::clamp(fraction, 0.0, 1.0);
-  const auto cells = static_cast<std::size_t>(std::lround(kCells * done));
+  const std::size_t columns = columns_.value_or(columns_of(stream_));
+  const std::size_t free = columns - std::min(columns, kBesides);
+  const std::size_t label_columns = std::min(display_width(label), free);
+  const std::size_t least = std::min(kFewestCells, free);
+  const std::size_t bar = std::clamp(free - label_columns, least, kMostCells);
+  const auto cells = static_cast<std::size_t>(std::lround(static_cast<double>(bar) * done));
   fmt::print(stream_,
              "\r\033[K[{:<{}}] {:3.0f} % {}",
              std::string(cells, '#'),
-             kCells,
+             bar,
              100.0 * done,
-             label);
+             shortened(label, free - bar));
   std::fflush(stream_);
   is_drawn_ = true;
   next_ = now + kPeriod;

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <chrono>
+#include <cstddef>
 #include <cstdio>
+#include <optional>
 #include <string_view>
 
 namespace sim {
@@ -13,13 +15,18 @@ class ProgressBar {
   using Time = std::chrono::steady_clock::time_point;
 
   /// `is_shown`: usually `is_terminal(stream)`; otherwise nothing is ever written.
-  ProgressBar(std::FILE* stream, bool is_shown, Time now)
-      : stream_{stream}, is_shown_{is_shown}, next_{now + kDelay} {}
+  /// `columns` of the terminal; without a number the terminal is asked each time, as it may change.
+  ProgressBar(std::FILE* stream,
+              bool is_shown,
+              Time now,
+              std::optional<std::size_t> columns = std::nullopt)
+      : stream_{stream}, is_shown_{is_shown}, next_{now + kDelay}, columns_{columns} {}
   ~ProgressBar() { clear(); }
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
-  /// `fraction` done, 0…1 (clamped); `label` is what is being done.
+  /// `fraction` done, 0…1 (clamped); `label` is what is being done. The line is never longer than
+  /// the terminal is wide: first the bar, then the label gets shorter.
   void update(double fraction, std::string_view label, Time now);
 
   /// Removes the bar, before something else is written. It comes back by itself.
@@ -33,6 +40,7 @@ class ProgressBar {
   bool is_shown_;
   bool is_drawn_ = false;
   Time next_;
+  std::optional<std::size_t> columns_;
 };
 
 [[nodiscard]] bool is_terminal(std::FILE* stream);

@@ -30,6 +30,12 @@ struct AxisReport {
   double least_mm = 0.0;  ///< The bounds of the motion, machine coordinates.
   double greatest_mm = 0.0;
   std::uint64_t steps = 0;  ///< Pulses in both directions.
+  /// By how much the figures above may be off because they are read from steps: pulses share slots
+  /// of time, and a motor stands on whole steps.
+  double speed_error_mm_s = 0.0;
+  double acceleration_error_mm_s2 = 0.0;
+  double jerk_error_mm_s3 = 0.0;
+  double bounds_error_mm = 0.0;
 };
 
 /// What a run of one job was like (`--report FILE`, and the table on the terminal).

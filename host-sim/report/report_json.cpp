@@ -1,6 +1,8 @@
 #include "host-sim/report/report_json.hpp"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "firmware/protocol/identity.hpp"
 #include "host-sim/trace/output_file.hpp"
@@ -10,11 +12,11 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// An object with one value for each axis letter.
+/// An object with one value for each axis letter, or for each of the rotary axes.
 template <typename Value>
-Json per_axis(const Report& report, Value value_of) {
+Json per_axis(const Report& report, Value value_of, std::size_t first = 0) {
   Json object = Json::object();
-  for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
+  for (std::size_t axis = first; axis < cnc::kAxisCount; ++axis) {
     object[std::string{cnc::kAxisLetters[axis]}] = value_of(report.axes[axis]);
   }
   return object;
@@ -34,17 +36,43 @@ Json faults_of(const Report& report) {
   return faults;
 }
 
+double speed_s(const AxisReport& axis) { return axis.max_speed_mm_s; }
+double speed_min(const AxisReport& axis) { return 60.0 * axis.max_speed_mm_s; }
+double acceleration(const AxisReport& axis) { return axis.max_acceleration_mm_s2; }
+double jerk(const AxisReport& axis) { return axis.max_jerk_mm_s3; }
+Json bounds(const AxisReport& axis) { return Json::array({axis.least_mm, axis.greatest_mm}); }
+
 void add_axes(Json& json, const Report& report) {
-  json["max_speed_mm_s"] = per_axis(report, [](auto& axis) { return axis.max_speed_mm_s; });
-  json["max_speed_mm_min"] =
-      per_axis(report, [](auto& axis) { return 60.0 * axis.max_speed_mm_s; });
-  json["max_acceleration_mm_s2"] =
-      per_axis(report, [](auto& axis) { return axis.max_acceleration_mm_s2; });
-  json["max_jerk_mm_s3"] = per_axis(report, [](auto& axis) { return axis.max_jerk_mm_s3; });
-  json["bounds_mm"] = per_axis(report, [](auto& axis) {
-    return Json::array({axis.least_mm, axis.greatest_mm});
-  });
+  json["max_speed_mm_s"] = per_axis(report, speed_s);
+  json["max_speed_mm_min"] = per_axis(report, speed_min);
+  json["max_acceleration_mm_s2"] = per_axis(report, acceleration);
+  json["max_jerk_mm_s3"] = per_axis(report, jerk);
+  json["bounds_mm"] = per_axis(report, bounds);
   json["steps"] = per_axis(report, [](auto& axis) { return axis.steps; });
+  constexpr std::size_t kFirstRotary = cnc::kLinearAxisCount;
+  json["max_speed_deg_s"] = per_axis(report, speed_s, kFirstRotary);
+  json["max_speed_deg_min"] = per_axis(report, speed_min, kFirstRotary);
+  json["max_acceleration_deg_s2"] = per_axis(report, acceleration, kFirstRotary);
+  json["max_jerk_deg_s3"] = per_axis(report, jerk, kFirstRotary);
+  json["bounds_deg"] = per_axis(report, bounds, kFirstRotary);
+  json["measuring_error"] = {
+      {"max_speed", per_axis(report, [](auto& axis) { return axis.speed_error_mm_s; })},
+      {"max_acceleration",
+       per_axis(report, [](auto& axis) { return axis.acceleration_error_mm_s2; })},
+      {"max_jerk", per_axis(report, [](auto& axis) { return axis.jerk_error_mm_s3; })},
+      {"bounds", per_axis(report, [](auto& axis) { return axis.bounds_error_mm; })}};
+}
+
+/// Six decimals: a nanometre and a microsecond, far below what anything here is known to.
+void round_numbers(Json& json) {
+  constexpr double kPerUnit = 1.0e6;
+  constexpr double kMostRounded = 1.0e9;  // A double has no further decimals to round.
+  if (json.is_number_float()) {
+    const double value = json.get<double>();
+    if (std::abs(value) < kMostRounded) json = std::round(value * kPerUnit) / kPerUnit;
+  } else if (json.is_structured()) {
+    for (Json& element : json) round_numbers(element);
+  }
 }
 
 }  // namespace
@@ -71,11 +99,16 @@ Json to_json(const Report& report) {
   return json;
 }
 
+std::string dumped(Json json, int indent) {
+  round_numbers(json);
+  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+}
+
 void write_json(const std::string& file, std::span<const Report> reports) {
   Json json = Json::array();
   for (const Report& report : reports) json.push_back(to_json(report));
   if (reports.size() == 1) json = Json(json.front());
-  write_file(file, json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  write_file(file, dumped(std::move(json)) + "\n");
 }
 
 }  // namespace sim

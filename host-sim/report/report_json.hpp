@@ -22,6 +22,12 @@ namespace sim {
 /// | `max_acceleration_mm_s2`, `max_jerk_mm_s3`             | for each axis X Y Z A B C   |
 /// | `bounds_mm`                                            | per axis `[least, greatest]`|
 /// | `steps`                                                | per axis integer            |
+/// | `max_speed_deg_s`, `max_speed_deg_min`,                | the same of A B C           |
+/// | `max_acceleration_deg_s2`, `max_jerk_deg_s3`,          |                             |
+/// | `bounds_deg`                                           |                             |
+/// | `measuring_error`: `max_speed`, `max_acceleration`,    | object, per axis number:    |
+/// | `max_jerk`, `bounds`                                   | what reading steps adds, in |
+/// |                                                        | the figure's own unit       |
 /// | `max_path_deviation_mm`, `max_path_deviation_at_s`     | number                      |
 /// | `energy_per_mm_ratio`: `least`, `mean`, `greatest`     | object: beam energy per mm  |
 /// |                                                        | over S and F's, in windows  |
@@ -30,8 +36,13 @@ namespace sim {
 /// | `warnings`                                             | array of strings            |
 /// | `faults`: `file`, `line`, `column`, `number`, `message`| array of objects            |
 ///
-/// A, B and C are in degrees where a name says mm. A number that is not finite is null.
+/// Keys in mm have A, B and C, too, in degrees, as in earlier versions. Numbers have at most six
+/// decimals. A number that is not finite is null.
 [[nodiscard]] nlohmann::ordered_json to_json(const Report& report);
+
+/// A text of two spaces a level, numbers rounded to six decimals. Text that is not UTF-8 gets
+/// U+FFFD in place of the bad bytes.
+[[nodiscard]] std::string dumped(nlohmann::ordered_json json, int indent = 2);
 
 /// Writes one report as an object, several as an array of them. Text that is not
 /// UTF-8 gets U+FFFD in place of the bad bytes. Throws std::system_error naming the file.

@@ -68,6 +68,32 @@ void add_axis_row(TextTable& table, char letter, const AxisReport& axis) {
 
 bool is_rotary(std::size_t axis) { return axis >= cnc::kLinearAxisCount; }
 
+/// What reading steps may add to the figures of a table: the greatest of its axes.
+std::string errors_text(const Report& report, bool rotary, const char* unit) {
+  AxisReport most;
+  for (std::size_t i = 0; i < cnc::kAxisCount; ++i) {
+    if (is_rotary(i) != rotary) continue;
+    const AxisReport& axis = report.axes[i];
+    most.speed_error_mm_s = std::max(most.speed_error_mm_s, axis.speed_error_mm_s);
+    most.acceleration_error_mm_s2 =
+        std::max(most.acceleration_error_mm_s2, axis.acceleration_error_mm_s2);
+    most.jerk_error_mm_s3 = std::max(most.jerk_error_mm_s3, axis.jerk_error_mm_s3);
+    most.bounds_error_mm = std::max(most.bounds_error_mm, axis.bounds_error_mm);
+  }
+  if (most.speed_error_mm_s == 0.0) return "";
+  return fmt::format(
+      "  read from steps: up to {:.2f} {}/s, {} {}/s² and {} {}/s³ may come from their times, "
+      "places are within {:.4f} {}\n",
+      most.speed_error_mm_s,
+      unit,
+      rate_text(most.acceleration_error_mm_s2),
+      unit,
+      rate_text(most.jerk_error_mm_s3),
+      unit,
+      most.bounds_error_mm,
+      unit);
+}
+
 /// A table of the linear or of the rotary axes that moved; nothing when none did.
 std::string axes_text(const Report& report, bool rotary, bool colour) {
   const char* unit = rotary ? "deg" : "mm";
@@ -85,7 +111,8 @@ std::string axes_text(const Report& report, bool rotary, bool colour) {
     add_axis_row(table, cnc::kAxisLetters[axis], report.axes[axis]);
     has_moved = true;
   }
-  return has_moved ? "\n" + table.text(2, colour ? kBold : "") : "";
+  if (!has_moved) return "";
+  return "\n" + table.text(2, colour ? kBold : "") + errors_text(report, rotary, unit);
 }
 
 std::string messages_text(const Report& report, bool colour) {

@@ -11,6 +11,7 @@
 #include "host-sim/measure/driven_path.hpp"
 #include "host-sim/measure/path_items.hpp"
 #include "host-sim/measure/program_line.hpp"
+#include "host-sim/trace/input_file.hpp"
 #include "tests/support/drive.hpp"
 #include "tests/support/jerk_time.hpp"
 #include "tests/support/optimal_time.hpp"

@@ -31,12 +31,14 @@ class FileStoreTest : public testing::Test {
 };
 
 TEST_F(FileStoreTest, KeepsRecordsFromOneRunToTheNext) {
-  FileStore store{path};
-  EXPECT_EQ(load(store, 7), "");
-  EXPECT_TRUE(store.save(7, bytes("seven")));
-  EXPECT_TRUE(store.save(0xFFFF, bytes(std::string("\0\xFF\n", 3))));
-  EXPECT_TRUE(store.save(8, bytes("eight")));
-  EXPECT_TRUE(store.save(8, {}));
+  {
+    FileStore store{path};
+    EXPECT_EQ(load(store, 7), "");
+    EXPECT_TRUE(store.save(7, bytes("seven")));
+    EXPECT_TRUE(store.save(0xFFFF, bytes(std::string("\0\xFF\n", 3))));
+    EXPECT_TRUE(store.save(8, bytes("eight")));
+    EXPECT_TRUE(store.save(8, {}));
+  }
   FileStore again{path};
   EXPECT_EQ(load(again, 7), "seven");
   EXPECT_EQ(load(again, 0xFFFF), std::string("\0\xFF\n", 3));
@@ -45,15 +47,84 @@ TEST_F(FileStoreTest, KeepsRecordsFromOneRunToTheNext) {
 }
 
 TEST_F(FileStoreTest, LeavesNothingElseBehind) {
-  FileStore store{path};
-  EXPECT_TRUE(store.save(1, bytes("x")));
-  EXPECT_FALSE(std::filesystem::exists(path + ".new"));
+  const std::string folder = path + ".folder";
+  std::filesystem::create_directory(folder);
+  {
+    FileStore store{folder + "/store"};
+    EXPECT_TRUE(store.save(1, bytes("x")));
+    const auto files = std::filesystem::directory_iterator{folder};
+    EXPECT_EQ(std::distance(begin(files), end(files)), 1);
+  }
+  std::filesystem::remove_all(folder);
 }
 
 TEST_F(FileStoreTest, ChangesNothingWhereItCannotWrite) {
-  FileStore store{path + ".missing/file"};
+  const std::string folder = path + ".folder";
+  std::filesystem::create_directory(folder);
+  FileStore store{folder + "/store"};
+  std::filesystem::remove_all(folder);
   EXPECT_FALSE(store.save(1, bytes("x")));
   EXPECT_EQ(load(store, 1), "");
+}
+
+TEST_F(FileStoreTest, ThrowsWhereNoFileCanBe) {
+  for (const std::string& place :
+       {path + ".missing/file", testing::TempDir(), std::string{"/dev/null"}}) {
+    try {
+      FileStore store{place};
+      ADD_FAILURE() << place;
+    } catch (const std::runtime_error& problem) {
+      EXPECT_NE(std::string{problem.what()}.find(place), std::string::npos) << problem.what();
+    }
+  }
+}
+
+TEST_F(FileStoreTest, IsLockedAsLongAsItLives) {
+  const std::string link = path + ".link";
+  std::filesystem::create_symlink(path, link);
+  {
+    FileStore store{path};
+    EXPECT_THROW(FileStore{path}, std::runtime_error);
+    EXPECT_TRUE(store.save(1, bytes("x")));  // The file is another one now.
+    EXPECT_THROW(FileStore{link}, std::runtime_error);
+  }
+  EXPECT_EQ(FileStore{link}.records().size(), 1U);
+  EXPECT_TRUE(std::filesystem::is_symlink(link));
+  std::filesystem::remove(link);
+}
+
+/// Damage is never read as a store with fewer records, or none.
+TEST_F(FileStoreTest, RefusesWhatIsCutOffOrChanged) {
+  {
+    FileStore store{path};
+    EXPECT_TRUE(store.save(1, bytes("one")));
+    EXPECT_TRUE(store.save(300, bytes("three hundred")));
+  }
+  std::string whole;
+  std::getline(std::ifstream{path}, whole, '\0');
+  for (std::size_t i = 0; i < whole.size(); ++i) {
+    std::string changed = whole;
+    changed[i] = static_cast<char>(changed[i] ^ (1 << (i % 8)));
+    for (const std::string& bad : {whole.substr(0, i), changed}) {
+      std::ofstream{path, std::ios::trunc} << bad;
+      EXPECT_THROW(FileStore{path}, std::runtime_error) << i;
+    }
+  }
+  std::ofstream{path, std::ios::trunc} << whole;
+  EXPECT_EQ(FileStore{path}.records().size(), 2U);
+}
+
+TEST_F(FileStoreTest, ReadsTheFirstFormatAndSavesTheSecond) {
+  std::ofstream{path} << "7:736576656e\n";
+  {
+    FileStore store{path};
+    EXPECT_EQ(load(store, 7), "seven");
+    EXPECT_TRUE(store.save(8, bytes("8")));
+  }
+  std::string first;
+  std::getline(std::ifstream{path}, first);
+  EXPECT_EQ(first, "kerfline store 2");
+  EXPECT_EQ(FileStore{path}.records().size(), 2U);
 }
 
 TEST_F(FileStoreTest, RefusesARecordThatIsTooLong) {

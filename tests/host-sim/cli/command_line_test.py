@@ -6,6 +6,7 @@
 
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -66,7 +67,7 @@ class CommandLine(unittest.TestCase):
     def test_check_takes_the_simulated_time(self):
         job = EXAMPLES / "circle_r20.nc"
         simulated = json.loads(run("sim", job, *self.laser, "--json").stdout)
-        checked = json.loads(run("check", job, *self.laser, "--json").stdout)
+        checked, = json.loads(run("check", job, *self.laser, "--json").stdout)
         self.assertAlmostEqual(checked["job_time_s"] / simulated["job_time_s"], 1.0, delta=0.01)
 
     def test_check_finds_what_needs_more_travel_than_there_is(self):
@@ -179,7 +180,7 @@ class CommandLine(unittest.TestCase):
     def test_version_is_in_reports_and_answers(self):
         version = run("--version").stdout.strip()
         self.assertRegex(version, r"^\d+\.\d+\.\d+(\+[0-9a-f]{7}(-dirty)?)?$")
-        self.assertEqual(json.loads(run("check", "-", "--json", text="G0 X1\n").stdout)["version"], version)
+        self.assertEqual(json.loads(run("check", "-", "--json", text="G0 X1\n").stdout)[0]["version"], version)
 
     def test_prints_completions_and_manual(self):
         for shell in ("bash", "zsh", "fish"):
@@ -190,13 +191,151 @@ class CommandLine(unittest.TestCase):
         self.assertIn("tcsh", done.stderr)
         self.assertIn(".SH NAME\nkerfline ", run("manual").stdout)
 
-    def test_help_teaches(self):
-        for call in (["--help"], ["sim", "--help"], ["check", "--help"], ["offset", "--help"],
-                     ["drawing", "--help"], ["--version"]):
+    def commands(self, words=()):
+        text = run(*words, "--help").stdout
+        yield words, text
+        _, _, below = text.partition("\nSubcommands:\n")
+        for name in re.findall(r"^  (\w+) ", below.split("\n\n")[0], re.MULTILINE):
+            yield from self.commands((*words, name))
+
+    def test_help_begins_with_examples_of_the_command(self):
+        for words, text in self.commands():
+            with self.subTest(words=words):
+                before, found, after = text.partition("\nExample")
+                self.assertTrue(found, text)
+                self.assertNotIn("Options:", before)
+                self.assertIn("Options:", after)
+                examples = after.split("\n\n")[0]
+                self.assertIn(" ".join(["kerfline", *words]), examples)
+                self.assertEqual(text.count("\nExample"), 1)
+
+    def test_a_wrong_word_names_its_nearest_neighbour(self):
+        job = EXAMPLES / "circle_r20.nc"
+        for call, told in ((["chek", job], "chek: no such command; there are sim check"),
+                           (["chek", job], "did you mean check?"),
+                           (["kerf", "advice"], "did you mean advise?"),
+                           (["cal"], "no such command"),
+                           (["sim", job, "--sgv", "x"], "--sgv: `kerfline sim` has no such option; did you"),
+                           (["sim", job, "--sgv", "x"], "did you mean --svg?"),
+                           (["sim", job, "--trac=x"], "did you mean --trace?"),
+                           (["send", job, "--prot", "x"], "did you mean --port?"),
+                           (["check", job, "--xyzzy"], "--xyzzy: `kerfline check` has no such option\n")):
             with self.subTest(call=call):
                 done = run(*call)
-                self.assertEqual(done.returncode, 0)
-                self.assertNotEqual(done.stdout, "")
+                self.assertEqual((done.returncode, done.stdout), (2, ""))
+                self.assertIn(told, done.stderr)
+
+    def test_wrong_values_name_range_and_unit(self):
+        job, part = EXAMPLES / "circle_r20.nc", EXAMPLES / "plate.svg"
+        for call, option, told in (
+                (["sim", job], "--kerf", "0 to 100 mm"), (["sim", job], "--probe-plate", "-10000 to 10000 mm"),
+                (["drawing", part], "--gap", "0 to 10 mm"), (["offset", part], "--distance", "mm"),
+                (["serve", "--tcp", "0"], "--speed", "0.01 to 1000"),
+                (["serve", "--tcp", "0"], "--node", "1 to 126"),
+                (["send", job, "--tcp", "localhost:1"], "--window", "16 to 65536 bytes"),
+                (["cut", part, "--material", "CSP 1N", "--thickness", "2"], "--full-power", "W"),
+                (["cut", part, "--material", "CSP 1N", "--thickness", "2"], "--decimals", "3 to 5"),
+                (["kerf", "advise", "--material", "CSP 1N"], "--thickness", "0 to 100 mm"),
+                (["kerf", "advise", "--material", "CSP 1N", "--thickness", "2"], "--power", "W"),
+                (["kerf", "calibrate", "--material", "CSP 1N", "--thickness", "2"], "--length", "10 to 1000 mm")):
+            for value in ("nan", "1e30", "-1e30", "word"):
+                with self.subTest(option=option, value=value):
+                    done = run(*call, option, value)
+                    self.assertEqual((done.returncode, done.stdout), (2, ""))
+                    self.assertIn(option, done.stderr)
+                    if value != "word":
+                        self.assertIn(told, done.stderr)
+
+    def test_figures_read_from_steps_state_their_error(self):
+        done = run("sim", "-", *self.laser, "--json", text="G21 G91\nG1 X100 F12000\n")
+        report = json.loads(done.stdout)
+        speed, error = (report["max_speed_mm_s"]["X"], report["measuring_error"]["max_speed"]["X"])
+        self.assertGreater(speed, 199.0)
+        self.assertLess(speed, 200.0 + error)
+        self.assertGreater(error, 0.0)
+        self.assertIn("read from steps: up to ", run("sim", "-", *self.laser, text="G21 G91\nG1 X9 F9000\n").stdout)
+
+    def test_degrees_are_not_called_millimetres(self):
+        turn = "G21 G91\nG1 A90 F1000\n"
+        done = run("check", "-", text=turn)
+        self.assertIn("bounds in degrees:  A 0.000 to 90.000", done.stdout)
+        self.assertNotIn("bounds in mm", done.stdout)
+        report, = json.loads(run("check", "-", "--json", text=turn).stdout)
+        self.assertEqual(report["bounds_deg"]["A"], [0.0, 90.0])
+        done = run("check", "-", "--set", "$133=50", text=turn)
+        self.assertIn("A needs 90.000 degrees of travel, $133 allows 50", done.stdout)
+
+    def test_numbers_are_rounded(self):
+        done = run("sim", EXAMPLES / "circle_r20.nc", *self.laser, "--json")
+        self.assertEqual(re.findall(r"\d\.\d{7,}", done.stdout), [])
+
+    def test_one_cut_length_everywhere(self):
+        job, svg = EXAMPLES / "circle_r20.nc", self.folder / "out.svg"
+        simulated = json.loads(run("sim", job, *self.laser, "--json", "--svg", svg).stdout)["cut_length_mm"]
+        checked, = json.loads(run("check", job, *self.laser, "--json").stdout)
+        self.assertEqual(checked["cut_length_mm"], simulated)
+        self.assertIn(f"{simulated:.1f} mm of it cut", run("check", job, *self.laser).stdout)
+        self.assertIn(f"{simulated:.1f} mm of it cut", run("sim", job, *self.laser).stdout)
+        self.assertIn(f"{simulated:.1f} mm cut", svg.read_text())
+
+    def test_a_picture_shows_what_matters_of_the_job(self):
+        """Depth of a mill, power of a relief, speed of a cut; only a laser has a kerf."""
+        rows = "".join(f"G1 X{x} S{37 * x % 1000} F6000\n" for x in range(1, 40))
+        for text, options, heading, kerf in (
+                ("G21 G90\nM3 S500\nG1 Z-1 F600\nG1 X20\nZ-3\nX0\nM5\n", ("--set", "$32=0"), "Depth, mm", False),
+                ("G21 G90\nM3 S500\nG1 X20 F600\nM5\n", ("--set", "$32=0"), "Speed, mm/min", False),
+                (f"G21 G90\nM4 S0\n{rows}M5\n", self.laser, "Power, %", True),
+                ("G21 G90\nM4 S500\nG1 X20 F600\nM5\n", self.laser, "Speed, mm/min", True)):
+            svg = self.folder / "out.svg"
+            done = run("sim", "-", *options, "--svg", svg, text=text)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            self.assertIn(heading, svg.read_text())
+            self.assertEqual("kerf" in svg.read_text(), kerf, heading)
+
+    def test_depth_counts_from_zero_or_from_the_highest_cut(self):
+        for levels, deepest in (((-1, -4), "4"), ((10, 6), "4"), ((2, -3), "3")):
+            svg = self.folder / "out.svg"
+            text = f"G21 G90\nG0 Z20\nM3 S500\nG1 Z{levels[0]} F600\nX20\nZ{levels[1]}\nX0\nM5\nG0 Z20\n"
+            self.assertEqual(run("sim", "-", "--set", "$32=0", "--svg", svg, text=text).returncode, 0)
+            legend = svg.read_text().partition("Depth, mm")[2].partition(">cut<")[0]
+            self.assertEqual(re.findall(r">([\d.]+)</text>", legend)[-1], deepest, levels)
+
+    def test_an_offset_that_vanishes_is_told(self):
+        part = self.folder / "part.txt"
+        part.write_text("0 0\n40 0\n40 30\n0 30\n\n10 10 1\n14 10 1\n")
+        for distance, told in (("-100", ["the loop that begins at"]), ("3", ["the hole that begins at"])):
+            done = run("offset", part, "-d", distance)
+            self.assertEqual(done.returncode, 1, done.stdout)
+            for words in told:
+                self.assertIn(words, done.stderr)
+            self.assertIn(f"vanishes at distance {distance} mm", done.stderr)
+        for distance in ("-2", "1.9", "0"):
+            self.assertEqual(run("offset", part, "-d", distance).returncode, 0)
+
+    def test_contours_are_numbered_in_their_picture(self):
+        svg = self.folder / "out.svg"
+        run("drawing", EXAMPLES / "plate.svg", "--svg", svg)
+        numbers = re.findall(r">(\d+)</text>", svg.read_text())
+        self.assertEqual(numbers, [str(i + 1) for i in range(len(numbers))])
+        self.assertGreater(len(numbers), 1)
+
+    def test_flat_arcs_are_drawn_where_they_are(self):
+        """100 mm with a rise of 0.2 mm: a circle of 6 m, whose centre renderers lose."""
+        part, svg = self.folder / "part.txt", self.folder / "out.svg"
+        part.write_text("0 0 0.004\n100 0\n100 50\n0 50\n")
+        self.assertEqual(run("offset", part, "-d", "0", "--svg", svg).returncode, 0)
+        self.assertNotRegex(svg.read_text(), r"A\d{5}")
+        self.assertIn("C", svg.read_text())
+
+    def test_pictures_fit_a_browser(self):
+        svg = self.folder / "out.svg"
+        for call in (("sim", EXAMPLES / "circle_r20.nc"), ("drawing", EXAMPLES / "plate.svg"),
+                     ("offset", EXAMPLES / "plate.svg", "-d", "1"),
+                     ("kerf", "plot", "--material", "CSP 1N")):
+            run(*call, "--svg", svg)
+            head = svg.read_text()[:400]
+            self.assertIn("viewBox=", head)
+            self.assertIn("max-width:100%;max-height:100vh", head)
 
 
 if __name__ == "__main__":

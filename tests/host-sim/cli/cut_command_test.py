@@ -60,10 +60,78 @@ class Cut(unittest.TestCase):
         self.assertIn(f"kerf {report['layers'][0]['kerf_mm']:.4f} mm)", program)
         checked = run("check", names["nc"], "--set", "$32=1", "--json")
         self.assertEqual(checked.returncode, 0, checked.stdout)
-        self.assertAlmostEqual(json.loads(checked.stdout)["job_time_s"], report["job_time_s"], 2)
+        self.assertAlmostEqual(json.loads(checked.stdout)[0]["job_time_s"], report["job_time_s"], 2)
         self.assertIn("<svg", names["svg"].read_text())
         for line in program.splitlines():
             self.assertLess(len(line), 80)
+
+    def test_a_kerf_that_nobody_measured_here_is_told_everywhere(self):
+        names = {key: self.folder / f"out.{key}" for key in ("nc", "json")}
+        done = self.cut("-o", names["nc"], "--report", names["json"])
+        report = json.loads(names["json"].read_text())
+        program = " ".join(line.strip("()") for line in names["nc"].read_text().splitlines() if line.startswith("("))
+        for text in (done.stderr, program, " ".join(report["kerf"]["warnings"])):
+            self.assertIn("the kerf of CSP 1N was not measured on this machine", text)
+            self.assertIn("Park and Ahn 2007", text)
+            self.assertIn("kerf 0.5617 mm by --unit printed, 0.6625 mm by --unit J/mm", text)
+        self.assertFalse(report["kerf"]["measured_on_this_machine"])
+        self.assertEqual(report["kerf"]["unit"], "W/(mm/min)")
+        done = run("cut", self.plate, "--material", "acrylic", "--thickness", "3", *("--layer", "red: side=on"))
+        self.assertIn("measured by nobody", done.stderr)
+
+    def test_full_power_bounds_what_is_chosen(self):
+        done = self.cut("--full-power", "1500", "--report", self.folder / "out.json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        layer = json.loads((self.folder / "out.json").read_text())["layers"][0]
+        self.assertEqual((layer["power_w"], layer["feed_mm_min"]), (1400.0, 5000.0))
+        for watts, speed in (("1000", ()), ("1300", ("--feed", "5000"))):
+            told = self.refused(self.plate, *STEEL, "--full-power", watts, *speed)
+            self.assertIn(f"no power up to the laser's {watts} W (--full-power) is permissible", told)
+
+    def test_wishes_without_room_are_told(self):
+        small = self.drawn("small.svg", SHEET + '<rect id="a" x="20" y="20" width="6" height="6"/>'
+                           '<rect id="b" x="28" y="17" width="6" height="6"/></svg>')
+        window = self.drawn("window.svg", SHEET + '<rect x="20" y="20" width="40" height="40"/>'
+                            '<rect id="hole" x="34" y="34" width="12" height="12"/></svg>')
+
+        def told(drawing, *wishes):
+            return run("cut", drawing, *STEEL, *wishes).stderr
+        self.assertIn("has room for 1 of 40 tabs", told(small, "--tabs", "40", "--tab-width", "8"))
+        self.assertIn('rect "hole" at ', told(window, "--lead-in", "line:10"))
+        self.assertIn("has room for leads of 50 % of their length", told(window, "--lead-in", "line:10"))
+        self.assertIn("have room for a smaller loop only", told(small, "--corner-loop", "1.5"))
+        marks = self.drawn("marks.svg", SHEET + '<path id="m" d="M20 20H90"/><path id="n" d="M20 30H90"/></svg>')
+        done = run("cut", marks, *STEEL, "--layer", ": side=on", "--tabs", "2", "--pierce", "0.1")
+        self.assertEqual(done.stderr.count("is cut on its line, without tabs, pierce"), 1, done.stderr)
+
+    def test_the_picture_tells_order_size_power_and_kerf(self):
+        svg = self.folder / "out.svg"
+        done = self.cut("--svg", svg, "--tabs", "3")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        text = svg.read_text()
+        self.assertEqual(re.findall(r'paint-order="stroke">(\d+)<', text), ["1", "2", "3", "4"])
+        self.assertIn("85.0 \u00d7 50.0 mm", text)
+        self.assertIn("1400 W at 5000 mm/min, kerf 0.5617 mm", text)
+        self.assertIn("max-width:100%;max-height:100vh", text)
+        length = re.search(r"([\d.]+) mm cut", done.stderr)[1]
+        self.assertIn(f"{length} mm cut", text)
+
+    def test_colours_differ_for_the_colour_blind(self):
+        """Lines that may lie beside each other differ in lightness, whichever cones are missing."""
+        svg = self.folder / "out.svg"
+        self.cut("--svg", svg, "--tabs", "3")
+        paths = re.findall(r'<path d="[^"]*" fill="none" stroke="(#\w{6})"', svg.read_text())
+        colours = {colour.lower() for colour in paths}
+        self.assertEqual(len(colours), 4, "kerf, path, leads and tabs, whose rim is black as the path is")
+
+        def lightness(colour):
+            parts = [int(colour[i:i + 2], 16) / 255 for i in (1, 3, 5)]
+            linear = [part / 12.92 if part <= 0.04045 else ((part + 0.055) / 1.055) ** 2.4 for part in parts]
+            y = 0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+            return 116 * y ** (1 / 3) - 16
+        order = sorted(map(lightness, colours))
+        for dark, light in zip(order, order[1:]):
+            self.assertGreater(light - dark, 15)
 
     def test_same_call_writes_the_same_program(self):
         self.assertEqual(self.cut().stdout, self.cut().stdout)

@@ -185,7 +185,7 @@ class KerfCommand(unittest.TestCase):
         self.assertEqual(len(feeds), 9)
         empty = kerf("calibrate", "--measured", form, "--db", self.base)
         self.assertEqual(empty.returncode, 2)
-        self.assertIn(f"{form}:2: column kerf_top_mm: is empty", empty.stderr)
+        self.assertIn(f"{form}:10: no line has a measurement", empty.stderr)
         for row in rows[1:]:
             heat = 60 * float(row[4]) / float(row[5])
             row[6:] = [f"{.25 + .02 * heat:.7f}", f"{.21 + .02 * heat:.7f}", "0.1", "0.004"]
@@ -196,6 +196,61 @@ class KerfCommand(unittest.TestCase):
         advice = advise("acrylic", 3, 60, 600, "--db", self.base)
         self.assertIn("kerf 0.3500", advice.stdout)
         self.assertNotIn("not calibrated", advice.stdout)
+
+    def filled_form(self, **more):
+        """A form of `calibrate`, widths measured with a calliper on all slots but the last."""
+        form, laser = self.folder / "form.csv", more.get("laser", ())
+        done = kerf("calibrate", "--material", "acrylic", "--thickness", 3, "--full-power", 60, "--powers", "30,45,60",
+                    "--speeds", "400,600,800", *laser, "--out", self.folder / "coupon.nc", "--form", form)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        lines = form.read_text().splitlines()
+        for i, line in enumerate(lines[1:-1], 1):
+            *_, power, speed = line.split(",")[:6]
+            width = .2 + 1.2 * float(power) / float(speed)
+            lines[i] = line[:-4] + f",{width + .02:.3f},{width - .02:.3f},,"
+        form.write_text("\n".join(lines) + "\n")
+        return form, done.stderr
+
+    def test_reads_back_the_form_that_it_writes(self):
+        form, told = self.filled_form()
+        self.assertIn("names no laser; with --laser NAME", told)
+        done = kerf("calibrate", "--measured", form, "--db", self.base, "--unit", "J/mm")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("8 cuts, 8 accepted, 1 lines without a measurement left out", done.stdout)
+        self.assertEqual(self.count("cut"), 8)
+        self.assertEqual(advise("acrylic", 3, 30, 600, "--db", self.base).returncode, 0)
+        cuts = kerf("show", "--material", "acrylic", "--cuts", "--db", self.base).stdout
+        self.assertEqual(len(cuts.splitlines()), 8)
+
+    def test_asks_for_the_laser_when_there_are_others(self):
+        named, told = self.filled_form(laser=("--laser", "mine"))
+        self.assertEqual(told, "")
+        done = kerf("calibrate", "--measured", named, "--db", self.base)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        form, _ = self.filled_form()
+        done = kerf("calibrate", "--measured", form, "--db", self.base)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("say with --laser NAME which laser cut these", done.stderr)
+        self.assertEqual(self.count("cut"), 8, "nothing was added")
+        done = kerf("calibrate", "--measured", form, "--db", self.base, "--laser", "other")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(self.count("cut"), 16)
+
+    def test_dross_and_straightness_are_judged_where_they_are_measured(self):
+        good = ["tin", "a", 0.1, 1, 50, 500, .41, .39]
+        done = kerf("add", self.write_cuts([[*good, "", ""], [*good, 0.6, ""], [*good, "", 0.02], [*good, 0.1, 0.001]]),
+                    "--db", self.base)
+        self.assertIn("4 cuts, 2 accepted", done.stdout)
+        self.assertIn("dross area 0.6 mm2 is above 0.5", done.stdout)
+        self.assertIn("straightness 0.02 mm is above 0.01", done.stdout)
+
+    def test_plots_show_the_interval_of_single_cuts(self):
+        for figure, bands in ((7, 9), (8, 4)):
+            svg = self.folder / "out.svg"
+            done = kerf("plot", "--material", "CSP 1N", "--unit", "J/mm", "--figure", figure, "--svg", svg)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(svg.read_text().count('class="band"'), bands)
+            self.assertIn("bands hold 95 % of cuts", svg.read_text())
 
     def test_a_coupon_asks_for_no_more_than_the_laser_has(self):
         done = kerf("calibrate", "--material", "CSP 1N", "--thickness", 2, "--full-power", 1500,

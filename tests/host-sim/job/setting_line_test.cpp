@@ -1,6 +1,7 @@
 #include "host-sim/job/setting_line.hpp"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <fstream>
@@ -49,6 +50,16 @@ TEST(SettingLine, NamesThePlaceInAFile) {
 
 TEST(SettingLine, NamesAFileThatIsNotThere) {
   EXPECT_THROW(static_cast<void>(read_settings_file("/nonexistent/x")), std::system_error);
+  EXPECT_THROW(static_cast<void>(read_settings_file(testing::TempDir())), std::system_error);
+  const std::string file =
+      testing::TempDir() + "kerfline_settings_test." + std::to_string(::getpid());
+  for (const char* nothing : {"", "; only a comment\n", "\n\n"}) {
+    std::ofstream{file} << nothing;
+    EXPECT_THROW(static_cast<void>(read_settings_file(file)), std::invalid_argument) << nothing;
+  }
+  std::ofstream{file} << "\xEF\xBB\xBF$32=1\r\n";
+  EXPECT_EQ(read_settings_file(file).size(), 1U);
+  std::remove(file.c_str());
 }
 
 }  // namespace

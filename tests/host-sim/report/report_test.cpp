@@ -57,6 +57,12 @@ TEST(ReportJson, HasTheDocumentedKeysInOrder) {
                           "max_jerk_mm_s3",
                           "bounds_mm",
                           "steps",
+                          "max_speed_deg_s",
+                          "max_speed_deg_min",
+                          "max_acceleration_deg_s2",
+                          "max_jerk_deg_s3",
+                          "bounds_deg",
+                          "measuring_error",
                           "max_path_deviation_mm",
                           "max_path_deviation_at_s",
                           "max_shaping_error_mm",
@@ -67,6 +73,10 @@ TEST(ReportJson, HasTheDocumentedKeysInOrder) {
   EXPECT_EQ(json["max_speed_mm_min"]["X"], 6'000.0);
   EXPECT_EQ(json["bounds_mm"]["X"], ordered_json::array({-1.0, 120.5}));
   EXPECT_EQ(json["steps"]["A"], 3'600);
+  EXPECT_THAT(keys_of(json["bounds_deg"]), ElementsAre("A", "B", "C"));
+  EXPECT_EQ(json["bounds_deg"]["A"], json["bounds_mm"]["A"]);
+  EXPECT_THAT(keys_of(json["measuring_error"]),
+              ElementsAre("max_speed", "max_acceleration", "max_jerk", "bounds"));
   EXPECT_TRUE(json["faults"].is_array());
   EXPECT_THAT(keys_of(json["energy_per_mm_ratio"]), ElementsAre("least", "mean", "greatest"));
 }

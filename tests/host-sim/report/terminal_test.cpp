@@ -92,6 +92,25 @@ TEST_F(ProgressBarTest, ShowsTheShareAndClearsItself) {
   EXPECT_THAT(text, EndsWith("\r\033[K"));
 }
 
+/// A line that wraps could not be removed again.
+TEST_F(ProgressBarTest, FitsTheTerminal) {
+  const std::string name = "a/folder/with/a/long/name/größe_切割.nc";
+  for (std::size_t columns = 12; columns <= 120; ++columns) {
+    {
+      ProgressBar bar{stream_, true, start_, columns};
+      bar.update(0.5, name, start_ + 600ms);
+    }
+    std::string line = shown();
+    std::rewind(stream_);
+    const std::string begin = "\r\033[K";
+    ASSERT_TRUE(line.starts_with(begin));
+    line = line.substr(begin.size(), line.find('\r', 1) - begin.size());
+    EXPECT_LT(display_width(line), columns) << line;
+    EXPECT_THAT(line, HasSubstr("] "));
+    EXPECT_EQ(line.find(name) != std::string::npos, columns >= 10 + 10 + display_width(name)) << line;
+  }
+}
+
 class ProgressLinesTest : public ProgressBarTest {};
 
 TEST_F(ProgressLinesTest, AreSilentUnlessAskedFor) {

@@ -1,0 +1,175 @@
+#include "hal/host/replacing_file.hpp"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <array>
+#include <atomic>
+#include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <optional>
+#include <system_error>
+#include <utility>
+
+namespace hal::host {
+namespace {
+
+/// Names of the files that are being written, where a signal handler can read them.
+struct Unfinished {
+  std::atomic<bool> taken{false};
+  std::atomic<bool> named{false};
+  std::array<char, 4096> name{};
+};
+// More than a command writes at a time; beyond them only the removal on signals is lost.
+std::array<Unfinished, 16> unfinished;
+
+void keep_name(const std::string& name) {
+  for (Unfinished& slot : unfinished) {
+    if (name.size() >= slot.name.size() || slot.taken.exchange(true)) continue;
+    std::memcpy(slot.name.data(), name.c_str(), name.size() + 1);
+    slot.named = true;
+    return;
+  }
+}
+
+void forget_name(const std::string& name) {
+  for (Unfinished& slot : unfinished) {
+    if (!slot.named || name != slot.name.data()) continue;
+    slot.named = false;
+    slot.taken = false;
+  }
+}
+
+void remove_and_end(int signal) {
+  for (const Unfinished& slot : unfinished) {
+    if (slot.named) static_cast<void>(::unlink(slot.name.data()));
+  }
+  static_cast<void>(std::signal(signal, SIG_DFL));
+  static_cast<void>(::raise(signal));
+}
+
+/// The number of the process's own open file that a name stands for.
+std::optional<int> own_stream(std::string_view path) {
+  if (path == "/dev/stdout") return STDOUT_FILENO;
+  if (path == "/dev/stderr") return STDERR_FILENO;
+  for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    if (!path.starts_with(folder)) continue;
+    const std::string_view digits = path.substr(folder.size());
+    int number = 0;
+    const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), number);
+    if (read.ec == std::errc{} && read.ptr == digits.data() + digits.size()) return number;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::string without_links(const std::string& path) {
+  constexpr int kMostLinks = 40;  // As Linux follows.
+  std::filesystem::path followed{path};
+  for (int links = 0; links < kMostLinks; ++links) {
+    std::error_code is_none;
+    const std::filesystem::path next = std::filesystem::read_symlink(followed, is_none);
+    if (is_none) return followed.string();
+    followed = followed.parent_path() / next;  // An absolute one takes the place of all.
+  }
+  throw std::system_error{ELOOP, std::generic_category(), path};
+}
+
+ReplacingFile::ReplacingFile(std::string path) : path_{std::move(path)}, target_{path_} {
+  if (own_stream(path_)) {
+    open_in_place();
+    return;
+  }
+  target_ = without_links(path_);
+  struct ::stat found {};
+  const bool exists = ::stat(target_.c_str(), &found) == 0;
+  if (!exists && errno != ENOENT) fail("cannot create");
+  if (exists && !S_ISREG(found.st_mode)) {
+    open_in_place();
+    return;
+  }
+  if (exists && ::access(target_.c_str(), W_OK) != 0) fail("cannot write");
+  replaces_ = exists;
+  open_beside();
+}
+
+ReplacingFile::~ReplacingFile() {
+  if (!committed_ && !beside_.empty()) {
+    static_cast<void>(::unlink(beside_.c_str()));
+    forget_name(beside_);
+  }
+  if (descriptor_ >= 0) static_cast<void>(::close(descriptor_));
+}
+
+void ReplacingFile::open_in_place() {
+  const auto own = own_stream(path_);
+  descriptor_ = own ? ::fcntl(*own, F_DUPFD_CLOEXEC, 0)
+                    : ::open(target_.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
+  if (descriptor_ < 0) fail("cannot write");
+}
+
+void ReplacingFile::open_beside() {
+  static std::atomic<unsigned> count{0};
+  constexpr int kMostNames = 1000;  // Files of killed processes of the same number may be left.
+  const std::string folder = std::filesystem::path{target_}.parent_path().string();
+  for (int i = 0; i < kMostNames; ++i) {
+    const std::string name =
+        ".kerfline-" + std::to_string(::getpid()) + "-" + std::to_string(count++) + ".part";
+    const std::string beside = folder.empty() ? name : folder + "/" + name;
+    descriptor_ = ::open(beside.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor_ < 0 && errno == EEXIST) continue;
+    if (descriptor_ < 0) fail("cannot create");
+    beside_ = beside;
+    keep_name(beside_);
+    if (replaces_) take_mode_of_target();
+    return;
+  }
+  fail("cannot create");
+}
+
+/// Who may read the old file may read the new one.
+void ReplacingFile::take_mode_of_target() {
+  struct ::stat old {};
+  if (::stat(target_.c_str(), &old) != 0) return;
+  // Only root may give a file away; then the mode, as a new owner clears bits of it.
+  if (::fchown(descriptor_, old.st_uid, old.st_gid) != 0) errno = 0;
+  if (::fchmod(descriptor_, old.st_mode & 0777) != 0) errno = 0;
+}
+
+void ReplacingFile::write(std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ::ssize_t count = ::write(descriptor_, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) fail("cannot write");
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
+void ReplacingFile::commit() {
+  if (committed_) return;
+  if (!beside_.empty()) {
+    if (replaces_ && ::fsync(descriptor_) != 0) fail("cannot write");
+    if (std::rename(beside_.c_str(), target_.c_str()) != 0) fail("cannot replace");
+    forget_name(beside_);
+  }
+  committed_ = true;
+}
+
+void ReplacingFile::fail(const char* action) const {
+  throw std::system_error{errno, std::generic_category(), std::string{action} + " " + path_};
+}
+
+void ReplacingFile::remove_unfinished_on_signals() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+    struct ::sigaction old {};
+    if (::sigaction(signal, nullptr, &old) != 0 || old.sa_handler != SIG_DFL) continue;
+    static_cast<void>(std::signal(signal, remove_and_end));
+  }
+}
+
+}  // namespace hal::host

@@ -1,0 +1,100 @@
+#include "host-sim/cli/cut_options.hpp"
+
+#include <CLI/CLI.hpp>
+
+#include "host-sim/cli/file_options.hpp"
+#include "host-sim/cli/value_range.hpp"
+#include "planner/gcode/print_grid.hpp"
+
+namespace sim {
+namespace {
+
+constexpr const char* kCutFooter =
+    "Parts get the drawn size: the beam goes half a kerf beside the line, on the side of the\n"
+    "waste. Power and feed that are not given are chosen: the fastest permissible cut.\n"
+    "Lines and arcs stay what they are, other curves become smooth arcs within the tolerance.\n"
+    "--layer 'holes: feed=3000, lead-in=line:1' is for the layer, or colour, of that name; keys\n"
+    "are power, feed, side (waste, on: on the line, skip), lead-in, lead-out (none, line:MM,\n"
+    "arc:MM), overcut, tabs, tab-width, pierce, corner-loop, corner-dwell and corner-angle.\n"
+    "With --kerf-table the program has the drawn outlines and M190, and the controller goes by\n"
+    "its own table, its $PC and $860; tabs, corner loops and dwells keep a contour from it.\n"
+    "--layers FILE has one such text to a line.\n"
+    "\n"
+    "Example:\n"
+    "  kerfline cut part.dxf --material 'CSP 1N' --thickness 2 --lead-in arc:3 -o part.nc "
+    "--svg part.svg\n"
+    "\n"
+    "Exit status: 0 fine, 1 the drawing has faults, 2 the call is wrong.";
+
+void add_common_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>& options) {
+  const auto add = [&](const std::string& key, const std::string& type, const std::string& help) {
+    command
+        .add_option_function<std::string>(
+            "--" + key,
+            [options, key](const std::string& value) { options->common.emplace_back(key, value); },
+            help)
+        ->type_name(type);
+  };
+  add("power", "W", "Else chosen");
+  add("feed", "MM/MIN", "Else chosen");
+  add("lead-in", "KIND:MM", "none, line:MM or arc:MM; arc:2");
+  add("lead-out", "KIND:MM", "The same; none");
+  add("overcut", "MM", "How far to go on where the contour began; 0");
+  add("tabs", "COUNT", "Places at which parts stay in the sheet; 0");
+  add("tab-width", "MM", "What is left standing at each; 0.5");
+  add("pierce", "S", "Time to get through before a cut; 0");
+  add("corner-loop", "MM", "Radius of loops in the waste past outer corners; 0, none");
+  add("corner-dwell", "S", "Dark rest at corners without a loop; 0, none");
+  add("corner-angle", "DEG", "Corners that turn by less are none; 45");
+}
+
+}  // namespace
+
+void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>& options) {
+  command.footer(kCutFooter);
+  mark_file(command.add_option("DRAWING", options->file, "SVG, DXF or JSON; - is standard input")
+                ->required(),
+            FileRole::kInput);
+  options->record.add_to(command);
+  command.get_option("--material")->required();
+  command.add_option("--thickness", options->thickness_mm, "mm")->required()->type_name("T");
+  add_common_options(command, options);
+  command.add_option("--layer", options->layers, "What is other for a layer; may be repeated")
+      ->type_name("TEXT")
+      ->allow_extra_args(false);
+  const auto add_file = [&](FileRole role, const char* name, std::string& file, const char* help) {
+    mark_file(command.add_option(name, file, help)->type_name("FILE"), role);
+  };
+  add_file(FileRole::kInput, "--layers", options->layers_file, "File of them");
+  command
+      .add_option(
+          "--full-power", options->full_power_w, "What the laser gives at $30; the record's most")
+      ->check(in_range(0.001, from_thousandths(cnc::kerf::kMostPowerMw), "W"))
+      ->type_name("W");
+  command
+      .add_option("--kerf-table",
+                  options->kerf_table,
+                  "Leave the way beside parts to the controller (G42), which has the material as "
+                  "table P of $K")
+      ->check(in_whole_range(0, 99))
+      ->type_name("P");
+  command.add_flag("--constant-power", options->constant_power, "M3 instead of M4");
+  command.add_option("--gap", options->import.gap_mm, "Ends no farther apart are joined, mm")
+      ->check(in_range(drawing::kLeastGapMm, drawing::kGreatestGapMm, "mm"))
+      ->capture_default_str();
+  add_outline_options(command, options->curves);
+  command.add_flag("--anyway", options->anyway, "Cut what is sound of a drawing with faults");
+  command.add_flag("--check", options->check, "Drive it and measure how well the parts fit");
+  command.add_option("--decimals", options->decimals, "Of places, mm")
+      ->check(in_whole_range(cnc::gcode::PrintGrid::kFewest, cnc::gcode::PrintGrid::kMost))
+      ->capture_default_str();
+  add_file(FileRole::kInput, "--settings", options->settings_file, "The machine's $N=value lines");
+  command.add_option("--set", options->set, "One setting of the machine; may be repeated")
+      ->type_name("$N=V")
+      ->allow_extra_args(false);
+  add_file(FileRole::kOutput, "-o,--output", options->output, "The program; else standard output");
+  add_file(FileRole::kOutput, "--svg", options->svg, "Draw parts, path and kerf");
+  add_file(FileRole::kOutput, "--report", options->report, "Write the report as JSON");
+}
+
+}  // namespace sim

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "host-sim/cli/kerf_options.hpp"
+#include "host-sim/cli/outline_options.hpp"
+#include "host-sim/import/drawing.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace sim {
+
+/// The call of `kerfline cut`.
+struct CutCommandOptions {
+  std::string file;
+  drawing::ImportOptions import;
+  OutlineOptions curves;
+  RecordOptions record;
+  double thickness_mm = 0.0;
+  std::vector<std::pair<std::string, std::string>> common;  ///< Keys of LayerSettings.
+  std::vector<std::string> layers;
+  std::string layers_file;
+  double full_power_w = 0.0;  ///< 0: the greatest of the record.
+  bool constant_power = false;
+  std::optional<unsigned> kerf_table{};  ///< The controller finds the way beside parts.
+  bool anyway = false;
+  bool check = false;
+  unsigned decimals = 4;
+  std::string settings_file;
+  std::vector<std::string> set;
+  std::string output;
+  std::string svg;
+  std::string report;
+};
+
+/// Adds all options and the text below them.
+void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>& options);
+
+}  // namespace sim

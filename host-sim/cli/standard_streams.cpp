@@ -1,0 +1,44 @@
+#include "host-sim/cli/standard_streams.hpp"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
+#include <initializer_list>
+
+#include "host-sim/report/printable.hpp"
+
+namespace sim {
+
+void prepare_standard_streams() {
+  for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
+    if (::fcntl(number, F_GETFD) >= 0) continue;
+    // The wrong way round, so that using it fails; it gets the lowest number that is free.
+    const int mode = number == STDIN_FILENO ? O_WRONLY : O_RDONLY;
+    if (::open("/dev/null", mode) != number) ::_exit(2);
+  }
+  static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
+  static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
+}
+
+bool standard_output_failed() { return std::ferror(stdout) != 0; }
+
+bool finish_standard_output(int reason) {
+  const bool failed_before = standard_output_failed();
+  errno = 0;
+  if (std::fflush(stdout) == 0 && !failed_before) return true;
+  if (reason == 0) reason = errno;
+  static_cast<void>(std::fprintf(stderr,
+                                 "kerfline: standard output: %s\n",
+                                 reason == 0 ? "not all was written" : std::strerror(reason)));
+  return false;
+}
+
+void print_error(const char* reason) {
+  static_cast<void>(std::fprintf(stderr, "kerfline: %s\n", printable(reason).c_str()));
+}
+
+}  // namespace sim

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cstdint>
+
+namespace CLI {
+class Validator;
+}
+
+namespace sim {
+
+/// A number from `least` to `most`, both included; what is no number is refused, too. Messages and
+/// `--help` name the range and the unit.
+/// @param unit may be empty
+[[nodiscard]] CLI::Validator in_range(double least, double most, const char* unit);
+
+/// A number without a fraction.
+[[nodiscard]] CLI::Validator in_whole_range(std::int64_t least,
+                                            std::int64_t most,
+                                            const char* unit = "");
+
+}  // namespace sim

@@ -1,0 +1,74 @@
+#include "host-sim/cut/kerf_notes.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <set>
+#include <sstream>
+
+namespace sim::cut {
+namespace {
+
+/// Widths nearer to each other are one for any use of them, mm.
+constexpr double kSameKerfMm = 0.001;
+
+const char* unit_option(cnc::kerf::HeatUnit unit) {
+  return unit == cnc::kerf::HeatUnit::kJoulesPerMillimetre ? "J/mm" : "printed";
+}
+
+/// A sentence for each kerf that another unit would change.
+void add_other_unit(const MaterialRecord& record,
+                    const MaterialRecord& other,
+                    const std::vector<LayerPlan>& layers,
+                    std::set<std::string>& notes) {
+  for (const LayerPlan& layer : layers) {
+    if (layer.condition.kerf_mm <= 0.0) continue;  // It is not cut.
+    const auto found = predict(other, layer.condition.cut);
+    if (!found.ok()) continue;
+    if (std::abs(found.value().kerf_mm - layer.condition.kerf_mm) < kSameKerfMm) continue;
+    notes.insert(fmt::format(
+        "kerf {:.4f} mm by --unit {}, {:.4f} mm by --unit {}: a test coupon decides, see "
+        "`kerfline kerf calibrate`",
+        layer.condition.kerf_mm,
+        unit_option(record.unit),
+        found.value().kerf_mm,
+        unit_option(other.unit)));
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> kerf_notes(const MaterialRecord& record,
+                                    const std::vector<MaterialRecord>& others,
+                                    const std::vector<LayerPlan>& layers) {
+  std::vector<std::string> notes;
+  if (!record.calibrated) {
+    notes.push_back(fmt::format("the kerf of {} was not measured on this machine: {}; {}",
+                                record.name,
+                                record.laser,
+                                record.provenance));
+  }
+  std::set<std::string> by_unit;
+  for (const MaterialRecord& other : others) {
+    if (other.name == record.name && other.unit != record.unit) {
+      add_other_unit(record, other, layers, by_unit);
+    }
+  }
+  notes.insert(notes.end(), by_unit.begin(), by_unit.end());
+  return notes;
+}
+
+std::vector<std::string> wrapped(const std::string& text, std::size_t width) {
+  std::vector<std::string> lines;
+  std::istringstream words{text};
+  for (std::string word; words >> word;) {
+    if (lines.empty() || lines.back().size() + 1 + word.size() > width) {
+      lines.push_back(word);
+    } else {
+      lines.back() += " " + word;
+    }
+  }
+  return lines;
+}
+
+}  // namespace sim::cut

@@ -1,0 +1,85 @@
+#include "host-sim/trace/input_file.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <stdexcept>
+#include <string_view>
+#include <system_error>
+
+namespace sim {
+namespace {
+
+/// A file of the system that is closed at the end of its scope; standard input stays open.
+class OpenInput {
+ public:
+  explicit OpenInput(const std::string& file)
+      : name_{name_of_input(file)},
+        owned_{file != "-"},
+        descriptor_{owned_ ? ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY) : STDIN_FILENO} {
+    if (descriptor_ < 0) fail();
+  }
+  ~OpenInput() {
+    if (owned_ && descriptor_ >= 0) static_cast<void>(::close(descriptor_));
+  }
+  OpenInput(const OpenInput&) = delete;
+  OpenInput& operator=(const OpenInput&) = delete;
+
+  [[nodiscard]] std::string read() const {
+    std::string text;
+    std::array<char, 1U << 16U> part{};
+    for (;;) {
+      const ::ssize_t count = ::read(descriptor_, part.data(), part.size());
+      if (count < 0 && errno == EINTR) continue;
+      if (count < 0) fail();
+      if (count == 0) return text;
+      text.append(part.data(), static_cast<std::size_t>(count));
+    }
+  }
+
+ private:
+  [[noreturn]] void fail() const { throw std::system_error{errno, std::generic_category(), name_}; }
+
+  std::string name_;
+  bool owned_;
+  int descriptor_;
+};
+
+/// A few stray control bytes are for the reader of the text to judge; a picture, an archive or text
+/// of two bytes a letter has one in every few bytes from its start on.
+bool is_binary(std::string_view text) {
+  constexpr std::size_t kLookedAt = 4096;
+  constexpr std::ptrdiff_t kFewest = 8;
+  constexpr std::ptrdiff_t kOneIn = 32;
+  const std::string_view start = text.substr(0, kLookedAt);
+  const auto strange = std::ranges::count_if(start, [](char letter) {
+    constexpr std::string_view kBlanks = "\t\n\v\f\r\x1A\x1B";  // 0x1A ends files of DOS.
+    return static_cast<unsigned char>(letter) < ' ' && kBlanks.find(letter) == kBlanks.npos;
+  });
+  return strange >= kFewest && strange * kOneIn >= std::ssize(start);
+}
+
+}  // namespace
+
+std::string name_of_input(const std::string& file) { return file == "-" ? "standard input" : file; }
+
+std::string read_text(const std::string& file) {
+  std::string text = OpenInput{file}.read();
+  if (text.empty() && file == "-") {
+    throw std::invalid_argument("standard input: is empty; give it the text, or name a file");
+  }
+  // The importer knows it, and what to do about it.
+  constexpr std::string_view kBinaryDxf = "AutoCAD Binary DXF";
+  if (is_binary(text) && !text.starts_with(kBinaryDxf)) {
+    throw std::invalid_argument(fmt::format(
+        "{}: is a binary file, not text; is it the right file, saved as plain text or UTF-8?",
+        name_of_input(file)));
+  }
+  return text;
+}
+
+}  // namespace sim

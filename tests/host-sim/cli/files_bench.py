@@ -1,0 +1,194 @@
+"""What the tests of files share: how each command is called, and a folder with its files.
+
+The table COMMANDS says how each command is called; which options there are is read from `--help`, so
+that a new command, or a new option with a file, has to be entered here.
+"""
+
+import dataclasses
+import os
+import pathlib
+import random
+import re
+import resource
+import signal
+import subprocess
+
+KERFLINE = [""]  # The program, as the tests are told.
+# What the libraries behind --png keep until exit; only a sanitized build reads it.
+SUPPRESSIONS = pathlib.Path(__file__).with_name("leaks.supp")
+ENVIRONMENT = {"PATH": "/usr/bin:/bin", "LSAN_OPTIONS": f"suppressions={SUPPRESSIONS}"}
+SEED = random.SystemRandom().randrange(1 << 32)
+
+PROGRAM = "G21 G90\nM4 S500\nG1 X5 F1000\nG2 X10 I2.5\nM5\n"
+PLATE = ('<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="40mm" viewBox="0 0 40 40">'
+         '<rect id="part" x="5" y="5" width="30" height="20"/></svg>')
+CUTS = ("material,laser,gas_pressure_mpa,thickness_mm,power_w,speed_mm_min,kerf_top_mm,kerf_bottom_mm,"
+        "dross_area_mm2,straightness_mm\n" +
+        "".join(f"tin,a laser,0.1,1,{power},{speed},{0.4 + power / speed:.3f},0.4,0.1,0.001\n"
+                for power in (40, 60) for speed in (400, 500, 600)))
+TALK = "kerfline conversation 1\nprobe_plate -10\nend 1000000\n"
+
+
+@dataclasses.dataclass
+class Command:
+    """`call`: what it needs beside files; `inputs`: content by option, '' before a positional."""
+    call: tuple
+    inputs: dict
+    outputs: tuple = ()
+    kept: dict = dataclasses.field(default_factory=dict)
+    takes_stdin: bool = False
+    empty_is_refused: tuple = ()  # Inputs, besides standard input, that must not be empty.
+
+
+STEEL = ("--material", "CSP 1N")
+SETTINGS = "$110=1000\n"
+COUPON = (*STEEL, "--thickness", "2", "--full-power", "2000", "--laser", "a")
+COMMANDS = {
+    "sim": Command((), {"FILE": PROGRAM, "--settings": SETTINGS},
+                   ("--trace", "--vcd", "--report", "--svg", "--png"), takes_stdin=True,
+                   empty_is_refused=("FILE", "--settings")),
+    "check": Command((), {"FILE": PROGRAM, "--settings": SETTINGS}, takes_stdin=True,
+                     empty_is_refused=("FILE", "--settings")),
+    "serve": Command(("--tcp", "0"), {"--settings": SETTINGS}, ("--record", "--trace"),
+                     {"--store": None, "--pty": None, "--slcan": None},
+                     empty_is_refused=("--settings",)),
+    "replay": Command((), {"FILE": TALK}, takes_stdin=True, empty_is_refused=("FILE",)),
+    "kerf add": Command((), {"CUTS.csv": CUTS}, (), {"--db": None}, takes_stdin=True,
+                        empty_is_refused=("CUTS.csv",)),
+    "kerf fit": Command(("--material", "tin"), {}, (), {"--db": CUTS}),
+    "kerf show": Command(("--material", "tin", "--cuts"), {}, (), {"--db": CUTS}),
+    "kerf advise": Command((*STEEL, "--thickness", "2"), {}, (), {"--db": CUTS}),
+    "kerf plot": Command(STEEL, {}, ("--svg", "--png"), {"--db": CUTS}),
+    "kerf calibrate": Command(COUPON, {}, ("--out",), {"--db": CUTS}),
+    "kerf image": Command(STEEL, {}, ("--out",), {"--db": CUTS}),
+    "offset": Command(("--distance", "1"), {"FILE": PLATE}, ("--output", "--svg", "--dxf"),
+                      takes_stdin=True),
+    "drawing": Command((), {"FILE": PLATE}, ("--svg",), takes_stdin=True),
+    "cut": Command((*STEEL, "--thickness", "2"),
+                   {"DRAWING": PLATE, "--layers": ": tabs=2\n", "--settings": SETTINGS},
+                   ("--output", "--svg", "--report"), {"--db": CUTS}, takes_stdin=True,
+                   empty_is_refused=("--layers", "--settings")),
+    "send": Command((), {"file": PROGRAM}, ("--log",), takes_stdin=True, empty_is_refused=("file",)),
+}
+# Further ways to call a command, for options that exclude or need others.
+FORM = Command((*COUPON, "--out", "/dev/null"), {}, ("--form",))
+MEASURED = Command((), {"--measured": CUTS}, (), {"--db": None}, takes_stdin=True,
+                   empty_is_refused=("--measured",))
+CALLS = [*COMMANDS.items(), ("kerf calibrate", FORM), ("kerf calibrate", MEASURED)]
+NO_FILES = {"completion", "manual", "kerf", ""}
+# Devices, whose opening is the business of ports.
+DEVICES = {("send", "--port"), ("send", "--slcan")}
+
+
+def help_of(words):
+    return subprocess.run([KERFLINE[0], *words, "--help"], capture_output=True, text=True, check=True,
+                          env=ENVIRONMENT).stdout
+
+
+def file_options_in(text):
+    """Options whose value is a file by its type, and positionals but those of a closed set."""
+    found = set()
+    for line in text.splitlines():
+        if match := re.match(r" {2,4}(?:-\w,)?(--[\w-]+) (FILE|LINK|DEVICE)\b", line):
+            found.add(match[1])
+    _, _, positionals = text.partition("\nPositionals:\n")
+    for line in positionals.split("\n\n")[0].splitlines():
+        if (match := re.match(r"  ([\w.]+) (?!.*\{)", line)):
+            found.add(match[1])
+    return found
+
+
+def commands_in(words=()):
+    text = help_of(words)
+    yield " ".join(words), text
+    _, _, below = text.partition("\nSubcommands:\n")
+    for name in re.findall(r"^  (\w+) ", below.split("\n\n")[0], re.MULTILINE):
+        yield from commands_in((*words, name))
+
+
+class Bench:
+    """A folder with all files of a command in their places."""
+
+    def __init__(self, folder, name, command):
+        self.folder, self.name, self.command = folder, name, command
+        self.files = {}
+        for option, content in command.inputs.items():
+            self.put(option, content)
+        if name == "replay":  # With what this controller says.
+            subprocess.run([KERFLINE[0], "replay", self.files["FILE"], "--update"], check=True,
+                           capture_output=True, env=ENVIRONMENT)
+        for option in command.outputs:
+            self.put(option, "previous\n" * 3)
+        for option, content in command.kept.items():
+            self.files[option] = self.path(option)
+            if content is not None:
+                add = [KERFLINE[0], "kerf", "add", "-", "--db", self.path(option)]
+                subprocess.run(add, input=content, text=True, check=True, capture_output=True, env=ENVIRONMENT)
+                fit = [KERFLINE[0], "kerf", "fit", "--material", "tin", "--db", self.path(option)]
+                subprocess.run(fit, check=True, capture_output=True, env=ENVIRONMENT)
+
+    def needed(self, *more):
+        """Its files without outputs and without what a server makes, but with `more`."""
+        made = {"--store", "--pty", "--slcan"}
+        return {option: file for option, file in self.files.items()
+                if option in more or option not in made.union(self.command.outputs)}
+
+    def path(self, option):
+        return self.folder / f"file_of{option.replace('.', '_')}.txt"
+
+    def put(self, option, content):
+        self.files[option] = self.path(option)
+        self.files[option].write_text(content)
+
+    def words(self, files):
+        positionals = [str(file) for option, file in files.items() if not option.startswith("-")]
+        named = [word for option, file in files.items() if option.startswith("-") for word in (option, str(file))]
+        return [*self.name.split(), *positionals, *self.command.call, *named]
+
+    def contents(self):
+        """What every file in the folder is, links as what they lead to."""
+        return {path.name: os.readlink(path) if path.is_symlink() else path.read_bytes()
+                for path in self.folder.iterdir() if path.is_symlink() or path.is_file()}
+
+    def start(self, files, **more):
+        words = self.words(files)
+        if self.name == "send":
+            words += ["--tcp", f"127.0.0.1:{Server.port}"]
+        options = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE,
+                   "env": ENVIRONMENT, "cwd": self.folder, **more}
+        return subprocess.Popen([KERFLINE[0], *words], **options)
+
+    def run(self, files=None, stop_when_ready=True, **more):
+        """(status, standard output, standard error). A server is stopped when it is ready."""
+        process = self.start(self.files if files is None else files, **more)
+        out = b""
+        if self.name == "serve" and stop_when_ready and process.stdout:
+            for line in process.stdout:
+                out += line
+                if line == b"ready\n":
+                    process.send_signal(signal.SIGTERM)
+        rest, err = process.communicate(timeout=60)
+        return process.returncode, (out + (rest or b"")).decode("utf-8", "replace"), (err or b"").decode()
+
+
+class Server:
+    """A machine that `send` can send to."""
+    port, process = 0, None
+
+    @classmethod
+    def start(cls):
+        cls.process = subprocess.Popen([KERFLINE[0], "serve", "--tcp", "0", "--speed", "50"], text=True,
+                                       stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, env=ENVIRONMENT)
+        cls.port = int(cls.process.stdout.readline().rsplit(":", 1)[1])
+
+    @classmethod
+    def stop(cls):
+        cls.process.terminate()
+        cls.process.communicate(timeout=20)
+
+
+def limit_files(size):
+    """For preexec_fn: files beyond `size` bytes fail as on a full disk."""
+    def limit():
+        resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
+    return limit

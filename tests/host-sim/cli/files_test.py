@@ -1,0 +1,302 @@
+#!/usr/bin/env python3
+"""Every file of every command: what cannot be read or written is told, and nothing is lost.
+
+    files_test.py KERFLINE
+"""
+
+import contextlib
+import itertools
+import os
+import pathlib
+import random
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+
+from files_bench import (CALLS, COMMANDS, DEVICES, ENVIRONMENT, KERFLINE, NO_FILES, PROGRAM, SEED, SETTINGS, Bench,
+                         Server, commands_in, file_options_in, limit_files)
+
+
+class Files(unittest.TestCase):
+    @contextlib.contextmanager
+    def bench(self, name, command, **what):
+        with tempfile.TemporaryDirectory() as folder, self.subTest(name, **what):
+            yield Bench(pathlib.Path(folder), name, command)
+
+    def refused(self, done, *names, status=2):
+        code, out, err = done
+        self.assertEqual(code, status, (out, err))
+        self.assertEqual(out, "")
+        for name in names:
+            self.assertIn(str(name), err)
+        self.assertNotIn("broken contract", err)
+
+    def test_every_command_and_every_file_is_in_the_table(self):
+        for name, text in commands_in():
+            if name in NO_FILES:
+                continue
+            self.assertIn(name, COMMANDS)
+            known = {option for called, command in CALLS if called == name
+                     for option in (*command.inputs, *command.outputs, *command.kept)}
+            known |= {option for called, option in DEVICES if called == name}
+            self.assertEqual(file_options_in(text), known, name)
+
+    def test_every_call_of_the_table_is_sound(self):
+        for name, command in CALLS:
+            with self.bench(name, command) as bench:
+                code, out, err = bench.run()
+                self.assertEqual(code, 0, (out, err))
+                for option in command.outputs:
+                    self.assertNotIn("previous\n", bench.files[option].read_bytes().decode("latin-1"))
+                self.assertEqual([path.name for path in bench.folder.glob(".*")], [])
+
+    def unreadable(self, bench):
+        """Names under which nothing can be read, for root as well, and what is said of each."""
+        folder = bench.folder / "folder"
+        folder.mkdir()
+        dangling, loop = bench.folder / "dangling", bench.folder / "loop"
+        dangling.symlink_to(bench.folder / "nothing")
+        loop.symlink_to(loop)
+        binary = bench.folder / "binary"
+        choose = random.Random(SEED)
+        binary.write_bytes(bytes(choose.randrange(256) for _ in range(5000)))
+        wide = bench.folder / "wide"
+        wide.write_bytes(SETTINGS.encode("utf-16") * 10)
+        yield folder, "Is a directory"
+        yield bench.folder / "missing", "No such file"
+        yield dangling, "No such file"
+        yield loop, "Too many levels"
+        yield "/proc/self/mem", "Input/output error"
+        yield binary, "binary"
+        yield wide, "binary"
+        if os.geteuid() != 0:
+            locked = bench.folder / "locked"
+            locked.write_text("")
+            locked.chmod(0)
+            yield locked, "Permission denied"
+
+    def test_what_cannot_be_read_is_told_in_one_message_with_its_name(self):
+        for name, command in CALLS:
+            for option in command.inputs:
+                with self.bench(name, command, option=option) as bench:
+                    bad_files = list(self.unreadable(bench))
+                    before = bench.contents()
+                    for bad, reason in bad_files:
+                        done = bench.run({**bench.files, option: bad})
+                        self.refused(done, bad, reason)
+                        self.assertEqual(done[2].count("\n"), 1, done[2])
+                    self.assertEqual(bench.contents(), before)
+
+    def test_data_bases_and_stores_that_cannot_be_read_are_told(self):
+        for name, command in CALLS:
+            for option in set(command.kept) - {"--pty", "--slcan"}:
+                with self.bench(name, command, option=option) as bench:
+                    creates = command.kept[option] is None
+                    bad_files = [(bad, reason) for bad, reason in self.unreadable(bench)
+                                 if not (creates and reason == "No such file")]
+                    before = bench.contents()
+                    for bad, _ in bad_files:
+                        done = bench.run({**bench.files, option: bad})
+                        self.refused(done, bad)
+                        self.assertEqual(done[2].count("\n"), 1, done[2])
+                    self.assertEqual(bench.contents(), before)
+
+    def test_what_is_empty_is_told(self):
+        for name, command in CALLS:
+            with self.bench(name, command) as bench:
+                before = bench.contents()
+                if command.takes_stdin:
+                    positional = next(iter(command.inputs))
+                    self.refused(bench.run({**bench.files, positional: "-"}), "standard input: is empty")
+                for option in command.empty_is_refused:
+                    empty = bench.folder / "empty"
+                    empty.write_text("")
+                    self.refused(bench.run({**bench.files, option: empty}), empty)
+                    empty.unlink()
+                self.assertEqual(bench.contents(), before)
+
+    def test_no_file_is_both_input_and_output(self):
+        """Also under another path, through links, and where it is not there yet."""
+        for name, command in CALLS:
+            files = (*command.inputs, *command.outputs, *command.kept)
+            for one, two in itertools.combinations(files, 2):
+                if one in command.inputs and two in command.inputs:
+                    continue
+                with self.bench(name, command, one=one, two=two) as bench:
+                    same = bench.files[one]
+                    link, hard = bench.folder / "link", bench.folder / "hard"
+                    link.symlink_to(same.name)
+                    aliases = [same, link, f"./{same.name}", f"../{bench.folder.name}/{same.name}"]
+                    if same.exists():
+                        os.link(same, hard)
+                        aliases.append(hard)
+                    before = bench.contents()
+                    for alias in aliases:
+                        done = bench.run({**bench.files, two: alias})
+                        self.refused(done, one, two, "is the same file as")
+                        self.assertEqual(bench.contents(), before)
+
+    def test_standard_output_is_no_input_and_no_other_output(self):
+        for name, command in CALLS:
+            for option in (*command.inputs, *command.outputs):
+                with self.bench(name, command, option=option) as bench:
+                    before = bench.contents()
+                    with bench.files[option].open("a") as stream:
+                        done = bench.run(stdout=stream)
+                    self.refused(done, option, "standard output")
+                    self.assertEqual(bench.contents(), before)
+
+    def test_a_full_disk_costs_the_new_file_only(self):
+        for name, command in CALLS:
+            for option in command.outputs:
+                with self.bench(name, command, option=option) as bench:
+                    wanted = bench.needed(option)
+                    before = bench.contents()
+                    for size in (0, 5, 40):
+                        code, _, err = bench.run(wanted, preexec_fn=limit_files(size))
+                        self.assertEqual(code, 2, err)
+                        self.assertIn(str(bench.files[option]), err)
+                        self.assertEqual(bench.contents(), before)
+
+    def test_a_disk_is_full_in_earnest(self):
+        """The same on a file system of 64 KiB, where one may be mounted."""
+        with tempfile.TemporaryDirectory() as place:
+            if subprocess.run(["mount", "-t", "tmpfs", "-o", "size=64k", "none", place],
+                              check=False, capture_output=True).returncode != 0:
+                return  # RLIMIT_FSIZE has shown the same above.
+            try:
+                folder = pathlib.Path(place)
+                job, trace = folder / "job.nc", folder / "trace"
+                job.write_text(PROGRAM)
+                trace.write_text("old")
+                filling = folder / "filling"
+                filling.write_bytes(b"x" * (40 << 10))
+                words = [KERFLINE[0], "sim", job, "--trace", trace]
+                done = subprocess.run(words, capture_output=True, text=True, check=False, env=ENVIRONMENT)
+                self.assertEqual(done.returncode, 2, done.stderr)
+                self.assertIn("No space left", done.stderr)
+                self.assertEqual(trace.read_text(), "old")
+                self.assertEqual(len(list(folder.iterdir())), 3)
+            finally:
+                subprocess.run(["umount", place], check=True)
+
+    def test_places_that_take_no_file_are_told(self):
+        for name, command in CALLS:
+            for option in command.outputs:
+                with self.bench(name, command, option=option) as bench:
+                    wanted = bench.needed()
+                    folder = bench.folder / "folder"
+                    folder.mkdir()
+                    loop = bench.folder / "loop"
+                    loop.symlink_to(loop)
+                    for bad, reason in ((folder, "Is a directory"), (folder / "no" / "such", "No such file"),
+                                        (loop, "Too many levels"), ("/dev/full", "No space left"),
+                                        ("", "the name of a file is missing"), ("-", "standard input")):
+                        code, _, err = bench.run({**wanted, option: bad})
+                        self.assertEqual(code, 2, err)
+                        self.assertIn(reason, err)
+                        self.assertIn(str(bad), err)
+
+    def test_links_and_modes_stay(self):
+        for name, command in CALLS:
+            for option in command.outputs:
+                with self.bench(name, command, option=option) as bench:
+                    (bench.folder / "far").mkdir()
+                    far, link = bench.folder / "far" / "file", bench.folder / "link"
+                    link.symlink_to("far/file")
+                    wanted = bench.needed()
+                    for mode in (None, 0o640):
+                        if mode:
+                            far.write_text("old")
+                            far.chmod(mode)
+                        code, _, err = bench.run({**wanted, option: link})
+                        self.assertEqual(code, 0, err)
+                        self.assertTrue(link.is_symlink())
+                        self.assertNotEqual(far.read_bytes()[:3], b"old")
+                        if mode:
+                            self.assertEqual(far.stat().st_mode & 0o777, mode)
+
+    def test_devices_and_pipes_are_written_directly(self):
+        for name, command in CALLS:
+            for option in command.outputs:
+                with self.bench(name, command, option=option) as bench:
+                    wanted = bench.needed()
+                    code, out, err = bench.run({**wanted, option: "/dev/stdout"})
+                    self.assertEqual(code, 0, err)
+                    self.assertGreater(len(out), 10)
+                    self.assertEqual(bench.run({**wanted, option: "/dev/null"})[0], 0)
+
+    def test_a_kill_at_any_moment_leaves_the_old_file_or_the_new_one(self):
+        choose = random.Random(SEED)
+        for name, command in CALLS:
+            for option in command.outputs:
+                with self.bench(name, command, option=option, seed=SEED) as bench:
+                    wanted = bench.needed(option)
+                    old = bench.files[option].read_bytes()
+                    begun = time.monotonic()
+                    self.assertEqual(bench.run(wanted)[0], 0)
+                    lasted = time.monotonic() - begun
+                    new = bench.files[option].read_bytes()
+                    for how in (signal.SIGKILL, signal.SIGKILL, signal.SIGTERM, signal.SIGINT):
+                        bench.files[option].write_bytes(old)
+                        left = set(bench.folder.glob(".*"))
+                        process = bench.start(wanted)
+                        time.sleep(choose.uniform(0.0, lasted))
+                        process.send_signal(how)
+                        process.communicate(timeout=60)
+                        found = bench.files[option].read_bytes()
+                        if name in ("send", "serve"):  # With times in it.
+                            self.assertTrue(found == old or b"previous" not in found)
+                        else:
+                            self.assertIn(found, (old, new))
+                        if how != signal.SIGKILL:
+                            self.assertEqual(set(bench.folder.glob(".*")), left)
+
+    @staticmethod
+    @contextlib.contextmanager
+    def dead_output(kind):
+        """Arguments of a process whose standard output takes nothing, and the reason."""
+        if kind == "full":
+            with open("/dev/full", "w", encoding="ascii") as full:
+                yield {"stdout": full}, "No space left on device"
+        elif kind == "closed":
+            yield {"stdout": None, "preexec_fn": lambda: os.close(1)}, "Bad file descriptor"
+        else:
+            reader, writer = os.pipe()
+            os.close(reader)
+            try:
+                yield {"stdout": writer}, "Broken pipe"
+            finally:
+                os.close(writer)
+
+    def test_standard_output_that_takes_nothing_is_an_error(self):
+        for name, command in CALLS:
+            with self.bench(name, command) as bench:
+                code, out, err = bench.run()
+                self.assertEqual(code, 0, err)
+            for kind in ("full", "closed", "pipe") if out else ():
+                with self.bench(name, command, kind=kind) as bench, self.dead_output(kind) as (how, reason):
+                    code, _, err = bench.run(**how)
+                    self.assertEqual(code, 2, err)
+                    self.assertIn(f"standard output: {reason}", err)
+
+    def test_completion_and_manual_tell_a_full_output(self):
+        for words in (["completion", "bash"], ["manual"], ["--help"], ["sim", "--help"], ["--version"]):
+            with open("/dev/full", "w", encoding="ascii") as full:
+                done = subprocess.run([KERFLINE[0], *words], stdout=full, stderr=subprocess.PIPE, text=True,
+                                      check=False, env=ENVIRONMENT)
+            self.assertEqual(done.returncode, 2, words)
+            self.assertIn("standard output: No space left", done.stderr)
+
+
+if __name__ == "__main__":
+    KERFLINE[0] = sys.argv[1]
+    print(f"seed {SEED}", file=sys.stderr)
+    Server.start()
+    try:
+        unittest.main(argv=[sys.argv[0], *sys.argv[2:]])
+    finally:
+        Server.stop()
