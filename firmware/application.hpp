@@ -16,28 +16,28 @@
 
 namespace cnc {
 
-/// The whole controller on one port: owns every object, allocates nothing.
-/// The target's main file makes one of these static; the simulator makes one
-/// for each run.
+/// The controller on one port, beside its step generator, which a chip may keep in a memory of its
+/// own: owns every other object, allocates nothing.
 template <hal::StepPort Port>
-class Application {
+class Controller {
  public:
   /// 64 segments of at most a millisecond.
   static constexpr std::uint32_t kSegmentQueue = 64;
+  using Steps = StepGenerator<Port, kSegmentQueue>;
   /// One is being played. The others last until the next come in, a turn that is late considered.
   static_assert((kSegmentQueue - 1) * motion::Segmenter::kShortestSegment >=
                 (kTurnsToMotion + 2) * kTurnTicks);
 
   /// @param board what `$I+` tells about and `$DFU` leaves for; none on a desk.
   /// @param kept memory that a restart leaves alone; null for none
-  Application(Port& port,
-              hal::AuxiliaryOutputs& outputs,
-              hal::MachineInputs& inputs,
-              hal::RecordStore& store,
-              hal::ByteStream& link,
-              hal::ControlBoard* board = nullptr,
-              KeptProgress* kept = nullptr)
-      : steps_{port},
+  Controller(Steps& steps,
+             hal::AuxiliaryOutputs& outputs,
+             hal::MachineInputs& inputs,
+             hal::RecordStore& store,
+             hal::ByteStream& link,
+             hal::ControlBoard* board = nullptr,
+             KeptProgress* kept = nullptr)
+      : steps_{steps},
         machine_{steps_, outputs, inputs, kept},
         protocol_{link, machine_, store, board} {}
 
@@ -112,12 +112,38 @@ class Application {
 
   [[nodiscard]] Machine& machine() { return machine_; }
   [[nodiscard]] const Machine& machine() const { return machine_; }
-  [[nodiscard]] const StepGenerator<Port, kSegmentQueue>& steps() const { return steps_; }
+  [[nodiscard]] const Steps& steps() const { return steps_; }
 
  private:
-  StepGenerator<Port, kSegmentQueue> steps_;
+  Steps& steps_;
   Machine machine_;
   LineProtocol protocol_;
+};
+
+/// A base that is there before the controller.
+template <hal::StepPort Port>
+class StepsOfApplication {
+ protected:
+  explicit StepsOfApplication(Port& port) : steps_{port} {}
+
+  typename Controller<Port>::Steps steps_;
+};
+
+/// The whole controller on one port. The simulator makes one of these for each run.
+template <hal::StepPort Port>
+class Application : private StepsOfApplication<Port>, public Controller<Port> {
+ public:
+  /// As Controller has them.
+  Application(Port& port,
+              hal::AuxiliaryOutputs& outputs,
+              hal::MachineInputs& inputs,
+              hal::RecordStore& store,
+              hal::ByteStream& link,
+              hal::ControlBoard* board = nullptr,
+              KeptProgress* kept = nullptr)
+      : StepsOfApplication<Port>{port},
+        Controller<Port>{
+            StepsOfApplication<Port>::steps_, outputs, inputs, store, link, board, kept} {}
 };
 
 }  // namespace cnc

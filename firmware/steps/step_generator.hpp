@@ -37,9 +37,6 @@ namespace cnc {
 /// The main loop works in turns. It sees the interrupt as it was at its turn's boundary, and what
 /// it hands over in a turn comes in at a boundary, too (TurnGate); only what ends motion or power
 /// acts at once. Motion begins at a boundary, so every step's tick follows from those turns.
-///
-/// Functions that are called seldom are cold: they are compiled for size where the interrupt is
-/// compiled for speed.
 template <hal::StepPort Port, std::uint32_t QueueCapacity>
 class StepGenerator final : public StepDrive {
  public:

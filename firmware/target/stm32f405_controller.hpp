@@ -17,11 +17,13 @@ using Port = hal::stm32f405::Port<kBoard>;
 using SerialLine = hal::stm32f405::SerialLine<kBoard>;
 using UsbLine = hal::stm32f405::UsbLine<kBoard>;
 using Can = CanSide<kBoard>;
-using Application = cnc::Application<Port>;
+using Application = cnc::Controller<Port>;
+using Steps = Application::Steps;
 
 extern Port port;
 extern SerialLine line;
 extern UsbLine usb_line;
+extern Steps steps;
 extern Application application;
 
 }  // namespace target

@@ -61,7 +61,9 @@ constinit cnc::MemoryWatch image_watch{};
 
 }  // namespace
 
-Application application{port, port, port, store, can.link(), &board, &kept_progress};
+[[gnu::section(".ccm")]] Steps steps{port};
+
+Application application{steps, port, port, store, can.link(), &board, &kept_progress};
 
 namespace {
 

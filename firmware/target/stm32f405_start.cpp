@@ -22,6 +22,7 @@ void begin_memory() {
   const std::uint32_t* from = data_load;
   for (std::uint32_t* to = data_begin; to < data_end;) *to++ = *from++;
   for (std::uint32_t* to = bss_begin; to < bss_end;) *to++ = 0;
+  for (std::uint32_t* to = ccm_begin; to < ccm_end;) *to++ = 0;
 }
 
 std::array<std::span<const std::byte>, 2> checked_parts() {

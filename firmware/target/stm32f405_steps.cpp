@@ -9,8 +9,8 @@ namespace {
 
 /// A turn begins, with what has come by now.
 void begin_turn() {
-  const std::uint32_t turn = target::application.begin_turn();
-  late_turns = target::application.steps().late_turns();
+  const std::uint32_t turn = target::steps.begin_turn();
+  late_turns = target::steps.late_turns();
   target::line.note_turn(turn);
   target::usb_line.note_turn(turn);
   target::Can::note_turn(turn);
@@ -20,6 +20,5 @@ void begin_turn() {
 
 extern "C" void step_interrupt();
 void step_interrupt() {
-  target::port.timer().on_interrupt([] { return target::application.on_step_interrupt(); },
-                                    begin_turn);
+  target::port.timer().on_interrupt([] { return target::steps.on_interrupt(); }, begin_turn);
 }

@@ -9,6 +9,7 @@ extern "C" {
 extern std::byte image_begin[], image_end[];
 extern std::uint32_t stack_guard[], stack_bottom[], stack_top[];
 extern std::uint32_t data_begin[], data_end[], bss_begin[], bss_end[];
+extern std::uint32_t ccm_begin[], ccm_end[];
 extern std::uint32_t data_load[];
 using Routine = void (*)();
 extern Routine init_begin[], init_end[];

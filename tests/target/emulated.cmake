@@ -4,13 +4,17 @@
 # instructions: for the chip alone, what each stage costs there.
 # controller, dark_first: the controller's own images, unchanged.
 # image_trace: the controller's image and the simulator, edge by edge.
-add_test(NAME target.instructions
-  COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/instructions.py
-    ${PROJECT_SOURCE_DIR}/build/cortex-m4f/tests/target/instructions.elf)
-set_tests_properties(target.instructions PROPERTIES
-  LABELS target TIMEOUT 300 SKIP_RETURN_CODE 77)
 set(images ${PROJECT_SOURCE_DIR}/build/cortex-m4f/images)
 set(plugin ${PROJECT_BINARY_DIR}/tests/target/machine/f405_machine.so)
+add_test(NAME target.instructions
+  COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/instructions.py
+    ${plugin} ${PROJECT_SOURCE_DIR}/build/cortex-m4f/tests/target/instructions.elf)
+add_test(NAME target.same_bits
+  COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/same_bits.py
+    $<TARGET_FILE:same_bits_host>
+    ${plugin} ${PROJECT_SOURCE_DIR}/build/cortex-m4f/tests/target/same_bits.elf)
+set_tests_properties(target.instructions target.same_bits PROPERTIES
+  LABELS target TIMEOUT 300 SKIP_RETURN_CODE 77)
 add_test(NAME target.controller
   COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/controller.py
     ${plugin} ${images}/kerfline_generic.elf)

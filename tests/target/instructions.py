@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Instructions of each stage on an emulated Cortex-M4F; counts, not cycles.
 
-    instructions.py build/cortex-m4f/tests/target/instructions.elf [--record]
+    instructions.py PLUGIN build/cortex-m4f/tests/target/instructions.elf [--record]
 
 3,000 lines of 0.1 mm, along a curve and as pixels of a row: average and worst case of each
 stage. The counts are the same at every run. Fails where one is not within 2 % of what
@@ -59,6 +59,7 @@ def complaints(found: dict) -> list:
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("plugin")
     parser.add_argument("image")
     parser.add_argument("--record", action="store_true")
     options = parser.parse_args()
@@ -68,7 +69,7 @@ def main() -> int:
         return SKIPPED
     # One nanosecond of the emulator's clock per instruction.
     command = [EMULATOR, "-M", "netduinoplus2", "-icount", "shift=0,sleep=off", "-display", "none",
-               "-monitor", "none", "-serial", "none",
+               "-monitor", "none", "-serial", "none", "-plugin", f"{options.plugin},memories_only=on",
                "-semihosting-config", "enable=on,target=native", "-kernel", image]
     done = subprocess.run(command, capture_output=True, text=True, timeout=280, check=False)
     text = done.stdout + done.stderr  # Semihosting writes to the latter.
@@ -89,7 +90,7 @@ def main() -> int:
     texts = complaints(found)
     print("\n".join(texts) or "instructions: as recorded")
     if texts:
-        print(f"a cost that is meant: {sys.argv[0]} {image} --record, and commit {RECORD.name}")
+        print(f"a cost that is meant: {sys.argv[0]} {options.plugin} {image} --record, and commit {RECORD.name}")
     return bool(texts)
 
 

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """The firmware compiled for Cortex-M4F, run in an emulator, against the host.
 
-    same_bits.py HOST_PROGRAM TARGET_ELF
+    same_bits.py HOST_PROGRAM PLUGIN TARGET_ELF
 
 Both run the whole firmware on the same program and print a digest of every
 edge with its tick. They must agree. Ends with 77 (skipped) where the image or
@@ -25,13 +25,14 @@ def run(command: list[str]) -> str:
 
 
 def main() -> int:
-    host, image = sys.argv[1:3]
+    host, plugin, image = sys.argv[1:4]
     if not pathlib.Path(image).exists() or not shutil.which(EMULATOR):
         print(f"skipped: needs {EMULATOR} and {image} (preset cortex-m4f)")
         return SKIPPED
     # -M netduinoplus2 is an STM32F405; without devices of ours only core and memory count.
     emulator = [EMULATOR, "-M", "netduinoplus2", "-display", "none", "-monitor", "none",
-                "-serial", "none", "-semihosting-config", "enable=on,target=native",
+                "-serial", "none", "-plugin", f"{plugin},memories_only=on",
+                "-semihosting-config", "enable=on,target=native",
                 "-kernel", image]
     expected, got = run([host]), run(emulator)
     print(f"host    {expected}\ntarget  {got}   (hash of all edges, step pulses, answers)")
