@@ -31,6 +31,8 @@ bool is_news(std::vector<double>& told, double value) {
 ProgramWatch::ProgramWatch(const cnc::Settings& settings)
     : most_power_{static_cast<double>(settings.get(cnc::setting::kMostSpindleSpeed))},
       laser_{settings.get(cnc::setting::kLaserMode) != 0.0F},
+      burns_at_rest_{settings.get(cnc::setting::kRestLightDuty) > 0.0F &&
+                     settings.get(cnc::setting::kRestLightTime) > 0.0F},
       soft_limits_{settings.get(cnc::setting::kSoftLimits) != 0.0F},
       block_delete_{settings.get(cnc::setting::kBlockDelete) != 0.0F} {
   for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {

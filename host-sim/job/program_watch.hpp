@@ -37,12 +37,17 @@ class ProgramWatch {
   void check_power(std::size_t line, double power);
   void check_feed(const PathPiece& piece);
   void go_dark();
-  [[nodiscard]] bool lit() const { return laser_ && constant_ && power_ > 0.0; }
+  /// Whether the program means light where nothing moves, of which the settings allow none. Where
+  /// they allow some, the controller itself tells of light that exceeds them.
+  [[nodiscard]] bool lit() const {
+    return laser_ && !burns_at_rest_ && constant_ && power_ > 0.0;
+  }
   void note(std::size_t line, std::string text);
 
   cnc::AxisArray<double> rates_{};  ///< mm/s.
   double most_power_;
   bool laser_;
+  bool burns_at_rest_;  ///< Within $870 and $871.
   bool soft_limits_;
   bool block_delete_;
   double power_ = 0.0;        ///< S.

@@ -114,7 +114,6 @@ class HeldPath {
   [[nodiscard]] std::uint32_t newest() const {
     return forgotten_ + static_cast<std::uint32_t>(size_) - 1;
   }
-  enum class Pass : std::uint8_t { kNever, kEnds, kGoesOn };
   [[nodiscard]] std::uint32_t start_of_loop() const;
   [[nodiscard]] bool passes(const Place& node) const;
   [[nodiscard]] bool discard(std::uint32_t end);
