@@ -62,7 +62,7 @@ void Line::drop_log(const std::system_error& error) {
 
 Transfer::Transfer(const SendCommandOptions& options,
                    Line& line,
-                   std::vector<JobLine> job,
+                   JobPart job,
                    const SendOptions& send)
     : options_{options},
       line_{line},
@@ -134,7 +134,7 @@ void Transfer::carry_in() {
   }
 }
 
-/// Until something comes, and not longer than a serial line takes to run dry.
+/// Sleeps until bytes come, and not longer than a serial line takes to run dry.
 void Transfer::sleep() {
   constexpr int kPeriodMs = 2;
   waited_.clear();
@@ -169,7 +169,11 @@ void Transfer::show() {
   bar_.update(
       done,
       fmt::format(
-          "{}/{} lines, {} left, {}", sender_.answered(), lines_, left, sender_.machine_state()),
+          "{}/{} lines, {} left, {}",
+          sender_.answered(),
+          lines_,
+          left,
+          printable(sender_.machine_state())),
       Line::Clock::now());
 }
 
