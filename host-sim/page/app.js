@@ -154,10 +154,11 @@ observer.addEventListener('lost', () => {
   enable();
 });
 
+// Also after a reset, which must not take away why a job stopped.
 sender.addEventListener('ready', () => {
+  if (!controls) notice.clear();
   controls = true;
   sessionStorage.setItem(kHadControl, 'yes');
-  notice.clear();
   if (news?.job.state !== 'running') sender.send('$I', true).catch(() => {});
   enable();
 });

@@ -11,17 +11,17 @@ namespace sim {
 namespace {
 
 constexpr std::array<CodeRemedy, 17> kAlarmRemedies{{
-    {1, "Reset, unlock, and move the axis off the switch; then home."},
+    {1, "Reset, unlock, and move the axis off the switch before."},
     {2, "Reset and unlock; move the job or its origin so that it fits."},
-    {3, "Home; without switches unlock, and set the origin again."},
+    {3, "Without switches unlock, and set the origin again."},
     {4, "Unlock; free the probe, or move away from the plate, and probe again."},
     {5, "Unlock; start nearer to the plate, or probe farther."},
-    {6, "Home again."},
+    {6, "Home, and let the cycle end."},
     {7, "Close the door and home again."},
     {8, "Check the limit switch, or raise the pull-off $27; home again."},
     {9, "Check the limit switch, or raise the travel $130…$135; home again."},
     {10, "Check the second switch of the axis; home again."},
-    {11, "Home the machine ($H)."},
+    {11, "Send $H, or press Home."},
     {23, "Home; send fewer tiny lines, or slower ones."},
     {24, "Release the emergency stop, reset, and home."},
     {25, "Check the cable and the sender; unlock, and resume the job."},

@@ -126,6 +126,8 @@ async function stopAndResume(page) {
   await until('it stopped', async () => /stopped at line/.test(await text(page, 'job-name')), 20_000);
   await state(page, 'Idle');
   check(/aborted/.test(await text(page, 'notice')), `why: ${await text(page, 'notice')}`);
+  await sleep(500);
+  check(/aborted/.test(await text(page, 'notice')), 'the reason outlives the reset');
   await pictures(page, 'job-stopped');
   check(await enabled(page, 'take-up'), 'it can be resumed');
   await page.locator('#take-up').click();
