@@ -54,7 +54,7 @@ bool LineProtocol::tell_news() {
     return true;
   }
   if (machine_.rest_light().take_refusal()) {
-    message("Dark at rest: $870, $871");
+    message(RestLight::kRefusalText);
     return true;
   }
   const auto tool = machine_.pending_tool();

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "firmware/machine/rest_light.hpp"
 #include "host-sim/job/job.hpp"
 #include "host-sim/job/job_report.hpp"
 #include "host-sim/job/program_watch.hpp"
@@ -34,6 +35,7 @@ class CheckedPath {
   }
 
   [[nodiscard]] const std::optional<RefusedBeside>& refused() const { return reading_.refused(); }
+  [[nodiscard]] bool notes_light_at_rest() const { return watch_.notes_light_at_rest(); }
 
   void add_to(const Job& job, std::string_view text, Report& report) const {
     report.path_length_mm = length_;
@@ -76,8 +78,13 @@ Report check(const Job& job) {
        .on_taken = [&path](std::size_t line, std::string_view text) { path->take(line, text); }}};
   apply_settings(job.settings, simulator.machine());
   path.emplace(simulator.settings());
-  const RunResult result = simulator.run();
+  RunResult result = simulator.run();
   path->end();
+  // Of light at rest the controller tells once, and the watch of each, in more words.
+  if (path->notes_light_at_rest()) {
+    std::erase_if(result.notes,
+                  [](const auto& note) { return note.second == cnc::RestLight::kRefusalText; });
+  }
   Report report = report_on(job, program, result, path->refused(), simulator.program());
   path->add_to(job, simulator.program(), report);
   if (report.refused_lines > 0) {

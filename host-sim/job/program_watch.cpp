@@ -78,6 +78,7 @@ void ProgramWatch::take_spindle(std::size_t line, const ProgramLine& words) {
 void ProgramWatch::take_dwell(std::size_t line, const ProgramLine& words) {
   if (!words.has_g(40) || words.value('P').value_or(0.0) <= 0.0 || !lit()) return;
   note(line, "the beam is off during this dwell: under M3 nothing burns at rest");
+  notes_light_at_rest_ = true;
   lit_line_ = 0;
 }
 
@@ -129,6 +130,7 @@ void ProgramWatch::check_feed(const PathPiece& piece) {
 void ProgramWatch::go_dark() {
   if (lit_line_ != 0) {
     note(lit_line_, "M3 is on here and off again without a motion: nothing burns at rest");
+    notes_light_at_rest_ = true;
   }
   lit_line_ = 0;
 }

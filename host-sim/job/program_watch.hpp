@@ -27,6 +27,8 @@ class ProgramWatch {
   /// There are no more lines.
   void end() { go_dark(); }
 
+  /// Whether light at rest was asked for, of which the settings allow none.
+  [[nodiscard]] bool notes_light_at_rest() const { return notes_light_at_rest_; }
   /// In the order of their lines.
   [[nodiscard]] std::vector<LineNote> notes() const;
 
@@ -39,9 +41,7 @@ class ProgramWatch {
   void go_dark();
   /// Whether the program means light where nothing moves, of which the settings allow none. Where
   /// they allow some, the controller itself tells of light that exceeds them.
-  [[nodiscard]] bool lit() const {
-    return laser_ && !burns_at_rest_ && constant_ && power_ > 0.0;
-  }
+  [[nodiscard]] bool lit() const { return laser_ && !burns_at_rest_ && constant_ && power_ > 0.0; }
   void note(std::size_t line, std::string text);
 
   cnc::AxisArray<double> rates_{};  ///< mm/s.
@@ -53,6 +53,7 @@ class ProgramWatch {
   double power_ = 0.0;        ///< S.
   bool constant_ = false;     ///< M3.
   std::size_t lit_line_ = 0;  ///< Asked for light that has not burnt yet; 0 for none.
+  bool notes_light_at_rest_ = false;
   bool homed_ = false;
   std::vector<double> powers_told_;
   std::vector<double> feeds_told_;
