@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <utility>
 
 #include "firmware/protocol/identity.hpp"
 #include "firmware/protocol/line_protocol.hpp"
@@ -55,6 +56,10 @@ bool LineProtocol::tell_news() {
   }
   if (machine_.rest_light().take_refusal()) {
     message("Dark at rest: $870, $871");
+    return true;
+  }
+  if (!tool_refusal_.empty()) {
+    message(std::exchange(tool_refusal_, {}));
     return true;
   }
   const auto tool = machine_.pending_tool();

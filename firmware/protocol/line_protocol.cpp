@@ -77,7 +77,7 @@ void LineProtocol::poll(hal::TickCount now) {
     } else if (startup_line_ < StoredState::kStartupLines) {
       run_startup_line();
     } else if (!finish_line()) {
-      if (++lines > kLinesInATurn) return;
+      if (++lines > kLinesInATurn || awaits_tool()) return;
       if (!read_line()) {
         if (refuse_lost_line()) continue;
         return save_places();
@@ -102,6 +102,14 @@ void LineProtocol::receive() {
     silence_.hear(now_);
     receiver_.receive_all(std::span{incoming_}.first(count));
   }
+}
+
+void LineProtocol::act_at_once(std::byte byte) {
+  silence_.hear(now_);
+  const auto code = std::to_integer<std::uint8_t>(byte);
+  if (code == static_cast<std::uint8_t>(RealtimeByte::kToolAcknowledge)) return refuse_tool();
+  if (machine_.changes_tool()) receive();  // Lines that `~` comes behind.
+  receiver_.act_at_once(code);
 }
 
 void LineProtocol::attend_realtime() {
@@ -150,7 +158,7 @@ void LineProtocol::watch_checks() {
 
 void LineProtocol::begin_anew() {
   check_ = {};
-  tool_change_ends_ = false;
+  forget_tool_change();
   receiver_.be_strict(false);
   assembler_ = {};
   listing_.stop();
@@ -164,7 +172,8 @@ void LineProtocol::begin_anew() {
 void LineProtocol::begin_sender() {
   silence_.begin_sender();
   check_ = {};
-  tool_change_ends_ = false;
+  forget_tool_change();
+  tool_told_ = false;
   receiver_.begin_anew();
   assembler_ = {};
   listing_.stop();
