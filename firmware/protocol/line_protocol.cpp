@@ -233,7 +233,7 @@ bool LineProtocol::refuse_lost_line() {
 
 /// True when the line is to be done: as it came, or what is left of it without its check.
 bool LineProtocol::passes_check(std::string_view& line) {
-  const LineCheck::Judgement judged = check_.judge(line, assembler_.whole(), now_);
+  const LineCheck::Judgement judged = check_.judge(line, assembler_.long_line(), now_);
   line = judged.text;
   receiver_.be_strict(check_.strict());
   switch (judged.verdict) {
@@ -249,7 +249,7 @@ bool LineProtocol::passes_check(std::string_view& line) {
       return false;
     case LineCheck::Verdict::kWrong:
       refuse(error_number::kWrongCheck,
-             static_cast<std::uint32_t>(line.size() + 1),
+             assembler_.whole() ? static_cast<std::uint32_t>(line.size() + 1) : 0,
              "the check does not fit its line");
       return false;
   }
