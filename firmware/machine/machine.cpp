@@ -111,6 +111,7 @@ void Machine::poll(hal::TickCount now) {
   if (state_.in(Mode::kFree) || tool_change_.open()) dwell_.pass(elapsed_us);
   restart_dwell_.pass(elapsed_us);
   note_progress();
+  gap_.follow();
   attend_mode(elapsed_us);
   spline_points_ = kSplinePoints;
   run_actions();

@@ -74,7 +74,7 @@ void LineProtocol::poll(hal::TickCount now) {
     if (machine_.busy()) return;
     if (beginning_) {
       welcome();
-    } else if (startup_line_ < StoredState::kStartupLines) {
+    } else if (startup_line_ < kStartupDone) {
       run_startup_line();
     } else if (!finish_line()) {
       if (++lines > kLinesInATurn || awaits_tool()) return;
@@ -165,7 +165,7 @@ void LineProtocol::begin_anew() {
   auto_report_ = false;
   owed_ = Owed::kNothing;
   unheard_ = greeting_due_ = false;
-  startup_line_ = StoredState::kStartupLines;
+  startup_line_ = kStartupDone;
   beginning_ = true;
 }
 

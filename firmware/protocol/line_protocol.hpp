@@ -74,6 +74,9 @@ class LineProtocol {
   void lose_sender();
 
  private:
+  /// Behind the last start-up line there is one to report its fault.
+  static constexpr std::size_t kStartupDone = StoredState::kStartupLines + 1;
+
   /// What the line before still waits for.
   enum class Owed : std::uint8_t { kNothing, kAck, kHoming };
 
@@ -112,6 +115,7 @@ class LineProtocol {
   void greet();
   void tell_trouble();
   void run_startup_line();
+  void tell_startup_fault();
   void save_places();
 
   // `$`, in statements.cpp.
@@ -193,7 +197,7 @@ class LineProtocol {
   bool greeting_due_ = false;  ///< A sender came; nothing else has happened.
   bool unheard_ = false;       ///< Who sent the line that is owed an answer is gone.
   bool saving_failed_ = false;
-  std::size_t startup_line_ = StoredState::kStartupLines;  ///< The next to be run.
+  std::size_t startup_line_ = kStartupDone;  ///< The next to be run.
 };
 
 }  // namespace cnc
