@@ -5,7 +5,6 @@
 #include <cstring>
 #include <string>
 #include <string_view>
-#include <utility>
 
 #include "host-sim/send/answer.hpp"
 
@@ -92,10 +91,8 @@ TEST_F(LookAheadTest, NothingActsWithinACheckedLine) {
 /// M6, behind which a sender has sent any number of lines before it says 0xA3.
 class ToolChangeBehindLookAhead : public LookAheadTest {
  protected:
-  [[nodiscard]] const cnc::Machine& machine() const {
-    return std::as_const(session).controller().firmware().machine();
-  }
-  [[nodiscard]] double x_mm() const { return machine().position()[0].mm(); }
+  [[nodiscard]] const cnc::Machine& machine() { return session.controller().machine(); }
+  [[nodiscard]] double x_mm() { return machine().position()[0].mm(); }
   void run_to_tool(int lines, const std::string& end) {
     std::string text = "G21 G90 F6000" + end + "M6 T2" + end;
     for (int line = 0; line < lines; ++line) text += "G1 X" + std::to_string(1 + line % 3) + end;
