@@ -1,6 +1,8 @@
+#include <cstdint>
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "tests/firmware/controller_test.hpp"
 #include "tests/fuzz/tokens.hpp"
@@ -14,9 +16,10 @@ using FuzzTokens = ControllerTest;
 std::vector<std::string> all_tokens() {
   std::vector<std::string> tokens{fuzz::kTokens.begin(), fuzz::kTokens.end()};
   for (unsigned which = 0; which < 256; ++which) {
-    tokens.emplace_back(fuzz::statement_token(static_cast<std::uint8_t>(which)));
-    for (const std::uint8_t value : {0, 100, 255}) {
-      tokens.push_back(fuzz::setting_token(static_cast<std::uint8_t>(which), value));
+    const auto byte = static_cast<std::uint8_t>(which);
+    tokens.emplace_back(fuzz::statement_token(byte));
+    for (const unsigned value : {0U, 100U, 255U}) {
+      tokens.push_back(fuzz::setting_token(byte, static_cast<std::uint8_t>(value)));
     }
   }
   return tokens;
