@@ -132,7 +132,7 @@ void ReplacingFile::open_beside() {
   fail("cannot create");
 }
 
-/// Who may read the old file may read the new one.
+/// Gives the new file the owner and the mode of the old one, so that the same users may read it.
 void ReplacingFile::take_mode_of_target() {
   struct ::stat old {};
   if (::stat(target_.c_str(), &old) != 0) return;
