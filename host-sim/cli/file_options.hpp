@@ -30,6 +30,10 @@ struct NamedFile {
   FileRole role;
 };
 
+/// `; NAME is still the file of before` where a file that was to be written is there already, for
+/// the end of a message that nothing is written. Empty for none, and for devices.
+[[nodiscard]] std::string stale_note(const std::string& output);
+
 /// Throws std::invalid_argument, naming both options, where an output is an input or another
 /// output, under whatever name or link; also where standard output goes into such a file.
 void refuse_shared_files(const std::vector<NamedFile>& files);

@@ -5,6 +5,7 @@
 """
 
 import json
+import os
 import pathlib
 import re
 import subprocess
@@ -177,6 +178,27 @@ class CommandLine(unittest.TestCase):
         self.assertEqual(run("drawing", part, "--gap", "-1").returncode, 2)
         self.assertEqual(run("drawing", self.folder / "none.svg").returncode, 2)
 
+    def test_check_needs_no_memory_for_lines_that_it_has_read(self):
+        """A file has 24 bytes a line; beside its text 20 bytes a line are allowed, 10^7 lines in 1 GB."""
+        peaks = []
+        for lines in (20_000, 220_000):
+            job = self.folder / "long.nc"
+            with job.open("w") as file:
+                file.write("G21 G91\nM4 S500\n")
+                for i in range(lines // 2):
+                    file.write(f"G1 X0.100 Y0.0{i % 10} F1000\nG1 X-0.100 Y-0.0{i % 10}\n")
+            words = [KERFLINE, "check", str(job), "--set", "$110=30000"]
+            process = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+            _, status, usage = os.wait4(process.pid, 0)
+            process.returncode = os.waitstatus_to_exitcode(status)
+            self.assertEqual(process.returncode, 0)
+            peaks.append((usage.ru_maxrss * 1024, job.stat().st_size))
+        (small, small_file), (great, great_file) = peaks
+        beside_text = (great - small - 2 * (great_file - small_file)) / 200_000
+        print(f"check: {(great - small) / 200_000:.1f} bytes a line, {beside_text:.1f} beside text", file=sys.stderr)
+        self.assertLess((great - small) / 200_000, 100.0)
+        self.assertLess(beside_text, 20.0)
+
     def test_version_is_in_reports_and_answers(self):
         version = run("--version").stdout.strip()
         self.assertRegex(version, r"^\d+\.\d+\.\d+(\+[0-9a-f]{7}(-dirty)?)?$")
@@ -219,6 +241,16 @@ class CommandLine(unittest.TestCase):
                            (["sim", job, "--sgv", "x"], "did you mean --svg?"),
                            (["sim", job, "--trac=x"], "did you mean --trace?"),
                            (["send", job, "--prot", "x"], "did you mean --port?"),
+                           (["--versoin"], "--versoin: `kerfline` has no such option; did you mean --version?"),
+                           (["kerf", "--hepl"], "`kerfline kerf` has no such option; did you mean --help?"),
+                           (["kerf", "advise", "--matrial", "x"], "`kerfline kerf advise` has no such option; did you"
+                            " mean --material?"),
+                           (["kerf", "calibrate", "--form", "x", "--oud", "y"], "did you mean --out?"),
+                           (["sim", job, "-svg", "x"], "-svg: `kerfline sim` has no such option; did you mean --svg?"),
+                           (["cut", EXAMPLES / "plate.svg", "--material", "CSP 1N", "--thickness", "2", "--layer",
+                             "black: tabz=2"], "did you mean tabs?"),
+                           (["cut", EXAMPLES / "plate.svg", "--material", "CSP 1n", "--thickness", "2"],
+                            "did you mean CSP 1N?"),
                            (["check", job, "--xyzzy"], "--xyzzy: `kerfline check` has no such option\n")):
             with self.subTest(call=call):
                 done = run(*call)
@@ -236,6 +268,17 @@ class CommandLine(unittest.TestCase):
                 (["cut", part, "--material", "CSP 1N", "--thickness", "2"], "--full-power", "W"),
                 (["cut", part, "--material", "CSP 1N", "--thickness", "2"], "--decimals", "3 to 5"),
                 (["kerf", "advise", "--material", "CSP 1N"], "--thickness", "0 to 100 mm"),
+                (["kerf", "advise", "--material", "CSP 1N", "--thickness", "2"], "--speed", "mm/min"),
+                (["kerf", "plot", "--material", "CSP 1N"], "--thickness", "0 to 100 mm"),
+                (["kerf", "calibrate", "--material", "CSP 1N"], "--thickness", "0 to 100 mm"),
+                (["kerf", "calibrate", "--material", "CSP 1N", "--thickness", "2"], "--powers", "W"),
+                (["kerf", "calibrate", "--material", "CSP 1N", "--thickness", "2"], "--speeds", "mm/min"),
+                (["serve"], "--tcp", "0 to 65535"), (["serve"], "--ws", "0 to 65535"),
+                (["send", job], "--tcp", "0 to 65535"),
+                *((["cut", part, "--material", "CSP 1N", "--thickness", "2"], f"--{key}", unit)
+                  for key, unit in (("tabs", "0 to 1000 tabs"), ("overcut", "0 to 1000 mm"), ("pierce", "0 to 60 s"),
+                                    ("tab-width", "0.01 to 1000 mm"), ("corner-angle", "1 to 180 degrees"),
+                                    ("power", "W"), ("feed", "mm/min"))),
                 (["kerf", "advise", "--material", "CSP 1N", "--thickness", "2"], "--power", "W"),
                 (["kerf", "calibrate", "--material", "CSP 1N", "--thickness", "2"], "--length", "10 to 1000 mm")):
             for value in ("nan", "1e30", "-1e30", "word"):
@@ -243,8 +286,96 @@ class CommandLine(unittest.TestCase):
                     done = run(*call, option, value)
                     self.assertEqual((done.returncode, done.stdout), (2, ""))
                     self.assertIn(option, done.stderr)
-                    if value != "word":
-                        self.assertIn(told, done.stderr)
+                    self.assertIn(told, done.stderr)
+
+    def test_settings_name_range_and_unit(self):
+        job = EXAMPLES / "circle_r20.nc"
+        for value, told in (("$110=1e30", "0.1 to 1000000 mm/min"), ("$110=-1", "mm/min"), ("$130=-5", "mm"),
+                            ("$11=1e9", "mm")):
+            done = run("check", job, "--set", value)
+            self.assertEqual(done.returncode, 2)
+            self.assertRegex(done.stderr, r"--set: \$\d+=\S+: value is (above|below) the range of this setting, \S+ to "
+                                          rf"\S+ {told.split()[-1]}\n")
+
+    def test_a_file_that_is_missing_costs_the_others_nothing(self):
+        good, missing = EXAMPLES / "circle_r20.nc", self.folder / "missing.nc"
+        blank, seven = self.folder / "blank.nc", self.folder / "seven.nc"
+        blank.write_text("\n\r\n  \n")
+        seven.write_bytes(b"\0" * 7)
+        mark = self.folder / "mark.nc"
+        mark.write_bytes(b"\xef\xbb\xbf\n")
+        for command in ("check", "sim"):
+            with self.subTest(command=command):
+                done = run(command, good, missing, blank, good, seven, mark)
+                self.assertEqual(done.returncode, 2)
+                self.assertEqual(done.stdout.count("circle_r20.nc"), 2, done.stdout)
+                self.assertEqual(len(done.stderr.splitlines()), 4, done.stderr)
+                for name in (missing, blank, seven, mark):
+                    self.assertIn(str(name), done.stderr)
+                done = run(command, good, missing, "--json")
+                self.assertEqual(done.returncode, 2)
+                reports = json.loads(done.stdout)
+                self.assertEqual((reports[0] if command == "check" else reports)["job"], "circle_r20.nc")
+        for name in (blank, seven, mark):
+            done = run("check", name)
+            self.assertEqual((done.returncode, done.stdout), (2, ""))
+            self.assertIn(f"{name}: has nothing but blanks; it has no program", done.stderr)
+
+    def test_a_recording_from_standard_input_is_not_rewritten(self):
+        done = subprocess.run([KERFLINE, "replay", "-", "--update"], input="kerfline conversation 1\nend 1000\n",
+                              capture_output=True, text=True, check=False, cwd=self.folder)
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("--update rewrites its files, and `-` is standard input", done.stderr)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_no_program_says_what_stays(self):
+        old, part = self.folder / "part.nc", self.folder / "part.svg"
+        old.write_text("old")
+        part.write_text("<svg width='9mm' height='9mm' viewBox='0 0 9 9'><path d='M1 1L8 1'/></svg>")
+        for call in (("cut", part, "--material", "CSP 1N", "--thickness", "2"), ("offset", part, "-d", "1")):
+            done = run(*call, "-o", old)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(f"{old} is still the file of before", done.stderr)
+            self.assertNotIn("is still", run(*call, "-o", self.folder / "new").stderr)
+        self.assertEqual(old.read_text(), "old")
+
+    def test_programs_that_go_on_behind_their_end_are_named(self):
+        for text, told in (("%\nG21\nG1 X5 F100\n%\n", None), ("G21\nG1 X1 F100\nM30\n%\n", None),
+                           ("%\nO1000\nG21\nG1 X5 F100\n%\n\n(more)\nG1 X9\n",
+                            "-:8: the program goes on behind the % of line 5"),
+                           ("O1000\nG21\nG1 X5 F100\nO2000\nG1 X9\n", "-:4: a second program begins here, after that"),
+                           ("%one\nG21\nG1 X5 F100\n%two\nG1 X9\n", "-:4: a second program begins here"),
+                           ("G21\nG1 X1 F100\nM30\nG1 X9\n", "-:4: the program ended in line 3")):
+            with self.subTest(text=text):
+                done = run("check", "-", text=text)
+                self.assertEqual(done.returncode, 0, done.stdout)
+                if told:
+                    self.assertIn(told, done.stdout)
+                else:
+                    self.assertNotIn("warning", done.stdout)
+        self.assertIn("M99 is not supported", run("check", "-", text="G21\nM99\n").stdout)
+
+    def test_block_delete_of_the_program_itself(self):
+        """As long as the machine rests: a controller takes no setting in motion."""
+        for first, told, bounds in (("", "skipped ($890, $B)", "no motion"), ("$890=0\n", "driven ($890=0)", "to 5.000"),
+                                    ("$B\n", "driven ($890=0)", "to 5.000"), ("$890=1\n", "skipped", "no motion"),
+                                    ("$890=0\n$b\n", "skipped ($890, $B)", "no motion")):
+            with self.subTest(first=first):
+                done = run("check", "-", text=f"{first}G21 G90\n/G1 X5 F100\nN3 /G1 X1\n")
+                self.assertEqual(done.returncode, 0, done.stdout)
+                self.assertIn(f"lines that begin with / are {told}", done.stdout)
+                self.assertIn("; 2 times in all", done.stdout)
+                self.assertIn(bounds, done.stdout)
+
+    def test_feeds_are_named_as_the_program_has_them(self):
+        for text, told in (("G21\nG1 X1 F9999999\n", "-:2: F9999999 is above $110="),
+                           ("G20\nG1 X1 F9000\n", "-:2: F9000 asks for 228600 mm/min here, above $110="),
+                           ("G21 G93\nG1 X50 F6000\n", "-:2: F6000 asks for 300000 mm/min here, above $110="),
+                           ("G21\nF12345678.5\nG1 X1\n", "-:3: F12345678.5 is above"),
+                           ("G21\nG1 A9 F99999\n", "the rate of A: driven"),
+                           ("G21\nM4 S1000000\nG1 X1 F100\n", "-:2: S1000000 is above $30=1000 ")):
+            with self.subTest(text=text):
+                self.assertIn(told, run("check", "-", text=text).stdout)
 
     def test_figures_read_from_steps_state_their_error(self):
         done = run("sim", "-", *self.laser, "--json", text="G21 G91\nG1 X100 F12000\n")
@@ -259,6 +390,9 @@ class CommandLine(unittest.TestCase):
         turn = "G21 G91\nG1 A90 F1000\n"
         done = run("check", "-", text=turn)
         self.assertIn("bounds in degrees:  A 0.000 to 90.000", done.stdout)
+        self.assertRegex(done.stdout.splitlines()[0], r", 0\.0 mm, 0\.0 mm of it cut, 90\.0 degrees turned$")
+        both = run("check", "-", text="G21 G91\nG1 X3 Y4 A90 F1000\nG1 A-10\n").stdout.splitlines()[0]
+        self.assertRegex(both, r", 5\.0 mm, 0\.0 mm of it cut, 10\.0 degrees turned$")
         self.assertNotIn("bounds in mm", done.stdout)
         report, = json.loads(run("check", "-", "--json", text=turn).stdout)
         self.assertEqual(report["bounds_deg"]["A"], [0.0, 90.0])
@@ -311,6 +445,31 @@ class CommandLine(unittest.TestCase):
             self.assertIn(f"vanishes at distance {distance} mm", done.stderr)
         for distance in ("-2", "1.9", "0"):
             self.assertEqual(run("offset", part, "-d", distance).returncode, 0)
+
+    def test_an_offset_that_vanishes_in_parts_is_told(self):
+        """Frames, lobes, slots, gaps; no corner, however sharp it is, and no fillet."""
+        part = self.folder / "part.txt"
+        frame = "0 0\n40 0\n40 40\n0 40\n\n5 5\n35 5\n35 35\n5 35\n"
+        lobe = "0 0\n40 0\n40 40\n21 40\n21 50\n19 50\n19 40\n0 40\n"
+        slot = "0 0\n40 0\n40 40\n21 40\n21 20\n19 20\n19 40\n0 40\n"
+        for text, distance, told in (
+                (frame, "-3", ["the loop that begins at 0.000 0.000 vanishes at distance -3 mm"]),
+                (frame + "\n100 0\n140 0\n140 40\n100 40\n", "-3", ["the loop that begins at 0.000 0.000 vanishes"]),
+                (frame, "-2", []), (frame, "20", ["the hole that begins at 5.000 5.000 vanishes"]),
+                (lobe, "-2", ["22.0 mm of the loop that begins at 0.000 0.000, from about 21.000 45.000 on"]),
+                (lobe, "-0.5", []), (lobe, "2", []),
+                (slot, "2", ["42.0 mm of the loop that begins at 0.000 0.000, from about 21.000 30.000 on"]),
+                (slot, "0.5", []), (slot, "-2", []),
+                ("0 0\n60 4\n0 8\n", "-1", []), ("0 0\n40 0 0.4142135624\n43 3\n43 40\n0 40\n", "-5", []),
+                ("0 0\n20 0\n20 20\n0 20\n\n22 0\n42 0\n42 20\n22 20\n", "3", ["20.0 mm of the loop that begins at"])):
+            with self.subTest(text=text, distance=distance):
+                part.write_text(text)
+                done = run("offset", part, "-d", distance)
+                for words in told:
+                    self.assertIn(words, done.stderr)
+                if not told:
+                    self.assertEqual(done.stderr, "")
+                self.assertEqual(done.returncode, 1 if told else 0, done.stderr)
 
     def test_contours_are_numbered_in_their_picture(self):
         svg = self.folder / "out.svg"
