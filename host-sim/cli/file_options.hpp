@@ -12,7 +12,7 @@ class Option;
 
 namespace sim {
 
-/// What a command does with a file.
+/// The use that a command makes of a file.
 enum class FileRole : std::uint8_t {
   kInput,
   kOutput,

@@ -151,7 +151,7 @@ void ProgramWatch::check_feed(const PathPiece& piece) {
   }
 }
 
-/// What was asked for and never moved, as with a focus dot.
+/// Notes light that never moved, as of a focus dot.
 void ProgramWatch::go_dark() {
   if (lit_line_ != 0) {
     note(lit_line_, "M3 is on here and off again without a motion: nothing burns at rest");

@@ -40,7 +40,7 @@ class ProgramWatch {
   void check_feed(const PathPiece& piece);
   void go_dark();
   /// Whether the program means light where nothing moves, of which the settings allow none. Where
-  /// they allow some, the controller itself tells of light that exceeds them.
+  /// they allow some, the controller itself reports light that exceeds them.
   [[nodiscard]] bool lit() const { return laser_ && !burns_at_rest_ && constant_ && power_ > 0.0; }
   void note(std::size_t line, std::string text);
   [[nodiscard]] std::string feed_text(const PathPiece& piece, std::size_t axis) const;
