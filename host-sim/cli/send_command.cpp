@@ -10,7 +10,7 @@
 #include "host-sim/cli/transfer.hpp"
 #include "host-sim/cli/value_range.hpp"
 #include "host-sim/job/program_text.hpp"
-#include "host-sim/report/printable.hpp"
+#include "host-sim/report/terminal.hpp"
 #include "host-sim/send/take_up.hpp"
 #include "host-sim/trace/input_file.hpp"
 
@@ -42,7 +42,7 @@ void add_options(CLI::App& command, SendCommandOptions& options) {
             FileRole::kInput);
   auto* const links = command.add_option_group("link", "Where the controller is");
   links->add_option("--port", options.port, "A serial port")->type_name("DEVICE");
-  links->add_option("--tcp", options.tcp, "Raw TCP")->type_name("HOST:PORT");
+  links->add_option("--tcp", options.tcp, "Raw TCP")->check(port_address())->type_name("HOST:PORT");
   links->add_option("--can", options.can, "A CAN interface of the kernel, can0 or vcan0")
       ->type_name("INTERFACE");
   links->add_option("--slcan", options.slcan, "A CAN adapter of the serial kind, at 1 Mbit/s")
@@ -130,7 +130,7 @@ ExitStatus begin_within(const SendCommandOptions& options, Line& line, std::vect
   const std::size_t index = options.resume ? interrupted_at(job, standing) : index_of(job, options);
   std::vector<JobLine> lines = lines_before(job, index, standing, options.resume);
   const ExitStatus said = say(options, line, std::move(lines), nullptr);
-  fmt::print("{}: begins with line {}\n", printable(options.file), job[index].number);
+  terminal::print("{}: begins with line {}\n", options.file, job[index].number);
   job.erase(job.begin(), job.begin() + static_cast<std::ptrdiff_t>(index));
   return said;
 }
@@ -138,10 +138,10 @@ ExitStatus begin_within(const SendCommandOptions& options, Line& line, std::vect
 /// What was left out of the file is printed; false where the file must not be sent.
 bool tell(const ProgramText& program, const SendCommandOptions& options) {
   for (const LineNote& note : program.notes) {
-    fmt::print(stderr, "{}\n", place_and_text(options.file, note));
+    terminal::print(stderr, "{}\n", place_and_text(options.file, note));
   }
   for (const LineNote& fault : program.faults) {
-    fmt::print(stderr, "{}\n", place_and_text(options.file, fault));
+    terminal::print(stderr, "{}\n", place_and_text(options.file, fault));
   }
   return program.faults.empty();
 }
@@ -149,7 +149,7 @@ bool tell(const ProgramText& program, const SendCommandOptions& options) {
 ExitStatus send(const SendCommandOptions& options) {
   const ProgramText program = prepare_program(read_text(options.file));
   if (!tell(program, options)) {
-    fmt::print(stderr, "{}: nothing was sent\n", options.file);
+    terminal::print(stderr, "{}: nothing was sent\n", options.file);
     return ExitStatus::kFaults;
   }
   std::vector<JobLine> job = read_job(program.text);

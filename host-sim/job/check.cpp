@@ -39,6 +39,7 @@ class CheckedPath {
 
   void add_to(const Job& job, std::string_view text, Report& report) const {
     report.path_length_mm = length_;
+    report.turned_deg = turned_;
     report.cut_length_mm = cut_length_;
     for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
       report.axes[axis].least_mm = travel_.bounds().low[axis];
@@ -52,13 +53,15 @@ class CheckedPath {
 
  private:
   void put(const PathPiece& piece) {
-    length_ += piece.curve.length();
+    length_ += piece.curve.linear_length();
+    if (piece.curve.linear_length() == 0.0) turned_ += piece.curve.length();
     cut_length_ += cut_length(piece);
     travel_.put(piece);
     watch_.put(piece);
   }
 
   double length_ = 0.0;
+  double turned_ = 0.0;  ///< Of motions of A, B and C alone, degrees.
   double cut_length_ = 0.0;
   TravelCheck travel_;
   ProgramWatch watch_;

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -40,9 +42,17 @@ class ProgramWatch {
   void check_feed(const PathPiece& piece);
   void go_dark();
   /// Whether the program means light where nothing moves, of which the settings allow none. Where
-  /// they allow some, the controller itself tells of light that exceeds them.
+  /// they allow some, the controller itself reports light that exceeds them.
   [[nodiscard]] bool lit() const { return laser_ && !burns_at_rest_ && constant_ && power_ > 0.0; }
   void note(std::size_t line, std::string text);
+  [[nodiscard]] std::string feed_text(const PathPiece& piece, std::size_t axis) const;
+
+  struct Feed {
+    std::size_t line = 0;
+    double word = 0.0;
+  };
+  /// Pieces come up to 16 motions behind their lines; a line has one feed.
+  static constexpr std::size_t kMostPending = 64;
 
   cnc::AxisArray<double> rates_{};  ///< mm/s.
   double most_power_;
@@ -55,8 +65,9 @@ class ProgramWatch {
   std::size_t lit_line_ = 0;  ///< Asked for light that has not burnt yet; 0 for none.
   bool notes_light_at_rest_ = false;
   bool homed_ = false;
-  std::vector<double> powers_told_;
-  std::vector<double> feeds_told_;
+  std::deque<Feed> feeds_;  ///< The last words F.
+  std::vector<double> powers_listed_;
+  std::vector<double> feeds_listed_;
   std::vector<LineNote> notes_;
 };
 
