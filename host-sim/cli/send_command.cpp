@@ -1,16 +1,21 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
+#include <functional>
 #include <memory>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "host-sim/cli/commands.hpp"
 #include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/transfer.hpp"
 #include "host-sim/cli/value_range.hpp"
+#include "host-sim/job/program_judge.hpp"
 #include "host-sim/job/program_text.hpp"
 #include "host-sim/report/terminal.hpp"
+#include "host-sim/send/standpoint_reading.hpp"
 #include "host-sim/send/take_up.hpp"
 #include "host-sim/trace/input_file.hpp"
 
@@ -27,13 +32,18 @@ constexpr const char* kSendFooter =
     "  kerfline send part.nc --port /dev/ttyACM0 --resume\n"
     "  kerfline cut part.dxf ... | kerfline send - --port /dev/ttyUSB0\n"
     "\n"
-    "Any Grbl controller; --checked and --resume ask for Kerfline. What was sent --numbered or\n"
-    "--checked and was interrupted, by whatever, goes on with --resume where the beam went dark:\n"
-    "the controller is reset if it is held, and the path is driven dark up to that place. Keys at "
-    "a terminal: ! or blank holds,\n"
-    "~ or r resumes, q or Ctrl-C holds and resets: the place stays known. Without a terminal it\n"
-    "prints for what the machine waits; SIGINT stops as q does.\n"
-    "Exit status: 0 all done and at rest, 1 refused, aborted or cut off, 2 the call is wrong.";
+    "Any Grbl controller; --checked and --resume want Kerfline. Before anything moves the\n"
+    "controller is asked for its settings, offsets and position; a program with a line that it\n"
+    "would refuse, or beyond the travel ($130...), is not sent unless --accept-faults says so.\n"
+    "A job sent --numbered or --checked that was interrupted goes on with --resume where the beam\n"
+    "went out: the controller is reset if it is held, and the path is driven, beam off, up to\n"
+    "there. Keys at a terminal: ! or blank holds, ~ or r resumes, q or Ctrl-C stops. A stop "
+    "holds,\n"
+    "and resets at standstill, or at once where a hold does nothing (a tool change, homing, check\n"
+    "mode): the position stays known, but after homing, and no line is left to go on. Without a\n"
+    "terminal it prints for what the machine waits; SIGINT stops as q does.\n"
+    "Exit status: 0 all done and at rest, 1 faults, refused, aborted or cut off, 2 the call is "
+    "wrong.";
 
 void add_options(CLI::App& command, SendCommandOptions& options) {
   mark_file(command.add_option("file", options.file, "The program; - reads standard input")
@@ -59,15 +69,23 @@ void add_options(CLI::App& command, SendCommandOptions& options) {
   command.add_flag("--checked",
                    options.send.checked,
                    "Number and check every line, and repeat what was damaged");
-  command.add_option("--window", options.send.window, "Bytes on their way at most; else as told")
+  command
+      .add_option("--window",
+                  options.send.window,
+                  "Bytes on their way at most; else as the controller announces")
       ->check(in_whole_range(16, 65'536, "bytes"))
       ->type_name("BYTES");
-  command.add_flag(
-      "--keep-going", options.send.goes_on_after_errors, "Go on after a line that is refused");
+  command.add_flag("--accept-faults",
+                   options.accept_faults,
+                   "Send a program with faults, or beyond the travel, all the same");
+  command.add_flag("--keep-going",
+                   options.send.goes_on_after_errors,
+                   "Go on after a line that the controller refuses");
   command.add_flag(
       "--stop-when-held",
       options.stop_when_held,
-      "End the job where it would wait for an operator: at M0, M6, a hold, an open door");
+      "End the job where it would wait for an operator: at M0, M6, a hold, an open door.\n"
+      "The controller is reset: no line is left to go on");
   command.add_flag("--numbered", options.numbered, "With N in each line: --resume can go on then");
   auto* const resume =
       command.add_flag("--resume", options.resume, "Go on where the controller was interrupted");
@@ -82,88 +100,138 @@ void add_options(CLI::App& command, SendCommandOptions& options) {
 }
 
 /// Lines that would never be taken are found before anything moves.
-void check_lengths(const std::vector<JobLine>& job, const SendCommandOptions& options) {
-  constexpr std::size_t kLongest = 256;
-  constexpr std::size_t kNumber = 8;
-  constexpr std::size_t kCheck = 9;
-  const std::size_t most = kLongest - (options.send.checked                 ? kNumber + kCheck
-                                       : options.numbered || options.resume ? kNumber
-                                                                            : 0);
-  for (const JobLine& line : job) {
-    if (line.text.size() <= most) continue;
-    throw std::invalid_argument(
-        fmt::format("{}:{}: longer than {} characters without comments and blanks",
-                    options.file,
-                    line.number,
-                    most));
-  }
+void check_lengths(const JobLines& job, const SendCommandOptions& options) {
+  const bool numbered = options.numbered || options.resume || options.send.checked;
+  const std::size_t most =
+      kLongestSentLine - (numbered ? kSentNumber : 0) - (options.send.checked ? kSentCheck : 0);
+  const auto line = line_too_long(job, most);
+  if (!line) return;
+  throw std::invalid_argument(
+      fmt::format("{}:{}: longer than {} characters without comments and blanks",
+                  options.file,
+                  line->number,
+                  most));
 }
 
-/// Lines that are sent plain, before those of the job.
+/// Sends lines plain, before those of the job.
 ExitStatus say(const SendCommandOptions& options,
                Line& line,
-               std::vector<JobLine> words,
-               Standing* standing) {
-  Transfer transfer{options, line, std::move(words), {.takes_up = options.resume}};
-  if (standing != nullptr) {
-    transfer.on_answer = [standing](std::string_view answer) { standing->read(answer); };
+               const std::vector<JobLine>& words,
+               const SendOptions& send,
+               const std::function<void(Sender&, std::string_view)>& on_answer = {}) {
+  Transfer transfer{options, line, JobPart{.lines = std::make_shared<const JobLines>(words)}, send};
+  if (on_answer) {
+    transfer.on_answer = [&](std::string_view answer) { on_answer(transfer.sender(), answer); };
   }
   return transfer.run();
 }
 
-std::size_t index_of(const std::vector<JobLine>& job, const SendCommandOptions& options) {
-  const auto found = std::find_if(job.begin(), job.end(), [&](const JobLine& line) {
-    return line.number >= options.from_line;
+/// The state of the controller before the job.
+struct Answers {
+  Standing standing;
+  StandpointReading standpoint;
+};
+
+ExitStatus ask(const SendCommandOptions& options, Line& line, Answers& answers) {
+  std::vector<JobLine> questions = StandpointReading::questions();
+  if (options.resume) questions.push_back({.text = "$RESUME"});
+  // On a line that damages bytes plain questions could stay without an answer.
+  const SendOptions send{.checked = options.send.checked, .takes_up = options.resume};
+  return say(options, line, questions, send, [&answers](Sender& sender, std::string_view answer) {
+    answers.standing.read(answer);
+    answers.standpoint.read(answer);
+    if (answer.starts_with("[KERFLINE:")) sender.ask_full_report();
   });
-  if (found == job.end()) {
-    throw std::invalid_argument(
-        fmt::format("{}: has no line {} to begin with", options.file, options.from_line));
-  }
-  return static_cast<std::size_t>(found - job.begin());
 }
 
-/// Brings the machine to the line with which the job begins, and drops the lines before it.
-ExitStatus begin_within(const SendCommandOptions& options, Line& line, std::vector<JobLine>& job) {
-  Standing standing;
-  const ExitStatus asked = say(options, line, standing_questions(options.resume), &standing);
-  if (asked != ExitStatus::kFine) return asked;
-  const std::size_t index = options.resume ? interrupted_at(job, standing) : index_of(job, options);
-  std::vector<JobLine> lines = lines_before(job, index, standing, options.resume);
-  const ExitStatus said = say(options, line, std::move(lines), nullptr);
-  terminal::print("{}: begins with line {}\n", options.file, job[index].number);
-  job.erase(job.begin(), job.begin() + static_cast<std::ptrdiff_t>(index));
+std::size_t index_of(const JobLines& job, const SendCommandOptions& options) {
+  for (std::size_t index = 0; index < job.size(); ++index) {
+    if (job.number_of(index) >= options.from_line) return index;
+  }
+  throw std::invalid_argument(
+      fmt::format("{}: has no line {} to begin with", options.file, options.from_line));
+}
+
+/// Brings the machine to the line with which the job begins.
+ExitStatus begin_within(const SendCommandOptions& options,
+                        Line& line,
+                        const Standing& standing,
+                        JobPart& job) {
+  Approach approach = lines_before(*job.lines, job.first, standing, options.resume);
+  job.motion = std::move(approach.motion);
+  const ExitStatus said = say(options, line, approach.lines, {.takes_up = options.resume});
+  terminal::print("{}: begins with line {}\n", options.file, job.lines->number_of(job.first));
   return said;
 }
 
-/// What was left out of the file is printed; false where the file must not be sent.
-bool tell(const ProgramText& program, const SendCommandOptions& options) {
-  for (const LineNote& note : program.notes) {
+void print_notes(const SendCommandOptions& options, const std::vector<LineNote>& notes) {
+  for (const LineNote& note : notes) {
     terminal::print(stderr, "{}\n", place_and_text(options.file, note));
   }
-  for (const LineNote& fault : program.faults) {
-    terminal::print(stderr, "{}\n", place_and_text(options.file, fault));
-  }
-  return program.faults.empty();
 }
 
-ExitStatus send(const SendCommandOptions& options) {
-  const ProgramText program = prepare_program(read_text(options.file));
-  if (!tell(program, options)) {
-    terminal::print(stderr, "{}: nothing was sent\n", options.file);
-    return ExitStatus::kFaults;
+ExitStatus refuse(const SendCommandOptions& options, std::string_view remedy) {
+  terminal::print(stderr, "{}: nothing was sent{}\n", options.file, remedy);
+  return ExitStatus::kFaults;
+}
+
+/// The same judgement as the page's: lines that the controller would refuse, and the travel.
+ExitStatus judge(const SendCommandOptions& options,
+                 const ProgramText& program,
+                 const Standpoint& standpoint) {
+  const Judgement judgement = judge_program(options.file, program.text, standpoint);
+  if (judgement.fine()) return ExitStatus::kFine;
+  for (const Fault& fault : judgement.faults) terminal::print(stderr, "{}\n", to_string(fault));
+  if (judgement.more > 0) {
+    terminal::print(stderr, "{}: {}\n", options.file, judgement.texts().back());
   }
-  std::vector<JobLine> job = read_job(program.text);
-  check_lengths(job, options);
-  if (options.numbered || options.resume || options.send.checked) number_lines(job);
+  if (options.accept_faults) return ExitStatus::kFine;
+  return refuse(options, ": correct these lines, or send all the same with --accept-faults");
+}
+
+ExitStatus send_job(const SendCommandOptions& options, Line& line, std::string file) {
+  Answers answers;
+  if (const ExitStatus asked = ask(options, line, answers); asked != ExitStatus::kFine) {
+    return asked;
+  }
+  const Standpoint standpoint = answers.standpoint.standpoint();
+  const ProgramText program = prepare_program(std::move(file), standpoint.block_delete());
+  print_notes(options, program.notes);
+  const bool numbered = options.numbered || options.resume || options.send.checked;
+  JobPart job{.lines = std::make_shared<const JobLines>(read_job(program.text, numbered))};
   if (job.empty()) throw std::invalid_argument(options.file + ": has no line to send");
-  Line line{options};
-  ExitStatus status = ExitStatus::kFine;
-  if (!options.begins_at_start()) status = begin_within(options, line, job);
-  if (status == ExitStatus::kFine) {
-    Transfer transfer{options, line, std::move(job), options.send};
-    status = transfer.run();
-    transfer.tell();
+  if (options.resume) job.first = interrupted_at(*job.lines, answers.standing);
+  if (options.from_line != 0) job.first = index_of(*job.lines, options);
+  if (const ExitStatus judged = judge(options, program, standpoint); judged != ExitStatus::kFine) {
+    return judged;
   }
+  if (!options.begins_at_start()) {
+    const ExitStatus begun = begin_within(options, line, answers.standing, job);
+    if (begun != ExitStatus::kFine) return begun;
+  }
+  Transfer transfer{options, line, std::move(job), options.send};
+  const ExitStatus status = transfer.run();
+  transfer.tell();
+  return status;
+}
+
+/// Faults for which no controller is needed are found before the port is opened.
+ExitStatus send(const SendCommandOptions& options) {
+  std::string file = read_text(options.file);
+  {
+    const ProgramText program = prepare_program(file);
+    if (!program.faults.empty()) {
+      print_notes(options, program.notes);
+      print_notes(options, program.faults);
+      return refuse(options, "");
+    }
+    const JobLines job = read_job(program.text);
+    check_lengths(job, options);
+    if (job.empty()) throw std::invalid_argument(options.file + ": has no line to send");
+    if (options.from_line != 0) static_cast<void>(index_of(job, options));
+  }
+  Line line{options};
+  const ExitStatus status = send_job(options, line, std::move(file));
   const bool is_logged = line.close_log();
   return is_logged || status != ExitStatus::kFine ? status : ExitStatus::kUsage;
 }

@@ -22,13 +22,13 @@
 #include "host-sim/serve/pty_transport.hpp"
 #include "host-sim/serve/record_file.hpp"
 #include "host-sim/serve/served_job.hpp"
+#include "host-sim/serve/served_trace.hpp"
 #include "host-sim/serve/server.hpp"
 #include "host-sim/serve/slcan_wire.hpp"
 #include "host-sim/serve/tcp_slcan_wire.hpp"
 #include "host-sim/serve/tcp_transport.hpp"
 #include "host-sim/serve/web_routes.hpp"
 #include "host-sim/serve/web_transport.hpp"
-#include "host-sim/trace/trace_writer.hpp"
 
 namespace sim {
 namespace {
@@ -41,7 +41,9 @@ constexpr const char* kServeFooter =
     "\n"
     "Prints a line for each way in, such as `tcp 127.0.0.1:2323`, and then `ready`. One\n"
     "sender at a time controls the machine. Ends on Ctrl-C or SIGTERM.\n"
-    "When the sender is lost, the machine stops on its path, beam off, and is reset.";
+    "When the sender is lost, the machine stops on its path, beam off, and is reset.\n"
+    "A --record or --trace that cannot be written any more, as on a full disk, is given up with a\n"
+    "message; the machine goes on, and the exit status is 2.";
 
 constexpr int kLastNode = cnc::can::kLastNode;
 
@@ -220,7 +222,7 @@ ExitStatus serve(const ServeOptions& options) {
     server.show(view, *web);
     reception.add(std::move(web));
   }
-  std::optional<TraceWriter> trace;
+  std::optional<ServedTrace> trace;
   if (!options.trace.empty()) {
     trace.emplace(options.trace, steps_per_mm<float>(session.controller().machine().settings()));
     session.controller().add_sink(*trace);
@@ -228,8 +230,8 @@ ExitStatus serve(const ServeOptions& options) {
   announce(reception);
   server.run(stop);
   session.controller().end();
-  record.close(session);
-  return ExitStatus::kFine;
+  const bool kept = record.close(session) && !(trace && trace->lost());
+  return kept ? ExitStatus::kFine : ExitStatus::kUsage;
 }
 
 }  // namespace

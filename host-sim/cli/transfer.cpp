@@ -62,7 +62,7 @@ void Line::drop_log(const std::system_error& error) {
 
 Transfer::Transfer(const SendCommandOptions& options,
                    Line& line,
-                   std::vector<JobLine> job,
+                   JobPart job,
                    const SendOptions& send)
     : options_{options},
       line_{line},
@@ -133,7 +133,7 @@ void Transfer::carry_in() {
   }
 }
 
-/// Until something comes, and not longer than a serial line takes to run dry.
+/// Sleeps until bytes come, and not longer than a serial line takes to run dry.
 void Transfer::sleep() {
   constexpr int kPeriodMs = 2;
   waited_.clear();
@@ -165,11 +165,13 @@ void Transfer::show() {
   const double done = sender_.progress();
   const double seconds = static_cast<double>(line_.now().count()) / 1e3;
   const std::string left = done > 0.0 ? duration_text(seconds * (1.0 - done) / done) : "?";
-  bar_.update(
-      done,
-      fmt::format(
-          "{}/{} lines, {} left, {}", sender_.answered(), lines_, left, sender_.machine_state()),
-      Line::Clock::now());
+  bar_.update(done,
+              fmt::format("{}/{} lines, {} left, {}",
+                          sender_.answered(),
+                          lines_,
+                          left,
+                          printable(sender_.machine_state())),
+              Line::Clock::now());
 }
 
 }  // namespace sim

@@ -24,7 +24,7 @@
 
 namespace sim {
 
-/// What `kerfline send` was called with.
+/// The options of `kerfline send`.
 struct SendCommandOptions {
   std::string file;
   std::string port;
@@ -37,13 +37,14 @@ struct SendCommandOptions {
   bool numbered = false;
   bool resume = false;
   bool stop_when_held = false;
+  bool accept_faults = false;
   std::size_t from_line = 0;
   SendOptions send{};
 
   [[nodiscard]] bool begins_at_start() const { return !resume && from_line == 0; }
 };
 
-/// The link, and the log of what is said over it. Throws as the open functions of ports do, and
+/// The link, and the log of all lines on it. Throws as the open functions of ports do, and
 /// std::system_error for a log that cannot be written. A log that cannot be written any more, as on
 /// a full disk, ends with a message and does not stop the job.
 struct Line {
@@ -75,18 +76,16 @@ struct Line {
 /// One job over a line, at a terminal or not.
 class Transfer {
  public:
-  Transfer(const SendCommandOptions& options,
-           Line& line,
-           std::vector<JobLine> job,
-           const SendOptions& send);
+  Transfer(const SendCommandOptions& options, Line& line, JobPart job, const SendOptions& send);
 
-  /// Told of every line that comes.
+  /// Gets every line that comes.
   std::function<void(std::string_view)> on_answer;
 
-  /// Until it is over; what went wrong is told at once.
+  /// Runs until the transfer is over; prints the reason of a failure at once.
   ExitStatus run();
-  /// The sum of it.
+  /// Prints the sum.
   void tell() const;
+  [[nodiscard]] Sender& sender() { return sender_; }
 
  private:
   void tell_news();

@@ -7,9 +7,8 @@
 #include "firmware/machine/rest_light.hpp"
 #include "host-sim/job/job.hpp"
 #include "host-sim/job/job_report.hpp"
+#include "host-sim/job/judged_path.hpp"
 #include "host-sim/job/program_watch.hpp"
-#include "host-sim/job/travel_check.hpp"
-#include "host-sim/machine/machine_reading.hpp"
 
 namespace sim {
 namespace {
@@ -19,22 +18,22 @@ namespace {
 class CheckedPath {
  public:
   explicit CheckedPath(const cnc::Settings& settings)
-      : travel_{settings}, watch_{settings}, reading_{settings, [this](const PathPiece& piece) {
-                                                        put(piece);
-                                                      }} {}
+      : watch_{settings}, path_{standpoint_of(settings), [this](const PathPiece& piece) {
+                                  put(piece);
+                                }} {}
 
   void take(std::size_t line, std::string_view text) {
     watch_.take(line, text);
-    reading_.take(line, text);
+    path_.take(line, text);
   }
 
   /// There are no more lines.
   void end() {
-    reading_.end();
+    path_.end();
     watch_.end();
   }
 
-  [[nodiscard]] const std::optional<RefusedBeside>& refused() const { return reading_.refused(); }
+  [[nodiscard]] const std::optional<RefusedBeside>& refused() const { return path_.refused(); }
   [[nodiscard]] bool notes_light_at_rest() const { return watch_.notes_light_at_rest(); }
 
   void add_to(const Job& job, std::string_view text, Report& report) const {
@@ -42,12 +41,12 @@ class CheckedPath {
     report.turned_deg = turned_;
     report.cut_length_mm = cut_length_;
     for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
-      report.axes[axis].least_mm = travel_.bounds().low[axis];
-      report.axes[axis].greatest_mm = travel_.bounds().high[axis];
+      report.axes[axis].least_mm = path_.travel().bounds().low[axis];
+      report.axes[axis].greatest_mm = path_.travel().bounds().high[axis];
     }
     warn(job, watch_.notes(), report);
-    warn(job, reading_.notes(), report);
-    const auto overruns = travel_.faults(job.file, text);
+    warn(job, path_.notes(), report);
+    const auto overruns = path_.travel().faults(job.file, text);
     report.faults.insert(report.faults.end(), overruns.begin(), overruns.end());
   }
 
@@ -56,16 +55,14 @@ class CheckedPath {
     length_ += piece.curve.linear_length();
     if (piece.curve.linear_length() == 0.0) turned_ += piece.curve.length();
     cut_length_ += cut_length(piece);
-    travel_.put(piece);
     watch_.put(piece);
   }
 
   double length_ = 0.0;
   double turned_ = 0.0;  ///< Of motions of A, B and C alone, degrees.
   double cut_length_ = 0.0;
-  TravelCheck travel_;
   ProgramWatch watch_;
-  MachineReading reading_;
+  JudgedPath path_;
 };
 
 }  // namespace

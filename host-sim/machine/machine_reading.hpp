@@ -31,6 +31,8 @@ class MachineReading {
   void take(std::size_t line, std::string_view text) {
     reader_.read_line(text, static_cast<int>(line));
   }
+  /// The machine has moved without the program, as by homing.
+  void set_position(const Point& position) { reader_.set_position(position); }
   /// There are no more lines.
   void end() { beside_.end(); }
   [[nodiscard]] const std::vector<ReadNote>& notes() const { return reader_.path().notes; }

@@ -18,6 +18,8 @@ class ProgramReader {
   void read(std::string_view text);
   /// One line of it; the first is line 1.
   void read_line(std::string_view text, int number);
+  /// The machine has moved without the program, as by homing.
+  void set_position(const Point& position) { path_.end = position_ = position; }
   /// The line read last had M2 or M30.
   [[nodiscard]] bool ended() const { return ended_; }
 

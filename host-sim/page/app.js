@@ -10,7 +10,7 @@ import { ask } from './question.js';
 import { Sender } from './sender.js';
 import { show } from './display.js';
 import { View } from './view.js';
-import { alarmWords } from './words.js';
+import { loadWords } from './words.js';
 
 const kRealtime = { reset: 0x18, hold: 0x21, resume: 0x7E, jogCancel: 0x85 };
 const kFeed = { all: 0x90, plus10: 0x91, minus10: 0x92, plus1: 0x93, minus1: 0x94 };
@@ -65,10 +65,13 @@ function slide(id, index, codes) {
   at(id).addEventListener('change', () => override(codes, news.overrides[index], Number(at(id).value)));
 }
 
-function tellFaults(faults) {
-  if (faults.length === 0) return;
-  const more = faults.length > 1 ? ` (and ${faults.length - 1} more)` : '';
-  notice.tell(`${job.name}, ${faults[0]}${more}`, (now) => now.job.state === 'running');
+// The first of the faults, or of what was left out of the file.
+function tellFaults({ faults, count, notes }) {
+  const first = faults[0] ?? notes[0];
+  if (!first) return;
+  const rest = (faults.length > 0 ? count : notes.length) - 1;
+  const more = rest > 0 ? ` (and ${rest} more)` : '';
+  notice.tell(`${job.name}, ${first}${more}`, (now) => now.job.state === 'running' || now.job.id !== job.id);
 }
 
 function tellWhatItWaitsFor({ waits }) {
@@ -79,12 +82,12 @@ function tellWhatItWaitsFor({ waits }) {
 // the operator has read which lines those are.
 async function run() {
   notice.clear();
-  let answer = await job.run([]);
+  let answer = await job.run(sender.page, []);
   if (answer.faults) {
-    const yes = await ask(`${news.job.name} has faults. The job stops at a line that is refused.`,
+    const yes = await ask(`${job.name} has faults. The job stops at a line that is refused.`,
       answer.faults, 'Run all the same');
     if (!yes) return;
-    answer = await job.run(answer.faults);
+    answer = await job.run(sender.page, answer.faults);
   }
   tellWhatItWaitsFor(answer);
 }
@@ -92,15 +95,16 @@ async function run() {
 async function takeUp() {
   notice.clear();
   const yes = await ask(`Resume ${news.job.name} at line ${news.job.line}?`,
-    ['The machine goes, dark, to where the beam went out, and cuts on from there.'], 'Resume');
-  if (yes) tellWhatItWaitsFor(await job.resume());
+    ['The machine goes, beam off, to where the beam went out, and cuts on from there.'], 'Resume');
+  if (yes) tellWhatItWaitsFor(await job.resume(sender.page));
 }
 
 async function showProgram(load) {
-  const faults = await load().catch((reason) => [reason.message]);
+  const found = await load().catch((reason) => ({ faults: [reason.message], count: 1, notes: [] }));
   view.job = job.points;
   view.fit();
-  tellFaults(faults);
+  tellFaults(found);
+  return found;
 }
 
 async function open(file) {
@@ -109,15 +113,24 @@ async function open(file) {
   await showProgram(() => job.open(file));
 }
 
-// What the last news did not say yet.
+// The program that another page has opened replaces the one that this page shows.
+async function showOther() {
+  const shown = job.name;
+  const { faults } = await showProgram(() => job.restore());
+  if (shown !== '' && faults.length === 0) {
+    notice.tell(`Another page has opened ${job.name}.`, (now) => now.job.state === 'running');
+  }
+}
+
+// Changes since the news before.
 function follow(before) {
-  if (news.job.state !== 'none' && news.job.name !== job.name && before?.job.name !== news.job.name) {
-    showProgram(() => job.restore());
+  if (news.job.state !== 'none' && news.job.id !== job.id && before?.job.id !== news.job.id && !job.opening) {
+    showOther();
   }
   if (news.job.state === 'stopped' && before?.job.state !== 'stopped' && news.job.trouble !== '') {
     notice.tell(`${news.job.name} stopped: ${news.job.trouble}`, (now) => now.job.state !== 'stopped');
   }
-  const alarm = news.state === 'Alarm' && news.alarm > 0 ? alarmWords(news.alarm, news.alarm_text) : '';
+  const alarm = news.state === 'Alarm' && news.alarm > 0 ? `Alarm ${news.alarm}: ${news.alarm_text}` : '';
   if (at('alarm').textContent !== alarm) at('alarm').textContent = alarm;
   at('alarm').hidden = alarm === '';
 }
@@ -169,8 +182,8 @@ at('file').onchange = async () => {
 };
 at('run').onclick = run;
 at('take-up').onclick = takeUp;
-at('stop').onclick = async () => tellWhatItWaitsFor(await job.stop());
-at('hold').onclick = () => sender.realtime(kRealtime.hold);
+at('stop').onclick = async () => tellWhatItWaitsFor(await job.stop(sender.page));
+at('hold').onclick = () => { if (controls) sender.realtime(kRealtime.hold); else fetch('hold', { method: 'POST' }); };
 at('resume').onclick = () => sender.realtime(kRealtime.resume);
 at('reset').onclick = () => sender.realtime(kRealtime.reset);
 at('jog-cancel').onclick = () => sender.realtime(kRealtime.jogCancel);
@@ -208,4 +221,5 @@ listenToKeys({
   '-': () => view.zoom(0.8),
 });
 enable();
+loadWords().catch(() => {});
 if (sessionStorage.getItem(kHadControl)) sender.connect();

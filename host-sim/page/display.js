@@ -32,7 +32,7 @@ function showPlaces(news) {
   });
 }
 
-// A slider that somebody is moving is left alone.
+// A slider that the operator is moving is left alone.
 function showOverride(id, output, percent) {
   if (document.activeElement !== at(id) || at(id).disabled) at(id).value = percent;
   set(output, `${percent} %`);
@@ -40,8 +40,8 @@ function showOverride(id, output, percent) {
 
 function owner(news, controls) {
   if (controls) return 'You control the machine';
-  if (news.sender === 'job') return 'A job runs, and nobody controls it';
-  return news.sender ? `Controlled by ${kWays[news.sender] ?? news.sender}` : 'Nobody controls it';
+  if (news.sender === 'job') return 'A job runs without an operator';
+  return news.sender ? `Controlled by ${kWays[news.sender] ?? news.sender}` : 'Not controlled';
 }
 
 function showJob(job) {

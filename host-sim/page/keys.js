@@ -1,13 +1,13 @@
 // Keys for everything: a key presses the button of the same name, so that what is disabled stays
-// so. What makes the machine move, or changes where its zero is, takes Shift; stops do not.
+// so. Keys that make the machine move, change its zero or its operator take Shift; a hold does not.
 
 const kJogs = {
   ArrowLeft: 'X-1', ArrowRight: 'X1', ArrowUp: 'Y1', ArrowDown: 'Y-1', PageUp: 'Z1', PageDown: 'Z-1',
 };
 const kWithShift = {
-  r: 'run', g: 'take-up', h: 'home', u: 'unlock', z: 'zero', x: 'reset', q: 'stop', ' ': 'resume',
+  c: 'control', r: 'run', g: 'take-up', h: 'home', u: 'unlock', z: 'zero', x: 'reset', q: 'stop', ' ': 'resume',
 };
-const kAlone = { c: 'control', ' ': 'hold', Escape: 'jog-cancel', '?': 'shortcuts-button' };
+const kAlone = { ' ': 'hold', Escape: 'jog-cancel', '?': 'shortcuts-button' };
 
 export function listenToKeys(actions) {
   document.addEventListener('keydown', (event) => {

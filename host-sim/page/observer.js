@@ -1,4 +1,4 @@
-// What the server shows to everybody who watches; connects again when it is lost.
+// The news that the server sends to all watchers; connects again when it is lost.
 
 const kRetryMs = 1000;
 

@@ -1,9 +1,10 @@
-// What may be done now, and why not: the one place where the page decides it.
+// Reasons for which controls are disabled. For what a job waits is decided by the server
+// (run_conditions.hpp); this page knows only whether it has control itself.
 
-const kMoving = ['Run', 'Jog', 'Home'];
+const kHeldByHold = ['Run', 'Jog'];
 const kOnlyRealtime = 'a job runs: only hold, resume, stop, reset and overrides act';
 
-// Reasons why each kind of control is disabled; empty for one that is enabled.
+// The reason for each kind of control; empty for one that is enabled.
 export function reasons(news, controls) {
   const state = news?.state;
   const job = news?.job;
@@ -11,6 +12,7 @@ export function reasons(news, controls) {
   const base = !news ? 'the server is not there' : !controls ? 'take control first' : '';
   const lines = base || (runs ? kOnlyRealtime : '');
   const idle = lines || (state !== 'Idle' ? `the machine is in ${state}` : '');
+  const resumeWaits = !news ? 'the server' : job.resume_waits || waitsForControl(news, controls);
   return {
     realtime: base,
     console: lines,
@@ -18,26 +20,22 @@ export function reasons(news, controls) {
     jog: lines || (['Idle', 'Jog'].includes(state) ? '' : `the machine is in ${state}`),
     home: lines || (['Idle', 'Alarm'].includes(state) ? '' : `the machine is in ${state}`),
     unlock: lines || (state === 'Alarm' ? '' : 'there is no alarm'),
-    hold: base || (kMoving.includes(state) ? '' : 'nothing moves'),
+    // A feed hold is safe: every page may ask for it, with control or without.
+    hold: !news ? base : kHeldByHold.includes(state) ? '' : 'nothing moves that a hold would stop',
     resume: base || (['Hold', 'Door', 'Tool'].includes(state) ? '' : 'nothing is held'),
     stop: base || (runs ? '' : 'no job runs'),
     open: !news ? base : runs ? 'a job runs; another program is opened when it has ended' : '',
-    run: runWaits(news, controls),
-    takeUp: base || (job.state === 'stopped' ? (['Idle', 'Alarm'].includes(state) ? '' : `the machine is in ${state}`)
-      : 'no job was interrupted'),
+    run: !news ? 'the server' : job.waits || waitsForControl(news, controls),
+    takeUp: resumeWaits && `it waits for ${resumeWaits}`,
   };
 }
 
-function runWaits(news, controls) {
-  if (!news) return 'the server';
-  if (news.job.state === 'none') return 'a program: open one';
-  if (news.job.state === 'running') return 'the end of the job that runs';
-  if (!controls) return news.sender ? 'control, which another sender has' : 'control: take control';
-  if (news.state === 'Alarm') return 'the end of the alarm: home or unlock';
-  return news.state === 'Idle' ? '' : `an idle machine; it is in ${news.state}`;
+function waitsForControl(news, controls) {
+  if (controls) return '';
+  return news.sender === 'page' ? 'control, which another page has' : 'control: take control';
 }
 
-// What a tab that is closed now would leave behind.
+// Whether a tab that is closed now would leave a job or a machine that moves behind.
 export function leavesBehind(news, controls) {
   if (!controls || !news) return false;
   return news.job.state === 'running' || news.state !== 'Idle';

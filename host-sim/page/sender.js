@@ -2,6 +2,7 @@
 // once. While a job of the server runs, only realtime bytes are to be sent.
 
 const kJobRuns = '[MSG:A job of the page runs]'; // In place of a greeting.
+const kPageKey = /^\[PAGE:(\w+)\]$/; // With it this page orders jobs while it has control.
 const kStandardBuffer = 128; // Bytes that every controller of this kind takes.
 
 export class Sender extends EventTarget {
@@ -12,8 +13,10 @@ export class Sender extends EventTarget {
   #inFlight = []; // Lines sent and not answered yet, oldest first.
   #waiting = [];
   #ready = false;
+  #page = '';
 
   get connected() { return this.#socket !== null; }
+  get page() { return this.#page; }
 
   connect() {
     const socket = new WebSocket(`ws://${location.host}/operate`);
@@ -64,6 +67,11 @@ export class Sender extends EventTarget {
   }
 
   #take(line) {
+    const key = kPageKey.exec(line);
+    if (key) {
+      this.#page = key[1];
+      return;
+    }
     if (/^Grbl /.test(line)) this.#restarted();
     if (line === kJobRuns) this.#begin();
     if (line.startsWith('<')) return; // Reports that the job asks for.
@@ -91,6 +99,7 @@ export class Sender extends EventTarget {
 
   #closed(code) {
     this.#socket = null;
+    this.#page = '';
     this.#ready = false;
     this.#buffer = kStandardBuffer;
     for (const entry of this.#inFlight.splice(0)) entry.reject(new Error('closed'));

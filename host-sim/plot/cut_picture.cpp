@@ -27,7 +27,7 @@ using cut::Purpose;
 using cut::Stroke;
 using drawing::Place;
 
-constexpr double kCutWidthPx = 1600.0;
+constexpr double kPictureWidthPx = 1600.0;
 constexpr double kCutMarginPx = 90.0;
 constexpr double kCutTallestPx = 1600.0;
 constexpr double kTextLinePx = 28.0;
@@ -76,7 +76,7 @@ View view_of_cuts(const Extent& extent, double heading_px) {
                       extent.right_mm + margin,
                       extent.bottom_mm - margin,
                       extent.top_mm + margin};
-  const double width_px = kCutWidthPx - 2.0 * kCutMarginPx;
+  const double width_px = kPictureWidthPx - 2.0 * kCutMarginPx;
   const double natural_px = width_px * framed.height_mm() / framed.width_mm();
   return View{framed,
               {kCutMarginPx, heading_px, width_px, std::clamp(natural_px, 200.0, kCutTallestPx)}};
@@ -230,8 +230,8 @@ std::string draw_cuts(const drawing::Drawing& drawn,
   const double heading_px = (edges != nullptr ? edge_key_px : key_px) + 40.0;
   const View view = view_of_cuts(bounds_of(drawn, plan), heading_px);
   const double height_px = view.box().bottom_px() + kCutMarginPx;
-  std::string out = svg::document_start(kCutWidthPx, height_px);
-  svg::add_box(out, {0.0, 0.0, kCutWidthPx, height_px}, "#ffffff");
+  std::string out = svg::document_start(kPictureWidthPx, height_px);
+  svg::add_box(out, {0.0, 0.0, kPictureWidthPx, height_px}, "#ffffff");
   svg::add_text(out, kCutMarginPx, 60.0, {.size_px = 30.0, .weight = "bold"}, title);
   for (std::size_t i = 0; i < facts.size(); ++i) {
     const double y_px = kFirstFactPx + kTextLinePx * static_cast<double>(i);

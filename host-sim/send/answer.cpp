@@ -41,10 +41,23 @@ void read_line_number(std::string_view text, Answer& answer) {
   if (take_prefix(text, " N")) answer.line = take_count(text);
 }
 
+/// Whether a field `F:` or `FS:` has a feed that is not 0.
+bool moves(std::string_view text) {
+  for (const std::string_view name : {"|FS:", "|F:"}) {
+    const std::size_t begin = text.find(name);
+    if (begin == std::string_view::npos) continue;
+    const std::string_view feed = text.substr(begin + name.size());
+    return feed.substr(0, feed.find_first_of(",|>")).find_first_of("123456789") !=
+           std::string_view::npos;
+  }
+  return false;
+}
+
 /// `<Run|MPos:0.000,0.000,0.000|Bf:15,128|…>`
 Answer read_status(std::string_view text) {
   Answer answer{.kind = AnswerKind::kStatus};
   answer.state = text.substr(0, text.find_first_of("|>"));
+  answer.moves = moves(text);
   const std::size_t buffers = text.find("|Bf:");
   if (buffers == std::string_view::npos) return answer;
   std::string_view rest = text.substr(buffers + 4);

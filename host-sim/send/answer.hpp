@@ -12,14 +12,14 @@ enum class AnswerKind : std::uint8_t {
   kOk,       ///< `text` is what follows, in most controllers nothing.
   kError,    ///< `code`
   kAlarm,    ///< `code`
-  kBanner,   ///< The controller has begun anew.
+  kBanner,   ///< The controller has restarted.
   kStatus,   ///< `state`, and `waiting_room` where it says so.
   kOptions,  ///< `[OPT:`, with `waiting_room`.
   kMessage,  ///< `[MSG:`, its words in `text`.
   kResend,   ///< `number` is wanted; `line` says which was the last one taken.
 };
 
-/// What a line from a controller means to a sender, Grbl's and Kerfline's.
+/// The meaning of a line from a controller, Grbl's or Kerfline's, for a sender.
 struct Answer {
   AnswerKind kind = AnswerKind::kOther;
   bool checked = false;  ///< Ended with its right CRC-32.
@@ -28,6 +28,7 @@ struct Answer {
   std::optional<std::uint32_t> line{};          ///< Which line it is for: ` N12`.
   std::string state{};                          ///< `Hold:0` or the like.
   std::optional<std::uint32_t> waiting_room{};  ///< Bytes of lines that fit.
+  bool moves = false;                           ///< A status with a feed that is not 0.
   std::string text{};
 };
 

@@ -1,5 +1,8 @@
 #include "host-sim/send/job_lines.hpp"
 
+#include <limits>
+#include <stdexcept>
+
 #include "planner/gcode/block.hpp"
 #include "planner/gcode/decimal.hpp"
 
@@ -8,7 +11,7 @@ namespace {
 
 using cnc::gcode::is_blank;
 
-/// What is left of a line of G-code; an open comment ends with the line.
+/// Returns the G-code of a line without comments and blanks; an open comment ends with the line.
 std::string code_of(std::string_view line) {
   std::string kept;
   bool comment = false;
@@ -30,16 +33,54 @@ std::string worth_sending(std::string_view line) {
   return nothing ? std::string{} : code_of(line);
 }
 
+/// A number of the program's own gives way to the one that the sender counts.
+std::string_view without_number(std::string_view line) {
+  if (line.front() != 'N' && line.front() != 'n') return line;
+  const std::size_t end = line.find_first_not_of("0123456789", 1);
+  return line.substr(end == std::string_view::npos ? line.size() : end);
+}
+
 }  // namespace
 
-std::vector<JobLine> read_job(std::string_view program) {
-  std::vector<JobLine> lines;
+JobLines::JobLines(const std::vector<JobLine>& lines) {
+  for (const JobLine& line : lines) {
+    add(line.text, line.number);
+    given_.push_back(line.n);
+  }
+}
+
+void JobLines::add(std::string_view text, std::size_t number) {
+  constexpr std::size_t kMost = std::numeric_limits<std::uint32_t>::max();
+  if (text_.size() + text.size() > kMost || number > kMost) {
+    throw std::length_error("the job has more than 4 GiB of text: send it in parts");
+  }
+  text_ += numbered_ ? without_number(text) : text;
+  ends_.push_back(static_cast<std::uint32_t>(text_.size()));
+  numbers_.push_back(static_cast<std::uint32_t>(number));
+}
+
+JobLine JobLines::operator[](std::size_t index) const {
+  const std::size_t begin = index == 0 ? 0 : ends_[index - 1];
+  JobLine line{.text = text_.substr(begin, ends_[index] - begin), .number = numbers_[index]};
+  if (numbered_) line.n = static_cast<std::uint32_t>(index + 1);
+  if (!given_.empty()) line.n = given_[index];
+  return line;
+}
+
+JobLine JobPart::operator[](std::size_t index) const {
+  JobLine line = (*lines)[first + index];
+  if (index == 0) line.text.insert(0, motion);
+  return line;
+}
+
+JobLines read_job(std::string_view program, bool numbered) {
+  JobLines lines{numbered};
   std::size_t number = 1;
   std::string_view rest = program;
   while (!rest.empty()) {
     const std::size_t end = rest.find_first_of("\r\n");
-    std::string text = worth_sending(rest.substr(0, end));
-    if (!text.empty()) lines.push_back({.text = std::move(text), .number = number});
+    const std::string text = worth_sending(rest.substr(0, end));
+    if (!text.empty()) lines.add(text, number);
     if (end == std::string_view::npos) break;
     const bool pair = rest.substr(end, 2) == "\r\n";
     rest.remove_prefix(end + (pair ? 2 : 1));
@@ -48,14 +89,11 @@ std::vector<JobLine> read_job(std::string_view program) {
   return lines;
 }
 
-void number_lines(std::vector<JobLine>& job) {
-  std::uint32_t n = 0;
-  for (JobLine& line : job) {
-    line.n = ++n;
-    if (line.text.front() != 'N' && line.text.front() != 'n') continue;
-    const std::size_t end = line.text.find_first_not_of("0123456789", 1);
-    line.text.erase(0, end == std::string::npos ? line.text.size() : end);
+std::optional<JobLine> line_too_long(const JobLines& job, std::size_t most) {
+  for (std::size_t index = 0; index < job.size(); ++index) {
+    if (job.length_of(index) > most) return job[index];
   }
+  return std::nullopt;
 }
 
 }  // namespace sim

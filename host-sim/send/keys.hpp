@@ -6,7 +6,7 @@
 
 namespace sim {
 
-/// The keys of a terminal one by one while it lives; none where nobody sits at one.
+/// The keys of a terminal one by one while it lives; none without a terminal.
 class Keys {
  public:
   Keys();

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "host-sim/send/code_words.hpp"
+
 namespace sim {
 namespace {
 
@@ -11,17 +13,40 @@ bool is_at_rest(std::string_view state) {
   return state.starts_with("Idle") || state.starts_with("Check");
 }
 
-/// Held at standstill, or nothing to hold.
+/// Held at standstill, or nothing to hold. Lines that wait in a tool change or in check mode are no
+/// less armed than those of a hold.
 bool has_stopped(std::string_view state) {
   return state == "Hold:0" || state.starts_with("Door:0") || state.starts_with("Door:1") ||
-         state.starts_with("Alarm") || state.starts_with("Idle") || state.starts_with("Sleep");
+         state.starts_with("Alarm") || state.starts_with("Sleep") || state.starts_with("Tool") ||
+         is_at_rest(state);
+}
+
+/// A hold does not end a homing cycle: only a reset does.
+bool is_ended_by_reset_only(std::string_view state) { return state.starts_with("Home"); }
+
+/// `line 2: error:20: ` and the controller's own explanation or, without one, the number's words.
+std::string refusal_text(std::size_t line, std::uint32_t code, const std::string& message) {
+  std::string text = fmt::format("line {}: error:{}", line, code);
+  if (message.empty()) {
+    const std::string words = error_words(code);
+    return words.empty() ? text : text + ": " + words;
+  }
+  text += ": " + message;
+  const std::string_view remedy = error_remedy(code);
+  if (!remedy.empty()) text += fmt::format("{} {}", message.ends_with('.') ? "" : ".", remedy);
+  return text;
 }
 
 constexpr unsigned kIdleReports = 2;
+/// A wish that no report has confirmed for this long is said again.
+constexpr Sender::Time kPatience{250};
 
 }  // namespace
 
-Sender::Sender(std::vector<JobLine> job, SendOptions options, Time now)
+Sender::Sender(const std::vector<JobLine>& job, SendOptions options, Time now)
+    : Sender{JobPart{.lines = std::make_shared<const JobLines>(job)}, options, now} {}
+
+Sender::Sender(JobPart job, SendOptions options, Time now)
     : job_{std::move(job)},
       options_{options},
       now_{now},
@@ -81,6 +106,8 @@ void Sender::take_status(const Answer& answer) {
   machine_state_ = answer.state;
   room_now_ = answer.waiting_room;
   room_told_ = now_;
+  moves_ = answer.moves;
+  ++reports_;
   if (machine_state_.starts_with("Hold") || machine_state_.starts_with("Door")) wants_hold_ = false;
   if (machine_state_.starts_with("Run") || is_at_rest(machine_state_)) wants_resume_ = false;
   idle_reports_ = is_at_rest(machine_state_) ? idle_reports_ + 1 : 0;
@@ -96,16 +123,18 @@ void Sender::judge_state() {
     if (alarm) fail("the controller is in alarm: home or unlock it first");
     return;
   }
-  if (said_reset_ || alarm || is_at_rest(machine_state_) || !has_stopped(machine_state_)) return;
+  if (said_reset_ || alarm || is_at_rest(machine_state_) || moves_) return;
+  if (!has_stopped(machine_state_)) return;
   said_reset_ = true;
   put_realtime('\x18');
 }
 
 void Sender::take_trouble(const Answer& answer) {
   if (answer.kind == AnswerKind::kAlarm) {
-    return fail(fmt::format("ALARM:{} near line {}",
-                            answer.code,
-                            answered_ < job_.size() ? job_[answered_].number : 0));
+    const std::string words = alarm_words(answer.code);
+    std::string why = fmt::format("ALARM:{} near line {}", answer.code, file_line());
+    if (!words.empty()) why += ": " + words;
+    return fail(state_ == State::kStopping ? trouble_ + "; " + why : std::move(why));
   }
   // Opening a port may start a controller, and its banner comes when it likes.
   if (state_ == State::kAsking || state_ == State::kBeginning) {
@@ -113,7 +142,7 @@ void Sender::take_trouble(const Answer& answer) {
     return enter(State::kAsking);
   }
   if (state_ == State::kStopping) return fail(std::move(trouble_));
-  fail("the controller has begun anew");
+  fail("the controller has restarted");
 }
 
 /// Counts answers: the first is for the oldest line.
@@ -137,7 +166,7 @@ void Sender::take_plain(const Answer& answer) {
     case State::kEnding:
       return take_end(answer);
     case State::kSending:
-      if (answered_ == next_) return;  // Nobody is owed one.
+      if (answered_ == next_) return;  // No line waits for one.
       if (answer.kind == AnswerKind::kError) refused(answered_, answer);
       return answered_until(answered_ + 1);
     default:
@@ -155,8 +184,8 @@ void Sender::take_checked(const Answer& answer) {
   const std::size_t taken = begun_ + (count + 1 - first_n_);
   if (taken > furthest_) return;  // Never sent.
   if (taken < answered_ && resend) {
-    return fail(fmt::format("the controller wants line {} again, which it has acknowledged",
-                            job_[taken].number));
+    return stop(fmt::format("the controller wants line {} again, which it has acknowledged",
+                            number_in_file(taken)));
   }
   if (answer.kind == AnswerKind::kError) refused(taken - 1, answer);
   if (taken > answered_) answered_until(taken);
@@ -186,9 +215,8 @@ void Sender::take_end(const Answer& answer) {
 
 void Sender::refused(std::size_t line, const Answer& answer) {
   ++errors_;
-  const std::size_t number = line < job_.size() ? job_[line].number : 0;
-  std::string why = fmt::format("line {}: error:{}", number, answer.code);
-  if (!message_.empty()) why += ": " + message_;
+  const std::size_t number = line < job_.size() ? number_in_file(line) : 0;
+  std::string why = refusal_text(number, answer.code, message_);
   message_.clear();
   if (options_.goes_on_after_errors) {
     if (trouble_.empty()) trouble_ = std::move(why);
@@ -222,6 +250,8 @@ void Sender::stop(std::string why) {
   enter(State::kStopping);
   while (lines_out_.size() > (line_out_written_ > 0 ? 1U : 0U)) lines_out_.pop_back();
   hold();
+  polled_ = now_;
+  put_realtime('?');
 }
 
 void Sender::fail(std::string why) {
@@ -235,6 +265,8 @@ void Sender::enter(State state) {
   entered_ = asked_ = moved_ = now_;
   questions_ = 0;
   idle_reports_ = 0;
+  reports_ = 0;
+  if (state == State::kStopping) said_reset_ = false;
   switch (state) {
     case State::kAsking:
       return ask();
@@ -250,21 +282,28 @@ void Sender::enter(State state) {
   }
 }
 
-/// Asked again and again: at standstill the reset that ends a job is due.
+/// Repeats a wish until a report shows that it was heard.
 void Sender::attend_wishes() {
-  constexpr Time kPatience{250};
-  constexpr Time kLongestStop{10'000};
-  if (state_ == State::kStopping) {
-    if (since(entered_) > kLongestStop) return fail(std::move(trouble_));
-    if (has_stopped(machine_state_) && since(wished_) >= kPatience) {
-      wished_ = now_;
-      put_realtime('\x18');
-      return;
-    }
-  }
-  if (since(wished_) < kPatience) return;
+  if (state_ == State::kStopping) attend_stop();
+  if (over() || since(wished_) < kPatience) return;
   if (wants_hold_) hold();
   if (wants_resume_) resume();
+}
+
+/// Resets as soon as that costs no position, and where a machine does not come to rest. The first
+/// report of a stop may have been on its way before the hold.
+void Sender::attend_stop() {
+  constexpr Time kLongestBraking{10'000};
+  constexpr Time kLongestReset{2'000};
+  if (since(entered_) > kLongestBraking + kLongestReset) return fail(std::move(trouble_));
+  const bool rests = has_stopped(machine_state_) && !moves_;
+  const bool known = reports_ >= 2 && (rests || is_ended_by_reset_only(machine_state_));
+  if (!known && since(entered_) <= kLongestBraking) return;
+  if (said_reset_ && since(wished_) < kPatience) return;
+  said_reset_ = true;
+  wants_hold_ = false;
+  wished_ = now_;
+  put_realtime('\x18');
 }
 
 }  // namespace sim

@@ -16,57 +16,62 @@ namespace sim {
 
 struct SendOptions {
   bool checked = false;  ///< Lines with number and CRC; else plain ones, as for any Grbl.
-  /// Bytes on their way at most; 0 is what the controller says it has room for, and checked as
-  /// little as keeps a serial line full, because all of it is sent again when one is damaged.
+  /// Bytes on their way at most. 0 stands for the free space that the controller announces; for
+  /// checked lines, which are all repeated after a damaged one, for the least that keeps a serial
+  /// line full.
   std::size_t window = 0;
   bool goes_on_after_errors = false;
-  /// Resets a controller that is held, and speaks to one in alarm: to take up what was interrupted.
+  /// Resets a controller that is held, and talks to one in alarm, to resume an interrupted job.
   bool takes_up = false;
-  std::uint32_t most_number = 9'999'999;  ///< Of a line; counting begins anew after it.
+  std::uint32_t most_number = 9'999'999;  ///< Of a line; the count restarts after it.
 };
 
 /// The sender's half of the conversation with a Grbl controller, without a port and without a
-/// clock: whoever owns both hands over what came, asks what is to be written, and says what
-/// time it is, in milliseconds since whenever.
+/// clock. The owner of both hands over the bytes that arrived, takes those to be written, and
+/// gives the time in milliseconds since any instant.
 ///
-/// Lines are counted by characters: so many are on their way that the controller always has
-/// some. When all are answered and the machine stands still, the job is done.
+/// Lines are counted by characters, so that the controller always has some waiting. When all are
+/// answered and the machine stands still, the job is done. However a job ends early, the
+/// controller is reset: at standstill, and at once in states in which a hold does nothing.
 class Sender {
  public:
   using Time = std::chrono::milliseconds;
   enum class State : std::uint8_t {
     kMeeting,    ///< Waits for any word.
-    kAsking,     ///< What room it has; and it must be idle.
+    kAsking,     ///< For its free space; and it must be idle.
     kBeginning,  ///< With checked lines.
     kSending,
     kEnding,    ///< With checked lines.
     kWaiting,   ///< For standstill.
-    kStopping,  ///< Held, then reset.
+    kStopping,  ///< Held, then reset: nothing of the job is left to go on.
     kDone,
     kFailed,  ///< trouble() says why.
   };
 
-  Sender(std::vector<JobLine> job, SendOptions options, Time now);
+  Sender(JobPart job, SendOptions options, Time now);
+  Sender(const std::vector<JobLine>& job, SendOptions options, Time now);
 
   void receive(std::string_view bytes, Time now);
-  /// What time alone brings. At least every few milliseconds.
+  /// Acts on the time that has passed; to be called every few milliseconds at least.
   void attend(Time now);
   void lose_link(std::string why = "the link is gone") { fail(std::move(why)); }
 
-  /// Realtime bytes for a link that has a way of their own for them; else output() has them.
+  /// Realtime bytes for a link that carries them apart from lines; else output() has them.
   [[nodiscard]] std::string_view realtime() const { return realtime_; }
-  /// So many of them have gone that way.
+  /// Drops `count` of them, which the link has carried.
   void acted(std::size_t count) { realtime_.erase(0, count); }
 
   /// The next bytes to be written, no more than the rest of a line; empty for none.
   [[nodiscard]] std::string_view output();
-  /// So many of them are.
+  /// Drops `count` bytes of output(), which were written.
   void wrote(std::size_t count);
 
   // The operator.
   void hold();
   void resume();
-  /// Ends the job: held, and at standstill reset.
+  /// Asks for a full report, once; for a controller that has one.
+  void ask_full_report() { put_realtime('\x87'); }
+  /// Ends the job: holds, and resets at standstill, or at once where a hold does nothing.
   void abort(std::string why = "aborted") { stop(std::move(why)); }
 
   [[nodiscard]] State state() const { return state_; }
@@ -78,12 +83,12 @@ class Sender {
   [[nodiscard]] std::size_t answered() const { return answered_; }
   /// The line of the file that comes next; 0 behind the last.
   [[nodiscard]] std::size_t file_line() const {
-    return answered_ < job_.size() ? job_[answered_].number : 0;
+    return answered_ < job_.size() ? number_in_file(answered_) : 0;
   }
   [[nodiscard]] std::size_t resent() const { return resent_; }
   [[nodiscard]] std::size_t errors() const { return errors_; }
 
-  /// Told of every line in both directions: '>' or '<', and the line.
+  /// Gets every line in both directions: '>' or '<', and the line.
   std::function<void(char, std::string_view)> on_line;
 
  private:
@@ -99,7 +104,7 @@ class Sender {
   void take_end(const Answer& answer);
   void refused(std::size_t line, const Answer& answer);
 
-  // What is said, in sender_lines.cpp.
+  // Writing, in sender_lines.cpp.
   void ask();
   void begin();
   void send_lines();
@@ -110,11 +115,15 @@ class Sender {
   [[nodiscard]] std::string between_lines(char byte) const;
   [[nodiscard]] std::string text_of(std::size_t line) const;
   [[nodiscard]] std::uint32_t number_of(std::size_t line) const;
+  [[nodiscard]] std::size_t number_in_file(std::size_t line) const {
+    return job_.lines->number_of(job_.first + line);
+  }
   void answered_until(std::size_t line);
   [[nodiscard]] std::size_t window() const;
 
   // Time, in sender_time.cpp.
   void attend_silence();
+  void attend_stop();
   void attend_wishes();
   void attend_losses();
   void repeat_question();
@@ -126,7 +135,7 @@ class Sender {
   [[nodiscard]] bool counts() const;
   [[nodiscard]] Time since(Time then) const { return now_ - then; }
 
-  std::vector<JobLine> job_;
+  JobPart job_;
   SendOptions options_;
   State state_ = State::kMeeting;
   Time now_;
@@ -164,6 +173,8 @@ class Sender {
   bool wants_hold_ = false;
   bool wants_resume_ = false;
   unsigned idle_reports_ = 0;
+  unsigned reports_ = 0;  ///< Of the machine since this state began.
+  bool moves_ = false;    ///< In the last of them.
   std::string machine_state_;
 };
 

@@ -18,18 +18,18 @@ void Sender::ask() {
   ++questions_;
   asked_ = now_;
   answers_owed_ += 2;
-  put("");  // Ends whatever another sender has begun.
+  put("");  // Ends a line that another sender has begun.
   put("$I");
 }
 
 void Sender::begin() {
   ++questions_;
   asked_ = now_;
-  room_ = cnc::Receiver::kAdvertisedBytes;  // Only we know such lines; what it told may be damaged.
+  // Only Kerfline knows such lines; the number that it announced may be damaged.
+  room_ = cnc::Receiver::kAdvertisedBytes;
   begun_ = answered_;
-  first_n_ = begun_ < job_.size() && job_[begun_].n <= options_.most_number
-                 ? std::max(1U, job_[begun_].n)
-                 : 1U;
+  const std::uint32_t n = begun_ < job_.size() ? job_[begun_].n : 1U;
+  first_n_ = n <= options_.most_number ? std::max(1U, n) : 1U;
   put(with_crc(fmt::format("N{}M110", first_n_ - 1)));
 }
 
@@ -46,7 +46,7 @@ std::size_t Sender::window() const {
 }
 
 std::string Sender::text_of(std::size_t line) const {
-  const auto& [text, number, n] = job_[line];
+  const auto [text, number, n] = job_[line];
   if (numbers_lines_) return with_crc(fmt::format("N{}{}", number_of(line), text));
   return n == 0 || text.starts_with('$') ? text : fmt::format("N{}{}", n, text);
 }
@@ -73,7 +73,7 @@ void Sender::send_lines() {
   enter(numbers_lines_ ? State::kEnding : State::kWaiting);
 }
 
-/// What has not left yet need not.
+/// Lines that have not been written yet are dropped.
 void Sender::go_back(std::size_t line) {
   while (lines_out_.size() > (line_out_written_ > 0 ? 1U : 0U)) lines_out_.pop_back();
   resent_ += next_ - line;
@@ -89,8 +89,8 @@ void Sender::put(std::string line) {
   lines_out_.push_back(std::move(line) + "\n");
 }
 
-/// Where lines are checked a single byte may be a damaged one, so a pair is said, after the end
-/// of a line that may have lost its own: within a line nothing acts. A question does no harm.
+/// Where lines are checked a single byte may be a damaged one, so a pair is sent, after the end of
+/// a line that may have lost its own: within a line no byte acts. A question does no harm.
 std::string Sender::between_lines(char byte) const {
   if (!numbers_lines_ || byte == '?') return {byte};
   return {'\n', byte, byte};

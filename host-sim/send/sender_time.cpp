@@ -6,6 +6,7 @@ namespace {
 using Time = Sender::Time;
 
 constexpr Time kPollPeriod{200};
+constexpr Time kStopPollPeriod{50};
 constexpr Time kFirstPoll{300};
 constexpr Time kMeetingLimit{10'000};
 /// A status is answered at once in every state; Grbl itself is silent while it homes.
@@ -13,9 +14,9 @@ constexpr Time kSilenceLimit{20'000};
 constexpr Time kAskPeriod{2000};
 constexpr Time kBeginPeriod{300};
 constexpr unsigned kMostQuestions = 20;
-/// So long after the last answer it is worth a question whether lines were lost,
+/// Time after the last answer after which lines may have been lost,
 constexpr Time kStall{60};
-/// and so long for a single one, which may be waiting for the machine.
+/// and for a single line, which may be waiting for the machine.
 constexpr Time kStallOfOne{1000};
 /// Longer than an answer to any question takes.
 constexpr Time kDeaf{300};
@@ -33,7 +34,8 @@ void Sender::attend(Time now) {
   end_line_again();
   send_lines();
   const bool met = state_ != State::kMeeting || since(entered_) >= kFirstPoll;
-  if (!met || since(polled_) < kPollPeriod) return;
+  const Time period = state_ == State::kStopping ? kStopPollPeriod : kPollPeriod;
+  if (!met || since(polled_) < period) return;
   polled_ = now_;
   put_realtime('?');
 }
@@ -45,7 +47,7 @@ void Sender::attend_silence() {
   if (state_ != State::kMeeting && since(heard_) > kSilenceLimit) fail("the controller is silent");
 }
 
-/// The last line may have lost its end, and whatever comes is part of it.
+/// The last line may have lost its end, and all that follows would be part of it.
 void Sender::end_line_again() {
   const bool waits = state_ == State::kWaiting || state_ == State::kStopping;
   if (!options_.checked || !waits || since(heard_) < kDeaf || since(asked_) < kDeaf) return;

@@ -5,8 +5,6 @@
 #include <charconv>
 #include <stdexcept>
 
-#include "host-sim/send/approach.hpp"
-
 namespace sim {
 
 void Standing::read(std::string_view words) {
@@ -26,7 +24,7 @@ std::vector<JobLine> standing_questions(bool resume) {
   return questions;
 }
 
-std::size_t interrupted_at(const std::vector<JobLine>& job, const Standing& standing) {
+std::size_t interrupted_at(const JobLines& job, const Standing& standing) {
   if (standing.line == 0) {
     throw std::invalid_argument("the controller knows of no job that was interrupted");
   }
@@ -42,17 +40,16 @@ std::size_t interrupted_at(const std::vector<JobLine>& job, const Standing& stan
   return standing.line - 1;
 }
 
-std::vector<JobLine> lines_before(std::vector<JobLine>& job,
-                                  std::size_t index,
-                                  const Standing& standing,
-                                  bool resume) {
+Approach lines_before(const JobLines& job,
+                      std::size_t index,
+                      const Standing& standing,
+                      bool resume) {
   Approach approach = approach_to(job, index, standing.laser);
   std::vector<JobLine> lines;
   if (standing.in_alarm) lines.push_back({.text = "$X"});
   if (resume) lines.push_back({.text = fmt::format("$RESUME={}", standing.line)});
-  lines.insert(lines.end(), approach.lines.begin(), approach.lines.end());
-  job[index].text.insert(0, approach.motion);
-  return lines;
+  approach.lines.insert(approach.lines.begin(), lines.begin(), lines.end());
+  return approach;
 }
 
 }  // namespace sim

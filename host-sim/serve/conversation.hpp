@@ -15,9 +15,9 @@ struct Exchange {
   enum class Kind : char {
     kHeard = '>',   ///< The controller read them.
     kSaid = '<',    ///< The controller wrote them.
-    kBeside = '^',  ///< Realtime bytes reached it beside the stream.
-    kFull = '|',    ///< It had more to say, but nobody took it; no bytes.
-    kStop = '!',    ///< An emergency stop came over a bus, beside all that is said; no bytes.
+    kBeside = '^',  ///< Realtime bytes reached it apart from the stream.
+    kFull = '|',    ///< It had more to write, but the link was full; no bytes.
+    kStop = '!',    ///< An emergency stop came over a bus, apart from the stream; no bytes.
   };
   Kind kind = Kind::kHeard;
   std::uint64_t time_ns = 0;  ///< The controller's time.

@@ -5,9 +5,10 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "firmware/protocol/code_texts.hpp"
 #include "firmware/protocol/identity.hpp"
 #include "firmware/protocol/report_lines.hpp"
+#include "host-sim/send/code_words.hpp"
+#include "host-sim/serve/run_conditions.hpp"
 
 namespace sim {
 namespace {
@@ -18,7 +19,7 @@ using std::chrono::milliseconds;
 constexpr milliseconds kPeriod{50};
 constexpr milliseconds kRepeat{1000};  // A watcher sees that the server lives.
 constexpr std::size_t kPointsPerMessage = 2000;
-// A watcher with so many bytes before him gets the next news later.
+// A watcher that has this many bytes unread gets the next news later.
 constexpr std::size_t kTooSlow = std::size_t{1} << 18;
 constexpr std::size_t kAxesShown = 3;
 
@@ -48,20 +49,19 @@ std::string_view name_of(ServedJob::State state) {
   return {};
 }
 
-ordered_json state_of(const ServedJob& job) {
-  return {{"name", job.name()},
+ordered_json state_of(const ServedJob& job,
+                      std::string_view sender_kind,
+                      const cnc::Machine& machine) {
+  const ServedProgram* const program = job.program().get();
+  return {{"name", program != nullptr ? program->name : ""},
+          {"id", program != nullptr ? program->id : ""},
           {"state", name_of(job.state())},
           {"done", job.done()},
           {"count", job.count()},
           {"line", job.file_line()},
-          {"trouble", job.trouble()}};
-}
-
-std::string_view text_of(cnc::Alarm alarm) {
-  for (const cnc::CodeText& text : cnc::alarm_texts()) {
-    if (text.number == static_cast<std::uint8_t>(alarm)) return text.text;
-  }
-  return {};
+          {"trouble", job.trouble()},
+          {"waits", awaited_by_run(job, sender_kind, machine)},
+          {"resume_waits", awaited_by_resume(job, sender_kind, machine)}};
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ void LiveView::keep_scale() {
     steps_per_mm[axis] = controller_.machine().settings().get(cnc::setting::kStepsPerMm, axis);
   }
   if (recorder_ && steps_per_mm == steps_per_mm_) return;
-  // Another machine, as it were: what was drawn is no longer to scale.
+  // Another machine, in effect: the path drawn so far is no longer to scale.
   steps_per_mm_ = steps_per_mm;
   recorder_.emplace(steps_per_mm);
   watchers_.clear();
@@ -144,8 +144,8 @@ std::string LiveView::state_text(std::string_view sender_kind) const {
       {"travel", travel_of(machine.settings())},
       {"most_spindle", machine.settings().get(cnc::setting::kMostSpindleSpeed)},
       {"version", cnc::identity::version()},
-      {"alarm_text", text_of(machine.alarm())},
-      {"job", state_of(job_)}};
+      {"alarm_text", alarm_words(static_cast<std::uint32_t>(machine.alarm()))},
+      {"job", state_of(job_, sender_kind, machine)}};
   // A file may have any name, and what was refused any byte.
   const std::string text = state.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
   return text.substr(1, text.size() - 2);
@@ -154,7 +154,7 @@ std::string LiveView::state_text(std::string_view sender_kind) const {
 std::string LiveView::path_text(Watcher& watcher) const {
   ordered_json points = ordered_json::array();
   const std::size_t count = recorder_->settled().size();
-  // Fewer than before: the path was thinned and begins anew.
+  // Fewer than before: the path was thinned, and is sent from its start.
   const std::size_t from = watcher.points_sent <= count ? watcher.points_sent : 0;
   const std::size_t to = std::min(count, from + kPointsPerMessage);
   for (std::size_t index = from; index < to; ++index) {

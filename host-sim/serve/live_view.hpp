@@ -16,22 +16,24 @@
 
 namespace sim {
 
-/// What those who watch see: the machine's state some twenty times a second and
-/// the path as it grows, as JSON.
+/// The view of the watchers: the machine's state some twenty times a second and the path as it
+/// grows, as JSON.
 ///
 ///     {"t":1.25,"state":"Run","substate":0,"alarm":0,"mpos":[…],"wco":[…],
 ///      "motors":[…],"feed":1200,"power":0.5,"spindle":500,"overrides":[100,100,100],
 ///      "line":12,"homed":3,"sender":"ws","travel":[300,200,50],"most_spindle":1000,
 ///      "version":"0.2.0+9fa115e","alarm_text":"",
-///      "job":{"name":"part.nc","state":"running","done":12,"count":83,"line":15,"trouble":""},
+///      "job":{"name":"part.nc","id":"3f…","state":"running","done":12,"count":83,"line":15,
+///             "trouble":"","waits":"the end of the job that runs","resume_waits":"…"},
 ///      "path":{"from":17,"points":[x,y,speed,move, …]}}
 ///
 /// Lengths in mm, speeds of the path in mm/s, `feed` in mm/min, `power` the
 /// output 0…1, `move` 0 travel, 1 feed, 2 beam or spindle on. `motors` are
 /// places since power-up, in whose coordinates the path is: a change of machine
-/// coordinates by homing does not move what was drawn. `alarm_text` explains the alarm in words.
-/// The `state` of a job is `none`, `loaded`, `running`, `stopped` or `done`; `line` is the line of
-/// its file that comes next, and `trouble` why it stopped.
+/// coordinates by homing does not move what was drawn. `alarm_text` has the words and the
+/// remedy of the alarm. The `state` of a job is `none`, `loaded`, `running`, `stopped` or `done`;
+/// `line` is the line of its file that comes next, `trouble` the reason for its stop with the remedy.
+/// `waits` is awaited_by_run(), `resume_waits` awaited_by_resume().
 class LiveView final : public TraceSink {
  public:
   using Clock = std::chrono::steady_clock;
@@ -42,7 +44,7 @@ class LiveView final : public TraceSink {
   void on_row(const TraceRow& row) override { recorder_->on_row(row); }
 
   [[nodiscard]] bool due(Clock::time_point now) const { return now >= next_; }
-  /// Tells the watchers. To be called when due.
+  /// Sends the news to the watchers. To be called when due.
   void publish(const std::vector<std::shared_ptr<WebSocket>>& watchers,
                std::string_view sender_kind,
                Clock::time_point now);

@@ -36,7 +36,7 @@ std::string device_of(int master) {
   return name;
 }
 
-/// Only after it was open once does the kernel say that it is closed.
+/// Only after it was open once does the kernel report that it is closed.
 void open_once(const std::string& device) {
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): that is how open is declared.
   const Descriptor slave{::open(device.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC)};
@@ -75,9 +75,11 @@ void PtyLink::point_to(const std::string& device) {
       throw std::invalid_argument(
           fmt::format("--pty {}: there is a file of this name, and it is no link to a pty", path_));
     }
-    // A pty is gone with its server, and what is left of the link leads nowhere.
+    // A pty is gone with its server: the link that is left leads nowhere, or to `device`, which has
+    // the number of the pty that is gone.
     const fs::path leads_to = fs::read_symlink(link);
-    if (leads_to != device_ && fs::exists(leads_to)) {
+    const bool is_own = leads_to == device || leads_to == device_;
+    if (!is_own && fs::exists(leads_to)) {
       throw std::invalid_argument(
           fmt::format("--pty {}: leads to {}, which is in use, perhaps by another server: choose "
                       "another name, or remove the link",
@@ -92,7 +94,7 @@ void PtyLink::point_to(const std::string& device) {
 }
 
 void PtyLink::remove() const {
-  if (device_.empty()) return;  // Whatever has that name is not ours.
+  if (device_.empty()) return;  // A file of that name is not ours.
   std::error_code ignored;
   if (fs::read_symlink(path_, ignored) == device_) fs::remove(path_, ignored);
 }
@@ -146,7 +148,7 @@ void PtyTransport::release() {
     link_.point_to(fresh->device());
     master_ = std::move(fresh);
   } catch (const std::exception&) {
-    // Without a new terminal or a place for the link the old one must do.
+    // Without a new terminal or a new link the old one must do.
   }
 }
 

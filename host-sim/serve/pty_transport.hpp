@@ -12,7 +12,7 @@ namespace sim {
 
 /// The controller's end of a pseudo terminal.
 ///
-/// Raw before anyone can write: a terminal that echoes would send the
+/// Raw before a sender can write: a terminal that echoes would send the
 /// controller its own greeting back as commands. The other end is not kept
 /// open, so the kernel says when a sender opens and closes it.
 class PtyMaster {
@@ -23,7 +23,7 @@ class PtyMaster {
   [[nodiscard]] int number() const { return master_.number(); }
   /// The device that a sender opens.
   [[nodiscard]] const std::string& device() const { return device_; }
-  /// Somebody has it open, or left bytes behind.
+  /// A sender has it open, or left bytes behind.
   [[nodiscard]] bool in_use() const;
   /// Forgets what was on its way in both directions. Throws std::system_error.
   void flush() const;

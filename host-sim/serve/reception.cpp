@@ -1,6 +1,9 @@
 #include "host-sim/serve/reception.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <random>
 #include <utility>
 
 namespace sim {
@@ -10,9 +13,16 @@ constexpr std::size_t kSenderPart = std::size_t{64} << 10;
 // Bytes read at a time: some milliseconds' worth, which the machine catches up.
 constexpr std::size_t kMostAtOnce = std::size_t{4} << 20;
 
+/// No other page can guess it.
+std::string fresh_key() {
+  std::random_device random;
+  return fmt::format("{:08x}{:08x}{:08x}{:08x}", random(), random(), random(), random());
+}
+
 }  // namespace
 
 void Reception::attend(Clock::time_point now) {
+  if (job_ != nullptr) job_->collect();
   if (sender_) {
     greet(now);
     if (greeted_ && session_.hears()) carry_in();
@@ -44,6 +54,11 @@ void Reception::meet(std::unique_ptr<Connection> connection,
   sender_ = std::move(connection);
   sender_kind_ = kind;
   greet_at_ = now + kGreetAfter;
+  if (kind == kPage) {
+    page_key_ = fresh_key();
+    const std::string words = fmt::format("[PAGE:{}]\r\n", page_key_);
+    static_cast<void>(sender_->write(std::as_bytes(std::span{words})));
+  }
   if (job_runs()) static_cast<void>(sender_->write(std::as_bytes(std::span{kJobRuns})));
 }
 
@@ -91,7 +106,7 @@ void Reception::refuse_lines() {
   }
 }
 
-/// What a page does not take while a job runs must not keep the job waiting.
+/// Words that a page does not take while a job runs must not keep the job waiting.
 void Reception::carry_out(Clock::time_point now) {
   LiveLink& link = session_.link();
   while (!link.outgoing().empty()) {

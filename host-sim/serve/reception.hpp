@@ -13,22 +13,24 @@
 
 namespace sim {
 
-/// Lets one sender at a time at the controller and carries the bytes between
-/// them. Whoever comes meanwhile is told so in a line and hung up on.
+/// Lets one sender at a time at the controller and carries the bytes between them. A sender that
+/// comes meanwhile gets a line with the reason and is hung up on.
 ///
 /// The sender's stream is always read to its end: its realtime bytes act, and its end is
-/// noticed, however many lines wait.
+/// noticed, however many lines wait. One that is more than 64 MiB ahead is hung up on.
 ///
 /// A sender is greeted kGreetAfter after it came: many flush their port just
 /// after opening it. What it sends before waits for the greeting.
 ///
 /// While a job of the server runs, the job is the sender: of a page that operates the machine
 /// realtime bytes act, its lines are refused, and it may come and go.
+///
+/// A page gets a key in its first line, `[PAGE:…]`, with which it orders jobs over HTTP.
 class Reception {
  public:
   using Clock = std::chrono::steady_clock;
   static constexpr std::chrono::milliseconds kGreetAfter{120};
-  /// How long one who was refused may take to read why.
+  /// Time for a refused sender to read the reason.
   static constexpr std::chrono::milliseconds kFarewell{500};
   static constexpr std::string_view kRefusal = "[MSG:Another sender is connected]\r\n";
   static constexpr std::string_view kJobRuns = "[MSG:A job of the page runs]\r\n";
@@ -36,7 +38,7 @@ class Reception {
       "[MSG:More than 64 MiB of lines wait for the machine: the sender is hung up on]\r\n";
   static constexpr std::string_view kOnlyRealtime =
       "[MSG:0: a job runs: only realtime commands act]\r\nerror:8\r\n";
-  /// What a page is as a sender, and the job.
+  /// Kinds of senders: a page, and the job.
   static constexpr std::string_view kPage = "page";
   static constexpr std::string_view kJob = "job";
 
@@ -48,15 +50,19 @@ class Reception {
   /// The job that the server may run; must outlive it.
   void set_job(ServedJob& job) { job_ = &job; }
 
-  /// Looks after everybody, without blocking.
+  /// Serves all connections, without blocking.
   void attend(Clock::time_point now);
-  /// What to wake up for.
+  /// Adds the events to wake up for.
   void add_to(std::vector<pollfd>& descriptors);
-  /// How the sender came: `pty`, `tcp`, `ws`, `page`, `can`, `slcan`, or `job` for a job that
-  /// nobody operates; empty when there is none.
+  /// How the sender came: `pty`, `tcp`, `ws`, `page`, `can`, `slcan`, or `job` for a job without
+  /// an operator; empty when there is none.
   [[nodiscard]] std::string_view sender_kind() const;
-  /// A page has control of the machine.
-  [[nodiscard]] bool operated_by_page() const { return greeted_ && sender_kind_ == kPage; }
+  /// Whether the page with this key controls the machine.
+  [[nodiscard]] bool is_operator(std::string_view page_key) const {
+    return sender_ && greeted_ && sender_kind_ == kPage && page_key == page_key_;
+  }
+  /// A feed hold, which is safe for any operator that sees the machine, with control or without.
+  void hold() { session_.act_at_once(std::byte{'!'}); }
 
  private:
   struct Departing {
@@ -83,6 +89,7 @@ class Reception {
   std::vector<std::byte> part_;  ///< Read last.
   std::vector<Departing> departing_;
   std::string_view sender_kind_;
+  std::string page_key_;  ///< Of the last page that came.
   Clock::time_point greet_at_;
   bool greeted_ = false;  ///< The session has a sender, a connection or a job.
 };

@@ -1,5 +1,9 @@
 #include "host-sim/serve/record_file.hpp"
 
+#include <system_error>
+
+#include "host-sim/serve/lost_output.hpp"
+
 namespace sim {
 
 RecordFile::RecordFile(const std::string& path,
@@ -13,16 +17,31 @@ RecordFile::RecordFile(const std::string& path,
   session.link().tell(&*recorder_);
 }
 
-void RecordFile::close(const Session& session) {
-  if (!file_) return;
+bool RecordFile::close(const Session& session) {
+  if (!recorder_) return true;
   recorder_->finish();
   append(end_text(session.controller().now_ticks() * VirtualController::kNanosecondsPerTick));
-  file_->close();
+  attempt([](OutputFile& file) { file.close(); });
+  return !lost_;
 }
 
 void RecordFile::append(const std::string& text) {
-  file_->buffer().append(text);
-  file_->drain_when_full();
+  attempt([&text](OutputFile& file) {
+    file.buffer().append(text);
+    file.drain_when_full();
+  });
+}
+
+template <typename Write>
+void RecordFile::attempt(Write&& write) {
+  if (!file_) return;
+  try {
+    write(*file_);
+  } catch (const std::system_error& error) {
+    report_lost_output("--record", error);
+    file_.reset();
+    lost_ = true;
+  }
 }
 
 }  // namespace sim

@@ -10,8 +10,9 @@
 
 namespace sim {
 
-/// Keeps the conversation of a session in a file, for replay(). With an empty
-/// path it keeps nothing.
+/// Keeps the conversation of a session in a file, for replay(). With an empty path it keeps
+/// nothing. A file that cannot be written any more, as on a full disk, ends with a message; the
+/// session goes on.
 class RecordFile {
  public:
   /// Throws std::system_error naming the file.
@@ -20,14 +21,17 @@ class RecordFile {
   RecordFile& operator=(const RecordFile&) = delete;
   ~RecordFile() = default;
 
-  /// After the last turn. Throws as the constructor.
-  void close(const Session& session);
+  /// After the last cycle. False where the file could not be written to its end.
+  [[nodiscard]] bool close(const Session& session);
 
  private:
   void append(const std::string& text);
+  template <typename Write>
+  void attempt(Write&& write);
 
   std::optional<OutputFile> file_;
   std::optional<Recorder> recorder_;
+  bool lost_ = false;
 };
 
 }  // namespace sim

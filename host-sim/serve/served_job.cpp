@@ -8,12 +8,16 @@
 
 namespace sim {
 
-void ServedJob::load(std::string name, std::string program) {
+void ServedJob::collect() {
+  ProgramInbox::Arrival arrival = inbox_->take();
+  if (!arrival.program || running()) return;
+  load(std::move(arrival.program));
+  judged_ = std::move(arrival.judged);
+}
+
+void ServedJob::load(std::shared_ptr<const ServedProgram> program) {
   CNC_ASSERT(!running());
-  name_ = std::move(name);
-  program_ = std::make_shared<const std::string>(std::move(program));
-  lines_ = read_job(*program_);
-  number_lines(lines_);
+  program_ = std::move(program);
   first_ = done_ = 0;
   trouble_.clear();
   state_ = State::kLoaded;
@@ -22,13 +26,21 @@ void ServedJob::load(std::string name, std::string program) {
 void ServedJob::begin() {
   CNC_ASSERT(loaded() && !running());
   trouble_.clear();
+  motion_.clear();
   state_ = State::kRunning;
+}
+
+/// The lines are the program's, and live as long.
+JobPart ServedJob::part_from(std::size_t first, std::string motion) const {
+  return {.lines = std::shared_ptr<const JobLines>{program_, &program_->lines},
+          .first = first,
+          .motion = std::move(motion)};
 }
 
 void ServedJob::run(Clock::time_point now) {
   begin();
   first_ = done_ = 0;
-  enter(Phase::kSending, lines_, now);
+  enter(Phase::kSending, part_from(0, {}), now);
 }
 
 void ServedJob::resume(Clock::time_point now) {
@@ -38,17 +50,21 @@ void ServedJob::resume(Clock::time_point now) {
 }
 
 void ServedJob::stop() {
-  if (sender_) sender_->abort();
+  if (sender_) return sender_->abort();
+  if (running()) end(State::kStopped, "aborted");  // Nothing has been sent yet.
 }
 
 std::size_t ServedJob::file_line() const {
-  return done_ < lines_.size() ? lines_[done_].number : 0;
+  return done_ < count() ? program_->lines.number_of(done_) : 0;
 }
 
-void ServedJob::enter(Phase phase, std::vector<JobLine> lines, Clock::time_point now) {
+void ServedJob::enter(Phase phase, const std::vector<JobLine>& lines, Clock::time_point now) {
+  enter(phase, JobPart{.lines = std::make_shared<const JobLines>(lines)}, now);
+}
+
+void ServedJob::enter(Phase phase, JobPart part, Clock::time_point now) {
   phase_ = phase;
-  sender_.emplace(
-      std::move(lines), SendOptions{.takes_up = phase != Phase::kSending}, time_of(now));
+  sender_.emplace(std::move(part), SendOptions{.takes_up = phase != Phase::kSending}, time_of(now));
   if (phase != Phase::kAsking) return;
   sender_->on_line = [this](char way, std::string_view words) {
     if (way == '<') standing_.read(words);
@@ -61,6 +77,7 @@ void ServedJob::hear(std::span<const std::byte> bytes, Clock::time_point now) {
 }
 
 void ServedJob::attend(Session& session, Clock::time_point now) {
+  if (running() && phase_ == Phase::kPlanning) attend_plan(now);
   if (!sender_) return;
   sender_->attend(time_of(now));
   const std::string_view realtime = sender_->realtime();
@@ -73,7 +90,7 @@ void ServedJob::attend(Session& session, Clock::time_point now) {
     session.link().receive(std::as_bytes(std::span{bytes}).first(count));
     sender_->wrote(count);
   }
-  if (phase_ == Phase::kSending) done_ = std::min(first_ + sender_->answered(), lines_.size());
+  if (phase_ == Phase::kSending) done_ = std::min(first_ + sender_->answered(), count());
   if (sender_->over()) end_phase(now);
 }
 
@@ -81,30 +98,49 @@ void ServedJob::end_phase(Clock::time_point now) {
   if (sender_->state() == Sender::State::kFailed) return end(State::kStopped, sender_->trouble());
   switch (phase_) {
     case Phase::kAsking:
-      return approach(now);
+      return begin_plan();
+    case Phase::kPlanning:
+      return;
     case Phase::kApproaching:
-      return enter(Phase::kSending, std::move(rest_), now);
+      return enter(Phase::kSending, part_from(first_, motion_), now);
     case Phase::kSending:
       return end(State::kDone, {});
   }
 }
 
-void ServedJob::approach(Clock::time_point now) {
+/// All lines before that of the interruption are read for it.
+void ServedJob::begin_plan() {
+  sender_.reset();
+  phase_ = Phase::kPlanning;
+  plan_.start([program = program_, standing = standing_](const std::atomic<bool>&) {
+    return plan(program->lines, standing);
+  });
+}
+
+ServedJob::Plan ServedJob::plan(const JobLines& lines, const Standing& standing) {
+  Plan plan;
   try {
-    std::vector<JobLine> job = lines_;
-    first_ = interrupted_at(job, standing_);
-    std::vector<JobLine> before = lines_before(job, first_, standing_, true);
-    rest_.assign(job.begin() + static_cast<std::ptrdiff_t>(first_), job.end());
-    done_ = first_;
-    enter(Phase::kApproaching, std::move(before), now);
+    plan.first = interrupted_at(lines, standing);
+    plan.approach = lines_before(lines, plan.first, standing, true);
   } catch (const std::invalid_argument& fault) {
-    end(State::kStopped, fault.what());
+    plan.trouble = fault.what();
   }
+  return plan;
+}
+
+void ServedJob::attend_plan(Clock::time_point now) {
+  std::optional<Plan> plan = plan_.take();
+  if (!plan) return;
+  if (!plan->trouble.empty()) return end(State::kStopped, std::move(plan->trouble));
+  first_ = done_ = plan->first;
+  motion_ = std::move(plan->approach.motion);
+  enter(Phase::kApproaching, plan->approach.lines, now);
 }
 
 void ServedJob::end(State state, std::string trouble) {
   state_ = state;
   trouble_ = std::move(trouble);
+  plan_.abandon();
   sender_.reset();
 }
 

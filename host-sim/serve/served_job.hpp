@@ -12,13 +12,15 @@
 #include "host-sim/send/job_lines.hpp"
 #include "host-sim/send/sender.hpp"
 #include "host-sim/send/take_up.hpp"
+#include "host-sim/serve/background_task.hpp"
+#include "host-sim/serve/served_program.hpp"
 #include "host-sim/serve/session.hpp"
 
 namespace sim {
 
-/// A job that the server itself sends: it goes on whoever watches, and ends as a job of
+/// A job that the server itself sends: it goes on without a page, and ends as a job of
 /// `kerfline send` does, because the same `Sender` drives it. Every line has a number, so that a
-/// job that was interrupted is taken up again where its beam went out.
+/// job that was interrupted is resumed where its beam went out.
 class ServedJob {
  public:
   using Clock = std::chrono::steady_clock;
@@ -26,60 +28,81 @@ class ServedJob {
     kNone,
     kLoaded,
     kRunning,
-    kStopped,  ///< trouble() says why.
+    kStopped,  ///< trouble() has the reason.
     kDone,
   };
 
+  /// Where threads that have prepared a program put it. collect() takes it from there.
+  [[nodiscard]] const std::shared_ptr<ProgramInbox>& inbox() const { return inbox_; }
+  /// Loads a program that has arrived; one that arrives while a job runs is dropped.
+  void collect();
   /// @pre !running()
-  void load(std::string name, std::string program);
+  void load(std::shared_ptr<const ServedProgram> program);
+  /// The last judgement of the program, if it has this key; else null.
+  [[nodiscard]] const Judgement* judgement(std::string_view key) const {
+    return judged_ && judged_->key == key ? &judged_->judgement : nullptr;
+  }
+  void keep(Judged judged) { judged_ = std::move(judged); }
   /// From the first line. @pre loaded() && !running()
   void run(Clock::time_point now);
   /// From where the machine was interrupted. @pre the same
   void resume(Clock::time_point now);
-  /// Holds, and resets at standstill: the place stays known.
+  /// Ends the job: holds and resets at standstill, or resets at once where a hold does nothing. The
+  /// position stays known.
   void stop();
 
   [[nodiscard]] State state() const { return state_; }
   [[nodiscard]] bool running() const { return state_ == State::kRunning; }
   [[nodiscard]] bool loaded() const { return state_ != State::kNone; }
-  [[nodiscard]] const std::string& name() const { return name_; }
-  [[nodiscard]] const std::shared_ptr<const std::string>& program() const { return program_; }
-  /// Lines that were answered, and of how many.
+  /// Null for none.
+  [[nodiscard]] const std::shared_ptr<const ServedProgram>& program() const { return program_; }
+  /// Lines that were answered, and all.
   [[nodiscard]] std::size_t done() const { return done_; }
-  [[nodiscard]] std::size_t count() const { return lines_.size(); }
+  [[nodiscard]] std::size_t count() const { return program_ ? program_->lines.size() : 0; }
   /// The line of the file that comes next.
   [[nodiscard]] std::size_t file_line() const;
   [[nodiscard]] const std::string& trouble() const { return trouble_; }
 
   // While it runs.
 
-  /// What the controller says.
+  /// Reads what the controller writes.
   void hear(std::span<const std::byte> bytes, Clock::time_point now);
   /// Sends what the controller has capacity for.
   void attend(Session& session, Clock::time_point now);
 
  private:
-  enum class Phase : std::uint8_t { kAsking, kApproaching, kSending };
+  enum class Phase : std::uint8_t { kAsking, kPlanning, kApproaching, kSending };
+  /// How the machine gets to the line of the interruption; or why not.
+  struct Plan {
+    std::size_t first = 0;
+    Approach approach{};
+    std::string trouble;
+  };
 
   static Sender::Time time_of(Clock::time_point now) {
     return std::chrono::duration_cast<Sender::Time>(now.time_since_epoch());
   }
-  void enter(Phase phase, std::vector<JobLine> lines, Clock::time_point now);
+  [[nodiscard]] JobPart part_from(std::size_t first, std::string motion) const;
+  static Plan plan(const JobLines& lines, const Standing& standing);
   void begin();
+  void enter(Phase phase, JobPart part, Clock::time_point now);
+  void enter(Phase phase, const std::vector<JobLine>& lines, Clock::time_point now);
   void end_phase(Clock::time_point now);
-  void approach(Clock::time_point now);
+  void begin_plan();
+  void attend_plan(Clock::time_point now);
   void end(State state, std::string trouble);
 
   State state_ = State::kNone;
-  std::string name_;
-  std::shared_ptr<const std::string> program_;
-  std::vector<JobLine> lines_;
-  std::size_t first_ = 0;  ///< The line with which it began this time.
+  std::shared_ptr<ProgramInbox> inbox_ = std::make_shared<ProgramInbox>();
+  std::shared_ptr<const ServedProgram> program_;
+  std::optional<Judged> judged_;
+  std::size_t first_ = 0;  ///< The line with which it began this time,
+  std::string motion_;     ///< and the words before that.
   std::size_t done_ = 0;
   std::string trouble_;
   Phase phase_ = Phase::kSending;
   Standing standing_{};
-  std::vector<JobLine> rest_;  ///< Lines of the job from `first_` on, for after the approach.
+  BackgroundTask<Plan> plan_{};
   std::optional<Sender> sender_;
 };
 

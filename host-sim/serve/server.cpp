@@ -11,8 +11,8 @@ namespace {
 using hal::host::checked;
 using std::chrono::milliseconds;
 
-// With nothing going on a millisecond more or less is nobody's concern; a
-// sender's bytes wake us at once, only a pty that is opened does not.
+// While nothing goes on, a millisecond more or less does not matter; a sender's bytes wake the loop
+// at once, only a pty that is opened does not.
 constexpr milliseconds kRest{10};
 constexpr milliseconds kShortestSleep{1};
 

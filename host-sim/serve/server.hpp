@@ -23,21 +23,21 @@ class StopSignals {
   hal::host::Descriptor descriptor_;
 };
 
-/// The loop of `kerfline serve`: one thread for the controller and everybody
-/// who talks to it, asleep in poll() between the turns.
+/// The loop of `kerfline serve`: one thread for the controller and all its connections, asleep in
+/// poll() between the cycles.
 class Server {
  public:
   /// @param speed controller seconds per second; the others must outlive it
   Server(Session& session, Reception& reception, double speed)
       : session_{session}, reception_{reception}, pacer_{speed, Pacer::Clock::now()} {}
 
-  /// Shows this view to those who watch; both must outlive the server.
+  /// Shows this view to the watchers; both must outlive the server.
   void show(LiveView& view, WebTransport& web) {
     view_ = &view;
     web_ = &web;
   }
 
-  /// Until somebody stops it.
+  /// Runs until a signal stops it.
   void run(const StopSignals& stop);
 
  private:

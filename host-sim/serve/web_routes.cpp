@@ -1,18 +1,16 @@
 #include "host-sim/serve/web_routes.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "firmware/protocol/report_lines.hpp"
 #include "host-sim/page/page_file.hpp"
 #include "host-sim/plot/outline.hpp"
 #include "host-sim/plot/picture.hpp"
+#include "host-sim/send/code_words.hpp"
 #include "host-sim/serve/http_status.hpp"
-#include "host-sim/serve/job_check.hpp"
+#include "host-sim/serve/run_conditions.hpp"
 
 namespace sim {
 namespace {
@@ -23,7 +21,8 @@ constexpr std::size_t kLongestName = 200;
 constexpr const char* kJsonType = "application/json";
 
 constexpr std::array<std::string_view, 2> kProgramPaths{"/outline", "/job"};
-constexpr std::array<std::string_view, 3> kOrderPaths{"/job/run", "/job/resume", "/job/stop"};
+constexpr std::array<std::string_view, 4> kOrderPaths{
+    "/job/run", "/job/resume", "/job/stop", "/hold"};
 
 template <typename Paths>
 bool is_one_of(const Paths& paths, std::string_view path) {
@@ -38,7 +37,8 @@ const PageFile* page_file(std::string_view path) {
 }
 
 bool is_document(std::string_view path) {
-  return page_file(path) != nullptr || path == "/picture.svg" || path == "/job";
+  return page_file(path) != nullptr || path == "/picture.svg" || path == "/job" ||
+         path == "/words";
 }
 
 const char* type_of_file(std::string_view path) {
@@ -57,18 +57,14 @@ WebReply json_reply(const ordered_json& json, int status = http_status::kFine) {
 
 double in_micrometres(double length_mm) { return std::round(length_mm * 1000.0) / 1000.0; }
 
-ordered_json outline_json(const std::string& name,
-                          const ProgramOutline& outline,
-                          const std::vector<JobFault>& faults) {
+ordered_json outline_json(const ProgramOutline& outline) {
   ordered_json points = ordered_json::array();
   for (const PathVertex& vertex : outline.vertices) {
     points.push_back(in_micrometres(vertex.x_mm));
     points.push_back(in_micrometres(vertex.y_mm));
     points.push_back(static_cast<int>(vertex.move));
   }
-  ordered_json json{{"points", std::move(points)}, {"faults", ordered_json::array()}};
-  if (!name.empty()) json["name"] = name;
-  for (const JobFault& fault : faults) json["faults"].push_back(fault.text());
+  ordered_json json{{"points", std::move(points)}};
   if (const auto& refused = outline.refused) {
     json["refused"] = {{"line", refused->line},
                        {"column", refused->column},
@@ -78,15 +74,54 @@ ordered_json outline_json(const std::string& name,
   return json;
 }
 
-/// The texts of a list; none of what is no list of texts.
-std::vector<std::string> texts_of(const std::string& body) {
-  const ordered_json list = ordered_json::parse(body, nullptr, false);
-  std::vector<std::string> texts;
-  if (!list.is_array()) return texts;
-  for (const ordered_json& one : list) {
-    if (one.is_string()) texts.push_back(one.get<std::string>());
+WebReply shown(const ServedProgram& program,
+               const Standpoint& standpoint,
+               const Judgement& judgement) {
+  ordered_json json = outline_json(program_outline_of(program.text, standpoint.reader));
+  json["faults"] = program.barriers;
+  for (std::string& text : judgement.texts()) json["faults"].push_back(std::move(text));
+  if (!program.notes.empty()) json["notes"] = program.notes;
+  if (!program.name.empty()) {
+    json["name"] = program.name;
+    json["id"] = program.id;
+    json["fault_count"] = program.barriers.size() + judgement.faults.size() + judgement.more;
   }
-  return texts;
+  return json_reply(json);
+}
+
+ordered_json words_json() {
+  ordered_json json{{"alarms", ordered_json::object()}, {"errors", ordered_json::object()}};
+  for (const CodeRemedy& one : alarm_remedies()) {
+    json["alarms"][std::to_string(one.number)] = alarm_words(one.number);
+  }
+  for (const CodeRemedy& one : error_remedies()) {
+    json["errors"][std::to_string(one.number)] = error_words(one.number);
+  }
+  return json;
+}
+
+/// An order of a page; all empty where it is none.
+struct Order {
+  std::string id;
+  std::string page;
+  std::vector<std::string> accepted;
+};
+
+std::string text_in(const ordered_json& json, const char* name) {
+  const auto found = json.find(name);
+  return found != json.end() && found->is_string() ? found->get<std::string>() : std::string{};
+}
+
+Order order_in(const std::string& body) {
+  const ordered_json json = ordered_json::parse(body, nullptr, false);
+  if (!json.is_object()) return {};
+  Order order{.id = text_in(json, "id"), .page = text_in(json, "page"), .accepted = {}};
+  const auto list = json.find("accepted");
+  if (list == json.end() || !list->is_array()) return order;
+  for (const ordered_json& one : *list) {
+    if (one.is_string()) order.accepted.push_back(one.get<std::string>());
+  }
+  return order;
 }
 
 /// As a page gets it back: a fault may quote any byte.
@@ -126,18 +161,21 @@ std::optional<WebReply> WebRoutes::refusal(const HttpRequest& request) const {
 }
 
 PageService::Answer WebRoutes::answer(HttpRequest request) {
+  job_.collect();
   if (request.method != "POST") return get(request.path);
-  if (request.path == "/job") return load(std::move(request));
-  if (request.path == "/job/run") return run(request.body);
-  if (request.path == "/job/resume") return resume();
-  if (request.path == "/job/stop") return stop();
-  return outline({}, std::make_shared<const std::string>(std::move(request.body)));
+  if (request.path == "/hold") {
+    reception_.hold();
+    return json_reply({{"holds", true}});
+  }
+  if (is_one_of(kProgramPaths, request.path)) return load(std::move(request));
+  return order(request.path, request.body);
 }
 
 PageService::Answer WebRoutes::get(const std::string& path) const {
   if (const PageFile* file = page_file(path)) {
     return WebReply{.type = type_of_file(path), .content = std::string{file->content}};
   }
+  if (path == "/words") return json_reply(words_json());
   if (path == "/picture.svg") {
     return WebWork{[so_far = view_.path_so_far()] {
       return WebReply{.type = "image/svg+xml",
@@ -147,70 +185,86 @@ PageService::Answer WebRoutes::get(const std::string& path) const {
   if (!job_.loaded()) {
     return web_refusal(http_status::kNotFound, "No program has been opened.");
   }
-  return outline(job_.name(), job_.program());
+  return WebWork{
+      [program = job_.program(), standpoint = standpoint_of(controller_.machine())] {
+        return shown(
+            *program, standpoint, judge_program(program->name, program->text, standpoint));
+      }};
 }
 
-/// With copies of all that the loop may change meanwhile.
-WebWork WebRoutes::outline(std::string name, std::shared_ptr<const std::string> program) const {
-  const cnc::Machine& machine = controller_.machine();
-  return [name = std::move(name),
-          program = std::move(program),
-          reader = machine.interpreter(),
-          settings = machine.settings(),
-          homed = machine.homed()] {
-    return json_reply(outline_json(
-        name, program_outline_of(*program, reader), job_faults(*program, reader, settings, homed)));
-  };
-}
-
-PageService::Answer WebRoutes::load(HttpRequest request) {
+/// From copies of all that the loop may change meanwhile.
+PageService::Answer WebRoutes::load(HttpRequest request) const {
   // It may have begun while the program came.
-  if (job_.running()) return waits("the end of the job that runs");
-  job_.load(request.query["name"].substr(0, kLongestName), std::move(request.body));
-  return outline(job_.name(), job_.program());
+  const bool keeps = request.path == "/job";
+  if (keeps && job_.running()) return waits("the end of the job that runs");
+  std::string name = keeps ? request.query["name"].substr(0, kLongestName) : std::string{};
+  return WebWork{[name = std::move(name),
+                  file = std::make_shared<std::string>(std::move(request.body)),
+                  inbox = keeps ? job_.inbox() : nullptr,
+                  standpoint = standpoint_of(controller_.machine())] {
+    const auto program = prepare_served(name, std::move(*file), standpoint.block_delete());
+    Judged judged{.key = judgement_key(*program, standpoint),
+                  .judgement = judge_program(name, program->text, standpoint)};
+    WebReply reply = shown(*program, standpoint, judged.judgement);
+    if (inbox) inbox->put({.program = program, .judged = std::move(judged)});
+    return reply;
+  }};
 }
 
-/// What a job waits for before it may begin; empty for nothing.
-std::string WebRoutes::awaited() const {
-  if (!job_.loaded()) return "a program: open one";
-  if (job_.running()) return "the end of the job that runs";
-  if (!reception_.operated_by_page()) return "a page that has control: take control";
-  const cnc::MachineState state = controller_.machine().state();
-  if (state == cnc::MachineState::kAlarm) return "the end of the alarm: home or unlock";
-  if (state == cnc::MachineState::kIdle) return {};
-  return fmt::format("an idle machine; its state is {}", cnc::name_of(state));
-}
-
-WebReply WebRoutes::run(const std::string& accepted) {
-  if (const std::string reason = awaited(); !reason.empty()) return waits(reason);
+WebReply WebRoutes::order(const std::string& path, const std::string& body) {
+  const Order order = order_in(body);
   const cnc::Machine& machine = controller_.machine();
-  const std::vector<std::string> known = texts_of(accepted);
+  const std::string_view kind = reception_.sender_kind();
+  const std::string reason = path == "/job/run"      ? awaited_by_run(job_, kind, machine)
+                             : path == "/job/resume" ? awaited_by_resume(job_, kind, machine)
+                             : job_.running()        ? std::string{}
+                                                     : "a job that runs";
+  if (!reason.empty()) return waits(reason);
+  if (!reception_.is_operator(order.page)) return waits("control, which this page does not have");
+  if (order.id != job_.program()->id) {
+    return waits("a look at the program: another one was opened, " + job_.program()->name);
+  }
+  if (path == "/job/run") return run(order.accepted);
+  if (path == "/job/resume") {
+    job_.resume(ServedJob::Clock::now());
+    return json_reply({{"runs", job_.program()->name}});
+  }
+  job_.stop();
+  return json_reply({{"stops", job_.program()->name}});
+}
+
+/// The judgement of the job as the machine stands now; null while it is being made.
+const Judgement* WebRoutes::judgement() {
+  const Standpoint standpoint = standpoint_of(controller_.machine());
+  const std::string key = judgement_key(*job_.program(), standpoint);
+  if (auto judged = judging_.take()) job_.keep(std::move(*judged));
+  if (const Judgement* const known = job_.judgement(key)) return known;
+  if (judging_.running() && judging_key_ == key) return nullptr;
+  judging_key_ = key;
+  judging_.start([program = job_.program(), standpoint, key](const std::atomic<bool>& cancelled) {
+    return Judged{
+        .key = key,
+        .judgement = judge_program(program->name, program->text, standpoint, &cancelled)};
+  });
+  return nullptr;
+}
+
+WebReply WebRoutes::run(const std::vector<std::string>& accepted) {
+  const Judgement* const known = judgement();
+  if (known == nullptr) {
+    return json_reply({{"waits", "the check of the program"}, {"again", true}},
+                      http_status::kConflict);
+  }
   ordered_json faults = ordered_json::array();
-  bool all_known = true;
-  for (const JobFault& fault :
-       job_faults(*job_.program(), machine.interpreter(), machine.settings(), machine.homed())) {
-    const std::string text = as_json_has_it(fault.text());
-    all_known = all_known && std::find(known.begin(), known.end(), text) != known.end();
+  bool all_accepted = true;
+  for (const std::string& fault : known->texts()) {
+    const std::string text = as_json_has_it(fault);
+    all_accepted = all_accepted && std::ranges::find(accepted, text) != accepted.end();
     faults.push_back(text);
   }
-  if (!all_known) return json_reply({{"faults", faults}}, http_status::kConflict);
+  if (!all_accepted) return json_reply({{"faults", faults}}, http_status::kConflict);
   job_.run(ServedJob::Clock::now());
-  return json_reply({{"runs", job_.name()}});
-}
-
-/// A machine in alarm is unlocked where its place is known.
-WebReply WebRoutes::resume() {
-  const bool in_alarm = controller_.machine().state() == cnc::MachineState::kAlarm;
-  if (const std::string reason = awaited(); !reason.empty() && !in_alarm) return waits(reason);
-  if (!job_.loaded() || job_.running() || !reception_.operated_by_page()) return waits(awaited());
-  job_.resume(ServedJob::Clock::now());
-  return json_reply({{"runs", job_.name()}});
-}
-
-WebReply WebRoutes::stop() {
-  if (!job_.running()) return waits("a job that runs");
-  job_.stop();
-  return json_reply({{"stops", job_.name()}});
+  return json_reply({{"runs", job_.program()->name}});
 }
 
 }  // namespace sim

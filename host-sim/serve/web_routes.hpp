@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "host-sim/serve/live_view.hpp"
 #include "host-sim/serve/page_service.hpp"
@@ -10,29 +11,32 @@
 
 namespace sim {
 
-/// What the web server answers over HTTP:
+/// The resources of the web server over HTTP:
 ///
 /// | | |
 /// |---|---|
-/// | GET | the files of the page; `/picture.svg`, the motion so far; `/job`, the job as below |
+/// | GET | the files of the page; `/picture.svg`, the motion so far; `/words`, alarms and errors in words; `/job`, the job as below |
 /// | POST `/outline` | where a program would go if it ran now |
 /// | POST `/job?name=…` | the same, and keeps the program as the job |
-/// | POST `/job/run` | runs it; the body is a list of the faults that the operator has accepted |
-/// | POST `/job/resume`, `/job/stop` | goes on where it was interrupted; ends it at standstill |
+/// | POST `/job/run` | runs it, `{"id":"…","page":"…","accepted":["line 4: …"]}` |
+/// | POST `/job/resume`, `/job/stop` | resumes it where it was interrupted; ends it. `{"id":…,"page":…}` |
+/// | POST `/hold` | a feed hold: it is safe, so that any page that watches may ask for it |
 ///
 /// An outline is in machine coordinates, up to the refused line if there is one:
 ///
-///     {"name":"part.nc","points":[x,y,move, …],"faults":["line 5: …"],
+///     {"name":"part.nc","id":"…","points":[x,y,move, …],"faults":["line 5: …"],"notes":["line 9: …"],
 ///      "refused":{"line":3,"column":1,"number":20,"reason":"…"}}
 ///
-/// A program with faults, or beyond the travel, is not run unless each of them was accepted: 409
-/// and `{"faults":[…]}`. What else a job waits for is told as 409 and `{"waits":"…"}`.
+/// A job is ordered by the page that controls the machine, whose key `page` came in its first line,
+/// for the program `id` that it shows. A program with faults, or beyond the travel, is not run
+/// unless each of them was accepted: 409 and `{"faults":[…]}`. Any other reason for which a job
+/// waits is 409 and `{"waits":"…"}`, with `"again":true` while its program is being judged.
 class WebRoutes final : public PageService {
  public:
   /// All of them must outlive it.
   WebRoutes(const VirtualController& controller,
             const LiveView& view,
-            const Reception& reception,
+            Reception& reception,
             ServedJob& job)
       : controller_{controller}, view_{view}, reception_{reception}, job_{job} {}
 
@@ -41,17 +45,17 @@ class WebRoutes final : public PageService {
 
  private:
   [[nodiscard]] Answer get(const std::string& path) const;
-  [[nodiscard]] WebWork outline(std::string name, std::shared_ptr<const std::string> program) const;
-  [[nodiscard]] Answer load(HttpRequest request);
-  [[nodiscard]] WebReply run(const std::string& accepted);
-  [[nodiscard]] WebReply resume();
-  [[nodiscard]] WebReply stop();
-  [[nodiscard]] std::string awaited() const;
+  [[nodiscard]] Answer load(HttpRequest request) const;
+  [[nodiscard]] WebReply order(const std::string& path, const std::string& body);
+  [[nodiscard]] WebReply run(const std::vector<std::string>& accepted);
+  [[nodiscard]] const Judgement* judgement();
 
   const VirtualController& controller_;
   const LiveView& view_;
-  const Reception& reception_;
+  Reception& reception_;
   ServedJob& job_;
+  BackgroundTask<Judged> judging_{};  ///< A judgement that is being made,
+  std::string judging_key_;           ///< and its key.
 };
 
 }  // namespace sim

@@ -142,7 +142,7 @@ async function secondPage(browser, url, first) {
   await until('it sees the first one jog', async () => Math.abs((await second.place())[1] - y - 10) < 0.002);
   await first.state('Idle');
   await first.page.locator('#control').click();  // until the first one has had enough.
-  await until('nobody steers', async () => (await second.text('who')).startsWith('Nobody'));
+  await until('nobody steers', async () => (await second.text('who')).startsWith('Not controlled'));
   await second.page.locator('#control').click();
   await until('control', async () => (await second.text('who')).startsWith('You'));
   await second.page.close();

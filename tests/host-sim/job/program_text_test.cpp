@@ -34,7 +34,8 @@ std::vector<std::string> said(const std::vector<LineNote>& notes) {
 
 std::vector<std::string> sent(const std::string& file) {
   std::vector<std::string> lines;
-  for (const JobLine& line : read_job(prepare_program(file).text)) lines.push_back(line.text);
+  const JobLines job = read_job(prepare_program(file).text);
+  for (std::size_t index = 0; index < job.size(); ++index) lines.push_back(job[index].text);
   return lines;
 }
 

@@ -108,8 +108,14 @@ class SendTest(served.ServeTest):
                     status, out, err = self.send(job, *link, *form, "--log", log)
                     self.assertEqual((status, err), (0, ""))
                     self.assertIn("83 of 83 lines", out)
-                    self.assertEqual(log.read_text().count(" < ok"), 83 + 2 + 2 * len(form))
+                    self.assertEqual(log.read_text().count(" < ok"), self.oks(83, form))
         self.check_x(server, 4 * far)
+
+    @staticmethod
+    def oks(lines, form):
+        """For the lines of a job; an empty one, $I, $$, $# and $G for the questions before it, an
+        empty one and $I before the job itself, and M110 around checked lines of both."""
+        return lines + 5 + 2 + 4 * len(form)
 
     def test_sends_over_a_can_adapter(self):
         server = self.serve("--slcan", self.link, "--tcp", 0, "--speed", 20, *SETTINGS)
@@ -120,7 +126,7 @@ class SendTest(served.ServeTest):
                 status, out, err = self.send(job, "--slcan", self.link, *form, "--log", log)
                 self.assertEqual((status, err), (0, ""))
                 self.assertIn("83 of 83 lines", out)
-                self.assertEqual(log.read_text().count(" < ok"), 83 + 2 + 2 * len(form))
+                self.assertEqual(log.read_text().count(" < ok"), self.oks(83, form))
         self.check_x(server, 2 * far)
 
     def test_tells_what_a_node_of_a_can_bus_tells(self):
@@ -130,7 +136,7 @@ class SendTest(served.ServeTest):
         status, _, err = self.send(job, "--slcan", self.link, "--node", 18, "--log", log)
         self.assertEqual(status, 1)
         self.assertIn("node 18 is silent on", err)
-        process = self.start(job, "--slcan", self.link, "--log", log)
+        process = self.start(job, "--slcan", self.link, "--log", log, "--accept-faults")
         time.sleep(2.0)
         server.stop(signal.SIGKILL)
         _, err = process.communicate(timeout=20)
@@ -157,14 +163,54 @@ class SendTest(served.ServeTest):
     def test_says_which_line_was_refused_and_stops(self):
         server = self.serve("--tcp", 0, *SETTINGS)
         job = self.program_file(["G91 G1 X1 F6000", "G99 (no such word)", "G1 X1"])
-        status, out, err = self.send(job, "--tcp", f"127.0.0.1:{server.port('tcp')}")
+        where = ("--tcp", f"127.0.0.1:{server.port('tcp')}")
+        status, out, err = self.send(job, *where, "--accept-faults")
         self.assertEqual(status, 1)
-        self.assertIn("line 2: error:20: ", err)
+        self.assertRegex(err, r"line 2: error:20: .*\. Leave the word out")
         status, out, err = self.send(
-            job, "--tcp", f"127.0.0.1:{server.port('tcp')}", "--keep-going", "--checked")
+            job, *where, "--accept-faults", "--keep-going", "--checked")
         self.assertEqual(status, 1)
         self.assertIn("3 of 3 lines", out)
         self.assertIn("1 refused", out)
+
+    def test_sends_nothing_of_a_program_with_faults_or_beyond_the_travel(self):
+        server = self.serve("--tcp", 0, *SETTINGS, "--set", "$130=100")
+        where = ("--tcp", f"127.0.0.1:{server.port('tcp')}")
+        for lines, words in (
+                (["G91 G1 X1 F6000", "G99"], "job.nc:2:1: G99 is not supported"),
+                (["G7"] * 135 + ["G0 X999"], "and 35 more lines that are refused"),
+                (["G7"] * 135 + ["G0 X999"], "job.nc:136:4: X needs 999.000 mm of travel"),
+                (["G5 I0 J500 P0 Q500 X1 Y0 F600", "G5 I900 J0 P-900 Q0 X2 Y0"], "X needs ")):
+            status, _, err = self.send(self.program_file(lines), *where)
+            self.assertEqual(status, 1)
+            self.assertIn(words, err)
+            self.assertIn("nothing was sent", err)
+            self.assertIn("--accept-faults", err)
+        self.check_x(server, 0.0)
+
+    def test_starts_with_the_offsets_and_the_position_of_the_machine(self):
+        server = self.serve("--tcp", 0, *SETTINGS, "--set", "$130=100")
+        where = ("--tcp", f"127.0.0.1:{server.port('tcp')}")
+        job = self.program_file(["G90 G0 X60"])
+        sender = server.tcp()
+        sender.until(served.BANNER)
+        sender.ask("G10 L2 P1 X-50")
+        sender.ask("G0 X-45")
+        sender.ask("G4 P0")  # Waits for standstill.
+        sender.close()
+        time.sleep(0.5)
+        status, _, err = self.send(job, *where)
+        self.assertEqual(status, 1)
+        self.assertIn("X needs 105.000 mm of travel", err)
+
+    def test_skips_lines_as_the_controller_does(self):
+        for setting, far in ((1, 6.0), (0, 1.0)):
+            server = self.serve("--tcp", 0, *SETTINGS, "--set", f"$890={setting}")
+            job = self.program_file(["G91 F6000", "G1 X1", "/M2", "G1 X5"])
+            status, _, err = self.send(job, "--tcp", f"127.0.0.1:{server.port('tcp')}")
+            self.assertEqual(status, 0, err)
+            self.assertEqual("ended in line 3" in err, setting == 0)
+            self.check_x(server, far)
 
     def test_names_what_is_wrong_with_the_call(self):
         for arguments in (("x.nc",), ("x.nc", "--port", "a", "--tcp", "b:1"),
@@ -271,7 +317,8 @@ class SendTest(served.ServeTest):
         for words, why in ((["G91 G0 X1", "X1"], "where X is there depends"),
                            (["G92 X3", "G1 X1 F100"], "G92 is in use"),
                            (["G99", "G1 X1 F100"], "line 1: ")):
-            status, _, err = self.send(self.program_file(words), *where, "--from-line", 2)
+            status, _, err = self.send(self.program_file(words), *where, "--from-line", 2,
+                                       "--accept-faults")
             self.assertEqual(status, 2)
             self.assertIn(why, err)
         status, _, err = self.send(job, *where, "--from-line", 10)
@@ -295,6 +342,29 @@ class SendTest(served.ServeTest):
         self.assertEqual(status, 1)
         self.assertIn("stopped instead of waiting: it waits before line ", err)
 
+    def test_stopped_in_a_tool_change_leaves_nothing_to_go_on(self):
+        server = self.serve("--tcp", 0, *SETTINGS)
+        where = ("--tcp", f"127.0.0.1:{server.port('tcp')}")
+        job = self.program_file(["G91 F6000", "M6 T1", "G20", "G91", "G1 X1"])
+        begun = time.monotonic()
+        status, _, err = self.send(job, *where, "--stop-when-held")
+        self.assertEqual(status, 1)
+        self.assertIn("a tool is to be changed", err)
+        self.assertLess(time.monotonic() - begun, 8.0)
+        process = self.start(job, *where)
+        self.assertIn("a tool is to be changed", process.stderr.readline())
+        process.send_signal(signal.SIGINT)
+        begun = time.monotonic()
+        process.communicate(timeout=60)
+        self.assertLess(time.monotonic() - begun, 3.0)
+        sender = server.tcp()
+        sender.until(served.BANNER)
+        sender.send(b"~?")
+        self.assertIn("<Idle|", sender.until(">"))
+        sender.close()
+        time.sleep(0.5)
+        self.check_x(server, 0.0)
+
     def test_shows_escape_sequences_in_names_instead_of_sending_them_to_the_terminal(self):
         status, _, err = self.send("/no/\x1b[31mfile", "--tcp", "localhost:9")
         self.assertEqual(status, 2)
@@ -312,7 +382,7 @@ class SendTest(served.ServeTest):
         self.assertIn("the link is gone", err)
 
     def test_repeats_what_a_relay_damages(self):
-        server = self.serve("--tcp", 0, "--speed", 20, *SETTINGS)
+        server = self.serve("--tcp", 0, "--speed", 20, *SETTINGS, "--set", "$130=1000")
         relay = Relay(server.port("tcp"), one_in=600, seed=first_seed(self))
         job, far = self.square(300)
         status, out, err = self.send(job, "--tcp", f"127.0.0.1:{relay.port}", "--checked")
@@ -326,14 +396,18 @@ class SendTest(served.ServeTest):
         def grbl():
             link, _ = listener.accept()
             link.sendall(served.BANNER.encode())
-            for line in link.makefile("rb"):
-                text = line.replace(b"?", b"").strip()
-                if text == b"$I":
+            text = b""
+            while byte := link.recv(1):
+                if byte == b"?":
+                    link.sendall(b"<Idle|MPos:0.000,0.000,0.000|FS:0,0>\r\n")
+                elif byte != b"\n":
+                    text += byte
+                elif text == b"$I":
                     link.sendall(b"[VER:1.1h.20190825:]\r\n[OPT:V,15,128]\r\nok\r\n")
+                    text = b""
                 else:
                     link.sendall(b"error:20\r\n" if b"*" in text else b"ok\r\n")
-                if b"?" in line:
-                    link.sendall(b"<Idle|MPos:0.000,0.000,0.000|FS:0,0>\r\n")
+                    text = b""
 
         threading.Thread(target=grbl, daemon=True).start()
         status, _, err = self.send(self.program_file(["G1 X1"]), "--checked", "--tcp",

@@ -148,6 +148,17 @@ TEST(PtyTransport, LeavesTheLinkOfAServerThatRuns) {
   EXPECT_NE(first.accept(), nullptr) << "and the first is heard as before";
 }
 
+/// The kernel gives the least number that is free, so a server that was killed left a link to the
+/// very pty that its successor gets.
+TEST(PtyTransport, TakesOverTheLinkOfAServerThatWasKilled) {
+  const ScratchFile link{".tty"};
+  const PtyMaster master;
+  fs::create_symlink(master.device(), link.path());
+  PtyLink kept{link.path()};
+  kept.point_to(master.device());
+  EXPECT_EQ(fs::read_symlink(link.path()), master.device());
+}
+
 TEST(PtyTransport, ReplacesALinkThatAnotherRunLeftButNoFile) {
   const ScratchFile link{".tty"};
   fs::create_symlink("/dev/pts/987654", link.path());

@@ -5,6 +5,7 @@
 """
 import os
 import pathlib
+import resource
 import signal
 import subprocess
 import time
@@ -175,6 +176,35 @@ class Serve(ServeTest):
         talk.write_text("something else\n")
         self.assertEqual(self.replay(talk).returncode, 2)
         self.assertEqual(self.replay(self.folder / "missing").returncode, 2)
+
+    def test_goes_on_without_a_record_or_a_trace_that_cannot_be_written(self):
+        for option, size in (("--record", 4000), ("--trace", 300_000)):
+            with self.subTest(option=option):
+                name = self.folder / option[2:]
+                served = self.serve("--tcp", 0, option, name, "--speed", 20, *LASER)
+                resource.prlimit(served.process.pid, resource.RLIMIT_FSIZE, (size, size))
+                sender = served.tcp()
+                sender.until(BANNER)
+                for _ in range(120 if option == "--record" else 3):  # More than fits.
+                    sender.ask("$$") if option == "--record" else sender.ask("G91 G0 X99")
+                sender.ask("G91 G1 X1 F6000")
+                sender.ask("G4 P0")
+                self.assertIn("<Idle", self.answer_to_question(sender), "the machine goes on")
+                status, _, err = served.stop()
+                self.assertEqual(status, 2)
+                self.assertIn(f"{option}: cannot write {name}", err)
+                self.assertEqual(err.count(option), 1, "once")
+                self.assertEqual(os.listdir(self.folder), [])
+
+    def test_takes_over_its_link_after_it_was_killed(self):
+        for _ in range(2):
+            served = self.serve("--pty", self.link)
+            sender = served.pty()
+            self.assertEqual(sender.until(BANNER), BANNER)
+            sender.close()
+            served.process.kill()
+            served.process.wait()
+            self.assertTrue(self.link.is_symlink())
 
     @staticmethod
     def replay(*arguments):

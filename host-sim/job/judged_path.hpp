@@ -1,0 +1,45 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host-sim/job/standpoint.hpp"
+#include "host-sim/job/travel_check.hpp"
+#include "host-sim/machine/machine_reading.hpp"
+
+namespace sim {
+
+/// The path of a program line by line, against the travel: splines and arcs by their curves, offset
+/// where G41 and G42 require it, with the program's own homing cycles and changes of $130…. Bounded
+/// memory; the lines are those that a controller takes.
+class JudgedPath {
+ public:
+  /// @param sink gets the pieces of the path
+  JudgedPath(const Standpoint& standpoint, PieceSink sink);
+
+  void take(std::size_t line, std::string_view text);
+  /// There are no more lines.
+  void end() { reading_.end(); }
+
+  /// Whether the last line was a homing cycle, which ends at position().
+  [[nodiscard]] bool homed_now() const { return homed_now_; }
+  [[nodiscard]] const Point& position() const { return position_; }
+  [[nodiscard]] const TravelCheck& travel() const { return travel_; }
+  [[nodiscard]] const std::vector<ReadNote>& notes() const { return reading_.notes(); }
+  [[nodiscard]] const std::optional<RefusedBeside>& refused() const { return reading_.refused(); }
+
+ private:
+  void take_statement(std::string_view text);
+  void home(std::string_view axes);
+
+  cnc::Settings settings_;
+  Point position_;  ///< After the last piece.
+  bool homed_now_ = false;
+  TravelCheck travel_;
+  PieceSink sink_;
+  MachineReading reading_;
+};
+
+}  // namespace sim

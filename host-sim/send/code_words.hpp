@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace sim {
+
+/// The remedy for an alarm or an error of the firmware. Its words are cnc::alarm_texts() and
+/// cnc::error_texts().
+struct CodeRemedy {
+  std::uint8_t number;
+  std::string_view remedy;  ///< One or two sentences for the operator.
+};
+
+/// One for each number that the firmware has, and no others.
+[[nodiscard]] std::span<const CodeRemedy> alarm_remedies();
+[[nodiscard]] std::span<const CodeRemedy> error_remedies();
+
+/// The words and the remedy of a number; empty for one that the firmware does not have, as a
+/// foreign controller may.
+[[nodiscard]] std::string alarm_words(std::uint32_t number);
+[[nodiscard]] std::string error_words(std::uint32_t number);
+/// The remedy alone, for errors that the controller has explained itself.
+[[nodiscard]] std::string_view error_remedy(std::uint32_t number);
+
+}  // namespace sim

@@ -1,0 +1,156 @@
+#include "host-sim/send/standpoint_reading.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+
+#include "host-sim/job/modal_words.hpp"
+#include "host-sim/job/setting_line.hpp"
+
+namespace sim {
+namespace {
+
+constexpr double kNanometresPerMillimetre = 1.0e6;
+constexpr double kMillimetresPerInch = 25.4;
+
+/// `1.000,2.000,…` in mm or inches; axes that are missing keep their value.
+void read_position(std::string_view text, bool inches, cnc::Position& position) {
+  for (std::size_t axis = 0; axis < cnc::kAxisCount && !text.empty(); ++axis) {
+    double value = 0.0;
+    const auto [end, fault] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (fault != std::errc{} || !std::isfinite(value)) return;
+    if (inches && axis < cnc::kLinearAxisCount) value *= kMillimetresPerInch;
+    const cnc::Coordinate read{std::llround(value * kNanometresPerMillimetre)};
+    if (read.in_range()) position[axis] = read;
+    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+    if (!text.starts_with(',')) return;
+    text.remove_prefix(1);
+  }
+}
+
+/// The content of a field `|NAME:…` of a status report.
+std::optional<std::string_view> field(std::string_view report, std::string_view name) {
+  const std::size_t begin = report.find(name);
+  if (begin == std::string_view::npos) return std::nullopt;
+  const std::string_view rest = report.substr(begin + name.size());
+  return rest.substr(0, rest.find_first_of("|>"));
+}
+
+/// Modes that decide where a program goes. `[GC:` has others, too, such as M and F.
+bool decides_path(std::string_view word) {
+  constexpr std::array<std::string_view, 17> kWords{"G0",  "G1",  "G17", "G18",   "G19",  "G20",
+                                                    "G21", "G90", "G91", "G90.1", "G91.1", "G93",
+                                                    "G94", "G61", "G64", "G61.1", "G40"};
+  return std::ranges::find(kWords, word) != kWords.end() || word.starts_with("G5");
+}
+
+void interpret(cnc::gcode::Interpreter& reader, const std::string& line) {
+  static_cast<void>(reader.interpret(line).ok());  // A foreign controller may have other words.
+}
+
+}  // namespace
+
+std::vector<JobLine> StandpointReading::questions() {
+  return {{.text = "$$"}, {.text = "$#"}, {.text = "$G"}};
+}
+
+void StandpointReading::read(std::string_view line) {
+  if (line.starts_with('<')) return read_status(line);
+  if (line.starts_with('$')) return read_setting(line);
+  constexpr std::string_view kModes = "[GC:";
+  if (line.starts_with(kModes)) {
+    modes_ = line.substr(kModes.size(), line.rfind(']') - kModes.size());
+    return;
+  }
+  if (line.starts_with('[')) read_place(line);
+}
+
+void StandpointReading::read_setting(std::string_view line) {
+  try {
+    const SettingChange change = parse_setting(line, "");
+    if (cnc::find_setting(change.number) == nullptr) return;
+    static_cast<void>(settings_.set(change.number, change.value).ok());
+    if (change.number == cnc::setting::kBlockDelete) block_delete_ = change.value != 0.0F;
+  } catch (const std::invalid_argument&) {
+    // Another statement.
+  }
+}
+
+/// `[G54:1.000,2.000,3.000]`, `[TLO:0.000]`.
+void StandpointReading::read_place(std::string_view line) {
+  const std::size_t colon = line.find(':');
+  if (colon == std::string_view::npos) return;
+  const std::string_view name = line.substr(1, colon - 1);
+  const std::string_view value = line.substr(colon + 1);
+  const bool inches = settings_.get(cnc::setting::kReportInches) != 0.0F;
+  constexpr std::array<std::string_view, 9> kSystems{
+      "G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"};
+  const auto system = std::ranges::find(kSystems, name);
+  if (system != kSystems.end()) {
+    const auto index = static_cast<std::size_t>(system - kSystems.begin());
+    if (index < places_.systems.size()) read_position(value, inches, places_.systems[index]);
+  }
+  if (name == "G28") read_position(value, inches, places_.g28);
+  if (name == "G30") read_position(value, inches, places_.g30);
+  if (name == "G92") read_position(value, inches, g92_);
+  if (name == "TLO") {
+    cnc::Position lengths{};
+    read_position(value, inches, lengths);
+    const bool one = value.find(',') == std::string_view::npos;  // Else one for each axis.
+    tool_length_ = lengths[one ? 0 : 2];
+  }
+}
+
+void StandpointReading::read_status(std::string_view line) {
+  const bool inches = settings_.get(cnc::setting::kReportInches) != 0.0F;
+  if (const auto place = field(line, "|MPos:")) read_position(*place, inches, position_);
+  if (const auto homed = field(line, "|H:")) {
+    const std::string_view mask = homed->substr(std::min(homed->find(',') + 1, homed->size()));
+    unsigned axes = 0;
+    std::from_chars(mask.data(), mask.data() + mask.size(), axes);
+    homed_ = static_cast<std::uint8_t>(axes);
+    const auto pins = field(line, "|Pn:");  // Kerfline's full report, which has block delete.
+    block_delete_ = pins && pins->find('L') != std::string_view::npos;
+  }
+}
+
+Standpoint StandpointReading::standpoint() const {
+  cnc::Settings settings = settings_;
+  static_cast<void>(settings.set(cnc::setting::kBlockDelete, block_delete_.value_or(false)));
+  Standpoint standpoint = standpoint_of(settings);
+  standpoint.homed = homed_;
+  cnc::gcode::Interpreter& reader = standpoint.reader;
+  reader.set_places(places_);
+  reader.set_position(position_);
+  std::string_view rest = modes_;
+  while (!rest.empty()) {
+    const std::size_t end = std::min(rest.find(' '), rest.size());
+    const std::string_view word = rest.substr(0, end);
+    if (decides_path(word)) interpret(reader, std::string{word});
+    rest.remove_prefix(std::min(end + 1, rest.size()));
+  }
+  const bool inches = reader.state().units == cnc::gcode::Units::kInches;
+  const bool incremental = reader.state().distance == cnc::gcode::DistanceMode::kIncremental;
+  interpret(reader, "G21G90");
+  if (tool_length_ != cnc::Coordinate{}) {
+    interpret(reader, "G43.1Z" + coordinate_text(tool_length_));
+  }
+  if (g92_ != cnc::Position{}) {
+    std::string words = "G92";
+    for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
+      const cnc::Coordinate work =
+          position_[axis] - reader.work_offset(static_cast<cnc::Axis>(axis)) - g92_[axis];
+      words += cnc::kAxisLetters[axis] + coordinate_text(work);
+    }
+    interpret(reader, words);
+  }
+  if (inches) interpret(reader, "G20");
+  if (incremental) interpret(reader, "G91");
+  return standpoint;
+}
+
+}  // namespace sim

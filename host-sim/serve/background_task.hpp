@@ -1,0 +1,64 @@
+#pragma once
+
+#include <atomic>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <thread>
+#include <utility>
+#include <vector>
+
+namespace sim {
+
+/// Work that takes time, in a thread of its own, for a loop that must not wait: from copies, one
+/// result at a time. Work that is abandoned goes on until it sees that it was cancelled.
+template <typename Result>
+class BackgroundTask {
+ public:
+  /// Must not throw.
+  using Work = std::function<Result(const std::atomic<bool>& cancelled)>;
+
+  BackgroundTask() = default;
+  BackgroundTask(const BackgroundTask&) = delete;
+  BackgroundTask& operator=(const BackgroundTask&) = delete;
+  /// Cancels all work and waits for it.
+  ~BackgroundTask() { abandon(); }
+
+  /// Abandons the work before it.
+  void start(Work work) {
+    abandon();
+    std::erase_if(threads_, [](const Running& one) { return one.shared->done.load(); });
+    current_ = std::make_shared<Shared>();
+    threads_.push_back({current_, std::jthread{[shared = current_, work = std::move(work)] {
+                          shared->result.emplace(work(shared->cancelled));
+                          shared->done = true;
+                        }}});
+  }
+  void abandon() {
+    if (current_) current_->cancelled = true;
+    current_.reset();
+  }
+  [[nodiscard]] bool running() const { return current_ != nullptr; }
+  /// The result, once; nothing while there is none.
+  [[nodiscard]] std::optional<Result> take() {
+    if (!current_ || !current_->done) return std::nullopt;
+    const std::shared_ptr<Shared> finished = std::exchange(current_, nullptr);
+    return std::move(finished->result);
+  }
+
+ private:
+  struct Shared {
+    std::atomic<bool> cancelled{false};
+    std::atomic<bool> done{false};
+    std::optional<Result> result{};
+  };
+  struct Running {
+    std::shared_ptr<Shared> shared;
+    std::jthread thread;
+  };
+
+  std::shared_ptr<Shared> current_;
+  std::vector<Running> threads_;  ///< Also of abandoned work.
+};
+
+}  // namespace sim

@@ -1,0 +1,14 @@
+#include "host-sim/serve/lost_output.hpp"
+
+#include <cstdio>
+
+#include "host-sim/report/terminal.hpp"
+
+namespace sim {
+
+void report_lost_output(std::string_view option, const std::system_error& reason) {
+  terminal::print(
+      stderr, "kerfline: {}: {}; the machine goes on without it\n", option, reason.what());
+}
+
+}  // namespace sim
