@@ -165,13 +165,11 @@ void Transfer::show() {
   const double done = sender_.progress();
   const double seconds = static_cast<double>(line_.now().count()) / 1e3;
   const std::string left = done > 0.0 ? duration_text(seconds * (1.0 - done) / done) : "?";
-  bar_.update(done,
-              fmt::format("{}/{} lines, {} left, {}",
-                          sender_.answered(),
-                          lines_,
-                          left,
-                          printable(sender_.machine_state())),
-              Line::Clock::now());
+  bar_.update(
+      done,
+      fmt::format(
+          "{}/{} lines, {} left, {}", sender_.answered(), lines_, left, sender_.machine_state()),
+      Line::Clock::now());
 }
 
 }  // namespace sim
