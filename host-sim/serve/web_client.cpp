@@ -68,8 +68,7 @@ http::response<http::string_body> response_of(const WebReply& reply) {
 WebClient::WebClient(boost::asio::io_context& context,
                      hal::host::Descriptor socket,
                      Clock::time_point now)
-    : context_{context},
-      socket_{context, boost::asio::ip::tcp::v4(), socket.release()},
+    : socket_{context, boost::asio::ip::tcp::v4(), socket.release()},
       buffer_{kRequestPart},
       until_{now + kPatience} {
   parser_.header_limit(kMostHead);
@@ -161,13 +160,13 @@ void WebClient::work(WebWork make) {
 }
 
 std::shared_ptr<WebSocket> WebClient::become_socket() {
-  if (buffer_.size() > 0) {
+  if (!parser_.is_done() || buffer_.size() > 0) {
     answer(web_refusal(http_status::kBadRequest,
                        "A WebSocket is talked to after its handshake was answered."));
     return nullptr;
   }
   stage_ = Stage::kOver;
-  return open_web_socket(context_, std::move(socket_), parser_.get());
+  return open_web_socket(std::move(socket_), parser_.get());
 }
 
 void WebClient::send() {

@@ -79,7 +79,6 @@ class WebClient : public std::enable_shared_from_this<WebClient> {
   void sent(Fault fault);
   void drop_the_rest();
 
-  boost::asio::io_context& context_;
   boost::asio::ip::tcp::socket socket_;
   boost::beast::flat_buffer buffer_;  ///< What was received and not parsed.
   boost::beast::http::request_parser<boost::beast::http::string_body> parser_;

@@ -16,8 +16,6 @@ using boost::beast::error_code;
 constexpr std::size_t kMostPayload = std::size_t{64} << 20;
 // A client is read no further until its last part was taken.
 constexpr std::size_t kStreamPart = std::size_t{64} << 10;
-// To one part go a few; others' handlers may be among them.
-constexpr int kHandlersForAPart = 64;
 
 bool is_ascii(std::string_view text) {
   return std::all_of(
@@ -28,8 +26,7 @@ bool is_ascii(std::string_view text) {
 /// runs those of its `io_context`; each keeps the stream alive.
 class WebStream final : public WebSocket, public std::enable_shared_from_this<WebStream> {
  public:
-  WebStream(boost::asio::io_context& context, boost::asio::ip::tcp::socket socket)
-      : context_{context}, stream_{std::move(socket)} {
+  explicit WebStream(boost::asio::ip::tcp::socket socket) : stream_{std::move(socket)} {
     stream_.read_message_max(kMostPayload);
     stream_.auto_fragment(false);
     // The sender is gone with its close frame, however long the rest takes.
@@ -48,10 +45,6 @@ class WebStream final : public WebSocket, public std::enable_shared_from_this<We
   }
 
   std::size_t read(std::span<std::byte> into) override {
-    if (unread_.empty()) context_.restart();  // It had stopped if nothing was going on.
-    for (int left = kHandlersForAPart; left > 0 && unread_.empty(); --left) {
-      if (context_.poll_one() == 0) return 0;
-    }
     const std::size_t count = std::min(into.size(), unread_.size());
     std::copy_n(std::as_bytes(unread_).begin(), count, into.begin());
     unread_ = unread_.subspan(count);
@@ -146,7 +139,6 @@ class WebStream final : public WebSocket, public std::enable_shared_from_this<We
     stream_.next_layer().close(ignored);
   }
 
-  boost::asio::io_context& context_;
   Stream stream_;
   std::array<char, kStreamPart> part_{};  ///< Payload that was received last.
   std::span<const char> unread_;          ///< Of it.
@@ -165,10 +157,9 @@ class WebStream final : public WebSocket, public std::enable_shared_from_this<We
 }  // namespace
 
 std::shared_ptr<WebSocket> open_web_socket(
-    boost::asio::io_context& context,
     boost::asio::ip::tcp::socket socket,
     const boost::beast::http::request<boost::beast::http::string_body>& request) {
-  auto stream = std::make_shared<WebStream>(context, std::move(socket));
+  auto stream = std::make_shared<WebStream>(std::move(socket));
   return stream->accept(request) ? stream : nullptr;
 }
 

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/beast/http/message.hpp>
 #include <boost/beast/http/string_body.hpp>
@@ -10,10 +9,9 @@
 
 namespace sim {
 
-/// Answers a request that asks for a WebSocket, on a socket of this context. Null when its
-/// handshake is malformed; the client has been told so then.
+/// Answers a request that asks for a WebSocket. Null when its handshake is malformed; the client
+/// has been told so then.
 [[nodiscard]] std::shared_ptr<WebSocket> open_web_socket(
-    boost::asio::io_context& context,
     boost::asio::ip::tcp::socket socket,
     const boost::beast::http::request<boost::beast::http::string_body>& request);
 

@@ -17,19 +17,31 @@ namespace {
 constexpr std::ptrdiff_t kMostAtWork = 2;
 // For handlers at a time: the machine's time goes on meanwhile.
 constexpr std::chrono::milliseconds kLongestRun{5};
+// To read a part takes a few; others' may be among them.
+constexpr int kHandlersForAPart = 64;
 constexpr std::string_view kTooManyWatch =
     R"({"refused":"Sixteen pages watch this machine already. Close one of them, and reload."})";
 
 /// Of a sender; the transport keeps the socket until it is gone.
 class WebConnection final : public Connection {
  public:
-  WebConnection(std::shared_ptr<WebSocket> socket, std::string_view kind)
-      : socket_{std::move(socket)}, kind_{kind} {}
+  WebConnection(boost::asio::io_context& context,
+                std::shared_ptr<WebSocket> socket,
+                std::string_view kind)
+      : context_{context}, socket_{std::move(socket)}, kind_{kind} {}
   WebConnection(const WebConnection&) = delete;
   WebConnection& operator=(const WebConnection&) = delete;
   ~WebConnection() override { end(); }
 
-  std::size_t read(std::span<std::byte> into) override { return socket_->read(into); }
+  /// All that has arrived can be read part by part: nothing waits for the next cycle.
+  std::size_t read(std::span<std::byte> into) override {
+    context_.restart();  // It has stopped if nothing was going on.
+    for (int left = kHandlersForAPart; left > 0; --left) {
+      if (const std::size_t count = socket_->read(into); count > 0) return count;
+      if (context_.poll_one() == 0) return 0;
+    }
+    return 0;
+  }
   std::size_t write(std::span<const std::byte> from) override { return socket_->write(from); }
   bool open() override { return socket_->open(); }
   void end() override { socket_->end(); }
@@ -37,6 +49,7 @@ class WebConnection final : public Connection {
   [[nodiscard]] std::string_view kind() const override { return kind_; }
 
  private:
+  boost::asio::io_context& context_;
   std::shared_ptr<WebSocket> socket_;
   std::string_view kind_;
 };
@@ -57,7 +70,7 @@ std::unique_ptr<Connection> WebTransport::accept() {
   if (arrivals_.empty()) return nullptr;
   const Arrival arrival = std::move(arrivals_.front());
   arrivals_.pop_front();
-  return std::make_unique<WebConnection>(arrival.socket, arrival.kind);
+  return std::make_unique<WebConnection>(*context_, arrival.socket, arrival.kind);
 }
 
 void WebTransport::attend() {

@@ -179,18 +179,19 @@ class Bench {
     }
   }
 
-  /// A client that is not read from does not get rid of its bytes either.
+  /// What does not fit into a connection is given up.
   void flush() {
-    auto& client = clients_[chosen_];
     if (pending_.empty()) return;
+    const std::string part = std::exchange(pending_, {});
+    auto& client = clients_[chosen_];
     if (!client) connect(client);
-    for (int tries = 0; !pending_.empty() && tries < 3; ++tries) {
-      const ssize_t count = ::send(
-          client->link.number(), pending_.data(), pending_.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
-      if (count > 0) pending_.erase(0, static_cast<std::size_t>(count));
-      turns(1);
+    std::string_view rest = part;
+    for (int tries = 0; !rest.empty() && tries < 3; ++tries) {
+      const ssize_t count =
+          ::send(client->link.number(), rest.data(), rest.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+      if (count > 0) rest.remove_prefix(static_cast<std::size_t>(count));
+      turn();
     }
-    pending_.clear();
   }
 
   void turns(unsigned count) {
@@ -201,7 +202,7 @@ class Bench {
   void end() {
     flush();
     reads_ = true;
-    turns(2);
+    for (int count = 0; count < 3; ++count, turn()) ::usleep(100);
     for (auto& client : clients_) client.reset();
     for (int count = 0; count < kTurnsToRest && !rests(); ++count) turn();
     require(rests(), "the machine comes to rest");

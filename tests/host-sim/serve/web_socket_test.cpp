@@ -37,6 +37,7 @@ TEST(WebSocketServer, RefusesHandshakesThatAreNone) {
                                      with("Sec-WebSocket-Key", "X"),
                                      with("Sec-WebSocket-Version", "X"),
                                      with("HTTP/1.1", "HTTP/1.0"),
+                                     with("Host: {}", "Content-Length: 5\r\nHost: {}"),
                                      WebBench::handshake() + client_frame(0x81, "early")}) {
     const std::string answer = bench.answer_to(request);
     EXPECT_EQ(answer.substr(8, 5), " 400 ") << request << answer;
