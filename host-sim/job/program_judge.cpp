@@ -52,8 +52,11 @@ cnc::Position position_of(const Point& point) {
 
 std::vector<std::string> Judgement::texts() const {
   std::vector<std::string> texts;
-  for (const Fault& fault : faults) {
-    texts.push_back(fmt::format("line {}: {}", fault.line, fault.message));
+  for (const bool of_travel : {true, false}) {
+    for (const Fault& fault : faults) {
+      if ((fault.number == kTravelExceeded) != of_travel) continue;
+      texts.push_back(fmt::format("line {}: {}", fault.line, fault.message));
+    }
   }
   if (more > 0) {
     texts.push_back(

@@ -20,7 +20,7 @@ struct Judgement {
   std::size_t more = 0;  ///< Refused lines beyond these.
 
   [[nodiscard]] bool fine() const { return faults.empty(); }
-  /// For the operator: `line 4: Y needs …`, and at the end `and 35 more lines that are refused`.
+  /// For the operator: `line 4: Y needs …`, the travel first, and at the end `and 35 more lines that are refused`.
   [[nodiscard]] std::vector<std::string> texts() const;
 };
 

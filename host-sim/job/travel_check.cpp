@@ -12,9 +12,6 @@
 namespace sim {
 namespace {
 
-/// Grbl's number for a target beyond the travel.
-constexpr int kTravelExceeded = 15;
-
 /// A job as large as the travel may exceed it by the rounding of its decimals.
 constexpr double kSlackMm = 1.0e-6;
 

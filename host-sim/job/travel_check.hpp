@@ -11,6 +11,9 @@
 
 namespace sim {
 
+/// Grbl's number for a target beyond the travel.
+inline constexpr int kTravelExceeded = 15;
+
 /// Checks the path of a program against the travel of each axis ($130…$135; 0 is endless), whether
 /// or not soft limits ($20) are on.
 ///

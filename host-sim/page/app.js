@@ -84,7 +84,8 @@ async function run() {
   notice.clear();
   let answer = await job.run(sender.page, []);
   if (answer.faults) {
-    const yes = await ask(`${job.name} has faults. The job stops at a line that is refused.`,
+    const count = answer.fault_count;
+    const yes = await ask(`${job.name} has ${count} fault${count > 1 ? 's' : ''}. The job stops at a line that is refused.`,
       answer.faults, 'Run all the same');
     if (!yes) return;
     answer = await job.run(sender.page, answer.faults);

@@ -262,7 +262,10 @@ WebReply WebRoutes::run(const std::vector<std::string>& accepted) {
     all_accepted = all_accepted && std::ranges::find(accepted, text) != accepted.end();
     faults.push_back(text);
   }
-  if (!all_accepted) return json_reply({{"faults", faults}}, http_status::kConflict);
+  if (!all_accepted) {
+    return json_reply({{"faults", faults}, {"fault_count", known->faults.size() + known->more}},
+                      http_status::kConflict);
+  }
   job_.run(ServedJob::Clock::now());
   return json_reply({{"runs", job_.program()->name}});
 }

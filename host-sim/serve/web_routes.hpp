@@ -29,7 +29,7 @@ namespace sim {
 ///
 /// A job is ordered by the page that controls the machine, whose key `page` came in its first line,
 /// for the program `id` that it shows. A program with faults, or beyond the travel, is not run
-/// unless each of them was accepted: 409 and `{"faults":[…]}`. Any other reason for which a job
+/// unless each of them was accepted: 409 and `{"faults":[…],"fault_count":1}`. Any other reason for which a job
 /// waits is 409 and `{"waits":"…"}`, with `"again":true` while its program is being judged.
 class WebRoutes final : public PageService {
  public:

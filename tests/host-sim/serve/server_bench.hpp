@@ -61,7 +61,10 @@ class ServerBench {
     reception_.set_job(job_);
     reception_.add(std::move(web));
     reception_.add(std::make_unique<LoopProbe>(state_, session_, reception_));
-    loop_ = std::thread{[this] { server_.run(stop_); }};
+    loop_ = std::thread{[this] {
+      loop_thread_ = ::gettid();
+      server_.run(stop_);
+    }};
   }
   ServerBench(const ServerBench&) = delete;
   ServerBench& operator=(const ServerBench&) = delete;
@@ -74,6 +77,7 @@ class ServerBench {
   [[nodiscard]] cnc::MachineState state() const { return state_.machine; }
   [[nodiscard]] bool lit() const { return state_.lit; }
   [[nodiscard]] bool has_sender() const { return state_.has_sender; }
+  [[nodiscard]] pid_t loop_thread() const { return loop_thread_; }
   /// Waits until `done` holds; false after 20 s.
   template <typename Done>
   [[nodiscard]] static bool wait(Done&& done) {
@@ -101,6 +105,7 @@ class ServerBench {
   Server server_{session_, reception_, 1.0};
   InternetAddress page_{};
   LoopState state_{};
+  std::atomic<pid_t> loop_thread_{0};
   std::thread loop_;  ///< The last member: it uses the others.
 };
 
