@@ -50,6 +50,7 @@ TEST(ReportJson, HasTheDocumentedKeysInOrder) {
                           "path_length_mm",
                           "cut_length_mm",
                           "lines",
+                          "refused_lines",
                           "blocks",
                           "max_speed_mm_s",
                           "max_speed_mm_min",
