@@ -71,9 +71,8 @@ LineCheck::Judgement LineCheck::judge(std::string_view line,
   // Of a line that has lost bytes its `*` may be among them.
   const bool found = long_line != nullptr ? long_line->found(strict()) : mark.has_value();
   if (!found) return judge_plain(line, text, now);
-  const Checked checked{
-      .covered = mark ? mark->covered : line,
-      .form = long_line != nullptr ? long_line->form(strict()) : mark->form()};
+  const Checked checked{.covered = mark ? mark->covered : line,
+                        .form = long_line != nullptr ? long_line->form(strict()) : mark->form()};
   if (checked.form != Form::kNone) return take(checked, now);
   if (active()) return {.verdict = ask(wanted_, now)};
   return {.verdict = Verdict::kWrong, .text = checked.covered};
