@@ -69,11 +69,10 @@ LineCheck::Judgement LineCheck::judge(std::string_view line,
   if (statement && !strict()) return judge_plain(line, text, now);
   const auto mark = strict() ? mark_at_end(line) : find_mark(line);
   // Of a line that has lost bytes its `*` may be among them.
-  const auto form = long_line != nullptr ? long_line->form(strict())
-                    : mark               ? std::optional{mark->form()}
-                                         : std::nullopt;
-  if (!form) return judge_plain(line, text, now);
-  const Checked checked{.covered = mark ? mark->covered : line, .form = *form};
+  const bool found = long_line != nullptr ? long_line->found(strict()) : mark.has_value();
+  if (!found) return judge_plain(line, text, now);
+  const Checked checked{.covered = mark ? mark->covered : line,
+                        .form = long_line != nullptr ? long_line->form(strict()) : mark->form()};
   if (checked.form != Form::kNone) return take(checked, now);
   if (active()) return {.verdict = ask(wanted_, now)};
   return {.verdict = Verdict::kWrong, .text = checked.covered};

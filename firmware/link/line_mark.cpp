@@ -134,12 +134,14 @@ void LongLineCheck::add(char byte) {
   sum_ ^= static_cast<std::uint8_t>(byte);
 }
 
-std::optional<LineMark::Form> LongLineCheck::form(bool at_end) const {
+bool LongLineCheck::found(bool at_end) const {
+  const std::string_view digits = (at_end ? last_ : mark_).text();
+  return at_end ? digits.size() == kCrcDigits : finder_.found() && looks_like_check(digits);
+}
+
+LineMark::Form LongLineCheck::form(bool at_end) const {
   const Star& star = at_end ? last_ : mark_;
-  const std::string_view digits = star.text();
-  const bool found = at_end ? digits.size() == kCrcDigits : finder_.found();
-  if (!found || !looks_like_check(digits)) return std::nullopt;
-  return form_of(star.crc, star.sum, digits);
+  return form_of(star.crc, star.sum, star.text());
 }
 
 }  // namespace cnc

@@ -58,9 +58,10 @@ class MarkFinder {
 class LongLineCheck {
  public:
   void add(char byte);
-  /// Returns what the check is, kNone where it is wrong, or nothing where there is none.
-  /// @param at_end as mark_at_end(), else as find_mark()
-  [[nodiscard]] std::optional<LineMark::Form> form(bool at_end) const;
+  /// Returns whether there is a check. @param at_end as mark_at_end(), else as find_mark()
+  [[nodiscard]] bool found(bool at_end) const;
+  /// Returns the form of the check; kNone where it is wrong. @pre found(at_end)
+  [[nodiscard]] LineMark::Form form(bool at_end) const;
 
  private:
   /// The bytes before a `*`, and the digits after it.

@@ -24,7 +24,7 @@ void LightGap::follow(float least_mm) {
     square += way * way;
   }
   if (square < least_mm * least_mm) return;
-  gap_.distance += static_cast<motion::PathUnits>(std::sqrt(square) * motion::kUnitsPerMm);
+  gap_.distance += motion::to_units(std::sqrt(square));
   followed_ = here;
 }
 

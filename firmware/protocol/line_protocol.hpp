@@ -186,8 +186,8 @@ class LineProtocol {
   Owed owed_ = Owed::kNothing;
   Alarm told_alarm_ = Alarm::kNone;
   bool tool_told_ = false;
-  bool takes_part_ = false;        ///< The sender has said 0xA3 in a tool change.
-  bool tool_change_ends_ = false;  ///< `~` has come; lines before it are done first.
+  bool takes_part_ = false;          ///< The sender has said 0xA3 in a tool change.
+  bool tool_change_ends_ = false;    ///< `~` has come; lines before it are done first.
   std::string_view tool_refusal_{};  ///< Why 0xA3 was not taken, until it is reported.
   hal::TickCount now_{};
   hal::TickCount reported_{};  ///< The last report that nobody asked for.

@@ -57,7 +57,8 @@ class ToolChangeAheadTest : public ControllerTest {
   }
   std::string lines_ahead(std::size_t count) {
     std::string text;
-    for (std::size_t i = 0; i < count; ++i) text += line(i % 2 == 0 ? "G1 X20.4 Y0.1" : "G1 X20.2 Y0.2");
+    for (std::size_t i = 0; i < count; ++i)
+      text += line(i % 2 == 0 ? "G1 X20.4 Y0.1" : "G1 X20.2 Y0.2");
     return text;
   }
   /// Neither moves an axis of the program, nor answers one of its lines.

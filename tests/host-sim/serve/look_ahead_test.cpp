@@ -113,8 +113,9 @@ TEST_F(ToolChangeBehindLookAhead, NothingOfTheProgramIsDoneBeforeItGoesOn) {
       turn(10);
       const bool open = machine().changes_tool();
       refused += open ? 0 : 1;
-      EXPECT_EQ(said, open ? "ok\r\n"
-                           : "[MSG:Tool change: too many lines came before 0xA3, ~ goes on]\r\n");
+      EXPECT_EQ(
+          said,
+          open ? "ok\r\n" : "[MSG:Tool change: too many lines came before 0xA3, ~ goes on]\r\n");
       hear("G0 Y2\n");
       turn(1'000);
       EXPECT_EQ(machine().state(), cnc::MachineState::kTool);
