@@ -90,8 +90,10 @@ class Controller {
     return protocol_.store_setting(setting::kCanNode, static_cast<float>(node));
   }
 
-  /// Main loop: a realtime byte that came beside the text.
+  /// Main loop: a realtime byte that came apart from the text, see LineProtocol.
   void act_at_once(std::byte byte) { protocol_.act_at_once(byte); }
+  /// Main loop: bytes of text that can be received now.
+  [[nodiscard]] std::uint32_t text_room() const { return protocol_.room(); }
 
   /// Every line must carry a number and a check.
   [[nodiscard]] bool checks_lines() const { return protocol_.checks_lines(); }

@@ -4,12 +4,14 @@
 #include <cstddef>
 #include <string_view>
 
+#include "firmware/link/line_mark.hpp"
+
 namespace cnc {
 
 /// Collects bytes into lines. A line ends with CR, LF or CR LF, and the pair
 /// counts once, so that every line gets one answer.
 ///
-/// Of a line that does not fit the text of its comments is dropped, however long they are. If that
+/// Of a line that does not fit, the text of its comments is dropped, however long they are. If that
 /// is not enough it keeps its first Capacity bytes; `too_long` then says so, and the rest up to
 /// the line end is dropped.
 template <std::size_t Capacity>
@@ -27,6 +29,8 @@ class LineAssembler {
       ended_by_ = byte;
       return true;
     }
+    if (size_ == Capacity && !long_) begin_long();
+    if (long_) check_.add(byte);
     if (size_ == Capacity) drop_comments();
     if (size_ == Capacity) {
       too_long_ = true;
@@ -41,6 +45,8 @@ class LineAssembler {
   [[nodiscard]] bool too_long() const { return too_long_; }
   /// All bytes that came are there.
   [[nodiscard]] bool whole() const { return !too_long_ && !shortened_; }
+  /// Returns the check of a line that is not whole(), else null.
+  [[nodiscard]] const LongLineCheck* long_line() const { return whole() ? nullptr : &check_; }
   /// The line that is there ended with CR: an LF next belongs to it.
   [[nodiscard]] bool ends_with_return() const { return ended_by_ == '\r'; }
   /// In the middle of a line.
@@ -54,6 +60,13 @@ class LineAssembler {
     too_long_ = false;
     ended_by_ = kNothing;
     shortened_ = false;
+    long_ = false;
+  }
+
+  void begin_long() {
+    long_ = true;
+    check_ = {};
+    for (const char byte : bytes_) check_.add(byte);
   }
 
   /// Keeps the brackets of comments, nested ones too, and the semicolon.
@@ -77,6 +90,8 @@ class LineAssembler {
   std::size_t size_ = 0;
   bool shortened_ = false;  ///< By text of comments.
   bool too_long_ = false;
+  bool long_ = false;  ///< More bytes came than there is space for.
+  LongLineCheck check_{};
   char ended_by_ = kNothing;  ///< The line that is there, which the next byte begins anew.
 };
 

@@ -1,28 +1,12 @@
 #pragma once
 
 #include <cstdint>
-#include <optional>
 #include <string_view>
 
+#include "firmware/link/line_mark.hpp"
 #include "hal/interface/tick_count.hpp"
 
 namespace cnc {
-
-/// What ends a line that carries a check: `*` and its digits, behind them nothing but blanks and
-/// comments.
-struct LineMark {
-  enum class Form : std::uint8_t { kNone, kSum, kCrc };
-
-  std::string_view covered;  ///< All before the `*`.
-  std::string_view digits;   ///< One to three decimal ones, or eight hexadecimal ones.
-
-  /// What the check is of the bytes that it covers; kNone where it is wrong.
-  [[nodiscard]] Form form() const;
-};
-
-/// Finds the check of a line. A `*` within brackets or comments, and one that other digits or
-/// anything else follow, is none.
-[[nodiscard]] std::optional<LineMark> find_mark(std::string_view line);
 
 /// Tells lines that carry a number and a check from plain ones, and what is to become
 /// of each: `N12 G1 X5*86`, the sum of Marlin and RepRap (all bytes before the `*`, exclusive or),
@@ -57,8 +41,10 @@ class LineCheck {
   /// What comes so long after it was asked for is no answer: the request was lost.
   static constexpr std::int32_t kAskAgainUs = 250'000;
 
-  /// @param whole false: bytes of the line are missing.
-  [[nodiscard]] Judgement judge(std::string_view line, bool whole, hal::TickCount now);
+  /// @param long_line the check of a line that has lost bytes; else null
+  [[nodiscard]] Judgement judge(std::string_view line,
+                                const LongLineCheck* long_line,
+                                hal::TickCount now);
 
   /// Numbered lines must be checked, and come in order.
   [[nodiscard]] bool active() const { return form_ != Form::kNone && !lapsed_; }
@@ -92,9 +78,5 @@ class LineCheck {
   bool lapsed_ = false;
   bool numbered_ = false;
 };
-
-/// The CRC-32 of a line as its eight digits, for the other end of the link and for answers.
-/// @param digits eight of them
-void put_line_crc(std::string_view covered, char* digits);
 
 }  // namespace cnc

@@ -216,37 +216,34 @@ void Receiver::begin_anew() {
   plain_ = true;
 }
 
-void Receiver::keep_back(bool after_return) {
-  if (after_return) skip_line_feed(0);
+void Receiver::keep_back() {
   const auto waiting = static_cast<std::int32_t>(acknowledged_.load() - lines_.taken());
   kept_ = waiting > 0 ? static_cast<std::uint32_t>(waiting) : 0;
+  kept_at_ = lines_.taken();
   keeps_back_ = true;
 }
 
-/// A byte that acts may have come in the middle of a line.
+/// A byte that acts may have come in the middle of a line, or of the pair that ends it.
 bool Receiver::has_whole_kept() {
-  while (kept_ > 0 && lines_.at(kept_ - 1) != '\n' && lines_.at(kept_ - 1) != '\r') {
+  if (kept_ == 0 || lines_.taken() != kept_at_) return true;
+  while (lines_.at(kept_ - 1) != '\n' && lines_.at(kept_ - 1) != '\r') {
     if (kept_ >= lines_.size()) return false;
     ++kept_;
   }
+  const bool pair =
+      lines_.at(kept_ - 1) == '\r' && kept_ < lines_.size() && lines_.at(kept_) == '\n';
+  if (pair) ++kept_;
   return true;
 }
 
-bool Receiver::is_at_start(bool after_return) {
-  if (after_return) skip_line_feed(kept_);
-  return static_cast<std::int32_t>(lines_.taken() + kept_ - started_.load()) >= 0;
-}
-
-void Receiver::release(bool after_return) {
-  if (after_return) skip_line_feed(kept_);
+void Receiver::release() {
   keeps_back_ = false;
   kept_ = 0;
 }
 
-/// Of a pair whose first half ended a line: alone it would end another.
-void Receiver::skip_line_feed(std::uint32_t index) {
-  if (index >= lines_.size() || lines_.at(index) != '\n') return;
-  static_cast<void>(lines_.pop_behind(index, [](char) { return true; }));
+bool Receiver::take_line_feed() {
+  if (kept_ >= lines_.size() || lines_.at(kept_) != '\n') return false;
+  return lines_.pop_behind(kept_, [](char) { return true; });
 }
 
 bool Receiver::take_reset() {

@@ -47,8 +47,8 @@ class Receiver {
   /// True once for each line that was lost, after all before it have been taken.
   [[nodiscard]] bool take_lost_line();
 
-  /// A realtime byte that came beside the stream, as on CAN: it acts whatever the text is in the
-  /// middle of. Bytes that never act are passed over. Main loop.
+  /// A realtime byte that came apart from the stream, as on CAN: it acts whatever the text is in
+  /// the middle of. Bytes that never act are passed over. Main loop.
   void act_at_once(std::uint8_t code);
 
   /// How many bytes from the front are nothing but part of a line, here and now.
@@ -71,16 +71,21 @@ class Receiver {
     return has_whole_kept() && lines_.pop_behind(kept_, take);
   }
 
-  /// Keeps back the lines, to their ends, that came before the last kToolAcknowledge: what came
-  /// after it is taken first, until release().
-  /// @param after_return the line taken last ended with CR, so an LF after it belongs to it
-  void keep_back(bool after_return);
-  [[nodiscard]] bool keeps_back() const { return keeps_back_; }
-  /// All that came before the last cycle start is taken, but for what is kept back.
-  [[nodiscard]] bool is_at_start(bool after_return);
-  void release(bool after_return);
+  /// Keeps back the lines, to their ends, that came before the last kToolAcknowledge: lines that
+  /// came after it are taken first, until release().
+  void keep_back();
+  /// Returns whether all that came before the last cycle start is taken, but for lines that are
+  /// kept back.
+  [[nodiscard]] bool is_at_start() const {
+    return static_cast<std::int32_t>(lines_.taken() + kept_ - started_.load()) >= 0;
+  }
+  void release();
+  /// Takes an LF where the next line begins; false where there is none.
+  [[nodiscard]] bool take_line_feed();
   /// Lines, or parts of them, wait.
   [[nodiscard]] bool has_text() const { return lines_.size() != 0; }
+  /// Lines have been lost since the last reset.
+  [[nodiscard]] bool has_overrun() const { return overrun_; }
 
   /// Forgets what waits, as a reset by a button does.
   void drop_waiting() {
@@ -138,7 +143,6 @@ class Receiver {
   void judge_plain();
   void follow_comment(char byte);
   [[nodiscard]] bool has_whole_kept();
-  void skip_line_feed(std::uint32_t index);
   void act(std::uint8_t code);
   void end_text();
   void reset();
@@ -157,7 +161,8 @@ class Receiver {
   std::atomic<std::uint32_t> started_{0};
   // The main loop's.
   bool keeps_back_ = false;
-  std::uint32_t kept_ = 0;  ///< Bytes in front that are kept back.
+  std::uint32_t kept_ = 0;     ///< Bytes in front that are kept back.
+  std::uint32_t kept_at_ = 0;  ///< Where they began: as long as they do, nothing behind is taken.
 
   std::atomic<std::uint32_t> lost_lines_{0};
 

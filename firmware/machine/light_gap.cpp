@@ -1,5 +1,6 @@
 #include "firmware/machine/light_gap.hpp"
 
+#include <cmath>
 #include <utility>
 
 namespace cnc {
@@ -7,8 +8,24 @@ namespace cnc {
 void LightGap::begin() {
   close();
   opens_ = true;
-  gap_.from = motion_.tool_steps();
+  gap_.from = followed_ = motion_.tool_steps();
+  gap_.distance = 0;
   motion_.keep_path(true);
+}
+
+/// By chords, whose sum is shorter than an arc by less than a hundredth.
+void LightGap::follow(float least_mm) {
+  const AxisArray<std::int32_t> here = motion_.tool_steps();
+  const Position to = motion_.place_of(here);
+  const Position from = motion_.place_of(followed_);
+  float square = 0.0F;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const float way = (to[axis] - from[axis]).mm();
+    square += way * way;
+  }
+  if (square < least_mm * least_mm) return;
+  gap_.distance += motion::to_units(std::sqrt(square));
+  followed_ = here;
 }
 
 /// While the place is not known exactly, the one of the cycle in which the beam was blocked counts.
@@ -33,6 +50,10 @@ void LightGap::close() {
 }
 
 void LightGap::leave() {
+  if (opens_ && motion_.is_lit_after(drive_.light_ended())) {
+    follow(0.0F);
+    found_ = gap_.distance > 0;
+  }
   reported_ = reported_ || found_;
   close();
 }

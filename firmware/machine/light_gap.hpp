@@ -24,13 +24,18 @@ class LightGap {
 
   /// The beam is blocked, and the motion slows down.
   void begin();
+  /// Call in each cycle: follows the motion from begin() to find().
+  void follow() {
+    if (opens_) follow(kChordMm);
+  }
   /// Takes the motion back, if there is a gap. @pre begin() was called, and all stands still
   void find();
   /// Returns whether the motion was taken back and has not gone on.
   [[nodiscard]] bool any() const { return found_; }
   /// Returns whether begin() was called, and find() was not.
   [[nodiscard]] bool opens() const { return opens_; }
-  /// The motion is dropped: reports all of the gap as uncut.
+  /// The motion is dropped: reports all of the gap as uncut, before find() as far as the motors
+  /// have come. @pre the drive is not running
   void leave();
   /// The motion goes on. Returns whether a part of the gap that matters is not known any more, and
   /// reports that as uncut.
@@ -42,6 +47,10 @@ class LightGap {
   [[nodiscard]] const Uncut* take_uncut();
 
  private:
+  /// Shorter distances are mostly rounding to steps.
+  static constexpr float kChordMm = 0.05F;
+
+  void follow(float least_mm);
   void close();
 
   StepDrive& drive_;
@@ -50,6 +59,7 @@ class LightGap {
   bool found_ = false;
   motion::PathUnits unknown_ = 0;
   Uncut gap_{};
+  AxisArray<std::int32_t> followed_{};  ///< gap_.distance is that up to here, before find().
   bool reported_ = false;
 };
 

@@ -111,6 +111,7 @@ void Machine::poll(hal::TickCount now) {
   if (state_.in(Mode::kFree) || tool_change_.open()) dwell_.pass(elapsed_us);
   restart_dwell_.pass(elapsed_us);
   note_progress();
+  gap_.follow();
   attend_mode(elapsed_us);
   spline_points_ = kSplinePoints;
   run_actions();
@@ -182,8 +183,8 @@ std::uint16_t Machine::duty_at_rest() const {
   return share > 0.0F ? to_full_scale(limits_.beam.table.duty_for(share)) : std::uint16_t{0};
 }
 
-/// Light where nothing moves, as M3 means it: in a dwell, or as a dot that stays in G1 to G3.
-/// It is dark again before the motion that was planned in this cycle begins.
+/// Keeps the beam on where nothing moves, as M3 means it: in a dwell, or for a dot in G1 to G3.
+/// The beam is off before the motion that was planned in this cycle begins.
 void Machine::attend_rest_light(std::int32_t elapsed_us) {
   if (!motion_.drained()) rest_light_.renew();
   const std::uint16_t light =

@@ -54,7 +54,8 @@ class MotionControl : private Pipeline {
     return trail_.distance_since(tick, travelled());
   }
   [[nodiscard]] bool is_lit_after(std::uint32_t tick) const { return trail_.is_lit_after(tick); }
-  /// As Pipeline's: the motion goes on so far back, once the motors have been brought to place().
+  /// As Pipeline's: takes the motion back by `distance`; it goes on once the motors have been
+  /// brought to place().
   /// @pre drained() or halted()
   motion::PathUnits go_back(motion::PathUnits distance);
 

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <cstdint>
+#include <string_view>
 
 namespace cnc {
 
@@ -15,6 +16,8 @@ namespace cnc {
 /// chip: it believes the allowance, whose memory is checked, and counts by itself.
 class RestLight {
  public:
+  /// What a sender is told of a refusal.
+  static constexpr std::string_view kRefusalText = "Dark at rest: $870, $871";
   /// Periods of the watch in a millisecond.
   static constexpr std::uint32_t kPeriodsPerMs = 4;
 

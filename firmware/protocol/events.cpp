@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <utility>
 
+#include "firmware/protocol/compensation_text.hpp"
 #include "firmware/protocol/identity.hpp"
 #include "firmware/protocol/line_protocol.hpp"
 #include "firmware/protocol/report_lines.hpp"
@@ -54,7 +56,11 @@ bool LineProtocol::tell_news() {
     return true;
   }
   if (machine_.rest_light().take_refusal()) {
-    message("Dark at rest: $870, $871");
+    message(RestLight::kRefusalText);
+    return true;
+  }
+  if (!tool_refusal_.empty()) {
+    message(std::exchange(tool_refusal_, {}));
     return true;
   }
   const auto tool = machine_.pending_tool();
@@ -123,8 +129,22 @@ void LineProtocol::tell_trouble() {
   answer(reply.letter(']').end());
 }
 
+/// Reports a path that the start-up line before could not drive.
+void LineProtocol::tell_startup_fault() {
+  const auto fault = machine_.take_path_fault();
+  if (!fault) return;
+  Reply reply = begin_answer();
+  put_compensation_fault(reply.text("[MSG:Startup line: since G41 or G42, "), *fault);
+  answer(reply.letter(']').end());
+}
+
 /// Shown as Grbl does, but without an answer that a sender would count.
 void LineProtocol::run_startup_line() {
+  tell_startup_fault();
+  if (startup_line_ == StoredState::kStartupLines) {
+    startup_line_ = kStartupDone;
+    return;
+  }
   const StoredText line = stored_.load_startup_line(startup_line_++);
   if (line.empty() || machine_.locked()) return;
   answer(begin_answer().letter('>').text(line.view()).end());

@@ -74,10 +74,10 @@ void LineProtocol::poll(hal::TickCount now) {
     if (machine_.busy()) return;
     if (beginning_) {
       welcome();
-    } else if (startup_line_ < StoredState::kStartupLines) {
+    } else if (startup_line_ < kStartupDone) {
       run_startup_line();
     } else if (!finish_line()) {
-      if (++lines > kLinesInATurn) return;
+      if (++lines > kLinesInATurn || awaits_tool()) return;
       if (!read_line()) {
         if (refuse_lost_line()) continue;
         return save_places();
@@ -102,6 +102,14 @@ void LineProtocol::receive() {
     silence_.hear(now_);
     receiver_.receive_all(std::span{incoming_}.first(count));
   }
+}
+
+void LineProtocol::act_at_once(std::byte byte) {
+  silence_.hear(now_);
+  const auto code = std::to_integer<std::uint8_t>(byte);
+  if (code == static_cast<std::uint8_t>(RealtimeByte::kToolAcknowledge)) return refuse_tool();
+  if (machine_.changes_tool()) receive();  // Lines that `~` comes behind.
+  receiver_.act_at_once(code);
 }
 
 void LineProtocol::attend_realtime() {
@@ -150,21 +158,22 @@ void LineProtocol::watch_checks() {
 
 void LineProtocol::begin_anew() {
   check_ = {};
-  tool_change_ends_ = false;
+  forget_tool_change();
   receiver_.be_strict(false);
   assembler_ = {};
   listing_.stop();
   auto_report_ = false;
   owed_ = Owed::kNothing;
   unheard_ = greeting_due_ = false;
-  startup_line_ = StoredState::kStartupLines;
+  startup_line_ = kStartupDone;
   beginning_ = true;
 }
 
 void LineProtocol::begin_sender() {
   silence_.begin_sender();
   check_ = {};
-  tool_change_ends_ = false;
+  forget_tool_change();
+  tool_told_ = false;
   receiver_.begin_anew();
   assembler_ = {};
   listing_.stop();
@@ -224,7 +233,7 @@ bool LineProtocol::refuse_lost_line() {
 
 /// True when the line is to be done: as it came, or what is left of it without its check.
 bool LineProtocol::passes_check(std::string_view& line) {
-  const LineCheck::Judgement judged = check_.judge(line, assembler_.whole(), now_);
+  const LineCheck::Judgement judged = check_.judge(line, assembler_.long_line(), now_);
   line = judged.text;
   receiver_.be_strict(check_.strict());
   switch (judged.verdict) {
@@ -240,7 +249,7 @@ bool LineProtocol::passes_check(std::string_view& line) {
       return false;
     case LineCheck::Verdict::kWrong:
       refuse(error_number::kWrongCheck,
-             static_cast<std::uint32_t>(line.size() + 1),
+             assembler_.whole() ? static_cast<std::uint32_t>(line.size() + 1) : 0,
              "the check does not fit its line");
       return false;
   }

@@ -52,11 +52,11 @@ class LineProtocol {
   /// @param now microseconds.
   void poll(hal::TickCount now);
 
-  /// A realtime byte that came beside the stream.
-  void act_at_once(std::byte byte) {
-    silence_.hear(now_);
-    receiver_.act_at_once(std::to_integer<std::uint8_t>(byte));
-  }
+  /// A realtime byte that came apart from the stream. Of lines nobody knows whether they were sent
+  /// before it, so 0xA3, which has to know, is answered by a message.
+  void act_at_once(std::byte byte);
+  /// Bytes of lines that can be received now.
+  [[nodiscard]] std::uint32_t room() const { return receiver_.room(); }
 
   /// Every line must carry a number and a check.
   [[nodiscard]] bool checks_lines() const { return check_.strict(); }
@@ -74,6 +74,9 @@ class LineProtocol {
   void lose_sender();
 
  private:
+  /// Behind the last start-up line there is one to report its fault.
+  static constexpr std::size_t kStartupDone = StoredState::kStartupLines + 1;
+
   /// What the line before still waits for.
   enum class Owed : std::uint8_t { kNothing, kAck, kHoming };
 
@@ -95,6 +98,10 @@ class LineProtocol {
 
   // A tool change, in tool_change.cpp.
   void acknowledge_tool();
+  void refuse_tool();
+  void forget_tool_change();
+  void take_line_feed();
+  [[nodiscard]] bool awaits_tool() const;
   [[nodiscard]] bool ends_tool_change(RealtimeByte command);
   void attend_tool_change();
 
@@ -108,6 +115,7 @@ class LineProtocol {
   void greet();
   void tell_trouble();
   void run_startup_line();
+  void tell_startup_fault();
   void save_places();
 
   // `$`, in statements.cpp.
@@ -178,7 +186,9 @@ class LineProtocol {
   Owed owed_ = Owed::kNothing;
   Alarm told_alarm_ = Alarm::kNone;
   bool tool_told_ = false;
-  bool tool_change_ends_ = false;  ///< `~` has come; lines before it are done first.
+  bool takes_part_ = false;          ///< The sender has said 0xA3 in a tool change.
+  bool tool_change_ends_ = false;    ///< `~` has come; lines before it are done first.
+  std::string_view tool_refusal_{};  ///< Why 0xA3 was not taken, until it is reported.
   hal::TickCount now_{};
   hal::TickCount reported_{};  ///< The last report that nobody asked for.
   bool auto_report_ = false;
@@ -187,7 +197,7 @@ class LineProtocol {
   bool greeting_due_ = false;  ///< A sender came; nothing else has happened.
   bool unheard_ = false;       ///< Who sent the line that is owed an answer is gone.
   bool saving_failed_ = false;
-  std::size_t startup_line_ = StoredState::kStartupLines;  ///< The next to be run.
+  std::size_t startup_line_ = kStartupDone;  ///< The next to be run.
 };
 
 }  // namespace cnc

@@ -6,14 +6,45 @@
 /// had sent ahead, until `~`.
 namespace cnc {
 
-/// Checked lines that wait have numbers before those of the change, and can be judged in their
-/// order only: their sender acknowledges a tool when all are answered.
+/// The sender takes part where it is certain which lines came before 0xA3: they wait in the
+/// receiver, all of them, and leave space for a line. Numbered lines can be judged in their order
+/// only, so none may wait.
 void LineProtocol::acknowledge_tool() {
-  if (check_.strict() && receiver_.has_text()) return;
-  if (machine_.acknowledge_tool()) receiver_.keep_back(assembler_.ends_with_return());
+  if (machine_.state() != MachineState::kTool || takes_part_) return;
+  take_line_feed();
+  if (receiver_.has_overrun() || receiver_.room() < kLongestLine + 2) return refuse_tool();
+  if (check_.active() && receiver_.has_text()) {
+    tool_refusal_ = "Tool change: numbered lines wait, ~ goes on";
+    return;
+  }
+  if (!machine_.changes_tool() && !machine_.acknowledge_tool()) return;
+  receiver_.keep_back();
+  takes_part_ = true;
 }
 
-/// True where `~` belongs to a tool change: what came before it is done first.
+void LineProtocol::refuse_tool() {
+  if (machine_.state() != MachineState::kTool || takes_part_) return;
+  tool_refusal_ = "Tool change: too many lines came before 0xA3, ~ goes on";
+}
+
+/// Takes the LF of a pair whose first half ended a line: alone it would end another.
+void LineProtocol::take_line_feed() {
+  if (assembler_.ends_with_return() && receiver_.take_line_feed()) {
+    static_cast<void>(assembler_.add('\n'));
+  }
+}
+
+/// Of the sender: a change that it takes part in stays open, and waits for `~` or another 0xA3.
+void LineProtocol::forget_tool_change() {
+  takes_part_ = false;
+  tool_change_ends_ = false;
+  tool_refusal_ = {};
+}
+
+/// A tool is being changed, and the sender at the link has not said that it takes part.
+bool LineProtocol::awaits_tool() const { return machine_.changes_tool() && !takes_part_; }
+
+/// True where `~` belongs to a tool change: lines that came before it are done first.
 bool LineProtocol::ends_tool_change(RealtimeByte command) {
   const bool start =
       command == RealtimeByte::kCycleStart || command == RealtimeByte::kCycleStartRaw;
@@ -23,16 +54,19 @@ bool LineProtocol::ends_tool_change(RealtimeByte command) {
 }
 
 void LineProtocol::attend_tool_change() {
-  if (!receiver_.keeps_back()) return;
   if (machine_.changes_tool()) {
     if (!tool_change_ends_ || machine_.busy() || owed_ != Owed::kNothing) return;
-    const bool within_line = assembler_.has_begun();
-    if (within_line || !receiver_.is_at_start(assembler_.ends_with_return())) return;
+    take_line_feed();
+    const bool lines_wait = assembler_.has_begun() || !receiver_.is_at_start();
+    if (takes_part_ && lines_wait) return;
     tool_change_ends_ = false;
     return machine_.resume();
   }
-  if (assembler_.has_begun()) return;  // Its end lies behind what was kept back.
-  receiver_.release(assembler_.ends_with_return());
+  if (!takes_part_) return;
+  if (assembler_.has_begun()) return;  // Its end lies behind the lines that were kept back.
+  take_line_feed();
+  receiver_.release();
+  takes_part_ = false;
 }
 
 }  // namespace cnc

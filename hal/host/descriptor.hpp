@@ -25,6 +25,8 @@ class Descriptor {
   }
 
   [[nodiscard]] int number() const { return number_; }
+  /// Leaves it to another owner.
+  [[nodiscard]] int release() { return std::exchange(number_, -1); }
 
  private:
   int number_ = -1;

@@ -106,14 +106,7 @@ constexpr const char* kRemedy =
 
 FileStore::FileStore(std::string path) : path_{std::move(path)} {
   try {
-    const bool is_new = open_and_lock();
-    if (!is_new) {
-      read();
-      return;
-    }
-    if (write()) return;
-    static_cast<void>(::unlink(without_links(path_).c_str()));
-    throw std::runtime_error("cannot be written; is the disk full?");
+    if (open_and_lock()) read();
   } catch (const std::exception& error) {
     release();
     // A line of the file begins with its colon.
@@ -134,9 +127,11 @@ bool FileStore::open_and_lock() {
   const std::string target = without_links(path_);
   for (int i = 0; i < kMostTries; ++i) {
     release();
-    lock_ = ::open(target.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-    const bool is_new = lock_ >= 0;
-    if (!is_new && errno == EEXIST) lock_ = ::open(target.c_str(), O_RDWR | O_CLOEXEC | O_NOCTTY);
+    lock_ = ::open(target.c_str(), O_RDWR | O_CLOEXEC | O_NOCTTY);
+    if (lock_ < 0 && errno == ENOENT) {
+      if (create()) return false;
+      continue;
+    }
     if (lock_ < 0) throw std::system_error{errno, std::generic_category(), "cannot open"};
     struct ::stat locked {};
     struct ::stat named {};
@@ -147,9 +142,21 @@ bool FileStore::open_and_lock() {
       if (errno != EWOULDBLOCK) throw std::system_error{errno, std::generic_category(), "no lock"};
       throw std::runtime_error("another server uses it; end that one, or name another file");
     }
-    if (::stat(target.c_str(), &named) == 0 && named.st_ino == locked.st_ino) return is_new;
+    if (::stat(target.c_str(), &named) == 0 && named.st_ino == locked.st_ino) return true;
   }
   throw std::runtime_error("it is replaced again and again by another process");
+}
+
+/// Locked and whole before it has the name, so that a kill leaves no file that is empty.
+bool FileStore::create() {
+  ReplacingFile fresh{path_};
+  fresh.write(text_of(records_));
+  if (::flock(fresh.descriptor(), LOCK_EX | LOCK_NB) != 0) {
+    throw std::system_error{errno, std::generic_category(), "no lock"};
+  }
+  if (!fresh.commit_as_new()) return false;
+  lock_ = ::fcntl(fresh.descriptor(), F_DUPFD_CLOEXEC, 0);
+  return true;
 }
 
 void FileStore::read() {

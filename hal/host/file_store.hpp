@@ -29,8 +29,10 @@ class FileStore final : public MemoryStore {
   [[nodiscard]] bool save(std::uint16_t number, std::span<const std::byte> record) override;
 
  private:
-  /// True where the file was created.
+  /// True where a file was there, false where it was created.
   [[nodiscard]] bool open_and_lock();
+  /// False where another process has created the file meanwhile.
+  [[nodiscard]] bool create();
   void read();
   [[nodiscard]] bool write();
   void release();

@@ -1,6 +1,7 @@
 #include "hal/host/replacing_file.hpp"
 
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -9,6 +10,7 @@
 #include <cerrno>
 #include <charconv>
 #include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <optional>
@@ -66,6 +68,24 @@ std::optional<int> own_stream(std::string_view path) {
   return std::nullopt;
 }
 
+/// Opens a device, or a pipe, whose reader may come a little later; an endless wait for it would
+/// look like a program that hangs. -1 and errno where that fails, ENXIO without a reader.
+int open_with_reader(const std::string& target) {
+  constexpr int kPeriodMs = 20;
+  constexpr int kMostTries = 5000 / kPeriodMs;
+  constexpr int kMode = O_WRONLY | O_CLOEXEC | O_NOCTTY;
+  for (int i = 0;; ++i) {
+    const int file = ::open(target.c_str(), kMode | O_NONBLOCK);
+    if (file >= 0) {
+      const int flags = ::fcntl(file, F_GETFL);
+      if (::fcntl(file, F_SETFL, flags & ~O_NONBLOCK) != 0) errno = 0;
+      return file;
+    }
+    if (errno != ENXIO || i >= kMostTries) return -1;
+    static_cast<void>(::poll(nullptr, 0, kPeriodMs));
+  }
+}
+
 }  // namespace
 
 std::string without_links(const std::string& path) {
@@ -108,9 +128,8 @@ ReplacingFile::~ReplacingFile() {
 
 void ReplacingFile::open_in_place() {
   const auto own = own_stream(path_);
-  descriptor_ = own ? ::fcntl(*own, F_DUPFD_CLOEXEC, 0)
-                    : ::open(target_.c_str(), O_WRONLY | O_CLOEXEC | O_NOCTTY);
-  if (descriptor_ < 0) fail("cannot write");
+  descriptor_ = own ? ::fcntl(*own, F_DUPFD_CLOEXEC, 0) : open_with_reader(target_);
+  if (descriptor_ < 0) fail(errno == ENXIO ? "nothing reads the pipe" : "cannot write");
 }
 
 void ReplacingFile::open_beside() {
@@ -132,7 +151,7 @@ void ReplacingFile::open_beside() {
   fail("cannot create");
 }
 
-/// Who may read the old file may read the new one.
+/// Gives the new file the owner and the mode of the old one, so that the same users may read it.
 void ReplacingFile::take_mode_of_target() {
   struct ::stat old {};
   if (::stat(target_.c_str(), &old) != 0) return;
@@ -158,6 +177,20 @@ void ReplacingFile::commit() {
     forget_name(beside_);
   }
   committed_ = true;
+}
+
+bool ReplacingFile::commit_as_new() {
+  if (beside_.empty() || replaces_) return false;
+  if (::fsync(descriptor_) != 0) fail("cannot write");
+  if (::renameat2(AT_FDCWD, beside_.c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) != 0) {
+    if (errno == EEXIST) return false;
+    if (errno != EINVAL && errno != ENOSYS) fail("cannot create");
+    // The file system cannot: it has no way to refuse a name that came in between.
+    if (std::rename(beside_.c_str(), target_.c_str()) != 0) fail("cannot create");
+  }
+  forget_name(beside_);
+  committed_ = true;
+  return true;
 }
 
 void ReplacingFile::fail(const char* action) const {

@@ -31,6 +31,10 @@ class ReplacingFile {
   /// call does nothing.
   void commit();
 
+  /// The same where nothing has the name yet. False where something has got it since: the target
+  /// stays as it is.
+  [[nodiscard]] bool commit_as_new();
+
   /// The open file, also after commit(); for locks.
   [[nodiscard]] int descriptor() const { return descriptor_; }
 

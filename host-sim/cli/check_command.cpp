@@ -8,6 +8,7 @@
 #include "host-sim/cli/job_options.hpp"
 #include "host-sim/report/duration_text.hpp"
 #include "host-sim/report/report_json.hpp"
+#include "host-sim/report/terminal.hpp"
 
 namespace sim {
 namespace {
@@ -25,20 +26,22 @@ std::string bounds_text(const Report& report, std::size_t first, std::size_t las
 }
 
 void print(const Report& report) {
-  fmt::print("{}: {} lines, {}, {:.1f} mm, {:.1f} mm of it cut\n",
-             report.job,
-             report.lines,
-             duration_text(report.job_time_s),
-             report.path_length_mm,
-             report.cut_length_mm);
+  const bool turns = report.turned_deg > 0.0;
+  terminal::print("{}: {} lines, {}, {:.1f} mm, {:.1f} mm of it cut{}\n",
+                  report.job,
+                  report.lines,
+                  duration_text(report.job_time_s),
+                  report.path_length_mm,
+                  report.cut_length_mm,
+                  turns ? fmt::format(", {:.1f} degrees turned", report.turned_deg) : "");
   const std::string linear = bounds_text(report, 0, cnc::kLinearAxisCount);
   const std::string rotary = bounds_text(report, cnc::kLinearAxisCount, cnc::kAxisCount);
   if (!linear.empty() || rotary.empty()) {
-    fmt::print("  bounds in mm:{}\n", linear.empty() ? "  no motion" : linear);
+    terminal::print("  bounds in mm:{}\n", linear.empty() ? "  no motion" : linear);
   }
-  if (!rotary.empty()) fmt::print("  bounds in degrees:{}\n", rotary);
-  for (const std::string& warning : report.warnings) fmt::print("  warning: {}\n", warning);
-  for (const Fault& fault : report.faults) fmt::print("{}\n", to_string(fault));
+  if (!rotary.empty()) terminal::print("  bounds in degrees:{}\n", rotary);
+  for (const std::string& warning : report.warnings) terminal::print("  warning: {}\n", warning);
+  for (const Fault& fault : report.faults) terminal::print("{}\n", to_string(fault));
 }
 
 nlohmann::ordered_json summary(const Report& report) {
@@ -62,15 +65,16 @@ nlohmann::ordered_json summary(const Report& report) {
 }
 
 ExitStatus check_all(const JobOptions& options) {
-  const std::vector<Report> reports = for_each_job(options, check);
+  const JobsDone done = for_each_job(options, check);
+  const std::vector<Report>& reports = done.reports;
   if (options.json) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const Report& report : reports) all.push_back(summary(report));
-    fmt::print("{}\n", dumped(all));
+    terminal::write_data(dumped(all) + "\n");
   } else {
     for (const Report& report : reports) print(report);
   }
-  return any_faults(reports) ? ExitStatus::kFaults : ExitStatus::kFine;
+  return finish(done);
 }
 
 }  // namespace

@@ -16,7 +16,9 @@
 #include "host-sim/cut/cut_report.hpp"
 #include "host-sim/cut/kerf_notes.hpp"
 #include "host-sim/plot/cut_picture.hpp"
+#include "host-sim/report/nearest_name.hpp"
 #include "host-sim/report/report_json.hpp"
+#include "host-sim/report/terminal.hpp"
 #include "host-sim/trace/input_file.hpp"
 #include "host-sim/trace/output_file.hpp"
 
@@ -37,14 +39,20 @@ std::vector<cut::LayerRule> rules_of(const CutCommandOptions& options, const Dra
   for (const std::string& text : options.layers) rules.push_back(cut::parse_rule(text, "--layer"));
   for (const cut::LayerRule& rule : rules) {
     std::string known;
+    std::vector<std::string> names;
     bool found = false;
     for (const drawing::Layer& layer : drawn.layers) {
       found = found || rule.name == layer.name || rule.name == layer.colour;
+      names.insert(names.end(), {layer.name, layer.colour});
       known += fmt::format(" \"{}\" {};", layer.name, layer.colour);
     }
     if (found) continue;
-    throw std::invalid_argument(fmt::format(
-        "{}: the drawing has no layer or colour \"{}\"; it has{}", rule.place, rule.name, known));
+    throw std::invalid_argument(
+        fmt::format("{}: the drawing has no layer or colour \"{}\"; it has{}{}",
+                    rule.place,
+                    rule.name,
+                    known,
+                    did_you_mean(rule.name, names)));
   }
   return rules;
 }
@@ -72,7 +80,13 @@ std::vector<cut::LayerPlan> layers_of(const CutCommandOptions& options,
                                       const Drawing& drawn,
                                       const MaterialRecord& record) {
   LayerSettings common;
-  for (const auto& [key, value] : options.common) set(common, key, value);
+  for (const auto& [key, value] : options.common) {
+    try {
+      set(common, key, value);
+    } catch (const std::invalid_argument& error) {
+      throw std::invalid_argument(fmt::format("--{}", error.what()));
+    }
+  }
   const std::vector<cut::LayerRule> rules = rules_of(options, drawn);
   const std::uint32_t thickness = thickness_option(options.thickness_mm);
   std::vector<cut::LayerPlan> layers;
@@ -109,9 +123,9 @@ std::vector<drawing::Fault> faults_of(const Drawing& drawn,
 
 void print_faults(const std::vector<drawing::Fault>& faults, const Drawing& drawn) {
   for (const drawing::Fault& fault : faults) {
-    fmt::print(stderr, "{}\n", to_string(fault, drawn.file));
+    terminal::print(stderr, "{}\n", to_string(fault, drawn.file));
   }
-  if (drawn.more_faults != 0) fmt::print(stderr, "and {} more faults\n", drawn.more_faults);
+  if (drawn.more_faults != 0) terminal::print(stderr, "and {} more faults\n", drawn.more_faults);
 }
 
 /// A machine with a laser, and whatever else is said of it.
@@ -150,11 +164,12 @@ std::string timed_program(const CutCommandOptions& options,
   const std::string name = options.output.empty() ? "the program" : options.output;
   const Report report = check_program(job, run, lines_of(job, figures), name);
   figures.job_time_s = report.job_time_s;
-  for (const Fault& fault : report.faults) fmt::print(stderr, "{}\n", to_string(fault));
+  for (const Fault& fault : report.faults) terminal::print(stderr, "{}\n", to_string(fault));
   if (!report.faults.empty()) {
-    fmt::print(stderr,
-               "kerfline: the machine as it is set does not take the program; tell of yours with "
-               "--settings, or move the drawing\n");
+    terminal::print(
+        stderr,
+        "kerfline: the machine as it is set does not take the program; tell of yours with "
+        "--settings, or move the drawing\n");
     status = ExitStatus::kFaults;
   }
   return program_of(job, run, lines_of(job, figures));
@@ -177,26 +192,29 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
                    plan,
                    record,
                    beam_of(options, run.settings, record),
-                   kerf_notes(record, options.record.records(), plan.layers)};
-  for (const std::string& note : job.notes) fmt::print(stderr, "kerfline: warning: {}\n", note);
+                   options.laser,
+                   kerf_notes(record, options.laser, options.record.records(), plan.layers)};
+  for (const std::string& note : job.notes)
+    terminal::print(stderr, "kerfline: warning: {}\n", note);
   CutFigures figures = figures_of(plan);
   const auto draw = [&](const cut::EdgeFigures* edges) {
     if (!options.svg.empty()) write_file(options.svg, draw_cuts(drawn, plan, drawn.file, edges));
   };
   draw(nullptr);
   if (plan.cuts.empty() || (!sound && !options.anyway)) {
-    fmt::print(stderr,
-               "kerfline: {}\n",
-               plan.cuts.empty() ? "nothing is left to cut; no program is written"
-                                 : "no program is written; --anyway cuts what is sound");
+    terminal::print(stderr,
+                    "kerfline: {}{}\n",
+                    plan.cuts.empty() ? "nothing is left to cut; no program is written"
+                                      : "no program is written; --anyway cuts what is sound",
+                    stale_note(options.output));
     return ExitStatus::kFaults;
   }
   ExitStatus status = sound ? ExitStatus::kFine : ExitStatus::kFaults;
   const std::string program = timed_program(options, job, run, figures, status);
   std::FILE* const told = options.output.empty() ? stderr : stdout;
-  for (const std::string& line : lines_of(job, figures)) fmt::print(told, "{}\n", line);
+  for (const std::string& line : lines_of(job, figures)) terminal::print(told, "{}\n", line);
   if (options.output.empty()) {
-    fmt::print("{}", program);
+    terminal::write_data(program);
   } else {
     write_file(options.output, program);
   }

@@ -57,7 +57,15 @@ void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>
             FileRole::kInput);
   options->record.add_to(command);
   command.get_option("--material")->required();
-  command.add_option("--thickness", options->thickness_mm, "mm")->required()->type_name("T");
+  command.add_option("--thickness", options->thickness_mm, "mm")
+      ->required()
+      ->check(thickness_range())
+      ->type_name("T");
+  command
+      .add_option("--laser",
+                  options->laser,
+                  "Name of this machine's laser: cuts by another one say nothing of its kerf")
+      ->type_name("NAME");
   add_common_options(command, options);
   command.add_option("--layer", options->layers, "What is other for a layer; may be repeated")
       ->type_name("TEXT")

@@ -23,6 +23,7 @@ struct CutCommandOptions {
   OutlineOptions curves;
   RecordOptions record;
   double thickness_mm = 0.0;
+  std::string laser;                                        ///< Of this machine; empty: not named.
   std::vector<std::pair<std::string, std::string>> common;  ///< Keys of LayerSettings.
   std::vector<std::string> layers;
   std::string layers_file;

@@ -9,6 +9,7 @@
 #include "host-sim/job/job.hpp"
 #include "host-sim/knowledge/experiment.hpp"
 #include "host-sim/knowledge/flash_lines.hpp"
+#include "host-sim/report/terminal.hpp"
 
 namespace sim {
 namespace {
@@ -27,9 +28,7 @@ struct SimulatedProgram {
 
 /// A controller that finds the way beside parts gets the table of the material, and the watts of
 /// its beam: this one has no others.
-SimulatedProgram simulated(CutJob job,
-                           const CutRun& run,
-                           const std::vector<std::string>& heading) {
+SimulatedProgram simulated(CutJob job, const CutRun& run, const std::vector<std::string>& heading) {
   SimulatedProgram simulated;
   if (job.beam.kerf_table) {
     job.beam.kerf_table = static_cast<unsigned>(cnc::KerfTables::built_in());
@@ -96,8 +95,8 @@ EdgeChecks check_edges(const CutJob& job, const CutRun& run, std::FILE* told) {
     CutJob changed = job;
     changed.beam.follows_speed = variant.follows_speed;
     const cut::EdgeFigures figures = drive(changed, run, variant.setting);
-    fmt::print(told, "{}:\n", variant.name);
-    for (const std::string& line : lines_of(figures)) fmt::print(told, "  {}\n", line);
+    terminal::print(told, "{}:\n", variant.name);
+    for (const std::string& line : lines_of(figures)) terminal::print(told, "  {}\n", line);
     if (checks.rows.empty()) checks.first = figures;
     checks.rows[variant.key] = json_of(figures);
   }

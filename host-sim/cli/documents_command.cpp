@@ -10,6 +10,7 @@
 #include "host-sim/cli/commands.hpp"
 #include "host-sim/cli/completion.hpp"
 #include "host-sim/cli/manual_page.hpp"
+#include "host-sim/report/terminal.hpp"
 
 namespace sim {
 namespace {
@@ -39,7 +40,7 @@ void add_completion_command(CLI::App& app) {
     using Writer = std::string (*)(std::span<const CommandText>);
     static const std::map<std::string, Writer> kWriters{
         {"bash", bash_completion}, {"zsh", zsh_completion}, {"fish", fish_completion}};
-    fmt::print("{}", kWriters.at(*shell)(command_tree(app)));
+    terminal::write_data(kWriters.at(*shell)(command_tree(app)));
   });
 }
 
@@ -48,7 +49,7 @@ void add_manual_command(CLI::App& app) {
       app.add_subcommand("manual", "Print the manual page, in the language of man.");
   command->footer(kManualFooter);
   command->callback(
-      [&app] { fmt::print("{}", manual_page(command_tree(app), cnc::identity::version())); });
+      [&app] { terminal::write_data(manual_page(command_tree(app), cnc::identity::version())); });
 }
 
 }  // namespace sim

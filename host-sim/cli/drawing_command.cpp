@@ -14,6 +14,7 @@
 #include "host-sim/job/setting_line.hpp"
 #include "host-sim/plot/drawing_picture.hpp"
 #include "host-sim/report/report_json.hpp"
+#include "host-sim/report/terminal.hpp"
 #include "host-sim/trace/input_file.hpp"
 #include "host-sim/trace/output_file.hpp"
 
@@ -53,28 +54,28 @@ std::string_view side_of(const DrawnContour& contour) {
 }
 
 void print(const Drawing& drawn) {
-  fmt::print("{}: {} contours\n", drawn.file, drawn.contours.size());
+  terminal::print("{}: {} contours\n", drawn.file, drawn.contours.size());
   for (std::size_t i = 0; i < drawn.contours.size(); ++i) {
     const DrawnContour& contour = drawn.contours[i];
     const drawing::Layer& layer = drawn.layers[contour.entity.layer];
     std::string kinds;
     for (const auto& [kind, count] : kinds_of(contour)) kinds += fmt::format(" {} {}", count, kind);
     const std::string in = contour.parent ? fmt::format(" in {}", *contour.parent + 1) : "";
-    fmt::print("  {:4} {:5}{}  layer \"{}\" {}  {:.3f} mm  {:.3f} mm2 {}  {}\n",
-               i + 1,
-               side_of(contour),
-               in,
-               layer.name,
-               layer.colour,
-               contour.length_mm,
-               std::abs(contour.area_mm2),
-               kinds,
-               contour.entity.name);
+    terminal::print("  {:4} {:5}{}  layer \"{}\" {}  {:.3f} mm  {:.3f} mm2 {}  {}\n",
+                    i + 1,
+                    side_of(contour),
+                    in,
+                    layer.name,
+                    layer.colour,
+                    contour.length_mm,
+                    std::abs(contour.area_mm2),
+                    kinds,
+                    contour.entity.name);
   }
   for (const drawing::Fault& fault : drawn.faults) {
-    fmt::print("{}: {}\n", name_of(fault.kind), to_string(fault, drawn.file));
+    terminal::print("{}: {}\n", name_of(fault.kind), to_string(fault, drawn.file));
   }
-  if (drawn.more_faults != 0) fmt::print("and {} more faults\n", drawn.more_faults);
+  if (drawn.more_faults != 0) terminal::print("and {} more faults\n", drawn.more_faults);
 }
 
 nlohmann::ordered_json to_json(const drawing::Place& place) { return {place.x(), place.y()}; }
@@ -127,7 +128,7 @@ ExitStatus look_at(const DrawingOptions& options) {
       drawing::read_drawing(options.file, read_text(options.file), options.import);
   if (options.json) {
     constexpr int kIndent = 1;
-    fmt::print("{}\n", dumped(to_json(drawn), kIndent));
+    terminal::write_data(dumped(to_json(drawn), kIndent) + "\n");
   } else {
     print(drawn);
   }

@@ -92,6 +92,12 @@ std::optional<FileRole> file_role(const CLI::Option& option) {
   return std::nullopt;
 }
 
+std::string stale_note(const std::string& output) {
+  std::error_code is_none;
+  if (output.empty() || !std::filesystem::is_regular_file(output, is_none)) return {};
+  return fmt::format("; {} is still the file of before", output);
+}
+
 void refuse_shared_files(const std::vector<NamedFile>& files) {
   const auto refuse = [](const NamedFile& file, const std::string& other) {
     throw std::invalid_argument(fmt::format(

@@ -12,7 +12,7 @@ class Option;
 
 namespace sim {
 
-/// What a command does with a file.
+/// The use that a command makes of a file.
 enum class FileRole : std::uint8_t {
   kInput,
   kOutput,
@@ -29,6 +29,10 @@ struct NamedFile {
   std::string name;
   FileRole role;
 };
+
+/// `; NAME is still the file of before` where a file that was to be written is there already, for
+/// the end of a message that nothing is written. Empty for none, and for devices.
+[[nodiscard]] std::string stale_note(const std::string& output);
 
 /// Throws std::invalid_argument, naming both options, where an output is an input or another
 /// output, under whatever name or link; also where standard output goes into such a file.

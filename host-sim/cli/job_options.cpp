@@ -4,8 +4,11 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdlib>
+#include <exception>
+#include <set>
 
 #include "host-sim/cli/file_options.hpp"
+#include "host-sim/cli/standard_streams.hpp"
 #include "host-sim/cli/value_range.hpp"
 #include "host-sim/report/progress_bar.hpp"
 #include "host-sim/report/progress_lines.hpp"
@@ -41,11 +44,10 @@ std::vector<SettingChange> settings_of(const std::string& file,
   return changes;
 }
 
-std::vector<Report> for_each_job(const JobOptions& options,
-                                 const std::function<Report(const Job&)>& work) {
+JobsDone for_each_job(const JobOptions& options, const std::function<Report(const Job&)>& work) {
   using Clock = std::chrono::steady_clock;
   const std::vector<SettingChange> settings = settings_of(options.settings_file, options.set);
-  std::vector<Report> reports;
+  JobsDone done;
   const bool on_terminal = is_terminal(stderr);
   ProgressBar bar{stderr, on_terminal, Clock::now()};
   for (const std::string& file : options.files) {
@@ -58,9 +60,23 @@ std::vector<Report> for_each_job(const JobOptions& options,
             .settings = settings,
             .machine = {.probe_plate_z_mm = options.probe_plate_z_mm, .has_switches = false},
             .on_progress = show};
-    reports.push_back(work(job));
+    try {
+      done.reports.push_back(work(job));
+    } catch (const std::exception& error) {
+      if (options.files.size() == 1 || standard_output_failed()) throw;
+      done.errors.emplace_back(error.what());
+    }
   }
-  return reports;
+  return done;
+}
+
+ExitStatus finish(const JobsDone& done) {
+  std::set<std::string> printed;  // A wrong setting is wrong for every file.
+  for (const std::string& error : done.errors) {
+    if (printed.insert(error).second) print_error(error.c_str());
+  }
+  if (!done.errors.empty()) return ExitStatus::kUsage;
+  return any_faults(done.reports) ? ExitStatus::kFaults : ExitStatus::kFine;
 }
 
 bool may_colour() {

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "host-sim/cli/commands.hpp"
 #include "host-sim/job/job.hpp"
 
 namespace CLI {
@@ -29,10 +30,19 @@ struct JobOptions {
 [[nodiscard]] std::vector<SettingChange> settings_of(const std::string& file,
                                                      const std::vector<std::string>& set);
 
+/// Reports of the files of a call, and why others have none.
+struct JobsDone {
+  std::vector<Report> reports;
+  std::vector<std::string> errors;
+};
+
 /// Runs `work` on every file with a progress bar on a terminal, or with lines if `progress` asks
-/// for them.
-[[nodiscard]] std::vector<Report> for_each_job(const JobOptions& options,
-                                               const std::function<Report(const Job&)>& work);
+/// for them. A file that cannot be read costs the reports of others nothing; an only file throws.
+[[nodiscard]] JobsDone for_each_job(const JobOptions& options,
+                                    const std::function<Report(const Job&)>& work);
+
+/// Prints the errors, behind the reports, and returns the status of the call.
+[[nodiscard]] ExitStatus finish(const JobsDone& done);
 
 /// Whether standard output may be coloured: a terminal, and NO_COLOR not set.
 [[nodiscard]] bool may_colour();

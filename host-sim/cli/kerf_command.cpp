@@ -12,6 +12,7 @@
 #include "host-sim/cli/value_range.hpp"
 #include "host-sim/knowledge/experiment_csv.hpp"
 #include "host-sim/knowledge/shipped_records.hpp"
+#include "host-sim/report/terminal.hpp"
 
 namespace sim {
 namespace {
@@ -116,20 +117,20 @@ void show(const RecordOptions& options, bool with_cuts) {
   const KnowledgeBase base = options.open();
   if (options.material.empty()) {
     for (const MaterialRecord& record : base.records()) {
-      fmt::print("{}, Q in {}: {}\n", record.name, name_of(record.unit), record.provenance);
+      terminal::print("{}, Q in {}: {}\n", record.name, name_of(record.unit), record.provenance);
     }
     return;
   }
   const std::vector<Experiment> cuts = base.cuts_of(options.material);
   for (const Experiment& cut : with_cuts ? cuts : std::vector<Experiment>{}) {
-    fmt::print("{}:{}: {:g} mm {:g} W {:g} mm/min: kerf {:.4f} mm{}\n",
-               cut.file,
-               cut.line,
-               from_thousandths(cut.condition.thickness_um),
-               from_thousandths(cut.condition.power_mw),
-               from_thousandths(cut.condition.speed_um_min),
-               cut.kerf_mm(),
-               cut.accepted() ? "" : ", rejected: " + cut.rejection);
+    terminal::print("{}:{}: {:g} mm {:g} W {:g} mm/min: kerf {:.4f} mm{}\n",
+                    cut.file,
+                    cut.line,
+                    from_thousandths(cut.condition.thickness_um),
+                    from_thousandths(cut.condition.power_mw),
+                    from_thousandths(cut.condition.speed_um_min),
+                    cut.kerf_mm(),
+                    cut.accepted() ? "" : ", rejected: " + cut.rejection);
   }
   if (with_cuts) return;
   print_record(base.record_of(options.material, options.heat_unit()));
@@ -165,29 +166,29 @@ bool print_region(const MaterialRecord& record,
     const auto speeds = cnc::kerf::permissible_speeds(table.view(), thickness_um, power);
     if (!speeds.ok() || (speed_um_min && !speeds.value().holds(*speed_um_min))) continue;
     any = true;
-    fmt::print("  permissible: {:g} W, {:g} to {:g} mm/min",
-               from_thousandths(power),
-               from_thousandths(speeds.value().least),
-               from_thousandths(speeds.value().most));
+    terminal::print("  permissible: {:g} W, {:g} to {:g} mm/min",
+                    from_thousandths(power),
+                    from_thousandths(speeds.value().least),
+                    from_thousandths(speeds.value().most));
     if (speed_um_min) {
       const auto found = predict(record, {thickness_um, power, *speed_um_min});
-      fmt::print(
+      terminal::print(
           ": kerf {:.6f} mm +/- {:.3f} mm", found.value().kerf_mm, found.value().half_interval_mm);
     }
-    fmt::print("\n");
+    terminal::print("\n");
   }
   return any;
 }
 
 ExitStatus refuse(const std::string& reason) {
-  fmt::print(stderr, "kerfline: {}\n", reason);
+  terminal::print(stderr, "kerfline: {}\n", reason);
   return ExitStatus::kFaults;
 }
 
 ExitStatus advise_on_cut(const MaterialRecord& record, const cnc::kerf::Condition& condition) {
   const auto found = predict(record, condition);
   if (!found.ok()) return refuse(describe(found.error(), condition));
-  fmt::print(
+  terminal::print(
       "  Q = {:.6g} {}\n  kerf {:.6f} mm, 95 % of cuts within +/- {:.3f} mm; offset {:.6f} mm\n",
       found.value().heat,
       name_of(record.unit),
@@ -202,11 +203,12 @@ ExitStatus advise(const AdviseOptions& options) {
   cnc::kerf::Condition condition{thickness_option(options.thickness_mm), 0, 0};
   if (options.power_w) condition.power_mw = power_option(*options.power_w);
   if (options.speed_mm_min) condition.speed_um_min = speed_option(*options.speed_mm_min);
-  fmt::print("{}, {:g} mm; {}{}\n",
-             record.name,
-             from_thousandths(condition.thickness_um),
-             record.calibrated ? "" : "not calibrated on this machine; ",
-             record.provenance);
+  terminal::print("{}, {:g} mm; {}; {}{}\n",
+                  record.name,
+                  from_thousandths(condition.thickness_um),
+                  record.laser.empty() ? "no laser named" : record.laser,
+                  record.calibrated ? "" : "not calibrated on this machine; ",
+                  record.provenance);
   const OwnedKerfTable<double> table = table_of<double>(record);
   const auto powers = cnc::kerf::permissible_powers(table.view(), condition.thickness_um);
   if (!powers.ok()) return refuse(describe(powers.error(), condition));
@@ -220,10 +222,10 @@ ExitStatus advise(const AdviseOptions& options) {
   const auto speeds =
       cnc::kerf::permissible_speeds(table.view(), condition.thickness_um, condition.power_mw);
   if (!speeds.ok()) return refuse(describe(speeds.error(), condition));
-  fmt::print("  permissible at {:g} W: {:g} to {:g} mm/min\n",
-             from_thousandths(condition.power_mw),
-             from_thousandths(speeds.value().least),
-             from_thousandths(speeds.value().most));
+  terminal::print("  permissible at {:g} W: {:g} to {:g} mm/min\n",
+                  from_thousandths(condition.power_mw),
+                  from_thousandths(speeds.value().least),
+                  from_thousandths(speeds.value().most));
   return options.speed_mm_min ? advise_on_cut(record, condition) : ExitStatus::kFine;
 }
 
@@ -238,9 +240,14 @@ void add_advise_command(CLI::App& kerf, ExitStatus& status) {
   const auto options = std::make_shared<AdviseOptions>();
   options->record.add_to(*command);
   command->get_option("--material")->required();
-  command->add_option("--thickness", options->thickness_mm, "mm")->required()->type_name("T");
-  command->add_option("--power", options->power_w, "W")->type_name("P");
-  command->add_option("--speed", options->speed_mm_min, "mm/min")->type_name("V");
+  command->add_option("--thickness", options->thickness_mm, "mm")
+      ->required()
+      ->check(thickness_range())
+      ->type_name("T");
+  command->add_option("--power", options->power_w, "W")->check(power_range())->type_name("P");
+  command->add_option("--speed", options->speed_mm_min, "mm/min")
+      ->check(speed_range())
+      ->type_name("V");
   command->callback([options, &status] { status = advise(*options); });
 }
 

@@ -11,6 +11,7 @@
 #include "host-sim/cli/value_range.hpp"
 #include "host-sim/job/setting_line.hpp"
 #include "host-sim/knowledge/experiment_csv.hpp"
+#include "host-sim/report/terminal.hpp"
 #include "host-sim/report/text_table.hpp"
 #include "host-sim/trace/input_file.hpp"
 
@@ -20,27 +21,23 @@ namespace {
 constexpr const char* kPrinted = "printed";
 constexpr const char* kJoules = "J/mm";
 
+constexpr double kMostThicknessMm = from_thousandths(cnc::kerf::kMostThicknessUm);
+constexpr double kMostPowerW = from_thousandths(cnc::kerf::kMostPowerMw);
+constexpr double kMostSpeedMmMin = from_thousandths(cnc::kerf::kMostSpeedUmMin);
+
 std::string law_text(const ThicknessRecord& row) {
   if (row.measured) return "measured";
   return fmt::format("{:.6g} Q + {:.4f}", row.slope, row.intercept);
 }
 
-/// Cuts without a name of their laser are fine until there are others of the material.
-void require_named_laser(const std::vector<Experiment>& cuts,
-                         const KnowledgeBase& base,
-                         const std::string& file) {
+/// A record without a name of its laser could be of any machine.
+void require_named_laser(const std::vector<Experiment>& cuts, const std::string& file) {
   for (const Experiment& cut : cuts) {
     if (!cut.laser.empty()) continue;
-    for (const Experiment& known : base.cuts_of(cut.material)) {
-      if (known.laser.empty()) continue;
-      throw std::invalid_argument(
-          fmt::format("{}:{}: the laser has no name, and the data base has cuts of {} by `{}`; say "
-                      "with --laser NAME which laser cut these",
-                      file,
-                      cut.line,
-                      cut.material,
-                      known.laser));
-    }
+    throw std::invalid_argument(
+        fmt::format("{}:{}: column laser is empty; say with --laser NAME which laser cut these",
+                    file,
+                    cut.line));
   }
 }
 
@@ -100,20 +97,21 @@ std::vector<Experiment> add_cuts(const std::string& file, const CutOptions& opti
   ExperimentFile found = read_experiment_file(text, name_of_input(file), options.laser);
   std::vector<Experiment>& cuts = found.cuts;
   for (Experiment& cut : cuts) cut.rejection = rejection_of(cut, options.limits);
+  if (options.asks_for_laser) require_named_laser(cuts, name_of_input(file));
   KnowledgeBase base{options.data_base, SqlFile::Mode::kCreate};
-  if (options.asks_for_laser) require_named_laser(cuts, base, file);
   base.add(cuts, file, text);
   const auto accepted =
       std::count_if(cuts.begin(), cuts.end(), [](const Experiment& cut) { return cut.accepted(); });
-  fmt::print("{}: {} cuts, {} accepted{}\n",
-             file,
-             cuts.size(),
-             accepted,
-             found.unmeasured == 0
-                 ? ""
-                 : fmt::format(", {} lines without a measurement left out", found.unmeasured));
+  terminal::print("{}: {} cuts, {} accepted{}\n",
+                  file,
+                  cuts.size(),
+                  accepted,
+                  found.unmeasured == 0
+                      ? ""
+                      : fmt::format(", {} lines without a measurement left out", found.unmeasured));
   for (const Experiment& cut : cuts) {
-    if (!cut.accepted()) fmt::print("{}:{}: rejected: {}\n", cut.file, cut.line, cut.rejection);
+    if (!cut.accepted())
+      terminal::print("{}:{}: rejected: {}\n", cut.file, cut.line, cut.rejection);
   }
   return std::move(cuts);
 }
@@ -130,24 +128,28 @@ std::uint32_t thousandths_of(const char* option, double value, double most, cons
   return to_thousandths(value);
 }
 
+CLI::Validator thickness_range() { return in_range(0.0, kMostThicknessMm, "mm"); }
+CLI::Validator power_range() { return in_range(0.0, kMostPowerW, "W"); }
+CLI::Validator speed_range() { return in_range(0.0, kMostSpeedMmMin, "mm/min"); }
+
 std::uint32_t thickness_option(double mm) {
-  return thousandths_of("--thickness", mm, from_thousandths(cnc::kerf::kMostThicknessUm), "mm");
+  return thousandths_of("--thickness", mm, kMostThicknessMm, "mm");
 }
 std::uint32_t power_option(double watts) {
-  return thousandths_of("--power", watts, from_thousandths(cnc::kerf::kMostPowerMw), "W");
+  return thousandths_of("--power", watts, kMostPowerW, "W");
 }
 std::uint32_t speed_option(double mm_min) {
-  return thousandths_of("--speed", mm_min, from_thousandths(cnc::kerf::kMostSpeedUmMin), "mm/min");
+  return thousandths_of("--speed", mm_min, kMostSpeedMmMin, "mm/min");
 }
 
 void print_record(const MaterialRecord& record) {
-  fmt::print("{}: {}, gas {:g} MPa, Q in {}\n  {}{}\n",
-             record.name,
-             record.laser,
-             record.gas_pressure_mpa,
-             name_of(record.unit),
-             record.calibrated ? "" : "not calibrated on this machine; ",
-             record.provenance);
+  terminal::print("{}: {}, gas {:g} MPa, Q in {}\n  {}{}\n",
+                  record.name,
+                  record.laser.empty() ? "no laser named" : record.laser,
+                  record.gas_pressure_mpa,
+                  name_of(record.unit),
+                  record.calibrated ? "" : "not calibrated on this machine; ",
+                  record.provenance);
   TextTable laws{{{"T mm"}, {"kerf mm"}, {"r"}, {"residual mm"}, {"greatest mm"}, {"cuts"}}};
   TextTable region{{{"T mm"}, {"P W"}, {"V least mm/min"}, {"greatest"}, {"kerf mm"}, {"to mm"}}};
   for (const ThicknessRecord& row : record.thicknesses) {
@@ -171,7 +173,7 @@ void print_record(const MaterialRecord& record) {
                       kerf_at(power.speeds_um_min.most)});
     }
   }
-  fmt::print("{}{}", laws.text(2), region.text(2));
+  terminal::print_lines(stdout, laws.text(2) + region.text(2));
 }
 
 }  // namespace sim

@@ -8,7 +8,8 @@
 
 namespace CLI {
 class App;
-}
+class Validator;
+}  // namespace CLI
 
 namespace sim {
 
@@ -52,6 +53,11 @@ void add_unit_option(CLI::App& command, std::string& unit);
                                            double value,
                                            double most,
                                            const char* unit);
+/// Checks of options with these values, for messages that name range and unit.
+[[nodiscard]] CLI::Validator thickness_range();
+[[nodiscard]] CLI::Validator power_range();
+[[nodiscard]] CLI::Validator speed_range();
+
 [[nodiscard]] std::uint32_t thickness_option(double mm);
 [[nodiscard]] std::uint32_t power_option(double watts);
 [[nodiscard]] std::uint32_t speed_option(double mm_min);

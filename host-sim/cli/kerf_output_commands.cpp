@@ -14,6 +14,7 @@
 #include "host-sim/knowledge/flash_lines.hpp"
 #include "host-sim/knowledge/kerf_figures.hpp"
 #include "host-sim/plot/png.hpp"
+#include "host-sim/report/terminal.hpp"
 #include "host-sim/trace/output_file.hpp"
 
 namespace sim {
@@ -75,6 +76,7 @@ void add_plot_command(CLI::App& kerf) {
       ->check(CLI::IsMember({7, 8}))
       ->capture_default_str();
   command->add_option("--thickness", options->thickness_mm, "mm, of figure 7")
+      ->check(thickness_range())
       ->capture_default_str();
   mark_file(command->add_option("--svg", options->svg, "Write it as SVG")->type_name("FILE"),
             FileRole::kOutput);
@@ -116,13 +118,14 @@ void write_coupon(const CalibrateOptions& options) {
   if (!options.form.empty()) {
     write_file(options.form, coupon_form(plan));
     if (plan.laser.empty()) {
-      fmt::print(stderr,
-                 "kerfline: {} names no laser; with --laser NAME its cuts are told from those of "
-                 "other lasers\n",
-                 options.form);
+      terminal::print(
+          stderr,
+          "kerfline: {} names no laser; write its name into the form, or give it by --laser "
+          "NAME, here or with --measured\n",
+          options.form);
     }
   }
-  fmt::print("{}: {} slots\n", options.program, plan.slots.size());
+  terminal::print("{}: {} slots\n", options.program, plan.slots.size());
 }
 
 /// Cuts of the same material by the same laser with the same gas as some of `measured`.
@@ -139,7 +142,7 @@ std::vector<Experiment> cuts_like(const std::vector<Experiment>& measured,
   return cuts;
 }
 
-/// All that the data base knows of each material that was measured, by this laser, is fitted anew.
+/// All that the data base knows of each material that was measured, by this laser, is fitted.
 void take_measurements(const CalibrateOptions& options) {
   if (options.record.data_base.empty()) throw std::invalid_argument("--db is missing");
   if (!options.program.empty() || !options.form.empty()) {
@@ -177,10 +180,13 @@ void add_calibrate_command(CLI::App& kerf) {
   const auto options = std::make_shared<CalibrateOptions>();
   options->record.add_to(*command);
   CouponPlan& plan = options->plan;
-  command->add_option("--thickness", options->thickness_mm, "mm");
-  command->add_option("--powers", options->powers_w, "W; else those of the record")->delimiter(',');
+  command->add_option("--thickness", options->thickness_mm, "mm")->check(thickness_range());
+  command->add_option("--powers", options->powers_w, "W; else those of the record")
+      ->delimiter(',')
+      ->check(power_range());
   command->add_option("--speeds", options->speeds_mm_min, "mm/min; else those of the record")
-      ->delimiter(',');
+      ->delimiter(',')
+      ->check(speed_range());
   command->add_option("--full-power", plan.full_power_w, "What the laser gives at --full-s, W")
       ->check(in_range(0.001, from_thousandths(cnc::kerf::kMostPowerMw), "W"));
   command->add_option("--full-s", plan.full_power_s, "$30")
@@ -219,7 +225,7 @@ void write_image_file(const ImageOptions& options) {
   } else {
     write_file(options.out, flash_lines(image));
   }
-  fmt::print("{}: {} bytes of flash\n", options.out, image.size());
+  terminal::print("{}: {} bytes of flash\n", options.out, image.size());
 }
 
 void add_image_command(CLI::App& kerf) {

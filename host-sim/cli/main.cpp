@@ -13,12 +13,13 @@
 #include "host-sim/cli/commands.hpp"
 #include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/help_formatter.hpp"
-#include "host-sim/cli/nearest_name.hpp"
 #include "host-sim/cli/standard_streams.hpp"
+#include "host-sim/cli/unknown_word.hpp"
+#include "host-sim/report/terminal.hpp"
 #include "planner/base/contract.hpp"
 
 void cnc::contract_failed(const char* condition, const char* file, int line) {
-  fmt::print(stderr, "kerfline: {}:{}: broken contract: {}\n", file, line, condition);
+  sim::terminal::print(stderr, "kerfline: {}:{}: broken contract: {}\n", file, line, condition);
   std::abort();
 }
 
@@ -68,12 +69,12 @@ int run(int argc, char** argv) {
     if (error.get_exit_code() == 0) {
       std::ostringstream text;
       const int code = app.exit(error, text);
-      fmt::print("{}", text.str());
+      sim::terminal::write_data(text.str());
       return code;
     }
     const auto unknown = sim::unknown_word(app, {argv + 1, argv + argc});
     sim::print_error(unknown ? unknown->c_str() : error.what());
-    fmt::print(stderr, "Run with --help for more information.\n");
+    sim::terminal::print(stderr, "Run with --help for more information.\n");
     return static_cast<int>(sim::ExitStatus::kUsage);
   }
   return static_cast<int>(status);

@@ -2,10 +2,12 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <stdexcept>
 
 #include "host-sim/cli/commands.hpp"
 #include "host-sim/cli/file_options.hpp"
 #include "host-sim/job/setting_line.hpp"
+#include "host-sim/report/terminal.hpp"
 #include "host-sim/serve/replay.hpp"
 #include "host-sim/trace/input_file.hpp"
 #include "host-sim/trace/output_file.hpp"
@@ -35,24 +37,39 @@ bool replay_one(const std::string& file, const ReplayOptions& options) {
   const Conversation said = replay(recorded);
   if (options.update) {
     write_file(file, to_text(said));
-    fmt::print("{}: updated\n", file);
+    terminal::print("{}: updated\n", file);
     return true;
   }
   const auto difference = first_difference(recorded, said, options.with_times);
   if (!difference) {
     const double seconds = static_cast<double>(recorded.end_ns) * 1.0e-9;
-    fmt::print("{}: the same, {:.3f} s\n", file, seconds);
+    terminal::print("{}: the same, {:.3f} s\n", file, seconds);
     return true;
   }
-  fmt::print("{}:{}: recorded {}, said {}\n",
-             file,
-             difference->line,
-             quoted(difference->expected),
-             quoted(difference->said));
+  terminal::print("{}:{}: recorded {}, said {}\n",
+                  file,
+                  difference->line,
+                  quoted(difference->expected),
+                  quoted(difference->said));
   return false;
 }
 
+/// Files that are rewritten are outputs as well.
+void refuse_unwritable(const ReplayOptions& options) {
+  std::vector<NamedFile> files;
+  for (const std::string& file : options.files) {
+    if (file == "-") {
+      throw std::invalid_argument(
+          "--update rewrites its files, and `-` is standard input; write ./- for a file of that "
+          "name");
+    }
+    files.push_back({"FILE", file, FileRole::kKept});
+  }
+  refuse_shared_files(files);
+}
+
 ExitStatus replay_all(const ReplayOptions& options) {
+  if (options.update) refuse_unwritable(options);
   bool same = true;
   for (const std::string& file : options.files) same = replay_one(file, options) && same;
   return same ? ExitStatus::kFine : ExitStatus::kFaults;

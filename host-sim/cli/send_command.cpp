@@ -14,7 +14,7 @@
 #include "host-sim/cli/value_range.hpp"
 #include "host-sim/job/program_judge.hpp"
 #include "host-sim/job/program_text.hpp"
-#include "host-sim/report/printable.hpp"
+#include "host-sim/report/terminal.hpp"
 #include "host-sim/send/standpoint_reading.hpp"
 #include "host-sim/send/take_up.hpp"
 #include "host-sim/trace/input_file.hpp"
@@ -37,11 +37,13 @@ constexpr const char* kSendFooter =
     "would refuse, or beyond the travel ($130...), is not sent unless --accept-faults says so.\n"
     "A job sent --numbered or --checked that was interrupted goes on with --resume where the beam\n"
     "went out: the controller is reset if it is held, and the path is driven, beam off, up to\n"
-    "there. Keys at a terminal: ! or blank holds, ~ or r resumes, q or Ctrl-C stops. A stop holds,\n"
+    "there. Keys at a terminal: ! or blank holds, ~ or r resumes, q or Ctrl-C stops. A stop "
+    "holds,\n"
     "and resets at standstill, or at once where a hold does nothing (a tool change, homing, check\n"
     "mode): the position stays known, but after homing, and no line is left to go on. Without a\n"
     "terminal it prints for what the machine waits; SIGINT stops as q does.\n"
-    "Exit status: 0 all done and at rest, 1 faults, refused, aborted or cut off, 2 the call is wrong.";
+    "Exit status: 0 all done and at rest, 1 faults, refused, aborted or cut off, 2 the call is "
+    "wrong.";
 
 void add_options(CLI::App& command, SendCommandOptions& options) {
   mark_file(command.add_option("file", options.file, "The program; - reads standard input")
@@ -50,7 +52,7 @@ void add_options(CLI::App& command, SendCommandOptions& options) {
             FileRole::kInput);
   auto* const links = command.add_option_group("link", "Where the controller is");
   links->add_option("--port", options.port, "A serial port")->type_name("DEVICE");
-  links->add_option("--tcp", options.tcp, "Raw TCP")->type_name("HOST:PORT");
+  links->add_option("--tcp", options.tcp, "Raw TCP")->check(port_address())->type_name("HOST:PORT");
   links->add_option("--can", options.can, "A CAN interface of the kernel, can0 or vcan0")
       ->type_name("INTERFACE");
   links->add_option("--slcan", options.slcan, "A CAN adapter of the serial kind, at 1 Mbit/s")
@@ -67,7 +69,10 @@ void add_options(CLI::App& command, SendCommandOptions& options) {
   command.add_flag("--checked",
                    options.send.checked,
                    "Number and check every line, and repeat what was damaged");
-  command.add_option("--window", options.send.window, "Bytes on their way at most; else as the controller announces")
+  command
+      .add_option("--window",
+                  options.send.window,
+                  "Bytes on their way at most; else as the controller announces")
       ->check(in_whole_range(16, 65'536, "bytes"))
       ->type_name("BYTES");
   command.add_flag("--accept-faults",
@@ -97,8 +102,8 @@ void add_options(CLI::App& command, SendCommandOptions& options) {
 /// Lines that would never be taken are found before anything moves.
 void check_lengths(const JobLines& job, const SendCommandOptions& options) {
   const bool numbered = options.numbered || options.resume || options.send.checked;
-  const std::size_t most = kLongestSentLine - (numbered ? kSentNumber : 0) -
-                           (options.send.checked ? kSentCheck : 0);
+  const std::size_t most =
+      kLongestSentLine - (numbered ? kSentNumber : 0) - (options.send.checked ? kSentCheck : 0);
   const auto line = line_too_long(job, most);
   if (!line) return;
   throw std::invalid_argument(
@@ -114,8 +119,7 @@ ExitStatus say(const SendCommandOptions& options,
                const std::vector<JobLine>& words,
                const SendOptions& send,
                const std::function<void(Sender&, std::string_view)>& on_answer = {}) {
-  Transfer transfer{
-      options, line, JobPart{.lines = std::make_shared<const JobLines>(words)}, send};
+  Transfer transfer{options, line, JobPart{.lines = std::make_shared<const JobLines>(words)}, send};
   if (on_answer) {
     transfer.on_answer = [&](std::string_view answer) { on_answer(transfer.sender(), answer); };
   }
@@ -156,18 +160,18 @@ ExitStatus begin_within(const SendCommandOptions& options,
   Approach approach = lines_before(*job.lines, job.first, standing, options.resume);
   job.motion = std::move(approach.motion);
   const ExitStatus said = say(options, line, approach.lines, {.takes_up = options.resume});
-  fmt::print("{}: begins with line {}\n", printable(options.file), job.lines->number_of(job.first));
+  terminal::print("{}: begins with line {}\n", options.file, job.lines->number_of(job.first));
   return said;
 }
 
 void print_notes(const SendCommandOptions& options, const std::vector<LineNote>& notes) {
   for (const LineNote& note : notes) {
-    fmt::print(stderr, "{}\n", printable(place_and_text(options.file, note)));
+    terminal::print(stderr, "{}\n", place_and_text(options.file, note));
   }
 }
 
 ExitStatus refuse(const SendCommandOptions& options, std::string_view remedy) {
-  fmt::print(stderr, "{}: nothing was sent{}\n", printable(options.file), remedy);
+  terminal::print(stderr, "{}: nothing was sent{}\n", options.file, remedy);
   return ExitStatus::kFaults;
 }
 
@@ -177,9 +181,9 @@ ExitStatus judge(const SendCommandOptions& options,
                  const Standpoint& standpoint) {
   const Judgement judgement = judge_program(options.file, program.text, standpoint);
   if (judgement.fine()) return ExitStatus::kFine;
-  for (const Fault& fault : judgement.faults) fmt::print(stderr, "{}\n", to_string(fault));
+  for (const Fault& fault : judgement.faults) terminal::print(stderr, "{}\n", to_string(fault));
   if (judgement.more > 0) {
-    fmt::print(stderr, "{}: {}\n", printable(options.file), judgement.texts().back());
+    terminal::print(stderr, "{}: {}\n", options.file, judgement.texts().back());
   }
   if (options.accept_faults) return ExitStatus::kFine;
   return refuse(options, ": correct these lines, or send all the same with --accept-faults");

@@ -17,6 +17,7 @@
 #include "host-sim/cli/job_options.hpp"
 #include "host-sim/cli/value_range.hpp"
 #include "host-sim/job/axis_scale.hpp"
+#include "host-sim/report/terminal.hpp"
 #include "host-sim/serve/can_transport.hpp"
 #include "host-sim/serve/pty_transport.hpp"
 #include "host-sim/serve/record_file.hpp"
@@ -72,12 +73,14 @@ void add_options(CLI::App& command, ServeOptions& options) {
       .add_option("--tcp",
                   options.tcp,
                   "Raw TCP; from this machine only unless an address is given; port 0 is any free")
+      ->check(port_address())
       ->type_name("[ADDRESS:]PORT");
   command
       .add_option("--ws",
                   options.ws,
                   "The page, and WebSocket for senders; from this machine only unless an address\n"
                   "is given; port 0 is any free")
+      ->check(port_address())
       ->type_name("[ADDRESS:]PORT");
   command
       .add_option("--can", options.can, "A node of a CAN interface of the kernel, can0 or vcan0")
@@ -162,10 +165,10 @@ void open_ways_in(const ServeOptions& options, Reception& reception) {
 
 void announce(const Reception& reception) {
   for (const auto& way : reception.ways_in()) {
-    fmt::print("{} {}\n", way->kind(), way->address());
-    if (way->kind() == "ws") fmt::print("page http://{}/\n", way->address());
+    terminal::print("{} {}\n", way->kind(), way->address());
+    if (way->kind() == "ws") terminal::print("page http://{}/\n", way->address());
   }
-  fmt::print("ready\n");
+  terminal::print("ready\n");
   if (std::fflush(stdout) != 0) {
     throw std::system_error{errno, std::generic_category(), "standard output"};
   }

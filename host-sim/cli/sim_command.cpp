@@ -12,6 +12,7 @@
 #include "host-sim/cli/value_range.hpp"
 #include "host-sim/report/report_json.hpp"
 #include "host-sim/report/report_text.hpp"
+#include "host-sim/report/terminal.hpp"
 
 namespace sim {
 namespace {
@@ -78,7 +79,7 @@ void print(const std::vector<Report>& reports, bool json) {
   if (!json) return print_table(stdout, reports, may_colour());
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const Report& report : reports) all.push_back(to_json(report));
-  fmt::print("{}\n", dumped(reports.size() == 1 ? all[0] : all));
+  terminal::write_data(dumped(reports.size() == 1 ? all[0] : all) + "\n");
 }
 
 ExitStatus simulate_all(const SimOptions& options) {
@@ -90,13 +91,13 @@ ExitStatus simulate_all(const SimOptions& options) {
     require_placeholder(options.report, "--report");
   }
   refuse_shared_files(files_of(options));
-  const std::vector<Report> reports = for_each_job(options.job, [&](const Job& job) {
+  const JobsDone done = for_each_job(options.job, [&](const Job& job) {
     Report report = simulate(job, outputs_for(options, job.file));
     write_report(options, report, job.file);
     return report;
   });
-  print(reports, options.job.json);
-  return any_faults(reports) ? ExitStatus::kFaults : ExitStatus::kFine;
+  if (!done.reports.empty()) print(done.reports, options.job.json);
+  return finish(done);
 }
 
 }  // namespace

@@ -38,7 +38,7 @@ bool finish_standard_output(int reason) {
 }
 
 void print_error(const char* reason) {
-  static_cast<void>(std::fprintf(stderr, "kerfline: %s\n", printable(reason).c_str()));
+  static_cast<void>(std::fprintf(stderr, "kerfline: %s\n", printable_line(reason).c_str()));
 }
 
 }  // namespace sim

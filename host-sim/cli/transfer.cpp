@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "host-sim/report/duration_text.hpp"
-#include "host-sim/report/printable.hpp"
+#include "host-sim/report/terminal.hpp"
 #include "host-sim/send/can_port.hpp"
 
 namespace sim {
@@ -55,7 +55,7 @@ bool Line::close_log() {
 }
 
 void Line::drop_log(const std::system_error& error) {
-  fmt::print(stderr, "kerfline: --log: {}; the job goes on without its log\n", error.what());
+  terminal::print(stderr, "kerfline: --log: {}; the job goes on without its log\n", error.what());
   log_failed = true;
   file.reset();
 }
@@ -91,20 +91,19 @@ ExitStatus Transfer::run() {
   bar_.clear();
   const bool fine = sender_.state() == Sender::State::kDone;
   if (!fine) {
-    fmt::print(
-        stderr, "kerfline: {}: {}\n", printable(options_.file), printable(sender_.trouble()));
+    terminal::print(stderr, "kerfline: {}: {}\n", options_.file, sender_.trouble());
   }
   return fine ? ExitStatus::kFine : ExitStatus::kFaults;
 }
 
 void Transfer::tell() const {
-  fmt::print("{}: {} of {} lines in {}, {} sent again, {} refused\n",
-             printable(options_.file),
-             sender_.answered(),
-             lines_,
-             duration_text(static_cast<double>(line_.now().count()) / 1e3),
-             sender_.resent(),
-             sender_.errors());
+  terminal::print("{}: {} of {} lines in {}, {} sent again, {} refused\n",
+                  options_.file,
+                  sender_.answered(),
+                  lines_,
+                  duration_text(static_cast<double>(line_.now().count()) / 1e3),
+                  sender_.resent(),
+                  sender_.errors());
 }
 
 void Transfer::tell_news() {
@@ -159,7 +158,7 @@ void Transfer::attend_wait() {
   if (options_.stop_when_held) return sender_.abort("stopped instead of waiting: it " + words);
   if (keys_.any()) return;
   bar_.clear();
-  fmt::print(stderr, "kerfline: {}: {}\n", printable(options_.file), words);
+  terminal::print(stderr, "kerfline: {}: {}\n", options_.file, words);
 }
 
 void Transfer::show() {
@@ -169,11 +168,7 @@ void Transfer::show() {
   bar_.update(
       done,
       fmt::format(
-          "{}/{} lines, {} left, {}",
-          sender_.answered(),
-          lines_,
-          left,
-          printable(sender_.machine_state())),
+          "{}/{} lines, {} left, {}", sender_.answered(), lines_, left, sender_.machine_state()),
       Line::Clock::now());
 }
 

@@ -35,6 +35,16 @@ CLI::Validator in_range(double least, double most, const char* unit) {
   return range(least, most, unit, "no number");
 }
 
+CLI::Validator port_address() {
+  const auto check = [](const std::string& text) -> std::string {
+    const std::size_t colon = text.rfind(':');
+    std::string port = colon == std::string::npos ? text : text.substr(colon + 1);
+    const std::string wrong = in_whole_range(0, 65'535)(port);
+    return wrong.empty() ? "" : fmt::format("port {}; write PORT or ADDRESS:PORT", wrong);
+  };
+  return CLI::Validator{check, ""};
+}
+
 CLI::Validator in_whole_range(std::int64_t least, std::int64_t most, const char* unit) {
   return range(least, most, unit, "no whole number");
 }

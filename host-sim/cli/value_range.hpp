@@ -18,4 +18,7 @@ namespace sim {
                                             std::int64_t most,
                                             const char* unit = "");
 
+/// PORT or ADDRESS:PORT of a socket; a wrong one is refused with the range.
+[[nodiscard]] CLI::Validator port_address();
+
 }  // namespace sim

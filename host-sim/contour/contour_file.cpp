@@ -9,7 +9,7 @@
 
 #include "host-sim/contour/contour_text.hpp"
 #include "host-sim/contour/material_side.hpp"
-#include "host-sim/job/setting_line.hpp"
+#include "host-sim/report/printable.hpp"
 #include "host-sim/trace/input_file.hpp"
 
 namespace sim {
@@ -34,11 +34,12 @@ void throw_faults(const drawing::Drawing& drawn, const std::vector<drawing::Faul
   std::string text;
   for (const auto* const faults : {&drawn.faults, &more}) {
     for (const drawing::Fault& fault : *faults) {
-      if (fault.is_error()) text += to_string(fault, drawn.file) + "\n";
+      if (fault.is_error()) text += printable_line(to_string(fault, drawn.file)) + "\n";
     }
   }
   if (drawn.more_faults != 0) text += "and " + std::to_string(drawn.more_faults) + " more\n";
-  if (text.empty() && drawn.contours.empty()) text = drawn.file + ": no contour in it\n";
+  if (text.empty() && drawn.contours.empty())
+    text = printable_line(drawn.file) + ": no contour in it\n";
   if (!text.empty()) text.pop_back();
   if (!text.empty()) throw FaultyDrawing{text};
 }

@@ -162,7 +162,8 @@ Json json_of(const CutJob& job, const CutFigures& figures) {
   }
   json["kerf"] = {{"unit", name_of(job.record.unit)},
                   {"laser", job.record.laser},
-                  {"measured_on_this_machine", job.record.calibrated},
+                  {"this_laser", job.laser},
+                  {"measured_on_this_machine", is_measured_here(job.record, job.laser)},
                   {"provenance", job.record.provenance},
                   {"warnings", job.notes}};
   json["full_power_w"] = job.beam.full_power_w;

@@ -31,6 +31,7 @@ struct CutJob {
   const CutPlan& plan;
   const MaterialRecord& record;
   Beam beam;
+  std::string laser{};               ///< Name of this machine's; empty: not named.
   std::vector<std::string> notes{};  ///< Of the kerf; see kerf_notes().
 };
 

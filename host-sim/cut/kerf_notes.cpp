@@ -5,6 +5,7 @@
 #include <cmath>
 #include <set>
 #include <sstream>
+#include <utility>
 
 namespace sim::cut {
 namespace {
@@ -36,17 +37,49 @@ void add_other_unit(const MaterialRecord& record,
   }
 }
 
+/// Empty where the record is of this laser.
+std::string note_of_laser(const MaterialRecord& record, const std::string& laser) {
+  if (!record.calibrated) {
+    return fmt::format("the kerf of {} was not measured on this machine: {}; {}",
+                       record.name,
+                       record.laser,
+                       record.provenance);
+  }
+  if (is_measured_here(record, laser)) return {};
+  if (record.laser.empty()) {
+    return fmt::format(
+        "the kerf of {} was measured with a laser that has no name, perhaps not on this "
+        "machine; calibrate it with --laser NAME",
+        record.name);
+  }
+  if (laser.empty()) {
+    return fmt::format(
+        "the kerf of {} was measured with the laser `{}`; if that is this machine's, "
+        "say so with --laser",
+        record.name,
+        record.laser);
+  }
+  return fmt::format(
+      "the kerf of {} was not measured on this machine: it is of the laser `{}`, not of "
+      "`{}`; cut a coupon, see `kerfline kerf calibrate`",
+      record.name,
+      record.laser,
+      laser);
+}
+
 }  // namespace
 
+bool is_measured_here(const MaterialRecord& record, const std::string& laser) {
+  return record.calibrated && !laser.empty() && record.laser == laser;
+}
+
 std::vector<std::string> kerf_notes(const MaterialRecord& record,
+                                    const std::string& laser,
                                     const std::vector<MaterialRecord>& others,
                                     const std::vector<LayerPlan>& layers) {
   std::vector<std::string> notes;
-  if (!record.calibrated) {
-    notes.push_back(fmt::format("the kerf of {} was not measured on this machine: {}; {}",
-                                record.name,
-                                record.laser,
-                                record.provenance));
+  if (std::string note = note_of_laser(record, laser); !note.empty()) {
+    notes.push_back(std::move(note));
   }
   std::set<std::string> by_unit;
   for (const MaterialRecord& other : others) {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "host-sim/report/nearest_name.hpp"
+
 namespace sim::cut {
 namespace {
 
@@ -21,16 +23,31 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
 }
 
+/// The keys, of which a message names the nearest.
+const std::vector<std::string> kKeys{"power",
+                                     "feed",
+                                     "side",
+                                     "lead-in",
+                                     "lead-out",
+                                     "overcut",
+                                     "tabs",
+                                     "tab-width",
+                                     "pierce",
+                                     "corner-loop",
+                                     "corner-dwell",
+                                     "corner-angle"};
+
 /// Throws std::invalid_argument unless all of the text is a number from `least` to `most`.
-double number_from(std::string_view key, std::string_view text, double least, double most) {
+double number_from(
+    std::string_view key, std::string_view text, double least, double most, const char* unit) {
+  const std::string range = fmt::format("{} to {} {}", least, most, unit);
   double value = 0.0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
-    throw std::invalid_argument(fmt::format("{}={}: not a number", key, text));
+    throw std::invalid_argument(fmt::format("{}={}: not a number; it takes {}", key, text, range));
   }
   if (value < least || value > most) {
-    throw std::invalid_argument(
-        fmt::format("{}={}: out of range, {:g} to {:g}", key, text, least, most));
+    throw std::invalid_argument(fmt::format("{}={}: out of range, {}", key, text, range));
   }
   return value;
 }
@@ -44,7 +61,8 @@ Lead lead_from(std::string_view key, std::string_view text) {
         fmt::format("{}={}: wants `none`, `line:MM` or `arc:MM`, such as arc:2", key, text));
   }
   return {kind == "line" ? LeadKind::kLine : LeadKind::kArc,
-          number_from(key, text.substr(colon + 1), 0.01, kLongestWay)};
+          number_from(key, text.substr(colon + 1), 0.01, kLongestWay, "mm"),
+          true};
 }
 
 Side side_from(std::string_view text) {
@@ -58,9 +76,9 @@ Side side_from(std::string_view text) {
 
 void set(LayerSettings& settings, std::string_view key, std::string_view value) {
   if (key == "power") {
-    settings.power_w = number_from(key, value, 0.001, kGreatestNumber);
+    settings.power_w = number_from(key, value, 0.001, kGreatestNumber, "W");
   } else if (key == "feed") {
-    settings.feed_mm_min = number_from(key, value, 0.001, kGreatestNumber);
+    settings.feed_mm_min = number_from(key, value, 0.001, kGreatestNumber, "mm/min");
   } else if (key == "side") {
     settings.side = side_from(value);
   } else if (key == "lead-in") {
@@ -68,24 +86,24 @@ void set(LayerSettings& settings, std::string_view key, std::string_view value) 
   } else if (key == "lead-out") {
     settings.lead_out = lead_from(key, value);
   } else if (key == "overcut") {
-    settings.overcut_mm = number_from(key, value, 0.0, kLongestWay);
+    settings.overcut_mm = number_from(key, value, 0.0, kLongestWay, "mm");
   } else if (key == "tabs") {
-    settings.tabs = static_cast<unsigned>(number_from(key, value, 0.0, kMostTabs));
+    settings.tabs = static_cast<unsigned>(number_from(key, value, 0.0, kMostTabs, "tabs"));
   } else if (key == "tab-width") {
-    settings.tab_mm = number_from(key, value, 0.01, kLongestWay);
+    settings.tab_mm = number_from(key, value, 0.01, kLongestWay, "mm");
   } else if (key == "pierce") {
-    settings.pierce_s = number_from(key, value, 0.0, kLongestPierce);
+    settings.pierce_s = number_from(key, value, 0.0, kLongestPierce, "s");
   } else if (key == "corner-loop") {
-    settings.corner_loop_mm = number_from(key, value, 0.0, kLongestWay);
+    settings.corner_loop_mm = number_from(key, value, 0.0, kLongestWay, "mm");
   } else if (key == "corner-dwell") {
-    settings.corner_dwell_s = number_from(key, value, 0.0, kLongestPierce);
+    settings.corner_dwell_s = number_from(key, value, 0.0, kLongestPierce, "s");
   } else if (key == "corner-angle") {
-    settings.corner_angle_deg = number_from(key, value, 1.0, 180.0);
+    settings.corner_angle_deg = number_from(key, value, 1.0, 180.0, "degrees");
   } else {
-    throw std::invalid_argument(
-        fmt::format("{}: no such setting; there are power, feed, side, lead-in, lead-out, "
-                    "overcut, tabs, tab-width, pierce, corner-loop, corner-dwell and corner-angle",
-                    key));
+    throw std::invalid_argument(fmt::format("{}: no such setting; there are {}{}",
+                                            key,
+                                            fmt::join(kKeys, ", "),
+                                            did_you_mean(std::string{key}, kKeys)));
   }
 }
 

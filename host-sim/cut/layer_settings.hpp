@@ -22,6 +22,7 @@ enum class LeadKind : std::uint8_t { kNone, kLine, kArc };
 struct Lead {
   LeadKind kind = LeadKind::kNone;
   double length_mm = 0.0;
+  bool is_asked = false;  ///< By an option, unlike the lead that a cut has without one.
 };
 
 /// How the contours of a layer are cut.

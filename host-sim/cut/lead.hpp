@@ -33,7 +33,7 @@ struct LedCut {
 /// right, with the beam off at tabs, overcut and led out. Leads are shortened to an eighth before
 /// they are left out; then corners are treated. An arc is a quarter turn and touches the contour, a
 /// line comes at 45 degrees.
-/// @param tabs so many, evenly spaced; fewer where they would take half of the cut
+/// @param tabs their number, evenly spaced; fewer where they would take half of the cut
 [[nodiscard]] LedCut with_leads(const MeasuredRow& loop,
                                 const LayerSettings& settings,
                                 unsigned tabs,

@@ -60,6 +60,8 @@ std::vector<drawing::Fault> unfulfilled_on_line(const LayerSettings& settings,
   const auto add = [&wishes](bool is_set, std::string_view key) {
     if (is_set) wishes += fmt::format("{}{}", wishes.empty() ? "" : ", ", key);
   };
+  add(settings.lead_in.is_asked, "lead-in");
+  add(settings.lead_out.is_asked, "lead-out");
   add(settings.tabs != 0, "tabs");
   add(settings.overcut_mm > 0.0, "overcut");
   add(settings.pierce_s > 0.0, "pierce");

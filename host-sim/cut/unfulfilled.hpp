@@ -8,14 +8,14 @@
 
 namespace sim::cut {
 
-/// What the settings ask for and a cut beside its line did not get, as warnings: leads, tabs and
+/// Lists the wishes of the settings that an offset cut does not fulfil, as warnings: leads, tabs and
 /// corner loops without room.
-/// @param tabs that were asked for
+/// @param tabs the number that the settings require
 [[nodiscard]] std::vector<drawing::Fault> unfulfilled(const LedCut& cut,
                                                       const drawing::Entity& entity,
                                                       unsigned tabs);
 
-/// What the settings ask for and no cut on its line has. At most one warning.
+/// Lists the wishes of the settings that no cut on its line fulfils. At most one warning.
 [[nodiscard]] std::vector<drawing::Fault> unfulfilled_on_line(const LayerSettings& settings,
                                                               const drawing::Entity& entity,
                                                               const Place& start);

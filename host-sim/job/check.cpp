@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "firmware/machine/rest_light.hpp"
 #include "host-sim/job/job.hpp"
 #include "host-sim/job/job_report.hpp"
 #include "host-sim/job/judged_path.hpp"
@@ -33,9 +34,11 @@ class CheckedPath {
   }
 
   [[nodiscard]] const std::optional<RefusedBeside>& refused() const { return path_.refused(); }
+  [[nodiscard]] bool notes_light_at_rest() const { return watch_.notes_light_at_rest(); }
 
   void add_to(const Job& job, std::string_view text, Report& report) const {
     report.path_length_mm = length_;
+    report.turned_deg = turned_;
     report.cut_length_mm = cut_length_;
     for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
       report.axes[axis].least_mm = path_.travel().bounds().low[axis];
@@ -49,12 +52,14 @@ class CheckedPath {
 
  private:
   void put(const PathPiece& piece) {
-    length_ += piece.curve.length();
+    length_ += piece.curve.linear_length();
+    if (piece.curve.linear_length() == 0.0) turned_ += piece.curve.length();
     cut_length_ += cut_length(piece);
     watch_.put(piece);
   }
 
   double length_ = 0.0;
+  double turned_ = 0.0;  ///< Of motions of A, B and C alone, degrees.
   double cut_length_ = 0.0;
   ProgramWatch watch_;
   JudgedPath path_;
@@ -73,8 +78,13 @@ Report check(const Job& job) {
        .on_taken = [&path](std::size_t line, std::string_view text) { path->take(line, text); }}};
   apply_settings(job.settings, simulator.machine());
   path.emplace(simulator.settings());
-  const RunResult result = simulator.run();
+  RunResult result = simulator.run();
   path->end();
+  // Of light at rest the controller tells once, and the watch of each, in more words.
+  if (path->notes_light_at_rest()) {
+    std::erase_if(result.notes,
+                  [](const auto& note) { return note.second == cnc::RestLight::kRefusalText; });
+  }
   Report report = report_on(job, program, result, path->refused(), simulator.program());
   path->add_to(job, simulator.program(), report);
   if (report.refused_lines > 0) {

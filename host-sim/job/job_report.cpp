@@ -2,18 +2,27 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <stdexcept>
 #include <utility>
 
 #include "host-sim/job/fault_place.hpp"
 #include "host-sim/trace/input_file.hpp"
+#include "planner/gcode/line_reader.hpp"
 
 namespace sim {
 namespace {
 
 /// Grbl's number for what is no G-code.
 constexpr int kUnreadable = 1;
+
+/// Blanks and control bytes, behind a byte order mark.
+bool has_no_text(std::string_view text) {
+  return std::ranges::all_of(cnc::gcode::without_mark(text), [](char letter) {
+    return static_cast<unsigned char>(letter) <= ' ' || letter == 0x7F;
+  });
+}
 
 }  // namespace
 
@@ -30,6 +39,10 @@ ProgramText prepared(const Job& job) {
   // An export that failed leaves an empty file; that it took no time would be no answer.
   if (text.empty() && !job.text) {
     throw std::invalid_argument(fmt::format("{}: is empty; it has no program", job.file));
+  }
+  if (!job.text && has_no_text(text)) {
+    throw std::invalid_argument(
+        fmt::format("{}: has nothing but blanks; it has no program", job.file));
   }
   return prepare_program(std::move(text), block_delete);
 }

@@ -8,6 +8,8 @@
 
 #include "firmware/link/line_check.hpp"
 #include "firmware/link/realtime_byte.hpp"
+#include "host-sim/job/program_marks.hpp"
+#include "host-sim/measure/program_line.hpp"
 #include "planner/gcode/block.hpp"
 #include "planner/gcode/line_reader.hpp"
 
@@ -65,9 +67,11 @@ class Preparation {
     kChecks,
     kCounting,
     kSlash,
+    kDriven,
+    kSecond,
     kRest
   };
-  static constexpr std::size_t kKinds = 8;
+  static constexpr std::size_t kKinds = 10;
 
   void drop_mark() {
     const std::size_t rest = cnc::gcode::without_mark(text_).size();
@@ -81,7 +85,9 @@ class Preparation {
     if (end_line_ != 0) return blank_rest(line);
     const std::string_view text{line.data(), line.size()};
     const std::size_t front = text.find_first_not_of(" \t");
+    block_delete_ = block_delete_after(text, block_delete_);
     if (front == std::string_view::npos || text[front] == '$') return;
+    if (const auto note = marks_.take(line_, text)) found_[kSecond].add(line_, 0, *note);
     take_check(line);
     if (text.find('/') != std::string_view::npos) note_slash(text);
     if (text.find_first_of("Mm") != std::string_view::npos && ends_program(text)) end_line_ = line_;
@@ -196,10 +202,11 @@ class Preparation {
     const std::string_view before = text.substr(0, slash);
     const bool at_front = before.find_first_not_of("Nn0123456789 \t") == std::string_view::npos;
     if (!at_front) return;
-    found_[kSlash].add(line_,
-                       slash + 1,
-                       block_delete_ ? "lines that begin with / are skipped ($890, $B)"
-                                     : "lines that begin with / are driven ($890=0)");
+    if (block_delete_) {
+      found_[kSlash].add(line_, slash + 1, "lines that begin with / are skipped ($890, $B)");
+    } else {
+      found_[kDriven].add(line_, slash + 1, "lines that begin with / are driven ($890=0)");
+    }
   }
 
   [[nodiscard]] bool ends_program(std::string_view text) const {
@@ -243,7 +250,8 @@ class Preparation {
   }
 
   std::string text_;
-  bool block_delete_;
+  bool block_delete_;  ///< The program may change it.
+  ProgramMarks marks_;
   std::size_t line_ = 0;
   std::size_t end_line_ = 0;  ///< With M2 or M30.
   std::array<Finding, kKinds> found_{};

@@ -13,16 +13,24 @@ namespace {
 /// Feeds that are equal but for rounding are one.
 constexpr double kRounding = 1.0e-6;
 
+/// Whole, and with three decimals at most.
+std::string plain(double value) {
+  std::string text = fmt::format("{:.3f}", value);
+  text.erase(text.find_last_not_of('0') + 1);
+  if (text.ends_with('.')) text.pop_back();
+  return text;
+}
+
 bool has_m(const ProgramLine& words, int number) {
   return std::ranges::find(words.m, number) != words.m.end();
 }
 
-/// False where it was told before, or too much was.
-bool is_news(std::vector<double>& told, double value) {
-  if (told.size() >= ProgramWatch::kMostNotes) return false;
+/// False where it is listed already, or the list is full.
+bool is_news(std::vector<double>& listed, double value) {
+  if (listed.size() >= ProgramWatch::kMostNotes) return false;
   const bool known = std::ranges::any_of(
-      told, [value](double other) { return std::abs(value - other) <= kRounding * value; });
-  if (!known) told.push_back(value);
+      listed, [value](double other) { return std::abs(value - other) <= kRounding * value; });
+  if (!known) listed.push_back(value);
   return !known;
 }
 
@@ -46,10 +54,11 @@ void ProgramWatch::take(std::size_t line, std::string_view text) {
   const std::size_t front = text.find_first_not_of(" \t");
   if (front == std::string_view::npos) return;
   if (text[front] == '$') {
+    block_delete_ = block_delete_after(text, block_delete_);
     homed_ = homed_ || text.substr(front).starts_with("$H") || text.substr(front).starts_with("$h");
     return;
   }
-  if (text.find_first_of("SsMmPp") == std::string_view::npos) return;
+  if (text.find_first_of("SsMmPpFf") == std::string_view::npos) return;
   take_words(line, take_apart(text, block_delete_));
 }
 
@@ -59,6 +68,10 @@ void ProgramWatch::take_words(std::size_t line, const ProgramLine& words) {
     check_power(line, *power);
     for (const double part : words.powers) check_power(line, part);
     power_ = words.powers.empty() ? *power : words.powers.back();
+  }
+  if (const auto feed = words.value('F')) {
+    feeds_.push_back({line, *feed});
+    if (feeds_.size() > kMostPending) feeds_.pop_front();
   }
   take_spindle(line, words);
   take_dwell(line, words);
@@ -78,16 +91,17 @@ void ProgramWatch::take_spindle(std::size_t line, const ProgramLine& words) {
 void ProgramWatch::take_dwell(std::size_t line, const ProgramLine& words) {
   if (!words.has_g(40) || words.value('P').value_or(0.0) <= 0.0 || !lit()) return;
   note(line, "the beam is off during this dwell: under M3 nothing burns at rest");
+  notes_light_at_rest_ = true;
   lit_line_ = 0;
 }
 
 void ProgramWatch::check_power(std::size_t line, double power) {
-  if (power <= most_power_ || !is_news(powers_told_, power)) return;
+  if (power <= most_power_ || !is_news(powers_listed_, power)) return;
   note(line,
-       fmt::format("S{:g} is above ${}={:g} and gives no more than that",
-                   power,
+       fmt::format("S{} is above ${}={} and gives no more than that",
+                   plain(power),
                    cnc::setting::kMostSpindleSpeed,
-                   most_power_));
+                   plain(most_power_)));
 }
 
 void ProgramWatch::put(const PathPiece& piece) {
@@ -99,6 +113,19 @@ void ProgramWatch::put(const PathPiece& piece) {
   if (piece.travel != Travel::kFeed) return;
   if (piece.spindle != SpindleState::kOff) lit_line_ = 0;
   check_feed(piece);
+}
+
+/// The word as the program has it. In inches (G20) and times (G93) the feed is another number.
+std::string ProgramWatch::feed_text(const PathPiece& piece, std::size_t axis) const {
+  const double feed = piece.feed * static_cast<double>(cnc::kSecondsPerMinute);
+  const auto line = static_cast<std::size_t>(std::max(piece.line, 0));
+  const auto found = std::find_if(
+      feeds_.rbegin(), feeds_.rend(), [line](const Feed& word) { return word.line <= line; });
+  const char* const unit = axis < cnc::kLinearAxisCount ? "mm/min" : "degrees/min";
+  if (found == feeds_.rend()) return fmt::format("the feed of {} {} is", plain(feed), unit);
+  const bool is_same = std::abs(found->word - feed) <= kRounding * feed;
+  if (is_same) return fmt::format("F{} is", plain(found->word));
+  return fmt::format("F{} asks for {} {} here,", plain(found->word), plain(feed), unit);
 }
 
 /// The first axis that is asked for more than its rate; arcs turn through all directions of theirs.
@@ -114,21 +141,22 @@ void ProgramWatch::check_feed(const PathPiece& piece) {
       if (axis == axes.first || axis == axes.second) share = 1.0;
     }
     if (piece.feed * share <= rates_[axis] * (1.0 + kRounding)) continue;
-    if (!is_news(feeds_told_, piece.feed)) return;
-    const auto minute = static_cast<double>(cnc::kSecondsPerMinute);
+    if (!is_news(feeds_listed_, piece.feed)) return;
+    const double minute = static_cast<double>(cnc::kSecondsPerMinute);
     return note(static_cast<std::size_t>(piece.line),
-                fmt::format("F{:g} is above ${}={:g}, the rate of {}: driven more slowly",
-                            std::round(piece.feed * minute * 1000.0) / 1000.0,
+                fmt::format("{} above ${}={}, the rate of {}: driven more slowly",
+                            feed_text(piece, axis),
                             cnc::setting::kRate + axis,
-                            rates_[axis] * minute,
+                            plain(rates_[axis] * minute),
                             cnc::kAxisLetters[axis]));
   }
 }
 
-/// What was asked for and never moved, as with a focus dot.
+/// Notes light that never moved, as of a focus dot.
 void ProgramWatch::go_dark() {
   if (lit_line_ != 0) {
     note(lit_line_, "M3 is on here and off again without a motion: nothing burns at rest");
+    notes_light_at_rest_ = true;
   }
   lit_line_ = 0;
 }

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <deque>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -27,6 +29,8 @@ class ProgramWatch {
   /// There are no more lines.
   void end() { go_dark(); }
 
+  /// Whether light at rest was asked for, of which the settings allow none.
+  [[nodiscard]] bool notes_light_at_rest() const { return notes_light_at_rest_; }
   /// In the order of their lines.
   [[nodiscard]] std::vector<LineNote> notes() const;
 
@@ -38,11 +42,17 @@ class ProgramWatch {
   void check_feed(const PathPiece& piece);
   void go_dark();
   /// Whether the program means light where nothing moves, of which the settings allow none. Where
-  /// they allow some, the controller itself tells of light that exceeds them.
-  [[nodiscard]] bool lit() const {
-    return laser_ && !burns_at_rest_ && constant_ && power_ > 0.0;
-  }
+  /// they allow some, the controller itself reports light that exceeds them.
+  [[nodiscard]] bool lit() const { return laser_ && !burns_at_rest_ && constant_ && power_ > 0.0; }
   void note(std::size_t line, std::string text);
+  [[nodiscard]] std::string feed_text(const PathPiece& piece, std::size_t axis) const;
+
+  struct Feed {
+    std::size_t line = 0;
+    double word = 0.0;
+  };
+  /// Pieces come up to 16 motions behind their lines; a line has one feed.
+  static constexpr std::size_t kMostPending = 64;
 
   cnc::AxisArray<double> rates_{};  ///< mm/s.
   double most_power_;
@@ -53,9 +63,11 @@ class ProgramWatch {
   double power_ = 0.0;        ///< S.
   bool constant_ = false;     ///< M3.
   std::size_t lit_line_ = 0;  ///< Asked for light that has not burnt yet; 0 for none.
+  bool notes_light_at_rest_ = false;
   bool homed_ = false;
-  std::vector<double> powers_told_;
-  std::vector<double> feeds_told_;
+  std::deque<Feed> feeds_;  ///< The last words F.
+  std::vector<double> powers_listed_;
+  std::vector<double> feeds_listed_;
   std::vector<LineNote> notes_;
 };
 

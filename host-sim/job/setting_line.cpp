@@ -26,6 +26,16 @@ bool read_all(std::string_view text, Number& number) {
   return result.ec == std::errc{} && result.ptr == text.data() + text.size();
 }
 
+/// ` 0 to 30000 mm/min` of a value that is out of range; else nothing.
+std::string range_of(std::uint16_t number, cnc::SettingError error) {
+  const bool is_range =
+      error == cnc::SettingError::kBelowRange || error == cnc::SettingError::kAboveRange;
+  const cnc::SettingInfo* const info = is_range ? cnc::find_setting(number) : nullptr;
+  if (info == nullptr) return {};
+  const std::string_view unit{info->unit};
+  return fmt::format(", {} to {}{}{}", info->least, info->most, unit.empty() ? "" : " ", unit);
+}
+
 }  // namespace
 
 SettingChange parse_setting(std::string_view text, std::string place) {
@@ -67,11 +77,12 @@ void apply_settings(const std::vector<SettingChange>& changes, cnc::Machine& mac
   for (const SettingChange& change : changes) {
     const auto stored = machine.change_setting(change.number, change.value);
     if (stored.ok()) continue;
-    throw std::invalid_argument(fmt::format("{}: ${}={:g}: {}",
+    throw std::invalid_argument(fmt::format("{}: ${}={}: {}{}",
                                             change.place,
                                             change.number,
                                             change.value,
-                                            cnc::describe(stored.error())));
+                                            cnc::describe(stored.error()),
+                                            range_of(change.number, stored.error())));
   }
 }
 

@@ -8,7 +8,7 @@
 
 namespace sim {
 
-/// One test cut and what was measured on it. Whoever reads it in has checked the ranges.
+/// One test cut with its measurements. Its reader has checked the ranges.
 struct Experiment {
   std::string material{};
   std::string laser{};
@@ -28,7 +28,7 @@ struct Experiment {
   [[nodiscard]] bool accepted() const { return rejection.empty(); }
 };
 
-/// What a cut must keep. Source: Park and Ahn 2007, section 3.2.
+/// Limits of an accepted cut. Source: Park and Ahn 2007, section 3.2.
 struct AcceptanceLimits {
   double dross_area_mm2 = 0.5;
   double straightness_mm = 0.01;

@@ -53,6 +53,12 @@ std::string_view trimmed_field(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
+/// A line keeps its tabs, which may separate fields.
+std::string_view without_return(std::string_view line) {
+  if (line.ends_with('\r')) line.remove_suffix(1);
+  return trimmed_field(line).empty() ? std::string_view{} : line;
+}
+
 class CsvReader {
  public:
   CsvReader(const std::string& file, const std::string& laser) : file_{file}, laser_{laser} {}
@@ -63,11 +69,13 @@ class CsvReader {
     ExperimentFile found;
     while (!text.empty()) {
       const std::size_t end = text.find('\n');
-      const std::string_view line = trimmed_field(text.substr(0, end));
+      const std::string_view line = without_return(text.substr(0, end));
       text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
       ++line_;
-      if (line.empty() || line.front() == '#') continue;
-      const Fields fields = split(line);
+      if (line.empty() || line.front() == '#' || is_separator_line(line)) continue;
+      if (!has_header_) choose_separator(line);
+      const Fields fields = without_empty_end(split(line), has_header_ ? width_ : 0);
+      if (std::ranges::all_of(fields, &std::string::empty)) continue;
       if (!has_header_) {
         read_header(fields);
       } else if (is_unmeasured(fields)) {
@@ -93,7 +101,29 @@ class CsvReader {
     fail(fmt::format("column {}: {}", column, reason));
   }
 
-  /// Quotes keep commas together; two of them within stand for one.
+  /// `sep=;`, which some spreadsheets write first.
+  bool is_separator_line(std::string_view line) const {
+    return !has_header_ && line.size() == 5 && line.starts_with("sep=");
+  }
+
+  /// Spreadsheets write semicolons where the decimal mark is a comma.
+  void choose_separator(std::string_view header) {
+    for (const char candidate : {';', '\t'}) {
+      if (std::ranges::count(header, candidate) > std::ranges::count(header, separator_)) {
+        separator_ = candidate;
+      }
+    }
+  }
+
+  /// Spreadsheets end lines with a separator for each column that they once had.
+  static Fields without_empty_end(Fields fields, std::size_t width) {
+    while (fields.size() > std::max<std::size_t>(width, 1) && fields.back().empty()) {
+      fields.pop_back();
+    }
+    return fields;
+  }
+
+  /// Quotes keep separators together; two of them within stand for one.
   Fields split(std::string_view line) const {
     Fields fields{""};
     bool quoted = false;
@@ -103,7 +133,7 @@ class CsvReader {
         fields.back() += line[i++];
       } else if (line[i] == '"') {
         quoted = !quoted;
-      } else if (line[i] == ',' && !quoted) {
+      } else if (line[i] == separator_ && !quoted) {
         fields.emplace_back();
       } else {
         fields.back() += line[i];
@@ -151,7 +181,10 @@ class CsvReader {
 
   double number_of(const Fields& fields, Column column) const {
     const ColumnRange& range = kColumns[column];
-    const std::string text = text_of(fields, column);
+    std::string text = text_of(fields, column);
+    if (separator_ != ',' && text.find('.') == std::string::npos) {
+      std::ranges::replace(text, ',', '.');
+    }
     double value = 0.0;
     const char* const end = text.data() + text.size();
     const auto result = std::from_chars(text.data(), end, value);
@@ -200,6 +233,7 @@ class CsvReader {
   const std::string& file_;
   const std::string& laser_;
   std::size_t line_ = 0;
+  char separator_ = ',';
   bool has_header_ = false;
   std::size_t width_ = 0;
   std::array<std::size_t, kColumnCount> place_{};

@@ -20,10 +20,12 @@ struct ExperimentFile {
 };
 
 /// Reads a CSV file of test cuts: the header, then one line each; fields may be quoted, lines
-/// that are blank or begin with # do not count. Dross and straightness may be empty, and are not
-/// judged then; a line in which nothing was measured is left out. Throws std::invalid_argument
-/// saying `FILE:LINE: column NAME: reason` for the first thing that is wrong, and where no line has
-/// a measurement.
+/// that are blank or begin with # do not count. Fields are separated by commas, or by the
+/// semicolons or tabs of the header; then numbers may have a decimal comma. Empty columns at the
+/// end of a line, and lines of separators alone, do not count either. Dross and straightness may be
+/// empty, and are not judged then; a line in which nothing was measured is left out. Throws
+/// std::invalid_argument saying `FILE:LINE: column NAME: reason` for the first thing that is wrong,
+/// and where no line has a measurement.
 /// @param laser the name that cuts without one get
 [[nodiscard]] ExperimentFile read_experiment_file(std::string_view text,
                                                   const std::string& file,

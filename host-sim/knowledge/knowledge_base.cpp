@@ -9,6 +9,7 @@
 
 #include "host-sim/knowledge/schema.hpp"
 #include "host-sim/knowledge/shipped_records.hpp"
+#include "host-sim/report/nearest_name.hpp"
 #include "planner/base/crc32.hpp"
 
 namespace sim {
@@ -273,16 +274,19 @@ std::vector<kerf::Point> KnowledgeBase::points_of(std::int64_t power) const {
 MaterialRecord KnowledgeBase::record_of(std::string_view material,
                                         std::optional<kerf::HeatUnit> unit) const {
   std::string names;
+  std::vector<std::string> materials;
   for (const MaterialRecord& record : records()) {
     if (record.name == material && (!unit || record.unit == *unit)) return record;
+    if (record.name != material) materials.push_back(record.name);
     names += fmt::format("{}{} ({})", names.empty() ? "" : ", ", record.name, name_of(record.unit));
   }
   throw std::invalid_argument(
-      fmt::format("{}: no record of `{}`{}; there are {}",
+      fmt::format("{}: no record of `{}`{}; there are {}{}",
                   file_.name() == ":memory:" ? "shipped records" : file_.name(),
                   material,
                   unit ? fmt::format(" with Q in {}", name_of(*unit)) : "",
-                  names));
+                  names,
+                  did_you_mean(std::string{material}, materials)));
 }
 
 }  // namespace sim

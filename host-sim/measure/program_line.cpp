@@ -105,6 +105,19 @@ ProgramLine take_apart(std::string_view text, bool block_delete) {
   return line;
 }
 
+bool block_delete_after(std::string_view line, bool before) {
+  constexpr std::string_view kSetting = "$890=";
+  const std::size_t front = line.find_first_not_of(" \t");
+  if (front == std::string_view::npos || line[front] != '$') return before;
+  const std::string bare = without_comments(line);
+  if (bare == "$B") return !before;
+  if (!bare.starts_with(kSetting)) return before;
+  double value = 0.0;
+  const char* const end = bare.data() + bare.size();
+  const auto read = std::from_chars(bare.data() + kSetting.size(), end, value);
+  return read.ec == std::errc{} && read.ptr == end ? value != 0.0 : before;
+}
+
 std::string_view take_line(std::string_view& text) {
   const std::size_t end = std::min(text.find_first_of("\r\n"), text.size());
   const std::string_view line = text.substr(0, end);

@@ -30,4 +30,7 @@ struct ProgramLine {
 /// @param block_delete false: a / at the front or after N means nothing
 [[nodiscard]] ProgramLine take_apart(std::string_view text, bool block_delete = true);
 
+/// Block delete behind a line: `$890=0`, `$890=1` and `$B` in a program change it.
+[[nodiscard]] bool block_delete_after(std::string_view line, bool before);
+
 }  // namespace sim

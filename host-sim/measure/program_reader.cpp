@@ -58,6 +58,7 @@ void ProgramReader::note(std::string text) {
 void ProgramReader::read_line(std::string_view text, int number) {
   line_number_ = number;
   if (text.starts_with('$')) {
+    options_.block_delete = block_delete_after(text, options_.block_delete);
     if (options_.on_statement) options_.on_statement(text);
     return;
   }

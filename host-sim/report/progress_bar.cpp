@@ -9,6 +9,8 @@
 #include <limits>
 #include <string>
 
+#include "host-sim/report/printable.hpp"
+#include "host-sim/report/terminal.hpp"
 #include "host-sim/report/utf8.hpp"
 
 namespace sim {
@@ -34,26 +36,31 @@ std::string shortened(std::string_view text, std::size_t columns) {
   return columns == 0 ? "" : start + "\u2026";
 }
 
-}  // namespace
-
-void ProgressBar::update(double fraction, std::string_view label, Time now) {
+/// The bar, percent and the label, without the last column of the terminal, which may wrap.
+std::string line_of(double done, std::string_view label, std::size_t columns) {
   constexpr std::size_t kMostCells = 30;
   constexpr std::size_t kFewestCells = 10;
-  constexpr std::size_t kBesides = 10;  // `[`, `] 100 % `, and the last column, which may wrap.
-  if (!is_shown_ || now < next_) return;
-  const double done = std::clamp(fraction, 0.0, 1.0);
-  const std::size_t columns = columns_.value_or(columns_of(stream_));
-  const std::size_t free = columns - std::min(columns, kBesides);
+  constexpr std::size_t kBesides = 10;  // `[`, `] 100 % `, and the last column.
+  const double percent = 100.0 * done;
+  if (columns < kBesides) {
+    return shortened(fmt::format("{:.0f} %", percent), std::max<std::size_t>(columns, 1) - 1);
+  }
+  const std::size_t free = columns - kBesides;
   const std::size_t label_columns = std::min(display_width(label), free);
   const std::size_t least = std::min(kFewestCells, free);
   const std::size_t bar = std::clamp(free - label_columns, least, kMostCells);
   const auto cells = static_cast<std::size_t>(std::lround(static_cast<double>(bar) * done));
-  fmt::print(stream_,
-             "\r\033[K[{:<{}}] {:3.0f} % {}",
-             std::string(cells, '#'),
-             bar,
-             100.0 * done,
-             shortened(label, free - bar));
+  return fmt::format(
+      "[{:<{}}] {:3.0f} % {}", std::string(cells, '#'), bar, percent, shortened(label, free - bar));
+}
+
+}  // namespace
+
+void ProgressBar::update(double fraction, std::string_view label, Time now) {
+  if (!is_shown_ || now < next_) return;
+  const double done = std::clamp(fraction, 0.0, 1.0);
+  const std::size_t columns = columns_.value_or(columns_of(stream_));
+  terminal::print_styled(stream_, "\r\033[K" + line_of(done, printable_line(label), columns));
   std::fflush(stream_);
   is_drawn_ = true;
   next_ = now + kPeriod;
@@ -61,7 +68,7 @@ void ProgressBar::update(double fraction, std::string_view label, Time now) {
 
 void ProgressBar::clear() {
   if (!is_drawn_) return;
-  fmt::print(stream_, "\r\033[K");
+  terminal::print_styled(stream_, "\r\033[K");
   std::fflush(stream_);
   is_drawn_ = false;
 }

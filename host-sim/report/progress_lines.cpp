@@ -1,8 +1,8 @@
 #include "host-sim/report/progress_lines.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
+
+#include "host-sim/report/terminal.hpp"
 
 namespace sim {
 
@@ -10,7 +10,7 @@ void ProgressLines::update(double fraction, std::string_view label, Time now) {
   if (!is_shown_ || now < next_) return;
   const double percent = 100.0 * std::clamp(fraction, 0.0, 1.0);
   const std::chrono::duration<double> passed = now - start_;
-  fmt::print(stream_, "{}: {:.0f} % after {:.0f} s\n", label, percent, passed.count());
+  terminal::print(stream_, "{}: {:.0f} % after {:.0f} s\n", label, percent, passed.count());
   std::fflush(stream_);
   next_ = now + kPeriod;
 }

@@ -43,6 +43,7 @@ struct Report {
   std::string job;  ///< Name of the file, or `-`.
   double job_time_s = 0.0;
   double path_length_mm = 0.0;    ///< All motion, X, Y and Z together.
+  double turned_deg = 0.0;        ///< By motions of A, B and C alone, as `check` reads them.
   double cut_length_mm = 0.0;     ///< With the beam or spindle on.
   std::size_t lines = 0;          ///< Read from the file.
   std::size_t refused_lines = 0;  ///< Of them; no figure counts them.

@@ -1,10 +1,14 @@
 #include "host-sim/report/report_json.hpp"
 
+#include <fmt/format.h>
+
 #include <cmath>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <utility>
 
 #include "firmware/protocol/identity.hpp"
+#include "host-sim/report/utf8.hpp"
 #include "host-sim/trace/output_file.hpp"
 
 namespace sim {
@@ -75,6 +79,21 @@ void round_numbers(Json& json) {
   }
 }
 
+/// JSON escapes bytes below a blank, and leaves DEL and C1 as they are, which a terminal obeys.
+std::string without_controls(std::string_view json) {
+  std::string text;
+  while (!json.empty()) {
+    const Utf8Character character = first_character(json);
+    if (character.code_point >= 0x7F && character.code_point < 0xA0) {
+      text += fmt::format("\\u{:04x}", static_cast<std::uint32_t>(character.code_point));
+    } else {
+      text += json.substr(0, character.bytes);
+    }
+    json.remove_prefix(character.bytes);
+  }
+  return text;
+}
+
 }  // namespace
 
 Json to_json(const Report& report) {
@@ -101,7 +120,7 @@ Json to_json(const Report& report) {
 
 std::string dumped(Json json, int indent) {
   round_numbers(json);
-  return json.dump(indent, ' ', false, Json::error_handler_t::replace);
+  return without_controls(json.dump(indent, ' ', false, Json::error_handler_t::replace));
 }
 
 void write_json(const std::string& file, std::span<const Report> reports) {

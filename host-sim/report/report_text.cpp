@@ -7,6 +7,7 @@
 
 #include "host-sim/report/duration_text.hpp"
 #include "host-sim/report/printable.hpp"
+#include "host-sim/report/terminal.hpp"
 #include "host-sim/report/text_table.hpp"
 #include "host-sim/report/utf8.hpp"
 
@@ -118,7 +119,7 @@ std::string axes_text(const Report& report, bool rotary, bool colour) {
 std::string messages_text(const Report& report, bool colour) {
   std::string out;
   for (const std::string& warning : report.warnings) {
-    out += fmt::format("{} {}\n", styled("warning:", kYellow, colour), warning);
+    out += fmt::format("{} {}\n", styled("warning:", kYellow, colour), printable_line(warning));
   }
   for (const Fault& fault : report.faults) {
     out += fmt::format("{} {}\n", styled("fault:", kRed, colour), to_string(fault));
@@ -149,14 +150,14 @@ std::vector<std::string> summary_row(const Report& report) {
 }  // namespace
 
 std::string to_string(const Fault& fault) {
-  const std::string file = printable(fault.file);
-  const std::string message = printable(fault.message);
+  const std::string file = printable_line(fault.file);
+  const std::string message = printable_line(fault.message);
   if (fault.column == 0) return fmt::format("{}:{}: {}", file, fault.line, message);
   return fmt::format("{}:{}:{}: {}", file, fault.line, fault.column, message);
 }
 
 std::string report_text(const Report& report, bool colour) {
-  std::string out = styled(report.job, kBold, colour) + "\n" + facts_text(report);
+  std::string out = styled(printable_line(report.job), kBold, colour) + "\n" + facts_text(report);
   for (const bool rotary : {false, true}) out += axes_text(report, rotary, colour);
   const std::string messages = messages_text(report, colour);
   return messages.empty() ? out : out + "\n" + messages;
@@ -184,7 +185,7 @@ std::string summary_text(std::span<const Report> reports, bool colour) {
 void print_table(std::FILE* stream, std::span<const Report> reports, bool colour) {
   const std::string text =
       reports.size() == 1 ? report_text(reports.front(), colour) : summary_text(reports, colour);
-  fmt::print(stream, "{}", text);
+  terminal::print_styled(stream, text);
 }
 
 }  // namespace sim

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "host-sim/report/printable.hpp"
 #include "host-sim/report/utf8.hpp"
 #include "planner/base/contract.hpp"
 
@@ -9,6 +10,7 @@ namespace sim {
 
 void TextTable::add_row(std::vector<std::string> cells) {
   CNC_ASSERT(cells.size() == columns_.size());
+  for (std::string& cell : cells) cell = printable_line(cell);
   rows_.push_back(std::move(cells));
 }
 

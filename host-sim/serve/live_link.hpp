@@ -45,6 +45,8 @@ class LiveLink final : public hal::ByteStream {
   /// Forgets what was on its way in both directions.
   void disconnect();
   [[nodiscard]] std::size_t room() const { return incoming_.room(); }
+  /// Bytes that the controller has not read.
+  [[nodiscard]] std::size_t waiting() const { return kIncoming - incoming_.room(); }
   /// Forgets the lines that the controller has not read.
   void drop_incoming() { incoming_.clear(); }
   /// @pre bytes.size() is at most room()

@@ -1,6 +1,7 @@
 #include "host-sim/serve/look_ahead.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "planner/base/contract.hpp"
 
@@ -10,6 +11,20 @@ namespace {
 // The receiver has capacity for a chunk, whatever it is in the middle of.
 constexpr std::size_t kChunk = 64;
 static_assert(kChunk < cnc::Receiver::kRealBytes);
+
+/// Bytes after which the order of text and realtime bytes may matter: 0xA3, `~` and 0x81.
+bool marks_a_place(char byte) {
+  const auto code = static_cast<cnc::RealtimeByte>(byte);
+  return code == cnc::RealtimeByte::kToolAcknowledge || code == cnc::RealtimeByte::kCycleStart ||
+         code == cnc::RealtimeByte::kCycleStartRaw;
+}
+
+/// The receiver has been given no text behind such a byte when it reports it.
+std::size_t length_of_chunk(std::span<const char> bytes) {
+  const std::span<const char> chunk = bytes.first(std::min(bytes.size(), kChunk));
+  const auto mark = std::find_if(chunk.begin(), chunk.end(), marks_a_place);
+  return static_cast<std::size_t>(mark - chunk.begin()) + (mark != chunk.end() ? 1 : 0);
+}
 
 std::span<const char> as_chars(std::span<const std::byte> bytes) {
   return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
@@ -30,7 +45,7 @@ void LookAhead::hear(std::span<const std::byte> bytes, Session& session) {
       lines_.append(rest.data(), run - 1);
       rest = rest.subspan(run - 1);
     }
-    const std::span<const char> chunk = rest.first(std::min(rest.size(), kChunk));
+    const std::span<const char> chunk = rest.first(length_of_chunk(rest));
     const std::size_t count = receiver_->receive(chunk);
     CNC_ASSERT(count == chunk.size());
     rest = rest.subspan(count);
@@ -42,8 +57,8 @@ void LookAhead::hear(std::span<const std::byte> bytes, Session& session) {
 /// In the order of the receiver: a reset first, because it has forgotten what came before it.
 void LookAhead::act_on_realtime(Session& session) {
   if (receiver_->take_reset()) {
-    lines_.clear();
-    taken_ = 0;
+    drop_lines();
+    marks_.clear();
     session.link().drop_incoming();
     session.act_at_once(static_cast<std::byte>(cnc::RealtimeByte::kReset));
   }
@@ -54,8 +69,27 @@ void LookAhead::act_on_realtime(Session& session) {
     session.act_at_once(static_cast<std::byte>(cnc::RealtimeByte::kFullStatus));
   }
   for (cnc::RealtimeByte command{}; receiver_->take_command(command);) {
-    session.act_at_once(static_cast<std::byte>(command));
+    if (!keep_in_order(command, session)) session.act_at_once(static_cast<std::byte>(command));
   }
+}
+
+/// In a tool change 0xA3 and the `~` after it part lines that were sent before from those after
+/// them, so they stay among the lines. Where the controller has no capacity for all lines before
+/// 0xA3 it goes ahead of them, for the controller to refuse it.
+bool LookAhead::keep_in_order(cnc::RealtimeByte command, Session& session) {
+  if (!marks_a_place(static_cast<char>(command))) return false;
+  keep_lines();
+  const auto& firmware = session.controller().firmware();
+  const std::size_t ahead = size() + session.link().waiting();
+  if (ahead == 0) marks_.clear();
+  if (command == cnc::RealtimeByte::kToolAcknowledge) {
+    if (ahead + kChunk > firmware.text_room()) return false;
+  } else if (marks_.empty() && !firmware.machine().changes_tool()) {
+    return false;
+  }
+  marks_.push_back(command);
+  lines_.append(firmware.checks_lines() ? 2 : 1, static_cast<char>(command));
+  return true;
 }
 
 void LookAhead::keep_lines() {
@@ -76,14 +110,22 @@ void LookAhead::hand_over(Session& session) {
   taken_ = 0;
 }
 
-std::string LookAhead::take_lines() {
+std::string LookAhead::take_lines(Session& session) {
   std::string lines = lines_.substr(taken_);
-  lines_.clear();
-  taken_ = 0;
+  drop_lines();
+  for (const cnc::RealtimeByte mark : std::exchange(marks_, {})) {
+    session.act_at_once(static_cast<std::byte>(mark));
+  }
   return lines;
 }
 
+void LookAhead::drop_lines() {
+  lines_.clear();
+  taken_ = 0;
+}
+
 void LookAhead::forget() {
+  marks_.clear();
   if (lines_.empty()) return receiver_->begin_anew();
   receiver_->begin_anew();
   static_cast<void>(receiver_->take_reset());

@@ -4,6 +4,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "firmware/link/receiver.hpp"
 #include "host-sim/serve/session.hpp"
@@ -14,8 +15,9 @@ namespace sim {
 /// connection is noticed however many lines wait.
 ///
 /// A second `cnc::Receiver` sorts the bytes by the controller's own rules: realtime bytes go
-/// beside the stream at once, bytes of lines wait here until the controller has capacity for
-/// them. A reset forgets the lines before it, as it does in the controller.
+/// ahead of the lines at once, bytes of lines wait here until the controller has capacity for
+/// them. A reset forgets the lines before it, as it does in the controller. In a tool change 0xA3
+/// and `~` stay where they are among the lines, because they say which lines belong to it.
 class LookAhead {
  public:
   /// Bytes of lines that wait at most. A sender that is further ahead is to be hung up on:
@@ -29,8 +31,8 @@ class LookAhead {
   /// Hands lines to the controller as far as its link has capacity.
   void hand_over(Session& session);
 
-  /// Takes all lines, and the beginning of one, instead.
-  [[nodiscard]] std::string take_lines();
+  /// Takes all lines, and the beginning of one, instead; realtime bytes among them act.
+  [[nodiscard]] std::string take_lines(Session& session);
 
   [[nodiscard]] std::size_t size() const { return lines_.size() - taken_; }
   [[nodiscard]] bool overrun() const { return size() > kMost; }
@@ -39,11 +41,15 @@ class LookAhead {
 
  private:
   void act_on_realtime(Session& session);
+  [[nodiscard]] bool keep_in_order(cnc::RealtimeByte command, Session& session);
   void keep_lines();
+  void drop_lines();
 
   std::unique_ptr<cnc::Receiver> receiver_;  ///< Always there.
   std::string lines_;
   std::size_t taken_ = 0;  ///< Bytes of `lines_` that were handed over.
+  /// Realtime bytes that were kept among the lines, since the controller had heard all of them.
+  std::vector<cnc::RealtimeByte> marks_;
 };
 
 }  // namespace sim

@@ -1,18 +1,14 @@
 #include "host-sim/serve/lost_output.hpp"
 
-#include <fmt/format.h>
-
 #include <cstdio>
 
-#include "host-sim/report/printable.hpp"
+#include "host-sim/report/terminal.hpp"
 
 namespace sim {
 
 void report_lost_output(std::string_view option, const std::system_error& reason) {
-  fmt::print(stderr,
-             "kerfline: {}: {}; the machine goes on without it\n",
-             option,
-             printable(reason.what()));
+  terminal::print(
+      stderr, "kerfline: {}: {}; the machine goes on without it\n", option, reason.what());
 }
 
 }  // namespace sim

@@ -100,7 +100,7 @@ void Reception::carry_in() {
 
 /// Each has its answer, as a sender that counts them expects.
 void Reception::refuse_lines() {
-  const std::string lines = look_ahead_.take_lines();
+  const std::string lines = look_ahead_.take_lines(session_);
   for (auto line = std::count(lines.begin(), lines.end(), '\n'); line > 0; --line) {
     static_cast<void>(sender_->write(std::as_bytes(std::span{kOnlyRealtime})));
   }

@@ -1,20 +1,25 @@
 #include "host-sim/serve/web_client.hpp"
 
-#include <fmt/format.h>
-#include <sys/socket.h>
-
 #include <algorithm>
-#include <array>
+#include <boost/beast/http/read.hpp>
+#include <boost/beast/http/rfc7230.hpp>
+#include <boost/beast/http/write.hpp>
 #include <exception>
+#include <utility>
 
 #include "host-sim/serve/http_status.hpp"
-#include "host-sim/serve/listener.hpp"
-#include "host-sim/serve/web_accept_key.hpp"
+#include "host-sim/serve/web_stream.hpp"
 
 namespace sim {
 namespace {
 
+namespace http = boost::beast::http;
+
 constexpr std::size_t kRequestPart = std::size_t{64} << 10;
+// Nothing from elsewhere, nothing inline, in nobody's frame.
+constexpr const char* kPolicy =
+    "default-src 'self'; img-src 'self' blob: data:; object-src 'none'; base-uri 'none'; "
+    "frame-ancestors 'none'";
 
 WebReply reply_of(const WebWork& make) {
   try {
@@ -24,71 +29,129 @@ WebReply reply_of(const WebWork& make) {
   }
 }
 
+/// Nothing when it is malformed; a header that stands twice is, because two readers could take
+/// different ones.
+std::optional<HttpRequest> request_of(const http::request_parser<http::string_body>& parser) {
+  const auto& head = parser.get();
+  for (const auto& field : head) {
+    if (head.count(field.name_string()) != 1) return {};
+  }
+  HttpRequest request;
+  request.method = head.method_string();
+  request.host = head[http::field::host];
+  request.origin = head[http::field::origin];
+  request.wants_web_socket = http::token_list{head[http::field::upgrade]}.exists("websocket");
+  const auto length = parser.content_length();
+  if (length && head.count(http::field::transfer_encoding) == 0) request.length = *length;
+  if (!read_target(head.target(), request)) return {};
+  return request;
+}
+
+http::response<http::string_body> response_of(const WebReply& reply) {
+  http::response<http::string_body> response;
+  response.result(static_cast<unsigned>(reply.status));
+  response.set(http::field::content_type, reply.type);
+  response.set(http::field::cache_control, "no-cache");
+  response.set("X-Content-Type-Options", "nosniff");
+  response.set("Content-Security-Policy", kPolicy);
+  if (reply.status == http_status::kWrongMethod) {
+    response.set(http::field::allow, "GET, HEAD, POST");
+  }
+  response.keep_alive(false);
+  response.body() = reply.content;
+  response.prepare_payload();
+  return response;
+}
+
 }  // namespace
 
+WebClient::WebClient(boost::asio::io_context& context,
+                     hal::host::Descriptor socket,
+                     Clock::time_point now)
+    : socket_{context, boost::asio::ip::tcp::v4(), socket.release()},
+      buffer_{kRequestPart},
+      until_{now + kPatience} {
+  parser_.header_limit(kMostHead);
+  parser_.body_limit(kMostBody);
+}
+
+void WebClient::begin() {
+  http::async_read_header(
+      socket_, buffer_, parser_, [self = shared_from_this()](Fault fault, std::size_t) {
+        self->end_head(fault);
+      });
+}
+
 void WebClient::attend(Clock::time_point now) {
-  if (stage_ == Stage::kHead || stage_ == Stage::kBody) receive(now);
   if (stage_ == Stage::kWorking &&
       work_.wait_for(Clock::duration::zero()) == std::future_status::ready) {
-    answer(work_.get(), now);
+    answer(work_.get());
   }
-  if (stage_ == Stage::kAnswering) send(now);
+  if (std::exchange(progressed_, false)) until_ = now + kPatience;
   if (now < until_ || stage_ == Stage::kWorking || stage_ == Stage::kOver) return;
-  if (stage_ == Stage::kBody) {
-    return answer(web_refusal(http_status::kTimeout, "The program did not come in time."), now);
-  }
-  stage_ = Stage::kOver;
+  if (stage_ != Stage::kBody) return hang_up();
+  Fault ignored;
+  socket_.cancel(ignored);  // The body's reader is told, and answers.
 }
 
-void WebClient::receive(Clock::time_point now) {
-  std::array<char, kRequestPart> part{};
-  for (std::size_t parts = 0; parts < 16; ++parts) {  // The machine's time goes on meanwhile.
-    const ssize_t count = ::recv(socket_.number(), part.data(), part.size(), 0);
-    if (count <= 0) {
-      if (count == 0 || !is_only_slow()) stage_ = Stage::kOver;
-      return;
-    }
-    received_.append(part.data(), static_cast<std::size_t>(count));
-    if (stage_ == Stage::kHead) return read_head(now);
-    until_ = now + kPatience;
-    if (received_.size() >= body_bytes_) return end_body();
-  }
-}
-
-void WebClient::read_head(Clock::time_point now) {
-  const std::size_t end = received_.find("\r\n\r\n");
-  if (std::min(end, received_.size()) > kMostHead) {
-    return answer(web_refusal(http_status::kHeadTooLarge, "The request is too long."), now);
-  }
-  if (end == std::string::npos) return;
-  auto request = parse_http_head(std::string_view{received_}.substr(0, end));
-  if (!request)
-    return answer(web_refusal(http_status::kBadRequest, "The request is malformed."), now);
+void WebClient::end_head(Fault fault) {
+  if (stage_ == Stage::kOver) return;
+  if (fault) return refuse(fault);
+  auto request = request_of(parser_);
+  if (!request) return answer(web_refusal(http_status::kBadRequest, "The request is malformed."));
   request_ = std::move(*request);
-  only_head_ = request_.method == "HEAD";
-  received_.erase(0, end + 4);
   stage_ = Stage::kHasHead;
 }
 
-void WebClient::want_body(Clock::time_point now) {
-  body_bytes_ = request_.content_length().value_or(0);
-  until_ = now + kPatience;
+void WebClient::want_body() {
   stage_ = Stage::kBody;
-  if (received_.size() >= body_bytes_) end_body();
+  buffer_.reserve(kRequestPart);  // The size of a part that is read at a time.
+  read_body({});
 }
 
-void WebClient::end_body() {
-  received_.resize(body_bytes_);
-  request_.body = std::move(received_);
-  received_ = {};
-  stage_ = Stage::kHasAll;
+void WebClient::read_body(Fault fault) {
+  if (stage_ == Stage::kOver) return;
+  if (fault) return refuse(fault);
+  progressed_ = true;
+  if (parser_.is_done()) {
+    request_.body = std::move(parser_.get().body());
+    stage_ = Stage::kHasAll;
+    return;
+  }
+  http::async_read_some(
+      socket_, buffer_, parser_, [self = shared_from_this()](Fault failed, std::size_t) {
+        self->read_body(failed);
+      });
 }
 
-void WebClient::answer(const WebReply& reply, Clock::time_point now) {
-  to_send_ = web_answer(reply, only_head_);
-  until_ = now + kPatience;
+/// Whoever is gone is told nothing.
+void WebClient::refuse(Fault fault) {
+  if (fault == boost::asio::error::operation_aborted) {
+    return answer(web_refusal(http_status::kTimeout, "The program did not come in time."));
+  }
+  if (fault == http::error::header_limit) {
+    return answer(web_refusal(http_status::kHeadTooLarge, "The request is too long."));
+  }
+  if (fault == http::error::body_limit) {
+    return answer(
+        web_refusal(http_status::kTooLarge, "A program of more than 64 MiB is not drawn."));
+  }
+  const bool unfinished =
+      fault == http::error::end_of_stream || fault == http::error::partial_message;
+  if (unfinished || fault.category() != make_error_code(http::error::bad_method).category()) {
+    return hang_up();
+  }
+  answer(web_refusal(http_status::kBadRequest, "The request is malformed."));
+}
+
+void WebClient::answer(const WebReply& reply) {
   stage_ = Stage::kAnswering;
-  send(now);
+  progressed_ = true;
+  response_ = response_of(reply);
+  sender_.emplace(response_);
+  buffer_.clear();
+  drop_the_rest();
+  send();
 }
 
 void WebClient::work(WebWork make) {
@@ -96,40 +159,60 @@ void WebClient::work(WebWork make) {
   work_ = std::async(std::launch::async, [make = std::move(make)] { return reply_of(make); });
 }
 
-WebSocket WebClient::become_socket() {
-  const std::string accepted = fmt::format(
-      "HTTP/1.1 101 Switching Protocols\r\nUpgrade: websocket\r\n"
-      "Connection: Upgrade\r\nSec-WebSocket-Accept: {}\r\n\r\n",
-      web_accept_key(request_.header("sec-websocket-key")));
-  // The first bytes on a new connection always fit.
-  static_cast<void>(::send(socket_.number(), accepted.data(), accepted.size(), MSG_NOSIGNAL));
+std::shared_ptr<WebSocket> WebClient::become_socket() {
+  if (!parser_.is_done() || buffer_.size() > 0) {
+    answer(web_refusal(http_status::kBadRequest,
+                       "A WebSocket is talked to after its handshake was answered."));
+    return nullptr;
+  }
   stage_ = Stage::kOver;
-  return {std::move(socket_), received_};
+  return open_web_socket(std::move(socket_), parser_.get());
+}
+
+void WebClient::send() {
+  const auto go_on = [self = shared_from_this()](Fault fault, std::size_t) { self->sent(fault); };
+  if (parser_.get().method() == http::verb::head) {
+    http::async_write_header(socket_, *sender_, go_on);
+  } else {
+    http::async_write_some(socket_, *sender_, go_on);
+  }
+}
+
+void WebClient::sent(Fault fault) {
+  if (stage_ == Stage::kOver) return;
+  if (fault) return hang_up();
+  progressed_ = true;
+  const bool only_head = parser_.get().method() == http::verb::head;
+  if (!only_head && !sender_->is_done()) return send();
+  sent_all_ = true;
+  Fault ignored;
+  socket_.shutdown(boost::asio::ip::tcp::socket::shutdown_send, ignored);
+  if (left_) hang_up();
 }
 
 /// A body that nobody wants is read meanwhile: closing over unread bytes would throw the answer
 /// away with a reset.
-void WebClient::send(Clock::time_point now) {
-  std::array<char, kRequestPart> unwanted{};
-  const ssize_t heard = ::recv(socket_.number(), unwanted.data(), unwanted.size(), 0);
-  const bool left = heard == 0 || (heard < 0 && !is_only_slow());
-  while (!to_send_.empty()) {
-    const ssize_t count = ::send(socket_.number(), to_send_.data(), to_send_.size(), MSG_NOSIGNAL);
-    if (count <= 0) {
-      if (!is_only_slow()) stage_ = Stage::kOver;
-      return;
-    }
-    to_send_.erase(0, static_cast<std::size_t>(count));
-    until_ = now + kPatience;
-    if (to_send_.empty()) ::shutdown(socket_.number(), SHUT_WR);
-  }
-  if (left) stage_ = Stage::kOver;
+void WebClient::drop_the_rest() {
+  socket_.async_read_some(buffer_.prepare(kRequestPart),
+                          [self = shared_from_this()](Fault fault, std::size_t) {
+                            if (self->stage_ == Stage::kOver) return;
+                            if (!fault) return self->drop_the_rest();
+                            self->left_ = true;
+                            if (self->sent_all_) self->hang_up();
+                          });
 }
 
-void WebClient::add_to(std::vector<pollfd>& descriptors) const {
+void WebClient::hang_up() {
+  stage_ = Stage::kOver;
+  Fault ignored;
+  socket_.close(ignored);
+}
+
+void WebClient::add_to(std::vector<pollfd>& descriptors) {
   if (stage_ == Stage::kOver || stage_ == Stage::kWorking) return;
-  const int events = POLLIN | (to_send_.empty() ? 0 : POLLOUT);
-  descriptors.push_back({socket_.number(), static_cast<short>(events), 0});
+  const bool sends = stage_ == Stage::kAnswering && !sent_all_;
+  const int events = (left_ ? 0 : POLLIN) | (sends ? POLLOUT : 0);
+  descriptors.push_back({socket_.native_handle(), static_cast<short>(events), 0});
 }
 
 }  // namespace sim

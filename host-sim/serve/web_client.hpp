@@ -2,11 +2,18 @@
 
 #include <poll.h>
 
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/beast/core/error.hpp>
+#include <boost/beast/core/flat_buffer.hpp>
+#include <boost/beast/http/parser.hpp>
+#include <boost/beast/http/serializer.hpp>
+#include <boost/beast/http/string_body.hpp>
 #include <chrono>
 #include <cstddef>
 #include <future>
+#include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "hal/host/descriptor.hpp"
@@ -16,12 +23,15 @@
 
 namespace sim {
 
-/// A connection of HTTP until its one request is answered or has become a WebSocket. No call
-/// blocks; a client that is slow or silent costs a descriptor until its time is over.
-class WebClient {
+/// A connection of HTTP, read and written by Boost.Beast, until its one request is answered or has
+/// become a WebSocket. No call blocks; a client that is slow or silent costs a descriptor until
+/// its time is over. Handlers run where the transport runs those of its `io_context`; each keeps
+/// the client alive.
+class WebClient : public std::enable_shared_from_this<WebClient> {
  public:
   using Clock = std::chrono::steady_clock;
   static constexpr std::size_t kMostHead = std::size_t{16} << 10;
+  static constexpr std::size_t kMostBody = std::size_t{64} << 20;
   /// For all of the head; for each part of a body or of an answer.
   static constexpr std::chrono::seconds kPatience{10};
 
@@ -35,42 +45,52 @@ class WebClient {
     kOver,
   };
 
-  WebClient(hal::host::Descriptor socket, Clock::time_point now)
-      : socket_{std::move(socket)}, until_{now + kPatience} {}
+  /// The context must outlive it.
+  WebClient(boost::asio::io_context& context, hal::host::Descriptor socket, Clock::time_point now);
 
-  /// Receives and sends what is possible now.
+  /// Reads the head. To be called once.
+  void begin();
+  /// Sees to its work and to its time.
   void attend(Clock::time_point now);
   [[nodiscard]] Stage stage() const { return stage_; }
-  /// Whether nothing but a part of a head has come.
-  [[nodiscard]] bool silent() const { return stage_ == Stage::kHead; }
-  void add_to(std::vector<pollfd>& descriptors) const;
+  void add_to(std::vector<pollfd>& descriptors);
 
   /// @pre the head has come
   [[nodiscard]] HttpRequest& request() { return request_; }
   /// Reads the body, as long as it was announced. @pre kHasHead
-  void want_body(Clock::time_point now);
+  void want_body();
   /// @pre kHasHead or kHasAll
-  void answer(const WebReply& reply, Clock::time_point now);
+  void answer(const WebReply& reply);
   /// Has another thread make the answer. @pre kHasAll
   void work(WebWork make);
-  /// The connection as a WebSocket. @pre kHasHead, for a handshake that was judged
-  [[nodiscard]] WebSocket become_socket();
+  /// The connection as a WebSocket; null when the handshake is malformed, and is answered so.
+  /// @pre kHasHead
+  [[nodiscard]] std::shared_ptr<WebSocket> become_socket();
+  void hang_up();
 
  private:
-  void receive(Clock::time_point now);
-  void read_head(Clock::time_point now);
-  void end_body();
-  void send(Clock::time_point now);
+  using Fault = boost::beast::error_code;
+  using Response = boost::beast::http::response<boost::beast::http::string_body>;
 
-  hal::host::Descriptor socket_;
+  void end_head(Fault fault);
+  void read_body(Fault fault);
+  void refuse(Fault fault);
+  void send();
+  void sent(Fault fault);
+  void drop_the_rest();
+
+  boost::asio::ip::tcp::socket socket_;
+  boost::beast::flat_buffer buffer_;  ///< What was received and not parsed.
+  boost::beast::http::request_parser<boost::beast::http::string_body> parser_;
+  HttpRequest request_{};
+  std::future<WebReply> work_;
+  Response response_;
+  std::optional<boost::beast::http::response_serializer<boost::beast::http::string_body>> sender_;
   Clock::time_point until_;
   Stage stage_ = Stage::kHead;
-  std::string received_;  ///< And not taken: the head, then the body.
-  std::string to_send_;
-  HttpRequest request_{};
-  std::size_t body_bytes_ = 0;
-  bool only_head_ = false;
-  std::future<WebReply> work_;
+  bool progressed_ = false;  ///< Since the last look at the clock.
+  bool sent_all_ = false;
+  bool left_ = false;  ///< The client sends nothing more.
 };
 
 }  // namespace sim

@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <boost/beast/core/string.hpp>
 #include <string>
-
-#include "host-sim/serve/http_request.hpp"
 
 namespace sim {
 namespace {
+
+using boost::beast::iequals;
 
 constexpr std::uint16_t kStandardPort = 80;
 
@@ -15,19 +16,19 @@ constexpr std::uint16_t kStandardPort = 80;
 
 bool is_our_host(std::string_view host, const InternetAddress& listening) {
   const std::string port = fmt::format(":{}", listening.port);
-  std::string name = lower_case(host);
-  if (name.ends_with(port)) {
-    name.resize(name.size() - port.size());
+  if (host.ends_with(port)) {
+    host.remove_suffix(port.size());
   } else if (listening.port != kStandardPort) {
     return false;
   }
-  if (name == "localhost" || name == listening.host) return true;
-  if (!is_ip_address(name)) return false;
-  return name.starts_with("127.") || !is_loopback(listening);
+  if (iequals(host, "localhost") || host == listening.host) return true;
+  const std::string number{host};
+  if (!is_ip_address(number)) return false;
+  return number.starts_with("127.") || !is_loopback(listening);
 }
 
 bool is_same_origin(std::string_view origin, std::string_view host) {
-  return origin.empty() || lower_case(origin) == "http://" + lower_case(host);
+  return origin.empty() || iequals(origin, fmt::format("http://{}", host));
 }
 
 }  // namespace sim

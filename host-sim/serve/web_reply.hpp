@@ -16,11 +16,9 @@ struct WebReply {
 /// Makes a reply, in a thread of its own: it must touch nothing but what it holds.
 using WebWork = std::function<WebReply()>;
 
-/// Status and headers of an answer, after which the connection ends; with `content`, unless only
-/// the head was asked for.
-[[nodiscard]] std::string web_answer(const WebReply& reply, bool only_head);
-
 /// A sentence for people.
-[[nodiscard]] WebReply web_refusal(int status, std::string_view reason);
+[[nodiscard]] inline WebReply web_refusal(int status, std::string_view reason) {
+  return {.status = status, .content = std::string{reason}};
+}
 
 }  // namespace sim

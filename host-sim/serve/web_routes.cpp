@@ -17,7 +17,6 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::size_t kLongestProgram = std::size_t{64} << 20;
 constexpr std::size_t kLongestName = 200;
 constexpr const char* kJsonType = "application/json";
 
@@ -151,12 +150,8 @@ std::optional<WebReply> WebRoutes::refusal(const HttpRequest& request) const {
   if (request.method != "POST" || (!program && !order)) {
     return web_refusal(http_status::kWrongMethod, "This is only read, with GET.");
   }
-  const auto length = request.content_length();
-  if (!length || !request.header("transfer-encoding").empty()) {
+  if (!request.length) {
     return web_refusal(http_status::kLengthRequired, "The length of the program is not given.");
-  }
-  if (*length > kLongestProgram) {
-    return web_refusal(http_status::kTooLarge, "A program of more than 64 MiB is not drawn.");
   }
   if (path == "/job" && job_.running()) {
     return web_refusal(http_status::kConflict,

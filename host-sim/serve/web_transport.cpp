@@ -1,127 +1,150 @@
 #include "host-sim/serve/web_transport.hpp"
 
-#include <sys/socket.h>
-
 #include <algorithm>
 #include <array>
+#include <boost/asio/io_context.hpp>
+#include <utility>
 
 #include "host-sim/serve/http_status.hpp"
 #include "host-sim/serve/listener.hpp"
 #include "host-sim/serve/reception.hpp"
+#include "host-sim/serve/web_client.hpp"
 #include "host-sim/serve/web_guard.hpp"
 
 namespace sim {
 namespace {
 
-constexpr std::size_t kKeyCharacters = 24;  ///< Of 16 bytes in Base64.
 constexpr std::ptrdiff_t kMostAtWork = 2;
+// For handlers at a time: the machine's time goes on meanwhile.
+constexpr std::chrono::milliseconds kLongestRun{5};
+// To read a part takes a few; others' may be among them.
+constexpr int kHandlersForAPart = 64;
 constexpr std::string_view kTooManyWatch =
     R"({"refused":"Sixteen pages watch this machine already. Close one of them, and reload."})";
 
 /// Of a sender; the transport keeps the socket until it is gone.
 class WebConnection final : public Connection {
  public:
-  WebConnection(std::shared_ptr<WebSocket> socket, std::string_view kind)
-      : socket_{std::move(socket)}, kind_{kind} {}
+  WebConnection(boost::asio::io_context& context,
+                std::shared_ptr<WebSocket> socket,
+                std::string_view kind)
+      : context_{context}, socket_{std::move(socket)}, kind_{kind} {}
   WebConnection(const WebConnection&) = delete;
   WebConnection& operator=(const WebConnection&) = delete;
   ~WebConnection() override { end(); }
 
-  std::size_t read(std::span<std::byte> into) override { return socket_->read(into); }
+  /// All that has arrived can be read part by part: nothing waits for the next cycle.
+  std::size_t read(std::span<std::byte> into) override {
+    context_.restart();  // It has stopped if nothing was going on.
+    for (int left = kHandlersForAPart; left > 0; --left) {
+      if (const std::size_t count = socket_->read(into); count > 0) return count;
+      if (context_.poll_one() == 0) return 0;
+    }
+    return 0;
+  }
   std::size_t write(std::span<const std::byte> from) override { return socket_->write(from); }
   bool open() override { return socket_->open(); }
-  void end() override { socket_->end(web_close::kTryAgainLater); }
+  void end() override { socket_->end(); }
   void add_to(std::vector<pollfd>&, Wishes) const override {}  // The transport adds it.
   [[nodiscard]] std::string_view kind() const override { return kind_; }
 
  private:
+  boost::asio::io_context& context_;
   std::shared_ptr<WebSocket> socket_;
   std::string_view kind_;
 };
 
-/// What is wrong with a handshake (RFC 6455, 4.2.1); nothing when it is sound.
-std::optional<WebReply> handshake_fault(const HttpRequest& request) {
-  if (request.header("sec-websocket-version") != "13") {
-    return web_refusal(http_status::kUpgradeRequired,
-                       "Only version 13 of WebSocket is spoken here.");
-  }
-  const bool sound = request.method == "GET" && request.lists("connection", "upgrade") &&
-                     request.header("sec-websocket-key").size() == kKeyCharacters;
-  if (sound) return {};
-  return web_refusal(http_status::kBadRequest, "The handshake of the WebSocket is malformed.");
-}
-
 }  // namespace
 
-WebTransport::WebTransport(const InternetAddress& address, PageService& service)
-    : address_{address}, service_{service}, listener_{listen_at(address_, "ws")} {}
+WebTransport::WebTransport(const InternetAddress& address, PageService& service, Now now)
+    : address_{address},
+      service_{service},
+      now_{std::move(now)},
+      listener_{listen_at(address_, "ws")},
+      context_{std::make_unique<boost::asio::io_context>(1)} {}
 
 WebTransport::~WebTransport() = default;
 
 std::unique_ptr<Connection> WebTransport::accept() {
-  if (arrivals_.empty()) attend(Clock::now());
+  if (arrivals_.empty()) attend();
   if (arrivals_.empty()) return nullptr;
   const Arrival arrival = std::move(arrivals_.front());
   arrivals_.pop_front();
-  return std::make_unique<WebConnection>(arrival.socket, arrival.kind);
+  return std::make_unique<WebConnection>(*context_, arrival.socket, arrival.kind);
 }
 
-void WebTransport::attend(Clock::time_point now) {
-  accept_clients(now);
+void WebTransport::attend() {
+  accept_clients();
+  run_handlers();
+  const Clock::time_point now = now_();
   for (const auto& client : clients_) attend_client(*client, now);
   std::erase_if(clients_,
                 [](const auto& client) { return client->stage() == WebClient::Stage::kOver; });
   attend_sockets(now);
 }
 
-void WebTransport::accept_clients(Clock::time_point now) {
+void WebTransport::accept_clients() {
   constexpr int kMostAtOnce = 16;
   for (int count = 0; count < kMostAtOnce; ++count) {
     auto socket = accept_at(listener_);
     if (!socket) return;
-    if (clients_.size() >= kMostClients) make_place();
-    clients_.push_back(std::make_unique<WebClient>(std::move(*socket), now));
+    meet(std::move(*socket));
   }
 }
 
-/// Whoever has asked nothing yet waits for nothing.
+void WebTransport::meet(hal::host::Descriptor socket) {
+  if (clients_.size() >= kMostClients) make_place();
+  clients_.push_back(std::make_shared<WebClient>(*context_, std::move(socket), now_()));
+  clients_.back()->begin();
+}
+
+/// The oldest that has asked nothing yet goes, as it waits for nothing; else the oldest that no
+/// thread works for.
 void WebTransport::make_place() {
-  const auto silent =
-      std::find_if(clients_.begin(), clients_.end(), [](const auto& c) { return c->silent(); });
-  const bool works = clients_.front()->stage() == WebClient::Stage::kWorking;
-  if (silent != clients_.end()) {
-    clients_.erase(silent);
-  } else if (!works) {
-    clients_.erase(clients_.begin());
+  const auto oldest = [this](auto&& may_go) {
+    return std::find_if(clients_.begin(), clients_.end(), [&](const auto& client) {
+      return may_go(client->stage());
+    });
+  };
+  auto goes = oldest([](WebClient::Stage stage) { return stage == WebClient::Stage::kHead; });
+  if (goes == clients_.end()) {
+    goes = oldest([](WebClient::Stage stage) { return stage != WebClient::Stage::kWorking; });
+  }
+  (*goes)->hang_up();
+  clients_.erase(goes);
+}
+
+void WebTransport::run_handlers() {
+  const auto until = std::chrono::steady_clock::now() + kLongestRun;
+  context_->restart();
+  while (context_->poll_one() > 0 && std::chrono::steady_clock::now() < until) {
   }
 }
 
 void WebTransport::attend_client(WebClient& client, Clock::time_point now) {
   client.attend(now);
-  if (client.stage() == WebClient::Stage::kHasHead) judge(client, now);
-  if (client.stage() == WebClient::Stage::kHasAll) answer(client, now);
+  if (client.stage() == WebClient::Stage::kHasHead) judge(client);
+  if (client.stage() == WebClient::Stage::kHasAll) answer(client);
 }
 
-void WebTransport::judge(WebClient& client, Clock::time_point now) {
+void WebTransport::judge(WebClient& client) {
   const HttpRequest& request = client.request();
-  const std::string_view host = request.header("host");
-  if (!is_our_host(host, address_)) {
-    return client.answer(web_refusal(http_status::kForbidden, "This machine has no such name."),
-                         now);
+  if (!is_our_host(request.host, address_)) {
+    return client.answer(web_refusal(http_status::kForbidden, "This machine has no such name."));
   }
-  if (!is_same_origin(request.header("origin"), host)) {
+  if (!is_same_origin(request.origin, request.host)) {
     return client.answer(
-        web_refusal(http_status::kForbidden, "Another page must not ask for this."), now);
+        web_refusal(http_status::kForbidden, "Another page must not ask for this."));
   }
-  if (request.wants_web_socket()) return open_socket(client, now);
-  if (const auto refused = service_.refusal(request)) return client.answer(*refused, now);
-  client.want_body(now);
+  if (request.wants_web_socket) return open_socket(client);
+  if (const auto refused = service_.refusal(request)) return client.answer(*refused);
+  client.want_body();
 }
 
-void WebTransport::open_socket(WebClient& client, Clock::time_point now) {
-  if (const auto fault = handshake_fault(client.request())) return client.answer(*fault, now);
-  const std::string path = client.request().path;
-  auto socket = std::make_shared<WebSocket>(client.become_socket());
+void WebTransport::open_socket(WebClient& client) {
+  std::shared_ptr<WebSocket> socket = client.become_socket();
+  if (!socket) return;
+  const std::string& path = client.request().path;
   sockets_.push_back(socket);
   if (path == "/observe") return add_watcher(std::move(socket));
   arrivals_.push_back(
@@ -134,18 +157,18 @@ void WebTransport::add_watcher(std::shared_ptr<WebSocket> socket) {
     return;
   }
   socket->write(kTooManyWatch);
-  socket->end(web_close::kTryAgainLater);
+  socket->end();
 }
 
 /// Two answers are being made at a time; others wait.
-void WebTransport::answer(WebClient& client, Clock::time_point now) {
+void WebTransport::answer(WebClient& client) {
   const auto at_work = std::count_if(clients_.begin(), clients_.end(), [](const auto& one) {
     return one->stage() == WebClient::Stage::kWorking;
   });
   if (at_work >= kMostAtWork) return;
   PageService::Answer answer = service_.answer(std::move(client.request()));
   if (auto* work = std::get_if<WebWork>(&answer)) return client.work(std::move(*work));
-  client.answer(std::get<WebReply>(answer), now);
+  client.answer(std::get<WebReply>(answer));
 }
 
 void WebTransport::attend_sockets(Clock::time_point now) {
@@ -155,9 +178,8 @@ void WebTransport::attend_sockets(Clock::time_point now) {
     }
   }
   for (const auto& socket : sockets_) socket->attend(now);
-  const auto gone = [](const auto& socket) { return socket->gone(); };
-  std::erase_if(sockets_, gone);
-  std::erase_if(watchers_, gone);
+  std::erase_if(sockets_, [](const auto& socket) { return socket->gone(); });
+  std::erase_if(watchers_, [](const auto& socket) { return !socket->open(); });
 }
 
 void WebTransport::add_to(std::vector<pollfd>& descriptors) const {

@@ -32,6 +32,9 @@ class MemoryLink final : public hal::ByteStream {
     return count;
   }
 
+  bool may_wait() const override { return waits; }
+
+  bool waits = true;  ///< False: as a serial line.
   std::string incoming;
   std::string outgoing;
   std::size_t room = ~std::size_t{0};  ///< Bytes that can be queued until somebody fetches some.

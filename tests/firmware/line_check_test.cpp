@@ -105,6 +105,42 @@ TEST_F(CheckedLines, ACommentMayFollowTheCheck) {
   EXPECT_EQ(sum("N1 G1 X1 F600"), one("ok"));
 }
 
+/// Of a line that is too long the text of comments is dropped, and the check covers it.
+TEST_F(CheckedLines, TheCheckCoversAllThatIsDroppedOfALongLine) {
+  const std::string comment = "(" + std::string(300, 'x') + "*7)";
+  const std::string rest = ";" + std::string(300, 'y');
+  for (const bool counts : {false, true}) {
+    say("\x18");
+    run(100);
+    if (counts) say("N0 M110*35\n");
+    EXPECT_EQ(sum("N1 G91 " + comment + "G1 X1 F600"), one("ok")) << counts;
+    EXPECT_EQ(crc("N2 " + comment + comment + "X1").back(), "ok") << counts;
+    EXPECT_EQ(say(with_sum("N2 X1" + comment) + " " + comment + rest + "\n").back(), "ok");
+    run_until_idle();
+  }
+  EXPECT_EQ(say("N3 X1 " + comment + "*1\n"), (std::vector<std::string>{"Resend: 3", "ok"}));
+  EXPECT_EQ(say("N3 X1 " + comment + "\n"), (std::vector<std::string>{"Resend: 3", "ok"}));
+  EXPECT_EQ(sum("N3 X1" + std::string(300, ' ') + "X" + std::string(300, '1')).back(), "error:11");
+  EXPECT_EQ(sum("N4 X1 " + comment), one("ok")) << "the one before was taken, and refused";
+  run_until_idle();
+  say("\x18");
+  run(100);
+  EXPECT_EQ(say("N3 X1 " + comment + "*1\n"),
+            (std::vector<std::string>{"[MSG:0: the check does not fit its line]", "error:1"}));
+}
+
+TEST_F(CheckedLines, UnderTheCrcALongLineIsTaken) {
+  const std::string comment = "(" + std::string(300, 'x') + "*7)";
+  crc("N0 M110");
+  EXPECT_TRUE(crc("N1 G91 " + comment + "G1 X1 F600").front().starts_with("ok N1*"));
+  EXPECT_TRUE(crc("N2 X1 ;" + std::string(300, 'y')).front().starts_with("ok N2*"));
+  EXPECT_TRUE(say("N3 X1 " + comment + "*00000000\n").front().starts_with("Resend: 3*"));
+  EXPECT_TRUE(crc("N3 X1 " + comment).front().starts_with("ok N3*"));
+  EXPECT_TRUE(crc("N4 X" + std::string(300, '1')).back().starts_with("error:11 N4*"));
+  run_until_idle();
+  EXPECT_DOUBLE_EQ(x_mm(), 3.0);
+}
+
 TEST_F(CheckedLines, BeginAsOtherHostsSay) {
   // OctoPrint, Repetier-Host, Printrun (whose first line is N0), a plain one.
   for (const char* begin :

@@ -1,3 +1,6 @@
+#include <cmath>
+#include <utility>
+
 #include "tests/firmware/controller_test.hpp"
 
 namespace cnc {
@@ -16,6 +19,16 @@ class MachineDoorTest : public ControllerTest {
       EXPECT_EQ(port.power, 0);
     }
     EXPECT_NE(substate(), 3);
+  }
+  /// `[MSG:17.204 mm are uncut from 12.000,…`, to 0.1 mm and a cycle of 0.1 mm.
+  void expect_uncut(double from_x, double length_mm) const {
+    const std::string words = " mm are uncut from ";
+    const std::size_t place = link.outgoing.find(words);
+    ASSERT_NE(place, std::string::npos) << link.outgoing;
+    const std::size_t begin = link.outgoing.rfind("[MSG:", place) + 5;
+    EXPECT_NEAR(std::stod(link.outgoing.substr(begin)), length_mm, 0.2) << link.outgoing;
+    EXPECT_NEAR(std::stod(link.outgoing.substr(place + words.size())), from_x, 0.2);
+    EXPECT_EQ(link.outgoing.find(words, place + 1), std::string::npos) << "once";
   }
   [[nodiscard]] int substate() const {
     return machine.state() == MachineState::kDoor ? machine.status().substate : -1;
@@ -153,11 +166,53 @@ TEST_F(MachineDoorTest, IsTakenUpWhereTheLightEndedAfterAReset) {
 TEST_F(MachineDoorTest, SaysOfALostLinkHowMuchIsUncut) {
   send_all({"$32=1", "M3 S1000", "G1 X50 F6000"});
   run(300);
+  const auto dark_from = port.position[0];
   machine.lose_link();
   run(500);
   EXPECT_EQ(machine.alarm(), Alarm::kLinkSilent);
-  EXPECT_NE(link.outgoing.find(" mm are uncut from "), std::string::npos) << link.outgoing;
-  EXPECT_NE(link.outgoing.find(",0.000,0.000 on]"), std::string::npos) << link.outgoing;
+  expect_uncut(0.004 * dark_from, 0.004 * (port.position[0] - dark_from));
+}
+
+/// The place where the beam went dark is known to a cycle then.
+TEST_F(MachineDoorTest, SaysHowFarTheMotorsCameWhereTheBrakingIsCutOff) {
+  const std::vector<std::pair<const char*, std::function<void()>>> ends{
+      {"reset", [this] { machine.reset(); }},
+      {"emergency stop", [this] { machine.emergency_stop(); }},
+      {"limit", [this] { port.limits.first = 2; }}};
+  send_all({"$32=1", "$21=1", "$120=500", "$121=500"});
+  for (const auto& [name, end] : ends) {
+    for (const int after_ms : {2, 30, 90, 150}) {
+      SCOPED_TRACE(testing::Message() << name << " after " << after_ms << " ms");
+      send_all({"G90 G0 X0 Y0", "G4 P0", "M3 S1000", "G1 X40 Y30 F6000"});
+      run(400);
+      const std::array<std::int32_t, 6> dark_from = port.position;
+      machine.safety_door();
+      run(after_ms);
+      link.outgoing.clear();
+      end();
+      run(100);
+      const double x = 0.004 * (port.position[0] - dark_from[0]);
+      const double y = 0.004 * (port.position[1] - dark_from[1]);
+      EXPECT_GT(std::hypot(x, y), 0.05);
+      expect_uncut(0.004 * dark_from[0], std::hypot(x, y));
+      port.limits.first = 0;
+      machine.reset();
+      run(100);
+      send_all({"$X"});
+    }
+  }
+}
+
+TEST_F(MachineDoorTest, NothingIsUncutWhereNothingWasToBeLit) {
+  send_all({"$32=1", "M3 S1000", "G0 X50"});
+  run(300);
+  machine.safety_door();
+  run(30);
+  link.outgoing.clear();
+  machine.reset();
+  run(100);
+  EXPECT_EQ(machine.alarm(), Alarm::kAbortInMotion);
+  EXPECT_EQ(link.outgoing.find("uncut"), std::string::npos) << link.outgoing;
 }
 
 /// A slow shaper lets the light come long after the plan, and in that time more blocks go by than

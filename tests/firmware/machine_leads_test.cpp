@@ -224,7 +224,8 @@ TEST_F(MachineLeadsTest, AnExitIsRefusedWithBothElements) {
   send_all({"G0 X-5 Y5", "N10 G41.1 D2 G1 X0 Y5", "N20 Y20", "N30 X10"});
   send_all({"G40"});
   EXPECT_EQ(send("N50 G1 X5 Y10"), "error:33");
-  EXPECT_NE(link.outgoing.find("[MSG:0: since G41 or G42, element 4 (N50) leads into element 3 (N30)]"),
+  EXPECT_NE(link.outgoing.find("[MSG:0: since G41 or G42, element 4 (N50) leads into "
+                               "element 3 (N30)]"),
             std::string::npos)
       << link.outgoing;
 }

@@ -111,6 +111,23 @@ TEST(Identity, VersionIsThatOfTheProjectAndTheCommit) {
   EXPECT_TRUE(std::regex_match(std::string{identity::version()}, shape)) << identity::version();
 }
 
+TEST_F(StatementsTest, SayWhyAPathOfAStartupLineCannotBeDriven) {
+  EXPECT_EQ(send("$N1=G41.1 D20 G1 X1 F600"), "error:33");
+  for (int times = 0; times < 2; ++times) {
+    stream("\x18");
+    run(200);
+    EXPECT_EQ(send("$X"), "ok");
+    link.outgoing.clear();
+    stream("\x18");
+    run(200);
+    EXPECT_EQ(machine.alarm(), Alarm::kCompensation);
+    EXPECT_NE(link.outgoing.find("[MSG:Startup line: since G41 or G42, element 1 is the entry"),
+              std::string::npos)
+        << link.outgoing;
+    EXPECT_TRUE(answers().empty());
+  }
+}
+
 TEST_F(StatementsTest, RunStartupLinesAfterAReset) {
   EXPECT_EQ(send("$N0=G55 G20 (inches)"), "ok");
   EXPECT_EQ(send("$N1=G6"), "error:20");

@@ -3,8 +3,9 @@
 ///
 /// The first byte chooses the machine: bit 0 a laser, bit 1 homed with soft
 /// limits; bits 2 to 7 switch features on (Bench::kFeatures). 0xFF and the byte after it are no
-/// bytes of the link but switches; 0xFE and the byte after it are a whole line or realtime byte of
-/// kTokens, among which is every statement.
+/// bytes of the link but switches. Others stand for lines of tests/fuzz/tokens.hpp, with the byte
+/// after them: 0xFE a line or realtime byte of kTokens, 0xFB a statement of each kind, 0xFC a text
+/// of any length; and 0xFD with two bytes a setting, of all that the firmware's table has.
 ///
 /// Whatever arrives, nothing crashes, every plain line is answered once, nothing but
 /// an acknowledgement looks like one, motors stay below their rates and inside
@@ -27,6 +28,7 @@
 #include "firmware/machine/travel.hpp"
 #include "hal/host/memory_store.hpp"
 #include "hal/host/recording_port.hpp"
+#include "tests/fuzz/tokens.hpp"
 
 namespace {
 
@@ -41,44 +43,6 @@ bool contains_word(std::string line, std::string_view word) {
     letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
   return line.find(word) != std::string::npos;
 }
-
-// clang-format off
-constexpr std::array kTokens = std::to_array<std::string_view>({
-    // Statements.
-    "$\n", "$$\n", "$#\n", "$G\n", "$I\n", "$I+\n", "$N\n", "$ES\n", "$EG\n", "$ESH\n", "$EA\n",
-    "$EE\n", "$PC\n", "$K\n", "$KS\n", "$C\n", "$X\n", "$H\n", "$HX\n", "$HYZ\n", "$HA\n", "$SLP\n",
-    "$DFU\n", "$RESUME\n", "$RESUME=0\n", "$RESUME=5\n", "$RESUME=7\n", "$RST=$\n", "$RST=#\n",
-    "$RST=*\n", "$I=abc\n", "$N0=G21\n", "$N1=G90\n", "$N1=\n", "$N1=G7\n",
-    "$KW=0:4b465401\n", "$KE=*\n", "$KE=CSP 1N\n", "$KR=CSP 1N\n", "$KQ=CSP 1N,10,1500,300\n",
-    "$PC=0:0,10:5,100:1500\n", "$PC=\n", "$J=G91X1F6000\n", "$J=X-3Y2F9000\n", "$J=G53Z-1F500\n",
-    // Settings that switch features on and off.
-    "$0=1\n", "$1=255\n", "$3=7\n", "$10=511\n", "$11=0\n", "$11=0.2\n", "$12=0\n", "$13=1\n",
-    "$20=1\n", "$20=0\n", "$21=1\n", "$22=0\n", "$22=1\n", "$22=3\n", "$22=7\n", "$22=15\n",
-    "$23=7\n", "$27=0\n", "$27=50\n", "$30=1\n", "$31=900\n", "$32=1\n", "$32=0\n", "$40=1\n",
-    "$41=1\n", "$42=0\n", "$43=3\n", "$44=63\n", "$58=0\n", "$100=0.01\n", "$100=100000\n",
-    "$101=37.3\n", "$103=9999\n", "$110=1\n", "$110=1000000\n", "$120=0.1\n", "$120=1000000\n",
-    "$130=1000000\n", "$133=1\n", "$160=0.5\n", "$161=2\n", "$341=1\n", "$392=0\n", "$392=0.1\n",
-    "$394=0.1\n", "$481=50\n", "$800=2000\n", "$801=1000000000\n", "$802=1\n", "$810=1\n",
-    "$811=4\n", "$820=5\n", "$830=0.9\n", "$850=0.5\n", "$852=7\n", "$853=6\n", "$854=50\n",
-    "$855=5000\n", "$856=5000\n", "$857=-5000\n", "$857=3000\n", "$858=0\n", "$858=1\n", "$859=5\n",
-    "$860=1\n", "$870=100\n", "$870=5\n", "$871=60000\n", "$871=20\n",
-    // G-code.
-    "G0X5Y-3\n", "G1X9F3000\n", "G1X0Y0Z0F9000\n", "N5G1X2Y2F900\n", "N7G1X4\n", "N7G2X0Y4R5\n",
-    "G2X0Y0I-3J1F5000\n", "G3X3Y3R4P3\n", "G5X4Y4I1J3P-1Q-2\n", "G5.1X3Y0I1J1\n",
-    "G5.2P1X1Y1L3\n", "X2Y0\n", "X3Y2\n", "X4Y4\n", "G5.3\n", "G38.2Z-4F600\n", "G38.3X9F6000\n",
-    "G38.4Z1F99\n", "G4P0.03\n", "G4P0\n", "M3S500\n", "M4S900\n", "M3S0\n", "M5\n", "S1:5:9X7\n",
-    "G1X5S0:120:300\n", "M6T3\n", "T2M6M3S9G1X3F600\n", "M0\n", "M1\n", "M2\n", "M30\n", "M7\n",
-    "M9\n", "M62P1\n", "M67E2Q0.5\n", "G10L1P2R0.4\n", "G10L2P1X1\n", "G10L20P0X0Y0\n", "G28.1\n",
-    "G28X1\n", "G30\n", "G92X7\n", "G92.1\n", "G43.1Z2\n", "G49\n", "G41.1D0.4\n", "G42.1D1\n",
-    "T2\n", "G41D2\n", "G41\n", "G40\n", "M190P0Q10\n", "F300S1000\n", "G61.1\n", "G64P0.1Q0.05\n",
-    "G91\n", "G90\n", "G93\n", "G94\n", "G20\n", "G21\n", "G18\n", "G17\n", "G55\n", "G80\n",
-    "/G0X9\n",
-    "N1G1X5*86\n", "N0M110*125\n",
-    // Realtime bytes.
-    "?", "!", "~", "\x18", "\x83", "\x84", "\x85", "\x87", "\x88", "\x89", "\x8C", "\x91", "\x96",
-    "\x9A", "\x9D", "\x9E", "\xA0", "\xA1", "\xA3", "\r", "\r\n",
-});
-// clang-format on
 
 /// What the fuzzer sends and what comes back.
 class BytesLink final : public hal::ByteStream {
@@ -99,9 +63,18 @@ class BytesLink final : public hal::ByteStream {
       if (read_ < bytes_.size()) set_switches(bytes_[read_++]);
       return 0;  // The hand is slower than the wire: the next turn goes on.
     }
-    if (byte != kToken) return give(byte, into);
-    if (read_ < bytes_.size()) token_ = kTokens[bytes_[read_++] % kTokens.size()];
+    if (byte < kStatement || byte > kToken) return give(byte, into);
+    if (read_ < bytes_.size()) take_token(byte, bytes_[read_++]);
     return 0;
+  }
+
+  void take_token(std::uint8_t kind, std::uint8_t which) {
+    if (kind == kToken) token_ = fuzz::kTokens[which % fuzz::kTokens.size()];
+    if (kind == kStatement) token_ = fuzz::statement_token(which);
+    if (kind == kLong) token_ = fuzz::long_token(which);
+    if (kind != kSetting || read_ == bytes_.size()) return;
+    setting_ = fuzz::setting_token(which, bytes_[read_++]);
+    token_ = setting_;
   }
 
   std::size_t give(std::uint8_t byte, std::span<std::byte> into) {
@@ -136,8 +109,11 @@ class BytesLink final : public hal::ByteStream {
 
  private:
   static constexpr std::uint8_t kSwitches = 0xFF;
+  static constexpr std::uint8_t kStatement = 0xFB;
+  static constexpr std::uint8_t kLong = 0xFC;
+  static constexpr std::uint8_t kSetting = 0xFD;
   static constexpr std::uint8_t kToken = 0xFE;
-  static_assert(kTokens.size() <= 256);
+  static_assert(fuzz::kTokens.size() <= 256);
 
   void set_switches(std::uint8_t bits) {
     panel_.door = (bits & 1U) != 0;
@@ -169,7 +145,8 @@ class BytesLink final : public hal::ByteStream {
   hal::InputState& panel_;
   std::span<const std::uint8_t> bytes_{};
   std::size_t read_ = 0;
-  std::string_view token_{};  ///< What is left of it.
+  std::string_view token_{};  ///< Its bytes that are left.
+  std::string setting_;       ///< The last token that is no constant.
   bool after_return_ = false;
   std::string line_;
 };

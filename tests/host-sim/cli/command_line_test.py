@@ -55,26 +55,6 @@ class CommandLine(unittest.TestCase):
             traces.append((self.folder / name).read_bytes())
         self.assertEqual(traces[0], traces[1])
 
-    def test_check_names_the_place_of_every_fault(self):
-        job = self.folder / "bad.nc"
-        job.write_text("G21\nG1 X1 F100\nG6 X2\nG2 X1 Y1 I0.1 J0\n")
-        done = run("check", job)
-        self.assertEqual(done.returncode, 1)
-        lines = [line for line in done.stdout.splitlines() if line.startswith(str(job))]
-        self.assertRegex(lines[0], r":3:1: ")
-        self.assertRegex(lines[1], r":4:\d+: ")
-
-    def test_check_takes_the_simulated_time(self):
-        job = EXAMPLES / "circle_r20.nc"
-        simulated = json.loads(run("sim", job, *self.laser, "--json").stdout)
-        checked, = json.loads(run("check", job, *self.laser, "--json").stdout)
-        self.assertAlmostEqual(checked["job_time_s"] / simulated["job_time_s"], 1.0, delta=0.01)
-
-    def test_check_finds_what_needs_more_travel_than_there_is(self):
-        done = run("check", "-", "--set", "$130=50", text="G21 G90\nG0 X40\nG0 Y5 X60\n")
-        self.assertEqual(done.returncode, 1)
-        self.assertRegex(done.stdout, r"-:3:7: X needs 60\.000 mm of travel, \$130 allows 50")
-
     def test_reads_standard_input(self):
         done = run("check", "-", text="G0 X1\n")
         self.assertEqual(done.returncode, 0, done.stdout)
@@ -219,6 +199,16 @@ class CommandLine(unittest.TestCase):
                            (["sim", job, "--sgv", "x"], "did you mean --svg?"),
                            (["sim", job, "--trac=x"], "did you mean --trace?"),
                            (["send", job, "--prot", "x"], "did you mean --port?"),
+                           (["--versoin"], "--versoin: `kerfline` has no such option; did you mean --version?"),
+                           (["kerf", "--hepl"], "`kerfline kerf` has no such option; did you mean --help?"),
+                           (["kerf", "advise", "--matrial", "x"], "`kerfline kerf advise` has no such option; did you"
+                            " mean --material?"),
+                           (["kerf", "calibrate", "--form", "x", "--oud", "y"], "did you mean --out?"),
+                           (["sim", job, "-svg", "x"], "-svg: `kerfline sim` has no such option; did you mean --svg?"),
+                           (["cut", EXAMPLES / "plate.svg", "--material", "CSP 1N", "--thickness", "2", "--layer",
+                             "black: tabz=2"], "did you mean tabs?"),
+                           (["cut", EXAMPLES / "plate.svg", "--material", "CSP 1n", "--thickness", "2"],
+                            "did you mean CSP 1N?"),
                            (["check", job, "--xyzzy"], "--xyzzy: `kerfline check` has no such option\n")):
             with self.subTest(call=call):
                 done = run(*call)
@@ -236,6 +226,17 @@ class CommandLine(unittest.TestCase):
                 (["cut", part, "--material", "CSP 1N", "--thickness", "2"], "--full-power", "W"),
                 (["cut", part, "--material", "CSP 1N", "--thickness", "2"], "--decimals", "3 to 5"),
                 (["kerf", "advise", "--material", "CSP 1N"], "--thickness", "0 to 100 mm"),
+                (["kerf", "advise", "--material", "CSP 1N", "--thickness", "2"], "--speed", "mm/min"),
+                (["kerf", "plot", "--material", "CSP 1N"], "--thickness", "0 to 100 mm"),
+                (["kerf", "calibrate", "--material", "CSP 1N"], "--thickness", "0 to 100 mm"),
+                (["kerf", "calibrate", "--material", "CSP 1N", "--thickness", "2"], "--powers", "W"),
+                (["kerf", "calibrate", "--material", "CSP 1N", "--thickness", "2"], "--speeds", "mm/min"),
+                (["serve"], "--tcp", "0 to 65535"), (["serve"], "--ws", "0 to 65535"),
+                (["send", job], "--tcp", "0 to 65535"),
+                *((["cut", part, "--material", "CSP 1N", "--thickness", "2"], f"--{key}", unit)
+                  for key, unit in (("tabs", "0 to 1000 tabs"), ("overcut", "0 to 1000 mm"), ("pierce", "0 to 60 s"),
+                                    ("tab-width", "0.01 to 1000 mm"), ("corner-angle", "1 to 180 degrees"),
+                                    ("power", "W"), ("feed", "mm/min"))),
                 (["kerf", "advise", "--material", "CSP 1N", "--thickness", "2"], "--power", "W"),
                 (["kerf", "calibrate", "--material", "CSP 1N", "--thickness", "2"], "--length", "10 to 1000 mm")):
             for value in ("nan", "1e30", "-1e30", "word"):
@@ -243,8 +244,34 @@ class CommandLine(unittest.TestCase):
                     done = run(*call, option, value)
                     self.assertEqual((done.returncode, done.stdout), (2, ""))
                     self.assertIn(option, done.stderr)
-                    if value != "word":
-                        self.assertIn(told, done.stderr)
+                    self.assertIn(told, done.stderr)
+
+    def test_settings_name_range_and_unit(self):
+        job = EXAMPLES / "circle_r20.nc"
+        for value, told in (("$110=1e30", "0.1 to 1000000 mm/min"), ("$110=-1", "mm/min"), ("$130=-5", "mm"),
+                            ("$11=1e9", "mm")):
+            done = run("check", job, "--set", value)
+            self.assertEqual(done.returncode, 2)
+            self.assertRegex(done.stderr, r"--set: \$\d+=\S+: value is (above|below) the range of this setting, \S+ to "
+                                          rf"\S+ {told.split()[-1]}\n")
+
+    def test_a_recording_from_standard_input_is_not_rewritten(self):
+        done = subprocess.run([KERFLINE, "replay", "-", "--update"], input="kerfline conversation 1\nend 1000\n",
+                              capture_output=True, text=True, check=False, cwd=self.folder)
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn("--update rewrites its files, and `-` is standard input", done.stderr)
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_no_program_says_what_stays(self):
+        old, part = self.folder / "part.nc", self.folder / "part.svg"
+        old.write_text("old")
+        part.write_text("<svg width='9mm' height='9mm' viewBox='0 0 9 9'><path d='M1 1L8 1'/></svg>")
+        for call in (("cut", part, "--material", "CSP 1N", "--thickness", "2"), ("offset", part, "-d", "1")):
+            done = run(*call, "-o", old)
+            self.assertEqual(done.returncode, 1)
+            self.assertIn(f"{old} is still the file of before", done.stderr)
+            self.assertNotIn("is still", run(*call, "-o", self.folder / "new").stderr)
+        self.assertEqual(old.read_text(), "old")
 
     def test_figures_read_from_steps_state_their_error(self):
         done = run("sim", "-", *self.laser, "--json", text="G21 G91\nG1 X100 F12000\n")
@@ -254,20 +281,6 @@ class CommandLine(unittest.TestCase):
         self.assertLess(speed, 200.0 + error)
         self.assertGreater(error, 0.0)
         self.assertIn("read from steps: up to ", run("sim", "-", *self.laser, text="G21 G91\nG1 X9 F9000\n").stdout)
-
-    def test_degrees_are_not_called_millimetres(self):
-        turn = "G21 G91\nG1 A90 F1000\n"
-        done = run("check", "-", text=turn)
-        self.assertIn("bounds in degrees:  A 0.000 to 90.000", done.stdout)
-        self.assertNotIn("bounds in mm", done.stdout)
-        report, = json.loads(run("check", "-", "--json", text=turn).stdout)
-        self.assertEqual(report["bounds_deg"]["A"], [0.0, 90.0])
-        done = run("check", "-", "--set", "$133=50", text=turn)
-        self.assertIn("A needs 90.000 degrees of travel, $133 allows 50", done.stdout)
-
-    def test_numbers_are_rounded(self):
-        done = run("sim", EXAMPLES / "circle_r20.nc", *self.laser, "--json")
-        self.assertEqual(re.findall(r"\d\.\d{7,}", done.stdout), [])
 
     def test_one_cut_length_everywhere(self):
         job, svg = EXAMPLES / "circle_r20.nc", self.folder / "out.svg"
@@ -311,6 +324,31 @@ class CommandLine(unittest.TestCase):
             self.assertIn(f"vanishes at distance {distance} mm", done.stderr)
         for distance in ("-2", "1.9", "0"):
             self.assertEqual(run("offset", part, "-d", distance).returncode, 0)
+
+    def test_an_offset_that_vanishes_in_parts_is_told(self):
+        """Frames, lobes, slots, gaps; no corner, however sharp it is, and no fillet."""
+        part = self.folder / "part.txt"
+        frame = "0 0\n40 0\n40 40\n0 40\n\n5 5\n35 5\n35 35\n5 35\n"
+        lobe = "0 0\n40 0\n40 40\n21 40\n21 50\n19 50\n19 40\n0 40\n"
+        slot = "0 0\n40 0\n40 40\n21 40\n21 20\n19 20\n19 40\n0 40\n"
+        for text, distance, told in (
+                (frame, "-3", ["the loop that begins at 0.000 0.000 vanishes at distance -3 mm"]),
+                (frame + "\n100 0\n140 0\n140 40\n100 40\n", "-3", ["the loop that begins at 0.000 0.000 vanishes"]),
+                (frame, "-2", []), (frame, "20", ["the hole that begins at 5.000 5.000 vanishes"]),
+                (lobe, "-2", ["22.0 mm of the loop that begins at 0.000 0.000, from about 21.000 45.000 on"]),
+                (lobe, "-0.5", []), (lobe, "2", []),
+                (slot, "2", ["42.0 mm of the loop that begins at 0.000 0.000, from about 21.000 30.000 on"]),
+                (slot, "0.5", []), (slot, "-2", []),
+                ("0 0\n60 4\n0 8\n", "-1", []), ("0 0\n40 0 0.4142135624\n43 3\n43 40\n0 40\n", "-5", []),
+                ("0 0\n20 0\n20 20\n0 20\n\n22 0\n42 0\n42 20\n22 20\n", "3", ["20.0 mm of the loop that begins at"])):
+            with self.subTest(text=text, distance=distance):
+                part.write_text(text)
+                done = run("offset", part, "-d", distance)
+                for words in told:
+                    self.assertIn(words, done.stderr)
+                if not told:
+                    self.assertEqual(done.stderr, "")
+                self.assertEqual(done.returncode, 1 if told else 0, done.stderr)
 
     def test_contours_are_numbered_in_their_picture(self):
         svg = self.folder / "out.svg"

@@ -103,6 +103,12 @@ class Cut(unittest.TestCase):
         marks = self.drawn("marks.svg", SHEET + '<path id="m" d="M20 20H90"/><path id="n" d="M20 30H90"/></svg>')
         done = run("cut", marks, *STEEL, "--layer", ": side=on", "--tabs", "2", "--pierce", "0.1")
         self.assertEqual(done.stderr.count("is cut on its line, without tabs, pierce"), 1, done.stderr)
+        for leads, told_of in (("lead-in=line:3", "without lead-in"), ("lead-out=arc:3", "without lead-out"),
+                               ("lead-in=arc:3, lead-out=line:1, overcut=2", "without lead-in, lead-out, overcut")):
+            done = run("cut", marks, *STEEL, "--layer", f": side=on, {leads}")
+            self.assertEqual(done.stderr.count(f"is cut on its line, {told_of};"), 1, done.stderr)
+        for leads in ("", ", lead-in=none"):  # The lead that a cut has unless it is told is no wish.
+            self.assertNotIn("is cut on its line", run("cut", marks, *STEEL, "--layer", f": side=on{leads}").stderr)
 
     def test_the_picture_tells_order_size_power_and_kerf(self):
         svg = self.folder / "out.svg"

@@ -4,6 +4,7 @@ The table COMMANDS says how each command is called; which options there are is r
 that a new command, or a new option with a file, has to be entered here.
 """
 
+import ctypes
 import dataclasses
 import os
 import pathlib
@@ -31,12 +32,14 @@ TALK = "kerfline conversation 1\nprobe_plate -10\nend 1000000\n"
 
 @dataclasses.dataclass
 class Command:
-    """`call`: what it needs beside files; `inputs`: content by option, '' before a positional."""
+    """`call`: what it needs beside files; `inputs`: content by option; `updates`: the same of files that
+    are read and rewritten."""
     call: tuple
     inputs: dict
     outputs: tuple = ()
     kept: dict = dataclasses.field(default_factory=dict)
     takes_stdin: bool = False
+    updates: dict = dataclasses.field(default_factory=dict)
     empty_is_refused: tuple = ()  # Inputs, besides standard input, that must not be empty.
 
 
@@ -74,7 +77,8 @@ COMMANDS = {
 FORM = Command((*COUPON, "--out", "/dev/null"), {}, ("--form",))
 MEASURED = Command((), {"--measured": CUTS}, (), {"--db": None}, takes_stdin=True,
                    empty_is_refused=("--measured",))
-CALLS = [*COMMANDS.items(), ("kerf calibrate", FORM), ("kerf calibrate", MEASURED)]
+UPDATE = Command(("--update",), {}, updates={"FILE": TALK}, empty_is_refused=("FILE",))
+CALLS = [*COMMANDS.items(), ("kerf calibrate", FORM), ("kerf calibrate", MEASURED), ("replay", UPDATE)]
 NO_FILES = {"completion", "manual", "kerf", ""}
 # Devices, whose opening is the business of ports.
 DEVICES = {("send", "--port"), ("send", "--slcan")}
@@ -109,12 +113,13 @@ def commands_in(words=()):
 class Bench:
     """A folder with all files of a command in their places."""
 
-    def __init__(self, folder, name, command):
-        self.folder, self.name, self.command = folder, name, command
+    def __init__(self, folder, name, command, mark=""):
+        """`mark` becomes a part of every file's name."""
+        self.folder, self.name, self.command, self.mark = folder, name, command, mark
         self.files = {}
-        for option, content in command.inputs.items():
+        for option, content in (*command.inputs.items(), *command.updates.items()):
             self.put(option, content)
-        if name == "replay":  # With what this controller says.
+        if name == "replay" and command.inputs:  # With what this controller says.
             subprocess.run([KERFLINE[0], "replay", self.files["FILE"], "--update"], check=True,
                            capture_output=True, env=ENVIRONMENT)
         for option in command.outputs:
@@ -134,7 +139,7 @@ class Bench:
                 if option in more or option not in made.union(self.command.outputs)}
 
     def path(self, option):
-        return self.folder / f"file_of{option.replace('.', '_')}.txt"
+        return self.folder / f"file_of{option.replace('.', '_')}{self.mark}.txt"
 
     def put(self, option, content):
         self.files[option] = self.path(option)
@@ -192,3 +197,12 @@ def limit_files(size):
     def limit():
         resource.setrlimit(resource.RLIMIT_FSIZE, (size, size))
     return limit
+
+
+def obey_modes():
+    """For preexec_fn: a file that must not be read cannot be, by root either."""
+    drop_capability = 24
+    overrides = (1, 2)  # Of permissions, and of those to read and search.
+    if os.geteuid() == 0:
+        for capability in overrides:
+            ctypes.CDLL(None).prctl(drop_capability, capability, 0, 0, 0)

@@ -5,6 +5,7 @@
 """
 
 import csv
+import json
 import pathlib
 import re
 import sqlite3
@@ -100,11 +101,12 @@ class KerfCommand(unittest.TestCase):
 
     def test_names_the_option_that_is_no_number(self):
         for option, values in (("thickness", ("nan", 1800, 4000)), ("power", (2, "nan", 4000)),
-                               ("speed", (2, 1800, "inf"))):
+                               ("speed", (2, 1800, "fast"))):
             done = advise("CSP 1N", *values)
             self.assertEqual(done.returncode, 2)
-            self.assertIn(f"--{option} {values[('thickness', 'power', 'speed').index(option)]}: "
-                          "not a number", done.stderr)
+            self.assertIn(f"--{option}: `{values[('thickness', 'power', 'speed').index(option)]}` is no number; "
+                          "it takes 0 to ", done.stderr)
+            self.assertRegex(done.stderr, " (mm|W|mm/min)\n")
 
     def test_an_unknown_material_is_told_what_there_is(self):
         done = advise("CSP 2N", 2, 1800, 4000)
@@ -190,7 +192,7 @@ class KerfCommand(unittest.TestCase):
             heat = 60 * float(row[4]) / float(row[5])
             row[6:] = [f"{.25 + .02 * heat:.7f}", f"{.21 + .02 * heat:.7f}", "0.1", "0.004"]
         filled = self.write_cuts(rows[1:])
-        done = kerf("calibrate", "--measured", filled, "--db", self.base, "--unit", "J/mm")
+        done = kerf("calibrate", "--measured", filled, "--db", self.base, "--unit", "J/mm", "--laser", "mine")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertRegex(done.stdout, r"3 +0\.02\d* Q \+ 0\.2300")
         advice = advise("acrylic", 3, 60, 600, "--db", self.base)
@@ -213,8 +215,12 @@ class KerfCommand(unittest.TestCase):
 
     def test_reads_back_the_form_that_it_writes(self):
         form, told = self.filled_form()
-        self.assertIn("names no laser; with --laser NAME", told)
-        done = kerf("calibrate", "--measured", form, "--db", self.base, "--unit", "J/mm")
+        self.assertIn("names no laser; write its name into the form, or give it by --laser", told)
+        refused = kerf("calibrate", "--measured", form, "--db", self.base, "--unit", "J/mm")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn(f"{form}:2: column laser is empty; say with --laser NAME which laser cut these", refused.stderr)
+        self.assertFalse(self.base.exists(), "nothing is written")
+        done = kerf("calibrate", "--measured", form, "--db", self.base, "--unit", "J/mm", "--laser", "mine")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("8 cuts, 8 accepted, 1 lines without a measurement left out", done.stdout)
         self.assertEqual(self.count("cut"), 8)
@@ -222,7 +228,8 @@ class KerfCommand(unittest.TestCase):
         cuts = kerf("show", "--material", "acrylic", "--cuts", "--db", self.base).stdout
         self.assertEqual(len(cuts.splitlines()), 8)
 
-    def test_asks_for_the_laser_when_there_are_others(self):
+    def test_asks_for_the_laser_where_the_form_names_none(self):
+        """Whether the data base has others or not."""
         named, told = self.filled_form(laser=("--laser", "mine"))
         self.assertEqual(told, "")
         done = kerf("calibrate", "--measured", named, "--db", self.base)
@@ -235,6 +242,58 @@ class KerfCommand(unittest.TestCase):
         done = kerf("calibrate", "--measured", form, "--db", self.base, "--laser", "other")
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(self.count("cut"), 16)
+
+    def test_cut_compares_the_laser_of_the_record_with_this_machine_s(self):
+        named, _ = self.filled_form(laser=("--laser", "mine"))
+        self.assertEqual(kerf("calibrate", "--measured", named, "--db", self.base, "--unit", "J/mm").returncode, 0)
+        plate = self.folder / "plate.svg"
+        plate.write_text('<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="40mm" viewBox="0 0 40 40">'
+                         '<rect x="5" y="5" width="30" height="20"/></svg>')
+        program, report = self.folder / "out.nc", self.folder / "out.json"
+        connection = sqlite3.connect(self.base)
+        self.addCleanup(connection.close)
+        for laser, options, words in (("mine", ("--laser", "mine"), None),
+                                      ("mine", ("--laser", "other"), "is of the laser `mine`, not of `other`"),
+                                      ("mine", (), "was measured with the laser `mine`; if that is this machine's"),
+                                      ("", ("--laser", "mine"), "measured with a laser that has no name"),
+                                      ("", (), "measured with a laser that has no name")):
+            with self.subTest(laser=laser, options=options):
+                connection.execute("UPDATE record SET laser = ? WHERE provenance LIKE 'fitted%'", (laser,))
+                connection.commit()
+                done = run("cut", plate, "--material", "acrylic", "--thickness", 3, "--db", self.base, *options,
+                           "-o", program, "--report", report)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                kerf_of = json.loads(report.read_text())["kerf"]
+                heading = " ".join(line.strip("()") for line in program.read_text().splitlines() if line[:1] == "(")
+                self.assertEqual(kerf_of["measured_on_this_machine"], words is None)
+                for text in (done.stderr, heading, " ".join(kerf_of["warnings"])):
+                    if words is None:
+                        self.assertNotIn("laser", text)
+                    else:
+                        self.assertIn(words, text)
+
+    def test_a_material_that_is_not_there_names_its_nearest(self):
+        for name, nearest in (("CSP 1n", "CSP 1N"), ("acryllic", "acrylic"), ("Acrylic", "acrylic")):
+            self.assertIn(f"did you mean {nearest}?", kerf("show", "--material", name).stderr)
+
+    def test_reads_what_spreadsheets_save(self):
+        """Semicolons with decimal commas, tabs, empty columns at the end, lines of separators alone."""
+        good = [["tin", "a laser", "0.1", "1", str(power), str(speed), f"{.4 + power / speed:.3f}", "0.4", "", ""]
+                for power in (40, 60) for speed in (400, 500, 600)]
+        for number, (separator, mark, tail, head) in enumerate(((";", ",", "", ""), (";", ".", ";;;", "sep=;\n"),
+                                                                (",", ".", ",,", ""), ("\t", ",", "\t\t", ""))):
+            with self.subTest(separator=separator, tail=tail):
+                rows = [separator.join(row).replace(".", mark) + tail for row in good]
+                empty = separator * (9 + len(tail))
+                file = self.folder / f"sheet{number}.csv"
+                file.write_text(head + separator.join(HEADER) + tail + "\r\n" + "\r\n".join([*rows, empty, ""]))
+                base = self.folder / f"sheet{number}.db"
+                done = kerf("add", file, "--db", base)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.assertIn("6 cuts, 6 accepted", done.stdout)
+                self.assertIn("kerf 0.4500 mm", kerf("show", "--material", "tin", "--cuts", "--db", base).stdout)
+        file.write_text(";".join(HEADER) + "\ntin;a;0,1;1;40;400;0,x;0,4;;\n")
+        self.assertIn("column kerf_top_mm: `0.x` is not a number", kerf("add", file, "--db", base).stderr)
 
     def test_dross_and_straightness_are_judged_where_they_are_measured(self):
         good = ["tin", "a", 0.1, 1, 50, 500, .41, .39]

@@ -134,7 +134,7 @@ TEST(Outline, KeepsItsSizeHoweverLongTheProgram) {
 
 TEST(Outline, RefusesTheLineThatAsksForTooMuch) {
   const ProgramOutline outline =
-      program_outline_of("G1 X1 F600\nG2 X1 I500 P60000\nG1 X2", Interpreter{}, 10'000);
+      program_outline_of("G1 X1 F60000\nG2 X1 I500 P60000\nG1 X2", Interpreter{}, 10'000);
   EXPECT_FALSE(outline.vertices.empty());
   ASSERT_TRUE(outline.refused);
   EXPECT_EQ(outline.refused->line, 2U);

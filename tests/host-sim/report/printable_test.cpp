@@ -24,5 +24,14 @@ TEST(Printable, ShowsWhatATerminalWouldObey) {
       << "CSI alone, and half a sign";
 }
 
+TEST(Printable, KeepsALineInOneLine) {
+  EXPECT_EQ(printable_line("part\nkerfline: fine\t"), R"(part\x0Akerfline: fine\x09)");
+  EXPECT_EQ(printable_line("größe → 5"), "größe → 5");
+}
+
+TEST(Printable, ShowsMarksOfDirection) {
+  EXPECT_EQ(printable("part\u202Ecn.nc"), R"(part\xE2\x80\xAEcn.nc)") << "reads as part.nc.nc";
+}
+
 }  // namespace
 }  // namespace sim

@@ -50,6 +50,7 @@ TEST(ReportJson, HasTheDocumentedKeysInOrder) {
                           "path_length_mm",
                           "cut_length_mm",
                           "lines",
+                          "refused_lines",
                           "blocks",
                           "max_speed_mm_s",
                           "max_speed_mm_min",
@@ -179,6 +180,16 @@ TEST(DurationText, IsSaidAsPeopleSayIt) {
   EXPECT_EQ(duration_text(62.3), "1 min 02.3 s");
   EXPECT_EQ(duration_text(3'599.99), "1 h 00 min 00 s");
   EXPECT_EQ(duration_text(7'501.0), "2 h 05 min 01 s");
+}
+
+/// A terminal obeys DEL and C1, which JSON may hold as they are.
+TEST(ReportJson, HoldsNoByteThatATerminalObeys) {
+  const std::string evil =
+      "a\x1B[31m\n\x7F\xC2\x9B"
+      "1mé";
+  const std::string text = dumped({{"name", evil}});
+  EXPECT_THAT(text, HasSubstr(R"(a\u001b[31m\n\u007f\u009b1mé)"));
+  EXPECT_EQ(ordered_json::parse(text)["name"], evil);
 }
 
 }  // namespace

@@ -1,3 +1,5 @@
+#include "host-sim/report/terminal.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -107,8 +109,55 @@ TEST_F(ProgressBarTest, FitsTheTerminal) {
     line = line.substr(begin.size(), line.find('\r', 1) - begin.size());
     EXPECT_LT(display_width(line), columns) << line;
     EXPECT_THAT(line, HasSubstr("] "));
-    EXPECT_EQ(line.find(name) != std::string::npos, columns >= 10 + 10 + display_width(name)) << line;
+    EXPECT_EQ(line.find(name) != std::string::npos, columns >= 10 + 10 + display_width(name))
+        << line;
   }
+}
+
+/// Too few columns for a bar have the percent alone, or a part of it.
+TEST_F(ProgressBarTest, FitsTheNarrowestTerminal) {
+  for (std::size_t columns = 1; columns < 12; ++columns) {
+    {
+      ProgressBar bar{stream_, true, start_, columns};
+      bar.update(0.5, "part.nc", start_ + 600ms);
+    }
+    std::string line = shown();
+    std::rewind(stream_);
+    line = line.substr(4, line.find('\r', 1) - 4);
+    EXPECT_LT(display_width(line), columns) << line;
+    EXPECT_EQ(line.find("50 %") != std::string::npos, columns >= 5) << line;
+  }
+}
+
+/// The name of a file, or the state that a controller sends.
+TEST_F(ProgressBarTest, ShowsNothingThatATerminalObeys) {
+  const std::string evil = "a\x1B[31mb\x07\nc\xC2\x9B";
+  {
+    ProgressBar bar{stream_, true, start_};
+    bar.update(0.5, evil, start_ + 600ms);
+    ProgressLines lines{stream_, true, start_};
+    lines.update(0.5, evil, start_ + 6s);
+  }
+  const std::string text = shown();
+  EXPECT_THAT(text, HasSubstr(R"(50 % a\x1B[31mb\x07\x0Ac\xC2\x9B)"));
+  EXPECT_THAT(text, HasSubstr(R"(a\x1B[31mb\x07\x0Ac\xC2\x9B: 50 %)"));
+  EXPECT_THAT(text, testing::Not(HasSubstr("\x1B[31m")));
+  EXPECT_THAT(text, testing::Not(HasSubstr("\x07")));
+}
+
+class TerminalTest : public ProgressBarTest {};
+
+TEST_F(TerminalTest, EscapesTextsAndKeepsTheLinesOfTheFormat) {
+  const std::string name = "a\nb\x1B[2J";
+  terminal::print(stream_, "{}: {:.1f} mm, {} of {}\n", name, 1.5, "c\td", 'e');
+  terminal::print_lines(stream_, "one\ntwo\x1B\n");
+  EXPECT_EQ(shown(), "a\\x0Ab\\x1B[2J: 1.5 mm, c\\x09d of e\none\ntwo\\x1B\n");
+}
+
+TEST(TextTable, EscapesItsCells) {
+  TextTable table{{{"name", TextTable::Align::kLeft}}};
+  table.add_row({"a\x1B[31m\nb"});
+  EXPECT_EQ(table.text(0), "name\na\\x1B[31m\\x0Ab\n");
 }
 
 class ProgressLinesTest : public ProgressBarTest {};

@@ -11,6 +11,8 @@
 #include <array>
 #include <chrono>
 
+#include "tests/host-sim/serve/client_frame.hpp"
+
 namespace sim {
 
 using hal::host::checked;
@@ -33,16 +35,6 @@ Descriptor connected(const InternetAddress& address) {
 void make_patient(const Descriptor& link) {
   // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): that is how fcntl is declared.
   checked(::fcntl(link.number(), F_SETFL, O_NONBLOCK), "fcntl");
-}
-
-/// A final binary frame with a mask of zeros, which leaves the bytes as they are.
-std::string frame_of(std::string_view bytes) {
-  std::string frame{"\x82\xFF", 2};
-  for (int shift = 56; shift >= 0; shift -= 8) {
-    frame += static_cast<char>(bytes.size() >> static_cast<unsigned>(shift));
-  }
-  frame.append(4, '\0');
-  return frame.append(bytes);
 }
 
 }  // namespace
@@ -74,7 +66,7 @@ void FarSender::send(std::string_view bytes) {
   constexpr std::size_t kFrame = std::size_t{1} << 16;
   if (!frames_) return put(bytes);
   for (; !bytes.empty(); bytes.remove_prefix(std::min(bytes.size(), kFrame))) {
-    put(frame_of(bytes.substr(0, kFrame)));
+    put(client_frame(0x82, bytes.substr(0, kFrame)));
   }
 }
 

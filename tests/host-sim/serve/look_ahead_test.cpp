@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstring>
 #include <string>
 #include <string_view>
 
@@ -85,6 +86,70 @@ TEST_F(LookAheadTest, NothingActsWithinACheckedLine) {
   EXPECT_EQ(beside, "");
   hear("!!");
   EXPECT_EQ(beside, "!");
+}
+
+/// M6, behind which a sender has sent any number of lines before it says 0xA3.
+class ToolChangeBehindLookAhead : public LookAheadTest {
+ protected:
+  [[nodiscard]] const cnc::Machine& machine() { return session.controller().machine(); }
+  [[nodiscard]] double x_mm() { return machine().position()[0].mm(); }
+  void run_to_tool(int lines, const std::string& end) {
+    std::string text = "G21 G90 F6000" + end + "M6 T2" + end;
+    for (int line = 0; line < lines; ++line) text += "G1 X" + std::to_string(1 + line % 3) + end;
+    hear(text);
+    turn(100);
+    ASSERT_EQ(machine().state(), cnc::MachineState::kTool);
+    said.clear();
+  }
+};
+
+TEST_F(ToolChangeBehindLookAhead, NothingOfTheProgramIsDoneBeforeItGoesOn) {
+  int refused = 0;
+  for (const int lines : {0, 1, 400, 500, 530, 560, 600, 700, 1'000, 1'200, 3'000}) {
+    for (const char* end : {"\n", "\r\n", "\r"}) {
+      SCOPED_TRACE(testing::Message() << lines << " lines ahead, end of " << strlen(end));
+      run_to_tool(lines, end);
+      hear("\xA3");
+      turn(10);
+      const bool open = machine().changes_tool();
+      refused += open ? 0 : 1;
+      EXPECT_EQ(
+          said,
+          open ? "ok\r\n" : "[MSG:Tool change: too many lines came before 0xA3, ~ goes on]\r\n");
+      hear("G0 Y2\n");
+      turn(1'000);
+      EXPECT_EQ(machine().state(), cnc::MachineState::kTool);
+      EXPECT_EQ(x_mm(), 0.0);
+      EXPECT_EQ(machine().position()[1].mm(), open ? 2.0F : 0.0F);
+      hear("\x18");
+      turn(20);
+      hear("G0 X0 Y0\n");
+      turn(1'000);
+    }
+  }
+  EXPECT_GT(refused, 6);
+  EXPECT_LT(refused, 27);
+}
+
+TEST_F(ToolChangeBehindLookAhead, WhatComesAtOnceIsDoneInItsOrder) {
+  run_to_tool(2, "\n");
+  hear("\xA3$J=G91 Y3 F6000\nG4 P0.5\n~G1 X5\n");
+  turn(300);
+  EXPECT_EQ(machine().position()[1].mm(), 3.0F);
+  EXPECT_EQ(x_mm(), 0.0);
+  turn(4'000);
+  EXPECT_EQ(machine().position()[1].mm(), 0.0F) << "back to where the program stood";
+  EXPECT_EQ(x_mm(), 5.0);
+  EXPECT_EQ(machine().state(), cnc::MachineState::kIdle);
+}
+
+TEST_F(ToolChangeBehindLookAhead, WithoutLinesRealtimeBytesStillAct) {
+  run_to_tool(0, "\n");
+  hear("\xA3~G1 X5\n");  // Of a page that may send no lines now.
+  EXPECT_EQ(look_ahead.take_lines(session), "\xA3~G1 X5\n");
+  EXPECT_EQ(beside, "\xA3~");
+  turn(100);
+  EXPECT_EQ(machine().state(), cnc::MachineState::kIdle);
 }
 
 TEST_F(LookAheadTest, SaysWhenASenderIsTooFarAhead) {

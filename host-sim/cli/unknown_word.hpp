@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace CLI {
+class App;
+}
+
+namespace sim {
+
+/// Finds the first word of a call that is no command and the first option that its command does not
+/// have, and says so with the nearest one. None where all words are known.
+[[nodiscard]] std::optional<std::string> unknown_word(const CLI::App& app,
+                                                      const std::vector<std::string>& words);
+
+}  // namespace sim
