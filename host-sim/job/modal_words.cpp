@@ -9,7 +9,6 @@
 namespace sim {
 
 using cnc::Coordinate;
-using cnc::gcode::ModalState;
 
 namespace {
 
@@ -48,13 +47,13 @@ std::string coordinate_text(Coordinate place) {
   return fmt::format("{}{}.{:06}", nanometres < 0 ? "-" : "", size / 1'000'000, size % 1'000'000);
 }
 
-std::string modes_of(const ModalState& state) {
+std::string modes_of(const cnc::gcode::ModalState& state) {
   return system_word(state.coordinate_system) + plane_word(state.plane) +
          (state.arc_distance == cnc::gcode::DistanceMode::kAbsolute ? "G90.1" : "G91.1") +
          path_words(state.path);
 }
 
-std::string process_of(const ModalState& state) {
+std::string process_of(const cnc::gcode::ModalState& state) {
   using cnc::gcode::SpindleMode;
   std::string words = state.motion == cnc::gcode::MotionMode::kRapid ? "G0" : "G1";
   if (state.feed > 0.0F) words += fmt::format("F{}", state.feed * cnc::kSecondsPerMinute);
@@ -66,7 +65,7 @@ std::string process_of(const ModalState& state) {
   return words;
 }
 
-std::string units_of(const ModalState& state) {
+std::string units_of(const cnc::gcode::ModalState& state) {
   std::string words = state.units == cnc::gcode::Units::kInches ? "G20" : "G21";
   words += state.distance == cnc::gcode::DistanceMode::kAbsolute ? "G90" : "G91";
   return words + (state.feed_mode == cnc::gcode::FeedMode::kUnitsPerMinute ? "G94" : "G93");
