@@ -15,7 +15,6 @@ namespace {
 
 using cnc::Coordinate;
 using cnc::kAxisCount;
-using cnc::gcode::ModalState;
 
 constexpr std::size_t kZ = 2;
 
@@ -51,7 +50,7 @@ class Reading {
 };
 
 /// The word of a mode that a line without one goes on with; G0 and G1 are said anyway.
-std::string motion_of(const ModalState& state, const JobLine& line) {
+std::string motion_of(const cnc::gcode::ModalState& state, const JobLine& line) {
   using cnc::gcode::MotionMode;
   const bool names_it = line.text.find_first_of("Gg$") != std::string::npos;
   const bool moves = line.text.find_first_of("XYZABCxyzabc") != std::string::npos;
@@ -84,7 +83,7 @@ Approach approach_to(const JobLines& job, std::size_t index, bool laser) {
     other.read(line);
   }
   const auto& interpreter = one.interpreter();
-  const ModalState& state = interpreter.state();
+  const cnc::gcode::ModalState& state = interpreter.state();
   if (interpreter.shift().g92_in_use) {
     throw std::invalid_argument("G92 is in use there, and was lost: begin where it is set");
   }
