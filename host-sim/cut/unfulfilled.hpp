@@ -8,8 +8,8 @@
 
 namespace sim::cut {
 
-/// Lists the wishes of the settings that an offset cut does not fulfil, as warnings: leads, tabs and
-/// corner loops without room.
+/// Lists the wishes of the settings that an offset cut does not fulfil, as warnings: leads, tabs
+/// and corner loops without room.
 /// @param tabs the number that the settings require
 [[nodiscard]] std::vector<drawing::Fault> unfulfilled(const LedCut& cut,
                                                       const drawing::Entity& entity,

@@ -8,8 +8,6 @@
 
 namespace sim {
 
-using cnc::Coordinate;
-
 namespace {
 
 std::string path_words(const cnc::gcode::PathControl& path) {
@@ -41,7 +39,7 @@ std::string plane_word(cnc::Plane plane) {
 
 }  // namespace
 
-std::string coordinate_text(Coordinate place) {
+std::string coordinate_text(cnc::Coordinate place) {
   const std::int64_t nanometres = place.nanometres();
   const std::int64_t size = nanometres < 0 ? -nanometres : nanometres;
   return fmt::format("{}{}.{:06}", nanometres < 0 ? "-" : "", size / 1'000'000, size % 1'000'000);

@@ -20,15 +20,17 @@ struct Judgement {
   std::size_t more = 0;  ///< Refused lines beyond these.
 
   [[nodiscard]] bool fine() const { return faults.empty(); }
-  /// For the operator: `line 4: Y needs …`, the travel first, and at the end `and 35 more lines that are refused`.
+  /// For the operator: `line 4: Y needs …`, the travel first, and at the end `and 35 more lines
+  /// that are refused`.
   [[nodiscard]] std::vector<std::string> texts() const;
 };
 
-/// Judges a program before it is run, for the page of `kerfline serve` and for `kerfline send`: every
-/// line that the controller would refuse, and the whole path against the travel. `kerfline check`
-/// asks a simulated controller about the lines, and takes the same JudgedPath.
+/// Judges a program before it is run, for the page of `kerfline serve` and for `kerfline send`:
+/// every line that the controller would refuse, and the whole path against the travel. `kerfline
+/// check` asks a simulated controller about the lines, and takes the same JudgedPath.
 ///
-/// A G41 without a width, which goes by the kerf tables of the controller, is left to the controller.
+/// A G41 without a width, which goes by the kerf tables of the controller, is left to the
+/// controller.
 class ProgramJudge {
  public:
   static constexpr std::size_t kMostRefused = 100;

@@ -8,7 +8,6 @@
 namespace sim {
 namespace {
 
-
 std::string words_of_axes(const cnc::Position& position) {
   std::string words;
   for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {

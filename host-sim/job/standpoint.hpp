@@ -12,9 +12,9 @@ namespace sim {
 /// The machine as a program finds it: settings, position, offsets and modes. A copy, which another
 /// thread may use.
 struct Standpoint {
-  cnc::Settings settings{};            ///< $890 is block delete as it is in effect.
-  cnc::gcode::Interpreter reader{};    ///< At the machine's position, with its offsets and modes.
-  std::uint8_t homed = 0;              ///< Bit i for axis i.
+  cnc::Settings settings{};          ///< $890 is block delete as it is in effect.
+  cnc::gcode::Interpreter reader{};  ///< At the machine's position, with its offsets and modes.
+  std::uint8_t homed = 0;            ///< Bit i for axis i.
 
   bool block_delete() const { return reader.options().block_delete; }
 };

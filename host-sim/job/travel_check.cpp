@@ -20,7 +20,6 @@ constexpr double kSlackOfEndsMm = 1.0e-3;
 
 const char* unit_of(std::size_t axis) { return axis < cnc::kLinearAxisCount ? "mm" : "degrees"; }
 
-
 std::string_view line_of(std::string_view text, int number) {
   std::string_view line;
   for (; number > 0 && !text.empty(); --number) line = take_line(text);
@@ -134,7 +133,8 @@ double homed_position(const cnc::Settings& settings, std::size_t axis) {
   const auto mask = static_cast<unsigned>(settings.get(cnc::setting::kHomingDirectionInvert));
   const auto pull_off = static_cast<double>(settings.get(cnc::setting::kHomingPullOff));
   const cnc::AxisTravel ends = cnc::travel_of(settings, axis);
-  return (mask >> axis & 1U) != 0 ? in_double(ends.least) + pull_off : in_double(ends.most) - pull_off;
+  return (mask >> axis & 1U) != 0 ? in_double(ends.least) + pull_off
+                                  : in_double(ends.most) - pull_off;
 }
 
 }  // namespace sim

@@ -117,13 +117,12 @@ void add_rimmed_text(
 }
 
 std::string document_start(double width_px, double height_px) {
-  return fmt::format(
-      R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0:.0f}" height="{1:.0f}" )"
-      R"(viewBox="0 0 {0:.0f} {1:.0f}" style="max-width:100%;max-height:100vh" )"
-      R"(font-family="'DejaVu Sans', Verdana, sans-serif">)"
-      "\n",
-      width_px,
-      height_px);
+  return fmt::format(R"(<svg xmlns="http://www.w3.org/2000/svg" width="{0:.0f}" height="{1:.0f}" )"
+                     R"(viewBox="0 0 {0:.0f} {1:.0f}" style="max-width:100%;max-height:100vh" )"
+                     R"(font-family="'DejaVu Sans', Verdana, sans-serif">)"
+                     "\n",
+                     width_px,
+                     height_px);
 }
 
 void add_box(std::string& out, const Box& box, std::string_view fill) {

@@ -75,8 +75,8 @@ std::string_view remedy_in(std::span<const CodeRemedy> remedies, std::uint32_t n
 }
 
 std::string words_and_remedy(std::span<const cnc::CodeText> texts,
-                     std::span<const CodeRemedy> remedies,
-                     std::uint32_t number) {
+                             std::span<const CodeRemedy> remedies,
+                             std::uint32_t number) {
   const auto found = std::ranges::find(
       texts, number, [](const cnc::CodeText& one) { return std::uint32_t{one.number}; });
   if (found == texts.end()) return {};

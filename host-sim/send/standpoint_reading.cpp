@@ -42,9 +42,23 @@ std::optional<std::string_view> field(std::string_view report, std::string_view 
 
 /// Modes that decide where a program goes. `[GC:` has others, too, such as M and F.
 bool decides_path(std::string_view word) {
-  constexpr std::array<std::string_view, 17> kWords{"G0",  "G1",  "G17", "G18",   "G19",  "G20",
-                                                    "G21", "G90", "G91", "G90.1", "G91.1", "G93",
-                                                    "G94", "G61", "G64", "G61.1", "G40"};
+  constexpr std::array<std::string_view, 17> kWords{"G0",
+                                                    "G1",
+                                                    "G17",
+                                                    "G18",
+                                                    "G19",
+                                                    "G20",
+                                                    "G21",
+                                                    "G90",
+                                                    "G91",
+                                                    "G90.1",
+                                                    "G91.1",
+                                                    "G93",
+                                                    "G94",
+                                                    "G61",
+                                                    "G64",
+                                                    "G61.1",
+                                                    "G40"};
   return std::ranges::find(kWords, word) != kWords.end() || word.starts_with("G5");
 }
 

@@ -11,8 +11,8 @@
 namespace sim {
 
 /// Reads the state of a controller from its answers to `$$`, `$#`, `$G` and `?`: Grbl's, and the
-/// fields of Kerfline's full report (0x87). A controller that does not report block delete ($890) drives lines
-/// with /, as Grbl does.
+/// fields of Kerfline's full report (0x87). A controller that does not report block delete ($890)
+/// drives lines with /, as Grbl does.
 class StandpointReading {
  public:
   /// The lines that ask for it.

@@ -32,8 +32,8 @@ namespace sim {
 /// places since power-up, in whose coordinates the path is: a change of machine
 /// coordinates by homing does not move what was drawn. `alarm_text` has the words and the
 /// remedy of the alarm. The `state` of a job is `none`, `loaded`, `running`, `stopped` or `done`;
-/// `line` is the line of its file that comes next, `trouble` the reason for its stop with the remedy.
-/// `waits` is awaited_by_run(), `resume_waits` awaited_by_resume().
+/// `line` is the line of its file that comes next, `trouble` the reason for its stop with the
+/// remedy. `waits` is awaited_by_run(), `resume_waits` awaited_by_resume().
 class LiveView final : public TraceSink {
  public:
   using Clock = std::chrono::steady_clock;

@@ -23,7 +23,9 @@ std::string id_of(std::string_view name, std::string_view file) {
   return fmt::format("{:016x}", hash_of(file, hash_of(name, kBasis)));
 }
 
-std::string text_of(const LineNote& note) { return fmt::format("line {}: {}", note.line, note.text); }
+std::string text_of(const LineNote& note) {
+  return fmt::format("line {}: {}", note.line, note.text);
+}
 
 constexpr std::size_t kMostBarriers = 20;
 

@@ -75,11 +75,13 @@ WebClient::WebClient(boost::asio::io_context& context,
   parser_.body_limit(kMostBody);
 }
 
+WebClient::Handler WebClient::then(void (WebClient::*next)(Fault)) {
+  return
+      [self = shared_from_this(), next](Fault fault, std::size_t) { (self.get()->*next)(fault); };
+}
+
 void WebClient::begin() {
-  http::async_read_header(
-      socket_, buffer_, parser_, [self = shared_from_this()](Fault fault, std::size_t) {
-        self->end_head(fault);
-      });
+  http::async_read_header(socket_, buffer_, parser_, then(&WebClient::end_head));
 }
 
 void WebClient::attend(Clock::time_point now) {
@@ -118,10 +120,7 @@ void WebClient::read_body(Fault fault) {
     stage_ = Stage::kHasAll;
     return;
   }
-  http::async_read_some(
-      socket_, buffer_, parser_, [self = shared_from_this()](Fault failed, std::size_t) {
-        self->read_body(failed);
-      });
+  http::async_read_some(socket_, buffer_, parser_, then(&WebClient::read_body));
 }
 
 /// Whoever is gone is told nothing.
@@ -170,11 +169,10 @@ std::shared_ptr<WebSocket> WebClient::become_socket() {
 }
 
 void WebClient::send() {
-  const auto go_on = [self = shared_from_this()](Fault fault, std::size_t) { self->sent(fault); };
   if (parser_.get().method() == http::verb::head) {
-    http::async_write_header(socket_, *sender_, go_on);
+    http::async_write_header(socket_, *sender_, then(&WebClient::sent));
   } else {
-    http::async_write_some(socket_, *sender_, go_on);
+    http::async_write_some(socket_, *sender_, then(&WebClient::sent));
   }
 }
 
@@ -193,13 +191,14 @@ void WebClient::sent(Fault fault) {
 /// A body that nobody wants is read meanwhile: closing over unread bytes would throw the answer
 /// away with a reset.
 void WebClient::drop_the_rest() {
-  socket_.async_read_some(buffer_.prepare(kRequestPart),
-                          [self = shared_from_this()](Fault fault, std::size_t) {
-                            if (self->stage_ == Stage::kOver) return;
-                            if (!fault) return self->drop_the_rest();
-                            self->left_ = true;
-                            if (self->sent_all_) self->hang_up();
-                          });
+  socket_.async_read_some(buffer_.prepare(kRequestPart), then(&WebClient::dropped));
+}
+
+void WebClient::dropped(Fault fault) {
+  if (stage_ == Stage::kOver) return;
+  if (!fault) return drop_the_rest();
+  left_ = true;
+  if (sent_all_) hang_up();
 }
 
 void WebClient::hang_up() {

@@ -11,6 +11,7 @@
 #include <boost/beast/http/string_body.hpp>
 #include <chrono>
 #include <cstddef>
+#include <functional>
 #include <future>
 #include <memory>
 #include <optional>
@@ -72,12 +73,17 @@ class WebClient : public std::enable_shared_from_this<WebClient> {
   using Fault = boost::beast::error_code;
   using Response = boost::beast::http::response<boost::beast::http::string_body>;
 
+  using Handler = std::function<void(Fault, std::size_t)>;
+
+  /// Goes on with this member when an operation is over.
+  [[nodiscard]] Handler then(void (WebClient::*next)(Fault));
   void end_head(Fault fault);
   void read_body(Fault fault);
   void refuse(Fault fault);
   void send();
   void sent(Fault fault);
   void drop_the_rest();
+  void dropped(Fault fault);
 
   boost::asio::ip::tcp::socket socket_;
   boost::beast::flat_buffer buffer_;  ///< What was received and not parsed.

@@ -37,8 +37,7 @@ const PageFile* page_file(std::string_view path) {
 }
 
 bool is_document(std::string_view path) {
-  return page_file(path) != nullptr || path == "/picture.svg" || path == "/job" ||
-         path == "/words";
+  return page_file(path) != nullptr || path == "/picture.svg" || path == "/job" || path == "/words";
 }
 
 const char* type_of_file(std::string_view path) {
@@ -185,11 +184,9 @@ PageService::Answer WebRoutes::get(const std::string& path) const {
   if (!job_.loaded()) {
     return web_refusal(http_status::kNotFound, "No program has been opened.");
   }
-  return WebWork{
-      [program = job_.program(), standpoint = standpoint_of(controller_.machine())] {
-        return shown(
-            *program, standpoint, judge_program(program->name, program->text, standpoint));
-      }};
+  return WebWork{[program = job_.program(), standpoint = standpoint_of(controller_.machine())] {
+    return shown(*program, standpoint, judge_program(program->name, program->text, standpoint));
+  }};
 }
 
 /// From copies of all that the loop may change meanwhile.
@@ -242,9 +239,8 @@ const Judgement* WebRoutes::judgement() {
   if (judging_.running() && judging_key_ == key) return nullptr;
   judging_key_ = key;
   judging_.start([program = job_.program(), standpoint, key](const std::atomic<bool>& cancelled) {
-    return Judged{
-        .key = key,
-        .judgement = judge_program(program->name, program->text, standpoint, &cancelled)};
+    return Judged{.key = key,
+                  .judgement = judge_program(program->name, program->text, standpoint, &cancelled)};
   });
   return nullptr;
 }

@@ -15,22 +15,27 @@ namespace sim {
 ///
 /// | | |
 /// |---|---|
-/// | GET | the files of the page; `/picture.svg`, the motion so far; `/words`, alarms and errors in words; `/job`, the job as below |
+/// | GET | the files of the page; `/picture.svg`, the motion so far |
+/// | GET `/words` | alarms and errors in words |
+/// | GET `/job` | the job as below |
 /// | POST `/outline` | where a program would go if it ran now |
 /// | POST `/job?name=…` | the same, and keeps the program as the job |
 /// | POST `/job/run` | runs it, `{"id":"…","page":"…","accepted":["line 4: …"]}` |
-/// | POST `/job/resume`, `/job/stop` | resumes it where it was interrupted; ends it. `{"id":…,"page":…}` |
+/// | POST `/job/resume` | resumes it where it was interrupted, `{"id":…,"page":…}` |
+/// | POST `/job/stop` | ends it, `{"id":…,"page":…}` |
 /// | POST `/hold` | a feed hold: it is safe, so that any page that watches may ask for it |
 ///
 /// An outline is in machine coordinates, up to the refused line if there is one:
 ///
-///     {"name":"part.nc","id":"…","points":[x,y,move, …],"faults":["line 5: …"],"notes":["line 9: …"],
+///     {"name":"part.nc","id":"…","points":[x,y,move, …],
+///      "faults":["line 5: …"],"notes":["line 9: …"],
 ///      "refused":{"line":3,"column":1,"number":20,"reason":"…"}}
 ///
 /// A job is ordered by the page that controls the machine, whose key `page` came in its first line,
 /// for the program `id` that it shows. A program with faults, or beyond the travel, is not run
-/// unless each of them was accepted: 409 and `{"faults":[…],"fault_count":1}`. Any other reason for which a job
-/// waits is 409 and `{"waits":"…"}`, with `"again":true` while its program is being judged.
+/// unless each of them was accepted: 409 and `{"faults":[…],"fault_count":1}`. Any other reason for
+/// which a job waits is 409 and `{"waits":"…"}`, with `"again":true` while its program is being
+/// judged.
 class WebRoutes final : public PageService {
  public:
   /// All of them must outlive it.

@@ -4,6 +4,7 @@
 #include <array>
 #include <boost/beast/websocket.hpp>
 #include <deque>
+#include <functional>
 #include <string>
 #include <utility>
 
@@ -93,13 +94,18 @@ class WebStream final : public WebSocket, public std::enable_shared_from_this<We
   /// Neither closed nor in the wrong.
   [[nodiscard]] bool here() const { return !gone_ && !left_ && stream_.is_open(); }
 
+  /// Goes on with this member when an operation is over.
+  std::function<void(error_code, std::size_t)> then(void (WebStream::*next)(error_code,
+                                                                            std::size_t)) {
+    return [self = shared_from_this(), next](error_code fault, std::size_t count) {
+      (self.get()->*next)(fault, count);
+    };
+  }
+
   void receive() {
     if (gone_ || receives_ || !unread_.empty()) return;
     receives_ = true;
-    stream_.async_read_some(boost::asio::buffer(part_),
-                            [self = shared_from_this()](error_code fault, std::size_t count) {
-                              self->received(fault, count);
-                            });
+    stream_.async_read_some(boost::asio::buffer(part_), then(&WebStream::received));
   }
 
   void received(error_code fault, std::size_t count) {
@@ -119,12 +125,10 @@ class WebStream final : public WebSocket, public std::enable_shared_from_this<We
                                  [self = shared_from_this()](error_code) { self->hang_up(); });
     }
     stream_.text(is_ascii(messages_.front()));
-    stream_.async_write(
-        boost::asio::buffer(messages_.front()),
-        [self = shared_from_this()](error_code fault, std::size_t) { self->sent(fault); });
+    stream_.async_write(boost::asio::buffer(messages_.front()), then(&WebStream::sent));
   }
 
-  void sent(error_code fault) {
+  void sent(error_code fault, std::size_t) {
     sends_ = false;
     sent_ = true;
     if (fault) return hang_up();

@@ -49,14 +49,13 @@ TEST(ProgramJudge, TakesSplinesByTheirCurve) {
 }
 
 TEST(ProgramJudge, TakesArcsByTheirFarSide) {
-  EXPECT_THAT(texts("G2 X0 Y0 I101 F600\n"), ElementsAre(HasSubstr("X needs 202.000 mm"),
-                                                        HasSubstr("Y needs 202.000 mm")));
+  EXPECT_THAT(texts("G2 X0 Y0 I101 F600\n"),
+              ElementsAre(HasSubstr("X needs 202.000 mm"), HasSubstr("Y needs 202.000 mm")));
 }
 
 /// The tool goes 5 mm outside of what is programmed.
 TEST(ProgramJudge, TakesTheOffsetPath) {
-  const std::string contour =
-      "X0 Y196\nX196 Y196\nX196 Y0\nX0 Y0\nG40 X20 Y-8\n";
+  const std::string contour = "X0 Y196\nX196 Y196\nX196 Y0\nX0 Y0\nG40 X20 Y-8\n";
   EXPECT_THAT(texts("G1 F600 X20 Y-8\nX0 Y0\n" + contour), ElementsAre(HasSubstr("Y needs 204")))
       << "as programmed";
   const auto found = texts("G1 F600 X10 Y-8\nG41.1 D10 X0 Y0\n" + contour);
@@ -64,8 +63,8 @@ TEST(ProgramJudge, TakesTheOffsetPath) {
 }
 
 TEST(ProgramJudge, RefusesAPathBesideThatCannotBeDriven) {
-  const auto found =
-      texts("G1 F600 X-20 Y-8\nG41.1 D30 X0 Y0\nX20\nX20 Y2\nX22\nX22 Y0\nX60\nY60\nX0\nY0\nG40 X-20\n");
+  const auto found = texts(
+      "G1 F600 X-20 Y-8\nG41.1 D30 X0 Y0\nX20\nX20 Y2\nX22\nX22 Y0\nX60\nY60\nX0\nY0\nG40 X-20\n");
   EXPECT_THAT(found, testing::Contains(HasSubstr("(G41, G42) cannot be driven")));
 }
 
@@ -111,8 +110,7 @@ TEST(ProgramJudge, TakesBlockDeleteAsTheMachineHasIt) {
 
 TEST(ProgramJudge, GivesUpWhenItIsCancelled) {
   const std::atomic<bool> cancelled{true};
-  EXPECT_TRUE(
-      judge_program("f", "G7\n", standpoint_of(machine()), &cancelled).fine());
+  EXPECT_TRUE(judge_program("f", "G7\n", standpoint_of(machine()), &cancelled).fine());
 }
 
 /// One path and one travel for check, too: here the program homes.

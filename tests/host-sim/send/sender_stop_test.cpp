@@ -123,17 +123,16 @@ TEST_P(SenderStop, LeavesNothingThatCouldGoOn) {
 INSTANTIATE_TEST_SUITE_P(
     InAnyState,
     SenderStop,
-    testing::Values(
-        StopCase{"Run", "Run", {"G91F3000", "G1X100", "G1X5"}, 1'500},
-        StopCase{"Hold", "Hold:0", {"G91F6000", "G1X1", "M0", "G1X5", "G1X5"}, 300},
-        StopCase{"Tool", "Tool", {"G91F6000", "M6T1", "G1X5", "G1X5"}, 300},
-        StopCase{"ToolWithUnits", "Tool", {"M6T1", "G20", "G91", "G1X1F100"}, 300},
-        StopCase{"Door", "Door", {"G91F3000", "G1X100", "G1X5"}, 1'500, true},
-        StopCase{"Home", "Home", {"$H", "G91F6000", "G1X-5"}, 300, false, true},
-        StopCase{"Check", "Check", checked_lines(), 300},
-        StopCase{"Jog", "Jog", {"$J=G91X100F3000", "$J=G91X100F3000"}, 1'500},
-        StopCase{"Sleep", "Sleep", {"$SLP"}, 300},
-        StopCase{"Dwell", "Run", {"G91F6000", "G4P60", "G1X5", "G1X5"}, 300}),
+    testing::Values(StopCase{"Run", "Run", {"G91F3000", "G1X100", "G1X5"}, 1'500},
+                    StopCase{"Hold", "Hold:0", {"G91F6000", "G1X1", "M0", "G1X5", "G1X5"}, 300},
+                    StopCase{"Tool", "Tool", {"G91F6000", "M6T1", "G1X5", "G1X5"}, 300},
+                    StopCase{"ToolWithUnits", "Tool", {"M6T1", "G20", "G91", "G1X1F100"}, 300},
+                    StopCase{"Door", "Door", {"G91F3000", "G1X100", "G1X5"}, 1'500, true},
+                    StopCase{"Home", "Home", {"$H", "G91F6000", "G1X-5"}, 300, false, true},
+                    StopCase{"Check", "Check", checked_lines(), 300},
+                    StopCase{"Jog", "Jog", {"$J=G91X100F3000", "$J=G91X100F3000"}, 1'500},
+                    StopCase{"Sleep", "Sleep", {"$SLP"}, 300},
+                    StopCase{"Dwell", "Run", {"G91F6000", "G4P60", "G1X5", "G1X5"}, 300}),
     [](const auto& each) { return std::string{each.param.name}; });
 
 /// An idle report may have been on its way since before the first line.

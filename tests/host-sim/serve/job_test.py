@@ -214,26 +214,34 @@ class Job(ServeTest):
         sender.until(BANNER)
         text = b"G1 X10 Y0\nY10\nX0\nY0\n" * 300_000
         before = self.resident(served)
-        worst = worst_beside = 0.0
+        worst = 0.0
         done = threading.Event()
         loader = threading.Thread(target=lambda: (load(port, b"G1 F9000\n" + text), done.set()),
                                   daemon=True)
         loader.start()
-        while not done.wait(0.02):
-            begun = time.monotonic()
-            time.sleep(0.001)
-            worst_beside = max(worst_beside, time.monotonic() - begun - 0.001)
-            begun = time.monotonic()
+        while loader.is_alive():
+            time.sleep(0.02)
+            begun, waited = time.monotonic(), self.waited(served)
             sender.send(b"?")
             sender.until(">\r\n", seconds=30)
-            worst = max(worst, time.monotonic() - begun)
-        loader.join()
+            passed = time.monotonic() - begun
+            worst = max(worst, passed - (self.waited(served) - waited))
+        self.assertTrue(done.is_set())
         grown = self.peak(served) - before
-        print(f"? at worst {1e3 * worst:.0f} ms (a sleep beside it {1e3 * worst_beside:.0f} ms late),"
+        print(f"? at worst {1e3 * worst:.0f} ms without the wait for a processor,"
               f" {grown / len(text):.1f} times the program's size")
-        # Reading the body costs the loop some milliseconds; others may use the processor.
-        self.assertLess(worst, 0.1 + 4 * worst_beside)
+        # Python polls every 2 ms; its own sleeps end late on a busy machine.
+        self.assertLess(worst, 0.1)
         self.assertLess(grown, 6 * len(text))
+
+    @staticmethod
+    def waited(served):
+        """Seconds for which the loop of the server, and this thread, were ready and waited for a
+        processor."""
+        threads = (f"/proc/{served.process.pid}/task/{served.process.pid}",
+                   f"/proc/self/task/{threading.get_native_id()}")
+        return sum(int(pathlib.Path(f"{one}/schedstat").read_text().split()[1])
+                   for one in threads) / 1e9
 
     @staticmethod
     def resident(served):

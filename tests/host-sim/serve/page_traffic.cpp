@@ -48,9 +48,7 @@ ssize_t read_some(const Descriptor& link) {
 }  // namespace
 
 PageTraffic::PageTraffic(InternetAddress address)
-    : address_{std::move(address)},
-      asking_{[this] { ask(); }},
-      watching_{[this] { watch(); }} {}
+    : address_{std::move(address)}, asking_{[this] { ask(); }}, watching_{[this] { watch(); }} {}
 
 PageTraffic::~PageTraffic() {
   ends_ = true;

@@ -36,7 +36,7 @@ def head(port, path="/"):
 
 def request(port, path, host=None, origin=None, extra="", method="GET", body=b""):
     """The same and the socket, still open."""
-    link = socket.create_connection(("127.0.0.1", port), timeout=20)
+    link = socket.create_connection(("127.0.0.1", port), timeout=120)
     lines = [f"{method} {path} HTTP/1.1", f"Host: {host or f'127.0.0.1:{port}'}"]
     if origin:
         lines.append(f"Origin: {origin}")

@@ -162,9 +162,20 @@ class Web(ServeTest):
         again = WebSocket(port, "/observe")
         self.assertIn("state", json.loads(again.frame()[1]))
 
-    def order(self, served, what, body=b""):
-        status, answer = post(served.port("ws"), f"/job/{what}", body)
-        return status, json.loads(answer)
+    def order(self, served, what, page=None, accepted=()):
+        """An order for the program that the server has, of a page that is connected, or of none;
+        again while the program is being judged."""
+        known = page and re.search(r"\[PAGE:(\w+)\]", page.said)
+        status, answer = http(served.port("ws"), "/job")
+        program = json.loads(answer.split(b"\r\n\r\n", 1)[1]) if status == 200 else {}
+        body = json.dumps({"id": program.get("id", ""), "page": known[1] if known else "",
+                           "accepted": list(accepted)}).encode()
+        while True:
+            status, answer = post(served.port("ws"), f"/job/{what}", body)
+            answer = json.loads(answer)
+            if not answer.get("again"):
+                return status, answer
+            time.sleep(0.02)
 
     def job(self, watcher):
         """The job as the next news has it."""
@@ -186,8 +197,8 @@ class Web(ServeTest):
         self.assertEqual(post(port, "/job?name=a%20b.nc", program)[0], 200)
         self.assertIn("take control", self.order(served, "run")[1]["waits"])
         page = WebSocket(port, "/operate")
-        page.until(BANNER)
-        self.assertEqual(self.order(served, "run"), (200, {"runs": "a b.nc"}))
+        page.said = page.until(BANNER)
+        self.assertEqual(self.order(served, "run", page), (200, {"runs": "a b.nc"}))
         self.until_job(watcher, "running")
         page.send(b"G10 L20 P0 X0\nG1 X99\n")
         for _ in range(2):
@@ -212,15 +223,16 @@ class Web(ServeTest):
         served = self.serve("--ws", 0, *LASER)
         watcher = WebSocket(served.port("ws"), "/observe")
         page = WebSocket(served.port("ws"), "/operate")
-        page.until(BANNER)
+        page.said = page.until(BANNER)
         program = b"G91 G1 X1 F600\nG7\nG1 X50\nG1 Y9999\n"
         post(served.port("ws"), "/job?name=f.nc", program)
-        status, answer = self.order(served, "run")
+        status, answer = self.order(served, "run", page)
         self.assertEqual(status, 409)
-        self.assertEqual([fault.split(":")[0] for fault in answer["faults"]], ["line 2", "line 4"])
-        some = json.dumps(answer["faults"][:1]).encode()
-        self.assertEqual(self.order(served, "run", some)[0], 409, "each of them")
-        self.assertEqual(self.order(served, "run", json.dumps(answer["faults"]).encode())[0], 200)
+        self.assertEqual([fault.split(":")[0] for fault in answer["faults"]], ["line 4", "line 2"],
+                         "the travel first")
+        some = answer["faults"][:1]
+        self.assertEqual(self.order(served, "run", page, some)[0], 409, "each of them")
+        self.assertEqual(self.order(served, "run", page, answer["faults"])[0], 200)
         stopped = self.until_job(watcher, "stopped")
         self.assertIn("line 2: error:20", stopped["trouble"])
         self.assertEqual(stopped["line"], 3)
