@@ -8,6 +8,8 @@
 #include <utility>
 #include <vector>
 
+#include "host-sim/serve/background_priority.hpp"
+
 namespace sim {
 
 /// Work that takes time, in a thread of its own, for a loop that must not wait: from copies, one
@@ -30,6 +32,7 @@ class BackgroundTask {
     std::erase_if(threads_, [](const Running& one) { return one.shared->done.load(); });
     current_ = std::make_shared<Shared>();
     threads_.push_back({current_, std::jthread{[shared = current_, work = std::move(work)] {
+                          work_in_background();
                           shared->result.emplace(work(shared->cancelled));
                           shared->done = true;
                         }}});

@@ -9,6 +9,7 @@
 #include "host-sim/plot/outline.hpp"
 #include "host-sim/plot/picture.hpp"
 #include "host-sim/send/code_words.hpp"
+#include "host-sim/serve/background_priority.hpp"
 #include "host-sim/serve/http_status.hpp"
 #include "host-sim/serve/run_conditions.hpp"
 
@@ -177,6 +178,7 @@ PageService::Answer WebRoutes::get(const std::string& path) const {
   if (path == "/words") return json_reply(words_json());
   if (path == "/picture.svg") {
     return WebWork{[so_far = view_.path_so_far()] {
+      work_in_background();
       return WebReply{.type = "image/svg+xml",
                       .content = draw_svg(so_far, {.title = "Motion so far"})};
     }};
@@ -185,6 +187,7 @@ PageService::Answer WebRoutes::get(const std::string& path) const {
     return web_refusal(http_status::kNotFound, "No program has been opened.");
   }
   return WebWork{[program = job_.program(), standpoint = standpoint_of(controller_.machine())] {
+    work_in_background();
     return shown(*program, standpoint, judge_program(program->name, program->text, standpoint));
   }};
 }
@@ -199,6 +202,7 @@ PageService::Answer WebRoutes::load(HttpRequest request) const {
                   file = std::make_shared<std::string>(std::move(request.body)),
                   inbox = keeps ? job_.inbox() : nullptr,
                   standpoint = standpoint_of(controller_.machine())] {
+    work_in_background();
     const auto program = prepare_served(name, std::move(*file), standpoint.block_delete());
     Judged judged{.key = judgement_key(*program, standpoint),
                   .judgement = judge_program(name, program->text, standpoint)};
