@@ -227,9 +227,8 @@ inline std::size_t stops_in(const std::vector<PathPiece>& pieces) {
 }
 
 /// By how many mm rounded places may be beside a smooth joint, its neighbours included:
-/// a blend of two arcs has five of them. Pieces of 60 nm were seen 19 nm beside it; a step of a
-/// motor is some hundred times longer.
-inline constexpr double kRoundedPlaces = 3.0e-5;
+/// a blend of two arcs has five of them.
+inline constexpr double kRoundedPlaces = 1.2e-5;
 
 /// Joins, ends and turns of a path that was staged, whatever it is.
 inline void expect_sound(const std::vector<PathItem>& items, const std::vector<PathPiece>& pieces) {
