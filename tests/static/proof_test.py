@@ -140,7 +140,7 @@ class Runs(unittest.TestCase):
         memory.tree_key.cache_clear()
 
     def test_a_step_stays_passed_when_rooms_change_on_which_it_does_not_depend(self):
-        step = steps.Step("one", good, without=memory.NO_ROOMS)
+        step = steps.Step("one", good, without=memory.ALL_ROOMS)
         other = steps.Step("two", bad)
         self.run_tier("prove", step, other)
         self.change("tests/planner/a.cpp")
@@ -151,7 +151,7 @@ class Runs(unittest.TestCase):
     def test_a_test_is_run_again_when_what_it_is_made_of_changes(self):
         commands = {"Path.Is": "build/planner_tests", "Line.Is": "build/firmware_tests",
                     "Trace.Is": "build/host_sim_tests", "host-sim.send": "send_test.py",
-                    "tidy.all": "tidy.py"}
+                    "tidy.all": "tidy.py", "simulation.digests": "/x/tests/simulation/digests.py"}
 
         def keys() -> dict:
             return {name: memory.TestMemory.key_of(name, ["python3", program, "--all"])
@@ -166,6 +166,8 @@ class Runs(unittest.TestCase):
         memory.tree_key.cache_clear()
         self.assertEqual({"Path.Is", "Line.Is", "tidy.all"}, changed_by("tests/planner/a.cpp"))
         self.assertEqual({"Line.Is", "tidy.all"}, changed_by("tests/firmware/a.cpp"))
+        self.assertEqual({"simulation.digests", "tidy.all"},
+                         changed_by("tests/simulation/digests.txt"))
         self.assertEqual(set(commands), changed_by("tests/host-sim/a.cpp"))
         self.assertEqual(set(commands), changed_by("planner/a.cpp"))
 

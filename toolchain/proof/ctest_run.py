@@ -24,7 +24,7 @@ MARK = "base '"  # Printed by each test that draws random numbers, before the ba
 
 
 class Remembered:
-    """The tests of a preset that `prove` leaves out, as they have passed on what they are made of."""
+    """The tests of a preset that `prove` leaves out: they passed before, and no file of theirs changed."""
 
     def __init__(self, preset: str):
         self.memory = TestMemory(preset)
@@ -34,12 +34,12 @@ class Remembered:
         self.list = ROOT / "build" / preset / "to_run.txt"
 
     def to_run(self) -> list:
-        """Numbers of the others, from 1."""
+        """Numbers, from 1, of the tests that have to be run."""
         return [number for number, (name, key) in enumerate(self.keys.items(), 1)
                 if not self.memory.notes.find(name, key)]
 
     def selection(self, numbers: list) -> list:
-        """What ctest is told."""
+        """The arguments that make ctest run the tests with these numbers only."""
         self.list.write_text(",".join(map(str, (0, 0, 0, *numbers))), encoding="utf-8")
         return ["-I", str(self.list)]
 

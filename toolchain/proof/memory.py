@@ -12,7 +12,7 @@ PROVEN = ROOT / "tests/proven"
 # Folders of tests with the programs that are built from them: nothing else depends on their files.
 TEST_ROOMS = {"planner": ("planner_tests", "firmware_tests"), "firmware": ("firmware_tests",),
               "hal": ("hal_tests",), "simulation": ("simulation_tests",)}
-NO_ROOMS = frozenset(TEST_ROOMS)
+ALL_ROOMS = frozenset(TEST_ROOMS)
 
 
 def head() -> str:
@@ -67,17 +67,18 @@ class Notes:
 
 class TestMemory:
     """Tests of a preset that have passed in `prove`. Tests named static.* and tidy.* read all
-    sources; others depend on those rooms of tests only from which their program is built."""
+    sources; others depend on those rooms of tests only from which their program or script comes."""
 
     def __init__(self, preset: str):
         self.notes = Notes(f"tests_{preset}.json")
 
     @staticmethod
     def key_of(name: str, command: list) -> str:
-        words = {pathlib.Path(word).name for word in command}
-        rooms = {room for room, programs in TEST_ROOMS.items() if words & set(programs)}
+        names = {pathlib.Path(word).name for word in command}
+        rooms = {room for room, programs in TEST_ROOMS.items()
+                 if names & set(programs) or any(f"/tests/{room}/" in word for word in command)}
         reads_all = name.startswith(("static.", "tidy."))
-        return tree_key() if reads_all else tree_key(NO_ROOMS - rooms)
+        return tree_key() if reads_all else tree_key(ALL_ROOMS - rooms)
 
 
 class Memory:

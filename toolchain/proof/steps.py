@@ -9,7 +9,7 @@ from typing import Callable
 import ctest_run
 import fuzzing
 import seeds
-from memory import NO_ROOMS, head
+from memory import ALL_ROOMS, head
 from shell import ROOT, Outcome, run
 
 TEST, PROVE = "test", "prove"
@@ -71,12 +71,12 @@ STEPS = (
     Step("build sanitize", build("sanitize", "all", "fuzzers")),
     Step("test sanitize", test("sanitize", most_trials={TEST: 6, PROVE: 60}),
          needs=("build sanitize",)),
-    Step("fuzz", fuzzing.run_all, needs=("build sanitize",), without=NO_ROOMS),
+    Step("fuzz", fuzzing.run_all, needs=("build sanitize",), without=ALL_ROOMS),
     Step("headers alone, controller", build("cortex-m4f", "headers_alone"), (PROVE,),
-         without=NO_ROOMS),
-    Step("headers alone, host", build("release", "headers_alone"), (PROVE,), without=NO_ROOMS),
+         without=ALL_ROOMS),
+    Step("headers alone, host", build("release", "headers_alone"), (PROVE,), without=ALL_ROOMS),
     Step("build benchmarks", build("release", "benchmarks"), (PROVE,), ("build release",)),
-    Step("benchmarks", benchmarks, (PROVE,), ("build benchmarks",), NO_ROOMS),
+    Step("benchmarks", benchmarks, (PROVE,), ("build benchmarks",), ALL_ROOMS),
     Step("new seeds", seeds.run_for_a_while, (PROVE,), ("test release",)),
 )
 
