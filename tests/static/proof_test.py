@@ -1,6 +1,7 @@
 """Plants failures in runs of toolchain/proof: each of them makes the run fail and is named."""
 import contextlib
 import io
+import json
 import os
 import pathlib
 import subprocess
@@ -73,6 +74,7 @@ class Runs(unittest.TestCase):
         patch = mock.patch.object(memory, "PROVEN", self.root / "tests/proven")
         patch.start()
         self.addCleanup(patch.stop)
+        memory.tree_key.cache_clear()
         (self.root / "tests").mkdir()
         (self.root / ".gitignore").write_text("build\n")
         self.git("init", "-q")
@@ -130,13 +132,73 @@ class Runs(unittest.TestCase):
         self.assertIn("passed before", output)
         self.assertEqual(self.git("rev-parse", "HEAD"), memory.proven_commit())
 
+    def change(self, file: str) -> None:
+        (self.root / file).parent.mkdir(parents=True, exist_ok=True)
+        (self.root / file).write_text(f"{file} of {self.git('rev-parse', 'HEAD')}")
+        self.git("add", ".")
+        self.git("commit", "-qm", file)
+        memory.tree_key.cache_clear()
+
+    def test_a_step_stays_passed_when_rooms_change_on_which_it_does_not_depend(self):
+        step = steps.Step("one", good, without=memory.ALL_ROOMS)
+        other = steps.Step("two", bad)
+        self.run_tier("prove", step, other)
+        self.change("tests/planner/a.cpp")
+        self.assertIn("passed before", self.run_tier("prove", step, other)[1])
+        self.change("planner/a.cpp")
+        self.assertNotIn("passed before", self.run_tier("prove", step, other)[1])
+
+    def test_a_test_is_run_again_when_what_it_is_made_of_changes(self):
+        commands = {"Path.Is": "build/planner_tests", "Line.Is": "build/firmware_tests",
+                    "Trace.Is": "build/host_sim_tests", "host-sim.send": "send_test.py",
+                    "tidy.all": "tidy.py", "simulation.digests": "/x/tests/simulation/digests.py"}
+
+        def keys() -> dict:
+            return {name: memory.TestMemory.key_of(name, ["python3", program, "--all"])
+                    for name, program in commands.items()}
+
+        def changed_by(file: str) -> set:
+            before = keys()
+            self.change(file)
+            after = keys()
+            return {name for name in commands if after[name] != before[name]}
+
+        memory.tree_key.cache_clear()
+        self.assertEqual({"Path.Is", "Line.Is", "tidy.all"}, changed_by("tests/planner/a.cpp"))
+        self.assertEqual({"Line.Is", "tidy.all"}, changed_by("tests/firmware/a.cpp"))
+        self.assertEqual({"simulation.digests", "tidy.all"},
+                         changed_by("tests/simulation/digests.txt"))
+        self.assertEqual(set(commands), changed_by("tests/host-sim/a.cpp"))
+        self.assertEqual(set(commands), changed_by("planner/a.cpp"))
+
+    def test_ctest_is_told_the_numbers_of_tests_that_have_not_passed(self):
+        told = json.dumps({"tests": [{"name": name, "command": ["x"]} for name in "abc"]})
+        (self.root / "build/release").mkdir(parents=True)
+        memory.tree_key.cache_clear()
+        with mock.patch.object(ctest_run, "output_of", lambda *_: told), \
+                mock.patch.object(ctest_run, "ROOT", self.root):
+            first = ctest_run.Remembered("release")
+            self.assertEqual([1, 2, 3], first.to_run())
+            report = self.root / "report.xml"
+            report.write_text('<testsuite><testcase name="b" status="run"><system-out>seeds of base'
+                              " 'x'</system-out></testcase><testcase name=\"c\" status=\"fail\"/>"
+                              "</testsuite>")
+            first.note(report)
+            again = ctest_run.Remembered("release")
+            self.assertEqual([1, 3], again.to_run())
+            self.assertTrue(again.memory.notes.notes["b"]["random"])
+            again.selection([1, 3])
+            self.assertEqual("0,0,0,1,3", again.list.read_text())
+
     def test_another_tree_is_proven_from_the_start(self):
         self.run_tier("prove", steps.Step("one", good))
         (self.root / "new").write_text("new")
+        memory.tree_key.cache_clear()
         self.assertEqual(1, self.run_tier("prove", steps.Step("one", bad))[0])
 
     def test_a_tree_that_is_not_that_of_a_commit_is_not_proven(self):
         (self.root / "new").write_text("new")
+        memory.tree_key.cache_clear()
         status, output = self.run_tier("prove", steps.Step("one", good))
         self.assertEqual(0, status)
         self.assertIn("tests/proven is not written", output)

@@ -1,9 +1,11 @@
 """Runs ctest and reads its JUnit report: a test that was skipped did not pass."""
+import json
 import os
 import subprocess
 import xml.etree.ElementTree as ElementTree
 
-from shell import ROOT, Outcome
+from memory import TestMemory
+from shell import ROOT, Outcome, output_of
 
 # Gates that a machine may lack, by the name in KERFLINE_WITHOUT; the README says when.
 MAY_BE_MISSING = {"uml": ("host-sim.uml_can",)}
@@ -18,8 +20,40 @@ def allowed_to_skip() -> set:
     return {test for name in names for test in MAY_BE_MISSING[name]}
 
 
+MARK = "base '"  # Printed by each test that draws random numbers, before the base of its seeds.
+
+
+class Remembered:
+    """The tests of a preset that `prove` leaves out: they passed before, and no file of theirs changed."""
+
+    def __init__(self, preset: str):
+        self.memory = TestMemory(preset)
+        told = json.loads(output_of("ctest", "--preset", preset, "--show-only=json-v1"))
+        self.keys = {test["name"]: self.memory.key_of(test["name"], test.get("command", []))
+                     for test in told["tests"]}
+        self.list = ROOT / "build" / preset / "to_run.txt"
+
+    def to_run(self) -> list:
+        """Numbers, from 1, of the tests that have to be run."""
+        return [number for number, (name, key) in enumerate(self.keys.items(), 1)
+                if not self.memory.notes.find(name, key)]
+
+    def selection(self, numbers: list) -> list:
+        """The arguments that make ctest run the tests with these numbers only."""
+        self.list.write_text(",".join(map(str, (0, 0, 0, *numbers))), encoding="utf-8")
+        return ["-I", str(self.list)]
+
+    def note(self, report) -> None:
+        for case in ElementTree.parse(report).getroot().iter("testcase"):
+            name = case.get("name")
+            if case.get("status") == "run":
+                self.memory.notes.add(name, self.keys[name],
+                                      random=MARK in (case.findtext("system-out") or ""))
+        self.memory.notes.write()
+
+
 def run_tests(preset: str, tier: str, most_trials: dict | None = None) -> Outcome:
-    """All tests of a preset that belong to the tier.
+    """All tests of a preset that belong to the tier; those that `prove` remembers have passed.
 
     `most_trials` bounds the random trials of each test, by tier.
     """
@@ -31,12 +65,24 @@ def run_tests(preset: str, tier: str, most_trials: dict | None = None) -> Outcom
         environment.setdefault("KERFLINE_MOST_TRIALS", str(most_trials[tier]))
     command = ["ctest", "--preset", preset, f"-j{os.cpu_count()}", "--output-on-failure",
                "--output-junit", str(report), "--test-output-size-passed", "65536"]
+    remembered = None
+    before = 0
     if tier == "test":
         command += ["--label-exclude", "^prove$"]
+    else:
+        remembered = Remembered(preset)
+        numbers = remembered.to_run()
+        before = len(remembered.keys) - len(numbers)
+        print(f"{before} tests of {preset} have passed before", flush=True)
+        if not numbers:
+            return Outcome(passed=before)
+        command += remembered.selection(numbers)
     follow(command, environment)
     if not report.is_file():
         return Outcome(failed=[f"ctest of {preset} gave no result"])
-    outcome = outcome_of(report, preset)
+    outcome = outcome_of(report, preset) + Outcome(passed=before)
+    if remembered:
+        remembered.note(report)
     if outcome.failed:
         print(f"once more, alone: what failed of {preset}", flush=True)
         subprocess.run(["ctest", "--preset", preset, "--rerun-failed", "--output-on-failure"],

@@ -1,11 +1,18 @@
-"""Which steps have passed on this very tree, and the commit on which all of them have."""
+"""Which steps and tests have passed on what they are made of, and the commit on which all have."""
+import functools
 import hashlib
 import json
+import pathlib
+import re
 import subprocess
 
 from shell import ROOT, output_of
 
 PROVEN = ROOT / "tests/proven"
+# Folders of tests with the programs that are built from them: nothing else depends on their files.
+TEST_ROOMS = {"planner": ("planner_tests", "firmware_tests"), "firmware": ("firmware_tests",),
+              "hal": ("hal_tests",), "simulation": ("simulation_tests",)}
+ALL_ROOMS = frozenset(TEST_ROOMS)
 
 
 def head() -> str:
@@ -16,11 +23,19 @@ def head() -> str:
         return ""
 
 
-def tree_key() -> str:
-    """Of the committed tree, what is changed, and what is new; "" without git."""
+@functools.cache
+def tree_key(without: frozenset = frozenset()) -> str:
+    """Of the committed tree, what is changed, and what is new; "" without git.
+
+    `without` names rooms of tests whose committed files do not count.
+    """
+    left_out = re.compile(rf"\ttests/({'|'.join(sorted(without))})/") if without else None
     try:
-        tree = output_of("git", "rev-parse", "HEAD^{tree}")
-        digest = hashlib.sha256(tree.encode())
+        files = output_of("git", "ls-tree", "-r", "HEAD").splitlines()
+        digest = hashlib.sha256()
+        for file in files:
+            if not (left_out and left_out.search(file)):
+                digest.update(file.encode() + b"\n")
         digest.update(output_of("git", "diff", "HEAD", "--binary").encode(errors="replace"))
         for name in output_of("git", "ls-files", "--others", "--exclude-standard").splitlines():
             digest.update(name.encode() + (ROOT / name).read_bytes())
@@ -29,27 +44,66 @@ def tree_key() -> str:
     return digest.hexdigest()[:16]
 
 
+class Notes:
+    """Remarks by name, each with the key of what it was made of, in a file of build/proof."""
+
+    def __init__(self, file: str):
+        self.file = ROOT / "build/proof" / file
+        known = self.file.is_file()
+        self.notes = json.loads(self.file.read_text(encoding="utf-8")) if known else {}
+
+    def find(self, name: str, key: str) -> dict | None:
+        note = self.notes.get(name)
+        return note if key and note and note["key"] == key else None
+
+    def add(self, name: str, key: str, **remark) -> None:
+        if key:
+            self.notes[name] = {"key": key, **remark}
+
+    def write(self) -> None:
+        self.file.parent.mkdir(parents=True, exist_ok=True)
+        self.file.write_text(json.dumps(self.notes, indent=1), encoding="utf-8")
+
+
+class TestMemory:
+    """Tests of a preset that have passed in `prove`. Tests named static.* and tidy.* read all
+    sources; others depend on those rooms of tests only from which their program or script comes."""
+
+    def __init__(self, preset: str):
+        self.notes = Notes(f"tests_{preset}.json")
+
+    @staticmethod
+    def key_of(name: str, command: list) -> str:
+        names = {pathlib.Path(word).name for word in command}
+        rooms = {room for room, programs in TEST_ROOMS.items()
+                 if names & set(programs) or any(f"/tests/{room}/" in word for word in command)}
+        reads_all = name.startswith(("static.", "tidy."))
+        return tree_key() if reads_all else tree_key(ALL_ROOMS - rooms)
+
+
 class Memory:
     def __init__(self, tier: str, keeps: bool, forget: bool):
         self.key = tree_key() if keeps else ""
-        self.file = ROOT / "build/proof" / f"{tier}_{self.key}.json"
-        self.steps = {}
-        if self.key and self.file.is_file() and not forget:
-            self.steps = json.loads(self.file.read_text(encoding="utf-8"))
+        if forget:
+            for file in (ROOT / "build/proof").glob("*.json"):
+                file.unlink()
+        self.notes = Notes(f"{tier}.json")
 
-    def passed(self, name: str) -> dict | None:
-        """Seconds and passed tests of a step that has passed on this tree before."""
-        return self.steps.get(name)
+    def key_of(self, without: frozenset) -> str:
+        return tree_key(without) if self.key else ""
 
-    def note(self, name: str, seconds: float, passed: int) -> None:
-        if not self.key:
-            return
-        self.steps[name] = {"seconds": seconds, "passed": passed}
-        self.file.parent.mkdir(parents=True, exist_ok=True)
-        self.file.write_text(json.dumps(self.steps, indent=1), encoding="utf-8")
+    def passed(self, name: str, without: frozenset) -> dict | None:
+        """Seconds and passed tests of a step that has passed before on what it is made of."""
+        return self.notes.find(name, self.key_of(without))
+
+    def note(self, name: str, without: frozenset, seconds: float, passed: int) -> None:
+        self.notes.add(name, self.key_of(without), seconds=seconds, passed=passed)
+        if self.key:
+            self.notes.write()
 
     def write_proven(self, rows: list) -> None:
         """Names HEAD as proven, unless the tree has changed since, or is not clean."""
+        tree_key.cache_clear()
         if not self.key or output_of("git", "status", "--porcelain") or tree_key() != self.key:
             print("tests/proven is not written: the tree is not that of a commit")
             return

@@ -4,7 +4,8 @@
     run.py test|prove [--only STEP]... [--again] [--list]
 
 `prove` keeps what has passed in build/proof, by the content of the tree: run again, it goes on
-where it was interrupted. When all of it has passed on a clean tree, it writes tests/proven.
+where it was interrupted. After a change in one room of tests the tests of other rooms stay passed.
+When all of it has passed on a clean tree, it writes tests/proven.
 The last line is `N passed, N failed`; the exit status is 0 only without a failure.
 """
 import argparse
@@ -27,7 +28,7 @@ def run_steps(tier: str, chosen: list, memory: Memory) -> tuple:
     """Outcome of all, and rows (step, seconds, remark)."""
     total, rows, broken = Outcome(), [], set()
     for step in chosen:
-        if before := memory.passed(step.name):
+        if before := memory.passed(step.name, step.without):
             total += Outcome(passed=before["passed"])
             rows.append((step.name, before["seconds"], "passed before"))
             continue
@@ -47,7 +48,7 @@ def run_steps(tier: str, chosen: list, memory: Memory) -> tuple:
         if outcome.failed:
             broken.add(step.name)
         else:
-            memory.note(step.name, seconds, outcome.passed)
+            memory.note(step.name, step.without, seconds, outcome.passed)
     return total, rows
 
 

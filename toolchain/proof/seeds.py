@@ -5,19 +5,20 @@ import subprocess
 import time
 import xml.etree.ElementTree as ElementTree
 
+from ctest_run import MARK
+from memory import TestMemory
 from shell import ROOT, Outcome
-
-MARK = "base '"  # Printed by each test that draws random numbers, before the base of its seeds.
-
 
 KNOWN = "a known fault violates some new seeds"  # Printed by tests that then may fail here.
 
 
 def random_tests() -> list:
-    """Names of the tests of the last release run that printed where their seeds begin."""
+    """Names of the release tests that printed where their seeds begin, in the last run or before."""
     report = ElementTree.parse(ROOT / "build/release/ctest.xml").getroot()
-    return [case.get("name") for case in report.iter("testcase")
-            if MARK in (case.findtext("system-out") or "")]
+    names = {case.get("name") for case in report.iter("testcase")
+             if MARK in (case.findtext("system-out") or "")}
+    names |= {name for name, note in TestMemory("release").notes.notes.items() if note["random"]}
+    return sorted(names)
 
 
 def run_once(names: list, base: str) -> list:
