@@ -6,6 +6,10 @@ set(KERFLINE_STACK_BYTES 8192 CACHE STRING "Stack of the images, above its guard
 
 # The layers once more, compiled for size. Only these are optimized at link time: it takes a
 # sixteenth of the image, without which MKS Robin Nano V3.1 would lack functions of the others.
+# Across files the compiler would put a function and what it calls into one frame until the main loop
+# needed more stack than it may; the bounds on that cost no bytes.
+set(small_flags -Os -flto -fno-inline-small-functions
+  --param=large-stack-frame=200 --param=large-stack-frame-growth=50)
 function(kerfline_small_layer name)
   get_target_property(sources ${name} SOURCES)
   list(FILTER sources EXCLUDE REGEX "/version\\.cpp$")
@@ -22,7 +26,7 @@ function(kerfline_small_layer name)
   get_target_property(flags ${name} KERFLINE_FLAGS)
   add_library(${name}_small STATIC EXCLUDE_FROM_ALL ${sources})
   target_link_libraries(${name}_small PRIVATE ${flags} PUBLIC ${ARGN})
-  target_compile_options(${name}_small PRIVATE -Os -flto -ffat-lto-objects)
+  target_compile_options(${name}_small PRIVATE ${small_flags} -ffat-lto-objects)
   get_target_property(dependencies ${name} MANUALLY_ADDED_DEPENDENCIES)
   if(dependencies)
     add_dependencies(${name}_small ${dependencies})
@@ -50,7 +54,7 @@ function(kerfline_board_image name header object offset_kib end_kib)
     ${target}/stm32f405_ends.cpp ${target}/stm32f405_caution.cpp)
   if(image_SMALL)
     target_compile_options(${name} PRIVATE -Os)
-    target_link_options(${name} PRIVATE -Os -flto)
+    target_link_options(${name} PRIVATE ${small_flags} -flto-partition=one)
     set(firmware kerfline_firmware_small)
   else()
     set(firmware kerfline_firmware)

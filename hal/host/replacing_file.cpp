@@ -46,6 +46,27 @@ void forget_name(const std::string& name) {
   }
 }
 
+/// The signals that a user ends a command with.
+constexpr std::array kEndingSignals{SIGINT, SIGTERM, SIGHUP};
+
+/// Keeps this thread from being interrupted by them: a file that has been created has its name kept
+/// before a handler looks for it.
+class SignalsHeldBack {
+ public:
+  SignalsHeldBack() {
+    ::sigset_t ending{};
+    static_cast<void>(::sigemptyset(&ending));
+    for (const int signal : kEndingSignals) static_cast<void>(::sigaddset(&ending, signal));
+    static_cast<void>(::pthread_sigmask(SIG_BLOCK, &ending, &before_));
+  }
+  ~SignalsHeldBack() { static_cast<void>(::pthread_sigmask(SIG_SETMASK, &before_, nullptr)); }
+  SignalsHeldBack(const SignalsHeldBack&) = delete;
+  SignalsHeldBack& operator=(const SignalsHeldBack&) = delete;
+
+ private:
+  ::sigset_t before_{};
+};
+
 void remove_and_end(int signal) {
   for (const Unfinished& slot : unfinished) {
     if (slot.named) static_cast<void>(::unlink(slot.name.data()));
@@ -136,6 +157,7 @@ void ReplacingFile::open_beside() {
   static std::atomic<unsigned> count{0};
   constexpr int kMostNames = 1000;  // Files of killed processes of the same number may be left.
   const std::string folder = std::filesystem::path{target_}.parent_path().string();
+  const SignalsHeldBack held_back;
   for (int i = 0; i < kMostNames; ++i) {
     const std::string name =
         ".kerfline-" + std::to_string(::getpid()) + "-" + std::to_string(count++) + ".part";
@@ -198,7 +220,7 @@ void ReplacingFile::fail(const char* action) const {
 }
 
 void ReplacingFile::remove_unfinished_on_signals() {
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
+  for (const int signal : kEndingSignals) {
     struct ::sigaction old {};
     if (::sigaction(signal, nullptr, &old) != 0 || old.sa_handler != SIG_DFL) continue;
     static_cast<void>(std::signal(signal, remove_and_end));

@@ -13,9 +13,8 @@ bool is_digit_at(std::string_view text, std::size_t at) {
   return at < text.size() && std::isdigit(static_cast<unsigned char>(text[at])) != 0;
 }
 
-/// `O1234` alone or before a comment, `:1234`, and `%name`.
+/// `O1234` alone or before a comment, and `:1234`.
 bool is_name(std::string_view text) {
-  if (text.front() == '%') return text.find_first_not_of(kBlanks, 1) != std::string_view::npos;
   return (text.front() == 'O' || text.front() == 'o' || text.front() == ':') &&
          is_digit_at(text, 1);
 }

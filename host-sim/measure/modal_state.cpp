@@ -8,8 +8,6 @@
 namespace sim {
 namespace {
 
-constexpr double kMillimetresPerInch = 25.4;
-
 /// Units, feed mode and path control, and what is always so: no compensation (G40).
 bool is_applied_before(int g) {
   constexpr std::array kNumbers{200, 210, 930, 940, 400, 610, 611, 640};

@@ -8,6 +8,9 @@
 
 namespace sim {
 
+/// Of a length that a program, or a report in inches, gives.
+inline constexpr double kMillimetresPerInch = 25.4;
+
 /// One line of a program, taken apart but not yet understood.
 struct ProgramLine {
   std::vector<int> g;                              ///< G numbers in tenths: G38.2 is 382.

@@ -10,12 +10,12 @@
 
 #include "host-sim/job/modal_words.hpp"
 #include "host-sim/job/setting_line.hpp"
+#include "host-sim/measure/program_line.hpp"
 
 namespace sim {
 namespace {
 
 constexpr double kNanometresPerMillimetre = 1.0e6;
-constexpr double kMillimetresPerInch = 25.4;
 
 /// `1.000,2.000,…` in mm or inches; axes that are missing keep their value.
 void read_position(std::string_view text, bool inches, cnc::Position& position) {

@@ -22,6 +22,7 @@ std::string fresh_key() {
 }  // namespace
 
 void Reception::attend(Clock::time_point now) {
+  std::vector<Arrival> arrivals = accept_all();
   if (job_ != nullptr) job_->collect();
   if (sender_) {
     greet(now);
@@ -30,11 +31,22 @@ void Reception::attend(Clock::time_point now) {
   if (job_runs()) job_->attend(session_, now);
   if (greeted_) carry_out(now);
   look_for_end(now);
+  for (Arrival& arrival : arrivals) meet(std::move(arrival), now);
+  see_off(now);
+}
+
+/// Those that came after the sender had left are accepted before the sender is read, so that its
+/// end has been noticed when they are met.
+std::vector<Reception::Arrival> Reception::accept_all() {
+  std::vector<Arrival> arrivals;
   for (const auto& way : ways_in_) {
     if (way->take_stop()) session_.emergency_stop();
-    while (auto connection = way->accept()) meet(std::move(connection), *way, now);
+    while (auto connection = way->accept()) {
+      const std::string_view kind = connection->kind();
+      arrivals.push_back({std::move(connection), kind.empty() ? way->kind() : kind});
+    }
   }
-  see_off(now);
+  return arrivals;
 }
 
 std::string_view Reception::sender_kind() const {
@@ -43,18 +55,15 @@ std::string_view Reception::sender_kind() const {
 }
 
 /// To a job that runs only a page comes.
-void Reception::meet(std::unique_ptr<Connection> connection,
-                     const Transport& way,
-                     Clock::time_point now) {
-  const std::string_view kind = connection->kind().empty() ? way.kind() : connection->kind();
-  if (sender_ || (job_runs() && kind != kPage)) {
-    departing_.push_back({std::move(connection), now + kFarewell, sender_ ? kRefusal : kJobRuns});
+void Reception::meet(Arrival arrival, Clock::time_point now) {
+  if (sender_ || (job_runs() && arrival.kind != kPage)) {
+    departing_.push_back({std::move(arrival.connection), now + kFarewell, sender_ ? kRefusal : kJobRuns});
     return;
   }
-  sender_ = std::move(connection);
-  sender_kind_ = kind;
+  sender_ = std::move(arrival.connection);
+  sender_kind_ = arrival.kind;
   greet_at_ = now + kGreetAfter;
-  if (kind == kPage) {
+  if (sender_kind_ == kPage) {
     page_key_ = fresh_key();
     const std::string words = fmt::format("[PAGE:{}]\r\n", page_key_);
     static_cast<void>(sender_->write(std::as_bytes(std::span{words})));

@@ -65,6 +65,10 @@ class Reception {
   void hold() { session_.act_at_once(std::byte{'!'}); }
 
  private:
+  struct Arrival {
+    std::unique_ptr<Connection> connection;
+    std::string_view kind;
+  };
   struct Departing {
     std::unique_ptr<Connection> connection;
     Clock::time_point until;
@@ -72,7 +76,8 @@ class Reception {
   };
 
   [[nodiscard]] bool job_runs() const { return job_ != nullptr && job_->running(); }
-  void meet(std::unique_ptr<Connection> connection, const Transport& way, Clock::time_point now);
+  [[nodiscard]] std::vector<Arrival> accept_all();
+  void meet(Arrival arrival, Clock::time_point now);
   void see_off(Clock::time_point now);
   void greet(Clock::time_point now);
   void carry_in();

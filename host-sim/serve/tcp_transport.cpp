@@ -27,7 +27,12 @@ class TcpConnection final : public Connection {
     return 0;
   }
 
-  bool open() override { return open_; }
+  /// Of a stream that is not read yet, its end shows when nothing comes before it.
+  bool open() override {
+    std::byte first{};
+    if (open_ && ::recv(socket_.number(), &first, 1, MSG_PEEK | MSG_DONTWAIT) == 0) open_ = false;
+    return open_;
+  }
   void end() override { ::shutdown(socket_.number(), SHUT_WR); }
 
   void add_to(std::vector<pollfd>& descriptors, Wishes wishes) const override {

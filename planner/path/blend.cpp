@@ -42,22 +42,25 @@ Position place_joint(const PathElement& whole, const BiarcEnds& ends, const Biar
 /// ends are met, and what rounding leaves of a corner is at the joint.
 Blend make_blend(
     const Corner& corner, const Position& from, const Position& to, float trim_mm, bool in_halves) {
-  PathElement whole{.start = from, .end = to, .plane = corner.plane};
+  Blend blend;
+  auto& [first, second] = blend.parts;
+  first = {.start = from, .end = to, .plane = corner.plane};
   if (corner.is_straight() && !in_halves) {
-    whole.bulge = bulge_from(0.5F * corner.turn);
-    return {.parts = {whole}, .count = 1};
+    first.bulge = bulge_from(0.5F * corner.turn);
+    blend.count = 1;
+    return blend;
   }
   BiarcEnds ends = ends_of(corner, trim_mm);
   ends.start = {0.0F, 0.0F};
   ends.end = in_plane(from, to, corner.plane);
   const auto biarc = make_biarc(ends, 0.5F);
-  if (!biarc.ok()) return {};
-  PathElement first = whole;
-  PathElement second = whole;
-  first.end = second.start = place_joint(whole, ends, biarc.value());
+  if (!biarc.ok()) return blend;
+  second = first;
+  first.end = second.start = place_joint(second, ends, biarc.value());
   first.bulge = bulge_between(ends.start_tangent, in_plane(from, first.end, corner.plane));
   second.bulge = bulge_between(in_plane(second.start, to, corner.plane), ends.end_tangent);
-  return {.parts = {first, second}, .count = 2};
+  blend.count = 2;
+  return blend;
 }
 
 PathElement part_of(const PathElement& whole,

@@ -102,7 +102,7 @@ class Check(unittest.TestCase):
                            ("%\nO1000\nG21\nG1 X5 F100\n%\n\n(more)\nG1 X9\n",
                             "-:8: the program goes on behind the % of line 5"),
                            ("O1000\nG21\nG1 X5 F100\nO2000\nG1 X9\n", "-:4: a second program begins here, after"),
-                           ("%one\nG21\nG1 X5 F100\n%two\nG1 X9\n", "-:4: a second program begins here"),
+                           ("%one\nG21\nG1 X5 F100\n%two\nG1 X9\n", "-:5: the program goes on behind the % of line 4"),
                            ("G21\nG1 X1 F100\nM30\nG1 X9\n", "-:4: the program ended in line 3")):
             with self.subTest(text=text):
                 done = run("check", "-", text=text)

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <deque>
+#include <functional>
 #include <string>
+#include <utility>
 
 namespace sim {
 namespace {
@@ -18,6 +20,7 @@ struct Wire {
   bool open = true;
   bool ended = false;
   bool hung_up = false;
+  std::function<void()> on_look{};  ///< Called once, when the server looks for its end.
 };
 
 class FakeConnection final : public Connection {
@@ -34,7 +37,10 @@ class FakeConnection final : public Connection {
     for (const std::byte byte : from) wire_.from_controller += static_cast<char>(byte);
     return from.size();
   }
-  bool open() override { return wire_.open || !wire_.to_controller.empty(); }
+  bool open() override {
+    if (wire_.on_look) std::exchange(wire_.on_look, nullptr)();
+    return wire_.open || !wire_.to_controller.empty();
+  }
   void end() override { wire_.ended = true; }
   void add_to(std::vector<pollfd>&, Wishes) const override {}
 
@@ -118,6 +124,31 @@ TEST_F(ReceptionTest, LetsTheNextInWhenTheFirstHasGone) {
   arriving = {&second};
   wait(400);
   EXPECT_EQ(second.from_controller, "Grbl 1.1h ['$' for help]\r\n");
+}
+
+TEST_F(ReceptionTest, LetsOneInThatComesRightAfterTheFirstHasGone) {
+  arriving = {&first};
+  wait(200);
+  first.to_controller = "?";
+  first.open = false;
+  arriving = {&second};
+  wait(1);
+  EXPECT_TRUE(first.hung_up);
+  wait(400);
+  EXPECT_EQ(second.from_controller, "Grbl 1.1h ['$' for help]\r\n");
+}
+
+/// The controller reads the first stream, whose end shows behind it, and meanwhile the next comes.
+TEST_F(ReceptionTest, LetsOneInThatComesWhileTheLastIsBeingRead) {
+  arriving = {&first};
+  wait(200);
+  first.open = false;
+  first.on_look = [this] { arriving = {&second}; };
+  wait(2);
+  EXPECT_EQ(reception.sender_kind(), "fake");
+  EXPECT_TRUE(first.hung_up);
+  EXPECT_FALSE(second.hung_up);
+  EXPECT_EQ(second.from_controller, "");
 }
 
 TEST_F(ReceptionTest, KeepsEveryLineOfASenderWhoSendsMoreThanThereIsRoomFor) {
