@@ -108,12 +108,14 @@ float CornerRounder::granted(float allowance_mm) const {
 
 /// As much of each side as makes no more difference than rounding, or less: a blend
 /// takes all of a side or leaves more than a crumb. What it takes beyond its trim turns it by so
-/// much of its chord, which is short where it nearly turns back.
+/// much of its chord, which is short where it nearly turns back. A shorter trim for the
+/// second side can leave a crumb of the first, which is therefore checked again.
 float CornerRounder::without_crumbs(float trim_mm) const {
   const Vec2 both = corner_.before.tangent + corner_.after.tangent;
   const float all_share = 0.5F * motion::kTangentTurn * std::min(1.0F, both.norm());
+  const float left = corner_.before.length - first_->used_mm;
   float trim = trim_mm;
-  for (const float side : {corner_.before.length - first_->used_mm, corner_.after.length}) {
+  for (const float side : {left, corner_.after.length, left}) {
     const float rest = side - trim;
     const bool all = rest <= kRoundedEndMm + all_share * trim;
     if (!all && rest < kCrumbMm) trim = fitting_trim(corner_, 0.5F * side);
