@@ -6,9 +6,10 @@ set(KERFLINE_STACK_BYTES 8192 CACHE STRING "Stack of the images, above its guard
 
 # The layers once more, compiled for size. Only these are optimized at link time: it takes a
 # sixteenth of the image, without which MKS Robin Nano V3.1 would lack functions of the others.
-# Across files the compiler would put a function and what it calls into one frame until the main loop
-# needed more stack than it may; the bounds on that cost no bytes.
-set(small_flags -Os -flto -fno-inline-small-functions
+# Across files the compiler would put a function and what it calls into one frame until the main
+# loop needed more stack than it may: frames are bounded. What a loop computes anew each time is
+# shorter than what keeps it.
+set(small_flags -Os -flto -fno-inline-small-functions -fno-tree-loop-im -fno-move-loop-invariants
   --param=large-stack-frame=200 --param=large-stack-frame-growth=50)
 function(kerfline_small_layer name)
   get_target_property(sources ${name} SOURCES)

@@ -57,7 +57,8 @@ std::string_view Reception::sender_kind() const {
 /// To a job that runs only a page comes.
 void Reception::meet(Arrival arrival, Clock::time_point now) {
   if (sender_ || (job_runs() && arrival.kind != kPage)) {
-    departing_.push_back({std::move(arrival.connection), now + kFarewell, sender_ ? kRefusal : kJobRuns});
+    const std::string_view reason = sender_ ? kRefusal : kJobRuns;
+    departing_.push_back({std::move(arrival.connection), now + kFarewell, reason});
     return;
   }
   sender_ = std::move(arrival.connection);

@@ -30,15 +30,16 @@ def tool(name: str, *arguments) -> list:
     return run.stdout.splitlines()
 
 
-def built_objects(build: pathlib.Path) -> list:
-    """The object files of the build, as its compile commands name them; not those of the test
-    program in tests/target, which never goes onto a controller, nor of headers by themselves, which
-    only toolchain/prove.sh compiles."""
+def built_objects(build: pathlib.Path) -> dict:
+    """{object file: whether it has its final code} of the build, as its compile commands name them;
+    not those of the test program in tests/target, which never goes onto a controller, nor of headers
+    by themselves, which only toolchain/prove.sh compiles. What is optimized once more at link time
+    has its frames in the images, where image_stack.py reads them."""
     entries = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
     entries = [entry for entry in entries if "/tests/target/" not in entry["command"]
                and "/headers_alone/" not in entry["command"]]
-    outputs = [re.search(r" -o (\S+) ", entry["command"])[1] for entry in entries]
-    return [pathlib.Path(entry["directory"]) / output for entry, output in zip(entries, outputs)]
+    return {pathlib.Path(entry["directory"], re.search(r" -o (\S+) ", entry["command"])[1]):
+            " -flto" not in entry["command"] for entry in entries}
 
 
 def call_file(compiled: pathlib.Path) -> pathlib.Path:
@@ -100,7 +101,8 @@ class CallGraph:
 
 def symbol_complaints(objects: list) -> Iterator:
     found, kinds = {}, {}
-    for line in tool("nm", "-A", "-P", *objects) if objects else []:
+    # Of the machine code: nm's plugin would read what is kept for link-time optimization instead.
+    for line in tool("nm", "--plugin", "/dev/null", "-A", "-P", *objects) if objects else []:
         file, _, rest = line.partition(": ")
         symbol, kind, *place = rest.split()
         kinds.setdefault(symbol, set()).add(kind)
@@ -200,12 +202,13 @@ def main() -> int:
         return 77
     named = built_objects(options.build)
     objects = [path for path in named if path.is_file()]
-    described = [path for path in objects if call_file(path).is_file()]
+    final = [path for path in objects if named[path]]
+    described = [path for path in final if call_file(path).is_file()]
     graph = CallGraph([call_file(path) for path in described])
     print_report(sizes(objects), graph)
     found = [*(f"not built: {path.name}" for path in named if path not in objects),
              *(f"no call graph: {path.name}; compile it with -fcallgraph-info, not from a cache"
-               for path in objects if path not in described),
+               for path in final if path not in described),
              *symbol_complaints(objects), *stack_complaints(graph, options.largest_frame)]
     print("\n".join(found) or "controller: clean")
     return bool(found)

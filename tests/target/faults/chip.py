@@ -21,7 +21,7 @@ SKIPPED = 77
 POWER_CUT, STOPPED = 90, 91
 MS = 1_000_000  # ns.
 SLOWEST = 60  # Times as slow as the chip that the emulator is allowed to be.
-BOOT_NS = 40 * MS  # Clocks, the image's checksum, the store; then the banner.
+BOOT_NS = 60 * MS  # Clocks, the image's checksum, the store; then the banner.
 AT_ONCE = 2  # Emulators.
 CHIP_OPTIONS = ("erase_us=1000",)  # A store that is new is erased at its first use.
 RAM = 0x20000000

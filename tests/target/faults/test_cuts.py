@@ -23,7 +23,7 @@ from chip import MS, POWER_CUT, STOPPED, first_seed, in_parallel, main, trials  
 CHIP = None
 ERASE_US = 20_000
 KINDS = ("none", "whole", "torn")
-FILLING = 222  # Start-up lines: with them a sector is nearly full.
+FILLING = 216  # Start-up lines: with them a sector is nearly full.
 BOOT_NS = 150 * MS  # A store that is full is read twice before the banner.
 SCRIPT_NS = 1500 * MS  # The script's 60 lines, by an image that is compiled for size.
 RECOVERED_NS = 900 * MS  # What a cut left is made whole before that.
@@ -74,7 +74,7 @@ class CutTest(unittest.TestCase):
         """A flash with a sector that is nearly full of what was saved, and what that was."""
         flash = self.folder / "filled"
         lines = script(0, 60) + [start_up_line(i % 2, 1000 + i) for i in range(FILLING)]
-        run = self.run_on(flash, text_of(lines), BOOT_NS + 2000 * MS)
+        run = self.run_on(flash, text_of(lines), BOOT_NS + 2200 * MS)
         self.assertEqual(len(lines), run.said.count("ok\r\n"), run.said[-400:])
         return flash, lines
 
