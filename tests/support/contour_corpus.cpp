@@ -192,7 +192,9 @@ OffsetCase random_case(Corpus corpus, std::uint64_t seed) {
 
 double programmed(double mm) { return std::round(mm * 1.0e4) * 1.0e-4; }
 
-Contour programmed_star(Random& random, std::size_t most_elements) {
+namespace {
+
+Contour drawn_outline(Random& random, std::size_t most_elements) {
   const auto is_long = [](const auto& vertex) { return std::abs(vertex.bulge) > 1.0; };
   Contour star;
   do {
@@ -210,6 +212,15 @@ Contour programmed_star(Random& random, std::size_t most_elements) {
     vertex.y = programmed(vertex.y);
   }
   outline.end_loop();
+  return outline;
+}
+
+}  // namespace
+
+Contour programmed_star(Random& random, std::size_t most_elements) {
+  Contour outline = drawn_outline(random, most_elements);
+  // The line that took the place of an arc may cross another element.
+  while (!is_simple(outline.view())) outline = drawn_outline(random, most_elements);
   return outline;
 }
 

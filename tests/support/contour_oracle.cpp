@@ -175,17 +175,8 @@ double clipper_area(const ExactContour& contour, double distance_mm, double tole
 }
 
 bool is_simple(const cnc::contour::ContourView<double>& contour) {
-  return crossing_in(ExactContour{contour}).empty();
-}
-
-bool is_simple_at(const cnc::contour::ContourView<double>& contour, int looks) {
   const ExactContour exact{contour};
-  for (std::size_t i = 0; i < exact.elements().size(); ++i) {
-    for (int look = 1; look <= looks; ++look) {
-      if (!crossing_at(exact, i, look / (looks + 1.0)).empty()) return false;
-    }
-  }
-  return true;
+  return !elements_cross(exact) && crossing_in(exact).empty();
 }
 
 OffsetVerdict check_offset(const OffsetCase& wanted,

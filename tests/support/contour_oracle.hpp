@@ -45,11 +45,15 @@ struct OffsetVerdict {
   double worst_deviation = 0.0;  ///< Of a place of the result from the distance, mm.
 };
 
-/// Whether loops have material on their left and none on their right: they cross
-/// neither themselves nor each other.
+/// Returns whether two elements have a point in common that is not an end of both. Computed for
+/// each pair, so that no crossing is too short to be found. Elements on one line or circle do not
+/// count. Arcs with radii above 100 m may seem to cross where they join at a small angle.
+/// @pre no arc is of more than half a turn
+[[nodiscard]] bool elements_cross(const ExactContour& contour);
+
+/// Returns whether loops cross neither themselves nor each other, and have material on their left
+/// and none on their right. @pre no arc is of more than half a turn
 [[nodiscard]] bool is_simple(const cnc::contour::ContourView<double>& contour);
-/// The same, with so many looks at each element in place of three.
-[[nodiscard]] bool is_simple_at(const cnc::contour::ContourView<double>& contour, int looks);
 
 /// Checks an offset against distances and winding numbers of its own, and its
 /// area against Clipper's of the flattened input.

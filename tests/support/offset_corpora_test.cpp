@@ -107,5 +107,35 @@ TEST(OffsetOracle, FindsAWrongDistanceALostLoopAndAWrongTurn) {
   EXPECT_EQ(check_offset(square, wrong.view(), 1).complaint, "");
 }
 
+/// A plate, and a clockwise hole with its tip `past_mm` to the right of the middle of the plate's
+/// right side.
+sim::Contour plate_with_tip(double plate_bulge, double hole_bulge, double past_mm) {
+  sim::Contour contour;
+  contour.vertices = {{0, 0, 0}, {100, 0, plate_bulge}, {100, 100, 0}, {0, 100, 0}};
+  contour.end_loop();
+  const double tip = 100.0 + 50.0 * plate_bulge + past_mm;
+  for (const sim::ContourVertex& vertex :
+       {sim::ContourVertex{50, 60, hole_bulge}, {tip, 50, hole_bulge}, {50, 40, 0}}) {
+    contour.vertices.push_back(vertex);
+  }
+  contour.end_loop();
+  return contour;
+}
+
+TEST(OffsetOracle, FindsACrossingHoweverShort) {
+  for (const double plate_bulge : {0.0, 0.1, -0.1, 1.0e-7}) {
+    for (const double hole_bulge : {0.0, 0.05, -0.05, 1.0e-7}) {
+      const auto is_crossed = [&](double past_mm) {
+        const sim::Contour plate = plate_with_tip(plate_bulge, hole_bulge, past_mm);
+        return elements_cross(ExactContour{plate.view()});
+      };
+      EXPECT_TRUE(is_crossed(1.0e-5)) << plate_bulge << ' ' << hole_bulge;
+      EXPECT_FALSE(is_crossed(-1.0e-5)) << plate_bulge << ' ' << hole_bulge;
+      EXPECT_FALSE(is_simple(plate_with_tip(plate_bulge, hole_bulge, 0.02).view()));
+      EXPECT_TRUE(is_simple(plate_with_tip(plate_bulge, hole_bulge, -0.02).view()));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace proof
