@@ -10,6 +10,7 @@ set(KERFLINE_STACK_BYTES 8192 CACHE STRING "Stack of the images, above its guard
 # loop needed more stack than it may: frames are bounded. What a loop computes anew each time is
 # shorter than what keeps it.
 set(small_flags -Os -flto -fno-inline-small-functions -fno-tree-loop-im -fno-move-loop-invariants
+  -fno-tree-ch -fno-reorder-blocks
   --param=large-stack-frame=200 --param=large-stack-frame-growth=50)
 function(kerfline_small_layer name)
   get_target_property(sources ${name} SOURCES)

@@ -13,7 +13,7 @@ bool Machine::acknowledge_tool() {
   check_settings();
   forget_exit();
   ToolChange::Job& job = tool_change_.job();
-  job.kept.interpreter = interpreter_;
+  job.interpreter = interpreter_;
   job.waiting = waiting_;
   job.with_next_motion = with_next_motion_;
   job.place = motion_.target();
@@ -31,7 +31,7 @@ bool Machine::acknowledge_tool() {
 void Machine::close_tool_change() {
   check_settings();
   ToolChange::Job& job = tool_change_.job();
-  interpreter_.end_tool_change(job.kept.interpreter);
+  interpreter_.end_tool_change(*job.interpreter);
   settings_watch_.accept();
   trust_places();
   waiting_ = job.waiting;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <type_traits>
 
 #include "planner/base/coordinate.hpp"
@@ -27,12 +28,7 @@ class ToolChange {
 
   /// What waits of the program.
   struct Job {
-    /// Of no value before the first change: an image is smaller without a second constructor of so
-    /// many members.
-    union Kept {
-      Kept() {}
-      gcode::Interpreter interpreter;
-    } kept;
+    std::optional<gcode::Interpreter> interpreter{};  ///< Of the program's own lines.
     gcode::Actions waiting{};  ///< Views the machine's interpreter, as it will be again.
     motion::OutputChanges with_next_motion{};
     Position place{};  ///< Of the tool, machine coordinates.

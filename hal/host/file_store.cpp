@@ -17,6 +17,7 @@
 #include <utility>
 
 #include "hal/host/replacing_file.hpp"
+#include "hal/host/system_call.hpp"
 
 namespace hal::host {
 namespace {
@@ -127,7 +128,7 @@ bool FileStore::open_and_lock() {
   const std::string target = without_links(path_);
   for (int i = 0; i < kMostTries; ++i) {
     release();
-    lock_ = ::open(target.c_str(), O_RDWR | O_CLOEXEC | O_NOCTTY);
+    lock_ = open_file(target, O_RDWR | O_CLOEXEC | O_NOCTTY);
     if (lock_ < 0 && errno == ENOENT) {
       if (create()) return false;
       continue;
@@ -155,7 +156,7 @@ bool FileStore::create() {
     throw std::system_error{errno, std::generic_category(), "no lock"};
   }
   if (!fresh.commit_as_new()) return false;
-  lock_ = ::fcntl(fresh.descriptor(), F_DUPFD_CLOEXEC, 0);
+  lock_ = control_file(fresh.descriptor(), F_DUPFD_CLOEXEC);
   return true;
 }
 
@@ -196,7 +197,7 @@ bool FileStore::write() {
     if (::flock(fresh.descriptor(), LOCK_EX | LOCK_NB) != 0) return false;
     fresh.commit();
     release();
-    lock_ = ::fcntl(fresh.descriptor(), F_DUPFD_CLOEXEC, 0);
+    lock_ = control_file(fresh.descriptor(), F_DUPFD_CLOEXEC);
     return true;
   } catch (const std::system_error&) {
     return false;

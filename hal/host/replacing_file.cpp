@@ -17,6 +17,8 @@
 #include <system_error>
 #include <utility>
 
+#include "hal/host/system_call.hpp"
+
 namespace hal::host {
 namespace {
 
@@ -96,10 +98,10 @@ int open_with_reader(const std::string& target) {
   constexpr int kMostTries = 5000 / kPeriodMs;
   constexpr int kMode = O_WRONLY | O_CLOEXEC | O_NOCTTY;
   for (int i = 0;; ++i) {
-    const int file = ::open(target.c_str(), kMode | O_NONBLOCK);
+    const int file = open_file(target, kMode | O_NONBLOCK);
     if (file >= 0) {
-      const int flags = ::fcntl(file, F_GETFL);
-      if (::fcntl(file, F_SETFL, flags & ~O_NONBLOCK) != 0) errno = 0;
+      const int flags = control_file(file, F_GETFL);
+      if (control_file(file, F_SETFL, flags & ~O_NONBLOCK) != 0) errno = 0;
       return file;
     }
     if (errno != ENXIO || i >= kMostTries) return -1;
@@ -149,7 +151,7 @@ ReplacingFile::~ReplacingFile() {
 
 void ReplacingFile::open_in_place() {
   const auto own = own_stream(path_);
-  descriptor_ = own ? ::fcntl(*own, F_DUPFD_CLOEXEC, 0) : open_with_reader(target_);
+  descriptor_ = own ? control_file(*own, F_DUPFD_CLOEXEC) : open_with_reader(target_);
   if (descriptor_ < 0) fail(errno == ENXIO ? "nothing reads the pipe" : "cannot write");
 }
 
@@ -159,13 +161,13 @@ void ReplacingFile::open_beside() {
   const std::string folder = std::filesystem::path{target_}.parent_path().string();
   const SignalsHeldBack held_back;
   for (int i = 0; i < kMostNames; ++i) {
-    const std::string name =
-        ".kerfline-" + std::to_string(::getpid()) + "-" + std::to_string(count++) + ".part";
-    const std::string beside = folder.empty() ? name : folder + "/" + name;
-    descriptor_ = ::open(beside.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    std::string beside = folder.empty() ? folder : folder + "/";
+    beside.append(".kerfline-").append(std::to_string(::getpid()));
+    beside.append("-").append(std::to_string(count++)).append(".part");
+    descriptor_ = open_file(beside, O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (descriptor_ < 0 && errno == EEXIST) continue;
     if (descriptor_ < 0) fail("cannot create");
-    beside_ = beside;
+    beside_ = std::move(beside);
     keep_name(beside_);
     if (replaces_) take_mode_of_target();
     return;

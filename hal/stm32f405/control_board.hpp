@@ -105,8 +105,7 @@ class ChipBoard final : public ControlBoard {
   /// Below this supply the chip holds itself in reset (RM0090, 3.9.10 and the data sheet's VBOR):
   /// an option byte that stays as the board's maker or owner has set it.
   static const char* brown_out_level() {
-    static constexpr const char* kLevels[]{
-        "2.7 V", "2.4 V", "2.1 V", "1.8 V, BOR level 3 is safer"};
+    static constexpr std::array kLevels{"2.7 V", "2.4 V", "2.1 V", "1.8 V, BOR level 3 is safer"};
     return kLevels[Bus::read(flash::kOptions) >> flash::kBrownOutShift & 3U];
   }
 

@@ -84,6 +84,7 @@ std::optional<FileRole> file_role(const CLI::Option& option) {
   for (const auto& [role, mark] : kMarks) {
     try {
       // Not const in CLI11, though it changes nothing.
+      // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast)
       if (const_cast<CLI::Option&>(option).get_validator(mark) != nullptr) return role;
     } catch (const CLI::OptionNotFound&) {
       continue;

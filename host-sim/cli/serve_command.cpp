@@ -65,7 +65,7 @@ struct ServeOptions {
   MachineModel machine{};
 };
 
-void add_options(CLI::App& command, ServeOptions& options) {
+void add_ways_in(CLI::App& command, ServeOptions& options) {
   mark_file(
       command.add_option("--pty", options.pty, "A serial port under this name")->type_name("LINK"),
       FileRole::kKept);
@@ -100,6 +100,10 @@ void add_options(CLI::App& command, ServeOptions& options) {
           "The controller's number on a CAN bus: a setting, $859, that is 17 unless changed")
       ->check(in_whole_range(1, kLastNode))
       ->type_name("N");
+}
+
+void add_options(CLI::App& command, ServeOptions& options) {
+  add_ways_in(command, options);
   command.add_option("--speed", options.speed, "Machine seconds per second")
       ->check(in_range(0.01, 1000.0, "s per s"))
       ->type_name("N")

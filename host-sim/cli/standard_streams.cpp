@@ -1,6 +1,7 @@
 #include "host-sim/cli/standard_streams.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -9,16 +10,17 @@
 #include <cstring>
 #include <initializer_list>
 
+#include "hal/host/system_call.hpp"
 #include "host-sim/report/printable.hpp"
 
 namespace sim {
 
 void prepare_standard_streams() {
   for (const int number : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
-    if (::fcntl(number, F_GETFD) >= 0) continue;
+    if (hal::host::control_file(number, F_GETFD) >= 0) continue;
     // The wrong way round, so that using it fails; it gets the lowest number that is free.
     const int mode = number == STDIN_FILENO ? O_WRONLY : O_RDONLY;
-    if (::open("/dev/null", mode) != number) ::_exit(2);
+    if (hal::host::open_file("/dev/null", mode) != number) ::_exit(2);
   }
   static_cast<void>(std::signal(SIGPIPE, SIG_IGN));
   static_cast<void>(std::signal(SIGXFSZ, SIG_IGN));
@@ -31,14 +33,15 @@ bool finish_standard_output(int reason) {
   errno = 0;
   if (std::fflush(stdout) == 0 && !failed_before) return true;
   if (reason == 0) reason = errno;
-  static_cast<void>(std::fprintf(stderr,
-                                 "kerfline: standard output: %s\n",
-                                 reason == 0 ? "not all was written" : std::strerror(reason)));
+  print_error(fmt::format("standard output: {}",
+                          reason == 0 ? "not all was written" : std::strerror(reason))
+                  .c_str());
   return false;
 }
 
 void print_error(const char* reason) {
-  static_cast<void>(std::fprintf(stderr, "kerfline: %s\n", printable_line(reason).c_str()));
+  static_cast<void>(
+      std::fputs(fmt::format("kerfline: {}\n", printable_line(reason)).c_str(), stderr));
 }
 
 }  // namespace sim

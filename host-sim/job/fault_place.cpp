@@ -21,10 +21,10 @@ std::size_t first_word(std::string_view text, int line) {
   for (int before = 1; before < line && !text.empty(); ++before) drop_line(text);
   text = text.substr(0, text.find_first_of(kLineEnds));
   std::size_t column = text.find_first_not_of(" \t/");
-  if (column != text.npos && (text[column] == 'N' || text[column] == 'n')) {
+  if (column != std::string_view::npos && (text[column] == 'N' || text[column] == 'n')) {
     column = text.find_first_not_of(" \t0123456789", column + 1);
   }
-  return column == text.npos ? 0 : column + 1;
+  return column == std::string_view::npos ? 0 : column + 1;
 }
 
 Fault fault_of(const std::string& file,

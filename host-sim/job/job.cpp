@@ -155,6 +155,26 @@ class BeamMeter {
   EnergyMeter energy_;
 };
 
+/// The files of every step that are asked for.
+class StepFiles {
+ public:
+  StepFiles(const JobOutputs& outputs, Simulator& simulator) {
+    if (!outputs.trace.empty()) {
+      trace_ =
+          std::make_unique<TraceWriter>(outputs.trace, steps_per_mm<float>(simulator.settings()));
+      simulator.add_sink(*trace_);
+    }
+    if (!outputs.vcd.empty()) {
+      vcd_ = std::make_unique<VcdWriter>(outputs.vcd);
+      simulator.add_sink(*vcd_);
+    }
+  }
+
+ private:
+  std::unique_ptr<TraceWriter> trace_;
+  std::unique_ptr<VcdWriter> vcd_;
+};
+
 void draw(const PathRecorder& recorder,
           const Report& report,
           const JobOutputs& outputs,
@@ -202,16 +222,7 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
     tool.add_sink(teller);
     tool.add_sink(recorder);
   }
-  std::unique_ptr<TraceWriter> trace;
-  if (!outputs.trace.empty()) {
-    trace = std::make_unique<TraceWriter>(outputs.trace, steps_per_mm<float>(simulator.settings()));
-    simulator.add_sink(*trace);
-  }
-  std::unique_ptr<VcdWriter> vcd;
-  if (!outputs.vcd.empty()) {
-    vcd = std::make_unique<VcdWriter>(outputs.vcd);
-    simulator.add_sink(*vcd);
-  }
+  const StepFiles step_files{outputs, simulator};
 
   const RunResult result = simulator.run();
   Report report = report_on(job, program, result, path.refused, text);

@@ -32,7 +32,7 @@ class JudgedPath {
 
  private:
   void take_statement(std::string_view text);
-  void home(std::string_view axes);
+  void home(std::string_view letters);
 
   cnc::Settings settings_;
   Point position_;  ///< After the last piece.

@@ -93,7 +93,7 @@ class Preparation {
     if (text.find_first_of("Mm") != std::string_view::npos && ends_program(text)) end_line_ = line_;
   }
 
-  void blank(std::span<char> line, std::size_t from, std::size_t count) {
+  static void blank(std::span<char> line, std::size_t from, std::size_t count) {
     std::ranges::fill(line.subspan(from, count), ' ');
   }
 

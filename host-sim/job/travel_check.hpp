@@ -57,7 +57,7 @@ class TravelCheck {
     Overrun overrun{};
   };
 
-  void check(std::size_t axis, int line);
+  void check(std::size_t number, int line);
   [[nodiscard]] std::string text_of(std::size_t axis) const;
 
   cnc::AxisArray<Axis> axes_{};

@@ -27,6 +27,7 @@ class MachineReading {
   // Its parts know of each other.
   MachineReading(const MachineReading&) = delete;
   MachineReading& operator=(const MachineReading&) = delete;
+  ~MachineReading() = default;
 
   void take(std::size_t line, std::string_view text) {
     reader_.read_line(text, static_cast<int>(line));

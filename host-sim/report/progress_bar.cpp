@@ -19,6 +19,7 @@ namespace {
 /// Of the terminal; of anything else as many as are wanted.
 std::size_t columns_of(std::FILE* stream) {
   winsize size{};
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): that is how ioctl is declared.
   const bool is_known = ::ioctl(::fileno(stream), TIOCGWINSZ, &size) == 0 && size.ws_col != 0;
   return is_known ? size.ws_col : std::numeric_limits<std::size_t>::max();
 }

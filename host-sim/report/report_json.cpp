@@ -68,6 +68,7 @@ void add_axes(Json& json, const Report& report) {
 }
 
 /// Six decimals: a nanometre and a microsecond, far below what anything here is known to.
+/// A report is nested a few levels deep. NOLINTNEXTLINE(misc-no-recursion)
 void round_numbers(Json& json) {
   constexpr double kPerUnit = 1.0e6;
   constexpr double kMostRounded = 1.0e9;  // A double has no further decimals to round.

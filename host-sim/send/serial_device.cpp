@@ -10,6 +10,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "hal/host/system_call.hpp"
+
 namespace sim {
 
 using hal::host::checked;
@@ -44,8 +46,7 @@ std::optional<speed_t> speed_of(unsigned baud) {
 Descriptor open_serial_device(const std::string& device, unsigned baud) {
   const auto speed = speed_of(baud);
   if (!speed) throw std::invalid_argument(fmt::format("--baud {}: no serial port has it", baud));
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): that is how open is declared.
-  Descriptor port{::open(device.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)};
+  Descriptor port{hal::host::open_file(device, O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC)};
   checked(port.number(), device);
   if (::flock(port.number(), LOCK_EX | LOCK_NB) < 0) {
     throw std::invalid_argument(fmt::format("{}: another program uses it", device));

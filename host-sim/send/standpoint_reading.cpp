@@ -103,7 +103,7 @@ void StandpointReading::read_place(std::string_view line) {
   const bool inches = settings_.get(cnc::setting::kReportInches) != 0.0F;
   constexpr std::array<std::string_view, 9> kSystems{
       "G54", "G55", "G56", "G57", "G58", "G59", "G59.1", "G59.2", "G59.3"};
-  const auto system = std::ranges::find(kSystems, name);
+  const auto* const system = std::ranges::find(kSystems, name);
   if (system != kSystems.end()) {
     const auto index = static_cast<std::size_t>(system - kSystems.begin());
     if (index < places_.systems.size()) read_position(value, inches, places_.systems[index]);

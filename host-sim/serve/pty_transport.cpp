@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "hal/host/system_call.hpp"
+
 namespace sim {
 namespace {
 
@@ -38,8 +40,7 @@ std::string device_of(int master) {
 
 /// Only after it was open once does the kernel report that it is closed.
 void open_once(const std::string& device) {
-  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): that is how open is declared.
-  const Descriptor slave{::open(device.c_str(), O_RDWR | O_NOCTTY | O_CLOEXEC)};
+  const Descriptor slave{hal::host::open_file(device, O_RDWR | O_NOCTTY | O_CLOEXEC)};
   checked(slave.number(), device);
 }
 

@@ -40,7 +40,7 @@ std::string awaited_by_resume(const ServedJob& job,
                               std::string_view sender_kind,
                               const cnc::Machine& machine) {
   if (job.state() != ServedJob::State::kStopped) return "a job that was interrupted";
-  const std::string reason = awaited_by_both(job, sender_kind);
+  std::string reason = awaited_by_both(job, sender_kind);
   if (!reason.empty() || machine.state() == cnc::MachineState::kAlarm) return reason;
   return awaited_by_run(job, sender_kind, machine);
 }

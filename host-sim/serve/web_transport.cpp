@@ -86,9 +86,9 @@ void WebTransport::attend() {
 void WebTransport::accept_clients() {
   constexpr int kMostAtOnce = 16;
   for (int count = 0; count < kMostAtOnce; ++count) {
-    auto socket = accept_at(listener_);
-    if (!socket) return;
-    meet(std::move(*socket));
+    auto accepted = accept_at(listener_);
+    if (!accepted) return;
+    meet(std::move(*accepted));
   }
 }
 

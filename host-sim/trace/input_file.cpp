@@ -11,6 +11,8 @@
 #include <string_view>
 #include <system_error>
 
+#include "hal/host/system_call.hpp"
+
 namespace sim {
 namespace {
 
@@ -20,7 +22,8 @@ class OpenInput {
   explicit OpenInput(const std::string& file)
       : name_{name_of_input(file)},
         owned_{file != "-"},
-        descriptor_{owned_ ? ::open(file.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY) : STDIN_FILENO} {
+        descriptor_{owned_ ? hal::host::open_file(file, O_RDONLY | O_CLOEXEC | O_NOCTTY)
+                           : STDIN_FILENO} {
     if (descriptor_ < 0) fail();
   }
   ~OpenInput() {
@@ -58,7 +61,8 @@ bool is_binary(std::string_view text) {
   const std::string_view start = text.substr(0, kLookedAt);
   const auto strange = std::ranges::count_if(start, [](char letter) {
     constexpr std::string_view kBlanks = "\t\n\v\f\r\x1A\x1B";  // 0x1A ends files of DOS.
-    return static_cast<unsigned char>(letter) < ' ' && kBlanks.find(letter) == kBlanks.npos;
+    return static_cast<unsigned char>(letter) < ' ' &&
+           kBlanks.find(letter) == std::string_view::npos;
   });
   return strange >= kFewest && strange * kOneIn >= std::ssize(start);
 }
