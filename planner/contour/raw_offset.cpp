@@ -46,16 +46,26 @@ void RawOffset<Scalar>::add_join(const Curve<Scalar>& before, const Curve<Scalar
   const Scalar sine = cross(before.end_tangent, after.start_tangent);
   if (sine * distance_ < Scalar{0}) return;
   const Curve<Scalar> join = round_join(before, after, distance_);
-  if (closes(join.end - join.start)) return;
+  const Scalar bend = std::max(bend_of_moved(before), bend_of_moved(after));
+  if (closes(join.end - join.start, bend)) return;
   space_.raw[raw_count_++] = {join, kNone, kNone};
 }
 
-/// Whether ends of neighbours may be drawn together. The gap runs along both,
-/// so that half of it moves a curve aside by its square over 8 |distance|.
+/// Curvature, without its sign, of the element moved aside; 0 where nothing is left of it.
 template <typename Scalar>
-bool RawOffset<Scalar>::closes(const Vector& gap) const {
+Scalar RawOffset<Scalar>::bend_of_moved(const Curve<Scalar>& element) const {
+  if (is_used_up(element, distance_)) return Scalar{0};
+  return std::abs(moved_aside(element, distance_).curvature);
+}
+
+/// Whether ends of neighbours may be drawn together, of which the one that bends more has this
+/// curvature. The gap runs along both, so that half of it moves a curve aside by its square over
+/// eight times the radius: the curve's own, or |distance| where that is less.
+template <typename Scalar>
+bool RawOffset<Scalar>::closes(const Vector& gap, Scalar curvature) const {
   const Scalar square = gap.squaredNorm();
-  return square <= tolerance_.touch * std::max(tolerance_.touch, std::abs(distance_));
+  const Scalar bend = std::max(curvature, Scalar{1} / std::abs(distance_));
+  return square <= tolerance_.touch * tolerance_.touch || square * bend <= tolerance_.touch;
 }
 
 /// Ends that are one place, or meet along both curves; but nothing is turned
@@ -67,7 +77,8 @@ bool RawOffset<Scalar>::draws_together(const Curve<Scalar>& before,
   const Scalar size = gap.norm();
   if (size <= tolerance_.touch) return true;
   const Scalar bend = Scalar{1} - before.end_tangent.dot(after.start_tangent);
-  if (!closes(gap) || bend * std::abs(distance_) > tolerance_.touch) return false;
+  const Scalar curvature = std::max(std::abs(before.curvature), std::abs(after.curvature));
+  if (!closes(gap, curvature) || bend * std::abs(distance_) > tolerance_.touch) return false;
   const Scalar shorter =
       std::min((before.end - before.start).norm(), (after.end - after.start).norm());
   return gap.dot(before.end_tangent) >= Scalar{0} || Scalar{2} * size < shorter;

@@ -27,7 +27,8 @@ class RawOffset {
 
   void add_moved(const Curve<Scalar>& element);
   void add_join(const Curve<Scalar>& before, const Curve<Scalar>& after);
-  [[nodiscard]] bool closes(const Vector& gap) const;
+  [[nodiscard]] Scalar bend_of_moved(const Curve<Scalar>& element) const;
+  [[nodiscard]] bool closes(const Vector& gap, Scalar curvature) const;
   [[nodiscard]] bool draws_together(const Curve<Scalar>& before, const Curve<Scalar>& after) const;
   void link(std::uint32_t first_raw);
   std::uint32_t add_node(const Vector& place);
