@@ -170,7 +170,7 @@ class Preparation {
   }
 
   /// `N5 $G`: with a check a controller takes it, without one a statement has no number.
-  void blank_number_of_statement(std::span<char> line) {
+  static void blank_number_of_statement(std::span<char> line) {
     const std::string_view text{line.data(), line.size()};
     const std::size_t dollar = text.find('$');
     if (dollar == std::string_view::npos) return;

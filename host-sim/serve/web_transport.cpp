@@ -84,8 +84,8 @@ void WebTransport::attend() {
 }
 
 void WebTransport::accept_clients() {
-  constexpr int kMostAtOnce = 16;
-  for (int count = 0; count < kMostAtOnce; ++count) {
+  constexpr int kMostInATurn = 16;
+  for (int count = 0; count < kMostInATurn; ++count) {
     auto accepted = accept_at(listener_);
     if (!accepted) return;
     meet(std::move(*accepted));

@@ -3,6 +3,16 @@
 #include <cmath>
 
 namespace cnc::contour {
+namespace {
+
+/// Elements ahead that lie within a quarter of the distance: fewer are no crowd.
+constexpr std::uint32_t kCrowd = 8;
+/// Corners on each side that every curve is held against, and that one is whose neighbours
+/// covered an end of it.
+constexpr std::uint32_t kNear = 2;
+constexpr std::uint32_t kFar = 64;
+
+}  // namespace
 
 template <typename Scalar>
 bool CrowdTrim<Scalar>::keeps(Curve<Scalar>& raw, std::uint32_t element) const {

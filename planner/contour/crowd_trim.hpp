@@ -27,13 +27,6 @@ class CrowdTrim {
  private:
   using Vector = BasicVec2<Scalar>;
 
-  /// Elements ahead that lie within a quarter of the distance: fewer are no crowd.
-  static constexpr std::uint32_t kCrowd = 8;
-  /// Corners on each side that every curve is held against, and that one is whose neighbours
-  /// covered an end of it.
-  static constexpr std::uint32_t kNear = 2;
-  static constexpr std::uint32_t kFar = 64;
-
   [[nodiscard]] bool is_crowded(std::uint32_t element) const;
   [[nodiscard]] bool covers(const Vector& corner, const Vector& place) const;
   [[nodiscard]] bool trim(Curve<Scalar>& raw, const Vector& corner, bool& shortened) const;
