@@ -5,7 +5,7 @@
 
 namespace proof {
 
-/// An edge with the beam on: where the motors are, mm, and the output.
+/// An edge with the beam on: where the tool is, mm, and the output.
 struct Burnt {
   double x = 0.0;
   double y = 0.0;

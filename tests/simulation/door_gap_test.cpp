@@ -5,10 +5,13 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "host-sim/machine/play_model.hpp"
+#include "host-sim/measure/tool_trace.hpp"
 #include "tests/simulation/burnt_path.hpp"
 #include "tests/simulation/door_jobs.hpp"
 #include "tests/support/machine_bench.hpp"
@@ -49,8 +52,7 @@ const std::vector<Variant> kVariants{
     {.name = "jerk, homed", .jerk = true, .homed = true},
     {.name = "jerk, homed, by speed", .mode = "M4", .pin = true, .jerk = true, .homed = true},
     {.name = "held before", .held = true},
-    // Places are those of the motors, which the play puts ahead of the tool or behind it.
-    {.name = "backlash", .settings = {{160, 0.05}, {161, 0.03}}, .most_beside = 0.03 + 0.06},
+    {.name = "backlash", .settings = {{160, 0.05}, {161, 0.03}}},
     {.name = "beam delays", .settings = {{855, 400}, {856, 300}, {857, -500}}},
     {.name = "shapers alike",
      .mode = "M4",
@@ -85,7 +87,11 @@ class Cut : private sim::TraceSink {
     }
     bench_.send("G21 G90 G17");
     bench_.send(std::string{variant.mode} + " S1000 F12000");
-    bench_.controller.add_sink(*this);
+    sim::PlayModel play{model()};
+    play.place(bench_.machine().settings());
+    tool_.emplace(play);
+    tool_->add_sink(*this);
+    bench_.controller.add_sink(*tool_);
     for (std::size_t axis = 0; axis < 2; ++axis) from_[axis] = bench_.motor(axis);
   }
 
@@ -173,6 +179,7 @@ class Cut : private sim::TraceSink {
   const DoorJob& job_;
   bool jerk_;
   MachineBench bench_;
+  std::optional<sim::ToolTrace> tool_;  ///< What burns is the tool, and not the motors.
   std::array<std::int32_t, 2> from_{};
   std::size_t next_ = 0;
 };
