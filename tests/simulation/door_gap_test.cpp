@@ -52,7 +52,10 @@ const std::vector<Variant> kVariants{
     {.name = "jerk, homed", .jerk = true, .homed = true},
     {.name = "jerk, homed, by speed", .mode = "M4", .pin = true, .jerk = true, .homed = true},
     {.name = "held before", .held = true},
-    {.name = "backlash", .settings = {{160, 0.05}, {161, 0.03}}},
+    // Where an axis turns, half of its play lies on either side of the path until it is taken up.
+    {.name = "backlash",
+     .settings = {{160, 0.05}, {161, 0.03}},
+     .most_beside = 0.03 + std::hypot(0.5 * 0.05, 0.5 * 0.03)},
     {.name = "beam delays", .settings = {{855, 400}, {856, 300}, {857, -500}}},
     {.name = "shapers alike",
      .mode = "M4",
