@@ -38,7 +38,7 @@ void Line::log(char way, std::string_view words) {
                    static_cast<double>(now().count()) / 1e3,
                    way,
                    words);
-    file->drain_when_full();
+    file->drain();
   } catch (const std::system_error& error) {
     drop_log(error);
   }

@@ -13,7 +13,7 @@ namespace sim {
 /// A file being written through one large buffer, beside its target until `close()`.
 ///
 /// Every failure of the file system is a std::system_error whose text names the
-/// file. Text reaches the disk when the buffer is full and at `close()`;
+/// file. Text reaches the disk when the buffer is full, at `drain()` and at `close()`;
 /// destroyed without `close()` (an exception is under way), the target stays as it was.
 class OutputFile {
  public:
@@ -27,14 +27,14 @@ class OutputFile {
     if (buffer_.size() >= kDrainAt) drain();
   }
 
+  /// Writes what is in the buffer to the file beside the target: a killed process leaves that much.
+  void drain();
   /// Writes what is left and takes the place of the target; a second call does nothing.
   void close();
 
  private:
   /// Large enough that the calls of the system do not show in a profile.
   static constexpr std::size_t kDrainAt = std::size_t{1} << 18;
-
-  void drain();
 
   hal::host::ReplacingFile file_;
   fmt::memory_buffer buffer_;

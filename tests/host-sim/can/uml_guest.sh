@@ -19,10 +19,12 @@ echo 4194304 >/proc/sys/net/core/rmem_max
 echo 4194304 >/proc/sys/net/core/rmem_default
 exec >guest.log 2>&1 </dev/null
 
-# until_seen WORD FILE [TIMES]: at most a minute.
+# until_seen WORD FILES [TIMES]: at most a minute. A log that is being written is a hidden file.
+writing='.kerfline-*.part'
 until_seen() {
   tries=600
-  until [ "$(cat "$2" 2>/dev/null | grep -c -- "$1")" -ge "${3:-1}" ] || [ $tries -eq 0 ]; do
+  # shellcheck disable=SC2086  # FILES may be a pattern.
+  until [ "$(cat $2 2>/dev/null | grep -c -- "$1")" -ge "${3:-1}" ] || [ $tries -eq 0 ]; do
     sleep 0.1
     tries=$((tries - 1))
   done
@@ -74,7 +76,7 @@ end_serving
 serve stop --speed 2
 send stop sheet_8877.nc &
 sender=$!
-until_seen '<Run' stop.sent 8
+until_seen '<Run' "$writing" 8
 cansend vcan0 000#0200
 wait $sender
 end_serving
@@ -84,12 +86,13 @@ end_serving
 serve lost --speed 2
 "$KERFLINE" send "$EXAMPLES/sheet_8877.nc" --can vcan0 --log killed.sent >/dev/null 2>&1 &
 sender=$!
-until_seen '<Run' killed.sent 5
+until_seen '<Run' "$writing" 5
 kill -9 $sender
+rm -f .kerfline-$sender-*.part
 until_seen ' 091 .* 30 81 ' lost.candump
 send down sheet_8877.nc &
 sender=$!
-until_seen '<Run' down.sent 5
+until_seen '<Run' "$writing" 5
 ip link set vcan0 down
 wait $sender
 sleep 2

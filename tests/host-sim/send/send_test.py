@@ -144,10 +144,14 @@ class SendTest(served.ServeTest):
         self.assertIn("is gone", err)
 
     def check_dark_when_killed(self, server, *where):
-        process = self.start(self.program_file(["G91 G1 X200 F1200 M3 S500"]), *where)
+        log = self.folder / "log"
+        process = self.start(self.program_file(["G91 G1 X200 F1200 M3 S500"]), *where, "--log", log)
         time.sleep(2.0)
         process.send_signal(signal.SIGKILL)
         process.communicate(timeout=20)
+        self.assertFalse(log.exists())
+        so_far = next(self.folder.glob(f".kerfline-{process.pid}-*.part"))
+        self.assertIn("<Run|", so_far.read_text())
         time.sleep(1.0)
         before = self.where(server)
         time.sleep(1.0)
