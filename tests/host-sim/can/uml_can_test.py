@@ -62,10 +62,10 @@ def places(row):
     return row[1].rpartition(",")[0]
 
 
-def times_of(path, kind, words=""):
+def times_of(path, kinds, words=""):
     """When this was exchanged, in the controller's ns."""
     return [int(line.split(" ", 2)[1]) for line in path.read_text().splitlines()
-            if line.startswith(kind + " ") and words in line]
+            if line[0] in kinds and words in line]
 
 
 def frames_of(path):
@@ -189,10 +189,10 @@ class UmlCanTest(unittest.TestCase):
         self.assertEqual(self.text("down.exit"), "1\n")
         self.assertIn("can vcan0 is gone", self.text("down.err"))
         self.assertEqual(self.text("again.exit"), "0\n", self.text("again.err"))
-        lost = times_of(self.folder / "lost.record", ">", "\\x84")
+        lost = times_of(self.folder / "lost.record", ">^", "\\x84")
         self.assertEqual(len(lost), 3)  # Killed, down, and the one who was done.
         rows = trace_rows(self.folder / "lost.trace")
-        resets = times_of(self.folder / "lost.record", ">", "\\x18")
+        resets = times_of(self.folder / "lost.record", ">^", "\\x18")
         for time in lost:
             begun = min([reset for reset in resets if reset > time] + [rows[-1][0]])
             lit = [row for row in rows if time + 2 * MILLISECOND < row[0] < begun and duty(row) > 0]
