@@ -6,8 +6,8 @@
 
 namespace hal::host {
 
-/// The calls of the system that are declared with an ellipsis, each with what Kerfline gives it. They
-/// return -1 and set errno where they fail.
+/// The calls of the system that are declared with an ellipsis. They return -1 and set errno where
+/// they fail.
 [[nodiscard]] int open_file(const std::string& path, int flags, ::mode_t mode = 0);
 [[nodiscard]] int control_file(int descriptor, int command, int argument = 0);
 
