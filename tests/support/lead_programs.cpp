@@ -157,7 +157,7 @@ LeadSize random_size(Random& random, double radius) {
 /// in; the first is on the outline, the last where the lead begins or ends.
 std::vector<LeadStep> lead_points(Lead lead, const LeadSize& size) {
   const auto [radius, line, second, arc, slant, turn] = size;
-  const auto beyond = [&](double a, double b, double direction) {
+  const auto beyond = [line = line, turn = turn](double a, double b, double direction) {
     return LeadStep{a + line * std::cos(direction + turn), b + line * std::sin(direction + turn)};
   };
   switch (lead) {
