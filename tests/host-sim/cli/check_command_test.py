@@ -53,7 +53,10 @@ class Check(unittest.TestCase):
         self.assertRegex(done.stdout, r"-:3:7: X needs 60\.000 mm of travel, \$130 allows 50")
 
     def test_check_needs_no_memory_for_lines_that_it_has_read(self):
-        """A file has 24 bytes a line; beside its text 20 bytes a line are allowed, 10^7 lines in 1 GB."""
+        """A file has 24 bytes a line; beside its text 20 bytes a line are allowed, 10^7 lines in 1 GB.
+        The release build is measured: a sanitizer keeps what is freed."""
+        if b"__asan_init" in pathlib.Path(KERFLINE).read_bytes():
+            return
         peaks = []
         for lines in (20_000, 220_000):
             job = self.folder / "long.nc"

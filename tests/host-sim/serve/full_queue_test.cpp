@@ -14,6 +14,7 @@
 #include "tests/host-sim/serve/scheduling_delay.hpp"
 #include "tests/host-sim/serve/server_bench.hpp"
 #include "tests/host-sim/trace/scratch_file.hpp"
+#include "tests/support/sanitized.hpp"
 
 namespace sim {
 namespace {
@@ -22,7 +23,8 @@ using Clock = ServerBench::Clock;
 using Way = FarSender::Way;
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
-constexpr Milliseconds kLimit{20.0};
+/// Of the product. What a sanitizer watches does the same work in up to five times the time.
+constexpr Milliseconds kLimit{proof::kSanitized ? 100.0 : 20.0};
 /// From less than the controller announces to more than any buffer on the way holds.
 constexpr std::array<std::size_t, 6> kFills{600, 3'000, 5'000, 20'000, 200'000, 8'000'000};
 
