@@ -139,6 +139,16 @@ TEST_F(AcknowledgementsTest, EveryLineHasOneWhateverEndsItAndHoweverItArrives) {
   }
 }
 
+/// Senders ask for the status at any time, in the middle of a line's end, too.
+TEST_F(AcknowledgementsTest, ALineHasOneWhateverActsBetweenItsCrAndLf) {
+  for (const std::string byte : {"?", "~", "\x83", "\x87", "\x91", "\xA3", "\xC2\x91", "?\x91~"}) {
+    link.outgoing.clear();
+    stream("G21\r" + byte + "\nG90\r\n");
+    run(20);
+    EXPECT_EQ(answers(), (std::vector<std::string>{"ok", "ok"})) << testing::PrintToString(byte);
+  }
+}
+
 TEST_F(AcknowledgementsTest, TheProbeResultComesBeforeItsAnswer) {
   plate = [](const auto& position) { return position[2] <= -250; };
   send("G38.2 Z-5 F100");

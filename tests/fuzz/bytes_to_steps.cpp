@@ -25,6 +25,7 @@
 #include <utility>
 
 #include "firmware/application.hpp"
+#include "firmware/link/realtime_byte.hpp"
 #include "firmware/machine/travel.hpp"
 #include "hal/host/memory_store.hpp"
 #include "hal/host/recording_port.hpp"
@@ -124,8 +125,17 @@ class BytesLink final : public hal::ByteStream {
     resets |= (bits & 24U) != 0;
   }
 
+  /// A byte that acts at once leaves the stream, so that CR and LF on either side of it end one
+  /// line. Those above ASCII may come as characters of two bytes, the first of which is 0xC2.
   void count_line_end(char character) {
-    const bool pair = character == '\n' && after_return_;
+    const auto byte = static_cast<std::uint8_t>(character);
+    const bool lead_before = std::exchange(after_lead_, false);
+    if (after_return_) {
+      const bool continues = (byte & 0xC0U) == 0x80;
+      after_lead_ = byte == 0xC2 && !lead_before;
+      if (continues || after_lead_ || (!lead_before && cnc::is_ascii_realtime(byte))) return;
+    }
+    const bool pair = character == '\n' && after_return_ && !lead_before;
     after_return_ = character == '\r';
     if ((character == '\n' && !pair) || character == '\r') ++lines;
   }
@@ -148,6 +158,7 @@ class BytesLink final : public hal::ByteStream {
   std::string_view token_{};  ///< Its bytes that are left.
   std::string setting_;       ///< The last token that is no constant.
   bool after_return_ = false;
+  bool after_lead_ = false;
   std::string line_;
 };
 
