@@ -28,7 +28,7 @@ class ToolChange {
 
   /// What waits of the program.
   struct Job {
-    std::optional<gcode::Interpreter> interpreter{};  ///< Of the program's own lines.
+    std::optional<gcode::Interpreter> interpreter{};  ///< The program goes on with it.
     gcode::Actions waiting{};  ///< Views the machine's interpreter, as it will be again.
     motion::OutputChanges with_next_motion{};
     Position place{};  ///< Of the tool, machine coordinates.

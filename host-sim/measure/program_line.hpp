@@ -8,7 +8,7 @@
 
 namespace sim {
 
-/// Of a length that a program, or a report in inches, gives.
+/// Converts lengths of programs and reports that are in inches.
 inline constexpr double kMillimetresPerInch = 25.4;
 
 /// One line of a program, taken apart but not yet understood.

@@ -14,7 +14,7 @@ namespace sim {
 /// A program that the page has opened, ready to be sent. It takes a small multiple of its file's
 /// size.
 struct ServedProgram {
-  std::string id;  ///< Of name and content.
+  std::string id;  ///< A check sum of name and content.
   std::string name;
   std::string text;  ///< As prepare_program() leaves it.
   JobLines lines{true};

@@ -27,7 +27,7 @@ class TcpConnection final : public Connection {
     return 0;
   }
 
-  /// Of a stream that is not read yet, its end shows when nothing comes before it.
+  /// Looks ahead as well: a sender that left without a word is seen before it is read.
   bool open() override {
     std::byte first{};
     if (open_ && ::recv(socket_.number(), &first, 1, MSG_PEEK | MSG_DONTWAIT) == 0) open_ = false;

@@ -182,7 +182,7 @@ class Cut : private sim::TraceSink {
   const DoorJob& job_;
   bool jerk_;
   MachineBench bench_;
-  std::optional<sim::ToolTrace> tool_;  ///< What burns is the tool, and not the motors.
+  std::optional<sim::ToolTrace> tool_;  ///< Follows the tool: with play, the motors run ahead.
   std::array<std::int32_t, 2> from_{};
   std::size_t next_ = 0;
 };

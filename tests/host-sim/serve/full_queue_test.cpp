@@ -23,7 +23,7 @@ using Clock = ServerBench::Clock;
 using Way = FarSender::Way;
 using Milliseconds = std::chrono::duration<double, std::milli>;
 
-/// Of the product. What a sanitizer watches does the same work in up to five times the time.
+/// The product has 20 ms. Code that a sanitizer instruments takes up to five times as long.
 constexpr Milliseconds kLimit{proof::kSanitized ? 100.0 : 20.0};
 /// From less than the controller announces to more than any buffer on the way holds.
 constexpr std::array<std::size_t, 6> kFills{600, 3'000, 5'000, 20'000, 200'000, 8'000'000};
