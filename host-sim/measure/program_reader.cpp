@@ -25,6 +25,7 @@ constexpr std::size_t kMostReadNotes = 1000;
 constexpr double kNoCircle = 0.5e-6;
 
 constexpr std::array kStopWords{0, 1, 2, 30};
+constexpr int kToolChangeWord = 6;
 constexpr std::array kSpindleWords{3, 4, 5};
 constexpr std::array kCoolantWords{7, 8, 9};
 constexpr std::array kOutputWords{62, 63, 64, 65, 67, 68};
@@ -89,7 +90,9 @@ void ProgramReader::apply_spindle(const ProgramLine& line) {
 
 void ProgramReader::apply_outputs(const ProgramLine& line) {
   for (const int m : line.m) {
-    if (contains(kCoolantWords, m)) {
+    if (m == kToolChangeWord) {
+      stop_pending_ = true;
+    } else if (contains(kCoolantWords, m)) {
       stop_pending_ = stop_pending_ || options_.stop_at_coolant;
     } else if (contains(kOutputWords, m)) {
       stop_pending_ = stop_pending_ || options_.stop_at_output;

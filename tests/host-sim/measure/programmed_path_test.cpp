@@ -99,7 +99,7 @@ TEST(ReadProgram, ReadsFromAStreamAndStopsAtTheEnd) {
 }
 
 TEST(ReadProgram, NotesWhatItDoesNotUnderstand) {
-  const ProgrammedPath path = read_program("G6 X1\nG0 X2\nM6 T1\nG1 X-- Y5\n");
+  const ProgrammedPath path = read_program("G6 X1\nG0 X2\nM77 T1\nG1 X-- Y5\n");
   EXPECT_THAT(ends(path), ElementsAre(Point{2}));
   ASSERT_EQ(path.notes.size(), 3U);
   EXPECT_EQ(path.notes[0].line, 1);
@@ -236,6 +236,7 @@ TEST(ReadProgram, StopsWhereTheMachineStandsStill) {
   EXPECT_EQ(stops("F9 G1 X1\nX2\nG4 P1\nX3\nM0\nX4\nM1\nX5\nX6 M0\nX7\n", {}),
             "|-||--|"
             "");
+  EXPECT_EQ(stops("F9 G1 X1\nT2 M6\nX2\nX3\nM6 X4\n", {}), "||-|");
   EXPECT_EQ(stops("F9 M3 S5 G1 X1\nS6 X2\nX3\nM5 X4\n", {}), "||-|");
   EXPECT_EQ(stops("F9 M3 S5 G1 X1\nS6 X2\nX3\nM5 X4\n", {.laser_mode = true}), "|--|");
   EXPECT_EQ(stops("F9 G1 X1\nM8\nX2\nM62 P1\nX3\n", {}), "|--");
