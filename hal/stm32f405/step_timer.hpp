@@ -132,17 +132,20 @@ class StepTimer {
   void step(const Play& play) noexcept {
     edge_made_ = false;
     pulse_ended_ = false;
-    std::uint32_t wait = running_ ? play() : 0;
+    const std::uint32_t wait = running_ ? play() : 0;
     running_ = wait != 0;
-    if (!running_) {
-      due_ = now();
-      wait = kRestTicks;
-    }
+    if (!running_) return rest();
     due_ = due_.plus(wait);
     if (!pulse_ended_) pulse_ = wait;
     const std::uint32_t least = pulse_ended_ && pulse_ < wait ? pulse_ : wait;
     const TickCount after_edge = edge_.plus(least + 1);  // Its tick was not a whole one.
     comes_ = edge_made_ && after_edge.reached(due_) ? after_edge : due_;
+    Bus::write(timer::kTim2 + timer::compare(1), comes_.raw());
+  }
+
+  /// What is driven at rest belongs to the boundary before it, so due_ stays.
+  void rest() noexcept {
+    comes_ = now().plus(kRestTicks);
     Bus::write(timer::kTim2 + timer::compare(1), comes_.raw());
   }
 

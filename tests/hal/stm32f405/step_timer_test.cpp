@@ -193,6 +193,19 @@ TEST_F(StepTimerTest, WhatIsDueBeforeABoundaryIsPlayedBeforeIt) {
   EXPECT_EQ(std::vector<int>{2}, order_);
 }
 
+/// An output that changes at rest belongs to a boundary, and the sign of life comes between two.
+TEST_F(StepTimerTest, ASignOfLifeAtRestLeavesTheTickOfTheLastBoundary) {
+  start_at(12'000);
+  interrupt_at(12'000, 0);
+  constexpr std::uint32_t kSignOfLife = 12'000 + StepTimer<ModelBus>::kRestTicks;
+  for (std::uint32_t boundary = 16'000; boundary <= kSignOfLife; boundary += kTurn) {
+    pass_boundary(boundary, [] {});
+  }
+  EXPECT_EQ(kSignOfLife + 3 + StepTimer<ModelBus>::kRestTicks, interrupt_at(kSignOfLife + 3, 0));
+  EXPECT_EQ(kSignOfLife, timer_.due().raw());
+  EXPECT_EQ(1, played_);
+}
+
 TEST_F(StepTimerTest, BoundariesThatAreLateAreAllPassed) {
   chip_.cells[kCount] = 100;
   timer_.begin_turns();
