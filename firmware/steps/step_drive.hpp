@@ -40,7 +40,8 @@ class StepDrive {
   /// At once, without waiting for a boundary: ends motion at once, where it is, and drops what
   /// waits. The motors may lose steps when they were fast.
   virtual void abort() = 0;
-  /// True once after motion was cut off because no segment came in time.
+  /// True once after motion was cut off because no segment came in time. Nothing moves from then on
+  /// until abort() has dropped what waits.
   [[nodiscard]] virtual bool take_starved() = 0;
 
   /// Turns that took so long that motion may have begun later than it should.

@@ -190,6 +190,8 @@ class StepGenerator final : public StepDrive {
                      .rest_power = rest_power_});
   }
   [[nodiscard]] std::uint32_t late_turns() const override { return gate_.late(); }
+  /// At the last boundary: turns that were due and not over.
+  [[nodiscard]] std::uint32_t turns_behind() const { return gate_.behind(); }
 
   // Step interrupt.
 
@@ -229,7 +231,7 @@ class StepGenerator final : public StepDrive {
   void begin_turn_at_rest() noexcept {
     if (abort_.load(std::memory_order_relaxed)) static_cast<void>(drop_everything());
     beam_.drive_rest();
-    if (queue_.empty()) return;
+    if (ran_dry_.load(std::memory_order_relaxed) || queue_.empty()) return;
     running_.store(true, std::memory_order_relaxed);
     port_.start_timer();
   }
@@ -247,7 +249,8 @@ class StepGenerator final : public StepDrive {
             .switches_found = switches_.found(),
             .switches_half_found =
                 static_cast<std::uint8_t>(switches_.gates().first | switches_.gates().second),
-            .running = running_.load(std::memory_order_relaxed),
+            .running = running_.load(std::memory_order_relaxed) ||
+                       ran_dry_.load(std::memory_order_relaxed),
             .probe_hit = probe_hit_.load(std::memory_order_relaxed)};
   }
 
@@ -386,16 +389,18 @@ class StepGenerator final : public StepDrive {
     if (switches_.active()) switches_.look(port_.switches(), position);
   }
 
+  /// Cut off in motion, it stays where it is: the main loop may be handing over the rest.
   [[gnu::noinline]] std::uint32_t come_to_rest() noexcept {
     if (!comes_to_rest_) {
       starved_.store(starved_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
-      beam_.drop();
+      ran_dry_.store(true, std::memory_order_relaxed);
     }
     return stop();
   }
 
   [[gnu::noinline]] std::uint32_t drop_everything() noexcept {
     abort_.store(false, std::memory_order_relaxed);
+    ran_dry_.store(false, std::memory_order_relaxed);
     urgent_.store(beam_.blocked(), std::memory_order_relaxed);
     queue_.publish_all();
     while (const PlayableSegment* const dropped = queue_.front()) {
@@ -441,6 +446,7 @@ class StepGenerator final : public StepDrive {
   bool probe_contact_ = true;
   std::atomic<bool> running_{false};
   std::atomic<std::uint32_t> starved_{0};  ///< Times.
+  std::atomic<bool> ran_dry_{false};       ///< Starved, and not aborted since then.
   SwitchWatch switches_{};
   AxisArray<std::int32_t> probe_position_{};
   std::atomic<std::uint32_t> begun_ticks_{0};

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <atomic>
+#include <bit>
 #include <cstdint>
 
 #include "hal/interface/spsc_ring.hpp"
@@ -48,20 +49,25 @@ struct Handover {
 ///
 /// So what the machine does follows from what was there at each boundary, and not from how long
 /// the processor took in between. A turn that is not over kTurnsToMotion boundaries after its own
-/// is late: that is counted, and what it hands over comes in with a later one.
+/// is late: that is counted, what older turns have handed over comes in without it, and it comes in
+/// at the first boundary after its end.
 class TurnGate {
  public:
   // Step interrupt, once at each boundary, in this order.
 
-  /// What the turn kTurnsToMotion boundaries ago has handed over; null when it is late.
+  /// The newest that was handed over by a turn whose boundary was kTurnsToMotion ago or more; null
+  /// before there can be one.
   [[nodiscard]] const Handover* due() noexcept {
-    const std::uint32_t turn = begun_ - kTurnsToMotion;
-    const Slot& slot = slots_[turn % kSlots];
-    const bool over = slot.ends.load(std::memory_order_acquire) == turn + 1;
-    if (!over && begun_ >= kTurnsToMotion) {
-      late_.store(late_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+    const std::uint32_t due = begun_ - kTurnsToMotion;
+    const std::uint32_t count = handed_over_.load(std::memory_order_acquire);
+    for (std::uint32_t back = 1; back <= kTurnsToMotion; ++back) {
+      const Handover& content = handovers_[(count - back) % kHandovers];
+      const std::uint32_t behind = due - content.turn;
+      if (static_cast<std::int32_t>(behind) < 0) continue;
+      note_late(behind);
+      return &content;
     }
-    return over ? &slot.content : nullptr;
+    return nullptr;
   }
   /// A view that finds no room is lost, and its turn is not run. Returns the turn's number.
   std::uint32_t show(StepView view) noexcept {
@@ -74,32 +80,43 @@ class TurnGate {
 
   /// The next turn to be run; false when it has not begun.
   [[nodiscard]] bool take(StepView& view) { return views_.try_pop(view); }
+  /// @param content of a later turn than all before
   void hand_over(const Handover& content) {
-    Slot& slot = slots_[content.turn % kSlots];
-    slot.content = content;
-    slot.ends.store(content.turn + 1, std::memory_order_release);
+    const std::uint32_t count = handed_over_.load(std::memory_order_relaxed);
+    handovers_[count % kHandovers] = content;
+    handed_over_.store(count + 1, std::memory_order_release);
   }
   /// Also of what was handed over before.
   void replace_rest_power(std::uint16_t power) {
-    for (Slot& slot : slots_) slot.content.rest_power = power;
+    for (Handover& content : handovers_) content.rest_power = power;
   }
 
-  /// Any context: turns that were late.
+  // Any context.
+
+  /// Boundaries at which the turn that was due was not over.
   [[nodiscard]] std::uint32_t late() const { return late_.load(std::memory_order_relaxed); }
+  /// At the last boundary: turns that were due and not over; 0 when none was late.
+  [[nodiscard]] std::uint32_t behind() const { return behind_.load(std::memory_order_relaxed); }
 
  private:
-  /// Of the turns that may be under way or wait to be let in.
-  static constexpr std::uint32_t kSlots = 8;
-  static_assert(kTurnsToMotion < kSlots);
+  static constexpr std::uint32_t kViews = 16;  ///< Of turns that have begun and were not run yet.
+  /// One is written while the interrupt looks past those of the turns after the one that is due.
+  static constexpr std::uint32_t kHandovers = 4;
+  static_assert(kHandovers > kTurnsToMotion && std::has_single_bit(kHandovers));
+  /// Of the turn before the first: nothing was handed over.
+  static constexpr Handover kNothing{.turn = ~0U};
 
-  struct Slot {
-    Handover content{};
-    std::atomic<std::uint32_t> ends{0};  ///< The turn's number and 1; 0: none yet.
-  };
+  void note_late(std::uint32_t behind) noexcept {
+    behind_.store(behind, std::memory_order_relaxed);
+    if (behind == 0) return;
+    late_.store(late_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
+  }
 
-  std::array<Slot, kSlots> slots_{};
-  hal::SpscRing<StepView, kSlots> views_{};
+  std::array<Handover, kHandovers> handovers_{kNothing, kNothing, kNothing, kNothing};
+  std::atomic<std::uint32_t> handed_over_{0};  ///< Runs freely.
+  hal::SpscRing<StepView, kViews> views_{};
   std::atomic<std::uint32_t> late_{0};
+  std::atomic<std::uint32_t> behind_{0};
   std::uint32_t begun_ = 0;
 };
 

@@ -30,6 +30,8 @@ extern Application application;
 
 /// For a debugger: boundaries so far at which what was due to come in was not there yet.
 extern "C" std::uint32_t late_turns;
+/// For a debugger, written before that: how many turns were due and not over at the last boundary.
+extern "C" std::uint32_t turns_behind;
 
 /// Instantiated in stm32f405_steps.cpp, which is compiled for speed on every board.
 extern template class cnc::StepGenerator<target::Port, target::Application::kSegmentQueue>;

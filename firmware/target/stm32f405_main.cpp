@@ -174,6 +174,7 @@ void run_turn() {
 }  // namespace target
 
 std::uint32_t late_turns = 0;
+std::uint32_t turns_behind = 0;
 
 using namespace target;
 

@@ -10,6 +10,7 @@ namespace {
 /// A turn begins, with what has come by now.
 void begin_turn() {
   const std::uint32_t turn = target::steps.begin_turn();
+  turns_behind = target::steps.turns_behind();
   late_turns = target::steps.late_turns();
   target::line.note_turn(turn);
   target::usb_line.note_turn(turn);

@@ -27,6 +27,7 @@ VirtualController::VirtualController(hal::ByteStream& link,
 void VirtualController::turn() {
   begin_turn();
   if (hangs_ms_ == 0) {
+    CNC_ASSERT(take_turn());
     run_turn();
   } else if (--hangs_ms_ == 0) {
     restart();
@@ -41,8 +42,11 @@ void VirtualController::begin_turn() {
   firmware_->begin_turn();
 }
 
+std::optional<std::uint32_t> VirtualController::take_turn() {
+  return firmware_->take_turn() ? std::optional{firmware_->turn()} : std::nullopt;
+}
+
 void VirtualController::run_turn() {
-  CNC_ASSERT(firmware_->take_turn());
   firmware_->run_turn(hal::TickCount{firmware_->turn() * cnc::kTurnUs});
   if (!firmware_->check_memory()) restart();
 }

@@ -46,11 +46,14 @@ class VirtualController {
   /// One turn of the main loop and the interrupts of the millisecond after it.
   void turn();
 
-  // The same in parts, for whoever has the main loop come late.
+  // The same in parts, for tests in which the main loop comes late.
 
   /// The boundary of a turn.
   void begin_turn();
-  /// What the main loop does in the oldest turn that has begun and was not run; there is one.
+  /// The main loop turns to the oldest turn that has begun and was not taken: its number, as
+  /// boundaries before its own; none when there is none.
+  [[nodiscard]] std::optional<std::uint32_t> take_turn();
+  /// What the main loop does in the turn taken last.
   void run_turn();
   /// The interrupts of the millisecond after the boundary.
   void pass_turn() { advance_to(now_ + kTicksPerTurn); }

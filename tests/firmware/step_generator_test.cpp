@@ -38,13 +38,26 @@ TEST_F(StepGeneratorTest, IsNotStarvedByARestBetweenMoves) {
   EXPECT_EQ(port.position[0], 80);
 }
 
-TEST_F(StepGeneratorTest, StartsAgainAfterHavingStarved) {
-  generator.push(even(4000, 40));
+/// The rest of a motion that was cut off would begin at full speed, and with its light.
+TEST_F(StepGeneratorTest, StaysWhereItStarvedUntilItIsAborted) {
+  motion::Segment segment = even(4000, 40);
+  segment.power.first = 50'000;
+  generator.push(segment);
   run();
-  generator.push(last(even(4000, 40)));
+  segment.comes_to_rest = true;
+  generator.push(segment);
   run();
+  EXPECT_EQ(port.position[0], 40);
+  EXPECT_EQ(port.power, 0);
   EXPECT_TRUE(generator.take_starved());
-  EXPECT_EQ(port.position[0], 80);
+  EXPECT_TRUE(generator.running());
+  generator.abort();
+  run();
+  EXPECT_FALSE(generator.running());
+  generator.push(segment);
+  run();
+  EXPECT_EQ(port.position[0], 80) << "what waited was dropped";
+  EXPECT_FALSE(generator.take_starved());
   EXPECT_FALSE(generator.running());
 }
 

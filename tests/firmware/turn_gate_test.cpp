@@ -45,12 +45,45 @@ TEST_F(TurnGateTest, WhatATurnHandsOverComesInThreeBoundariesLaterHoweverLateItI
 TEST_F(TurnGateTest, ALateTurnIsCountedAndComesInWithALaterOne) {
   for (int i = 0; i < 4; ++i) boundary();
   EXPECT_EQ(gate.late(), 1U) << "turn 0 is not over at boundary 3";
+  EXPECT_EQ(gate.behind(), 1U);
   EXPECT_EQ(take(), 0U);
   gate.hand_over({.turn = 0, .segments = 5});
   EXPECT_EQ(take(), 1U);
   gate.hand_over({.turn = 1, .segments = 6});
   EXPECT_EQ(boundary(), 6U);
   EXPECT_EQ(gate.late(), 1U);
+  EXPECT_EQ(gate.behind(), 0U);
+}
+
+/// A main loop that is behind for a while keeps the motors fed with what it has done.
+TEST_F(TurnGateTest, WhatIsOverComesInWhileLaterTurnsAreLate) {
+  for (int i = 0; i < 5; ++i) boundary();
+  for (std::uint32_t turn = 0; turn < 50; ++turn) {
+    ASSERT_EQ(take(), turn);
+    gate.hand_over({.turn = turn, .segments = 10 + turn});
+    EXPECT_EQ(boundary(), 10 + turn) << "two turns were due after it";
+    EXPECT_EQ(gate.behind(), 2U);
+  }
+  EXPECT_EQ(gate.late(), 2U + 50U);
+}
+
+/// After views that found no room there are turns that no one runs.
+TEST_F(TurnGateTest, TurnsThatAreNeverRunHoldNothingUp) {
+  for (int i = 0; i < 20; ++i) boundary();
+  std::uint32_t last = kNone;
+  for (std::uint32_t turn = take(); turn != kNone; turn = take()) {
+    gate.hand_over({.turn = turn, .segments = 10 + turn});
+    last = turn;
+  }
+  ASSERT_LT(last, 16U);
+  EXPECT_EQ(boundary(), 10 + last);
+  EXPECT_EQ(gate.behind(), 17 - last);
+  EXPECT_EQ(take(), 20U);
+  gate.hand_over({.turn = 20, .segments = 40});
+  EXPECT_EQ(boundary(), 10 + last) << "turn 20 is not due yet";
+  EXPECT_EQ(boundary(), 10 + last);
+  EXPECT_EQ(boundary(), 40U);
+  EXPECT_EQ(gate.behind(), 0U);
 }
 
 }  // namespace

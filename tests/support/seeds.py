@@ -19,9 +19,10 @@ def first_seed_of(base: str, test: str) -> int:
     return 1 + (value ^ value >> 31) % 4_000_000_000
 
 
-def trials(usual: int) -> int:
-    """KERFLINE_TRIALS, else `usual`."""
-    return int(os.environ.get("KERFLINE_TRIALS", usual))
+def trials(usual: int, in_proof: int = 0) -> int:
+    """KERFLINE_TRIALS, else `in_proof` in prove.sh where it is given, else `usual`."""
+    proves = in_proof > 0 and os.environ.get("KERFLINE_TIER") == "prove"
+    return int(os.environ.get("KERFLINE_TRIALS", in_proof if proves else usual))
 
 
 def name_of(test: unittest.TestCase) -> str:

@@ -7,9 +7,10 @@ boundaries; of the turns in motion one in a hundred may be late at most.
 
     image_trace.py PLUGIN kerfline_generic_1mbaud.elf image_trace_jobs EXAMPLES [TEST...]
 
-KERFLINE_TRIALS=200 random jobs of 2000 edges or more (6), from KERFLINE_SEED on; KERFLINE_TURNS=0
-drives the examples to their end (2500 turns of a millisecond). Ends with 77 (skipped) where something
-is missing.
+KERFLINE_TRIALS=200 random jobs of 2000 edges or more (6; 100 in prove.sh), from KERFLINE_SEED on;
+of less than 100 the share of late turns is not judged, as single jobs have up to a tenth.
+KERFLINE_TURNS=0 drives the examples to their end (2500 turns of a millisecond). Ends with 77
+(skipped) where something is missing.
 """
 
 import dataclasses
@@ -36,6 +37,7 @@ TICK_NS = 250
 AXES = (("PA0", "PA4"), ("PA1", "PA5"), ("PA2", "PA6"))
 BEAM = "TIM1_CH1"
 MOST_LATE = 0.01  # Of the turns from the first edge to the last.
+JUDGED_JOBS = 100  # Random ones: from so many on that share is judged.
 ALARM_TICKS = 20_000  # 5 ms: what a turn that is late takes.
 LATEST_TICKS = 40  # 10 us: the way to an edge, behind a boundary or a pulse.
 MACHINES = {"bracket": "laser", "circle_r20": "laser", "enclosure_lightburn": "laser",
@@ -51,8 +53,9 @@ def tick_address() -> int:
 
 
 def words() -> list:
-    """The options by which the emulated chip tells that tick, and how often a turn was late."""
-    return [f"word={tick_address():x}", f"word={CHIP.symbols['late_turns']:x}"]
+    """The options by which the emulated chip tells that tick, and which turns were late."""
+    return [f"word={address:x}" for address in (tick_address(), CHIP.symbols["turns_behind"],
+                                                CHIP.symbols["late_turns"])]
 
 
 def lively_seeds(first: int, count: int) -> list:
@@ -125,14 +128,16 @@ def edges_of(run, start_ns: int) -> tuple:
     return edges, latest
 
 
-def late_boundaries(run, start_ns: int) -> list:
-    """The turns of which the boundary found what was due then not there yet."""
-    word, found, before = f"{CHIP.symbols['late_turns']:08x} ", [], 0
+def late_boundaries(run, start_ns: int) -> dict:
+    """How many turns were due and not over, by the boundaries at which there were any."""
+    behind_word = f"{CHIP.symbols['turns_behind']:08x} "
+    late_word = f"{CHIP.symbols['late_turns']:08x} "
+    found, behind = {}, 0
     for ns, source, rest in run.trace:
-        if source == "word" and rest.startswith(word):
-            count = int(rest.split()[1])
-            found += [(ns - start_ns) // MS] * (count - before)
-            before = count
+        if source == "word" and rest.startswith(behind_word):
+            behind = int(rest.split()[1])
+        elif source == "word" and rest.startswith(late_word) and int(rest.split()[1]) > 0:
+            found[(ns - start_ns) // MS] = behind
     return found
 
 
@@ -164,9 +169,11 @@ class ImageTraceTest(unittest.TestCase):
             if image.trouble:
                 return Comparison(f"{name}: settings: {image.trouble[-400:]}")
             run = image.drive(turns)
-            late = [turn for turn in late_boundaries(run, image.start_ns) if turn < turns]
+            late = {turn: behind for turn, behind in
+                    late_boundaries(run, image.start_ns).items() if turn < turns}
             if late:
-                (folder / "late").write_text("\n".join(map(str, late)))
+                (folder / "late").write_text(
+                    "".join(f"{turn} {behind}\n" for turn, behind in late.items()))
                 subprocess.run([JOBS, "again", str(folder / "late"), str(turns), text],
                                capture_output=True, check=True)
             wanted = rows_of(folder)
@@ -197,7 +204,7 @@ class ImageTraceTest(unittest.TestCase):
             return f"{name}: after the alarm the output is {seen[-1][4]}, not {wanted[-1][4]}"
         return ""
 
-    def compare_edges(self, name: str, seen: list, wanted: list, late: list) -> Comparison:
+    def compare_edges(self, name: str, seen: list, wanted: list, late: dict) -> Comparison:
         first, last = (wanted[0][0] // 4000, wanted[-1][0] // 4000) if wanted else (0, 0)
         found = Comparison("", len(wanted), last + 1 - first,
                            sum(first <= turn <= last for turn in late))
@@ -209,7 +216,7 @@ class ImageTraceTest(unittest.TestCase):
                              f"{seen[at:at + 1]}; late turns: {late}")
         return found
 
-    def judge(self, what: str, results: list):
+    def judge(self, what: str, results: list, judges_share: bool = True):
         edges, turns = sum(each.edges for each in results), sum(each.turns for each in results)
         late = sum(each.late for each in results)
         troubles = [each.trouble for each in results if each.trouble]
@@ -218,7 +225,8 @@ class ImageTraceTest(unittest.TestCase):
               f"{[each.late for each in results]}")
         print("\n".join(troubles))
         self.assertFalse(troubles)
-        self.assertLessEqual(late, MOST_LATE * turns)
+        if judges_share:
+            self.assertLessEqual(late, MOST_LATE * turns)
         self.assertGreater(edges, 1000)
 
     def test_the_examples(self):
@@ -242,8 +250,9 @@ class ImageTraceTest(unittest.TestCase):
         def job(number: int):
             return self.compare(f"seed {number}", "random", str(number), RANDOM_TURNS)
 
-        seeds = lively_seeds(first_seed(self), trials(6))
-        self.judge(f"seeds {seeds[0]} to {seeds[-1]}", in_parallel(job, seeds))
+        seeds = lively_seeds(first_seed(self), trials(6, in_proof=JUDGED_JOBS))
+        self.judge(f"seeds {seeds[0]} to {seeds[-1]}", in_parallel(job, seeds),
+                   judges_share=len(seeds) >= JUDGED_JOBS)
 
 
 if __name__ == "__main__":

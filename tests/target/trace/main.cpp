@@ -9,17 +9,19 @@
 /// image's timer takes it, at each tick at which one of them changed. Prints the turns it took.
 ///
 /// The third form drives the job of FOLDER again, with the same bytes in the same turns, and with
-/// the main loop late at the boundaries that the file LATE lists by their turns.
+/// the main loop as late as the file LATE says: lines TURN BEHIND, boundaries and how many turns
+/// were due there and not over.
 
 #include <fmt/core.h>
 #include <fmt/os.h>
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <fstream>
 #include <iterator>
+#include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -99,10 +101,26 @@ void write(const std::string& file, const std::string& text) {
   std::ofstream{file, std::ios::binary} << text;
 }
 
-std::set<std::uint32_t> numbers_in(const std::string& file) {
-  std::ifstream stream{file};
-  return {std::istream_iterator<std::uint32_t>{stream}, {}};
-}
+/// When the main loop was late.
+class LateTurns {
+ public:
+  explicit LateTurns(const std::string& file) {
+    std::ifstream stream{file};
+    std::uint32_t boundary = 0;
+    for (std::uint32_t behind = 0; stream >> boundary >> behind;) behind_[boundary] = behind;
+  }
+
+  /// Whether a turn was over at no boundary up to this one, as one after it has found it missing.
+  [[nodiscard]] bool still_missing(std::uint32_t turn, std::uint32_t boundary) const {
+    return std::any_of(behind_.upper_bound(boundary), behind_.end(), [turn](const auto& late) {
+      const std::uint32_t due = late.first - cnc::kTurnsToMotion;
+      return turn <= due && turn + late.second > due;
+    });
+  }
+
+ private:
+  std::map<std::uint32_t, std::uint32_t> behind_;  ///< How many turns, by the boundary.
+};
 
 std::vector<Burst> bursts_in(const std::string& file) {
   std::ifstream stream{file};
@@ -111,7 +129,6 @@ std::vector<Burst> bursts_in(const std::string& file) {
   return bursts;
 }
 
-/// A turn is run before the next boundary; one that is late, after that at which it is.
 /// In which turn an alarm was raised, as the file `alarm`: it ends motion and light at once, and so
 /// within the millisecond of its turn, not at a tick.
 class AlarmWatch {
@@ -127,20 +144,20 @@ class AlarmWatch {
   std::optional<std::uint32_t> turn_;
 };
 
-int run_again(const std::set<std::uint32_t>& late, std::uint32_t turns, const std::string& folder) {
+/// A turn is run before the next boundary; one that is late, after the last that missed it.
+int run_again(const LateTurns& late, std::uint32_t turns, const std::string& folder) {
   RepeatedSender sender{text_of(folder + "/sent"), bursts_in(folder + "/times")};
   sim::VirtualController controller{sender, {}};
   apply_settings(text_of(folder + "/settings"), controller.machine());
   EdgeList edges{folder + "/edges"};
   controller.add_sink(edges);
   AlarmWatch alarm;
-  std::uint32_t next = 0;
+  std::optional<std::uint32_t> taken;
   for (std::uint32_t turn = 0; turn < turns; ++turn) {
     controller.begin_turn();
-    for (; next <= turn; ++next) {
-      const std::uint32_t due = next + cnc::kTurnsToMotion;
-      if (turn < due && late.contains(due)) break;
-      sender.begin_turn(next);
+    if (!taken) taken = controller.take_turn();
+    for (; taken && !late.still_missing(*taken, turn); taken = controller.take_turn()) {
+      sender.begin_turn(*taken);
       controller.run_turn();
       alarm.look(controller.machine(), turn);
     }
@@ -189,7 +206,7 @@ int main(int count, char** arguments) {
   const std::string first = arguments[1];
   const std::string second = arguments[2];
   const auto turns = static_cast<std::uint32_t>(std::stoul(arguments[3]));
-  if (first == "again") return trace::run_again(trace::numbers_in(second), turns, arguments[4]);
+  if (first == "again") return trace::run_again(trace::LateTurns{second}, turns, arguments[4]);
   const trace::Job job = first == "random"
                              ? trace::random_job(std::stoull(second), trace::kFirstTurn)
                              : trace::Job{.settings = trace::settings_in(trace::text_of(first)),
