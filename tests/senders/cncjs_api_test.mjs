@@ -1,5 +1,5 @@
 // CNCjs over its socket API: connects through a pty, streams an example with
-// twenty pauses, overrides, jogs, cancels, probes, resets.
+// pauses, overrides, jogs, cancels, probes, resets.
 
 import fs from 'node:fs';
 import path from 'node:path';
@@ -8,7 +8,7 @@ import { CncjsUser, checkNothingRefused, startCncjs } from './cncjs.mjs';
 import { check, equal, example, run, serve, sleep, until } from './support.mjs';
 import { linesReceived } from './record.mjs';
 
-const kPauses = 20;
+const kPauses = process.env.KERFLINE_TIER === 'prove' ? 20 : 6;
 const kSettings = example('laser.settings');
 
 /// As CNCjs sends it: without comments and blanks.

@@ -232,14 +232,20 @@ class Files(unittest.TestCase):
         return done
 
     def test_a_pipe_that_nothing_reads_is_told(self):
-        for name, command in CALLS:
-            for option in command.outputs[:1]:
-                with self.bench(name, command, option=option) as bench:
+        """All at once, as each waits some seconds for a reader."""
+        with contextlib.ExitStack() as stack:
+            started = []
+            for name, command in CALLS:
+                for option in command.outputs[:1]:
+                    bench = Bench(pathlib.Path(stack.enter_context(tempfile.TemporaryDirectory())), name, command)
                     pipe = bench.folder / "pipe"
                     os.mkfifo(pipe)
-                    code, _, err = bench.run({**bench.needed(option), option: pipe})
-                    self.assertEqual(code, 2, err)
-                    self.assertIn(f"nothing reads the pipe {pipe}", err)
+                    started.append((name, option, pipe, bench.start({**bench.needed(option), option: pipe})))
+            for name, option, pipe, process in started:
+                with self.subTest(name, option=option):
+                    _, err = process.communicate(timeout=60)
+                    self.assertEqual(process.returncode, 2, err)
+                    self.assertIn(f"nothing reads the pipe {pipe}", err.decode())
 
     def test_a_signal_leaves_nothing_behind(self):
         """kill_test.py ends processes at each of their calls; here a signal lets them tidy up."""

@@ -7,6 +7,7 @@ Names of files, programs, drawings, data bases, recordings and answers of a cont
 every command of the table in files_bench.py.
 """
 
+import concurrent.futures
 import contextlib
 import json
 import os
@@ -194,20 +195,27 @@ class Terminal(unittest.TestCase):
         job = self.folder / "job.nc"
         job.write_text(PROGRAM)
         state = b"<Hold:0" + evil + b"|MPos:0,0,0|FS:0,0>\r\n"
-        for said in ((state, b"[MSG:" + evil + b"]\r\nerror:" + evil + b"\r\n"), (state, b"ALARM:" + evil + b"\r\n"),
-                     (b"error:20 " + evil + b"\r\n",), (b"ok\r\n" + state, evil + b"\r\n")):
+        cases = ((state, b"[MSG:" + evil + b"]\r\nerror:" + evil + b"\r\n"), (state, b"ALARM:" + evil + b"\r\n"),
+                 (b"error:20 " + evil + b"\r\n",), (b"ok\r\n" + state, evil + b"\r\n"))
+        with concurrent.futures.ThreadPoolExecutor(len(cases)) as threads:  # Each waits some seconds for more.
+            texts = threads.map(lambda said: self.said_of(job, said), cases)
+        for said, (out, err) in zip(cases, texts):
             with self.subTest(said=said):
-                listener, thread, process = self.send(str(job), said, "--stop-when-held")
-                with contextlib.suppress(subprocess.TimeoutExpired):
-                    process.wait(timeout=3)
-                process.send_signal(2)
-                with contextlib.suppress(subprocess.TimeoutExpired):
-                    process.wait(timeout=5)
-                process.kill()
-                out, err = process.communicate()
-                listener.close()
-                thread.join(timeout=5)
                 self.judge(out, err)
+
+    def said_of(self, job, said):
+        """What `send` prints when a controller says this and nothing else, and the user gives up."""
+        listener, thread, process = self.send(str(job), said, "--stop-when-held")
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            process.wait(timeout=3)
+        process.send_signal(2)
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            process.wait(timeout=5)
+        process.kill()
+        texts = process.communicate()
+        listener.close()
+        thread.join(timeout=5)
+        return texts
 
     def test_progress_on_a_terminal(self):
         """The bar is the only one that moves the cursor."""

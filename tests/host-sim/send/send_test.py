@@ -1,5 +1,6 @@
 """`kerfline send` as a user runs it: over a pty and TCP of `kerfline serve`, killed, and through a
 relay that damages bytes."""
+import concurrent.futures
 import os
 import pathlib
 import random
@@ -281,28 +282,33 @@ class SendTest(served.ServeTest):
         subprocess.run([self.program, "sim", str(job), *SETTINGS, "--trace", str(whole)],
                        check=True, stdout=subprocess.DEVNULL)
         expected = self.burnt(whole)
-        for link, form in (("pty", ("--numbered",)), ("tcp", ("--checked",))):
+        ways = (("pty", "--numbered"), ("tcp", "--checked"))
+        with concurrent.futures.ThreadPoolExecutor(len(ways)) as threads:
+            ends = threads.map(lambda way: self.kill_and_resume(job, *way), ways)
+        for (link, form), (status, out, err, stopped) in zip(ways, ends):
             with self.subTest(link=link, form=form):
-                trace = self.folder / f"{link}.csv"
-                server = self.serve("--pty", self.link, "--tcp", 0, "--trace", trace, *SETTINGS)
-                where = (("--port", self.link) if link == "pty"
-                         else ("--tcp", f"127.0.0.1:{server.port('tcp')}"))
-                process = self.start(job, *where, *form)
-                time.sleep(3.0)
-                process.send_signal(signal.SIGKILL)
-                process.communicate(timeout=20)
-                time.sleep(1.0)
-                status, out, err = self.send(job, *where, *form, "--resume")
                 self.assertEqual((status, err), (0, ""))
                 self.assertIn("begins with line ", out)
                 self.assertNotIn("begins with line 1\n", out)
-                self.assertEqual(server.stop()[0], 0)
-                burnt = self.burnt(trace)
+                self.assertEqual(stopped, 0)
+                burnt = self.burnt(self.folder / f"{link}.csv")
                 # 250 steps are a millimetre; 40 mm/s are 10 steps in a millisecond.
                 left = [place for place in expected if place not in burnt]
                 twice = [place for place in burnt if burnt[place] > expected.get(place, 0)]
                 self.assertLess(len(left), 12)
                 self.assertLess(len(twice), 40)
+
+    def kill_and_resume(self, job, link, form):
+        """Status, output and errors of the sender that goes on, and the server's status in the end."""
+        options = ("--pty", self.link) if link == "pty" else ("--tcp", 0)
+        server = self.serve(*options, "--trace", self.folder / f"{link}.csv", *SETTINGS)
+        where = ("--port", self.link) if link == "pty" else ("--tcp", f"127.0.0.1:{server.port('tcp')}")
+        process = self.start(job, *where, form)
+        time.sleep(3.0)
+        process.send_signal(signal.SIGKILL)
+        process.communicate(timeout=20)
+        time.sleep(1.0)
+        return (*self.send(job, *where, form, "--resume"), server.stop()[0])
 
     def test_begins_within_a_job(self):
         server = self.serve("--tcp", 0, "--speed", 20, *SETTINGS)
