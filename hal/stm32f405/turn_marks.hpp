@@ -7,8 +7,8 @@
 namespace hal::stm32f405 {
 
 /// How far a link had received at the boundaries of the main loop's turns: a turn reads what had
-/// come by then, however late it is run. Marks are kept for turns that may still be run; a turn that
-/// is later than that reads what a newer one would.
+/// come by then, however late it is run. Marks are kept for turns that may still be run; a turn
+/// that is later than that reads what a newer one would.
 class TurnMarks {
  public:
   /// Boundary of a turn; no interrupt of the link comes in between.
