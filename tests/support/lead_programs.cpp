@@ -195,6 +195,9 @@ bool has_room(const std::vector<LeadStep>& points,
   // offsets, which is beside the start.
   const bool brief = points.size() == 2 && points[1].y < 1.3 * size.radius;
   if (brief && shape.steps[0].bulge != 0.0) return false;
+  // A tangent line that reaches beyond the corner is in the way of the edge there.
+  const bool tangent = points.size() == 3 && points[1].y == 0.0;
+  if (tangent && points[1].x > shape.half_edge) return false;
   const double margin = size.radius * (size.turn == 0.0 ? 1.05 : 2.1);
   return std::all_of(points.begin() + 1, points.end(), [&](const LeadStep& point) {
     if (!inside) return point.y == 0.0 || point.y >= margin * 0.99;
