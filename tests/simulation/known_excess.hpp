@@ -31,6 +31,11 @@ inline constexpr std::array<KnownExcess, 1> kProgramExcess{{
     {54'432, 0.0, 0.0, 1.0015908},
 }};
 
+/// Programs with splines: Job.
+inline constexpr std::array<KnownExcess, 1> kSplineExcess{{
+    {250'041'760, 1.0036270, 0.0, 0.0},
+}};
+
 [[nodiscard]] inline bool is_known(std::span<const KnownExcess> known, std::uint64_t seed) {
   return std::ranges::count(known, seed, &KnownExcess::seed) != 0;
 }

@@ -89,7 +89,8 @@ TEST(RandomRows, HaveAtEachPlaceThePowerThatTheProgramHasThere) {
         const Place place = element.at((i + 0.5) / RowDrive::kPlaces);
         const double slack = 0.004 + (blend ? 1.2 * corner : 0.0);
         const Demand demand = demand_at(items, elements, at, place, slack);
-        at = demand.line.value_or(at);
+        // Beside its own lines, a blend crosses others that come later.
+        if (!blend) at = demand.line.value_or(at);
         const double power = one.powers[static_cast<std::size_t>(i)];
         const bool found = std::ranges::find(demand.powers, power) != demand.powers.end();
         ASSERT_TRUE(found) << power << " near line " << at << ", " << demand.nearest << " mm off";
