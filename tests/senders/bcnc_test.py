@@ -144,7 +144,7 @@ def start_all(programs, folder):
 
 def check_record(folder, restored):
     """Job, hold, reset, unlock, and the modes back in one line: as they came."""
-    heard = re.findall(r'^> \d+ "(.*)"$', (folder / "conversation").read_text(), re.MULTILINE)
+    heard = re.findall(r'^[>^] \d+ "(.*)"$', (folder / "conversation").read_text(), re.MULTILINE)
     rest = whole = "".join(heard).replace("?", "")
     job = JOB.replace(" ", "").replace("\n", "\\n")
     for said in (job[job.index("M4"):], "!", "\\x18", "$X\\n", restored + "\\n", "G43.1Z0\\n"):
