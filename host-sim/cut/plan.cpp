@@ -323,7 +323,8 @@ void Planner::leave_to_controller(Cut& cut, bool one_loop) {
                             "its way has the kerf that is planned; it changes with no override"});
 }
 
-/// What lies in a part, and what is on a line, comes before the cut that frees it.
+/// What lies in a part or in its hole, of this part or of another, and what is on a line, comes
+/// before the cut that frees it.
 void Planner::put_parts_last() {
   std::vector<std::vector<std::size_t>> cuts_of(outlines_.size());
   for (std::size_t i = 0; i < plan_.cuts.size(); ++i) {
@@ -340,11 +341,11 @@ void Planner::put_parts_last() {
     }
   }
   for (std::size_t i = 0; i < outlines_.size(); ++i) {
-    auto parent = drawn_.contours[i].parent;
-    while (parent && !outlines_[*parent].is_beside) parent = drawn_.contours[*parent].parent;
-    if (!parent) continue;
+    auto around = drawn_.contours[i].lies_in;
+    while (around && !outlines_[*around].is_beside) around = drawn_.contours[*around].lies_in;
+    if (!around) continue;
     for (const std::size_t inner : cuts_of[i]) {
-      for (const std::size_t outer : cuts_of[*parent]) plan_.cuts[outer].after.push_back(inner);
+      for (const std::size_t outer : cuts_of[*around]) plan_.cuts[outer].after.push_back(inner);
     }
   }
 }

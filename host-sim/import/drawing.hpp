@@ -64,9 +64,10 @@ struct DrawnContour {
   Entity entity;  ///< Of the first shape as drawn.
   bool closed = false;
   double length_mm = 0.0;
-  double area_mm2 = 0.0;              ///< Of closed ones, without the holes taken off.
-  std::size_t depth = 0;              ///< Closed contours around this one.
-  std::optional<std::size_t> parent;  ///< The innermost of them.
+  double area_mm2 = 0.0;               ///< Of closed ones, without the holes taken off.
+  std::size_t depth = 0;               ///< Closed contours of its part around this one.
+  std::optional<std::size_t> parent;   ///< The innermost of them.
+  std::optional<std::size_t> lies_in;  ///< The innermost of all parts' contours around this one.
 
   /// Odd depth. Outer contours turn left, holes turn right.
   [[nodiscard]] bool is_hole() const { return depth % 2 == 1; }

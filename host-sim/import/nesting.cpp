@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "host-sim/import/piece.hpp"
 
@@ -102,6 +103,18 @@ class Strips {
   std::vector<std::vector<std::pair<std::size_t, std::size_t>>> strips_;
 };
 
+/// Of pieces around a place, the one with the least area.
+struct Innermost {
+  void look_at(std::size_t other, double area) {
+    if (area >= smallest) return;
+    smallest = area;
+    piece = other;
+  }
+
+  std::optional<std::size_t> piece{};
+  double smallest = OutlineBox::kInfinite;
+};
+
 void turn_as_nested(DrawnContour& contour) {
   if ((contour.area_mm2 < 0.0) == contour.is_hole()) return;
   std::ranges::reverse(contour.shapes);
@@ -120,17 +133,19 @@ void nest(Sketch& sketch, std::vector<Piece>& pieces) {
     if (!contour.closed) continue;
     hits.clear();
     if (!strips.count(place_inside(pieces[index]), hits, budget)) break;
-    double smallest = OutlineBox::kInfinite;
+    Innermost of_its_part;
+    Innermost of_all;
     for (const auto& [other, count] : hits) {
       const double area = std::abs(pieces[other].contour.area_mm2);
       // Of two that hold each other's inside the greater one is around.
-      if (pieces[other].contour.entity.part != contour.entity.part) continue;
       if (count % 2 == 0 || other == index || area <= std::abs(contour.area_mm2)) continue;
+      of_all.look_at(other, area);
+      if (pieces[other].contour.entity.part != contour.entity.part) continue;
       ++contour.depth;
-      if (area >= smallest) continue;
-      smallest = area;
-      contour.parent = other;
+      of_its_part.look_at(other, area);
     }
+    contour.parent = of_its_part.piece;
+    contour.lies_in = of_all.piece;
   }
   for (Piece& piece : pieces) {
     if (piece.contour.closed) turn_as_nested(piece.contour);

@@ -45,6 +45,26 @@ TEST(CutPlan, CutsWhatLiesInsideFirst) {
               1.0e-6);
 }
 
+/// A layout lists parts by themselves, and a small one may lie in the hole of another.
+TEST(CutPlan, CutsAPartThatLiesInTheHoleOfAnotherBeforeTheHole) {
+  constexpr const char* kRing =
+      R"({"partid": "ring", "paths": [[[0,0,1],[90,0,1],[0,0]], [[10,0,-1],[80,0,-1],[10,0]]]})";
+  constexpr const char* kInner = R"({"partid": "inner", "paths": [[[60,0],[70,0],[65,8],[60,0]]]})";
+  for (const std::string& layout :
+       {fmt::format("[{},{}]", kRing, kInner), fmt::format("[{},{}]", kInner, kRing)}) {
+    const drawing::Drawing drawn = drawing::read_drawing("layout.json", layout);
+    ASSERT_EQ(drawn.contours.size(), 3U) << layout;
+    const CutPlan plan = plan_of(drawn);
+    EXPECT_TRUE(plan.faults.empty());
+    ASSERT_EQ(plan.cuts.size(), 3U);
+    EXPECT_NEAR(plan.cuts[0].area_mm2, 40.0, 12.0) << "the triangle";
+    EXPECT_FALSE(plan.cuts[0].is_hole) << "it is none of its own part's";
+    EXPECT_TRUE(plan.cuts[1].is_hole);
+    EXPECT_EQ(plan.cuts[1].after, std::vector<std::size_t>{0});
+    EXPECT_EQ(plan.cuts[2].after, std::vector<std::size_t>{1});
+  }
+}
+
 TEST(CutPlan, NamesHolesThatWouldVanish) {
   const CutPlan plan =
       plan_of(drawing_of("<rect x=\"0\" y=\"0\" width=\"30\" height=\"30\"/>"
