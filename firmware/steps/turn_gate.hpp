@@ -99,11 +99,11 @@ class TurnGate {
   [[nodiscard]] std::uint32_t behind() const { return behind_.load(std::memory_order_relaxed); }
 
  private:
-  static constexpr std::uint32_t kViews = 16;  ///< Of turns that have begun and were not run yet.
+  static constexpr std::uint32_t kViews = 16;  ///< Turns that may wait to be run.
   /// One is written while the interrupt looks past those of the turns after the one that is due.
   static constexpr std::uint32_t kHandovers = 4;
   static_assert(kHandovers > kTurnsToMotion && std::has_single_bit(kHandovers));
-  /// Of the turn before the first: nothing was handed over.
+  /// Handover of the turn before the first one: it is empty.
   static constexpr Handover kNothing{.turn = ~0U};
 
   void note_late(std::uint32_t behind) noexcept {

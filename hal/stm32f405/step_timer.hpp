@@ -143,7 +143,8 @@ class StepTimer {
     Bus::write(timer::kTim2 + timer::compare(1), comes_.raw());
   }
 
-  /// What is driven at rest belongs to the boundary before it, so due_ stays.
+  /// Schedules the next sign of life. due_ stays, as an output that changes at rest belongs to the
+  /// last boundary.
   void rest() noexcept {
     comes_ = now().plus(kRestTicks);
     Bus::write(timer::kTim2 + timer::compare(1), comes_.raw());

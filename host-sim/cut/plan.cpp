@@ -323,8 +323,8 @@ void Planner::leave_to_controller(Cut& cut, bool one_loop) {
                             "its way has the kerf that is planned; it changes with no override"});
 }
 
-/// What lies in a part or in its hole, of this part or of another, and what is on a line, comes
-/// before the cut that frees it.
+/// Orders each cut after all cuts that lie inside its outline, of any part, and those on a line: it
+/// frees the material around them.
 void Planner::put_parts_last() {
   std::vector<std::vector<std::size_t>> cuts_of(outlines_.size());
   for (std::size_t i = 0; i < plan_.cuts.size(); ++i) {

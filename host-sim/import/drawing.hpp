@@ -64,7 +64,7 @@ struct DrawnContour {
   Entity entity;  ///< Of the first shape as drawn.
   bool closed = false;
   double length_mm = 0.0;
-  double area_mm2 = 0.0;               ///< Of closed ones, without the holes taken off.
+  double area_mm2 = 0.0;               ///< Area of a closed contour; its holes are not subtracted.
   std::size_t depth = 0;               ///< Closed contours of its part around this one.
   std::optional<std::size_t> parent;   ///< The innermost of them.
   std::optional<std::size_t> lies_in;  ///< The innermost of all parts' contours around this one.

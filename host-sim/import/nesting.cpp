@@ -103,7 +103,7 @@ class Strips {
   std::vector<std::vector<std::pair<std::size_t, std::size_t>>> strips_;
 };
 
-/// Of pieces around a place, the one with the least area.
+/// Keeps the smallest of the pieces that surround a point.
 struct Innermost {
   void look_at(std::size_t other, double area) {
     if (area >= smallest) return;

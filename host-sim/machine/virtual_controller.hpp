@@ -53,7 +53,7 @@ class VirtualController {
   /// The main loop turns to the oldest turn that has begun and was not taken: its number, as
   /// boundaries before its own; none when there is none.
   [[nodiscard]] std::optional<std::uint32_t> take_turn();
-  /// What the main loop does in the turn taken last.
+  /// Runs the main loop's work of the turn taken last.
   void run_turn();
   /// The interrupts of the millisecond after the boundary.
   void pass_turn() { advance_to(now_ + kTicksPerTurn); }

@@ -44,7 +44,7 @@ TEST(PowerCourse, FollowsAnySlope) {
     const std::uint32_t stairs = course.growth_q8 == 0 ? 1 : (ticks - 1) / course.interval + 1;
     for (std::uint32_t stair = 0; stair < stairs; ++stair) {
       const double value = level(course, stair);
-      // What is driven is its whole part.
+      // The step interrupt drives the whole part of the value.
       ASSERT_LT(value, kFull + 1.0) << from << " " << to << " " << ticks;
       ASSERT_GE(value, -1.0);
       if (course.growth_q8 == 0) continue;
