@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <cstdint>
 
 #include "planner/order/neighbours.hpp"
 
@@ -23,7 +24,7 @@ class RoundedPlaneCost {
  public:
   explicit RoundedPlaneCost(const CandidatePlaces& places) : exact_{places} {}
   [[nodiscard]] double operator()(Index from, Index to) const {
-    return std::floor(exact_(from, to) + 0.5);
+    return static_cast<double>(static_cast<std::int64_t>(exact_(from, to) + 0.5));
   }
 
  private:

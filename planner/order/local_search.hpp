@@ -29,6 +29,7 @@ class LocalSearch {
         may_{problem.precedence, tour},
         least_gain_{least_gain},
         is_free_{problem.is_free()},
+        has_lines_{!problem.reversed.empty()},
         is_plain_{problem.candidates() == problem.sets()} {}
 
   [[nodiscard]] const Legs<Cost>& legs() const { return legs_; }
@@ -71,6 +72,12 @@ class LocalSearch {
   double improve_legs(const LooseEnd& start);
   double improve_position(Index set);
 
+  /// Returns the cost of the leg from an end to the other kind of end of its neighbour `set`, which
+  /// has the given number in its list.
+  [[nodiscard]] double cost_to(const LooseEnd& end, Index number, Index set) const {
+    if (neighbours_.have_costs()) return neighbours_.cost(end.set, number);
+    return legs_.join(end, {set, !end.is_entry});
+  }
   [[nodiscard]] CutLeg cut_at(const LooseEnd& end) const {
     return {end, legs_.across(end), legs_.leg_of(end)};
   }
@@ -78,7 +85,7 @@ class LocalSearch {
   [[nodiscard]] bool may_join(const LooseEnd& a, const LooseEnd& b) const {
     return a.set != b.set && (problem_->is_symmetric || a.is_entry != b.is_entry);
   }
-  bool try_second(const CutLeg& one, Index set, double removed, Exchange& best) const;
+  bool try_second(const CutLeg& one, Index number, double removed, Exchange& best) const;
   void close_two(const CutLeg& one, const CutLeg& two, double gained, Exchange& best) const;
   void try_third(const CutLeg& one, const CutLeg& two, double gained, Exchange& best) const;
   void close_three(const CutLeg& one,
@@ -104,7 +111,8 @@ class LocalSearch {
   Feasibility may_;
   double least_gain_;
   bool is_free_;
-  bool is_plain_;  ///< One candidate for each set.
+  bool has_lines_;  ///< Reversed sets have other entries.
+  bool is_plain_;   ///< One candidate for each set.
 };
 
 template <LegCost Cost>
@@ -138,8 +146,9 @@ double LocalSearch<Cost>::improve_legs(const LooseEnd& start) {
   const double removed = legs_.after(one.position);
   Exchange best;
   best.gain = least_gain_;
-  for (const Index set : neighbours_.of(one.other.set)) {
-    if (set == kNone || !try_second(one, set, removed, best)) break;
+  const auto near = neighbours_.of(one.other.set);
+  for (Index i = 0; i < near.size(); ++i) {
+    if (near[i] == kNone || !try_second(one, i, removed, best) || best.gain > least_gain_) break;
   }
   if (best.gain <= least_gain_) return 0.0;
   make(best);
@@ -150,17 +159,18 @@ double LocalSearch<Cost>::improve_legs(const LooseEnd& start) {
 /// @return false where no set that is farther away can gain anything
 template <LegCost Cost>
 bool LocalSearch<Cost>::try_second(const CutLeg& one,
-                                   Index set,
+                                   Index number,
                                    double removed,
                                    Exchange& best) const {
-  for (const bool is_entry : {false, true}) {
+  const Index set = neighbours_.of(one.other.set)[number];
+  if (set == one.one.set) return true;
+  double gained = removed - cost_to(one.other, number, set);
+  if (is_plain_ && gained <= least_gain_) return false;
+  for (const bool is_entry : {!one.other.is_entry, one.other.is_entry}) {
     const LooseEnd end{set, is_entry};
-    if (set == one.one.set || !may_join(one.other, end)) continue;
-    const double gained = removed - legs_.join(one.other, end);
-    if (gained <= least_gain_) {
-      if (is_plain_) return false;
-      continue;
-    }
+    if (!may_join(one.other, end)) continue;
+    if (has_lines_ && is_entry == one.other.is_entry) gained = removed - legs_.join(one.other, end);
+    if (gained <= least_gain_) continue;
     const CutLeg two = cut_at(end);
     if (two.position == one.position) continue;
     const double both = gained + legs_.after(two.position);
@@ -193,14 +203,14 @@ void LocalSearch<Cost>::try_third(const CutLeg& one,
   for (Index i = 0; i < std::min(kThirdWidth, neighbours_.width()); ++i) {
     const Index set = near[i];
     if (set == kNone) return;
-    for (const bool is_entry : {false, true}) {
+    if (set == two.one.set) continue;
+    double sum = gained - cost_to(two.other, i, set);
+    if (is_plain_ && sum <= best.gain) return;
+    for (const bool is_entry : {!two.other.is_entry, two.other.is_entry}) {
       const LooseEnd end{set, is_entry};
       if (!may_join(two.other, end)) continue;
-      const double sum = gained - legs_.join(two.other, end);
-      if (sum <= best.gain) {
-        if (is_plain_) return;
-        continue;
-      }
+      if (has_lines_ && is_entry == two.other.is_entry) sum = gained - legs_.join(two.other, end);
+      if (sum <= best.gain) continue;
       const CutLeg three = cut_at(end);
       if (three.position == one.position || three.position == two.position) continue;
       if (!may_join(three.other, one.one)) continue;

@@ -14,7 +14,16 @@ class Neighbours {
  public:
   Neighbours() = default;
   /// `lists`: `width` sets for each set, kNone behind the last.
-  Neighbours(std::span<const Index> lists, Index width) : lists_{lists}, width_{width} {}
+  /// `costs`: of the legs to them where these never change, else empty.
+  Neighbours(std::span<const Index> lists, Index width, std::span<const double> costs = {})
+      : lists_{lists}, costs_{costs}, width_{width} {}
+
+  [[nodiscard]] bool have_costs() const { return !costs_.empty(); }
+  /// Returns the cost of the leg to the neighbour with number `index` in the list of `set`.
+  /// @pre have_costs()
+  [[nodiscard]] double cost(Index set, Index index) const {
+    return costs_[std::size_t{set} * width_ + index];
+  }
 
   [[nodiscard]] std::span<const Index> of(Index set) const {
     return lists_.subspan(std::size_t{set} * width_, width_);
@@ -23,6 +32,7 @@ class Neighbours {
 
  private:
   std::span<const Index> lists_;
+  std::span<const double> costs_;
   Index width_ = 0;
 };
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdlib>
 #include "planner/order/entry_choice.hpp"
 #include "planner/order/local_search.hpp"
 #include "planner/order/random.hpp"
@@ -57,6 +58,7 @@ class Search {
         queue_{space.queue},
         least_gain_{kRounding * allowed_cost(Legs<Cost>{problem, cost, tour_})},
         local_{problem, cost, neighbours, tour_, queue_, least_gain_},
+        nb_{&neighbours},
         choice_{problem, cost, tour_, space.choice},
         random_{seed},
         cost_{local_.legs().tour_cost()} {
@@ -71,6 +73,7 @@ class Search {
     for (std::uint64_t i = 0; i < steps; ++i) step();
   }
 
+  double progress_ = 0;
   [[nodiscard]] double best_cost() const { return best_cost_; }
 
   /// Returns the best order so far, home first, in the storage of the search. The search may go on.
@@ -135,12 +138,12 @@ class Search {
 
   void try_change() {
     tour_.forget_changes();
-    Exchange kick;
+    Kick kick{};
     if (!find_kick(kick)) return;
-    double gain = kick.gain;
-    local_.make(kick);
-    gain += settle(kick);
-    if (gain >= 0.0) {
+    const double gain = make(kick) + settle();
+    static const double TT = std::getenv("TT")?std::atof(std::getenv("TT")):0.0;
+    const double least = -TT*(1-progress_)*random_.unit()*cost_/tour_.size();
+    if (gain >= least) {
       cost_ -= gain;
       if (cost_ < best_cost_) {
         best_cost_ = cost_;
@@ -152,7 +155,7 @@ class Search {
   }
 
   /// Returns the gain of local search and of the best candidates around the change.
-  double settle(const Exchange&) {
+  double settle() {
     double gain = 0.0;
     for (;;) {
       while (!queue_.empty()) {
@@ -166,35 +169,77 @@ class Search {
     }
   }
 
-  bool find_kick(Exchange& kick) {
-    constexpr Index kLongest = 50;
+  /// A random double bridge: three neighbouring stretches B C D become D C B, which no exchange of
+  /// three legs takes back.
+  struct Kick {
+    Index start;
+    Index first;
+    Index second;
+    Index third;
+  };
+
+  bool find_kick(Kick& kick) {
+    static const Index kLongest = std::getenv("KL")?std::atoi(std::getenv("KL")):50;
     constexpr int kTries = 10;
     const Index sets = tour_.size();
-    if (sets < 4) return false;
+    if (sets < 5) return false;
+    const Index longest = std::min(kLongest, (sets - 1) / 3);
+    static const int RW = std::getenv("RW")?std::atoi(std::getenv("RW")):0;
+    static const Index RM = std::getenv("RM")?std::atoi(std::getenv("RM")):1000;
+    if (RW > 0) for (int i = 0; i < kTries; ++i) {
+      std::array<Index, 4> p{};
+      Index v = random_.below(sets);
+      p[0] = tour_.position_of(v);
+      for (int j = 1; j < 4; ++j) {
+        Index w = v;
+        for (int k = 0; k < RW; ++k) { const Index t = nb_->of(w)[random_.below(5)]; if (t != kNone) w = t; }
+        p[static_cast<std::size_t>(j)] = tour_.position_of(w);
+      }
+      std::sort(p.begin(), p.end());
+      if (p[0] == p[1] || p[1] == p[2] || p[2] == p[3]) continue;
+      if (p[3] - p[0] > RM) continue;
+      kick.start = p[0] + 1; kick.first = p[1] - p[0]; kick.second = p[2] - p[1]; kick.third = p[3] - p[2];
+      if (may_make(kick)) return true;
+    }
     for (int i = 0; i < kTries; ++i) {
-      const Index span = std::min(kLongest, sets - 1);
-      const Index first = 1 + random_.below(span / 2);
-      const Index second = 1 + random_.below(span / 2);
-      const Index start = random_.below(sets - first - second);
-      kick.cuts = {start, start + first, start + first + second};
-      kick.has_three = true;
-      kick.how = Rearrangement::kSwap;
-      if (!local_.may_make(kick)) continue;
-      kick.gain = gain_of_swap(kick);
-      return true;
+      kick.first = 1 + random_.below(longest);
+      kick.second = 1 + random_.below(longest);
+      kick.third = 1 + random_.below(longest);
+      kick.start = 1 + random_.below(sets - kick.first - kick.second - kick.third);
+      if (may_make(kick)) return true;
     }
     return false;
   }
 
-  double gain_of_swap(const Exchange& swap) const {
+  bool may_make(const Kick& kick) const {
+    if (problem_->precedence.empty()) return true;
+    const Feasibility may{problem_->precedence, tour_};
+    const Index second = kick.start + kick.first;
+    const Index third = second + kick.second;
+    return may.may_swap(kick.start, third, third + kick.third) &&
+           may.may_swap(kick.start, second, third);
+  }
+
+  /// @return the gain, below 0 as a rule
+  double make(const Kick& kick) {
     const auto& legs = local_.legs();
-    double gain = 0.0;
-    for (const Index cut : swap.cuts) gain += legs.after(cut);
-    const auto at = [&](Index position) { return tour_.chosen(tour_.at(position)); };
-    const auto behind = [&](Index cut) { return at(tour_.position_after(cut)); };
-    const auto [p, q, r] = swap.cuts;
-    return gain - legs.between(at(p), behind(q)) - legs.between(at(r), behind(p)) -
-           legs.between(at(q), behind(r));
+    const Index second = kick.start + kick.first;
+    const Index third = second + kick.second;
+    const auto cuts = [&](Index a, Index b) {
+      const std::array<Index, 4> positions{kick.start - 1, kick.start + a - 1,
+                                           kick.start + a + b - 1, third + kick.third - 1};
+      double sum = 0.0;
+      for (const Index position : positions) {
+        sum += legs.after(position);
+        queue_.add(tour_.at(position));
+        queue_.add(tour_.at(tour_.position_after(position)));
+      }
+      return sum;
+    };
+    const double removed = cuts(kick.first, kick.second);
+    tour_.swap(kick.start, kick.first + kick.second, kick.third);
+    tour_.swap(kick.start + kick.third, kick.first, kick.second);
+    return removed - cuts(kick.third, kick.second);
   }
 
   void keep_best() {
@@ -214,6 +259,7 @@ class Search {
   WorkQueue queue_;
   double least_gain_;
   LocalSearch<Cost> local_;
+  const Neighbours* nb_;
   EntryChoice<Cost> choice_;
   Random random_;
   double cost_;
