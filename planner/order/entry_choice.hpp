@@ -90,6 +90,7 @@ class EntryChoice {
       for (Index c = first; c < end; ++c) {
         if (i == 0) {
           space_.cost[c] = (*cost_)(from, c);
+          space_.before[c] = kNone;
         } else {
           reach(c, last_first, last_end);
         }
@@ -126,7 +127,7 @@ class EntryChoice {
     }
     for (Index i = length; i-- > 0;) {
       space_.best[i] = candidate;
-      candidate = space_.before[candidate];
+      candidate = space_.before[candidate];  // kNone after the last.
     }
     return least;
   }

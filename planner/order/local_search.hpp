@@ -30,7 +30,8 @@ class LocalSearch {
         least_gain_{least_gain},
         is_free_{problem.is_free()},
         has_lines_{!problem.reversed.empty()},
-        is_plain_{problem.candidates() == problem.sets()} {}
+        is_plain_{problem.candidates() == problem.sets()},
+        ends_early_{is_plain_ && problem.is_symmetric} {}
 
   [[nodiscard]] const Legs<Cost>& legs() const { return legs_; }
 
@@ -113,6 +114,7 @@ class LocalSearch {
   bool is_free_;
   bool has_lines_;  ///< Reversed sets have other entries.
   bool is_plain_;   ///< One candidate for each set.
+  bool ends_early_;  ///< Neighbours that are farther away cost more.
 };
 
 template <LegCost Cost>
@@ -165,7 +167,7 @@ bool LocalSearch<Cost>::try_second(const CutLeg& one,
   const Index set = neighbours_.of(one.other.set)[number];
   if (set == one.one.set) return true;
   double gained = removed - cost_to(one.other, number, set);
-  if (is_plain_ && gained <= least_gain_) return false;
+  if (ends_early_ && gained <= least_gain_) return false;
   for (const bool is_entry : {!one.other.is_entry, one.other.is_entry}) {
     const LooseEnd end{set, is_entry};
     if (!may_join(one.other, end)) continue;
@@ -205,7 +207,7 @@ void LocalSearch<Cost>::try_third(const CutLeg& one,
     if (set == kNone) return;
     if (set == two.one.set) continue;
     double sum = gained - cost_to(two.other, i, set);
-    if (is_plain_ && sum <= best.gain) return;
+    if (ends_early_ && sum <= best.gain) return;
     for (const bool is_entry : {!two.other.is_entry, two.other.is_entry}) {
       const LooseEnd end{set, is_entry};
       if (!may_join(two.other, end)) continue;

@@ -9,6 +9,7 @@ PlaceTree::PlaceTree(std::span<const Place> places, const PlaceTreeSpace& space,
   for (Index i = 0; i < places_.size(); ++i) space_.items[i] = i;
   build();
   for (Index i = 0; i < places_.size(); ++i) space_.slots[space_.items[i]] = i;
+  std::fill(space_.present.begin(), space_.present.end(), 0);
   if (are_present) {
     for (Index i = 0; i < places_.size(); ++i) insert(i);
   }

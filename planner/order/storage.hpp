@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <new>
 #include <span>
+#include <type_traits>
 
 #include "planner/base/contract.hpp"
 
@@ -10,7 +11,8 @@ namespace cnc::order {
 
 /// Working storage of an algorithm is a struct of spans with a member
 /// `lay_out(layout, sizes)`, which calls `layout(span, count)` for each of them. Two layouts use
-/// it: StorageSize adds up the bytes, StorageParts cuts the spans out of a block of that size.
+/// it: StorageSize adds up the bytes, StorageParts cuts the spans out of a block of that size. The
+/// spans are not initialized: large storage that is not used costs nothing.
 class StorageSize {
  public:
   template <typename Item>
@@ -37,8 +39,9 @@ class StorageParts {
     StorageSize size;
     size(part, count);
     CNC_ASSERT(size.bytes() <= rest_.size());
+    static_assert(std::is_trivial_v<Item>);
     auto* const first = reinterpret_cast<Item*>(rest_.data());
-    for (std::size_t i = 0; i < count; ++i) new (first + i) Item{};
+    for (std::size_t i = 0; i < count; ++i) new (first + i) Item;
     part = {first, count};
     rest_ = rest_.subspan(size.bytes());
   }

@@ -23,10 +23,10 @@ struct TourSizes {
 /// A change of a tour, as it is taken back.
 struct Change {
   enum class Kind : std::uint8_t { kReverse, kSwap, kChoose };
-  Kind kind = Kind::kReverse;
-  Index a = 0;
-  Index b = 0;
-  Index c = 0;
+  Kind kind;
+  Index a;
+  Index b;
+  Index c;
 };
 
 /// Storage of a Tour.

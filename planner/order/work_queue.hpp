@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 
@@ -26,7 +27,9 @@ struct WorkQueueSpace {
 /// Sets whose surroundings have changed since a search last tried them, first come, first served.
 class WorkQueue {
  public:
-  explicit WorkQueue(const WorkQueueSpace& space) : space_{space} {}
+  explicit WorkQueue(const WorkQueueSpace& space) : space_{space} {
+    std::fill(space_.is_waiting.begin(), space_.is_waiting.end(), std::uint8_t{0});
+  }
 
   [[nodiscard]] bool empty() const { return count_ == 0; }
 
