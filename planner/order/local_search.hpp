@@ -59,15 +59,18 @@ class LocalSearch {
   }
 
   [[nodiscard]] bool may_make(const Exchange& exchange) const {
+    if (is_free_) return true;
     const auto [p, q, r] = exchange.cuts;
-    if (problem_->precedence.empty()) return true;
-    if (exchange.has_three) return may_.may_rearrange(exchange.how, p + 1, q + 1, r + 1);
-    return may_.may_reverse(p + 1, q + 1);
+    if (!exchange.has_three) return q - p <= kMaxChecked && may_.may_reverse(p + 1, q + 1);
+    if (std::min(q - p, r - q) > kMaxChecked || r - p > kMaxMoved) return false;
+    return may_.may_rearrange(exchange.how, p + 1, q + 1, r + 1);
   }
 
  private:
-  static constexpr Index kThirdWidth = 5;        ///< Neighbours tried for the third leg.
-  static constexpr Index kMaxReversed = 50'000;  ///< Longer stretches cost more than they bring.
+  static constexpr Index kThirdWidth = 5;        ///< Neighbours tried for a third leg, or to insert a set.
+  // Where the tour may not begin anywhere, longer stretches cost more time than they bring.
+  static constexpr Index kMaxChecked = 1000;
+  static constexpr Index kMaxMoved = 30'000;
 
   double improve_choice(Index set);
   double improve_legs(const LooseEnd& start);
@@ -192,7 +195,6 @@ void LocalSearch<Cost>::close_two(const CutLeg& one,
   Exchange exchange;
   exchange.cuts = {std::min(one.position, two.position), std::max(one.position, two.position), 0};
   exchange.gain = gain;
-  if (exchange.cuts[1] - exchange.cuts[0] > kMaxReversed && !is_free_) return;
   if (may_make(exchange)) best = exchange;
 }
 
@@ -244,7 +246,7 @@ double LocalSearch<Cost>::improve_position(Index set) {
                                      tour_->chosen(tour_->after(set)));
   Insertion best;
   best.gain = least_gain_;
-  for (const Index near : neighbours_.of(set)) {
+  for (const Index near : neighbours_.of(set).first(std::min(kThirdWidth, neighbours_.width()))) {
     if (near == kNone) break;
     const Index there = tour_->position_of(near);
     try_insertion(set, there, freed, best);

@@ -109,7 +109,9 @@ class Search {
   static constexpr std::uint64_t kRecount = 1U << 16U;  ///< Trials after which rounding is undone.
   static constexpr Index kReach = 2;     ///< Sets on either side that choose again.
   static constexpr Index kFewSets = 64;  ///< Up to as many, all choose again.
-  static constexpr Index kTurnOneIn = 4;  ///< Trials of tours with precedence that turn a stretch.
+  // Trials of tours with precedence that turn a stretch: one in as many.
+  static constexpr Index kTurnOneInOfFew = 4;
+  static constexpr Index kTurnOneIn = 8;
 
   static Tour started(const Problem& problem,
                       const TourSpace& space,
@@ -154,7 +156,7 @@ class Search {
   /// @return the gain, as a rule below 0
   double disturb() {
     const auto touched = [this](Index set) { queue_.add(set); };
-    if (!problem_->precedence.empty() && random_.below(kTurnOneIn) == 0) {
+    if (!problem_->precedence.empty() && random_.below(tour_.size() <= kFewSets ? kTurnOneInOfFew : kTurnOneIn) == 0) {
       return turned_.make(random_, local_.legs(), touched);
     }
     DoubleBridge bridge;
@@ -191,6 +193,7 @@ class Search {
     double gain = 0.0;
     for (std::size_t i = 0; i < tried_count_; ++i) {
       const Index position = tour_.position_of(tried_[i]);
+      if (i > 0 && position + 1 - tour_.position_of(tried_[i - 1]) <= 2) continue;  // Done with it.
       const Index start = position >= kReach ? position - kReach : position + tour_.size() - kReach;
       gain += choice_.improve(start, 2 * kReach + 1, least_gain_, changed());
     }

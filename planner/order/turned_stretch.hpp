@@ -30,7 +30,7 @@ struct TurnedStretchSpace {
 class TurnedStretch {
  public:
   /// Sets in a stretch at most.
-  static constexpr Index kLongest = 150;
+  static constexpr Index kLongest = 100;
 
   TurnedStretch(const Problem& problem, Tour& tour, const TurnedStretchSpace& space)
       : problem_{&problem}, tour_{&tour}, space_{space} {
