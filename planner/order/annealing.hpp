@@ -18,6 +18,7 @@ struct AnnealingSizes {
 struct AnnealingSpace {
   TourSpace tour;
   std::span<Index> start;
+  std::span<Index> start_chosen;
   std::span<Index> waits_for;
   std::span<Index> outer;
   std::span<Index> inner;
@@ -26,6 +27,7 @@ struct AnnealingSpace {
   void lay_out(Layout& layout, const AnnealingSizes& sizes) {
     tour.lay_out(layout, {sizes.sets, 0});
     layout(start, sizes.sets);
+    layout(start_chosen, sizes.sets);
     layout(waits_for, sizes.sets);
     layout(outer, sizes.sets);
     layout(inner, sizes.sets);
@@ -161,7 +163,7 @@ void Annealing<Cost>::start_at_random() {
     space_.waits_for[set] = count;
     if (count == 0) ready[end++] = set;
   }
-  const std::span<Index> chosen = space_.tour.chosen;
+  const std::span<Index> chosen = space_.start_chosen;
   for (Index i = 0; i < sets; ++i) {
     if (i > 0) std::swap(ready[i], ready[i + random_.below(end - i)]);
     const Index set = ready[i];

@@ -31,6 +31,18 @@ class RoundedPlaneCost {
   PlaneCost exact_;
 };
 
+/// Plane distance, rounded up to a whole number as TSPLIB does it for CEIL_2D.
+class CeiledPlaneCost {
+ public:
+  explicit CeiledPlaneCost(const CandidatePlaces& places) : exact_{places} {}
+  [[nodiscard]] double operator()(Index from, Index to) const {
+    return std::ceil(exact_(from, to));
+  }
+
+ private:
+  PlaneCost exact_;
+};
+
 /// Costs of all legs, row by row.
 class MatrixCost {
  public:

@@ -95,7 +95,10 @@ class Exact {
   using State = ExactSpace::State;
   static constexpr double kInfinite = std::numeric_limits<double>::infinity();
   static constexpr double kRounding = 1.0e-9;  ///< A tour counts as cheaper beyond this share.
-  static constexpr int kRounds = 200;
+  // Better bounds take longer than they save where there are few sets.
+  static constexpr Index kFewSets = 20;
+  static constexpr int kRoundsOfFew = 15;
+  static constexpr int kRounds = 60;
 
   /// Bounds that are not below this lead to no cheaper tour.
   [[nodiscard]] double limit() const { return best_cost_ - kRounding * std::abs(best_cost_); }
@@ -133,7 +136,8 @@ template <LegCost Cost>
 void Exact<Cost>::begin() {
   // Without a known tour the prices have no aim, and the first tour is far below this.
   const double aim = best_cost_ < kForbidden ? best_cost_ : 0.0;
-  first_bound_ = bound_.raise(home_, aim, best_cost_ < kForbidden ? kRounds : 1);
+  const int rounds = sets_ <= kFewSets ? kRoundsOfFew : kRounds;
+  first_bound_ = bound_.raise(home_, aim, best_cost_ < kForbidden ? rounds : 1);
   layer_ = 1;
   next_ = 0;
   state_count_ = 0;
