@@ -99,7 +99,9 @@ void print(const OrderCommandOptions& options,
                   name_of_input(options.file), problem.sets(), problem.candidates(),
                   name_of(options.solve.method), options.solve.seed, result.steps, seconds);
   terminal::print("cost {}{}\n", cost_json(result.cost).dump(),
-                  result.is_proven ? ", proven to be the least" : "");
+                  result.is_proven                                  ? ", proven to be the least"
+                  : options.solve.method == OrderMethod::kExact ? ", not proven in that time"
+                                                                : "");
   std::string vertices;
   for (const auto candidate : result.candidates) {
     vertices += fmt::format("{}{}", vertices.empty() ? "" : " ", problem.vertex_numbers[candidate]);
@@ -168,9 +170,8 @@ void add_order_command(CLI::App& app, ExitStatus& status) {
       ->option_text("ours|anneal|nearest|file|exact [ours]");
   constexpr double kMostSeconds = 1.0e6;
   CLI::Option* const seconds =
-      command->add_option("--seconds", options->solve.seconds, "Time for ours and exact, s")
-          ->check(in_range(0.0, kMostSeconds, "s"))
-          ->capture_default_str();
+      command->add_option("--seconds", options->solve.seconds, "Time; without it ours takes 1 s and exact as long as it needs")
+          ->check(in_range(0.0, kMostSeconds, "s"));
   constexpr std::int64_t kMostSteps = 1'000'000'000'000;
   command
       ->add_option("--steps", options->solve.steps,

@@ -30,7 +30,7 @@ class OrderRun {
         cost_{&cost},
         options_{&options},
         progress_{&progress},
-        budget_{options.seconds, options.steps},
+        budget_{options.seconds.value_or(kUsualSeconds), options.steps},
         set_of_(problem.candidates()),
         start_{cnc::order::NearestOrderSizes{problem.sets()}} {
     for (Index set = 0; set < problem.sets(); ++set) {
@@ -65,12 +65,14 @@ class OrderRun {
   }
 
  private:
+  static constexpr double kUsualSeconds = 1.0;
+  static constexpr double kEndless = 1.0e12;  ///< s
   // Of the run: a first search, a proof where one may be found, and a search with what is left.
   static constexpr double kFirstShare = 0.3;
   static constexpr double kProofShare = 0.7;
   static constexpr std::uint64_t kChunk = 16;
   static constexpr Index kWidth = 8;  ///< Neighbours; more take longer than they bring.
-  static constexpr std::uint64_t kStepsBeforeProof = 2000;
+  static constexpr std::uint64_t kStepsBeforeProof = 600;
   static constexpr std::size_t kProofBytes = 300'000'000;  ///< Within a search.
 
   void find_nearest();
@@ -229,7 +231,7 @@ void OrderRun<Cost>::prove_only() {
     budget_ = RunBudget{0.0, kStepsBeforeProof};
     search_until(1.0, options_->seed);
   }
-  budget_ = RunBudget{options_->seconds, options_->steps};
+  budget_ = RunBudget{options_->seconds.value_or(kEndless), options_->steps};
   if (result_.is_proven) return;
   if (!prove_until(1.0, options_->memory_bytes)) {
     throw NoOrder{fmt::format("the proof does not fit into {} MB; raise --memory, or use --order "

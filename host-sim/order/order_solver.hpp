@@ -23,7 +23,8 @@ enum class OrderMethod : std::uint8_t {
 
 struct OrderOptions {
   OrderMethod method = OrderMethod::kOurs;
-  double seconds = 1.0;
+  /// Without: one second, and as long as it takes for a proof alone.
+  std::optional<double> seconds;
   /// Instead of seconds: the result is the same on every machine.
   std::optional<std::uint64_t> steps;
   std::uint64_t seed = 1;

@@ -8,7 +8,7 @@ inline constexpr double kWideDecayError = 1.0e-13;
 [[nodiscard]] constexpr double wide_decay(double x) {
   constexpr double kFarthest = 40.0;
   constexpr int kHalvings = 6;
-  constexpr int kTerms = 12;
+  constexpr int kTerms = 16;
   if (x > kFarthest) return 0.0;
   // A Taylor series of x / 64, squared six times; by e^+x, whose terms have one sign.
   double small = x;

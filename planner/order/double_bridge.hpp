@@ -14,7 +14,7 @@ namespace cnc::order {
 struct DoubleBridge {
   /// Sets in a stretch at most. Shorter ones disturb too little, longer ones cost more repair.
   static constexpr Index kLongest = 50;
-  static constexpr Index kFewestSets = 5;
+  static constexpr Index kFewestSets = 4;
 
   Index start = 0;
   Index first = 0;  ///< Lengths.

@@ -110,6 +110,7 @@ class Search {
   static constexpr Index kReach = 2;     ///< Sets on either side that choose again.
   static constexpr Index kFewSets = 64;  ///< Up to as many, all choose again.
   // Trials of tours with precedence that turn a stretch: one in as many.
+  static constexpr Index kAgainOneIn = 4;
   static constexpr Index kTurnOneInOfFew = 4;
   static constexpr Index kTurnOneIn = 8;
 
@@ -142,6 +143,7 @@ class Search {
   }
 
   void try_change(double slack) {
+    if (tour_.size() < 3) return;
     tour_.forget_changes();
     const double gain = disturb() + settle();
     const double may_lose = slack * kWarmth * random_.unit() * best_cost_ / tour_.size();
@@ -153,14 +155,25 @@ class Search {
     if (++trials_ % kRecount == 0) cost_ = local_.legs().tour_cost();
   }
 
+  /// Few sets are disturbed more than once now and then, as one double bridge reaches few orders.
   /// @return the gain, as a rule below 0
   double disturb() {
+    if (tour_.size() > kFewSets) return disturb_once(!problem_->precedence.empty(), kTurnOneIn);
+    double gain = disturb_once(true, kTurnOneInOfFew);
+    while (random_.below(kAgainOneIn) == 0) gain += disturb_once(true, kTurnOneInOfFew);
+    // Local search would leave a good order whose candidates are those of another.
+    if (random_.below(2) == 0) gain += choose_all();
+    return gain;
+  }
+
+  double disturb_once(bool may_turn, Index turn_one_in) {
     const auto touched = [this](Index set) { queue_.add(set); };
-    if (!problem_->precedence.empty() && random_.below(tour_.size() <= kFewSets ? kTurnOneInOfFew : kTurnOneIn) == 0) {
+    const bool has_bridge = tour_.size() >= DoubleBridge::kFewestSets;
+    if (may_turn && (!has_bridge || random_.below(turn_one_in) == 0)) {
       return turned_.make(random_, local_.legs(), touched);
     }
     DoubleBridge bridge;
-    if (!find_double_bridge(random_, tour_, may_, bridge)) return 0.0;
+    if (!has_bridge || !find_double_bridge(random_, tour_, may_, bridge)) return 0.0;
     return make_double_bridge(bridge, tour_, local_.legs(), touched);
   }
 
