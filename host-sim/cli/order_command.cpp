@@ -26,10 +26,13 @@ using order::OrderProblem;
 using order::OrderResult;
 
 constexpr const char* kOrderFooter =
-    "Solves published problems by the solver that orders cuts. FILE is of TSPLIB (TYPE TSP or ATSP;\n"
+    "Solves published problems by the solver that orders cuts. FILE is of TSPLIB (TYPE TSP or "
+    "ATSP;\n"
     "EDGE_WEIGHT_TYPE EUC_2D, CEIL_2D or EXPLICIT as FULL_MATRIX), or of the library of cutting\n"
-    "problems with precedence (TYPE PCGLNS or GTSP): a matrix with -1 for a forbidden leg, groups of\n"
-    "vertices of which one each is visited, and lines `a b -1`, group a before group b. The tour is\n"
+    "problems with precedence (TYPE PCGLNS or GTSP): a matrix with -1 for a forbidden leg, groups "
+    "of\n"
+    "vertices of which one each is visited, and lines `a b -1`, group a before group b. The tour "
+    "is\n"
     "closed and begins at the start group, or the first node.\n"
     "\n"
     "  ours     local search with random trials; a proof where one is found in time\n"
@@ -96,10 +99,16 @@ void print(const OrderCommandOptions& options,
            const OrderResult& result,
            double seconds) {
   terminal::print("{}: {} groups, {} vertices; {}, seed {}, {} steps, {:.2f} s\n",
-                  name_of_input(options.file), problem.sets(), problem.candidates(),
-                  name_of(options.solve.method), options.solve.seed, result.steps, seconds);
-  terminal::print("cost {}{}\n", cost_json(result.cost).dump(),
-                  result.is_proven                                  ? ", proven to be the least"
+                  name_of_input(options.file),
+                  problem.sets(),
+                  problem.candidates(),
+                  name_of(options.solve.method),
+                  options.solve.seed,
+                  result.steps,
+                  seconds);
+  terminal::print("cost {}{}\n",
+                  cost_json(result.cost).dump(),
+                  result.is_proven                              ? ", proven to be the least"
                   : options.solve.method == OrderMethod::kExact ? ", not proven in that time"
                                                                 : "");
   std::string vertices;
@@ -125,7 +134,8 @@ ExitStatus solve(const OrderCommandOptions& options) {
   bar.clear();
   const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
   if (!cnc::order::is_allowed(result.cost)) {
-    terminal::print(stderr, "{}: no tour without a forbidden leg was found; {}\n",
+    terminal::print(stderr,
+                    "{}: no tour without a forbidden leg was found; {}\n",
                     name_of_input(options.file),
                     result.is_proven ? "there is none" : "give more --seconds, or --order exact");
     return ExitStatus::kFaults;
@@ -161,8 +171,11 @@ void add_order_command(CLI::App& app, ExitStatus& status) {
                 ->required(),
             FileRole::kInput);
   std::map<std::string, OrderMethod> methods;
-  for (const auto method : {OrderMethod::kOurs, OrderMethod::kAnneal, OrderMethod::kNearest,
-                            OrderMethod::kFile, OrderMethod::kExact}) {
+  for (const auto method : {OrderMethod::kOurs,
+                            OrderMethod::kAnneal,
+                            OrderMethod::kNearest,
+                            OrderMethod::kFile,
+                            OrderMethod::kExact}) {
     methods.emplace(name_of(method), method);
   }
   command->add_option("--order", options->solve.method, "How the order is found")
@@ -170,11 +183,15 @@ void add_order_command(CLI::App& app, ExitStatus& status) {
       ->option_text("ours|anneal|nearest|file|exact [ours]");
   constexpr double kMostSeconds = 1.0e6;
   CLI::Option* const seconds =
-      command->add_option("--seconds", options->solve.seconds, "Time; without it ours takes 1 s and exact as long as it needs")
+      command
+          ->add_option("--seconds",
+                       options->solve.seconds,
+                       "Time; without it ours takes 1 s and exact as long as it needs")
           ->check(in_range(0.0, kMostSeconds, "s"));
   constexpr std::int64_t kMostSteps = 1'000'000'000'000;
   command
-      ->add_option("--steps", options->solve.steps,
+      ->add_option("--steps",
+                   options->solve.steps,
                    "Steps instead of seconds: the same result on every machine")
       ->check(in_whole_range(1, kMostSteps))
       ->excludes(seconds);

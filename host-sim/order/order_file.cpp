@@ -16,7 +16,8 @@ using cnc::order::Index;
 
 constexpr std::int64_t kMostNodes = 10'000'000;
 constexpr std::int64_t kMostOfMatrix = 30'000;  // 7 GB.
-constexpr double kGreatestCost = 1.0e9;  // A tour without forbidden legs stays far below kForbidden.
+constexpr double kGreatestCost =
+    1.0e9;  // A tour without forbidden legs stays far below kForbidden.
 constexpr double kFarthest = 1.0e9;
 
 /// One group of a file, as it stands there.
@@ -171,8 +172,8 @@ void OrderReader::read_weight_type(std::string_view type) {
 
 void OrderReader::read_matrix() {
   if (dimension_ > kMostOfMatrix) {
-    words_.fail(fmt::format("a matrix of {} vertices is too large, at most {}", dimension_,
-                            kMostOfMatrix));
+    words_.fail(
+        fmt::format("a matrix of {} vertices is too large, at most {}", dimension_, kMostOfMatrix));
   }
   const auto size = static_cast<std::size_t>(dimension_);
   matrix_.resize(size * size);
@@ -180,9 +181,13 @@ void OrderReader::read_matrix() {
     double cost = words_.number("a cost");
     if (cost == -1.0) cost = cnc::order::kForbidden;
     if (cost < 0.0 || (cost > kGreatestCost && cost != cnc::order::kForbidden)) {
-      words_.fail(fmt::format("{:g} is no cost of the leg from {} to {}; costs are 0 to {:g}, and -1 "
-                              "for a forbidden leg",
-                              cost, i / size + 1, i % size + 1, kGreatestCost));
+      words_.fail(
+          fmt::format("{:g} is no cost of the leg from {} to {}; costs are 0 to {:g}, and -1 "
+                      "for a forbidden leg",
+                      cost,
+                      i / size + 1,
+                      i % size + 1,
+                      kGreatestCost));
     }
     matrix_[i] = cost;
   }
@@ -260,8 +265,8 @@ void OrderReader::finish() {
 /// Home comes first, the other groups in the order of the file.
 void OrderReader::number_groups() {
   std::vector<Index> set_of(groups_.size() + 1, cnc::order::kNone);
-  const auto home = std::find_if(groups_.begin(), groups_.end(),
-                                 [&](const Group& group) { return group.number == start_; });
+  const auto home = std::find_if(
+      groups_.begin(), groups_.end(), [&](const Group& group) { return group.number == start_; });
   if (home == groups_.end()) words_.fail(fmt::format("the start group {} is missing", start_));
   std::rotate(groups_.begin(), home, home + 1);
   for (const Group& group : groups_) {
@@ -288,8 +293,8 @@ void OrderReader::sort_vertices() {
   for (const Group& group : groups_) {
     for (const std::uint32_t vertex : group.vertices) {
       if (is_used[vertex]) {
-        words_.fail(fmt::format("vertex {} is in two groups, or in group {} twice", vertex,
-                                group.number));
+        words_.fail(
+            fmt::format("vertex {} is in two groups, or in group {} twice", vertex, group.number));
       }
       is_used[vertex] = true;
       problem_.vertex_numbers.push_back(vertex);
@@ -316,8 +321,9 @@ void OrderReader::check_matrix() {
   problem_.is_symmetric = is_symmetric();
 }
 
-/// Returns whether a stretch costs the same backwards. A leg that is forbidden in one direction only
-/// does not count where precedence forbids that direction: no stretch with it is driven backwards.
+/// Returns whether a stretch costs the same backwards. A leg that is forbidden in one direction
+/// only does not count where precedence forbids that direction: no stretch with it is driven
+/// backwards.
 bool OrderReader::is_symmetric() const {
   const std::size_t size = problem_.vertex_numbers.size();
   std::vector<Index> set_of;

@@ -35,7 +35,8 @@ class OrderRun {
         start_{cnc::order::NearestOrderSizes{problem.sets()}} {
     for (Index set = 0; set < problem.sets(); ++set) {
       std::fill(set_of_.begin() + problem.first_candidate[set],
-                set_of_.begin() + problem.first_candidate[set + 1], set);
+                set_of_.begin() + problem.first_candidate[set + 1],
+                set);
     }
     all_places_ = input.entry;
     all_places_.insert(all_places_.end(), input.exit.begin(), input.exit.end());
@@ -153,8 +154,8 @@ void OrderRun<Cost>::find_neighbours() {
     const OwnedSpace<cnc::order::PlaceTreeSpace> space{
         cnc::order::PlaceTreeSizes{all_places_.size()}};
     const cnc::order::PlaceTree tree{all_places_, *space, true};
-    neighbours_ = cnc::order::find_neighbours(*problem_, places(), tree, set_of_, kWidth,
-                                              neighbour_lists_);
+    neighbours_ =
+        cnc::order::find_neighbours(*problem_, places(), tree, set_of_, kWidth, neighbour_lists_);
   }
   if (problem_->candidates() != problem_->sets() || !problem_->is_symmetric) return;
   neighbour_costs_.resize(neighbour_lists_.size());
@@ -169,8 +170,8 @@ template <cnc::order::LegCost Cost>
 void OrderRun<Cost>::search_until(double share, std::uint64_t seed) {
   const OwnedSpace<cnc::order::SearchSpace> space{
       cnc::order::SearchSizes{problem_->sets(), problem_->candidates()}};
-  cnc::order::Search search{*problem_, *cost_,      neighbours_, *space,
-                            result_.order, best_chosen_, seed};
+  cnc::order::Search search{
+      *problem_, *cost_, neighbours_, *space, result_.order, best_chosen_, seed};
   const double begin = budget_.share();
   double done = begin;
   while (done < share) {
@@ -219,7 +220,8 @@ template <cnc::order::LegCost Cost>
 void OrderRun<Cost>::prove_only() {
   if (!may_be_proven() && problem_->sets() > 1) {
     throw NoOrder{fmt::format("{} groups are too many for a proof, at most {}; use --order ours",
-                              problem_->sets(), cnc::order::kMaxMaskedSets + 1)};
+                              problem_->sets(),
+                              cnc::order::kMaxMaskedSets + 1)};
   }
   find_nearest();
   offer(start_->order, start_->chosen);
@@ -234,9 +236,11 @@ void OrderRun<Cost>::prove_only() {
   budget_ = RunBudget{options_->seconds.value_or(kEndless), options_->steps};
   if (result_.is_proven) return;
   if (!prove_until(1.0, options_->memory_bytes)) {
-    throw NoOrder{fmt::format("the proof does not fit into {} MB; raise --memory, or use --order "
-                              "ours, which finds {:g} without a proof",
-                              options_->memory_bytes / 1'000'000, result_.cost)};
+    throw NoOrder{
+        fmt::format("the proof does not fit into {} MB; raise --memory, or use --order "
+                    "ours, which finds {:g} without a proof",
+                    options_->memory_bytes / 1'000'000,
+                    result_.cost)};
   }
 }
 
@@ -261,8 +265,7 @@ double OrderRun<Cost>::unit() const {
 
 template <cnc::order::LegCost Cost>
 void OrderRun<Cost>::anneal() {
-  const OwnedSpace<cnc::order::AnnealingSpace> space{
-      cnc::order::AnnealingSizes{problem_->sets()}};
+  const OwnedSpace<cnc::order::AnnealingSpace> space{cnc::order::AnnealingSizes{problem_->sets()}};
   cnc::order::Annealing annealing{*problem_, *cost_, *space, unit(), options_->seed};
   while (annealing.run(kChunk)) {
     budget_.count(kChunk);

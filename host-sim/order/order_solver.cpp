@@ -59,14 +59,20 @@ OrderResult solve_order(const OrderProblem& input,
       cnc::order::PrecedenceSizes{input.sets(), input.pairs.size()}};
   const auto precedence = cnc::order::sort_precedence(input.sets(), input.pairs, *space);
   if (!precedence.ok()) refuse(input, precedence.error(), *space);
-  const cnc::order::Problem problem{input.first_candidate, input.reversed, precedence.value(),
-                                    input.is_symmetric, input.is_home_closed};
+  const cnc::order::Problem problem{input.first_candidate,
+                                    input.reversed,
+                                    precedence.value(),
+                                    input.is_symmetric,
+                                    input.is_home_closed};
   const cnc::order::CandidatePlaces places{input.entry,
                                            input.exit.empty() ? input.entry : input.exit};
   switch (input.metric) {
     case Metric::kMatrix:
-      return run(input, problem,
-                 cnc::order::MatrixCost{input.matrix, problem.candidates()}, options, progress);
+      return run(input,
+                 problem,
+                 cnc::order::MatrixCost{input.matrix, problem.candidates()},
+                 options,
+                 progress);
     case Metric::kPlane:
       return run(input, problem, cnc::order::PlaneCost{places}, options, progress);
     case Metric::kRoundedPlane:

@@ -8,8 +8,8 @@
 
 namespace sim::order {
 
-/// Working storage of an algorithm of the planner on the heap, of the size that it needs. Its memory
-/// is taken from the system as it is first used.
+/// Working storage of an algorithm of the planner on the heap, of the size that it needs. Its
+/// memory is taken from the system as it is first used.
 template <typename Space>
 class OwnedSpace {
  public:
@@ -18,8 +18,8 @@ class OwnedSpace {
     const std::size_t words =
         (cnc::order::bytes_for<Space>(sizes) + sizeof(double) - 1) / sizeof(double);
     block_ = std::make_unique_for_overwrite<double[]>(words);
-    space_ = cnc::order::space_in<Space>(
-        std::as_writable_bytes(std::span{block_.get(), words}), sizes);
+    space_ =
+        cnc::order::space_in<Space>(std::as_writable_bytes(std::span{block_.get(), words}), sizes);
   }
 
   [[nodiscard]] const Space& operator*() const { return space_; }

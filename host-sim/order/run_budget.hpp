@@ -18,10 +18,10 @@ class RunBudget {
 
   /// Returns 0…1.
   [[nodiscard]] double share() const {
-    const double share =
-        steps_ ? static_cast<double>(done_) / static_cast<double>(std::max<std::uint64_t>(*steps_, 1))
-               : std::chrono::duration<double>(Clock::now() - start_).count() /
-                     std::max(seconds_, kLeastSeconds);
+    const double share = steps_ ? static_cast<double>(done_) /
+                                      static_cast<double>(std::max<std::uint64_t>(*steps_, 1))
+                                : std::chrono::duration<double>(Clock::now() - start_).count() /
+                                      std::max(seconds_, kLeastSeconds);
     return std::min(share, 1.0);
   }
 

@@ -213,10 +213,9 @@ bool Annealing<Cost>::shift() {
   const Index behind_p = candidate_at(p + 1);
   const Index behind_q = candidate_at(q + 1);
   const Index behind_r = candidate_at(tour_.position_after(r));
-  const double gain = legs_.after(p) + legs_.after(q) + legs_.after(r) -
-                      legs_.between(candidate_at(p), behind_q) -
-                      legs_.between(candidate_at(r), behind_p) -
-                      legs_.between(candidate_at(q), behind_r);
+  const double gain =
+      legs_.after(p) + legs_.after(q) + legs_.after(r) - legs_.between(candidate_at(p), behind_q) -
+      legs_.between(candidate_at(r), behind_p) - legs_.between(candidate_at(q), behind_r);
   if (!accepts(gain) || !may_.may_swap(p + 1, q + 1, r + 1)) return false;
   tour_.swap(p + 1, q - p, r - q);
   return true;
@@ -231,11 +230,10 @@ bool Annealing<Cost>::reverse() {
   if (first > last) std::swap(first, last);
   const Index new_first = problem_->reversal_of(candidate_at(last));
   const Index new_last = problem_->reversal_of(candidate_at(first));
-  const double gain =
-      legs_.after(first - 1) + legs_.after(last) -
-      legs_.between(candidate_at(first - 1), new_first) -
-      legs_.between(new_last, candidate_at(tour_.position_after(last))) +
-      interior_gain(first, last - first + 1);
+  const double gain = legs_.after(first - 1) + legs_.after(last) -
+                      legs_.between(candidate_at(first - 1), new_first) -
+                      legs_.between(new_last, candidate_at(tour_.position_after(last))) +
+                      interior_gain(first, last - first + 1);
   if (first == last || !accepts(gain) || !may_.may_reverse(first, last + 1)) return false;
   tour_.reverse(first, last - first + 1);
   return true;
@@ -264,8 +262,8 @@ bool Annealing<Cost>::pierce_anew(std::span<const Index> contours) {
   const Index before = tour_.chosen(tour_.before(set));
   const Index after = tour_.chosen(tour_.after(set));
   const double gain = legs_.between(before, tour_.chosen(set)) +
-                      legs_.between(tour_.chosen(set), after) -
-                      legs_.between(before, candidate) - legs_.between(candidate, after);
+                      legs_.between(tour_.chosen(set), after) - legs_.between(before, candidate) -
+                      legs_.between(candidate, after);
   if (!accepts(gain)) return false;
   tour_.choose(set, candidate);
   return true;

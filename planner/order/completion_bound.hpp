@@ -21,7 +21,10 @@ struct WalkRest {
   Index next_set;
 };
 inline constexpr WalkRest kNoWalk{std::numeric_limits<double>::infinity(),
-                                  std::numeric_limits<double>::infinity(), kNone, kNone, kNone};
+                                  std::numeric_limits<double>::infinity(),
+                                  kNone,
+                                  kNone,
+                                  kNone};
 
 /// Storage of a CompletionBound.
 struct CompletionBoundSpace {
@@ -42,9 +45,10 @@ struct CompletionBoundSpace {
 /// Bounds from below what the rest of a tour costs.
 ///
 /// A tour without its demand that each set is visited once is a walk of as many steps; the cheapest
-/// walk is found backwards, step by step. A price for each set, paid back at each visit, makes walks
-/// near tours the cheapest (Lagrange multipliers by subgradients, after Held and Karp 1971). Walks
-/// return to no set at once, and keep what precedence says about neighbours and numbers in the tour.
+/// walk is found backwards, step by step. A price for each set, paid back at each visit, makes
+/// walks near tours the cheapest (Lagrange multipliers by subgradients, after Held and Karp 1971).
+/// Walks return to no set at once, and keep what precedence says about neighbours and numbers in
+/// the tour.
 template <LegCost Cost>
 class CompletionBound {
  public:
@@ -161,7 +165,8 @@ class CompletionBound {
     rest = kNoWalk;
     for_each_set_after(number, set, [&](Index then) {
       const double price = space_.prices[then];
-      for (Index c = problem_->first_candidate[then]; c < problem_->first_candidate[then + 1]; ++c) {
+      for (Index c = problem_->first_candidate[then]; c < problem_->first_candidate[then + 1];
+           ++c) {
         const WalkRest& further = at(number + 1, c);
         const double cost = further.next_set == set ? further.other_cost : further.cost;
         offer(rest, (*cost_)(candidate, c) + cost - price, then, c);

@@ -2,8 +2,8 @@
 
 namespace cnc::order {
 
-/// Returns e^−x for x ≥ 0, with the same bits on every machine. Relative error at most kWideDecayError
-/// for x ≤ 40; 0 beyond that.
+/// Returns e^−x for x ≥ 0, with the same bits on every machine. Relative error at most
+/// kWideDecayError for x ≤ 40; 0 beyond that.
 inline constexpr double kWideDecayError = 1.0e-13;
 [[nodiscard]] constexpr double wide_decay(double x) {
   constexpr double kFarthest = 40.0;

@@ -57,7 +57,9 @@ double make_double_bridge(const DoubleBridge& bridge,
                           Touched&& touched) {
   const auto sum_of_legs = [&](Index first, Index second) {
     const Index before = bridge.start - 1;
-    const std::array<Index, 4> positions{before, before + first, before + first + second,
+    const std::array<Index, 4> positions{before,
+                                         before + first,
+                                         before + first + second,
                                          before + bridge.first + bridge.second + bridge.third};
     double sum = 0.0;
     for (const Index position : positions) {

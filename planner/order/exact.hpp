@@ -46,9 +46,9 @@ enum class ExactState : std::uint8_t {
   kDoesNotFit  ///< The storage is full.
 };
 
-/// Finds the cheapest tour and proves that it is: dynamic programming over sets of visited sets that
-/// precedence allows, with the cost of each last candidate. States whose bound is not below the cost
-/// of a known tour are left out.
+/// Finds the cheapest tour and proves that it is: dynamic programming over sets of visited sets
+/// that precedence allows, with the cost of each last candidate. States whose bound is not below
+/// the cost of a known tour are left out.
 template <LegCost Cost>
 class Exact {
  public:
@@ -258,11 +258,12 @@ double Exact<Cost>::arrive(Index candidate, std::span<const State> group) const 
 
 template <LegCost Cost>
 std::span<const ExactSpace::State> Exact<Cost>::group_of(Index layer, SetMask visited) const {
-  const auto all = space_.states.subspan(space_.layers[layer],
-                                         space_.layers[layer + 1] - space_.layers[layer]);
+  const auto all =
+      space_.states.subspan(space_.layers[layer], space_.layers[layer + 1] - space_.layers[layer]);
   const auto [first, end] = std::equal_range(
-      all.begin(), all.end(), State{visited, 0, 0},
-      [](const State& a, const State& b) { return a.visited < b.visited; });
+      all.begin(), all.end(), State{visited, 0, 0}, [](const State& a, const State& b) {
+        return a.visited < b.visited;
+      });
   return {first, end};
 }
 

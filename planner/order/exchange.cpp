@@ -41,8 +41,7 @@ void make_exchange(Tour& tour, const Exchange& exchange, bool is_free) {
   if (is_free && first_length > rest && first_length >= second_length) {
     tour.rearrange(without_moving_first(exchange.how), q + 1, second_length, rest);
   } else if (is_free && second_length > rest) {
-    tour.rearrange(
-        without_moving_second(exchange.how), tour.position_after(r), rest, first_length);
+    tour.rearrange(without_moving_second(exchange.how), tour.position_after(r), rest, first_length);
   } else {
     tour.rearrange(exchange.how, p + 1, first_length, second_length);
   }

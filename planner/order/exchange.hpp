@@ -32,7 +32,8 @@ inline bool find_rearrangement(const CutLeg& one,
                                Exchange& exchange) {
   // Ends are numbered along the tour: exit and entry at the first cut are 0 and 1, and so on.
   const auto rank = [](Index position, Index other, Index another) {
-    return static_cast<std::size_t>(other < position) + static_cast<std::size_t>(another < position);
+    return static_cast<std::size_t>(other < position) +
+           static_cast<std::size_t>(another < position);
   };
   const std::size_t first = rank(one.position, two.position, three.position);
   const std::size_t second = rank(two.position, one.position, three.position);

@@ -67,7 +67,8 @@ class LocalSearch {
   }
 
  private:
-  static constexpr Index kThirdWidth = 5;        ///< Neighbours tried for a third leg, or to insert a set.
+  static constexpr Index kThirdWidth =
+      5;  ///< Neighbours tried for a third leg, or to insert a set.
   // Where the tour may not begin anywhere, longer stretches cost more time than they bring.
   static constexpr Index kMaxChecked = 1000;
   static constexpr Index kMaxMoved = 30'000;
@@ -92,11 +93,8 @@ class LocalSearch {
   bool try_second(const CutLeg& one, Index number, double removed, Exchange& best) const;
   void close_two(const CutLeg& one, const CutLeg& two, double gained, Exchange& best) const;
   void try_third(const CutLeg& one, const CutLeg& two, double gained, Exchange& best) const;
-  void close_three(const CutLeg& one,
-                   const CutLeg& two,
-                   const CutLeg& three,
-                   double gain,
-                   Exchange& best) const;
+  void close_three(
+      const CutLeg& one, const CutLeg& two, const CutLeg& three, double gain, Exchange& best) const;
 
   struct Insertion {
     Index after = kNone;  ///< Position behind which the set goes.
@@ -115,8 +113,8 @@ class LocalSearch {
   Feasibility may_;
   double least_gain_;
   bool is_free_;
-  bool has_lines_;  ///< Reversed sets have other entries.
-  bool is_plain_;   ///< One candidate for each set.
+  bool has_lines_;   ///< Reversed sets have other entries.
+  bool is_plain_;    ///< One candidate for each set.
   bool ends_early_;  ///< Neighbours that are farther away cost more.
 };
 
@@ -225,11 +223,8 @@ void LocalSearch<Cost>::try_third(const CutLeg& one,
 }
 
 template <LegCost Cost>
-void LocalSearch<Cost>::close_three(const CutLeg& one,
-                                    const CutLeg& two,
-                                    const CutLeg& three,
-                                    double gain,
-                                    Exchange& best) const {
+void LocalSearch<Cost>::close_three(
+    const CutLeg& one, const CutLeg& two, const CutLeg& three, double gain, Exchange& best) const {
   Exchange exchange;
   if (!find_rearrangement(one, two, three, exchange)) return;
   exchange.gain = gain;
@@ -241,9 +236,9 @@ double LocalSearch<Cost>::improve_position(Index set) {
   if (set == 0) return 0.0;
   const Index position = tour_->position_of(set);
   const Index before = tour_->position_before(position);
-  const double freed = legs_.after(before) + legs_.after(position) -
-                       legs_.between(tour_->chosen(tour_->before(set)),
-                                     tour_->chosen(tour_->after(set)));
+  const double freed =
+      legs_.after(before) + legs_.after(position) -
+      legs_.between(tour_->chosen(tour_->before(set)), tour_->chosen(tour_->after(set)));
   Insertion best;
   best.gain = least_gain_;
   for (const Index near : neighbours_.of(set).first(std::min(kThirdWidth, neighbours_.width()))) {
@@ -258,10 +253,7 @@ double LocalSearch<Cost>::improve_position(Index set) {
 }
 
 template <LegCost Cost>
-void LocalSearch<Cost>::try_insertion(Index set,
-                                      Index after,
-                                      double freed,
-                                      Insertion& best) const {
+void LocalSearch<Cost>::try_insertion(Index set, Index after, double freed, Insertion& best) const {
   const Index position = tour_->position_of(set);
   if (after == position || tour_->position_after(after) == position) return;
   const Index from = tour_->chosen(tour_->at(after));

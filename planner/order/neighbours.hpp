@@ -9,7 +9,8 @@
 
 namespace cnc::order {
 
-/// The sets nearest to each set, nearest first: the only ones that a search tries to put next to it.
+/// The sets nearest to each set, nearest first: the only ones that a search tries to put next to
+/// it.
 class Neighbours {
  public:
   Neighbours() = default;

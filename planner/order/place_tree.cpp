@@ -41,12 +41,12 @@ void PlaceTree::split(Range range) {
   const bool by_y = greatest.y - least.y > greatest.x - least.x;
   const Index middle = middle_of(range);
   // Equal coordinates are told apart by number: the same tree with every library.
-  std::nth_element(items.begin(), items.begin() + (middle - range.begin), items.end(),
-                   [&](Index a, Index b) {
-                     const double one = by_y ? places_[a].y : places_[a].x;
-                     const double other = by_y ? places_[b].y : places_[b].x;
-                     return one < other || (one == other && a < b);
-                   });
+  std::nth_element(
+      items.begin(), items.begin() + (middle - range.begin), items.end(), [&](Index a, Index b) {
+        const double one = by_y ? places_[a].y : places_[a].x;
+        const double other = by_y ? places_[b].y : places_[b].x;
+        return one < other || (one == other && a < b);
+      });
   space_.is_split_by_y[middle] = by_y ? 1 : 0;
 }
 

@@ -49,7 +49,9 @@ class PlaceTree {
 
   void insert(Index place) { change(place, true); }
   void remove(Index place) { change(place, false); }
-  [[nodiscard]] bool empty() const { return places_.empty() || space_.present[middle_of(all())] == 0; }
+  [[nodiscard]] bool empty() const {
+    return places_.empty() || space_.present[middle_of(all())] == 0;
+  }
 
   /// Calls `visit(place, squared distance)` for present places around `centre`, near subtrees
   /// first, as long as their distance may be below what `visit` returned last.
@@ -100,7 +102,8 @@ class PlaceTree {
       Range far{middle + 1, range.end};
       const bool itself = present_in(range) > present_in(near) + present_in(far);
       if (itself) limit = visit(space_.items[middle], squared_distance(centre, place));
-      const double gap = space_.is_split_by_y[middle] != 0 ? centre.y - place.y : centre.x - place.x;
+      const double gap =
+          space_.is_split_by_y[middle] != 0 ? centre.y - place.y : centre.x - place.x;
       if (gap > 0.0) {
         const Range upper = far;
         far = near;

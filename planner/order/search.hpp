@@ -107,8 +107,8 @@ class Search {
   static constexpr std::size_t kChangesOfStep = 8;  ///< That one improvement makes at most.
   static constexpr Index kSetsToKeep = 64;          ///< Trials between copies, per set, inverse.
   static constexpr std::uint64_t kRecount = 1U << 16U;  ///< Trials after which rounding is undone.
-  static constexpr Index kReach = 2;     ///< Sets on either side that choose again.
-  static constexpr Index kFewSets = 64;  ///< Up to as many, all choose again.
+  static constexpr Index kReach = 2;                    ///< Sets on either side that choose again.
+  static constexpr Index kFewSets = 64;                 ///< Up to as many, all choose again.
   // Trials of tours with precedence that turn a stretch: one in as many.
   static constexpr Index kAgainOneIn = 4;
   static constexpr Index kTurnOneInOfFew = 4;
@@ -213,9 +213,7 @@ class Search {
     return gain;
   }
 
-  double choose_all() {
-    return choice_.improve_all(least_gain_, changed());
-  }
+  double choose_all() { return choice_.improve_all(least_gain_, changed()); }
 
   auto changed() {
     return [this](Index set) {

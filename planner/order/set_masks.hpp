@@ -41,8 +41,7 @@ class MaskedPrecedence {
 
   /// Returns whether `then` may come directly after `set`.
   [[nodiscard]] bool may_follow(Index set, Index then) const {
-    return set != then && (before_[set] & bit_of(then)) == 0 &&
-           (after_[set] & before_[then]) == 0;
+    return set != then && (before_[set] & bit_of(then)) == 0 && (after_[set] & before_[then]) == 0;
   }
   /// Returns whether the set may be the one with this number, from 1 on.
   [[nodiscard]] bool may_be_at(Index set, Index number) const {

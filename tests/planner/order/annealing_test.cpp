@@ -57,7 +57,8 @@ TEST(AnnealingTest, CoolsAsThePaperSays) {
   const MadeProblem made{random, {.sets = 30, .most_candidates = 3, .precedence = 0.0}};
   const proof::TestSpace<AnnealingSpace> space{AnnealingSizes{30}};
   PlainAnnealing annealing{made.problem, made.cost(), *space, kUnit, 1};
-  while (annealing.run(100)) {}
+  while (annealing.run(100)) {
+  }
   const auto course = annealing.course();
   ASSERT_EQ(course.size(), 70U);  // 1.5 · 0.9^n falls below 0.001 after 70.
   for (std::size_t i = 0; i < course.size(); ++i) {
@@ -77,9 +78,10 @@ TEST(AnnealingTest, OftenFindsTheOptimumOfThirtyFivePoints) {
   const MadeProblem made{random, {.sets = 35, .most_candidates = 1, .precedence = 0.0}};
   for (int seed = 0; seed < kRuns; ++seed) {
     const proof::TestSpace<AnnealingSpace> space{AnnealingSizes{35}};
-    PlainAnnealing annealing{made.problem, made.cost(), *space, kUnit,
-                             static_cast<std::uint64_t>(seed)};
-    while (annealing.run(1000)) {}
+    PlainAnnealing annealing{
+        made.problem, made.cost(), *space, kUnit, static_cast<std::uint64_t>(seed)};
+    while (annealing.run(1000)) {
+    }
     sum += annealing.cost();
     least = std::min(least, annealing.cost());
   }

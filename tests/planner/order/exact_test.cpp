@@ -32,7 +32,8 @@ TEST(ExactTest, ProvesTheOptimumThatTryingAllFinds) {
     // With a known tour the bounds cut; one at the optimum leaves nothing to be found.
     const double known = random.chance(0.3) ? kInfinite : least * random.between(1.0, 1.5);
     Exact exact{made.problem, made.cost(), made.set_of, *space, known};
-    while (exact.run(1 + random.below(9)) == ExactState::kRunning) {}
+    while (exact.run(1 + random.below(9)) == ExactState::kRunning) {
+    }
     ASSERT_EQ(exact.state(), ExactState::kProven);
     EXPECT_NEAR(exact.best_cost(), least, 1.0e-8 * least);
     if (made.problem.candidates_of(0) == 1) {

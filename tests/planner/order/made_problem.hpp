@@ -79,8 +79,9 @@ class MadeProblem {
   [[nodiscard]] bool keeps_precedence(std::span<const Index> order) const {
     std::vector<std::size_t> at(order.size());
     for (std::size_t i = 0; i < order.size(); ++i) at[order[i]] = i;
-    return std::all_of(pairs.begin(), pairs.end(),
-                       [&](const auto& pair) { return at[pair.first] < at[pair.then]; });
+    return std::all_of(pairs.begin(), pairs.end(), [&](const auto& pair) {
+      return at[pair.first] < at[pair.then];
+    });
   }
 
   /// Returns the cost of the cheapest tour, by trying all.

@@ -65,9 +65,11 @@ TEST(PrecedenceTest, NamesTheSetsOfACycle) {
     EXPECT_EQ(different.size(), ring.size());
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const Index next = ring[(i + 1) % ring.size()];
-      EXPECT_TRUE(std::any_of(pairs.begin(), pairs.end(), [&](const Before& pair) {
-        return pair.first == ring[i] && pair.then == next;
-      })) << ring[i] << " before " << next;
+      EXPECT_TRUE(std::any_of(
+          pairs.begin(),
+          pairs.end(),
+          [&](const Before& pair) { return pair.first == ring[i] && pair.then == next; }))
+          << ring[i] << " before " << next;
     }
     if (HasFailure()) return;
   }

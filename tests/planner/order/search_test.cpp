@@ -79,7 +79,8 @@ TEST(SearchTest, FindsTheOptimumOfSmallProblems) {
     const MadeProblem made{random, kind};
     const double least = made.least_by_trying_all();
     EXPECT_NEAR(found(made, seed, {2000}).cost, least, 1.0e-9 * least)
-        << kind.sets << " sets, symmetric " << kind.is_symmetric << ", lines " << kind.has_lines<<made.problem.is_free()<<made.problem.candidates_of(0);
+        << kind.sets << " sets, symmetric " << kind.is_symmetric << ", lines " << kind.has_lines
+        << made.problem.is_free() << made.problem.candidates_of(0);
   }
 }
 

@@ -138,8 +138,8 @@ TEST_F(TourTest, ThreeNewLegsAreFoundAgainInTheTour) {
     std::swap(cuts[0], cuts[random.below(3)]);
     std::swap(cuts[1], cuts[1 + random.below(2)]);
     const cnc::order::Legs legs{bench.made.problem, bench.made.cost(), tour};
-    const double removed = legs.after(cuts[0].position) + legs.after(cuts[1].position) +
-                           legs.after(cuts[2].position);
+    const double removed =
+        legs.after(cuts[0].position) + legs.after(cuts[1].position) + legs.after(cuts[2].position);
     const bool joins_itself = cuts[0].other.set == cuts[1].one.set ||
                               cuts[1].other.set == cuts[2].one.set ||
                               cuts[2].other.set == cuts[0].one.set;
