@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "host-sim/order/file_words.hpp"
+#include "host-sim/order/symmetry.hpp"
 #include "planner/order/problem.hpp"
 
 namespace sim::order {
@@ -24,38 +25,6 @@ constexpr double kFarthest = 1.0e9;
 struct Group {
   std::uint32_t number = 0;
   std::vector<std::uint32_t> vertices;
-};
-
-/// Answers which sets come before which, by chains of pairs, too.
-class Reach {
- public:
-  explicit Reach(const OrderProblem& problem) : after_(problem.sets()), known_(problem.sets()) {
-    for (const auto& [first, then] : problem.pairs) after_[first].push_back(then);
-  }
-
-  /// Home leads to all others.
-  [[nodiscard]] bool leads(Index from, Index to) {
-    if (from == 0) return true;
-    std::vector<bool>& reached = known_[from];
-    if (reached.empty()) {
-      reached.resize(after_.size());
-      std::vector<Index> open{from};
-      while (!open.empty()) {
-        const Index set = open.back();
-        open.pop_back();
-        for (const Index after : after_[set]) {
-          if (reached[after]) continue;
-          reached[after] = true;
-          open.push_back(after);
-        }
-      }
-    }
-    return reached[to];
-  }
-
- private:
-  std::vector<std::vector<Index>> after_;
-  std::vector<std::vector<bool>> known_;
 };
 
 class OrderReader {
@@ -86,7 +55,6 @@ class OrderReader {
   void number_groups();
   void sort_vertices();
   void check_matrix();
-  [[nodiscard]] bool is_symmetric() const;
 
   FileWords words_;
   OrderProblem problem_;
@@ -318,30 +286,7 @@ void OrderReader::check_matrix() {
       problem_.matrix[i * size + k] = matrix_[row + problem_.vertex_numbers[k] - 1];
     }
   }
-  problem_.is_symmetric = is_symmetric();
-}
-
-/// Returns whether a stretch costs the same backwards. A leg that is forbidden in one direction
-/// only does not count where precedence forbids that direction: no stretch with it is driven
-/// backwards.
-bool OrderReader::is_symmetric() const {
-  const std::size_t size = problem_.vertex_numbers.size();
-  std::vector<Index> set_of;
-  for (std::size_t set = 0; set < problem_.sets(); ++set) {
-    set_of.resize(problem_.first_candidate[set + 1], static_cast<Index>(set));
-  }
-  Reach reach{problem_};
-  for (std::size_t i = 0; i < size; ++i) {
-    for (std::size_t k = 0; k < i; ++k) {
-      const double there = problem_.matrix[i * size + k];
-      const double back = problem_.matrix[k * size + i];
-      if (there == back || set_of[i] == set_of[k]) continue;
-      if (there == cnc::order::kForbidden && reach.leads(set_of[k], set_of[i])) continue;
-      if (back == cnc::order::kForbidden && reach.leads(set_of[i], set_of[k])) continue;
-      return false;
-    }
-  }
-  return true;
+  problem_.is_symmetric = is_symmetric(problem_);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "host-sim/order/file_order.hpp"
 #include "host-sim/order/order_solver.hpp"
 #include "host-sim/order/owned_space.hpp"
 #include "host-sim/order/run_budget.hpp"
@@ -55,7 +56,9 @@ class OrderRun {
         offer(start_->order, start_->chosen);
         break;
       case OrderMethod::kFile:
-        take_file_order();
+        offer(file_order(*problem_),
+              std::vector<Index>(problem_->first_candidate.begin(),
+                                 problem_->first_candidate.end() - 1));
         break;
       case OrderMethod::kExact:
         prove_only();
@@ -84,8 +87,6 @@ class OrderRun {
   bool prove_until(double share, std::size_t bytes);
   void prove_only();
   void anneal();
-  void take_file_order();
-  [[nodiscard]] double unit() const;
 
   [[nodiscard]] bool may_be_proven() const {
     return problem_->sets() > 1 && problem_->sets() - 1 <= cnc::order::kMaxMaskedSets;
@@ -245,28 +246,9 @@ void OrderRun<Cost>::prove_only() {
 }
 
 template <cnc::order::LegCost Cost>
-double OrderRun<Cost>::unit() const {
-  double unit = 0.0;
-  if (input_->metric == Metric::kMatrix) {
-    for (const double cost : input_->matrix) {
-      if (cnc::order::is_allowed(cost)) unit = std::max(unit, cost);
-    }
-  } else {
-    cnc::order::Place least = all_places_.front();
-    cnc::order::Place most = least;
-    for (const auto& place : all_places_) {
-      least = {std::min(least.x, place.x), std::min(least.y, place.y)};
-      most = {std::max(most.x, place.x), std::max(most.y, place.y)};
-    }
-    unit = std::max(most.x - least.x, most.y - least.y);
-  }
-  return unit > 0.0 ? unit : 1.0;
-}
-
-template <cnc::order::LegCost Cost>
 void OrderRun<Cost>::anneal() {
   const OwnedSpace<cnc::order::AnnealingSpace> space{cnc::order::AnnealingSizes{problem_->sets()}};
-  cnc::order::Annealing annealing{*problem_, *cost_, *space, unit(), options_->seed};
+  cnc::order::Annealing annealing{*problem_, *cost_, *space, unit_of(*input_), options_->seed};
   while (annealing.run(kChunk)) {
     budget_.count(kChunk);
     if (!*progress_) continue;
@@ -276,33 +258,6 @@ void OrderRun<Cost>::anneal() {
   }
   offer(annealing.order(), annealing.chosen());
   result_.course.assign(annealing.course().begin(), annealing.course().end());
-}
-
-/// Each set with its first candidate, in the order of the file; one that must come after others
-/// comes as soon as all of them have come.
-template <cnc::order::LegCost Cost>
-void OrderRun<Cost>::take_file_order() {
-  const Index sets = problem_->sets();
-  std::vector<Index> waits_for(sets);
-  std::vector<Index> order{0};
-  std::vector<bool> is_due(sets);
-  for (Index set = 1; set < sets; ++set) {
-    for (const Index before : problem_->precedence.before(set)) waits_for[set] += before != 0;
-  }
-  std::vector<Index> open;
-  for (Index set = 1; set < sets; ++set) {
-    is_due[set] = true;
-    if (waits_for[set] == 0) open.push_back(set);
-    for (std::size_t i = 0; i < open.size(); ++i) {
-      order.push_back(open[i]);
-      for (const Index after : problem_->precedence.after(open[i])) {
-        if (--waits_for[after] == 0 && is_due[after]) open.push_back(after);
-      }
-    }
-    open.clear();
-  }
-  std::vector<Index> chosen(problem_->first_candidate.begin(), problem_->first_candidate.end() - 1);
-  offer(order, chosen);
 }
 
 }  // namespace sim::order
