@@ -171,8 +171,8 @@ template <cnc::order::LegCost Cost>
 void OrderRun<Cost>::search_until(double share, std::uint64_t seed) {
   const OwnedSpace<cnc::order::SearchSpace> space{
       cnc::order::SearchSizes{problem_->sets(), problem_->candidates()}};
-  cnc::order::Search search{
-      *problem_, *cost_, neighbours_, *space, result_.order, best_chosen_, seed};
+  cnc::order::Search<Cost> search{
+      *problem_, *cost_, neighbours_, *space, {result_.order, best_chosen_}, seed};
   const double begin = budget_.share();
   double done = begin;
   while (done < share) {

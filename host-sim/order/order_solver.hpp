@@ -51,7 +51,7 @@ class NoOrder : public std::runtime_error {
 using OrderProgress = std::function<void(double, double)>;
 
 /// Throws NoOrder.
-[[nodiscard]] OrderResult solve_order(const OrderProblem& problem,
+[[nodiscard]] OrderResult solve_order(const OrderProblem& input,
                                       const OrderOptions& options,
                                       const OrderProgress& progress);
 

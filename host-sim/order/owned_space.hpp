@@ -17,6 +17,7 @@ class OwnedSpace {
   explicit OwnedSpace(const Sizes& sizes) {
     const std::size_t words =
         (cnc::order::bytes_for<Space>(sizes) + sizeof(double) - 1) / sizeof(double);
+    // NOLINTNEXTLINE(modernize-avoid-c-arrays): a vector would write all of it.
     block_ = std::make_unique_for_overwrite<double[]>(words);
     space_ =
         cnc::order::space_in<Space>(std::as_writable_bytes(std::span{block_.get(), words}), sizes);
@@ -26,7 +27,7 @@ class OwnedSpace {
   [[nodiscard]] const Space* operator->() const { return &space_; }
 
  private:
-  std::unique_ptr<double[]> block_;
+  std::unique_ptr<double[]> block_;  // NOLINT(modernize-avoid-c-arrays)
   Space space_;
 };
 

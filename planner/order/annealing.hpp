@@ -85,6 +85,7 @@ class Annealing {
   }
   Annealing(const Annealing&) = delete;
   Annealing& operator=(const Annealing&) = delete;
+  ~Annealing() = default;
 
   /// Goes on by a number of tries. @return false when it has ended
   bool run(std::uint64_t tries) {

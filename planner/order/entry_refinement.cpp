@@ -32,27 +32,32 @@ double best_on_line(const EntryPiece& line, const Place& from, const Place& to) 
 
 double best_on_arc(const EntryPiece& arc, const Place& from, const Place& to) {
   constexpr int kSamples = 32;
-  constexpr int kHalvings = 40;
+  constexpr int kThirds = 60;
   const auto cost = [&](double parameter) { return way(from, arc.at(parameter), to); };
-  const double step = (arc.last - arc.first) / kSamples;
-  double best = arc.first;
-  for (int i = 1; i <= kSamples; ++i) {
-    const double parameter = i == kSamples ? arc.last : arc.first + i * step;
+  const auto sample = [&](int i) {
+    return i >= kSamples ? arc.last : arc.first + i * ((arc.last - arc.first) / kSamples);
+  };
+  // By thirds around each sample that is better than its neighbours.
+  const auto refined = [&](double low, double high) {
+    for (int i = 0; i < kThirds; ++i) {
+      const double third = (high - low) / 3.0;
+      if (cost(low + third) <= cost(high - third)) {
+        high -= third;
+      } else {
+        low += third;
+      }
+    }
+    return 0.5 * (low + high);
+  };
+  double best = cost(arc.first) <= cost(arc.last) ? arc.first : arc.last;
+  for (int i = 0; i <= kSamples; ++i) {
+    const double low = sample(std::max(i - 1, 0));
+    const double high = sample(i + 1);
+    if (cost(sample(i)) > std::min(cost(low), cost(high))) continue;
+    const double parameter = refined(low, high);
     if (cost(parameter) < cost(best)) best = parameter;
   }
-  // Thirds of what is left, around the best sample.
-  double low = std::max(arc.first, best - step);
-  double high = std::min(arc.last, best + step);
-  for (int i = 0; i < kHalvings; ++i) {
-    const double third = (high - low) / 3.0;
-    if (cost(low + third) <= cost(high - third)) {
-      high -= third;
-    } else {
-      low += third;
-    }
-  }
-  const double refined = 0.5 * (low + high);
-  return cost(refined) < cost(best) ? refined : best;
+  return best;
 }
 
 /// Puts a point to the best place of its contour. @return the gain, 0 where none is better

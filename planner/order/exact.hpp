@@ -72,6 +72,7 @@ class Exact {
   }
   Exact(const Exact&) = delete;
   Exact& operator=(const Exact&) = delete;
+  ~Exact() = default;
 
   /// Goes on by a number of steps; a step extends one set of visited sets.
   ExactState run(std::uint64_t steps) {

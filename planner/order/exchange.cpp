@@ -39,8 +39,10 @@ void make_exchange(Tour& tour, const Exchange& exchange, bool is_free) {
   const Index second_length = r - q;
   const Index rest = tour.size() - first_length - second_length;
   if (is_free && first_length > rest && first_length >= second_length) {
+    // NOLINTNEXTLINE(readability-suspicious-call-argument): other stretches stand still.
     tour.rearrange(without_moving_first(exchange.how), q + 1, second_length, rest);
   } else if (is_free && second_length > rest) {
+    // NOLINTNEXTLINE(readability-suspicious-call-argument): other stretches stand still.
     tour.rearrange(without_moving_second(exchange.how), tour.position_after(r), rest, first_length);
   } else {
     tour.rearrange(exchange.how, p + 1, first_length, second_length);

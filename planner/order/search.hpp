@@ -47,19 +47,22 @@ struct SearchSpace {
 template <LegCost Cost>
 class Search {
  public:
-  /// The arguments must outlive the search, except `order` and `chosen`.
-  /// @param order a permutation of the sets with home first that keeps the precedence
-  /// @param chosen a candidate of each set, by set
+  /// A tour that keeps the precedence.
+  struct Start {
+    std::span<const Index> order;   ///< A permutation of the sets, home first.
+    std::span<const Index> chosen;  ///< A candidate of each set, by set.
+  };
+
+  /// The arguments must outlive the search, except `start`.
   Search(const Problem& problem,
          const Cost& cost,
          const Neighbours& neighbours,
          const SearchSpace& space,
-         std::span<const Index> order,
-         std::span<const Index> chosen,
+         const Start& start,
          std::uint64_t seed)
       : problem_{&problem},
         space_{space},
-        tour_{started(problem, space.tour, order, chosen)},
+        tour_{started(problem, space.tour, start)},
         queue_{space.queue},
         least_gain_{kRounding * allowed_cost(Legs<Cost>{problem, cost, tour_})},
         local_{problem, cost, neighbours, tour_, queue_, least_gain_},
@@ -73,6 +76,7 @@ class Search {
   }
   Search(const Search&) = delete;
   Search& operator=(const Search&) = delete;
+  ~Search() = default;
 
   /// Goes on by a number of steps: sets tried in the first descent, trials after it.
   /// @param slack share of the whole run that is left, 1…0; the more, the worse a tour may be to be
@@ -114,12 +118,9 @@ class Search {
   static constexpr Index kTurnOneInOfFew = 4;
   static constexpr Index kTurnOneIn = 8;
 
-  static Tour started(const Problem& problem,
-                      const TourSpace& space,
-                      std::span<const Index> order,
-                      std::span<const Index> chosen) {
+  static Tour started(const Problem& problem, const TourSpace& space, const Start& start) {
     Tour tour{problem, space};
-    tour.assign(order, chosen);
+    tour.assign(start.order, start.chosen);
     return tour;
   }
 

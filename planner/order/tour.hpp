@@ -94,7 +94,7 @@ class Tour {
   [[nodiscard]] Index wrapped(Index position) const {
     return position >= size() ? position - size() : position;
   }
-  void place(Index position, Index set) {
+  void place(Index position, Index set) const {
     space_.order[position] = set;
     space_.positions[set] = position;
   }

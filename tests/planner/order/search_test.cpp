@@ -29,7 +29,8 @@ Found found(const MadeProblem& made, std::uint64_t seed, const std::vector<std::
   const proof::TestSpace<SearchSpace> space{
       SearchSizes{made.problem.sets(), made.problem.candidates()}};
   const auto [order, chosen] = made.nearest();
-  Search search{made.problem, made.cost(), made.neighbours, *space, order, chosen, seed};
+  Search<MatrixCost> search{
+      made.problem, made.cost(), made.neighbours, *space, {order, chosen}, seed};
   for (const std::uint64_t steps : parts) search.run(steps, 0.5);
   Found result;
   result.cost = search.best_cost();
@@ -104,7 +105,8 @@ TEST(SearchTest, ComesNearToTheOptimumOfUniformPoints) {
   const proof::TestSpace<SearchSpace> space{SearchSizes{kPoints, kPoints}};
   const std::span<const Index> as_numbered = std::span{first}.first(kPoints);
   const cnc::order::PlaneCost cost{candidates};
-  Search search{problem, cost, neighbours, *space, as_numbered, as_numbered, 1};
+  Search<cnc::order::PlaneCost> search{
+      problem, cost, neighbours, *space, {as_numbered, as_numbered}, 1};
   while (!search.is_locally_best()) search.run(100, 0.0);
   const double limit = 0.7124 * std::sqrt(double{kPoints});
   EXPECT_LT(search.best_cost(), 1.09 * limit);
