@@ -207,7 +207,7 @@ bool OrderRun<Cost>::prove_until(double share, std::size_t bytes) {
       problem_->sets(), problem_->candidates(), states, states * candidates_of_set}};
   cnc::order::Exact exact{*problem_, *cost_, set_of_, *space, result_.cost};
   while (exact.state() == cnc::order::ExactState::kRunning && budget_.share() < share) {
-    const std::uint64_t steps = budget_.next_steps(kChunk);
+    const std::uint64_t steps = budget_.next_steps(1);
     exact.run(steps);
     budget_.count(steps);
     report();

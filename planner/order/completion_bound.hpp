@@ -64,26 +64,35 @@ class CompletionBound {
         space_{space},
         sets_{problem.sets() - 1} {}
 
-  /// Looks for prices that bring the bound of the whole tour near to the cost of a known one.
-  /// @param home candidate where the tour begins and ends
-  /// @return the bound
-  double raise(Index home, double known_cost, int rounds) {
+  /// Begins to look for prices that bring the bound of the whole tour near to the cost of a known
+  /// one.
+  void start(int rounds) {
     std::fill(space_.prices.begin(), space_.prices.end(), 0.0);
-    double best = -std::numeric_limits<double>::infinity();
-    double share = 1.0;
-    int since_best = 0;
-    for (int round = 0; round < rounds && share > kLeastShare; ++round) {
-      const double bound = find(home);
-      if (bound > best) {
-        best = bound;
-        since_best = 0;
-        std::copy(space_.prices.begin(), space_.prices.end(), space_.best_prices.begin());
-      } else if (++since_best > kPatience) {
-        since_best = 0;
-        share /= 2.0;
-      }
-      if (!move_prices(share, known_cost - bound)) break;
+    std::copy(space_.prices.begin(), space_.prices.end(), space_.best_prices.begin());
+    best_ = -std::numeric_limits<double>::infinity();
+    share_ = 1.0;
+    since_best_ = 0;
+    rounds_left_ = rounds;
+  }
+
+  /// Tries other prices once.
+  /// @param home candidate where the tour begins and ends
+  /// @return false where no further round is of use
+  bool raise(Index home, double known_cost) {
+    const double bound = find(home);
+    if (bound > best_) {
+      best_ = bound;
+      since_best_ = 0;
+      std::copy(space_.prices.begin(), space_.prices.end(), space_.best_prices.begin());
+    } else if (++since_best_ > kPatience) {
+      since_best_ = 0;
+      share_ /= 2.0;
     }
+    return --rounds_left_ > 0 && share_ > kLeastShare && move_prices(share_, known_cost - bound);
+  }
+
+  /// Takes the best prices, for rest(). @return the bound of the whole tour
+  double finish(Index home) {
     std::copy(space_.best_prices.begin(), space_.best_prices.end(), space_.prices.begin());
     return find(home);
   }
@@ -216,6 +225,10 @@ class CompletionBound {
   const MaskedPrecedence* precedence_;
   CompletionBoundSpace space_;
   Index sets_;
+  double best_ = 0.0;
+  double share_ = 1.0;
+  int since_best_ = 0;
+  int rounds_left_ = 0;
 };
 
 }  // namespace cnc::order

@@ -3,42 +3,9 @@
 #include <algorithm>
 #include <span>
 
-#include "planner/order/completion_bound.hpp"
+#include "planner/order/exact_space.hpp"
 
 namespace cnc::order {
-
-struct ExactSizes {
-  std::size_t sets;
-  std::size_t candidates;
-  std::size_t states;  ///< Pairs of visited sets and last set.
-  std::size_t values;  ///< Costs: one for each candidate of the last set of each state.
-};
-
-/// Storage of an Exact.
-struct ExactSpace {
-  struct State {
-    SetMask visited;
-    std::size_t values;  ///< Where the costs of its candidates begin.
-    Index last;
-  };
-
-  CompletionBoundSpace bound;
-  std::span<State> states;
-  std::span<double> values;
-  std::span<std::size_t> layers;  ///< First state of each layer, and the end.
-  std::span<Index> order;
-  std::span<Index> chosen;
-
-  template <typename Layout>
-  void lay_out(Layout& layout, const ExactSizes& sizes) {
-    bound.lay_out(layout, {sizes.sets, sizes.candidates});
-    layout(states, sizes.states);
-    layout(values, sizes.values);
-    layout(layers, sizes.sets + 1);
-    layout(order, sizes.sets);
-    layout(chosen, sizes.sets);
-  }
-};
 
 enum class ExactState : std::uint8_t {
   kRunning,
@@ -74,7 +41,7 @@ class Exact {
   Exact& operator=(const Exact&) = delete;
   ~Exact() = default;
 
-  /// Goes on by a number of steps; a step extends one set of visited sets.
+  /// Goes on by a number of steps: one raises the bound, or extends one set of visited sets.
   ExactState run(std::uint64_t steps) {
     for (std::uint64_t i = 0; i < steps && state_ == ExactState::kRunning; ++i) step();
     return state_;
@@ -105,6 +72,7 @@ class Exact {
   [[nodiscard]] double limit() const { return best_cost_ - kRounding * std::abs(best_cost_); }
 
   void begin();
+  void raise_bound();
   void step();
   void finish_layer();
   void finish_home();
@@ -129,29 +97,42 @@ class Exact {
   std::size_t state_count_ = 0;
   std::size_t value_count_ = 0;
   bool has_tour_ = false;
+  bool is_bounding_ = true;
   ExactState state_ = ExactState::kRunning;
 };
 
 /// Starts with the tours from one candidate of home.
 template <LegCost Cost>
 void Exact<Cost>::begin() {
-  // Without a known tour the prices have no aim, and the first tour is far below this.
-  const double aim = best_cost_ < kForbidden ? best_cost_ : 0.0;
   const int rounds = sets_ <= kFewSets ? kRoundsOfFew : kRounds;
-  first_bound_ = bound_.raise(home_, aim, best_cost_ < kForbidden ? rounds : 1);
+  // Without a known tour prices have no aim.
+  bound_.start(best_cost_ < kForbidden ? rounds : 1);
+  is_bounding_ = true;
+}
+
+template <LegCost Cost>
+void Exact<Cost>::raise_bound() {
+  if (bound_.raise(home_, best_cost_ < kForbidden ? best_cost_ : 0.0)) return;
+  first_bound_ = bound_.finish(home_);
+  is_bounding_ = false;
   layer_ = 1;
   next_ = 0;
   state_count_ = 0;
   value_count_ = 0;
   space_.layers[1] = 0;
   for (Index set = 1; set <= sets_; ++set) {
-    if (precedence_.before(set) == 0) static_cast<void>(add_state(bit_of(set), set, {}));
+    if (precedence_.before(set) != 0) continue;
+    if (!add_state(bit_of(set), set, {})) state_ = ExactState::kDoesNotFit;
   }
   space_.layers[2] = state_count_;
 }
 
 template <LegCost Cost>
 void Exact<Cost>::step() {
+  if (is_bounding_) {
+    raise_bound();
+    return;
+  }
   const std::size_t end = space_.layers[layer_ + 1];
   if (next_ == end) {
     finish_layer();
