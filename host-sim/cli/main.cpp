@@ -38,6 +38,7 @@ constexpr const char* kProgramFooter =
     "  kerfline offset part.txt --distance 0.28 --svg part.svg -o cut.txt\n"
     "  kerfline drawing part.dxf --svg part.svg\n"
     "  kerfline cut part.dxf --material 'CSP 1N' --thickness 2 -o part.nc --svg part.svg\n"
+    "  kerfline order e1x_6.pcglns --seconds 5 --json\n"
     "  kerfline serve --pty ttyKerfline --settings laser.settings\n"
     "  kerfline send part.nc --port /dev/ttyACM0\n"
     "  kerfline kerf advise --material 'CSP 1N' --thickness 2 --power 1800 --speed 4000\n"
@@ -59,6 +60,7 @@ int run(int argc, char** argv) {
   sim::add_offset_command(app, status);
   sim::add_drawing_command(app, status);
   sim::add_cut_command(app, status);
+  sim::add_order_command(app, status);
   sim::add_send_command(app, status);
   sim::add_completion_command(app);
   sim::add_manual_command(app);

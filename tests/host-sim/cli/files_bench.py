@@ -30,6 +30,10 @@ CUTS = ("material,laser,gas_pressure_mpa,thickness_mm,power_w,speed_mm_min,kerf_
 TALK = "kerfline conversation 1\nprobe_plate -10\nend 1000000\n"
 
 
+PROBLEM = ("NAME: four\nTYPE: TSP\nDIMENSION: 4\nEDGE_WEIGHT_TYPE: EUC_2D\nNODE_COORD_SECTION\n"
+           "1 0 0\n2 30 40\n3 30 0\n4 0 40\nEOF\n")
+
+
 @dataclasses.dataclass
 class Command:
     """`call`: what it needs beside files; `inputs`: content by option; `updates`: the same of files that
@@ -71,6 +75,7 @@ COMMANDS = {
                    {"DRAWING": PLATE, "--layers": ": tabs=2\n", "--settings": SETTINGS},
                    ("--output", "--svg", "--report"), {"--db": CUTS}, takes_stdin=True,
                    empty_is_refused=("--layers", "--settings")),
+    "order": Command(("--steps", "10"), {"FILE": PROBLEM}, takes_stdin=True),
     "send": Command((), {"file": PROGRAM}, ("--log",), takes_stdin=True, empty_is_refused=("file",)),
 }
 # Further ways to call a command, for options that exclude or need others.

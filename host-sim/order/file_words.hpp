@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "host-sim/order/order_file.hpp"
+
+namespace sim::order {
+
+/// The words of a problem file one after another, with the line of each.
+class FileWords {
+ public:
+  FileWords(std::string_view text, std::string_view file) : rest_{text}, file_{file} {}
+
+  /// Returns the next word, empty at the end of the file. A colon is a word by itself.
+  std::string_view next();
+  /// Returns the next word without taking it.
+  [[nodiscard]] std::string_view peek() const;
+  /// Returns the rest of the line, without blanks around it.
+  std::string_view rest_of_line();
+
+  /// Takes a number. `what` names it in messages.
+  double number(std::string_view what);
+  std::int64_t whole_number(std::string_view what, std::int64_t least, std::int64_t most);
+
+  [[noreturn]] void fail(std::string_view reason) const;
+  [[noreturn]] void fail_at(std::size_t line, std::string_view reason) const;
+  [[nodiscard]] std::size_t line() const { return line_; }
+
+ private:
+  void skip_blanks();
+
+  std::string_view rest_;
+  std::string_view file_;
+  std::size_t line_ = 1;
+};
+
+}  // namespace sim::order

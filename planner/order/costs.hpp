@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "planner/order/neighbours.hpp"
+
+namespace cnc::order {
+
+/// Plane distance from exit to entry.
+class PlaneCost {
+ public:
+  explicit PlaneCost(const CandidatePlaces& places) : places_{places} {}
+  [[nodiscard]] double operator()(Index from, Index to) const {
+    return std::sqrt(squared_distance(places_.exit[from], places_.entry[to]));
+  }
+
+ private:
+  CandidatePlaces places_;
+};
+
+/// Plane distance, rounded to a whole number as TSPLIB does it for EUC_2D.
+class RoundedPlaneCost {
+ public:
+  explicit RoundedPlaneCost(const CandidatePlaces& places) : exact_{places} {}
+  [[nodiscard]] double operator()(Index from, Index to) const {
+    return static_cast<double>(static_cast<std::int64_t>(exact_(from, to) + 0.5));
+  }
+
+ private:
+  PlaneCost exact_;
+};
+
+/// Plane distance, rounded up to a whole number as TSPLIB does it for CEIL_2D.
+class CeiledPlaneCost {
+ public:
+  explicit CeiledPlaneCost(const CandidatePlaces& places) : exact_{places} {}
+  [[nodiscard]] double operator()(Index from, Index to) const {
+    return std::ceil(exact_(from, to));
+  }
+
+ private:
+  PlaneCost exact_;
+};
+
+/// Costs of all legs, row by row.
+class MatrixCost {
+ public:
+  /// @param costs `size`² numbers; row `from`, column `to`
+  MatrixCost(std::span<const double> costs, Index size) : costs_{costs}, size_{size} {}
+  [[nodiscard]] double operator()(Index from, Index to) const {
+    return costs_[std::size_t{from} * size_ + to];
+  }
+
+ private:
+  std::span<const double> costs_;
+  Index size_;
+};
+
+}  // namespace cnc::order

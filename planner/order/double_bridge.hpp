@@ -1,0 +1,78 @@
+#pragma once
+
+#include <algorithm>
+#include <array>
+
+#include "planner/order/feasibility.hpp"
+#include "planner/order/legs.hpp"
+#include "planner/order/random.hpp"
+
+namespace cnc::order {
+
+/// Three neighbouring stretches B C D of a tour that become D C B: a disturbance that no exchange
+/// of three legs takes back.
+struct DoubleBridge {
+  /// Sets in a stretch at most. Shorter ones disturb too little, longer ones cost more repair.
+  static constexpr Index kLongest = 50;
+  static constexpr Index kFewestSets = 4;
+
+  Index start = 0;
+  Index first = 0;  ///< Lengths.
+  Index second = 0;
+  Index third = 0;
+
+  [[nodiscard]] bool keeps(const Feasibility& may) const {
+    const Index middle = start + first;
+    const Index last = middle + second;
+    return may.may_swap(start, last, last + third) && may.may_swap(start, middle, last);
+  }
+};
+
+/// Finds a random double bridge that keeps the precedence.
+/// @return false where none of some tries does
+inline bool find_double_bridge(Random& random,
+                               const Tour& tour,
+                               const Feasibility& may,
+                               DoubleBridge& bridge) {
+  constexpr int kTries = 10;
+  const Index sets = tour.size();
+  if (sets < DoubleBridge::kFewestSets) return false;
+  const Index longest = std::min(DoubleBridge::kLongest, (sets - 1) / 3);
+  for (int i = 0; i < kTries; ++i) {
+    bridge.first = 1 + random.below(longest);
+    bridge.second = 1 + random.below(longest);
+    bridge.third = 1 + random.below(longest);
+    bridge.start = 1 + random.below(sets - bridge.first - bridge.second - bridge.third);
+    if (bridge.keeps(may)) return true;
+  }
+  return false;
+}
+
+/// Makes it, and calls `touched(set)` for the sets on both sides of each leg that changes.
+/// @return the gain, as a rule below 0
+template <LegCost Cost, typename Touched>
+double make_double_bridge(const DoubleBridge& bridge,
+                          Tour& tour,
+                          const Legs<Cost>& legs,
+                          Touched&& touched) {
+  const auto sum_of_legs = [&](Index first, Index second) {
+    const Index before = bridge.start - 1;
+    const std::array<Index, 4> positions{before,
+                                         before + first,
+                                         before + first + second,
+                                         before + bridge.first + bridge.second + bridge.third};
+    double sum = 0.0;
+    for (const Index position : positions) {
+      sum += legs.after(position);
+      touched(tour.at(position));
+      touched(tour.at(tour.position_after(position)));
+    }
+    return sum;
+  };
+  const double removed = sum_of_legs(bridge.first, bridge.second);
+  tour.swap(bridge.start, bridge.first + bridge.second, bridge.third);
+  tour.swap(bridge.start + bridge.third, bridge.first, bridge.second);
+  return removed - sum_of_legs(bridge.third, bridge.second);
+}
+
+}  // namespace cnc::order

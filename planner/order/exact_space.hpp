@@ -1,0 +1,42 @@
+#pragma once
+
+#include <span>
+
+#include "planner/order/completion_bound.hpp"
+
+namespace cnc::order {
+
+struct ExactSizes {
+  std::size_t sets;
+  std::size_t candidates;
+  std::size_t states;  ///< Pairs of visited sets and last set.
+  std::size_t values;  ///< Costs: one for each candidate of the last set of each state.
+};
+
+/// Storage of an Exact.
+struct ExactSpace {
+  struct State {
+    SetMask visited;
+    std::size_t values;  ///< Where the costs of its candidates begin.
+    Index last;
+  };
+
+  CompletionBoundSpace bound;
+  std::span<State> states;
+  std::span<double> values;
+  std::span<std::size_t> layers;  ///< First state of each layer, and the end.
+  std::span<Index> order;
+  std::span<Index> chosen;
+
+  template <typename Layout>
+  void lay_out(Layout& layout, const ExactSizes& sizes) {
+    bound.lay_out(layout, {sizes.sets, sizes.candidates});
+    layout(states, sizes.states);
+    layout(values, sizes.values);
+    layout(layers, sizes.sets + 1);
+    layout(order, sizes.sets);
+    layout(chosen, sizes.sets);
+  }
+};
+
+}  // namespace cnc::order

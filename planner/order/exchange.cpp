@@ -1,0 +1,52 @@
+#include "planner/order/exchange.hpp"
+
+namespace cnc::order {
+namespace {
+
+/// The same cyclic tour as a rearrangement of B and C, up to its direction, by one of C and the
+/// rest, or of the rest and B. Found by writing out each case.
+Rearrangement without_moving_first(Rearrangement how) {
+  switch (how) {
+    case Rearrangement::kSwap:
+      return Rearrangement::kSwap;
+    case Rearrangement::kSwapReverseFirst:
+      return Rearrangement::kReverseBoth;
+    case Rearrangement::kSwapReverseSecond:
+      return Rearrangement::kSwapReverseFirst;
+    case Rearrangement::kReverseBoth:
+      return Rearrangement::kSwapReverseSecond;
+  }
+  return how;
+}
+
+Rearrangement without_moving_second(Rearrangement how) {
+  return without_moving_first(without_moving_first(how));
+}
+
+}  // namespace
+
+void make_exchange(Tour& tour, const Exchange& exchange, bool is_free) {
+  const auto [p, q, r] = exchange.cuts;
+  const Index first_length = q - p;
+  if (!exchange.has_three) {
+    if (is_free && 2 * first_length > tour.size()) {
+      tour.reverse(tour.position_after(q), tour.size() - first_length);
+    } else {
+      tour.reverse(p + 1, first_length);
+    }
+    return;
+  }
+  const Index second_length = r - q;
+  const Index rest = tour.size() - first_length - second_length;
+  if (is_free && first_length > rest && first_length >= second_length) {
+    // NOLINTNEXTLINE(readability-suspicious-call-argument): other stretches stand still.
+    tour.rearrange(without_moving_first(exchange.how), q + 1, second_length, rest);
+  } else if (is_free && second_length > rest) {
+    // NOLINTNEXTLINE(readability-suspicious-call-argument): other stretches stand still.
+    tour.rearrange(without_moving_second(exchange.how), tour.position_after(r), rest, first_length);
+  } else {
+    tour.rearrange(exchange.how, p + 1, first_length, second_length);
+  }
+}
+
+}  // namespace cnc::order

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "planner/base/result.hpp"
+
+namespace cnc::order {
+
+/// Number of a set or of a candidate.
+using Index = std::uint32_t;
+
+/// `first` is cut before `then`.
+struct Before {
+  Index first;
+  Index then;
+};
+
+/// Which sets have to come before which, as lists in both directions.
+class Precedence {
+ public:
+  Precedence() = default;
+  Precedence(std::span<const Index> first_after,
+             std::span<const Index> after,
+             std::span<const Index> first_before,
+             std::span<const Index> before)
+      : first_after_{first_after}, after_{after}, first_before_{first_before}, before_{before} {}
+
+  [[nodiscard]] bool empty() const { return after_.empty(); }
+  /// Returns the sets that must come after `set`, as far as a pair names them.
+  [[nodiscard]] std::span<const Index> after(Index set) const {
+    return list(first_after_, after_, set);
+  }
+  /// Returns the sets that must come before `set`.
+  [[nodiscard]] std::span<const Index> before(Index set) const {
+    return list(first_before_, before_, set);
+  }
+
+ private:
+  static std::span<const Index> list(std::span<const Index> firsts,
+                                     std::span<const Index> items,
+                                     Index set) {
+    if (items.empty()) return {};
+    return items.subspan(firsts[set], firsts[set + 1] - firsts[set]);
+  }
+
+  std::span<const Index> first_after_;
+  std::span<const Index> after_;
+  std::span<const Index> first_before_;
+  std::span<const Index> before_;
+};
+
+struct PrecedenceSizes {
+  std::size_t sets;
+  std::size_t pairs;
+};
+
+/// Storage of a Precedence, which must live as long as that.
+struct PrecedenceSpace {
+  std::span<Index> first_after;
+  std::span<Index> after;
+  std::span<Index> first_before;
+  std::span<Index> before;
+  std::span<Index> waits_for;  ///< Of the check for cycles.
+  std::span<Index> ready;
+
+  template <typename Layout>
+  void lay_out(Layout& layout, const PrecedenceSizes& sizes) {
+    layout(first_after, sizes.sets + 1);
+    layout(after, sizes.pairs);
+    layout(first_before, sizes.sets + 1);
+    layout(before, sizes.pairs);
+    layout(waits_for, sizes.sets);
+    layout(ready, sizes.sets);
+  }
+};
+
+enum class PrecedenceFault : std::uint8_t {
+  kNoSuchSet,  ///< `count` = number of the pair.
+  kCycle,      ///< `sets` of the space's `ready`, `count` of them, each before the next, in a ring.
+  kBeforeHome  ///< A set has to come before home; `count` = number of the pair.
+};
+
+struct PrecedenceError {
+  PrecedenceFault fault{};
+  std::size_t count = 0;
+};
+
+/// Sorts pairs into lists and looks for cycles; a set that comes before itself is one. Home (set 0)
+/// comes first, so that a pair with home as `first` means nothing.
+[[nodiscard]] Result<Precedence, PrecedenceError> sort_precedence(std::size_t sets,
+                                                                  std::span<const Before> pairs,
+                                                                  const PrecedenceSpace& space);
+
+}  // namespace cnc::order

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+#include <new>
+#include <span>
+#include <type_traits>
+
+#include "planner/base/contract.hpp"
+
+namespace cnc::order {
+
+/// Working storage of an algorithm is a struct of spans with a member
+/// `lay_out(layout, sizes)`, which calls `layout(span, count)` for each of them. Two layouts use
+/// it: StorageSize adds up the bytes, StorageParts cuts the spans out of a block of that size. The
+/// spans are not initialized: large storage that is not used costs nothing.
+class StorageSize {
+ public:
+  template <typename Item>
+  void operator()(std::span<Item>&, std::size_t count) {
+    static_assert(alignof(Item) <= kAlignment);
+    bytes_ += (count * sizeof(Item) + kAlignment - 1) / kAlignment * kAlignment;
+  }
+  [[nodiscard]] std::size_t bytes() const { return bytes_; }
+
+  static constexpr std::size_t kAlignment = alignof(double);
+
+ private:
+  std::size_t bytes_ = 0;
+};
+
+class StorageParts {
+ public:
+  /// `block` must be aligned like a double and outlive the spans.
+  explicit StorageParts(std::span<std::byte> block) : rest_{block} {}
+
+  /// @pre The block is as large as StorageSize says.
+  template <typename Item>
+  void operator()(std::span<Item>& part, std::size_t count) {
+    StorageSize size;
+    size(part, count);
+    CNC_ASSERT(size.bytes() <= rest_.size());
+    static_assert(std::is_trivial_v<Item>);
+    auto* const first = reinterpret_cast<Item*>(rest_.data());
+    for (std::size_t i = 0; i < count; ++i) new (first + i) Item;
+    part = {first, count};
+    rest_ = rest_.subspan(size.bytes());
+  }
+
+ private:
+  std::span<std::byte> rest_;
+};
+
+/// Returns how many bytes the working storage `Space` needs.
+template <typename Space, typename Sizes>
+[[nodiscard]] std::size_t bytes_for(const Sizes& sizes) {
+  StorageSize size;
+  Space{}.lay_out(size, sizes);
+  return size.bytes();
+}
+
+/// Returns a working storage in `block`, which has bytes_for<Space>(sizes) bytes.
+template <typename Space, typename Sizes>
+[[nodiscard]] Space space_in(std::span<std::byte> block, const Sizes& sizes) {
+  StorageParts parts{block};
+  Space space;
+  space.lay_out(parts, sizes);
+  return space;
+}
+
+}  // namespace cnc::order
