@@ -3,6 +3,7 @@
 
 #include <benchmark/benchmark.h>
 
+#include <limits>
 #include <string_view>
 #include <vector>
 
@@ -139,22 +140,22 @@ void cut_text(std::string_view text, Sink&& take) {
 /// The pins, and the generator that moves them.
 class Motors {
  public:
+  /// Plays half of what waits where the queue is full: a motion that runs dry stays at rest.
   void take(const motion::Segment& segment) {
-    while (generator_.full()) play(kPlayedAtOnce);
+    while (generator_.full()) play(generator_.ticks_waiting() / 2);
     generator_.push(segment);
   }
-  void finish() {
-    while (generator_.running()) play(kPlayedAtOnce);
-  }
+  void finish() { play(std::numeric_limits<std::uint32_t>::max()); }
   [[nodiscard]] const hal::host::RecordingPort& port() const { return port_; }
 
  private:
-  /// Interrupts between two turns: half of what waits, at some 25 for each segment.
-  static constexpr int kPlayedAtOnce = 800;
-
-  void play(int interrupts) {
+  void play(std::uint32_t ticks) {
     let_in(generator_);
-    while (interrupts-- > 0 && generator_.on_interrupt() != 0) {
+    std::uint32_t played = 0;
+    while (played <= ticks) {
+      const std::uint32_t wait = generator_.on_interrupt();
+      if (wait == 0) break;
+      played += wait;
     }
     let_in(generator_);
   }

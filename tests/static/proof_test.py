@@ -34,6 +34,14 @@ def bad(_tier: str) -> shell.Outcome:
     return shell.Outcome.of("bad", False)
 
 
+class Commands(unittest.TestCase):
+    def test_a_program_that_hangs_is_ended_and_has_failed(self):
+        with contextlib.redirect_stdout(io.StringIO()):
+            self.assertFalse(shell.run_limited(0.2, "sleep", "600"))
+            self.assertFalse(shell.run_limited(60, "false"))
+            self.assertTrue(shell.run_limited(60, "true"))
+
+
 class Reports(unittest.TestCase):
     def outcome(self, more="", without="uml"):
         with tempfile.TemporaryDirectory() as folder, \

@@ -24,6 +24,16 @@ class Outcome:
                        self.seconds | other.seconds)
 
 
+def run_limited(seconds: float, *command: str) -> bool:
+    """Runs a command as run() does, and ends it when it takes longer. True when it ended well."""
+    print("+", *command, flush=True)
+    try:
+        return subprocess.run(command, cwd=ROOT, check=False, timeout=seconds).returncode == 0
+    except subprocess.TimeoutExpired:
+        print(f"{command[0]} was ended after {seconds:g} s", flush=True)
+        return False
+
+
 def run(*command: str, quiet: bool = False, log: pathlib.Path | None = None) -> bool:
     """Runs a command at the root of the tree. True when it ended well.
 
