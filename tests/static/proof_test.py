@@ -37,9 +37,9 @@ def bad(_tier: str) -> shell.Outcome:
 class Commands(unittest.TestCase):
     def test_a_program_that_hangs_is_ended_and_has_failed(self):
         with contextlib.redirect_stdout(io.StringIO()):
-            self.assertFalse(shell.run_limited(0.2, "sleep", "600"))
-            self.assertFalse(shell.run_limited(60, "false"))
-            self.assertTrue(shell.run_limited(60, "true"))
+            self.assertFalse(shell.run("sleep", "600", seconds=0.2))
+            self.assertFalse(shell.run("false", seconds=60))
+            self.assertTrue(shell.run("true", seconds=60))
 
 
 class Reports(unittest.TestCase):

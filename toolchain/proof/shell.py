@@ -24,20 +24,12 @@ class Outcome:
                        self.seconds | other.seconds)
 
 
-def run_limited(seconds: float, *command: str) -> bool:
-    """Runs a command as run() does, and ends it when it takes longer. True when it ended well."""
-    print("+", *command, flush=True)
-    try:
-        return subprocess.run(command, cwd=ROOT, check=False, timeout=seconds).returncode == 0
-    except subprocess.TimeoutExpired:
-        print(f"{command[0]} was ended after {seconds:g} s", flush=True)
-        return False
+def run(*command: str, quiet: bool = False, log: pathlib.Path | None = None,
+        seconds: float | None = None) -> bool:
+    """Runs a command at the root of the tree. True when it ended well, and within `seconds` if any.
 
-
-def run(*command: str, quiet: bool = False, log: pathlib.Path | None = None) -> bool:
-    """Runs a command at the root of the tree. True when it ended well.
-
-    `quiet` and `log` show the output of a failure only; `log` receives it in any case.
+    `quiet` and `log` show the output of a failure only; `log` receives it in any case. `seconds` limits
+    commands without either.
     """
     print("+", *command, flush=True)
     if quiet or log:
@@ -49,7 +41,11 @@ def run(*command: str, quiet: bool = False, log: pathlib.Path | None = None) -> 
             sys.stdout.write(done.stdout)
             sys.stdout.flush()
         return done.returncode == 0
-    return subprocess.run(command, cwd=ROOT, check=False).returncode == 0
+    try:
+        return subprocess.run(command, cwd=ROOT, check=False, timeout=seconds).returncode == 0
+    except subprocess.TimeoutExpired:
+        print(f"{command[0]} was ended after {seconds:g} s", flush=True)
+        return False
 
 
 def output_of(*command: str) -> str:

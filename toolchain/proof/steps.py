@@ -10,7 +10,7 @@ import ctest_run
 import fuzzing
 import seeds
 from memory import ALL_ROOMS, head
-from shell import ROOT, Outcome, run, run_limited
+from shell import ROOT, Outcome, run
 
 TEST, PROVE = "test", "prove"
 BOTH = (TEST, PROVE)
@@ -57,8 +57,8 @@ def benchmarks(_tier: str) -> Outcome:
     """Prints figures of this machine; judges the instruction counts only."""
     programs = ROOT / "build/release/tests"
     most = 600.0  # Seconds; each of them takes a few.
-    stages = run_limited(most, str(programs / "bench_stages"), "--benchmark_min_time=0.05")
-    times = run_limited(most, str(programs / "bench_job_times"))
+    stages = run(str(programs / "bench_stages"), "--benchmark_min_time=0.05", seconds=most)
+    times = run(str(programs / "bench_job_times"), seconds=most)
     counts = run("tests/bench/count_instructions.py", "build/release/host-sim/kerfline")
     return (Outcome.of("bench_stages", stages) + Outcome.of("bench_job_times", times)
             + Outcome.of("instruction counts", counts))
