@@ -1,7 +1,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "firmware/protocol/compensation_text.hpp"
 #include "firmware/protocol/identity.hpp"
 #include "firmware/protocol/line_protocol.hpp"
 #include "firmware/protocol/report_lines.hpp"
@@ -49,6 +48,7 @@ bool LineProtocol::tell_news() {
     if (told_alarm_ == Alarm::kNone) return false;
     answer(begin_answer().text("ALARM:").number(static_cast<std::uint32_t>(told_alarm_)).end());
     if (machine_.needs_reset()) message("Reset to continue");
+    if (starts_) message("A startup line raised it: reset and $X, then $N0= or $N1= clears it");
     return true;
   }
   if (const Uncut* const uncut = machine_.take_uncut()) {
@@ -126,33 +126,6 @@ void LineProtocol::tell_trouble() {
   const std::size_t size = board_->describe_trouble(reply.room());
   if (size == 0) return;
   reply.wrote(size);
-  answer(reply.letter(']').end());
-}
-
-/// Reports a path that the start-up line before could not drive.
-void LineProtocol::tell_startup_fault() {
-  const auto fault = machine_.take_path_fault();
-  if (!fault) return;
-  Reply reply = begin_answer();
-  put_compensation_fault(reply.text("[MSG:Startup line: since G41 or G42, "), *fault);
-  answer(reply.letter(']').end());
-}
-
-/// Shown as Grbl does, but without an answer that a sender would count.
-void LineProtocol::run_startup_line() {
-  tell_startup_fault();
-  if (startup_line_ == StoredState::kStartupLines) {
-    startup_line_ = kStartupDone;
-    return;
-  }
-  const StoredText line = stored_.load_startup_line(startup_line_++);
-  if (line.empty() || machine_.locked()) return;
-  answer(begin_answer().letter('>').text(line.view()).end());
-  const gcode::Refusal refusal = accept(line.view());
-  if (!refusal) return;
-  Reply reply = begin_answer();
-  reply.text("[MSG:Startup line, column ").number(refusal->column).text(": ");
-  reply.wrote(gcode::describe(*refusal, reply.room()));
   answer(reply.letter(']').end());
 }
 

@@ -70,6 +70,7 @@ void LineProtocol::poll(hal::TickCount now) {
       continue;
     }
     if (lines == 0) save_progress();
+    if (attend_startup_trial()) continue;
     attend_tool_change();
     if (machine_.busy()) return;
     if (beginning_) {
@@ -165,6 +166,7 @@ void LineProtocol::begin_anew() {
   auto_report_ = false;
   owed_ = Owed::kNothing;
   unheard_ = greeting_due_ = false;
+  if (startup_trial_) startup_trial_->failed = true;
   startup_line_ = kStartupDone;
   beginning_ = true;
 }
@@ -208,6 +210,7 @@ bool LineProtocol::finish_line() {
   owed_ = Owed::kNothing;
   const auto fault = machine_.take_path_fault();
   const bool failed = machine_.take_line_failure();
+  if (startup_trial_ && (failed || fault)) startup_trial_->failed = true;
   if (std::exchange(unheard_, false)) return true;
   if (failed) {
     refuse(error_number::kNotDone);
@@ -270,6 +273,7 @@ void LineProtocol::ask_again(LineCheck::Verdict verdict) {
 }
 
 void LineProtocol::handle(std::string_view line) {
+  starts_ = false;
   const std::string_view whole = line;
   if (assembler_.too_long()) {
     return refuse(

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string_view>
 
 #include "firmware/link/line_assembler.hpp"
@@ -80,6 +81,13 @@ class LineProtocol {
   /// What the line before still waits for.
   enum class Owed : std::uint8_t { kNothing, kAck, kHoming };
 
+  /// A start-up line that is stored and is done for the first time.
+  struct StartupTrial {
+    std::size_t index;
+    StoredText before;    ///< The one that it replaces.
+    bool failed = false;  ///< It was refused, raised an alarm or was cut short by a reset.
+  };
+
   // The order of things, in line_protocol.cpp.
   void receive();
   void attend_realtime();
@@ -114,9 +122,13 @@ class LineProtocol {
   void welcome();
   void greet();
   void tell_trouble();
+  void save_places();
+
+  // Start-up lines, in startup_lines.cpp.
+  void set_startup_line(const Statement& statement);
+  [[nodiscard]] bool attend_startup_trial();
   void run_startup_line();
   void tell_startup_fault();
-  void save_places();
 
   // `$`, in statements.cpp.
   void take_statement(std::string_view line);
@@ -130,7 +142,6 @@ class LineProtocol {
   void unlock();
   void toggle_check_mode();
   void restore(const Statement& statement);
-  void set_startup_line(const Statement& statement);
   void set_user_text(const Statement& statement);
   void set_power_table(const Statement& statement);
   [[nodiscard]] bool rests() const;
@@ -198,6 +209,8 @@ class LineProtocol {
   bool unheard_ = false;       ///< Who sent the line that is owed an answer is gone.
   bool saving_failed_ = false;
   std::size_t startup_line_ = kStartupDone;  ///< The next to be run.
+  bool starts_ = false;                      ///< Start-up lines were the last that were done.
+  std::optional<StartupTrial> startup_trial_{};
 };
 
 }  // namespace cnc

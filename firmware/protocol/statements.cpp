@@ -220,6 +220,7 @@ void LineProtocol::restore(const Statement& statement) {
     machine_.set_places(stored_.places());
   }
   if (all) {
+    startup_trial_.reset();
     kept = stored_.save_user_text({}) && kept;
     kept = kerf_.forget_all() && kept;
     for (std::size_t i = 0; i < StoredState::kStartupLines; ++i) {
@@ -231,23 +232,6 @@ void LineProtocol::restore(const Statement& statement) {
   say_ok();
   machine_.reset();
   beginning_ = true;
-}
-
-/// As in Grbl the line is done once, which shows whether it can be. It is stored before that,
-/// because storing must not wait for what it moves or switches on.
-void LineProtocol::set_startup_line(const Statement& statement) {
-  if (machine_.locked()) return refuse(error_number::kLocked);
-  if (statement.text.size() > StoredText::kLongest) return refuse(error_number::kTextTooLong);
-  const StoredText before = stored_.load_startup_line(statement.number);
-  if (!stored_.save_startup_line(statement.number, statement.text)) {
-    return refuse(error_number::kStoreFailed);
-  }
-  const gcode::Refusal refusal = accept(statement.text);
-  if (!refusal) return acknowledge();
-  if (!stored_.save_startup_line(statement.number, before.view())) {
-    return refuse(error_number::kStoreFailed);
-  }
-  refuse(*refusal, statement.column);
 }
 
 void LineProtocol::set_power_table(const Statement& statement) {

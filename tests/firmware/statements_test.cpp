@@ -111,37 +111,6 @@ TEST(Identity, VersionIsThatOfTheProjectAndTheCommit) {
   EXPECT_TRUE(std::regex_match(std::string{identity::version()}, shape)) << identity::version();
 }
 
-TEST_F(StatementsTest, SayWhyAPathOfAStartupLineCannotBeDriven) {
-  EXPECT_EQ(send("$N1=G41.1 D20 G1 X1 F600"), "error:33");
-  for (int times = 0; times < 2; ++times) {
-    stream("\x18");
-    run(200);
-    EXPECT_EQ(send("$X"), "ok");
-    link.outgoing.clear();
-    stream("\x18");
-    run(200);
-    EXPECT_EQ(machine.alarm(), Alarm::kCompensation);
-    EXPECT_NE(link.outgoing.find("[MSG:Startup line: since G41 or G42, element 1 is the entry"),
-              std::string::npos)
-        << link.outgoing;
-    EXPECT_TRUE(answers().empty());
-  }
-}
-
-TEST_F(StatementsTest, RunStartupLinesAfterAReset) {
-  EXPECT_EQ(send("$N0=G55 G20 (inches)"), "ok");
-  EXPECT_EQ(send("$N1=G6"), "error:20");
-  EXPECT_EQ(lines_of("$N"), (Lines{"$N0=G55 G20", "$N1=", "ok"}));
-  link.outgoing.clear();
-  restart();
-  EXPECT_EQ(printed(), (Lines{"Grbl 1.1h ['$' for help]", ">G55 G20"}));
-  EXPECT_EQ(lines_of("$G")[0], "[GC:G0 G55 G17 G20 G90 G94 G61 M5 M9 T0 F0 S0]");
-  EXPECT_EQ(send("$N0="), "ok");
-  link.outgoing.clear();
-  restart();
-  EXPECT_EQ(printed(), (Lines{"Grbl 1.1h ['$' for help]"}));
-}
-
 TEST_F(StatementsTest, KeepWhatTheyStoreForTheNextStart) {
   send_all({"$110=6000", "$N1=G91", "$I=mine", "G10 L2 P2 X7", "G0 X5", "G30.1"});
   run_until_idle();

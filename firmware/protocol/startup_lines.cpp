@@ -1,0 +1,76 @@
+#include "firmware/protocol/compensation_text.hpp"
+#include "firmware/protocol/line_protocol.hpp"
+
+namespace cnc {
+
+/// As in Grbl the line is done once, which shows whether it can be. It is stored before that,
+/// because storing must not wait for what it moves or switches on; attend_startup_trial() takes it
+/// back where it fails later.
+void LineProtocol::set_startup_line(const Statement& statement) {
+  if (machine_.locked()) return refuse(error_number::kLocked);
+  if (statement.text.size() > StoredText::kLongest) return refuse(error_number::kTextTooLong);
+  const StoredText before = stored_.load_startup_line(statement.number);
+  if (!stored_.save_startup_line(statement.number, statement.text)) {
+    return refuse(error_number::kStoreFailed);
+  }
+  const gcode::Refusal refusal = accept(statement.text);
+  if (!refusal) {
+    startup_trial_ = {statement.number, before};
+    return acknowledge();
+  }
+  if (!stored_.save_startup_line(statement.number, before.view())) {
+    return refuse(error_number::kStoreFailed);
+  }
+  refuse(*refusal, statement.column);
+}
+
+/// Ends the trial of a stored line as soon as all that it asked for is done. A line that fails
+/// would stop the machine at every start, so the one before it is stored again.
+/// True when that was said.
+bool LineProtocol::attend_startup_trial() {
+  if (!startup_trial_) return false;
+  if (machine_.alarm() != Alarm::kNone) startup_trial_->failed = true;
+  if (!rests() || owed_ != Owed::kNothing) return false;
+  const auto [index, before, failed] = *startup_trial_;
+  if (failed && machine_.tool_runs()) return false;
+  startup_trial_.reset();
+  if (!failed) return false;
+  if (!stored_.save_startup_line(index, before.view())) {
+    message("The store cannot take the startup line back: clear it by $N0= or $N1=");
+    return true;
+  }
+  Reply reply = begin_answer();
+  reply.text("[MSG:$N").number(static_cast<std::uint32_t>(index));
+  answer(reply.text(" was not done to its end, and is again as it was before]").end());
+  return true;
+}
+
+/// Reports a path that the start-up line before could not drive.
+void LineProtocol::tell_startup_fault() {
+  const auto fault = machine_.take_path_fault();
+  if (!fault) return;
+  Reply reply = begin_answer();
+  put_compensation_fault(reply.text("[MSG:Startup line: since G41 or G42, "), *fault);
+  answer(reply.letter(']').end());
+}
+
+/// Shown as Grbl does, but without an answer that a sender would count.
+void LineProtocol::run_startup_line() {
+  tell_startup_fault();
+  if (startup_line_ == StoredState::kStartupLines) {
+    startup_line_ = kStartupDone;
+    return;
+  }
+  const StoredText line = stored_.load_startup_line(startup_line_++);
+  if (line.empty() || machine_.locked()) return;
+  starts_ = true;
+  answer(begin_answer().letter('>').text(line.view()).end());
+  const gcode::Refusal refusal = accept(line.view());
+  if (!refusal) return;
+  Reply reply = begin_answer();
+  reply.text("[MSG:Startup line, column ").number(refusal->column).text(": ");
+  reply.wrote(gcode::describe(*refusal, reply.room()));
+  answer(reply.letter(']').end());
+}
+
+}  // namespace cnc
