@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "host-sim/cli/cut_sheet_options.hpp"
 #include "host-sim/cli/kerf_options.hpp"
 #include "host-sim/cli/outline_options.hpp"
 #include "host-sim/import/drawing.hpp"
@@ -35,6 +36,7 @@ struct CutCommandOptions {
   unsigned decimals = 4;
   std::string settings_file;
   std::vector<std::string> set;
+  CutSheetOptions sheet;
   std::string output;
   std::string svg;
   std::string report;
