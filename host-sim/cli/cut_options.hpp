@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "host-sim/cli/cut_frame_options.hpp"
+#include "host-sim/cli/cut_rule_options.hpp"
 #include "host-sim/cli/cut_sheet_options.hpp"
 #include "host-sim/cli/kerf_options.hpp"
 #include "host-sim/cli/outline_options.hpp"
@@ -37,6 +39,8 @@ struct CutCommandOptions {
   std::string settings_file;
   std::vector<std::string> set;
   CutSheetOptions sheet;
+  CutRuleOptions shop;
+  CutFrameOptions frame;
   std::string output;
   std::string svg;
   std::string report;

@@ -241,7 +241,7 @@ std::string draw_cuts(const drawing::Drawing& drawn,
   add_grid(out, view);
   add_parts(out, drawn, view);
   for (const Cut& cut : plan.cuts) {
-    const double kerf_px = plan.layers[cut.layer].condition.kerf_mm * view.px_per_mm();
+    const double kerf_px = plan.plan_of(cut).condition.kerf_mm * view.px_per_mm();
     const auto lit = [](const Stroke& stroke) { return stroke.purpose != Purpose::kTab; };
     out += "<g opacity=\"0.6\">\n";
     add_path(out, data_of(cut, view, lit), kBandColour, kerf_px);
