@@ -47,17 +47,16 @@ constexpr std::array<SettingInfo, 115> kTable{{
     SettingInfo{10, Group::kGeneral, Type::kBits, "Status report options", "mask",
      0.0F, 511.0F, 3.0F,
      "Machine position,Buffers,Line number,Feed and speed,Pins,Work offset,Overrides,N/A,N/A",
-     "Fields of a status report. 0 to 31: bit 0 chooses machine or work position, bit 1 "
-     "adds the buffers, all other fields are on, as in Grbl. From 32 on each bit adds the "
-     "field it names."},
+     "Fields of a status report. 0 to 31 as in Grbl: bit 0 is machine position, bit 1 the "
+     "buffers, all others are on. From 32 on each bit adds its field."},
     SettingInfo{11, Group::kGeneral, Type::kDecimal, "Junction deviation", "mm",
      0.0F, 10.0F, 0.01F, kThousandths,
      "How far the path may be from the program in G61, and in G64 without P; 0 stops at each "
      "corner."},
     SettingInfo{12, Group::kArcs, Type::kDecimal, "Arc tolerance", "mm",
      0.0F, 1.0F, 0.002F, kThousandths,
-     "How far arcs may be from the splines and, in G61, the short lines they stand for; of $11 "
-     "half at most. Arcs themselves are never divided."},
+     "How far arcs may be from splines and, in G61, from short lines that they replace; half "
+     "of $11 at most. Arcs stay arcs."},
     SettingInfo{13, Group::kGeneral, Type::kSwitch, "Report in inches", "0 or 1",
      0.0F, 1.0F, 0.0F, "",
      "Report places in inches."},
@@ -296,27 +295,27 @@ constexpr std::array<SettingInfo, 115> kTable{{
      "How many axes reports show, from X on. Takes effect at the next reset."},
     SettingInfo{854, Group::kSpindle, Type::kDecimal, "Least beam power under M4", "percent",
      0.0F, 100.0F, 0.0F, kThousandths,
-     "Duty that a lit beam never falls below where the machine is slow, so that it still fires."},
+     "Least duty of a lit beam under M4: many lasers do not fire below one."},
     SettingInfo{855, Group::kSpindle, Type::kDecimal, "Beam on delay", "microseconds",
      0.0F, kMostBeamDelay, 0.0F, kThousandths,
-     "From output to light when the beam goes on, beyond the lag: it is switched earlier by this."},
+     "Delay of light when the beam goes on, beyond the lag. The output is earlier by this."},
     SettingInfo{856, Group::kSpindle, Type::kDecimal, "Beam off delay", "microseconds",
      0.0F, kMostBeamDelay, 0.0F, kThousandths,
      "The same when the beam goes off."},
     SettingInfo{857, Group::kSpindle, Type::kDecimal, "Beam lag", "microseconds",
      -kMostBeamDelay, kMostBeamDelay, 0.0F, kThousandths,
-     "How much later than the motors all light comes; negative where the motors come later."},
+     "How far the light lags behind the motors; negative where it leads."},
     SettingInfo{858, Group::kGeneral, Type::kInteger, "Link watchdog", "milliseconds",
      0.0F, 60000.0F, 250.0F, kWhole,
-     "So long, and a fifth more, a sender may be silent while a laser works: one that polls, or "
-     "that owes a line. Slow polls are waited for. Then dark: alarm 25. 0 waits for ever."},
+     "A laser goes dark (alarm 25) when a sender that polls or owes a line is silent for this "
+     "time and a fifth. Slow polls are waited for; 0 waits for ever."},
     SettingInfo{859, Group::kGeneral, Type::kInteger, "CAN node", "number",
      1.0F, 126.0F, 17.0F, kWhole,
-     "This controller's number on a CAN bus. It changes as soon as nobody talks to it there."},
+     "Node number on a CAN bus. It changes as soon as nobody talks to the controller there."},
     SettingInfo{860, Group::kSpindle, Type::kChoice, "Kerf control", "0 power, 1 path",
      0.0F, 1.0F, 0.0F, "Power goes with speed,Path follows kerf",
-     "Beside an edge by the kerf of the material (G41, G42): what to do where the speed is not "
-     "the programmed one. Keep power by speed, M3 too, or go farther from the edge or nearer."},
+     "Where G41 or G42 goes by a material's kerf at another speed than the programmed one: "
+     "keep power by speed, under M3 too, or change the distance."},
     SettingInfo{870, Group::kSpindle, Type::kDecimal, "Light at rest, power", "percent",
      0.0F, 100.0F, 0.0F, kThousandths,
      "Greatest duty where M3 lights a laser that stands: in G4, and after M3 in G1."},
@@ -325,8 +324,8 @@ constexpr std::array<SettingInfo, 115> kTable{{
      "How long, between two motions."},
     SettingInfo{884, Group::kStepper, Type::kInteger, "Enable to step delay", "milliseconds",
      0.0F, 1000.0F, 0.0F, kWhole,
-     "From current in motors that had none to their first step, beyond 1 ms. Drivers with a wired "
-     "enable input take up to 200."},
+     "From enabling motors to their first step, beyond 1 ms. Drivers with a wired enable input "
+     "take up to 200."},
     SettingInfo{890, Group::kGeneral, Type::kSwitch, "Block delete", "0 or 1",
      0.0F, 1.0F, 1.0F, "",
      "Skip lines that begin with /. $B switches it until this is set."},
