@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace sim {
+
+/// Options of `kerfline cut` for what a user looks at, and for what a job costs.
+struct CutOutputOptions {
+  std::string svg;
+  std::string png;
+};
+
+/// Adds the options to the command. @param options outlives the command
+void add_cut_output_options(CLI::App& command, CutOutputOptions& options);
+
+}  // namespace sim
