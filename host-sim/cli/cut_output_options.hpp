@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "host-sim/cut/price.hpp"
+
 namespace CLI {
 class App;
 }
@@ -12,6 +14,7 @@ namespace sim {
 struct CutOutputOptions {
   std::string svg;
   std::string png;
+  cut::PriceList prices{};
 };
 
 /// Adds the options to the command. @param options outlives the command

@@ -1,7 +1,11 @@
 #include "host-sim/cli/cut_outputs.hpp"
 
+#include <nlohmann/json.hpp>
+
+#include "host-sim/cut/cut_account.hpp"
 #include "host-sim/plot/cut_picture.hpp"
 #include "host-sim/plot/png.hpp"
+#include "host-sim/report/terminal.hpp"
 #include "host-sim/trace/output_file.hpp"
 
 namespace sim {
@@ -24,6 +28,20 @@ void write_pictures(const CutOutputOptions& options,
   const std::string svg = draw_cuts({job.drawn, job.plan, &timeline}, job.drawn.file, edges);
   if (!options.svg.empty()) write_file(options.svg, svg);
   if (!options.png.empty()) write_png(options.png, svg);
+}
+
+void report_account(const CutOutputOptions& options,
+                    const cut::CutJob& job,
+                    const cut::Timeline& timeline,
+                    double job_time_s,
+                    std::FILE* told,
+                    nlohmann::ordered_json& report) {
+  const cut::CutAccount account =
+      account_of(job.drawn, job.plan, timeline, job_time_s, options.prices);
+  for (const std::string& line : lines_of(account, job.drawn)) {
+    terminal::print(told, "{}\n", line);
+  }
+  add_to_report(report, account, job.drawn);
 }
 
 }  // namespace sim

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdio>
+#include <nlohmann/json_fwd.hpp>
 #include <vector>
 
 #include "host-sim/cli/cut_output_options.hpp"
@@ -20,5 +22,14 @@ void write_pictures(const CutOutputOptions& options,
                     const cut::CutJob& job,
                     const cut::Timeline& timeline,
                     const cut::EdgeFigures* edges);
+
+/// Prints what time and money of the job go to, and adds it to the report.
+/// @param job_time_s as account_of()
+void report_account(const CutOutputOptions& options,
+                    const cut::CutJob& job,
+                    const cut::Timeline& timeline,
+                    double job_time_s,
+                    std::FILE* told,
+                    nlohmann::ordered_json& report);
 
 }  // namespace sim

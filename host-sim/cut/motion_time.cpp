@@ -69,15 +69,24 @@ PathLimits limits_along(const MachineRates& rates, const Place& way) {
 }
 
 PathLimits limits_on(const MachineRates& rates, const Stroke& stroke) {
-  if (stroke.bulge == 0.0) return limits_along(rates, stroke.to - stroke.from);
-  PathLimits limits{std::min(rates.rate_mm_s[0], rates.rate_mm_s[1]),
-                    std::min(rates.acceleration_mm_s2[0], rates.acceleration_mm_s2[1]),
-                    std::min(jerk_or_none(rates.jerk_mm_s3[0]), jerk_or_none(rates.jerk_mm_s3[1]))};
+  PathLimits limits = limits_along(rates, stroke.to - stroke.from);
+  if (stroke.bulge == 0.0) return limits;
+  // Along the arc the direction is that of the chord in the mean; across it each one may come.
+  const double across = std::min(rates.acceleration_mm_s2[0], rates.acceleration_mm_s2[1]);
   const double size = std::abs(stroke.bulge);
   const double radius =
       drawing::distance(stroke.from, stroke.to) * (1.0 + size * size) / (4.0 * size);
-  limits.speed_mm_s = std::min(limits.speed_mm_s, std::sqrt(limits.acceleration_mm_s2 * radius));
+  limits.speed_mm_s = std::min(limits.speed_mm_s, std::sqrt(across * radius));
   return limits;
+}
+
+double smoothing_seconds(const MachineRates& rates) {
+  double longest = 0.0;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    if (!(rates.jerk_mm_s3[axis] > 0.0)) continue;
+    longest = std::max(longest, rates.acceleration_mm_s2[axis] / rates.jerk_mm_s3[axis]);
+  }
+  return longest;
 }
 
 double reachable_speed(double length_mm, double from_mm_s, const PathLimits& limits) {
@@ -115,7 +124,7 @@ double corner_speed(const MachineRates& rates, const Place& before, const Place&
   constexpr double kStraight = 1.0e-9;
   if (1.0 - half_sine < kStraight) return kNoLimit;
   const double radius = rates.junction_deviation_mm * half_sine / (1.0 - half_sine);
-  return std::sqrt(std::min(rates.acceleration_mm_s2[0], rates.acceleration_mm_s2[1]) * radius);
+  return std::sqrt(limits_along(rates, after - before).acceleration_mm_s2 * radius);
 }
 
 }  // namespace sim::cut

@@ -28,9 +28,13 @@ struct PathLimits {
 /// Returns the limits for motion along a straight line. @param way of any length but 0
 [[nodiscard]] PathLimits limits_along(const MachineRates& rates, const Place& way);
 
-/// Returns the limits for motion along a stroke; on an arc each direction may come, and the
-/// centripetal acceleration limits the speed.
+/// Returns the limits for motion along a stroke of some length; on an arc the centripetal
+/// acceleration limits the speed.
 [[nodiscard]] PathLimits limits_on(const MachineRates& rates, const Stroke& stroke);
+
+/// Returns the time that the limits of jerk add to each change between speed and rest, s: the
+/// controller's motion is the mean of a plan over it.
+[[nodiscard]] double smoothing_seconds(const MachineRates& rates);
 
 /// Returns the greatest speed that a length allows after (or before) another speed, mm/s.
 [[nodiscard]] double reachable_speed(double length_mm, double from_mm_s, const PathLimits& limits);

@@ -1,6 +1,7 @@
 #include "host-sim/cut/timeline.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "host-sim/knowledge/experiment.hpp"
 
@@ -39,7 +40,8 @@ TimeKind kind_of(Purpose purpose) {
 /// Speeds at the joints of one cut, and the limits of each of its strokes.
 class CutSpeeds {
  public:
-  CutSpeeds(const Cut& cut, const LayerPlan& layer, const MachineRates& rates) : cut_{cut} {
+  CutSpeeds(const Cut& cut, const LayerPlan& layer, const MachineRates& rates)
+      : cut_{cut}, smoothing_s_{smoothing_seconds(rates)} {
     const double feed = from_thousandths(layer.condition.cut.speed_um_min) / 60.0;
     for (const Stroke& stroke : cut.strokes) {
       const double length = length_of(stroke);
@@ -50,15 +52,25 @@ class CutSpeeds {
         speed = std::min(feed, length / layer.settings.pierce_s);
       }
       limits_.back().speed_mm_s = std::min(limits_.back().speed_mm_s, speed);
+      limits_.back().jerk_mm_s3 = std::numeric_limits<double>::infinity();
     }
     find_joints(rates);
   }
 
   [[nodiscard]] double seconds_of(std::size_t stroke) const {
-    return seconds_along(lengths_[stroke], joints_[stroke], joints_[stroke + 1], limits_[stroke]);
+    const double end = joints_[stroke + 1];
+    return seconds_along(lengths_[stroke], joints_[stroke], end, limits_[stroke]) +
+           smoothing_s_ * slowing_at(stroke + 1);
   }
 
  private:
+  /// How far the joint slows the beam down, 0…1; the smoothing of jerk takes its time for that.
+  [[nodiscard]] double slowing_at(std::size_t joint) const {
+    double speed = limits_[joint - 1].speed_mm_s;
+    if (joint < limits_.size()) speed = std::min(speed, limits_[joint].speed_mm_s);
+    return speed > 0.0 ? 1.0 - std::min(joints_[joint] / speed, 1.0) : 0.0;
+  }
+
   [[nodiscard]] double joint_after(std::size_t stroke, const MachineRates& rates) const {
     const Stroke& next = cut_.strokes[stroke + 1];
     if (next.dwell_s > 0.0 || lengths_[stroke] == 0.0 || lengths_[stroke + 1] == 0.0) return 0.0;
@@ -82,6 +94,7 @@ class CutSpeeds {
   }
 
   const Cut& cut_;
+  double smoothing_s_;
   std::vector<double> lengths_;
   std::vector<PathLimits> limits_;
   std::vector<double> joints_;  ///< One more than strokes, mm/s.
