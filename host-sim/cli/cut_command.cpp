@@ -11,11 +11,12 @@
 #include "firmware/protocol/identity.hpp"
 #include "host-sim/cli/commands.hpp"
 #include "host-sim/cli/cut_options.hpp"
+#include "host-sim/cli/cut_outputs.hpp"
 #include "host-sim/cli/cut_runs.hpp"
+#include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/job_options.hpp"
 #include "host-sim/cut/cut_report.hpp"
 #include "host-sim/cut/kerf_notes.hpp"
-#include "host-sim/plot/cut_picture.hpp"
 #include "host-sim/report/nearest_name.hpp"
 #include "host-sim/report/report_json.hpp"
 #include "host-sim/report/terminal.hpp"
@@ -197,10 +198,8 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
   for (const std::string& note : job.notes)
     terminal::print(stderr, "kerfline: warning: {}\n", note);
   CutFigures figures = figures_of(plan);
-  const auto draw = [&](const cut::EdgeFigures* edges) {
-    if (!options.svg.empty()) write_file(options.svg, draw_cuts(drawn, plan, drawn.file, edges));
-  };
-  draw(nullptr);
+  const cut::Timeline timeline = predicted_timeline(plan, run.settings);
+  write_pictures(options.outputs, job, timeline, nullptr);
   if (plan.cuts.empty() || (!sound && !options.anyway)) {
     terminal::print(stderr,
                     "kerfline: {}{}\n",
@@ -219,11 +218,12 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
     write_file(options.output, program);
   }
   nlohmann::ordered_json report = json_of(job, figures);
+  report_account(options.outputs, job, timeline, figures.job_time_s, told, report);
   report["version"] = cnc::identity::version();
   if (options.check) {
     EdgeChecks checks = check_edges(job, run, told);
     report["edges"] = std::move(checks.rows);
-    draw(&checks.first);
+    write_pictures(options.outputs, job, timeline, &checks.first);
   }
   if (!options.report.empty()) {
     write_file(options.report, dumped(std::move(report)) + "\n");

@@ -101,8 +101,8 @@ void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>
       ->type_name("$N=V")
       ->allow_extra_args(false);
   add_file(FileRole::kOutput, "-o,--output", options->output, "The program; else standard output");
-  add_file(FileRole::kOutput, "--svg", options->svg, "Draw parts, path and kerf");
   add_file(FileRole::kOutput, "--report", options->report, "Write the report as JSON");
+  add_cut_output_options(command, options->outputs);
 }
 
 }  // namespace sim

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "host-sim/cli/cut_output_options.hpp"
 #include "host-sim/cli/kerf_options.hpp"
 #include "host-sim/cli/outline_options.hpp"
 #include "host-sim/import/drawing.hpp"
@@ -36,8 +37,8 @@ struct CutCommandOptions {
   std::string settings_file;
   std::vector<std::string> set;
   std::string output;
-  std::string svg;
   std::string report;
+  CutOutputOptions outputs;
 };
 
 /// Adds all options and the text below them.
