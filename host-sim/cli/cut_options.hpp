@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "host-sim/cli/cut_safety_options.hpp"
 #include "host-sim/cli/kerf_options.hpp"
 #include "host-sim/cli/outline_options.hpp"
 #include "host-sim/import/drawing.hpp"
@@ -30,6 +31,7 @@ struct CutCommandOptions {
   double full_power_w = 0.0;  ///< 0: the greatest of the record.
   bool constant_power = false;
   std::optional<unsigned> kerf_table{};  ///< The controller finds the way beside parts.
+  cut::SafetyWishes safety{};
   bool anyway = false;
   bool check = false;
   unsigned decimals = 4;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "host-sim/cut/cut_report.hpp"
+#include "host-sim/cut/rapid_way.hpp"
 #include "host-sim/import/curve_measure.hpp"
 #include "host-sim/knowledge/experiment.hpp"
 #include "host-sim/plot/drawing_picture.hpp"
@@ -122,23 +123,22 @@ void add_parts(std::string& out, const drawing::Drawing& drawn, const View& view
                  kPartColour);
 }
 
+/// But the one from zero to the first cut, and the one after the last.
 void add_rapids(std::string& out, const cut::CutPlan& plan, const View& view) {
-  Place here{0.0, 0.0};
   for (std::size_t i = 0; i < plan.cuts.size(); ++i) {
-    const Place& start = plan.cuts[i].start();
-    if (i != 0) {
+    const std::vector<Place> way = cut::rapid_before(plan, i);
+    for (std::size_t k = 1; i != 0 && k < way.size(); ++k) {
       svg::add_line(out,
-                    view.x_px(here.x()),
-                    view.y_px(here.y()),
-                    view.x_px(start.x()),
-                    view.y_px(start.y()),
+                    view.x_px(way[k - 1].x()),
+                    view.y_px(way[k - 1].y()),
+                    view.x_px(way[k].x()),
+                    view.y_px(way[k].y()),
                     {kRapidColour, 1.2, "7 6"});
     }
-    here = plan.cuts[i].end();
     fmt::format_to(std::back_inserter(out),
                    "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"4\" fill=\"{}\"/>\n",
-                   view.x_px(start.x()),
-                   view.y_px(start.y()),
+                   view.x_px(way.back().x()),
+                   view.y_px(way.back().y()),
                    kLeadColour);
   }
 }
