@@ -176,6 +176,12 @@ std::string timed_program(const CutCommandOptions& options,
   return program_of(job, run, lines_of(job, figures));
 }
 
+const char* refusal_of(const CutPlan& plan) {
+  if (plan.cuts.empty()) return "nothing is left to cut; no program is written";
+  if (plan.safety.no_way != 0) return "no program is written; its rapids would not be safe";
+  return "no program is written; --anyway cuts what is sound";
+}
+
 ExitStatus cut_drawing(const CutCommandOptions& options) {
   const Drawing drawn =
       drawing::read_drawing(options.file, read_text(options.file), options.import);
@@ -183,7 +189,8 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
   const auto layers = layers_of(options, drawn, record);
   const std::vector<drawing::Fault> faults = faults_of(drawn, layers);
   const auto beside = options.kerf_table ? cut::WayBeside::kOnController : cut::WayBeside::kHere;
-  const CutPlan plan = plan_cuts(drawn, layers, options.curves, beside);
+  CutPlan plan = plan_cuts(drawn, layers, options.curves, beside);
+  make_safe(plan, drawn, options.safety);
   print_faults(faults, drawn);
   print_faults(plan.faults, drawn);
   print_faults(plan.warnings, drawn);
@@ -200,12 +207,8 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
   CutFigures figures = figures_of(plan);
   const cut::Timeline timeline = predicted_timeline(plan, run.settings);
   write_pictures(options.outputs, job, timeline, nullptr);
-  if (plan.cuts.empty() || (!sound && !options.anyway)) {
-    terminal::print(stderr,
-                    "kerfline: {}{}\n",
-                    plan.cuts.empty() ? "nothing is left to cut; no program is written"
-                                      : "no program is written; --anyway cuts what is sound",
-                    stale_note(options.output));
+  if (plan.cuts.empty() || plan.safety.no_way != 0 || (!sound && !options.anyway)) {
+    terminal::print(stderr, "kerfline: {}{}\n", refusal_of(plan), stale_note(options.output));
     return ExitStatus::kFaults;
   }
   ExitStatus status = sound ? ExitStatus::kFine : ExitStatus::kFaults;

@@ -91,6 +91,7 @@ void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>
       ->check(in_range(drawing::kLeastGapMm, drawing::kGreatestGapMm, "mm"))
       ->capture_default_str();
   add_outline_options(command, options->curves);
+  add_cut_safety_options(command, options);
   command.add_flag("--anyway", options->anyway, "Cut what is sound of a drawing with faults");
   command.add_flag("--check", options->check, "Drive it and measure how well the parts fit");
   command.add_option("--decimals", options->decimals, "Of places, mm")

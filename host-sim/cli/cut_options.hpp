@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "host-sim/cli/cut_output_options.hpp"
+#include "host-sim/cli/cut_safety_options.hpp"
 #include "host-sim/cli/kerf_options.hpp"
 #include "host-sim/cli/outline_options.hpp"
 #include "host-sim/import/drawing.hpp"
@@ -31,6 +32,7 @@ struct CutCommandOptions {
   double full_power_w = 0.0;  ///< 0: the greatest of the record.
   bool constant_power = false;
   std::optional<unsigned> kerf_table{};  ///< The controller finds the way beside parts.
+  cut::SafetyWishes safety{};
   bool anyway = false;
   bool check = false;
   unsigned decimals = 4;
