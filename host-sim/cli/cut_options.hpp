@@ -8,6 +8,7 @@
 
 #include "host-sim/cli/cut_output_options.hpp"
 #include "host-sim/cli/cut_safety_options.hpp"
+#include "host-sim/cli/cut_sheet_options.hpp"
 #include "host-sim/cli/kerf_options.hpp"
 #include "host-sim/cli/outline_options.hpp"
 #include "host-sim/import/drawing.hpp"
@@ -38,6 +39,7 @@ struct CutCommandOptions {
   unsigned decimals = 4;
   std::string settings_file;
   std::vector<std::string> set;
+  CutSheetOptions sheet;
   std::string output;
   std::string report;
   CutOutputOptions outputs;
