@@ -11,12 +11,12 @@
 #include "firmware/protocol/identity.hpp"
 #include "host-sim/cli/commands.hpp"
 #include "host-sim/cli/cut_options.hpp"
+#include "host-sim/cli/cut_outputs.hpp"
 #include "host-sim/cli/cut_runs.hpp"
 #include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/job_options.hpp"
 #include "host-sim/cut/cut_report.hpp"
 #include "host-sim/cut/kerf_notes.hpp"
-#include "host-sim/plot/cut_picture.hpp"
 #include "host-sim/report/nearest_name.hpp"
 #include "host-sim/report/report_json.hpp"
 #include "host-sim/report/terminal.hpp"
@@ -216,6 +216,12 @@ std::string timed_program(const CutCommandOptions& options,
   return program_of(job, run, heading_of(job, figures));
 }
 
+const char* refusal_of(const CutPlan& plan) {
+  if (plan.cuts.empty()) return "nothing is left to cut; no program is written";
+  if (plan.safety.no_way != 0) return "no program is written; its rapids would not be safe";
+  return "no program is written; --anyway cuts what is sound";
+}
+
 ExitStatus cut_drawing(const CutCommandOptions& options) {
   InputFiles inputs{options.output};
   const CutInput input = read_cut_input(options.file, options.import, inputs);
@@ -229,7 +235,8 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
   if (!faults.empty() && !options.anyway) return refuse(options, faults, drawn);
   append(faults, faults_of(drawn, layers));
   const auto beside = options.kerf_table ? cut::WayBeside::kOnController : cut::WayBeside::kHere;
-  const CutPlan plan = plan_cuts(drawn, layers, options.curves, beside, std::move(recipes));
+  CutPlan plan = plan_cuts(drawn, layers, options.curves, beside, std::move(recipes));
+  make_safe(plan, drawn, options.safety);
   print_faults(faults, drawn);
   print_faults(plan.faults, drawn);
   print_faults(plan.warnings, drawn);
@@ -247,16 +254,10 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
   for (const std::string& note : job.notes)
     terminal::print(stderr, "kerfline: warning: {}\n", note);
   CutFigures figures = figures_of(plan);
-  const auto draw = [&](const cut::EdgeFigures* edges) {
-    if (!options.svg.empty()) write_file(options.svg, draw_cuts(drawn, plan, drawn.file, edges));
-  };
-  draw(nullptr);
-  if (plan.cuts.empty() || (!sound && !options.anyway)) {
-    terminal::print(stderr,
-                    "kerfline: {}{}\n",
-                    plan.cuts.empty() ? "nothing is left to cut; no program is written"
-                                      : "no program is written; --anyway cuts what is sound",
-                    stale_note(options.output));
+  const cut::Timeline timeline = predicted_timeline(plan, run.settings);
+  write_pictures(options.outputs, job, timeline, nullptr);
+  if (plan.cuts.empty() || plan.safety.no_way != 0 || (!sound && !options.anyway)) {
+    terminal::print(stderr, "kerfline: {}{}\n", refusal_of(plan), stale_note(options.output));
     return ExitStatus::kFaults;
   }
   ExitStatus status = sound ? ExitStatus::kFine : ExitStatus::kFaults;
@@ -270,11 +271,12 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
   }
   write_frame(options.frame, job, run);
   nlohmann::ordered_json report = json_of(job, figures);
+  report_account(options.outputs, job, timeline, figures.job_time_s, told, report);
   report["version"] = cnc::identity::version();
   if (options.check) {
     EdgeChecks checks = check_edges(job, run, told);
     report["edges"] = std::move(checks.rows);
-    draw(&checks.first);
+    write_pictures(options.outputs, job, timeline, &checks.first);
   }
   if (!options.report.empty()) {
     write_file(options.report, dumped(std::move(report)) + "\n");

@@ -97,6 +97,7 @@ void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>
       ->check(in_range(drawing::kLeastGapMm, drawing::kGreatestGapMm, "mm"))
       ->capture_default_str();
   add_outline_options(command, options->curves);
+  add_cut_safety_options(command, options);
   command.add_flag("--anyway", options->anyway, "Cut what is sound of a drawing with faults");
   command.add_flag("--check", options->check, "Drive it and measure how well the parts fit");
   command.add_option("--decimals", options->decimals, "Of places, mm")
@@ -110,8 +111,8 @@ void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>
   add_cut_rule_options(command, options->shop);
   add_cut_frame_options(command, options->frame);
   add_file(FileRole::kOutput, "-o,--output", options->output, "The program; else standard output");
-  add_file(FileRole::kOutput, "--svg", options->svg, "Draw parts, path and kerf");
   add_file(FileRole::kOutput, "--report", options->report, "Write the report as JSON");
+  add_cut_output_options(command, options->outputs);
 }
 
 }  // namespace sim

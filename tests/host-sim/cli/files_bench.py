@@ -73,7 +73,7 @@ COMMANDS = {
     "drawing": Command((), {"FILE": PLATE}, ("--svg",), takes_stdin=True),
     "cut": Command((*STEEL, "--thickness", "2"),
                    {"DRAWING": PLATE, "--layers": ": tabs=2\n", "--rules": "outer: tabs=3\n", "--settings": SETTINGS},
-                   ("--output", "--svg", "--report", "--save-sheet", "--frame"), {"--db": CUTS},
+                   ("--output", "--svg", "--png", "--report", "--save-sheet", "--frame"), {"--db": CUTS},
                    takes_stdin=True, empty_is_refused=("--layers", "--rules", "--settings")),
     "order": Command(("--steps", "10"), {"FILE": PROBLEM}, takes_stdin=True),
     "send": Command((), {"file": PROGRAM}, ("--log",), takes_stdin=True, empty_is_refused=("file",)),
