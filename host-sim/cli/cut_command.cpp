@@ -11,11 +11,12 @@
 #include "firmware/protocol/identity.hpp"
 #include "host-sim/cli/commands.hpp"
 #include "host-sim/cli/cut_options.hpp"
+#include "host-sim/cli/cut_outputs.hpp"
 #include "host-sim/cli/cut_runs.hpp"
+#include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/job_options.hpp"
 #include "host-sim/cut/cut_report.hpp"
 #include "host-sim/cut/kerf_notes.hpp"
-#include "host-sim/plot/cut_picture.hpp"
 #include "host-sim/report/nearest_name.hpp"
 #include "host-sim/report/report_json.hpp"
 #include "host-sim/report/terminal.hpp"
@@ -128,6 +129,20 @@ void print_faults(const std::vector<drawing::Fault>& faults, const Drawing& draw
   if (drawn.more_faults != 0) terminal::print(stderr, "and {} more faults\n", drawn.more_faults);
 }
 
+void append(std::vector<drawing::Fault>& faults, const std::vector<drawing::Fault>& more) {
+  faults.insert(faults.end(), more.begin(), more.end());
+}
+
+/// Faults for which no cut is planned.
+ExitStatus refuse(const CutCommandOptions& options,
+                  const std::vector<drawing::Fault>& faults,
+                  const Drawing& drawn) {
+  print_faults(faults, drawn);
+  terminal::print(
+      stderr, "kerfline: no program is written; mend the sheet{}\n", stale_note(options.output));
+  return ExitStatus::kFaults;
+}
+
 /// A machine with a laser, and whatever else is said of it.
 std::vector<SettingChange> machine_of(const CutCommandOptions& options) {
   std::vector<SettingChange> settings{parse_setting("$32=1", "laser mode")};
@@ -192,11 +207,15 @@ const char* refusal_of(const CutPlan& plan) {
 }
 
 ExitStatus cut_drawing(const CutCommandOptions& options) {
-  const Drawing drawn =
-      drawing::read_drawing(options.file, read_text(options.file), options.import);
+  const CutInput input = read_cut_input(options.file, options.import);
+  const Drawing& drawn = input.drawn;
+  if (input.is_broken_sheet() && !options.anyway) return refuse(options, drawn.faults, drawn);
+  save_sheet(options.sheet, input);
   const MaterialRecord record = options.record.record();
   const auto layers = layers_of(options, drawn, record);
-  const std::vector<drawing::Fault> faults = faults_of(drawn, layers);
+  std::vector<drawing::Fault> faults = place_faults(input, layers);
+  if (!faults.empty() && !options.anyway) return refuse(options, faults, drawn);
+  append(faults, faults_of(drawn, layers));
   const auto beside = options.kerf_table ? cut::WayBeside::kOnController : cut::WayBeside::kHere;
   const CutRun run{static_cast<std::uint8_t>(options.decimals), machine_of(options)};
   const CutPlan plan =
@@ -214,10 +233,8 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
   for (const std::string& note : job.notes)
     terminal::print(stderr, "kerfline: warning: {}\n", note);
   CutFigures figures = figures_of(plan);
-  const auto draw = [&](const cut::EdgeFigures* edges) {
-    if (!options.svg.empty()) write_file(options.svg, draw_cuts(drawn, plan, drawn.file, edges));
-  };
-  draw(nullptr);
+  const cut::Timeline timeline = predicted_timeline(plan, run.settings);
+  write_pictures(options.outputs, job, timeline, nullptr);
   if (plan.cuts.empty() || plan.safety.no_way != 0 || (!sound && !options.anyway)) {
     terminal::print(stderr, "kerfline: {}{}\n", refusal_of(plan), stale_note(options.output));
     return ExitStatus::kFaults;
@@ -232,11 +249,12 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
     write_file(options.output, program);
   }
   nlohmann::ordered_json report = json_of(job, figures);
+  report_account(options.outputs, job, timeline, figures.job_time_s, told, report);
   report["version"] = cnc::identity::version();
   if (options.check) {
     EdgeChecks checks = check_edges(job, run, told);
     report["edges"] = std::move(checks.rows);
-    draw(&checks.first);
+    write_pictures(options.outputs, job, timeline, &checks.first);
   }
   if (!options.report.empty()) {
     write_file(options.report, dumped(std::move(report)) + "\n");

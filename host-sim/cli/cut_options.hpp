@@ -6,7 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "host-sim/cli/cut_output_options.hpp"
 #include "host-sim/cli/cut_safety_options.hpp"
+#include "host-sim/cli/cut_sheet_options.hpp"
 #include "host-sim/cli/kerf_options.hpp"
 #include "host-sim/cli/outline_options.hpp"
 #include "host-sim/import/drawing.hpp"
@@ -37,9 +39,10 @@ struct CutCommandOptions {
   unsigned decimals = 4;
   std::string settings_file;
   std::vector<std::string> set;
+  CutSheetOptions sheet;
   std::string output;
-  std::string svg;
   std::string report;
+  CutOutputOptions outputs;
 };
 
 /// Adds all options and the text below them.
