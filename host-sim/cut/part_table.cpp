@@ -21,6 +21,7 @@ class PartsOfContours {
   PartsOfContours(const drawing::Drawing& drawn, const CutPlan& plan)
       : drawn_{drawn}, roles_(drawn.contours.size(), Role::kNone) {
     for (const Cut& cut : plan.cuts) {
+      if (cut.is_slice) continue;
       const bool is_beside = plan.layers[cut.layer].settings.side == Side::kWaste;
       roles_[cut.contour] = !is_beside ? Role::kMark : cut.is_hole ? Role::kHole : Role::kOuter;
     }
@@ -70,11 +71,12 @@ class TableMaker {
     const PartsOfContours parts{drawn, plan};
     std::vector<bool> seen(drawn.contours.size(), false);
     for (const Cut& cut : plan.cuts) {
-      const std::size_t part = parts.part_of(cut.contour);
+      const std::size_t part = cut.is_slice ? kNoPart : parts.part_of(cut.contour);
       part_of_cut_.push_back(part);
       Copy& copy = copies_[part];
-      ++copy.row.pierces;
+      if (cut.strokes.front().purpose != Purpose::kLink) ++copy.row.pierces;
       copy.row.cut_length_mm += lit_length_of(cut);
+      if (cut.is_slice) continue;
       if (!seen[cut.contour]) add_contour(cut, copy);
       seen[cut.contour] = true;
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "host-sim/cut/cooling.hpp"
 #include "host-sim/cut/link_cuts.hpp"
@@ -22,13 +23,25 @@ CoolingRules cooling_of(const CutPlan& plan, const SafetyWishes& wishes) {
   return {wishes.cool_s, is_given ? wishes.cool_distance_mm : kCoolKerfs * widest_mm, wishes.rates};
 }
 
+SliceRules slices_of(const drawing::Drawing& drawn, const SafetyWishes& wishes) {
+  SliceRules rules{.piece_mm = wishes.slice_mm, .margin_mm = wishes.slice_margin_mm};
+  if (!drawn.stock) return rules;
+  if (drawn.stock->keeps_skeleton) {
+    throw std::invalid_argument(
+        "--slice: the sheet file says that what is left of the stock stays in one piece; leave out "
+        "one of them");
+  }
+  rules.stock = LoopArea::Box{0.0, 0.0, drawn.stock->width_mm, drawn.stock->height_mm};
+  return rules;
+}
+
 }  // namespace
 
 void make_safe(CutPlan& plan, const drawing::Drawing& drawn, const SafetyWishes& wishes) {
   const bool cools = wishes.cool_s > 0.0;
   if (cools) reorder_for_cooling(plan, cooling_of(plan, wishes));
   if (wishes.slice_mm > 0.0) {
-    slice_waste(plan, drawn, {.piece_mm = wishes.slice_mm, .margin_mm = wishes.slice_margin_mm});
+    slice_waste(plan, drawn, slices_of(drawn, wishes));
   }
   if (wishes.chain_mm > 0.0) {
     link_cuts(plan, drawn, {.longest_mm = wishes.chain_mm, .rates = wishes.rates});

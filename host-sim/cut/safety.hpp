@@ -27,7 +27,8 @@ struct SafetyWishes {
   RapidRates rates{};             ///< Of the machine.
 };
 
-/// Does it, and counts it in `safety` of the plan. What cannot be done becomes a fault.
+/// Does it, and counts it in `safety` of the plan. What cannot be done becomes a fault. Throws
+/// std::invalid_argument where the waste of a sheet is to be cut up that stays in one piece.
 void make_safe(CutPlan& plan, const drawing::Drawing& drawn, const SafetyWishes& wishes);
 
 /// Returns what was done as lines for people, none where nothing was asked for…
