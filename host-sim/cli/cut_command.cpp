@@ -190,6 +190,16 @@ std::string timed_program(const CutCommandOptions& options,
   return program_of(job, run, lines_of(job, figures));
 }
 
+CutPlan safe_plan(const CutCommandOptions& options,
+                  const CutRun& run,
+                  CutPlan plan,
+                  const Drawing& drawn) {
+  cut::SafetyWishes wishes = options.safety;
+  wishes.rates = rapid_rates_of(run.settings);
+  make_safe(plan, drawn, wishes);
+  return plan;
+}
+
 const char* refusal_of(const CutPlan& plan) {
   if (plan.cuts.empty()) return "nothing is left to cut; no program is written";
   if (plan.safety.no_way != 0) return "no program is written; its rapids would not be safe";
@@ -207,13 +217,13 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
   if (!faults.empty() && !options.anyway) return refuse(options, faults, drawn);
   append(faults, faults_of(drawn, layers));
   const auto beside = options.kerf_table ? cut::WayBeside::kOnController : cut::WayBeside::kHere;
-  CutPlan plan = plan_cuts(drawn, layers, options.curves, beside);
-  make_safe(plan, drawn, options.safety);
+  const CutRun run{static_cast<std::uint8_t>(options.decimals), machine_of(options)};
+  const CutPlan plan =
+      safe_plan(options, run, plan_cuts(drawn, layers, options.curves, beside), drawn);
   print_faults(faults, drawn);
   print_faults(plan.faults, drawn);
   print_faults(plan.warnings, drawn);
   const bool sound = faults.empty() && plan.faults.empty();
-  const CutRun run{static_cast<std::uint8_t>(options.decimals), machine_of(options)};
   const CutJob job{drawn,
                    plan,
                    record,
