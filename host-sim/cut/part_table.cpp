@@ -21,7 +21,7 @@ class PartsOfContours {
   PartsOfContours(const drawing::Drawing& drawn, const CutPlan& plan)
       : drawn_{drawn}, roles_(drawn.contours.size(), Role::kNone) {
     for (const Cut& cut : plan.cuts) {
-      const bool is_beside = plan.layers[cut.layer].settings.side == Side::kWaste;
+      const bool is_beside = plan.plan_of(cut).settings.side == Side::kWaste;
       roles_[cut.contour] = !is_beside ? Role::kMark : cut.is_hole ? Role::kHole : Role::kOuter;
     }
   }
@@ -119,7 +119,7 @@ class TableMaker {
  private:
   void add_contour(const Cut& cut, Copy& copy) {
     const drawing::DrawnContour& contour = drawn_.contours[cut.contour];
-    const bool is_mark = plan_.layers[cut.layer].settings.side != Side::kWaste;
+    const bool is_mark = plan_.plan_of(cut).settings.side != Side::kWaste;
     copy.likeness.push_back({is_mark ? 1 : 0,
                              static_cast<std::int64_t>(cut.layer),
                              rounded(std::abs(contour.area_mm2)),

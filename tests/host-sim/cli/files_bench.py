@@ -72,10 +72,9 @@ COMMANDS = {
                       takes_stdin=True),
     "drawing": Command((), {"FILE": PLATE}, ("--svg",), takes_stdin=True),
     "cut": Command((*STEEL, "--thickness", "2"),
-                   {"DRAWING": PLATE, "--layers": ": tabs=2\n", "--settings": SETTINGS},
-                   ("--output", "--svg", "--png", "--report", "--save-sheet"), {"--db": CUTS},
-                   takes_stdin=True,
-                   empty_is_refused=("--layers", "--settings")),
+                   {"DRAWING": PLATE, "--layers": ": tabs=2\n", "--rules": "outer: tabs=3\n", "--settings": SETTINGS},
+                   ("--output", "--svg", "--png", "--report", "--save-sheet", "--frame"), {"--db": CUTS},
+                   takes_stdin=True, empty_is_refused=("--layers", "--rules", "--settings")),
     "order": Command(("--steps", "10"), {"FILE": PROBLEM}, takes_stdin=True),
     "send": Command((), {"file": PROGRAM}, ("--log",), takes_stdin=True, empty_is_refused=("file",)),
 }
