@@ -74,6 +74,7 @@ class TableMaker {
       part_of_cut_.push_back(part);
       Copy& copy = copies_[part];
       ++copy.row.pierces;
+      copy.row.number = part_of_cut_.size();
       copy.row.cut_length_mm += lit_length_of(cut);
       if (!seen[cut.contour]) add_contour(cut, copy);
       seen[cut.contour] = true;

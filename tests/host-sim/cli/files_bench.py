@@ -73,7 +73,7 @@ COMMANDS = {
     "drawing": Command((), {"FILE": PLATE}, ("--svg",), takes_stdin=True),
     "cut": Command((*STEEL, "--thickness", "2"),
                    {"DRAWING": PLATE, "--layers": ": tabs=2\n", "--settings": SETTINGS},
-                   ("--output", "--svg", "--png", "--report"), {"--db": CUTS}, takes_stdin=True,
+                   ("--output", "--svg", "--png", "--animation", "--job-sheet", "--report"), {"--db": CUTS}, takes_stdin=True,
                    empty_is_refused=("--layers", "--settings")),
     "order": Command(("--steps", "10"), {"FILE": PROBLEM}, takes_stdin=True),
     "send": Command((), {"file": PROGRAM}, ("--log",), takes_stdin=True, empty_is_refused=("file",)),
