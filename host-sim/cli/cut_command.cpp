@@ -129,6 +129,20 @@ void print_faults(const std::vector<drawing::Fault>& faults, const Drawing& draw
   if (drawn.more_faults != 0) terminal::print(stderr, "and {} more faults\n", drawn.more_faults);
 }
 
+void append(std::vector<drawing::Fault>& faults, const std::vector<drawing::Fault>& more) {
+  faults.insert(faults.end(), more.begin(), more.end());
+}
+
+/// Faults for which no cut is planned.
+ExitStatus refuse(const CutCommandOptions& options,
+                  const std::vector<drawing::Fault>& faults,
+                  const Drawing& drawn) {
+  print_faults(faults, drawn);
+  terminal::print(
+      stderr, "kerfline: no program is written; mend the sheet{}\n", stale_note(options.output));
+  return ExitStatus::kFaults;
+}
+
 /// A machine with a laser, and whatever else is said of it.
 std::vector<SettingChange> machine_of(const CutCommandOptions& options) {
   std::vector<SettingChange> settings{parse_setting("$32=1", "laser mode")};
@@ -176,14 +190,25 @@ std::string timed_program(const CutCommandOptions& options,
   return program_of(job, run, lines_of(job, figures));
 }
 
+const char* refusal_of(const CutPlan& plan) {
+  if (plan.cuts.empty()) return "nothing is left to cut; no program is written";
+  if (plan.safety.no_way != 0) return "no program is written; its rapids would not be safe";
+  return "no program is written; --anyway cuts what is sound";
+}
+
 ExitStatus cut_drawing(const CutCommandOptions& options) {
-  const Drawing drawn =
-      drawing::read_drawing(options.file, read_text(options.file), options.import);
+  const CutInput input = read_cut_input(options.file, options.import);
+  const Drawing& drawn = input.drawn;
+  if (input.is_broken_sheet() && !options.anyway) return refuse(options, drawn.faults, drawn);
+  save_sheet(options.sheet, input);
   const MaterialRecord record = options.record.record();
   const auto layers = layers_of(options, drawn, record);
-  const std::vector<drawing::Fault> faults = faults_of(drawn, layers);
+  std::vector<drawing::Fault> faults = place_faults(input, layers);
+  if (!faults.empty() && !options.anyway) return refuse(options, faults, drawn);
+  append(faults, faults_of(drawn, layers));
   const auto beside = options.kerf_table ? cut::WayBeside::kOnController : cut::WayBeside::kHere;
-  const CutPlan plan = plan_cuts(drawn, layers, options.curves, beside);
+  CutPlan plan = plan_cuts(drawn, layers, options.curves, beside);
+  make_safe(plan, drawn, options.safety);
   print_faults(faults, drawn);
   print_faults(plan.faults, drawn);
   print_faults(plan.warnings, drawn);
@@ -200,12 +225,8 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
   CutFigures figures = figures_of(plan);
   const cut::Timeline timeline = predicted_timeline(plan, run.settings);
   write_pictures(options.outputs, job, timeline, nullptr);
-  if (plan.cuts.empty() || (!sound && !options.anyway)) {
-    terminal::print(stderr,
-                    "kerfline: {}{}\n",
-                    plan.cuts.empty() ? "nothing is left to cut; no program is written"
-                                      : "no program is written; --anyway cuts what is sound",
-                    stale_note(options.output));
+  if (plan.cuts.empty() || plan.safety.no_way != 0 || (!sound && !options.anyway)) {
+    terminal::print(stderr, "kerfline: {}{}\n", refusal_of(plan), stale_note(options.output));
     return ExitStatus::kFaults;
   }
   ExitStatus status = sound ? ExitStatus::kFine : ExitStatus::kFaults;

@@ -52,9 +52,10 @@ void add_common_options(CLI::App& command, const std::shared_ptr<CutCommandOptio
 
 void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>& options) {
   command.footer(kCutFooter);
-  mark_file(command.add_option("DRAWING", options->file, "SVG, DXF or JSON; - is standard input")
-                ->required(),
-            FileRole::kInput);
+  mark_file(
+      command.add_option("DRAWING", options->file, "SVG, DXF, JSON or sheet; - is standard input")
+          ->required(),
+      FileRole::kInput);
   options->record.add_to(command);
   command.get_option("--material")->required();
   command.add_option("--thickness", options->thickness_mm, "mm")
@@ -91,6 +92,7 @@ void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>
       ->check(in_range(drawing::kLeastGapMm, drawing::kGreatestGapMm, "mm"))
       ->capture_default_str();
   add_outline_options(command, options->curves);
+  add_cut_safety_options(command, options);
   command.add_flag("--anyway", options->anyway, "Cut what is sound of a drawing with faults");
   command.add_flag("--check", options->check, "Drive it and measure how well the parts fit");
   command.add_option("--decimals", options->decimals, "Of places, mm")
@@ -100,6 +102,7 @@ void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>
   command.add_option("--set", options->set, "One setting of the machine; may be repeated")
       ->type_name("$N=V")
       ->allow_extra_args(false);
+  add_cut_sheet_options(command, options->sheet);
   add_file(FileRole::kOutput, "-o,--output", options->output, "The program; else standard output");
   add_file(FileRole::kOutput, "--report", options->report, "Write the report as JSON");
   add_cut_output_options(command, options->outputs);

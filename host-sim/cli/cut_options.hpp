@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "host-sim/cli/cut_output_options.hpp"
+#include "host-sim/cli/cut_safety_options.hpp"
+#include "host-sim/cli/cut_sheet_options.hpp"
 #include "host-sim/cli/kerf_options.hpp"
 #include "host-sim/cli/outline_options.hpp"
 #include "host-sim/import/drawing.hpp"
@@ -31,11 +33,13 @@ struct CutCommandOptions {
   double full_power_w = 0.0;  ///< 0: the greatest of the record.
   bool constant_power = false;
   std::optional<unsigned> kerf_table{};  ///< The controller finds the way beside parts.
+  cut::SafetyWishes safety{};
   bool anyway = false;
   bool check = false;
   unsigned decimals = 4;
   std::string settings_file;
   std::vector<std::string> set;
+  CutSheetOptions sheet;
   std::string output;
   std::string report;
   CutOutputOptions outputs;

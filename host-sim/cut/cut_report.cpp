@@ -10,7 +10,8 @@
 #include <set>
 
 #include "host-sim/cut/kerf_notes.hpp"
-#include "host-sim/cut/order.hpp"
+#include "host-sim/cut/rapid_way.hpp"
+#include "host-sim/cut/safety.hpp"
 #include "host-sim/knowledge/experiment.hpp"
 #include "host-sim/report/duration_text.hpp"
 
@@ -57,7 +58,9 @@ Json json_of(const LayerPlan& layer, const drawing::Layer& drawn) {
 /// Curves of the drawing that are cut as arcs.
 std::size_t curves_of(const CutJob& job) {
   std::set<std::size_t> contours;
-  for (const Cut& cut : job.plan.cuts) contours.insert(cut.contour);
+  for (const Cut& cut : job.plan.cuts) {
+    if (!cut.is_slice) contours.insert(cut.contour);
+  }
   std::size_t curves = 0;
   for (const std::size_t contour : contours) {
     const auto& shapes = job.drawn.contours[contour].shapes;
@@ -95,7 +98,7 @@ std::string line_of_corners(const CutFigures& figures) {
 }  // namespace
 
 CutFigures figures_of(const CutPlan& plan) {
-  CutFigures figures{.cuts = plan.cuts.size(), .rapid_length_mm = rapid_length(plan.cuts)};
+  CutFigures figures{.cuts = plan.cuts.size(), .rapid_length_mm = rapid_length(plan)};
   for (const Cut& cut : plan.cuts) {
     for (const Stroke& stroke : cut.strokes) {
       ++(stroke.bulge == 0.0 ? figures.lines : figures.arcs);
@@ -140,6 +143,7 @@ std::vector<std::string> lines_of(const CutJob& job, const CutFigures& figures) 
   if (figures.corner_loops + figures.corner_dwells != 0) {
     lines.push_back(line_of_corners(figures));
   }
+  for (const std::string& line : lines_of(job.plan.safety)) lines.push_back(line);
   lines.push_back(fmt::format("{} cuts, {} lines, {} arcs; {:.1f} mm cut, {:.1f} mm rapid; {}",
                               figures.cuts,
                               figures.lines,
@@ -180,6 +184,7 @@ Json json_of(const CutJob& job, const CutFigures& figures) {
                      {"loops_longer_mm", figures.corner_loop_mm},
                      {"dwells", figures.corner_dwells},
                      {"dwells_s", figures.corner_dwell_s}};
+  if (job.plan.safety.is_asked()) json["safety"] = json_of(job.plan.safety);
   json["job_time_s"] = figures.job_time_s;
   json["warnings"] = json_of(job.plan.warnings, job.drawn.file);
   json["faults"] = json_of(job.plan.faults, job.drawn.file);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "host-sim/cut/rapid_way.hpp"
 #include "host-sim/knowledge/experiment.hpp"
 
 namespace sim::cut {
@@ -27,6 +28,7 @@ TimeKind kind_of(Purpose purpose) {
       return TimeKind::kPierce;
     case Purpose::kLeadIn:
     case Purpose::kLeadOut:
+    case Purpose::kLink:
       return TimeKind::kLead;
     case Purpose::kTab:
       return TimeKind::kTab;
@@ -110,8 +112,13 @@ class TimelineMaker {
     here_ = place;
   }
 
+  /// From rest to rest between the corners of a rapid.
+  void go_along(const std::vector<Place>& way, std::size_t cut) {
+    for (std::size_t i = 1; i < way.size(); ++i) go_to(way[i], cut);
+  }
+
   void add_cut(const Cut& cut, const LayerPlan& layer, std::size_t number) {
-    go_to(cut.start(), number);
+    if (cut.wait_s > 0.0) add(TimeKind::kWait, number, {here_, here_}, cut.wait_s);
     const CutSpeeds speeds{cut, layer, rates_};
     for (std::size_t i = 0; i < cut.strokes.size(); ++i) {
       const Stroke& stroke = cut.strokes[i];
@@ -152,9 +159,10 @@ std::array<double, kTimeKinds> Timeline::by_kind() const {
 Timeline timeline_of(const CutPlan& plan, const MachineRates& rates) {
   TimelineMaker maker{rates};
   for (std::size_t i = 0; i < plan.cuts.size(); ++i) {
+    maker.go_along(rapid_before(plan, i), i);
     maker.add_cut(plan.cuts[i], plan.layers[plan.cuts[i].layer], i);
   }
-  maker.go_to({0.0, 0.0}, plan.cuts.size());
+  maker.go_along(rapid_before(plan, plan.cuts.size()), plan.cuts.size());
   return maker.take();
 }
 

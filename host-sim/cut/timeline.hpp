@@ -14,8 +14,8 @@ namespace sim::cut {
 /// What the time of a job is spent on.
 enum class TimeKind : std::uint8_t {
   kPierce,
-  kLead,     ///< Leads in and out.
-  kContour,  ///< Along edges and drawn lines, overcuts included.
+  kLead,     ///< Leads in and out, and links.
+  kContour,  ///< Along edges and drawn lines, overcuts and slices included.
   kTab,      ///< Along edges with the beam off.
   kCornerLoop,
   kCornerDwell,

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <vector>
 
 #include "host-sim/cut/heat.hpp"
+#include "host-sim/cut/rapid_way.hpp"
 #include "host-sim/plot/cut_numbers.hpp"
 #include "host-sim/plot/svg_element.hpp"
 
@@ -55,15 +57,15 @@ void add_rapids(std::string& out, const cut::CutPlan& plan, const View& view) {
   std::string lines;
   std::string heads;
   for (std::size_t i = 1; i < plan.cuts.size(); ++i) {
-    const PicturePlace from = on_picture(plan.cuts[i - 1].end(), view);
-    const PicturePlace to = on_picture(plan.cuts[i].start(), view);
-    fmt::format_to(std::back_inserter(lines),
-                   "M{:.1f} {:.1f}L{:.1f} {:.1f}",
-                   from.x_px,
-                   from.y_px,
-                   to.x_px,
-                   to.y_px);
-    add_arrow_head(heads, from.x_px, from.y_px, to.x_px, to.y_px);
+    const std::vector<cut::Place> way = cut::rapid_before(plan, i);
+    PicturePlace from = on_picture(way.front(), view);
+    fmt::format_to(std::back_inserter(lines), "M{:.1f} {:.1f}", from.x_px, from.y_px);
+    for (std::size_t k = 1; k < way.size(); ++k) {
+      const PicturePlace to = on_picture(way[k], view);
+      fmt::format_to(std::back_inserter(lines), "L{:.1f} {:.1f}", to.x_px, to.y_px);
+      if (k + 1 == way.size()) add_arrow_head(heads, from.x_px, from.y_px, to.x_px, to.y_px);
+      from = to;
+    }
   }
   if (lines.empty()) return;
   fmt::format_to(std::back_inserter(out),
@@ -81,6 +83,7 @@ void add_pierces(std::string& out, const cut::CutPlan& plan, const View& view) {
   const double radius = pierce_radius_px(plan.cuts.size());
   out += "<g class=\"pierces\" fill=\"#0072b2\">\n";
   for (const cut::Cut& cut : plan.cuts) {
+    if (cut.strokes.front().purpose == cut::Purpose::kLink) continue;
     const PicturePlace place = on_picture(cut.start(), view);
     fmt::format_to(std::back_inserter(out),
                    "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{}\"/>\n",
