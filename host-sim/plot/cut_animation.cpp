@@ -27,7 +27,7 @@ constexpr double kAnimationTallestPx = 1000.0;
 /// Texts of the clock, and its least step as a share of the job.
 constexpr std::size_t kMaxClockTexts = 300;
 /// Chords of an arc leave it by no more than this.
-constexpr double kChordPx = 0.2;
+constexpr double kBeamChordPx = 0.2;
 
 bool is_lit(const TimeStep& step) {
   return step.kind != TimeKind::kRapid && step.kind != TimeKind::kWait &&
@@ -136,7 +136,7 @@ std::vector<BeamPlace> Animator::beam_places() const {
     if (step.path.bulge != 0.0) {
       const double sweep = 4.0 * std::atan(std::abs(step.path.bulge));
       const double radius_px = length_of(step.path) / sweep * view_.px_per_mm();
-      chords = std::ceil(sweep / std::sqrt(8.0 * kChordPx / std::max(radius_px, kChordPx)));
+      chords = std::ceil(sweep / std::sqrt(8.0 * kBeamChordPx / std::max(radius_px, kBeamChordPx)));
     }
     for (double i = 1.0; i <= chords; ++i) {
       const double share = i / chords;
