@@ -274,7 +274,10 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
     return ExitStatus::kFaults;
   }
   ExitStatus status = sound ? ExitStatus::kFine : ExitStatus::kFaults;
-  const std::string program = timed_program(options, job, run, figures, status);
+  ExitStatus taken = ExitStatus::kFine;
+  const std::string program = timed_program(options, job, run, figures, taken);
+  if (taken != ExitStatus::kFine) status = taken;
+  const double job_time_s = taken == ExitStatus::kFine ? figures.job_time_s : 0.0;
   std::FILE* const told = options.output.empty() ? stderr : stdout;
   for (const std::string& line : lines_of(job, figures)) terminal::print(told, "{}\n", line);
   if (options.output.empty()) {
@@ -284,7 +287,7 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
   }
   write_frame(options.frame, job, run);
   nlohmann::ordered_json report = json_of(job, figures);
-  report_account(options.outputs, job, timeline, figures.job_time_s, told, report);
+  account_for(options.outputs, job, timeline, job_time_s, told, report);
   report["version"] = cnc::identity::version();
   if (options.check) {
     EdgeChecks checks = check_edges(job, run, told);
