@@ -47,6 +47,7 @@ std::string line_of_layers(const CutAccount& account, const drawing::Drawing& dr
 Json json_of(const PartRow& part, const CutAccount& account) {
   Json row;
   row["name"] = part.name;
+  row["number"] = part.number;
   row["copies"] = part.copies;
   row["pierces"] = part.pierces;
   row["cut_length_mm"] = part.cut_length_mm;

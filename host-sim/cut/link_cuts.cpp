@@ -53,9 +53,9 @@ void link_cuts(CutPlan& plan, const drawing::Drawing& drawn, const LinkRules& ru
   for (std::size_t i = 1; i < plan.cuts.size(); ++i) {
     const Cut& before = plan.cuts[i - 1];
     Cut& next = plan.cuts[i];
-    const LayerPlan& layer = plan.layers[next.layer];
+    const LayerPlan& layer = plan.plan_of(next);
     if (before.layer != next.layer) continue;
-    if (!may_be_linked(before, layer) || !may_be_linked(next, layer)) continue;
+    if (!may_be_linked(before, plan.plan_of(before)) || !may_be_linked(next, layer)) continue;
     const Stroke link{before.end(), next.start(), 0.0, Purpose::kLink};
     const double length = length_of(link);
     if (length > rules.longest_mm || length < kPierceWayMm) continue;

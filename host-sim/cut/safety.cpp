@@ -17,7 +17,7 @@ namespace {
 CoolingRules cooling_of(const CutPlan& plan, const SafetyWishes& wishes) {
   double widest_mm = 1.0e-3;
   for (const Cut& cut : plan.cuts) {
-    widest_mm = std::max(widest_mm, plan.layers[cut.layer].condition.kerf_mm);
+    widest_mm = std::max(widest_mm, plan.plan_of(cut).condition.kerf_mm);
   }
   const bool is_given = wishes.cool_distance_mm > 0.0;
   return {wishes.cool_s, is_given ? wishes.cool_distance_mm : kCoolKerfs * widest_mm, wishes.rates};

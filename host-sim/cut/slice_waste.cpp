@@ -56,7 +56,7 @@ LoopArea::Box sheet_of(const CutPlan& plan, const SliceRules& rules) {
 /// The layer of the last cut beside a line, or of the last one at all.
 std::size_t layer_of_slices(const CutPlan& plan) {
   for (auto cut = plan.cuts.rbegin(); cut != plan.cuts.rend(); ++cut) {
-    if (plan.layers[cut->layer].settings.side == Side::kWaste) return cut->layer;
+    if (plan.plan_of(*cut).settings.side == Side::kWaste) return cut->layer;
   }
   return plan.cuts.back().layer;
 }

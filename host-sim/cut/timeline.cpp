@@ -160,7 +160,7 @@ Timeline timeline_of(const CutPlan& plan, const MachineRates& rates) {
   TimelineMaker maker{rates};
   for (std::size_t i = 0; i < plan.cuts.size(); ++i) {
     maker.go_along(rapid_before(plan, i), i);
-    maker.add_cut(plan.cuts[i], plan.layers[plan.cuts[i].layer], i);
+    maker.add_cut(plan.cuts[i], plan.plan_of(plan.cuts[i]), i);
   }
   maker.go_along(rapid_before(plan, plan.cuts.size()), plan.cuts.size());
   return maker.take();

@@ -17,8 +17,9 @@ constexpr double kShareOfSpare = 0.9;
 
 WasteMap::WasteMap(const CutPlan& plan, const drawing::Drawing& drawn, double reach_mm)
     : lines_{reach_mm}, tabs_{reach_mm} {
-  for (const drawing::DrawnContour& contour : drawn.contours) {
-    const Side side = plan.layers[contour.entity.layer].settings.side;
+  for (std::size_t i = 0; i < drawn.contours.size(); ++i) {
+    const drawing::DrawnContour& contour = drawn.contours[i];
+    const Side side = plan.recipes.of(i, plan.layers[contour.entity.layer]).settings.side;
     if (side == Side::kSkip || (side == Side::kWaste && !contour.closed)) continue;
     for (const Stroke& stroke : strokes_of(contour, plan.curves).strokes) lines_.add(stroke, 0);
   }
