@@ -216,6 +216,16 @@ std::string timed_program(const CutCommandOptions& options,
   return program_of(job, run, heading_of(job, figures));
 }
 
+CutPlan safe_plan(const CutCommandOptions& options,
+                  const CutRun& run,
+                  CutPlan plan,
+                  const Drawing& drawn) {
+  cut::SafetyWishes wishes = options.safety;
+  wishes.rates = rapid_rates_of(run.settings);
+  make_safe(plan, drawn, wishes);
+  return plan;
+}
+
 const char* refusal_of(const CutPlan& plan) {
   if (plan.cuts.empty()) return "nothing is left to cut; no program is written";
   if (plan.safety.no_way != 0) return "no program is written; its rapids would not be safe";
@@ -235,15 +245,18 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
   if (!faults.empty() && !options.anyway) return refuse(options, faults, drawn);
   append(faults, faults_of(drawn, layers));
   const auto beside = options.kerf_table ? cut::WayBeside::kOnController : cut::WayBeside::kHere;
-  CutPlan plan = plan_cuts(drawn, layers, options.curves, beside, std::move(recipes));
-  make_safe(plan, drawn, options.safety);
+  const CutRun run{static_cast<std::uint8_t>(options.decimals), machine_of(options)};
+  inputs.add(digest_of(record));
+  inputs.add(settings_digest(settings_of(run), names_settings(options)));
+  const CutPlan plan =
+      safe_plan(options,
+                run,
+                plan_cuts(drawn, layers, options.curves, beside, std::move(recipes)),
+                drawn);
   print_faults(faults, drawn);
   print_faults(plan.faults, drawn);
   print_faults(plan.warnings, drawn);
   const bool sound = faults.empty() && plan.faults.empty();
-  const CutRun run{static_cast<std::uint8_t>(options.decimals), machine_of(options)};
-  inputs.add(digest_of(record));
-  inputs.add(settings_digest(settings_of(run), names_settings(options)));
   const CutJob job{drawn,
                    plan,
                    record,
@@ -261,7 +274,10 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
     return ExitStatus::kFaults;
   }
   ExitStatus status = sound ? ExitStatus::kFine : ExitStatus::kFaults;
-  const std::string program = timed_program(options, job, run, figures, status);
+  ExitStatus taken = ExitStatus::kFine;
+  const std::string program = timed_program(options, job, run, figures, taken);
+  if (taken != ExitStatus::kFine) status = taken;
+  const double job_time_s = taken == ExitStatus::kFine ? figures.job_time_s : 0.0;
   std::FILE* const told = options.output.empty() ? stderr : stdout;
   for (const std::string& line : lines_of(job, figures)) terminal::print(told, "{}\n", line);
   if (options.output.empty()) {
@@ -271,7 +287,7 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
   }
   write_frame(options.frame, job, run);
   nlohmann::ordered_json report = json_of(job, figures);
-  report_account(options.outputs, job, timeline, figures.job_time_s, told, report);
+  account_for(options.outputs, job, timeline, job_time_s, told, report);
   report["version"] = cnc::identity::version();
   if (options.check) {
     EdgeChecks checks = check_edges(job, run, told);

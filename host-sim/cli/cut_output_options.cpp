@@ -12,6 +12,7 @@
 namespace sim {
 namespace {
 
+constexpr double kMaxAnimationS = 3600.0;
 constexpr double kMaxMoney = 1.0e9;
 constexpr std::size_t kMaxCurrencyBytes = 12;
 
@@ -47,8 +48,15 @@ void add_cut_output_options(CLI::App& command, CutOutputOptions& options) {
     mark_file(command.add_option(name, file, help)->type_name("FILE"), FileRole::kOutput);
   };
   add_file("--svg", options.svg, "Draw parts, path, kerf, order and rapids");
-  add_price_options(command, options.prices);
   add_file("--png", options.png, "The same picture as PNG");
+  add_file("--animation", options.animation, "SVG that plays the job, without scripts");
+  command
+      .add_option("--animation-time", options.animation_s, "A longer job is shown faster, in this")
+      ->check(in_range(1.0, kMaxAnimationS, "s"))
+      ->type_name("S")
+      ->capture_default_str();
+  add_file("--job-sheet", options.job_sheet, "PDF with picture, conditions, parts and costs");
+  add_price_options(command, options.prices);
 }
 
 }  // namespace sim

@@ -14,6 +14,9 @@ namespace sim {
 struct CutOutputOptions {
   std::string svg;
   std::string png;
+  std::string animation;
+  double animation_s = 30.0;  ///< Longer jobs are shown faster.
+  std::string job_sheet;
   cut::PriceList prices{};
 };
 

@@ -23,13 +23,14 @@ void write_pictures(const CutOutputOptions& options,
                     const cut::Timeline& timeline,
                     const cut::EdgeFigures* edges);
 
-/// Prints what time and money of the job go to, and adds it to the report.
+/// Prints what time and money of the job go to, adds it to the report, and writes the files that
+/// show it where they are asked for.
 /// @param job_time_s as account_of()
-void report_account(const CutOutputOptions& options,
-                    const cut::CutJob& job,
-                    const cut::Timeline& timeline,
-                    double job_time_s,
-                    std::FILE* told,
-                    nlohmann::ordered_json& report);
+void account_for(const CutOutputOptions& options,
+                 const cut::CutJob& job,
+                 const cut::Timeline& timeline,
+                 double job_time_s,
+                 std::FILE* told,
+                 nlohmann::ordered_json& report);
 
 }  // namespace sim

@@ -25,7 +25,7 @@ std::string line_of_times(const Timeline& timeline) {
     if (!(sums[i] > 0.0)) continue;
     line += fmt::format("{} {} {}",
                         line.ends_with(':') ? "" : ",",
-                        name_of(static_cast<TimeKind>(i)),
+                        title_of(static_cast<TimeKind>(i)),
                         duration_text(sums[i]));
   }
   return line;
@@ -47,6 +47,7 @@ std::string line_of_layers(const CutAccount& account, const drawing::Drawing& dr
 Json json_of(const PartRow& part, const CutAccount& account) {
   Json row;
   row["name"] = part.name;
+  row["number"] = part.number;
   row["copies"] = part.copies;
   row["pierces"] = part.pierces;
   row["cut_length_mm"] = part.cut_length_mm;

@@ -162,7 +162,7 @@ std::vector<std::string> lines_of(const CutJob& job, const CutFigures& figures) 
     lines.push_back(fmt::format("{} curves as arcs within {:g} mm, fit {}",
                                 curves,
                                 job.plan.curves.tolerance_mm,
-                                sim::name_of(job.plan.curves.method)));
+                                name_of(job.plan.curves.method)));
   }
   if (figures.corner_loops + figures.corner_dwells != 0) {
     lines.push_back(line_of_corners(figures));
@@ -194,7 +194,7 @@ Json json_of(const CutJob& job, const CutFigures& figures) {
     json["layers"].push_back(json_of(job.plan.layers[i], job.drawn.layers[i]));
     json["thickness_mm"] = from_thousandths(job.plan.layers[i].condition.cut.thickness_um);
   }
-  json["kerf"] = {{"unit", sim::name_of(job.record.unit)},
+  json["kerf"] = {{"unit", name_of(job.record.unit)},
                   {"laser", job.record.laser},
                   {"this_laser", job.laser},
                   {"measured_on_this_machine", is_measured_here(job.record, job.laser)},
@@ -203,7 +203,7 @@ Json json_of(const CutJob& job, const CutFigures& figures) {
   json["full_power_w"] = job.beam.full_power_w;
   json["curves"] = curves_of(job);
   json["tolerance_mm"] = job.plan.curves.tolerance_mm;
-  json["fit"] = sim::name_of(job.plan.curves.method);
+  json["fit"] = name_of(job.plan.curves.method);
   json["cuts"] = figures.cuts;
   json["lines"] = figures.lines;
   json["arcs"] = figures.arcs;

@@ -8,6 +8,8 @@ namespace {
 /// After this many times of fading nothing is left to be seen.
 constexpr double kMaxFadings = 5.0;
 
+bool is_pierced(const Cut& cut) { return cut.strokes.front().purpose != Purpose::kLink; }
+
 /// When each cut begins, s.
 std::vector<double> pierce_times(const CutPlan& plan, const Timeline& timeline) {
   std::vector<double> times(plan.cuts.size(), 0.0);
@@ -28,6 +30,7 @@ std::vector<double> heat_at_pierces(const CutPlan& plan, const Timeline& timelin
     for (std::size_t j = i; j-- > 0;) {
       const double age = (times[i] - times[j]) / kHeatFadesInS;
       if (age > kMaxFadings) break;
+      if (!is_pierced(plan.cuts[i]) || !is_pierced(plan.cuts[j])) continue;
       const double away =
           drawing::distance(plan.cuts[i].start(), plan.cuts[j].start()) / kHeatFadesInMm;
       heat[i] += std::exp(-age - away * away);

@@ -6,11 +6,11 @@
 namespace sim::cut {
 namespace {
 
-constexpr double kNoLimit = std::numeric_limits<double>::infinity();
+constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 /// Halvings of an interval of speeds: more than the digits of a double are of no use.
 constexpr int kHalvings = 50;
 
-double jerk_or_none(double jerk_mm_s3) { return jerk_mm_s3 > 0.0 ? jerk_mm_s3 : kNoLimit; }
+double jerk_or_none(double jerk_mm_s3) { return jerk_mm_s3 > 0.0 ? jerk_mm_s3 : kUnlimited; }
 
 /// A change of speed.
 struct Ramp {
@@ -56,7 +56,7 @@ MachineRates rates_of(const cnc::Settings& settings) {
 PathLimits limits_along(const MachineRates& rates, const Place& way) {
   const double length = std::hypot(way.x(), way.y());
   const std::array<double, 2> shares{std::abs(way.x()) / length, std::abs(way.y()) / length};
-  PathLimits limits{kNoLimit, kNoLimit, kNoLimit};
+  PathLimits limits{kUnlimited, kUnlimited, kUnlimited};
   for (std::size_t axis = 0; axis < 2; ++axis) {
     if (!(shares[axis] > 1.0e-9)) continue;
     limits.speed_mm_s = std::min(limits.speed_mm_s, rates.rate_mm_s[axis] / shares[axis]);
@@ -122,7 +122,7 @@ double corner_speed(const MachineRates& rates, const Place& before, const Place&
   const double cosine = std::clamp(-drawing::dot(before, after), -1.0, 1.0);
   const double half_sine = std::sqrt(0.5 * (1.0 - cosine));
   constexpr double kStraight = 1.0e-9;
-  if (1.0 - half_sine < kStraight) return kNoLimit;
+  if (1.0 - half_sine < kStraight) return kUnlimited;
   const double radius = rates.junction_deviation_mm * half_sine / (1.0 - half_sine);
   return std::sqrt(limits_along(rates, after - before).acceleration_mm_s2 * radius);
 }

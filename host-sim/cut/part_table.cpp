@@ -4,47 +4,15 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <map>
+
+#include "host-sim/cut/part_finder.hpp"
 
 namespace sim::cut {
 namespace {
 
-constexpr std::size_t kNoPart = std::numeric_limits<std::size_t>::max();
-
 /// Rounded measures by which copies are found: a hundredth of a millimetre or of its square.
 std::int64_t rounded(double measure) { return std::llround(100.0 * measure); }
-
-/// Finds the part that each contour of a drawing belongs to, named by its outer contour.
-class PartsOfContours {
- public:
-  PartsOfContours(const drawing::Drawing& drawn, const CutPlan& plan)
-      : drawn_{drawn}, roles_(drawn.contours.size(), Role::kNone) {
-    for (const Cut& cut : plan.cuts) {
-      const bool is_beside = plan.plan_of(cut).settings.side == Side::kWaste;
-      roles_[cut.contour] = !is_beside ? Role::kMark : cut.is_hole ? Role::kHole : Role::kOuter;
-    }
-  }
-
-  /// Returns the outer contour, or kNoPart.
-  [[nodiscard]] std::size_t part_of(std::size_t contour) const {
-    if (roles_[contour] == Role::kOuter) return contour;
-    const drawing::DrawnContour& drawn = drawn_.contours[contour];
-    auto around = roles_[contour] == Role::kHole ? drawn.parent : drawn.lies_in;
-    // The bound only guards against a drawing whose contours lie in each other in a ring.
-    for (std::size_t i = 0; around && i < roles_.size(); ++i) {
-      if (roles_[*around] == Role::kOuter) return *around;
-      around = drawn_.contours[*around].lies_in;
-    }
-    return kNoPart;
-  }
-
- private:
-  enum class Role : std::uint8_t { kNone, kOuter, kHole, kMark };
-
-  const drawing::Drawing& drawn_;
-  std::vector<Role> roles_;
-};
 
 /// Whether a contour is a mark, its layer, area and length, rounded.
 using Likeness = std::array<std::int64_t, 4>;
@@ -67,15 +35,17 @@ double lit_length_of(const Cut& cut) {
 class TableMaker {
  public:
   TableMaker(const drawing::Drawing& drawn, const CutPlan& plan) : drawn_{drawn}, plan_{plan} {
-    const PartsOfContours parts{drawn, plan};
+    const PartFinder parts{drawn, plan};
     std::vector<bool> seen(drawn.contours.size(), false);
     for (const Cut& cut : plan.cuts) {
-      const std::size_t part = parts.part_of(cut.contour);
+      const std::size_t part = parts.part_of(cut);
       part_of_cut_.push_back(part);
       Copy& copy = copies_[part];
-      ++copy.row.pierces;
+      if (cut.strokes.front().purpose != Purpose::kLink) ++copy.row.pierces;
+      copy.row.number = part_of_cut_.size();
       copy.row.cut_length_mm += lit_length_of(cut);
-      if (!seen[cut.contour]) add_contour(cut, copy);
+      if (cut.contour == kNoContour || seen[cut.contour]) continue;
+      add_contour(cut, copy);
       seen[cut.contour] = true;
     }
   }

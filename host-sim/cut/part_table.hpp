@@ -14,6 +14,7 @@ namespace sim::cut {
 struct PartRow {
   std::string name{};  ///< Of the outer contour of the first copy; of the last row `on the sheet`.
   std::size_t copies = 0;
+  std::size_t number = 0;      ///< Of the last cut of the first copy, as in pictures: from 1.
   std::size_t pierces = 0;     ///< Of all copies, as everything below.
   double cut_length_mm = 0.0;  ///< With leads, without tabs.
   double area_mm2 = 0.0;       ///< Of the material that is left: holes are subtracted.

@@ -145,7 +145,7 @@ class TimelineMaker {
 
 }  // namespace
 
-std::string_view name_of(TimeKind kind) { return kKindNames[static_cast<std::size_t>(kind)].name; }
+std::string_view title_of(TimeKind kind) { return kKindNames[static_cast<std::size_t>(kind)].name; }
 std::string_view key_of(TimeKind kind) { return kKindNames[static_cast<std::size_t>(kind)].key; }
 
 std::array<double, kTimeKinds> Timeline::by_kind() const {

@@ -20,10 +20,10 @@ using cut::Purpose;
 using cut::Stroke;
 using drawing::Place;
 
-bool is_lead(const Stroke& stroke) {
-  return stroke.purpose != Purpose::kContour && stroke.purpose != Purpose::kTab;
+bool is_along(const Stroke& stroke) {
+  return stroke.purpose == Purpose::kContour || stroke.purpose == Purpose::kSlice;
 }
-bool is_along(const Stroke& stroke) { return stroke.purpose == Purpose::kContour; }
+bool is_lead(const Stroke& stroke) { return !is_along(stroke) && stroke.purpose != Purpose::kTab; }
 bool is_tab(const Stroke& stroke) { return stroke.purpose == Purpose::kTab; }
 bool is_lit(const Stroke& stroke) { return stroke.purpose != Purpose::kTab; }
 
@@ -60,6 +60,18 @@ void add_beam(std::string& out, const cut::CutPlan& plan, const View& view) {
   }
 }
 
+/// The edges of the stock that a sheet file describes.
+void add_stock(std::string& out, const drawing::Drawing& drawn, const View& view) {
+  if (!drawn.stock) return;
+  fmt::format_to(std::back_inserter(out),
+                 "<rect class=\"stock\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" "
+                 "height=\"{:.1f}\" fill=\"none\" stroke=\"#5b626c\" stroke-width=\"1.5\"/>\n",
+                 view.x_px(0.0),
+                 view.y_px(drawn.stock->height_mm),
+                 drawn.stock->width_mm * view.px_per_mm(),
+                 drawn.stock->height_mm * view.px_per_mm());
+}
+
 }  // namespace
 
 Extent extent_of(const CutScene& scene) {
@@ -77,6 +89,10 @@ Extent extent_of(const CutScene& scene) {
         extent.include(place.x(), place.y());
       }
     }
+  }
+  if (const auto& stock = scene.drawn.stock) {
+    extent.include(0.0, 0.0);
+    extent.include(stock->width_mm, stock->height_mm);
   }
   if (extent.is_empty()) extent.include(0.0, 0.0);
   return extent;
@@ -116,6 +132,7 @@ void add_cut_layers(std::string& out,
                     const View& view,
                     const cut::EdgeFigures* edges,
                     double edge_key_px) {
+  add_stock(out, scene.drawn, view);
   add_parts(out, scene.drawn, view);
   if (scene.timeline != nullptr) {
     add_heat(out, scene.plan, heat_at_pierces(scene.plan, *scene.timeline), view);

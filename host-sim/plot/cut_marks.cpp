@@ -83,6 +83,7 @@ void add_pierces(std::string& out, const cut::CutPlan& plan, const View& view) {
   const double radius = pierce_radius_px(plan.cuts.size());
   out += "<g class=\"pierces\" fill=\"#0072b2\">\n";
   for (const cut::Cut& cut : plan.cuts) {
+    if (cut.strokes.front().purpose == cut::Purpose::kLink) continue;
     const PicturePlace place = on_picture(cut.start(), view);
     fmt::format_to(std::back_inserter(out),
                    "<circle cx=\"{:.2f}\" cy=\"{:.2f}\" r=\"{}\"/>\n",
