@@ -19,6 +19,11 @@ constexpr const char* kCutFooter =
     "With --kerf-table the program has the drawn outlines and M190, and the controller goes by\n"
     "its own table, its $PC and $860; tabs, corner loops and dwells keep a contour from it.\n"
     "--layers FILE has one such text to a line.\n"
+    "--rule 'hole diameter < thickness: feed=60%' is for all contours of which that holds: hole,\n"
+    "outer or open, and diameter, perimeter, area (mm2) or thickness against a number or the\n"
+    "thickness, with `and` between several; then skip, mark or settings as of a layer, feed and\n"
+    "power also in % of the layer's. The diameter of what is no circle is that of the smallest\n"
+    "circle around it; mark engraves the line. Later rules go before earlier ones.\n"
     "\n"
     "Example:\n"
     "  kerfline cut part.dxf --material 'CSP 1N' --thickness 2 --lead-in arc:3 -o part.nc "
@@ -103,6 +108,8 @@ void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>
       ->type_name("$N=V")
       ->allow_extra_args(false);
   add_cut_sheet_options(command, options->sheet);
+  add_cut_rule_options(command, options->shop);
+  add_cut_frame_options(command, options->frame);
   add_file(FileRole::kOutput, "-o,--output", options->output, "The program; else standard output");
   add_file(FileRole::kOutput, "--report", options->report, "Write the report as JSON");
   add_cut_output_options(command, options->outputs);

@@ -6,7 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "host-sim/cli/cut_frame_options.hpp"
 #include "host-sim/cli/cut_output_options.hpp"
+#include "host-sim/cli/cut_rule_options.hpp"
 #include "host-sim/cli/cut_safety_options.hpp"
 #include "host-sim/cli/cut_sheet_options.hpp"
 #include "host-sim/cli/kerf_options.hpp"
@@ -40,6 +42,8 @@ struct CutCommandOptions {
   std::string settings_file;
   std::vector<std::string> set;
   CutSheetOptions sheet;
+  CutRuleOptions shop;
+  CutFrameOptions frame;
   std::string output;
   std::string report;
   CutOutputOptions outputs;

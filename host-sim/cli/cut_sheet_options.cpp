@@ -9,7 +9,6 @@
 #include "host-sim/sheet/place_parts.hpp"
 #include "host-sim/sheet/save_sheet.hpp"
 #include "host-sim/sheet/sheet_check.hpp"
-#include "host-sim/trace/input_file.hpp"
 #include "host-sim/trace/output_file.hpp"
 
 namespace sim {
@@ -36,24 +35,34 @@ bool CutInput::is_broken_sheet() const {
   return sheet && (!sheet->faults.empty() || std::ranges::any_of(drawn.faults, is_unreadable));
 }
 
-CutInput read_cut_input(const std::string& file, const drawing::ImportOptions& options) {
-  const std::string text = read_text(file);
-  if (!sheet::is_sheet(text)) return {drawing::read_drawing(file, text, options)};
+CutInput read_cut_input(const std::string& file,
+                        const drawing::ImportOptions& options,
+                        InputFiles& files) {
+  const std::string text = InputFiles::read(file);
+  const bool is_sheet = sheet::is_sheet(text);
+  files.add(is_sheet ? "sheet" : "drawing", file, text);
+  if (!is_sheet) return {drawing::read_drawing(file, text, options)};
   sheet::Sheet sheet = sheet::read_sheet(file, text);
-  const auto read = [](const std::string& name) { return read_text(name); };
+  const auto read = [&files](const std::string& name) {
+    std::string drawing = InputFiles::read(name);
+    files.add("drawing", name, drawing);
+    return drawing;
+  };
   drawing::Drawing drawn = place_parts(sheet, read, options);
   return {std::move(drawn), std::move(sheet)};
 }
 
 std::vector<drawing::Fault> place_faults(const CutInput& input,
-                                         const std::vector<cut::LayerPlan>& layers) {
+                                         const std::vector<cut::LayerPlan>& layers,
+                                         const cut::Recipes& recipes) {
   if (!input.sheet) return {};
   std::vector<sheet::ContourUse> uses;
-  for (const drawing::DrawnContour& contour : input.drawn.contours) {
-    const cut::LayerPlan& layer = layers[contour.entity.layer];
-    uses.push_back({.is_cut = layer.settings.side != cut::Side::kSkip,
-                    .is_edge = contour.closed && layer.settings.side == cut::Side::kWaste,
-                    .kerf_mm = layer.condition.kerf_mm});
+  for (std::size_t i = 0; i < input.drawn.contours.size(); ++i) {
+    const drawing::DrawnContour& contour = input.drawn.contours[i];
+    const cut::LayerPlan& plan = recipes.of(i, layers[contour.entity.layer]);
+    uses.push_back({.is_cut = plan.settings.side != cut::Side::kSkip,
+                    .is_edge = contour.closed && plan.settings.side == cut::Side::kWaste,
+                    .kerf_mm = plan.condition.kerf_mm});
   }
   return sheet::check_places(input.drawn, uses);
 }

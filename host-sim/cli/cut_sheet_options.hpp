@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "host-sim/cli/cut_identity.hpp"
 #include "host-sim/cut/plan.hpp"
 #include "host-sim/import/drawing.hpp"
 #include "host-sim/sheet/sheet_file.hpp"
@@ -35,11 +36,13 @@ struct CutInput {
 /// Reads a drawing or a sheet, told by content, with the drawings of its parts. Throws as
 /// read_text() does for `file` itself.
 [[nodiscard]] CutInput read_cut_input(const std::string& file,
-                                      const drawing::ImportOptions& options);
+                                      const drawing::ImportOptions& options,
+                                      InputFiles& files);
 
 /// Returns the faults of the places of a sheet's parts; none of other drawings.
 [[nodiscard]] std::vector<drawing::Fault> place_faults(const CutInput& input,
-                                                       const std::vector<cut::LayerPlan>& layers);
+                                                       const std::vector<cut::LayerPlan>& layers,
+                                                       const cut::Recipes& recipes);
 
 /// Writes the sheet if it is wanted. Throws std::invalid_argument for a drawing that has no name,
 /// as from standard input.

@@ -70,7 +70,7 @@ class CoolOrder {
       }
       const Cut& cut = plan_.cuts[order_[i]];
       clock_.travel(rapid_end(cut));
-      clock_.cut(cut, plan_.layers[cut.layer], clock_.wait_at(cut, clock_.now_s()));
+      clock_.cut(cut, plan_.plan_of(cut), clock_.wait_at(cut, clock_.now_s()));
       is_done_[order_[i]] = true;
     }
     apply();
@@ -149,7 +149,7 @@ void wait_for_cooling(CutPlan& plan, const CoolingRules& rules) {
     for (const Place& place : rapid_before(plan, i)) clock.travel(place);
     // Up to the next millisecond, as programs have them.
     cut.wait_s = 1.0e-3 * std::ceil(1.0e3 * clock.wait_at(cut, clock.now_s()));
-    clock.cut(cut, plan.layers[cut.layer], cut.wait_s);
+    clock.cut(cut, plan.plan_of(cut), cut.wait_s);
     if (cut.wait_s <= 0.0) continue;
     ++plan.safety.waits;
     plan.safety.waits_s += cut.wait_s;

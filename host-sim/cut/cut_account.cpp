@@ -25,7 +25,7 @@ std::string line_of_times(const Timeline& timeline) {
     if (!(sums[i] > 0.0)) continue;
     line += fmt::format("{} {} {}",
                         line.ends_with(':') ? "" : ",",
-                        name_of(static_cast<TimeKind>(i)),
+                        title_of(static_cast<TimeKind>(i)),
                         duration_text(sums[i]));
   }
   return line;

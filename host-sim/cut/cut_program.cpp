@@ -20,17 +20,6 @@ using cnc::gcode::ProgramWriter;
 using cnc::gcode::WriterError;
 using Written = cnc::Result<std::string_view, WriterError>;
 
-/// Printable ASCII without what ends a comment or acts at once on the wire.
-std::string comment(const std::string& text) {
-  std::string line = "(";
-  for (const char c : text) {
-    const bool printable = c >= ' ' && c <= '~';
-    const bool acts = c == '(' || c == ')' || c == '!' || c == '?' || c == '~' || c == '%';
-    line += printable && !acts ? c : '_';
-  }
-  return line + ")\n";
-}
-
 /// Writes the strokes of cuts one after the other.
 class StrokeWriter {
  public:
@@ -146,17 +135,27 @@ std::string_view kind_of(const Cut& cut, const LayerPlan& layer) {
 
 }  // namespace
 
+std::string comment_line(const std::string& text) {
+  std::string line = "(";
+  for (const char c : text) {
+    const bool printable = c >= ' ' && c <= '~';
+    const bool acts = c == '(' || c == ')' || c == '!' || c == '?' || c == '~' || c == '%';
+    line += printable && !acts ? c : '_';
+  }
+  return line + ")\n";
+}
+
 std::string program_of(const CutPlan& plan,
                        const drawing::Drawing& drawn,
                        const Beam& beam,
                        cnc::gcode::PrintGrid grid,
                        const std::vector<std::string>& heading) {
   std::string text;
-  for (const std::string& line : heading) text += comment(line);
+  for (const std::string& line : heading) text += comment_line(line);
   text += "G21 G90 G17 G94 G54\n";
   if (beam.kerf_table && !plan.cuts.empty()) {
     // One sheet has one thickness.
-    const Condition& any = plan.layers[plan.cuts.front().layer].condition;
+    const Condition& any = plan.plan_of(plan.cuts.front()).condition;
     text +=
         fmt::format("M190 P{} Q{:g}\n", *beam.kerf_table, from_thousandths(any.cut.thickness_um));
   }
@@ -164,9 +163,9 @@ std::string program_of(const CutPlan& plan,
   StrokeWriter writer{beam, grid};
   for (std::size_t i = 0; i < plan.cuts.size(); ++i) {
     const Cut& cut = plan.cuts[i];
-    const LayerPlan& layer = plan.layers[cut.layer];
-    text +=
-        comment(fmt::format("{}: {}, {}", i + 1, kind_of(cut, layer), entity_of(cut, drawn).name));
+    const LayerPlan& layer = plan.plan_of(cut);
+    text += comment_line(
+        fmt::format("{}: {}, {}", i + 1, kind_of(cut, layer), entity_of(cut, drawn).name));
     writer.go_along(rapid_before(plan, i), cut.lift_mm);
     writer.write(cut, layer);
     text += writer.take_text();

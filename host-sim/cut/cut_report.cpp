@@ -55,6 +55,27 @@ Json json_of(const LayerPlan& layer, const drawing::Layer& drawn) {
   return row;
 }
 
+Json json_of(const Recipes& recipes, const drawing::Drawing& drawn) {
+  Json rows = Json::array();
+  for (const AppliedRule& applied : recipes.applied) {
+    Json row{{"rule", applied.rule.text}, {"place", applied.rule.place}};
+    row["contours"] = Json::array();
+    for (const std::size_t contour : applied.contours) {
+      row["contours"].push_back(drawn.contours[contour].entity.name);
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+Json json_of(const std::vector<ProgramDigest>& digests) {
+  Json rows = Json::array();
+  for (const ProgramDigest& digest : digests) {
+    rows.push_back({{"kind", digest.kind}, {"digest", digest.digest}, {"name", digest.name}});
+  }
+  return rows;
+}
+
 /// Curves of the drawing that are cut as arcs.
 std::size_t curves_of(const CutJob& job) {
   std::set<std::size_t> contours;
@@ -104,7 +125,7 @@ CutFigures figures_of(const CutPlan& plan) {
       ++(stroke.bulge == 0.0 ? figures.lines : figures.arcs);
       if (stroke.purpose != Purpose::kTab) figures.cut_length_mm += length_of(stroke);
     }
-    add_corners(cut, plan.layers[cut.layer], figures);
+    add_corners(cut, plan.plan_of(cut), figures);
   }
   return figures;
 }
@@ -126,6 +147,9 @@ std::vector<std::string> lines_of(const CutJob& job, const CutFigures& figures) 
                     condition.kerf_mm));
   }
   constexpr std::size_t kLineWidth = 76;
+  for (const std::string& rule : lines_of(job.plan.recipes)) {
+    for (const std::string& line : wrapped(rule, kLineWidth)) lines.push_back(line);
+  }
   for (const std::string& note : job.notes) {
     for (const std::string& line : wrapped("warning: " + note, kLineWidth)) lines.push_back(line);
   }
@@ -151,6 +175,12 @@ std::vector<std::string> lines_of(const CutJob& job, const CutFigures& figures) 
                               figures.cut_length_mm,
                               figures.rapid_length_mm,
                               duration_text(figures.job_time_s)));
+  return lines;
+}
+
+std::vector<std::string> heading_of(const CutJob& job, const CutFigures& figures) {
+  std::vector<std::string> lines = lines_of(job, figures);
+  for (const ProgramDigest& digest : job.digests) lines.push_back(text_of(digest));
   return lines;
 }
 
@@ -186,6 +216,8 @@ Json json_of(const CutJob& job, const CutFigures& figures) {
                      {"dwells_s", figures.corner_dwell_s}};
   if (job.plan.safety.is_asked()) json["safety"] = json_of(job.plan.safety);
   json["job_time_s"] = figures.job_time_s;
+  json["rules"] = json_of(job.plan.recipes, job.drawn);
+  json["digests"] = json_of(job.digests);
   json["warnings"] = json_of(job.plan.warnings, job.drawn.file);
   json["faults"] = json_of(job.plan.faults, job.drawn.file);
   return json;

@@ -24,10 +24,19 @@ double twice_area(const std::vector<Stroke>& loop) {
   return twice;
 }
 
+/// Returns a number above 0 where a place is left of a chord. A place on it counts as a little to
+/// the right of it in the plane, or above a level one, as it does for the ray of turns_by_chord().
+double side_of(const Stroke& stroke, const Place& place) {
+  const Place way = stroke.to - stroke.from;
+  const double side = drawing::cross(way, place - stroke.from);
+  if (side != 0.0) return side;
+  return way.y() == 0.0 ? way.x() : -way.y();
+}
+
 /// Returns how often the loop goes round a place because of an arc instead of its chord.
 int turns_by_arc(const Stroke& arc, const Place& place) {
   if (arc.bulge == 0.0) return 0;
-  const double side = drawing::cross(arc.to - arc.from, place - arc.from);
+  const double side = side_of(arc, place);
   if (arc.bulge > 0.0 ? side >= 0.0 : side <= 0.0) return 0;
   const Place centre = arc_centre(arc);
   if (drawing::distance(centre, place) >= drawing::distance(centre, arc.from)) return 0;

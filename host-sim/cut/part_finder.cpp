@@ -12,7 +12,7 @@ PartFinder::PartFinder(const drawing::Drawing& drawn, const CutPlan& plan)
   bool has_open_marks = false;
   for (const Cut& cut : plan.cuts) {
     if (cut.contour == kNoContour) continue;
-    const bool is_beside = plan.layers[cut.layer].settings.side == Side::kWaste;
+    const bool is_beside = plan.plan_of(cut).settings.side == Side::kWaste;
     roles_[cut.contour] = !is_beside ? Role::kMark : cut.is_hole ? Role::kHole : Role::kOuter;
     has_open_marks = has_open_marks || !drawn.contours[cut.contour].closed;
   }

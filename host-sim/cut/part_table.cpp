@@ -89,7 +89,7 @@ class TableMaker {
  private:
   void add_contour(const Cut& cut, Copy& copy) {
     const drawing::DrawnContour& contour = drawn_.contours[cut.contour];
-    const bool is_mark = plan_.layers[cut.layer].settings.side != Side::kWaste;
+    const bool is_mark = plan_.plan_of(cut).settings.side != Side::kWaste;
     copy.likeness.push_back({is_mark ? 1 : 0,
                              static_cast<std::int64_t>(cut.layer),
                              rounded(std::abs(contour.area_mm2)),

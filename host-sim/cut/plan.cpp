@@ -85,9 +85,10 @@ void append(std::vector<drawing::Fault>& faults, const std::vector<drawing::Faul
   faults.insert(faults.end(), more.begin(), more.end());
 }
 
-double widest_kerf(const std::vector<LayerPlan>& layers) {
+double widest_kerf(const std::vector<LayerPlan>& layers, const Recipes& recipes) {
   double widest = 1.0e-3;
   for (const LayerPlan& layer : layers) widest = std::max(widest, layer.condition.kerf_mm);
+  for (const LayerPlan& plan : recipes.plans) widest = std::max(widest, plan.condition.kerf_mm);
   return widest;
 }
 
@@ -97,9 +98,14 @@ class Planner {
   Planner(const drawing::Drawing& drawn,
           std::vector<LayerPlan> layers,
           const OutlineOptions& curves,
-          WayBeside beside)
-      : drawn_{drawn}, beside_{beside}, reach_mm_{2.0 * widest_kerf(layers)}, edges_{reach_mm_} {
+          WayBeside beside,
+          Recipes recipes)
+      : drawn_{drawn},
+        beside_{beside},
+        reach_mm_{2.0 * widest_kerf(layers, recipes)},
+        edges_{reach_mm_} {
     plan_.layers = std::move(layers);
+    plan_.recipes = std::move(recipes);
     plan_.curves = curves;
   }
 
@@ -122,7 +128,7 @@ class Planner {
 
  private:
   [[nodiscard]] const LayerPlan& layer_of(std::size_t contour) const {
-    return plan_.layers[drawn_.contours[contour].entity.layer];
+    return plan_.recipes.of(contour, plan_.layers[drawn_.contours[contour].entity.layer]);
   }
   [[nodiscard]] double half_kerf(std::size_t contour) const {
     return 0.5 * layer_of(contour).condition.kerf_mm;
@@ -355,9 +361,10 @@ void Planner::put_parts_last() {
 CutPlan plan_cuts(const drawing::Drawing& drawn,
                   std::vector<LayerPlan> layers,
                   const OutlineOptions& curves,
-                  WayBeside beside) {
+                  WayBeside beside,
+                  Recipes recipes) {
   CNC_ASSERT(layers.size() == drawn.layers.size());
-  return Planner{drawn, std::move(layers), curves, beside}.make();
+  return Planner{drawn, std::move(layers), curves, beside, std::move(recipes)}.make();
 }
 
 }  // namespace sim::cut

@@ -6,19 +6,12 @@
 #include <vector>
 
 #include "host-sim/contour/outline.hpp"
-#include "host-sim/cut/condition.hpp"
-#include "host-sim/cut/layer_settings.hpp"
+#include "host-sim/cut/recipe.hpp"
 #include "host-sim/cut/safety_figures.hpp"
 #include "host-sim/cut/stroke.hpp"
 #include "host-sim/import/drawing.hpp"
 
 namespace sim::cut {
-
-/// How the contours of one layer are cut, with power and speed chosen.
-struct LayerPlan {
-  LayerSettings settings;
-  Condition condition;
-};
 
 /// Who moves the beam half a kerf aside.
 enum class WayBeside : std::uint8_t {
@@ -56,6 +49,7 @@ struct Cut {
 /// What is to be cut, in order, and what of the drawing cannot be.
 struct CutPlan {
   std::vector<LayerPlan> layers;
+  Recipes recipes{};  ///< Of contours that rules treat otherwise than their layers.
   std::vector<Cut> cuts;
   std::vector<drawing::Fault> faults;    ///< What is not cut as drawn.
   std::vector<drawing::Fault> warnings;  ///< What is, and should be known.
@@ -63,6 +57,11 @@ struct CutPlan {
   std::vector<Place> way_home{};         ///< Corners of the rapid after the last cut.
   double lift_home_mm = 0.0;             ///< Height of Z during that rapid; 0: not lifted.
   SafetyFigures safety{};                ///< What was done so that the order is safe.
+
+  /// Returns how a cut is made: by the rules for its contour, else as its layer.
+  [[nodiscard]] const LayerPlan& plan_of(const Cut& cut) const {
+    return recipes.of(cut.contour, layers[cut.layer]);
+  }
 };
 
 /// The closed contours of each layer, cut half a kerf beside the line, on the waste side, with
@@ -73,10 +72,12 @@ struct CutPlan {
 /// @param layers one for each layer of the drawing
 /// @param beside on the controller, what is cut beside the line has `programmed`, too; warnings
 /// tell of which has not
+/// @param recipes plans of single contours, which replace those of their layers
 /// @pre the tolerance of `curves` within its limits
 [[nodiscard]] CutPlan plan_cuts(const drawing::Drawing& drawn,
                                 std::vector<LayerPlan> layers,
                                 const OutlineOptions& curves = {},
-                                WayBeside beside = WayBeside::kHere);
+                                WayBeside beside = WayBeside::kHere,
+                                Recipes recipes = {});
 
 }  // namespace sim::cut

@@ -16,6 +16,10 @@ constexpr std::size_t kMaxExits = 12;
 /// shortest way out.
 constexpr double kSlantedExit = 1.5;
 
+/// Legs that are tried from one end before the other one is asked, and in all.
+constexpr std::uint64_t kFirstTrials = 2'000;
+constexpr std::uint64_t kMaxTrials = 40'000;
+
 /// Out of an area across its edge at the nearest place of one of its strokes.
 struct RapidExit {
   double edge_mm = 0.0;  ///< To the edge.
@@ -92,39 +96,52 @@ std::vector<Place> RapidRouter::find(const Place& from,
   constexpr double kFar = std::numeric_limits<double>::max();
   constexpr std::array kShares{1.0, 0.25, 0.0625};
   for (const Place& lowest : {rules_.lowest, Place{-kFar, -kFar}}) {
+    bool was_bounded = false;
     for (const double share : kShares) {
-      const FreeLegs legs{*areas_, share * rules_.clearance_mm, rules_.depth_mm};
-      if (legs.area_around(to) || legs.area_around(from, just_cut)) return {};
-      const RapidEnd begin = legs.end_at(from);
-      const RapidEnd end = legs.end_at(to);
-      std::vector<Place> way =
-          just_cut ? find_out(legs, begin, end, *just_cut, lowest) : find(legs, begin, end, lowest);
+      Try t{{*areas_, share * rules_.clearance_mm, rules_.depth_mm}, lowest};
+      if (t.legs.area_around(to) || t.legs.area_around(from, just_cut)) return {};
+      const RapidEnd begin = t.legs.end_at(from);
+      const RapidEnd end = t.legs.end_at(to);
+      std::vector<Place> way = just_cut ? find_out(t, begin, end, *just_cut) : find(t, begin, end);
       if (!way.empty()) return way;
+      was_bounded = was_bounded || t.was_bounded;
     }
+    if (!was_bounded) break;
   }
   return {};
 }
 
-std::vector<Place> RapidRouter::find(const FreeLegs& legs,
-                                     const RapidEnd& from,
-                                     const RapidEnd& to,
-                                     const Place& lowest) const {
-  if (!legs.blocker(from.place, to.place, &from, &to)) return {from.place, to.place};
-  std::vector<Place> way = RapidSearch{legs, from, to, lowest}.find();
-  shorten(way, legs, from, to);
+/// Where one end is shut in, the search from there is soon at its end.
+std::vector<Place> RapidRouter::search(Try& t, const RapidEnd& from, const RapidEnd& to) {
+  using Outcome = RapidSearch::Outcome;
+  RapidSearch there{t.legs, from, to, t.lowest};
+  RapidSearch back{t.legs, to, from, t.lowest};
+  Outcome outcome = there.find(kFirstTrials);
+  if (outcome == Outcome::kGaveUp && back.find(kFirstTrials) == Outcome::kNoWay) {
+    outcome = Outcome::kNoWay;
+  }
+  if (outcome == Outcome::kGaveUp) outcome = there.find(kMaxTrials);
+  t.was_bounded = t.was_bounded || there.was_bounded() || back.was_bounded();
+  return outcome == Outcome::kFound ? there.way() : std::vector<Place>{};
+}
+
+std::vector<Place> RapidRouter::find(Try& t, const RapidEnd& from, const RapidEnd& to) {
+  if (!t.legs.blocker(from.place, to.place, &from, &to)) return {from.place, to.place};
+  std::vector<Place> way = search(t, from, to);
+  shorten(way, t.legs, from, to);
   return way;
 }
 
-std::vector<Place> RapidRouter::find_out(const FreeLegs& legs,
+std::vector<Place> RapidRouter::find_out(Try& t,
                                          const RapidEnd& from,
                                          const RapidEnd& to,
-                                         std::uint32_t just_cut,
-                                         const Place& lowest) const {
+                                         std::uint32_t just_cut) const {
+  const FreeLegs& legs = t.legs;
   const LoopArea& area = areas_->area(just_cut);
   const double clearance = legs.clearance_mm() + area.skin_mm();
   const double edge = area.distance_to_loop(from.place);
   const bool is_inside = area.contains(from.place);
-  if (!is_inside && edge >= clearance) return find(legs, from, to, lowest);
+  if (!is_inside && edge >= clearance) return find(t, from, to);
   const double exit_mm = is_inside ? edge + clearance : clearance - edge;
   if (!legs.blocker(from.place, to.place, &from, &to, just_cut) &&
       leaves_shortly(area, from.place, to.place, exit_mm, clearance)) {
@@ -135,7 +152,7 @@ std::vector<Place> RapidRouter::find_out(const FreeLegs& legs,
     if (!out.near.empty() || legs.area_at(exit.place)) continue;
     if (!leaves_once(area, from.place, exit.place)) continue;
     if (legs.blocker(from.place, exit.place, &from, nullptr, just_cut)) continue;
-    std::vector<Place> way = find(legs, out, to, lowest);
+    std::vector<Place> way = find(t, out, to);
     if (way.empty()) continue;
     const RapidEnd* const end = way.size() == 2 ? &to : nullptr;
     const bool skips = !legs.blocker(from.place, way[1], &from, end, just_cut) &&

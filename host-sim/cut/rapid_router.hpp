@@ -23,7 +23,7 @@ class RapidRouter {
 
   /// Returns all places of the way of a rapid, its ends included: nearly the shortest one that
   /// keeps the clearance, or a quarter or a sixteenth of it where there is no other. None where an
-  /// end is in an area, or there is no way.
+  /// end is in an area, there is no way, or it takes more than some ten thousand trials.
   /// @param just_cut the area whose edge the beam has just cut; from inside of it or beside it the
   /// rapid leaves by the shortest way, and does not come back
   [[nodiscard]] std::vector<Place> find(const Place& from,
@@ -31,15 +31,18 @@ class RapidRouter {
                                         std::optional<std::uint32_t> just_cut) const;
 
  private:
-  [[nodiscard]] std::vector<Place> find(const FreeLegs& legs,
-                                        const RapidEnd& from,
-                                        const RapidEnd& to,
-                                        const Place& lowest) const;
-  [[nodiscard]] std::vector<Place> find_out(const FreeLegs& legs,
+  /// One try: what is free, and how far left and down corners may be.
+  struct Try {
+    FreeLegs legs;
+    Place lowest;
+    bool was_bounded = false;  ///< A corner was left out for that.
+  };
+  [[nodiscard]] static std::vector<Place> search(Try& t, const RapidEnd& from, const RapidEnd& to);
+  [[nodiscard]] static std::vector<Place> find(Try& t, const RapidEnd& from, const RapidEnd& to);
+  [[nodiscard]] std::vector<Place> find_out(Try& t,
                                             const RapidEnd& from,
                                             const RapidEnd& to,
-                                            std::uint32_t just_cut,
-                                            const Place& lowest) const;
+                                            std::uint32_t just_cut) const;
 
   const FreedAreas* areas_;
   Rules rules_;

@@ -24,15 +24,16 @@ RapidSearch::RapidSearch(const FreeLegs& legs,
   nodes_[kTo].state = State::kFree;
 }
 
-std::vector<Place> RapidSearch::find() {
-  reach(kFrom, kFrom);
-  while (!trials_.empty() && tried_ < kMaxTrials) {
+RapidSearch::Outcome RapidSearch::find(std::uint64_t max_trials) {
+  if (!nodes_[kFrom].is_reached) reach(kFrom, kFrom);
+  while (!trials_.empty()) {
+    if (tried_ >= max_trials) return Outcome::kGaveUp;
     const Trial trial = trials_.top();
     trials_.pop();
     try_leg(trial);
-    if (nodes_[kTo].is_reached) return traced();
+    if (nodes_[kTo].is_reached) return Outcome::kFound;
   }
-  return {};
+  return Outcome::kNoWay;
 }
 
 void RapidSearch::push(std::size_t from, std::size_t to) {
@@ -66,7 +67,10 @@ void RapidSearch::add_corners_of(std::uint32_t area, std::size_t seen_from) {
   for (const std::size_t index : nodes_of(area)) {
     const Node& node = nodes_[index];
     if (node.is_reached || index == seen_from) continue;
-    if (node.corner.place.x() < lowest_.x() || node.corner.place.y() < lowest_.y()) continue;
+    if (node.corner.place.x() < lowest_.x() || node.corner.place.y() < lowest_.y()) {
+      was_bounded_ = true;
+      continue;
+    }
     if (!node.corner.is_touched_from(from.place)) continue;
     if (!turns_anywhere && !from.is_touched_from(node.corner.place)) continue;
     push(seen_from, index);
@@ -100,7 +104,7 @@ std::optional<std::uint32_t> RapidSearch::blocker(std::size_t from, std::size_t 
                         to == kTo ? to_ : nullptr);
 }
 
-std::vector<Place> RapidSearch::traced() const {
+std::vector<Place> RapidSearch::way() const {
   std::vector<Place> way;
   for (std::size_t node = kTo; node != kFrom; node = nodes_[node].parent) {
     way.push_back(nodes_[node].corner.place);

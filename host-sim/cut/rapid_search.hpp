@@ -25,9 +25,21 @@ class RapidSearch {
   /// @param lowest corners below or left of it are not used
   RapidSearch(const FreeLegs& legs, const RapidEnd& from, const RapidEnd& to, const Place& lowest);
 
-  /// Returns all places of a way, the ends included; none where there is none, or it takes more
-  /// than some ten thousand trials. @pre the ends are in no area
-  [[nodiscard]] std::vector<Place> find();
+  enum class Outcome : std::uint8_t {
+    kFound,
+    kNoWay,   ///< All that can be reached was tried.
+    kGaveUp,  ///< More trials may find one.
+  };
+
+  /// Searches, or goes on with a search that was given up. @pre the ends are in no area
+  /// @param max_trials legs that are tried, in all
+  [[nodiscard]] Outcome find(std::uint64_t max_trials);
+
+  /// Returns all places of the way, the ends included. @pre it was found
+  [[nodiscard]] std::vector<Place> way() const;
+
+  /// Returns whether a corner was left out because it is too far left or low.
+  [[nodiscard]] bool was_bounded() const { return was_bounded_; }
 
  private:
   enum class State : std::uint8_t { kUnknown, kFree, kCovered };
@@ -54,7 +66,6 @@ class RapidSearch {
 
   static constexpr std::size_t kFrom = 0;
   static constexpr std::size_t kTo = 1;
-  static constexpr std::uint64_t kMaxTrials = 40'000;
 
   void push(std::size_t from, std::size_t to);
   void try_leg(const Trial& trial);
@@ -63,7 +74,6 @@ class RapidSearch {
   [[nodiscard]] const std::vector<std::size_t>& nodes_of(std::uint32_t area);
   [[nodiscard]] bool is_free(Node& node);
   [[nodiscard]] std::optional<std::uint32_t> blocker(std::size_t from, std::size_t to) const;
-  [[nodiscard]] std::vector<Place> traced() const;
 
   const FreeLegs* legs_;
   const RapidEnd* from_;
@@ -75,6 +85,7 @@ class RapidSearch {
   std::priority_queue<Trial, std::vector<Trial>, std::greater<>> trials_;
   std::uint64_t pushed_ = 0;
   std::uint64_t tried_ = 0;
+  bool was_bounded_ = false;
 };
 
 }  // namespace sim::cut

@@ -33,7 +33,7 @@ std::vector<SharedArea> freed_by(const CutPlan& plan) {
     if (!frees(cuts[i])) continue;
     std::vector<Stroke> loop = loop_of_cut(cuts[i]);
     const bool is_waste = cuts[i].area_mm2 < 0.0;
-    const double skin = is_waste ? 0.5 * plan.layers[cuts[i].layer].condition.kerf_mm : 0.0;
+    const double skin = is_waste ? 0.5 * plan.plan_of(cuts[i]).condition.kerf_mm : 0.0;
     if (length_of(loop) > kJoined) {
       areas[i] = std::make_shared<LoopArea>(std::move(loop), skin);
     }
@@ -57,7 +57,7 @@ double cell_for(const std::vector<SharedArea>& areas) {
 double widest_half_kerf(const CutPlan& plan) {
   double widest = 0.0;
   for (const Cut& cut : plan.cuts) {
-    widest = std::max(widest, 0.5 * plan.layers[cut.layer].condition.kerf_mm);
+    widest = std::max(widest, 0.5 * plan.plan_of(cut).condition.kerf_mm);
   }
   return widest;
 }
@@ -85,7 +85,7 @@ std::vector<std::vector<std::uint32_t>> releases(const CutPlan& plan,
       return false;
     });
     free_after[i] = i;
-    const bool is_on_line = plan.layers[cuts[i].layer].settings.side == Side::kOn;
+    const bool is_on_line = plan.plan_of(cuts[i]).settings.side == Side::kOn;
     if (areas[i] && is_on_line) on_line.add(static_cast<std::uint32_t>(i), areas[i]);
   }
   std::vector<std::vector<std::uint32_t>> released(cuts.size());

@@ -21,10 +21,14 @@ struct SafetyWishes {
   double lift_mm = 0.0;           ///< Height of Z where there is no way round; 0: none.
   double cool_s = 0.0;            ///< Heat counts for the next pierce so long; 0: it does not.
   double cool_distance_mm = 0.0;  ///< And so near; 0: kCoolKerfs times the widest kerf.
+  double chain_mm = 0.0;          ///< Longest link between cuts; 0: none.
+  double slice_mm = 0.0;          ///< Size of pieces of the waste; 0: it is not cut up.
+  double slice_margin_mm = 5.0;   ///< See SliceRules.
   RapidRates rates{};             ///< Of the machine.
 };
 
-/// Does it, and counts it in `safety` of the plan. What cannot be done becomes a fault.
+/// Does it, and counts it in `safety` of the plan. What cannot be done becomes a fault. Throws
+/// std::invalid_argument where the waste of a sheet is to be cut up that stays in one piece.
 void make_safe(CutPlan& plan, const drawing::Drawing& drawn, const SafetyWishes& wishes);
 
 /// Returns what was done as lines for people, none where nothing was asked for…

@@ -114,8 +114,7 @@ void add_meetings(const Place& from,
     return;
   }
   const Place centre = arc_centre(stroke);
-  const CircleMeetings met =
-      meet_circle(from, to, centre, drawing::distance(centre, stroke.from));
+  const CircleMeetings met = meet_circle(from, to, centre, drawing::distance(centre, stroke.from));
   for (const double share : met.shares) {
     if (met.meets && share >= 0.0 && share <= 1.0 && is_on_arc(stroke, from + share * way)) {
       shares.push_back(share);

@@ -145,7 +145,7 @@ class TimelineMaker {
 
 }  // namespace
 
-std::string_view name_of(TimeKind kind) { return kKindNames[static_cast<std::size_t>(kind)].name; }
+std::string_view title_of(TimeKind kind) { return kKindNames[static_cast<std::size_t>(kind)].name; }
 std::string_view key_of(TimeKind kind) { return kKindNames[static_cast<std::size_t>(kind)].key; }
 
 std::array<double, kTimeKinds> Timeline::by_kind() const {
@@ -160,7 +160,7 @@ Timeline timeline_of(const CutPlan& plan, const MachineRates& rates) {
   TimelineMaker maker{rates};
   for (std::size_t i = 0; i < plan.cuts.size(); ++i) {
     maker.go_along(rapid_before(plan, i), i);
-    maker.add_cut(plan.cuts[i], plan.layers[plan.cuts[i].layer], i);
+    maker.add_cut(plan.cuts[i], plan.plan_of(plan.cuts[i]), i);
   }
   maker.go_along(rapid_before(plan, plan.cuts.size()), plan.cuts.size());
   return maker.take();

@@ -25,7 +25,7 @@ enum class TimeKind : std::uint8_t {
 inline constexpr std::size_t kTimeKinds = 8;
 
 /// `pierce`, `lead` …, for people; for JSON with underscores.
-[[nodiscard]] std::string_view name_of(TimeKind kind);
+[[nodiscard]] std::string_view title_of(TimeKind kind);
 [[nodiscard]] std::string_view key_of(TimeKind kind);
 
 /// One motion or rest of a job.

@@ -47,7 +47,7 @@ void add_line(std::string& out, const std::string& data, std::string_view colour
 
 void add_beam(std::string& out, const cut::CutPlan& plan, const View& view) {
   for (const Cut& cut : plan.cuts) {
-    const double kerf_px = plan.layers[cut.layer].condition.kerf_mm * view.px_per_mm();
+    const double kerf_px = plan.plan_of(cut).condition.kerf_mm * view.px_per_mm();
     out += "<g opacity=\"0.6\">\n";
     add_line(out, path_data_of(cut, view, is_lit), kBandColour, kerf_px);
     out += "</g>\n";

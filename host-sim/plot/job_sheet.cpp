@@ -129,7 +129,7 @@ void add_times(SheetPages& pages, const CutAccount& account) {
     if (!(sums[i] > 0.0)) continue;
     text += fmt::format("{}{} {}",
                         text.empty() ? "" : ", ",
-                        name_of(static_cast<cut::TimeKind>(i)),
+                        title_of(static_cast<cut::TimeKind>(i)),
                         duration_text(sums[i]));
   }
   pages.add_heading("Time");
