@@ -48,7 +48,7 @@ class Animator {
       : scene_{scene}, time_{time_of(scene, options)}, view_{view_of(scene)} {}
 
   std::string draw(const std::string& title) {
-    const double height_px = view_.box().bottom_px() + kAnimationMarginPx;
+    const double height_px = std::ceil(view_.box().bottom_px() + kAnimationMarginPx);
     std::string out = svg::document_start(kAnimationWidthPx, height_px);
     svg::add_box(out, {0.0, 0.0, kAnimationWidthPx, height_px}, "#ffffff");
     svg::add_text(out, kAnimationMarginPx, 48.0, {.size_px = 26.0, .weight = "bold"}, title);

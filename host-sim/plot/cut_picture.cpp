@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <iterator>
 #include <set>
 #include <string_view>
@@ -120,7 +121,7 @@ std::string draw_cuts(const CutScene& scene,
   const double edge_key_px = key_px + 34.0;
   const double heading_px = (edges != nullptr ? edge_key_px : key_px) + 40.0;
   const View view = view_of_cuts(extent_of(scene), heading_px);
-  const double height_px = view.box().bottom_px() + kCutMarginPx;
+  const double height_px = std::ceil(view.box().bottom_px() + kCutMarginPx);
   std::string out = svg::document_start(kCutPictureWidthPx, height_px);
   svg::add_box(out, {0.0, 0.0, kCutPictureWidthPx, height_px}, "#ffffff");
   svg::add_text(out, kCutMarginPx, 60.0, {.size_px = 30.0, .weight = "bold"}, title);
