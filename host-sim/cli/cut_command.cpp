@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -12,11 +13,13 @@
 #include "host-sim/cli/commands.hpp"
 #include "host-sim/cli/cut_options.hpp"
 #include "host-sim/cli/cut_runs.hpp"
+#include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/job_options.hpp"
 #include "host-sim/cut/cut_report.hpp"
 #include "host-sim/cut/kerf_notes.hpp"
 #include "host-sim/plot/cut_picture.hpp"
 #include "host-sim/report/nearest_name.hpp"
+#include "host-sim/report/progress_bar.hpp"
 #include "host-sim/report/report_json.hpp"
 #include "host-sim/report/terminal.hpp"
 #include "host-sim/trace/input_file.hpp"
@@ -175,6 +178,20 @@ std::string timed_program(const CutCommandOptions& options,
   return program_of(job, run, lines_of(job, figures));
 }
 
+/// The wishes of the call, with a progress line while the order is searched.
+cut::OrderWish searched_order(const CutCommandOptions& options) {
+  order::OrderProgress progress;
+  if (is_terminal(stderr)) {
+    using Clock = std::chrono::steady_clock;
+    progress = [bar = std::make_shared<ProgressBar>(stderr, true, Clock::now())](double share,
+                                                                                 double cost) {
+      bar->update(share, fmt::format("order {:.0f} mm of rapids", cost), Clock::now());
+      if (share >= 1.0) bar->clear();
+    };
+  }
+  return order_wish_of(options.order, machine_of(options), std::move(progress));
+}
+
 ExitStatus cut_drawing(const CutCommandOptions& options) {
   const Drawing drawn =
       drawing::read_drawing(options.file, read_text(options.file), options.import);
@@ -182,7 +199,7 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
   const auto layers = layers_of(options, drawn, record);
   const std::vector<drawing::Fault> faults = faults_of(drawn, layers);
   const auto beside = options.kerf_table ? cut::WayBeside::kOnController : cut::WayBeside::kHere;
-  const CutPlan plan = plan_cuts(drawn, layers, options.curves, beside);
+  const CutPlan plan = plan_cuts(drawn, layers, options.curves, beside, searched_order(options));
   print_faults(faults, drawn);
   print_faults(plan.faults, drawn);
   print_faults(plan.warnings, drawn);

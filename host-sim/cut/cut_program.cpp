@@ -151,7 +151,7 @@ std::string program_of(const CutPlan& plan,
     writer.write(cut, layer);
     text += writer.take_text();
   }
-  writer.go_to({0.0, 0.0});
+  writer.go_to(plan.order.wish.to);
   return text + "M5\nM9\n" + writer.take_text() + "M2\n";
 }
 

@@ -10,7 +10,7 @@
 #include <set>
 
 #include "host-sim/cut/kerf_notes.hpp"
-#include "host-sim/cut/order.hpp"
+#include "host-sim/cut/order_report.hpp"
 #include "host-sim/knowledge/experiment.hpp"
 #include "host-sim/report/duration_text.hpp"
 
@@ -95,7 +95,7 @@ std::string line_of_corners(const CutFigures& figures) {
 }  // namespace
 
 CutFigures figures_of(const CutPlan& plan) {
-  CutFigures figures{.cuts = plan.cuts.size(), .rapid_length_mm = rapid_length(plan.cuts)};
+  CutFigures figures{.cuts = plan.cuts.size(), .rapid_length_mm = plan.order.rapids.length_mm};
   for (const Cut& cut : plan.cuts) {
     for (const Stroke& stroke : cut.strokes) {
       ++(stroke.bulge == 0.0 ? figures.lines : figures.arcs);
@@ -147,6 +147,9 @@ std::vector<std::string> lines_of(const CutJob& job, const CutFigures& figures) 
                               figures.cut_length_mm,
                               figures.rapid_length_mm,
                               duration_text(figures.job_time_s)));
+  for (std::string& line : lines_of(job.plan.order, figures.cuts)) {
+    lines.push_back(std::move(line));
+  }
   return lines;
 }
 
@@ -181,6 +184,7 @@ Json json_of(const CutJob& job, const CutFigures& figures) {
                      {"dwells", figures.corner_dwells},
                      {"dwells_s", figures.corner_dwell_s}};
   json["job_time_s"] = figures.job_time_s;
+  json["order"] = json_of(job.plan.order, figures.cuts);
   json["warnings"] = json_of(job.plan.warnings, job.drawn.file);
   json["faults"] = json_of(job.plan.faults, job.drawn.file);
   return json;

@@ -8,6 +8,8 @@
 #include "host-sim/contour/outline.hpp"
 #include "host-sim/cut/condition.hpp"
 #include "host-sim/cut/layer_settings.hpp"
+#include "host-sim/cut/order_choice.hpp"
+#include "host-sim/cut/order_wish.hpp"
 #include "host-sim/cut/stroke.hpp"
 #include "host-sim/import/drawing.hpp"
 
@@ -44,6 +46,18 @@ struct Cut {
   [[nodiscard]] const Place& end() const { return strokes.back().to; }
 };
 
+/// How the cuts came into their order, and what others would have cost.
+struct OrderFigures {
+  OrderWish wish{};
+  bool is_proven = false;  ///< No order with the listed beginnings is cheaper.
+  RapidSum rapids{};       ///< Of this order.
+  RapidSum file{};         ///< As the drawing lists them, each with its usual beginning.
+  RapidSum nearest{};      ///< Always the nearest next, each with its usual beginning.
+  double strokes_s = 0.0;  ///< Predicted time of all cuts without rapids.
+
+  [[nodiscard]] double predicted_s() const { return rapids.time_s + strokes_s; }
+};
+
 /// What is to be cut, in order, and what of the drawing cannot be.
 struct CutPlan {
   std::vector<LayerPlan> layers;
@@ -51,6 +65,7 @@ struct CutPlan {
   std::vector<drawing::Fault> faults;    ///< What is not cut as drawn.
   std::vector<drawing::Fault> warnings;  ///< What is, and should be known.
   OutlineOptions curves;                 ///< How the drawing's curves became arcs.
+  OrderFigures order{};
 };
 
 /// The closed contours of each layer, cut half a kerf beside the line, on the waste side, with
@@ -61,10 +76,12 @@ struct CutPlan {
 /// @param layers one for each layer of the drawing
 /// @param beside on the controller, what is cut beside the line has `programmed`, too; warnings
 /// tell of which has not
+/// @param order how order and beginnings are chosen; throws as choose_order() does
 /// @pre the tolerance of `curves` within its limits
 [[nodiscard]] CutPlan plan_cuts(const drawing::Drawing& drawn,
                                 std::vector<LayerPlan> layers,
                                 const OutlineOptions& curves = {},
-                                WayBeside beside = WayBeside::kHere);
+                                WayBeside beside = WayBeside::kHere,
+                                const OrderWish& order = {});
 
 }  // namespace sim::cut
