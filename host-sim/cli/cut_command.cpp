@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -17,7 +18,9 @@
 #include "host-sim/cli/job_options.hpp"
 #include "host-sim/cut/cut_report.hpp"
 #include "host-sim/cut/kerf_notes.hpp"
+#include "host-sim/cut/rapid_way.hpp"
 #include "host-sim/report/nearest_name.hpp"
+#include "host-sim/report/progress_bar.hpp"
 #include "host-sim/report/report_json.hpp"
 #include "host-sim/report/terminal.hpp"
 #include "host-sim/trace/input_file.hpp"
@@ -104,7 +107,7 @@ std::vector<cut::LayerPlan> layers_of(const CutCommandOptions& options,
   std::vector<cut::LayerPlan> layers;
   for (const drawing::Layer& layer : drawn.layers) {
     cut::LayerPlan plan{settings_for(layer, common, rules), {}};
-    if (plan.settings.side != cut::Side::kSkip) {
+    if (cut::is_driven(plan.settings.side)) {
       plan.condition = condition_for(layer, options, record, plan.settings);
     }
     layers.push_back(plan);
@@ -223,6 +226,7 @@ CutPlan safe_plan(const CutCommandOptions& options,
   cut::SafetyWishes wishes = options.safety;
   wishes.rates = rapid_rates_of(run.settings);
   make_safe(plan, drawn, wishes);
+  predict(plan);
   return plan;
 }
 
@@ -230,6 +234,20 @@ const char* refusal_of(const CutPlan& plan) {
   if (plan.cuts.empty()) return "nothing is left to cut; no program is written";
   if (plan.safety.no_way != 0) return "no program is written; its rapids would not be safe";
   return "no program is written; --anyway cuts what is sound";
+}
+
+/// The wishes of the call, with a progress line while the order is searched.
+cut::OrderWish searched_order(const CutCommandOptions& options) {
+  order::OrderProgress progress;
+  if (is_terminal(stderr)) {
+    using Clock = std::chrono::steady_clock;
+    progress = [bar = std::make_shared<ProgressBar>(stderr, true, Clock::now())](double share,
+                                                                                 double cost) {
+      bar->update(share, fmt::format("order {:.0f} mm of rapids", cost), Clock::now());
+      if (share >= 1.0) bar->clear();
+    };
+  }
+  return order_wish_of(options.order, machine_of(options), std::move(progress));
 }
 
 ExitStatus cut_drawing(const CutCommandOptions& options) {
@@ -248,11 +266,15 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
   const CutRun run{static_cast<std::uint8_t>(options.decimals), machine_of(options)};
   inputs.add(digest_of(record));
   inputs.add(settings_digest(settings_of(run), names_settings(options)));
-  const CutPlan plan =
-      safe_plan(options,
-                run,
-                plan_cuts(drawn, layers, options.curves, beside, std::move(recipes)),
-                drawn);
+  const CutPlan plan = safe_plan(options,
+                                 run,
+                                 plan_cuts(drawn,
+                                           layers,
+                                           options.curves,
+                                           beside,
+                                           std::move(recipes),
+                                           searched_order(options)),
+                                 drawn);
   print_faults(faults, drawn);
   print_faults(plan.faults, drawn);
   print_faults(plan.warnings, drawn);

@@ -14,8 +14,10 @@ constexpr const char* kCutFooter =
     "waste. Power and feed that are not given are chosen: the fastest permissible cut.\n"
     "Lines and arcs stay what they are, other curves become smooth arcs within the tolerance.\n"
     "--layer 'holes: feed=3000, lead-in=line:1' is for the layer, or colour, of that name; keys\n"
-    "are power, feed, side (waste, on: on the line, skip), lead-in, lead-out (none, line:MM,\n"
-    "arc:MM), overcut, tabs, tab-width, pierce, corner-loop, corner-dwell and corner-angle.\n"
+    "are power, feed, side (waste, on: on the line, skip, start: its small circles and short\n"
+    "lines mark where the nearest contour begins), lead-in, lead-out (none, line:MM, arc:MM),\n"
+    "overcut, tabs, tab-width, pierce, corner-loop, corner-dwell, corner-angle, start (any,\n"
+    "straight, corner, usual) and rank (0, 1, …: layers of lower rank are cut first).\n"
     "With --kerf-table the program has the drawn outlines and M190, and the controller goes by\n"
     "its own table, its $PC and $860; tabs, corner loops and dwells keep a contour from it.\n"
     "--layers FILE has one such text to a line.\n"
@@ -51,6 +53,7 @@ void add_common_options(CLI::App& command, const std::shared_ptr<CutCommandOptio
   add("corner-loop", "MM", "Radius of loops in the waste past outer corners; 0, none");
   add("corner-dwell", "S", "Dark rest at corners without a loop; 0, none");
   add("corner-angle", "DEG", "Corners that turn by less are none; 45");
+  add("start", "WHERE", "Where cuts may begin: any, straight, corner or usual; any");
 }
 
 }  // namespace
@@ -73,6 +76,7 @@ void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>
                   "Name of this machine's laser: cuts by another one say nothing of its kerf")
       ->type_name("NAME");
   add_common_options(command, options);
+  add_cut_order_options(command, options->order);
   command.add_option("--layer", options->layers, "What is other for a layer; may be repeated")
       ->type_name("TEXT")
       ->allow_extra_args(false);

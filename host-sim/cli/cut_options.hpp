@@ -11,6 +11,7 @@
 #include "host-sim/cli/cut_rule_options.hpp"
 #include "host-sim/cli/cut_safety_options.hpp"
 #include "host-sim/cli/cut_sheet_options.hpp"
+#include "host-sim/cli/cut_order_options.hpp"
 #include "host-sim/cli/kerf_options.hpp"
 #include "host-sim/cli/outline_options.hpp"
 #include "host-sim/import/drawing.hpp"
@@ -32,6 +33,7 @@ struct CutCommandOptions {
   std::vector<std::pair<std::string, std::string>> common;  ///< Keys of LayerSettings.
   std::vector<std::string> layers;
   std::string layers_file;
+  CutOrderOptions order;
   double full_power_w = 0.0;  ///< 0: the greatest of the record.
   bool constant_power = false;
   std::optional<unsigned> kerf_table{};  ///< The controller finds the way beside parts.

@@ -60,7 +60,7 @@ std::vector<drawing::Fault> place_faults(const CutInput& input,
   for (std::size_t i = 0; i < input.drawn.contours.size(); ++i) {
     const drawing::DrawnContour& contour = input.drawn.contours[i];
     const cut::LayerPlan& plan = recipes.of(i, layers[contour.entity.layer]);
-    uses.push_back({.is_cut = plan.settings.side != cut::Side::kSkip,
+    uses.push_back({.is_cut = cut::is_driven(plan.settings.side),
                     .is_edge = contour.closed && plan.settings.side == cut::Side::kWaste,
                     .kerf_mm = plan.condition.kerf_mm});
   }

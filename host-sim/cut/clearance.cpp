@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host-sim/cut/stroke_distance.hpp"
+
 namespace sim::cut {
 namespace {
-
-constexpr double kLookEvery = 0.02;  ///< mm.
 
 /// The bits of both numbers by turns: what is near in the plane is mostly near in this order.
 std::uint64_t interleaved(std::uint32_t x, std::uint32_t y) {
@@ -95,12 +95,15 @@ Clearance::Nearest Clearance::nearest(const Place& place) const {
 }
 
 bool Clearance::is_clear(const Stroke& stroke, double least_mm) const {
-  const auto looks = static_cast<int>(std::ceil(length_of(stroke) / kLookEvery));
-  for (int i = 0; i <= looks; ++i) {
-    const double share = looks == 0 ? 0.0 : static_cast<double>(i) / looks;
-    if (nearest(place_at(stroke, share)).distance_mm < least_mm) return false;
-  }
-  return true;
+  if (entries_.empty()) return true;
+  Box box = box_of(stroke);
+  box = {box.x0 - least_mm, box.y0 - least_mm, box.x1 + least_mm, box.y1 + least_mm};
+  bool is_clear = true;
+  tree_.search(box, 0, [&](std::uint32_t index) {
+    is_clear = distance_between(entries_[index].stroke, stroke) >= least_mm;
+    return is_clear;
+  });
+  return is_clear;
 }
 
 }  // namespace sim::cut

@@ -33,7 +33,7 @@ class Clearance {
   /// The nearest stroke; where none is within reach, the reach and no owner that means anything.
   [[nodiscard]] Nearest nearest(const Place& place) const;
 
-  /// Whether no place of a stroke is nearer than so much to any, looked at every 20 µm.
+  /// Returns whether no point of a stroke is nearer than `least_mm` to any of those added, exactly.
   [[nodiscard]] bool is_clear(const Stroke& stroke, double least_mm) const;
 
  private:

@@ -12,6 +12,7 @@
 #include "host-sim/cut/kerf_notes.hpp"
 #include "host-sim/cut/rapid_way.hpp"
 #include "host-sim/cut/safety.hpp"
+#include "host-sim/cut/order_report.hpp"
 #include "host-sim/knowledge/experiment.hpp"
 #include "host-sim/report/duration_text.hpp"
 
@@ -175,6 +176,9 @@ std::vector<std::string> lines_of(const CutJob& job, const CutFigures& figures) 
                               figures.cut_length_mm,
                               figures.rapid_length_mm,
                               duration_text(figures.job_time_s)));
+  for (std::string& line : lines_of(job.plan.order, figures.cuts)) {
+    lines.push_back(std::move(line));
+  }
   return lines;
 }
 
@@ -218,6 +222,7 @@ Json json_of(const CutJob& job, const CutFigures& figures) {
   json["job_time_s"] = figures.job_time_s;
   json["rules"] = json_of(job.plan.recipes, job.drawn);
   json["digests"] = json_of(job.digests);
+  json["order"] = json_of(job.plan.order, figures.cuts);
   json["warnings"] = json_of(job.plan.warnings, job.drawn.file);
   json["faults"] = json_of(job.plan.faults, job.drawn.file);
   return json;

@@ -35,7 +35,9 @@ const std::vector<std::string> kKeys{"power",
                                      "pierce",
                                      "corner-loop",
                                      "corner-dwell",
-                                     "corner-angle"};
+                                     "corner-angle",
+                                     "start",
+                                     "rank"};
 
 /// Throws std::invalid_argument unless all of the text is a number from `least` to `most`.
 double number_from(
@@ -69,7 +71,17 @@ Side side_from(std::string_view text) {
   if (text == "waste") return Side::kWaste;
   if (text == "on") return Side::kOn;
   if (text == "skip") return Side::kSkip;
-  throw std::invalid_argument(fmt::format("side={}: wants `waste`, `on` or `skip`", text));
+  if (text == "start") return Side::kStart;
+  throw std::invalid_argument(fmt::format("side={}: wants `waste`, `on`, `skip` or `start`", text));
+}
+
+StartAt start_from(std::string_view text) {
+  if (text == "any") return StartAt::kAny;
+  if (text == "straight") return StartAt::kStraight;
+  if (text == "corner") return StartAt::kCorner;
+  if (text == "usual") return StartAt::kUsual;
+  throw std::invalid_argument(
+      fmt::format("start={}: wants `any`, `straight`, `corner` or `usual`", text));
 }
 
 }  // namespace
@@ -99,6 +111,10 @@ void set(LayerSettings& settings, std::string_view key, std::string_view value) 
     settings.corner_dwell_s = number_from(key, value, 0.0, kLongestPierce, "s");
   } else if (key == "corner-angle") {
     settings.corner_angle_deg = number_from(key, value, 1.0, 180.0, "degrees");
+  } else if (key == "start") {
+    settings.start = start_from(value);
+  } else if (key == "rank") {
+    settings.rank = static_cast<unsigned>(number_from(key, value, 0.0, kMostTabs, "as a rank"));
   } else {
     throw std::invalid_argument(fmt::format("{}: no such setting; there are {}{}",
                                             key,

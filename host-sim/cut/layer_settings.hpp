@@ -15,6 +15,20 @@ enum class Side : std::uint8_t {
   kWaste,  ///< Half a kerf beside it, so that the part has the drawn size.
   kOn,     ///< On the line itself; open lines, too.
   kSkip,   ///< Nowhere.
+  kStart,  ///< Nowhere: what is drawn marks where the nearest contour is begun.
+};
+
+/// Returns whether the beam goes along lines of this side at all.
+[[nodiscard]] constexpr bool is_driven(Side side) {
+  return side == Side::kWaste || side == Side::kOn;
+}
+
+/// Where along its path a closed contour may be begun.
+enum class StartAt : std::uint8_t {
+  kAny,       ///< On straights, rounds and at corners.
+  kStraight,  ///< On straights and rounds.
+  kCorner,    ///< At corners, where it has any.
+  kUsual,     ///< In the middle of its longest stroke with room for the leads, nowhere else.
 };
 
 enum class LeadKind : std::uint8_t { kNone, kLine, kArc };
@@ -39,6 +53,8 @@ struct LayerSettings {
   double corner_loop_mm = 0.0;     ///< Radius of loops past outer corners; 0: none.
   double corner_dwell_s = 0.0;     ///< Dark rest at corners that have no loop; 0: none.
   double corner_angle_deg = 45.0;  ///< What turns by less is no corner.
+  StartAt start = StartAt::kAny;
+  std::optional<unsigned> rank{};  ///< Layers of lower rank are cut first; none: no such order.
 };
 
 /// Takes `key=value`. Throws std::invalid_argument saying what is wrong, and what there is.

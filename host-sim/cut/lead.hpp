@@ -20,6 +20,32 @@ struct LeadRoom {
   double half_kerf_mm = 0;  ///< No nearer to any of them.
 };
 
+/// Both leads of a cut that begins at a point of its contour; no strokes where none are required.
+struct Leads {
+  std::vector<Stroke> in{};
+  std::vector<Stroke> out{};
+};
+
+/// Returns the leads at `share` of their length, room or not.
+/// @param way_mm along the loop to where the cut begins
+[[nodiscard]] Leads leads_at(const MeasuredRow& loop,
+                             double way_mm,
+                             const LayerSettings& settings,
+                             double share);
+
+/// Returns whether both leads keep clear of all parts.
+[[nodiscard]] bool have_room(const Leads& leads, const LeadRoom& room);
+
+/// Where a closed loop is begun, and what the rapids before and after it see of that.
+struct Beginning {
+  double way_mm = 0.0;        ///< Along the loop.
+  bool has_leads = true;      ///< False where none that are required have room.
+  double lead_share = 1.0;    ///< Of their length.
+  bool is_backwards = false;  ///< Of an open line: it is cut from its end to its start.
+  Place entry{0.0, 0.0};      ///< Where the first stroke begins.
+  Place exit{0.0, 0.0};       ///< Where the last stroke ends.
+};
+
 struct LedCut {
   std::vector<Stroke> strokes{};
   bool has_leads = false;   ///< Or there was no room for those that were asked for.
@@ -28,15 +54,14 @@ struct LedCut {
   CornerWork corners{};
 };
 
-/// A closed row of strokes with the part on its left, as a cut: begun where there is room for the
-/// leads, in the middle of a long stroke rather than at a corner, led in from the waste on the
-/// right, with the beam off at tabs, overcut and led out. Leads are shortened to an eighth before
-/// they are left out; then corners are treated. An arc is a quarter turn and touches the contour, a
-/// line comes at 45 degrees.
+/// A closed row of strokes with the part on its left, as a cut: led in from the waste on the right,
+/// with the beam off at tabs, overcut and led out; then corners are treated. An arc is a quarter
+/// turn and touches the contour, a line comes at 45 degrees.
 /// @param tabs their number, evenly spaced; fewer where they would take half of the cut
 [[nodiscard]] LedCut with_leads(const MeasuredRow& loop,
                                 const LayerSettings& settings,
                                 unsigned tabs,
-                                const LeadRoom& room);
+                                const LeadRoom& room,
+                                const Beginning& beginning);
 
 }  // namespace sim::cut

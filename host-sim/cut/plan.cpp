@@ -9,77 +9,21 @@
 #include <set>
 
 #include "host-sim/contour/contour_offset.hpp"
+#include "host-sim/cut/beginning.hpp"
 #include "host-sim/cut/clearance.hpp"
 #include "host-sim/cut/controller_way.hpp"
-#include "host-sim/cut/drawn_strokes.hpp"
+#include "host-sim/cut/kerf_faults.hpp"
 #include "host-sim/cut/lead.hpp"
-#include "host-sim/cut/order.hpp"
+#include "host-sim/cut/outlines.hpp"
+#include "host-sim/cut/rapid_way.hpp"
+#include "host-sim/cut/start_marks.hpp"
 #include "host-sim/cut/unfulfilled.hpp"
 #include "planner/base/contract.hpp"
 
 namespace sim::cut {
 namespace {
 
-using drawing::DrawnContour;
 using drawing::FaultKind;
-
-/// A cut may be nearer to a drawn edge by so much before it is told, mm.
-constexpr double kGougeSlack = 1.0e-4;
-constexpr double kLookForGougesEvery = 0.1;  ///< mm.
-constexpr double kLookForRestsEvery = 0.05;  ///< mm.
-
-/// A drawn contour that is cut, as strokes with the part on the left.
-struct Outline {
-  std::vector<Stroke> strokes;
-  bool is_hole = false;
-  bool is_beside = false;  ///< Half a kerf beside its line; else on it.
-};
-
-void turn_round(std::vector<Stroke>& strokes) {
-  std::ranges::reverse(strokes);
-  for (Stroke& stroke : strokes) {
-    std::swap(stroke.from, stroke.to);
-    stroke.bulge = -stroke.bulge;
-  }
-}
-
-Contour contour_of(const std::vector<Stroke>& strokes) {
-  Contour contour;
-  for (const Stroke& stroke : strokes) {
-    contour.vertices.push_back({stroke.from.x(), stroke.from.y(), stroke.bulge});
-  }
-  contour.end_loop();
-  return contour;
-}
-
-std::vector<std::vector<Stroke>> loops_of(const cnc::contour::ContourView<double>& view) {
-  std::vector<std::vector<Stroke>> loops;
-  for (std::size_t i = 0; i < view.loop_ends.size(); ++i) {
-    std::vector<Stroke>& loop = loops.emplace_back();
-    const std::uint32_t first = view.loop_begin(i);
-    for (std::uint32_t k = first; k < view.loop_ends[i]; ++k) {
-      const ContourVertex& from = view.vertices[k];
-      const ContourVertex& to = view.vertices[k + 1 < view.loop_ends[i] ? k + 1 : first];
-      loop.push_back({{from.x, from.y}, {to.x, to.y}, from.bulge});
-    }
-  }
-  return loops;
-}
-
-/// What the strokes of a closed row enclose, positive where they turn left, mm².
-double area_of(const std::vector<Stroke>& loop) {
-  const Place from = loop.front().from;
-  double twice = 0.0;
-  for (const Stroke& stroke : loop) {
-    twice += drawing::cross(stroke.from - from, stroke.to - from);
-    if (stroke.bulge == 0.0) continue;
-    const double sweep = 4.0 * std::atan(stroke.bulge);
-    const double chord = drawing::distance(stroke.from, stroke.to);
-    const double radius = 0.5 * chord / std::sin(0.5 * std::abs(sweep));
-    twice += radius * radius * (sweep - std::sin(sweep));
-  }
-  return 0.5 * twice;
-}
 
 void append(std::vector<drawing::Fault>& faults, const std::vector<drawing::Fault>& more) {
   faults.insert(faults.end(), more.begin(), more.end());
@@ -92,16 +36,18 @@ double widest_kerf(const std::vector<LayerPlan>& layers, const Recipes& recipes)
   return widest;
 }
 
-/// Makes the plan of one drawing, contour by contour.
+/// Makes the plan of one drawing: first what is cut, then in which order and from where on.
 class Planner {
  public:
   Planner(const drawing::Drawing& drawn,
           std::vector<LayerPlan> layers,
           const OutlineOptions& curves,
           WayBeside beside,
-          Recipes recipes)
+          Recipes recipes,
+          const OrderWish& order)
       : drawn_{drawn},
         beside_{beside},
+        wish_{order},
         reach_mm_{2.0 * widest_kerf(layers, recipes)},
         edges_{reach_mm_} {
     plan_.layers = std::move(layers);
@@ -110,7 +56,12 @@ class Planner {
   }
 
   CutPlan make() {
-    sort_contours();
+    std::vector<Side> sides;
+    for (std::size_t i = 0; i < drawn_.contours.size(); ++i) {
+      sides.push_back(layer_of(i).settings.side);
+    }
+    outlines_ = outlines_of(drawn_, sides, plan_.curves, plan_.faults);
+    marks_ = marked_starts(drawn_, sides, outlines_, plan_.curves, plan_.faults);
     for (std::size_t i = 0; i < outlines_.size(); ++i) {
       for (const Stroke& stroke : outlines_[i].strokes) {
         if (outlines_[i].is_beside) edges_.add(stroke, i);
@@ -122,7 +73,8 @@ class Planner {
       if (!outlines_[i].is_beside && !outlines_[i].strokes.empty()) cut_along(i);
     }
     put_parts_last();
-    plan_.cuts = in_order(std::move(plan_.cuts));
+    find_beginnings();
+    put_in_order();
     return std::move(plan_);
   }
 
@@ -133,6 +85,7 @@ class Planner {
   [[nodiscard]] double half_kerf(std::size_t contour) const {
     return 0.5 * layer_of(contour).condition.kerf_mm;
   }
+  [[nodiscard]] LeadRoom room_of(std::size_t contour) const { return {edges_, half_kerf(contour)}; }
   void fault(FaultKind kind,
              std::size_t contour,
              const Place& place,
@@ -141,54 +94,32 @@ class Planner {
     plan_.faults.push_back({kind, drawn_.contours[contour].entity, place, reason, remedy});
   }
 
-  void sort_contours();
   void cut_beside(std::size_t i);
   void cut_along(std::size_t i);
-  void look_for_gouges(std::size_t i, const std::vector<Stroke>& loop);
-  void look_for_rests(std::size_t i, const std::vector<std::vector<Stroke>>& loops);
   void add_cut(std::size_t i, const std::vector<Stroke>& loop);
-  void leave_to_controller(Cut& cut, bool one_loop);
   void put_parts_last();
+  [[nodiscard]] std::size_t part_of_contour(std::size_t contour) const;
+  void find_beginnings();
+  void find_beginnings(std::size_t cut, std::size_t count);
+  void keep_what_the_controller_finds(std::size_t cut);
+  [[nodiscard]] std::string reason_against_controller(std::size_t cut) const;
+  void put_in_order();
+  void begin(Cut& cut, const UnbegunCut& unbegun, const Beginning& beginning);
+  void leave_to_controller(Cut& cut, std::size_t number);
 
   const drawing::Drawing& drawn_;
   WayBeside beside_;
-  CutPlan plan_;
-  std::vector<Outline> outlines_;  ///< One for each contour; empty ones are not cut.
-  double reach_mm_;                ///< Twice the widest kerf: nothing farther matters.
+  const OrderWish& wish_;
+  CutPlan plan_;  ///< Its cuts have no strokes and are in the order of the drawing until the end.
+  std::vector<UnbegunCut> unbegun_;            ///< One for each cut.
+  std::vector<Outline> outlines_;              ///< One for each contour; empty ones are not cut.
+  std::vector<std::optional<Place>> marks_;    ///< By contour.
+  std::vector<std::size_t> loops_of_contour_;  ///< Number of cuts of each contour.
+  double reach_mm_;                            ///< Twice the widest kerf: nothing farther matters.
   Clearance edges_;
   ContourOffset offset_;
   std::set<std::size_t> told_layers_;  ///< Those with a cut on the line, so far.
 };
-
-/// Contours that are not cut beside their line are no parts, and nothing is a hole in them.
-void Planner::sort_contours() {
-  outlines_.resize(drawn_.contours.size());
-  for (std::size_t i = 0; i < outlines_.size(); ++i) {
-    const DrawnContour& contour = drawn_.contours[i];
-    const Side side = layer_of(i).settings.side;
-    if (side == Side::kSkip) continue;
-    // Open ones are among the drawing's own faults.
-    if (!contour.closed && side == Side::kWaste) continue;
-    DrawnStrokes drawn = strokes_of(contour, plan_.curves);
-    if (drawn.fault) {
-      plan_.faults.push_back(std::move(*drawn.fault));
-      continue;
-    }
-    outlines_[i].strokes = std::move(drawn.strokes);
-    outlines_[i].is_beside = side == Side::kWaste;
-  }
-  for (std::size_t i = 0; i < outlines_.size(); ++i) {
-    if (!outlines_[i].is_beside) continue;
-    std::size_t depth = 0;
-    for (auto p = drawn_.contours[i].parent; p; p = drawn_.contours[*p].parent) {
-      if (outlines_[*p].is_beside) ++depth;
-    }
-    outlines_[i].is_hole = depth % 2 == 1;
-    if ((area_of(outlines_[i].strokes) < 0.0) != outlines_[i].is_hole) {
-      turn_round(outlines_[i].strokes);
-    }
-  }
-}
 
 void Planner::cut_beside(std::size_t i) {
   const Contour contour = contour_of(outlines_[i].strokes);
@@ -206,86 +137,28 @@ void Planner::cut_beside(std::size_t i) {
         fmt::format("is narrower than the kerf of {:.3f} mm and would vanish", 2.0 * half_kerf(i)),
         "make it wider, cut it on the line with side=on, or skip its layer");
   }
-  look_for_rests(i, loops);
+  append(plan_.warnings,
+         rests_of(drawn_.contours[i].entity, outlines_[i].strokes, loops, half_kerf(i), reach_mm_));
   for (const std::vector<Stroke>& loop : loops) {
-    look_for_gouges(i, loop);
-    add_cut(i, loop);
-    if (beside_ == WayBeside::kOnController) {
-      leave_to_controller(plan_.cuts.back(), loops.size() == 1);
+    if (auto gouge = gouge_of(drawn_, i, loop, edges_, half_kerf(i))) {
+      plan_.faults.push_back(std::move(*gouge));
     }
+    add_cut(i, loop);
   }
 }
 
 void Planner::cut_along(std::size_t i) {
   Cut cut{.contour = i, .layer = drawn_.contours[i].entity.layer};
-  cut.strokes = outlines_[i].strokes;
   if (told_layers_.insert(cut.layer).second) {
     append(plan_.warnings,
-           unfulfilled_on_line(layer_of(i).settings, drawn_.contours[i].entity, cut.start()));
+           unfulfilled_on_line(
+               layer_of(i).settings, drawn_.contours[i].entity, outlines_[i].strokes.front().from));
   }
+  LayerSettings settings = layer_of(i).settings;
+  settings.overcut_mm = 0.0;
+  unbegun_.push_back(
+      {.path = MeasuredRow{outlines_[i].strokes}, .settings = settings, .layer = cut.layer});
   plan_.cuts.push_back(std::move(cut));
-}
-
-/// Tells where a cut would take most off a part.
-void Planner::look_for_gouges(std::size_t i, const std::vector<Stroke>& loop) {
-  const double half = half_kerf(i);
-  Clearance::Nearest worst{half - kGougeSlack, i};
-  Place where{0.0, 0.0};
-  for (const Stroke& stroke : loop) {
-    const auto looks = static_cast<int>(std::ceil(length_of(stroke) / kLookForGougesEvery));
-    for (int k = 1; k <= looks; ++k) {  // The start is the end of the stroke before.
-      const Place place = place_at(stroke, static_cast<double>(k) / looks);
-      const Clearance::Nearest nearest = edges_.nearest(place);
-      if (nearest.distance_mm >= worst.distance_mm) continue;
-      worst = nearest;
-      where = place;
-    }
-  }
-  if (worst.distance_mm >= half - kGougeSlack) return;
-  const std::string& other = drawn_.contours[worst.owner].entity.name;
-  fault(FaultKind::kCrossing,
-        i,
-        where,
-        fmt::format("its cut takes {:.3f} mm off {}", half - worst.distance_mm, other),
-        fmt::format("put them at least the kerf apart, {:.3f} mm", 2.0 * half));
-}
-
-/// Tells where the drawn line is so narrow that the beam does not come near it: farther than a
-/// kerf instead of half of one, as in slots and in corners sharper than 60 degrees.
-void Planner::look_for_rests(std::size_t i, const std::vector<std::vector<Stroke>>& loops) {
-  Clearance paths{reach_mm_};
-  for (const auto& loop : loops) {
-    for (const Stroke& stroke : loop) paths.add(stroke, 0);
-  }
-  paths.prepare();
-  const double kerf = 2.0 * half_kerf(i);
-  std::vector<Place> rest;
-  double rest_mm = 0.0;
-  const auto tell = [&] {
-    if (rest.empty()) return;
-    drawing::Fault fault{
-        FaultKind::kTooSmall, drawn_.contours[i].entity, rest[rest.size() / 2], {}, {}};
-    fault.reason = fmt::format(
-        "is too narrow here for the kerf of {:.3f} mm: {:.3f} mm of it stay uncut", kerf, rest_mm);
-    fault.remedy = "round the corner or widen the slot";
-    plan_.warnings.push_back(fault);
-    rest.clear();
-    rest_mm = 0.0;
-  };
-  for (const Stroke& stroke : outlines_[i].strokes) {
-    const double length = length_of(stroke);
-    const auto looks = static_cast<int>(std::ceil(length / kLookForRestsEvery));
-    for (int k = 1; k <= looks; ++k) {
-      const Place place = place_at(stroke, static_cast<double>(k) / looks);
-      if (paths.nearest(place).distance_mm <= kerf) {
-        tell();
-      } else {
-        rest.push_back(place);
-        rest_mm += length / looks;
-      }
-    }
-  }
-  tell();
 }
 
 void Planner::add_cut(std::size_t i, const std::vector<Stroke>& loop) {
@@ -294,39 +167,15 @@ void Planner::add_cut(std::size_t i, const std::vector<Stroke>& loop) {
           .layer = drawn_.contours[i].entity.layer,
           .is_hole = outlines_[i].is_hole,
           .area_mm2 = area_of(loop)};
-  // Only what falls out and is wanted is held.
-  const unsigned tabs = cut.area_mm2 > 0.0 ? settings.tabs : 0;
   const double least_turn = settings.corner_angle_deg * std::numbers::pi / 180.0;
   for (const Corner& corner : corners_of(loop, least_turn, half_kerf(i))) {
     cut.corners.push_back(corner.place);
   }
-  LedCut led = with_leads(MeasuredRow{loop}, settings, tabs, {edges_, half_kerf(i)});
-  append(plan_.warnings, unfulfilled(led, drawn_.contours[i].entity, tabs));
-  cut.strokes = std::move(led.strokes);
+  unbegun_.push_back({.path = MeasuredRow{loop},
+                      .settings = settings,
+                      .half_kerf_mm = half_kerf(i),
+                      .layer = cut.layer});
   plan_.cuts.push_back(std::move(cut));
-}
-
-/// Where the controller cannot find the way beside the part, it is given the way itself.
-void Planner::leave_to_controller(Cut& cut, bool one_loop) {
-  const LayerSettings& settings = layer_of(cut.contour).settings;
-  ControllerWay way;
-  if (!one_loop) {
-    way.reason = "the kerf parts it";
-  } else if (settings.tabs != 0 && !cut.is_hole) {
-    way.reason = "it has tabs";
-  } else if (settings.corner_loop_mm > 0.0 || settings.corner_dwell_s > 0.0) {
-    way.reason = "it has corner loops or dwells";
-  } else {
-    way = controller_way(
-        outlines_[cut.contour].strokes, cut.strokes, settings, {edges_, half_kerf(cut.contour)});
-  }
-  cut.programmed = std::move(way.strokes);
-  if (way.reason.empty()) return;
-  plan_.warnings.push_back({FaultKind::kTooSmall,
-                            drawn_.contours[cut.contour].entity,
-                            cut.start(),
-                            "is not left to the controller: " + way.reason,
-                            "its way has the kerf that is planned; it changes with no override"});
 }
 
 /// Orders each cut after all cuts that lie inside its outline, of any part, and those on a line: it
@@ -356,15 +205,153 @@ void Planner::put_parts_last() {
   }
 }
 
+/// The outermost contour around a contour that is cut beside its line, by lies_in.
+std::size_t Planner::part_of_contour(std::size_t contour) const {
+  std::size_t part = contour;
+  for (auto around = drawn_.contours[contour].lies_in; around;
+       around = drawn_.contours[*around].lies_in) {
+    if (outlines_[*around].is_beside) part = *around;
+  }
+  return part;
+}
+
+void Planner::find_beginnings() {
+  // So many in all, so that the time for them is bounded.
+  constexpr std::size_t kBeginnings = 400'000;
+  constexpr std::size_t kFewest = 4;
+  constexpr std::size_t kUsual = 16;
+  loops_of_contour_.assign(outlines_.size(), 0);
+  for (const Cut& cut : plan_.cuts) ++loops_of_contour_[cut.contour];
+  const std::size_t share = kBeginnings / std::max<std::size_t>(plan_.cuts.size(), 1);
+  const std::size_t count = std::clamp(share, kFewest, kUsual);
+  for (std::size_t i = 0; i < plan_.cuts.size(); ++i) {
+    unbegun_[i].after = plan_.cuts[i].after;
+    unbegun_[i].part = part_of_contour(plan_.cuts[i].contour);
+    find_beginnings(i, count);
+    if (beside_ == WayBeside::kOnController) keep_what_the_controller_finds(i);
+  }
+}
+
+void Planner::find_beginnings(std::size_t cut, std::size_t count) {
+  UnbegunCut& unbegun = unbegun_[cut];
+  const std::size_t contour = plan_.cuts[cut].contour;
+  const LayerSettings& settings = unbegun.settings;
+  if (!outlines_[contour].is_closed) {
+    unbegun.beginnings = beginnings_of_line(unbegun.path);
+    unbegun.may_move = false;
+    return;
+  }
+  BeginningWish wish{.where = settings.start, .count = count};
+  // A corner that is passed in a loop or with a rest is no place to begin at.
+  const bool has_work_at_corners = settings.corner_loop_mm > 0.0 || settings.corner_dwell_s > 0.0;
+  if (wish.where == StartAt::kAny && has_work_at_corners) wish.where = StartAt::kStraight;
+  // The controller reaches the edge a little later than the beam that is planned here: only in the
+  // middle of a stroke there is always room for that.
+  const bool is_planned_here = beside_ == WayBeside::kHere;
+  if (wish.where == StartAt::kAny && !is_planned_here) wish.where = StartAt::kUsual;
+  if (marks_[contour]) wish.marked_mm = way_nearest_to(unbegun.path, *marks_[contour]);
+  unbegun.beginnings = outlines_[contour].is_beside
+                           ? beginnings_of(unbegun.path, settings, room_of(contour), wish)
+                           : beginnings_on_line(unbegun.path, settings, wish);
+  unbegun.may_move = !wish.marked_mm && !has_work_at_corners && is_planned_here &&
+                     (wish.where == StartAt::kAny || wish.where == StartAt::kStraight);
+}
+
+/// Leaves out beginnings from which the controller does not find its way, unless that is all.
+void Planner::keep_what_the_controller_finds(std::size_t cut) {
+  const std::size_t contour = plan_.cuts[cut].contour;
+  UnbegunCut& unbegun = unbegun_[cut];
+  if (!outlines_[contour].is_beside || !reason_against_controller(cut).empty()) return;
+  const LeadRoom room = room_of(contour);
+  std::vector<Beginning> found;
+  for (const Beginning& beginning : unbegun.beginnings) {
+    const LedCut led = with_leads(unbegun.path, unbegun.settings, 0, room, beginning);
+    const ControllerWay way =
+        controller_way(outlines_[contour].strokes, led.strokes, unbegun.settings, room);
+    if (way.reason.empty()) found.push_back(beginning);
+  }
+  if (!found.empty()) unbegun.beginnings = std::move(found);
+}
+
+std::string Planner::reason_against_controller(std::size_t cut) const {
+  const LayerSettings& settings = unbegun_[cut].settings;
+  if (loops_of_contour_[plan_.cuts[cut].contour] != 1) return "the kerf parts it";
+  if (settings.tabs != 0 && !plan_.cuts[cut].is_hole) return "it has tabs";
+  if (settings.corner_loop_mm > 0.0 || settings.corner_dwell_s > 0.0) {
+    return "it has corner loops or dwells";
+  }
+  return {};
+}
+
+void Planner::put_in_order() {
+  plan_.order.wish = wish_;
+  plan_.order.wish.progress = {};
+  if (plan_.cuts.empty()) return;
+  const ChosenOrder chosen = choose_order(unbegun_, wish_, edges_);
+  std::vector<std::size_t> number(plan_.cuts.size());
+  for (std::size_t i = 0; i < chosen.cuts.size(); ++i) number[chosen.cuts[i].cut] = i;
+  std::vector<Cut> cuts;
+  for (const OrderedCut& ordered : chosen.cuts) {
+    Cut& cut = cuts.emplace_back(std::move(plan_.cuts[ordered.cut]));
+    begin(cut, unbegun_[ordered.cut], ordered.beginning);
+    if (beside_ == WayBeside::kOnController && outlines_[cut.contour].is_beside) {
+      leave_to_controller(cut, ordered.cut);
+    }
+    for (std::size_t& before : cut.after) {
+      before = number[before];
+      CNC_ASSERT(before + 1 < cuts.size());
+    }
+  }
+  plan_.cuts = std::move(cuts);
+  plan_.order.is_proven = chosen.is_proven;
+  predict(plan_);
+  plan_.order.file = rapids_of(usual_order(unbegun_, wish_, order::OrderMethod::kFile), wish_);
+  plan_.order.nearest =
+      rapids_of(usual_order(unbegun_, wish_, order::OrderMethod::kNearest), wish_);
+}
+
+void Planner::begin(Cut& cut, const UnbegunCut& unbegun, const Beginning& beginning) {
+  if (!outlines_[cut.contour].is_beside) {
+    cut.strokes = unbegun.path.begun_at(beginning.way_mm);
+    if (beginning.is_backwards) turn_round(cut.strokes);
+    return;
+  }
+  // Only what falls out and is wanted is held.
+  const unsigned tabs = cut.area_mm2 > 0.0 ? unbegun.settings.tabs : 0;
+  LedCut led = with_leads(unbegun.path, unbegun.settings, tabs, room_of(cut.contour), beginning);
+  append(plan_.warnings, unfulfilled(led, drawn_.contours[cut.contour].entity, tabs));
+  cut.strokes = std::move(led.strokes);
+}
+
+/// Where the controller cannot find the way beside the part, it is given the way itself.
+void Planner::leave_to_controller(Cut& cut, std::size_t number) {
+  ControllerWay way;
+  way.reason = reason_against_controller(number);
+  if (way.reason.empty()) {
+    way = controller_way(outlines_[cut.contour].strokes,
+                         cut.strokes,
+                         layer_of(cut.contour).settings,
+                         room_of(cut.contour));
+  }
+  cut.programmed = std::move(way.strokes);
+  if (way.reason.empty()) return;
+  plan_.warnings.push_back({FaultKind::kTooSmall,
+                            drawn_.contours[cut.contour].entity,
+                            cut.start(),
+                            "is not left to the controller: " + way.reason,
+                            "its way has the kerf that is planned; it changes with no override"});
+}
+
 }  // namespace
 
 CutPlan plan_cuts(const drawing::Drawing& drawn,
                   std::vector<LayerPlan> layers,
                   const OutlineOptions& curves,
                   WayBeside beside,
-                  Recipes recipes) {
+                  Recipes recipes,
+                  const OrderWish& order) {
   CNC_ASSERT(layers.size() == drawn.layers.size());
-  return Planner{drawn, std::move(layers), curves, beside, std::move(recipes)}.make();
+  return Planner{drawn, std::move(layers), curves, beside, std::move(recipes), order}.make();
 }
 
 }  // namespace sim::cut

@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "host-sim/contour/outline.hpp"
+#include "host-sim/cut/order_choice.hpp"
+#include "host-sim/cut/order_wish.hpp"
 #include "host-sim/cut/recipe.hpp"
 #include "host-sim/cut/safety_figures.hpp"
 #include "host-sim/cut/stroke.hpp"
@@ -46,6 +48,18 @@ struct Cut {
   [[nodiscard]] const Place& end() const { return strokes.back().to; }
 };
 
+/// How the cuts came into their order, and what others would have cost.
+struct OrderFigures {
+  OrderWish wish{};
+  bool is_proven = false;  ///< No order with the listed beginnings is cheaper.
+  RapidSum rapids{};       ///< Of this order.
+  RapidSum file{};         ///< As the drawing lists them, each with its usual beginning.
+  RapidSum nearest{};      ///< Always the nearest next, each with its usual beginning.
+  double strokes_s = 0.0;  ///< Predicted time of all cuts without rapids.
+
+  [[nodiscard]] double predicted_s() const { return rapids.time_s + strokes_s; }
+};
+
 /// What is to be cut, in order, and what of the drawing cannot be.
 struct CutPlan {
   std::vector<LayerPlan> layers;
@@ -54,6 +68,7 @@ struct CutPlan {
   std::vector<drawing::Fault> faults;    ///< What is not cut as drawn.
   std::vector<drawing::Fault> warnings;  ///< What is, and should be known.
   OutlineOptions curves;                 ///< How the drawing's curves became arcs.
+  OrderFigures order{};                  ///< How the order was chosen, and what it costs.
   std::vector<Place> way_home{};         ///< Corners of the rapid after the last cut.
   double lift_home_mm = 0.0;             ///< Height of Z during that rapid; 0: not lifted.
   SafetyFigures safety{};                ///< What was done so that the order is safe.
@@ -73,11 +88,13 @@ struct CutPlan {
 /// @param beside on the controller, what is cut beside the line has `programmed`, too; warnings
 /// tell of which has not
 /// @param recipes plans of single contours, which replace those of their layers
+/// @param order how order and beginnings are chosen; throws as choose_order() does
 /// @pre the tolerance of `curves` within its limits
 [[nodiscard]] CutPlan plan_cuts(const drawing::Drawing& drawn,
                                 std::vector<LayerPlan> layers,
                                 const OutlineOptions& curves = {},
                                 WayBeside beside = WayBeside::kHere,
-                                Recipes recipes = {});
+                                Recipes recipes = {},
+                                const OrderWish& order = {});
 
 }  // namespace sim::cut

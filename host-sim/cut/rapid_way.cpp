@@ -1,5 +1,8 @@
 #include "host-sim/cut/rapid_way.hpp"
 
+#include "host-sim/cut/predicted_time.hpp"
+#include "planner/order/rapid_time.hpp"
+
 namespace sim::cut {
 
 const Place& rapid_end(const Cut& cut) {
@@ -12,10 +15,10 @@ const Place& beam_end(const Cut& cut) {
 
 std::vector<Place> rapid_before(const CutPlan& plan, std::size_t cut) {
   const bool is_last = cut == plan.cuts.size();
-  std::vector<Place> way{cut == 0 ? Place{0.0, 0.0} : beam_end(plan.cuts[cut - 1])};
+  std::vector<Place> way{cut == 0 ? plan.order.wish.from : beam_end(plan.cuts[cut - 1])};
   const std::vector<Place>& corners = is_last ? plan.way_home : plan.cuts[cut].approach;
   way.insert(way.end(), corners.begin(), corners.end());
-  way.push_back(is_last ? Place{0.0, 0.0} : rapid_end(plan.cuts[cut]));
+  way.push_back(is_last ? plan.order.wish.to : rapid_end(plan.cuts[cut]));
   return way;
 }
 
@@ -26,6 +29,24 @@ double rapid_length(const CutPlan& plan) {
     for (std::size_t k = 1; k < way.size(); ++k) sum += drawing::distance(way[k - 1], way[k]);
   }
   return sum;
+}
+
+void predict(CutPlan& plan) {
+  const cnc::order::RapidTime time{plan.order.wish.limits};
+  plan.order.rapids = {};
+  plan.order.strokes_s = 0.0;
+  for (std::size_t i = 0; i <= plan.cuts.size(); ++i) {
+    const std::vector<Place> way = rapid_before(plan, i);
+    for (std::size_t k = 1; k < way.size(); ++k) {
+      const Place leg = way[k] - way[k - 1];
+      plan.order.rapids.length_mm += leg.norm();
+      plan.order.rapids.time_s += time(leg.x(), leg.y());
+    }
+  }
+  for (const Cut& cut : plan.cuts) {
+    plan.order.strokes_s +=
+        cut.wait_s + predicted_time(cut.strokes, plan.plan_of(cut), plan.order.wish);
+  }
 }
 
 }  // namespace sim::cut

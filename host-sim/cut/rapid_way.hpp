@@ -13,10 +13,15 @@ namespace sim::cut {
 [[nodiscard]] const Place& beam_end(const Cut& cut);
 
 /// Returns all places of the rapid before a cut, from its start to its end.
-/// @param cut number of the cut; that of all cuts for the rapid to zero after the last one
+/// @param cut number of the cut; that of all cuts for the rapid to the end of the job
 [[nodiscard]] std::vector<Place> rapid_before(const CutPlan& plan, std::size_t cut);
 
-/// Returns the length of all rapids, from zero to the first cut and back from the last, mm.
+/// Returns the length of all rapids, from the start of the job to the first cut and from the last
+/// to its end, mm.
 [[nodiscard]] double rapid_length(const CutPlan& plan);
+
+/// Predicts what the plan takes as it is now: rapids from rest to rest between the corners of their
+/// ways, strokes and waits. Sets `rapids` and `strokes_s` of its order.
+void predict(CutPlan& plan);
 
 }  // namespace sim::cut

@@ -51,7 +51,7 @@ class RuleApplier {
     if (recipes_.applied.empty()) return {};
     recipes_.by_contour.assign(drawn_.contours.size(), Recipes::kOfLayer);
     for (std::size_t i = 0; i < drawn_.contours.size(); ++i) {
-      if (layer_of(i).settings.side == Side::kSkip) continue;
+      if (!is_driven(layer_of(i).settings.side)) continue;
       const std::vector<std::size_t> rules = rules_for(i);
       for (const std::size_t rule : rules) recipes_.applied[rule].contours.push_back(i);
       if (!rules.empty()) recipes_.by_contour[i] = plan_for(drawn_.contours[i].entity.layer, rules);
@@ -121,7 +121,7 @@ class RuleApplier {
     LayerPlan plan = layer;
     bool is_marked = false;
     for (const std::size_t rule : rules) is_marked = change(plan, layer, rule, is_marked);
-    if (plan.settings.side == Side::kSkip) return plan;
+    if (!is_driven(plan.settings.side)) return plan;
     if (is_marked) return marked(plan, layer);
     try {
       plan.condition = choose_(plan.settings);

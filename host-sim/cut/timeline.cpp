@@ -104,7 +104,7 @@ class CutSpeeds {
 
 class TimelineMaker {
  public:
-  explicit TimelineMaker(const MachineRates& rates) : rates_{rates} {}
+  TimelineMaker(const MachineRates& rates, const Place& from) : rates_{rates}, here_{from} {}
 
   void go_to(const Place& place, std::size_t cut) {
     const double seconds = rapid_seconds(rates_, here_, place);
@@ -140,7 +140,7 @@ class TimelineMaker {
 
   const MachineRates& rates_;
   Timeline timeline_;
-  Place here_{0.0, 0.0};
+  Place here_;
 };
 
 }  // namespace
@@ -157,7 +157,7 @@ std::array<double, kTimeKinds> Timeline::by_kind() const {
 }
 
 Timeline timeline_of(const CutPlan& plan, const MachineRates& rates) {
-  TimelineMaker maker{rates};
+  TimelineMaker maker{rates, plan.order.wish.from};
   for (std::size_t i = 0; i < plan.cuts.size(); ++i) {
     maker.go_along(rapid_before(plan, i), i);
     maker.add_cut(plan.cuts[i], plan.plan_of(plan.cuts[i]), i);

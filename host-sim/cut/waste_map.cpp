@@ -20,7 +20,7 @@ WasteMap::WasteMap(const CutPlan& plan, const drawing::Drawing& drawn, double re
   for (std::size_t i = 0; i < drawn.contours.size(); ++i) {
     const drawing::DrawnContour& contour = drawn.contours[i];
     const Side side = plan.recipes.of(i, plan.layers[contour.entity.layer]).settings.side;
-    if (side == Side::kSkip || (side == Side::kWaste && !contour.closed)) continue;
+    if (!is_driven(side) || (side == Side::kWaste && !contour.closed)) continue;
     for (const Stroke& stroke : strokes_of(contour, plan.curves).strokes) lines_.add(stroke, 0);
   }
   for (const Cut& cut : plan.cuts) {

@@ -189,9 +189,10 @@ template <cnc::order::LegCost Cost>
 void OrderRun<Cost>::search_and_prove() {
   find_nearest();
   offer(start_->order, start_->chosen);
+  if (!options_->start_order.empty()) offer(options_->start_order, options_->start_chosen);
   if (problem_->sets() < 3) return;
   find_neighbours();
-  if (may_be_proven()) {
+  if (options_->may_prove && may_be_proven()) {
     search_until(kFirstShare, options_->seed);
     static_cast<void>(prove_until(kProofShare, std::min(kProofBytes, options_->memory_bytes)));
   }

@@ -29,6 +29,12 @@ struct OrderOptions {
   std::optional<std::uint64_t> steps;
   std::uint64_t seed = 1;
   std::size_t memory_bytes = 1'000'000'000;  ///< Of the proof's states.
+  /// Whether a search for the cheapest order also looks for a proof where one may be found.
+  bool may_prove = true;
+  /// A tour that a search begins with if it is cheaper than the one that always takes the nearest:
+  /// sets, home first, and the candidate of each set, by set. Empty: none.
+  std::vector<cnc::order::Index> start_order{};
+  std::vector<cnc::order::Index> start_chosen{};
 };
 
 struct OrderResult {

@@ -97,8 +97,10 @@ class Cut(unittest.TestCase):
         def told(drawing, *wishes):
             return run("cut", drawing, *STEEL, *wishes).stderr
         self.assertIn("has room for 1 of 40 tabs", told(small, "--tabs", "40", "--tab-width", "8"))
-        self.assertIn('rect "hole" at ', told(window, "--lead-in", "line:10"))
-        self.assertIn("has room for leads of 50 % of their length", told(window, "--lead-in", "line:10"))
+        usual = ("--lead-in", "line:10", "--start", "usual")
+        self.assertIn('rect "hole" at ', told(window, *usual))
+        self.assertIn("has room for leads of 50 % of their length", told(window, *usual))
+        self.assertNotIn("has room for leads", told(window, *usual[:2]), "it begins where they have room")
         self.assertIn("have room for a smaller loop only", told(small, "--corner-loop", "1.5"))
         marks = self.drawn("marks.svg", SHEET + '<path id="m" d="M20 20H90"/><path id="n" d="M20 30H90"/></svg>')
         done = run("cut", marks, *STEEL, "--layer", ": side=on", "--tabs", "2", "--pierce", "0.1")

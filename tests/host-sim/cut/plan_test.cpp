@@ -100,8 +100,9 @@ TEST(CutPlan, CutsOnTheLineWhatItsLayerSays) {
       drawing_of("<path d=\"M0 0H5\"/><rect x=\"20\" y=\"0\" width=\"9\" height=\"9\"/>");
   const CutPlan plan = plan_of(drawn, {.side = Side::kOn});
   ASSERT_EQ(plan.cuts.size(), 2U);
-  EXPECT_DOUBLE_EQ(length_of(plan.cuts[0].strokes), 5.0);
-  EXPECT_DOUBLE_EQ(length_of(plan.cuts[1].strokes), 36.0);
+  for (const Cut& cut : plan.cuts) {
+    EXPECT_DOUBLE_EQ(length_of(cut.strokes), drawn.contours[cut.contour].closed ? 36.0 : 5.0);
+  }
 }
 
 /// A frame that is not cut is no part, and what is in it is no hole.

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host-sim/cut/order_wish.hpp"
+#include "host-sim/job/setting_line.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace sim {
+
+/// The part of a call of `kerfline cut` that says in which order cuts are made.
+struct CutOrderOptions {
+  order::OrderMethod method = order::OrderMethod::kOurs;
+  cut::OrderCost cost = cut::OrderCost::kTime;
+  cut::Grouping grouping = cut::Grouping::kNone;
+  std::string from;
+  std::string to;
+  std::optional<double> seconds{};
+  std::uint64_t seed = 1;
+};
+
+/// Adds --order, --cost, --group, --from, --to, --seconds and --seed.
+void add_cut_order_options(CLI::App& command, CutOrderOptions& options);
+
+/// Returns how the cuts are to be ordered on a machine with these settings.
+/// @param progress called now and then while the order is searched; may be empty
+/// Throws std::invalid_argument naming the option, or the setting, that is wrong.
+[[nodiscard]] cut::OrderWish order_wish_of(const CutOrderOptions& options,
+                                           const std::vector<SettingChange>& settings,
+                                           order::OrderProgress progress);
+
+}  // namespace sim

@@ -1,0 +1,88 @@
+#include "host-sim/cut/kerf_faults.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace sim::cut {
+namespace {
+
+using drawing::FaultKind;
+
+/// A cut may be nearer to a drawn edge by this before it is reported, mm.
+constexpr double kGougeSlack = 1.0e-4;
+constexpr double kLookForGougesEvery = 0.1;  ///< mm.
+constexpr double kLookForRestsEvery = 0.05;  ///< mm.
+
+}  // namespace
+
+std::optional<drawing::Fault> gouge_of(const drawing::Drawing& drawn,
+                                       std::size_t contour,
+                                       const std::vector<Stroke>& loop,
+                                       const Clearance& edges,
+                                       double half_kerf_mm) {
+  const double half = half_kerf_mm;
+  Clearance::Nearest worst{half - kGougeSlack, contour};
+  Place where{0.0, 0.0};
+  for (const Stroke& stroke : loop) {
+    const auto looks = static_cast<int>(std::ceil(length_of(stroke) / kLookForGougesEvery));
+    for (int k = 1; k <= looks; ++k) {  // The start is the end of the stroke before.
+      const Place place = place_at(stroke, static_cast<double>(k) / looks);
+      const Clearance::Nearest nearest = edges.nearest(place);
+      if (nearest.distance_mm >= worst.distance_mm) continue;
+      worst = nearest;
+      where = place;
+    }
+  }
+  if (worst.distance_mm >= half - kGougeSlack) return std::nullopt;
+  const std::string& other = drawn.contours[worst.owner].entity.name;
+  return drawing::Fault{
+      FaultKind::kCrossing,
+      drawn.contours[contour].entity,
+      where,
+      fmt::format("its cut takes {:.3f} mm off {}", half - worst.distance_mm, other),
+      fmt::format("put them at least the kerf apart, {:.3f} mm", 2.0 * half)};
+}
+
+std::vector<drawing::Fault> rests_of(const drawing::Entity& entity,
+                                     const std::vector<Stroke>& outline,
+                                     const std::vector<std::vector<Stroke>>& loops,
+                                     double half_kerf_mm,
+                                     double reach_mm) {
+  std::vector<drawing::Fault> warnings;
+  Clearance paths{reach_mm};
+  for (const auto& loop : loops) {
+    for (const Stroke& stroke : loop) paths.add(stroke, 0);
+  }
+  paths.prepare();
+  const double kerf = 2.0 * half_kerf_mm;
+  std::vector<Place> rest;
+  double rest_mm = 0.0;
+  const auto tell = [&] {
+    if (rest.empty()) return;
+    drawing::Fault fault{FaultKind::kTooSmall, entity, rest[rest.size() / 2], {}, {}};
+    fault.reason = fmt::format(
+        "is too narrow here for the kerf of {:.3f} mm: {:.3f} mm of it stay uncut", kerf, rest_mm);
+    fault.remedy = "round the corner or widen the slot";
+    warnings.push_back(fault);
+    rest.clear();
+    rest_mm = 0.0;
+  };
+  for (const Stroke& stroke : outline) {
+    const double length = length_of(stroke);
+    const auto looks = static_cast<int>(std::ceil(length / kLookForRestsEvery));
+    for (int k = 1; k <= looks; ++k) {
+      const Place place = place_at(stroke, static_cast<double>(k) / looks);
+      if (paths.nearest(place).distance_mm <= kerf) {
+        tell();
+      } else {
+        rest.push_back(place);
+        rest_mm += length / looks;
+      }
+    }
+  }
+  tell();
+  return warnings;
+}
+
+}  // namespace sim::cut

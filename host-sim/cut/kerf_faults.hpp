@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "host-sim/cut/clearance.hpp"
+#include "host-sim/cut/stroke.hpp"
+#include "host-sim/import/drawing.hpp"
+
+namespace sim::cut {
+
+/// Returns a fault at the point where the path of a cut would take most off a part, if it takes
+/// any.
+/// @param contour number of the contour in the drawing
+/// @param edges all drawn edges, each with the number of its contour
+[[nodiscard]] std::optional<drawing::Fault> gouge_of(const drawing::Drawing& drawn,
+                                                     std::size_t contour,
+                                                     const std::vector<Stroke>& loop,
+                                                     const Clearance& edges,
+                                                     double half_kerf_mm);
+
+/// Returns warnings where the drawn line is so narrow that the beam does not come near it: farther
+/// than a kerf instead of half of one, as in slots and in corners sharper than 60 degrees.
+/// @param loops all paths of the beam along this outline
+/// @param reach_mm at least the kerf; no path that is farther off matters
+[[nodiscard]] std::vector<drawing::Fault> rests_of(const drawing::Entity& entity,
+                                                   const std::vector<Stroke>& outline,
+                                                   const std::vector<std::vector<Stroke>>& loops,
+                                                   double half_kerf_mm,
+                                                   double reach_mm);
+
+}  // namespace sim::cut

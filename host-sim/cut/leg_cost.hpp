@@ -1,0 +1,63 @@
+#pragma once
+
+#include <span>
+
+#include "planner/order/neighbours.hpp"
+#include "planner/order/rapid_time.hpp"
+
+namespace sim::cut {
+
+/// Cost of a straight rapid, as length or as time.
+///
+/// Times are in units of the distance that the machine rapids in that time, so that both kinds of
+/// cost are about as large, and searches that compare costs with distances work with both.
+class RapidCost {
+ public:
+  /// Cost is length, mm.
+  RapidCost() = default;
+  /// Cost is time.
+  explicit RapidCost(const cnc::order::RapidLimits& limits)
+      : time_{limits},
+        mm_per_s_{std::min(limits.rate_mm_s[0], limits.rate_mm_s[1])},
+        is_time_{true} {}
+
+  [[nodiscard]] double operator()(double x_mm, double y_mm) const {
+    if (is_time_) return mm_per_s_ * time_(x_mm, y_mm);
+    return std::sqrt(x_mm * x_mm + y_mm * y_mm);
+  }
+  [[nodiscard]] bool is_time() const { return is_time_; }
+  [[nodiscard]] double mm_per_s() const { return mm_per_s_; }
+
+ private:
+  cnc::order::RapidTime time_{{}};
+  double mm_per_s_ = 1.0;
+  bool is_time_ = false;
+};
+
+/// Cost of the leg between two candidates of cnc::order.
+class LegCost {
+ public:
+  struct Terms {
+    cnc::order::CandidatePlaces places;
+    std::span<const double> own;  ///< Cost of each candidate itself; empty: none.
+    bool is_free_end = false;     ///< The way home costs nothing: others go on from there.
+  };
+
+  LegCost(const Terms& terms, const RapidCost& rapid) : terms_{terms}, rapid_{&rapid} {}
+
+  /// Half of what a candidate costs is with the leg to it and half with the leg from it: so a tour
+  /// costs the same in both directions where its rapids do.
+  [[nodiscard]] double operator()(cnc::order::Index from, cnc::order::Index to) const {
+    const double own = terms_.own.empty() ? 0.0 : 0.5 * (terms_.own[from] + terms_.own[to]);
+    if (terms_.is_free_end && to == 0) return own;
+    const cnc::order::Place& exit = terms_.places.exit[from];
+    const cnc::order::Place& entry = terms_.places.entry[to];
+    return own + (*rapid_)(entry.x - exit.x, entry.y - exit.y);
+  }
+
+ private:
+  Terms terms_;
+  const RapidCost* rapid_;
+};
+
+}  // namespace sim::cut

@@ -1,0 +1,173 @@
+#include "host-sim/cut/order_choice.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <numeric>
+#include <optional>
+#include <stdexcept>
+
+#include "host-sim/cut/group_order.hpp"
+#include "planner/order/set_masks.hpp"
+
+namespace sim::cut {
+namespace {
+
+using order::OrderMethod;
+
+constexpr int kRefinementRounds = 20;
+constexpr int kRoundsOfMany = 4;
+constexpr std::size_t kMany = 20'000;  ///< Cuts.
+
+RapidCost cost_of(const OrderWish& wish) {
+  return wish.cost == OrderCost::kTime ? RapidCost{wish.limits} : RapidCost{};
+}
+
+/// Cuts by groups, those of one group after those of the one before. A cut that must come after
+/// one of a later group goes to that.
+std::vector<std::vector<std::size_t>> groups_of(const std::vector<UnbegunCut>& cuts,
+                                                Grouping grouping) {
+  std::vector<std::size_t> all(cuts.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  const auto has_rank = [](const UnbegunCut& cut) { return cut.settings.rank.has_value(); };
+  const bool by_layer = grouping == Grouping::kLayer;
+  if (!by_layer && std::ranges::none_of(cuts, has_rank)) return {all};
+  using Key = std::pair<unsigned, std::size_t>;
+  std::vector<Key> keys;
+  for (const UnbegunCut& cut : cuts) {
+    keys.emplace_back(cut.settings.rank.value_or(0), by_layer ? cut.layer : 0);
+  }
+  // Along chains of cuts, however the drawing lists them.
+  for (bool is_changed = true; is_changed;) {
+    is_changed = false;
+    for (std::size_t i = 0; i < cuts.size(); ++i) {
+      for (const std::size_t before : cuts[i].after) {
+        if (keys[before] <= keys[i]) continue;
+        keys[i] = keys[before];
+        is_changed = true;
+      }
+    }
+  }
+  std::map<Key, std::vector<std::size_t>> sorted;
+  for (const std::size_t cut : all) sorted[keys[cut]].push_back(cut);
+  std::vector<std::vector<std::size_t>> groups;
+  for (auto& [key, members] : sorted) groups.push_back(std::move(members));
+  return groups;
+}
+
+/// Brings together the cuts of each part, at the turn of its first one.
+void keep_parts_together(std::vector<OrderedCut>& order, const std::vector<UnbegunCut>& cuts) {
+  std::map<std::size_t, std::size_t> turn_of;
+  for (const OrderedCut& ordered : order) turn_of.emplace(cuts[ordered.cut].part, turn_of.size());
+  std::ranges::stable_sort(order, std::less{}, [&](const OrderedCut& ordered) {
+    return turn_of.at(cuts[ordered.cut].part);
+  });
+}
+
+ChosenOrder order_groups(const std::vector<UnbegunCut>& cuts,
+                         const OrderWish& wish,
+                         OrderMethod method,
+                         bool only_usual,
+                         const std::vector<OrderedCut>& start) {
+  const RapidCost cost = cost_of(wish);
+  const auto groups = groups_of(cuts, wish.grouping);
+  ChosenOrder chosen{.cuts = {}, .is_proven = groups.size() == 1};
+  Place here = wish.from;
+  for (std::size_t i = 0; i < groups.size(); ++i) {
+    GroupTask task{.method = method, .only_usual = only_usual, .from = here, .seed = wish.seed};
+    if (i + 1 == groups.size()) task.to = wish.to;
+    if (groups.size() == 1) task.start = start;
+    if (wish.seconds) {
+      task.seconds =
+          *wish.seconds * static_cast<double>(groups[i].size()) / static_cast<double>(cuts.size());
+    }
+    GroupResult result = order_group(cuts, groups[i], cost, task, wish.progress);
+    chosen.is_proven = chosen.is_proven && result.is_proven;
+    if (!result.cuts.empty()) here = result.cuts.back().beginning.exit;
+    chosen.cuts.insert(chosen.cuts.end(), result.cuts.begin(), result.cuts.end());
+  }
+  return chosen;
+}
+
+double sum_of(const std::vector<OrderedCut>& order, const RapidCost& cost, const JobEnds& ends) {
+  Place here = ends.from;
+  double sum = 0.0;
+  for (const OrderedCut& ordered : order) {
+    const Place way = ordered.beginning.entry - here;
+    sum += cost(way.x(), way.y());
+    here = ordered.beginning.exit;
+  }
+  return sum + cost(ends.to.x() - here.x(), ends.to.y() - here.y());
+}
+
+/// Searches again with the beginnings that refinement found beside the others, while that helps.
+void search_again(ChosenOrder& chosen,
+                  const std::vector<UnbegunCut>& cuts,
+                  const OrderWish& wish,
+                  const Clearance& edges) {
+  constexpr int kAgain = 2;
+  const RapidCost cost = cost_of(wish);
+  const JobEnds ends{wish.from, wish.to};
+  for (int i = 0; i < kAgain; ++i) {
+    std::vector<UnbegunCut> more = cuts;
+    for (const OrderedCut& ordered : chosen.cuts) {
+      if (!more[ordered.cut].may_move) continue;
+      more[ordered.cut].beginnings.push_back(ordered.beginning);
+      more[ordered.cut].own_s.clear();
+    }
+    ChosenOrder next = order_groups(more, wish, OrderMethod::kOurs, false, chosen.cuts);
+    refine_beginnings(next.cuts, cuts, cost, ends, edges, kRefinementRounds);
+    if (sum_of(next.cuts, cost, ends) >= sum_of(chosen.cuts, cost, ends)) return;
+    chosen.cuts = std::move(next.cuts);
+  }
+}
+
+}  // namespace
+
+RapidSum rapids_of(const std::vector<OrderedCut>& cuts, const OrderWish& wish) {
+  const JobEnds ends{wish.from, wish.to};
+  const RapidCost time{wish.limits};
+  return {sum_of(cuts, RapidCost{}, ends), sum_of(cuts, time, ends) / time.mm_per_s()};
+}
+
+std::vector<OrderedCut> usual_order(const std::vector<UnbegunCut>& cuts,
+                                    const OrderWish& wish,
+                                    OrderMethod method) {
+  OrderWish plain = wish;
+  plain.grouping = Grouping::kNone;
+  plain.progress = {};
+  return order_groups(cuts, plain, method, true, {}).cuts;
+}
+
+ChosenOrder choose_order(const std::vector<UnbegunCut>& cuts,
+                         const OrderWish& wish,
+                         const Clearance& edges) {
+  if (wish.method == OrderMethod::kExact && cuts.size() > cnc::order::kMaxMaskedSets) {
+    throw std::invalid_argument(
+        fmt::format("--order exact: {} cuts are too many for a proof, at most {}; use --order ours",
+                    cuts.size(),
+                    cnc::order::kMaxMaskedSets));
+  }
+  const JobEnds ends{wish.from, wish.to};
+  ChosenOrder chosen;
+  try {
+    chosen = order_groups(cuts, wish, wish.method, false, {});
+  } catch (const order::NoOrder&) {
+    throw std::invalid_argument(
+        "--order exact: the proof does not fit into 1 GB; use --order ours, which needs none");
+  }
+  if (wish.grouping == Grouping::kPart) keep_parts_together(chosen.cuts, cuts);
+  if (wish.method == OrderMethod::kNearest || wish.method == OrderMethod::kAnneal) return chosen;
+  const RapidCost cost = cost_of(wish);
+  const int rounds = cuts.size() > kMany ? kRoundsOfMany : kRefinementRounds;
+  choose_beginnings(chosen.cuts, cuts, cost, ends);
+  refine_beginnings(chosen.cuts, cuts, cost, ends, edges, rounds);
+  const bool is_whole = wish.grouping != Grouping::kPart && cuts.size() <= kMany;
+  if (wish.method == OrderMethod::kOurs && is_whole && !wish.seconds) {
+    search_again(chosen, cuts, wish, edges);
+  }
+  return chosen;
+}
+
+}  // namespace sim::cut

@@ -1,0 +1,64 @@
+#include "host-sim/cut/order_report.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "host-sim/report/duration_text.hpp"
+
+namespace sim::cut {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// What is saved of `other`, %; 0 where there is nothing to save.
+double saving(double ours, double other) {
+  return other > 0.0 ? 100.0 * (1.0 - ours / other) : 0.0;
+}
+
+Json json_of(const RapidSum& sum, const OrderFigures& order) {
+  return {{"rapid_length_mm", sum.length_mm},
+          {"rapid_time_s", sum.time_s},
+          {"predicted_job_time_s", sum.time_s + order.strokes_s}};
+}
+
+}  // namespace
+
+std::vector<std::string> lines_of(const OrderFigures& order, std::size_t cuts) {
+  const auto line = [&](std::string_view name, const RapidSum& sum) {
+    return fmt::format("{} {:.1f} mm and {:.1f} s of rapids", name, sum.length_mm, sum.time_s);
+  };
+  std::string first = line(
+      fmt::format("order {}, by {}:", order::name_of(order.wish.method), text_of(order.wish.cost)),
+      order.rapids);
+  if (order.is_proven) first += "; proven";
+  const double nearest = saving(order.rapids.time_s, order.nearest.time_s);
+  const double file = saving(order.rapids.time_s, order.file.time_s);
+  return {
+      first,
+      line("  as drawn, usual starts:", order.file) + fmt::format("; {:.1f} % saved", file),
+      line("  nearest, usual starts:", order.nearest) + fmt::format("; {:.1f} % saved", nearest),
+      fmt::format("  {} pierces; predicted {} in all", cuts, duration_text(order.predicted_s()))};
+}
+
+Json json_of(const OrderFigures& order, std::size_t cuts) {
+  Json json;
+  json["method"] = order::name_of(order.wish.method);
+  json["cost"] = text_of(order.wish.cost);
+  json["group"] = text_of(order.wish.grouping);
+  json["seed"] = order.wish.seed;
+  json["proven"] = order.is_proven;
+  json["from_mm"] = {order.wish.from.x(), order.wish.from.y()};
+  json["to_mm"] = {order.wish.to.x(), order.wish.to.y()};
+  json["pierces"] = cuts;
+  json.update(json_of(order.rapids, order));
+  json["cut_time_s"] = order.strokes_s;
+  json["file_with_usual_starts"] = json_of(order.file, order);
+  json["nearest_with_usual_starts"] = json_of(order.nearest, order);
+  json["saved_of_nearest"] = {
+      {"rapid_length_percent", saving(order.rapids.length_mm, order.nearest.length_mm)},
+      {"rapid_time_s", order.nearest.time_s - order.rapids.time_s}};
+  return json;
+}
+
+}  // namespace sim::cut

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "host-sim/cut/beginning.hpp"
+#include "host-sim/cut/layer_settings.hpp"
+#include "host-sim/cut/stroke.hpp"
+
+namespace sim::cut {
+
+/// A contour as the beam goes along it, whose beginning and place in the order are not chosen yet.
+struct UnbegunCut {
+  MeasuredRow path;        ///< Closed with the part on its left, or an open line.
+  LayerSettings settings;  ///< Of its layer.
+  double half_kerf_mm = 0.0;
+  std::size_t layer = 0;
+  std::size_t part = 0;                 ///< Cuts of one part have one number.
+  std::vector<std::size_t> after{};     ///< Cuts that must come before.
+  std::vector<Beginning> beginnings{};  ///< Not empty; the usual one first.
+  std::vector<double> own_s{};  ///< Time of the cut with each beginning, s; empty: the same.
+  bool may_move = true;         ///< It may begin anywhere between these, too.
+};
+
+/// A cut in its turn, and where it begins.
+struct OrderedCut {
+  std::size_t cut = 0;  ///< Number of the unbegun cut.
+  Beginning beginning{};
+};
+
+}  // namespace sim::cut
