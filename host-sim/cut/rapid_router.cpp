@@ -12,6 +12,8 @@ namespace {
 
 /// Places at which a rapid may leave what was just cut: the nearest has a way nearly always.
 constexpr std::size_t kMaxExits = 12;
+/// Exits from which a way is looked for: mostly all of them lead to the same waste.
+constexpr int kMaxSearches = 3;
 /// A rapid that leaves straight towards its goal may be longer inside by this factor than the
 /// shortest way out.
 constexpr double kSlantedExit = 1.5;
@@ -147,12 +149,14 @@ std::vector<Place> RapidRouter::find_out(Try& t,
       leaves_shortly(area, from.place, to.place, exit_mm, clearance)) {
     return {from.place, to.place};
   }
+  int searches = 0;
   for (const RapidExit& exit : exits_of(area, from.place, legs.clearance_mm())) {
     const RapidEnd out = legs.end_at(exit.place);
     if (!out.near.empty() || legs.area_at(exit.place)) continue;
     if (!leaves_once(area, from.place, exit.place)) continue;
     if (legs.blocker(from.place, exit.place, &from, nullptr, just_cut)) continue;
     std::vector<Place> way = find(t, out, to);
+    if (way.empty() && ++searches == kMaxSearches) break;
     if (way.empty()) continue;
     const RapidEnd* const end = way.size() == 2 ? &to : nullptr;
     const bool skips = !legs.blocker(from.place, way[1], &from, end, just_cut) &&
