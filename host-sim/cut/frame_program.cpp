@@ -51,8 +51,9 @@ std::vector<Place> corners_of(const boost::geometry::model::multi_point<HullPoin
   boost::geometry::model::polygon<HullPoint, false> hull;
   boost::geometry::convex_hull(places, hull);
   for (const HullPoint& point : hull.outer()) corners.emplace_back(point.x(), point.y());
-  // The ring ends where it began.
-  if (corners.size() > 1) corners.pop_back();
+  // The ring ends where it began; that of places on one line repeats its corners.
+  corners.erase(std::unique(corners.begin(), corners.end()), corners.end());
+  while (corners.size() > 1 && corners.back() == corners.front()) corners.pop_back();
   return corners;
 }
 

@@ -99,7 +99,7 @@ class Cut(unittest.TestCase):
         done = run("sim", program, "--trace", trace, *FINE_STEPS, "--set", "$32=1")
         self.assertEqual(done.returncode, 0, done.stderr)
         rows = (line.split(",") for line in trace.read_text().splitlines() if line[0].isdigit())
-        return [(int(row[1]) / 400, int(row[2]) / 400) for row in rows if not lit or float(row[8]) > 0]
+        return [(int(row[1]) / 400, int(row[2]) / 400) for row in rows if not lit or float(row[-1]) > 0]
 
     def test_the_frame_is_driven_within_a_tenth_of_the_hull_of_the_job(self):
         frame = self.folder / "frame.nc"

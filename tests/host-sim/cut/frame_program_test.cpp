@@ -31,14 +31,14 @@ CutPlan random_strokes(std::uint64_t seed) {
 }
 
 TEST(Frame, HoldsAllStrokesAndIsNowhereFarFromThem) {
-  for (const std::uint64_t seed : proof::Trials{200}) {
+  for (const std::uint64_t seed : proof::Trials{60}) {
     const CutPlan plan = random_strokes(seed);
     const std::vector<Place> frame = frame_of(plan, FrameShape::kHull);
     ASSERT_GE(frame.size(), 2U) << seed;
     std::vector<double> support(360, -1.0e9);
     for (const Cut& cut : plan.cuts) {
       for (const Stroke& stroke : cut.strokes) {
-        for (const Place& place : places_along(stroke, 0.05)) {
+        for (const Place& place : places_along(stroke, 0.1)) {
           for (std::size_t i = 0; i < frame.size(); ++i) {
             const Place& a = frame[i];
             const Place& b = frame[(i + 1) % frame.size()];
