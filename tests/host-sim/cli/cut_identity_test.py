@@ -4,6 +4,7 @@
     cut_identity_test.py KERFLINE
 """
 
+import http.client
 import json
 import math
 import pathlib
@@ -143,6 +144,28 @@ class Cut(unittest.TestCase):
         rules.unlink()
         self.plate.unlink()
         self.assertEqual(warnings(*fine), [])
+
+    def test_send_and_the_page_tell_it_too(self):
+        self.cut("--set", "$110=9000")
+        with subprocess.Popen([KERFLINE, "serve", "--tcp", "0", "--ws", "0", "--speed", "50", "--set", "$32=1",
+                               "--set", "$110=8000"], cwd=self.folder, text=True, stdout=subprocess.PIPE,
+                              stderr=subprocess.DEVNULL) as server:
+            try:
+                ways = "".join(iter(server.stdout.readline, "ready\n"))
+                tcp, web = (re.search(fr"^{way} \S+:(\d+)$", ways, re.MULTILINE)[1] for way in ("tcp", "ws"))
+                self.plate.write_text(PLATE.replace("0.9", "0.8"))
+                for folder in (self.folder, self.folder.parent):
+                    done = run("send", self.program, "--tcp", f"127.0.0.1:{tcp}", folder=folder)
+                    self.assertIn("warning: the drawing plate.svg has changed", done.stderr)
+                    self.assertIn("warning: the settings ($30, $110", done.stderr)
+                page = http.client.HTTPConnection("127.0.0.1", int(web), timeout=20)
+                page.request("POST", "/outline", self.program.read_bytes(),
+                             {"Origin": f"http://127.0.0.1:{web}"})
+                notes = json.loads(page.getresponse().read())["notes"]
+                self.assertIn("the drawing plate.svg has changed since this program was made", notes[0])
+                self.assertIn("the settings ($30, $110", notes[1])
+            finally:
+                server.terminate()
 
     def test_a_sheet_names_its_drawings_too(self):
         sheet = self.folder / "sheet.json"

@@ -94,7 +94,8 @@ TEST(PlacedParts, QuarterTurnsAreExact) {
 TEST(PlacedParts, CopiesAreNumberedAndLiveInTheHolesOfOthers) {
   const drawing::Drawing drawn =
       placed(sheet_with(R"({"drawing": "ring.svg", "copies": 2, "step_x_mm": 100},
-                    {"drawing": "ring.svg", "name": "small", "x_mm": 0.5}, {"drawing": "key.svg", "x_mm": 20, "y_mm": 20})"),
+                    {"drawing": "ring.svg", "name": "small", "x_mm": 0.5},
+                    {"drawing": "key.svg", "x_mm": 20, "y_mm": 20})"),
              kPartFiles);
   EXPECT_THAT(drawn.parts, ElementsAre("ring #1", "ring #2", "small", "key"));
   ASSERT_THAT(drawn.contours, SizeIs(9));

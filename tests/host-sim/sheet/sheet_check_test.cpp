@@ -23,7 +23,8 @@ const TestFiles kCheckFiles{
     {"disc.svg", drawing::svg_of(R"(<circle cx="10" cy="90" r="10"/>)")},
     {"frame.svg",
      drawing::svg_of(
-         R"(<rect x="0" y="20" width="80" height="80"/><rect x="10" y="30" width="60" height="60"/>)")},
+         R"(<rect x="0" y="20" width="80" height="80"/>
+            <rect x="10" y="30" width="60" height="60"/>)")},
     {"wave.svg", drawing::svg_of(R"(<path d="M0 100C30 60 40 60 60 100Z"/>)")}};
 
 std::vector<std::string> wrong_places(const std::string& parts) {
@@ -130,7 +131,8 @@ TEST(SheetCheck, AgreesWithLookingAtEveryPlace) {
     const char* names[] = {"square.svg", "disc.svg", "wave.svg"};
     const auto part = [&](const char* name) {
       return fmt::format(
-          R"({{"drawing": "{}", "name": "{}", "x_mm": {}, "y_mm": {}, "angle_deg": {}, "mirror": {}}})",
+          R"({{"drawing": "{}", "name": "{}", "x_mm": {}, "y_mm": {},
+               "angle_deg": {}, "mirror": {}}})",
           names[static_cast<std::size_t>(random.between(0.0, 2.999))],
           name,
           random.between(0.0, 30.0),

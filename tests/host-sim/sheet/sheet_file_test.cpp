@@ -22,7 +22,8 @@ std::vector<std::string> faults_in(const std::string& text) {
 TEST(SheetFile, ListsPartsWithPlacesOrAsAGrid) {
   const Sheet sheet = read_sheet("test.json",
                                  sheet_with(R"(
-      {"drawing": "a/bracket.svg", "places": [{"x_mm": 5}, {"y_mm": 7, "angle_deg": -90, "mirror": true}]},
+      {"drawing": "a/bracket.svg", "places": [{"x_mm": 5},
+       {"y_mm": 7, "angle_deg": -90, "mirror": true}]},
       {"drawing": "ring.dxf", "name": "washer", "copies": 5, "x_mm": 1, "y_mm": 2, "step_x_mm": 10,
        "step_y_mm": 20, "columns": 2})",
                                             R"(, "locked": true)"));
