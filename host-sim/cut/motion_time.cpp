@@ -10,7 +10,10 @@ constexpr double kUnlimited = std::numeric_limits<double>::infinity();
 /// Halvings of an interval of speeds: more than the digits of a double are of no use.
 constexpr int kHalvings = 50;
 
-double jerk_or_none(double jerk_mm_s3) { return jerk_mm_s3 > 0.0 ? jerk_mm_s3 : kUnlimited; }
+double jerk_or_none(double jerk_mm_s3) {
+  if (jerk_mm_s3 > 0.0) return jerk_mm_s3;
+  return kUnlimited;
+}
 
 /// A change of speed.
 struct Ramp {

@@ -117,6 +117,7 @@ void SheetPages::add_row(const std::vector<SheetColumn>& columns,
 void SheetPages::add_table(const std::vector<SheetColumn>& columns,
                            const std::vector<std::vector<std::string>>& rows) {
   std::vector<std::string> headings;
+  headings.reserve(columns.size());
   for (const SheetColumn& column : columns) headings.push_back(column.heading);
   constexpr double kGapPt = 5.0;
   make_room(2.0 * kTableLinePt + kGapPt);

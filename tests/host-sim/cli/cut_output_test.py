@@ -59,7 +59,7 @@ class CutOutput(unittest.TestCase):
         self.assertEqual(sorted(part["copies"] for part in parts.values()), [1, 1, 2])
         pair = next(part for part in parts.values() if part["copies"] == 2)
         self.assertEqual((pair["pierces"], round(pair["area_mm2"])), (4, 2174))
-        self.assertAlmostEqual(pair["cost"], 2 * pair["cost_each"])
+        self.assertAlmostEqual(pair["cost"], 2 * pair["cost_each"], 4)
         self.assertAlmostEqual(sum(part["time_s"] for part in parts.values()), report["job_time_s"], 3)
         self.assertAlmostEqual(report["cost"]["total"], report["job_time_s"] / 60 + 10, 3)
         self.assertAlmostEqual(sum(part["cost"] for part in parts.values()), report["cost"]["total"], 3)
