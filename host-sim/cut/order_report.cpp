@@ -32,8 +32,11 @@ std::vector<std::string> lines_of(const OrderFigures& order, std::size_t cuts) {
       fmt::format("order {}, by {}:", order::name_of(order.wish.method), text_of(order.wish.cost)),
       order.rapids);
   if (order.is_proven) first += "; proven";
-  const double nearest = saving(order.rapids.time_s, order.nearest.time_s);
-  const double file = saving(order.rapids.time_s, order.file.time_s);
+  const auto cost = [&order](const RapidSum& sum) {
+    return order.wish.cost == OrderCost::kLength ? sum.length_mm : sum.time_s;
+  };
+  const double nearest = saving(cost(order.rapids), cost(order.nearest));
+  const double file = saving(cost(order.rapids), cost(order.file));
   return {
       first,
       line("  as drawn, usual starts:", order.file) + fmt::format("; {:.1f} % saved", file),
