@@ -23,24 +23,26 @@ inline constexpr const char* kDecimals = "#####0.000";
 
 // clang-format off
 inline constexpr SettingInfo kBacklash{
-    0, "", "mm", 0.0F, 2.0F, 0.0F, false, SettingGroup::kX, SettingType::kDecimal, kDecimals,
-    "How far the motor turns before the axis follows, when it reverses: it goes so much "
-    "further, in whole steps."};
+    0, SettingGroup::kX, SettingType::kDecimal, "", "mm",
+    0.0F, 2.0F, 0.0F, kDecimals,
+    "How far the motor turns after a reversal until the axis follows. It is driven further by "
+    "this, in whole steps."};
 inline constexpr SettingInfo kTurningBacklash{
-    0, "", "deg", 0.0F, 2.0F, 0.0F, false, SettingGroup::kA, SettingType::kDecimal, kDecimals,
+    0, SettingGroup::kA, SettingType::kDecimal, "", "deg",
+    0.0F, 2.0F, 0.0F, kDecimals,
     kBacklash.help};
 inline constexpr SettingInfo kShaper{
-    0, "", "kind", 0.0F, 4.0F, 0.0F, true, SettingGroup::kX, SettingType::kChoice,
-    "None,ZV,ZVD,MZV,EI",
-    "Input shaper that keeps the axis from swinging; the beam and all axes keep in step with it."};
+    0, SettingGroup::kX, SettingType::kChoice, "", "kind",
+    0.0F, 4.0F, 0.0F, "None,ZV,ZVD,MZV,EI",
+    "Input shaper that keeps the axis from swinging; beam and all axes stay in step."};
 inline constexpr SettingInfo kShaperFrequency{
-    0, "", "Hz", ShaperSetting::kLeastFrequency, ShaperSetting::kMostFrequency, 40.0F, false,
-    SettingGroup::kX, SettingType::kDecimal, kDecimals,
+    0, SettingGroup::kX, SettingType::kDecimal, "", "Hz",
+    ShaperSetting::kLeastFrequency, ShaperSetting::kMostFrequency, 40.0F, kDecimals,
     "At which the axis swings, undamped."};
 inline constexpr SettingInfo kShaperDamping{
-    0, "", "ratio", 0.0F, ShaperSetting::kMostDamping, 0.1F, false,
-    SettingGroup::kX, SettingType::kDecimal, kDecimals,
-    "Damping ratio of the swing: 0 swings for ever, 1 would not swing at all."};
+    0, SettingGroup::kX, SettingType::kDecimal, "", "ratio",
+    0.0F, ShaperSetting::kMostDamping, 0.1F, kDecimals,
+    "Damping ratio of the swing."};
 // clang-format on
 
 }  // namespace cnc::axis_setting

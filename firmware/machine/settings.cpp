@@ -60,7 +60,7 @@ Result<float, SettingError> Settings::set(std::uint16_t number, float value) {
   const SettingInfo& info = setting_table()[index];
   if (!(value >= info.least)) return SettingError::kBelowRange;
   if (value > info.most) return SettingError::kAboveRange;
-  if (info.whole && value != std::floor(value)) return SettingError::kNotWhole;
+  if (info.is_whole() && value != std::floor(value)) return SettingError::kNotWhole;
   sum_ += bits_of(value) - bits_of(values_[index]);
   values_[index] = value;
   ++revision_;

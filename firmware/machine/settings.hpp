@@ -51,16 +51,18 @@ enum class SettingType : std::uint8_t {
 /// One user setting. `number` is what the user writes: `$110=12000`.
 struct SettingInfo {
   std::uint16_t number;
+  SettingGroup group;
+  SettingType type;
   const char* name;
   const char* unit;
   float least;
   float most;
-  float standard;  ///< As delivered.
-  bool whole;      ///< Only whole numbers.
-  SettingGroup group;
-  SettingType type;
+  float standard;      ///< As delivered.
   const char* format;  ///< Of grblHAL's `$ES`; the type determines its meaning.
   const char* help;    ///< One or two sentences for the user that sets it.
+
+  /// Returns whether only whole numbers are values.
+  [[nodiscard]] constexpr bool is_whole() const { return type != SettingType::kDecimal; }
 };
 
 enum class SettingError : std::uint8_t {

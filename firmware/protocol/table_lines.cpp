@@ -11,7 +11,7 @@ namespace {
 constexpr std::uint32_t kDecimals = 3;
 
 void put_value(Reply& reply, const SettingInfo& info, float value) {
-  if (info.whole) {
+  if (info.is_whole()) {
     reply.whole(value);
   } else {
     reply.value(value, kDecimals);

@@ -12,12 +12,12 @@
 #include "firmware/protocol/identity.hpp"
 #include "host-sim/cli/commands.hpp"
 #include "host-sim/cli/cut_options.hpp"
+#include "host-sim/cli/cut_outputs.hpp"
 #include "host-sim/cli/cut_runs.hpp"
 #include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/job_options.hpp"
 #include "host-sim/cut/cut_report.hpp"
 #include "host-sim/cut/kerf_notes.hpp"
-#include "host-sim/plot/cut_picture.hpp"
 #include "host-sim/report/nearest_name.hpp"
 #include "host-sim/report/progress_bar.hpp"
 #include "host-sim/report/report_json.hpp"
@@ -34,10 +34,13 @@ using cut::CutPlan;
 using cut::LayerSettings;
 using drawing::Drawing;
 
-std::vector<cut::LayerRule> rules_of(const CutCommandOptions& options, const Drawing& drawn) {
+std::vector<cut::LayerRule> rules_of(const CutCommandOptions& options,
+                                     const Drawing& drawn,
+                                     InputFiles& inputs) {
   std::vector<cut::LayerRule> rules;
   if (!options.layers_file.empty()) {
-    rules = cut::read_rules(read_text(options.layers_file), options.layers_file);
+    rules =
+        cut::read_rules(inputs.read_and_add("layers", options.layers_file), options.layers_file);
   }
   for (const std::string& text : options.layers) rules.push_back(cut::parse_rule(text, "--layer"));
   for (const cut::LayerRule& rule : rules) {
@@ -60,18 +63,26 @@ std::vector<cut::LayerRule> rules_of(const CutCommandOptions& options, const Dra
   return rules;
 }
 
+cut::Condition condition_of(const CutCommandOptions& options,
+                            const MaterialRecord& record,
+                            const LayerSettings& settings) {
+  const std::uint32_t most = options.full_power_w > 0.0
+                                 ? thousandths_of("--full-power", options.full_power_w, 4.0e6, "W")
+                                 : cnc::kerf::kMostPowerMw;
+  std::optional<std::uint32_t> power;
+  std::optional<std::uint32_t> speed;
+  if (settings.power_w) power = power_option(*settings.power_w);
+  if (settings.feed_mm_min) speed = speed_option(*settings.feed_mm_min);
+  return cut::choose(record, thickness_option(options.thickness_mm), power, speed, most);
+}
+
 /// Names the layer of what is not permissible.
 cut::Condition condition_for(const drawing::Layer& layer,
+                             const CutCommandOptions& options,
                              const MaterialRecord& record,
-                             std::uint32_t thickness,
-                             std::optional<std::uint32_t> power,
-                             std::optional<std::uint32_t> speed,
-                             double full_power_w) {
-  const std::uint32_t most = full_power_w > 0.0
-                                 ? thousandths_of("--full-power", full_power_w, 4.0e6, "W")
-                                 : cnc::kerf::kMostPowerMw;
+                             const LayerSettings& settings) {
   try {
-    return cut::choose(record, thickness, power, speed, most);
+    return condition_of(options, record, settings);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(
         fmt::format("layer \"{}\" {}: {}", layer.name, layer.colour, error.what()));
@@ -81,7 +92,8 @@ cut::Condition condition_for(const drawing::Layer& layer,
 /// Power and feed of each layer; those that are skipped need none.
 std::vector<cut::LayerPlan> layers_of(const CutCommandOptions& options,
                                       const Drawing& drawn,
-                                      const MaterialRecord& record) {
+                                      const MaterialRecord& record,
+                                      InputFiles& inputs) {
   LayerSettings common;
   for (const auto& [key, value] : options.common) {
     try {
@@ -90,21 +102,31 @@ std::vector<cut::LayerPlan> layers_of(const CutCommandOptions& options,
       throw std::invalid_argument(fmt::format("--{}", error.what()));
     }
   }
-  const std::vector<cut::LayerRule> rules = rules_of(options, drawn);
-  const std::uint32_t thickness = thickness_option(options.thickness_mm);
+  const std::vector<cut::LayerRule> rules = rules_of(options, drawn, inputs);
   std::vector<cut::LayerPlan> layers;
   for (const drawing::Layer& layer : drawn.layers) {
     cut::LayerPlan plan{settings_for(layer, common, rules), {}};
     if (plan.settings.side != cut::Side::kSkip) {
-      std::optional<std::uint32_t> power;
-      std::optional<std::uint32_t> speed;
-      if (plan.settings.power_w) power = power_option(*plan.settings.power_w);
-      if (plan.settings.feed_mm_min) speed = speed_option(*plan.settings.feed_mm_min);
-      plan.condition = condition_for(layer, record, thickness, power, speed, options.full_power_w);
+      plan.condition = condition_for(layer, options, record, plan.settings);
     }
     layers.push_back(plan);
   }
   return layers;
+}
+
+/// Plans of the contours for which the shop has rules.
+cut::Recipes recipes_of(const CutCommandOptions& options,
+                        const Drawing& drawn,
+                        const std::vector<cut::LayerPlan>& layers,
+                        const MaterialRecord& record,
+                        InputFiles& inputs) {
+  return apply_rules(
+      shop_rules(options.shop, inputs),
+      drawn,
+      layers,
+      options.thickness_mm,
+      0.01 * options.shop.mark_percent,
+      [&](const LayerSettings& settings) { return condition_of(options, record, settings); });
 }
 
 /// What the importer found wrong, but what the settings of a layer make right.
@@ -131,12 +153,30 @@ void print_faults(const std::vector<drawing::Fault>& faults, const Drawing& draw
   if (drawn.more_faults != 0) terminal::print(stderr, "and {} more faults\n", drawn.more_faults);
 }
 
+void append(std::vector<drawing::Fault>& faults, const std::vector<drawing::Fault>& more) {
+  faults.insert(faults.end(), more.begin(), more.end());
+}
+
+/// Faults for which no cut is planned.
+ExitStatus refuse(const CutCommandOptions& options,
+                  const std::vector<drawing::Fault>& faults,
+                  const Drawing& drawn) {
+  print_faults(faults, drawn);
+  terminal::print(
+      stderr, "kerfline: no program is written; mend the sheet{}\n", stale_note(options.output));
+  return ExitStatus::kFaults;
+}
+
 /// A machine with a laser, and whatever else is said of it.
 std::vector<SettingChange> machine_of(const CutCommandOptions& options) {
   std::vector<SettingChange> settings{parse_setting("$32=1", "laser mode")};
   const auto more = settings_of(options.settings_file, options.set);
   settings.insert(settings.end(), more.begin(), more.end());
   return settings;
+}
+
+bool names_settings(const CutCommandOptions& options) {
+  return !options.settings_file.empty() || !options.set.empty();
 }
 
 cut::Beam beam_of(const CutCommandOptions& options,
@@ -165,7 +205,7 @@ std::string timed_program(const CutCommandOptions& options,
                           CutFigures& figures,
                           ExitStatus& status) {
   const std::string name = options.output.empty() ? "the program" : options.output;
-  const Report report = check_program(job, run, lines_of(job, figures), name);
+  const Report report = check_program(job, run, heading_of(job, figures), name);
   figures.job_time_s = report.job_time_s;
   for (const Fault& fault : report.faults) terminal::print(stderr, "{}\n", to_string(fault));
   if (!report.faults.empty()) {
@@ -175,7 +215,23 @@ std::string timed_program(const CutCommandOptions& options,
         "--settings, or move the drawing\n");
     status = ExitStatus::kFaults;
   }
-  return program_of(job, run, lines_of(job, figures));
+  return program_of(job, run, heading_of(job, figures));
+}
+
+CutPlan safe_plan(const CutCommandOptions& options,
+                  const CutRun& run,
+                  CutPlan plan,
+                  const Drawing& drawn) {
+  cut::SafetyWishes wishes = options.safety;
+  wishes.rates = rapid_rates_of(run.settings);
+  make_safe(plan, drawn, wishes);
+  return plan;
+}
+
+const char* refusal_of(const CutPlan& plan) {
+  if (plan.cuts.empty()) return "nothing is left to cut; no program is written";
+  if (plan.safety.no_way != 0) return "no program is written; its rapids would not be safe";
+  return "no program is written; --anyway cuts what is sound";
 }
 
 /// The wishes of the call, with a progress line while the order is searched.
@@ -193,41 +249,51 @@ cut::OrderWish searched_order(const CutCommandOptions& options) {
 }
 
 ExitStatus cut_drawing(const CutCommandOptions& options) {
-  const Drawing drawn =
-      drawing::read_drawing(options.file, read_text(options.file), options.import);
+  InputFiles inputs{options.output};
+  const CutInput input = read_cut_input(options.file, options.import, inputs);
+  const Drawing& drawn = input.drawn;
+  if (input.is_broken_sheet() && !options.anyway) return refuse(options, drawn.faults, drawn);
+  save_sheet(options.sheet, input);
   const MaterialRecord record = options.record.record();
-  const auto layers = layers_of(options, drawn, record);
-  const std::vector<drawing::Fault> faults = faults_of(drawn, layers);
+  const auto layers = layers_of(options, drawn, record, inputs);
+  cut::Recipes recipes = recipes_of(options, drawn, layers, record, inputs);
+  std::vector<drawing::Fault> faults = place_faults(input, layers, recipes);
+  if (!faults.empty() && !options.anyway) return refuse(options, faults, drawn);
+  append(faults, faults_of(drawn, layers));
   const auto beside = options.kerf_table ? cut::WayBeside::kOnController : cut::WayBeside::kHere;
-  const CutPlan plan = plan_cuts(drawn, layers, options.curves, beside, searched_order(options));
+  const CutRun run{static_cast<std::uint8_t>(options.decimals), machine_of(options)};
+  inputs.add(digest_of(record));
+  inputs.add(settings_digest(settings_of(run), names_settings(options)));
+  const CutPlan plan = safe_plan(
+      options,
+      run,
+      plan_cuts(drawn, layers, options.curves, beside, std::move(recipes), searched_order(options)),
+      drawn);
   print_faults(faults, drawn);
   print_faults(plan.faults, drawn);
   print_faults(plan.warnings, drawn);
   const bool sound = faults.empty() && plan.faults.empty();
-  const CutRun run{static_cast<std::uint8_t>(options.decimals), machine_of(options)};
   const CutJob job{drawn,
                    plan,
                    record,
                    beam_of(options, run.settings, record),
                    options.laser,
-                   kerf_notes(record, options.laser, options.record.records(), plan.layers)};
+                   kerf_notes(record, options.laser, options.record.records(), plan.layers),
+                   inputs.digests()};
   for (const std::string& note : job.notes)
     terminal::print(stderr, "kerfline: warning: {}\n", note);
   CutFigures figures = figures_of(plan);
-  const auto draw = [&](const cut::EdgeFigures* edges) {
-    if (!options.svg.empty()) write_file(options.svg, draw_cuts(drawn, plan, drawn.file, edges));
-  };
-  draw(nullptr);
-  if (plan.cuts.empty() || (!sound && !options.anyway)) {
-    terminal::print(stderr,
-                    "kerfline: {}{}\n",
-                    plan.cuts.empty() ? "nothing is left to cut; no program is written"
-                                      : "no program is written; --anyway cuts what is sound",
-                    stale_note(options.output));
+  const cut::Timeline timeline = predicted_timeline(plan, run.settings);
+  write_pictures(options.outputs, job, timeline, nullptr);
+  if (plan.cuts.empty() || plan.safety.no_way != 0 || (!sound && !options.anyway)) {
+    terminal::print(stderr, "kerfline: {}{}\n", refusal_of(plan), stale_note(options.output));
     return ExitStatus::kFaults;
   }
   ExitStatus status = sound ? ExitStatus::kFine : ExitStatus::kFaults;
-  const std::string program = timed_program(options, job, run, figures, status);
+  ExitStatus taken = ExitStatus::kFine;
+  const std::string program = timed_program(options, job, run, figures, taken);
+  if (taken != ExitStatus::kFine) status = taken;
+  const double job_time_s = taken == ExitStatus::kFine ? figures.job_time_s : 0.0;
   std::FILE* const told = options.output.empty() ? stderr : stdout;
   for (const std::string& line : lines_of(job, figures)) terminal::print(told, "{}\n", line);
   if (options.output.empty()) {
@@ -235,12 +301,14 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
   } else {
     write_file(options.output, program);
   }
+  write_frame(options.frame, job, run);
   nlohmann::ordered_json report = json_of(job, figures);
+  account_for(options.outputs, job, timeline, job_time_s, told, report);
   report["version"] = cnc::identity::version();
   if (options.check) {
     EdgeChecks checks = check_edges(job, run, told);
     report["edges"] = std::move(checks.rows);
-    draw(&checks.first);
+    write_pictures(options.outputs, job, timeline, &checks.first);
   }
   if (!options.report.empty()) {
     write_file(options.report, dumped(std::move(report)) + "\n");

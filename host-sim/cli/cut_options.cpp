@@ -21,6 +21,11 @@ constexpr const char* kCutFooter =
     "With --kerf-table the program has the drawn outlines and M190, and the controller goes by\n"
     "its own table, its $PC and $860; tabs, corner loops and dwells keep a contour from it.\n"
     "--layers FILE has one such text to a line.\n"
+    "--rule 'hole diameter < thickness: feed=60%' is for all contours of which that holds: hole,\n"
+    "outer or open, and diameter, perimeter, area (mm2) or thickness against a number or the\n"
+    "thickness, with `and` between several; then skip, mark or settings as of a layer, feed and\n"
+    "power also in % of the layer's. The diameter of what is no circle is that of the smallest\n"
+    "circle around it; mark engraves the line. Later rules go before earlier ones.\n"
     "\n"
     "Example:\n"
     "  kerfline cut part.dxf --material 'CSP 1N' --thickness 2 --lead-in arc:3 -o part.nc "
@@ -55,9 +60,10 @@ void add_common_options(CLI::App& command, const std::shared_ptr<CutCommandOptio
 
 void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>& options) {
   command.footer(kCutFooter);
-  mark_file(command.add_option("DRAWING", options->file, "SVG, DXF or JSON; - is standard input")
-                ->required(),
-            FileRole::kInput);
+  mark_file(
+      command.add_option("DRAWING", options->file, "SVG, DXF, JSON or sheet; - is standard input")
+          ->required(),
+      FileRole::kInput);
   options->record.add_to(command);
   command.get_option("--material")->required();
   command.add_option("--thickness", options->thickness_mm, "mm")
@@ -95,6 +101,7 @@ void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>
       ->check(in_range(drawing::kLeastGapMm, drawing::kGreatestGapMm, "mm"))
       ->capture_default_str();
   add_outline_options(command, options->curves);
+  add_cut_safety_options(command, options);
   command.add_flag("--anyway", options->anyway, "Cut what is sound of a drawing with faults");
   command.add_flag("--check", options->check, "Drive it and measure how well the parts fit");
   command.add_option("--decimals", options->decimals, "Of places, mm")
@@ -104,9 +111,12 @@ void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>
   command.add_option("--set", options->set, "One setting of the machine; may be repeated")
       ->type_name("$N=V")
       ->allow_extra_args(false);
+  add_cut_sheet_options(command, options->sheet);
+  add_cut_rule_options(command, options->shop);
+  add_cut_frame_options(command, options->frame);
   add_file(FileRole::kOutput, "-o,--output", options->output, "The program; else standard output");
-  add_file(FileRole::kOutput, "--svg", options->svg, "Draw parts, path and kerf");
   add_file(FileRole::kOutput, "--report", options->report, "Write the report as JSON");
+  add_cut_output_options(command, options->outputs);
 }
 
 }  // namespace sim

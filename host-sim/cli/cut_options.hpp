@@ -6,7 +6,12 @@
 #include <utility>
 #include <vector>
 
+#include "host-sim/cli/cut_frame_options.hpp"
 #include "host-sim/cli/cut_order_options.hpp"
+#include "host-sim/cli/cut_output_options.hpp"
+#include "host-sim/cli/cut_rule_options.hpp"
+#include "host-sim/cli/cut_safety_options.hpp"
+#include "host-sim/cli/cut_sheet_options.hpp"
 #include "host-sim/cli/kerf_options.hpp"
 #include "host-sim/cli/outline_options.hpp"
 #include "host-sim/import/drawing.hpp"
@@ -32,14 +37,18 @@ struct CutCommandOptions {
   double full_power_w = 0.0;  ///< 0: the greatest of the record.
   bool constant_power = false;
   std::optional<unsigned> kerf_table{};  ///< The controller finds the way beside parts.
+  cut::SafetyWishes safety{};
   bool anyway = false;
   bool check = false;
   unsigned decimals = 4;
   std::string settings_file;
   std::vector<std::string> set;
+  CutSheetOptions sheet;
+  CutRuleOptions shop;
+  CutFrameOptions frame;
   std::string output;
-  std::string svg;
   std::string report;
+  CutOutputOptions outputs;
 };
 
 /// Adds all options and the text below them.

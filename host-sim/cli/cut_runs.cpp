@@ -89,6 +89,12 @@ Report check_program(const CutJob& job,
   return report;
 }
 
+cnc::Settings settings_of(const CutRun& run) {
+  Simulator simulator{{}, {.machine = {.has_switches = false}}};
+  apply_settings(run.settings, simulator.machine());
+  return simulator.settings();
+}
+
 EdgeChecks check_edges(const CutJob& job, const CutRun& run, std::FILE* told) {
   EdgeChecks checks{.rows = nlohmann::ordered_json::object()};
   for (const EdgeVariant& variant : job.beam.kerf_table ? kBesideOnController : kBesideHere) {

@@ -31,6 +31,9 @@ struct CutRun {
                                    const std::vector<std::string>& heading,
                                    const std::string& name);
 
+/// Returns the settings of the machine that programs of the run are made for.
+[[nodiscard]] cnc::Settings settings_of(const CutRun& run);
+
 /// The edges of a job, for programs, and those of its first way to be driven.
 struct EdgeChecks {
   nlohmann::ordered_json rows{};

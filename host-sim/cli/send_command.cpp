@@ -12,6 +12,7 @@
 #include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/transfer.hpp"
 #include "host-sim/cli/value_range.hpp"
+#include "host-sim/job/program_digest.hpp"
 #include "host-sim/job/program_judge.hpp"
 #include "host-sim/job/program_text.hpp"
 #include "host-sim/report/terminal.hpp"
@@ -175,6 +176,15 @@ ExitStatus refuse(const SendCommandOptions& options, std::string_view remedy) {
   return ExitStatus::kFaults;
 }
 
+void warn_of_stale_inputs(const SendCommandOptions& options,
+                          std::string_view program,
+                          const Standpoint& standpoint) {
+  for (const std::string& text :
+       stale_inputs(program, folder_of(options.file), DigestFiles::kAny, &standpoint.settings)) {
+    terminal::print(stderr, "{}: warning: {}\n", options.file, text);
+  }
+}
+
 /// The same judgement as the page's: lines that the controller would refuse, and the travel.
 ExitStatus judge(const SendCommandOptions& options,
                  const ProgramText& program,
@@ -200,6 +210,7 @@ ExitStatus send_job(const SendCommandOptions& options, Line& line, std::string f
   const bool numbered = options.numbered || options.resume || options.send.checked;
   JobPart job{.lines = std::make_shared<const JobLines>(read_job(program.text, numbered))};
   if (job.empty()) throw std::invalid_argument(options.file + ": has no line to send");
+  warn_of_stale_inputs(options, program.text, standpoint);
   if (options.resume) job.first = interrupted_at(*job.lines, answers.standing);
   if (options.from_line != 0) job.first = index_of(*job.lines, options);
   if (const ExitStatus judged = judge(options, program, standpoint); judged != ExitStatus::kFine) {

@@ -5,7 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
+#include "host-sim/cut/cut_name.hpp"
+#include "host-sim/cut/rapid_way.hpp"
 #include "host-sim/knowledge/experiment.hpp"
 #include "planner/gcode/program_writer.hpp"
 
@@ -16,17 +20,6 @@ using cnc::gcode::ProgramWriter;
 using cnc::gcode::WriterError;
 using Written = cnc::Result<std::string_view, WriterError>;
 
-/// Printable ASCII without what ends a comment or acts at once on the wire.
-std::string comment(const std::string& text) {
-  std::string line = "(";
-  for (const char c : text) {
-    const bool printable = c >= ' ' && c <= '~';
-    const bool acts = c == '(' || c == ')' || c == '!' || c == '?' || c == '~' || c == '%';
-    line += printable && !acts ? c : '_';
-  }
-  return line + ")\n";
-}
-
 /// Writes the strokes of cuts one after the other.
 class StrokeWriter {
  public:
@@ -35,9 +28,24 @@ class StrokeWriter {
 
   void go_to(const Place& place) { take(writer_.rapid(place), place); }
 
+  /// Writes the rapid before a cut, or after the last one; lifted it goes straight, and Z is at 0
+  /// where the beam cuts.
+  void go_along(const std::vector<Place>& way, double lift_mm) {
+    const std::string before = std::exchange(text_, {});
+    for (std::size_t i = 1; i < way.size(); ++i) go_to(way[i]);
+    if (lift_mm > 0.0 && !text_.empty()) text_ = fmt::format("G0 Z{:g}\n{}Z0\n", lift_mm, text_);
+    text_ = before + text_;
+  }
+
+  /// M5, as M3 may keep a beam on at rest.
+  void wait(double seconds) {
+    if (seconds <= 0.0) return;
+    text_ += fmt::format("M5\nG4 P{:.3f}\n{}\n", seconds, beam_.follows_speed ? "M4" : "M3");
+  }
+
   void write(const Cut& cut, const LayerPlan& layer) {
+    wait(cut.wait_s);
     if (beam_.kerf_table && !cut.programmed.empty()) return write_for_controller(cut, layer);
-    go_to(cut.start());
     for (const Stroke& stroke : cut.strokes) {
       const bool pierces = stroke.purpose == Purpose::kPierce;
       writer_.set_feed(pierces ? pierce_feed(stroke, layer) : layer.condition.cut.speed_um_min);
@@ -51,7 +59,6 @@ class StrokeWriter {
   void write_for_controller(const Cut& cut, const LayerPlan& layer) {
     const std::uint32_t feed = layer.condition.cut.speed_um_min;
     const std::uint32_t power = power_of(layer.condition);
-    go_to(cut.programmed.front().from);
     for (const Stroke& stroke : cut.programmed) {
       const bool pierces = stroke.purpose == Purpose::kPierce;
       if (stroke.purpose == Purpose::kLeadIn) {
@@ -121,11 +128,22 @@ class StrokeWriter {
 };
 
 std::string_view kind_of(const Cut& cut, const LayerPlan& layer) {
+  if (cut.is_slice) return "waste";
   if (layer.settings.side == Side::kOn) return "on the line";
   return cut.is_hole ? "hole" : "outer";
 }
 
 }  // namespace
+
+std::string comment_line(const std::string& text) {
+  std::string line = "(";
+  for (const char c : text) {
+    const bool printable = c >= ' ' && c <= '~';
+    const bool acts = c == '(' || c == ')' || c == '!' || c == '?' || c == '~' || c == '%';
+    line += printable && !acts ? c : '_';
+  }
+  return line + ")\n";
+}
 
 std::string program_of(const CutPlan& plan,
                        const drawing::Drawing& drawn,
@@ -133,11 +151,11 @@ std::string program_of(const CutPlan& plan,
                        cnc::gcode::PrintGrid grid,
                        const std::vector<std::string>& heading) {
   std::string text;
-  for (const std::string& line : heading) text += comment(line);
+  for (const std::string& line : heading) text += comment_line(line);
   text += "G21 G90 G17 G94 G54\n";
   if (beam.kerf_table && !plan.cuts.empty()) {
     // One sheet has one thickness.
-    const Condition& any = plan.layers[plan.cuts.front().layer].condition;
+    const Condition& any = plan.plan_of(plan.cuts.front()).condition;
     text +=
         fmt::format("M190 P{} Q{:g}\n", *beam.kerf_table, from_thousandths(any.cut.thickness_um));
   }
@@ -145,13 +163,14 @@ std::string program_of(const CutPlan& plan,
   StrokeWriter writer{beam, grid};
   for (std::size_t i = 0; i < plan.cuts.size(); ++i) {
     const Cut& cut = plan.cuts[i];
-    const LayerPlan& layer = plan.layers[cut.layer];
-    text += comment(fmt::format(
-        "{}: {}, {}", i + 1, kind_of(cut, layer), drawn.contours[cut.contour].entity.name));
+    const LayerPlan& layer = plan.plan_of(cut);
+    text += comment_line(
+        fmt::format("{}: {}, {}", i + 1, kind_of(cut, layer), entity_of(cut, drawn).name));
+    writer.go_along(rapid_before(plan, i), cut.lift_mm);
     writer.write(cut, layer);
     text += writer.take_text();
   }
-  writer.go_to(plan.order.wish.to);
+  writer.go_along(rapid_before(plan, plan.cuts.size()), plan.lift_home_mm);
   return text + "M5\nM9\n" + writer.take_text() + "M2\n";
 }
 

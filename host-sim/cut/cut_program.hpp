@@ -18,6 +18,10 @@ struct Beam {
   std::optional<unsigned> kerf_table{};
 };
 
+/// A text as a line of comment: printable ASCII without what ends a comment or acts at once on the
+/// wire, which becomes `_`.
+[[nodiscard]] std::string comment_line(const std::string& text);
+
 /// A plan as G-code: one M4 or M3, a rapid to each cut, and no word that changes nothing.
 /// Throws std::invalid_argument naming what the laser or the numbers of a line cannot.
 /// @param heading lines of comment at the top; what G-code could not carry is left out of them

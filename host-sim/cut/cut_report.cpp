@@ -11,6 +11,8 @@
 
 #include "host-sim/cut/kerf_notes.hpp"
 #include "host-sim/cut/order_report.hpp"
+#include "host-sim/cut/rapid_way.hpp"
+#include "host-sim/cut/safety.hpp"
 #include "host-sim/knowledge/experiment.hpp"
 #include "host-sim/report/duration_text.hpp"
 
@@ -54,10 +56,33 @@ Json json_of(const LayerPlan& layer, const drawing::Layer& drawn) {
   return row;
 }
 
+Json json_of(const Recipes& recipes, const drawing::Drawing& drawn) {
+  Json rows = Json::array();
+  for (const AppliedRule& applied : recipes.applied) {
+    Json row{{"rule", applied.rule.text}, {"place", applied.rule.place}};
+    row["contours"] = Json::array();
+    for (const std::size_t contour : applied.contours) {
+      row["contours"].push_back(drawn.contours[contour].entity.name);
+    }
+    rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+Json json_of(const std::vector<ProgramDigest>& digests) {
+  Json rows = Json::array();
+  for (const ProgramDigest& digest : digests) {
+    rows.push_back({{"kind", digest.kind}, {"digest", digest.digest}, {"name", digest.name}});
+  }
+  return rows;
+}
+
 /// Curves of the drawing that are cut as arcs.
 std::size_t curves_of(const CutJob& job) {
   std::set<std::size_t> contours;
-  for (const Cut& cut : job.plan.cuts) contours.insert(cut.contour);
+  for (const Cut& cut : job.plan.cuts) {
+    if (!cut.is_slice) contours.insert(cut.contour);
+  }
   std::size_t curves = 0;
   for (const std::size_t contour : contours) {
     const auto& shapes = job.drawn.contours[contour].shapes;
@@ -95,13 +120,13 @@ std::string line_of_corners(const CutFigures& figures) {
 }  // namespace
 
 CutFigures figures_of(const CutPlan& plan) {
-  CutFigures figures{.cuts = plan.cuts.size(), .rapid_length_mm = plan.order.rapids.length_mm};
+  CutFigures figures{.cuts = plan.cuts.size(), .rapid_length_mm = rapid_length(plan)};
   for (const Cut& cut : plan.cuts) {
     for (const Stroke& stroke : cut.strokes) {
       ++(stroke.bulge == 0.0 ? figures.lines : figures.arcs);
       if (stroke.purpose != Purpose::kTab) figures.cut_length_mm += length_of(stroke);
     }
-    add_corners(cut, plan.layers[cut.layer], figures);
+    add_corners(cut, plan.plan_of(cut), figures);
   }
   return figures;
 }
@@ -123,6 +148,9 @@ std::vector<std::string> lines_of(const CutJob& job, const CutFigures& figures) 
                     condition.kerf_mm));
   }
   constexpr std::size_t kLineWidth = 76;
+  for (const std::string& rule : lines_of(job.plan.recipes)) {
+    for (const std::string& line : wrapped(rule, kLineWidth)) lines.push_back(line);
+  }
   for (const std::string& note : job.notes) {
     for (const std::string& line : wrapped("warning: " + note, kLineWidth)) lines.push_back(line);
   }
@@ -140,6 +168,7 @@ std::vector<std::string> lines_of(const CutJob& job, const CutFigures& figures) 
   if (figures.corner_loops + figures.corner_dwells != 0) {
     lines.push_back(line_of_corners(figures));
   }
+  for (const std::string& line : lines_of(job.plan.safety)) lines.push_back(line);
   lines.push_back(fmt::format("{} cuts, {} lines, {} arcs; {:.1f} mm cut, {:.1f} mm rapid; {}",
                               figures.cuts,
                               figures.lines,
@@ -150,6 +179,12 @@ std::vector<std::string> lines_of(const CutJob& job, const CutFigures& figures) 
   for (std::string& line : lines_of(job.plan.order, figures.cuts)) {
     lines.push_back(std::move(line));
   }
+  return lines;
+}
+
+std::vector<std::string> heading_of(const CutJob& job, const CutFigures& figures) {
+  std::vector<std::string> lines = lines_of(job, figures);
+  for (const ProgramDigest& digest : job.digests) lines.push_back(text_of(digest));
   return lines;
 }
 
@@ -183,7 +218,10 @@ Json json_of(const CutJob& job, const CutFigures& figures) {
                      {"loops_longer_mm", figures.corner_loop_mm},
                      {"dwells", figures.corner_dwells},
                      {"dwells_s", figures.corner_dwell_s}};
+  if (job.plan.safety.is_asked()) json["safety"] = json_of(job.plan.safety);
   json["job_time_s"] = figures.job_time_s;
+  json["rules"] = json_of(job.plan.recipes, job.drawn);
+  json["digests"] = json_of(job.digests);
   json["order"] = json_of(job.plan.order, figures.cuts);
   json["warnings"] = json_of(job.plan.warnings, job.drawn.file);
   json["faults"] = json_of(job.plan.faults, job.drawn.file);

@@ -5,6 +5,7 @@
 
 #include "host-sim/cut/cut_program.hpp"
 #include "host-sim/cut/plan.hpp"
+#include "host-sim/job/program_digest.hpp"
 
 namespace sim::cut {
 
@@ -31,13 +32,17 @@ struct CutJob {
   const CutPlan& plan;
   const MaterialRecord& record;
   Beam beam;
-  std::string laser{};               ///< Name of this machine's; empty: not named.
-  std::vector<std::string> notes{};  ///< Of the kerf; see kerf_notes().
+  std::string laser{};                   ///< Name of this machine's; empty: not named.
+  std::vector<std::string> notes{};      ///< Of the kerf; see kerf_notes().
+  std::vector<ProgramDigest> digests{};  ///< Of what it was made from.
 };
 
 /// Material, conditions of each layer that is cut, notes, and figures: the heading of the program,
 /// and what people are told.
 [[nodiscard]] std::vector<std::string> lines_of(const CutJob& job, const CutFigures& figures);
+
+/// The heading of a program: these lines, and the digests.
+[[nodiscard]] std::vector<std::string> heading_of(const CutJob& job, const CutFigures& figures);
 
 /// The same for programs, with faults and warnings.
 [[nodiscard]] nlohmann::ordered_json json_of(const CutJob& job, const CutFigures& figures);

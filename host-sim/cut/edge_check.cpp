@@ -111,7 +111,7 @@ class EdgeCheck::Sweep final : public TraceSink {
   void sweep(const Place& here) {
     if (pierces_.nearest(here).distance_mm < kAroundPierce) return;
     const Clearance::Nearest nearest = strokes_.nearest(here);
-    const LayerPlan& layer = job_.plan.layers[nearest.owner];
+    const LayerPlan& layer = job_.plan.plan_of(job_.plan.cuts[nearest.owner]);
     const double radius = 0.5 * kerf_at(layer);
     swept_.add(here, radius);
     // All edges around, also where this beam was too narrow to come to them.
@@ -166,12 +166,13 @@ class EdgeCheck::Sweep final : public TraceSink {
 
   /// The kerf of the plan along its lit strokes.
   void lay_out_plan() {
-    for (const Cut& cut : job_.plan.cuts) {
-      const double radius = 0.5 * job_.plan.layers[cut.layer].condition.kerf_mm;
-      for (const Place& corner : cut.corners) corners_.add({corner, corner}, cut.layer);
+    for (std::size_t index = 0; index < job_.plan.cuts.size(); ++index) {
+      const Cut& cut = job_.plan.cuts[index];
+      const double radius = 0.5 * job_.plan.plan_of(cut).condition.kerf_mm;
+      for (const Place& corner : cut.corners) corners_.add({corner, corner}, index);
       for (const Stroke& stroke : cut.strokes) {
-        strokes_.add(stroke, cut.layer);
-        if (stroke.purpose == Purpose::kPierce) pierces_.add(stroke, cut.layer);
+        strokes_.add(stroke, index);
+        if (stroke.purpose == Purpose::kPierce) pierces_.add(stroke, index);
         if (stroke.purpose == Purpose::kTab) continue;
         const int count = 1 + static_cast<int>(length_of(stroke) / kDiscEvery);
         for (int i = 0; i <= count; ++i) {
@@ -181,7 +182,7 @@ class EdgeCheck::Sweep final : public TraceSink {
     }
     for (const Cut& cut : job_.plan.cuts) {
       for (const Stroke& stroke : cut.programmed) {
-        if (stroke.purpose == Purpose::kPierce) pierces_.add(stroke, cut.layer);
+        if (stroke.purpose == Purpose::kPierce) pierces_.add(stroke, cut.contour);
       }
     }
     strokes_.prepare();
@@ -261,8 +262,10 @@ EdgeFigures EdgeCheck::Sweep::figures() const {
   Sum sum{{.least_heat_ratio = least_ratio_,
            .greatest_heat_ratio = greatest_ratio_,
            .greatest_corner_ratio = corner_ratio_}};
-  for (const drawing::DrawnContour& contour : job_.drawn.contours) {
-    if (job_.plan.layers[contour.entity.layer].settings.side != Side::kWaste) continue;
+  for (std::size_t i = 0; i < job_.drawn.contours.size(); ++i) {
+    const drawing::DrawnContour& contour = job_.drawn.contours[i];
+    const LayerPlan& layer = job_.plan.layers[contour.entity.layer];
+    if (job_.plan.recipes.of(i, layer).settings.side != Side::kWaste) continue;
     for (const drawing::Shape& edge : contour.shapes) look(edge, sum);
   }
   if (sum.figures.places != 0) {

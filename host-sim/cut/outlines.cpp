@@ -35,7 +35,7 @@ std::vector<Outline> outlines_of(const drawing::Drawing& drawn,
   std::vector<Outline> outlines(drawn.contours.size());
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     const DrawnContour& contour = drawn.contours[i];
-    const Side side = sides[contour.entity.layer];
+    const Side side = sides[i];
     if (side == Side::kSkip || side == Side::kStart) continue;
     // Open ones are among the drawing's own faults.
     if (!contour.closed && side == Side::kWaste) continue;

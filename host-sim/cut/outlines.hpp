@@ -21,7 +21,7 @@ struct Outline {
 
 /// Returns an outline for each contour of the drawing. Contours that are not cut beside their line
 /// are no parts, and nothing is a hole in them.
-/// @param sides by layer
+/// @param sides by contour
 /// @param faults receives the contours that no arcs follow
 [[nodiscard]] std::vector<Outline> outlines_of(const drawing::Drawing& drawn,
                                                const std::vector<Side>& sides,

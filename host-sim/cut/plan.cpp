@@ -29,16 +29,11 @@ void append(std::vector<drawing::Fault>& faults, const std::vector<drawing::Faul
   faults.insert(faults.end(), more.begin(), more.end());
 }
 
-double widest_kerf(const std::vector<LayerPlan>& layers) {
+double widest_kerf(const std::vector<LayerPlan>& layers, const Recipes& recipes) {
   double widest = 1.0e-3;
   for (const LayerPlan& layer : layers) widest = std::max(widest, layer.condition.kerf_mm);
+  for (const LayerPlan& plan : recipes.plans) widest = std::max(widest, plan.condition.kerf_mm);
   return widest;
-}
-
-std::vector<Side> sides_of(const std::vector<LayerPlan>& layers) {
-  std::vector<Side> sides;
-  for (const LayerPlan& layer : layers) sides.push_back(layer.settings.side);
-  return sides;
 }
 
 /// Makes the plan of one drawing: first what is cut, then in which order and from where on.
@@ -48,18 +43,23 @@ class Planner {
           std::vector<LayerPlan> layers,
           const OutlineOptions& curves,
           WayBeside beside,
+          Recipes recipes,
           const OrderWish& order)
       : drawn_{drawn},
         beside_{beside},
         wish_{order},
-        reach_mm_{2.0 * widest_kerf(layers)},
+        reach_mm_{2.0 * widest_kerf(layers, recipes)},
         edges_{reach_mm_} {
     plan_.layers = std::move(layers);
+    plan_.recipes = std::move(recipes);
     plan_.curves = curves;
   }
 
   CutPlan make() {
-    const std::vector<Side> sides = sides_of(plan_.layers);
+    std::vector<Side> sides;
+    for (std::size_t i = 0; i < drawn_.contours.size(); ++i) {
+      sides.push_back(layer_of(i).settings.side);
+    }
     outlines_ = outlines_of(drawn_, sides, plan_.curves, plan_.faults);
     marks_ = marked_starts(drawn_, sides, outlines_, plan_.curves, plan_.faults);
     for (std::size_t i = 0; i < outlines_.size(); ++i) {
@@ -80,7 +80,7 @@ class Planner {
 
  private:
   [[nodiscard]] const LayerPlan& layer_of(std::size_t contour) const {
-    return plan_.layers[drawn_.contours[contour].entity.layer];
+    return plan_.recipes.of(contour, plan_.layers[drawn_.contours[contour].entity.layer]);
   }
   [[nodiscard]] double half_kerf(std::size_t contour) const {
     return 0.5 * layer_of(contour).condition.kerf_mm;
@@ -297,7 +297,7 @@ void Planner::put_in_order() {
     if (beside_ == WayBeside::kOnController && outlines_[cut.contour].is_beside) {
       leave_to_controller(cut, ordered.cut);
     }
-    plan_.order.strokes_s += predicted_time(cut.strokes, plan_.layers[cut.layer], wish_);
+    plan_.order.strokes_s += predicted_time(cut.strokes, plan_.plan_of(cut), wish_);
     for (std::size_t& before : cut.after) {
       before = number[before];
       CNC_ASSERT(before + 1 < cuts.size());
@@ -349,9 +349,10 @@ CutPlan plan_cuts(const drawing::Drawing& drawn,
                   std::vector<LayerPlan> layers,
                   const OutlineOptions& curves,
                   WayBeside beside,
+                  Recipes recipes,
                   const OrderWish& order) {
   CNC_ASSERT(layers.size() == drawn.layers.size());
-  return Planner{drawn, std::move(layers), curves, beside, order}.make();
+  return Planner{drawn, std::move(layers), curves, beside, std::move(recipes), order}.make();
 }
 
 }  // namespace sim::cut

@@ -6,20 +6,14 @@
 #include <vector>
 
 #include "host-sim/contour/outline.hpp"
-#include "host-sim/cut/condition.hpp"
-#include "host-sim/cut/layer_settings.hpp"
 #include "host-sim/cut/order_choice.hpp"
 #include "host-sim/cut/order_wish.hpp"
+#include "host-sim/cut/recipe.hpp"
+#include "host-sim/cut/safety_figures.hpp"
 #include "host-sim/cut/stroke.hpp"
 #include "host-sim/import/drawing.hpp"
 
 namespace sim::cut {
-
-/// How the contours of one layer are cut, with power and speed chosen.
-struct LayerPlan {
-  LayerSettings settings;
-  Condition condition;
-};
 
 /// Who moves the beam half a kerf aside.
 enum class WayBeside : std::uint8_t {
@@ -27,9 +21,12 @@ enum class WayBeside : std::uint8_t {
   kOnController,  ///< It has the drawn outline, and G42 by the kerf of the material.
 };
 
+/// Number of a cut's contour where it has none.
+inline constexpr std::size_t kNoContour = SIZE_MAX;
+
 /// One pierce and what is cut from it on.
 struct Cut {
-  std::size_t contour = 0;  ///< Of the drawing.
+  std::size_t contour = 0;  ///< Of the drawing; kNoContour of a slice.
   std::size_t layer = 0;    ///< Of the drawing, and of the plan.
   bool is_hole = false;
   double area_mm2 = 0.0;  ///< Enclosed by the beam's path; 0 of an open line.
@@ -41,6 +38,11 @@ struct Cut {
   std::vector<Place> corners{};
   /// Cuts that must come before: what lies in a part is cut while the part holds still.
   std::vector<std::size_t> after{};
+  /// Corners of the rapid to the start, between its ends; none where it is straight.
+  std::vector<Place> approach{};
+  double lift_mm = 0.0;   ///< Height of Z during the rapid to the start; 0: not lifted.
+  bool is_slice = false;  ///< Of the waste: no contour of the drawing.
+  double wait_s = 0.0;    ///< The beam rests off before the pierce, until the sheet is cooler.
 
   [[nodiscard]] const Place& start() const { return strokes.front().from; }
   [[nodiscard]] const Place& end() const { return strokes.back().to; }
@@ -61,11 +63,20 @@ struct OrderFigures {
 /// What is to be cut, in order, and what of the drawing cannot be.
 struct CutPlan {
   std::vector<LayerPlan> layers;
+  Recipes recipes{};  ///< Of contours that rules treat otherwise than their layers.
   std::vector<Cut> cuts;
   std::vector<drawing::Fault> faults;    ///< What is not cut as drawn.
   std::vector<drawing::Fault> warnings;  ///< What is, and should be known.
   OutlineOptions curves;                 ///< How the drawing's curves became arcs.
+  std::vector<Place> way_home{};         ///< Corners of the rapid after the last cut.
+  double lift_home_mm = 0.0;             ///< Height of Z during that rapid; 0: not lifted.
+  SafetyFigures safety{};                ///< What was done so that the order is safe.
   OrderFigures order{};
+
+  /// Returns how a cut is made: by the rules for its contour, else as its layer.
+  [[nodiscard]] const LayerPlan& plan_of(const Cut& cut) const {
+    return recipes.of(cut.contour, layers[cut.layer]);
+  }
 };
 
 /// The closed contours of each layer, cut half a kerf beside the line, on the waste side, with
@@ -76,12 +87,14 @@ struct CutPlan {
 /// @param layers one for each layer of the drawing
 /// @param beside on the controller, what is cut beside the line has `programmed`, too; warnings
 /// tell of which has not
+/// @param recipes plans of single contours, which replace those of their layers
 /// @param order how order and beginnings are chosen; throws as choose_order() does
 /// @pre the tolerance of `curves` within its limits
 [[nodiscard]] CutPlan plan_cuts(const drawing::Drawing& drawn,
                                 std::vector<LayerPlan> layers,
                                 const OutlineOptions& curves = {},
                                 WayBeside beside = WayBeside::kHere,
+                                Recipes recipes = {},
                                 const OrderWish& order = {});
 
 }  // namespace sim::cut

@@ -76,8 +76,9 @@ std::vector<std::optional<Place>> marked_starts(const drawing::Drawing& drawn,
     for (const Stroke& stroke : outlines[i].strokes) contours.add(stroke, i);
   }
   contours.prepare();
-  for (const drawing::DrawnContour& mark : drawn.contours) {
-    if (sides[mark.entity.layer] != Side::kStart) continue;
+  for (std::size_t i = 0; i < drawn.contours.size(); ++i) {
+    if (sides[i] != Side::kStart) continue;
+    const drawing::DrawnContour& mark = drawn.contours[i];
     const DrawnStrokes strokes = strokes_of(mark, curves);
     if (strokes.fault || strokes.strokes.empty()) continue;
     const Place place = middle_of(strokes.strokes);

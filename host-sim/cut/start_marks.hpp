@@ -11,7 +11,7 @@ namespace sim::cut {
 
 /// Returns, for each contour of the drawing, where the user has marked its start: the middle of a
 /// small circle or a short line on a layer with side=start that lies nearest to it.
-/// @param sides by layer
+/// @param sides by contour
 /// @param faults receives marks that are far from all contours or share one with another mark
 [[nodiscard]] std::vector<std::optional<Place>> marked_starts(const drawing::Drawing& drawn,
                                                               const std::vector<Side>& sides,

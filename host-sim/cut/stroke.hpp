@@ -21,6 +21,8 @@ enum class Purpose : std::uint8_t {
   kOvercut,     ///< Once more along where the contour began.
   kLeadOut,     ///< From the contour into the waste.
   kCornerLoop,  ///< Past a corner of the part into the waste, and back to its next edge.
+  kLink,        ///< Through the waste from the end of the cut before, instead of a pierce.
+  kSlice,       ///< Across the waste between parts, which makes pieces of it.
 };
 
 /// A line or arc that the beam is driven along; bulge = tan(sweep / 4), positive to the left,

@@ -73,9 +73,19 @@ struct DrawnContour {
   [[nodiscard]] bool is_hole() const { return depth % 2 == 1; }
 };
 
+/// The stock that a sheet file describes; its corner is the origin.
+struct Stock {
+  double width_mm = 0.0;
+  double height_mm = 0.0;
+  double margin_mm = 0.0;       ///< Along all edges, free of parts.
+  bool keeps_skeleton = false;  ///< What is left of it stays in one piece.
+};
+
 /// What a file draws: all that is sound in it, and everything that is not.
 struct Drawing {
   std::string file;
+  std::optional<Stock> stock{};      ///< Of a sheet file.
+  std::vector<std::string> parts{};  ///< Names by Entity::part; empty unless it is a sheet file.
   std::vector<Layer> layers;
   std::vector<DrawnContour> contours;
   std::vector<Fault> faults;    ///< At most kMostFaults, in the order found.

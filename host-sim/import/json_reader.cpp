@@ -34,6 +34,8 @@ class JsonReader {
       for (const json& part : document) read_part(part);
     } else if (document.is_object() && document.contains("items") && document["items"].is_array()) {
       for (const json& item : document["items"]) read_item(item);
+    } else if (document.is_object() && document.contains("kerfline_sheet")) {
+      sketch_.refuse(1, 0, "a sheet of parts, not a drawing", "`kerfline cut` takes sheets");
     } else {
       sketch_.refuse(1, 0, "neither a list of parts nor a nesting job", "see the README for both");
     }

@@ -8,6 +8,7 @@
 #include "host-sim/job/job.hpp"
 #include "host-sim/job/job_report.hpp"
 #include "host-sim/job/judged_path.hpp"
+#include "host-sim/job/program_digest.hpp"
 #include "host-sim/job/program_watch.hpp"
 
 namespace sim {
@@ -65,6 +66,15 @@ class CheckedPath {
   JudgedPath path_;
 };
 
+/// Settings count where the call names some: else those of the simulated machine are nobody's.
+void warn_of_stale_inputs(const Job& job, const Simulator& simulator, Report& report) {
+  const cnc::Settings* const settings = job.settings.empty() ? nullptr : &simulator.settings();
+  for (const std::string& text :
+       stale_inputs(simulator.program(), folder_of(job.file), DigestFiles::kAny, settings)) {
+    report.warnings.push_back(fmt::format("{}: {}", job.file, text));
+  }
+}
+
 }  // namespace
 
 Report check(const Job& job) {
@@ -87,6 +97,7 @@ Report check(const Job& job) {
   }
   Report report = report_on(job, program, result, path->refused(), simulator.program());
   path->add_to(job, simulator.program(), report);
+  if (!job.text) warn_of_stale_inputs(job, simulator, report);
   if (report.refused_lines > 0) {
     report.warnings.push_back(fmt::format("{}: bounds, length and time leave out {} refused line{}",
                                           job.file,

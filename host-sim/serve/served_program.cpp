@@ -2,25 +2,17 @@
 
 #include <fmt/format.h>
 
-#include <cstdint>
 #include <stdexcept>
 #include <string_view>
 
 #include "host-sim/job/program_text.hpp"
+#include "host-sim/job/text_hash.hpp"
 
 namespace sim {
 namespace {
 
-/// FNV-1a: tells programs apart, and is no protection.
-std::uint64_t hash_of(std::string_view text, std::uint64_t hash) {
-  constexpr std::uint64_t kPrime = 0x100000001B3;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * kPrime;
-  return hash;
-}
-
 std::string id_of(std::string_view name, std::string_view file) {
-  constexpr std::uint64_t kBasis = 0xCBF29CE484222325;
-  return fmt::format("{:016x}", hash_of(file, hash_of(name, kBasis)));
+  return fmt::format("{:016x}", text_hash(file, text_hash(name)));
 }
 
 std::string text_of(const LineNote& note) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "host-sim/job/program_digest.hpp"
 #include "host-sim/page/page_file.hpp"
 #include "host-sim/plot/outline.hpp"
 #include "host-sim/plot/picture.hpp"
@@ -80,7 +81,11 @@ WebReply shown(const ServedProgram& program,
   ordered_json json = outline_json(program_outline_of(program.text, standpoint.reader));
   json["faults"] = program.barriers;
   for (std::string& text : judgement.texts()) json["faults"].push_back(std::move(text));
-  if (!program.notes.empty()) json["notes"] = program.notes;
+  // The page shows the first note: that the program is stale matters more than what was left out.
+  std::vector<std::string> notes =
+      stale_inputs(program.text, {}, DigestFiles::kBelowFolder, &standpoint.settings);
+  notes.insert(notes.end(), program.notes.begin(), program.notes.end());
+  if (!notes.empty()) json["notes"] = std::move(notes);
   if (!program.name.empty()) {
     json["name"] = program.name;
     json["id"] = program.id;

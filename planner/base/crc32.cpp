@@ -6,7 +6,7 @@ namespace cnc {
 namespace {
 
 constexpr std::uint32_t kPolynomial = 0xEDB8'8320;
-constexpr std::size_t kNibbles = 8;  ///< Of a word.
+constexpr std::size_t kNibbles = 4;  ///< Of half a word.
 
 /// What a nibble leaves when so many others come after it.
 using Remainders = std::array<std::uint32_t, 16>;
@@ -40,11 +40,11 @@ void Crc32::add(std::byte byte) {
 }
 
 void Crc32::add(std::uint32_t word) {
-  const std::uint32_t mixed = state_ ^ word;
-  state_ = remainder_of(mixed, 7) ^ remainder_of(mixed >> 4, 6) ^ remainder_of(mixed >> 8, 5) ^
-           remainder_of(mixed >> 12, 4) ^ remainder_of(mixed >> 16, 3) ^
-           remainder_of(mixed >> 20, 2) ^ remainder_of(mixed >> 24, 1) ^
-           remainder_of(mixed >> 28, 0);
+  for (const std::uint32_t half : {word & 0xFFFFU, word >> 16}) {
+    const std::uint32_t mixed = state_ ^ half;
+    state_ = (mixed >> 16) ^ remainder_of(mixed, 3) ^ remainder_of(mixed >> 4, 2) ^
+             remainder_of(mixed >> 8, 1) ^ remainder_of(mixed >> 12, 0);
+  }
 }
 
 void Crc32::add(std::span<const std::byte> bytes) {

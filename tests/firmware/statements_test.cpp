@@ -189,7 +189,7 @@ TEST_F(StatementsTest, SettingsThatDependOnEachOther) {
 TEST_F(StatementsTest, SettingsOfABackupInAnyOrder) {
   std::vector<std::string> backup;
   for (const SettingInfo& info : setting_table()) {
-    const float value = info.whole ? info.most : 0.5F * (info.least + info.most);
+    const float value = info.is_whole() ? info.most : 0.5F * (info.least + info.most);
     if (info.number == setting::kReportInches) continue;
     backup.push_back("$" + std::to_string(info.number) + "=" + std::to_string(value));
   }

@@ -121,7 +121,7 @@ inline std::string setting_token(std::uint8_t which, std::uint8_t value) {
   const float share = static_cast<float>(value) / 255.0F;
   float wanted = info.least + share * share * (info.most - info.least);
   if (value == 0) wanted = info.standard;
-  if (info.whole) wanted = static_cast<float>(static_cast<std::int64_t>(wanted));
+  if (info.is_whole()) wanted = static_cast<float>(static_cast<std::int64_t>(wanted));
   std::array<char, 48> text{};
   std::snprintf(text.data(),
                 text.size(),

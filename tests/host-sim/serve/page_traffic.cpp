@@ -16,7 +16,7 @@ namespace {
 
 using hal::host::Descriptor;
 
-Descriptor connected(const InternetAddress& address) {
+Descriptor linked_to(const InternetAddress& address) {
   Descriptor socket{::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0)};
   sockaddr_in place{};
   place.sin_family = AF_INET;
@@ -74,7 +74,7 @@ void PageTraffic::ask() {
   const std::array requests{
       get("/"), post("/outline"), get("/picture.svg"), post("/job?name=a.nc"), get("/job")};
   for (std::size_t next = 0; !ends_; next = (next + 1) % requests.size()) {
-    const Descriptor link = connected(address_);
+    const Descriptor link = linked_to(address_);
     if (!send_all(link, requests[next])) continue;
     while (!ends_ && read_some(link) >= 0) {
     }
@@ -83,7 +83,7 @@ void PageTraffic::ask() {
 }
 
 void PageTraffic::watch() {
-  const Descriptor link = connected(address_);
+  const Descriptor link = linked_to(address_);
   send_all(link,
            fmt::format("GET /observe HTTP/1.1\r\nHost: {}\r\nUpgrade: websocket\r\n"
                        "Connection: Upgrade\r\nSec-WebSocket-Key: dGhlIHNhbXBsZSBub25jZQ==\r\n"

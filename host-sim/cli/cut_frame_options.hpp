@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "host-sim/cli/cut_runs.hpp"
+#include "host-sim/cut/cut_report.hpp"
+#include "host-sim/cut/frame_program.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace sim {
+
+/// The frame of a job in a call of `kerfline cut`.
+struct CutFrameOptions {
+  std::string file;  ///< To write; empty: none.
+  cut::FrameShape shape = cut::FrameShape::kHull;
+  double power_percent = 0.0;
+  double feed_mm_min = 3000.0;
+};
+
+/// Adds `--frame`, `--frame-shape`, `--frame-power` and `--frame-feed`.
+void add_cut_frame_options(CLI::App& command, CutFrameOptions& options);
+
+/// Writes the frame program of a job if it is wanted. @pre the job has a cut
+void write_frame(const CutFrameOptions& options, const cut::CutJob& job, const CutRun& run);
+
+}  // namespace sim

@@ -1,0 +1,62 @@
+#include "host-sim/cli/cut_output_options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <string_view>
+
+#include "host-sim/cli/file_options.hpp"
+#include "host-sim/cli/value_range.hpp"
+#include "host-sim/report/utf8.hpp"
+
+namespace sim {
+namespace {
+
+constexpr double kMaxAnimationS = 3600.0;
+constexpr double kMaxMoney = 1.0e9;
+constexpr std::size_t kMaxCurrencyBytes = 12;
+
+/// Returns why a text cannot stand behind an amount on paper and in JSON; empty where it can.
+std::string refusal_of_currency(const std::string& text) {
+  bool is_sound = !text.empty() && text.size() <= kMaxCurrencyBytes;
+  for (std::string_view rest = text; is_sound && !rest.empty();) {
+    const Utf8Character next = first_character(rest);
+    is_sound = next.is_valid && next.code_point >= U' ' && next.code_point != U'\x7f';
+    rest.remove_prefix(next.bytes);
+  }
+  if (is_sound) return {};
+  return fmt::format("a currency is a text of 1 to {} bytes, such as EUR", kMaxCurrencyBytes);
+}
+
+void add_price_options(CLI::App& command, cut::PriceList& prices) {
+  command
+      .add_option("--rate", prices.per_hour, "What an hour of the machine costs: prices the job")
+      ->check(in_range(0.0, kMaxMoney, ""))
+      ->type_name("MONEY");
+  command.add_option("--sheet-cost", prices.per_sheet, "What the sheet costs")
+      ->check(in_range(0.0, kMaxMoney, ""))
+      ->type_name("MONEY");
+  command.add_option("--currency", prices.currency, "Printed behind amounts")
+      ->check(CLI::Validator{refusal_of_currency, ""})
+      ->type_name("TEXT");
+}
+
+}  // namespace
+
+void add_cut_output_options(CLI::App& command, CutOutputOptions& options) {
+  const auto add_file = [&](const char* name, std::string& file, const char* help) {
+    mark_file(command.add_option(name, file, help)->type_name("FILE"), FileRole::kOutput);
+  };
+  add_file("--svg", options.svg, "Draw parts, path, kerf, order and rapids");
+  add_file("--png", options.png, "The same picture as PNG");
+  add_file("--animation", options.animation, "SVG that plays the job, without scripts");
+  command
+      .add_option("--animation-time", options.animation_s, "A longer job is shown faster, in this")
+      ->check(in_range(1.0, kMaxAnimationS, "s"))
+      ->type_name("S")
+      ->capture_default_str();
+  add_file("--job-sheet", options.job_sheet, "PDF with picture, conditions, parts and costs");
+  add_price_options(command, options.prices);
+}
+
+}  // namespace sim

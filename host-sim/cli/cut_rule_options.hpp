@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host-sim/cli/cut_identity.hpp"
+#include "host-sim/cut/recipe.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace sim {
+
+/// The rules of the shop in a call of `kerfline cut`.
+struct CutRuleOptions {
+  std::vector<std::string> rules;  ///< Texts, which come after those of the file.
+  std::string file;
+  double mark_percent = 10.0;
+};
+
+/// Adds `--rules`, `--rule` and `--mark-power`.
+void add_cut_rule_options(CLI::App& command, CutRuleOptions& options);
+
+/// Reads the rules of a call. Throws std::invalid_argument with place and column.
+[[nodiscard]] std::vector<cut::ShopRule> shop_rules(const CutRuleOptions& options,
+                                                    InputFiles& inputs);
+
+}  // namespace sim

@@ -1,0 +1,75 @@
+#include "host-sim/cli/cut_safety_options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <string>
+
+#include "firmware/machine/settings.hpp"
+#include "host-sim/cli/cut_options.hpp"
+#include "host-sim/cli/value_range.hpp"
+
+namespace sim {
+namespace {
+
+constexpr double kShortestMm = 0.01;
+constexpr double kMaxDistanceMm = 100.0;
+constexpr double kMaxLengthMm = 10'000.0;
+constexpr double kMaxCoolS = 3600.0;
+
+}  // namespace
+
+void add_cut_safety_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>& options) {
+  cut::SafetyWishes& safety = options->safety;
+  const auto add = [&](const char* name, double& value, double most, const char* help) {
+    return command.add_option(name, value, help)
+        ->check(in_range(kShortestMm, most, "mm"))
+        ->type_name("MM");
+  };
+  CLI::Option* const avoid = command.add_flag(
+      "--avoid-freed", safety.avoid_freed, "Lead rapids round holes and parts that are cut free");
+  add("--avoid-margin",
+      safety.avoid_margin_mm,
+      kMaxDistanceMm,
+      "Distance of these rapids from kerf and hole, where there is room; 0.1")
+      ->needs(avoid);
+  add("--lift", safety.lift_mm, 1000.0, "Z of rapids that find no way round; else a fault")
+      ->needs(avoid);
+  CLI::Option* const cool =
+      command
+          .add_option("--cool",
+                      safety.cool_s,
+                      "Pierce near to what was cut only so long after it: in another order where "
+                      "that is quicker, else after a rest")
+          ->check(in_range(0.001, kMaxCoolS, "s"))
+          ->type_name("S");
+  add("--cool-distance", safety.cool_distance_mm, kMaxLengthMm, "What is near; five kerfs")
+      ->needs(cool);
+  add("--chain",
+      safety.chain_mm,
+      kMaxLengthMm,
+      "Join cuts by links through the waste, no longer than this, where that is quicker");
+  CLI::Option* const slice =
+      add("--slice", safety.slice_mm, kMaxLengthMm, "Cut the waste into pieces of this size, last");
+  command
+      .add_option(
+          "--slice-margin", safety.slice_margin_mm, "Width of the sheet round all that is cut; 5")
+      ->check(in_range(0.0, kMaxLengthMm, "mm"))
+      ->needs(slice)
+      ->type_name("MM");
+}
+
+cut::RapidRates rapid_rates_of(const std::vector<SettingChange>& changes) {
+  const cnc::Settings usual;
+  std::array<double, 2> rates{};
+  for (std::size_t axis = 0; axis < rates.size(); ++axis) {
+    rates[axis] = static_cast<double>(usual.get(cnc::setting::kRate, axis));
+    for (const SettingChange& change : changes) {
+      if (change.number == cnc::setting::kRate + axis) {
+        rates[axis] = static_cast<double>(change.value);
+      }
+    }
+  }
+  return {rates[0], rates[1]};
+}
+
+}  // namespace sim

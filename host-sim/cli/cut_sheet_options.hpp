@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "host-sim/cli/cut_identity.hpp"
+#include "host-sim/cut/plan.hpp"
+#include "host-sim/import/drawing.hpp"
+#include "host-sim/sheet/sheet_file.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace sim {
+
+/// What `kerfline cut` does about sheets of parts.
+struct CutSheetOptions {
+  std::string save;         ///< File to write; empty: none.
+  double margin_mm = 10.0;  ///< Of a sheet that is made of a drawing.
+};
+
+/// Adds `--save-sheet` and `--sheet-margin`.
+void add_cut_sheet_options(CLI::App& command, CutSheetOptions& options);
+
+/// The input of a job: a drawing, or a sheet and its parts as a drawing.
+struct CutInput {
+  drawing::Drawing drawn;
+  std::optional<sheet::Sheet> sheet{};
+
+  /// Returns whether a sheet is wrong in itself: something of it could not be read.
+  [[nodiscard]] bool is_broken_sheet() const;
+};
+
+/// Reads a drawing or a sheet, told by content, with the drawings of its parts. Throws as
+/// read_text() does for `file` itself.
+[[nodiscard]] CutInput read_cut_input(const std::string& file,
+                                      const drawing::ImportOptions& options,
+                                      InputFiles& files);
+
+/// Returns the faults of the places of a sheet's parts; none of other drawings.
+[[nodiscard]] std::vector<drawing::Fault> place_faults(const CutInput& input,
+                                                       const std::vector<cut::LayerPlan>& layers,
+                                                       const cut::Recipes& recipes);
+
+/// Writes the sheet if it is wanted. Throws std::invalid_argument for a drawing that has no name,
+/// as from standard input.
+void save_sheet(const CutSheetOptions& options, const CutInput& input);
+
+}  // namespace sim

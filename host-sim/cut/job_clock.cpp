@@ -1,0 +1,22 @@
+#include "host-sim/cut/job_clock.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "host-sim/knowledge/experiment.hpp"
+
+namespace sim::cut {
+
+double least_time(const Place& from, const Place& to, const RapidRates& rates) {
+  return 60.0 * std::max(std::abs(to.x() - from.x()) / rates.x_mm_min,
+                         std::abs(to.y() - from.y()) / rates.y_mm_min);
+}
+
+double least_time(const Stroke& stroke, const LayerPlan& layer) {
+  const double feed_mm_min = from_thousandths(layer.condition.cut.speed_um_min);
+  const double driven = 60.0 * length_of(stroke) / feed_mm_min;
+  const bool is_pierce = stroke.purpose == Purpose::kPierce;
+  return stroke.dwell_s + (is_pierce ? std::max(driven, layer.settings.pierce_s) : driven);
+}
+
+}  // namespace sim::cut

@@ -1,0 +1,170 @@
+#include "host-sim/cut/rapid_router.hpp"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+#include "host-sim/cut/rapid_search.hpp"
+#include "host-sim/cut/segment_distance.hpp"
+
+namespace sim::cut {
+namespace {
+
+/// Places at which a rapid may leave what was just cut: the nearest has a way nearly always.
+constexpr std::size_t kMaxExits = 12;
+/// A rapid that leaves straight towards its goal may be longer inside by this factor than the
+/// shortest way out.
+constexpr double kSlantedExit = 1.5;
+
+/// Legs that are tried from one end before the other one is asked, and in all.
+constexpr std::uint64_t kFirstTrials = 2'000;
+constexpr std::uint64_t kMaxTrials = 40'000;
+
+/// Out of an area across its edge at the nearest place of one of its strokes.
+struct RapidExit {
+  double edge_mm = 0.0;  ///< To the edge.
+  Place place{0.0, 0.0};
+};
+
+Place outward_at(const Stroke& stroke, const Place& place) {
+  if (stroke.bulge == 0.0) return right_of((stroke.to - stroke.from).normalized());
+  const Place away = (place - arc_centre(stroke)).normalized();
+  return stroke.bulge > 0.0 ? away : -away;
+}
+
+std::vector<RapidExit> exits_of(const LoopArea& area, const Place& from, double clearance_mm) {
+  constexpr double kOnEdge = 1.0e-6;
+  const bool is_inside = area.contains(from);
+  const double beyond = area.skin_mm() + 1.001 * clearance_mm + 1.0e-6;
+  std::vector<RapidExit> exits;
+  for (const Stroke& stroke : area.strokes()) {
+    const Place edge = nearest_on(stroke, from);
+    const double away = drawing::distance(edge, from);
+    const Place out = away < kOnEdge ? outward_at(stroke, edge)
+                                     : Place{(is_inside ? 1.0 : -1.0) / away * (edge - from)};
+    exits.push_back({away, edge + beyond * out});
+  }
+  std::ranges::stable_sort(exits, {}, &RapidExit::edge_mm);
+  if (exits.size() > kMaxExits) exits.resize(kMaxExits);
+  return exits;
+}
+
+/// Returns whether a segment crosses the edge of an area once at most.
+bool leaves_once(const LoopArea& area, const Place& from, const Place& to) {
+  constexpr double kSameMm = 1.0e-5;
+  std::vector<double> shares;
+  for (const Stroke& stroke : area.strokes()) add_meetings(from, to, stroke, shares);
+  if (shares.empty()) return true;
+  const auto [first, last] = std::ranges::minmax(shares);
+  return (last - first) * drawing::distance(from, to) < kSameMm;
+}
+
+/// Returns whether a straight leg leaves an area nearly as shortly as `exit_mm`, and is clear of
+/// it from there on.
+bool leaves_shortly(
+    const LoopArea& area, const Place& from, const Place& to, double exit_mm, double clearance_mm) {
+  const double length = drawing::distance(from, to);
+  const double inside = kSlantedExit * exit_mm;
+  if (length <= inside) return false;
+  const Place out = from + inside / length * (to - from);
+  return !area.contains(out) && !area.comes_near(out, to, clearance_mm) &&
+         leaves_once(area, from, out);
+}
+
+/// Takes out corners that the way does not need.
+void shorten(std::vector<Place>& way,
+             const FreeLegs& legs,
+             const RapidEnd& from,
+             const RapidEnd& to) {
+  for (std::size_t i = 0; i + 2 < way.size(); ++i) {
+    for (std::size_t k = way.size() - 1; k > i + 1; --k) {
+      const RapidEnd* const begin = i == 0 ? &from : nullptr;
+      const RapidEnd* const end = k + 1 == way.size() ? &to : nullptr;
+      if (legs.blocker(way[i], way[k], begin, end)) continue;
+      way.erase(way.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                way.begin() + static_cast<std::ptrdiff_t>(k));
+      break;
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<Place> RapidRouter::find(const Place& from,
+                                     const Place& to,
+                                     std::optional<std::uint32_t> just_cut) const {
+  constexpr double kFar = std::numeric_limits<double>::max();
+  constexpr std::array kShares{1.0, 0.25, 0.0625};
+  for (const Place& lowest : {rules_.lowest, Place{-kFar, -kFar}}) {
+    bool was_bounded = false;
+    for (const double share : kShares) {
+      Try t{{*areas_, share * rules_.clearance_mm, rules_.depth_mm}, lowest};
+      if (t.legs.area_around(to) || t.legs.area_around(from, just_cut)) return {};
+      const RapidEnd begin = t.legs.end_at(from);
+      const RapidEnd end = t.legs.end_at(to);
+      std::vector<Place> way = just_cut ? find_out(t, begin, end, *just_cut) : find(t, begin, end);
+      if (!way.empty()) return way;
+      was_bounded = was_bounded || t.was_bounded;
+    }
+    if (!was_bounded) break;
+  }
+  return {};
+}
+
+/// Where one end is shut in, the search from there is soon at its end.
+std::vector<Place> RapidRouter::search(Try& t, const RapidEnd& from, const RapidEnd& to) {
+  using Outcome = RapidSearch::Outcome;
+  RapidSearch there{t.legs, from, to, t.lowest};
+  RapidSearch back{t.legs, to, from, t.lowest};
+  Outcome outcome = there.find(kFirstTrials);
+  if (outcome == Outcome::kGaveUp && back.find(kFirstTrials) == Outcome::kNoWay) {
+    outcome = Outcome::kNoWay;
+  }
+  if (outcome == Outcome::kGaveUp) outcome = there.find(kMaxTrials);
+  t.was_bounded = t.was_bounded || there.was_bounded() || back.was_bounded();
+  return outcome == Outcome::kFound ? there.way() : std::vector<Place>{};
+}
+
+std::vector<Place> RapidRouter::find(Try& t, const RapidEnd& from, const RapidEnd& to) {
+  if (!t.legs.blocker(from.place, to.place, &from, &to)) return {from.place, to.place};
+  std::vector<Place> way = search(t, from, to);
+  shorten(way, t.legs, from, to);
+  return way;
+}
+
+std::vector<Place> RapidRouter::find_out(Try& t,
+                                         const RapidEnd& from,
+                                         const RapidEnd& to,
+                                         std::uint32_t just_cut) const {
+  const FreeLegs& legs = t.legs;
+  const LoopArea& area = areas_->area(just_cut);
+  const double clearance = legs.clearance_mm() + area.skin_mm();
+  const double edge = area.distance_to_loop(from.place);
+  const bool is_inside = area.contains(from.place);
+  if (!is_inside && edge >= clearance) return find(t, from, to);
+  const double exit_mm = is_inside ? edge + clearance : clearance - edge;
+  if (!legs.blocker(from.place, to.place, &from, &to, just_cut) &&
+      leaves_shortly(area, from.place, to.place, exit_mm, clearance)) {
+    return {from.place, to.place};
+  }
+  for (const RapidExit& exit : exits_of(area, from.place, legs.clearance_mm())) {
+    const RapidEnd out = legs.end_at(exit.place);
+    if (!out.near.empty() || legs.area_at(exit.place)) continue;
+    if (!leaves_once(area, from.place, exit.place)) continue;
+    if (legs.blocker(from.place, exit.place, &from, nullptr, just_cut)) continue;
+    std::vector<Place> way = find(t, out, to);
+    if (way.empty()) continue;
+    const RapidEnd* const end = way.size() == 2 ? &to : nullptr;
+    const bool skips = !legs.blocker(from.place, way[1], &from, end, just_cut) &&
+                       leaves_shortly(area, from.place, way[1], exit_mm, clearance);
+    if (skips) {
+      way.front() = from.place;
+    } else {
+      way.insert(way.begin(), from.place);
+    }
+    return way;
+  }
+  return {};
+}
+
+}  // namespace sim::cut

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "host-sim/cut/condition.hpp"
+#include "host-sim/cut/layer_settings.hpp"
+#include "host-sim/cut/shop_rule.hpp"
+#include "host-sim/import/drawing.hpp"
+
+namespace sim::cut {
+
+/// How the contours of one layer are cut, with power and speed chosen.
+struct LayerPlan {
+  LayerSettings settings;
+  Condition condition;
+};
+
+/// A rule of the shop and the contours to which it applies.
+struct AppliedRule {
+  ShopRule rule;
+  std::vector<std::size_t> contours{};
+};
+
+/// Plans of the contours that rules treat otherwise than their layers.
+struct Recipes {
+  static constexpr std::uint32_t kOfLayer = UINT32_MAX;
+
+  std::vector<LayerPlan> plans{};
+  /// Index into `plans` by contour, kOfLayer where no rule applies; empty without rules.
+  std::vector<std::uint32_t> by_contour{};
+  std::vector<AppliedRule> applied{};  ///< One for each rule, in their order.
+
+  /// Returns the plan of a contour, or that of its layer.
+  [[nodiscard]] const LayerPlan& of(std::size_t contour, const LayerPlan& layer) const {
+    if (contour >= by_contour.size() || by_contour[contour] == kOfLayer) return layer;
+    return plans[by_contour[contour]];
+  }
+};
+
+/// Chooses power and speed for settings, as choose() does for a layer; throws std::invalid_argument
+/// saying what is permissible.
+using ChooseCondition = std::function<Condition(const LayerSettings&)>;
+
+/// Applies the rules in their order to all contours of layers that are not skipped; later rules
+/// change what earlier ones set. Holes and outer contours are those of the drawing with its layers
+/// as they are, before any rule. A marked contour is engraved on its line with `mark_share` of its
+/// layer's power. Throws std::invalid_argument with the place of the rule.
+/// @param layers one for each layer of the drawing
+/// @param thickness_mm of the sheet
+[[nodiscard]] Recipes apply_rules(const std::vector<ShopRule>& rules,
+                                  const drawing::Drawing& drawn,
+                                  const std::vector<LayerPlan>& layers,
+                                  double thickness_mm,
+                                  double mark_share,
+                                  const ChooseCondition& choose);
+
+/// Returns a line for each rule: its text, the number of contours, and how they are cut.
+[[nodiscard]] std::vector<std::string> lines_of(const Recipes& recipes);
+
+}  // namespace sim::cut

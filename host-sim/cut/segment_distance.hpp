@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "host-sim/cut/stroke.hpp"
+
+namespace sim::cut {
+
+/// Returns the centre of an arc. @pre the bulge is not 0
+[[nodiscard]] Place arc_centre(const Stroke& arc);
+
+/// Returns the nearest place of a stroke to another place.
+[[nodiscard]] Place nearest_on(const Stroke& stroke, const Place& place);
+
+/// Returns the distance of the nearest places of a straight segment and a stroke, mm; 0 where they
+/// meet. Exact but for rounding: below 1e-9 mm for places within 10 m of each other.
+[[nodiscard]] double segment_distance(const Place& from, const Place& to, const Stroke& stroke);
+
+/// Appends the shares of a segment, 0 to 1, at which it meets a stroke.
+void add_meetings(const Place& from,
+                  const Place& to,
+                  const Stroke& stroke,
+                  std::vector<double>& shares);
+
+}  // namespace sim::cut

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "host-sim/plot/cut_layers.hpp"
+#include "host-sim/plot/key_frames.hpp"
+
+namespace sim {
+
+/// Cuts beyond this number appear in groups, one after the other.
+inline constexpr std::size_t kMaxAnimatedCuts = 2'000;
+
+/// Appends each cut as a line that grows as the beam runs along it. @pre the scene has a timeline
+void add_growing_cuts(std::string& out,
+                      const CutScene& scene,
+                      const View& view,
+                      const AnimationTime& time);
+
+/// Appends simplified cuts, in groups, each of which appears when its last cut is finished.
+/// @pre the scene has a timeline
+void add_appearing_cuts(std::string& out,
+                        const CutScene& scene,
+                        const View& view,
+                        const AnimationTime& time);
+
+}  // namespace sim

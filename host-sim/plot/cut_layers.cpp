@@ -1,0 +1,147 @@
+#include "host-sim/plot/cut_layers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "host-sim/cut/heat.hpp"
+#include "host-sim/import/curve_measure.hpp"
+#include "host-sim/plot/cut_marks.hpp"
+#include "host-sim/plot/drawing_picture.hpp"
+#include "host-sim/plot/edge_layer.hpp"
+#include "host-sim/plot/svg_element.hpp"
+
+namespace sim {
+namespace {
+
+using cut::Cut;
+using cut::Purpose;
+using cut::Stroke;
+using drawing::Place;
+
+bool is_along(const Stroke& stroke) {
+  return stroke.purpose == Purpose::kContour || stroke.purpose == Purpose::kSlice;
+}
+bool is_lead(const Stroke& stroke) { return !is_along(stroke) && stroke.purpose != Purpose::kTab; }
+bool is_tab(const Stroke& stroke) { return stroke.purpose == Purpose::kTab; }
+bool is_lit(const Stroke& stroke) { return stroke.purpose != Purpose::kTab; }
+
+void add_stroke(std::string& data, const Stroke& stroke, bool joins, const View& view) {
+  const double x_px = view.x_px(stroke.from.x());
+  const double y_px = view.y_px(stroke.from.y());
+  if (!joins) fmt::format_to(std::back_inserter(data), "M{:.2f} {:.2f}", x_px, y_px);
+  svg::add_bulge(
+      data, x_px, y_px, view.x_px(stroke.to.x()), view.y_px(stroke.to.y()), stroke.bulge);
+}
+
+void add_line(std::string& out, const std::string& data, std::string_view colour, double width_px) {
+  if (data.empty()) return;
+  fmt::format_to(std::back_inserter(out),
+                 "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{:.2f}\" "
+                 "stroke-linecap=\"round\" stroke-linejoin=\"round\"/>\n",
+                 data,
+                 colour,
+                 width_px);
+}
+
+void add_beam(std::string& out, const cut::CutPlan& plan, const View& view) {
+  for (const Cut& cut : plan.cuts) {
+    const double kerf_px = plan.plan_of(cut).condition.kerf_mm * view.px_per_mm();
+    out += "<g opacity=\"0.6\">\n";
+    add_line(out, path_data_of(cut, view, is_lit), kBandColour, kerf_px);
+    out += "</g>\n";
+  }
+  for (const Cut& cut : plan.cuts) {
+    add_line(out, path_data_of(cut, view, is_along), kBeamColour, 1.4);
+    add_line(out, path_data_of(cut, view, is_lead), kLeadColour, 2.0);
+    add_line(out, path_data_of(cut, view, is_tab), kTabRim, kTabRimPx);
+    add_line(out, path_data_of(cut, view, is_tab), kTabColour, kTabPx);
+  }
+}
+
+/// The edges of the stock that a sheet file describes.
+void add_stock(std::string& out, const drawing::Drawing& drawn, const View& view) {
+  if (!drawn.stock) return;
+  fmt::format_to(std::back_inserter(out),
+                 "<rect class=\"stock\" x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" "
+                 "height=\"{:.1f}\" fill=\"none\" stroke=\"#5b626c\" stroke-width=\"1.5\"/>\n",
+                 view.x_px(0.0),
+                 view.y_px(drawn.stock->height_mm),
+                 drawn.stock->width_mm * view.px_per_mm(),
+                 drawn.stock->height_mm * view.px_per_mm());
+}
+
+}  // namespace
+
+Extent extent_of(const CutScene& scene) {
+  Extent extent;
+  for (const drawing::DrawnContour& contour : scene.drawn.contours) {
+    for (const Place& place : outline_of(contour.shapes, drawing::kChordToleranceMm)) {
+      extent.include(place.x(), place.y());
+    }
+  }
+  constexpr int kLooks = 8;
+  for (const Cut& cut : scene.plan.cuts) {
+    for (const Stroke& stroke : cut.strokes) {
+      for (int i = 0; i <= kLooks; ++i) {
+        const Place place = place_at(stroke, static_cast<double>(i) / kLooks);
+        extent.include(place.x(), place.y());
+      }
+    }
+  }
+  if (const auto& stock = scene.drawn.stock) {
+    extent.include(0.0, 0.0);
+    extent.include(stock->width_mm, stock->height_mm);
+  }
+  if (extent.is_empty()) extent.include(0.0, 0.0);
+  return extent;
+}
+
+Extent framed_cuts(const Extent& extent) {
+  const double size_mm = std::max({extent.width_mm(), extent.height_mm(), 1.0e-3});
+  const double margin = 0.04 * size_mm;
+  return {extent.left_mm - margin,
+          extent.right_mm + margin,
+          extent.bottom_mm - margin,
+          extent.top_mm + margin};
+}
+
+void add_parts(std::string& out, const drawing::Drawing& drawn, const View& view) {
+  std::string data;
+  for (const drawing::DrawnContour& contour : drawn.contours) add_outline(data, contour, view);
+  fmt::format_to(std::back_inserter(out),
+                 "<path d=\"{}\" fill=\"{}\" fill-rule=\"evenodd\" stroke=\"#222222\" "
+                 "stroke-width=\"1.2\"/>\n",
+                 data,
+                 kPartColour);
+}
+
+std::string path_data_of(const Cut& cut, const View& view, bool (*wanted)(const Stroke&)) {
+  std::string data;
+  bool joins = false;
+  for (const Stroke& stroke : cut.strokes) {
+    if (wanted(stroke)) add_stroke(data, stroke, joins, view);
+    joins = wanted(stroke);
+  }
+  return data;
+}
+
+void add_cut_layers(std::string& out,
+                    const CutScene& scene,
+                    const View& view,
+                    const cut::EdgeFigures* edges,
+                    double edge_key_px) {
+  add_stock(out, scene.drawn, view);
+  add_parts(out, scene.drawn, view);
+  if (scene.timeline != nullptr) {
+    add_heat(out, scene.plan, heat_at_pierces(scene.plan, *scene.timeline), view);
+  }
+  add_beam(out, scene.plan, view);
+  add_rapids(out, scene.plan, view);
+  add_pierces(out, scene.plan, view);
+  if (edges != nullptr) add_edges(out, *edges, view, edge_key_px);
+  add_numbers(out, scene.plan, view);
+}
+
+}  // namespace sim

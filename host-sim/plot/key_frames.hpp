@@ -1,0 +1,44 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+#include <string>
+#include <string_view>
+
+namespace sim {
+
+/// Writes `values` and `keyTimes` of one animation. Shares never go back, and end at 1.
+class KeyFrames {
+ public:
+  void add(double share, std::string_view value) {
+    last_ = std::max(last_, std::clamp(share, 0.0, 1.0));
+    const std::string_view separator = values_.empty() ? "" : ";";
+    fmt::format_to(std::back_inserter(values_), "{}{}", separator, value);
+    fmt::format_to(std::back_inserter(times_), "{}{:.7g}", separator, last_);
+  }
+
+  /// `values="…" keyTimes="…"`, with the last value until the end.
+  [[nodiscard]] std::string attributes() const {
+    return fmt::format("values=\"{}\" keyTimes=\"{}\"", values_, times_);
+  }
+
+ private:
+  std::string values_;
+  std::string times_;
+  double last_ = 0.0;
+};
+
+/// How the time of a job becomes that of an animation.
+struct AnimationTime {
+  double total_s = 1.0;  ///< Of the job, > 0.
+  double shown_s = 1.0;  ///< Of the animation, > 0.
+
+  /// Returns the attributes that all animations of a document share, so that they stay in step.
+  [[nodiscard]] std::string attributes() const {
+    return fmt::format("dur=\"{:.3f}s\" repeatCount=\"indefinite\"", shown_s);
+  }
+};
+
+}  // namespace sim

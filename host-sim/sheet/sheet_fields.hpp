@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "host-sim/import/drawing.hpp"
+
+namespace sim::sheet {
+
+/// Numbers that a field takes.
+struct FieldRange {
+  double min = 0.0;
+  double max = 0.0;
+  const char* unit = "";
+};
+
+/// Reads the fields of one JSON object. A value of the wrong type or out of range becomes a fault
+/// with the pointer of its field, and the default is returned.
+class SheetFields {
+ public:
+  /// Reports each key that is not in `keys`, with the nearest one.
+  /// @param object a JSON object, which outlives this
+  /// @param pointer the place of the object in the file
+  SheetFields(const nlohmann::json& object,
+              std::string pointer,
+              const std::vector<std::string>& keys,
+              std::vector<drawing::Fault>& faults);
+
+  [[nodiscard]] bool has(const char* key) const;
+  [[nodiscard]] double number(const char* key, double otherwise, const FieldRange& range);
+  [[nodiscard]] std::size_t whole(const char* key, std::size_t otherwise, const FieldRange& range);
+  [[nodiscard]] bool flag(const char* key, bool otherwise);
+  /// Returns a text that is not empty; else `otherwise`.
+  [[nodiscard]] std::string text(const char* key, const std::string& otherwise);
+  /// Returns the field if it is an array or an object as required; else a null value.
+  [[nodiscard]] const nlohmann::json& array(const char* key);
+  [[nodiscard]] const nlohmann::json& object(const char* key);
+
+  /// Reports a fault of the object, or of its field `key`.
+  void bad(const std::string& key, std::string reason, std::string remedy);
+  [[nodiscard]] const std::string& pointer() const { return pointer_; }
+
+ private:
+  [[nodiscard]] const nlohmann::json& of_type(const char* key, bool is_type, const char* wanted);
+
+  const nlohmann::json& object_;
+  std::string pointer_;
+  std::vector<drawing::Fault>& faults_;
+};
+
+}  // namespace sim::sheet

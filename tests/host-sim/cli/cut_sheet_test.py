@@ -1,0 +1,118 @@
+#!/usr/bin/env python3
+"""`kerfline cut` with sheet files as its users call it.
+
+    cut_sheet_test.py KERFLINE
+"""
+
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+KERFLINE = ""
+KEY = """<svg xmlns="http://www.w3.org/2000/svg" width="60mm" height="40mm" viewBox="0 0 60 40">
+<path id="rim" d="M5 5H40A10 10 0 0 1 50 15V35H5Z"/><circle id="eye" cx="20" cy="20" r="6"/>
+</svg>
+"""
+FRAME = """<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="100mm" viewBox="0 0 100 100">
+<rect id="outside" x="0" y="0" width="100" height="100"/><rect id="inside" x="10" y="10" width="80" height="80"/>
+</svg>
+"""
+STEEL = ("--material", "CSP 1N", "--thickness", "2")
+
+
+def run(*arguments, text=None):
+    return subprocess.run([KERFLINE, *map(str, arguments)], input=text, capture_output=True,
+                          text=True, check=False, env={"PATH": "/usr/bin"})
+
+
+class Sheets(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        (self.folder / "parts").mkdir()
+        (self.folder / "parts" / "key.svg").write_text(KEY)
+        (self.folder / "parts" / "frame.svg").write_text(FRAME)
+
+    def sheet(self, *parts, **stock):
+        name = self.folder / "sheet.json"
+        name.write_text(json.dumps({"kerfline_sheet": 1, "stock": {"width_mm": 300, "height_mm": 200} | stock,
+                                    "parts": list(parts)}))
+        return name
+
+    def cut(self, sheet, *more):
+        return run("cut", sheet, *STEEL, *more)
+
+    def refused(self, *parts, **stock):
+        output = self.folder / "out.nc"
+        done = self.cut(self.sheet(*parts, **stock), "-o", output)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertEqual(done.stdout, "")
+        self.assertFalse(output.exists())
+        self.assertIn("no program is written", done.stderr)
+        return done.stderr
+
+    def test_parts_are_cut_where_they_lie_those_in_holes_first(self):
+        done = self.cut(self.sheet({"drawing": "parts/frame.svg", "x_mm": 20, "y_mm": 20},
+                                   {"drawing": "parts/key.svg", "name": "key",
+                                    "places": [{"x_mm": 40, "y_mm": 40},
+                                               {"x_mm": 280, "y_mm": 40, "mirror": True},
+                                               {"x_mm": 250, "y_mm": 100, "angle_deg": 90}]}))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        order = re.findall(r"^\(\d+: \w+, (.*)\)$", done.stdout, re.MULTILINE)
+        self.assertEqual(len(order), 8)
+        place = {name: order.index(name) for name in order}
+        self.assertLess(place['key #1: path "rim"'], place['frame: rect "inside"'])
+        self.assertLess(place['frame: rect "inside"'], place['frame: rect "outside"'])
+        for copy in (1, 2, 3):
+            self.assertLess(place[f'key #{copy}: circle "eye"'], place[f'key #{copy}: path "rim"'])
+        checked = run("check", "-", "--set", "$32=1", "--json", text=done.stdout)
+        bounds = json.loads(checked.stdout)[0]["bounds_mm"]
+        self.assertLess(bounds["X"][1], 300.0)
+
+    def test_a_saved_sheet_cuts_the_same(self):
+        saved = self.folder / "saved.json"
+        alone = self.cut(self.folder / "parts" / "frame.svg", "--save-sheet", saved, "--sheet-margin", "0")
+        self.assertEqual(alone.returncode, 0, alone.stderr)
+        self.assertEqual(json.loads(saved.read_text())["parts"][0]["drawing"], "parts/frame.svg")
+        again = self.folder / "parts" / "again.json"
+        placed = self.cut(saved, "--save-sheet", again)
+        self.assertEqual(json.loads(again.read_text())["parts"][0]["drawing"], "frame.svg")
+
+        def motions(text):
+            return [line for line in text.splitlines() if not line.startswith("(")]
+        self.assertEqual(motions(placed.stdout), motions(alone.stdout))
+        self.assertEqual(motions(self.cut(again).stdout), motions(alone.stdout))
+        self.assertEqual(run("cut", "-", *STEEL, "--save-sheet", saved, text=FRAME).returncode, 2)
+
+    def test_what_is_wrong_with_a_sheet_names_part_place_and_remedy(self):
+        key = {"drawing": "parts/key.svg"}
+        self.assertIn("key #2 at ", self.refused(key | {"copies": 2, "step_x_mm": 30}))
+        self.assertIn("overlaps key #1; move one of them", self.refused(key | {"copies": 2, "step_x_mm": 30}))
+        self.assertIn("is 0.300 mm from key #1, nearer than the kerf of 0.562 mm",
+                      self.refused(key | {"copies": 2, "step_x_mm": 45.3}))
+        self.assertIn("is 5.000 mm beyond the right edge of the stock, 300 by 200 mm less its margin of 5 mm",
+                      self.refused(key | {"x_mm": 250}, margin_mm=5))
+        self.assertIn('/parts/0: part "none": ', self.refused({"drawing": "parts/none.svg"}))
+        self.assertIn("No such file", self.refused({"drawing": "parts/none.svg"}))
+        self.assertIn("/parts/0/copies: -1 is out of range; it takes 1 to 100000", self.refused(key | {"copies": -1}))
+        self.assertIn("did you mean drawing?", self.refused({"drawin": "parts/key.svg"}))
+        self.assertIn("is a sheet, too", self.refused({"drawing": "sheet.json"}))
+        broken = self.folder / "broken.json"
+        broken.write_text('{"kerfline_sheet": 1,\n"parts": [}')
+        done = self.cut(broken)
+        self.assertEqual((done.returncode, done.stdout), (1, ""))
+        self.assertIn("broken.json:2:11: broken JSON", done.stderr)
+
+    def test_only_cut_takes_sheets(self):
+        done = run("drawing", self.sheet({"drawing": "parts/key.svg"}))
+        self.assertIn("`kerfline cut` takes sheets", done.stdout + done.stderr)
+
+
+if __name__ == "__main__":
+    KERFLINE = sys.argv[1]
+    unittest.main(argv=[sys.argv[0], *sys.argv[2:]])
