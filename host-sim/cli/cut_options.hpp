@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "host-sim/cli/cut_frame_options.hpp"
+#include "host-sim/cli/cut_order_options.hpp"
 #include "host-sim/cli/cut_output_options.hpp"
 #include "host-sim/cli/cut_rule_options.hpp"
 #include "host-sim/cli/cut_safety_options.hpp"
