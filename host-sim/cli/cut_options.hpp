@@ -12,7 +12,6 @@
 #include "host-sim/cli/cut_rule_options.hpp"
 #include "host-sim/cli/cut_safety_options.hpp"
 #include "host-sim/cli/cut_sheet_options.hpp"
-#include "host-sim/cli/cut_order_options.hpp"
 #include "host-sim/cli/kerf_options.hpp"
 #include "host-sim/cli/outline_options.hpp"
 #include "host-sim/import/drawing.hpp"

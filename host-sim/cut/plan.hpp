@@ -72,7 +72,6 @@ struct CutPlan {
   std::vector<Place> way_home{};         ///< Corners of the rapid after the last cut.
   double lift_home_mm = 0.0;             ///< Height of Z during that rapid; 0: not lifted.
   SafetyFigures safety{};                ///< What was done so that the order is safe.
-  OrderFigures order{};
 
   /// Returns how a cut is made: by the rules for its contour, else as its layer.
   [[nodiscard]] const LayerPlan& plan_of(const Cut& cut) const {
