@@ -250,49 +250,17 @@ cut::OrderWish searched_order(const CutCommandOptions& options) {
   return order_wish_of(options.order, machine_of(options), std::move(progress));
 }
 
-ExitStatus cut_drawing(const CutCommandOptions& options) {
-  InputFiles inputs{options.output};
-  const CutInput input = read_cut_input(options.file, options.import, inputs);
-  const Drawing& drawn = input.drawn;
-  if (input.is_broken_sheet() && !options.anyway) return refuse(options, drawn.faults, drawn);
-  save_sheet(options.sheet, input);
-  const MaterialRecord record = options.record.record();
-  const auto layers = layers_of(options, drawn, record, inputs);
-  cut::Recipes recipes = recipes_of(options, drawn, layers, record, inputs);
-  std::vector<drawing::Fault> faults = place_faults(input, layers, recipes);
-  if (!faults.empty() && !options.anyway) return refuse(options, faults, drawn);
-  append(faults, faults_of(drawn, layers));
-  const auto beside = options.kerf_table ? cut::WayBeside::kOnController : cut::WayBeside::kHere;
-  const CutRun run{static_cast<std::uint8_t>(options.decimals), machine_of(options)};
-  inputs.add(digest_of(record));
-  inputs.add(settings_digest(settings_of(run), names_settings(options)));
-  const CutPlan plan = safe_plan(options,
-                                 run,
-                                 plan_cuts(drawn,
-                                           layers,
-                                           options.curves,
-                                           beside,
-                                           std::move(recipes),
-                                           searched_order(options)),
-                                 drawn);
-  print_faults(faults, drawn);
-  print_faults(plan.faults, drawn);
-  print_faults(plan.warnings, drawn);
-  const bool sound = faults.empty() && plan.faults.empty();
-  const CutJob job{drawn,
-                   plan,
-                   record,
-                   beam_of(options, run.settings, record),
-                   options.laser,
-                   kerf_notes(record, options.laser, options.record.records(), plan.layers),
-                   inputs.digests()};
-  for (const std::string& note : job.notes)
-    terminal::print(stderr, "kerfline: warning: {}\n", note);
-  CutFigures figures = figures_of(plan);
-  const cut::Timeline timeline = predicted_timeline(plan, run.settings);
+/// Writes pictures, program, frame and reports of a job; no program of a job with faults, unless
+/// the call wants one of what is sound.
+ExitStatus write_job(const CutCommandOptions& options,
+                     const CutJob& job,
+                     const CutRun& run,
+                     bool sound) {
+  CutFigures figures = figures_of(job.plan);
+  const cut::Timeline timeline = predicted_timeline(job.plan, run.settings);
   write_pictures(options.outputs, job, timeline, nullptr);
-  if (plan.cuts.empty() || plan.safety.no_way != 0 || (!sound && !options.anyway)) {
-    terminal::print(stderr, "kerfline: {}{}\n", refusal_of(plan), stale_note(options.output));
+  if (job.plan.cuts.empty() || job.plan.safety.no_way != 0 || (!sound && !options.anyway)) {
+    terminal::print(stderr, "kerfline: {}{}\n", refusal_of(job.plan), stale_note(options.output));
     return ExitStatus::kFaults;
   }
   ExitStatus status = sound ? ExitStatus::kFine : ExitStatus::kFaults;
@@ -320,6 +288,43 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
     write_file(options.report, dumped(std::move(report)) + "\n");
   }
   return status;
+}
+
+ExitStatus cut_drawing(const CutCommandOptions& options) {
+  InputFiles inputs{options.output};
+  const CutInput input = read_cut_input(options.file, options.import, inputs);
+  const Drawing& drawn = input.drawn;
+  if (input.is_broken_sheet() && !options.anyway) return refuse(options, drawn.faults, drawn);
+  const MaterialRecord record = options.record.record();
+  const auto layers = layers_of(options, drawn, record, inputs);
+  cut::Recipes recipes = recipes_of(options, drawn, layers, record, inputs);
+  std::vector<drawing::Fault> faults = place_faults(input, layers, recipes);
+  if (!faults.empty() && !options.anyway) return refuse(options, faults, drawn);
+  append(faults, faults_of(drawn, layers));
+  const auto beside = options.kerf_table ? cut::WayBeside::kOnController : cut::WayBeside::kHere;
+  const CutRun run{static_cast<std::uint8_t>(options.decimals), machine_of(options)};
+  inputs.add(digest_of(record));
+  inputs.add(settings_digest(settings_of(run), names_settings(options)));
+  save_sheet(options.sheet, input);
+  const CutPlan plan = safe_plan(
+      options,
+      run,
+      plan_cuts(drawn, layers, options.curves, beside, std::move(recipes), searched_order(options)),
+      drawn);
+  print_faults(faults, drawn);
+  print_faults(plan.faults, drawn);
+  print_faults(plan.warnings, drawn);
+  const bool sound = faults.empty() && plan.faults.empty();
+  const CutJob job{drawn,
+                   plan,
+                   record,
+                   beam_of(options, run.settings, record),
+                   options.laser,
+                   kerf_notes(record, options.laser, options.record.records(), plan.layers),
+                   inputs.digests()};
+  for (const std::string& note : job.notes)
+    terminal::print(stderr, "kerfline: warning: {}\n", note);
+  return write_job(options, job, run, sound);
 }
 
 }  // namespace

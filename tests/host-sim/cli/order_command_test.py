@@ -124,7 +124,7 @@ class Order(unittest.TestCase):
         self.assertEqual((done.returncode, done.stdout), (1, ""))
         self.assertIn("standard input: the precedence is a cycle: ", done.stderr)
         self.assertIn(f"{first} before {then}", done.stderr)
-        done = run("-", "--order", "exact", "--memory", "1", text=Sheet(SEED, 25, 3).text())
+        done = run("-", "--order", "exact", "--memory", "1", text=Sheet(SEED, 20, 3).text())
         self.assertEqual((done.returncode, done.stdout), (1, ""))
         self.assertIn("raise --memory", done.stderr)
         for row in sheet.costs[1:]:
