@@ -81,7 +81,7 @@ constexpr const char* kPair =
 TEST(LinkCuts, AreNotMadeWhereTheyCostTimeOrAreTooLong) {
   const auto drawn = drawing::read(drawing::svg_of(kPair));
   const auto links_of = [&](double pierce_s, double longest_mm) {
-    CutPlan plan = plan_of(drawn, {.pierce_s = pierce_s});
+    CutPlan plan = foreseen_plan_of(drawn, {.pierce_s = pierce_s});
     link_cuts(plan, drawn, {.longest_mm = longest_mm, .rates = {1.0e5, 1.0e5}});
     return plan.safety.links;
   };
@@ -92,7 +92,7 @@ TEST(LinkCuts, AreNotMadeWhereTheyCostTimeOrAreTooLong) {
 
 TEST(LinkCuts, LeaveTheBeamOn) {
   const auto drawn = drawing::read(drawing::svg_of(kPair));
-  CutPlan plan = plan_of(drawn, {.pierce_s = 5.0});
+  CutPlan plan = foreseen_plan_of(drawn, {.pierce_s = 5.0});
   link_cuts(plan, drawn, {.longest_mm = 60.0});
   ASSERT_EQ(plan.safety.links, 1U);
   const std::string program =

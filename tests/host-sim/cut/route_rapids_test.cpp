@@ -160,7 +160,7 @@ constexpr const char* kRow =
 
 TEST(RouteRapids, GoHomeRoundTheParts) {
   const auto drawn = drawing::read(drawing::svg_of(kRow));
-  CutPlan plan = plan_of(drawn);
+  CutPlan plan = foreseen_plan_of(drawn);
   route_rapids(plan, drawn, {});
   EXPECT_TRUE(plan.faults.empty());
   EXPECT_EQ(RapidOracle(drawn, plan).judge(), plan.safety.led_round);
@@ -185,7 +185,7 @@ constexpr const char* kRing =
 
 /// The plan of the ring with the core last.
 CutPlan ring_plan(const drawing::Drawing& drawn) {
-  CutPlan plan = plan_of(drawn);
+  CutPlan plan = foreseen_plan_of(drawn);
   const auto is_core = [&](const Cut& cut) {
     return drawn.contours[cut.contour].entity.name == "rect \"core\"";
   };

@@ -25,6 +25,13 @@ inline CutPlan plan_of(const drawing::Drawing& drawn, const LayerSettings& setti
   return plan_cuts(drawn, layers_with(drawn, settings));
 }
 
+/// The nearest next, each cut with its usual beginning: a plan whose order a test can foresee.
+inline CutPlan foreseen_plan_of(const drawing::Drawing& drawn, LayerSettings settings = {}) {
+  settings.start = StartAt::kUsual;
+  const OrderWish wish{.method = order::OrderMethod::kNearest};
+  return plan_cuts(drawn, layers_with(drawn, settings), {}, WayBeside::kHere, {}, wish);
+}
+
 /// Both ways of a drawing by itself: a polygon as places, a circle as many.
 using Outline = std::vector<Place>;
 
