@@ -69,8 +69,9 @@ bool LineProtocol::tell_news() {
   if (news) {
     answer(
         begin_answer().text("[MSG:Tool change: T").number(*tool).text(", then cycle start]").end());
+    return true;
   }
-  return news;
+  return attend_startup_trial();
 }
 
 /// `[MSG:17.204 mm are uncut from 12.000,3.500,0.000 on; ~ goes on without them]`, in machine

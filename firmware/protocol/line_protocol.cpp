@@ -70,7 +70,6 @@ void LineProtocol::poll(hal::TickCount now) {
       continue;
     }
     if (lines == 0) save_progress();
-    if (attend_startup_trial()) continue;
     attend_tool_change();
     if (machine_.busy()) return;
     if (beginning_) {

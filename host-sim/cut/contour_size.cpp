@@ -1,6 +1,7 @@
 #include "host-sim/cut/contour_size.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -38,7 +39,7 @@ Circle around(const Place& a, const Place& b, const Place& c) {
   const Place ac = c - a;
   const double twice = 2.0 * drawing::cross(ab, ac);
   if (std::abs(twice) <= 1.0e-15 * (ab.squaredNorm() + ac.squaredNorm())) {
-    const Circle circles[] = {around(a, b), around(b, c), around(a, c)};
+    const std::array circles{around(a, b), around(b, c), around(a, c)};
     return *std::ranges::max_element(circles, {}, &Circle::radius);
   }
   const Place way{(ac.y() * ab.squaredNorm() - ab.y() * ac.squaredNorm()) / twice,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <ranges>
 
 namespace sim::cut {
 
@@ -34,12 +35,11 @@ double HeatMap::cool_from(const Place& place, double now_s) const {
     for (std::int64_t row = cell_of(place.y()) - 1; row <= cell_of(place.y()) + 1; ++row) {
       const auto cell = cells_.find(key_of(column, row));
       if (cell == cells_.end()) continue;
-      const std::vector<Spot>& spots = cell->second;
-      for (auto spot = spots.rbegin(); spot != spots.rend(); ++spot) {
-        const double cool = spot->time_s + lasts_s_;
+      for (const Spot& spot : std::views::reverse(cell->second)) {
+        const double cool = spot.time_s + lasts_s_;
         // Those before are older still.
         if (cool <= std::max(now_s, from)) break;
-        if (drawing::distance(spot->place, place) < reach_mm_) from = cool;
+        if (drawing::distance(spot.place, place) < reach_mm_) from = cool;
       }
     }
   }

@@ -35,6 +35,7 @@ std::vector<std::vector<std::size_t>> groups_of(const std::vector<UnbegunCut>& c
   if (!by_layer && std::ranges::none_of(cuts, has_rank)) return {all};
   using Key = std::pair<unsigned, std::size_t>;
   std::vector<Key> keys;
+  keys.reserve(cuts.size());
   for (const UnbegunCut& cut : cuts) {
     keys.emplace_back(cut.settings.rank.value_or(0), by_layer ? cut.layer : 0);
   }
@@ -52,6 +53,7 @@ std::vector<std::vector<std::size_t>> groups_of(const std::vector<UnbegunCut>& c
   std::map<Key, std::vector<std::size_t>> sorted;
   for (const std::size_t cut : all) sorted[keys[cut]].push_back(cut);
   std::vector<std::vector<std::size_t>> groups;
+  groups.reserve(sorted.size());
   for (auto& [key, members] : sorted) groups.push_back(std::move(members));
   return groups;
 }

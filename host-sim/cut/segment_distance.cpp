@@ -86,7 +86,7 @@ Place nearest_on(const Stroke& stroke, const Place& place) {
   const double radius = drawing::distance(centre, stroke.from);
   const double away = drawing::distance(centre, place);
   if (away > 0.0) {
-    const Place on_circle = centre + radius / away * (place - centre);
+    Place on_circle = centre + radius / away * (place - centre);
     if (is_on_arc(stroke, on_circle)) return on_circle;
   }
   const bool from_is_nearer =

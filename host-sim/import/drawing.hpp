@@ -46,7 +46,7 @@ enum class FaultKind : std::uint8_t {
 
 /// Something that a user should know of a drawing.
 struct Fault {
-  FaultKind kind;
+  FaultKind kind{};
   Entity entity;
   std::optional<Place> place_mm;
   std::string reason;

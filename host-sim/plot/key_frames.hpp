@@ -21,7 +21,7 @@ class KeyFrames {
 
   /// `values="…" keyTimes="…"`, with the last value until the end.
   [[nodiscard]] std::string attributes() const {
-    return fmt::format("values=\"{}\" keyTimes=\"{}\"", values_, times_);
+    return fmt::format(R"(values="{}" keyTimes="{}")", values_, times_);
   }
 
  private:
@@ -37,7 +37,7 @@ struct AnimationTime {
 
   /// Returns the attributes that all animations of a document share, so that they stay in step.
   [[nodiscard]] std::string attributes() const {
-    return fmt::format("dur=\"{:.3f}s\" repeatCount=\"indefinite\"", shown_s);
+    return fmt::format(R"(dur="{:.3f}s" repeatCount="indefinite")", shown_s);
   }
 };
 

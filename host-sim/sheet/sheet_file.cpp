@@ -87,7 +87,7 @@ class SheetReader {
     const std::string pointer = fmt::format("/parts/{}", index);
     if (!value.is_object()) {
       SheetFields{json::object(), pointer, {}, sheet_.faults}.bad(
-          "", "is no part", "write {\"drawing\": \"FILE\"} at least");
+          "", "is no part", R"(write {"drawing": "FILE"} at least)");
       return;
     }
     const std::size_t before = sheet_.faults.size();
@@ -136,7 +136,7 @@ class SheetReader {
     for (std::size_t i = 0; i < list.size() && i <= kMaxCopies; ++i) {
       const std::string pointer = fmt::format("{}/places/{}", fields.pointer(), i);
       if (!list[i].is_object()) {
-        fields.bad(fmt::format("places/{}", i), "is no place", "write {\"x_mm\": X, \"y_mm\": Y}");
+        fields.bad(fmt::format("places/{}", i), "is no place", R"(write {"x_mm": X, "y_mm": Y})");
         continue;
       }
       SheetFields place{list[i], pointer, {"x_mm", "y_mm", "angle_deg", "mirror"}, sheet_.faults};
@@ -176,8 +176,9 @@ class SheetReader {
     }
     std::vector<Placing> places(copies, first);
     for (std::size_t i = 0; i < copies; ++i) {
-      const Place way{step.x() * static_cast<double>(i % columns),
-                      step.y() * static_cast<double>(i / columns)};
+      const std::size_t row = i / columns;
+      const Place way{step.x() * static_cast<double>(i - row * columns),
+                      step.y() * static_cast<double>(row)};
       places[i].at_mm += way;
     }
     return places;
