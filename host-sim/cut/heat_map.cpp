@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <ranges>
 
 namespace sim::cut {
 
@@ -35,11 +34,12 @@ double HeatMap::cool_from(const Place& place, double now_s) const {
     for (std::int64_t row = cell_of(place.y()) - 1; row <= cell_of(place.y()) + 1; ++row) {
       const auto cell = cells_.find(key_of(column, row));
       if (cell == cells_.end()) continue;
-      for (const Spot& spot : std::views::reverse(cell->second)) {
-        const double cool = spot.time_s + lasts_s_;
+      const std::vector<Spot>& spots = cell->second;
+      for (std::size_t i = spots.size(); i-- > 0;) {
+        const double cool = spots[i].time_s + lasts_s_;
         // Those before are older still.
         if (cool <= std::max(now_s, from)) break;
-        if (drawing::distance(spot.place, place) < reach_mm_) from = cool;
+        if (drawing::distance(spots[i].place, place) < reach_mm_) from = cool;
       }
     }
   }
