@@ -40,7 +40,8 @@ std::vector<std::string> lines_of(const OrderFigures& order, std::size_t cuts) {
   return {
       first,
       line("  as drawn, usual starts:", order.file) + fmt::format("; {:.1f} percent saved", file),
-      line("  nearest, usual starts:", order.nearest) + fmt::format("; {:.1f} percent saved", nearest),
+      line("  nearest, usual starts:", order.nearest) +
+          fmt::format("; {:.1f} percent saved", nearest),
       fmt::format("  {} pierces; predicted {} in all", cuts, duration_text(order.predicted_s()))};
 }
 

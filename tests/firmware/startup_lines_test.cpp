@@ -54,8 +54,7 @@ TEST_F(StartupLinesTest, RunAfterAReset) {
 /// Each begins well and fails later: the answer is an error or an alarm, and nothing of it is kept.
 TEST_F(StartupLinesTest, AreNotKeptWhereTheyFailLater) {
   EXPECT_EQ(send("$N1=G91"), "ok");
-  for (const std::string_view line :
-       {"G41.1 D20 G1 X1 F600", "G38.2 X1 F600", "G38.4 X1 F600"}) {
+  for (const std::string_view line : {"G41.1 D20 G1 X1 F600", "G38.2 X1 F600", "G38.4 X1 F600"}) {
     link.outgoing.clear();
     send("$N1=" + std::string{line});
     run(3000);

@@ -189,7 +189,8 @@ CutPlan ring_plan(const drawing::Drawing& drawn) {
   const auto is_core = [&](const Cut& cut) {
     return drawn.contours[cut.contour].entity.name == "rect \"core\"";
   };
-  std::ranges::stable_partition(plan.cuts, [&](const Cut& cut) { return !is_core(cut); });
+  std::stable_partition(
+      plan.cuts.begin(), plan.cuts.end(), [&](const Cut& cut) { return !is_core(cut); });
   return plan;
 }
 
