@@ -50,6 +50,7 @@ bool goes_round(const std::vector<Stroke>& loop, const Place& place) {
 
 TEST(LoopArea, ContainsWhatTheLoopGoesRound) {
   std::size_t inside = 0;
+  std::size_t places = 0;
   for (const std::uint64_t seed : proof::Trials{300}) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
@@ -60,9 +61,10 @@ TEST(LoopArea, ContainsWhatTheLoopGoesRound) {
       if (area.distance_to_loop(place) < 0.01) continue;
       EXPECT_EQ(area.contains(place), goes_round(loop, place));
       if (area.contains(place)) ++inside;
+      ++places;
     }
   }
-  EXPECT_GT(inside, 1000U);
+  EXPECT_GT(inside, places / 10);
 }
 
 /// Places on chords, and level with corners, are where places mostly are in drawings.
