@@ -3,6 +3,7 @@
 foreach(test
     CutCurves.KeepHalfAKerfAwayWithinTheTolerance
     CutPlan.NeverCutsIntoAPart
+    OrderChoice.IsNoWorseThanTheNearestNeighbour
     CutEdges.StayThereWhereTheControllerFindsTheWayBesideThem
     CutEdges.OfCurvesAreWithinTheToleranceAndFiveMicrometres
     CutEdges.StayThereUnderFeedOverrides
