@@ -10,9 +10,9 @@
 #include <set>
 
 #include "host-sim/cut/kerf_notes.hpp"
+#include "host-sim/cut/order_report.hpp"
 #include "host-sim/cut/rapid_way.hpp"
 #include "host-sim/cut/safety.hpp"
-#include "host-sim/cut/order_report.hpp"
 #include "host-sim/knowledge/experiment.hpp"
 #include "host-sim/report/duration_text.hpp"
 
