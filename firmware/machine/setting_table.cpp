@@ -311,7 +311,7 @@ constexpr std::array<SettingInfo, 115> kTable{{
      "time and a fifth. Slow polls are waited for; 0 waits for ever."},
     SettingInfo{859, Group::kGeneral, Type::kInteger, "CAN node", "number",
      1.0F, 126.0F, 17.0F, kWhole,
-     "Node number on a CAN bus. It changes as soon as nobody talks to the controller there."},
+     "Node number on a CAN bus. It changes once no sender talks to the controller there."},
     SettingInfo{860, Group::kSpindle, Type::kChoice, "Kerf control", "0 power, 1 path",
      0.0F, 1.0F, 0.0F, "Power goes with speed,Path follows kerf",
      "Where G41 or G42 goes by a material's kerf at another speed than the programmed one: "

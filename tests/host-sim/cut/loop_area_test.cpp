@@ -50,7 +50,7 @@ bool goes_round(const std::vector<Stroke>& loop, const Place& place) {
 
 TEST(LoopArea, ContainsWhatTheLoopGoesRound) {
   std::size_t inside = 0;
-  std::size_t places = 0;
+  std::size_t tries = 0;
   for (const std::uint64_t seed : proof::Trials{300}) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
@@ -58,13 +58,13 @@ TEST(LoopArea, ContainsWhatTheLoopGoesRound) {
     const LoopArea area{loop};
     for (int i = 0; i < 20; ++i) {
       const Place place = random_place(random, 14.0);
+      ++tries;
       if (area.distance_to_loop(place) < 0.01) continue;
       EXPECT_EQ(area.contains(place), goes_round(loop, place));
       if (area.contains(place)) ++inside;
-      ++places;
     }
   }
-  EXPECT_GT(inside, places / 10);
+  EXPECT_GT(inside, tries / 6);
 }
 
 /// Places on chords, and level with corners, are where places mostly are in drawings.

@@ -132,25 +132,28 @@ TEST(RouteRapids, NeverCrossWhatIsFreeButThePieceJustCut) {
     if (random.chance(0.3)) settings.lead_in = {};
     if (random.chance(0.5)) settings.lead_out = {LeadKind::kArc, random.between(0.5, 3.0)};
     if (random.chance(0.3)) settings.corner_loop_mm = random.between(0.2, 1.0);
-    CutPlan plan = plan_of(drawn, settings);
+    CutPlan plan = foreseen_plan_of(drawn, settings);
     const double before_mm = rapid_length(plan);
     route_rapids(plan, drawn, {.margin_mm = kMargin});
-    EXPECT_EQ(plan.safety.no_way, plan.faults.size());
-    // Parts that touch each other's kerfs may leave no way; that is told.
-    if (plan.safety.no_way != 0) continue;
+    EXPECT_EQ(plan.safety.no_way, 0U);
     EXPECT_NEAR(rapid_length(plan), before_mm + plan.safety.longer_mm, 1.0e-6);
     straight += RapidOracle{drawn, plan}.judge();
     led_round += plan.safety.led_round;
     rapids += plan.cuts.size() + 1;
     longer_mm += plan.safety.longer_mm;
     rapids_mm += before_mm;
+    // The shortest order may end a cut where no way leads on, which is told.
+    CutPlan searched = plan_of(drawn, settings);
+    route_rapids(searched, drawn, {.margin_mm = kMargin});
+    EXPECT_EQ(searched.safety.no_way, searched.faults.size());
+    if (searched.faults.empty()) RapidOracle{drawn, searched}.judge();
   }
   std::printf("%zu rapids, %zu would cross, %zu led round: %.1f %% longer\n",
               rapids,
               straight,
               led_round,
               100.0 * longer_mm / rapids_mm);
-  EXPECT_GE(straight, rapids / 100);  // Short orders cross little.
+  EXPECT_GT(straight, rapids / 20);
   EXPECT_LT(longer_mm, 0.5 * rapids_mm);
 }
 
