@@ -25,8 +25,7 @@ inline constexpr const char* kDecimals = "#####0.000";
 inline constexpr SettingInfo kBacklash{
     0, SettingGroup::kX, SettingType::kDecimal, "", "mm",
     0.0F, 2.0F, 0.0F, kDecimals,
-    "How far the motor turns after a reversal until the axis follows. It is driven further by "
-    "this, in whole steps."};
+    "How far the motor turns after a reversal until the axis follows; in whole steps."};
 inline constexpr SettingInfo kTurningBacklash{
     0, SettingGroup::kA, SettingType::kDecimal, "", "deg",
     0.0F, 2.0F, 0.0F, kDecimals,
@@ -34,7 +33,7 @@ inline constexpr SettingInfo kTurningBacklash{
 inline constexpr SettingInfo kShaper{
     0, SettingGroup::kX, SettingType::kChoice, "", "kind",
     0.0F, 4.0F, 0.0F, "None,ZV,ZVD,MZV,EI",
-    "Input shaper that keeps the axis from swinging; beam and all axes stay in step."};
+    "Keeps the axis from swinging; beam and all axes stay in step."};
 inline constexpr SettingInfo kShaperFrequency{
     0, SettingGroup::kX, SettingType::kDecimal, "", "Hz",
     ShaperSetting::kLeastFrequency, ShaperSetting::kMostFrequency, 40.0F, kDecimals,

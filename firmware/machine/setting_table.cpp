@@ -56,7 +56,7 @@ constexpr std::array<SettingInfo, 115> kTable{{
     SettingInfo{12, Group::kArcs, Type::kDecimal, "Arc tolerance", "mm",
      0.0F, 1.0F, 0.002F, kThousandths,
      "How far arcs may be from splines and, in G61, from short lines that they replace; half "
-     "of $11 at most. Arcs stay arcs."},
+     "of $11 at most."},
     SettingInfo{13, Group::kGeneral, Type::kSwitch, "Report in inches", "0 or 1",
      0.0F, 1.0F, 0.0F, "",
      "Report places in inches."},
@@ -109,7 +109,7 @@ constexpr std::array<SettingInfo, 115> kTable{{
      "Power follows speed and is off whenever nothing moves."},
     SettingInfo{37, Group::kStepper, Type::kAxisMask, "Motors kept enabled", "mask",
      0.0F, 63.0F, 0.0F, kAxisNames,
-     "Axes whose motors always have current, also asleep: a Z that would sink."},
+     "Axes whose motors always have current, such as a Z that would sink."},
     SettingInfo{40, Group::kJogging, Type::kSwitch, "Limit jogging to the travel", "0 or 1",
      0.0F, 1.0F, 0.0F, "",
      "Stop jogs at the end of the travel."},
@@ -235,10 +235,10 @@ constexpr std::array<SettingInfo, 115> kTable{{
      "What M6 does."},
     SettingInfo{392, Group::kSpindle, Type::kDecimal, "Spindle delay when restored", "seconds",
      0.0F, 60.0F, 4.0F, kThousandths,
-     "Wait after the spindle is restored, when motion resumes."},
+     "Wait after the spindle is restored."},
     SettingInfo{393, Group::kCoolant, Type::kDecimal, "Coolant delay when restored", "seconds",
      0.0F, 60.0F, 1.0F, kThousandths,
-     "Wait after the coolant is restored, when motion resumes."},
+     "Wait after the coolant is restored."},
     SettingInfo{394, Group::kSpindle, Type::kDecimal, "Spindle on delay", "seconds",
      0.0F, 60.0F, 0.0F, kThousandths,
      "Wait after the spindle is switched on."},
@@ -283,7 +283,7 @@ constexpr std::array<SettingInfo, 115> kTable{{
     axis_setting::of(835, "C shaper damping", Group::kC, axis_setting::kShaperDamping),
     SettingInfo{850, Group::kArcs, Type::kDecimal, "Arc repair, distance", "mm",
      0.0F, 0.5F, 0.05F, kThousandths,
-     "How far the end of an arc may be off its circle before the arc is refused."},
+     "How far an arc may end off its circle before it is refused."},
     SettingInfo{851, Group::kArcs, Type::kDecimal, "Arc repair, share of radius", "percent",
      0.0F, 10.0F, 1.0F, kThousandths,
      "The same as a share of the radius; the greater of the two counts."},
@@ -292,13 +292,13 @@ constexpr std::array<SettingInfo, 115> kTable{{
      "Axes with two motors, each with its own switch."},
     SettingInfo{853, Group::kGeneral, Type::kInteger, "Axes reported", "axes",
      3.0F, 6.0F, 3.0F, kWhole,
-     "How many axes reports show, from X on. Takes effect at the next reset."},
+     "How many axes reports show, from X on, after the next reset."},
     SettingInfo{854, Group::kSpindle, Type::kDecimal, "Least beam power under M4", "percent",
      0.0F, 100.0F, 0.0F, kThousandths,
      "Least duty of a lit beam under M4: many lasers do not fire below one."},
     SettingInfo{855, Group::kSpindle, Type::kDecimal, "Beam on delay", "microseconds",
      0.0F, kMostBeamDelay, 0.0F, kThousandths,
-     "Delay of light when the beam goes on, beyond the lag. The output is earlier by this."},
+     "Delay of light when the beam goes on, beyond the lag, by which the output is earlier."},
     SettingInfo{856, Group::kSpindle, Type::kDecimal, "Beam off delay", "microseconds",
      0.0F, kMostBeamDelay, 0.0F, kThousandths,
      "The same when the beam goes off."},
@@ -308,10 +308,10 @@ constexpr std::array<SettingInfo, 115> kTable{{
     SettingInfo{858, Group::kGeneral, Type::kInteger, "Link watchdog", "milliseconds",
      0.0F, 60000.0F, 250.0F, kWhole,
      "A laser goes dark (alarm 25) when a sender that polls or owes a line is silent for this "
-     "time and a fifth. Slow polls are waited for; 0 waits for ever."},
+     "time and a fifth; 0 waits for ever."},
     SettingInfo{859, Group::kGeneral, Type::kInteger, "CAN node", "number",
      1.0F, 126.0F, 17.0F, kWhole,
-     "Node number on a CAN bus. It changes once no sender talks to the controller there."},
+     "Node number on a CAN bus. It changes once no sender talks there."},
     SettingInfo{860, Group::kSpindle, Type::kChoice, "Kerf control", "0 power, 1 path",
      0.0F, 1.0F, 0.0F, "Power goes with speed,Path follows kerf",
      "Where G41 or G42 goes by a material's kerf at another speed than the programmed one: "
@@ -324,8 +324,7 @@ constexpr std::array<SettingInfo, 115> kTable{{
      "How long, between two motions."},
     SettingInfo{884, Group::kStepper, Type::kInteger, "Enable to step delay", "milliseconds",
      0.0F, 1000.0F, 0.0F, kWhole,
-     "From enabling motors to their first step, beyond 1 ms. Drivers with a wired enable input "
-     "take up to 200."},
+     "From enabling motors to their first step, beyond 1 ms. Some drivers take 200."},
     SettingInfo{890, Group::kGeneral, Type::kSwitch, "Block delete", "0 or 1",
      0.0F, 1.0F, 1.0F, "",
      "Skip lines that begin with /. $B switches it until this is set."},
@@ -338,32 +337,48 @@ static_assert(std::is_sorted(kTable.begin(),
                                return a.number < b.number;
                              }));
 
-/// The first row of each ten numbers, and the end of the last: settings are looked up for every
-/// line, and a search through all rows costs as much as a word of G-code.
-constexpr std::size_t kTens = kTable.back().number / 10U + 1U;
-constexpr std::array<std::uint8_t, kTens + 1> kFirstRows = [] {
-  std::array<std::uint8_t, kTens + 1> rows{};
-  std::size_t row = 0;
-  for (std::size_t ten = 0; ten < rows.size(); ++ten) {
-    while (row < kTable.size() && kTable[row].number < 10 * ten) ++row;
-    rows[ten] = static_cast<std::uint8_t>(row);
+/// Settings are looked up for every line, so a lookup takes two steps and no search: the number's
+/// page of eight numbers, then its row there. Pages without settings are all one.
+constexpr std::size_t kPageBits = 3;
+constexpr std::size_t kPageSize = std::size_t{1} << kPageBits;
+constexpr std::size_t kPages = (kTable.back().number >> kPageBits) + 1U;
+constexpr std::uint8_t kNoRow = kTable.size();
+
+constexpr bool has_page_before(std::size_t row) {
+  return row > 0 && kTable[row - 1].number >> kPageBits == kTable[row].number >> kPageBits;
+}
+
+constexpr std::size_t kUsedPages = [] {
+  std::size_t used = 1;
+  for (std::size_t row = 0; row < kTable.size(); ++row) used += has_page_before(row) ? 0 : 1;
+  return used;
+}();
+
+struct RowIndex {
+  std::array<std::uint8_t, kPages> pages{};  ///< The first is the one without settings.
+  std::array<std::array<std::uint8_t, kPageSize>, kUsedPages> rows{};
+};
+
+constexpr RowIndex kRowIndex = [] {
+  RowIndex index;
+  for (auto& page : index.rows) page.fill(kNoRow);
+  std::uint8_t used = 0;
+  for (std::uint8_t row = 0; row < kTable.size(); ++row) {
+    if (!has_page_before(row)) ++used;
+    const std::uint16_t number = kTable[row].number;
+    index.pages[number >> kPageBits] = used;
+    index.rows[used][number % kPageSize] = row;
   }
-  return rows;
+  return index;
 }();
 
 }  // namespace
 
 std::span<const SettingInfo> setting_table() { return kTable; }
 
-/// Most numbers of a ten follow each other from its first on, and are found at once.
 std::size_t setting_row(std::uint16_t number) {
-  const std::size_t ten = number / 10U;
-  if (ten >= kTens) return kTable.size();
-  const std::size_t begin = kFirstRows[ten];
-  std::size_t row = std::min<std::size_t>(begin + number % 10U + 1, kFirstRows[ten + 1]);
-  while (row > begin && kTable[row - 1].number > number) --row;
-  const bool found = row > begin && kTable[row - 1].number == number;
-  return found ? row - 1 : kTable.size();
+  const std::size_t page = number >> kPageBits;
+  return page < kPages ? kRowIndex.rows[kRowIndex.pages[page]][number % kPageSize] : kNoRow;
 }
 
 }  // namespace cnc

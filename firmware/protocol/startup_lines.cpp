@@ -41,7 +41,7 @@ bool LineProtocol::attend_startup_trial() {
   }
   Reply reply = begin_answer();
   reply.text("[MSG:$N").number(static_cast<std::uint32_t>(index));
-  answer(reply.text(" was not done to its end, and is again as it was before]").end());
+  answer(reply.text(" failed, and is as before again]").end());
   return true;
 }
 

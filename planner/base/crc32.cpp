@@ -32,6 +32,13 @@ constexpr std::uint32_t remainder_of(std::uint32_t value, std::size_t behind) {
   return kTables[behind][value & 0xFU];
 }
 
+/// The state after its lower half; the upper half, which already holds the data that follow, moves
+/// down.
+constexpr std::uint32_t after_half(std::uint32_t mixed) {
+  return (mixed >> 16) ^ remainder_of(mixed, 3) ^ remainder_of(mixed >> 4, 2) ^
+         remainder_of(mixed >> 8, 1) ^ remainder_of(mixed >> 12, 0);
+}
+
 }  // namespace
 
 void Crc32::add(std::byte byte) {
@@ -39,13 +46,7 @@ void Crc32::add(std::byte byte) {
   state_ = (mixed >> 8) ^ remainder_of(mixed, 1) ^ remainder_of(mixed >> 4, 0);
 }
 
-void Crc32::add(std::uint32_t word) {
-  for (const std::uint32_t half : {word & 0xFFFFU, word >> 16}) {
-    const std::uint32_t mixed = state_ ^ half;
-    state_ = (mixed >> 16) ^ remainder_of(mixed, 3) ^ remainder_of(mixed >> 4, 2) ^
-             remainder_of(mixed >> 8, 1) ^ remainder_of(mixed >> 12, 0);
-  }
-}
+void Crc32::add(std::uint32_t word) { state_ = after_half(after_half(state_ ^ word)); }
 
 void Crc32::add(std::span<const std::byte> bytes) {
   const auto at = [&bytes](std::size_t i) { return std::to_integer<std::uint32_t>(bytes[i]); };

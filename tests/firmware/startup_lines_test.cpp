@@ -16,7 +16,7 @@ class StartupLinesTest : public ControllerTest {
   static constexpr std::string_view kWayOut =
       "[MSG:A startup line raised it: reset and $X, then $N0= or $N1= clears it]";
   static constexpr std::string_view kTakenBack =
-      "[MSG:$N1 was not done to its end, and is again as it was before]";
+      "[MSG:$N1 failed, and is as before again]";
 
   void restart() {
     link.outgoing.clear();
