@@ -30,7 +30,7 @@ let news = null;
 let controls = false;
 
 function enable() {
-  const why = reasons(news, controls);
+  const why = reasons(news, controls, job.opening);
   for (const element of document.querySelectorAll('[data-control]')) {
     const reason = why[element.dataset.control];
     element.disabled = reason !== '';
@@ -109,9 +109,12 @@ async function showProgram(load) {
 }
 
 async function open(file) {
-  if (reasons(news, controls).open) return;
+  if (reasons(news, controls, job.opening).open) return;
   notice.clear();
-  await showProgram(() => job.open(file));
+  const shown = showProgram(() => job.open(file));
+  enable();
+  await shown;
+  enable();
 }
 
 // The program that another page has opened replaces the one that this page shows.
@@ -195,7 +198,7 @@ at('zero').onclick = () => command('G10 L20 P0 X0 Y0 Z0');
 at('shortcuts-button').onclick = () => at('shortcuts').showModal();
 at('send').onsubmit = (event) => {
   event.preventDefault();
-  if (reasons(news, controls).console) return;
+  if (reasons(news, controls, job.opening).console) return;
   if (at('line').value.trim() !== '') command(at('line').value.trim());
   at('line').value = '';
 };
@@ -214,7 +217,7 @@ addEventListener('beforeunload', (event) => {
 });
 
 listenToKeys({
-  o: () => { if (!reasons(news, controls).open) at('file').click(); },
+  o: () => { if (!reasons(news, controls, job.opening).open) at('file').click(); },
   '/': () => at('line').focus(),
   '[': () => controls && sender.realtime(kFeed.minus10),
   ']': () => controls && sender.realtime(kFeed.plus10),

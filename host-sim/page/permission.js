@@ -4,15 +4,18 @@
 const kHeldByHold = ['Run', 'Jog'];
 const kOnlyRealtime = 'a job runs: only hold, resume, stop, reset and overrides act';
 
-// The reason for each kind of control; empty for one that is enabled.
-export function reasons(news, controls) {
+const kOpening = 'the program that is being opened';
+
+// The reason for each kind of control; empty for one that is enabled. `opening` while a program is
+// on its way to the server, which still has the one before.
+export function reasons(news, controls, opening) {
   const state = news?.state;
   const job = news?.job;
   const runs = job?.state === 'running';
   const base = !news ? 'the server is not there' : !controls ? 'take control first' : '';
   const lines = base || (runs ? kOnlyRealtime : '');
   const idle = lines || (state !== 'Idle' ? `the machine is in ${state}` : '');
-  const resumeWaits = !news ? 'the server' : job.resume_waits || waitsForControl(news, controls);
+  const resumeWaits = !news ? 'the server' : opening ? kOpening : job.resume_waits || waitsForControl(news, controls);
   return {
     realtime: base,
     console: lines,
@@ -24,8 +27,8 @@ export function reasons(news, controls) {
     hold: !news ? base : kHeldByHold.includes(state) ? '' : 'nothing moves that a hold would stop',
     resume: base || (['Hold', 'Door', 'Tool'].includes(state) ? '' : 'nothing is held'),
     stop: base || (runs ? '' : 'no job runs'),
-    open: !news ? base : runs ? 'a job runs; another program is opened when it has ended' : '',
-    run: !news ? 'the server' : job.waits || waitsForControl(news, controls),
+    open: !news ? base : opening ? kOpening : runs ? 'a job runs; another program is opened when it has ended' : '',
+    run: !news ? 'the server' : opening ? kOpening : job.waits || waitsForControl(news, controls),
     takeUp: resumeWaits && `it waits for ${resumeWaits}`,
   };
 }

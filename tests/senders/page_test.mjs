@@ -72,6 +72,21 @@ async function outlineOfJob(page, folder) {
   await until('the page says what is refused', async () => (await page.text('notice')).includes('outline.nc, line 2: Q has no number'));
 }
 
+// While a program is on its way, the server still has the one before, which nobody means.
+async function runWaitsForTheProgram(page, job) {
+  let arrive;
+  const arrival = new Promise((resolve) => { arrive = resolve; });
+  await page.page.route(/\/job\?/, async (route) => { await arrival; await route.continue(); });
+  await page.page.locator('#file').setInputFiles(job);
+  for (const id of ['run', 'file']) {
+    check(await page.page.locator(`#${id}`).isDisabled(), `${id} waits`);
+  }
+  check(/Run waits for the program that is being opened/.test(await page.text('why')), await page.text('why'));
+  arrive();
+  await until('the job is ready', () => page.page.locator('#run').isEnabled());
+  await page.page.unroute(/\/job\?/);
+}
+
 async function byMouse(page, job) {
   await page.openJob(job);
   const start = await page.place();
@@ -172,6 +187,7 @@ await run('the page of kerfline serve', async ({ folder, keep }) => {
   await page.state('Idle');
   check(/^\d+\.\d+\.\d+/.test(await page.text('version')), 'the page shows the version');
   await outlineOfJob(page, folder);
+  await runWaitsForTheProgram(page, job);
   await byMouse(page, job);
   await byKeyboard(page, job);
   await jobToTheEnd(page);
