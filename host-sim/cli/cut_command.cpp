@@ -206,10 +206,11 @@ std::string timed_program(const CutCommandOptions& options,
                           CutFigures& figures,
                           ExitStatus& status) {
   const std::string name = options.output.empty() ? "the program" : options.output;
-  const Report report = check_program(job, run, heading_of(job, figures), name);
-  figures.job_time_s = report.job_time_s;
-  for (const Fault& fault : report.faults) terminal::print(stderr, "{}\n", to_string(fault));
-  if (!report.faults.empty()) {
+  const ProgramCheck check = check_program(job, run, heading_of(job, figures), name);
+  figures.job_time_s = check.job_time_s;
+  figures.is_simulated = check.is_simulated;
+  for (const Fault& fault : check.faults) terminal::print(stderr, "{}\n", to_string(fault));
+  if (!check.faults.empty()) {
     terminal::print(
         stderr,
         "kerfline: the machine as it is set does not take the program; tell of yours with "

@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "firmware/store/kerf_tables.hpp"
 #include "host-sim/job/job.hpp"
+#include "host-sim/job/program_judge.hpp"
 #include "host-sim/knowledge/experiment.hpp"
 #include "host-sim/knowledge/flash_lines.hpp"
 #include "host-sim/report/terminal.hpp"
@@ -55,6 +57,18 @@ constexpr std::array kBesideOnController{
     EdgeVariant{"path_follows_kerf", "path follows the kerf, M3 and $860=1", false, "$860=1"},
 };
 
+/// Longer jobs are not simulated.
+constexpr double kMostSimulatedS = 3.0 * 3600.0;
+
+ProgramCheck judge(const CutJob& job,
+                   const CutRun& run,
+                   const std::vector<std::string>& heading,
+                   const std::string& name) {
+  const std::string program = program_of(job, run, heading);
+  Judgement judgement = judge_program(name, program, standpoint_of(settings_of(run)));
+  return {std::move(judgement.faults), job.plan.order.predicted_s(), false};
+}
+
 cut::EdgeFigures drive(const CutJob& job, const CutRun& run, const char* setting) {
   const std::string text = simulated(job, run, {}).text();
   Simulator simulator{text, {.machine = {.has_switches = false}}};
@@ -74,10 +88,14 @@ std::string program_of(const CutJob& job,
       job.plan, job.drawn, job.beam, cnc::gcode::PrintGrid{run.decimals}, heading);
 }
 
-Report check_program(const CutJob& job,
-                     const CutRun& run,
-                     const std::vector<std::string>& heading,
-                     const std::string& name) {
+ProgramCheck check_program(const CutJob& job,
+                           const CutRun& run,
+                           const std::vector<std::string>& heading,
+                           const std::string& name) {
+  const bool needs_tables = job.beam.kerf_table.has_value();
+  if (!needs_tables && job.plan.order.predicted_s() > kMostSimulatedS) {
+    return judge(job, run, heading, name);
+  }
   const SimulatedProgram program = simulated(job, run, heading);
   Report report = check({.file = name,
                          .text = program.text(),
@@ -86,7 +104,7 @@ Report check_program(const CutJob& job,
   for (Fault& fault : report.faults) {
     fault.line -= std::min(fault.line, program.lines_before());
   }
-  return report;
+  return {std::move(report.faults), report.job_time_s, true};
 }
 
 cnc::Settings settings_of(const CutRun& run) {

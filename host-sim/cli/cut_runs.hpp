@@ -24,12 +24,21 @@ struct CutRun {
                                      const CutRun& run,
                                      const std::vector<std::string>& heading);
 
+/// What the machine says of a program.
+struct ProgramCheck {
+  std::vector<Fault> faults{};
+  double job_time_s = 0.0;
+  bool is_simulated = true;  ///< Else the time is the predicted one.
+};
+
 /// Looks the program over on the simulated machine, which has the job's kerf table; lines count as
-/// in the program. @param name what it is called in faults
-[[nodiscard]] Report check_program(const cut::CutJob& job,
-                                   const CutRun& run,
-                                   const std::vector<std::string>& heading,
-                                   const std::string& name);
+/// in the program. A job of more than three hours, whose pulses take their time on this computer,
+/// too, is read line by line in place of that: the same lines are refused, the same travel holds.
+/// @param name what it is called in faults
+[[nodiscard]] ProgramCheck check_program(const cut::CutJob& job,
+                                         const CutRun& run,
+                                         const std::vector<std::string>& heading,
+                                         const std::string& name);
 
 /// Returns the settings of the machine that programs of the run are made for.
 [[nodiscard]] cnc::Settings settings_of(const CutRun& run);

@@ -169,13 +169,14 @@ std::vector<std::string> lines_of(const CutJob& job, const CutFigures& figures) 
     lines.push_back(line_of_corners(figures));
   }
   for (const std::string& line : lines_of(job.plan.safety)) lines.push_back(line);
-  lines.push_back(fmt::format("{} cuts, {} lines, {} arcs; {:.1f} mm cut, {:.1f} mm rapid; {}",
+  lines.push_back(fmt::format("{} cuts, {} lines, {} arcs; {:.1f} mm cut, {:.1f} mm rapid; {}{}",
                               figures.cuts,
                               figures.lines,
                               figures.arcs,
                               figures.cut_length_mm,
                               figures.rapid_length_mm,
-                              duration_text(figures.job_time_s)));
+                              duration_text(figures.job_time_s),
+                              figures.is_simulated ? "" : ", predicted"));
   for (std::string& line : lines_of(job.plan.order, figures.cuts)) {
     lines.push_back(std::move(line));
   }
@@ -220,6 +221,7 @@ Json json_of(const CutJob& job, const CutFigures& figures) {
                      {"dwells_s", figures.corner_dwell_s}};
   if (job.plan.safety.is_asked()) json["safety"] = json_of(job.plan.safety);
   json["job_time_s"] = figures.job_time_s;
+  json["job_time_is"] = figures.is_simulated ? "simulated" : "predicted";
   json["rules"] = json_of(job.plan.recipes, job.drawn);
   json["digests"] = json_of(job.digests);
   json["order"] = json_of(job.plan.order, figures.cuts);

@@ -21,7 +21,8 @@ struct CutFigures {
   double corner_loop_mm = 0.0;    ///< …by which the cuts are longer;
   std::size_t corner_dwells = 0;  ///< that the beam rests at…
   double corner_dwell_s = 0.0;    ///< …in all.
-  double job_time_s = 0.0;        ///< As the simulated controller drives it.
+  double job_time_s = 0.0;        ///< As the simulated controller drives it…
+  bool is_simulated = true;       ///< …or, of long jobs, as it is predicted.
 };
 
 [[nodiscard]] CutFigures figures_of(const CutPlan& plan);

@@ -11,8 +11,8 @@ using drawing::FaultKind;
 
 /// A cut may be nearer to a drawn edge by this before it is reported, mm.
 constexpr double kGougeSlack = 1.0e-4;
-constexpr double kLookForGougesEvery = 0.1;  ///< mm.
-constexpr double kLookForRestsEvery = 0.05;  ///< mm.
+constexpr double kLookForGougesEvery = 0.01;  ///< For the place of the worst, mm.
+constexpr double kLookForRestsEvery = 0.05;   ///< mm.
 
 }  // namespace
 
@@ -22,9 +22,13 @@ std::optional<drawing::Fault> gouge_of(const drawing::Drawing& drawn,
                                        const Clearance& edges,
                                        double half_kerf_mm) {
   const double half = half_kerf_mm;
-  Clearance::Nearest worst{half - kGougeSlack, contour};
+  Clearance::Nearest worst{half, contour};
   Place where{0.0, 0.0};
+  bool is_clear = true;
   for (const Stroke& stroke : loop) {
+    if (edges.is_clear(stroke, half - kGougeSlack)) continue;
+    if (is_clear) where = stroke.to;
+    is_clear = false;
     const auto looks = static_cast<int>(std::ceil(length_of(stroke) / kLookForGougesEvery));
     for (int k = 1; k <= looks; ++k) {  // The start is the end of the stroke before.
       const Place place = place_at(stroke, static_cast<double>(k) / looks);
@@ -34,7 +38,7 @@ std::optional<drawing::Fault> gouge_of(const drawing::Drawing& drawn,
       where = place;
     }
   }
-  if (worst.distance_mm >= half - kGougeSlack) return std::nullopt;
+  if (is_clear) return std::nullopt;
   const std::string& other = drawn.contours[worst.owner].entity.name;
   return drawing::Fault{
       FaultKind::kCrossing,
@@ -73,8 +77,11 @@ std::vector<drawing::Fault> rests_of(const drawing::Entity& entity,
     const auto looks = static_cast<int>(std::ceil(length / kLookForRestsEvery));
     for (int k = 1; k <= looks; ++k) {
       const Place place = place_at(stroke, static_cast<double>(k) / looks);
-      if (paths.nearest(place).distance_mm <= kerf) {
+      const double spare = kerf - paths.nearest(place).distance_mm;
+      if (spare >= 0.0) {
         tell();
+        // No place that is so near to this one is farther than the kerf.
+        k += static_cast<int>(spare * looks / length);
       } else {
         rest.push_back(place);
         rest_mm += length / looks;

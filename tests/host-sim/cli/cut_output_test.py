@@ -88,6 +88,17 @@ class CutOutput(unittest.TestCase):
             self.assertEqual((times[0], times[-1], times), (0.0, 1.0, sorted(times)))
             self.assertEqual(move.get("dur"), f"{min(job_time, 5):.3f}s")
 
+    def test_a_job_of_many_hours_is_not_simulated_but_checked(self):
+        slow = ("--cool", 3600, "--cool-distance", 1000)
+        report = self.report(*slow)
+        self.assertEqual("predicted", report["job_time_is"])
+        self.assertAlmostEqual(report["job_time_s"], report["order"]["predicted_job_time_s"], 6)
+        self.assertGreater(report["job_time_s"], 3 * 3600)
+        self.assertIn("predicted", (self.folder / "out.nc").read_text().split("rapid;")[1][:60])
+        done = self.cut(*slow, "--set", "$20=1", "--set", "$130=90", status=1)
+        self.assertRegex(done.stderr, r"out\.nc:\d+:\d+: X needs")
+        self.assertEqual("simulated", self.report()["job_time_is"])
+
     def test_the_job_sheet_is_the_same_each_time(self):
         names = [self.folder / f"{i}.pdf" for i in range(2)]
         for name in names:

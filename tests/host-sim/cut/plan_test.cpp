@@ -95,6 +95,21 @@ TEST(CutPlan, RefusesToCutOnePartOffAnother) {
   EXPECT_THAT(plan.faults[0].reason, testing::HasSubstr("takes 0.200 mm off rect"));
 }
 
+/// Wherever along the cut the tip comes too near to it, and by however little.
+TEST(CutPlan, FindsTheTipThatACutTouches) {
+  for (int i = 0; i < 10; ++i) {
+    const auto faults = [i](double gap_mm) {
+      return plan_of(drawing_of(fmt::format("<rect x=\"0\" y=\"0\" width=\"10\" height=\"10\"/>"
+                                            "<path d=\"M{} {} l3 5 h-0.4 z\"/>",
+                                            5.0 + 0.013 * i,
+                                            10.0 + gap_mm)))
+          .faults;
+    };
+    EXPECT_FALSE(faults(0.5997).empty()) << i;
+    EXPECT_TRUE(faults(0.6003).empty()) << i;
+  }
+}
+
 TEST(CutPlan, CutsOnTheLineWhatItsLayerSays) {
   const auto drawn =
       drawing_of("<path d=\"M0 0H5\"/><rect x=\"20\" y=\"0\" width=\"9\" height=\"9\"/>");
