@@ -91,7 +91,8 @@ std::vector<double> spots_of(const MeasuredRow& loop,
                              const BeginningWish& wish) {
   if (wish.marked_mm) return {*wish.marked_mm};
   std::vector<double> corners;
-  if (wish.where == StartAt::kAny || wish.where == StartAt::kCorner) {
+  const bool is_any = wish.where == StartAt::kAny || wish.where == StartAt::kTab;
+  if (is_any || wish.where == StartAt::kCorner) {
     corners = corner_spots(loop, settings, half_kerf_mm);
   }
   if (wish.where == StartAt::kCorner && !corners.empty()) {

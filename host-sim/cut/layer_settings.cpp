@@ -80,8 +80,9 @@ StartAt start_from(std::string_view text) {
   if (text == "straight") return StartAt::kStraight;
   if (text == "corner") return StartAt::kCorner;
   if (text == "usual") return StartAt::kUsual;
+  if (text == "tab") return StartAt::kTab;
   throw std::invalid_argument(
-      fmt::format("start={}: wants `any`, `straight`, `corner` or `usual`", text));
+      fmt::format("start={}: wants `any`, `straight`, `corner`, `usual` or `tab`", text));
 }
 
 }  // namespace

@@ -29,6 +29,7 @@ enum class StartAt : std::uint8_t {
   kStraight,  ///< On straights and rounds.
   kCorner,    ///< At corners, where it has any.
   kUsual,     ///< In the middle of its longest stroke with room for the leads, nowhere else.
+  kTab,       ///< As kAny, but behind one of its tabs, before which it ends; where it has any.
 };
 
 enum class LeadKind : std::uint8_t { kNone, kLine, kArc };

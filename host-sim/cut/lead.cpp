@@ -38,19 +38,32 @@ void add(std::vector<Stroke>& row, std::vector<Stroke> more, Purpose purpose) {
   }
 }
 
-/// What is left standing is a kerf less than what is not cut.
-std::vector<Stroke> tabbed(const MeasuredRow& row, unsigned tabs, double gap_mm) {
+/// Tabs at even distances. What is left standing is a kerf less than what is not cut.
+struct Tabs {
+  unsigned count = 0;
+  double gap_mm = 0.0;
+  bool has_last_at_end = false;  ///< The row ends before it, and is not closed.
+};
+
+std::vector<Stroke> tabbed(const MeasuredRow& row, const Tabs& tabs) {
   const double length = row.length();
+  const double half = 0.5 * tabs.gap_mm;
   std::vector<Stroke> result;
   double done = 0.0;
-  for (unsigned i = 0; i < tabs; ++i) {
-    const double middle = length * (i + 0.5) / tabs;
-    add(result, row.stretch(done, middle - 0.5 * gap_mm), Purpose::kContour);
-    add(result, row.stretch(middle - 0.5 * gap_mm, middle + 0.5 * gap_mm), Purpose::kTab);
-    done = middle + 0.5 * gap_mm;
+  for (unsigned i = 0; i < tabs.count; ++i) {
+    const double end = length * (i + 1.0) / tabs.count;
+    const double middle = tabs.has_last_at_end ? end - half : end - 0.5 * length / tabs.count;
+    add(result, row.stretch(done, middle - half), Purpose::kContour);
+    if (tabs.has_last_at_end && i + 1 == tabs.count) return result;
+    add(result, row.stretch(middle - half, middle + half), Purpose::kTab);
+    done = middle + half;
   }
   add(result, row.stretch(done, length), Purpose::kContour);
   return result;
+}
+
+bool ends_at_a_tab(const LayerSettings& settings, unsigned tabs) {
+  return settings.start == StartAt::kTab && tabs > 0;
 }
 
 /// Tabs take less than half of the cut.
@@ -66,8 +79,9 @@ std::vector<Stroke> body_of(const MeasuredRow& loop,
                             unsigned tabs,
                             double kerf_mm) {
   const MeasuredRow row{loop.begun_at(way_mm)};
-  std::vector<Stroke> body = tabbed(row, tabs, settings.tab_mm + kerf_mm);
-  add(body, row.stretch(0.0, settings.overcut_mm), Purpose::kOvercut);
+  const bool ends_at_tab = ends_at_a_tab(settings, tabs);
+  std::vector<Stroke> body = tabbed(row, {tabs, settings.tab_mm + kerf_mm, ends_at_tab});
+  if (!ends_at_tab) add(body, row.stretch(0.0, settings.overcut_mm), Purpose::kOvercut);
   return body;
 }
 
@@ -128,7 +142,9 @@ LedCut with_leads(const MeasuredRow& loop,
   }
   cut.strokes = std::move(leads.in);
   cut.strokes.insert(cut.strokes.end(), body.begin(), body.end());
-  cut.strokes.insert(cut.strokes.end(), leads.out.begin(), leads.out.end());
+  if (!ends_at_a_tab(settings, cut.tabs)) {
+    cut.strokes.insert(cut.strokes.end(), leads.out.begin(), leads.out.end());
+  }
   if (settings.pierce_s > 0.0) slow_down_start(cut.strokes);
   return cut;
 }

@@ -57,6 +57,8 @@ struct LedCut {
 /// A closed row of strokes with the part on its left, as a cut: led in from the waste on the right,
 /// with the beam off at tabs, overcut and led out; then corners are treated. An arc is a quarter
 /// turn and touches the contour, a line comes at 45 degrees.
+/// With StartAt::kTab the last tab ends where the cut began, and there is no overcut and no lead
+/// out.
 /// @param tabs their number, evenly spaced; fewer where they would take half of the cut
 [[nodiscard]] LedCut with_leads(const MeasuredRow& loop,
                                 const LayerSettings& settings,

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
 #include <optional>
 #include <stdexcept>
 
+#include "host-sim/cut/cut_turn.hpp"
 #include "host-sim/cut/group_order.hpp"
 #include "planner/order/set_masks.hpp"
 
@@ -24,37 +24,15 @@ RapidCost cost_of(const OrderWish& wish) {
   return wish.cost == OrderCost::kTime ? RapidCost{wish.limits} : RapidCost{};
 }
 
-/// Cuts by groups, those of one group after those of the one before. A cut that must come after
-/// one of a later group goes to that.
+/// Cuts by their turns.
 std::vector<std::vector<std::size_t>> groups_of(const std::vector<UnbegunCut>& cuts,
                                                 Grouping grouping) {
-  std::vector<std::size_t> all(cuts.size());
-  std::iota(all.begin(), all.end(), std::size_t{0});
-  const auto has_rank = [](const UnbegunCut& cut) { return cut.settings.rank.has_value(); };
-  const bool by_layer = grouping == Grouping::kLayer;
-  if (!by_layer && std::ranges::none_of(cuts, has_rank)) return {all};
-  using Key = std::pair<unsigned, std::size_t>;
-  std::vector<Key> keys;
-  keys.reserve(cuts.size());
-  for (const UnbegunCut& cut : cuts) {
-    keys.emplace_back(cut.settings.rank.value_or(0), by_layer ? cut.layer : 0);
-  }
-  // Along chains of cuts, however the drawing lists them.
-  for (bool is_changed = true; is_changed;) {
-    is_changed = false;
-    for (std::size_t i = 0; i < cuts.size(); ++i) {
-      for (const std::size_t before : cuts[i].after) {
-        if (keys[before] <= keys[i]) continue;
-        keys[i] = keys[before];
-        is_changed = true;
-      }
-    }
-  }
-  std::map<Key, std::vector<std::size_t>> sorted;
-  for (const std::size_t cut : all) sorted[keys[cut]].push_back(cut);
+  const std::vector<CutTurn> turns = turns_of(cuts, grouping);
+  std::map<CutTurn, std::vector<std::size_t>> sorted;
+  for (std::size_t i = 0; i < cuts.size(); ++i) sorted[turns[i]].push_back(i);
   std::vector<std::vector<std::size_t>> groups;
   groups.reserve(sorted.size());
-  for (auto& [key, members] : sorted) groups.push_back(std::move(members));
+  for (auto& [turn, members] : sorted) groups.push_back(std::move(members));
   return groups;
 }
 

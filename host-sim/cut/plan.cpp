@@ -13,6 +13,7 @@
 #include "host-sim/cut/clearance.hpp"
 #include "host-sim/cut/controller_way.hpp"
 #include "host-sim/cut/kerf_faults.hpp"
+#include "host-sim/cut/late_cuts.hpp"
 #include "host-sim/cut/lead.hpp"
 #include "host-sim/cut/outlines.hpp"
 #include "host-sim/cut/rapid_way.hpp"
@@ -74,6 +75,9 @@ class Planner {
     }
     put_parts_last();
     find_beginnings();
+    for (drawing::Fault& late : late_cuts(drawn_, plan_.cuts, unbegun_)) {
+      (late.is_error() ? plan_.faults : plan_.warnings).push_back(std::move(late));
+    }
     put_in_order();
     return std::move(plan_);
   }
@@ -227,6 +231,10 @@ void Planner::find_beginnings() {
   for (std::size_t i = 0; i < plan_.cuts.size(); ++i) {
     unbegun_[i].after = plan_.cuts[i].after;
     unbegun_[i].part = part_of_contour(plan_.cuts[i].contour);
+    if (!drawn_.turns.of_part.empty()) {
+      const std::size_t part = drawn_.contours[plan_.cuts[i].contour].entity.part;
+      unbegun_[i].part_turn = drawn_.turns.of_part[part];
+    }
     find_beginnings(i, count);
     if (beside_ == WayBeside::kOnController) keep_what_the_controller_finds(i);
   }
@@ -244,17 +252,20 @@ void Planner::find_beginnings(std::size_t cut, std::size_t count) {
   BeginningWish wish{.where = settings.start, .count = count};
   // A corner that is passed in a loop or with a rest is no place to begin at.
   const bool has_work_at_corners = settings.corner_loop_mm > 0.0 || settings.corner_dwell_s > 0.0;
-  if (wish.where == StartAt::kAny && has_work_at_corners) wish.where = StartAt::kStraight;
+  const auto is_any = [&wish] {
+    return wish.where == StartAt::kAny || wish.where == StartAt::kTab;
+  };
+  if (is_any() && has_work_at_corners) wish.where = StartAt::kStraight;
   // The controller reaches the edge a little later than the beam that is planned here: only in the
   // middle of a stroke there is always room for that.
   const bool is_planned_here = beside_ == WayBeside::kHere;
-  if (wish.where == StartAt::kAny && !is_planned_here) wish.where = StartAt::kUsual;
+  if (is_any() && !is_planned_here) wish.where = StartAt::kUsual;
   if (marks_[contour]) wish.marked_mm = way_nearest_to(unbegun.path, *marks_[contour]);
   unbegun.beginnings = outlines_[contour].is_beside
                            ? beginnings_of(unbegun.path, settings, room_of(contour), wish)
                            : beginnings_on_line(unbegun.path, settings, wish);
   unbegun.may_move = !wish.marked_mm && !has_work_at_corners && is_planned_here &&
-                     (wish.where == StartAt::kAny || wish.where == StartAt::kStraight);
+                     (is_any() || wish.where == StartAt::kStraight);
 }
 
 /// Leaves out beginnings from which the controller does not find its way, unless that is all.

@@ -81,11 +81,19 @@ struct Stock {
   bool keeps_skeleton = false;  ///< What is left of it stays in one piece.
 };
 
+/// When the parts of a sheet file are cut.
+struct PartTurns {
+  std::vector<std::size_t> of_part{};  ///< By Entity::part: lower ones first. Empty: in any order.
+  /// The order is the only wish; else each part says after which others it is cut.
+  bool is_order_of_file = false;
+};
+
 /// What a file draws: all that is sound in it, and everything that is not.
 struct Drawing {
   std::string file;
   std::optional<Stock> stock{};      ///< Of a sheet file.
   std::vector<std::string> parts{};  ///< Names by Entity::part; empty unless it is a sheet file.
+  PartTurns turns{};
   std::vector<Layer> layers;
   std::vector<DrawnContour> contours;
   std::vector<Fault> faults;    ///< At most kMostFaults, in the order found.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <filesystem>
@@ -54,6 +55,7 @@ class PartPlacer {
       report_faults(part, *drawn, layers);
       if (!take_shapes(part, *drawn)) break;
       for (std::size_t copy = 0; copy < part.places.size(); ++copy) {
+        turns_.push_back(sheet_.locked ? turns_.size() : part.turn);
         add(*drawn, layers, label_of(part, copy), transform_of(part.places[copy]));
       }
     }
@@ -63,6 +65,7 @@ class PartPlacer {
     all.file = sheet_.file;
     all.stock = sheet_.stock;
     all.parts = std::move(labels_);
+    if (has_order()) all.turns = {std::move(turns_), sheet_.locked};
     all.layers = std::move(sketch_.layers());
     all.contours.reserve(pieces_.size());
     for (Piece& piece : pieces_) all.contours.push_back(std::move(piece.contour));
@@ -72,6 +75,11 @@ class PartPlacer {
   }
 
  private:
+  [[nodiscard]] bool has_order() const {
+    const auto waits = [](const SheetPart& part) { return !part.after.empty(); };
+    return sheet_.locked || std::ranges::any_of(sheet_.parts, waits);
+  }
+
   /// Reads each file once. Null, and a fault, where there is nothing to place.
   const Drawing* drawing_of(const SheetPart& part) {
     const std::string file = resolved(sheet_, part.drawing);
@@ -164,6 +172,7 @@ class PartPlacer {
   std::map<std::string, Drawing> drawings_;
   std::vector<Piece> pieces_;
   std::vector<std::string> labels_;
+  std::vector<std::size_t> turns_;  ///< One for each label.
   std::size_t shapes_ = 0;
 };
 

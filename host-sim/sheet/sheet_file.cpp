@@ -11,6 +11,7 @@
 
 #include "host-sim/import/line_table.hpp"
 #include "host-sim/report/printable.hpp"
+#include "host-sim/sheet/part_order.hpp"
 #include "host-sim/sheet/sheet_fields.hpp"
 
 namespace sim::sheet {
@@ -51,6 +52,7 @@ class SheetReader {
                  fmt::format("a sheet has {} parts at most, with any number of places", kMaxParts));
     } else {
       for (std::size_t i = 0; i < parts.size(); ++i) read_part(parts[i], i);
+      give_turns(sheet_);
     }
   }
 
@@ -103,7 +105,8 @@ class SheetReader {
                         "mirror",
                         "step_x_mm",
                         "step_y_mm",
-                        "columns"},
+                        "columns",
+                        "after"},
                        sheet_.faults};
     SheetPart part{.name = {}, .drawing = fields.text("drawing", ""), .places = {}};
     part.pointer = pointer;
@@ -115,6 +118,7 @@ class SheetReader {
                  "give each part a name of its own, or list all places in one part");
     }
     part.places = fields.has("places") ? listed_places(fields) : grid_of_places(fields);
+    part.after = names_before(fields);
     copies_ += part.places.size();
     if (copies_ > kMaxCopies) {
       fields.bad("copies",
@@ -122,6 +126,17 @@ class SheetReader {
                  fmt::format("a sheet has {} at most", kMaxCopies));
     }
     if (sheet_.faults.size() == before) sheet_.parts.push_back(std::move(part));
+  }
+
+  static std::vector<std::string> names_before(SheetFields& fields) {
+    std::vector<std::string> names;
+    if (!fields.has("after")) return names;
+    for (const json& name : fields.array("after")) {
+      if (name.is_string()) names.push_back(name.get<std::string>());
+      if (!name.is_string())
+        fields.bad("after", "has what is no name", R"(write ["NAME", "NAME"])");
+    }
+    return names;
   }
 
   std::vector<Placing> listed_places(SheetFields& fields) {
@@ -254,6 +269,7 @@ std::string text_of(const Sheet& sheet) {
     nlohmann::ordered_json row;
     row["drawing"] = part.drawing;
     row["name"] = part.name;
+    if (!part.after.empty()) row["after"] = part.after;
     row["places"] = nlohmann::ordered_json::array();
     for (const Placing& placing : part.places) {
       nlohmann::ordered_json place{{"x_mm", placing.at_mm.x()}, {"y_mm", placing.at_mm.y()}};

@@ -28,7 +28,9 @@ struct SheetPart {
   std::string name;
   std::string drawing;  ///< As written: relative to the folder of the sheet file.
   std::vector<Placing> places;
-  std::string pointer{};  ///< Place in the file, for messages: `/parts/3`.
+  std::vector<std::string> after{};  ///< Names of parts of which all copies are cut before.
+  std::size_t turn = 0;              ///< Greater than those of the parts that come before.
+  std::string pointer{};             ///< Place in the file, for messages: `/parts/3`.
 };
 
 /// A sheet of stock and the parts that are cut from it.
@@ -36,7 +38,7 @@ struct Sheet {
   std::string file;
   std::optional<Stock> stock{};
   std::vector<SheetPart> parts;
-  bool locked = false;  ///< The order of the file is to be kept.
+  bool locked = false;  ///< Copies are cut in the order in which the file lists them.
   std::vector<drawing::Fault> faults{};
 };
 

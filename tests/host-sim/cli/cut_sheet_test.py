@@ -38,10 +38,10 @@ class Sheets(unittest.TestCase):
         (self.folder / "parts" / "key.svg").write_text(KEY)
         (self.folder / "parts" / "frame.svg").write_text(FRAME)
 
-    def sheet(self, *parts, **stock):
+    def sheet(self, *parts, locked=False, **stock):
         name = self.folder / "sheet.json"
         name.write_text(json.dumps({"kerfline_sheet": 1, "stock": {"width_mm": 300, "height_mm": 200} | stock,
-                                    "parts": list(parts)}))
+                                    "locked": locked, "parts": list(parts)}))
         return name
 
     def cut(self, sheet, *more):
@@ -73,6 +73,42 @@ class Sheets(unittest.TestCase):
         checked = run("check", "-", "--set", "$32=1", "--json", text=done.stdout)
         bounds = json.loads(checked.stdout)[0]["bounds_mm"]
         self.assertLess(bounds["X"][1], 300.0)
+
+    # To and fro, so that no short order is this one.
+    TURNS = ({"drawing": "parts/key.svg", "name": "far", "x_mm": 240, "y_mm": 150},
+             {"drawing": "parts/key.svg", "name": "near", "x_mm": 5, "y_mm": 5},
+             {"drawing": "parts/key.svg", "name": "middle", "copies": 2, "step_x_mm": 60, "x_mm": 100, "y_mm": 80})
+
+    def parts_in_turn(self, *parts, **sheet):
+        done = self.cut(self.sheet(*parts, **sheet))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return re.findall(r"^\(\d+: \w+, (.*): path \"rim\"\)$", done.stdout, re.MULTILINE)
+
+    def test_parts_are_cut_after_those_that_the_sheet_names(self):
+        far, near, middle = self.TURNS
+        as_listed = ["far", "near", "middle #1", "middle #2"]
+        self.assertNotEqual(as_listed, self.parts_in_turn(*self.TURNS))
+        self.assertEqual(as_listed, self.parts_in_turn(*self.TURNS, locked=True))
+        waiting = self.parts_in_turn(near | {"after": ["far"]}, middle, far | {"after": ["middle"]})
+        self.assertEqual({"middle #1", "middle #2"}, set(waiting[:2]))
+        self.assertEqual(["far", "near"], waiting[2:])
+
+    def test_parts_that_wait_for_what_cannot_be_are_told(self):
+        a, b, c = ({"drawing": "parts/key.svg", "name": name, "x_mm": 60 * i} for i, name in enumerate("abc"))
+        told = self.refused(a | {"after": ["c"]}, b, c | {"after": ["b", "a"]})
+        self.assertIn('/parts/0/after: parts wait for each other in a circle: "a" after "c" after "a"; take', told)
+        self.assertIn('"a" after "a"', self.refused(a | {"after": ["a"]}, b))
+        self.assertIn('/parts/1/after: no part is called "d"', self.refused(a, b | {"after": ["d"]}))
+        self.assertIn('has what is no name', self.refused(a | {"after": [3]}, b))
+        self.assertIn('part "b" stands below it, and the order is locked',
+                      self.refused(a | {"after": ["b"]}, b, locked=True))
+        frame = {"drawing": "parts/frame.svg", "name": "frame", "x_mm": 100, "y_mm": 50}
+        inside = {"drawing": "parts/key.svg", "name": "inside", "x_mm": 120, "y_mm": 70}
+        self.assertIn("inside lies in it and is to be cut later; nothing is cut free before that",
+                      self.refused(inside | {"after": ["frame"]}, frame))
+        done = self.cut(self.sheet(frame, inside, locked=True))
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("inside lies in it and is to be cut later", done.stderr)
 
     def test_a_saved_sheet_cuts_the_same(self):
         saved = self.folder / "saved.json"

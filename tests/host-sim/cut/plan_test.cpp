@@ -4,8 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 
 #include "host-sim/import/curve_measure.hpp"
 #include "tests/host-sim/cut/support.hpp"
@@ -118,6 +120,51 @@ TEST(CutPlan, CutsOnTheLineWhatItsLayerSays) {
   for (const Cut& cut : plan.cuts) {
     EXPECT_DOUBLE_EQ(length_of(cut.strokes), drawn.contours[cut.contour].closed ? 36.0 : 5.0);
   }
+}
+
+/// The last tab ends where the cut begins: nothing is cut there that would free the part.
+TEST(CutPlan, EndsAtATab) {
+  for (const unsigned tabs : {1U, 3U}) {
+    const LayerSettings settings{
+        .overcut_mm = 1.0, .tab_mm = 0.5, .tabs = tabs, .start = StartAt::kTab};
+    const CutPlan plan =
+        plan_of(drawing_of("<rect x=\"10\" y=\"10\" width=\"20\" height=\"20\"/>"), settings);
+    ASSERT_EQ(plan.cuts.size(), 1U);
+    const std::vector<Stroke>& strokes = plan.cuts[0].strokes;
+    const auto first = std::ranges::find(strokes, Purpose::kContour, &Stroke::purpose);
+    EXPECT_EQ(strokes.back().purpose, Purpose::kContour);
+    EXPECT_NEAR(drawing::distance(first->from, strokes.back().to), 0.5 + kTestKerf, 0.2);
+    EXPECT_EQ(std::ranges::count(strokes, Purpose::kOvercut, &Stroke::purpose), 0);
+    double cut_mm = 0.0;
+    double dark_mm = 0.0;
+    for (const Stroke& stroke : strokes) {
+      if (stroke.purpose == Purpose::kContour) cut_mm += length_of(stroke);
+      if (stroke.purpose == Purpose::kTab) dark_mm += length_of(stroke);
+    }
+    EXPECT_NEAR(dark_mm, (tabs - 1) * (0.5 + kTestKerf), 1.0e-9);
+    EXPECT_NEAR(cut_mm + tabs * (0.5 + kTestKerf), 80.0 + 2.0 * std::numbers::pi * kHalf, 1.0e-6);
+  }
+}
+
+TEST(CutPlan, SaysWhichLayersAreCutLaterThanTheirRank) {
+  const auto drawn = drawing_of(
+      "<rect x=\"0\" y=\"0\" width=\"30\" height=\"30\" stroke=\"red\"/>"
+      "<rect x=\"40\" y=\"0\" width=\"30\" height=\"30\" stroke=\"red\"/>"
+      "<circle cx=\"9\" cy=\"9\" r=\"4\" stroke=\"blue\"/>"
+      "<circle cx=\"50\" cy=\"9\" r=\"4\" stroke=\"blue\"/>");
+  const auto plan_with = [&drawn](unsigned red, unsigned blue) {
+    auto layers = layers_with(drawn, {});
+    layers[0].settings.rank = red;
+    layers[1].settings.rank = blue;
+    return plan_cuts(drawn, layers);
+  };
+  EXPECT_TRUE(plan_with(1, 1).warnings.empty());
+  EXPECT_TRUE(plan_with(2, 1).warnings.empty());
+  const CutPlan plan = plan_with(0, 1);
+  EXPECT_TRUE(plan.faults.empty());
+  ASSERT_EQ(plan.warnings.size(), 1U);
+  EXPECT_THAT(plan.warnings[0].reason, testing::HasSubstr("after the layer blue, of a later rank"));
+  EXPECT_THAT(plan.warnings[0].reason, testing::HasSubstr("(and 1 more contour)"));
 }
 
 /// A frame that is not cut is no part, and what is in it is no hole.

@@ -1,0 +1,30 @@
+#include "host-sim/cut/cut_turn.hpp"
+
+#include <algorithm>
+
+namespace sim::cut {
+
+CutTurn wished_turn(const UnbegunCut& cut, Grouping grouping) {
+  const bool by_layer = grouping == Grouping::kLayer;
+  return {cut.settings.rank.value_or(0), cut.part_turn, by_layer ? cut.layer : 0};
+}
+
+std::vector<CutTurn> turns_of(const std::vector<UnbegunCut>& cuts, Grouping grouping) {
+  std::vector<CutTurn> turns;
+  turns.reserve(cuts.size());
+  for (const UnbegunCut& cut : cuts) turns.push_back(wished_turn(cut, grouping));
+  // Along chains of cuts, however the drawing lists them.
+  for (bool is_changed = true; is_changed;) {
+    is_changed = false;
+    for (std::size_t i = 0; i < cuts.size(); ++i) {
+      for (const std::size_t before : cuts[i].after) {
+        if (turns[before] <= turns[i]) continue;
+        turns[i] = turns[before];
+        is_changed = true;
+      }
+    }
+  }
+  return turns;
+}
+
+}  // namespace sim::cut

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "host-sim/cut/cut_turn.hpp"
+#include "host-sim/cut/plan.hpp"
+
+namespace sim::cut {
+
+/// Returns a fault for each pair of layers, and each pair of parts of a sheet file, of which the
+/// one is to be cut first but has the other inside it: nothing is cut free before what lies in it.
+/// Each names the first such contour and the number of others.
+/// @param cuts with their contours, in the order of `unbegun`
+[[nodiscard]] std::vector<drawing::Fault> late_cuts(const drawing::Drawing& drawn,
+                                                    const std::vector<Cut>& cuts,
+                                                    const std::vector<UnbegunCut>& unbegun);
+
+}  // namespace sim::cut
