@@ -69,6 +69,7 @@ function(kerfline_board_image name header object offset_kib end_kib)
     kerfline_controller_flags ${firmware} kerfline_hal_stm32f405)
   target_link_options(${name} PRIVATE
     -nostartfiles --specs=nano.specs -Wl,--gc-sections -T${script}
+    -Wl,--emit-relocs  # For tests/static/image_stack.py; the binary files have none.
     -Wl,--defsym=application_begin=${begin} -Wl,--defsym=application_end=${end}
     -Wl,--defsym=stack_bytes=${KERFLINE_STACK_BYTES})
   add_custom_command(TARGET ${name} POST_BUILD

@@ -362,12 +362,12 @@ struct RowIndex {
 constexpr RowIndex kRowIndex = [] {
   RowIndex index;
   for (auto& page : index.rows) page.fill(kNoRow);
-  std::uint8_t used = 0;
-  for (std::uint8_t row = 0; row < kTable.size(); ++row) {
+  std::size_t used = 0;
+  for (std::size_t row = 0; row < kTable.size(); ++row) {
     if (!has_page_before(row)) ++used;
     const std::uint16_t number = kTable[row].number;
-    index.pages[number >> kPageBits] = used;
-    index.rows[used][number % kPageSize] = row;
+    index.pages[number >> kPageBits] = static_cast<std::uint8_t>(used);
+    index.rows[used][number % kPageSize] = static_cast<std::uint8_t>(row);
   }
   return index;
 }();

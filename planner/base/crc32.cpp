@@ -32,14 +32,12 @@ constexpr std::uint32_t remainder_of(std::uint32_t value, std::size_t behind) {
   return kTables[behind][value & 0xFU];
 }
 
-/// The state after its lower half; the upper half, which already holds the data that follow, moves
-/// down.
-constexpr std::uint32_t after_half(std::uint32_t mixed) {
+}  // namespace
+
+std::uint32_t Crc32::after_half(std::uint32_t mixed) {
   return (mixed >> 16) ^ remainder_of(mixed, 3) ^ remainder_of(mixed >> 4, 2) ^
          remainder_of(mixed >> 8, 1) ^ remainder_of(mixed >> 12, 0);
 }
-
-}  // namespace
 
 void Crc32::add(std::byte byte) {
   const std::uint32_t mixed = state_ ^ std::to_integer<std::uint32_t>(byte);

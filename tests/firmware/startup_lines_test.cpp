@@ -15,8 +15,7 @@ class StartupLinesTest : public ControllerTest {
  protected:
   static constexpr std::string_view kWayOut =
       "[MSG:A startup line raised it: reset and $X, then $N0= or $N1= clears it]";
-  static constexpr std::string_view kTakenBack =
-      "[MSG:$N1 failed, and is as before again]";
+  static constexpr std::string_view kTakenBack = "[MSG:$N1 failed, and is as before again]";
 
   void restart() {
     link.outgoing.clear();

@@ -21,7 +21,7 @@ COMPILER = "arm-none-eabi-g++"
 SCRIPT = ROOT / "toolchain/stm32f405.ld"
 FLAGS = """-std=c++20 -mcpu=cortex-m4 -mthumb -mfpu=fpv4-sp-d16 -mfloat-abi=hard -O2 -fno-exceptions
     -fno-rtti -fno-use-cxa-atexit -fno-unwind-tables -fno-asynchronous-unwind-tables -nostartfiles
-    --specs=nano.specs --specs=nosys.specs -Wl,--gc-sections""".split()
+    --specs=nano.specs --specs=nosys.specs -Wl,--gc-sections -Wl,--emit-relocs""".split()
 PLACES = {"application_begin": 0x08000000, "application_end": 0x08100000, "stack_bytes": 8192}
 
 PROGRAM = """
@@ -165,6 +165,14 @@ class ImageGates(unittest.TestCase):
                 options = ["--interrupt", "100"] if "step_interrupt" in expected else []
                 stack = 4096 if "at once" in expected or "stack has" in expected else 8192
                 self.assertIn(expected, self.stack_of(source, *options, stack_bytes=stack))
+
+    def test_a_number_that_looks_like_an_address_is_none(self):
+        source = "[[gnu::noipa]] int like_it(int n) {{ return n; }}\nextern const unsigned number = {:#x};\n" \
+            "int planted(int n) {{ return like_it(n) + int(*const_cast<const volatile unsigned*>(&number)); }}"
+        elf, _ = link(self.folder, source.format(1))
+        symbols = subprocess.run(["arm-none-eabi-nm", elf], capture_output=True, text=True, check=True).stdout
+        address = int(next(row for row in symbols.splitlines() if "like_it" in row).split()[0], 16)
+        self.assertNotIn("its address is taken", self.stack_of(source.format(address | 1)))
 
     def test_a_virtual_call_counts_as_its_deepest_function(self):
         source = """

@@ -106,7 +106,7 @@ class Image:
 
     @staticmethod
     def _words_of(elf: pathlib.Path) -> dict:
-        """{address: word} of constants, and of code, some of which looks like an address."""
+        """{address: word} of constants and of code."""
         words = {}
         for line in tool("objdump", "-s", "-j", ".text", "-j", ".data", elf):
             if found := re.match(r" ([0-9a-f]+) ((?:[0-9a-f]{2,8} ){1,4})", line):
@@ -114,6 +114,12 @@ class Image:
                 for place in range(0, len(data) - 3, 4):
                     words[int(found[1], 16) + place] = struct.unpack_from("<I", data, place)[0]
         return words
+
+    @staticmethod
+    def _pointers_in(elf: pathlib.Path) -> set:
+        """The places of all words that the linker has made addresses of. Other words may look like an
+        address: the pins of a board once did."""
+        return {int(row.split()[0], 16) for row in tool("readelf", "-rW", elf) if " R_ARM_ABS32 " in row}
 
     def _function_at(self, word: int) -> str:
         """The function that a pointer means; empty when it means none."""
@@ -136,7 +142,8 @@ class Image:
         """Functions whose address is taken outside of the tables of virtual functions, by a
         constant in memory or by one of those that code has built."""
         tables = {at for _, begin, size in self._tables(elf) for at in range(begin, begin + size, 4)}
-        stored = {word for at, word in self.words.items() if at not in tables}
+        self.pointers = self._pointers_in(elf)
+        stored = {word for at, word in self.words.items() if at in self.pointers - tables}
         return {self._function_at(word) for word in stored | built} - {""}
 
     def pointer_targets(self, name: str, owners: frozenset) -> set:
@@ -189,6 +196,8 @@ def readable(way) -> str:
 
 def report(image: Image, limits: argparse.Namespace, stack: int) -> list:
     """Prints what each level may need; returns complaints."""
+    if not image.pointers:
+        return ["the image was linked without --emit-relocs, which tells addresses from numbers"]
     complaints = [f"recursion: {readable(cycle)}" for cycle in image.cycles()]
     complaints += [f"size known only at run time: {name}"
                    for name, function in image.functions.items() if function.dynamic]
