@@ -138,10 +138,12 @@ ChosenOrder choose_order(const std::vector<UnbegunCut>& cuts,
         "--order exact: the proof does not fit into 1 GB; use --order ours, which needs none");
   }
   if (wish.grouping == Grouping::kPart) keep_parts_together(chosen.cuts, cuts);
+  chosen.listed = rapids_of(chosen.cuts, wish);
   if (wish.method == OrderMethod::kNearest || wish.method == OrderMethod::kAnneal) return chosen;
   const RapidCost cost = cost_of(wish);
   const int rounds = cuts.size() > kMany ? kRoundsOfMany : kRefinementRounds;
   choose_beginnings(chosen.cuts, cuts, cost, ends);
+  chosen.listed = rapids_of(chosen.cuts, wish);
   refine_beginnings(chosen.cuts, cuts, cost, ends, edges, rounds);
   const bool is_whole = wish.grouping != Grouping::kPart && cuts.size() <= kMany;
   if (wish.method == OrderMethod::kOurs && is_whole && !wish.seconds) {

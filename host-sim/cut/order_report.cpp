@@ -37,8 +37,11 @@ std::vector<std::string> lines_of(const OrderFigures& order, std::size_t cuts) {
   };
   const double nearest = saving(cost(order.rapids), cost(order.nearest));
   const double file = saving(cost(order.rapids), cost(order.file));
+  const double listed = saving(cost(order.rapids), cost(order.listed));
   return {
       first,
+      line("  starts at listed points only:", order.listed) +
+          fmt::format("; {:.1f} percent saved", listed),
       line("  as drawn, usual starts:", order.file) + fmt::format("; {:.1f} percent saved", file),
       line("  nearest, usual starts:", order.nearest) +
           fmt::format("; {:.1f} percent saved", nearest),
@@ -57,6 +60,7 @@ Json json_of(const OrderFigures& order, std::size_t cuts) {
   json["pierces"] = cuts;
   json.update(json_of(order.rapids, order));
   json["cut_time_s"] = order.strokes_s;
+  json["with_listed_starts"] = json_of(order.listed, order);
   json["file_with_usual_starts"] = json_of(order.file, order);
   json["nearest_with_usual_starts"] = json_of(order.nearest, order);
   json["saved_of_nearest"] = {

@@ -315,6 +315,7 @@ void Planner::put_in_order() {
   }
   plan_.cuts = std::move(cuts);
   plan_.order.is_proven = chosen.is_proven;
+  plan_.order.listed = chosen.listed;
   predict(plan_);
   plan_.order.file = rapids_of(usual_order(unbegun_, wish_, order::OrderMethod::kFile), wish_);
   plan_.order.nearest =

@@ -99,6 +99,12 @@ class CutOutput(unittest.TestCase):
         self.assertRegex(done.stderr, r"out\.nc:\d+:\d+: X needs")
         self.assertEqual("simulated", self.report()["job_time_is"])
 
+    def test_the_report_says_what_starts_between_the_listed_ones_save(self):
+        for cost, figure in (("length", "rapid_length_mm"), ("time", "rapid_time_s")):
+            order = self.report("--cost", cost)["order"]
+            self.assertLess(order[figure], order["with_listed_starts"][figure])
+            self.assertLess(order["with_listed_starts"][figure], order["nearest_with_usual_starts"][figure])
+
     def test_the_job_sheet_is_the_same_each_time(self):
         names = [self.folder / f"{i}.pdf" for i in range(2)]
         for name in names:
