@@ -70,6 +70,17 @@ class Reports(unittest.TestCase):
             self.outcome(without="emulator")
 
 
+class Selection(unittest.TestCase):
+    def test_prove_leaves_out_what_it_has_a_larger_test_of(self):
+        told = {"tests": [{"name": name, "command": ["true", name],
+                           "properties": [{"name": "LABELS", "value": labels}]}
+                          for name, labels in (("all", ["prove"]), ("changed", ["tidy", "test"]), ("both", []))]}
+        with mock.patch.object(ctest_run, "output_of", lambda *_: json.dumps(told)), \
+                mock.patch.object(ctest_run, "TestMemory") as forgets:
+            forgets.return_value.notes.find.return_value = None
+            self.assertEqual([1, 3], ctest_run.Remembered("release").to_run())
+
+
 class Runs(unittest.TestCase):
     def setUp(self):
         folder = tempfile.TemporaryDirectory()

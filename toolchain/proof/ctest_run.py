@@ -23,6 +23,13 @@ def allowed_to_skip() -> set:
 MARK = "base '"  # Printed by each test that draws random numbers, before the base of its seeds.
 
 
+OF_TEST_ALONE = "test"  # Label of what `prove` has a larger test of.
+
+
+def labels_of(test: dict) -> list:
+    return next((prop["value"] for prop in test.get("properties", []) if prop["name"] == "LABELS"), [])
+
+
 class Remembered:
     """The tests of a preset that `prove` leaves out: they passed before, and no file of theirs changed."""
 
@@ -31,12 +38,13 @@ class Remembered:
         told = json.loads(output_of("ctest", "--preset", preset, "--show-only=json-v1"))
         self.keys = {test["name"]: self.memory.key_of(test["name"], test.get("command", []))
                      for test in told["tests"]}
+        self.left_out = {test["name"] for test in told["tests"] if OF_TEST_ALONE in labels_of(test)}
         self.list = ROOT / "build" / preset / "to_run.txt"
 
     def to_run(self) -> list:
         """Numbers, from 1, of the tests that have to be run."""
         return [number for number, (name, key) in enumerate(self.keys.items(), 1)
-                if not self.memory.notes.find(name, key)]
+                if name not in self.left_out and not self.memory.notes.find(name, key)]
 
     def selection(self, numbers: list) -> list:
         """The arguments that make ctest run the tests with these numbers only."""
@@ -72,7 +80,7 @@ def run_tests(preset: str, tier: str, most_trials: dict | None = None) -> Outcom
     else:
         remembered = Remembered(preset)
         numbers = remembered.to_run()
-        before = len(remembered.keys) - len(numbers)
+        before = len(remembered.keys) - len(remembered.left_out) - len(numbers)
         print(f"{before} tests of {preset} have passed before", flush=True)
         if not numbers:
             return Outcome(passed=before)
@@ -84,9 +92,9 @@ def run_tests(preset: str, tier: str, most_trials: dict | None = None) -> Outcom
     if remembered:
         remembered.note(report)
     if outcome.failed:
-        print(f"once more, alone: what failed of {preset}", flush=True)
-        subprocess.run(["ctest", "--preset", preset, "--rerun-failed", "--output-on-failure"],
-                       cwd=ROOT, env=environment, check=False)
+        print(f"once more, alone: what failed of {preset}, but for clang-tidy", flush=True)
+        subprocess.run(["ctest", "--preset", preset, "--rerun-failed", "--output-on-failure",
+                        "--exclude-regex", r"^tidy\."], cwd=ROOT, env=environment, check=False)
     return outcome
 
 

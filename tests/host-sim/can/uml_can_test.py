@@ -19,6 +19,8 @@ NODE, TO, FROM, EMERGENCY = 17, "511", "491", "091"
 MILLISECOND = 1_000_000
 SLOT = 10_000  # A pulse up, a pulse down, of 5 us each.
 JOB = "sheet_8877.nc"
+# The guest's kernel has less room for a process's registers than the processor has registers.
+UNKNOWN_PROCESSOR = "ptrace set fp regs failed"
 # A machine with too much else to do sends lines too late, and the plan is another one then.
 SPEEDS = (10, 4)
 
@@ -119,6 +121,9 @@ class UmlCanTest(unittest.TestCase):
             cls.folder = pathlib.Path(cls.keeper.name) / f"speed{speed}"
             cls.folder.mkdir()
             cls.console = boot(cls.folder, cls.program, cls.port_tests, cls.examples, speed)
+            if UNKNOWN_PROCESSOR in cls.console:
+                print("skipped: User-Mode Linux cannot keep all the state of this processor")
+                sys.exit(77)
             if not (cls.folder / "done").exists():
                 raise AssertionError(f"the guest did not come to its end: {cls.console[-2000:]}")
             cls.difference = driven_alike(trace_rows(cls.folder / "job.trace"), expected)
