@@ -4,13 +4,12 @@
 #include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "firmware/protocol/identity.hpp"
 #include "host-sim/cli/commands.hpp"
+#include "host-sim/cli/cut_layers.hpp"
 #include "host-sim/cli/cut_options.hpp"
 #include "host-sim/cli/cut_outputs.hpp"
 #include "host-sim/cli/cut_runs.hpp"
@@ -19,11 +18,9 @@
 #include "host-sim/cut/cut_report.hpp"
 #include "host-sim/cut/kerf_notes.hpp"
 #include "host-sim/cut/rapid_way.hpp"
-#include "host-sim/report/nearest_name.hpp"
 #include "host-sim/report/progress_bar.hpp"
 #include "host-sim/report/report_json.hpp"
 #include "host-sim/report/terminal.hpp"
-#include "host-sim/trace/input_file.hpp"
 #include "host-sim/trace/output_file.hpp"
 
 namespace sim {
@@ -32,103 +29,7 @@ namespace {
 using cut::CutFigures;
 using cut::CutJob;
 using cut::CutPlan;
-using cut::LayerSettings;
 using drawing::Drawing;
-
-std::vector<cut::LayerRule> rules_of(const CutCommandOptions& options,
-                                     const Drawing& drawn,
-                                     InputFiles& inputs) {
-  std::vector<cut::LayerRule> rules;
-  if (!options.layers_file.empty()) {
-    rules =
-        cut::read_rules(inputs.read_and_add("layers", options.layers_file), options.layers_file);
-  }
-  for (const std::string& text : options.layers) rules.push_back(cut::parse_rule(text, "--layer"));
-  for (const cut::LayerRule& rule : rules) {
-    std::string known;
-    std::vector<std::string> names;
-    bool found = false;
-    for (const drawing::Layer& layer : drawn.layers) {
-      found = found || rule.name == layer.name || rule.name == layer.colour;
-      names.insert(names.end(), {layer.name, layer.colour});
-      known += fmt::format(" \"{}\" {};", layer.name, layer.colour);
-    }
-    if (found) continue;
-    throw std::invalid_argument(
-        fmt::format("{}: the drawing has no layer or colour \"{}\"; it has{}{}",
-                    rule.place,
-                    rule.name,
-                    known,
-                    did_you_mean(rule.name, names)));
-  }
-  return rules;
-}
-
-cut::Condition condition_of(const CutCommandOptions& options,
-                            const MaterialRecord& record,
-                            const LayerSettings& settings) {
-  const std::uint32_t most = options.full_power_w > 0.0
-                                 ? thousandths_of("--full-power", options.full_power_w, 4.0e6, "W")
-                                 : cnc::kerf::kMostPowerMw;
-  std::optional<std::uint32_t> power;
-  std::optional<std::uint32_t> speed;
-  if (settings.power_w) power = power_option(*settings.power_w);
-  if (settings.feed_mm_min) speed = speed_option(*settings.feed_mm_min);
-  return cut::choose(record, thickness_option(options.thickness_mm), power, speed, most);
-}
-
-/// Names the layer of what is not permissible.
-cut::Condition condition_for(const drawing::Layer& layer,
-                             const CutCommandOptions& options,
-                             const MaterialRecord& record,
-                             const LayerSettings& settings) {
-  try {
-    return condition_of(options, record, settings);
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(
-        fmt::format("layer \"{}\" {}: {}", layer.name, layer.colour, error.what()));
-  }
-}
-
-/// Power and feed of each layer; those that are skipped need none.
-std::vector<cut::LayerPlan> layers_of(const CutCommandOptions& options,
-                                      const Drawing& drawn,
-                                      const MaterialRecord& record,
-                                      InputFiles& inputs) {
-  LayerSettings common;
-  for (const auto& [key, value] : options.common) {
-    try {
-      set(common, key, value);
-    } catch (const std::invalid_argument& error) {
-      throw std::invalid_argument(fmt::format("--{}", error.what()));
-    }
-  }
-  const std::vector<cut::LayerRule> rules = rules_of(options, drawn, inputs);
-  std::vector<cut::LayerPlan> layers;
-  for (const drawing::Layer& layer : drawn.layers) {
-    cut::LayerPlan plan{settings_for(layer, common, rules), {}};
-    if (cut::is_driven(plan.settings.side)) {
-      plan.condition = condition_for(layer, options, record, plan.settings);
-    }
-    layers.push_back(plan);
-  }
-  return layers;
-}
-
-/// Plans of the contours for which the shop has rules.
-cut::Recipes recipes_of(const CutCommandOptions& options,
-                        const Drawing& drawn,
-                        const std::vector<cut::LayerPlan>& layers,
-                        const MaterialRecord& record,
-                        InputFiles& inputs) {
-  return apply_rules(
-      shop_rules(options.shop, inputs),
-      drawn,
-      layers,
-      options.thickness_mm,
-      0.01 * options.shop.mark_percent,
-      [&](const LayerSettings& settings) { return condition_of(options, record, settings); });
-}
 
 /// What the importer found wrong, but what the settings of a layer make right.
 std::vector<drawing::Fault> faults_of(const Drawing& drawn,
@@ -220,13 +121,8 @@ std::string timed_program(const CutCommandOptions& options,
   return program_of(job, run, heading_of(job, figures));
 }
 
-CutPlan safe_plan(const CutCommandOptions& options,
-                  const CutRun& run,
-                  CutPlan plan,
-                  const Drawing& drawn) {
-  cut::SafetyWishes wishes = options.safety;
-  wishes.rates = rapid_rates_of(run.settings);
-  make_safe(plan, drawn, wishes);
+CutPlan safe_plan(const CutCommandOptions& options, CutPlan plan, const Drawing& drawn) {
+  make_safe(plan, drawn, options.safety);
   predict(plan);
   return plan;
 }
@@ -258,7 +154,7 @@ ExitStatus write_job(const CutCommandOptions& options,
                      const CutRun& run,
                      bool sound) {
   CutFigures figures = figures_of(job.plan);
-  const cut::Timeline timeline = predicted_timeline(job.plan, run.settings);
+  const cut::Timeline timeline = timeline_of(job.plan);
   write_pictures(options.outputs, job, timeline, nullptr);
   if (job.plan.cuts.empty() || job.plan.safety.no_way != 0 || (!sound && !options.anyway)) {
     terminal::print(stderr, "kerfline: {}{}\n", refusal_of(job.plan), stale_note(options.output));
@@ -309,7 +205,6 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
   save_sheet(options.sheet, input);
   const CutPlan plan = safe_plan(
       options,
-      run,
       plan_cuts(drawn, layers, options.curves, beside, std::move(recipes), searched_order(options)),
       drawn);
   print_faults(faults, drawn);

@@ -13,16 +13,6 @@
 
 namespace sim {
 
-cut::Timeline predicted_timeline(const cut::CutPlan& plan,
-                                 const std::vector<SettingChange>& settings) {
-  cnc::Settings machine;
-  for (const SettingChange& change : settings) {
-    if (cnc::find_setting(change.number) == nullptr) continue;
-    static_cast<void>(machine.set(change.number, change.value));
-  }
-  return timeline_of(plan, cut::rates_of(machine));
-}
-
 void write_pictures(const CutOutputOptions& options,
                     const cut::CutJob& job,
                     const cut::Timeline& timeline,

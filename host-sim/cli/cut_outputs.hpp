@@ -2,20 +2,13 @@
 
 #include <cstdio>
 #include <nlohmann/json_fwd.hpp>
-#include <vector>
 
 #include "host-sim/cli/cut_output_options.hpp"
 #include "host-sim/cut/cut_report.hpp"
 #include "host-sim/cut/edge_check.hpp"
 #include "host-sim/cut/timeline.hpp"
-#include "host-sim/job/setting_line.hpp"
 
 namespace sim {
-
-/// Predicts when a plan does what on a machine with these settings. Settings that the machine
-/// refuses count as not given.
-[[nodiscard]] cut::Timeline predicted_timeline(const cut::CutPlan& plan,
-                                               const std::vector<SettingChange>& settings);
 
 /// Writes the picture where one is asked for. @param edges null where they were not measured
 void write_pictures(const CutOutputOptions& options,

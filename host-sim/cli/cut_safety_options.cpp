@@ -58,18 +58,4 @@ void add_cut_safety_options(CLI::App& command, const std::shared_ptr<CutCommandO
       ->type_name("MM");
 }
 
-cut::RapidRates rapid_rates_of(const std::vector<SettingChange>& changes) {
-  const cnc::Settings usual;
-  std::array<double, 2> rates{};
-  for (std::size_t axis = 0; axis < rates.size(); ++axis) {
-    rates[axis] = static_cast<double>(usual.get(cnc::setting::kRate, axis));
-    for (const SettingChange& change : changes) {
-      if (change.number == cnc::setting::kRate + axis) {
-        rates[axis] = static_cast<double>(change.value);
-      }
-    }
-  }
-  return {rates[0], rates[1]};
-}
-
 }  // namespace sim

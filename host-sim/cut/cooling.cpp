@@ -29,7 +29,7 @@ class HeatClock {
   }
 
   void travel(const Place& to) {
-    now_s_ += least_time(here_, to, rules_.rates);
+    now_s_ += least_time(here_, to, rules_.limits);
     here_ = to;
   }
 
@@ -79,7 +79,7 @@ class CoolOrder {
  private:
   [[nodiscard]] const Cut& at(std::size_t i) const { return plan_.cuts[order_[i]]; }
   [[nodiscard]] double way(const Place& from, const Place& to) const {
-    return least_time(from, to, rules_.rates);
+    return least_time(from, to, rules_.limits);
   }
   [[nodiscard]] bool is_ready(const Cut& cut) const {
     return std::ranges::all_of(cut.after, [this](std::size_t before) { return is_done_[before]; });

@@ -9,7 +9,8 @@ namespace sim::cut {
 struct CoolingRules {
   double cool_s = 1.0;       ///< After this time heat does not count, above 0.
   double distance_mm = 5.0;  ///< Nor beyond this distance, above 0.
-  RapidRates rates{};        ///< Of the machine: they bound the time between cuts from below.
+  cnc::order::RapidLimits
+      limits{};  ///< Of the machine: they bound the time between cuts from below.
 };
 
 /// Changes the order where the next pierce would be near to fresh heat and another cut is near at

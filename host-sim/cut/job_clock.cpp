@@ -7,9 +7,9 @@
 
 namespace sim::cut {
 
-double least_time(const Place& from, const Place& to, const RapidRates& rates) {
-  return 60.0 * std::max(std::abs(to.x() - from.x()) / rates.x_mm_min,
-                         std::abs(to.y() - from.y()) / rates.y_mm_min);
+double least_time(const Place& from, const Place& to, const cnc::order::RapidLimits& limits) {
+  return std::max(std::abs(to.x() - from.x()) / limits.rate_mm_s[0],
+                  std::abs(to.y() - from.y()) / limits.rate_mm_s[1]);
 }
 
 double least_time(const Stroke& stroke, const LayerPlan& layer) {

@@ -22,7 +22,7 @@ double saved_by(const Stroke& link,
                 const LayerPlan& layer,
                 const LinkRules& rules) {
   const bool pierces = next.strokes.front().purpose == Purpose::kPierce;
-  double saved = least_time(link.from, link.to, rules.rates) - least_time(link, layer);
+  double saved = least_time(link.from, link.to, rules.limits) - least_time(link, layer);
   if (pierces) {
     Stroke driven = next.strokes.front();
     driven.purpose = Purpose::kLeadIn;

@@ -7,8 +7,8 @@ namespace sim::cut {
 
 /// When cuts that follow each other are joined.
 struct LinkRules {
-  double longest_mm = 10.0;  ///< Longer links are not made, above 0.
-  RapidRates rates{};        ///< Of the machine.
+  double longest_mm = 10.0;          ///< Longer links are not made, above 0.
+  cnc::order::RapidLimits limits{};  ///< Of the machine.
 };
 
 /// Joins each cut to the next one where that saves time: the beam stays on along a straight link

@@ -9,13 +9,14 @@
 #include <set>
 
 #include "host-sim/contour/contour_offset.hpp"
-#include "host-sim/cut/beginning.hpp"
 #include "host-sim/cut/clearance.hpp"
 #include "host-sim/cut/controller_way.hpp"
+#include "host-sim/cut/cut_precedence.hpp"
 #include "host-sim/cut/kerf_faults.hpp"
 #include "host-sim/cut/late_cuts.hpp"
 #include "host-sim/cut/lead.hpp"
 #include "host-sim/cut/outlines.hpp"
+#include "host-sim/cut/possible_beginnings.hpp"
 #include "host-sim/cut/rapid_way.hpp"
 #include "host-sim/cut/start_marks.hpp"
 #include "host-sim/cut/unfulfilled.hpp"
@@ -73,7 +74,7 @@ class Planner {
       if (outlines_[i].is_beside) cut_beside(i);
       if (!outlines_[i].is_beside && !outlines_[i].strokes.empty()) cut_along(i);
     }
-    put_parts_last();
+    put_parts_last(drawn_, outlines_, plan_.cuts);
     find_beginnings();
     for (drawing::Fault& late : late_cuts(drawn_, plan_.cuts, unbegun_)) {
       (late.is_error() ? plan_.faults : plan_.warnings).push_back(std::move(late));
@@ -101,10 +102,7 @@ class Planner {
   void cut_beside(std::size_t i);
   void cut_along(std::size_t i);
   void add_cut(std::size_t i, const std::vector<Stroke>& loop);
-  void put_parts_last();
-  [[nodiscard]] std::size_t part_of_contour(std::size_t contour) const;
   void find_beginnings();
-  void find_beginnings(std::size_t cut, std::size_t count);
   void keep_what_the_controller_finds(std::size_t cut);
   [[nodiscard]] std::string reason_against_controller(std::size_t cut) const;
   void put_in_order();
@@ -182,43 +180,6 @@ void Planner::add_cut(std::size_t i, const std::vector<Stroke>& loop) {
   plan_.cuts.push_back(std::move(cut));
 }
 
-/// Orders each cut after all cuts that lie inside its outline, of any part, and those on a line: it
-/// frees the material around them.
-void Planner::put_parts_last() {
-  std::vector<std::vector<std::size_t>> cuts_of(outlines_.size());
-  for (std::size_t i = 0; i < plan_.cuts.size(); ++i) {
-    cuts_of[plan_.cuts[i].contour].push_back(i);
-  }
-  const auto frees = [this](std::size_t a, std::size_t b) {
-    return std::abs(plan_.cuts[a].area_mm2) < std::abs(plan_.cuts[b].area_mm2);
-  };
-  for (std::size_t i = 0; i < outlines_.size(); ++i) {
-    if (!outlines_[i].is_beside || cuts_of[i].empty()) continue;
-    const std::size_t last = *std::ranges::max_element(cuts_of[i], frees);
-    for (const std::size_t other : cuts_of[i]) {
-      if (other != last) plan_.cuts[last].after.push_back(other);
-    }
-  }
-  for (std::size_t i = 0; i < outlines_.size(); ++i) {
-    auto around = drawn_.contours[i].lies_in;
-    while (around && !outlines_[*around].is_beside) around = drawn_.contours[*around].lies_in;
-    if (!around) continue;
-    for (const std::size_t inner : cuts_of[i]) {
-      for (const std::size_t outer : cuts_of[*around]) plan_.cuts[outer].after.push_back(inner);
-    }
-  }
-}
-
-/// The outermost contour around a contour that is cut beside its line, by lies_in.
-std::size_t Planner::part_of_contour(std::size_t contour) const {
-  std::size_t part = contour;
-  for (auto around = drawn_.contours[contour].lies_in; around;
-       around = drawn_.contours[*around].lies_in) {
-    if (outlines_[*around].is_beside) part = *around;
-  }
-  return part;
-}
-
 void Planner::find_beginnings() {
   // So many in all, so that the time for them is bounded.
   constexpr std::size_t kBeginnings = 400'000;
@@ -230,42 +191,18 @@ void Planner::find_beginnings() {
   const std::size_t count = std::clamp(share, kFewest, kUsual);
   for (std::size_t i = 0; i < plan_.cuts.size(); ++i) {
     unbegun_[i].after = plan_.cuts[i].after;
-    unbegun_[i].part = part_of_contour(plan_.cuts[i].contour);
+    const std::size_t contour = plan_.cuts[i].contour;
+    unbegun_[i].part = part_of(drawn_, outlines_, contour);
     if (!drawn_.turns.of_part.empty()) {
-      const std::size_t part = drawn_.contours[plan_.cuts[i].contour].entity.part;
-      unbegun_[i].part_turn = drawn_.turns.of_part[part];
+      unbegun_[i].part_turn = drawn_.turns.of_part[drawn_.contours[contour].entity.part];
     }
-    find_beginnings(i, count);
+    find_possible_beginnings(
+        unbegun_[i],
+        outlines_[contour],
+        room_of(contour),
+        {.is_planned_here = beside_ == WayBeside::kHere, .mark = marks_[contour], .count = count});
     if (beside_ == WayBeside::kOnController) keep_what_the_controller_finds(i);
   }
-}
-
-void Planner::find_beginnings(std::size_t cut, std::size_t count) {
-  UnbegunCut& unbegun = unbegun_[cut];
-  const std::size_t contour = plan_.cuts[cut].contour;
-  const LayerSettings& settings = unbegun.settings;
-  if (!outlines_[contour].is_closed) {
-    unbegun.beginnings = beginnings_of_line(unbegun.path);
-    unbegun.may_move = false;
-    return;
-  }
-  BeginningWish wish{.where = settings.start, .count = count};
-  // A corner that is passed in a loop or with a rest is no place to begin at.
-  const bool has_work_at_corners = settings.corner_loop_mm > 0.0 || settings.corner_dwell_s > 0.0;
-  const auto is_any = [&wish] {
-    return wish.where == StartAt::kAny || wish.where == StartAt::kTab;
-  };
-  if (is_any() && has_work_at_corners) wish.where = StartAt::kStraight;
-  // The controller reaches the edge a little later than the beam that is planned here: only in the
-  // middle of a stroke there is always room for that.
-  const bool is_planned_here = beside_ == WayBeside::kHere;
-  if (is_any() && !is_planned_here) wish.where = StartAt::kUsual;
-  if (marks_[contour]) wish.marked_mm = way_nearest_to(unbegun.path, *marks_[contour]);
-  unbegun.beginnings = outlines_[contour].is_beside
-                           ? beginnings_of(unbegun.path, settings, room_of(contour), wish)
-                           : beginnings_on_line(unbegun.path, settings, wish);
-  unbegun.may_move = !wish.marked_mm && !has_work_at_corners && is_planned_here &&
-                     (is_any() || wish.where == StartAt::kStraight);
 }
 
 /// Leaves out beginnings from which the controller does not find its way, unless that is all.

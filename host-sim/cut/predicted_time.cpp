@@ -85,50 +85,83 @@ double jerk_window(double speed, double length, const OrderWish& machine) {
   return std::min({full, std::sqrt(speed / jerk), std::cbrt(length / (2.0 * jerk))});
 }
 
-double time_of_row(const std::vector<Span>& spans, const OrderWish& machine) {
-  std::vector<double> speeds(spans.size() + 1, 0.0);
-  double fastest = 0.0;
-  double length = 0.0;
-  for (std::size_t i = 0; i < spans.size(); ++i) {
-    const double before = i == 0 ? 0.0 : spans[i - 1].speed_mm_s;
-    speeds[i] = std::min({spans[i].start_mm_s, spans[i].speed_mm_s, before});
-    fastest = std::max(fastest, spans[i].speed_mm_s);
-    length += spans[i].length_mm;
+/// Strokes from rest to rest.
+class Row {
+ public:
+  explicit Row(const OrderWish& machine) : machine_{machine} {}
+
+  [[nodiscard]] bool empty() const { return spans_.empty(); }
+  void add(const Span& span, std::size_t stroke) {
+    spans_.push_back(span);
+    strokes_.push_back(stroke);
   }
-  const auto reached = [&](double from, const Span& span) {
-    return std::sqrt(from * from + 2.0 * span.acceleration_mm_s2 * span.length_mm);
-  };
-  for (std::size_t i = 0; i < spans.size(); ++i) {
-    speeds[i + 1] = std::min(speeds[i + 1], reached(speeds[i], spans[i]));
+  /// Notes the time of each stroke, and begins another row.
+  void end(std::vector<double>& times) {
+    if (empty()) return;
+    const std::vector<double> speeds = joint_speeds();
+    for (std::size_t i = 0; i < spans_.size(); ++i) {
+      times[strokes_[i]] = time_of(spans_[i], speeds[i], speeds[i + 1]);
+    }
+    double fastest = 0.0;
+    double length = 0.0;
+    for (const Span& span : spans_) {
+      fastest = std::max(fastest, span.speed_mm_s);
+      length += span.length_mm;
+    }
+    times[strokes_.back()] += jerk_window(fastest, length, machine_);
+    spans_.clear();
+    strokes_.clear();
   }
-  for (std::size_t i = spans.size(); i-- > 0;) {
-    speeds[i] = std::min(speeds[i], reached(speeds[i + 1], spans[i]));
+
+ private:
+  /// At both ends of all spans: what corners allow, and can be reached from both sides.
+  [[nodiscard]] std::vector<double> joint_speeds() const {
+    std::vector<double> speeds(spans_.size() + 1, 0.0);
+    for (std::size_t i = 1; i < spans_.size(); ++i) {
+      speeds[i] = std::min({spans_[i].start_mm_s, spans_[i].speed_mm_s, spans_[i - 1].speed_mm_s});
+    }
+    const auto reached = [](double from, const Span& span) {
+      return std::sqrt(from * from + 2.0 * span.acceleration_mm_s2 * span.length_mm);
+    };
+    for (std::size_t i = 0; i < spans_.size(); ++i) {
+      speeds[i + 1] = std::min(speeds[i + 1], reached(speeds[i], spans_[i]));
+    }
+    for (std::size_t i = spans_.size(); i-- > 0;) {
+      speeds[i] = std::min(speeds[i], reached(speeds[i + 1], spans_[i]));
+    }
+    return speeds;
   }
-  double seconds = jerk_window(fastest, length, machine);
-  for (std::size_t i = 0; i < spans.size(); ++i) {
-    seconds += time_of(spans[i], speeds[i], speeds[i + 1]);
-  }
-  return seconds;
-}
+
+  const OrderWish& machine_;
+  std::vector<Span> spans_;
+  std::vector<std::size_t> strokes_;  ///< Numbers of the spans' strokes.
+};
 
 }  // namespace
+
+std::vector<double> stroke_times(const std::vector<Stroke>& strokes,
+                                 const LayerPlan& layer,
+                                 const OrderWish& machine) {
+  std::vector<double> times(strokes.size(), 0.0);
+  Row row{machine};
+  for (std::size_t i = 0; i < strokes.size(); ++i) {
+    if (length_of(strokes[i]) <= 0.0) continue;
+    if (strokes[i].dwell_s > 0.0) row.end(times);
+    Span span = span_of(strokes[i], layer, machine);
+    if (!row.empty()) span.start_mm_s = corner_speed(strokes[i - 1], strokes[i], machine);
+    row.add(span, i);
+  }
+  row.end(times);
+  return times;
+}
 
 double predicted_time(const std::vector<Stroke>& strokes,
                       const LayerPlan& layer,
                       const OrderWish& machine) {
   double seconds = 0.0;
-  std::vector<Span> row;
-  for (std::size_t i = 0; i < strokes.size(); ++i) {
-    if (length_of(strokes[i]) <= 0.0) continue;
-    if (strokes[i].dwell_s > 0.0) {
-      seconds += time_of_row(row, machine) + strokes[i].dwell_s;
-      row.clear();
-    }
-    Span span = span_of(strokes[i], layer, machine);
-    if (!row.empty()) span.start_mm_s = corner_speed(strokes[i - 1], strokes[i], machine);
-    row.push_back(span);
-  }
-  return seconds + time_of_row(row, machine);
+  for (const Stroke& stroke : strokes) seconds += stroke.dwell_s;
+  for (const double time : stroke_times(strokes, layer, machine)) seconds += time;
+  return seconds;
 }
 
 }  // namespace sim::cut

@@ -20,7 +20,9 @@ CoolingRules cooling_of(const CutPlan& plan, const SafetyWishes& wishes) {
     widest_mm = std::max(widest_mm, plan.plan_of(cut).condition.kerf_mm);
   }
   const bool is_given = wishes.cool_distance_mm > 0.0;
-  return {wishes.cool_s, is_given ? wishes.cool_distance_mm : kCoolKerfs * widest_mm, wishes.rates};
+  return {wishes.cool_s,
+          is_given ? wishes.cool_distance_mm : kCoolKerfs * widest_mm,
+          plan.order.wish.limits};
 }
 
 SliceRules slices_of(const drawing::Drawing& drawn, const SafetyWishes& wishes) {
@@ -44,7 +46,7 @@ void make_safe(CutPlan& plan, const drawing::Drawing& drawn, const SafetyWishes&
     slice_waste(plan, drawn, slices_of(drawn, wishes));
   }
   if (wishes.chain_mm > 0.0) {
-    link_cuts(plan, drawn, {.longest_mm = wishes.chain_mm, .rates = wishes.rates});
+    link_cuts(plan, drawn, {.longest_mm = wishes.chain_mm, .limits = plan.order.wish.limits});
   }
   if (wishes.avoid_freed) {
     route_rapids(plan, drawn, {.margin_mm = wishes.avoid_margin_mm, .lift_mm = wishes.lift_mm});

@@ -24,7 +24,6 @@ struct SafetyWishes {
   double chain_mm = 0.0;          ///< Longest link between cuts; 0: none.
   double slice_mm = 0.0;          ///< Size of pieces of the waste; 0: it is not cut up.
   double slice_margin_mm = 5.0;   ///< See SliceRules.
-  RapidRates rates{};             ///< Of the machine.
 };
 
 /// Does it, and counts it in `safety` of the plan. What cannot be done becomes a fault. Throws

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "host-sim/cut/motion_time.hpp"
 #include "host-sim/cut/plan.hpp"
 
 namespace sim::cut {
@@ -49,10 +48,10 @@ struct Timeline {
   [[nodiscard]] std::array<double, kTimeKinds> by_kind() const;
 };
 
-/// Predicts when a job does what: rapids from rest to rest by the machine's limits; strokes at the
-/// feed, slower at corners, in arcs and after rests. The path is that of the plan also where the
-/// controller finds it by itself.
-[[nodiscard]] Timeline timeline_of(const CutPlan& plan, const MachineRates& rates);
+/// Predicts when a job does what on the machine for which its order was chosen: rapids from rest to
+/// rest by the machine's limits, strokes by stroke_times(). The path is that of the plan also where
+/// the controller finds it by itself.
+[[nodiscard]] Timeline timeline_of(const CutPlan& plan);
 
 /// Returns the timeline with all times in the same proportion and another total.
 /// @param total_s > 0; a job without time stays as it is

@@ -36,8 +36,8 @@ class CoolingOracle {
       const std::vector<Place> way = rapid_before(plan_, i);
       for (std::size_t k = 1; k < way.size(); ++k) {
         const Place leg = way[k] - way[k - 1];
-        now_s_ += 60.0 * std::max(std::abs(leg.x()) / rules_.rates.x_mm_min,
-                                  std::abs(leg.y()) / rules_.rates.y_mm_min);
+        now_s_ += std::max(std::abs(leg.x()) / rules_.limits.rate_mm_s[0],
+                           std::abs(leg.y()) / rules_.limits.rate_mm_s[1]);
       }
       const double needed = needed_at(cut.start());
       if (needed > 0.0) early = std::max(early, needed - cut.wait_s);
@@ -113,9 +113,10 @@ TEST(Cooling, PiercesKeepOffFreshHeat) {
                            .least_gap_mm = random.between(0.8, 4.0)};
     const auto drawn = drawing::read(nested_sheet(random, size));
     CutPlan plan = plan_of(drawn, {.pierce_s = random.chance(0.5) ? 0.3 : 0.0});
-    const CoolingRules rules{.cool_s = random.magnitude(0.1, 20.0),
-                             .distance_mm = random.magnitude(1.0, 20.0),
-                             .rates = {random.between(5e3, 3e4), random.between(5e3, 3e4)}};
+    const CoolingRules rules{
+        .cool_s = random.magnitude(0.1, 20.0),
+        .distance_mm = random.magnitude(1.0, 20.0),
+        .limits = {{random.between(80.0, 500.0), random.between(80.0, 500.0)}}};
     CutPlan as_ordered = plan;
     wait_for_cooling(as_ordered, rules);
     waits_unordered_s += as_ordered.safety.waits_s;

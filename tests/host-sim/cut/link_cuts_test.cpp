@@ -82,7 +82,7 @@ TEST(LinkCuts, AreNotMadeWhereTheyCostTimeOrAreTooLong) {
   const auto drawn = drawing::read(drawing::svg_of(kPair));
   const auto links_of = [&](double pierce_s, double longest_mm) {
     CutPlan plan = foreseen_plan_of(drawn, {.pierce_s = pierce_s});
-    link_cuts(plan, drawn, {.longest_mm = longest_mm, .rates = {1.0e5, 1.0e5}});
+    link_cuts(plan, drawn, {.longest_mm = longest_mm, .limits = {{1'600.0, 1'600.0}}});
     return plan.safety.links;
   };
   EXPECT_EQ(links_of(5.0, 60.0), 1U);

@@ -10,7 +10,6 @@
 namespace sim::cut {
 namespace {
 
-constexpr MachineRates kShopRates{{150.0, 150.0}, {1000.0, 1000.0}, {0.0, 0.0}, 0.01};
 const PriceList kShopPrices{.per_hour = 90.0, .per_sheet = 33.0, .currency = "EUR"};
 
 TEST(PartTable, FindsCopiesWhereverTheyLie) {
@@ -20,7 +19,7 @@ TEST(PartTable, FindsCopiesWhereverTheyLie) {
       R"(<rect id="c" x="40" y="5" width="20" height="12"/><circle cx="50" cy="11" r="3.2"/>)"
       R"(<rect id="d" x="40" y="40" width="20" height="12"/>)"));
   const CutPlan plan = plan_of(drawn);
-  const auto rows = part_table(drawn, plan, timeline_of(plan, kShopRates), {});
+  const auto rows = part_table(drawn, plan, timeline_of(plan), {});
   ASSERT_EQ(rows.size(), 3U);
   std::size_t copies = 0;
   for (const PartRow& row : rows) {
@@ -45,7 +44,7 @@ TEST(PartTable, HasAPartInAHoleAsAPartOfItsOwnAndMarksWithThePartAroundThem) {
     if (drawn.layers[i].colour == "red") layers[i].settings.side = Side::kOn;
   }
   const CutPlan plan = plan_cuts(drawn, layers);
-  const auto rows = part_table(drawn, plan, timeline_of(plan, kShopRates), {});
+  const auto rows = part_table(drawn, plan, timeline_of(plan), {});
   ASSERT_EQ(rows.size(), 3U);
   EXPECT_EQ(rows[0].name, R"(circle "disc")");
   EXPECT_EQ(rows[0].pierces, 2U);
@@ -63,8 +62,7 @@ TEST(PartTable, AddsUpToTheTimeAndTheCostOfTheJob) {
     const drawing::Drawing drawn = drawing::read(drawing::svg_of(sheet.content));
     const CutPlan plan = plan_of(drawn);
     const double job_time_s = random.between(5.0, 500.0);
-    const CutAccount account =
-        account_of(drawn, plan, timeline_of(plan, kShopRates), job_time_s, kShopPrices);
+    const CutAccount account = account_of(drawn, plan, timeline_of(plan), job_time_s, kShopPrices);
     PartRow sum;
     double cost = 0.0;
     for (const PartRow& row : account.parts) {
@@ -90,7 +88,7 @@ TEST(PartTable, CountsPredictedTimesWhereTheMachineRefusedTheProgram) {
   const drawing::Drawing drawn =
       drawing::read(drawing::svg_of(R"(<rect x="5" y="5" width="20" height="12"/>)"));
   const CutPlan plan = plan_of(drawn);
-  const Timeline predicted = timeline_of(plan, kShopRates);
+  const Timeline predicted = timeline_of(plan);
   const CutAccount account = account_of(drawn, plan, predicted, 0.0, {});
   EXPECT_EQ(account.timeline.total_s(), predicted.total_s());
   EXPECT_EQ(lines_of(account, drawn).size(), 1U);

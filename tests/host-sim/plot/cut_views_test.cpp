@@ -21,8 +21,6 @@
 namespace sim {
 namespace {
 
-constexpr cut::MachineRates kViewRates{{150.0, 150.0}, {1000.0, 1000.0}, {0.0, 0.0}, 0.01};
-
 /// A drawing, how it is cut, and when.
 struct ViewedJob {
   drawing::Drawing drawn;
@@ -34,7 +32,7 @@ struct ViewedJob {
 ViewedJob viewed_job_of(const std::string& content, const cut::LayerSettings& settings = {}) {
   ViewedJob job{drawing::read(drawing::svg_of(content)), {}, {}};
   job.plan = cut::plan_of(job.drawn, settings);
-  job.timeline = cut::timeline_of(job.plan, kViewRates);
+  job.timeline = cut::timeline_of(job.plan);
   return job;
 }
 
@@ -161,7 +159,7 @@ ViewedJob many_squares(std::size_t count) {
                                             corner}};
     for (std::size_t k = 0; k < 4; ++k) cut.strokes.push_back({places[k], places[k + 1]});
   }
-  job.timeline = cut::timeline_of(job.plan, kViewRates);
+  job.timeline = cut::timeline_of(job.plan);
   return job;
 }
 

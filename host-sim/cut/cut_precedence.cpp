@@ -1,0 +1,44 @@
+#include "host-sim/cut/cut_precedence.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sim::cut {
+
+void put_parts_last(const drawing::Drawing& drawn,
+                    const std::vector<Outline>& outlines,
+                    std::vector<Cut>& cuts) {
+  std::vector<std::vector<std::size_t>> cuts_of(outlines.size());
+  for (std::size_t i = 0; i < cuts.size(); ++i) cuts_of[cuts[i].contour].push_back(i);
+  const auto frees_less = [&cuts](std::size_t a, std::size_t b) {
+    return std::abs(cuts[a].area_mm2) < std::abs(cuts[b].area_mm2);
+  };
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    if (!outlines[i].is_beside || cuts_of[i].empty()) continue;
+    const std::size_t last = *std::ranges::max_element(cuts_of[i], frees_less);
+    for (const std::size_t other : cuts_of[i]) {
+      if (other != last) cuts[last].after.push_back(other);
+    }
+  }
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    auto around = drawn.contours[i].lies_in;
+    while (around && !outlines[*around].is_beside) around = drawn.contours[*around].lies_in;
+    if (!around) continue;
+    for (const std::size_t inner : cuts_of[i]) {
+      for (const std::size_t outer : cuts_of[*around]) cuts[outer].after.push_back(inner);
+    }
+  }
+}
+
+std::size_t part_of(const drawing::Drawing& drawn,
+                    const std::vector<Outline>& outlines,
+                    std::size_t contour) {
+  std::size_t part = contour;
+  for (auto around = drawn.contours[contour].lies_in; around;
+       around = drawn.contours[*around].lies_in) {
+    if (outlines[*around].is_beside) part = *around;
+  }
+  return part;
+}
+
+}  // namespace sim::cut

@@ -1,0 +1,35 @@
+#include "host-sim/cut/possible_beginnings.hpp"
+
+#include "host-sim/cut/beginning.hpp"
+#include "host-sim/cut/start_marks.hpp"
+
+namespace sim::cut {
+
+void find_possible_beginnings(UnbegunCut& cut,
+                              const Outline& outline,
+                              const LeadRoom& leads,
+                              const BeginningRoom& room) {
+  const LayerSettings& settings = cut.settings;
+  if (!outline.is_closed) {
+    cut.beginnings = beginnings_of_line(cut.path);
+    cut.may_move = false;
+    return;
+  }
+  BeginningWish wish{.where = settings.start, .count = room.count};
+  const auto is_any = [&wish] {
+    return wish.where == StartAt::kAny || wish.where == StartAt::kTab;
+  };
+  // A corner that is passed in a loop or with a rest is no place to begin at.
+  const bool has_work_at_corners = settings.corner_loop_mm > 0.0 || settings.corner_dwell_s > 0.0;
+  if (is_any() && has_work_at_corners) wish.where = StartAt::kStraight;
+  // The controller reaches the edge a little later than the beam that is planned here: only in the
+  // middle of a stroke there is always room for that.
+  if (is_any() && !room.is_planned_here) wish.where = StartAt::kUsual;
+  if (room.mark) wish.marked_mm = way_nearest_to(cut.path, *room.mark);
+  cut.beginnings = outline.is_beside ? beginnings_of(cut.path, settings, leads, wish)
+                                     : beginnings_on_line(cut.path, settings, wish);
+  cut.may_move = !wish.marked_mm && !has_work_at_corners && room.is_planned_here &&
+                 (is_any() || wish.where == StartAt::kStraight);
+}
+
+}  // namespace sim::cut
