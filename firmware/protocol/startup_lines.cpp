@@ -1,3 +1,4 @@
+#include "firmware/protocol/code_texts.hpp"
 #include "firmware/protocol/compensation_text.hpp"
 #include "firmware/protocol/line_protocol.hpp"
 
