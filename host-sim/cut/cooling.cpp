@@ -96,7 +96,7 @@ class CoolOrder {
     std::size_t best = i;
     const std::size_t end = std::min(order_.size(), i + kMaxOvertaken);
     for (std::size_t k = i + 1; k < end && least > 0.0; ++k) {
-      if (at(k).layer != at(i).layer) break;
+      if (at(k).layer != at(i).layer || at(k).turn != at(i).turn) break;
       if (!is_ready(at(k))) continue;
       const double cost = detour(i, k) + cost_of(k);
       if (cost >= least) continue;

@@ -1,6 +1,6 @@
 #include "host-sim/cut/cut_turn.hpp"
 
-#include <algorithm>
+#include <map>
 
 namespace sim::cut {
 
@@ -25,6 +25,17 @@ std::vector<CutTurn> turns_of(const std::vector<UnbegunCut>& cuts, Grouping grou
     }
   }
   return turns;
+}
+
+std::vector<std::size_t> numbered(const std::vector<CutTurn>& turns) {
+  std::map<CutTurn, std::size_t> number_of;
+  for (const CutTurn& turn : turns) number_of.emplace(turn, 0);
+  std::size_t next = 0;
+  for (auto& [turn, number] : number_of) number = next++;
+  std::vector<std::size_t> numbers;
+  numbers.reserve(turns.size());
+  for (const CutTurn& turn : turns) numbers.push_back(number_of.at(turn));
+  return numbers;
 }
 
 }  // namespace sim::cut

@@ -20,6 +20,9 @@ struct CutTurn {
 /// Returns the turn that is wished for a cut.
 [[nodiscard]] CutTurn wished_turn(const UnbegunCut& cut, Grouping grouping);
 
+/// Returns for each cut how many different turns are before its own.
+[[nodiscard]] std::vector<std::size_t> numbered(const std::vector<CutTurn>& turns);
+
 /// Returns the turns of all cuts: as wished, but for cuts that must come after one of a later turn,
 /// which get that.
 /// @param cuts their `after` has no cycle

@@ -12,6 +12,7 @@
 #include "host-sim/cut/clearance.hpp"
 #include "host-sim/cut/controller_way.hpp"
 #include "host-sim/cut/cut_precedence.hpp"
+#include "host-sim/cut/cut_turn.hpp"
 #include "host-sim/cut/kerf_faults.hpp"
 #include "host-sim/cut/late_cuts.hpp"
 #include "host-sim/cut/lead.hpp"
@@ -236,6 +237,8 @@ void Planner::put_in_order() {
   plan_.order.wish.progress = {};
   if (plan_.cuts.empty()) return;
   const ChosenOrder chosen = choose_order(unbegun_, wish_, edges_);
+  const std::vector<std::size_t> turns = numbered(turns_of(unbegun_, wish_.grouping));
+  for (std::size_t i = 0; i < turns.size(); ++i) plan_.cuts[i].turn = turns[i];
   std::vector<std::size_t> number(plan_.cuts.size());
   for (std::size_t i = 0; i < chosen.cuts.size(); ++i) number[chosen.cuts[i].cut] = i;
   std::vector<Cut> cuts;

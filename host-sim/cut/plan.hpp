@@ -28,6 +28,7 @@ inline constexpr std::size_t kNoContour = SIZE_MAX;
 struct Cut {
   std::size_t contour = 0;  ///< Of the drawing; kNoContour of a slice.
   std::size_t layer = 0;    ///< Of the drawing, and of the plan.
+  std::size_t turn = 0;     ///< Cuts of lower turns come before it: see CutTurn.
   bool is_hole = false;
   double area_mm2 = 0.0;  ///< Enclosed by the beam's path; 0 of an open line.
   std::vector<Stroke> strokes{};

@@ -79,8 +79,8 @@ class Sheets(unittest.TestCase):
              {"drawing": "parts/key.svg", "name": "near", "x_mm": 5, "y_mm": 5},
              {"drawing": "parts/key.svg", "name": "middle", "copies": 2, "step_x_mm": 60, "x_mm": 100, "y_mm": 80})
 
-    def parts_in_turn(self, *parts, **sheet):
-        done = self.cut(self.sheet(*parts, **sheet))
+    def parts_in_turn(self, *parts, more=(), **sheet):
+        done = self.cut(self.sheet(*parts, **sheet), *more)
         self.assertEqual(done.returncode, 0, done.stderr)
         return re.findall(r"^\(\d+: \w+, (.*): path \"rim\"\)$", done.stdout, re.MULTILINE)
 
@@ -89,6 +89,7 @@ class Sheets(unittest.TestCase):
         as_listed = ["far", "near", "middle #1", "middle #2"]
         self.assertNotEqual(as_listed, self.parts_in_turn(*self.TURNS))
         self.assertEqual(as_listed, self.parts_in_turn(*self.TURNS, locked=True))
+        self.assertEqual(as_listed, self.parts_in_turn(*self.TURNS, more=("--cool", 60, "--cool-distance", 90), locked=True))
         waiting = self.parts_in_turn(near | {"after": ["far"]}, middle, far | {"after": ["middle"]})
         self.assertEqual({"middle #1", "middle #2"}, set(waiting[:2]))
         self.assertEqual(["far", "near"], waiting[2:])
