@@ -117,6 +117,20 @@ std::string line_of_corners(const CutFigures& figures) {
                      figures.corner_dwell_s);
 }
 
+/// As comments of a program these are at most as long as Grbl takes lines.
+std::vector<std::string> none_too_long(const std::vector<std::string>& lines) {
+  constexpr std::size_t kLineWidth = 76;
+  std::vector<std::string> result;
+  for (const std::string& line : lines) {
+    if (line.size() <= kLineWidth) {
+      result.push_back(line);
+      continue;
+    }
+    for (std::string& part : wrapped(line, kLineWidth)) result.push_back(std::move(part));
+  }
+  return result;
+}
+
 }  // namespace
 
 CutFigures figures_of(const CutPlan& plan) {
@@ -147,12 +161,11 @@ std::vector<std::string> lines_of(const CutJob& job, const CutFigures& figures) 
                     from_thousandths(condition.cut.speed_um_min),
                     condition.kerf_mm));
   }
-  constexpr std::size_t kLineWidth = 76;
   for (const std::string& rule : lines_of(job.plan.recipes)) {
-    for (const std::string& line : wrapped(rule, kLineWidth)) lines.push_back(line);
+    lines.push_back(rule);
   }
   for (const std::string& note : job.notes) {
-    for (const std::string& line : wrapped("warning: " + note, kLineWidth)) lines.push_back(line);
+    lines.push_back("warning: " + note);
   }
   lines.push_back(
       fmt::format("S{:g} is {:g} W; {}",
@@ -180,7 +193,7 @@ std::vector<std::string> lines_of(const CutJob& job, const CutFigures& figures) 
   for (std::string& line : lines_of(job.plan.order, figures.cuts)) {
     lines.push_back(std::move(line));
   }
-  return lines;
+  return none_too_long(lines);
 }
 
 std::vector<std::string> heading_of(const CutJob& job, const CutFigures& figures) {

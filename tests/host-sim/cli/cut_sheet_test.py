@@ -89,7 +89,8 @@ class Sheets(unittest.TestCase):
         as_listed = ["far", "near", "middle #1", "middle #2"]
         self.assertNotEqual(as_listed, self.parts_in_turn(*self.TURNS))
         self.assertEqual(as_listed, self.parts_in_turn(*self.TURNS, locked=True))
-        self.assertEqual(as_listed, self.parts_in_turn(*self.TURNS, more=("--cool", 60, "--cool-distance", 90), locked=True))
+        cool = ("--cool", 60, "--cool-distance", 90)
+        self.assertEqual(as_listed, self.parts_in_turn(*self.TURNS, more=cool, locked=True))
         waiting = self.parts_in_turn(near | {"after": ["far"]}, middle, far | {"after": ["middle"]})
         self.assertEqual({"middle #1", "middle #2"}, set(waiting[:2]))
         self.assertEqual(["far", "near"], waiting[2:])
