@@ -40,8 +40,7 @@ std::vector<std::string> lines_of(const OrderFigures& order, std::size_t cuts) {
   const double listed = saving(cost(order.rapids), cost(order.listed));
   return {
       first,
-      line("  only listed starts:", order.listed) +
-          fmt::format("; {:.1f} percent saved", listed),
+      line("  only listed starts:", order.listed) + fmt::format("; {:.1f} percent saved", listed),
       line("  as drawn, usual starts:", order.file) + fmt::format("; {:.1f} percent saved", file),
       line("  nearest, usual starts:", order.nearest) +
           fmt::format("; {:.1f} percent saved", nearest),
