@@ -24,7 +24,7 @@ struct CutRun {
                                      const CutRun& run,
                                      const std::vector<std::string>& heading);
 
-/// What the machine says of a program.
+/// The faults that the machine finds in a program, and the time of the job.
 struct ProgramCheck {
   std::vector<Fault> faults{};
   double job_time_s = 0.0;

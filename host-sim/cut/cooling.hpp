@@ -10,7 +10,7 @@ struct CoolingRules {
   double cool_s = 1.0;       ///< After this time heat does not count, above 0.
   double distance_mm = 5.0;  ///< Nor beyond this distance, above 0.
   cnc::order::RapidLimits
-      limits{};  ///< Of the machine: they bound the time between cuts from below.
+      limits{};  ///< The machine's. They bound the time between cuts from below.
 };
 
 /// Changes the order where the next pierce would be near to fresh heat and another cut is near at

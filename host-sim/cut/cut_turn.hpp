@@ -11,7 +11,7 @@ namespace sim::cut {
 
 /// When a cut is due by the user's will: all cuts of a lower turn come before it.
 struct CutTurn {
-  unsigned rank = 0;      ///< Of its layer.
+  unsigned rank = 0;      ///< The rank of the cut's layer.
   std::size_t part = 0;   ///< Turn of its part in a sheet file.
   std::size_t layer = 0;  ///< Where layers are cut as a whole; else 0.
   auto operator<=>(const CutTurn&) const = default;

@@ -18,7 +18,7 @@ struct LateContours {
   std::size_t contour = 0;
   std::size_t count = 0;
 };
-/// By what is to be cut first, and what lies in it.
+/// Late contours by two numbers: the layer (or part) that was to be first, and the one inside it.
 using LateByPair = std::map<std::pair<std::size_t, std::size_t>, LateContours>;
 
 void note(LateByPair& late, std::size_t first, std::size_t inner, std::size_t contour) {

@@ -8,7 +8,7 @@ namespace sim::cut {
 /// When cuts that follow each other are joined.
 struct LinkRules {
   double longest_mm = 10.0;          ///< Longer links are not made, above 0.
-  cnc::order::RapidLimits limits{};  ///< Of the machine.
+  cnc::order::RapidLimits limits{};  ///< The machine's.
 };
 
 /// Joins each cut to the next one where that saves time: the beam stays on along a straight link

@@ -20,7 +20,7 @@ struct RapidSum {
 /// An order of all cuts that keeps what must come before what.
 struct ChosenOrder {
   std::vector<OrderedCut> cuts;
-  RapidSum listed{};       ///< Of the first order, with beginnings of the lists only.
+  RapidSum listed{};  ///< The rapids of the first order, in which all beginnings are listed ones.
   bool is_proven = false;  ///< No order with the listed beginnings is cheaper.
 };
 

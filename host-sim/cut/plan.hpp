@@ -54,7 +54,7 @@ struct OrderFigures {
   OrderWish wish{};
   bool is_proven = false;  ///< No order with the listed beginnings is cheaper.
   RapidSum rapids{};       ///< Of this order.
-  RapidSum listed{};       ///< Before beginnings moved between the listed ones.
+  RapidSum listed{};       ///< The first order, in which all beginnings are listed ones.
   RapidSum file{};         ///< As the drawing lists them, each with its usual beginning.
   RapidSum nearest{};      ///< Always the nearest next, each with its usual beginning.
   double strokes_s = 0.0;  ///< Predicted time of all cuts without rapids.

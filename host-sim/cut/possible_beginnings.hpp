@@ -9,7 +9,7 @@
 
 namespace sim::cut {
 
-/// What besides its settings determines where a cut may begin.
+/// Limits on where a cut may begin, beside those of its settings.
 struct BeginningRoom {
   bool is_planned_here = true;  ///< Else the controller finds the way beside the contour.
   std::optional<Place> mark{};  ///< In the drawing: nearest to it, and nowhere else.

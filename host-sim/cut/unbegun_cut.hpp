@@ -15,9 +15,9 @@ struct UnbegunCut {
   LayerSettings settings;  ///< Of its layer.
   double half_kerf_mm = 0.0;
   std::size_t layer = 0;
-  std::size_t part = 0;                 ///< Cuts of one part have one number.
-  std::size_t part_turn = 0;            ///< Of a sheet file: parts of lower turns are cut first.
-  std::vector<std::size_t> after{};     ///< Cuts that must come before.
+  std::size_t part = 0;              ///< Cuts of one part have one number.
+  std::size_t part_turn = 0;         ///< The turn of its part; parts of lower turns are cut first.
+  std::vector<std::size_t> after{};  ///< Cuts that must come before.
   std::vector<Beginning> beginnings{};  ///< Not empty; the usual one first.
   std::vector<double> own_s{};  ///< Time of the cut with each beginning, s; empty: the same.
   bool may_move = true;         ///< It may begin anywhere between these, too.
