@@ -271,7 +271,8 @@ void Planner::begin(Cut& cut, const UnbegunCut& unbegun, const Beginning& beginn
   // Only what falls out and is wanted is held.
   const unsigned tabs = cut.area_mm2 > 0.0 ? unbegun.settings.tabs : 0;
   LedCut led = with_leads(unbegun.path, unbegun.settings, tabs, room_of(cut.contour), beginning);
-  append(plan_.warnings, unfulfilled(led, drawn_.contours[cut.contour].entity, tabs));
+  append(plan_.warnings,
+         unfulfilled(led, unbegun.settings, drawn_.contours[cut.contour].entity, tabs));
   cut.strokes = std::move(led.strokes);
 }
 

@@ -16,6 +16,7 @@ constexpr const char* kMakeRoom = "choose a smaller --corner-loop, or move the p
 }  // namespace
 
 std::vector<drawing::Fault> unfulfilled(const LedCut& cut,
+                                        const LayerSettings& settings,
                                         const drawing::Entity& entity,
                                         unsigned tabs) {
   std::vector<drawing::Fault> warnings;
@@ -49,6 +50,12 @@ std::vector<drawing::Fault> unfulfilled(const LedCut& cut,
     warn(start,
          fmt::format("has room for {} of {} tabs", cut.tabs, tabs),
          "choose fewer or narrower ones for its layer");
+  }
+  const bool ends_at_tab = settings.start == StartAt::kTab && cut.tabs > 0;
+  if (ends_at_tab && (settings.overcut_mm > 0.0 || settings.lead_out.is_asked)) {
+    warn(start,
+         "ends before a tab, without overcut and lead out",
+         "leave these out for its layer, or let it begin elsewhere than at a tab");
   }
   return warnings;
 }

@@ -9,9 +9,10 @@
 namespace sim::cut {
 
 /// Lists the wishes of the settings that an offset cut does not fulfil, as warnings: leads, tabs
-/// and corner loops without room.
+/// and corner loops without room, and an overcut or lead out of a cut that ends before a tab.
 /// @param tabs the number that the settings require
 [[nodiscard]] std::vector<drawing::Fault> unfulfilled(const LedCut& cut,
+                                                      const LayerSettings& settings,
                                                       const drawing::Entity& entity,
                                                       unsigned tabs);
 
