@@ -1,4 +1,4 @@
-# Read by ctest of the sanitized build: these take 10 s to a minute there even with few trials, so
+# Read by ctest of the sanitized build: these take 10 s to minutes there even with few trials, so
 # only toolchain/prove.sh runs them under sanitizers. toolchain/test.sh runs them in release.
 foreach(test
     CutCurves.KeepHalfAKerfAwayWithinTheTolerance
@@ -14,6 +14,25 @@ foreach(test
     RandomChains.StayWithinBothTolerancesBothWays
     RandomRows.HaveAtEachPlaceThePowerThatTheProgramHasThere
     PixelRow.MayBeWrittenWithThreeDecimalsInAnyDirection
-    Operator.MayHoldOrOverrideAtEveryHundredthOfASecondOfAJob)
+    Operator.MayHoldOrOverrideAtEveryHundredthOfASecondOfAJob
+    SliceWaste.LeavesNoLargerPiece
+    LinkCuts.AreInTheWasteAndSaveTheirPierce
+    RouteRapids.NeverCrossWhatIsFreeButThePieceJustCut
+    Cooling.PiercesKeepOffFreshHeat
+    CutAnimation.RunsForwardToTheEndOfTheJob
+    CutTimeline.IsWithinTwoPercentOfTheDrivenJob
+    CutEdges.AreFoundOffWhereTheyAre
+    CutEdges.AreWithinFiveMicrometresOnStraightsArcsAndCorners
+    RandomArcs.StayOnTheExactCurveWithinTheirLimits
+    JerkLimitedTime.OnAFinerGridIsTheSame
+    JerkReference.EnclosesRandomPrograms
+    PeerJobs.TakeNoLongerThanOptimalMotionAndOnePercent
+    MachineMotionTest.EndsEveryWayAtRest
+    Reentry.CompletesAPartWhoseSenderWasLostAtEveryHundredthOfASecond
+    host-sim.cut_command
+    host-sim.cut_safety
+    host-sim.cut_identity
+    host-sim.cut_output
+    host-sim.order_command)
   set_tests_properties(${test} PROPERTIES LABELS prove)
 endforeach()
