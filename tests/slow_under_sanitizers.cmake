@@ -1,13 +1,7 @@
 # Read by ctest of the sanitized build: these take 10 s to minutes there even with few trials, so
-# only toolchain/prove.sh runs them under sanitizers. toolchain/test.sh runs them in release.
+# only toolchain/prove.sh runs them under sanitizers, as it does all of host_sim_tests.
+# toolchain/test.sh runs them in release.
 foreach(test
-    CutCurves.KeepHalfAKerfAwayWithinTheTolerance
-    CutPlan.NeverCutsIntoAPart
-    OrderChoice.IsNoWorseThanTheNearestNeighbour
-    CutEdges.StayThereWhereTheControllerFindsTheWayBesideThem
-    CutEdges.OfCurvesAreWithinTheToleranceAndFiveMicrometres
-    CutEdges.StayThereUnderFeedOverrides
-    CutEdges.KeepTheirSizeWithLoopsAndDwellsAtCorners
     CrowdedOutline.MeetsNoMoreOfItselfHoweverCloselyItIsDrawn
     ArcTable.TakesNoMoreArcsThanTheBestFitWithKinks
     ArcSplineFit.StaysWithinItsToleranceBothWaysAndHasNoKink
@@ -15,14 +9,6 @@ foreach(test
     RandomRows.HaveAtEachPlaceThePowerThatTheProgramHasThere
     PixelRow.MayBeWrittenWithThreeDecimalsInAnyDirection
     Operator.MayHoldOrOverrideAtEveryHundredthOfASecondOfAJob
-    SliceWaste.LeavesNoLargerPiece
-    LinkCuts.AreInTheWasteAndSaveTheirPierce
-    RouteRapids.NeverCrossWhatIsFreeButThePieceJustCut
-    Cooling.PiercesKeepOffFreshHeat
-    CutAnimation.RunsForwardToTheEndOfTheJob
-    CutTimeline.IsWithinTwoPercentOfTheDrivenJob
-    CutEdges.AreFoundOffWhereTheyAre
-    CutEdges.AreWithinFiveMicrometresOnStraightsArcsAndCorners
     RandomArcs.StayOnTheExactCurveWithinTheirLimits
     JerkLimitedTime.OnAFinerGridIsTheSame
     JerkReference.EnclosesRandomPrograms
