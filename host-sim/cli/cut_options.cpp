@@ -16,8 +16,9 @@ constexpr const char* kCutFooter =
     "--layer 'holes: feed=3000, lead-in=line:1' is for the layer, or colour, of that name; keys\n"
     "are power, feed, side (waste, on: on the line, skip, start: its small circles and short\n"
     "lines mark where the nearest contour begins), lead-in, lead-out (none, line:MM, arc:MM),\n"
-    "overcut, tabs, tab-width, pierce, corner-loop, corner-dwell, corner-angle, start (any,\n"
-    "straight, corner, usual, tab) and rank (0, 1, …: layers of lower rank are cut first).\n"
+    "overcut, tabs, tab-width, pierce, corner-loop, corner-dwell, corner-angle, common-line,\n"
+    "start (any, straight, corner, usual, tab) and rank (0, 1, …: layers of lower rank are cut\n"
+    "first).\n"
     "With --kerf-table the program has the drawn outlines and M190, and the controller goes by\n"
     "its own table, its $PC and $860; tabs, corner loops and dwells keep a contour from it.\n"
     "--layers FILE has one such text to a line.\n"
@@ -53,6 +54,9 @@ void add_common_options(CLI::App& command, const std::shared_ptr<CutCommandOptio
   add("corner-loop", "MM", "Radius of loops in the waste past outer corners; 0, none");
   add("corner-dwell", "S", "Dark rest at corners without a loop; 0, none");
   add("corner-angle", "DEG", "Corners that turn by less are none; 45");
+  add("common-line",
+      "MM",
+      "Cut the line between two parts once where their gap exceeds the kerf by no more; 0, never");
   add("start",
       "WHERE",
       "Where cuts may begin: any, straight, corner, usual, or tab, where they also end; any");

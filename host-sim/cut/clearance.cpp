@@ -94,6 +94,17 @@ Clearance::Nearest Clearance::nearest(const Place& place) const {
   return found;
 }
 
+std::vector<std::size_t> Clearance::owners_near(const Stroke& stroke, double mm) const {
+  std::vector<std::size_t> owners;
+  if (entries_.empty()) return owners;
+  const Box box = box_of(stroke);
+  tree_.search({box.x0 - mm, box.y0 - mm, box.x1 + mm, box.y1 + mm}, 0, [&](std::uint32_t index) {
+    owners.push_back(entries_[index].owner);
+    return true;
+  });
+  return owners;
+}
+
 bool Clearance::is_clear(const Stroke& stroke, double least_mm) const {
   if (entries_.empty()) return true;
   Box box = box_of(stroke);

@@ -33,6 +33,10 @@ class Clearance {
   /// The nearest stroke; where none is within reach, the reach and no owner that means anything.
   [[nodiscard]] Nearest nearest(const Place& place) const;
 
+  /// Returns the owners of all strokes whose boxes come within `mm` of that of a stroke, in no
+  /// order that means anything.
+  [[nodiscard]] std::vector<std::size_t> owners_near(const Stroke& stroke, double mm) const;
+
   /// Returns whether no point of a stroke is nearer than `least_mm` to any of those added, exactly.
   [[nodiscard]] bool is_clear(const Stroke& stroke, double least_mm) const;
 

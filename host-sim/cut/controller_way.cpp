@@ -12,7 +12,7 @@ namespace {
 constexpr double kLap = 0.05;
 
 /// What of the beam's way follows the edge; none where no lead comes before it.
-std::vector<Stroke> contour_of(const std::vector<Stroke>& beam) {
+std::vector<Stroke> edge_of(const std::vector<Stroke>& beam) {
   std::vector<Stroke> contour;
   if (beam.front().purpose == Purpose::kContour) return contour;
   for (const Stroke& stroke : beam) {
@@ -76,7 +76,7 @@ ControllerWay controller_way(const std::vector<Stroke>& outline,
                              const LayerSettings& settings,
                              const LeadRoom& room) {
   const double half_kerf = room.half_kerf_mm;
-  const std::vector<Stroke> contour = contour_of(beam);
+  const std::vector<Stroke> contour = edge_of(beam);
   if (contour.empty()) return {.reason = "it has no lead-in"};
   const MeasuredRow drawn{outline};
   const auto foot = foot_of(drawn, contour.front().from, half_kerf);

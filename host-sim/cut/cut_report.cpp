@@ -45,6 +45,14 @@ Json json_of(const std::vector<drawing::Fault>& faults, const std::string& file)
   return rows;
 }
 
+std::string line_of(const SharedLineFigures& shared) {
+  return fmt::format(
+      "{} lines between parts cut once, {:.1f} mm; gaps exceed the kerf by {:.3f} mm",
+      shared.lines,
+      shared.length_mm,
+      shared.most_off_mm);
+}
+
 Json json_of(const LayerPlan& layer, const drawing::Layer& drawn) {
   Json row;
   row["layer"] = drawn.name;
@@ -126,7 +134,10 @@ std::vector<std::string> none_too_long(const std::vector<std::string>& lines) {
       result.push_back(line);
       continue;
     }
-    for (std::string& part : wrapped(line, kLineWidth)) result.push_back(std::move(part));
+    const std::string margin = line.substr(0, line.find_first_not_of(' '));
+    for (const std::string& part : wrapped(line, kLineWidth - margin.size())) {
+      result.push_back(margin + part);
+    }
   }
   return result;
 }
@@ -181,6 +192,7 @@ std::vector<std::string> lines_of(const CutJob& job, const CutFigures& figures) 
   if (figures.corner_loops + figures.corner_dwells != 0) {
     lines.push_back(line_of_corners(figures));
   }
+  if (job.plan.shared.is_asked) lines.push_back(line_of(job.plan.shared));
   for (const std::string& line : lines_of(job.plan.safety)) lines.push_back(line);
   lines.push_back(fmt::format("{} cuts, {} lines, {} arcs; {:.1f} mm cut, {:.1f} mm rapid; {}{}",
                               figures.cuts,
@@ -232,6 +244,11 @@ Json json_of(const CutJob& job, const CutFigures& figures) {
                      {"loops_longer_mm", figures.corner_loop_mm},
                      {"dwells", figures.corner_dwells},
                      {"dwells_s", figures.corner_dwell_s}};
+  if (const SharedLineFigures& shared = job.plan.shared; shared.is_asked) {
+    json["common_lines"] = {{"count", shared.lines},
+                            {"length_mm", shared.length_mm},
+                            {"most_off_mm", shared.most_off_mm}};
+  }
   if (job.plan.safety.is_asked()) json["safety"] = json_of(job.plan.safety);
   json["job_time_s"] = figures.job_time_s;
   json["job_time_is"] = figures.is_simulated ? "simulated" : "predicted";

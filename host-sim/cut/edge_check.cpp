@@ -22,7 +22,7 @@ constexpr double kEdgeEvery = 0.02;
 /// They are the drawing's own curves, not their arcs, as chords that leave them by about this, mm.
 constexpr double kEdgeChord = 1.0e-5;
 /// The plan's beam touches an edge that it comes to within this, mm; of a curve that was cut as
-/// arcs within this and their tolerance.
+/// arcs within this and their tolerance, of a line that two parts share within this and its own.
 constexpr double kTouches = 1.0e-3;
 /// Discs of the plan follow each other at this distance: between them the edge is off by less
 /// than a nanometre.
@@ -122,7 +122,7 @@ class EdgeCheck::Sweep final : public TraceSink {
     }
   }
 
-  void look(const drawing::Shape& edge, Sum& sum) const;
+  void look(const drawing::Shape& edge, double touches_mm, Sum& sum) const;
   void look(const Place& place, double stretch_mm, double touches_mm, Sum& sum) const;
   /// The place is of the row, if it is far enough from the last one or begins an edge.
   static void add_to_profile(const EdgePlace& edge, double stretch_mm, Sum& sum);
@@ -245,8 +245,8 @@ void EdgeCheck::Sweep::look(const Place& place,
   note(cut > 0.0 ? sum.figures.most_off : sum.figures.most_left, cut, place);
 }
 
-void EdgeCheck::Sweep::look(const drawing::Shape& edge, Sum& sum) const {
-  const double touches = kTouches + (is_free_form(edge) ? job_.plan.curves.tolerance_mm : 0.0);
+void EdgeCheck::Sweep::look(const drawing::Shape& edge, double touches_mm, Sum& sum) const {
+  const double touches = touches_mm + (is_free_form(edge) ? job_.plan.curves.tolerance_mm : 0.0);
   const std::vector<Place> places = drawing::outline_of({&edge, 1}, kEdgeChord);
   for (std::size_t i = 1; i < places.size(); ++i) {
     const Stroke chord{places[i - 1], places[i]};
@@ -265,8 +265,10 @@ EdgeFigures EdgeCheck::Sweep::figures() const {
   for (std::size_t i = 0; i < job_.drawn.contours.size(); ++i) {
     const drawing::DrawnContour& contour = job_.drawn.contours[i];
     const LayerPlan& layer = job_.plan.layers[contour.entity.layer];
-    if (job_.plan.recipes.of(i, layer).settings.side != Side::kWaste) continue;
-    for (const drawing::Shape& edge : contour.shapes) look(edge, sum);
+    const LayerSettings& settings = job_.plan.recipes.of(i, layer).settings;
+    if (settings.side != Side::kWaste) continue;
+    const double touches = kTouches + settings.common_line_mm;
+    for (const drawing::Shape& edge : contour.shapes) look(edge, touches, sum);
   }
   if (sum.figures.places != 0) {
     sum.figures.mean_mm = sum.sizes_mm / static_cast<double>(sum.figures.places);

@@ -15,6 +15,7 @@ constexpr double kLongestWay = 1000.0;     ///< mm, of leads, tabs and overcuts.
 constexpr double kLongestPierce = 60.0;    ///< s, of pierces and dwells.
 constexpr double kGreatestNumber = 1.0e6;  ///< W and mm/min.
 constexpr unsigned kMostTabs = 1000;
+constexpr double kMaxCommonLine = 1.0;  ///< mm.
 
 std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kBlanks = " \t\r\n";
@@ -36,6 +37,7 @@ const std::vector<std::string> kKeys{"power",
                                      "corner-loop",
                                      "corner-dwell",
                                      "corner-angle",
+                                     "common-line",
                                      "start",
                                      "rank"};
 
@@ -112,6 +114,8 @@ void set(LayerSettings& settings, std::string_view key, std::string_view value) 
     settings.corner_dwell_s = number_from(key, value, 0.0, kLongestPierce, "s");
   } else if (key == "corner-angle") {
     settings.corner_angle_deg = number_from(key, value, 1.0, 180.0, "degrees");
+  } else if (key == "common-line") {
+    settings.common_line_mm = number_from(key, value, 0.0, kMaxCommonLine, "mm");
   } else if (key == "start") {
     settings.start = start_from(value);
   } else if (key == "rank") {

@@ -54,6 +54,7 @@ struct LayerSettings {
   double corner_loop_mm = 0.0;     ///< Radius of loops past outer corners; 0: none.
   double corner_dwell_s = 0.0;     ///< Dark rest at corners that have no loop; 0: none.
   double corner_angle_deg = 45.0;  ///< What turns by less is no corner.
+  double common_line_mm = 0.0;     ///< Cuts that run so near side by side are one; 0: none are.
   StartAt start = StartAt::kAny;
   std::optional<unsigned> rank{};  ///< Layers of lower rank are cut first; none: no such order.
 };

@@ -10,6 +10,7 @@
 
 #include "host-sim/contour/contour_offset.hpp"
 #include "host-sim/cut/clearance.hpp"
+#include "host-sim/cut/controller_choice.hpp"
 #include "host-sim/cut/controller_way.hpp"
 #include "host-sim/cut/cut_precedence.hpp"
 #include "host-sim/cut/cut_turn.hpp"
@@ -19,6 +20,7 @@
 #include "host-sim/cut/outlines.hpp"
 #include "host-sim/cut/possible_beginnings.hpp"
 #include "host-sim/cut/rapid_way.hpp"
+#include "host-sim/cut/share_lines.hpp"
 #include "host-sim/cut/start_marks.hpp"
 #include "host-sim/cut/unfulfilled.hpp"
 #include "planner/base/contract.hpp"
@@ -76,6 +78,8 @@ class Planner {
       if (!outlines_[i].is_beside && !outlines_[i].strokes.empty()) cut_along(i);
     }
     put_parts_last(drawn_, outlines_, plan_.cuts);
+    name_parts();
+    share_common_lines();
     find_beginnings();
     for (drawing::Fault& late : late_cuts(drawn_, plan_.cuts, unbegun_)) {
       (late.is_error() ? plan_.faults : plan_.warnings).push_back(std::move(late));
@@ -103,8 +107,9 @@ class Planner {
   void cut_beside(std::size_t i);
   void cut_along(std::size_t i);
   void add_cut(std::size_t i, const std::vector<Stroke>& loop);
+  void name_parts();
+  void share_common_lines();
   void find_beginnings();
-  void keep_what_the_controller_finds(std::size_t cut);
   [[nodiscard]] std::string reason_against_controller(std::size_t cut) const;
   void put_in_order();
   void begin(Cut& cut, const UnbegunCut& unbegun, const Beginning& beginning);
@@ -159,8 +164,10 @@ void Planner::cut_along(std::size_t i) {
   }
   LayerSettings settings = layer_of(i).settings;
   settings.overcut_mm = 0.0;
-  unbegun_.push_back(
-      {.path = MeasuredRow{outlines_[i].strokes}, .settings = settings, .layer = cut.layer});
+  unbegun_.push_back({.path = MeasuredRow{outlines_[i].strokes},
+                      .is_open = !outlines_[i].is_closed,
+                      .settings = settings,
+                      .layer = cut.layer});
   plan_.cuts.push_back(std::move(cut));
 }
 
@@ -181,6 +188,30 @@ void Planner::add_cut(std::size_t i, const std::vector<Stroke>& loop) {
   plan_.cuts.push_back(std::move(cut));
 }
 
+/// Says of each cut to which part it belongs, and which cuts must come before it.
+void Planner::name_parts() {
+  for (std::size_t i = 0; i < plan_.cuts.size(); ++i) {
+    unbegun_[i].after = plan_.cuts[i].after;
+    const std::size_t contour = plan_.cuts[i].contour;
+    unbegun_[i].part = part_of(drawn_, outlines_, contour);
+    if (!drawn_.turns.of_part.empty()) {
+      unbegun_[i].part_turn = drawn_.turns.of_part[drawn_.contours[contour].entity.part];
+    }
+  }
+}
+
+/// Of two parts the first one in the drawing has the line between them, unless it comes later
+/// anyway.
+void Planner::share_common_lines() {
+  const auto asks = [](const UnbegunCut& cut) { return cut.settings.common_line_mm > 0.0; };
+  if (std::ranges::none_of(unbegun_, asks)) return;
+  find_beginnings();
+  const auto drawn = usual_order(unbegun_, wish_, order::OrderMethod::kFile);
+  std::vector<std::size_t> ranks(unbegun_.size());
+  for (std::size_t i = 0; i < ranks.size(); ++i) ranks[drawn[i].cut] = i;
+  share_lines(plan_, unbegun_, ranks);
+}
+
 void Planner::find_beginnings() {
   // So many in all, so that the time for them is bounded.
   constexpr std::size_t kBeginnings = 400'000;
@@ -191,45 +222,29 @@ void Planner::find_beginnings() {
   const std::size_t share = kBeginnings / std::max<std::size_t>(plan_.cuts.size(), 1);
   const std::size_t count = std::clamp(share, kFewest, kUsual);
   for (std::size_t i = 0; i < plan_.cuts.size(); ++i) {
-    unbegun_[i].after = plan_.cuts[i].after;
     const std::size_t contour = plan_.cuts[i].contour;
-    unbegun_[i].part = part_of(drawn_, outlines_, contour);
-    if (!drawn_.turns.of_part.empty()) {
-      unbegun_[i].part_turn = drawn_.turns.of_part[drawn_.contours[contour].entity.part];
-    }
     find_possible_beginnings(
         unbegun_[i],
         outlines_[contour],
         room_of(contour),
         {.is_planned_here = beside_ == WayBeside::kHere, .mark = marks_[contour], .count = count});
-    if (beside_ == WayBeside::kOnController) keep_what_the_controller_finds(i);
+    if (unbegun_[i].is_open && marks_[contour]) {
+      plan_.warnings.push_back({FaultKind::kTooSmall,
+                                drawn_.contours[contour].entity,
+                                *marks_[contour],
+                                "begins in the cut of the part beside it, not at its mark",
+                                "let it have its own lines, with common-line=0 for its layer"});
+    }
+    const bool is_beside = outlines_[contour].is_beside;
+    if (is_beside && beside_ == WayBeside::kOnController && reason_against_controller(i).empty()) {
+      keep_what_the_controller_finds(unbegun_[i], outlines_[contour], room_of(contour));
+    }
   }
-}
-
-/// Leaves out beginnings from which the controller does not find its way, unless that is all.
-void Planner::keep_what_the_controller_finds(std::size_t cut) {
-  const std::size_t contour = plan_.cuts[cut].contour;
-  UnbegunCut& unbegun = unbegun_[cut];
-  if (!outlines_[contour].is_beside || !reason_against_controller(cut).empty()) return;
-  const LeadRoom room = room_of(contour);
-  std::vector<Beginning> found;
-  for (const Beginning& beginning : unbegun.beginnings) {
-    const LedCut led = with_leads(unbegun.path, unbegun.settings, 0, room, beginning);
-    const ControllerWay way =
-        controller_way(outlines_[contour].strokes, led.strokes, unbegun.settings, room);
-    if (way.reason.empty()) found.push_back(beginning);
-  }
-  if (!found.empty()) unbegun.beginnings = std::move(found);
 }
 
 std::string Planner::reason_against_controller(std::size_t cut) const {
-  const LayerSettings& settings = unbegun_[cut].settings;
-  if (loops_of_contour_[plan_.cuts[cut].contour] != 1) return "the kerf parts it";
-  if (settings.tabs != 0 && !plan_.cuts[cut].is_hole) return "it has tabs";
-  if (settings.corner_loop_mm > 0.0 || settings.corner_dwell_s > 0.0) {
-    return "it has corner loops or dwells";
-  }
-  return {};
+  const std::size_t loops = loops_of_contour_[plan_.cuts[cut].contour];
+  return cut::reason_against_controller(unbegun_[cut], plan_.cuts[cut].is_hole, loops);
 }
 
 void Planner::put_in_order() {
@@ -274,6 +289,7 @@ void Planner::begin(Cut& cut, const UnbegunCut& unbegun, const Beginning& beginn
   append(plan_.warnings,
          unfulfilled(led, unbegun.settings, drawn_.contours[cut.contour].entity, tabs));
   cut.strokes = std::move(led.strokes);
+  if (beginning.is_backwards) turn_round(cut.strokes);
 }
 
 /// Where the controller cannot find the way beside the part, it is given the way itself.

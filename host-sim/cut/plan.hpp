@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -24,13 +25,17 @@ enum class WayBeside : std::uint8_t {
 /// Number of a cut's contour where it has none.
 inline constexpr std::size_t kNoContour = SIZE_MAX;
 
+/// The path along a contour, of which cuts are rests; see share_lines().
+using SharedLoop = std::shared_ptr<const std::vector<Stroke>>;
+
 /// One pierce and what is cut from it on.
 struct Cut {
   std::size_t contour = 0;  ///< Of the drawing; kNoContour of a slice.
   std::size_t layer = 0;    ///< Of the drawing, and of the plan.
   std::size_t turn = 0;     ///< Cuts of lower turns come before it: see CutTurn.
   bool is_hole = false;
-  double area_mm2 = 0.0;  ///< Enclosed by the beam's path; 0 of an open line.
+  double area_mm2 = 0.0;  ///< Enclosed by the beam's path, or by `loop`; 0 of an open line.
+  SharedLoop loop{};      ///< Of a cut that shares lines with earlier ones; else none.
   std::vector<Stroke> strokes{};
   /// The same for a controller that finds the way beside the part (see ControllerWay); none where
   /// it is given the strokes.
@@ -62,6 +67,14 @@ struct OrderFigures {
   [[nodiscard]] double predicted_s() const { return rapids.time_s + strokes_s; }
 };
 
+/// What became of the lines between parts; see share_lines().
+struct SharedLineFigures {
+  bool is_asked = false;
+  std::size_t lines = 0;     ///< Lines that are cut once for the parts on both sides.
+  double length_mm = 0.0;    ///< Of these.
+  double most_off_mm = 0.0;  ///< Greatest excess of the gap of two parts over the kerf.
+};
+
 /// What is to be cut, in order, and what of the drawing cannot be.
 struct CutPlan {
   std::vector<LayerPlan> layers;
@@ -73,6 +86,7 @@ struct CutPlan {
   OrderFigures order{};                  ///< How the order was chosen, and what it costs.
   std::vector<Place> way_home{};         ///< Corners of the rapid after the last cut.
   double lift_home_mm = 0.0;             ///< Height of Z during that rapid; 0: not lifted.
+  SharedLineFigures shared{};            ///< Lines that are cut once for two parts.
   SafetyFigures safety{};                ///< What was done so that the order is safe.
 
   /// Returns how a cut is made: by the rules for its contour, else as its layer.

@@ -5,14 +5,28 @@
 
 namespace sim::cut {
 
+namespace {
+
+/// A cut beside its line that has tabs or work at corners goes forwards only: these are placed so.
+void list_both_ends(UnbegunCut& cut, bool is_beside) {
+  const LayerSettings& settings = cut.settings;
+  cut.beginnings = beginnings_of_line(cut.path);
+  cut.may_move = false;
+  if (!is_beside) return;
+  for (Beginning& beginning : cut.beginnings) beginning.has_leads = true;  // None are required.
+  const bool has_work = settings.corner_loop_mm > 0.0 || settings.corner_dwell_s > 0.0;
+  if (settings.tabs != 0 || has_work) cut.beginnings.pop_back();
+}
+
+}  // namespace
+
 void find_possible_beginnings(UnbegunCut& cut,
                               const Outline& outline,
                               const LeadRoom& leads,
                               const BeginningRoom& room) {
   const LayerSettings& settings = cut.settings;
-  if (!outline.is_closed) {
-    cut.beginnings = beginnings_of_line(cut.path);
-    cut.may_move = false;
+  if (cut.is_open) {
+    list_both_ends(cut, outline.is_beside);
     return;
   }
   BeginningWish wish{.where = settings.start, .count = room.count};

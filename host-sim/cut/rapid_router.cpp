@@ -45,20 +45,28 @@ std::vector<RapidExit> exits_of(const LoopArea& area, const Place& from, double 
     const Place out = away < kOnEdge ? outward_at(stroke, edge)
                                      : Place{(is_inside ? 1.0 : -1.0) / away * (edge - from)};
     exits.push_back({away, edge + beyond * out});
+    // A cut that ends beside another area, where an arc begins, may leave along the arc only.
+    if (stroke.bulge == 0.0 || away >= kOnEdge) continue;
+    for (const double share : {0.25, 0.5, 0.75, 1.0}) {
+      const Place along = place_at(stroke, share);
+      exits.push_back({drawing::distance(along, from), along + beyond * outward_at(stroke, along)});
+    }
   }
   std::ranges::stable_sort(exits, {}, &RapidExit::edge_mm);
   if (exits.size() > kMaxExits) exits.resize(kMaxExits);
   return exits;
 }
 
-/// Returns whether a segment crosses the edge of an area once at most.
+/// Returns whether a segment crosses the edge of an area once at most, beside where it begins.
 bool leaves_once(const LoopArea& area, const Place& from, const Place& to) {
   constexpr double kSameMm = 1.0e-5;
+  const double length = drawing::distance(from, to);
   std::vector<double> shares;
   for (const Stroke& stroke : area.strokes()) add_meetings(from, to, stroke, shares);
+  std::erase_if(shares, [length](double share) { return share * length < kSameMm; });
   if (shares.empty()) return true;
   const auto [first, last] = std::ranges::minmax(shares);
-  return (last - first) * drawing::distance(from, to) < kSameMm;
+  return (last - first) * length < kSameMm;
 }
 
 /// Returns whether a straight leg leaves an area nearly as shortly as `exit_mm`, and is clear of

@@ -10,6 +10,7 @@
 #include "host-sim/cut/cut_name.hpp"
 #include "host-sim/cut/rapid_router.hpp"
 #include "host-sim/cut/rapid_way.hpp"
+#include "host-sim/cut/share_lines.hpp"
 
 namespace sim::cut {
 namespace {
@@ -29,9 +30,10 @@ bool frees(const Cut& cut) {
 std::vector<SharedArea> freed_by(const CutPlan& plan) {
   const std::vector<Cut>& cuts = plan.cuts;
   std::vector<SharedArea> areas(cuts.size());
+  const std::vector<SharedLoop> closed = loops_closed_by(cuts);
   for (std::size_t i = 0; i < cuts.size(); ++i) {
     if (!frees(cuts[i])) continue;
-    std::vector<Stroke> loop = loop_of_cut(cuts[i]);
+    std::vector<Stroke> loop = closed[i] ? *closed[i] : loop_of_cut(cuts[i]);
     const bool is_waste = cuts[i].area_mm2 < 0.0;
     const double skin = is_waste ? 0.5 * plan.plan_of(cuts[i]).condition.kerf_mm : 0.0;
     if (length_of(loop) > kJoined) {

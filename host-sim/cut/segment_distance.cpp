@@ -94,6 +94,18 @@ Place nearest_on(const Stroke& stroke, const Place& place) {
   return from_is_nearer ? stroke.from : stroke.to;
 }
 
+double nearest_share(const Stroke& stroke, const Place& place) {
+  const Place way = nearest_on(stroke, place) - stroke.from;
+  if (stroke.bulge == 0.0) {
+    const double square = (stroke.to - stroke.from).squaredNorm();
+    return square > 0.0 ? std::clamp(std::sqrt(way.squaredNorm() / square), 0.0, 1.0) : 0.0;
+  }
+  // Between the tangent and a chord is half of the angle that the chord spans.
+  const Place tangent = tangent_at(stroke, 0.0);
+  const double half = std::atan2(drawing::cross(tangent, way), drawing::dot(tangent, way));
+  return std::clamp(half / (2.0 * std::atan(stroke.bulge)), 0.0, 1.0);
+}
+
 double segment_distance(const Place& from, const Place& to, const Stroke& stroke) {
   return stroke.bulge == 0.0 ? distance_of_lines(from, to, stroke)
                              : distance_to_arc(from, to, stroke);

@@ -12,6 +12,9 @@ namespace sim::cut {
 /// Returns the nearest place of a stroke to another place.
 [[nodiscard]] Place nearest_on(const Stroke& stroke, const Place& place);
 
+/// Returns the share of a stroke's length, 0 to 1, at which it is nearest to a place.
+[[nodiscard]] double nearest_share(const Stroke& stroke, const Place& place);
+
 /// Returns the distance of the nearest places of a straight segment and a stroke, mm; 0 where they
 /// meet. Exact but for rounding: below 1e-9 mm for places within 10 m of each other.
 [[nodiscard]] double segment_distance(const Place& from, const Place& to, const Stroke& stroke);

@@ -7,6 +7,7 @@
 
 #include "host-sim/cut/clearance.hpp"
 #include "host-sim/cut/drawn_strokes.hpp"
+#include "host-sim/cut/segment_distance.hpp"
 
 namespace sim::cut {
 namespace {
@@ -24,26 +25,6 @@ Place middle_of(const std::vector<Stroke>& strokes) {
     }
   }
   return 0.5 * (least + most);
-}
-
-/// The share of a stroke at which it is nearest to a place, by thirds.
-double nearest_share(const Stroke& stroke, const Place& place) {
-  double low = 0.0;
-  double high = 1.0;
-  for (int i = 0; i < 80; ++i) {
-    const double a = low + (high - low) / 3.0;
-    const double b = high - (high - low) / 3.0;
-    const bool is_left = drawing::distance(place_at(stroke, a), place) <
-                         drawing::distance(place_at(stroke, b), place);
-    (is_left ? high : low) = is_left ? b : a;
-  }
-  const double share = 0.5 * (low + high);
-  const auto is_nearer = [&](double a, double b) {
-    return drawing::distance(place_at(stroke, a), place) <
-           drawing::distance(place_at(stroke, b), place);
-  };
-  if (is_nearer(0.0, share)) return 0.0;
-  return is_nearer(1.0, share) ? 1.0 : share;
 }
 
 }  // namespace

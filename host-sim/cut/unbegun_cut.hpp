@@ -11,7 +11,8 @@ namespace sim::cut {
 
 /// A contour as the beam goes along it, whose beginning and place in the order are not chosen yet.
 struct UnbegunCut {
-  MeasuredRow path;        ///< Closed with the part on its left, or an open line.
+  MeasuredRow path;        ///< With the part on its left, or along an open line.
+  bool is_open = false;    ///< It ends elsewhere than it begins.
   LayerSettings settings;  ///< Of its layer.
   double half_kerf_mm = 0.0;
   std::size_t layer = 0;

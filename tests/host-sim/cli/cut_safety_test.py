@@ -114,6 +114,23 @@ class Safety(unittest.TestCase):
         self.assertGreater(saved, 0)
         self.assertEqual(self.program.read_text().count("\nG0"), 1 + 3 - saved)
 
+    def test_the_line_between_parts_is_cut_once(self):
+        grid = "".join(f'<rect x="{5 + 20.57 * i}" y="{50 + 20.57 * k}" width="20" height="20"/>'
+                       for i in range(3) for k in range(2))
+        self.assertEqual(self.cut(grid).returncode, 0)
+        alone = json.loads(self.report.read_text())
+        self.assertNotIn("common_lines", alone)
+        done = self.cut(grid, "--common-line", "0.02", "--avoid-freed", "--check")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        report = json.loads(self.report.read_text())
+        self.assertEqual(report["common_lines"]["count"], 7)
+        self.assertAlmostEqual(report["common_lines"]["length_mm"], 140.0, 6)
+        self.assertLess(report["cut_length_mm"], alone["cut_length_mm"] - 140.0)
+        self.assertIn("7 lines between parts cut once, 140.0 mm", done.stdout)
+        self.assertIn("7 lines between parts cut once", self.program.read_text())
+        self.assertEqual(self.cut(grid, "--common-line", "0.005").returncode, 0)
+        self.assertEqual(json.loads(self.report.read_text())["common_lines"]["count"], 0)
+
     def test_the_waste_is_sliced(self):
         done = self.cut(ROW, "--slice", "15")
         self.assertEqual(done.returncode, 0, done.stderr)

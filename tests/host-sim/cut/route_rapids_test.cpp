@@ -1,5 +1,6 @@
 #include "host-sim/cut/route_rapids.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -156,6 +157,34 @@ TEST(RouteRapids, NeverCrossWhatIsFreeButThePieceJustCut) {
               100.0 * longer_mm / rapids_mm);
   EXPECT_GT(straight, rapids / 20);
   EXPECT_LT(longer_mm, 0.5 * rapids_mm);
+}
+
+/// Rows of parts a kerf apart, whose lines are cut once: a part is free with its last open cut.
+TEST(RouteRapids, NeverCrossWhatSharedLinesHaveFreed) {
+  std::size_t straight = 0;
+  for (const std::uint64_t seed : proof::Trials{40}) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    proof::Random random{seed};
+    std::string content;
+    double y = 5.0;
+    while (y < 80.0) {
+      const double height = random.between(8.0, 15.0);
+      for (double x = random.between(5.0, 10.0); x < 80.0;) {
+        const double width = random.between(8.0, 15.0);
+        content += fmt::format(
+            "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>", x, y, width, height);
+        x += width + (random.chance(0.7) ? kTestKerf : 4.0);
+      }
+      y += height + (random.chance(0.7) ? kTestKerf : 4.0);
+    }
+    const auto drawn = drawing::read(drawing::svg_of(content));
+    CutPlan plan = foreseen_plan_of(drawn, {.common_line_mm = 0.01});
+    ASSERT_GT(plan.shared.lines, 0U);
+    ASSERT_TRUE(plan.faults.empty());
+    route_rapids(plan, drawn, {.margin_mm = kMargin, .lift_mm = 5.0});
+    straight += RapidOracle{drawn, plan}.judge();
+  }
+  EXPECT_GT(straight, 0U);
 }
 
 /// Of parts in a row, those in the middle lie between the last one and zero.
