@@ -2,8 +2,28 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
+#include <set>
 
 namespace sim::cut {
+namespace {
+
+/// Returns the innermost contours around a contour whose cuts free what is inside; several around
+/// an open one that runs through them.
+std::set<std::size_t> freed_around(const drawing::Drawing& drawn,
+                                   const std::vector<Outline>& outlines,
+                                   std::size_t contour) {
+  std::set<std::size_t> found;
+  const auto look = [&](std::optional<std::size_t> around) {
+    while (around && !outlines[*around].is_beside) around = drawn.contours[*around].lies_in;
+    if (around) found.insert(*around);
+  };
+  look(drawn.contours[contour].lies_in);
+  for (const std::size_t around : drawn.contours[contour].runs_through) look(around);
+  return found;
+}
+
+}  // namespace
 
 void put_parts_last(const drawing::Drawing& drawn,
                     const std::vector<Outline>& outlines,
@@ -21,11 +41,10 @@ void put_parts_last(const drawing::Drawing& drawn,
     }
   }
   for (std::size_t i = 0; i < outlines.size(); ++i) {
-    auto around = drawn.contours[i].lies_in;
-    while (around && !outlines[*around].is_beside) around = drawn.contours[*around].lies_in;
-    if (!around) continue;
-    for (const std::size_t inner : cuts_of[i]) {
-      for (const std::size_t outer : cuts_of[*around]) cuts[outer].after.push_back(inner);
+    for (const std::size_t around : freed_around(drawn, outlines, i)) {
+      for (const std::size_t inner : cuts_of[i]) {
+        for (const std::size_t outer : cuts_of[around]) cuts[outer].after.push_back(inner);
+      }
     }
   }
 }

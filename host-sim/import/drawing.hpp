@@ -67,7 +67,10 @@ struct DrawnContour {
   double area_mm2 = 0.0;               ///< Area of a closed contour; its holes are not subtracted.
   std::size_t depth = 0;               ///< Closed contours of its part around this one.
   std::optional<std::size_t> parent;   ///< The innermost of them.
-  std::optional<std::size_t> lies_in;  ///< The innermost of all parts' contours around this one.
+  /// The innermost of all parts' contours around this one; around most of it if it is open.
+  std::optional<std::size_t> lies_in;
+  /// The innermost contours around places of an open one, in the order of their numbers.
+  std::vector<std::size_t> runs_through;
 
   /// Odd depth. Outer contours turn left, holes turn right.
   [[nodiscard]] bool is_hole() const { return depth % 2 == 1; }

@@ -62,11 +62,12 @@ class Strips {
     }
   }
 
-  /// Adds one for each crossing of the ray from `place` to the right; false when
+  /// Adds one for each crossing of the ray from `place`, wherever it is, to the right; false when
   /// the budget ends.
   bool count(const Place& place, std::map<std::size_t, std::size_t>& hits, Budget& budget) const {
     // What is looked at closely takes so many times as long.
     constexpr std::size_t kCloseLook = 16;
+    if (place.y() < least_ || place.y() > most_) return true;
     const auto& strip = strips_[strip_of(place.y())];
     std::size_t close = 0;
     for (const auto& [piece, i] : strip) {
@@ -115,11 +116,62 @@ struct Innermost {
   double smallest = OutlineBox::kInfinite;
 };
 
+/// Places along an open outline, near enough to each other to meet what it runs through.
+std::vector<Place> places_along(const Piece& piece) {
+  constexpr double kEveryMm = 2.0;
+  const double length = piece.contour.length_mm;
+  const double count = std::clamp(std::ceil(length / kEveryMm), 3.0, 256.0);
+  std::vector<Place> places;
+  double way = 0.0;
+  for (std::size_t i = 1; i < piece.outline.size(); ++i) {
+    const Place& from = piece.outline[i - 1];
+    const Place& to = piece.outline[i];
+    const double chord = distance(from, to);
+    while (true) {
+      const double next = (static_cast<double>(places.size()) + 0.5) * length / count;
+      if (next > way + chord || chord <= 0.0) break;
+      places.push_back(from + std::max(next - way, 0.0) / chord * (to - from));
+    }
+    way += chord;
+  }
+  return places;
+}
+
 void turn_as_nested(DrawnContour& contour) {
   if ((contour.area_mm2 < 0.0) == contour.is_hole()) return;
   std::ranges::reverse(contour.shapes);
   for (Shape& shape : contour.shapes) shape = reversed(std::move(shape));
   contour.area_mm2 = -contour.area_mm2;
+}
+
+}  // namespace
+
+namespace {
+
+/// Finds what is around an open contour. Returns false when the budget ends.
+bool find_around(std::vector<Piece>& pieces,
+                 std::size_t index,
+                 const Strips& strips,
+                 Budget& budget) {
+  std::map<std::size_t, std::size_t> places_in;
+  std::map<std::size_t, std::size_t> hits;
+  for (const Place& place : places_along(pieces[index])) {
+    hits.clear();
+    if (!strips.count(place, hits, budget)) return false;
+    Innermost around;
+    for (const auto& [other, count] : hits) {
+      if (count % 2 != 0) around.look_at(other, std::abs(pieces[other].contour.area_mm2));
+    }
+    if (around.piece) ++places_in[*around.piece];
+  }
+  std::size_t most = 0;
+  for (const auto& [other, count] : places_in) {
+    pieces[index].contour.runs_through.push_back(other);
+    if (count <= most) continue;
+    most = count;
+    pieces[index].contour.lies_in = other;
+  }
+  return true;
 }
 
 }  // namespace
@@ -130,7 +182,10 @@ void nest(Sketch& sketch, std::vector<Piece>& pieces) {
   std::map<std::size_t, std::size_t> hits;
   for (std::size_t index = 0; index < pieces.size(); ++index) {
     DrawnContour& contour = pieces[index].contour;
-    if (!contour.closed) continue;
+    if (!contour.closed) {
+      if (!find_around(pieces, index, strips, budget)) break;
+      continue;
+    }
     hits.clear();
     if (!strips.count(place_inside(pieces[index]), hits, budget)) break;
     Innermost of_its_part;
