@@ -13,6 +13,7 @@
 #include "host-sim/serve/background_priority.hpp"
 #include "host-sim/serve/http_status.hpp"
 #include "host-sim/serve/run_conditions.hpp"
+#include "host-sim/serve/sheet_view.hpp"
 
 namespace sim {
 namespace {
@@ -23,6 +24,7 @@ constexpr std::size_t kLongestName = 200;
 constexpr const char* kJsonType = "application/json";
 
 constexpr std::array<std::string_view, 2> kProgramPaths{"/outline", "/job"};
+constexpr std::string_view kSheetPath = "/sheet";
 constexpr std::array<std::string_view, 4> kOrderPaths{
     "/job/run", "/job/resume", "/job/stop", "/hold"};
 
@@ -144,13 +146,14 @@ WebReply waits(const std::string& reason) {
 std::optional<WebReply> WebRoutes::refusal(const HttpRequest& request) const {
   const std::string_view path = request.path;
   const bool program = is_one_of(kProgramPaths, path);
-  const bool order = is_one_of(kOrderPaths, path);
+  const bool order = is_one_of(kOrderPaths, path) || path == kSheetPath;
   if (!is_document(path) && !program && !order) {
     return web_refusal(http_status::kNotFound, "There is nothing of that name here.");
   }
   if (request.method == "GET" || request.method == "HEAD") {
     if (is_document(path)) return {};
-    return web_refusal(http_status::kWrongMethod, "A program is sent here with POST.");
+    return web_refusal(http_status::kWrongMethod,
+                       "What is meant for this address is sent with POST.");
   }
   if (request.method != "POST" || (!program && !order)) {
     return web_refusal(http_status::kWrongMethod, "This is only read, with GET.");
@@ -173,6 +176,12 @@ PageService::Answer WebRoutes::answer(HttpRequest request) {
     return json_reply({{"holds", true}});
   }
   if (is_one_of(kProgramPaths, request.path)) return load(std::move(request));
+  if (request.path == kSheetPath) {
+    return WebWork{[body = std::make_shared<std::string>(std::move(request.body))] {
+      work_in_background();
+      return placed_sheet(*body);
+    }};
+  }
   return order(request.path, request.body);
 }
 

@@ -23,6 +23,7 @@ namespace sim {
 /// | POST `/job/run` | runs it, `{"id":"…","page":"…","accepted":["line 4: …"]}` |
 /// | POST `/job/resume` | resumes it where it was interrupted, `{"id":…,"page":…}` |
 /// | POST `/job/stop` | ends it, `{"id":…,"page":…}` |
+/// | POST `/sheet` | a sheet that is being edited: see placed_sheet() |
 /// | POST `/hold` | a feed hold: it is safe, so that any page that watches may ask for it |
 ///
 /// An outline is in machine coordinates, up to the refused line if there is one:
