@@ -9,8 +9,8 @@
 namespace sim::cut {
 
 /// Orders each cut (Cut::after) after all cuts that lie inside its outline, of any part, and those
-/// on a line, open ones that reach into it, too: it frees the material around them. Of several loops of one contour the largest is the
-/// last.
+/// on a line, open ones that reach into it, too: it frees the material around them. Of several
+/// loops of one contour the largest is the last.
 /// @param outlines by contour
 void put_parts_last(const drawing::Drawing& drawn,
                     const std::vector<Outline>& outlines,

@@ -64,9 +64,9 @@ struct DrawnContour {
   Entity entity;  ///< Of the first shape as drawn.
   bool closed = false;
   double length_mm = 0.0;
-  double area_mm2 = 0.0;               ///< Area of a closed contour; its holes are not subtracted.
-  std::size_t depth = 0;               ///< Closed contours of its part around this one.
-  std::optional<std::size_t> parent;   ///< The innermost of them.
+  double area_mm2 = 0.0;              ///< Area of a closed contour; its holes are not subtracted.
+  std::size_t depth = 0;              ///< Closed contours of its part around this one.
+  std::optional<std::size_t> parent;  ///< The innermost of them.
   /// The innermost of all parts' contours around this one; around most of it if it is open.
   std::optional<std::size_t> lies_in;
   /// The innermost contours around places of an open one, in the order of their numbers.
