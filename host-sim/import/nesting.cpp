@@ -130,7 +130,7 @@ std::vector<Place> places_along(const Piece& piece) {
     while (true) {
       const double next = (static_cast<double>(places.size()) + 0.5) * length / count;
       if (next > way + chord || chord <= 0.0) break;
-      places.push_back(from + std::max(next - way, 0.0) / chord * (to - from));
+      places.emplace_back(from + std::max(next - way, 0.0) / chord * (to - from));
     }
     way += chord;
   }
