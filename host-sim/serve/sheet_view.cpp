@@ -22,7 +22,7 @@ using nlohmann::ordered_json;
 
 /// The page shows curves as chords within this, mm.
 constexpr double kViewChordMm = 0.05;
-constexpr double kMaxDistanceMm = 100.0;
+constexpr double kMaxPartDistanceMm = 100.0;
 /// Share of the work that `cut` may have for a drawing: the page asks after each change.
 constexpr double kEffort = 0.1;
 /// A sheet is not nested more deeply, mistakes included: to write deep ones out takes stack.
@@ -46,7 +46,7 @@ class SheetView {
     }
     const auto distance = request.find("distance_mm");
     if (distance != request.end() && distance->is_number()) {
-      distance_mm_ = std::clamp(distance->get<double>(), 0.0, kMaxDistanceMm);
+      distance_mm_ = std::clamp(distance->get<double>(), 0.0, kMaxPartDistanceMm);
     }
   }
 
