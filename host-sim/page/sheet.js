@@ -104,6 +104,8 @@ async function post(body) {
   return reply.json();
 }
 
+const waits = (isBusy) => at('sheet').setAttribute('aria-busy', isBusy);
+
 // Only the answer to the last question counts.
 async function refresh() {
   show();
@@ -111,15 +113,19 @@ async function refresh() {
   if (model.sheet.parts.length === 0) {
     copies = [];
     tell([]);
+    waits(false);
     return show();
   }
+  waits(true);
   try {
     const reply = await post(model.request());
     if (number !== asked) return;
     copies = reply.copies ?? [];
     tell(reply.faults);
     if (!isDragging) show();
+    waits(false);
   } catch (error) {
+    waits(false);
     notice.tell(`The server does not answer: ${error.message}`);
   }
 }

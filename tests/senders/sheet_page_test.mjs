@@ -17,6 +17,9 @@ const text = (page, id) => page.locator(`#${id}`).innerText();
 const copies = (page) => page.locator('#sheet .copy').count();
 const faults = (page) => page.locator('#faults li').allInnerTexts();
 
+// The server has placed what is shown.
+const settled = (page) => until('the server', async () => (await page.locator('#sheet').getAttribute('aria-busy')) === 'false');
+
 async function set(page, id, value) {
   await page.locator(`#${id}`).fill(String(value));
   await page.locator(`#${id}`).press('Enter');
@@ -52,6 +55,7 @@ async function laysOut(page, folder) {
 }
 
 async function drags(page) {
+  await settled(page);
   const box = await until('the chosen copy', () => page.locator('#sheet .copy.chosen').boundingBox());
   const [x, y] = [box.x + box.width / 2, box.y + box.height / 2];
   await page.mouse.move(x, y);
@@ -59,6 +63,7 @@ async function drags(page) {
   await page.mouse.move(x + 60, y - 40, { steps: 4 });
   await page.mouse.up();
   await until('it was moved', async () => Number(await page.locator('#x').inputValue()) > 245);
+  await settled(page);
   const moved = await until('it is there', () => page.locator('#sheet .copy.chosen').boundingBox());
   check(Math.abs(moved.x - box.x - 60) < 2 && Math.abs(moved.y - box.y + 40) < 2, 'as far as the mouse');
   await set(page, 'x', 270);
@@ -66,6 +71,7 @@ async function drags(page) {
 }
 
 async function isCutAsShown(page, folder) {
+  await settled(page);
   const file = await saved(page, folder);
   const sheet = JSON.parse(fs.readFileSync(file, 'utf8'));
   equal(sheet.parts.map((part) => part.drawing), ['plate.svg', 'square.svg'], 'the drawings');
