@@ -200,12 +200,13 @@ void Planner::name_parts() {
   }
 }
 
-/// Of two parts the first one in the drawing has the line between them, unless it comes later
-/// anyway.
+/// The line between two parts goes to the part that is drawn first, unless that one must be cut
+/// later.
 void Planner::share_common_lines() {
   const auto asks = [](const UnbegunCut& cut) { return cut.settings.common_line_mm > 0.0; };
   if (std::ranges::none_of(unbegun_, asks)) return;
-  find_beginnings();
+  // The order of the file asks for no place.
+  for (UnbegunCut& cut : unbegun_) cut.beginnings = {Beginning{}};
   const auto drawn = usual_order(unbegun_, wish_, order::OrderMethod::kFile);
   std::vector<std::size_t> ranks(unbegun_.size());
   for (std::size_t i = 0; i < ranks.size(); ++i) ranks[drawn[i].cut] = i;

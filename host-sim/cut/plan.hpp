@@ -35,7 +35,7 @@ struct Cut {
   std::size_t turn = 0;     ///< Cuts of lower turns come before it: see CutTurn.
   bool is_hole = false;
   double area_mm2 = 0.0;  ///< Enclosed by the beam's path, or by `loop`; 0 of an open line.
-  SharedLoop loop{};      ///< Of a cut that shares lines with earlier ones; else none.
+  SharedLoop loop{};      ///< The whole path, where earlier cuts have some of its lines; else none.
   std::vector<Stroke> strokes{};
   /// The same for a controller that finds the way beside the part (see ControllerWay); none where
   /// it is given the strokes.
@@ -67,11 +67,11 @@ struct OrderFigures {
   [[nodiscard]] double predicted_s() const { return rapids.time_s + strokes_s; }
 };
 
-/// What became of the lines between parts; see share_lines().
+/// Figures of the lines that two parts share; see share_lines().
 struct SharedLineFigures {
   bool is_asked = false;
   std::size_t lines = 0;     ///< Lines that are cut once for the parts on both sides.
-  double length_mm = 0.0;    ///< Of these.
+  double length_mm = 0.0;    ///< Length of these lines.
   double most_off_mm = 0.0;  ///< Greatest excess of the gap of two parts over the kerf.
 };
 

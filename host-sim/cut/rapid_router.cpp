@@ -158,7 +158,11 @@ std::vector<Place> RapidRouter::find_out(Try& t,
     return {from.place, to.place};
   }
   int searches = 0;
-  for (const RapidExit& exit : exits_of(area, from.place, legs.clearance_mm())) {
+  const std::vector<RapidExit> exits = exits_of(area, from.place, legs.clearance_mm());
+  // An exit on the other side of the piece would lead across it.
+  const double farthest = kSlantedExit * exits.front().edge_mm + 2.0 * rules_.clearance_mm;
+  for (const RapidExit& exit : exits) {
+    if (exit.edge_mm > farthest) break;
     const RapidEnd out = legs.end_at(exit.place);
     if (!out.near.empty() || legs.area_at(exit.place)) continue;
     if (!leaves_once(area, from.place, exit.place)) continue;

@@ -34,7 +34,7 @@ bool is_reached_from_ends(const std::vector<Stroke>& rest, double half_kerf_mm) 
   return true;
 }
 
-/// What a cut leaves to earlier ones.
+/// Stretches of a path that earlier cuts have.
 struct Loss {
   std::vector<SharedStretch> stretches{};
   std::vector<std::size_t> owners{};  ///< The cuts that have them.

@@ -14,7 +14,7 @@ namespace sim::cut {
 /// open cuts, which begin and end in the kerf of the earlier one and come after it. They have no
 /// leads and no overcut.
 ///
-/// What is shared is at least two kerfs long. Where a part would have no cut of its own, its
+/// A shared line is at least two kerfs long. Where a part would have no cut of its own, its
 /// shortest shared line is cut twice. Arcs round a corner at which two shared lines meet are left
 /// out: both lines reach it.
 /// @param unbegun one for each cut of the plan; both rows have more cuts afterwards, numbered anew,

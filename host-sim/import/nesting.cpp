@@ -116,11 +116,21 @@ struct Innermost {
   double smallest = OutlineBox::kInfinite;
 };
 
-/// Places along an open outline, near enough to each other to meet what it runs through.
-std::vector<Place> places_along(const Piece& piece) {
+/// Distance of the places that are looked at along all open outlines: it bounds their number.
+double spacing_of_places(const std::vector<Piece>& pieces) {
   constexpr double kEveryMm = 2.0;
+  constexpr double kMaxPlaces = 500'000.0;
+  double length = 0.0;
+  for (const Piece& piece : pieces) {
+    if (!piece.contour.closed) length += piece.contour.length_mm;
+  }
+  return std::max(kEveryMm, length / kMaxPlaces);
+}
+
+/// Places along an open outline, three at least, no farther from each other than `every_mm`.
+std::vector<Place> places_along(const Piece& piece, double every_mm) {
   const double length = piece.contour.length_mm;
-  const double count = std::clamp(std::ceil(length / kEveryMm), 3.0, 256.0);
+  const double count = std::max(std::ceil(length / every_mm), 3.0);
   std::vector<Place> places;
   double way = 0.0;
   for (std::size_t i = 1; i < piece.outline.size(); ++i) {
@@ -151,11 +161,12 @@ namespace {
 /// Finds what is around an open contour. Returns false when the budget ends.
 bool find_around(std::vector<Piece>& pieces,
                  std::size_t index,
+                 double every_mm,
                  const Strips& strips,
                  Budget& budget) {
   std::map<std::size_t, std::size_t> places_in;
   std::map<std::size_t, std::size_t> hits;
-  for (const Place& place : places_along(pieces[index])) {
+  for (const Place& place : places_along(pieces[index], every_mm)) {
     hits.clear();
     if (!strips.count(place, hits, budget)) return false;
     Innermost around;
@@ -178,12 +189,13 @@ bool find_around(std::vector<Piece>& pieces,
 
 void nest(Sketch& sketch, std::vector<Piece>& pieces) {
   const Strips strips{pieces};
+  const double every_mm = spacing_of_places(pieces);
   Budget budget{sketch.share_of(kMostRayCrossings)};
   std::map<std::size_t, std::size_t> hits;
   for (std::size_t index = 0; index < pieces.size(); ++index) {
     DrawnContour& contour = pieces[index].contour;
     if (!contour.closed) {
-      if (!find_around(pieces, index, strips, budget)) break;
+      if (!find_around(pieces, index, every_mm, strips, budget)) break;
       continue;
     }
     hits.clear();

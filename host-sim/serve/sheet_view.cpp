@@ -113,7 +113,7 @@ class SheetView {
   }
 
   sheet::Sheet sheet_;
-  std::map<std::string, std::string> texts_;  ///< Of drawings, by their resolved names.
+  std::map<std::string, std::string> texts_;  ///< Texts of drawings by their resolved names.
   double distance_mm_ = 0.0;
 };
 

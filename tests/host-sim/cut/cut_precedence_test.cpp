@@ -92,7 +92,7 @@ TEST(CutPrecedence, LinesThatReachIntoAPartComeBeforeItIsFree) {
       for (std::size_t k = 0; k < plan.cuts.size(); ++k) {
         const drawing::DrawnContour& contour = drawn.contours[plan.cuts[k].contour];
         if (!contour.closed) continue;
-        // Lines are looked at every two millimetres.
+        // The reader looks at lines every two millimetres.
         if (length_in(outline_of(contour.shapes, 0.01), plan.cuts[i]) < 2.2) continue;
         EXPECT_LT(i, k) << "a line comes after " << contour.entity.name;
         ++inside;
@@ -102,7 +102,7 @@ TEST(CutPrecedence, LinesThatReachIntoAPartComeBeforeItIsFree) {
   EXPECT_GT(inside, 0U);
 }
 
-/// What is skipped frees nothing, and what is on its line neither.
+/// A contour that is cut on its line frees nothing.
 TEST(CutPrecedence, LinesInAFrameThatIsNoPartBelongToWhatIsAroundIt) {
   const auto drawn = drawing::read(drawing::svg_of(
       "<rect id=\"part\" x=\"5\" y=\"5\" width=\"80\" height=\"80\"/>"

@@ -72,7 +72,7 @@ double lit_mm(const CutPlan& plan) {
   return sum;
 }
 
-/// What the beam leaves of a sheet, by small squares.
+/// The material that the beam leaves of a sheet, in small squares.
 class Sheet {
  public:
   explicit Sheet(const CutPlan& plan) : burnt_(kCells * kCells, false) {

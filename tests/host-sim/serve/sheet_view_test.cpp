@@ -63,7 +63,7 @@ TEST(SheetView, TellsWhatLiesBadly) {
   EXPECT_THAT(fault(json{{{"x_mm", 90}, {"y_mm", 5}}}, 0.0), HasSubstr("stock"));
 }
 
-/// What is not here is told, and the rest is placed; the sheet comes back whole.
+/// A drawing that is missing is named, and the other parts are placed; the sheet comes back whole.
 TEST(SheetView, PlacesWhatIsHere) {
   json sheet = sheet_with({{{"x_mm", 10}, {"y_mm", 5}}});
   sheet["parts"].push_back(
