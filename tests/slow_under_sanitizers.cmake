@@ -1,6 +1,6 @@
 # Read by ctest of the sanitized build: these take 10 s to minutes there even with few trials, so
-# only toolchain/prove.sh runs them under sanitizers, as it does all of host_sim_tests.
-# toolchain/test.sh runs them in release.
+# only toolchain/prove.sh runs them under sanitizers, as it does all test programs but those of
+# planner and firmware. toolchain/test.sh runs them in release.
 foreach(test
     CrowdedOutline.MeetsNoMoreOfItselfHoweverCloselyItIsDrawn
     ArcTable.TakesNoMoreArcsThanTheBestFitWithKinks

@@ -65,6 +65,10 @@ endif()
 # Global: a project that takes planner/ alone links Eigen from its own folder.
 find_package(Eigen3 3.4 REQUIRED NO_MODULE GLOBAL)
 
+# Headers that most sources of the host read; they change with the system only.
+set(KERFLINE_LIBRARY_HEADERS <Eigen/Core> <fmt/format.h> <algorithm> <filesystem> <functional>
+  <map> <optional> <ranges> <string> <vector>)
+
 # Every .cpp below a layer's folder belongs to the layer.
 function(kerfline_sources result)
   file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)

@@ -179,6 +179,7 @@ TEST(RandomTexts, ArePulsedWithinJunctionDeviationBothWays) {
     expect_within(whole, polyline(random), settings, tried);
   }
   tried.print("texts with G61");
+  if (!trials.judges_shares()) return;
   EXPECT_LT(tried.blocks, tried.lines) << "nothing was welded";
 }
 

@@ -57,6 +57,7 @@ TEST(JerkReference, EnclosesRandomPrograms) {
     gaps.push_back(time.found / time.bound - 1.0);
     costs.push_back(time.found / job.plan.seconds);
   }
+  if (gaps.empty() && !trials.judges_shares()) return;
   ASSERT_FALSE(gaps.empty());
   std::ranges::sort(gaps);
   std::ranges::sort(costs);

@@ -102,11 +102,12 @@ std::vector<std::pair<std::size_t, std::size_t>> wanted_pairs(const CutPlan& pla
 }
 
 TEST(Cooling, PiercesKeepOffFreshHeat) {
+  const proof::Trials trials{20};
   double waits_s = 0.0;
   double waits_unordered_s = 0.0;
   std::size_t swaps = 0;
   std::size_t waits = 0;
-  for (const std::uint64_t seed : proof::Trials{20}) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     const NestingSize size{.pitch_mm = random.between(20.0, 40.0),
@@ -142,6 +143,7 @@ TEST(Cooling, PiercesKeepOffFreshHeat) {
               waits_s,
               waits_unordered_s,
               swaps);
+  if (!trials.judges_shares()) return;
   EXPECT_GT(swaps, 20U);
   EXPECT_LT(waits_s, 0.8 * waits_unordered_s);
 }

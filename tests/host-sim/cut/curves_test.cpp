@@ -200,6 +200,7 @@ TEST(CutCurves, KeepHalfAKerfAwayWithinTheTolerance) {
                 tally.parts,
                 tally.strokes,
                 tally.worst);
+    if (!trials.judges_shares()) continue;
     EXPECT_GE(3 * tally.parts, trials.count());
   }
 }

@@ -77,8 +77,9 @@ double length_in(const Outline& outline, const Cut& cut) {
 }
 
 TEST(CutPrecedence, LinesThatReachIntoAPartComeBeforeItIsFree) {
+  const proof::Trials trials{60};
   std::size_t inside = 0;
-  for (const std::uint64_t seed : proof::Trials{60}) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     const auto drawn = drawing::read(drawing::svg_of(random_content(random)));
@@ -99,6 +100,7 @@ TEST(CutPrecedence, LinesThatReachIntoAPartComeBeforeItIsFree) {
       }
     }
   }
+  if (!trials.judges_shares()) return;
   EXPECT_GT(inside, 0U);
 }
 

@@ -24,9 +24,10 @@ std::vector<Outline> drawn_outlines(const drawing::Drawing& drawn) {
 }
 
 TEST(LinkCuts, AreInTheWasteAndSaveTheirPierce) {
+  const proof::Trials trials{20};
   std::size_t links = 0;
   std::size_t cuts = 0;
-  for (const std::uint64_t seed : proof::Trials{20}) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     const NestingSize size{.pitch_mm = random.between(20.0, 40.0),
@@ -71,6 +72,7 @@ TEST(LinkCuts, AreInTheWasteAndSaveTheirPierce) {
     cuts += plan.cuts.size();
   }
   std::printf("%zu of %zu cuts are linked\n", links, cuts);
+  if (!trials.judges_shares()) return;
   EXPECT_GT(links, cuts / 20);
 }
 

@@ -49,22 +49,22 @@ bool goes_round(const std::vector<Stroke>& loop, const Place& place) {
 }
 
 TEST(LoopArea, ContainsWhatTheLoopGoesRound) {
+  const proof::Trials trials{300};
   std::size_t inside = 0;
-  std::size_t tries = 0;
-  for (const std::uint64_t seed : proof::Trials{300}) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     const std::vector<Stroke> loop = random_loop(random);
     const LoopArea area{loop};
     for (int i = 0; i < 20; ++i) {
       const Place place = random_place(random, 14.0);
-      ++tries;
       if (area.distance_to_loop(place) < 0.01) continue;
       EXPECT_EQ(area.contains(place), goes_round(loop, place));
       if (area.contains(place)) ++inside;
     }
   }
-  EXPECT_GT(inside, tries >= 6000 ? 1000U : 0U);
+  if (!trials.judges_shares()) return;
+  EXPECT_GT(inside, 1000U);
 }
 
 /// Places on chords, and level with corners, are where places mostly are in drawings.

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -43,7 +44,8 @@ inline std::string nested_shape(proof::Random& random, double x, double y, doubl
   return "<path d=\"" + data + "z\"/>";
 }
 
-/// Returns an SVG of parts in a grid, each with a hole that has a part in it, and so on.
+/// Returns an SVG of parts in a grid, each with a hole that has a part in it, and so on. No two
+/// outlines are nearer to each other than 0.65 mm, or than the least gap where that is less.
 inline std::string nested_sheet(proof::Random& random, const NestingSize& size) {
   const double width = size.pitch_mm * size.columns;
   const double height = size.pitch_mm * size.rows;
@@ -59,8 +61,11 @@ inline std::string nested_sheet(proof::Random& random, const NestingSize& size) 
     if (random.chance(0.5)) extent -= random.between(0.0, 6.0);
     for (int level = 0; level < 2 * size.levels && extent > 2.0; ++level) {
       text += nested_shape(random, x, y, extent);
-      // The next outline fits into any of the shapes.
-      extent = 0.68 * extent - random.between(1.0, 2.0);
+      // The next outline fits into any of the shapes, of which the square has the least room, and
+      // is farther from it than a kerf: else a cut along one of them would be in the other.
+      constexpr double kNearest = 0.65;
+      const double inside = M_SQRT1_2 * extent - 2.0 * kNearest;
+      extent = std::min(0.68 * extent - random.between(1.0, 2.0), inside);
       if (random.chance(0.1)) break;
     }
   }

@@ -116,12 +116,13 @@ class RapidOracle {
 };
 
 TEST(RouteRapids, NeverCrossWhatIsFreeButThePieceJustCut) {
+  const proof::Trials trials{40};
   std::size_t straight = 0;
   std::size_t led_round = 0;
   std::size_t rapids = 0;
   double longer_mm = 0.0;
   double rapids_mm = 0.0;
-  for (const std::uint64_t seed : proof::Trials{40}) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     const NestingSize size{.pitch_mm = random.between(25.0, 60.0),
@@ -155,14 +156,16 @@ TEST(RouteRapids, NeverCrossWhatIsFreeButThePieceJustCut) {
               straight,
               led_round,
               100.0 * longer_mm / rapids_mm);
+  if (!trials.judges_shares()) return;
   EXPECT_GT(straight, rapids / 20);
   EXPECT_LT(longer_mm, 0.5 * rapids_mm);
 }
 
 /// Rows of parts a kerf apart, whose lines are cut once: a part is free with its last open cut.
 TEST(RouteRapids, NeverCrossWhatSharedLinesHaveFreed) {
+  const proof::Trials trials{40};
   std::size_t straight = 0;
-  for (const std::uint64_t seed : proof::Trials{40}) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     std::string content;
@@ -184,6 +187,7 @@ TEST(RouteRapids, NeverCrossWhatSharedLinesHaveFreed) {
     route_rapids(plan, drawn, {.margin_mm = kMargin, .lift_mm = 5.0});
     straight += RapidOracle{drawn, plan}.judge();
   }
+  if (!trials.judges_shares()) return;
   EXPECT_GT(straight, 0U);
 }
 

@@ -135,10 +135,11 @@ Place middle_of(const Rectangle& part) {
 }
 
 TEST(ShareLines, FreeAllPartsAndCutNoneAndNoLineTwice) {
+  const proof::Trials trials{60};
   std::size_t lines = 0;
   double with_mm = 0.0;
   double without_mm = 0.0;
-  for (const std::uint64_t seed : proof::Trials{60}) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     std::vector<Rectangle> parts = random_rows(random);
@@ -179,6 +180,7 @@ TEST(ShareLines, FreeAllPartsAndCutNoneAndNoLineTwice) {
   }
   std::printf(
       "%zu lines shared, %.1f %% less to cut\n", lines, 100.0 - 100.0 * with_mm / without_mm);
+  if (!trials.judges_shares()) return;
   EXPECT_GT(lines, 0U);
 }
 

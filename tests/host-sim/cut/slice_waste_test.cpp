@@ -114,8 +114,9 @@ bool has_inside(const Outline& outline, const Place& place) {
 
 /// In a raster of the burnt sheet no piece of waste is larger than was asked for.
 TEST(SliceWaste, LeavesNoLargerPiece) {
+  const proof::Trials trials{8};
   std::size_t slices = 0;
-  for (const std::uint64_t seed : proof::Trials{8}) {
+  for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     const NestingSize size{.columns = 3,
@@ -150,6 +151,7 @@ TEST(SliceWaste, LeavesNoLargerPiece) {
     slices += plan.cuts.size() - parts;
   }
   std::printf("%zu slices\n", slices);
+  if (!trials.judges_shares()) return;
   EXPECT_GT(slices, 30U);
 }
 

@@ -31,10 +31,11 @@ double sampled_distance(const Stroke& a, const Stroke& b, int count) {
 }
 
 TEST(StrokeDistance, IsThatOfTheNearestSamples) {
+  const proof::Trials trials{20'000};
   constexpr int kSamples = 400;
   std::size_t crossings = 0;
   std::size_t apart = 0;
-  for (const std::uint64_t seed : proof::Trials{20'000}) {
+  for (const std::uint64_t seed : trials) {
     proof::Random random{seed};
     const Stroke a = stroke_anywhere(random);
     Stroke b = stroke_anywhere(random);
@@ -48,15 +49,17 @@ TEST(StrokeDistance, IsThatOfTheNearestSamples) {
     (exact == 0.0 ? crossings : apart) += 1;
     if (HasFailure()) return;
   }
+  if (!trials.judges_shares()) return;
   EXPECT_GE(crossings, (crossings + apart) / 19);
   EXPECT_GE(apart, (crossings + apart) / 19);
 }
 
 /// The tree leaves out nothing that is near.
 TEST(StrokeDistance, TellsWhatIsClearAsMeasuringAllDoes) {
+  const proof::Trials trials{2'000};
   std::size_t clear = 0;
   std::size_t close = 0;
-  for (const std::uint64_t seed : proof::Trials{2'000}) {
+  for (const std::uint64_t seed : trials) {
     proof::Random random{seed};
     Clearance clearance{1.0};
     std::vector<Stroke> strokes;
@@ -77,6 +80,7 @@ TEST(StrokeDistance, TellsWhatIsClearAsMeasuringAllDoes) {
     (nearest >= least ? clear : close) += 1;
     if (HasFailure()) return;
   }
+  if (!trials.judges_shares()) return;
   EXPECT_GE(clear, (clear + close) / 95);
   EXPECT_GE(close, (clear + close) / 95);
 }

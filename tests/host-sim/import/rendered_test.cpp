@@ -195,8 +195,9 @@ class RandomDocument {
 };
 
 TEST(Rendered, WhatWeReadCoversWhatLibrsvgDraws) {
+  const proof::Trials trials{1500};
   std::size_t covered = 0;
-  for (const std::uint64_t seed : proof::Trials{1500}) {
+  for (const std::uint64_t seed : trials) {
     const std::string svg = RandomDocument{seed}.document();
     Canvas theirs;
     ASSERT_TRUE(theirs.draw(svg)) << svg;
@@ -219,6 +220,7 @@ TEST(Rendered, WhatWeReadCoversWhatLibrsvgDraws) {
     EXPECT_LE(std::abs(difference), 5.0 + kChordPx * outline_px(drawn))
         << "pixels, KERFLINE_SEED=" << seed << ": " << svg;
   }
+  if (!trials.judges_shares()) return;
   EXPECT_GT(covered, 0U) << "all pictures were empty";
 }
 

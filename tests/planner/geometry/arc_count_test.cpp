@@ -33,6 +33,7 @@ struct Counts {
   }
 
   void judge(const char* name, const proof::Trials& trials) {
+    if (ratios.empty() && !trials.judges_shares()) return;
     ASSERT_FALSE(ratios.empty());
     std::ranges::sort(ratios);
     const double median = ratios[ratios.size() / 2];

@@ -121,8 +121,9 @@ TEST_F(TourTest, AFreeTourChangesToTheSameTour) {
 
 /// The rearrangement that find_rearrangement() names has exactly the new legs.
 TEST_F(TourTest, ThreeNewLegsAreFoundAgainInTheTour) {
+  const proof::Trials trials{20'000};
   int found = 0;
-  for (const std::uint64_t seed : proof::Trials{20'000}) {
+  for (const std::uint64_t seed : trials) {
     proof::Random random{seed};
     Bench bench{random, 4 + random.below(8)};
     Tour& tour = bench.tour;
@@ -153,6 +154,7 @@ TEST_F(TourTest, ThreeNewLegsAreFoundAgainInTheTour) {
     cnc::order::make_exchange(tour, exchange, false);
     ASSERT_NEAR(legs.tour_cost(), before - removed + added, 1.0e-9);
   }
+  if (!trials.judges_shares()) return;
   EXPECT_GT(found, 0);
 }
 
