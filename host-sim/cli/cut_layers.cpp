@@ -55,12 +55,28 @@ cut::Condition condition_of(const CutCommandOptions& options,
   return cut::choose(record, thickness_option(options.thickness_mm), power, speed, most);
 }
 
+/// How a layer is engraved. How the material is cut is asked for only where it is needed.
+cut::Condition engraving_of(const CutCommandOptions& options,
+                            const MaterialRecord& record,
+                            const LayerSettings& settings,
+                            const LayerSettings& common) {
+  std::optional<std::uint32_t> power;
+  std::optional<std::uint32_t> speed;
+  if (settings.power_w) power = power_option(*settings.power_w);
+  if (settings.feed_mm_min) speed = speed_option(*settings.feed_mm_min);
+  cut::Condition cut{{thickness_option(options.thickness_mm), 0, 0}};
+  if (!power || !speed) cut = condition_of(options, record, common);
+  return cut::engraving(cut, 0.01 * options.shop.mark_percent, power, speed);
+}
+
 /// Names the layer of what is not permissible.
 cut::Condition condition_for(const drawing::Layer& layer,
                              const CutCommandOptions& options,
                              const MaterialRecord& record,
-                             const LayerSettings& settings) {
+                             const LayerSettings& settings,
+                             const LayerSettings& common) {
   try {
+    if (settings.side == cut::Side::kMark) return engraving_of(options, record, settings, common);
     return condition_of(options, record, settings);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(
@@ -87,7 +103,7 @@ std::vector<cut::LayerPlan> layers_of(const CutCommandOptions& options,
   for (const drawing::Layer& layer : drawn.layers) {
     cut::LayerPlan plan{settings_for(layer, common, rules), {}};
     if (cut::is_driven(plan.settings.side)) {
-      plan.condition = condition_for(layer, options, record, plan.settings);
+      plan.condition = condition_for(layer, options, record, plan.settings, common);
     }
     layers.push_back(plan);
   }

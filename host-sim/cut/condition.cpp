@@ -95,6 +95,17 @@ Condition choose(const MaterialRecord& record,
   return {cut, found.value().kerf_mm, found.value().half_interval_mm};
 }
 
+Condition engraving(const Condition& cut,
+                    double share,
+                    std::optional<std::uint32_t> power_mw,
+                    std::optional<std::uint32_t> speed_um_min) {
+  Condition engraved{cut.cut};
+  engraved.cut.power_mw =
+      power_mw.value_or(to_thousandths(share * from_thousandths(cut.cut.power_mw)));
+  engraved.cut.speed_um_min = speed_um_min.value_or(cut.cut.speed_um_min);
+  return engraved;
+}
+
 std::uint32_t greatest_power(const MaterialRecord& record, std::uint32_t thickness_um) {
   const OwnedKerfTable<double> table = table_of<double>(record);
   const auto powers = cnc::kerf::permissible_powers(table.view(), thickness_um);

@@ -24,6 +24,14 @@ struct Condition {
                                std::optional<std::uint32_t> speed_um_min,
                                std::uint32_t most_power_mw = cnc::kerf::kMostPowerMw);
 
+/// Returns how a line is engraved: as it would be cut, but with the power and speed given.
+/// Engraving needs no kerf, so nothing has to be known of its width.
+/// @param share of the cut's power where none is given, 0 to 1
+[[nodiscard]] Condition engraving(const Condition& cut,
+                                  double share,
+                                  std::optional<std::uint32_t> power_mw,
+                                  std::optional<std::uint32_t> speed_um_min);
+
 /// The greatest power that the record has at a thickness, mW; 0 where it has none.
 [[nodiscard]] std::uint32_t greatest_power(const MaterialRecord& record,
                                            std::uint32_t thickness_um);

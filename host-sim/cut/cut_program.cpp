@@ -130,6 +130,7 @@ class StrokeWriter {
 std::string_view kind_of(const Cut& cut, const LayerPlan& layer) {
   if (cut.is_slice) return "waste";
   if (layer.settings.side == Side::kOn) return "on the line";
+  if (layer.settings.side == Side::kMark) return "engraved";
   return cut.is_hole ? "hole" : "outer";
 }
 

@@ -162,15 +162,14 @@ std::vector<std::string> lines_of(const CutJob& job, const CutFigures& figures) 
   for (std::size_t i = 0; i < job.plan.layers.size(); ++i) {
     if (!is_cut(job.plan, i)) continue;
     const Condition& condition = job.plan.layers[i].condition;
-    lines.push_back(
-        fmt::format("layer \"{}\" {}: {}, {:g} mm; {:g} W at {:g} mm/min; kerf {:.4f} mm",
-                    job.drawn.layers[i].name,
-                    job.drawn.layers[i].colour,
-                    job.record.name,
-                    from_thousandths(condition.cut.thickness_um),
-                    from_thousandths(condition.cut.power_mw),
-                    from_thousandths(condition.cut.speed_um_min),
-                    condition.kerf_mm));
+    lines.push_back(fmt::format("layer \"{}\" {}: {}, {:g} mm; {:g} W at {:g} mm/min; {}",
+                                job.drawn.layers[i].name,
+                                job.drawn.layers[i].colour,
+                                job.record.name,
+                                from_thousandths(condition.cut.thickness_um),
+                                from_thousandths(condition.cut.power_mw),
+                                from_thousandths(condition.cut.speed_um_min),
+                                width_text(job.plan.layers[i])));
   }
   for (const std::string& rule : lines_of(job.plan.recipes)) {
     lines.push_back(rule);

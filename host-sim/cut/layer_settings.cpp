@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <stdexcept>
@@ -72,9 +73,24 @@ Lead lead_from(std::string_view key, std::string_view text) {
 Side side_from(std::string_view text) {
   if (text == "waste") return Side::kWaste;
   if (text == "on") return Side::kOn;
+  if (text == "mark") return Side::kMark;
   if (text == "skip") return Side::kSkip;
   if (text == "start") return Side::kStart;
-  throw std::invalid_argument(fmt::format("side={}: wants `waste`, `on`, `skip` or `start`", text));
+  throw std::invalid_argument(
+      fmt::format("side={}: wants `waste`, `on`, `mark`, `skip` or `start`", text));
+}
+
+/// Throws std::invalid_argument for what a line that is engraved cannot have.
+void expect_of_mark(const LayerRule& rule) {
+  const std::vector<std::string_view> taken{"power", "feed", "side", "start", "rank"};
+  for (const auto& [key, value] : rule.changes) {
+    if (std::ranges::find(taken, key) != taken.end()) continue;
+    throw std::invalid_argument(fmt::format("{}: {}={}: with side=mark a layer has {} and no more",
+                                            rule.place,
+                                            key,
+                                            value,
+                                            fmt::join(taken, ", ")));
+  }
 }
 
 StartAt start_from(std::string_view text) {
@@ -179,11 +195,19 @@ LayerSettings settings_for(const drawing::Layer& layer,
                            const LayerSettings& common,
                            const std::vector<LayerRule>& rules) {
   LayerSettings settings = common;
+  std::vector<const LayerRule*> own;
   for (const LayerRule& rule : rules) {
     if (rule.name != layer.name && rule.name != layer.colour) continue;
+    own.push_back(&rule);
     for (const auto& [key, value] : rule.changes) set(settings, key, value);
   }
-  return settings;
+  if (settings.side != Side::kMark) return settings;
+  LayerSettings engraved;
+  for (const LayerRule* rule : own) {
+    expect_of_mark(*rule);
+    for (const auto& [key, value] : rule->changes) set(engraved, key, value);
+  }
+  return engraved;
 }
 
 }  // namespace sim::cut

@@ -13,14 +13,15 @@ namespace sim::cut {
 /// On which side of a drawn line the beam goes.
 enum class Side : std::uint8_t {
   kWaste,  ///< Half a kerf beside it, so that the part has the drawn size.
-  kOn,     ///< On the line itself; open lines, too.
+  kOn,     ///< On the line itself, through the sheet; open lines, too.
+  kMark,   ///< On the line, which is engraved: nothing is cut through.
   kSkip,   ///< Nowhere.
   kStart,  ///< Nowhere: what is drawn marks where the nearest contour is begun.
 };
 
 /// Returns whether the beam goes along lines of this side at all.
 [[nodiscard]] constexpr bool is_driven(Side side) {
-  return side == Side::kWaste || side == Side::kOn;
+  return side == Side::kWaste || side == Side::kOn || side == Side::kMark;
 }
 
 /// Where along its path a closed contour may be begun.
@@ -76,7 +77,9 @@ struct LayerRule {
 /// std::invalid_argument as parse_rule() does, and for a file without any.
 [[nodiscard]] std::vector<LayerRule> read_rules(const std::string& text, const std::string& file);
 
-/// The common settings with every rule that names the layer, later ones last.
+/// The common settings with every rule that names the layer, later ones last. A layer that is
+/// engraved has nothing of the common settings, which are for cuts, and neither leads nor tabs.
+/// Throws std::invalid_argument with the place of a rule that gives it some.
 [[nodiscard]] LayerSettings settings_for(const drawing::Layer& layer,
                                          const LayerSettings& common,
                                          const std::vector<LayerRule>& rules);

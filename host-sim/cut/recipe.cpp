@@ -119,10 +119,9 @@ class RuleApplier {
 
   LayerPlan make_plan(const LayerPlan& layer, const std::vector<std::size_t>& rules) const {
     LayerPlan plan = layer;
-    bool is_marked = false;
-    for (const std::size_t rule : rules) is_marked = change(plan, layer, rule, is_marked);
+    for (const std::size_t rule : rules) change(plan, layer, rule);
     if (!is_driven(plan.settings.side)) return plan;
-    if (is_marked) return marked(plan, layer);
+    if (plan.settings.side == Side::kMark) return marked(plan, layer);
     try {
       plan.condition = choose_(plan.settings);
     } catch (const std::invalid_argument& error) {
@@ -133,15 +132,13 @@ class RuleApplier {
     return plan;
   }
 
-  /// Returns whether the contours are marked after this rule.
-  bool change(LayerPlan& plan, const LayerPlan& layer, std::size_t index, bool is_marked) const {
+  void change(LayerPlan& plan, const LayerPlan& layer, std::size_t index) const {
     const ShopRule& rule = recipes_.applied[index].rule;
     if (rule.action == RuleAction::kSkip) plan.settings.side = Side::kSkip;
     if (rule.action == RuleAction::kMark) {
       // A mark has neither leads nor tabs, and those that a layer has are no wishes.
       plan.settings = {};
-      plan.settings.side = Side::kOn;
-      is_marked = true;
+      plan.settings.side = Side::kMark;
     }
     for (const RuleChange& each : rule.changes) {
       if (each.percent == 0.0) {
@@ -154,20 +151,17 @@ class RuleApplier {
             0.01 * each.percent * from_thousandths(layer.condition.cut.power_mw);
       }
     }
-    return is_marked;
   }
 
-  /// Engraving needs no kerf, so that nothing has to be known of its width.
   [[nodiscard]] LayerPlan marked(LayerPlan plan, const LayerPlan& layer) const {
-    const double power_w = plan.settings.power_w.value_or(
-        mark_share_ * from_thousandths(layer.condition.cut.power_mw));
-    plan.condition = layer.condition;
-    plan.condition.kerf_mm = 0.0;
-    plan.condition.half_interval_mm = 0.0;
-    plan.condition.cut.power_mw = to_thousandths(power_w);
-    if (plan.settings.feed_mm_min) {
-      plan.condition.cut.speed_um_min = to_thousandths(*plan.settings.feed_mm_min);
-    }
+    const auto given = [](const std::optional<double>& value) {
+      return value ? std::optional{to_thousandths(*value)} : std::nullopt;
+    };
+    const bool is_cut = layer.settings.side != Side::kMark;
+    plan.condition = engraving(layer.condition,
+                               is_cut ? mark_share_ : 1.0,
+                               given(plan.settings.power_w),
+                               given(plan.settings.feed_mm_min));
     return plan;
   }
 
@@ -186,10 +180,15 @@ std::string how(const LayerPlan& plan) {
                                       from_thousandths(plan.condition.cut.power_mw),
                                       from_thousandths(plan.condition.cut.speed_um_min));
   if (plan.settings.side == Side::kOn) return "on the line, " + cut;
-  return fmt::format("{}, kerf {:.4f} mm", cut, plan.condition.kerf_mm);
+  return fmt::format("{}, {}", cut, width_text(plan));
 }
 
 }  // namespace
+
+std::string width_text(const LayerPlan& plan) {
+  if (plan.settings.side == Side::kMark) return "engraved";
+  return fmt::format("kerf {:.4f} mm", plan.condition.kerf_mm);
+}
 
 Recipes apply_rules(const std::vector<ShopRule>& rules,
                     const drawing::Drawing& drawn,

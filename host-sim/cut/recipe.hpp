@@ -18,6 +18,9 @@ struct LayerPlan {
   Condition condition;
 };
 
+/// Returns `kerf 0.1234 mm`, or `engraved` of lines without one.
+[[nodiscard]] std::string width_text(const LayerPlan& plan);
+
 /// A rule of the shop and the contours to which it applies.
 struct AppliedRule {
   ShopRule rule;

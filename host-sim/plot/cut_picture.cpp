@@ -100,12 +100,12 @@ std::vector<std::string> facts_of(const drawing::Drawing& drawn, const cut::CutP
       break;
     }
     const cut::Condition& condition = plan.layers[layer].condition;
-    facts.push_back(fmt::format("layer \"{}\" {}: {:g} W at {:g} mm/min, kerf {:.4f} mm",
+    facts.push_back(fmt::format("layer \"{}\" {}: {:g} W at {:g} mm/min, {}",
                                 drawn.layers[layer].name,
                                 drawn.layers[layer].colour,
                                 from_thousandths(condition.cut.power_mw),
                                 from_thousandths(condition.cut.speed_um_min),
-                                condition.kerf_mm));
+                                width_text(plan.layers[layer])));
   }
   return facts;
 }

@@ -82,7 +82,9 @@ void add_conditions(SheetPages& pages, const CutJob& job, const CutAccount& acco
                     fmt::format("{}", account.cuts_of_layers[i]),
                     fmt::format("{:g}", from_thousandths(layer.condition.cut.power_mw)),
                     fmt::format("{:g}", from_thousandths(layer.condition.cut.speed_um_min)),
-                    fmt::format("{:.4f}", layer.condition.kerf_mm),
+                    layer.settings.side == cut::Side::kMark
+                        ? "-"
+                        : fmt::format("{:.4f}", layer.condition.kerf_mm),
                     fmt::format("{:g}", layer.settings.pierce_s),
                     lead_text(layer.settings.lead_in),
                     lead_text(layer.settings.lead_out)});

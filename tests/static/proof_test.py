@@ -209,6 +209,28 @@ class Runs(unittest.TestCase):
             again.selection([1, 3])
             self.assertEqual("0,0,0,1,3", again.list.read_text())
 
+    def test_tests_stay_passed_when_the_run_is_interrupted(self):
+        told = json.dumps({"tests": [{"name": name, "command": ["x"]} for name in "abc"]})
+        (self.root / "build/release").mkdir(parents=True)
+        memory.tree_key.cache_clear()
+        report = self.root / "report.xml"
+
+        def some(_preset, _environment, _selection):
+            if report.is_file():
+                raise KeyboardInterrupt
+            report.write_text('<testsuite><testcase name="a" status="run"/>'
+                              '<testcase name="b" status="run"/></testsuite>')
+            return ctest_run.Some(ctest_run.Outcome(passed=2), report)
+
+        with mock.patch.object(ctest_run, "output_of", lambda *_: told), \
+                mock.patch.object(ctest_run, "ROOT", self.root), \
+                mock.patch.object(ctest_run, "REMEMBERED_TESTS", 2), \
+                mock.patch.object(ctest_run, "run_some", some), \
+                contextlib.redirect_stdout(io.StringIO()):
+            with self.assertRaises(KeyboardInterrupt):
+                ctest_run.run_tests("release", "prove")
+            self.assertEqual([3], ctest_run.Remembered("release").to_run())
+
     def test_another_tree_is_proven_from_the_start(self):
         self.run_tier("prove", steps.Step("one", good))
         (self.root / "new").write_text("new")

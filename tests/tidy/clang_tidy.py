@@ -52,6 +52,16 @@ def unified(file: pathlib.Path) -> list:
             re.findall(r'^#include "([^"]+)"', file.read_text(encoding="utf-8"), re.MULTILINE)]
 
 
+def without_precompiled(arguments: list) -> list:
+    """Arguments that leave a compiler's precompiled header alone: clang-tidy cannot read GCC's, and
+    sources have to include by themselves."""
+    kept = list(arguments)
+    while "-include" in kept:
+        at = kept.index("-include")
+        del kept[at:at + 2]
+    return [word for word in kept if word != "-Winvalid-pch"]
+
+
 def commands(build: pathlib.Path) -> dict:
     """{name from the root: arguments} of each source, and of each header that none includes."""
     entries = json.loads((build / "compile_commands.json").read_text(encoding="utf-8"))
@@ -59,7 +69,7 @@ def commands(build: pathlib.Path) -> dict:
     sources, headers = {}, {}
     for entry in entries:
         words = shlex.split(entry["command"])
-        arguments = [*words[1:words.index("-o")], "-Wno-unknown-warning-option"]
+        arguments = [*without_precompiled(words[1:words.index("-o")]), "-Wno-unknown-warning-option"]
         for file in unified(pathlib.Path(entry["file"])):
             if alone in file.parents:
                 headers[file.relative_to(alone).as_posix()[:-len(".cpp")]] = arguments

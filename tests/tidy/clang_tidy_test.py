@@ -71,6 +71,16 @@ class PlantedFaults(unittest.TestCase):
         self.assertIn("1 files in 1 groups, 0 findings", output)
         self.assertFalse(status)
 
+    def test_a_header_that_another_compiler_precompiled_is_not_read(self):
+        header = self.root / "pch.hxx"
+        header.write_text("#include <vector>\n")
+        header.with_suffix(".hxx.gch").write_bytes(b"of GCC")
+        for entry in self.entries:
+            entry["command"] = entry["command"].replace(" -o ", f" -Winvalid-pch -include {header} -o ")
+        status, output = self.check()
+        self.assertIn("1 files in 1 groups, 0 findings", output)
+        self.assertFalse(status)
+
     def test_faults_are_found_in_the_company_of_others(self):
         for number, source in enumerate(FAULTS.values()):
             self.plant(self.root / f"planner/fault_{number}.cpp",

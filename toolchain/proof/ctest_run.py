@@ -1,6 +1,8 @@
 """Runs ctest and reads its JUnit report: a test that was skipped did not pass."""
+import dataclasses
 import json
 import os
+import pathlib
 import subprocess
 import xml.etree.ElementTree as ElementTree
 
@@ -10,6 +12,7 @@ from shell import ROOT, Outcome, output_of
 # Gates that a machine may lack, by the name in KERFLINE_WITHOUT; the README says when.
 MAY_BE_MISSING = {"uml": ("host-sim.uml_can",)}
 PROGRESS_TESTS = 200  # A line is printed after so many tests.
+REMEMBERED_TESTS = 800  # `prove` notes which have passed after so many tests.
 
 
 def allowed_to_skip() -> set:
@@ -65,38 +68,49 @@ def run_tests(preset: str, tier: str, most_trials: dict | None = None) -> Outcom
 
     `most_trials` bounds the random trials of each test, by tier.
     """
-    folder = ROOT / "build" / preset
-    report = folder / "ctest.xml"
-    report.unlink(missing_ok=True)
     environment = os.environ | {"KERFLINE_TIER": tier}
     if most_trials and tier in most_trials:
         environment.setdefault("KERFLINE_MOST_TRIALS", str(most_trials[tier]))
-    command = ["ctest", "--preset", preset, f"-j{os.cpu_count()}", "--output-on-failure",
-               "--output-junit", str(report), "--test-output-size-passed", "65536"]
-    remembered = None
-    before = 0
     if tier == "test":
         # A program whose tests all belong to `prove` need not be there.
-        command += ["--label-exclude", "^prove$", "--exclude-regex", "_NOT_BUILT$"]
-    else:
-        remembered = Remembered(preset)
-        numbers = remembered.to_run()
-        before = len(remembered.keys) - len(remembered.left_out) - len(numbers)
-        print(f"{before} tests of {preset} have passed before", flush=True)
-        if not numbers:
-            return Outcome(passed=before)
-        command += remembered.selection(numbers)
-    follow(command, environment)
+        return run_some(preset, environment, ["--label-exclude", "^prove$", "--exclude-regex",
+                                              "_NOT_BUILT$"]).outcome
+    remembered = Remembered(preset)
+    numbers = remembered.to_run()
+    before = len(remembered.keys) - len(remembered.left_out) - len(numbers)
+    print(f"{before} tests of {preset} have passed before", flush=True)
+    outcome = Outcome(passed=before)
+    for begin in range(0, len(numbers), REMEMBERED_TESTS):
+        some = run_some(preset, environment,
+                        remembered.selection(numbers[begin:begin + REMEMBERED_TESTS]))
+        outcome += some.outcome
+        if some.report:
+            remembered.note(some.report)
+    return outcome
+
+
+@dataclasses.dataclass(frozen=True)
+class Some:
+    """What one run of ctest gave, and its JUnit report, if it wrote one."""
+    outcome: Outcome
+    report: pathlib.Path | None = None
+
+
+def run_some(preset: str, environment: dict, selection: list) -> Some:
+    """Runs the tests that the arguments select; what failed is tried again alone, for the log."""
+    report = ROOT / "build" / preset / "ctest.xml"
+    report.unlink(missing_ok=True)
+    follow(["ctest", "--preset", preset, f"-j{os.cpu_count()}", "--output-on-failure",
+            "--output-junit", str(report), "--test-output-size-passed", "65536", *selection],
+           environment)
     if not report.is_file():
-        return Outcome(failed=[f"ctest of {preset} gave no result"])
-    outcome = outcome_of(report, preset) + Outcome(passed=before)
-    if remembered:
-        remembered.note(report)
+        return Some(Outcome(failed=[f"ctest of {preset} gave no result"]))
+    outcome = outcome_of(report, preset)
     if outcome.failed:
         print(f"once more, alone: what failed of {preset}, but for clang-tidy", flush=True)
         subprocess.run(["ctest", "--preset", preset, "--rerun-failed", "--output-on-failure",
                         "--exclude-regex", r"^tidy\."], cwd=ROOT, env=environment, check=False)
-    return outcome
+    return Some(outcome, report)
 
 
 def follow(command: list, environment: dict) -> None:

@@ -112,6 +112,26 @@ class Cut(unittest.TestCase):
         for leads in ("", ", lead-in=none"):  # The lead that a cut has unless it is told is no wish.
             self.assertNotIn("is cut on its line", run("cut", marks, *STEEL, "--layer", f": side=on{leads}").stderr)
 
+    def test_lines_are_engraved_with_any_power(self):
+        engraved = ("--layer", "red: side=mark, power=8, feed=20000, rank=0", "--lead-in", "arc:1", "--tabs", "2")
+        done = run("cut", self.plate, *STEEL, *engraved, "--full-power", "1800", "--check",
+                   "--report", self.folder / "out.json")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("is cut on its line", done.stderr)
+        row = next(row for row in json.loads((self.folder / "out.json").read_text())["layers"]
+                   if row["colour"] == "red")
+        self.assertEqual((row["power_w"], row["feed_mm_min"], row["kerf_mm"]), (8, 20000, 0))
+        self.assertIn("8 W at 20000 mm/min; engraved)", done.stdout)
+        self.assertIn('engraved, path "mark"', done.stdout)
+        self.assertIn("F20000S4.444\n", done.stdout)
+        # Without them a tenth of the power of the cut, at its feed.
+        done = run("cut", self.plate, *STEEL, "--layer", "red: side=mark", "--mark-power", "5", "--power", "1400")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("S38.889\n", done.stdout)
+        for more in ("lead-in=arc:1", "tabs=2", "pierce=0.3"):
+            told = self.refused(self.plate, *STEEL, "--layer", f"red: {more}", "--layer", "red: side=mark")
+            self.assertIn(f"--layer: {more}: with side=mark a layer has power, feed, side, start, rank and", told)
+
     def test_the_picture_tells_order_size_power_and_kerf(self):
         svg = self.folder / "out.svg"
         done = self.cut("--svg", svg, "--tabs", "3")

@@ -79,7 +79,7 @@ class Cut(unittest.TestCase):
         self.assertEqual(sorted(rows[0]["contours"]), ['circle "dot"', 'circle "screw"'])
         self.assertEqual(rows[1]["contours"], ['circle "dot"'])
         program = self.program.read_text()
-        self.assertIn('on the line, circle "dot"', program)
+        self.assertIn('engraved, circle "dot"', program)
         self.assertIn("F4000", program)
 
     def test_bad_rules_are_refused_with_place_and_column(self):

@@ -219,7 +219,7 @@ TEST(Recipes, RulesChangeTheContoursOfWhichTheyHold) {
   EXPECT_NEAR(std::abs(mid->area_mm2), M_PI * 0.6 * 0.6, 1.0e-6) << "beside its line";
   const Cut* const small = kept.cut_of("circle \"small\"");
   ASSERT_NE(small, nullptr);
-  EXPECT_EQ(kept.plan.plan_of(*small).settings.side, Side::kOn);
+  EXPECT_EQ(kept.plan.plan_of(*small).settings.side, Side::kMark);
   EXPECT_EQ(kept.plan.plan_of(*small).condition.cut.power_mw, 180'000U) << "a tenth of the layer's";
   EXPECT_TRUE(kept.plan.warnings.empty());
   const Cut* const big = kept.cut_of("circle \"big\"");

@@ -276,6 +276,27 @@ TEST(RouteRapids, KeepClosedCutsOnTheLineUntilTheirInsideIsCut) {
   EXPECT_TRUE(plan.cuts[1].approach.empty()) << "into the frame";
 }
 
+TEST(RouteRapids, GoOverWhatIsEngraved) {
+  const auto drawn = drawing::read(
+      drawing::svg_of("<rect x=\"5\" y=\"40\" width=\"9\" height=\"9\"/>"
+                      "<rect x=\"30\" y=\"30\" width=\"30\" height=\"30\" stroke=\"red\"/>"
+                      "<rect x=\"75\" y=\"40\" width=\"9\" height=\"9\"/>"));
+  for (const Side side : {Side::kOn, Side::kMark}) {
+    std::vector<LayerPlan> layers = layers_with(drawn, {});
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+      if (drawn.layers[i].colour == "red") layers[i].settings.side = side;
+    }
+    CutPlan plan =
+        plan_cuts(drawn, layers, {}, WayBeside::kHere, {}, {.method = order::OrderMethod::kFile});
+    std::ranges::stable_sort(plan.cuts, {}, [&](const Cut& cut) {
+      return plan.plan_of(cut).settings.side == side ? 0 : 1;
+    });
+    route_rapids(plan, drawn, {});
+    EXPECT_TRUE(plan.faults.empty());
+    EXPECT_EQ(plan.cuts[2].approach.empty(), side == Side::kMark);
+  }
+}
+
 TEST(RouteRapids, AreTheSameEachTime) {
   proof::Random random{7};
   const auto drawn = drawing::read(nested_sheet(random, {}));
