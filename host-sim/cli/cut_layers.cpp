@@ -55,7 +55,8 @@ cut::Condition condition_of(const CutCommandOptions& options,
   return cut::choose(record, thickness_option(options.thickness_mm), power, speed, most);
 }
 
-/// How a layer is engraved. How the material is cut is asked for only where it is needed.
+/// Returns power and feed of a layer that is engraved. Those of a cut are chosen only where the
+/// layer does not give both.
 cut::Condition engraving_of(const CutCommandOptions& options,
                             const MaterialRecord& record,
                             const LayerSettings& settings,

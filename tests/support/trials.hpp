@@ -61,7 +61,7 @@ class Trials {
   [[nodiscard]] Iterator begin() const { return {*this, 0}; }
   [[nodiscard]] std::default_sentinel_t end() const { return {}; }
   /// Returns whether the range has at least its usual length. Only then a test judges a share of
-  /// the trials, or how many of them met a case: of three trials, none may.
+  /// the trials, or how many of them met a case: three trials may meet none at all.
   [[nodiscard]] bool judges_shares() const { return random_count_ >= usual_; }
   /// Number of seeds, those that once failed included.
   [[nodiscard]] std::uint64_t count() const { return once_failed_.size() + random_count_; }
