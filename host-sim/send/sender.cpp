@@ -5,24 +5,10 @@
 #include <algorithm>
 
 #include "host-sim/send/code_words.hpp"
+#include "host-sim/send/state_words.hpp"
 
 namespace sim {
 namespace {
-
-bool is_at_rest(std::string_view state) {
-  return state.starts_with("Idle") || state.starts_with("Check");
-}
-
-/// Held at standstill, or nothing to hold. Lines that wait in a tool change or in check mode are no
-/// less armed than those of a hold.
-bool has_stopped(std::string_view state) {
-  return state == "Hold:0" || state.starts_with("Door:0") || state.starts_with("Door:1") ||
-         state.starts_with("Alarm") || state.starts_with("Sleep") || state.starts_with("Tool") ||
-         is_at_rest(state);
-}
-
-/// A hold does not end a homing cycle: only a reset does.
-bool is_ended_by_reset_only(std::string_view state) { return state.starts_with("Home"); }
 
 /// `line 2: error:20: ` and the controller's own explanation or, without one, the number's words.
 std::string refusal_text(std::size_t line, std::uint32_t code, const std::string& message) {
@@ -38,8 +24,8 @@ std::string refusal_text(std::size_t line, std::uint32_t code, const std::string
 }
 
 constexpr unsigned kIdleReports = 2;
-/// A wish that no report has confirmed for this long is said again.
-constexpr Sender::Time kPatience{250};
+/// Questions that a line damages one after the other, at an error in 80 bytes: a Grbl refuses all.
+constexpr unsigned kMostRefused = 12;
 
 }  // namespace
 
@@ -104,7 +90,8 @@ void Sender::meet(const Answer& answer) {
 
 void Sender::take_status(const Answer& answer) {
   machine_state_ = answer.state;
-  room_now_ = answer.waiting_room;
+  // A damaged report may lack it.
+  if (answer.waiting_room) room_now_ = answer.waiting_room;
   room_told_ = now_;
   moves_ = answer.moves;
   ++reports_;
@@ -112,7 +99,9 @@ void Sender::take_status(const Answer& answer) {
   if (machine_state_.starts_with("Run") || is_at_rest(machine_state_)) wants_resume_ = false;
   idle_reports_ = is_at_rest(machine_state_) ? idle_reports_ + 1 : 0;
   if (options_.takes_up && machine_state_.starts_with("Alarm")) ++idle_reports_;
-  if (state_ == State::kWaiting && idle_reports_ >= kIdleReports) enter(State::kDone);
+  if (state_ == State::kWaiting && idle_reports_ >= kIdleReports) {
+    enter(numbers_lines_ ? State::kEnding : State::kDone);
+  }
   if (state_ == State::kAsking) judge_state();
 }
 
@@ -142,6 +131,7 @@ void Sender::take_trouble(const Answer& answer) {
     return enter(State::kAsking);
   }
   if (state_ == State::kStopping) return fail(std::move(trouble_));
+  if (state_ == State::kEnding) return enter(State::kDone);
   fail("the controller has restarted");
 }
 
@@ -156,7 +146,7 @@ void Sender::take_plain(const Answer& answer) {
     case State::kBeginning:
       // Of a line that has a number and a check, a Grbl only says that it is wrong.
       if (answer.kind != AnswerKind::kOk || !answer.checked || answer.line != first_n_ - 1) {
-        if (answer.kind == AnswerKind::kError && questions_ > 3) {
+        if (answer.kind == AnswerKind::kError && questions_ >= kMostRefused) {
           fail("the controller knows no checked lines: send without --checked");
         }
         return;
@@ -210,7 +200,7 @@ void Sender::answered_until(std::size_t line) {
 void Sender::take_end(const Answer& answer) {
   if (answer.kind != AnswerKind::kOk || answer.checked || !answer.text.empty()) return;
   numbers_lines_ = false;
-  enter(State::kWaiting);
+  enter(State::kDone);
 }
 
 void Sender::refused(std::size_t line, const Answer& answer) {
@@ -280,30 +270,6 @@ void Sender::enter(State state) {
     default:
       return;
   }
-}
-
-/// Repeats a wish until a report shows that it was heard.
-void Sender::attend_wishes() {
-  if (state_ == State::kStopping) attend_stop();
-  if (over() || since(wished_) < kPatience) return;
-  if (wants_hold_) hold();
-  if (wants_resume_) resume();
-}
-
-/// Resets as soon as that costs no position, and where a machine does not come to rest. The first
-/// report of a stop may have been on its way before the hold.
-void Sender::attend_stop() {
-  constexpr Time kLongestBraking{10'000};
-  constexpr Time kLongestReset{2'000};
-  if (since(entered_) > kLongestBraking + kLongestReset) return fail(std::move(trouble_));
-  const bool rests = has_stopped(machine_state_) && !moves_;
-  const bool known = reports_ >= 2 && (rests || is_ended_by_reset_only(machine_state_));
-  if (!known && since(entered_) <= kLongestBraking) return;
-  if (said_reset_ && since(wished_) < kPatience) return;
-  said_reset_ = true;
-  wants_hold_ = false;
-  wished_ = now_;
-  put_realtime('\x18');
 }
 
 }  // namespace sim

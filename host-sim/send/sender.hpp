@@ -41,8 +41,8 @@ class Sender {
     kAsking,     ///< For its free space; and it must be idle.
     kBeginning,  ///< With checked lines.
     kSending,
-    kEnding,    ///< With checked lines.
     kWaiting,   ///< For standstill.
+    kEnding,    ///< With checked lines, at standstill: from here on a damaged byte may be a reset.
     kStopping,  ///< Held, then reset: nothing of the job is left to go on.
     kDone,
     kFailed,  ///< trouble() says why.

@@ -70,7 +70,7 @@ void Sender::send_lines() {
   }
   if (answered_ < next_) return;
   if (next_ < job_.size()) return enter(State::kBeginning);
-  enter(numbers_lines_ ? State::kEnding : State::kWaiting);
+  enter(State::kWaiting);
 }
 
 /// Lines that have not been written yet are dropped.

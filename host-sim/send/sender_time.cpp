@@ -1,4 +1,5 @@
 #include "host-sim/send/sender.hpp"
+#include "host-sim/send/state_words.hpp"
 
 namespace sim {
 namespace {
@@ -18,6 +19,8 @@ constexpr unsigned kMostQuestions = 20;
 constexpr Time kStall{60};
 /// and for a single line, which may be waiting for the machine.
 constexpr Time kStallOfOne{1000};
+/// A wish that no report has confirmed for this long is said again.
+constexpr Time kPatience{250};
 /// Longer than an answer to any question takes.
 constexpr Time kDeaf{300};
 
@@ -47,9 +50,35 @@ void Sender::attend_silence() {
   if (state_ != State::kMeeting && since(heard_) > kSilenceLimit) fail("the controller is silent");
 }
 
-/// The last line may have lost its end, and all that follows would be part of it.
+/// Repeats a wish until a report shows that it was heard.
+void Sender::attend_wishes() {
+  if (state_ == State::kStopping) attend_stop();
+  if (over() || since(wished_) < kPatience) return;
+  if (wants_hold_) hold();
+  if (wants_resume_) resume();
+}
+
+/// Resets as soon as that costs no position, and where a machine does not come to rest. The first
+/// report of a stop may have been on its way before the hold.
+void Sender::attend_stop() {
+  constexpr Time kLongestBraking{10'000};
+  constexpr Time kLongestReset{2'000};
+  if (since(entered_) > kLongestBraking + kLongestReset) return fail(std::move(trouble_));
+  const bool rests = has_stopped(machine_state_) && !moves_;
+  const bool known = reports_ >= 2 && (rests || is_ended_by_reset_only(machine_state_));
+  if (!known && since(entered_) <= kLongestBraking) return;
+  if (said_reset_ && since(wished_) < kPatience) return;
+  said_reset_ = true;
+  wants_hold_ = false;
+  wished_ = now_;
+  put_realtime('\x18');
+}
+
+/// The last line may have lost its end, and all that follows would be part of it, questions too.
+/// Lines are not sent again for that: a machine on hold takes none, and they would fill the link.
 void Sender::end_line_again() {
-  const bool waits = state_ == State::kWaiting || state_ == State::kStopping;
+  const bool sends = state_ == State::kSending && numbers_lines_ && lines_out_.empty();
+  const bool waits = state_ == State::kWaiting || state_ == State::kStopping || sends;
   if (!options_.checked || !waits || since(heard_) < kDeaf || since(asked_) < kDeaf) return;
   asked_ = now_;
   put("");
@@ -65,8 +94,6 @@ void Sender::attend_losses() {
   // A report may be damaged, but nothing waits where nothing is done.
   if (told && (*room_now_ >= room_ || idle_reports_ > 1)) return go_back(answered_);
   if (!room_now_ && since(moved_) > 2 * kStallOfOne) return go_back(answered_);
-  // A line that lost its end swallows what is asked.
-  if (since(heard_) > kDeaf) return go_back(answered_);
   if (!told && since(polled_) >= kStall) {
     polled_ = now_;
     put_realtime('?');

@@ -164,6 +164,25 @@ struct WireRate {
   std::uint64_t seed = 1;
 };
 
+/// Lets a held machine go on after a while, as it has to be on a line that damages bytes: before
+/// lines are numbered one of them may be a hold. Holds it himself once, if wanted.
+struct Operator {
+  milliseconds patience{1000};
+  milliseconds hold_at{milliseconds::max()};
+
+  void look(Sender& sender, milliseconds now) {
+    if (now == hold_at) sender.hold();
+    // Of a state that is none a damaged report tells.
+    const bool goes = sender.machine_state() == "Run" || sender.machine_state() == "Idle";
+    if (goes) since = now;
+    if (now - since < patience) return;
+    since = now;
+    sender.resume();
+  }
+
+  milliseconds since{};
+};
+
 struct SendOutcome {
   Sender::State state{};
   std::string trouble;
@@ -175,7 +194,10 @@ struct SendOutcome {
   std::vector<MotorTurn> turns;
 };
 
-SendOutcome run(const TurningJob& job, const SendOptions& options, const WireRate& line) {
+SendOutcome run(const TurningJob& job,
+                const SendOptions& options,
+                const WireRate& line,
+                Operator human = {}) {
   WiredLink link;
   VirtualController controller{link, {}};
   for (const auto& [number, value] : {std::pair{32, 1.0F}, {11, 0.0F}, {0, 1.0F}}) {
@@ -206,6 +228,7 @@ SendOutcome run(const TurningJob& job, const SendOptions& options, const WireRat
     back.send(link.outgoing);
     link.outgoing.clear();
     sender.receive(back.pass(), now);
+    human.look(sender, now);
     sender.attend(now);
   }
   controller.end();
@@ -268,37 +291,51 @@ TEST(Sender, KeepsARasterAtSpeed) {
 /// Whatever the wires do to bytes in both directions: the job, the whole job, in its order.
 TEST(Sender, CheckedLinesMoveRightOnADamagingLine) {
   constexpr std::size_t kLines = 20'000;
-  const std::size_t wanted = proof::trials_wanted(5000);
   std::size_t injected = 0;
   double clean_s = 0.0;
   double damaged_s = 0.0;
   double rounds = 0.0;
-  for (std::uint64_t seed = proof::test_seed(); injected < wanted; ++seed, ++rounds) {
+  for (const std::uint64_t seed : proof::Trials{8}) {
     const TurningJob job = random_job(kLines, seed);
     const WireRate line{.bit_errors = 1e-4, .drops = 1e-4, .seed = seed};
     const SendOutcome outcome = run(job, {.checked = true}, line);
-    ASSERT_EQ(outcome.state, Sender::State::kDone) << outcome.trouble << ", KERFLINE_SEED=" << seed;
-    ASSERT_TRUE(outcome.turns == job.turns) << "KERFLINE_SEED=" << seed;
+    EXPECT_EQ(outcome.state, Sender::State::kDone) << outcome.trouble;
+    EXPECT_TRUE(outcome.turns == job.turns);
     injected += outcome.injected;
     damaged_s += outcome.seconds;
-    if (rounds == 0.0) clean_s = run(job, {.checked = true}, {}).seconds;
-    clean_s += rounds == 0.0 ? 0.0 : clean_s / rounds;
+    // Jobs differ little in their length.
+    if (clean_s == 0.0) clean_s = run(job, {.checked = true}, {}).seconds;
+    ++rounds;
   }
-  std::printf("%zu errors, throughput %.3f of the clean line's\n", injected, clean_s / damaged_s);
-  EXPECT_GE(clean_s / damaged_s, 0.8);
+  const double throughput = clean_s * rounds / damaged_s;
+  std::printf("%zu errors, throughput %.3f of the clean line's\n", injected, throughput);
+  EXPECT_GE(throughput, 0.8);
 }
 
 /// The same by the dozen, so that errors meet in one line, and in its repetition.
 TEST(Sender, CheckedLinesMoveRightOnATerribleLine) {
-  const std::size_t wanted = proof::trials_wanted(50'000);
   std::size_t injected = 0;
-  for (std::uint64_t seed = proof::test_seed(); injected < wanted; ++seed) {
+  for (const std::uint64_t seed : proof::Trials{60}) {
     const TurningJob job = random_job(2000, seed);
     const WireRate line{.bit_errors = 1.5e-3, .drops = 1e-3, .seed = seed};
     const SendOutcome outcome = run(job, {.checked = true}, line);
-    ASSERT_EQ(outcome.state, Sender::State::kDone) << outcome.trouble << ", KERFLINE_SEED=" << seed;
-    ASSERT_TRUE(outcome.turns == job.turns) << "KERFLINE_SEED=" << seed;
+    EXPECT_EQ(outcome.state, Sender::State::kDone) << outcome.trouble;
+    EXPECT_TRUE(outcome.turns == job.turns);
     injected += outcome.injected;
+  }
+  std::printf("%zu errors\n", injected);
+}
+
+/// A machine on hold takes no line, so none may be sent again and again until its link is full.
+TEST(Sender, WaitsThroughALongHoldOnATerribleLine) {
+  for (const std::uint64_t seed : proof::Trials{20}) {
+    const TurningJob job = random_job(1000, seed);
+    const WireRate line{.bit_errors = 1.5e-3, .drops = 1e-3, .seed = seed};
+    const Operator human{.patience = milliseconds{90'000}, .hold_at = milliseconds{4000}};
+    const SendOutcome outcome = run(job, {.checked = true}, line, human);
+    EXPECT_EQ(outcome.state, Sender::State::kDone) << outcome.trouble;
+    EXPECT_TRUE(outcome.turns == job.turns);
+    EXPECT_GT(outcome.seconds, 80.0);
   }
 }
 
