@@ -40,7 +40,10 @@ std::optional<HttpRequest> request_of(const http::request_parser<http::string_bo
   request.method = head.method_string();
   request.host = head[http::field::host];
   request.origin = head[http::field::origin];
-  request.wants_web_socket = http::token_list{head[http::field::upgrade]}.exists("websocket");
+  // A server ignores what HTTP 1.0 says of an upgrade (RFC 9110, 7.8).
+  constexpr unsigned kFirstWithUpgrades = 11;
+  request.wants_web_socket = head.version() >= kFirstWithUpgrades &&
+                             http::token_list{head[http::field::upgrade]}.exists("websocket");
   const auto length = parser.content_length();
   if (length && head.count(http::field::transfer_encoding) == 0) request.length = *length;
   if (!read_target(head.target(), request)) return {};
