@@ -24,7 +24,8 @@ std::string refusal_text(std::size_t line, std::uint32_t code, const std::string
 }
 
 constexpr unsigned kIdleReports = 2;
-/// Questions that a line damages one after the other, at an error in 80 bytes: a Grbl refuses all.
+/// A Grbl refuses every question for checked lines; a line that damages one byte in 80 spoils some,
+/// but hardly so many one after the other.
 constexpr unsigned kMostRefused = 12;
 
 }  // namespace
@@ -90,7 +91,7 @@ void Sender::meet(const Answer& answer) {
 
 void Sender::take_status(const Answer& answer) {
   machine_state_ = answer.state;
-  // A damaged report may lack it.
+  // A report that was damaged may lack the buffer's room.
   if (answer.waiting_room) room_now_ = answer.waiting_room;
   room_told_ = now_;
   moves_ = answer.moves;
@@ -131,6 +132,7 @@ void Sender::take_trouble(const Answer& answer) {
     return enter(State::kAsking);
   }
   if (state_ == State::kStopping) return fail(std::move(trouble_));
+  // The job is driven, and a reset ends the numbers of lines, too.
   if (state_ == State::kEnding) return enter(State::kDone);
   fail("the controller has restarted");
 }

@@ -164,15 +164,15 @@ struct WireRate {
   std::uint64_t seed = 1;
 };
 
-/// Lets a held machine go on after a while, as it has to be on a line that damages bytes: before
-/// lines are numbered one of them may be a hold. Holds it himself once, if wanted.
+/// An operator who lets a held machine go on after a while: before lines are numbered, a damaged
+/// byte may hold it. Presses hold once by himself where the test says when.
 struct Operator {
   milliseconds patience{1000};
   milliseconds hold_at{milliseconds::max()};
 
   void look(Sender& sender, milliseconds now) {
     if (now == hold_at) sender.hold();
-    // Of a state that is none a damaged report tells.
+    // A damaged report may name a state that does not exist, so only these two count.
     const bool goes = sender.machine_state() == "Run" || sender.machine_state() == "Idle";
     if (goes) since = now;
     if (now - since < patience) return;
