@@ -43,6 +43,18 @@ def first_seed(test: unittest.TestCase, known_fault: bool = False) -> int:
     return seed
 
 
+def share_of(cases: list, in_test: int, name: str) -> list:
+    """All cases of the test of that name; in toolchain/test.sh `in_test` of them or a few more: every
+    so many, beginning at another one with another base of seeds."""
+    stride = len(cases) // in_test if os.environ.get("KERFLINE_TIER") == "test" else 1
+    if stride < 2:
+        return cases
+    base = os.environ.get("KERFLINE_SEED_BASE", "")
+    begin = first_seed_of(base, name) % stride
+    print(f"{name}: base '{base}', every {stride} of {len(cases)} cases from number {begin}", flush=True)
+    return cases[begin::stride]
+
+
 def read_seeds(text: str) -> dict:
     """The seeds by test of a seed file (seed_file.hpp says its form). Raises ValueError."""
     seeds, section = {}, None

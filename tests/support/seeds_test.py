@@ -18,6 +18,18 @@ class SeedsTest(unittest.TestCase):
         with mock.patch.dict(os.environ, {"KERFLINE_SEED": "9"}):
             self.assertEqual(seeds.seeds_of(self, 60)[0], 9)
 
+    def test_shares_of_all_bases_are_all_cases(self):
+        cases, found = list(range(19)), set()
+        for base in "abcdefghijkl":
+            with mock.patch.dict(os.environ, {"KERFLINE_SEED_BASE": base, "KERFLINE_TIER": "test"}):
+                share = seeds.share_of(cases, 6, "Some.test")
+                self.assertIn(len(share), (6, 7))
+                found.update(share)
+                self.assertEqual(seeds.share_of(cases, 12, "Some.test"), cases)
+        self.assertEqual(sorted(found), cases)
+        with mock.patch.dict(os.environ, {"KERFLINE_TIER": "prove"}):
+            self.assertEqual(seeds.share_of(cases, 6, "Some.test"), cases)
+
     def test_a_line_that_is_no_seed_is_refused(self):
         self.assertEqual(seeds.read_seeds("# x\n\n[A.b]\n3  # Late.\n"), {"A.b": [3]})
         for text in ("3 # Late.", "[A.b]\n3", "[A.b]\n3 #", "[A.b]\nthree # Late.", "[A.b\n3 # x"):

@@ -13,6 +13,10 @@ import re
 import resource
 import signal
 import subprocess
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "support"))
+from seeds import name_of, share_of  # noqa: E402
 
 KERFLINE = [""]  # The program, as the tests are told.
 # What the libraries behind --png keep until exit; only a sanitized build reads it.
@@ -87,9 +91,15 @@ MEASURED = Command((), {"--measured": CUTS}, (), {"--db": None}, takes_stdin=Tru
                    empty_is_refused=("--measured",))
 UPDATE = Command(("--update",), {}, updates={"FILE": TALK}, empty_is_refused=("FILE",))
 CALLS = [*COMMANDS.items(), ("kerf calibrate", FORM), ("kerf calibrate", MEASURED), ("replay", UPDATE)]
+CALLS_IN_TEST = 6  # Of CALLS; as many as each of the long tests tries in toolchain/test.sh.
 NO_FILES = {"completion", "manual", "kerf", ""}
 # Devices, whose opening is the business of ports.
 DEVICES = {("send", "--port"), ("send", "--slcan")}
+
+
+def some_calls(test):
+    """The calls that one of the long tests tries."""
+    return share_of(CALLS, CALLS_IN_TEST, name_of(test))
 
 
 def help_of(words):

@@ -18,7 +18,7 @@ import time
 import unittest
 
 from files_bench import (CALLS, COMMANDS, DEVICES, ENVIRONMENT, KERFLINE, NO_FILES, PROGRAM, SEED, SETTINGS, Bench,
-                         Server, commands_in, file_options_in, limit_files, obey_modes)
+                         Server, commands_in, file_options_in, limit_files, obey_modes, some_calls)
 
 
 class Files(unittest.TestCase):
@@ -122,7 +122,7 @@ class Files(unittest.TestCase):
 
     def test_no_file_is_both_input_and_output(self):
         """Also under another path, through links, and where it is not there yet."""
-        for name, command in CALLS:
+        for name, command in some_calls(self):
             files = (*command.inputs, *command.outputs, *command.kept)
             for one, two in itertools.combinations(files, 2):
                 if one in command.inputs and two in command.inputs:
@@ -142,7 +142,7 @@ class Files(unittest.TestCase):
                         self.assertEqual(bench.contents(), before)
 
     def test_standard_output_is_no_input_and_no_other_output(self):
-        for name, command in CALLS:
+        for name, command in some_calls(self):
             for option in (*command.inputs, *command.outputs):
                 with self.bench(name, command, option=option) as bench:
                     before = bench.contents()
@@ -152,7 +152,7 @@ class Files(unittest.TestCase):
                     self.assertEqual(bench.contents(), before)
 
     def test_a_full_disk_costs_the_new_file_only(self):
-        for name, command in CALLS:
+        for name, command in some_calls(self):
             for option in (*command.outputs, *command.updates):
                 with self.bench(name, command, option=option) as bench:
                     wanted = bench.needed(option)
@@ -173,7 +173,7 @@ class Files(unittest.TestCase):
         self.assertEqual(done.returncode, 0, f"needs the right to mount, or name spaces of users:\n{done.stderr}")
 
     def test_places_that_take_no_file_are_told(self):
-        for name, command in CALLS:
+        for name, command in some_calls(self):
             for option in command.outputs:
                 with self.bench(name, command, option=option) as bench:
                     wanted = bench.needed()
@@ -190,7 +190,7 @@ class Files(unittest.TestCase):
                         self.assertIn(str(bad), err)
 
     def test_links_and_modes_stay(self):
-        for name, command in CALLS:
+        for name, command in some_calls(self):
             for option in command.outputs:
                 with self.bench(name, command, option=option) as bench:
                     (bench.folder / "far").mkdir()
@@ -209,7 +209,7 @@ class Files(unittest.TestCase):
                             self.assertEqual(far.stat().st_mode & 0o777, mode)
 
     def test_devices_and_pipes_are_written_directly(self):
-        for name, command in CALLS:
+        for name, command in some_calls(self):
             for option in command.outputs:
                 with self.bench(name, command, option=option) as bench:
                     wanted = bench.needed()
@@ -235,7 +235,7 @@ class Files(unittest.TestCase):
         """All at once, as each waits some seconds for a reader."""
         with contextlib.ExitStack() as stack:
             started = []
-            for name, command in CALLS:
+            for name, command in some_calls(self):
                 for option in command.outputs[:1]:
                     bench = Bench(pathlib.Path(stack.enter_context(tempfile.TemporaryDirectory())), name, command)
                     pipe = bench.folder / "pipe"
@@ -250,7 +250,7 @@ class Files(unittest.TestCase):
     def test_a_signal_leaves_nothing_behind(self):
         """kill_test.py ends processes at each of their calls; here a signal lets them tidy up."""
         choose = random.Random(SEED)
-        for name, command in CALLS:
+        for name, command in some_calls(self):
             for option in (*command.outputs, *command.updates):
                 with self.bench(name, command, option=option, seed=SEED) as bench:
                     wanted = bench.needed(option)
@@ -285,7 +285,7 @@ class Files(unittest.TestCase):
                 os.close(writer)
 
     def test_standard_output_that_takes_nothing_is_an_error(self):
-        for name, command in CALLS:
+        for name, command in some_calls(self):
             with self.bench(name, command) as bench:
                 code, out, err = bench.run()
                 self.assertEqual(code, 0, err)

@@ -18,7 +18,7 @@ import tempfile
 import time
 import unittest
 
-from files_bench import CALLS, CUTS, ENVIRONMENT, KERFLINE, Bench, Server
+from files_bench import CUTS, ENVIRONMENT, KERFLINE, Bench, Server, some_calls
 
 LIBRARY = [""]
 # Of long files the first and the last calls, and some between them.
@@ -52,7 +52,7 @@ class Killed(unittest.TestCase):
         return count
 
     def test_outputs(self):
-        for name, command in CALLS:
+        for name, command in some_calls(self):
             for option in (*command.outputs, *command.updates):
                 with self.bench(name, command, option=option) as bench, tempfile.TemporaryDirectory() as aside:
                     file = bench.files[option]

@@ -208,7 +208,7 @@ TEST(CutPlan, LeavesTabsOvercutsAndPierces) {
 }
 
 /// A sheet of plates at random places, with holes, islands and round corners.
-std::string random_sheet(proof::Random& random) {
+std::string random_plates(proof::Random& random) {
   std::string content;
   for (int column = 0; column < 3; ++column) {
     for (int row = 0; row < 3; ++row) {
@@ -254,7 +254,7 @@ TEST(CutPlan, NeverCutsIntoAPart) {
   for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
-    const auto drawn = drawing_of(random_sheet(random));
+    const auto drawn = drawing_of(random_plates(random));
     LayerSettings settings{.overcut_mm = random.chance(0.5) ? 1.0 : 0.0,
                            .tabs = random.chance(0.5) ? 3U : 0U,
                            .pierce_s = random.chance(0.5) ? 0.2 : 0.0};

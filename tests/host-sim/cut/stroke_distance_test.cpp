@@ -32,7 +32,7 @@ double sampled_distance(const Stroke& a, const Stroke& b, int count) {
 
 TEST(StrokeDistance, IsThatOfTheNearestSamples) {
   const proof::Trials trials{20'000};
-  constexpr int kSamples = 400;
+  constexpr int kSamplesOfALine = 400;
   std::size_t crossings = 0;
   std::size_t apart = 0;
   for (const std::uint64_t seed : trials) {
@@ -42,9 +42,9 @@ TEST(StrokeDistance, IsThatOfTheNearestSamples) {
     if (random.chance(0.1)) b.from = a.to;
     if (random.chance(0.1)) b = {a.from, a.to, a.bulge * random.between(0.5, 1.5)};
     const double exact = distance_between(a, b);
-    const double sampled = sampled_distance(a, b, kSamples);
+    const double sampled = sampled_distance(a, b, kSamplesOfALine);
     EXPECT_LE(exact, sampled + 1.0e-6) << "KERFLINE_SEED=" << seed;
-    EXPECT_GE(exact, sampled - length_of(a) / kSamples - 1.0e-6) << "KERFLINE_SEED=" << seed;
+    EXPECT_GE(exact, sampled - length_of(a) / kSamplesOfALine - 1.0e-6) << "KERFLINE_SEED=" << seed;
     EXPECT_NEAR(exact, distance_between(b, a), 1.0e-6);
     (exact == 0.0 ? crossings : apart) += 1;
     if (HasFailure()) return;

@@ -427,4 +427,4 @@ class SendTest(served.ServeTest):
 
 
 if __name__ == "__main__":
-    served.main()
+    served.main(in_test=6)

@@ -9,6 +9,9 @@ import tempfile
 import time
 import unittest
 
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "support"))
+from seeds import share_of  # noqa: E402
+
 BANNER = "Grbl 1.1h ['$' for help]\r\n"
 LASER = ("--set", "$32=1", "--set", "$30=1000")
 
@@ -108,6 +111,19 @@ class ServeTest(unittest.TestCase):
         return served
 
 
-def main():
+class Loader(unittest.TestLoader):
+    """Loads about `in_test` tests of each class in toolchain/test.sh, others with each commit."""
+
+    def __init__(self, in_test):
+        super().__init__()
+        self.in_test = in_test
+
+    def getTestCaseNames(self, testCaseClass):
+        names = list(super().getTestCaseNames(testCaseClass))
+        return share_of(names, self.in_test, testCaseClass.__name__)
+
+
+def main(in_test=1000):
+    """`in_test`: about as many tests of each class run in toolchain/test.sh."""
     ServeTest.program = sys.argv.pop(1)
-    unittest.main()
+    unittest.main(testLoader=Loader(in_test))
