@@ -58,7 +58,8 @@ endif()
 
 option(KERFLINE_FUZZ "libFuzzer programs of tests/fuzz; needs Clang" OFF)
 if(KERFLINE_FUZZ)
-  add_compile_options(-fsanitize=fuzzer-no-link)
+  add_compile_options(-fsanitize=fuzzer-no-link
+    -fsanitize-coverage-ignorelist=${CMAKE_CURRENT_LIST_DIR}/not_followed.txt)
   add_link_options(-fsanitize=fuzzer-no-link)
 endif()
 

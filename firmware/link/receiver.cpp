@@ -28,9 +28,7 @@ std::size_t Receiver::receive(std::span<const char> received) {
   std::size_t count = 0;
   while (count < received.size()) {
     if (plain_) {
-      count += lines_.push_while(received.subspan(count), [](char byte) {
-        return is_plain(static_cast<std::uint8_t>(byte));
-      });
+      count += lines_.push_while(received.subspan(count), is_plain);
     }
     if (count == received.size() || !receive(received[count])) break;
     ++count;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <atomic>
 #include <cstddef>
@@ -36,7 +37,7 @@ class Receiver {
   /// False: no room; offer the same byte again later.
   [[nodiscard]] bool receive(char received) {
     const auto byte = static_cast<std::uint8_t>(received);
-    return plain_ && is_plain(byte) ? store(byte) : receive_other(byte);
+    return plain_ && is_plain(received) ? store(byte) : receive_other(byte);
   }
   /// From the front, as many as there is room for; returns how many.
   [[nodiscard]] std::size_t receive(std::span<const char> received);
@@ -53,9 +54,9 @@ class Receiver {
 
   /// How many bytes from the front are nothing but part of a line, here and now.
   [[nodiscard]] std::size_t plain_run(std::span<const char> bytes) const {
-    std::size_t run = 0;
-    while (plain_ && run < bytes.size() && is_plain(static_cast<std::uint8_t>(bytes[run]))) ++run;
-    return run;
+    if (!plain_) return 0;
+    const auto end = std::find_if_not(bytes.begin(), bytes.end(), is_plain);
+    return static_cast<std::size_t>(end - bytes.begin());
   }
 
   /// Bytes that can be received now without being refused.
@@ -114,8 +115,8 @@ class Receiver {
   enum class Comment : std::uint8_t { kNone, kBrackets, kRestOfLine };
 
   /// By byte: a blank, a line end, or anything printable but ! ? ~ ( ) ;
-  static constexpr std::array<bool, 0x80> kPlain = [] {
-    std::array<bool, 0x80> plain{};
+  static constexpr std::array<bool, 0x100> kPlain = [] {
+    std::array<bool, 0x100> plain{};
     using Bytes = std::initializer_list<std::uint8_t>;
     for (const std::uint8_t byte : Bytes{'\t', '\n', '\r'}) plain[byte] = true;
     for (std::uint8_t byte = ' '; byte < '~'; ++byte) plain[byte] = true;
@@ -125,8 +126,8 @@ class Receiver {
 
   /// Nothing but part of a line outside comments, as nearly all bytes are: it neither
   /// acts nor begins a comment or a character of several bytes.
-  [[nodiscard]] static constexpr bool is_plain(std::uint8_t byte) {
-    return byte < kPlain.size() && kPlain[byte];
+  [[nodiscard]] static constexpr bool is_plain(char byte) {
+    return kPlain[static_cast<std::uint8_t>(byte)];
   }
   [[nodiscard]] bool receive_other(std::uint8_t byte);
   [[nodiscard]] bool receive_strict(std::uint8_t byte);
