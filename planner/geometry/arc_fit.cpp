@@ -20,7 +20,7 @@ Vec2 between(const Position& from, const Position& to) {
   return {(to[0] - from[0]).mm(), (to[1] - from[1]).mm()};
 }
 
-float cube_root(float x) {
+float rough_cube_root(float x) {
   // Newton's method from above; x in 1e-6…1e3 needs no more than a dozen steps.
   float root = x > 1.0F ? x : 1.0F;
   for (int i = 0; i < 16; ++i) root = (2.0F * root + x / (root * root)) * (1.0F / 3.0F);
@@ -34,7 +34,7 @@ float growth(float allowed, float deviation) {
   constexpr float kMost = 3.0F;
   if (deviation >= BiarcTrial::kNoFit) return 0.4F;
   if (deviation * kMost * kMost * kMost <= allowed) return kMost;
-  return std::max(kLeast, cube_root(allowed / deviation));
+  return std::max(kLeast, rough_cube_root(allowed / deviation));
 }
 
 }  // namespace

@@ -174,6 +174,11 @@ std::uint64_t test_seed() {
   return seed;
 }
 
+bool is_in_share(std::size_t index, std::size_t stride) {
+  if (variable("KERFLINE_TIER") != "test") return true;
+  return (index + test_seed()) % stride == 0;
+}
+
 bool too_many_failures() {
   static const int kEnough = std::stoi(variable("KERFLINE_FAILURES").value_or("20"));
   return running_test().result()->total_part_count() >= kEnough;

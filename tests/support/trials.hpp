@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <iterator>
 #include <string_view>
@@ -76,6 +77,10 @@ class Trials {
 /// Returns the first seed of the running test, for a test that draws all its inputs from one
 /// stream of random numbers. A seed that fails needs a loop over Trials to be kept in a file.
 [[nodiscard]] std::uint64_t test_seed();
+
+/// Returns whether a case of a table is tried: in toolchain/test.sh one of `stride` neighbours,
+/// another one with another base of seeds; else all.
+[[nodiscard]] bool is_in_share(std::size_t index, std::size_t stride);
 
 /// Returns whether the running test has failed 20 times (KERFLINE_FAILURES): some failed seeds
 /// teach more than one, hundreds teach nothing more.

@@ -98,6 +98,27 @@ TEST_F(TrialsTest, JudgeSharesOfTheUsualNumberOnly) {
   EXPECT_TRUE(Trials{2}.judges_shares());
 }
 
+TEST_F(TrialsTest, TakeAShareOfATableInTestOnlyAndAllOfItInTime) {
+  const auto share_of = [](const char* base) {
+    setenv("KERFLINE_SEED_BASE", base, 1);
+    std::vector<std::size_t> share;
+    for (std::size_t i = 0; i < 6; ++i) {
+      if (is_in_share(i, 3)) share.push_back(i);
+    }
+    return share;
+  };
+  EXPECT_THAT(share_of("a"), SizeIs(6));
+  setenv("KERFLINE_TIER", "test", 1);
+  std::set<std::size_t> tried;
+  for (const char* base : {"a", "b", "c", "d", "e", "f", "g", "h", "i", "j", "k", "l"}) {
+    const std::vector<std::size_t> share = share_of(base);
+    ASSERT_THAT(share, SizeIs(2));
+    EXPECT_EQ(share[1], share[0] + 3);
+    tried.insert(share.begin(), share.end());
+  }
+  EXPECT_THAT(tried, SizeIs(6));
+}
+
 TEST_F(TrialsTest, GoOnFromASeedWithSoManyTrials) {
   setenv("KERFLINE_SEED", "5", 1);
   setenv("KERFLINE_TRIALS", "2", 1);

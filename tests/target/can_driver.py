@@ -16,7 +16,7 @@ import tempfile
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[1] / "support"))
-from seeds import seeds_of  # noqa: E402
+from seeds import name_of, seeds_of, share_of  # noqa: E402
 
 EMULATOR = "qemu-system-arm"
 SKIPPED = 77
@@ -79,7 +79,7 @@ class CanDriverTest(unittest.TestCase):
 
     def test_a_corrupted_bus_loses_doubles_and_reorders_nothing(self):
         seeds = seeds_of(self, 2)
-        for percent in (5, 10, 30):
+        for percent in share_of([5, 10, 30], 1, name_of(self)):
             for seed in seeds:
                 with self.subTest(percent=percent, seed=seed):
                     run = Run(can_corrupt=percent, seed=seed)

@@ -7,7 +7,7 @@ boundaries; of the turns in motion one in a hundred may be late at most.
 
     image_trace.py PLUGIN kerfline_generic_1mbaud.elf image_trace_jobs EXAMPLES [TEST...]
 
-KERFLINE_TRIALS=200 random jobs of 2000 edges or more (6; 100 in prove.sh), from KERFLINE_SEED on;
+KERFLINE_TRIALS=200 random jobs of 2000 edges or more (3; 100 in prove.sh), from KERFLINE_SEED on;
 of less than 100 the share of late turns is not judged, as single jobs have up to a tenth.
 KERFLINE_TURNS=0 drives the examples to their end (2500 turns of a millisecond). Ends with 77
 (skipped) where something is missing.
@@ -24,12 +24,13 @@ import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "faults"))
 from chip import (BOOT_NS, CHIP_OPTIONS, MS, STOPPED, first_seed, in_parallel, main,  # noqa: E402
-                  trials)
+                  name_of, share_of, trials)
 
 CHIP = None
 JOBS, EXAMPLES = "", pathlib.Path()
 EXAMPLE_TURNS = int(os.environ.get("KERFLINE_TURNS", "2500")) or 10**9
 RANDOM_TURNS = 3000
+EXAMPLES_IN_TEST = 2  # And programs beside their path, in test.sh.
 LEAST_EDGES = 2000  # Of a random job; those with fewer are passed over.
 SETTLED_NS = 300 * MS  # What is set is stored by then.
 BURST_NS = 50_000  # After the boundary before; the bytes end 0.1 ms before their own.
@@ -247,21 +248,22 @@ class ImageTraceTest(unittest.TestCase):
 
         here = sorted(path.stem for path in EXAMPLES.glob("*.nc"))
         self.assertEqual(sorted(MACHINES), here)
-        self.judge("examples", in_parallel(example, here))
+        self.judge("examples", in_parallel(example, share_of(here, EXAMPLES_IN_TEST, name_of(self))))
 
     def test_a_path_beside_the_programmed_one(self):
         def job(name: str):
             program = pathlib.Path(__file__).with_name("trace") / f"{name}.nc"
             return self.compare(name, str(EXAMPLES / "laser.settings"), str(program), 10**9)
 
+        names = ["beside_the_path", "kerf_path", "kerf_power"]
         self.judge("beside the path",
-                   in_parallel(job, ["beside_the_path", "kerf_path", "kerf_power"]))
+                   in_parallel(job, share_of(names, 1, name_of(self))))
 
     def test_random_jobs_with_holds_and_overrides(self):
         def job(number: int):
             return self.compare(f"seed {number}", "random", str(number), RANDOM_TURNS)
 
-        seeds = lively_seeds(first_seed(self), trials(6, in_proof=JUDGED_JOBS))
+        seeds = lively_seeds(first_seed(self), trials(3, in_proof=JUDGED_JOBS))
         self.judge(f"seeds {seeds[0]} to {seeds[-1]}", in_parallel(job, seeds),
                    judges_share=len(seeds) >= JUDGED_JOBS)
 

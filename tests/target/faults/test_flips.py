@@ -72,7 +72,7 @@ class FlipTest(unittest.TestCase):
         places = [range(CHIP.symbols["stack_bottom"], CHIP.symbols["stack_top"]),
                   range(CHIP.symbols["data_begin"], CHIP.symbols["bss_end"])]
         seed = first_seed(self)
-        count, chosen = trials(128), random.Random(seed)
+        count, chosen = trials(64, in_proof=128), random.Random(seed)
         runs = [[(self.one_of(places, chosen), chosen.randrange(8), FIRST_NS + i * APART_NS
                   + chosen.randrange(APART_NS)) for i in range(min(FLIPS_IN_A_RUN, count - first))]
                 for first in range(0, count, FLIPS_IN_A_RUN)]
