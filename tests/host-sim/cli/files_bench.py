@@ -91,7 +91,7 @@ MEASURED = Command((), {"--measured": CUTS}, (), {"--db": None}, takes_stdin=Tru
                    empty_is_refused=("--measured",))
 UPDATE = Command(("--update",), {}, updates={"FILE": TALK}, empty_is_refused=("FILE",))
 CALLS = [*COMMANDS.items(), ("kerf calibrate", FORM), ("kerf calibrate", MEASURED), ("replay", UPDATE)]
-CALLS_IN_TEST = 6  # Of CALLS; as many as each of the long tests tries in toolchain/test.sh.
+CALLS_IN_TEST = 4  # Of CALLS; as many as each of the long tests tries in toolchain/test.sh.
 NO_FILES = {"completion", "manual", "kerf", ""}
 # Devices, whose opening is the business of ports.
 DEVICES = {("send", "--port"), ("send", "--slcan")}
