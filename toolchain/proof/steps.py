@@ -1,6 +1,6 @@
 """The steps that prove a change, in order, each with its tiers.
 
-`test` guards against a broken product in about 25 minutes on two cores; `prove` is everything.
+`test` guards against a broken product in about half an hour on two cores; `prove` is everything.
 """
 import dataclasses
 import os
