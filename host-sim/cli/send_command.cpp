@@ -1,6 +1,8 @@
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdint>
 #include <functional>
 #include <memory>
 #include <stdexcept>
@@ -16,6 +18,7 @@
 #include "host-sim/job/program_judge.hpp"
 #include "host-sim/job/program_text.hpp"
 #include "host-sim/report/terminal.hpp"
+#include "host-sim/send/agreed_answers.hpp"
 #include "host-sim/send/standpoint_reading.hpp"
 #include "host-sim/send/take_up.hpp"
 #include "host-sim/trace/input_file.hpp"
@@ -131,18 +134,63 @@ ExitStatus say(const SendCommandOptions& options,
 struct Answers {
   Standing standing;
   StandpointReading standpoint;
+
+  void read(std::string_view answer) {
+    standing.read(answer);
+    standpoint.read(answer);
+  }
 };
 
-ExitStatus ask(const SendCommandOptions& options, Line& line, Answers& answers) {
+std::vector<JobLine> questions_of(const SendCommandOptions& options) {
   std::vector<JobLine> questions = StandpointReading::questions();
   if (options.resume) questions.push_back({.text = "$RESUME"});
-  // On a line that damages bytes plain questions could stay without an answer.
-  const SendOptions send{.checked = options.send.checked, .takes_up = options.resume};
-  return say(options, line, questions, send, [&answers](Sender& sender, std::string_view answer) {
-    answers.standing.read(answer);
-    answers.standpoint.read(answer);
-    if (answer.starts_with("[KERFLINE:")) sender.ask_full_report();
-  });
+  return questions;
+}
+
+/// Puts the questions once, and believes each answer.
+ExitStatus ask_once(const SendCommandOptions& options, Line& line, Answers& answers) {
+  const SendOptions send{.takes_up = options.resume};
+  return say(options,
+             line,
+             questions_of(options),
+             send,
+             [&answers](Sender& sender, std::string_view answer) {
+               answers.read(answer);
+               if (answer.starts_with("[KERFLINE:")) sender.ask_full_report();
+             });
+}
+
+/// A question is checked, its answers are not: repeats the questions until all answers agree.
+ExitStatus ask_until_agreed(const SendCommandOptions& options, Line& line, Answers& answers) {
+  constexpr int kMaxRounds = 12;
+  AgreedAnswers agreed{options.resume};
+  const SendOptions send{.checked = true, .takes_up = options.resume};
+  const auto count = [&agreed](Sender& sender, std::string_view answer) {
+    // Before, a job that is held may still be reset, which changes the state.
+    if (sender.state() < Sender::State::kBeginning) return;
+    agreed.read(answer);
+    if (answer.starts_with("[GC:")) sender.ask_full_report();
+  };
+  for (int round = 0; round < kMaxRounds; ++round) {
+    const ExitStatus said = say(options, line, questions_of(options), send, count);
+    if (said != ExitStatus::kFine) return said;
+    agreed.end_round();
+    if (!agreed.open().empty()) continue;
+    for (const std::string& answer : agreed.lines()) answers.read(answer);
+    return ExitStatus::kFine;
+  }
+  terminal::print(
+      stderr,
+      "{}: nothing was sent: the controller's answers differ each time, of {}; the line "
+      "damages too many bytes, try a shorter cable or a lower --baud\n",
+      options.file,
+      fmt::to_string(fmt::join(agreed.open(), " ")));
+  return ExitStatus::kFaults;
+}
+
+ExitStatus ask(const SendCommandOptions& options, Line& line, Answers& answers) {
+  return options.send.checked ? ask_until_agreed(options, line, answers)
+                              : ask_once(options, line, answers);
 }
 
 std::size_t index_of(const JobLines& job, const SendCommandOptions& options) {
@@ -153,6 +201,19 @@ std::size_t index_of(const JobLines& job, const SendCommandOptions& options) {
       fmt::format("{}: has no line {} to begin with", options.file, options.from_line));
 }
 
+/// Chooses numbers for the checked lines of an approach that the controller takes for none of the
+/// lines that the job is still to drive.
+void number_approach(std::vector<JobLine>& lines, SendOptions& send) {
+  constexpr std::uint32_t kFreeNumbers = 100;  // An approach has about ten lines.
+  if (send.takes_up) {
+    // Each has number 1: a later number could be the line in which the beam comes on again.
+    send.most_number = 1;
+  } else {
+    // After an interruption here the controller reports a line that no job has.
+    lines.front().n = send.most_number - kFreeNumbers;
+  }
+}
+
 /// Brings the machine to the line with which the job begins.
 ExitStatus begin_within(const SendCommandOptions& options,
                         Line& line,
@@ -160,7 +221,9 @@ ExitStatus begin_within(const SendCommandOptions& options,
                         JobPart& job) {
   Approach approach = lines_before(*job.lines, job.first, standing, options.resume);
   job.motion = std::move(approach.motion);
-  const ExitStatus said = say(options, line, approach.lines, {.takes_up = options.resume});
+  SendOptions send{.checked = options.send.checked, .takes_up = options.resume};
+  if (send.checked) number_approach(approach.lines, send);
+  const ExitStatus said = say(options, line, approach.lines, send);
   terminal::print("{}: begins with line {}\n", options.file, job.lines->number_of(job.first));
   return said;
 }

@@ -11,6 +11,7 @@
 #include "host-sim/job/modal_words.hpp"
 #include "host-sim/job/setting_line.hpp"
 #include "host-sim/measure/program_line.hpp"
+#include "host-sim/send/status_field.hpp"
 
 namespace sim {
 namespace {
@@ -30,14 +31,6 @@ void read_position(std::string_view text, bool inches, cnc::Position& position) 
     if (!text.starts_with(',')) return;
     text.remove_prefix(1);
   }
-}
-
-/// The content of a field `|NAME:…` of a status report.
-std::optional<std::string_view> field(std::string_view report, std::string_view name) {
-  const std::size_t begin = report.find(name);
-  if (begin == std::string_view::npos) return std::nullopt;
-  const std::string_view rest = report.substr(begin + name.size());
-  return rest.substr(0, rest.find_first_of("|>"));
 }
 
 /// Modes that decide where a program goes. `[GC:` has others, too, such as M and F.
@@ -121,13 +114,14 @@ void StandpointReading::read_place(std::string_view line) {
 
 void StandpointReading::read_status(std::string_view line) {
   const bool inches = settings_.get(cnc::setting::kReportInches) != 0.0F;
-  if (const auto place = field(line, "|MPos:")) read_position(*place, inches, position_);
-  if (const auto homed = field(line, "|H:")) {
+  if (const auto place = status_field(line, "|MPos:")) read_position(*place, inches, position_);
+  if (const auto homed = status_field(line, "|H:")) {
     const std::string_view mask = homed->substr(std::min(homed->find(',') + 1, homed->size()));
     unsigned axes = 0;
     std::from_chars(mask.data(), mask.data() + mask.size(), axes);
     homed_ = static_cast<std::uint8_t>(axes);
-    const auto pins = field(line, "|Pn:");  // Kerfline's full report, which has block delete.
+    const auto pins =
+        status_field(line, "|Pn:");  // Kerfline's full report, which has block delete.
     block_delete_ = pins && pins->find('L') != std::string_view::npos;
   }
 }

@@ -3,7 +3,6 @@ relay that damages bytes."""
 import concurrent.futures
 import os
 import pathlib
-import random
 import signal
 import socket
 import subprocess
@@ -12,49 +11,14 @@ import threading
 import time
 import unittest
 
+from relays import Relay, Rewriter
+
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "serve"))
 import served  # noqa: E402
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "support"))
-from seeds import first_seed  # noqa: E402
+from seeds import seeds_of  # noqa: E402
 
 SETTINGS = ("--set", "$32=1", "--set", "$120=5000", "--set", "$121=5000")
-
-
-class Relay:
-    """Carries bytes to a server and back, and damages or drops some of them, one in `one_in`."""
-
-    def __init__(self, port, one_in, seed):
-        self.listener = socket.create_server(("127.0.0.1", 0))
-        self.port, self.target = self.listener.getsockname()[1], port
-        self.one_in, self.random, self.damaged = one_in, random.Random(seed), 0
-        threading.Thread(target=self.accept, daemon=True).start()
-
-    def accept(self):
-        near, _ = self.listener.accept()
-        far = socket.create_connection(("127.0.0.1", self.target))
-        for source, sink in ((near, far), (far, near)):
-            threading.Thread(target=self.carry, args=(source, sink), daemon=True).start()
-
-    def carry(self, source, sink):
-        try:
-            while data := source.recv(256):
-                sink.sendall(bytes(self.spoiled(data)))
-        except OSError:
-            pass
-        for end in (source, sink):
-            try:
-                end.shutdown(socket.SHUT_RDWR)
-            except OSError:
-                pass
-
-    def spoiled(self, data):
-        for byte in data:
-            if self.random.random() * self.one_in >= 1.0:
-                yield byte
-                continue
-            self.damaged += 1
-            if self.random.random() < 0.7:
-                yield byte ^ (1 << self.random.randrange(8))
 
 
 class SendTest(served.ServeTest):
@@ -115,8 +79,9 @@ class SendTest(served.ServeTest):
     @staticmethod
     def oks(lines, form):
         """For the lines of a job; an empty one, $I, $$, $# and $G for the questions before it, an
-        empty one and $I before the job itself, and M110 around checked lines of both."""
-        return lines + 5 + 2 + 4 * len(form)
+        empty one and $I before the job itself. Checked, the questions are put twice, and M110 stands
+        around both rounds and the job."""
+        return lines + 5 + 2 + (5 + 6) * len(form)
 
     def test_sends_over_a_can_adapter(self):
         server = self.serve("--slcan", self.link, "--tcp", 0, "--speed", 20, *SETTINGS)
@@ -392,13 +357,51 @@ class SendTest(served.ServeTest):
         self.assertIn("the link is gone", err)
 
     def test_repeats_what_a_relay_damages(self):
-        server = self.serve("--tcp", 0, "--speed", 20, *SETTINGS, "--set", "$130=1000")
-        relay = Relay(server.port("tcp"), one_in=600, seed=first_seed(self))
         job, far = self.square(300)
+        for seed in seeds_of(self, 1):
+            with self.subTest(seed=seed):
+                server = self.serve("--tcp", 0, "--speed", 20, *SETTINGS, "--set", "$130=1000")
+                relay = Relay(server.port("tcp"), one_in=600, seed=seed)
+                status, _, err = self.send(job, "--tcp", f"127.0.0.1:{relay.port}", "--checked")
+                self.assertEqual((status, err), (0, ""))
+                self.assertGreater(relay.damaged, 20)
+                self.check_x(server, far)
+
+    def test_believes_no_answer_that_came_once(self):
+        server = self.serve("--tcp", 0, "--speed", 20, *SETTINGS, "--set", "$130=1000")
+        relay = Rewriter(server.port("tcp"), to_sender=[(b"$130=1000.000", b"$130=1.000"),
+                                                        (b"[G54:0.000", b"[G54:900.000"),
+                                                        (b"[G54:0.000", b"[G54:800.000")])
+        job, far = self.square(3)
         status, out, err = self.send(job, "--tcp", f"127.0.0.1:{relay.port}", "--checked")
         self.assertEqual((status, err), (0, ""))
-        self.assertGreater(relay.damaged, 20)
+        self.assertEqual(relay.to_sender, [])
         self.check_x(server, far)
+
+    def test_names_the_answers_that_never_agree(self):
+        server = self.serve("--tcp", 0, *SETTINGS)
+        relay = Rewriter(server.port("tcp"),
+                         to_sender=[(b"$130=300.000", f"$130={n}.000".encode()) for n in range(30)])
+        job, _ = self.square(1)
+        status, _, err = self.send(job, "--tcp", f"127.0.0.1:{relay.port}", "--checked")
+        self.assertEqual(status, 1)
+        self.assertIn("nothing was sent", err)
+        self.assertIn("of $130; ", err)
+        self.check_x(server, 0.0)
+
+    def test_checks_the_lines_that_lead_to_the_beginning_within_a_job(self):
+        server = self.serve("--tcp", 0, "--speed", 20, *SETTINGS)
+        relay = Rewriter(server.port("tcp"), to_machine=[(b"G0X51", b"G0X91")])
+        job = self.program_file(["G21 G90", "G0 X50", "G91 G1 F6000 X1", "X1", "X1"])
+        log = self.folder / "log"
+        status, _, err = self.send(job, "--tcp", f"127.0.0.1:{relay.port}", "--checked",
+                                   "--from-line", 4, "--log", log)
+        self.assertEqual((status, err), (0, ""))
+        self.assertEqual(relay.to_machine, [])
+        said = [line.split(" > ")[1] for line in log.read_text().splitlines() if " > " in line]
+        self.assertEqual({line for line in said if "*" not in line}, {"", "$I"})
+        self.assertEqual(sum("G0X51" in line for line in said), 2)
+        self.check_x(server, 53.0)
 
     def test_knows_a_controller_without_checked_lines(self):
         listener = socket.create_server(("127.0.0.1", 0))
