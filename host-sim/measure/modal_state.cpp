@@ -75,6 +75,11 @@ ProgramTolerance ModalState::tolerance(double usual, double arc) const {
           .weld = weld_word_.value_or(corner_word_.value_or(0.0))};
 }
 
+double ModalState::spline_tolerance(double arc) const {
+  const double naive = weld_word_.value_or(0.0);
+  return naive > 0.0 ? naive : arc;
+}
+
 bool ModalState::apply_plane(int g) {
   constexpr std::array<cnc::Plane, 3> kPlanes{cnc::Plane::kXY, cnc::Plane::kZX, cnc::Plane::kYZ};
   if (g != 170 && g != 180 && g != 190) return false;

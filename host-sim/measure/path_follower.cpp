@@ -7,9 +7,9 @@
 namespace sim {
 namespace {
 
-/// Looking ahead ends where the path is this many step diagonals, and what a corner may
-/// be cut by, farther away than the nearest point: more than the two that the place may
-/// trail by.
+/// Looking ahead ends where the path is this many step diagonals, and the tolerance by which a
+/// corner, or the tip of a curve, may be cut, farther away than the nearest point: more than the
+/// two that the place may trail by.
 constexpr double kWindowSteps = 3.0;
 
 /// Points this much farther away than the nearest count as equally near: a little more
@@ -65,7 +65,8 @@ PathFollower::Match PathFollower::look_ahead(const Point& position) {
 
 double PathFollower::window(std::size_t index) const {
   const ProgramTolerance& allowed = path_->pieces[index].tolerance;
-  return kWindowSteps * step_size_ + allowed.corner + allowed.weld + allowed.motors;
+  return kWindowSteps * step_size_ + allowed.corner + allowed.weld + allowed.spline +
+         allowed.motors;
 }
 
 void PathFollower::move_to(const Match& match) {

@@ -270,6 +270,7 @@ void ProgramReader::add_piece(const Curve& curve, Travel travel, double feed) {
                   line_number_,
                   stop_pending_,
                   modes_.tolerance(options_.path_tolerance, options_.arc_tolerance)};
+  piece.tolerance.spline = spline_tolerance_;
   const double offset = compensation_.offset_mm();
   if (offset != 0.0) piece.beside = {offset, modes_.plane()};
   const bool by_kerf = offset != 0.0 ? compensation_.by_kerf() : leaves_edge_;

@@ -62,7 +62,9 @@ void ProgramReader::move_along(const ProgrammedSpline& spline) {
   double length = 0.0;
   for (const Curve& piece : pieces) length += piece.linear_length();
   const double feed = modes_.feed(length, 0.0);
+  spline_tolerance_ = modes_.spline_tolerance(options_.arc_tolerance);
   for (const Curve& piece : pieces) add_piece(piece, Travel::kFeed, feed);
+  spline_tolerance_ = 0.0;
   path_.end = position_ = spline.end();
 }
 
