@@ -2,8 +2,41 @@
 
 namespace cnc::gcode {
 
+std::optional<std::int32_t> ProgramWriter::half_way() const {
+  if (!height_ || !written_height_) return height_;
+  return *written_height_ + (*height_ - *written_height_) / 2;
+}
+
+void ProgramWriter::add_rapids(GridPlace to) {
+  const auto end = height_;
+  const bool goes_down = end && written_height_ && *end < *written_height_;
+  if (goes_down) height_ = written_height_;
+  // At the start the machine may stand anywhere, so that the height comes first.
+  if (!goes_down && !is_at_height()) {
+    if (motion_ != 0) text_.add_word('G', 0, 0);
+    motion_ = 0;
+    add_height();
+    text_.add('\n');
+  }
+  if (place_ != to) {
+    add_motion(0, to);
+    end_line(to);
+  }
+  height_ = end;
+  if (!is_at_height()) {
+    add_motion(0, to);
+    end_line(to);
+  }
+}
+
+void ProgramWriter::add_height() {
+  if (is_at_height()) return;
+  text_.add_word('Z', *height_, grid_.decimals());
+  written_height_ = height_;
+}
+
 void ProgramWriter::add_line(GridPlace to) {
-  if (place_ == to) return;
+  if (place_ == to && is_at_height()) return;
   add_motion(1, to);
   end_line(to);
 }
@@ -21,6 +54,7 @@ void ProgramWriter::add_motion(int motion, GridPlace to) {
   motion_ = motion;
   if (!place_ || place_->x != to.x) text_.add_word('X', to.x, grid_.decimals());
   if (!place_ || place_->y != to.y) text_.add_word('Y', to.y, grid_.decimals());
+  add_height();
 }
 
 void ProgramWriter::end_line(GridPlace to) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "planner/base/result.hpp"
 #include "planner/gcode/centre_on_grid.hpp"
@@ -23,6 +24,8 @@ enum class WriterError : std::uint8_t {
 /// again is within one last digit of what was given, and the two radii of an arc agree within a
 /// fraction of one, so that no reader has an arc to repair: centres have one more digit.
 ///
+/// Heights are optional: without set_height() no line has a Z.
+///
 /// Lines have the words that differ from the line before, and no others. Every call returns whole
 /// lines, each with its end, none where nothing moves; they last until the next call. What is
 /// refused writes nothing and changes nothing.
@@ -34,13 +37,21 @@ class ProgramWriter {
   void set_feed(std::uint32_t thousandths) { feed_ = thousandths; }
   void set_power(std::uint32_t thousandths) { power_ = thousandths; }
 
-  /// G0.
+  /// Lines from now on have no S: it is the speed of a spindle.
+  void leave_power() { power_ = written_power_ = 0; }
+  /// Z at the end of the next motion, mm. Without any call no line has a Z. False, and nothing
+  /// changes, for what is no number or farther from zero than kFarthestOnGrid.
+  template <std::floating_point Scalar>
+  [[nodiscard]] bool set_height(Scalar height_mm);
+
+  /// G0. A change of the height is a motion of its own: before the one in the plane where it goes
+  /// up, else after it.
   template <std::floating_point Scalar>
   [[nodiscard]] Result<std::string_view, WriterError> rapid(const BasicVec2<Scalar>& to);
 
   /// G1, G2 or G3: a line where the bulge is 0, else an arc of bulge tan(sweep / 4) and less than a
   /// full turn; in two arcs where it is more than half of one. Arcs that would leave their chord by
-  /// less than a quarter of a last digit are lines.
+  /// less than a quarter of a last digit are lines. The height changes in proportion to the length.
   /// @pre `from` is where the last motion ended, within half a last digit
   template <std::floating_point Scalar>
   [[nodiscard]] Result<std::string_view, WriterError> cut(const BasicVec2<Scalar>& from,
@@ -60,14 +71,23 @@ class ProgramWriter {
   [[nodiscard]] bool add_arc(GridPlace to, GridPlace middle, Scalar bulge);
   void add_line(GridPlace to);
   void add_arc(GridPlace to, GridCentre centre, bool clockwise);
+  /// Adds the rapids to a place and the height.
+  void add_rapids(GridPlace to);
+  [[nodiscard]] bool is_at_height() const { return !height_ || height_ == written_height_; }
+  /// The height half way to the end of the motion, for the first of two halves.
+  [[nodiscard]] std::optional<std::int32_t> half_way() const;
   /// The number of G where it changes, and the ends that do.
   void add_motion(int motion, GridPlace to);
+  /// The Z of the line, if it changes.
+  void add_height();
   void end_line(GridPlace to);
 
   PrintGrid grid_;
   LineText text_{};
   std::optional<GridPlace> place_{};
   int motion_ = kNoMotion;
+  std::optional<std::int32_t> height_{};          ///< At the end of the next motion, last digits.
+  std::optional<std::int32_t> written_height_{};  ///< Nothing before the first.
   std::uint32_t feed_ = 0;
   std::uint32_t power_ = 0;
   std::uint32_t written_feed_ = kNone;
@@ -85,14 +105,19 @@ std::optional<GridPlace> ProgramWriter::on_grid(const BasicVec2<Scalar>& place_m
 }
 
 template <std::floating_point Scalar>
+bool ProgramWriter::set_height(Scalar height_mm) {
+  const Scalar height = height_mm * static_cast<Scalar>(grid_.per_mm());
+  if (!(std::abs(height) <= static_cast<Scalar>(kFarthestOnGrid))) return false;
+  height_ = static_cast<std::int32_t>(rounded(height));
+  return true;
+}
+
+template <std::floating_point Scalar>
 Result<std::string_view, WriterError> ProgramWriter::rapid(const BasicVec2<Scalar>& to) {
   const auto end = on_grid(to);
   if (!end) return WriterError::kOutOfRange;
   text_.clear();
-  if (place_ != *end) {
-    add_motion(0, *end);
-    end_line(*end);
-  }
+  add_rapids(*end);
   return text_.view();
 }
 
@@ -111,7 +136,9 @@ bool ProgramWriter::add_arc(GridPlace to, GridPlace middle, Scalar bulge) {
     return true;
   }
   if (length * (Scalar{1} + size * size) < Scalar{4} * size * kLeastRadius) {
+    const auto end = std::exchange(height_, half_way());
     add_line(middle);
+    height_ = end;
     add_line(to);
     return true;
   }
@@ -146,7 +173,10 @@ Result<std::string_view, WriterError> ProgramWriter::cut(const BasicVec2<Scalar>
     const auto first = on_grid(apex_of(from, apex, half));
     const auto second = on_grid(apex_of(apex, to, half));
     if (!first || !second) return WriterError::kOutOfRange;
-    done = add_arc(*middle, *first, half) && add_arc(*end, *second, half);
+    const auto height = std::exchange(height_, half_way());
+    done = add_arc(*middle, *first, half);
+    height_ = height;
+    done = done && add_arc(*end, *second, half);
   }
   if (done) return text_.view();
   *this = before;

@@ -67,6 +67,38 @@ TEST(ProgramWriter, RefusesWhatDoesNotFitAndWritesNothing) {
   EXPECT_EQ(text_of(writer.cut(Place{0.0, 0.0}, Place{1.0, 0.0}, 0.0)), "G1X1F0S0\n");
 }
 
+TEST(ProgramWriter, ChangesTheHeightAlongMotions) {
+  ProgramWriter writer{PrintGrid{3}};
+  writer.leave_power();
+  writer.set_feed(300'000);
+  EXPECT_TRUE(writer.set_height(5.0));
+  EXPECT_EQ(text_of(writer.rapid(Place{1.0, 2.0})), "G0Z5\nX1Y2\n");
+  EXPECT_TRUE(writer.set_height(0.5));
+  EXPECT_EQ(text_of(writer.rapid(Place{1.0, 2.0})), "Z0.5\n");
+  EXPECT_TRUE(writer.set_height(-2.0));
+  EXPECT_EQ(text_of(writer.cut(Place{1.0, 2.0}, Place{1.0, 2.0}, 0.0)), "G1Z-2F300\n");
+  EXPECT_EQ(text_of(writer.cut(Place{1.0, 2.0}, Place{3.0, 2.0}, 0.0)), "X3\n");
+  EXPECT_TRUE(writer.set_height(-3.0));
+  EXPECT_EQ(text_of(writer.cut(Place{3.0, 2.0}, Place{5.0, 2.0}, 1.0)), "G3X5Z-3I1\n");
+  EXPECT_TRUE(writer.set_height(-5.0));
+  const double three_quarters = std::tan(1.5 * std::numbers::pi / 4.0);
+  EXPECT_EQ(text_of(writer.cut(Place{5.0, 2.0}, Place{4.0, 1.0}, three_quarters)),
+            "X3.293Y2.707Z-4I-0.9999\nX4Y1Z-5I0.707J-0.7071\n");
+}
+
+TEST(ProgramWriter, RisesBeforeARapidAndDescendsAfterIt) {
+  ProgramWriter writer{PrintGrid{3}};
+  EXPECT_TRUE(writer.set_height(-2.0));
+  EXPECT_EQ(text_of(writer.rapid(Place{0.0, 0.0})), "G0Z-2\nX0Y0\n");
+  EXPECT_TRUE(writer.set_height(5.0));
+  EXPECT_EQ(text_of(writer.rapid(Place{9.0, 0.0})), "Z5\nX9\n");
+  EXPECT_TRUE(writer.set_height(1.0));
+  EXPECT_EQ(text_of(writer.rapid(Place{9.0, 4.0})), "Y4\nZ1\n");
+  EXPECT_FALSE(writer.set_height(std::nan("")));
+  EXPECT_FALSE(writer.set_height(5.1e5));
+  EXPECT_EQ(text_of(writer.rapid(Place{9.0, 4.0})), "");
+}
+
 /// An arc as it was meant, in long double.
 struct MeantArc {
   long double x = 0.0L;
