@@ -9,11 +9,6 @@
 namespace sim {
 namespace {
 
-template <typename Item>
-cnc::contour::Slice<Item> all_of(std::vector<Item>& items) {
-  return {items.data(), items.size()};
-}
-
 /// Where most vertices lie in a square with the distance as its side, and how many.
 struct Crowd {
   drawing::Place place{0.0, 0.0};
@@ -59,50 +54,22 @@ NoOffset::NoOffset(const drawing::Place& place, std::string reason, std::string 
       remedy_{std::move(remedy)} {}
 
 void ContourOffset::grow(std::size_t elements, std::size_t cuts) {
-  elements_ = elements;
-  cut_count_ = cuts;
-  const cnc::contour::OffsetSizes sizes{elements, cuts};
-  vertices_.resize(elements);
-  curves_.resize(elements);
-  element_boxes_.resize(sizes.element_boxes());
-  raw_.resize(sizes.raw());
-  raw_boxes_.resize(sizes.raw_boxes());
-  nodes_.resize(sizes.nodes());
-  cuts_.resize(cuts);
-  sorted_cuts_.resize(cuts);
-  first_cuts_.resize(sizes.raw() + 1);
-  pieces_.resize(sizes.pieces());
-  runs_.resize(sizes.pieces());
-  junctions_.resize(sizes.nodes());
-  queue_.resize(sizes.nodes());
-  result_.resize(sizes.pieces());
-  result_ends_.resize(sizes.pieces());
+  space_.grow(elements, cuts);
+  result_.resize(space_.pieces());
+  result_ends_.resize(space_.pieces());
 }
 
 cnc::contour::ContourView<double> ContourOffset::offset(
     const cnc::contour::ContourView<double>& input, double distance_mm) {
   using cnc::contour::OffsetFault;
-  if (elements_ < input.vertices.size()) {
+  if (space_.elements() < input.vertices.size()) {
     constexpr std::size_t kMostAtFirst = 400'000;
     const std::size_t cuts = std::min(4 * input.vertices.size(), kMostAtFirst);
-    grow(input.vertices.size(), std::max(cut_count_, std::min(cuts, most_meetings_)));
+    grow(input.vertices.size(), std::max(space_.cuts(), std::min(cuts, most_meetings_)));
   }
   for (;;) {
-    const cnc::contour::OffsetSpace<double> space{all_of(vertices_),
-                                                  all_of(curves_),
-                                                  all_of(element_boxes_),
-                                                  all_of(raw_),
-                                                  all_of(raw_boxes_),
-                                                  all_of(nodes_),
-                                                  all_of(cuts_),
-                                                  all_of(sorted_cuts_),
-                                                  all_of(first_cuts_),
-                                                  all_of(pieces_),
-                                                  all_of(runs_),
-                                                  all_of(junctions_),
-                                                  all_of(queue_)};
-    cnc::contour::ContourWriter<double> out{all_of(result_), all_of(result_ends_)};
-    const auto result = cnc::contour::offset<double>(input, distance_mm, space, out);
+    cnc::contour::ContourWriter<double> out{slice_of(result_), slice_of(result_ends_)};
+    const auto result = cnc::contour::offset<double>(input, distance_mm, space_.space(), out);
     if (result.ok()) return result.value();
     switch (result.error().fault) {
       case OffsetFault::kNotANumber:
@@ -114,11 +81,11 @@ cnc::contour::ContourView<double> ContourOffset::offset(
                        "do loops of it cross each other? take them apart"};
       case OffsetFault::kTooManyElements:
       case OffsetFault::kResultTooLong:
-        grow(2 * elements_ + 8, cut_count_ + 16);
+        grow(2 * space_.elements() + 8, space_.cuts() + 16);
         break;
       case OffsetFault::kTooManyMeetings:
-        if (cut_count_ >= most_meetings_) refuse_crowd(input, distance_mm, most_meetings_);
-        grow(elements_, std::min(4 * cut_count_ + 16, most_meetings_));
+        if (space_.cuts() >= most_meetings_) refuse_crowd(input, distance_mm, most_meetings_);
+        grow(space_.elements(), std::min(4 * space_.cuts() + 16, most_meetings_));
         break;
     }
   }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "host-sim/contour/owned_offset_space.hpp"
 #include "host-sim/import/place.hpp"
 #include "planner/contour/offset.hpp"
 
@@ -60,21 +61,7 @@ class ContourOffset {
   void grow(std::size_t elements, std::size_t cuts);
 
   std::size_t most_meetings_;
-  std::size_t elements_ = 0;
-  std::size_t cut_count_ = 0;
-  std::vector<ContourVertex> vertices_;
-  std::vector<cnc::contour::Curve<double>> curves_;
-  std::vector<cnc::contour::FlatBox<double>> element_boxes_;
-  std::vector<cnc::contour::RawCurve<double>> raw_;
-  std::vector<cnc::contour::FlatBox<double>> raw_boxes_;
-  std::vector<cnc::contour::Node<double>> nodes_;
-  std::vector<cnc::contour::Cut<double>> cuts_;
-  std::vector<cnc::contour::Cut<double>> sorted_cuts_;
-  std::vector<std::uint32_t> first_cuts_;
-  std::vector<cnc::contour::Piece> pieces_;
-  std::vector<cnc::contour::Run> runs_;
-  std::vector<cnc::contour::Junction> junctions_;
-  std::vector<std::uint32_t> queue_;
+  OwnedOffsetSpace space_;
   std::vector<ContourVertex> result_;
   std::vector<std::uint32_t> result_ends_;
 };

@@ -70,7 +70,7 @@ class BoxTree {
   template <typename Measure>
   [[nodiscard]] std::uint32_t descend(const Measure& measure) const {
     std::uint32_t best = 0;
-    for (std::uint32_t level = top_ + 1; level-- > 0;) {
+    for (std::uint32_t level = top_;; --level) {
       const std::uint32_t begin = level == top_ ? 0 : best * kFan;
       const std::uint32_t end = level == top_ ? count_[level] : begin + kFan;
       best = begin;
@@ -78,8 +78,8 @@ class BoxTree {
         const FlatBox<Scalar>* const row = boxes_.begin() + first_[level];
         if (measure(row[i]) < measure(row[best])) best = i;
       }
+      if (level == 0) return best;
     }
-    return best;
   }
 
  private:

@@ -7,6 +7,24 @@
 #include "planner/contour/moved_curve.hpp"
 
 namespace cnc::contour {
+namespace {
+
+/// Sine of the turn at a corner, positive to the left. At a cusp, where the elements leave each
+/// other against their directions, it is mere rounding: there the sign is that of the gap between
+/// both elements a little before the corner, so that a tip of material turns left and the end of
+/// a slot right.
+template <typename Scalar>
+Scalar turn_at(const Curve<Scalar>& before, const Curve<Scalar>& after) {
+  constexpr Scalar kCusp = Scalar(1.0e-6F);
+  constexpr Scalar kBefore_mm = Scalar(1.0e-3F);
+  const Scalar sine = cross(before.end_tangent, after.start_tangent);
+  if (std::abs(sine) > kCusp || before.end_tangent.dot(after.start_tangent) > Scalar{0}) {
+    return sine;
+  }
+  return sine - Scalar{0.5} * kBefore_mm * (before.curvature + after.curvature);
+}
+
+}  // namespace
 
 template <typename Scalar>
 bool RawOffset<Scalar>::add_loop(const ContourView<Scalar>& contour, std::size_t loop) {
@@ -43,8 +61,7 @@ void RawOffset<Scalar>::add_moved(const Curve<Scalar>& element) {
 
 template <typename Scalar>
 void RawOffset<Scalar>::add_join(const Curve<Scalar>& before, const Curve<Scalar>& after) {
-  const Scalar sine = cross(before.end_tangent, after.start_tangent);
-  if (sine * distance_ < Scalar{0}) return;
+  if (turn_at(before, after) * distance_ < Scalar{0}) return;
   const Curve<Scalar> join = round_join(before, after, distance_);
   const Scalar bend = std::max(bend_of_moved(before), bend_of_moved(after));
   if (closes(join.end - join.start, bend)) return;

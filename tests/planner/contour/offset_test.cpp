@@ -114,6 +114,23 @@ TEST(Offset, SplitsAtANeck) {
   EXPECT_EQ(result.value().loop_ends.size(), 2U);
 }
 
+// Where a neck has just closed two arcs end in a tip without an angle, of which the sign is a
+// rounding error. It is no end of a slot, about which there would be half a circle.
+TEST(Offset, NothingIsBeyondATipWithoutAnAngle) {
+  const double tip = 5.932936430626526;
+  const double quarter = std::sqrt(2.0) - 1.0;
+  Bench<double> bench;
+  bench.add(57.98529288529933, 0, -quarter).add(63.918229315925856, -tip);
+  bench.add(63.918229315925856, -30.723990811638796, 0.047906097228552352);
+  bench.add(70.750993009198268, -30.723990811638796).add(70.750993009198268, -tip, -quarter);
+  bench.add(76.683929439824794, 0, -quarter).add(70.750993009198268, tip);
+  bench.add(70.750993009198268, 29.82532862774417).add(63.918229315925856, 29.82532862774417);
+  bench.add(63.918229315925856, tip, -quarter).close();
+  const auto result = bench.offset(-tip - 1e-7);
+  ASSERT_TRUE(result.ok());
+  EXPECT_EQ(result.value().loop_ends.size(), 0U);
+}
+
 TEST(Offset, ANeckOfTwiceTheDistanceIsClosed) {
   Bench<double> bench;
   bench.add(0, 0).add(10, 0).add(10, 4).add(20, 4).add(20, 0).add(30, 0);
