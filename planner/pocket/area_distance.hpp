@@ -1,0 +1,105 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+#include "planner/contour/box_tree.hpp"
+#include "planner/contour/contour.hpp"
+#include "planner/contour/curve.hpp"
+#include "planner/contour/slice.hpp"
+
+namespace cnc::pocket {
+
+/// The point of an area's boundary that is nearest to a place.
+struct BoundaryPoint {
+  WideVec2 point{0.0, 0.0};  ///< On the boundary; one of them where several are as near.
+  double distance = 0.0;     ///< mm, never negative.
+  std::uint32_t element = 0;
+  bool inside = false;  ///< Whether the place is in the area; either answer on the boundary.
+};
+
+/// Storage for the distances of an area.
+struct DistanceSizes {
+  std::size_t vertices;  ///< Of the area's contours.
+  std::size_t loops;
+
+  /// Arcs of more than half a turn are two.
+  [[nodiscard]] constexpr std::size_t elements() const { return 2 * vertices; }
+  [[nodiscard]] constexpr std::size_t boxes() const {
+    return contour::BoxTree<double>::size_for(elements());
+  }
+};
+
+/// What an AreaDistance works in; it has to outlive that.
+struct DistanceSpace {
+  contour::Slice<contour::Vertex<double>> vertices;  ///< elements()
+  contour::Slice<contour::Curve<double>> elements;   ///< elements()
+  contour::Slice<contour::FlatBox<double>> boxes;    ///< boxes()
+  contour::Slice<std::uint32_t> loop_ends;           ///< loops
+};
+
+/// Storage with its capacity in the type.
+template <std::size_t kVertices, std::size_t kLoops>
+class BoundedDistanceSpace {
+ public:
+  [[nodiscard]] DistanceSpace space() { return {vertices_, elements_, boxes_, loop_ends_}; }
+
+ private:
+  // NOLINTNEXTLINE(bugprone-dynamic-static-initializers): constant in each instantiation.
+  static constexpr DistanceSizes kSizes{kVertices, kLoops};
+  std::array<contour::Vertex<double>, kSizes.elements()> vertices_{};
+  std::array<contour::Curve<double>, kSizes.elements()> elements_{};
+  std::array<contour::FlatBox<double>, kSizes.boxes()> boxes_{};
+  std::array<std::uint32_t, kLoops> loop_ends_{};
+};
+
+/// Distances from the boundary of an area of lines and arcs, by a tree of boxes.
+///
+/// Guarantee: a distance is exact within 2e-11 of the greatest coordinate, as shorter elements
+/// count for nothing; a place farther than that from the boundary is on the right side of it. Of n
+/// elements in the order of a contour a search checks O(log n) boxes.
+class AreaDistance {
+ public:
+  explicit AreaDistance(const DistanceSpace& space) : space_{space}, tree_{space.boxes} {}
+
+  /// Reads contours with the area on their left that do not cross. Elements without length and
+  /// ways out and back along one line count for nothing.
+  /// @return false if the storage is too small, or a number is not finite
+  [[nodiscard]] bool read(const contour::ContourView<double>& area);
+
+  /// Lines, and arcs of at most half a turn; 0 for an area without extent.
+  [[nodiscard]] std::uint32_t element_count() const { return count_; }
+  /// @pre index < element_count()
+  [[nodiscard]] const contour::Curve<double>& element(std::uint32_t index) const {
+    return space_.elements[index];
+  }
+  /// The element that begins where another ends.
+  [[nodiscard]] std::uint32_t next(std::uint32_t index) const;
+  [[nodiscard]] std::uint32_t previous(std::uint32_t index) const;
+
+  /// @pre element_count() > 0
+  [[nodiscard]] BoundaryPoint nearest(const WideVec2& place) const;
+  /// Returns the distance, negative outside of the area. @pre element_count() > 0
+  [[nodiscard]] double depth(const WideVec2& place) const {
+    const BoundaryPoint found = nearest(place);
+    return found.inside ? found.distance : -found.distance;
+  }
+
+  /// Calls `visit(element)` for each element whose box meets `box`, until one returns false.
+  template <typename Visit>
+  void search(const contour::FlatBox<double>& box, Visit&& visit) const {
+    tree_.search(box, 0, [&](std::uint32_t index) { return visit(space_.elements[index]); });
+  }
+
+ private:
+  [[nodiscard]] bool is_inside(const WideVec2& place, std::uint32_t element) const;
+  [[nodiscard]] std::uint32_t loop_of(std::uint32_t index) const;
+
+  DistanceSpace space_;
+  contour::BoxTree<double> tree_;
+  std::uint32_t count_ = 0;
+  std::uint32_t loop_count_ = 0;
+};
+
+}  // namespace cnc::pocket

@@ -1,0 +1,54 @@
+#pragma once
+
+#include "planner/pocket/nearest_curve.hpp"
+
+namespace cnc::pocket {
+
+/// The greatest distance between the boundary of an area and an offset of the same area inwards.
+///
+/// Each element of the boundary is halved until nothing on a part can be farther than the farthest
+/// point found. The bound is exact: along a line or an arc the distance from one point has its
+/// greatest value at an end, or where it stops growing, which an arc shows by its tangents. Where
+/// an element's own offset is part of the boundary of the goal, the distance is the offset's.
+///
+/// Guarantee: at most kFarthestError short of the greatest distance.
+/// Time: (n + m) log n for n elements of the goal, where m halvings are a few for each corner.
+inline constexpr double kFarthestError = 1.0e-9;  // mm
+template <typename Scalar>
+class FarthestPoint {
+ public:
+  /// @param goal  the boundary of the area moved inwards
+  /// @param moved  the distance by which it is moved, mm
+  FarthestPoint(const NearestCurve<Scalar>& goal, Scalar moved) : goal_{goal}, moved_{moved} {}
+
+  /// Returns the distance of the farthest point. @pre goal has an element
+  [[nodiscard]] Scalar of(const contour::ContourView<Scalar>& area);
+
+ private:
+  using Vector = BasicVec2<Scalar>;
+
+  /// A part of an element, with the points of the goal nearest to both ends.
+  struct Stretch {
+    Vector from{Scalar{0}, Scalar{0}};
+    Vector to{Scalar{0}, Scalar{0}};
+    NearestPoint<Scalar> at_from;
+    NearestPoint<Scalar> at_to;
+  };
+
+  [[nodiscard]] NearestPoint<Scalar> look(const Vector& place, std::uint32_t guess);
+  void search(const contour::Curve<Scalar>& wall, const Stretch& whole);
+  [[nodiscard]] Scalar bound(const contour::Curve<Scalar>& wall, const Stretch& stretch) const;
+  [[nodiscard]] Scalar bound_from(const contour::Curve<Scalar>& wall,
+                                  const Stretch& stretch,
+                                  const Vector& point) const;
+  [[nodiscard]] bool is_moved(const contour::Curve<Scalar>& wall,
+                              const Stretch& stretch,
+                              std::uint32_t curve) const;
+  [[nodiscard]] bool find_moved(const contour::Curve<Scalar>& wall, std::uint32_t& near) const;
+
+  const NearestCurve<Scalar>& goal_;
+  Scalar moved_;
+  Scalar farthest_{};
+};
+
+}  // namespace cnc::pocket

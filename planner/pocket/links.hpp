@@ -1,0 +1,83 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "planner/pocket/loop_place.hpp"
+#include "planner/pocket/nearest_curve.hpp"
+
+namespace cnc::pocket {
+
+/// An arc, a line and an arc from one pose to a place on a loop, with one tangent at every joint.
+/// Arcs turn by at most half a turn; any of the three may have no length.
+template <typename Scalar>
+struct Link {
+  std::array<BasicVec2<Scalar>, 4> points{};
+  std::array<Scalar, 3> bulges{};
+  Scalar length{};  ///< mm.
+  LoopPlace<Scalar> landing;
+};
+
+/// Finds links between passes, within an area that the tool's centre may be in.
+template <typename Scalar>
+class LinkSearch {
+ public:
+  /// Working storage: one curve and BoxTree::size_for() boxes for the elements of an area.
+  LinkSearch(contour::Slice<contour::Curve<Scalar>> curves,
+             contour::Slice<contour::FlatBox<Scalar>> boxes)
+      : boundary_{curves, boxes} {}
+
+  /// Takes the area that links must not leave. False when the storage is full.
+  /// @pre `area` outlives the next calls
+  [[nodiscard]] bool enter(const contour::ContourView<Scalar>& area) {
+    area_ = area;
+    return boundary_.read(area);
+  }
+
+  /// Returns a link to one of the loops; none if there is none of up to 12 tool radii.
+  ///
+  /// Landings are the middle of each element, and points half a radius apart around the one that is
+  /// nearest, up to three radii away; the shortest link that stays in the area is taken. Its arcs
+  /// have the tool's radius, or the first of 1/2, 1/4 and 1/10 of it with which there is a link.
+  /// Arriving from inside the last arc turns to the side where the area is.
+  ///
+  /// Guarantee: no point of the link is outside of the area by more than 1e-7 mm.
+  /// Time: the elements within six radii times the links that are tried, at most 64.
+  /// @param left_out  for each loop of the area whether links may not lead there; empty: all may
+  /// @pre 0 < tool_radius
+  [[nodiscard]] std::optional<Link<Scalar>> find(const Pose<Scalar>& from,
+                                                 contour::Slice<const bool> left_out,
+                                                 Milling milling,
+                                                 Scalar tool_radius) const;
+
+ private:
+  using Vector = BasicVec2<Scalar>;
+
+  /// The query of one search.
+  struct Wanted {
+    Pose<Scalar> from;
+    contour::Slice<const bool> left_out;
+    Milling milling;
+    Scalar tool_radius;
+    Scalar arc_radius;
+  };
+
+  [[nodiscard]] std::optional<Link<Scalar>> shortest_beyond(const Wanted& wanted,
+                                                            Scalar length) const;
+  [[nodiscard]] std::size_t loop_of(std::uint32_t vertex) const;
+  void try_element(const Wanted& wanted,
+                   std::uint32_t vertex,
+                   Scalar beyond,
+                   std::optional<Link<Scalar>>& best) const;
+  void try_landing(const Wanted& wanted,
+                   const LoopPlace<Scalar>& landing,
+                   Scalar beyond,
+                   std::optional<Link<Scalar>>& best) const;
+  [[nodiscard]] bool stays_inside(const Link<Scalar>& link) const;
+  [[nodiscard]] bool crosses(const contour::Curve<Scalar>& part, const Link<Scalar>& link) const;
+
+  contour::ContourView<Scalar> area_{};
+  NearestCurve<Scalar> boundary_;
+};
+
+}  // namespace cnc::pocket

@@ -1,0 +1,79 @@
+#include "planner/pocket/moving_disc.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace cnc::pocket {
+namespace {
+
+using contour::Curve;
+using contour::FlatBox;
+
+/// A moving disc by the length that it has gone.
+struct DiscWay {
+  WideVec2 from{0.0, 0.0};
+  WideVec2 along{1.0, 0.0};
+  double length = 0.0;
+  double radius = 0.0;  ///< At its start.
+  double growth = 0.0;  ///< Of the radius, mm per mm.
+
+  [[nodiscard]] WideVec2 at(double s) const { return from + s * along; }
+  [[nodiscard]] double radius_at(double s) const { return radius + growth * s; }
+};
+
+DiscWay way_of(const MovingDisc& disc) {
+  const WideVec2 chord = disc.to - disc.from;
+  const double length = chord.norm();
+  if (length == 0.0) return {disc.from, {1.0, 0.0}, 0.0, disc.from_radius, 0.0};
+  const double growth = (disc.to_radius - disc.from_radius) / length;
+  return {disc.from, chord / length, length, disc.from_radius, growth};
+}
+
+/// Where along the way the disc reaches farthest towards a point, or is least far from its edge.
+double most_across(const DiscWay& way, const WideVec2& point) {
+  const WideVec2 ahead = point - way.from;
+  const double foot = way.along.dot(ahead);
+  const double aside = std::abs(cross(way.along, ahead));
+  const double slope = std::max(0.0, 1.0 - way.growth * way.growth);
+  const double lead = slope > 0.0 ? aside * way.growth / std::sqrt(slope) : 0.0;
+  return std::clamp(foot + lead, 0.0, way.length);
+}
+
+/// The excess at a length of the way across one element.
+double excess_at(const DiscWay& way, double s, const Curve<double>& element) {
+  return way.radius_at(s) - element.distance(way.at(s));
+}
+
+/// The excess across one element at each length where it may be greatest.
+double excess_across(const DiscWay& way, const Curve<double>& element) {
+  double excess = std::max(excess_at(way, 0.0, element), excess_at(way, way.length, element));
+  for (const WideVec2& end : {element.start, element.end}) {
+    excess = std::max(excess, excess_at(way, most_across(way, end), element));
+  }
+  // Seen from outside of its circle, an arc is as far as the centre less a constant. Seen from
+  // inside, and from a line, there is no minimum between those above.
+  if (element.curvature != 0.0) {
+    const WideVec2 centre = element.start + left_normal(element.start_tangent) / element.curvature;
+    excess = std::max(excess, excess_at(way, most_across(way, centre), element));
+  }
+  return excess;
+}
+
+}  // namespace
+
+double excess_of(const MovingDisc& disc, const AreaDistance& area) {
+  const DiscWay way = way_of(disc);
+  const double reach = std::max({0.0, disc.from_radius, disc.to_radius});
+  const FlatBox<double> near{std::min(disc.from.x(), disc.to.x()) - reach,
+                             std::min(disc.from.y(), disc.to.y()) - reach,
+                             std::max(disc.from.x(), disc.to.x()) + reach,
+                             std::max(disc.from.y(), disc.to.y()) + reach};
+  double excess = 0.0;
+  area.search(near, [&](const Curve<double>& element) {
+    excess = std::max(excess, excess_across(way, element));
+    return true;
+  });
+  return excess;
+}
+
+}  // namespace cnc::pocket

@@ -1,0 +1,170 @@
+#include "planner/pocket/pocket_entry.hpp"
+
+#include <cmath>
+
+#include "planner/pocket/loop_driver.hpp"
+#include "planner/pocket/loop_measures.hpp"
+
+namespace cnc::pocket {
+namespace {
+
+constexpr int kHalvings = 3;
+constexpr double kMostRevolutions = 1000.0;
+constexpr double kFullTurn = 6.283185307179586;
+
+/// +1 where the area is on the left of travel, −1 where it is on the right.
+template <typename Scalar>
+Scalar side_of_area(Milling milling) {
+  return milling == Milling::kClimb ? Scalar{1} : Scalar{-1};
+}
+
+template <typename Scalar>
+BasicVec2<Scalar> helix_centre(const Pose<Scalar>& pose, Scalar radius, Milling milling) {
+  return pose.point + side_of_area<Scalar>(milling) * radius * left_normal(pose.tangent);
+}
+
+/// The greatest of the radii whose circle fits at a pose and that is more than `least`; else 0.
+template <typename Scalar>
+Scalar fitting_radius(const contour::ContourView<Scalar>& locus,
+                      const NearestCurve<Scalar>& boundary,
+                      const Pose<Scalar>& pose,
+                      Milling milling,
+                      Scalar greatest,
+                      Scalar least) {
+  // The pose may be on the boundary: then the circle touches this from within.
+  constexpr Scalar kTouching{1.0e-9};
+  Scalar radius = greatest;
+  for (int i = 0; i <= kHalvings && radius > least; ++i) {
+    const BasicVec2<Scalar> centre = helix_centre(pose, radius, milling);
+    const bool is_far = boundary.nearest_to(centre).distance >= radius - kTouching;
+    if (is_far && is_inside(locus, centre)) return radius;
+    radius *= Scalar{0.5};
+  }
+  return Scalar{0};
+}
+
+/// The whole number of parts of a descent that are not steeper than the slope.
+template <typename Scalar>
+Scalar parts_of_descent(Scalar descent, Scalar slope, Scalar length) {
+  return std::max(Scalar{1}, std::ceil(descent / (slope * length)));
+}
+
+template <typename Scalar>
+EntryResult write_helix(const EntryPlan<Scalar>& plan,
+                        Milling milling,
+                        Scalar slope,
+                        Scalar z_from,
+                        Scalar z_to,
+                        ToolPathWriter<Scalar>& out) {
+  const BasicVec2<Scalar> start = plan.place.pose.point;
+  const BasicVec2<Scalar> centre = helix_centre(plan.place.pose, plan.helix_radius, milling);
+  const BasicVec2<Scalar> opposite = Scalar{2} * centre - start;
+  const Scalar turns =
+      parts_of_descent(z_from - z_to, slope, Scalar{kFullTurn} * plan.helix_radius);
+  if (turns > Scalar{kMostRevolutions}) return EntryResult::kTooShort;
+  const auto halves = static_cast<std::uint32_t>(Scalar{2} * turns);
+  for (std::uint32_t i = 0; i < halves; ++i) {
+    const BasicVec2<Scalar>& from = i % 2 == 0 ? start : opposite;
+    const Scalar share = static_cast<Scalar>(i) / (Scalar{2} * turns);
+    const Scalar z = z_from + share * (z_to - z_from);
+    if (!out.add({from.x(), from.y(), z, side_of_area<Scalar>(milling), Use::kEntry})) {
+      return EntryResult::kFull;
+    }
+  }
+  return EntryResult::kDone;
+}
+
+template <typename Scalar>
+EntryResult write_ramp(const EntryPlan<Scalar>& plan,
+                       const contour::ContourView<Scalar>& area,
+                       Milling milling,
+                       Scalar slope,
+                       Scalar z_from,
+                       Scalar z_to,
+                       ToolPathWriter<Scalar>& out) {
+  const Scalar revolutions =
+      parts_of_descent(z_from - z_to, slope, loop_length(area, plan.place.loop));
+  if (!(revolutions <= Scalar{kMostRevolutions})) return EntryResult::kTooShort;
+  const auto count = static_cast<std::uint32_t>(revolutions);
+  const Scalar step = (z_to - z_from) / revolutions;
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const Scalar from = z_from + static_cast<Scalar>(i) * step;
+    const Scalar to = i + 1 == count ? z_to : from + step;
+    if (!drive_loop(area, plan.place, milling, {from, to, Use::kEntry}, out)) {
+      return EntryResult::kFull;
+    }
+  }
+  return EntryResult::kDone;
+}
+
+}  // namespace
+
+template <typename Scalar>
+EntryPlan<Scalar> plan_entry(const contour::ContourView<Scalar>& locus,
+                             const NearestCurve<Scalar>& boundary,
+                             const contour::ContourView<Scalar>& area,
+                             std::size_t loop,
+                             Milling milling,
+                             const EntryOptions<Scalar>& options) {
+  EntryPlan<Scalar> plan;
+  Scalar longest{-1};
+  for (std::uint32_t i = area.loop_begin(loop); i < area.loop_ends[loop]; ++i) {
+    const LoopElement<Scalar> element = element_at(area, loop, i);
+    contour::Curve<Scalar> curve;
+    if (!make_curve(element, curve)) continue;
+    const Pose<Scalar> pose = pose_on(curve, element.middle(), milling);
+    const Scalar greatest = options.kind == EntryKind::kHelix ? options.helix_radius : Scalar{0};
+    const Scalar radius =
+        fitting_radius(locus, boundary, pose, milling, greatest, plan.helix_radius);
+    const Scalar chord = (element.end - element.start).norm();
+    // Without a helix the longest element has the most space for links.
+    if (radius <= plan.helix_radius && (plan.helix_radius > Scalar{0} || chord <= longest)) {
+      continue;
+    }
+    longest = chord;
+    plan.helix_radius = std::max(plan.helix_radius, radius);
+    plan.place = {loop, i, pose};
+  }
+  plan.kind = options.kind;
+  if (plan.kind == EntryKind::kHelix && plan.helix_radius == Scalar{0}) {
+    plan.kind = EntryKind::kRamp;
+  }
+  return plan;
+}
+
+template <typename Scalar>
+EntryResult write_entry(const EntryPlan<Scalar>& plan,
+                        const contour::ContourView<Scalar>& area,
+                        Milling milling,
+                        const EntryOptions<Scalar>& options,
+                        Scalar z_from,
+                        Scalar z_to,
+                        ToolPathWriter<Scalar>& out) {
+  switch (plan.kind) {
+    case EntryKind::kHelix:
+      return write_helix(plan, milling, options.slope, z_from, z_to, out);
+    case EntryKind::kRamp:
+      return write_ramp(plan, area, milling, options.slope, z_from, z_to, out);
+    case EntryKind::kPlunge:
+      break;
+  }
+  const BasicVec2<Scalar>& place = plan.place.pose.point;
+  const bool added = out.add({place.x(), place.y(), z_from, Scalar{0}, Use::kEntry});
+  return added ? EntryResult::kDone : EntryResult::kFull;
+}
+
+template EntryPlan<double> plan_entry(const contour::ContourView<double>&,
+                                      const NearestCurve<double>&,
+                                      const contour::ContourView<double>&,
+                                      std::size_t,
+                                      Milling,
+                                      const EntryOptions<double>&);
+template EntryResult write_entry(const EntryPlan<double>&,
+                                 const contour::ContourView<double>&,
+                                 Milling,
+                                 const EntryOptions<double>&,
+                                 double,
+                                 double,
+                                 ToolPathWriter<double>&);
+
+}  // namespace cnc::pocket

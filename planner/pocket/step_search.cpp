@@ -1,0 +1,186 @@
+#include "planner/pocket/step_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "planner/pocket/farthest_point.hpp"
+#include "planner/pocket/loop_measures.hpp"
+
+namespace cnc::pocket {
+namespace {
+
+using contour::ContourView;
+using contour::OffsetError;
+using contour::OffsetFault;
+
+/// A trial that comes so near to the reach is as good as the greatest.
+constexpr double kNearlyAll = 0.998;
+constexpr double kGap = 0.02;         ///< Of the reach, between trials that are near enough.
+constexpr double kFirstShare = 0.25;  ///< Of the reach: smaller corners may be mere roundings.
+constexpr int kMostTrials = 10;
+/// A hole nearer to the boundary, mm, is a rounding error of the offset.
+constexpr double kShallowHole = 2.0e-7;
+
+/// The sine of half the smallest angle of a corner; 1 without any.
+template <typename Scalar>
+Scalar sharpest_sine(const ContourView<Scalar>& area) {
+  Scalar least{1};
+  for (std::size_t loop = 0; loop < area.loop_ends.size(); ++loop) {
+    contour::Curve<Scalar> before;
+    if (!make_curve(element_at(area, loop, area.loop_ends[loop] - 1), before)) continue;
+    for (std::uint32_t i = area.loop_begin(loop); i < area.loop_ends[loop]; ++i) {
+      contour::Curve<Scalar> after;
+      if (!make_curve(element_at(area, loop, i), after)) continue;
+      if (cross(before.end_tangent, after.start_tangent) > Scalar{0}) {
+        // Half of the angle and half of the turn are 90° together.
+        const Scalar cosine = before.end_tangent.dot(after.start_tangent);
+        least = std::min(least, std::sqrt(std::max(Scalar{0}, Scalar{0.5} * (cosine + Scalar{1}))));
+      }
+      before = after;
+    }
+  }
+  return least;
+}
+
+/// Removes the loops that enclose nothing, which split_areas() leaves out: what a neck is that has
+/// just closed. `contour` is in `storage`, where the loops that are kept move up.
+template <typename Scalar>
+ContourView<Scalar> without_slivers(const ContourView<Scalar>& contour,
+                                    const LoopSpace<Scalar>& storage) {
+  std::uint32_t vertices = 0;
+  std::size_t loops = 0;
+  std::uint32_t begin = 0;
+  for (std::size_t loop = 0; loop < contour.loop_ends.size(); ++loop) {
+    const std::uint32_t end = contour.loop_ends[loop];
+    const std::uint32_t count = end - begin;
+    const ContourView<Scalar> alone{{storage.vertices.begin() + begin, count}, {&count, 1}};
+    const Scalar area = signed_area(alone, 0);
+    if (std::abs(area) >= Scalar{kLeastArea}) {
+      for (std::uint32_t i = begin; i < end; ++i)
+        storage.vertices[vertices++] = storage.vertices[i];
+      storage.loop_ends[loops++] = vertices;
+    }
+    begin = end;
+  }
+  return {{storage.vertices.begin(), vertices}, {storage.loop_ends.begin(), loops}};
+}
+
+/// Returns the vertex of a loop that is farthest from the boundary of an area.
+template <typename Scalar>
+NearestPoint<Scalar> deepest_vertex(const NearestCurve<Scalar>& boundary,
+                                    const ContourView<Scalar>& loops,
+                                    std::size_t loop) {
+  NearestPoint<Scalar> deepest;
+  std::uint32_t guess = 0;
+  for (std::uint32_t i = loops.loop_begin(loop); i < loops.loop_ends[loop]; ++i) {
+    const BasicVec2<Scalar> place = loops.vertices[i].point();
+    const NearestPoint<Scalar> found = boundary.nearest_to(place, guess);
+    guess = found.curve;
+    if (found.distance > deepest.distance) deepest = {place, found.distance, found.curve};
+  }
+  return deepest;
+}
+
+/// Whether a point lies in an area: on the left of the nearest element, or, where that is nearest
+/// with one of its ends, by the turns of all loops.
+template <typename Scalar>
+bool lies_inside(const ContourView<Scalar>& area,
+                 const NearestCurve<Scalar>& boundary,
+                 const NearestPoint<Scalar>& found) {
+  const contour::Curve<Scalar>& curve = boundary[found.curve];
+  const bool beside = curve.faces(found.point, -Scalar{kShallowHole});
+  return beside ? curve.side(found.point) < Scalar{0} : is_inside(area, found.point);
+}
+
+}  // namespace
+
+template <typename Scalar>
+Result<Scalar, OffsetError> StepSearch<Scalar>::find(const Area& area,
+                                                     Scalar most,
+                                                     Scalar cleared_inwards) {
+  const Scalar limit = std::min(most, reach_);
+  Trial low;
+  Trial high{limit, kNever};
+  bool bounded = false;  // Whether a trial has shown that y is less than high.y.
+  Scalar y = std::min(limit, reach_ * std::max(sharpest_sine(area), Scalar{kFirstShare}));
+  for (int i = 0; i < kMostTrials; ++i) {
+    const auto trial = look(area, y);
+    if (!trial.ok()) return trial.error();
+    if (reaches(trial.value())) {
+      low = trial.value();
+      if (low.y == limit || low.farthest >= Scalar{kNearlyAll} * reach_) return y;
+      // Nothing is as wide as the empty trial, so that this pass is the last one here.
+      if (high.empty && low.y + cleared_inwards >= high.y) return y;
+    } else {
+      high = trial.value();
+      bounded = true;
+    }
+    if (low.y > Scalar{0} && bounded && high.y - low.y <= Scalar{kGap} * reach_) break;
+    y = next(low, high, bounded);
+  }
+  const auto kept = look(area, low.y);
+  return kept.ok() ? Result<Scalar, OffsetError>{low.y} : kept.error();
+}
+
+/// The next trial between two: where the distance would be the reach if it grew in proportion.
+template <typename Scalar>
+Scalar StepSearch<Scalar>::next(const Trial& low, const Trial& high, bool bounded) const {
+  constexpr Scalar kMargin{0.1};
+  const Scalar gap = high.y - low.y;
+  if (!bounded) {
+    return low.farthest > Scalar{0} ? std::min(high.y, low.y * reach_ / low.farthest) : high.y;
+  }
+  // Much farther: a branch of the area has vanished, and the distance has jumped.
+  if (high.farthest > Scalar{1.5} * reach_) return low.y + Scalar{0.5} * gap;
+  const Scalar slope = (high.farthest - low.farthest) / gap;
+  const Scalar y = low.y + (reach_ - low.farthest) / slope;
+  return std::clamp(y, low.y + kMargin * gap, high.y - kMargin * gap);
+}
+
+template <typename Scalar>
+Result<typename StepSearch<Scalar>::Trial, OffsetError> StepSearch<Scalar>::look(const Area& area,
+                                                                                 Scalar y) {
+  auto inner = space_.inner.writer();
+  const auto goal = contour::offset<Scalar>(area, -y, space_.offset, inner);
+  if (!goal.ok()) return goal.error();
+  goal_ = without_slivers(goal.value(), space_.inner);
+  NearestCurve<Scalar> nearest{space_.offset.elements, space_.offset.element_boxes};
+  if (!nearest.read(goal_)) {
+    return OffsetError{
+        OffsetFault::kTooManyElements, goal_.vertices.size(), space_.offset.elements.size()};
+  }
+  if (nearest.size() == 0) return Trial{y, kNever, true};
+  if (y == Scalar{0}) return Trial{};
+  Trial trial{y, FarthestPoint<Scalar>{nearest, y}.of(area)};
+  if (!reaches(trial)) return trial;
+  const auto hole = leaves_a_hole(area);
+  if (!hole.ok()) return hole.error();
+  if (hole.value()) trial.farthest = kNever;
+  return trial;
+}
+
+/// Whether something within the area is out of reach of the goal though the boundary is not.
+template <typename Scalar>
+Result<bool, OffsetError> StepSearch<Scalar>::leaves_a_hole(const Area& area) {
+  auto grown = space_.grown.writer();
+  const auto reached = contour::offset<Scalar>(goal_, reach_, space_.offset, grown);
+  if (!reached.ok()) return reached.error();
+  NearestCurve<Scalar> boundary{space_.offset.elements, space_.offset.element_boxes};
+  bool has_read = false;
+  for (std::size_t loop = 0; loop < reached.value().loop_ends.size(); ++loop) {
+    if (signed_area(reached.value(), loop) >= Scalar{0}) continue;
+    if (!has_read && !boundary.read(area)) {
+      return OffsetError{
+          OffsetFault::kTooManyElements, area.vertices.size(), space_.offset.elements.size()};
+    }
+    has_read = true;
+    const NearestPoint<Scalar> deepest = deepest_vertex(boundary, reached.value(), loop);
+    if (deepest.distance <= Scalar{kShallowHole}) continue;
+    if (lies_inside(area, boundary, deepest)) return true;
+  }
+  return false;
+}
+
+template class StepSearch<double>;
+
+}  // namespace cnc::pocket

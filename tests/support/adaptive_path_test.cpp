@@ -1,0 +1,125 @@
+#include "host-sim/pocket/adaptive_path.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+
+#include "host-sim/contour/contour_text.hpp"
+#include "tests/support/adaptive_judge.hpp"
+#include "tests/support/trials.hpp"
+
+namespace proof {
+namespace {
+
+using sim::pocket::AdaptiveOptions;
+using sim::pocket::AdaptivePath;
+
+constexpr double kMostAbove_deg = 1.0;
+constexpr double kRounding_mm = 1.0e-6;
+constexpr double kMostLeft_mm = 2.0e-3;
+
+AdaptiveVerdict expect_cleared(const sim::Contour& area, const AdaptiveOptions& options) {
+  const AdaptivePath path = sim::pocket::adaptive_path(area.view(), options);
+  const AdaptiveVerdict verdict = judge_adaptive(area.view(), path, options);
+  EXPECT_LE(verdict.engagement_deg, options.engagement_deg + kMostAbove_deg)
+      << "at " << verdict.engaged_at.transpose();
+  EXPECT_LE(verdict.link_deg, kMostAbove_deg);
+  EXPECT_LE(verdict.gouge_mm, kRounding_mm);
+  EXPECT_LE(verdict.left_mm, kMostLeft_mm);
+  return verdict;
+}
+
+sim::Contour contour_of(std::string_view text) { return sim::contour_from_text(text, "test"); }
+
+TEST(AdaptivePaths, ClearASquare) {
+  const AdaptiveVerdict verdict =
+      expect_cleared(contour_of("0 0\n40 0\n40 40\n0 40\nclosed\n"), {.tool_radius_mm = 3.0});
+  EXPECT_EQ(verdict.excepted, 0U);
+  EXPECT_GT(verdict.judged, 1000U);
+  // A path that never cuts with what it may would be too long.
+  EXPECT_GT(verdict.engagement_deg, 50.0);
+}
+
+TEST(AdaptivePaths, ClearACircleBySpiral) {
+  const AdaptiveVerdict verdict =
+      expect_cleared(contour_of("30 0 1\n-30 0 1\nclosed\n"), {.tool_radius_mm = 4.0});
+  EXPECT_EQ(verdict.excepted, 0U);
+  EXPECT_GT(verdict.engagement_deg, 50.0);
+}
+
+TEST(AdaptivePaths, ClearARing) {
+  expect_cleared(contour_of("30 0 1\n-30 0 1\nclosed\n12 0 -1\n-12 0 -1\nclosed\n"),
+                 {.tool_radius_mm = 4.0, .engagement_deg = 45.0});
+}
+
+TEST(AdaptivePaths, ClearAroundIslands) {
+  expect_cleared(contour_of("0 0\n80 0\n80 50\n0 50\nclosed\n20 20\n20 30\n30 30\n30 20\nclosed\n"
+                            "60 25 -1\n50 25 -1\nclosed\n"),
+                 {.tool_radius_mm = 3.0, .engagement_deg = 70.0});
+}
+
+TEST(AdaptivePaths, ClearAnAngle) {
+  expect_cleared(contour_of("0 0\n50 0\n50 15\n15 15\n15 50\n0 50\nclosed\n"),
+                 {.tool_radius_mm = 4.0, .engagement_deg = 90.0});
+}
+
+TEST(AdaptivePaths, ListNarrowStretches) {
+  // Two rooms with a door of 1.1 diameters.
+  const sim::Contour rooms = contour_of(
+      "0 0\n30 0\n30 12\n40 12\n40 0\n70 0\n70 30\n40 30\n40 18.6\n30 18.6\n30 30\n0 30\nclosed\n");
+  const AdaptiveOptions options{.tool_radius_mm = 3.0};
+  const AdaptivePath path = sim::pocket::adaptive_path(rooms.view(), options);
+  ASSERT_EQ(path.narrow.size(), 1U);
+  EXPECT_NEAR(path.narrow[0].width_mm, 6.6, 1.0e-3);
+  EXPECT_GT(path.narrow[0].length_mm, 9.0);
+  EXPECT_GT(expect_cleared(rooms, options).excepted, 0U);
+}
+
+TEST(AdaptivePaths, ClearRoomsWithoutADoor) {
+  // The tool does not fit through: both rooms have an entry.
+  const sim::Contour rooms = contour_of(
+      "0 0\n30 0\n30 13\n40 13\n40 0\n70 0\n70 30\n40 30\n40 17\n30 17\n30 30\n0 30\nclosed\n");
+  expect_cleared(rooms, {.tool_radius_mm = 3.0});
+}
+
+TEST(AdaptivePaths, RefuseAToolThatFitsNowhere) {
+  const sim::Contour slot = contour_of("0 0\n30 0\n30 5\n0 5\nclosed\n");
+  EXPECT_THROW((void)sim::pocket::adaptive_path(slot.view(), {.tool_radius_mm = 3.0}),
+               std::invalid_argument);
+}
+
+TEST(AdaptivePaths, RefuseOptionsOutOfRange) {
+  const sim::Contour square = contour_of("0 0\n40 0\n40 40\n0 40\nclosed\n");
+  for (const AdaptiveOptions& options : {AdaptiveOptions{.tool_radius_mm = 0.0},
+                                         AdaptiveOptions{.engagement_deg = 5.0},
+                                         AdaptiveOptions{.engagement_deg = 180.0},
+                                         AdaptiveOptions{.depth_mm = 0.0},
+                                         AdaptiveOptions{.ramp_deg = 0.0},
+                                         AdaptiveOptions{.return_limit_mm = -1.0}}) {
+    EXPECT_THROW((void)sim::pocket::adaptive_path(square.view(), options), std::invalid_argument);
+  }
+}
+
+TEST(AdaptivePaths, ClearRandomPockets) {
+  for (const std::uint64_t seed : Trials{40}) {
+    Random random{seed};
+    sim::Contour area;
+    do {
+      area = random.chance(0.95) ? random_star(random, 3 + random.below(12), 15.0, 40.0)
+                                 : random_case(Corpus::kIslands, random.bits() >> 8).contour;
+    } while (!is_simple(area.view()) || std::ranges::any_of(area.vertices, [](const auto& vertex) {
+      return std::abs(vertex.bulge) > 1.0;
+    }));
+    const AdaptiveOptions options{.tool_radius_mm = random.between(2.0, 4.0),
+                                  .engagement_deg = random.between(40.0, 100.0)};
+    sim::ContourOffset offset;
+    if (offset.offset(area.view(), -options.tool_radius_mm).loop_ends.size() == 0) continue;
+    expect_cleared(area, options);
+  }
+}
+
+}  // namespace
+}  // namespace proof
