@@ -9,6 +9,7 @@
 #include "host-sim/cli/commands.hpp"
 #include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/job_options.hpp"
+#include "host-sim/cli/stock_options.hpp"
 #include "host-sim/cli/value_range.hpp"
 #include "host-sim/report/report_json.hpp"
 #include "host-sim/report/report_text.hpp"
@@ -22,6 +23,7 @@ constexpr const char* kPlaceholder = "{}";
 struct SimOptions {
   JobOptions job;
   JobOutputs outputs;
+  StockOptions stock;
   std::string report;
 };
 
@@ -38,13 +40,23 @@ std::string with_job_name(const std::string& name, const std::string& file) {
   return name.substr(0, place) + job + name.substr(place + 2);
 }
 
+StockOptions stock_for(const StockOptions& asked, const std::string& file) {
+  StockOptions options = asked;
+  for (std::string StockOptions::*name :
+       {&StockOptions::png, &StockOptions::stl, &StockOptions::ply}) {
+    options.*name = with_job_name(asked.*name, file);
+  }
+  return options;
+}
+
 JobOutputs outputs_for(const SimOptions& options, const std::string& file) {
   const JobOutputs& asked = options.outputs;
   return {.trace = with_job_name(asked.trace, file),
           .vcd = with_job_name(asked.vcd, file),
           .svg = with_job_name(asked.svg, file),
           .png = with_job_name(asked.png, file),
-          .kerf_width_mm = asked.kerf_width_mm};
+          .kerf_width_mm = asked.kerf_width_mm,
+          .stock = stock_wish_of(stock_for(options.stock, file))};
 }
 
 /// All files of the call, with the names that placeholders become.
@@ -56,6 +68,9 @@ std::vector<NamedFile> files_of(const SimOptions& options) {
   if (!options.job.settings_file.empty()) {
     files.push_back({"--settings", options.job.settings_file, FileRole::kInput});
   }
+  if (!options.stock.target.empty()) {
+    files.push_back({"--stock-target", options.stock.target, FileRole::kInput});
+  }
   for (const std::string& file : options.job.files) {
     const JobOutputs outputs = outputs_for(options, file);
     for (const auto& [option, name] : std::initializer_list<std::pair<const char*, std::string>>{
@@ -64,6 +79,9 @@ std::vector<NamedFile> files_of(const SimOptions& options) {
              {"--svg", outputs.svg},
              {"--png", outputs.png},
              {"--report", with_job_name(options.report, file)}}) {
+      if (!name.empty()) files.push_back({option, name, FileRole::kOutput});
+    }
+    for (const auto& [option, name] : stock_files(stock_for(options.stock, file))) {
       if (!name.empty()) files.push_back({option, name, FileRole::kOutput});
     }
   }
@@ -89,10 +107,14 @@ ExitStatus simulate_all(const SimOptions& options) {
     require_placeholder(options.outputs.svg, "--svg");
     require_placeholder(options.outputs.png, "--png");
     require_placeholder(options.report, "--report");
+    for (const auto& [option, name] : stock_files(options.stock)) require_placeholder(name, option);
   }
   refuse_shared_files(files_of(options));
+  const std::optional<stock::PocketTarget> target = stock_target_of(options.stock);
   const JobsDone done = for_each_job(options.job, [&](const Job& job) {
-    Report report = simulate(job, outputs_for(options, job.file));
+    JobOutputs outputs = outputs_for(options, job.file);
+    if (outputs.stock) outputs.stock->target = target;
+    Report report = simulate(job, outputs);
     write_report(options, report, job.file);
     return report;
   });
@@ -112,6 +134,8 @@ void add_sim_command(CLI::App& app, ExitStatus& status) {
       "  kerfline sim part.nc --settings laser.settings --svg part.svg\n"
       "  kerfline sim part.nc --set '$110=6000' --report part.json --trace part.csv\n"
       "  kerfline sim *.nc --settings laser.settings --png 'pictures/{}.png'\n"
+      "  kerfline sim pocket.nc --set '$32=0' --stock 0,0,120,80,0,-20 --tool 6 "
+      "--stock-png left.png\n"
       "\n"
       "Exit status: 0 fine, 1 the program has faults or stopped in an alarm, 2 the call is wrong.");
   const auto options = std::make_shared<SimOptions>();
@@ -130,6 +154,7 @@ void add_sim_command(CLI::App& app, ExitStatus& status) {
                    "Width of the cut in the picture; else 0.1 of a laser and a line of a mill")
       ->check(in_range(0.0, 100.0, "mm"))
       ->type_name("WIDTH");
+  add_stock_options(*command, options->stock);
   command->callback([options, &status] { status = simulate_all(*options); });
 }
 

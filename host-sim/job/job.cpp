@@ -222,6 +222,11 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
     tool.add_sink(teller);
     tool.add_sink(recorder);
   }
+  std::optional<StockRun> stock;
+  if (outputs.stock) {
+    stock.emplace(*outputs.stock, path, deviation, simulator.settings());
+    tool.add_sink(*stock);
+  }
   const StepFiles step_files{outputs, simulator};
 
   const RunResult result = simulator.run();
@@ -241,6 +246,10 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
   report.max_shaping_error_mm = shaping.greatest_distance();
   if (beam) beam->add_to(report);
   draw(recorder, report, outputs, simulator.settings());
+  if (stock) {
+    stock->add_to(report, job.file);
+    stock->write_files(report.job);
+  }
   return report;
 }
 

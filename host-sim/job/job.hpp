@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "host-sim/job/setting_line.hpp"
+#include "host-sim/job/stock_run.hpp"
 #include "host-sim/machine/simulator.hpp"
 #include "host-sim/report/report.hpp"
 
@@ -29,6 +30,7 @@ struct JobOutputs {
   std::string png;
   /// In pictures; without a number 0.1 mm, and none of a mill.
   std::optional<double> kerf_width_mm{};
+  std::optional<StockWish> stock{};  ///< To carve.
 };
 
 /// Runs a job through the simulated controller as a sender would, measures its

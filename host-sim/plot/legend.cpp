@@ -116,8 +116,10 @@ void add_legend(std::string& out, const Box& box, const View& view, const Legend
     const std::string dashes = fmt::format("{} {}", kTravelDashPx, kTravelGapPx);
     legend.add_line_sample({kTravelStroke, kTravelWidthPx, dashes}, "rapid");
   }
-  legend.add_mark(add_start_mark, "start");
-  legend.add_mark(add_end_mark, "end");
+  if (content.has_marks) {
+    legend.add_mark(add_start_mark, "start");
+    legend.add_mark(add_end_mark, "end");
+  }
   legend.add_scale_bar(view);
 }
 

@@ -16,6 +16,7 @@ struct LegendContent {
   bool has_cut = false;
   bool has_feed = false;
   bool has_travel = false;
+  bool has_marks = true;  ///< Of start and end.
 };
 
 /// Finds a round scale for the speeds, and the kinds of move that can be seen:

@@ -3,9 +3,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "host-sim/stock/stock_report.hpp"
 #include "planner/base/axes.hpp"
 
 namespace sim {
@@ -58,6 +60,7 @@ struct Report {
   double max_path_deviation_at_s = 0.0;  ///< …and when.
   /// How far input shaping took the tool from the planned path, mm; 0 without a shaper.
   double max_shaping_error_mm = 0.0;
+  std::optional<stock::StockReport> stock{};  ///< If one was carved.
   std::vector<std::string> warnings;
   std::vector<Fault> faults;
 };

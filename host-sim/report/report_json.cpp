@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "firmware/protocol/identity.hpp"
+#include "host-sim/report/stock_text.hpp"
 #include "host-sim/report/utf8.hpp"
 #include "host-sim/trace/output_file.hpp"
 
@@ -114,6 +115,7 @@ Json to_json(const Report& report) {
   json["energy_per_mm_ratio"] = {{"least", report.least_energy_ratio},
                                  {"mean", report.mean_energy_ratio},
                                  {"greatest", report.greatest_energy_ratio}};
+  if (report.stock) json["stock"] = to_json(*report.stock);
   json["warnings"] = report.warnings;
   json["faults"] = faults_of(report);
   return json;

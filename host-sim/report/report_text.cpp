@@ -7,6 +7,7 @@
 
 #include "host-sim/report/duration_text.hpp"
 #include "host-sim/report/printable.hpp"
+#include "host-sim/report/stock_text.hpp"
 #include "host-sim/report/terminal.hpp"
 #include "host-sim/report/text_table.hpp"
 #include "host-sim/report/utf8.hpp"
@@ -52,6 +53,9 @@ std::string facts_text(const Report& report) {
                          report.least_energy_ratio,
                          report.greatest_energy_ratio,
                          report.mean_energy_ratio));
+  }
+  if (report.stock) {
+    for (const auto& [name, value] : stock_facts(*report.stock)) add_fact(out, name, value);
   }
   return out;
 }

@@ -1,0 +1,199 @@
+#include "host-sim/cli/stock_options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <stdexcept>
+#include <string_view>
+
+#include "host-sim/cli/file_options.hpp"
+#include "host-sim/cli/value_range.hpp"
+#include "host-sim/import/curve_measure.hpp"
+#include "host-sim/import/drawing.hpp"
+#include "host-sim/trace/input_file.hpp"
+
+namespace sim {
+namespace {
+
+constexpr const char* kStockForm = "XMIN,YMIN,XMAX,YMAX,ZTOP[,ZBOTTOM]";
+constexpr const char* kToolForm = "D[,ball|,bull,CORNER|,v,ANGLE[,TIP]]";
+
+std::vector<std::string_view> split_at_commas(std::string_view text) {
+  std::vector<std::string_view> words;
+  for (;;) {
+    const std::size_t comma = text.find(',');
+    words.push_back(text.substr(0, comma));
+    if (comma == std::string_view::npos) return words;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+[[noreturn]] void refuse(const char* option, const std::string& text, std::string_view reason) {
+  throw std::invalid_argument(fmt::format("{} {}: {}", option, text, reason));
+}
+
+/// A number in mm, or in degrees. Throws as refuse() does.
+double number_of(const char* option, const std::string& text, std::string_view word) {
+  const char* const begin = word.data() + (word.starts_with('+') ? 1 : 0);
+  const char* const end = word.data() + word.size();
+  double value = 0.0;
+  const auto [rest, error] = std::from_chars(begin, end, value);
+  if (error == std::errc{} && rest == end && std::isfinite(value)) return value;
+  refuse(option, text, fmt::format("`{}` is no number", word));
+}
+
+void read_box(const std::string& text, StockWish& wish) {
+  const std::vector<std::string_view> words = split_at_commas(text);
+  if (words.size() != 5 && words.size() != 6) {
+    refuse("--stock",
+           text,
+           fmt::format("has {} numbers; it takes {} in mm, such as 0,0,100,80,0,-12",
+                       words.size(),
+                       kStockForm));
+  }
+  std::vector<double> values;
+  for (const std::string_view word : words) values.push_back(number_of("--stock", text, word));
+  wish.has_bottom = values.size() == 6;
+  const double bottom = wish.has_bottom ? values[5] : values[4] - stock::kDeepestStockMm;
+  wish.box = {values[0], values[1], values[2], values[3], values[4], bottom};
+}
+
+void read_tool(const std::string& text, stock::Cutter& cutter) {
+  const std::vector<std::string_view> words = split_at_commas(text);
+  std::vector<double> values;
+  for (std::size_t i = 2; i < words.size(); ++i) {
+    values.push_back(number_of("--tool", text, words[i]));
+  }
+  cutter.diameter_mm = number_of("--tool", text, words[0]);
+  const std::string_view kind = words.size() > 1 ? words[1] : "flat";
+  if (kind == "flat" && values.empty()) {
+    cutter.kind = stock::CutterKind::kFlat;
+  } else if (kind == "ball" && values.empty()) {
+    cutter.kind = stock::CutterKind::kBall;
+  } else if (kind == "bull" && values.size() == 1) {
+    cutter.kind = stock::CutterKind::kBull;
+    cutter.corner_radius_mm = values[0];
+  } else if (kind == "v" && (values.size() == 1 || values.size() == 2)) {
+    cutter.kind = stock::CutterKind::kV;
+    cutter.included_angle_deg = values[0];
+    cutter.tip_diameter_mm = values.size() == 2 ? values[1] : 0.0;
+  } else {
+    refuse("--tool",
+           text,
+           "takes a diameter in mm and flat, ball, `bull,` and the corner radius in mm, or `v,` "
+           "and the included angle in degrees and the tip's diameter, such as 6, 6,ball, "
+           "6,bull,0.5 or 6,v,60,0.2");
+  }
+  if (const std::string fault = fault_of(cutter); !fault.empty()) refuse("--tool", text, fault);
+}
+
+/// The closed contours of a drawing, their curves within 1 µm. Throws std::invalid_argument for the
+/// first fault.
+std::vector<stock::Ring> rings_of(const std::string& file) {
+  const drawing::Drawing drawn = drawing::read_drawing(file, read_text(file));
+  for (const drawing::Fault& fault : drawn.faults) {
+    if (fault.is_error()) throw std::invalid_argument(to_string(fault, file));
+  }
+  std::vector<stock::Ring> rings;
+  for (const drawing::DrawnContour& contour : drawn.contours) {
+    if (!contour.closed) continue;
+    stock::Ring& ring = rings.emplace_back();
+    for (const drawing::Place& place : outline_of(contour.shapes, drawing::kChordToleranceMm)) {
+      ring.push_back({place.x(), place.y()});
+    }
+  }
+  return rings;
+}
+
+/// Throws std::invalid_argument for options that need one that is not there.
+void refuse_lonely(const StockOptions& options) {
+  if (options.target.empty() != !options.depth_mm) {
+    throw std::invalid_argument(
+        options.target.empty() ? "--stock-depth: needs the drawing of --stock-target"
+                               : "--stock-target: needs the depth of the pocket, --stock-depth");
+  }
+  if (!options.box.empty()) return;
+  const auto refuse_without_stock = [](const char* option) {
+    throw std::invalid_argument(fmt::format("{}: needs the block of --stock", option));
+  };
+  for (const auto& [option, value] : stock_files(options)) {
+    if (!value.empty()) refuse_without_stock(option);
+  }
+  if (!options.target.empty()) refuse_without_stock("--stock-target");
+  if (!options.tool.empty()) refuse_without_stock("--tool");
+}
+
+}  // namespace
+
+void add_stock_options(CLI::App& command, StockOptions& options) {
+  command
+      .add_option("--stock",
+                  options.box,
+                  "Carve this block along the steps, mm in machine coordinates; without a bottom "
+                  "it ends below every cut")
+      ->type_name(kStockForm);
+  command
+      .add_option("--tool",
+                  options.tool,
+                  "The tool that carves: diameter and kind, flat if none; corner radius of a bull "
+                  "nose in mm; included angle of a V in degrees and its tip's diameter")
+      ->type_name(kToolForm);
+  command
+      .add_option("--stock-cell", options.cell_mm, "Resolution of the stock, mm; 8 bytes a cell")
+      ->check(in_range(stock::kLeastCellMm, stock::kGreatestCellMm, "mm"))
+      ->type_name("MM")
+      ->capture_default_str();
+  const auto add_output = [&](const char* name, std::string& file, const char* help) {
+    mark_file(command.add_option(name, file, help)->type_name("FILE"), FileRole::kOutput);
+  };
+  add_output("--stock-png", options.png, "Draw the carved stock in plan, coloured by depth");
+  add_output("--stock-stl", options.stl, "Write the carved stock as a body, binary STL in mm");
+  add_output("--stock-ply", options.ply, "The same as binary PLY");
+  mark_file(command
+                .add_option("--stock-target",
+                            options.target,
+                            "Compare what is left with the pocket of this drawing, whose places "
+                            "are the machine's")
+                ->type_name("FILE"),
+            FileRole::kInput);
+  command
+      .add_option("--stock-depth", options.depth_mm, "Depth of that pocket below the stock's top")
+      ->check(in_range(0.0, stock::kDeepestStockMm, "mm"))
+      ->type_name("MM");
+}
+
+std::optional<StockWish> stock_wish_of(const StockOptions& options) {
+  refuse_lonely(options);
+  if (options.box.empty()) return std::nullopt;
+  if (options.tool.empty()) {
+    throw std::invalid_argument("--stock: needs the tool that carves, such as --tool 6");
+  }
+  StockWish wish;
+  wish.cell_mm = options.cell_mm;
+  wish.png = options.png;
+  wish.stl = options.stl;
+  wish.ply = options.ply;
+  read_box(options.box, wish);
+  read_tool(options.tool, wish.cutter);
+  if (const std::string fault = fault_of(wish.box, wish.cell_mm); !fault.empty()) {
+    refuse("--stock", options.box, fault);
+  }
+  return wish;
+}
+
+std::optional<stock::PocketTarget> stock_target_of(const StockOptions& options) {
+  if (options.target.empty()) return std::nullopt;
+  stock::PocketTarget target{rings_of(options.target), options.depth_mm.value_or(0.0)};
+  if (const std::string fault = fault_of(target, options.cell_mm); !fault.empty()) {
+    refuse("--stock-target", options.target, fault);
+  }
+  return target;
+}
+
+std::vector<std::pair<const char*, std::string>> stock_files(const StockOptions& options) {
+  return {{"--stock-png", options.png}, {"--stock-stl", options.stl}, {"--stock-ply", options.ply}};
+}
+
+}  // namespace sim

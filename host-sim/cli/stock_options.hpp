@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "host-sim/job/stock_run.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace sim {
+
+/// The stock of a call of `kerfline sim`.
+struct StockOptions {
+  std::string box;
+  std::string tool;
+  double cell_mm = StockWish{}.cell_mm;
+  std::string png;
+  std::string stl;
+  std::string ply;
+  std::string target;                ///< A drawing to read.
+  std::optional<double> depth_mm{};  ///< Of its pocket.
+};
+
+/// Adds `--stock`, `--tool` and the options that begin with `--stock-`.
+void add_stock_options(CLI::App& command, StockOptions& options);
+
+/// The stock as wanted; nothing without `--stock`. Throws std::invalid_argument naming the option.
+[[nodiscard]] std::optional<StockWish> stock_wish_of(const StockOptions& options);
+
+/// Reads the drawing of the pocket that the stock is to become; nothing without one. Throws
+/// std::system_error if it cannot be read, std::invalid_argument naming it for its faults.
+[[nodiscard]] std::optional<stock::PocketTarget> stock_target_of(const StockOptions& options);
+
+/// Options and names of the files to write.
+[[nodiscard]] std::vector<std::pair<const char*, std::string>> stock_files(
+    const StockOptions& options);
+
+}  // namespace sim

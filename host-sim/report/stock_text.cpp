@@ -1,0 +1,202 @@
+#include "host-sim/report/stock_text.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace sim {
+namespace {
+
+using StockJson = nlohmann::ordered_json;
+
+constexpr std::size_t kMostRapidWarnings = 10;
+
+StockJson bounds_json(const stock::VolumeBounds& bounds) {
+  return {{"least", bounds.least_mm3}, {"most", bounds.most_mm3}};
+}
+
+StockJson place_json(const stock::Pose& pose) {
+  return StockJson::array({pose.x_mm, pose.y_mm, pose.z_mm});
+}
+
+StockJson tool_json(const stock::Cutter& cutter) {
+  StockJson tool{{"diameter_mm", cutter.diameter_mm}};
+  switch (cutter.kind) {
+    case stock::CutterKind::kFlat:
+      tool["kind"] = "flat";
+      break;
+    case stock::CutterKind::kBall:
+      tool["kind"] = "ball";
+      break;
+    case stock::CutterKind::kBull:
+      tool["kind"] = "bull";
+      tool["corner_radius_mm"] = cutter.corner_radius_mm;
+      break;
+    case stock::CutterKind::kV:
+      tool["kind"] = "v";
+      tool["included_angle_deg"] = cutter.included_angle_deg;
+      tool["tip_diameter_mm"] = cutter.tip_diameter_mm;
+      break;
+  }
+  return tool;
+}
+
+StockJson lines_json(const stock::LineCuts& cuts) {
+  StockJson lines = StockJson::array();
+  for (const stock::LineCut& cut : cuts.lines) {
+    lines.push_back({{"line", cut.line},
+                     {"least_mm3", cut.least_mm3},
+                     {"at_s", cut.at_s},
+                     {"at_mm", place_json(cut.at)}});
+  }
+  return {{"count", cuts.count}, {"lines", lines}};
+}
+
+StockJson engagement_json(const std::optional<stock::PeakEngagement>& peak) {
+  if (!peak) return nullptr;
+  return {{"least", peak->engagement.least_deg},
+          {"most", peak->engagement.most_deg},
+          {"line", peak->line},
+          {"at_s", peak->at_s},
+          {"at_mm", place_json(peak->at)}};
+}
+
+StockJson peak_json(const stock::HeightPeak& peak) {
+  return {{"least_mm", peak.least_mm},
+          {"most_mm", peak.most_mm},
+          {"at_mm", StockJson::array({peak.x_mm, peak.y_mm})}};
+}
+
+StockJson pocket_json(const stock::PocketFigures& pocket) {
+  return {{"gouge_mm3", bounds_json(pocket.gouge)},
+          {"deepest_gouge", peak_json(pocket.deepest_gouge)},
+          {"rest_mm3", bounds_json(pocket.rest)},
+          {"tallest_rest", peak_json(pocket.tallest_rest)},
+          {"tallest_scallop", peak_json(pocket.tallest_scallop)}};
+}
+
+/// `1.2 to 3.4 mm³, surely 0.500 mm at X1.000 Y2.000`; the place only if something is sure.
+std::string difference_text(const stock::VolumeBounds& volume, const stock::HeightPeak& peak) {
+  std::string text = fmt::format("{:.2f} to {:.2f} mm³", volume.least_mm3, volume.most_mm3);
+  if (peak.least_mm > 0.0) {
+    text +=
+        fmt::format(", surely {:.4f} mm at X{:.3f} Y{:.3f}", peak.least_mm, peak.x_mm, peak.y_mm);
+  }
+  return text;
+}
+
+/// `lines 3, 5 and 12 more`.
+std::string lines_text(const stock::LineCuts& cuts) {
+  constexpr std::size_t kMostShown = 8;
+  std::string text = cuts.count == 1 ? "line" : "lines";
+  const std::size_t shown = std::min(kMostShown, cuts.lines.size());
+  for (std::size_t i = 0; i < shown; ++i) {
+    text += fmt::format("{} {}", i == 0 ? "" : ",", cuts.lines[i].line);
+  }
+  if (cuts.count > shown) text += fmt::format(" and {} more", cuts.count - shown);
+  return text;
+}
+
+}  // namespace
+
+std::string to_string(const stock::Cutter& cutter) {
+  switch (cutter.kind) {
+    case stock::CutterKind::kFlat:
+      break;
+    case stock::CutterKind::kBall:
+      return fmt::format("ball {:g} mm", cutter.diameter_mm);
+    case stock::CutterKind::kBull:
+      return fmt::format(
+          "bull nose {:g} mm with corners of {:g} mm", cutter.diameter_mm, cutter.corner_radius_mm);
+    case stock::CutterKind::kV:
+      return fmt::format("V {:g} mm of {:g} degrees, tip {:g} mm",
+                         cutter.diameter_mm,
+                         cutter.included_angle_deg,
+                         cutter.tip_diameter_mm);
+  }
+  return fmt::format("flat {:g} mm", cutter.diameter_mm);
+}
+
+nlohmann::ordered_json to_json(const stock::StockReport& report) {
+  const stock::CarvingFigures& figures = report.figures;
+  StockJson times = StockJson::array();
+  for (const stock::RemovedAt& at : figures.over_time) {
+    times.push_back(StockJson::array({at.time_s, at.removed.least_mm3, at.removed.most_mm3}));
+  }
+  const stock::StockBox& box = report.box;
+  StockJson bottom;
+  StockJson pocket;
+  if (report.pocket) pocket = pocket_json(*report.pocket);
+  if (report.has_bottom) bottom = box.bottom;
+  return {{"x_mm", StockJson::array({box.x_min, box.x_max})},
+          {"y_mm", StockJson::array({box.y_min, box.y_max})},
+          {"top_mm", box.top},
+          {"bottom_mm", bottom},
+          {"cell_mm", StockJson::array({report.cell_x_mm, report.cell_y_mm})},
+          {"memory_bytes", report.carved_bytes},
+          {"tool", tool_json(report.cutter)},
+          {"removed_mm3", bounds_json(figures.removed)},
+          {"removed_over_time", times},
+          {"rapids_in_stock", lines_json(figures.rapids)},
+          {"plunges_in_stock", lines_json(figures.plunges)},
+          {"greatest_engagement_deg", engagement_json(figures.engagement)},
+          {"pocket", pocket}};
+}
+
+std::vector<std::pair<std::string, std::string>> stock_facts(const stock::StockReport& report) {
+  const stock::CarvingFigures& figures = report.figures;
+  std::vector<std::pair<std::string, std::string>> facts;
+  facts.emplace_back("stock",
+                     fmt::format("{:.1f} to {:.1f} mm³ removed by {}, cells of {:g} mm",
+                                 figures.removed.least_mm3,
+                                 figures.removed.most_mm3,
+                                 to_string(report.cutter),
+                                 std::max(report.cell_x_mm, report.cell_y_mm)));
+  if (figures.engagement) {
+    facts.emplace_back("engagement",
+                       fmt::format("{:.1f} to {:.1f} degrees at most, at line {}",
+                                   figures.engagement->engagement.least_deg,
+                                   figures.engagement->engagement.most_deg,
+                                   figures.engagement->line));
+  }
+  if (figures.plunges.count > 0) {
+    facts.emplace_back("plunges", "into stock at " + lines_text(figures.plunges));
+  }
+  if (report.pocket) {
+    facts.emplace_back("gouge",
+                       difference_text(report.pocket->gouge, report.pocket->deepest_gouge));
+    facts.emplace_back("rest", difference_text(report.pocket->rest, report.pocket->tallest_rest));
+  }
+  return facts;
+}
+
+std::vector<std::string> warnings_of(const stock::StockReport& report, const std::string& file) {
+  const stock::LineCuts& rapids = report.figures.rapids;
+  std::vector<std::string> warnings;
+  for (const stock::LineCut& cut : rapids.lines) {
+    if (warnings.size() == kMostRapidWarnings) break;
+    warnings.push_back(
+        fmt::format("{}:{}: a rapid cuts stock, at least {:.3g} mm³, first near X{:.3f} Y{:.3f} "
+                    "Z{:.3f}",
+                    file,
+                    cut.line,
+                    cut.least_mm3,
+                    cut.at.x_mm,
+                    cut.at.y_mm,
+                    cut.at.z_mm));
+  }
+  if (rapids.count > warnings.size()) {
+    warnings.push_back(
+        fmt::format("{}: rapids cut stock {} times more", file, rapids.count - warnings.size()));
+  }
+  if (report.pocket && report.pocket->gouge.least_mm3 > 0.0) {
+    warnings.push_back(
+        fmt::format("{}: the pocket is gouged: {}",
+                    file,
+                    difference_text(report.pocket->gouge, report.pocket->deepest_gouge)));
+  }
+  return warnings;
+}
+
+}  // namespace sim

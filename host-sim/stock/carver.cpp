@@ -1,0 +1,182 @@
+#include "host-sim/stock/carver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sim::stock {
+namespace {
+
+constexpr std::int32_t kUncut = std::numeric_limits<std::int32_t>::max();
+
+/// mm: more than doubles lose in places of up to kFarthestStockMm. Every tool is taken as larger
+/// and smaller by this.
+constexpr double kRoundingMm = 1.0e-9;
+
+/// The greatest whole number that is no greater; std::floor is a call for each cell.
+std::int32_t whole_below(double value) {
+  const auto whole = static_cast<std::int32_t>(value);
+  return static_cast<double>(whole) > value ? whole - 1 : whole;
+}
+
+/// An index from `first` to `last`, also where the number is far outside of both.
+int clamped(double index, int first, int last) {
+  return static_cast<int>(std::clamp(index, static_cast<double>(first), static_cast<double>(last)));
+}
+
+bool is_same(const Pose& a, const Pose& b) {
+  return a.x_mm == b.x_mm && a.y_mm == b.y_mm && a.z_mm == b.z_mm;
+}
+
+}  // namespace
+
+Carver::Carver(Stock& stock, const Cutter& cutter)
+    : stock_{stock},
+      profile_{profile_of(cutter)},
+      half_x_mm_{0.5 * stock.cell_x_mm()},
+      half_y_mm_{0.5 * stock.cell_y_mm()} {
+  below_.nm.assign(static_cast<std::size_t>(stock.columns()) + 1, kUncut);
+  above_ = below_;
+}
+
+// Nanometres above the top, one more and one less for the rounding of the sum.
+std::int32_t Carver::upper_nm(double height_mm) const {
+  const double depth_nm = (stock_.box().top - height_mm) * kNmPerMm;
+  if (depth_nm <= 0.0) return kUncut;
+  const double deepest_nm = 2.0 - stock_.bottom_nm();
+  return std::max(1 - whole_below(std::min(depth_nm, deepest_nm)), stock_.bottom_nm());
+}
+
+std::int32_t Carver::lower_nm(double height_mm) const {
+  const double nm = (height_mm - stock_.box().top) * kNmPerMm;
+  if (nm >= 0.0) return 0;
+  const double deepest_nm = stock_.bottom_nm();
+  return std::max(whole_below(std::max(nm, deepest_nm)) - 1, stock_.bottom_nm());
+}
+
+Carver::Range Carver::touched_cells(const SweptSurface& surface, int row, bool ahead_only) const {
+  const double y = stock_.box().y_min + (2 * row + 1) * half_y_mm_;
+  const double corner = std::sqrt(half_x_mm_ * half_x_mm_ + half_y_mm_ * half_y_mm_);
+  auto extent = surface.extent_at(y, corner);
+  if (!extent) return {};
+  if (ahead_only) *extent = surface.ahead_of_start(*extent, y, corner);
+  if (!(extent->low <= extent->high)) return {};
+  const double width = stock_.cell_x_mm();
+  const double first = std::floor((extent->low - stock_.box().x_min) / width);
+  const double last = std::floor((extent->high - stock_.box().x_min) / width);
+  if (last < 0.0 || first >= stock_.columns()) return {};
+  return {clamped(first, 0, stock_.columns() - 1), clamped(last, 0, stock_.columns() - 1)};
+}
+
+void Carver::list_rows(const SweptSurface& surface, bool ahead_only) {
+  rows_.clear();
+  const Interval ys = surface.extent_along_y();
+  const double height = stock_.cell_y_mm();
+  const double first = std::floor((ys.low - stock_.box().y_min) / height);
+  const double last = std::floor((ys.high - stock_.box().y_min) / height);
+  if (last < 0.0 || first >= stock_.rows()) return;
+  first_row_ = clamped(first, 0, stock_.rows() - 1);
+  const int last_row = clamped(last, 0, stock_.rows() - 1);
+  for (int row = first_row_; row <= last_row; ++row) {
+    rows_.push_back(touched_cells(surface, row, ahead_only));
+  }
+}
+
+Carver::Range Carver::range_of(int row) const {
+  const int index = row - first_row_;
+  if (index < 0 || index >= static_cast<int>(rows_.size())) return {};
+  return rows_[static_cast<std::size_t>(index)];
+}
+
+/// Fills the corners on the line below row `line`, as far as cells on either side need them.
+void Carver::fill_corners(Corners& corners, const SweptSurface& surface, int line) {
+  for (int i = corners.filled.first; i <= corners.filled.last; ++i) {
+    corners.nm[static_cast<std::size_t>(i)] = kUncut;
+  }
+  corners.filled = {};
+  if (surface.is_empty()) return;
+  const double y = stock_.box().y_min + line * stock_.cell_y_mm();
+  const auto extent = surface.extent_at(y, 0.0);
+  if (!extent) return;
+  Range needed{std::numeric_limits<int>::max(), -1};
+  for (const Range& range : {range_of(line - 1), range_of(line)}) {
+    if (range.last < range.first) continue;
+    needed = {std::min(needed.first, range.first), std::max(needed.last, range.last + 1)};
+  }
+  if (needed.last < needed.first) return;
+  const double width = stock_.cell_x_mm();
+  const double first = std::ceil((extent->low - stock_.box().x_min) / width);
+  const double last = std::floor((extent->high - stock_.box().x_min) / width);
+  if (last < needed.first || first > needed.last) return;
+  corners.filled = {clamped(first, needed.first, needed.last),
+                    clamped(last, needed.first, needed.last)};
+  const std::int32_t plane_nm = upper_nm(surface.lowest_mm());
+  for (int i = corners.filled.first; i <= corners.filled.last; ++i) {
+    const double x = stock_.box().x_min + i * width;
+    corners.nm[static_cast<std::size_t>(i)] =
+        surface.is_plane() ? plane_nm : upper_nm(surface.height(x, y));
+  }
+}
+
+void Carver::carve_cells(Cell* cells, const SweptSurface& possible, int row, Range range) {
+  const double y = stock_.box().y_min + (2 * row + 1) * half_y_mm_;
+  std::int64_t upper_fell = 0;
+  std::int64_t lower_fell = 0;
+  for (int column = range.first; column <= range.last; ++column) {
+    Cell& cell = cells[column % Stock::kTileCells];
+    const auto i = static_cast<std::size_t>(column);
+    const std::int32_t upper = std::max(std::max(below_.nm[i], below_.nm[i + 1]),
+                                        std::max(above_.nm[i], above_.nm[i + 1]));
+    if (upper < cell.upper_nm) {
+      upper_fell += cell.upper_nm - upper;
+      surely_removed_nm_ += std::max(0, cell.lower_nm - upper - skin_nm_);
+      cell.upper_nm = upper;
+    }
+    if (cell.lower_nm <= lowest_nm_) continue;
+    const double x = stock_.box().x_min + (2 * column + 1) * half_x_mm_;
+    const std::int32_t lower = lower_nm(possible.least_over(x, y, half_x_mm_, half_y_mm_));
+    if (lower < cell.lower_nm) {
+      lower_fell += cell.lower_nm - lower;
+      cell.lower_nm = lower;
+    }
+  }
+  stock_.count_removed(upper_fell, lower_fell);
+}
+
+void Carver::carve_row(const SweptSurface& possible, int row) {
+  const Range range = range_of(row);
+  for (int first = range.first; first <= range.last;) {
+    const int tile = first / Stock::kTileCells;
+    const int last = std::min(range.last, (tile + 1) * Stock::kTileCells - 1);
+    carve_cells(stock_.row_of_tile(tile, row), possible, row, {first, last});
+    first = last + 1;
+  }
+}
+
+double Carver::sweep(const Stretch& stretch, double skin_mm) {
+  const double side = stretch.side_slack_mm + kRoundingMm;
+  const double up = stretch.up_slack_mm;
+  const double top = stock_.box().top;
+  const SweptSurface possible{possibly_taken(profile_, side, up), stretch.from, stretch.to, top};
+  const SweptSurface sure{surely_taken(profile_, side, up), stretch.from, stretch.to, top};
+  const bool goes_on = last_ && is_same(last_->to, stretch.from) &&
+                       last_->side_slack_mm >= stretch.side_slack_mm && last_->up_slack_mm >= up;
+  last_ = stretch;
+  if (possible.is_empty()) return 0.0;
+  list_rows(possible, goes_on && possible.has_old_rear());
+  if (rows_.empty()) return 0.0;
+  lowest_nm_ = lower_nm(possible.lowest_mm());
+  skin_nm_ = static_cast<std::int32_t>(std::lround(skin_mm * kNmPerMm));
+  surely_removed_nm_ = 0;
+  fill_corners(below_, sure, first_row_);
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    const int row = first_row_ + static_cast<int>(i);
+    fill_corners(above_, sure, row + 1);
+    carve_row(possible, row);
+    std::swap(below_, above_);
+  }
+  return static_cast<double>(surely_removed_nm_) * stock_.cell_x_mm() * stock_.cell_y_mm() /
+         kNmPerMm;
+}
+
+}  // namespace sim::stock

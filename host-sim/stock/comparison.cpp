@@ -1,0 +1,174 @@
+#include "host-sim/stock/comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sim::stock {
+namespace {
+
+/// How low the tool can cut over each cell within a pocket while its tip is on the floor.
+///
+/// Its axis may be wherever the walls are no nearer than its radius, up to the top of the stock.
+/// The lowest height over a point is that of the profile at the distance to the nearest such place,
+/// because the profile never falls outwards.
+class ToolRoom {
+ public:
+  ToolRoom(const PlanRegion& region, const Cutter& cutter, double depth_mm)
+      : profile_{profile_of(cutter)},
+        half_mm_{0.5 * std::hypot(region.grid().cell_x_mm, region.grid().cell_y_mm)} {
+    profile_.radius_mm = radius_below(profile_, depth_mm);
+    const std::vector<RegionPart>& parts = region.parts();
+    std::vector<bool> walls(parts.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) walls[i] = parts[i] != RegionPart::kInside;
+    // Each point of a wall is within half a diagonal of the centre of its cell.
+    const std::vector<double> to_wall = distances_to(walls, region.grid());
+    std::vector<bool> sure(parts.size());
+    std::vector<bool> possible(parts.size());
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      sure[i] = to_wall[i] >= profile_.radius_mm + half_mm_;
+      possible[i] = to_wall[i] >= profile_.radius_mm - 2.0 * half_mm_;
+    }
+    to_sure_ = distances_to(sure, region.grid());
+    to_possible_ = distances_to(possible, region.grid());
+  }
+
+  /// The height above the floor to which the tool can surely cut all of a cell; infinite where it
+  /// may not come to a part of it.
+  [[nodiscard]] double most_left(std::size_t cell) const {
+    const double distance = to_sure_[cell] + half_mm_;
+    return distance <= profile_.radius_mm ? height_at(profile_, distance) : kOutOfReach;
+  }
+  /// The least height to which it may be able to cut some point; infinite where it cannot come.
+  [[nodiscard]] double least_left(std::size_t cell) const {
+    const double distance = std::max(0.0, to_possible_[cell] - 2.0 * half_mm_);
+    return distance <= profile_.radius_mm ? height_at(profile_, distance) : kOutOfReach;
+  }
+
+ private:
+  static constexpr double kOutOfReach = std::numeric_limits<double>::infinity();
+
+  Profile profile_;  ///< Of the part that is in the stock.
+  double half_mm_;   ///< Half a cell's diagonal.
+  std::vector<double> to_sure_;
+  std::vector<double> to_possible_;
+};
+
+/// Adds up a stock's differences from a pocket.
+class Comparer {
+ public:
+  Comparer(const Stock& stock, const Cutter& cutter, const PocketTarget& target)
+      : stock_{stock},
+        region_{target.rings, stock},
+        room_{region_, cutter, target.depth_mm},
+        floor_mm_{-target.depth_mm} {}
+
+  [[nodiscard]] PocketFigures figures() {
+    for (int row = 0; row < stock_.rows(); ++row) {
+      for (int tile = 0; tile < stock_.tile_columns(); ++tile) take_tile_row(tile, row);
+    }
+    return figures_;
+  }
+
+ private:
+  void take_tile_row(int tile, int row) {
+    const int first = tile * Stock::kTileCells;
+    const int end = std::min(first + Stock::kTileCells, stock_.columns());
+    const Cell* const cells = stock_.touched_row_of_tile(tile, row);
+    for (int column = first; column < end; ++column) {
+      const Cell cell = cells == nullptr ? Cell{} : cells[column - first];
+      const RegionPart part = region_.part_of(column, row);
+      if (cells == nullptr && part == RegionPart::kOutside) continue;
+      take(cell, part, column, row);
+    }
+  }
+
+  /// Heights are above the top here.
+  void take(const Cell& cell, RegionPart part, int column, int row) {
+    const double lower = cell.lower_nm / kNmPerMm;
+    const double upper = cell.upper_nm / kNmPerMm;
+    const HeightPeak place{.x_mm = stock_.box().x_min + (column + 0.5) * stock_.cell_x_mm(),
+                           .y_mm = stock_.box().y_min + (row + 0.5) * stock_.cell_y_mm()};
+    const double least_due = part == RegionPart::kOutside ? 0.0 : floor_mm_;
+    const double most_due = part == RegionPart::kInside ? floor_mm_ : 0.0;
+    add(figures_.gouge, figures_.deepest_gouge, least_due - upper, most_due - lower, place);
+    if (part == RegionPart::kOutside) return;
+    const bool is_inside = part == RegionPart::kInside;
+    const std::size_t index = region_.index_of(column, row);
+    const double least = is_inside ? lower - (floor_mm_ + room_.most_left(index)) : 0.0;
+    const double most = upper - (floor_mm_ + room_.least_left(index));
+    add(figures_.rest, figures_.tallest_rest, least, most, place);
+    if (is_inside && cell.upper_nm < 0) figures_.tallest_scallop.take(peak_of(least, most, place));
+  }
+
+  [[nodiscard]] static HeightPeak peak_of(double least, double most, HeightPeak place) {
+    place.least_mm = std::max(0.0, least);
+    place.most_mm = std::max(0.0, most);
+    return place;
+  }
+
+  void add(VolumeBounds& volume,
+           HeightPeak& peak,
+           double least,
+           double most,
+           const HeightPeak& place) const {
+    const HeightPeak here = peak_of(least, most, place);
+    const double area = stock_.cell_x_mm() * stock_.cell_y_mm();
+    volume.least_mm3 += here.least_mm * area;
+    volume.most_mm3 += here.most_mm * area;
+    peak.take(here);
+  }
+
+  const Stock& stock_;
+  PlanRegion region_;
+  ToolRoom room_;
+  double floor_mm_;  ///< Above the top: below 0.
+  PocketFigures figures_;
+};
+
+}  // namespace
+
+std::string fault_of(const PocketTarget& target, double cell_mm) {
+  if (!(target.depth_mm > 0.0 && target.depth_mm <= kDeepestStockMm)) {
+    return fmt::format("the pocket is {} mm deep; it takes more than 0 and up to {} mm",
+                       target.depth_mm,
+                       kDeepestStockMm);
+  }
+  std::array<double, 2> low{kFarthestStockMm, kFarthestStockMm};
+  std::array<double, 2> high{-kFarthestStockMm, -kFarthestStockMm};
+  for (const Ring& ring : target.rings) {
+    for (const auto& point : ring) {
+      for (std::size_t axis = 0; axis < 2; ++axis) {
+        if (!(std::abs(point[axis]) <= kFarthestStockMm)) {
+          return fmt::format(
+              "the pocket reaches to {} mm; it takes up to {} mm", point[axis], kFarthestStockMm);
+        }
+        low[axis] = std::min(low[axis], point[axis]);
+        high[axis] = std::max(high[axis], point[axis]);
+      }
+    }
+  }
+  if (low[0] > high[0]) return "there is no closed contour";
+  const double cells =
+      (high[0] - low[0] + 4.0 * cell_mm) * (high[1] - low[1] + 4.0 * cell_mm) / (cell_mm * cell_mm);
+  if (cells <= kMostTargetCells) return {};
+  return fmt::format(
+      "the pocket has {:.3g} cells of {} mm; it takes up to {:.3g}, so choose larger",
+      cells,
+      cell_mm,
+      kMostTargetCells);
+}
+
+void HeightPeak::take(const HeightPeak& other) {
+  if (other.least_mm < least_mm) return;
+  if (other.least_mm == least_mm && other.most_mm <= most_mm) return;
+  *this = other;
+}
+
+PocketFigures compared(const Stock& stock, const Cutter& cutter, const PocketTarget& target) {
+  return Comparer{stock, cutter, target}.figures();
+}
+
+}  // namespace sim::stock

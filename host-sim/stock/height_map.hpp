@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "host-sim/stock/stock.hpp"
+
+namespace sim::stock {
+
+/// Heights of a stock for the eye: means of the middles of the bounds, over equal blocks of cells.
+/// Blocks at the upper ends of X and Y may have fewer cells.
+class HeightMap {
+ public:
+  /// @param most_blocks > 0; blocks are as many cells wide as this needs
+  HeightMap(const Stock& stock, std::size_t most_blocks);
+
+  [[nodiscard]] int columns() const { return columns_; }
+  [[nodiscard]] int rows() const { return rows_; }
+  [[nodiscard]] int block_cells() const { return block_cells_; }  ///< Along each side.
+  /// mm, machine coordinates.
+  [[nodiscard]] double height(int column, int row) const {
+    return heights_mm_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                       static_cast<std::size_t>(column)];
+  }
+  [[nodiscard]] double lowest() const;
+  /// The middle of a block.
+  [[nodiscard]] double x_of(int column) const;
+  [[nodiscard]] double y_of(int row) const;
+  [[nodiscard]] const StockBox& box() const { return stock_.box(); }
+
+ private:
+  [[nodiscard]] int cells_in(int block, int cells) const;
+  void add_row(int row);
+
+  const Stock& stock_;
+  int block_cells_;
+  int columns_;
+  int rows_;
+  std::vector<double> heights_mm_;
+};
+
+}  // namespace sim::stock

@@ -1,0 +1,212 @@
+#include "host-sim/stock/swept_surface.hpp"
+
+namespace sim::stock {
+namespace {
+
+/// mm: nearer than this to a kink or to the rim, a distance is taken to be on it.
+constexpr double kOnIt = 1.0e-9;
+
+}  // namespace
+
+SweptSurface::SweptSurface(const Profile& profile,
+                           const Pose& from,
+                           const Pose& to,
+                           double ceiling_mm)
+    : profile_{profile}, radius_{0.0}, from_x_{from.x_mm}, from_y_{from.y_mm}, z_{from.z_mm} {
+  const double dx = to.x_mm - from.x_mm;
+  const double dy = to.y_mm - from.y_mm;
+  length_ = std::sqrt(dx * dx + dy * dy);
+  if (length_ > 0.0) {
+    along_x_ = dx / length_;
+    along_y_ = dy / length_;
+    climb_ = (to.z_mm - from.z_mm) / length_;
+  } else {
+    plunges_ = to.z_mm < from.z_mm;
+    z_ = std::min(from.z_mm, to.z_mm);
+  }
+  is_level_ = climb_ == 0.0;
+  const double lowest_pose = z_ + std::min(0.0, climb_ * length_);
+  if (profile_.radius_mm > 0.0) radius_ = radius_below(profile_, ceiling_mm - lowest_pose);
+  if (is_empty()) return;
+  lead_ = kind_of_lead();
+  if (lead_ == Lead::kTable) fill_table();
+}
+
+SweptSurface::Lead SweptSurface::kind_of_lead() const {
+  if (is_level_) return Lead::kNone;
+  if (profile_.corner_mm > 0.0) return profile_.flat_mm == 0.0 ? Lead::kBall : Lead::kTable;
+  return profile_.rise > 0.0 ? Lead::kCone : Lead::kEdge;
+}
+
+void SweptSurface::fill_table() {
+  // At the very rim reach and lead are 0; their ratio has a limit there.
+  constexpr double kRim = 1.0 - 1.0e-6;
+  for (std::size_t i = 0; i < kNodes; ++i) {
+    const double share = static_cast<double>(i) / static_cast<double>(kNodes - 1);
+    const double side = radius_ * std::min(share, kRim);
+    shares_[i] = solved_lead(side) / std::sqrt((radius_ - side) * (radius_ + side));
+  }
+}
+
+/// The lead u >= 0 where the profile rises outwards by as much as the path climbs:
+/// h'(r) u / r = |climb| with r² = side² + u², by bisection; the reach where there is none.
+double SweptSurface::solved_lead(double side) const {
+  constexpr int kHalvings = 40;
+  const double steepness = std::abs(climb_);
+  double low = 0.0;
+  double high = std::sqrt((radius_ - side) * (radius_ + side));
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    const double distance = std::sqrt(side * side + middle * middle);
+    (rise_at(profile_, distance) * middle < steepness * distance ? low : high) = middle;
+  }
+  return high;
+}
+
+double SweptSurface::cone_lead(double side, double reach) const {
+  const double steepness = std::abs(climb_);
+  const double flat = profile_.flat_mm;
+  const double edge = side < flat ? std::sqrt((flat - side) * (flat + side)) : 0.0;
+  if (edge > 0.0 && profile_.rise * edge >= steepness * flat) return edge;
+  if (steepness >= profile_.rise) return reach;
+  return steepness * side / std::sqrt((profile_.rise - steepness) * (profile_.rise + steepness));
+}
+
+double SweptSurface::lead(double side, double reach) const {
+  double size = 0.0;
+  switch (lead_) {
+    case Lead::kNone:
+      return 0.0;
+    case Lead::kEdge:
+      size = reach;
+      break;
+    case Lead::kBall: {
+      const double across = profile_.corner_mm * profile_.corner_mm - side * side;
+      size = std::abs(climb_) * std::sqrt(std::max(0.0, across) / (1.0 + climb_ * climb_));
+      break;
+    }
+    case Lead::kCone:
+      size = cone_lead(side, reach);
+      break;
+    case Lead::kTable: {
+      const double place = side / radius_ * static_cast<double>(kNodes - 1);
+      const auto node = std::min(static_cast<std::size_t>(place), kNodes - 2);
+      const double rest = place - static_cast<double>(node);
+      size = reach * (shares_[node] + rest * (shares_[node + 1] - shares_[node]));
+      break;
+    }
+  }
+  return climb_ > 0.0 ? -size : size;
+}
+
+double SweptSurface::height(double x, double y) const {
+  const auto [along, across] = place_of(x, y);
+  const double side = std::abs(across);
+  const double reach_squared = (radius_ - side) * (radius_ + side);
+  if (side > radius_) return kNowhere;
+  double pose = std::clamp(along, 0.0, length_);
+  if (!is_level_) {
+    const double reach = std::sqrt(reach_squared);
+    const double first = std::max(0.0, along - reach);
+    const double last = std::min(length_, along + reach);
+    if (first > last) return kNowhere;
+    pose = std::clamp(along + lead(side, reach), first, last);
+  } else if ((along - pose) * (along - pose) > reach_squared) {
+    return kNowhere;
+  }
+  const double ahead = along - pose;
+  return z_ + climb_ * pose + height_at(profile_, std::sqrt(ahead * ahead + across * across));
+}
+
+/// The outward rise that balances the climb, if the profile has it at this distance: at a kink, or
+/// at the rim, it has many.
+double SweptSurface::slope_for(double distance, double ahead) const {
+  const double least = rise_at(profile_, distance);
+  double most = least;
+  if (profile_.rise > 0.0 && std::abs(distance - profile_.flat_mm) <= kOnIt) most = profile_.rise;
+  if (distance >= radius_ - kOnIt) most = kNowhere;
+  const double balanced = ahead == 0.0 ? 0.0 : climb_ * distance / ahead;
+  return std::max(least, std::min(balanced, most));
+}
+
+/// Returns the height at the best known pose for a point, less the fall of the tangent plane there,
+/// over point and pose together, within the rectangle and the poses from `first` to `last`.
+double SweptSurface::tangent_bound(
+    const Place& place, double half_x, double half_y, double first, double last) const {
+  const double side = std::abs(place.across);
+  if (side > radius_) return -kNowhere;
+  const double reach = std::sqrt((radius_ - side) * (radius_ + side));
+  const double low = std::max(0.0, place.along - reach);
+  const double high = std::min(length_, place.along + reach);
+  if (low > high) return -kNowhere;
+  const double pose = std::clamp(place.along + lead(side, reach), low, high);
+  const double ahead = place.along - pose;
+  const double distance = std::sqrt(ahead * ahead + side * side);
+  const double value = z_ + climb_ * pose + height_at(profile_, distance);
+  if (distance == 0.0) {
+    return value - std::max(climb_ * (pose - first), climb_ * (pose - last));
+  }
+  const double slope = slope_for(distance, ahead);
+  const double rest = climb_ - slope * ahead / distance;
+  const double falls = slope * support(ahead / distance, place.across / distance, half_x, half_y) +
+                       std::max(rest * (pose - first), rest * (pose - last));
+  return falls < kNowhere ? value - falls : -kNowhere;
+}
+
+double SweptSurface::least_over(double x, double y, double half_x, double half_y) const {
+  const Place place = place_of(x, y);
+  const double ahead = place.along - std::clamp(place.along, 0.0, length_);
+  const double distance = std::sqrt(ahead * ahead + place.across * place.across);
+  double nearest = 0.0;
+  if (distance > 0.0) {
+    const double half = support(ahead / distance, place.across / distance, half_x, half_y);
+    nearest = std::max(0.0, distance - half);
+  }
+  if (nearest > radius_) return kNowhere;
+  const double profile_height = height_at(profile_, nearest);
+  if (is_level_) return z_ + profile_height;
+  const double half_along = support(1.0, 0.0, half_x, half_y);
+  const double side = std::max(0.0, std::abs(place.across) - support(0.0, 1.0, half_x, half_y));
+  if (side > radius_) return kNowhere;
+  const double reach = std::sqrt((radius_ - side) * (radius_ + side)) + half_along;
+  const double first = std::max(0.0, place.along - reach);
+  const double last = std::min(length_, place.along + reach);
+  if (first > last) return kNowhere;
+  const double coarse = z_ + std::min(climb_ * first, climb_ * last) + profile_height;
+  return std::max(coarse, tangent_bound(place, half_x, half_y, first, last));
+}
+
+std::optional<Interval> SweptSurface::extent_at(double y, double extra_mm) const {
+  const double radius = radius_ + extra_mm;
+  Interval extent{kNowhere, -kNowhere};
+  const auto include = [&extent](double x) {
+    extent.low = std::min(extent.low, x);
+    extent.high = std::max(extent.high, x);
+  };
+  for (const double pose : {0.0, length_}) {
+    const double off = y - (from_y_ + pose * along_y_);
+    if (std::abs(off) > radius) continue;
+    const double half = std::sqrt((radius - off) * (radius + off));
+    include(from_x_ + pose * along_x_ - half);
+    include(from_x_ + pose * along_x_ + half);
+  }
+  for (const double side : {-radius, radius}) {
+    // The side of the sweep crosses y here. A path along X has no such crossing and needs none.
+    const double rise = y - (from_y_ + side * along_x_);
+    if (rise * along_y_ < 0.0 || std::abs(rise) > length_ * std::abs(along_y_)) continue;
+    if (along_y_ == 0.0) continue;
+    include(from_x_ - side * along_y_ + rise / along_y_ * along_x_);
+  }
+  if (extent.low > extent.high) return std::nullopt;
+  return extent;
+}
+
+Interval SweptSurface::ahead_of_start(Interval extent, double y, double extra_mm) const {
+  const double needed = -extra_mm - (y - from_y_) * along_y_;  // (x − from_x) along_x ≥ this.
+  if (along_x_ > 0.0) extent.low = std::max(extent.low, from_x_ + needed / along_x_);
+  if (along_x_ < 0.0) extent.high = std::min(extent.high, from_x_ + needed / along_x_);
+  if (along_x_ == 0.0 && needed > 0.0) extent.high = -kNowhere;
+  return extent;
+}
+
+}  // namespace sim::stock
