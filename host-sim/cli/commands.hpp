@@ -23,6 +23,7 @@ void add_offset_command(CLI::App& app, ExitStatus& status);
 void add_drawing_command(CLI::App& app, ExitStatus& status);
 void add_cut_command(CLI::App& app, ExitStatus& status);
 void add_order_command(CLI::App& app, ExitStatus& status);
+void add_pocket_command(CLI::App& app, ExitStatus& status);
 void add_send_command(CLI::App& app, ExitStatus& status);
 
 /// Each adds a subcommand that prints a text about all commands of `app`, which must outlive it.

@@ -1,0 +1,140 @@
+#include "host-sim/cli/pocket_options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "host-sim/cli/file_options.hpp"
+#include "host-sim/cli/outline_options.hpp"
+#include "host-sim/cli/value_range.hpp"
+
+namespace sim {
+namespace {
+
+constexpr double kLeastToolMm = 0.01;
+constexpr double kGreatestToolMm = 500.0;
+constexpr double kLeastDepthMm = 0.001;
+constexpr double kGreatestDepthMm = 1'000.0;
+constexpr double kGreatestFeed = 1.0e6;
+constexpr double kGreatestSpeed = 1.0e6;
+constexpr double kSteepestDeg = 45.0;
+
+void add_shape_options(CLI::App& command, PocketCommandOptions& options) {
+  command.add_option("--tool", options.tool_mm, "Diameter of the tool, mm")
+      ->required()
+      ->check(in_range(kLeastToolMm, kGreatestToolMm, "mm"))
+      ->type_name("MM");
+  command.add_option("--depth", options.depth_mm, "Of the pocket below Z 0, mm")
+      ->required()
+      ->check(in_range(kLeastDepthMm, kGreatestDepthMm, "mm"))
+      ->type_name("MM");
+  command
+      .add_option("--depth-step",
+                  options.depth_step_mm,
+                  "Greatest depth of one level, mm; all levels are equal. Else half the tool")
+      ->check(in_range(kLeastDepthMm, kGreatestDepthMm, "mm"))
+      ->type_name("MM");
+  command
+      .add_option("--stepover",
+                  options.stepover_mm,
+                  "Greatest distance of passes, mm. Else the greatest that leaves nothing")
+      ->check(in_range(kLeastDepthMm, kGreatestToolMm, "mm"))
+      ->type_name("MM");
+  command
+      .add_option("--corner",
+                  options.corner_mm,
+                  "Radius of the turns of all passes but those at the wall, mm; up to a sixth\n"
+                  "of the tool. Else a twentieth of it")
+      ->check(in_range(0.0, kGreatestToolMm, "mm"))
+      ->type_name("MM");
+}
+
+void add_entry_options(CLI::App& command, PocketCommandOptions& options) {
+  using cnc::pocket::EntryKind;
+  const std::map<std::string, EntryKind> entries{
+      {"helix", EntryKind::kHelix}, {"ramp", EntryKind::kRamp}, {"plunge", EntryKind::kPlunge}};
+  command
+      .add_option("--entry",
+                  options.entry,
+                  "The way into the stock: a helix where one fits, else a ramp along the first\n"
+                  "pass; only ramps; or straight down, where the tool cuts at its centre or a hole "
+                  "is drilled")
+      ->transform(CLI::CheckedTransformer(entries))
+      ->option_text("helix|ramp|plunge [helix]");
+  command.add_option("--slope", options.slope_deg, "Of helices and ramps, degrees")
+      ->check(in_range(0.1, kSteepestDeg, "degrees"))
+      ->type_name("DEG")
+      ->capture_default_str();
+  command.add_flag("--conventional", options.conventional, "Mill against the climb");
+}
+
+void add_mill_options(CLI::App& command, pocket::MillSettings& mill) {
+  command.add_option("--feed", mill.feed_mm_min, "Along the path, mm/min")
+      ->required()
+      ->check(in_range(0.1, kGreatestFeed, "mm/min"))
+      ->type_name("MM/MIN");
+  command.add_option("--plunge-feed", mill.plunge_mm_min, "Greatest feed downwards, mm/min")
+      ->required()
+      ->check(in_range(0.1, kGreatestFeed, "mm/min"))
+      ->type_name("MM/MIN");
+  command.add_option("--spindle", mill.spindle_rpm, "Speed of the spindle, rpm; else it stays off")
+      ->check(in_range(0.0, kGreatestSpeed, "rpm"))
+      ->type_name("RPM");
+  command.add_option("--spin-up", mill.spin_up_s, "Wait for the spindle, s")
+      ->check(in_range(0.0, 600.0, "s"))
+      ->type_name("S");
+  const std::map<std::string, pocket::Coolant> coolants{{"off", pocket::Coolant::kOff},
+                                                        {"mist", pocket::Coolant::kMist},
+                                                        {"flood", pocket::Coolant::kFlood}};
+  command.add_option("--coolant", mill.coolant, "Mist is M7, flood M8")
+      ->transform(CLI::CheckedTransformer(coolants))
+      ->option_text("off|mist|flood [off]");
+  command.add_option("--safe", mill.safe_mm, "Z of rapids between rows, mm")
+      ->check(in_range(0.1, kGreatestDepthMm, "mm"))
+      ->type_name("MM")
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_pocket_options(CLI::App& command, PocketCommandOptions& options) {
+  mark_file(
+      command
+          .add_option("FILE", options.file, "A drawing, or contours as text; - is standard input")
+          ->required(),
+      FileRole::kInput);
+  add_shape_options(command, options);
+  add_entry_options(command, options);
+  add_mill_options(command, options.mill);
+  add_outline_options(command, options.outline);
+  command.add_flag("--anyway", options.anyway, "Mill what the tool reaches, and leave the rest");
+  command.add_option("--decimals", options.decimals, "Of positions, mm")
+      ->check(in_whole_range(cnc::gcode::PrintGrid::kFewest, cnc::gcode::PrintGrid::kMost))
+      ->capture_default_str();
+  const auto add_output = [&](const char* name, std::string& file, const char* help) {
+    mark_file(command.add_option(name, file, help)->type_name("FILE"), FileRole::kOutput);
+  };
+  add_output("-o,--output", options.output, "Where to write; else standard output");
+  add_output("--report", options.report, "Passes, rows and lengths as JSON");
+  add_output("--svg", options.svg, "Draw the pockets and their passes");
+}
+
+cnc::pocket::PocketOptions<double> pocket_options_of(const PocketCommandOptions& options) {
+  const double radius = 0.5 * options.tool_mm;
+  cnc::pocket::PocketOptions<double> wanted;
+  wanted.clearing.tool_radius = radius;
+  wanted.clearing.corner_radius = options.corner_mm < 0.0 ? 0.1 * radius : options.corner_mm;
+  wanted.clearing.stepover = options.stepover_mm > 0.0 ? options.stepover_mm : options.tool_mm;
+  wanted.entry.kind = options.entry;
+  wanted.entry.slope = std::tan(options.slope_deg * std::numbers::pi / 180.0);
+  // A helix of a larger radius leaves a core in its middle.
+  wanted.entry.helix_radius = 0.9 * radius;
+  wanted.milling =
+      options.conventional ? cnc::pocket::Milling::kConventional : cnc::pocket::Milling::kClimb;
+  wanted.depth = options.depth_mm;
+  wanted.depth_step = options.depth_step_mm > 0.0 ? options.depth_step_mm : radius;
+  return wanted;
+}
+
+}  // namespace sim

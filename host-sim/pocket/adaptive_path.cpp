@@ -1,0 +1,124 @@
+#include "host-sim/pocket/adaptive_path.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "host-sim/pocket/area_clearer.hpp"
+#include "planner/pocket/moving_disc.hpp"
+
+namespace sim::pocket {
+namespace {
+
+using cnc::WideVec2;
+using cnc::pocket::MovingDisc;
+using cnc::pocket::ToolCircle;
+
+/// mm: stock of about this thickness is left to the passes along the walls, in corners, too.
+constexpr double kAxisMm = 2.0e-4;
+
+void check(const AdaptiveOptions& options) {
+  const auto require = [](bool is_right, const char* what, double value) {
+    if (!is_right) throw std::invalid_argument{fmt::format("{} {:g} is out of range", what, value)};
+  };
+  const double engagement = options.engagement_deg;
+  require(options.tool_radius_mm > 0.0 && std::isfinite(options.tool_radius_mm),
+          "radius of the tool in mm",
+          options.tool_radius_mm);
+  require(engagement >= kLeastEngagementDeg && engagement <= kGreatestEngagementDeg,
+          "engagement in degrees",
+          engagement);
+  require(
+      options.depth_mm > 0.0 && std::isfinite(options.depth_mm), "depth in mm", options.depth_mm);
+  require(options.ramp_deg > 0.0 && options.ramp_deg <= 45.0, "ramp in degrees", options.ramp_deg);
+  require(options.return_limit_mm >= 0.0, "way to return in mm", options.return_limit_mm);
+}
+
+/// Where a pass along a wall begins, and from which cleared circle.
+struct WallStart {
+  std::uint32_t vertex = 0;
+  ToolCircle circle;
+};
+
+/// The vertex of a loop that is nearest to a circle, where the tool gets from one to the other in a
+/// line. Long loops are searched at some vertices.
+WallStart wall_start(const cnc::contour::ContourView<double>& locus,
+                     std::size_t loop,
+                     const std::vector<ToolCircle>& circles,
+                     const OwnedArea& area,
+                     double tool_radius_mm) {
+  constexpr double kRoundingMm = 1.0e-6;
+  constexpr std::uint32_t kMostVertices = 64;
+  const std::uint32_t first = locus.loop_begin(loop);
+  const std::uint32_t stride = 1 + (locus.loop_ends[loop] - first) / kMostVertices;
+  WallStart best{.vertex = first, .circle = circles.front()};
+  double least = std::numeric_limits<double>::infinity();
+  for (std::uint32_t i = first; i < locus.loop_ends[loop]; i += stride) {
+    for (const ToolCircle& circle : circles) {
+      const WideVec2 vertex = locus.vertices[i].point();
+      const double gap = (vertex - circle.centre).norm() - circle.radius;
+      if (gap >= least) continue;
+      const MovingDisc tool{circle.centre, vertex, tool_radius_mm, tool_radius_mm};
+      if (excess_of(tool, *area) > kRoundingMm) continue;
+      least = gap;
+      best = {i, circle};
+    }
+  }
+  return best;
+}
+
+/// Drives along a loop of the locus, from a cleared circle.
+void pass_wall(const cnc::contour::ContourView<double>& locus,
+               std::size_t loop,
+               const WallStart& start,
+               DepthWriter& writer) {
+  const std::uint32_t first = locus.loop_begin(loop);
+  const std::uint32_t count = locus.loop_ends[loop] - first;
+  writer.begin_row_in_cleared(start.circle.centre);
+  const WideVec2 corner = locus.vertices[start.vertex].point();
+  const WideVec2 way = corner - start.circle.centre;
+  const double away = way.norm();
+  if (away > start.circle.radius && start.circle.radius > 0.0) {
+    writer.link(start.circle.centre + (start.circle.radius / away) * way);
+  }
+  writer.pass(corner);
+  for (std::uint32_t k = 0; k < count; ++k) {
+    const std::uint32_t from = first + (start.vertex - first + k) % count;
+    const std::uint32_t to = first + (start.vertex - first + k + 1) % count;
+    writer.pass(locus.vertices[to].point(), locus.vertices[from].bulge);
+  }
+}
+
+}  // namespace
+
+AdaptivePath adaptive_path(const cnc::contour::ContourView<double>& area,
+                           const AdaptiveOptions& options) {
+  check(options);
+  const OwnedArea owned{area};
+  const MedialAxis axis = medial_axis(owned, {.tolerance_mm = kAxisMm, .slack_mm = kAxisMm});
+  CarveGraph graph = wide_part(axis, owned, options.tool_radius_mm);
+  split_at_widest(graph);
+  AdaptivePath path;
+  CrescentDriver driver{owned, options, path};
+  AreaClearer{owned, graph, options, driver}.clear();
+  if (driver.circles().empty()) {
+    throw std::invalid_argument{
+        fmt::format("a tool of {:g} mm fits nowhere into the pocket; take a smaller one",
+                    2.0 * options.tool_radius_mm)};
+  }
+  ContourOffset offset;
+  const cnc::contour::ContourView<double> locus = offset.offset(area, -options.tool_radius_mm);
+  for (std::size_t loop = 0; loop < locus.loop_ends.size(); ++loop) {
+    pass_wall(locus,
+              loop,
+              wall_start(locus, loop, driver.circles(), owned, options.tool_radius_mm),
+              driver.writer());
+  }
+  driver.writer().end_row();
+  return path;
+}
+
+}  // namespace sim::pocket

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "host-sim/contour/contour_offset.hpp"
+#include "planner/pocket/tool_path.hpp"
+
+namespace sim::pocket {
+
+struct AdaptiveOptions {
+  double tool_radius_mm = 3.0;
+  /// Of the tool's circumference that cuts, at most.
+  double engagement_deg = 60.0;
+  double depth_mm = 1.0;  ///< Of the floor below the top.
+  double ramp_deg = 3.0;  ///< Of the helix by which the tool enters.
+  /// How far the tool may return over cleared stock instead of being lifted, mm.
+  double return_limit_mm = 100.0;
+};
+
+inline constexpr double kLeastEngagementDeg = 10.0;
+inline constexpr double kGreatestEngagementDeg = 150.0;
+
+/// A stretch that is too narrow for crescents, where the tool cuts with more of its circumference.
+struct NarrowStretch {
+  std::vector<cnc::WideVec2> places;  ///< Along its middle, both ends among them.
+  double width_mm = 0.0;              ///< The least.
+  double length_mm = 0.0;             ///< Along its middle.
+};
+
+/// A pocket that is cleared with bounded engagement.
+struct AdaptivePath {
+  std::vector<cnc::pocket::PathPoint<double>> points;
+  std::vector<std::uint32_t> row_ends;
+  std::vector<NarrowStretch> narrow;
+
+  [[nodiscard]] cnc::pocket::ToolPathView<double> path() const {
+    return {{points.data(), points.size()}, {row_ends.data(), row_ends.size()}};
+  }
+};
+
+/// Pockets narrower than this many diameters of the tool are cut as slots.
+inline constexpr double kNarrowDiameters = 1.2;
+
+/// Clears an area down to one depth. In each part that the tool reaches it enters by a helix at
+/// the widest place, opens a disc by a spiral, and follows the medial axis by crescents: arcs of
+/// the largest circles that fit, each as far from the one before it as the engagement allows.
+/// Branches begin at discs that are cleared. Last come passes along the walls.
+///
+/// Guarantee: the tool's centre keeps its radius from the boundary (1e-6 mm); stock is left
+/// nowhere that the tool reaches. The engagement is within the limit in closed form for each
+/// crescent against the disc before it alone, except in entries and in stretches narrower than 1.2
+/// diameters, which are listed. All crescents turn left, which is climb milling. Links between
+/// them lie in discs that are cleared.
+///
+/// Throws std::invalid_argument for options out of range, or if the tool fits nowhere,
+/// std::runtime_error for contours that cross, and NoOffset.
+[[nodiscard]] AdaptivePath adaptive_path(const cnc::contour::ContourView<double>& area,
+                                         const AdaptiveOptions& options);
+
+}  // namespace sim::pocket

@@ -1,0 +1,129 @@
+#include "host-sim/pocket/area_clearer.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <numeric>
+#include <utility>
+
+namespace sim::pocket {
+
+using cnc::WideVec2;
+using cnc::pocket::ToolCircle;
+
+AreaClearer::AreaClearer(const OwnedArea& area,
+                         const CarveGraph& graph,
+                         const AdaptiveOptions& options,
+                         CrescentDriver& driver)
+    : area_{area},
+      graph_{graph},
+      options_{options},
+      driver_{driver},
+      at_node_(graph.nodes.size()),
+      is_reached_(graph.nodes.size()),
+      is_taken_(graph.pieces.size()) {
+  for (std::size_t i = 0; i < graph.pieces.size(); ++i) {
+    const CarvePiece& piece = graph.pieces[i];
+    at_node_[piece.from].push_back(i);
+    if (piece.to != piece.from) at_node_[piece.to].push_back(i);
+  }
+}
+
+ToolCircle AreaClearer::circle_of(std::uint32_t node) const {
+  const AxisPoint& point = graph_.nodes[node];
+  return {point.place, point.radius - options_.tool_radius_mm};
+}
+
+/// The widest nodes come first, so that each part is entered at its widest.
+void AreaClearer::clear() {
+  std::vector<std::uint32_t> nodes(graph_.nodes.size());
+  std::iota(nodes.begin(), nodes.end(), 0U);
+  const auto is_wider = [this](std::uint32_t a, std::uint32_t b) {
+    return graph_.nodes[a].radius > graph_.nodes[b].radius;
+  };
+  std::stable_sort(nodes.begin(), nodes.end(), is_wider);
+  for (const std::uint32_t node : nodes) {
+    if (!is_reached_[node] && circle_of(node).radius >= 0.0) clear_part(node);
+  }
+}
+
+void AreaClearer::clear_part(std::uint32_t start) {
+  const ToolCircle circle = circle_of(start);
+  driver_.open_disc(circle);
+  is_reached_[start] = true;
+  way_back_.clear();
+  std::vector<Frame> frames{{start, circle, {}}};
+  while (!frames.empty()) {
+    const Frame& frame = frames.back();
+    const std::optional<std::size_t> piece = piece_left_at(frame.node);
+    if (piece) {
+      return_to(frame.circle);
+      clear_piece(*piece, frames);
+    } else {
+      std::ranges::copy(frame.way_back, std::back_inserter(way_back_));
+      frames.pop_back();
+    }
+  }
+}
+
+std::optional<std::size_t> AreaClearer::piece_left_at(std::uint32_t node) const {
+  for (const std::size_t piece : at_node_[node]) {
+    if (!is_taken_[piece]) return piece;
+  }
+  return std::nullopt;
+}
+
+void AreaClearer::clear_piece(std::size_t index, std::vector<Frame>& frames) {
+  const CarvePiece& piece = graph_.pieces[index];
+  const Frame& frame = frames.back();
+  const bool is_reversed = piece.from != frame.node;
+  const std::uint32_t end = is_reversed ? piece.from : piece.to;
+  std::vector<AxisPoint> points = piece.points;
+  if (is_reversed) std::ranges::reverse(points);
+  const AxisCourse course{area_, std::move(points), options_.tool_radius_mm};
+  const bool is_dead_end = at_node_[end].size() == 1 && end != frame.node;
+  is_taken_[index] = true;
+  CourseDrive done = driver_.drive(course, frame.circle, is_dead_end);
+  // Around an island, the tool comes back to the circle from which it went.
+  if (done.is_complete && end == frame.node) done.way_back.clear();
+  const bool goes_on = done.is_complete && !is_reached_[end];
+  // Crescents end before the tip of a corner, which needs no entry of its own.
+  if (done.is_complete || is_dead_end) is_reached_[end] = true;
+  if (goes_on) {
+    frames.push_back({end, circle_of(end), std::move(done.way_back)});
+  } else {
+    way_back_ = std::move(done.way_back);
+  }
+}
+
+/// Drives the way back that is due, or lifts the tool if that is too long.
+void AreaClearer::return_to(const ToolCircle& circle) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < way_back_.size(); ++i) {
+    length += (way_back_[i] - way_back_[i - 1]).norm();
+  }
+  if (length > options_.return_limit_mm) {
+    driver_.writer().begin_row_in_cleared(circle.centre);
+  } else {
+    for (const WideVec2& place : way_back_) driver_.writer().link(place);
+  }
+  way_back_.clear();
+}
+
+void split_at_widest(CarveGraph& graph) {
+  constexpr double kWider = 1.0e-6;  // mm.
+  const std::size_t count = graph.pieces.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::vector<AxisPoint> points = graph.pieces[i].points;
+    const auto widest = std::ranges::max_element(points, {}, &AxisPoint::radius);
+    const double ends = std::max(points.front().radius, points.back().radius);
+    if (widest->radius <= ends + kWider) continue;
+    const auto node = static_cast<std::uint32_t>(graph.nodes.size());
+    graph.nodes.push_back(*widest);
+    graph.pieces.push_back({node, graph.pieces[i].to, {widest, points.end()}});
+    graph.pieces[i].to = node;
+    graph.pieces[i].points.assign(points.begin(), widest + 1);
+  }
+}
+
+}  // namespace sim::pocket

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "host-sim/pocket/carve_piece.hpp"
+#include "host-sim/pocket/crescent_driver.hpp"
+
+namespace sim::pocket {
+
+/// Takes all parts of an area that a tool reaches, one after the other, and in each one the pieces
+/// of the axis, from the widest node on.
+class AreaClearer {
+ public:
+  /// @param graph the axis as far as the tool fits
+  AreaClearer(const OwnedArea& area,
+              const CarveGraph& graph,
+              const AdaptiveOptions& options,
+              CrescentDriver& driver);
+
+  void clear();
+
+ private:
+  /// A node whose disc is cleared, and how the tool came to it.
+  struct Frame {
+    std::uint32_t node = 0;
+    cnc::pocket::ToolCircle circle;
+    std::vector<cnc::WideVec2> way_back;
+  };
+
+  [[nodiscard]] cnc::pocket::ToolCircle circle_of(std::uint32_t node) const;
+  void clear_part(std::uint32_t start);
+  [[nodiscard]] std::optional<std::size_t> piece_left_at(std::uint32_t node) const;
+  void clear_piece(std::size_t index, std::vector<Frame>& frames);
+  void return_to(const cnc::pocket::ToolCircle& circle);
+
+  const OwnedArea& area_;
+  const CarveGraph& graph_;
+  AdaptiveOptions options_;
+  CrescentDriver& driver_;
+  std::vector<std::vector<std::size_t>> at_node_;
+  std::vector<bool> is_reached_;         ///< Of each node.
+  std::vector<bool> is_taken_;           ///< Of each piece.
+  std::vector<cnc::WideVec2> way_back_;  ///< Not driven yet: it may be the end of the part.
+};
+
+/// Divides pieces that are wider between their nodes than at them, by a node at the widest point.
+void split_at_widest(CarveGraph& graph);
+
+}  // namespace sim::pocket

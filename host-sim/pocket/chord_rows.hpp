@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "planner/geometry/vector.hpp"
+#include "planner/pocket/area_distance.hpp"
+
+namespace sim::pocket {
+
+/// A point of a grid of whole numbers.
+struct GridPoint {
+  std::int32_t x = 0;
+  std::int32_t y = 0;
+  bool operator==(const GridPoint&) const = default;
+};
+
+/// A chord, or a piece of a tangent, of an element of an area.
+struct Chord {
+  GridPoint from;
+  GridPoint to;
+  std::uint32_t element = 0;
+};
+
+/// A boundary as chords between points of a grid, for algorithms that are exact in whole numbers.
+struct ChordRows {
+  std::vector<Chord> chords;
+  cnc::WideVec2 centre{0.0, 0.0};  ///< mm, of the grid's origin.
+  double unit_mm = 1.0;            ///< Between points of the grid; a power of 2.
+
+  [[nodiscard]] cnc::WideVec2 place(double x, double y) const {
+    return centre + unit_mm * cnc::WideVec2{x, y};
+  }
+};
+
+/// Grid coordinates are within ±2^29, so that cross products of differences fit into 64 bits.
+inline constexpr double kGridReach = 536870912.0;
+
+/// Returns the boundary of an area as chords that are within `sagitta_mm` of it, finer if chords
+/// would cross each other otherwise. An arc that bounds the area from outside is chopped into
+/// tangents, any other one into chords.
+///
+/// Throws std::runtime_error, with the place, where elements still cross when they are a hundred
+/// times as fine.
+[[nodiscard]] ChordRows chords_of(const cnc::pocket::AreaDistance& area, double sagitta_mm);
+
+}  // namespace sim::pocket

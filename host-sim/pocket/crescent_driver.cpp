@@ -1,0 +1,185 @@
+#include "host-sim/pocket/crescent_driver.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "planner/pocket/moving_disc.hpp"
+
+namespace sim::pocket {
+namespace {
+
+using cnc::WideVec2;
+using cnc::pocket::Crescent;
+using cnc::pocket::step_outwards;
+using cnc::pocket::ToolCircle;
+using cnc::pocket::Use;
+
+constexpr double kDegree = std::numbers::pi / 180.0;
+/// mm: crescents go on up to this circle into a corner; what is left there is as thin.
+constexpr double kLeastCircleMm = 1.0e-4;
+/// mm: less than this is no progress along a course.
+constexpr double kLeastProgressMm = 1.0e-7;
+/// Of the tool's radius: up to this length a narrow dead end is a corner, no slot.
+constexpr double kCornerLength = 3.0;
+/// mm: how far a slot may reach across the boundary by rounding.
+constexpr double kSlotExcessMm = 1.0e-7;
+/// Of the tool's radius: a helix on a greater circle would leave a core.
+constexpr double kHelixRadius = 0.9;
+/// mm: on a smaller circle a helix is a plunge.
+constexpr double kLeastHelixMm = 0.02;
+/// Of the step that the engagement allows: turns of a spiral are not quite around its centre.
+constexpr double kSpiralShare = 0.9;
+
+/// The radius of circles below which a pocket counts as narrow.
+double narrow_circle(double tool_radius_mm) { return (kNarrowDiameters - 1.0) * tool_radius_mm; }
+
+}  // namespace
+
+CrescentDriver::CrescentDriver(const OwnedArea& area,
+                               const AdaptiveOptions& options,
+                               AdaptivePath& out)
+    : area_{area},
+      options_{options},
+      limits_{options.tool_radius_mm, options.engagement_deg * kDegree, kLeastCircleMm},
+      out_{out},
+      writer_{out, options.depth_mm} {}
+
+CourseDrive CrescentDriver::drive(const AxisCourse& course,
+                                  const ToolCircle& start,
+                                  bool is_dead_end) {
+  CourseDrive done;
+  ToolCircle circle = start;
+  double s = 0.0;
+  while (s < course.length()) {
+    const double slot_end = end_of_slot(course, s, circle, is_dead_end);
+    double next = slot_end;
+    if (slot_end > s) {
+      if (!drive_slot(course, s, slot_end, done)) break;
+    } else {
+      next = next_crescent(course, s, circle, limits_);
+      if (next < s + kLeastProgressMm) break;
+      drive_crescent(circle, course.circle_at(next), done);
+    }
+    s = next;
+    circle = course.circle_at(s);
+  }
+  done.is_complete = s >= course.length();
+  std::ranges::reverse(done.way_back);
+  return done;
+}
+
+/// Where a narrow stretch ends that begins at `from`; `from` if none does.
+double CrescentDriver::end_of_slot(const AxisCourse& course,
+                                   double from,
+                                   const ToolCircle& circle,
+                                   bool is_dead_end) const {
+  const double narrow = narrow_circle(limits_.tool_radius_mm);
+  if (circle.radius >= narrow) return from;
+  const double step = 0.05 * limits_.tool_radius_mm;
+  double low = from;
+  double high = from;
+  do {
+    low = high;
+    high = std::min(low + step, course.length());
+  } while (high < course.length() && course.circle_at(high).radius < narrow);
+  if (course.circle_at(high).radius < narrow) {
+    const bool is_corner = course.length() - from <= kCornerLength * limits_.tool_radius_mm;
+    return is_dead_end && is_corner ? from : course.length();
+  }
+  constexpr int kHalvings = 40;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    (course.circle_at(middle).radius < narrow ? low : high) = middle;
+  }
+  return high;
+}
+
+/// Goes along the axis, and clears the disc at the end. False if the slot bends and is as wide as
+/// the tool, so that no line fits into it.
+bool CrescentDriver::drive_slot(const AxisCourse& course,
+                                double from,
+                                double to,
+                                CourseDrive& done) {
+  const double radius = limits_.tool_radius_mm;
+  const ToolCircle begin = course.circle_at(from);
+  const ToolCircle end = course.circle_at(to);
+  std::vector<WideVec2> places = course.places_between(from, to);
+  places.push_back(end.centre);
+  NarrowStretch stretch{{begin.centre}, 2.0 * (begin.radius + radius), to - from};
+  writer_.link(begin.centre);
+  done.way_back.push_back(begin.centre);
+  for (const WideVec2& place : places) {
+    if (excess_of({writer_.place(), place, radius, radius}, *area_) > kSlotExcessMm) return false;
+    writer_.pass(place);
+    done.way_back.push_back(place);
+    stretch.places.push_back(place);
+    stretch.width_mm = std::min(stretch.width_mm, 2.0 * area_->depth(place));
+  }
+  out_.narrow.push_back(stretch);
+  if (end.radius >= kLeastCircleMm) {
+    writer_.pass(end.centre + WideVec2{end.radius, 0.0});
+    writer_.circle(Use::kPass, end.centre);
+  }
+  circles_.push_back(end);
+  return true;
+}
+
+void CrescentDriver::drive_crescent(const ToolCircle& from,
+                                    const ToolCircle& to,
+                                    CourseDrive& done) {
+  const Crescent crescent = crescent_between(from, to);
+  if (crescent.exists) {
+    writer_.link(crescent.begin);
+    writer_.pass(crescent.middle, crescent.bulge);
+    writer_.pass(crescent.end, crescent.bulge);
+    done.way_back.push_back(crescent.end);
+  } else {
+    // All of it is cleared: its middle is in both circles.
+    writer_.link(to.centre);
+    done.way_back.push_back(to.centre);
+  }
+  circles_.push_back(to);
+}
+
+void CrescentDriver::open_disc(const ToolCircle& circle) {
+  sink(circle.centre, std::clamp(circle.radius, 0.0, kHelixRadius * limits_.tool_radius_mm));
+  spiral(circle);
+  circles_.push_back(circle);
+  // All of this part is about as narrow as the tool.
+  if (circle.radius < narrow_circle(limits_.tool_radius_mm)) {
+    out_.narrow.push_back({{circle.centre}, 2.0 * (circle.radius + limits_.tool_radius_mm), 0.0});
+  }
+}
+
+/// Goes down by a helix of half turns, and around at its bottom; straight where there is no space.
+void CrescentDriver::sink(const WideVec2& centre, double radius_mm) {
+  const WideVec2 start = centre + WideVec2{radius_mm, 0.0};
+  writer_.begin_row(start);
+  const double sink_of_half = std::numbers::pi * radius_mm * std::tan(options_.ramp_deg * kDegree);
+  if (radius_mm < kLeastHelixMm) {
+    writer_.go(Use::kEntry, start, 0.0, writer_.floor_z());
+    return;
+  }
+  const int halves = static_cast<int>(std::ceil(options_.depth_mm / sink_of_half));
+  for (int i = 1; i <= halves; ++i) {
+    const double z = i == halves ? writer_.floor_z() : writer_.floor_z() * i / halves;
+    writer_.go(Use::kEntry, 2.0 * centre - writer_.place(), 1.0, z);
+  }
+  writer_.circle(Use::kEntry, centre);
+}
+
+/// Half circles, each of them wider than the one before it, from the bottom of the helix.
+void CrescentDriver::spiral(const ToolCircle& circle) {
+  const double side = writer_.place().x() >= circle.centre.x() ? 1.0 : -1.0;
+  double radius = std::abs(writer_.place().x() - circle.centre.x());
+  if (radius >= circle.radius) return;
+  for (double turn = side; radius < circle.radius; turn = -turn) {
+    const double step = step_outwards(radius, limits_.tool_radius_mm, limits_.engagement);
+    radius = std::min(radius + 0.5 * kSpiralShare * step, circle.radius);
+    writer_.pass(circle.centre - WideVec2{turn * radius, 0.0}, 1.0);
+  }
+  writer_.circle(Use::kPass, circle.centre);
+}
+
+}  // namespace sim::pocket

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <vector>
+
+#include "host-sim/pocket/axis_course.hpp"
+#include "host-sim/pocket/depth_writer.hpp"
+
+namespace sim::pocket {
+
+/// What a tool has done along a course.
+struct CourseDrive {
+  /// Places by which the tool comes back to where the course began, each within a cleared disc
+  /// together with the one before it.
+  std::vector<cnc::WideVec2> way_back;
+  bool is_complete = false;  ///< It came to the end.
+};
+
+/// Clears along the axis: by crescents, and where that is too narrow for them, in slots.
+class CrescentDriver {
+ public:
+  CrescentDriver(const OwnedArea& area, const AdaptiveOptions& options, AdaptivePath& out);
+
+  /// Clears along a course. @param start the circle at its beginning, on or in which the tool is,
+  /// and whose disc is cleared
+  /// @param is_dead_end nothing goes on at the course's end
+  CourseDrive drive(const AxisCourse& course,
+                    const cnc::pocket::ToolCircle& start,
+                    bool is_dead_end);
+
+  /// Opens a disc in full stock: by a helix, and a spiral outwards within the engagement. Leaves
+  /// the tool on the circle.
+  void open_disc(const cnc::pocket::ToolCircle& circle);
+
+  /// All circles whose discs are cleared.
+  [[nodiscard]] const std::vector<cnc::pocket::ToolCircle>& circles() const { return circles_; }
+  [[nodiscard]] DepthWriter& writer() { return writer_; }
+
+ private:
+  [[nodiscard]] double end_of_slot(const AxisCourse& course,
+                                   double from,
+                                   const cnc::pocket::ToolCircle& circle,
+                                   bool is_dead_end) const;
+  [[nodiscard]] bool drive_slot(const AxisCourse& course,
+                                double from,
+                                double to,
+                                CourseDrive& done);
+  void drive_crescent(const cnc::pocket::ToolCircle& from,
+                      const cnc::pocket::ToolCircle& to,
+                      CourseDrive& done);
+  void sink(const cnc::WideVec2& centre, double radius_mm);
+  void spiral(const cnc::pocket::ToolCircle& circle);
+
+  const OwnedArea& area_;
+  AdaptiveOptions options_;
+  StepLimits limits_;
+  AdaptivePath& out_;
+  DepthWriter writer_;
+  std::vector<cnc::pocket::ToolCircle> circles_;
+};
+
+}  // namespace sim::pocket

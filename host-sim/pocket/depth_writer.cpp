@@ -1,0 +1,40 @@
+#include "host-sim/pocket/depth_writer.hpp"
+
+namespace sim::pocket {
+
+using cnc::WideVec2;
+using cnc::pocket::Use;
+
+void DepthWriter::begin_row(const WideVec2& place) {
+  end_row();
+  out_.points.push_back({place.x(), place.y(), 0.0, 0.0, Use::kEntry});
+}
+
+void DepthWriter::begin_row_in_cleared(const WideVec2& place) {
+  begin_row(place);
+  go(Use::kLink, place, 0.0, z_);
+}
+
+void DepthWriter::link(const WideVec2& to) {
+  if (to != place()) go(Use::kLink, to, 0.0, z_);
+}
+
+void DepthWriter::go(Use use, const WideVec2& to, double bulge, double z) {
+  out_.points.back().use = use;
+  out_.points.back().bulge = bulge;
+  out_.points.push_back({to.x(), to.y(), z, 0.0, use});
+}
+
+void DepthWriter::circle(Use use, const WideVec2& centre) {
+  const WideVec2 start = place();
+  go(use, 2.0 * centre - start, 1.0, z());
+  go(use, start, 1.0, z());
+}
+
+void DepthWriter::end_row() {
+  const auto end = static_cast<std::uint32_t>(out_.points.size());
+  const std::uint32_t begin = out_.row_ends.empty() ? 0 : out_.row_ends.back();
+  if (end > begin) out_.row_ends.push_back(end);
+}
+
+}  // namespace sim::pocket

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "host-sim/pocket/adaptive_path.hpp"
+
+namespace sim::pocket {
+
+/// Writes rows of a path whose passes are all at one depth.
+class DepthWriter {
+ public:
+  DepthWriter(AdaptivePath& out, double depth_mm) : out_{out}, z_{-depth_mm} {}
+
+  /// Lifts the tool and begins a row at the top.
+  void begin_row(const cnc::WideVec2& place);
+  /// Lifts the tool and goes down where the stock is gone.
+  void begin_row_in_cleared(const cnc::WideVec2& place);
+
+  /// Goes on by a line or an arc. @param z of its end
+  void go(cnc::pocket::Use use, const cnc::WideVec2& to, double bulge, double z);
+  void pass(const cnc::WideVec2& to, double bulge = 0.0) {
+    go(cnc::pocket::Use::kPass, to, bulge, z_);
+  }
+  /// Nothing where the tool is there already.
+  void link(const cnc::WideVec2& to);
+  /// Around a circle to the left, from the tool's place.
+  void circle(cnc::pocket::Use use, const cnc::WideVec2& centre);
+
+  void end_row();
+
+  /// @pre a row is open
+  [[nodiscard]] cnc::WideVec2 place() const { return out_.points.back().point(); }
+  [[nodiscard]] double z() const { return out_.points.back().z; }
+  [[nodiscard]] double floor_z() const { return z_; }
+
+ private:
+  AdaptivePath& out_;
+  double z_;
+};
+
+}  // namespace sim::pocket

@@ -1,0 +1,161 @@
+#include "host-sim/pocket/medial_axis.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <utility>
+
+#include "host-sim/pocket/branch_pruning.hpp"
+#include "planner/pocket/nearest_point.hpp"
+
+namespace sim::pocket {
+namespace {
+
+using cnc::WideVec2;
+using cnc::pocket::nearest_point_of;
+
+constexpr double kSagittaShare = 0.1;  ///< Of the tolerance.
+
+/// Adds points between neighbours of a chain until they are within tolerance.
+class ChainRefiner {
+ public:
+  ChainRefiner(const OwnedArea& area, double tolerance_mm)
+      : area_{area}, tolerance_mm_{tolerance_mm} {}
+
+  /// Appends what lies between the last point and `to`, and `to`.
+  void append(std::vector<AxisPoint>& points, const AxisPoint& to, const AxisEdge& edge) {
+    // Points in reverse, each with how often the stretch before it was halved.
+    struct Pending {
+      AxisPoint point;
+      int depth;
+    };
+    std::vector<Pending> pending{{to, 0}};
+    while (!pending.empty()) {
+      const AxisPoint from = points.back();
+      Pending& next = pending.back();
+      const AxisPoint middle = middle_of(from, next.point, edge);
+      if (next.depth < kMostHalvings && is_apart(from, middle, next.point)) {
+        ++next.depth;
+        pending.push_back({middle, next.depth});
+        continue;
+      }
+      points.push_back(next.point);
+      pending.pop_back();
+    }
+  }
+
+ private:
+  static constexpr int kMostHalvings = 12;
+
+  [[nodiscard]] bool is_apart(const AxisPoint& from,
+                              const AxisPoint& middle,
+                              const AxisPoint& to) const {
+    const WideVec2 mean = 0.5 * (from.place + to.place);
+    return (middle.place - mean).norm() > tolerance_mm_ ||
+           std::abs(middle.radius - 0.5 * (from.radius + to.radius)) > tolerance_mm_;
+  }
+
+  /// The point near the middle that is as far from one element as from the other.
+  [[nodiscard]] AxisPoint middle_of(const AxisPoint& from,
+                                    const AxisPoint& to,
+                                    const AxisEdge& edge) const {
+    constexpr int kSteps = 8;
+    const WideVec2 middle = 0.5 * (from.place + to.place);
+    const double reach = 0.5 * (to.place - from.place).norm();
+    WideVec2 place = middle;
+    for (int i = 0; i < kSteps; ++i) {
+      const WideVec2 left = place - nearest_point_of(area_->element(edge.left), place);
+      const WideVec2 right = place - nearest_point_of(area_->element(edge.right), place);
+      const double difference = left.norm() - right.norm();
+      const WideVec2 gradient = left.normalized() - right.normalized();
+      const double square = gradient.squaredNorm();
+      if (std::abs(difference) <= kSagittaShare * tolerance_mm_ || square < kLeastSquare) break;
+      place -= (difference / square) * gradient;
+    }
+    if (!((place - middle).norm() <= reach)) place = middle;
+    return {place, std::max(0.0, area_->depth(place))};
+  }
+
+  /// Of the difference of two unit vectors that are one direction.
+  static constexpr double kLeastSquare = 1.0e-8;
+
+  const OwnedArea& area_;
+  double tolerance_mm_;
+};
+
+/// Joins edges to chains.
+class ChainMaker {
+ public:
+  ChainMaker(const OwnedArea& area, const AxisGraph& graph, double tolerance_mm)
+      : graph_{graph},
+        refiner_{area, tolerance_mm},
+        at_node_(graph.nodes.size()),
+        numbers_(graph.nodes.size(), kNoNumber),
+        used_(graph.edges.size()) {
+    for (std::uint32_t i = 0; i < graph.edges.size(); ++i) {
+      at_node_[graph.edges[i].from].push_back(i);
+      at_node_[graph.edges[i].to].push_back(i);
+    }
+  }
+
+  MedialAxis make() {
+    for (std::uint32_t i = 0; i < at_node_.size(); ++i) {
+      if (at_node_[i].size() != 2) begin_at(i);
+    }
+    // What is left are loops, which have no node of their own.
+    for (std::uint32_t i = 0; i < at_node_.size(); ++i) {
+      if (at_node_[i].size() == 2 && !used_[at_node_[i].front()]) begin_at(i);
+    }
+    return std::move(axis_);
+  }
+
+ private:
+  static constexpr std::uint32_t kNoNumber = 0xFFFFFFFF;
+
+  std::uint32_t number_of(std::uint32_t node) {
+    if (numbers_[node] == kNoNumber) {
+      numbers_[node] = static_cast<std::uint32_t>(axis_.nodes.size());
+      axis_.nodes.push_back(graph_.nodes[node]);
+    }
+    return numbers_[node];
+  }
+
+  void begin_at(std::uint32_t node) {
+    number_of(node);
+    for (const std::uint32_t edge : at_node_[node]) {
+      if (!used_[edge]) follow(node, edge);
+    }
+  }
+
+  void follow(std::uint32_t first, std::uint32_t edge) {
+    AxisChain chain{.from = number_of(first), .points = {graph_.nodes[first]}};
+    std::uint32_t node = first;
+    for (;;) {
+      used_[edge] = true;
+      const AxisEdge& here = graph_.edges[edge];
+      node = here.from == node ? here.to : here.from;
+      refiner_.append(chain.points, graph_.nodes[node], here);
+      if (node == first || at_node_[node].size() != 2) break;
+      edge = at_node_[node][at_node_[node].front() == edge ? 1 : 0];
+    }
+    chain.to = number_of(node);
+    axis_.chains.push_back(std::move(chain));
+  }
+
+  const AxisGraph& graph_;
+  ChainRefiner refiner_;
+  std::vector<std::vector<std::uint32_t>> at_node_;
+  std::vector<std::uint32_t> numbers_;
+  std::vector<bool> used_;
+  MedialAxis axis_;
+};
+
+}  // namespace
+
+MedialAxis medial_axis(const OwnedArea& area, const AxisOptions& options) {
+  AxisGraph graph = voronoi_graph(area, kSagittaShare * options.tolerance_mm);
+  prune_branches(graph, options.slack_mm);
+  return ChainMaker{area, graph, options.tolerance_mm}.make();
+}
+
+}  // namespace sim::pocket

@@ -1,0 +1,140 @@
+#include "host-sim/pocket/mill_program.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "host-sim/cut/cut_program.hpp"
+#include "host-sim/cut/stroke.hpp"
+#include "planner/gcode/program_writer.hpp"
+
+namespace sim::pocket {
+namespace {
+
+using cnc::gcode::WriterError;
+using Point = cnc::pocket::PathPoint<double>;
+using Written = cnc::Result<std::string_view, WriterError>;
+
+/// Writes rows of a tool path one after the other.
+class RowWriter {
+ public:
+  RowWriter(const MillSettings& mill, cnc::gcode::PrintGrid grid)
+      : mill_{mill}, digit_mm_{1.0 / grid.per_mm()}, writer_{grid} {
+    writer_.leave_power();
+  }
+
+  void write(cnc::contour::Slice<const Point> row) {
+    const Point& first = row[0];
+    rapid_to(first, mill_.safe_mm);
+    rapid_to(first, std::min(mill_.safe_mm, first.z + mill_.near_mm));
+    writer_.set_feed(thousandths(mill_.plunge_mm_min));
+    set_height(first, first.z);
+    take(writer_.cut(first.point(), first.point(), 0.0), first);
+    for (std::size_t i = 0; i + 1 < row.size(); ++i) write_element(row[i], row[i + 1]);
+    rapid_to(row[row.size() - 1], mill_.safe_mm);
+  }
+
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  static std::uint32_t thousandths(double value) {
+    return static_cast<std::uint32_t>(std::lround(1000.0 * value));
+  }
+
+  /// The feed at which an element descends no faster than a plunge.
+  [[nodiscard]] double feed_of(const cut::Stroke& stroke, double rise_mm) const {
+    if (rise_mm >= 0.0) return mill_.feed_mm_min;
+    const double length_mm = std::hypot(cut::length_of(stroke), rise_mm);
+    return std::min(mill_.feed_mm_min, mill_.plunge_mm_min * length_mm / -rise_mm);
+  }
+
+  void write_element(const Point& from, const Point& to) {
+    const cut::Stroke stroke{.from = from.point(), .to = to.point(), .bulge = from.bulge};
+    writer_.set_feed(thousandths(feed_of(stroke, to.z - from.z)));
+    set_height(to, to.z);
+    const Written written = writer_.cut(stroke.from, stroke.to, stroke.bulge);
+    if (written.ok() || written.error() != WriterError::kTooFlat) return take(written, to);
+    write_flat(stroke, from, to);
+  }
+
+  /// An arc so flat that its centre is out of reach: lines within half a last digit of it.
+  void write_flat(const cut::Stroke& stroke, const Point& from, const Point& to) {
+    const double height = 0.5 * std::abs(stroke.bulge) * drawing::distance(stroke.from, stroke.to);
+    const double lines = std::ceil(std::sqrt(2.0 * height / digit_mm_));
+    for (double i = 0.0; i < lines; i += 1.0) {
+      const cut::Stroke part = part_of(stroke, i / lines, (i + 1.0) / lines);
+      set_height(to, from.z + (to.z - from.z) * (i + 1.0) / lines);
+      take(writer_.cut(part.from, part.to, 0.0), to);
+    }
+  }
+
+  void rapid_to(const Point& point, double height_mm) {
+    set_height(point, height_mm);
+    take(writer_.rapid(point.point()), point);
+  }
+
+  void set_height(const Point& point, double height_mm) {
+    if (!writer_.set_height(height_mm)) refuse(point);
+  }
+
+  void take(const Written& written, const Point& point) {
+    if (!written.ok()) refuse(point);
+    text_ += written.value();
+  }
+
+  [[noreturn]] static void refuse(const Point& point) {
+    throw std::invalid_argument(
+        fmt::format("X{:g} Y{:g} Z{:g} mm is too far from zero for a program; is the unit of the "
+                    "drawing right?",
+                    point.x,
+                    point.y,
+                    point.z));
+  }
+
+  MillSettings mill_;
+  double digit_mm_;
+  cnc::gcode::ProgramWriter writer_;
+  std::string text_;
+};
+
+std::string switch_on(const MillSettings& mill) {
+  std::string text;
+  if (mill.spindle_rpm > 0.0) {
+    text += fmt::format("S{:g} {}\n", mill.spindle_rpm, mill.turns_left ? "M4" : "M3");
+    if (mill.spin_up_s > 0.0) text += fmt::format("G4 P{:g}\n", mill.spin_up_s);
+  }
+  if (mill.coolant != Coolant::kOff) text += mill.coolant == Coolant::kMist ? "M7\n" : "M8\n";
+  return text;
+}
+
+std::string switch_off(const MillSettings& mill) {
+  std::string text;
+  if (mill.coolant != Coolant::kOff) text += "M9\n";
+  if (mill.spindle_rpm > 0.0) text += "M5\n";
+  return text + "M2\n";
+}
+
+}  // namespace
+
+std::string program_of(const cnc::pocket::ToolPathView<double>& path,
+                       const MillSettings& mill,
+                       cnc::gcode::PrintGrid grid,
+                       const std::vector<std::string>& heading) {
+  std::string text;
+  for (const std::string& line : heading) text += cut::comment_line(line);
+  text += "G21 G90 G17 G94 G54\n";
+  // The tool leaves the stock before the spindle starts.
+  text += fmt::format("G0 Z{:g}\n", mill.safe_mm);
+  text += switch_on(mill);
+  RowWriter writer{mill, grid};
+  for (std::size_t row = 0; row < path.row_ends.size(); ++row) {
+    const std::uint32_t begin = path.row_begin(row);
+    const std::uint32_t end = path.row_ends[row];
+    if (begin < end) writer.write({path.points.begin() + begin, end - begin});
+  }
+  return text + writer.text() + switch_off(mill);
+}
+
+}  // namespace sim::pocket

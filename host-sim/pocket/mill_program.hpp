@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "planner/gcode/print_grid.hpp"
+#include "planner/pocket/tool_path.hpp"
+
+namespace sim::pocket {
+
+enum class Coolant : std::uint8_t {
+  kOff,
+  kMist,   ///< M7.
+  kFlood,  ///< M8.
+};
+
+/// How a mill drives a tool path.
+struct MillSettings {
+  double feed_mm_min = 0.0;         ///< Along the path, above 0.
+  double plunge_mm_min = 0.0;       ///< Greatest feed downwards, above 0.
+  double spindle_rpm = 0.0;         ///< 0 leaves the spindle alone.
+  bool turns_left = false;          ///< M4 in place of M3.
+  double spin_up_s = 0.0;           ///< Dwell after the spindle has been switched on.
+  Coolant coolant = Coolant::kOff;  ///< Off again at the end.
+  double safe_mm = 5.0;             ///< Z of rapids in the plane, above 0.
+  double near_mm = 1.0;  ///< A rapid descends to this height above the first point of a row.
+};
+
+/// Writes a tool path as G-code: spindle and coolant, then for each row a rapid at the safe height,
+/// a descent to its first point, its lines, arcs and helices, and a rapid up. Feeds of ramps and
+/// helices are so low that they descend no faster than a plunge.
+/// Throws std::invalid_argument where a point is too far from zero for a program.
+/// @param heading lines of comment at the top; characters that G-code cannot carry become `_`
+/// @pre no stock lies above the first point of each row
+[[nodiscard]] std::string program_of(const cnc::pocket::ToolPathView<double>& path,
+                                     const MillSettings& mill,
+                                     cnc::gcode::PrintGrid grid,
+                                     const std::vector<std::string>& heading);
+
+}  // namespace sim::pocket

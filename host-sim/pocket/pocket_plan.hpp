@@ -1,0 +1,94 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "host-sim/contour/contour_offset.hpp"
+#include "planner/pocket/pocket_path.hpp"
+
+namespace sim::pocket {
+
+/// There is no path for a pocket: the options do not fit it, or its contours cross.
+class NoPocketPath : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;  ///< `reason; remedy`.
+};
+
+/// The path that clears a pocket, and its passes, each a contour of loops.
+struct PocketPlan {
+  std::vector<cnc::pocket::PathPoint<double>> points;
+  std::vector<std::uint32_t> row_ends;
+  std::vector<Contour> passes;
+  cnc::pocket::PocketReport report;
+
+  [[nodiscard]] cnc::pocket::ToolPathView<double> path() const {
+    return {{points.data(), points.size()}, {row_ends.data(), row_ends.size()}};
+  }
+};
+
+/// The planner's pocket path with storage that grows until it is enough, and is used again for the
+/// next pocket.
+class PocketPlanner {
+ public:
+  /// Of the storage for one pass; about 3 KiB each.
+  static constexpr std::size_t kMostElements = 1'000'000;
+  /// Of a path, and of all passes; 44 bytes each.
+  static constexpr std::size_t kMostPoints = 20'000'000;
+
+  PocketPlanner() = default;
+
+  /// Throws NoPocketPath.
+  /// @param pocket closed contours that do not cross, with the pocket on their left
+  [[nodiscard]] PocketPlan plan(const cnc::contour::ContourView<double>& pocket,
+                                const cnc::pocket::PocketOptions<double>& options);
+
+ private:
+  using Vertices = std::vector<ContourVertex>;
+  using Indices = std::vector<std::uint32_t>;
+
+  struct Loops {
+    Vertices vertices;
+    Indices loop_ends;
+
+    void resize(std::size_t size);
+    [[nodiscard]] cnc::pocket::LoopSpace<double> slices();
+  };
+  struct Areas {
+    Vertices vertices;
+    Indices loop_ends;
+    std::vector<cnc::pocket::AreaRange> ranges;
+
+    void resize(std::size_t size);
+    [[nodiscard]] cnc::pocket::AreaSpace<double> slices();
+  };
+
+  void grow(std::size_t elements);
+  void grow_passes(std::size_t elements);
+  void grow_path(std::size_t points);
+  /// Grows what was too small; throws for every other fault.
+  void grow_or_refuse(const cnc::pocket::PocketError& error, const ContourVertex& begin);
+  [[nodiscard]] cnc::pocket::PocketPathSpace<double> space();
+
+  std::size_t elements_ = 0;
+  OwnedOffsetSpace offset_;
+  Loops loops_;
+  Loops inner_;
+  Loops grown_;
+  Areas left_;
+  Areas goals_;
+  std::vector<cnc::pocket::LoopNote<double>> notes_;
+  Areas passes_;
+  std::vector<cnc::pocket::PassNote<double>> pass_notes_;
+  std::vector<cnc::pocket::PassState> states_;
+  std::unique_ptr<bool[]> driven_loops_;  ///< A vector of bool has no storage to hand out.
+  std::vector<cnc::contour::Curve<double>> locus_;
+  std::vector<cnc::contour::FlatBox<double>> locus_boxes_;
+  std::vector<cnc::pocket::PathPoint<double>> points_;
+  std::vector<std::uint32_t> row_ends_;
+};
+
+}  // namespace sim::pocket

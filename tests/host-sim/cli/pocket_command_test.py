@@ -1,0 +1,156 @@
+#!/usr/bin/env python3
+"""kerfline pocket as its users call it: programs that the simulated machine takes, and refusals.
+
+    pocket_command_test.py KERFLINE
+"""
+
+import json
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+KERFLINE = ""
+MILL = ("--feed", "1200", "--plunge-feed", "300")
+MACHINE = [word for setting in ("$32=0", "$30=24000", "$100=320", "$101=320", "$102=320", "$110=5000", "$111=5000",
+                                "$112=2000", "$120=400", "$121=400", "$122=250", "$130=200", "$131=200")
+           for word in ("--set", setting)]
+
+
+def run(*arguments, text=None):
+    return subprocess.run([KERFLINE, *map(str, arguments)], input=text, capture_output=True, text=True,
+                          check=False, env={"PATH": "/usr/bin"})
+
+
+def svg(*shapes):
+    return ('<svg xmlns="http://www.w3.org/2000/svg" width="100mm" height="80mm" viewBox="0 0 100 80">'
+            + "".join(shapes) + "</svg>")
+
+
+TRAY = svg('<rect x="10" y="10" width="60" height="40"/>', '<circle cx="40" cy="30" r="8"/>')
+
+
+class PocketCommand(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.program = self.folder / "tray.nc"
+
+    def drawing(self, text):
+        path = self.folder / "tray.svg"
+        path.write_text(text)
+        return path
+
+    def pocket(self, text, *options):
+        return run("pocket", self.drawing(text), "-o", self.program, *options)
+
+    def simulated(self, *more):
+        report = self.folder / "sim.json"
+        done = run("sim", self.program, *MACHINE, "--report", report, *more)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return json.loads(report.read_text())
+
+    def test_mills_a_tray_round_its_island_to_the_walls(self):
+        report = self.folder / "tray.json"
+        picture = self.folder / "passes.svg"
+        done = self.pocket(TRAY, "--tool", 6, "--depth", 4, "--depth-step", 1.5, *MILL, "--report", report,
+                           "--svg", picture, "--spindle", 16000, "--coolant", "mist")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        figures = json.loads(report.read_text())
+        self.assertEqual(figures["levels"], 3)
+        self.assertGreaterEqual(figures["passes"], 2)
+        self.assertGreaterEqual(figures["rows"], 3)
+        self.assertGreater(figures["pass_length_mm"], 3 * 250)
+        self.assertTrue(picture.read_text().startswith("<"))
+        text = self.program.read_text()
+        for line in ("G21 G90 G17 G94 G54", "S16000 M3", "M7", "M9", "M5", "M2"):
+            self.assertIn(line + "\n", text)
+        driven = self.simulated()
+        # Drawings have their Y upwards: 80 - 50 to 80 - 10; half the tool from each wall.
+        for axis, least, greatest in (("X", 13.0, 67.0), ("Y", 33.0, 67.0)):
+            low, high = driven["bounds_mm"][axis]
+            self.assertAlmostEqual(min(low, least), least if low > 0 else low, 2)
+            self.assertAlmostEqual(high, greatest, 2)
+        self.assertAlmostEqual(driven["bounds_mm"]["Z"][0], -4.0, 2)
+        self.assertAlmostEqual(driven["bounds_mm"]["Z"][1], 5.0, 2)
+        self.assertEqual(driven["faults"], [])
+
+    def test_writes_the_same_program_again_to_standard_output(self):
+        self.assertEqual(self.pocket(TRAY, "--tool", 6, "--depth", 2, *MILL).returncode, 0)
+        again = run("pocket", self.folder / "tray.svg", "--tool", 6, "--depth", 2, *MILL)
+        self.assertEqual(again.stdout, self.program.read_text())
+        self.assertIn("passes in", again.stderr)
+        piped = run("pocket", "-", "--tool", 6, "--depth", 2, *MILL, text=TRAY)
+        self.assertEqual(piped.stdout.splitlines()[2:], again.stdout.splitlines()[2:])
+
+    def test_takes_every_entry_and_both_directions(self):
+        for entry in ("helix", "ramp", "plunge"):
+            for more in ((), ("--conventional",)):
+                with self.subTest(entry=entry, more=more):
+                    done = self.pocket(TRAY, "--tool", 6, "--depth", 2, "--entry", entry, *more, *MILL)
+                    self.assertEqual(done.returncode, 0, done.stderr)
+                    self.assertAlmostEqual(self.simulated()["bounds_mm"]["Z"][0], -2.0, 2)
+
+    def test_carves_all_that_the_tool_reaches_and_nothing_else(self):
+        # All but the corners of the walls, which have the tool's radius, and the island.
+        volume = 4 * (60 * 40 - (4 - math.pi) * 3 ** 2 - math.pi * 8 ** 2)
+        for more in ((), ("--conventional", "--stepover", 2), ("--entry", "ramp", "--corner", 0)):
+            with self.subTest(more=more):
+                done = self.pocket(TRAY, "--tool", 6, "--depth", 4, "--depth-step", 2, *MILL, *more)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                stock = self.simulated("--stock", "5,25,75,75,0,-8", "--tool", 6, "--stock-cell", 0.05)["stock"]
+                self.assertLessEqual(stock["removed_mm3"]["least"], volume)
+                self.assertGreaterEqual(stock["removed_mm3"]["most"], volume)
+                self.assertLess(stock["removed_mm3"]["most"] - stock["removed_mm3"]["least"], 0.02 * volume)
+                self.assertEqual(stock["rapids_in_stock"]["count"], 0, stock["rapids_in_stock"])
+                self.assertEqual(stock["plunges_in_stock"]["count"], 0, stock["plunges_in_stock"])
+
+    def test_refuses_a_drawing_with_faults_and_writes_nothing(self):
+        open_wall = svg('<path d="M 10 10 H 60 V 50 H 20"/>')
+        crossing = svg('<rect x="10" y="10" width="40" height="30"/>', '<circle cx="50" cy="30" r="8"/>')
+        for text, words in ((open_wall, "open"), (crossing, "cross"), (svg(), "no contour")):
+            with self.subTest(words=words):
+                done = self.pocket(text, "--tool", 6, "--depth", 2, *MILL)
+                self.assertEqual(done.returncode, 1, done.stdout)
+                self.assertIn(words, done.stderr)
+                self.assertFalse(self.program.exists())
+
+    def test_names_what_the_tool_does_not_fit_into(self):
+        two = svg('<rect x="10" y="10" width="40" height="30"/>', '<rect x="60" y="10" width="4" height="30"/>')
+        done = self.pocket(two, "--tool", 6, "--depth", 2, *MILL)
+        self.assertEqual(done.returncode, 1)
+        self.assertRegex(done.stderr, r"60\.000 \d+\.000.* for a tool of 6 mm; choose a smaller one")
+        self.assertFalse(self.program.exists())
+        done = self.pocket(two, "--tool", 6, "--depth", 2, *MILL, "--anyway")
+        self.assertEqual(done.returncode, 1)
+        self.assertTrue(self.program.exists())
+        self.assertLess(self.simulated()["bounds_mm"]["X"][1], 47.01)
+        self.program.unlink()
+        done = self.pocket(TRAY, "--tool", 60, "--depth", 2, *MILL, "--anyway")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("fits nowhere", done.stderr)
+        self.assertFalse(self.program.exists())
+
+    def test_refuses_numbers_out_of_range_with_their_range(self):
+        good = {"--tool": 6, "--depth": 2, "--feed": 1200, "--plunge-feed": 300}
+        for option, value, words in (("--tool", 0, "0.01 to 500 mm"), ("--depth", 0, "0.001 to 1000 mm"),
+                                     ("--depth", -2, "0.001 to 1000 mm"), ("--feed", 0, "mm/min"),
+                                     ("--stepover", 0, "mm"), ("--slope", 50, "0.1 to 45 degrees"),
+                                     ("--safe", 0, "mm"), ("--tool", None, "--tool"),
+                                     ("--depth", None, "--depth"), ("--feed", None, "--feed"),
+                                     ("--plunge-feed", None, "--plunge-feed")):
+            call = good | {option: value}
+            words_of_call = [word for pair in call.items() if pair[1] is not None for word in pair]
+            with self.subTest(option=option, value=value):
+                done = self.pocket(TRAY, *words_of_call)
+                self.assertEqual(done.returncode, 2, done.stdout)
+                self.assertIn(words, done.stderr)
+                self.assertFalse(self.program.exists())
+
+
+if __name__ == "__main__":
+    KERFLINE = sys.argv.pop(1)
+    unittest.main()

@@ -1,0 +1,85 @@
+#include "host-sim/pocket/mill_program.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace sim::pocket {
+namespace {
+
+using cnc::pocket::Use;
+using Point = cnc::pocket::PathPoint<double>;
+
+struct Rows {
+  std::vector<Point> points;
+  std::vector<std::uint32_t> row_ends;
+
+  [[nodiscard]] cnc::pocket::ToolPathView<double> view() const {
+    return {{points.data(), points.size()}, {row_ends.data(), row_ends.size()}};
+  }
+};
+
+MillSettings mill() { return {.feed_mm_min = 600.0, .plunge_mm_min = 100.0}; }
+
+std::string written(const Rows& rows, const MillSettings& settings) {
+  return program_of(rows.view(), settings, cnc::gcode::PrintGrid{3}, {"a (pocket)"});
+}
+
+TEST(MillProgram, DrivesRowsBetweenRapidsAtTheSafeHeight) {
+  const Rows rows{{{.x = 1.0, .y = 2.0, .z = -1.0},
+                   {.x = 5.0, .y = 2.0, .z = -1.0, .bulge = 1.0},
+                   {.x = 5.0, .y = 6.0, .z = -1.0},
+                   {.x = 0.0, .y = 0.0, .z = -2.0},
+                   {.x = 0.0, .y = 1.0, .z = -2.0}},
+                  {3, 5}};
+  EXPECT_EQ(written(rows, mill()),
+            "(a _pocket_)\nG21 G90 G17 G94 G54\nG0 Z5\n"
+            "G0Z5\nX1Y2\nZ0\nG1Z-1F100\nX5F600\nG3Y6J2\nG0Z5\n"
+            "X0Y0\nZ-1\nG1Z-2F100\nY1F600\nG0Z5\n"
+            "M2\n");
+}
+
+TEST(MillProgram, SwitchesSpindleAndCoolantOnAndOff) {
+  MillSettings settings = mill();
+  settings.spindle_rpm = 12'000.0;
+  settings.spin_up_s = 1.5;
+  settings.coolant = Coolant::kMist;
+  EXPECT_EQ(written({}, settings),
+            "(a _pocket_)\nG21 G90 G17 G94 G54\nG0 Z5\nS12000 M3\nG4 P1.5\nM7\nM9\nM5\nM2\n");
+  settings.turns_left = true;
+  settings.coolant = Coolant::kFlood;
+  EXPECT_NE(written({}, settings).find("S12000 M4\nG4 P1.5\nM8\n"), std::string::npos);
+}
+
+TEST(MillProgram, DescendsNoFasterThanAPlunge) {
+  // Half a turn of radius 2 that falls by its own length, and a flat ramp.
+  const double length = 2.0 * 3.14159265358979;
+  const Rows rows{{{.z = 0.0, .bulge = 1.0, .use = Use::kEntry},
+                   {.x = 4.0, .z = -length, .use = Use::kEntry},
+                   {.x = 104.0, .z = -length - 1.0},
+                   {.x = 104.0, .y = 1.0, .z = 0.0}},
+                  {4}};
+  const std::string text = written(rows, mill());
+  EXPECT_NE(text.find("G3X4Z-6.283I2F141.421\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("G1X104Z-7.283F600\n"), std::string::npos) << text;
+  EXPECT_NE(text.find("Y1Z0\n"), std::string::npos) << text;
+}
+
+TEST(MillProgram, MakesLinesOfArcsWhoseCentreIsOutOfReach) {
+  const Rows rows{{{.z = -1.0, .bulge = 4.0e-5}, {.x = 1000.0, .z = -2.0}}, {2}};
+  const std::string text = written(rows, mill());
+  EXPECT_NE(text.find("X1000Y0Z-2\n"), std::string::npos) << text;
+  EXPECT_EQ(text.find("G3"), std::string::npos) << text;
+  EXPECT_GT(std::ranges::count(text, '\n'), 12) << text;
+}
+
+TEST(MillProgram, RefusesWhatNoProgramCanSay) {
+  const Rows far{{{.x = 1.0e6}, {.x = 1.0}}, {2}};
+  EXPECT_THROW(static_cast<void>(written(far, mill())), std::invalid_argument);
+  const Rows deep{{{.z = -1.0e6}, {.x = 1.0}}, {2}};
+  EXPECT_THROW(static_cast<void>(written(deep, mill())), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace sim::pocket
