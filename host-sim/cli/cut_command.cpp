@@ -17,7 +17,7 @@
 #include "host-sim/cli/job_options.hpp"
 #include "host-sim/cut/cut_report.hpp"
 #include "host-sim/cut/kerf_notes.hpp"
-#include "host-sim/cut/rapid_way.hpp"
+#include "host-sim/cut/timeline.hpp"
 #include "host-sim/report/progress_bar.hpp"
 #include "host-sim/report/report_json.hpp"
 #include "host-sim/report/terminal.hpp"
@@ -121,12 +121,6 @@ std::string timed_program(const CutCommandOptions& options,
   return program_of(job, run, heading_of(job, figures));
 }
 
-CutPlan safe_plan(const CutCommandOptions& options, CutPlan plan, const Drawing& drawn) {
-  make_safe(plan, drawn, options.safety);
-  predict(plan);
-  return plan;
-}
-
 const char* refusal_of(const CutPlan& plan) {
   if (plan.cuts.empty()) return "nothing is left to cut; no program is written";
   if (plan.safety.no_way != 0) return "no program is written; its rapids would not be safe";
@@ -144,7 +138,9 @@ cut::OrderWish searched_order(const CutCommandOptions& options) {
       if (share >= 1.0) bar->clear();
     };
   }
-  return order_wish_of(options.order, machine_of(options), std::move(progress));
+  cut::OrderWish wish = order_wish_of(options.order, machine_of(options), std::move(progress));
+  wish.decimals = static_cast<std::uint8_t>(options.decimals);
+  return wish;
 }
 
 /// Writes pictures, program, frame and reports of a job; no program of a job with faults, unless
@@ -152,9 +148,9 @@ cut::OrderWish searched_order(const CutCommandOptions& options) {
 ExitStatus write_job(const CutCommandOptions& options,
                      const CutJob& job,
                      const CutRun& run,
+                     const cut::Timeline& timeline,
                      bool sound) {
   CutFigures figures = figures_of(job.plan);
-  const cut::Timeline timeline = timeline_of(job.plan);
   write_pictures(options.outputs, job, timeline, nullptr);
   if (job.plan.cuts.empty() || job.plan.safety.no_way != 0 || (!sound && !options.anyway)) {
     terminal::print(stderr, "kerfline: {}{}\n", refusal_of(job.plan), stale_note(options.output));
@@ -203,10 +199,10 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
   inputs.add(digest_of(record));
   inputs.add(settings_digest(settings_of(run), names_settings(options)));
   save_sheet(options.sheet, input);
-  const CutPlan plan = safe_plan(
-      options,
-      plan_cuts(drawn, layers, options.curves, beside, std::move(recipes), searched_order(options)),
-      drawn);
+  CutPlan plan =
+      plan_cuts(drawn, layers, options.curves, beside, std::move(recipes), searched_order(options));
+  make_safe(plan, drawn, options.safety);
+  const cut::Timeline timeline = predict(plan);
   print_faults(faults, drawn);
   print_faults(plan.faults, drawn);
   print_faults(plan.warnings, drawn);
@@ -220,7 +216,7 @@ ExitStatus cut_drawing(const CutCommandOptions& options) {
                    inputs.digests()};
   for (const std::string& note : job.notes)
     terminal::print(stderr, "kerfline: warning: {}\n", note);
-  return write_job(options, job, run, sound);
+  return write_job(options, job, run, timeline, sound);
 }
 
 }  // namespace

@@ -107,13 +107,16 @@ cut::OrderWish order_wish_of(const CutOrderOptions& options,
   wish.seconds = options.seconds;
   wish.seed = options.seed;
   wish.progress = std::move(progress);
-  const cnc::motion::Limits limits = limits_from(settings_with(settings));
+  const cnc::Settings machine = settings_with(settings);
+  const cnc::motion::Limits limits = limits_from(machine);
   for (std::size_t axis = 0; axis < 2; ++axis) {
     wish.limits.rate_mm_s[axis] = static_cast<double>(motor_rate(limits, axis));
     wish.limits.acceleration_mm_s2[axis] = static_cast<double>(limits.acceleration_mm_s2[axis]);
     wish.limits.jerk_mm_s3[axis] = static_cast<double>(limits.jerk_mm_s3[axis]);
+    wish.steps_per_mm[axis] = static_cast<double>(limits.scale[axis].steps_per_mm());
   }
   wish.junction_deviation_mm = static_cast<double>(limits.junction_deviation_mm);
+  wish.arc_tolerance_mm = static_cast<double>(machine.get(cnc::setting::kArcTolerance));
   return wish;
 }
 

@@ -76,8 +76,7 @@ void GroupProblem::add_cut(const UnbegunCut& cut) {
     problem_.exit.push_back(plain(beginning.exit));
     problem_.reversed.push_back(static_cast<Index>(is_line ? first + 1 - i : first + i));
     has_leads_ = has_leads_ || (!is_line && beginning.entry != beginning.exit);
-    const bool has_own = cost_.is_time() && !cut.own_s.empty();
-    own_.push_back(has_own ? cost_.mm_per_s() * cut.own_s[i] : 0.0);
+    own_.push_back(cut.own_cost_of(i));
     beginning_.push_back(&beginning);
   }
   problem_.first_candidate.push_back(static_cast<Index>(problem_.entry.size()));
@@ -169,12 +168,13 @@ GroupResult GroupProblem::solve(const order::OrderProgress& progress) {
   options.method = task_.method;
   options.seconds = task_.seconds;
   options.seed = task_.seed;
-  options.may_prove = members_.size() <= kMaxProven;
+  options.may_prove = !task_.steps && members_.size() <= kMaxProven;
   begin_with(task_.start, options);
   if (task_.method != order::OrderMethod::kOurs) {
     return result_of(run(problem_, !has_leads_, options, progress));
   }
-  const std::uint64_t steps = usual_steps(members_.size(), problem_.candidates());
+  const std::uint64_t steps =
+      task_.steps.value_or(usual_steps(members_.size(), problem_.candidates()));
   if (!task_.seconds) options.steps = steps;
   if (has_leads_ && members_.size() > 2) {
     order::OrderOptions turning = options;

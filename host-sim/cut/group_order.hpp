@@ -17,6 +17,9 @@ struct GroupTask {
   std::optional<Place> to{};  ///< Nothing: another group follows.
   std::uint64_t seed = 1;
   std::optional<double> seconds{};
+  /// Bounds the search instead of usual_steps(), where neither seconds are given nor a proof is
+  /// worth while.
+  std::optional<std::uint64_t> steps{};
   /// An order of the same cuts to begin a search with, with beginnings of their lists; may be
   /// empty.
   std::vector<OrderedCut> start{};

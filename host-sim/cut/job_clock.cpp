@@ -19,4 +19,10 @@ double least_time(const Stroke& stroke, const LayerPlan& layer) {
   return stroke.dwell_s + (is_pierce ? std::max(driven, layer.settings.pierce_s) : driven);
 }
 
+double feed_of(const Stroke& stroke, const LayerPlan& layer) {
+  const double feed = from_thousandths(layer.condition.cut.speed_um_min) / 60.0;
+  const bool is_slow = stroke.purpose == Purpose::kPierce && layer.settings.pierce_s > 0.0;
+  return is_slow ? std::min(feed, length_of(stroke) / layer.settings.pierce_s) : feed;
+}
+
 }  // namespace sim::cut

@@ -14,4 +14,8 @@ namespace sim::cut {
 /// it lasts, and its dwell.
 [[nodiscard]] double least_time(const Stroke& stroke, const LayerPlan& layer);
 
+/// Returns the feed at which a stroke is programmed, mm/s: that of its layer, or so low that a
+/// pierce takes its time.
+[[nodiscard]] double feed_of(const Stroke& stroke, const LayerPlan& layer);
+
 }  // namespace sim::cut

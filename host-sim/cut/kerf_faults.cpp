@@ -2,7 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+
+#include "host-sim/cut/shared_edges.hpp"
+#include "host-sim/cut/shared_stretch.hpp"
 
 namespace sim::cut {
 namespace {
@@ -11,6 +15,8 @@ using drawing::FaultKind;
 
 /// A cut may be nearer to a drawn edge by this before it is reported, mm.
 constexpr double kGougeSlack = 1.0e-4;
+/// Parts that lie against each other along less than this do not, mm.
+constexpr double kShortestTouch = 0.1;
 constexpr double kLookForGougesEvery = 0.01;  ///< For the place of the worst, mm.
 constexpr double kLookForRestsEvery = 0.05;   ///< mm.
 
@@ -46,6 +52,44 @@ std::optional<drawing::Fault> gouge_of(const drawing::Drawing& drawn,
       where,
       fmt::format("its cut takes {:.3f} mm off {}", half - worst.distance_mm, other),
       fmt::format("put them at least the kerf apart, {:.3f} mm", 2.0 * half)};
+}
+
+std::optional<drawing::Fault> touch_of(const drawing::Drawing& drawn,
+                                       std::size_t contour,
+                                       const std::vector<Outline>& outlines,
+                                       const Clearance& edges,
+                                       double half_kerf_mm) {
+  double longest_mm = kShortestTouch;
+  std::optional<std::size_t> neighbour;
+  Place where{0.0, 0.0};
+  const auto compare = [&](const Stroke& stroke, std::size_t owner) {
+    for (const Stroke& edge : outlines[owner].strokes) {
+      const auto shared = shared_stretch(stroke, edge, kTouchesMm);
+      if (!shared || shared->to_mm - shared->from_mm <= longest_mm) continue;
+      longest_mm = shared->to_mm - shared->from_mm;
+      neighbour = owner;
+      where = place_at(stroke, 0.5 * (shared->from_mm + shared->to_mm) / length_of(stroke));
+    }
+  };
+  for (const Stroke& stroke : outlines[contour].strokes) {
+    std::vector<std::size_t> owners = edges.owners_near(stroke, kTouchesMm);
+    std::ranges::sort(owners);
+    owners.erase(std::unique(owners.begin(), owners.end()), owners.end());
+    for (const std::size_t owner : owners) {
+      if (owner != contour) compare(stroke, owner);
+    }
+  }
+  if (!neighbour) return std::nullopt;
+  return drawing::Fault{
+      FaultKind::kCrossing,
+      drawn.contours[contour].entity,
+      where,
+      fmt::format("lies against {} along {:.3f} mm: there is no room for a cut between them",
+                  drawn.contours[*neighbour].entity.name,
+                  longest_mm),
+      fmt::format("move them the kerf apart, {:.3f} mm, or let --common-line cut along the edge, "
+                  "which takes half of that off both",
+                  2.0 * half_kerf_mm)};
 }
 
 std::vector<drawing::Fault> rests_of(const drawing::Entity& entity,

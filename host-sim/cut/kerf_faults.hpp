@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "host-sim/cut/clearance.hpp"
+#include "host-sim/cut/outlines.hpp"
 #include "host-sim/cut/stroke.hpp"
 #include "host-sim/import/drawing.hpp"
 
@@ -17,6 +18,18 @@ namespace sim::cut {
 [[nodiscard]] std::optional<drawing::Fault> gouge_of(const drawing::Drawing& drawn,
                                                      std::size_t contour,
                                                      const std::vector<Stroke>& loop,
+                                                     const Clearance& edges,
+                                                     double half_kerf_mm);
+
+/// Returns a fault where a part lies against another one, edge to edge, if it does anywhere: no cut
+/// between them leaves both at their size. It names the longest such edge, at its middle.
+/// @param contour number of the contour in the drawing
+/// @param outlines one for each contour
+/// @param edges all drawn edges, each with the number of its contour
+/// @param half_kerf_mm half of the kerf of the contour
+[[nodiscard]] std::optional<drawing::Fault> touch_of(const drawing::Drawing& drawn,
+                                                     std::size_t contour,
+                                                     const std::vector<Outline>& outlines,
                                                      const Clearance& edges,
                                                      double half_kerf_mm);
 

@@ -9,6 +9,9 @@
 
 #include "host-sim/cut/cut_turn.hpp"
 #include "host-sim/cut/group_order.hpp"
+#include "host-sim/cut/own_costs.hpp"
+#include "host-sim/cut/part_order.hpp"
+#include "host-sim/cut/part_units.hpp"
 #include "planner/order/set_masks.hpp"
 
 namespace sim::cut {
@@ -36,13 +39,22 @@ std::vector<std::vector<std::size_t>> groups_of(const std::vector<UnbegunCut>& c
   return groups;
 }
 
-/// Brings together the cuts of each part, at the turn of its first one.
-void keep_parts_together(std::vector<OrderedCut>& order, const std::vector<UnbegunCut>& cuts) {
-  std::map<std::size_t, std::size_t> turn_of;
-  for (const OrderedCut& ordered : order) turn_of.emplace(cuts[ordered.cut].part, turn_of.size());
-  std::ranges::stable_sort(order, std::less{}, [&](const OrderedCut& ordered) {
-    return turn_of.at(cuts[ordered.cut].part);
-  });
+/// Orders the cuts of one turn, those of each part together where that is wished.
+GroupResult order_turn(const std::vector<UnbegunCut>& cuts,
+                       const std::vector<std::size_t>& members,
+                       const RapidCost& cost,
+                       const GroupTask& task,
+                       const OrderWish& wish) {
+  if (wish.grouping != Grouping::kPart) {
+    return order_group(cuts, members, cost, task, wish.progress);
+  }
+  if (task.method == OrderMethod::kOurs) {
+    return order_parts(cuts, members, cost, task, wish.progress);
+  }
+  GroupResult result = order_group(cuts, members, cost, task, wish.progress);
+  bring_together(result.cuts, units_of(cuts, members));
+  result.is_proven = false;
+  return result;
 }
 
 ChosenOrder order_groups(const std::vector<UnbegunCut>& cuts,
@@ -62,7 +74,7 @@ ChosenOrder order_groups(const std::vector<UnbegunCut>& cuts,
       task.seconds =
           *wish.seconds * static_cast<double>(groups[i].size()) / static_cast<double>(cuts.size());
     }
-    GroupResult result = order_group(cuts, groups[i], cost, task, wish.progress);
+    GroupResult result = order_turn(cuts, groups[i], cost, task, wish);
     chosen.is_proven = chosen.is_proven && result.is_proven;
     if (!result.cuts.empty()) here = result.cuts.back().beginning.exit;
     chosen.cuts.insert(chosen.cuts.end(), result.cuts.begin(), result.cuts.end());
@@ -93,22 +105,30 @@ void search_again(ChosenOrder& chosen,
     std::vector<UnbegunCut> more = cuts;
     for (const OrderedCut& ordered : chosen.cuts) {
       if (!more[ordered.cut].may_move) continue;
-      more[ordered.cut].beginnings.push_back(ordered.beginning);
-      more[ordered.cut].own_s.clear();
+      UnbegunCut& cut = more[ordered.cut];
+      if (!cut.own_cost.empty()) cut.own_cost.push_back(own_cost_at(cut, ordered.beginning));
+      cut.beginnings.push_back(ordered.beginning);
     }
     ChosenOrder next = order_groups(more, wish, OrderMethod::kOurs, false, chosen.cuts);
     refine_beginnings(next.cuts, cuts, cost, ends, edges, kRefinementRounds);
-    if (sum_of(next.cuts, cost, ends) >= sum_of(chosen.cuts, cost, ends)) return;
+    if (cost_along(next.cuts, cuts, cost, ends) >= cost_along(chosen.cuts, cuts, cost, ends))
+      return;
     chosen.cuts = std::move(next.cuts);
   }
 }
 
 }  // namespace
 
-RapidSum rapids_of(const std::vector<OrderedCut>& cuts, const OrderWish& wish) {
+RapidSum rapids_of(const std::vector<OrderedCut>& order,
+                   const std::vector<UnbegunCut>& cuts,
+                   const OrderWish& wish) {
   const JobEnds ends{wish.from, wish.to};
   const RapidCost time{wish.limits};
-  return {sum_of(cuts, RapidCost{}, ends), sum_of(cuts, time, ends) / time.mm_per_s()};
+  double own = 0.0;
+  for (const OrderedCut& ordered : order) own += own_cost_at(cuts[ordered.cut], ordered.beginning);
+  return {sum_of(order, RapidCost{}, ends),
+          sum_of(order, time, ends) / time.mm_per_s(),
+          own / time.mm_per_s()};
 }
 
 std::vector<OrderedCut> usual_order(const std::vector<UnbegunCut>& cuts,
@@ -137,13 +157,12 @@ ChosenOrder choose_order(const std::vector<UnbegunCut>& cuts,
     throw std::invalid_argument(
         "--order exact: the proof does not fit into 1 GB; use --order ours, which needs none");
   }
-  if (wish.grouping == Grouping::kPart) keep_parts_together(chosen.cuts, cuts);
-  chosen.listed = rapids_of(chosen.cuts, wish);
+  chosen.listed = rapids_of(chosen.cuts, cuts, wish);
   if (wish.method == OrderMethod::kNearest || wish.method == OrderMethod::kAnneal) return chosen;
   const RapidCost cost = cost_of(wish);
   const int rounds = cuts.size() > kMany ? kRoundsOfMany : kRefinementRounds;
   choose_beginnings(chosen.cuts, cuts, cost, ends);
-  chosen.listed = rapids_of(chosen.cuts, wish);
+  chosen.listed = rapids_of(chosen.cuts, cuts, wish);
   refine_beginnings(chosen.cuts, cuts, cost, ends, edges, rounds);
   const bool is_whole = wish.grouping != Grouping::kPart && cuts.size() <= kMany;
   if (wish.method == OrderMethod::kOurs && is_whole && !wish.seconds) {

@@ -16,10 +16,15 @@ double saving(double ours, double other) {
   return other > 0.0 ? 100.0 * (1.0 - ours / other) : 0.0;
 }
 
+/// Time of the job in another order: cuts take longer or shorter by their beginnings.
+double job_time(const RapidSum& sum, const OrderFigures& order) {
+  return order.strokes_s - order.rapids.own_s + sum.own_s + sum.time_s;
+}
+
 Json json_of(const RapidSum& sum, const OrderFigures& order) {
   return {{"rapid_length_mm", sum.length_mm},
           {"rapid_time_s", sum.time_s},
-          {"predicted_job_time_s", sum.time_s + order.strokes_s}};
+          {"predicted_job_time_s", job_time(sum, order)}};
 }
 
 }  // namespace
@@ -64,7 +69,8 @@ Json json_of(const OrderFigures& order, std::size_t cuts) {
   json["nearest_with_usual_starts"] = json_of(order.nearest, order);
   json["saved_of_nearest"] = {
       {"rapid_length_percent", saving(order.rapids.length_mm, order.nearest.length_mm)},
-      {"rapid_time_s", order.nearest.time_s - order.rapids.time_s}};
+      {"rapid_time_s", order.nearest.time_s - order.rapids.time_s},
+      {"job_time_s", job_time(order.nearest, order) - order.predicted_s()}};
   return json;
 }
 

@@ -18,9 +18,10 @@
 #include "host-sim/cut/late_cuts.hpp"
 #include "host-sim/cut/lead.hpp"
 #include "host-sim/cut/outlines.hpp"
+#include "host-sim/cut/own_costs.hpp"
 #include "host-sim/cut/possible_beginnings.hpp"
-#include "host-sim/cut/rapid_way.hpp"
 #include "host-sim/cut/share_lines.hpp"
+#include "host-sim/cut/shared_edges.hpp"
 #include "host-sim/cut/start_marks.hpp"
 #include "host-sim/cut/unfulfilled.hpp"
 #include "planner/base/contract.hpp"
@@ -66,6 +67,7 @@ class Planner {
       sides.push_back(layer_of(i).settings.side);
     }
     outlines_ = outlines_of(drawn_, sides, plan_.curves, plan_.faults);
+    part_touching();
     marks_ = marked_starts(drawn_, sides, outlines_, plan_.curves, plan_.faults);
     for (std::size_t i = 0; i < outlines_.size(); ++i) {
       for (const Stroke& stroke : outlines_[i].strokes) {
@@ -81,6 +83,7 @@ class Planner {
     name_parts();
     share_common_lines();
     find_beginnings();
+    find_own_costs();
     for (drawing::Fault& late : late_cuts(drawn_, plan_.cuts, unbegun_)) {
       (late.is_error() ? plan_.faults : plan_.warnings).push_back(std::move(late));
     }
@@ -104,6 +107,7 @@ class Planner {
     plan_.faults.push_back({kind, drawn_.contours[contour].entity, place, reason, remedy});
   }
 
+  void part_touching();
   void cut_beside(std::size_t i);
   void cut_along(std::size_t i);
   void add_cut(std::size_t i, const std::vector<Stroke>& loop);
@@ -112,6 +116,11 @@ class Planner {
   void find_beginnings();
   [[nodiscard]] std::string reason_against_controller(std::size_t cut) const;
   void put_in_order();
+  void find_own_costs();
+  [[nodiscard]] static unsigned tabs_of(const Cut& cut, const UnbegunCut& unbegun);
+  [[nodiscard]] LedCut begun(const Cut& cut,
+                             const UnbegunCut& unbegun,
+                             const Beginning& beginning) const;
   void begin(Cut& cut, const UnbegunCut& unbegun, const Beginning& beginning);
   void leave_to_controller(Cut& cut, std::size_t number);
 
@@ -128,6 +137,16 @@ class Planner {
   ContourOffset offset_;
   std::set<std::size_t> told_layers_;  ///< Those with a cut on the line, so far.
 };
+
+/// Where lines are shared, parts that lie against each other give way to the cut between them.
+void Planner::part_touching() {
+  const EdgeSharing sharing{
+      [this](std::size_t contour) {
+        return layer_of(contour).settings.common_line_mm > 0.0 ? half_kerf(contour) : 0.0;
+      },
+      [this](std::size_t a, std::size_t b) { return &layer_of(a) == &layer_of(b); }};
+  append(plan_.warnings, part_touching_edges(drawn_, outlines_, sharing));
+}
 
 void Planner::cut_beside(std::size_t i) {
   const Contour contour = contour_of(outlines_[i].strokes);
@@ -147,12 +166,17 @@ void Planner::cut_beside(std::size_t i) {
   }
   append(plan_.warnings,
          rests_of(drawn_.contours[i].entity, outlines_[i].strokes, loops, half_kerf(i), reach_mm_));
+  std::vector<drawing::Fault> gouges;
   for (const std::vector<Stroke>& loop : loops) {
     if (auto gouge = gouge_of(drawn_, i, loop, edges_, half_kerf(i))) {
-      plan_.faults.push_back(std::move(*gouge));
+      gouges.push_back(std::move(*gouge));
     }
     add_cut(i, loop);
   }
+  if (gouges.empty()) return;
+  auto touch = touch_of(drawn_, i, outlines_, edges_, half_kerf(i));
+  if (touch) gouges = {std::move(*touch)};
+  append(plan_.faults, gouges);
 }
 
 void Planner::cut_along(std::size_t i) {
@@ -272,25 +296,53 @@ void Planner::put_in_order() {
   plan_.cuts = std::move(cuts);
   plan_.order.is_proven = chosen.is_proven;
   plan_.order.listed = chosen.listed;
-  predict(plan_);
-  plan_.order.file = rapids_of(usual_order(unbegun_, wish_, order::OrderMethod::kFile), wish_);
-  plan_.order.nearest =
-      rapids_of(usual_order(unbegun_, wish_, order::OrderMethod::kNearest), wish_);
+  plan_.order.rapids = rapids_of(chosen.cuts, unbegun_, wish_);
+  const auto usual = [this](order::OrderMethod method) {
+    return rapids_of(usual_order(unbegun_, wish_, method), unbegun_, wish_);
+  };
+  plan_.order.file = usual(order::OrderMethod::kFile);
+  plan_.order.nearest = usual(order::OrderMethod::kNearest);
+}
+
+/// Finds what the beginnings of a cut cost where the order is searched for the least time.
+void Planner::find_own_costs() {
+  const bool is_searched =
+      wish_.method == order::OrderMethod::kOurs || wish_.method == order::OrderMethod::kExact;
+  if (wish_.cost != OrderCost::kTime || !is_searched) return;
+  OwnCosts costs{wish_};
+  for (std::size_t i = 0; i < plan_.cuts.size(); ++i) {
+    const Cut& cut = plan_.cuts[i];
+    costs.find(unbegun_[i], layer_of(cut.contour), [&](const Beginning& beginning) {
+      return begun(cut, unbegun_[i], beginning).strokes;
+    });
+  }
+}
+
+/// Only what falls out and is wanted is held.
+unsigned Planner::tabs_of(const Cut& cut, const UnbegunCut& unbegun) {
+  return cut.area_mm2 > 0.0 ? unbegun.settings.tabs : 0;
+}
+
+LedCut Planner::begun(const Cut& cut, const UnbegunCut& unbegun, const Beginning& beginning) const {
+  LedCut led;
+  if (outlines_[cut.contour].is_beside) {
+    led = with_leads(
+        unbegun.path, unbegun.settings, tabs_of(cut, unbegun), room_of(cut.contour), beginning);
+  } else {
+    led.strokes = unbegun.path.begun_at(beginning.way_mm);
+  }
+  if (beginning.is_backwards) turn_round(led.strokes);
+  return led;
 }
 
 void Planner::begin(Cut& cut, const UnbegunCut& unbegun, const Beginning& beginning) {
-  if (!outlines_[cut.contour].is_beside) {
-    cut.strokes = unbegun.path.begun_at(beginning.way_mm);
-    if (beginning.is_backwards) turn_round(cut.strokes);
-    return;
+  LedCut led = begun(cut, unbegun, beginning);
+  if (outlines_[cut.contour].is_beside) {
+    append(plan_.warnings,
+           unfulfilled(
+               led, unbegun.settings, drawn_.contours[cut.contour].entity, tabs_of(cut, unbegun)));
   }
-  // Only what falls out and is wanted is held.
-  const unsigned tabs = cut.area_mm2 > 0.0 ? unbegun.settings.tabs : 0;
-  LedCut led = with_leads(unbegun.path, unbegun.settings, tabs, room_of(cut.contour), beginning);
-  append(plan_.warnings,
-         unfulfilled(led, unbegun.settings, drawn_.contours[cut.contour].entity, tabs));
   cut.strokes = std::move(led.strokes);
-  if (beginning.is_backwards) turn_round(cut.strokes);
 }
 
 /// Where the controller cannot find the way beside the part, it is given the way itself.

@@ -62,7 +62,7 @@ struct OrderFigures {
   RapidSum listed{};       ///< The first order, in which all beginnings are listed ones.
   RapidSum file{};         ///< As the drawing lists them, each with its usual beginning.
   RapidSum nearest{};      ///< Always the nearest next, each with its usual beginning.
-  double strokes_s = 0.0;  ///< Predicted time of all cuts without rapids.
+  double strokes_s = 0.0;  ///< Predicted time of everything else; 0 until predict().
 
   [[nodiscard]] double predicted_s() const { return rapids.time_s + strokes_s; }
 };

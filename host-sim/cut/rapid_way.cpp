@@ -1,6 +1,5 @@
 #include "host-sim/cut/rapid_way.hpp"
 
-#include "host-sim/cut/predicted_time.hpp"
 #include "planner/order/rapid_time.hpp"
 
 namespace sim::cut {
@@ -22,31 +21,20 @@ std::vector<Place> rapid_before(const CutPlan& plan, std::size_t cut) {
   return way;
 }
 
-double rapid_length(const CutPlan& plan) {
-  double sum = 0.0;
-  for (std::size_t i = 0; i <= plan.cuts.size(); ++i) {
-    const std::vector<Place> way = rapid_before(plan, i);
-    for (std::size_t k = 1; k < way.size(); ++k) sum += drawing::distance(way[k - 1], way[k]);
-  }
-  return sum;
-}
-
-void predict(CutPlan& plan) {
+RapidSum rapids_of(const CutPlan& plan) {
   const cnc::order::RapidTime time{plan.order.wish.limits};
-  plan.order.rapids = {};
-  plan.order.strokes_s = 0.0;
+  RapidSum sum;
   for (std::size_t i = 0; i <= plan.cuts.size(); ++i) {
     const std::vector<Place> way = rapid_before(plan, i);
     for (std::size_t k = 1; k < way.size(); ++k) {
       const Place leg = way[k] - way[k - 1];
-      plan.order.rapids.length_mm += leg.norm();
-      plan.order.rapids.time_s += time(leg.x(), leg.y());
+      sum.length_mm += leg.norm();
+      sum.time_s += time(leg.x(), leg.y());
     }
   }
-  for (const Cut& cut : plan.cuts) {
-    plan.order.strokes_s +=
-        cut.wait_s + predicted_time(cut.strokes, plan.plan_of(cut), plan.order.wish);
-  }
+  return sum;
 }
+
+double rapid_length(const CutPlan& plan) { return rapids_of(plan).length_mm; }
 
 }  // namespace sim::cut

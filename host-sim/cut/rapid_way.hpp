@@ -16,12 +16,11 @@ namespace sim::cut {
 /// @param cut number of the cut; that of all cuts for the rapid to the end of the job
 [[nodiscard]] std::vector<Place> rapid_before(const CutPlan& plan, std::size_t cut);
 
-/// Returns the length of all rapids, from the start of the job to the first cut and from the last
-/// to its end, mm.
-[[nodiscard]] double rapid_length(const CutPlan& plan);
+/// Returns length and time of all rapids, from the start of the job to the first cut and from the
+/// last to its end: from rest to rest between the corners of their ways, as the search reckons.
+[[nodiscard]] RapidSum rapids_of(const CutPlan& plan);
 
-/// Predicts what the plan takes as it is now: rapids from rest to rest between the corners of their
-/// ways, strokes and waits. Sets `rapids` and `strokes_s` of its order.
-void predict(CutPlan& plan);
+/// Returns the length of these, mm.
+[[nodiscard]] double rapid_length(const CutPlan& plan);
 
 }  // namespace sim::cut

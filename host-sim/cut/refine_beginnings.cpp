@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "host-sim/cut/own_costs.hpp"
+
 namespace sim::cut {
 namespace {
 
@@ -17,11 +19,6 @@ constexpr double kEndlessly = std::numeric_limits<double>::infinity();
 
 double cost_between(const RapidCost& cost, const Place& from, const Place& to) {
   return cost(to.x() - from.x(), to.y() - from.y());
-}
-
-double own_cost(const UnbegunCut& cut, std::size_t index, const RapidCost& cost) {
-  if (cut.own_s.empty() || !cost.is_time()) return 0.0;
-  return cost.mm_per_s() * cut.own_s[index];
 }
 
 /// The costs of reaching the ends of one cut's beginnings.
@@ -44,7 +41,7 @@ Layer layer_after(const Layer& last,
       layer.cost[k] = sum;
       layer.before[k] = b;
     }
-    layer.cost[k] += own_cost(to, k, cost);
+    layer.cost[k] += to.own_cost_of(k);
   }
   return layer;
 }
@@ -56,13 +53,14 @@ class Mover {
       : cut_{cut}, cost_{cost}, from_{from}, to_{to} {}
 
   [[nodiscard]] double cost_of(const Beginning& beginning) const {
-    return cost_between(cost_, from_, beginning.entry) + cost_between(cost_, beginning.exit, to_);
+    return rapids_of(beginning) + own_cost_at(cut_, beginning);
   }
   [[nodiscard]] Beginning at(const Beginning& present, double way_mm) const {
     return moved_to(present, cut_.path, cut_.settings, way_mm);
   }
 
-  /// By golden section, as the cost along a straight stroke has one minimum.
+  /// By golden section, as the cost along a straight stroke has one minimum; that of the cut
+  /// itself hardly changes there.
   [[nodiscard]] Beginning best_on(std::size_t stroke, const Beginning& present) const {
     constexpr int kSteps = 24;
     const double length = cut_.path.way_to(stroke + 1) - cut_.path.way_to(stroke);
@@ -71,27 +69,31 @@ class Mover {
     double high = cut_.path.way_to(stroke + 1) - margin;
     double a = high - kGolden * (high - low);
     double b = low + kGolden * (high - low);
-    double cost_a = cost_of(at(present, a));
-    double cost_b = cost_of(at(present, b));
+    double cost_a = rapids_of(at(present, a));
+    double cost_b = rapids_of(at(present, b));
     for (int i = 0; i < kSteps && high - low > 1.0e-4; ++i) {
       if (cost_a <= cost_b) {
         high = b;
         b = a;
         cost_b = cost_a;
         a = high - kGolden * (high - low);
-        cost_a = cost_of(at(present, a));
+        cost_a = rapids_of(at(present, a));
       } else {
         low = a;
         a = b;
         cost_a = cost_b;
         b = low + kGolden * (high - low);
-        cost_b = cost_of(at(present, b));
+        cost_b = rapids_of(at(present, b));
       }
     }
     return at(present, cost_a <= cost_b ? a : b);
   }
 
  private:
+  [[nodiscard]] double rapids_of(const Beginning& beginning) const {
+    return cost_between(cost_, from_, beginning.entry) + cost_between(cost_, beginning.exit, to_);
+  }
+
   const UnbegunCut& cut_;
   const RapidCost& cost_;
   Place from_;
@@ -173,6 +175,20 @@ void choose_beginnings(std::vector<OrderedCut>& order,
     order[i].beginning = cuts[order[i].cut].beginnings[chosen];
     chosen = layers[i + 1].before[chosen];
   }
+}
+
+double cost_along(const std::vector<OrderedCut>& order,
+                  const std::vector<UnbegunCut>& cuts,
+                  const RapidCost& cost,
+                  const JobEnds& ends) {
+  const Place* here = &ends.from;
+  double sum = 0.0;
+  for (const OrderedCut& ordered : order) {
+    sum += cost_between(cost, *here, ordered.beginning.entry);
+    sum += own_cost_at(cuts[ordered.cut], ordered.beginning);
+    here = &ordered.beginning.exit;
+  }
+  return sum + cost_between(cost, *here, ends.to);
 }
 
 double refine_beginnings(std::vector<OrderedCut>& order,

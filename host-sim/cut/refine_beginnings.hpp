@@ -21,10 +21,16 @@ void choose_beginnings(std::vector<OrderedCut>& order,
                        const RapidCost& cost,
                        const JobEnds& ends);
 
+/// Returns the cost of an order with its beginnings: of all rapids, and of the cuts themselves.
+[[nodiscard]] double cost_along(const std::vector<OrderedCut>& order,
+                                const std::vector<UnbegunCut>& cuts,
+                                const RapidCost& cost,
+                                const JobEnds& ends);
+
 /// Moves beginnings along their paths, one after another, each to the best point between the cuts
 /// before and after it, until a round gains hardly anything or `rounds` have passed. The order
 /// stays. Leads keep their length and clear of `edges`; beginnings that may not move stay.
-/// @return how much cheaper the rapids are
+/// @return how much cheaper the rapids and the cuts are
 double refine_beginnings(std::vector<OrderedCut>& order,
                          const std::vector<UnbegunCut>& cuts,
                          const RapidCost& cost,

@@ -70,10 +70,10 @@ class MeasuredRow {
   [[nodiscard]] Place arriving(double way_mm) const;
   [[nodiscard]] Place leaving(double way_mm) const;
   [[nodiscard]] Place place(double way_mm) const;
-
- private:
+  /// Returns the number of the stroke that begins at a length from the start, or goes on there.
   [[nodiscard]] std::size_t stroke_at(double way_mm) const;
 
+ private:
   std::vector<Stroke> row_;
   std::vector<double> ways_;  ///< One more than strokes.
 };

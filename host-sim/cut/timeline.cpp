@@ -2,9 +2,9 @@
 
 #include <utility>
 
-#include "host-sim/cut/predicted_time.hpp"
+#include "host-sim/cut/controller_clock.hpp"
+#include "host-sim/cut/job_clock.hpp"
 #include "host-sim/cut/rapid_way.hpp"
-#include "planner/order/rapid_time.hpp"
 
 namespace sim::cut {
 namespace {
@@ -39,46 +39,59 @@ TimeKind kind_of(Purpose purpose) {
   }
 }
 
+bool is_rest(TimeKind kind) { return kind == TimeKind::kCornerDwell || kind == TimeKind::kWait; }
+
+/// Goes through a job in the order of its program; times of motions are known at its end.
 class TimelineMaker {
  public:
-  explicit TimelineMaker(const OrderWish& machine)
-      : machine_{machine}, rapid_time_{machine.limits}, here_{machine.from} {}
+  explicit TimelineMaker(const OrderWish& machine) : clock_{machine}, here_{machine.from} {}
 
-  void go_to(const Place& place, std::size_t cut) {
-    const double seconds = rapid_time_(place.x() - here_.x(), place.y() - here_.y());
-    if (seconds > 0.0) add(TimeKind::kRapid, cut, {here_, place}, seconds);
-    here_ = place;
-  }
-
-  /// From rest to rest between the corners of a rapid.
   void go_along(const std::vector<Place>& way, std::size_t cut) {
-    for (std::size_t i = 1; i < way.size(); ++i) go_to(way[i], cut);
+    for (std::size_t i = 1; i < way.size(); ++i) {
+      if (way[i] == here_) continue;
+      add_motion(TimeKind::kRapid, cut, {here_, way[i]}, 0.0);
+      here_ = way[i];
+    }
   }
 
   void add_cut(const Cut& cut, const LayerPlan& layer, std::size_t number) {
-    if (cut.wait_s > 0.0) add(TimeKind::kWait, number, {here_, here_}, cut.wait_s);
-    const std::vector<double> times = stroke_times(cut.strokes, layer, machine_);
-    for (std::size_t i = 0; i < cut.strokes.size(); ++i) {
-      const Stroke& stroke = cut.strokes[i];
+    if (cut.wait_s > 0.0) add_rest(TimeKind::kWait, number, here_, cut.wait_s);
+    for (const Stroke& stroke : cut.strokes) {
       if (stroke.dwell_s > 0.0) {
-        add(TimeKind::kCornerDwell, number, {stroke.from, stroke.from}, stroke.dwell_s);
+        add_rest(TimeKind::kCornerDwell, number, stroke.from, stroke.dwell_s);
       }
-      add(kind_of(stroke.purpose), number, stroke, times[i]);
+      add_motion(kind_of(stroke.purpose), number, stroke, feed_of(stroke, layer));
     }
     here_ = cut.end();
   }
 
-  Timeline take() { return std::move(timeline_); }
-
- private:
-  void add(TimeKind kind, std::size_t cut, const Stroke& path, double seconds) {
-    const double begin = timeline_.total_s();
-    timeline_.steps.push_back({kind, cut, path, begin, begin + seconds});
+  /// Puts one step behind the other, with the times of its motions.
+  Timeline finish() {
+    const std::vector<double> times = clock_.finish();
+    std::size_t motion = 0;
+    double now = 0.0;
+    for (TimeStep& step : timeline_.steps) {
+      const double seconds = is_rest(step.kind) ? step.end_s : times[motion++];
+      step.begin_s = now;
+      now += seconds;
+      step.end_s = now;
+    }
+    return std::move(timeline_);
   }
 
-  const OrderWish& machine_;
-  cnc::order::RapidTime rapid_time_;
-  Timeline timeline_;
+ private:
+  void add_motion(TimeKind kind, std::size_t cut, const Stroke& path, double feed_mm_s) {
+    const bool is_lit = kind != TimeKind::kRapid && kind != TimeKind::kTab;
+    clock_.move(path, feed_mm_s, is_lit);
+    timeline_.steps.push_back({kind, cut, path});
+  }
+  void add_rest(TimeKind kind, std::size_t cut, const Place& place, double seconds) {
+    clock_.rest();
+    timeline_.steps.push_back({kind, cut, {place, place}, 0.0, seconds});
+  }
+
+  ControllerClock clock_;
+  Timeline timeline_;  ///< Only rests have their times, from 0 on.
   Place here_;
 };
 
@@ -102,7 +115,16 @@ Timeline timeline_of(const CutPlan& plan) {
     maker.add_cut(plan.cuts[i], plan.plan_of(plan.cuts[i]), i);
   }
   maker.go_along(rapid_before(plan, plan.cuts.size()), plan.cuts.size());
-  return maker.take();
+  return maker.finish();
+}
+
+Timeline predict(CutPlan& plan) {
+  Timeline timeline = timeline_of(plan);
+  const double own_s = plan.order.rapids.own_s;
+  plan.order.rapids = rapids_of(plan);
+  plan.order.rapids.own_s = own_s;
+  plan.order.strokes_s = timeline.total_s() - plan.order.rapids.time_s;
+  return timeline;
 }
 
 Timeline scaled_to(Timeline timeline, double total_s) {

@@ -48,10 +48,15 @@ struct Timeline {
   [[nodiscard]] std::array<double, kTimeKinds> by_kind() const;
 };
 
-/// Predicts when a job does what on the machine for which its order was chosen: rapids from rest to
-/// rest by the machine's limits, strokes by stroke_times(). The path is that of the plan also where
-/// the controller finds it by itself.
+/// Predicts when a job does what on the machine for which its order was chosen, see
+/// ControllerClock. The path is that of the plan also where the controller finds it by itself;
+/// lifts of Z are not counted.
 [[nodiscard]] Timeline timeline_of(const CutPlan& plan);
+
+/// Predicts what the plan takes as it is now: sets `rapids` and `strokes_s` of its order, and
+/// returns its timeline. Both add up to the timeline's total; rapids are those of rapids_of(), so
+/// that they compare with the rapids of other orders.
+Timeline predict(CutPlan& plan);
 
 /// Returns the timeline with all times in the same proportion and another total.
 /// @param total_s > 0; a job without time stays as it is

@@ -20,8 +20,15 @@ struct UnbegunCut {
   std::size_t part_turn = 0;         ///< The turn of its part; parts of lower turns are cut first.
   std::vector<std::size_t> after{};  ///< Cuts that must come before.
   std::vector<Beginning> beginnings{};  ///< Not empty; the usual one first.
-  std::vector<double> own_s{};  ///< Time of the cut with each beginning, s; empty: the same.
-  bool may_move = true;         ///< It may begin anywhere between these, too.
+  /// Cost of the cut itself with each beginning, above that of the cheapest, in the units of
+  /// RapidCost; empty: the same for all.
+  std::vector<double> own_cost{};
+  bool may_move = true;  ///< It may begin anywhere between these, too.
+
+  /// Returns the own cost with a beginning, by its number.
+  [[nodiscard]] double own_cost_of(std::size_t beginning) const {
+    return own_cost.empty() ? 0.0 : own_cost[beginning];
+  }
 };
 
 /// A cut in its turn, and where it begins.

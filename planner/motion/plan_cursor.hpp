@@ -41,6 +41,9 @@ class PlanCursor {
 
   /// The front of the queue is about to be taken away. @pre the plan has left it
   void block_left();
+  /// Returns how many blocks at the front of the queue the plan has left: the next stretch is of
+  /// the block behind them.
+  [[nodiscard]] std::size_t blocks_left() const { return index_; }
   /// Forgets everything; the queue is empty.
   void reset();
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstddef>
 
 #include "planner/base/scalar_math.hpp"
 
@@ -14,6 +15,13 @@ struct RapidLimits {
   std::array<double, 2> acceleration_mm_s2{500.0, 500.0};
   std::array<double, 2> jerk_mm_s3{0.0, 0.0};
 };
+
+/// Returns the acceleration that a controller plans for an axis, mm/s²: its window for a limit of
+/// jerk is at most 256 ms long (cnc::motion::window_for()), and within it no more is reached.
+[[nodiscard]] inline double planned_acceleration(double acceleration, double jerk) {
+  constexpr double kLongestWindow = 0.256;  // s.
+  return jerk > 0.0 ? std::min(acceleration, jerk * kLongestWindow) : acceleration;
+}
 
 /// Returns the time of the fastest straight move from rest to rest, s.
 ///
@@ -53,12 +61,12 @@ struct RapidLimits {
 class RapidTime {
  public:
   explicit RapidTime(const RapidLimits& limits)
-      : limits_{limits},
+      : limits_{planned(limits)},
         is_even_{limits.rate_mm_s[0] == limits.rate_mm_s[1] &&
                  limits.acceleration_mm_s2[0] == limits.acceleration_mm_s2[1] &&
                  limits.jerk_mm_s3[0] == limits.jerk_mm_s3[1]},
         is_plain_{is_even_ && limits.jerk_mm_s3[0] <= 0.0},
-        ramp_s_{limits.rate_mm_s[0] / limits.acceleration_mm_s2[0]},
+        ramp_s_{limits_.rate_mm_s[0] / limits_.acceleration_mm_s2[0]},
         s_per_mm_{1.0 / limits.rate_mm_s[0]} {}
 
   /// Returns the time of a move by (`x_mm`, `y_mm`), s: an axis that moves by a share of the length
@@ -91,6 +99,14 @@ class RapidTime {
   }
 
  private:
+  [[nodiscard]] static RapidLimits planned(RapidLimits limits) {
+    for (std::size_t axis = 0; axis < limits.jerk_mm_s3.size(); ++axis) {
+      limits.acceleration_mm_s2[axis] =
+          planned_acceleration(limits.acceleration_mm_s2[axis], limits.jerk_mm_s3[axis]);
+    }
+    return limits;
+  }
+
   /// Where both axes have the same limits the one that goes farther takes as long as alone.
   [[nodiscard]] double even_time(double farther) const {
     if (!is_plain_) {

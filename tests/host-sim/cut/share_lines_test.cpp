@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <deque>
 #include <string>
@@ -31,11 +32,15 @@ std::string text_of(const Rectangle& r) {
       "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/>", r.x, r.y, r.width, r.height);
 }
 
-/// Rows of parts, a kerf apart or a little more; their sides may stand above each other or not.
-std::vector<Rectangle> random_rows(proof::Random& random) {
+enum class Gap { kKerf, kNone };
+
+/// Rows of parts, a kerf apart or a little more, or edge to edge; their sides may stand above each
+/// other or not.
+std::vector<Rectangle> random_rows(proof::Random& random, Gap wanted = Gap::kKerf) {
   std::vector<Rectangle> parts;
   const bool is_grid = random.chance(0.5);
-  const double gap = kTestKerf + (random.chance(0.5) ? 0.0 : random.between(0.0, kTolerance));
+  const double kerf = kTestKerf + (random.chance(0.5) ? 0.0 : random.between(0.0, kTolerance));
+  const double gap = wanted == Gap::kKerf ? kerf : 0.0;
   double y = 5.0;
   const std::size_t rows = 1 + random.below(4);
   const std::size_t columns = 1 + random.below(4);
@@ -215,11 +220,144 @@ TEST(ShareLines, AreForAlikeCutsAKerfApartOnly) {
   ASSERT_EQ(narrow.faults.size(), 2U);
   EXPECT_EQ(narrow.faults[0].reason, "its cut takes 0.050 mm off rect");
   EXPECT_EQ(narrow.faults[0].remedy, "put them at least the kerf apart, 0.600 mm");
+  EXPECT_EQ(plan_of(pair(0.02), sharing()).faults.at(0).reason, "its cut takes 0.300 mm off rect");
   const auto layered = drawing::read(
       drawing::svg_of("<rect x=\"10\" y=\"10\" width=\"20\" height=\"20\" stroke=\"red\"/>"
                       "<rect x=\"30.6\" y=\"10\" width=\"20\" height=\"20\" stroke=\"blue\"/>"));
   ASSERT_EQ(layered.layers.size(), 2U);
   EXPECT_EQ(plan_of(layered, sharing()).shared.lines, 0U);
+}
+
+/// Edge to edge there is no room for a cut: the fault says where, and what to do.
+TEST(ShareLines, AreAskedForWherePartsLieAgainstEachOther) {
+  const CutPlan whole =
+      plan_of(drawing_of({{10.0, 10.0, 20.0, 20.0}, {30.0, 10.0, 20.0, 20.0}}), {});
+  ASSERT_EQ(whole.faults.size(), 2U);
+  for (const drawing::Fault& fault : whole.faults) {
+    EXPECT_TRUE(fault.is_error());
+    EXPECT_EQ(fault.reason,
+              "lies against rect along 20.000 mm: there is no room for a cut between them");
+    EXPECT_EQ(fault.remedy,
+              "move them the kerf apart, 0.600 mm, or let --common-line cut along the edge, which "
+              "takes half of that off both");
+    ASSERT_TRUE(fault.place_mm);
+    EXPECT_NEAR(fault.place_mm->x(), 30.0, 1.0e-6);
+    EXPECT_NEAR(fault.place_mm->y(), 80.0, 1.0e-6);
+  }
+  // A small part in the middle of a long side, and one in a hole of its own shape.
+  const CutPlan shifted =
+      plan_of(drawing_of({{10.0, 10.0, 40.0, 20.0}, {20.0, 30.005, 15.0, 9.0}}), {});
+  ASSERT_EQ(shifted.faults.size(), 2U);
+  EXPECT_EQ(shifted.faults[1].reason,
+            "lies against rect along 15.000 mm: there is no room for a cut between them");
+  const auto in_hole =
+      drawing::read(drawing::svg_of("<rect x=\"10\" y=\"10\" width=\"40\" height=\"40\"/>"
+                                    "<circle cx=\"30\" cy=\"30\" r=\"10\"/>"
+                                    "<path d=\"M20.002 30A9.998 9.998 0 0 1 39.998 30Z\"/>"));
+  const CutPlan round = plan_of(in_hole, {});
+  ASSERT_FALSE(round.faults.empty());
+  EXPECT_NE(round.faults[0].reason.find("lies against"), std::string::npos);
+}
+
+/// Returns how deep a place is within a part, mm; none where it is outside.
+double depth_in(const Rectangle& part, const Place& place) {
+  const double top = 100.0 - part.y;
+  return std::max(0.0,
+                  std::min({place.x() - part.x,
+                            part.x + part.width - place.x(),
+                            place.y() - (top - part.height),
+                            top - place.y()}));
+}
+
+/// Returns the distance of a place from what is left of a part when all its edges give half a kerf.
+double distance_to_core(const Rectangle& part, const Place& place) {
+  const double top = 100.0 - part.y;
+  const auto beyond = [](double value, double from, double to) {
+    return std::max({from + kHalf - value, value - to + kHalf, 0.0});
+  };
+  return std::hypot(beyond(place.x(), part.x, part.x + part.width),
+                    beyond(place.y(), top - part.height, top));
+}
+
+/// Returns places of a part's edge that are far from all other parts.
+std::vector<Place> free_edge(const std::vector<Rectangle>& parts, std::size_t number) {
+  const Rectangle& part = parts[number];
+  const double left = part.x;
+  const double top = 100.0 - part.y;
+  const std::vector<Place> corners{{left, top},
+                                   {left + part.width, top},
+                                   {left + part.width, top - part.height},
+                                   {left, top - part.height}};
+  std::vector<Place> places;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    for (const Place& place : places_along({corners[i], corners[(i + 1) % 4]}, 0.5)) {
+      const auto is_near = [&](const Rectangle& other) {
+        const double far = 3.0 * kTestKerf;
+        const Rectangle around{
+            other.x - far, other.y - far, other.width + 2.0 * far, other.height + 2.0 * far};
+        return &other != &part && depth_in(around, place) > 0.0;
+      };
+      if (std::ranges::none_of(parts, is_near)) places.push_back(place);
+    }
+  }
+  return places;
+}
+
+/// Returns whether two parts are nearer than the kerf without touching: at corners, across a gap.
+bool are_too_near(const Rectangle& a, const Rectangle& b) {
+  const double x = std::max({a.x - b.x - b.width, b.x - a.x - a.width, 0.0});
+  const double y = std::max({a.y - b.y - b.height, b.y - a.y - a.height, 0.0});
+  const double apart = std::hypot(x, y);
+  return apart > 1.0e-6 && apart < kTestKerf + 1.0e-3;
+}
+
+/// Parts edge to edge are cut along their edges, once: no cut takes more than half a kerf off a
+/// part, free edges keep half a kerf from all cuts, and everything comes apart.
+TEST(ShareLines, AreTheDrawnEdgesOfPartsThatLieAgainstEachOther) {
+  const proof::Trials trials{15};
+  std::size_t lines = 0;
+  std::size_t warnings = 0;
+  for (const std::uint64_t seed : trials) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    proof::Random random{seed};
+    std::vector<Rectangle> parts = random_rows(random, Gap::kNone);
+    for (Rectangle& part : parts) part.y += 45.0;
+    const auto is_near_another = [&parts](const Rectangle& part) {
+      return std::ranges::any_of(
+          parts, [&part](const Rectangle& other) { return are_too_near(part, other); });
+    };
+    if (std::ranges::any_of(parts, is_near_another)) continue;
+    const CutPlan plan = plan_of(drawing_of(parts), sharing());
+    for (const drawing::Fault& fault : plan.faults) {
+      ADD_FAILURE() << fault.reason << " at " << fault.place_mm->transpose();
+    }
+    lines += plan.shared.lines;
+    warnings += plan.warnings.size();
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const std::vector<Place> edge = free_edge(parts, i);
+      for (const Cut& cut : plan.cuts) {
+        for (const Stroke& stroke : cut.strokes) {
+          for (const Place& place : places_along(stroke, 0.3)) {
+            ASSERT_GT(distance_to_core(parts[i], place), kHalf - 1.0e-4);
+          }
+          for (const Place& place : edge) {
+            ASSERT_GT(distance_to(stroke, place), kHalf - 1.0e-4);
+          }
+        }
+      }
+    }
+    const Sheet sheet{plan};
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      EXPECT_FALSE(sheet.joins(middle_of(parts[i]), {1.0, 1.0})) << "part " << i;
+      for (std::size_t k = 0; k < i; ++k) {
+        EXPECT_FALSE(sheet.joins(middle_of(parts[i]), middle_of(parts[k]))) << i << " and " << k;
+      }
+    }
+    if (HasFailure()) return;
+  }
+  if (!trials.judges_shares()) return;
+  EXPECT_GT(lines, 0U);
+  EXPECT_GT(warnings, 0U);
 }
 
 /// A disc in a round recess: arcs beside arcs.

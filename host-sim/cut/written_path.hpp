@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "host-sim/cut/stroke.hpp"
+#include "planner/gcode/centre_on_grid.hpp"
+#include "planner/geometry/path_element.hpp"
+
+namespace sim::cut {
+
+/// Follows a path as a controller reads it from the program that cnc::gcode::ProgramWriter makes:
+/// ends are on the printed grid, and arcs are those about printed centres. Where small arcs meet
+/// lines, this rounding decides whether the controller finds a corner.
+class WrittenPath {
+ public:
+  /// @param from start of the path, mm
+  WrittenPath(cnc::gcode::PrintGrid grid, const Place& from);
+
+  /// Returns the elements of the next stroke, until the next call; none where it does not move.
+  /// @param stroke begins where the last one ended; places beyond the printed range are moved to
+  /// its limit, and arcs that are too flat for a centre are lines
+  [[nodiscard]] const std::vector<cnc::PathElement>& next(const Stroke& stroke);
+
+ private:
+  [[nodiscard]] cnc::gcode::GridPlace on_grid(const Place& place) const;
+  [[nodiscard]] cnc::Position position_of(cnc::gcode::GridPlace place) const;
+  void add_line(cnc::gcode::GridPlace to);
+  void add_arc(const Place& from, const Place& to, double bulge);
+
+  cnc::gcode::PrintGrid grid_;
+  cnc::gcode::GridPlace here_;
+  std::vector<cnc::PathElement> elements_;
+};
+
+}  // namespace sim::cut
