@@ -2,6 +2,7 @@
 
 `test` guards against a broken product in about half an hour on two cores; `prove` is everything.
 """
+import concurrent.futures
 import dataclasses
 import os
 from typing import Callable
@@ -59,6 +60,14 @@ def install_senders(_tier: str) -> Outcome:
         "npm", "ci", "--prefix", str(folder), "--no-audit", "--no-fund", "--loglevel=error"))
 
 
+def side_by_side(*works: Callable[[str], Outcome]) -> Callable[[str], Outcome]:
+    """Runs works at the same time, one of which waits for the network or the disk."""
+    def work(tier: str) -> Outcome:
+        with concurrent.futures.ThreadPoolExecutor(len(works)) as pool:
+            return sum(pool.map(lambda one: one(tier), works), Outcome())
+    return work
+
+
 def test(preset: str, **arguments) -> Callable[[str], Outcome]:
     return lambda tier: ctest_run.run_tests(preset, tier, **arguments)
 
@@ -75,11 +84,11 @@ def benchmarks(_tier: str) -> Outcome:
 
 
 STEPS = (
-    Step("senders", install_senders),
-    Step("build cortex-m4f", build("cortex-m4f")),
+    Step("senders, build cortex-m4f", side_by_side(install_senders, build("cortex-m4f"))),
     Step("build release", build("release")),
-    Step("test release", test("release", most_trials={TEST: 20}), needs=("build release",)),
+    # Before any test: a build that fails takes minutes, the tests of a proof take hours.
     Step("build sanitize", build_sanitized),
+    Step("test release", test("release", most_trials={TEST: 20}), needs=("build release",)),
     Step("test sanitize", test("sanitize", most_trials={TEST: 3, PROVE: 60}),
          needs=("build sanitize",)),
     Step("fuzz", fuzzing.run_all, needs=("build sanitize",), without=ALL_ROOMS),

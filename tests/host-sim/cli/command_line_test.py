@@ -219,6 +219,7 @@ class CommandLine(unittest.TestCase):
         job, part = EXAMPLES / "circle_r20.nc", EXAMPLES / "plate.svg"
         for call, option, told in (
                 (["sim", job], "--kerf", "0 to 100 mm"), (["sim", job], "--probe-plate", "-10000 to 10000 mm"),
+                (["sim", job], "--stock-cell", "0.001 to 10 mm"),
                 (["drawing", part], "--gap", "0 to 10 mm"), (["offset", part], "--distance", "mm"),
                 (["serve", "--tcp", "0"], "--speed", "0.01 to 1000"),
                 (["serve", "--tcp", "0"], "--node", "1 to 126"),

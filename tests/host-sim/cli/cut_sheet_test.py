@@ -56,6 +56,17 @@ class Sheets(unittest.TestCase):
         self.assertIn("no program is written", done.stderr)
         return done.stderr
 
+    def test_parts_edge_to_edge_are_cut_along_their_edge_where_lines_are_shared(self):
+        parts = [{"drawing": "parts/frame.svg", "places": [{"x_mm": x, "y_mm": 20} for x in (20, 120)]}]
+        self.assertIn("nearer than the kerf", self.refused(*parts))
+        report = self.folder / "report.json"
+        done = self.cut(self.sheet(*parts), "--common-line", "0.02", "-o", self.folder / "out.nc", "--report", report)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stderr.count("lies against other parts along 100.000 mm"), 2)
+        shared = json.loads(report.read_text())["common_lines"]
+        self.assertEqual(shared["count"], 1)
+        self.assertAlmostEqual(shared["length_mm"], 100, delta=1)
+
     def test_parts_are_cut_where_they_lie_those_in_holes_first(self):
         done = self.cut(self.sheet({"drawing": "parts/frame.svg", "x_mm": 20, "y_mm": 20},
                                    {"drawing": "parts/key.svg", "name": "key",

@@ -55,8 +55,10 @@ STEEL = ("--material", "CSP 1N")
 SETTINGS = "$110=1000\n"
 COUPON = (*STEEL, "--thickness", "2", "--full-power", "2000", "--laser", "a")
 COMMANDS = {
-    "sim": Command((), {"FILE": PROGRAM, "--settings": SETTINGS},
-                   ("--trace", "--vcd", "--report", "--svg", "--png"), takes_stdin=True,
+    "sim": Command(("--stock", "-1,-1,12,6,1", "--tool", "2", "--stock-cell", "0.5", "--stock-depth", "1"),
+                   {"FILE": PROGRAM, "--settings": SETTINGS, "--stock-target": PLATE},
+                   ("--trace", "--vcd", "--report", "--svg", "--png", "--stock-png", "--stock-stl",
+                    "--stock-ply"), takes_stdin=True,
                    empty_is_refused=("FILE", "--settings")),
     "check": Command((), {"FILE": PROGRAM, "--settings": SETTINGS}, takes_stdin=True,
                      empty_is_refused=("FILE", "--settings")),
@@ -83,6 +85,8 @@ COMMANDS = {
                    {"--db": CUTS}, takes_stdin=True,
                    empty_is_refused=("--layers", "--rules", "--settings")),
     "order": Command(("--steps", "10"), {"FILE": PROBLEM}, takes_stdin=True),
+    "pocket": Command(("--tool", "6", "--depth", "2", "--feed", "600", "--plunge-feed", "200"),
+                      {"FILE": PLATE}, ("--output", "--report", "--svg"), takes_stdin=True),
     "send": Command((), {"file": PROGRAM}, ("--log",), takes_stdin=True, empty_is_refused=("file",)),
 }
 # Further ways to call a command, for options that exclude or need others.
