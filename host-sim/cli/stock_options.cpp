@@ -54,6 +54,7 @@ void read_box(const std::string& text, StockWish& wish) {
                        kStockForm));
   }
   std::vector<double> values;
+  values.reserve(words.size());
   for (const std::string_view word : words) values.push_back(number_of("--stock", text, word));
   wish.has_bottom = values.size() == 6;
   const double bottom = wish.has_bottom ? values[5] : values[4] - stock::kDeepestStockMm;

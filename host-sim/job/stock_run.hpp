@@ -41,6 +41,7 @@ class StockRun final : public TraceSink {
            const ProgrammedPath& path,
            const PathDeviation& follower,
            const cnc::Settings& settings);
+  ~StockRun() = default;
   StockRun(const StockRun&) = delete;
   StockRun& operator=(const StockRun&) = delete;
 

@@ -71,7 +71,7 @@ void PocketPlanner::grow(std::size_t elements) {
   for (Loops* loops : {&loops_, &inner_, &grown_}) loops->resize(elements);
   for (Areas* areas : {&left_, &goals_}) areas->resize(elements);
   notes_.resize(elements);
-  driven_loops_ = std::make_unique<bool[]>(elements);
+  driven_loops_ = std::make_unique<bool[]>(elements);  // NOLINT(modernize-avoid-c-arrays)
   locus_.resize(elements);
   locus_boxes_.resize(offset_.space().element_boxes.size());
 }

@@ -84,7 +84,8 @@ class PocketPlanner {
   Areas passes_;
   std::vector<cnc::pocket::PassNote<double>> pass_notes_;
   std::vector<cnc::pocket::PassState> states_;
-  std::unique_ptr<bool[]> driven_loops_;  ///< A vector of bool has no storage to hand out.
+  // A vector of bool has no storage to hand out.
+  std::unique_ptr<bool[]> driven_loops_;  // NOLINT(modernize-avoid-c-arrays)
   std::vector<cnc::contour::Curve<double>> locus_;
   std::vector<cnc::contour::FlatBox<double>> locus_boxes_;
   std::vector<cnc::pocket::PathPoint<double>> points_;

@@ -128,6 +128,26 @@ class Comparer {
   PocketFigures figures_;
 };
 
+struct Extent {
+  std::array<double, 2> low{kFarthestStockMm, kFarthestStockMm};
+  std::array<double, 2> high{-kFarthestStockMm, -kFarthestStockMm};
+};
+
+/// Widens the extent to a ring. Returns the reason where a point is too far away.
+std::string include(const Ring& ring, Extent& extent) {
+  for (const auto& point : ring) {
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      if (!(std::abs(point[axis]) <= kFarthestStockMm)) {
+        return fmt::format(
+            "the pocket reaches to {} mm; it takes up to {} mm", point[axis], kFarthestStockMm);
+      }
+      extent.low[axis] = std::min(extent.low[axis], point[axis]);
+      extent.high[axis] = std::max(extent.high[axis], point[axis]);
+    }
+  }
+  return {};
+}
+
 }  // namespace
 
 std::string fault_of(const PocketTarget& target, double cell_mm) {
@@ -136,20 +156,11 @@ std::string fault_of(const PocketTarget& target, double cell_mm) {
                        target.depth_mm,
                        kDeepestStockMm);
   }
-  std::array<double, 2> low{kFarthestStockMm, kFarthestStockMm};
-  std::array<double, 2> high{-kFarthestStockMm, -kFarthestStockMm};
+  Extent extent;
   for (const Ring& ring : target.rings) {
-    for (const auto& point : ring) {
-      for (std::size_t axis = 0; axis < 2; ++axis) {
-        if (!(std::abs(point[axis]) <= kFarthestStockMm)) {
-          return fmt::format(
-              "the pocket reaches to {} mm; it takes up to {} mm", point[axis], kFarthestStockMm);
-        }
-        low[axis] = std::min(low[axis], point[axis]);
-        high[axis] = std::max(high[axis], point[axis]);
-      }
-    }
+    if (std::string fault = include(ring, extent); !fault.empty()) return fault;
   }
+  const auto& [low, high] = extent;
   if (low[0] > high[0]) return "there is no closed contour";
   const double cells =
       (high[0] - low[0] + 4.0 * cell_mm) * (high[1] - low[1] + 4.0 * cell_mm) / (cell_mm * cell_mm);

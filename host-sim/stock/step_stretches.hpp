@@ -51,7 +51,7 @@ class StepStretches {
  private:
   struct Step {
     Pose pose;
-    double time_s;
+    double time_s = 0.0;
   };
   struct Offset {
     double side_mm = 0.0;

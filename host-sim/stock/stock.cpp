@@ -72,7 +72,8 @@ const Cell& Stock::cell(int column, int row) const {
   static constexpr Cell kUntouched{};
   const auto& tile = tiles_[tile_of(column / kTileCells, row)];
   if (!tile) return kUntouched;
-  return (*tile)[static_cast<std::size_t>(row % kTileCells * kTileCells + column % kTileCells)];
+  const auto row_in_tile = static_cast<std::size_t>(row % kTileCells);
+  return (*tile)[row_in_tile * kTileCells + static_cast<std::size_t>(column % kTileCells)];
 }
 
 const Cell* Stock::cell_at(double x, double y) const {

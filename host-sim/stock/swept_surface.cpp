@@ -12,7 +12,7 @@ SweptSurface::SweptSurface(const Profile& profile,
                            const Pose& from,
                            const Pose& to,
                            double ceiling_mm)
-    : profile_{profile}, radius_{0.0}, from_x_{from.x_mm}, from_y_{from.y_mm}, z_{from.z_mm} {
+    : profile_{profile}, from_x_{from.x_mm}, from_y_{from.y_mm}, z_{from.z_mm} {
   const double dx = to.x_mm - from.x_mm;
   const double dy = to.y_mm - from.y_mm;
   length_ = std::sqrt(dx * dx + dy * dy);

@@ -98,7 +98,7 @@ class SweptSurface {
   [[nodiscard]] double slope_for(double distance, double ahead) const;
 
   Profile profile_;
-  double radius_;  ///< Of the part below the ceiling.
+  double radius_ = 0.0;  ///< Of the part below the ceiling.
   double from_x_;
   double from_y_;
   double z_;              ///< Of the start; the lowest end where the path is upright.

@@ -16,12 +16,12 @@ namespace {
 template <typename Scalar>
 Scalar turn_at(const Curve<Scalar>& before, const Curve<Scalar>& after) {
   constexpr Scalar kCusp = Scalar(1.0e-6F);
-  constexpr Scalar kBefore_mm = Scalar(1.0e-3F);
+  constexpr Scalar kBeforeMm = Scalar(1.0e-3F);
   const Scalar sine = cross(before.end_tangent, after.start_tangent);
   if (std::abs(sine) > kCusp || before.end_tangent.dot(after.start_tangent) > Scalar{0}) {
     return sine;
   }
-  return sine - Scalar{0.5} * kBefore_mm * (before.curvature + after.curvature);
+  return sine - Scalar{0.5} * kBeforeMm * (before.curvature + after.curvature);
 }
 
 }  // namespace

@@ -88,7 +88,7 @@ std::optional<Link<Scalar>> LinkSearch<Scalar>::find(const Pose<Scalar>& from,
     const Wanted wanted{from, left_out, milling, tool_radius, Scalar{share} * tool_radius};
     Scalar length{-1};
     for (int i = 0; i < kMostTried; ++i) {
-      const auto link = shortest_beyond(wanted, length);
+      std::optional<Link<Scalar>> link = shortest_beyond(wanted, length);
       if (!link) break;
       if (stays_inside(*link)) return link;
       length = link->length;

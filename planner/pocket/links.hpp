@@ -57,9 +57,9 @@ class LinkSearch {
   struct Wanted {
     Pose<Scalar> from;
     contour::Slice<const bool> left_out;
-    Milling milling;
-    Scalar tool_radius;
-    Scalar arc_radius;
+    Milling milling = Milling::kClimb;
+    Scalar tool_radius{};
+    Scalar arc_radius{};
   };
 
   [[nodiscard]] std::optional<Link<Scalar>> shortest_beyond(const Wanted& wanted,

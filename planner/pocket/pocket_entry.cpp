@@ -53,20 +53,19 @@ template <typename Scalar>
 EntryResult write_helix(const EntryPlan<Scalar>& plan,
                         Milling milling,
                         Scalar slope,
-                        Scalar z_from,
-                        Scalar z_to,
+                        const Descent<Scalar>& descent,
                         ToolPathWriter<Scalar>& out) {
   const BasicVec2<Scalar> start = plan.place.pose.point;
   const BasicVec2<Scalar> centre = helix_centre(plan.place.pose, plan.helix_radius, milling);
   const BasicVec2<Scalar> opposite = Scalar{2} * centre - start;
   const Scalar turns =
-      parts_of_descent(z_from - z_to, slope, Scalar{kFullTurn} * plan.helix_radius);
+      parts_of_descent(descent.from - descent.to, slope, Scalar{kFullTurn} * plan.helix_radius);
   if (turns > Scalar{kMostRevolutions}) return EntryResult::kTooShort;
   const auto halves = static_cast<std::uint32_t>(Scalar{2} * turns);
   for (std::uint32_t i = 0; i < halves; ++i) {
     const BasicVec2<Scalar>& from = i % 2 == 0 ? start : opposite;
     const Scalar share = static_cast<Scalar>(i) / (Scalar{2} * turns);
-    const Scalar z = z_from + share * (z_to - z_from);
+    const Scalar z = descent.from + share * (descent.to - descent.from);
     if (!out.add({from.x(), from.y(), z, side_of_area<Scalar>(milling), Use::kEntry})) {
       return EntryResult::kFull;
     }
@@ -79,17 +78,16 @@ EntryResult write_ramp(const EntryPlan<Scalar>& plan,
                        const contour::ContourView<Scalar>& area,
                        Milling milling,
                        Scalar slope,
-                       Scalar z_from,
-                       Scalar z_to,
+                       const Descent<Scalar>& descent,
                        ToolPathWriter<Scalar>& out) {
   const Scalar revolutions =
-      parts_of_descent(z_from - z_to, slope, loop_length(area, plan.place.loop));
+      parts_of_descent(descent.from - descent.to, slope, loop_length(area, plan.place.loop));
   if (!(revolutions <= Scalar{kMostRevolutions})) return EntryResult::kTooShort;
   const auto count = static_cast<std::uint32_t>(revolutions);
-  const Scalar step = (z_to - z_from) / revolutions;
+  const Scalar step = (descent.to - descent.from) / revolutions;
   for (std::uint32_t i = 0; i < count; ++i) {
-    const Scalar from = z_from + static_cast<Scalar>(i) * step;
-    const Scalar to = i + 1 == count ? z_to : from + step;
+    const Scalar from = descent.from + static_cast<Scalar>(i) * step;
+    const Scalar to = i + 1 == count ? descent.to : from + step;
     if (!drive_loop(area, plan.place, milling, {from, to, Use::kEntry}, out)) {
       return EntryResult::kFull;
     }
@@ -137,19 +135,18 @@ EntryResult write_entry(const EntryPlan<Scalar>& plan,
                         const contour::ContourView<Scalar>& area,
                         Milling milling,
                         const EntryOptions<Scalar>& options,
-                        Scalar z_from,
-                        Scalar z_to,
+                        const Descent<Scalar>& descent,
                         ToolPathWriter<Scalar>& out) {
   switch (plan.kind) {
     case EntryKind::kHelix:
-      return write_helix(plan, milling, options.slope, z_from, z_to, out);
+      return write_helix(plan, milling, options.slope, descent, out);
     case EntryKind::kRamp:
-      return write_ramp(plan, area, milling, options.slope, z_from, z_to, out);
+      return write_ramp(plan, area, milling, options.slope, descent, out);
     case EntryKind::kPlunge:
       break;
   }
   const BasicVec2<Scalar>& place = plan.place.pose.point;
-  const bool added = out.add({place.x(), place.y(), z_from, Scalar{0}, Use::kEntry});
+  const bool added = out.add({place.x(), place.y(), descent.from, Scalar{0}, Use::kEntry});
   return added ? EntryResult::kDone : EntryResult::kFull;
 }
 
@@ -163,8 +160,7 @@ template EntryResult write_entry(const EntryPlan<double>&,
                                  const contour::ContourView<double>&,
                                  Milling,
                                  const EntryOptions<double>&,
-                                 double,
-                                 double,
+                                 const Descent<double>&,
                                  ToolPathWriter<double>&);
 
 }  // namespace cnc::pocket

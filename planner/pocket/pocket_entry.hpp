@@ -45,22 +45,28 @@ template <typename Scalar>
                                            Milling milling,
                                            const EntryOptions<Scalar>& options);
 
+/// The heights between which an entry descends, mm.
+template <typename Scalar>
+struct Descent {
+  Scalar from{};
+  Scalar to{};
+};
+
 enum class EntryResult : std::uint8_t {
   kDone,
   kTooShort,  ///< The loop is so short that a ramp would take more than 1000 revolutions.
   kFull,      ///< The storage of the path is full.
 };
 
-/// Appends the way down from `z_from` to `z_to`, which ends at the plan's place and begins above
-/// it. The stock above `z_from` must be gone there. The end is not appended: the pass begins with
-/// it.
+/// Appends the way down along the descent, which ends at the plan's place and begins above
+/// it. The stock above its beginning must be gone there. The end is not appended: the pass begins
+/// with it.
 template <typename Scalar>
 [[nodiscard]] EntryResult write_entry(const EntryPlan<Scalar>& plan,
                                       const contour::ContourView<Scalar>& area,
                                       Milling milling,
                                       const EntryOptions<Scalar>& options,
-                                      Scalar z_from,
-                                      Scalar z_to,
+                                      const Descent<Scalar>& descent,
                                       ToolPathWriter<Scalar>& out);
 
 }  // namespace cnc::pocket

@@ -136,7 +136,7 @@ std::optional<PocketFault> PathMaker<Scalar>::begin_row(const Target& target) {
       passes_.loops(root), locus_, area, target.loop, options_.milling, options_.entry);
   in_row_ = true;
   at_ = plan.place;
-  switch (write_entry<Scalar>(plan, area, options_.milling, options_.entry, z_above_, z_, out_)) {
+  switch (write_entry<Scalar>(plan, area, options_.milling, options_.entry, {z_above_, z_}, out_)) {
     case EntryResult::kDone:
       return {};
     case EntryResult::kTooShort:
@@ -262,12 +262,14 @@ Result<PocketReport, PocketError> write_pocket_path(const contour::ContourView<S
   const Scalar levels =
       std::max(Scalar{1}, std::ceil(options.depth / options.depth_step * (Scalar{1} - kHair)));
   const Scalar step = -options.depth / levels;
-  for (Scalar level{0}; level < levels; level += Scalar{1}) {
-    const Scalar z = level + Scalar{1} == levels ? -options.depth : (level + Scalar{1}) * step;
-    if (const auto fault = maker.run_level(level * step, z)) return PocketError{*fault};
+  const auto level_count = static_cast<std::uint32_t>(levels);
+  for (std::uint32_t level = 0; level < level_count; ++level) {
+    const Scalar above = static_cast<Scalar>(level) * step;
+    const Scalar z =
+        level + 1 == level_count ? -options.depth : static_cast<Scalar>(level + 1) * step;
+    if (const auto fault = maker.run_level(above, z)) return PocketError{*fault};
   }
-  return PocketReport{
-      count.value(), static_cast<std::uint32_t>(levels), maker.rows(), maker.links()};
+  return PocketReport{count.value(), level_count, maker.rows(), maker.links()};
 }
 
 template Result<PocketReport, PocketError> write_pocket_path(const contour::ContourView<double>&,

@@ -29,7 +29,7 @@ class EntryBench {
                     double z_to) {
     writer_.clear();
     const EntryResult result =
-        write_entry<double>(plan, area_, milling, options, z_from, z_to, writer_);
+        write_entry<double>(plan, area_, milling, options, {z_from, z_to}, writer_);
     const WideVec2 end = plan.place.pose.point;
     if (result == EntryResult::kDone) {
       EXPECT_TRUE(writer_.add({end.x(), end.y(), z_to}));
