@@ -22,7 +22,7 @@ struct StockOptions {
   std::string stl;
   std::string ply;
   std::string target;                ///< A drawing to read.
-  std::optional<double> depth_mm{};  ///< Of its pocket.
+  std::optional<double> depth_mm{};  ///< Depth of the target pocket, mm.
 };
 
 /// Adds `--stock`, `--tool` and the options that begin with `--stock-`.

@@ -57,7 +57,7 @@ class ControllerClock {
   std::size_t last_ = 0;         ///< Number of the motion that was driven last.
   bool in_chain_ = false;        ///< The window of the last chain is not counted yet.
 
-  // What the controller knows when it chooses a window; times since the program's start, s.
+  // State by which the controller chooses a window. Times are seconds since the program's start.
   double now_s_ = 0.0;    ///< The plan has been driven up to here.
   double read_s_ = 0.0;   ///< The newest line was read.
   double ready_s_ = 0.0;  ///< The first block of the chain that is next was known.

@@ -42,7 +42,7 @@ struct OrderWish {
   double junction_deviation_mm = 0.01;               ///< $11: how far corners may be rounded.
   double arc_tolerance_mm = 0.002;                   ///< $12: share of it for welded lines.
   std::array<double, 2> steps_per_mm{250.0, 250.0};  ///< $100 and $101.
-  std::uint8_t decimals = 4;        ///< Of the program's places, see cnc::gcode::PrintGrid.
+  std::uint8_t decimals = 4;        ///< Decimals of positions, see cnc::gcode::PrintGrid.
   order::OrderProgress progress{};  ///< Share done and cost, now and then.
 };
 

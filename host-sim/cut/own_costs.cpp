@@ -57,8 +57,8 @@ OwnCosts::OwnCosts(const OrderWish& machine)
       strokes_left_{kStrokes},
       motions_left_{has_jerk(machine.limits) ? kMotionsUnderJerk : kMotions} {}
 
-/// Of all that decides the time of the strokes: where both axes have the same limits, a quarter
-/// turn does not.
+/// Returns a digest of the shape and settings that determine the time of the strokes. Where both
+/// axes have the same limits, strokes that differ by quarter turns have the same digest.
 std::uint64_t OwnCosts::digest_of(const std::vector<Stroke>& strokes,
                                   const LayerPlan& layer) const {
   constexpr std::int64_t kQuarterTurn = 1'570'796;

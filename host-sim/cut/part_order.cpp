@@ -19,7 +19,7 @@ constexpr std::uint64_t kStepsOfCut = 100;
 struct PartWay {
   std::size_t first = 0;
   std::size_t last = 0;
-  double cost = 0.0;  ///< Of the cuts themselves and the rapids between them.
+  double cost = 0.0;  ///< Cost of the cuts and of the rapids between them.
 };
 
 double cost_of_leg(const RapidCost& cost, const Beginning& from, const Beginning& to) {
@@ -155,7 +155,7 @@ class PartSearch {
   const GroupTask& task_;
   PartUnits units_;
   std::vector<std::vector<OrderedCut>> rows_;  ///< By unit.
-  std::vector<OrderedCut> sequence_;           ///< Of units, each with the ends of its way.
+  std::vector<OrderedCut> sequence_;           ///< Order of units, each with the ends of its path.
 };
 
 /// Makes a cut that begins and ends where the ways through a unit do.

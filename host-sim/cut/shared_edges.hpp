@@ -12,7 +12,7 @@ namespace sim::cut {
 /// Parts that lie no farther apart than this lie against each other, mm.
 inline constexpr double kTouchesMm = 0.01;
 
-/// What decides whether two contours may share an edge.
+/// Properties by which two contours may share an edge.
 struct EdgeSharing {
   /// Returns half of the kerf of a contour whose edges may be shared, mm; else 0.
   std::function<double(std::size_t)> half_kerf_mm;

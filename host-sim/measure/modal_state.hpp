@@ -32,7 +32,8 @@ class ModalState {
   /// Of G61, G61.1 and G64. @param usual mm, where the program gives no tolerance
   /// @param arc mm of it that short lines may have, of all of it half at most
   [[nodiscard]] ProgramTolerance tolerance(double usual, double arc) const;
-  /// Of the arcs that stand for a spline. @param arc mm, where the program gives no tolerance
+  /// Returns the tolerance, mm, of arcs that replace a spline.
+  /// @param arc mm, where the program gives no tolerance
   [[nodiscard]] double spline_tolerance(double arc) const;
 
   /// What M2 and M30 put back (RS274/NGC 3.6.1).

@@ -59,7 +59,7 @@ class ProgramReader {
   Point second_home_{};               ///< G30.
   std::array<double, 2> last_arm_{};  ///< P and Q of the last G5.
   std::optional<ProgrammedSpline> nurbs_{};
-  double spline_tolerance_ = 0.0;  ///< Of the pieces of a spline that are being added, mm.
+  double spline_tolerance_ = 0.0;  ///< Tolerance of the pieces that are added for a spline, mm.
   double spindle_speed_ = 0.0;
   SpindleState spindle_ = SpindleState::kOff;
   int line_number_ = 0;

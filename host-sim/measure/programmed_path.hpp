@@ -20,7 +20,7 @@ enum class SpindleState : std::uint8_t { kOff, kConstant, kDynamic };  ///< M5, 
 struct ProgramTolerance {
   double corner = 0.0;  ///< To round a corner: P of G64, or of $11.
   double weld = 0.0;    ///< To join short lines: Q of G64, or $12.
-  double spline = 0.0;  ///< Of the arcs that stand for a spline: Q of G64, or $12.
+  double spline = 0.0;  ///< To replace a spline by arcs: Q of G64, or $12.
   double motors = 0.0;  ///< By input shaping and until backlash is taken up.
 };
 
