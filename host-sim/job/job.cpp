@@ -188,6 +188,13 @@ void draw(const PathRecorder& recorder,
   if (!outputs.png.empty()) write_png(outputs.png, draw_svg(recorder.path(), options));
 }
 
+/// The path that a program describes, with what the motors of the machine may deviate from it.
+ProgrammedPath path_for_machine(const std::string& text, const cnc::Settings& settings) {
+  ProgrammedPath path = read_for_machine(text, settings);
+  for (PathPiece& piece : path.pieces) piece.tolerance.motors = allowed_for_motors(settings);
+  return path;
+}
+
 }  // namespace
 
 Report simulate(const Job& job, const JobOutputs& outputs) {
@@ -198,11 +205,7 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
                        .machine = job.machine,
                        .on_progress = job.on_progress}};
   apply_settings(job.settings, simulator.machine());
-  ProgrammedPath path = read_for_machine(text, simulator.settings());
-  for (PathPiece& piece : path.pieces) {
-    piece.tolerance.motors = allowed_for_motors(simulator.settings());
-  }
-
+  const ProgrammedPath path = path_for_machine(text, simulator.settings());
   PlayModel play{job.machine};
   play.place(simulator.settings());
   ToolTrace tool{play};

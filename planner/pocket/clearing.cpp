@@ -3,6 +3,7 @@
 #include <cmath>
 #include <optional>
 
+#include "planner/pocket/loop_measures.hpp"
 #include "planner/pocket/step_search.hpp"
 
 namespace cnc::pocket {
@@ -14,6 +15,19 @@ using contour::kNone;
 /// A pass is as if the tool cleared this much more than its radius, mm: thinner rests count for
 /// nothing, so that none needs a pass of its own.
 constexpr double kThinRest = 1.0e-7;
+
+/// Sine of the least turn that counts as a corner; elements with one tangent have less.
+constexpr double kCorner = 1.0e-4;
+
+/// Whether the boundary of an area turns away from it at a corner.
+template <typename Scalar>
+bool has_inner_corner(const ContourView<Scalar>& area) {
+  bool found = false;
+  for_each_corner(area, [&found](const auto& before, const auto& after) {
+    found = found || cross(before.end_tangent, after.start_tangent) < -Scalar{kCorner};
+  });
+  return found;
+}
 
 /// Appends the passes of one pocket, outer ones first.
 template <typename Scalar>
@@ -38,6 +52,8 @@ class Clearing {
                                    const AreaSpace<Scalar>& into,
                                    AreaList<Scalar>& list) const;
   [[nodiscard]] Error split(const ContourView<Scalar>& loops, AreaList<Scalar>& list) const;
+  [[nodiscard]] Result<ContourView<Scalar>, contour::OffsetError> pass_around(
+      const ContourView<Scalar>& goal) const;
   [[nodiscard]] Error add_goals(const AreaList<Scalar>& goals, const PassNote<Scalar>& note);
   [[nodiscard]] Error step_inwards(std::uint32_t pass);
   [[nodiscard]] Error step_into(const ContourView<Scalar>& left, std::uint32_t pass);
@@ -93,14 +109,28 @@ std::optional<ClearingError> Clearing<Scalar>::split(const ContourView<Scalar>& 
   return ClearingError{ClearingFault::kLoopsCross};
 }
 
-/// Appends a pass around each goal, with the corner radius between.
+/// Returns the goal grown by the corner radius. Parts of a goal that are less than twice this
+/// radius apart grow together with corners between them: arcs of the radius fill those, and the
+/// pass surrounds a little more than it must.
+template <typename Scalar>
+Result<ContourView<Scalar>, contour::OffsetError> Clearing<Scalar>::pass_around(
+    const ContourView<Scalar>& goal) const {
+  const Scalar radius = options_.corner_radius;
+  auto writer = space_.loops.writer();
+  const auto grown = contour::offset<Scalar>(goal, radius, space_.offset, writer);
+  if (!grown.ok() || radius == Scalar{0} || !has_inner_corner(grown.value())) return grown;
+  auto wide_writer = space_.grown.writer();
+  const auto wide = contour::offset<Scalar>(goal, Scalar{2} * radius, space_.offset, wide_writer);
+  if (!wide.ok()) return wide;
+  return contour::offset<Scalar>(wide.value(), -radius, space_.offset, writer);
+}
+
+/// Appends a pass around each goal.
 template <typename Scalar>
 std::optional<ClearingError> Clearing<Scalar>::add_goals(const AreaList<Scalar>& goals,
                                                          const PassNote<Scalar>& note) {
   for (std::size_t i = 0; i < goals.size(); ++i) {
-    auto writer = space_.loops.writer();
-    const auto grown =
-        contour::offset<Scalar>(goals[i], options_.corner_radius, space_.offset, writer);
+    const auto grown = pass_around(goals[i]);
     if (!grown.ok()) return ClearingError{ClearingFault::kOffset, grown.error()};
     if (!passes_.add(grown.value(), note)) return ClearingError{ClearingFault::kPassesTooLong};
   }

@@ -36,9 +36,10 @@ struct ClearingError {
 /// The first pass is the offset of the wall by R, sharp at convex corners of the pocket. A pass at
 /// the distance D from the wall leaves the area at D + R. Each connected part of it has a next
 /// pass of its own, at the greatest distance D' at which no point of the part is farther than R + r
-/// from the area at D' + r: then a tool along the boundary of that area, grown by r so that its
-/// corners become arcs of radius r, clears the part down to D' + R. Between straight walls with the
-/// smallest angle θ the step is R − r + (R + r) sin(θ / 2), with r = 0 paper 5, equation 10.
+/// from the area at D' + r: then a tool along the boundary of that area, grown by r and closed so
+/// that all its corners become arcs of radius r, clears the part down to D' + R. Between straight
+/// walls with the smallest angle θ the step is R − r + (R + r) sin(θ / 2), with r = 0 paper 5,
+/// equation 10.
 ///
 /// Guarantee: of all points within R of the centre locus of the tool none is left that is farther
 /// than R + 2e-7 mm from all passes. Each pass lies within the area that its parent encloses.

@@ -44,7 +44,7 @@ struct ClearingSpace {
   contour::OffsetSpace<Scalar> offset;
   LoopSpace<Scalar> loops;  ///< The result of the last offset that is split into areas.
   LoopSpace<Scalar> inner;  ///< The area of a trial.
-  LoopSpace<Scalar> grown;  ///< What the tool clears from there.
+  LoopSpace<Scalar> grown;  ///< What the tool clears from there; a goal grown too far.
   AreaSpace<Scalar> left;   ///< What a pass leaves uncut.
   AreaSpace<Scalar> goals;  ///< What the next pass surrounds.
   contour::Slice<LoopNote<Scalar>> notes;  ///< loops

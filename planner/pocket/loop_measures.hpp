@@ -57,4 +57,20 @@ template <typename Scalar>
 template <typename Scalar>
 [[nodiscard]] bool make_curve(const LoopElement<Scalar>& element, contour::Curve<Scalar>& curve);
 
+/// Calls `visit(before, after)` with the curves on both sides of each corner of an area.
+/// @pre as for make_curve
+template <typename Scalar, typename Visit>
+void for_each_corner(const contour::ContourView<Scalar>& area, Visit&& visit) {
+  for (std::size_t loop = 0; loop < area.loop_ends.size(); ++loop) {
+    contour::Curve<Scalar> before;
+    if (!make_curve(element_at(area, loop, area.loop_ends[loop] - 1), before)) continue;
+    for (std::uint32_t i = area.loop_begin(loop); i < area.loop_ends[loop]; ++i) {
+      contour::Curve<Scalar> after;
+      if (!make_curve(element_at(area, loop, i), after)) continue;
+      visit(before, after);
+      before = after;
+    }
+  }
+}
+
 }  // namespace cnc::pocket

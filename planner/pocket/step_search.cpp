@@ -25,20 +25,12 @@ constexpr double kShallowHole = 2.0e-7;
 template <typename Scalar>
 Scalar sharpest_sine(const ContourView<Scalar>& area) {
   Scalar least{1};
-  for (std::size_t loop = 0; loop < area.loop_ends.size(); ++loop) {
-    contour::Curve<Scalar> before;
-    if (!make_curve(element_at(area, loop, area.loop_ends[loop] - 1), before)) continue;
-    for (std::uint32_t i = area.loop_begin(loop); i < area.loop_ends[loop]; ++i) {
-      contour::Curve<Scalar> after;
-      if (!make_curve(element_at(area, loop, i), after)) continue;
-      if (cross(before.end_tangent, after.start_tangent) > Scalar{0}) {
-        // Half of the angle and half of the turn are 90° together.
-        const Scalar cosine = before.end_tangent.dot(after.start_tangent);
-        least = std::min(least, std::sqrt(std::max(Scalar{0}, Scalar{0.5} * (cosine + Scalar{1}))));
-      }
-      before = after;
-    }
-  }
+  for_each_corner(area, [&least](const auto& before, const auto& after) {
+    if (cross(before.end_tangent, after.start_tangent) <= Scalar{0}) return;
+    // Half of the angle and half of the turn are 90° together.
+    const Scalar cosine = before.end_tangent.dot(after.start_tangent);
+    least = std::min(least, std::sqrt(std::max(Scalar{0}, Scalar{0.5} * (cosine + Scalar{1}))));
+  });
   return least;
 }
 

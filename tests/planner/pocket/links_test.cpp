@@ -123,7 +123,8 @@ TEST(LinkSearch, InRandomPocketsStaysWithinThePassAndHasOneTangent) {
     PocketBench pocket;
     const double radius = add_random_pocket(pocket, random);
     const auto count = pocket.clear({radius, 0.1 * radius, 2.0 * radius});
-    ASSERT_TRUE(count.ok()) << seed;
+    ASSERT_TRUE(count.ok()) << "KERFLINE_SEED=" << seed << ": fault "
+                            << static_cast<int>(count.error().fault);
     for (std::uint32_t i = 0; i < count.value(); ++i) {
       const std::uint32_t parent = pocket.passes().note(i).parent;
       if (parent == contour::kNone) continue;

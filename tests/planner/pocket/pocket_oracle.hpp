@@ -25,18 +25,20 @@ class PlainContour {
       }
     }
   }
-  /// With 32 chords for each arc.
+  /// With 128 chords for each arc, as arcs may nearly cancel the area of a loop.
   [[nodiscard]] static double area_of(const contour::ContourView<double>& contour,
                                       std::size_t loop) {
+    constexpr int kChords = 128;
     double sum = 0.0;
     const std::uint32_t first = contour.loop_begin(loop);
     for (std::uint32_t i = first; i < contour.loop_ends[loop]; ++i) {
       const auto& from = contour.vertices[i];
       const auto& to = contour.vertices[i + 1 < contour.loop_ends[loop] ? i + 1 : first];
       const contour::exact::PlainArc arc{{from.point(), to.point(), from.bulge}};
-      for (int k = 0; k < 32; ++k) {
-        const WideVec2 a = k == 0 ? from.point() : arc.at(k / 32.0);
-        const WideVec2 b = k == 31 ? to.point() : arc.at((k + 1) / 32.0);
+      for (int k = 0; k < kChords; ++k) {
+        const WideVec2 a = k == 0 ? from.point() : arc.at(static_cast<double>(k) / kChords);
+        const WideVec2 b =
+            k == kChords - 1 ? to.point() : arc.at(static_cast<double>(k + 1) / kChords);
         sum += 0.5 * cross(a, b);
       }
     }

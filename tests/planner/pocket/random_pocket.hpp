@@ -5,6 +5,7 @@
 
 #include "tests/planner/contour/exact_distance.hpp"
 #include "tests/planner/pocket/pocket_bench.hpp"
+#include "tests/planner/pocket/pocket_oracle.hpp"
 #include "tests/support/random_source.hpp"
 
 namespace cnc::pocket {
@@ -24,8 +25,9 @@ inline void add_star(PocketBench& bench,
   const std::size_t count = 3 + random.below(12);
   std::vector<Corner> corners;
   const double step = 2.0 * std::numbers::pi / static_cast<double>(count);
+  const double most_shift = count == 3 ? 0.2 : 0.3;  // The centre sees each side under less than π.
   for (std::size_t i = 0; i < count; ++i) {
-    const double angle = step * (static_cast<double>(i) + random.between(-0.3, 0.3));
+    const double angle = step * (static_cast<double>(i) + random.between(-most_shift, most_shift));
     const double radius = random.between(least_radius, most_radius);
     corners.push_back({radius * WideVec2{std::cos(angle), std::sin(angle)}, 0.0});
   }
@@ -110,6 +112,16 @@ inline bool is_apart(const contour::ContourView<double>& contour, double gap) {
   return true;
 }
 
+/// Whether the first loop encloses the first vertex of each other one.
+inline bool islands_are_inside(const contour::ContourView<double>& contour) {
+  PlainContour outline;
+  outline.add({{contour.vertices.begin(), contour.loop_ends[0]}, {contour.loop_ends.begin(), 1}});
+  for (std::size_t loop = 1; loop < contour.loop_ends.size(); ++loop) {
+    if (!outline.encloses(contour.vertices[contour.loop_begin(loop)].point())) return false;
+  }
+  return true;
+}
+
 /// A star with up to four islands, or rooms, from which the bench takes its pocket.
 inline void draw_pocket(PocketBench& bench, proof::Random& random, double radius) {
   if (random.chance(0.3)) {
@@ -129,12 +141,14 @@ inline void draw_pocket(PocketBench& bench, proof::Random& random, double radius
   }
 }
 
-/// Fills an empty bench with a random pocket without crossings; returns the tool's radius.
+/// Fills an empty bench with a random pocket whose loops do not cross, with all islands inside;
+/// returns the tool's radius.
 inline double add_random_pocket(PocketBench& bench, proof::Random& random) {
   const double radius = random.magnitude(0.5, 8.0);
   for (;;) {
     draw_pocket(bench, random, radius);
-    if (is_apart(bench.pocket(), 0.01 * radius)) return radius;
+    const contour::ContourView<double> pocket = bench.pocket();
+    if (is_apart(pocket, 0.01 * radius) && islands_are_inside(pocket)) return radius;
     bench.forget();
   }
 }
