@@ -39,8 +39,9 @@ PathFollower::Match PathFollower::advance(const Point& position) {
   }
   const Match best = look_ahead(position);
   for (const Match& match : window_) {
-    if (match.nearest.distance > best.nearest.distance + kTieSteps * step_size_) continue;
-    move_to(match);
+    const double near = best.nearest.distance + kTieSteps * step_size_ + arcs_of(match.piece);
+    if (match.nearest.distance > near) continue;
+    move_to(match, position, near);
     break;
   }
   return best;
@@ -57,9 +58,12 @@ PathFollower::Match PathFollower::look_ahead(const Point& position) {
       window_.push_back({index, curve(index).nearest(position, from(index))});
       if (window_.back().nearest.distance < best.nearest.distance) best = window_.back();
     }
-    if (to_end > best.nearest.distance + window(index)) break;
+    // The place may trail behind the tip of a bend, which the machine has left.
+    const bool trails = index <= latest_ && arcs_of(piece_) > 0.0;
+    if (!trails && to_end > best.nearest.distance + window(index)) break;
     to_start = to_end;
   }
+  latest_ = std::max(latest_, best.piece);
   return best;
 }
 
@@ -69,10 +73,27 @@ double PathFollower::window(std::size_t index) const {
          allowed.motors;
 }
 
-void PathFollower::move_to(const Match& match) {
-  const double trail = kTrailSteps * step_size_ / curve(match.piece).length();
-  fraction_ = std::max(match.nearest.fraction - trail, from(match.piece));
+void PathFollower::move_to(const Match& match, const Point& position, double near) {
+  if (arcs_of(match.piece) > 0.0) {
+    fraction_ = earliest_near(match, position, near);
+  } else {
+    const double trail = kTrailSteps * step_size_ / curve(match.piece).length();
+    fraction_ = std::max(match.nearest.fraction - trail, from(match.piece));
+  }
   piece_ = match.piece;
+}
+
+/// The earliest place of a curve that is near. Arcs in place of a curve may be nearer to the leg
+/// behind the tip of a narrow bend than to the one before it: the tip must stay ahead.
+double PathFollower::earliest_near(const Match& match, const Point& position, double near) const {
+  constexpr double kStride = 0.25;
+  const Curve& curve = this->curve(match.piece);
+  const double stride = kStride * near / curve.length();
+  double fraction = from(match.piece);
+  while (fraction < match.nearest.fraction && distance(position, curve.point_at(fraction)) > near) {
+    fraction += stride;
+  }
+  return std::min(fraction, match.nearest.fraction);
 }
 
 double PathFollower::excess_at(const Point& position, const Point& place) const {

@@ -21,7 +21,8 @@ namespace sim {
 ///
 /// The place may trail the machine by a step or two: of points nearly as near
 /// as the nearest, the earliest is taken, because a place once passed is
-/// never looked at again.
+/// never looked at again. On a curve it trails by as much more as the arcs in
+/// place of the curve may be off.
 class PathFollower {
  public:
   /// `path` must outlive the follower. `step` is one step of each axis, mm or degrees.
@@ -56,13 +57,19 @@ class PathFollower {
   [[nodiscard]] double window(std::size_t index) const;
   [[nodiscard]] double from(std::size_t index) const { return index == piece_ ? fraction_ : 0.0; }
   [[nodiscard]] const Curve& curve(std::size_t index) const { return path_->pieces[index].curve; }
-  void move_to(const Match& match);
+  /// By how much the arcs of a controller may be off a curve; 0 for lines and arcs.
+  [[nodiscard]] double arcs_of(std::size_t index) const {
+    return path_->pieces[index].tolerance.spline;
+  }
+  void move_to(const Match& match, const Point& position, double near);
+  [[nodiscard]] double earliest_near(const Match& match, const Point& position, double near) const;
 
   const ProgrammedPath* path_;
   Point step_;
   double step_size_ = 0.0;  ///< Diagonal of one step of all axes that the path moves.
   std::size_t piece_ = 0;
   double fraction_ = 0.0;
+  std::size_t latest_ = 0;     ///< The last piece that had the nearest point.
   std::vector<Match> window_;  ///< The near pieces ahead of the place, in order.
 };
 
