@@ -46,6 +46,11 @@ Crowd densest(const cnc::contour::ContourView<double>& input, double side_mm) {
 
 }  // namespace
 
+Contour copy_of(const cnc::contour::ContourView<double>& view) {
+  return {{view.vertices.begin(), view.vertices.end()},
+          {view.loop_ends.begin(), view.loop_ends.end()}};
+}
+
 NoOffset::NoOffset(const drawing::Place& place, std::string reason, std::string remedy)
     : std::runtime_error{fmt::format(
           "at {:.3f} {:.3f}: {}; {}", place.x(), place.y(), reason, remedy)},

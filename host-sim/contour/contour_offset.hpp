@@ -25,6 +25,8 @@ struct Contour {
   void end_loop() { loop_ends.push_back(static_cast<std::uint32_t>(vertices.size())); }
 };
 
+[[nodiscard]] Contour copy_of(const cnc::contour::ContourView<double>& view);
+
 /// There is no offset of a contour: what is left of it does not lead back to its start, or its
 /// elements lie so close together that their offsets cross each other without end.
 class NoOffset : public std::runtime_error {

@@ -82,6 +82,57 @@ View view_of(const Extent& extent) {
                std::clamp(natural_px, 200.0, kTallestContourPx)}};
 }
 
+/// A picture's frame, with the grid below what follows.
+std::string begin_picture(const View& view, const std::string& title) {
+  const double height_px = view.box().bottom_px() + kContourMarginPx;
+  std::string out = svg::document_start(kContourWidthPx, height_px);
+  svg::add_box(out, {0.0, 0.0, kContourWidthPx, height_px}, "#ffffff");
+  svg::add_text(out, kContourMarginPx, 60.0, {.size_px = 34.0, .weight = "bold"}, title);
+  add_grid(out, view);
+  return out;
+}
+
+using PathPoint = cnc::pocket::PathPoint<double>;
+
+/// How an element of a tool path is drawn. @param floor_mm the least height of the path
+std::string style_of(const PathPoint& from, double floor_mm) {
+  using cnc::pocket::Use;
+  switch (from.use) {
+    case Use::kLink:
+      return R"(stroke="#9aa1ab" stroke-width="1.2" stroke-dasharray="6 5")";
+    case Use::kEntry:
+      return R"(stroke="#12813f" stroke-width="1.6")";
+    case Use::kPass:
+    case Use::kLight:
+      break;
+  }
+  const double share = floor_mm < 0.0 ? std::clamp(from.z / floor_mm, 0.0, 1.0) : 1.0;
+  return fmt::format(R"(stroke="{}" stroke-width="2.0")", hex(speed_colour(share)));
+}
+
+/// A row, in one path for each stretch of one style.
+void add_row(std::string& out,
+             cnc::contour::Slice<const PathPoint> row,
+             double floor_mm,
+             const View& view) {
+  std::string style;
+  for (std::size_t i = 0; i + 1 < row.size(); ++i) {
+    if (row[i].point() == row[i + 1].point()) continue;
+    const std::string next = style_of(row[i], floor_mm);
+    if (next != style) {
+      if (!style.empty()) out += "\"/>\n";
+      fmt::format_to(std::back_inserter(out),
+                     R"(<path fill="none" {} d="M{:.2f} {:.2f})",
+                     next,
+                     view.x_px(row[i].x),
+                     view.y_px(row[i].y));
+      style = next;
+    }
+    add_element(out, {row[i].x, row[i].y, row[i].bulge}, {row[i + 1].x, row[i + 1].y, 0.0}, view);
+  }
+  if (!style.empty()) out += "\"/>\n";
+}
+
 }  // namespace
 
 std::string draw_contours(const Contour& input,
@@ -91,11 +142,7 @@ std::string draw_contours(const Contour& input,
   include(extent, input);
   for (const Contour& contour : offsets) include(extent, contour);
   const View view = view_of(extent);
-  const double height_px = view.box().bottom_px() + kContourMarginPx;
-  std::string out = svg::document_start(kContourWidthPx, height_px);
-  svg::add_box(out, {0.0, 0.0, kContourWidthPx, height_px}, "#ffffff");
-  svg::add_text(out, kContourMarginPx, 60.0, {.size_px = 34.0, .weight = "bold"}, title);
-  add_grid(out, view);
+  std::string out = begin_picture(view, title);
   add_contour(out, input, view, kInputFill);
   for (std::size_t i = 0; i < offsets.size(); ++i) {
     const double share = (static_cast<double>(i) + 0.5) / static_cast<double>(offsets.size());
@@ -104,6 +151,23 @@ std::string draw_contours(const Contour& input,
         offsets[i],
         view,
         fmt::format(R"(fill="none" stroke="{}" stroke-width="2.4")", hex(speed_colour(share))));
+  }
+  return out + "</svg>\n";
+}
+
+std::string draw_tool_path(const Contour& walls,
+                           const cnc::pocket::ToolPathView<double>& path,
+                           const std::string& title) {
+  Extent extent;
+  include(extent, walls);
+  const View view = view_of(extent);
+  double floor_mm = 0.0;
+  for (const PathPoint& point : path.points) floor_mm = std::min(floor_mm, point.z);
+  std::string out = begin_picture(view, title);
+  add_contour(out, walls, view, kInputFill);
+  for (std::size_t row = 0; row < path.row_ends.size(); ++row) {
+    const std::uint32_t begin = path.row_begin(row);
+    add_row(out, {path.points.begin() + begin, path.row_ends[row] - begin}, floor_mm, view);
   }
   return out + "</svg>\n";
 }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <stdexcept>
 
 #include "host-sim/pocket/area_clearer.hpp"
@@ -93,6 +94,12 @@ void pass_wall(const cnc::contour::ContourView<double>& locus,
 }
 
 }  // namespace
+
+double thin_chip_factor(double engagement_deg) {
+  constexpr double kHalf = 90.0;
+  if (engagement_deg >= kHalf) return 1.0;
+  return 1.0 / std::sin(engagement_deg * std::numbers::pi / 180.0);
+}
 
 AdaptivePath adaptive_path(const cnc::contour::ContourView<double>& area,
                            const AdaptiveOptions& options) {

@@ -1,10 +1,9 @@
 #pragma once
 
-#include <cstdint>
 #include <vector>
 
 #include "host-sim/contour/contour_offset.hpp"
-#include "planner/pocket/tool_path.hpp"
+#include "host-sim/pocket/path_rows.hpp"
 
 namespace sim::pocket {
 
@@ -18,6 +17,10 @@ struct AdaptiveOptions {
   double return_limit_mm = 100.0;
 };
 
+/// By how much the feed may be raised so that chips are as thick as with half of the tool engaged
+/// or more: 1 / sin(engagement), at least 1.
+[[nodiscard]] double thin_chip_factor(double engagement_deg);
+
 inline constexpr double kLeastEngagementDeg = 10.0;
 inline constexpr double kGreatestEngagementDeg = 150.0;
 
@@ -29,14 +32,8 @@ struct NarrowStretch {
 };
 
 /// A pocket that is cleared with bounded engagement.
-struct AdaptivePath {
-  std::vector<cnc::pocket::PathPoint<double>> points;
-  std::vector<std::uint32_t> row_ends;
+struct AdaptivePath : PathRows {
   std::vector<NarrowStretch> narrow;
-
-  [[nodiscard]] cnc::pocket::ToolPathView<double> path() const {
-    return {{points.data(), points.size()}, {row_ends.data(), row_ends.size()}};
-  }
 };
 
 /// Pockets narrower than this many diameters of the tool are cut as slots.
@@ -50,8 +47,8 @@ inline constexpr double kNarrowDiameters = 1.2;
 /// Guarantee: the tool's centre keeps its radius from the boundary (1e-6 mm); stock is left
 /// nowhere that the tool reaches. The engagement is within the limit in closed form for each
 /// crescent against the disc before it alone, except in entries and in stretches narrower than 1.2
-/// diameters, which are listed. All crescents turn left, which is climb milling. Links between
-/// them lie in discs that are cleared.
+/// diameters, which are listed: what has it is Use::kLight. All crescents turn left, which is climb
+/// milling. Links between them lie in discs that are cleared.
 ///
 /// Throws std::invalid_argument for options out of range, or if the tool fits nowhere,
 /// std::runtime_error for contours that cross, and NoOffset.

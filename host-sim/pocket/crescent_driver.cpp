@@ -131,8 +131,8 @@ void CrescentDriver::drive_crescent(const ToolCircle& from,
   const Crescent crescent = crescent_between(from, to);
   if (crescent.exists) {
     writer_.link(crescent.begin);
-    writer_.pass(crescent.middle, crescent.bulge);
-    writer_.pass(crescent.end, crescent.bulge);
+    writer_.light_pass(crescent.middle, crescent.bulge);
+    writer_.light_pass(crescent.end, crescent.bulge);
     done.way_back.push_back(crescent.end);
   } else {
     // All of it is cleared: its middle is in both circles.
@@ -177,9 +177,9 @@ void CrescentDriver::spiral(const ToolCircle& circle) {
   for (double turn = side; radius < circle.radius; turn = -turn) {
     const double step = step_outwards(radius, limits_.tool_radius_mm, limits_.engagement);
     radius = std::min(radius + 0.5 * kSpiralShare * step, circle.radius);
-    writer_.pass(circle.centre - WideVec2{turn * radius, 0.0}, 1.0);
+    writer_.light_pass(circle.centre - WideVec2{turn * radius, 0.0}, 1.0);
   }
-  writer_.circle(Use::kPass, circle.centre);
+  writer_.circle(Use::kLight, circle.centre);
 }
 
 }  // namespace sim::pocket

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "host-sim/pocket/adaptive_path.hpp"
 #include "host-sim/pocket/axis_course.hpp"
 #include "host-sim/pocket/depth_writer.hpp"
 

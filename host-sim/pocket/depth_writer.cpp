@@ -31,10 +31,4 @@ void DepthWriter::circle(Use use, const WideVec2& centre) {
   go(use, start, 1.0, z());
 }
 
-void DepthWriter::end_row() {
-  const auto end = static_cast<std::uint32_t>(out_.points.size());
-  const std::uint32_t begin = out_.row_ends.empty() ? 0 : out_.row_ends.back();
-  if (end > begin) out_.row_ends.push_back(end);
-}
-
 }  // namespace sim::pocket

@@ -1,13 +1,13 @@
 #pragma once
 
-#include "host-sim/pocket/adaptive_path.hpp"
+#include "host-sim/pocket/path_rows.hpp"
 
 namespace sim::pocket {
 
 /// Writes rows of a path whose passes are all at one depth.
 class DepthWriter {
  public:
-  DepthWriter(AdaptivePath& out, double depth_mm) : out_{out}, z_{-depth_mm} {}
+  DepthWriter(PathRows& out, double depth_mm) : out_{out}, z_{-depth_mm} {}
 
   /// Lifts the tool and begins a row at the top.
   void begin_row(const cnc::WideVec2& place);
@@ -19,12 +19,15 @@ class DepthWriter {
   void pass(const cnc::WideVec2& to, double bulge = 0.0) {
     go(cnc::pocket::Use::kPass, to, bulge, z_);
   }
+  void light_pass(const cnc::WideVec2& to, double bulge) {
+    go(cnc::pocket::Use::kLight, to, bulge, z_);
+  }
   /// Nothing where the tool is there already.
   void link(const cnc::WideVec2& to);
   /// Around a circle to the left, from the tool's place.
   void circle(cnc::pocket::Use use, const cnc::WideVec2& centre);
 
-  void end_row();
+  void end_row() { out_.end_row(); }
 
   /// @pre a row is open
   [[nodiscard]] cnc::WideVec2 place() const { return out_.points.back().point(); }
@@ -32,7 +35,7 @@ class DepthWriter {
   [[nodiscard]] double floor_z() const { return z_; }
 
  private:
-  AdaptivePath& out_;
+  PathRows& out_;
   double z_;
 };
 

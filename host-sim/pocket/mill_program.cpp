@@ -14,6 +14,7 @@ namespace sim::pocket {
 namespace {
 
 using cnc::gcode::WriterError;
+using cnc::pocket::Use;
 using Point = cnc::pocket::PathPoint<double>;
 using Written = cnc::Result<std::string_view, WriterError>;
 
@@ -44,15 +45,17 @@ class RowWriter {
   }
 
   /// The feed at which an element descends no faster than a plunge.
-  [[nodiscard]] double feed_of(const cut::Stroke& stroke, double rise_mm) const {
-    if (rise_mm >= 0.0) return mill_.feed_mm_min;
+  [[nodiscard]] double feed_of(const cut::Stroke& stroke, double rise_mm, Use use) const {
+    const bool is_raised = use == Use::kLight && mill_.light_feed_mm_min > 0.0;
+    const double feed = is_raised ? mill_.light_feed_mm_min : mill_.feed_mm_min;
+    if (rise_mm >= 0.0) return feed;
     const double length_mm = std::hypot(cut::length_of(stroke), rise_mm);
-    return std::min(mill_.feed_mm_min, mill_.plunge_mm_min * length_mm / -rise_mm);
+    return std::min(feed, mill_.plunge_mm_min * length_mm / -rise_mm);
   }
 
   void write_element(const Point& from, const Point& to) {
     const cut::Stroke stroke{.from = from.point(), .to = to.point(), .bulge = from.bulge};
-    writer_.set_feed(thousandths(feed_of(stroke, to.z - from.z)));
+    writer_.set_feed(thousandths(feed_of(stroke, to.z - from.z, from.use)));
     set_height(to, to.z);
     const Written written = writer_.cut(stroke.from, stroke.to, stroke.bulge);
     if (written.ok() || written.error() != WriterError::kTooFlat) return take(written, to);

@@ -39,11 +39,6 @@ bool is_full(const ClearingError& error) {
   }
 }
 
-Contour copy_of(const cnc::contour::ContourView<double>& view) {
-  return {{view.vertices.begin(), view.vertices.end()},
-          {view.loop_ends.begin(), view.loop_ends.end()}};
-}
-
 }  // namespace
 
 void PocketPlanner::Loops::resize(std::size_t size) {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "host-sim/contour/contour_offset.hpp"
+#include "host-sim/pocket/path_rows.hpp"
 #include "planner/pocket/pocket_path.hpp"
 
 namespace sim::pocket {
@@ -19,15 +20,9 @@ class NoPocketPath : public std::runtime_error {
 };
 
 /// The path that clears a pocket, and its passes, each a contour of loops.
-struct PocketPlan {
-  std::vector<cnc::pocket::PathPoint<double>> points;
-  std::vector<std::uint32_t> row_ends;
+struct PocketPlan : PathRows {
   std::vector<Contour> passes;
   cnc::pocket::PocketReport report;
-
-  [[nodiscard]] cnc::pocket::ToolPathView<double> path() const {
-    return {{points.data(), points.size()}, {row_ends.data(), row_ends.size()}};
-  }
 };
 
 /// The planner's pocket path with storage that grows until it is enough, and is used again for the

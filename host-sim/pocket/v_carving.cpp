@@ -63,7 +63,7 @@ class CarveWriter {
   CarveWriter(VCarving& out, double half_angle_tangent) : out_{out}, slope_{half_angle_tangent} {}
 
   void begin_row(const AxisPoint& point) {
-    end_row();
+    out_.end_row();
     const double z = -point.radius / slope_;
     if (z < 0.0) out_.points.push_back({point.place.x(), point.place.y(), 0.0, 0.0, Use::kEntry});
   }
@@ -72,12 +72,6 @@ class CarveWriter {
     const double z = -point.radius / slope_;
     out_.points.push_back({point.place.x(), point.place.y(), z, bulge, use});
     out_.depth_mm = std::max(out_.depth_mm, -z);
-  }
-
-  void end_row() {
-    const auto end = static_cast<std::uint32_t>(out_.points.size());
-    const std::uint32_t begin = out_.row_ends.empty() ? 0 : out_.row_ends.back();
-    if (end > begin) out_.row_ends.push_back(end);
   }
 
  private:
@@ -151,13 +145,11 @@ VCarving v_carve(const cnc::contour::ContourView<double>& area, const VCarveOpti
   write_lone_nodes(axis, greatest_radius_mm, writer);
   if (widest_of(axis) > greatest_radius_mm) {
     ContourOffset offset;
-    const cnc::contour::ContourView<double> wide = offset.offset(area, -greatest_radius_mm);
-    carving.wide.vertices.assign(wide.vertices.begin(), wide.vertices.end());
-    carving.wide.loop_ends.assign(wide.loop_ends.begin(), wide.loop_ends.end());
-    carving.wide_area_mm2 = area_of(wide);
+    carving.wide = copy_of(offset.offset(area, -greatest_radius_mm));
+    carving.wide_area_mm2 = area_of(carving.wide.view());
     write_wide_loops(carving.wide, greatest_radius_mm, writer);
   }
-  writer.end_row();
+  carving.end_row();
   return carving;
 }
 

@@ -1,11 +1,9 @@
 #pragma once
 
-#include <cstdint>
 #include <limits>
-#include <vector>
 
 #include "host-sim/contour/contour_offset.hpp"
-#include "planner/pocket/tool_path.hpp"
+#include "host-sim/pocket/path_rows.hpp"
 
 namespace sim::pocket {
 
@@ -22,18 +20,12 @@ inline constexpr double kLeastVAngleDeg = 1.0;
 inline constexpr double kGreatestVAngleDeg = 175.0;
 
 /// A carved area.
-struct VCarving {
-  std::vector<cnc::pocket::PathPoint<double>> points;
-  std::vector<std::uint32_t> row_ends;
+struct VCarving : PathRows {
   double depth_mm = 0.0;  ///< The greatest that is cut.
   /// What the tip leaves standing where the area is too wide for the greatest depth: inside of
   /// these contours, a flat tool makes the floor. Empty if there is none.
   Contour wide;
   double wide_area_mm2 = 0.0;
-
-  [[nodiscard]] cnc::pocket::ToolPathView<double> path() const {
-    return {{points.data(), points.size()}, {row_ends.data(), row_ends.size()}};
-  }
 };
 
 /// Carves an area with a V-shaped tool, whose tip goes along the medial axis to the depth at which

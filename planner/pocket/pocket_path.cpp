@@ -246,6 +246,12 @@ bool are_in_range(const PocketOptions<Scalar>& options) {
 }  // namespace
 
 template <typename Scalar>
+Scalar level_count(Scalar depth, Scalar greatest_step) {
+  constexpr Scalar kHair{1.0e-9};
+  return std::max(Scalar{1}, std::ceil(depth / greatest_step * (Scalar{1} - kHair)));
+}
+
+template <typename Scalar>
 Result<PocketReport, PocketError> write_pocket_path(const contour::ContourView<Scalar>& pocket,
                                                     const PocketOptions<Scalar>& options,
                                                     const PocketPathSpace<Scalar>& space,
@@ -257,10 +263,7 @@ Result<PocketReport, PocketError> write_pocket_path(const contour::ContourView<S
   if (count.value() == 0) return PocketError{PocketFault::kToolTooLarge};
   if (count.value() > space.passes.size()) return PocketError{PocketFault::kSpaceTooSmall};
   PathMaker<Scalar> maker{options, space, passes, out};
-  // A hair less, so that a depth of just so many steps is no more levels for its rounding.
-  constexpr Scalar kHair{1.0e-9};
-  const Scalar levels =
-      std::max(Scalar{1}, std::ceil(options.depth / options.depth_step * (Scalar{1} - kHair)));
+  const Scalar levels = level_count(options.depth, options.depth_step);
   const Scalar step = -options.depth / levels;
   const auto level_count = static_cast<std::uint32_t>(levels);
   for (std::uint32_t level = 0; level < level_count; ++level) {
@@ -272,6 +275,7 @@ Result<PocketReport, PocketError> write_pocket_path(const contour::ContourView<S
   return PocketReport{count.value(), level_count, maker.rows(), maker.links()};
 }
 
+template double level_count(double, double);
 template Result<PocketReport, PocketError> write_pocket_path(const contour::ContourView<double>&,
                                                              const PocketOptions<double>&,
                                                              const PocketPathSpace<double>&,

@@ -36,6 +36,12 @@ struct PocketPathSpace {
   contour::Slice<contour::FlatBox<Scalar>> locus_boxes;  ///< BoxTree::size_for(elements)
 };
 
+/// Returns the number of equal levels, none of them deeper than the step, that reach a depth. A
+/// depth of a whole number of steps takes just so many, however it was rounded.
+/// @pre both are positive
+template <typename Scalar>
+[[nodiscard]] Scalar level_count(Scalar depth, Scalar greatest_step);
+
 enum class PocketFault : std::uint8_t {
   kOptionOutOfRange,  ///< Depth, step, slope or radius of the helix.
   kClearing,          ///< See `clearing`.

@@ -11,6 +11,7 @@ namespace cnc::pocket {
 /// The purpose of an element of a tool path.
 enum class Use : std::uint8_t {
   kPass,   ///< Cuts: the tool removes stock along it.
+  kLight,  ///< Cuts with no more of the tool's circumference than was asked for.
   kLink,   ///< Moves at depth, at the cutting feed, over stock that is gone already.
   kEntry,  ///< Descends into stock by a ramp or a helix.
 };

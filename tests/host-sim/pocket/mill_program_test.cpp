@@ -5,25 +5,18 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "host-sim/pocket/path_rows.hpp"
+
 namespace sim::pocket {
 namespace {
 
 using cnc::pocket::Use;
-using Point = cnc::pocket::PathPoint<double>;
-
-struct Rows {
-  std::vector<Point> points;
-  std::vector<std::uint32_t> row_ends;
-
-  [[nodiscard]] cnc::pocket::ToolPathView<double> view() const {
-    return {{points.data(), points.size()}, {row_ends.data(), row_ends.size()}};
-  }
-};
+using Rows = PathRows;
 
 MillSettings mill() { return {.feed_mm_min = 600.0, .plunge_mm_min = 100.0}; }
 
 std::string written(const Rows& rows, const MillSettings& settings) {
-  return program_of(rows.view(), settings, cnc::gcode::PrintGrid{3}, {"a (pocket)"});
+  return program_of(rows.path(), settings, cnc::gcode::PrintGrid{3}, {"a (pocket)"});
 }
 
 TEST(MillProgram, DrivesRowsBetweenRapidsAtTheSafeHeight) {
@@ -64,6 +57,19 @@ TEST(MillProgram, DescendsNoFasterThanAPlunge) {
   EXPECT_NE(text.find("G3X4Z-6.283I2F141.421\n"), std::string::npos) << text;
   EXPECT_NE(text.find("G1X104Z-7.283F600\n"), std::string::npos) << text;
   EXPECT_NE(text.find("Y1Z0\n"), std::string::npos) << text;
+}
+
+TEST(MillProgram, FeedsLightPassesAtTheirOwnFeed) {
+  MillSettings settings = mill();
+  const Rows rows{{{.z = -1.0},
+                   {.x = 1.0, .z = -1.0, .use = Use::kLight},
+                   {.x = 2.0, .z = -1.0, .use = Use::kLink},
+                   {.x = 3.0, .z = -1.0}},
+                  {4}};
+  EXPECT_EQ(written(rows, settings).find("F900"), std::string::npos);
+  settings.light_feed_mm_min = 900.0;
+  const std::string text = written(rows, settings);
+  EXPECT_NE(text.find("X1F600\nX2F900\nX3F600\n"), std::string::npos) << text;
 }
 
 TEST(MillProgram, MakesLinesOfArcsWhoseCentreIsOutOfReach) {

@@ -1,0 +1,82 @@
+#include "host-sim/pocket/boundary_way.hpp"
+
+#include "host-sim/cut/stroke.hpp"
+
+namespace sim::pocket {
+namespace {
+
+using cnc::WideVec2;
+using Curve = cnc::contour::Curve<double>;
+
+/// mm: a shorter element is a rounding error.
+constexpr double kShortestMm = 1.0e-9;
+
+/// A way along a boundary while it grows.
+class WayMaker {
+ public:
+  WayMaker(const OwnedArea& area, const WideVec2& start, bool is_backwards)
+      : area_{area}, at_{start}, is_backwards_{is_backwards} {}
+
+  /// Goes on along an element to a place of it.
+  void go(std::uint32_t element, const WideVec2& to) {
+    const Curve& curve = area_->element(element);
+    const double bulge =
+        is_backwards_ ? -curve.bulge_between(to, at_) : curve.bulge_between(at_, to);
+    const cut::Stroke stroke{.from = at_, .to = to, .bulge = bulge};
+    const double length_mm = cut::length_of(stroke);
+    if (length_mm < kShortestMm) return;
+    length_mm_ += length_mm;
+    way_.push_back({to, bulge});
+    at_ = to;
+  }
+  void go_to_end(std::uint32_t element) {
+    const Curve& curve = area_->element(element);
+    go(element, is_backwards_ ? curve.start : curve.end);
+  }
+
+  [[nodiscard]] double length_mm() const { return length_mm_; }
+  [[nodiscard]] std::vector<WayElement> way() && { return std::move(way_); }
+
+ private:
+  const OwnedArea& area_;
+  WideVec2 at_;
+  bool is_backwards_;
+  double length_mm_ = 0.0;
+  std::vector<WayElement> way_;
+};
+
+/// Whether one place of an element comes before another one, as it is driven.
+bool is_ahead(const Curve& curve,
+              const WideVec2& from,
+              const WideVec2& to,
+              bool is_backwards) {
+  const double step = curve.order_of(to) - curve.order_of(from);
+  return is_backwards ? step <= 0.0 : step >= 0.0;
+}
+
+}  // namespace
+
+std::optional<std::vector<WayElement>> way_along(const OwnedArea& area,
+                                                 const BoundaryPlace& from,
+                                                 const BoundaryPlace& to,
+                                                 bool is_backwards,
+                                                 double limit_mm) {
+  WayMaker maker{area, from.place, is_backwards};
+  std::uint32_t element = from.element;
+  const bool is_on_one =
+      element == to.element && is_ahead(area->element(element), from.place, to.place, is_backwards);
+  if (!is_on_one) {
+    do {
+      maker.go_to_end(element);
+      element = is_backwards ? area->previous(element) : area->next(element);
+      if (maker.length_mm() > limit_mm) return std::nullopt;
+      // All of the loop is short, and the other place is not on it.
+      if (element == from.element && element != to.element) return std::nullopt;
+    } while (element != to.element);
+  }
+  maker.go(element, to.place);
+  if (maker.length_mm() > limit_mm) return std::nullopt;
+  return std::move(maker).way();
+}
+
+}  // namespace sim::pocket

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+
+#include "host-sim/contour/contour_offset.hpp"
+#include "host-sim/pocket/path_rows.hpp"
+
+namespace sim::pocket {
+
+/// The path of one level as paper 5 has it.
+struct PaperPath : PathRows {
+  std::uint32_t loops = 0;
+};
+
+/// Makes the path of cnc::pocket::write_paper_path down to one depth, with storage that is large
+/// enough. The tool goes straight down where the innermost loop begins.
+/// Throws NoPocketPath for a pocket that the paper's method does not take.
+[[nodiscard]] PaperPath paper_path(const cnc::contour::ContourView<double>& pocket,
+                                   double tool_radius_mm,
+                                   double depth_mm);
+
+}  // namespace sim::pocket

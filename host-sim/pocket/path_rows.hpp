@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "planner/pocket/tool_path.hpp"
+
+namespace sim::pocket {
+
+/// Rows of a tool path with their storage, as ToolPathView has them.
+struct PathRows {
+  std::vector<cnc::pocket::PathPoint<double>> points;
+  std::vector<std::uint32_t> row_ends;  ///< One past the last point of each row.
+
+  [[nodiscard]] cnc::pocket::ToolPathView<double> path() const {
+    return {{points.data(), points.size()}, {row_ends.data(), row_ends.size()}};
+  }
+
+  /// Ends the row that is being written, unless it has no point.
+  void end_row();
+
+  /// Appends the rows of another path, moved upwards.
+  void append(const PathRows& rows, double up_mm = 0.0);
+};
+
+}  // namespace sim::pocket

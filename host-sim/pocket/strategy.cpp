@@ -1,0 +1,94 @@
+#include "host-sim/pocket/strategy.hpp"
+
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "host-sim/pocket/paper_path.hpp"
+#include "host-sim/pocket/zigzag.hpp"
+
+namespace sim::pocket {
+
+double fitting_radius(const cnc::contour::ContourView<double>& pocket,
+                      double tool_radius_mm,
+                      ContourOffset& offsetter) {
+  for (const double radius_mm : {tool_radius_mm, tool_radius_mm - 0.5 * kSlotSlackMm}) {
+    if (offsetter.offset(pocket, -radius_mm).loop_ends.size() > 0) return radius_mm;
+  }
+  return 0.0;
+}
+
+MilledPocket StrategyPlanner::mill(const cnc::contour::ContourView<double>& pocket,
+                                   double tool_radius_mm) {
+  options_.pocket.clearing.tool_radius = tool_radius_mm;
+  switch (options_.strategy) {
+    case Strategy::kContour:
+      return mill_contours(pocket);
+    case Strategy::kAdaptive:
+      return mill_adaptively(pocket);
+    case Strategy::kZigzag:
+      return mill_lines(pocket);
+    case Strategy::kPaper:
+      break;
+  }
+  return mill_by_paper(pocket);
+}
+
+double StrategyPlanner::levels() const {
+  return cnc::pocket::level_count(options_.pocket.depth, options_.pocket.depth_step);
+}
+
+MilledPocket StrategyPlanner::repeated(const PathRows& level) const {
+  MilledPocket milled;
+  milled.levels = static_cast<std::uint32_t>(levels());
+  for (std::uint32_t i = 0; i < milled.levels; ++i) milled.append(level, -step_mm() * i);
+  return milled;
+}
+
+MilledPocket StrategyPlanner::mill_contours(const cnc::contour::ContourView<double>& pocket) {
+  PocketPlan plan = planner_.plan(pocket, options_.pocket);
+  MilledPocket milled;
+  milled.points = std::move(plan.points);
+  milled.row_ends = std::move(plan.row_ends);
+  milled.levels = plan.report.levels;
+  milled.passes = plan.report.passes;
+  milled.links = plan.report.links;
+  return milled;
+}
+
+MilledPocket StrategyPlanner::mill_adaptively(
+    const cnc::contour::ContourView<double>& pocket) const {
+  constexpr double kDegreesOfRadian = 180.0 / std::numbers::pi;
+  const AdaptivePath path =
+      adaptive_path(pocket,
+                    {.tool_radius_mm = options_.pocket.clearing.tool_radius,
+                     .engagement_deg = options_.engagement_deg,
+                     .depth_mm = step_mm(),
+                     .ramp_deg = std::atan(options_.pocket.entry.slope) * kDegreesOfRadian});
+  MilledPocket milled = repeated(path);
+  milled.narrow = path.narrow;
+  return milled;
+}
+
+MilledPocket StrategyPlanner::mill_lines(const cnc::contour::ContourView<double>& pocket) const {
+  const bool plunges = options_.pocket.entry.kind == cnc::pocket::EntryKind::kPlunge;
+  const Zigzag path = zigzag_path(pocket,
+                                  {.tool_radius_mm = options_.pocket.clearing.tool_radius,
+                                   .stepover_mm = options_.pocket.clearing.stepover,
+                                   .turn_radius_mm = options_.pocket.clearing.corner_radius,
+                                   .depth_mm = step_mm(),
+                                   .slope = options_.pocket.entry.slope,
+                                   .plunges = plunges});
+  MilledPocket milled = repeated(path);
+  milled.passes = path.lines;
+  return milled;
+}
+
+MilledPocket StrategyPlanner::mill_by_paper(const cnc::contour::ContourView<double>& pocket) const {
+  const PaperPath path = paper_path(pocket, options_.pocket.clearing.tool_radius, step_mm());
+  MilledPocket milled = repeated(path);
+  milled.passes = path.loops;
+  return milled;
+}
+
+}  // namespace sim::pocket

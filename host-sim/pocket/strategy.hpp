@@ -1,0 +1,67 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "host-sim/pocket/adaptive_path.hpp"
+#include "host-sim/pocket/pocket_plan.hpp"
+
+namespace sim::pocket {
+
+enum class Strategy : std::uint8_t {
+  kContour,   ///< Passes along the walls, as far apart as nothing is left between them.
+  kAdaptive,  ///< Crescents that engage no more of the tool than allowed.
+  kZigzag,    ///< Lines along X, and passes along the walls.
+  kPaper,     ///< Paper 5 as printed: one spiral, for convex pockets without islands.
+};
+
+struct StrategyOptions {
+  Strategy strategy = Strategy::kContour;
+  cnc::pocket::PocketOptions<double> pocket;
+  double engagement_deg = 60.0;  ///< Of the tool's circumference, at most; kAdaptive.
+};
+
+/// The path of a pocket through all its levels, by any strategy.
+struct MilledPocket : PathRows {
+  std::uint32_t levels = 0;
+  std::uint32_t passes = 0;           ///< Of each level: passes, loops or lines.
+  std::uint32_t links = 0;            ///< Between passes; kContour.
+  std::vector<NarrowStretch> narrow;  ///< Of each level; kAdaptive.
+};
+
+/// A slot may be narrower than the tool by this, mm: drawn as wide as the tool, it is rounded.
+inline constexpr double kSlotSlackMm = 1.0e-3;
+
+/// Returns the radius with which a tool fits into a pocket: its own; in a pocket that is a slot as
+/// wide as the tool, half the slack less, which is what the walls lose; 0 where it fits nowhere.
+[[nodiscard]] double fitting_radius(const cnc::contour::ContourView<double>& pocket,
+                                    double tool_radius_mm,
+                                    ContourOffset& offsetter);
+
+/// Makes paths of pockets by one strategy.
+class StrategyPlanner {
+ public:
+  explicit StrategyPlanner(const StrategyOptions& options) : options_{options} {}
+
+  /// Throws NoPocketPath where there is no path, and std::invalid_argument for options out of
+  /// range.
+  /// @param pocket closed contours that do not cross, with the pocket on their left
+  /// @param tool_radius_mm in place of that of the options
+  [[nodiscard]] MilledPocket mill(const cnc::contour::ContourView<double>& pocket,
+                                  double tool_radius_mm);
+
+ private:
+  [[nodiscard]] MilledPocket mill_contours(const cnc::contour::ContourView<double>& pocket);
+  [[nodiscard]] MilledPocket mill_adaptively(const cnc::contour::ContourView<double>& pocket) const;
+  [[nodiscard]] MilledPocket mill_lines(const cnc::contour::ContourView<double>& pocket) const;
+  [[nodiscard]] MilledPocket mill_by_paper(const cnc::contour::ContourView<double>& pocket) const;
+  /// The path of one level, as often as there are levels.
+  [[nodiscard]] MilledPocket repeated(const PathRows& level) const;
+  [[nodiscard]] double levels() const;
+  [[nodiscard]] double step_mm() const { return options_.pocket.depth / levels(); }
+
+  StrategyOptions options_;
+  PocketPlanner planner_;
+};
+
+}  // namespace sim::pocket

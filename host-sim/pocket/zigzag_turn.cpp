@@ -1,0 +1,89 @@
+#include "host-sim/pocket/zigzag_turn.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace sim::pocket {
+namespace {
+
+using cnc::WideVec2;
+
+/// mm: how exactly a turn meets the wall.
+constexpr double kMeetsMm = 1.0e-7;
+/// rad: an arc of less is no arc.
+constexpr double kNoSweep = 1.0e-6;
+
+/// An arc between a line and the wall.
+struct Fillet {
+  WideVec2 on_line{0.0, 0.0};
+  BoundaryPlace on_wall;
+  double bulge = 0.0;  ///< As driven, upwards.
+};
+
+/// The end of the stretches that is nearest to x, if none of them begins between: up to there, the
+/// wall is within twice the radius of a line's rest.
+std::optional<double> end_nearest_to(const std::vector<Stretch>& stretches, double x, Side side) {
+  std::optional<double> best;
+  for (const Stretch& stretch : stretches) {
+    const double end = end_of(stretch, side);
+    if (!best || std::abs(end - x) < std::abs(*best - x)) best = end;
+  }
+  for (const Stretch& stretch : stretches) {
+    const double begin = end_of(stretch, side == Side::kLeft ? Side::kRight : Side::kLeft);
+    if ((begin - *best) * (begin - x) < 0.0) return std::nullopt;
+  }
+  return best;
+}
+
+/// The arc that leaves a line upwards, or reaches it from below. Seen from the right side, both
+/// turn left; from the left side, right.
+std::optional<Fillet> fillet_at(
+    const TurnSpace& space, double end_x, double y, Side side, bool leaves_line) {
+  const double centre_y = leaves_line ? y + space.radius_mm : y - space.radius_mm;
+  const auto centre_x = end_nearest_to(stretches_at(space.centres, centre_y), end_x, side);
+  if (!centre_x) return std::nullopt;
+  const WideVec2 centre{*centre_x, centre_y};
+  const auto wall = space.rounded->nearest(centre);
+  if (std::abs(wall.distance - space.radius_mm) > kMeetsMm) return std::nullopt;
+  Fillet fillet{{*centre_x, y}, {wall.element, wall.point}, 0.0};
+  if (space.radius_mm == 0.0) return fillet;
+  const WideVec2 line_way = fillet.on_line - centre;
+  const WideVec2 wall_way = wall.point - centre;
+  const WideVec2& from = leaves_line ? line_way : wall_way;
+  const WideVec2& to = leaves_line ? wall_way : line_way;
+  const double sign = side == Side::kRight ? 1.0 : -1.0;
+  const double sweep = sign * std::atan2(cnc::cross(from, to), from.dot(to));
+  if (sweep < -kNoSweep) return std::nullopt;
+  fillet.bulge = sweep < kNoSweep ? 0.0 : sign * std::tan(0.25 * sweep);
+  return fillet;
+}
+
+bool lies_on(const Stretch& stretch, double x) {
+  return x > stretch.from_x - kMeetsMm && x < stretch.to_x + kMeetsMm;
+}
+
+}  // namespace
+
+std::optional<ZigzagTurn> turn_between(const TurnSpace& space,
+                                       const StretchPair& pair,
+                                       Side side,
+                                       double limit_mm) {
+  const auto& [below, above, y_mm, step_mm] = pair;
+  const auto leaving = fillet_at(space, end_of(below, side), y_mm, side, true);
+  const auto meeting = fillet_at(space, end_of(above, side), y_mm + step_mm, side, false);
+  if (!leaving || !meeting) return std::nullopt;
+  if (!lies_on(below, leaving->on_line.x()) || !lies_on(above, meeting->on_line.x())) {
+    return std::nullopt;
+  }
+  auto along =
+      way_along(space.rounded, leaving->on_wall, meeting->on_wall, side == Side::kLeft, limit_mm);
+  if (!along) return std::nullopt;
+  ZigzagTurn turn{leaving->on_line.x(), meeting->on_line.x(), {}};
+  turn.way.push_back({leaving->on_wall.place, leaving->bulge});
+  turn.way.insert(turn.way.end(), along->begin(), along->end());
+  turn.way.push_back({meeting->on_line, meeting->bulge});
+  return turn;
+}
+
+}  // namespace sim::pocket

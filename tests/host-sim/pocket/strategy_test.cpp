@@ -1,0 +1,97 @@
+#include "host-sim/pocket/strategy.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "host-sim/contour/contour_text.hpp"
+
+namespace sim::pocket {
+namespace {
+
+using cnc::pocket::Use;
+
+constexpr const char* kRoom = "0 0\n60 0\n60 40\n0 40\nclosed\n";
+
+StrategyOptions options_of(Strategy strategy) {
+  StrategyOptions options;
+  options.strategy = strategy;
+  options.pocket.clearing = {.tool_radius = 3.0, .corner_radius = 0.3, .stepover = 6.0};
+  options.pocket.entry = {cnc::pocket::EntryKind::kHelix, 0.05, 2.7};
+  options.pocket.depth = 6.0;
+  options.pocket.depth_step = 2.5;
+  return options;
+}
+
+MilledPocket milled(const char* text, Strategy strategy, double radius_mm = 3.0) {
+  const Contour pocket = contour_from_text(text, "test");
+  return StrategyPlanner{options_of(strategy)}.mill(pocket.view(), radius_mm);
+}
+
+TEST(Strategies, MillEqualLevelsEachFromTheFloorAbove) {
+  for (const Strategy strategy : {Strategy::kContour, Strategy::kAdaptive}) {
+    const MilledPocket path = milled(kRoom, strategy);
+    EXPECT_EQ(path.levels, 3U);
+    std::set<double> floors;
+    for (std::size_t row = 0; row < path.row_ends.size(); ++row) {
+      const std::uint32_t begin = path.path().row_begin(row);
+      const double above = path.points[begin].z;
+      for (std::uint32_t i = begin; i < path.row_ends[row]; ++i) {
+        EXPECT_LE(path.points[i].z, above + 1.0e-12);
+        EXPECT_GE(path.points[i].z, above - 2.0 - 1.0e-9);
+      }
+      floors.insert(std::round(1.0e6 * path.points[path.row_ends[row] - 1].z));
+    }
+    EXPECT_EQ(floors, (std::set<double>{-6.0e6, -4.0e6, -2.0e6}));
+  }
+}
+
+TEST(Strategies, AdaptivePassesAreLight) {
+  const MilledPocket path = milled(kRoom, Strategy::kAdaptive);
+  double light_mm = 0.0;
+  double full_mm = 0.0;
+  for (std::size_t i = 0; i + 1 < path.points.size(); ++i) {
+    const double chord = (path.points[i + 1].point() - path.points[i].point()).norm();
+    if (path.points[i].use == Use::kLight) light_mm += chord;
+    if (path.points[i].use == Use::kPass) full_mm += chord;
+  }
+  EXPECT_GT(light_mm, full_mm);
+  EXPECT_TRUE(path.narrow.empty());
+  const MilledPocket contours = milled(kRoom, Strategy::kContour);
+  EXPECT_TRUE(std::ranges::none_of(contours.points,
+                                   [](const auto& point) { return point.use == Use::kLight; }));
+}
+
+TEST(Strategies, AToolFitsIntoASlotDrawnAsWideAsItself) {
+  ContourOffset offsetter;
+  const Contour slot = contour_from_text("0 0\n60 0\n60 6\n0 6\nclosed\n", "test");
+  const Contour gap = contour_from_text("0 0\n60 0\n60 5.99\n0 5.99\nclosed\n", "test");
+  const double radius_mm = fitting_radius(slot.view(), 3.0, offsetter);
+  EXPECT_NEAR(radius_mm, 3.0 - 0.0005, 1.0e-12);
+  EXPECT_EQ(fitting_radius(gap.view(), 3.0, offsetter), 0.0);
+  EXPECT_EQ(fitting_radius(contour_from_text(kRoom, "test").view(), 3.0, offsetter), 3.0);
+  for (const Strategy strategy : {Strategy::kContour, Strategy::kAdaptive}) {
+    const MilledPocket path = milled("0 0\n60 0\n60 6\n0 6\nclosed\n", strategy, radius_mm);
+    double left = 60.0;
+    double right = 0.0;
+    for (const auto& point : path.points) {
+      EXPECT_NEAR(point.y, 3.0, 0.001);
+      left = std::min(left, point.x);
+      right = std::max(right, point.x);
+    }
+    EXPECT_NEAR(left, 3.0, 0.001);
+    EXPECT_NEAR(right, 57.0, 0.001);
+  }
+}
+
+TEST(ThinChips, AreMadeUpForByTheFeed) {
+  EXPECT_NEAR(thin_chip_factor(30.0), 2.0, 1.0e-12);
+  EXPECT_NEAR(thin_chip_factor(60.0), 2.0 / std::sqrt(3.0), 1.0e-12);
+  EXPECT_EQ(thin_chip_factor(90.0), 1.0);
+  EXPECT_EQ(thin_chip_factor(150.0), 1.0);
+}
+
+}  // namespace
+}  // namespace sim::pocket
