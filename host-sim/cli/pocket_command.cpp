@@ -1,33 +1,30 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <cmath>
+#include <algorithm>
 #include <cstdio>
-#include <filesystem>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
-#include "firmware/protocol/identity.hpp"
 #include "host-sim/cli/commands.hpp"
 #include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/pocket_options.hpp"
+#include "host-sim/cli/pocket_report.hpp"
 #include "host-sim/contour/contour_file.hpp"
 #include "host-sim/contour/contour_text.hpp"
 #include "host-sim/contour/vanished.hpp"
-#include "host-sim/cut/stroke.hpp"
 #include "host-sim/plot/contour_picture.hpp"
+#include "host-sim/pocket/areas.hpp"
 #include "host-sim/pocket/mill_program.hpp"
-#include "host-sim/pocket/pocket_plan.hpp"
-#include "host-sim/report/report_json.hpp"
 #include "host-sim/report/terminal.hpp"
 #include "host-sim/trace/output_file.hpp"
 
 namespace sim {
 namespace {
 
-using pocket::PocketPlan;
+using pocket::PathRows;
 
 constexpr const char* kPocketFooter =
     "Each outer contour of FILE is a pocket, holes in it are islands, and contours within those "
@@ -35,105 +32,27 @@ constexpr const char* kPocketFooter =
     "pockets again. The top of the stock is Z 0. Passes are the paper's dynamic offset made exact\n"
     "for every corner, arc and island: as far apart as nothing is left between them, driven from\n"
     "the middle outwards without lifting where a link fits. Corners narrower than the tool stay.\n"
+    "With --v-angle, shapes are carved: letters, lines of ornaments.\n"
     "\n"
     "Examples:\n"
     "  kerfline pocket tray.svg --tool 6 --depth 4 --depth-step 2 --feed 1200 --plunge-feed 300 "
     "\\\n"
     "    --spindle 16000 -o tray.nc --svg tray-passes.svg\n"
+    "  kerfline pocket sign.svg --v-angle 60 --tool 12 --depth 4 --feed 900 --plunge-feed 200 \\\n"
+    "    -o sign.nc\n"
     "\n"
     "Exit status: 0 fine, 1 the drawing has faults or the tool does not fit, 2 the call is wrong.";
 
-/// Lengths of a path by the use of its elements, mm.
-struct PathLengths {
-  double pass_mm = 0.0;
-  double link_mm = 0.0;
-  double entry_mm = 0.0;
-  double between_rows_mm = 0.0;  ///< In the plane, in rapids.
-
-  [[nodiscard]] double fed_mm() const { return pass_mm + link_mm + entry_mm; }
-};
-
-/// Adds a plan's lengths. @param last where the tool was, none before the first row
-void add_lengths(const PocketPlan& plan,
-                 std::vector<cnc::pocket::PathPoint<double>>& last,
-                 PathLengths& lengths) {
-  const auto path = plan.path();
-  for (std::size_t row = 0; row < path.row_ends.size(); ++row) {
-    for (std::uint32_t i = path.row_begin(row); i < path.row_ends[row]; ++i) {
-      const auto& to = path.points[i];
-      if (i == path.row_begin(row)) {
-        if (!last.empty()) lengths.between_rows_mm += (to.point() - last.back().point()).norm();
-      } else {
-        const auto& from = path.points[i - 1];
-        const cut::Stroke stroke{.from = from.point(), .to = to.point(), .bulge = from.bulge};
-        const double length_mm = std::hypot(cut::length_of(stroke), to.z - from.z);
-        using cnc::pocket::Use;
-        (from.use == Use::kPass   ? lengths.pass_mm
-         : from.use == Use::kLink ? lengths.link_mm
-                                  : lengths.entry_mm) += length_mm;
-      }
-      last = {to};
-    }
-  }
-}
-
-/// The plans of all pockets as one path.
-PocketPlan joined(const std::vector<PocketPlan>& plans) {
-  PocketPlan all;
-  for (const PocketPlan& plan : plans) {
-    const auto before = static_cast<std::uint32_t>(all.points.size());
-    all.points.insert(all.points.end(), plan.points.begin(), plan.points.end());
-    for (const std::uint32_t end : plan.row_ends) all.row_ends.push_back(before + end);
-    all.passes.insert(all.passes.end(), plan.passes.begin(), plan.passes.end());
-    all.report.passes += plan.report.passes;
-    all.report.levels = plan.report.levels;
-    all.report.rows += plan.report.rows;
-    all.report.links += plan.report.links;
-  }
-  return all;
-}
-
-std::vector<std::string> heading_of(const PocketCommandOptions& options, const PocketPlan& plan) {
-  const std::string name =
-      options.file == "-" ? options.file : std::filesystem::path{options.file}.filename().string();
-  return {fmt::format("kerfline {} pocket: {}", cnc::identity::version(), name),
-          fmt::format("tool {:g} mm, {:g} mm deep in {} levels, {} passes in each",
-                      options.tool_mm,
-                      options.depth_mm,
-                      plan.report.levels,
-                      plan.report.passes)};
-}
-
-nlohmann::ordered_json json_of(const PocketCommandOptions& options,
-                               const PocketPlan& plan,
-                               const PathLengths& lengths) {
-  nlohmann::ordered_json report;
-  report["drawing"] = options.file;
-  report["version"] = cnc::identity::version();
-  report["tool_mm"] = options.tool_mm;
-  report["depth_mm"] = options.depth_mm;
-  report["levels"] = plan.report.levels;
-  report["passes"] = plan.report.passes;
-  report["rows"] = plan.report.rows;
-  report["links"] = plan.report.links;
-  report["pass_length_mm"] = lengths.pass_mm;
-  report["link_length_mm"] = lengths.link_mm;
-  report["entry_length_mm"] = lengths.entry_mm;
-  report["rapid_length_mm"] = lengths.between_rows_mm;
-  return report;
-}
-
 /// Prints the parts of pockets that the tool does not fit into. True where there is any.
-bool report_unreached(const PocketCommandOptions& options, const std::vector<Contour>& parts) {
+bool report_unreached(const PocketCommandOptions& options, const std::vector<Contour>& areas) {
   constexpr std::size_t kMostListed = 20;
-  const double radius_mm = 0.5 * options.tool_mm;
   ContourOffset offsetter;
   std::size_t count = 0;
-  for (const Contour& part : parts) {
-    const auto locus = offsetter.offset(part.view(), -radius_mm);
-    const Contour result{{locus.vertices.begin(), locus.vertices.end()},
-                         {locus.loop_ends.begin(), locus.loop_ends.end()}};
-    for (const Vanished& gone : vanished(part, result, -radius_mm, offsetter)) {
+  for (const Contour& area : areas) {
+    const double fitting_mm = pocket::fitting_radius(area.view(), options.radius_mm(), offsetter);
+    const double radius_mm = fitting_mm > 0.0 ? fitting_mm : options.radius_mm();
+    const Contour locus = copy_of(offsetter.offset(area.view(), -radius_mm));
+    for (const Vanished& gone : vanished(area, locus, -radius_mm, offsetter)) {
       if (gone.is_hole || ++count > kMostListed) continue;
       terminal::print(stderr,
                       "{}: {} for a tool of {:g} mm; choose a smaller one with --tool\n",
@@ -148,53 +67,102 @@ bool report_unreached(const PocketCommandOptions& options, const std::vector<Con
   return count != 0;
 }
 
+/// Appends the loops of one contour to another.
+void append(const Contour& contour, Contour& to) {
+  const auto before = static_cast<std::uint32_t>(to.vertices.size());
+  to.vertices.insert(to.vertices.end(), contour.vertices.begin(), contour.vertices.end());
+  for (const std::uint32_t end : contour.loop_ends) to.loop_ends.push_back(before + end);
+}
+
+/// Appends paths in an order with short rapids.
+void append_in_order(const std::vector<PathRows>& paths, MilledDrawing& milled) {
+  milled.pockets = paths.size();
+  for (const std::size_t index : pocket::short_order(paths)) milled.append(paths[index]);
+}
+
+/// Mills the areas that the tool fits into.
+MilledDrawing mill(const PocketCommandOptions& options, const std::vector<Contour>& areas) {
+  pocket::StrategyPlanner planner{strategy_options_of(options)};
+  ContourOffset offsetter;
+  MilledDrawing milled;
+  std::vector<PathRows> paths;
+  for (const Contour& area : areas) {
+    const double radius_mm = pocket::fitting_radius(area.view(), options.radius_mm(), offsetter);
+    if (radius_mm == 0.0) continue;
+    pocket::MilledPocket one = planner.mill(area.view(), radius_mm);
+    milled.levels = one.levels;
+    milled.passes += one.passes;
+    milled.links += one.links;
+    milled.narrow.insert(milled.narrow.end(), one.narrow.begin(), one.narrow.end());
+    paths.push_back(std::move(one));
+  }
+  if (paths.empty()) {
+    throw pocket::NoPocketPath{"the tool fits nowhere; choose a smaller one with --tool"};
+  }
+  append_in_order(paths, milled);
+  return milled;
+}
+
+MilledDrawing carve(const PocketCommandOptions& options, const std::vector<Contour>& areas) {
+  const pocket::VCarveOptions wanted = carve_options_of(options);
+  MilledDrawing milled;
+  std::vector<PathRows> paths;
+  for (const Contour& area : areas) {
+    pocket::VCarving one = pocket::v_carve(area.view(), wanted);
+    milled.carved_depth_mm = std::max(milled.carved_depth_mm, one.depth_mm);
+    milled.wide_area_mm2 += one.wide_area_mm2;
+    if (!one.points.empty()) paths.push_back(std::move(one));
+  }
+  if (paths.empty()) throw pocket::NoPocketPath{"no shape in it can be carved"};
+  append_in_order(paths, milled);
+  if (milled.wide_area_mm2 > 0.0) {
+    terminal::print(stderr,
+                    "{}: {:.1f} mm2 are too wide for {:g} mm of depth and stay; clear them with a "
+                    "flat tool, or take a larger one with --tool or --depth\n",
+                    options.file,
+                    milled.wide_area_mm2,
+                    wanted.greatest_depth_mm);
+  }
+  return milled;
+}
+
+void write_outputs(const PocketCommandOptions& options, const MilledDrawing& milled) {
+  const std::string program =
+      program_of(milled.path(),
+                 mill_settings_of(options),
+                 cnc::gcode::PrintGrid{static_cast<std::uint8_t>(options.decimals)},
+                 pocket_heading(options, milled));
+  terminal::print(
+      options.output.empty() ? stderr : stdout, "{}\n", pocket_summary(options, milled));
+  if (options.output.empty()) {
+    terminal::write_data(program);
+  } else {
+    write_file(options.output, program);
+  }
+  if (!options.svg.empty()) {
+    write_file(options.svg, draw_tool_path(milled.walls, milled.path(), options.file));
+  }
+  if (!options.report.empty()) write_file(options.report, pocket_report(options, milled));
+}
+
 ExitStatus mill_file(const PocketCommandOptions& options) {
-  const std::vector<Contour> parts = read_contour_file(options.file, options.outline);
-  const bool is_incomplete = report_unreached(options, parts);
+  std::vector<Contour> areas;
+  Contour walls;
+  for (const Contour& part : read_contour_file(options.file, options.outline)) {
+    append(part, walls);
+    for (Contour& area : pocket::areas_of(part)) areas.push_back(std::move(area));
+  }
+  if (areas.empty()) throw pocket::NoPocketPath{"no contour in it; draw one"};
+  const bool is_incomplete = !options.is_v_carving() && report_unreached(options, areas);
   if (is_incomplete && !options.anyway) {
     terminal::print(stderr,
                     "kerfline: no program is written; --anyway mills what the tool reaches{}\n",
                     stale_note(options.output));
     return ExitStatus::kFaults;
   }
-  pocket::PocketPlanner planner;
-  std::vector<PocketPlan> plans;
-  Contour walls;
-  for (const Contour& part : parts) {
-    plans.push_back(planner.plan(part.view(), pocket_options_of(options)));
-    for (std::size_t loop = 0; loop < part.loop_ends.size(); ++loop) {
-      for (std::uint32_t i = part.view().loop_begin(loop); i < part.loop_ends[loop]; ++i) {
-        walls.vertices.push_back(part.vertices[i]);
-      }
-      walls.end_loop();
-    }
-  }
-  const PocketPlan plan = joined(plans);
-  PathLengths lengths;
-  std::vector<cnc::pocket::PathPoint<double>> last;
-  add_lengths(plan, last, lengths);
-  const std::string program =
-      program_of(plan.path(),
-                 options.mill,
-                 cnc::gcode::PrintGrid{static_cast<std::uint8_t>(options.decimals)},
-                 heading_of(options, plan));
-  terminal::print(options.output.empty() ? stderr : stdout,
-                  "{}: {} passes in {} levels, {} rows, {:.1f} mm at feeds\n",
-                  options.file,
-                  plan.report.passes,
-                  plan.report.levels,
-                  plan.report.rows,
-                  lengths.fed_mm());
-  if (options.output.empty()) {
-    terminal::write_data(program);
-  } else {
-    write_file(options.output, program);
-  }
-  if (!options.svg.empty())
-    write_file(options.svg, draw_contours(walls, plan.passes, options.file));
-  if (!options.report.empty()) {
-    write_file(options.report, dumped(json_of(options, plan, lengths)) + "\n");
-  }
+  MilledDrawing milled = options.is_v_carving() ? carve(options, areas) : mill(options, areas);
+  milled.walls = std::move(walls);
+  write_outputs(options, milled);
   return is_incomplete ? ExitStatus::kFaults : ExitStatus::kFine;
 }
 
@@ -225,7 +193,10 @@ void add_pocket_command(CLI::App& app, ExitStatus& status) {
   command->footer(kPocketFooter);
   const auto options = std::make_shared<PocketCommandOptions>();
   add_pocket_options(*command, *options);
-  command->callback([options, &status] { status = mill_or_tell(*options); });
+  command->callback([options, command, &status] {
+    check_pocket_options(*command, *options);
+    status = mill_or_tell(*options);
+  });
 }
 
 }  // namespace sim

@@ -1,9 +1,14 @@
 #include "host-sim/cli/pocket_options.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <stdexcept>
 
 #include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/outline_options.hpp"
@@ -21,11 +26,12 @@ constexpr double kGreatestSpeed = 1.0e6;
 constexpr double kSteepestDeg = 45.0;
 
 void add_shape_options(CLI::App& command, PocketCommandOptions& options) {
-  command.add_option("--tool", options.tool_mm, "Diameter of the tool, mm")
+  command.add_option("--tool", options.tool_mm, "Diameter of the tool, of a V tool at its top, mm")
       ->required()
       ->check(in_range(kLeastToolMm, kGreatestToolMm, "mm"))
       ->type_name("MM");
-  command.add_option("--depth", options.depth_mm, "Of the pocket below Z 0, mm")
+  command
+      .add_option("--depth", options.depth_mm, "Of the pocket below Z 0, mm; of V carving at most")
       ->required()
       ->check(in_range(kLeastDepthMm, kGreatestDepthMm, "mm"))
       ->type_name("MM");
@@ -38,7 +44,8 @@ void add_shape_options(CLI::App& command, PocketCommandOptions& options) {
   command
       .add_option("--stepover",
                   options.stepover_mm,
-                  "Greatest distance of passes, mm. Else the greatest that leaves nothing")
+                  "Greatest distance of passes, mm. Else the greatest that leaves nothing;\n"
+                  "of lines, half the tool")
       ->check(in_range(kLeastDepthMm, kGreatestToolMm, "mm"))
       ->type_name("MM");
   command
@@ -67,6 +74,43 @@ void add_entry_options(CLI::App& command, PocketCommandOptions& options) {
       ->type_name("DEG")
       ->capture_default_str();
   command.add_flag("--conventional", options.conventional, "Mill against the climb");
+}
+
+void add_strategy_options(CLI::App& command, PocketCommandOptions& options) {
+  using pocket::Strategy;
+  const std::map<std::string, Strategy> strategies{{"contour", Strategy::kContour},
+                                                   {"adaptive", Strategy::kAdaptive},
+                                                   {"zigzag", Strategy::kZigzag},
+                                                   {"paper", Strategy::kPaper}};
+  command
+      .add_option(
+          "--strategy",
+          options.strategy,
+          "Passes along the walls; crescents that engage no more of the tool than\n"
+          "--engagement says, for hard stock and deep levels; lines along X; or the paper's\n"
+          "spiral as printed, for one convex contour, with plunges")
+      ->transform(CLI::CheckedTransformer(strategies))
+      ->option_text("contour|adaptive|zigzag|paper [contour]");
+  command
+      .add_option("--engagement",
+                  options.engagement_deg,
+                  "Of the tool's circumference that cuts with --strategy adaptive, at most, "
+                  "degrees; entries\nand stretches narrower than 1.2 tools have more, which "
+                  "--report lists")
+      ->check(in_range(pocket::kLeastEngagementDeg, pocket::kGreatestEngagementDeg, "degrees"))
+      ->type_name("DEG")
+      ->capture_default_str();
+  command.add_flag("--keep-feed",
+                   options.keeps_feed,
+                   "No higher feed where --engagement makes chips thin; else --feed divided by\n"
+                   "its sine there, below 90 degrees");
+  command
+      .add_option("--v-angle",
+                  options.v_angle_deg,
+                  "Carve with a V tool of this included angle, degrees: along the middle of each\n"
+                  "shape, as deep as it is wide there")
+      ->check(in_range(pocket::kLeastVAngleDeg, pocket::kGreatestVAngleDeg, "degrees"))
+      ->type_name("DEG");
 }
 
 void add_mill_options(CLI::App& command, pocket::MillSettings& mill) {
@@ -106,6 +150,7 @@ void add_pocket_options(CLI::App& command, PocketCommandOptions& options) {
       FileRole::kInput);
   add_shape_options(command, options);
   add_entry_options(command, options);
+  add_strategy_options(command, options);
   add_mill_options(command, options.mill);
   add_outline_options(command, options.outline);
   command.add_flag("--anyway", options.anyway, "Mill what the tool reaches, and leave the rest");
@@ -120,12 +165,50 @@ void add_pocket_options(CLI::App& command, PocketCommandOptions& options) {
   add_output("--svg", options.svg, "Draw the pockets and their passes");
 }
 
-cnc::pocket::PocketOptions<double> pocket_options_of(const PocketCommandOptions& options) {
-  const double radius = 0.5 * options.tool_mm;
+void check_pocket_options(const CLI::App& command, const PocketCommandOptions& options) {
+  const auto refuse = [&command](const auto& names, const char* mode, const char* remedy) {
+    for (const char* name : names) {
+      if (command.count(name) == 0) continue;
+      throw std::invalid_argument{fmt::format("{} has no {}; {}", mode, name, remedy)};
+    }
+  };
+  constexpr std::array kOfClearing{"--strategy",
+                                   "--engagement",
+                                   "--stepover",
+                                   "--corner",
+                                   "--depth-step",
+                                   "--entry",
+                                   "--slope",
+                                   "--conventional",
+                                   "--keep-feed"};
+  constexpr std::array kOfPasses{"--stepover", "--corner", "--entry", "--conventional"};
+  constexpr std::array kOfPaper{"--stepover", "--corner", "--entry", "--slope", "--conventional"};
+  constexpr std::array kOfLines{"--conventional"};
+  constexpr std::array kOfCrescents{"--engagement", "--keep-feed"};
+  if (options.is_v_carving()) return refuse(kOfClearing, "--v-angle", "leave it out");
+  switch (options.strategy) {
+    case pocket::Strategy::kAdaptive:
+      return refuse(kOfPasses, "--strategy adaptive", "--engagement bounds the cut");
+    case pocket::Strategy::kZigzag:
+      refuse(kOfLines, "--strategy zigzag", "lines go both ways");
+      break;
+    case pocket::Strategy::kPaper:
+      refuse(kOfPaper, "--strategy paper", "it is as printed");
+      break;
+    case pocket::Strategy::kContour:
+      break;
+  }
+  refuse(kOfCrescents, "this strategy", "add --strategy adaptive");
+}
+
+pocket::StrategyOptions strategy_options_of(const PocketCommandOptions& options) {
+  const double radius = options.radius_mm();
   cnc::pocket::PocketOptions<double> wanted;
   wanted.clearing.tool_radius = radius;
   wanted.clearing.corner_radius = options.corner_mm < 0.0 ? 0.1 * radius : options.corner_mm;
-  wanted.clearing.stepover = options.stepover_mm > 0.0 ? options.stepover_mm : options.tool_mm;
+  const bool is_zigzag = options.strategy == pocket::Strategy::kZigzag;
+  const double usual_stepover = is_zigzag ? radius : options.tool_mm;
+  wanted.clearing.stepover = options.stepover_mm > 0.0 ? options.stepover_mm : usual_stepover;
   wanted.entry.kind = options.entry;
   wanted.entry.slope = std::tan(options.slope_deg * std::numbers::pi / 180.0);
   // A helix of a larger radius leaves a core in its middle.
@@ -134,7 +217,22 @@ cnc::pocket::PocketOptions<double> pocket_options_of(const PocketCommandOptions&
       options.conventional ? cnc::pocket::Milling::kConventional : cnc::pocket::Milling::kClimb;
   wanted.depth = options.depth_mm;
   wanted.depth_step = options.depth_step_mm > 0.0 ? options.depth_step_mm : radius;
-  return wanted;
+  return {options.strategy, wanted, options.engagement_deg};
+}
+
+pocket::VCarveOptions carve_options_of(const PocketCommandOptions& options) {
+  const double half_angle = 0.5 * options.v_angle_deg * std::numbers::pi / 180.0;
+  const double depth_of_tool_mm = options.radius_mm() / std::tan(half_angle);
+  return {.included_angle_deg = options.v_angle_deg,
+          .greatest_depth_mm = std::min(options.depth_mm, depth_of_tool_mm)};
+}
+
+pocket::MillSettings mill_settings_of(const PocketCommandOptions& options) {
+  pocket::MillSettings mill = options.mill;
+  if (options.strategy == pocket::Strategy::kAdaptive && !options.keeps_feed) {
+    mill.light_feed_mm_min = mill.feed_mm_min * pocket::thin_chip_factor(options.engagement_deg);
+  }
+  return mill;
 }
 
 }  // namespace sim

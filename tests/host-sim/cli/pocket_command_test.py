@@ -108,6 +108,119 @@ class PocketCommand(unittest.TestCase):
                 self.assertEqual(stock["rapids_in_stock"]["count"], 0, stock["rapids_in_stock"])
                 self.assertEqual(stock["plunges_in_stock"]["count"], 0, stock["plunges_in_stock"])
 
+    def test_clears_adaptively_what_contours_clear(self):
+        volume = 4 * (60 * 40 - (4 - math.pi) * 3 ** 2 - math.pi * 8 ** 2)
+        report = self.folder / "tray.json"
+        done = self.pocket(TRAY, "--tool", 6, "--depth", 4, "--depth-step", 2, *MILL, "--strategy", "adaptive",
+                           "--engagement", 70, "--report", report)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        figures = json.loads(report.read_text())
+        self.assertEqual((figures["strategy"], figures["levels"], figures["narrow"]), ("adaptive", 2, []))
+        stock = self.simulated("--stock", "5,25,75,75,0,-8", "--tool", 6, "--stock-cell", 0.05)["stock"]
+        self.assertLessEqual(stock["removed_mm3"]["least"], volume)
+        self.assertGreaterEqual(stock["removed_mm3"]["most"], volume)
+        self.assertEqual(stock["rapids_in_stock"]["count"], 0, stock["rapids_in_stock"])
+        self.assertEqual(stock["plunges_in_stock"]["count"], 0, stock["plunges_in_stock"])
+        light = 1200 / math.sin(math.radians(70))
+        self.assertIn(f"F{light:.3f}", self.program.read_text())
+        self.pocket(TRAY, "--tool", 6, "--depth", 4, *MILL, "--strategy", "adaptive", "--keep-feed")
+        self.assertNotRegex(self.program.read_text(), r"F1[3-9]\d\d")
+
+    def test_lists_what_is_too_narrow_for_the_engagement(self):
+        rooms = svg('<path d="M10 10 H40 V26 H50 V10 H80 V50 H50 V33 H40 V50 H10 Z"/>')
+        report = self.folder / "rooms.json"
+        done = self.pocket(rooms, "--tool", 6, "--depth", 2, *MILL, "--strategy", "adaptive", "--report", report)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        narrow = json.loads(report.read_text())["narrow"]
+        self.assertEqual(len(narrow), 1, narrow)
+        self.assertAlmostEqual(narrow[0]["width_mm"], 7.0, 3)
+        self.assertIn("1 narrow stretches", done.stdout)
+
+    def test_carves_with_a_v_tool(self):
+        report = self.folder / "sign.json"
+        picture = self.folder / "sign-path.svg"
+        done = self.pocket(svg('<rect x="10" y="10" width="4" height="30"/>',
+                               '<rect x="40" y="10" width="20" height="20"/>'),
+                           "--v-angle", 90, "--tool", 12, "--depth", 3, *MILL, "--report", report, "--svg", picture)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        figures = json.loads(report.read_text())
+        self.assertEqual(figures["pockets"], 2)
+        self.assertAlmostEqual(figures["carved_depth_mm"], 3.0, 6)
+        self.assertAlmostEqual(figures["wide_area_mm2"], 14 * 14, 3)
+        self.assertIn("196.0 mm2 are too wide for 3 mm", done.stderr)
+        self.assertTrue(picture.read_text().startswith("<"))
+        stock = self.simulated("--stock", "5,35,65,75,0,-5", "--tool", "12,v,90", "--stock-cell", 0.05)["stock"]
+        # A groove like a roof, and the square's rim, down to a depth of 3 mm and up again.
+        groove = 4 * 2 / 2 * 26 + 4 ** 2 * 2 / 3
+        rim = 4 * (20 * 3 ** 2 / 2 - 2 * 3 ** 3 / 3) + 4 * (14 * 3 ** 2 / 2 - 2 * 3 ** 3 / 6)
+        self.assertLess(stock["removed_mm3"]["least"], groove + rim)
+        self.assertGreater(stock["removed_mm3"]["most"], 0.998 * (groove + rim))
+        self.assertLess(stock["removed_mm3"]["most"] - stock["removed_mm3"]["least"], 0.06 * (groove + rim))
+        # The tool as deep as its own width allows.
+        done = self.pocket(TRAY, "--v-angle", 90, "--tool", 4, "--depth", 30, *MILL)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertAlmostEqual(self.simulated()["bounds_mm"]["Z"][0], -2.0, 3)
+
+    def test_clears_by_lines_what_contours_clear(self):
+        volume = 4 * (60 * 40 - (4 - math.pi) * 3 ** 2 - math.pi * 8 ** 2)
+        report = self.folder / "tray.json"
+        done = self.pocket(TRAY, "--tool", 6, "--depth", 4, "--depth-step", 2, *MILL, "--strategy", "zigzag",
+                           "--report", report)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stdout, r"\d+ lines in 2 levels")
+        figures = json.loads(report.read_text())
+        self.assertEqual(figures["strategy"], "zigzag")
+        stock = self.simulated("--stock", "5,25,75,75,0,-8", "--tool", 6, "--stock-cell", 0.05)["stock"]
+        self.assertLessEqual(stock["removed_mm3"]["least"], volume)
+        self.assertGreaterEqual(stock["removed_mm3"]["most"], volume)
+        self.assertEqual(stock["rapids_in_stock"]["count"], 0, stock["rapids_in_stock"])
+        self.assertEqual(stock["plunges_in_stock"]["count"], 0, stock["plunges_in_stock"])
+
+    def test_keeps_to_the_paper_where_asked(self):
+        bulge = -math.tan(0.5 * math.asin(0.5 * math.hypot(40, 90) / 100))
+        wall = f"10 10\n130 10\n130 110 {bulge:.17g}\n90 200\n10 110\nclosed\n"
+        report = self.folder / "paper.json"
+        done = run("pocket", "-", "--tool", 10, "--depth", 4, "--depth-step", 2, *MILL, "--strategy", "paper",
+                   "-o", self.program, "--report", report, text=wall)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        figures = json.loads(report.read_text())
+        self.assertEqual((figures["passes"], figures["levels"], figures["rows"]), (8, 2, 2))
+        self.assertAlmostEqual(figures["pass_length_mm"] / 2, 2146.1, 1)
+        done = self.pocket(TRAY, "--tool", 6, "--depth", 2, *MILL, "--strategy", "paper")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("takes no islands", done.stderr)
+
+    def test_refuses_options_of_another_strategy(self):
+        for more, words in ((("--v-angle", 60, "--stepover", 2), "--v-angle has no --stepover"),
+                            (("--v-angle", 60, "--strategy", "adaptive"), "--v-angle has no --strategy"),
+                            (("--strategy", "adaptive", "--entry", "ramp"), "adaptive has no --entry"),
+                            (("--strategy", "adaptive", "--engagement", 170), "10 to 150 degrees"),
+                            (("--v-angle", 180), "1 to 175 degrees"),
+                            (("--strategy", "zigzag", "--conventional"), "lines go both ways"),
+                            (("--strategy", "zigzag", "--stepover", 7), "distance of lines"),
+                            (("--strategy", "paper", "--corner", 0), "it is as printed"),
+                            (("--strategy", "spiral"), "spiral"),
+                            (("--engagement", 60), "add --strategy adaptive")):
+            with self.subTest(more=more):
+                done = self.pocket(TRAY, "--tool", 6, "--depth", 2, *MILL, *more)
+                self.assertEqual(done.returncode, 2, done.stdout)
+                self.assertIn(words, done.stderr)
+                self.assertFalse(self.program.exists())
+
+    def test_mills_a_slot_drawn_as_wide_as_the_tool(self):
+        done = self.pocket(svg('<rect x="10" y="10" width="60" height="6"/>'), "--tool", 6, "--depth", 2, *MILL)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertAlmostEqual(self.simulated()["bounds_mm"]["Y"][1], 67.0, 2)
+
+    def test_takes_pockets_in_a_short_order(self):
+        holes = [f'<circle cx="{10 + 9 * (7 * k % 10)}" cy="20" r="4"/>' for k in range(10)]
+        report = self.folder / "holes.json"
+        done = self.pocket(svg(*holes), "--tool", 6, "--depth", 4, "--depth-step", 2, *MILL, "--report", report)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        figures = json.loads(report.read_text())
+        self.assertEqual((figures["pockets"], figures["rows"]), (10, 20))
+        self.assertLess(figures["rapid_length_mm"], 120)
+
     def test_refuses_a_drawing_with_faults_and_writes_nothing(self):
         open_wall = svg('<path d="M 10 10 H 60 V 50 H 20"/>')
         crossing = svg('<rect x="10" y="10" width="40" height="30"/>', '<circle cx="50" cy="30" r="8"/>')

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "host-sim/cli/pocket_options.hpp"
+#include "host-sim/pocket/path_rows.hpp"
+
+namespace sim {
+
+/// The path of all pockets of a drawing, and what is told of it.
+struct MilledDrawing : pocket::PathRows {
+  Contour walls;
+  std::size_t pockets = 0;  ///< With a path.
+  std::uint32_t levels = 0;
+  std::uint32_t passes = 0;  ///< Of each level.
+  std::uint32_t links = 0;
+  std::vector<pocket::NarrowStretch> narrow;
+  double carved_depth_mm = 0.0;  ///< The greatest, of V carving.
+  double wide_area_mm2 = 0.0;    ///< What a V tool leaves, as it is wider than the greatest depth.
+};
+
+/// Lines of comment for the top of the program.
+[[nodiscard]] std::vector<std::string> pocket_heading(const PocketCommandOptions& options,
+                                                      const MilledDrawing& milled);
+
+/// One line for the terminal.
+[[nodiscard]] std::string pocket_summary(const PocketCommandOptions& options,
+                                         const MilledDrawing& milled);
+
+/// Figures as JSON, for --report.
+[[nodiscard]] std::string pocket_report(const PocketCommandOptions& options,
+                                        const MilledDrawing& milled);
+
+}  // namespace sim
