@@ -10,6 +10,8 @@
 
 #include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/value_range.hpp"
+#include "host-sim/contour/contour_file.hpp"
+#include "host-sim/contour/contour_text.hpp"
 #include "host-sim/import/curve_measure.hpp"
 #include "host-sim/import/drawing.hpp"
 #include "host-sim/trace/input_file.hpp"
@@ -90,20 +92,47 @@ void read_tool(const std::string& text, stock::Cutter& cutter) {
   if (const std::string fault = fault_of(cutter); !fault.empty()) refuse("--tool", text, fault);
 }
 
-/// The closed contours of a drawing, their curves within 1 µm. Throws std::invalid_argument for the
-/// first fault.
+stock::Ring ring_of(const std::vector<drawing::Shape>& shapes) {
+  stock::Ring ring;
+  for (const drawing::Place& place : outline_of(shapes, drawing::kChordToleranceMm)) {
+    ring.push_back({place.x(), place.y()});
+  }
+  return ring;
+}
+
+/// The loops of contours as text, their arcs within 1 µm.
+std::vector<stock::Ring> rings_of_text(const std::string& text, const std::string& file) {
+  try {
+    const Contour contour = contour_from_text(text, file);
+    std::vector<stock::Ring> rings;
+    for (std::size_t loop = 0; loop < contour.loop_ends.size(); ++loop) {
+      std::vector<drawing::Shape> shapes;
+      const std::uint32_t first = contour.view().loop_begin(loop);
+      for (std::uint32_t i = first; i < contour.loop_ends[loop]; ++i) {
+        const ContourVertex& from = contour.vertices[i];
+        const ContourVertex& to = contour.vertices[i + 1 < contour.loop_ends[loop] ? i + 1 : first];
+        shapes.push_back(drawing::bulge_edge(from.point(), to.point(), from.bulge));
+      }
+      rings.push_back(ring_of(shapes));
+    }
+    return rings;
+  } catch (const ContourTextError& error) {
+    throw std::invalid_argument(error.what());
+  }
+}
+
+/// The closed contours of a drawing, or of contours as text, their curves within 1 µm. Throws
+/// std::invalid_argument for the first fault.
 std::vector<stock::Ring> rings_of(const std::string& file) {
-  const drawing::Drawing drawn = drawing::read_drawing(file, read_text(file));
+  const std::string text = read_text(file);
+  if (is_contour_text(text)) return rings_of_text(text, file);
+  const drawing::Drawing drawn = drawing::read_drawing(file, text);
   for (const drawing::Fault& fault : drawn.faults) {
     if (fault.is_error()) throw std::invalid_argument(to_string(fault, file));
   }
   std::vector<stock::Ring> rings;
   for (const drawing::DrawnContour& contour : drawn.contours) {
-    if (!contour.closed) continue;
-    stock::Ring& ring = rings.emplace_back();
-    for (const drawing::Place& place : outline_of(contour.shapes, drawing::kChordToleranceMm)) {
-      ring.push_back({place.x(), place.y()});
-    }
+    if (contour.closed) rings.push_back(ring_of(contour.shapes));
   }
   return rings;
 }
@@ -155,8 +184,8 @@ void add_stock_options(CLI::App& command, StockOptions& options) {
   mark_file(command
                 .add_option("--stock-target",
                             options.target,
-                            "Compare what is left with the pocket of this drawing, whose places "
-                            "are the machine's")
+                            "Compare what is left with the pocket of this drawing, or of contours "
+                            "as text, whose places\nare the machine's")
                 ->type_name("FILE"),
             FileRole::kInput);
   command

@@ -77,6 +77,19 @@ std::vector<Contour> parts_of(const Outline& outline, const drawing::Drawing& dr
 
 }  // namespace
 
+bool is_contour_text(std::string_view text) {
+  if (is_drawing(text)) return false;
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    const std::size_t begin = line.find_first_not_of(" \t\r");
+    if (begin != std::string_view::npos && line[begin] != '#') {
+      return std::string_view{"+-.0123456789"}.find(line[begin]) != std::string_view::npos;
+    }
+    text.remove_prefix(std::min(text.size(), line.size() + 1));
+  }
+  return false;
+}
+
 std::vector<Contour> read_contour_file(const std::string& file, const OutlineOptions& options) {
   const std::string text = read_text(file);
   const std::string name = file == "-" ? "standard input" : file;

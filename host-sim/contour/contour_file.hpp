@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "host-sim/contour/outline.hpp"
@@ -13,6 +14,10 @@ class FaultyDrawing : public std::runtime_error {
  public:
   using std::runtime_error::runtime_error;
 };
+
+/// Whether the content of a file is no drawing, but begins like contours as contour_text.hpp has
+/// them: with a number, after comments and blank lines.
+[[nodiscard]] bool is_contour_text(std::string_view text);
 
 /// Reads closed contours from a file, `-` being standard input: SVG, DXF or JSON as
 /// drawing.hpp has them, curves fitted as outline.hpp does, else text as contour_text.hpp has it;

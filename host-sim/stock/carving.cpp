@@ -38,7 +38,8 @@ void Carving::take(const DrivenStretch& driven) {
   const bool is_feed = driven.origin.drive == Drive::kFeed;
   const bool plunges = is_feed && is_plunge(driven.stretch, trail_mm_);
   if (cutter_.kind == CutterKind::kFlat && is_feed && !plunges) measure_engagement(driven);
-  const double removed_mm3 = carver_.sweep(driven.stretch, is_rapid ? trail_mm_ : 0.0);
+  const double skin_mm = is_rapid || plunges ? trail_mm_ : 0.0;
+  const double removed_mm3 = carver_.sweep(driven.stretch, skin_mm);
   if (removed_mm3 > 0.0) {
     if (is_rapid) {
       figures_.rapids.add(driven, removed_mm3);

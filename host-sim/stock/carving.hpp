@@ -56,7 +56,8 @@ struct CarvingFigures {
 class Carving {
  public:
   /// @param trail_mm how far behind the tool the program's line may be; thinner skins are not
-  /// reported as cut by a rapid. The stock must outlive this. @pre fault_of(cutter) is empty
+  /// reported as cut by a rapid or a plunge. The stock must outlive this.
+  /// @pre fault_of(cutter) is empty
   Carving(Stock& stock, const Cutter& cutter, double trail_mm);
 
   /// Throws as Carver::sweep() does.

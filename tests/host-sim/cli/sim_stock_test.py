@@ -141,6 +141,27 @@ class SimStock(unittest.TestCase):
                                   "--stock-depth", 2, *more)
         return stock["pocket"], text
 
+    def test_a_pocket_is_compared_with_contours_as_text(self):
+        program = POCKET.format(loops=loops())
+        walls = self.folder / "walls.txt"
+        walls.write_text("4 2\n36 2\n36 26\n4 26\nclosed\n")
+        stock, _ = self.carved(program, "--stock", "0,0,40,30,0,-8", "--tool", 8, "--stock-target", walls,
+                               "--stock-depth", 2)
+        # Walls lie on the borders of cells, up to the last digit: their cells may go either way.
+        drawn, _ = self.pocket(program)
+        for name in ("gouge_mm3", "rest_mm3"):
+            for bound in ("least", "most"):
+                self.assertAlmostEqual(stock["pocket"][name][bound], drawn[name][bound], delta=112 * 0.05 * 2)
+        # A round one: the corners stand as rest of what it is not, and gouges of what it is.
+        walls.write_text("36 14 1\n4 14 1\nclosed\n")
+        stock, _ = self.carved(program, "--stock", "0,0,40,30,0,-8", "--tool", 8, "--stock-target", walls,
+                               "--stock-depth", 2)
+        self.assertGreater(stock["pocket"]["gouge_mm3"]["least"], 50)
+        walls.write_text("4 2\nx 2\n")
+        done = self.sim(program, "--stock", "0,0,40,30,0,-8", "--tool", 8, "--stock-target", walls,
+                        "--stock-depth", 2, status=2)
+        self.assertIn("walls.txt:2", done.stderr)
+
     def test_a_pocket_is_compared_with_its_drawing(self):
         program = POCKET.format(loops=loops())
         good, text = self.pocket(program)

@@ -101,7 +101,7 @@ TEST(Carving, NamesRapidsAndPlungesInStockByLine) {
 
 TEST(Carving, ListsTheFirstLinesAndCountsAll) {
   Stock stock{kPlate, 0.5};
-  Carving carving{stock, kFlat10, 0.01};
+  Carving carving{stock, kFlat10, 0.001};
   for (int line = 1; line <= 150; ++line) {
     const double z = -0.04 * line;
     carving.take(driven({20, 20, z + 0.04}, {20, 20, z + 0.02}, line, false, line));
