@@ -79,9 +79,9 @@ class SendTest(served.ServeTest):
     @staticmethod
     def oks(lines, form):
         """For the lines of a job; an empty one, $I, $$, $# and $G for the questions before it, an
-        empty one and $I before the job itself. Checked, the questions are put twice, and M110 stands
-        around both rounds and the job."""
-        return lines + 5 + 2 + (5 + 6) * len(form)
+        empty one and $I before the job itself. Checked, the questions are put three times, and M110
+        stands around each round and the job."""
+        return lines + 5 + 2 + (2 * 5 + 8) * len(form)
 
     def test_sends_over_a_can_adapter(self):
         server = self.serve("--slcan", self.link, "--tcp", 0, "--speed", 20, *SETTINGS)
