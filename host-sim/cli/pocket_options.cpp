@@ -100,6 +100,13 @@ void add_strategy_options(CLI::App& command, PocketCommandOptions& options) {
       ->check(in_range(pocket::kLeastEngagementDeg, pocket::kGreatestEngagementDeg, "degrees"))
       ->type_name("DEG")
       ->capture_default_str();
+  command
+      .add_option("--finish",
+                  options.finish_mm,
+                  "Leave so much at the walls, mm, and take it off by passes along them at the "
+                  "end, with\narcs in and out; up to half the tool")
+      ->check(in_range(kLeastDepthMm, kGreatestToolMm, "mm"))
+      ->type_name("MM");
   command.add_flag("--keep-feed",
                    options.keeps_feed,
                    "No higher feed where --engagement makes chips thin; else --feed divided by\n"
@@ -180,11 +187,18 @@ void check_pocket_options(const CLI::App& command, const PocketCommandOptions& o
                                    "--entry",
                                    "--slope",
                                    "--conventional",
-                                   "--keep-feed"};
+                                   "--keep-feed",
+                                   "--finish"};
   constexpr std::array kOfPasses{"--stepover", "--corner", "--entry", "--conventional"};
-  constexpr std::array kOfPaper{"--stepover", "--corner", "--entry", "--slope", "--conventional"};
+  constexpr std::array kOfPaper{
+      "--stepover", "--corner", "--entry", "--slope", "--conventional", "--finish"};
   constexpr std::array kOfLines{"--conventional"};
   constexpr std::array kOfCrescents{"--engagement", "--keep-feed"};
+  if (options.finish_mm > options.radius_mm()) {
+    throw std::invalid_argument{fmt::format("--finish {:g}: must be at most half the tool, {:g} mm",
+                                            options.finish_mm,
+                                            options.radius_mm())};
+  }
   if (options.is_v_carving()) return refuse(kOfClearing, "--v-angle", "leave it out");
   switch (options.strategy) {
     case pocket::Strategy::kAdaptive:
@@ -217,7 +231,7 @@ pocket::StrategyOptions strategy_options_of(const PocketCommandOptions& options)
       options.conventional ? cnc::pocket::Milling::kConventional : cnc::pocket::Milling::kClimb;
   wanted.depth = options.depth_mm;
   wanted.depth_step = options.depth_step_mm > 0.0 ? options.depth_step_mm : radius;
-  return {options.strategy, wanted, options.engagement_deg};
+  return {options.strategy, wanted, options.engagement_deg, options.finish_mm};
 }
 
 pocket::VCarveOptions carve_options_of(const PocketCommandOptions& options) {

@@ -31,6 +31,7 @@ struct PocketCommandOptions {
   pocket::Strategy strategy = pocket::Strategy::kContour;
   double engagement_deg = 60.0;
   bool keeps_feed = false;   ///< Where chips are thin, too.
+  double finish_mm = 0.0;    ///< 0: no passes of their own along the walls.
   double v_angle_deg = 0.0;  ///< 0: no V carving.
   bool anyway = false;
   pocket::MillSettings mill;

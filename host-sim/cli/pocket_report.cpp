@@ -169,6 +169,7 @@ std::string pocket_report(const PocketCommandOptions& options, const MilledDrawi
     report["levels"] = milled.levels;
     report["passes"] = milled.passes;
     report["links"] = milled.links;
+    if (options.finish_mm > 0.0) report["finish_mm"] = options.finish_mm;
   }
   if (options.strategy == pocket::Strategy::kAdaptive) {
     report["engagement_deg"] = options.engagement_deg;

@@ -46,10 +46,7 @@ class WayMaker {
 };
 
 /// Whether one place of an element comes before another one, as it is driven.
-bool is_ahead(const Curve& curve,
-              const WideVec2& from,
-              const WideVec2& to,
-              bool is_backwards) {
+bool is_ahead(const Curve& curve, const WideVec2& from, const WideVec2& to, bool is_backwards) {
   const double step = curve.order_of(to) - curve.order_of(from);
   return is_backwards ? step <= 0.0 : step >= 0.0;
 }

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <utility>
 
+#include "host-sim/pocket/finish_pass.hpp"
 #include "host-sim/pocket/paper_path.hpp"
 #include "host-sim/pocket/zigzag.hpp"
 
@@ -21,6 +22,33 @@ double fitting_radius(const cnc::contour::ContourView<double>& pocket,
 MilledPocket StrategyPlanner::mill(const cnc::contour::ContourView<double>& pocket,
                                    double tool_radius_mm) {
   options_.pocket.clearing.tool_radius = tool_radius_mm;
+  if (options_.finish_mm == 0.0) return rough(pocket);
+  ContourOffset offsetter;
+  const Contour within = copy_of(offsetter.offset(pocket, -options_.finish_mm));
+  MilledPocket milled;
+  // Where only the passes along the walls fit, they are all.
+  if (offsetter.offset(within.view(), -tool_radius_mm).loop_ends.size() > 0) {
+    milled = rough(within.view());
+  }
+  finish(pocket, milled);
+  return milled;
+}
+
+/// Appends the passes along the walls, from the highest level to the lowest.
+void StrategyPlanner::finish(const cnc::contour::ContourView<double>& pocket,
+                             MilledPocket& milled) const {
+  const PathRows level = finish_pass(pocket,
+                                     {.tool_radius_mm = options_.pocket.clearing.tool_radius,
+                                      .allowance_mm = options_.finish_mm,
+                                      .depth_mm = step_mm(),
+                                      .slope = options_.pocket.entry.slope,
+                                      .milling = options_.pocket.milling});
+  const MilledPocket walls = repeated(level);
+  milled.append(walls);
+  milled.levels = walls.levels;
+}
+
+MilledPocket StrategyPlanner::rough(const cnc::contour::ContourView<double>& pocket) {
   switch (options_.strategy) {
     case Strategy::kContour:
       return mill_contours(pocket);

@@ -19,6 +19,9 @@ struct StrategyOptions {
   Strategy strategy = Strategy::kContour;
   cnc::pocket::PocketOptions<double> pocket;
   double engagement_deg = 60.0;  ///< Of the tool's circumference, at most; kAdaptive.
+  /// What passes along the walls take off after all else, mm, up to the tool's radius; 0: there are
+  /// none.
+  double finish_mm = 0.0;
 };
 
 /// The path of a pocket through all its levels, by any strategy.
@@ -51,6 +54,8 @@ class StrategyPlanner {
                                   double tool_radius_mm);
 
  private:
+  [[nodiscard]] MilledPocket rough(const cnc::contour::ContourView<double>& pocket);
+  void finish(const cnc::contour::ContourView<double>& pocket, MilledPocket& milled) const;
   [[nodiscard]] MilledPocket mill_contours(const cnc::contour::ContourView<double>& pocket);
   [[nodiscard]] MilledPocket mill_adaptively(const cnc::contour::ContourView<double>& pocket) const;
   [[nodiscard]] MilledPocket mill_lines(const cnc::contour::ContourView<double>& pocket) const;

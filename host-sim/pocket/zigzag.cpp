@@ -9,9 +9,8 @@
 
 #include "host-sim/pocket/depth_writer.hpp"
 #include "host-sim/pocket/pocket_plan.hpp"
+#include "host-sim/pocket/wall_ramp.hpp"
 #include "host-sim/pocket/zigzag_turn.hpp"
-#include "planner/pocket/loop_driver.hpp"
-#include "planner/pocket/loop_measures.hpp"
 
 namespace sim::pocket {
 namespace {
@@ -23,8 +22,6 @@ using cnc::pocket::Use;
 constexpr double kLongestWay = 10.0;
 /// Of the distance of lines: the radius of turns, at most.
 constexpr double kWidestTurn = 0.25;
-/// Ramps that go forth and back, or around, more often are refused.
-constexpr double kMostLegs = 1000.0;
 /// mm: a shorter stretch is cleared by what is beside it.
 constexpr double kLeastStretchMm = 1.0e-6;
 
@@ -54,15 +51,8 @@ double turn_radius(const ZigzagOptions& options) {
   return most < kLeast ? 0.0 : std::min(options.turn_radius_mm, most);
 }
 
-/// How often a ramp over this length is driven.
-double legs_of_ramp(const ZigzagOptions& options, double length_mm, const WideVec2& place) {
-  const double legs = std::max(1.0, std::ceil(options.depth_mm / (options.slope * length_mm)));
-  if (legs <= kMostLegs) return legs;
-  throw NoPocketPath{fmt::format(
-      "at {:.3f} {:.3f} a ramp would be {:.3g} mm long; choose --entry plunge or a smaller tool",
-      place.x(),
-      place.y(),
-      length_mm)};
+WallDrive wall_drive_of(const ZigzagOptions& options) {
+  return {.depth_mm = options.depth_mm, .slope = options.slope, .plunges = options.plunges};
 }
 
 /// Drives the lines of an area, from the lowest one upwards.
@@ -163,7 +153,7 @@ class LineDriver {
   void sink(const WideVec2& from, const WideVec2& to) {
     writer_.begin_row(from);
     if (options_.plunges) return writer_.go(Use::kEntry, from, 0.0, writer_.floor_z());
-    const double pairs = legs_of_ramp(options_, 2.0 * (to - from).norm(), from);
+    const double pairs = legs_of_ramp(wall_drive_of(options_), 2.0 * (to - from).norm(), from);
     const double floor = writer_.floor_z();
     for (double pair = 1.0; pair <= pairs; pair += 1.0) {
       writer_.go(Use::kEntry, to, 0.0, floor * (pair - 0.5) / pairs);
@@ -178,52 +168,6 @@ class LineDriver {
   std::vector<Level> lines_;
   WideVec2 at_{0.0, 0.0};
 };
-
-/// The middle of the longest element of a loop.
-cnc::pocket::LoopPlace<double> longest_middle(const cnc::contour::ContourView<double>& locus,
-                                              std::size_t loop) {
-  cnc::pocket::LoopPlace<double> best;
-  double longest = -1.0;
-  for (std::uint32_t i = locus.loop_begin(loop); i < locus.loop_ends[loop]; ++i) {
-    const auto element = cnc::pocket::element_at(locus, loop, i);
-    const double chord = (element.end - element.start).norm();
-    if (chord <= longest) continue;
-    longest = chord;
-    best = {loop, i, {element.middle(), {1.0, 0.0}}};
-  }
-  return best;
-}
-
-/// Drives along one wall: a ramp, and once around at its end.
-void pass_wall(const cnc::contour::ContourView<double>& locus,
-               std::size_t loop,
-               const ZigzagOptions& options,
-               Zigzag& out) {
-  using cnc::pocket::drive_loop;
-  const auto place = longest_middle(locus, loop);
-  const WideVec2& start = place.pose.point;
-  const double legs =
-      options.plunges ? 0.0 : legs_of_ramp(options, cnc::pocket::loop_length(locus, loop), start);
-  const std::size_t elements = locus.loop_ends[loop] - locus.loop_begin(loop) + 1;
-  std::vector<cnc::pocket::PathPoint<double>> points(static_cast<std::size_t>(legs + 1.0) *
-                                                     elements);
-  cnc::pocket::ToolPathWriter<double> writer{slice_of(points), {}};
-  const auto drive = [&](double from, double to, Use use) {
-    const bool has_space =
-        drive_loop<double>(locus, place, cnc::pocket::Milling::kClimb, {from, to, use}, writer);
-    CNC_ASSERT(has_space);
-  };
-  const double floor = -options.depth_mm;
-  if (options.plunges) out.points.push_back({start.x(), start.y(), 0.0, 0.0, Use::kEntry});
-  for (double leg = 0.0; leg < legs; leg += 1.0) {
-    drive(floor * leg / legs, floor * (leg + 1.0) / legs, Use::kEntry);
-  }
-  drive(floor, floor, Use::kPass);
-  points.resize(writer.point_count());
-  out.points.insert(out.points.end(), points.begin(), points.end());
-  out.points.push_back({start.x(), start.y(), floor, 0.0, Use::kPass});
-  out.end_row();
-}
 
 }  // namespace
 
@@ -246,7 +190,7 @@ Zigzag zigzag_path(const cnc::contour::ContourView<double>& area, const ZigzagOp
     LineDriver{{rounded_area, centre_area, turn_mm}, options, path}.drive_all();
   }
   for (std::size_t loop = 0; loop < locus.loop_ends.size(); ++loop) {
-    pass_wall(locus.view(), loop, options, path);
+    ramp_along_wall(locus.view(), loop, wall_drive_of(options), path);
   }
   return path;
 }

@@ -109,6 +109,8 @@ class Jobs:
         else:
             entry = "helix"
             words += ["--engagement", f"{rng.uniform(40, 120):.0f}"]
+        if rng.random() < 0.3:
+            words += ["--finish", f"{rng.uniform(0.02, 0.4) * tool:.3f}"]
         for old in self.scratch.glob("*.nc"):
             old.unlink()
         made, refusal = self.mill(wall, strategy, tool, words)

@@ -97,7 +97,8 @@ class PocketCommand(unittest.TestCase):
     def test_carves_all_that_the_tool_reaches_and_nothing_else(self):
         # All but the corners of the walls, which have the tool's radius, and the island.
         volume = 4 * (60 * 40 - (4 - math.pi) * 3 ** 2 - math.pi * 8 ** 2)
-        for more in ((), ("--conventional", "--stepover", 2), ("--entry", "ramp", "--corner", 0)):
+        for more in ((), ("--conventional", "--stepover", 2), ("--entry", "ramp", "--corner", 0),
+                     ("--finish", 0.3), ("--finish", 0.3, "--conventional")):
             with self.subTest(more=more):
                 done = self.pocket(TRAY, "--tool", 6, "--depth", 4, "--depth-step", 2, *MILL, *more)
                 self.assertEqual(done.returncode, 0, done.stderr)
@@ -200,6 +201,7 @@ class PocketCommand(unittest.TestCase):
                             (("--strategy", "zigzag", "--stepover", 7), "distance of lines"),
                             (("--strategy", "paper", "--corner", 0), "it is as printed"),
                             (("--strategy", "spiral"), "spiral"),
+                            (("--finish", 3.1), "at most half the tool, 3 mm"),
                             (("--engagement", 60), "add --strategy adaptive")):
             with self.subTest(more=more):
                 done = self.pocket(TRAY, "--tool", 6, "--depth", 2, *MILL, *more)

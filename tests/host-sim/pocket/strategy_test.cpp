@@ -64,6 +64,52 @@ TEST(Strategies, AdaptivePassesAreLight) {
                                    [](const auto& point) { return point.use == Use::kLight; }));
 }
 
+/// The least distance of rows from the walls of kRoom.
+double least_distance(const MilledPocket& path, std::size_t first_row, std::size_t end_row) {
+  double least = 1.0e9;
+  for (std::uint32_t i = path.path().row_begin(first_row); i < path.row_ends[end_row - 1]; ++i) {
+    const auto& point = path.points[i];
+    least = std::min({least, point.x, point.y, 60.0 - point.x, 40.0 - point.y});
+  }
+  return least;
+}
+
+TEST(Strategies, LeaveWhatPassesAlongTheWallsTakeOff) {
+  const Contour pocket = contour_from_text(kRoom, "test");
+  for (const Strategy strategy : {Strategy::kContour, Strategy::kAdaptive, Strategy::kZigzag}) {
+    StrategyOptions options = options_of(strategy);
+    options.pocket.clearing.stepover = 4.0;
+    options.finish_mm = 0.3;
+    const MilledPocket path = StrategyPlanner{options}.mill(pocket.view(), 3.0);
+    const std::size_t rows = path.row_ends.size();
+    // One for each level.
+    EXPECT_NEAR(least_distance(path, 0, rows - 3), 3.3, 1.0e-9);
+    for (std::size_t row = rows - 3; row < rows; ++row) {
+      EXPECT_NEAR(least_distance(path, row, row + 1), 3.0, 1.0e-9);
+      const auto& first = path.points[path.path().row_begin(row)];
+      const auto& arc = path.points[path.path().row_begin(row) + 1];
+      const auto& last = path.points[path.row_ends[row] - 1];
+      // Down in the cleared middle, and an arc of a quarter turn to the wall; at the end another.
+      EXPECT_EQ(first.point(), arc.point());
+      EXPECT_EQ(first.use, Use::kLink);
+      EXPECT_NEAR(arc.bulge, std::sqrt(2.0) - 1.0, 1.0e-9);
+      EXPECT_NEAR(path.points[path.row_ends[row] - 2].bulge, std::sqrt(2.0) - 1.0, 1.0e-9);
+      const double away = std::min({last.x, last.y, 60.0 - last.x, 40.0 - last.y});
+      EXPECT_GE(away, 3.3);
+    }
+  }
+}
+
+TEST(Strategies, FinishWhatIsTooNarrowForTheAllowance) {
+  const Contour slot = contour_from_text("0 0\n60 0\n60 6.4\n0 6.4\nclosed\n", "test");
+  StrategyOptions options = options_of(Strategy::kContour);
+  options.finish_mm = 0.3;
+  const MilledPocket path = StrategyPlanner{options}.mill(slot.view(), 3.0);
+  EXPECT_EQ(path.levels, 3U);
+  EXPECT_EQ(path.row_ends.size(), 3U);
+  EXPECT_EQ(path.points[0].use, Use::kEntry);
+}
+
 TEST(Strategies, AToolFitsIntoASlotDrawnAsWideAsItself) {
   ContourOffset offsetter;
   const Contour slot = contour_from_text("0 0\n60 0\n60 6\n0 6\nclosed\n", "test");
