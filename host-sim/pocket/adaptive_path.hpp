@@ -50,8 +50,8 @@ inline constexpr double kNarrowDiameters = 1.2;
 /// diameters, which are listed: what has it is Use::kLight. All crescents turn left, which is climb
 /// milling. Links between them lie in discs that are cleared.
 ///
-/// Throws std::invalid_argument for options out of range, or if the tool fits nowhere,
-/// std::runtime_error for contours that cross, and NoOffset.
+/// Throws std::invalid_argument for options out of range, or if the tool fits nowhere, NoPocketPath
+/// where it fits in only straight down, std::runtime_error for contours that cross, and NoOffset.
 [[nodiscard]] AdaptivePath adaptive_path(const cnc::contour::ContourView<double>& area,
                                          const AdaptiveOptions& options);
 

@@ -1,9 +1,12 @@
 #include "host-sim/pocket/crescent_driver.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "host-sim/pocket/pocket_plan.hpp"
 #include "planner/pocket/moving_disc.hpp"
 
 namespace sim::pocket {
@@ -152,14 +155,17 @@ void CrescentDriver::open_disc(const ToolCircle& circle) {
   }
 }
 
-/// Goes down by a helix of half turns, and around at its bottom; straight where there is no space.
+/// Goes down by a helix of half turns, and around at its bottom.
 void CrescentDriver::sink(const WideVec2& centre, double radius_mm) {
   const WideVec2 start = centre + WideVec2{radius_mm, 0.0};
   writer_.begin_row(start);
   const double sink_of_half = std::numbers::pi * radius_mm * std::tan(options_.ramp_deg * kDegree);
   if (radius_mm < kLeastHelixMm) {
-    writer_.go(Use::kEntry, start, 0.0, writer_.floor_z());
-    return;
+    throw NoPocketPath{fmt::format(
+        "at {:.3f} {:.3f} there is no space for a helix; choose another --strategy with --entry "
+        "plunge, or a smaller tool",
+        centre.x(),
+        centre.y())};
   }
   const int halves = static_cast<int>(std::ceil(options_.depth_mm / sink_of_half));
   for (int i = 1; i <= halves; ++i) {

@@ -5,9 +5,9 @@
 
 A job is a star with islands, or a letter-like comb, with lines and arcs, random tool, levels, entry
 and step-over. Its program is simulated with a stock, which is compared with the drawing. A fault is a
-refused program, an alarm, stock that is certainly gouged by more than two
-steps of the machine, or left by as much where the tool fits, a rapid in stock, or a plunge where none
-was asked for.
+program refused for anything but that the tool fits in nowhere, or only straight down, an alarm, stock
+that is certainly gouged by more than two steps of the machine, or left by as much where the tool fits, a
+rapid in stock, or a plunge where none was asked for.
 """
 
 import json
@@ -115,7 +115,8 @@ class Jobs:
             old.unlink()
         made, refusal = self.mill(wall, strategy, tool, words)
         if made is None:
-            return self.count(strategy, "refused", number, seed, refusal)
+            plunges = any(words in refusal for words in ("fits nowhere", "--entry plunge"))
+            return self.count(strategy, "fits not" if plunges else "refused", number, seed, refusal)
         driven, refusal = self.carve(wall, tool, round(depth, 3))
         if driven is None:
             return self.count(strategy, "not driven", number, seed, refusal)
@@ -131,7 +132,7 @@ class Jobs:
 
     def count(self, strategy, name, number, seed, text):
         self.done[strategy, name] = self.done.get((strategy, name), 0) + 1
-        if name != "driven" and not (name == "refused" and "fits nowhere" in text):
+        if name not in ("driven", "fits not"):
             print(f"  job {number}, seed {seed}, {strategy}: {name}: {text}", flush=True)
 
 

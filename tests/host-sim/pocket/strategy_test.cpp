@@ -118,7 +118,7 @@ TEST(Strategies, AToolFitsIntoASlotDrawnAsWideAsItself) {
   EXPECT_NEAR(radius_mm, 3.0 - 0.0005, 1.0e-12);
   EXPECT_EQ(fitting_radius(gap.view(), 3.0, offsetter), 0.0);
   EXPECT_EQ(fitting_radius(contour_from_text(kRoom, "test").view(), 3.0, offsetter), 3.0);
-  for (const Strategy strategy : {Strategy::kContour, Strategy::kAdaptive}) {
+  for (const Strategy strategy : {Strategy::kContour, Strategy::kZigzag}) {
     const MilledPocket path = milled("0 0\n60 0\n60 6\n0 6\nclosed\n", strategy, radius_mm);
     double left = 60.0;
     double right = 0.0;
