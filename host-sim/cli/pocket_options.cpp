@@ -205,6 +205,13 @@ void check_pocket_options(const CLI::App& command, const PocketCommandOptions& o
       return refuse(kOfPasses, "--strategy adaptive", "--engagement bounds the cut");
     case pocket::Strategy::kZigzag:
       refuse(kOfLines, "--strategy zigzag", "lines go both ways");
+      if (options.stepover_mm > options.tool_mm) {
+        throw std::invalid_argument{fmt::format(
+            "--stepover {:g}: a distance of lines above the tool's {:g} mm leaves stock "
+            "between them",
+            options.stepover_mm,
+            options.tool_mm)};
+      }
       break;
     case pocket::Strategy::kPaper:
       refuse(kOfPaper, "--strategy paper", "it is as printed");

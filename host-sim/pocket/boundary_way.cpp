@@ -19,13 +19,12 @@ class WayMaker {
 
   /// Goes on along an element to a place of it.
   void go(std::uint32_t element, const WideVec2& to) {
+    if ((to - at_).norm() < kShortestMm) return;
     const Curve& curve = area_->element(element);
     const double bulge =
         is_backwards_ ? -curve.bulge_between(to, at_) : curve.bulge_between(at_, to);
     const cut::Stroke stroke{.from = at_, .to = to, .bulge = bulge};
-    const double length_mm = cut::length_of(stroke);
-    if (length_mm < kShortestMm) return;
-    length_mm_ += length_mm;
+    length_mm_ += cut::length_of(stroke);
     way_.push_back({to, bulge});
     at_ = to;
   }

@@ -1,5 +1,6 @@
 #include "host-sim/pocket/strategy.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -100,9 +101,12 @@ MilledPocket StrategyPlanner::mill_adaptively(
 
 MilledPocket StrategyPlanner::mill_lines(const cnc::contour::ContourView<double>& pocket) const {
   const bool plunges = options_.pocket.entry.kind == cnc::pocket::EntryKind::kPlunge;
+  const double radius_mm = options_.pocket.clearing.tool_radius;
+  // In a slot, the tool counts as a hair smaller than it is.
+  const double stepover_mm = std::min(options_.pocket.clearing.stepover, 2.0 * radius_mm);
   const Zigzag path = zigzag_path(pocket,
-                                  {.tool_radius_mm = options_.pocket.clearing.tool_radius,
-                                   .stepover_mm = options_.pocket.clearing.stepover,
+                                  {.tool_radius_mm = radius_mm,
+                                   .stepover_mm = stepover_mm,
                                    .turn_radius_mm = options_.pocket.clearing.corner_radius,
                                    .depth_mm = step_mm(),
                                    .slope = options_.pocket.entry.slope,

@@ -11,6 +11,8 @@ using cnc::WideVec2;
 
 /// mm: how exactly a turn meets the wall.
 constexpr double kMeetsMm = 1.0e-7;
+/// Sine of the angle between tangents that are one.
+constexpr double kOneTangent = 1.0e-4;
 /// rad: an arc of less is no arc.
 constexpr double kNoSweep = 1.0e-6;
 
@@ -50,6 +52,9 @@ std::optional<Fillet> fillet_at(
   if (space.radius_mm == 0.0) return fillet;
   const WideVec2 line_way = fillet.on_line - centre;
   const WideVec2 wall_way = wall.point - centre;
+  // At a corner of the wall the arc would have no tangent in common with it.
+  const WideVec2 along = space.rounded->element(wall.element).tangent_at(wall.point);
+  if (std::abs(along.dot(wall_way)) > kOneTangent * space.radius_mm) return std::nullopt;
   const WideVec2& from = leaves_line ? line_way : wall_way;
   const WideVec2& to = leaves_line ? wall_way : line_way;
   const double sign = side == Side::kRight ? 1.0 : -1.0;
@@ -57,6 +62,41 @@ std::optional<Fillet> fillet_at(
   if (sweep < -kNoSweep) return std::nullopt;
   fillet.bulge = sweep < kNoSweep ? 0.0 : sign * std::tan(0.25 * sweep);
   return fillet;
+}
+
+/// The directions in which a line or an arc begins and ends.
+struct Directions {
+  WideVec2 begin{1.0, 0.0};
+  WideVec2 end{1.0, 0.0};
+};
+
+Directions directions_of(const WideVec2& from, const WayElement& element) {
+  const WideVec2 chord = element.to - from;
+  const double half_sweep = 2.0 * std::atan(element.bulge);
+  const double cosine = std::cos(half_sweep) / chord.norm();
+  const double sine = std::sin(half_sweep) / chord.norm();
+  return {cosine * chord - sine * cnc::left_normal(chord),
+          cosine * chord + sine * cnc::left_normal(chord)};
+}
+
+/// Whether all joints of a way have one tangent, those with the lines at both of its ends among
+/// them, and all of it is in the area: where the wall has corners, they may not.
+bool is_smooth(const TurnSpace& space, const WideVec2& start, const ZigzagTurn& turn, Side side) {
+  const WideVec2 away = side == Side::kRight ? WideVec2{1.0, 0.0} : WideVec2{-1.0, 0.0};
+  WideVec2 direction = away;
+  WideVec2 from = start;
+  for (const WayElement& element : turn.way) {
+    const WideVec2 chord = element.to - from;
+    if (chord.norm() < kMeetsMm) continue;
+    const Directions ends = directions_of(from, element);
+    if (direction.dot(ends.begin) < 0.0) return false;
+    if (std::abs(cnc::cross(direction, ends.begin)) > kOneTangent) return false;
+    const WideVec2 middle = 0.5 * (from + element.to - element.bulge * cnc::left_normal(chord));
+    if (space.rounded->depth(middle) < -kMeetsMm) return false;
+    direction = ends.end;
+    from = element.to;
+  }
+  return std::abs(cnc::cross(direction, away)) <= kOneTangent && direction.dot(away) < 0.0;
 }
 
 bool lies_on(const Stretch& stretch, double x) {
@@ -83,6 +123,9 @@ std::optional<ZigzagTurn> turn_between(const TurnSpace& space,
   turn.way.push_back({leaving->on_wall.place, leaving->bulge});
   turn.way.insert(turn.way.end(), along->begin(), along->end());
   turn.way.push_back({meeting->on_line, meeting->bulge});
+  if (space.radius_mm > 0.0 && !is_smooth(space, leaving->on_line, turn, side)) {
+    return std::nullopt;
+  }
   return turn;
 }
 
