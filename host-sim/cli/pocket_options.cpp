@@ -101,10 +101,11 @@ void add_strategy_options(CLI::App& command, PocketCommandOptions& options) {
       ->type_name("DEG")
       ->capture_default_str();
   command
-      .add_option("--finish",
-                  options.finish_mm,
-                  "Leave so much at the walls, mm, and take it off by passes along them at the "
-                  "end, with\narcs in and out; up to half the tool")
+      .add_option(
+          "--finish",
+          options.finish_mm,
+          "Leave this allowance at the walls, mm, and take it off by passes along them at the "
+          "end, with\narcs in and out; up to half the tool")
       ->check(in_range(kLeastDepthMm, kGreatestToolMm, "mm"))
       ->type_name("MM");
   command.add_flag("--keep-feed",

@@ -14,11 +14,11 @@ struct MilledDrawing : pocket::PathRows {
   Contour walls;
   std::size_t pockets = 0;  ///< With a path.
   std::uint32_t levels = 0;
-  std::uint32_t passes = 0;  ///< Of each level.
+  std::uint32_t passes = 0;  ///< Number of passes, loops or lines of each level.
   std::uint32_t links = 0;
   std::vector<pocket::NarrowStretch> narrow;
   double carved_depth_mm = 0.0;  ///< The greatest, of V carving.
-  double wide_area_mm2 = 0.0;    ///< What a V tool leaves, as it is wider than the greatest depth.
+  double wide_area_mm2 = 0.0;    ///< Area that is too wide for a V tool at the greatest depth.
 };
 
 /// Lines of comment for the top of the program.

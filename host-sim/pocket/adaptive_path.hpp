@@ -9,10 +9,10 @@ namespace sim::pocket {
 
 struct AdaptiveOptions {
   double tool_radius_mm = 3.0;
-  /// Of the tool's circumference that cuts, at most.
+  /// The greatest angle of the tool's circumference that cuts.
   double engagement_deg = 60.0;
-  double depth_mm = 1.0;  ///< Of the floor below the top.
-  double ramp_deg = 3.0;  ///< Of the helix by which the tool enters.
+  double depth_mm = 1.0;  ///< Depth of the floor below the top.
+  double ramp_deg = 3.0;  ///< Slope of the helix by which the tool enters.
   /// How far the tool may return over cleared stock instead of being lifted, mm.
   double return_limit_mm = 100.0;
 };

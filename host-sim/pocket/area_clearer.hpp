@@ -41,8 +41,8 @@ class AreaClearer {
   AdaptiveOptions options_;
   CrescentDriver& driver_;
   std::vector<std::vector<std::size_t>> at_node_;
-  std::vector<bool> is_reached_;         ///< Of each node.
-  std::vector<bool> is_taken_;           ///< Of each piece.
+  std::vector<bool> is_reached_;         ///< Whether a node is reached, for each.
+  std::vector<bool> is_taken_;           ///< Whether a piece is taken, for each.
   std::vector<cnc::WideVec2> way_back_;  ///< Not driven yet: it may be the end of the part.
 };
 

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "host-sim/pocket/carve_walk.hpp"
+#include "planner/pocket/loop_measures.hpp"
 
 namespace sim::pocket {
 namespace {
@@ -38,23 +39,13 @@ void check(const VCarveOptions& options) {
   }
 }
 
-/// Area inside of contours, mm².
+/// The area inside of contours, mm².
 double area_of(const cnc::contour::ContourView<double>& contour) {
-  double twice = 0.0;
+  double sum = 0.0;
   for (std::size_t loop = 0; loop < contour.loop_ends.size(); ++loop) {
-    const std::uint32_t first = contour.loop_begin(loop);
-    for (std::uint32_t i = first; i < contour.loop_ends[loop]; ++i) {
-      const auto& from = contour.vertices[i];
-      const auto& to = contour.vertices[i + 1 < contour.loop_ends[loop] ? i + 1 : first];
-      twice += cnc::cross(from.point(), to.point());
-      if (from.bulge == 0.0) continue;
-      const double sweep = 4.0 * std::atan(from.bulge);
-      const double chord = (to.point() - from.point()).norm();
-      const double radius = chord / (2.0 * std::sin(0.5 * std::abs(sweep)));
-      twice += radius * radius * (sweep - std::sin(sweep));
-    }
+    sum += cnc::pocket::signed_area(contour, loop);
   }
-  return 0.5 * twice;
+  return sum;
 }
 
 /// Writes rows of a carving.
