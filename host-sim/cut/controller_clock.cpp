@@ -15,6 +15,9 @@ using cnc::motion::Limits;
 constexpr std::uint32_t kAnyNs = 1'000'000'000;
 /// Time in which the controller takes a line of the program, s: a cycle of its main loop.
 constexpr double kLineS = 1.0e-3;
+/// Time from when the first block of a chain is known until its window is chosen, s: the controller
+/// reads one more line in it.
+constexpr double kStartS = 1.5 * kLineS;
 /// Cycles that pass at each standstill until the controller goes on, s. Measured on the simulated
 /// controller.
 constexpr double kStandstillS = 4.0e-3;
@@ -125,7 +128,7 @@ void ControllerClock::pass(std::size_t motion, double seconds) {
 void ControllerClock::begin_chain(std::size_t motion) {
   end_chain();
   in_chain_ = true;
-  const bool is_known = read_s_ <= std::max(ready_s_, now_s_ - kAheadS);
+  const bool is_known = read_s_ <= std::max(ready_s_ + kStartS, now_s_ - kAheadS);
   if (ready_s_ > now_s_) pass(motion, ready_s_ - now_s_);
   const cnc::motion::TimeWindow window = is_known ? plan_.choose_window() : longest_window();
   if (window == window_) return;
