@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "host-sim/report/nearest_name.hpp"
 
@@ -17,13 +16,7 @@ constexpr double kLongestPierce = 60.0;    ///< s, of pierces and dwells.
 constexpr double kGreatestNumber = 1.0e6;  ///< W and mm/min.
 constexpr unsigned kMostTabs = 1000;
 constexpr double kMaxCommonLine = 1.0;  ///< mm.
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kBlanks = " \t\r\n";
-  const std::size_t first = text.find_first_not_of(kBlanks);
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(kBlanks) - first + 1);
-}
+constexpr std::string_view kRuleForm = "rule `LAYER: key=value, key=value`";
 
 /// The keys, of which a message names the nearest.
 const std::vector<std::string> kKeys{"power",
@@ -41,21 +34,6 @@ const std::vector<std::string> kKeys{"power",
                                      "common-line",
                                      "start",
                                      "rank"};
-
-/// Throws std::invalid_argument unless all of the text is a number from `least` to `most`.
-double number_from(
-    std::string_view key, std::string_view text, double least, double most, const char* unit) {
-  const std::string range = fmt::format("{} to {} {}", least, most, unit);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) {
-    throw std::invalid_argument(fmt::format("{}={}: not a number; it takes {}", key, text, range));
-  }
-  if (value < least || value > most) {
-    throw std::invalid_argument(fmt::format("{}={}: out of range, {}", key, text, range));
-  }
-  return value;
-}
 
 Lead lead_from(std::string_view key, std::string_view text) {
   if (text == "none") return {};
@@ -83,7 +61,7 @@ Side side_from(std::string_view text) {
 /// Throws std::invalid_argument for what a line that is engraved cannot have.
 void expect_of_mark(const LayerRule& rule) {
   const std::vector<std::string_view> taken{"power", "feed", "side", "start", "rank"};
-  for (const auto& [key, value] : rule.changes) {
+  for (const auto& [key, value] : rule.values) {
     if (std::ranges::find(taken, key) != taken.end()) continue;
     throw std::invalid_argument(fmt::format("{}: {}={}: with side=mark a layer has {} and no more",
                                             rule.place,
@@ -101,6 +79,16 @@ StartAt start_from(std::string_view text) {
   if (text == "tab") return StartAt::kTab;
   throw std::invalid_argument(
       fmt::format("start={}: wants `any`, `straight`, `corner`, `usual` or `tab`", text));
+}
+
+/// Throws std::invalid_argument with the place for keys and values that mean nothing.
+void expect_settings(const LayerRule& rule) {
+  LayerSettings tried;
+  try {
+    for (const auto& [key, value] : rule.values) set(tried, key, value);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("{}: {}", rule.place, error.what()));
+  }
 }
 
 }  // namespace
@@ -145,49 +133,14 @@ void set(LayerSettings& settings, std::string_view key, std::string_view value) 
 }
 
 LayerRule parse_rule(std::string_view text, std::string place) {
-  const auto refuse = [&place](const std::string& reason) {
-    return std::invalid_argument(fmt::format("{}: {}", place, reason));
-  };
-  // A name may have colons, as `a:b: feed=1`; keys and values of leads have none before a `=`.
-  const std::size_t equals = text.find('=');
-  const std::size_t colon = text.rfind(':', equals);
-  if (equals == std::string_view::npos || colon == std::string_view::npos) {
-    throw refuse(fmt::format("{}: wants `LAYER: key=value, key=value`", text));
-  }
-  LayerRule rule{std::string{trimmed(text.substr(0, colon))}, {}, place};
-  std::string_view rest = text.substr(colon + 1);
-  for (bool more = true; more;) {
-    const std::size_t comma = rest.find(',');
-    more = comma != std::string_view::npos;
-    const std::string_view pair = trimmed(rest.substr(0, comma));
-    if (more) rest.remove_prefix(comma + 1);
-    const std::size_t split = pair.find('=');
-    if (split == std::string_view::npos) throw refuse(fmt::format("{}: no `=`", pair));
-    rule.changes.emplace_back(trimmed(pair.substr(0, split)), trimmed(pair.substr(split + 1)));
-  }
-  LayerSettings tried;
-  try {
-    for (const auto& [key, value] : rule.changes) set(tried, key, value);
-  } catch (const std::invalid_argument& error) {
-    throw refuse(error.what());
-  }
+  LayerRule rule = parse_named_values(text, std::move(place), kRuleForm);
+  expect_settings(rule);
   return rule;
 }
 
 std::vector<LayerRule> read_rules(const std::string& text, const std::string& file) {
-  std::vector<LayerRule> rules;
-  std::size_t number = 0;
-  for (std::size_t begin = 0; begin < text.size();) {
-    const std::size_t end = std::min(text.find('\n', begin), text.size());
-    const std::string_view line = trimmed(std::string_view{text}.substr(begin, end - begin));
-    begin = end + 1;
-    ++number;
-    if (line.empty() || line.front() == '#') continue;
-    rules.push_back(parse_rule(line, fmt::format("{}:{}", file, number)));
-  }
-  if (rules.empty()) {
-    throw std::invalid_argument(fmt::format("{}: has no rule `LAYER: key=value`", file));
-  }
+  std::vector<LayerRule> rules = read_named_values(text, file, kRuleForm);
+  for (const LayerRule& rule : rules) expect_settings(rule);
   return rules;
 }
 
@@ -199,13 +152,13 @@ LayerSettings settings_for(const drawing::Layer& layer,
   for (const LayerRule& rule : rules) {
     if (rule.name != layer.name && rule.name != layer.colour) continue;
     own.push_back(&rule);
-    for (const auto& [key, value] : rule.changes) set(settings, key, value);
+    for (const auto& [key, value] : rule.values) set(settings, key, value);
   }
   if (settings.side != Side::kMark) return settings;
   LayerSettings engraved;
   for (const LayerRule* rule : own) {
     expect_of_mark(*rule);
-    for (const auto& [key, value] : rule->changes) set(engraved, key, value);
+    for (const auto& [key, value] : rule->values) set(engraved, key, value);
   }
   return engraved;
 }

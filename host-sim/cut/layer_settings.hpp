@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "host-sim/cut/named_values.hpp"
 #include "host-sim/import/drawing.hpp"
 
 namespace sim::cut {
@@ -63,12 +64,8 @@ struct LayerSettings {
 /// Takes `key=value`. Throws std::invalid_argument saying what is wrong, and what there is.
 void set(LayerSettings& settings, std::string_view key, std::string_view value);
 
-/// `NAME: key=value, key=value`: what is other for the layer, or colour, of this name.
-struct LayerRule {
-  std::string name;
-  std::vector<std::pair<std::string, std::string>> changes;
-  std::string place;  ///< `FILE:LINE` or `--layer`.
-};
+/// What is other for the layer, or colour, of a name.
+using LayerRule = NamedValues;
 
 /// Throws std::invalid_argument with the place, also for keys and values that mean nothing.
 [[nodiscard]] LayerRule parse_rule(std::string_view text, std::string place);
