@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdio>
 #include <memory>
+#include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +20,7 @@
 #include "host-sim/plot/contour_picture.hpp"
 #include "host-sim/pocket/areas.hpp"
 #include "host-sim/pocket/mill_program.hpp"
+#include "host-sim/pocket/terraces.hpp"
 #include "host-sim/report/terminal.hpp"
 #include "host-sim/trace/output_file.hpp"
 
@@ -25,6 +28,8 @@ namespace sim {
 namespace {
 
 using pocket::PathRows;
+using pocket::Terrace;
+using pocket::Terraces;
 
 constexpr const char* kPocketFooter =
     "Each outer contour of FILE is a pocket, holes in it are islands, and contours within those "
@@ -32,6 +37,7 @@ constexpr const char* kPocketFooter =
     "pockets again. The top of the stock is Z 0. Passes are the paper's dynamic offset made exact\n"
     "for every corner, arc and island: as far apart as nothing is left between them, driven from\n"
     "the middle outwards without lifting where a link fits. Corners narrower than the tool stay.\n"
+    "With --rest-of, only what a larger tool has left is milled: corners, narrow places.\n"
     "With --v-angle, shapes are carved: letters, lines of ornaments.\n"
     "\n"
     "Examples:\n"
@@ -48,12 +54,14 @@ bool report_unreached(const PocketCommandOptions& options, const std::vector<Con
   constexpr std::size_t kMostListed = 20;
   ContourOffset offsetter;
   std::size_t count = 0;
+  std::set<std::string> told;  // Terraces may have a place in common.
   for (const Contour& area : areas) {
     const double fitting_mm = pocket::fitting_radius(area.view(), options.radius_mm(), offsetter);
     const double radius_mm = fitting_mm > 0.0 ? fitting_mm : options.radius_mm();
     const Contour locus = copy_of(offsetter.offset(area.view(), -radius_mm));
     for (const Vanished& gone : vanished(area, locus, -radius_mm, offsetter)) {
-      if (gone.is_hole || ++count > kMostListed) continue;
+      if (gone.is_hole || !told.insert(gone.text()).second) continue;
+      if (++count > kMostListed) continue;
       terminal::print(stderr,
                       "{}: {} for a tool of {:g} mm; choose a smaller one with --tool\n",
                       options.file,
@@ -74,34 +82,73 @@ void append(const Contour& contour, Contour& to) {
   for (const std::uint32_t end : contour.loop_ends) to.loop_ends.push_back(before + end);
 }
 
-/// Appends paths in an order with short rapids.
-void append_in_order(const std::vector<PathRows>& paths, MilledDrawing& milled) {
-  milled.pockets = paths.size();
-  for (const std::size_t index : pocket::short_order(paths)) milled.append(paths[index]);
-}
+/// Mills pockets, terrace after terrace.
+class PocketMiller {
+ public:
+  explicit PocketMiller(const PocketCommandOptions& options)
+      : options_{options}, planner_{strategy_options_of(options)} {}
 
-/// Mills the areas that the tool fits into.
-MilledDrawing mill(const PocketCommandOptions& options, const std::vector<Contour>& areas) {
-  pocket::StrategyPlanner planner{strategy_options_of(options)};
-  ContourOffset offsetter;
-  MilledDrawing milled;
-  std::vector<PathRows> paths;
-  for (const Contour& area : areas) {
-    const double radius_mm = pocket::fitting_radius(area.view(), options.radius_mm(), offsetter);
-    if (radius_mm == 0.0) continue;
-    pocket::MilledPocket one = planner.mill(area.view(), radius_mm);
-    milled.levels = one.levels;
-    milled.passes += one.passes;
-    milled.links += one.links;
-    milled.narrow.insert(milled.narrow.end(), one.narrow.begin(), one.narrow.end());
-    paths.push_back(std::move(one));
+  MilledDrawing mill(const std::vector<Terraces>& pockets) {
+    std::vector<PathRows> paths;
+    for (const Terraces& terraces : pockets) mill_one(terraces, paths);
+    if (milled_.pockets == 0) {
+      throw pocket::NoPocketPath{"the tool fits nowhere; choose a smaller one with --tool"};
+    }
+    if (paths.empty()) {
+      throw pocket::NoPocketPath{fmt::format(
+          "a tool of {:g} mm has left nothing of it; no program is needed", options_.rest_of_mm)};
+    }
+    for (const std::size_t index : pocket::short_order(paths)) milled_.append(paths[index]);
+    milled_.floors_mm.assign(floors_mm_.begin(), floors_mm_.end());
+    return std::move(milled_);
   }
-  if (paths.empty()) {
-    throw pocket::NoPocketPath{"the tool fits nowhere; choose a smaller one with --tool"};
+
+ private:
+  /// Appends the paths of a pocket: one for each area of a single terrace, else one of all.
+  void mill_one(const Terraces& terraces, std::vector<PathRows>& paths) {
+    PathRows all;
+    std::uint32_t levels = 0;
+    for (const Terrace& terrace : terraces) {
+      floors_mm_.insert(terrace.to_mm);
+      std::vector<PathRows> areas = mill_areas(terrace, levels);
+      if (terraces.size() == 1) {
+        paths.insert(paths.end(), areas.begin(), areas.end());
+      } else if (!areas.empty()) {
+        for (const std::size_t index : pocket::short_order(areas)) all.append(areas[index]);
+      }
+    }
+    if (!all.points.empty()) paths.push_back(std::move(all));
+    milled_.levels = std::max(milled_.levels, levels);
   }
-  append_in_order(paths, milled);
-  return milled;
-}
+
+  /// Mills the areas of a terrace that the tool fits into. Adds its levels.
+  std::vector<PathRows> mill_areas(const Terrace& terrace, std::uint32_t& levels) {
+    planner_.set_depth(terrace.to_mm - terrace.from_mm);
+    std::vector<PathRows> paths;
+    std::uint32_t most = 0;
+    for (const Contour& area : pocket::areas_of(terrace.contours)) {
+      const double radius_mm =
+          pocket::fitting_radius(area.view(), options_.radius_mm(), offsetter_);
+      if (radius_mm == 0.0) continue;
+      const pocket::MilledPocket one = planner_.mill(area.view(), radius_mm);
+      most = std::max(most, one.levels);
+      ++milled_.pockets;
+      milled_.passes += one.passes;
+      milled_.links += one.links;
+      milled_.narrow.insert(milled_.narrow.end(), one.narrow.begin(), one.narrow.end());
+      if (one.points.empty()) continue;
+      paths.emplace_back().append(one, -terrace.from_mm);
+    }
+    levels += most;
+    return paths;
+  }
+
+  const PocketCommandOptions& options_;
+  pocket::StrategyPlanner planner_;
+  ContourOffset offsetter_;
+  std::set<double> floors_mm_;
+  MilledDrawing milled_;
+};
 
 MilledDrawing carve(const PocketCommandOptions& options, const std::vector<Contour>& areas) {
   const pocket::VCarveOptions wanted = carve_options_of(options);
@@ -114,7 +161,8 @@ MilledDrawing carve(const PocketCommandOptions& options, const std::vector<Conto
     if (!one.points.empty()) paths.push_back(std::move(one));
   }
   if (paths.empty()) throw pocket::NoPocketPath{"no shape in it can be carved"};
-  append_in_order(paths, milled);
+  milled.pockets = paths.size();
+  for (const std::size_t index : pocket::short_order(paths)) milled.append(paths[index]);
   if (milled.wide_area_mm2 > 0.0) {
     terminal::print(stderr,
                     "{}: {:.1f} mm2 are too wide for {:g} mm of depth and stay; clear them with a "
@@ -145,14 +193,47 @@ void write_outputs(const PocketCommandOptions& options, const MilledDrawing& mil
   if (!options.report.empty()) write_file(options.report, pocket_report(options, milled));
 }
 
-ExitStatus mill_file(const PocketCommandOptions& options) {
-  std::vector<Contour> areas;
-  Contour walls;
-  for (const Contour& part : read_contour_file(options.file, options.outline)) {
-    append(part, walls);
-    for (Contour& area : pocket::areas_of(part)) areas.push_back(std::move(area));
+/// Returns the depth that the call gives each loop of a part by its layer or colour.
+std::vector<std::optional<double>> depths_of(const ContourPart& part,
+                                             const std::vector<LayerDepth>& given) {
+  std::vector<std::optional<double>> depths;
+  for (const drawing::Layer& layer : part.layers) {
+    std::optional<double>& depth = depths.emplace_back();
+    for (const LayerDepth& one : given) {
+      if (one.is_of(layer)) depth = one.depth_mm;
+    }
   }
-  if (areas.empty()) throw pocket::NoPocketPath{"no contour in it; draw one"};
+  return depths;
+}
+
+/// Reads the drawing; appends all contours of it to `walls`.
+std::vector<Terraces> read_pockets(const PocketCommandOptions& options, Contour& walls) {
+  const std::vector<ContourPart> parts = read_contour_parts(options.file, options.outline);
+  const std::vector<LayerDepth> depths = layer_depths_of(options, parts);
+  std::vector<Terraces> pockets;
+  if (parts.empty()) throw pocket::NoPocketPath{"no contour in it; draw one"};
+  for (const ContourPart& part : parts) {
+    append(part.contour, walls);
+    for (Terraces& terraces :
+         pocket::terraces_of(part.contour, depths_of(part, depths), options.depth_mm)) {
+      pockets.push_back(std::move(terraces));
+    }
+  }
+  if (pockets.empty()) {
+    throw pocket::NoPocketPath{"nothing in it is deeper than Z 0; give a depth with --depth-of"};
+  }
+  return pockets;
+}
+
+ExitStatus mill_file(const PocketCommandOptions& options) {
+  Contour walls;
+  const std::vector<Terraces> pockets = read_pockets(options, walls);
+  std::vector<Contour> areas;
+  for (const Terraces& terraces : pockets) {
+    for (const Terrace& terrace : terraces) {
+      for (Contour& area : pocket::areas_of(terrace.contours)) areas.push_back(std::move(area));
+    }
+  }
   const bool is_incomplete = !options.is_v_carving() && report_unreached(options, areas);
   if (is_incomplete && !options.anyway) {
     terminal::print(stderr,
@@ -160,7 +241,8 @@ ExitStatus mill_file(const PocketCommandOptions& options) {
                     stale_note(options.output));
     return ExitStatus::kFaults;
   }
-  MilledDrawing milled = options.is_v_carving() ? carve(options, areas) : mill(options, areas);
+  MilledDrawing milled =
+      options.is_v_carving() ? carve(options, areas) : PocketMiller{options}.mill(pockets);
   milled.walls = std::move(walls);
   write_outputs(options, milled);
   return is_incomplete ? ExitStatus::kFaults : ExitStatus::kFine;
@@ -194,6 +276,7 @@ void add_pocket_command(CLI::App& app, ExitStatus& status) {
   const auto options = std::make_shared<PocketCommandOptions>();
   add_pocket_options(*command, *options);
   command->callback([options, command, &status] {
+    apply_tool(*command, *options);
     check_pocket_options(*command, *options);
     status = mill_or_tell(*options);
   });

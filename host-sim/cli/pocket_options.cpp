@@ -1,14 +1,10 @@
 #include "host-sim/cli/pocket_options.hpp"
 
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <stdexcept>
 
 #include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/outline_options.hpp"
@@ -17,24 +13,38 @@
 namespace sim {
 namespace {
 
-constexpr double kLeastToolMm = 0.01;
-constexpr double kGreatestToolMm = 500.0;
 constexpr double kLeastDepthMm = 0.001;
-constexpr double kGreatestDepthMm = 1'000.0;
 constexpr double kGreatestFeed = 1.0e6;
 constexpr double kGreatestSpeed = 1.0e6;
 constexpr double kSteepestDeg = 45.0;
 
 void add_shape_options(CLI::App& command, PocketCommandOptions& options) {
-  command.add_option("--tool", options.tool_mm, "Diameter of the tool, of a V tool at its top, mm")
+  command
+      .add_option("--tool",
+                  options.tool,
+                  "Diameter of the tool, of a V tool at its top, mm; or its name in --tools")
       ->required()
-      ->check(in_range(kLeastToolMm, kGreatestToolMm, "mm"))
-      ->type_name("MM");
+      ->type_name("MM|NAME");
+  mark_file(command
+                .add_option(
+                    "--tools",
+                    options.tools_file,
+                    "File of tools, one to a line, as `NAME: diameter=MM, key=value`: angle of a V "
+                    "tool,\nflutes, feed-per-tooth, feed, plunge-feed, spindle, depth-step, "
+                    "stepover. An option\ngoes before the file")
+                ->type_name("FILE"),
+            FileRole::kInput);
   command
       .add_option("--depth", options.depth_mm, "Of the pocket below Z 0, mm; of V carving at most")
       ->required()
       ->check(in_range(kLeastDepthMm, kGreatestDepthMm, "mm"))
       ->type_name("MM");
+  command
+      .add_option("--depth-of",
+                  options.depths_of,
+                  "Another depth within the contours of a layer or colour: deeper ones are pockets "
+                  "in\npockets, less deep ones bosses, 0 islands; may be repeated")
+      ->type_name("LAYER=MM");
   command
       .add_option("--depth-step",
                   options.depth_step_mm,
@@ -45,7 +55,7 @@ void add_shape_options(CLI::App& command, PocketCommandOptions& options) {
       .add_option("--stepover",
                   options.stepover_mm,
                   "Greatest distance of passes, mm. Else the greatest that leaves nothing;\n"
-                  "of lines, half the tool")
+                  "of lines, half the tool, of spirals half the tool less --corner")
       ->check(in_range(kLeastDepthMm, kGreatestToolMm, "mm"))
       ->type_name("MM");
   command
@@ -79,6 +89,7 @@ void add_entry_options(CLI::App& command, PocketCommandOptions& options) {
 void add_strategy_options(CLI::App& command, PocketCommandOptions& options) {
   using pocket::Strategy;
   const std::map<std::string, Strategy> strategies{{"contour", Strategy::kContour},
+                                                   {"spiral", Strategy::kSpiral},
                                                    {"adaptive", Strategy::kAdaptive},
                                                    {"zigzag", Strategy::kZigzag},
                                                    {"paper", Strategy::kPaper}};
@@ -86,11 +97,12 @@ void add_strategy_options(CLI::App& command, PocketCommandOptions& options) {
       .add_option(
           "--strategy",
           options.strategy,
-          "Passes along the walls; crescents that engage no more of the tool than\n"
-          "--engagement says, for hard stock and deep levels; lines along X; or the paper's\n"
-          "spiral as printed, for one convex contour, with plunges")
+          "Passes along the walls; spirals from the middle outwards where nothing but a ring is\n"
+          "between passes; crescents that engage no more of the tool than --engagement says, for\n"
+          "hard stock and deep levels; lines along X; or the paper's spiral as printed, for one\n"
+          "convex contour, with plunges")
       ->transform(CLI::CheckedTransformer(strategies))
-      ->option_text("contour|adaptive|zigzag|paper [contour]");
+      ->option_text("contour|spiral|adaptive|zigzag|paper [contour]");
   command
       .add_option("--engagement",
                   options.engagement_deg,
@@ -108,6 +120,13 @@ void add_strategy_options(CLI::App& command, PocketCommandOptions& options) {
           "end, with\narcs in and out; up to half the tool")
       ->check(in_range(kLeastDepthMm, kGreatestToolMm, "mm"))
       ->type_name("MM");
+  command
+      .add_option("--rest-of",
+                  options.rest_of_mm,
+                  "The pockets were milled with this larger tool, diameter in mm: mill only the "
+                  "rest\nthat it left")
+      ->check(in_range(kLeastToolMm, kGreatestToolMm, "mm"))
+      ->type_name("MM");
   command.add_flag("--keep-feed",
                    options.keeps_feed,
                    "No higher feed where --engagement makes chips thin; else --feed divided by\n"
@@ -122,15 +141,19 @@ void add_strategy_options(CLI::App& command, PocketCommandOptions& options) {
 }
 
 void add_mill_options(CLI::App& command, pocket::MillSettings& mill) {
-  command.add_option("--feed", mill.feed_mm_min, "Along the path, mm/min")
-      ->required()
+  command.add_option("--feed", mill.feed_mm_min, "Along the path, mm/min; else that of --tools")
       ->check(in_range(0.1, kGreatestFeed, "mm/min"))
       ->type_name("MM/MIN");
-  command.add_option("--plunge-feed", mill.plunge_mm_min, "Greatest feed downwards, mm/min")
-      ->required()
+  command
+      .add_option("--plunge-feed",
+                  mill.plunge_mm_min,
+                  "Greatest feed downwards, mm/min; else that of --tools")
       ->check(in_range(0.1, kGreatestFeed, "mm/min"))
       ->type_name("MM/MIN");
-  command.add_option("--spindle", mill.spindle_rpm, "Speed of the spindle, rpm; else it stays off")
+  command
+      .add_option("--spindle",
+                  mill.spindle_rpm,
+                  "Speed of the spindle, rpm; else that of --tools, or it stays off")
       ->check(in_range(0.0, kGreatestSpeed, "rpm"))
       ->type_name("RPM");
   command.add_option("--spin-up", mill.spin_up_s, "Wait for the spindle, s")
@@ -173,56 +196,6 @@ void add_pocket_options(CLI::App& command, PocketCommandOptions& options) {
   add_output("--svg", options.svg, "Draw the pockets and their passes");
 }
 
-void check_pocket_options(const CLI::App& command, const PocketCommandOptions& options) {
-  const auto refuse = [&command](const auto& names, const char* mode, const char* remedy) {
-    for (const char* name : names) {
-      if (command.count(name) == 0) continue;
-      throw std::invalid_argument{fmt::format("{} has no {}; {}", mode, name, remedy)};
-    }
-  };
-  constexpr std::array kOfClearing{"--strategy",
-                                   "--engagement",
-                                   "--stepover",
-                                   "--corner",
-                                   "--depth-step",
-                                   "--entry",
-                                   "--slope",
-                                   "--conventional",
-                                   "--keep-feed",
-                                   "--finish"};
-  constexpr std::array kOfPasses{"--stepover", "--corner", "--entry", "--conventional"};
-  constexpr std::array kOfPaper{
-      "--stepover", "--corner", "--entry", "--slope", "--conventional", "--finish"};
-  constexpr std::array kOfLines{"--conventional"};
-  constexpr std::array kOfCrescents{"--engagement", "--keep-feed"};
-  if (options.finish_mm > options.radius_mm()) {
-    throw std::invalid_argument{fmt::format("--finish {:g}: must be at most half the tool, {:g} mm",
-                                            options.finish_mm,
-                                            options.radius_mm())};
-  }
-  if (options.is_v_carving()) return refuse(kOfClearing, "--v-angle", "leave it out");
-  switch (options.strategy) {
-    case pocket::Strategy::kAdaptive:
-      return refuse(kOfPasses, "--strategy adaptive", "--engagement bounds the cut");
-    case pocket::Strategy::kZigzag:
-      refuse(kOfLines, "--strategy zigzag", "lines go both ways");
-      if (options.stepover_mm > options.tool_mm) {
-        throw std::invalid_argument{fmt::format(
-            "--stepover {:g}: a distance of lines above the tool's {:g} mm leaves stock "
-            "between them",
-            options.stepover_mm,
-            options.tool_mm)};
-      }
-      break;
-    case pocket::Strategy::kPaper:
-      refuse(kOfPaper, "--strategy paper", "it is as printed");
-      break;
-    case pocket::Strategy::kContour:
-      break;
-  }
-  refuse(kOfCrescents, "this strategy", "add --strategy adaptive");
-}
-
 pocket::StrategyOptions strategy_options_of(const PocketCommandOptions& options) {
   const double radius = options.radius_mm();
   cnc::pocket::PocketOptions<double> wanted;
@@ -239,7 +212,11 @@ pocket::StrategyOptions strategy_options_of(const PocketCommandOptions& options)
       options.conventional ? cnc::pocket::Milling::kConventional : cnc::pocket::Milling::kClimb;
   wanted.depth = options.depth_mm;
   wanted.depth_step = options.depth_step_mm > 0.0 ? options.depth_step_mm : radius;
-  return {options.strategy, wanted, options.engagement_deg, options.finish_mm};
+  return {.strategy = options.strategy,
+          .pocket = wanted,
+          .engagement_deg = options.engagement_deg,
+          .finish_mm = options.finish_mm,
+          .former_radius_mm = 0.5 * options.rest_of_mm};
 }
 
 pocket::VCarveOptions carve_options_of(const PocketCommandOptions& options) {

@@ -1,8 +1,9 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
-#include "host-sim/contour/outline.hpp"
+#include "host-sim/contour/contour_file.hpp"
 #include "host-sim/pocket/mill_program.hpp"
 #include "host-sim/pocket/strategy.hpp"
 #include "host-sim/pocket/v_carving.hpp"
@@ -13,6 +14,20 @@ class App;
 
 namespace sim {
 
+inline constexpr double kGreatestDepthMm = 1'000.0;
+inline constexpr double kLeastToolMm = 0.01;
+inline constexpr double kGreatestToolMm = 500.0;
+
+/// The depth of the floor within the contours of a layer.
+struct LayerDepth {
+  std::string layer;      ///< Name of a layer, or a colour as the drawing has it.
+  double depth_mm = 0.0;  ///< Below Z 0, at least 0.
+
+  [[nodiscard]] bool is_of(const drawing::Layer& other) const {
+    return layer == other.name || layer == other.colour;
+  }
+};
+
 /// The options of `kerfline pocket`.
 struct PocketCommandOptions {
   std::string file;
@@ -20,11 +35,14 @@ struct PocketCommandOptions {
   std::string report;
   std::string svg;
   OutlineOptions outline;
-  double tool_mm = 0.0;
+  std::string tool;        ///< A diameter in mm, or the name of one of `tools`.
+  std::string tools_file;  ///< Empty: none.
+  double tool_mm = 0.0;    ///< By apply_tool().
   double depth_mm = 0.0;
-  double depth_step_mm = 0.0;  ///< 0: half the tool's diameter.
-  double stepover_mm = 0.0;    ///< 0: as far as nothing is left.
-  double corner_mm = -1.0;     ///< Negative: a tenth of the tool's radius.
+  std::vector<std::string> depths_of{};  ///< `LAYER=MM`.
+  double depth_step_mm = 0.0;            ///< 0: half the tool's diameter.
+  double stepover_mm = 0.0;              ///< 0: as far as nothing is left.
+  double corner_mm = -1.0;               ///< Negative: a tenth of the tool's radius.
   double slope_deg = 3.0;
   cnc::pocket::EntryKind entry = cnc::pocket::EntryKind::kHelix;
   bool conventional = false;
@@ -32,6 +50,7 @@ struct PocketCommandOptions {
   double engagement_deg = 60.0;
   bool keeps_feed = false;   ///< Where chips are thin, too.
   double finish_mm = 0.0;    ///< 0: no passes of their own along the walls.
+  double rest_of_mm = 0.0;   ///< Diameter of the tool that went before; 0: there was none.
   double v_angle_deg = 0.0;  ///< 0: no V carving.
   bool anyway = false;
   pocket::MillSettings mill;
@@ -44,8 +63,17 @@ struct PocketCommandOptions {
 /// Adds all of them, with their ranges, units and defaults.
 void add_pocket_options(CLI::App& command, PocketCommandOptions& options);
 
+/// Reads the tool, and takes from it the values that the call does not give. Throws
+/// std::invalid_argument for a tool that is none, and for values that neither gives.
+void apply_tool(const CLI::App& command, PocketCommandOptions& options);
+
 /// Throws std::invalid_argument for options that the strategy does not have.
 void check_pocket_options(const CLI::App& command, const PocketCommandOptions& options);
+
+/// Returns the depths that the options give to layers. Throws std::invalid_argument for a text that
+/// is none, a depth out of range, and a layer that no part of the drawing has.
+[[nodiscard]] std::vector<LayerDepth> layer_depths_of(const PocketCommandOptions& options,
+                                                      const std::vector<ContourPart>& parts);
 
 /// How they ask for pockets to be milled.
 [[nodiscard]] pocket::StrategyOptions strategy_options_of(const PocketCommandOptions& options);

@@ -63,6 +63,8 @@ const char* name_of(pocket::Strategy strategy) {
   switch (strategy) {
     case Strategy::kContour:
       return "contour";
+    case Strategy::kSpiral:
+      return "spiral";
     case Strategy::kAdaptive:
       return "adaptive";
     case Strategy::kZigzag:
@@ -109,13 +111,13 @@ std::vector<std::string> pocket_heading(const PocketCommandOptions& options,
   } else if (options.strategy == pocket::Strategy::kAdaptive) {
     lines.push_back(fmt::format("tool {:g} mm, {:g} mm deep in {} levels, adaptive: {:g} degrees",
                                 options.tool_mm,
-                                options.depth_mm,
+                                milled.floors_mm.back(),
                                 milled.levels,
                                 options.engagement_deg));
   } else {
     lines.push_back(fmt::format("tool {:g} mm, {:g} mm deep in {} levels, {} {} in each",
                                 options.tool_mm,
-                                options.depth_mm,
+                                milled.floors_mm.back(),
                                 milled.levels,
                                 milled.passes,
                                 passes_of(options.strategy)));
@@ -165,11 +167,13 @@ std::string pocket_report(const PocketCommandOptions& options, const MilledDrawi
     report["carved_depth_mm"] = milled.carved_depth_mm;
     report["wide_area_mm2"] = milled.wide_area_mm2;
   } else {
+    report["floors_mm"] = milled.floors_mm;
     report["strategy"] = name_of(options.strategy);
     report["levels"] = milled.levels;
     report["passes"] = milled.passes;
     report["links"] = milled.links;
     if (options.finish_mm > 0.0) report["finish_mm"] = options.finish_mm;
+    if (options.rest_of_mm > 0.0) report["rest_of_mm"] = options.rest_of_mm;
   }
   if (options.strategy == pocket::Strategy::kAdaptive) {
     report["engagement_deg"] = options.engagement_deg;

@@ -12,9 +12,10 @@ namespace sim {
 /// The path of all pockets of a drawing, and what is told of it.
 struct MilledDrawing : pocket::PathRows {
   Contour walls;
-  std::size_t pockets = 0;  ///< With a path.
-  std::uint32_t levels = 0;
-  std::uint32_t passes = 0;  ///< Number of passes, loops or lines of each level.
+  std::size_t pockets = 0;          ///< With a path.
+  std::uint32_t levels = 0;         ///< Of the pocket that has the most of them.
+  std::uint32_t passes = 0;         ///< Number of passes, loops or lines of each level.
+  std::vector<double> floors_mm{};  ///< Depths of all floors, increasing; not of V carving.
   std::uint32_t links = 0;
   std::vector<pocket::NarrowStretch> narrow;
   double carved_depth_mm = 0.0;  ///< The greatest, of V carving.

@@ -59,20 +59,22 @@ void refuse_far(const Contour& contour, const std::string& name) {
 }
 
 /// The loops of each part by themselves, in the file's order.
-std::vector<Contour> parts_of(const Outline& outline, const drawing::Drawing& drawn) {
-  std::map<std::size_t, Contour> parts;
+std::vector<ContourPart> parts_of(const Outline& outline, const drawing::Drawing& drawn) {
+  std::map<std::size_t, ContourPart> parts;
   const auto view = outline.contour.view();
   for (std::size_t loop = 0; loop < view.loop_ends.size(); ++loop) {
-    Contour& part = parts[drawn.contours[outline.drawn[loop]].entity.part];
+    const drawing::Entity& entity = drawn.contours[outline.drawn[loop]].entity;
+    ContourPart& part = parts[entity.part];
     for (std::uint32_t i = view.loop_begin(loop); i < view.loop_ends[loop]; ++i) {
-      part.vertices.push_back(view.vertices[i]);
+      part.contour.vertices.push_back(view.vertices[i]);
     }
-    part.end_loop();
+    part.contour.end_loop();
+    part.layers.push_back(drawn.layers[entity.layer]);
   }
-  std::vector<Contour> contours;
-  contours.reserve(parts.size());
-  for (auto& [number, part] : parts) contours.push_back(std::move(part));
-  return contours;
+  std::vector<ContourPart> list;
+  list.reserve(parts.size());
+  for (auto& [number, part] : parts) list.push_back(std::move(part));
+  return list;
 }
 
 }  // namespace
@@ -90,19 +92,29 @@ bool is_contour_text(std::string_view text) {
   return false;
 }
 
-std::vector<Contour> read_contour_file(const std::string& file, const OutlineOptions& options) {
+std::vector<ContourPart> read_contour_parts(const std::string& file,
+                                            const OutlineOptions& options) {
   const std::string text = read_text(file);
   const std::string name = file == "-" ? "standard input" : file;
   if (!is_drawing(text)) {
     Contour contour = contour_from_text(text, name);
     refuse_far(contour, name);
     put_material_left(contour);
-    return {contour};
+    const std::size_t loops = contour.loop_ends.size();
+    return {{std::move(contour), std::vector<drawing::Layer>(loops)}};
   }
   const drawing::Drawing drawn = drawing::read_drawing(name, text);
   const Outline outline = outline_of(drawn, options);
   throw_faults(drawn, outline.faults);
   return parts_of(outline, drawn);
+}
+
+std::vector<Contour> read_contour_file(const std::string& file, const OutlineOptions& options) {
+  std::vector<Contour> contours;
+  for (ContourPart& part : read_contour_parts(file, options)) {
+    contours.push_back(std::move(part.contour));
+  }
+  return contours;
 }
 
 }  // namespace sim

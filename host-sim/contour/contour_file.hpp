@@ -19,11 +19,21 @@ class FaultyDrawing : public std::runtime_error {
 /// them: with a number, after comments and blank lines.
 [[nodiscard]] bool is_contour_text(std::string_view text);
 
+/// The loops of one part of a file.
+struct ContourPart {
+  Contour contour;
+  std::vector<drawing::Layer> layers;  ///< Of each loop; without names where the file has none.
+};
+
 /// Reads closed contours from a file, `-` being standard input: SVG, DXF or JSON as
 /// drawing.hpp has them, curves fitted as outline.hpp does, else text as contour_text.hpp has it;
 /// told by content. One contour for each part of a file of parts, which may lie on each other; else
 /// one. Material is on the left of every loop. Throws std::system_error naming the
 /// file, ContourTextError, and FaultyDrawing if there is any error in a drawing.
+[[nodiscard]] std::vector<ContourPart> read_contour_parts(const std::string& file,
+                                                          const OutlineOptions& options);
+
+/// Reads the same without the layers.
 [[nodiscard]] std::vector<Contour> read_contour_file(const std::string& file,
                                                      const OutlineOptions& options);
 

@@ -27,6 +27,8 @@ class DepthWriter {
   /// Around a circle to the left, from the tool's place.
   void circle(cnc::pocket::Use use, const cnc::WideVec2& centre);
 
+  /// Puts the tool on the floor, which a descent in steps reaches but for rounding.
+  void settle() { out_.points.back().z = z_; }
   void end_row() { out_.end_row(); }
 
   /// @pre a row is open

@@ -1,11 +1,11 @@
 #include "host-sim/pocket/finish_pass.hpp"
 
-#include <numbers>
 #include <optional>
 
 #include "host-sim/pocket/depth_writer.hpp"
+#include "host-sim/pocket/lead_arc.hpp"
+#include "host-sim/pocket/owned_boundary.hpp"
 #include "host-sim/pocket/wall_ramp.hpp"
-#include "planner/pocket/nearest_curve.hpp"
 #include "planner/pocket/pocket_entry.hpp"
 
 namespace sim::pocket {
@@ -18,37 +18,6 @@ using cnc::pocket::Use;
 
 /// Of the tool's radius: the greatest radius of an arc by which the tool comes to a wall.
 constexpr double kLeadShare = 1.0;
-/// tan of a quarter of a quarter turn.
-constexpr double kQuarterTurn = std::numbers::sqrt2 - 1.0;
-
-/// Walls as a locus of the tool's centre, with questions after the nearest point of them.
-class Walls {
- public:
-  explicit Walls(Contour locus)
-      : locus_{std::move(locus)},
-        curves_(locus_.vertices.size()),
-        boxes_(cnc::contour::BoxTree<double>::size_for(locus_.vertices.size())),
-        nearest_{slice_of(curves_), slice_of(boxes_)} {
-    const bool has_space = nearest_.read(locus_.view());
-    CNC_ASSERT(has_space);
-  }
-  Walls(const Walls&) = delete;  // The questions point into the storage.
-  Walls& operator=(const Walls&) = delete;
-  ~Walls() = default;
-
-  [[nodiscard]] cnc::contour::ContourView<double> view() const { return locus_.view(); }
-  [[nodiscard]] std::size_t loops() const { return locus_.loop_ends.size(); }
-  [[nodiscard]] const cnc::pocket::NearestCurve<double>& nearest() const { return nearest_; }
-  [[nodiscard]] double distance(const WideVec2& place) const {
-    return nearest_.nearest_to(place).distance;
-  }
-
- private:
-  Contour locus_;
-  std::vector<cnc::contour::Curve<double>> curves_;
-  std::vector<cnc::contour::FlatBox<double>> boxes_;
-  cnc::pocket::NearestCurve<double> nearest_;
-};
 
 /// A pass along a wall with a quarter of a circle before and after it.
 struct Lead {
@@ -59,7 +28,9 @@ struct Lead {
 };
 
 /// The arcs on which the tool comes to a loop from cleared places, and goes to one.
-std::optional<Lead> lead_to(const Walls& walls, std::size_t loop, const FinishOptions& options) {
+std::optional<Lead> lead_to(const OwnedBoundary& walls,
+                            std::size_t loop,
+                            const FinishOptions& options) {
   const auto plan = cnc::pocket::plan_entry<double>(
       walls.view(),
       walls.nearest(),
@@ -75,7 +46,7 @@ std::optional<Lead> lead_to(const Walls& walls, std::size_t loop, const FinishOp
   const Lead lead{plan.place,
                   centre - plan.helix_radius * tangent,
                   centre + plan.helix_radius * tangent,
-                  side * kQuarterTurn};
+                  side * kQuarterTurnBulge};
   constexpr double kRoundingMm = 1.0e-9;
   const double cleared = options.allowance_mm - kRoundingMm;
   if (walls.distance(lead.begin) < cleared || walls.distance(lead.end) < cleared) {
@@ -84,7 +55,10 @@ std::optional<Lead> lead_to(const Walls& walls, std::size_t loop, const FinishOp
   return lead;
 }
 
-void drive(const Walls& walls, const Lead& lead, const FinishOptions& options, PathRows& out) {
+void drive(const OwnedBoundary& walls,
+           const Lead& lead,
+           const FinishOptions& options,
+           PathRows& out) {
   DepthWriter writer{out, options.depth_mm};
   writer.begin_row_in_cleared(lead.begin);
   writer.pass(lead.place.pose.point, lead.bulge);
@@ -102,7 +76,7 @@ void drive(const Walls& walls, const Lead& lead, const FinishOptions& options, P
 PathRows finish_pass(const cnc::contour::ContourView<double>& pocket,
                      const FinishOptions& options) {
   ContourOffset offsetter;
-  const Walls walls{copy_of(offsetter.offset(pocket, -options.tool_radius_mm))};
+  const OwnedBoundary walls{copy_of(offsetter.offset(pocket, -options.tool_radius_mm))};
   PathRows rows;
   for (std::size_t loop = 0; loop < walls.loops(); ++loop) {
     if (const auto lead = lead_to(walls, loop, options)) {

@@ -148,7 +148,10 @@ PocketPlan PocketPlanner::plan(const cnc::contour::ContourView<double>& pocket,
     const auto path = out.view();
     plan.points.assign(path.points.begin(), path.points.end());
     plan.row_ends.assign(path.row_ends.begin(), path.row_ends.end());
-    for (std::size_t i = 0; i < passes.size(); ++i) plan.passes.push_back(copy_of(passes.loops(i)));
+    for (std::size_t i = 0; i < passes.size(); ++i) {
+      plan.passes.push_back(copy_of(passes.loops(i)));
+      plan.parents.push_back(passes.note(i).parent);
+    }
     return plan;
   }
 }

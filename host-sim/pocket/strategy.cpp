@@ -7,6 +7,8 @@
 
 #include "host-sim/pocket/finish_pass.hpp"
 #include "host-sim/pocket/paper_path.hpp"
+#include "host-sim/pocket/rest_path.hpp"
+#include "host-sim/pocket/spiral_path.hpp"
 #include "host-sim/pocket/zigzag.hpp"
 
 namespace sim::pocket {
@@ -23,8 +25,13 @@ double fitting_radius(const cnc::contour::ContourView<double>& pocket,
 MilledPocket StrategyPlanner::mill(const cnc::contour::ContourView<double>& pocket,
                                    double tool_radius_mm) {
   options_.pocket.clearing.tool_radius = tool_radius_mm;
-  if (options_.finish_mm == 0.0) return rough(pocket);
   ContourOffset offsetter;
+  if (options_.former_radius_mm > 0.0) {
+    const double former_mm = fitting_radius(pocket, options_.former_radius_mm, offsetter);
+    // Where the former tool did not fit, all is left.
+    if (former_mm > 0.0) return mill_rest(pocket, former_mm);
+  }
+  if (options_.finish_mm == 0.0) return rough(pocket);
   const Contour within = copy_of(offsetter.offset(pocket, -options_.finish_mm));
   MilledPocket milled;
   // Where only the passes along the walls fit, they are all.
@@ -53,6 +60,8 @@ MilledPocket StrategyPlanner::rough(const cnc::contour::ContourView<double>& poc
   switch (options_.strategy) {
     case Strategy::kContour:
       return mill_contours(pocket);
+    case Strategy::kSpiral:
+      return mill_spirals(pocket);
     case Strategy::kAdaptive:
       return mill_adaptively(pocket);
     case Strategy::kZigzag:
@@ -82,6 +91,47 @@ MilledPocket StrategyPlanner::mill_contours(const cnc::contour::ContourView<doub
   milled.levels = plan.report.levels;
   milled.passes = plan.report.passes;
   milled.links = plan.report.links;
+  return milled;
+}
+
+PocketPlan StrategyPlanner::passes_of(const cnc::contour::ContourView<double>& pocket,
+                                      double stepover_mm) {
+  cnc::pocket::PocketOptions<double> wanted = options_.pocket;
+  wanted.clearing.stepover = stepover_mm;
+  // Of this path only the passes count, which need no entries of their own.
+  wanted.entry.kind = cnc::pocket::EntryKind::kPlunge;
+  return planner_.plan(pocket, wanted);
+}
+
+MilledPocket StrategyPlanner::mill_spirals(const cnc::contour::ContourView<double>& pocket) {
+  const auto& clearing = options_.pocket.clearing;
+  const double widest_mm = widest_spiral_mm(clearing.tool_radius, clearing.corner_radius);
+  const SpiralPath path = spiral_path(passes_of(pocket, std::min(clearing.stepover, widest_mm)),
+                                      {.tool_radius_mm = clearing.tool_radius,
+                                       .depth_mm = step_mm(),
+                                       .entry = options_.pocket.entry,
+                                       .milling = options_.pocket.milling});
+  MilledPocket milled = repeated(path);
+  milled.passes = path.turns + path.loops;
+  milled.links = path.links;
+  return milled;
+}
+
+MilledPocket StrategyPlanner::mill_rest(const cnc::contour::ContourView<double>& pocket,
+                                        double former_radius_mm) {
+  const auto& wanted = options_.pocket;
+  const PocketPlan plan = passes_of(pocket, wanted.clearing.stepover);
+  const bool plunges = options_.pocket.entry.kind == cnc::pocket::EntryKind::kPlunge;
+  const RestPath path = rest_path(pocket,
+                                  plan.passes,
+                                  {.tool_radius_mm = wanted.clearing.tool_radius,
+                                   .former_radius_mm = former_radius_mm,
+                                   .drive = {.depth_mm = step_mm(),
+                                             .slope = wanted.entry.slope,
+                                             .plunges = plunges,
+                                             .milling = wanted.milling}});
+  MilledPocket milled = repeated(path);
+  milled.passes = path.pieces;
   return milled;
 }
 

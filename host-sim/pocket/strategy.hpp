@@ -10,6 +10,7 @@ namespace sim::pocket {
 
 enum class Strategy : std::uint8_t {
   kContour,   ///< Passes along the walls, as far apart as nothing is left between them.
+  kSpiral,    ///< Spirals from the middle outwards, and loops where none fits.
   kAdaptive,  ///< Crescents that engage no more of the tool than allowed.
   kZigzag,    ///< Lines along X, and passes along the walls.
   kPaper,     ///< Paper 5 as printed: one spiral, for convex pockets without islands.
@@ -22,13 +23,17 @@ struct StrategyOptions {
   /// What passes along the walls take off after all else, mm, up to the tool's radius; 0: there are
   /// none.
   double finish_mm = 0.0;
+  /// Radius of a larger tool that went before, mm: only the rest is milled; 0: there was none.
+  /// kContour, without finish_mm.
+  double former_radius_mm = 0.0;
 };
 
 /// The path of a pocket through all its levels, by any strategy.
 struct MilledPocket : PathRows {
   std::uint32_t levels = 0;
-  std::uint32_t passes = 0;           ///< Of each level: passes, loops or lines.
-  std::uint32_t links = 0;            ///< Between passes; kContour.
+  std::uint32_t passes =
+      0;                    ///< Of each level: passes, loops, lines or, of a rest, parts of passes.
+  std::uint32_t links = 0;  ///< Between passes; kContour.
   std::vector<NarrowStretch> narrow;  ///< Of each level; kAdaptive.
 };
 
@@ -46,6 +51,9 @@ class StrategyPlanner {
  public:
   explicit StrategyPlanner(const StrategyOptions& options) : options_{options} {}
 
+  /// Takes a depth in place of that of the options. @param depth_mm above 0
+  void set_depth(double depth_mm) { options_.pocket.depth = depth_mm; }
+
   /// Throws NoPocketPath where there is no path, and std::invalid_argument for options out of
   /// range.
   /// @param pocket closed contours that do not cross, with the pocket on their left
@@ -57,6 +65,12 @@ class StrategyPlanner {
   [[nodiscard]] MilledPocket rough(const cnc::contour::ContourView<double>& pocket);
   void finish(const cnc::contour::ContourView<double>& pocket, MilledPocket& milled) const;
   [[nodiscard]] MilledPocket mill_contours(const cnc::contour::ContourView<double>& pocket);
+  /// Passes without a path of their own.
+  [[nodiscard]] PocketPlan passes_of(const cnc::contour::ContourView<double>& pocket,
+                                     double stepover_mm);
+  [[nodiscard]] MilledPocket mill_spirals(const cnc::contour::ContourView<double>& pocket);
+  [[nodiscard]] MilledPocket mill_rest(const cnc::contour::ContourView<double>& pocket,
+                                       double former_radius_mm);
   [[nodiscard]] MilledPocket mill_adaptively(const cnc::contour::ContourView<double>& pocket) const;
   [[nodiscard]] MilledPocket mill_lines(const cnc::contour::ContourView<double>& pocket) const;
   [[nodiscard]] MilledPocket mill_by_paper(const cnc::contour::ContourView<double>& pocket) const;

@@ -7,6 +7,7 @@
 import json
 import math
 import pathlib
+import struct
 import subprocess
 import sys
 import tempfile
@@ -30,6 +31,17 @@ def svg(*shapes):
 
 
 TRAY = svg('<rect x="10" y="10" width="60" height="40"/>', '<circle cx="40" cy="30" r="8"/>')
+
+
+def heights(ply):
+    """Returns (x, y): greatest z of the points of a carved stock, rounded to mm in the plane."""
+    head, body = pathlib.Path(ply).read_bytes().split(b"end_header\n", 1)
+    count = int(next(line for line in head.split(b"\n") if line.startswith(b"element vertex")).split()[2])
+    found = {}
+    for x, y, z in struct.iter_unpack("<fff", body[:12 * count]):
+        place = (round(x), round(y))
+        found[place] = max(z, found.get(place, -1e9))
+    return found
 
 
 class PocketCommand(unittest.TestCase):
@@ -98,7 +110,8 @@ class PocketCommand(unittest.TestCase):
         # All but the corners of the walls, which have the tool's radius, and the island.
         volume = 4 * (60 * 40 - (4 - math.pi) * 3 ** 2 - math.pi * 8 ** 2)
         for more in ((), ("--conventional", "--stepover", 2), ("--entry", "ramp", "--corner", 0),
-                     ("--finish", 0.3), ("--finish", 0.3, "--conventional")):
+                     ("--finish", 0.3), ("--finish", 0.3, "--conventional"), ("--strategy", "spiral"),
+                     ("--strategy", "spiral", "--conventional", "--finish", 0.2)):
             with self.subTest(more=more):
                 done = self.pocket(TRAY, "--tool", 6, "--depth", 4, "--depth-step", 2, *MILL, *more)
                 self.assertEqual(done.returncode, 0, done.stderr)
@@ -200,7 +213,12 @@ class PocketCommand(unittest.TestCase):
                             (("--strategy", "zigzag", "--conventional"), "lines go both ways"),
                             (("--strategy", "zigzag", "--stepover", 7), "distance of lines"),
                             (("--strategy", "paper", "--corner", 0), "it is as printed"),
-                            (("--strategy", "spiral"), "spiral"),
+                            (("--strategy", "helical"), "helical"),
+                            (("--strategy", "spiral", "--stepover", 2.8), "at most 2.7 mm apart"),
+                            (("--rest-of", 6), "larger than --tool 6 mm"),
+                            (("--rest-of", 8, "--finish", 0.2), "--rest-of has no --finish"),
+                            (("--rest-of", 8, "--strategy", "zigzag"), "by --strategy contour"),
+                            (("--rest-of", 8, "--v-angle", 60), "--v-angle has no --rest-of"),
                             (("--finish", 3.1), "at most half the tool, 3 mm"),
                             (("--engagement", 60), "add --strategy adaptive")):
             with self.subTest(more=more):
@@ -213,6 +231,100 @@ class PocketCommand(unittest.TestCase):
         done = self.pocket(svg('<rect x="10" y="10" width="60" height="6"/>'), "--tool", 6, "--depth", 2, *MILL)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertAlmostEqual(self.simulated()["bounds_mm"]["Y"][1], 67.0, 2)
+
+    def test_mills_a_pocket_in_a_pocket_and_a_boss_each_to_its_depth(self):
+        steps = svg('<rect x="10" y="10" width="60" height="50" stroke="black"/>',
+                    '<rect x="20" y="20" width="20" height="30" stroke="red"/>',
+                    '<circle cx="55" cy="35" r="8" stroke="#00f"/>',
+                    '<rect x="78" y="10" width="13" height="15" stroke="red"/>')
+        report = self.folder / "steps.json"
+        done = self.pocket(steps, "--tool", 6, "--depth", 4, "--depth-of", "red=6.5", "--depth-of", "#00f=1.5",
+                           "--depth-step", 3, *MILL, "--report", report)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        figures = json.loads(report.read_text())
+        self.assertEqual(figures["floors_mm"], [1.5, 4, 6.5])
+        self.assertEqual((figures["levels"], figures["pockets"]), (3, 4))
+        ply = self.folder / "stock.ply"
+        stock = self.simulated("--stock", "0,0,100,80,0,-10", "--tool", 6, "--stock-cell", 0.25,
+                               "--stock-ply", ply)["stock"]
+        self.assertEqual(stock["rapids_in_stock"]["count"], 0)
+        self.assertEqual(stock["plunges_in_stock"]["count"], 0)
+        height = heights(ply)
+        # The drawing's Y points down.
+        for place, z in (((5, 40), 0), ((15, 40), -4), ((30, 45), -6.5), ((55, 45), -1.5), ((87, 60), -6.5)):
+            self.assertAlmostEqual(height[place], z, delta=0.01, msg=place)
+
+    def test_refuses_depths_of_no_layer_and_no_depths(self):
+        for more, words in ((("--depth-of", "red"), "must be a layer or colour and its depth"),
+                            (("--depth-of", "black=-1"), "0 to 1000 mm"),
+                            (("--depth-of", "black=1 mm"), "must be a layer or colour"),
+                            (("--depth-of", "blak=1"), 'no closed contour of layer or colour "blak"'),
+                            (("--depth-of", "black=1", "--v-angle", 60), "--v-angle has no --depth-of")):
+            with self.subTest(more=more):
+                done = self.pocket(TRAY, "--tool", 6, "--depth", 2, *MILL, *more)
+                self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+                self.assertIn(words, done.stderr)
+                self.assertFalse(self.program.exists())
+        done = self.pocket(svg('<rect x="10" y="10" width="60" height="40" stroke="red"/>'), "--tool", 6, "--depth", 2,
+                           *MILL, "--depth-of", "red=0")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("nothing in it is deeper than Z 0", done.stderr)
+
+    def test_mills_in_spirals(self):
+        report = self.folder / "spiral.json"
+        done = self.pocket(svg('<rect x="10" y="10" width="60" height="40"/>'), "--tool", 6, "--depth", 3,
+                           "--depth-step", 1.5, *MILL, "--strategy", "spiral", "--report", report)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        figures = json.loads(report.read_text())
+        self.assertEqual((figures["strategy"], figures["levels"], figures["rows"]), ("spiral", 2, 2))
+
+    def test_takes_feeds_from_a_file_of_tools(self):
+        tools = self.folder / "tools.txt"
+        tools.write_text("flat6: diameter=6, flutes=2, feed-per-tooth=0.04, spindle=15000, plunge-feed=350\n"
+                         "bare: diameter=6, flutes=2, feed-per-tooth=0.04, plunge-feed=350\n"
+                         "v60: diameter=10, angle=60, feed=800, plunge-feed=200\n")
+        of_file = ("--tools", tools, "--depth", 2)
+        done = self.pocket(TRAY, "--tool", "flat6", *of_file)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        program = self.program.read_text()
+        self.assertIn("F1200\n", program)
+        self.assertIn("S15000 M3\n", program)
+        done = self.pocket(TRAY, "--tool", "flat6", *of_file, "--spindle", 10000, "--plunge-feed", 100)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        program = self.program.read_text()
+        self.assertIn("F800\n", program)
+        self.assertNotIn("F1200", program)
+        done = self.pocket(TRAY, "--tool", "v60", *of_file)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("V tool 10 mm of 60 degrees", self.program.read_text())
+        self.program.unlink()
+        for more, words in ((("--tool", "flat7", *of_file), "has no tool flat7; there are flat6, bare, v60"),
+                            (("--tool", "bare", *of_file), "has a feed per tooth and no spindle"),
+                            (("--tool", "v60", *of_file, "--v-angle", 90), "has 60 degrees"),
+                            (("--tool", "flat6", "--depth", 2), "a name needs the file of --tools"),
+                            (("--tool", 6, *of_file), "--feed is required")):
+            with self.subTest(more=more):
+                done = self.pocket(TRAY, *more)
+                self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+                self.assertIn(words, done.stderr)
+                self.assertFalse(self.program.exists())
+
+    def test_mills_only_the_rest_of_a_larger_tool(self):
+        report = self.folder / "rest.json"
+        done = self.pocket(TRAY, "--tool", 3, "--rest-of", 8, "--depth", 4, "--depth-step", 2, *MILL,
+                           "--report", report)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        figures = json.loads(report.read_text())
+        self.assertEqual((figures["rest_of_mm"], figures["levels"]), (8, 2))
+        self.assertEqual(figures["rows"], 2 * figures["passes"])
+        self.assertLess(figures["pass_length_mm"], 300)
+        bounds = self.simulated()["bounds_mm"]
+        self.assertAlmostEqual(bounds["X"][1], 68.5, 2)
+        self.assertAlmostEqual(bounds["Y"][1], 68.5, 2)
+        self.assertAlmostEqual(bounds["Z"][0], -4, 2)
+        done = self.pocket(svg('<circle cx="40" cy="30" r="15"/>'), "--tool", 3, "--rest-of", 8, "--depth", 4, *MILL)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("a tool of 8 mm has left nothing", done.stderr)
 
     def test_takes_pockets_in_a_short_order(self):
         holes = [f'<circle cx="{10 + 9 * (7 * k % 10)}" cy="20" r="4"/>' for k in range(10)]

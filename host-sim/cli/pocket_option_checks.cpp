@@ -1,0 +1,162 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <initializer_list>
+#include <set>
+#include <stdexcept>
+#include <system_error>
+
+#include "host-sim/cli/pocket_options.hpp"
+#include "host-sim/pocket/spiral_path.hpp"
+#include "host-sim/report/nearest_name.hpp"
+
+namespace sim {
+namespace {
+
+LayerDepth parse_layer_depth(const std::string& text) {
+  const std::size_t equals = text.rfind('=');
+  const std::string number = equals == std::string::npos ? "" : text.substr(equals + 1);
+  const char* const end = number.data() + number.size();
+  double depth_mm = -1.0;
+  const auto read = std::from_chars(number.data(), end, depth_mm);
+  const bool is_number = read.ec == std::errc{} && read.ptr == end;
+  if (!is_number || !(depth_mm >= 0.0 && depth_mm <= kGreatestDepthMm)) {
+    throw std::invalid_argument{
+        fmt::format("--depth-of {}: must be a layer or colour and its depth, 0 to {:g} mm, such as "
+                    "\"holes=3.5\"",
+                    text,
+                    kGreatestDepthMm)};
+  }
+  return {text.substr(0, equals), depth_mm};
+}
+
+[[noreturn]] void refuse_layer(const LayerDepth& depth, const std::set<drawing::Layer>& layers) {
+  std::string known;
+  std::vector<std::string> names;
+  for (const drawing::Layer& layer : layers) {
+    names.insert(names.end(), {layer.name, layer.colour});
+    known += fmt::format(" \"{}\" {};", layer.name, layer.colour);
+  }
+  throw std::invalid_argument{
+      fmt::format("--depth-of: the drawing has no closed contour of layer or colour \"{}\"; it "
+                  "has{}{}",
+                  depth.layer,
+                  known,
+                  did_you_mean(depth.layer, names))};
+}
+
+/// Options that V carving does not have.
+constexpr std::initializer_list<const char*> kOptionsOfClearing{"--depth-of",
+                                                                "--strategy",
+                                                                "--engagement",
+                                                                "--stepover",
+                                                                "--corner",
+                                                                "--depth-step",
+                                                                "--entry",
+                                                                "--slope",
+                                                                "--conventional",
+                                                                "--keep-feed",
+                                                                "--finish",
+                                                                "--rest-of"};
+
+/// Refuses options of a call that do not go together with another one.
+class Refusals {
+ public:
+  explicit Refusals(const CLI::App& command) : command_{command} {}
+
+  /// Throws std::invalid_argument if one of the options is in the call.
+  void of(std::initializer_list<const char*> names, const char* mode, const char* remedy) const {
+    for (const char* name : names) {
+      if (command_.count(name) == 0) continue;
+      throw std::invalid_argument{fmt::format("{} has no {}; {}", mode, name, remedy)};
+    }
+  }
+
+ private:
+  const CLI::App& command_;
+};
+
+/// Throws std::invalid_argument for sizes that do not go together with the tool.
+void check_sizes(const PocketCommandOptions& options) {
+  if (options.finish_mm > options.radius_mm()) {
+    throw std::invalid_argument{fmt::format("--finish {:g}: must be at most half the tool, {:g} mm",
+                                            options.finish_mm,
+                                            options.radius_mm())};
+  }
+  if (options.rest_of_mm > 0.0 && options.rest_of_mm <= options.tool_mm) {
+    throw std::invalid_argument{
+        fmt::format("--rest-of {:g}: must be the tool that went before, larger than --tool {:g} mm",
+                    options.rest_of_mm,
+                    options.tool_mm)};
+  }
+  const auto& clearing = strategy_options_of(options).pocket.clearing;
+  const double widest_mm = pocket::widest_spiral_mm(clearing.tool_radius, clearing.corner_radius);
+  if (options.strategy == pocket::Strategy::kSpiral && options.stepover_mm > widest_mm) {
+    throw std::invalid_argument{
+        fmt::format("--stepover {:g}: turns of a spiral are at most {:g} mm apart, half the tool "
+                    "less the radius of corners",
+                    options.stepover_mm,
+                    widest_mm)};
+  }
+  const bool is_zigzag = options.strategy == pocket::Strategy::kZigzag;
+  if (is_zigzag && options.stepover_mm > options.tool_mm) {
+    throw std::invalid_argument{
+        fmt::format("--stepover {:g}: a distance of lines above the tool's {:g} mm leaves stock "
+                    "between them",
+                    options.stepover_mm,
+                    options.tool_mm)};
+  }
+}
+
+}  // namespace
+
+void check_pocket_options(const CLI::App& command, const PocketCommandOptions& options) {
+  check_sizes(options);
+  const Refusals refusals{command};
+  if (options.rest_of_mm > 0.0) {
+    refusals.of({"--finish"}, "--rest-of", "its passes go along the walls already");
+  }
+  if (options.is_v_carving()) {
+    return refusals.of(kOptionsOfClearing, "--v-angle", "leave it out");
+  }
+  if (options.strategy != pocket::Strategy::kContour) {
+    refusals.of({"--rest-of"}, "this strategy", "a rest is milled by --strategy contour");
+  }
+  switch (options.strategy) {
+    case pocket::Strategy::kAdaptive:
+      return refusals.of({"--stepover", "--corner", "--entry", "--conventional"},
+                         "--strategy adaptive",
+                         "--engagement bounds the cut");
+    case pocket::Strategy::kZigzag:
+      refusals.of({"--conventional"}, "--strategy zigzag", "lines go both ways");
+      break;
+    case pocket::Strategy::kPaper:
+      refusals.of({"--stepover", "--corner", "--entry", "--slope", "--conventional", "--finish"},
+                  "--strategy paper",
+                  "it is as printed");
+      break;
+    case pocket::Strategy::kContour:
+    case pocket::Strategy::kSpiral:
+      break;
+  }
+  refusals.of({"--engagement", "--keep-feed"}, "this strategy", "add --strategy adaptive");
+}
+
+std::vector<LayerDepth> layer_depths_of(const PocketCommandOptions& options,
+                                        const std::vector<ContourPart>& parts) {
+  std::set<drawing::Layer> layers;
+  for (const ContourPart& part : parts) layers.insert(part.layers.begin(), part.layers.end());
+  std::vector<LayerDepth> depths;
+  for (const std::string& text : options.depths_of) {
+    const LayerDepth depth = parse_layer_depth(text);
+    if (std::ranges::none_of(layers, [&](const auto& layer) { return depth.is_of(layer); })) {
+      refuse_layer(depth, layers);
+    }
+    depths.push_back(depth);
+  }
+  return depths;
+}
+
+}  // namespace sim

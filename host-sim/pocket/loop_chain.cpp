@@ -1,0 +1,73 @@
+#include "host-sim/pocket/loop_chain.hpp"
+
+#include <algorithm>
+
+#include "planner/contour/offset_space.hpp"
+#include "planner/pocket/loop_measures.hpp"
+
+namespace sim::pocket {
+namespace {
+
+using cnc::contour::kNone;
+
+bool is_outline(const cnc::contour::ContourView<double>& area, std::size_t loop) {
+  return cnc::pocket::signed_area(area, loop) > 0.0;
+}
+
+/// The only loop of the area around that is matched by a loop within it: outline by outline, a hole
+/// by the hole in it.
+std::optional<std::size_t> match_of(const cnc::contour::ContourView<double>& inner,
+                                    std::size_t loop,
+                                    const cnc::contour::ContourView<double>& around) {
+  const bool outline = is_outline(inner, loop);
+  std::optional<std::size_t> match;
+  for (std::size_t i = 0; i < around.loop_ends.size(); ++i) {
+    if (is_outline(around, i) != outline) continue;
+    const cnc::WideVec2 place = around.vertices[around.loop_begin(i)].point();
+    if (!outline && cnc::pocket::turns_around(inner, loop, place) == 0) continue;
+    if (match) return std::nullopt;
+    match = i;
+  }
+  return match;
+}
+
+}  // namespace
+
+PassTree::PassTree(const std::vector<Contour>& passes, const std::vector<std::uint32_t>& parents)
+    : passes_{passes}, parents_{parents}, child_counts_(passes.size()) {
+  std::vector<std::vector<std::uint32_t>> children(passes.size());
+  std::vector<std::uint32_t> left;
+  for (std::uint32_t i = 0; i < passes.size(); ++i) {
+    if (parents[i] == kNone) {
+      left.push_back(i);
+    } else {
+      ++child_counts_[parents[i]];
+      children[parents[i]].push_back(i);
+    }
+  }
+  while (!left.empty()) {
+    const std::uint32_t pass = left.back();
+    left.pop_back();
+    inner_first_.push_back(pass);
+    left.insert(left.end(), children[pass].begin(), children[pass].end());
+  }
+  std::ranges::reverse(inner_first_);
+}
+
+std::optional<PassLoop> PassTree::around(const PassLoop& inner) const {
+  const std::uint32_t pass = parents_[inner.pass];
+  if (pass == kNone || parents_[pass] == kNone || child_counts_[pass] != 1) return std::nullopt;
+  const auto within = passes_[inner.pass].view();
+  const auto around = passes_[pass].view();
+  if (within.loop_ends.size() != around.loop_ends.size()) return std::nullopt;
+  // Only if all loops have a match of their own there is nothing else between them.
+  std::optional<std::size_t> match;
+  for (std::size_t i = 0; i < within.loop_ends.size(); ++i) {
+    const std::optional<std::size_t> of_this = match_of(within, i, around);
+    if (!of_this) return std::nullopt;
+    if (i == inner.loop) match = of_this;
+  }
+  return PassLoop{pass, *match};
+}
+
+}  // namespace sim::pocket

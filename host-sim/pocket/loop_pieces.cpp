@@ -1,0 +1,129 @@
+#include "host-sim/pocket/loop_pieces.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "planner/contour/meeting.hpp"
+#include "planner/pocket/loop_measures.hpp"
+
+namespace sim::pocket {
+namespace {
+
+using cnc::WideVec2;
+using Curve = cnc::contour::Curve<double>;
+
+/// mm: crossings closer than this are one.
+constexpr double kSameCrossingMm = 1.0e-9;
+
+/// A stretch of a loop by its ways from the first vertex, mm; `to` may be beyond the last vertex.
+struct LoopStretch {
+  double from = 0.0;
+  double to = 0.0;
+};
+
+cut::MeasuredRow row_of(const cnc::contour::ContourView<double>& loops, std::size_t loop) {
+  std::vector<cut::Stroke> strokes;
+  for (std::uint32_t i = loops.loop_begin(loop); i < loops.loop_ends[loop]; ++i) {
+    const auto element = cnc::pocket::element_at(loops, loop, i);
+    if (element.start == element.end) continue;
+    strokes.push_back({.from = element.start, .to = element.end, .bulge = element.bulge});
+  }
+  return cut::MeasuredRow{std::move(strokes)};
+}
+
+/// Returns the places that divide a curve where it crosses an area's boundary, with its ends.
+std::vector<WideVec2> divisions(const Curve& curve, const OwnedArea& area) {
+  std::vector<WideVec2> places{curve.start, curve.end};
+  area->search(curve.box(), [&](const Curve& other) {
+    const auto found = cnc::contour::meetings_of(curve, other, kSameCrossingMm);
+    for (std::uint32_t i = 0; i < found.count; ++i) places.push_back(found.places[i]);
+    return true;
+  });
+  std::ranges::sort(places, {}, [&](const WideVec2& place) { return curve.order_of(place); });
+  return places;
+}
+
+/// Returns the stretches of a row outside of an area, in their order; those that meet are one.
+std::vector<LoopStretch> stretches_outside(const cut::MeasuredRow& row, const OwnedArea& area) {
+  std::vector<LoopStretch> stretches;
+  for (std::size_t i = 0; i < row.strokes().size(); ++i) {
+    const cut::Stroke& stroke = row.strokes()[i];
+    Curve curve;
+    if (!cnc::pocket::make_curve<double>({stroke.from, stroke.to, stroke.bulge}, curve)) continue;
+    const std::vector<WideVec2> places = divisions(curve, area);
+    double way = row.way_to(i);
+    for (std::size_t k = 1; k < places.size(); ++k) {
+      const double from = way;
+      const cut::Stroke part{.from = places[k - 1],
+                             .to = places[k],
+                             .bulge = curve.bulge_between(places[k - 1], places[k])};
+      if (drawing::distance(part.from, part.to) > kSameCrossingMm) way += cut::length_of(part);
+      if (k + 1 == places.size()) way = row.way_to(i + 1);
+      if (way <= from || area->depth(cut::place_at(part, 0.5)) > 0.0) continue;
+      const bool goes_on = !stretches.empty() && stretches.back().to >= from;
+      if (goes_on) {
+        stretches.back().to = way;
+      } else {
+        stretches.push_back({from, way});
+      }
+    }
+  }
+  return stretches;
+}
+
+/// Makes stretches longer and joins those that meet, around the end of the loop, too. One stretch
+/// from 0 to the length is all of the loop.
+std::vector<LoopStretch> lengthened(std::vector<LoopStretch> stretches,
+                                    double overlap,
+                                    double length) {
+  for (LoopStretch& stretch : stretches) stretch = {stretch.from - overlap, stretch.to + overlap};
+  std::vector<LoopStretch> joined;
+  for (const LoopStretch& stretch : stretches) {
+    if (!joined.empty() && stretch.from <= joined.back().to) {
+      joined.back().to = std::max(joined.back().to, stretch.to);
+    } else {
+      joined.push_back(stretch);
+    }
+  }
+  if (joined.size() > 1 && joined.front().from + length <= joined.back().to) {
+    joined.front().from = joined.back().from - length;
+    joined.pop_back();
+  }
+  if (joined.size() == 1 && joined.front().to - joined.front().from >= length) {
+    return {{0.0, length}};
+  }
+  for (LoopStretch& stretch : joined) {
+    if (stretch.from < 0.0) stretch = {stretch.from + length, stretch.to + length};
+  }
+  return joined;
+}
+
+std::vector<cut::Stroke> part_of(const cut::MeasuredRow& row, const LoopStretch& stretch) {
+  const double length = row.length();
+  std::vector<cut::Stroke> part = row.stretch(stretch.from, std::min(stretch.to, length));
+  if (stretch.to > length) {
+    const std::vector<cut::Stroke> rest = row.stretch(0.0, stretch.to - length);
+    part.insert(part.end(), rest.begin(), rest.end());
+  }
+  return part;
+}
+
+}  // namespace
+
+std::vector<LoopPiece> pieces_outside(const cnc::contour::ContourView<double>& loops,
+                                      const OwnedArea& area,
+                                      double overlap_mm) {
+  std::vector<LoopPiece> pieces;
+  for (std::size_t loop = 0; loop < loops.loop_ends.size(); ++loop) {
+    const cut::MeasuredRow row = row_of(loops, loop);
+    const double length = row.length();
+    for (const LoopStretch& stretch :
+         lengthened(stretches_outside(row, area), overlap_mm, length)) {
+      const bool is_whole = stretch.from == 0.0 && stretch.to == length;
+      pieces.push_back({loop, part_of(row, stretch), is_whole});
+    }
+  }
+  return pieces;
+}
+
+}  // namespace sim::pocket

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "host-sim/contour/contour_offset.hpp"
+#include "planner/pocket/nearest_curve.hpp"
+
+namespace sim::pocket {
+
+/// Loops with questions after the nearest point of them, and their storage.
+class OwnedBoundary {
+ public:
+  explicit OwnedBoundary(Contour contour);
+
+  OwnedBoundary(const OwnedBoundary&) = delete;  // The questions point into the storage.
+  OwnedBoundary& operator=(const OwnedBoundary&) = delete;
+  ~OwnedBoundary() = default;
+
+  [[nodiscard]] cnc::contour::ContourView<double> view() const { return contour_.view(); }
+  [[nodiscard]] std::size_t loops() const { return contour_.loop_ends.size(); }
+  [[nodiscard]] const cnc::pocket::NearestCurve<double>& nearest() const { return nearest_; }
+  /// @pre there is a loop
+  [[nodiscard]] double distance(const cnc::WideVec2& place) const {
+    return nearest_.nearest_to(place).distance;
+  }
+
+ private:
+  Contour contour_;
+  std::vector<cnc::contour::Curve<double>> curves_;
+  std::vector<cnc::contour::FlatBox<double>> boxes_;
+  cnc::pocket::NearestCurve<double> nearest_;
+};
+
+}  // namespace sim::pocket

@@ -1,0 +1,146 @@
+#include "host-sim/pocket/spiral_turn.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "planner/geometry/biarc.hpp"
+#include "planner/pocket/loop_measures.hpp"
+
+namespace sim::pocket {
+namespace {
+
+using cnc::WideVec2;
+
+/// The nearest place moves at most so much faster than the place on the outer loop; else it jumps.
+constexpr double kFastest = 8.0;
+/// mm: shorter parts of the outer loop are not divided.
+constexpr double kShortestPartMm = 1.0e-5;
+/// rad: the turn of a part at most, so that samples of it are enough.
+constexpr double kMostTurn = 0.8;
+
+/// A place of a turn and where it goes there.
+struct Sample {
+  double way_mm = 0.0;  ///< On the outer loop, from the start.
+  WideVec2 place{0.0, 0.0};
+  WideVec2 tangent{1.0, 0.0};
+};
+
+class TurnMaker {
+ public:
+  TurnMaker(const OwnedBoundary& inner, cut::MeasuredRow outer, const TurnOptions& options)
+      : inner_{inner}, outer_{std::move(outer)}, options_{options} {}
+
+  std::optional<std::vector<WayElement>> make() {
+    const double length = outer_.length();
+    Sample from = sample(0.0);
+    for (std::size_t i = 0; i < outer_.strokes().size(); ++i) {
+      const bool is_last = i + 1 == outer_.strokes().size();
+      const Sample to = sample(is_last ? length : outer_.way_to(i + 1));
+      if (!add(from, to)) return std::nullopt;
+      from = to;
+    }
+    return std::move(way_);
+  }
+
+ private:
+  /// Grows from 0 to 1 with slope 0 at both ends.
+  static double smooth_step(double share) { return share * share * (3.0 - 2.0 * share); }
+
+  [[nodiscard]] WideVec2 place_at(double way_mm) {
+    const WideVec2 outer = outer_.place(way_mm);
+    const WideVec2 inner = inner_.nearest().nearest_to(outer).point;
+    widest_mm_ = std::max(widest_mm_, (outer - inner).norm());
+    return inner + smooth_step(way_mm / outer_.length()) * (outer - inner);
+  }
+
+  /// At both ends the tangent is that of a loop, elsewhere that of a chord around the place.
+  [[nodiscard]] Sample sample(double way_mm) {
+    const double length = outer_.length();
+    Sample sample{way_mm, place_at(way_mm)};
+    if (way_mm >= length) {
+      sample.tangent = outer_.arriving(length);
+      return sample;
+    }
+    if (way_mm <= 0.0) {
+      const auto nearest = inner_.nearest().nearest_to(sample.place);
+      sample.tangent = inner_.nearest()[nearest.curve].tangent_at(nearest.point);
+      if (sample.tangent.dot(outer_.leaving(0.0)) < 0.0) sample.tangent = -sample.tangent;
+      return sample;
+    }
+    const double half = std::min({0.1 * kShortestPartMm, way_mm, length - way_mm});
+    sample.tangent = (place_at(way_mm + half) - place_at(way_mm - half)).normalized();
+    return sample;
+  }
+
+  /// Appends arcs between two samples, halved until they are within the tolerance.
+  [[nodiscard]] bool add(const Sample& first, const Sample& last) {
+    std::vector<Sample> ends{last};  // Of the parts that are left, the next one at the back.
+    Sample from = first;
+    while (!ends.empty()) {
+      const Sample& to = ends.back();
+      if (widest_mm_ > options_.widest_mm) return false;
+      const double length = to.way_mm - from.way_mm;
+      if (try_arcs(from, to)) {
+        from = to;
+        ends.pop_back();
+        continue;
+      }
+      if (length < kShortestPartMm) {
+        if ((to.place - from.place).norm() > kFastest * length + options_.tolerance_mm)
+          return false;
+        way_.push_back({to.place, 0.0});
+        from = to;
+        ends.pop_back();
+        continue;
+      }
+      ends.push_back(sample(0.5 * (from.way_mm + to.way_mm)));
+    }
+    return true;
+  }
+
+  /// Appends two arcs if there are any that follow the turn within the tolerance.
+  [[nodiscard]] bool try_arcs(const Sample& from, const Sample& to) {
+    if (from.tangent.dot(to.tangent) < std::cos(kMostTurn)) return false;
+    const WideVec2 chord = to.place - from.place;
+    if (chord.norm() < 1.0e-9) return true;
+    if (from.tangent.dot(chord) <= 0.0 || to.tangent.dot(chord) <= 0.0) return false;
+    const auto biarc = cnc::make_biarc({from.place, from.tangent, to.place, to.tangent}, 0.5);
+    if (!biarc.ok()) return false;
+    const cnc::WideBiarc& arcs = biarc.value();
+    for (const double share : {0.2, 0.4, 0.5, 0.6, 0.8}) {
+      const WideVec2 place = place_at(from.way_mm + share * (to.way_mm - from.way_mm));
+      const double away = std::min(distance(from.place, arcs.joint, arcs.first_bulge, place),
+                                   distance(arcs.joint, to.place, arcs.second_bulge, place));
+      if (away > options_.tolerance_mm) return false;
+    }
+    way_.push_back({arcs.joint, arcs.first_bulge});
+    way_.push_back({to.place, arcs.second_bulge});
+    return true;
+  }
+
+  static double distance(const WideVec2& from,
+                         const WideVec2& to,
+                         double bulge,
+                         const WideVec2& of) {
+    cnc::contour::Curve<double> curve;
+    if (!cnc::pocket::make_curve<double>({from, to, bulge}, curve)) return (of - from).norm();
+    return curve.distance(of);
+  }
+
+  const OwnedBoundary& inner_;
+  cut::MeasuredRow outer_;
+  TurnOptions options_;
+  double widest_mm_ = 0.0;
+  std::vector<WayElement> way_;
+};
+
+}  // namespace
+
+std::optional<std::vector<WayElement>> spiral_turn(const OwnedBoundary& inner,
+                                                   const DrivenLoop& outer,
+                                                   double start_mm,
+                                                   const TurnOptions& options) {
+  return TurnMaker{inner, cut::MeasuredRow{outer.stretch(start_mm, start_mm)}, options}.make();
+}
+
+}  // namespace sim::pocket
