@@ -82,6 +82,14 @@ void append(const Contour& contour, Contour& to) {
   for (const std::uint32_t end : contour.loop_ends) to.loop_ends.push_back(before + end);
 }
 
+/// The connected areas of a terrace: where a stock is given, one of them is what is around it.
+std::vector<Contour> areas_to_mill(const Terrace& terrace, const PocketCommandOptions& options) {
+  const std::optional<pocket::StockBox> stock = options.stock_box();
+  if (!stock) return pocket::areas_of(terrace.contours);
+  const double margin_mm = pocket::margin_around(*stock, options.radius_mm());
+  return pocket::areas_of(pocket::with_surroundings(terrace.contours, *stock, margin_mm));
+}
+
 /// Mills pockets, terrace after terrace.
 class PocketMiller {
  public:
@@ -91,12 +99,16 @@ class PocketMiller {
   MilledDrawing mill(const std::vector<Terraces>& pockets) {
     std::vector<PathRows> paths;
     for (const Terraces& terraces : pockets) mill_one(terraces, paths);
-    if (milled_.pockets == 0) {
+    if (!fits_) {
       throw pocket::NoPocketPath{"the tool fits nowhere; choose a smaller one with --tool"};
     }
-    if (paths.empty()) {
+    if (paths.empty() && options_.rest_of_mm > 0.0) {
       throw pocket::NoPocketPath{fmt::format(
           "a tool of {:g} mm has left nothing of it; no program is needed", options_.rest_of_mm)};
+    }
+    if (paths.empty()) {
+      throw pocket::NoPocketPath{
+          "nothing of it lies in the stock; are the places of --stock right?"};
     }
     for (const std::size_t index : pocket::short_order(paths)) milled_.append(paths[index]);
     milled_.floors_mm.assign(floors_mm_.begin(), floors_mm_.end());
@@ -126,17 +138,18 @@ class PocketMiller {
     planner_.set_depth(terrace.to_mm - terrace.from_mm);
     std::vector<PathRows> paths;
     std::uint32_t most = 0;
-    for (const Contour& area : pocket::areas_of(terrace.contours)) {
+    for (const Contour& area : areas_to_mill(terrace, options_)) {
       const double radius_mm =
           pocket::fitting_radius(area.view(), options_.radius_mm(), offsetter_);
       if (radius_mm == 0.0) continue;
       const pocket::MilledPocket one = planner_.mill(area.view(), radius_mm);
+      fits_ = true;
+      if (one.points.empty()) continue;
       most = std::max(most, one.levels);
       ++milled_.pockets;
       milled_.passes += one.passes;
       milled_.links += one.links;
       milled_.narrow.insert(milled_.narrow.end(), one.narrow.begin(), one.narrow.end());
-      if (one.points.empty()) continue;
       paths.emplace_back().append(one, -terrace.from_mm);
     }
     levels += most;
@@ -148,6 +161,7 @@ class PocketMiller {
   ContourOffset offsetter_;
   std::set<double> floors_mm_;
   MilledDrawing milled_;
+  bool fits_ = false;  ///< The tool fits somewhere.
 };
 
 MilledDrawing carve(const PocketCommandOptions& options, const std::vector<Contour>& areas) {
@@ -231,7 +245,7 @@ ExitStatus mill_file(const PocketCommandOptions& options) {
   std::vector<Contour> areas;
   for (const Terraces& terraces : pockets) {
     for (const Terrace& terrace : terraces) {
-      for (Contour& area : pocket::areas_of(terrace.contours)) areas.push_back(std::move(area));
+      for (Contour& area : areas_to_mill(terrace, options)) areas.push_back(std::move(area));
     }
   }
   const bool is_incomplete = !options.is_v_carving() && report_unreached(options, areas);

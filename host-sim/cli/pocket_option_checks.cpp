@@ -59,6 +59,7 @@ constexpr std::initializer_list<const char*> kOptionsOfClearing{"--depth-of",
                                                                 "--conventional",
                                                                 "--keep-feed",
                                                                 "--finish",
+                                                                "--stock",
                                                                 "--rest-of"};
 
 /// Refuses options of a call that do not go together with another one.
@@ -91,6 +92,10 @@ void check_sizes(const PocketCommandOptions& options) {
                     options.rest_of_mm,
                     options.tool_mm)};
   }
+  const std::optional<pocket::StockBox> stock = options.stock_box();
+  if (stock && !(stock->x0 < stock->x1 && stock->y0 < stock->y1)) {
+    throw std::invalid_argument{"--stock: wants XMIN,YMIN,XMAX,YMAX in mm, the greater ones last"};
+  }
   const auto& clearing = strategy_options_of(options).pocket.clearing;
   const double widest_mm = pocket::widest_spiral_mm(clearing.tool_radius, clearing.corner_radius);
   if (options.strategy == pocket::Strategy::kSpiral && options.stepover_mm > widest_mm) {
@@ -117,12 +122,18 @@ void check_pocket_options(const CLI::App& command, const PocketCommandOptions& o
   const Refusals refusals{command};
   if (options.rest_of_mm > 0.0) {
     refusals.of({"--finish"}, "--rest-of", "its passes go along the walls already");
+    refusals.of({"--stock"}, "--rest-of", "mill open pockets with one tool");
+  }
+  if (!options.stock.empty()) {
+    refusals.of({"--finish"}, "--stock", "passes along the walls of open pockets are not apart");
   }
   if (options.is_v_carving()) {
     return refusals.of(kOptionsOfClearing, "--v-angle", "leave it out");
   }
   if (options.strategy != pocket::Strategy::kContour) {
-    refusals.of({"--rest-of"}, "this strategy", "a rest is milled by --strategy contour");
+    refusals.of({"--rest-of", "--stock"},
+                "this strategy",
+                "rests and open pockets are milled by --strategy contour");
   }
   switch (options.strategy) {
     case pocket::Strategy::kAdaptive:

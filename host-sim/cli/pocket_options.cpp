@@ -86,6 +86,34 @@ void add_entry_options(CLI::App& command, PocketCommandOptions& options) {
   command.add_flag("--conventional", options.conventional, "Mill against the climb");
 }
 
+/// Adds options for stock that another tool has left, and for the stock around the pockets.
+void add_stock_shape_options(CLI::App& command, PocketCommandOptions& options) {
+  command
+      .add_option(
+          "--finish",
+          options.finish_mm,
+          "Leave this allowance at the walls, mm, and take it off by passes along them at the "
+          "end, with\narcs in and out; up to half the tool")
+      ->check(in_range(kLeastDepthMm, kGreatestToolMm, "mm"))
+      ->type_name("MM");
+  command
+      .add_option("--rest-of",
+                  options.rest_of_mm,
+                  "The pockets were milled with this larger tool, diameter in mm: mill only the "
+                  "rest\nthat it left")
+      ->check(in_range(kLeastToolMm, kGreatestToolMm, "mm"))
+      ->type_name("MM");
+  command
+      .add_option(
+          "--stock",
+          options.stock,
+          "The stock in plan, mm. Pockets that reach its edge are open there: the tool comes "
+          "in from\nbeside it, and goes beyond it as far as it must")
+      ->expected(4)
+      ->delimiter(',')
+      ->type_name("XMIN,YMIN,XMAX,YMAX");
+}
+
 void add_strategy_options(CLI::App& command, PocketCommandOptions& options) {
   using pocket::Strategy;
   const std::map<std::string, Strategy> strategies{{"contour", Strategy::kContour},
@@ -112,21 +140,6 @@ void add_strategy_options(CLI::App& command, PocketCommandOptions& options) {
       ->check(in_range(pocket::kLeastEngagementDeg, pocket::kGreatestEngagementDeg, "degrees"))
       ->type_name("DEG")
       ->capture_default_str();
-  command
-      .add_option(
-          "--finish",
-          options.finish_mm,
-          "Leave this allowance at the walls, mm, and take it off by passes along them at the "
-          "end, with\narcs in and out; up to half the tool")
-      ->check(in_range(kLeastDepthMm, kGreatestToolMm, "mm"))
-      ->type_name("MM");
-  command
-      .add_option("--rest-of",
-                  options.rest_of_mm,
-                  "The pockets were milled with this larger tool, diameter in mm: mill only the "
-                  "rest\nthat it left")
-      ->check(in_range(kLeastToolMm, kGreatestToolMm, "mm"))
-      ->type_name("MM");
   command.add_flag("--keep-feed",
                    options.keeps_feed,
                    "No higher feed where --engagement makes chips thin; else --feed divided by\n"
@@ -182,6 +195,7 @@ void add_pocket_options(CLI::App& command, PocketCommandOptions& options) {
   add_shape_options(command, options);
   add_entry_options(command, options);
   add_strategy_options(command, options);
+  add_stock_shape_options(command, options);
   add_mill_options(command, options.mill);
   add_outline_options(command, options.outline);
   command.add_flag("--anyway", options.anyway, "Mill what the tool reaches, and leave the rest");
@@ -216,7 +230,8 @@ pocket::StrategyOptions strategy_options_of(const PocketCommandOptions& options)
           .pocket = wanted,
           .engagement_deg = options.engagement_deg,
           .finish_mm = options.finish_mm,
-          .former_radius_mm = 0.5 * options.rest_of_mm};
+          .former_radius_mm = 0.5 * options.rest_of_mm,
+          .stock = options.stock_box()};
 }
 
 pocket::VCarveOptions carve_options_of(const PocketCommandOptions& options) {

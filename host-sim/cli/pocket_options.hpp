@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -48,15 +49,20 @@ struct PocketCommandOptions {
   bool conventional = false;
   pocket::Strategy strategy = pocket::Strategy::kContour;
   double engagement_deg = 60.0;
-  bool keeps_feed = false;   ///< Where chips are thin, too.
-  double finish_mm = 0.0;    ///< 0: no passes of their own along the walls.
-  double rest_of_mm = 0.0;   ///< Diameter of the tool that went before; 0: there was none.
-  double v_angle_deg = 0.0;  ///< 0: no V carving.
+  bool keeps_feed = false;      ///< Where chips are thin, too.
+  double finish_mm = 0.0;       ///< 0: no passes of their own along the walls.
+  std::vector<double> stock{};  ///< Least X and Y, greatest X and Y, mm; empty: not given.
+  double rest_of_mm = 0.0;      ///< Diameter of the tool that went before; 0: there was none.
+  double v_angle_deg = 0.0;     ///< 0: no V carving.
   bool anyway = false;
   pocket::MillSettings mill;
   unsigned decimals = 4;
 
   [[nodiscard]] double radius_mm() const { return 0.5 * tool_mm; }
+  [[nodiscard]] std::optional<pocket::StockBox> stock_box() const {
+    if (stock.empty()) return std::nullopt;
+    return pocket::StockBox{stock[0], stock[1], stock[2], stock[3]};
+  }
   [[nodiscard]] bool is_v_carving() const { return v_angle_deg > 0.0; }
 };
 

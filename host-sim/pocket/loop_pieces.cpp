@@ -1,6 +1,7 @@
 #include "host-sim/pocket/loop_pieces.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "planner/contour/meeting.hpp"
@@ -26,7 +27,13 @@ cut::MeasuredRow row_of(const cnc::contour::ContourView<double>& loops, std::siz
   for (std::uint32_t i = loops.loop_begin(loop); i < loops.loop_ends[loop]; ++i) {
     const auto element = cnc::pocket::element_at(loops, loop, i);
     if (element.start == element.end) continue;
-    strokes.push_back({.from = element.start, .to = element.end, .bulge = element.bulge});
+    const cut::Stroke stroke{.from = element.start, .to = element.end, .bulge = element.bulge};
+    if (std::abs(element.bulge) <= 1.0) {
+      strokes.push_back(stroke);
+    } else {
+      strokes.push_back(cut::part_of(stroke, 0.0, 0.5));
+      strokes.push_back(cut::part_of(stroke, 0.5, 1.0));
+    }
   }
   return cut::MeasuredRow{std::move(strokes)};
 }
@@ -98,7 +105,7 @@ std::vector<LoopStretch> lengthened(std::vector<LoopStretch> stretches,
   return joined;
 }
 
-std::vector<cut::Stroke> part_of(const cut::MeasuredRow& row, const LoopStretch& stretch) {
+std::vector<cut::Stroke> strokes_of(const cut::MeasuredRow& row, const LoopStretch& stretch) {
   const double length = row.length();
   std::vector<cut::Stroke> part = row.stretch(stretch.from, std::min(stretch.to, length));
   if (stretch.to > length) {
@@ -120,7 +127,7 @@ std::vector<LoopPiece> pieces_outside(const cnc::contour::ContourView<double>& l
     for (const LoopStretch& stretch :
          lengthened(stretches_outside(row, area), overlap_mm, length)) {
       const bool is_whole = stretch.from == 0.0 && stretch.to == length;
-      pieces.push_back({loop, part_of(row, stretch), is_whole});
+      pieces.push_back({loop, strokes_of(row, stretch), is_whole});
     }
   }
   return pieces;

@@ -17,7 +17,6 @@ struct LoopPiece {
 
 /// Returns the parts of all loops of a contour that lie outside of an area, longer by an overlap at
 /// both ends. Parts that come together by it are one.
-/// @param loops elements turn by half a turn at most, as offsets have them
 /// @param area has an element
 /// @param overlap_mm at least 0
 [[nodiscard]] std::vector<LoopPiece> pieces_outside(const cnc::contour::ContourView<double>& loops,

@@ -1,195 +1,26 @@
 #include "host-sim/pocket/rest_path.hpp"
 
-#include <algorithm>
-#include <array>
-#include <numeric>
-#include <optional>
-
-#include "host-sim/pocket/areas.hpp"
-#include "host-sim/pocket/depth_writer.hpp"
-#include "host-sim/pocket/driven_loop.hpp"
-#include "host-sim/pocket/lead_arc.hpp"
-#include "host-sim/pocket/loop_pieces.hpp"
-
 namespace sim::pocket {
-namespace {
 
-using cnc::WideVec2;
-using cnc::pocket::Milling;
-using cnc::pocket::Use;
-using Box = cnc::contour::FlatBox<double>;
-
-/// Of the tool's radius: how much earlier a part begins, and how much later it ends.
-constexpr double kOverlap = 0.25;
-/// Of the tool's radius: radii of arcs by which the tool comes to a part, the best one first.
-constexpr std::array kLeadShares{1.0, 0.5, 0.25, 0.125};
-constexpr double kFreeSlackMm = 1.0e-9;
-/// mm: the cleared area counts as so much smaller, well below kThinRestMm. Grown by all of the
-/// radius, the arcs of the former tool's centre about corners would become points.
-constexpr double kLessMm = 1.0e-4;
-
-/// A part of a pass, in the direction in which it is driven.
-struct Piece {
-  LoopPiece part;
-  std::size_t pass = 0;
-  std::size_t group = 0;
-};
-
-Box box_of(const Piece& piece) {
-  Box box{piece.part.strokes[0].from.x(),
-          piece.part.strokes[0].from.y(),
-          piece.part.strokes[0].from.x(),
-          piece.part.strokes[0].from.y()};
-  for (const cut::Stroke& stroke : piece.part.strokes) {
-    for (const double share : {0.5, 1.0}) {
-      const WideVec2 place = cut::place_at(stroke, share);
-      box.include({place.x(), place.y(), place.x(), place.y()});
-    }
-  }
-  return box;
-}
-
-/// Gives pieces that are near each other one group: boxes that meet when they are larger by a
-/// radius. Groups have the number of one of their pieces.
-void group(std::vector<Piece>& pieces, double radius_mm) {
-  std::vector<Box> boxes;
-  for (const Piece& piece : pieces) {
-    const Box box = box_of(piece);
-    boxes.push_back(
-        {box.x0 - radius_mm, box.y0 - radius_mm, box.x1 + radius_mm, box.y1 + radius_mm});
-  }
-  std::vector<std::size_t> leader(pieces.size());
-  std::iota(leader.begin(), leader.end(), std::size_t{0});
-  const auto leader_of = [&leader](std::size_t piece) {
-    while (leader[piece] != piece) piece = leader[piece] = leader[leader[piece]];
-    return piece;
-  };
-  std::vector<std::size_t> by_x(leader);
-  std::ranges::sort(by_x, {}, [&boxes](std::size_t piece) { return boxes[piece].x0; });
-  for (std::size_t i = 0; i < by_x.size(); ++i) {
-    const Box& box = boxes[by_x[i]];
-    for (std::size_t k = i + 1; k < by_x.size() && boxes[by_x[k]].x0 <= box.x1; ++k) {
-      if (box.meets(boxes[by_x[k]])) leader[leader_of(by_x[k])] = leader_of(by_x[i]);
-    }
-  }
-  for (std::size_t i = 0; i < pieces.size(); ++i) pieces[i].group = leader_of(i);
-}
-
-/// Writes parts of passes as rows.
-class PieceDriver {
- public:
-  /// @param locus where the tool's centre may be
-  /// @param cleared where the former tool has left no stock
-  PieceDriver(const OwnedArea& locus, const OwnedArea& cleared, const RestOptions& options)
-      : locus_{locus}, cleared_{cleared}, options_{options} {}
-
-  /// @param pass the loops of which the piece is a part
-  void drive(const Piece& piece, const Contour& pass, PathRows& out) const {
-    if (piece.part.is_whole) {
-      return ramp_along_wall(pass.view(), piece.part.loop, options_.drive, out);
-    }
-    const bool is_climb = options_.drive.milling == Milling::kClimb;
-    const auto strokes = is_climb ? piece.part.strokes : reversed(piece.part.strokes);
-    DepthWriter writer{out, options_.drive.depth_mm};
-    const WideVec2& start = strokes.front().from;
-    const double bulge = side() * kQuarterTurnBulge;
-    const auto lead_in = lead_at(start, cut::tangent_at(strokes.front(), 0.0), -1.0);
-    if (lead_in) {
-      writer.begin_row_in_cleared(*lead_in);
-      writer.pass(start, bulge);
-    } else {
-      sink(strokes, writer);
-    }
-    for (const cut::Stroke& stroke : strokes) writer.pass(stroke.to, stroke.bulge);
-    const auto lead_out = lead_at(strokes.back().to, cut::tangent_at(strokes.back(), 1.0), 1.0);
-    if (lead_out) writer.pass(*lead_out, bulge);
-    writer.end_row();
-  }
-
- private:
-  /// Where the pocket is, seen along the path: 1 on the left, -1 on the right.
-  [[nodiscard]] double side() const {
-    return options_.drive.milling == Milling::kClimb ? 1.0 : -1.0;
-  }
-
-  /// Returns the other end of a quarter turn that touches the path at a place, before it or behind
-  /// it; none where the tool would not be free there, or would gouge on the way.
-  [[nodiscard]] std::optional<WideVec2> lead_at(const WideVec2& touch,
-                                                const WideVec2& tangent,
-                                                double forwards) const {
-    for (const double share : kLeadShares) {
-      const double radius = share * options_.tool_radius_mm;
-      const WideVec2 centre = touch + side() * radius * cnc::left_normal(tangent);
-      const WideVec2 end = centre + forwards * radius * tangent;
-      const bool is_free = cleared_->depth(end) >= options_.tool_radius_mm + kFreeSlackMm;
-      if (is_free && locus_->depth(centre) >= radius - kFreeSlackMm) return end;
-    }
-    return std::nullopt;
-  }
-
-  /// Goes down forth and back along a part.
-  void sink(const std::vector<cut::Stroke>& strokes, DepthWriter& writer) const {
-    const WideVec2& start = strokes.front().from;
-    writer.begin_row(start);
-    const double floor = writer.floor_z();
-    if (options_.drive.plunges) return writer.go(Use::kEntry, start, 0.0, floor);
-    const double length = cut::length_of(strokes);
-    const double pairs = legs_of_ramp(options_.drive, 2.0 * length, start);
-    const auto back = reversed(strokes);
-    double way = 0.0;
-    const auto go_along = [&](const std::vector<cut::Stroke>& leg) {
-      for (const cut::Stroke& stroke : leg) {
-        way += cut::length_of(stroke);
-        writer.go(Use::kEntry, stroke.to, stroke.bulge, floor * way / (2.0 * pairs * length));
-      }
-    };
-    for (double pair = 0.0; pair < pairs; pair += 1.0) {
-      go_along(strokes);
-      go_along(back);
-    }
-    writer.settle();
-  }
-
-  const OwnedArea& locus_;
-  const OwnedArea& cleared_;
-  RestOptions options_;
-};
-
-}  // namespace
-
-RestPath rest_path(const cnc::contour::ContourView<double>& pocket,
-                   const std::vector<Contour>& passes,
-                   const RestOptions& options) {
+StockParts rest_path(const cnc::contour::ContourView<double>& pocket,
+                     const std::vector<Contour>& passes,
+                     const RestOptions& options) {
+  /// mm: the cleared area counts as so much smaller, well below kThinRestMm. Grown by all of the
+  /// radius, the arcs of the former tool's centre about corners would become points.
+  constexpr double kLessMm = 1.0e-4;
   ContourOffset offsetter;
   const Contour locus = copy_of(offsetter.offset(pocket, -options.tool_radius_mm));
   const Contour former = copy_of(offsetter.offset(pocket, -options.former_radius_mm));
   const Contour cleared =
       copy_of(offsetter.offset(former.view(), options.former_radius_mm - kLessMm));
-  const Contour done =
+  const Contour idle =
       copy_of(offsetter.offset(cleared.view(), kThinRestMm - options.tool_radius_mm));
   const OwnedArea locus_area{locus.view()};
   const OwnedArea cleared_area{cleared.view()};
-  const OwnedArea done_area{done.view()};
-  std::vector<Piece> pieces;
-  for (std::size_t pass = passes.size(); pass-- > 0;) {
-    const double overlap_mm = kOverlap * options.tool_radius_mm;
-    for (LoopPiece& part : pieces_outside(passes[pass].view(), done_area, overlap_mm)) {
-      pieces.push_back({std::move(part), pass, 0});
-    }
-  }
-  group(pieces, options.tool_radius_mm);
-  std::ranges::stable_sort(pieces, {}, &Piece::group);
-  const PieceDriver driver{locus_area, cleared_area, options};
-  std::vector<PathRows> groups;
-  for (std::size_t i = 0; i < pieces.size(); ++i) {
-    if (i == 0 || pieces[i].group != pieces[i - 1].group) groups.emplace_back();
-    driver.drive(pieces[i], passes[pieces[i].pass], groups.back());
-  }
-  RestPath path;
-  path.pieces = static_cast<std::uint32_t>(pieces.size());
-  if (groups.empty()) return path;
-  for (const std::size_t index : short_order(groups)) path.append(groups[index]);
-  return path;
+  const OwnedArea idle_area{idle.view()};
+  return parts_in_stock(passes,
+                        {locus_area, cleared_area, idle_area},
+                        {.tool_radius_mm = options.tool_radius_mm, .drive = options.drive});
 }
 
 }  // namespace sim::pocket

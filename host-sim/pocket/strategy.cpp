@@ -25,6 +25,7 @@ double fitting_radius(const cnc::contour::ContourView<double>& pocket,
 MilledPocket StrategyPlanner::mill(const cnc::contour::ContourView<double>& pocket,
                                    double tool_radius_mm) {
   options_.pocket.clearing.tool_radius = tool_radius_mm;
+  if (options_.stock && is_around(pocket, *options_.stock)) return mill_open(pocket);
   ContourOffset offsetter;
   if (options_.former_radius_mm > 0.0) {
     const double former_mm = fitting_radius(pocket, options_.former_radius_mm, offsetter);
@@ -117,22 +118,35 @@ MilledPocket StrategyPlanner::mill_spirals(const cnc::contour::ContourView<doubl
   return milled;
 }
 
+WallDrive StrategyPlanner::wall_drive() const {
+  return {.depth_mm = step_mm(),
+          .slope = options_.pocket.entry.slope,
+          .plunges = options_.pocket.entry.kind == cnc::pocket::EntryKind::kPlunge,
+          .milling = options_.pocket.milling};
+}
+
+MilledPocket StrategyPlanner::repeated(const StockParts& level) const {
+  MilledPocket milled = repeated(static_cast<const PathRows&>(level));
+  milled.passes = level.parts;
+  return milled;
+}
+
+MilledPocket StrategyPlanner::mill_open(const cnc::contour::ContourView<double>& pocket) {
+  const auto& clearing = options_.pocket.clearing;
+  return repeated(open_path(pocket,
+                            *options_.stock,
+                            passes_of(pocket, clearing.stepover).passes,
+                            {.tool_radius_mm = clearing.tool_radius, .drive = wall_drive()}));
+}
+
 MilledPocket StrategyPlanner::mill_rest(const cnc::contour::ContourView<double>& pocket,
                                         double former_radius_mm) {
-  const auto& wanted = options_.pocket;
-  const PocketPlan plan = passes_of(pocket, wanted.clearing.stepover);
-  const bool plunges = options_.pocket.entry.kind == cnc::pocket::EntryKind::kPlunge;
-  const RestPath path = rest_path(pocket,
-                                  plan.passes,
-                                  {.tool_radius_mm = wanted.clearing.tool_radius,
-                                   .former_radius_mm = former_radius_mm,
-                                   .drive = {.depth_mm = step_mm(),
-                                             .slope = wanted.entry.slope,
-                                             .plunges = plunges,
-                                             .milling = wanted.milling}});
-  MilledPocket milled = repeated(path);
-  milled.passes = path.pieces;
-  return milled;
+  const auto& clearing = options_.pocket.clearing;
+  return repeated(rest_path(pocket,
+                            passes_of(pocket, clearing.stepover).passes,
+                            {.tool_radius_mm = clearing.tool_radius,
+                             .former_radius_mm = former_radius_mm,
+                             .drive = wall_drive()}));
 }
 
 MilledPocket StrategyPlanner::mill_adaptively(

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "host-sim/pocket/adaptive_path.hpp"
+#include "host-sim/pocket/open_pocket.hpp"
 #include "host-sim/pocket/pocket_plan.hpp"
 
 namespace sim::pocket {
@@ -26,6 +28,8 @@ struct StrategyOptions {
   /// Radius of a larger tool that went before, mm: only the rest is milled; 0: there was none.
   /// kContour, without finish_mm.
   double former_radius_mm = 0.0;
+  /// The stock, in plan: pockets with their surroundings are milled from beside it. kContour.
+  std::optional<StockBox> stock{};
 };
 
 /// The path of a pocket through all its levels, by any strategy.
@@ -56,7 +60,9 @@ class StrategyPlanner {
 
   /// Throws NoPocketPath where there is no path, and std::invalid_argument for options out of
   /// range.
-  /// @param pocket closed contours that do not cross, with the pocket on their left
+  /// @param pocket closed contours that do not cross, with the pocket on their left; with a stock
+  /// it
+  ///        may be what is around it
   /// @param tool_radius_mm in place of that of the options
   [[nodiscard]] MilledPocket mill(const cnc::contour::ContourView<double>& pocket,
                                   double tool_radius_mm);
@@ -69,6 +75,7 @@ class StrategyPlanner {
   [[nodiscard]] PocketPlan passes_of(const cnc::contour::ContourView<double>& pocket,
                                      double stepover_mm);
   [[nodiscard]] MilledPocket mill_spirals(const cnc::contour::ContourView<double>& pocket);
+  [[nodiscard]] MilledPocket mill_open(const cnc::contour::ContourView<double>& pocket);
   [[nodiscard]] MilledPocket mill_rest(const cnc::contour::ContourView<double>& pocket,
                                        double former_radius_mm);
   [[nodiscard]] MilledPocket mill_adaptively(const cnc::contour::ContourView<double>& pocket) const;
@@ -76,6 +83,8 @@ class StrategyPlanner {
   [[nodiscard]] MilledPocket mill_by_paper(const cnc::contour::ContourView<double>& pocket) const;
   /// The path of one level, as often as there are levels.
   [[nodiscard]] MilledPocket repeated(const PathRows& level) const;
+  [[nodiscard]] MilledPocket repeated(const StockParts& level) const;
+  [[nodiscard]] WallDrive wall_drive() const;
   [[nodiscard]] double levels() const;
   [[nodiscard]] double step_mm() const { return options_.pocket.depth / levels(); }
 

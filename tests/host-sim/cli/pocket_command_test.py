@@ -278,6 +278,32 @@ class PocketCommand(unittest.TestCase):
         figures = json.loads(report.read_text())
         self.assertEqual((figures["strategy"], figures["levels"], figures["rows"]), ("spiral", 2, 2))
 
+    def test_mills_open_pockets_from_beside_the_stock(self):
+        shapes = svg('<rect x="40" y="-5" width="20" height="45"/>', '<rect x="75" y="50" width="15" height="20"/>')
+        box = "0,0,100,80"
+        done = self.pocket(shapes, "--tool", 6, "--depth", 3, "--depth-step", 1.5, *MILL, "--stock", box)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        stock = self.simulated("--stock", f"{box},0,-10", "--tool", 6, "--stock-cell", 0.25)["stock"]
+        self.assertEqual(stock["rapids_in_stock"]["count"], 0)
+        self.assertEqual(stock["plunges_in_stock"]["count"], 0)
+        # Of the open one all, its corners within the stock rounded; of the closed one all but four corners.
+        corner = (1 - math.pi / 4) * 3 ** 2
+        volume = 3 * (20 * 40 - 2 * corner + 15 * 20 - 4 * corner)
+        self.assertLessEqual(stock["removed_mm3"]["least"], volume)
+        self.assertGreaterEqual(stock["removed_mm3"]["most"], volume)
+        self.assertLess(stock["removed_mm3"]["most"] - stock["removed_mm3"]["least"], 0.15 * volume)
+        for more, words in ((("--stock", "0,0,100,-80"), "the greater ones last"),
+                            (("--stock", box, "--strategy", "adaptive"), "by --strategy contour"),
+                            (("--stock", box, "--finish", 0.2), "--stock has no --finish"),
+                            (("--stock", box, "--rest-of", 9), "--rest-of has no --stock")):
+            with self.subTest(more=more):
+                done = self.pocket(shapes, "--tool", 6, "--depth", 3, *MILL, *more)
+                self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+                self.assertIn(words, done.stderr)
+        done = self.pocket(shapes, "--tool", 6, "--depth", 3, *MILL, "--stock", "200,200,300,300")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("nothing of it lies in the stock", done.stderr)
+
     def test_takes_feeds_from_a_file_of_tools(self):
         tools = self.folder / "tools.txt"
         tools.write_text("flat6: diameter=6, flutes=2, feed-per-tooth=0.04, spindle=15000, plunge-feed=350\n"

@@ -1,0 +1,141 @@
+#include "host-sim/pocket/open_pocket.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "host-sim/pocket/driven_loop.hpp"
+#include "host-sim/pocket/loop_pieces.hpp"
+#include "host-sim/pocket/pocket_plan.hpp"
+#include "host-sim/pocket/scan_line.hpp"
+#include "planner/base/contract.hpp"
+
+namespace sim::pocket {
+namespace {
+
+using cnc::WideVec2;
+
+/// mm: the stock counts as so much smaller on all sides, so that walls that are drawn on its edge
+/// end beyond it.
+constexpr double kSkinMm = 1.0e-3;
+/// mm: ends of rows closer than this are one place.
+constexpr double kOnePlaceMm = 1.0e-5;
+
+StockBox grown(const StockBox& box, double by_mm) {
+  return {box.x0 - by_mm, box.y0 - by_mm, box.x1 + by_mm, box.y1 + by_mm};
+}
+
+/// The edge of a box, counter-clockwise.
+Contour edge_of(const StockBox& box) {
+  Contour contour;
+  contour.vertices = {
+      {box.x0, box.y0, 0.0}, {box.x1, box.y0, 0.0}, {box.x1, box.y1, 0.0}, {box.x0, box.y1, 0.0}};
+  contour.end_loop();
+  return contour;
+}
+
+void append_loop(const std::vector<cut::Stroke>& strokes, Contour& to) {
+  for (const cut::Stroke& stroke : strokes) {
+    to.vertices.push_back({stroke.from.x(), stroke.from.y(), stroke.bulge});
+  }
+  to.end_loop();
+}
+
+/// Appends the loops of a contour the other way round: what was on their left is on their right.
+void append_reversed(const Contour& contour, Contour& to) {
+  for (std::size_t loop = 0; loop < contour.loop_ends.size(); ++loop) {
+    const DrivenLoop back{contour.view(), loop, cnc::pocket::Milling::kConventional};
+    append_loop(back.row().strokes(), to);
+  }
+}
+
+/// A box without what a contour encloses.
+Contour box_without(const StockBox& box, const Contour& hole) {
+  Contour area = edge_of(box);
+  append_reversed(hole, area);
+  return area;
+}
+
+/// Appends loops of rows that go on where another one ends.
+void append_joined(std::vector<std::vector<cut::Stroke>> rows, Contour& to) {
+  while (!rows.empty()) {
+    std::vector<cut::Stroke> loop = std::move(rows.back());
+    rows.pop_back();
+    while (drawing::distance(loop.back().to, loop.front().from) > kOnePlaceMm) {
+      const WideVec2 end = loop.back().to;
+      const auto next = std::ranges::find_if(rows, [&end](const auto& row) {
+        return drawing::distance(row.front().from, end) <= kOnePlaceMm;
+      });
+      if (next == rows.end()) {
+        throw NoPocketPath{
+            fmt::format("at {:.3f} {:.3f} a pocket and the edge of the stock run along each other "
+                        "without crossing; draw the pocket a little farther beyond the edge",
+                        end.x(),
+                        end.y())};
+      }
+      std::ranges::copy(*next, std::back_inserter(loop));
+      rows.erase(next);
+    }
+    append_loop(loop, to);
+  }
+}
+
+}  // namespace
+
+/// The boundary of what must stay is the stock's edge outside of the pockets and the pockets' walls
+/// within the stock.
+Contour with_surroundings(const Contour& pockets, const StockBox& stock, double margin_mm) {
+  const StockBox around = grown(stock, margin_mm);
+  const Contour edge = edge_of(grown(stock, -kSkinMm));
+  Contour area = edge_of(around);
+  std::vector<std::vector<cut::Stroke>> rows;
+  const auto take = [&](const LoopPiece& piece, std::vector<cut::Stroke> strokes) {
+    if (piece.is_whole) {
+      append_loop(strokes, area);
+    } else {
+      rows.push_back(std::move(strokes));
+    }
+  };
+  const OwnedArea in_pockets{pockets.view()};
+  CNC_ASSERT(in_pockets->element_count() > 0);
+  for (const LoopPiece& piece : pieces_outside(edge.view(), in_pockets, 0.0)) {
+    take(piece, reversed(piece.strokes));
+  }
+  StockBox all = around;
+  all.include(box_of(in_pockets));
+  const OwnedArea beside{box_without(grown(all, margin_mm), edge).view()};
+  for (const LoopPiece& piece : pieces_outside(pockets.view(), beside, 0.0)) {
+    take(piece, piece.strokes);
+  }
+  append_joined(std::move(rows), area);
+  return area;
+}
+
+bool is_around(const cnc::contour::ContourView<double>& area, const StockBox& stock) {
+  return std::ranges::any_of(area.vertices.begin(), area.vertices.end(), [&](const auto& vertex) {
+    return vertex.x < stock.x0 || vertex.y < stock.y0;
+  });
+}
+
+double margin_around(const StockBox& stock, double tool_radius_mm) {
+  return 4.0 * tool_radius_mm + 0.5 * std::min(stock.x1 - stock.x0, stock.y1 - stock.y0);
+}
+
+StockParts open_path(const cnc::contour::ContourView<double>& area,
+                     const StockBox& stock,
+                     const std::vector<Contour>& passes,
+                     const PartOptions& options) {
+  const double radius_mm = options.tool_radius_mm;
+  ContourOffset offsetter;
+  const OwnedArea locus{copy_of(offsetter.offset(area, -radius_mm)).view()};
+  const StockBox far = grown(stock, 2.0 * margin_around(stock, radius_mm));
+  const Contour edge = edge_of(stock);
+  // Passes around all of the stock would take off the skin.
+  const Contour near_stock = copy_of(offsetter.offset(edge.view(), radius_mm - 2.0 * kSkinMm));
+  const OwnedArea cleared{box_without(far, edge).view()};
+  const OwnedArea idle{box_without(far, near_stock).view()};
+  return parts_in_stock(passes, {locus, cleared, idle}, options);
+}
+
+}  // namespace sim::pocket
