@@ -89,7 +89,7 @@ STEPS = (
     # Before any test: a build that fails takes minutes, the tests of a proof take hours.
     Step("build sanitize", build_sanitized),
     Step("test release", test("release", most_trials={TEST: 20}), needs=("build release",)),
-    Step("test sanitize", test("sanitize", most_trials={TEST: 3, PROVE: 60}),
+    Step("test sanitize", test("sanitize", most_trials={TEST: 3, PROVE: 20}),
          needs=("build sanitize",)),
     Step("fuzz", fuzzing.run_all, needs=("build sanitize",), without=ALL_ROOMS),
     Step("headers alone, controller", build("cortex-m4f", "headers_alone"), (PROVE,),

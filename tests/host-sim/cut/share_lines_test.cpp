@@ -140,7 +140,7 @@ Place middle_of(const Rectangle& part) {
 }
 
 TEST(ShareLines, FreeAllPartsAndCutNoneAndNoLineTwice) {
-  const proof::Trials trials{60};
+  const proof::Trials trials{20};
   std::size_t lines = 0;
   double with_mm = 0.0;
   double without_mm = 0.0;
