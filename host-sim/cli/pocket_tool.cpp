@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "host-sim/cli/pocket_options.hpp"
 #include "host-sim/pocket/mill_tool.hpp"
@@ -59,6 +60,10 @@ void take_values(const CLI::App& command,
 }  // namespace
 
 void apply_tool(const CLI::App& command, PocketCommandOptions& options) {
+  std::vector<pocket::MillTool> tools;
+  if (!options.tools_file.empty()) {
+    tools = pocket::read_mill_tools(read_text(options.tools_file), options.tools_file);
+  }
   if (const std::optional<double> diameter = number_in(options.tool)) {
     if (!(*diameter >= kLeastToolMm && *diameter <= kGreatestToolMm)) {
       throw std::invalid_argument{fmt::format(
@@ -69,7 +74,6 @@ void apply_tool(const CLI::App& command, PocketCommandOptions& options) {
     throw std::invalid_argument{fmt::format(
         "--tool {}: is no diameter in mm; a name needs the file of --tools", options.tool)};
   } else {
-    const auto tools = pocket::read_mill_tools(read_text(options.tools_file), options.tools_file);
     take_values(command, pocket::tool_named(tools, options.tool, options.tools_file), options);
   }
   for (const auto& [option, value] : {std::pair{"--feed", options.mill.feed_mm_min},

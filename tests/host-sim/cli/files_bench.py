@@ -31,6 +31,7 @@ CUTS = ("material,laser,gas_pressure_mpa,thickness_mm,power_w,speed_mm_min,kerf_
         "dross_area_mm2,straightness_mm\n" +
         "".join(f"tin,a laser,0.1,1,{power},{speed},{0.4 + power / speed:.3f},0.4,0.1,0.001\n"
                 for power in (40, 60) for speed in (400, 500, 600)))
+TOOLS = "flat: diameter=6, feed=600\n"
 TALK = "kerfline conversation 1\nprobe_plate -10\nend 1000000\n"
 
 
@@ -86,7 +87,8 @@ COMMANDS = {
                    empty_is_refused=("--layers", "--rules", "--settings")),
     "order": Command(("--steps", "10"), {"FILE": PROBLEM}, takes_stdin=True),
     "pocket": Command(("--tool", "6", "--depth", "2", "--feed", "600", "--plunge-feed", "200"),
-                      {"FILE": PLATE}, ("--output", "--report", "--svg"), takes_stdin=True),
+                      {"FILE": PLATE, "--tools": TOOLS}, ("--output", "--report", "--svg"), takes_stdin=True,
+                      empty_is_refused=("--tools",)),
     "send": Command((), {"file": PROGRAM}, ("--log",), takes_stdin=True, empty_is_refused=("file",)),
 }
 # Further ways to call a command, for options that exclude or need others.
