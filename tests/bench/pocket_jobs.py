@@ -18,7 +18,7 @@ import subprocess
 import sys
 import tempfile
 
-STRATEGIES = ("contour", "adaptive", "zigzag")
+STRATEGIES = ("contour", "spiral", "adaptive", "zigzag")
 MACHINE = [word for setting in ("$22=0", "$32=0", "$30=24000", "$100=320", "$101=320", "$102=320", "$110=5000",
                                 "$111=5000", "$112=2000", "$120=400", "$121=400", "$122=250", "$130=500", "$131=500",
                                 "$132=200")
@@ -105,7 +105,8 @@ class Jobs:
         if strategy != "adaptive":
             words += ["--entry", entry]
             if rng.random() < 0.5:
-                words += ["--stepover", f"{rng.uniform(0.3, 0.9) * tool:.3f}"]
+                most = 0.45 if strategy == "spiral" else 0.9
+                words += ["--stepover", f"{rng.uniform(most / 3, most) * tool:.3f}"]
         else:
             entry = "helix"
             words += ["--engagement", f"{rng.uniform(40, 120):.0f}"]
