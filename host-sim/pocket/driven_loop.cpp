@@ -1,6 +1,7 @@
 #include "host-sim/pocket/driven_loop.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -16,7 +17,13 @@ std::vector<cut::Stroke> strokes_of(const cnc::contour::ContourView<double>& con
   for (std::uint32_t i = contour.loop_begin(loop); i < contour.loop_ends[loop]; ++i) {
     const auto element = cnc::pocket::element_at(contour, loop, i);
     if (element.start == element.end) continue;
-    strokes.push_back({.from = element.start, .to = element.end, .bulge = element.bulge});
+    const cut::Stroke stroke{.from = element.start, .to = element.end, .bulge = element.bulge};
+    if (std::abs(stroke.bulge) <= 1.0) {
+      strokes.push_back(stroke);
+    } else {
+      strokes.push_back(cut::part_of(stroke, 0.0, 0.5));
+      strokes.push_back(cut::part_of(stroke, 0.5, 1.0));
+    }
   }
   return milling == cnc::pocket::Milling::kClimb ? strokes : reversed(std::move(strokes));
 }

@@ -11,7 +11,8 @@ namespace sim::pocket {
 /// Returns a row of strokes from its end to its start.
 [[nodiscard]] std::vector<cut::Stroke> reversed(std::vector<cut::Stroke> row);
 
-/// A loop in the direction in which it is driven, with ways along it, mm.
+/// A loop in the direction in which it is driven, with ways along it, mm. Arcs of more than half a
+/// turn are two strokes.
 class DrivenLoop {
  public:
   DrivenLoop(const cnc::contour::ContourView<double>& contour,

@@ -1,9 +1,9 @@
 #include "host-sim/pocket/loop_pieces.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
+#include "host-sim/pocket/driven_loop.hpp"
 #include "planner/contour/meeting.hpp"
 #include "planner/pocket/loop_measures.hpp"
 
@@ -21,22 +21,6 @@ struct LoopStretch {
   double from = 0.0;
   double to = 0.0;
 };
-
-cut::MeasuredRow row_of(const cnc::contour::ContourView<double>& loops, std::size_t loop) {
-  std::vector<cut::Stroke> strokes;
-  for (std::uint32_t i = loops.loop_begin(loop); i < loops.loop_ends[loop]; ++i) {
-    const auto element = cnc::pocket::element_at(loops, loop, i);
-    if (element.start == element.end) continue;
-    const cut::Stroke stroke{.from = element.start, .to = element.end, .bulge = element.bulge};
-    if (std::abs(element.bulge) <= 1.0) {
-      strokes.push_back(stroke);
-    } else {
-      strokes.push_back(cut::part_of(stroke, 0.0, 0.5));
-      strokes.push_back(cut::part_of(stroke, 0.5, 1.0));
-    }
-  }
-  return cut::MeasuredRow{std::move(strokes)};
-}
 
 /// Returns the places that divide a curve where it crosses an area's boundary, with its ends.
 std::vector<WideVec2> divisions(const Curve& curve, const OwnedArea& area) {
@@ -122,7 +106,8 @@ std::vector<LoopPiece> pieces_outside(const cnc::contour::ContourView<double>& l
                                       double overlap_mm) {
   std::vector<LoopPiece> pieces;
   for (std::size_t loop = 0; loop < loops.loop_ends.size(); ++loop) {
-    const cut::MeasuredRow row = row_of(loops, loop);
+    const DrivenLoop driven{loops, loop, cnc::pocket::Milling::kClimb};
+    const cut::MeasuredRow& row = driven.row();
     const double length = row.length();
     for (const LoopStretch& stretch :
          lengthened(stretches_outside(row, area), overlap_mm, length)) {
