@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "host-sim/contour/contour_text.hpp"
 #include "host-sim/pocket/areas.hpp"
@@ -62,6 +63,13 @@ class OpenCheck {
   OpenCheck(const sim::Contour& pockets, const MilledPocket& path, const StrategyOptions& options)
       : path_{path}, radius_{options.pocket.clearing.tool_radius}, stock_{*options.stock} {
     walls_.add(pockets.view());
+    constexpr int kSamples = 96;
+    for (std::size_t i = 0; i < walls_.size(); ++i) {
+      for (int k = 0; k < kSamples; ++k) {
+        const WideVec2 wall = walls_.at(i, static_cast<double>(k) / kSamples);
+        if (depth_in(stock_, wall) > 0.0) walls_in_stock_.push_back(wall);
+      }
+    }
     cnc::pocket::for_each_element(path.path(), [this](const auto& from, const auto& to) {
       if (from.use == Use::kPass && cnc::pocket::flat_length(from, to) > 0.0) {
         passes_.add_element(cnc::pocket::arc_of(from, to));
@@ -132,10 +140,8 @@ class OpenCheck {
   [[nodiscard]] bool is_free(const WideVec2& centre) const {
     const double reach = 1.01 * radius_;
     if (depth_in(stock_, centre) < -reach) return true;
-    if (walls_.encloses(centre)) {
-      // Only where the wall runs within the stock it bounds what must stay.
-      if (walls_.distance(centre) > reach) return true;
-    }
+    const auto is_near = [&](const WideVec2& wall) { return (wall - centre).norm() < reach; };
+    if (std::ranges::any_of(walls_in_stock_, is_near)) return false;
     for (const double share : {0.35, 0.7, 1.0}) {
       for (int i = 0; i < 48; ++i) {
         const double angle = 2.0 * std::numbers::pi * i / 48;
@@ -161,6 +167,7 @@ class OpenCheck {
   double radius_;
   StockBox stock_;
   cnc::pocket::PlainContour walls_;
+  std::vector<WideVec2> walls_in_stock_;  ///< Places of the walls, close together.
   cnc::pocket::PlainContour passes_;
   std::size_t places_ = 0;
   std::string complaint_;
