@@ -15,6 +15,7 @@
 #include "host-sim/cli/pocket_options.hpp"
 #include "host-sim/cli/pocket_report.hpp"
 #include "host-sim/contour/contour_file.hpp"
+#include "host-sim/contour/contour_loops.hpp"
 #include "host-sim/contour/contour_text.hpp"
 #include "host-sim/contour/vanished.hpp"
 #include "host-sim/plot/contour_picture.hpp"
@@ -73,13 +74,6 @@ bool report_unreached(const PocketCommandOptions& options, const std::vector<Con
     terminal::print(stderr, "{}: and {} more\n", options.file, count - kMostListed);
   }
   return count != 0;
-}
-
-/// Appends the loops of one contour to another.
-void append(const Contour& contour, Contour& to) {
-  const auto before = static_cast<std::uint32_t>(to.vertices.size());
-  to.vertices.insert(to.vertices.end(), contour.vertices.begin(), contour.vertices.end());
-  for (const std::uint32_t end : contour.loop_ends) to.loop_ends.push_back(before + end);
 }
 
 /// The connected areas of a terrace: where a stock is given, one of them is what is around it.
@@ -227,7 +221,7 @@ std::vector<Terraces> read_pockets(const PocketCommandOptions& options, Contour&
   std::vector<Terraces> pockets;
   if (parts.empty()) throw pocket::NoPocketPath{"no contour in it; draw one"};
   for (const ContourPart& part : parts) {
-    append(part.contour, walls);
+    append_loops(part.contour.view(), walls);
     for (Terraces& terraces :
          pocket::terraces_of(part.contour, depths_of(part, depths), options.depth_mm)) {
       pockets.push_back(std::move(terraces));

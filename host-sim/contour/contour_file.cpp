@@ -7,6 +7,7 @@
 #include <map>
 #include <string_view>
 
+#include "host-sim/contour/contour_loops.hpp"
 #include "host-sim/contour/contour_text.hpp"
 #include "host-sim/contour/material_side.hpp"
 #include "host-sim/report/printable.hpp"
@@ -65,10 +66,7 @@ std::vector<ContourPart> parts_of(const Outline& outline, const drawing::Drawing
   for (std::size_t loop = 0; loop < view.loop_ends.size(); ++loop) {
     const drawing::Entity& entity = drawn.contours[outline.drawn[loop]].entity;
     ContourPart& part = parts[entity.part];
-    for (std::uint32_t i = view.loop_begin(loop); i < view.loop_ends[loop]; ++i) {
-      part.contour.vertices.push_back(view.vertices[i]);
-    }
-    part.contour.end_loop();
+    append_loop(view, loop, part.contour);
     part.layers.push_back(drawn.layers[entity.layer]);
   }
   std::vector<ContourPart> list;

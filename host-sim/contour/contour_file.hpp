@@ -22,7 +22,7 @@ class FaultyDrawing : public std::runtime_error {
 /// The loops of one part of a file.
 struct ContourPart {
   Contour contour;
-  std::vector<drawing::Layer> layers;  ///< Of each loop; without names where the file has none.
+  std::vector<drawing::Layer> layers;  ///< One for each loop; text has none, and no names in it.
 };
 
 /// Reads closed contours from a file, `-` being standard input: SVG, DXF or JSON as

@@ -64,7 +64,7 @@ struct LayerSettings {
 /// Takes `key=value`. Throws std::invalid_argument saying what is wrong, and what there is.
 void set(LayerSettings& settings, std::string_view key, std::string_view value);
 
-/// What is other for the layer, or colour, of a name.
+/// A rule: the settings that a layer, or colour, of a name has of its own.
 using LayerRule = NamedValues;
 
 /// Throws std::invalid_argument with the place, also for keys and values that mean nothing.

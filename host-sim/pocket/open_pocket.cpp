@@ -16,10 +16,10 @@ namespace {
 
 using cnc::WideVec2;
 
-/// mm: the stock counts as so much smaller on all sides, so that walls that are drawn on its edge
-/// end beyond it.
+/// The stock counts as smaller by this on all sides, mm, so that walls drawn on its edge end beyond
+/// it.
 constexpr double kSkinMm = 1.0e-3;
-/// mm: ends of rows closer than this are one place.
+/// Ends of rows closer than this, mm, are one place.
 constexpr double kOnePlaceMm = 1.0e-5;
 
 StockBox grown(const StockBox& box, double by_mm) {

@@ -22,7 +22,7 @@ class NoPocketPath : public std::runtime_error {
 /// The path that clears a pocket, and its passes, each a contour of loops.
 struct PocketPlan : PathRows {
   std::vector<Contour> passes;
-  std::vector<std::uint32_t> parents;  ///< Of each pass the one around it; kNone at the wall.
+  std::vector<std::uint32_t> parents;  ///< The pass around each pass; kNone at the wall.
   cnc::pocket::PocketReport report;
 };
 

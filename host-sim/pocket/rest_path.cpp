@@ -3,24 +3,22 @@
 namespace sim::pocket {
 
 StockParts rest_path(const cnc::contour::ContourView<double>& pocket,
+                     double former_radius_mm,
                      const std::vector<Contour>& passes,
-                     const RestOptions& options) {
-  /// mm: the cleared area counts as so much smaller, well below kThinRestMm. Grown by all of the
-  /// radius, the arcs of the former tool's centre about corners would become points.
+                     const PartOptions& options) {
+  // The cleared area counts as smaller by this, mm, well below kThinRestMm. Grown by all of the
+  // radius, the arcs of the former tool's centre about corners would become points.
   constexpr double kLessMm = 1.0e-4;
   ContourOffset offsetter;
   const Contour locus = copy_of(offsetter.offset(pocket, -options.tool_radius_mm));
-  const Contour former = copy_of(offsetter.offset(pocket, -options.former_radius_mm));
-  const Contour cleared =
-      copy_of(offsetter.offset(former.view(), options.former_radius_mm - kLessMm));
+  const Contour former = copy_of(offsetter.offset(pocket, -former_radius_mm));
+  const Contour cleared = copy_of(offsetter.offset(former.view(), former_radius_mm - kLessMm));
   const Contour idle =
       copy_of(offsetter.offset(cleared.view(), kThinRestMm - options.tool_radius_mm));
   const OwnedArea locus_area{locus.view()};
   const OwnedArea cleared_area{cleared.view()};
   const OwnedArea idle_area{idle.view()};
-  return parts_in_stock(passes,
-                        {locus_area, cleared_area, idle_area},
-                        {.tool_radius_mm = options.tool_radius_mm, .drive = options.drive});
+  return parts_in_stock(passes, {locus_area, cleared_area, idle_area}, options);
 }
 
 }  // namespace sim::pocket

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "host-sim/contour/contour_loops.hpp"
 #include "host-sim/pocket/depth_writer.hpp"
 #include "host-sim/pocket/driven_loop.hpp"
 #include "host-sim/pocket/loop_chain.hpp"
@@ -21,9 +22,9 @@ using cnc::contour::kNone;
 using cnc::pocket::LoopPlace;
 using cnc::pocket::Use;
 
-/// Of the tool's radius: how far loops with a turn between them are apart at most, in corners, too.
+/// Loops with a turn between them are at most so many radii of the tool apart, in corners, too.
 constexpr double kWidest = 1.9;
-/// Of the tool's radius: tolerance of turns.
+/// Turns are exact within this share of the tool's radius.
 constexpr double kTolerance = 2.5e-4;
 /// A spiral of fewer turns takes longer than its loops.
 constexpr std::size_t kFewestTurns = 2;
@@ -194,11 +195,8 @@ class SpiralDriver {
 
   /// A loop by itself.
   [[nodiscard]] Contour only(const PassLoop& loop) const {
-    const auto view = plan_.passes[loop.pass].view();
     Contour contour;
-    contour.vertices.assign(view.vertices.begin() + view.loop_begin(loop.loop),
-                            view.vertices.begin() + view.loop_ends[loop.loop]);
-    contour.end_loop();
+    append_loop(plan_.passes[loop.pass].view(), loop.loop, contour);
     return contour;
   }
 

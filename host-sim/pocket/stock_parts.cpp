@@ -19,9 +19,10 @@ using cnc::pocket::Milling;
 using cnc::pocket::Use;
 using Box = cnc::contour::FlatBox<double>;
 
-/// Of the tool's radius: how much earlier a part begins, and how much later it ends.
+/// A part begins earlier, and ends later, by this share of the tool's radius.
 constexpr double kOverlap = 0.25;
-/// Of the tool's radius: radii of arcs by which the tool comes to a part, the best one first.
+/// Arcs by which the tool comes to a part have one of these shares of its radius, the best one
+/// first.
 constexpr std::array kLeadShares{1.0, 0.5, 0.25, 0.125};
 constexpr double kFreeSlackMm = 1.0e-9;
 

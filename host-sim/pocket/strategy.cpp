@@ -99,7 +99,8 @@ PocketPlan StrategyPlanner::passes_of(const cnc::contour::ContourView<double>& p
                                       double stepover_mm) {
   cnc::pocket::PocketOptions<double> wanted = options_.pocket;
   wanted.clearing.stepover = stepover_mm;
-  // Of this path only the passes count, which need no entries of their own.
+  // Only the passes are wanted: one level of the path is enough, and it needs no entries.
+  wanted.depth = step_mm();
   wanted.entry.kind = cnc::pocket::EntryKind::kPlunge;
   return planner_.plan(pocket, wanted);
 }
@@ -143,10 +144,9 @@ MilledPocket StrategyPlanner::mill_rest(const cnc::contour::ContourView<double>&
                                         double former_radius_mm) {
   const auto& clearing = options_.pocket.clearing;
   return repeated(rest_path(pocket,
+                            former_radius_mm,
                             passes_of(pocket, clearing.stepover).passes,
-                            {.tool_radius_mm = clearing.tool_radius,
-                             .former_radius_mm = former_radius_mm,
-                             .drive = wall_drive()}));
+                            {.tool_radius_mm = clearing.tool_radius, .drive = wall_drive()}));
 }
 
 MilledPocket StrategyPlanner::mill_adaptively(

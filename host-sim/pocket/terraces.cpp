@@ -4,6 +4,7 @@
 #include <limits>
 #include <set>
 
+#include "host-sim/contour/contour_loops.hpp"
 #include "host-sim/contour/material_side.hpp"
 #include "planner/pocket/loop_measures.hpp"
 
@@ -16,18 +17,16 @@ constexpr std::size_t kNoLoop = std::numeric_limits<std::size_t>::max();
 struct NestedLoop {
   double area_mm2 = 0.0;
   std::size_t parent = kNoLoop;  ///< The smallest loop around it.
-  std::size_t outermost = 0;     ///< The loop around all that are around it, or itself.
   std::size_t nesting = 0;       ///< Number of loops around it.
-  double floor_mm = 0.0;         ///< Depth within it, but for the loops in it.
+  double floor_mm = 0.0;         ///< Depth of the floor between it and the loops in it.
 };
 
-/// Finds what lies in what. Loops in loops come after those around them in `order`.
+/// Finds the loops around each loop.
 std::vector<NestedLoop> nested(const Contour& contours) {
   const auto view = contours.view();
   std::vector<NestedLoop> loops(view.loop_ends.size());
   for (std::size_t i = 0; i < loops.size(); ++i) {
     loops[i].area_mm2 = std::abs(cnc::pocket::signed_area(view, i));
-    loops[i].outermost = i;
   }
   for (std::size_t i = 0; i < loops.size(); ++i) {
     const cnc::WideVec2 place = view.vertices[view.loop_begin(i)].point();
@@ -35,9 +34,6 @@ std::vector<NestedLoop> nested(const Contour& contours) {
       if (loops[k].area_mm2 <= loops[i].area_mm2) continue;
       if (cnc::pocket::turns_around(view, k, place) == 0) continue;
       ++loops[i].nesting;
-      if (loops[i].nesting == 1 || loops[k].area_mm2 > loops[loops[i].outermost].area_mm2) {
-        loops[i].outermost = k;
-      }
       if (loops[i].parent == kNoLoop || loops[k].area_mm2 < loops[loops[i].parent].area_mm2) {
         loops[i].parent = k;
       }
@@ -46,15 +42,7 @@ std::vector<NestedLoop> nested(const Contour& contours) {
   return loops;
 }
 
-void append_loop(const Contour& from, std::size_t loop, Contour& to) {
-  const auto view = from.view();
-  to.vertices.insert(to.vertices.end(),
-                     from.vertices.begin() + view.loop_begin(loop),
-                     from.vertices.begin() + view.loop_ends[loop]);
-  to.end_loop();
-}
-
-/// Where the floor is at least so deep: the loops at which that changes.
+/// Returns the areas in which the floor is at least so deep: the loops at which that changes.
 Contour deeper_than(double depth_mm,
                     const Contour& contours,
                     const std::vector<NestedLoop>& loops,
@@ -63,7 +51,7 @@ Contour deeper_than(double depth_mm,
   for (const std::size_t i : members) {
     const double around_mm = loops[i].parent == kNoLoop ? 0.0 : loops[loops[i].parent].floor_mm;
     if ((loops[i].floor_mm >= depth_mm) != (around_mm >= depth_mm)) {
-      append_loop(contours, i, areas);
+      append_loop(contours.view(), i, areas);
     }
   }
   put_material_left(areas);
@@ -80,7 +68,9 @@ std::vector<Terraces> terraces_of(const Contour& contours,
   for (std::size_t i = 0; i < loops.size(); ++i) {
     const double usual = loops[i].nesting % 2 == 0 ? usual_mm : 0.0;
     loops[i].floor_mm = depths_mm[i].value_or(usual);
-    stacks[loops[i].outermost].push_back(i);
+    std::size_t outermost = i;
+    while (loops[outermost].parent != kNoLoop) outermost = loops[outermost].parent;
+    stacks[outermost].push_back(i);
   }
   std::vector<Terraces> terraces;
   for (const std::vector<std::size_t>& members : stacks) {

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "host-sim/contour/contour_offset.hpp"
+
+namespace sim {
+
+/// Appends a copy of one loop to a contour. @pre the loop is one of `from`
+void append_loop(const cnc::contour::ContourView<double>& from, std::size_t loop, Contour& to);
+
+/// Appends copies of all loops to a contour.
+void append_loops(const cnc::contour::ContourView<double>& from, Contour& to);
+
+}  // namespace sim
