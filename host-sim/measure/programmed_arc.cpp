@@ -15,6 +15,10 @@ constexpr double kSamePlace = 0.5e-6;
 /// Directions closer than this (radians) are one: rounding of doubles at 1 km.
 constexpr double kSameDirection = 1.0e-12;
 
+/// A turn this small (radians) to an end this near (mm) is a full circle whose end was rounded.
+constexpr double kRoundedTurn = 5.0e-7;
+constexpr double kRoundedEnd = 1.0e-3;
+
 struct Polar {
   double radius;
   double angle;
@@ -25,6 +29,12 @@ Polar polar_about_centre(const ProgrammedArc& arc, const Point& point) {
   const double x = point[axes.first] - arc.centre[0];
   const double y = point[axes.second] - arc.centre[1];
   return {std::hypot(x, y), std::atan2(y, x)};
+}
+
+double chord_of(const ProgrammedArc& arc) {
+  const auto axes = cnc::axes_of(arc.plane);
+  return std::hypot(arc.end[axes.first] - arc.start[axes.first],
+                    arc.end[axes.second] - arc.start[axes.second]);
 }
 
 Point division_point(const ProgrammedArc& arc, double sweep, double fraction) {
@@ -59,7 +69,8 @@ double sweep_of(const ProgrammedArc& arc) {
     const double from = polar_about_centre(arc, arc.start).angle;
     travelled = turn * (polar_about_centre(arc, arc.end).angle - from);
     if (travelled < 0.0) travelled += kTurn;
-    if (travelled < kSameDirection) travelled += kTurn;
+    const bool is_rounded = travelled <= kRoundedTurn && chord_of(arc) <= kRoundedEnd;
+    if (is_rounded || travelled < kSameDirection) travelled += kTurn;
   }
   return turn * (travelled + kTurn * std::max(0, arc.turns - 1));
 }

@@ -80,17 +80,4 @@ CentreByRadius centre_by_radius(PlaneVector end, std::int64_t radius_nm, bool cl
       0.0F};
 }
 
-float sweep_angle(PlaneVector end, PlaneVector centre, bool clockwise) {
-  const float end_x = static_cast<float>(end.first) * kMillimetresPerNanometre;
-  const float end_y = static_cast<float>(end.second) * kMillimetresPerNanometre;
-  const float centre_x = static_cast<float>(centre.first) * kMillimetresPerNanometre;
-  const float centre_y = static_cast<float>(centre.second) * kMillimetresPerNanometre;
-  // Cross and dot product of centre-to-start with centre-to-end, with what
-  // cancels left out.
-  const float sine = centre_y * end_x - centre_x * end_y;
-  const float cosine = centre_x * (centre_x - end_x) + centre_y * (centre_y - end_y);
-  const float angle = atan2_f(clockwise ? -sine : sine, cosine);
-  return angle > 0.0F ? angle : angle + kTwoPi;
-}
-
 }  // namespace cnc::gcode

@@ -57,8 +57,4 @@ struct CentreByRadius {
                                               std::int64_t radius_nm,
                                               bool clockwise);
 
-/// Angle travelled from the start about the centre to the end, in (0, 2π]: a
-/// whole turn when the end is the start. For durations, not for places.
-[[nodiscard]] float sweep_angle(PlaneVector end, PlaneVector centre, bool clockwise);
-
 }  // namespace cnc::gcode

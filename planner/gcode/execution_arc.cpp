@@ -1,10 +1,10 @@
 #include <array>
 #include <cmath>
 
-#include "planner/base/scalar_math.hpp"
 #include "planner/base/truncate.hpp"
 #include "planner/base/units.hpp"
 #include "planner/gcode/execution.hpp"
+#include "planner/geometry/arc_elements.hpp"
 
 namespace cnc::gcode {
 
@@ -33,21 +33,27 @@ Refusal Execution::move_along_arc() {
   const PlaneVector end = from_here(target);
   PlaneVector centre;
   if (const auto fault = find_centre(end, centre)) return fault;
-  const bool clockwise = next_.modal.motion == MotionMode::kArcClockwise;
-  const float sweep = sweep_angle(end, centre, clockwise);
+  const CentreArc programmed{.start = next_.position,
+                             .end = target,
+                             .plane = next_.modal.plane,
+                             .centre = {next_.position[plane.first] + Coordinate{centre.first},
+                                        next_.position[plane.second] + Coordinate{centre.second}},
+                             .clockwise = next_.modal.motion == MotionMode::kArcClockwise,
+                             .turns = turns};
+  // How far it turns is decided once, as for the motion.
+  const ArcElements elements{programmed};
   const float radius_mm = centre.length();
-  if (turns > 1 || sweep > kPi) {
+  if (elements.count() > 1) {
     if (const auto fault = check_sides(centre, radius_mm)) return fault;
   }
 
   Action& arc = actions_.append(ActionKind::kArc);
-  arc.end = target;
-  arc.plane = next_.modal.plane;
-  arc.centre = {next_.position[plane.first] + Coordinate{centre.first},
-                next_.position[plane.second] + Coordinate{centre.second}};
-  arc.clockwise = clockwise;
-  arc.turns = turns;
-  const float length = arc_length(arc, sweep, radius_mm);
+  arc.end = programmed.end;
+  arc.plane = programmed.plane;
+  arc.centre = programmed.centre;
+  arc.clockwise = programmed.clockwise;
+  arc.turns = programmed.turns;
+  const float length = arc_length(arc, elements.sweep(), radius_mm);
   const bool inverse_time = next_.modal.feed_mode == FeedMode::kInverseTime;
   arc.feed = inverse_time ? length * inverse_time_ / kSecondsPerMinute : next_.modal.feed;
   next_.position = target;
@@ -161,11 +167,11 @@ Refusal Execution::check_end_on_circle(PlaneVector end, PlaneVector centre) cons
   return blame_centre(FaultDetail::kEndOffCircle, deviation, allowed);
 }
 
-/// mm along X Y Z.
+/// mm along X Y Z. @param sweep  whole turns included
 float Execution::arc_length(const Action& arc, float sweep, float radius_mm) const {
   const std::size_t normal = axes_of(arc.plane).normal;
   const float rise = (arc.end[normal] - next_.position[normal]).mm();
-  const float along = radius_mm * (sweep + static_cast<float>(arc.turns - 1) * kTwoPi);
+  const float along = radius_mm * sweep;
   return std::sqrt(along * along + rise * rise);
 }
 

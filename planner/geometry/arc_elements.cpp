@@ -8,9 +8,10 @@
 namespace cnc {
 namespace {
 
-/// A turn this small, in radians, is a full circle whose end was rounded (Grbl
-/// draws the line at the same angle).
+/// A turn this small, in radians, to an end as near as this, is a full circle whose end was
+/// rounded.
 constexpr float kFullCircle = 5.0e-7F;
+constexpr float kRoundedEndMm = 1.0e-3F;
 
 /// An arc of half a turn may come out longer by the error of atan2, as a share of π.
 constexpr float kHalfTurnSlack = 1.5e-7F;
@@ -35,7 +36,8 @@ ArcElements::ArcElements(const CentreArc& arc) noexcept : arc_{arc}, axes_{axes_
   // The cross product with the difference keeps its digits for short arcs.
   const float left_turn = atan2_f(x0 * dy - y0 * dx, x0 * x1 + y0 * y1);
   const float turn = arc.clockwise ? -left_turn : left_turn;
-  partial_turn_ = turn > kFullCircle ? turn : turn + kTwoPi;
+  const bool is_full = turn <= kFullCircle && (turn <= 0.0F || length(dx, dy) <= kRoundedEndMm);
+  partial_turn_ = is_full ? turn + kTwoPi : turn;
   sweep_ = partial_turn_ + kTwoPi * static_cast<float>(arc.turns - 1);
   count_ = static_cast<std::uint32_t>(std::ceil(sweep_ / kPi - kHalfTurnSlack));
   if (count_ == 0) count_ = 1;

@@ -7,7 +7,10 @@
 
 namespace cnc {
 
-/// An arc, circle or helix as G2 and G3 describe it.
+/// An arc, circle or helix as G2 and G3 describe it. It is a full circle if its ends are one point
+/// in the plane, and also if its end, at most a micrometre away from the start, would be reached by
+/// a turn of less than 5e-7: such an end was rounded (Grbl draws the line at the same angle, but at
+/// any distance: there a flat arc on a radius of 100 m becomes a circle).
 struct CentreArc {
   Position start{};
   Position end{};

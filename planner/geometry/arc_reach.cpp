@@ -4,18 +4,16 @@
 #include <array>
 #include <cmath>
 
+#include "planner/base/scalar_math.hpp"
 #include "planner/geometry/vector.hpp"
 
 namespace cnc {
 namespace {
 
-/// Whether turning counter-clockwise from `start` to `end` passes the direction
-/// `outward`; a full turn when they agree.
-bool passes(const Vec2& start, const Vec2& end, const Vec2& outward) {
-  const float turn = cross(start, end);
-  if (turn == 0.0F && start.dot(end) > 0.0F) return true;
-  if (turn > 0.0F) return cross(start, outward) >= 0.0F && cross(outward, end) >= 0.0F;
-  if (turn == 0.0F) return cross(start, outward) >= 0.0F;
+/// Whether turning counter-clockwise from `start` to `end`, by at most a full turn, passes the
+/// direction `outward`.
+bool passes(const Vec2& start, const Vec2& end, float turn, const Vec2& outward) {
+  if (turn <= kPi) return cross(start, outward) >= 0.0F && cross(outward, end) >= 0.0F;
   return cross(end, outward) <= 0.0F || cross(outward, start) <= 0.0F;
 }
 
@@ -31,10 +29,12 @@ Box reach_of(const CentreArc& arc) {
   Vec2 from = from_centre(arc.start);
   Vec2 to = from_centre(arc.end);
   const Coordinate radius = from_mm(std::sqrt(std::max(from.squaredNorm(), to.squaredNorm())));
-  const bool whole =
-      arc.turns > 1 || (arc.start[first] == arc.end[first] && arc.start[second] == arc.end[second]);
+  // How far it turns is decided once, as for the motion.
+  const float sweep = ArcElements{arc}.sweep();
   if (arc.clockwise) from.swap(to);
-  const auto reaches = [&](float x, float y) { return whole || passes(from, to, Vec2{x, y}); };
+  const auto reaches = [&](float x, float y) {
+    return sweep >= kTwoPi || passes(from, to, sweep, Vec2{x, y});
+  };
 
   Box box{};
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {

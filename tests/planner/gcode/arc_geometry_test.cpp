@@ -116,15 +116,5 @@ TEST(CentreByRadius, TakesTheMiddleWhenTheChordIsTooLong) {
   EXPECT_NEAR(found.excess_mm, 0.01F, 1e-7F);
 }
 
-TEST(SweepAngle, IsPositiveInTheDirectionOfTravel) {
-  const PlaneVector centre{10, 0};
-  const float quarter = std::numbers::pi_v<float> / 2.0F;
-  EXPECT_FLOAT_EQ(sweep_angle({10, 10}, centre, true), quarter);
-  EXPECT_FLOAT_EQ(sweep_angle({10, 10}, centre, false), 3.0F * quarter);
-  EXPECT_FLOAT_EQ(sweep_angle({20, 0}, centre, false), 2.0F * quarter);
-  EXPECT_FLOAT_EQ(sweep_angle({0, 0}, centre, false), 4.0F * quarter);
-  EXPECT_FLOAT_EQ(sweep_angle({0, 0}, centre, true), 4.0F * quarter);
-}
-
 }  // namespace
 }  // namespace cnc::gcode

@@ -1,10 +1,13 @@
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
 #include <random>
 #include <utility>
 
+#include "planner/geometry/arc_elements.hpp"
 #include "tests/planner/gcode/interpreter_test.hpp"
+#include "tests/support/random_source.hpp"
 #include "tests/support/trials.hpp"
 
 namespace cnc::gcode {
@@ -20,6 +23,7 @@ struct Circle {
 };
 
 Coordinate um(std::int64_t micrometres) { return Coordinate{micrometres * 1'000}; }
+Coordinate coordinate_mm(double mm) { return Coordinate{std::llround(mm * 1.0e6)}; }
 
 class ArcWords : public InterpreterTest {
  protected:
@@ -115,6 +119,67 @@ TEST_F(ArcWords, AbsoluteCentresHaveTheOffsetsOfTheirCoordinates) {
   const Action arc = take_one("G2 X10 Z0 I5 K0");
   EXPECT_EQ(arc.centre[0], mm(55));
   EXPECT_EQ(arc.centre[1], mm(105));
+}
+
+TEST_F(ArcWords, AFlatArcOnALargeCircleStaysWhereItsEndsAre) {
+  start_at_origin();
+  // The far side of this circle is more than 500 m away.
+  const Action arc = take_one("G91 G3 X.04 Y.03 I-402653.2024 J536870.9782");
+  const CentreArc programmed{
+      .end = arc.end, .plane = arc.plane, .centre = arc.centre, .clockwise = arc.clockwise};
+  EXPECT_EQ(ArcElements{programmed}.count(), 1U);
+}
+
+/// What the interpreter takes is driven within what it has judged: no part of it may be refused
+/// where nothing can refuse it any more.
+TEST_F(ArcWords, OfAnySizeHaveTheirElementsWithinReach) {
+  const proof::Trials trials{20'000};
+  Options options{};
+  options.reach.fill(mm(500'000));
+  std::uint64_t taken = 0;
+  for (const std::uint64_t seed : trials) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    proof::Random random{seed};
+    interpreter = Interpreter{options};
+    const Position start{coordinate_mm(random.between(-4.9e5, 4.9e5)),
+                         coordinate_mm(random.between(-4.9e5, 4.9e5))};
+    interpreter.set_position(start);
+    static_cast<void>(take("F60 G91"));
+    const double radius = random.magnitude(1.0e-3, 1.0e6);
+    const double angle = random.between(-4.0, 4.0);
+    const double turn =
+        random.chance(0.5) ? random.magnitude(1.0e-6, 10.0) / radius : random.between(-6.3, 6.3);
+    const double i = -radius * std::cos(angle);
+    const double j = -radius * std::sin(angle);
+    const int way = random.chance(0.5) ? 2 : 3;
+    const int turns = random.chance(0.1) ? 2 : 1;
+    std::array<char, 160> line{};
+    std::snprintf(line.data(),
+                  line.size(),
+                  "G%d X%.6f Y%.6f I%.6f J%.6f P%d",
+                  way,
+                  i + radius * std::cos(angle + turn),
+                  j + radius * std::sin(angle + turn),
+                  i,
+                  j,
+                  turns);
+    const auto actions = interpreter.interpret(line.data());
+    if (!actions.ok() || actions.value().empty()) continue;
+    const Action& arc = actions.value()[0];
+    const ArcElements elements{{.start = start,
+                                .end = arc.end,
+                                .plane = arc.plane,
+                                .centre = arc.centre,
+                                .clockwise = arc.clockwise,
+                                .turns = arc.turns}};
+    ++taken;
+    for (std::uint32_t k = 0; k < elements.count(); ++k) {
+      for (const Coordinate& axis : elements.element(k).end) {
+        ASSERT_LE(std::abs(axis.mm()), 500'001.0F) << line.data();
+      }
+    }
+  }
+  EXPECT_GT(3 * taken, trials.count());
 }
 
 TEST_F(ArcWords, ASmallestCircleIsACircle) {

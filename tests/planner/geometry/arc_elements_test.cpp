@@ -65,6 +65,30 @@ TEST(ArcElements, AddWholeTurnsToTheFirst) {
               4.0e-6);
 }
 
+/// An arc that starts beside its centre in X, to an end that is a little way forwards.
+ArcElements flat_arc(std::int64_t radius_mm, std::int64_t forwards_nm, bool clockwise) {
+  CentreArc arc{.clockwise = clockwise};
+  arc.start[0] = arc.end[0] = Coordinate{radius_mm * 1'000'000};
+  arc.end[1] = Coordinate{clockwise ? -forwards_nm : forwards_nm};
+  return ArcElements{arc};
+}
+
+TEST(ArcElements, AreFullCirclesWhereTheirEndIsRoundedAndFlatArcsElsewhere) {
+  for (const bool clockwise : {false, true}) {
+    // Turns of 5e-8, 5e-7 and more, to an end that is 50 µm away: no rounding error is so large.
+    for (const std::int64_t radius_mm : {1'000'000, 100'000, 5'000}) {
+      const ArcElements flat = flat_arc(radius_mm, 50'000, clockwise);
+      EXPECT_EQ(flat.count(), 1U) << radius_mm;
+      EXPECT_NEAR(flat.sweep() * static_cast<float>(radius_mm), 0.05F, 1.0e-6F);
+      EXPECT_EQ(flat.element(0).bulge > 0.0F, !clockwise);
+    }
+    EXPECT_EQ(flat_arc(10'000, 900, clockwise).count(), 2U);   // 9e-8, to 0.9 µm.
+    EXPECT_EQ(flat_arc(1'000, 900, clockwise).count(), 1U);    // 9e-7.
+    EXPECT_EQ(flat_arc(10'000, -900, clockwise).count(), 2U);  // All but 0.9 µm.
+    EXPECT_EQ(flat_arc(10'000, -50'000, clockwise).count(), 2U);
+  }
+}
+
 TEST(ArcElements, TurnTheWayTheyAreTold) {
   const Circle circle{.clockwise = true};
   const ArcElements elements{arc_on(circle, 0.0L, 1.5L * kExactPi)};

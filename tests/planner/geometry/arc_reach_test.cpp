@@ -23,7 +23,12 @@ struct RandomArc {
   explicit RandomArc(proof::Random& random)
       : radius{random.magnitude(0.05, 2000.0)}, start{random.between(-4.0, 4.0)} {
     const bool whole = random.chance(0.1);
-    const Real part = whole ? 2.0L * kExactPi : Real{random.between(0.001, 6.28)};
+    Real part = whole ? 2.0L * kExactPi : Real{random.between(0.001, 6.28)};
+    if (!whole && random.chance(0.2)) {
+      // So flat that the cross product of its radii is a rounding error.
+      radius = random.magnitude(1000.0, 400'000.0);
+      part = random.magnitude(0.002, 1.0) / radius;
+    }
     arc.turns = static_cast<std::uint16_t>(random.chance(0.1) ? 2 : 1);
     arc.clockwise = random.chance(0.5);
     sweep = (part + 2.0L * kExactPi * (arc.turns - 1)) * (arc.clockwise ? -1.0L : 1.0L);
