@@ -20,6 +20,7 @@
 #include "host-sim/contour/vanished.hpp"
 #include "host-sim/plot/contour_picture.hpp"
 #include "host-sim/pocket/areas.hpp"
+#include "host-sim/pocket/fitting_radius.hpp"
 #include "host-sim/pocket/mill_program.hpp"
 #include "host-sim/pocket/terraces.hpp"
 #include "host-sim/report/terminal.hpp"

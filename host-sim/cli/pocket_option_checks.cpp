@@ -137,7 +137,7 @@ void check_pocket_options(const CLI::App& command, const PocketCommandOptions& o
   }
   switch (options.strategy) {
     case pocket::Strategy::kAdaptive:
-      return refusals.of({"--stepover", "--corner", "--entry", "--conventional"},
+      return refusals.of({"--stepover", "--corner", "--conventional"},
                          "--strategy adaptive",
                          "--engagement bounds the cut");
     case pocket::Strategy::kZigzag:

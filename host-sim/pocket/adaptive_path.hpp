@@ -4,6 +4,7 @@
 
 #include "host-sim/contour/contour_offset.hpp"
 #include "host-sim/pocket/path_rows.hpp"
+#include "planner/pocket/pocket_entry.hpp"
 
 namespace sim::pocket {
 
@@ -12,7 +13,8 @@ struct AdaptiveOptions {
   /// The greatest angle of the tool's circumference that cuts.
   double engagement_deg = 60.0;
   double depth_mm = 1.0;  ///< Depth of the floor below the top.
-  double ramp_deg = 3.0;  ///< Slope of the helix by which the tool enters.
+  cnc::pocket::EntryKind entry = cnc::pocket::EntryKind::kHelix;
+  double ramp_deg = 3.0;  ///< Slope of the helices and ramps by which the tool enters.
   /// How far the tool may return over cleared stock instead of being lifted, mm.
   double return_limit_mm = 100.0;
 };
@@ -39,10 +41,11 @@ struct AdaptivePath : PathRows {
 /// Pockets narrower than this many diameters of the tool are cut as slots.
 inline constexpr double kNarrowDiameters = 1.2;
 
-/// Clears an area down to one depth. In each part that the tool reaches it enters by a helix at
-/// the widest place, opens a disc by a spiral, and follows the medial axis by crescents: arcs of
-/// the largest circles that fit, each as far from the one before it as the engagement allows.
-/// Branches begin at discs that are cleared. Last come passes along the walls.
+/// Clears an area down to one depth. In each part that the tool reaches it enters at the widest
+/// place, by a helix or, where none fits, by a ramp along the medial axis (see enter_stock()),
+/// opens a disc by a spiral, and follows the medial axis by crescents: arcs of the largest circles
+/// that fit, each as far from the one before it as the engagement allows. Branches begin at discs
+/// that are cleared. Last come passes along the walls.
 ///
 /// Guarantee: the tool's centre keeps its radius from the boundary (1e-6 mm); stock is left
 /// nowhere that the tool reaches. The engagement is within the limit in closed form for each
@@ -51,7 +54,8 @@ inline constexpr double kNarrowDiameters = 1.2;
 /// milling. Links between them lie in discs that are cleared.
 ///
 /// Throws std::invalid_argument for options out of range, or if the tool fits nowhere, NoPocketPath
-/// where it fits in only straight down, std::runtime_error for contours that cross, and NoOffset.
+/// where it fits in only straight down and must not, std::runtime_error for contours that cross,
+/// and NoOffset.
 [[nodiscard]] AdaptivePath adaptive_path(const cnc::contour::ContourView<double>& area,
                                          const AdaptiveOptions& options);
 

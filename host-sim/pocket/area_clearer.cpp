@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numbers>
 #include <numeric>
 #include <utility>
+
+#include "host-sim/pocket/axis_entry.hpp"
 
 namespace sim::pocket {
 
@@ -49,7 +52,7 @@ void AreaClearer::clear() {
 
 void AreaClearer::clear_part(std::uint32_t start) {
   const ToolCircle circle = circle_of(start);
-  driver_.open_disc(circle);
+  driver_.open_disc(circle, way_from(start));
   is_reached_[start] = true;
   way_back_.clear();
   std::vector<Frame> frames{{start, circle, {}}};
@@ -66,6 +69,27 @@ void AreaClearer::clear_part(std::uint32_t start) {
   }
 }
 
+/// The points of a piece, from its end at a node on.
+std::vector<AxisPoint> AreaClearer::points_from(std::uint32_t node, std::size_t piece) const {
+  std::vector<AxisPoint> points = graph_.pieces[piece].points;
+  if (graph_.pieces[piece].from != node) std::ranges::reverse(points);
+  return points;
+}
+
+/// The longest way from a node along one of its pieces that a ramp can take.
+std::vector<WideVec2> AreaClearer::way_from(std::uint32_t node) const {
+  const double slope = std::tan(options_.ramp_deg * std::numbers::pi / 180.0);
+  const double longest_mm = 0.5 * options_.depth_mm / slope;  // Forth and back is once as long.
+  std::vector<WideVec2> best{graph_.nodes[node].place};
+  for (const std::size_t piece : at_node_[node]) {
+    std::vector<WideVec2> places{best.front()};
+    for (const AxisPoint& point : points_from(node, piece)) places.push_back(point.place);
+    std::vector<WideVec2> way = fitting_way(places, *area_, options_.tool_radius_mm, longest_mm);
+    if (way_length(way) > way_length(best)) best = std::move(way);
+  }
+  return best;
+}
+
 std::optional<std::size_t> AreaClearer::piece_left_at(std::uint32_t node) const {
   for (const std::size_t piece : at_node_[node]) {
     if (!is_taken_[piece]) return piece;
@@ -76,11 +100,8 @@ std::optional<std::size_t> AreaClearer::piece_left_at(std::uint32_t node) const 
 void AreaClearer::clear_piece(std::size_t index, std::vector<Frame>& frames) {
   const CarvePiece& piece = graph_.pieces[index];
   const Frame& frame = frames.back();
-  const bool is_reversed = piece.from != frame.node;
-  const std::uint32_t end = is_reversed ? piece.from : piece.to;
-  std::vector<AxisPoint> points = piece.points;
-  if (is_reversed) std::ranges::reverse(points);
-  const AxisCourse course{area_, std::move(points), options_.tool_radius_mm};
+  const std::uint32_t end = piece.from == frame.node ? piece.to : piece.from;
+  const AxisCourse course{area_, points_from(frame.node, index), options_.tool_radius_mm};
   const bool is_dead_end = at_node_[end].size() == 1 && end != frame.node;
   is_taken_[index] = true;
   CourseDrive done = driver_.drive(course, frame.circle, is_dead_end);
@@ -98,11 +119,7 @@ void AreaClearer::clear_piece(std::size_t index, std::vector<Frame>& frames) {
 
 /// Drives the way back that is due, or lifts the tool if that is too long.
 void AreaClearer::return_to(const ToolCircle& circle) {
-  double length = 0.0;
-  for (std::size_t i = 1; i < way_back_.size(); ++i) {
-    length += (way_back_[i] - way_back_[i - 1]).norm();
-  }
-  if (length > options_.return_limit_mm) {
+  if (way_length(way_back_) > options_.return_limit_mm) {
     driver_.writer().begin_row_in_cleared(circle.centre);
   } else {
     for (const WideVec2& place : way_back_) driver_.writer().link(place);

@@ -32,6 +32,8 @@ class AreaClearer {
 
   [[nodiscard]] cnc::pocket::ToolCircle circle_of(std::uint32_t node) const;
   void clear_part(std::uint32_t start);
+  [[nodiscard]] std::vector<AxisPoint> points_from(std::uint32_t node, std::size_t piece) const;
+  [[nodiscard]] std::vector<cnc::WideVec2> way_from(std::uint32_t node) const;
   [[nodiscard]] std::optional<std::size_t> piece_left_at(std::uint32_t node) const;
   void clear_piece(std::size_t index, std::vector<Frame>& frames);
   void return_to(const cnc::pocket::ToolCircle& circle);

@@ -1,12 +1,11 @@
 #include "host-sim/pocket/crescent_driver.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "host-sim/pocket/pocket_plan.hpp"
+#include "host-sim/pocket/axis_entry.hpp"
+#include "host-sim/pocket/disc_spiral.hpp"
 #include "planner/pocket/moving_disc.hpp"
 
 namespace sim::pocket {
@@ -14,7 +13,6 @@ namespace {
 
 using cnc::WideVec2;
 using cnc::pocket::Crescent;
-using cnc::pocket::step_outwards;
 using cnc::pocket::ToolCircle;
 using cnc::pocket::Use;
 
@@ -27,12 +25,6 @@ constexpr double kLeastProgressMm = 1.0e-7;
 constexpr double kCornerLength = 3.0;
 /// mm: how far a slot may reach across the boundary by rounding.
 constexpr double kSlotExcessMm = 1.0e-7;
-/// Of the tool's radius: a helix on a greater circle would leave a core.
-constexpr double kHelixRadius = 0.9;
-/// mm: on a smaller circle a helix is a plunge.
-constexpr double kLeastHelixMm = 0.02;
-/// Of the step that the engagement allows: turns of a spiral are not quite around its centre.
-constexpr double kSpiralShare = 0.9;
 
 /// The radius of circles below which a pocket counts as narrow.
 double narrow_circle(double tool_radius_mm) { return (kNarrowDiameters - 1.0) * tool_radius_mm; }
@@ -145,47 +137,14 @@ void CrescentDriver::drive_crescent(const ToolCircle& from,
   circles_.push_back(to);
 }
 
-void CrescentDriver::open_disc(const ToolCircle& circle) {
-  sink(circle.centre, std::clamp(circle.radius, 0.0, kHelixRadius * limits_.tool_radius_mm));
-  spiral(circle);
+void CrescentDriver::open_disc(const ToolCircle& circle, const std::vector<WideVec2>& way) {
+  enter_stock(circle, way, options_, writer_);
+  open_by_spiral(circle, limits_, writer_);
   circles_.push_back(circle);
   // All of this part is about as narrow as the tool.
   if (circle.radius < narrow_circle(limits_.tool_radius_mm)) {
     out_.narrow.push_back({{circle.centre}, 2.0 * (circle.radius + limits_.tool_radius_mm), 0.0});
   }
-}
-
-/// Goes down by a helix of half turns, and around at its bottom.
-void CrescentDriver::sink(const WideVec2& centre, double radius_mm) {
-  const WideVec2 start = centre + WideVec2{radius_mm, 0.0};
-  writer_.begin_row(start);
-  const double sink_of_half = std::numbers::pi * radius_mm * std::tan(options_.ramp_deg * kDegree);
-  if (radius_mm < kLeastHelixMm) {
-    throw NoPocketPath{fmt::format(
-        "at {:.3f} {:.3f} there is no space for a helix; choose another --strategy with --entry "
-        "plunge, or a smaller tool",
-        centre.x(),
-        centre.y())};
-  }
-  const int halves = static_cast<int>(std::ceil(options_.depth_mm / sink_of_half));
-  for (int i = 1; i <= halves; ++i) {
-    const double z = i == halves ? writer_.floor_z() : writer_.floor_z() * i / halves;
-    writer_.go(Use::kEntry, 2.0 * centre - writer_.place(), 1.0, z);
-  }
-  writer_.circle(Use::kEntry, centre);
-}
-
-/// Half circles, each of them wider than the one before it, from the bottom of the helix.
-void CrescentDriver::spiral(const ToolCircle& circle) {
-  const double side = writer_.place().x() >= circle.centre.x() ? 1.0 : -1.0;
-  double radius = std::abs(writer_.place().x() - circle.centre.x());
-  if (radius >= circle.radius) return;
-  for (double turn = side; radius < circle.radius; turn = -turn) {
-    const double step = step_outwards(radius, limits_.tool_radius_mm, limits_.engagement);
-    radius = std::min(radius + 0.5 * kSpiralShare * step, circle.radius);
-    writer_.light_pass(circle.centre - WideVec2{turn * radius, 0.0}, 1.0);
-  }
-  writer_.circle(Use::kLight, circle.centre);
 }
 
 }  // namespace sim::pocket

@@ -28,9 +28,10 @@ class CrescentDriver {
                     const cnc::pocket::ToolCircle& start,
                     bool is_dead_end);
 
-  /// Opens a disc in full stock: by a helix, and a spiral outwards within the engagement. Leaves
+  /// Opens a disc in full stock: by an entry, and a spiral outwards within the engagement. Leaves
   /// the tool on the circle.
-  void open_disc(const cnc::pocket::ToolCircle& circle);
+  /// @param way  from its centre on, for a ramp; see enter_stock()
+  void open_disc(const cnc::pocket::ToolCircle& circle, const std::vector<cnc::WideVec2>& way);
 
   /// All circles whose discs are cleared.
   [[nodiscard]] const std::vector<cnc::pocket::ToolCircle>& circles() const { return circles_; }
@@ -48,8 +49,6 @@ class CrescentDriver {
   void drive_crescent(const cnc::pocket::ToolCircle& from,
                       const cnc::pocket::ToolCircle& to,
                       CourseDrive& done);
-  void sink(const cnc::WideVec2& centre, double radius_mm);
-  void spiral(const cnc::pocket::ToolCircle& circle);
 
   const OwnedArea& area_;
   AdaptiveOptions options_;

@@ -6,21 +6,13 @@
 #include <utility>
 
 #include "host-sim/pocket/finish_pass.hpp"
+#include "host-sim/pocket/fitting_radius.hpp"
 #include "host-sim/pocket/paper_path.hpp"
 #include "host-sim/pocket/rest_path.hpp"
 #include "host-sim/pocket/spiral_path.hpp"
 #include "host-sim/pocket/zigzag.hpp"
 
 namespace sim::pocket {
-
-double fitting_radius(const cnc::contour::ContourView<double>& pocket,
-                      double tool_radius_mm,
-                      ContourOffset& offsetter) {
-  for (const double radius_mm : {tool_radius_mm, tool_radius_mm - 0.5 * kSlotSlackMm}) {
-    if (offsetter.offset(pocket, -radius_mm).loop_ends.size() > 0) return radius_mm;
-  }
-  return 0.0;
-}
 
 MilledPocket StrategyPlanner::mill(const cnc::contour::ContourView<double>& pocket,
                                    double tool_radius_mm) {
@@ -157,6 +149,7 @@ MilledPocket StrategyPlanner::mill_adaptively(
                     {.tool_radius_mm = options_.pocket.clearing.tool_radius,
                      .engagement_deg = options_.engagement_deg,
                      .depth_mm = step_mm(),
+                     .entry = options_.pocket.entry.kind,
                      .ramp_deg = std::atan(options_.pocket.entry.slope) * kDegreesOfRadian});
   MilledPocket milled = repeated(path);
   milled.narrow = path.narrow;

@@ -41,15 +41,6 @@ struct MilledPocket : PathRows {
   std::vector<NarrowStretch> narrow;  ///< Of each level; kAdaptive.
 };
 
-/// A slot may be narrower than the tool by this, mm: drawn as wide as the tool, it is rounded.
-inline constexpr double kSlotSlackMm = 1.0e-3;
-
-/// Returns the radius with which a tool fits into a pocket: its own; in a pocket that is a slot as
-/// wide as the tool, half the slack less, which is what the walls lose; 0 where it fits nowhere.
-[[nodiscard]] double fitting_radius(const cnc::contour::ContourView<double>& pocket,
-                                    double tool_radius_mm,
-                                    ContourOffset& offsetter);
-
 /// Makes paths of pockets by one strategy.
 class StrategyPlanner {
  public:

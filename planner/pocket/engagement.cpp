@@ -93,14 +93,4 @@ double crescent_engagement(const ToolCircle& cleared,
   return greatest;
 }
 
-/// Law of cosines in the triangle of the disc's centre, the tool's centre at e = radius + step, and
-/// the point where their edges cross: (r + R)² = e² + R² + 2 e R cos θ.
-double step_outwards(double radius_mm, double tool_radius_mm, double greatest_engagement) {
-  const double disc = radius_mm + tool_radius_mm;
-  const double half = tool_radius_mm * sin_cos(greatest_engagement).cosine;
-  const double squares = (disc - tool_radius_mm) * (disc + tool_radius_mm);
-  const double away = std::sqrt(half * half + squares) - half;
-  return std::min(away - radius_mm, 2.0 * tool_radius_mm);
-}
-
 }  // namespace cnc::pocket

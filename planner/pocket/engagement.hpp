@@ -42,11 +42,4 @@ struct Crescent {
                                          const ToolCircle& next,
                                          double tool_radius_mm);
 
-/// Returns the greatest step outwards, in mm, by which a tool that goes around a cleared disc, on a
-/// circle with the same centre, stays within an engagement. At most the tool's diameter.
-/// @param radius_mm  of the circle on which the tool has cleared the disc
-[[nodiscard]] double step_outwards(double radius_mm,
-                                   double tool_radius_mm,
-                                   double greatest_engagement);
-
 }  // namespace cnc::pocket

@@ -102,13 +102,12 @@ class Jobs:
         depth, levels = rng.uniform(1, 6), rng.randint(1, 3)
         words = ["--depth", f"{depth:.3f}", "--depth-step", f"{depth / levels + 1e-3:.3f}"]
         entry = rng.choice(("helix", "ramp", "plunge"))
+        words += ["--entry", entry]
         if strategy != "adaptive":
-            words += ["--entry", entry]
             if rng.random() < 0.5:
                 most = 0.45 if strategy == "spiral" else 0.9
                 words += ["--stepover", f"{rng.uniform(most / 3, most) * tool:.3f}"]
         else:
-            entry = "helix"
             words += ["--engagement", f"{rng.uniform(40, 120):.0f}"]
         if rng.random() < 0.3:
             words += ["--finish", f"{rng.uniform(0.02, 0.4) * tool:.3f}"]

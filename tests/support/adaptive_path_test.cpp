@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <numbers>
 #include <stdexcept>
 #include <string_view>
 
@@ -116,8 +118,9 @@ TEST(AdaptivePaths, ClearRandomPockets) {
     } while (!is_simple(area.view()) || std::ranges::any_of(area.vertices, [](const auto& vertex) {
       return std::abs(vertex.bulge) > 1.0;
     }));
-    const AdaptiveOptions options{.tool_radius_mm = random.between(2.0, 4.0),
-                                  .engagement_deg = random.between(40.0, 100.0)};
+    AdaptiveOptions options{.tool_radius_mm = random.between(2.0, 4.0),
+                            .engagement_deg = random.between(40.0, 100.0)};
+    options.entry = static_cast<cnc::pocket::EntryKind>(random.below(3));
     sim::ContourOffset offset;
     if (offset.offset(area.view(), -options.tool_radius_mm).loop_ends.size() == 0) continue;
     try {
@@ -131,10 +134,62 @@ TEST(AdaptivePaths, ClearRandomPockets) {
   }
 }
 
-TEST(AdaptivePaths, RefuseWhatHasNoSpaceForAHelix) {
-  const sim::Contour slot = contour_of("0 0\n30 0\n30 6.01\n0 6.01\nclosed\n");
-  EXPECT_THROW((void)sim::pocket::adaptive_path(slot.view(), {.tool_radius_mm = 3.0}),
-               sim::pocket::NoPocketPath);
+/// The length of the entries of a path that lead downwards in lines, and of those in arcs, mm.
+struct WaysDown {
+  double lines_mm = 0.0;
+  double arcs_mm = 0.0;
+  double steepest = 0.0;  ///< Descent over length of the lines.
+};
+
+WaysDown ways_down(const AdaptivePath& path) {
+  WaysDown ways;
+  const auto view = path.path();
+  for (std::size_t row = 0; row < view.row_ends.size(); ++row) {
+    for (std::uint32_t i = view.row_begin(row); i + 1 < view.row_ends[row]; ++i) {
+      const auto& from = view.points[i];
+      const auto& to = view.points[i + 1];
+      if (from.use != cnc::pocket::Use::kEntry || to.z >= from.z) continue;
+      const double chord = std::hypot(to.x - from.x, to.y - from.y);
+      (from.bulge == 0.0 ? ways.lines_mm : ways.arcs_mm) += chord;
+      if (from.bulge == 0.0) ways.steepest = std::max(ways.steepest, (from.z - to.z) / chord);
+    }
+  }
+  return ways;
+}
+
+TEST(AdaptivePaths, EnterSlotsByARampAlongThem) {
+  const double slope = std::tan(3.0 * std::numbers::pi / 180.0);
+  for (const std::string_view slot : {"0 0\n30 0\n30 6\n0 6\nclosed\n",
+                                      "0 0\n30 0 1\n30 6\n0 6 1\nclosed\n",
+                                      "0 0\n30 0\n30 6.4\n0 6.4\nclosed\n"}) {
+    const AdaptiveOptions options{.tool_radius_mm = 3.0 - 5.0e-4, .depth_mm = 4.0};
+    const sim::Contour area = contour_of(slot);
+    EXPECT_GT(expect_cleared(area, options).excepted, 0U);
+    const WaysDown ways = ways_down(sim::pocket::adaptive_path(area.view(), options));
+    EXPECT_EQ(ways.arcs_mm, 0.0);
+    EXPECT_GE(ways.lines_mm, options.depth_mm / slope * (1.0 - 1.0e-9));
+    EXPECT_LE(ways.steepest, slope * (1.0 + 1.0e-9));
+  }
+}
+
+TEST(AdaptivePaths, EnterWideRoomsAsTheyAreTold) {
+  const sim::Contour room = contour_of("0 0\n40 0\n40 30\n0 30\nclosed\n");
+  AdaptiveOptions options{.tool_radius_mm = 3.0, .entry = cnc::pocket::EntryKind::kRamp};
+  expect_cleared(room, options);
+  EXPECT_EQ(ways_down(sim::pocket::adaptive_path(room.view(), options)).arcs_mm, 0.0);
+  options.entry = cnc::pocket::EntryKind::kPlunge;
+  expect_cleared(room, options);
+  const WaysDown straight = ways_down(sim::pocket::adaptive_path(room.view(), options));
+  EXPECT_EQ(straight.lines_mm + straight.arcs_mm, 0.0);
+  EXPECT_EQ(straight.steepest, INFINITY);
+}
+
+TEST(AdaptivePaths, PlungeIntoAHoleAsWideAsTheToolWhereAskedTo) {
+  const sim::Contour hole = contour_of("3 0 1\n-3 0 1\nclosed\n");
+  AdaptiveOptions options{.tool_radius_mm = 3.0 - 5.0e-4};
+  EXPECT_THROW((void)sim::pocket::adaptive_path(hole.view(), options), sim::pocket::NoPocketPath);
+  options.entry = cnc::pocket::EntryKind::kPlunge;
+  expect_cleared(hole, options);
 }
 
 }  // namespace

@@ -207,7 +207,7 @@ class PocketCommand(unittest.TestCase):
     def test_refuses_options_of_another_strategy(self):
         for more, words in ((("--v-angle", 60, "--stepover", 2), "--v-angle has no --stepover"),
                             (("--v-angle", 60, "--strategy", "adaptive"), "--v-angle has no --strategy"),
-                            (("--strategy", "adaptive", "--entry", "ramp"), "adaptive has no --entry"),
+                            (("--strategy", "adaptive", "--corner", 1), "adaptive has no --corner"),
                             (("--strategy", "adaptive", "--engagement", 170), "10 to 150 degrees"),
                             (("--v-angle", 180), "1 to 175 degrees"),
                             (("--strategy", "zigzag", "--conventional"), "lines go both ways"),
@@ -228,9 +228,27 @@ class PocketCommand(unittest.TestCase):
                 self.assertFalse(self.program.exists())
 
     def test_mills_a_slot_drawn_as_wide_as_the_tool(self):
-        done = self.pocket(svg('<rect x="10" y="10" width="60" height="6"/>'), "--tool", 6, "--depth", 2, *MILL)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertAlmostEqual(self.simulated()["bounds_mm"]["Y"][1], 67.0, 2)
+        for strategy in "contour", "spiral", "adaptive", "zigzag":
+            for slot in ('<rect x="10" y="10" width="60" height="6"/>',
+                         '<path d="M13 10h54a3 3 0 0 1 0 6h-54a3 3 0 0 1 0-6z"/>'):
+                with self.subTest(strategy=strategy, slot=slot):
+                    done = self.pocket(svg(slot), "--tool", 6, "--depth", 2, *MILL, "--strategy", strategy)
+                    self.assertEqual(done.returncode, 0, done.stderr)
+                    bounds = self.simulated()["bounds_mm"]
+                    self.assertAlmostEqual(bounds["X"][1], 67.0, 2)
+                    self.assertAlmostEqual(bounds["Y"][1], 67.0, 2)
+
+    def test_mills_a_hole_as_wide_as_the_tool_only_where_it_may_plunge(self):
+        hole = svg('<circle cx="20" cy="20" r="3"/>')
+        for strategy in "contour", "spiral", "adaptive", "zigzag":
+            with self.subTest(strategy=strategy):
+                done = self.pocket(hole, "--tool", 6, "--depth", 2, *MILL, "--strategy", strategy)
+                self.assertEqual(done.returncode, 1)
+                self.assertIn("--entry plunge", done.stderr)
+                self.assertFalse(self.program.exists())
+                done = self.pocket(hole, "--tool", 6, "--depth", 2, *MILL, "--strategy", strategy, "--entry", "plunge")
+                self.assertEqual(done.returncode, 0, done.stderr)
+                self.program.unlink()
 
     def test_mills_a_pocket_in_a_pocket_and_a_boss_each_to_its_depth(self):
         steps = svg('<rect x="10" y="10" width="60" height="50" stroke="black"/>',

@@ -113,16 +113,5 @@ TEST(Crescents, HaveTheEngagementOfTheirWorstPlace) {
   }
 }
 
-TEST(StepOutwards, HasTheEngagementThatItWasChosenFor) {
-  for (const double radius : {1.0, 3.0, 10.0, 100.0}) {
-    for (const double wanted : {0.3, 0.8, 1.2, 2.0}) {
-      const double step = step_outwards(radius, 3.0, wanted);
-      ASSERT_GT(step, 0.0);
-      const double away = radius + step;
-      EXPECT_NEAR(engagement({{0, 0}, radius + 3.0}, 3.0, {away, 0}, {0, 1}), wanted, 1e-9);
-    }
-  }
-}
-
 }  // namespace
 }  // namespace cnc::pocket

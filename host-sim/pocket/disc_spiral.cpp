@@ -1,0 +1,80 @@
+#include "host-sim/pocket/disc_spiral.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace sim::pocket {
+namespace {
+
+using cnc::WideVec2;
+using cnc::pocket::ToolCircle;
+using cnc::pocket::Use;
+
+/// A half circle to the left, from a place beside a centre in X to the other side of it.
+ToolCircle half_circle(const WideVec2& from, const WideVec2& centre, double radius_mm) {
+  const double side = from.x() >= centre.x() ? 1.0 : -1.0;
+  const WideVec2 to = centre - WideVec2{side * radius_mm, 0.0};
+  return {0.5 * (from + to), 0.5 * (from - to).norm()};
+}
+
+/// Whether a tool on a half circle stays within the engagement where only a disc is cleared.
+bool is_allowed(const ToolCircle& cleared,
+                const ToolCircle& half,
+                const WideVec2& from,
+                const StepLimits& limits) {
+  constexpr int kSamples = 16;
+  const cnc::pocket::ClearedDisc disc{cleared.centre, cleared.radius + limits.tool_radius_mm};
+  const WideVec2 start = from - half.centre;
+  for (int i = 1; i <= kSamples; ++i) {
+    const double angle = std::numbers::pi * i / kSamples;
+    const WideVec2 out = std::cos(angle) * start + std::sin(angle) * cnc::left_normal(start);
+    const WideVec2 forwards = cnc::left_normal(out) / half.radius;
+    const double engaged =
+        cnc::pocket::engagement(disc, limits.tool_radius_mm, half.centre + out, forwards);
+    if (engaged > limits.engagement) return false;
+  }
+  return true;
+}
+
+/// The greatest radius at the end of the next half circle, from `least_mm` to that of the circle.
+double widest_half(const ToolCircle& cleared,
+                   const WideVec2& from,
+                   const ToolCircle& circle,
+                   double least_mm,
+                   const StepLimits& limits) {
+  constexpr int kHalvings = 24;
+  /// Of the tool's radius: half circles grow by this at least, for the spiral to end.
+  constexpr double kLeastGrowth = 1.0e-3;
+  const auto allows = [&](double radius_mm) {
+    return is_allowed(cleared, half_circle(from, circle.centre, radius_mm), from, limits);
+  };
+  double good = least_mm;
+  double bad = std::min(least_mm + 2.0 * limits.tool_radius_mm, circle.radius);
+  if (allows(bad)) return bad;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (good + bad);
+    (allows(middle) ? good : bad) = middle;
+  }
+  return std::min(std::max(good, least_mm + kLeastGrowth * limits.tool_radius_mm), circle.radius);
+}
+
+}  // namespace
+
+void open_by_spiral(const ToolCircle& circle, const StepLimits& limits, DepthWriter& writer) {
+  double radius = (writer.place() - circle.centre).norm();
+  if (radius >= circle.radius) return;
+  // The half circle before the last one lies on the same side as the next one.
+  ToolCircle before_last{circle.centre, radius};
+  ToolCircle last = before_last;
+  while (radius < circle.radius) {
+    const WideVec2 from = writer.place();
+    radius = widest_half(before_last, from, circle, radius, limits);
+    before_last = last;
+    last = half_circle(from, circle.centre, radius);
+    writer.light_pass(2.0 * last.centre - from, 1.0);
+  }
+  writer.circle(Use::kLight, circle.centre);
+}
+
+}  // namespace sim::pocket

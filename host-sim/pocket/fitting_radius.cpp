@@ -1,0 +1,37 @@
+#include "host-sim/pocket/fitting_radius.hpp"
+
+#include <cstddef>
+
+#include "planner/pocket/loop_driver.hpp"
+
+namespace sim::pocket {
+namespace {
+
+/// Length of the boundary of the area where the centre of a tool fits, mm; 0 where it fits nowhere.
+double locus_length(const cnc::contour::ContourView<double>& pocket,
+                    double radius_mm,
+                    ContourOffset& offsetter) {
+  const cnc::contour::ContourView<double> locus = offsetter.offset(pocket, -radius_mm);
+  double length = 0.0;
+  for (std::size_t loop = 0; loop < locus.loop_ends.size(); ++loop) {
+    length += cnc::pocket::loop_length(locus, loop);
+  }
+  return length;
+}
+
+}  // namespace
+
+/// The centre of a tool that is a little smaller gets into such a slot, and back, and that of a
+/// tool that is a little greater does not. With the tool's own radius rounding decides.
+double fitting_radius(const cnc::contour::ContourView<double>& pocket,
+                      double tool_radius_mm,
+                      ContourOffset& offsetter) {
+  constexpr double kSlackMm = 0.5 * kSlotSlackMm;
+  const double smaller_mm = locus_length(pocket, tool_radius_mm - kSlackMm, offsetter);
+  if (smaller_mm == 0.0) return 0.0;
+  const double greater_mm = locus_length(pocket, tool_radius_mm + kSlackMm, offsetter);
+  const bool has_slot = greater_mm == 0.0 || smaller_mm - greater_mm > 2.0 * tool_radius_mm;
+  return has_slot ? tool_radius_mm - kSlackMm : tool_radius_mm;
+}
+
+}  // namespace sim::pocket
