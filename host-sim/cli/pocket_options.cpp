@@ -72,11 +72,12 @@ void add_entry_options(CLI::App& command, PocketCommandOptions& options) {
   const std::map<std::string, EntryKind> entries{
       {"helix", EntryKind::kHelix}, {"ramp", EntryKind::kRamp}, {"plunge", EntryKind::kPlunge}};
   command
-      .add_option("--entry",
-                  options.entry,
-                  "The way into the stock: a helix where one fits, else a ramp along the first\n"
-                  "pass or, of crescents, the middle; only ramps; or straight down, where the tool\n"
-                  "cuts at its centre or a hole is drilled")
+      .add_option(
+          "--entry",
+          options.entry,
+          "The way into the stock: a helix where one fits, else a ramp along the first\n"
+          "pass or, of crescents, the middle; only ramps; or straight down, where the tool\n"
+          "cuts at its centre or a hole is drilled")
       ->transform(CLI::CheckedTransformer(entries))
       ->option_text("helix|ramp|plunge [helix]");
   command.add_option("--slope", options.slope_deg, "Of helices and ramps, degrees")
