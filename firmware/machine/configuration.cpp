@@ -23,11 +23,26 @@ constexpr float kTicksToEdges = 8.0F;
 constexpr float kSlotUse = 0.97F;
 
 /// Half of what AxisScale holds, so that the way from one end to the other
-/// still fits; linear axes have the same reserve in nanometres for their arcs.
-constexpr std::int32_t kFarthestStep = AxisScale::kMostSteps / 2;
+/// still fits, and a tool beside it; linear axes have the same reserve in nanometres for their
+/// arcs.
+constexpr std::int32_t kFarthestStep = AxisScale::kMostSteps / 2 - (1 << 24);
 constexpr Coordinate farthest_on(std::size_t axis) {
   constexpr std::int64_t kMost = Coordinate::kFarthestNanometres;
   return Coordinate{axis < kLinearAxisCount ? kMost / 2 : kMost};
+}
+
+/// How far from machine zero an axis may go. All linear axes go as far as the one with the finest
+/// steps: the chord of an arc is also counted turned by 90 degrees, in steps of the other axis.
+Coordinate reach_of(const Settings& settings, std::size_t axis) {
+  const bool is_linear = axis < kLinearAxisCount;
+  const std::size_t begin = is_linear ? 0 : axis;
+  const std::size_t end = is_linear ? kLinearAxisCount : axis + 1;
+  Coordinate reach = farthest_on(axis);
+  for (std::size_t other = begin; other < end; ++other) {
+    const AxisScale scale{settings.get(setting::kStepsPerMm, other)};
+    reach = std::min(reach, scale.place_of(kFarthestStep));
+  }
+  return reach;
 }
 
 /// The backlash of an axis in whole steps of its motor.
@@ -125,8 +140,7 @@ gcode::Options gcode_options_from(const Settings& settings) {
   options.arc.absolute_mm = settings.get(setting::kArcRepairMm);
   options.arc.relative = 0.01F * settings.get(setting::kArcRepairPercent);
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    const AxisScale scale{settings.get(setting::kStepsPerMm, axis)};
-    options.reach[axis] = std::min(scale.place_of(kFarthestStep), farthest_on(axis));
+    options.reach[axis] = reach_of(settings, axis);
   }
   return options;
 }

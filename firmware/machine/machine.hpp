@@ -352,7 +352,7 @@ class Machine {
   void apply_limits();
   void apply_motor_settings();
   void apply_language_settings();
-  [[nodiscard]] bool place_fits(std::size_t axis) const;
+  [[nodiscard]] bool place_fits() const;
 
   StepDrive& drive_;
   hal::AuxiliaryOutputs& outputs_;

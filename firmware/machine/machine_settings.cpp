@@ -11,7 +11,7 @@ Result<float, SettingError> Machine::change_setting(std::uint16_t number, float 
   const auto stored = settings_.set(number, value);
   if (!stored.ok()) return stored;
   if (number == setting::kBlockDelete) block_delete_switched_ = false;
-  if (other_scale && !place_fits(number - setting::kStepsPerMm)) {
+  if (other_scale && !place_fits()) {
     static_cast<void>(settings_.set(number, before));
     return SettingError::kPlaceLost;
   }
@@ -27,12 +27,16 @@ Result<float, SettingError> Machine::change_setting(std::uint16_t number, float 
   return stored;
 }
 
-/// Whether the tool's present step is within reach at the resolution stored.
-bool Machine::place_fits(std::size_t axis) const {
-  const AxisScale scale{settings_.get(setting::kStepsPerMm, axis)};
-  const Coordinate place = scale.place_of(motion_.tool_steps()[axis]);
-  const Coordinate reach = gcode_options_from(settings_).reach[axis];
-  return place >= -reach && place <= reach;
+/// Whether the tool's present steps are within reach at the resolutions stored. That of one axis
+/// bounds the others, too.
+bool Machine::place_fits() const {
+  const Position reach = gcode_options_from(settings_).reach;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const AxisScale scale{settings_.get(setting::kStepsPerMm, axis)};
+    const Coordinate place = scale.place_of(motion_.tool_steps()[axis]);
+    if (place < -reach[axis] || place > reach[axis]) return false;
+  }
+  return true;
 }
 
 void Machine::set_power_table(const motion::PowerTable& table) {

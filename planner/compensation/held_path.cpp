@@ -118,11 +118,16 @@ Vec2 HeldPath::from(const Place& origin, const Place& place) {
   return {(place[0] - origin[0]).mm(), (place[1] - origin[1]).mm()};
 }
 
+/// Its shape is that between its own ends: far from the origin both may be rounded to one point.
 Curve HeldPath::curve(std::size_t index, const Place& origin) const {
-  const auto arc = Arc::make(
-      from(origin, start_of(index)), from(origin, place_of(at(index).end)), at(index).bulge);
+  const Place start = start_of(index);
+  const Place end = place_of(at(index).end);
+  const auto arc = Arc::make(Vec2{0.0F, 0.0F}, from(start, end), at(index).bulge);
   CNC_ASSERT(arc.ok());
-  return contour::curve_of(arc.value());
+  Curve curve = contour::curve_of(arc.value());
+  curve.start = from(origin, start);
+  curve.end = from(origin, end);
+  return curve;
 }
 
 }  // namespace cnc::compensation

@@ -71,10 +71,10 @@ struct Curve {
     return (start_tangent + curvature * left_normal(place - start)).normalized();
   }
 
-  /// The bulge of the part between two places of the curve, in order.
+  /// The bulge of the part between two places of the curve, in order; 0 where they are one place.
   [[nodiscard]] Scalar bulge_between(const Vector& from, const Vector& to) const {
-    if (curvature == Scalar{0}) return Scalar{0};
     const Vector chord = to - from;
+    if (curvature == Scalar{0} || chord == Vector{Scalar{0}, Scalar{0}}) return Scalar{0};
     const Vector tangent = tangent_at(from);
     return cross(tangent, chord) / (chord.norm() + tangent.dot(chord));
   }

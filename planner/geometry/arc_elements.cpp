@@ -1,9 +1,11 @@
 #include "planner/geometry/arc_elements.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "planner/base/contract.hpp"
 #include "planner/base/scalar_math.hpp"
+#include "planner/geometry/arc.hpp"
 
 namespace cnc {
 namespace {
@@ -78,7 +80,8 @@ float ArcElements::bulge_of(const PathElement& element) const {
   const float to_left = (dx * cy - dy * cx) / chord;
   const float height = arc_.clockwise ? -to_left : to_left;
   const float half = 0.5F * chord;
-  const float bulge = half / (length(half, height) + height);
+  // Of a circle of some micrometres, half a turn between rounded ends comes out longer.
+  const float bulge = std::min(half / (length(half, height) + height), Arc::kLargestBulge);
   return arc_.clockwise ? -bulge : bulge;
 }
 

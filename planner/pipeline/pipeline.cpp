@@ -31,6 +31,15 @@ bool joins(const motion::Limits& limits,
   return true;
 }
 
+/// Returns whether the chord of an element, turned by 90 degrees, can be counted in steps of the
+/// axes that it then lies along.
+bool turns_within(const motion::Limits& limits, const PathElement& element) {
+  if (element.bulge == 0.0F) return true;
+  const PlaneAxes axes = axes_of(element.plane);
+  return limits.scale[axes.first].reaches(element.end[axes.second] - element.start[axes.second]) &&
+         limits.scale[axes.second].reaches(element.end[axes.first] - element.start[axes.first]);
+}
+
 }  // namespace
 
 Result<bool, motion::MotionError> Pipeline::append(const path::PathItem& item) {
@@ -41,6 +50,7 @@ Result<bool, motion::MotionError> Pipeline::append(const path::PathItem& item) {
     const bool within = limits_.scale[axis].reaches(element.end[axis]);
     if (!within) return motion::MotionError::kBeyondMotorRange;
   }
+  if (!turns_within(limits_, element)) return motion::MotionError::kBeyondMotorRange;
   if (element.start == element.end) return false;
   supply_.restart();
   budget_.take_element();

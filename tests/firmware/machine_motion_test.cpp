@@ -33,6 +33,22 @@ TEST_F(MachineMotionTest, EndsArcsAndHelicesExactly) {
   EXPECT_EQ(port.position[2], 750);
 }
 
+// The chord of an arc is counted turned by 90 degrees, too: 20 m along Y in the steps of X.
+TEST_F(MachineMotionTest, GoesNoFartherThanTheFinestStepsOfALinearAxisReach) {
+  send_all({"$100=100000", "$111=1000000", "$121=100000", "F900000"});
+  EXPECT_EQ(send("G3 Y20000 R1000000"), "error:33");
+  EXPECT_EQ(send("G1 Y20000"), "error:33");
+  EXPECT_EQ(send("G3 Y5000 R1000000"), "ok");
+  EXPECT_EQ(machine.state(), MachineState::kRun);
+}
+
+TEST_F(MachineMotionTest, TakesNoFinerStepsWithWhichAnotherAxisWouldBeOutOfReach) {
+  send_all({"$111=1000000", "$121=100000", "G1 Y6000 F900000"});
+  run_until_idle();
+  EXPECT_NE(send("$100=100000"), "ok");
+  EXPECT_EQ(send("$100=50000"), "ok");
+}
+
 TEST_F(MachineMotionTest, GoesOnWithHundredsOfBlocksWithoutStarving) {
   std::string lines;
   for (int k = 1; k <= 400; ++k) {

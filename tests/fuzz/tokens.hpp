@@ -45,6 +45,9 @@ inline constexpr std::array kTokens = std::to_array<std::string_view>({
     "T2\n", "G41D2\n", "G41\n", "G40\n", "M190P0Q10\n", "F300S1000\n", "G61.1\n", "G64P0.1Q0.05\n",
     "G91\n", "G90\n", "G93\n", "G94\n", "G20\n", "G21\n", "G18\n", "G17\n", "G55\n", "G80\n",
     "/G0X9\n",
+    // Circles and lines as large as the machine takes, and elements of a nanometre.
+    "G91G3X.04Y.03I-402653.2024J536870.9782\n", "G91G2X.05R600000\n", "G3Y20000R1000000\n",
+    "G91G1X9000\n", "G91G1Y-9000\n", "G91G1X.000001\n", "G91G2X.000003R2\n",
     "N1G1X5*86\n", "N0M110*125\n", "M110\n", "M110N0\n", "M62P2\n", "M63P2\n",
     // Realtime bytes.
     "?", "!", "~", "\x18", "\x83", "\x84", "\x85", "\x87", "\x88", "\x89", "\x8C", "\x91", "\x96",

@@ -194,5 +194,27 @@ TEST(Compensator, RefusesAnExitThroughThePart) {
   EXPECT_EQ(fault->other, 2U);
 }
 
+// In floats, both ends of a short element are one point as seen from metres away.
+TEST(Compensator, TakesElementsOfANanometreFarFromTheOthers) {
+  for (const std::int64_t nanometres : {1, 3, 20, 100}) {
+    for (const float bulge : {0.0F, 0.5F, -1.0F}) {
+      Bench bench{-0.5F, -10.0F, 0.0F};
+      bench.to(0, 0).to(9000, 0);
+      Position end = bench.here();
+      end[1] += Coordinate{nanometres};
+      bench.put({.start = bench.here(), .end = end, .bulge = bulge});
+      bench.to(9000, 9000).to(-7000, 9000).end();
+      if (bulge == 0.0F) {
+        EXPECT_FALSE(bench.fault) << nanometres;
+      }
+      for (const path::PathItem& item : bench.given) {
+        EXPECT_TRUE(std::isfinite(item.request.element.bulge));
+        EXPECT_LE(std::abs(item.request.element.end[0].mm()), 9000.6F);
+        EXPECT_LE(std::abs(item.request.element.end[1].mm()), 9000.6F);
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace cnc::compensation

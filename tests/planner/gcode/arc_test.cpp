@@ -182,6 +182,12 @@ TEST_F(ArcWords, OfAnySizeHaveTheirElementsWithinReach) {
   EXPECT_GT(3 * taken, trials.count());
 }
 
+TEST_F(ArcWords, ACentreThatIsRoundedToTheStartIsRefused) {
+  start_at_origin();
+  EXPECT_EQ(refuse("G91 G2 X.000001 R.000001").detail, FaultDetail::kCentreIsStart);
+  static_cast<void>(take("G91 G2 X.000002 R.000001"));
+}
+
 TEST_F(ArcWords, ASmallestCircleIsACircle) {
   start_at_origin();
   const Action arc = take_one("G2 X0 I0.000001");

@@ -166,6 +166,22 @@ TEST_F(RandomArcs, ExceedHalfATurnByARoundingAtMost) {
   expect_chains([this] { return any_helix(); }, Arc::kLargestBulge);
 }
 
+TEST_F(RandomArcs, OfSomeMicrometresAreOfAtMostHalfATurnEach) {
+  for (int trial = 0; trial < 50'000; ++trial) {
+    const Circle circle = any_circle(1.0e-5, 0.05);
+    const bool is_full = trial % 2 == 0;
+    CentreArc arc = arc_on(circle, any_angle(), any_sweep());
+    if (is_full) arc.end = arc.start;
+    const PlaneAxes axes = axes_of(arc.plane);
+    if (arc.start[axes.first] == arc.centre[0] && arc.start[axes.second] == arc.centre[1]) continue;
+    const ArcElements elements{arc};
+    for (std::uint32_t index = 0; index < elements.count(); ++index) {
+      ASSERT_LE(std::abs(elements.element(index).bulge), Arc::kLargestBulge)
+          << "R " << circle.radius << " trial " << trial;
+    }
+  }
+}
+
 void expect_near_programmed_circle(const CentreArc& arc, const PathElement& element, Real radius) {
   constexpr Real kHalfMicrometre = 0.5e-3L;
   const ExactCircle own{element, arc};

@@ -38,6 +38,16 @@ TEST_F(PipelineTest, RefusesAnEndOutOfTheMotorsRange) {
   EXPECT_TRUE(pipeline->empty());
 }
 
+TEST_F(PipelineTest, RefusesAnArcThatTurnedByARightAngleIsOutOfTheMotorsRange) {
+  limits.scale[0] = AxisScale{100'000.0F};
+  const path::PathItem arc{
+      .request = {.element = {.end = place({0.0, 20'000.0}), .bulge = 0.001F}, .feed_mm_s = 50.0F}};
+  const auto refused = pipeline->append(arc);
+  ASSERT_FALSE(refused.ok());
+  EXPECT_EQ(refused.error(), motion::MotionError::kBeyondMotorRange);
+  EXPECT_TRUE(pipeline->empty());
+}
+
 // What follows decides how a line ends, so it waits for it; a sender that is silent for 5 ms has
 // no more.
 TEST_F(PipelineTest, HoldsTheLastElementBackUntilTheSenderIsSilent) {

@@ -1,0 +1,76 @@
+// Lines of any size on machines with any settings: a line is driven or refused, and never reaches a
+// contract, which would stop the controller.
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <cstdint>
+#include <cstdio>
+
+#include "tests/support/hostile_program.hpp"
+#include "tests/support/machine_bench.hpp"
+#include "tests/support/trials.hpp"
+
+namespace proof {
+namespace {
+
+std::uint64_t seed_now = 0;
+
+/// A broken contract ends the process, and the seed would not be told.
+void tell_seed(int /*signal*/) {
+  std::fprintf(
+      stderr, "to repeat: KERFLINE_SEED=%llu\n", static_cast<unsigned long long>(seed_now));
+}
+
+class HostileBench : public MachineBench {
+ public:
+  /// Drives as many turns as a job has; then the rest is dropped, as by a reset.
+  void drive(const HostileJob& job) {
+    for (const auto& [number, value] : job.settings) {
+      if (!machine().idle()) break;
+      static_cast<void>(
+          machine().change_setting(static_cast<std::uint16_t>(number), static_cast<float>(value)));
+    }
+    for (const std::string& line : job.lines) {
+      while (machine().busy() && !machine().locked() && turns_ > 0) turn();
+      if (machine().busy() || machine().locked()) break;
+      ++(machine().accept(line) ? refused : taken);
+    }
+    while (!machine().idle() && !machine().locked() && turns_ > 0) turn();
+    machine().reset();
+    for (int i = 0; i < 100; ++i) turn();
+  }
+
+  std::uint64_t taken = 0;
+  std::uint64_t refused = 0;
+
+ private:
+  void turn() {
+    controller.turn();
+    --turns_;
+  }
+
+  int turns_ = 3000;
+};
+
+TEST(HostilePrograms, AreDrivenOrRefusedAndReachNoContract) {
+  const auto before = std::signal(SIGABRT, tell_seed);
+  const Trials trials{3000};
+  std::uint64_t taken = 0;
+  std::uint64_t refused = 0;
+  for (const std::uint64_t seed : trials) {
+    seed_now = seed;
+    Random random{seed};
+    const HostileJob job{random};
+    HostileBench bench;
+    bench.drive(job);
+    taken += bench.taken;
+    refused += bench.refused;
+  }
+  static_cast<void>(std::signal(SIGABRT, before));
+  // Else the lines would test the interpreter alone.
+  EXPECT_GT(taken, refused);
+}
+
+}  // namespace
+}  // namespace proof
