@@ -46,9 +46,9 @@ void any_settings(Random& random, Settings& settings) {
 }
 
 /// Writes the lines, and knows where they lead.
-class Author {
+class HostileAuthor {
  public:
-  explicit Author(Random& random)
+  explicit HostileAuthor(Random& random)
       : random_{random},
         size_mm_{random.magnitude(1.0e-3, 0.4 * kFarthestMm)},
         incremental_{random.chance(0.5)} {
@@ -203,7 +203,7 @@ class Author {
 HostileJob::HostileJob(Random& random) {
   if (random.chance(0.6)) any_scales(random, settings);
   if (random.chance(0.5)) any_settings(random, settings);
-  Author author{random};
+  HostileAuthor author{random};
   for (std::size_t count = 3 + random.below(20); count > 0; --count) author.write_line();
   lines = std::move(author.lines);
 }
