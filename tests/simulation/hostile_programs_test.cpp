@@ -55,7 +55,7 @@ class HostileBench : public MachineBench {
 
 TEST(HostilePrograms, AreDrivenOrRefusedAndReachNoContract) {
   const auto before = std::signal(SIGABRT, tell_seed);
-  const Trials trials{3000};
+  const Trials trials{6000};
   std::uint64_t taken = 0;
   std::uint64_t refused = 0;
   for (const std::uint64_t seed : trials) {
