@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
@@ -22,8 +23,11 @@ void tell_seed(int /*signal*/) {
       stderr, "to repeat: KERFLINE_SEED=%llu\n", static_cast<unsigned long long>(seed_now));
 }
 
+/// In half of the jobs an operator holds, resumes and overrides.
 class HostileBench : public MachineBench {
  public:
+  explicit HostileBench(Random& random) : random_{random}, has_operator_{random.chance(0.5)} {}
+
   /// Drives as many turns as a job has; then the rest is dropped, as by a reset.
   void drive(const HostileJob& job) {
     for (const auto& [number, value] : job.settings) {
@@ -46,10 +50,30 @@ class HostileBench : public MachineBench {
 
  private:
   void turn() {
+    if (has_operator_) operate();
     controller.turn();
     --turns_;
   }
 
+  void operate() {
+    constexpr std::array kFeeds = {10, 50, 100, 200};
+    constexpr std::array kRapids = {25, 50, 100};
+    switch (random_.below(400)) {
+      case 0:
+        return machine().feed_hold();
+      case 1:
+        return machine().set_overrides({.feed = kFeeds[random_.below(kFeeds.size())],
+                                        .rapid = kRapids[random_.below(kRapids.size())]});
+      case 2:
+        controller.panel().door = !controller.panel().door;
+        return;
+      default:
+        if (random_.chance(0.02)) machine().resume();
+    }
+  }
+
+  Random& random_;
+  bool has_operator_;
   int turns_ = 3000;
 };
 
@@ -62,7 +86,7 @@ TEST(HostilePrograms, AreDrivenOrRefusedAndReachNoContract) {
     seed_now = seed;
     Random random{seed};
     const HostileJob job{random};
-    HostileBench bench;
+    HostileBench bench{random};
     bench.drive(job);
     taken += bench.taken;
     refused += bench.refused;
