@@ -213,6 +213,8 @@ class Bench {
     static constexpr std::uint8_t kUnlock[]{'$', 'X', '\n'};
     link_.send(kUnlock);
     for (int turns = 0; turns < kDebounce; ++turns) turn();
+    // Startup lines run once the machine is unlocked, and may move.
+    for (int turns = 0; turns < 20'000 && !rests(); ++turns) turn();
     require(machine.state() == cnc::MachineState::kIdle && rests(),
             "a reset and an unlock end in idle");
     require(port_.power == 0 && !port_.spindle_enabled, "all is off after a reset");
