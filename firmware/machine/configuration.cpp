@@ -33,7 +33,7 @@ constexpr Coordinate farthest_on(std::size_t axis) {
 
 /// How far from machine zero an axis may go. All linear axes go as far as the one with the finest
 /// steps: the chord of an arc is also counted turned by 90 degrees, in steps of the other axis.
-Coordinate reach_of(const Settings& settings, std::size_t axis) {
+Coordinate reach_on(const Settings& settings, std::size_t axis) {
   const bool is_linear = axis < kLinearAxisCount;
   const std::size_t begin = is_linear ? 0 : axis;
   const std::size_t end = is_linear ? kLinearAxisCount : axis + 1;
@@ -140,7 +140,7 @@ gcode::Options gcode_options_from(const Settings& settings) {
   options.arc.absolute_mm = settings.get(setting::kArcRepairMm);
   options.arc.relative = 0.01F * settings.get(setting::kArcRepairPercent);
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    options.reach[axis] = reach_of(settings, axis);
+    options.reach[axis] = reach_on(settings, axis);
   }
   return options;
 }

@@ -34,7 +34,7 @@ void check(const AdaptiveOptions& options) {
           engagement);
   require(
       options.depth_mm > 0.0 && std::isfinite(options.depth_mm), "depth in mm", options.depth_mm);
-  require(options.ramp_deg > 0.0 && options.ramp_deg <= 45.0, "ramp in degrees", options.ramp_deg);
+  require(options.slope > 0.0 && options.slope <= 1.0, "slope of ramps", options.slope);
   require(options.return_limit_mm >= 0.0, "way to return in mm", options.return_limit_mm);
 }
 

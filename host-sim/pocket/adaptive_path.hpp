@@ -14,7 +14,7 @@ struct AdaptiveOptions {
   double engagement_deg = 60.0;
   double depth_mm = 1.0;  ///< Depth of the floor below the top.
   cnc::pocket::EntryKind entry = cnc::pocket::EntryKind::kHelix;
-  double ramp_deg = 3.0;  ///< Slope of the helices and ramps by which the tool enters.
+  double slope = 0.05;  ///< Steepest descent over length of helices and ramps, 0…1 without 0.
   /// How far the tool may return over cleared stock instead of being lifted, mm.
   double return_limit_mm = 100.0;
 };

@@ -1,9 +1,7 @@
 #include "host-sim/pocket/area_clearer.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <numbers>
 #include <numeric>
 #include <utility>
 
@@ -78,8 +76,7 @@ std::vector<AxisPoint> AreaClearer::points_from(std::uint32_t node, std::size_t 
 
 /// The longest way from a node along one of its pieces that a ramp can take.
 std::vector<WideVec2> AreaClearer::way_from(std::uint32_t node) const {
-  const double slope = std::tan(options_.ramp_deg * std::numbers::pi / 180.0);
-  const double longest_mm = 0.5 * options_.depth_mm / slope;  // Forth and back is once as long.
+  const double longest_mm = 0.5 * options_.depth_mm / options_.slope;  // Forth, and as far back.
   std::vector<WideVec2> best{graph_.nodes[node].place};
   for (const std::size_t piece : at_node_[node]) {
     std::vector<WideVec2> places{best.front()};

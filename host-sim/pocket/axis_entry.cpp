@@ -16,21 +16,16 @@ using cnc::pocket::EntryKind;
 using cnc::pocket::ToolCircle;
 using cnc::pocket::Use;
 
-/// mm: how far the tool on a way may reach across the boundary by rounding.
-constexpr double kExcessMm = 1.0e-7;
-/// Of the tool's radius: a helix on a greater circle would leave a core.
+/// A helix on a circle of more than this share of the tool's radius would leave a core.
 constexpr double kGreatestHelix = 0.9;
-/// Of the tool's radius: on a smaller circle a helix is nearly a plunge, and a ramp is better.
+/// A helix on a circle of less than this share of the tool's radius is nearly a plunge; a ramp is
+/// better.
 constexpr double kLeastHelix = 0.1;
-
-double slope_of(const AdaptiveOptions& options) {
-  return std::tan(options.ramp_deg * std::numbers::pi / 180.0);
-}
 
 /// Returns how often an entry goes forth and back, or around, until it is at the floor.
 /// Throws NoPocketPath if that is too often.
 double rounds_of(double round_mm, const WideVec2& place, const AdaptiveOptions& options) {
-  return legs_of_ramp({.depth_mm = options.depth_mm, .slope = slope_of(options)}, round_mm, place);
+  return legs_of_ramp({.depth_mm = options.depth_mm, .slope = options.slope}, round_mm, place);
 }
 
 void sink_by_helix(const WideVec2& centre,
@@ -78,6 +73,14 @@ void widen(const ToolCircle& circle, const AdaptiveOptions& options, DepthWriter
 
 }  // namespace
 
+bool fits_in_line(const WideVec2& from,
+                  const WideVec2& to,
+                  const cnc::pocket::AreaDistance& area,
+                  double tool_radius_mm) {
+  constexpr double kExcessMm = 1.0e-7;  // The tool may reach across the boundary by rounding.
+  return excess_of({from, to, tool_radius_mm, tool_radius_mm}, area) <= kExcessMm;
+}
+
 double way_length(const std::vector<WideVec2>& way) {
   double length = 0.0;
   for (std::size_t i = 1; i < way.size(); ++i) length += (way[i] - way[i - 1]).norm();
@@ -95,7 +98,7 @@ std::vector<WideVec2> fitting_way(const std::vector<WideVec2>& way,
     const double length = line.norm();
     if (length == 0.0) continue;
     const WideVec2 end = fitting.back() + std::min(left_mm / length, 1.0) * line;
-    if (excess_of({fitting.back(), end, tool_radius_mm, tool_radius_mm}, area) > kExcessMm) break;
+    if (!fits_in_line(fitting.back(), end, area, tool_radius_mm)) break;
     fitting.push_back(end);
     left_mm -= length;
   }

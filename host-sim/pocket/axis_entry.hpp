@@ -9,6 +9,13 @@
 
 namespace sim::pocket {
 
+/// Returns whether a tool fits on a straight line from one place to another.
+/// @pre the line does not leave the area
+[[nodiscard]] bool fits_in_line(const cnc::WideVec2& from,
+                                const cnc::WideVec2& to,
+                                const cnc::pocket::AreaDistance& area,
+                                double tool_radius_mm);
+
 /// Returns the length of a way from place to place, mm.
 [[nodiscard]] double way_length(const std::vector<cnc::WideVec2>& way);
 

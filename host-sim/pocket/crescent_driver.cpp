@@ -6,7 +6,6 @@
 
 #include "host-sim/pocket/axis_entry.hpp"
 #include "host-sim/pocket/disc_spiral.hpp"
-#include "planner/pocket/moving_disc.hpp"
 
 namespace sim::pocket {
 namespace {
@@ -23,8 +22,6 @@ constexpr double kLeastCircleMm = 1.0e-4;
 constexpr double kLeastProgressMm = 1.0e-7;
 /// Of the tool's radius: up to this length a narrow dead end is a corner, no slot.
 constexpr double kCornerLength = 3.0;
-/// mm: how far a slot may reach across the boundary by rounding.
-constexpr double kSlotExcessMm = 1.0e-7;
 
 /// The radius of circles below which a pocket counts as narrow.
 double narrow_circle(double tool_radius_mm) { return (kNarrowDiameters - 1.0) * tool_radius_mm; }
@@ -105,7 +102,7 @@ bool CrescentDriver::drive_slot(const AxisCourse& course,
   writer_.link(begin.centre);
   done.way_back.push_back(begin.centre);
   for (const WideVec2& place : places) {
-    if (excess_of({writer_.place(), place, radius, radius}, *area_) > kSlotExcessMm) return false;
+    if (!fits_in_line(writer_.place(), place, *area_, radius)) return false;
     writer_.pass(place);
     done.way_back.push_back(place);
     stretch.places.push_back(place);

@@ -44,7 +44,7 @@ double widest_half(const ToolCircle& cleared,
                    double least_mm,
                    const StepLimits& limits) {
   constexpr int kHalvings = 24;
-  /// Of the tool's radius: half circles grow by this at least, for the spiral to end.
+  // Half circles grow by this share of the tool's radius at least, for the spiral to end.
   constexpr double kLeastGrowth = 1.0e-3;
   const auto allows = [&](double radius_mm) {
     return is_allowed(cleared, half_circle(from, circle.centre, radius_mm), from, limits);

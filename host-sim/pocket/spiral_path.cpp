@@ -22,7 +22,7 @@ using cnc::contour::kNone;
 using cnc::pocket::LoopPlace;
 using cnc::pocket::Use;
 
-/// Loops with a turn between them are at most so many radii of the tool apart, in corners, too.
+/// Loops with a turn between them are at most this many radii of the tool apart, in corners, too.
 constexpr double kWidest = 1.9;
 /// Turns are exact within this share of the tool's radius.
 constexpr double kTolerance = 2.5e-4;

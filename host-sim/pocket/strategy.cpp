@@ -1,8 +1,6 @@
 #include "host-sim/pocket/strategy.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "host-sim/pocket/finish_pass.hpp"
@@ -143,14 +141,12 @@ MilledPocket StrategyPlanner::mill_rest(const cnc::contour::ContourView<double>&
 
 MilledPocket StrategyPlanner::mill_adaptively(
     const cnc::contour::ContourView<double>& pocket) const {
-  constexpr double kDegreesOfRadian = 180.0 / std::numbers::pi;
-  const AdaptivePath path =
-      adaptive_path(pocket,
-                    {.tool_radius_mm = options_.pocket.clearing.tool_radius,
-                     .engagement_deg = options_.engagement_deg,
-                     .depth_mm = step_mm(),
-                     .entry = options_.pocket.entry.kind,
-                     .ramp_deg = std::atan(options_.pocket.entry.slope) * kDegreesOfRadian});
+  const AdaptivePath path = adaptive_path(pocket,
+                                          {.tool_radius_mm = options_.pocket.clearing.tool_radius,
+                                           .engagement_deg = options_.engagement_deg,
+                                           .depth_mm = step_mm(),
+                                           .entry = options_.pocket.entry.kind,
+                                           .slope = options_.pocket.entry.slope});
   MilledPocket milled = repeated(path);
   milled.narrow = path.narrow;
   return milled;

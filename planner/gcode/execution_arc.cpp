@@ -130,7 +130,7 @@ Refusal Execution::centre_from_radius(PlaneVector end, PlaneVector& centre) {
     return blame_centre(FaultDetail::kChordLongerThanDiameter, found.excess_mm, allowed);
   }
   centre = found.centre;
-  // Of a radius of a nanometre the centre may be rounded to the start.
+  // With a radius of a nanometre the centre may be rounded to the start.
   if (centre.is_null()) return blame_centre(FaultDetail::kCentreIsStart, 0.0F, 0.0F);
   return std::nullopt;
 }

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <stdexcept>
 #include <string_view>
 
@@ -100,7 +99,7 @@ TEST(AdaptivePaths, RefuseOptionsOutOfRange) {
                                          AdaptiveOptions{.engagement_deg = 5.0},
                                          AdaptiveOptions{.engagement_deg = 180.0},
                                          AdaptiveOptions{.depth_mm = 0.0},
-                                         AdaptiveOptions{.ramp_deg = 0.0},
+                                         AdaptiveOptions{.slope = 0.0},
                                          AdaptiveOptions{.return_limit_mm = -1.0}}) {
     EXPECT_THROW((void)sim::pocket::adaptive_path(square.view(), options), std::invalid_argument);
   }
@@ -158,7 +157,7 @@ WaysDown ways_down(const AdaptivePath& path) {
 }
 
 TEST(AdaptivePaths, EnterSlotsByARampAlongThem) {
-  const double slope = std::tan(3.0 * std::numbers::pi / 180.0);
+  const double slope = AdaptiveOptions{}.slope;
   for (const std::string_view slot : {"0 0\n30 0\n30 6\n0 6\nclosed\n",
                                       "0 0\n30 0 1\n30 6\n0 6 1\nclosed\n",
                                       "0 0\n30 0\n30 6.4\n0 6.4\nclosed\n"}) {

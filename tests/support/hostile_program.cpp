@@ -30,7 +30,7 @@ void any_scales(Random& random, Settings& settings) {
   settings.emplace_back(12, random.magnitude(1.0e-3, 1.0));
 }
 
-/// Of some settings, whichever they are. Homing would lock the machine.
+/// Gives some settings of the table any value. Homing is left alone: it would lock the machine.
 void any_settings(Random& random, Settings& settings) {
   const auto table = cnc::setting_table();
   for (std::size_t count = random.below(6); count > 0; --count) {

@@ -130,8 +130,8 @@ TEST_F(ArcWords, AFlatArcOnALargeCircleStaysWhereItsEndsAre) {
   EXPECT_EQ(ArcElements{programmed}.count(), 1U);
 }
 
-/// What the interpreter takes is driven within what it has judged: no part of it may be refused
-/// where nothing can refuse it any more.
+/// The elements of an accepted arc stay within the reach that the interpreter has checked: later on
+/// nothing can refuse them.
 TEST_F(ArcWords, OfAnySizeHaveTheirElementsWithinReach) {
   const proof::Trials trials{20'000};
   Options options{};
