@@ -13,7 +13,7 @@ namespace sim {
 struct MilledDrawing : pocket::PathRows {
   Contour walls;
   std::size_t pockets = 0;          ///< With a path.
-  std::uint32_t levels = 0;         ///< Of the pocket that has the most of them.
+  std::uint32_t levels = 0;         ///< The greatest number of levels of a pocket.
   std::uint32_t passes = 0;         ///< Number of passes, loops or lines of each level.
   std::vector<double> floors_mm{};  ///< Depths of all floors, increasing; not of V carving.
   std::uint32_t links = 0;

@@ -84,12 +84,18 @@ class RandomSegments : public StepGeneratorTest {
 
   void play(int segments) {
     for (int k = 0; k < segments; k += 32) {
-      for (int filled = 0; filled < 32; ++filled) generator.push(any_segment());
+      for (int filled = 0; filled < 32; ++filled) push(any_segment());
       // A segment that waits for another keeps the generator from starving.
       if (k + 32 < segments) run(generator.ticks_waiting() / 2);
     }
-    generator.push({.ticks = 1, .comes_to_rest = true});
+    push({.ticks = 1, .comes_to_rest = true});
     run();
+  }
+
+  /// Pushes a segment as soon as there is room: half of the time that waits may be few segments.
+  void push(const motion::Segment& segment) {
+    while (generator.full()) run(generator.ticks_waiting() / 2);
+    generator.push(segment);
   }
 
   void play_and_expect_steps_late_by_at_most(double ticks) {

@@ -20,7 +20,9 @@ struct MoveLimits {
 /// stays, and falls, as long as the speed that is left to gain allows; the second half mirrors the
 /// first.
 double stepped_time(double length, const MoveLimits& limits) {
-  constexpr double kStep = 2.0e-6;
+  // s. A step too late or too early at full acceleration is paid back where the acceleration ends,
+  // over sqrt(2 A kStep / J): 0.05 ms at A = 2,300 mm/s2 and J = 190,000 mm/s3.
+  constexpr double kStep = 1.0e-7;
   const auto half_way = [&](double top, double& seconds) {
     double speed = 0.0;
     double acceleration = 0.0;
