@@ -9,6 +9,7 @@
 
 #include "firmware/protocol/identity.hpp"
 #include "host-sim/cli/commands.hpp"
+#include "host-sim/cli/cut_identity.hpp"
 #include "host-sim/cli/cut_layers.hpp"
 #include "host-sim/cli/cut_options.hpp"
 #include "host-sim/cli/cut_outputs.hpp"

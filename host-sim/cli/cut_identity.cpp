@@ -1,38 +1,11 @@
 #include "host-sim/cli/cut_identity.hpp"
 
-#include <algorithm>
-#include <filesystem>
 #include <string_view>
+#include <vector>
 
 #include "host-sim/knowledge/flash_lines.hpp"
-#include "host-sim/trace/input_file.hpp"
 
 namespace sim {
-namespace {
-
-/// The name from the folder of the program; absolute where the program is a stream.
-std::string named_from_program(const std::string& program, const std::string& file) {
-  if (file == "-" || program.empty()) return file;
-  const auto absolute = [](const std::string& name) {
-    return std::filesystem::absolute(name).lexically_normal();
-  };
-  return absolute(file).lexically_proximate(absolute(program).parent_path()).string();
-}
-
-}  // namespace
-
-std::string InputFiles::read(const std::string& file) { return read_text(file); }
-
-void InputFiles::add(const char* kind, const std::string& file, const std::string& text) {
-  ProgramDigest digest{kind, digest_of(text), named_from_program(program_, file)};
-  if (std::ranges::find(digests_, digest) == digests_.end()) digests_.push_back(std::move(digest));
-}
-
-std::string InputFiles::read_and_add(const char* kind, const std::string& file) {
-  std::string text = read(file);
-  add(kind, file, text);
-  return text;
-}
 
 ProgramDigest digest_of(const MaterialRecord& record) {
   const std::vector<std::byte> image = flash_image(record, "job");

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "host-sim/cli/cut_identity.hpp"
 #include "host-sim/cli/cut_options.hpp"
+#include "host-sim/cli/input_files.hpp"
 #include "host-sim/cut/recipe.hpp"
 
 namespace sim {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "host-sim/cli/cut_identity.hpp"
+#include "host-sim/cli/input_files.hpp"
 #include "host-sim/cut/recipe.hpp"
 
 namespace CLI {

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "host-sim/cli/cut_identity.hpp"
+#include "host-sim/cli/input_files.hpp"
 #include "host-sim/cut/plan.hpp"
 #include "host-sim/import/drawing.hpp"
 #include "host-sim/sheet/sheet_file.hpp"

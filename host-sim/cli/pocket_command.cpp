@@ -20,6 +20,7 @@
 #include "host-sim/contour/vanished.hpp"
 #include "host-sim/plot/contour_picture.hpp"
 #include "host-sim/pocket/areas.hpp"
+#include "host-sim/pocket/drill_holes.hpp"
 #include "host-sim/pocket/fitting_radius.hpp"
 #include "host-sim/pocket/mill_program.hpp"
 #include "host-sim/pocket/terraces.hpp"
@@ -183,12 +184,17 @@ MilledDrawing carve(const PocketCommandOptions& options, const std::vector<Conto
   return milled;
 }
 
+std::string holes_program(const PocketCommandOptions& options,
+                          const MilledDrawing& milled,
+                          cnc::gcode::PrintGrid grid) {
+  const PathRows holes = pocket::drill_holes(milled.path(), options.level_mm());
+  return program_of(holes.path(), mill_settings_of(options), grid, holes_heading(options, milled));
+}
+
 void write_outputs(const PocketCommandOptions& options, const MilledDrawing& milled) {
+  const cnc::gcode::PrintGrid grid{static_cast<std::uint8_t>(options.decimals)};
   const std::string program =
-      program_of(milled.path(),
-                 mill_settings_of(options),
-                 cnc::gcode::PrintGrid{static_cast<std::uint8_t>(options.decimals)},
-                 pocket_heading(options, milled));
+      program_of(milled.path(), mill_settings_of(options), grid, pocket_heading(options, milled));
   terminal::print(
       options.output.empty() ? stderr : stdout, "{}\n", pocket_summary(options, milled));
   if (options.output.empty()) {
@@ -199,6 +205,7 @@ void write_outputs(const PocketCommandOptions& options, const MilledDrawing& mil
   if (!options.svg.empty()) {
     write_file(options.svg, draw_tool_path(milled.walls, milled.path(), options.file));
   }
+  if (!options.holes.empty()) write_file(options.holes, holes_program(options, milled, grid));
   if (!options.report.empty()) write_file(options.report, pocket_report(options, milled));
 }
 
@@ -216,8 +223,11 @@ std::vector<std::optional<double>> depths_of(const ContourPart& part,
 }
 
 /// Reads the drawing; appends all contours of it to `walls`.
-std::vector<Terraces> read_pockets(const PocketCommandOptions& options, Contour& walls) {
-  const std::vector<ContourPart> parts = read_contour_parts(options.file, options.outline);
+std::vector<Terraces> read_pockets(const PocketCommandOptions& options,
+                                   InputFiles& inputs,
+                                   Contour& walls) {
+  const std::string text = inputs.read_and_add("drawing", options.file);
+  const std::vector<ContourPart> parts = contour_parts_of(text, options.file, options.outline);
   const std::vector<LayerDepth> depths = layer_depths_of(options, parts);
   std::vector<Terraces> pockets;
   if (parts.empty()) throw pocket::NoPocketPath{"no contour in it; draw one"};
@@ -234,9 +244,9 @@ std::vector<Terraces> read_pockets(const PocketCommandOptions& options, Contour&
   return pockets;
 }
 
-ExitStatus mill_file(const PocketCommandOptions& options) {
+ExitStatus mill_file(const PocketCommandOptions& options, InputFiles& inputs) {
   Contour walls;
-  const std::vector<Terraces> pockets = read_pockets(options, walls);
+  const std::vector<Terraces> pockets = read_pockets(options, inputs, walls);
   std::vector<Contour> areas;
   for (const Terraces& terraces : pockets) {
     for (const Terrace& terrace : terraces) {
@@ -253,13 +263,14 @@ ExitStatus mill_file(const PocketCommandOptions& options) {
   MilledDrawing milled =
       options.is_v_carving() ? carve(options, areas) : PocketMiller{options}.mill(pockets);
   milled.walls = std::move(walls);
+  milled.digests = inputs.digests();
   write_outputs(options, milled);
   return is_incomplete ? ExitStatus::kFaults : ExitStatus::kFine;
 }
 
-ExitStatus mill_or_tell(const PocketCommandOptions& options) {
+ExitStatus mill_or_tell(const PocketCommandOptions& options, InputFiles& inputs) {
   try {
-    return mill_file(options);
+    return mill_file(options, inputs);
   } catch (const ContourTextError& error) {
     terminal::print(stderr, "{}\n", error.what());
   } catch (const FaultyDrawing& error) {
@@ -269,7 +280,7 @@ ExitStatus mill_or_tell(const PocketCommandOptions& options) {
   } catch (const pocket::NoPocketPath& error) {
     terminal::print(stderr, "{}: {}\n", options.file, error.what());
   }
-  for (const std::string& output : {options.output, options.report, options.svg}) {
+  for (const std::string& output : {options.output, options.holes, options.report, options.svg}) {
     const std::string stale = stale_note(output);
     if (!stale.empty()) terminal::print(stderr, "kerfline: nothing is written{}\n", stale);
   }
@@ -285,9 +296,10 @@ void add_pocket_command(CLI::App& app, ExitStatus& status) {
   const auto options = std::make_shared<PocketCommandOptions>();
   add_pocket_options(*command, *options);
   command->callback([options, command, &status] {
-    apply_tool(*command, *options);
+    InputFiles inputs{options->output};
+    apply_tool(*command, *options, inputs);
     check_pocket_options(*command, *options);
-    status = mill_or_tell(*options);
+    status = mill_or_tell(*options, inputs);
   });
 }
 

@@ -59,8 +59,11 @@ constexpr std::initializer_list<const char*> kOptionsOfClearing{"--depth-of",
                                                                 "--conventional",
                                                                 "--keep-feed",
                                                                 "--finish",
+                                                                "--finish-floor",
+                                                                "--wear",
                                                                 "--stock",
-                                                                "--rest-of"};
+                                                                "--rest-of",
+                                                                "--holes"};
 
 /// Refuses options of a call that do not go together with another one.
 class Refusals {
@@ -85,6 +88,12 @@ void check_sizes(const PocketCommandOptions& options) {
     throw std::invalid_argument{fmt::format("--finish {:g}: must be at most half the tool, {:g} mm",
                                             options.finish_mm,
                                             options.radius_mm())};
+  }
+  if (options.floor_mm > options.level_mm()) {
+    throw std::invalid_argument{
+        fmt::format("--finish-floor {:g}: must be at most one level, {:g} mm",
+                    options.floor_mm,
+                    options.level_mm())};
   }
   if (options.rest_of_mm > 0.0 && options.rest_of_mm <= options.tool_mm) {
     throw std::invalid_argument{
@@ -120,6 +129,10 @@ void check_sizes(const PocketCommandOptions& options) {
 void check_pocket_options(const CLI::App& command, const PocketCommandOptions& options) {
   check_sizes(options);
   const Refusals refusals{command};
+  if (options.finish_mm == 0.0) refusals.of({"--wear"}, "this call", "add --finish");
+  if (!options.holes.empty() && !options.plunges()) {
+    refusals.of({"--holes"}, "this entry", "add --entry plunge");
+  }
   if (options.rest_of_mm > 0.0) {
     refusals.of({"--finish"}, "--rest-of", "its passes go along the walls already");
     refusals.of({"--stock"}, "--rest-of", "mill open pockets with one tool");

@@ -9,6 +9,7 @@
 #include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/outline_options.hpp"
 #include "host-sim/cli/value_range.hpp"
+#include "planner/gcode/modal_state.hpp"
 
 namespace sim {
 namespace {
@@ -97,6 +98,22 @@ void add_stock_shape_options(CLI::App& command, PocketCommandOptions& options) {
           "end, with\narcs in and out; up to half the tool")
       ->check(in_range(kLeastDepthMm, kGreatestToolMm, "mm"))
       ->type_name("MM");
+  command
+      .add_option(
+          "--finish-floor",
+          options.floor_mm,
+          "Leave this allowance at the floors, mm, and take it off in one more level; up to\n"
+          "--depth-step")
+      ->check(in_range(kLeastDepthMm, kGreatestToolMm, "mm"))
+      ->type_name("MM");
+  command
+      .add_option(
+          "--wear",
+          options.wear_tool,
+          "Drive the passes of --finish under G41 or G42 with D and this number: the radius of "
+          "that\ntool is by how much yours is larger than --tool, such as G10 L1 P1 R0.02")
+      ->check(in_whole_range(1, cnc::gcode::kToolCount))
+      ->type_name("NUMBER");
   command
       .add_option("--rest-of",
                   options.rest_of_mm,
@@ -209,6 +226,11 @@ void add_pocket_options(CLI::App& command, PocketCommandOptions& options) {
   add_output("-o,--output", options.output, "Where to write; else standard output");
   add_output("--report", options.report, "Passes, rows and lengths as JSON");
   add_output("--svg", options.svg, "Draw the pockets and their passes");
+  add_output(
+      "--holes",
+      options.holes,
+      "Write a program for a drill as wide as the tool, or a little less: it makes a hole, in "
+      "pecks\nof a level each, wherever --entry plunge goes down");
 }
 
 pocket::StrategyOptions strategy_options_of(const PocketCommandOptions& options) {
@@ -226,11 +248,13 @@ pocket::StrategyOptions strategy_options_of(const PocketCommandOptions& options)
   wanted.milling =
       options.conventional ? cnc::pocket::Milling::kConventional : cnc::pocket::Milling::kClimb;
   wanted.depth = options.depth_mm;
-  wanted.depth_step = options.depth_step_mm > 0.0 ? options.depth_step_mm : radius;
+  wanted.depth_step = options.level_mm();
   return {.strategy = options.strategy,
           .pocket = wanted,
           .engagement_deg = options.engagement_deg,
           .finish_mm = options.finish_mm,
+          .has_lead_lines = options.wear_tool != 0,
+          .floor_mm = options.floor_mm,
           .former_radius_mm = 0.5 * options.rest_of_mm,
           .stock = options.stock_box()};
 }
@@ -244,6 +268,8 @@ pocket::VCarveOptions carve_options_of(const PocketCommandOptions& options) {
 
 pocket::MillSettings mill_settings_of(const PocketCommandOptions& options) {
   pocket::MillSettings mill = options.mill;
+  mill.wear_tool = options.wear_tool;
+  mill.wears_to_left = !options.conventional;
   if (options.strategy == pocket::Strategy::kAdaptive && !options.keeps_feed) {
     mill.light_feed_mm_min = mill.feed_mm_min * pocket::thin_chip_factor(options.engagement_deg);
   }

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "host-sim/cli/input_files.hpp"
 #include "host-sim/contour/contour_file.hpp"
 #include "host-sim/pocket/mill_program.hpp"
 #include "host-sim/pocket/strategy.hpp"
@@ -35,6 +36,7 @@ struct PocketCommandOptions {
   std::string output;
   std::string report;
   std::string svg;
+  std::string holes;  ///< Where the program of a drill is written; empty: it is not.
   OutlineOptions outline;
   std::string tool;        ///< A diameter in mm, or the name of one of `tools`.
   std::string tools_file;  ///< Empty: none.
@@ -51,6 +53,8 @@ struct PocketCommandOptions {
   double engagement_deg = 60.0;
   bool keeps_feed = false;      ///< Where chips are thin, too.
   double finish_mm = 0.0;       ///< 0: no passes of their own along the walls.
+  double floor_mm = 0.0;        ///< 0: no level of its own at the floor.
+  std::uint32_t wear_tool = 0;  ///< 0: passes along the walls are not compensated.
   std::vector<double> stock{};  ///< Least X and Y, greatest X and Y, mm; empty: not given.
   double rest_of_mm = 0.0;      ///< Diameter of the tool that went before; 0: there was none.
   double v_angle_deg = 0.0;     ///< 0: no V carving.
@@ -59,6 +63,13 @@ struct PocketCommandOptions {
   unsigned decimals = 4;
 
   [[nodiscard]] double radius_mm() const { return 0.5 * tool_mm; }
+  /// Greatest depth of one level.
+  [[nodiscard]] double level_mm() const {
+    return depth_step_mm > 0.0 ? depth_step_mm : radius_mm();
+  }
+  [[nodiscard]] bool plunges() const {
+    return entry == cnc::pocket::EntryKind::kPlunge || strategy == pocket::Strategy::kPaper;
+  }
   [[nodiscard]] std::optional<pocket::StockBox> stock_box() const {
     if (stock.empty()) return std::nullopt;
     return pocket::StockBox{stock[0], stock[1], stock[2], stock[3]};
@@ -71,7 +82,7 @@ void add_pocket_options(CLI::App& command, PocketCommandOptions& options);
 
 /// Reads the tool, and takes from it the values that the call does not give. Throws
 /// std::invalid_argument for a tool that is none, and for values that neither gives.
-void apply_tool(const CLI::App& command, PocketCommandOptions& options);
+void apply_tool(const CLI::App& command, PocketCommandOptions& options, InputFiles& inputs);
 
 /// Throws std::invalid_argument for options that the strategy does not have.
 void check_pocket_options(const CLI::App& command, const PocketCommandOptions& options);

@@ -20,6 +20,7 @@ using cnc::pocket::Use;
 struct PathLengths {
   double pass_mm = 0.0;
   double link_mm = 0.0;
+  double return_mm = 0.0;  ///< At depth, in rapids.
   double entry_mm = 0.0;
   double between_rows_mm = 0.0;  ///< In the plane, in rapids.
 
@@ -34,7 +35,12 @@ struct PathLengths {
         pass_mm += length_mm;
         break;
       case Use::kLink:
+      case Use::kLeadIn:
+      case Use::kLeadOut:
         link_mm += length_mm;
+        break;
+      case Use::kReturn:
+        return_mm += length_mm;
         break;
       case Use::kEntry:
         entry_mm += length_mm;
@@ -95,14 +101,21 @@ nlohmann::ordered_json json_of(const pocket::NarrowStretch& stretch) {
   return json;
 }
 
+std::string title_of(const PocketCommandOptions& options) {
+  const std::string name =
+      options.file == "-" ? options.file : std::filesystem::path{options.file}.filename().string();
+  return fmt::format("kerfline {} pocket: {}", cnc::identity::version(), name);
+}
+
+void add_digests(const MilledDrawing& milled, std::vector<std::string>& lines) {
+  for (const ProgramDigest& digest : milled.digests) lines.push_back(text_of(digest));
+}
+
 }  // namespace
 
 std::vector<std::string> pocket_heading(const PocketCommandOptions& options,
                                         const MilledDrawing& milled) {
-  const std::string name =
-      options.file == "-" ? options.file : std::filesystem::path{options.file}.filename().string();
-  std::vector<std::string> lines{
-      fmt::format("kerfline {} pocket: {}", cnc::identity::version(), name)};
+  std::vector<std::string> lines{title_of(options)};
   if (options.is_v_carving()) {
     lines.push_back(fmt::format("V tool {:g} mm of {:g} degrees, {:.3f} mm at the deepest",
                                 options.tool_mm,
@@ -122,6 +135,16 @@ std::vector<std::string> pocket_heading(const PocketCommandOptions& options,
                                 milled.passes,
                                 passes_of(options.strategy)));
   }
+  add_digests(milled, lines);
+  return lines;
+}
+
+std::vector<std::string> holes_heading(const PocketCommandOptions& options,
+                                       const MilledDrawing& milled) {
+  std::vector<std::string> lines{
+      title_of(options),
+      fmt::format("drill of up to {:g} mm: holes into which the tool plunges", options.tool_mm)};
+  add_digests(milled, lines);
   return lines;
 }
 
@@ -173,6 +196,7 @@ std::string pocket_report(const PocketCommandOptions& options, const MilledDrawi
     report["passes"] = milled.passes;
     report["links"] = milled.links;
     if (options.finish_mm > 0.0) report["finish_mm"] = options.finish_mm;
+    if (options.floor_mm > 0.0) report["finish_floor_mm"] = options.floor_mm;
     if (options.rest_of_mm > 0.0) report["rest_of_mm"] = options.rest_of_mm;
   }
   if (options.strategy == pocket::Strategy::kAdaptive) {
@@ -183,8 +207,10 @@ std::string pocket_report(const PocketCommandOptions& options, const MilledDrawi
   report["rows"] = milled.row_ends.size();
   report["pass_length_mm"] = lengths.pass_mm;
   report["link_length_mm"] = lengths.link_mm;
+  report["return_length_mm"] = lengths.return_mm;
   report["entry_length_mm"] = lengths.entry_mm;
   report["rapid_length_mm"] = lengths.between_rows_mm;
+  report["digests"] = json_of(milled.digests);
   return dumped(report) + "\n";
 }
 

@@ -10,7 +10,6 @@
 
 #include "host-sim/cli/pocket_options.hpp"
 #include "host-sim/pocket/mill_tool.hpp"
-#include "host-sim/trace/input_file.hpp"
 
 namespace sim {
 namespace {
@@ -59,10 +58,11 @@ void take_values(const CLI::App& command,
 
 }  // namespace
 
-void apply_tool(const CLI::App& command, PocketCommandOptions& options) {
+void apply_tool(const CLI::App& command, PocketCommandOptions& options, InputFiles& inputs) {
   std::vector<pocket::MillTool> tools;
   if (!options.tools_file.empty()) {
-    tools = pocket::read_mill_tools(read_text(options.tools_file), options.tools_file);
+    tools = pocket::read_mill_tools(inputs.read_and_add("tools", options.tools_file),
+                                    options.tools_file);
   }
   if (const std::optional<double> diameter = number_in(options.tool)) {
     if (!(*diameter >= kLeastToolMm && *diameter <= kGreatestToolMm)) {

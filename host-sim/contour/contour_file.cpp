@@ -92,7 +92,12 @@ bool is_contour_text(std::string_view text) {
 
 std::vector<ContourPart> read_contour_parts(const std::string& file,
                                             const OutlineOptions& options) {
-  const std::string text = read_text(file);
+  return contour_parts_of(read_text(file), file, options);
+}
+
+std::vector<ContourPart> contour_parts_of(const std::string& text,
+                                          const std::string& file,
+                                          const OutlineOptions& options) {
   const std::string name = file == "-" ? "standard input" : file;
   if (!is_drawing(text)) {
     Contour contour = contour_from_text(text, name);

@@ -33,6 +33,12 @@ struct ContourPart {
 [[nodiscard]] std::vector<ContourPart> read_contour_parts(const std::string& file,
                                                           const OutlineOptions& options);
 
+/// Returns the same of a file that has been read.
+/// @param file its name, for messages
+[[nodiscard]] std::vector<ContourPart> contour_parts_of(const std::string& text,
+                                                        const std::string& file,
+                                                        const OutlineOptions& options);
+
 /// Reads the same without the layers.
 [[nodiscard]] std::vector<Contour> read_contour_file(const std::string& file,
                                                      const OutlineOptions& options);

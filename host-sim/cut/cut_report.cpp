@@ -77,14 +77,6 @@ Json json_of(const Recipes& recipes, const drawing::Drawing& drawn) {
   return rows;
 }
 
-Json json_of(const std::vector<ProgramDigest>& digests) {
-  Json rows = Json::array();
-  for (const ProgramDigest& digest : digests) {
-    rows.push_back({{"kind", digest.kind}, {"digest", digest.digest}, {"name", digest.name}});
-  }
-  return rows;
-}
-
 /// Curves of the drawing that are cut as arcs.
 std::size_t curves_of(const CutJob& job) {
   std::set<std::size_t> contours;

@@ -7,6 +7,7 @@
 #include <charconv>
 #include <exception>
 #include <filesystem>
+#include <nlohmann/json.hpp>
 #include <system_error>
 
 #include "host-sim/job/text_hash.hpp"
@@ -19,7 +20,8 @@ namespace {
 
 constexpr std::string_view kDigestMark = "(kerfline digest ";
 constexpr std::size_t kDigestDigits = 16;
-constexpr std::array<std::string_view, 4> kFileKinds{"drawing", "sheet", "layers", "rules"};
+constexpr std::array<std::string_view, 5> kFileKinds{
+    "drawing", "sheet", "layers", "rules", "tools"};
 
 bool is_plain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
@@ -92,6 +94,14 @@ std::optional<std::string> digest_now(const std::filesystem::path& file) {
 
 std::string text_of(const ProgramDigest& digest) {
   return fmt::format("kerfline digest {}={} {}", digest.kind, digest.digest, escaped(digest.name));
+}
+
+nlohmann::ordered_json json_of(const std::vector<ProgramDigest>& digests) {
+  auto rows = nlohmann::ordered_json::array();
+  for (const ProgramDigest& digest : digests) {
+    rows.push_back({{"kind", digest.kind}, {"digest", digest.digest}, {"name", digest.name}});
+  }
+  return rows;
 }
 
 std::vector<ProgramDigest> digests_in(std::string_view program) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -13,7 +14,8 @@ namespace sim {
 /// The identity of one thing that a program was made from. In the heading of a program it is a
 /// comment of its own: `(kerfline digest drawing=0123456789abcdef plate.svg)`.
 struct ProgramDigest {
-  std::string kind;    ///< `drawing`, `sheet`, `layers`, `rules`, `kerf` or `settings`.
+  /// `drawing`, `sheet`, `layers`, `rules`, `tools`, `kerf` or `settings`.
+  std::string kind;
   std::string digest;  ///< 16 hexadecimal digits; see digest_of().
   /// Name of the file, from the folder of the program; of a kerf that of the material; `given` or
   /// `default` of settings.
@@ -25,6 +27,9 @@ struct ProgramDigest {
 /// The comment's text without its brackets. Bytes of the name that a comment cannot carry, and `=`,
 /// are written as `=XX` in hexadecimal.
 [[nodiscard]] std::string text_of(const ProgramDigest& digest);
+
+/// Returns a row for each digest, with its kind, digest and name.
+[[nodiscard]] nlohmann::ordered_json json_of(const std::vector<ProgramDigest>& digests);
 
 /// Reads the digests in the comments at the top of a program, up to its first words of G-code.
 /// Comments that are no such digest are passed over.

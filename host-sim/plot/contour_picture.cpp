@@ -99,6 +99,9 @@ std::string style_of(const PathPoint& from, double floor_mm) {
   using cnc::pocket::Use;
   switch (from.use) {
     case Use::kLink:
+    case Use::kReturn:
+    case Use::kLeadIn:
+    case Use::kLeadOut:
       return R"(stroke="#9aa1ab" stroke-width="1.2" stroke-dasharray="6 5")";
     case Use::kEntry:
       return R"(stroke="#12813f" stroke-width="1.6")";

@@ -122,13 +122,13 @@ void CrescentDriver::drive_crescent(const ToolCircle& from,
                                     CourseDrive& done) {
   const Crescent crescent = crescent_between(from, to);
   if (crescent.exists) {
-    writer_.link(crescent.begin);
+    writer_.go_back(crescent.begin);
     writer_.light_pass(crescent.middle, crescent.bulge);
     writer_.light_pass(crescent.end, crescent.bulge);
     done.way_back.push_back(crescent.end);
   } else {
     // All of it is cleared: its middle is in both circles.
-    writer_.link(to.centre);
+    writer_.go_back(to.centre);
     done.way_back.push_back(to.centre);
   }
   circles_.push_back(to);

@@ -15,8 +15,8 @@ void DepthWriter::begin_row_in_cleared(const WideVec2& place) {
   go(Use::kLink, place, 0.0, z_);
 }
 
-void DepthWriter::link(const WideVec2& to) {
-  if (to != place()) go(Use::kLink, to, 0.0, z_);
+void DepthWriter::go_unless_there(Use use, const WideVec2& to) {
+  if (to != place()) go(use, to, 0.0, z_);
 }
 
 void DepthWriter::go(Use use, const WideVec2& to, double bulge, double z) {

@@ -22,8 +22,9 @@ class DepthWriter {
   void light_pass(const cnc::WideVec2& to, double bulge) {
     go(cnc::pocket::Use::kLight, to, bulge, z_);
   }
-  /// Nothing where the tool is there already.
-  void link(const cnc::WideVec2& to);
+  /// Both add nothing where the tool is there already.
+  void link(const cnc::WideVec2& to) { go_unless_there(cnc::pocket::Use::kLink, to); }
+  void go_back(const cnc::WideVec2& to) { go_unless_there(cnc::pocket::Use::kReturn, to); }
   /// Around a circle to the left, from the tool's place.
   void circle(cnc::pocket::Use use, const cnc::WideVec2& centre);
 
@@ -37,6 +38,8 @@ class DepthWriter {
   [[nodiscard]] double floor_z() const { return z_; }
 
  private:
+  void go_unless_there(cnc::pocket::Use use, const cnc::WideVec2& to);
+
   PathRows& out_;
   double z_;
 };

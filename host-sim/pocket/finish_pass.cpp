@@ -1,10 +1,16 @@
 #include "host-sim/pocket/finish_pass.hpp"
 
-#include <optional>
+#include <fmt/format.h>
 
+#include <optional>
+#include <utility>
+
+#include "host-sim/pocket/axis_entry.hpp"
 #include "host-sim/pocket/depth_writer.hpp"
 #include "host-sim/pocket/lead_arc.hpp"
+#include "host-sim/pocket/owned_area.hpp"
 #include "host-sim/pocket/owned_boundary.hpp"
+#include "host-sim/pocket/pocket_plan.hpp"
 #include "host-sim/pocket/wall_ramp.hpp"
 #include "planner/pocket/pocket_entry.hpp"
 
@@ -25,6 +31,8 @@ struct Lead {
   WideVec2 begin{0.0, 0.0};
   WideVec2 end{0.0, 0.0};
   double bulge = 0.0;
+  WideVec2 inwards{0.0, 0.0};  ///< Away from the wall, of length 1.
+  double line_mm = 0.0;        ///< Length of the lines before `begin` and after `end`; 0: none.
 };
 
 /// The arcs on which the tool comes to a loop from cleared places, and goes to one.
@@ -46,7 +54,8 @@ std::optional<Lead> lead_to(const OwnedBoundary& walls,
   const Lead lead{plan.place,
                   centre - plan.helix_radius * tangent,
                   centre + plan.helix_radius * tangent,
-                  side * kQuarterTurnBulge};
+                  side * kQuarterTurnBulge,
+                  side * cnc::left_normal(tangent)};
   constexpr double kRoundingMm = 1.0e-9;
   const double cleared = options.allowance_mm - kRoundingMm;
   if (walls.distance(lead.begin) < cleared || walls.distance(lead.end) < cleared) {
@@ -55,12 +64,43 @@ std::optional<Lead> lead_to(const OwnedBoundary& walls,
   return lead;
 }
 
+/// The greatest length of the lines at both ends of a lead, in places that roughing has cleared; 0
+/// where none fits.
+double line_length(const Lead& lead, const OwnedArea& area, const FinishOptions& options) {
+  constexpr int kHalvings = 3;
+  const double cleared = options.tool_radius_mm + options.allowance_mm;
+  double length = options.tool_radius_mm;
+  for (int i = 0; i <= kHalvings; ++i, length *= 0.5) {
+    const WideVec2 line = length * lead.inwards;
+    if (fits_in_line(lead.begin + line, lead.begin, *area, cleared) &&
+        fits_in_line(lead.end, lead.end + line, *area, cleared)) {
+      return length;
+    }
+  }
+  return 0.0;
+}
+
+/// Throws NoPocketPath where the lead of a loop has no lines.
+Lead with_lines(std::optional<Lead> lead,
+                const WideVec2& place,
+                const OwnedArea& area,
+                const FinishOptions& options) {
+  if (lead) lead->line_mm = line_length(*lead, area, options);
+  if (lead && lead->line_mm > 0.0) return *lead;
+  throw NoPocketPath{
+      fmt::format("at {:.3f} {:.3f} there is no room for the lead that G41 and G42 need; leave out "
+                  "--wear or choose a smaller tool",
+                  place.x(),
+                  place.y())};
+}
+
 void drive(const OwnedBoundary& walls,
            const Lead& lead,
            const FinishOptions& options,
            PathRows& out) {
   DepthWriter writer{out, options.depth_mm};
-  writer.begin_row_in_cleared(lead.begin);
+  writer.begin_row_in_cleared(lead.begin + lead.line_mm * lead.inwards);
+  if (lead.line_mm > 0.0) writer.go(Use::kLeadIn, lead.begin, 0.0, writer.floor_z());
   writer.pass(lead.place.pose.point, lead.bulge);
   out.points.pop_back();  // Where the revolution begins.
   const double floor = writer.floor_z();
@@ -68,6 +108,9 @@ void drive(const OwnedBoundary& walls,
   const WideVec2& touch = lead.place.pose.point;
   out.points.push_back({touch.x(), touch.y(), floor, 0.0, Use::kPass});
   writer.pass(lead.end, lead.bulge);
+  if (lead.line_mm > 0.0) {
+    writer.go(Use::kLeadOut, lead.end + lead.line_mm * lead.inwards, 0.0, writer.floor_z());
+  }
   out.end_row();
 }
 
@@ -77,9 +120,15 @@ PathRows finish_pass(const cnc::contour::ContourView<double>& pocket,
                      const FinishOptions& options) {
   ContourOffset offsetter;
   const OwnedBoundary walls{copy_of(offsetter.offset(pocket, -options.tool_radius_mm))};
+  const OwnedArea area{pocket};
   PathRows rows;
   for (std::size_t loop = 0; loop < walls.loops(); ++loop) {
-    if (const auto lead = lead_to(walls, loop, options)) {
+    std::optional<Lead> lead = lead_to(walls, loop, options);
+    if (options.has_lead_lines) {
+      const WideVec2 place = walls.view().vertices[walls.view().loop_begin(loop)].point();
+      lead = with_lines(std::move(lead), place, area, options);
+    }
+    if (lead) {
       drive(walls, *lead, options, rows);
     } else {
       ramp_along_wall(

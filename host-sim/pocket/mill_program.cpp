@@ -53,7 +53,39 @@ class RowWriter {
     return std::min(feed, mill_.plunge_mm_min * length_mm / -rise_mm);
   }
 
+  /// A rapid at depth, which keeps the distance of other rapids from both cuts.
+  void write_return(const Point& from, const Point& to) {
+    const cnc::WideVec2 way = to.point() - from.point();
+    const double share = mill_.near_mm / way.norm();
+    const cnc::WideVec2 begin = from.point() + share * way;
+    const cnc::WideVec2 end = to.point() - share * way;
+    writer_.set_feed(thousandths(mill_.feed_mm_min));
+    set_height(to, to.z);
+    take(writer_.cut(from.point(), begin, 0.0), from);
+    take(writer_.rapid(end), to);
+    take(writer_.cut(end, to.point(), 0.0), to);
+  }
+
+  /// Begins or ends the compensation of the tool's wear.
+  void write_compensation(Use use) {
+    if (mill_.wear_tool == 0) return;
+    if (use == Use::kLeadIn) {
+      text_ += fmt::format("{} D{}\n", mill_.wears_to_left ? "G41" : "G42", mill_.wear_tool);
+    } else if (use == Use::kLeadOut) {
+      text_ += "G40\n";
+    }
+  }
+
+  /// Whether a rapid is worth its corners, and stays at one depth.
+  [[nodiscard]] bool is_rapid(const Point& from, const Point& to) const {
+    constexpr double kLeastMargins = 3.0;
+    return from.use == Use::kReturn && from.bulge == 0.0 && from.z == to.z &&
+           (to.point() - from.point()).norm() >= kLeastMargins * mill_.near_mm;
+  }
+
   void write_element(const Point& from, const Point& to) {
+    write_compensation(from.use);
+    if (is_rapid(from, to)) return write_return(from, to);
     const cut::Stroke stroke{.from = from.point(), .to = to.point(), .bulge = from.bulge};
     writer_.set_feed(thousandths(feed_of(stroke, to.z - from.z, from.use)));
     set_height(to, to.z);

@@ -15,6 +15,21 @@ namespace sim::pocket {
 MilledPocket StrategyPlanner::mill(const cnc::contour::ContourView<double>& pocket,
                                    double tool_radius_mm) {
   options_.pocket.clearing.tool_radius = tool_radius_mm;
+  const double depth_mm = options_.pocket.depth;
+  const double floor_mm = options_.floor_mm;
+  if (floor_mm == 0.0 || depth_mm <= floor_mm) return mill_levels(pocket);
+  set_depth(depth_mm - floor_mm);
+  MilledPocket milled = mill_levels(pocket);
+  set_depth(floor_mm);
+  const MilledPocket floor = mill_levels(pocket);
+  set_depth(depth_mm);
+  milled.append(floor, floor_mm - depth_mm);
+  milled.levels += floor.levels;
+  return milled;
+}
+
+MilledPocket StrategyPlanner::mill_levels(const cnc::contour::ContourView<double>& pocket) {
+  const double tool_radius_mm = options_.pocket.clearing.tool_radius;
   if (options_.stock && is_around(pocket, *options_.stock)) return mill_open(pocket);
   ContourOffset offsetter;
   if (options_.former_radius_mm > 0.0) {
@@ -41,7 +56,8 @@ void StrategyPlanner::finish(const cnc::contour::ContourView<double>& pocket,
                                       .allowance_mm = options_.finish_mm,
                                       .depth_mm = step_mm(),
                                       .slope = options_.pocket.entry.slope,
-                                      .milling = options_.pocket.milling});
+                                      .milling = options_.pocket.milling,
+                                      .has_lead_lines = options_.has_lead_lines});
   const MilledPocket walls = repeated(level);
   milled.append(walls);
   milled.levels = walls.levels;

@@ -25,6 +25,10 @@ struct StrategyOptions {
   /// What passes along the walls take off after all else, mm, up to the tool's radius; 0: there are
   /// none.
   double finish_mm = 0.0;
+  /// These passes have lines at both ends, as FinishOptions has them.
+  bool has_lead_lines = false;
+  /// What one more level takes off at the floor after the others, mm; 0: there is none.
+  double floor_mm = 0.0;
   /// Radius of a larger tool that went before, mm: only the rest is milled; 0: there was none.
   /// kContour, without finish_mm.
   double former_radius_mm = 0.0;
@@ -59,6 +63,8 @@ class StrategyPlanner {
                                   double tool_radius_mm);
 
  private:
+  /// All levels of the depth.
+  [[nodiscard]] MilledPocket mill_levels(const cnc::contour::ContourView<double>& pocket);
   [[nodiscard]] MilledPocket rough(const cnc::contour::ContourView<double>& pocket);
   void finish(const cnc::contour::ContourView<double>& pocket, MilledPocket& milled) const;
   [[nodiscard]] MilledPocket mill_contours(const cnc::contour::ContourView<double>& pocket);

@@ -86,9 +86,9 @@ COMMANDS = {
                    {"--db": CUTS}, takes_stdin=True,
                    empty_is_refused=("--layers", "--rules", "--settings")),
     "order": Command(("--steps", "10"), {"FILE": PROBLEM}, takes_stdin=True),
-    "pocket": Command(("--tool", "6", "--depth", "2", "--feed", "600", "--plunge-feed", "200"),
-                      {"FILE": PLATE, "--tools": TOOLS}, ("--output", "--report", "--svg"), takes_stdin=True,
-                      empty_is_refused=("--tools",)),
+    "pocket": Command(("--tool", "6", "--depth", "2", "--feed", "600", "--plunge-feed", "200", "--entry", "plunge"),
+                      {"FILE": PLATE, "--tools": TOOLS}, ("--output", "--report", "--svg", "--holes"),
+                      takes_stdin=True, empty_is_refused=("--tools",)),
     "send": Command((), {"file": PROGRAM}, ("--log",), takes_stdin=True, empty_is_refused=("file",)),
 }
 # Further ways to call a command, for options that exclude or need others.

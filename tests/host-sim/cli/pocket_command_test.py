@@ -7,6 +7,7 @@
 import json
 import math
 import pathlib
+import re
 import struct
 import subprocess
 import sys
@@ -93,10 +94,75 @@ class PocketCommand(unittest.TestCase):
     def test_writes_the_same_program_again_to_standard_output(self):
         self.assertEqual(self.pocket(TRAY, "--tool", 6, "--depth", 2, *MILL).returncode, 0)
         again = run("pocket", self.folder / "tray.svg", "--tool", 6, "--depth", 2, *MILL)
-        self.assertEqual(again.stdout, self.program.read_text())
+        digest = re.compile(r"\(kerfline digest drawing=([0-9a-f]{16}) (.*)\)\n")
+        written = self.program.read_text()
+        self.assertEqual(digest.sub("", again.stdout), digest.sub("", written))
         self.assertIn("passes in", again.stderr)
         piped = run("pocket", "-", "--tool", 6, "--depth", 2, *MILL, text=TRAY)
-        self.assertEqual(piped.stdout.splitlines()[2:], again.stdout.splitlines()[2:])
+        self.assertEqual(piped.stdout.splitlines()[3:], again.stdout.splitlines()[3:])
+        # The drawing's digest is the same; its name is given from the folder of the program.
+        self.assertEqual(digest.search(written)[2], "tray.svg")
+        self.assertEqual(digest.search(piped.stdout)[1], digest.search(written)[1])
+
+    def test_tells_that_its_drawing_or_tools_have_changed(self):
+        tools = self.folder / "tools.txt"
+        tools.write_text("flat6: diameter=6, feed=900, plunge-feed=300\n")
+        report = self.folder / "tray.json"
+        done = self.pocket(TRAY, "--tools", tools, "--tool", "flat6", "--depth", 2, "--report", report)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual([digest["kind"] for digest in json.loads(report.read_text())["digests"]],
+                         ["tools", "drawing"])
+        self.assertNotIn("changed", run("check", self.program, *MACHINE).stderr)
+        tools.write_text("flat6: diameter=5.9, feed=900, plunge-feed=300\n")
+        self.drawing(TRAY.replace('r="8"', 'r="9"'))
+        told = run("check", self.program, *MACHINE)
+        for name in "tray.svg", "tools.txt":
+            self.assertRegex(told.stdout + told.stderr, f"{name}.*changed")
+
+    def test_drills_the_holes_that_it_plunges_into(self):
+        holes = self.folder / "holes.nc"
+        for strategy in "contour", "spiral", "adaptive", "zigzag":
+            with self.subTest(strategy=strategy):
+                done = self.pocket(TRAY, "--tool", 6, "--depth", 4, "--depth-step", 2, *MILL, "--entry", "plunge",
+                                   "--strategy", strategy, "--holes", holes)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                stock = ("--stock", "5,25,75,75,0,-8", "--tool", 6, "--stock-cell", 0.05)
+                alone = self.simulated(*stock)["stock"]["plunges_in_stock"]["count"]
+                self.assertGreater(alone, 0)
+                milling = self.program.read_text()
+                self.program.write_text(holes.read_text())
+                drilled = self.simulated(*stock)["stock"]
+                self.program.write_text(holes.read_text().replace("M2\n", "") + milling)
+                both = self.simulated(*stock)["stock"]
+                self.assertEqual(both["plunges_in_stock"]["count"], drilled["plunges_in_stock"]["count"])
+                self.assertEqual(both["rapids_in_stock"]["count"], 0, both["rapids_in_stock"])
+        done = self.pocket(TRAY, "--tool", 6, "--depth", 2, *MILL, "--holes", holes)
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("add --entry plunge", done.stderr)
+
+    def test_finishes_floors_and_walls_and_compensates_wear(self):
+        for more, code in (((), "G41 D2"), (("--conventional",), "G42 D2")):
+            with self.subTest(more=more):
+                done = self.pocket(TRAY, "--tool", 6, "--depth", 4, "--depth-step", 2, *MILL, "--finish", 0.3,
+                                   "--finish-floor", 0.5, "--wear", 2, *more)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                text = self.program.read_text()
+                self.assertEqual(text.count(code), 6)  # Two walls, two levels and the floor.
+                self.assertEqual(text.count("G40"), 6)
+                # A tool that is 0.1 mm wider, cut off by as much: the walls are where they were drawn.
+                self.program.write_text("G10 L1 P2 R0.05\n" + text)
+                stock = self.simulated("--stock", "5,25,75,75,0,-8", "--tool", 6.1, "--stock-cell", 0.05)["stock"]
+                volume = 4 * (60 * 40 - (4 - math.pi) * 3.05 ** 2 - math.pi * 8 ** 2)
+                self.assertLessEqual(stock["removed_mm3"]["least"], volume)
+                self.assertGreaterEqual(stock["removed_mm3"]["most"], volume)
+                self.assertEqual(stock["rapids_in_stock"]["count"], 0, stock["rapids_in_stock"])
+                bounds = self.simulated()["bounds_mm"]
+                self.assertAlmostEqual(bounds["X"][1], 66.95, 2)
+        for more, words in ((("--wear", 2), "add --finish"), (("--finish", 0.3, "--wear", 13), "1 to 12"),
+                            (("--finish-floor", 4), "at most one level, 3 mm")):
+            done = self.pocket(TRAY, "--tool", 6, "--depth", 4, *MILL, *more)
+            self.assertEqual(done.returncode, 2, done.stdout)
+            self.assertIn(words, done.stderr)
 
     def test_takes_every_entry_and_both_directions(self):
         for entry in ("helix", "ramp", "plunge"):

@@ -72,6 +72,35 @@ TEST(MillProgram, FeedsLightPassesAtTheirOwnFeed) {
   EXPECT_NE(text.find("X1F600\nX2F900\nX3F600\n"), std::string::npos) << text;
 }
 
+TEST(MillProgram, ReturnsInRapidsThatKeepTheirDistanceFromCuts) {
+  const Rows rows{{{.z = -1.0, .use = Use::kReturn},
+                   {.x = 10.0, .z = -1.0},
+                   {.x = 12.0, .z = -1.0, .use = Use::kReturn},
+                   {.x = 12.0, .y = 2.9, .z = -1.0, .use = Use::kReturn},
+                   {.x = 12.0, .y = 12.9, .z = -2.0}},
+                  {5}};
+  const std::string text = written(rows, mill());
+  // The short one and the one that goes down are driven at the feed.
+  EXPECT_NE(text.find("G1Z-1F100\nX1F600\nG0X9\nG1X10\nX12\nY2.9\nY12.9Z-2\n"), std::string::npos)
+      << text;
+}
+
+TEST(MillProgram, CompensatesTheWearOfTheToolBetweenLeads) {
+  const Rows rows{{{.z = -1.0, .use = Use::kLeadIn},
+                   {.x = 2.0, .z = -1.0},
+                   {.x = 9.0, .z = -1.0, .use = Use::kLeadOut},
+                   {.x = 11.0, .z = -1.0}},
+                  {4}};
+  MillSettings settings = mill();
+  EXPECT_EQ(written(rows, settings).find("G4"), std::string::npos);
+  settings.wear_tool = 3;
+  EXPECT_NE(written(rows, settings).find("F100\nG41 D3\nX2F600\nX9\nG40\nX11\nG0Z5\n"),
+            std::string::npos)
+      << written(rows, settings);
+  settings.wears_to_left = false;
+  EXPECT_NE(written(rows, settings).find("G42 D3\n"), std::string::npos);
+}
+
 TEST(MillProgram, MakesLinesOfArcsWhoseCentreIsOutOfReach) {
   const Rows rows{{{.z = -1.0, .bulge = 4.0e-5}, {.x = 1000.0, .z = -2.0}}, {2}};
   const std::string text = written(rows, mill());

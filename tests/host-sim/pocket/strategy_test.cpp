@@ -101,6 +101,51 @@ TEST(Strategies, LeaveWhatPassesAlongTheWallsTakeOff) {
   }
 }
 
+TEST(Strategies, TakeTheAllowanceOfTheFloorOffInALevelOfItsOwn) {
+  const Contour pocket = contour_from_text(kRoom, "test");
+  for (const Strategy strategy :
+       {Strategy::kContour, Strategy::kSpiral, Strategy::kAdaptive, Strategy::kZigzag}) {
+    StrategyOptions options = options_of(strategy);
+    options.pocket.clearing.stepover = 2.0;
+    options.floor_mm = 1.0;
+    options.finish_mm = 0.3;
+    StrategyPlanner planner{options};
+    for (int i = 0; i < 2; ++i) {  // The depth is the same again.
+      const MilledPocket path = planner.mill(pocket.view(), 3.0);
+      EXPECT_EQ(path.levels, 3U);
+      std::set<double> floors;
+      for (const std::uint32_t end : path.row_ends) {
+        floors.insert(std::round(1.0e6 * path.points[end - 1].z));
+      }
+      EXPECT_EQ(floors, (std::set<double>{-6.0e6, -5.0e6, -2.5e6}));
+      EXPECT_NEAR(path.points.back().z, -6.0, 1.0e-9);
+    }
+  }
+}
+
+TEST(Strategies, HaveLinesBeforeTheirLeadsWhereACompensationNeedsThem) {
+  const Contour pocket = contour_from_text(kRoom, "test");
+  StrategyOptions options = options_of(Strategy::kContour);
+  options.finish_mm = 0.3;
+  options.has_lead_lines = true;
+  const MilledPocket path = StrategyPlanner{options}.mill(pocket.view(), 3.0);
+  const std::size_t rows = path.row_ends.size();
+  for (std::size_t row = rows - 3; row < rows; ++row) {
+    const std::uint32_t begin = path.path().row_begin(row);
+    const std::uint32_t end = path.row_ends[row];
+    EXPECT_EQ(path.points[begin + 1].use, Use::kLeadIn);
+    EXPECT_EQ(path.points[end - 2].use, Use::kLeadOut);
+    // Both lines touch their arcs: a right angle to the wall, and as long as the tool is wide.
+    const cnc::WideVec2 in = path.points[begin + 2].point() - path.points[begin + 1].point();
+    const cnc::WideVec2 out = path.points[end - 1].point() - path.points[end - 2].point();
+    EXPECT_NEAR(in.norm(), 3.0, 1.0e-9);
+    EXPECT_NEAR((in + out).norm(), 0.0, 1.0e-9);
+    EXPECT_NEAR(std::min(std::abs(in.x()), std::abs(in.y())), 0.0, 1.0e-9);
+  }
+  const Contour slot = contour_from_text("0 0\n60 0\n60 6.4\n0 6.4\nclosed\n", "test");
+  EXPECT_THROW(static_cast<void>(StrategyPlanner{options}.mill(slot.view(), 3.0)), NoPocketPath);
+}
+
 TEST(Strategies, FinishWhatIsTooNarrowForTheAllowance) {
   const Contour slot = contour_from_text("0 0\n60 0\n60 6.4\n0 6.4\nclosed\n", "test");
   StrategyOptions options = options_of(Strategy::kContour);
