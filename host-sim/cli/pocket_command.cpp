@@ -22,6 +22,7 @@
 #include "host-sim/pocket/areas.hpp"
 #include "host-sim/pocket/drill_holes.hpp"
 #include "host-sim/pocket/fitting_radius.hpp"
+#include "host-sim/pocket/loop_contact.hpp"
 #include "host-sim/pocket/mill_program.hpp"
 #include "host-sim/pocket/terraces.hpp"
 #include "host-sim/report/terminal.hpp"
@@ -222,6 +223,21 @@ std::vector<std::optional<double>> depths_of(const ContourPart& part,
   return depths;
 }
 
+/// Throws NoPocketPath where contours of one terrace touch: an island and its wall, say.
+void refuse_contacts(const std::vector<Terraces>& pockets) {
+  for (const Terraces& terraces : pockets) {
+    for (const Terrace& terrace : terraces) {
+      const auto place = pocket::contact_between_loops(terrace.contours.view());
+      if (!place) continue;
+      throw pocket::NoPocketPath{fmt::format(
+          "at {:.3f} {:.3f} two contours touch or cross; take them apart, or draw them as "
+          "one",
+          place->x(),
+          place->y())};
+    }
+  }
+}
+
 /// Reads the drawing; appends all contours of it to `walls`.
 std::vector<Terraces> read_pockets(const PocketCommandOptions& options,
                                    InputFiles& inputs,
@@ -238,6 +254,7 @@ std::vector<Terraces> read_pockets(const PocketCommandOptions& options,
       pockets.push_back(std::move(terraces));
     }
   }
+  refuse_contacts(pockets);
   if (pockets.empty()) {
     throw pocket::NoPocketPath{"nothing in it is deeper than Z 0; give a depth with --depth-of"};
   }

@@ -114,10 +114,9 @@ void check_sizes(const PocketCommandOptions& options) {
                     options.stepover_mm,
                     widest_mm)};
   }
-  const bool is_zigzag = options.strategy == pocket::Strategy::kZigzag;
-  if (is_zigzag && options.stepover_mm > options.tool_mm) {
+  if (options.stepover_mm > options.tool_mm) {
     throw std::invalid_argument{
-        fmt::format("--stepover {:g}: a distance of lines above the tool's {:g} mm leaves stock "
+        fmt::format("--stepover {:g}: passes farther apart than the tool's {:g} mm leave stock "
                     "between them",
                     options.stepover_mm,
                     options.tool_mm)};

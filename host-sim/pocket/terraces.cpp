@@ -6,6 +6,7 @@
 
 #include "host-sim/contour/contour_loops.hpp"
 #include "host-sim/contour/material_side.hpp"
+#include "host-sim/pocket/loop_contact.hpp"
 #include "planner/pocket/loop_measures.hpp"
 
 namespace sim::pocket {
@@ -21,18 +22,22 @@ struct NestedLoop {
   double floor_mm = 0.0;         ///< Depth of the floor between it and the loops in it.
 };
 
-/// Finds the loops around each loop.
+/// Finds the loops around each loop. They may touch.
 std::vector<NestedLoop> nested(const Contour& contours) {
   const auto view = contours.view();
   std::vector<NestedLoop> loops(view.loop_ends.size());
+  std::vector<cnc::contour::FlatBox<double>> boxes(loops.size());
   for (std::size_t i = 0; i < loops.size(); ++i) {
     loops[i].area_mm2 = std::abs(cnc::pocket::signed_area(view, i));
+    boxes[i] = box_around(view, i);
   }
   for (std::size_t i = 0; i < loops.size(); ++i) {
-    const cnc::WideVec2 place = view.vertices[view.loop_begin(i)].point();
+    const cnc::WideVec2 begin = view.vertices[view.loop_begin(i)].point();
     for (std::size_t k = 0; k < loops.size(); ++k) {
       if (loops[k].area_mm2 <= loops[i].area_mm2) continue;
-      if (cnc::pocket::turns_around(view, k, place) == 0) continue;
+      if (!boxes[k].meets({begin.x(), begin.y(), begin.x(), begin.y()})) continue;
+      const auto place = place_off_loop(view, i, k);
+      if (!place || cnc::pocket::turns_around(view, k, *place) == 0) continue;
       ++loops[i].nesting;
       if (loops[i].parent == kNoLoop || loops[k].area_mm2 < loops[loops[i].parent].area_mm2) {
         loops[i].parent = k;

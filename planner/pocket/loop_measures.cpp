@@ -28,7 +28,13 @@ bool is_in_segment(const LoopElement<Scalar>& element, const BasicVec2<Scalar>& 
   const BasicVec2<Scalar> chord = element.end - element.start;
   const BasicVec2<Scalar> seen = point - element.start;
   const Scalar b = element.bulge;
-  if (b * cross(chord, seen) > Scalar{0}) return false;
+  const Scalar side = b * cross(chord, seen);
+  if (side > Scalar{0}) return false;
+  // Points on the chord's line count for the side on which turns_around() has them, which is that
+  // of greater x or, where the chord is level, of greater y.
+  const bool arc_is_beyond =
+      b * chord.y() > Scalar{0} || (chord.y() == Scalar{0} && b * chord.x() < Scalar{0});
+  if (side == Scalar{0} && !arc_is_beyond) return false;
   // With the tangent turned from the chord by half the sweep, times 1 + b²: the circle's equation.
   const BasicVec2<Scalar> tangent =
       (Scalar{1} - b * b) * chord - Scalar{2} * b * left_normal(chord);

@@ -277,7 +277,7 @@ class PocketCommand(unittest.TestCase):
                             (("--strategy", "adaptive", "--engagement", 170), "10 to 150 degrees"),
                             (("--v-angle", 180), "1 to 175 degrees"),
                             (("--strategy", "zigzag", "--conventional"), "lines go both ways"),
-                            (("--strategy", "zigzag", "--stepover", 7), "distance of lines"),
+                            (("--strategy", "zigzag", "--stepover", 7), "leave stock between"),
                             (("--strategy", "paper", "--corner", 0), "it is as printed"),
                             (("--strategy", "helical"), "helical"),
                             (("--strategy", "spiral", "--stepover", 2.8), "at most 2.7 mm apart"),
@@ -337,6 +337,40 @@ class PocketCommand(unittest.TestCase):
         # The drawing's Y points down.
         for place, z in (((5, 40), 0), ((15, 40), -4), ((30, 45), -6.5), ((55, 45), -1.5), ((87, 60), -6.5)):
             self.assertAlmostEqual(height[place], z, delta=0.01, msg=place)
+
+    def test_mills_a_pocket_in_an_island_around_the_same_middle(self):
+        target = svg('<rect x="10" y="10" width="60" height="50"/>', '<circle cx="40" cy="35" r="15"/>',
+                     '<circle cx="40" cy="35" r="8"/>')
+        volume = 2 * (60 * 50 - (4 - math.pi) * 9 - math.pi * 15 ** 2 + math.pi * 8 ** 2)
+        for strategy in "contour", "spiral", "adaptive", "zigzag":
+            with self.subTest(strategy=strategy):
+                done = self.pocket(target, "--tool", 6, "--depth", 2, *MILL, "--strategy", strategy)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                stock = self.simulated("--stock", "5,15,75,75,0,-8", "--tool", 6, "--stock-cell", 0.1)["stock"]
+                self.assertLessEqual(stock["removed_mm3"]["least"], volume)
+                self.assertGreaterEqual(stock["removed_mm3"]["most"], volume)
+
+    def test_refuses_islands_that_touch_their_wall(self):
+        room = '<rect x="10" y="10" width="60" height="40"/>'
+        for island, place in (('<rect x="10" y="20" width="5" height="5"/>', "10.000"),
+                              ('<circle cx="15" cy="30" r="5"/>', "10.000 50.000"),
+                              ('<path d="M40 50 L45 40 L35 40 Z"/>', "40.000 30.000")):
+            for strategy in "contour", "spiral", "adaptive", "zigzag":
+                with self.subTest(island=island, strategy=strategy):
+                    done = self.pocket(svg(room, island), "--tool", 3, "--depth", 2, *MILL, "--strategy", strategy)
+                    self.assertEqual(done.returncode, 1, done.stdout)
+                    self.assertIn(f"at {place}", done.stderr)
+                    self.assertIn("take them apart", done.stderr)
+                    self.assertFalse(self.program.exists())
+        # A deeper pocket may have walls in common with the one around it.
+        done = self.pocket(svg(room, '<rect x="10" y="10" width="20" height="40" stroke="red"/>'), "--tool", 6,
+                           "--depth", 2, "--depth-of", "red=4", *MILL)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        stock = self.simulated("--stock", "5,25,75,75,0,-8", "--tool", 6, "--stock-cell", 0.1)["stock"]
+        corner = (4 - math.pi) * 3 ** 2
+        volume = 2 * (60 * 40 - corner) + 2 * (20 * 40 - corner)
+        self.assertLessEqual(stock["removed_mm3"]["least"], volume)
+        self.assertGreaterEqual(stock["removed_mm3"]["most"], volume)
 
     def test_refuses_depths_of_no_layer_and_no_depths(self):
         for more, words in ((("--depth-of", "red"), "must be a layer or colour and its depth"),

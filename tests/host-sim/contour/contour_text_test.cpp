@@ -69,6 +69,16 @@ TEST(MaterialSide, OutlinesRunLeftAndHolesRightAndIslandsLeftAgain) {
   EXPECT_EQ(ys(contour), ys(again));
 }
 
+TEST(MaterialSide, CirclesAroundOneMiddleAreOutlineHoleAndIsland) {
+  // All vertices lie on the chords of the other circles.
+  Contour contour = contour_from_text(
+      "-9 0 1\n9 0 1\nclosed\n-4 0 1\n4 0 1\nclosed\n0 -2 -1\n0 2 -1\nclosed\n", "x");
+  put_material_left(contour);
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_EQ(contour.vertices[i].bulge, i == 2 || i == 3 ? -1.0 : 1.0) << i;
+  }
+}
+
 TEST(MaterialSide, ArcsKeepTheirPlaces) {
   Contour contour = contour_from_text("0 0 -1\n10 0 -0.5\n", "x");
   put_material_left(contour);

@@ -39,6 +39,17 @@ TEST(Terraces, OfAPocketInAPocketGoOnWithinIt) {
   EXPECT_NEAR(cnc::pocket::signed_area(pockets[0][1].contours.view(), 0), 400.0, 1.0e-9);
 }
 
+TEST(Terraces, OfAPocketAtTheWallOfAnotherGoOnWithinIt) {
+  // Three of its walls, and all of its vertices, are on the walls of the outer one.
+  const Contour contours =
+      contour_from_text("0 0\n60 0\n60 40\n0 40\nclosed\n0 40\n0 0\n20 0\n20 40\nclosed\n", "test");
+  const auto pockets = terraces_of(contours, {{}, 6.0}, 4.0);
+  ASSERT_EQ(pockets.size(), 1U);
+  ASSERT_EQ(pockets[0].size(), 2U);
+  EXPECT_NEAR(cnc::pocket::signed_area(pockets[0][0].contours.view(), 0), 2400.0, 1.0e-9);
+  EXPECT_NEAR(cnc::pocket::signed_area(pockets[0][1].contours.view(), 0), 800.0, 1.0e-9);
+}
+
 TEST(Terraces, GoOverABossFirstAndThenAroundIt) {
   const Contour contours = contour_from_text(kRoomInRoom, "test");
   const auto pockets = terraces_of(contours, {6.0, 2.0}, 4.0);

@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
 #include "planner/pocket/area_split.hpp"
 #include "planner/pocket/farthest_point.hpp"
 #include "tests/planner/pocket/pocket_oracle.hpp"
@@ -71,6 +76,63 @@ TEST(LoopMeasures, AgreeWithAnglesInRandomPockets) {
       EXPECT_NEAR(found.distance, plain.distance(place), 1.0e-9) << "KERFLINE_SEED=" << seed;
       EXPECT_NEAR((found.point - place).norm(), found.distance, 1.0e-9);
       EXPECT_NEAR(plain.distance(found.point), 0.0, 1.0e-9) << "KERFLINE_SEED=" << seed;
+    }
+  }
+}
+
+TEST(LoopMeasures, TellPointsOnTheChordsOfArcsFromThoseOutside) {
+  // A disc of two halves and a square with a bite, each turned by quarters and run both ways.
+  for (const double turn : {0.0, 0.5 * pi, pi, 1.5 * pi, 0.3}) {
+    for (const bool is_mirrored : {false, true}) {
+      const auto turned = [&](double x, double y) {
+        const double height = is_mirrored ? -y : y;
+        return WideVec2{std::round(1.0e6 * (x * std::cos(turn) - height * std::sin(turn))) / 1.0e6,
+                        std::round(1.0e6 * (x * std::sin(turn) + height * std::cos(turn))) / 1.0e6};
+      };
+      const double side = is_mirrored ? -1.0 : 1.0;
+      std::vector<contour::Vertex<double>> vertices;
+      const auto add = [&](double x, double y, double bulge) {
+        const WideVec2 place = turned(x, y);
+        vertices.push_back({place.x(), place.y(), side * bulge});
+      };
+      add(-4, 0, 1.0);
+      add(4, 0, 1.0);
+      add(20, -4, 0.0);
+      add(28, -4, 0.0);
+      add(28, 4, -1.0);  // The bite, with its chord from X28 to X20.
+      add(20, 4, 0.0);
+      const std::array<std::uint32_t, 2> ends{2, 6};
+      const contour::ContourView<double> contour{{vertices.data(), vertices.size()},
+                                                 {ends.data(), ends.size()}};
+      const int inside = is_mirrored ? -1 : 1;
+      EXPECT_EQ(turns_around(contour, 0, turned(0, 0)), inside);
+      EXPECT_EQ(turns_around(contour, 0, turned(2, 0)), inside);
+      EXPECT_EQ(turns_around(contour, 0, turned(5, 0)), 0);
+      EXPECT_EQ(turns_around(contour, 1, turned(24, 4)), 0);
+      EXPECT_EQ(turns_around(contour, 1, turned(22, 4)), 0);
+      EXPECT_EQ(turns_around(contour, 1, turned(24, -2)), inside);
+    }
+  }
+}
+
+TEST(LoopMeasures, AgreeWithAnglesOnTheChordsOfArcs) {
+  for (const std::uint64_t seed : proof::Trials{200}) {
+    proof::Random random{seed};
+    PocketBench bench;
+    add_random_pocket(bench, random);
+    const auto contour = bench.pocket();
+    PlainContour plain;
+    plain.add(contour);
+    for (std::size_t loop = 0; loop < contour.loop_ends.size(); ++loop) {
+      for (std::uint32_t i = contour.loop_begin(loop); i < contour.loop_ends[loop]; ++i) {
+        const auto element = element_at(contour, loop, i);
+        const WideVec2 middle = 0.5 * (element.start + element.end);
+        if (plain.distance(middle) < 1.0e-6) continue;
+        // The judge takes angles, which are ambiguous on a chord; so it is asked for a place beside.
+        const WideVec2 chord = element.end - element.start;
+        const WideVec2 beside = middle + 1.0e-7 / chord.norm() * left_normal(chord);
+        EXPECT_EQ(is_inside(contour, middle), plain.encloses(beside)) << "KERFLINE_SEED=" << seed;
+      }
     }
   }
 }

@@ -1,0 +1,126 @@
+#include "host-sim/pocket/loop_contact.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "planner/contour/box_tree.hpp"
+#include "planner/contour/meeting.hpp"
+#include "planner/pocket/loop_measures.hpp"
+
+namespace sim::pocket {
+namespace {
+
+using cnc::WideVec2;
+using cnc::contour::FlatBox;
+using Curve = cnc::contour::Curve<double>;
+using Element = cnc::pocket::LoopElement<double>;
+using View = cnc::contour::ContourView<double>;
+
+/// Calls `visit(curve)` for an element, or for both halves of one that turns by more than half a
+/// turn. An element without length is a point.
+template <typename Visit>
+void for_each_curve(const Element& element, const Visit& visit) {
+  if (std::abs(element.bulge) > 1.0) {
+    const double half = std::tan(0.5 * std::atan(element.bulge));
+    for_each_curve(Element{element.start, element.middle(), half}, visit);
+    for_each_curve(Element{element.middle(), element.end, half}, visit);
+    return;
+  }
+  Curve curve{.start = element.start, .end = element.start};
+  static_cast<void>(cnc::pocket::make_curve(element, curve));
+  visit(curve);
+}
+
+FlatBox<double> grown(const FlatBox<double>& box) {
+  return {box.x0 - kTouchMm, box.y0 - kTouchMm, box.x1 + kTouchMm, box.y1 + kTouchMm};
+}
+
+/// A place that is on both curves within the touch.
+std::optional<WideVec2> contact_of(const Curve& a, const Curve& b) {
+  const auto meetings = cnc::contour::meetings_of(a, b, kTouchMm);
+  if (meetings.count > 0) return meetings.places[0];
+  // Curves that run on top of each other have no such places, but an end of one is on the other.
+  for (const WideVec2& end : {a.start, a.end}) {
+    if (b.distance(end) <= kTouchMm) return end;
+  }
+  for (const WideVec2& end : {b.start, b.end}) {
+    if (a.distance(end) <= kTouchMm) return end;
+  }
+  return std::nullopt;
+}
+
+/// The curves of all loops, each with its loop.
+class LoopCurves {
+ public:
+  explicit LoopCurves(const View& contour) {
+    for (std::size_t loop = 0; loop < contour.loop_ends.size(); ++loop) {
+      for (std::uint32_t i = contour.loop_begin(loop); i < contour.loop_ends[loop]; ++i) {
+        for_each_curve(cnc::pocket::element_at(contour, loop, i), [&](const Curve& curve) {
+          curves_.push_back(curve);
+          loops_.push_back(loop);
+        });
+      }
+    }
+  }
+
+  [[nodiscard]] std::optional<WideVec2> contact() const {
+    const auto count = static_cast<std::uint32_t>(curves_.size());
+    std::vector<FlatBox<double>> boxes(cnc::contour::BoxTree<double>::size_for(count));
+    cnc::contour::BoxTree<double> tree{slice_of(boxes)};
+    for (std::uint32_t i = 0; i < count; ++i) tree.leaf(i) = grown(curves_[i].box());
+    tree.build(count);
+    std::optional<WideVec2> found;
+    for (std::uint32_t i = 0; i < count && !found; ++i) {
+      tree.search(curves_[i].box(), i + 1, [&](std::uint32_t other) {
+        if (loops_[i] != loops_[other]) found = contact_of(curves_[i], curves_[other]);
+        return !found;
+      });
+    }
+    return found;
+  }
+
+ private:
+  std::vector<Curve> curves_;
+  std::vector<std::size_t> loops_;
+};
+
+bool touches(const View& contour, std::size_t loop, const WideVec2& place) {
+  bool is_near = false;
+  for (std::uint32_t i = contour.loop_begin(loop); i < contour.loop_ends[loop] && !is_near; ++i) {
+    for_each_curve(cnc::pocket::element_at(contour, loop, i), [&](const Curve& curve) {
+      is_near = is_near || curve.distance(place) <= kTouchMm;
+    });
+  }
+  return is_near;
+}
+
+}  // namespace
+
+std::optional<WideVec2> contact_between_loops(const View& contour) {
+  return LoopCurves{contour}.contact();
+}
+
+FlatBox<double> box_around(const View& contour, std::size_t loop) {
+  const WideVec2 begin = contour.vertices[contour.loop_begin(loop)].point();
+  FlatBox<double> box = grown({begin.x(), begin.y(), begin.x(), begin.y()});
+  for (std::uint32_t i = contour.loop_begin(loop); i < contour.loop_ends[loop]; ++i) {
+    for_each_curve(cnc::pocket::element_at(contour, loop, i),
+                   [&](const Curve& curve) { box.include(grown(curve.box())); });
+  }
+  return box;
+}
+
+std::optional<WideVec2> place_off_loop(const View& contour, std::size_t loop, std::size_t other) {
+  for (std::uint32_t i = contour.loop_begin(loop); i < contour.loop_ends[loop]; ++i) {
+    const Element element = cnc::pocket::element_at(contour, loop, i);
+    for (const WideVec2& place : {element.start, element.middle()}) {
+      if (!touches(contour, other, place)) return place;
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace sim::pocket
