@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "host-sim/report/duration_text.hpp"
@@ -27,6 +28,12 @@ Json json_of(const RapidSum& sum, const OrderFigures& order) {
           {"predicted_job_time_s", job_time(sum, order)}};
 }
 
+/// Whether rapids are led round something, or lifted.
+bool is_led(const OrderFigures& order) {
+  constexpr double kNothingMm = 0.05;
+  return std::abs(order.rapids.length_mm - order.straight.length_mm) > kNothingMm;
+}
+
 }  // namespace
 
 std::vector<std::string> lines_of(const OrderFigures& order, std::size_t cuts) {
@@ -40,16 +47,19 @@ std::vector<std::string> lines_of(const OrderFigures& order, std::size_t cuts) {
   const auto cost = [&order](const RapidSum& sum) {
     return order.wish.cost == OrderCost::kLength ? sum.length_mm : sum.time_s;
   };
-  const double nearest = saving(cost(order.rapids), cost(order.nearest));
-  const double file = saving(cost(order.rapids), cost(order.file));
-  const double listed = saving(cost(order.rapids), cost(order.listed));
-  return {
-      first,
-      line("  only listed starts:", order.listed) + fmt::format("; {:.1f} percent saved", listed),
-      line("  as drawn, usual starts:", order.file) + fmt::format("; {:.1f} percent saved", file),
-      line("  nearest, usual starts:", order.nearest) +
-          fmt::format("; {:.1f} percent saved", nearest),
-      fmt::format("  {} pierces; predicted {} in all", cuts, duration_text(order.predicted_s()))};
+  // Ways of others are not led round anything, so that all are compared by straight ones.
+  const auto beside = [&](std::string_view name, const RapidSum& other) {
+    return line(name, other) +
+           fmt::format("; {:.1f} percent saved", saving(cost(order.straight), cost(other)));
+  };
+  std::vector<std::string> lines{first};
+  if (is_led(order)) lines.push_back(line("  as ordered, by straight ways:", order.straight));
+  lines.push_back(beside("  only listed starts:", order.listed));
+  lines.push_back(beside("  as drawn, usual starts:", order.file));
+  lines.push_back(beside("  nearest, usual starts:", order.nearest));
+  lines.push_back(
+      fmt::format("  {} pierces; predicted {} in all", cuts, duration_text(order.predicted_s())));
+  return lines;
 }
 
 Json json_of(const OrderFigures& order, std::size_t cuts) {
@@ -64,6 +74,7 @@ Json json_of(const OrderFigures& order, std::size_t cuts) {
   json["pierces"] = cuts;
   json.update(json_of(order.rapids, order));
   json["cut_time_s"] = order.strokes_s;
+  json["by_straight_ways"] = json_of(order.straight, order);
   json["with_listed_starts"] = json_of(order.listed, order);
   json["file_with_usual_starts"] = json_of(order.file, order);
   json["nearest_with_usual_starts"] = json_of(order.nearest, order);

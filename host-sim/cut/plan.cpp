@@ -296,7 +296,8 @@ void Planner::put_in_order() {
   plan_.cuts = std::move(cuts);
   plan_.order.is_proven = chosen.is_proven;
   plan_.order.listed = chosen.listed;
-  plan_.order.rapids = rapids_of(chosen.cuts, unbegun_, wish_);
+  plan_.order.straight = rapids_of(chosen.cuts, unbegun_, wish_);
+  plan_.order.rapids = plan_.order.straight;
   const auto usual = [this](order::OrderMethod method) {
     return rapids_of(usual_order(unbegun_, wish_, method), unbegun_, wish_);
   };
