@@ -38,10 +38,33 @@ FlatBox<double> grown(const FlatBox<double>& box) {
   return {box.x0 - kTouchMm, box.y0 - kTouchMm, box.x1 + kTouchMm, box.y1 + kTouchMm};
 }
 
+WideVec2 centre_of(const Curve& arc) {
+  return arc.start + cnc::left_normal(arc.start_tangent) / arc.curvature;
+}
+
+/// The place of an arc that is nearest to the whole circle or line of another curve, if it is that
+/// near to the curve itself. Meetings of circles that just miss each other lie beside it.
+std::optional<WideVec2> nearest_touch(const Curve& arc, const Curve& other) {
+  if (arc.curvature == 0.0) return std::nullopt;
+  const WideVec2 centre = centre_of(arc);
+  const bool is_line = other.curvature == 0.0;
+  const WideVec2 towards = is_line ? WideVec2{cnc::left_normal(other.start_tangent)}
+                                   : WideVec2{centre_of(other) - centre};
+  const double away = towards.norm();
+  if (away <= kTouchMm) return std::nullopt;  // Around one middle: ends tell.
+  for (const double side : {1.0, -1.0}) {
+    const WideVec2 place = centre + side / (std::abs(arc.curvature) * away) * towards;
+    if (arc.faces(place, 0.0) && other.distance(place) <= kTouchMm) return place;
+  }
+  return std::nullopt;
+}
+
 /// A place that is on both curves within the touch.
 std::optional<WideVec2> contact_of(const Curve& a, const Curve& b) {
   const auto meetings = cnc::contour::meetings_of(a, b, kTouchMm);
   if (meetings.count > 0) return meetings.places[0];
+  if (const auto place = nearest_touch(a, b)) return place;
+  if (const auto place = nearest_touch(b, a)) return place;
   // Curves that run on top of each other have no such places, but an end of one is on the other.
   for (const WideVec2& end : {a.start, a.end}) {
     if (b.distance(end) <= kTouchMm) return end;
