@@ -128,7 +128,7 @@ TEST(LoopMeasures, AgreeWithAnglesOnTheChordsOfArcs) {
         const auto element = element_at(contour, loop, i);
         const WideVec2 middle = 0.5 * (element.start + element.end);
         if (plain.distance(middle) < 1.0e-6) continue;
-        // The judge takes angles, which are ambiguous on a chord; so it is asked for a place beside.
+        // Angles, which the judge takes, are ambiguous on a chord: it is asked beside it.
         const WideVec2 chord = element.end - element.start;
         const WideVec2 beside = middle + 1.0e-7 / chord.norm() * left_normal(chord);
         EXPECT_EQ(is_inside(contour, middle), plain.encloses(beside)) << "KERFLINE_SEED=" << seed;
