@@ -1,7 +1,6 @@
 #include "host-sim/pocket/loop_contact.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstdint>
 #include <vector>
@@ -19,19 +18,20 @@ using Curve = cnc::contour::Curve<double>;
 using Element = cnc::pocket::LoopElement<double>;
 using View = cnc::contour::ContourView<double>;
 
-/// Calls `visit(curve)` for an element, or for both halves of one that turns by more than half a
-/// turn. An element without length is a point.
-template <typename Visit>
-void for_each_curve(const Element& element, const Visit& visit) {
-  if (std::abs(element.bulge) > 1.0) {
-    const double half = std::tan(0.5 * std::atan(element.bulge));
-    for_each_curve(Element{element.start, element.middle(), half}, visit);
-    for_each_curve(Element{element.middle(), element.end, half}, visit);
-    return;
-  }
+/// An element without length is a point.
+Curve curve_of(const Element& element) {
   Curve curve{.start = element.start, .end = element.start};
   static_cast<void>(cnc::pocket::make_curve(element, curve));
-  visit(curve);
+  return curve;
+}
+
+/// Calls `visit(curve)` for an element, or for both halves of one of more than half a turn.
+template <typename Visit>
+void for_each_curve(const Element& element, const Visit& visit) {
+  if (std::abs(element.bulge) <= 1.0) return visit(curve_of(element));
+  const double half = std::tan(0.5 * std::atan(element.bulge));
+  visit(curve_of({element.start, element.middle(), half}));
+  visit(curve_of({element.middle(), element.end, half}));
 }
 
 FlatBox<double> grown(const FlatBox<double>& box) {
@@ -63,8 +63,8 @@ std::optional<WideVec2> nearest_touch(const Curve& arc, const Curve& other) {
 std::optional<WideVec2> contact_of(const Curve& a, const Curve& b) {
   const auto meetings = cnc::contour::meetings_of(a, b, kTouchMm);
   if (meetings.count > 0) return meetings.places[0];
-  if (const auto place = nearest_touch(a, b)) return place;
-  if (const auto place = nearest_touch(b, a)) return place;
+  if (const auto place = nearest_touch(a, b)) return *place;
+  if (const auto place = nearest_touch(b, a)) return *place;
   // Curves that run on top of each other have no such places, but an end of one is on the other.
   for (const WideVec2& end : {a.start, a.end}) {
     if (b.distance(end) <= kTouchMm) return end;
