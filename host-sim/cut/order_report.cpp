@@ -47,7 +47,7 @@ std::vector<std::string> lines_of(const OrderFigures& order, std::size_t cuts) {
   const auto cost = [&order](const RapidSum& sum) {
     return order.wish.cost == OrderCost::kLength ? sum.length_mm : sum.time_s;
   };
-  // Ways of others are not led round anything, so that all are compared by straight ones.
+  // The other orders are known with straight rapids only, so this one is compared by its own.
   const auto beside = [&](std::string_view name, const RapidSum& other) {
     return line(name, other) +
            fmt::format("; {:.1f} percent saved", saving(cost(order.straight), cost(other)));

@@ -58,8 +58,8 @@ struct Cut {
 struct OrderFigures {
   OrderWish wish{};
   bool is_proven = false;  ///< No order with the listed beginnings is cheaper.
-  RapidSum rapids{};       ///< Of this order, by the ways that are driven.
-  RapidSum straight{};     ///< The same by straight ways, as all below.
+  RapidSum rapids{};       ///< The rapids of this order as they are driven.
+  RapidSum straight{};     ///< The same if all were straight, as those below are.
   RapidSum listed{};       ///< The first order, in which all beginnings are listed ones.
   RapidSum file{};         ///< As the drawing lists them, each with its usual beginning.
   RapidSum nearest{};      ///< Always the nearest next, each with its usual beginning.

@@ -53,7 +53,8 @@ class RowWriter {
     return std::min(feed, mill_.plunge_mm_min * length_mm / -rise_mm);
   }
 
-  /// A rapid at depth, which keeps the distance of other rapids from both cuts.
+  /// A rapid at depth that begins and ends `near_mm` away from the cuts; the rest is driven at the
+  /// feed.
   void write_return(const Point& from, const Point& to) {
     const cnc::WideVec2 way = to.point() - from.point();
     const double share = mill_.near_mm / way.norm();
