@@ -16,8 +16,11 @@ using cnc::pocket::ToolCircle;
 using cnc::pocket::Use;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-/// mm: crescents go on up to this circle into a corner; what is left there is as thin.
-constexpr double kLeastCircleMm = 1.0e-4;
+/// mm: a smaller circle is not worth a crescent.
+constexpr double kLeastCircleMm = 1.0e-5;
+/// mm: crescents end before a corner where the stock between their disc and that in the corner is
+/// not thicker. The pass along the wall takes it.
+constexpr double kThinStockMm = 5.0e-4;
 /// mm: less than this is no progress along a course.
 constexpr double kLeastProgressMm = 1.0e-7;
 /// Of the tool's radius: up to this length a narrow dead end is a corner, no slot.
@@ -42,6 +45,7 @@ CourseDrive CrescentDriver::drive(const AxisCourse& course,
                                   bool is_dead_end) {
   CourseDrive done;
   ToolCircle circle = start;
+  const double last_radius = course.circle_at(course.length()).radius;
   double s = 0.0;
   while (s < course.length()) {
     const double slot_end = end_of_slot(course, s, circle, is_dead_end);
@@ -49,6 +53,7 @@ CourseDrive CrescentDriver::drive(const AxisCourse& course,
     if (slot_end > s) {
       if (!drive_slot(course, s, slot_end, done)) break;
     } else {
+      if (is_dead_end && course.length() - s + last_radius - circle.radius <= kThinStockMm) break;
       next = next_crescent(course, s, circle, limits_);
       if (next < s + kLeastProgressMm) break;
       drive_crescent(circle, course.circle_at(next), done);

@@ -1,18 +1,49 @@
 #include "planner/geometry/spline_length.hpp"
 
+#include <algorithm>
+#include <cstdint>
+
 #include "planner/geometry/bezier_view.hpp"
 
 namespace cnc {
 namespace {
 
+/// Whole steps of the parameter from 0 to 1.
+constexpr std::uint32_t kWhole = 1U << 14U;
+constexpr std::uint32_t kLongestStep = kWhole / 32U;
+/// A step whose two chords are longer than one chord by this share is halved,
+constexpr float kBend = 1.0e-3F;
+/// and one of whose chords is this many times as long as the other: near a hairpin or a cusp, or
+/// where weights that differ make the curve fast.
+constexpr float kUneven = 2.0F;
+
+bool is_smooth(float first, float second, float chord) {
+  return first + second <= (1.0F + kBend) * chord &&
+         std::max(first, second) <= kUneven * std::min(first, second);
+}
+
+/// Chords over steps of the parameter that are halved where the curve asks for it.
 float length_of(const BezierView& curve) {
-  constexpr int kChords = 64;
+  const auto place_at = [&](std::uint32_t parameter) {
+    return curve.at(static_cast<float>(parameter) / static_cast<float>(kWhole)).place;
+  };
   float length = 0.0F;
-  Vec2 before = curve.at(0.0F).place;
-  for (int i = 1; i <= kChords; ++i) {
-    const Vec2 place = curve.at(static_cast<float>(i) / kChords).place;
-    length += (place - before).norm();
-    before = place;
+  Vec2 before = place_at(0);
+  std::uint32_t step = kLongestStep;
+  for (std::uint32_t parameter = 0; parameter < kWhole;) {
+    const Vec2 middle = place_at(parameter + step / 2U);
+    const Vec2 end = place_at(parameter + step);
+    const float first = (middle - before).norm();
+    const float second = (end - middle).norm();
+    if (step > 2U && !is_smooth(first, second, (end - before).norm())) {
+      step /= 2U;
+      continue;
+    }
+    length += first;
+    length += second;
+    before = end;
+    parameter += step;
+    while (step < kLongestStep && parameter % (2U * step) == 0U) step *= 2U;
   }
   return length;
 }

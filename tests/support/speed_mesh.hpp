@@ -28,7 +28,7 @@ struct MeshSize {
   double cells_per_rise =
       10.0;             ///< In the time in which the quickest axis reaches its acceleration.
   double widest = 0.1;  ///< Radians of an arc in one cell.
-  std::size_t least_cells = 200;  ///< Of a section…
+  std::size_t least_cells = 400;  ///< Of a section…
   std::size_t most_cells = 1500;  ///< …but at least one for each piece.
   double start = 1.0;             ///< How slow the motion is that the search begins with; ≤ 1.
 };
