@@ -6,6 +6,7 @@
 
 #include "host-sim/pocket/axis_entry.hpp"
 #include "host-sim/pocket/disc_spiral.hpp"
+#include "host-sim/pocket/round_return.hpp"
 
 namespace sim::pocket {
 namespace {
@@ -25,6 +26,11 @@ constexpr double kThinStockMm = 5.0e-4;
 constexpr double kLeastProgressMm = 1.0e-7;
 /// Of the tool's radius: up to this length a narrow dead end is a corner, no slot.
 constexpr double kCornerLength = 3.0;
+
+/// Of the tool's radius, and of the circles that a crescent is between, the radius of the turns by
+/// which the tool leaves one crescent and comes to the next.
+constexpr double kTurnOfTool = 0.2;
+constexpr double kTurnOfCircle = 0.5;
 
 /// The radius of circles below which a pocket counts as narrow.
 double narrow_circle(double tool_radius_mm) { return (kNarrowDiameters - 1.0) * tool_radius_mm; }
@@ -127,7 +133,13 @@ void CrescentDriver::drive_crescent(const ToolCircle& from,
                                     CourseDrive& done) {
   const Crescent crescent = crescent_between(from, to);
   if (crescent.exists) {
-    writer_.go_back(crescent.begin);
+    const WideVec2 outwards = (crescent.begin - to.centre) / to.radius;
+    go_back_round(writer_,
+                  from,
+                  {crescent.begin, cnc::left_normal(outwards)},
+                  std::min({kTurnOfTool * limits_.tool_radius_mm,
+                            kTurnOfCircle * from.radius,
+                            kTurnOfCircle * to.radius}));
     writer_.light_pass(crescent.middle, crescent.bulge);
     writer_.light_pass(crescent.end, crescent.bulge);
     done.way_back.push_back(crescent.end);

@@ -19,6 +19,18 @@ void DepthWriter::go_unless_there(Use use, const WideVec2& to) {
   if (to != place()) go(use, to, 0.0, z_);
 }
 
+WideVec2 DepthWriter::heading() const {
+  const std::size_t row_begin = out_.row_ends.empty() ? 0 : out_.row_ends.back();
+  if (out_.points.size() < row_begin + 2) return {0.0, 0.0};
+  const auto& from = out_.points[out_.points.size() - 2];
+  const auto& to = out_.points.back();
+  if (from.point() == to.point()) return {0.0, 0.0};
+  const WideVec2 chord = (to.point() - from.point()).normalized();
+  const double square = from.bulge * from.bulge;
+  // By half of the sweep to the left of the chord.
+  return ((1.0 - square) * chord + 2.0 * from.bulge * cnc::left_normal(chord)) / (1.0 + square);
+}
+
 void DepthWriter::go(Use use, const WideVec2& to, double bulge, double z) {
   out_.points.back().use = use;
   out_.points.back().bulge = bulge;

@@ -34,6 +34,9 @@ class DepthWriter {
 
   /// @pre a row is open
   [[nodiscard]] cnc::WideVec2 place() const { return out_.points.back().point(); }
+  /// Unit vector of travel at the tool's place; null where a row has just begun or the last move
+  /// was up or down.
+  [[nodiscard]] cnc::WideVec2 heading() const;
   [[nodiscard]] double z() const { return out_.points.back().z; }
   [[nodiscard]] double floor_z() const { return z_; }
 

@@ -47,8 +47,13 @@ bool is_outline(const LoopNote<Scalar>& note) {
 }
 
 template <typename Scalar>
-bool is_hole(const LoopNote<Scalar>& note) {
-  return note.area <= -Scalar{kLeastArea};
+bool is_hole(const ContourView<Scalar>& contour, std::size_t loop, Scalar area) {
+  if (area > -Scalar{kLeastArea}) return false;
+  Scalar length{0};
+  for (std::uint32_t i = contour.loop_begin(loop); i < contour.loop_ends[loop]; ++i) {
+    length += length_of(element_at(contour, loop, i));
+  }
+  return -area > Scalar{0.5 * kLeastHoleWidth} * length;
 }
 
 template <typename Scalar>
@@ -86,7 +91,7 @@ bool assign_holes(const ContourView<Scalar>& contour,
   std::uint32_t only = 0;
   while (outlines == 1 && !is_outline(notes[only])) ++only;
   for (std::uint32_t i = 0; i < contour.loop_ends.size(); ++i) {
-    if (!is_hole(notes[i])) continue;
+    if (!is_hole(contour, i, notes[i].area)) continue;
     const std::uint32_t owner = outlines == 1 ? only : owner_of(contour, notes, i);
     if (owner == kNone) return false;
     notes[i].next_hole = notes[owner].first_hole;

@@ -23,13 +23,17 @@ enum class SplitResult : std::uint8_t {
   kNoOwner,  ///< A hole lies in no outline: the loops cross each other.
 };
 
+inline constexpr double kLeastArea = 1.0e-14;      ///< mm².
+inline constexpr double kLeastHoleWidth = 1.0e-9;  ///< mm.
+
 /// Splits loops into connected areas and appends these to `out`. A loop that encloses less than
-/// `kLeastArea` is left out.
+/// `kLeastArea` is left out, and so is a hole narrower than `kLeastHoleWidth` in the mean: it is
+/// rounding, such as the offset of a channel that is narrower than the tool by a last digit, and
+/// may lie in no outline.
 ///
 /// Guarantee: a hole belongs to the smallest outline around it.
 /// Time: loops times elements where there are several outlines and holes; n for one outline.
 /// @pre loops may touch and do not cross, as those of an offset
-inline constexpr double kLeastArea = 1.0e-14;  // mm²
 template <typename Scalar>
 [[nodiscard]] SplitResult split_areas(const contour::ContourView<Scalar>& contour,
                                       contour::Slice<LoopNote<Scalar>> notes,

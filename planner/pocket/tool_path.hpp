@@ -13,8 +13,8 @@ enum class Use : std::uint8_t {
   kPass,   ///< Cuts: the tool removes stock along it.
   kLight,  ///< Cuts with no more of the tool's circumference than was asked for.
   kLink,   ///< Moves at depth, at the cutting feed, over stock that is gone already.
-  /// A line back to the next cut at one depth. The tool may move at the rapid rate: it touches
-  /// stock at most at both ends.
+  /// A line or an arc back to the next cut at one depth. Along lines the tool may move at the rapid
+  /// rate: it touches stock at most at both ends.
   kReturn,
   kEntry,    ///< Descends into stock by a ramp or a helix.
   kLeadIn,   ///< A line over cleared stock, at whose beginning a cutter compensation may begin.

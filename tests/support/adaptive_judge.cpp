@@ -147,7 +147,7 @@ class AdaptiveJudge {
         continue;
       }
       const double degrees = engaged(index, share, {x, y}, {-right_y, right_x});
-      if (sweeps_[index].use == Use::kLink) {
+      if (sweeps_[index].use == Use::kLink || sweeps_[index].use == Use::kReturn) {
         verdict_.link_deg = std::max(verdict_.link_deg, degrees);
         continue;
       }

@@ -1,0 +1,91 @@
+#include "host-sim/pocket/round_return.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstddef>
+#include <numbers>
+
+#include "tests/planner/pocket/path_bench.hpp"
+#include "tests/support/trials.hpp"
+
+namespace proof {
+namespace {
+
+using cnc::WideVec2;
+using cnc::pocket::Crescent;
+using cnc::pocket::ToolCircle;
+using sim::pocket::DepthWriter;
+using sim::pocket::PathRows;
+
+WideVec2 on_circle(const ToolCircle& circle, double angle) {
+  return circle.centre + circle.radius * WideVec2{std::cos(angle), std::sin(angle)};
+}
+
+/// A tool at the end of a cut along a circle, and the next circle, whose crescent it is to begin.
+struct Return {
+  PathRows rows;
+  DepthWriter writer{rows, 1.0};
+  ToolCircle disc{{0.0, 0.0}, 10.0};
+  Crescent crescent;
+
+  Return(const ToolCircle& next, double cut_end) : crescent{crescent_between(disc, next)} {
+    writer.begin_row_in_cleared(on_circle(disc, cut_end - 1.0));
+    writer.pass(on_circle(disc, cut_end), std::tan(0.25));
+    const WideVec2 outwards = (crescent.begin - next.centre) / next.radius;
+    go_back_round(writer, disc, {crescent.begin, cnc::left_normal(outwards)}, 2.0);
+    writer.light_pass(crescent.middle, crescent.bulge);
+  }
+
+  /// From the cut's last point on.
+  [[nodiscard]] const cnc::pocket::PathPoint<double>& point(std::size_t i) const {
+    return rows.points[i + 1];
+  }
+  [[nodiscard]] std::size_t count() const { return rows.points.size() - 1; }
+};
+
+TEST(RoundReturns, HaveOneTangentAndStayInTheDisc) {
+  for (const std::uint64_t seed : Trials{2000}) {
+    Random random{seed};
+    const double ahead = random.between(-3.1, 3.1);
+    const ToolCircle next{random.between(1.0, 4.0) * WideVec2{std::cos(ahead), std::sin(ahead)},
+                          random.between(8.5, 11.0)};
+    const Return way{next, ahead + random.between(0.5, 1.5) * 0.5 * std::numbers::pi};
+    if (!way.crescent.exists) continue;
+    ASSERT_GE(way.count(), 6U) << "KERFLINE_SEED=" << seed;
+    for (std::size_t i = 0; i + 2 < way.count(); ++i) {
+      const auto& from = way.point(i);
+      const auto& to = way.point(i + 1);
+      EXPECT_LT(cnc::pocket::kink_between(from, to, way.point(i + 2)), 1.0e-6);
+      if (i + 3 == way.count()) continue;
+      const cnc::contour::exact::PlainArc arc{cnc::pocket::arc_of(from, to)};
+      for (const double share : {0.0, 0.1, 0.3, 0.5, 0.7, 0.9, 1.0}) {
+        EXPECT_LE((arc.at(share) - way.disc.centre).norm(), way.disc.radius + 1.0e-8);
+      }
+    }
+  }
+}
+
+TEST(RoundReturns, AreLinesWhereArcsWouldLeaveTheDisc) {
+  PathRows rows;
+  DepthWriter writer{rows, 1.0};
+  writer.begin_row_in_cleared({-3.0, 0.0});
+  writer.pass({-1.0, 0.0});
+  // A turn to the left of 2 mm does not fit into a circle of 1.
+  go_back_round(writer, {{0.0, 0.0}, 1.0}, {{0.0, 1.0}, {-1.0, 0.0}}, 2.0);
+  ASSERT_EQ(rows.points.size(), 4U);
+  EXPECT_EQ(rows.points[2].bulge, 0.0);
+  EXPECT_EQ(rows.points[2].use, cnc::pocket::Use::kReturn);
+}
+
+TEST(RoundReturns, AreLinesAfterADescent) {
+  PathRows rows;
+  DepthWriter writer{rows, 1.0};
+  writer.begin_row_in_cleared({-1.0, 0.0});
+  go_back_round(writer, {{0.0, 0.0}, 10.0}, {{0.0, 10.0}, {-1.0, 0.0}}, 2.0);
+  ASSERT_EQ(rows.points.size(), 3U);
+  EXPECT_EQ(rows.points[1].bulge, 0.0);
+}
+
+}  // namespace
+}  // namespace proof
