@@ -20,6 +20,15 @@ PROGRAMS = {
     "relief_inkscape.nc": (relief.program, checker.Expected("laser.settings", chords_allowed=True)),
     "sheet_8877.nc": (sheet.program, checker.Expected("laser.settings", arcs=200)),
 }
+DRAWINGS = {"cut/bracket.svg": bracket.drawing, "cut/sheet_8877.svg": sheet.drawing}
+
+
+def write(name, text, check_only):
+    """Writes a file, or compares it with what is there; returns the faults."""
+    path = FOLDER / name
+    if not check_only:
+        path.write_bytes(text)
+    return [] if path.read_bytes() == text else ["differs from what the generator writes"]
 
 
 def main():
@@ -29,16 +38,17 @@ def main():
     faults = 0
     for name, (program, expected) in PROGRAMS.items():
         text = program(FOLDER / "data").encode()
-        path = FOLDER / name
-        if not check_only:
-            path.write_bytes(text)
-        found = [] if path.read_bytes() == text else ["differs from what the generator writes"]
-        summary, faults_in_program = checker.check(path.read_bytes().decode(), FOLDER, expected)
+        found = write(name, text, check_only)
+        summary, faults_in_program = checker.check((FOLDER / name).read_bytes().decode(), FOLDER, expected)
         found += faults_in_program
         print(f"{name:24} {summary}")
         for fault in found[:20]:
             print(f"{name}: {fault}", file=sys.stderr)
         faults += len(found)
+    for name, drawing in DRAWINGS.items():
+        for fault in write(name, drawing(FOLDER / "data").encode(), check_only):
+            print(f"{name}: {fault}", file=sys.stderr)
+            faults += 1
     return 1 if faults else 0
 
 

@@ -53,7 +53,7 @@ class Animator {
     svg::add_box(out, {0.0, 0.0, kAnimationWidthPx, height_px}, "#ffffff");
     svg::add_text(out, kAnimationMarginPx, 48.0, {.size_px = 26.0, .weight = "bold"}, title);
     add_clock(out);
-    add_parts(out, scene_.drawn, view_);
+    add_parts(out, scene_, view_);
     if (scene_.timeline->steps.size() <= kMaxGrowingStrokes) {
       add_growing_cuts(out, scene_, view_, time_);
     } else {

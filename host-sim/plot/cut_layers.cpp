@@ -20,6 +20,9 @@ using cut::Purpose;
 using cut::Stroke;
 using drawing::Place;
 
+constexpr std::string_view kEdgeColour = "#222222";
+constexpr double kEdgePx = 1.2;
+
 bool is_along(const Stroke& stroke) {
   return stroke.purpose == Purpose::kContour || stroke.purpose == Purpose::kSlice;
 }
@@ -58,6 +61,12 @@ void add_beam(std::string& out, const cut::CutPlan& plan, const View& view) {
     add_line(out, path_data_of(cut, view, is_tab), kTabRim, kTabRimPx);
     add_line(out, path_data_of(cut, view, is_tab), kTabColour, kTabPx);
   }
+}
+
+/// Whether a contour is an edge of parts: what is engraved or left out is none.
+bool cuts_through(const cut::CutPlan& plan, std::size_t contour, std::size_t layer) {
+  const cut::Side side = plan.recipes.of(contour, plan.layers[layer]).settings.side;
+  return side == cut::Side::kWaste || side == cut::Side::kOn;
 }
 
 /// The edges of the stock that a sheet file describes.
@@ -107,14 +116,21 @@ Extent framed_cuts(const Extent& extent) {
           extent.top_mm + margin};
 }
 
-void add_parts(std::string& out, const drawing::Drawing& drawn, const View& view) {
-  std::string data;
-  for (const drawing::DrawnContour& contour : drawn.contours) add_outline(data, contour, view);
+void add_parts(std::string& out, const CutScene& scene, const View& view) {
+  std::string edges;
+  std::string others;
+  for (std::size_t i = 0; i < scene.drawn.contours.size(); ++i) {
+    const drawing::DrawnContour& contour = scene.drawn.contours[i];
+    add_outline(cuts_through(scene.plan, i, contour.entity.layer) ? edges : others, contour, view);
+  }
+  add_line(out, others, kEdgeColour, kEdgePx);
   fmt::format_to(std::back_inserter(out),
-                 "<path d=\"{}\" fill=\"{}\" fill-rule=\"evenodd\" stroke=\"#222222\" "
-                 "stroke-width=\"1.2\"/>\n",
-                 data,
-                 kPartColour);
+                 "<path d=\"{}\" fill=\"{}\" fill-rule=\"evenodd\" stroke=\"{}\" "
+                 "stroke-width=\"{:.1f}\"/>\n",
+                 edges,
+                 kPartColour,
+                 kEdgeColour,
+                 kEdgePx);
 }
 
 std::string path_data_of(const Cut& cut, const View& view, bool (*wanted)(const Stroke&)) {
@@ -133,7 +149,7 @@ void add_cut_layers(std::string& out,
                     const cut::EdgeFigures* edges,
                     double edge_key_px) {
   add_stock(out, scene.drawn, view);
-  add_parts(out, scene.drawn, view);
+  add_parts(out, scene, view);
   if (scene.timeline != nullptr) {
     add_heat(out, scene.plan, heat_at_pierces(scene.plan, *scene.timeline), view);
   }

@@ -35,8 +35,8 @@ struct CutScene {
 /// Returns the extent with a margin, never a mere point.
 [[nodiscard]] Extent framed_cuts(const Extent& extent);
 
-/// Appends what the drawing's contours enclose.
-void add_parts(std::string& out, const drawing::Drawing& drawn, const View& view);
+/// Appends the parts: what the contours that are cut enclose; of the others their lines.
+void add_parts(std::string& out, const CutScene& scene, const View& view);
 
 /// Appends one cut's strokes for which `wanted` holds as path data.
 [[nodiscard]] std::string path_data_of(const cut::Cut& cut,

@@ -1,8 +1,9 @@
-"""bracket.nc: a belt tensioner plate for a NEMA 17 motor and a 608 bearing, 120 x 80 mm; the README's main job."""
+"""bracket.nc, bracket.svg: a belt tensioner plate for a NEMA 17 motor and a 608 bearing, 120 x 80 mm; the README's main job."""
 import cmath
 import math
 
 from .cutting import nearest_order, with_leads
+from .drawing import svg
 from .geometry import Segment, circle, curved_slot, moved, rounded_polygon, slot
 from .lettering import Font
 from .writer import Writer
@@ -34,6 +35,15 @@ def program(data_folder):
     burn(writer, [with_leads(outline(), False, 3.0)], CUT, position)
     writer.raw("M5", "M9", "G0 X0 Y0", "M30")
     return writer.text()
+
+
+def drawing(data_folder):
+    """The same part, for `kerfline cut`."""
+    font = Font(data_folder / "dejavu_sans_bold.json")
+    cuts = [outline()] + [hole for hole, _ in holes()]
+    operations = (("engrave", "blue", engraving(font)), ("cut", "black", cuts))
+    return svg(160 + 120j, [(name, colour, [moved(path, 1, PLACE) for path in paths])
+                            for name, colour, paths in operations])
 
 
 def burn(writer, paths, words, position):

@@ -1,7 +1,8 @@
-"""sheet_8877.nc: the nested parts of a real flame-cutting sheet, 9.5 % of their size, lines and arcs as drawn."""
+"""sheet_8877.nc, sheet_8877.svg: the nested parts of a real flame-cutting sheet, 9.5 % of their size, lines and arcs as drawn."""
 import json
 
 from .cutting import with_leads
+from .drawing import svg
 from .geometry import box, bulge_segment, join_arcs, moved
 from .writer import Dialect, Writer
 
@@ -13,10 +14,20 @@ POWER, FEED = 900, 1200
 PIERCE_S = 0.2
 
 
-def program(data_folder):
+def contours_of(data_folder):
+    """(path, whether it is a hole) of every contour."""
     with open(data_folder / "sheet_8877.json", encoding="utf-8") as file:
         parts = json.load(file)["parts"]
-    contours = [(contour_path(contour), i > 0) for part in parts for i, contour in enumerate(part)]
+    return [(contour_path(contour), i > 0) for part in parts for i, contour in enumerate(part)]
+
+
+def drawing(data_folder):
+    """The same sheet, for `kerfline cut`."""
+    return svg(260 + 200j, [("cut", "black", [path for path, _ in contours_of(data_folder)])])
+
+
+def program(data_folder):
+    contours = contours_of(data_folder)
     writer = Writer(SHEET_CUTTER)
     writer.comment("SHEET 8877_01, 16 PARTS, SCALED TO 9.5 PERCENT", "MADE BY HOST-SIM/EXAMPLES/MAKE_EXAMPLES.PY")
     writer.raw("G17 G21 G54 G90", "M8")

@@ -95,6 +95,25 @@ TEST(CutPicture, IsWellFormedWithRapidsPiercesHeatAndNumbers) {
   EXPECT_THAT(cold, testing::Not(testing::HasSubstr("class=\"heat\"")));
 }
 
+TEST(CutPicture, HasEngravedContoursForLinesAndNotForEdges) {
+  const std::string content = R"(<rect x="5" y="5" width="30" height="30"/>)"
+                              R"(<rect x="10" y="10" width="20" height="20" stroke="blue"/>)";
+  ViewedJob job{drawing::read(drawing::svg_of(content)), {}, {}};
+  ASSERT_EQ(job.drawn.layers.size(), 2U);
+  std::vector<cut::LayerPlan> layers = cut::layers_with(job.drawn, {});
+  layers[job.drawn.contours[1].entity.layer].settings.side = cut::Side::kMark;
+  const auto edges = [&](const std::vector<cut::LayerPlan>& plans) {
+    job.plan = cut::plan_cuts(job.drawn, plans);
+    const pugi::xml_document document = parsed(draw_cuts({job.drawn, job.plan}, "engraved"));
+    const std::string data =
+        document.select_node("//path[@fill-rule='evenodd']").node().attribute("d").value();
+    return std::ranges::count(data, 'Z');
+  };
+  EXPECT_EQ(edges(layers), 1);
+  layers[job.drawn.contours[1].entity.layer].settings.side = cut::Side::kOn;
+  EXPECT_EQ(edges(layers), 2);
+}
+
 std::vector<double> numbers_in(const std::string& list) {
   std::vector<double> numbers;
   std::istringstream stream{list};
