@@ -1,4 +1,4 @@
-"""bracket.nc, bracket.svg: a belt tensioner plate for a NEMA 17 motor and a 608 bearing, 120 x 80 mm; the README's main job."""
+"""bracket.nc and its drawing: a belt tensioner plate for a NEMA 17 motor and a 608 bearing, 120 x 80 mm."""
 import cmath
 import math
 

@@ -1,4 +1,4 @@
-"""sheet_8877.nc, sheet_8877.svg: the nested parts of a real flame-cutting sheet, 9.5 % of their size, lines and arcs as drawn."""
+"""sheet_8877.nc and its drawing: nested parts of a real flame-cutting sheet, 9.5 % of their size, as drawn."""
 import json
 
 from .cutting import with_leads
