@@ -54,6 +54,28 @@ def comb(rng, tool):
     return [(place, 0.0) for place in walls]
 
 
+def polygon(loop):
+    """Places along a loop; its arcs are short and flat."""
+    places = []
+    for ((x, y), bulge), ((to_x, to_y), _) in zip(loop, loop[1:] + loop[:1]):
+        for share in (0, 0.25, 0.5, 0.75):
+            out = 2 * bulge * share * (1 - share)  # Of the chord, to its right.
+            places.append((x + share * (to_x - x) + out * (to_y - y), y + share * (to_y - y) - out * (to_x - x)))
+    return places
+
+
+def lies_in(island, wall):
+    """Whether all places of an island are within the wall."""
+    corners = polygon(wall)
+    edges = list(zip(corners, corners[1:] + corners[:1]))
+
+    def is_within(x, y):
+        return sum((y0 > y) != (y1 > y) and x < x0 + (y - y0) * (x1 - x0) / (y1 - y0)
+                   for (x0, y0), (x1, y1) in edges) % 2 == 1
+
+    return all(is_within(x, y) for x, y in polygon(island))
+
+
 def drawing(rng, tool):
     if rng.random() < 0.3:
         return [comb(rng, tool)]
@@ -63,7 +85,9 @@ def drawing(rng, tool):
         for dy in (-0.25, 0.25):
             if rng.random() < 0.3:
                 middle = (CENTRE + dx * least, CENTRE + dy * least)
-                loops.append(star(rng, middle, 0.05 * least, 0.15 * least, True))
+                island = star(rng, middle, 0.05 * least, 0.15 * least, True)
+                if lies_in(island, loops[0]):
+                    loops.append(island)
     return loops
 
 
