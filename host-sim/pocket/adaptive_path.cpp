@@ -9,6 +9,8 @@
 #include <stdexcept>
 
 #include "host-sim/pocket/area_clearer.hpp"
+#include "host-sim/pocket/round_return.hpp"
+#include "planner/pocket/loop_measures.hpp"
 #include "planner/pocket/moving_disc.hpp"
 
 namespace sim::pocket {
@@ -71,21 +73,60 @@ WallStart wall_start(const cnc::contour::ContourView<double>& locus,
   return best;
 }
 
+/// Where the tool leaves its line to a vertex of the wall's locus for an arc, so that it comes to
+/// the wall without a corner; the vertex itself where that is a corner, or there is no room.
+Approach wall_approach(const cnc::contour::ContourView<double>& locus,
+                       std::size_t loop,
+                       const WallStart& start,
+                       const OwnedArea& area,
+                       double tool_radius_mm) {
+  constexpr double kRoundingMm = 1.0e-6;
+  constexpr double kCornerSine = 1.0e-3;
+  constexpr double kTurnOfTool = 0.2;
+  const std::uint32_t first = locus.loop_begin(loop);
+  const std::uint32_t last = locus.loop_ends[loop] - 1;
+  const std::uint32_t before = start.vertex > first ? start.vertex - 1 : last;
+  cnc::contour::Curve<double> coming;
+  cnc::contour::Curve<double> going;
+  const bool are_curves =
+      cnc::pocket::make_curve(cnc::pocket::element_at(locus, loop, before), coming) &&
+      cnc::pocket::make_curve(cnc::pocket::element_at(locus, loop, start.vertex), going);
+  if (!are_curves) return {};
+  const CutStart cut{going.start, going.start_tangent};
+  if (std::abs(cnc::cross(coming.end_tangent, cut.direction)) > kCornerSine) return {};
+  const double turn_mm = kTurnOfTool * tool_radius_mm;
+  const Approach approach = approach_from(start.circle.centre, cut, turn_mm);
+  if (!approach.exists) return {};
+  const MovingDisc tool{start.circle.centre, approach.arc_start, tool_radius_mm, tool_radius_mm};
+  if (excess_of(tool, *area) > kRoundingMm) return {};
+  const WideVec2 centre = cut.place + turn_mm * cnc::left_normal(cut.direction);
+  const double turn = 4.0 * std::atan(approach.bulge);
+  constexpr int kLooks = 16;
+  for (int i = 1; i < kLooks; ++i) {
+    const WideVec2 place = centre + turned(approach.arc_start - centre, turn * i / kLooks);
+    if (area->depth(place) < tool_radius_mm - kRoundingMm) return {};
+  }
+  return approach;
+}
+
 /// Drives along a loop of the locus, from a cleared circle.
 void pass_wall(const cnc::contour::ContourView<double>& locus,
                std::size_t loop,
                const WallStart& start,
+               const Approach& approach,
                DepthWriter& writer) {
   const std::uint32_t first = locus.loop_begin(loop);
   const std::uint32_t count = locus.loop_ends[loop] - first;
   writer.begin_row_in_cleared(start.circle.centre);
   const WideVec2 corner = locus.vertices[start.vertex].point();
-  const WideVec2 way = corner - start.circle.centre;
+  const WideVec2 there = approach.exists ? approach.arc_start : corner;
+  const WideVec2 way = there - start.circle.centre;
   const double away = way.norm();
   if (away > start.circle.radius && start.circle.radius > 0.0) {
     writer.link(start.circle.centre + (start.circle.radius / away) * way);
   }
-  writer.pass(corner);
+  writer.pass(there);
+  if (approach.exists) writer.pass(corner, approach.bulge);
   for (std::uint32_t k = 0; k < count; ++k) {
     const std::uint32_t from = first + (start.vertex - first + k) % count;
     const std::uint32_t to = first + (start.vertex - first + k + 1) % count;
@@ -119,10 +160,10 @@ AdaptivePath adaptive_path(const cnc::contour::ContourView<double>& area,
   ContourOffset offset;
   const cnc::contour::ContourView<double> locus = offset.offset(area, -options.tool_radius_mm);
   for (std::size_t loop = 0; loop < locus.loop_ends.size(); ++loop) {
-    pass_wall(locus,
-              loop,
-              wall_start(locus, loop, driver.circles(), owned, options.tool_radius_mm),
-              driver.writer());
+    const WallStart start =
+        wall_start(locus, loop, driver.circles(), owned, options.tool_radius_mm);
+    const Approach approach = wall_approach(locus, loop, start, owned, options.tool_radius_mm);
+    pass_wall(locus, loop, start, approach, driver.writer());
   }
   driver.writer().end_row();
   return path;

@@ -116,10 +116,13 @@ void AreaClearer::clear_piece(std::size_t index, std::vector<Frame>& frames) {
 
 /// Drives the way back that is due, or lifts the tool if that is too long.
 void AreaClearer::return_to(const ToolCircle& circle) {
-  if (way_length(way_back_) > options_.return_limit_mm) {
+  std::vector<WideVec2> places;
+  for (const ToolCircle& disc : way_back_) places.push_back(disc.centre);
+  if (way_length(places) > options_.return_limit_mm) {
     driver_.writer().begin_row_in_cleared(circle.centre);
-  } else {
-    for (const WideVec2& place : way_back_) driver_.writer().link(place);
+  } else if (!way_back_.empty()) {
+    way_back_.push_back(circle);
+    driver_.drive_back(way_back_);
   }
   way_back_.clear();
 }

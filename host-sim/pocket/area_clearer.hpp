@@ -27,7 +27,7 @@ class AreaClearer {
   struct Frame {
     std::uint32_t node = 0;
     cnc::pocket::ToolCircle circle;
-    std::vector<cnc::WideVec2> way_back;
+    std::vector<cnc::pocket::ToolCircle> way_back;
   };
 
   [[nodiscard]] cnc::pocket::ToolCircle circle_of(std::uint32_t node) const;
@@ -43,9 +43,10 @@ class AreaClearer {
   AdaptiveOptions options_;
   CrescentDriver& driver_;
   std::vector<std::vector<std::size_t>> at_node_;
-  std::vector<bool> is_reached_;         ///< Whether a node is reached, for each.
-  std::vector<bool> is_taken_;           ///< Whether a piece is taken, for each.
-  std::vector<cnc::WideVec2> way_back_;  ///< Not driven yet: it may be the end of the part.
+  std::vector<bool> is_reached_;  ///< Whether a node is reached, for each.
+  std::vector<bool> is_taken_;    ///< Whether a piece is taken, for each.
+  std::vector<cnc::pocket::ToolCircle>
+      way_back_;  ///< Not driven yet: it may be the end of the part.
 };
 
 /// Divides pieces that are wider between their nodes than at them, by a node at the widest point.

@@ -111,13 +111,14 @@ bool CrescentDriver::drive_slot(const AxisCourse& course,
   places.push_back(end.centre);
   NarrowStretch stretch{{begin.centre}, 2.0 * (begin.radius + radius), to - from};
   writer_.link(begin.centre);
-  done.way_back.push_back(begin.centre);
+  done.way_back.push_back(begin);
   for (const WideVec2& place : places) {
     if (!fits_in_line(writer_.place(), place, *area_, radius)) return false;
     writer_.pass(place);
-    done.way_back.push_back(place);
+    const double depth_mm = area_->depth(place);
+    done.way_back.push_back({place, std::max(0.0, depth_mm - radius)});
     stretch.places.push_back(place);
-    stretch.width_mm = std::min(stretch.width_mm, 2.0 * area_->depth(place));
+    stretch.width_mm = std::min(stretch.width_mm, 2.0 * depth_mm);
   }
   out_.narrow.push_back(stretch);
   if (end.radius >= kLeastCircleMm) {
@@ -142,13 +143,16 @@ void CrescentDriver::drive_crescent(const ToolCircle& from,
                             kTurnOfCircle * to.radius}));
     writer_.light_pass(crescent.middle, crescent.bulge);
     writer_.light_pass(crescent.end, crescent.bulge);
-    done.way_back.push_back(crescent.end);
   } else {
     // All of it is cleared: its middle is in both circles.
     writer_.go_back(to.centre);
-    done.way_back.push_back(to.centre);
   }
+  done.way_back.push_back(to);
   circles_.push_back(to);
+}
+
+void CrescentDriver::drive_back(const std::vector<ToolCircle>& way) {
+  go_through_round(writer_, way, kTurnOfTool * limits_.tool_radius_mm);
 }
 
 void CrescentDriver::open_disc(const ToolCircle& circle, const std::vector<WideVec2>& way) {

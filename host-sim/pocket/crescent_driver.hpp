@@ -10,9 +10,9 @@ namespace sim::pocket {
 
 /// What a tool has done along a course.
 struct CourseDrive {
-  /// Places by which the tool comes back to where the course began, each within a cleared disc
-  /// together with the one before it.
-  std::vector<cnc::WideVec2> way_back;
+  /// Cleared discs through whose centres the tool comes back to where the course began: the way
+  /// from each centre to the next lies in both discs.
+  std::vector<cnc::pocket::ToolCircle> way_back;
   bool is_complete = false;  ///< It came to the end.
 };
 
@@ -36,6 +36,10 @@ class CrescentDriver {
   /// All circles whose discs are cleared.
   [[nodiscard]] const std::vector<cnc::pocket::ToolCircle>& circles() const { return circles_; }
   [[nodiscard]] DepthWriter& writer() { return writer_; }
+
+  /// Brings the tool back through cleared discs to the centre of the last one, without corners
+  /// where the discs have room. @pre the tool is in the first disc
+  void drive_back(const std::vector<cnc::pocket::ToolCircle>& way);
 
  private:
   [[nodiscard]] double end_of_slot(const AxisCourse& course,

@@ -1,9 +1,14 @@
 #pragma once
 
+#include <vector>
+
 #include "host-sim/pocket/depth_writer.hpp"
 #include "planner/pocket/engagement.hpp"
 
 namespace sim::pocket {
+
+/// A vector turned to the left, by radians.
+[[nodiscard]] cnc::WideVec2 turned(const cnc::WideVec2& vector, double angle);
 
 /// Where a cut begins, and in which direction: a unit vector.
 struct CutStart {
@@ -22,7 +27,28 @@ void go_back_round(DepthWriter& writer,
                    const CutStart& next,
                    double turn_mm);
 
+/// Brings the tool over cleared stock to the centre of the last of some discs, and turns in arcs
+/// where the discs have room: out of the direction in which it is moving, and from line to line.
+/// @param way  circles in which, and on which, the tool's centre may move; the line between the
+/// centres of neighbours lies in both
+/// @param turn_mm  radius of the first arc at most, and how far before its corner any other begins
+/// @pre the tool is in the first disc; way is not empty
+void go_through_round(DepthWriter& writer,
+                      const std::vector<cnc::pocket::ToolCircle>& way,
+                      double turn_mm);
+
+/// Where a tool that moves in a line from a place turns to the left, by an arc of a radius, into a
+/// cut.
+struct Approach {
+  cnc::WideVec2 arc_start{0.0, 0.0};
+  double bulge = 0.0;  ///< Of the arc to the cut's beginning.
+  bool exists = false;
+};
+[[nodiscard]] Approach approach_from(const cnc::WideVec2& place,
+                                     const CutStart& next,
+                                     double radius_mm);
+
 /// mm: a smaller turn has less than the last digits of a program.
-inline constexpr double kLeastTurnMm = 0.02;
+inline constexpr double kLeastTurnMm = 0.005;
 
 }  // namespace sim::pocket

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numbers>
+#include <vector>
 
 #include "tests/planner/pocket/path_bench.hpp"
 #include "tests/support/trials.hpp"
@@ -64,6 +66,52 @@ TEST(RoundReturns, HaveOneTangentAndStayInTheDisc) {
       }
     }
   }
+}
+
+double outside(const std::vector<ToolCircle>& discs, const WideVec2& place) {
+  double least = INFINITY;
+  for (const ToolCircle& disc : discs) {
+    least = std::min(least, (place - disc.centre).norm() - disc.radius);
+  }
+  return least;
+}
+
+TEST(RoundReturns, StayInTheDiscsThatTheyLeadThrough) {
+  std::size_t corners = 0;
+  std::size_t joints = 0;
+  for (const std::uint64_t seed : Trials{2000}) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    Random random{seed};
+    std::vector<ToolCircle> discs{{{0.0, 0.0}, random.between(0.5, 5.0)}};
+    double ahead = random.between(-3.1, 3.1);
+    while (discs.size() < 8) {
+      const ToolCircle& last = discs.back();
+      const double radius = last.radius * random.between(0.8, 1.2);
+      ahead += random.between(-0.5, 0.5);
+      const double way = random.between(0.05, 0.9) * (last.radius + radius);
+      discs.push_back({on_circle({last.centre, way}, ahead), radius});
+    }
+    PathRows rows;
+    DepthWriter writer{rows, 1.0};
+    const double start = random.between(-3.1, 3.1);
+    writer.begin_row_in_cleared(on_circle(discs.front(), start - 1.0));
+    writer.pass(on_circle(discs.front(), start), std::tan(0.25));
+    go_through_round(writer, discs, random.between(0.1, 1.0));
+    EXPECT_LT((writer.place() - discs.back().centre).norm(), 1.0e-9);
+    for (std::size_t i = 2; i + 1 < rows.points.size(); ++i) {
+      const cnc::contour::exact::PlainArc arc{
+          cnc::pocket::arc_of(rows.points[i], rows.points[i + 1])};
+      for (const double share : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}) {
+        ASSERT_LE(outside(discs, arc.at(share)), 1.0e-8);
+      }
+      ++joints;
+      const double kink =
+          cnc::pocket::kink_between(rows.points[i - 1], rows.points[i], rows.points[i + 1]);
+      if (kink > 1.0e-3) ++corners;
+    }
+  }
+  // Where the way nearly turns back, and where the first arc has no room.
+  EXPECT_LT(20 * corners, joints);
 }
 
 TEST(RoundReturns, AreLinesWhereArcsWouldLeaveTheDisc) {
