@@ -95,7 +95,7 @@ Approach wall_approach(const cnc::contour::ContourView<double>& locus,
   const CutStart cut{going.start, going.start_tangent};
   if (std::abs(cnc::cross(coming.end_tangent, cut.direction)) > kCornerSine) return {};
   const double turn_mm = kTurnOfTool * tool_radius_mm;
-  const Approach approach = approach_from(start.circle.centre, cut, turn_mm);
+  Approach approach = approach_from(start.circle.centre, cut, turn_mm);
   if (!approach.exists) return {};
   const MovingDisc tool{start.circle.centre, approach.arc_start, tool_radius_mm, tool_radius_mm};
   if (excess_of(tool, *area) > kRoundingMm) return {};

@@ -128,7 +128,7 @@ void turn_towards(DepthWriter& writer,
   const WideVec2 along = turned(way / away, std::asin(turn_mm / away));
   const double turn = turn_between(heading, along);
   if (turn > kNearlyALoop) return;
-  write_arc(writer, Use::kLink, centre, turn, centre - turn_mm * cnc::left_normal(along));
+  write_arc(writer, Use::kReturn, centre, turn, centre - turn_mm * cnc::left_normal(along));
 }
 
 /// A line towards the centre of a disc, and there an arc into the direction of the next.
@@ -141,10 +141,10 @@ void round_corner(DepthWriter& writer,
   const double trim = std::min({turn_mm, corner.radius, 0.5 * before.norm(), 0.5 * after.norm()});
   const double turn = std::atan2(cnc::cross(before, after), before.dot(after));
   const bool is_corner = trim < kLeastTurnMm || std::abs(turn) > kNearlyBack;
-  if (is_corner || std::abs(turn) < kNoTurn) return writer.link(corner.centre);
-  writer.link(corner.centre - trim * before.normalized());
+  if (is_corner || std::abs(turn) < kNoTurn) return writer.go_back(corner.centre);
+  writer.go_back(corner.centre - trim * before.normalized());
   const WideVec2 end = corner.centre + trim * after.normalized();
-  writer.go(Use::kLink, end, std::tan(0.25 * turn), writer.floor_z());
+  writer.go(Use::kReturn, end, std::tan(0.25 * turn), writer.floor_z());
 }
 
 }  // namespace
@@ -157,7 +157,7 @@ void go_through_round(DepthWriter& writer, const std::vector<ToolCircle>& way, d
   for (std::size_t i = 0; i + 1 < discs.size(); ++i) {
     round_corner(writer, discs[i], discs[i + 1].centre, turn_mm);
   }
-  writer.link(discs.back().centre);
+  writer.go_back(discs.back().centre);
 }
 
 Approach approach_from(const WideVec2& place, const CutStart& next, double radius_mm) {
