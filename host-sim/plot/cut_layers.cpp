@@ -63,7 +63,7 @@ void add_beam(std::string& out, const cut::CutPlan& plan, const View& view) {
   }
 }
 
-/// Whether a contour is an edge of parts: what is engraved or left out is none.
+/// Whether a contour is an edge of parts, which engraved and skipped contours are not.
 bool cuts_through(const cut::CutPlan& plan, std::size_t contour, std::size_t layer) {
   const cut::Side side = plan.recipes.of(contour, plan.layers[layer]).settings.side;
   return side == cut::Side::kWaste || side == cut::Side::kOn;

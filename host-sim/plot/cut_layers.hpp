@@ -35,7 +35,8 @@ struct CutScene {
 /// Returns the extent with a margin, never a mere point.
 [[nodiscard]] Extent framed_cuts(const Extent& extent);
 
-/// Appends the parts: what the contours that are cut enclose; of the others their lines.
+/// Appends the parts, which are the areas that cut contours enclose, and the lines of all other
+/// contours.
 void add_parts(std::string& out, const CutScene& scene, const View& view);
 
 /// Appends one cut's strokes for which `wanted` holds as path data.

@@ -74,7 +74,7 @@ WallStart wall_start(const cnc::contour::ContourView<double>& locus,
 }
 
 /// Where the tool leaves its line to a vertex of the wall's locus for an arc, so that it comes to
-/// the wall without a corner; the vertex itself where that is a corner, or there is no room.
+/// the wall without a corner. None where the vertex is a corner, or there is no room.
 Approach wall_approach(const cnc::contour::ContourView<double>& locus,
                        std::size_t loop,
                        const WallStart& start,
@@ -82,7 +82,6 @@ Approach wall_approach(const cnc::contour::ContourView<double>& locus,
                        double tool_radius_mm) {
   constexpr double kRoundingMm = 1.0e-6;
   constexpr double kCornerSine = 1.0e-3;
-  constexpr double kTurnOfTool = 0.2;
   const std::uint32_t first = locus.loop_begin(loop);
   const std::uint32_t last = locus.loop_ends[loop] - 1;
   const std::uint32_t before = start.vertex > first ? start.vertex - 1 : last;
@@ -94,16 +93,13 @@ Approach wall_approach(const cnc::contour::ContourView<double>& locus,
   if (!are_curves) return {};
   const CutStart cut{going.start, going.start_tangent};
   if (std::abs(cnc::cross(coming.end_tangent, cut.direction)) > kCornerSine) return {};
-  const double turn_mm = kTurnOfTool * tool_radius_mm;
-  Approach approach = approach_from(start.circle.centre, cut, turn_mm);
+  Approach approach = approach_from(start.circle.centre, cut, kTurnOfTool * tool_radius_mm);
   if (!approach.exists) return {};
   const MovingDisc tool{start.circle.centre, approach.arc_start, tool_radius_mm, tool_radius_mm};
   if (excess_of(tool, *area) > kRoundingMm) return {};
-  const WideVec2 centre = cut.place + turn_mm * cnc::left_normal(cut.direction);
-  const double turn = 4.0 * std::atan(approach.bulge);
   constexpr int kLooks = 16;
   for (int i = 1; i < kLooks; ++i) {
-    const WideVec2 place = centre + turned(approach.arc_start - centre, turn * i / kLooks);
+    const WideVec2 place = approach.place_at(static_cast<double>(i) / kLooks);
     if (area->depth(place) < tool_radius_mm - kRoundingMm) return {};
   }
   return approach;
@@ -126,7 +122,7 @@ void pass_wall(const cnc::contour::ContourView<double>& locus,
     writer.link(start.circle.centre + (start.circle.radius / away) * way);
   }
   writer.pass(there);
-  if (approach.exists) writer.pass(corner, approach.bulge);
+  if (approach.exists) writer.pass(corner, approach.bulge());
   for (std::uint32_t k = 0; k < count; ++k) {
     const std::uint32_t from = first + (start.vertex - first + k) % count;
     const std::uint32_t to = first + (start.vertex - first + k + 1) % count;

@@ -45,8 +45,8 @@ class AreaClearer {
   std::vector<std::vector<std::size_t>> at_node_;
   std::vector<bool> is_reached_;  ///< Whether a node is reached, for each.
   std::vector<bool> is_taken_;    ///< Whether a piece is taken, for each.
-  std::vector<cnc::pocket::ToolCircle>
-      way_back_;  ///< Not driven yet: it may be the end of the part.
+  /// Not driven yet: it may be the end of the part.
+  std::vector<cnc::pocket::ToolCircle> way_back_;
 };
 
 /// Divides pieces that are wider between their nodes than at them, by a node at the widest point.

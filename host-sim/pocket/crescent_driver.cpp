@@ -27,11 +27,6 @@ constexpr double kLeastProgressMm = 1.0e-7;
 /// Of the tool's radius: up to this length a narrow dead end is a corner, no slot.
 constexpr double kCornerLength = 3.0;
 
-/// Of the tool's radius, and of the circles that a crescent is between, the radius of the turns by
-/// which the tool leaves one crescent and comes to the next.
-constexpr double kTurnOfTool = 0.2;
-constexpr double kTurnOfCircle = 0.5;
-
 /// The radius of circles below which a pocket counts as narrow.
 double narrow_circle(double tool_radius_mm) { return (kNarrowDiameters - 1.0) * tool_radius_mm; }
 

@@ -11,7 +11,7 @@ namespace sim::pocket {
 /// What a tool has done along a course.
 struct CourseDrive {
   /// Cleared discs through whose centres the tool comes back to where the course began: the way
-  /// from each centre to the next lies in both discs.
+  /// from each centre to the next lies in the union of both discs.
   std::vector<cnc::pocket::ToolCircle> way_back;
   bool is_complete = false;  ///< It came to the end.
 };

@@ -1,5 +1,7 @@
 #include "host-sim/pocket/depth_writer.hpp"
 
+#include "planner/pocket/loop_measures.hpp"
+
 namespace sim::pocket {
 
 using cnc::WideVec2;
@@ -24,11 +26,9 @@ WideVec2 DepthWriter::heading() const {
   if (out_.points.size() < row_begin + 2) return {0.0, 0.0};
   const auto& from = out_.points[out_.points.size() - 2];
   const auto& to = out_.points.back();
-  if (from.point() == to.point()) return {0.0, 0.0};
-  const WideVec2 chord = (to.point() - from.point()).normalized();
-  const double square = from.bulge * from.bulge;
-  // By half of the sweep to the left of the chord.
-  return ((1.0 - square) * chord + 2.0 * from.bulge * cnc::left_normal(chord)) / (1.0 + square);
+  cnc::contour::Curve<double> curve;
+  const bool moves = cnc::pocket::make_curve({from.point(), to.point(), from.bulge}, curve);
+  return moves ? curve.end_tangent : WideVec2{0.0, 0.0};
 }
 
 void DepthWriter::go(Use use, const WideVec2& to, double bulge, double z) {

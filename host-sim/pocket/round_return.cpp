@@ -31,6 +31,11 @@ bool is_in(const WideVec2& place, const ToolCircle& disc) {
   return (place - disc.centre).norm() <= disc.radius + kRoundingMm;
 }
 
+/// A vector turned to the left, by radians.
+WideVec2 turned(const WideVec2& vector, double angle) {
+  return std::cos(angle) * vector + std::sin(angle) * cnc::left_normal(vector);
+}
+
 /// Arcs of more than half a turn are written in two halves.
 void write_arc(
     DepthWriter& writer, Use use, const WideVec2& centre, double turn, const WideVec2& end) {
@@ -60,7 +65,8 @@ class RoundWay {
   /// one is in the disc on its way to the circle, which it crosses once.
   [[nodiscard]] bool stays_in(const ToolCircle& disc) const {
     const double away = (first_centre_ - disc.centre).norm();
-    return first_turn_ <= kNearlyALoop && last_turn_ <= kNearlyALoop &&
+    const bool has_line = along_ != WideVec2{0.0, 0.0};
+    return has_line && first_turn_ <= kNearlyALoop && last_turn_ <= kNearlyALoop &&
            away + radius_mm_ <= disc.radius + kRoundingMm && is_in(line_end(), disc) &&
            is_in(last_centre_ + radius_mm_ * middle_of_last(), disc);
   }
@@ -85,14 +91,6 @@ class RoundWay {
   double first_turn_;
   double last_turn_;
 };
-
-}  // namespace
-
-WideVec2 turned(const WideVec2& vector, double angle) {
-  return std::cos(angle) * vector + std::sin(angle) * cnc::left_normal(vector);
-}
-
-namespace {
 
 /// The discs through whose centres the tool goes: it leaves out what lies in the disc that it is
 /// in.
@@ -151,9 +149,10 @@ void round_corner(DepthWriter& writer,
 
 void go_through_round(DepthWriter& writer, const std::vector<ToolCircle>& way, double turn_mm) {
   const std::vector<ToolCircle> discs = shortened(way);
-  constexpr double kOfDisc = 0.5;
-  turn_towards(
-      writer, way.front(), discs.front().centre, std::min(turn_mm, kOfDisc * way.front().radius));
+  turn_towards(writer,
+               way.front(),
+               discs.front().centre,
+               std::min(turn_mm, kTurnOfCircle * way.front().radius));
   for (std::size_t i = 0; i + 1 < discs.size(); ++i) {
     round_corner(writer, discs[i], discs[i + 1].centre, turn_mm);
   }
@@ -168,7 +167,13 @@ Approach approach_from(const WideVec2& place, const CutStart& next, double radiu
   const WideVec2 along = turned(way / away, -std::asin(radius_mm / away));
   const double turn = turn_between(along, next.direction);
   if (turn >= kHalfTurn) return {};
-  return {centre - radius_mm * cnc::left_normal(along), std::tan(0.25 * turn), true};
+  return {centre, centre - radius_mm * cnc::left_normal(along), turn, true};
+}
+
+double Approach::bulge() const { return std::tan(0.25 * turn); }
+
+WideVec2 Approach::place_at(double share) const {
+  return centre + turned(arc_start - centre, share * turn);
 }
 
 void go_back_round(DepthWriter& writer,

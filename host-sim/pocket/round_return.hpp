@@ -7,9 +7,6 @@
 
 namespace sim::pocket {
 
-/// A vector turned to the left, by radians.
-[[nodiscard]] cnc::WideVec2 turned(const cnc::WideVec2& vector, double angle);
-
 /// Where a cut begins, and in which direction: a unit vector.
 struct CutStart {
   cnc::WideVec2 place{0.0, 0.0};
@@ -29,8 +26,8 @@ void go_back_round(DepthWriter& writer,
 
 /// Brings the tool over cleared stock to the centre of the last of some discs, and turns in arcs
 /// where the discs have room: out of the direction in which it is moving, and from line to line.
-/// @param way  circles in which, and on which, the tool's centre may move; the line between the
-/// centres of neighbours lies in both
+/// @param way  circles in which, and on which, the tool's centre may move; the line from
+/// each centre to the next lies in the union of both circles
 /// @param turn_mm  radius of the first arc at most, and how far before its corner any other begins
 /// @pre the tool is in the first disc; way is not empty
 void go_through_round(DepthWriter& writer,
@@ -40,14 +37,23 @@ void go_through_round(DepthWriter& writer,
 /// Where a tool that moves in a line from a place turns to the left, by an arc of a radius, into a
 /// cut.
 struct Approach {
+  cnc::WideVec2 centre{0.0, 0.0};  ///< The arc turns around it.
   cnc::WideVec2 arc_start{0.0, 0.0};
-  double bulge = 0.0;  ///< Of the arc to the cut's beginning.
+  double turn = 0.0;  ///< Radians of the arc, up to where the cut begins; less than half a turn.
   bool exists = false;
+
+  [[nodiscard]] double bulge() const;
+  /// @param share of the arc, 0…1
+  [[nodiscard]] cnc::WideVec2 place_at(double share) const;
 };
 [[nodiscard]] Approach approach_from(const cnc::WideVec2& place,
                                      const CutStart& next,
                                      double radius_mm);
 
+/// The radius of turns, as a share of the tool's radius, and at most as a share of the radius of
+/// the circles beside them.
+inline constexpr double kTurnOfTool = 0.2;
+inline constexpr double kTurnOfCircle = 0.5;
 /// mm: a smaller turn has less than the last digits of a program.
 inline constexpr double kLeastTurnMm = 0.005;
 

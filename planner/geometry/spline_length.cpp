@@ -11,10 +11,10 @@ namespace {
 /// Whole steps of the parameter from 0 to 1.
 constexpr std::uint32_t kWhole = 1U << 14U;
 constexpr std::uint32_t kLongestStep = kWhole / 32U;
-/// A step whose two chords are longer than one chord by this share is halved,
+/// A step is halved if the two chords of its halves are longer than its own chord by this share.
 constexpr float kBend = 1.0e-3F;
-/// and one of whose chords is this many times as long as the other: near a hairpin or a cusp, or
-/// where weights that differ make the curve fast.
+/// It is halved, too, if one of both is this many times as long as the other: near a hairpin or a
+/// cusp, or where weights that differ make the curve fast.
 constexpr float kUneven = 2.0F;
 
 bool is_smooth(float first, float second, float chord) {
