@@ -25,8 +25,8 @@ class Controller {
   static constexpr std::uint32_t kSegmentQueue = 64;
   using Steps = StepGenerator<Port, kSegmentQueue>;
   /// One is being played. The others last until the next come in, a turn that is late considered.
-  static_assert((kSegmentQueue - 1) * motion::Segmenter::kShortestSegment >=
-                (kTurnsToMotion + 2) * kTurnTicks);
+  static_assert((kSegmentQueue - 1) * motion::SegmentRate::kShortest >=
+                (kTurnsToMotion + 2) * kTurnTicks + motion::SegmentRate::kMostSpare);
 
   /// @param board what `$I+` tells about and `$DFU` leaves for; none on a desk.
   /// @param kept memory that a restart leaves alone; null for none

@@ -21,6 +21,7 @@ void OutputDelay::clear(std::uint32_t cells_held) {
   most_joinable_ = kMostPieces - cells_held;
   tick_ = 0;
   pending_ = {};
+  rate_ = {};
 }
 
 void OutputDelay::add(const PlannedSlice& slice, std::uint32_t end_tick) {
@@ -37,6 +38,7 @@ void OutputDelay::add(const PlannedSlice& slice, std::uint32_t end_tick) {
   } else {
     append(piece);
   }
+  rate_.pass(piece.ticks);
 }
 
 void OutputDelay::close_cell() {
@@ -56,25 +58,27 @@ void OutputDelay::append(const OutputPiece& piece) {
   CNC_ASSERT(count_ < kMostPieces);
   ++count_;
   ++in_cell_;
-  newest() = piece;
+  pieces_[newest()] = piece;
+  rate_.begin();
 }
 
-bool OutputDelay::joins(const OutputPiece& piece) {
+bool OutputDelay::joins(const OutputPiece& piece) const {
   if (in_cell_ == 0) return false;
   if (count_ >= most_joinable_) return true;
-  const OutputPiece& before = newest();
-  return before.constant() && piece.constant() && before.start == piece.start &&
-         !piece.outputs.any();
+  if (piece.outputs.any()) return false;
+  const OutputPiece& before = pieces_[newest()];
+  const bool is_even = before.constant() && piece.constant() && before.start == piece.start;
+  return is_even || !rate_.allows_short();
 }
 
 void OutputDelay::join(const OutputPiece& piece) {
-  OutputPiece& before = newest();
+  OutputPiece& before = pieces_[newest()];
   const bool same = before.constant() && piece.constant() && before.start == piece.start;
   const std::uint32_t energy = doubled_energy(before) + doubled_energy(piece);
   before.ticks = static_cast<std::uint16_t>(before.ticks + piece.ticks);
   merge(before.outputs, piece.outputs);
   if (same) return;
-  before.start = static_cast<std::uint16_t>(energy / (2U * before.ticks));
+  before.start = static_cast<std::uint16_t>((energy + before.ticks) / (2U * before.ticks));
   before.end = before.start;
 }
 

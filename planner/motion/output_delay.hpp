@@ -5,6 +5,7 @@
 #include <cstdint>
 
 #include "planner/motion/planned_slice.hpp"
+#include "planner/motion/segment_rate.hpp"
 #include "planner/motion/shaper_grid.hpp"
 
 namespace cnc::motion {
@@ -22,9 +23,10 @@ struct OutputPiece {
 /// What the outputs are to do, from when it is planned until the shaped motion comes
 /// there: a queue of pieces, cell by cell.
 ///
-/// Boundaries between pieces keep their tick. What goes on evenly is one piece. Where more
-/// pieces come than there is room for (blocks of a few µm at full speed under M4, for long),
-/// those of one cell become one with the same energy; outputs then change with it.
+/// Boundaries between pieces keep their tick. What goes on evenly is one piece. Where pieces come
+/// so fast that a queue of segments would not last, or more than there is room for (blocks of a few
+/// µm at full speed under M4, for long), those of one cell become one with the same energy; for
+/// want of room, outputs change with it.
 class OutputDelay {
  public:
   static constexpr std::size_t kMostPieces = 384;
@@ -46,9 +48,9 @@ class OutputDelay {
   [[nodiscard]] OutputPiece take();
 
  private:
-  [[nodiscard]] OutputPiece& newest() { return pieces_[(oldest_ + count_ - 1) % kMostPieces]; }
+  [[nodiscard]] std::size_t newest() const { return (oldest_ + count_ - 1) % kMostPieces; }
   void append(const OutputPiece& piece);
-  [[nodiscard]] bool joins(const OutputPiece& piece);
+  [[nodiscard]] bool joins(const OutputPiece& piece) const;
   void join(const OutputPiece& piece);
 
   std::array<OutputPiece, kMostPieces> pieces_{};
@@ -58,6 +60,7 @@ class OutputDelay {
   std::size_t most_joinable_ = 0;  ///< With more, pieces of a cell are joined whatever they are.
   std::uint32_t tick_ = 0;         ///< How far it is filled.
   OutputChanges pending_{};        ///< Of slices shorter than a tick.
+  SegmentRate rate_{};
 };
 
 static_assert(2 * ShaperGrid::kMostPlaces <= OutputDelay::kMostPieces,

@@ -15,7 +15,7 @@ constexpr std::uint32_t kLongestSliceNs = 1'000'000;
 /// Where speed changes a lot.
 constexpr std::uint32_t kShortSliceNs = 250'000;
 /// Shorter slices are joined, to segments that one parabola fits.
-constexpr std::uint32_t kShortestNs = Segmenter::kShortestSegment * kNsPerTick;
+constexpr std::uint32_t kShortestNs = SegmentRate::kShortest * kNsPerTick;
 constexpr std::uint32_t kLongestJoinedNs = 2 * kShortestNs;
 
 /// Radians of half a turn that a slice may have: a 48th of a turn.
@@ -84,6 +84,8 @@ bool Segmenter::next(Segment& segment) {
     if (segment.ticks > 0) break;
   }
   if (segment.ticks == 0) joined_.lend_tick(segment);
+  rate_.begin();
+  rate_.pass(segment.ticks);
   segment.outputs = outputs_;
   outputs_ = {};
   return true;
@@ -119,7 +121,7 @@ void Segmenter::make_segment(Segment& segment) {
     join(first);
     while (joins_next()) join(cut_slice(kLongestJoinedNs - joined_.duration_ns()));
     joined_.time(place_steps_, segment);
-    segment.power = power_course(start_duty, end_duty_, segment.ticks);
+    segment.power = joined_power(start_duty, segment.ticks);
   } else {
     // Says so in no time.
     pass_to_rest();
@@ -130,8 +132,17 @@ void Segmenter::make_segment(Segment& segment) {
   segment.comes_to_rest = speed_ <= 0.0F;
 }
 
+/// A jump between two slices cannot be shown within one segment.
+PowerCourse Segmenter::joined_power(float start_duty, std::uint32_t ticks) const {
+  if (!power_has_jumped_) return power_course(start_duty, end_duty_, ticks);
+  const float mean = energy_ns_ / static_cast<float>(joined_.duration_ns());
+  return power_course(mean, mean, ticks);
+}
+
 void Segmenter::begin_joined() {
   joined_.begin(place_steps_);
+  energy_ns_ = 0.0F;
+  power_has_jumped_ = false;
   line_ = power_.line();
   monotonic_to_ = reversals_.next();
   const float speed_per_tick = speed_ / static_cast<float>(kTicksPerSecond);
@@ -141,6 +152,9 @@ void Segmenter::begin_joined() {
 }
 
 void Segmenter::join(const Cut& cut) {
+  power_has_jumped_ =
+      power_has_jumped_ || (joined_.duration_ns() > 0 && cut.duty.start != end_duty_);
+  energy_ns_ += 0.5F * (cut.duty.start + cut.duty.end) * static_cast<float>(cut.duration_ns);
   joined_.add(cut.duration_ns);
   end_duty_ = cut.duty.end;
   for (const MotorPath::Motor& motor : path_.moving()) {
@@ -153,7 +167,9 @@ void Segmenter::join(const Cut& cut) {
 bool Segmenter::joins_next() {
   if (joined_.duration_ns() >= kShortestNs || speed_ <= 0.0F || !ready_stretch()) return false;
   if (!driving_ && (queue_.empty() || queue_.front().outputs.any())) return false;
-  return ready_block() && duties(speed_, speed_).start == end_duty_ && goes_on_as_joined();
+  if (!ready_block()) return false;
+  const bool is_even = duties(speed_, speed_).start == end_duty_;
+  return (is_even || !rate_.allows_short()) && goes_on_as_joined();
 }
 
 /// No axis turns round until the next reversal, so its way to there tells where it goes.

@@ -11,6 +11,7 @@
 #include "planner/motion/planned_slice.hpp"
 #include "planner/motion/reversals.hpp"
 #include "planner/motion/segment.hpp"
+#include "planner/motion/segment_rate.hpp"
 
 namespace cnc::motion {
 
@@ -40,16 +41,15 @@ class SliceObserver {
 /// pixel, lasts at most a millisecond and reverses no axis. A change of plan, override or
 /// hold takes effect at the next stretch.
 ///
-/// Slices shorter than kShortestSegment go out as one segment with those after them, so that a
-/// queue of segments lasts. Only where an axis turns round, the power jumps, outputs change or
-/// the motion ends is a segment shorter.
+/// Slices shorter than SegmentRate::kShortest go out as one segment with those after them, so that
+/// a queue of segments lasts. Only where an axis turns round, the power jumps, outputs change or
+/// the motion ends is a segment shorter; where the power jumps so often that the queue would not
+/// last, a segment has the mean power of its slices.
 ///
 /// Main loop only. All state is where the last slice handed out has ended.
 class Segmenter {
  public:
   static constexpr float kLongestSlice = 1.0e-3F;  ///< s.
-  /// Ticks: of these motors and beams take no notice, and 63 of them are six milliseconds.
-  static constexpr std::uint32_t kShortestSegment = kTicksPerSecond / 10'000;
 
   /// @param pixels of the blocks' rows; null where no block has any
   Segmenter(BlockQueue& queue, const Limits& limits, Pixels* pixels = nullptr)
@@ -142,6 +142,7 @@ class Segmenter {
   void begin_joined();
   void join(const Cut& cut);
   [[nodiscard]] bool joins_next();
+  [[nodiscard]] PowerCourse joined_power(float start_duty, std::uint32_t ticks) const;
   [[nodiscard]] bool goes_on_as_joined();
   [[nodiscard]] Duties duties(float start_speed, float end_speed) const;
 
@@ -173,7 +174,10 @@ class Segmenter {
   JoinedSlices joined_{};
   PathUnits monotonic_to_ = 0;  ///< On the block begun last: no axis turns round before.
   SourceLine line_{};
-  float end_duty_ = 0.0F;  ///< Where the slice joined last ends.
+  float end_duty_ = 0.0F;   ///< Where the slice joined last ends.
+  float energy_ns_ = 0.0F;  ///< Duty over time of what has been joined.
+  bool power_has_jumped_ = false;
+  SegmentRate rate_{};
 
   SliceObserver* observer_ = nullptr;
   std::uint32_t blocks_ended_ = 0;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -83,6 +84,12 @@ class RasterTrack final : public sim::TraceSink {
  private:
   sim::TraceRow last_{};
 };
+
+/// When the first motor passed a place.
+double time_at(const RasterTrack& track, double mm) {
+  const auto at = std::ranges::lower_bound(track.places, mm, {}, &RasterTrack::Place::mm);
+  return at == track.places.end() ? 0.0 : at->time_s;
+}
 
 struct RasterRun {
   sim::RunResult result{};
@@ -255,6 +262,63 @@ TEST(Raster, TellsTheLineOfThePixelBeingDriven) {
   }
   EXPECT_EQ(last, kPixels * 1U);
   bench.finish();
+}
+
+/// The output over time, s, between two times of a track.
+double energy_between(const RasterTrack& track, double from_s, double to_s) {
+  double energy = 0.0;
+  double since = from_s;
+  double duty = 0.0;
+  for (const auto& change : track.changes) {
+    const double until = std::clamp(change.time_s, from_s, to_s);
+    energy += duty * (until - since);
+    since = until;
+    duty = static_cast<double>(change.duty);
+  }
+  return energy + duty * (to_s - since);
+}
+
+/// Pixels so narrow that there are 25,000 in a second, in a row with long ends.
+struct FineRow {
+  static constexpr int kPixels = 1200;
+  static constexpr double kWidth = 0.02;
+  static constexpr double kSpeed = 500.0;
+  static constexpr double kEnd = 40.0;  ///< mm: beyond, the machine is at full speed.
+
+  static int power(int pixel) { return pixel % 3 == 0 ? 0 : grey(pixel); }
+
+  static std::string program() {
+    std::string text = fmt::format("G21 G90 M3 F{:.0f}\nG1 X{:.1f} S0\n", 60.0 * kSpeed, kEnd);
+    for (int i = 1; i <= kPixels; ++i) {
+      text += fmt::format("G1 X{:.3f} S{}\n", kEnd + kWidth * i, power(i));
+    }
+    return text + fmt::format("G1 X{:.1f} S0\n", 2.0 * kEnd + kWidth * kPixels);
+  }
+};
+
+// Pixels may follow each other faster than segments can: a row stopped the machine as starved.
+TEST(Raster, OfPixelsFasterThanSegmentsIsDrivenWithTheirEnergy) {
+  constexpr int kTogether = 50;
+  constexpr double kLongestJoined_s = 2.0e-4;
+  for (const double shaper : {0.0, 1.0}) {
+    MachineBench bench;
+    bench.set({{0, 1}, {32, 1}, {100, kRowStepsPerMm}, {110, 30'000}, {120, 6000}, {130, 300}});
+    bench.set({{cnc::setting::kShaper, shaper}, {cnc::setting::kShaperFrequency, 60.0}});
+    RasterTrack track;
+    bench.controller.add_sink(track);
+    std::istringstream lines{FineRow::program()};
+    for (std::string line; std::getline(lines, line);) bench.send(line);
+    bench.finish();
+    EXPECT_EQ(bench.machine().alarm(), cnc::Alarm::kNone);
+    for (int first = 1; first + kTogether <= FineRow::kPixels; first += kTogether) {
+      double expected = 0.0;
+      for (int i = first; i < first + kTogether; ++i) expected += 1.0e-3 * FineRow::power(i);
+      const double from_s = time_at(track, FineRow::kEnd + FineRow::kWidth * (first - 1));
+      const double to_s = time_at(track, FineRow::kEnd + FineRow::kWidth * (first - 1 + kTogether));
+      const double driven = energy_between(track, from_s, to_s);
+      EXPECT_NEAR(driven, expected * (to_s - from_s) / kTogether, kLongestJoined_s) << first;
+    }
+  }
 }
 
 // Nothing of a row that was cut off is left over for the next.
