@@ -73,6 +73,22 @@ WallStart wall_start(const cnc::contour::ContourView<double>& locus,
   return best;
 }
 
+/// Whether the tool stays in the area on a line to an approach and on its arc.
+bool fits(const Approach& approach,
+          const WideVec2& from,
+          const OwnedArea& area,
+          double tool_radius_mm) {
+  constexpr double kRoundingMm = 1.0e-6;
+  const MovingDisc tool{from, approach.arc_start, tool_radius_mm, tool_radius_mm};
+  if (excess_of(tool, *area) > kRoundingMm) return false;
+  constexpr int kLooks = 16;
+  for (int i = 1; i < kLooks; ++i) {
+    const WideVec2 place = approach.place_at(static_cast<double>(i) / kLooks);
+    if (area->depth(place) < tool_radius_mm - kRoundingMm) return false;
+  }
+  return true;
+}
+
 /// Where the tool leaves its line to a vertex of the wall's locus for an arc, so that it comes to
 /// the wall without a corner. None where the vertex is a corner, or there is no room.
 Approach wall_approach(const cnc::contour::ContourView<double>& locus,
@@ -80,7 +96,6 @@ Approach wall_approach(const cnc::contour::ContourView<double>& locus,
                        const WallStart& start,
                        const OwnedArea& area,
                        double tool_radius_mm) {
-  constexpr double kRoundingMm = 1.0e-6;
   constexpr double kCornerSine = 1.0e-3;
   const std::uint32_t first = locus.loop_begin(loop);
   const std::uint32_t last = locus.loop_ends[loop] - 1;
@@ -91,18 +106,15 @@ Approach wall_approach(const cnc::contour::ContourView<double>& locus,
       cnc::pocket::make_curve(cnc::pocket::element_at(locus, loop, before), coming) &&
       cnc::pocket::make_curve(cnc::pocket::element_at(locus, loop, start.vertex), going);
   if (!are_curves) return {};
-  const CutStart cut{going.start, going.start_tangent};
+  const Pose cut{going.start, going.start_tangent};
   if (std::abs(cnc::cross(coming.end_tangent, cut.direction)) > kCornerSine) return {};
-  Approach approach = approach_from(start.circle.centre, cut, kTurnOfTool * tool_radius_mm);
-  if (!approach.exists) return {};
-  const MovingDisc tool{start.circle.centre, approach.arc_start, tool_radius_mm, tool_radius_mm};
-  if (excess_of(tool, *area) > kRoundingMm) return {};
-  constexpr int kLooks = 16;
-  for (int i = 1; i < kLooks; ++i) {
-    const WideVec2 place = approach.place_at(static_cast<double>(i) / kLooks);
-    if (area->depth(place) < tool_radius_mm - kRoundingMm) return {};
+  for (double turn_mm = kTurnOfTool * tool_radius_mm; turn_mm >= kLeastTurnMm; turn_mm *= 0.5) {
+    const Approach approach = approach_from(start.circle.centre, cut, turn_mm);
+    if (approach.exists && fits(approach, start.circle.centre, area, tool_radius_mm)) {
+      return approach;
+    }
   }
-  return approach;
+  return {};
 }
 
 /// Drives along a loop of the locus, from a cleared circle.
@@ -111,6 +123,7 @@ void pass_wall(const cnc::contour::ContourView<double>& locus,
                const WallStart& start,
                const Approach& approach,
                DepthWriter& writer) {
+  constexpr double kLeastLinkMm = 1.0e-6;
   const std::uint32_t first = locus.loop_begin(loop);
   const std::uint32_t count = locus.loop_ends[loop] - first;
   writer.begin_row_in_cleared(start.circle.centre);
@@ -118,7 +131,7 @@ void pass_wall(const cnc::contour::ContourView<double>& locus,
   const WideVec2 there = approach.exists ? approach.arc_start : corner;
   const WideVec2 way = there - start.circle.centre;
   const double away = way.norm();
-  if (away > start.circle.radius && start.circle.radius > 0.0) {
+  if (away > start.circle.radius && start.circle.radius > kLeastLinkMm) {
     writer.link(start.circle.centre + (start.circle.radius / away) * way);
   }
   writer.pass(there);

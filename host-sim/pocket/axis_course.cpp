@@ -49,25 +49,49 @@ std::vector<WideVec2> AxisCourse::places_between(double from, double to) const {
   return places;
 }
 
+std::optional<double> AxisCourse::farthest_reach(const WideVec2& place,
+                                                 double from,
+                                                 double to) const {
+  std::optional<double> farthest;
+  double most = 0.0;
+  const auto first = std::upper_bound(lengths_.begin(), lengths_.end(), from);
+  for (auto i = static_cast<std::size_t>(first - lengths_.begin());
+       i < points_.size() && lengths_[i] < to;
+       ++i) {
+    const double reach = (points_[i].place - place).norm() + points_[i].radius;
+    if (farthest && reach <= most) continue;
+    most = reach;
+    farthest = lengths_[i];
+  }
+  return farthest;
+}
+
 double next_crescent(const AxisCourse& course,
                      double from,
                      const ToolCircle& cleared,
                      const StepLimits& limits) {
   const auto allows = [&](double s) { return is_allowed(cleared, course.circle_at(s), limits); };
-  constexpr double kFirstStep = 0.01;  // Of the tool's radius.
+  constexpr double kFirstStep = 0.01;    // Of the tool's radius.
+  constexpr double kGreatestStep = 0.1;  // The same.
   constexpr double kGrowth = 1.5;
   constexpr int kHalvings = 24;
   double good = from;
   double bad = course.length();
   bool is_bounded = false;
-  for (double step = kFirstStep * limits.tool_radius_mm; good < course.length(); step *= kGrowth) {
-    const double end = std::min(from + step, course.length());
-    if (!allows(end)) {
-      bad = end;
-      is_bounded = true;
-      break;
+  double step = kFirstStep * limits.tool_radius_mm;
+  while (good < course.length() && !is_bounded) {
+    const double end = std::min(good + step, course.length());
+    const double peak = course.farthest_reach(cleared.centre, good, end).value_or(end);
+    for (const double s : {peak, end}) {
+      if (allows(s)) {
+        good = s;
+      } else {
+        bad = s;
+        is_bounded = true;
+        break;
+      }
     }
-    good = end;
+    step = std::min(kGrowth * step, kGreatestStep * limits.tool_radius_mm);
   }
   if (!is_bounded) return good;
   for (int i = 0; i < kHalvings; ++i) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "host-sim/pocket/medial_axis.hpp"
@@ -22,6 +23,13 @@ class AxisCourse {
   /// Points of the axis strictly between two lengths, in order.
   [[nodiscard]] std::vector<cnc::WideVec2> places_between(double from, double to) const;
 
+  /// The length at the point of the axis strictly between two lengths whose circle reaches farthest
+  /// from a place; none without points. Between neighbouring points no circle reaches farther than
+  /// theirs, but for the tolerance of the axis.
+  [[nodiscard]] std::optional<double> farthest_reach(const cnc::WideVec2& place,
+                                                     double from,
+                                                     double to) const;
+
  private:
   const OwnedArea& area_;
   std::vector<AxisPoint> points_;
@@ -39,6 +47,10 @@ struct StepLimits {
 /// Returns the greatest length along a course up to which a tool that has cleared the disc around
 /// `cleared`, at `from`, may go on at once, by a crescent within the engagement; `from` if there
 /// is none. At most the course's own length.
+///
+/// Crescents to all circles on the way are within the engagement, too. So is the pass along the
+/// wall, therefore, where these circles come up to it: the course may lead into a bay of a large
+/// disc and out of it again, as small discs within the large one.
 [[nodiscard]] double next_crescent(const AxisCourse& course,
                                    double from,
                                    const cnc::pocket::ToolCircle& cleared,

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <limits>
 #include <numbers>
 
 #include "host-sim/pocket/axis_entry.hpp"
 #include "host-sim/pocket/disc_spiral.hpp"
 #include "host-sim/pocket/round_return.hpp"
+#include "host-sim/pocket/slot_pass.hpp"
 
 namespace sim::pocket {
 namespace {
@@ -102,24 +105,26 @@ bool CrescentDriver::drive_slot(const AxisCourse& course,
   const double radius = limits_.tool_radius_mm;
   const ToolCircle begin = course.circle_at(from);
   const ToolCircle end = course.circle_at(to);
-  std::vector<WideVec2> places = course.places_between(from, to);
+  std::vector<WideVec2> places{begin.centre};
+  std::ranges::copy(course.places_between(from, to), std::back_inserter(places));
   places.push_back(end.centre);
-  NarrowStretch stretch{{begin.centre}, 2.0 * (begin.radius + radius), to - from};
-  writer_.link(begin.centre);
-  done.way_back.push_back(begin);
-  for (const WideVec2& place : places) {
-    if (!fits_in_line(writer_.place(), place, *area_, radius)) return false;
-    writer_.pass(place);
+  const std::vector<WideVec2> way =
+      fitting_way(places, *area_, radius, std::numeric_limits<double>::infinity());
+  if (way.size() < 2) return false;
+  go_back_round(writer_,
+                begin,
+                {begin.centre, (way[1] - way[0]).normalized()},
+                std::min(kTurnOfTool * radius, kTurnOfCircle * begin.radius));
+  pass_lines(writer_, way, *area_, radius);
+  NarrowStretch stretch{way, 2.0 * (begin.radius + radius), way_length(way)};
+  for (const WideVec2& place : way) {
     const double depth_mm = area_->depth(place);
     done.way_back.push_back({place, std::max(0.0, depth_mm - radius)});
-    stretch.places.push_back(place);
     stretch.width_mm = std::min(stretch.width_mm, 2.0 * depth_mm);
   }
   out_.narrow.push_back(stretch);
-  if (end.radius >= kLeastCircleMm) {
-    writer_.pass(end.centre + WideVec2{end.radius, 0.0});
-    writer_.circle(Use::kPass, end.centre);
-  }
+  if ((way.back() - end.centre).norm() > kSamePlaceMm) return false;
+  if (end.radius >= kLeastCircleMm) pass_disc(writer_, end);
   circles_.push_back(end);
   return true;
 }

@@ -22,7 +22,7 @@ class DepthWriter {
   void light_pass(const cnc::WideVec2& to, double bulge) {
     go(cnc::pocket::Use::kLight, to, bulge, z_);
   }
-  /// Both add nothing where the tool is there already.
+  /// Both add nothing where the tool is there already, but for rounding.
   void link(const cnc::WideVec2& to) { go_unless_there(cnc::pocket::Use::kLink, to); }
   void go_back(const cnc::WideVec2& to) { go_unless_there(cnc::pocket::Use::kReturn, to); }
   /// Around a circle to the left, from the tool's place.

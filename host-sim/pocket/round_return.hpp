@@ -2,26 +2,18 @@
 
 #include <vector>
 
-#include "host-sim/pocket/depth_writer.hpp"
-#include "planner/pocket/engagement.hpp"
+#include "host-sim/pocket/round_way.hpp"
 
 namespace sim::pocket {
 
-/// Where a cut begins, and in which direction: a unit vector.
-struct CutStart {
-  cnc::WideVec2 place{0.0, 0.0};
-  cnc::WideVec2 direction{1.0, 0.0};
-};
-
 /// Brings the tool over a cleared disc from the end of one cut to the beginning of the next with
-/// one tangent throughout: by an arc to the left, a line, and an arc to the left. It is a line
-/// alone where there is no room for arcs of kLeastTurnMm, or they would leave the disc.
+/// one tangent throughout, by a round way, or by a line where there is none.
 /// @param disc     circle in which, and on which, the tool's centre may move
 /// @param turn_mm  radius of the arcs, mm
 /// @pre the tool is in the disc, `next.place` on its circle
 void go_back_round(DepthWriter& writer,
                    const cnc::pocket::ToolCircle& disc,
-                   const CutStart& next,
+                   const Pose& next,
                    double turn_mm);
 
 /// Brings the tool over cleared stock to the centre of the last of some discs, and turns in arcs
@@ -47,14 +39,12 @@ struct Approach {
   [[nodiscard]] cnc::WideVec2 place_at(double share) const;
 };
 [[nodiscard]] Approach approach_from(const cnc::WideVec2& place,
-                                     const CutStart& next,
+                                     const Pose& next,
                                      double radius_mm);
 
 /// The radius of turns, as a share of the tool's radius, and at most as a share of the radius of
 /// the circles beside them.
 inline constexpr double kTurnOfTool = 0.2;
 inline constexpr double kTurnOfCircle = 0.5;
-/// mm: a smaller turn has less than the last digits of a program.
-inline constexpr double kLeastTurnMm = 0.005;
 
 }  // namespace sim::pocket
