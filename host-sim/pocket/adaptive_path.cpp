@@ -109,7 +109,7 @@ Approach wall_approach(const cnc::contour::ContourView<double>& locus,
   const Pose cut{going.start, going.start_tangent};
   if (std::abs(cnc::cross(coming.end_tangent, cut.direction)) > kCornerSine) return {};
   for (double turn_mm = kTurnOfTool * tool_radius_mm; turn_mm >= kLeastTurnMm; turn_mm *= 0.5) {
-    const Approach approach = approach_from(start.circle.centre, cut, turn_mm);
+    Approach approach = approach_from(start.circle.centre, cut, turn_mm);
     if (approach.exists && fits(approach, start.circle.centre, area, tool_radius_mm)) {
       return approach;
     }
