@@ -118,7 +118,7 @@ Approach approach_from(const WideVec2& place, const Pose& next, double radius_mm
   return {centre, centre - radius_mm * left_normal(along), turn, true};
 }
 
-double Approach::bulge() const { return std::tan(0.25 * turn); }
+double Approach::bulge() const { return turn < kNoTurn ? 0.0 : std::tan(0.25 * turn); }
 
 WideVec2 Approach::place_at(double share) const {
   return centre + turned(arc_start - centre, share * turn);

@@ -98,8 +98,9 @@ class SweptPlane {
     for (int i = 1; e.radius > 0.0 && i < kPlaces; ++i) {
       double x = 0, y = 0, right_x = 0, right_y = 0;
       e.at(static_cast<double>(i) / kPlaces, x, y, right_x, right_y);
-      // Between places an arc of half a turn is at most this far beyond them.
-      const double slack = 0.005 * e.radius;
+      // Between two places an arc is at most this far beyond their chord.
+      const double between = e.length() / kPlaces;
+      const double slack = between * between / (8.0 * e.radius);
       x0 = std::min(x0, x - slack), x1 = std::max(x1, x + slack);
       y0 = std::min(y0, y - slack), y1 = std::max(y1, y + slack);
     }

@@ -11,6 +11,7 @@
 #include "host-sim/contour/contour_text.hpp"
 #include "host-sim/pocket/pocket_plan.hpp"
 #include "tests/support/adaptive_judge.hpp"
+#include "tests/support/random_pocket.hpp"
 #include "tests/support/trials.hpp"
 
 namespace proof {
@@ -110,13 +111,7 @@ TEST(AdaptivePaths, ClearRandomPockets) {
   std::uint64_t refused = 0;
   for (const std::uint64_t seed : trials) {
     Random random{seed};
-    sim::Contour area;
-    do {
-      area = random.chance(0.95) ? random_star(random, 3 + random.below(12), 15.0, 40.0)
-                                 : random_case(Corpus::kIslands, random.bits() >> 8).contour;
-    } while (!is_simple(area.view()) || std::ranges::any_of(area.vertices, [](const auto& vertex) {
-      return std::abs(vertex.bulge) > 1.0;
-    }));
+    const sim::Contour area = random_pocket(random);
     AdaptiveOptions options{.tool_radius_mm = random.between(2.0, 4.0),
                             .engagement_deg = random.between(40.0, 100.0)};
     options.entry = static_cast<cnc::pocket::EntryKind>(random.below(3));

@@ -114,25 +114,47 @@ TEST(RoundReturns, StayInTheDiscsThatTheyLeadThrough) {
   EXPECT_LT(20 * corners, joints);
 }
 
-TEST(RoundReturns, AreLinesWhereArcsWouldLeaveTheDisc) {
+/// Expects that elements of a path meet with one tangent.
+void expect_smooth(const PathRows& rows, std::size_t first) {
+  for (std::size_t i = first; i + 1 < rows.points.size(); ++i) {
+    EXPECT_LT(cnc::pocket::kink_between(rows.points[i - 1], rows.points[i], rows.points[i + 1]),
+              1.0e-6);
+  }
+}
+
+TEST(RoundReturns, HaveSmallerTurnsWhereLargeOnesWouldLeaveTheDisc) {
   PathRows rows;
   DepthWriter writer{rows, 1.0};
   writer.begin_row_in_cleared({-3.0, 0.0});
   writer.pass({-1.0, 0.0});
   // A turn to the left of 2 mm does not fit into a circle of 1.
   go_back_round(writer, {{0.0, 0.0}, 1.0}, {{0.0, 1.0}, {-1.0, 0.0}}, 2.0);
-  ASSERT_EQ(rows.points.size(), 4U);
-  EXPECT_EQ(rows.points[2].bulge, 0.0);
-  EXPECT_EQ(rows.points[2].use, cnc::pocket::Use::kReturn);
+  expect_smooth(rows, 2);
+  EXPECT_GT(rows.points.size(), 4U);
+  for (std::size_t i = 2; i + 1 < rows.points.size(); ++i) {
+    EXPECT_LE(rows.points[i].point().norm(), 1.0 + 1.0e-8);
+    EXPECT_EQ(rows.points[i].use, cnc::pocket::Use::kReturn);
+  }
 }
 
-TEST(RoundReturns, AreLinesAfterADescent) {
+TEST(RoundReturns, TurnToEitherSide) {
+  PathRows rows;
+  DepthWriter writer{rows, 1.0};
+  writer.begin_row_in_cleared({-3.0, 0.0});
+  writer.pass({-1.0, 0.0});
+  go_back_round(writer, {{0.0, 0.0}, 10.0}, {{9.0, -1.0}, {1.0, 0.0}}, 2.0);
+  expect_smooth(rows, 2);
+  EXPECT_LT(rows.points[2].bulge, 0.0) << "to the right";
+  EXPECT_GT(rows.points[4].bulge, 0.0) << "to the left";
+}
+
+TEST(RoundReturns, SetOffStraightAfterADescent) {
   PathRows rows;
   DepthWriter writer{rows, 1.0};
   writer.begin_row_in_cleared({-1.0, 0.0});
   go_back_round(writer, {{0.0, 0.0}, 10.0}, {{0.0, 10.0}, {-1.0, 0.0}}, 2.0);
-  ASSERT_EQ(rows.points.size(), 3U);
-  EXPECT_EQ(rows.points[1].bulge, 0.0);
+  expect_smooth(rows, 2);
+  EXPECT_EQ(rows.points.back().point(), (WideVec2{0.0, 10.0}));
 }
 
 }  // namespace

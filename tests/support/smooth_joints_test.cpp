@@ -11,8 +11,7 @@
 #include "host-sim/contour/contour_offset.hpp"
 #include "host-sim/pocket/strategy.hpp"
 #include "planner/pocket/loop_measures.hpp"
-#include "tests/support/contour_corpus.hpp"
-#include "tests/support/contour_oracle.hpp"
+#include "tests/support/random_pocket.hpp"
 #include "tests/support/trials.hpp"
 
 namespace proof {
@@ -90,13 +89,7 @@ TEST_P(SmoothJoints, HaveCornersOnlyWhereTheWallHasThem) {
   std::uint64_t judged = 0;
   for (const std::uint64_t seed : Trials{30}) {
     Random random{seed};
-    sim::Contour area;
-    do {
-      area = random.chance(0.9) ? random_star(random, 3 + random.below(12), 15.0, 40.0)
-                                : random_case(Corpus::kIslands, random.bits() >> 8).contour;
-    } while (!is_simple(area.view()) || std::ranges::any_of(area.vertices, [](const auto& vertex) {
-      return std::abs(vertex.bulge) > 1.0;
-    }));
+    const sim::Contour area = random_pocket(random);
     const double radius = random.between(1.5, 4.0);
     sim::pocket::StrategyOptions options;
     options.strategy = GetParam();
