@@ -51,9 +51,8 @@ inline constexpr double kNarrowDiameters = 1.2;
 /// nowhere that the tool reaches. The engagement is within the limit in closed form for each
 /// crescent against the disc before it alone, except in entries and in stretches narrower than 1.2
 /// diameters, which are listed: what has it is Use::kLight. All crescents turn left, which is climb
-/// milling. Links between them lie in discs that are cleared, and meet circles of more than 10 µm
-/// with one tangent; ways back turn in arcs where the discs have room, and passes along a wall
-/// without a corner begin with an arc.
+/// milling. Links between them lie in discs that are cleared, and meet them with one tangent. So do
+/// all other elements at one depth but the passes along the walls, at the corners of their locus.
 ///
 /// Throws std::invalid_argument for options out of range, or if the tool fits nowhere, NoPocketPath
 /// where it fits in only straight down and must not, std::runtime_error for contours that cross,

@@ -18,8 +18,7 @@ void DepthWriter::begin_row_in_cleared(const WideVec2& place) {
 }
 
 void DepthWriter::go_unless_there(Use use, const WideVec2& to) {
-  constexpr double kRoundingMm = 1.0e-9;
-  if ((to - place()).norm() > kRoundingMm) go(use, to, 0.0, z_);
+  if ((to - place()).norm() > kSamePlaceMm) go(use, to, 0.0, z_);
 }
 
 WideVec2 DepthWriter::heading() const {

@@ -4,6 +4,9 @@
 
 namespace sim::pocket {
 
+/// mm: places nearer to each other, or to a circle, are the same but for rounding.
+inline constexpr double kSamePlaceMm = 1.0e-9;
+
 /// Writes rows of a path whose passes are all at one depth.
 class DepthWriter {
  public:

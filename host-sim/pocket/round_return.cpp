@@ -14,11 +14,8 @@ using cnc::WideVec2;
 using cnc::pocket::ToolCircle;
 using cnc::pocket::Use;
 
-constexpr double kHalfTurn = std::numbers::pi;
-/// Radians: what turns by less is straight.
-constexpr double kNoTurn = 1.0e-6;
 /// Radians: corners at which the way nearly turns back stay corners.
-constexpr double kNearlyBack = 0.95 * kHalfTurn;
+constexpr double kNearlyBack = 0.95 * std::numbers::pi;
 
 /// The discs through whose centres the tool goes: it leaves out what lies in the disc that it is
 /// in.
@@ -48,9 +45,7 @@ std::optional<RoundTurn> turn_by_side(
   const double away = way.norm();
   if (away <= turn_mm) return std::nullopt;
   const WideVec2 along = turned(way / away, side * std::asin(turn_mm / away));
-  const double turn =
-      side > 0.0 ? turn_between(here.direction, along) : turn_between(along, here.direction);
-  const RoundTurn arc{centre, here.place, side, turn};
+  const RoundTurn arc{centre, here.place, side, turn_to(side, here.direction, along)};
   if (!arc.stays_in(disc)) return std::nullopt;
   return arc;
 }
@@ -82,10 +77,10 @@ void round_corner(DepthWriter& writer,
   const double trim = std::min({turn_mm, corner.radius, 0.5 * before.norm(), 0.5 * after.norm()});
   const double turn = std::atan2(cnc::cross(before, after), before.dot(after));
   const bool is_corner = trim < kLeastTurnMm || std::abs(turn) > kNearlyBack;
-  if (is_corner || std::abs(turn) < kNoTurn) return writer.go_back(corner.centre);
-  writer.go_back(corner.centre - trim * before.normalized());
-  const WideVec2 end = corner.centre + trim * after.normalized();
-  writer.go(Use::kReturn, end, std::tan(0.25 * turn), writer.floor_z());
+  if (is_corner || std::abs(turn) < kLeastArc) return writer.go_back(corner.centre);
+  const Rounding arc = rounding_of(writer.place(), corner.centre, next, trim);
+  writer.go_back(arc.start);
+  writer.go(Use::kReturn, arc.end, arc.bulge, writer.floor_z());
 }
 
 }  // namespace
@@ -114,11 +109,11 @@ Approach approach_from(const WideVec2& place, const Pose& next, double radius_mm
   if (away <= radius_mm) return {};
   const WideVec2 along = turned(way / away, -std::asin(radius_mm / away));
   const double turn = turn_between(along, next.direction);
-  if (turn >= kHalfTurn) return {};
+  if (turn >= std::numbers::pi) return {};
   return {centre, centre - radius_mm * left_normal(along), turn, true};
 }
 
-double Approach::bulge() const { return turn < kNoTurn ? 0.0 : std::tan(0.25 * turn); }
+double Approach::bulge() const { return turn < kLeastArc ? 0.0 : std::tan(0.25 * turn); }
 
 WideVec2 Approach::place_at(double share) const {
   return centre + turned(arc_start - centre, share * turn);

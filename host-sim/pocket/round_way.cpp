@@ -11,16 +11,9 @@ using cnc::WideVec2;
 using cnc::pocket::ToolCircle;
 using cnc::pocket::Use;
 
-constexpr double kHalfRound = std::numbers::pi;
+constexpr double kHalfTurn = std::numbers::pi;
 /// Radians: a turn that is almost a loop would be longer than the line that it smooths.
-constexpr double kNearlyALoop = 1.5 * kHalfRound;
-/// Radians: an arc that turns by less is a line.
-constexpr double kLeastArc = 1.0e-6;
-
-/// The turn to one side from one direction to another.
-double turn_to(double side, const WideVec2& from, const WideVec2& to) {
-  return side > 0.0 ? turn_between(from, to) : turn_between(to, from);
-}
+constexpr double kNearlyALoop = 1.5 * kHalfTurn;
 
 /// The way whose arcs turn to given sides; none where the circles of both overlap too far for a
 /// common tangent, or an arc is nearly a loop.
@@ -75,7 +68,25 @@ WideVec2 turned(const WideVec2& vector, double angle) {
 
 double turn_between(const WideVec2& from, const WideVec2& to) {
   const double angle = std::atan2(cnc::cross(from, to), from.dot(to));
-  return angle < 0.0 ? angle + 2.0 * kHalfRound : angle;
+  return angle < 0.0 ? angle + 2.0 * kHalfTurn : angle;
+}
+
+double turn_to(double side, const WideVec2& from, const WideVec2& to) {
+  return side > 0.0 ? turn_between(from, to) : turn_between(to, from);
+}
+
+WideVec2 Rounding::middle() const {
+  return 0.5 * (start + end) - 0.5 * bulge * left_normal(end - start);
+}
+
+Rounding rounding_of(const WideVec2& before,
+                     const WideVec2& corner,
+                     const WideVec2& after,
+                     double trim_mm) {
+  const WideVec2 in = (corner - before).normalized();
+  const WideVec2 out = (after - corner).normalized();
+  const double turn = std::atan2(cnc::cross(in, out), in.dot(out));
+  return {corner - trim_mm * in, corner + trim_mm * out, std::tan(0.25 * turn)};
 }
 
 WideVec2 RoundTurn::place_at(double share) const {
@@ -95,7 +106,7 @@ void RoundTurn::write(DepthWriter& writer, const WideVec2& end) const {
   if ((writer.place() - end).norm() <= kSamePlaceMm) return;
   const double z = writer.floor_z();
   if (turn < kLeastArc) return writer.go(Use::kReturn, end, 0.0, z);
-  if (turn <= kHalfRound) return writer.go(Use::kReturn, end, side * std::tan(0.25 * turn), z);
+  if (turn <= kHalfTurn) return writer.go(Use::kReturn, end, side * std::tan(0.25 * turn), z);
   const double bulge = side * std::tan(0.125 * turn);
   writer.go(Use::kReturn, place_at(0.5), bulge, z);
   writer.go(Use::kReturn, end, bulge, z);

@@ -15,8 +15,8 @@ struct Pose {
 
 /// mm: a smaller turn is a corner.
 inline constexpr double kLeastTurnMm = 1.0e-6;
-/// mm: places nearer to each other, or to a circle, are the same but for rounding.
-inline constexpr double kSamePlaceMm = 1.0e-9;
+/// Radians: an arc that turns by less is a line.
+inline constexpr double kLeastArc = 1.0e-6;
 
 /// Whether a place is within or on a circle.
 [[nodiscard]] bool is_in(const cnc::WideVec2& place, const cnc::pocket::ToolCircle& circle);
@@ -26,6 +26,25 @@ inline constexpr double kSamePlaceMm = 1.0e-9;
 
 /// The turn to the left from one direction to another, 0 to 2 π.
 [[nodiscard]] double turn_between(const cnc::WideVec2& from, const cnc::WideVec2& to);
+
+/// The same to the left where `side` is above 0, to the right where it is below.
+[[nodiscard]] double turn_to(double side, const cnc::WideVec2& from, const cnc::WideVec2& to);
+
+/// An arc in place of the corner between two lines.
+struct Rounding {
+  cnc::WideVec2 start{0.0, 0.0};
+  cnc::WideVec2 end{0.0, 0.0};
+  double bulge = 0.0;
+
+  [[nodiscard]] cnc::WideVec2 middle() const;
+};
+
+/// @param trim_mm how far before and after the corner the arc begins and ends
+/// @pre the corner is neither `before` nor `after`
+[[nodiscard]] Rounding rounding_of(const cnc::WideVec2& before,
+                                   const cnc::WideVec2& corner,
+                                   const cnc::WideVec2& after,
+                                   double trim_mm);
 
 /// An arc.
 struct RoundTurn {

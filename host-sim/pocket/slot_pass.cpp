@@ -13,27 +13,6 @@ using cnc::WideVec2;
 using cnc::pocket::AreaDistance;
 using cnc::pocket::Use;
 
-/// An arc that replaces the corner of two lines.
-struct Rounding {
-  WideVec2 start{0.0, 0.0};
-  WideVec2 end{0.0, 0.0};
-  double bulge = 0.0;
-
-  [[nodiscard]] WideVec2 middle() const {
-    return 0.5 * (start + end) - 0.5 * bulge * cnc::left_normal(end - start);
-  }
-};
-
-Rounding rounding_of(const WideVec2& before,
-                     const WideVec2& corner,
-                     const WideVec2& after,
-                     double trim_mm) {
-  const WideVec2 in = (corner - before).normalized();
-  const WideVec2 out = (after - corner).normalized();
-  const double turn = std::atan2(cnc::cross(in, out), in.dot(out));
-  return {corner - trim_mm * in, corner + trim_mm * out, std::tan(0.25 * turn)};
-}
-
 /// The arc at a corner with the longest trim, of half of both lines, a quarter and so on, whose
 /// middle is as far from the walls as the tool needs. It has no length where the trim has become
 /// too short to matter, or the corner is too flat.
