@@ -70,15 +70,21 @@ def read_seeds(text: str) -> dict:
     return seeds
 
 
-def seeds_of(test: unittest.TestCase, usual: int, known_fault: bool = False) -> list:
-    """The seeds that once failed, from the .seeds file beside the test, then the random range."""
-    first = first_seed(test, known_fault)
-    if "KERFLINE_SEED" in os.environ:
-        return list(range(first, first + trials(1)))
+def once_failed(test: unittest.TestCase) -> list:
+    """The test's seeds in the .seeds file beside it; none where KERFLINE_SEED chooses one."""
     file = pathlib.Path(inspect.getfile(type(test))).with_suffix(".seeds")
-    once_failed = read_seeds(file.read_text("utf-8")) if file.exists() else {}
-    for section in once_failed:
+    if "KERFLINE_SEED" in os.environ or not file.exists():
+        return []
+    seeds = read_seeds(file.read_text("utf-8"))
+    for section in seeds:
         suite, method = section.split(".")
         if suite == type(test).__name__ and not hasattr(test, method):
             raise ValueError(f"{file}: {suite} has no test {method}")
-    return once_failed.get(name_of(test), []) + list(range(first, first + trials(usual)))
+    return seeds.get(name_of(test), [])
+
+
+def seeds_of(test: unittest.TestCase, usual: int, known_fault: bool = False) -> list:
+    """The seeds that once failed, then the random range."""
+    first = first_seed(test, known_fault)
+    count = trials(1 if "KERFLINE_SEED" in os.environ else usual)
+    return once_failed(test) + list(range(first, first + count))

@@ -73,6 +73,7 @@ bool take_serial(std::string_view name, std::string_view value, SerialOptions& s
   if (name == "times") return take_text(value, serial.times);
   if (name == "chardev") return take_text(value, serial.chardev);
   if (name == "baud") return take_number(value, serial.baud, 10'500'000U);
+  if (name == "answer_baud") return take_number(value, serial.answer_baud, 10'500'000U);
   if (name == "from_ns") return take_number(value, serial.from_ns);
   return name == "window" && take_number(value, serial.window);
 }

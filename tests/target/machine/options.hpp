@@ -13,13 +13,14 @@ namespace machine {
 enum class Cut : std::uint8_t { kNone, kWhole, kTorn };
 
 struct SerialOptions {
-  std::string input;         // File that a sender sends.
-  std::string output;        // File of what the chip sends.
-  std::string chardev;       // Instead of both: the id of a -chardev.
-  std::uint32_t baud = 0;    // Of the sender; 0: as the receiver.
-  std::int64_t from_ns = 0;  // When the sender begins, at the earliest.
-  std::string times;         // File of when it sends how many bytes.
-  std::uint32_t window = 0;  // Bytes of lines without an answer; 0: no waiting.
+  std::string input;              // File that a sender sends.
+  std::string output;             // File of what the chip sends.
+  std::string chardev;            // Instead of both: the id of a -chardev.
+  std::uint32_t baud = 0;         // Of the sender; 0: as the receiver.
+  std::uint32_t answer_baud = 0;  // At which the chip's bytes go out; 0: as BRR says.
+  std::int64_t from_ns = 0;       // When the sender begins, at the earliest.
+  std::string times;              // File of when it sends how many bytes.
+  std::uint32_t window = 0;       // Bytes of lines without an answer; 0: no waiting.
 };
 
 struct BitFlip {

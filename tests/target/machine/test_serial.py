@@ -57,6 +57,17 @@ class SerialTest(unittest.TestCase):
         self.assertEqual([[0, wrong["bytes"][0][0]]], wrong["errors"])  # Each byte is framed wrong.
         self.assertGreater(wrong["bytes"][0][0], 0)
 
+    def test_answers_go_out_at_a_rate_of_their_own(self):
+        sent, got = self.files("in", self.data), self.files("out")
+        outcome = Emulator.run("usart", f"usart1_in={sent}", f"usart1_out={got}",
+                               "usart1_answer_baud=57600")
+        self.assertEqual([[len(self.data), checksum(self.data)]], outcome.said["bytes"])
+        self.assertEqual([[0, 0]], outcome.said["errors"])
+        self.assertEqual(b"all of this goes out", got.read_bytes())
+        for way, wanted in ("rx", BYTE_NS), ("tx", 10e9 / 57_600):
+            for spacing in self.spacings(outcome, way):
+                self.assertAlmostEqual(wanted, spacing, delta=LATE_NS)
+
     def test_bytes_that_nobody_takes_are_lost(self):
         sent = self.files("in", self.data)
         outcome = Emulator.run("usart_late", f"usart1_in={sent}")

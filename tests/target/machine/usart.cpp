@@ -24,6 +24,7 @@ Usart::Usart(const Services& services, const UsartKind& kind, const SerialOption
     : Peripheral{services, kind.place},
       kind_{kind},
       line_baud_{options.baud},
+      answer_baud_{options.answer_baud},
       line_from_ns_{options.from_ns},
       peer_{options},
       line_{services.interrupts, kind.interrupt},
@@ -63,6 +64,11 @@ std::uint32_t Usart::sender_baud() const {
   return baud() != 0 ? baud() : kUsual_baud;
 }
 
+std::uint32_t Usart::transmitter_baud() const {
+  if (answer_baud_ != 0) return answer_baud_;
+  return baud() != 0 ? baud() : kUsual_baud;
+}
+
 std::int64_t Usart::byte_ns(std::uint32_t baud) const {
   // Half bits: start, data, and 1, 0.5, 2 or 1.5 stop bits.
   constexpr std::array<std::uint32_t, 4> kStops = {2, 1, 4, 3};
@@ -99,7 +105,7 @@ void Usart::take_byte() {
 void Usart::shift(std::uint8_t byte) {
   shifting_ = byte;
   status_ &= ~kComplete;
-  transmit_.set(now_ns() + byte_ns(baud() != 0 ? baud() : kUsual_baud));
+  transmit_.set(now_ns() + byte_ns(transmitter_baud()));
 }
 
 void Usart::shifted() {

@@ -46,6 +46,7 @@ class Usart final : public Peripheral {
   [[nodiscard]] std::uint32_t baud() const;
   [[nodiscard]] std::int64_t byte_ns(std::uint32_t baud) const;
   [[nodiscard]] std::uint32_t sender_baud() const;
+  [[nodiscard]] std::uint32_t transmitter_baud() const;
   void await_byte();
   void take_byte();
   void shift(std::uint8_t byte);
@@ -54,6 +55,7 @@ class Usart final : public Peripheral {
 
   UsartKind kind_;
   std::uint32_t line_baud_;
+  std::uint32_t answer_baud_;
   std::int64_t line_from_ns_;
   SerialPeer peer_;
   InterruptLine line_;
