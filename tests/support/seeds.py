@@ -70,7 +70,7 @@ def read_seeds(text: str) -> dict:
     return seeds
 
 
-def once_failed(test: unittest.TestCase) -> list:
+def failed_seeds_of(test: unittest.TestCase) -> list:
     """The test's seeds in the .seeds file beside it; none where KERFLINE_SEED chooses one."""
     file = pathlib.Path(inspect.getfile(type(test))).with_suffix(".seeds")
     if "KERFLINE_SEED" in os.environ or not file.exists():
@@ -87,4 +87,4 @@ def seeds_of(test: unittest.TestCase, usual: int, known_fault: bool = False) -> 
     """The seeds that once failed, then the random range."""
     first = first_seed(test, known_fault)
     count = trials(1 if "KERFLINE_SEED" in os.environ else usual)
-    return once_failed(test) + list(range(first, first + count))
+    return failed_seeds_of(test) + list(range(first, first + count))

@@ -23,8 +23,8 @@ import tempfile
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent / "faults"))
-from chip import (BOOT_NS, CHIP_OPTIONS, MS, STOPPED, first_seed, in_parallel, main,  # noqa: E402
-                  name_of, once_failed, share_of, trials)
+from chip import (BOOT_NS, CHIP_OPTIONS, MS, STOPPED, failed_seeds_of, first_seed,  # noqa: E402
+                  in_parallel, main, name_of, share_of, trials)
 
 CHIP = None
 JOBS, EXAMPLES = "", pathlib.Path()
@@ -267,7 +267,7 @@ class ImageTraceTest(unittest.TestCase):
             return self.compare(f"seed {number}", "random", str(number), RANDOM_TURNS)
 
         seeds = lively_seeds(first_seed(self), trials(3, in_proof=JUDGED_JOBS))
-        seeds = once_failed(self) + seeds
+        seeds = failed_seeds_of(self) + seeds
         self.judge(f"seeds {seeds[0]} to {seeds[-1]}", in_parallel(job, seeds),
                    judges_share=len(seeds) >= JUDGED_JOBS)
 

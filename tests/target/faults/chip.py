@@ -14,7 +14,7 @@ import tempfile
 import unittest
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "support"))
-from seeds import first_seed, name_of, once_failed, share_of, trials  # noqa: E402
+from seeds import failed_seeds_of, first_seed, name_of, share_of, trials  # noqa: E402
 
 EMULATOR = "qemu-system-arm"
 SKIPPED = 77
