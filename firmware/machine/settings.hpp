@@ -48,6 +48,18 @@ enum class SettingType : std::uint8_t {
   kDecimal = 6,
 };
 
+/// One or two sentences for the user that sets a setting. Images compiled for size have one text
+/// for all: it is the difference between them that costs no function of the machine.
+struct SettingHelp {
+  // NOLINTNEXTLINE(google-explicit-constructor): a row of the table reads better.
+  constexpr SettingHelp(const char* sentences)
+      : text(KERFLINE_SETTING_HELP != 0
+                 ? sentences
+                 : "Images for 512 KiB have no descriptions; Kerfline's README has their place.") {}
+
+  const char* text;
+};
+
 /// One user setting. `number` is what the user writes: `$110=12000`.
 struct SettingInfo {
   std::uint16_t number;
@@ -59,7 +71,7 @@ struct SettingInfo {
   float most;
   float standard;      ///< As delivered.
   const char* format;  ///< Of grblHAL's `$ES`; the type determines its meaning.
-  const char* help;    ///< One or two sentences for the user that sets it.
+  SettingHelp help;
 
   /// Returns whether only whole numbers are values.
   [[nodiscard]] constexpr bool is_whole() const { return type != SettingType::kDecimal; }

@@ -80,7 +80,8 @@ bool put_setting_group(Reply& reply, std::size_t row) {
 bool put_setting_help(Reply& reply, std::size_t row) {
   if (row >= setting_table().size()) return false;
   const SettingInfo& info = setting_table()[row];
-  reply.text("[SETTINGDESCR:").number(info.number).letter('|').text(info.help).letter(']').end();
+  reply.text("[SETTINGDESCR:").number(info.number);
+  reply.letter('|').text(info.help.text).letter(']').end();
   return true;
 }
 
