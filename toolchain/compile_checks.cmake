@@ -37,7 +37,7 @@ function(kerfline_compile_checks)
   if(KERFLINE_HOST)
     kerfline_headers_alone(kerfline_hal_host hal/host)
     kerfline_headers_alone(kerfline_hal_stm32f405 hal/stm32f405)  # For clang-tidy.
-    kerfline_headers_alone(kerfline_sim host-sim)
+    kerfline_headers_alone(kerfline_cam host-sim)
   else()
     kerfline_headers_alone(kerfline_hal_interface hal/interface)
     kerfline_headers_alone(kerfline_hal_stm32f405 hal/stm32f405)

@@ -28,6 +28,7 @@ TARGETS = {
     "kerfline_hal_stm32f405": "hal/stm32f405",
     "kerfline_firmware": "firmware",
     "kerfline_sim": "host-sim",
+    "kerfline_cam": "host-sim",
     "kerfline": "host-sim",
 }
 # The files that put a port and the firmware together.

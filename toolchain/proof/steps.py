@@ -40,9 +40,10 @@ def build(preset: str, *targets: str) -> Callable[[str], Outcome]:
     return work
 
 
-# What reads bytes of others: the controller's firmware with the planner below it, the program, and
-# the fuzzers. The other test programs take twice as long to compile again: `prove` runs those.
-SANITIZED_IN_TEST = ("firmware_tests", "kerfline", "same_bits_host", "fuzzers")
+# What reads bytes of others: the controller's firmware with the planner below it, and the fuzzers.
+# The program and the other test programs take three times as long to compile again: `prove` runs
+# those.
+SANITIZED_IN_TEST = ("firmware_tests", "same_bits_host", "fuzzers")
 
 
 def build_sanitized(tier: str) -> Outcome:
