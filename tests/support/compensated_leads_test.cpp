@@ -124,11 +124,51 @@ void expect_all_is_reached(const LeadProgram& program,
   }
 }
 
+/// How far straight edges reach beyond a programmed line that goes along them, on the side of the
+/// tool: four decimals turn each of them a little.
+double reach_beyond(const LeadStep& from,
+                    const LeadStep& to,
+                    const std::vector<Piece>& outline,
+                    double offset_mm) {
+  constexpr double kAlong = 1.0e-3;  // Radians.
+  constexpr double kBesideMm = 0.01;
+  const double length = std::hypot(to.x - from.x, to.y - from.y);
+  const double x = (to.x - from.x) / length;
+  const double y = (to.y - from.y) / length;
+  const double side = offset_mm < 0.0 ? 1.0 : -1.0;
+  double most = 0.0;
+  for (const Piece& edge : outline) {
+    const double ahead = x * (edge.x1 - edge.x0) + y * (edge.y1 - edge.y0);
+    const double turn = x * (edge.y1 - edge.y0) - y * (edge.x1 - edge.x0);
+    if (edge.bulge != 0.0 || std::abs(turn) > kAlong * std::abs(ahead)) continue;
+    const double first = x * (edge.x0 - from.x) + y * (edge.y0 - from.y);
+    const double beside = x * (edge.y0 - from.y) - y * (edge.x0 - from.x);
+    const auto [low, high] = std::minmax(first, first + ahead);
+    for (const double place : {std::max(low, 0.0), std::min(high, length)}) {
+      if (place < low || place > high) continue;  // Not beside the line.
+      const double across = side * (beside + turn * (place - first) / ahead);
+      if (across < kBesideMm) most = std::max(most, across);
+    }
+  }
+  return most;
+}
+
 /// How far four decimals let an overlap or a tangent be beside the outline that it goes along.
-double rounding_of(const LeadProgram& program) {
-  const bool along = program.in == Lead::kLineTangent || program.out == Lead::kLineTangent ||
-                     !program.overlap.empty();
-  return along ? 1.5e-4 : 0.0;
+double rounding_of(const LeadProgram& program, const std::vector<Piece>& outline) {
+  constexpr double kRounded = 1.5e-4;
+  double most = program.overlap.empty() ? 0.0 : kRounded;
+  if (program.in == Lead::kLineTangent) {
+    const auto& lead = program.lead_in;
+    const double beyond =
+        reach_beyond(lead[lead.size() - 2], lead.back(), outline, program.offset_mm);
+    most = std::max({most, kRounded, beyond});
+  }
+  if (program.out == Lead::kLineTangent) {
+    const LeadStep& end = program.overlap.empty() ? program.outline.back() : program.overlap.back();
+    const double beyond = reach_beyond(end, program.lead_out[0], outline, program.offset_mm);
+    most = std::max({most, kRounded, beyond});
+  }
+  return most;
 }
 
 void judge(Random& random, LeadTally& tally) {
@@ -160,7 +200,7 @@ void judge(Random& random, LeadTally& tally) {
   }
   double least = r;
   for (const Piece& piece : way) least = std::min(least, clearance(piece, outline, r));
-  const double rounded = rounding_of(program);
+  const double rounded = rounding_of(program, outline);
   EXPECT_GE(least, r - kDeepestMm - rounded)
       << "offset " << program.offset_mm << ", leads " << static_cast<int>(program.in) << " and "
       << static_cast<int>(program.out);

@@ -199,9 +199,16 @@ bool has_room(const std::vector<LeadStep>& points,
   const bool tangent = points.size() == 3 && points[1].y == 0.0;
   if (tangent && points[1].x > shape.half_edge) return false;
   const double margin = size.radius * (size.turn == 0.0 ? 1.05 : 2.1);
+  const auto reaches = [&](double x, double y) {
+    return std::hypot(x + along, y - shape.inradius);
+  };
+  // Half an arc goes beyond its ends.
+  const double half_way = 0.5 * points[1].y;
+  const double most = shape.inradius - 1.05 * size.radius;
+  if (inside && points[1].bulge == 1.0 && reaches(half_way, half_way) > most) return false;
   return std::all_of(points.begin() + 1, points.end(), [&](const LeadStep& point) {
     if (!inside) return point.y == 0.0 || point.y >= margin * 0.99;
-    return std::hypot(point.x + along, point.y - shape.inradius) <= shape.inradius - margin;
+    return reaches(point.x, point.y) <= shape.inradius - margin;
   });
 }
 
