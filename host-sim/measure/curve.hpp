@@ -1,9 +1,8 @@
 #pragma once
 
-#include <array>
 #include <optional>
 
-#include "planner/geometry/arc_plane.hpp"
+#include "planner/base/axes.hpp"
 
 namespace sim {
 
@@ -16,34 +15,12 @@ using Point = cnc::AxisArray<double>;
 [[nodiscard]] double norm(const Point& a);
 [[nodiscard]] double distance(const Point& a, const Point& b);
 
-/// Two unit vectors at right angles that span the plane of an arc.
-class PlaneVectors {
- public:
-  PlaneVectors() : PlaneVectors{cnc::Plane::kXY} {}
-  explicit PlaneVectors(const cnc::ArcPlane& plane);
-
-  [[nodiscard]] const Point& first() const { return first_; }
-  [[nodiscard]] const Point& second() const { return second_; }
-  /// The part of a vector along either.
-  [[nodiscard]] std::array<double, 2> seen(const Point& vector) const;
-  /// The part of a vector at right angles to both.
-  [[nodiscard]] Point off(const Point& vector) const;
-  /// The vector in the plane that is seen so.
-  [[nodiscard]] Point vector(const std::array<double, 2>& seen) const;
-
- private:
-  Point first_{};
-  Point second_{};
-};
-
-/// The round part of an arc or helix, in the two vectors of its plane: in a coordinate plane
-/// those of its axes, in the order of axes_of(plane).
+/// The round part of an arc or helix, in the two axes of its plane.
 struct Circle {
-  cnc::ArcPlane plane{};
-  PlaneVectors vectors{};
-  std::array<double, 2> centre{};  ///< mm.
+  cnc::Plane plane = cnc::Plane::kXY;
+  std::array<double, 2> centre{};  ///< mm, in the order of axes_of(plane).
   double radius = 0.0;             ///< mm.
-  double start_angle = 0.0;        ///< Radians from the plane's first vector.
+  double start_angle = 0.0;        ///< Radians from the plane's first axis.
   double sweep = 0.0;              ///< Radians, positive counter-clockwise (G3).
 };
 
@@ -72,7 +49,7 @@ class Curve {
   /// perpendicular bisector of the chord. Owed: start and end differ in the plane.
   [[nodiscard]] static Curve arc(const Point& start,
                                  const Point& end,
-                                 const cnc::ArcPlane& plane,
+                                 cnc::Plane plane,
                                  const std::array<double, 2>& centre,
                                  bool clockwise);
 
@@ -101,10 +78,8 @@ class Curve {
 
   [[nodiscard]] Nearest measured(const Point& to, double fraction) const;
   [[nodiscard]] double nearest_fraction_on_arc(const Point& to, double from) const;
-  /// The run off the circle's plane.
-  [[nodiscard]] Point run_off_plane() const;
-  /// Where the circle is at a fraction, and how it goes on there: from its centre, by radius.
-  [[nodiscard]] std::array<double, 2> outward_at(double fraction) const;
+  /// Length of the run of the axes outside the circle's plane.
+  [[nodiscard]] double straight_length() const;
 
   Point start_;
   Point end_;

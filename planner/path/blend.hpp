@@ -16,13 +16,16 @@ struct Blend {
 /// From one place on a leg to the one on the other, with the tangents that the
 /// legs have there. Between straight legs one arc; beside a curved one, or where
 /// the halves belong to different elements, two that meet smoothly at the
-/// place nearest the corner, each in a plane of its own.
+/// place nearest the corner.
 /// @param trim_mm how far both places are from the corner, along the legs.
 [[nodiscard]] Blend make_blend(
     const Corner& corner, const Position& from, const Position& to, float trim_mm, bool in_halves);
 
-/// Leaves of an element what lies between two places on it.
+/// Of an element, what lies between two places on it.
 /// @param share of its length, 0…1.
-void become_part(PathElement& element, const Position& from, const Position& to, float share);
+[[nodiscard]] PathElement part_of(const PathElement& whole,
+                                  const Position& from,
+                                  const Position& to,
+                                  float share);
 
 }  // namespace cnc::path

@@ -119,11 +119,12 @@ MotionFigures judge_motion(const FilteredPlan& plan,
 Point curvature_rate_at(const Curve& curve, double fraction) {
   Point rate{};
   if (!curve.circle() || curve.length() <= 0.0) return rate;
-  // In the plane the motion is a sine of sweep · fraction: t″ = −(sweep / length)² t.
-  const PlaneVectors& plane = curve.circle()->vectors;
+  // The round axes are sines of sweep · fraction: t″ = −(sweep / length)² t.
+  const auto axes = cnc::axes_of(curve.circle()->plane);
   const double turn = curve.circle()->sweep / curve.length();
-  rate = plane.vector(plane.seen(curve.tangent_at(fraction)));
-  for (double& share : rate) share *= -turn * turn;
+  const Point tangent = curve.tangent_at(fraction);
+  rate[axes.first] = -turn * turn * tangent[axes.first];
+  rate[axes.second] = -turn * turn * tangent[axes.second];
   return rate;
 }
 
