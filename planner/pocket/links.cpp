@@ -6,6 +6,7 @@
 #include "planner/base/wide_scalar_math.hpp"
 #include "planner/contour/meeting.hpp"
 #include "planner/pocket/loop_measures.hpp"
+#include "planner/pocket/nearest_point.hpp"
 
 namespace cnc::pocket {
 namespace {
