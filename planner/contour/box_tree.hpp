@@ -16,6 +16,7 @@ template <typename Scalar>
 class BoxTree {
  public:
   static constexpr std::uint32_t kFan = 8;
+  // NOLINTNEXTLINE(bugprone-dynamic-static-initializers): constant in each instantiation.
   static constexpr std::uint32_t kLevels = 11;  ///< 8^11 is more than 32 bits count.
 
   /// Storage for `count` curves.

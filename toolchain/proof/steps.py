@@ -1,6 +1,6 @@
 """The steps that prove a change, in order, each with its tiers.
 
-`test` guards against a broken product in about half an hour on two cores; `prove` is everything.
+`test` guards against a broken product in 25 minutes on two cores at most; `prove` is everything.
 """
 import concurrent.futures
 import dataclasses
