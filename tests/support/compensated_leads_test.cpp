@@ -125,28 +125,41 @@ void expect_all_is_reached(const LeadProgram& program,
 }
 
 /// How far straight edges reach beyond a programmed line that goes along them, on the side of the
-/// tool: four decimals turn each of them a little.
+/// tool and where the tool is beside the line: four decimals turn each of them a little.
 double reach_beyond(const LeadStep& from,
                     const LeadStep& to,
                     const std::vector<Piece>& outline,
+                    const std::vector<Piece>& way,
                     double offset_mm) {
   constexpr double kAlong = 1.0e-3;  // Radians.
-  constexpr double kBesideMm = 0.01;
+  constexpr double kBesideMm = 2.0e-3;
   const double length = std::hypot(to.x - from.x, to.y - from.y);
   const double x = (to.x - from.x) / length;
   const double y = (to.y - from.y) / length;
   const double side = offset_mm < 0.0 ? 1.0 : -1.0;
+  const auto ahead_of = [&](double px, double py) { return x * (px - from.x) + y * (py - from.y); };
+  const auto across_of = [&](double px, double py) {
+    return side * (x * (py - from.y) - y * (px - from.x));
+  };
+  double begin = length;
+  double end = 0.0;
+  for (const Piece& piece : way) {
+    if (std::abs(across_of(piece.x0, piece.y0) - std::abs(offset_mm)) > kBesideMm) continue;
+    begin = std::min(begin, std::max(0.0, ahead_of(piece.x0, piece.y0)));
+    end = std::max(end, std::min(length, ahead_of(piece.x0, piece.y0)));
+  }
   double most = 0.0;
   for (const Piece& edge : outline) {
-    const double ahead = x * (edge.x1 - edge.x0) + y * (edge.y1 - edge.y0);
-    const double turn = x * (edge.y1 - edge.y0) - y * (edge.x1 - edge.x0);
-    if (edge.bulge != 0.0 || std::abs(turn) > kAlong * std::abs(ahead)) continue;
-    const double first = x * (edge.x0 - from.x) + y * (edge.y0 - from.y);
-    const double beside = x * (edge.y0 - from.y) - y * (edge.x0 - from.x);
-    const auto [low, high] = std::minmax(first, first + ahead);
-    for (const double place : {std::max(low, 0.0), std::min(high, length)}) {
-      if (place < low || place > high) continue;  // Not beside the line.
-      const double across = side * (beside + turn * (place - first) / ahead);
+    const double first = ahead_of(edge.x0, edge.y0);
+    const double last = ahead_of(edge.x1, edge.y1);
+    const double beside = across_of(edge.x0, edge.y0);
+    const double turn = across_of(edge.x1, edge.y1) - beside;
+    if (edge.bulge != 0.0 || std::abs(turn) > kAlong * std::abs(last - first)) continue;
+    const double low = std::max(std::min(first, last), begin);
+    const double high = std::min(std::max(first, last), end);
+    if (low > high) continue;  // Not beside the line.
+    for (const double place : {low, high}) {
+      const double across = beside + turn * (place - first) / (last - first);
       if (across < kBesideMm) most = std::max(most, across);
     }
   }
@@ -154,18 +167,20 @@ double reach_beyond(const LeadStep& from,
 }
 
 /// How far four decimals let an overlap or a tangent be beside the outline that it goes along.
-double rounding_of(const LeadProgram& program, const std::vector<Piece>& outline) {
+double rounding_of(const LeadProgram& program,
+                   const std::vector<Piece>& outline,
+                   const std::vector<Piece>& way) {
   constexpr double kRounded = 1.5e-4;
   double most = program.overlap.empty() ? 0.0 : kRounded;
   if (program.in == Lead::kLineTangent) {
     const auto& lead = program.lead_in;
     const double beyond =
-        reach_beyond(lead[lead.size() - 2], lead.back(), outline, program.offset_mm);
+        reach_beyond(lead[lead.size() - 2], lead.back(), outline, way, program.offset_mm);
     most = std::max({most, kRounded, beyond});
   }
   if (program.out == Lead::kLineTangent) {
     const LeadStep& end = program.overlap.empty() ? program.outline.back() : program.overlap.back();
-    const double beyond = reach_beyond(end, program.lead_out[0], outline, program.offset_mm);
+    const double beyond = reach_beyond(end, program.lead_out[0], outline, way, program.offset_mm);
     most = std::max({most, kRounded, beyond});
   }
   return most;
@@ -200,7 +215,7 @@ void judge(Random& random, LeadTally& tally) {
   }
   double least = r;
   for (const Piece& piece : way) least = std::min(least, clearance(piece, outline, r));
-  const double rounded = rounding_of(program, outline);
+  const double rounded = rounding_of(program, outline, way);
   EXPECT_GE(least, r - kDeepestMm - rounded)
       << "offset " << program.offset_mm << ", leads " << static_cast<int>(program.in) << " and "
       << static_cast<int>(program.out);
