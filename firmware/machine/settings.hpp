@@ -48,10 +48,10 @@ enum class SettingType : std::uint8_t {
   kDecimal = 6,
 };
 
-/// One or two sentences for the user that sets a setting. Images compiled for size have one text
-/// for all: it is the difference between them that costs no function of the machine.
+/// One or two sentences that tell a user the purpose of a setting. Images compiled for size give
+/// the same text for all settings, which leaves room for the functions that the other images have.
 struct SettingHelp {
-  // NOLINTNEXTLINE(google-explicit-constructor): a row of the table reads better.
+  // NOLINTNEXTLINE(google-explicit-constructor): rows of the table have plain strings.
   constexpr SettingHelp(const char* sentences)
       : text(KERFLINE_SETTING_HELP != 0
                  ? sentences
