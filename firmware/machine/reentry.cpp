@@ -31,11 +31,11 @@ Reentry::Verdict Reentry::judge(path::PathItem& item, float beside_mm) {
   if (at_end) return Verdict::kDark;
   if (passing.place == element.start) return Verdict::kLit;
   rest_ = item;
-  rest_.request.element = path::part_of(element, passing.place, element.end, 1.0F - passing.share);
+  path::become_part(rest_.request.element, passing.place, element.end, 1.0F - passing.share);
   rest_.request.outputs = {};
   rest_.continues = true;
   has_rest_ = true;
-  element = path::part_of(element, element.start, passing.place, passing.share);
+  path::become_part(element, element.start, passing.place, passing.share);
   return Verdict::kSplit;
 }
 

@@ -14,16 +14,17 @@ std::uint32_t bits_of(float value) { return std::bit_cast<std::uint32_t>(value);
 
 }  // namespace
 
-const SettingInfo* find_setting(std::uint16_t number) {
-  const std::size_t index = setting_row(number);
-  return index < setting_table().size() ? &setting_table()[index] : nullptr;
+std::optional<SettingInfo> find_setting(std::uint16_t number) {
+  const std::size_t index = setting_index(number);
+  if (index == setting_table().size()) return std::nullopt;
+  return setting_table()[index];
 }
 
 Settings::Settings() {
-  const auto table = setting_table();
-  for (std::size_t i = 0; i < table.size(); ++i) {
-    values_[i] = table[i].standard;
-    sum_ += bits_of(table[i].standard);
+  std::size_t index = 0;
+  for (const SettingInfo& info : setting_table()) {
+    values_[index++] = info.standard;
+    sum_ += bits_of(info.standard);
   }
 }
 
@@ -49,13 +50,13 @@ std::string_view describe(SettingError error) {
 }
 
 float Settings::get(std::uint16_t number) const {
-  const std::size_t index = setting_row(number);
+  const std::size_t index = setting_index(number);
   CNC_ASSERT(index < setting_table().size());
   return values_[index];
 }
 
 Result<float, SettingError> Settings::set(std::uint16_t number, float value) {
-  const std::size_t index = setting_row(number);
+  const std::size_t index = setting_index(number);
   if (index == setting_table().size()) return SettingError::kUnknown;
   const SettingInfo& info = setting_table()[index];
   if (!(value >= info.least)) return SettingError::kBelowRange;

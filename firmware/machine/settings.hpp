@@ -1,10 +1,14 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <iterator>
+#include <optional>
 #include <span>
 #include <string_view>
 
+#include "planner/base/axes.hpp"
 #include "planner/base/result.hpp"
 
 namespace cnc {
@@ -50,14 +54,27 @@ enum class SettingType : std::uint8_t {
 
 /// One or two sentences that tell a user the purpose of a setting. Images compiled for size give
 /// the same text for all settings, which leaves room for the functions that the other images have.
-struct SettingHelp {
+template <bool kIsKept>
+class SettingHelp {
+ public:
   // NOLINTNEXTLINE(google-explicit-constructor): rows of the table have plain strings.
-  constexpr SettingHelp(const char* sentences)
-      : text(KERFLINE_SETTING_HELP != 0
-                 ? sentences
-                 : "Images for 512 KiB have no descriptions; Kerfline's README has their place.") {}
+  constexpr SettingHelp(const char* sentences) : text_(sentences) {}
 
-  const char* text;
+  [[nodiscard]] constexpr const char* text() const { return text_; }
+
+ private:
+  const char* text_;
+};
+
+template <>
+class SettingHelp<false> {
+ public:
+  // NOLINTNEXTLINE(google-explicit-constructor): as above.
+  constexpr SettingHelp(const char* /*sentences*/) {}
+
+  [[nodiscard]] static constexpr const char* text() {
+    return "Images for 512 KiB have no descriptions; Kerfline's README has their place.";
+  }
 };
 
 /// One user setting. `number` is what the user writes: `$110=12000`.
@@ -65,16 +82,23 @@ struct SettingInfo {
   std::uint16_t number;
   SettingGroup group;
   SettingType type;
-  const char* name;
+  const char* name;  ///< Its axis_letter() and a blank go before it.
   const char* unit;
   float least;
   float most;
   float standard;      ///< As delivered.
   const char* format;  ///< Of grblHAL's `$ES`; the type determines its meaning.
-  SettingHelp help;
+  [[no_unique_address]] SettingHelp<KERFLINE_SETTING_HELP != 0> help;
 
   /// Returns whether only whole numbers are values.
   [[nodiscard]] constexpr bool is_whole() const { return type != SettingType::kDecimal; }
+
+  /// Returns the letter that its name begins with, or 0 where it is not a setting of one axis.
+  [[nodiscard]] constexpr char axis_letter() const {
+    if (group < SettingGroup::kX) return 0;
+    return kAxisLetters[static_cast<std::size_t>(group) -
+                        static_cast<std::size_t>(SettingGroup::kX)];
+  }
 };
 
 enum class SettingError : std::uint8_t {
@@ -89,12 +113,42 @@ enum class SettingError : std::uint8_t {
 [[nodiscard]] std::string_view describe(SettingError error);
 
 /// All settings, in the order of their numbers. Names are those Grbl 1.1 and
-/// grblHAL documents use; 810 and above are our own.
-[[nodiscard]] std::span<const SettingInfo> setting_table();
-/// Row in the table, or its size when no setting has this number.
-[[nodiscard]] std::size_t setting_row(std::uint16_t number);
-/// Null when no setting has this number.
-[[nodiscard]] const SettingInfo* find_setting(std::uint16_t number);
+/// grblHAL documents use; 810 and above are our own. Rows are made as they are asked for: settings
+/// that each axis has share one in flash.
+class SettingTable {
+ public:
+  class Iterator {
+   public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = SettingInfo;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const SettingInfo*;
+    using reference = SettingInfo;
+
+    explicit Iterator(std::size_t index) : index_{index} {}
+    [[nodiscard]] SettingInfo operator*() const { return SettingTable{}[index_]; }
+    Iterator& operator++() {
+      ++index_;
+      return *this;
+    }
+    [[nodiscard]] bool operator==(const Iterator& other) const = default;
+
+   private:
+    std::size_t index_;
+  };
+
+  [[nodiscard]] static std::size_t size();
+  /// @param index below size()
+  [[nodiscard]] SettingInfo operator[](std::size_t index) const;
+  [[nodiscard]] static Iterator begin() { return Iterator{0}; }
+  [[nodiscard]] static Iterator end() { return Iterator{size()}; }
+};
+
+[[nodiscard]] inline SettingTable setting_table() { return {}; }
+/// Index in the table, or its size when no setting has this number.
+[[nodiscard]] std::size_t setting_index(std::uint16_t number);
+/// Nothing when no setting has this number.
+[[nodiscard]] std::optional<SettingInfo> find_setting(std::uint16_t number);
 /// In the order of SettingGroup, from 1 on.
 [[nodiscard]] std::span<const SettingGroupInfo> setting_groups();
 

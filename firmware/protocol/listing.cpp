@@ -123,13 +123,14 @@ bool Listing::kerf_image_row(Reply& reply) {
 bool Listing::settings_row(Reply& reply) {
   const auto table = setting_table();
   if (kind_ == ListingKind::kOneSetting) {
-    const SettingInfo* const info = find_setting(argument_);
-    if (row_ > 0 || info == nullptr) return false;
+    const auto info = find_setting(argument_);
+    if (row_ > 0 || !info) return false;
     put_setting(reply, *info, machine_.settings().get(info->number));
     return true;
   }
   if (row_ == table.size()) return false;
-  put_setting(reply, table[row_], machine_.settings().get(table[row_].number));
+  const SettingInfo info = table[row_];
+  put_setting(reply, info, machine_.settings().get(info.number));
   return true;
 }
 

@@ -37,8 +37,7 @@ void LineProtocol::take_statement(std::string_view line) {
   if (!statement) return refuse(error_number::kNoSuchStatement, 1, "no such $ statement");
   switch (statement->kind) {
     case StatementKind::kListing:
-      if (statement->listing == ListingKind::kOneSetting &&
-          find_setting(statement->number) == nullptr) {
+      if (statement->listing == ListingKind::kOneSetting && !find_setting(statement->number)) {
         return refuse(error_number::kNoSuchStatement, 1, describe(SettingError::kUnknown));
       }
       listing_.begin(statement->listing, statement->number);
@@ -95,18 +94,18 @@ void LineProtocol::take_command(const Statement& statement) {
 }
 
 bool LineProtocol::store_setting(std::uint16_t number, float value) {
-  const SettingInfo* const info = find_setting(number);
-  return info != nullptr && rests() && machine_.change_setting(number, value).ok() &&
+  const auto info = find_setting(number);
+  return info && rests() && machine_.change_setting(number, value).ok() &&
          stored_.save_setting(*info, value);
 }
 
 void LineProtocol::change_setting(const Statement& statement) {
   float value = 0.0F;
-  const SettingInfo* const info = find_setting(statement.number);
+  const auto info = find_setting(statement.number);
   if (!read_value(statement.text, value)) {
     return refuse(error_number::kNoSuchStatement, 1, "not a setting of the form $N=value");
   }
-  if (info == nullptr) return refuse_setting(statement, SettingError::kUnknown);
+  if (!info) return refuse_setting(statement, SettingError::kUnknown);
   const auto stored = machine_.change_setting(info->number, value);
   if (!stored.ok()) return refuse_setting(statement, stored.error());
   if (!stored_.save_setting(*info, value)) return refuse(error_number::kStoreFailed);
@@ -126,8 +125,8 @@ void LineProtocol::tell_waiting_limits() {
 }
 
 void LineProtocol::refuse_setting(const Statement& statement, SettingError error) {
-  const SettingInfo* const info = find_setting(statement.number);
-  if (info == nullptr) {
+  const auto info = find_setting(statement.number);
+  if (!info) {
     return refuse(error_number::kNoSuchStatement, 1, describe(SettingError::kUnknown));
   }
   const bool low = error == SettingError::kBelowRange;

@@ -50,9 +50,11 @@ void put_range(Reply& reply, const SettingInfo& info) {
 
 bool put_setting_details(Reply& reply, std::size_t row) {
   if (row >= setting_table().size()) return false;
-  const SettingInfo& info = setting_table()[row];
+  const SettingInfo info = setting_table()[row];
   reply.text("[SETTING:").number(info.number).letter('|');
-  reply.number(static_cast<std::uint32_t>(info.group)).letter('|').text(info.name).letter('|');
+  reply.number(static_cast<std::uint32_t>(info.group)).letter('|');
+  if (info.axis_letter() != 0) reply.letter(info.axis_letter()).letter(' ');
+  reply.text(info.name).letter('|');
   if (is_measured(info)) reply.text(info.unit);
   reply.letter('|').number(static_cast<std::uint32_t>(info.type)).letter('|');
   reply.text(info.format).letter('|');
@@ -79,9 +81,9 @@ bool put_setting_group(Reply& reply, std::size_t row) {
 
 bool put_setting_help(Reply& reply, std::size_t row) {
   if (row >= setting_table().size()) return false;
-  const SettingInfo& info = setting_table()[row];
+  const SettingInfo info = setting_table()[row];
   reply.text("[SETTINGDESCR:").number(info.number);
-  reply.letter('|').text(info.help.text).letter(']').end();
+  reply.letter('|').text(info.help.text()).letter(']').end();
   return true;
 }
 

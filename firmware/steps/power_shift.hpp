@@ -120,8 +120,9 @@ class PowerShift {
     return ticks - left;
   }
 
-  /// What comes next begins `ticks` earlier, with this level.
-  void move_edge(std::uint32_t ticks, std::uint16_t level) {
+  /// What comes next begins `ticks` earlier, with this level. Out of line: only edges of light
+  /// move, and it is long.
+  [[gnu::noinline]] void move_edge(std::uint32_t ticks, std::uint16_t level) {
     const bool dark = level != 0;
     const std::uint32_t moved =
         cut(ticks, [dark](const PowerPiece& piece) { return piece.course.dark() == dark; });

@@ -37,10 +37,13 @@ namespace cnc {
 /// The main loop works in turns. It sees the interrupt as it was at its turn's boundary, and what
 /// it hands over in a turn comes in at a boundary, too (TurnGate); only what ends motion or power
 /// acts at once. Motion begins at a boundary, so every step's tick follows from those turns.
+///
+/// Functions that are called once or seldom are cold: they are compiled for size, beside the others
+/// that are compiled for speed.
 template <hal::StepPort Port, std::uint32_t QueueCapacity>
 class StepGenerator final : public StepDrive {
  public:
-  explicit StepGenerator(Port& port) : port_{port}, beam_{port} {}
+  [[gnu::cold]] explicit StepGenerator(Port& port) : port_{port}, beam_{port} {}
 
   [[nodiscard]] bool full() const override {
     // One more is being played where it lies.
@@ -69,7 +72,7 @@ class StepGenerator final : public StepDrive {
     return kTicksAhead + beam_.shift().look_ahead();
   }
 
-  void settle() override {
+  [[gnu::cold]] void settle() override {
     if (ends_at_rest_ && wants_more() && !beam_.shift().settled()) beam_.settle();
   }
 
@@ -79,7 +82,7 @@ class StepGenerator final : public StepDrive {
            abort_.load(std::memory_order_acquire);
   }
 
-  void abort() override {
+  [[gnu::cold]] void abort() override {
     beam_.shift().clear();
     abort_.store(running(), std::memory_order_relaxed);
     note_urgency();
@@ -93,14 +96,14 @@ class StepGenerator final : public StepDrive {
 
   [[nodiscard]] motion::SourceLine line() const override { return view_.line; }
 
-  void set_rest_power(std::uint16_t power) override {
+  [[gnu::cold]] void set_rest_power(std::uint16_t power) override {
     rest_power_ = power;
     if (running() && power != 0) return;
     gate_.replace_rest_power(power);
     beam_.set_rest(power);
     if (!running()) beam_.drive_rest();
   }
-  void block_power(bool blocked) override {
+  [[gnu::cold]] void block_power(bool blocked) override {
     if (blocked && !beam_.blocked()) dark_noted_.store(false, std::memory_order_relaxed);
     beam_.block(blocked);
     note_urgency();
@@ -113,7 +116,7 @@ class StepGenerator final : public StepDrive {
            static_cast<std::uint32_t>(beam_.shift().light_behind());
   }
   [[nodiscard]] std::uint16_t power() const override { return view_.power; }
-  void set_beam_timing(const BeamTiming& timing) override {
+  [[gnu::cold]] void set_beam_timing(const BeamTiming& timing) override {
     beam_.shift().configure(timing);
     longest_wait_.store(kLongestWait + beam_.shift().wait(), std::memory_order_relaxed);
   }
@@ -124,17 +127,17 @@ class StepGenerator final : public StepDrive {
   [[nodiscard]] std::span<const std::byte> set_up_memory() const override {
     return std::as_bytes(std::span{&set_up_, 1});
   }
-  void set_position(std::size_t axis, std::int32_t steps) override {
+  [[gnu::cold]] void set_position(std::size_t axis, std::int32_t steps) override {
     trains_.set_position(axis, steps);
     change_at_rest();
   }
 
-  void watch_switches(std::uint8_t axes, std::uint8_t squared) override {
+  [[gnu::cold]] void watch_switches(std::uint8_t axes, std::uint8_t squared) override {
     switches_.add(axes, squared);
     note_watching();
     change_at_rest();
   }
-  void unwatch_switches() override {
+  [[gnu::cold]] void unwatch_switches() override {
     switches_.clear();
     note_watching();
     if (!running()) change_at_rest();
@@ -151,14 +154,14 @@ class StepGenerator final : public StepDrive {
   }
 
   [[nodiscard]] bool probe_contact() const override { return port_.probe_contact(); }
-  void arm_probe(bool contact) override {
+  [[gnu::cold]] void arm_probe(bool contact) override {
     probe_contact_ = contact;
     probe_hit_.store(false);
     probe_armed_.store(true, std::memory_order_relaxed);
     note_watching();
     change_at_rest();
   }
-  void disarm_probe() override {
+  [[gnu::cold]] void disarm_probe() override {
     probe_armed_.store(false, std::memory_order_relaxed);
     note_watching();
   }
@@ -266,7 +269,7 @@ class StepGenerator final : public StepDrive {
 
   /// Main loop: views from before this are out of date. Out of line: asked for seldom, and long.
   /// @pre !running()
-  [[gnu::noinline]] void change_at_rest() {
+  [[gnu::noinline, gnu::cold]] void change_at_rest() {
     const std::uint32_t turn = view_.turn;
     epoch_.store(epoch_.load(std::memory_order_relaxed) + 1, std::memory_order_release);
     view_ = look();
@@ -398,7 +401,7 @@ class StepGenerator final : public StepDrive {
     return stop();
   }
 
-  [[gnu::noinline]] std::uint32_t drop_everything() noexcept {
+  [[gnu::noinline, gnu::cold]] std::uint32_t drop_everything() noexcept {
     abort_.store(false, std::memory_order_relaxed);
     ran_dry_.store(false, std::memory_order_relaxed);
     urgent_.store(beam_.blocked(), std::memory_order_relaxed);

@@ -37,8 +37,8 @@ static_assert(chip::StepTimer<Bus>::kTurnTicks == cnc::kTurnTicks);
 }  // namespace
 
 namespace {
-constinit chip::ByteRings line_rings{};
-constinit chip::UsbRings usb_rings{};
+[[gnu::section(".ccm")]] constinit chip::ByteRings line_rings{};
+[[gnu::section(".ccm")]] constinit chip::UsbRings usb_rings{};
 }  // namespace
 
 // Start-up sets these up before it constructs the application.
@@ -49,7 +49,7 @@ constinit UsbLine usb_line{usb_rings};
 namespace {
 
 cnc::LinkChoice cables{usb_line, line};
-Can can{cables};
+[[gnu::section(".ccm")]] Can can{cables};
 constinit chip::TimeBase<> clock_of_the_loop{};
 constinit chip::Flash<> flash{};
 cnc::FlashLog log{flash};

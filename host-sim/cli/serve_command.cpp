@@ -187,7 +187,7 @@ std::vector<SettingChange> all_settings(const ServeOptions& options) {
                        .place = "--node"});
   }
   if (options.speed <= 1.0) return changes;
-  const cnc::SettingInfo& info = *cnc::find_setting(cnc::setting::kLinkWatchdog);
+  const cnc::SettingInfo info = *cnc::find_setting(cnc::setting::kLinkWatchdog);
   const double scaled = std::round(info.standard * options.speed);
   const float allowed = std::min(static_cast<float>(scaled), info.most);
   changes.insert(changes.begin(), {.number = info.number, .value = allowed, .place = "--speed"});

@@ -68,7 +68,7 @@ void JudgedPath::take_statement(std::string_view text) {
   if (statement.find('=') == std::string::npos) return;
   try {
     const SettingChange change = parse_setting(statement, "");
-    if (cnc::find_setting(change.number) == nullptr) return;
+    if (!cnc::find_setting(change.number)) return;
     if (settings_.set(change.number, change.value).ok()) travel_.configure(settings_);
   } catch (const std::invalid_argument&) {
     // No setting.

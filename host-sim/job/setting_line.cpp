@@ -30,8 +30,8 @@ bool read_all(std::string_view text, Number& number) {
 std::string range_of(std::uint16_t number, cnc::SettingError error) {
   const bool is_range =
       error == cnc::SettingError::kBelowRange || error == cnc::SettingError::kAboveRange;
-  const cnc::SettingInfo* const info = is_range ? cnc::find_setting(number) : nullptr;
-  if (info == nullptr) return {};
+  const auto info = is_range ? cnc::find_setting(number) : std::nullopt;
+  if (!info) return {};
   const std::string_view unit{info->unit};
   return fmt::format(", {} to {}{}{}", info->least, info->most, unit.empty() ? "" : " ", unit);
 }

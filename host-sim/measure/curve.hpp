@@ -1,8 +1,9 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
-#include "planner/base/axes.hpp"
+#include "planner/geometry/arc_plane.hpp"
 
 namespace sim {
 
@@ -15,12 +16,34 @@ using Point = cnc::AxisArray<double>;
 [[nodiscard]] double norm(const Point& a);
 [[nodiscard]] double distance(const Point& a, const Point& b);
 
-/// The round part of an arc or helix, in the two axes of its plane.
+/// Two unit vectors at right angles that span the plane of an arc.
+class PlaneVectors {
+ public:
+  PlaneVectors() : PlaneVectors{cnc::Plane::kXY} {}
+  explicit PlaneVectors(const cnc::ArcPlane& plane);
+
+  [[nodiscard]] const Point& first() const { return first_; }
+  [[nodiscard]] const Point& second() const { return second_; }
+  /// The part of a vector along either.
+  [[nodiscard]] std::array<double, 2> seen(const Point& vector) const;
+  /// The part of a vector at right angles to both.
+  [[nodiscard]] Point off(const Point& vector) const;
+  /// The vector in the plane that is seen so.
+  [[nodiscard]] Point vector(const std::array<double, 2>& seen) const;
+
+ private:
+  Point first_{};
+  Point second_{};
+};
+
+/// The round part of an arc or helix, in the two vectors of its plane: in a coordinate plane
+/// those of its axes, in the order of axes_of(plane).
 struct Circle {
-  cnc::Plane plane = cnc::Plane::kXY;
-  std::array<double, 2> centre{};  ///< mm, in the order of axes_of(plane).
+  cnc::ArcPlane plane{};
+  PlaneVectors vectors{};
+  std::array<double, 2> centre{};  ///< mm.
   double radius = 0.0;             ///< mm.
-  double start_angle = 0.0;        ///< Radians from the plane's first axis.
+  double start_angle = 0.0;        ///< Radians from the plane's first vector.
   double sweep = 0.0;              ///< Radians, positive counter-clockwise (G3).
 };
 
@@ -49,7 +72,7 @@ class Curve {
   /// perpendicular bisector of the chord. Owed: start and end differ in the plane.
   [[nodiscard]] static Curve arc(const Point& start,
                                  const Point& end,
-                                 cnc::Plane plane,
+                                 const cnc::ArcPlane& plane,
                                  const std::array<double, 2>& centre,
                                  bool clockwise);
 
@@ -78,8 +101,10 @@ class Curve {
 
   [[nodiscard]] Nearest measured(const Point& to, double fraction) const;
   [[nodiscard]] double nearest_fraction_on_arc(const Point& to, double from) const;
-  /// Length of the run of the axes outside the circle's plane.
-  [[nodiscard]] double straight_length() const;
+  /// The run off the circle's plane.
+  [[nodiscard]] Point run_off_plane() const;
+  /// Where the circle is at a fraction, and how it goes on there: from its centre, by radius.
+  [[nodiscard]] std::array<double, 2> outward_at(double fraction) const;
 
   Point start_;
   Point end_;

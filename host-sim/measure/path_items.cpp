@@ -54,12 +54,11 @@ PathPiece piece_of(const cnc::PathElement& element, float feed_mm_s, bool stop_b
   const Point start = to_mm(element.start);
   const Point end = to_mm(element.end);
   const auto bulge = static_cast<double>(element.bulge);
-  const cnc::PlaneAxes axes = cnc::axes_of(element.plane);
-  const double x = end[axes.first] - start[axes.first];
-  const double y = end[axes.second] - start[axes.second];
+  const PlaneVectors plane{element.plane};
+  const auto [start_x, start_y] = plane.seen(start);
+  const auto [x, y] = plane.seen(end - start);
   const double aside = bulge == 0.0 ? 0.0 : (1.0 - bulge * bulge) / (4.0 * bulge);
-  const std::array centre{start[axes.first] + x / 2.0 - aside * y,
-                          start[axes.second] + y / 2.0 + aside * x};
+  const std::array centre{start_x + x / 2.0 - aside * y, start_y + y / 2.0 + aside * x};
   return {.curve = bulge == 0.0 ? Curve::line(start, end)
                                 : Curve::arc(start, end, element.plane, centre, bulge < 0.0),
           .travel = feed_mm_s > 0.0F ? Travel::kFeed : Travel::kRapid,

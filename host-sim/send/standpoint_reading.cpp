@@ -79,7 +79,7 @@ void StandpointReading::read(std::string_view line) {
 void StandpointReading::read_setting(std::string_view line) {
   try {
     const SettingChange change = parse_setting(line, "");
-    if (cnc::find_setting(change.number) == nullptr) return;
+    if (!cnc::find_setting(change.number)) return;
     static_cast<void>(settings_.set(change.number, change.value).ok());
     if (change.number == cnc::setting::kBlockDelete) block_delete_ = change.value != 0.0F;
   } catch (const std::invalid_argument&) {

@@ -28,6 +28,16 @@ std::optional<StepPosition> AxisScale::steps_at(Coordinate place) const {
   return StepPosition{negative ? -q32 : q32};
 }
 
+std::optional<StepPosition> AxisScale::steps_of(float mm) const {
+  constexpr float kQ16 = 65'536.0F;
+  constexpr float kFew = 16'384.0F;  // Up to here Q32 holds the product.
+  constexpr auto kMost = static_cast<float>(kMostSteps);
+  const float steps = mm * steps_per_mm_;
+  if (!(steps > -kMost && steps < kMost)) return std::nullopt;
+  const bool few = steps > -kFew && steps < kFew;
+  return StepPosition{few ? truncated(steps * kQ16 * kQ16) : truncated(steps * kQ16) * 65'536};
+}
+
 Coordinate AxisScale::place_of(std::int32_t step) const {
   const bool negative = step < 0;
   const auto count = static_cast<std::uint64_t>(negative ? -static_cast<std::int64_t>(step) : step);

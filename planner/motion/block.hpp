@@ -5,6 +5,7 @@
 
 #include "planner/base/axes.hpp"
 #include "planner/base/step_position.hpp"
+#include "planner/geometry/arc_plane.hpp"
 #include "planner/motion/pixels.hpp"
 #include "planner/motion/segment.hpp"
 #include "planner/motion/source_line.hpp"
@@ -25,7 +26,7 @@ struct BeamCommand {
 
 /// The planar part of a block that turns. For a straight block `half_sweep` is 0.
 struct Turn {
-  Plane plane = Plane::kXY;
+  ArcPlane plane{};
   float half_sweep = 0.0F;   ///< Radians, positive counter-clockwise.
   float start_angle = 0.0F;  ///< Of the tangent at the start, in the plane.
   float plane_share = 1.0F;  ///< Plane speed / path speed; below 1 on a helix.
@@ -69,11 +70,11 @@ using BlockZones = std::array<LimitZone, 2>;
 /// all six axes; for X Y Z motion that is millimetres along the tool path.
 struct Block {
   AxisArray<StepPosition> end{};
-  /// The chord turned a quarter turn left, in the two plane axes; see ChordFrame.
-  std::array<StepPosition, 2> normal{};
+  /// The chord turned a quarter turn left in its plane; see ChordFrame.
+  AxisArray<StepPosition> normal{};
   Turn turn{};
 
-  AxisArray<float> direction{};     ///< Unit tangent; for an arc only the axes off its plane.
+  AxisArray<float> direction{};     ///< Unit tangent; for an arc only its part off the plane.
   float length = 0.0F;              ///< mm.
   float feed = 0.0F;                ///< Programmed speed along the path, mm/s; 0 is a rapid.
   bool from_rest = true;            ///< The machine stands still at its start.

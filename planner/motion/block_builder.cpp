@@ -9,18 +9,11 @@
 namespace cnc::motion {
 namespace {
 
-float norm(const AxisArray<float>& vector, std::size_t first, std::size_t end) {
+/// Returns the length along the axes X Y Z alone.
+float linear_norm(const AxisVector& vector) {
   float sum = 0.0F;
-  for (std::size_t axis = first; axis < end; ++axis) sum += square(vector[axis]);
+  for (std::size_t axis = 0; axis < kLinearAxisCount; ++axis) sum += square(vector[axis]);
   return std::sqrt(sum);
-}
-
-AxisArray<float> travel_of(const PathElement& element) {
-  AxisArray<float> travel{};
-  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    travel[axis] = (element.end[axis] - element.start[axis]).mm();
-  }
-  return travel;
 }
 
 /// False when an end is out of reach of the step counters.
@@ -33,28 +26,39 @@ bool place_in_steps(const PathElement& element, const Limits& limits, Block& blo
   return true;
 }
 
+/// The chord turned by a quarter turn in an oblique plane.
+bool place_oblique_normal(const AxisVector& chord, const Limits& limits, Block& block) {
+  const ArcPlane& plane = block.turn.plane;
+  const AxisVector normal = plane.vector(left_normal(plane.seen(chord)));
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const auto along = limits.scale[axis].steps_of(normal[axis]);
+    if (!along) return false;
+    block.normal[axis] = *along;
+  }
+  return true;
+}
+
 /// The turned chord in steps: (first, second) becomes (−second, first), each on
 /// the scale of the axis it now lies along.
 bool place_normal(const PathElement& element, const Limits& limits, Block& block) {
+  if (element.plane.oblique()) {
+    return place_oblique_normal(travel_between(element.start, element.end), limits, block);
+  }
   const PlaneAxes axes = axes_of(element.plane);
   const Coordinate first = element.end[axes.first] - element.start[axes.first];
   const Coordinate second = element.end[axes.second] - element.start[axes.second];
   const auto along_first = limits.scale[axes.first].steps_at(-second);
   const auto along_second = limits.scale[axes.second].steps_at(first);
   if (!along_first || !along_second) return false;
-  block.normal = {*along_first, *along_second};
+  block.normal[axes.first] = *along_first;
+  block.normal[axes.second] = *along_second;
   return true;
 }
 
-/// Replaces the chord by the arc in `travel`: afterwards its plane axes are 0
-/// and the returned arc length stands for both.
-float lay_out_turn(const PathElement& element,
-                   const Arc& arc,
-                   AxisArray<float>& travel,
-                   Turn& turn) {
-  const PlaneAxes axes = axes_of(element.plane);
-  travel[axes.first] = 0.0F;
-  travel[axes.second] = 0.0F;
+/// Replaces the chord by the arc in `travel`: afterwards it has no part in the plane
+/// and the returned arc length stands for that.
+float lay_out_turn(const Arc& arc, AxisVector& travel, Turn& turn) {
+  travel = turn.plane.oblique() ? AxisVector{} : turn.plane.off(travel);
   const Vec2 tangent = arc.start_tangent();
   turn.half_sweep = arc.half_sweep();
   turn.start_angle = atan2_f(tangent.y(), tangent.x());
@@ -81,10 +85,11 @@ float speed_limit_square(const Block& block, const Limits& limits) {
     if (square(rate) < limit * square(share)) limit = square(rate / share);
   }
   if (block.turns()) {
-    const PlaneAxes axes = axes_of(block.turn.plane);
-    const float first = limits.scale[axes.first].steps_per_mm();
-    const float second = limits.scale[axes.second].steps_per_mm();
-    steps_per_mm += block.turn.plane_share * std::sqrt(square(first) + square(second));
+    float sum = 0.0F;
+    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+      if (block.turn.plane.has(axis)) sum += square(limits.scale[axis].steps_per_mm());
+    }
+    steps_per_mm += block.turn.plane_share * std::sqrt(sum);
   }
   return std::min(limit, square(limits.steps_per_s_all_motors / steps_per_mm));
 }
@@ -106,32 +111,39 @@ float six_axis_feed(float feed, float linear_length, float length) {
   return linear_length > 0.0F ? feed * (length / linear_length) : feed;
 }
 
+/// The share of an arc's length in its plane that lies along X Y Z; with rotary axes in the plane,
+/// that of its chord.
+float linear_share(const ArcPlane& plane, const AxisVector& chord) {
+  return plane.oblique() ? linear_norm(chord) / norm(chord) : 1.0F;
+}
+
 }  // namespace
 
 Result<Block, MotionError> build_block(const MotionRequest& request, const Limits& limits) {
   const PathElement& element = request.element;
   Block block;
   block.beam = request.beam;
-  block.turn.plane = element.plane;
   block.row = request.row;
   block.outputs = request.outputs;
   block.line = request.line;
   block.fixed_feed = request.fixed_feed;
   if (!place_in_steps(element, limits, block)) return MotionError::kBeyondMotorRange;
 
-  AxisArray<float> travel = travel_of(element);
+  AxisVector travel = travel_between(element.start, element.end);
+  block.turn.plane = element.plane.holding(travel);
   float plane_length = 0.0F;
-  const PlaneAxes axes = axes_of(element.plane);
-  const auto arc =
-      Arc::make(Vec2{0.0F, 0.0F}, Vec2{travel[axes.first], travel[axes.second]}, element.bulge);
+  float linear_in_plane = 0.0F;
+  const auto arc = Arc::make(Vec2{0.0F, 0.0F}, block.turn.plane.seen(travel), element.bulge);
   if (!arc.ok() && arc.error() == ArcError::kSweepTooLarge) return MotionError::kBulgeTooLarge;
   if (arc.ok() && leaves_its_chord(element.bulge, arc.value())) {
     if (!place_normal(element, limits, block)) return MotionError::kBeyondMotorRange;
-    plane_length = lay_out_turn(element, arc.value(), travel, block.turn);
+    const float share = linear_share(block.turn.plane, travel);
+    plane_length = lay_out_turn(arc.value(), travel, block.turn);
+    linear_in_plane = plane_length * share;
   }
 
-  const float straight = norm(travel, 0, kAxisCount);
-  const float linear = norm(travel, 0, kLinearAxisCount);
+  const float straight = norm(travel);
+  const float linear = linear_norm(travel);
   block.length = std::sqrt(square(straight) + square(plane_length));
   if (block.length <= 0.0F) return MotionError::kNothingToMove;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
@@ -141,20 +153,17 @@ Result<Block, MotionError> build_block(const MotionRequest& request, const Limit
   block.acceleration = acceleration_limit(block, limits);
   block.speed_limit_square = speed_limit_square(block, limits);
   block.feed = six_axis_feed(
-      request.feed_mm_s, std::sqrt(square(linear) + square(plane_length)), block.length);
+      request.feed_mm_s, std::sqrt(square(linear) + square(linear_in_plane)), block.length);
   return block;
 }
 
 namespace {
 
 AxisArray<float> tangent_at(const Block& block, float angle) {
-  AxisArray<float> tangent = block.direction;
-  if (!block.turns()) return tangent;
-  const PlaneAxes axes = axes_of(block.turn.plane);
+  if (!block.turns()) return block.direction;
   const SinCos turned = sin_cos(angle);
-  tangent[axes.first] = block.turn.plane_share * turned.cosine;
-  tangent[axes.second] = block.turn.plane_share * turned.sine;
-  return tangent;
+  const AxisVector in_plane = block.turn.plane.vector({turned.cosine, turned.sine});
+  return sum_of(block.direction, block.turn.plane_share, in_plane);
 }
 
 }  // namespace

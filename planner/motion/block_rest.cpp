@@ -1,25 +1,23 @@
 #include "planner/motion/block_rest.hpp"
 
-#include <array>
-#include <utility>
-
 namespace cnc::motion {
 namespace {
 
 /// Turns the chord from `start` to the end of the block by a quarter turn, as the builder does.
 void turn_chord(Block& block, const AxisArray<StepPosition>& start, const Limits& limits) {
-  const PlaneAxes axes = axes_of(block.turn.plane);
-  std::array<std::size_t, 2> along{axes.first, axes.second};
-  float side = -1.0F;
-  for (StepPosition& normal : block.normal) {
-    const std::int64_t steps_q32 = block.end[along[1]].q32() - start[along[1]].q32();
+  AxisVector chord{};
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const std::int64_t steps_q32 = block.end[axis].q32() - start[axis].q32();
     const float steps = nearest_float(steps_q32) * StepPosition::kStepsPerUnit;
-    const AxisScale& scale = limits.scale[along[1]];
+    chord[axis] = steps / limits.scale[axis].steps_per_mm();
+  }
+  const ArcPlane& plane = block.turn.plane;
+  const AxisVector normal = plane.vector(left_normal(plane.seen(chord)));
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const AxisScale& scale = limits.scale[axis];
     const auto turned =
-        limits.scale[along[0]].steps_at(from_mm(side * steps / scale.steps_per_mm()));
-    if (turned) normal = *turned;
-    std::swap(along[0], along[1]);
-    side = 1.0F;
+        plane.oblique() ? scale.steps_of(normal[axis]) : scale.steps_at(from_mm(normal[axis]));
+    if (turned) block.normal[axis] = *turned;
   }
 }
 

@@ -53,6 +53,12 @@ void KerfShift::reset() {
   steps_q32_ = {};
 }
 
+/// Takes the plane of a block beside an edge. An oblique arc joins blocks of one plane to others.
+void KerfShift::take_plane(const Block& block, Beside beside) {
+  const ArcPlane& plane = block.turn.plane;
+  if (beside != Beside::kNothing && !plane.oblique()) plane_ = plane.coordinate_plane();
+}
+
 /// Along the axes of the plane.
 KerfShift::Vector KerfShift::vector() const {
   return {now_[0] * tangent_.cosine - now_[1] * tangent_.sine,
@@ -62,10 +68,10 @@ KerfShift::Vector KerfShift::vector() const {
 void KerfShift::begin(const Block& block) {
   const Vector before = vector();
   beside_ = block.beam.beside;
-  if (beside_ != Beside::kNothing) plane_ = block.turn.plane;
+  take_plane(block, beside_);
   ends_ = true;
   fraction_ = 0.0F;
-  turns_ = block.turns() && block.turn.plane == plane_;
+  turns_ = block.turns() && block.turn.plane == ArcPlane{plane_};
   const Vector entry = in_plane(entry_tangent(block), plane_);
   exit_ = in_plane(exit_tangent(block), plane_);
   start_angle_ = turns_ ? block.turn.start_angle : atan2_f(entry[1], entry[0]);
@@ -78,7 +84,7 @@ void KerfShift::begin(const Block& block) {
 void KerfShift::meet(const Block& next) {
   ends_ = false;
   if (next.beam.beside == Beside::kNothing) return;
-  if (beside_ == Beside::kNothing) plane_ = next.turn.plane;
+  if (beside_ == Beside::kNothing) take_plane(next, next.beam.beside);
   const Vector after = off_edge(in_plane(entry_tangent(next), plane_), next.beam.beside);
   const bool leads = beside_ == Beside::kNothing;
   const Vector there = leads ? after : meeting(off_edge(exit_, beside_), after);

@@ -54,6 +54,7 @@ class KerfShift {
  private:
   using Vector = std::array<float, 2>;
 
+  void take_plane(const Block& block, Beside beside);
   [[nodiscard]] Vector vector() const;
   [[nodiscard]] static float approach(float from, float to, float share, float most);
 

@@ -20,14 +20,13 @@ void MotorPath::begin(const Block& block, const AxisArray<StepPosition>& start) 
   turns_ = block.turns();
   count_ = 0;
   const float per_mm = StepPosition::kStepsPerUnit / block.length;
-  const PlaneAxes axes = axes_of(block.turn.plane);
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     const std::int64_t chord = block.end[axis].q32() - start[axis].q32();
-    const bool turns = turns_ && (axis == axes.first || axis == axes.second);
+    const bool turns = turns_ && block.turn.plane.has(axis);
     if (chord == 0 && !turns) continue;
     Motor& motor = motors_[count_++];
     motor = Motor{axis, start[axis], chord, per_mm};
-    if (turns) motor.turn(block.normal[axis == axes.first ? 0 : 1].q32(), per_mm);
+    if (turns) motor.turn(block.normal[axis].q32(), per_mm);
   }
 }
 

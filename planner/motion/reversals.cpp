@@ -21,6 +21,7 @@ Reversals::Reversals(const Block& block, PathUnits length)
     : length_{length}, next_{length}, near_from_{length} {
   if (!block.turns()) return;
   const float side = block.turn.half_sweep < 0.0F ? -1.0F : 1.0F;
+  axes_ = AxesInPlane{block.turn.plane, side};
   start_ = side * block.turn.start_angle / kHalfPi;
   sweep_ = 2.0F * std::abs(block.turn.half_sweep) / kHalfPi;
   look_on_from(0);
@@ -31,11 +32,34 @@ PathUnits Reversals::place_of(float quarters) const {
   return std::min(to_units(share * to_mm(length_)), length_);
 }
 
+/// The last reversal up to an angle.
+float Reversals::last_until(float quarters) const {
+  float last = quarters - 2.0F;
+  for (const AxisInPlane& axis : axes_) {
+    const float at = axis.quarters + 1.0F;
+    last = std::max(last, at + 2.0F * std::floor(0.5F * (quarters - at)));
+  }
+  return last;
+}
+
+float Reversals::first_behind(float quarters) const {
+  float next = quarters + 2.0F;
+  for (const AxisInPlane& axis : axes_) {
+    const float at = axis.quarters + 1.0F;
+    next = std::min(next, at + 2.0F * std::floor(0.5F * (quarters - at)) + 2.0F);
+  }
+  return next;
+}
+
 void Reversals::look_on_from(PathUnits place) {
   const float quarters = start_ + sweep_ * (nearest_float(place) / nearest_float(length_));
-  float next = std::floor(quarters + kSliverQuarters) + 1.0F;
-  if (place_of(next) <= place) next += 1.0F;
-  near_until_ = place_of(next - 1.0F + kNearQuarters);
+  float passed = quarters + kSliverQuarters;
+  float next = first_behind(passed);
+  if (place_of(next) <= place) {
+    passed = next;
+    next = first_behind(next);
+  }
+  near_until_ = place_of(last_until(passed) + kNearQuarters);
   near_from_ = place_of(next - kNearQuarters);
   next_ = next > start_ + sweep_ - kSliverQuarters ? length_ : place_of(next);
 }

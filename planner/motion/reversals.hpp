@@ -1,11 +1,12 @@
 #pragma once
 
+#include "planner/motion/axes_in_plane.hpp"
 #include "planner/motion/path_units.hpp"
 
 namespace cnc::motion {
 
-/// Where on an arc an axis of its plane reverses: at each quarter turn of its
-/// tangent. A straight block has none. Knows the one before and the one behind the
+/// Where on an arc an axis of its plane reverses: in a coordinate plane at each quarter turn of
+/// its tangent. A straight block has none. Knows the one before and the one behind the
 /// present place, so that each slice costs comparisons only.
 class Reversals {
  public:
@@ -28,7 +29,10 @@ class Reversals {
  private:
   void look_on_from(PathUnits place);
   [[nodiscard]] PathUnits place_of(float quarters) const;
+  [[nodiscard]] float last_until(float quarters) const;
+  [[nodiscard]] float first_behind(float quarters) const;
 
+  AxesInPlane axes_{};
   PathUnits length_ = 0;
   PathUnits next_ = 0;
   PathUnits near_until_ = 0;  ///< To the one passed last…

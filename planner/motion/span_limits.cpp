@@ -70,42 +70,49 @@ float Spans::angle_behind(int span) const {
   return std::min(start_angle_ + sweep_, angle_of(span + 1) + reach_);
 }
 
-/// Of what the window spans around a span between two places: the greatest shares of the
-/// speed that fall to the axes of the plane.
-Shares Spans::shares_around(int span, const Place& from, const Place& to) const {
-  if (uniform_) return {plane_share_, plane_share_};
-  if (reach_ > 0.0F) {
-    const Shares shares = greatest_shares(angle_before(span), angle_behind(span));
-    return {plane_share_ * shares.first, plane_share_ * shares.second};
+/// The directions that the window spans around a span between two places.
+DirectionRange Spans::directions_around(int span, const Place& from, const Place& to) const {
+  if (reach_ > 0.0F) return {angle_before(span), angle_behind(span)};
+  return {angle_of(span), angle_of(span + 1), from, to};
+}
+
+/// The greatest shares in these directions, in the order of arc_axes().
+AxisArray<Spans::ArcShares> Spans::shares_around(int span,
+                                                 const Place& from,
+                                                 const Place& to) const {
+  AxisArray<ArcShares> shares{};
+  ArcShares* next = shares.data();
+  if (uniform_) {
+    for (const ArcAxis& axis : arc_axes()) {
+      const float size = plane_share_ * axis.in_plane.size;
+      *next++ = {size, size};
+    }
+    return shares;
   }
-  const float start = angle_of(span);
-  const float end = angle_of(span + 1);
-  Shares shares{std::max(std::abs(from.tangent_first), std::abs(to.tangent_first)),
-                std::max(std::abs(from.tangent_second), std::abs(to.tangent_second))};
-  // An axis that the tangent lies along in between has all of it.
-  const float middle = 0.5F * (start + end) / kHalfPi;
-  const auto nearest = static_cast<std::int32_t>(middle + (middle < 0.0F ? -0.5F : 0.5F));
-  const float half = 0.5F * (end - start);
-  if (std::abs(middle - static_cast<float>(nearest)) * kHalfPi > half) return shares;
-  const bool along_second = (nearest & 1) != 0;
-  (along_second ? shares.second : shares.first) = plane_share_;
+  const DirectionRange directions = directions_around(span, from, to);
+  for (const ArcAxis& axis : arc_axes()) {
+    *next++ = {plane_share_ * directions.greatest_share(axis.in_plane),
+               plane_share_ * directions.greatest_normal_share(axis.in_plane)};
+  }
   return shares;
 }
 
 float Spans::speed_limit_square(int span, const Place& from, const Place& to) const {
   if (sweep_ <= 0.0F) return straight_speed_square_;
-  const Shares shares = shares_around(span, from, to);
+  const AxisArray<ArcShares> shares = shares_around(span, from, to);
   float limit = straight_speed_square_;
   const auto keep = [&limit](float most, float share) {
     if (most < limit * share) limit = most / share;
   };
-  keep(square(rate_first_), square(shares.first));
-  keep(square(rate_second_), square(shares.second));
+  for (std::size_t i = 0; i < arc_axis_count_; ++i) {
+    keep(square(arc_axes_[i].rate), square(shares[i].tangent));
+  }
   if (window_.filters()) return limit;  // What turning asks for then is in it already.
-  // At a level speed. Of the normal each axis has as much as the other has of the tangent.
+  // At a level speed.
   const float bend = plane_share_ * curvature_;
-  keep(acceleration_first_, bend * shares.second);
-  keep(acceleration_second_, bend * shares.first);
+  for (std::size_t i = 0; i < arc_axis_count_; ++i) {
+    keep(arc_axes_[i].acceleration, bend * shares[i].normal);
+  }
   return limit;
 }
 
@@ -125,58 +132,66 @@ float Spans::steepest(int span,
   if (sweep_ <= 0.0F) return most;
   if (uniform_) return within_turning(span, most, change);
   if (window_.filters()) {
-    const Shares tangent =
-        shares_around(span, place_at_boundary(span), place_at_boundary(span + 1));
-    most = within_jerk(tangent, most, change);
+    const auto shares = shares_around(span, place_at_boundary(span), place_at_boundary(span + 1));
+    most = within_jerk(shares, most, change);
   }
 
   const float sign = static_cast<float>(wanted);
   const float reach = 2.0F * distance * static_cast<float>(travel);
   const float square_there = speed_square;
+  const float bending = square(plane_share_) * curvature_;
   const auto meet = [&](const Place& place, bool at_from, bool at_to) {
-    const auto meet_axis = [&](float limit, float tangent, float bend) {
+    for (const ArcAxis& axis : arc_axes()) {
+      const float tangent = plane_share_ * axis.in_plane.share(place);
+      const float bend = bending * axis.in_plane.normal_share(place);
+      const float limit = axis.acceleration;
       most = tighten(most, limit, std::abs(tangent), 0.0F);
       if (at_from) most = tighten(most, limit, sign * tangent, bend * square_there);
       if (at_to) most = tighten(most, limit, sign * (tangent + reach * bend), bend * square_there);
-    };
-    meet_axis(acceleration_first_, place.tangent_first, place.bend_first);
-    meet_axis(acceleration_second_, place.tangent_second, place.bend_second);
+    }
   };
-  const bool around = reach_ > 0.0F;
-  meet(from, true, around);
-  meet(to, around, true);
-  if (!around) return most;
-  meet(place_of(angle_before(span)), true, true);
-  meet(place_of(angle_behind(span)), true, true);
+  const bool spans_more = reach_ > 0.0F;
+  meet(from, true, spans_more);
+  meet(to, spans_more, true);
+  if (!spans_more) return most;
+  meet(sin_cos(angle_before(span)), true, true);
+  meet(sin_cos(angle_behind(span)), true, true);
   return most;
 }
 
-namespace {
-
-/// Whether vectors, given along the tangent and along the normal, are within the limits of both
+/// Whether vectors, given along the tangent and along the normal, are within the limits of all
 /// axes wherever the tangent is within an angle.
-class AxisBox {
+class Spans::DirectionBox {
  public:
-  /// @param first, last radians, of the tangent. @param limits of the axes
-  AxisBox(float first, float last, const Shares& limits)
+  /// @param first, last radians, of the tangent
+  DirectionBox(float first, float last, std::span<const ArcAxis> axes)
       : middle_{sin_cos(0.5F * (first + last))},
         half_{sin_cos(std::min(0.5F * (last - first), kHalfPi))},
-        limits_{limits} {}
+        axes_{axes} {}
 
   [[nodiscard]] bool holds(float tangent, float normal) const {
-    const float along_first = std::abs(tangent * middle_.cosine - normal * middle_.sine);
-    const float along_second = std::abs(tangent * middle_.sine + normal * middle_.cosine);
-    const float size_square = square(tangent) + square(normal);
-    return within(limits_.first, along_first, along_second, size_square) &&
-           within(limits_.second, along_second, along_first, size_square);
+    const float length_square = square(tangent) + square(normal);
+    for (const ArcAxis& axis : axes_) {
+      const float along = axis.in_plane.share(middle_);
+      const float across = axis.in_plane.normal_share(middle_);
+      const float own = std::abs(tangent * along + normal * across);
+      const float other = std::abs(tangent * across - normal * along);
+      const float size_square = square(axis.in_plane.size) * length_square;
+      const bool anywhere = size_square <= square(axis.acceleration);
+      if (!anywhere && turned(own, other) > axis.acceleration) return false;
+    }
+    return true;
   }
 
   /// The longest vector along the tangent that it holds.
   [[nodiscard]] float most_along() const {
-    const float first = std::abs(middle_.cosine);
-    const float second = std::abs(middle_.sine);
-    return std::min(limits_.first / share_of(first, second),
-                    limits_.second / share_of(second, first));
+    float most = kFar;
+    for (const ArcAxis& axis : axes_) {
+      const float own = std::abs(axis.in_plane.share(middle_));
+      const float other = std::abs(axis.in_plane.normal_share(middle_));
+      most = std::min(most, axis.acceleration / std::min(axis.in_plane.size, turned(own, other)));
+    }
+    return most;
   }
 
  private:
@@ -186,21 +201,13 @@ class AxisBox {
     const bool beside = other * half_.cosine > own * half_.sine;
     return beside ? own * half_.cosine + other * half_.sine : kFar;
   }
-  [[nodiscard]] float share_of(float own, float other) const {
-    return std::min(1.0F, turned(own, other));
-  }
-  [[nodiscard]] bool within(float limit, float own, float other, float size_square) const {
-    return size_square <= square(limit) || turned(own, other) <= limit;
-  }
 
   static constexpr float kFar = 1.0e12F;
 
   SinCos middle_;
   SinCos half_;
-  Shares limits_;
+  std::span<const ArcAxis> axes_;
 };
-
-}  // namespace
 
 /// What turning leaves where the window spans many directions. The plan's a makes, somewhere
 /// within the window, the acceleration a along the tangent and κ v² across it; and the jerk
@@ -210,8 +217,7 @@ float Spans::within_turning(int span, float most, const SpeedChange& change) con
   const float window_s = window_.seconds();
   const float cap = std::sqrt(change.cap_square);
   const float lag = lag_of(curvature_, plane_acceleration_, window_s);
-  const AxisBox box{
-      angle_before(span), angle_behind(span), {acceleration_first_, acceleration_second_}};
+  const DirectionBox box{angle_before(span), angle_behind(span), arc_axes()};
   const float sign = static_cast<float>(change.change);
   const auto fits = [&](float steep) {
     const float end = std::sqrt(change.speed_square + 2.0F * steep * change.growing);
@@ -243,27 +249,28 @@ float Spans::within_turning(int span, float most, const SpeedChange& change) con
 
 /// Where directions are told apart: an axis along which the tangent has the share t and
 /// its normal the share n is asked for the jerk t (a / T + κ² v³) + n 3 κ v a at most.
-float Spans::within_jerk(const Shares& tangent, float most, const SpeedChange& change) const {
+float Spans::within_jerk(const AxisArray<ArcShares>& shares,
+                         float most,
+                         const SpeedChange& change) const {
   const float cap = std::sqrt(change.cap_square);
   const float lag = lag_of(curvature_, plane_acceleration_, window_.seconds());
   return steepest_within(most, [&](float steep) {
     const float end = std::sqrt(change.speed_square + 2.0F * steep * change.growing);
-    return within_jerk_at(std::min(cap, end + steep * lag), most, tangent);
+    return within_jerk_at(std::min(cap, end + steep * lag), most, shares);
   });
 }
 
-float Spans::within_jerk_at(float speed, float most, const Shares& tangent) const {
+float Spans::within_jerk_at(float speed, float most, const AxisArray<ArcShares>& shares) const {
   const float bend = square(plane_share_) * curvature_;
   const float window_s = window_.seconds();
   // In units of A = J T, as accelerations are limited by it too.
   const float along = curvature_ * bend * speed * square(speed) * window_s;
   const float across = 3.0F * bend * speed * window_s;
-  const auto keep = [&](float limit, float share, float other) {
-    const float steepness = share + across * other / plane_share_;
-    most = tighten(most, limit - share * along, steepness, 0.0F);
-  };
-  keep(acceleration_first_, tangent.first, tangent.second);
-  keep(acceleration_second_, tangent.second, tangent.first);
+  for (std::size_t i = 0; i < arc_axis_count_; ++i) {
+    const auto& [tangent, normal] = shares[i];
+    const float steepness = tangent + across * normal / plane_share_;
+    most = tighten(most, arc_axes_[i].acceleration - tangent * along, steepness, 0.0F);
+  }
   return most;
 }
 

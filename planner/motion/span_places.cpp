@@ -77,30 +77,16 @@ float Spans::boundary(int index) const {
   return is_edge(index) ? edges_[static_cast<std::size_t>(before)] : own_boundary(index - before);
 }
 
-Place Spans::place_with(float cosine, float sine) const {
-  const float bend = square(plane_share_) * curvature_;
-  return {.tangent_first = plane_share_ * cosine,
-          .tangent_second = side_ * plane_share_ * sine,
-          .bend_first = -bend * sine,
-          .bend_second = side_ * bend * cosine};
-}
-
-Place Spans::place_of(float angle) const {
-  const SinCos turned = sin_cos(angle);
-  return place_with(turned.cosine, turned.sine);
-}
-
 Place Spans::place_at_boundary(int index) const {
   if (sweep_ <= 0.0F) return {};
   const bool off_grid = uniform_ || split_ > 1 || index <= 0 || index >= count_ || is_edge(index);
-  if (off_grid) return place_of(angle_of(index));
-  const SinCos turned = grid_sin_cos(first_grid_ + index - edges_before(index) - 1);
-  return place_with(turned.cosine, turned.sine);
+  if (off_grid) return sin_cos(angle_of(index));
+  return grid_sin_cos(first_grid_ + index - edges_before(index) - 1);
 }
 
 Place Spans::place_at(float distance) const {
   if (sweep_ <= 0.0F) return {};
-  return place_of(start_angle_ + distance / mm_per_radian_);
+  return sin_cos(start_angle_ + distance / mm_per_radian_);
 }
 
 }  // namespace cnc::motion

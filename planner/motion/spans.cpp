@@ -90,22 +90,27 @@ void Spans::add_edge(float distance) {
   ++edge_count_;
 }
 
+/// Notes the axes of its plane. Returns the acceleration that all of them allow in any direction.
+float Spans::take_axes(const Block& block, const Limits& limits) {
+  float least = 1.0e12F;
+  for (const AxisInPlane& each : AxesInPlane{block.turn.plane, side_}) {
+    const float acceleration = planned_acceleration(limits, each.axis, window_);
+    arc_axes_[arc_axis_count_++] = {each, acceleration, motor_rate(limits, each.axis)};
+    least = std::min(least, acceleration / each.size);
+  }
+  return least;
+}
+
 void Spans::lay_out_arc(const Block& block, const Limits& limits, Grid grid) {
   const TimeWindow& window = window_;
   const Turn& turn = block.turn;
-  const PlaneAxes axes = axes_of(turn.plane);
   plane_share_ = turn.plane_share;
   side_ = turn.half_sweep < 0.0F ? -1.0F : 1.0F;
   start_angle_ = side_ * turn.start_angle;
   sweep_ = 2.0F * std::abs(turn.half_sweep);
   mm_per_radian_ = length_ / sweep_;
-  rate_first_ = motor_rate(limits, axes.first);
-  rate_second_ = motor_rate(limits, axes.second);
-  acceleration_first_ = planned_acceleration(limits, axes.first, window);
-  acceleration_second_ = planned_acceleration(limits, axes.second, window);
-
   curvature_ = turn.curvature;
-  const float least = std::min(acceleration_first_, acceleration_second_);
+  const float least = take_axes(block, limits);
   plane_acceleration_ = least * margin_for(kGridAngle);
   most_acceleration_ = plane_acceleration_;
   turning_ = Turning::of(curvature_, plane_acceleration_);
@@ -119,14 +124,17 @@ void Spans::lay_out_arc(const Block& block, const Limits& limits, Grid grid) {
   const float around = reach_within(straight_speed_square_, block.reachable_square);
   reach_ = std::min(farthest, around / mm_per_radian_);
   uniform_ = reach_ > kFarReach;
-  if (window.filters()) lay_out_turning(block.reachable_square);
+  if (window.filters()) lay_out_turning(least, block.reachable_square);
   if (grid == Grid::kFine && !window.filters()) split_ = finest_split();
   grid_angle_ = kGridAngle / static_cast<float>(split_);
   const float margin = margin_for(std::max(grid_angle_, uniform_ ? 0.0F : reach_));
-  acceleration_first_ *= margin;
-  acceleration_second_ *= margin;
+  float sum = 0.0F;
+  for (ArcAxis& axis : arc_axes_) {
+    axis.acceleration *= margin;
+    sum += square(axis.acceleration);
+  }
   if (uniform_) {
-    most_acceleration_ = std::sqrt(square(acceleration_first_) + square(acceleration_second_));
+    most_acceleration_ = std::sqrt(sum);
     count_ = std::max(1, static_cast<int>(std::ceil(sweep_ / kUniformSpan)));
   } else {
     lay_out_grid();
@@ -138,21 +146,22 @@ void Spans::lay_out_arc(const Block& block, const Limits& limits, Grid grid) {
 /// against all of its tangents: an ellipse of both fits in where
 ///   (T_i a)² + (N_i b)² ≤ A_i²
 /// for the greatest shares T and N that either has of axis i.
-void Spans::lay_out_turning(float reachable_square) {
+void Spans::lay_out_turning(float least, float reachable_square) {
   constexpr float kLeastShare = 1.0e-6F;
   constexpr float kWorthIt = 1.01F;
   /// Of what is needed on the way; nearer to it there is little left for speeding up.
   constexpr float kRoom = 2.0F;
-  const Shares shares = greatest_shares(start_angle_, start_angle_ + sweep_);
-  const float margin = plane_acceleration_ / std::min(acceleration_first_, acceleration_second_);
-  const auto left_of = [&](float limit, float normal_share, float normal, float share) {
-    const float most = margin * limit;
-    const float used = normal_share * normal;
-    return std::sqrt(std::max(0.0F, square(most) - square(used))) / std::max(share, kLeastShare);
-  };
+  const DirectionRange directions{start_angle_, start_angle_ + sweep_};
+  const float margin = plane_acceleration_ / least;
   const auto left_beside = [&](float normal) {
-    return std::min(left_of(acceleration_first_, shares.second, normal, shares.first),
-                    left_of(acceleration_second_, shares.first, normal, shares.second));
+    float left = 1.0e12F;
+    for (const ArcAxis& axis : arc_axes()) {
+      const float most = margin * axis.acceleration;
+      const float used = directions.greatest_normal_share(axis.in_plane) * normal;
+      const float share = std::max(directions.greatest_share(axis.in_plane), kLeastShare);
+      left = std::min(left, std::sqrt(std::max(0.0F, square(most) - square(used))) / share);
+    }
+    return left;
   };
   most_acceleration_ = left_beside(0.0F);
   if (most_acceleration_ < plane_acceleration_ * kWorthIt) return;
@@ -173,8 +182,9 @@ int Spans::finest_split() const {
   constexpr float kMostSplit = 16.0F;
   constexpr float kShortestSpan = 0.7e-3F;  // s.
   // However fast it may be driven: one axis alone may turn the motion.
-  const float turned =
-      std::max(acceleration_first_, acceleration_second_) / (curvature_ * square(plane_share_));
+  float greatest = 0.0F;
+  for (const ArcAxis& axis : arc_axes()) greatest = std::max(greatest, axis.acceleration);
+  const float turned = greatest / (curvature_ * square(plane_share_));
   const float seconds = length_ / std::sqrt(std::min(straight_speed_square_, turned));
   const float most = std::min(seconds / kShortestSpan, static_cast<float>(kMostFineSpans - 2));
   constexpr float kRounding = 1.0e-3F;

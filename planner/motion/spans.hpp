@@ -1,19 +1,18 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
+#include <span>
 
+#include "planner/motion/axes_in_plane.hpp"
 #include "planner/motion/time_window.hpp"
 
 namespace cnc::motion {
 
-/// A place on a block as the acceleration limits see it: with path speed v and
-/// path acceleration a, axis i accelerates by tangent_i · a + bend_i · v².
-struct Place {
-  float tangent_first = 0.0F;  ///< Along the two axes of the plane.
-  float tangent_second = 0.0F;
-  float bend_first = 0.0F;  ///< d tangent / d path length, 1/mm.
-  float bend_second = 0.0F;
-};
+/// A place on an arc as the acceleration limits see it: the direction of travel in its plane. With
+/// path speed v and path acceleration a, axis i accelerates by tangent_i · a + bend_i · v², where
+/// the bend is d tangent / d path length. On a line it says nothing.
+using Place = SinCos;
 
 /// Which end of a span is known, and which way the speed is to change.
 enum class Travel : std::int8_t { kForward = 1, kBackward = -1 };
@@ -32,8 +31,8 @@ struct SpeedChange {
 
 /// Divides a block into spans on which one acceleration can hold: where zones of its
 /// neighbours begin and end; an arc at each multiple of 3.75° of its tangent, too, quarter
-/// turns among them, so that within a span no axis reverses. Whoever drives the block may ask for
-/// a finer grid, which there is without a time window.
+/// turns among them, so that in a coordinate plane no axis reverses within a span. Whoever drives
+/// the block may ask for a finer grid, which there is without a time window.
 ///
 /// Under a time window the limits of a place hold around it, as far as the arc goes: what is
 /// beyond asks for itself, by its zones. On an arc of which the window spans more than 7.5°
@@ -96,8 +95,22 @@ class Spans {
                                const SpeedChange& change) const;
 
  private:
+  /// An axis of the plane in which an arc turns.
+  struct ArcAxis {
+    AxisInPlane in_plane{};
+    float acceleration = 0.0F;
+    float rate = 0.0F;
+  };
+  /// Greatest shares that an axis has of the speed, and of the speed times its turning.
+  struct ArcShares {
+    float tangent = 0.0F;
+    float normal = 0.0F;
+  };
+  class DirectionBox;
+
   void lay_out_arc(const Block& block, const Limits& limits, Grid grid);
-  void lay_out_turning(float reachable_square);
+  float take_axes(const Block& block, const Limits& limits);
+  void lay_out_turning(float least, float reachable_square);
   [[nodiscard]] int finest_split() const;
   void lay_out_grid();
   void lay_out_edges();
@@ -107,18 +120,26 @@ class Spans {
   [[nodiscard]] int edges_before(int index) const;
   [[nodiscard]] bool is_edge(int index) const;
   [[nodiscard]] float angle_of(int index) const;
-  [[nodiscard]] Place place_of(float angle) const;
-  [[nodiscard]] Place place_with(float cosine, float sine) const;
+  [[nodiscard]] std::span<const ArcAxis> arc_axes() const {
+    return {arc_axes_.data(), arc_axis_count_};
+  }
   [[nodiscard]] LimitZone zone_on(int span) const;
   [[nodiscard]] float angle_before(int span) const;
   [[nodiscard]] float angle_behind(int span) const;
-  [[nodiscard]] Shares shares_around(int span, const Place& from, const Place& to) const;
+  [[nodiscard]] DirectionRange directions_around(int span,
+                                                 const Place& from,
+                                                 const Place& to) const;
+  [[nodiscard]] AxisArray<ArcShares> shares_around(int span,
+                                                   const Place& from,
+                                                   const Place& to) const;
   [[nodiscard]] float reach_within(float cap_square, float reachable_square) const;
   [[nodiscard]] float within_turning(int span, float most, const SpeedChange& change) const;
-  [[nodiscard]] float within_jerk(const Shares& tangent,
+  [[nodiscard]] float within_jerk(const AxisArray<ArcShares>& shares,
                                   float most,
                                   const SpeedChange& change) const;
-  [[nodiscard]] float within_jerk_at(float speed, float most, const Shares& tangent) const;
+  [[nodiscard]] float within_jerk_at(float speed,
+                                     float most,
+                                     const AxisArray<ArcShares>& shares) const;
 
   int count_ = 1;      ///< Of spans.
   int own_count_ = 1;  ///< The same without edges of zones.
@@ -148,10 +169,8 @@ class Spans {
   Turning turning_{};                ///< Within the plane.
   float plane_acceleration_ = 0.0F;  ///< In all directions of the arc, with the turning.
   float most_acceleration_ = 0.0F;   ///< At most, if it did not turn.
-  float acceleration_first_ = 0.0F;
-  float acceleration_second_ = 0.0F;
-  float rate_first_ = 0.0F;
-  float rate_second_ = 0.0F;
+  AxisArray<ArcAxis> arc_axes_{};
+  std::size_t arc_axis_count_ = 0;
 };
 
 }  // namespace cnc::motion

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "planner/base/scalar_math.hpp"
+#include "planner/motion/axes_in_plane.hpp"
 
 namespace cnc::motion {
 namespace {
@@ -24,9 +25,10 @@ std::uint8_t moving_axes(const Block& block) {
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     if (block.direction[axis] != 0.0F) axes = static_cast<std::uint8_t>(axes | (1U << axis));
   }
-  if (!block.turns()) return axes;
-  const PlaneAxes plane = axes_of(block.turn.plane);
-  return static_cast<std::uint8_t>(axes | (1U << plane.first) | (1U << plane.second));
+  for (std::size_t axis = 0; block.turns() && axis < kAxisCount; ++axis) {
+    if (block.turn.plane.has(axis)) axes = static_cast<std::uint8_t>(axes | (1U << axis));
+  }
+  return axes;
 }
 
 namespace {
@@ -62,12 +64,12 @@ float along_path(const Block& block, const AxisArray<float>& of_axes) {
   };
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) keep(axis, std::abs(block.direction[axis]));
   if (!block.turns()) return most;
-  const PlaneAxes plane = axes_of(block.turn.plane);
   const float start = block.turn.start_angle;
   const float end = start + 2.0F * block.turn.half_sweep;
-  const Shares shares = greatest_shares(std::min(start, end), std::max(start, end));
-  keep(plane.first, block.turn.plane_share * shares.first);
-  keep(plane.second, block.turn.plane_share * shares.second);
+  const DirectionRange directions{std::min(start, end), std::max(start, end)};
+  for (const AxisInPlane& each : AxesInPlane{block.turn.plane, 1.0F}) {
+    keep(each.axis, block.turn.plane_share * directions.greatest_share(each));
+  }
   return most;
 }
 

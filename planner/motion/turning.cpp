@@ -1,28 +1,10 @@
 #include "planner/motion/turning.hpp"
 
 #include <cmath>
-#include <cstdint>
 
 #include "planner/base/scalar_math.hpp"
 
 namespace cnc::motion {
-
-Shares greatest_shares(float start, float end) {
-  if (end - start >= kHalfPi) return {1.0F, 1.0F};
-  const SinCos first = sin_cos(start);
-  const SinCos last = sin_cos(end);
-  Shares shares{std::max(std::abs(first.cosine), std::abs(last.cosine)),
-                std::max(std::abs(first.sine), std::abs(last.sine))};
-  // An axis that the tangent lies along in between has all of it.
-  const float middle = 0.5F * (start + end) / kHalfPi;
-  const auto nearest = static_cast<std::int32_t>(middle + (middle < 0.0F ? -0.5F : 0.5F));
-  if (std::abs(middle - static_cast<float>(nearest)) * kHalfPi > 0.5F * (end - start)) {
-    return shares;
-  }
-  const bool along_second = (nearest & 1) != 0;
-  (along_second ? shares.second : shares.first) = 1.0F;
-  return shares;
-}
 
 float lag_of(float curvature, float acceleration, float window_s) {
   constexpr float kMost = 0.35F;

@@ -4,16 +4,6 @@
 
 namespace cnc::motion {
 
-/// Of the speed along the path, for the axes of the plane.
-struct Shares {
-  float first = 0.0F;
-  float second = 0.0F;
-};
-
-/// The greatest that tangents from one angle to another have of a speed in the plane.
-/// @param start, end radians, start ≤ end.
-[[nodiscard]] Shares greatest_shares(float start, float end);
-
 /// How a curve divides an acceleration limit A, taken as the same in all
 /// directions, between turning and changing speed. With curvature κ, speed v and
 /// path acceleration a = α A:

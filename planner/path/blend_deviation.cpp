@@ -3,84 +3,104 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planner/geometry/arc.hpp"
-#include "planner/geometry/tangent_circle.hpp"
+#include "planner/path/space_biarc.hpp"
 
 namespace cnc::path {
 namespace {
 
-constexpr int kSamplesOfPart = 8;
+constexpr int kSamplesOfPart = 6;
 constexpr float kMissed = 1.03F;
-constexpr float kNoBiarc = 1.0e9F;
+constexpr float kNoBlend = 1.0e9F;
 
-/// The two legs with the corner as their origin.
-class Wedge {
- public:
-  explicit Wedge(const Corner& corner)
-      : before_{{0.0F, 0.0F}, corner.before.tangent, corner.before.curvature},
-        after_{{0.0F, 0.0F}, corner.after.tangent, corner.after.curvature} {}
+/// Returns how far a place is from a curve, by its offset from a place of the curve near the
+/// nearest: its distance from the tangent there, and how far the curve bends away up to beside it.
+float distance_beside(const AxisVector& offset, const AxisVector& direction, float curvature) {
+  const float along = dot(offset, direction);
+  const float across = std::sqrt(std::max(0.0F, dot(offset, offset) - along * along));
+  return across + 0.5F * std::abs(curvature) * along * along;
+}
 
-  [[nodiscard]] float distance_to(const Vec2& place) const {
-    const float corner = place.norm();
-    const bool beside_before = place.dot(before_.tangent) <= 0.0F;
-    const bool beside_after = place.dot(after_.tangent) >= 0.0F;
-    const float before = beside_before ? std::abs(before_.across(place)) : corner;
-    const float after = beside_after ? std::abs(after_.across(place)) : corner;
-    return std::min(before, after);
+/// A place of the path and one of the blend, each compared with the other's curve.
+struct Abreast {
+  AxisVector offset{};     ///< From the path to the blend.
+  AxisVector direction{};  ///< In which the path goes there.
+  float bend = 0.0F;       ///< Its curvature, 1/mm.
+  AxisVector blend_direction{};
+  float blend_bend = 0.0F;
+
+  [[nodiscard]] float distance() const {
+    return std::max(distance_beside(offset, direction, bend),
+                    distance_beside(offset, blend_direction, blend_bend));
   }
-
- private:
-  TangentCircle before_;
-  TangentCircle after_;
 };
 
-/// Two arcs that meet smoothly, as legs from their outer ends.
-class Rounding {
+/// Compares each place of the blend with the one on the path that is as far along it.
+class Comparison {
  public:
-  Rounding(const BiarcEnds& ends, const Biarc& biarc)
-      : joint_{biarc.joint}, joint_tangent_{biarc.joint_tangent} {
-    const auto first = Arc::make(ends.start, biarc.joint, biarc.first_bulge);
-    const auto second = Arc::make(biarc.joint, ends.end, biarc.second_bulge);
-    if (!first.ok() || !second.ok()) return;
-    first_ = {joint_tangent_, first.value().curvature(), first.value().length().in_mm_and_s(), {}};
-    second_ = {
-        joint_tangent_, second.value().curvature(), second.value().length().in_mm_and_s(), {}};
+  Comparison(const Corner& corner, float trim_mm)
+      : corner_{corner},
+        trim_mm_{trim_mm},
+        from_{corner.before.place(-trim_mm)},
+        to_{corner.after.place(trim_mm)} {
+    const AxisVector start = corner.before.direction(-trim_mm);
+    const AxisVector end = corner.after.direction(trim_mm);
+    const AxisVector chord = sum_of(to_, -1.0F, from_);
+    const auto joint = space_joint(start, chord, end);
+    if (!joint) return;
+    exists_ = true;
+    first_ = leg_through(start, *joint);
+    second_ = leg_through(end, sum_of(*joint, -1.0F, chord));
   }
 
-  [[nodiscard]] bool exists() const { return first_.length > 0.0F && second_.length > 0.0F; }
-  /// At −1…1: from the start by the joint to the end.
-  [[nodiscard]] Vec2 at(float share) const {
-    const Leg& leg = share < 0.0F ? first_ : second_;
-    return joint_ + leg.place(share * leg.length);
+  [[nodiscard]] bool exists() const { return exists_; }
+  /// @param share of the way from the start to the joint
+  [[nodiscard]] Abreast before(float share) const {
+    return abreast(corner_.before, (share - 1.0F) * trim_mm_, from_, first_, share * first_.length);
   }
-  [[nodiscard]] float distance_to(const Vec2& place) const {
-    const bool before = (place - joint_).dot(joint_tangent_) < 0.0F;
-    const Leg& leg = before ? first_ : second_;
-    return std::abs(TangentCircle{joint_, joint_tangent_, leg.curvature}.across(place));
+  /// @param share of the way from the end back to the joint
+  [[nodiscard]] Abreast behind(float share) const {
+    return abreast(corner_.after, (1.0F - share) * trim_mm_, to_, second_, -share * second_.length);
+  }
+  /// The joint is compared from the corner, at which each side ends.
+  [[nodiscard]] float at_joint() const {
+    const Abreast old = before(1.0F);
+    const Abreast next = behind(1.0F);
+    if (dot(old.offset, old.direction) <= 0.0F) return old.distance();
+    if (dot(next.offset, next.direction) >= 0.0F) return next.distance();
+    return norm(old.offset);
   }
 
  private:
-  Vec2 joint_;
-  Vec2 joint_tangent_;
+  /// @param end of the blend, from which its ways count
+  static Abreast abreast(
+      const Leg& path, float path_way, const AxisVector& end, const Leg& blend, float blend_way) {
+    const AxisVector place = sum_of(end, 1.0F, blend.place(blend_way));
+    return {sum_of(place, -1.0F, path.place(path_way)),
+            path.direction(path_way),
+            path.bend(),
+            blend.direction(blend_way),
+            blend.bend()};
+  }
+
+  const Corner& corner_;
+  float trim_mm_;
+  AxisVector from_;
+  AxisVector to_;
   Leg first_{};
   Leg second_{};
+  bool exists_ = false;
 };
 
 }  // namespace
 
 float blend_deviation(const Corner& corner, float trim_mm) {
-  const BiarcEnds ends = ends_of(corner, trim_mm);
-  const auto biarc = make_biarc(ends, 0.5F);
-  if (!biarc.ok()) return kNoBiarc;
-  const Wedge wedge{corner};
-  const Rounding rounding{ends, biarc.value()};
-  if (!rounding.exists()) return kNoBiarc;
-  float greatest = rounding.distance_to(Vec2{0.0F, 0.0F});
-  for (int i = 1 - kSamplesOfPart; i < kSamplesOfPart; ++i) {
+  const Comparison comparison{corner, trim_mm};
+  if (!comparison.exists()) return kNoBlend;
+  float greatest = comparison.at_joint();
+  for (int i = 1; i < kSamplesOfPart; ++i) {
     const float share = static_cast<float>(i) / static_cast<float>(kSamplesOfPart);
-    greatest = std::max(greatest, wedge.distance_to(rounding.at(share)));
-    const Leg& leg = i < 0 ? corner.before : corner.after;
-    greatest = std::max(greatest, rounding.distance_to(leg.place(share * trim_mm)));
+    greatest = std::max(
+        {greatest, comparison.before(share).distance(), comparison.behind(share).distance()});
   }
   return kMissed * greatest;
 }

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "planner/base/scalar_math.hpp"
-
 namespace cnc::path {
 namespace {
 
@@ -23,17 +21,8 @@ void CircleFan::open(float most_curvature) {
   count_ = 4;
 }
 
-void CircleFan::pass(const Vec2& point, float within_mm) {
-  keep_near(point, point.squaredNorm() - square(within_mm), within_mm);
-}
-
-/// The chord lies on the side of the centre, by chord² / 8 of the curvature.
-void CircleFan::pass_chord(const Vec2& end, float chord_mm, float within_mm) {
-  keep_near(end, end.squaredNorm() - square(within_mm) - 0.25F * square(chord_mm), within_mm);
-}
-
 /// |weight · k + 2 x t − 2 y| ≤ 2 Q.
-void CircleFan::keep_near(const Vec2& point, float weight, float within_mm) {
+void CircleFan::pass(const Vec2& point, float weight, float within_mm) {
   const float along = 2.0F * point.x();
   const float beside = 2.0F * point.y();
   keep(weight, along, 2.0F * within_mm + beside);
@@ -117,9 +106,8 @@ void CircleFan::drop_smallest() {
   --count_;
 }
 
-std::optional<CircleFan::Through> CircleFan::through(const Vec2& point) const {
+std::optional<CircleFan::Through> CircleFan::through(const Vec2& point, float weight) const {
   if (empty()) return std::nullopt;
-  const float weight = point.squaredNorm();
   const auto excess = [&](const FanCircle& circle) {
     return weight * circle.curvature + 2.0F * (point.x() * circle.slope - point.y());
   };

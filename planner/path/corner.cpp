@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "planner/base/scalar_math.hpp"
+#include "planner/motion/axes_in_plane.hpp"
 #include "planner/path/blend_deviation.hpp"
 
 namespace cnc::path {
@@ -23,66 +24,36 @@ float tangent_of(float angle) {
   return of.sine / of.cosine;
 }
 
-float slope_square(const Leg& leg) {
-  float sum = 0.0F;
-  for (const float share : leg.slope) sum += square(share);
-  return sum;
-}
-
-/// (Radians by which it turns off the plane)², as if it did not turn in it.
-float turn_square_off_plane(const Leg& before, const Leg& after) {
-  const float of_before = 1.0F / std::sqrt(1.0F + slope_square(before));
-  const float of_after = 1.0F / std::sqrt(1.0F + slope_square(after));
-  float sum = square(of_before - of_after);
-  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    sum += square(of_before * before.slope[axis] - of_after * after.slope[axis]);
-  }
-  return sum;
-}
-
-/// Whether the axes off the plane go on as they came, round the corner too: the
-/// blend is shorter than what it replaces, so their slope on it is steeper.
-bool rides_along(const Corner& corner) {
-  const float off_plane = turn_square_off_plane(corner.before, corner.after);
-  if (off_plane > square(0.25F * motion::kTangentTurn)) return false;
-  const float slope = slope_square(corner.before);
-  if (slope == 0.0F) return true;
-  const float half = 0.5F * std::abs(corner.turn);
-  if (half > 1.0F) return false;
-  // Of straight legs; half the allowance is left for what curved ones add.
-  const float allowed = motion::kTangentTurn * (1.0F + slope);
-  return std::sqrt(slope) * (tangent_of(half) / half - 1.0F) <= 0.5F * allowed;
-}
-
-bool lay_out(const PathElement& before, const PathElement& after, Plane plane, Corner& corner) {
-  const auto left = leg_before(before, plane);
-  const auto right = leg_after(after, plane);
-  if (!left || !right) return false;
-  corner.plane = plane;
+/// Returns the plane in which the direction turns.
+std::optional<ArcPlane> lay_out(const PathElement& before,
+                                const PathElement& after,
+                                Corner& corner) {
+  const auto left = leg_before(before);
+  const auto right = leg_after(after);
+  if (!left || !right) return std::nullopt;
   corner.before = *left;
   corner.after = *right;
-  corner.turn = atan2_f(cross(left->tangent, right->tangent), left->tangent.dot(right->tangent));
-  return rides_along(corner);
-}
-
-/// Of the first plane in which the corner is one.
-bool lay_out(const PathElement& before, const PathElement& after, Corner& corner) {
-  for (const Plane plane : {Plane::kXY, Plane::kZX, Plane::kYZ}) {
-    if (lay_out(before, after, plane, corner)) return true;
-  }
-  return false;
+  const auto plane = corner.plane();
+  if (!plane) return std::nullopt;
+  const Vec2 old = plane->seen(left->direction(0.0F));
+  const Vec2 next = plane->seen(right->direction(0.0F));
+  corner.turn = atan2_f(cross(old, next), old.dot(next));
+  return plane;
 }
 
 /// Radius at which v²/R is a quarter of the acceleration at the programmed feed,
 /// and so all of it when the operator doubles it.
-float useful_radius(const Corner& corner, float feed, const motion::Limits& limits) {
+float useful_radius(const ArcPlane& plane, float feed, const motion::Limits& limits) {
   constexpr float kShare = 4.0F;
-  const PlaneAxes axes = axes_of(corner.plane);
-  const float rate =
-      std::max(motion::motor_rate(limits, axes.first), motion::motor_rate(limits, axes.second));
+  constexpr float kMuch = 0.5F;  // Each plane has an axis of this size or more.
+  float rate = 0.0F;
+  float acceleration = 1.0e9F;
+  for (const motion::AxisInPlane& each : motion::AxesInPlane{plane, 1.0F}) {
+    acceleration = std::min(acceleration, limits.acceleration_mm_s2[each.axis] / each.size);
+    if (each.size < kMuch) continue;
+    rate = std::max(rate, motion::motor_rate(limits, each.axis) / each.size);
+  }
   const float speed = feed > 0.0F ? std::min(feed, rate) : rate;
-  const float acceleration =
-      std::min(limits.acceleration_mm_s2[axes.first], limits.acceleration_mm_s2[axes.second]);
   return kShare * square(speed) / acceleration;
 }
 
@@ -94,11 +65,7 @@ float straight_trim(const Corner& corner, float most_mm) {
 }
 
 float chord_of(const PathElement& element) {
-  float sum = 0.0F;
-  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    sum += square((element.end[axis] - element.start[axis]).mm());
-  }
-  return std::sqrt(sum);
+  return norm(travel_between(element.start, element.end));
 }
 
 /// Radians that are no corner.
@@ -110,8 +77,8 @@ float smooth_turn(const PathItem& before, const PathItem& after) {
 }
 
 bool turns_too_tightly(const Corner& corner, float trim_mm) {
-  const BiarcEnds ends = ends_of(corner, trim_mm);
-  return (ends.end - ends.start).norm() < kCrumbMm;
+  const AxisVector start = corner.before.place(-trim_mm);
+  return norm(sum_of(corner.after.place(trim_mm), -1.0F, start)) < kCrumbMm;
 }
 
 }  // namespace
@@ -121,13 +88,6 @@ bool stop_between(const PathItem& before, const PathItem& after) {
   const motion::MotionRequest& b = after.request;
   const bool rapid_and_feed = (a.feed_mm_s <= 0.0F) != (b.feed_mm_s <= 0.0F);
   return rapid_and_feed || a.fixed_feed || b.fixed_feed;
-}
-
-BiarcEnds ends_of(const Corner& corner, float trim_mm) {
-  return {.start = corner.before.place(-trim_mm),
-          .start_tangent = corner.before.tangent_at(-trim_mm),
-          .end = corner.after.place(trim_mm),
-          .end_tangent = corner.after.tangent_at(trim_mm)};
 }
 
 /// The deviation grows about in proportion to the trim beside straight legs, and
@@ -140,7 +100,8 @@ float fitting_trim(const Corner& corner, float most_mm) {
   if (trim < kCrumbMm) return 0.0F;
   if (corner.is_straight()) return turns_too_tightly(corner, trim) ? 0.0F : trim;
   for (const Leg* leg : {&corner.before, &corner.after}) {
-    trim = std::min(trim, kMostTurnOfLeg / std::max(std::abs(leg->curvature), 1.0e-6F));
+    const float turn_by_mm = std::abs(leg->curvature) * leg->plane_share;
+    trim = std::min(trim, kMostTurnOfLeg / std::max(turn_by_mm, 1.0e-6F));
   }
   for (int i = 0; i < kMostTrials && trim >= kCrumbMm; ++i) {
     const float allowed = corner.tolerance_mm - kRoundingMm - kRelativeRounding * trim;
@@ -151,27 +112,31 @@ float fitting_trim(const Corner& corner, float most_mm) {
   return 0.0F;
 }
 
-Corner examine(const PathItem& before, const PathItem& after, const motion::Limits& limits) {
+void examine(const PathItem& before,
+             const PathItem& after,
+             const motion::Limits& limits,
+             Corner& corner) {
   using enum Corner::Kind;
-  Corner corner;
+  corner.kind = kStop;
   const motion::MotionRequest& old = before.request;
   const motion::MotionRequest& next = after.request;
   const float turn = motion::turn_square(end_direction(old.element), start_direction(next.element));
   if (turn <= square(smooth_turn(before, after))) {
     corner.kind = kSmooth;
-    return corner;
+    return;
   }
-  corner.tolerance_mm = std::min(before.tolerance.corner_mm, after.tolerance.corner_mm);
-  if (corner.tolerance_mm <= kRoundingMm || stop_between(before, after)) return corner;
-  if (!lay_out(old.element, next.element, corner)) return corner;
+  corner.tolerance_mm =
+      std::min(before.tolerance.corner_mm, after.tolerance.corner_mm) - after.aside_mm;
+  if (corner.tolerance_mm <= kRoundingMm || stop_between(before, after)) return;
+  const auto plane = lay_out(old.element, next.element, corner);
+  if (!plane) return;
   const float feed = std::max(old.feed_mm_s, next.feed_mm_s);
   const float half = 0.5F * std::abs(corner.turn);
   const float useful =
-      half < 1.5F ? useful_radius(corner, feed, limits) * tangent_of(half) : 1.0e6F;
+      half < 1.5F ? useful_radius(*plane, feed, limits) * tangent_of(half) : 1.0e6F;
   const float most = std::min({useful, corner.before.length, corner.after.length});
   corner.wish_mm = fitting_trim(corner, most);
   if (corner.wish_mm > 0.0F) corner.kind = kBlend;
-  return corner;
 }
 
 }  // namespace cnc::path

@@ -1,6 +1,5 @@
 #pragma once
 
-#include "planner/geometry/biarc.hpp"
 #include "planner/path/leg.hpp"
 #include "planner/path/path_item.hpp"
 
@@ -23,14 +22,21 @@ struct Corner {
   };
   Kind kind = Kind::kStop;
 
-  // Of a kBlend.
-  Plane plane = Plane::kXY;
+  // The members below are there for a kBlend.
   Leg before{};
   Leg after{};
-  float turn = 0.0F;          ///< Radians from tangent to tangent, positive left.
-  float tolerance_mm = 0.0F;  ///< Of the blend from the path and of the path from it.
-  float wish_mm = 0.0F;       ///< What it would take of both neighbours.
+  float turn = 0.0F;          ///< Radians from direction to direction in that plane, positive left.
+  float tolerance_mm = 0.0F;  ///< Greatest distance of the blend from the path, and back.
+  float wish_mm = 0.0F;       ///< The trim that it would take of both neighbours.
 
+  /// Returns where the path is `way` mm after the corner, or before it if negative.
+  [[nodiscard]] Position place(const Position& corner, float way) const {
+    return moved_by(corner, (way < 0.0F ? before : after).place(way));
+  }
+  /// Returns the plane in which the direction turns; empty if it hardly does, or turns back.
+  [[nodiscard]] std::optional<ArcPlane> plane() const {
+    return plane_of(before.direction(0.0F), after.direction(0.0F));
+  }
   [[nodiscard]] bool is_straight() const {
     return before.curvature == 0.0F && after.curvature == 0.0F;
   }
@@ -38,17 +44,18 @@ struct Corner {
 
 /// Judges the corner between two elements.
 ///
-/// It can be rounded where both lie in one coordinate plane, all other axes with
-/// the same slope, and where that slope is so small that the shorter way round
-/// the corner changes it by less than kTangentTurn. The tolerance is the
-/// smaller of the two elements', and only rapids are blended with rapids. What
-/// an operator's override does not touch (jogs, homing) is not blended.
+/// It can be rounded unless it turns back: two lines by an arc in their plane, in all six axes,
+/// each in its unit; an arc and its neighbour by two arcs. The tolerance is the smaller of the two
+/// elements', and only rapids are blended with rapids. Motion that an operator's override does not
+/// touch (jogs, homing) is not blended.
 ///
 /// A blend is not made larger than what its elements' feed needs on this
 /// machine, at twice the feed.
-[[nodiscard]] Corner examine(const PathItem& before,
-                             const PathItem& after,
-                             const motion::Limits& limits);
+/// @param corner takes the result
+void examine(const PathItem& before,
+             const PathItem& after,
+             const motion::Limits& limits,
+             Corner& corner);
 
 /// Elements of these kinds are never blended with each other.
 [[nodiscard]] bool stop_between(const PathItem& before, const PathItem& after);
@@ -57,8 +64,5 @@ struct Corner {
 /// within the tolerance; 0 for none.
 /// @pre a kBlend
 [[nodiscard]] float fitting_trim(const Corner& corner, float most_mm);
-
-/// The blend for a trim, seen from the corner in its plane.
-[[nodiscard]] BiarcEnds ends_of(const Corner& corner, float trim_mm);
 
 }  // namespace cnc::path

@@ -28,9 +28,12 @@ bool differ(const motion::MotionRequest& a, const motion::MotionRequest& b) {
          !(b.outputs == motion::OutputChanges{});
 }
 
-/// An element of which no corner has taken anything.
-HeldItem held_whole(const PathItem& item, motion::Joint joint) {
-  return {.item = item, .start = item.request.element.start, .joint = joint};
+/// Holds an element of which no corner has taken anything.
+void hold(std::optional<HeldItem>& place, const PathItem& item, motion::Joint joint) {
+  HeldItem& held = place.emplace();
+  held.item = item;
+  held.start = item.request.element.start;
+  held.joint = joint;
 }
 
 }  // namespace
@@ -57,29 +60,38 @@ void CornerRounder::clear() {
 
 void CornerRounder::put(const PathItem& item) {
   CNC_ASSERT(has_room());
+  const PathItem* const before = newest();
+  next_corner_.kind = Corner::Kind::kStop;
+  if (before != nullptr) examine(*before, item, limits_, next_corner_);
   if (!first_) {
-    first_ =
-        held_whole(item, last_ ? joint_at(examine(*last_, item, limits_)) : motion::Joint::kStop);
+    hold(first_, item, joint_at(next_corner_));
     last_.reset();
     return;
   }
-  if (!second_) return meet(item, examine(first_->item, item, limits_));
-  const Corner next = examine(second_->item, item, limits_);
-  const float length = corner_.after.length;
-  const float wanted = next.kind == Corner::Kind::kBlend ? next.wish_mm : 0.0F;
-  settle(std::max(0.5F * length, length - wanted));
-  meet(item, next);
+  if (second_) {
+    const float length = corner_.after.length;
+    const float wanted = next_corner_.kind == Corner::Kind::kBlend ? next_corner_.wish_mm : 0.0F;
+    settle(std::max(0.5F * length, length - wanted));
+  }
+  meet(item);
 }
 
-/// @pre only the first is held
-void CornerRounder::meet(const PathItem& item, const Corner& corner) {
-  if (corner.kind == Corner::Kind::kBlend) {
-    corner_ = corner;
-    second_ = held_whole(item, motion::Joint::kStop);
+/// The item that the next one meets; null where the path begins.
+const PathItem* CornerRounder::newest() const {
+  if (second_) return &second_->item;
+  if (first_) return &first_->item;
+  return last_ ? &*last_ : nullptr;
+}
+
+/// At the next corner. @pre only the first is held
+void CornerRounder::meet(const PathItem& item) {
+  if (next_corner_.kind == Corner::Kind::kBlend) {
+    corner_ = next_corner_;
+    hold(second_, item, motion::Joint::kStop);
     return;
   }
   give_rest(*first_, first_->item.request.element.end, -1.0F);
-  first_ = held_whole(item, joint_at(corner));
+  hold(first_, item, joint_at(next_corner_));
 }
 
 void CornerRounder::flush() {
@@ -111,8 +123,9 @@ float CornerRounder::granted(float allowance_mm) const {
 /// much of its chord, which is short where it nearly turns back. A shorter trim for the
 /// second side can leave a crumb of the first, which is therefore checked again.
 float CornerRounder::without_crumbs(float trim_mm) const {
-  const Vec2 both = corner_.before.tangent + corner_.after.tangent;
-  const float all_share = 0.5F * motion::kTangentTurn * std::min(1.0F, both.norm());
+  const AxisVector both =
+      sum_of(corner_.before.direction(0.0F), 1.0F, corner_.after.direction(0.0F));
+  const float all_share = 0.5F * motion::kTangentTurn * std::min(1.0F, norm(both));
   const float left = corner_.before.length - first_->used_mm;
   float trim = trim_mm;
   for (const float side : {left, corner_.after.length, left}) {
@@ -141,10 +154,9 @@ void CornerRounder::blend(float trim_mm, bool in_halves) {
   const float left = corner_.before.length - first_->used_mm - trim_mm;
   const bool all_before = left < kCrumbMm;
   const bool all_after = corner_.after.length - trim_mm < kCrumbMm;
-  const Position from =
-      all_before ? first_->start : place_on(corner_.before, corner_.plane, corner, -trim_mm);
-  const Position to = all_after ? second_->item.request.element.end
-                                : place_on(corner_.after, corner_.plane, corner, trim_mm);
+  const Position from = all_before ? first_->start : corner_.place(corner, -trim_mm);
+  const Position to =
+      all_after ? second_->item.request.element.end : corner_.place(corner, trim_mm);
   const Blend blend = make_blend(corner_, from, to, trim_mm, in_halves);
   if (blend.count == 0) return give_rest(*first_, corner, -1.0F);
   give_rest(*first_, from, all_before ? 0.0F : left);
@@ -161,43 +173,49 @@ void CornerRounder::give_blend(const Blend& blend,
                                bool in_halves) {
   for (std::size_t i = 0; i < blend.count; ++i) {
     const bool earlier = in_halves && i == 0;
-    motion::MotionRequest part = earlier ? first_->item.request : second_->item.request;
+    motion::MotionRequest& part = begin_giving(earlier ? *first_ : *second_);
     if (!in_halves) part.line = first_->item.request.line;
     part.element = blend.parts[i];
     part.row = earlier ? part.row.part(1.0F - trim_mm / corner_.before.length, 1.0F)
                        : part.row.part(0.0F, trim_mm / corner_.after.length);
     if (earlier) part.outputs = {};
     if (!earlier) second_->item.request.outputs = {};
-    give(part, joint);
+    give(joint);
     joint = motion::Joint::kSmooth;
   }
 }
 
-/// @param left_mm of the element in its plane; negative for all that is left.
+/// @param left_mm of the element; negative for all that is left.
 void CornerRounder::give_rest(const HeldItem& held, const Position& end, float left_mm) {
-  motion::MotionRequest request = held.item.request;
+  motion::MotionRequest& request = begin_giving(held);
   const PathElement& whole = held.item.request.element;
   if (held.used_mm > 0.0F || left_mm >= 0.0F) {
-    const float length = length_in(whole, whole.bulge != 0.0F ? whole.plane : corner_.plane);
+    const float length = length_of(whole);
     const float left = left_mm >= 0.0F ? left_mm : length - held.used_mm;
     const float share = length > 0.0F ? left / length : 1.0F;
-    request.element = part_of(whole, held.start, end, share);
+    become_part(request.element, held.start, end, share);
     if (request.row.any() && length > 0.0F) {
       const float from = held.used_mm / length;
       request.row = request.row.part(from, left_mm >= 0.0F ? from + share : 1.0F);
     }
   }
-  give(request, held.joint);
+  give(held.joint);
+}
+
+/// The next piece, which give() completes: all of an element as yet.
+motion::MotionRequest& CornerRounder::begin_giving(const HeldItem& held) {
+  CNC_ASSERT(ready_count_ < kMostReady);
+  return ready_[ready_count_].request = held.item.request;
 }
 
 /// A piece of which its corners left nothing is left out; its outputs went with
 /// the blend before it. A stop there is a stop at the next.
-void CornerRounder::give(const motion::MotionRequest& request, motion::Joint joint) {
+void CornerRounder::give(motion::Joint joint) {
+  PathPiece& piece = ready_[ready_count_];
   stop_left_over_ = stop_left_over_ || joint == motion::Joint::kStop;
-  if (request.element.start == request.element.end) return;
-  CNC_ASSERT(ready_count_ < kMostReady);
-  const motion::Joint as_driven = stop_left_over_ ? motion::Joint::kStop : motion::Joint::kSmooth;
-  ready_[ready_count_++] = {.request = request, .joint = as_driven};
+  if (piece.request.element.start == piece.request.element.end) return;
+  piece.joint = stop_left_over_ ? motion::Joint::kStop : motion::Joint::kSmooth;
+  ++ready_count_;
   stop_left_over_ = false;
 }
 

@@ -57,14 +57,16 @@ class CornerRounder {
   [[nodiscard]] motion::SourceLine line() const;
 
  private:
-  void meet(const PathItem& item, const Corner& corner);
+  [[nodiscard]] const PathItem* newest() const;
+  void meet(const PathItem& item);
   void settle(float allowance_mm);
   void blend(float trim_mm, bool in_halves);
   void give_blend(const Blend& blend, motion::Joint joint, float trim_mm, bool in_halves);
   [[nodiscard]] float granted(float allowance_mm) const;
   [[nodiscard]] float without_crumbs(float trim_mm) const;
   void give_rest(const HeldItem& held, const Position& end, float left_mm);
-  void give(const motion::MotionRequest& request, motion::Joint joint);
+  [[nodiscard]] motion::MotionRequest& begin_giving(const HeldItem& held);
+  void give(motion::Joint joint);
 
   /// The rest of one element, a blend of two, and the one after.
   static constexpr std::size_t kMostReady = 4;
@@ -72,8 +74,9 @@ class CornerRounder {
   const motion::Limits& limits_;
   std::optional<HeldItem> first_{};
   std::optional<HeldItem> second_{};  ///< Only where the corner between them is to be rounded.
-  Corner corner_{};
-  std::optional<PathItem> last_{};  ///< The last that was given out without a corner after it.
+  Corner corner_{};                   ///< Between the two.
+  Corner next_corner_{};              ///< Before the item that is being put.
+  std::optional<PathItem> last_{};    ///< The last that was given out without a corner after it.
   std::array<PathPiece, kMostReady> ready_{};
   std::size_t ready_count_ = 0;
   std::size_t taken_ = 0;

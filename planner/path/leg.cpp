@@ -8,112 +8,88 @@
 namespace cnc::path {
 namespace {
 
-Vec2 rotated(const Vec2& vector, float angle) {
+/// A leg's tangent and normal, turned by an angle to the left.
+AxisVector turned(const Leg& leg, float angle) {
   const SinCos by = sin_cos(angle);
-  return by.cosine * vector + by.sine * left_normal(vector);
+  return sum_of(scaled(by.cosine, leg.tangent), by.sine, leg.normal);
 }
 
-/// An element in a plane: its arc, and how the other axes go along.
-struct Flat {
-  float length = 0.0F;
-  float curvature = 0.0F;
-  Vec2 start_tangent{1.0F, 0.0F};
-  Vec2 end_tangent{1.0F, 0.0F};
-  AxisArray<float> slope{};
-};
-
-std::optional<Flat> flat_in(const PathElement& element, Plane plane) {
-  if (element.bulge != 0.0F && element.plane != plane) return std::nullopt;
-  const PlaneAxes axes = axes_of(plane);
-  AxisArray<float> travel{};
-  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    travel[axis] = (element.end[axis] - element.start[axis]).mm();
-  }
-  const Vec2 chord{travel[axes.first], travel[axes.second]};
-  const auto arc = Arc::make(Vec2{0.0F, 0.0F}, chord, element.bulge);
-  if (!arc.ok()) return std::nullopt;
-  Flat flat{.length = arc.value().length().in_mm_and_s(),
-            .curvature = arc.value().curvature(),
-            .start_tangent = arc.value().start_tangent(),
-            .end_tangent = arc.value().end_tangent()};
-  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    const bool off_plane = axis != axes.first && axis != axes.second;
-    if (off_plane) flat.slope[axis] = travel[axis] / flat.length;
-  }
-  return flat;
-}
-
-AxisArray<float> straight_direction(const PathElement& element) {
-  AxisArray<float> travel{};
-  float sum = 0.0F;
-  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    travel[axis] = (element.end[axis] - element.start[axis]).mm();
-    sum += square(travel[axis]);
-  }
-  if (sum <= 0.0F) return travel;
-  const float scale = 1.0F / std::sqrt(sum);
-  for (float& share : travel) share *= scale;
-  return travel;
-}
-
-AxisArray<float> direction_of(const PathElement& element, bool at_end) {
-  if (element.bulge == 0.0F) return straight_direction(element);
-  const auto flat = flat_in(element, element.plane);
-  if (!flat) return straight_direction(element);
-  float sum = 1.0F;
-  for (const float share : flat->slope) sum += square(share);
-  const float scale = 1.0F / std::sqrt(sum);
-  const Vec2& tangent = at_end ? flat->end_tangent : flat->start_tangent;
-  AxisArray<float> direction = flat->slope;
-  direction[axes_of(element.plane).first] = tangent.x();
-  direction[axes_of(element.plane).second] = tangent.y();
-  for (float& share : direction) share *= scale;
+AxisVector straight_direction(const AxisVector& way) {
+  AxisVector direction = way;
+  const float length = norm(way);
+  if (length <= 0.0F) return direction;
+  for (float& share : direction) share /= length;
   return direction;
+}
+
+std::optional<Leg> leg_of(const PathElement& element, bool at_end) {
+  const AxisVector way = travel_between(element.start, element.end);
+  if (element.bulge == 0.0F) {
+    const float length = norm(way);
+    if (length <= 0.0F) return std::nullopt;
+    return Leg{.tangent = straight_direction(way), .length = length};
+  }
+  const ArcPlane& plane = element.plane;
+  const auto arc = Arc::make(Vec2{0.0F, 0.0F}, plane.seen(way), element.bulge);
+  if (!arc.ok()) return std::nullopt;
+  const Vec2 tangent = at_end ? arc.value().end_tangent() : arc.value().start_tangent();
+  Leg leg{.tangent = plane.vector(tangent),
+          .normal = plane.vector(left_normal(tangent)),
+          .off_plane = plane.off(way),
+          .curvature = arc.value().curvature(),
+          .length = arc.value().length().in_mm_and_s()};
+  for (float& share : leg.off_plane) share /= leg.length;
+  leg.plane_share = 1.0F / std::sqrt(1.0F + dot(leg.off_plane, leg.off_plane));
+  leg.length /= leg.plane_share;
+  return leg;
+}
+
+AxisVector direction_of(const PathElement& element, bool at_end) {
+  const auto leg = leg_of(element, at_end);
+  return leg ? leg->direction(0.0F)
+             : straight_direction(travel_between(element.start, element.end));
 }
 
 }  // namespace
 
-Vec2 Leg::place(float way) const {
+AxisVector Leg::place(float way) const {
+  if (curvature == 0.0F) return scaled(way, tangent);
   // The chord of that part of the circle: sin h / h times as long, turned by h.
-  const float half = 0.5F * curvature * way;
+  const float in_plane = way * plane_share;
+  const float half = 0.5F * curvature * in_plane;
   const bool flat = std::abs(half) < 1.0e-3F;
   const float share = flat ? 1.0F - square(half) * (1.0F / 6.0F) : sin_cos(half).sine / half;
-  return way * share * rotated(tangent, half);
+  return sum_of(scaled(in_plane * share, turned(*this, half)), in_plane, off_plane);
 }
 
-Vec2 Leg::tangent_at(float way) const { return rotated(tangent, curvature * way); }
-
-std::optional<Leg> leg_before(const PathElement& element, Plane plane) {
-  const auto flat = flat_in(element, plane);
-  if (!flat) return std::nullopt;
-  return Leg{flat->end_tangent, flat->curvature, flat->length, flat->slope};
+AxisVector Leg::direction(float way) const {
+  if (curvature == 0.0F) return tangent;
+  const AxisVector in_plane = turned(*this, curvature * way * plane_share);
+  return scaled(plane_share, sum_of(in_plane, 1.0F, off_plane));
 }
 
-std::optional<Leg> leg_after(const PathElement& element, Plane plane) {
-  const auto flat = flat_in(element, plane);
-  if (!flat) return std::nullopt;
-  return Leg{flat->start_tangent, flat->curvature, flat->length, flat->slope};
+/// The chord leaves the tangent by half of what the circle turns up to there.
+Leg leg_through(const AxisVector& tangent, const AxisVector& chord) {
+  const float length = norm(chord);
+  const auto frame = plane_through(tangent, scaled(1.0F / length, chord));
+  if (!frame) return {.tangent = tangent, .length = length};
+  const float along = std::abs(dot(chord, frame->first));
+  const float aside = dot(chord, frame->second);
+  return {.tangent = frame->first,
+          .normal = frame->second,
+          .curvature = 2.0F * aside / square(length),
+          .length = length * (atan2_f(aside, along) * length / aside)};
 }
 
-float length_in(const PathElement& element, Plane plane) {
-  const auto flat = flat_in(element, plane);
-  return flat ? flat->length : 0.0F;
+std::optional<Leg> leg_before(const PathElement& element) { return leg_of(element, true); }
+std::optional<Leg> leg_after(const PathElement& element) { return leg_of(element, false); }
+
+float length_of(const PathElement& element) {
+  const auto leg = leg_of(element, false);
+  return leg ? leg->length : 0.0F;
 }
 
-Position place_on(const Leg& leg, Plane plane, const Position& corner, float way) {
-  const PlaneAxes axes = axes_of(plane);
-  const Vec2 offset = leg.place(way);
-  Position place = corner;
-  for (std::size_t axis = 0; axis < kAxisCount; ++axis)
-    place[axis] += from_mm(leg.slope[axis] * way);
-  place[axes.first] = corner[axes.first] + from_mm(offset.x());
-  place[axes.second] = corner[axes.second] + from_mm(offset.y());
-  return place;
-}
-
-AxisArray<float> start_direction(const PathElement& element) {
-  return direction_of(element, false);
-}
-AxisArray<float> end_direction(const PathElement& element) { return direction_of(element, true); }
+AxisVector start_direction(const PathElement& element) { return direction_of(element, false); }
+AxisVector end_direction(const PathElement& element) { return direction_of(element, true); }
 
 }  // namespace cnc::path

@@ -27,6 +27,8 @@ struct PathItem {
   /// Part of one curve with the element before it: a turn that rounded places
   /// explain is none.
   bool continues = false;
+  /// How far the places that lie before its start, and were left out, may be from it.
+  float aside_mm = 0.0F;
 };
 
 /// An element to be driven.

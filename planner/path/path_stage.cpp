@@ -7,16 +7,23 @@ namespace cnc::path {
 void PathStage::put(const PathItem& item) {
   CNC_ASSERT(has_room());
   flushing_ = false;
+  short_.put(item);
+  if (const PathItem* const settled = short_.next()) put_in_row(*settled);
+  static_cast<void>(move_on());
+}
+
+/// @pre row_takes()
+void PathStage::put_in_row(const PathItem& item) {
   if (row_.empty()) {
     row_.begin(item);
   } else if (!row_.add(item)) {
     row_.close();
     next_ = item;
   }
-  static_cast<void>(move_on());
 }
 
 void PathStage::clear() {
+  short_.clear();
   row_.clear();
   next_.reset();
   welder_.clear();
@@ -31,7 +38,7 @@ void PathStage::hurry(bool stands) {
 motion::SourceLine PathStage::line() const {
   if (!rounder_.empty()) return rounder_.line();
   if (!welder_.empty()) return welder_.line();
-  return row_.empty() ? motion::SourceLine{} : row_.item().request.line;
+  return row_.empty() ? short_.line() : row_.item().request.line;
 }
 
 void PathStage::row_left() {
@@ -43,7 +50,14 @@ void PathStage::row_left() {
 
 /// One item from where it waits to where it goes next; false when none can go.
 bool PathStage::move_on() {
-  if (flushing_) row_.close();
+  if (flushing_ && short_.has_room()) short_.flush();
+  if (row_takes()) {
+    if (const PathItem* const settled = short_.next()) {
+      put_in_row(*settled);
+      return true;
+    }
+  }
+  if (flushing_ && short_.empty()) row_.close();
   const PathItem* const waiting = row_.closed() ? &row_.item() : nullptr;
   if (rounder_.has_room()) {
     if (const PathItem* const item = welder_.next()) {
@@ -69,12 +83,13 @@ bool PathStage::move_on() {
 
 const PathPiece* PathStage::next() {
   // As many as one item may need to go all the way.
-  constexpr int kMostMoves = 4;
+  constexpr int kMostMoves = 5;
   for (int i = 0; i < kMostMoves; ++i) {
     if (const PathPiece* const piece = rounder_.next()) return piece;
     if (!move_on()) break;
   }
-  const bool all = flushing_ && row_.empty() && welder_.empty() && rounder_.has_room();
+  const bool all =
+      flushing_ && short_.empty() && row_.empty() && welder_.empty() && rounder_.has_room();
   if (all) rounder_.flush();
   if (rounder_.empty()) flushing_ = flushing_ && !empty();
   return rounder_.next();

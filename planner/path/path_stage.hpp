@@ -5,13 +5,14 @@
 
 #include "planner/path/corner_rounder.hpp"
 #include "planner/path/pixel_row.hpp"
+#include "planner/path/short_lines.hpp"
 #include "planner/path/welder.hpp"
 
 namespace cnc::path {
 
-/// From the programmed path to the one that is driven: lines that go straight on are
-/// gathered, short ones welded, corners rounded or made stops; elements in, elements
-/// out. Some are held back until those after them are known.
+/// From the programmed path to the one that is driven: lines too short for a step are taken by the
+/// next, lines that go straight on are gathered, short ones welded, corners rounded or made stops;
+/// elements in, elements out. Some are held back until those after them are known.
 ///
 /// Main loop only. No call does more than a bounded amount of work.
 class PathStage {
@@ -19,9 +20,9 @@ class PathStage {
   /// @param limits must outlive this.
   /// @param pixels of rows that are gathered; null to gather none. Must outlive this.
   explicit PathStage(const motion::Limits& limits, motion::Pixels* pixels = nullptr)
-      : row_{pixels}, rounder_{limits} {}
+      : short_{limits}, row_{pixels}, rounder_{limits} {}
 
-  [[nodiscard]] bool has_room() const { return !next_ && !row_.closed() && row_.has_room(); }
+  [[nodiscard]] bool has_room() const { return short_.has_room() && row_takes(); }
   /// Takes an element that moves. @pre has_room(), and it begins where the one
   /// before ended
   void put(const PathItem& item);
@@ -41,14 +42,19 @@ class PathStage {
   /// Forgets all that is held.
   void clear();
 
-  [[nodiscard]] bool empty() const { return row_.empty() && welder_.empty() && rounder_.empty(); }
+  [[nodiscard]] bool empty() const {
+    return short_.empty() && row_.empty() && welder_.empty() && rounder_.empty();
+  }
   /// Source line of the oldest element held; 0 for none.
   [[nodiscard]] motion::SourceLine line() const;
 
  private:
+  [[nodiscard]] bool row_takes() const { return !next_ && !row_.closed() && row_.has_room(); }
+  void put_in_row(const PathItem& item);
   [[nodiscard]] bool move_on();
   void row_left();
 
+  ShortLines short_;
   PixelRow row_;
   std::optional<PathItem> next_{};  ///< Does not go on with the row.
   Welder welder_{};

@@ -28,40 +28,48 @@ constexpr float kSameWayCosine = 0.955F;
 /// No radius below so many tolerances.
 constexpr float kLeastRadii = 4.0F;
 
-std::optional<Plane> plane_of(const PathElement& element) {
-  AxisArray<bool> moves{};
-  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    moves[axis] = element.start[axis] != element.end[axis];
-    if (moves[axis] && axis >= kLinearAxisCount) return std::nullopt;
-  }
-  for (const Plane plane : {Plane::kXY, Plane::kZX, Plane::kYZ}) {
-    if (!moves[axes_of(plane).normal]) return plane;
-  }
-  return std::nullopt;
+Vec3 way_between(const Position& from, const Position& to) {
+  return {(to[0] - from[0]).mm(), (to[1] - from[1]).mm(), (to[2] - from[2]).mm()};
 }
 
-Vec2 flat_travel(const Position& from, const Position& to, Plane plane) {
-  const PlaneAxes axes = axes_of(plane);
-  return {(to[axes.first] - from[axes.first]).mm(), (to[axes.second] - from[axes.second]).mm()};
+AxisVector along_axes(const Vec3& vector) { return {vector.x(), vector.y(), vector.z()}; }
+
+bool moves_linear_axes_only(const PathElement& element) {
+  for (std::size_t axis = kLinearAxisCount; axis < kAxisCount; ++axis) {
+    if (element.start[axis] != element.end[axis]) return false;
+  }
+  return true;
 }
 
 bool can_be_welded(const PathItem& item) {
   const motion::MotionRequest& request = item.request;
   if (item.tolerance.weld_mm < kLeastToleranceMm || request.fixed_feed) return false;
   if (request.element.bulge != 0.0F || request.feed_mm_s <= 0.0F) return false;
-  if (request.row.any()) return false;
-  const auto plane = plane_of(request.element);
-  return plane &&
-         flat_travel(request.element.start, request.element.end, *plane).norm() <= kLongestLineMm;
+  if (request.row.any() || !moves_linear_axes_only(request.element)) return false;
+  return way_between(request.element.start, request.element.end).norm() <= kLongestLineMm;
 }
 
-FanCircle middle_of(const CircleFan::Through& through) {
-  return {.curvature = 0.5F * (through.low.curvature + through.high.curvature),
-          .slope = 0.5F * (through.low.slope + through.high.slope)};
+/// The first coordinate plane in which a way lies.
+std::optional<Plane> plane_of(const Vec3& way) {
+  for (const Plane plane : {Plane::kXY, Plane::kZX, Plane::kYZ}) {
+    if (way[static_cast<int>(axes_of(plane).normal)] == 0.0F) return plane;
+  }
+  return std::nullopt;
 }
 
-bool narrow_enough(const Vec2& here, float slope) {
-  const Vec2 tangent{1.0F, slope};
+/// A frame in a coordinate plane, along a direction in it.
+FitFrame frame_in(Plane plane, const Vec3& ahead) {
+  const auto first = static_cast<int>(axes_of(plane).first);
+  const auto second = static_cast<int>(axes_of(plane).second);
+  FitFrame frame{.ahead = ahead, .left = {0.0F, 0.0F, 0.0F}, .up = {0.0F, 0.0F, 0.0F}};
+  frame.left[first] = -ahead[second];
+  frame.left[second] = ahead[first];
+  frame.up[static_cast<int>(axes_of(plane).normal)] = 1.0F;
+  return frame;
+}
+
+bool narrow_enough(const Vec3& here, const FitCircle& circle) {
+  const Vec3 tangent = circle.tangent();
   const float along = tangent.dot(here);
   return along > 0.0F && along * along >= kWidestCosine * kWidestCosine * tangent.squaredNorm() *
                                               here.squaredNorm();
@@ -72,11 +80,9 @@ bool narrow_enough(const Vec2& here, float slope) {
 bool Welder::alike(const PathItem& item) const {
   const motion::MotionRequest& a = chain_.request;
   const motion::MotionRequest& b = item.request;
-  const std::size_t normal = axes_of(plane_).normal;
   return a.feed_mm_s == b.feed_mm_s && a.beam == b.beam && !b.outputs.any() &&
          chain_.tolerance.corner_mm == item.tolerance.corner_mm &&
-         chain_.tolerance.weld_mm == item.tolerance.weld_mm &&
-         b.element.start[normal] == b.element.end[normal];
+         chain_.tolerance.weld_mm == item.tolerance.weld_mm;
 }
 
 bool Welder::takes(const PathItem& item) const {
@@ -90,15 +96,15 @@ void Welder::put(const PathItem& item) {
   if (empty() && !goes_on) {
     chain_ = item;
     given_out_ = false;
-    plane_ = plane_of(element).value_or(Plane::kXY);
+    plane_.reset();
     from_ = element.start;
     known_direction_ = false;
   }
   if (empty()) line_ = item.request.line;
-  const PlaneAxes axes = axes_of(plane_);
-  points_[(oldest_ + count_) % kMostHeld] = {.first = element.end[axes.first],
-                                             .second = element.end[axes.second],
-                                             .line = item.request.line};
+  points_[(oldest_ + count_) % kMostHeld] = {
+      .place = {element.end[0], element.end[1], element.end[2]},
+      .aside_mm = item.aside_mm,
+      .line = item.request.line};
   ++count_;
 }
 
@@ -123,98 +129,98 @@ const PathItem* Welder::next() {
   return nullptr;
 }
 
-Vec2 Welder::travel_to(const Point& point) const {
-  const PlaneAxes axes = axes_of(plane_);
-  return {(point.first - from_[axes.first]).mm(), (point.second - from_[axes.second]).mm()};
-}
+Vec3 Welder::way_to(const Point& point) const { return way_between(from_, place_of(point)); }
 
+/// Returns a way along X Y Z; the other axes do not move.
 Position Welder::place_of(const Point& point) const {
-  const PlaneAxes axes = axes_of(plane_);
   Position place = from_;
-  place[axes.first] = point.first;
-  place[axes.second] = point.second;
+  std::copy(point.place.begin(), point.place.end(), place.begin());
   return place;
 }
 
-Vec2 Welder::seen(const Point& point) const {
-  const Vec2 offset = travel_to(point);
-  return {offset.dot(ahead_), cross(ahead_, offset)};
-}
-
-float Welder::tolerance_at(const Vec2& here) const {
-  return chain_.tolerance.weld_mm - kPointRoundingMm - kPointRelativeError * here.norm();
+/// Returns the tolerance of the line to a point, which the fit sees there.
+float Welder::tolerance_of(const Point& point, const Vec3& here) const {
+  constexpr float kLeast = 1.0e-6F;
+  const float tolerance =
+      chain_.tolerance.weld_mm - kPointRoundingMm - kPointRelativeError * here.norm();
+  return std::max(kLeast, tolerance - point.aside_mm);
 }
 
 void Welder::begin_fit() {
-  const Vec2 chord = travel_to(point(0));
-  const float length = chord.norm();
-  const bool same_way = known_direction_ && chord.dot(ahead_) >= kSameWayCosine * length;
+  const Vec3 way = way_to(point(0));
+  const float length = way.norm();
+  const bool same_way =
+      known_direction_ && (is_short(length) || way.dot(ahead_) >= kSameWayCosine * length);
   if (!same_way) {
     known_direction_ = false;
-    ahead_ = length > 0.0F ? Vec2{chord / length} : Vec2{1.0F, 0.0F};
+    towards_ = {0.0F, 0.0F, 0.0F};
+    ahead_ = length > 0.0F ? Vec3{way / length} : Vec3{1.0F, 0.0F, 0.0F};
   }
-  fan_.open(1.0F / (kLeastRadii * chain_.tolerance.weld_mm));
+  choose_plane(way);
+  fit_.begin(plane_ ? frame_in(*plane_, ahead_) : frame_in_space(ahead_, towards_),
+             1.0F / (kLeastRadii * chain_.tolerance.weld_mm));
   looked_at_ = points_fitted_ = 0;
-  last_ = {0.0F, 0.0F};
-  chord_passed_ = 0.0F;
+  last_ = last_chord_ = {0.0F, 0.0F, 0.0F};
+  reached_mm_ = 0.0F;
+  aside_mm_ = point(0).aside_mm;
   farthest_ = {};
   smooth_ = {};
   fitting_ = true;
 }
 
+/// Chooses the plane of the fit before if the way and its direction lie in it, too; else another,
+/// or none.
+void Welder::choose_plane(const Vec3& way) {
+  const auto lies_in = [&](Plane plane) {
+    const auto normal = static_cast<int>(axes_of(plane).normal);
+    return way[normal] == 0.0F && ahead_[normal] == 0.0F;
+  };
+  if (plane_ && lies_in(*plane_)) return;
+  plane_ = plane_of(way);
+  if (plane_ && !lies_in(*plane_)) plane_.reset();
+}
+
 /// The way from the start grows, so that nothing is driven past and no point
-/// lies beyond the end.
-bool Welder::goes_on(const Vec2& here, const Vec2& chord) const {
-  if (points_fitted_ == 0) return true;
+/// lies beyond the end. A short line may go anywhere, as long as the circles pass its end: programs
+/// on a grid, and offsets, have steps aside that are none of the curve's.
+bool Welder::goes_on(const Vec3& here, const Vec3& chord) const {
+  if (plane_ && here.z() != 0.0F) return false;
+  if (points_fitted_ == 0 || is_short(chord.norm())) return true;
   const float both = std::sqrt(chord.squaredNorm() * last_chord_.squaredNorm());
   if (chord.dot(last_chord_) < kSharpTurnCosine * both) return false;
   return chord.dot(last_) >= 0.0F && here.norm() <= kFarthestMm;
 }
 
-/// The circles must pass the point, and both ends of the chord to it. An end that a longer
-/// chord has been passed at is passed at this one, too: so a little more is asked for, and
-/// lines of nearly the same length do not each ask for the same again.
-void Welder::pass(const Vec2& here, float chord_mm) {
-  constexpr float kAlike = 1.05F;
-  const float within = tolerance_at(here);
-  if (chord_mm > chord_passed_) fan_.pass_chord(last_, chord_mm, within);
-  fan_.pass(here, within);
-  chord_passed_ = kAlike * chord_mm;
-  fan_.pass_chord(here, chord_passed_, within);
-}
-
 /// Takes the next point into the fit; false when there it ends.
 bool Welder::look() {
-  const Vec2 here = seen(point(looked_at_));
-  const Vec2 chord = here - last_;
+  const Vec3 here = fit_.frame().seen(way_to(point(looked_at_)));
+  const Vec3 chord = here - last_;
   if (!goes_on(here, chord)) return false;
-  pass(here, chord.norm());
-  if (fan_.empty()) return false;
+  fit_.pass(here, tolerance_of(point(looked_at_), here));
+  if (fit_.empty()) return false;
   ++looked_at_;
   ++points_fitted_;
   last_ = here;
-  last_chord_ = chord;
-  note_reach(here);
+  if (!is_short(chord.norm())) last_chord_ = chord;
+  const float way_mm = here.norm();
+  if (way_mm >= reached_mm_) note_reach(here);
+  reached_mm_ = std::max(reached_mm_, way_mm);
   forget_points();
   return true;
 }
 
-/// A line if one will do, else the middle of what the tolerance leaves.
-void Welder::note_reach(const Vec2& here) {
-  const auto through = fan_.through(here);
-  if (!through) return;
-  Reach reach{.points = points_fitted_,
-              .index = looked_at_,
-              .end = point(looked_at_ - 1),
-              .seen = here,
-              .circle = middle_of(*through)};
-  const bool straight = through->low.curvature * through->high.curvature <= 0.0F;
-  if (straight && here.x() > 0.0F) reach.circle = {.curvature = 0.0F, .slope = here.y() / here.x()};
-  if (narrow_enough(here, reach.circle.slope)) farthest_ = reach;
-  const bool same_way = through->low.slope <= 0.0F && through->high.slope >= 0.0F;
-  if (!known_direction_ || !same_way || !narrow_enough(here, 0.0F)) return;
-  reach.circle = {.curvature = 2.0F * here.y() / here.squaredNorm(), .slope = 0.0F};
+void Welder::note_reach(const Vec3& here) {
+  const auto ending = fit_.ending_at(here);
+  if (!ending) return;
+  const Reach reach{.points = points_fitted_,
+                    .index = looked_at_,
+                    .end = point(looked_at_ - 1),
+                    .seen = here,
+                    .circle = ending->best};
+  if (narrow_enough(here, reach.circle)) farthest_ = reach;
+  if (!known_direction_ || !ending->smooth || !narrow_enough(here, *ending->smooth)) return;
   smooth_ = reach;
+  smooth_.circle = *ending->smooth;
 }
 
 /// Of the points only those after the ends that may be chosen are still needed.
@@ -238,31 +244,49 @@ void Welder::finish() {
   Reach reach = smooth ? smooth_ : farthest_;
   if (reach.points == 0) {
     // Not even one point is within reach of a circle: the line to it, as it is.
-    reach = {.points = 1, .index = 1, .end = point(0), .seen = seen(point(0))};
-    reach.circle.slope = reach.seen.y() / std::max(reach.seen.x(), 1.0e-9F);
+    reach = {.points = 1, .index = 1, .end = point(0)};
+    reach.seen = fit_.frame().seen(way_to(point(0)));
+    const float ahead = std::max(reach.seen.x(), 1.0e-9F);
+    reach.circle = {{0.0F, reach.seen.y() / ahead}, {0.0F, reach.seen.z() / ahead}};
   }
   motion::MotionRequest& piece = chain_.request;
   chain_.continues = smooth;
+  chain_.aside_mm = aside_mm_;
   if (given_out_) piece.outputs = {};
   given_out_ = true;
   piece.line = line_;
-  piece.element = {.start = from_, .end = place_of(reach.end), .plane = plane_};
-  if (reach.circle.curvature != 0.0F) {
-    piece.element.bulge = bulge_between(Vec2{1.0F, reach.circle.slope}, reach.seen);
-  }
+  piece.element = element_to(reach);
   hurries_ = false;
   go_to(reach);
   if (!empty()) line_ = point(0).line;
 }
 
+PathElement Welder::element_to(const Reach& reach) const {
+  PathElement element{.start = from_, .end = place_of(reach.end)};
+  if (plane_) element.plane = *plane_;
+  if (reach.circle.straight()) return element;
+  const Vec3 tangent = reach.circle.tangent();
+  if (plane_) {
+    element.bulge = bulge_between(Vec2{1.0F, tangent.y()}, Vec2{reach.seen.x(), reach.seen.y()});
+    return element;
+  }
+  const AxisVector start = along_axes(fit_.frame().way(tangent.normalized()));
+  const AxisVector chord = along_axes(fit_.frame().way(reach.seen.normalized()));
+  const auto frame = plane_through(start, chord);
+  if (!frame) return element;  // It turns by less than rounding.
+  element.plane = ArcPlane{*frame};
+  element.bulge = bulge_between(Vec2{1.0F, 0.0F}, element.plane.seen(element.start, element.end));
+  return element;
+}
+
 /// The end's direction is the start's, mirrored at the chord.
 void Welder::go_to(const Reach& reach) {
-  const Vec2 chord = reach.seen.normalized();
-  const Vec2 tangent = Vec2{1.0F, reach.circle.slope}.normalized();
-  const Vec2 end =
-      reach.circle.curvature != 0.0F ? Vec2{2.0F * tangent.dot(chord) * chord - tangent} : chord;
-  const Vec2 ahead = end.x() * ahead_ + end.y() * left_normal(ahead_);
-  ahead_ = ahead.normalized();
+  const Vec3 chord = reach.seen.normalized();
+  const Vec3 tangent = reach.circle.tangent().normalized();
+  const Vec3 end =
+      reach.circle.straight() ? chord : Vec3{2.0F * tangent.dot(chord) * chord - tangent};
+  ahead_ = fit_.frame().way(end).normalized();
+  towards_ = fit_.frame().way(end - tangent);
   from_ = place_of(reach.end);
   known_direction_ = true;
   fitting_ = false;

@@ -3,8 +3,9 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 
-#include "planner/path/circle_fan.hpp"
+#include "planner/path/circle_fit.hpp"
 #include "planner/path/path_item.hpp"
 
 namespace cnc::path {
@@ -12,17 +13,19 @@ namespace cnc::path {
 /// Welds chains of short lines into arcs and lines, as few as it can find:
 /// LinuxCNC's naive-CAM tolerance (G64 Q), with arcs.
 ///
-/// A chain is of lines in one coordinate plane with the same feed, beam and
-/// tolerance and no outputs between them. Each arc or line begins and ends in
+/// A chain is of lines of X Y Z with the same feed, beam and tolerance and no outputs
+/// between them. As long as they lie in a coordinate plane, their arcs do, too; where they
+/// leave it, arcs of any plane begin. Each arc or line begins and ends in
 /// a programmed point, so ends are met exactly, and goes on as far as the
-/// points stay within the tolerance: the set of all circles that do (CircleFan)
+/// points stay within the tolerance: the set of all circles that do (CircleFit)
 /// shrinks with each point, so that points need not be kept and each costs the
 /// same. The arc goes on in the direction of the one before where that takes it
 /// at least half as far as it could get.
 ///
 /// Guarantees: no point of the chain is farther than the tolerance from what is
 /// driven, and no driven point farther than that from the chain. Where the
-/// chain turns by more than kSharpTurn it is not welded: that is a corner.
+/// chain turns by more than kSharpTurn it is not welded: that is a corner, but for lines that are
+/// shorter than the tolerance.
 class Welder {
  public:
   static constexpr std::size_t kMostHeld = 40;
@@ -51,10 +54,10 @@ class Welder {
   [[nodiscard]] motion::SourceLine line() const { return empty() ? motion::SourceLine{} : line_; }
 
  private:
-  /// An end of a line, as far as it differs from those before: in the plane of the chain.
+  /// An end of a line.
   struct Point {
-    Coordinate first{};
-    Coordinate second{};
+    std::array<Coordinate, kLinearAxisCount> place{};
+    float aside_mm = 0.0F;  ///< As PathItem has it.
     motion::SourceLine line{};
   };
   /// An end that could be reached.
@@ -62,33 +65,34 @@ class Welder {
     std::size_t points = 0;  ///< From the start of the fit; 0 for none.
     std::size_t index = 0;   ///< Of those held, how many it goes past.
     Point end{};
-    Vec2 seen{0.0F, 0.0F};
-    FanCircle circle{};
+    Vec3 seen{0.0F, 0.0F, 0.0F};
+    FitCircle circle{};
   };
 
   void begin_fit();
   [[nodiscard]] bool look();
-  [[nodiscard]] bool goes_on(const Vec2& here, const Vec2& chord) const;
-  void pass(const Vec2& here, float chord_mm);
-  void note_reach(const Vec2& here);
+  void choose_plane(const Vec3& way);
+  [[nodiscard]] bool goes_on(const Vec3& here, const Vec3& chord) const;
+  void note_reach(const Vec3& here);
   void finish();
+  [[nodiscard]] PathElement element_to(const Reach& reach) const;
   void go_to(const Reach& reach);
   void forget_points();
   void forget_first(std::size_t count);
   [[nodiscard]] bool alike(const PathItem& item) const;
-  [[nodiscard]] float tolerance_at(const Vec2& here) const;
+  [[nodiscard]] float tolerance_of(const Point& point, const Vec3& here) const;
+  /// Returns whether no place of a line of this length can leave the tolerance.
+  [[nodiscard]] bool is_short(float mm) const { return mm <= chain_.tolerance.weld_mm; }
   [[nodiscard]] const Point& point(std::size_t index) const {
     return points_[(oldest_ + index) % kMostHeld];
   }
-  [[nodiscard]] Vec2 travel_to(const Point& point) const;
-  [[nodiscard]] Vec2 seen(const Point& point) const;
+  [[nodiscard]] Vec3 way_to(const Point& point) const;
   [[nodiscard]] Position place_of(const Point& point) const;
 
   static constexpr int kMostLooks = 8;
 
   PathItem chain_{};        ///< What all have in common; the piece given out last.
   bool given_out_ = false;  ///< One was: the outputs before the chain went with it.
-  Plane plane_ = Plane::kXY;
   std::array<Point, kMostHeld> points_{};
   std::size_t oldest_ = 0;
   std::size_t count_ = 0;
@@ -98,15 +102,18 @@ class Welder {
 
   // The fit, from `from_` in the direction `ahead_`.
   Position from_{};
-  Vec2 ahead_{1.0F, 0.0F};
-  bool known_direction_ = false;  ///< `ahead_` is where the piece before ended.
+  Vec3 ahead_{1.0F, 0.0F, 0.0F};
+  Vec3 towards_{0.0F, 0.0F, 0.0F};  ///< As the piece before bent; null where it did not.
+  bool known_direction_ = false;    ///< `ahead_` is where the piece before ended.
   bool fitting_ = false;
-  CircleFan fan_{};
+  std::optional<Plane> plane_{};  ///< Holds all points of the fit; empty in space.
+  CircleFit fit_{};
   std::size_t looked_at_ = 0;  ///< Of the points held.
   std::size_t points_fitted_ = 0;
-  Vec2 last_{0.0F, 0.0F};
-  Vec2 last_chord_{0.0F, 0.0F};
-  float chord_passed_ = 0.0F;  ///< mm, of the chords at the last point that the fit allows for.
+  Vec3 last_{0.0F, 0.0F, 0.0F};
+  Vec3 last_chord_{0.0F, 0.0F, 0.0F};  ///< That was not short; null for none.
+  float reached_mm_ = 0.0F;            ///< From the start, by any point so far.
+  float aside_mm_ = 0.0F;              ///< As PathItem has it, for the line at the start.
   Reach farthest_{};
   Reach smooth_{};  ///< In the direction of the piece before.
 };

@@ -32,9 +32,9 @@ bool joins(const motion::Limits& limits,
 }
 
 /// Returns whether the chord of an element, turned by 90 degrees, can be counted in steps of the
-/// axes that it then lies along.
+/// axes that it then lies along. Only the path stage makes oblique arcs, from shorter lines.
 bool turns_within(const motion::Limits& limits, const PathElement& element) {
-  if (element.bulge == 0.0F) return true;
+  if (element.bulge == 0.0F || element.plane.oblique()) return true;
   const PlaneAxes axes = axes_of(element.plane);
   return limits.scale[axes.first].reaches(element.end[axes.second] - element.start[axes.second]) &&
          limits.scale[axes.second].reaches(element.end[axes.first] - element.start[axes.first]);

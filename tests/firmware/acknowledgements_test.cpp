@@ -36,7 +36,7 @@ class AcknowledgementsTest : public ControllerTest {
 
 TEST_F(AcknowledgementsTest, NoTextOfTheTablesCouldBeCounted) {
   for (const SettingInfo& info : setting_table()) {
-    for (const char* text : {info.name, info.unit, info.format, info.help.text}) {
+    for (const char* text : {info.name, info.unit, info.format, info.help.text()}) {
       EXPECT_FALSE(could_be_counted(text)) << text;
       EXPECT_EQ(std::string_view{text}.find_first_of("|[]"), std::string_view::npos) << text;
     }

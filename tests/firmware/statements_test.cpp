@@ -33,7 +33,7 @@ TEST_F(StatementsTest, Help) {
 }
 
 TEST_F(StatementsTest, ListSettingsAsNumbers) {
-  const SettingInfo& watchdog = *find_setting(setting::kLinkWatchdog);
+  const SettingInfo watchdog = *find_setting(setting::kLinkWatchdog);
   EXPECT_TRUE(machine.change_setting(watchdog.number, watchdog.standard).ok());
   const Lines lines = lines_of("$$");
   ASSERT_EQ(lines.size(), setting_table().size() + 1);

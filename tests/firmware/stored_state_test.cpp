@@ -16,7 +16,7 @@ class StoredStateTest : public testing::Test {
  protected:
   hal::host::MemoryStore store;
   StoredState state{store};
-  const SettingInfo& rate = *find_setting(110);
+  const SettingInfo rate = *find_setting(110);
 };
 
 TEST_F(StoredStateTest, KeepsWhatDiffersFromTheDeliveredState) {

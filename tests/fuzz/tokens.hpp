@@ -120,7 +120,7 @@ inline std::string_view statement_token(std::uint8_t which) {
 /// standard or the greatest one, or another.
 inline std::string setting_token(std::uint8_t which, std::uint8_t value) {
   const auto table = cnc::setting_table();
-  const cnc::SettingInfo& info = table[which % table.size()];
+  const cnc::SettingInfo info = table[which % table.size()];
   const float share = static_cast<float>(value) / 255.0F;
   float wanted = info.least + share * share * (info.most - info.least);
   if (value == 0) wanted = info.standard;

@@ -39,11 +39,9 @@ Cell cell_at(const RecordedPlan& plan, std::size_t first, double longest_s) {
 Vector bend_rate_of(const ExactBlock& block, const Vector& tangent, const Vector& bend) {
   Vector rate{};
   if (!block.turns()) return rate;
-  const cnc::PlaneAxes axes = block.plane();
-  const double share = std::hypot(tangent[axes.first], tangent[axes.second]);
-  const double turn = norm(bend) / share;  // Radians per mm of path.
-  for (const std::size_t axis : {axes.first, axes.second})
-    rate[axis] = -turn * turn * tangent[axis];
+  rate = block.in_plane(tangent);
+  const double turn = norm(bend) / norm(rate);  // Radians per mm of path.
+  for (double& share : rate) share *= -turn * turn;
   return rate;
 }
 

@@ -87,7 +87,6 @@ TEST(JerkLimitedPrograms, KeepEveryLimitOnSplinesToo) {
   const Trials trials{300};
   Worst worst;
   for (const std::uint64_t seed : trials) {
-    if (is_known(kSplineExcess, seed)) continue;
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     Random random{seed};
     const Job job{random, {.splines = true}};

@@ -18,22 +18,14 @@ struct KnownExcess {
 };
 
 /// Operators that change the pace where a curve needs all jerk: Job and Meddler.
-inline constexpr std::array<KnownExcess, 5> kOperatorExcess{{
+inline constexpr std::array<KnownExcess, 2> kOperatorExcess{{
     {3008, 1.0374444, 1.0040653, 0.0},
-    {2476, 1.0031062, 0.0, 0.0},
     {3593, 1.0025564, 0.0, 0.0},
-    {2637, 1.0025054, 0.0, 0.0},
-    {4499, 1.0010073, 0.0, 0.0},
 }};
 
 /// Programs without a limit of jerk: WeldedJob.
 inline constexpr std::array<KnownExcess, 1> kProgramExcess{{
-    {54'432, 0.0, 0.0, 1.0015908},
-}};
-
-/// Programs with splines: Job.
-inline constexpr std::array<KnownExcess, 1> kSplineExcess{{
-    {250'041'760, 1.0036270, 0.0, 0.0},
+    {54'432, 0.0, 0.0, 1.0032552},
 }};
 
 [[nodiscard]] inline bool is_known(std::span<const KnownExcess> known, std::uint64_t seed) {

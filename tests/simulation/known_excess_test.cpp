@@ -40,16 +40,6 @@ TEST(KnownExcess, OfOperatorsNeitherGrowsNorIsGone) {
   }
 }
 
-TEST(KnownExcess, OfSplinesNeitherGrowsNorIsGone) {
-  for (const KnownExcess& known : kSplineExcess) {
-    Random random{known.seed};
-    const Job job{random, {.splines = true}};
-    const RecordedPlan plan = drive(job.program, job.machine);
-    expect_known(known.seed, "jerk", greatest_jerk(plan, job.machine).value, known.jerk);
-    expect_figures(known, check_plan(plan, job.machine, Sampling::kAtSlicesOnly));
-  }
-}
-
 TEST(KnownExcess, OfProgramsNeitherGrowsNorIsGone) {
   for (const KnownExcess& known : kProgramExcess) {
     Random random{known.seed};

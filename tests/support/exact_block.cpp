@@ -18,22 +18,65 @@ Vector to_mm(const cnc::Position& position) {
   return place;
 }
 
+namespace {
+
+double dot(const Vector& a, const Vector& b) {
+  double sum = 0.0;
+  for (std::size_t axis = 0; axis < a.size(); ++axis) sum += a[axis] * b[axis];
+  return sum;
+}
+
+/// a + share · b.
+Vector sum_of(const Vector& a, double share, const Vector& b) {
+  Vector sum = a;
+  for (std::size_t axis = 0; axis < a.size(); ++axis) sum[axis] += share * b[axis];
+  return sum;
+}
+
+Vector divided(const Vector& vector, double by) {
+  Vector quotient = vector;
+  for (double& part : quotient) part /= by;
+  return quotient;
+}
+
+/// Returns the part of `vector` at right angles to the unit vector `other`, with length 1.
+Vector unit_beside(const Vector& vector, const Vector& other) {
+  const Vector beside = sum_of(vector, -dot(vector, other), other);
+  return divided(beside, norm(beside));
+}
+
+}  // namespace
+
 ExactBlock::ExactBlock(const cnc::PathElement& element)
-    : start_{to_mm(element.start)}, plane_{element.plane}, axes_{cnc::axes_of(element.plane)} {
+    : start_{to_mm(element.start)},
+      plane_{element.plane.holding(cnc::travel_between(element.start, element.end))} {
   for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
     const cnc::Coordinate travel = element.end[axis] - element.start[axis];
     travel_[axis] = static_cast<double>(travel.nanometres()) * 1.0e-6;
+    first_[axis] = static_cast<double>(plane_.frame().first[axis]);
+    second_[axis] = static_cast<double>(plane_.frame().second[axis]);
   }
-  chord_ = std::hypot(travel_[axes_.first], travel_[axes_.second]);
+  // In single precision they are only nearly at right angles to each other, and hold the chord.
+  first_ = unit_beside(plane_.oblique() ? travel_ : first_, {});
+  second_ = unit_beside(second_, first_);
+  const double x = dot(travel_, first_);
+  const double y = dot(travel_, second_);
+  chord_ = std::hypot(x, y);
   if (element.bulge != 0.0F && chord_ > 0.0) {
     half_sweep_ = 2.0 * std::atan(static_cast<double>(element.bulge));
-    chord_angle_ = std::atan2(travel_[axes_.second], travel_[axes_.first]);
+    chord_angle_ = std::atan2(y, x);
   }
   plane_length_ = turns() ? chord_ * half_sweep_ / std::sin(half_sweep_) : chord_;
-  Vector straight = travel_;
-  straight[axes_.first] = 0.0;
-  straight[axes_.second] = 0.0;
-  length_ = std::hypot(norm(straight), plane_length_);
+  off_plane_ = sum_of(travel_, -1.0, in_plane(travel_));
+  length_ = std::hypot(norm(off_plane_), plane_length_);
+}
+
+Vector ExactBlock::in_plane(const Vector& vector) const {
+  return seen_as(dot(vector, first_), dot(vector, second_));
+}
+
+Vector ExactBlock::seen_as(double x, double y) const {
+  return sum_of(sum_of({}, x, first_), y, second_);
 }
 
 double ExactBlock::radius() const {
@@ -41,45 +84,38 @@ double ExactBlock::radius() const {
 }
 
 Vector ExactBlock::place_at(double fraction) const {
-  Vector place = start_;
-  for (std::size_t axis = 0; axis < place.size(); ++axis) place[axis] += travel_[axis] * fraction;
-  if (!turns()) return place;
+  if (!turns()) return sum_of(start_, fraction, travel_);
   // The chord of the first part of the arc: half its sweep behind its end tangent.
   const double part = chord_ * std::sin(half_sweep_ * fraction) / std::sin(half_sweep_);
   const double angle = chord_angle_ + half_sweep_ * (fraction - 1.0);
-  place[axes_.first] = start_[axes_.first] + part * std::cos(angle);
-  place[axes_.second] = start_[axes_.second] + part * std::sin(angle);
-  return place;
+  const Vector round = seen_as(part * std::cos(angle), part * std::sin(angle));
+  return sum_of(sum_of(start_, fraction, off_plane_), 1.0, round);
 }
 
 Vector ExactBlock::tangent_at(double fraction) const {
-  Vector tangent = travel_;
-  for (double& share : tangent) share /= length_;
-  if (!turns()) return tangent;
+  if (!turns()) return divided(travel_, length_);
   const double angle = chord_angle_ + half_sweep_ * (2.0 * fraction - 1.0);
-  tangent[axes_.first] = plane_share() * std::cos(angle);
-  tangent[axes_.second] = plane_share() * std::sin(angle);
-  return tangent;
+  const Vector round = seen_as(plane_share() * std::cos(angle), plane_share() * std::sin(angle));
+  return sum_of(divided(off_plane_, length_), 1.0, round);
 }
 
 Vector ExactBlock::bend_at(double fraction) const {
-  Vector bend{};
-  if (!turns()) return bend;
+  if (!turns()) return {};
   const double angle = chord_angle_ + half_sweep_ * (2.0 * fraction - 1.0);
   const double size = plane_share() * 2.0 * half_sweep_ / length_;
-  bend[axes_.first] = -size * std::sin(angle);
-  bend[axes_.second] = size * std::cos(angle);
-  return bend;
+  return seen_as(-size * std::sin(angle), size * std::cos(angle));
 }
 
+/// Returns the share of an arc's length along X Y Z: with rotary axes in its plane, its chord's.
 double ExactBlock::feed_length() const {
-  double linear = 0.0;
-  for (std::size_t axis = 0; axis < cnc::kLinearAxisCount; ++axis) {
-    const bool round = turns() && (axis == axes_.first || axis == axes_.second);
-    if (!round) linear += travel_[axis] * travel_[axis];
-  }
-  if (turns()) linear += plane_length_ * plane_length_;
-  return linear > 0.0 ? std::sqrt(linear) : length_;
+  const auto linear = [](const Vector& vector) {
+    return std::sqrt(vector[0] * vector[0] + vector[1] * vector[1] + vector[2] * vector[2]);
+  };
+  const Vector chord = in_plane(travel_);
+  const double share = norm(chord) > 0.0 ? linear(chord) / norm(chord) : 1.0;
+  const double length =
+      turns() ? std::hypot(linear(off_plane_), share * plane_length_) : linear(travel_);
+  return length > 0.0 ? length : length_;
 }
 
 }  // namespace proof

@@ -19,12 +19,17 @@ class ExactBlock {
 
   [[nodiscard]] double length() const { return length_; }
   [[nodiscard]] bool turns() const { return half_sweep_ != 0.0; }
+  /// Radians, positive counter-clockwise.
+  [[nodiscard]] double half_sweep() const { return half_sweep_; }
+  /// Length of what it is in its plane.
+  [[nodiscard]] double plane_length() const { return plane_length_; }
   /// Of the plane circle, mm; 0 for a line.
   [[nodiscard]] double radius() const;
   /// Plane length / length.
   [[nodiscard]] double plane_share() const { return plane_length_ / length_; }
-  [[nodiscard]] cnc::PlaneAxes plane() const { return axes_; }
-  [[nodiscard]] cnc::Plane plane_name() const { return plane_; }
+  [[nodiscard]] const cnc::ArcPlane& plane() const { return plane_; }
+  /// The part of a vector that lies in it.
+  [[nodiscard]] Vector in_plane(const Vector& vector) const;
 
   [[nodiscard]] Vector place_at(double fraction) const;
   /// Unit direction of travel.
@@ -35,10 +40,14 @@ class ExactBlock {
   [[nodiscard]] double feed_length() const;
 
  private:
+  [[nodiscard]] Vector seen_as(double x, double y) const;
+
   Vector start_{};
   Vector travel_{};
-  cnc::Plane plane_;
-  cnc::PlaneAxes axes_;
+  Vector off_plane_{};  ///< The part of the travel that is not in the plane.
+  cnc::ArcPlane plane_;
+  Vector first_{};  ///< Unit vectors of the plane.
+  Vector second_{};
   double half_sweep_ = 0.0;
   double chord_ = 0.0;
   double chord_angle_ = 0.0;

@@ -34,7 +34,7 @@ void any_scales(Random& random, Settings& settings) {
 void any_settings(Random& random, Settings& settings) {
   const auto table = cnc::setting_table();
   for (std::size_t count = random.below(6); count > 0; --count) {
-    const cnc::SettingInfo& info = table[random.below(table.size())];
+    const cnc::SettingInfo info = table[random.below(table.size())];
     if (info.number == cnc::setting::kHoming) continue;
     const double least = std::max(1.0e-3, double{info.least});
     const bool at_end = random.chance(0.3) || least >= double{info.most};

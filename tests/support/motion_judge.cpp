@@ -119,12 +119,11 @@ MotionFigures judge_motion(const FilteredPlan& plan,
 Point curvature_rate_at(const Curve& curve, double fraction) {
   Point rate{};
   if (!curve.circle() || curve.length() <= 0.0) return rate;
-  // The round axes are sines of sweep · fraction: t″ = −(sweep / length)² t.
-  const auto axes = cnc::axes_of(curve.circle()->plane);
+  // In the plane the motion is a sine of sweep · fraction: t″ = −(sweep / length)² t.
+  const PlaneVectors& plane = curve.circle()->vectors;
   const double turn = curve.circle()->sweep / curve.length();
-  const Point tangent = curve.tangent_at(fraction);
-  rate[axes.first] = -turn * turn * tangent[axes.first];
-  rate[axes.second] = -turn * turn * tangent[axes.second];
+  rate = plane.vector(plane.seen(curve.tangent_at(fraction)));
+  for (double& share : rate) share *= -turn * turn;
   return rate;
 }
 

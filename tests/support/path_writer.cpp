@@ -83,7 +83,7 @@ void PathWriter::account(const cnc::PathElement& element) {
   double speed = feed_ > 0.0 ? feed_ : 1.0e6;
   double acceleration = 1.0e9;
   for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
-    const bool round = block.turns() && axis != block.plane().normal && axis < 3;
+    const bool round = block.turns() && block.plane().has(axis);
     const double share = round ? block.plane_share() : std::abs(block.tangent_at(0.0)[axis]);
     if (share <= 0.0) continue;
     const cnc::motion::Limits& limits = machine_->limits;

@@ -1,5 +1,7 @@
 #include "tests/support/recorded_motion.hpp"
 
+#include <cmath>
+
 namespace proof {
 namespace {
 
@@ -8,15 +10,14 @@ sim::Curve curve_of_block(const ExactBlock& block) {
   const Vector start = block.place_at(0.0);
   const Vector end = block.place_at(1.0);
   if (!block.turns()) return sim::Curve::line(start, end);
-  const cnc::PlaneAxes axes = block.plane();
-  const Vector bend = block.bend_at(0.0);
-  const Vector tangent = block.tangent_at(0.0);
-  const double reach = block.radius() / norm(bend);
-  const std::array centre{start[axes.first] + reach * bend[axes.first],
-                          start[axes.second] + reach * bend[axes.second]};
-  const double side =
-      tangent[axes.first] * bend[axes.second] - tangent[axes.second] * bend[axes.first];
-  return sim::Curve::arc(start, end, block.plane_name(), centre, side < 0.0);
+  const sim::PlaneVectors plane{block.plane()};
+  const auto bend = plane.seen(block.bend_at(0.0));
+  const auto tangent = plane.seen(block.tangent_at(0.0));
+  const double reach = block.radius() / std::hypot(bend[0], bend[1]);
+  auto centre = plane.seen(start);
+  for (std::size_t i = 0; i < centre.size(); ++i) centre[i] += reach * bend[i];
+  const double side = tangent[0] * bend[1] - tangent[1] * bend[0];
+  return sim::Curve::arc(start, end, block.plane(), centre, side < 0.0);
 }
 
 sim::PathPiece piece_of(const PlannedBlock& block) {

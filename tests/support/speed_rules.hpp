@@ -15,9 +15,9 @@ struct AxisRule {
   double jerk = 0.0;          ///< mm/s³.
 };
 
-/// At most two round axes and one for all that are straight.
+/// Round axes, two in a coordinate plane, and one for all that are straight.
 struct PlaceRules {
-  std::array<AxisRule, 3> axes{};
+  std::array<AxisRule, cnc::kAxisCount + 1> axes{};
   std::size_t count = 0;
 };
 

@@ -151,7 +151,7 @@ class ForgetfulStore final : public hal::RecordStore {
 BarePort port;
 ForgetfulStore store;
 FreeformLink link_to_job;
-using Application = cnc::Application<BarePort>;
+using Application = cnc::Controller<BarePort>;
 std::uint32_t turns = 0;
 
 /// Virtual time until everything sent is done, a turn each millisecond.
@@ -323,14 +323,17 @@ class Stages {
   Cost segment_{};
 };
 
-/// The memory holds the one or the other.
+// In a memory of its own, as on the boards.
+[[gnu::section(".ccm")]] Application::Steps steps{port};
+
+/// The other memory holds the one or the other.
 constexpr std::size_t kLarger = std::max(sizeof(Application), sizeof(Stages));
 alignas(std::max_align_t) std::array<std::byte, kLarger> room;
 
 }  // namespace
 
 void run_on_target() {
-  auto* const application = new (room.data()) Application{port, port, port, store, link_to_job};
+  auto* const application = new (room.data()) Application{steps, port, port, store, link_to_job};
   count_firmware(*application);
   count_raster(*application);
   count_axes(*application, 3, "3 axes and power: step interrupt");

@@ -166,7 +166,9 @@ class NoStore final : public hal::RecordStore {
 DigestPort port;
 NoStore store;
 ProgramLink link_to_program;
-cnc::Application<DigestPort> application{port, port, port, store, link_to_program};
+// In a memory of its own, as on the boards.
+[[gnu::section(".ccm")]] cnc::Controller<DigestPort>::Steps steps{port};
+cnc::Controller<DigestPort> application{steps, port, port, store, link_to_program};
 
 }  // namespace
 

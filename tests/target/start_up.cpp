@@ -8,6 +8,7 @@
 extern "C" {
 using Routine = void (*)();
 extern std::uint32_t stack_top, data_load, data_begin, data_end, bss_begin, bss_end;
+extern std::uint32_t ccm_begin, ccm_end;
 extern Routine init_begin[], init_end[];
 [[noreturn]] void reset();
 [[noreturn]] void fault();
@@ -50,6 +51,7 @@ extern "C" void reset() {
   const std::uint32_t* from = &data_load;
   for (std::uint32_t* to = &data_begin; to < &data_end;) *to++ = *from++;
   for (std::uint32_t* to = &bss_begin; to < &bss_end;) *to++ = 0;
+  for (std::uint32_t* to = &ccm_begin; to < &ccm_end;) *to++ = 0;
   for (Routine* routine = init_begin; routine != init_end; ++routine) (*routine)();
   run_on_target();
   end(kApplicationExit);

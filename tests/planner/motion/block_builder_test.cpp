@@ -88,7 +88,7 @@ TEST(BlockBuilder, TakesAnArcWithoutAChordForALine) {
 class RandomBlocks : public testing::Test {
  protected:
   void SetUp() override {
-    element = any_element(random, Position{});
+    element = any_element_in_space(random, Position{});
     limits = any_limits(random);
   }
 
@@ -122,8 +122,7 @@ TEST_F(RandomBlocks, KeepTheRatesOfEveryMotorAndOfAllTogether) {
       for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
         const double rate = speed * std::abs(tangent[axis]);
         all_steps += rate * static_cast<double>(limits.scale[axis].steps_per_mm());
-        const bool in_plane = axis == exact.axes().first || axis == exact.axes().second;
-        if (block.turns() && in_plane) continue;  // The spans' business.
+        if (block.turns() && exact.plane().has(axis)) continue;  // The spans' business.
         ASSERT_LE(rate, static_cast<double>(motor_rate(limits, axis)) * 1.00001) << trial;
       }
       ASSERT_LE(all_steps, static_cast<double>(limits.steps_per_s_all_motors) * 1.00001) << trial;

@@ -47,7 +47,7 @@ TEST(BlockRest, RunsOnTheWholeBlockToItsEnd) {
   for (const std::uint64_t seed : proof::Trials{20'000}) {
     proof::Random random{seed};
     const Limits limits = any_limits(random);
-    const PathElement element = any_element(random, place({random.between(-50.0, 50.0)}));
+    const PathElement element = any_element_in_space(random, place({random.between(-50.0, 50.0)}));
     const Block block = block_of(element, limits, 100.0F);
     const Places start = steps_at(element.start, limits);
     const PathUnits length = length_in_units(block);

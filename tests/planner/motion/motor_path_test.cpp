@@ -28,7 +28,7 @@ class RandomMotorPath : public testing::Test {
     limits = any_limits(random);
     Position start;
     for (Coordinate& axis : start) axis = Coordinate{std::llround(random.between(-3.0e8, 3.0e8))};
-    element = any_element(random, start);
+    element = any_element_in_space(random, start);
     prepare();
   }
 

@@ -24,7 +24,7 @@ class RandomDrive : public SegmenterTest {
 
   void push_any() {
     const float feed = random.chance(0.3) ? 0.0F : static_cast<float>(random.magnitude(5.0, 400.0));
-    push(any_element(random, goal), feed);
+    push(any_element_in_space(random, goal), feed);
   }
 
   void turn_a_knob() {
@@ -155,7 +155,7 @@ TEST_F(RandomDrive, KeepsEveryAxisWithinItsLimits) {
     watch.limits = limits;
     segmenter.observe(&watch);
     for (int round = 0; round < 30; ++round) {
-      const PathElement element = any_element(random, goal);
+      const PathElement element = any_element_in_space(random, goal);
       watch.elements.push_back(element);
       push(element, static_cast<float>(random.magnitude(5.0, 400.0)));
       if (random.chance(0.2)) turn_a_knob();

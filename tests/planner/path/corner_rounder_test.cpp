@@ -8,6 +8,18 @@ namespace {
 
 constexpr Tolerance kTenth{.corner_mm = 0.1F};
 
+/// No stop is left, and the driven path is within the tolerance of the program, and it of that.
+void expect_blended(const Pen& pen, const Tolerance& tolerance) {
+  const auto pieces = staged(pen.items);
+  EXPECT_EQ(stops_in(pieces), 0U);
+  expect_sound(pen.items, pieces);
+  const auto path = exact(pen.items);
+  const auto driven = exact(pieces);
+  const double allowed = static_cast<double>(tolerance.corner_mm) + 1.0e-5;
+  EXPECT_LE(farthest(path, driven, 40), allowed);
+  EXPECT_LE(farthest(driven, path, 24), allowed);
+}
+
 TEST(Corners, OfARightAngleGetTheArcThatTouchesTheTolerance) {
   Pen pen{kTenth};
   pen.line({50.0});
@@ -107,33 +119,55 @@ TEST(Corners, OfAHelixAreBlendedWhereItIsGentle) {
   expect_sound(pen.items, pieces);
 }
 
-// Round the corner the way is shorter and so the slope steeper: an axis would jump.
-TEST(Corners, OfASteepRampAreStops) {
+TEST(Corners, OfASteepRampAreBlendedInThePlaneOfBothLines) {
   for (const double slope : {0.01, 0.1, 1.0}) {
+    SCOPED_TRACE(slope);
     Pen pen{kTenth};
     pen.line({10.0, 0.0, 10.0 * slope});
     pen.line({0.0, 10.0, 10.0 * slope});
-    const auto pieces = staged(pen.items);
-    EXPECT_EQ(stops_in(pieces), 1U) << slope;
-    expect_sound(pen.items, pieces);
+    expect_blended(pen, kTenth);
   }
 }
 
 // 1.6 mm along Y and less than 100 nm along X and Z is nearly upright in the plane of X and Z:
 // a right angle there, however little it turns for one that is as steep.
-TEST(Corners, OfAnUprightLineAreStops) {
+TEST(Corners, OfAnUprightLineAreBlendedInThePlaneInWhichTheyTurn) {
   Pen pen{kTenth};
   pen.line({-0.00007, -1.6347, 0.00003});
   pen.line({-1.6347, 0.00138, 0.00021});
-  EXPECT_EQ(stops_in(staged(pen.items)), 1U);
+  expect_blended(pen, kTenth);
 }
 
-TEST(Corners, OffThePlanesAndOfRotaryAxesAreStops) {
+TEST(Corners, OffThePlanesAndOfRotaryAxesAreBlended) {
   Pen pen{kTenth};
   pen.line({10.0, 10.0, 10.0});
   pen.line({10.0, -10.0, 3.0});
   pen.line({10.0, -10.0, 3.0, 5.0});
-  EXPECT_EQ(stops_in(staged(pen.items)), 2U);
+  pen.line({0.0, 0.0, 0.0, 5.0, 2.0});
+  expect_blended(pen, kTenth);
+}
+
+TEST(Corners, OfOneArcInSpaceTouchTheTolerance) {
+  Pen pen{kTenth};
+  pen.line({30.0, 30.0, 30.0});
+  pen.line({30.0, -30.0, 0.0});
+  const auto pieces = staged(pen.items);
+  ASSERT_EQ(pieces.size(), 3U);
+  const ExactElement arc{pieces[1].request.element};
+  EXPECT_NEAR(arc.radius(), 0.1 / (std::sqrt(2.0) - 1.0), 1.0e-4);
+  EXPECT_NEAR(distance(arc.at(0.5), {30.0, 30.0, 30.0}), 0.1, 5.0e-6);
+  expect_sound(pen.items, pieces);
+}
+
+TEST(Corners, BetweenArcsOfDifferentPlanesAreBlended) {
+  Pen pen{kTenth};
+  pen.arc({10.0, 10.0}, Plane::kXY, 0.3);
+  pen.arc({0.0, 10.0, 10.0}, Plane::kYZ, -0.4);
+  pen.line({10.0, 10.0, 3.0});
+  pen.arc({10.0, 0.0, 10.0}, Plane::kZX, 0.2);
+  pen.arc({10.0, 10.0, 4.0}, Plane::kXY, 0.5);  // A helix.
+  pen.line({-10.0, 2.0, 1.0, 8.0});
+  expect_blended(pen, kTenth);
 }
 
 TEST(Corners, InAllPlanesAreBlended) {
@@ -222,6 +256,27 @@ void scribble(proof::Random& random, Pen& pen) {
   }
 }
 
+/// The same in space: each line and arc in any direction, now and then with rotary axes.
+void scribble_in_space(proof::Random& random, Pen& pen) {
+  const double size = random.magnitude(0.001, 50.0);
+  const bool gentle = random.chance(0.3);
+  const std::size_t count = 2 + random.below(12);
+  Place heading = any_direction(random);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Place turn = any_direction(random);
+    const double by = gentle ? random.magnitude(1.0e-5, 0.05) : random.between(0.0, 3.0);
+    heading = sum_of(heading, by, turn);
+    const double length = size * random.magnitude(0.01, 1.0);
+    const Place travel = sum_of({}, length / std::sqrt(dot(heading, heading)), heading);
+    if (random.chance(0.3)) {
+      const double bulge = random.signed_magnitude(1.0e-5, 1.0);
+      pen.arc(travel, static_cast<Plane>(random.below(3)), bulge);
+    } else {
+      pen.line(travel);
+    }
+  }
+}
+
 struct Deviation {
   double of_path = 0.0;    ///< Of the programmed path from the driven one, of the tolerance.
   double of_driven = 0.0;  ///< The other way.
@@ -229,7 +284,9 @@ struct Deviation {
   std::size_t stops = 0;
 };
 
-void try_scribble(std::uint64_t seed, Deviation& greatest) {
+using Scribble = void (*)(proof::Random& random, Pen& pen);
+
+void try_scribble(Scribble scribble, std::uint64_t seed, Deviation& greatest) {
   proof::Random random{seed};
   const double tolerance = random.magnitude(5.0e-4, 1.0);
   Pen pen{{.corner_mm = static_cast<float>(tolerance)}};
@@ -252,12 +309,11 @@ void try_scribble(std::uint64_t seed, Deviation& greatest) {
   greatest.stops += stops_in(pieces);
 }
 
-TEST(RandomCorners, StayWithinTheToleranceBothWays) {
-  const proof::Trials trials{400};
+void expect_within_tolerance(Scribble scribble, const proof::Trials& trials) {
   Deviation greatest;
   for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
-    try_scribble(seed, greatest);
+    try_scribble(scribble, seed, greatest);
   }
   std::printf(
       "random corners: %zu pieces, %zu stops; greatest deviation of the tolerance %.4f "
@@ -266,6 +322,16 @@ TEST(RandomCorners, StayWithinTheToleranceBothWays) {
       greatest.stops,
       greatest.of_path,
       greatest.of_driven);
+}
+
+TEST(RandomCorners, StayWithinTheToleranceBothWays) {
+  const proof::Trials trials{400};
+  expect_within_tolerance(scribble, trials);
+}
+
+TEST(RandomCorners, OfAnyPlanesStayWithinTheToleranceBothWays) {
+  const proof::Trials trials{400};
+  expect_within_tolerance(scribble_in_space, trials);
 }
 
 }  // namespace

@@ -51,8 +51,12 @@ TEST(Passing, FindsPlacesOnElementsAgain) {
     ASSERT_LT(passing.distance_mm, slack);
     ASSERT_LT(distance(to_mm(passing.place), on_it), slack);
     ASSERT_NEAR(passing.share, share, slack / length + 1.0e-6);
-    const ExactElement before{part_of(element, element.start, passing.place, passing.share)};
-    const ExactElement after{part_of(element, passing.place, element.end, 1.0F - passing.share)};
+    PathElement first = element;
+    become_part(first, element.start, passing.place, passing.share);
+    PathElement second = element;
+    become_part(second, passing.place, element.end, 1.0F - passing.share);
+    const ExactElement before{first};
+    const ExactElement after{second};
     const double half = 0.5 * share;
     ASSERT_LT(distance(before.at(0.5), exact.at(half)), 2.0 * slack);
     ASSERT_LT(distance(after.at(0.5), exact.at(0.5 + half)), 2.0 * slack);

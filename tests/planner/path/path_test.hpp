@@ -9,19 +9,14 @@
 #include <vector>
 
 #include "planner/path/path_stage.hpp"
+#include "tests/support/exact_block.hpp"
 #include "tests/support/random_source.hpp"
 
 namespace cnc::path {
 
 using Place = AxisArray<double>;
 
-inline Place to_mm(const Position& position) {
-  Place place{};
-  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    place[axis] = static_cast<double>(position[axis].nanometres()) * 1.0e-6;
-  }
-  return place;
-}
+using proof::to_mm;
 
 inline double distance(const Place& a, const Place& b) {
   double sum = 0.0;
@@ -31,64 +26,39 @@ inline double distance(const Place& a, const Place& b) {
   return std::sqrt(sum);
 }
 
-/// A path element in double precision, from its definition alone: end points,
-/// bulge = tan(sweep / 4), other axes in proportion to the arc length.
-class ExactElement {
+inline double dot(const Place& a, const Place& b) {
+  double sum = 0.0;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) sum += a[axis] * b[axis];
+  return sum;
+}
+
+/// a + share · b.
+inline Place sum_of(const Place& a, double share, const Place& b) {
+  Place sum = a;
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) sum[axis] += share * b[axis];
+  return sum;
+}
+
+/// X Y Z, now and then with rotary axes.
+inline Place any_direction(proof::Random& random) {
+  const std::size_t axes = random.chance(0.1) ? kAxisCount : kLinearAxisCount;
+  Place direction{};
+  for (std::size_t axis = 0; axis < axes; ++axis) direction[axis] = random.between(-1.0, 1.0);
+  return sum_of({}, 1.0 / std::sqrt(dot(direction, direction)), direction);
+}
+
+/// A path element in double precision.
+class ExactElement : private proof::ExactBlock {
  public:
   explicit ExactElement(const PathElement& element)
-      : start_{to_mm(element.start)}, end_{to_mm(element.end)}, axes_{axes_of(element.plane)} {
-    const double x = end_[axes_.first] - start_[axes_.first];
-    const double y = end_[axes_.second] - start_[axes_.second];
-    const auto bulge = static_cast<double>(element.bulge);
-    if (bulge != 0.0 && std::hypot(x, y) > 0.0) {
-      half_ = 2.0 * std::atan(bulge);
-      const double aside = (1.0 - bulge * bulge) / (4.0 * bulge);
-      centre_ = {start_[axes_.first] + x / 2.0 - aside * y,
-                 start_[axes_.second] + y / 2.0 + aside * x};
-    }
-  }
+      : ExactBlock{element}, chord_{distance(to_mm(element.start), to_mm(element.end))} {}
 
-  [[nodiscard]] Place at(double share) const {
-    Place place{};
-    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-      place[axis] = start_[axis] + share * (end_[axis] - start_[axis]);
-    }
-    if (half_ == 0.0) return place;
-    const double x = start_[axes_.first] - centre_[0];
-    const double y = start_[axes_.second] - centre_[1];
-    const double turned = 2.0 * half_ * share;
-    place[axes_.first] = centre_[0] + x * std::cos(turned) - y * std::sin(turned);
-    place[axes_.second] = centre_[1] + x * std::sin(turned) + y * std::cos(turned);
-    return place;
-  }
-
-  [[nodiscard]] double chord() const { return distance(start_, end_); }
-  [[nodiscard]] double length() const {
-    const double x = end_[axes_.first] - start_[axes_.first];
-    const double y = end_[axes_.second] - start_[axes_.second];
-    if (half_ == 0.0) return chord();
-    const double round = std::hypot(x, y) * half_ / std::sin(half_);
-    return std::sqrt(round * round + std::max(0.0, chord() * chord() - x * x - y * y));
-  }
-  [[nodiscard]] double radius() const {
-    return half_ == 0.0 ? 0.0 : length() / std::abs(2 * half_);
-  }
-
+  using ExactBlock::length;
+  using ExactBlock::radius;
+  [[nodiscard]] Place at(double share) const { return place_at(share); }
+  [[nodiscard]] double chord() const { return chord_; }
   /// Unit direction.
-  [[nodiscard]] Place tangent(bool at_end) const {
-    Place tangent{};
-    for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-      tangent[axis] = (end_[axis] - start_[axis]) / length();
-    }
-    if (half_ == 0.0) return tangent;
-    const double x = end_[axes_.first] - start_[axes_.first];
-    const double y = end_[axes_.second] - start_[axes_.second];
-    const double angle = std::atan2(y, x) + (at_end ? half_ : -half_);
-    const double share = std::hypot(x, y) * half_ / std::sin(half_) / length();
-    tangent[axes_.first] = share * std::cos(angle);
-    tangent[axes_.second] = share * std::sin(angle);
-    return tangent;
-  }
+  [[nodiscard]] Place tangent(bool at_end) const { return tangent_at(at_end ? 1.0 : 0.0); }
 
   /// Distance of a place from the element. By sampling and narrowing,
   /// to 1e-8 mm.
@@ -116,11 +86,7 @@ class ExactElement {
   }
 
  private:
-  Place start_;
-  Place end_;
-  PlaneAxes axes_;
-  std::array<double, 2> centre_{};
-  double half_ = 0.0;
+  double chord_;
 };
 
 /// The nearest that a place comes to a path.
@@ -165,6 +131,9 @@ inline motion::Limits path_limits() {
   motion::Limits limits;
   limits.rate_mm_s.fill(500.0F);
   limits.acceleration_mm_s2.fill(500.0F);
+  // No line is shorter than half a step.
+  limits.scale.fill(AxisScale{AxisScale::kMostStepsPerMm});
+  limits.steps_per_s_one_motor = limits.steps_per_s_all_motors = 1.0e9F;
   return limits;
 }
 

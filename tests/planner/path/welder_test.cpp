@@ -68,6 +68,46 @@ TEST(Welding, MakesOneLineOfManyInARow) {
   EXPECT_EQ(pieces[0].request.element.end, pen.items.back().request.element.end);
 }
 
+TEST(Welding, MakesFewArcsOfACircleInSpace) {
+  Pen pen{kHundredths};
+  constexpr int kEdges = 720;
+  const Place first = sum_of({}, 20.0 / std::sqrt(3.0), {1.0, 1.0, 1.0});
+  const Place second = sum_of({}, 20.0 / std::sqrt(2.0), {1.0, -1.0, 0.0});
+  Place at = first;
+  for (int i = 1; i <= kEdges; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kEdges;
+    const Place to = sum_of(sum_of({}, std::cos(angle), first), std::sin(angle), second);
+    pen.line(sum_of(to, -1.0, at));
+    at = to;
+  }
+  const auto pieces = staged(pen.items);
+  EXPECT_LE(pieces.size(), 5U);
+  EXPECT_EQ(stops_in(pieces), 0U);
+  expect_within(pen, pieces, 0.01);
+  expect_sound(pen.items, pieces);
+}
+
+TEST(Welding, MakesOneLineOfManyInARowInSpace) {
+  Pen pen{kHundredths};
+  for (int i = 0; i < 500; ++i) pen.line({0.08, 0.06, 0.02});
+  const auto pieces = staged(pen.items);
+  ASSERT_EQ(pieces.size(), 1U);
+  EXPECT_EQ(pieces[0].request.element.bulge, 0.0F);
+}
+
+TEST(Welding, OfAHelixOfChordsIsWithinTheTolerance) {
+  Pen pen{kHundredths};
+  for (int i = 0; i < 1000; ++i) {
+    const double angle = 0.01 * i;
+    pen.line({0.1 * std::cos(angle), 0.1 * std::sin(angle), 0.02});
+  }
+  const auto pieces = staged(pen.items);
+  EXPECT_LE(pieces.size(), 60U);
+  EXPECT_EQ(stops_in(pieces), 0U);
+  expect_within(pen, pieces, 0.02);
+  expect_sound(pen.items, pieces);
+}
+
 TEST(Welding, IsOfOneFeedAndBeamAndNotAcrossOutputs) {
   Pen pen{kHundredths};
   for (int i = 0; i < 30; ++i) {
@@ -170,8 +210,38 @@ void draw_curve(proof::Random& random, Pen& pen) {
   }
 }
 
-TEST(RandomChains, StayWithinBothTolerancesBothWays) {
-  const proof::Trials trials{150};
+/// The same in space: the heading turns about all axes.
+void draw_curve_in_space(proof::Random& random, Pen& pen) {
+  Place heading = sum_of({}, 1.0, {1.0});
+  Place bend{};
+  const double step = random.magnitude(0.002, 1.0);
+  const double noise = random.chance(0.5) ? 0.0 : step * random.magnitude(1.0e-4, 0.3);
+  const double swing = random.magnitude(1.0e-4, 0.5);
+  const double sharp = random.chance(0.5) ? 0.0 : 0.03;
+  const bool flat_now_and_then = random.chance(0.3);
+  const std::size_t count = 10 + random.below(250);
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t axis = 0; axis < kLinearAxisCount; ++axis) {
+      bend[axis] = 0.95 * bend[axis] + swing * random.between(-0.1, 0.1);
+    }
+    heading = sum_of(heading, 1.0, bend);
+    if (random.chance(sharp)) {
+      heading = sum_of({}, 1.0, {random.between(-1.0, 1.0), random.between(-1.0, 1.0), 0.5});
+    }
+    heading = sum_of({}, 1.0 / std::sqrt(dot(heading, heading)), heading);
+    const double length = step * (random.chance(0.05) ? 1.0e-3 : random.between(0.3, 1.0));
+    Place travel = sum_of({}, length, heading);
+    for (std::size_t axis = 0; axis < kLinearAxisCount; ++axis) {
+      travel[axis] += noise * random.between(-1.0, 1.0);
+    }
+    if (flat_now_and_then && i % 40 < 20) travel[2] = 0.0;
+    pen.line(travel);
+  }
+}
+
+using Draw = void (*)(proof::Random& random, Pen& pen);
+
+void expect_chains_within_tolerances(Draw draw, const proof::Trials& trials) {
   std::size_t lines = 0;
   std::size_t blocks = 0;
   double worst = 0.0;
@@ -182,7 +252,7 @@ TEST(RandomChains, StayWithinBothTolerancesBothWays) {
     const double weld = random.magnitude(1.0e-3, 0.1);
     Pen pen{{.corner_mm = static_cast<float>(corner), .weld_mm = static_cast<float>(weld)}};
     if (random.chance(0.5)) pen.grid_nm = 1000;
-    draw_curve(random, pen);
+    draw(random, pen);
     const auto pieces = staged(pen.items);
     expect_sound(pen.items, pieces);
     const auto path = exact(pen.items);
@@ -200,6 +270,16 @@ TEST(RandomChains, StayWithinBothTolerancesBothWays) {
               lines,
               blocks,
               worst);
+}
+
+TEST(RandomChains, StayWithinBothTolerancesBothWays) {
+  const proof::Trials trials{150};
+  expect_chains_within_tolerances(draw_curve, trials);
+}
+
+TEST(RandomChains, InSpaceStayWithinBothTolerancesBothWays) {
+  const proof::Trials trials{150};
+  expect_chains_within_tolerances(draw_curve_in_space, trials);
 }
 
 }  // namespace

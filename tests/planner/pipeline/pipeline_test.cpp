@@ -16,7 +16,7 @@ TEST_F(PipelineTest, DrivesElementsToTheirEnd) {
   EXPECT_EQ(pipeline->target(), place({10.0, 5.0, 2.0}));
   finish();
   EXPECT_EQ(motors, steps_at(place({10.0, 5.0, 2.0})));
-  EXPECT_EQ(pipeline->blocks_taken(), 2U);
+  EXPECT_EQ(pipeline->blocks_taken(), 3U) << "an arc in the plane of both lines between them";
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     EXPECT_EQ(pipeline->place()[axis].nearest_step(), motors[axis]);
   }

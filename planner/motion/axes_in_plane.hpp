@@ -1,0 +1,69 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "planner/base/scalar_math.hpp"
+#include "planner/geometry/arc_plane.hpp"
+
+namespace cnc::motion {
+
+/// How an axis lies in the plane of an arc: of a speed in the plane whose direction has the angle
+/// φ there, the axis has the share first · cos φ + second · sin φ.
+struct AxisInPlane {
+  std::uint8_t axis = 0;
+  float first = 0.0F;
+  float second = 0.0F;
+  float size = 0.0F;      ///< The greatest of those shares, at most 1.
+  float quarters = 0.0F;  ///< The angle at which it has that, in quarter turns, 0 ≤ … < 2.
+
+  [[nodiscard]] float share(const SinCos& angle) const {
+    return angle.cosine * first + angle.sine * second;
+  }
+  /// Returns the share that it has of the normal, a quarter turn to the left of the direction.
+  [[nodiscard]] float normal_share(const SinCos& angle) const {
+    return angle.cosine * second - angle.sine * first;
+  }
+};
+
+/// The axes that a motion in a plane may move: two of a coordinate plane.
+class AxesInPlane {
+ public:
+  AxesInPlane() = default;
+  /// @param side −1 to see the plane from behind, where what turns clockwise has growing angles;
+  /// else 1
+  AxesInPlane(const ArcPlane& plane, float side);
+
+  [[nodiscard]] const AxisInPlane* begin() const { return axes_.data(); }
+  [[nodiscard]] const AxisInPlane* end() const { return axes_.data() + count_; }
+
+ private:
+  AxisArray<AxisInPlane> axes_{};
+  std::size_t count_ = 0;
+};
+
+/// Directions in a plane from one angle to another.
+class DirectionRange {
+ public:
+  /// @param start, end radians, start ≤ end
+  DirectionRange(float start, float end)
+      : DirectionRange{start, end, sin_cos(start), sin_cos(end)} {}
+  DirectionRange(float start, float end, const SinCos& at_start, const SinCos& at_end);
+
+  /// Returns the greatest share that an axis has of a speed in one of them, and of its normal. Of a
+  /// quarter turn or more it is taken to have all that it has of any.
+  [[nodiscard]] float greatest_share(const AxisInPlane& axis) const;
+  [[nodiscard]] float greatest_normal_share(const AxisInPlane& axis) const;
+
+ private:
+  [[nodiscard]] bool comes_to(float quarters) const;
+
+  float middle_;  ///< Quarter turns.
+  float half_;    ///< Radians to either side of it.
+  SinCos start_;
+  SinCos end_;
+};
+
+}  // namespace cnc::motion

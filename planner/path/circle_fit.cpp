@@ -1,0 +1,78 @@
+#include "planner/path/circle_fit.hpp"
+
+#include "planner/base/scalar_math.hpp"
+
+namespace cnc::path {
+
+FitFrame frame_in_space(const Vec3& ahead, const Vec3& towards) {
+  /// A curve that bends one way leaves its plane by little.
+  constexpr float kLeftShare = 0.9F;
+  constexpr float kUpShare = 0.4358F;
+  constexpr float kEvenShare = 0.7071F;
+  constexpr float kLeast = 1.0e-4F;
+  FitFrame frame{.ahead = ahead, .left_share = kLeftShare, .up_share = kUpShare};
+  Vec3 left = towards - towards.dot(ahead) * ahead;
+  if (left.norm() < kLeast) {
+    frame.left_share = frame.up_share = kEvenShare;
+    // The axis that is least along it.
+    const Vec3 shares = ahead.cwiseAbs();
+    const bool x_least = shares.x() <= shares.y() && shares.x() <= shares.z();
+    const bool y_least = !x_least && shares.y() <= shares.z();
+    const Vec3 axis{x_least ? 1.0F : 0.0F, y_least ? 1.0F : 0.0F, x_least || y_least ? 0.0F : 1.0F};
+    left = axis - axis.dot(ahead) * ahead;
+  }
+  frame.left = left.normalized();
+  frame.up = {ahead.y() * frame.left.z() - ahead.z() * frame.left.y(),
+              ahead.z() * frame.left.x() - ahead.x() * frame.left.z(),
+              ahead.x() * frame.left.y() - ahead.y() * frame.left.x()};
+  return frame;
+}
+
+void CircleFit::begin(const FitFrame& frame, float most_curvature) {
+  frame_ = frame;
+  left_.open(most_curvature);
+  if (!frame.flat()) up_.open(most_curvature);
+  last_ = {0.0F, 0.0F, 0.0F};
+  chord_passed_ = 0.0F;
+}
+
+/// An end that a longer chord has been passed at is passed at this one, too: so a little more is
+/// asked for, and lines of nearly the same length do not each ask for the same again.
+void CircleFit::pass(const Vec3& here, float within_mm) {
+  constexpr float kAlike = 1.05F;
+  const Vec3 chord = here - last_;
+  const float chord_mm = chord.norm();
+  if (chord_mm > chord_passed_) keep_near(last_, within_mm, chord_mm);
+  keep_near(here, within_mm, 0.0F);
+  chord_passed_ = kAlike * chord_mm;
+  keep_near(here, within_mm, chord_passed_);
+  last_ = here;
+}
+
+void CircleFit::keep_near(const Vec3& point, float within_mm, float chord_mm) {
+  const float weight = point.squaredNorm() - square(within_mm) - 0.25F * square(chord_mm);
+  left_.pass({point.x(), point.y()}, weight, frame_.left_share * within_mm);
+  if (!frame_.flat()) up_.pass({point.x(), point.z()}, weight, frame_.up_share * within_mm);
+}
+
+std::optional<CircleFit::Ending> CircleFit::ending_at(const Vec3& here) const {
+  const float weight = here.squaredNorm();
+  const auto left = left_.through({here.x(), here.y()}, weight);
+  if (!left) return std::nullopt;
+  CircleFan::Through up{};
+  if (!frame_.flat()) {
+    const auto found = up_.through({here.x(), here.z()}, weight);
+    if (!found) return std::nullopt;
+    up = *found;
+  }
+  Ending ending{.best = {left->middle(), up.middle()}};
+  if (left->has_straight() && up.has_straight() && here.x() > 0.0F) {
+    ending.best = {{0.0F, here.y() / here.x()}, {0.0F, here.z() / here.x()}};
+  }
+  if (left->has_level() && up.has_level()) {
+    ending.smooth = {{2.0F * here.y() / weight, 0.0F}, {2.0F * here.z() / weight, 0.0F}};
+  }
+  return ending;
+}
+
+}  // namespace cnc::path
