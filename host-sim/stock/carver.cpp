@@ -134,7 +134,10 @@ void Carver::carve_cells(Cell* cells, const SweptSurface& possible, int row, Ran
     }
     if (cell.lower_nm <= lowest_nm_) continue;
     const double x = stock_.box().x_min + (2 * column + 1) * half_x_mm_;
-    const std::int32_t lower = lower_nm(possible.least_over(x, y, half_x_mm_, half_y_mm_));
+    // No less than this is rounded to a bound that is no less than the cell's.
+    const double enough_mm = stock_.box().top + (cell.lower_nm + 2) / kNmPerMm;
+    const std::int32_t lower =
+        lower_nm(possible.least_over(x, y, half_x_mm_, half_y_mm_, enough_mm));
     if (lower < cell.lower_nm) {
       lower_fell += cell.lower_nm - lower;
       cell.lower_nm = lower;

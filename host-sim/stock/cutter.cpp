@@ -68,15 +68,6 @@ Profile profile_of(const Cutter& cutter) {
   return profile;
 }
 
-double height_at(const Profile& profile, double distance_mm) {
-  const double out = distance_mm - profile.flat_mm;
-  if (out <= 0.0) return profile.tip_mm;
-  if (profile.corner_mm == 0.0) return profile.tip_mm + profile.rise * out;
-  const double corner = profile.corner_mm;
-  const double across = std::sqrt(std::max(0.0, (corner - out) * (corner + out)));
-  return profile.tip_mm + std::min(out * out / (corner + across), corner);
-}
-
 double rise_at(const Profile& profile, double distance_mm) {
   const double out = distance_mm - profile.flat_mm;
   if (out <= 0.0) return 0.0;

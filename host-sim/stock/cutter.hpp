@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <string>
 
@@ -41,7 +43,14 @@ struct Profile {
 [[nodiscard]] Profile profile_of(const Cutter& cutter);
 
 /// The height at `distance_mm` from the axis, 0 to the radius.
-[[nodiscard]] double height_at(const Profile& profile, double distance_mm);
+[[nodiscard]] inline double height_at(const Profile& profile, double distance_mm) {
+  const double out = distance_mm - profile.flat_mm;
+  if (out <= 0.0) return profile.tip_mm;
+  if (profile.corner_mm == 0.0) return profile.tip_mm + profile.rise * out;
+  const double corner = profile.corner_mm;
+  const double across = std::sqrt(std::max(0.0, (corner - out) * (corner + out)));
+  return profile.tip_mm + std::min(out * out / (corner + across), corner);
+}
 
 /// Height per mm outwards at `distance_mm` from the axis; infinite at the rim of a full quarter of
 /// a circle, 0 within the flat.

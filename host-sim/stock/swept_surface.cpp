@@ -28,7 +28,14 @@ SweptSurface::SweptSurface(const Profile& profile,
   const double lowest_pose = z_ + std::min(0.0, climb_ * length_);
   if (profile_.radius_mm > 0.0) radius_ = radius_below(profile_, ceiling_mm - lowest_pose);
   if (is_empty()) return;
+  const bool falls = climb_ < 0.0;
+  low_ = falls ? to : from;
+  high_ = falls ? from : to;
+  if (length_ == 0.0) low_.z_mm = high_.z_mm = z_;
+  up_x_ = falls ? -along_x_ : along_x_;
+  up_y_ = falls ? -along_y_ : along_y_;
   lead_ = kind_of_lead();
+  most_lead_ = bound_of_lead();
   if (lead_ == Lead::kTable) fill_table();
 }
 
@@ -46,6 +53,23 @@ void SweptSurface::fill_table() {
     const double side = radius_ * std::min(share, kRim);
     shares_[i] = solved_lead(side) / std::sqrt((radius_ - side) * (radius_ + side));
   }
+}
+
+/// Computes a bound from h'(r) u / r = |climb|: with u = q r, 0 < q <= 1, the profile rises there
+/// by |climb| / q. A corner does so at r = flat + corner |climb| / sqrt(q² + climb²), and so u <=
+/// flat + corner |climb| / sqrt(1 + climb²). A cone does so for q = |climb| / rise alone, and at
+/// its kink.
+double SweptSurface::bound_of_lead() const {
+  if (is_level_) return 0.0;
+  const double steepness = std::abs(climb_);
+  const double flat = std::max(0.0, profile_.flat_mm);
+  double most = radius_;
+  if (profile_.corner_mm > 0.0) {
+    most = flat + profile_.corner_mm * steepness / std::sqrt(1.0 + steepness * steepness);
+  } else if (steepness < profile_.rise) {
+    most = std::max(flat, radius_ * steepness / profile_.rise);
+  }
+  return std::min(radius_, most) + kOnIt;  // It is no less, however the formulas are rounded.
 }
 
 /// The lead u >= 0 where the profile rises outwards by as much as the path climbs:
@@ -99,7 +123,7 @@ double SweptSurface::lead(double side, double reach) const {
   return climb_ > 0.0 ? -size : size;
 }
 
-double SweptSurface::height(double x, double y) const {
+double SweptSurface::height_of_path(double x, double y) const {
   const auto [along, across] = place_of(x, y);
   const double side = std::abs(across);
   const double reach_squared = (radius_ - side) * (radius_ + side);
@@ -153,7 +177,8 @@ double SweptSurface::tangent_bound(
   return falls < kNowhere ? value - falls : -kNowhere;
 }
 
-double SweptSurface::least_over(double x, double y, double half_x, double half_y) const {
+double SweptSurface::least_of_path(
+    double x, double y, double half_x, double half_y, double enough_mm) const {
   const Place place = place_of(x, y);
   const double ahead = place.along - std::clamp(place.along, 0.0, length_);
   const double distance = std::sqrt(ahead * ahead + place.across * place.across);
@@ -173,6 +198,7 @@ double SweptSurface::least_over(double x, double y, double half_x, double half_y
   const double last = std::min(length_, place.along + reach);
   if (first > last) return kNowhere;
   const double coarse = z_ + std::min(climb_ * first, climb_ * last) + profile_height;
+  if (coarse >= enough_mm) return coarse;
   return std::max(coarse, tangent_bound(place, half_x, half_y, first, last));
 }
 

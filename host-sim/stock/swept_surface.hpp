@@ -62,11 +62,23 @@ class SweptSurface {
 
   /// The height over a point, or an upper bound that a table of poses may have made greater by a
   /// small part; kNowhere outside of its plan.
-  [[nodiscard]] double height(double x, double y) const;
+  [[nodiscard]] double height(double x, double y) const {
+    const Pose* const sole = sole_pose(x, y, 0.0);
+    return sole != nullptr ? height_of_pose(*sole, x - sole->x_mm, y - sole->y_mm)
+                           : height_of_path(x, y);
+  }
 
   /// A lower bound of the height over an upright rectangle with half sides `half_x` and `half_y`
-  /// round a point; kNowhere if the sweep surely does not touch it.
-  [[nodiscard]] double least_over(double x, double y, double half_x, double half_y) const;
+  /// round a point; kNowhere if the sweep surely does not touch it. A bound that is at least
+  /// `enough_mm` need not be the greatest that is known.
+  [[nodiscard]] double least_over(
+      double x, double y, double half_x, double half_y, double enough_mm) const {
+    const Pose* const sole = sole_pose(x, y, half_x + half_y);
+    if (sole == nullptr) return least_of_path(x, y, half_x, half_y, enough_mm);
+    const double nearest_x = std::max(0.0, std::abs(x - sole->x_mm) - half_x);
+    const double nearest_y = std::max(0.0, std::abs(y - sole->y_mm) - half_y);
+    return height_of_pose(*sole, nearest_x, nearest_y);
+  }
 
  private:
   enum class Lead : std::uint8_t { kNone, kEdge, kBall, kCone, kTable };
@@ -84,6 +96,28 @@ class SweptSurface {
 
   [[nodiscard]] Lead kind_of_lead() const;
   void fill_table();
+  [[nodiscard]] double bound_of_lead() const;
+  /// Returns the end of the path that sweeps each point lowest that is within `margin_mm` of (x, y)
+  /// and swept at all, or that sweeps (x, y) with the flat of the tool, lower than which no point
+  /// is swept. Null where other poses may count.
+  [[nodiscard]] const Pose* sole_pose(double x, double y, double margin_mm) const {
+    const double rx = x - low_.x_mm;
+    const double ry = y - low_.y_mm;
+    const double up_path = rx * up_x_ + ry * up_y_;
+    if (up_path <= -margin_mm) return &low_;
+    if (up_path >= length_ + most_lead_ + margin_mm) return &high_;
+    const double flat = std::max(0.0, profile_.flat_mm);
+    return rx * rx + ry * ry <= flat * flat ? &low_ : nullptr;
+  }
+  /// The height of the tool at one pose, over a point off its axis.
+  [[nodiscard]] double height_of_pose(const Pose& pose, double off_x, double off_y) const {
+    const double square = off_x * off_x + off_y * off_y;
+    if (square > radius_ * radius_) return kNowhere;
+    return pose.z_mm + height_at(profile_, std::sqrt(square));
+  }
+  [[nodiscard]] double height_of_path(double x, double y) const;
+  [[nodiscard]] double least_of_path(
+      double x, double y, double half_x, double half_y, double enough_mm) const;
   [[nodiscard]] double solved_lead(double side) const;
   /// From the foot of a point on the path to the pose that sweeps it lowest, on an endless path.
   /// `side` is the point's distance from the path, `reach` that of the last poses from its foot.
@@ -108,7 +142,12 @@ class SweptSurface {
   double climb_ = 0.0;   ///< Height per mm of it.
   bool is_level_ = true;
   bool plunges_ = false;  ///< Straight down.
+  Pose low_;              ///< The lower end of the path; of a level one, the start.
+  Pose high_;             ///< The other.
+  double up_x_ = 1.0;     ///< Direction of the path in the plan from the lower end on.
+  double up_y_ = 0.0;
   Lead lead_ = Lead::kNone;
+  double most_lead_ = 0.0;               ///< None is greater, whatever the side.
   std::array<double, kNodes> shares_{};  ///< Of lead in reach, over the side in equal steps.
 };
 
