@@ -28,6 +28,11 @@ bool is_same(const Pose& a, const Pose& b) {
   return a.x_mm == b.x_mm && a.y_mm == b.y_mm && a.z_mm == b.z_mm;
 }
 
+/// Returns whether a stretch has at least the slack of another.
+bool has_slack_of(const Stretch& stretch, const Stretch& other) {
+  return stretch.side_slack_mm >= other.side_slack_mm && stretch.up_slack_mm >= other.up_slack_mm;
+}
+
 }  // namespace
 
 Carver::Carver(Stock& stock, const Cutter& cutter)
@@ -68,7 +73,7 @@ Carver::Range Carver::touched_cells(const SweptSurface& surface, int row, bool a
   return {clamped(first, 0, stock_.columns() - 1), clamped(last, 0, stock_.columns() - 1)};
 }
 
-void Carver::list_rows(const SweptSurface& surface, bool ahead_only) {
+void Carver::list_rows(const SweptSurface& surface, bool upper_ahead_only, bool lower_ahead_only) {
   rows_.clear();
   const Interval ys = surface.extent_along_y();
   const double height = stock_.cell_y_mm();
@@ -78,14 +83,15 @@ void Carver::list_rows(const SweptSurface& surface, bool ahead_only) {
   first_row_ = clamped(first, 0, stock_.rows() - 1);
   const int last_row = clamped(last, 0, stock_.rows() - 1);
   for (int row = first_row_; row <= last_row; ++row) {
-    rows_.push_back(touched_cells(surface, row, ahead_only));
+    rows_.push_back({touched_cells(surface, row, upper_ahead_only),
+                     touched_cells(surface, row, lower_ahead_only)});
   }
 }
 
-Carver::Range Carver::range_of(int row) const {
+Carver::Range Carver::upper_range_of(int row) const {
   const int index = row - first_row_;
   if (index < 0 || index >= static_cast<int>(rows_.size())) return {};
-  return rows_[static_cast<std::size_t>(index)];
+  return rows_[static_cast<std::size_t>(index)].upper;
 }
 
 /// Fills the corners on the line below row `line`, as far as cells on either side need them.
@@ -99,7 +105,7 @@ void Carver::fill_corners(Corners& corners, const SweptSurface& surface, int lin
   const auto extent = surface.extent_at(y, 0.0);
   if (!extent) return;
   Range needed{std::numeric_limits<int>::max(), -1};
-  for (const Range& range : {range_of(line - 1), range_of(line)}) {
+  for (const Range& range : {upper_range_of(line - 1), upper_range_of(line)}) {
     if (range.last < range.first) continue;
     needed = {std::min(needed.first, range.first), std::max(needed.last, range.last + 1)};
   }
@@ -118,42 +124,50 @@ void Carver::fill_corners(Corners& corners, const SweptSurface& surface, int lin
   }
 }
 
-void Carver::carve_cells(Cell* cells, const SweptSurface& possible, int row, Range range) {
-  const double y = stock_.box().y_min + (2 * row + 1) * half_y_mm_;
-  std::int64_t upper_fell = 0;
-  std::int64_t lower_fell = 0;
-  for (int column = range.first; column <= range.last; ++column) {
-    Cell& cell = cells[column % Stock::kTileCells];
+/// Calls a function for each column of a range with its cell.
+template <typename Function>
+void Carver::for_each_cell(int row, Range range, Function function) {
+  for (int first = range.first; first <= range.last;) {
+    const int tile = first / Stock::kTileCells;
+    const int begin = tile * Stock::kTileCells;
+    const int last = std::min(range.last, begin + Stock::kTileCells - 1);
+    Cell* const cells = stock_.row_of_tile(tile, row);
+    for (int column = first; column <= last; ++column) function(column, cells[column - begin]);
+    first = last + 1;
+  }
+}
+
+void Carver::sink_upper_bounds(int row, Range range) {
+  std::int64_t fell = 0;
+  std::int64_t surely_removed = 0;
+  for_each_cell(row, range, [&](int column, Cell& cell) {
     const auto i = static_cast<std::size_t>(column);
     const std::int32_t upper = std::max(std::max(below_.nm[i], below_.nm[i + 1]),
                                         std::max(above_.nm[i], above_.nm[i + 1]));
-    if (upper < cell.upper_nm) {
-      upper_fell += cell.upper_nm - upper;
-      surely_removed_nm_ += std::max(0, cell.lower_nm - upper - skin_nm_);
-      cell.upper_nm = upper;
-    }
-    if (cell.lower_nm <= lowest_nm_) continue;
+    if (upper >= cell.upper_nm) return;
+    fell += cell.upper_nm - upper;
+    surely_removed += std::max(0, cell.lower_nm - upper - skin_nm_);
+    cell.upper_nm = upper;
+  });
+  surely_removed_nm_ += surely_removed;
+  stock_.count_removed(fell, 0);
+}
+
+void Carver::sink_lower_bounds(const SweptSurface& possible, int row, Range range) {
+  const double y = stock_.box().y_min + (2 * row + 1) * half_y_mm_;
+  std::int64_t fell = 0;
+  for_each_cell(row, range, [&](int column, Cell& cell) {
+    if (cell.lower_nm <= lowest_nm_) return;
     const double x = stock_.box().x_min + (2 * column + 1) * half_x_mm_;
     // No less than this is rounded to a bound that is no less than the cell's.
     const double enough_mm = stock_.box().top + (cell.lower_nm + 2) / kNmPerMm;
     const std::int32_t lower =
         lower_nm(possible.least_over(x, y, half_x_mm_, half_y_mm_, enough_mm));
-    if (lower < cell.lower_nm) {
-      lower_fell += cell.lower_nm - lower;
-      cell.lower_nm = lower;
-    }
-  }
-  stock_.count_removed(upper_fell, lower_fell);
-}
-
-void Carver::carve_row(const SweptSurface& possible, int row) {
-  const Range range = range_of(row);
-  for (int first = range.first; first <= range.last;) {
-    const int tile = first / Stock::kTileCells;
-    const int last = std::min(range.last, (tile + 1) * Stock::kTileCells - 1);
-    carve_cells(stock_.row_of_tile(tile, row), possible, row, {first, last});
-    first = last + 1;
-  }
+    if (lower >= cell.lower_nm) return;
+    fell += cell.lower_nm - lower;
+    cell.lower_nm = lower;
+  });
+  stock_.count_removed(0, fell);
 }
 
 double Carver::sweep(const Stretch& stretch, double skin_mm) {
@@ -162,11 +176,12 @@ double Carver::sweep(const Stretch& stretch, double skin_mm) {
   const double top = stock_.box().top;
   const SweptSurface possible{possibly_taken(profile_, side, up), stretch.from, stretch.to, top};
   const SweptSurface sure{surely_taken(profile_, side, up), stretch.from, stretch.to, top};
-  const bool goes_on = last_ && is_same(last_->to, stretch.from) &&
-                       last_->side_slack_mm >= stretch.side_slack_mm && last_->up_slack_mm >= up;
+  const bool goes_on = last_ && is_same(last_->to, stretch.from) && possible.has_old_rear();
+  const bool upper_is_old = goes_on && has_slack_of(stretch, *last_);
+  const bool lower_is_old = goes_on && has_slack_of(*last_, stretch);
   last_ = stretch;
   if (possible.is_empty()) return 0.0;
-  list_rows(possible, goes_on && possible.has_old_rear());
+  list_rows(possible, upper_is_old, lower_is_old);
   if (rows_.empty()) return 0.0;
   lowest_nm_ = lower_nm(possible.lowest_mm());
   skin_nm_ = static_cast<std::int32_t>(std::lround(skin_mm * kNmPerMm));
@@ -175,7 +190,8 @@ double Carver::sweep(const Stretch& stretch, double skin_mm) {
   for (std::size_t i = 0; i < rows_.size(); ++i) {
     const int row = first_row_ + static_cast<int>(i);
     fill_corners(above_, sure, row + 1);
-    carve_row(possible, row);
+    sink_upper_bounds(row, rows_[i].upper);
+    sink_lower_bounds(possible, row, rows_[i].lower);
     std::swap(below_, above_);
   }
   return static_cast<double>(surely_removed_nm_) * stock_.cell_x_mm() * stock_.cell_y_mm() /

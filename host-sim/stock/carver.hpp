@@ -28,13 +28,16 @@ struct Stretch {
 /// of the cell can have been touched. The swept surface is that of a whole stretch at once, so its
 /// cost grows with the area of the plan that it takes and not with a number of poses; parts of the
 /// tool above the stock's top take none.
+///
+/// A stretch that begins where the last one ended lowers nothing behind its start, or, if it falls,
+/// somewhat farther behind: the last one took that. Slack makes upper bounds greater and lower
+/// bounds less, so each of them is left as it is only if the last slack made it no looser.
 class Carver {
  public:
   /// Both must outlive this. @pre fault_of(cutter) is empty
   Carver(Stock& stock, const Cutter& cutter);
 
-  /// Sweeps one stretch. Where it begins as the last one ended and is known as well, the plan
-  /// behind its start is left out: the last one took that.
+  /// Sweeps one stretch.
   /// Throws as Stock::row_of_tile() does.
   /// @param skin_mm material that is no thicker is not counted in the result
   /// @return a lower bound of the volume that it has removed, mm³
@@ -46,6 +49,11 @@ class Carver {
     int first = 0;
     int last = -1;
   };
+  /// Cells of a row whose bounds the current stretch may lower.
+  struct Row {
+    Range upper;
+    Range lower;
+  };
   /// Upper bounds at corners of cells, along a line between two rows.
   struct Corners {
     std::vector<std::int32_t> nm;
@@ -53,11 +61,13 @@ class Carver {
   };
 
   [[nodiscard]] Range touched_cells(const SweptSurface& surface, int row, bool ahead_only) const;
-  void list_rows(const SweptSurface& surface, bool ahead_only);
-  [[nodiscard]] Range range_of(int row) const;
+  void list_rows(const SweptSurface& surface, bool upper_ahead_only, bool lower_ahead_only);
+  [[nodiscard]] Range upper_range_of(int row) const;
   void fill_corners(Corners& corners, const SweptSurface& surface, int line);
-  void carve_row(const SweptSurface& possible, int row);
-  void carve_cells(Cell* cells, const SweptSurface& possible, int row, Range range);
+  template <typename Function>
+  void for_each_cell(int row, Range range, Function function);
+  void sink_upper_bounds(int row, Range range);
+  void sink_lower_bounds(const SweptSurface& possible, int row, Range range);
   [[nodiscard]] std::int32_t upper_nm(double height_mm) const;
   [[nodiscard]] std::int32_t lower_nm(double height_mm) const;
 
@@ -66,7 +76,7 @@ class Carver {
   double half_x_mm_;
   double half_y_mm_;
   int first_row_ = 0;
-  std::vector<Range> rows_;  ///< Cells that the current stretch may touch, from first_row_ on.
+  std::vector<Row> rows_;  ///< From first_row_ on.
   Corners below_;
   Corners above_;
   std::int32_t lowest_nm_ = 0;  ///< Least of all lower bounds of the current stretch.

@@ -139,7 +139,11 @@ double SweptSurface::height_of_path(double x, double y) const {
     return kNowhere;
   }
   const double ahead = along - pose;
-  return z_ + climb_ * pose + height_at(profile_, std::sqrt(ahead * ahead + across * across));
+  const double height =
+      z_ + climb_ * pose + height_at(profile_, std::sqrt(ahead * ahead + across * across));
+  // The next stretch leaves out the points that its first pose, which is this end, sweeps lowest.
+  const Pose& end = falls() ? low_ : high_;
+  return std::min(height, height_of_pose(end, x - end.x_mm, y - end.y_mm));
 }
 
 /// The outward rise that balances the climb, if the profile has it at this distance: at a kink, or
@@ -228,7 +232,8 @@ std::optional<Interval> SweptSurface::extent_at(double y, double extra_mm) const
 }
 
 Interval SweptSurface::ahead_of_start(Interval extent, double y, double extra_mm) const {
-  const double needed = -extra_mm - (y - from_y_) * along_y_;  // (x − from_x) along_x ≥ this.
+  const double rear = extra_mm + (falls() ? most_lead_ : 0.0);
+  const double needed = -rear - (y - from_y_) * along_y_;  // (x − from_x) along_x ≥ this.
   if (along_x_ > 0.0) extent.low = std::max(extent.low, from_x_ + needed / along_x_);
   if (along_x_ < 0.0) extent.high = std::min(extent.high, from_x_ + needed / along_x_);
   if (along_x_ == 0.0 && needed > 0.0) extent.high = -kNowhere;

@@ -46,9 +46,10 @@ class SweptSurface {
   [[nodiscard]] bool is_plane() const {
     return is_level_ && profile_.radius_mm <= profile_.flat_mm;
   }
-  /// Whether all points that are behind the start, seen along the path, are swept lowest by the
-  /// first pose.
-  [[nodiscard]] bool has_old_rear() const { return climb_ >= 0.0 && !plunges_; }
+  /// Whether the path is inclined and goes downwards.
+  [[nodiscard]] bool falls() const { return climb_ < 0.0; }
+  /// Whether all points that ahead_of_start() leaves out are swept lowest by the first pose.
+  [[nodiscard]] bool has_old_rear() const { return !plunges_; }
 
   /// The least and the greatest Y of the sweep's plan.
   [[nodiscard]] Interval extent_along_y() const {
@@ -57,11 +58,12 @@ class SweptSurface {
   }
   /// The part of the line at `y` that is in the sweep's plan, widened by `extra_mm`.
   [[nodiscard]] std::optional<Interval> extent_at(double y, double extra_mm) const;
-  /// Leaves the part of an extent at `y` that is no more than `extra_mm` behind the start, or none.
+  /// Leaves the part of an extent at `y` that is no more than `extra_mm` behind the start and the
+  /// points that later poses sweep lower than the first, or none.
   [[nodiscard]] Interval ahead_of_start(Interval extent, double y, double extra_mm) const;
 
-  /// The height over a point, or an upper bound that a table of poses may have made greater by a
-  /// small part; kNowhere outside of its plan.
+  /// The height over a point; kNowhere outside of the plan. A table of poses may have made it
+  /// greater by a small part, but never greater than the height at the last pose.
   [[nodiscard]] double height(double x, double y) const {
     const Pose* const sole = sole_pose(x, y, 0.0);
     return sole != nullptr ? height_of_pose(*sole, x - sole->x_mm, y - sole->y_mm)

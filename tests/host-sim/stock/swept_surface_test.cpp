@@ -5,8 +5,11 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <deque>
 #include <random>
+#include <vector>
 
+#include "host-sim/stock/carver.hpp"
 #include "tests/support/trials.hpp"
 
 namespace sim::stock {
@@ -139,6 +142,35 @@ TEST(SweptSurface, HeightIsThatOfTheLowestPose) {
   }
 }
 
+/// A point that the last pose, or one just before it, sweeps lowest: there the profile's rise
+/// balances the climb.
+Pose point_of_last_pose(const PlainSweep& plain, RandomSweep& random) {
+  const double dx = plain.to.x_mm - plain.from.x_mm;
+  const double dy = plain.to.y_mm - plain.from.y_mm;
+  const double length = std::hypot(dx, dy);
+  const double climb = (plain.to.z_mm - plain.from.z_mm) / length;
+  const double distance = random.between(0.0, plain.profile.radius_mm);
+  const double cosine = std::min(1.0, std::abs(climb) / rise_at(plain.profile, distance));
+  const double ahead = (climb < 0.0 ? -distance : distance) * cosine - random.between(0.0, 0.02);
+  const double across = distance * std::sqrt(1.0 - cosine * cosine);
+  return {plain.to.x_mm + (ahead * dx - across * dy) / length,
+          plain.to.y_mm + (ahead * dy + across * dx) / length,
+          0.0};
+}
+
+TEST(SweptSurface, HeightIsNoGreaterThanThatOfTheLastPose) {
+  for (const std::uint64_t seed : proof::Trials{1'000}) {
+    RandomSweep random{seed};
+    const auto [plain, surface] = random_case(random);
+    if (surface.is_empty() || plain.from.z_mm == plain.to.z_mm) continue;
+    for (int i = 0; i < 50; ++i) {
+      const auto [x, y, unused] = point_of_last_pose(plain, random);
+      if (!std::isfinite(x)) continue;  // The path is upright.
+      ASSERT_LE(surface.height(x, y), plain.height_of(1.0, x, y) + kRounding) << "seed " << seed;
+    }
+  }
+}
+
 TEST(SweptSurface, LeastOverIsNoGreaterThanAnyHeightInTheRectangle) {
   for (const std::uint64_t seed : proof::Trials{1'000}) {
     RandomSweep random{seed};
@@ -159,6 +191,75 @@ TEST(SweptSurface, LeastOverIsNoGreaterThanAnyHeightInTheRectangle) {
         const double up = at_corner ? (j < 2 ? -1.0 : 1.0) : random.between(-1.0, 1.0);
         ASSERT_LE(greatest, plain.height(x + across * half_x, y + up * half_y) + kRounding)
             << "seed " << seed << " round " << x << ' ' << y;
+      }
+    }
+  }
+}
+
+TEST(SweptSurface, LeavesOutOnlyWhatTheFirstPoseSweepsLowest) {
+  int left_out_of_falling = 0;
+  for (const std::uint64_t seed : proof::Trials{1'000}) {
+    RandomSweep random{seed};
+    const auto [plain, surface] = random_case(random);
+    if (surface.is_empty() || !surface.has_old_rear()) continue;
+    for (int i = 0; i < 50; ++i) {
+      const auto [x, y, unused] = point_near(plain, random);
+      const Interval rest = surface.ahead_of_start({x, x}, y, 0.0);
+      if (rest.low <= rest.high) continue;
+      const double least = plain.height(x, y);
+      ASSERT_GE(least, plain.height_of(0.0, x, y) - kRounding) << "seed " << seed;
+      if (surface.falls() && least < 100.0) ++left_out_of_falling;
+    }
+  }
+  EXPECT_GT(left_out_of_falling, 0);
+}
+
+/// Stretches one after the other, with slack that changes.
+std::vector<Stretch> random_stretches(RandomSweep& random) {
+  std::vector<Stretch> stretches;
+  const Pose at{random.between(0.0, 9.0), random.between(0.0, 7.0), random.between(-3.0, 0.0)};
+  Stretch stretch{at, at};
+  for (int i = 0; i < 12; ++i) {
+    stretch.from = stretch.to;
+    stretch.to = random.next_pose(stretch.from);
+    if (random.chance(0.3)) stretch.side_slack_mm = random.between(0.0, 0.05);
+    if (random.chance(0.3)) stretch.up_slack_mm = random.between(0.0, 0.05);
+    stretches.push_back(stretch);
+  }
+  return stretches;
+}
+
+/// The least bounds that a cell has in any of some stocks.
+Cell least_bounds(const std::deque<Stock>& stocks, int column, int row) {
+  Cell least;
+  for (const Stock& stock : stocks) {
+    least.lower_nm = std::min(least.lower_nm, stock.cell(column, row).lower_nm);
+    least.upper_nm = std::min(least.upper_nm, stock.cell(column, row).upper_nm);
+  }
+  return least;
+}
+
+// A carver that cuts a stretch into an uncut stock leaves nothing out.
+TEST(SweptSurface, LeavingOutWhatIsCutLoosensNoBound) {
+  for (const std::uint64_t seed : proof::Trials{300}) {
+    RandomSweep random{seed};
+    const Cutter cutter = random.cutter();
+    const StockBox box{0.0, 0.0, 9.0, 7.0, 0.0, -6.0};
+    const double cell_mm = random.between(0.08, 0.3);
+    Stock stock{box, cell_mm};
+    Carver carver{stock, cutter};
+    std::deque<Stock> alone;
+    for (const Stretch& stretch : random_stretches(random)) {
+      carver.sweep(stretch);
+      Carver{alone.emplace_back(box, cell_mm), cutter}.sweep(stretch);
+    }
+    for (int row = 0; row < stock.rows(); ++row) {
+      for (int column = 0; column < stock.columns(); ++column) {
+        const Cell least = least_bounds(alone, column, row);
+        ASSERT_LE(stock.cell(column, row).upper_nm, least.upper_nm + 1)
+            << "seed " << seed << " column " << column << " row " << row;
+        ASSERT_GE(stock.cell(column, row).lower_nm, least.lower_nm)
+            << "seed " << seed << " column " << column << " row " << row;
       }
     }
   }
