@@ -119,11 +119,13 @@ class SettingTable {
  public:
   class Iterator {
    public:
+    // NOLINTBEGIN(readability-identifier-naming): names that std::iterator_traits asks for.
     using iterator_category = std::input_iterator_tag;
     using value_type = SettingInfo;
     using difference_type = std::ptrdiff_t;
     using pointer = const SettingInfo*;
     using reference = SettingInfo;
+    // NOLINTEND(readability-identifier-naming)
 
     explicit Iterator(std::size_t index) : index_{index} {}
     [[nodiscard]] SettingInfo operator*() const { return SettingTable{}[index_]; }

@@ -86,7 +86,8 @@ void LineProtocol::poll(hal::TickCount now) {
       if (passes_check(line)) handle(line);
       // Most lines are answered at once: nothing else is to be said before.
       const bool silent = outbox_.empty() && !listing_.active() && !tell_news();
-      if (silent && !machine_.busy()) static_cast<void>(finish_line());
+      // A sender that waits for each answer has it now, and its next line is read in this turn.
+      if (silent && !machine_.busy() && finish_line()) outbox_.send(link_);
     }
   }
 }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+
 namespace cnc {
 
 /// Our own transcendental functions, in single precision.
@@ -32,6 +34,12 @@ inline constexpr float kSinCosRange = 1000.0F;
 inline constexpr double kSinCosError = 1.3e-7;
 [[nodiscard]] SinCos sin_cos(float angle);
 
+/// Tangent of an angle in radians that is within ±π/2.
+[[nodiscard]] inline float tangent_of(float angle) {
+  const SinCos of = sin_cos(angle);
+  return of.sine / of.cosine;
+}
+
 /// Arc tangent of t in [0, 1], in radians. Relative error at most kAtanError.
 inline constexpr double kAtanError = 2.0e-7;
 [[nodiscard]] float atan_unit(float t);
@@ -44,6 +52,10 @@ inline constexpr double kAtan2Error = 3.0e-7;
 /// Cube root of a number in [1e-30, 1e30]. Relative error at most kCubeRootError.
 inline constexpr double kCubeRootError = 2.0e-7;
 [[nodiscard]] float cube_root(float value);
+/// The same of any positive number: of one that is out of that range, the root of its nearest end.
+[[nodiscard]] inline float bounded_cube_root(float value) {
+  return cube_root(std::clamp(value, 1.0e-30F, 1.0e30F));
+}
 
 /// e^−x for x in [0, 2]. Relative error at most kDecayError.
 inline constexpr float kDecayRange = 2.0F;

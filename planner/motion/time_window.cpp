@@ -73,9 +73,6 @@ float along_path(const Block& block, const AxisArray<float>& of_axes) {
   return most;
 }
 
-/// Of any positive number of those that occur here.
-float cube_root_of(float value) { return cube_root(std::clamp(value, 1.0e-30F, 1.0e30F)); }
-
 }  // namespace
 
 TimeWindow window_for(const Limits& limits, std::uint8_t axes) {
@@ -93,7 +90,8 @@ void WindowChoice::add(const Block& block, float length, float speed_square) {
   // On an arc of radius R speed keeps v²/R = A and v³/R² = J.
   if (bend > 0.0F) {
     const float by_acceleration = std::sqrt(acceleration / bend);
-    rise = std::min({rise, std::sqrt(by_acceleration / jerk), cube_root_of(1.0F / (bend * jerk))});
+    rise = std::min(
+        {rise, std::sqrt(by_acceleration / jerk), bounded_cube_root(1.0F / (bend * jerk))});
   }
   jerk_ = std::min(jerk_, jerk);
   rise_ = std::max(rise_, rise);
@@ -104,7 +102,7 @@ TimeWindow WindowChoice::window(float share) const {
   if (longest < kShortest) return {};
   // mm, less than any step: the rest of a way that was halted may be a hundred-millionth.
   constexpr float kLeastLength = 1.0e-4F;
-  const float by_length = cube_root_of(std::max(length_, kLeastLength) / (2.0F * jerk_));
+  const float by_length = bounded_cube_root(std::max(length_, kLeastLength) / (2.0F * jerk_));
   const float shortest = std::min(kShortestChosen, longest);
   const float of_one_move = std::clamp(std::min(rise_, by_length), shortest, longest);
   return divided(std::max(shortest, share * of_one_move));

@@ -8,10 +8,7 @@
 namespace cnc::path {
 namespace {
 
-float bulge_from(float half_sweep) {
-  const SinCos half = sin_cos(0.5F * half_sweep);
-  return half.sine / half.cosine;
-}
+float bulge_from(float half_sweep) { return tangent_of(0.5F * half_sweep); }
 
 /// An arc from one place to another with a direction at its start, or at its end.
 PathElement arc_between(const Position& from,
@@ -26,9 +23,9 @@ PathElement arc_between(const Position& from,
   const auto plane = at_end ? plane_of(chord, direction) : plane_of(direction, chord);
   if (!plane) return arc;
   arc.plane = *plane;
-  const Vec2 along = plane->seen(way);
-  const Vec2 tangent = plane->seen(direction);
-  arc.bulge = at_end ? bulge_between(along, tangent) : bulge_between(tangent, along);
+  const Vec2 across = plane->seen(way);
+  const Vec2 onwards = plane->seen(direction);
+  arc.bulge = at_end ? bulge_between(across, onwards) : bulge_between(onwards, across);
   return arc;
 }
 

@@ -19,11 +19,6 @@ constexpr float kRelativeRounding = 4.0e-7F;  // Of the trim.
 /// keeps the distances that are compared smooth.
 constexpr float kMostTurnOfLeg = 0.5F;
 
-float tangent_of(float angle) {
-  const SinCos of = sin_cos(angle);
-  return of.sine / of.cosine;
-}
-
 /// Returns the plane in which the direction turns.
 std::optional<ArcPlane> lay_out(const PathElement& before,
                                 const PathElement& after,

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "planner/base/contract.hpp"
+#include "planner/path/corner_choice.hpp"
 
 namespace cnc::path {
 namespace {
@@ -136,11 +137,19 @@ float CornerRounder::without_crumbs(float trim_mm) const {
   return trim;
 }
 
+bool CornerRounder::is_stop_sooner_than(float trim_mm) const {
+  const RoundedCorner rounded{
+      .trim_mm = trim_mm,
+      .shorter_mm = std::min(corner_.before.length - first_->used_mm, corner_.after.length),
+      .feed_mm_s = std::max(first_->item.request.feed_mm_s, second_->item.request.feed_mm_s)};
+  return is_stop_sooner(corner_, rounded, limits_);
+}
+
 /// The corner between the two that are held; the second becomes the first.
 void CornerRounder::settle(float allowance_mm) {
   const float trim = without_crumbs(granted(allowance_mm));
   const bool in_halves = differ(first_->item.request, second_->item.request);
-  if (trim >= (in_halves ? kLeastDivided : kCrumbMm)) {
+  if (trim >= (in_halves ? kLeastDivided : kCrumbMm) && !is_stop_sooner_than(trim)) {
     blend(trim, in_halves);
   } else {
     give_rest(*first_, first_->item.request.element.end, -1.0F);

@@ -64,6 +64,7 @@ class CornerRounder {
   void give_blend(const Blend& blend, motion::Joint joint, float trim_mm, bool in_halves);
   [[nodiscard]] float granted(float allowance_mm) const;
   [[nodiscard]] float without_crumbs(float trim_mm) const;
+  [[nodiscard]] bool is_stop_sooner_than(float trim_mm) const;
   void give_rest(const HeldItem& held, const Position& end, float left_mm);
   [[nodiscard]] motion::MotionRequest& begin_giving(const HeldItem& held);
   void give(motion::Joint joint);
