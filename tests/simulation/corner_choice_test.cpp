@@ -61,7 +61,7 @@ double time_of(const TurningWay& way, const std::string& mode) {
   return result.job_time_s;
 }
 
-// Of 4,000 ways the slowest takes ??? times as long as with stops.
+// Of 5,000 ways the slowest takes 1.024 times as long as with stops, the mean is 0.94.
 TEST(RandomTurns, AreHardlySlowerThanStopsAtAllCorners) {
   const Trials trials{200};
   double worst = 0.0;
@@ -71,7 +71,7 @@ TEST(RandomTurns, AreHardlySlowerThanStopsAtAllCorners) {
     Random random{seed};
     const TurningWay way = random_way(random);
     const double ratio = time_of(way, "G61\n") / time_of(way, "G61.1\n");
-    EXPECT_LE(ratio, 1.08) << "jerk " << way.jerk << ", acceleration " << way.acceleration;
+    EXPECT_LE(ratio, 1.05) << "jerk " << way.jerk << ", acceleration " << way.acceleration;
     worst = std::max(worst, ratio);
     sum += ratio;
   }

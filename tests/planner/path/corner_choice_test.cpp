@@ -63,9 +63,10 @@ TEST(CornerChoice, StopsAtTheLessTurnTheLessJerkThereMayBe) {
   EXPECT_LT(before, 30);
 }
 
+// At 1 mm/s a radius of a third of a micrometre is enough, which the tolerance leaves up to 176°.
 TEST(CornerChoice, StopsAtNoTurnWhoseBlendIsAsFastAsTheFeed) {
-  EXPECT_EQ(least_stop(limits_with(0.0F), 1, 0.1F), 180);
-  EXPECT_GT(least_stop(limits_with(30'000.0F), 1, 0.1F), 150);
+  EXPECT_GE(least_stop(limits_with(0.0F), 1, 1.0F), 175);
+  EXPECT_GE(least_stop(limits_with(3.0e6F), 1, 1.0F), 170);
 }
 
 TEST(CornerChoice, KeepsChordsOfACircleSmooth) {
