@@ -18,9 +18,8 @@ struct KnownExcess {
 };
 
 /// Operators that change the pace where a curve needs all jerk: Job and Meddler.
-inline constexpr std::array<KnownExcess, 2> kOperatorExcess{{
+inline constexpr std::array<KnownExcess, 1> kOperatorExcess{{
     {3008, 1.0374444, 1.0040653, 0.0},
-    {3593, 1.0025564, 0.0, 0.0},
 }};
 
 /// Programs without a limit of jerk: WeldedJob.
