@@ -83,7 +83,7 @@ bool report_unreached(const PocketCommandOptions& options, const std::vector<Con
 std::vector<Contour> areas_to_mill(const Terrace& terrace, const PocketCommandOptions& options) {
   const std::optional<pocket::StockBox> stock = options.stock_box();
   if (!stock) return pocket::areas_of(terrace.contours);
-  const double margin_mm = pocket::margin_around(*stock, options.radius_mm());
+  const double margin_mm = pocket::margin_of(strategy_options_of(options));
   return pocket::areas_of(pocket::with_surroundings(terrace.contours, *stock, margin_mm));
 }
 

@@ -143,9 +143,13 @@ void check_pocket_options(const CLI::App& command, const PocketCommandOptions& o
     return refusals.of(kOptionsOfClearing, "--v-angle", "leave it out");
   }
   if (options.strategy != pocket::Strategy::kContour) {
-    refusals.of({"--rest-of", "--stock"},
-                "this strategy",
-                "rests and open pockets are milled by --strategy contour");
+    refusals.of({"--rest-of"}, "this strategy", "rests are milled by --strategy contour");
+  }
+  const bool mills_open_pockets = options.strategy == pocket::Strategy::kContour ||
+                                  options.strategy == pocket::Strategy::kZigzag;
+  if (!mills_open_pockets) {
+    refusals.of(
+        {"--stock"}, "this strategy", "open pockets are milled by --strategy contour or zigzag");
   }
   switch (options.strategy) {
     case pocket::Strategy::kAdaptive:
@@ -156,9 +160,10 @@ void check_pocket_options(const CLI::App& command, const PocketCommandOptions& o
       refusals.of({"--conventional"}, "--strategy zigzag", "lines go both ways");
       break;
     case pocket::Strategy::kPaper:
-      refusals.of({"--stepover", "--corner", "--entry", "--slope", "--conventional", "--finish"},
-                  "--strategy paper",
-                  "it is as printed");
+      refusals.of(
+          {"--stepover", "--corner", "--entry", "--slope", "--conventional", "--finish", "--stock"},
+          "--strategy paper",
+          "it is as printed");
       break;
     case pocket::Strategy::kContour:
     case pocket::Strategy::kSpiral:

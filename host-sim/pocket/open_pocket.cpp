@@ -16,15 +16,8 @@ namespace {
 
 using cnc::WideVec2;
 
-/// The stock counts as smaller by this on all sides, mm, so that walls drawn on its edge end beyond
-/// it.
-constexpr double kSkinMm = 1.0e-3;
 /// Ends of rows closer than this, mm, are one place.
 constexpr double kOnePlaceMm = 1.0e-5;
-
-StockBox grown(const StockBox& box, double by_mm) {
-  return {box.x0 - by_mm, box.y0 - by_mm, box.x1 + by_mm, box.y1 + by_mm};
-}
 
 /// The edge of a box, counter-clockwise.
 Contour edge_of(const StockBox& box) {
@@ -87,7 +80,7 @@ void append_joined(std::vector<std::vector<cut::Stroke>> rows, Contour& to) {
 /// within the stock.
 Contour with_surroundings(const Contour& pockets, const StockBox& stock, double margin_mm) {
   const StockBox around = grown(stock, margin_mm);
-  const Contour edge = edge_of(grown(stock, -kSkinMm));
+  const Contour edge = edge_of(grown(stock, -kStockSkinMm));
   Contour area = edge_of(around);
   std::vector<std::vector<cut::Stroke>> rows;
   const auto take = [&](const LoopPiece& piece, std::vector<cut::Stroke> strokes) {
@@ -132,7 +125,7 @@ StockParts open_path(const cnc::contour::ContourView<double>& area,
   const StockBox far = grown(stock, 2.0 * margin_around(stock, radius_mm));
   const Contour edge = edge_of(stock);
   // Passes around all of the stock would take off the skin.
-  const Contour near_stock = copy_of(offsetter.offset(edge.view(), radius_mm - 2.0 * kSkinMm));
+  const Contour near_stock = copy_of(offsetter.offset(edge.view(), radius_mm - 2.0 * kStockSkinMm));
   const OwnedArea cleared{box_without(far, edge).view()};
   const OwnedArea idle{box_without(far, near_stock).view()};
   return parts_in_stock(passes, {locus, cleared, idle}, options);

@@ -2,12 +2,10 @@
 
 #include <vector>
 
+#include "host-sim/pocket/stock_box.hpp"
 #include "host-sim/pocket/stock_parts.hpp"
 
 namespace sim::pocket {
-
-/// The outline of the stock in plan, a rectangle along the axes, mm.
-using StockBox = cnc::contour::FlatBox<double>;
 
 /// Returns where a tool may mill: in the pockets, and all around the stock up to a margin. Pockets
 /// that reach the edge of the stock, or go beyond it, are open there: one area with what is around.

@@ -12,6 +12,17 @@
 
 namespace sim::pocket {
 
+double margin_of(const StrategyOptions& options) {
+  constexpr double kOfLoops = 2.5;  // The tool, and what it goes on beyond the edge.
+  const double radius_mm = options.pocket.clearing.tool_radius;
+  switch (options.strategy) {
+    case Strategy::kZigzag:
+      return kOfLoops * radius_mm;
+    default:
+      return margin_around(*options.stock, radius_mm);
+  }
+}
+
 MilledPocket StrategyPlanner::mill(const cnc::contour::ContourView<double>& pocket,
                                    double tool_radius_mm) {
   options_.pocket.clearing.tool_radius = tool_radius_mm;
@@ -30,7 +41,8 @@ MilledPocket StrategyPlanner::mill(const cnc::contour::ContourView<double>& pock
 
 MilledPocket StrategyPlanner::mill_levels(const cnc::contour::ContourView<double>& pocket) {
   const double tool_radius_mm = options_.pocket.clearing.tool_radius;
-  if (options_.stock && is_around(pocket, *options_.stock)) return mill_open(pocket);
+  const bool is_open = options_.stock && is_around(pocket, *options_.stock);
+  if (is_open) return mill_open(pocket);
   ContourOffset offsetter;
   if (options_.former_radius_mm > 0.0) {
     const double former_mm = fitting_radius(pocket, options_.former_radius_mm, offsetter);
@@ -72,7 +84,7 @@ MilledPocket StrategyPlanner::rough(const cnc::contour::ContourView<double>& poc
     case Strategy::kAdaptive:
       return mill_adaptively(pocket);
     case Strategy::kZigzag:
-      return mill_lines(pocket);
+      return mill_lines(pocket, std::nullopt);
     case Strategy::kPaper:
       break;
   }
@@ -139,6 +151,15 @@ MilledPocket StrategyPlanner::repeated(const StockParts& level) const {
 }
 
 MilledPocket StrategyPlanner::mill_open(const cnc::contour::ContourView<double>& pocket) {
+  switch (options_.strategy) {
+    case Strategy::kZigzag:
+      return mill_lines(pocket, options_.stock);
+    default:
+      return mill_open_contours(pocket);
+  }
+}
+
+MilledPocket StrategyPlanner::mill_open_contours(const cnc::contour::ContourView<double>& pocket) {
   const auto& clearing = options_.pocket.clearing;
   return repeated(open_path(pocket,
                             *options_.stock,
@@ -168,7 +189,8 @@ MilledPocket StrategyPlanner::mill_adaptively(
   return milled;
 }
 
-MilledPocket StrategyPlanner::mill_lines(const cnc::contour::ContourView<double>& pocket) const {
+MilledPocket StrategyPlanner::mill_lines(const cnc::contour::ContourView<double>& pocket,
+                                         const std::optional<StockBox>& stock) const {
   const bool plunges = options_.pocket.entry.kind == cnc::pocket::EntryKind::kPlunge;
   const double radius_mm = options_.pocket.clearing.tool_radius;
   // In a slot, the tool counts as a hair smaller than it is.
@@ -179,7 +201,8 @@ MilledPocket StrategyPlanner::mill_lines(const cnc::contour::ContourView<double>
                                    .turn_radius_mm = options_.pocket.clearing.corner_radius,
                                    .depth_mm = step_mm(),
                                    .slope = options_.pocket.entry.slope,
-                                   .plunges = plunges});
+                                   .plunges = plunges,
+                                   .stock = stock});
   MilledPocket milled = repeated(path);
   milled.passes = path.lines;
   return milled;

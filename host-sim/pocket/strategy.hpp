@@ -36,6 +36,10 @@ struct StrategyOptions {
   std::optional<StockBox> stock{};
 };
 
+/// Returns the margin around the stock with which a strategy mills open pockets, mm: see
+/// with_surroundings(). @pre there is a stock
+[[nodiscard]] double margin_of(const StrategyOptions& options);
+
 /// The path of a pocket through all its levels, by any strategy.
 struct MilledPocket : PathRows {
   std::uint32_t levels = 0;
@@ -72,11 +76,14 @@ class StrategyPlanner {
   [[nodiscard]] PocketPlan passes_of(const cnc::contour::ContourView<double>& pocket,
                                      double stepover_mm);
   [[nodiscard]] MilledPocket mill_spirals(const cnc::contour::ContourView<double>& pocket);
+  /// What is around the stock, with the pockets that are open there.
   [[nodiscard]] MilledPocket mill_open(const cnc::contour::ContourView<double>& pocket);
+  [[nodiscard]] MilledPocket mill_open_contours(const cnc::contour::ContourView<double>& pocket);
   [[nodiscard]] MilledPocket mill_rest(const cnc::contour::ContourView<double>& pocket,
                                        double former_radius_mm);
   [[nodiscard]] MilledPocket mill_adaptively(const cnc::contour::ContourView<double>& pocket) const;
-  [[nodiscard]] MilledPocket mill_lines(const cnc::contour::ContourView<double>& pocket) const;
+  [[nodiscard]] MilledPocket mill_lines(const cnc::contour::ContourView<double>& pocket,
+                                        const std::optional<StockBox>& stock) const;
   [[nodiscard]] MilledPocket mill_by_paper(const cnc::contour::ContourView<double>& pocket) const;
   /// The path of one level, as often as there are levels.
   [[nodiscard]] MilledPocket repeated(const PathRows& level) const;

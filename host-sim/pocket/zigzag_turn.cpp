@@ -16,13 +16,6 @@ constexpr double kOneTangent = 1.0e-4;
 /// rad: an arc of less is no arc.
 constexpr double kNoSweep = 1.0e-6;
 
-/// An arc between a line and the wall.
-struct Fillet {
-  WideVec2 on_line{0.0, 0.0};
-  BoundaryPlace on_wall;
-  double bulge = 0.0;  ///< As driven, upwards.
-};
-
 /// The end of the stretches that is nearest to x, if none of them begins between: up to there, the
 /// wall is within twice the radius of a line's rest.
 std::optional<double> end_nearest_to(const std::vector<Stretch>& stretches, double x, Side side) {
@@ -36,32 +29,6 @@ std::optional<double> end_nearest_to(const std::vector<Stretch>& stretches, doub
     if ((begin - *best) * (begin - x) < 0.0) return std::nullopt;
   }
   return best;
-}
-
-/// The arc that leaves a line upwards, or reaches it from below. Seen from the right side, both
-/// turn left; from the left side, right.
-std::optional<Fillet> fillet_at(
-    const TurnSpace& space, double end_x, double y, Side side, bool leaves_line) {
-  const double centre_y = leaves_line ? y + space.radius_mm : y - space.radius_mm;
-  const auto centre_x = end_nearest_to(stretches_at(space.centres, centre_y), end_x, side);
-  if (!centre_x) return std::nullopt;
-  const WideVec2 centre{*centre_x, centre_y};
-  const auto wall = space.rounded->nearest(centre);
-  if (std::abs(wall.distance - space.radius_mm) > kMeetsMm) return std::nullopt;
-  Fillet fillet{{*centre_x, y}, {wall.element, wall.point}, 0.0};
-  if (space.radius_mm == 0.0) return fillet;
-  const WideVec2 line_way = fillet.on_line - centre;
-  const WideVec2 wall_way = wall.point - centre;
-  // At a corner of the wall the arc would have no tangent in common with it.
-  const WideVec2 along = space.rounded->element(wall.element).tangent_at(wall.point);
-  if (std::abs(along.dot(wall_way)) > kOneTangent * space.radius_mm) return std::nullopt;
-  const WideVec2& from = leaves_line ? line_way : wall_way;
-  const WideVec2& to = leaves_line ? wall_way : line_way;
-  const double sign = side == Side::kRight ? 1.0 : -1.0;
-  const double sweep = sign * std::atan2(cnc::cross(from, to), from.dot(to));
-  if (sweep < -kNoSweep) return std::nullopt;
-  fillet.bulge = sweep < kNoSweep ? 0.0 : sign * std::tan(0.25 * sweep);
-  return fillet;
 }
 
 /// The directions in which a line or an arc begins and ends.
@@ -79,24 +46,9 @@ Directions directions_of(const WideVec2& from, const WayElement& element) {
           cosine * chord + sine * cnc::left_normal(chord)};
 }
 
-/// Whether all joints of a way have one tangent, those with the lines at both of its ends among
-/// them, and all of it is in the area: where the wall has corners, they may not.
-bool is_smooth(const TurnSpace& space, const WideVec2& start, const ZigzagTurn& turn, Side side) {
-  const WideVec2 away = side == Side::kRight ? WideVec2{1.0, 0.0} : WideVec2{-1.0, 0.0};
-  WideVec2 direction = away;
-  WideVec2 from = start;
-  for (const WayElement& element : turn.way) {
-    const WideVec2 chord = element.to - from;
-    if (chord.norm() < kMeetsMm) continue;
-    const Directions ends = directions_of(from, element);
-    if (direction.dot(ends.begin) < 0.0) return false;
-    if (std::abs(cnc::cross(direction, ends.begin)) > kOneTangent) return false;
-    const WideVec2 middle = 0.5 * (from + element.to - element.bulge * cnc::left_normal(chord));
-    if (space.rounded->depth(middle) < -kMeetsMm) return false;
-    direction = ends.end;
-    from = element.to;
-  }
-  return std::abs(cnc::cross(direction, away)) <= kOneTangent && direction.dot(away) < 0.0;
+/// The direction from the area through one of its sides.
+WideVec2 outwards(Side side) {
+  return side == Side::kRight ? WideVec2{1.0, 0.0} : WideVec2{-1.0, 0.0};
 }
 
 bool lies_on(const Stretch& stretch, double x) {
@@ -105,17 +57,62 @@ bool lies_on(const Stretch& stretch, double x) {
 
 }  // namespace
 
+/// Seen from the right side, both arcs turn left; from the left side, right.
+std::optional<WallFillet> fillet_at(
+    const TurnSpace& space, const Stretch& line, double y_mm, Side side, bool leaves_line) {
+  const double centre_y = leaves_line ? y_mm + space.radius_mm : y_mm - space.radius_mm;
+  const auto centre_x =
+      end_nearest_to(stretches_at(space.centres, centre_y), end_of(line, side), side);
+  if (!centre_x || !lies_on(line, *centre_x)) return std::nullopt;
+  const WideVec2 centre{*centre_x, centre_y};
+  const auto wall = space.rounded->nearest(centre);
+  if (std::abs(wall.distance - space.radius_mm) > kMeetsMm) return std::nullopt;
+  WallFillet fillet{{*centre_x, y_mm}, {wall.element, wall.point}, 0.0};
+  if (space.radius_mm == 0.0) return fillet;
+  const WideVec2 line_way = fillet.on_line - centre;
+  const WideVec2 wall_way = wall.point - centre;
+  // At a corner of the wall the arc would have no tangent in common with it.
+  const WideVec2 along = space.rounded->element(wall.element).tangent_at(wall.point);
+  if (std::abs(along.dot(wall_way)) > kOneTangent * space.radius_mm) return std::nullopt;
+  const WideVec2& from = leaves_line ? line_way : wall_way;
+  const WideVec2& to = leaves_line ? wall_way : line_way;
+  const double sign = side == Side::kRight ? 1.0 : -1.0;
+  const double sweep = sign * std::atan2(cnc::cross(from, to), from.dot(to));
+  if (sweep < -kNoSweep) return std::nullopt;
+  fillet.bulge = sweep < kNoSweep ? 0.0 : sign * std::tan(0.25 * sweep);
+  return fillet;
+}
+
+bool is_smooth(const TurnSpace& space,
+               const WideVec2& from,
+               const WideVec2& begin,
+               const std::vector<WayElement>& way,
+               Side side) {
+  WideVec2 direction = begin;
+  WideVec2 at = from;
+  for (const WayElement& element : way) {
+    const WideVec2 chord = element.to - at;
+    if (chord.norm() < kMeetsMm) continue;
+    const Directions ends = directions_of(at, element);
+    if (direction.dot(ends.begin) < 0.0) return false;
+    if (std::abs(cnc::cross(direction, ends.begin)) > kOneTangent) return false;
+    const WideVec2 middle = 0.5 * (at + element.to - element.bulge * cnc::left_normal(chord));
+    if (space.rounded->depth(middle) < -kMeetsMm) return false;
+    direction = ends.end;
+    at = element.to;
+  }
+  const WideVec2 away = outwards(side);
+  return std::abs(cnc::cross(direction, away)) <= kOneTangent && direction.dot(away) < 0.0;
+}
+
 std::optional<ZigzagTurn> turn_between(const TurnSpace& space,
                                        const StretchPair& pair,
                                        Side side,
                                        double limit_mm) {
   const auto& [below, above, y_mm, step_mm] = pair;
-  const auto leaving = fillet_at(space, end_of(below, side), y_mm, side, true);
-  const auto meeting = fillet_at(space, end_of(above, side), y_mm + step_mm, side, false);
+  const auto leaving = fillet_at(space, below, y_mm, side, true);
+  const auto meeting = fillet_at(space, above, y_mm + step_mm, side, false);
   if (!leaving || !meeting) return std::nullopt;
-  if (!lies_on(below, leaving->on_line.x()) || !lies_on(above, meeting->on_line.x())) {
-    return std::nullopt;
-  }
   auto along =
       way_along(space.rounded, leaving->on_wall, meeting->on_wall, side == Side::kLeft, limit_mm);
   if (!along) return std::nullopt;
@@ -123,9 +120,9 @@ std::optional<ZigzagTurn> turn_between(const TurnSpace& space,
   turn.way.push_back({leaving->on_wall.place, leaving->bulge});
   turn.way.insert(turn.way.end(), along->begin(), along->end());
   turn.way.push_back({meeting->on_line, meeting->bulge});
-  if (space.radius_mm > 0.0 && !is_smooth(space, leaving->on_line, turn, side)) {
-    return std::nullopt;
-  }
+  const bool has_corners =
+      space.radius_mm > 0.0 && !is_smooth(space, leaving->on_line, outwards(side), turn.way, side);
+  if (has_corners) return std::nullopt;
   return turn;
 }
 

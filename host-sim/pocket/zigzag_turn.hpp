@@ -40,4 +40,26 @@ struct ZigzagTurn {
                                                      Side side,
                                                      double limit_mm);
 
+/// An arc between a line and the wall.
+struct WallFillet {
+  cnc::WideVec2 on_line{0.0, 0.0};
+  BoundaryPlace on_wall;
+  double bulge = 0.0;  ///< As driven, upwards.
+};
+
+/// Returns the arc that leaves a line upwards to the wall on one side of the area, or reaches it
+/// from below along the wall. None where the wall has a corner there, or is too far.
+[[nodiscard]] std::optional<WallFillet> fillet_at(
+    const TurnSpace& space, const Stretch& line, double y_mm, Side side, bool leaves_line);
+
+/// Returns whether a way between a line and the wall, or from one line to another, is in the area
+/// and has one tangent at all joints and at its end, where it is on a line: the wall may have
+/// corners.
+/// @param begin direction of the line before it; null where there is none
+[[nodiscard]] bool is_smooth(const TurnSpace& space,
+                             const cnc::WideVec2& from,
+                             const cnc::WideVec2& begin,
+                             const std::vector<WayElement>& way,
+                             Side side);
+
 }  // namespace sim::pocket

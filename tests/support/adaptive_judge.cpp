@@ -120,8 +120,10 @@ class AdaptiveJudge {
  public:
   AdaptiveJudge(const cnc::contour::ContourView<double>& area,
                 const sim::pocket::AdaptivePath& path,
-                const sim::pocket::AdaptiveOptions& options)
+                const sim::pocket::AdaptiveOptions& options,
+                const std::optional<sim::pocket::StockBox>& stock)
       : area_{area},
+        stock_{stock},
         path_{path},
         radius_{options.tool_radius_mm},
         sweeps_{sweeps_of(path, -options.depth_mm)},
@@ -174,6 +176,11 @@ class AdaptiveJudge {
     return false;
   }
 
+  /// Whether no stock has ever been at a place, or nothing but its skin.
+  [[nodiscard]] bool is_beside_stock(const WideVec2& place) const {
+    return stock_ && sim::pocket::gap_to(sim::pocket::grown(*stock_, -2.0 * kThin_mm), place) > 0.0;
+  }
+
   /// Degrees of the leading half whose edge is in stock. What the tool swept just now is left out
   /// of what is cleared: along its side, the edge is always as far from that as the tool is wide.
   [[nodiscard]] double engaged(std::size_t index,
@@ -190,6 +197,7 @@ class AdaptiveJudge {
     for (int i = 0; i < kParts; ++i) {
       const double angle = from + std::numbers::pi * (i + 0.5) / kParts;
       const WideVec2 edge = place + radius_ * WideVec2{std::cos(angle), std::sin(angle)};
+      if (is_beside_stock(edge)) continue;
       if (so_far.distance(edge.x(), edge.y()) <= cleared) continue;
       if (!plane_.is_within(edge, index, cleared)) ++count;
     }
@@ -210,6 +218,7 @@ class AdaptiveJudge {
     for (int i = 0; i <= kRows; ++i) {
       for (int k = 0; k <= kRows; ++k) {
         const WideVec2 place{x0 + (x1 - x0) * i / kRows, y0 + (y1 - y0) * k / kRows};
+        if (is_beside_stock(place)) continue;
         if (area_->depth(place) < 0.0 || locus->depth(place) < 2.0 * kThin_mm - radius_) continue;
         verdict_.left_mm = std::max(verdict_.left_mm, plane_.distance(place) - radius_);
       }
@@ -217,6 +226,7 @@ class AdaptiveJudge {
   }
 
   sim::pocket::OwnedArea area_;
+  std::optional<sim::pocket::StockBox> stock_;
   const sim::pocket::AdaptivePath& path_;
   double radius_;
   std::vector<Sweep> sweeps_;
@@ -228,8 +238,9 @@ class AdaptiveJudge {
 
 AdaptiveVerdict judge_adaptive(const cnc::contour::ContourView<double>& area,
                                const sim::pocket::AdaptivePath& path,
-                               const sim::pocket::AdaptiveOptions& options) {
-  return AdaptiveJudge{area, path, options}.judge(area);
+                               const sim::pocket::AdaptiveOptions& options,
+                               const std::optional<sim::pocket::StockBox>& stock) {
+  return AdaptiveJudge{area, path, options, stock}.judge(area);
 }
 
 }  // namespace proof

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "host-sim/pocket/adaptive_path.hpp"
 #include "host-sim/pocket/owned_area.hpp"
+#include "host-sim/pocket/stock_box.hpp"
 #include "tests/support/contour_oracle.hpp"
 
 namespace proof {
@@ -20,8 +22,11 @@ struct AdaptiveVerdict {
   std::size_t judged = 0;    ///< Other places of passes.
 };
 
-[[nodiscard]] AdaptiveVerdict judge_adaptive(const cnc::contour::ContourView<double>& area,
-                                             const sim::pocket::AdaptivePath& path,
-                                             const sim::pocket::AdaptiveOptions& options);
+/// @param stock all of it, where the area is what is around it; else stock is everywhere
+[[nodiscard]] AdaptiveVerdict judge_adaptive(
+    const cnc::contour::ContourView<double>& area,
+    const sim::pocket::AdaptivePath& path,
+    const sim::pocket::AdaptiveOptions& options,
+    const std::optional<sim::pocket::StockBox>& stock = std::nullopt);
 
 }  // namespace proof

@@ -5,260 +5,249 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <numbers>
+#include <iterator>
 #include <string>
 #include <vector>
 
 #include "host-sim/contour/contour_text.hpp"
 #include "host-sim/pocket/areas.hpp"
+#include "host-sim/pocket/fitting_radius.hpp"
 #include "host-sim/pocket/strategy.hpp"
 #include "tests/planner/pocket/path_bench.hpp"
+#include "tests/support/adaptive_judge.hpp"
+#include "tests/support/open_pocket_judge.hpp"
+#include "tests/support/path_corners.hpp"
+#include "tests/support/strategy_name.hpp"
 #include "tests/support/trials.hpp"
 
 namespace proof {
 namespace {
 
 using cnc::WideVec2;
-using cnc::pocket::PathPoint;
 using cnc::pocket::Use;
 using sim::pocket::MilledPocket;
 using sim::pocket::StockBox;
+using sim::pocket::Strategy;
 using sim::pocket::StrategyOptions;
 
-/// mm: the stock counts as a thousandth smaller, and contours are written in micrometres.
-constexpr double kSkinMm = 2.0e-3;
-
-StrategyOptions open_options(double radius_mm, const StockBox& stock) {
+StrategyOptions open_options(Strategy strategy, double radius_mm, const StockBox& stock) {
   StrategyOptions options;
+  options.strategy = strategy;
   options.pocket.clearing = {
-      .tool_radius = radius_mm, .corner_radius = 0.1 * radius_mm, .stepover = 2.0 * radius_mm};
+      .tool_radius = radius_mm, .corner_radius = 0.1 * radius_mm, .stepover = 0.8 * radius_mm};
   options.pocket.entry = {cnc::pocket::EntryKind::kHelix, 0.05, 0.9 * radius_mm};
   options.pocket.depth = options.pocket.depth_step = 0.1 * radius_mm;
   options.stock = stock;
   return options;
 }
 
+/// What may be milled: the pockets, and what is around the stock.
+sim::Contour area_of(const sim::Contour& pockets, const StrategyOptions& options) {
+  return sim::pocket::with_surroundings(pockets, *options.stock, sim::pocket::margin_of(options));
+}
+
+/// Paths of areas with the corners of their walls, as the tool's centre sees them.
+struct MilledAreas : MilledPocket {
+  std::vector<cnc::WideVec2> corners;
+};
+
 /// The paths of all areas that are open, or all that are not.
-MilledPocket mill(const sim::Contour& pockets, const StrategyOptions& options, bool is_open) {
-  const double radius_mm = options.pocket.clearing.tool_radius;
-  const sim::Contour all = sim::pocket::with_surroundings(
-      pockets, *options.stock, sim::pocket::margin_around(*options.stock, radius_mm));
-  MilledPocket milled;
+MilledAreas mill(const sim::Contour& pockets, const StrategyOptions& options, bool is_open) {
+  const sim::Contour all = area_of(pockets, options);
+  MilledAreas milled;
   sim::pocket::StrategyPlanner planner{options};
+  sim::ContourOffset offsetter;
   for (const sim::Contour& area : sim::pocket::areas_of(all)) {
     if (sim::pocket::is_around(area.view(), *options.stock) != is_open) continue;
-    milled.append(planner.mill(area.view(), radius_mm));
+    const double radius_mm =
+        sim::pocket::fitting_radius(area.view(), options.pocket.clearing.tool_radius, offsetter);
+    if (radius_mm == 0.0) continue;
+    const MilledPocket one = planner.mill(area.view(), radius_mm);
+    milled.append(one);
+    milled.narrow.insert(milled.narrow.end(), one.narrow.begin(), one.narrow.end());
+    const sim::Contour locus = sim::copy_of(offsetter.offset(area.view(), -radius_mm));
+    std::ranges::copy(corners_of(locus.view()), std::back_inserter(milled.corners));
   }
   return milled;
 }
 
-/// How far a place is inside of a box; negative outside.
-double depth_in(const StockBox& box, const WideVec2& place) {
-  return std::min({place.x() - box.x0, box.x1 - place.x(), place.y() - box.y0, box.y1 - place.y()});
-}
-
-/// Looks for faults of the path of open pockets by samples.
-class OpenCheck {
- public:
-  OpenCheck(const sim::Contour& pockets, const MilledPocket& path, const StrategyOptions& options)
-      : path_{path}, radius_{options.pocket.clearing.tool_radius}, stock_{*options.stock} {
-    walls_.add(pockets.view());
-    constexpr int kSamples = 96;
-    for (std::size_t i = 0; i < walls_.size(); ++i) {
-      for (int k = 0; k < kSamples; ++k) {
-        const WideVec2 wall = walls_.at(i, static_cast<double>(k) / kSamples);
-        if (depth_in(stock_, wall) > 0.0) walls_in_stock_.push_back(wall);
-      }
-    }
-    cnc::pocket::for_each_element(path.path(), [this](const auto& from, const auto& to) {
-      if (from.use == Use::kPass && cnc::pocket::flat_length(from, to) > 0.0) {
-        passes_.add_element(cnc::pocket::arc_of(from, to));
-      }
-    });
-  }
-
-  std::string run(Random& random) {
-    cnc::pocket::for_each_element(
-        path_.path(), [this](const auto& from, const auto& to) { check_element(from, to); });
-    for (int i = 0; i < 300; ++i) check_stock(random);
-    return complaint_;
-  }
-  [[nodiscard]] std::size_t places() const { return places_; }
-
- private:
-  void complain(const std::string& text, const WideVec2& place) {
-    if (!complaint_.empty()) return;
-    complaint_ = text + " at " + std::to_string(place.x()) + " " + std::to_string(place.y());
-  }
-
-  /// Whether stock that must stay is at a place, and not only its skin.
-  [[nodiscard]] bool must_stay(const WideVec2& place) const {
-    return depth_in(stock_, place) > kSkinMm && !walls_.encloses(place) &&
-           walls_.distance(place) > kSkinMm;
-  }
-
-  void check_element(const PathPoint<double>& from, const PathPoint<double>& to) {
-    const bool is_down = from.use == Use::kLink && to.z < from.z;
-    if (is_down)
-      return each_of_rim(from.point(), [this](const WideVec2& rim) {
-        if (depth_in(stock_, rim) > 1.0e-6) complain("a plunge into stock", rim);
-      });
-    if (cnc::pocket::flat_length(from, to) == 0.0) return;
-    const cnc::contour::exact::PlainArc arc{cnc::pocket::arc_of(from, to)};
-    for (const double share : {0.0, 0.31, 0.5, 0.83}) {
-      each_of_rim(arc.at(share), [this](const WideVec2& rim) {
-        if (must_stay(rim)) complain("gouges", rim);
-      });
-    }
-  }
-
-  template <typename Visit>
-  void each_of_rim(const WideVec2& centre, Visit&& visit) const {
-    constexpr int kAround = 32;
-    for (int i = 0; i < kAround; ++i) {
-      const double angle = 2.0 * std::numbers::pi * (i + 0.3) / kAround;
-      visit(WideVec2{centre + radius_ * WideVec2{std::cos(angle), std::sin(angle)}});
-    }
-  }
-
-  /// Whether a disc of the tool around some centre nearby holds the place and nothing that must
-  /// stay.
-  [[nodiscard]] bool is_reachable(const WideVec2& place) const {
-    constexpr int kCentres = 24;
-    for (int i = 0; i < kCentres; ++i) {
-      const double angle = 2.0 * std::numbers::pi * i / kCentres;
-      for (const double share : {0.0, 0.5, 0.9}) {
-        const WideVec2 centre =
-            place + share * radius_ * WideVec2{std::cos(angle), std::sin(angle)};
-        if (is_free(centre)) return true;
-      }
-    }
-    return false;
-  }
-
-  /// Whether a disc a little larger than the tool holds nothing that must stay.
-  [[nodiscard]] bool is_free(const WideVec2& centre) const {
-    const double reach = 1.01 * radius_;
-    if (depth_in(stock_, centre) < -reach) return true;
-    const auto is_near = [&](const WideVec2& wall) { return (wall - centre).norm() < reach; };
-    if (std::ranges::any_of(walls_in_stock_, is_near)) return false;
-    for (const double share : {0.35, 0.7, 1.0}) {
-      for (int i = 0; i < 48; ++i) {
-        const double angle = 2.0 * std::numbers::pi * i / 48;
-        const WideVec2 rim = centre + share * reach * WideVec2{std::cos(angle), std::sin(angle)};
-        if (depth_in(stock_, rim) > 0.0 && !walls_.encloses(rim)) return false;
-      }
-    }
-    return depth_in(stock_, centre) < 0.0 || walls_.encloses(centre);
-  }
-
-  void check_stock(Random& random) {
-    const WideVec2 place{random.between(stock_.x0, stock_.x1),
-                         random.between(stock_.y0, stock_.y1)};
-    if (!walls_.encloses(place) || !is_reachable(place)) return;
-    ++places_;
-    const double away = passes_.empty() ? 1.0e9 : passes_.distance(place);
-    if (away > radius_ + kSkinMm) {
-      complain("leaves stock, " + std::to_string(away - radius_) + " mm from the tool", place);
-    }
-  }
-
-  const MilledPocket& path_;
-  double radius_;
-  StockBox stock_;
-  cnc::pocket::PlainContour walls_;
-  std::vector<WideVec2> walls_in_stock_;  ///< Places of the walls, close together.
-  cnc::pocket::PlainContour passes_;
-  std::size_t places_ = 0;
-  std::string complaint_;
-};
-
 constexpr StockBox kStock{0.0, 0.0, 100.0, 60.0};
 
-std::string faults_of_open(const char* text, double radius_mm, std::size_t least_places) {
-  const sim::Contour pockets = sim::contour_from_text(text, "test");
-  const StrategyOptions options = open_options(radius_mm, kStock);
-  const MilledPocket path = mill(pockets, options, true);
-  EXPECT_TRUE(mill(pockets, options, false).points.empty());
-  Random random{1};
-  OpenCheck check{pockets, path, options};
-  const std::string faults = check.run(random);
-  EXPECT_GE(check.places(), least_places);
-  return faults;
+/// How many rows go down in the stock.
+std::size_t entries_of(const MilledPocket& path) {
+  std::size_t entries = 0;
+  for (std::size_t row = 0; row < path.row_ends.size(); ++row) {
+    if (path.points[path.path().row_begin(row)].use == Use::kEntry) ++entries;
+  }
+  return entries;
 }
 
-TEST(OpenPockets, AreMilledFromBesideTheStock) {
+class OpenPockets : public testing::TestWithParam<Strategy> {
+ protected:
+  static StrategyOptions options_of(double radius_mm, const StockBox& stock) {
+    return open_options(GetParam(), radius_mm, stock);
+  }
+
+  /// @param entries rows that may go down in the stock
+  static std::string faults_of(const char* text,
+                               double radius_mm,
+                               std::size_t least_places,
+                               std::size_t entries = 0) {
+    const sim::Contour pockets = sim::contour_from_text(text, "test");
+    const StrategyOptions options = options_of(radius_mm, kStock);
+    const MilledAreas path = mill(pockets, options, true);
+    EXPECT_TRUE(mill(pockets, options, false).points.empty());
+    EXPECT_LE(entries_of(path), entries);
+    EXPECT_EQ(corner_elsewhere(path, path.corners), "");
+    Random random{1};
+    OpenPocketJudge judge{pockets, path, options};
+    const std::string faults = judge.run(random);
+    EXPECT_GE(judge.places(), least_places);
+    return faults;
+  }
+};
+
+TEST_P(OpenPockets, AreMilledFromBesideTheStock) {
   // A slot that ends beyond the edge, one that ends on it, a corner, and one from side to side.
-  EXPECT_EQ(faults_of_open("40 20\n60 20\n60 70\n40 70\nclosed\n", 3.0, 20), "");
-  EXPECT_EQ(faults_of_open("40 20\n60 20\n60 60\n40 60\nclosed\n", 3.0, 20), "");
-  EXPECT_EQ(faults_of_open("70 30\n100 30\n100 60\n70 60\nclosed\n", 3.0, 20), "");
-  EXPECT_EQ(faults_of_open("-10 20\n110 20\n110 40\n-10 40\nclosed\n", 3.0, 50), "");
+  EXPECT_EQ(faults_of("40 20\n60 20\n60 70\n40 70\nclosed\n", 3.0, 20), "");
+  EXPECT_EQ(faults_of("40 20\n60 20\n60 60\n40 60\nclosed\n", 3.0, 20), "");
+  EXPECT_EQ(faults_of("40 -5\n60 -5\n60 40\n40 40\nclosed\n", 3.0, 20), "");
+  EXPECT_EQ(faults_of("70 30\n100 30\n100 60\n70 60\nclosed\n", 3.0, 20), "");
+  EXPECT_EQ(faults_of("-10 20\n110 20\n110 40\n-10 40\nclosed\n", 3.0, 50), "");
 }
 
-TEST(OpenPockets, KeepIslandsAndWhatIsClosed) {
+TEST_P(OpenPockets, MayBeAllOfTheStock) {
+  // Contours begin in its middle.
+  const std::size_t entries = GetParam() == Strategy::kContour ? 1000 : 0;
+  EXPECT_EQ(faults_of("-10 -10\n110 -10\n110 70\n-10 70\nclosed\n", 3.0, 250, entries), "");
+}
+
+TEST_P(OpenPockets, KeepIslandsAndWhatIsClosed) {
   const sim::Contour pockets = sim::contour_from_text(
       "30 20\n70 20\n70 70\n30 70\nclosed\n50 35 -1\n56 35 -1\nclosed\n"
       "5 5\n25 5\n25 25\n5 25\nclosed\n",
       "test");
-  const StrategyOptions options = open_options(3.0, kStock);
+  const StrategyOptions options = options_of(3.0, kStock);
   const MilledPocket open = mill(pockets, options, true);
   const MilledPocket closed = mill(pockets, options, false);
   EXPECT_FALSE(closed.points.empty());
   for (const auto& point : closed.points) EXPECT_LT(point.x, 25.0);
   for (const auto& point : open.points) EXPECT_GT(point.x, 25.0);
   Random random{1};
-  EXPECT_NE((OpenCheck{pockets, open, options}.run(random)), "");  // It leaves the closed pocket.
+  // It leaves the closed pocket.
+  EXPECT_NE((OpenPocketJudge{pockets, open, options}.run(random)), "");
   MilledPocket all = open;
   all.append(closed);
-  EXPECT_EQ((OpenCheck{pockets, all, options}.run(random)), "");
+  EXPECT_EQ((OpenPocketJudge{pockets, all, options}.run(random)), "");
 }
 
-TEST(OpenPockets, LeaveAStockAloneThatTheyDoNotReach) {
+TEST_P(OpenPockets, LeaveAStockAloneThatTheyDoNotReach) {
   const sim::Contour pockets = sim::contour_from_text("5 5\n25 5\n25 25\n5 25\nclosed\n", "test");
-  EXPECT_TRUE(mill(pockets, open_options(3.0, kStock), true).points.empty());
+  EXPECT_TRUE(mill(pockets, options_of(3.0, kStock), true).points.empty());
 }
 
-TEST(OpenPockets, OfRandomShapesAreCleared) {
-  std::size_t places = 0;
+/// A stock that a pocket crosses on one side or on more.
+StockBox random_stock(const sim::Contour& pockets, Random& random) {
+  StockBox box{1.0e9, 1.0e9, -1.0e9, -1.0e9};
+  for (const auto& vertex : pockets.vertices) {
+    box.include({vertex.x, vertex.y, vertex.x, vertex.y});
+  }
+  const auto inwards = [&random](double size) {
+    return random.chance(0.5) ? random.between(0.0, 0.4) * size : -0.1 * size;
+  };
+  const double width = box.x1 - box.x0;
+  const double height = box.y1 - box.y0;
+  return {box.x0 + inwards(width),
+          box.y0 + inwards(height),
+          box.x1 - inwards(width),
+          box.y1 - inwards(height)};
+}
+
+StrategyOptions random_options(Strategy strategy,
+                               double radius,
+                               const StockBox& stock,
+                               Random& random) {
+  StrategyOptions options = open_options(strategy, radius, stock);
+  auto& clearing = options.pocket.clearing;
+  clearing.stepover = random.between(0.3, strategy == Strategy::kSpiral ? 0.9 : 1.8) * radius;
+  options.engagement_deg = random.between(40.0, 100.0);
+  if (random.chance(0.3)) options.pocket.milling = cnc::pocket::Milling::kConventional;
+  return options;
+}
+
+/// What random pockets have come to.
+struct OpenTally {
+  std::size_t places = 0;   ///< With stock.
+  std::size_t entries = 0;  ///< Rows that go down in the stock of open pockets.
+  std::size_t rows = 0;     ///< Of open pockets.
   std::size_t refused = 0;
+  double engagement_deg = 0.0;  ///< Above the limit, at most.
+
+  void add(const MilledPocket& open) {
+    rows += open.row_ends.size();
+    entries += entries_of(open);
+  }
+};
+
+void judge_engagement(const sim::Contour& pockets,
+                      const MilledPocket& path,
+                      const StrategyOptions& options,
+                      OpenTally& tally) {
+  sim::pocket::AdaptivePath judged;
+  judged.append(path);
+  judged.narrow = path.narrow;
+  const AdaptiveVerdict verdict =
+      judge_adaptive(area_of(pockets, options).view(),
+                     judged,
+                     {.tool_radius_mm = options.pocket.clearing.tool_radius,
+                      .engagement_deg = options.engagement_deg,
+                      .depth_mm = options.pocket.depth},
+                     options.stock);
+  tally.engagement_deg =
+      std::max(tally.engagement_deg, verdict.engagement_deg - options.engagement_deg);
+  EXPECT_LE(verdict.engagement_deg, options.engagement_deg + 1.0)
+      << "at " << verdict.engaged_at.transpose();
+  EXPECT_LE(verdict.link_deg, 1.0);
+  EXPECT_LE(verdict.left_mm, kOpenSkinMm);
+}
+
+TEST_P(OpenPockets, OfRandomShapesAreCleared) {
+  OpenTally tally;
   for (const std::uint64_t seed : Trials{40}) {
     Random random{seed};
     cnc::pocket::PocketBench bench;
     const double radius = cnc::pocket::add_random_pocket(bench, random);
     const sim::Contour pockets = sim::copy_of(bench.pocket());
-    // A stock that the pocket crosses on one side or on two.
-    StockBox stock{1.0e9, 1.0e9, -1.0e9, -1.0e9};
-    for (const auto& vertex : pockets.vertices) {
-      stock.include({vertex.x, vertex.y, vertex.x, vertex.y});
-    }
-    const double width = stock.x1 - stock.x0;
-    const double height = stock.y1 - stock.y0;
-    stock = {stock.x0 + random.between(-0.4, 0.4) * width,
-             stock.y0 + random.between(-0.4, 0.4) * height,
-             stock.x1 + 0.1 * width,
-             stock.y1 + 0.2 * height};
-    StrategyOptions options = open_options(radius, stock);
-    if (random.chance(0.3)) options.pocket.milling = cnc::pocket::Milling::kConventional;
+    const StockBox stock = random_stock(pockets, random);
+    const StrategyOptions options = random_options(GetParam(), radius, stock, random);
     try {
-      MilledPocket path = mill(pockets, options, true);
-      try {
-        path.append(mill(pockets, options, false));
-      } catch (const sim::pocket::NoPocketPath&) {
-        ++refused;  // A closed part that the tool does not fit into.
-        continue;
-      }
-      OpenCheck check{pockets, path, options};
-      EXPECT_EQ(check.run(random), "") << "KERFLINE_SEED=" << seed;
-      places += check.places();
+      MilledAreas path = mill(pockets, options, true);
+      EXPECT_EQ(corner_elsewhere(path, path.corners), "") << "KERFLINE_SEED=" << seed;
+      tally.add(path);
+      if (GetParam() == Strategy::kAdaptive) judge_engagement(pockets, path, options, tally);
+      path.append(mill(pockets, options, false));
+      OpenPocketJudge judge{pockets, path, options};
+      EXPECT_EQ(judge.run(random), "") << "KERFLINE_SEED=" << seed;
+      tally.places += judge.places();
     } catch (const sim::pocket::NoPocketPath&) {
-      ++refused;  // A part is too short for a ramp.
+      ++tally.refused;  // A part is too short for a ramp.
     }
   }
-  std::printf("%zu places with stock, %zu refused\n", places, refused);
+  std::printf("%zu places with stock, %zu of %zu rows go down in it, %zu refused, %.2f degrees\n",
+              tally.places,
+              tally.entries,
+              tally.rows,
+              tally.refused,
+              tally.engagement_deg);
 }
 
+INSTANTIATE_TEST_SUITE_P(All,
+                         OpenPockets,
+                         testing::Values(Strategy::kContour, Strategy::kZigzag),
+                         [](const auto& strategy) { return strategy_name(strategy.param); });
+
 /// What may be milled is what is in a pocket or beside the stock.
-TEST(OpenPockets, HaveAllThatIsBesideTheStockAroundThem) {
+TEST(OpenAreas, HaveAllThatIsBesideTheStockAroundThem) {
   for (const std::uint64_t seed : Trials{200}) {
     Random random{seed};
     cnc::pocket::PocketBench bench;
@@ -278,8 +267,8 @@ TEST(OpenPockets, HaveAllThatIsBesideTheStockAroundThem) {
       const WideVec2 place{random.between(stock.x0 - 5.0 * radius, stock.x1 + 5.0 * radius),
                            random.between(stock.y0 - 5.0 * radius, stock.y1 + 5.0 * radius)};
       const double depth = depth_in(stock, place);
-      if (std::abs(depth) < kSkinMm || std::abs(depth + 4.0 * radius) < kSkinMm) continue;
-      if (walls.distance(place) < kSkinMm) continue;
+      if (std::abs(depth) < kOpenSkinMm || std::abs(depth + 4.0 * radius) < kOpenSkinMm) continue;
+      if (walls.distance(place) < kOpenSkinMm) continue;
       const bool is_beside = depth < 0.0 && depth > -4.0 * radius;
       const bool is_in_pocket = depth > 0.0 && walls.encloses(place);
       EXPECT_EQ(inside.encloses(place), is_beside || is_in_pocket)

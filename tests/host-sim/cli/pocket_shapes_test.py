@@ -12,6 +12,8 @@ import unittest
 
 from pocket_bench import MILL, TRAY, PocketTest, svg
 
+OPEN_BOX = "0,0,100,80"  # A stock that pockets reach across the edge of, in plan.
+
 
 def heights(ply):
     """Returns (x, y): greatest z of the points of a carved stock, rounded to mm in the plane."""
@@ -132,22 +134,28 @@ class PocketShapes(PocketTest):
 
     def test_mills_open_pockets_from_beside_the_stock(self):
         shapes = svg('<rect x="40" y="-5" width="20" height="45"/>', '<rect x="75" y="50" width="15" height="20"/>')
-        box = "0,0,100,80"
-        done = self.pocket(shapes, "--tool", 6, "--depth", 3, "--depth-step", 1.5, *MILL, "--stock", box)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        stock = self.simulated("--stock", f"{box},0,-10", "--tool", 6, "--stock-cell", 0.25)["stock"]
-        self.assertEqual(stock["rapids_in_stock"]["count"], 0)
-        self.assertEqual(stock["plunges_in_stock"]["count"], 0)
         # Of the open one all, its corners within the stock rounded; of the closed one all but four corners.
         corner = (1 - math.pi / 4) * 3 ** 2
         volume = 3 * (20 * 40 - 2 * corner + 15 * 20 - 4 * corner)
-        self.assertLessEqual(stock["removed_mm3"]["least"], volume)
-        self.assertGreaterEqual(stock["removed_mm3"]["most"], volume)
-        self.assertLess(stock["removed_mm3"]["most"] - stock["removed_mm3"]["least"], 0.15 * volume)
+        for strategy in "contour", "zigzag":
+            with self.subTest(strategy=strategy):
+                done = self.pocket(shapes, "--tool", 6, "--depth", 3, "--depth-step", 1.5, *MILL, "--stock", OPEN_BOX,
+                                   "--strategy", strategy)
+                self.assertEqual(done.returncode, 0, done.stderr)
+                stock = self.simulated("--stock", f"{OPEN_BOX},0,-10", "--tool", 6, "--stock-cell", 0.25)["stock"]
+                self.assertEqual(stock["rapids_in_stock"]["count"], 0)
+                self.assertEqual(stock["plunges_in_stock"]["count"], 0)
+                self.assertLessEqual(stock["removed_mm3"]["least"], volume)
+                self.assertGreaterEqual(stock["removed_mm3"]["most"], volume)
+                self.assertLess(stock["removed_mm3"]["most"] - stock["removed_mm3"]["least"], 0.15 * volume)
+
+    def test_refuses_what_open_pockets_have_not(self):
+        shapes = svg('<rect x="40" y="-5" width="20" height="45"/>')
         for more, words in ((("--stock", "0,0,100,-80"), "the greater ones last"),
-                            (("--stock", box, "--strategy", "adaptive"), "by --strategy contour"),
-                            (("--stock", box, "--finish", 0.2), "--stock has no --finish"),
-                            (("--stock", box, "--rest-of", 9), "--rest-of has no --stock")):
+                            (("--stock", OPEN_BOX, "--strategy", "paper"), "--stock"),
+                            (("--stock", OPEN_BOX, "--strategy", "adaptive"), "by --strategy contour or zigzag"),
+                            (("--stock", OPEN_BOX, "--finish", 0.2), "--stock has no --finish"),
+                            (("--stock", OPEN_BOX, "--rest-of", 9), "--rest-of has no --stock")):
             with self.subTest(more=more):
                 done = self.pocket(shapes, "--tool", 6, "--depth", 3, *MILL, *more)
                 self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
