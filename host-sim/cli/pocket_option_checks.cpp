@@ -145,11 +145,10 @@ void check_pocket_options(const CLI::App& command, const PocketCommandOptions& o
   if (options.strategy != pocket::Strategy::kContour) {
     refusals.of({"--rest-of"}, "this strategy", "rests are milled by --strategy contour");
   }
-  const bool mills_open_pockets = options.strategy == pocket::Strategy::kContour ||
-                                  options.strategy == pocket::Strategy::kZigzag;
-  if (!mills_open_pockets) {
-    refusals.of(
-        {"--stock"}, "this strategy", "open pockets are milled by --strategy contour or zigzag");
+  if (options.strategy == pocket::Strategy::kSpiral) {
+    refusals.of({"--stock"},
+                "--strategy spiral",
+                "open pockets are milled by --strategy contour, adaptive or zigzag");
   }
   switch (options.strategy) {
     case pocket::Strategy::kAdaptive:

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "host-sim/pocket/area_clearer.hpp"
+#include "host-sim/pocket/open_pocket.hpp"
 #include "host-sim/pocket/round_return.hpp"
 #include "planner/pocket/loop_measures.hpp"
 #include "planner/pocket/moving_disc.hpp"
@@ -143,6 +144,27 @@ void pass_wall(const cnc::contour::ContourView<double>& locus,
   }
 }
 
+/// Drives along all loops of a locus, each from the cleared circle that is nearest.
+void pass_walls(const cnc::contour::ContourView<double>& locus,
+                const OwnedArea& area,
+                const AdaptiveOptions& options,
+                CrescentDriver& driver) {
+  const double radius = options.tool_radius_mm;
+  for (std::size_t loop = 0; loop < locus.loop_ends.size(); ++loop) {
+    const WallStart start = wall_start(locus, loop, driver.circles(), area, radius);
+    const Approach approach = wall_approach(locus, loop, start, area, radius);
+    pass_wall(locus, loop, start, approach, driver.writer());
+  }
+  driver.writer().end_row();
+}
+
+PartOptions part_options_of(const AdaptiveOptions& options) {
+  return {.tool_radius_mm = options.tool_radius_mm,
+          .drive = {.depth_mm = options.depth_mm,
+                    .slope = options.slope,
+                    .plunges = options.entry == cnc::pocket::EntryKind::kPlunge}};
+}
+
 }  // namespace
 
 double thin_chip_factor(double engagement_deg) {
@@ -167,14 +189,16 @@ AdaptivePath adaptive_path(const cnc::contour::ContourView<double>& area,
                     2.0 * options.tool_radius_mm)};
   }
   ContourOffset offset;
-  const cnc::contour::ContourView<double> locus = offset.offset(area, -options.tool_radius_mm);
-  for (std::size_t loop = 0; loop < locus.loop_ends.size(); ++loop) {
-    const WallStart start =
-        wall_start(locus, loop, driver.circles(), owned, options.tool_radius_mm);
-    const Approach approach = wall_approach(locus, loop, start, owned, options.tool_radius_mm);
-    pass_wall(locus, loop, start, approach, driver.writer());
+  const Contour locus = copy_of(offset.offset(area, -options.tool_radius_mm));
+  if (options.stock) {
+    const LoopsInStock loops = loops_in_stock(locus, *options.stock, options.tool_radius_mm);
+    pass_walls(loops.whole.view(), owned, options, driver);
+    if (!loops.partly.loop_ends.empty()) {
+      path.append(open_path(area, *options.stock, {loops.partly}, part_options_of(options)));
+    }
+  } else {
+    pass_walls(locus.view(), owned, options, driver);
   }
-  driver.writer().end_row();
   return path;
 }
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "host-sim/contour/contour_offset.hpp"
 #include "host-sim/pocket/path_rows.hpp"
+#include "host-sim/pocket/stock_box.hpp"
 #include "planner/pocket/pocket_entry.hpp"
 
 namespace sim::pocket {
@@ -17,6 +19,8 @@ struct AdaptiveOptions {
   double slope = 0.05;  ///< Steepest descent over length of helices and ramps, 0…1 without 0.
   /// How far the tool may return over cleared stock instead of being lifted, mm.
   double return_limit_mm = 100.0;
+  /// The stock, where the area is what is around it: see with_surroundings().
+  std::optional<StockBox> stock{};
 };
 
 /// By how much the feed may be raised so that chips are as thick as with half of the tool engaged
@@ -47,6 +51,9 @@ inline constexpr double kNarrowDiameters = 1.2;
 /// that fit, each as far from the one before it as the engagement allows. Branches begin at discs
 /// that are cleared. Last come passes along the walls.
 ///
+/// With a stock, discs that meet none of it are cleared already: crescents begin at the last of
+/// them on the way into the stock, without an entry, and only parts of the walls have passes.
+///
 /// Guarantee: the tool's centre keeps its radius from the boundary (1e-6 mm); stock is left
 /// nowhere that the tool reaches. The engagement is within the limit in closed form for each
 /// crescent against the disc before it alone, except in entries and in stretches narrower than 1.2
@@ -55,8 +62,8 @@ inline constexpr double kNarrowDiameters = 1.2;
 /// all other elements at one depth but the passes along the walls, at the corners of their locus.
 ///
 /// Throws std::invalid_argument for options out of range, or if the tool fits nowhere, NoPocketPath
-/// where it fits in only straight down and must not, std::runtime_error for contours that cross,
-/// and NoOffset.
+/// where it fits in only straight down and must not, or a part of a wall is too short for a ramp,
+/// std::runtime_error for contours that cross, and NoOffset.
 [[nodiscard]] AdaptivePath adaptive_path(const cnc::contour::ContourView<double>& area,
                                          const AdaptiveOptions& options);
 

@@ -35,11 +35,14 @@ ToolCircle AreaClearer::circle_of(std::uint32_t node) const {
   return {point.place, point.radius - options_.tool_radius_mm};
 }
 
-/// The widest nodes come first, so that each part is entered at its widest.
+/// Nodes whose discs are free come first, then the widest ones, so that each part is entered at its
+/// widest.
 void AreaClearer::clear() {
   std::vector<std::uint32_t> nodes(graph_.nodes.size());
   std::iota(nodes.begin(), nodes.end(), 0U);
   const auto is_wider = [this](std::uint32_t a, std::uint32_t b) {
+    const bool is_a_free = driver_.is_free(circle_of(a));
+    if (is_a_free != driver_.is_free(circle_of(b))) return is_a_free;
     return graph_.nodes[a].radius > graph_.nodes[b].radius;
   };
   std::stable_sort(nodes.begin(), nodes.end(), is_wider);
@@ -50,7 +53,11 @@ void AreaClearer::clear() {
 
 void AreaClearer::clear_part(std::uint32_t start) {
   const ToolCircle circle = circle_of(start);
-  driver_.open_disc(circle, way_from(start));
+  if (driver_.is_free(circle)) {
+    driver_.take_free_disc(circle);
+  } else {
+    driver_.open_disc(circle, way_from(start));
+  }
   is_reached_[start] = true;
   way_back_.clear();
   std::vector<Frame> frames{{start, circle, {}}};
@@ -118,8 +125,10 @@ void AreaClearer::clear_piece(std::size_t index, std::vector<Frame>& frames) {
 void AreaClearer::return_to(const ToolCircle& circle) {
   std::vector<WideVec2> places;
   for (const ToolCircle& disc : way_back_) places.push_back(disc.centre);
-  if (way_length(places) > options_.return_limit_mm) {
-    driver_.writer().begin_row_in_cleared(circle.centre);
+  if (driver_.is_up() && driver_.is_free(circle)) {
+    // It comes down when it is needed, if at all.
+  } else if (driver_.is_up() || way_length(places) > options_.return_limit_mm) {
+    driver_.come_down(circle);
   } else if (!way_back_.empty()) {
     way_back_.push_back(circle);
     driver_.drive_back(way_back_);

@@ -52,6 +52,11 @@ CourseDrive CrescentDriver::drive(const AxisCourse& course,
   const double last_radius = course.circle_at(course.length()).radius;
   double s = 0.0;
   while (s < course.length()) {
+    if (is_free(circle)) {
+      s = end_of_free(course, s, done);
+      circle = course.circle_at(s);
+      if (s >= course.length()) break;
+    }
     const double slot_end = end_of_slot(course, s, circle, is_dead_end);
     double next = slot_end;
     if (slot_end > s) {
@@ -60,7 +65,7 @@ CourseDrive CrescentDriver::drive(const AxisCourse& course,
       if (is_dead_end && course.length() - s + last_radius - circle.radius <= kThinStockMm) break;
       next = next_crescent(course, s, circle, limits_);
       if (next < s + kLeastProgressMm) break;
-      drive_crescent(circle, course.circle_at(next), done);
+      if (!is_free(course.circle_at(next))) drive_crescent(circle, course.circle_at(next), done);
     }
     s = next;
     circle = course.circle_at(s);
@@ -68,6 +73,20 @@ CourseDrive CrescentDriver::drive(const AxisCourse& course,
   done.is_complete = s >= course.length();
   std::ranges::reverse(done.way_back);
   return done;
+}
+
+/// Where the discs come into the stock that are free from `from` on. The tool stays up.
+double CrescentDriver::end_of_free(const AxisCourse& course, double from, CourseDrive& done) {
+  const double step = 0.05 * limits_.tool_radius_mm;
+  double end = from;
+  while (end < course.length()) {
+    const double next = std::min(end + step, course.length());
+    if (!is_free(course.circle_at(next))) break;
+    end = next;
+    done.way_back.push_back(course.circle_at(end));
+  }
+  if (end > from) take_free_disc(course.circle_at(end));
+  return end;
 }
 
 /// Where a narrow stretch ends that begins at `from`; `from` if none does.
@@ -111,6 +130,7 @@ bool CrescentDriver::drive_slot(const AxisCourse& course,
   const std::vector<WideVec2> way =
       fitting_way(places, *area_, radius, std::numeric_limits<double>::infinity());
   if (way.size() < 2) return false;
+  if (is_up_) come_down(begin);
   go_back_round(writer_,
                 begin,
                 {begin.centre, (way[1] - way[0]).normalized()},
@@ -133,6 +153,7 @@ void CrescentDriver::drive_crescent(const ToolCircle& from,
                                     const ToolCircle& to,
                                     CourseDrive& done) {
   const Crescent crescent = crescent_between(from, to);
+  if (is_up_) come_down(from);
   if (crescent.exists) {
     const WideVec2 outwards = (crescent.begin - to.centre) / to.radius;
     go_back_round(writer_,
@@ -153,6 +174,21 @@ void CrescentDriver::drive_crescent(const ToolCircle& from,
 
 void CrescentDriver::drive_back(const std::vector<ToolCircle>& way) {
   go_through_round(writer_, way, kTurnOfTool * limits_.tool_radius_mm);
+}
+
+void CrescentDriver::take_free_disc(const ToolCircle& circle) {
+  circles_.push_back(circle);
+  is_up_ = true;
+}
+
+bool CrescentDriver::is_free(const ToolCircle& circle) const {
+  return options_.stock &&
+         is_idle(*options_.stock, circle.centre, circle.radius + limits_.tool_radius_mm);
+}
+
+void CrescentDriver::come_down(const ToolCircle& circle) {
+  writer_.begin_row_in_cleared(circle.centre);
+  is_up_ = false;
 }
 
 void CrescentDriver::open_disc(const ToolCircle& circle, const std::vector<WideVec2>& way) {

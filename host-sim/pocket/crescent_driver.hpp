@@ -33,6 +33,18 @@ class CrescentDriver {
   /// @param way  from its centre on, for a ramp; see enter_stock()
   void open_disc(const cnc::pocket::ToolCircle& circle, const std::vector<cnc::WideVec2>& way);
 
+  /// Takes a disc that meets no stock, beside which the tool comes down.
+  void take_free_disc(const cnc::pocket::ToolCircle& circle);
+
+  /// Returns whether the disc that a tool clears on a circle meets no stock.
+  [[nodiscard]] bool is_free(const cnc::pocket::ToolCircle& circle) const;
+
+  /// Returns whether the tool is up, and comes down beside the stock when it is needed.
+  [[nodiscard]] bool is_up() const { return is_up_; }
+
+  /// Brings the tool down at the centre of a cleared disc.
+  void come_down(const cnc::pocket::ToolCircle& circle);
+
   /// All circles whose discs are cleared.
   [[nodiscard]] const std::vector<cnc::pocket::ToolCircle>& circles() const { return circles_; }
   [[nodiscard]] DepthWriter& writer() { return writer_; }
@@ -42,6 +54,7 @@ class CrescentDriver {
   void drive_back(const std::vector<cnc::pocket::ToolCircle>& way);
 
  private:
+  [[nodiscard]] double end_of_free(const AxisCourse& course, double from, CourseDrive& done);
   [[nodiscard]] double end_of_slot(const AxisCourse& course,
                                    double from,
                                    const cnc::pocket::ToolCircle& circle,
@@ -60,6 +73,7 @@ class CrescentDriver {
   AdaptivePath& out_;
   DepthWriter writer_;
   std::vector<cnc::pocket::ToolCircle> circles_;
+  bool is_up_ = false;  ///< Only where stock is given.
 };
 
 }  // namespace sim::pocket

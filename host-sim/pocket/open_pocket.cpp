@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "host-sim/contour/contour_loops.hpp"
 #include "host-sim/pocket/driven_loop.hpp"
 #include "host-sim/pocket/loop_pieces.hpp"
 #include "host-sim/pocket/pocket_plan.hpp"
@@ -50,6 +51,20 @@ Contour box_without(const StockBox& box, const Contour& hole) {
   return area;
 }
 
+/// A box far around the stock.
+StockBox far_around(const StockBox& stock, double tool_radius_mm) {
+  return widened(stock, 2.0 * margin_around(stock, tool_radius_mm));
+}
+
+/// Where the tool's centre is when it meets no stock.
+Contour idle_area(const StockBox& stock, double tool_radius_mm) {
+  ContourOffset offsetter;
+  // Passes around all of the stock would take off the skin.
+  const double reach_mm = tool_radius_mm - 2.0 * kStockSkinMm;
+  const Contour near_stock = copy_of(offsetter.offset(edge_of(stock).view(), reach_mm));
+  return box_without(far_around(stock, tool_radius_mm), near_stock);
+}
+
 /// Appends loops of rows that go on where another one ends.
 void append_joined(std::vector<std::vector<cut::Stroke>> rows, Contour& to) {
   while (!rows.empty()) {
@@ -79,8 +94,8 @@ void append_joined(std::vector<std::vector<cut::Stroke>> rows, Contour& to) {
 /// The boundary of what must stay is the stock's edge outside of the pockets and the pockets' walls
 /// within the stock.
 Contour with_surroundings(const Contour& pockets, const StockBox& stock, double margin_mm) {
-  const StockBox around = grown(stock, margin_mm);
-  const Contour edge = edge_of(grown(stock, -kStockSkinMm));
+  const StockBox around = widened(stock, margin_mm);
+  const Contour edge = edge_of(widened(stock, -kStockSkinMm));
   Contour area = edge_of(around);
   std::vector<std::vector<cut::Stroke>> rows;
   const auto take = [&](const LoopPiece& piece, std::vector<cut::Stroke> strokes) {
@@ -97,7 +112,7 @@ Contour with_surroundings(const Contour& pockets, const StockBox& stock, double 
   }
   StockBox all = around;
   all.include(box_of(in_pockets));
-  const OwnedArea beside{box_without(grown(all, margin_mm), edge).view()};
+  const OwnedArea beside{box_without(widened(all, margin_mm), edge).view()};
   for (const LoopPiece& piece : pieces_outside(pockets.view(), beside, 0.0)) {
     take(piece, piece.strokes);
   }
@@ -115,6 +130,19 @@ double margin_around(const StockBox& stock, double tool_radius_mm) {
   return 4.0 * tool_radius_mm + 0.5 * std::min(stock.x1 - stock.x0, stock.y1 - stock.y0);
 }
 
+LoopsInStock loops_in_stock(const Contour& pass, const StockBox& stock, double tool_radius_mm) {
+  const OwnedArea idle{idle_area(stock, tool_radius_mm).view()};
+  LoopsInStock loops;
+  for (std::size_t loop = 0; loop < pass.loop_ends.size(); ++loop) {
+    Contour one;
+    sim::append_loop(pass.view(), loop, one);
+    const auto pieces = pieces_outside(one.view(), idle, kPartOverlap * tool_radius_mm);
+    if (pieces.empty()) continue;
+    sim::append_loop(pass.view(), loop, pieces[0].is_whole ? loops.whole : loops.partly);
+  }
+  return loops;
+}
+
 StockParts open_path(const cnc::contour::ContourView<double>& area,
                      const StockBox& stock,
                      const std::vector<Contour>& passes,
@@ -122,12 +150,8 @@ StockParts open_path(const cnc::contour::ContourView<double>& area,
   const double radius_mm = options.tool_radius_mm;
   ContourOffset offsetter;
   const OwnedArea locus{copy_of(offsetter.offset(area, -radius_mm)).view()};
-  const StockBox far = grown(stock, 2.0 * margin_around(stock, radius_mm));
-  const Contour edge = edge_of(stock);
-  // Passes around all of the stock would take off the skin.
-  const Contour near_stock = copy_of(offsetter.offset(edge.view(), radius_mm - 2.0 * kStockSkinMm));
-  const OwnedArea cleared{box_without(far, edge).view()};
-  const OwnedArea idle{box_without(far, near_stock).view()};
+  const OwnedArea cleared{box_without(far_around(stock, radius_mm), edge_of(stock)).view()};
+  const OwnedArea idle{idle_area(stock, radius_mm).view()};
   return parts_in_stock(passes, {locus, cleared, idle}, options);
 }
 

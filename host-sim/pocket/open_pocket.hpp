@@ -25,6 +25,17 @@ namespace sim::pocket {
 /// middle.
 [[nodiscard]] double margin_around(const StockBox& stock, double tool_radius_mm);
 
+/// Loops by how much of them is where the tool meets stock.
+struct LoopsInStock {
+  Contour whole;   ///< All of it, or nearly.
+  Contour partly;  ///< Some of it.
+};
+
+/// Returns the loops of a pass on which the tool meets stock.
+[[nodiscard]] LoopsInStock loops_in_stock(const Contour& pass,
+                                          const StockBox& stock,
+                                          double tool_radius_mm);
+
 /// Returns the parts of passes at which the tool meets stock; they begin and end beside the stock
 /// where they can. Throws as parts_in_stock() does, and NoOffset.
 /// @param area around the stock, with the tool's margin

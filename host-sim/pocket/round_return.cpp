@@ -121,9 +121,10 @@ WideVec2 Approach::place_at(double share) const {
 
 void go_back_round(DepthWriter& writer, const ToolCircle& disc, const Pose& next, double turn_mm) {
   Pose here{writer.place(), writer.heading()};
-  const WideVec2 ahead = next.place - here.place;
-  if (here.direction == WideVec2{0.0, 0.0} && ahead != here.direction) {
-    here.direction = ahead.normalized();  // It stood, and may set off in any direction.
+  if (here.direction == WideVec2{0.0, 0.0}) {  // It stands, and may set off in any direction.
+    const WideVec2 ahead = next.place - here.place;
+    if (ahead.norm() <= kSamePlaceMm) return;
+    here.direction = ahead.normalized();
   }
   const auto way = round_way(here, next, disc, turn_mm);
   if (way) {

@@ -12,7 +12,7 @@ using StockBox = cnc::contour::FlatBox<double>;
 /// it.
 inline constexpr double kStockSkinMm = 1.0e-3;
 
-[[nodiscard]] inline StockBox grown(const StockBox& box, double by_mm) {
+[[nodiscard]] inline StockBox widened(const StockBox& box, double by_mm) {
   return {box.x0 - by_mm, box.y0 - by_mm, box.x1 + by_mm, box.y1 + by_mm};
 }
 

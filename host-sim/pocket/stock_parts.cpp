@@ -19,8 +19,6 @@ using cnc::pocket::Milling;
 using cnc::pocket::Use;
 using Box = cnc::contour::FlatBox<double>;
 
-/// A part begins earlier, and ends later, by this share of the tool's radius.
-constexpr double kOverlap = 0.25;
 /// Arcs by which the tool comes to a part have one of these shares of its radius, the best one
 /// first.
 constexpr std::array kLeadShares{1.0, 0.5, 0.25, 0.125};
@@ -157,7 +155,7 @@ StockParts parts_in_stock(const std::vector<Contour>& passes,
                           const PartOptions& options) {
   std::vector<Piece> pieces;
   for (std::size_t pass = passes.size(); pass-- > 0;) {
-    const double overlap_mm = kOverlap * options.tool_radius_mm;
+    const double overlap_mm = kPartOverlap * options.tool_radius_mm;
     for (LoopPiece& part : pieces_outside(passes[pass].view(), areas.idle, overlap_mm)) {
       pieces.push_back({std::move(part), pass, 0});
     }

@@ -17,6 +17,9 @@ struct StockAreas {
   const OwnedArea& idle;     ///< Where its centre is when it meets no stock.
 };
 
+/// A part begins earlier, and ends later, by this share of the tool's radius.
+inline constexpr double kPartOverlap = 0.25;
+
 /// How parts of passes are driven.
 struct PartOptions {
   double tool_radius_mm = 3.0;

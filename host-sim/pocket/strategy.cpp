@@ -13,9 +13,14 @@
 namespace sim::pocket {
 
 double margin_of(const StrategyOptions& options) {
-  constexpr double kOfLoops = 2.5;  // The tool, and what it goes on beyond the edge.
+  // In radii of the tool: it goes beyond the edge by its diameter and a little, and crescents begin
+  // in discs that are twice as wide.
+  constexpr double kOfLoops = 2.5;
+  constexpr double kOfCrescents = 4.0;
   const double radius_mm = options.pocket.clearing.tool_radius;
   switch (options.strategy) {
+    case Strategy::kAdaptive:
+      return kOfCrescents * radius_mm;
     case Strategy::kZigzag:
       return kOfLoops * radius_mm;
     default:
@@ -82,7 +87,7 @@ MilledPocket StrategyPlanner::rough(const cnc::contour::ContourView<double>& poc
     case Strategy::kSpiral:
       return mill_spirals(pocket);
     case Strategy::kAdaptive:
-      return mill_adaptively(pocket);
+      return mill_adaptively(pocket, std::nullopt);
     case Strategy::kZigzag:
       return mill_lines(pocket, std::nullopt);
     case Strategy::kPaper:
@@ -152,6 +157,8 @@ MilledPocket StrategyPlanner::repeated(const StockParts& level) const {
 
 MilledPocket StrategyPlanner::mill_open(const cnc::contour::ContourView<double>& pocket) {
   switch (options_.strategy) {
+    case Strategy::kAdaptive:
+      return mill_adaptively(pocket, options_.stock);
     case Strategy::kZigzag:
       return mill_lines(pocket, options_.stock);
     default:
@@ -176,14 +183,15 @@ MilledPocket StrategyPlanner::mill_rest(const cnc::contour::ContourView<double>&
                             {.tool_radius_mm = clearing.tool_radius, .drive = wall_drive()}));
 }
 
-MilledPocket StrategyPlanner::mill_adaptively(
-    const cnc::contour::ContourView<double>& pocket) const {
+MilledPocket StrategyPlanner::mill_adaptively(const cnc::contour::ContourView<double>& pocket,
+                                              const std::optional<StockBox>& stock) const {
   const AdaptivePath path = adaptive_path(pocket,
                                           {.tool_radius_mm = options_.pocket.clearing.tool_radius,
                                            .engagement_deg = options_.engagement_deg,
                                            .depth_mm = step_mm(),
                                            .entry = options_.pocket.entry.kind,
-                                           .slope = options_.pocket.entry.slope});
+                                           .slope = options_.pocket.entry.slope,
+                                           .stock = stock});
   MilledPocket milled = repeated(path);
   milled.narrow = path.narrow;
   return milled;

@@ -81,7 +81,8 @@ class StrategyPlanner {
   [[nodiscard]] MilledPocket mill_open_contours(const cnc::contour::ContourView<double>& pocket);
   [[nodiscard]] MilledPocket mill_rest(const cnc::contour::ContourView<double>& pocket,
                                        double former_radius_mm);
-  [[nodiscard]] MilledPocket mill_adaptively(const cnc::contour::ContourView<double>& pocket) const;
+  [[nodiscard]] MilledPocket mill_adaptively(const cnc::contour::ContourView<double>& pocket,
+                                             const std::optional<StockBox>& stock) const;
   [[nodiscard]] MilledPocket mill_lines(const cnc::contour::ContourView<double>& pocket,
                                         const std::optional<StockBox>& stock) const;
   [[nodiscard]] MilledPocket mill_by_paper(const cnc::contour::ContourView<double>& pocket) const;

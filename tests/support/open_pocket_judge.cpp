@@ -35,7 +35,8 @@ OpenPocketJudge::OpenPocketJudge(const sim::Contour& pockets,
     : path_{path},
       radius_{options.pocket.clearing.tool_radius},
       floor_z_{-options.pocket.depth},
-      stock_{*options.stock} {
+      stock_{*options.stock},
+      pockets_{pockets.view()} {
   walls_.add(pockets.view());
   constexpr int kSamples = 96;
   for (std::size_t i = 0; i < walls_.size(); ++i) {
@@ -62,8 +63,10 @@ void OpenPocketJudge::complain(const std::string& text, const WideVec2& place) {
 
 /// Whether stock that must stay is at a place, and not only its skin.
 bool OpenPocketJudge::must_stay(const WideVec2& place) const {
-  return depth_in(stock_, place) > kOpenSkinMm && !walls_.encloses(place) &&
-         walls_.distance(place) > kOpenSkinMm;
+  if (depth_in(stock_, place) <= kOpenSkinMm) return false;
+  constexpr double kClearlyMm = 0.01;
+  if (pockets_->depth(place) > kClearlyMm) return false;  // The oracle takes longer.
+  return walls_.distance(place) > kOpenSkinMm && !walls_.encloses(place);
 }
 
 /// Whether no stock is at a place, or nothing but its skin.
@@ -81,10 +84,12 @@ void OpenPocketJudge::check_element(const PathPoint<double>& from, const PathPoi
   const double length = cnc::pocket::flat_length(from, to);
   if (from.use == Use::kEntry && from.z - to.z > length) complain("a plunge", from.point());
   if (from.use == Use::kPass && from.z != to.z) complain("a pass that is not level", from.point());
-  if (from.use == Use::kLink || from.use == Use::kReturn) check_link(from, to);
+  if (from.use == Use::kLink) check_link(from, to);
   if (length == 0.0) return;
   const cnc::contour::exact::PlainArc arc{cnc::pocket::arc_of(from, to)};
-  for (const double share : {0.0, 0.31, 0.5, 0.83}) {
+  const bool is_short = length < 0.5 * radius_;
+  for (const double share : {0.5, 0.0, 0.31, 0.83}) {
+    if (is_short && share != 0.5) break;
     each_of_rim(arc.at(share), radius_, [this](const WideVec2& rim) {
       if (must_stay(rim)) complain("gouges", rim);
     });

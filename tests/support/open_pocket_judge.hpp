@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "host-sim/pocket/owned_area.hpp"
 #include "host-sim/pocket/strategy.hpp"
 #include "tests/planner/pocket/path_bench.hpp"
 #include "tests/support/contour_oracle.hpp"
@@ -47,6 +48,7 @@ class OpenPocketJudge {
   double radius_;
   double floor_z_;
   sim::pocket::StockBox stock_;
+  sim::pocket::OwnedArea pockets_;
   cnc::pocket::PlainContour walls_;
   std::vector<cnc::WideVec2> walls_in_stock_;  ///< Places of the walls, close together.
   cnc::pocket::PlainContour swept_;            ///< By the tool's centre on the floor, so far.
