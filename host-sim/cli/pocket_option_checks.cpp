@@ -145,11 +145,6 @@ void check_pocket_options(const CLI::App& command, const PocketCommandOptions& o
   if (options.strategy != pocket::Strategy::kContour) {
     refusals.of({"--rest-of"}, "this strategy", "rests are milled by --strategy contour");
   }
-  if (options.strategy == pocket::Strategy::kSpiral) {
-    refusals.of({"--stock"},
-                "--strategy spiral",
-                "open pockets are milled by --strategy contour, adaptive or zigzag");
-  }
   switch (options.strategy) {
     case pocket::Strategy::kAdaptive:
       return refusals.of({"--stepover", "--corner", "--conventional"},

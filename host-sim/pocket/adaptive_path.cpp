@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "host-sim/pocket/area_clearer.hpp"
+#include "host-sim/pocket/fitting_approach.hpp"
 #include "host-sim/pocket/open_pocket.hpp"
 #include "host-sim/pocket/round_return.hpp"
 #include "planner/pocket/loop_measures.hpp"
@@ -74,22 +75,6 @@ WallStart wall_start(const cnc::contour::ContourView<double>& locus,
   return best;
 }
 
-/// Whether the tool stays in the area on a line to an approach and on its arc.
-bool fits(const Approach& approach,
-          const WideVec2& from,
-          const OwnedArea& area,
-          double tool_radius_mm) {
-  constexpr double kRoundingMm = 1.0e-6;
-  const MovingDisc tool{from, approach.arc_start, tool_radius_mm, tool_radius_mm};
-  if (excess_of(tool, *area) > kRoundingMm) return false;
-  constexpr int kLooks = 16;
-  for (int i = 1; i < kLooks; ++i) {
-    const WideVec2 place = approach.place_at(static_cast<double>(i) / kLooks);
-    if (area->depth(place) < tool_radius_mm - kRoundingMm) return false;
-  }
-  return true;
-}
-
 /// Where the tool leaves its line to a vertex of the wall's locus for an arc, so that it comes to
 /// the wall without a corner. None where the vertex is a corner, or there is no room.
 Approach wall_approach(const cnc::contour::ContourView<double>& locus,
@@ -109,13 +94,7 @@ Approach wall_approach(const cnc::contour::ContourView<double>& locus,
   if (!are_curves) return {};
   const Pose cut{going.start, going.start_tangent};
   if (std::abs(cnc::cross(coming.end_tangent, cut.direction)) > kCornerSine) return {};
-  for (double turn_mm = kTurnOfTool * tool_radius_mm; turn_mm >= kLeastTurnMm; turn_mm *= 0.5) {
-    Approach approach = approach_from(start.circle.centre, cut, turn_mm);
-    if (approach.exists && fits(approach, start.circle.centre, area, tool_radius_mm)) {
-      return approach;
-    }
-  }
-  return {};
+  return fitting_approach(start.circle.centre, cut, area, tool_radius_mm);
 }
 
 /// Drives along a loop of the locus, from a cleared circle.

@@ -65,6 +65,16 @@ Contour idle_area(const StockBox& stock, double tool_radius_mm) {
   return box_without(far_around(stock, tool_radius_mm), near_stock);
 }
 
+/// The pieces of a loop at which the tool meets stock.
+std::vector<LoopPiece> pieces_of(const cnc::contour::ContourView<double>& loops,
+                                 std::size_t loop,
+                                 const OwnedArea& idle,
+                                 double tool_radius_mm) {
+  Contour one;
+  sim::append_loop(loops, loop, one);
+  return pieces_outside(one.view(), idle, kPartOverlap * tool_radius_mm);
+}
+
 /// Appends loops of rows that go on where another one ends.
 void append_joined(std::vector<std::vector<cut::Stroke>> rows, Contour& to) {
   while (!rows.empty()) {
@@ -130,13 +140,19 @@ double margin_around(const StockBox& stock, double tool_radius_mm) {
   return 4.0 * tool_radius_mm + 0.5 * std::min(stock.x1 - stock.x0, stock.y1 - stock.y0);
 }
 
+bool meets_stock(const cnc::contour::ContourView<double>& loops,
+                 std::size_t loop,
+                 const StockBox& stock,
+                 double tool_radius_mm) {
+  const OwnedArea idle{idle_area(stock, tool_radius_mm).view()};
+  return !pieces_of(loops, loop, idle, tool_radius_mm).empty();
+}
+
 LoopsInStock loops_in_stock(const Contour& pass, const StockBox& stock, double tool_radius_mm) {
   const OwnedArea idle{idle_area(stock, tool_radius_mm).view()};
   LoopsInStock loops;
   for (std::size_t loop = 0; loop < pass.loop_ends.size(); ++loop) {
-    Contour one;
-    sim::append_loop(pass.view(), loop, one);
-    const auto pieces = pieces_outside(one.view(), idle, kPartOverlap * tool_radius_mm);
+    const auto pieces = pieces_of(pass.view(), loop, idle, tool_radius_mm);
     if (pieces.empty()) continue;
     sim::append_loop(pass.view(), loop, pieces[0].is_whole ? loops.whole : loops.partly);
   }

@@ -25,6 +25,12 @@ namespace sim::pocket {
 /// middle.
 [[nodiscard]] double margin_around(const StockBox& stock, double tool_radius_mm);
 
+/// Returns whether the tool meets stock anywhere on a loop.
+[[nodiscard]] bool meets_stock(const cnc::contour::ContourView<double>& loops,
+                               std::size_t loop,
+                               const StockBox& stock,
+                               double tool_radius_mm);
+
 /// Loops by how much of them is where the tool meets stock.
 struct LoopsInStock {
   Contour whole;   ///< All of it, or nearly.

@@ -9,7 +9,9 @@
 #include "host-sim/contour/contour_loops.hpp"
 #include "host-sim/pocket/depth_writer.hpp"
 #include "host-sim/pocket/driven_loop.hpp"
+#include "host-sim/pocket/entry_beside.hpp"
 #include "host-sim/pocket/loop_chain.hpp"
+#include "host-sim/pocket/open_pocket.hpp"
 #include "host-sim/pocket/owned_boundary.hpp"
 #include "host-sim/pocket/spiral_turn.hpp"
 #include "planner/pocket/links.hpp"
@@ -38,14 +40,22 @@ struct SpiralLoop {
 
 class SpiralDriver {
  public:
-  SpiralDriver(const PocketPlan& plan, const SpiralOptions& options, SpiralPath& out)
+  /// @param beside where rows may begin beside a stock; null where there is none
+  SpiralDriver(const PocketPlan& plan,
+               const SpiralOptions& options,
+               const EntryBesideSearch* beside,
+               SpiralPath& out)
       : plan_{plan},
         options_{options},
+        beside_{beside},
         tree_{plan.passes, plan.parents},
         out_{out},
         writer_{out, options.depth_mm} {
     for (const Contour& pass : plan.passes) is_driven_.emplace_back(pass.loop_ends.size());
   }
+
+  /// Leaves a loop out.
+  void leave_out(const PassLoop& loop) { is_driven_[loop.pass][loop.loop] = true; }
 
   void drive_all() {
     for (const std::uint32_t pass : tree_.inner_first()) {
@@ -88,6 +98,7 @@ class SpiralDriver {
       }
     }
     writer_.end_row();
+    if (const auto start = enter_from_beside(pass)) return *start;
     const auto left = std::ranges::find(is_driven_[pass], false);
     return enter(pass, static_cast<std::size_t>(left - is_driven_[pass].begin()));
   }
@@ -106,6 +117,28 @@ class SpiralDriver {
     for (std::size_t i = 0; i < loops; ++i) left_out[i] = is_driven_[pass][i];
     return search.find(
         at_.pose, {left_out.get(), loops}, options_.milling, options_.tool_radius_mm);
+  }
+
+  /// Begins a row beside the stock, by the shortest way to a loop of a pass that is left.
+  std::optional<LoopPlace<double>> enter_from_beside(std::uint32_t pass) {
+    std::optional<EntryBeside> best;
+    std::size_t best_loop = 0;
+    for (std::size_t loop = 0; beside_ != nullptr && loop < is_driven_[pass].size(); ++loop) {
+      if (is_driven_[pass][loop]) continue;
+      const auto entry = beside_->find(driven({pass, loop}));
+      if (!entry || (best && entry->length_mm >= best->length_mm)) continue;
+      best = entry;
+      best_loop = loop;
+    }
+    if (!best) return std::nullopt;
+    const DrivenLoop loop = driven({pass, best_loop});
+    const WideVec2 place = loop.row().place(best->way_mm);
+    writer_.begin_row_in_cleared(best->from);
+    if (best->approach.exists) {
+      writer_.pass(best->approach.arc_start);
+      writer_.pass(place, best->approach.bulge());
+    }
+    return LoopPlace<double>{best_loop, 0, {place, loop.row().leaving(best->way_mm)}};
   }
 
   /// Begins a row by an entry to a loop.
@@ -237,6 +270,7 @@ class SpiralDriver {
 
   const PocketPlan& plan_;
   SpiralOptions options_;
+  const EntryBesideSearch* beside_;
   PassTree tree_;
   SpiralPath& out_;
   DepthWriter writer_;
@@ -255,7 +289,41 @@ double widest_spiral_mm(double tool_radius_mm, double corner_radius_mm) {
 
 SpiralPath spiral_path(const PocketPlan& plan, const SpiralOptions& options) {
   SpiralPath path;
-  SpiralDriver{plan, options, path}.drive_all();
+  SpiralDriver{plan, options, nullptr, path}.drive_all();
+  return path;
+}
+
+SpiralPath open_spiral_path(const cnc::contour::ContourView<double>& area,
+                            const StockBox& stock,
+                            const PocketPlan& plan,
+                            const SpiralOptions& options) {
+  const OwnedArea owned{area};
+  const EntryBesideSearch beside{owned, stock, options.tool_radius_mm};
+  SpiralPath path;
+  SpiralDriver driver{plan, options, &beside, path};
+  std::vector<Contour> walls;
+  for (std::uint32_t pass = 0; pass < plan.passes.size(); ++pass) {
+    const Contour& loops = plan.passes[pass];
+    const bool is_wall = plan.parents[pass] == kNone;
+    if (is_wall) walls.push_back(loops);
+    for (std::size_t loop = 0; loop < loops.loop_ends.size(); ++loop) {
+      if (is_wall || !meets_stock(loops.view(), loop, stock, options.tool_radius_mm)) {
+        driver.leave_out({pass, loop});
+      }
+    }
+  }
+  driver.drive_all();
+  const StockParts parts =
+      open_path(area,
+                stock,
+                walls,
+                {.tool_radius_mm = options.tool_radius_mm,
+                 .drive = {.depth_mm = options.depth_mm,
+                           .slope = options.entry.slope,
+                           .plunges = options.entry.kind == cnc::pocket::EntryKind::kPlunge,
+                           .milling = options.milling}});
+  path.append(parts);
+  path.loops += parts.parts;
   return path;
 }
 

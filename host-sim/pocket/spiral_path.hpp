@@ -4,6 +4,7 @@
 
 #include "host-sim/pocket/path_rows.hpp"
 #include "host-sim/pocket/pocket_plan.hpp"
+#include "host-sim/pocket/stock_box.hpp"
 
 namespace sim::pocket {
 
@@ -34,5 +35,14 @@ struct SpiralPath : PathRows {
 /// island. Throws NoPocketPath where a loop is too short for a ramp.
 /// @param plan whose passes are no farther apart than widest_spiral_mm()
 [[nodiscard]] SpiralPath spiral_path(const PocketPlan& plan, const SpiralOptions& options);
+
+/// Drives passes of what is around a stock in the same way: loops at which the tool meets no stock
+/// are left out, of the passes at the walls parts are driven as open_path() has them, and a row
+/// begins beside the stock where a line leads from there to its first loop.
+/// @param area of the plan, with the tool's margin around the stock
+[[nodiscard]] SpiralPath open_spiral_path(const cnc::contour::ContourView<double>& area,
+                                          const StockBox& stock,
+                                          const PocketPlan& plan,
+                                          const SpiralOptions& options);
 
 }  // namespace sim::pocket

@@ -21,6 +21,7 @@ double margin_of(const StrategyOptions& options) {
   switch (options.strategy) {
     case Strategy::kAdaptive:
       return kOfCrescents * radius_mm;
+    case Strategy::kSpiral:
     case Strategy::kZigzag:
       return kOfLoops * radius_mm;
     default:
@@ -85,7 +86,7 @@ MilledPocket StrategyPlanner::rough(const cnc::contour::ContourView<double>& poc
     case Strategy::kContour:
       return mill_contours(pocket);
     case Strategy::kSpiral:
-      return mill_spirals(pocket);
+      return mill_spirals(pocket, std::nullopt);
     case Strategy::kAdaptive:
       return mill_adaptively(pocket, std::nullopt);
     case Strategy::kZigzag:
@@ -128,14 +129,17 @@ PocketPlan StrategyPlanner::passes_of(const cnc::contour::ContourView<double>& p
   return planner_.plan(pocket, wanted);
 }
 
-MilledPocket StrategyPlanner::mill_spirals(const cnc::contour::ContourView<double>& pocket) {
+MilledPocket StrategyPlanner::mill_spirals(const cnc::contour::ContourView<double>& pocket,
+                                           const std::optional<StockBox>& stock) {
   const auto& clearing = options_.pocket.clearing;
   const double widest_mm = widest_spiral_mm(clearing.tool_radius, clearing.corner_radius);
-  const SpiralPath path = spiral_path(passes_of(pocket, std::min(clearing.stepover, widest_mm)),
-                                      {.tool_radius_mm = clearing.tool_radius,
-                                       .depth_mm = step_mm(),
-                                       .entry = options_.pocket.entry,
-                                       .milling = options_.pocket.milling});
+  const PocketPlan plan = passes_of(pocket, std::min(clearing.stepover, widest_mm));
+  const SpiralOptions options{.tool_radius_mm = clearing.tool_radius,
+                              .depth_mm = step_mm(),
+                              .entry = options_.pocket.entry,
+                              .milling = options_.pocket.milling};
+  const SpiralPath path =
+      stock ? open_spiral_path(pocket, *stock, plan, options) : spiral_path(plan, options);
   MilledPocket milled = repeated(path);
   milled.passes = path.turns + path.loops;
   milled.links = path.links;
@@ -157,6 +161,8 @@ MilledPocket StrategyPlanner::repeated(const StockParts& level) const {
 
 MilledPocket StrategyPlanner::mill_open(const cnc::contour::ContourView<double>& pocket) {
   switch (options_.strategy) {
+    case Strategy::kSpiral:
+      return mill_spirals(pocket, options_.stock);
     case Strategy::kAdaptive:
       return mill_adaptively(pocket, options_.stock);
     case Strategy::kZigzag:

@@ -75,7 +75,8 @@ class StrategyPlanner {
   /// Passes without a path of their own.
   [[nodiscard]] PocketPlan passes_of(const cnc::contour::ContourView<double>& pocket,
                                      double stepover_mm);
-  [[nodiscard]] MilledPocket mill_spirals(const cnc::contour::ContourView<double>& pocket);
+  [[nodiscard]] MilledPocket mill_spirals(const cnc::contour::ContourView<double>& pocket,
+                                          const std::optional<StockBox>& stock);
   /// What is around the stock, with the pockets that are open there.
   [[nodiscard]] MilledPocket mill_open(const cnc::contour::ContourView<double>& pocket);
   [[nodiscard]] MilledPocket mill_open_contours(const cnc::contour::ContourView<double>& pocket);

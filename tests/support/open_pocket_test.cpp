@@ -242,12 +242,11 @@ TEST_P(OpenPockets, OfRandomShapesAreCleared) {
               tally.engagement_deg);
 }
 
-INSTANTIATE_TEST_SUITE_P(All,
-                         OpenPockets,
-                         testing::Values(Strategy::kContour,
-                                         Strategy::kAdaptive,
-                                         Strategy::kZigzag),
-                         [](const auto& strategy) { return strategy_name(strategy.param); });
+INSTANTIATE_TEST_SUITE_P(
+    All,
+    OpenPockets,
+    testing::Values(Strategy::kContour, Strategy::kSpiral, Strategy::kAdaptive, Strategy::kZigzag),
+    [](const auto& strategy) { return strategy_name(strategy.param); });
 
 /// What may be milled is what is in a pocket or beside the stock.
 TEST(OpenAreas, HaveAllThatIsBesideTheStockAroundThem) {

@@ -137,7 +137,7 @@ class PocketShapes(PocketTest):
         # Of the open one all, its corners within the stock rounded; of the closed one all but four corners.
         corner = (1 - math.pi / 4) * 3 ** 2
         volume = 3 * (20 * 40 - 2 * corner + 15 * 20 - 4 * corner)
-        for strategy in "contour", "adaptive", "zigzag":
+        for strategy in "contour", "spiral", "adaptive", "zigzag":
             with self.subTest(strategy=strategy):
                 done = self.pocket(shapes, "--tool", 6, "--depth", 3, "--depth-step", 1.5, *MILL, "--stock", OPEN_BOX,
                                    "--strategy", strategy)
@@ -153,7 +153,6 @@ class PocketShapes(PocketTest):
         shapes = svg('<rect x="40" y="-5" width="20" height="45"/>')
         for more, words in ((("--stock", "0,0,100,-80"), "the greater ones last"),
                             (("--stock", OPEN_BOX, "--strategy", "paper"), "--stock"),
-                            (("--stock", OPEN_BOX, "--strategy", "spiral"), "by --strategy contour, adaptive or zigzag"),
                             (("--stock", OPEN_BOX, "--finish", 0.2), "--stock has no --finish"),
                             (("--stock", OPEN_BOX, "--rest-of", 9), "--rest-of has no --stock")):
             with self.subTest(more=more):

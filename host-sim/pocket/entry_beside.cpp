@@ -1,0 +1,78 @@
+#include "host-sim/pocket/entry_beside.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sim::pocket {
+namespace {
+
+using cnc::WideVec2;
+
+/// Of the tool's radius: how far from the stock the tool comes down.
+constexpr double kGap = 1.25;
+/// Of the tool's radius: the distance between places that are tried, at most.
+constexpr double kApart = 1.0;
+/// Ways that are tried, the shortest ones first, and places on a loop.
+constexpr std::size_t kMostWays = 1000;
+constexpr double kFewestOnLoop = 16.0;
+constexpr double kMostOnLoop = 128.0;
+
+/// A line that may lead to a place on a loop.
+struct Candidate {
+  WideVec2 from{0.0, 0.0};
+  double way_mm = 0.0;
+  double square = 0.0;  ///< Of its length.
+};
+
+/// Places along the edge of a box, at most so far apart.
+std::vector<WideVec2> places_along(const StockBox& box, double apart_mm) {
+  const std::vector<WideVec2> corners{
+      {box.x0, box.y0}, {box.x1, box.y0}, {box.x1, box.y1}, {box.x0, box.y1}};
+  std::vector<WideVec2> places;
+  for (std::size_t i = 0; i < corners.size(); ++i) {
+    const WideVec2& from = corners[i];
+    const WideVec2 edge = corners[(i + 1) % corners.size()] - from;
+    const double count = std::ceil(edge.norm() / apart_mm);
+    for (double k = 0.0; k < count; k += 1.0) places.emplace_back(from + k / count * edge);
+  }
+  return places;
+}
+
+}  // namespace
+
+EntryBesideSearch::EntryBesideSearch(const OwnedArea& area,
+                                     const StockBox& stock,
+                                     double tool_radius_mm)
+    : area_{area},
+      stock_{stock},
+      radius_mm_{tool_radius_mm},
+      places_{
+          places_along(widened(stock, kGap * tool_radius_mm), kApart * tool_radius_mm)} {
+  std::erase_if(places_,
+                [this](const WideVec2& place) { return area_->depth(place) < radius_mm_; });
+}
+
+std::optional<EntryBeside> EntryBesideSearch::find(const DrivenLoop& loop) const {
+  const double count =
+      std::clamp(std::ceil(loop.length() / (0.25 * radius_mm_)), kFewestOnLoop, kMostOnLoop);
+  std::vector<Candidate> candidates;
+  for (double i = 0.0; i < count; i += 1.0) {
+    const double way_mm = i / count * loop.length();
+    const WideVec2 place = loop.row().place(way_mm);
+    if (is_beside(stock_, place, radius_mm_)) return EntryBeside{place, {}, way_mm};
+    for (const WideVec2& from : places_) {
+      candidates.push_back({from, way_mm, (place - from).squaredNorm()});
+    }
+  }
+  std::ranges::sort(candidates, {}, &Candidate::square);
+  candidates.resize(std::min(candidates.size(), kMostWays));
+  for (const Candidate& candidate : candidates) {
+    const Pose cut{loop.row().place(candidate.way_mm), loop.row().leaving(candidate.way_mm)};
+    const Approach approach = fitting_approach(candidate.from, cut, area_, radius_mm_);
+    if (!approach.exists) continue;
+    return EntryBeside{candidate.from, approach, candidate.way_mm, std::sqrt(candidate.square)};
+  }
+  return std::nullopt;
+}
+
+}  // namespace sim::pocket
