@@ -126,7 +126,7 @@ void add_stock_shape_options(CLI::App& command, PocketCommandOptions& options) {
           "--stock",
           options.stock,
           "The stock in plan, mm. Pockets that reach its edge are open there: the tool comes "
-          "in from\nbeside it, and goes beyond it as far as it must")
+          "in from\nbeside it, and goes beyond it as far as it must; not with --strategy paper")
       ->expected(4)
       ->delimiter(',')
       ->type_name("XMIN,YMIN,XMAX,YMAX");

@@ -32,7 +32,8 @@ struct StrategyOptions {
   /// Radius of a larger tool that went before, mm: only the rest is milled; 0: there was none.
   /// kContour, without finish_mm.
   double former_radius_mm = 0.0;
-  /// The stock, in plan: pockets with their surroundings are milled from beside it. kContour.
+  /// The stock, in plan: pockets with their surroundings are milled from beside it. All but kPaper,
+  /// without finish_mm.
   std::optional<StockBox> stock{};
 };
 

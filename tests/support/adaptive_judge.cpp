@@ -178,7 +178,8 @@ class AdaptiveJudge {
 
   /// Whether no stock has ever been at a place, or nothing but its skin.
   [[nodiscard]] bool is_beside_stock(const WideVec2& place) const {
-    return stock_ && sim::pocket::gap_to(sim::pocket::widened(*stock_, -2.0 * kThin_mm), place) > 0.0;
+    if (!stock_) return false;
+    return sim::pocket::gap_to(sim::pocket::widened(*stock_, -2.0 * kThin_mm), place) > 0.0;
   }
 
   /// Degrees of the leading half whose edge is in stock. What the tool swept just now is left out
