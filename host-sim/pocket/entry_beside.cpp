@@ -46,8 +46,7 @@ EntryBesideSearch::EntryBesideSearch(const OwnedArea& area,
     : area_{area},
       stock_{stock},
       radius_mm_{tool_radius_mm},
-      places_{
-          places_along(widened(stock, kGap * tool_radius_mm), kApart * tool_radius_mm)} {
+      places_{places_along(widened(stock, kGap * tool_radius_mm), kApart * tool_radius_mm)} {
   std::erase_if(places_,
                 [this](const WideVec2& place) { return area_->depth(place) < radius_mm_; });
 }
