@@ -86,8 +86,7 @@ class TurnMaker {
         continue;
       }
       if (length < kShortestPartMm) {
-        if ((to.place - from.place).norm() > kFastest * length + options_.tolerance_mm)
-          return false;
+        if (jumps(from, to)) return false;
         way_.push_back({to.place, 0.0});
         from = to;
         ends.pop_back();
@@ -98,8 +97,16 @@ class TurnMaker {
     return true;
   }
 
-  /// Appends two arcs if there are any that follow the turn within the tolerance.
+  /// Whether the turn gets so far between two samples that the nearest place jumps.
+  [[nodiscard]] bool jumps(const Sample& from, const Sample& to) const {
+    const double length = to.way_mm - from.way_mm;
+    return (to.place - from.place).norm() > kFastest * length + options_.tolerance_mm;
+  }
+
+  /// Appends two arcs if there are any that follow the turn within the tolerance. At a jump all
+  /// samples are at its ends, where any arcs end, too.
   [[nodiscard]] bool try_arcs(const Sample& from, const Sample& to) {
+    if (jumps(from, to)) return false;
     if (from.tangent.dot(to.tangent) < std::cos(kMostTurn)) return false;
     const WideVec2 chord = to.place - from.place;
     if (chord.norm() < 1.0e-9) return true;
