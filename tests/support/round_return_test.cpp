@@ -68,6 +68,16 @@ TEST(RoundReturns, HaveOneTangentAndStayInTheDisc) {
   }
 }
 
+TEST(RoundReturns, DoNotLeaveAPlaceWhereTheCutBegins) {
+  PathRows rows;
+  DepthWriter writer{rows, 1.0};
+  const ToolCircle disc{{3.0, 4.0}, 2.0};
+  writer.begin_row_in_cleared(disc.centre);
+  const std::size_t points = rows.points.size();
+  go_back_round(writer, disc, {disc.centre, {0.0, 1.0}}, 0.5);
+  EXPECT_EQ(rows.points.size(), points);
+}
+
 double outside(const std::vector<ToolCircle>& discs, const WideVec2& place) {
   double least = INFINITY;
   for (const ToolCircle& disc : discs) {
