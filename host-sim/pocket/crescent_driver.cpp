@@ -65,7 +65,11 @@ CourseDrive CrescentDriver::drive(const AxisCourse& course,
       if (is_dead_end && course.length() - s + last_radius - circle.radius <= kThinStockMm) break;
       next = next_crescent(course, s, circle, limits_);
       if (next < s + kLeastProgressMm) break;
-      if (!is_free(course.circle_at(next))) drive_crescent(circle, course.circle_at(next), done);
+      if (is_free(course.circle_at(next))) {
+        done.way_back.push_back(course.circle_at(next));
+      } else {
+        drive_crescent(circle, course.circle_at(next), done);
+      }
     }
     s = next;
     circle = course.circle_at(s);
@@ -181,9 +185,13 @@ void CrescentDriver::take_free_disc(const ToolCircle& circle) {
   is_up_ = true;
 }
 
+/// A disc that touches what must stay meets the skin of the stock; one that meets more of it is not
+/// free.
 bool CrescentDriver::is_free(const ToolCircle& circle) const {
-  return options_.stock &&
-         is_idle(*options_.stock, circle.centre, circle.radius + limits_.tool_radius_mm);
+  constexpr double kSkins = 1.5;
+  if (!options_.stock) return false;
+  const double reach_mm = circle.radius + limits_.tool_radius_mm;
+  return gap_to(*options_.stock, circle.centre) >= reach_mm - kSkins * kStockSkinMm;
 }
 
 void CrescentDriver::come_down(const ToolCircle& circle) {
