@@ -39,6 +39,9 @@ double share_at(const cut::Stroke& stroke, const cnc::WideVec2& place) {
     return std::clamp(
         curve.start_tangent.dot(place - curve.start) / cut::length_of(stroke), 0.0, 1.0);
   }
+  // The chord to a place that is the start but for rounding has any direction.
+  constexpr double kAtStartMm = 1.0e-9;
+  if ((place - curve.start).norm() <= kAtStartMm) return 0.0;
   const double part = std::atan(curve.bulge_between(curve.start, place));
   return std::clamp(part / std::atan(stroke.bulge), 0.0, 1.0);
 }
