@@ -18,10 +18,11 @@ struct RoundedCorner {
 /// it is over sooner. With the speed v on the blend, which is L long, trim t, acceleration A and
 /// the speed V that is reached beside it, the blend takes longer by
 ///   L / v − 2 v / A − (2 t − v² / A) / V,
-/// without the last part where that is negative, which is so from a turn of 115° on if V is great. Where jerk is limited, v is less, and the
-/// whole chain of moves that a blend makes has one window of time, while moves between stops have
-/// each the one that suits it (WindowChoice): stops are sooner from a share of that on, which was
-/// fitted to simulated zig-zags, so that no choice there costs more than some hundredths.
+/// without the last part where that is negative: from a turn of 115° on if V is great. Where jerk
+/// is limited, v is less, and the whole chain of moves that a blend makes has one window of time,
+/// while moves between stops have each the one that suits it (WindowChoice): stops are sooner from
+/// a share of the blend's time on, which was fitted to simulated zig-zags, so that no choice there
+/// costs more than some hundredths.
 [[nodiscard]] bool is_stop_sooner(const Corner& corner,
                                   const RoundedCorner& rounded,
                                   const motion::Limits& limits);

@@ -7,7 +7,7 @@
 (warning: kerf 0.5617 mm by --unit printed, 0.6625 mm by --unit J/mm: a test)
 (coupon decides, see `kerfline kerf calibrate`)
 (S1000 is 1800 W; power follows the speed)
-(118 cuts, 203 lines, 838 arcs; 1967.1 mm cut, 653.0 mm rapid; 1 min 13.0 s)
+(118 cuts, 203 lines, 838 arcs; 1967.1 mm cut, 653.0 mm rapid; 1 min 12.9 s)
 (order ours, by time: 653.0 mm and 11.7 s of rapids)
 (  only listed starts: 663.2 mm and 11.8 s of rapids; 0.6 percent saved)
 (  as drawn, usual starts: 1749.9 mm and 19.0 s of rapids; 38.2 percent saved)
