@@ -42,7 +42,7 @@ class WallEntrySearch {
     do {
       const Curve& curve = area_->element(element);
       const bool is_first = element == end.element;
-      if (const auto entry = last_on(element, is_first ? end.place : end_of(curve))) return entry;
+      if (auto entry = last_on(element, is_first ? end.place : end_of(curve))) return entry;
       element = is_backwards_ ? area_->next(element) : area_->previous(element);
     } while (element != end.element);
     return std::nullopt;
@@ -68,7 +68,7 @@ class WallEntrySearch {
     for (double i = places - 1.0; i > 0.0; i -= 1.0) {
       const WideVec2 place = cut::place_at(part, i / places);
       if (!is_idle(stock_, place, radius_mm_)) continue;
-      if (const auto entry = entry_at({element, place})) return entry;
+      if (auto entry = entry_at({element, place})) return entry;
     }
     return std::nullopt;
   }
