@@ -100,7 +100,7 @@ class PowerShift {
 
   [[nodiscard]] PowerPiece& back() { return pieces_[(first_ + count_ - 1) % kMostHeld]; }
 
-  void append(const PowerPiece& piece) {
+  [[gnu::noinline]] void append(const PowerPiece& piece) {
     ++count_;
     back() = piece;
     ticks_ += piece.ticks;

@@ -338,7 +338,8 @@ class StepGenerator final : public StepDrive {
     return direction_in(next) == direction_ && !next.segment.outputs.any();
   }
 
-  void play(PlayableSegment& next) noexcept {
+  /// Out of line: it is long, and called from two places.
+  [[gnu::noinline]] void play(PlayableSegment& next) noexcept {
     CNC_ASSERT(next.segment.ticks <= longest_wait());
     now_ -= ticks_;
     ticks_ = static_cast<std::int32_t>(next.segment.ticks);
@@ -393,7 +394,7 @@ class StepGenerator final : public StepDrive {
   }
 
   /// Cut off in motion, it stays where it is: the main loop may be handing over the rest.
-  [[gnu::noinline]] std::uint32_t come_to_rest() noexcept {
+  [[gnu::noinline, gnu::cold]] std::uint32_t come_to_rest() noexcept {
     if (!comes_to_rest_) {
       starved_.store(starved_.load(std::memory_order_relaxed) + 1, std::memory_order_relaxed);
       ran_dry_.store(true, std::memory_order_relaxed);
@@ -414,7 +415,7 @@ class StepGenerator final : public StepDrive {
     return stop();
   }
 
-  std::uint32_t stop() noexcept {
+  [[gnu::cold]] std::uint32_t stop() noexcept {
     trains_.clear();
     ticks_ = 0;
     comes_to_rest_ = true;
