@@ -120,7 +120,7 @@ class PowerShift {
     return ticks - left;
   }
 
-  /// What comes next begins `ticks` earlier, with this level. Out of line: only edges of light
+  /// Lets the next piece begin `ticks` earlier, with this level. Out of line: only edges of light
   /// move, and it is long.
   [[gnu::noinline]] void move_edge(std::uint32_t ticks, std::uint16_t level) {
     const bool dark = level != 0;

@@ -8,9 +8,9 @@ namespace {
 
 using cnc::WideVec2;
 
-/// Of the tool's radius: how far from the stock the tool comes down.
+/// The tool comes down this share of its radius away from the stock.
 constexpr double kGap = 1.25;
-/// Of the tool's radius: the distance between places that are tried, at most.
+/// Places that are tried are at most this share of the tool's radius apart.
 constexpr double kApart = 1.0;
 /// Ways that are tried, the shortest ones first, and places on a loop.
 constexpr std::size_t kMostWays = 1000;
@@ -21,7 +21,7 @@ constexpr double kMostOnLoop = 128.0;
 struct Candidate {
   WideVec2 from{0.0, 0.0};
   double way_mm = 0.0;
-  double square = 0.0;  ///< Of its length.
+  double square = 0.0;  ///< The line's length squared, mm².
 };
 
 /// Places along the edge of a box, at most so far apart.

@@ -12,8 +12,8 @@ namespace sim::pocket {
 struct EntryBeside {
   cnc::WideVec2 from{0.0, 0.0};
   Approach approach;       ///< Exists unless the place is on the loop.
-  double way_mm = 0.0;     ///< Of the place on the loop, as it is driven.
-  double length_mm = 0.0;  ///< Of the line.
+  double way_mm = 0.0;     ///< From the loop's start to the place, as the loop is driven.
+  double length_mm = 0.0;  ///< Length of the line.
 };
 
 /// Looks for ways into what is around a stock.

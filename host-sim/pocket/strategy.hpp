@@ -78,7 +78,7 @@ class StrategyPlanner {
                                      double stepover_mm);
   [[nodiscard]] MilledPocket mill_spirals(const cnc::contour::ContourView<double>& pocket,
                                           const std::optional<StockBox>& stock);
-  /// What is around the stock, with the pockets that are open there.
+  /// Mills the plan around the stock together with the pockets that are open to it.
   [[nodiscard]] MilledPocket mill_open(const cnc::contour::ContourView<double>& pocket);
   [[nodiscard]] MilledPocket mill_open_contours(const cnc::contour::ContourView<double>& pocket);
   [[nodiscard]] MilledPocket mill_rest(const cnc::contour::ContourView<double>& pocket,

@@ -14,9 +14,9 @@ namespace {
 using cnc::WideVec2;
 using Curve = cnc::contour::Curve<double>;
 
-/// Of the tool's radius: the distance between places of the wall that are tried, at most.
+/// Places of the wall that are tried are at most this share of the tool's radius apart.
 constexpr double kPlaceDistance = 0.25;
-/// Of the tool's radius: arcs to the wall, the best one first.
+/// Radii of arcs to the wall as shares of the tool's radius, the best one first.
 constexpr std::array kArcShares{0.25, 0.125};
 
 /// Where the tool comes to the wall by an arc.

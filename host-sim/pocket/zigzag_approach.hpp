@@ -12,7 +12,7 @@ namespace sim::pocket {
 struct ZigzagApproach {
   cnc::WideVec2 from{0.0, 0.0};
   std::vector<WayElement> way;
-  double meets_at_x = 0.0;  ///< Of the line.
+  double meets_at_x = 0.0;  ///< X at which the row meets its first line, mm.
   double length_mm = 0.0;
 };
 
