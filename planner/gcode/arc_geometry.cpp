@@ -26,7 +26,14 @@ int surplus_bits(Values... values) {
 
 PlaneVector shifted(PlaneVector v, int bits) { return {v.first >> bits, v.second >> bits}; }
 
-std::int64_t dot(PlaneVector a, PlaneVector b) { return a.first * b.first + a.second * b.second; }
+/// @pre both of at most 31 bits and the sign
+std::int64_t product(std::int64_t a, std::int64_t b) {
+  return std::int64_t{static_cast<std::int32_t>(a)} * static_cast<std::int32_t>(b);
+}
+
+std::int64_t dot(PlaneVector a, PlaneVector b) {
+  return product(a.first, b.first) + product(a.second, b.second);
+}
 
 /// The length in mm that 1 stands for after shifting.
 float unit_mm(int bits) {
@@ -66,15 +73,20 @@ CentreByRadius centre_by_radius(PlaneVector end, std::int64_t radius_nm, bool cl
   const PlaneVector chord = shifted(end, bits);
   const std::int64_t diameter = diameter_nm >> bits;
   // (2h)², h the distance from the middle of the chord to the centre.
-  const std::int64_t square = diameter * diameter - dot(chord, chord);
-  const float length = end.length();
-  const float root = std::sqrt(static_cast<float>(square < 0 ? -square : square)) * unit_mm(bits);
+  const std::int64_t square = product(diameter, diameter) - dot(chord, chord);
   if (square < 0) {
     const float diameter_mm = static_cast<float>(diameter_nm) * kMillimetresPerNanometre;
-    return {{end.first / 2, end.second / 2}, root * root / (length + diameter_mm)};
+    const float excess = static_cast<float>(-square) * unit_mm(bits) * unit_mm(bits);
+    return {{end.first / 2, end.second / 2}, excess / (end.length() + diameter_mm)};
   }
+  // Of a chord that is much shorter than the diameter no digit is lost.
+  const int chord_bits = surplus_bits(end.first, end.second);
+  const PlaneVector exact = shifted(end, chord_bits);
+  const float ratio = static_cast<float>(square) / static_cast<float>(dot(exact, exact));
+  const float steepness =
+      std::sqrt(ratio) * static_cast<float>(std::uint32_t{1} << (bits - chord_bits));
   const bool to_the_left = (radius_nm > 0) != clockwise;
-  const float slope = (to_the_left ? root : -root) / length;
+  const float slope = to_the_left ? steepness : -steepness;
   return {
       {(end.first - scaled(end.second, slope)) / 2, (end.second + scaled(end.first, slope)) / 2},
       0.0F};
