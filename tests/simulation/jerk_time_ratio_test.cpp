@@ -47,7 +47,12 @@ TimedProgram time_program(std::uint64_t seed) {
   const sim::ProgrammedPath path = motion_of(plan).path;
   TimedProgram timed{.seed = seed, .took = plan.seconds, .least = 0.0};
   if (path.pieces.empty() || path.pieces.size() > kMostPieces) return timed;
-  timed.least = sim::jerk_limited_time(path, limits, {.most_cells = 300}).found;
+  // The error of the grid makes the reference slower, and it shrinks with the cells: one that a
+  // program seems to beat is found once more on a finer grid.
+  for (const std::size_t cells : {300, 3000}) {
+    timed.least = sim::jerk_limited_time(path, limits, {.most_cells = cells}).found;
+    if (timed.ratio() >= kFastest) break;
+  }
   return timed;
 }
 
