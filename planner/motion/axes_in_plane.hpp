@@ -16,8 +16,7 @@ struct AxisInPlane {
   std::uint8_t axis = 0;
   float first = 0.0F;
   float second = 0.0F;
-  float size = 0.0F;      ///< The greatest of those shares, at most 1.
-  float quarters = 0.0F;  ///< The angle at which it has that, in quarter turns, 0 ≤ … < 2.
+  float size = 0.0F;  ///< The greatest of those shares, at most 1.
 
   [[nodiscard]] float share(const SinCos& angle) const {
     return angle.cosine * first + angle.sine * second;
@@ -26,6 +25,8 @@ struct AxisInPlane {
   [[nodiscard]] float normal_share(const SinCos& angle) const {
     return angle.cosine * second - angle.sine * first;
   }
+  /// Returns the angle at which its share is greatest, in quarter turns, 0 ≤ … < 2.
+  [[nodiscard]] float quarters() const;
 };
 
 /// The axes that a motion in a plane may move: two of a coordinate plane.
@@ -44,26 +45,29 @@ class AxesInPlane {
   std::size_t count_ = 0;
 };
 
+/// The greatest shares that an axis has of a speed in some directions, and of its normal.
+struct AxisShares {
+  float tangent = 0.0F;
+  float normal = 0.0F;
+};
+
 /// Directions in a plane from one angle to another.
 class DirectionRange {
  public:
+  /// All directions.
+  DirectionRange() = default;
   /// @param start, end radians, start ≤ end
-  DirectionRange(float start, float end)
-      : DirectionRange{start, end, sin_cos(start), sin_cos(end)} {}
-  DirectionRange(float start, float end, const SinCos& at_start, const SinCos& at_end);
+  DirectionRange(float start, float end);
+  /// From one direction to another less than a quarter turn farther.
+  DirectionRange(const SinCos& start, const SinCos& end) : start_{start}, end_{end}, all_{false} {}
 
-  /// Returns the greatest share that an axis has of a speed in one of them, and of its normal. Of a
-  /// quarter turn or more it is taken to have all that it has of any.
-  [[nodiscard]] float greatest_share(const AxisInPlane& axis) const;
-  [[nodiscard]] float greatest_normal_share(const AxisInPlane& axis) const;
+  /// Of a quarter turn or more an axis is taken to have all that it has of any direction.
+  [[nodiscard]] AxisShares greatest_shares(const AxisInPlane& axis) const;
 
  private:
-  [[nodiscard]] bool comes_to(float quarters) const;
-
-  float middle_;  ///< Quarter turns.
-  float half_;    ///< Radians to either side of it.
-  SinCos start_;
-  SinCos end_;
+  SinCos start_{};
+  SinCos end_{};
+  bool all_ = true;
 };
 
 }  // namespace cnc::motion

@@ -21,7 +21,9 @@ Reversals::Reversals(const Block& block, PathUnits length)
     : length_{length}, next_{length}, near_from_{length} {
   if (!block.turns()) return;
   const float side = block.turn.half_sweep < 0.0F ? -1.0F : 1.0F;
-  axes_ = AxesInPlane{block.turn.plane, side};
+  for (const AxisInPlane& axis : AxesInPlane{block.turn.plane, side}) {
+    turns_[turn_count_++] = axis.quarters() + 1.0F;
+  }
   start_ = side * block.turn.start_angle / kHalfPi;
   sweep_ = 2.0F * std::abs(block.turn.half_sweep) / kHalfPi;
   look_on_from(0);
@@ -35,8 +37,7 @@ PathUnits Reversals::place_of(float quarters) const {
 /// The last reversal up to an angle.
 float Reversals::last_until(float quarters) const {
   float last = quarters - 2.0F;
-  for (const AxisInPlane& axis : axes_) {
-    const float at = axis.quarters + 1.0F;
+  for (const float at : turns()) {
     last = std::max(last, at + 2.0F * std::floor(0.5F * (quarters - at)));
   }
   return last;
@@ -44,8 +45,7 @@ float Reversals::last_until(float quarters) const {
 
 float Reversals::first_behind(float quarters) const {
   float next = quarters + 2.0F;
-  for (const AxisInPlane& axis : axes_) {
-    const float at = axis.quarters + 1.0F;
+  for (const float at : turns()) {
     next = std::min(next, at + 2.0F * std::floor(0.5F * (quarters - at)) + 2.0F);
   }
   return next;

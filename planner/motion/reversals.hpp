@@ -1,5 +1,8 @@
 #pragma once
 
+#include <cstddef>
+#include <span>
+
 #include "planner/motion/axes_in_plane.hpp"
 #include "planner/motion/path_units.hpp"
 
@@ -27,12 +30,14 @@ class Reversals {
   }
 
  private:
+  [[nodiscard]] std::span<const float> turns() const { return {turns_.data(), turn_count_}; }
   void look_on_from(PathUnits place);
   [[nodiscard]] PathUnits place_of(float quarters) const;
   [[nodiscard]] float last_until(float quarters) const;
   [[nodiscard]] float first_behind(float quarters) const;
 
-  AxesInPlane axes_{};
+  AxisArray<float> turns_{};    ///< Where each of those axes reverses, in quarter turns; and…
+  std::size_t turn_count_ = 0;  ///< …every half turn from there.
   PathUnits length_ = 0;
   PathUnits next_ = 0;
   PathUnits near_until_ = 0;  ///< To the one passed last…

@@ -72,46 +72,30 @@ float Spans::angle_behind(int span) const {
 
 /// The directions that the window spans around a span between two places.
 DirectionRange Spans::directions_around(int span, const Place& from, const Place& to) const {
+  if (uniform_) return {};
   if (reach_ > 0.0F) return {angle_before(span), angle_behind(span)};
-  return {angle_of(span), angle_of(span + 1), from, to};
+  return {from, to};
 }
 
-/// The greatest shares in these directions, in the order of arc_axes().
-AxisArray<Spans::ArcShares> Spans::shares_around(int span,
-                                                 const Place& from,
-                                                 const Place& to) const {
-  AxisArray<ArcShares> shares{};
-  ArcShares* next = shares.data();
-  if (uniform_) {
-    for (const ArcAxis& axis : arc_axes()) {
-      const float size = plane_share_ * axis.in_plane.size;
-      *next++ = {size, size};
-    }
-    return shares;
-  }
-  const DirectionRange directions = directions_around(span, from, to);
-  for (const ArcAxis& axis : arc_axes()) {
-    *next++ = {plane_share_ * directions.greatest_share(axis.in_plane),
-               plane_share_ * directions.greatest_normal_share(axis.in_plane)};
-  }
-  return shares;
+/// The greatest shares in these directions of a speed that is not in the plane alone.
+AxisShares Spans::shares_of(const ArcAxis& axis, const DirectionRange& directions) const {
+  const auto [tangent, normal] = directions.greatest_shares(axis.in_plane);
+  return {plane_share_ * tangent, plane_share_ * normal};
 }
 
 float Spans::speed_limit_square(int span, const Place& from, const Place& to) const {
   if (sweep_ <= 0.0F) return straight_speed_square_;
-  const AxisArray<ArcShares> shares = shares_around(span, from, to);
+  const DirectionRange directions = directions_around(span, from, to);
   float limit = straight_speed_square_;
   const auto keep = [&limit](float most, float share) {
     if (most < limit * share) limit = most / share;
   };
-  for (std::size_t i = 0; i < arc_axis_count_; ++i) {
-    keep(square(arc_axes_[i].rate), square(shares[i].tangent));
-  }
-  if (window_.filters()) return limit;  // What turning asks for then is in it already.
-  // At a level speed.
   const float bend = plane_share_ * curvature_;
-  for (std::size_t i = 0; i < arc_axis_count_; ++i) {
-    keep(arc_axes_[i].acceleration, bend * shares[i].normal);
+  for (const ArcAxis& axis : arc_axes()) {
+    const auto [tangent, normal] = shares_of(axis, directions);
+    keep(square(axis.rate), square(tangent));
+    // Under a window what turning asks for, at a level speed, is in the limit already.
+    if (!window_.filters()) keep(axis.acceleration, bend * normal);
   }
   return limit;
 }
@@ -132,8 +116,9 @@ float Spans::steepest(int span,
   if (sweep_ <= 0.0F) return most;
   if (uniform_) return within_turning(span, most, change);
   if (window_.filters()) {
-    const auto shares = shares_around(span, place_at_boundary(span), place_at_boundary(span + 1));
-    most = within_jerk(shares, most, change);
+    const DirectionRange directions =
+        directions_around(span, place_at_boundary(span), place_at_boundary(span + 1));
+    most = within_jerk(directions, most, change);
   }
 
   const float sign = static_cast<float>(wanted);
@@ -249,9 +234,13 @@ float Spans::within_turning(int span, float most, const SpeedChange& change) con
 
 /// Where directions are told apart: an axis along which the tangent has the share t and
 /// its normal the share n is asked for the jerk t (a / T + κ² v³) + n 3 κ v a at most.
-float Spans::within_jerk(const AxisArray<ArcShares>& shares,
+float Spans::within_jerk(const DirectionRange& directions,
                          float most,
                          const SpeedChange& change) const {
+  AxisArray<AxisShares> shares{};
+  for (std::size_t i = 0; i < arc_axis_count_; ++i) {
+    shares[i] = shares_of(arc_axes_[i], directions);
+  }
   const float cap = std::sqrt(change.cap_square);
   const float lag = lag_of(curvature_, plane_acceleration_, window_.seconds());
   return steepest_within(most, [&](float steep) {
@@ -260,7 +249,7 @@ float Spans::within_jerk(const AxisArray<ArcShares>& shares,
   });
 }
 
-float Spans::within_jerk_at(float speed, float most, const AxisArray<ArcShares>& shares) const {
+float Spans::within_jerk_at(float speed, float most, const AxisArray<AxisShares>& shares) const {
   const float bend = square(plane_share_) * curvature_;
   const float window_s = window_.seconds();
   // In units of A = J T, as accelerations are limited by it too.

@@ -157,8 +157,9 @@ void Spans::lay_out_turning(float least, float reachable_square) {
     float left = 1.0e12F;
     for (const ArcAxis& axis : arc_axes()) {
       const float most = margin * axis.acceleration;
-      const float used = directions.greatest_normal_share(axis.in_plane) * normal;
-      const float share = std::max(directions.greatest_share(axis.in_plane), kLeastShare);
+      const AxisShares shares = directions.greatest_shares(axis.in_plane);
+      const float used = shares.normal * normal;
+      const float share = std::max(shares.tangent, kLeastShare);
       left = std::min(left, std::sqrt(std::max(0.0F, square(most) - square(used))) / share);
     }
     return left;

@@ -101,11 +101,6 @@ class Spans {
     float acceleration = 0.0F;
     float rate = 0.0F;
   };
-  /// Greatest shares that an axis has of the speed, and of the speed times its turning.
-  struct ArcShares {
-    float tangent = 0.0F;
-    float normal = 0.0F;
-  };
   class DirectionBox;
 
   void lay_out_arc(const Block& block, const Limits& limits, Grid grid);
@@ -129,17 +124,15 @@ class Spans {
   [[nodiscard]] DirectionRange directions_around(int span,
                                                  const Place& from,
                                                  const Place& to) const;
-  [[nodiscard]] AxisArray<ArcShares> shares_around(int span,
-                                                   const Place& from,
-                                                   const Place& to) const;
+  [[nodiscard]] AxisShares shares_of(const ArcAxis& axis, const DirectionRange& directions) const;
   [[nodiscard]] float reach_within(float cap_square, float reachable_square) const;
   [[nodiscard]] float within_turning(int span, float most, const SpeedChange& change) const;
-  [[nodiscard]] float within_jerk(const AxisArray<ArcShares>& shares,
+  [[nodiscard]] float within_jerk(const DirectionRange& directions,
                                   float most,
                                   const SpeedChange& change) const;
   [[nodiscard]] float within_jerk_at(float speed,
                                      float most,
-                                     const AxisArray<ArcShares>& shares) const;
+                                     const AxisArray<AxisShares>& shares) const;
 
   int count_ = 1;      ///< Of spans.
   int own_count_ = 1;  ///< The same without edges of zones.

@@ -68,7 +68,7 @@ float along_path(const Block& block, const AxisArray<float>& of_axes) {
   const float end = start + 2.0F * block.turn.half_sweep;
   const DirectionRange directions{std::min(start, end), std::max(start, end)};
   for (const AxisInPlane& each : AxesInPlane{block.turn.plane, 1.0F}) {
-    keep(each.axis, block.turn.plane_share * directions.greatest_share(each));
+    keep(each.axis, block.turn.plane_share * directions.greatest_shares(each).tangent);
   }
   return most;
 }
