@@ -4,6 +4,8 @@
 
 namespace cnc {
 
+bool MotionControl::has_room() const { return !drive_.catches_up() && Pipeline::has_room(); }
+
 void MotionControl::feed_drive() {
   follow_tool();
   feed_segments(drive_, [this](motion::Segment& segment) {

@@ -19,7 +19,6 @@ class MotionControl : private Pipeline {
   using Pipeline::follows_kerf;
   using Pipeline::go_on;
   using Pipeline::halt;
-  using Pipeline::has_room;
   using Pipeline::motor_place;
   using Pipeline::motors;
   using Pipeline::observe;
@@ -28,6 +27,10 @@ class MotionControl : private Pipeline {
   using Pipeline::place_of;
   using Pipeline::set_overrides;
   using Pipeline::target;
+
+  /// Returns whether append() may be called in this turn; false while the main loop catches up.
+  /// Out of line, as it is asked at many places.
+  [[nodiscard, gnu::noinline]] bool has_room() const;
 
   /// Hands segments to the drive until it has enough of them; the caller then settles it. Call it
   /// after attend().

@@ -46,6 +46,9 @@ class StepDrive {
 
   /// Turns that took so long that motion may have begun later than it should.
   [[nodiscard]] virtual std::uint32_t late_turns() const = 0;
+  /// Returns whether older turns were due and not over when this one began: it does no more than
+  /// the motion under way needs, so that the main loop is in time again before motion is cut off.
+  [[nodiscard]] virtual bool catches_up() const = 0;
 
   /// Motor positions in steps.
   [[nodiscard]] virtual AxisArray<std::int32_t> position() const = 0;

@@ -182,6 +182,7 @@ class StepGenerator final : public StepDrive {
     // Seen before what the main loop has changed at rest since then: nothing else has changed.
     if (next.epoch == epoch_.load(std::memory_order_relaxed)) view_ = next;
     view_.turn = next.turn;
+    view_.late = next.late;
     return true;
   }
   /// The number of the turn under way; runs freely.
@@ -193,6 +194,7 @@ class StepGenerator final : public StepDrive {
                      .rest_power = rest_power_});
   }
   [[nodiscard]] std::uint32_t late_turns() const override { return gate_.late(); }
+  [[nodiscard]] bool catches_up() const override { return view_.late; }
   /// At the last boundary: turns that were due and not over.
   [[nodiscard]] std::uint32_t turns_behind() const { return gate_.behind(); }
 

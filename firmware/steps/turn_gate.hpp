@@ -34,6 +34,7 @@ struct StepView {
   std::uint8_t switches_half_found = 0;
   bool running = false;
   bool probe_hit = false;
+  bool late = false;  ///< The turn that was due at this boundary was not over.
 };
 
 /// All that the main loop had handed over when a turn was over.
@@ -72,6 +73,7 @@ class TurnGate {
   /// A view that finds no room is lost, and its turn is not run. Returns the turn's number.
   std::uint32_t show(StepView view) noexcept {
     view.turn = begun_++;
+    view.late = behind() > 0;
     static_cast<void>(views_.try_push(view));
     return view.turn;
   }

@@ -180,7 +180,8 @@ BrakingState entry_for(const Block& block,
     return {.speed_square = brake_over_line(block, cap, exit.speed_square)};
   }
   const Spans spans{block, limits, terms.window};
-  looked_at += static_cast<std::uint32_t>(spans.count());
+  constexpr std::uint32_t kCostOfSpan = 2;  // In calculations for a line without a time window.
+  looked_at += kCostOfSpan * static_cast<std::uint32_t>(spans.count());
   return brake_backwards(spans, cap, exit);
 }
 

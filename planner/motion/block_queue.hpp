@@ -98,8 +98,8 @@ class BlockQueue {
   /// Only the blocks from `lead` up to `end`, which ends at a stop, to look at that plan: the next
   /// one is of all. @pre forget_plan() was called since the last plan of all, end ≤ size()
   void plan_chain(const Limits& limits, const PlanTerms& terms, std::size_t lead, std::size_t end);
-  /// Spans of blocks that all plans so far have looked at, for who shares out the time that
-  /// planning takes; runs freely.
+  /// Returns the work of all plans so far, in spans that they have looked at, where a span of an
+  /// arc counts twice. From this the time that planning takes is shared out. It runs freely.
   [[nodiscard]] std::uint32_t looked_at() const { return looked_at_; }
   /// Nothing comes for a while: the next plan leaves none of the blocks out.
   void leave_none_out() { leaves_none_out_ = unplanned_ > 0; }

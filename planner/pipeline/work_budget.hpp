@@ -8,8 +8,9 @@ namespace cnc {
 /// Bounds the planning work of a cycle of the main loop, so that the processor finishes it in
 /// time.
 ///
-/// Work is counted in spans of blocks that the look-ahead evaluates. A plan over all blocks takes
-/// more than a cycle's share; later cycles, in which no element is taken, pay for it.
+/// Work is counted in spans of blocks that the look-ahead evaluates, where a span of an arc counts
+/// twice. A plan over all blocks takes more than a cycle's share; later cycles, in which no element
+/// is taken, pay for it.
 class WorkBudget {
  public:
   /// Begins a cycle, which pays for its share of the work done so far.

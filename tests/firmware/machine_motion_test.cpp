@@ -61,6 +61,25 @@ TEST_F(MachineMotionTest, GoesOnWithHundredsOfBlocksWithoutStarving) {
   EXPECT_EQ(answers().size(), 400U);
 }
 
+// A main loop that planned on while it was late fell back by 19 turns, and motion was cut off.
+TEST_F(MachineMotionTest, TakesNothingNewWhileTheMainLoopCatchesUp) {
+  for (int boundary = 0; boundary < 5; ++boundary) application.begin_turn();
+  for (int turn = 0; turn < 3; ++turn) {
+    ASSERT_TRUE(application.take_turn());
+    application.run_turn({});
+  }
+  const std::size_t free = machine.blocks_free();
+  stream("G0 X0.1\nG0 X0.2\nG0 X0.3\nG0 X0.4\nG0 X0.5\nG0 X0.6\n");
+  for (int late = 0; late < 2; ++late) {
+    ASSERT_TRUE(application.take_turn());
+    application.run_turn({});
+    EXPECT_EQ(machine.blocks_free(), free);
+  }
+  EXPECT_FALSE(application.take_turn());
+  application.poll({});
+  EXPECT_LT(machine.blocks_free(), free);
+}
+
 // What speeding up takes is next to nothing here, and must not be lost in it.
 TEST_F(MachineMotionTest, DrivesSlowFeeds) {
   send_all({"G1 X0.5 F10"});

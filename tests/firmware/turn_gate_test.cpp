@@ -55,6 +55,20 @@ TEST_F(TurnGateTest, ALateTurnIsCountedAndComesInWithALaterOne) {
   EXPECT_EQ(gate.behind(), 0U);
 }
 
+TEST_F(TurnGateTest, TurnsAtWhoseBoundaryOneWasLateKnowIt) {
+  for (int i = 0; i < 5; ++i) boundary();
+  for (const bool late : {false, false, false, true, true}) {
+    StepView view;
+    ASSERT_TRUE(gate.take(view));
+    EXPECT_EQ(view.late, late) << view.turn;
+    gate.hand_over({.turn = view.turn});
+  }
+  boundary();
+  StepView view;
+  ASSERT_TRUE(gate.take(view));
+  EXPECT_FALSE(view.late);
+}
+
 /// A main loop that is behind for a while keeps the motors fed with what it has done.
 TEST_F(TurnGateTest, WhatIsOverComesInWhileLaterTurnsAreLate) {
   for (int i = 0; i < 5; ++i) boundary();
