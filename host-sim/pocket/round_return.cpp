@@ -36,6 +36,23 @@ std::vector<ToolCircle> shortened(const std::vector<ToolCircle>& way) {
   return short_way;
 }
 
+/// The same discs without those in between that have the centre of a neighbour: between both, no
+/// arc would fit. The first and the last one stay.
+std::vector<ToolCircle> without_repeats(const std::vector<ToolCircle>& discs) {
+  constexpr double kSameCentreMm = 1.0e-5;  // Far below the tolerance of the axis.
+  const auto is_same = [](const ToolCircle& a, const ToolCircle& b) {
+    return (a.centre - b.centre).norm() <= kSameCentreMm;
+  };
+  std::vector<ToolCircle> kept{discs.front()};
+  for (std::size_t i = 1; i + 1 < discs.size(); ++i) {
+    if (!is_same(kept.back(), discs[i])) kept.push_back(discs[i]);
+  }
+  if (discs.size() == 1) return kept;
+  if (kept.size() > 1 && is_same(kept.back(), discs.back())) kept.pop_back();
+  kept.push_back(discs.back());
+  return kept;
+}
+
 /// The arc to one side out of the direction of travel after which a line leads to a place; none if
 /// the arc goes around the place, or leaves the disc.
 std::optional<RoundTurn> turn_by_side(
@@ -86,7 +103,7 @@ void round_corner(DepthWriter& writer,
 }  // namespace
 
 void go_through_round(DepthWriter& writer, const std::vector<ToolCircle>& way, double turn_mm) {
-  const std::vector<ToolCircle> discs = shortened(way);
+  const std::vector<ToolCircle> discs = without_repeats(shortened(way));
   const ToolCircle& here = way.front();
   const double first_turn_mm = std::min(turn_mm, kTurnOfCircle * here.radius);
   const bool begins_at_centre = discs.size() > 1 && discs.front().centre == here.centre;

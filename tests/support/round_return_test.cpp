@@ -132,6 +132,22 @@ void expect_smooth(const PathRows& rows, std::size_t first) {
   }
 }
 
+TEST(RoundReturns, TurnOnceWhereTwoDiscsHaveOneCentre) {
+  const std::vector<ToolCircle> discs{
+      {{0.0, 0.0}, 4.0}, {{4.0, 0.0}, 2.0}, {{4.0 + 3.0e-8, 0.0}, 2.0}, {{4.0, 5.0}, 3.0}};
+  PathRows rows;
+  DepthWriter writer{rows, 1.0};
+  writer.begin_row_in_cleared({-2.0, 0.0});
+  writer.pass({-1.0, 0.0}, 0.0);
+  go_through_round(writer, discs, 0.5);
+  EXPECT_LT((writer.place() - discs.back().centre).norm(), 1.0e-9);
+  const auto& points = rows.points;
+  ASSERT_GE(points.size(), 6U);
+  for (std::size_t i = 2; i + 1 < points.size(); ++i) {
+    EXPECT_LT(cnc::pocket::kink_between(points[i - 1], points[i], points[i + 1]), 1.0e-5);
+  }
+}
+
 TEST(RoundReturns, HaveSmallerTurnsWhereLargeOnesWouldLeaveTheDisc) {
   PathRows rows;
   DepthWriter writer{rows, 1.0};
