@@ -66,7 +66,9 @@ CourseDrive CrescentDriver::drive(const AxisCourse& course,
       next = next_crescent(course, s, circle, limits_);
       if (next < s + kLeastProgressMm) break;
       if (is_free(course.circle_at(next))) {
+        // The next crescent begins on this disc, in which the tool is not.
         done.way_back.push_back(course.circle_at(next));
+        take_free_disc(course.circle_at(next));
       } else {
         drive_crescent(circle, course.circle_at(next), done);
       }
