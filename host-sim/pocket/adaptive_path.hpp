@@ -57,7 +57,8 @@ inline constexpr double kNarrowDiameters = 1.2;
 /// Guarantee: the tool's centre keeps its radius from the boundary (1e-6 mm); stock is left
 /// nowhere that the tool reaches. The engagement is within the limit in closed form for each
 /// crescent against the disc before it alone, except in entries and in stretches narrower than 1.2
-/// diameters, which are listed: what has it is Use::kLight. All crescents turn left, which is climb
+/// diameters, which are listed, the tips of cusps among them that are too sharp for crescents: what
+/// has it is Use::kLight. All crescents turn left, which is climb
 /// milling. Links between them lie in discs that are cleared, and meet them with one tangent. So do
 /// all other elements at one depth but the passes along the walls, at the corners of their locus.
 ///

@@ -77,8 +77,23 @@ CourseDrive CrescentDriver::drive(const AxisCourse& course,
     circle = course.circle_at(s);
   }
   done.is_complete = s >= course.length();
+  if (is_dead_end && !done.is_complete) list_tip(course, s);
   std::ranges::reverse(done.way_back);
   return done;
+}
+
+/// Lists the tip of a dead end from `from` on if more stock is there than counts as thin: in a cusp
+/// so sharp that its circles vanish before, the pass along the wall cuts it as a slot.
+void CrescentDriver::list_tip(const AxisCourse& course, double from) {
+  const ToolCircle begin = course.circle_at(from);
+  const ToolCircle end = course.circle_at(course.length());
+  const double left_mm = course.length() - from;
+  if (left_mm + end.radius - begin.radius <= kThinStockMm) return;
+  if (begin.radius >= narrow_circle(limits_.tool_radius_mm)) return;
+  NarrowStretch tip{{begin.centre}, 2.0 * (end.radius + limits_.tool_radius_mm), left_mm};
+  std::ranges::copy(course.places_between(from, course.length()), std::back_inserter(tip.places));
+  tip.places.push_back(end.centre);
+  out_.narrow.push_back(tip);
 }
 
 /// Where the discs come into the stock that are free from `from` on. The tool stays up.

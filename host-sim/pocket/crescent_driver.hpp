@@ -54,6 +54,7 @@ class CrescentDriver {
   void drive_back(const std::vector<cnc::pocket::ToolCircle>& way);
 
  private:
+  void list_tip(const AxisCourse& course, double from);
   [[nodiscard]] double end_of_free(const AxisCourse& course, double from, CourseDrive& done);
   [[nodiscard]] double end_of_slot(const AxisCourse& course,
                                    double from,

@@ -1,5 +1,6 @@
 #include "host-sim/pocket/adaptive_path.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -79,6 +80,27 @@ TEST(AdaptivePaths, ListNarrowStretches) {
   EXPECT_NEAR(path.narrow[0].width_mm, 6.6, 1.0e-3);
   EXPECT_GT(path.narrow[0].length_mm, 9.0);
   EXPECT_GT(expect_cleared(rooms, options).excepted, 0U);
+}
+
+/// Two rooms with a door narrower than a tool of 6 mm: each has a cusp at the door.
+sim::Contour rooms_with_door(double half_mm) {
+  const auto corner = [](double x, double y) { return fmt::format("{:g} {:.9f}\n", x, y); };
+  return contour_of("0 -15\n30 -15\n" + corner(30.0, -half_mm) + corner(40.0, -half_mm) +
+                    "40 -15\n70 -15\n70 15\n40 15\n" + corner(40.0, half_mm) +
+                    corner(30.0, half_mm) + "30 15\n0 15\nclosed\n");
+}
+
+TEST(AdaptivePaths, ListTheTipsOfSharpCusps) {
+  const AdaptiveOptions options{.tool_radius_mm = 3.0, .engagement_deg = 100.0};
+  EXPECT_EQ(expect_cleared(rooms_with_door(3.0 - 1.0e-2), options).excepted, 0U);
+  const sim::Contour rooms = rooms_with_door(3.0 - 1.0e-5);
+  EXPECT_GT(expect_cleared(rooms, options).excepted, 0U);
+  const AdaptivePath path = sim::pocket::adaptive_path(rooms.view(), options);
+  ASSERT_EQ(path.narrow.size(), 2U);
+  for (const auto& tip : path.narrow) {
+    EXPECT_NEAR(tip.width_mm, 6.0, 1.0e-4);
+    EXPECT_LT(tip.length_mm, 0.01);
+  }
 }
 
 TEST(AdaptivePaths, ClearRoomsWithoutADoor) {
