@@ -24,6 +24,9 @@ using cnc::pocket::ToolCircle;
 
 /// mm: stock of about this thickness is left to the passes along the walls, in corners, too.
 constexpr double kAxisMm = 2.0e-4;
+/// mm: in the cusp of a corner crescents end before its tip by as much as the axis is aside of its
+/// middle, over the sine of half the angle.
+constexpr double kAsideMm = 2.0e-5;
 
 void check(const AdaptiveOptions& options) {
   const auto require = [](bool is_right, const char* what, double value) {
@@ -156,7 +159,7 @@ AdaptivePath adaptive_path(const cnc::contour::ContourView<double>& area,
                            const AdaptiveOptions& options) {
   check(options);
   const OwnedArea owned{area};
-  const MedialAxis axis = medial_axis(owned, {.tolerance_mm = kAxisMm, .slack_mm = kAxisMm});
+  const MedialAxis axis = medial_axis(owned, {.tolerance_mm = kAsideMm, .slack_mm = kAxisMm});
   CarveGraph graph = wide_part(axis, owned, options.tool_radius_mm);
   split_at_widest(graph);
   AdaptivePath path;
