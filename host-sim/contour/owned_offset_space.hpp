@@ -14,9 +14,11 @@ template <typename Item>
   return {items.data(), items.size()};
 }
 
-/// Working storage of an offset that grows.
+/// Working storage of an offset that grows. At first it is large enough for no elements.
 class OwnedOffsetSpace {
  public:
+  OwnedOffsetSpace() { grow(0, 0); }
+
   [[nodiscard]] std::size_t elements() const { return elements_; }
   [[nodiscard]] std::size_t cuts() const { return cut_count_; }
   /// Items that a result of the offset needs at most.

@@ -34,6 +34,13 @@ TEST(ContourOffset, SaysWhereTooMuchOfItMeets) {
   }
 }
 
+TEST(ContourOffset, OfNothingIsNothing) {
+  ContourOffset offset;
+  EXPECT_EQ(offset.offset(Contour{}.view(), 1.0).loop_ends.size(), 0U);
+  EXPECT_GT(offset.offset(teeth().view(), 1.0).loop_ends.size(), 0U);
+  EXPECT_EQ(offset.offset(Contour{}.view(), -1.0).loop_ends.size(), 0U);
+}
+
 TEST(ContourOffset, SaysWhatIsNoNumber) {
   Contour contour = teeth();
   contour.vertices[3].x = std::nan("");
