@@ -34,29 +34,38 @@ std::optional<std::size_t> match_of(const cnc::contour::ContourView<double>& inn
 }  // namespace
 
 PassTree::PassTree(const std::vector<Contour>& passes, const std::vector<std::uint32_t>& parents)
-    : passes_{passes}, parents_{parents}, child_counts_(passes.size()) {
-  std::vector<std::vector<std::uint32_t>> children(passes.size());
-  std::vector<std::uint32_t> left;
+    : passes_{passes}, parents_{parents}, children_(passes.size()) {
   for (std::uint32_t i = 0; i < passes.size(); ++i) {
-    if (parents[i] == kNone) {
-      left.push_back(i);
-    } else {
-      ++child_counts_[parents[i]];
-      children[parents[i]].push_back(i);
-    }
+    if (parents[i] != kNone) children_[parents[i]].push_back(i);
   }
-  while (!left.empty()) {
-    const std::uint32_t pass = left.back();
-    left.pop_back();
-    inner_first_.push_back(pass);
-    left.insert(left.end(), children[pass].begin(), children[pass].end());
+  for (auto i = static_cast<std::uint32_t>(passes.size()); i-- > 0;) {
+    if (parents[i] != kNone) continue;
+    const std::vector<std::uint32_t> all = within(i);
+    inner_first_.insert(inner_first_.end(), all.begin(), all.end());
   }
   std::ranges::reverse(inner_first_);
 }
 
+std::optional<std::uint32_t> PassTree::only_child(std::uint32_t pass) const {
+  if (children_[pass].size() != 1) return std::nullopt;
+  return children_[pass].front();
+}
+
+std::vector<std::uint32_t> PassTree::within(std::uint32_t pass) const {
+  std::vector<std::uint32_t> found;
+  std::vector<std::uint32_t> left{pass};
+  while (!left.empty()) {
+    const std::uint32_t next = left.back();
+    left.pop_back();
+    found.push_back(next);
+    left.insert(left.end(), children_[next].begin(), children_[next].end());
+  }
+  return found;
+}
+
 std::optional<PassLoop> PassTree::around(const PassLoop& inner) const {
   const std::uint32_t pass = parents_[inner.pass];
-  if (pass == kNone || parents_[pass] == kNone || child_counts_[pass] != 1) return std::nullopt;
+  if (pass == kNone || parents_[pass] == kNone || !only_child(pass)) return std::nullopt;
   const auto within = passes_[inner.pass].view();
   const auto around = passes_[pass].view();
   if (within.loop_ends.size() != around.loop_ends.size()) return std::nullopt;

@@ -25,6 +25,11 @@ class PassTree {
   /// Returns all passes, each behind those within it, with all within it in one row.
   [[nodiscard]] const std::vector<std::uint32_t>& inner_first() const { return inner_first_; }
 
+  /// Returns the pass within another one, if there is one alone.
+  [[nodiscard]] std::optional<std::uint32_t> only_child(std::uint32_t pass) const;
+  /// Returns a pass and all that lie within it.
+  [[nodiscard]] std::vector<std::uint32_t> within(std::uint32_t pass) const;
+
   /// Returns the loop around another one if a ring is between them and nothing else: the passes
   /// around have one pass within them, and as many loops. None for the pass at the wall, too, which
   /// is driven as a whole.
@@ -33,7 +38,7 @@ class PassTree {
  private:
   const std::vector<Contour>& passes_;
   const std::vector<std::uint32_t>& parents_;
-  std::vector<std::uint32_t> child_counts_;
+  std::vector<std::vector<std::uint32_t>> children_;
   std::vector<std::uint32_t> inner_first_;
 };
 

@@ -13,7 +13,7 @@
 #include "host-sim/pocket/loop_chain.hpp"
 #include "host-sim/pocket/open_pocket.hpp"
 #include "host-sim/pocket/owned_boundary.hpp"
-#include "host-sim/pocket/spiral_turn.hpp"
+#include "host-sim/pocket/spiral_search.hpp"
 #include "planner/pocket/links.hpp"
 
 namespace sim::pocket {
@@ -24,18 +24,10 @@ using cnc::contour::kNone;
 using cnc::pocket::LoopPlace;
 using cnc::pocket::Use;
 
-/// Loops with a turn between them are at most this many radii of the tool apart, in corners, too.
-constexpr double kWidest = 1.9;
-/// Turns are exact within this share of the tool's radius.
-constexpr double kTolerance = 2.5e-4;
-/// A spiral of fewer turns takes longer than its loops.
-constexpr std::size_t kFewestTurns = 2;
-
-/// A loop of a spiral and the turn that leads to it.
-struct SpiralLoop {
-  PassLoop loop;
-  double start_mm = 0.0;           ///< Where turns end and begin, on the loop as it is driven.
-  std::vector<WayElement> turn{};  ///< From the loop before; none for the first one.
+/// A place on a loop of a pass.
+struct LoopStart {
+  std::uint32_t pass = 0;
+  LoopPlace<double> place;
 };
 
 class SpiralDriver {
@@ -49,6 +41,7 @@ class SpiralDriver {
         options_{options},
         beside_{beside},
         tree_{plan.passes, plan.parents},
+        search_{plan, tree_, options_},
         out_{out},
         writer_{out, options.depth_mm} {
     for (const Contour& pass : plan.passes) is_driven_.emplace_back(pass.loop_ends.size());
@@ -57,8 +50,23 @@ class SpiralDriver {
   /// Leaves a loop out.
   void leave_out(const PassLoop& loop) { is_driven_[loop.pass][loop.loop] = true; }
 
+  /// Drives spirals around islands instead of the passes that they replace.
+  void take_island_spirals() {
+    island_spirals_ = search_.around_islands();
+    for (const IslandSpiral& spiral : island_spirals_) {
+      for (const std::uint32_t pass : spiral.replaced) {
+        is_driven_[pass].assign(is_driven_[pass].size(), true);
+      }
+    }
+  }
+
   void drive_all() {
     for (const std::uint32_t pass : tree_.inner_first()) {
+      const auto island = std::ranges::find(island_spirals_, pass, &IslandSpiral::pass);
+      if (island != island_spirals_.end()) {
+        drive_around_island(island->loops);
+        continue;
+      }
       drive_loops(pass);
       drive_spirals(pass);
     }
@@ -67,7 +75,7 @@ class SpiralDriver {
 
  private:
   [[nodiscard]] DrivenLoop driven(const PassLoop& loop) const {
-    return {plan_.passes[loop.pass].view(), loop.loop, options_.milling};
+    return search_.driven(loop, options_.milling);
   }
 
   /// Drives the loops of a pass that no spiral has driven, each after a link or an entry.
@@ -75,35 +83,59 @@ class SpiralDriver {
     std::vector<bool>& is_driven = is_driven_[pass];
     for (auto left = std::ranges::count(is_driven, false); left > 0; --left) {
       const LoopPlace<double> start = go_to_loop_of(pass);
-      const DrivenLoop loop = driven({pass, start.loop});
-      const double way = loop.way_at(start.pose.point);
-      pass_along(loop.stretch(way, way), Use::kPass);
+      drive_loop(pass, start, options_.milling);
       is_driven[start.loop] = true;
-      at_ = start;
-      at_pass_ = pass;
-      ++out_.loops;
     }
+  }
+
+  /// Drives a loop as a whole, on which the tool is.
+  void drive_loop(std::uint32_t pass,
+                  const LoopPlace<double>& start,
+                  cnc::pocket::Milling milling) {
+    const DrivenLoop loop = search_.driven({pass, start.loop}, milling);
+    const double way = loop.way_at(start.pose.point);
+    pass_along(loop.stretch(way, way), Use::kPass);
+    at_ = start;
+    at_pass_ = pass;
+    ++out_.loops;
   }
 
   LoopPlace<double> go_to_loop_of(std::uint32_t pass) {
     const bool is_near = at_pass_ != kNone && (at_pass_ == pass || tree_.parent(at_pass_) == pass);
     if (is_near) {
-      if (const auto link = link_to(pass)) {
-        for (std::size_t i = 0; i < 3; ++i) {
-          if ((link->points[i + 1] - link->points[i]).norm() < kShortestWayMm) continue;
-          writer_.go(Use::kPass, link->points[i + 1], link->bulges[i], writer_.floor_z());
-        }
-        ++out_.links;
-        return link->landing;
-      }
+      if (const auto link = link_to(pass, at_.pose)) return follow(*link);
     }
     writer_.end_row();
+    if (const auto landing = link_from_island(pass)) return *landing;
     if (const auto start = enter_from_beside(pass)) return *start;
     const auto left = std::ranges::find(is_driven_[pass], false);
-    return enter(pass, static_cast<std::size_t>(left - is_driven_[pass].begin()));
+    const auto loop = static_cast<std::size_t>(left - is_driven_[pass].begin());
+    return enter({pass, loop}, options_.milling);
   }
 
-  [[nodiscard]] std::optional<cnc::pocket::Link<double>> link_to(std::uint32_t pass) const {
+  LoopPlace<double> follow(const cnc::pocket::Link<double>& link) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      if ((link.points[i + 1] - link.points[i]).norm() < kShortestWayMm) continue;
+      writer_.go(Use::kPass, link.points[i + 1], link.bulges[i], writer_.floor_z());
+    }
+    ++out_.links;
+    return link.landing;
+  }
+
+  /// Begins a row on the first loop of a spiral around an island, which is next to its wall.
+  std::optional<LoopPlace<double>> link_from_island(std::uint32_t pass) {
+    for (const LoopStart& start : beside_islands_) {
+      if (tree_.parent(start.pass) != pass) continue;
+      const auto link = link_to(pass, start.place.pose);
+      if (!link) continue;
+      writer_.begin_row_in_cleared(start.place.pose.point);
+      return follow(*link);
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] std::optional<cnc::pocket::Link<double>> link_to(
+      std::uint32_t pass, const cnc::pocket::Pose<double>& from) const {
     const Contour& area = plan_.passes[pass];
     std::vector<cnc::contour::Curve<double>> curves(area.vertices.size());
     std::vector<cnc::contour::FlatBox<double>> boxes(
@@ -115,8 +147,7 @@ class SpiralDriver {
     // A vector of bool has no storage to hand out.
     const auto left_out = std::make_unique<bool[]>(loops);  // NOLINT(modernize-avoid-c-arrays)
     for (std::size_t i = 0; i < loops; ++i) left_out[i] = is_driven_[pass][i];
-    return search.find(
-        at_.pose, {left_out.get(), loops}, options_.milling, options_.tool_radius_mm);
+    return search.find(from, {left_out.get(), loops}, options_.milling, options_.tool_radius_mm);
   }
 
   /// Begins a row beside the stock, by the shortest way to a loop of a pass that is left.
@@ -142,22 +173,22 @@ class SpiralDriver {
   }
 
   /// Begins a row by an entry to a loop.
-  LoopPlace<double> enter(std::uint32_t pass, std::size_t loop) {
-    std::uint32_t root = pass;
+  LoopPlace<double> enter(const PassLoop& loop, cnc::pocket::Milling milling) {
+    std::uint32_t root = loop.pass;
     while (tree_.parent(root) != kNone) root = tree_.parent(root);
     if (root != wall_pass_) {
       walls_ = std::make_unique<OwnedBoundary>(plan_.passes[root]);
       wall_pass_ = root;
     }
-    const auto area = plan_.passes[pass].view();
+    const auto area = plan_.passes[loop.pass].view();
     const auto plan = cnc::pocket::plan_entry<double>(
-        walls_->view(), walls_->nearest(), area, loop, options_.milling, options_.entry);
+        walls_->view(), walls_->nearest(), area, loop.loop, milling, options_.entry);
     const std::size_t first = out_.points.size();
     for (std::size_t size = 1024;; size *= 2) {
       out_.points.resize(first + size);
       cnc::pocket::ToolPathWriter<double> writer{{out_.points.data() + first, size}, {}};
       const auto result = cnc::pocket::write_entry<double>(
-          plan, area, options_.milling, options_.entry, {0.0, -options_.depth_mm}, writer);
+          plan, area, milling, options_.entry, {0.0, -options_.depth_mm}, writer);
       if (result == cnc::pocket::EntryResult::kFull) continue;
       if (result == cnc::pocket::EntryResult::kTooShort) {
         throw NoPocketPath{
@@ -179,64 +210,28 @@ class SpiralDriver {
     const std::size_t first = at_.loop;
     for (std::size_t i = 0; i < loops; ++i) {
       const std::size_t loop = (first + i) % loops;
-      const std::vector<SpiralLoop> spiral = spiral_from({pass, loop});
-      if (spiral.size() > kFewestTurns) drive(spiral);
+      const std::vector<SpiralLoop> spiral = search_.outwards({pass, loop}, is_driven_);
+      if (!spiral.empty()) drive(spiral);
     }
   }
 
-  /// The loops of the longest spiral from a loop outwards, itself included.
-  [[nodiscard]] std::vector<SpiralLoop> spiral_from(const PassLoop& first) const {
-    std::vector<PassLoop> chain{first};
-    for (;;) {
-      const std::optional<PassLoop> next = tree_.around(chain.back());
-      if (!next || is_driven_[next->pass][next->loop]) break;
-      chain.push_back(*next);
-    }
-    while (chain.size() > kFewestTurns) {
-      std::vector<SpiralLoop> spiral = with_turns(chain);
-      if (spiral.size() == chain.size()) return spiral;
-      chain.resize(spiral.size());
-    }
-    return {};
-  }
-
-  /// Turns along a chain of loops; fewer where one of them is not possible.
-  [[nodiscard]] std::vector<SpiralLoop> with_turns(const std::vector<PassLoop>& chain) const {
-    std::vector<SpiralLoop> spiral;
-    spiral.reserve(chain.size());
-    for (const PassLoop& loop : chain) spiral.push_back({loop});
-    spiral.back().start_mm = driven(chain.back()).longest_middle();
-    for (std::size_t i = chain.size() - 1; i > 0; --i) {
-      const WideVec2 place = driven(chain[i]).row().place(spiral[i].start_mm);
-      const OwnedBoundary inner{only(chain[i - 1])};
-      spiral[i - 1].start_mm = driven(chain[i - 1]).way_at(inner.nearest().nearest_to(place).point);
-    }
-    for (std::size_t i = 1; i < chain.size(); ++i) {
-      auto turn = spiral_turn(OwnedBoundary{only(chain[i - 1])},
-                              driven(chain[i]),
-                              spiral[i].start_mm,
-                              {.tolerance_mm = kTolerance * options_.tool_radius_mm,
-                               .widest_mm = kWidest * options_.tool_radius_mm});
-      if (!turn) {
-        spiral.resize(i);
-        return spiral;
-      }
-      spiral[i].turn = std::move(*turn);
-    }
-    return spiral;
-  }
-
-  /// A loop by itself.
-  [[nodiscard]] Contour only(const PassLoop& loop) const {
-    Contour contour;
-    append_loop(plan_.passes[loop.pass].view(), loop.loop, contour);
-    return contour;
+  /// Drives a spiral around an island, its first loop as a whole.
+  void drive_around_island(const std::vector<SpiralLoop>& spiral) {
+    const SpiralLoop& first = spiral.front();
+    writer_.end_row();
+    const LoopPlace<double> start = enter(first.loop, first.milling);
+    drive_loop(first.loop.pass, start, first.milling);
+    // The wall of the island is driven the other way.
+    LoopPlace<double> back = start;
+    back.pose.tangent = -back.pose.tangent;
+    beside_islands_.push_back({first.loop.pass, back});
+    drive(spiral);
   }
 
   /// Drives the turns of a spiral whose first loop is driven, and the last loop as a whole.
   void drive(const std::vector<SpiralLoop>& spiral) {
     const PassLoop& first = spiral.front().loop;
-    const DrivenLoop begin = driven(first);
+    const DrivenLoop begin = search_.driven(first, spiral.front().milling);
     const double start_mm = spiral.front().start_mm;
     if (at_pass_ == first.pass && at_.loop == first.loop) {
       const double here_mm = begin.way_at(at_.pose.point);
@@ -247,9 +242,9 @@ class SpiralDriver {
       writer_.begin_row_in_cleared(begin.row().place(start_mm));
     }
     for (std::size_t i = 1; i < spiral.size(); ++i) {
-      for (const WayElement& element : spiral[i].turn) writer_.pass(element.to, element.bulge);
+      for (const WayElement& element : spiral[i].turns) writer_.pass(element.to, element.bulge);
       is_driven_[spiral[i].loop.pass][spiral[i].loop.loop] = true;
-      ++out_.turns;
+      out_.turns += spiral[i].turn_count;
     }
     const PassLoop& last = spiral.back().loop;
     const DrivenLoop end = driven(last);
@@ -272,12 +267,15 @@ class SpiralDriver {
   SpiralOptions options_;
   const EntryBesideSearch* beside_;
   PassTree tree_;
+  SpiralSearch search_;
   SpiralPath& out_;
   DepthWriter writer_;
-  std::vector<std::vector<bool>> is_driven_;  ///< Whether a loop is driven, of each pass.
-  LoopPlace<double> at_;                      ///< Where the tool is.
-  std::uint32_t at_pass_ = kNone;             ///< The pass that was driven last.
-  std::unique_ptr<OwnedBoundary> walls_;      ///< Of the pass at the wall around the last entry.
+  DrivenMarks is_driven_;
+  std::vector<IslandSpiral> island_spirals_;
+  std::vector<LoopStart> beside_islands_;
+  LoopPlace<double> at_;                  ///< Where the tool is.
+  std::uint32_t at_pass_ = kNone;         ///< The pass that was driven last.
+  std::unique_ptr<OwnedBoundary> walls_;  ///< Of the pass at the wall around the last entry.
   std::uint32_t wall_pass_ = kNone;
 };
 
@@ -289,7 +287,9 @@ double widest_spiral_mm(double tool_radius_mm, double corner_radius_mm) {
 
 SpiralPath spiral_path(const PocketPlan& plan, const SpiralOptions& options) {
   SpiralPath path;
-  SpiralDriver{plan, options, nullptr, path}.drive_all();
+  SpiralDriver driver{plan, options, nullptr, path};
+  driver.take_island_spirals();
+  driver.drive_all();
   return path;
 }
 

@@ -13,6 +13,7 @@ struct SpiralOptions {
   double depth_mm = 1.0;  ///< Of the floor below the top.
   cnc::pocket::EntryOptions<double> entry;
   cnc::pocket::Milling milling = cnc::pocket::Milling::kClimb;
+  double stepover_mm = 2.0;  ///< Of the turns around an island; passes have it already.
 };
 
 /// Spirals that clear a pocket, at one depth.
@@ -31,8 +32,9 @@ struct SpiralPath : PathRows {
 /// the last loop of a spiral and the loops at walls are driven as a whole. Links lead from one
 /// spiral to the next one without lifting where they fit, else a new row begins.
 ///
-/// Passes of rings around islands have two spirals, one towards the wall and one towards the
-/// island. Throws NoPocketPath where a loop is too short for a ramp.
+/// A part of a closed pocket that is a ring around islands has one spiral, from the island to the
+/// wall, where that is at most half as long again as its passes. Else it has two, one towards the
+/// wall and one towards the island. Throws NoPocketPath where a loop is too short for a ramp.
 /// @param plan whose passes are no farther apart than widest_spiral_mm()
 [[nodiscard]] SpiralPath spiral_path(const PocketPlan& plan, const SpiralOptions& options);
 

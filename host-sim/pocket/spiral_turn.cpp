@@ -15,6 +15,10 @@ using cnc::WideVec2;
 constexpr double kFastest = 8.0;
 /// mm: shorter parts of the outer loop are not divided.
 constexpr double kShortestPartMm = 1.0e-5;
+/// mm: half of a chord whose direction is that of a tangent.
+constexpr double kHalfChordMm = 1.0e-6;
+/// mm: loops nearer to each other meet but for rounding.
+constexpr double kLoopsMeetMm = 1.0e-9;
 /// rad: the turn of a part at most, so that samples of it are enough.
 constexpr double kMostTurn = 0.8;
 
@@ -47,29 +51,46 @@ class TurnMaker {
   static double smooth_step(double share) { return share * share * (3.0 - 2.0 * share); }
 
   [[nodiscard]] WideVec2 place_at(double way_mm) {
-    const WideVec2 outer = outer_.place(way_mm);
-    const WideVec2 inner = inner_.nearest().nearest_to(outer).point;
-    widest_mm_ = std::max(widest_mm_, (outer - inner).norm());
-    return inner + smooth_step(way_mm / outer_.length()) * (outer - inner);
+    const double range = options_.end_share - options_.begin_share;
+    return place_at(way_mm, options_.begin_share + range * smooth_step(way_mm / outer_.length()));
   }
 
-  /// At both ends the tangent is that of a loop, elsewhere that of a chord around the place.
+  [[nodiscard]] WideVec2 place_at(double way_mm, double share) {
+    const WideVec2 outer = outer_.place(way_mm);
+    const WideVec2 inner = inner_.nearest().nearest_to(outer).point;
+    const double range = options_.end_share - options_.begin_share;
+    widest_mm_ = std::max(widest_mm_, range * (outer - inner).norm());
+    const double inwards = cnc::cross(outer_.leaving(way_mm), WideVec2{inner - outer});
+    const bool is_seen = (options_.milling == cnc::pocket::Milling::kClimb) == (inwards > 0.0);
+    is_all_seen_ = is_all_seen_ && (is_seen || std::abs(inwards) < kLoopsMeetMm);
+    return inner + share * (outer - inner);
+  }
+
   [[nodiscard]] Sample sample(double way_mm) {
     const double length = outer_.length();
     Sample sample{way_mm, place_at(way_mm)};
-    if (way_mm >= length) {
-      sample.tangent = outer_.arriving(length);
-      return sample;
-    }
     if (way_mm <= 0.0) {
-      const auto nearest = inner_.nearest().nearest_to(sample.place);
-      sample.tangent = inner_.nearest()[nearest.curve].tangent_at(nearest.point);
-      if (sample.tangent.dot(outer_.leaving(0.0)) < 0.0) sample.tangent = -sample.tangent;
-      return sample;
+      sample.tangent = tangent_at_start(options_.begin_share);
+    } else if (way_mm >= length) {
+      sample.tangent = tangent_at_start(options_.end_share);
+    } else {
+      const double half = std::min({kHalfChordMm, way_mm, length - way_mm});
+      sample.tangent = (place_at(way_mm + half) - place_at(way_mm - half)).normalized();
     }
-    const double half = std::min({0.1 * kShortestPartMm, way_mm, length - way_mm});
-    sample.tangent = (place_at(way_mm + half) - place_at(way_mm - half)).normalized();
     return sample;
+  }
+
+  /// At a loop the tangent is that of the loop, elsewhere that of a chord of the line at one share
+  /// of the way between the loops.
+  [[nodiscard]] WideVec2 tangent_at_start(double share) {
+    const double length = outer_.length();
+    if (share >= 1.0) return outer_.arriving(length);
+    if (share > 0.0) {
+      return (place_at(kHalfChordMm, share) - place_at(length - kHalfChordMm, share)).normalized();
+    }
+    const auto nearest = inner_.nearest().nearest_to(outer_.place(0.0));
+    const WideVec2 tangent = inner_.nearest()[nearest.curve].tangent_at(nearest.point);
+    return tangent.dot(outer_.leaving(0.0)) < 0.0 ? WideVec2{-tangent} : tangent;
   }
 
   /// Appends arcs between two samples, halved until they are within the tolerance.
@@ -78,7 +99,7 @@ class TurnMaker {
     Sample from = first;
     while (!ends.empty()) {
       const Sample& to = ends.back();
-      if (widest_mm_ > options_.widest_mm) return false;
+      if (widest_mm_ > options_.widest_mm || !is_all_seen_) return false;
       const double length = to.way_mm - from.way_mm;
       if (try_arcs(from, to)) {
         from = to;
@@ -137,7 +158,8 @@ class TurnMaker {
   const OwnedBoundary& inner_;
   cut::MeasuredRow outer_;
   TurnOptions options_;
-  double widest_mm_ = 0.0;
+  double widest_mm_ = 0.0;   ///< Between turns, so far.
+  bool is_all_seen_ = true;  ///< Lines to nearest places leave the outer loop to its inside.
   std::vector<WayElement> way_;
 };
 

@@ -11,17 +11,22 @@ namespace sim::pocket {
 
 struct TurnOptions {
   double tolerance_mm = 1.0e-3;  ///< Of its arcs.
-  double widest_mm = 5.0;        ///< Between the loops: at most, where there is a turn.
+  double widest_mm = 5.0;        ///< Between two turns: at most, where there is a turn.
+  cnc::pocket::Milling milling = cnc::pocket::Milling::kClimb;
+  /// Of the way from the inner loop to the outer one: where the turn begins and ends, 0…1.
+  double begin_share = 0.0;
+  double end_share = 1.0;
 };
 
-/// Returns one turn of a spiral from a loop to the one around it, in the direction of the latter:
-/// arcs with one tangent. At each place on the outer loop the turn is on the line from there to the
-/// nearest place of the inner loop, at a share of it that grows smoothly from 0 to 1: it leaves the
-/// inner loop and reaches the outer one along their tangents. None where the loops are too far
-/// apart somewhere, or where the nearest place jumps.
+/// Returns one turn of a spiral from a loop to the one around it, or between them, in the direction
+/// of the latter: arcs with one tangent. At each place on the outer loop the turn is on the line
+/// from there to the nearest place of the inner loop, at a share of it that grows smoothly from
+/// `begin_share` to `end_share`: it leaves the inner loop and reaches the outer one along their
+/// tangents, and goes on in the next turn without a corner. None where two turns would be too far
+/// apart somewhere, where the nearest place jumps, or where the outer loop is not all seen from the
+/// inner one, so that lines between them cross it.
 /// @param inner one loop
-/// @param start way on the outer loop where the turn ends; it begins at the nearest place of
-/// `inner`
+/// @param start_mm way on the outer loop to the line on which the turn begins and ends
 [[nodiscard]] std::optional<std::vector<WayElement>> spiral_turn(const OwnedBoundary& inner,
                                                                  const DrivenLoop& outer,
                                                                  double start_mm,

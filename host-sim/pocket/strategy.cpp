@@ -133,11 +133,13 @@ MilledPocket StrategyPlanner::mill_spirals(const cnc::contour::ContourView<doubl
                                            const std::optional<StockBox>& stock) {
   const auto& clearing = options_.pocket.clearing;
   const double widest_mm = widest_spiral_mm(clearing.tool_radius, clearing.corner_radius);
-  const PocketPlan plan = passes_of(pocket, std::min(clearing.stepover, widest_mm));
+  const double stepover_mm = std::min(clearing.stepover, widest_mm);
+  const PocketPlan plan = passes_of(pocket, stepover_mm);
   const SpiralOptions options{.tool_radius_mm = clearing.tool_radius,
                               .depth_mm = step_mm(),
                               .entry = options_.pocket.entry,
-                              .milling = options_.pocket.milling};
+                              .milling = options_.pocket.milling,
+                              .stepover_mm = stepover_mm};
   const SpiralPath path =
       stock ? open_spiral_path(pocket, *stock, plan, options) : spiral_path(plan, options);
   MilledPocket milled = repeated(path);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <string>
 
 #include "host-sim/contour/contour_text.hpp"
@@ -34,7 +35,8 @@ struct SpiralWish {
     options.depth = options.depth_step = 0.1 * radius_mm;
     sim::pocket::PocketPlanner planner;
     const PocketPlan plan = planner.plan(area.view(), options);
-    sim::pocket::SpiralOptions wanted{radius_mm, options.depth, options.entry, milling};
+    sim::pocket::SpiralOptions wanted{
+        radius_mm, options.depth, options.entry, milling, stepover_mm};
     wanted.entry.kind = cnc::pocket::EntryKind::kHelix;
     return spiral_path(plan, wanted);
   }
@@ -128,15 +130,83 @@ TEST(SpiralPaths, RunAgainstTheLoopsWhereAsked) {
   EXPECT_EQ((SpiralCheck{area, path, wish}.run(random)), "");
 }
 
-TEST(SpiralPaths, HaveTwoSpiralsInARing) {
+TEST(SpiralPaths, HaveOneSpiralAroundAnIsland) {
+  for (const char* const text :
+       {"60 0 1\n-60 0 1\nclosed\n10 0 -1\n-10 0 -1\nclosed\n",
+        "0 0\n90 0\n90 90\n0 90\nclosed\n30 30\n30 60\n60 60\n60 30\nclosed\n",
+        // The island is 8 mm aside, so that the passes in the middle are no rings.
+        "60 0 1\n-60 0 1\nclosed\n18 0 -1\n-2 0 -1\nclosed\n"}) {
+    for (const auto milling : {cnc::pocket::Milling::kClimb, cnc::pocket::Milling::kConventional}) {
+      const sim::Contour area = sim::contour_from_text(text, "test");
+      const SpiralWish wish{.milling = milling};
+      const SpiralPath path = wish.path_of(area);
+      EXPECT_GE(path.turns, 4U);
+      // The first and the last loop of the spiral, and both walls. That of the island has a row of
+      // its own unless a link leads there.
+      EXPECT_EQ(path.loops, 4U) << text;
+      EXPECT_LE(path.row_ends.size(), 2U) << text;
+      Random random{1};
+      EXPECT_EQ((SpiralCheck{area, path, wish}.run(random)), "") << text;
+    }
+  }
+}
+
+TEST(SpiralPaths, HaveTwoSpiralsAroundAnIslandNearAWall) {
   const sim::Contour area =
-      sim::contour_from_text("60 0 1\n-60 0 1\nclosed\n10 0 -1\n-10 0 -1\nclosed\n", "test");
+      sim::contour_from_text("60 0 1\n-60 0 1\nclosed\n45 0 -1\n25 0 -1\nclosed\n", "test");
   const SpiralWish wish;
   const SpiralPath path = wish.path_of(area);
-  EXPECT_GE(path.turns, 10U);
-  EXPECT_LE(path.row_ends.size(), 3U);
+  EXPECT_GE(path.turns, 4U);
+  EXPECT_GT(path.loops, 4U);
   Random random{1};
   EXPECT_EQ((SpiralCheck{area, path, wish}.run(random)), "");
+}
+
+/// A loop of lines and arcs around a place, with all of it in sight from there.
+void add_star(
+    std::string& text, const WideVec2& centre, double radius_mm, bool is_island, Random& random) {
+  const std::size_t corners = 3 + random.below(6);
+  const double turn = random.between(0.0, 6.0);
+  for (std::size_t i = 0; i < corners; ++i) {
+    const double share =
+        (static_cast<double>(i) + random.between(0.0, 0.4)) / static_cast<double>(corners);
+    const double angle = turn + (is_island ? -1.0 : 1.0) * 2.0 * std::numbers::pi * share;
+    const double away_mm = radius_mm * random.between(0.7, 1.0);
+    const double bulge = random.chance(0.5) ? 0.0 : random.between(-0.2, 0.2);
+    text += std::to_string(centre.x() + away_mm * std::cos(angle)) + " " +
+            std::to_string(centre.y() + away_mm * std::sin(angle)) + " " + std::to_string(bulge) +
+            "\n";
+  }
+  text += "closed\n";
+}
+
+TEST(SpiralPaths, ClearRandomRings) {
+  std::size_t single = 0;
+  std::size_t turns = 0;
+  std::size_t refused = 0;
+  for (const std::uint64_t seed : Trials{20}) {
+    Random random{seed};
+    SpiralWish wish;
+    wish.radius_mm = random.between(1.0, 4.0);
+    wish.corner_mm = random.between(0.02, 0.3) * wish.radius_mm;
+    wish.stepover_mm =
+        random.between(0.3, 1.0) * sim::pocket::widest_spiral_mm(wish.radius_mm, wish.corner_mm);
+    if (random.chance(0.3)) wish.milling = cnc::pocket::Milling::kConventional;
+    std::string text;
+    add_star(text, {0.0, 0.0}, 60.0, false, random);
+    const WideVec2 aside{random.between(-4.0, 4.0), random.between(-4.0, 4.0)};
+    add_star(text, aside, random.between(2.0, 16.0), true, random);
+    const sim::Contour area = sim::contour_from_text(text, "test");
+    try {
+      const SpiralPath path = wish.path_of(area);
+      EXPECT_EQ((SpiralCheck{area, path, wish}.run(random)), "") << "KERFLINE_SEED=" << seed;
+      if (path.loops == 4) ++single;
+      turns += path.turns;
+    } catch (const sim::pocket::NoPocketPath&) {
+      ++refused;  // Contours cross, or a pass is too short for a ramp.
+    }
+  }
+  std::printf("%zu turns, %zu with one spiral, %zu refused\n", turns, single, refused);
 }
 
 TEST(SpiralPaths, AreLoopsWhereTheCornersAreTooSharp) {
