@@ -20,8 +20,9 @@ using cnc::pocket::ToolCircle;
 using cnc::pocket::Use;
 
 constexpr double kDegree = std::numbers::pi / 180.0;
-/// mm: a smaller circle is not worth a crescent.
-constexpr double kLeastCircleMm = 1.0e-5;
+/// mm: a smaller circle is not worth a crescent. In corners that are not too sharp the stock before
+/// their tips is thin by then.
+constexpr double kLeastCircleMm = 4.0e-5;
 /// mm: crescents end before a corner where the stock between their disc and that in the corner is
 /// not thicker. The pass along the wall takes it.
 constexpr double kThinStockMm = 5.0e-4;
@@ -29,9 +30,18 @@ constexpr double kThinStockMm = 5.0e-4;
 constexpr double kLeastProgressMm = 1.0e-7;
 /// Of the tool's radius: up to this length a narrow dead end is a corner, no slot.
 constexpr double kCornerLength = 3.0;
+/// Of the radius of its widest circle: a narrow corner that is longer, with walls at less than about
+/// 4 degrees, is left to the pass along the wall. It would take hundreds of crescents for each
+/// halving of its width.
+constexpr double kCornerSharpness = 30.0;
 
 /// The radius of circles below which a pocket counts as narrow.
 double narrow_circle(double tool_radius_mm) { return (kNarrowDiameters - 1.0) * tool_radius_mm; }
+
+/// How thick the stock is between a circle and the one at the end of its course.
+double stock_beyond(const AxisCourse& course, double from, const ToolCircle& circle) {
+  return course.length() - from + course.circle_at(course.length()).radius - circle.radius;
+}
 
 }  // namespace
 
@@ -49,7 +59,6 @@ CourseDrive CrescentDriver::drive(const AxisCourse& course,
                                   bool is_dead_end) {
   CourseDrive done;
   ToolCircle circle = start;
-  const double last_radius = course.circle_at(course.length()).radius;
   double s = 0.0;
   while (s < course.length()) {
     if (is_free(circle)) {
@@ -62,7 +71,7 @@ CourseDrive CrescentDriver::drive(const AxisCourse& course,
     if (slot_end > s) {
       if (!drive_slot(course, s, slot_end, done)) break;
     } else {
-      if (is_dead_end && course.length() - s + last_radius - circle.radius <= kThinStockMm) break;
+      if (is_dead_end && is_left_to_wall(course, s, circle)) break;
       next = next_crescent(course, s, circle, limits_);
       if (next < s + kLeastProgressMm) break;
       if (is_free(course.circle_at(next))) {
@@ -82,13 +91,23 @@ CourseDrive CrescentDriver::drive(const AxisCourse& course,
   return done;
 }
 
-/// Lists the tip of a dead end from `from` on if more stock is there than counts as thin: in a cusp
-/// so sharp that its circles vanish before, the pass along the wall cuts it as a slot.
+/// Whether a dead end has nothing but thin stock from a circle on, or is a corner that is too sharp
+/// for crescents.
+bool CrescentDriver::is_left_to_wall(const AxisCourse& course,
+                                     double from,
+                                     const ToolCircle& circle) const {
+  if (stock_beyond(course, from, circle) <= kThinStockMm) return true;
+  const bool is_narrow = circle.radius < narrow_circle(limits_.tool_radius_mm);
+  return is_narrow && course.length() - from > kCornerSharpness * circle.radius;
+}
+
+/// Lists the tip of a dead end from `from` on if more stock is there than counts as thin: where it
+/// is sharp, the pass along the wall cuts it as a slot.
 void CrescentDriver::list_tip(const AxisCourse& course, double from) {
   const ToolCircle begin = course.circle_at(from);
   const ToolCircle end = course.circle_at(course.length());
   const double left_mm = course.length() - from;
-  if (left_mm + end.radius - begin.radius <= kThinStockMm) return;
+  if (stock_beyond(course, from, begin) <= kThinStockMm) return;
   if (begin.radius >= narrow_circle(limits_.tool_radius_mm)) return;
   NarrowStretch tip{{begin.centre}, 2.0 * (end.radius + limits_.tool_radius_mm), left_mm};
   std::ranges::copy(course.places_between(from, course.length()), std::back_inserter(tip.places));

@@ -54,6 +54,9 @@ class CrescentDriver {
   void drive_back(const std::vector<cnc::pocket::ToolCircle>& way);
 
  private:
+  [[nodiscard]] bool is_left_to_wall(const AxisCourse& course,
+                                     double from,
+                                     const cnc::pocket::ToolCircle& circle) const;
   void list_tip(const AxisCourse& course, double from);
   [[nodiscard]] double end_of_free(const AxisCourse& course, double from, CourseDrive& done);
   [[nodiscard]] double end_of_slot(const AxisCourse& course,
