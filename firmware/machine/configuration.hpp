@@ -4,8 +4,8 @@
 #include "firmware/machine/settings.hpp"
 #include "firmware/steps/step_drive.hpp"
 #include "planner/gcode/options.hpp"
-#include "planner/motion/limits.hpp"
-#include "planner/motion/motor_stage.hpp"
+#include "planner/motion/block/limits.hpp"
+#include "planner/motion/motors/motor_stage.hpp"
 
 namespace cnc {
 

@@ -2,7 +2,7 @@
 
 #include "firmware/steps/step_drive.hpp"
 #include "firmware/steps/turn_gate.hpp"
-#include "planner/motion/segment.hpp"
+#include "planner/motion/segment/segment.hpp"
 
 namespace cnc {
 

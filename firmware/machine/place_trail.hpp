@@ -4,7 +4,8 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "planner/motion/path_units.hpp"
+#include "planner/motion/block/path_units.hpp"
+#include "planner/motion/segment/segment.hpp"
 
 namespace cnc {
 

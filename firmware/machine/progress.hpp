@@ -4,7 +4,7 @@
 #include <type_traits>
 
 #include "planner/base/axes.hpp"
-#include "planner/motion/source_line.hpp"
+#include "planner/motion/block/source_line.hpp"
 
 namespace cnc {
 

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "firmware/machine/settings.hpp"
-#include "planner/motion/shaper_impulses.hpp"
+#include "planner/motion/motors/shaper_impulses.hpp"
 
 /// The rows of the table of settings. Axes that differ in nothing but their letter share a row,
 /// which has the number and the group of the first of them and is for all axes up to the next row

@@ -6,7 +6,7 @@
 
 #include "planner/base/coordinate.hpp"
 #include "planner/gcode/interpreter.hpp"
-#include "planner/motion/block.hpp"
+#include "planner/motion/block/block.hpp"
 
 namespace cnc {
 

@@ -5,7 +5,7 @@
 #include "firmware/steps/step_drive.hpp"
 #include "hal/interface/auxiliary_outputs.hpp"
 #include "planner/gcode/action.hpp"
-#include "planner/motion/block.hpp"
+#include "planner/motion/block/block.hpp"
 
 namespace cnc {
 

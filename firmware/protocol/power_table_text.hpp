@@ -4,7 +4,7 @@
 #include <string_view>
 
 #include "firmware/protocol/reply.hpp"
-#include "planner/motion/power_table.hpp"
+#include "planner/motion/block/power_table.hpp"
 
 namespace cnc {
 

@@ -4,7 +4,7 @@
 #include <cstdint>
 
 #include "hal/interface/staged_ring.hpp"
-#include "planner/motion/segment.hpp"
+#include "planner/motion/segment/segment.hpp"
 
 namespace cnc {
 

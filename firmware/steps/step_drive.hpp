@@ -6,7 +6,7 @@
 
 #include "firmware/steps/power_shift.hpp"
 #include "planner/base/axes.hpp"
-#include "planner/motion/segment.hpp"
+#include "planner/motion/segment/segment.hpp"
 
 namespace cnc {
 

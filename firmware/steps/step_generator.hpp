@@ -17,7 +17,7 @@
 #include "hal/interface/step_port.hpp"
 #include "planner/base/axes.hpp"
 #include "planner/base/contract.hpp"
-#include "planner/motion/segment.hpp"
+#include "planner/motion/segment/segment.hpp"
 
 namespace cnc {
 

@@ -7,7 +7,7 @@
 
 #include "planner/base/axes.hpp"
 #include "planner/base/contract.hpp"
-#include "planner/motion/segment.hpp"
+#include "planner/motion/segment/segment.hpp"
 
 namespace cnc {
 

@@ -7,7 +7,7 @@
 
 #include "hal/interface/spsc_ring.hpp"
 #include "planner/base/axes.hpp"
-#include "planner/motion/segment.hpp"
+#include "planner/motion/segment/segment.hpp"
 
 namespace cnc {
 

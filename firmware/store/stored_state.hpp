@@ -9,7 +9,7 @@
 #include "firmware/store/stored_text.hpp"
 #include "hal/interface/record_store.hpp"
 #include "planner/gcode/modal_state.hpp"
-#include "planner/motion/power_table.hpp"
+#include "planner/motion/block/power_table.hpp"
 
 namespace cnc {
 

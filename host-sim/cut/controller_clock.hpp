@@ -7,8 +7,8 @@
 #include "host-sim/cut/order_wish.hpp"
 #include "host-sim/cut/stroke.hpp"
 #include "host-sim/cut/written_path.hpp"
-#include "planner/motion/block_queue.hpp"
-#include "planner/motion/plan_cursor.hpp"
+#include "planner/motion/lookahead/block_queue.hpp"
+#include "planner/motion/plan/plan_cursor.hpp"
 #include "planner/path/path_stage.hpp"
 
 namespace sim::cut {

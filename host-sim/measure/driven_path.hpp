@@ -2,7 +2,7 @@
 
 #include "firmware/machine/settings.hpp"
 #include "host-sim/measure/programmed_path.hpp"
-#include "planner/motion/limits.hpp"
+#include "planner/motion/block/limits.hpp"
 
 namespace sim {
 

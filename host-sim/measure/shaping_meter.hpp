@@ -3,7 +3,7 @@
 #include <deque>
 
 #include "host-sim/measure/curve.hpp"
-#include "planner/motion/motor_stage.hpp"
+#include "planner/motion/motors/motor_stage.hpp"
 
 namespace sim {
 

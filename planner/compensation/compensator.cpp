@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "planner/base/contract.hpp"
-#include "planner/motion/planned_slice.hpp"
+#include "planner/motion/segment/planned_slice.hpp"
 
 namespace cnc::compensation {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "planner/base/scalar_math.hpp"
-#include "planner/motion/axes_in_plane.hpp"
+#include "planner/motion/block/axes_in_plane.hpp"
 
 namespace cnc::path {
 namespace {

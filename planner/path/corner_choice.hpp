@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planner/motion/limits.hpp"
+#include "planner/motion/block/limits.hpp"
 #include "planner/path/corner.hpp"
 
 namespace cnc::path {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "planner/motion/block_builder.hpp"
-#include "planner/motion/junction.hpp"
+#include "planner/motion/block/block_builder.hpp"
+#include "planner/motion/lookahead/junction.hpp"
 
 namespace cnc::path {
 

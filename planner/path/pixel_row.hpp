@@ -2,7 +2,7 @@
 
 #include <cstddef>
 
-#include "planner/motion/pixels.hpp"
+#include "planner/motion/block/pixels.hpp"
 #include "planner/path/path_item.hpp"
 
 namespace cnc::path {

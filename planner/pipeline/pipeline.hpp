@@ -4,9 +4,9 @@
 #include <cstdint>
 
 #include "planner/base/coordinate.hpp"
-#include "planner/motion/block_builder.hpp"
-#include "planner/motion/block_queue.hpp"
-#include "planner/motion/motor_segments.hpp"
+#include "planner/motion/block/block_builder.hpp"
+#include "planner/motion/lookahead/block_queue.hpp"
+#include "planner/motion/motors/motor_segments.hpp"
 #include "planner/path/path_stage.hpp"
 #include "planner/pipeline/supply_watch.hpp"
 #include "planner/pipeline/work_budget.hpp"

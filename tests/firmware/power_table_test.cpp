@@ -1,4 +1,4 @@
-#include "planner/motion/power_table.hpp"
+#include "planner/motion/block/power_table.hpp"
 
 #include "tests/firmware/controller_test.hpp"
 

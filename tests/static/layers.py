@@ -36,6 +36,11 @@ COMPOSITION_ROOTS = re.compile(r"firmware/target/stm32f405_\w+\.[ch]pp")
 # Programs and parts of a program: they may print.
 ON_A_HOST = re.compile(r"planner/(examples/.*|base/default_contract_handler\.cpp)")
 
+# Rooms in the order in which the data goes through them: each includes itself and those before it.
+PIPELINES = {
+    "planner/motion": ("block", "lookahead", "plan", "jerk", "segment", "motors"),
+}
+
 FREESTANDING = set("""array atomic bit cfloat climits compare concepts cstdarg cstddef cstdint
     initializer_list limits new numbers optional ratio source_location span tuple type_traits
     utility version""".split())
@@ -72,6 +77,18 @@ def layer_of(name: str) -> str:
     return next((layer for layer in MAP if name.startswith(layer + "/")), "")
 
 
+def room_number(name: str, folder: str) -> int:
+    """Which room of a pipeline a path lies in, from 0; -1 elsewhere."""
+    found = re.match(rf"{folder}/(\w+)/", name)
+    rooms = PIPELINES[folder]
+    return rooms.index(found[1]) if found and found[1] in rooms else -1
+
+
+def goes_back(name: str, target: str) -> bool:
+    """Whether an include leads from a room of a pipeline to a later one."""
+    return any(0 <= room_number(name, folder) < room_number(target, folder) for folder in PIPELINES)
+
+
 def include_complaint(name: str, target: str, quoted: bool, root: pathlib.Path) -> str:
     """What is wrong with one #include, or an empty string."""
     layer = layer_of(name)
@@ -84,6 +101,8 @@ def include_complaint(name: str, target: str, quoted: bool, root: pathlib.Path) 
             return f'"{target}" is not a path from the root'
         if layer_of(target) not in MAP[layer]:
             return f"{layer} must not include {target}"
+        if goes_back(name, target):
+            return f"{target} is in a later room"
         return ""
     if target.endswith(".h") and "/" not in target:
         return f"<{target}> is C; use its C++ form" if layer not in ON_AN_OS else ""
@@ -116,6 +135,9 @@ def source_complaints(root: pathlib.Path) -> Iterator:
         name = path.relative_to(root).as_posix()
         if not layer_of(name):
             continue
+        for folder, rooms in PIPELINES.items():
+            if name.startswith(folder + "/") and room_number(name, folder) < 0:
+                yield f"{name}: lies in none of {', '.join(rooms)}"
         lines = path.read_text(encoding="utf-8").splitlines()
         yield from line_complaints(name, lines, root)
         if path.suffix == ".hpp" and "#pragma once" not in lines:

@@ -69,6 +69,13 @@ class PlantedViolations(unittest.TestCase):
             with self.subTest(name):
                 self.assert_found(name, f'#include "{target}"\n', f"must not include {target}")
 
+    def test_rooms_of_a_pipeline(self):
+        self.plant("planner/motion/segment/ticks.hpp", "#pragma once\n")
+        self.plant("planner/motion/motors/a.cpp", '#include "planner/motion/segment/ticks.hpp"\n')
+        self.assertEqual([], self.layer_complaints())
+        self.assert_found("planner/motion/block/a.cpp", '#include "planner/motion/segment/ticks.hpp"\n', "a later room")
+        self.assert_found("planner/motion/a.cpp", "int f();\n", "lies in none of block, lookahead")
+
     def test_include_that_is_no_path_from_the_root(self):
         self.assert_found("planner/base/a.cpp", '#include "axes.hpp"\n', "not a path from the root")
 

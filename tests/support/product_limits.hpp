@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planner/motion/limits.hpp"
+#include "planner/motion/block/limits.hpp"
 #include "tests/support/optimal_time.hpp"
 
 namespace proof {

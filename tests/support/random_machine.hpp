@@ -1,7 +1,7 @@
 #pragma once
 
 #include "firmware/steps/step_drive.hpp"
-#include "planner/motion/limits.hpp"
+#include "planner/motion/block/limits.hpp"
 #include "tests/support/random_source.hpp"
 
 namespace proof {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "planner/motion/motor_stage.hpp"
+#include "planner/motion/motors/motor_stage.hpp"
 #include "tests/support/random_source.hpp"
 
 namespace proof {

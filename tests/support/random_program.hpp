@@ -3,7 +3,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "planner/motion/block_builder.hpp"
+#include "planner/motion/block/block_builder.hpp"
 #include "tests/support/random_machine.hpp"
 #include "tests/support/random_source.hpp"
 

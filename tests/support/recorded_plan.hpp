@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "planner/motion/segmenter.hpp"
+#include "planner/motion/segment/segmenter.hpp"
 #include "tests/support/exact_block.hpp"
 
 namespace proof {

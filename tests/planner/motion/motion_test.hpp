@@ -6,7 +6,7 @@
 #include <cstdint>
 
 #include "planner/base/contract.hpp"
-#include "planner/motion/block_builder.hpp"
+#include "planner/motion/block/block_builder.hpp"
 #include "tests/support/exact_block.hpp"
 #include "tests/support/random_source.hpp"
 

@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "planner/motion/block_builder.hpp"
-#include "planner/motion/pixel_course.hpp"
+#include "planner/motion/block/block_builder.hpp"
+#include "planner/motion/segment/pixel_course.hpp"
 #include "tests/planner/path/path_test.hpp"
 
 namespace cnc::path {

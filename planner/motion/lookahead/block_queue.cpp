@@ -1,0 +1,252 @@
+#include "planner/motion/lookahead/block_queue.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "planner/motion/block/block_builder.hpp"
+#include "planner/motion/lookahead/braking.hpp"
+
+namespace cnc::motion {
+
+void BlockQueue::push(const Block& block, Joint joint) {
+  CNC_ASSERT(!full());
+  if (size_ + kept_ == blocks_.size()) {
+    start_ = blocks_[place_of(blocks_.size() - kept_)].end;
+    --kept_;
+  }
+  Block& added = changeable(size_);
+  added = block;
+  added.from_rest = stops_before(block, joint);
+  added.entry = {};
+  ends_ = false;
+  stops_at_end_ = false;
+  last_exit_tangent_ = exit_tangent(block);
+  ++size_;
+  ++unplanned_;
+}
+
+bool BlockQueue::stops_before(const Block& block, Joint joint) const {
+  if (empty() || stops_at_end_ || joint == Joint::kStop) return true;
+  return joint == Joint::kAsItTurns && !is_tangent(last_exit_tangent_, entry_tangent(block));
+}
+
+void BlockQueue::pop_front() {
+  CNC_ASSERT(size_ > 0);
+  left_square_ = front().reachable_square;
+  first_ = place_of(1);
+  --size_;
+  ++kept_;
+  unplanned_ = std::min(unplanned_, size_);
+}
+
+void BlockQueue::take_back() {
+  CNC_ASSERT(kept_ > 0);
+  first_ = place_of(blocks_.size() - 1);
+  ++size_;
+  --kept_;
+  forget_plan();
+}
+
+void BlockQueue::begin_at(const AxisArray<StepPosition>& place, const Block& front) {
+  Block& begun = changeable(0);
+  begun = front;
+  begun.from_rest = true;
+  kept_ = 0;
+  start_ = place;
+  forget_plan();
+}
+
+void BlockQueue::stand() {
+  if (front_trail_.empty()) return;
+  front_trail_.clear();
+  forget_plan();
+}
+
+void BlockQueue::clear(const AxisArray<StepPosition>& place) {
+  size_ = 0;
+  kept_ = 0;
+  keeps_all_ = false;
+  start_ = place;
+  front_trail_.clear();
+  unplanned_ = 0;
+  leaves_none_out_ = false;
+  ends_ = false;
+  stops_at_end_ = false;
+}
+
+namespace {
+
+/// The greatest v² anywhere on a block, whatever the pace may become.
+float most_square(const Spans& spans, const Block& block, const PlanTerms& terms) {
+  const SpeedCap greatest{block, terms.greatest};
+  float most = 0.0F;
+  for (int span = 0; span < spans.count(); ++span) {
+    most = std::max(most, greatest.square_within(spans.speed_limit_square(span)));
+  }
+  return most;
+}
+
+/// What a block asks of those before and behind it: the least of its speed
+/// limits, as far as the greatest reaches.
+LimitZone zone_of(const Spans& spans, const Block& block, const PlanTerms& terms) {
+  const SpeedCap cap{block, terms.overrides};
+  float least = LimitZone{}.speed_square;
+  for (int span = 0; span < spans.count(); ++span) {
+    least = std::min(least, cap.square_within(spans.speed_limit_square(span)));
+  }
+  LimitZone zone = spans.zone(most_square(spans, block, terms), block.reachable_square);
+  zone.speed_square = least;
+  return zone;
+}
+
+/// v² that a block may be left with at most, from that of the one before.
+float reachable_after(Block& block,
+                      float before_square,
+                      const Limits& limits,
+                      const PlanTerms& terms) {
+  constexpr float kRounding = 1.0F + 1.0e-4F;
+  constexpr float kAny = 1.0e12F;
+  block.reachable_square = kAny;
+  const Spans spans{block, limits, terms.window};
+  const float most =
+      before_square + 2.0F * kRounding * spans.greatest_acceleration() * block.length;
+  return std::min(most, most_square(spans, block, terms));
+}
+
+/// Computes the zones that later blocks impose on `block`. Returns false when they have changed, or
+/// may have changed for blocks before it.
+bool lay_tail(ZoneTrail& ahead, Block& block, const Limits& limits, const PlanTerms& terms) {
+  const Spans spans{block, limits, terms.window};
+  const LimitZone own = zone_of(spans, block, terms);
+  const BlockZones tail = ahead.reaching(own);
+  ahead.advance(block.length, terms.window.reach(block.reachable_square));
+  const bool same = tail == block.tail && ahead.empty();
+  ahead.add(own);
+  block.tail = tail;
+  return same;
+}
+
+}  // namespace
+
+void BlockQueue::leave_front(const Limits& limits, const PlanTerms& terms) {
+  if (!terms.window.filters()) return;
+  const Block& block = front();
+  if (block.from_rest) front_trail_.clear();
+  front_trail_.advance(block.length, terms.window.reach(block.reachable_square));
+  front_trail_.add(zone_of(Spans{block, limits, terms.window}, block, terms));
+}
+
+void BlockQueue::stop_before_newest() {
+  changeable(size_ - newest_).from_rest = true;
+  forget_plan();
+}
+
+/// Of the blocks that were not planned before.
+void BlockQueue::lay_heads(const Limits& limits, const PlanTerms& terms, std::size_t end) {
+  if (!terms.window.filters()) return;
+  if (unplanned_ == size_) {
+    // What blocks that are gone ask for stays as it was: who takes back a plan finds the old one.
+    trail_ = front_trail_;
+    reachable_square_ = left_square_;
+  }
+  for (std::size_t index = size_ - unplanned_; index < end; ++index) {
+    Block& block = changeable(index);
+    if (block.from_rest) {
+      trail_.clear();  // The window never spans a stop.
+      reachable_square_ = 0.0F;
+    }
+    block.head = {};
+    block.tail = {};
+    reachable_square_ = reachable_after(block, reachable_square_, limits, terms);
+    block.reachable_square = reachable_square_;
+    const LimitZone own = zone_of(Spans{block, limits, terms.window}, block, terms);
+    block.head = trail_.reaching(own);
+    trail_.advance(block.length, terms.window.reach(block.reachable_square));
+    trail_.add(own);
+  }
+}
+
+namespace {
+
+/// What a block can be entered with, its corner aside.
+BrakingState entry_for(const Block& block,
+                       const Limits& limits,
+                       const PlanTerms& terms,
+                       const BrakingState& exit,
+                       std::uint32_t& looked_at) {
+  const SpeedCap cap{block, terms.overrides};
+  if (!block.turns() && !terms.window.filters()) {
+    ++looked_at;
+    return {.speed_square = brake_over_line(block, cap, exit.speed_square)};
+  }
+  const Spans spans{block, limits, terms.window};
+  constexpr std::uint32_t kCostOfSpan = 2;  // In calculations for a line without a time window.
+  looked_at += kCostOfSpan * static_cast<std::uint32_t>(spans.count());
+  return brake_backwards(spans, cap, exit);
+}
+
+}  // namespace
+
+void BlockQueue::plan(const Limits& limits, const PlanTerms& terms, std::size_t lead) {
+  const bool enough = unplanned_ * kReplanShare >= size_ || leaves_none_out_;
+  if (enough) plan_all(limits, terms, lead);
+}
+
+namespace {
+
+/// Of the entry that was found before, the new one may keep it: it is no more than a little
+/// below. On arcs driven at their limit what lies ahead dies away but never ends.
+bool as_good(const BrakingState& before, const BrakingState& now, const TimeWindow& window) {
+  constexpr float kNegligible = 1.0F + 5.0e-5F;
+  if (before == now) return true;
+  return !window.filters() && before.speed_square <= now.speed_square &&
+         now.speed_square <= before.speed_square * kNegligible;
+}
+
+}  // namespace
+
+void BlockQueue::plan_all(const Limits& limits, const PlanTerms& terms, std::size_t lead) {
+  leaves_none_out_ = false;
+  if (unplanned_ == 0) return;
+  ++plans_;
+  lay_heads(limits, terms, size_);
+  newest_ = unplanned_;
+  plan_backwards(limits, terms, lead, size_);
+  unplanned_ = 0;
+}
+
+void BlockQueue::plan_chain(const Limits& limits,
+                            const PlanTerms& terms,
+                            std::size_t lead,
+                            std::size_t end) {
+  CNC_ASSERT(unplanned_ == size_ && end <= size_);
+  ++plans_;
+  lay_heads(limits, terms, end);
+  if (end < size_) changeable(end).entry = {};
+  plan_backwards(limits, terms, lead, end);
+}
+
+// From the newest block. Where a block that was planned before gets the same entry again, and
+// nothing reaches beyond it that did not before, all older ones would, too.
+void BlockQueue::plan_backwards(const Limits& limits,
+                                const PlanTerms& terms,
+                                std::size_t lead,
+                                std::size_t end) {
+  const TimeWindow& window = terms.window;
+  BrakingState exit{};
+  ZoneTrail ahead;
+  for (std::size_t index = end; index-- > lead;) {
+    Block& block = changeable(index);
+    const bool was_planned = index < size_ - unplanned_;
+    const bool same_tail = !window.filters() || lay_tail(ahead, block, limits, terms);
+    if (index == lead) break;
+    const BrakingState entry =
+        block.from_rest ? BrakingState{} : entry_for(block, limits, terms, exit, looked_at_);
+    if (was_planned && same_tail && as_good(block.entry, entry, window)) break;
+    block.entry = entry;
+    exit = entry;
+    if (block.from_rest) ahead.clear();
+  }
+}
+
+}  // namespace cnc::motion

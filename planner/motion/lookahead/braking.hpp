@@ -1,0 +1,113 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+#include "planner/base/scalar_math.hpp"
+#include "planner/motion/lookahead/spans.hpp"
+#include "planner/motion/lookahead/speed_cap.hpp"
+
+namespace cnc::motion {
+
+/// A gain in v² or a level stretch smaller than this share is rounding.
+inline constexpr float kNegligibleShare = 1.0e-5F;
+
+/// The greatest speed, mm/s, up to which one may speed up; see BrakingState.
+[[nodiscard]] inline float commit_speed(float commit_square, float steepest, float window_s) {
+  const float lead = steepest * window_s;
+  // Without cancellation: (X) / (sqrt(X + l²) + l).
+  const float sum = std::sqrt(commit_square + square(lead)) + lead;
+  return sum > 0.0F ? commit_square / sum : 0.0F;
+}
+
+/// The braking curve within a span.
+struct BrakingPoint {
+  BrakingState end{};         ///< At its end, v² within its cap.
+  float deceleration = 0.0F;  ///< Towards its end, mm/s² ≥ 0.
+  float cap_square = 0.0F;    ///< Within the span, after feed and overrides.
+  float steepest = 0.0F;      ///< Of the braking here and ahead.
+
+  /// X with `left` mm of the span to go.
+  [[nodiscard]] float commit_square(float left) const {
+    if (cap_square <= end.speed_square) return end.commit_square + 2.0F * steepest * left;
+    const float slope = end.speed_square + 2.0F * deceleration * left;
+    if (slope <= cap_square || deceleration <= 0.0F) return slope;
+    return cap_square + (slope - cap_square) * (steepest / deceleration);
+  }
+  /// The greatest speed, mm/s, with `left` mm to go, from which all ahead is met
+  /// when braking does not begin for `wait_s` yet.
+  [[nodiscard]] float committed(float left, float wait_s) const {
+    // As far below as speeds are rounded: of v / a = 2 s a digit of v is 0.2 µs of the wait.
+    constexpr float kSurely = 1.0F - 4.8e-7F;
+    const float braked = kSurely * commit_speed(commit_square(left), steepest, wait_s);
+    return std::max(braked, std::min(end.kept, std::sqrt(cap_square)));
+  }
+  /// Whether a motion with v² = `speed_square` can neither speed up within the span nor has to
+  /// brake in it. @pre no time window
+  [[nodiscard]] bool stays_level(float speed_square) const {
+    return cap_square >= speed_square && cap_square <= speed_square * (1.0F + kNegligibleShare) &&
+           end.speed_square >= speed_square;
+  }
+};
+
+/// What is known at the start of a span so long, as the pass goes back over it.
+[[nodiscard]] BrakingState start_of(const BrakingPoint& point, float length, float window_s);
+
+/// Backward pass over one block: visits its spans from last to first with their
+/// BrakingPoints and returns what is known at the start of the block, so that
+/// `exit` can be met at its end; as far back as the span `first`.
+///
+/// Because the acceleration limits are linear in (a, v²) and allow a = 0 below
+/// the speed limit, what can be braked from is always an interval from 0, and
+/// taking the largest value span by span is optimal (Pham and Pham, "A new
+/// approach to time-optimal path parameterization", IEEE T-RO 34(3), 2018).
+template <typename Visitor>
+BrakingState brake_backwards(const Spans& spans,
+                             const SpeedCap& cap,
+                             const BrakingState& exit,
+                             Visitor&& visit,
+                             int first = 0) {
+  Place end = spans.place_at_boundary(spans.count());
+  float end_mm = spans.boundary(spans.count());
+  BrakingState state = exit;
+  for (int span = spans.count() - 1; span >= first; --span) {
+    const Place start = spans.place_at_boundary(span);
+    const float start_mm = spans.boundary(span);
+    const float length = end_mm - start_mm;
+    const float cap_square = std::min(cap.square_within(spans.speed_limit_square(span, start, end)),
+                                      spans.zone_speed_square(span));
+    if (cap_square < state.speed_square) state.speed_square = cap_square;
+    const float deceleration = spans.steepest(
+        span,
+        end,
+        start,
+        {length, state.speed_square, cap_square, Travel::kBackward, Change::kSlowDown, length});
+    const BrakingPoint point{.end = state,
+                             .deceleration = deceleration,
+                             .cap_square = cap_square,
+                             .steepest = std::max(deceleration, state.steepest)};
+    visit(span, point);
+    state = start_of(point, length, spans.window_s());
+    end = start;
+    end_mm = start_mm;
+  }
+  return state;
+}
+
+/// The same over a straight block that no zone reaches into, as most are.
+[[nodiscard]] inline float brake_over_line(const Block& block,
+                                           const SpeedCap& cap,
+                                           float exit_square) {
+  const float cap_square = cap.square_within(block.speed_limit_square);
+  const float end = std::min(exit_square, cap_square);
+  const float from = next_below(end + 2.0F * block.acceleration * block.length);
+  return std::min(cap_square, std::max(end, from));
+}
+
+[[nodiscard]] inline BrakingState brake_backwards(const Spans& spans,
+                                                  const SpeedCap& cap,
+                                                  const BrakingState& exit) {
+  return brake_backwards(spans, cap, exit, [](int, const BrakingPoint&) {});
+}
+
+}  // namespace cnc::motion

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "planner/base/step_position.hpp"
+#include "planner/motion/motors/shaper_grid.hpp"
+
+namespace cnc::motion {
+
+/// The places of all axes at the ends of the last cells of time, and their
+/// weighted means.
+class PlaceHistory {
+ public:
+  using Places = AxisArray<StepPosition>;
+
+  /// It has stood here for ever.
+  void fill(const Places& places) { ring_.fill(places); }
+
+  void push(const Places& places) {
+    newest_ = newest_ == 0 ? kCells - 1 : newest_ - 1;
+    ring_[newest_] = places;
+  }
+
+  /// To 2^-16 step; exact where all places with a weight are the same.
+  /// @pre they lie less than 2^17 steps from the newest one: motors at 200,000 steps/s go a quarter
+  /// of that within the longest reach (ShaperGrid), 150 ms
+  [[nodiscard]] StepPosition mean(std::size_t axis, const ShaperTaps& taps) const {
+    const std::int64_t newest_q32 = ring_[newest_][axis].q32();
+    std::int64_t sum_q46 = 0;
+    for (std::size_t i = 0; i < taps.count; ++i) {
+      const std::int64_t place_q32 = ring_[(newest_ + taps.age[i]) % kCells][axis].q32();
+      const std::int64_t way_q16 = (place_q32 >> 16) - (newest_q32 >> 16);
+      sum_q46 += way_q16 * taps.weight_q30[i];
+    }
+    return StepPosition{newest_q32 + (sum_q46 >> 14)};
+  }
+
+ private:
+  static constexpr std::size_t kCells = ShaperGrid::kMostPlaces;
+
+  std::array<Places, kCells> ring_{};
+  std::size_t newest_ = 0;  ///< Index of the newest places; older ones follow.
+};
+
+}  // namespace cnc::motion

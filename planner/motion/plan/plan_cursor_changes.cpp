@@ -1,0 +1,239 @@
+// How a plan begins, and what happens to it while it is driven: more blocks, other overrides,
+// holds.
+
+#include <algorithm>
+#include <array>
+
+#include "planner/motion/plan/plan_cursor.hpp"
+
+namespace cnc::motion {
+namespace {
+
+/// Trying a pace is to plan all blocks, and twice if it is refused.
+constexpr std::uint64_t kBetweenTriesNs = 20'000'000;
+
+}  // namespace
+
+/// The end of the chain of blocks that begins at the present one: the next that begins
+/// from rest, or the end of the queue.
+std::size_t PlanCursor::chain_end() const {
+  std::size_t end = index_ + 1;
+  while (end < queue_.size() && !queue_.at(end).from_rest) ++end;
+  return end;
+}
+
+/// ns that the plan takes from the present block to that one under a window, which it leaves set.
+/// @pre at rest, and no block is begun
+std::uint64_t PlanCursor::time_to(std::size_t end, const TimeWindow& window) {
+  constexpr std::uint32_t kAnyNs = 1'000'000'000;
+  const std::size_t first = index_;
+  const PathUnits lead = lead_;
+  set_window(window);
+  queue_.plan_chain(limits_, terms_, index_, end);
+  std::uint64_t took_ns = window.whole_ns();
+  while (index_ < end) {
+    const Stretch stretch = follow(kAnyNs, Drive::kOn, true);
+    if (!stretch.lasts()) break;
+    took_ns += stretch.duration_ns;
+  }
+  reset();
+  index_ = first;
+  lead_ = lead;
+  return took_ns;
+}
+
+/// Of the window that suits a single move and shorter ones, until they become slower again.
+TimeWindow PlanCursor::quickest(const WindowChoice& choice, std::size_t end) {
+  constexpr std::array<float, 7> kShares{0.84F, 0.7F, 0.59F, 0.5F, 0.42F, 0.35F, 0.25F};
+  /// Planning takes some 4,000 instructions a block on the controller: 5 ms for few blocks under
+  /// all windows and, with two tries, for most.
+  constexpr std::size_t kFewBlocks = 16;
+  constexpr std::size_t kMostBlocks = 64;
+  constexpr std::size_t kWideStep = 3;
+  TimeWindow chosen = choice.window();
+  const std::size_t blocks = end - index_;
+  const bool one_line = blocks == 1 && !queue_.at(index_).turns();
+  if (driving_ || one_line || blocks > kMostBlocks) return chosen;
+  std::uint64_t least_ns = time_to(end, chosen);
+  const std::size_t step = blocks > kFewBlocks ? kWideStep : 1;
+  for (std::size_t i = step - 1; i < kShares.size(); i += step) {
+    const TimeWindow tried = choice.window(kShares[i]);
+    const std::uint64_t took_ns = time_to(end, tried);
+    if (took_ns > least_ns + least_ns / 64) break;
+    if (took_ns >= least_ns) continue;
+    least_ns = took_ns;
+    chosen = tried;
+  }
+  set_window(chosen);
+  return chosen;
+}
+
+TimeWindow PlanCursor::choose_window() {
+  queue_.stand();
+  const std::size_t end = chain_end();
+  std::uint8_t axes = 0;
+  for (std::size_t index = index_; index < end; ++index) {
+    axes = static_cast<std::uint8_t>(axes | moving_axes(queue_.at(index)));
+  }
+  const TimeWindow longest = window_for(limits_, axes);
+  const bool stop_known = end < queue_.size() || queue_.ends();
+  if (!longest.filters() || !stop_known) return longest;
+  // A pace that is lower than programmed may yet be raised.
+  const Overrides greatest = greater_pace(overrides_, {});
+  WindowChoice choice{limits_};
+  for (std::size_t index = index_; index < end; ++index) {
+    const Block& block = queue_.at(index);
+    const bool begun = driving_ && index == index_;
+    choice.add(block,
+               begun ? to_mm(length_ - place_) : block.length,
+               SpeedCap{block, greatest}.square_within(block.speed_limit_square));
+  }
+  const TimeWindow window = quickest(choice, end);
+  if (end == queue_.size() && window != longest) queue_.stop_at_end();
+  return window;
+}
+
+void PlanCursor::reset() {
+  since_speeding_up_ns_ = kLongAgo;
+  since_braking_ns_ = kLongAgo;
+  overtaken_ = false;
+  braking_from_ = 0.0F;
+  clock_ = {};
+  lead_ = 0;
+  postponed_ns_ = 0;
+  index_ = 0;
+  driving_ = false;
+  phase_ = {};
+  speed_ = 0.0F;
+  entry_square_ = 0.0F;
+}
+
+void PlanCursor::set_overrides(const Overrides& overrides) {
+  overrides_ = overrides;
+  if (!terms_.window.filters() && !same_pace(overrides, terms_.overrides)) take_up_overrides();
+}
+
+/// All that was planned is to be planned anew.
+void PlanCursor::plan_for(const PlanTerms& terms) {
+  terms_ = terms;
+  queue_.forget_plan();
+  replan_ = true;
+}
+
+/// @pre at rest, or nothing reaches from one block into another
+void PlanCursor::take_up_overrides() {
+  plan_for({.overrides = overrides_, .greatest = overrides_, .window = terms_.window});
+}
+
+void PlanCursor::set_window(const TimeWindow& window) {
+  terms_.window = window;
+  take_up_overrides();
+}
+
+void PlanCursor::stop_phase_short() {
+  if (phase_.duration > 0.0F) {
+    profile_.stop_short(phase_, phase_distance_left(), speed_);
+    clock_.cut(elapsed_ns_);
+  }
+  phase_ = {};
+  settle_place();
+}
+
+/// The profile counts in floats, of which each phase rounds one. Set right in one
+/// phase much later, the sum would be a jump of speed.
+void PlanCursor::settle_place() {
+  if (terms_.window.filters()) profile_.settle(to_mm(length_ - place_));
+}
+
+/// Into the next block, which was planned before: whatever changes the plan now finds the
+/// block begun, and is judged by where the motion is.
+bool PlanCursor::goes_on() const {
+  return !driving_ && index_ < queue_.size() && !queue_.at(index_).from_rest;
+}
+
+/// More blocks, an override or a hold may have changed what lies ahead.
+/// @pre driving_
+void PlanCursor::follow_plan(Drive drive) {
+  if (queue_.plans() == followed_ && !replan_ && drive == phase_drive_) return;
+  followed_ = queue_.plans();
+  const bool same_zones = !terms_.window.filters() || queue_.at(index_).tail == profile_.tail();
+  const bool same_plan = !replan_ && same_zones && queue_.exit_of(index_) == profile_.exit();
+  if (same_plan && drive == phase_drive_) return;
+  stop_phase_short();
+  if (profile_.at_end() || same_plan) return;
+  const BlockZones zones = profile_.tail();
+  replan();
+  if (terms_.window.filters()) {
+    const bool too_fast = profile_.too_fast(patience());
+    if (replan_) {
+      overtaken_ = too_fast;
+    } else if (too_fast || profile_.within_other_zones(zones)) {
+      refuse_late_blocks();
+    }
+  }
+  replan_ = false;
+}
+
+/// Blocks that are not planned yet are judged by the plan as it was.
+void PlanCursor::bring_up_to_date(Drive drive) {
+  queue_.plan_all(limits_, terms_, index_);
+  if (driving_) follow_plan(drive);
+}
+
+/// At once: who is too fast for it slows down. But where zones that are taken together have
+/// changed, one that the speed is too high to turn in may reach farther than it did. No way to
+/// brake is left in it, so there the plan for the lower pace has to wait.
+void PlanCursor::lower_pace(std::uint64_t passed_ns, Drive drive) {
+  postponed_ns_ -= std::min(postponed_ns_, passed_ns);
+  PlanTerms lower = terms_;
+  lower.overrides = lesser_pace(overrides_, terms_.overrides);
+  if (postponed_ns_ > 0 || same_pace(lower.overrides, terms_.overrides)) return;
+  bring_up_to_date(drive);
+  const PlanTerms before = terms_;
+  const BlockZones zones = profile_.tail();
+  plan_for(lower);
+  bring_up_to_date(drive);
+  if (!driving_ || profile_.at_end() || !overtaken_ || !profile_.too_fast_to_turn(zones)) return;
+  plan_and_replan(before);
+  overtaken_ = profile_.too_fast(patience());
+  postponed_ns_ = kBetweenTriesNs;
+}
+
+/// As soon as the plan for it is one that can be gone over to here.
+void PlanCursor::try_higher_pace(std::uint64_t passed_ns, Drive drive) {
+  untried_ns_ += passed_ns;
+  if (untried_ns_ < kBetweenTriesNs || same_pace(terms_.overrides, overrides_)) return;
+  untried_ns_ = 0;
+  bring_up_to_date(drive);
+  stop_phase_short();
+  if (profile_.at_end()) return;
+  const PlanTerms before = terms_;
+  const BlockZones zones = profile_.tail();
+  plan_and_replan({.overrides = overrides_,
+                   .greatest = greater_pace(overrides_, terms_.greatest),
+                   .window = terms_.window});
+  const bool can_go_over = !profile_.too_fast(patience()) && !profile_.within_other_zones(zones);
+  if (!can_go_over) plan_and_replan(before);
+}
+
+void PlanCursor::plan_and_replan(const PlanTerms& terms) {
+  plan_for(terms);
+  queue_.plan_all(limits_, terms_, index_);
+  replan();
+  replan_ = false;
+}
+
+void PlanCursor::replan() {
+  profile_.replan(queue_.at(index_), limits_, terms_, queue_.exit_of(index_));
+}
+
+/// Blocks came so late that the plan is too fast already for what they ask for
+/// ahead of their start. Nothing is, for a stop there, as was planned without them.
+void PlanCursor::refuse_late_blocks() {
+  if (!queue_.has_newest_behind(index_)) return;
+  queue_.stop_before_newest();
+  queue_.plan(limits_, terms_, index_);
+  replan();
+}
+
+}  // namespace cnc::motion

@@ -1,0 +1,317 @@
+#include "planner/motion/plan/speed_profile.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "planner/base/contract.hpp"
+
+namespace cnc::motion {
+namespace {
+
+/// Where no jerk is measured a gain of ten times what is negligible is rounding, too: it has four
+/// digits at most, and so would the acceleration.
+constexpr float kLeastGain = 1.0e-4F;
+
+/// A speed above the cap, or a braking steeper than planned, by more than this
+/// means that an override has lowered the plan; else it is rounding.
+constexpr float kAbovePlan = 1.0F + 1.0e-4F;
+constexpr float kSteeperThanPlan = 1.0F + 5.0e-4F;
+
+/// As much too fast for braking as rounding of the wait for it can make one.
+constexpr float kLate = 1.0005F;
+
+/// Two units in the last place of a float.
+constexpr float kSpeedSquareRounding = 2.4e-7F;
+
+/// (1 µm/s)²: slower than a step in a second; and what jerk allows within a cell of a window.
+constexpr float kStandstillSquare = 1.0e-6F;
+constexpr float kFilteredStandstillSquare = 1.0e-9F;
+
+}  // namespace
+
+void SpeedProfile::begin(const Block& block,
+                         const Limits& limits,
+                         const PlanTerms& terms,
+                         const BrakingState& exit,
+                         float speed_square) {
+  speed_square_ = speed_square;
+  lay_out(block, limits, terms, exit, block.length, grid_for(block, terms, exit));
+  // What was planned on the usual grid may be a little above the finer one's curve.
+  const float curve = end_target_square() + 2.0F * here().deceleration * left_;
+  if (!spans_.fine() || speed_square_ <= std::min(curve, here().cap_square)) return;
+  lay_out(block, limits, terms, exit, block.length, Spans::Grid::kUsual);
+}
+
+void SpeedProfile::replan(const Block& block,
+                          const Limits& limits,
+                          const PlanTerms& terms,
+                          const BrakingState& exit) {
+  const Spans::Grid grid = spans_.fine() ? Spans::Grid::kFine : Spans::Grid::kUsual;
+  lay_out(block, limits, terms, exit, left_of_block({.left = left_}), grid);
+}
+
+void SpeedProfile::lay_out(const Block& block,
+                           const Limits& limits,
+                           const PlanTerms& terms,
+                           const BrakingState& exit,
+                           float left_of_block,
+                           Spans::Grid grid) {
+  spans_ = Spans{block, limits, terms.window, grid};
+  find_span(left_of_block);
+  exit_ = exit;
+  brake_from_the_end(block, terms.overrides);
+}
+
+/// To the end of the block: what can be braked from on the fine grid cannot on the other. Only
+/// from rest and to rest: along a way of many arcs it would gain thousandths, for a third more of
+/// segments.
+Spans::Grid SpeedProfile::grid_for(const Block& block,
+                                   const PlanTerms& terms,
+                                   const BrakingState& exit) const {
+  if (!block.turns() || terms.window.filters()) return Spans::Grid::kUsual;
+  const bool rests = std::min(speed_square_, exit.speed_square) <= 0.0F;
+  return rests ? Spans::Grid::kFine : Spans::Grid::kUsual;
+}
+
+/// As far back as the present span.
+void SpeedProfile::brake_from_the_end(const Block& block, const Overrides& overrides) {
+  const SpeedCap cap{block, overrides};
+  const auto keep = [this](int span, const BrakingPoint& point) {
+    braking_[static_cast<std::size_t>(span)] = point;
+  };
+  if (!block.turns() && spans_.window_s() <= 0.0F) {
+    const float cap_square = cap.square_within(block.speed_limit_square);
+    keep(span_,
+         {.end = {.speed_square = std::min(exit_.speed_square, cap_square)},
+          .deceleration = block.acceleration,
+          .cap_square = cap_square});
+    return;
+  }
+  static_cast<void>(brake_backwards(spans_, cap, exit_, keep, span_));
+}
+
+/// Other zones make other spans: the one with so much of the block to go.
+void SpeedProfile::find_span(float left_of_block) {
+  const float length = spans_.boundary(spans_.count());
+  span_ = 0;
+  left_ = spans_.length_of(0);
+  if (left_of_block >= length) return;
+  while (span_ + 1 < spans_.count() && length - spans_.boundary(span_ + 1) >= left_of_block) {
+    ++span_;
+  }
+  left_ = left_of_block - (length - spans_.boundary(span_ + 1));
+}
+
+float SpeedProfile::steepest(Change change, float growing, float most_square) const {
+  return spans_.steepest(span_,
+                         spans_.place_at(spans_.boundary(span_ + 1) - left_),
+                         spans_.place_at_boundary(span_ + 1),
+                         {left_, speed_square_, most_square, Travel::kForward, change, growing});
+}
+
+Phase SpeedProfile::phase_to(float end_square, float distance, float left) const {
+  const float start = std::sqrt(speed_square_);
+  const float sum = start + std::sqrt(end_square);
+  if (!(sum > 0.0F) || !(distance > 0.0F)) return {};
+  // From the squares: the difference of two nearly equal speeds has no digits.
+  return {.start_speed = start,
+          .acceleration = (end_square - speed_square_) / (2.0F * distance),
+          .duration = 2.0F * distance / sum,
+          .distance = distance,
+          .end_speed_square = end_square,
+          .left = left};
+}
+
+Phase SpeedProfile::next_phase(Drive drive, const Patience& patience) const {
+  CNC_ASSERT(!at_end());
+  if (drive == Drive::kHalt) return brake_to(0.0F, patience);
+  const float target = end_target_square();
+  const float planned_drop = 2.0F * here().deceleration * left_;
+  if (speed_square_ > here().cap_square * kAbovePlan) return brake_to(here().cap_square, patience);
+  if (speed_square_ - target > planned_drop * kSteeperThanPlan) return brake_to(target, patience);
+  return change_speed(patience);
+}
+
+bool SpeedProfile::too_fast(const Patience& patience) const {
+  const float curve = end_target_square() + 2.0F * here().deceleration * left_;
+  const float committed = here().committed(left_, patience.before_braking);
+  const float most = std::min({curve, here().cap_square, square(committed)});
+  return speed_square_ > most * kAbovePlan;
+}
+
+bool SpeedProfile::within_other_zones(const BlockZones& before) const {
+  const float left = left_of_block({.left = left_});
+  const BlockZones& now = spans_.tail();
+  return std::any_of(now.begin(), now.end(), [&](const LimitZone& zone) {
+    return zone.length > left && std::find(before.begin(), before.end(), zone) == before.end();
+  });
+}
+
+bool SpeedProfile::too_fast_to_turn(const BlockZones& before) const {
+  const BlockZones& now = spans_.tail();
+  return std::any_of(now.begin(), now.end(), [&](const LimitZone& zone) {
+    const bool known = std::any_of(before.begin(), before.end(), [&zone](const LimitZone& old) {
+      return old.length >= zone.length && both(old.turning, zone.turning) == old.turning;
+    });
+    return !known && speed_square_ > zone.turning.speed_limit_square(spans_.window_s());
+  });
+}
+
+/// Speed up, hold the cap or follow the braking curve, whichever comes first.
+Phase SpeedProfile::change_speed(const Patience& patience) const {
+  if (patience.before_braking > 0.0F && patience.overtaken) {
+    return level_for(patience.before_braking);
+  }
+  if (patience.before_speeding_up > 0.0F) {
+    return level_or_follow(std::sqrt(speed_square_) * patience.before_speeding_up);
+  }
+  const Phase up = committed(speed_up());
+  // All along a span any gain counts: a chain of very short ones is sped up along, too.
+  const float least_gain = spans_.window_s() > 0.0F ? kNegligibleShare : kLeastGain;
+  const bool worth_it =
+      up.left <= 0.0F || up.end_speed_square > speed_square_ * (1.0F + least_gain);
+  return worth_it && up.distance > 0.0F ? up : level_or_follow(left_);
+}
+
+/// As far as the cap, the braking curve and the end of the span let it.
+Phase SpeedProfile::speed_up() const {
+  const float cap = here().cap_square;
+  if (speed_square_ >= cap) return {};
+  const float target = end_target_square();
+  const float acceleration = steepest(Change::kSpeedUp, left_, cap);
+  const float reach = next_below(speed_square_ + 2.0F * acceleration * left_);
+  if (reach <= target && reach <= cap) {
+    return phase_to(std::max(reach, speed_square_), left_, 0.0F);
+  }
+  // Where the speeding-up line meets the braking curve.
+  const float curve = target + 2.0F * here().deceleration * left_;
+  const float slopes = acceleration + here().deceleration;
+  const float gain = slopes > 0.0F ? (curve - speed_square_) * (acceleration / slopes) : 0.0F;
+  const float peak = std::clamp(speed_square_ + gain, speed_square_, cap);
+  if (peak <= speed_square_) return {};
+  // Of the gain and the drop, small beside v², the steeper one tells its way with more digits.
+  const float fall = fall_from(peak);
+  float rise = (peak - speed_square_) / (2.0F * acceleration);
+  const bool steeper_fall = acceleration < here().deceleration;
+  if (spans_.window_s() <= 0.0F && steeper_fall) rise = std::min(rise, left_ - fall);
+  return phase_to(peak, rise, std::max(left_ - rise, fall));
+}
+
+/// What of a phase ends early enough to be level before braking.
+Phase SpeedProfile::committed(const Phase& phase) const {
+  const float window_s = spans_.window_s();
+  if (window_s <= 0.0F || phase.distance <= 0.0F) return phase;
+  const float gain = 2.0F * phase.acceleration;
+  const auto too_fast = [&](float distance) {
+    const float most = here().committed(left_ - distance, window_s);
+    return speed_square_ + gain * distance > square(most);
+  };
+  if (!too_fast(phase.distance)) return phase;
+  constexpr int kBisections = 22;
+  float short_of = 0.0F;
+  float beyond = phase.distance;
+  for (int i = 0; i < kBisections; ++i) {
+    const float middle = 0.5F * (short_of + beyond);
+    (too_fast(middle) ? beyond : short_of) = middle;
+  }
+  // What is left is too little to be told from nothing, and must be driven, too.
+  if (short_of <= 0.0F && speed_square_ <= 0.0F) return phase;
+  return phase_to(speed_square_ + gain * short_of, short_of, left_ - short_of);
+}
+
+/// How far before the end of the span braking from v² has to begin.
+float SpeedProfile::fall_from(float speed_square) const {
+  const float drop = std::max(0.0F, speed_square - end_target_square());
+  const float deceleration = here().deceleration;
+  return deceleration > 0.0F ? std::min(left_, drop / (2.0F * deceleration)) : 0.0F;
+}
+
+Phase SpeedProfile::level_or_follow(float longest_level) const {
+  const float fall = fall_from(speed_square_);
+  const float level = left_ - fall;
+  if (level > longest_level) {
+    return phase_to(speed_square_, longest_level, left_ - longest_level);
+  }
+  if (fall <= 0.0F) return level_on();
+  if (level > left_ * kNegligibleShare) return phase_to(speed_square_, level, fall);
+  return phase_to(std::min(end_target_square(), speed_square_), left_, 0.0F);
+}
+
+/// To the end of the span, and over those behind it on which nothing changes either.
+Phase SpeedProfile::level_on() const {
+  int last = span_;
+  if (spans_.window_s() <= 0.0F) {
+    while (last + 1 < spans_.count() && point_of(last + 1).stays_level(speed_square_)) {
+      ++last;
+    }
+  }
+  const float beyond = spans_.boundary(last + 1) - spans_.boundary(span_ + 1);
+  Phase phase = phase_to(speed_square_, left_ + beyond, 0.0F);
+  phase.passes = last - span_;
+  return phase;
+}
+
+Phase SpeedProfile::level_for(float seconds) const {
+  const float distance = std::min(left_, std::sqrt(speed_square_) * seconds);
+  return phase_to(speed_square_, distance, left_ - distance);
+}
+
+/// Below the braking curve the plan's own deceleration is feasible in the share
+/// in which v² is below it, for the limits are linear in (a, v²) and hold at
+/// standstill; so what the plan can stop from here can stop. (Within a span
+/// the limits at the very place may be tighter than at its ends, by the margin.)
+/// Above it, or under a window above the cap where turning leaves less, the plan is not made for
+/// this speed: an override has lowered it.
+float SpeedProfile::planned_deceleration() const {
+  const float planned = here().deceleration;
+  const bool beyond_cap = speed_square_ > here().cap_square * kAbovePlan;
+  if (spans_.window_s() > 0.0F && beyond_cap) return 0.0F;
+  const float curve = end_target_square() + 2.0F * planned * left_;
+  if (speed_square_ < curve) return planned * (speed_square_ / curve);
+  return speed_square_ <= curve * kLate ? planned * (speed_square_ / curve) : 0.0F;
+}
+
+/// Slow down as hard as the limits allow until v² is `target_square` or the span ends.
+Phase SpeedProfile::brake_to(float target_square, const Patience& patience) const {
+  if (patience.before_braking > 0.0F) return level_for(patience.before_braking);
+  // Who is too fast already needs all there is; else the motion, which is the mean
+  // and so faster than the plan, is left a part. It may be faster than the lowered cap, too.
+  const float growing = patience.overtaken ? 0.0F : left_;
+  float cap = std::max(here().cap_square, speed_square_);
+  if (patience.overtaken) cap = std::max(cap, square(patience.braking_from));
+  const float deceleration =
+      std::max(steepest(Change::kSlowDown, growing, cap), planned_deceleration());
+  const float needed = speed_square_ - target_square;
+  const float possible = 2.0F * deceleration * left_;
+  if (needed <= 0.0F) return {};
+  if (needed >= possible) {
+    // A standstill that is missed by rounding alone is met.
+    const float standstill =
+        spans_.window_s() > 0.0F ? kFilteredStandstillSquare : kStandstillSquare;
+    const float rounding = possible * 1.0e-3F + speed_square_ * kSpeedSquareRounding + standstill;
+    const bool met = needed - possible <= rounding;
+    return phase_to(met ? target_square : speed_square_ - possible, left_, 0.0F);
+  }
+  const float distance = needed / (2.0F * deceleration);
+  return phase_to(target_square, distance, std::max(0.0F, left_ - distance));
+}
+
+/// The square of a speed is rounded; it must not leave the phase, whose ends
+/// are within the caps.
+void SpeedProfile::stop_short(const Phase& phase, float distance, float speed) {
+  const auto [least, most] = std::minmax(speed_square_, phase.end_speed_square);
+  const float speed_square = std::clamp(speed * speed, least, most);
+  if (phase.passes == 0) return move(phase.left + distance, speed_square);
+  find_span(left_of_block(phase) + distance);
+  move(left_, speed_square);
+}
+
+void SpeedProfile::move(float left, float speed_square) {
+  left_ = left;
+  speed_square_ = speed_square;
+  if (left_ > 0.0F) return;
+  ++span_;
+  left_ = at_end() ? 0.0F : spans_.length_of(span_);
+}
+
+}  // namespace cnc::motion

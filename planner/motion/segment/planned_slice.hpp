@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+
+#include "planner/base/axes.hpp"
+#include "planner/base/step_position.hpp"
+#include "planner/motion/segment/segment.hpp"
+
+namespace cnc::motion {
+
+/// A slice of the planned motion, for whoever makes pulses of it later.
+struct PlannedSlice {
+  AxisArray<StepPosition> end{};
+  std::uint32_t duration_ns = 0;
+  float start_duty = 0.0F;  ///< Of the output, 0…1; it changes evenly.
+  float end_duty = 0.0F;
+  OutputChanges outputs{};  ///< At its start.
+  SourceLine line{};
+};
+
+/// Of two changes before the same segment the later wins, output by output.
+inline void merge(OutputChanges& pending, const OutputChanges& later) {
+  pending.raise = static_cast<std::uint8_t>((pending.raise & ~later.lower) | later.raise);
+  pending.lower = static_cast<std::uint8_t>((pending.lower & ~later.raise) | later.lower);
+  if (later.analog_channel == OutputChanges::kNoAnalog) return;
+  pending.analog_channel = later.analog_channel;
+  pending.analog_value = later.analog_value;
+}
+
+}  // namespace cnc::motion

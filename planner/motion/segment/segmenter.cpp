@@ -1,0 +1,386 @@
+#include "planner/motion/segment/segmenter.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "planner/base/scalar_math.hpp"
+#include "planner/base/truncate.hpp"
+#include "planner/motion/block/block_rest.hpp"
+#include "planner/motion/segment/power_course.hpp"
+
+namespace cnc::motion {
+namespace {
+
+constexpr std::uint32_t kLongestSliceNs = 1'000'000;
+/// Where speed changes a lot.
+constexpr std::uint32_t kShortSliceNs = 250'000;
+/// Shorter slices are joined, to segments that one parabola fits.
+constexpr std::uint32_t kShortestNs = SegmentRate::kShortest * kNsPerTick;
+constexpr std::uint32_t kLongestJoinedNs = 2 * kShortestNs;
+
+/// Radians of half a turn that a slice may have: a 48th of a turn.
+constexpr float kWidestSlice = kTwoPi / 96.0F;
+constexpr float kFar = 1.0e12F;  // mm
+
+float fraction_of(std::uint64_t q32) {
+  return static_cast<float>(static_cast<std::uint32_t>(q32 >> 8U)) * (1.0F / 16'777'216.0F);
+}
+
+}  // namespace
+
+void Segmenter::reset(const AxisArray<StepPosition>& place) {
+  queue_.clear(place);
+  ended_ = travelled();
+  blocks_ended_ = 0;
+  stand(place);
+}
+
+void Segmenter::go_back(PathUnits place, PathUnits distance) {
+  ended_ = travelled() - static_cast<std::uint64_t>(distance);
+  const Block& whole = queue_.front();
+  place_steps_ = queue_.start_of_front();
+  path_.begin(whole, place_steps_);
+  fraction_ = BlockFraction{length_in_units(whole)};
+  move_to(path_.at(fraction_.of(place)));
+  queue_.begin_at(place_steps_, rest_of(whole, place_steps_, place, limits_));
+  stand(place_steps_);
+}
+
+/// Nothing of the motion so far is left.
+void Segmenter::stand(const AxisArray<StepPosition>& place) {
+  plan_.reset();
+  window_ = {};
+  filter_ = {};
+  plan_.set_window({});
+  course_ = {};
+  elapsed_ns_ = 0;
+  stretch_from_ = 0;
+  place_ = 0;
+  driving_ = false;
+  speed_ = 0.0F;
+  joined_.reset();
+  outputs_ = {};
+  place_steps_ = place;
+  kerf_.reset();
+}
+
+AxisArray<StepPosition> Segmenter::motors() const {
+  AxisArray<StepPosition> motors = place_steps_;
+  if (kerf_.follows()) kerf_.add_to(motors);
+  return motors;
+}
+
+bool Segmenter::next(Segment& segment) {
+  // A slice shorter than a tick is driven but not handed out; blocks of a few
+  // nanometres at full speed need several of them for one segment.
+  constexpr int kMostShortSlices = 64;
+  // The last slice before standstill is always handed out: it says so.
+  for (int slices = 0; slices < kMostShortSlices; ++slices) {
+    if (!ready_stretch()) {
+      if (slices == 0) return false;
+      break;
+    }
+    make_segment(segment);
+    if (segment.ticks > 0) break;
+  }
+  if (segment.ticks == 0) joined_.lend_tick(segment);
+  rate_.begin();
+  rate_.pass(segment.ticks);
+  segment.outputs = outputs_;
+  outputs_ = {};
+  return true;
+}
+
+bool Segmenter::next(std::uint32_t most_ns, PlannedSlice& slice) {
+  if (!ready_stretch()) return false;
+  slice = {};
+  if (ready_block()) {
+    slice.line = power_.line();
+    const Cut cut = cut_slice(most_ns);
+    move_to(cut.to);
+    slice.duration_ns = cut.duration_ns;
+    slice.start_duty = cut.duty.start;
+    slice.end_duty = cut.duty.end;
+  } else {
+    slice.line = power_.line();
+    pass_to_rest();
+  }
+  slice.end = motors();
+  slice.outputs = outputs_;
+  outputs_ = {};
+  return true;
+}
+
+void Segmenter::make_segment(Segment& segment) {
+  segment.negative = 0;
+  for (StepTrain& train : segment.trains) train.count = 0;
+  if (ready_block()) {
+    begin_joined();
+    const Cut first = cut_slice(kLongestSliceNs);
+    const float start_duty = first.duty.start;
+    join(first);
+    while (joins_next()) join(cut_slice(kLongestJoinedNs - joined_.duration_ns()));
+    joined_.time(place_steps_, segment);
+    segment.power = joined_power(start_duty, segment.ticks);
+  } else {
+    // Says so in no time.
+    pass_to_rest();
+    segment.power = {};
+    joined_.lend_tick(segment);
+  }
+  segment.line = line_;
+  segment.comes_to_rest = speed_ <= 0.0F;
+}
+
+/// A jump between two slices cannot be shown within one segment.
+PowerCourse Segmenter::joined_power(float start_duty, std::uint32_t ticks) const {
+  if (!power_has_jumped_) return power_course(start_duty, end_duty_, ticks);
+  const float mean = energy_ns_ / static_cast<float>(joined_.duration_ns());
+  return power_course(mean, mean, ticks);
+}
+
+void Segmenter::begin_joined() {
+  joined_.begin(place_steps_);
+  energy_ns_ = 0.0F;
+  power_has_jumped_ = false;
+  line_ = power_.line();
+  monotonic_to_ = reversals_.next();
+  const float speed_per_tick = speed_ / static_cast<float>(kTicksPerSecond);
+  for (const MotorPath::Motor& motor : path_.moving()) {
+    joined_.set_speed(motor.axis(), rates_[motor.axis()] * speed_per_tick);
+  }
+}
+
+void Segmenter::join(const Cut& cut) {
+  power_has_jumped_ =
+      power_has_jumped_ || (joined_.duration_ns() > 0 && cut.duty.start != end_duty_);
+  energy_ns_ += 0.5F * (cut.duty.start + cut.duty.end) * static_cast<float>(cut.duration_ns);
+  joined_.add(cut.duration_ns);
+  end_duty_ = cut.duty.end;
+  for (const MotorPath::Motor& motor : path_.moving()) {
+    place_steps_[motor.axis()] = motor.place(cut.to);
+    rates_[motor.axis()] = motor.speed(cut.to);
+  }
+}
+
+/// Makes sure that there is a slice to join, where one is wanted and the motion goes on alike.
+bool Segmenter::joins_next() {
+  if (joined_.duration_ns() >= kShortestNs || speed_ <= 0.0F || !ready_stretch()) return false;
+  if (!driving_ && (queue_.empty() || queue_.front().outputs.any())) return false;
+  if (!ready_block()) return false;
+  const bool is_even = duties(speed_, speed_).start == end_duty_;
+  return (is_even || !rate_.allows_short()) && goes_on_as_joined();
+}
+
+/// No axis turns round until the next reversal, so its way to there tells where it goes.
+bool Segmenter::goes_on_as_joined() {
+  const PathUnits next = reversals_.next();
+  if (place_ > 0 && next == monotonic_to_) return true;
+  monotonic_to_ = next;
+  const MotorPath::Point ahead = path_.at(fraction_.of(next));
+  for (const MotorPath::Motor& motor : path_.moving()) {
+    const StepPosition here = place_steps_[motor.axis()];
+    const std::int64_t gone = joined_.gone(motor.axis(), here);
+    const std::int64_t way = motor.place(ahead).q32() - here.q32();
+    if ((gone < 0 && way > 0) || (gone > 0 && way < 0)) return false;
+  }
+  return true;
+}
+
+/// Makes sure there is a stretch with time left; false when there is no motion.
+bool Segmenter::ready_stretch() {
+  // At its end a stretch may have no time left for its last few units.
+  const bool driven = place_ == stretch_from_ + course_.whole().way;
+  if (!driven || elapsed_ns_ < course_.duration_ns()) return true;
+  const Stretch stretch = next_stretch();
+  if (!stretch.lasts()) {
+    speed_ = 0.0F;
+    return false;
+  }
+  course_.begin(stretch);
+  elapsed_ns_ = 0;
+  stretch_from_ = place_;
+  return true;
+}
+
+/// From the plan itself, or from what the filter makes of it.
+Stretch Segmenter::next_stretch() {
+  const bool stands = plan_.speed() <= 0.0F && filter_.at_rest();
+  if (stands && drive_ == Drive::kOn) choose_window();
+  if (!window_.filters()) return plan_.next(kLongestSliceNs, drive_, true);
+  Stretch stretch;
+  while (!stretch.lasts() && fill_cell()) stretch = filter_.take();
+  return stretch;
+}
+
+/// From rest to rest it stays the same.
+void Segmenter::choose_window() {
+  if (plan_.at_end()) return;
+  const TimeWindow window = plan_.choose_window();
+  if (window == window_) return;
+  window_ = window;
+  plan_.set_window(window);
+  filter_.begin(window);
+}
+
+/// False when neither plan nor motion move.
+bool Segmenter::fill_cell() {
+  const bool may_start = filter_.at_rest();
+  bool moves = !may_start;
+  while (filter_.room_ns() > 0) {
+    const Stretch stretch = plan_.next(filter_.room_ns(), drive_, may_start && !moves);
+    if (stretch.lasts()) {
+      filter_.add(stretch);
+      moves = true;
+    } else if (moves) {
+      filter_.rest();
+    } else {
+      return false;
+    }
+  }
+  return true;
+}
+
+/// Of the time in which the motion comes to rest nothing may be left to drive.
+bool Segmenter::ready_block() {
+  if (driving_) return true;
+  if (queue_.empty()) return false;
+  begin_block();
+  return true;
+}
+
+void Segmenter::begin_block() {
+  const Block& block = queue_.front();
+  path_.begin(block, place_steps_);
+  length_ = length_in_units(block);
+  fraction_ = BlockFraction{length_};
+  reversals_ = Reversals{block, length_};
+  // Under a window stretches are short.
+  const bool widely = block.turns() && !window_.filters();
+  widest_mm_ = widely ? kWidestSlice * block.length / std::abs(block.turn.half_sweep) : kFar;
+  power_.begin(block, length_);
+  const MotorPath::Point start = path_.at(0);
+  for (const MotorPath::Motor& motor : path_.moving()) rates_[motor.axis()] = motor.speed(start);
+  merge(outputs_, block.outputs);
+  if (kerf_.follows()) kerf_.begin(block);
+  driving_ = true;
+}
+
+void Segmenter::end_block() {
+  plan_.block_left();
+  queue_.pop_front();
+  ++blocks_ended_;
+  ended_ += static_cast<std::uint64_t>(length_);
+  driving_ = false;
+  stretch_from_ -= length_;
+  place_ = 0;
+}
+
+/// Where the speed of the path or of an axis changes by more than a third of
+/// itself slices are shorter, and on an arc they turn by a 48th at most, so that a parabola in
+/// the step index fits. Slices of a stretch are equally long.
+std::uint32_t Segmenter::longest_slice_ns() const {
+  const auto left = static_cast<std::uint32_t>(course_.duration_ns()) - elapsed_ns_;
+  std::uint32_t longest = kShortSliceNs;
+  if (left > kShortSliceNs) {
+    const float change = 3.0F * std::abs(course_.whole().acceleration) * kLongestSlice;
+    const bool changes = change > speed_ || reversals_.near(place_);
+    longest = changes ? kShortSliceNs : kLongestSliceNs;
+  }
+  if (speed_ * kLongestSlice > widest_mm_) {
+    const float turning_ns =
+        std::max(static_cast<float>(kShortestNs), widest_mm_ / speed_ * kNanosecondsPerSecond);
+    longest = std::min(longest, static_cast<std::uint32_t>(turning_ns));
+  }
+  if (left <= longest) return left;
+  const std::uint32_t slices = (left + longest - 1) / longest;
+  return (left + slices - 1) / slices;
+}
+
+/// The next slice ends with the stretch, where the block does, where an axis
+/// reverses, or where the power changes.
+Segmenter::Cut Segmenter::cut_slice(std::uint32_t most_ns) {
+  std::uint32_t end_ns = elapsed_ns_ + std::min(longest_slice_ns(), most_ns);
+  PathUnits end = stretch_from_ + course_.way_after(end_ns);
+  const PathUnits stop = std::min(reversals_.next(), power_.next_change());
+  if (end > stop) {
+    end_ns = elapsed_ns_ + static_cast<std::uint32_t>(course_.time_of(stop - place_, elapsed_ns_));
+    end = stop;
+  }
+  return cut(end_ns, end);
+}
+
+void Segmenter::move_to(const MotorPath::Point& point) {
+  for (const MotorPath::Motor& motor : path_.moving()) {
+    place_steps_[motor.axis()] = motor.place(point);
+  }
+}
+
+void Segmenter::pass_to_rest() {
+  elapsed_ns_ = static_cast<std::uint32_t>(course_.duration_ns());
+  stretch_from_ = place_ - course_.whole().way;
+  speed_ = 0.0F;
+}
+
+Segmenter::Cut Segmenter::cut(std::uint32_t end_ns, PathUnits end) {
+  const std::uint32_t duration_ns = end_ns - elapsed_ns_;
+  const float speed = course_.speed_after(end_ns);
+  const std::uint64_t to_fraction = fraction_.of(end);
+  if (observer_ != nullptr) {
+    observer_->on_slice({blocks_ended_,
+                         fraction_.of(place_),
+                         to_fraction,
+                         speed_,
+                         course_.whole().acceleration,
+                         static_cast<float>(duration_ns) * kSecondsPerNanosecond});
+  }
+  const Cut cut{.to = path_.at(to_fraction),
+                .duration_ns = duration_ns,
+                .start_speed = speed_,
+                .duty = duties(speed_, speed)};
+  speed_ = speed;
+  if (kerf_.follows()) follow_kerf_to(end, to_fraction);
+  place_ = end;
+  reversals_.pass(place_);
+  power_.pass(place_);
+  elapsed_ns_ = end_ns;
+  if (place_ == length_) end_block();
+  return cut;
+}
+
+void Segmenter::follow_kerf_to(PathUnits end, std::uint64_t fraction) {
+  if (kerf_.ends() && queue_.size() > 1) kerf_.meet(queue_.at(1));
+  kerf_.move(fraction_of(fraction), to_mm(end - place_), heat(), limits_);
+}
+
+/// Of the programmed one: power by power over speed by speed, as M3 or M4 have it here.
+float Segmenter::heat() const {
+  constexpr float kSlowest = 1.0e-3F;  // mm/s
+  const Block& block = queue_.front();
+  const float feed = kerf_.course().speed_mm_s();
+  const float speed = std::max(speed_, kSlowest);
+  const bool by_speed = block.beam.follows_speed && block.feed > 0.0F;
+  const float heat = plan_.overrides().power * (feed / (by_speed ? block.feed : speed));
+  // There is no more than full power.
+  return block.beam.duty > 0.0F ? std::min(heat, feed / (block.beam.duty * speed)) : heat;
+}
+
+/// At speeds of the path, in mm/s, with the power of the present place.
+Segmenter::Duties Segmenter::duties(float start_speed, float end_speed) const {
+  if (power_.duty() <= 0.0F) return {};
+  const auto duty_for = [this](float share) {
+    return limits_.beam.table.duty_for(std::clamp(share, 0.0F, 1.0F));
+  };
+  const Block& block = queue_.front();
+  const float share = power_.duty() * plan_.overrides().power;
+  if (!block.beam.follows_speed || block.feed <= 0.0F) {
+    const float duty = duty_for(share);
+    return {duty, duty};
+  }
+  const auto at_speed = [&](float speed) {
+    return std::max(duty_for(share * (speed / block.feed)), limits_.beam.least_duty);
+  };
+  return {at_speed(start_speed), at_speed(end_speed)};
+}
+
+}  // namespace cnc::motion
