@@ -47,6 +47,10 @@ class PowerOutput {
   [[gnu::noinline]] void follow() noexcept {
     drive(stream_.follow(rest_.load(std::memory_order_relaxed)));
   }
+  /// It is due, or will be in less than so many ticks.
+  [[nodiscard]] bool comes_within(std::uint32_t ticks) const noexcept {
+    return stream_.ticks_left() < static_cast<std::int32_t>(ticks);
+  }
   /// The earlier of this and the next change.
   [[nodiscard]] std::int32_t sooner(std::int32_t ticks) const noexcept {
     return stream_.due() ? ticks : std::min(ticks, stream_.ticks_left());
@@ -60,7 +64,7 @@ class PowerOutput {
     stream_.rest();
     drive(rest_.load(std::memory_order_relaxed));
   }
-  void drive_rest() noexcept { drive(rest_.load(std::memory_order_relaxed)); }
+  [[gnu::cold]] void drive_rest() noexcept { drive(rest_.load(std::memory_order_relaxed)); }
 
  private:
   void drive(std::uint16_t duty) noexcept {

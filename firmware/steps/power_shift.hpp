@@ -75,7 +75,7 @@ class PowerShift {
 
   /// The motion ends in a standstill, and nothing more is known.
   template <typename Stream>
-  void settle(Stream& stream) {
+  [[gnu::cold]] void settle(Stream& stream) {
     cut(delay(), [](const PowerPiece&) { return true; });
     if (count_ > 0 && !back().course.dark()) move_edge(timing_.off_delay, 0);
     if (wait() > 0) append({.ticks = wait()});
@@ -122,7 +122,7 @@ class PowerShift {
 
   /// Lets the next piece begin `ticks` earlier, with this level. Out of line: only edges of light
   /// move, and it is long.
-  [[gnu::noinline]] void move_edge(std::uint32_t ticks, std::uint16_t level) {
+  [[gnu::noinline, gnu::cold]] void move_edge(std::uint32_t ticks, std::uint16_t level) {
     const bool dark = level != 0;
     const std::uint32_t moved =
         cut(ticks, [dark](const PowerPiece& piece) { return piece.course.dark() == dark; });

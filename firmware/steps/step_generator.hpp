@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "firmware/steps/power_output.hpp"
+#include "firmware/steps/pulse_pins.hpp"
 #include "firmware/steps/step_drive.hpp"
 #include "firmware/steps/step_trains.hpp"
 #include "firmware/steps/switch_watch.hpp"
@@ -31,7 +32,7 @@ namespace cnc {
 ///
 /// A segment ends when its time is over and its last step is out: no step is
 /// ever lost. The beam has a stream of its own on the same clock; it changes at
-/// its time, or later by at most a pulse. Integers only; work per interrupt is
+/// its time, in the course of a slot, too. Integers only; work per interrupt is
 /// one pass over the axes.
 ///
 /// The main loop works in turns. It sees the interrupt as it was at its turn's boundary, and what
@@ -218,7 +219,11 @@ class StepGenerator final : public StepDrive {
   [[gnu::noinline]] std::uint32_t on_interrupt() noexcept {
     now_ += static_cast<std::int32_t>(waited_);
     beam_.pass(waited_);
-    waited_ = high_ ? end_pulse() : begin_pulse();
+    if (pins_.are_low()) {
+      waited_ = begin_pulse();
+    } else {
+      waited_ = pins_.are_high() ? end_pulse() : change_between_edges();
+    }
     return waited_;
   }
 
@@ -233,7 +238,7 @@ class StepGenerator final : public StepDrive {
   /// A slice of motion, and the pulse and the direction's set-up time that may be added.
   static constexpr std::uint32_t kLongestWait = motion::kTicksPerSecond / 1000 + 100;
 
-  void begin_turn_at_rest() noexcept {
+  [[gnu::cold]] void begin_turn_at_rest() noexcept {
     if (abort_.load(std::memory_order_relaxed)) static_cast<void>(drop_everything());
     beam_.drive_rest();
     if (ran_dry_.load(std::memory_order_relaxed) || queue_.empty()) return;
@@ -280,14 +285,27 @@ class StepGenerator final : public StepDrive {
 
   std::uint32_t end_pulse() noexcept {
     port_.lower_steps();
-    high_ = false;
+    pins_.set(false);
     if (watching_.load(std::memory_order_relaxed)) look_around();
     if (beam_.due()) beam_.follow();
     const std::uint32_t pulse = set_up_.timing.pulse;
+    if (beam_.comes_within(pulse)) return keep_pins();
     return trains_.empty() ? pulse : std::max(pulse, ticks_until(trains_.next_due()));
   }
 
-  /// Steps before all else: what the output is due to do beside them waits for their pulse to end.
+  /// The output changes before the pins may.
+  [[gnu::noinline, gnu::cold]] std::uint32_t keep_pins() noexcept {
+    pins_.stay(static_cast<std::int32_t>(set_up_.timing.pulse));
+    return pins_.wait(beam_.due() ? 1 : beam_.sooner(pins_.left()));
+  }
+
+  [[gnu::noinline, gnu::cold]] std::uint32_t change_between_edges() noexcept {
+    CNC_ASSERT(pins_.left() <= static_cast<std::int32_t>(set_up_.timing.pulse));
+    if (beam_.due()) beam_.follow();
+    return pins_.wait(beam_.sooner(pins_.left()));
+  }
+
+  /// Steps before all else: what the output is due to do at the same time comes a tick later.
   std::uint32_t begin_pulse() noexcept {
     if (urgent_.load(std::memory_order_relaxed)) {
       if (abort_.load(std::memory_order_relaxed)) return drop_everything();
@@ -379,8 +397,8 @@ class StepGenerator final : public StepDrive {
     const hal::SwitchMask& gates = switches_.gates();
     port_.raise_steps({static_cast<std::uint8_t>(due & ~gates.first)},
                       {static_cast<std::uint8_t>(due & set_up_.second_motors & ~gates.second)});
-    high_ = true;
-    return pulse;
+    pins_.set(true);
+    return beam_.comes_within(pulse) ? keep_pins() : pulse;
   }
 
   /// After each pulse, while a probe or switches are watched.
@@ -427,7 +445,7 @@ class StepGenerator final : public StepDrive {
     return 0;
   }
 
-  void drive_outputs(const motion::OutputChanges& changes) noexcept {
+  [[gnu::cold]] void drive_outputs(const motion::OutputChanges& changes) noexcept {
     port_.change_outputs(changes.raise, changes.lower);
     if (changes.analog_channel == motion::OutputChanges::kNoAnalog) return;
     port_.set_analog(changes.analog_channel, changes.analog_value);
@@ -440,7 +458,7 @@ class StepGenerator final : public StepDrive {
   std::int32_t now_ = 0;    ///< Ticks since it was due to start; negative before.
   std::uint32_t waited_ = 0;
   SetUp set_up_{};
-  bool high_ = false;
+  PulsePins pins_{};
   bool comes_to_rest_ = false;  ///< After the segment being played.
   std::uint8_t direction_ = 0;
   motion::SourceLine line_{};          ///< Of the segment being played, or played last.

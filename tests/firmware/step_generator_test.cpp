@@ -195,6 +195,24 @@ TEST_F(StepGeneratorTest, KeepsPulsesWholeWhereThePowerChanges) {
   }
 }
 
+/// Steps 40 ticks apart, 20 high and 20 low: whatever the phase, the output is not late.
+TEST_F(StepGeneratorTest, ChangesPowerInTheCourseOfASlot) {
+  for (std::uint32_t ticks = 4000; ticks < 4040; ++ticks) {
+    port = {};
+    motion::Segment first = even(4000, 100);
+    first.ticks = ticks;
+    first.power.first = 100;
+    motion::Segment second = last(even(4000, 100));
+    second.power.first = 200;
+    generator.push(first);
+    generator.push(second);
+    run();
+    const auto changes = port.of_kind(Kind::kPower);
+    ASSERT_EQ(changes.size(), 3U);
+    EXPECT_NEAR(static_cast<double>(changes[1].tick - changes[0].tick), ticks, 1.0);
+  }
+}
+
 TEST_F(StepGeneratorTest, EndsASlopeAtZeroRatherThanBelow) {
   motion::Segment segment = last(even(4000, 4));
   segment.power = {.growth_q8 = -200, .first = 1, .interval = 400};
