@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <ranges>
 #include <utility>
 
 #include "host-sim/contour/contour_loops.hpp"
@@ -138,8 +137,8 @@ std::optional<IslandSpiral> SpiralSearch::around_island(std::uint32_t pass) cons
   const std::uint32_t turns = turns_between(innermost);
   length_mm += 0.5 * (turns - 1) * (length_of(innermost.island) + length_of(innermost.outline));
   if (length_mm > kLongest * replaced_mm) return std::nullopt;
-  for (const Ring& ring : rings | std::views::reverse) {
-    spiral.loops.push_back({.loop = ring.outline, .milling = options_.milling});
+  for (std::size_t i = rings.size(); i-- > 0;) {
+    spiral.loops.push_back({.loop = rings[i].outline, .milling = options_.milling});
   }
   spiral.loops[rings.size()].turn_count = turns;
   if (add_turns(spiral.loops) < spiral.loops.size()) return std::nullopt;
