@@ -47,7 +47,7 @@ class PowerOutput {
   [[gnu::noinline]] void follow() noexcept {
     drive(stream_.follow(rest_.load(std::memory_order_relaxed)));
   }
-  /// It is due, or will be in less than so many ticks.
+  /// Returns whether a change is due, or will be in less than `ticks`.
   [[nodiscard]] bool comes_within(std::uint32_t ticks) const noexcept {
     return stream_.ticks_left() < static_cast<std::int32_t>(ticks);
   }

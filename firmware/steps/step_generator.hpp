@@ -293,19 +293,21 @@ class StepGenerator final : public StepDrive {
     return trains_.empty() ? pulse : std::max(pulse, ticks_until(trains_.next_due()));
   }
 
-  /// The output changes before the pins may.
+  /// Begins to wait for a change of the output that comes before the next edge of the pins.
   [[gnu::noinline, gnu::cold]] std::uint32_t keep_pins() noexcept {
     pins_.stay(static_cast<std::int32_t>(set_up_.timing.pulse));
     return pins_.wait(beam_.due() ? 1 : beam_.sooner(pins_.left()));
   }
 
+  /// Changes the output while the pins stay as they are.
   [[gnu::noinline, gnu::cold]] std::uint32_t change_between_edges() noexcept {
     CNC_ASSERT(pins_.left() <= static_cast<std::int32_t>(set_up_.timing.pulse));
     if (beam_.due()) beam_.follow();
     return pins_.wait(beam_.sooner(pins_.left()));
   }
 
-  /// Steps before all else: what the output is due to do at the same time comes a tick later.
+  /// Raises due steps before all else: a change of the output at the same time follows a tick
+  /// later.
   std::uint32_t begin_pulse() noexcept {
     if (urgent_.load(std::memory_order_relaxed)) {
       if (abort_.load(std::memory_order_relaxed)) return drop_everything();

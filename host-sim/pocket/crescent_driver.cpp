@@ -30,9 +30,9 @@ constexpr double kThinStockMm = 5.0e-4;
 constexpr double kLeastProgressMm = 1.0e-7;
 /// Of the tool's radius: up to this length a narrow dead end is a corner, no slot.
 constexpr double kCornerLength = 3.0;
-/// Of the radius of its widest circle: a narrow corner that is longer, with walls at less than
-/// about 4 degrees, is left to the pass along the wall. It would take hundreds of crescents for
-/// each halving of its width.
+/// Length of a narrow corner over the radius of its widest circle, at most: a longer one, with
+/// walls at less than about 4 degrees, is left to the pass along the wall. It would take hundreds
+/// of crescents for each halving of its width.
 constexpr double kCornerSharpness = 30.0;
 
 /// The radius of circles below which a pocket counts as narrow.

@@ -122,7 +122,8 @@ class SpiralDriver {
     return link.landing;
   }
 
-  /// Begins a row on the first loop of a spiral around an island, which is next to its wall.
+  /// Begins a row on the first loop of a spiral around an island, and links from there to the wall
+  /// of that island.
   std::optional<LoopPlace<double>> link_from_island(std::uint32_t pass) {
     for (const LoopStart& start : beside_islands_) {
       if (tree_.parent(start.pass) != pass) continue;
@@ -275,7 +276,7 @@ class SpiralDriver {
   std::vector<LoopStart> beside_islands_;
   LoopPlace<double> at_;                  ///< Where the tool is.
   std::uint32_t at_pass_ = kNone;         ///< The pass that was driven last.
-  std::unique_ptr<OwnedBoundary> walls_;  ///< Of the pass at the wall around the last entry.
+  std::unique_ptr<OwnedBoundary> walls_;  ///< Loops of the wall pass around the last entry.
   std::uint32_t wall_pass_ = kNone;
 };
 

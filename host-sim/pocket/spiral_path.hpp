@@ -13,7 +13,7 @@ struct SpiralOptions {
   double depth_mm = 1.0;  ///< Of the floor below the top.
   cnc::pocket::EntryOptions<double> entry;
   cnc::pocket::Milling milling = cnc::pocket::Milling::kClimb;
-  double stepover_mm = 2.0;  ///< Of the turns around an island; passes have it already.
+  double stepover_mm = 2.0;  ///< Greatest distance between turns around an island.
 };
 
 /// Spirals that clear a pocket, at one depth.

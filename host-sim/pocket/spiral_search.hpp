@@ -47,10 +47,9 @@ class SpiralSearch {
   [[nodiscard]] std::vector<SpiralLoop> outwards(const PassLoop& first,
                                                  const DrivenMarks& is_driven) const;
 
-  /// Returns spirals around islands: one for each pass with one hole that is within a wall or
-  /// beside other passes, where a spiral is at most half as long again as the passes it replaces.
-  /// It runs on one side around all of the island: its first loop, at the island, is driven
-  /// against the direction that loops at islands have.
+  /// Returns spirals around islands: one for each outermost pass with a single hole, if the spiral
+  /// is at most half as long again as the passes that it replaces. Its stock is always on the outer
+  /// side, so its first loop, at the island, is driven against the direction of loops at islands.
   [[nodiscard]] std::vector<IslandSpiral> around_islands() const;
 
  private:

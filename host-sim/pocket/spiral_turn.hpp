@@ -13,7 +13,8 @@ struct TurnOptions {
   double tolerance_mm = 1.0e-3;  ///< Of its arcs.
   double widest_mm = 5.0;        ///< Between two turns: at most, where there is a turn.
   cnc::pocket::Milling milling = cnc::pocket::Milling::kClimb;
-  /// Of the way from the inner loop to the outer one: where the turn begins and ends, 0…1.
+  /// Shares of the distance from the inner loop to the outer one at which the turn begins and ends,
+  /// 0…1.
   double begin_share = 0.0;
   double end_share = 1.0;
 };
