@@ -1,6 +1,7 @@
 #include "host-sim/serve/look_ahead.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "planner/base/contract.hpp"
@@ -42,7 +43,7 @@ void LookAhead::hear(std::span<const std::byte> bytes, Session& session) {
     // Most bytes need no sorting; the last of them tells the receiver where it is.
     const std::size_t run = strict ? 0 : receiver_->plain_run(rest);
     if (run > kChunk) {
-      lines_.append(rest.data(), run - 1);
+      lines_.append(rest.first(run - 1));
       rest = rest.subspan(run - 1);
     }
     const std::span<const char> chunk = rest.first(length_of_chunk(rest));
@@ -57,7 +58,7 @@ void LookAhead::hear(std::span<const std::byte> bytes, Session& session) {
 /// In the order of the receiver: a reset first, because it has forgotten what came before it.
 void LookAhead::act_on_realtime(Session& session) {
   if (receiver_->take_reset()) {
-    drop_lines();
+    lines_.clear();
     marks_.clear();
     session.link().drop_incoming();
     session.act_at_once(static_cast<std::byte>(cnc::RealtimeByte::kReset));
@@ -88,49 +89,43 @@ bool LookAhead::keep_in_order(cnc::RealtimeByte command, Session& session) {
     return false;
   }
   marks_.push_back(command);
-  lines_.append(firmware.checks_lines() ? 2 : 1, static_cast<char>(command));
+  const std::array<char, 2> twice{static_cast<char>(command), static_cast<char>(command)};
+  lines_.append(std::span{twice}.first(firmware.checks_lines() ? 2 : 1));
   return true;
 }
 
 void LookAhead::keep_lines() {
   static_cast<void>(receiver_->take_until([this](char byte) {
-    lines_ += byte;
+    lines_.append({&byte, 1});
     return false;
   }));
 }
 
 void LookAhead::hand_over(Session& session) {
-  const std::size_t count = std::min(session.link().room(), size());
-  if (count == 0) return;
-  session.link().receive(std::as_bytes(std::span{lines_}).subspan(taken_, count));
-  taken_ += count;
-  // Half of it at least is gone whenever the rest is moved.
-  if (2 * taken_ < lines_.size()) return;
-  lines_.erase(0, taken_);
-  taken_ = 0;
+  std::size_t left = std::min(session.link().room(), size());
+  while (left > 0) {
+    const std::size_t count = std::min(left, lines_.front().size());
+    session.link().receive(std::as_bytes(lines_.front().first(count)));
+    lines_.pop(count);
+    left -= count;
+  }
 }
 
 std::string LookAhead::take_lines(Session& session) {
-  std::string lines = lines_.substr(taken_);
-  drop_lines();
+  std::string lines = lines_.text();
+  lines_.clear();
   for (const cnc::RealtimeByte mark : std::exchange(marks_, {})) {
     session.act_at_once(static_cast<std::byte>(mark));
   }
   return lines;
 }
 
-void LookAhead::drop_lines() {
-  lines_.clear();
-  taken_ = 0;
-}
-
 void LookAhead::forget() {
   marks_.clear();
-  if (lines_.empty()) return receiver_->begin_anew();
+  if (size() == 0) return receiver_->begin_anew();
   receiver_->begin_anew();
   static_cast<void>(receiver_->take_reset());
-  lines_ = {};
-  taken_ = 0;
+  lines_.clear();
 }
 
 }  // namespace sim

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "firmware/link/receiver.hpp"
+#include "host-sim/serve/byte_blocks.hpp"
 #include "host-sim/serve/session.hpp"
 
 namespace sim {
@@ -34,7 +35,7 @@ class LookAhead {
   /// Takes all lines, and the beginning of one, instead; realtime bytes among them act.
   [[nodiscard]] std::string take_lines(Session& session);
 
-  [[nodiscard]] std::size_t size() const { return lines_.size() - taken_; }
+  [[nodiscard]] std::size_t size() const { return lines_.size(); }
   [[nodiscard]] bool overrun() const { return size() > kMost; }
   /// Forgets everything: the sender is gone, or another one begins.
   void forget();
@@ -43,11 +44,9 @@ class LookAhead {
   void act_on_realtime(Session& session);
   [[nodiscard]] bool keep_in_order(cnc::RealtimeByte command, Session& session);
   void keep_lines();
-  void drop_lines();
 
   std::unique_ptr<cnc::Receiver> receiver_;  ///< Always there.
-  std::string lines_;
-  std::size_t taken_ = 0;  ///< Bytes of `lines_` that were handed over.
+  ByteBlocks lines_;
   /// Realtime bytes that were kept among the lines, since the controller had heard all of them.
   std::vector<cnc::RealtimeByte> marks_;
 };

@@ -1,0 +1,52 @@
+#include "host-sim/serve/byte_blocks.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <string>
+
+#include "tests/support/trials.hpp"
+
+namespace sim {
+namespace {
+
+// No length divides the text, so that every place of it looks different near every edge.
+std::string bytes_from(std::size_t begin, std::size_t count) {
+  std::string bytes(count, ' ');
+  for (std::size_t i = 0; i < count; ++i) bytes[i] = static_cast<char>((begin + i) % 251);
+  return bytes;
+}
+
+TEST(ByteBlocks, GiveBackInOrderWhatTheyWereGiven) {
+  const proof::Trials trials{40};
+  for (const std::uint64_t seed : trials) {
+    std::mt19937_64 random{seed};
+    std::uniform_int_distribution<std::size_t> few{0, 100};
+    std::uniform_int_distribution<std::size_t> many{0, 3 * ByteBlocks::kBlock};
+    ByteBlocks blocks;
+    std::size_t given = 0;
+    std::size_t taken = 0;
+    for (int step = 0; step < 60; ++step) {
+      const std::size_t count = few(random) < 20 ? many(random) : few(random);
+      if (few(random) < 55) {
+        blocks.append(bytes_from(given, count));
+        given += count;
+      } else {
+        const auto part = blocks.front().first(std::min(count, blocks.front().size()));
+        EXPECT_EQ(std::string(part.begin(), part.end()), bytes_from(taken, part.size()));
+        taken += part.size();
+        blocks.pop(part.size());
+      }
+      ASSERT_EQ(blocks.size(), given - taken);
+      EXPECT_EQ(blocks.front().empty(), given == taken);
+    }
+    EXPECT_TRUE(blocks.text() == bytes_from(taken, given - taken));
+    blocks.clear();
+    EXPECT_EQ(blocks.size(), 0U);
+    EXPECT_TRUE(blocks.front().empty());
+  }
+}
+
+}  // namespace
+}  // namespace sim
