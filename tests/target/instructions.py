@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Instructions of each stage on an emulated Cortex-M4F; counts, not cycles.
+"""Instructions and modelled cycles of each stage on an emulated Cortex-M4F.
 
     instructions.py PLUGIN build/cortex-m4f/tests/target/instructions.elf [--record]
 
@@ -28,7 +28,9 @@ PEERS = {
 }
 SKIPPED = 77
 RECORD = pathlib.Path(__file__).with_name("instructions.csv")
-FIELDS = ("stage", "unit", "average", "worst")
+COUNTS = ("_cycles", "", "_loads", "_taken", "_divisions", "_misses")
+FIGURES = ("average", "worst", "average_cycles", "worst_cycles", *("average" + what for what in COUNTS[2:]))
+FIELDS = ("stage", "unit", *FIGURES)
 WITHIN = 0.02
 
 
@@ -50,9 +52,9 @@ def complaints(found: dict) -> list:
     texts = [f"{stage}: measured or on record, but not both"
              for stage in sorted(found.keys() ^ recorded.keys())]
     for stage in found.keys() & recorded.keys():
-        for figure in ("average", "worst"):
+        for figure in FIGURES:
             before, now = float(recorded[stage][figure]), float(found[stage][figure])
-            if abs(now - before) > WITHIN * before:
+            if abs(now - before) > max(WITHIN * before, 1.0):
                 texts.append(f"{stage}: {figure} was {before:.0f}, is {now:.0f}")
     return texts
 
@@ -69,18 +71,24 @@ def main() -> int:
         return SKIPPED
     # One nanosecond of the emulator's clock per instruction.
     command = [EMULATOR, "-M", "netduinoplus2", "-icount", "shift=0,sleep=off", "-display", "none",
-               "-monitor", "none", "-serial", "none", "-plugin", f"{options.plugin},memories_only=on",
+               "-monitor", "none", "-serial", "none", "-plugin", f"{options.plugin},memories_only=on,cycles=on",
                "-semihosting-config", "enable=on,target=native", "-kernel", image]
     done = subprocess.run(command, capture_output=True, text=True, timeout=280, check=False)
     text = done.stdout + done.stderr  # Semihosting writes to the latter.
-    rows = [line.split("|") for line in text.splitlines() if line.count("|") == 4]
+    rows = [line.split("|") for line in text.splitlines() if line.count("|") == 2 + 2 * len(COUNTS)]
     found = {}
-    for what, unit, times, total, worst in rows:
-        average = int(total) / max(1, int(times))
+    for what, unit, times, *counts in rows:
         stage = f"{what} per {unit}"  # One is given per line and per turn.
-        found[stage] = dict(zip(FIELDS, (stage, unit, round(average), int(worst))))
-        print(f"{what:<56}{average:8.0f} per {unit:<9} worst {int(worst):7d} {int(times):8d} times"
-              f"  {PEERS.get(what, '')}".rstrip())
+        figures = {"stage": stage, "unit": unit}
+        for count, total, worst in zip(COUNTS, counts[::2], counts[1::2]):
+            figures["average" + count] = round(int(total) / max(1, int(times)))
+            figures["worst" + count] = int(worst)
+        found[stage] = {field: figures[field] for field in FIELDS}
+        print(f"{stage:<66}{figures['average']:7d} worst {figures['worst']:7d}, cycles"
+              f" {figures['average_cycles']:7d} worst {figures['worst_cycles']:7d}; loads"
+              f" {figures['average_loads']:6d}, taken {figures['average_taken']:5d}, divisions"
+              f" {figures['average_divisions']:4d}, misses {figures['average_misses']:5d};"
+              f" {int(times)} times  {PEERS.get(what, '')}".rstrip())
     if done.returncode != 0 or len(rows) < 9 or any(int(row[2]) == 0 for row in rows):
         print(f"{command[0]} ended with {done.returncode}: {text}")
         return 1

@@ -18,6 +18,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent))
 from emulator import EMULATOR, Emulator  # noqa: E402
 from test_can import CanTest  # noqa: E402,F401
 from test_core import CoreTest  # noqa: E402,F401
+from test_cycles import CyclesTest  # noqa: E402,F401
 from test_flash import FlashTest  # noqa: E402,F401
 from test_pins_and_timers import PinsAndTimersTest  # noqa: E402,F401
 from test_serial import SerialTest  # noqa: E402,F401

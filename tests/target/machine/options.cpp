@@ -105,6 +105,7 @@ bool take_value(std::string_view name, std::string_view value, Options& options)
   if (name == "can_corrupt") return take_number(value, options.can_corrupt_percent, 100U);
   if (name == "can_alone") return take_switch(value, options.can_alone);
   if (name == "memories_only") return take_switch(value, options.memories_only);
+  if (name == "cycles") return take_switch(value, options.cycles);
   if (name == "flash_kib") return take_flash_size(value, options.flash_kib);
   if (name == "flip") return take_flip(value, options.flips);
   if (name == "store") return take_store(value, options.stores);

@@ -47,6 +47,7 @@ struct Options {
   Cut cut_kind = Cut::kNone;
   std::uint32_t flash_kib = 1024;
   bool memories_only = false;  // Nothing of the chip but what the emulator's own memory lacks.
+  bool cycles = false;         // A model of the core counts them; with memories_only.
   std::uint32_t erase_us = 0;  // 0: as the data sheet has it.
   std::array<SerialOptions, kSerialPorts> serial;
   std::uint32_t can_corrupt_percent = 0;

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "tests/target/machine/board.hpp"
+#include "tests/target/machine/core_cycles.hpp"
 #include "tests/target/machine/options.hpp"
 #include "tests/target/machine/qemu.hpp"
 
@@ -20,6 +21,7 @@ struct Session {
   Order order;
   std::unique_ptr<Board> board;
   std::unique_ptr<Memories> memories;  // Instead of the board, where nothing else is wanted.
+  std::unique_ptr<CoreCycles> cycles;  // With these, where they are wanted.
   qemu::Notifier ready{};
 };
 
@@ -42,6 +44,7 @@ void on_machine_ready(qemu::Notifier*, void*) {
                       reinterpret_cast<qemu::MemoryRegion*>(core_memory)};
   if (now.order.options.memories_only) {
     now.memories = std::make_unique<Memories>(memory, now.order.options);
+    if (now.cycles != nullptr) now.cycles->map(memory.core);
     return;
   }
   now.board = std::make_unique<Board>(now.order, memory, core);
@@ -59,6 +62,10 @@ bool take_arguments(std::span<char*> arguments) {
       fmt::print(stderr, "machine: {}\n", *complaint);
       return false;
     }
+  }
+  if (order.options.cycles && !order.options.memories_only) {
+    fmt::print(stderr, "machine: cycles=on needs memories_only=on\n");
+    return false;
   }
   const std::string& pins = order.options.pins;
   if (!pins.empty() && !read_pin_script(pins, order.pins)) return false;
@@ -90,6 +97,9 @@ const int qemu_plugin_version = 1;
     return -1;
   }
   if (!machine::take_arguments({arguments, static_cast<std::size_t>(count)})) return -1;
+  if (machine::session().order.options.cycles) {
+    machine::session().cycles = std::make_unique<machine::CoreCycles>(id);
+  }
   qemu::Notifier& ready = machine::session().ready;
   ready.notify = machine::on_machine_ready;
   qemu::qemu_add_machine_init_done_notifier(&ready);

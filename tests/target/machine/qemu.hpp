@@ -4,6 +4,7 @@
 // layouts and numbers are those of that release: include/exec/memory.h, include/qemu/timer.h,
 // include/qemu/notify.h, include/qemu/qemu-plugin.h, include/chardev/char-fe.h.
 
+#include <cstddef>
 #include <cstdint>
 
 namespace qemu {
@@ -134,6 +135,28 @@ struct PluginInfo {
   bool system_emulation;
 };
 void qemu_plugin_register_atexit_cb(PluginId, void (*)(PluginId, void*), void*);
+
+struct TranslationBlock;
+struct Instruction;
+using MemoryInfo = std::uint32_t;
+enum RegisterUse : unsigned { kNoRegisters = 0 };
+enum Accesses : unsigned { kReads = 1 };
+void qemu_plugin_register_vcpu_tb_trans_cb(PluginId, void (*)(PluginId, TranslationBlock*));
+std::size_t qemu_plugin_tb_n_insns(const TranslationBlock*);
+Instruction* qemu_plugin_tb_get_insn(const TranslationBlock*, std::size_t);
+const void* qemu_plugin_insn_data(const Instruction*);
+std::size_t qemu_plugin_insn_size(const Instruction*);
+std::uint64_t qemu_plugin_insn_vaddr(const Instruction*);
+void qemu_plugin_register_vcpu_insn_exec_cb(Instruction*,
+                                            void (*)(unsigned core, void*),
+                                            RegisterUse,
+                                            void*);
+void qemu_plugin_register_vcpu_mem_cb(
+    Instruction*,
+    void (*)(unsigned core, MemoryInfo, std::uint64_t address, void*),
+    RegisterUse,
+    Accesses,
+    void*);
 }
 
 }  // namespace qemu

@@ -48,6 +48,7 @@ constexpr Scenario kScenarios[] = {
     {"can_loop", try_can_loop},
     {"can_bus", try_can_bus},
     {"can_off", try_can_off},
+    {"cycles", try_cycles},
 };
 
 Routine handlers[kInterrupts];

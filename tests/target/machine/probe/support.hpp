@@ -72,5 +72,6 @@ void try_lines();
 void try_can_loop();
 void try_can_bus();
 void try_can_off();
+void try_cycles();
 
 }  // namespace probe
