@@ -97,6 +97,7 @@ Report check(const Job& job) {
   }
   Report report = report_on(job, program, result, path->refused(), simulator.program());
   path->add_to(job, simulator.program(), report);
+  warn_of_step_rates(job, simulator.settings(), report);
   if (!job.text) warn_of_stale_inputs(job, simulator, report);
   if (report.refused_lines > 0) {
     report.warnings.push_back(fmt::format("{}: bounds, length and time leave out {} refused line{}",

@@ -235,6 +235,7 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
   const RunResult result = simulator.run();
   Report report = report_on(job, program, result, path.refused, text);
   report.cut_length_mm = cut_length(path, result);
+  warn_of_step_rates(job, simulator.settings(), report);
   if (result.refusals.empty()) {
     warn(job, path.notes, report);
   } else {

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "firmware/machine/configuration.hpp"
 #include "host-sim/job/fault_place.hpp"
 #include "host-sim/trace/input_file.hpp"
 #include "planner/gcode/line_reader.hpp"
@@ -16,6 +17,9 @@ namespace {
 
 /// Grbl's number for what is no G-code.
 constexpr int kUnreadable = 1;
+
+/// A rate that is a thousandth above what is reached is a rate that is reached.
+constexpr double kNoLess = 1.001;
 
 /// Blanks and control bytes, behind a byte order mark.
 bool has_no_text(std::string_view text) {
@@ -51,6 +55,29 @@ double cut_length(const PathPiece& piece) {
   const bool cuts = piece.travel == Travel::kFeed && piece.spindle != SpindleState::kOff &&
                     piece.spindle_speed > 0.0;
   return cuts ? piece.curve.linear_length() : 0.0;
+}
+
+void warn_of_step_rates(const Job& job, const cnc::Settings& settings, Report& report) {
+  if (job.settings.empty()) return;
+  const cnc::motion::Limits limits = cnc::limits_from(settings);
+  for (std::size_t axis = 0; axis < cnc::kAxisCount; ++axis) {
+    const double scale = limits.scale[axis].steps_per_mm();
+    const double most = std::min(limits.steps_per_s_one_motor, limits.steps_per_s_all_motors);
+    const double wanted = scale * limits.rate_mm_s[axis];
+    if (wanted <= kNoLess * most) continue;
+    report.warnings.push_back(fmt::format(
+        "{}: ${}={:.0f} is {:.0f} steps/s; pulses of $0={:.0f} us leave {:.0f}, so {} is driven at "
+        "{:.0f} {}/min at most",
+        job.file,
+        cnc::setting::kRate + axis,
+        settings.get(cnc::setting::kRate, axis),
+        wanted,
+        settings.get(cnc::setting::kStepPulse),
+        most,
+        cnc::kAxisLetters[axis],
+        most / scale * 60.0,
+        axis < cnc::kLinearAxisCount ? "mm" : "deg"));
+  }
 }
 
 void warn(const Job& job, const std::vector<LineNote>& notes, Report& report) {

@@ -31,6 +31,10 @@ namespace sim {
                                const std::optional<RefusedBeside>& beside,
                                std::string_view text);
 
+/// Warns of each axis whose rate ($110 to $115) its motor does not reach, because the pulses ($0)
+/// and the step interrupt leave no time for as many steps, where the job names settings.
+void warn_of_step_rates(const Job& job, const cnc::Settings& settings, Report& report);
+
 void warn(const Job& job, const std::vector<LineNote>& notes, Report& report);
 void warn(const Job& job, const std::vector<ReadNote>& notes, Report& report);
 

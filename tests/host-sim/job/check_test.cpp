@@ -46,6 +46,20 @@ TEST(Check, TakesChecksThatFitAndNamesThoseThatDoNot) {
   EXPECT_EQ(bad.refused_lines, 2U);
 }
 
+TEST(Check, TellsOfARateThatTheMotorDoesNotReach) {
+  const std::string program = "G21 G90\nG1 X20 F6000\n";
+  const std::vector<std::string> set{"$0=10", "$100=250", "$110=60000"};
+  constexpr const char* kTold =
+      "f: $110=60000 is 250000 steps/s; pulses of $0=10 us leave 44091, so X is driven at 10582 "
+      "mm/min at most";
+  EXPECT_THAT(checked(program, set).warnings, Contains(kTold));
+  const auto of_x = Contains(HasSubstr("so X is driven"));
+  EXPECT_THAT(checked(program, {"$0=10", "$100=250", "$110=10582"}).warnings, Not(of_x));
+  EXPECT_THAT(checked(program, {"$0=1", "$100=250", "$110=48000"}).warnings, Not(of_x));
+  EXPECT_THAT(checked(program, {"$0=1", "$100=250", "$110=48060"}).warnings,
+              Contains(HasSubstr("leave 200000, so X is driven at 48000 mm/min at most")));
+}
+
 TEST(Sim, EndsAtTheFirstWrongCheck) {
   EXPECT_THAT(simulated("N0 M110*35\nN1 G21*27\nN2 G1 X5 F500*52\n").faults, IsEmpty());
   const Report report = simulated("G1 X5 F500\nN1 G21*20\nN2 G1 X50 F500*1\n");
