@@ -5,7 +5,8 @@
 
 3,000 lines of 0.1 mm, along a curve and as pixels of a row: average and worst case of each
 stage. The counts are the same at every run. Fails where one is not within 2 % of what
-instructions.csv has on record; --record writes them there. Ends with 77 (skipped) where the
+instructions.csv has on record, or 5 % of cycles and 15 % of branches and misses, which depend on
+where the linker puts the code; --record writes them there. Ends with 77 (skipped) where the
 image or the emulator is missing.
 """
 
@@ -32,6 +33,8 @@ COUNTS = ("_cycles", "", "_loads", "_taken", "_divisions", "_misses")
 FIGURES = ("average", "worst", "average_cycles", "worst_cycles", *("average" + what for what in COUNTS[2:]))
 FIELDS = ("stage", "unit", *FIGURES)
 WITHIN = 0.02
+WITHIN_BY_PLACE = {"average_cycles": 0.05, "worst_cycles": 0.05,
+                   "average_taken": 0.15, "average_misses": 0.15}
 
 
 def read_record() -> dict:
@@ -54,7 +57,8 @@ def complaints(found: dict) -> list:
     for stage in found.keys() & recorded.keys():
         for figure in FIGURES:
             before, now = float(recorded[stage][figure]), float(found[stage][figure])
-            if abs(now - before) > max(WITHIN * before, 1.0):
+            within = WITHIN_BY_PLACE.get(figure, WITHIN)
+            if abs(now - before) > max(within * before, 1.0):
                 texts.append(f"{stage}: {figure} was {before:.0f}, is {now:.0f}")
     return texts
 

@@ -9,19 +9,13 @@
 namespace cnc::motion {
 
 void BlockQueue::push(const Block& block, Joint joint) {
-  CNC_ASSERT(!full());
-  if (size_ + kept_ == blocks_.size()) {
-    start_ = blocks_[place_of(blocks_.size() - kept_)].end;
-    --kept_;
-  }
-  Block& added = changeable(size_);
-  added = block;
-  added.from_rest = stops_before(block, joint);
+  const bool from_rest = stops_before(block, joint);
+  Block& added = add(block);
+  added.from_rest = from_rest;
   added.entry = {};
   ends_ = false;
   stops_at_end_ = false;
   last_exit_tangent_ = exit_tangent(block);
-  ++size_;
   ++unplanned_;
 }
 
@@ -31,28 +25,21 @@ bool BlockQueue::stops_before(const Block& block, Joint joint) const {
 }
 
 void BlockQueue::pop_front() {
-  CNC_ASSERT(size_ > 0);
   left_square_ = front().reachable_square;
-  first_ = place_of(1);
-  --size_;
-  ++kept_;
-  unplanned_ = std::min(unplanned_, size_);
+  pass_front();
+  unplanned_ = std::min(unplanned_, size());
 }
 
 void BlockQueue::take_back() {
-  CNC_ASSERT(kept_ > 0);
-  first_ = place_of(blocks_.size() - 1);
-  ++size_;
-  --kept_;
+  return_newest_kept();
   forget_plan();
 }
 
 void BlockQueue::begin_at(const AxisArray<StepPosition>& place, const Block& front) {
-  Block& begun = changeable(0);
+  Block& begun = BlockRing::at(0);
   begun = front;
   begun.from_rest = true;
-  kept_ = 0;
-  start_ = place;
+  forget_kept(place);
   forget_plan();
 }
 
@@ -63,10 +50,7 @@ void BlockQueue::stand() {
 }
 
 void BlockQueue::clear(const AxisArray<StepPosition>& place) {
-  size_ = 0;
-  kept_ = 0;
-  keeps_all_ = false;
-  start_ = place;
+  forget_all(place);
   front_trail_.clear();
   unplanned_ = 0;
   leaves_none_out_ = false;
@@ -137,20 +121,20 @@ void BlockQueue::leave_front(const Limits& limits, const PlanTerms& terms) {
 }
 
 void BlockQueue::stop_before_newest() {
-  changeable(size_ - newest_).from_rest = true;
+  BlockRing::at(size() - newest_).from_rest = true;
   forget_plan();
 }
 
 /// Of the blocks that were not planned before.
 void BlockQueue::lay_heads(const Limits& limits, const PlanTerms& terms, std::size_t end) {
   if (!terms.window.filters()) return;
-  if (unplanned_ == size_) {
+  if (unplanned_ == size()) {
     // What blocks that are gone ask for stays as it was: who takes back a plan finds the old one.
     trail_ = front_trail_;
     reachable_square_ = left_square_;
   }
-  for (std::size_t index = size_ - unplanned_; index < end; ++index) {
-    Block& block = changeable(index);
+  for (std::size_t index = size() - unplanned_; index < end; ++index) {
+    Block& block = BlockRing::at(index);
     if (block.from_rest) {
       trail_.clear();  // The window never spans a stop.
       reachable_square_ = 0.0F;
@@ -188,7 +172,7 @@ BrakingState entry_for(const Block& block,
 }  // namespace
 
 void BlockQueue::plan(const Limits& limits, const PlanTerms& terms, std::size_t lead) {
-  const bool enough = unplanned_ * kReplanShare >= size_ || leaves_none_out_;
+  const bool enough = unplanned_ * kReplanShare >= size() || leaves_none_out_;
   if (enough) plan_all(limits, terms, lead);
 }
 
@@ -209,9 +193,9 @@ void BlockQueue::plan_all(const Limits& limits, const PlanTerms& terms, std::siz
   leaves_none_out_ = false;
   if (unplanned_ == 0) return;
   ++plans_;
-  lay_heads(limits, terms, size_);
+  lay_heads(limits, terms, size());
   newest_ = unplanned_;
-  plan_backwards(limits, terms, lead, size_);
+  plan_backwards(limits, terms, lead, size());
   unplanned_ = 0;
 }
 
@@ -219,10 +203,10 @@ void BlockQueue::plan_chain(const Limits& limits,
                             const PlanTerms& terms,
                             std::size_t lead,
                             std::size_t end) {
-  CNC_ASSERT(unplanned_ == size_ && end <= size_);
+  CNC_ASSERT(unplanned_ == size() && end <= size());
   ++plans_;
   lay_heads(limits, terms, end);
-  if (end < size_) changeable(end).entry = {};
+  if (end < size()) BlockRing::at(end).entry = {};
   plan_backwards(limits, terms, lead, end);
 }
 
@@ -236,8 +220,8 @@ void BlockQueue::plan_backwards(const Limits& limits,
   BrakingState exit{};
   ZoneTrail ahead;
   for (std::size_t index = end; index-- > lead;) {
-    Block& block = changeable(index);
-    const bool was_planned = index < size_ - unplanned_;
+    Block& block = BlockRing::at(index);
+    const bool was_planned = index < size() - unplanned_;
     const bool same_tail = !window.filters() || lay_tail(ahead, block, limits, terms);
     if (index == lead) break;
     const BrakingState entry =

@@ -3,11 +3,10 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 
-#include "planner/base/contract.hpp"
 #include "planner/motion/block/block.hpp"
 #include "planner/motion/block/limits.hpp"
+#include "planner/motion/lookahead/block_ring.hpp"
 #include "planner/motion/lookahead/junction.hpp"
 #include "planner/motion/lookahead/limit_zone.hpp"
 #include "planner/motion/lookahead/plan_terms.hpp"
@@ -21,7 +20,7 @@ inline constexpr std::size_t kLookAheadBlocks = 128;
 /// cycles before it is driven: at 1,300 blocks per second these are as many blocks.
 inline constexpr std::size_t kBlocksKept = 32;
 
-/// Blocks waiting to be driven, oldest first, with the look-ahead over them.
+/// Blocks waiting to be driven, oldest first, in a ring, and the look-ahead over them.
 /// How many there is room for is in the type of its owner, BlockQueueOf.
 ///
 /// The plan always ends at rest after the newest block, so it is valid at any
@@ -32,46 +31,32 @@ inline constexpr std::size_t kBlocksKept = 32;
 /// ones take their place; take_back() returns them to the queue.
 ///
 /// Main loop only.
-class BlockQueue {
+class BlockQueue : protected BlockRing {
  public:
   BlockQueue(const BlockQueue&) = delete;
   BlockQueue& operator=(const BlockQueue&) = delete;
 
-  [[nodiscard]] std::size_t capacity() const { return capacity_; }
-  /// With blocks that were taken back there may be more than capacity().
-  [[nodiscard]] bool full() const {
-    return size_ >= capacity_ || (keeps_all_ && size_ + kept_ == blocks_.size());
-  }
-  [[nodiscard]] bool empty() const { return size_ == 0; }
-  [[nodiscard]] std::size_t size() const { return size_; }
+  using BlockRing::capacity;
+  using BlockRing::empty;
+  using BlockRing::front;
+  using BlockRing::full;
+  using BlockRing::keep_all;
+  using BlockRing::kept;
+  using BlockRing::newest_kept;
+  using BlockRing::size;
+  using BlockRing::start;
+  using BlockRing::start_of_front;
+  /// Counted from the oldest. @pre index < size()
+  [[nodiscard]] const Block& at(std::size_t index) const { return BlockRing::at(index); }
 
   /// Takes a block, which begins from rest or goes on, see Joint; after an empty
   /// queue the machine stands still.
   /// @pre !full()
   void push(const Block& block, Joint joint = Joint::kAsItTurns);
-
-  /// The oldest block, the one being driven. @pre !empty()
-  [[nodiscard]] const Block& front() const {
-    CNC_ASSERT(size_ > 0);
-    return blocks_[first_];
-  }
   void pop_front();
-
-  /// Number of driven blocks that take_back() can return.
-  [[nodiscard]] std::size_t kept() const { return kept_; }
-  /// Returns the one that was driven last. @pre kept() > 0
-  [[nodiscard]] const Block& newest_kept() const { return blocks_[place_of(blocks_.size() - 1)]; }
-  /// From now on no driven block is dropped for newer ones: the queue is full before; or no longer.
-  void keep_all(bool keeps) { keeps_all_ = keeps; }
   /// Returns the block that was driven last to the front. stand() and a plan of all must follow.
   /// @pre kept() > 0, and the machine stands
   void take_back();
-  /// Returns where the oldest block begins, driven ones that are kept included.
-  [[nodiscard]] const AxisArray<StepPosition>& start() const { return start_; }
-  /// Returns where the block at the front begins, or the next one will.
-  [[nodiscard]] const AxisArray<StepPosition>& start_of_front() const {
-    return kept_ == 0 ? start_ : newest_kept().end;
-  }
   /// The motion begins from rest at `place`, with `front` instead of the block at the front; the
   /// blocks before it are forgotten. @pre !empty()
   void begin_at(const AxisArray<StepPosition>& place, const Block& front);
@@ -83,11 +68,6 @@ class BlockQueue {
   void stand();
   /// Forgets all blocks; the machine stands at `place`.
   void clear(const AxisArray<StepPosition>& place = {});
-  /// Counted from the oldest. @pre index < size()
-  [[nodiscard]] const Block& at(std::size_t index) const {
-    CNC_ASSERT(index < size_);
-    return blocks_[place_of(index)];
-  }
 
   /// Brings the entry speeds up to date from the block at `lead` on, but leaves up
   /// to a sixteenth of the queue unplanned at its far end: so the pass over all of
@@ -110,37 +90,28 @@ class BlockQueue {
   /// Its end has been taken for a stop: whatever comes after it begins from rest.
   void stop_at_end() { stops_at_end_ = true; }
   /// The limits or overrides changed: plan anew from the newest block on.
-  void forget_plan() { unplanned_ = size_; }
+  void forget_plan() { unplanned_ = size(); }
   /// The blocks that were planned for the first time with the last plan came too
   /// late: the joint before them is taken at rest, so the plan without them holds.
   void stop_before_newest();
   /// There are such, and the first of them is behind the block at `lead`.
   [[nodiscard]] bool has_newest_behind(std::size_t lead) const {
-    return newest_ > 0 && newest_ < size_ && size_ - newest_ > lead;
+    return newest_ > 0 && newest_ < size() && size() - newest_ > lead;
   }
 
   /// Counts the plans: while it stays, so does what any block must meet.
   [[nodiscard]] std::uint32_t plans() const { return plans_; }
   /// What a block must meet at its end. @pre planned
   [[nodiscard]] BrakingState exit_of(std::size_t index) const {
-    return index + 1 < size_ ? at(index + 1).entry : BrakingState{};
+    return index + 1 < size() ? at(index + 1).entry : BrakingState{};
   }
 
  protected:
-  /// @param storage not empty; must outlive the queue
-  /// @param kept share of it that driven blocks have at least
-  BlockQueue(std::span<Block> storage, std::size_t kept)
-      : blocks_{storage}, capacity_{storage.size() - kept} {}
+  using BlockRing::BlockRing;
   ~BlockQueue() = default;
 
  private:
   [[nodiscard]] bool stops_before(const Block& block, Joint joint) const;
-  [[nodiscard]] Block& changeable(std::size_t index) { return blocks_[place_of(index)]; }
-  /// In the ring. No division: the capacity is not a constant here.
-  [[nodiscard]] std::size_t place_of(std::size_t index) const {
-    const std::size_t place = first_ + index;
-    return place < blocks_.size() ? place : place - blocks_.size();
-  }
 
   void lay_heads(const Limits& limits, const PlanTerms& terms, std::size_t end);
   void plan_backwards(const Limits& limits,
@@ -150,16 +121,7 @@ class BlockQueue {
 
   static constexpr std::size_t kReplanShare = 16;
 
-  std::span<Block> blocks_;
-  std::size_t capacity_;
-  std::size_t first_ = 0;
-  std::size_t size_ = 0;
-  std::size_t kept_ = 0;  ///< Driven blocks before the first.
-  bool keeps_all_ = false;
-  AxisArray<StepPosition> start_{};  ///< Of the oldest block, kept ones included.
   AxisArray<float> last_exit_tangent_{};
-
-  // The plan.
   std::size_t unplanned_ = 0;  ///< How many of the newest have no entry speed yet.
   std::size_t newest_ = 0;     ///< How many the last plan was the first of.
   bool leaves_none_out_ = false;
