@@ -1,0 +1,97 @@
+#include "host-sim/surface/drop_cutter.hpp"
+
+#include <algorithm>
+
+#include "host-sim/surface/tried_edges.hpp"
+
+namespace sim::surface {
+namespace {
+
+using cnc::surface::kNoContact;
+
+/// Eight parts of eight parts, down to the last of 2^32 facets: all but one of each wait.
+constexpr std::size_t kMostOpen = 12 * PartTree::kParts;
+
+}  // namespace
+
+struct DropCutter::Search {
+  Eigen::Vector2d place;
+  double highest = kNoContact;
+  std::uint32_t facet = 0;  ///< That is touched there.
+};
+
+DropCutter::DropCutter(const Mesh& mesh, const cnc::surface::Profile& profile)
+    : profile_{profile}, tree_{mesh, profile} {
+  const std::vector<std::uint8_t> edges = tried_edges(mesh, profile.corner_mm > 0.0);
+  facets_.reserve(mesh.facets.size());
+  for (const std::uint32_t number : tree_.order()) {
+    const auto& [a, b, c] = mesh.facets[number];
+    const std::array corners{mesh.points[a], mesh.points[b], mesh.points[c]};
+    facets_.push_back({{profile, corners[0], corners[1], corners[2]},
+                       corners,
+                       std::max({corners[0].z(), corners[1].z(), corners[2].z()}),
+                       edges[number]});
+  }
+}
+
+double DropCutter::tip_height(const Eigen::Vector2d& place) const {
+  Search search{place};
+  search_tree(search);
+  return search.highest;
+}
+
+double DropCutter::tip_height(const Eigen::Vector2d& place, Hint& hint) const {
+  Search search{place};
+  if (hint.facet < facets_.size()) try_facet(hint.facet, search);
+  search_tree(search);
+  hint.facet = search.facet;
+  return search.highest;
+}
+
+void DropCutter::try_facet(std::uint32_t number, Search& search) const {
+  const Facet& facet = facets_[number];
+  if (facet.top <= search.highest) return;
+  double highest = std::max(search.highest, facet.contact.height(search.place));
+  for (std::size_t i = 0; i < 3; ++i) {
+    if ((facet.edges >> i & 1U) == 0) continue;
+    const Eigen::Vector3d& from = facet.corners[i];
+    const Eigen::Vector3d& to = facet.corners[(i + 1) % 3];
+    if (std::max(from.z(), to.z()) <= highest) continue;
+    highest =
+        std::max(highest, cnc::surface::height_on_edge(profile_, search.place, from, to, highest));
+  }
+  if (highest <= search.highest) return;
+  search.highest = highest;
+  search.facet = number;
+}
+
+/// The part that may be highest goes first, so that the others may be needless.
+void DropCutter::search_tree(Search& search) const {
+  struct Open {
+    std::uint32_t node;
+    float most;
+  };
+  std::array<Open, kMostOpen> open;
+  std::size_t count = 0;
+  open[count++] = {0, std::numeric_limits<float>::infinity()};
+  while (count > 0) {
+    const Open next = open[--count];
+    if (next.most <= search.highest) continue;
+    const PartTree::Node& node = tree_.node(next.node);
+    const PartTree::Lanes bounds = tree_.bounds(node, search.place);
+    const std::size_t before = count;
+    for (std::size_t i = 0; i < PartTree::kParts; ++i) {
+      if (bounds[i] <= search.highest) continue;
+      if (node.count[i] == 0) {
+        open[count++] = {node.first[i], bounds[i]};
+        if (count - before > 1 && open[count - 2].most > bounds[i]) {
+          std::swap(open[count - 2], open[count - 1]);
+        }
+        continue;
+      }
+      for (std::uint32_t k = 0; k < node.count[i]; ++k) try_facet(node.first[i] + k, search);
+    }
+  }
+}
+
+}  // namespace sim::surface

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+#include <vector>
+
+namespace sim::surface {
+
+/// A surface of triangles, mm.
+struct Mesh {
+  std::vector<Eigen::Vector3d> points;
+  /// Indices of points; counter-clockwise seen from +Z where the source tells.
+  std::vector<std::array<std::uint32_t, 3>> facets;
+};
+
+}  // namespace sim::surface
