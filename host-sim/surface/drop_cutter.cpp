@@ -1,6 +1,8 @@
 #include "host-sim/surface/drop_cutter.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 #include "host-sim/surface/tried_edges.hpp"
 
@@ -9,8 +11,31 @@ namespace {
 
 using cnc::surface::kNoContact;
 
-/// Eight parts of eight parts, down to the last of 2^32 facets: all but one of each wait.
-constexpr std::size_t kMostOpen = 12 * PartTree::kParts;
+/// A node that is still to be looked at, and how high the tool may be on it.
+struct OpenPart {
+  std::uint32_t node = 0;
+  float most = 0.0F;
+};
+
+/// Nodes on the way down a tree: last in, first out.
+class OpenParts {
+ public:
+  [[nodiscard]] bool empty() const { return count_ == 0; }
+  [[nodiscard]] std::size_t size() const { return count_; }
+  OpenPart take() { return parts_[--count_]; }
+  /// The highest of those that came after the first `before` is the next, so that the others may be
+  /// needless.
+  void add(const OpenPart& part, std::size_t before) {
+    parts_[count_++] = part;
+    const bool is_lower = count_ - before > 1 && parts_[count_ - 2].most > part.most;
+    if (is_lower) std::swap(parts_[count_ - 2], parts_[count_ - 1]);
+  }
+
+ private:
+  /// Eight parts of eight parts, down to the last of 2^32 facets: all but one of each wait.
+  std::array<OpenPart, 12 * PartTree::kParts> parts_{};
+  std::size_t count_ = 0;
+};
 
 }  // namespace
 
@@ -65,30 +90,18 @@ void DropCutter::try_facet(std::uint32_t number, Search& search) const {
   search.facet = number;
 }
 
-/// The part that may be highest goes first, so that the others may be needless.
 void DropCutter::search_tree(Search& search) const {
-  struct Open {
-    std::uint32_t node;
-    float most;
-  };
-  std::array<Open, kMostOpen> open;
-  std::size_t count = 0;
-  open[count++] = {0, std::numeric_limits<float>::infinity()};
-  while (count > 0) {
-    const Open next = open[--count];
+  OpenParts open;
+  open.add({0, std::numeric_limits<float>::infinity()}, 0);
+  while (!open.empty()) {
+    const OpenPart next = open.take();
     if (next.most <= search.highest) continue;
     const PartTree::Node& node = tree_.node(next.node);
     const PartTree::Lanes bounds = tree_.bounds(node, search.place);
-    const std::size_t before = count;
+    const std::size_t before = open.size();
     for (std::size_t i = 0; i < PartTree::kParts; ++i) {
       if (bounds[i] <= search.highest) continue;
-      if (node.count[i] == 0) {
-        open[count++] = {node.first[i], bounds[i]};
-        if (count - before > 1 && open[count - 2].most > bounds[i]) {
-          std::swap(open[count - 2], open[count - 1]);
-        }
-        continue;
-      }
+      if (node.count[i] == 0) open.add({node.first[i], bounds[i]}, before);
       for (std::uint32_t k = 0; k < node.count[i]; ++k) try_facet(node.first[i] + k, search);
     }
   }

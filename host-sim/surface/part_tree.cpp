@@ -84,7 +84,7 @@ class PartTree::Builder {
       const auto [a, b, c] = corners_of(facet);
       const Eigen::Vector3d normal = (b - a).cross(c - a);
       normals_.push_back(normal.z() < 0.0 ? Eigen::Vector3d{-normal} : normal);
-      middles_.push_back((a + b + c).head<2>());
+      middles_.emplace_back((a + b + c).head<2>());
     }
   }
 
@@ -192,7 +192,7 @@ PartTree::PartTree(const Mesh& mesh, const cnc::surface::Profile& profile) {
 PartTree::Lanes PartTree::bounds(const Node& node, const Eigen::Vector2d& place) const {
   const auto x = static_cast<float>(place.x());
   const auto y = static_cast<float>(place.y());
-  Lanes found;
+  Lanes found{};
   for (std::size_t i = 0; i < found.fours.size(); ++i) found.fours[i] = bounds(node, i, x, y);
   return found;
 }

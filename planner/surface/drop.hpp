@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <limits>
 
@@ -56,7 +57,7 @@ class FacetContact {
  private:
   Eigen::Vector2d corner_ = Eigen::Vector2d::Zero();  ///< `a` less the tool's point.
   /// Across the edges from `a`, so that their sum is `whole_` at the third edge.
-  Eigen::Vector2d inwards_[2] = {Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
+  std::array<Eigen::Vector2d, 2> inwards_{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
   double whole_ = -1.0;
   double height_ = 0.0;  ///< Of the tip where the tool's point is at `a`.
   Eigen::Vector2d gradient_ = Eigen::Vector2d::Zero();

@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <random>
 #include <string>
 
+#include "tests/support/random_source.hpp"
 #include "tests/support/trials.hpp"
 
 namespace sim {
@@ -21,15 +21,13 @@ std::string bytes_from(std::size_t begin, std::size_t count) {
 TEST(ByteBlocks, GiveBackInOrderWhatTheyWereGiven) {
   const proof::Trials trials{40};
   for (const std::uint64_t seed : trials) {
-    std::mt19937_64 random{seed};
-    std::uniform_int_distribution<std::size_t> few{0, 100};
-    std::uniform_int_distribution<std::size_t> many{0, 3 * ByteBlocks::kBlock};
+    proof::Random random{seed};
     ByteBlocks blocks;
     std::size_t given = 0;
     std::size_t taken = 0;
     for (int step = 0; step < 60; ++step) {
-      const std::size_t count = few(random) < 20 ? many(random) : few(random);
-      if (few(random) < 55) {
+      const std::size_t count = random.below(random.chance(0.2) ? 3 * ByteBlocks::kBlock : 100);
+      if (random.chance(0.55)) {
         blocks.append(bytes_from(given, count));
         given += count;
       } else {
