@@ -50,7 +50,7 @@ bool can_be_welded(const PathItem& item) {
 }
 
 /// The first coordinate plane in which a way lies.
-std::optional<Plane> plane_of(const Vec3& way) {
+std::optional<Plane> coordinate_plane_of(const Vec3& way) {
   for (const Plane plane : {Plane::kXY, Plane::kZX, Plane::kYZ}) {
     if (way[static_cast<int>(axes_of(plane).normal)] == 0.0F) return plane;
   }
@@ -176,7 +176,7 @@ void Welder::choose_plane(const Vec3& way) {
     return way[normal] == 0.0F && ahead_[normal] == 0.0F;
   };
   if (plane_ && lies_in(*plane_)) return;
-  plane_ = plane_of(way);
+  plane_ = coordinate_plane_of(way);
   if (plane_ && !lies_in(*plane_)) plane_.reset();
 }
 

@@ -95,6 +95,15 @@ inline PathElement any_element_in_space(proof::Random& random, const Position& s
   return any_element_in(plane, random, start);
 }
 
+/// An arc in a random plane; a helix where other axes ride along.
+inline PathElement any_arc(proof::Random& random) {
+  PathElement element = any_element_in_space(random, Position{});
+  const auto more = static_cast<float>(random.magnitude(0.05, 50.0));
+  element.end = moved_by(element.end, element.plane.vector({more, 0.0F}));
+  element.bulge = static_cast<float>(random.signed_magnitude(0.01, 1.0));
+  return element;
+}
+
 inline Block block_of(const PathElement& element, const Limits& limits, float feed_mm_s = 0.0F) {
   const auto built = build_block({.element = element, .feed_mm_s = feed_mm_s}, limits);
   CNC_ASSERT(built.ok());

@@ -15,15 +15,6 @@ namespace {
 
 constexpr double kHalfPiExact = std::numbers::pi / 2.0;
 
-/// An arc in a random plane; a helix where other axes ride along.
-PathElement any_arc(proof::Random& random) {
-  PathElement element = any_element_in_space(random, Position{});
-  const auto more = static_cast<float>(random.magnitude(0.05, 50.0));
-  element.end = moved_by(element.end, element.plane.vector({more, 0.0F}));
-  element.bulge = static_cast<float>(random.signed_magnitude(0.01, 1.0));
-  return element;
-}
-
 class RandomSpans : public testing::Test {
  protected:
   void any() {

@@ -1,0 +1,127 @@
+#include "planner/motion/lookahead/arc_limits.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "planner/motion/lookahead/arc_grid.hpp"
+
+namespace cnc::motion {
+namespace {
+
+/// Returns the share of an acceleration limit that is left for use where limits are evaluated at
+/// places at most `angle` radians apart: a grid step, or the reach of the window.
+///
+/// Between them an axis acceleration f can rise by at most (angle)² / 8 · |f″| with
+/// |f″| ≤ 5 times the limit (differentiate t·a + t′·v² twice, with v² linear in the
+/// angle): 0.27 % for 3.75°. A thousandth at least is left for rounding, and for measurements
+/// by steps.
+float margin_for(float angle) {
+  constexpr float kRounding = 2.0e-4F;
+  constexpr float kLeast = 1.0e-3F;
+  return 1.0F - std::max(kLeast, kRounding + 0.625F * square(angle));
+}
+
+}  // namespace
+
+ArcLimits::ArcLimits(const Block& block,
+                     const ArcShape& arc,
+                     const Limits& limits,
+                     const LineLimits& line)
+    : axes_{block, limits, line.window()}, speed_square_{line.speed_square()} {
+  if (!block.turns()) return;
+  const TimeWindow& window = line.window();
+  const float any_direction = axes_.acceleration_in_any_direction();
+  plane_acceleration_ = any_direction * margin_for(ArcGrid::kAngle);
+  most_acceleration_ = plane_acceleration_;
+  turning_ = Turning::of(arc.curvature(), plane_acceleration_);
+  limit_speed(arc, window);
+  if (!window.filters()) return;
+  const float around = line.reach_within(speed_square_, block.reachable_square);
+  reach_ = std::min(reach_, around / arc.mm_per_radian());
+  divide_between_turning_and_speed(arc, any_direction, block.reachable_square, window.seconds());
+}
+
+/// Limits the speed to that of turning in any direction. Leaves in reach_ how far the window spans
+/// at that speed before the last of these limits.
+void ArcLimits::limit_speed(const ArcShape& arc, const TimeWindow& window) {
+  /// Of the v² at which all acceleration would be for turning. A third of the acceleration is left
+  /// for slowing down when an override is lowered or the feed held.
+  constexpr float kTurningShare = 0.95F;
+  const float to_plane = square(arc.plane_share());
+  speed_square_ = std::min(speed_square_, turning_.speed_limit_square(window.seconds()) / to_plane);
+  reach_ = std::min(window.reach(speed_square_) / arc.mm_per_radian(), arc.sweep());
+  if (!many_directions()) return;
+  const float centripetal = 1.0F / (turning_.speed_ratio * to_plane);
+  speed_square_ = std::min(speed_square_, kTurningShare * centripetal);
+}
+
+/// Divides the acceleration between turning and the change of speed. Where an arc has few
+/// directions there is more than the lesser of its axes' limits. The need of turning is held
+/// against all of its normals, and the rest of each axis's limit against all of its tangents: an
+/// ellipse of both fits in where
+///   (T_i a)² + (N_i b)² ≤ A_i²
+/// for the greatest shares T and N that either has of axis i.
+void ArcLimits::divide_between_turning_and_speed(const ArcShape& arc,
+                                                 float any_direction,
+                                                 float reachable_square,
+                                                 float window_s) {
+  constexpr float kWorthIt = 1.01F;
+  /// Of the acceleration that turning needs on the way; nearer to it there is little left for
+  /// speeding up.
+  constexpr float kRoom = 2.0F;
+  const DirectionRange directions{arc.start_angle(), arc.end_angle()};
+  const float margin = plane_acceleration_ / any_direction;
+  most_acceleration_ = axes_.left_along(directions, 0.0F, margin);
+  if (most_acceleration_ < plane_acceleration_ * kWorthIt) return;
+  const float met =
+      arc.plane_share() * std::sqrt(reachable_square) + 0.5F * most_acceleration_ * window_s;
+  const float speed = std::min(arc.plane_share() * std::sqrt(speed_square_), met);
+  const float needed =
+      arc.curvature() * speed * std::max(speed, 3.0F * window_s * most_acceleration_);
+  const float normal = std::min(plane_acceleration_, kRoom * needed);
+  const float along = axes_.left_along(directions, normal, margin);
+  if (along < plane_acceleration_ * kWorthIt) return;
+  plane_acceleration_ = along;
+  turning_ = {arc.curvature() * (along / normal),
+              arc.curvature() / normal,
+              square(arc.curvature()) / along};
+}
+
+void ArcLimits::leave_margin(float spacing) {
+  const bool many = many_directions();
+  const float margin = margin_for(std::max(spacing, many ? 0.0F : reach_));
+  const float all_square = axes_.scale_accelerations(margin);
+  if (many) most_acceleration_ = std::sqrt(all_square);
+}
+
+Turning ArcLimits::turning_along_path(const ArcShape& arc) const {
+  const float share = arc.plane_share();
+  return {turning_.curvature * share,
+          turning_.speed_ratio * square(share),
+          turning_.jerk_ratio * square(share) * share};
+}
+
+float ArcLimits::shortest_time(const ArcShape& arc, float length) const {
+  // However fast it may be driven: one axis alone may turn the motion.
+  const float turned =
+      axes_.greatest_acceleration() / (arc.curvature() * square(arc.plane_share()));
+  return length / std::sqrt(std::min(speed_square_, turned));
+}
+
+float ArcLimits::speed_square(const ArcShape& arc,
+                              const DirectionRange& directions,
+                              bool turning_limits) const {
+  float limit = speed_square_;
+  const auto keep = [&limit](float most, float share) {
+    if (most < limit * share) limit = most / share;
+  };
+  const float bend = arc.plane_share() * arc.curvature();
+  for (const ArcAxis& axis : axes_) {
+    const auto [tangent, normal] = shares_along_path(arc, directions, axis);
+    keep(square(axis.rate), square(tangent));
+    if (turning_limits) keep(axis.acceleration, bend * normal);
+  }
+  return limit;
+}
+
+}  // namespace cnc::motion

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "planner/motion/block/block.hpp"
+#include "planner/motion/block/limits.hpp"
+#include "planner/motion/lookahead/time_window.hpp"
+
+namespace cnc::motion {
+
+/// Limits along the path that the axes of constant direction set. A line has no others; to an arc
+/// those of its plane come.
+class LineLimits {
+ public:
+  LineLimits() = default;
+  LineLimits(const Block& block, const Limits& limits, const TimeWindow& window);
+
+  [[nodiscard]] const TimeWindow& window() const { return window_; }
+  /// Returns the greatest acceleration in mm/s².
+  [[nodiscard]] float acceleration() const { return acceleration_; }
+  /// Returns the greatest v².
+  [[nodiscard]] float speed_square() const { return speed_square_; }
+  /// Returns the distance in mm to either side of a place of the block in which its limits hold; 0
+  /// without a window.
+  /// @param cap_square the greatest v² there
+  /// @param reachable_square the greatest v² with which the block may be left
+  [[nodiscard]] float reach_within(float cap_square, float reachable_square) const;
+
+ private:
+  float acceleration_ = 0.0F;
+  float speed_square_ = 0.0F;
+  float all_axes_ = 0.0F;  ///< mm/s² that no block exceeds; under a window.
+  TimeWindow window_{};
+};
+
+}  // namespace cnc::motion

@@ -1,0 +1,49 @@
+#pragma once
+
+#include "planner/motion/lookahead/arc_grid.hpp"
+#include "planner/motion/lookahead/arc_shape.hpp"
+#include "planner/motion/lookahead/zone_edges.hpp"
+
+namespace cnc::motion {
+
+/// Where the spans of a block begin and end: at the boundaries of the arc's grid and at the edges
+/// of zones.
+class SpanBoundaries {
+ public:
+  SpanBoundaries() = default;
+  /// Begins with a single span.
+  explicit SpanBoundaries(const Block& block) : arc_{block}, length_{block.length} {}
+
+  /// Divides the arc. @pre arc().turns(), and before cut_at_zones()
+  void divide(const ArcGrid& grid) {
+    grid_ = grid;
+    count_ = grid.count();
+  }
+  /// Divides the block at the edges of zones, too. @pre not called before
+  void cut_at_zones(const BlockZones& head, const BlockZones& tail);
+
+  [[nodiscard]] const ArcShape& arc() const { return arc_; }
+  [[nodiscard]] const ArcGrid& grid() const { return grid_; }
+  /// Returns the length of the block in mm.
+  [[nodiscard]] float length() const { return length_; }
+  /// Returns the number of spans. Boundaries are 0…count().
+  [[nodiscard]] int count() const { return count_; }
+  /// Returns the distance of a boundary from the start of the block, in mm.
+  [[nodiscard]] float distance(int boundary) const;
+  /// Returns the angle of the tangent at a boundary, in radians. @pre arc().turns()
+  [[nodiscard]] float angle(int boundary) const;
+  [[nodiscard]] Place place(int boundary) const;
+
+  /// Returns the angle `reach` radians before a span and behind it, at most to the end of the arc.
+  [[nodiscard]] float angle_before(int span, float reach) const;
+  [[nodiscard]] float angle_behind(int span, float reach) const;
+
+ private:
+  int count_ = 1;
+  ArcShape arc_;
+  ArcGrid grid_;
+  ZoneEdges edges_;
+  float length_ = 0.0F;  ///< mm.
+};
+
+}  // namespace cnc::motion
