@@ -38,7 +38,9 @@ TEST(ArcGrid, IsSplitNoFinerThanTimeAndCapacityAllow) {
     const float shortest_span =
         seconds * ArcGrid::kAngle /
         (std::max(arc.sweep(), ArcGrid::kAngle) * static_cast<float>(split));
-    if (split > 1) ASSERT_GE(shortest_span, 0.699e-3F) << "trial " << trial;
+    if (split > 1) {
+      ASSERT_GE(shortest_span, 0.699e-3F) << "trial " << trial;
+    }
     // The last span is no longer than the others: the capacity is enough.
     const ArcGrid grid = ArcGrid::at_multiples(arc, split);
     ASSERT_LE(grid.count(), grid.fine() ? ArcGrid::kMostFineSpans : ArcGrid::kMostSpans);

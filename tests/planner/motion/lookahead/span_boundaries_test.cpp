@@ -75,7 +75,9 @@ TEST_F(RandomBoundaries, HaveTheEdgeOfEachZoneExactlyOnce) {
     boundaries.cut_at_zones(head, tail);
     const float length = boundaries.length();
     const auto expect_at = [&](float edge) {
-      if (edge > 0.0F && edge < length) EXPECT_EQ(at(edge), 1) << "trial " << trial;
+      if (edge > 0.0F && edge < length) {
+        EXPECT_EQ(at(edge), 1) << "trial " << trial;
+      }
     };
     for (const LimitZone& zone : head) expect_at(zone.length);
     for (const LimitZone& zone : tail) expect_at(length - zone.length);
