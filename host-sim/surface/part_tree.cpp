@@ -17,9 +17,10 @@ constexpr double kSteepest = 20.0;
 constexpr double kAlmost = 0.99;
 /// The rise of a ball's tangent there.
 constexpr double kSteepestOfABall = 7.1;
-/// What single precision loses of a coordinate, of differences and products of a few of them.
+/// Differences and products of a few coordinates are off by less than this share in single
+/// precision.
 constexpr double kRounding = 1.0e-6;
-/// A distance that is no number's square root to divide by zero.
+/// This is added below a square root, by which is divided, so that it is not zero.
 constexpr float kTiny = 1.0e-20F;
 /// Share of a corner's radius that is surely within it in single precision.
 constexpr float kInside = 0.999F;
@@ -132,7 +133,7 @@ class PartTree::Builder {
     return std::span{tree_.order_}.subspan(run.first, run.count);
   }
 
-  /// With the plane that the facets' areas have on average.
+  /// Sets the bounds of a part, with the plane that its facets have on average, by their areas.
   void bound(Node& node, std::size_t lane, const Run& run) const {
     Eigen::Vector3d normal = Eigen::Vector3d::Zero();
     Eigen::Vector3d least = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
@@ -155,7 +156,7 @@ class PartTree::Builder {
         level = std::max(level, corner.z() - gradient.dot(corner.head<2>() - middle));
       }
     }
-    // As much as single precision may lose with slopes like these, for the tool's own as well.
+    // Single precision loses more where the part, or the tool, is steeper.
     const double steepness = slope + std::max(profile_.rise, kSteepestOfABall);
     set(node, lane, least, most, lost_mm_);
     node.top.set(lane, static_cast<float>(most.z() + lost_mm_));
@@ -181,8 +182,8 @@ class PartTree::Builder {
   const cnc::surface::Profile& profile_;
   PartTree& tree_;
   double lost_mm_ = 0.0;
-  std::vector<Eigen::Vector3d> normals_;  ///< Of each facet, twice its area long.
-  std::vector<Eigen::Vector2d> middles_;  ///< Of each facet, three times.
+  std::vector<Eigen::Vector3d> normals_;  ///< Facets' normals, twice as long as their areas.
+  std::vector<Eigen::Vector2d> middles_;  ///< Three times the middle of each facet.
 };
 
 PartTree::PartTree(const Mesh& mesh, const cnc::surface::Profile& profile) {

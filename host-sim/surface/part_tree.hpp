@@ -31,11 +31,11 @@ class PartTree {
   struct Node {
     Lanes least_x, least_y, most_x, most_y;
     Lanes top;               ///< No point is higher.
-    Lanes slope_x, slope_y;  ///< Of the plane.
+    Lanes slope_x, slope_y;  ///< The rise of the plane along X and Y.
     Lanes level;             ///< Height of the plane in the middle of the rectangle.
     Lanes point_x, point_y;  ///< From the tool's axis to its point that touches such a plane.
-    std::array<std::uint32_t, kParts> first;  ///< Of a leaf the place in order(), else a node.
-    std::array<std::uint32_t, kParts> count;  ///< Of a leaf's facets; 0 where `first` is a node.
+    std::array<std::uint32_t, kParts> first;  ///< A place in order(), or the number of a node.
+    std::array<std::uint32_t, kParts> count;  ///< Facets from there; 0 where `first` is a node.
   };
 
   /// @pre the mesh has a facet, and its indices are those of points
@@ -55,7 +55,7 @@ class PartTree {
   };
   class Builder;
 
-  /// Of planes that the tool's lower surface is nowhere below: where they meet it, its height, and
+  /// Planes that the tool's lower surface is nowhere below: the height at which they meet it, and
   /// their rise over the distance of that place.
   struct Tangent {
     Four height, share;

@@ -58,7 +58,7 @@ std::vector<std::uint8_t> tried_edges(const Mesh& mesh, bool tool_is_smooth) {
         const bool drops = tool_is_smooth && is_valley(mesh, first, here);
         if (drops) tried[first.facet] &= static_cast<std::uint8_t>(~bit(first.edge));
       } else {
-        tried[first.facet] |= bit(first.edge);  // Of three facets, which is a valley is not known.
+        tried[first.facet] |= bit(first.edge);  // Three facets are no valley.
       }
     }
   }

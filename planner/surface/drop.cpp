@@ -10,19 +10,13 @@ namespace {
 double square(double x) { return x * x; }
 
 /// The tool in an upright plane beside its axis: its height over the distance from the foot of the
-/// axis in that plane. Convex, since the tool is, and even.
+/// axis in that plane. The height is convex, since the tool is, and the same on both sides.
 struct Section {
   const Profile& profile;
   double beside_square;  ///< Distance of the plane from the axis, squared.
 
   [[nodiscard]] double height(double along) const {
     return height_at(profile, std::sqrt(beside_square + square(along)));
-  }
-  /// Returns the rise along the plane. @pre along ≥ 0
-  [[nodiscard]] double rise(double along) const {
-    const double distance = std::sqrt(beside_square + square(along));
-    if (distance <= profile.flat_mm || distance <= 0.0) return 0.0;
-    return rise_at(profile, distance) * (along / distance);
   }
 };
 
@@ -43,8 +37,8 @@ double place_on_corner(const Section& section, double slope, double begin, doubl
     (off < 0.0 ? low : high) = along;
     const double bend = out * section.beside_square / (distance * square(distance));
     const double steep = square(share) * (1.0 + slope * out / std::max(across, 1e-300)) + bend;
-    // Newton's step, or half of the way where it leaves the bounds. The height changes with the
-    // square of what is left.
+    // Newton's step is taken, or half of the way where it would leave the bounds. The height is off
+    // by the square of the rest only.
     const double before = along;
     along -= off / steep;
     if (!(along > low && along < high)) along = 0.5 * (low + high);
@@ -63,7 +57,7 @@ double place_of_slope(const Section& section, double slope, double most) {
     const double radius_square = square(profile.corner_mm) - section.beside_square;
     return std::sqrt(std::max(0.0, radius_square) * square(slope) / (1.0 + square(slope)));
   }
-  if (profile.corner_mm == 0.0) {  // Those of a cone are hyperbolas.
+  if (profile.corner_mm == 0.0) {  // A cone's sections are hyperbolas.
     if (slope >= profile.rise) return most;
     const double beside = std::sqrt(section.beside_square);
     const double share = std::sqrt((profile.rise - slope) * (profile.rise + slope));

@@ -44,7 +44,7 @@ ArcLimits::ArcLimits(const Block& block,
 /// Limits the speed to that of turning in any direction. Leaves in reach_ how far the window spans
 /// at that speed before the last of these limits.
 void ArcLimits::limit_speed(const ArcShape& arc, const TimeWindow& window) {
-  /// Of the v² at which all acceleration would be for turning. A third of the acceleration is left
+  /// At this share of the v² that would need all acceleration for turning, a third of it is left
   /// for slowing down when an override is lowered or the feed held.
   constexpr float kTurningShare = 0.95F;
   const float to_plane = square(arc.plane_share());
@@ -66,8 +66,8 @@ void ArcLimits::divide_between_turning_and_speed(const ArcShape& arc,
                                                  float reachable_square,
                                                  float window_s) {
   constexpr float kWorthIt = 1.01F;
-  /// Of the acceleration that turning needs on the way; nearer to it there is little left for
-  /// speeding up.
+  /// Turning has this many times the acceleration that it needs on the way; with less there is
+  /// little left for speeding up.
   constexpr float kRoom = 2.0F;
   const DirectionRange directions{arc.start_angle(), arc.end_angle()};
   const float margin = plane_acceleration_ / any_direction;

@@ -8,7 +8,7 @@
 namespace machine {
 namespace {
 
-/// Of the 1 to 3 cycles that the manual gives for the pipeline behind a branch.
+/// The manual gives 1 to 3 cycles for the pipeline behind a branch; this is the middle.
 constexpr std::uint64_t kRefill = 2;
 
 bool is_flash(std::uint64_t address) { return address - 0x0800'0000 < 0x10'0000; }

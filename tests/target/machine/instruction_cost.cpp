@@ -68,7 +68,7 @@ void judge_float_arithmetic(InstructionCost& cost, unsigned first, unsigned seco
   }
   if (kind == 8) return divide(cost, kFloatDivision);
   if (kind != 11) return;
-  // Of one operand, which is m: n says which, and a comparison reads d and writes flags.
+  // These have one operand, m. A comparison reads d as well, and writes flags only.
   cost.operands[0] = InstructionCost::kNone;
   const unsigned which = first & 0xFU;
   if (which == 1 && (second & 0xC0U) == 0xC0U) return divide(cost, kFloatDivision);  // VSQRT
