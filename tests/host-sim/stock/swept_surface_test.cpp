@@ -198,7 +198,8 @@ TEST(SweptSurface, LeastOverIsNoGreaterThanAnyHeightInTheRectangle) {
 
 TEST(SweptSurface, LeavesOutOnlyWhatTheFirstPoseSweepsLowest) {
   int left_out_of_falling = 0;
-  for (const std::uint64_t seed : proof::Trials{1'000}) {
+  const proof::Trials trials{1'000};
+  for (const std::uint64_t seed : trials) {
     RandomSweep random{seed};
     const auto [plain, surface] = random_case(random);
     if (surface.is_empty() || !surface.has_old_rear()) continue;
@@ -211,7 +212,10 @@ TEST(SweptSurface, LeavesOutOnlyWhatTheFirstPoseSweepsLowest) {
       if (surface.falls() && least < 100.0) ++left_out_of_falling;
     }
   }
-  EXPECT_GT(left_out_of_falling, 0);
+  // Among twenty cases there is at times none of it.
+  if (trials.judges_shares()) {
+    EXPECT_GT(left_out_of_falling, 0);
+  }
 }
 
 /// Stretches one after the other, with slack that changes.
