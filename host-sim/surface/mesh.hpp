@@ -7,10 +7,10 @@
 
 namespace sim::surface {
 
-/// A surface of triangles, mm.
+/// Triangles over shared points; lengths in mm.
 struct Mesh {
   std::vector<Eigen::Vector3d> points;
-  /// Indices of points; counter-clockwise seen from +Z where the source tells.
+  /// Indices of points; counter-clockwise seen from +Z where the reader can know.
   std::vector<std::array<std::uint32_t, 3>> facets;
 };
 
