@@ -1,0 +1,12 @@
+#pragma once
+
+#include "host-sim/surface/grid_draft.hpp"
+
+namespace sim::surface {
+
+/// Gives each missing point the mean height of its neighbours in row and column, all of which
+/// agree to a millionth of the range of heights or are after 1,000 sweeps. Throws
+/// std::invalid_argument where more than half of the points are missing.
+void fill_missing(GridDraft& grid);
+
+}  // namespace sim::surface

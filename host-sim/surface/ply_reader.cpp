@@ -1,0 +1,150 @@
+#include "host-sim/surface/ply_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "host-sim/surface/ply_header.hpp"
+#include "host-sim/surface/ply_source.hpp"
+#include "host-sim/surface/refusal.hpp"
+
+namespace sim::surface {
+namespace {
+
+constexpr double kGreatestIndex = 4'294'967'294.0;
+
+/// Reads the elements of a PLY file from PlyText or PlyBytes.
+template <typename Source>
+class PlyElements {
+ public:
+  PlyElements(const PlyHeader& header, const std::string& name)
+      : name_{name}, source_{header, name}, draft_{.name = name} {}
+
+  void read(const PlyElement& element) {
+    if (element.name == "vertex") {
+      read_points(element);
+    } else if (element.name == "face") {
+      read_faces(element);
+    } else {
+      for (std::uint64_t i = 0; i < element.count; ++i) {
+        for (const PlyProperty& property : element.properties) skip(property);
+      }
+    }
+  }
+  MeshDraft take() { return std::move(draft_); }
+
+ private:
+  /// Returns the length of a list, whose numbers are there.
+  std::size_t take_length(const PlyProperty& property) {
+    if (!property.list_count) return 1;
+    const double length = source_.take(*property.list_count);
+    // At least a byte for each number.
+    if (length >= 0.0 && length <= static_cast<double>(source_.left())) {
+      return static_cast<std::size_t>(length);
+    }
+    refuse(name_,
+           source_.line(),
+           fmt::format("a list of {} numbers", length),
+           "the file is damaged; export it again");
+  }
+
+  void skip(const PlyProperty& property) {
+    const std::size_t length = take_length(property);
+    for (std::size_t i = 0; i < length; ++i) source_.take(property.scalar);
+  }
+
+  void read_points(const PlyElement& element) {
+    const std::array<std::size_t, 3> axes{
+        element.index("x"), element.index("y"), element.index("z")};
+    for (const std::size_t axis : axes) {
+      if (axis < element.properties.size() && !element.properties[axis].list_count) continue;
+      refuse(name_, 0, "its vertices lack x, y or z", "export the mesh again");
+    }
+    if (element.count > kMaxPoints) refuse(name_, 0, "too many points", "thin the mesh out");
+    draft_.mesh.points.reserve(draft_.mesh.points.size() + element.count);
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      Eigen::Vector3d point{0.0, 0.0, 0.0};
+      for (std::size_t p = 0; p < element.properties.size(); ++p) {
+        const auto* const axis = std::ranges::find(axes, p);
+        if (axis == axes.end()) {
+          skip(element.properties[p]);
+        } else {
+          point[axis - axes.begin()] = source_.take(element.properties[p].scalar);
+        }
+      }
+      draft_.mesh.points.push_back(point);
+    }
+  }
+
+  void read_faces(const PlyElement& element) {
+    std::size_t corners = element.index("vertex_indices");
+    if (corners == element.properties.size()) corners = element.index("vertex_index");
+    if (corners == element.properties.size() || !element.properties[corners].list_count) {
+      refuse(name_, 0, "its faces have no list vertex_indices", "export the mesh again");
+    }
+    if (element.count > 2 * kMaxPoints) refuse(name_, 0, "too many facets", "thin the mesh out");
+    draft_.mesh.facets.reserve(element.count);
+    for (std::uint64_t i = 0; i < element.count; ++i) {
+      for (std::size_t p = 0; p < element.properties.size(); ++p) {
+        if (p == corners) {
+          read_fan(element.properties[p], i + 1);
+        } else {
+          skip(element.properties[p]);
+        }
+      }
+    }
+  }
+
+  /// Adds the triangles of the polygon `number`, from 1.
+  void read_fan(const PlyProperty& property, std::uint64_t number) {
+    const std::size_t length = take_length(property);
+    std::array<std::uint32_t, 3> facet{};
+    for (std::size_t i = 0; i < length; ++i) {
+      const double index = source_.take(property.scalar);
+      if (!(index >= 0.0 && index <= kGreatestIndex && index == std::floor(index))) {
+        refuse(name_,
+               source_.line(),
+               fmt::format("facet {} has point {}", number, index),
+               "export the mesh again");
+      }
+      facet[i == 0 ? 0 : 2] = static_cast<std::uint32_t>(index);
+      if (i >= 2) {
+        draft_.mesh.facets.push_back(facet);
+        draft_.numbers.push_back(static_cast<std::uint32_t>(number));
+      }
+      if (i >= 1) facet[1] = facet[2];
+    }
+  }
+
+  const std::string& name_;
+  Source source_;
+  MeshDraft draft_;
+};
+
+template <typename Source>
+MeshDraft read_ply_elements(const PlyHeader& header, const std::string& name) {
+  PlyElements<Source> elements{header, name};
+  for (const PlyElement& element : header.elements) elements.read(element);
+  return elements.take();
+}
+
+}  // namespace
+
+MeshDraft read_ply(std::string_view bytes, const std::string& name) {
+  const PlyHeader header = read_ply_header(bytes, name);
+  const auto has = [&](std::string_view element) {
+    return std::ranges::count(header.elements, element, &PlyElement::name) == 1;
+  };
+  if (!has("vertex") || !has("face")) {
+    refuse(name,
+           0,
+           "has no list of vertices and one of faces",
+           "export a mesh; points alone are read as XYZ text in rows");
+  }
+  if (header.format == PlyFormat::kAscii) return read_ply_elements<PlyText>(header, name);
+  return read_ply_elements<PlyBytes>(header, name);
+}
+
+}  // namespace sim::surface

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "host-sim/surface/grid_draft.hpp"
+#include "host-sim/surface/read_surface.hpp"
+
+namespace sim::surface {
+
+/// Reads a grey PNG picture of 8 or 16 bit without interlacing; its opacity, if any, is passed
+/// over. Throws std::invalid_argument.
+///
+/// The decoders of the pictures that Kerfline draws know 8 bit only, so this is one of its own.
+/// @pre bytes start with kPngSignature
+[[nodiscard]] GridDraft read_png(std::string_view bytes,
+                                 const std::string& name,
+                                 const ReadOptions& options);
+
+}  // namespace sim::surface

@@ -1,0 +1,68 @@
+#include "host-sim/surface/scan_rows.hpp"
+
+#include <cmath>
+
+namespace sim::surface {
+namespace {
+
+Eigen::Vector2d plan_point(const XyzTable& table, std::size_t index) {
+  return table.points[index].head<2>();
+}
+
+/// Returns the direction of the first step that has a length; zero if there is none.
+Eigen::Vector2d first_direction(const XyzTable& table) {
+  for (std::size_t i = 1; i < table.points.size(); ++i) {
+    const Eigen::Vector2d step = plan_point(table, i) - plan_point(table, i - 1);
+    const double length = step.norm();
+    if (length > 0.0) return step / length;
+  }
+  return Eigen::Vector2d::Zero();
+}
+
+/// Returns the index of the first point of each row but the first.
+std::vector<std::size_t> turns_of(const XyzTable& table) {
+  std::vector<std::size_t> turns;
+  const Eigen::Vector2d direction = first_direction(table);
+  double sense = 1.0;  // 0 before the first step of a row.
+  for (std::size_t i = 1; i < table.points.size(); ++i) {
+    const Eigen::Vector2d step = plan_point(table, i) - plan_point(table, i - 1);
+    const double along = step.dot(direction);
+    const double sideways = std::abs(direction.x() * step.y() - direction.y() * step.x());
+    if (sideways > std::abs(along) || along * sense < 0.0) {
+      turns.push_back(i);
+      sense = 0.0;
+    } else if (sense == 0.0 && along != 0.0) {
+      sense = along > 0.0 ? 1.0 : -1.0;
+    }
+  }
+  return turns;
+}
+
+/// Returns whether `row` ends nearer to the start of `before`, and starts nearer to its end.
+bool runs_against(const XyzTable& table, const ScanRow& row, const ScanRow& before) {
+  const auto distance = [&](std::size_t a, std::size_t b) {
+    return (plan_point(table, a) - plan_point(table, b)).norm();
+  };
+  const std::size_t start = before.index(0);
+  const std::size_t end = before.index(before.size() - 1);
+  return distance(row.begin, end) + distance(row.end - 1, start) <
+         distance(row.begin, start) + distance(row.end - 1, end);
+}
+
+}  // namespace
+
+std::vector<ScanRow> rows_of(const XyzTable& table) {
+  std::vector<std::size_t> bounds = table.breaks.empty() ? turns_of(table) : table.breaks;
+  bounds.push_back(table.points.size());
+  std::vector<ScanRow> rows;
+  std::size_t begin = 0;
+  for (const std::size_t end : bounds) {
+    ScanRow row{begin, end};
+    row.is_turned = !rows.empty() && runs_against(table, row, rows.back());
+    rows.push_back(row);
+    begin = end;
+  }
+  return rows;
+}
+
+}  // namespace sim::surface

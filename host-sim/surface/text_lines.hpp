@@ -1,0 +1,83 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <optional>
+#include <string_view>
+
+namespace sim::surface {
+
+[[nodiscard]] inline bool is_blank(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v';
+}
+
+/// Returns `text` without blanks at both ends.
+[[nodiscard]] inline std::string_view without_blanks_around(std::string_view text) {
+  while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+  while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+  return text;
+}
+
+/// Returns `text` in small letters of ASCII equal to `small`.
+[[nodiscard]] inline bool equals_in_small_letters(std::string_view text, std::string_view small) {
+  return std::equal(text.begin(), text.end(), small.begin(), small.end(), [](char a, char b) {
+    return (a >= 'A' && a <= 'Z' ? static_cast<char>(a - 'A' + 'a') : a) == b;
+  });
+}
+
+/// Lines of a text that end in LF, in CR LF, or in CR alone where the text has no LF.
+class TextLines {
+ public:
+  explicit TextLines(std::string_view text)
+      : rest_{text}, end_{text.find('\n') == std::string_view::npos ? '\r' : '\n'} {}
+
+  /// Returns the next line without blanks around it; nothing at the end of the text.
+  std::optional<std::string_view> next() {
+    if (rest_.empty()) return {};
+    const std::size_t end = rest_.find(end_);
+    const std::string_view line = rest_.substr(0, end);
+    rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
+    ++number_;
+    return without_blanks_around(line);
+  }
+  /// Number of the line that next() returned, from 1.
+  [[nodiscard]] std::size_t number() const { return number_; }
+  /// Bytes behind that line.
+  [[nodiscard]] std::string_view rest() const { return rest_; }
+
+ private:
+  std::string_view rest_;
+  char end_;
+  std::size_t number_ = 0;
+};
+
+/// Words of a text between blanks and ends of lines.
+class TextWords {
+ public:
+  TextWords(std::string_view text, std::size_t first_line) : rest_{text}, line_{first_line} {}
+
+  /// Returns the next word; an empty one at the end of the text.
+  std::string_view next() {
+    std::size_t from = 0;
+    while (from < rest_.size() && (is_blank(rest_[from]) || rest_[from] == '\n')) {
+      if (rest_[from] == '\n') ++line_;
+      ++from;
+    }
+    std::size_t to = from;
+    while (to < rest_.size() && !is_blank(rest_[to]) && rest_[to] != '\n') ++to;
+    const std::string_view word = rest_.substr(from, to - from);
+    rest_.remove_prefix(to);
+    return word;
+  }
+  /// Passes what is left of the line, as a comment.
+  void skip_line() { rest_.remove_prefix(std::min(rest_.find('\n'), rest_.size())); }
+  /// Line of the word that next() returned.
+  [[nodiscard]] std::size_t line() const { return line_; }
+  [[nodiscard]] std::string_view rest() const { return rest_; }
+
+ private:
+  std::string_view rest_;
+  std::size_t line_;
+};
+
+}  // namespace sim::surface
