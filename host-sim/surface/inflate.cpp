@@ -42,8 +42,10 @@ std::optional<std::vector<std::uint8_t>> inflated(std::string_view stream, std::
   namespace zlib = boost::beast::zlib;
   if (stream.size() < kZlibFrame || size / kMaxInflation > stream.size()) return {};
   if (!is_zlib_header(stream)) return {};
-  const std::string_view body = stream.substr(2, stream.size() - kZlibFrame);
-  std::vector<std::uint8_t> bytes(size);
+  // The inflater reads ahead of the last code by up to two bytes: those of the check sum.
+  const std::string_view body = stream.substr(2);
+  // One byte more, for which the inflater looks for the end of the stream.
+  std::vector<std::uint8_t> bytes(size + 1);
   zlib::inflate_stream inflater;
   zlib::z_params state;
   state.next_in = body.data();
@@ -52,7 +54,8 @@ std::optional<std::vector<std::uint8_t>> inflated(std::string_view stream, std::
   state.avail_out = bytes.size();
   boost::beast::error_code error;
   inflater.write(state, zlib::Flush::finish, error);
-  if (error != zlib::error::end_of_stream || state.avail_out != 0) return {};
+  if (error != zlib::error::end_of_stream || state.avail_out != 1) return {};
+  bytes.pop_back();
   ByteReader sum{stream.substr(stream.size() - 4), ByteOrder::kBigEndian};
   if (sum.take<std::uint32_t>() != adler_of(bytes)) return {};
   return bytes;

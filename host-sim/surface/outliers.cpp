@@ -11,10 +11,10 @@ namespace {
 
 /// An outlier is this many times the spread off. Noise of a normal distribution reaches 6.
 constexpr double kOutlierFactor = 8.0;
-/// Standard deviation over median distance, for a normal distribution.
-constexpr double kSigmaOfMedian = 1.4826;
-/// Share of the points' distance below which a height is never off.
-constexpr double kLeastSpread = 0.01;
+/// Nine of ten distances are below this many standard deviations, for a normal distribution.
+constexpr double kSigmasOfNineTenths = 1.645;
+/// Share of the points' distance that the spread is at least.
+constexpr double kLeastSpread = 0.02;
 /// Fewer known neighbours judge nothing.
 constexpr std::size_t kMinNeighbours = 3;
 
@@ -71,7 +71,13 @@ double spread_of(const GridDraft& grid) {
     if (around.count < kMinNeighbours) continue;
     distances.push_back(std::abs(grid.points[i].z() - around.median()));
   }
-  return std::max(kSigmaOfMedian * median_of(distances), kLeastSpread * median_step(grid));
+  double nine_tenths = 0.0;
+  if (!distances.empty()) {
+    const auto at = distances.begin() + static_cast<std::ptrdiff_t>(distances.size() * 9 / 10);
+    std::nth_element(distances.begin(), at, distances.end());
+    nine_tenths = *at;
+  }
+  return std::max(nine_tenths / kSigmasOfNineTenths, kLeastSpread * median_step(grid));
 }
 
 }  // namespace

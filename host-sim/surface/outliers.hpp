@@ -8,7 +8,7 @@ namespace sim::surface {
 
 /// Returns the indices of points whose height is off the median of their neighbours, eight inside
 /// the grid, by many times the spread. Spread is the greater one of
-/// - the median of that distance over the grid, and
+/// - the distance that nine of ten points of the grid are within, as a standard deviation, and
 /// - the range of the neighbours' heights, of eight without the greatest and the least.
 ///
 /// A point with two neighbours near its height is none: it belongs to an edge. Missing points are

@@ -19,11 +19,10 @@ Eigen::Vector2d first_direction(const XyzTable& table) {
   return Eigen::Vector2d::Zero();
 }
 
-/// Returns the index of the first point of each row but the first.
-std::vector<std::size_t> turns_of(const XyzTable& table) {
+/// Returns the index of the first point of each row but the first, for rows along `direction`.
+std::vector<std::size_t> turns_along(const XyzTable& table, const Eigen::Vector2d& direction) {
   std::vector<std::size_t> turns;
-  const Eigen::Vector2d direction = first_direction(table);
-  double sense = 1.0;  // 0 before the first step of a row.
+  double sense = 0.0;  // 0 before the first step of a row.
   for (std::size_t i = 1; i < table.points.size(); ++i) {
     const Eigen::Vector2d step = plan_point(table, i) - plan_point(table, i - 1);
     const double along = step.dot(direction);
@@ -34,6 +33,28 @@ std::vector<std::size_t> turns_of(const XyzTable& table) {
     } else if (sense == 0.0 && along != 0.0) {
       sense = along > 0.0 ? 1.0 : -1.0;
     }
+  }
+  return turns;
+}
+
+/// Returns the direction from the first to the last point of the longest row.
+Eigen::Vector2d longest_direction(const XyzTable& table, const std::vector<std::size_t>& turns) {
+  Eigen::Vector2d longest = Eigen::Vector2d::Zero();
+  for (std::size_t i = 0; i <= turns.size(); ++i) {
+    const std::size_t begin = i == 0 ? 0 : turns[i - 1];
+    const std::size_t end = i == turns.size() ? table.points.size() : turns[i];
+    const Eigen::Vector2d along = plan_point(table, end - 1) - plan_point(table, begin);
+    if (along.squaredNorm() > longest.squaredNorm()) longest = along;
+  }
+  return longest.normalized();
+}
+
+std::vector<std::size_t> turns_of(const XyzTable& table) {
+  // Measured points are off their places, so that the first step alone is a poor direction.
+  constexpr int kRounds = 3;
+  std::vector<std::size_t> turns = turns_along(table, first_direction(table));
+  for (int round = 0; round < kRounds; ++round) {
+    turns = turns_along(table, longest_direction(table, turns));
   }
   return turns;
 }

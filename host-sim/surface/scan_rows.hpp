@@ -22,9 +22,10 @@ struct ScanRow {
 
 /// Divides the points into rows: at blank lines where there are any, else where the scan turns.
 ///
-/// A scan turns where its step runs against the row, or more sideways than along it; the first
-/// step is the direction of all rows. So rows that all run forward are found, and rows of a
-/// serpentine, whose every other row is marked as turned. Bent rows need blank lines.
+/// A scan turns where its step runs against the row, or more sideways than along the direction of
+/// all rows: that of the first step, and then that of the longest row found so. So rows that all
+/// run forward are found, and rows of a serpentine, whose every other row is marked as turned. Bent
+/// rows need blank lines.
 [[nodiscard]] std::vector<ScanRow> rows_of(const XyzTable& table);
 
 }  // namespace sim::surface
