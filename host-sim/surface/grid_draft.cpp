@@ -12,11 +12,15 @@ namespace sim::surface {
 std::string FaultyPoints::places(const GridDraft& grid) const {
   std::string text;
   for (std::size_t i = 0; i < std::min(count_, first_.size()); ++i) {
+    const std::size_t index = first_[i];
     fmt::format_to(std::back_inserter(text),
                    "{}row {}, column {}",
                    i == 0 ? "" : "; ",
-                   first_[i] / grid.columns + 1,
-                   first_[i] % grid.columns + 1);
+                   index / grid.columns + 1,
+                   index % grid.columns + 1);
+    if (grid.lines.empty() || grid.lines[index] != 0) continue;
+    const Eigen::Vector3d& point = grid.points[index];
+    fmt::format_to(std::back_inserter(text), " (x {:.3f}, y {:.3f})", point.x(), point.y());
   }
   if (count_ > first_.size()) text += fmt::format(" and {} more", count_ - first_.size());
   return text;

@@ -45,7 +45,8 @@ class FaultyPoints {
   /// Returns the index of the first one.
   /// @pre count() > 0
   [[nodiscard]] std::size_t first() const { return first_[0]; }
-  /// Returns `row 2, column 3; row 4, column 5 and 7 more`, from 1.
+  /// Returns `row 2, column 3; row 4, column 5 and 7 more`, from 1 and in the order of the file. A
+  /// point that no line of a text has is there with its X and Y.
   [[nodiscard]] std::string places(const GridDraft& grid) const;
 
  private:

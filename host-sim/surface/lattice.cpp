@@ -104,8 +104,9 @@ std::optional<GridDraft> lattice_of(const XyzTable& table,
   grid.points.resize(grid.rows * grid.columns);
   grid.lines.resize(grid.points.size());
   for (std::size_t i = 0; i < grid.points.size(); ++i) {
-    const auto row = static_cast<double>(i / grid.columns) + bounds->least.y();
-    const auto column = static_cast<double>(i % grid.columns) + bounds->least.x();
+    const std::size_t rows_below = i / grid.columns;
+    const double row = static_cast<double>(rows_below) + bounds->least.y();
+    const double column = static_cast<double>(i % grid.columns) + bounds->least.x();
     grid.points[i] << lattice->place(row, column), std::numeric_limits<double>::quiet_NaN();
   }
   for (std::size_t i = 0; i < table.points.size(); ++i) {

@@ -68,7 +68,7 @@ class PlyBytes {
     }
     return 0.0;
   }
-  [[nodiscard]] std::size_t line() const { return 0; }
+  [[nodiscard]] static std::size_t line() { return 0; }
   [[nodiscard]] std::size_t left() const { return reader_.left(); }
 
  private:

@@ -15,11 +15,11 @@
 namespace sim::surface {
 namespace {
 
-constexpr std::uint8_t kGrey = 0;
+constexpr std::uint8_t kGreyAlone = 0;
 constexpr std::uint8_t kGreyAndOpacity = 4;
 
 void require_grey(const PngHeader& header, const std::string& name) {
-  if (header.kind != kGrey && header.kind != kGreyAndOpacity) {
+  if (header.kind != kGreyAlone && header.kind != kGreyAndOpacity) {
     refuse(name, 0, "a picture of colours", "export it as grey of 8 or 16 bit");
   }
   if ((header.depth != 8 && header.depth != 16) || header.is_interlaced) {
@@ -65,7 +65,7 @@ GridDraft read_png(std::string_view bytes, const std::string& name, const ReadOp
   require_grey(header, name);
   require_raster_size(header.rows, header.columns, name);
   const std::size_t sample = header.depth / 8U;
-  const std::size_t step = header.kind == kGrey ? sample : 2 * sample;
+  const std::size_t step = header.kind == kGreyAlone ? sample : 2 * sample;
   const std::size_t width = step * header.columns;
   auto pixels = inflated(chunks.compressed, header.rows * (width + 1));
   if (!pixels) refuse(name, 0, "its pixels are damaged", "export the picture again");

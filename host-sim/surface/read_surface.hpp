@@ -22,9 +22,9 @@ struct SurfaceInput {
 struct ReadOptions {
   double unit_mm = 1.0;    ///< Length of the file's unit; above 0.
   double pitch_mm = 0.0;   ///< Distance of a height map's neighbours; 0: as the file says.
-  double height_mm = 0.0;  ///< Height of full white, or of the greatest over the least value; 0: as
-                           ///< the file says.
-  bool repair = false;     ///< Fill missing points and outliers from their neighbours.
+  double height_mm = 0.0;  ///< Height of a picture's white, or of a map's greatest over its least
+                           ///< value; 0: as the file says.
+  bool repair = false;  ///< Fill missing points and outliers from their neighbours.
 };
 
 /// Coordinates farther from the origin are refused: they are a slip of units.
@@ -40,7 +40,8 @@ inline constexpr std::size_t kMaxPoints = 40'000'000;
 /// - height maps: ESRI ASCII grid, PGM, grey PNG of 8 and 16 bit, and JSON of width, height and
 ///   values. Their first row has the greatest Y.
 ///
-/// Throws std::invalid_argument with the place, the reason and a remedy.
+/// Throws std::invalid_argument with the place, the reason and a remedy; rows, columns and facets
+/// are counted from 1 as in the file. Outliers of PGM and PNG are drawn ones and are kept.
 [[nodiscard]] SurfaceInput read_surface(std::string_view bytes,
                                         const std::string& name,
                                         const ReadOptions& options);

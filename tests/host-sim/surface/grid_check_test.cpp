@@ -118,8 +118,9 @@ TEST(GridCheck, MissingPointsOfARegularGridAreRefusedAndFilled) {
     text += xyz_of({1, 1, {sound.points[i]}});
   }
   EXPECT_THAT(refusal_of(text),
-              StartsWith("f: 4 heights are missing at row 2, column 3; row 3, column 6; row 3, "
-                         "column 7 and 1 more; "));
+              StartsWith("f: 4 heights are missing at row 2, column 3 (x 2.000, y 1.000); row 3, "
+                         "column 6 (x 5.000, y 2.000); row 3, column 7 (x 6.000, y 2.000) and 1 "
+                         "more; "));
   const SurfaceInput input = read_surface(text, "f", {.repair = true});
   ASSERT_EQ(input.grid->rows, sound.rows);
   for (std::size_t i = 0; i < sound.points.size(); ++i) {

@@ -99,11 +99,11 @@ TEST(AscReader, GridsAreReadBack) {
       heights.values[i] = heights.values[i] % 2 + static_cast<int>(i % heights.columns);
     }
     const std::string text = fmt::format(
-        "ncols {}\nnrows {}\nxllcorner -2.5\nyllcorner -2.5\ncellsize 5\nNODATA_value -1\n{}\n",
+        "ncols {}\nnrows {}\nxllcorner -12.5\nyllcorner -12.5\ncellsize 25\nNODATA_value -1\n{}\n",
         heights.columns,
         heights.rows,
         text_of(heights));
-    expect_grid(read_surface(text, "f", {.unit_mm = 0.1}), heights, 0.1);
+    expect_grid(read_surface(text, "f", {.unit_mm = 0.02}), heights, 0.02);
   }
 }
 

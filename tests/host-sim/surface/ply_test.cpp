@@ -11,8 +11,6 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::StartsWith;
 
-using Facet = std::array<std::uint32_t, 3>;
-
 /// Returns a header with the counts of a mesh.
 std::string header_of(const std::string& format, const std::string& real, const Mesh& mesh) {
   return fmt::format(

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <bit>
 #include <cmath>
 #include <concepts>
@@ -15,6 +16,8 @@
 #include "host-sim/surface/read_surface.hpp"
 
 namespace sim::surface {
+
+using Facet = std::array<std::uint32_t, 3>;
 
 /// Returns the message of the refusal of `bytes`; an empty one if they are read.
 inline std::string refusal_of(const std::string& bytes, const ReadOptions& options = {}) {
@@ -29,10 +32,10 @@ inline std::string refusal_of(const std::string& bytes, const ReadOptions& optio
 /// Returns an irregular grid with a smooth surface, whose coordinates have three decimals.
 inline PointGrid random_grid(std::uint64_t seed, std::size_t rows, std::size_t columns) {
   std::mt19937_64 random{seed};
-  std::uniform_real_distribution<double> off{-0.2, 0.2};
+  std::uniform_real_distribution<double> off{-0.1, 0.1};
   PointGrid grid{.rows = rows, .columns = columns, .points = {}};
   const auto rounded = [](double value) { return std::round(value * 1000.0) / 1000.0; };
-  const double phase = 10.0 * off(random);
+  const double phase = 20.0 * off(random);
   for (std::size_t r = 0; r < rows; ++r) {
     for (std::size_t c = 0; c < columns; ++c) {
       const double x = static_cast<double>(c) + off(random);
