@@ -20,10 +20,10 @@ struct SurfaceInput {
 };
 
 struct ReadOptions {
-  double unit_mm = 1.0;    ///< Length of the file's unit; above 0.
-  double pitch_mm = 0.0;   ///< Distance of a height map's neighbours; 0: as the file says.
-  double height_mm = 0.0;  ///< Height of a picture's white, or of a map's greatest over its least
-                           ///< value; 0: as the file says.
+  double unit_mm = 1.0;   ///< Length of the file's unit; above 0.
+  double pitch_mm = 0.0;  ///< Distance of a height map's neighbours; 0: as the file says.
+  /// Height of a picture's white, or of a map's greatest over its least value; 0: as the file says.
+  double height_mm = 0.0;
   bool repair = false;  ///< Fill missing points and outliers from their neighbours.
 };
 
