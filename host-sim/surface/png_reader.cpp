@@ -1,89 +1,130 @@
 #include "host-sim/surface/png_reader.hpp"
 
 #include <fmt/format.h>
+#include <png.h>
 
 #include <array>
-#include <cstdlib>
-#include <span>
+#include <csetjmp>
+#include <cstring>
 #include <utility>
+#include <vector>
 
-#include "host-sim/surface/inflate.hpp"
-#include "host-sim/surface/png_chunks.hpp"
 #include "host-sim/surface/raster.hpp"
 #include "host-sim/surface/refusal.hpp"
 
 namespace sim::surface {
 namespace {
 
-constexpr std::uint8_t kGreyAlone = 0;
-constexpr std::uint8_t kGreyAndOpacity = 4;
+/// What libpng reads, and what it complains of: it calls C functions with a pointer to this.
+struct PngSource {
+  std::string_view rest;
+  std::array<char, 100> complaint{};
+};
 
-void require_grey(const PngHeader& header, const std::string& name) {
-  if (header.kind != kGreyAlone && header.kind != kGreyAndOpacity) {
+void give_bytes(png_structp png, png_bytep into, png_size_t count) {
+  auto& source = *static_cast<PngSource*>(png_get_io_ptr(png));
+  if (count > source.rest.size()) png_error(png, "ends too early");
+  std::memcpy(into, source.rest.data(), count);
+  source.rest.remove_prefix(count);
+}
+
+[[noreturn]] void note_complaint(png_structp png, png_const_charp text) {
+  auto& complaint = static_cast<PngSource*>(png_get_error_ptr(png))->complaint;
+  std::strncpy(complaint.data(), text, complaint.size() - 1);
+  png_longjmp(png, 1);
+}
+
+void pass_over_warning(png_structp, png_const_charp) {}
+
+/// A reader of libpng, which leaves its functions by longjmp: nothing with a destructor may be made
+/// between a call of these and its return.
+class PngReader {
+ public:
+  explicit PngReader(std::string_view bytes) : source_{bytes} {
+    png_ =
+        png_create_read_struct(PNG_LIBPNG_VER_STRING, &source_, note_complaint, pass_over_warning);
+    info_ = png_create_info_struct(png_);
+    png_set_read_fn(png_, &source_, give_bytes);
+    png_set_user_limits(png_, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
+    // What libpng would mend or pass over is damage here: heights must be those that were written.
+    png_set_benign_errors(png_, 0);
+    png_set_crc_action(png_, PNG_CRC_ERROR_QUIT, PNG_CRC_ERROR_QUIT);
+  }
+  PngReader(const PngReader&) = delete;
+  PngReader& operator=(const PngReader&) = delete;
+  ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
+
+  [[nodiscard]] bool read_header() {
+    if (setjmp(png_jmpbuf(png_)) != 0) return false;
+    png_read_info(png_, info_);
+    return true;
+  }
+  /// @param rows pointers to as many bytes as a row has
+  [[nodiscard]] bool read_pixels(png_bytep* rows) {
+    if (setjmp(png_jmpbuf(png_)) != 0) return false;
+    png_read_image(png_, rows);
+    png_read_end(png_, nullptr);
+    return true;
+  }
+
+  [[nodiscard]] std::size_t columns() const { return png_get_image_width(png_, info_); }
+  [[nodiscard]] std::size_t rows() const { return png_get_image_height(png_, info_); }
+  [[nodiscard]] std::size_t bytes_of_row() const { return png_get_rowbytes(png_, info_); }
+  [[nodiscard]] int depth() const { return png_get_bit_depth(png_, info_); }
+  [[nodiscard]] int kind() const { return png_get_color_type(png_, info_); }
+  [[nodiscard]] bool is_interlaced() const {
+    return png_get_interlace_type(png_, info_) != PNG_INTERLACE_NONE;
+  }
+  [[nodiscard]] std::string complaint() const { return source_.complaint.data(); }
+
+ private:
+  PngSource source_;
+  png_structp png_ = nullptr;
+  png_infop info_ = nullptr;
+};
+
+void require_grey(const PngReader& png, const std::string& name) {
+  if (png.kind() != PNG_COLOR_TYPE_GRAY && png.kind() != PNG_COLOR_TYPE_GRAY_ALPHA) {
     refuse(name, 0, "a picture of colours", "export it as grey of 8 or 16 bit");
   }
-  if ((header.depth != 8 && header.depth != 16) || header.is_interlaced) {
+  if ((png.depth() != 8 && png.depth() != 16) || png.is_interlaced()) {
     refuse(name,
            0,
-           fmt::format("has {} bit{}", header.depth, header.is_interlaced ? ", interlaced" : ""),
+           fmt::format("has {} bit{}", png.depth(), png.is_interlaced() ? ", interlaced" : ""),
            "export it as grey of 8 or 16 bit, without interlacing");
   }
-}
-
-/// Returns the one of `left`, `above` and `corner` that is nearest to left + above - corner.
-int paeth(int left, int above, int corner) {
-  const int guess = left + above - corner;
-  const int to_left = std::abs(guess - left);
-  const int to_above = std::abs(guess - above);
-  const int to_corner = std::abs(guess - corner);
-  if (to_left <= to_above && to_left <= to_corner) return left;
-  return to_above <= to_corner ? above : corner;
-}
-
-/// Undoes the filter of one row (PNG specification, 9.2); returns false for an unknown one. `above`
-/// is empty for the first row; `step` is the count of a pixel's bytes.
-bool unfilter(std::uint8_t filter,
-              std::span<std::uint8_t> row,
-              std::span<const std::uint8_t> above,
-              std::size_t step) {
-  if (filter > 4) return false;
-  for (std::size_t i = 0; i < row.size(); ++i) {
-    const int a = i < step ? 0 : row[i - step];
-    const int b = above.empty() ? 0 : above[i];
-    const int c = i < step || above.empty() ? 0 : above[i - step];
-    const std::array<int, 5> guesses{0, a, b, (a + b) / 2, paeth(a, b, c)};
-    row[i] = static_cast<std::uint8_t>(row[i] + guesses[filter]);
-  }
-  return true;
 }
 
 }  // namespace
 
 GridDraft read_png(std::string_view bytes, const std::string& name, const ReadOptions& options) {
-  const PngChunks chunks = read_png_chunks(bytes, name);
-  const PngHeader& header = chunks.header;
-  require_grey(header, name);
-  require_raster_size(header.rows, header.columns, name);
-  const std::size_t sample = header.depth / 8U;
-  const std::size_t step = header.kind == kGreyAlone ? sample : 2 * sample;
-  const std::size_t width = step * header.columns;
-  auto pixels = inflated(chunks.compressed, header.rows * (width + 1));
-  if (!pixels) refuse(name, 0, "its pixels are damaged", "export the picture again");
-  Raster grey{.rows = header.rows, .columns = header.columns};
+  PngReader png{bytes};
+  constexpr std::string_view kAgain = "export the picture again";
+  if (!png.read_header()) refuse(name, 0, "its header is damaged: " + png.complaint(), kAgain);
+  require_grey(png, name);
+  require_raster_size(png.rows(), png.columns(), name);
+  // A row of pixels is compressed to a thousandth at most: what cannot be there gets no memory.
+  constexpr std::size_t kMaxInflation = 1'100;
+  const std::size_t size = png.rows() * png.bytes_of_row();
+  if (size / kMaxInflation > bytes.size()) {
+    refuse(name, 0, "its pixels are damaged: most of them are missing", kAgain);
+  }
+  std::vector<png_byte> pixels(size);
+  std::vector<png_bytep> rows(png.rows());
+  for (std::size_t r = 0; r < rows.size(); ++r) rows[r] = pixels.data() + r * png.bytes_of_row();
+  if (!png.read_pixels(rows.data())) {
+    refuse(name, 0, "its pixels are damaged: " + png.complaint(), kAgain);
+  }
+  const std::size_t sample = static_cast<std::size_t>(png.depth()) / 8;
+  const bool has_opacity = png.kind() == PNG_COLOR_TYPE_GRAY_ALPHA;
+  const std::size_t step = has_opacity ? 2 * sample : sample;
+  Raster grey{.rows = png.rows(), .columns = png.columns()};
   grey.heights.reserve(grey.rows * grey.columns);
-  std::span<const std::uint8_t> above;
-  for (std::size_t r = 0; r < grey.rows; ++r) {
-    const std::span<std::uint8_t> row = std::span{*pixels}.subspan(r * (width + 1) + 1, width);
-    if (!unfilter((*pixels)[r * (width + 1)], row, above, step)) {
-      refuse(name, 0, fmt::format("row {} is damaged", r + 1), "export the picture again");
-    }
-    for (std::size_t i = 0; i < width; i += step) {
-      grey.heights.push_back(sample == 1 ? row[i] : row[i] * 256 + row[i + 1]);
-    }
-    above = row;
+  for (std::size_t i = 0; i < size; i += step) {
+    grey.heights.push_back(sample == 1 ? pixels[i] : pixels[i] * 256 + pixels[i + 1]);
   }
   GridDraft draft = picture_draft(std::move(grey), sample == 1 ? 255.0 : 65'535.0, name, options);
-  if (header.kind == kGreyAndOpacity) draft.notes.push_back(name + ": its opacity is passed over");
+  if (has_opacity) draft.notes.push_back(name + ": its opacity is passed over");
   return draft;
 }
 

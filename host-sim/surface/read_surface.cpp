@@ -12,7 +12,6 @@
 #include "host-sim/surface/mesh_draft.hpp"
 #include "host-sim/surface/pgm_reader.hpp"
 #include "host-sim/surface/ply_reader.hpp"
-#include "host-sim/surface/png_chunks.hpp"
 #include "host-sim/surface/png_reader.hpp"
 #include "host-sim/surface/refusal.hpp"
 #include "host-sim/surface/stl_reader.hpp"
