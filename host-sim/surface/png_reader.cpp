@@ -55,12 +55,14 @@ class PngReader {
   ~PngReader() { png_destroy_read_struct(&png_, &info_, nullptr); }
 
   [[nodiscard]] bool read_header() {
+    // NOLINTNEXTLINE(cert-err52-cpp): libpng has no other way out of an error.
     if (setjmp(png_jmpbuf(png_)) != 0) return false;
     png_read_info(png_, info_);
     return true;
   }
   /// @param rows pointers to as many bytes as a row has
   [[nodiscard]] bool read_pixels(png_bytep* rows) {
+    // NOLINTNEXTLINE(cert-err52-cpp): libpng has no other way out of an error.
     if (setjmp(png_jmpbuf(png_)) != 0) return false;
     png_read_image(png_, rows);
     png_read_end(png_, nullptr);
