@@ -62,6 +62,7 @@ int run(int argc, char** argv) {
   sim::add_cut_command(app, status);
   sim::add_order_command(app, status);
   sim::add_pocket_command(app, status);
+  sim::add_surface_command(app, status);
   sim::add_send_command(app, status);
   sim::add_completion_command(app);
   sim::add_manual_command(app);

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "host-sim/cli/file_options.hpp"
+#include "host-sim/cli/mill_options.hpp"
 #include "host-sim/cli/outline_options.hpp"
 #include "host-sim/cli/value_range.hpp"
 #include "planner/gcode/modal_state.hpp"
@@ -15,8 +16,6 @@ namespace sim {
 namespace {
 
 constexpr double kLeastDepthMm = 0.001;
-constexpr double kGreatestFeed = 1.0e6;
-constexpr double kGreatestSpeed = 1.0e6;
 constexpr double kSteepestDeg = 45.0;
 
 void add_shape_options(CLI::App& command, PocketCommandOptions& options) {
@@ -171,31 +170,7 @@ void add_strategy_options(CLI::App& command, PocketCommandOptions& options) {
       ->type_name("DEG");
 }
 
-void add_mill_options(CLI::App& command, pocket::MillSettings& mill) {
-  command.add_option("--feed", mill.feed_mm_min, "Along the path, mm/min; else that of --tools")
-      ->check(in_range(0.1, kGreatestFeed, "mm/min"))
-      ->type_name("MM/MIN");
-  command
-      .add_option("--plunge-feed",
-                  mill.plunge_mm_min,
-                  "Greatest feed downwards, mm/min; else that of --tools")
-      ->check(in_range(0.1, kGreatestFeed, "mm/min"))
-      ->type_name("MM/MIN");
-  command
-      .add_option("--spindle",
-                  mill.spindle_rpm,
-                  "Speed of the spindle, rpm; else that of --tools, or it stays off")
-      ->check(in_range(0.0, kGreatestSpeed, "rpm"))
-      ->type_name("RPM");
-  command.add_option("--spin-up", mill.spin_up_s, "Wait for the spindle, s")
-      ->check(in_range(0.0, 600.0, "s"))
-      ->type_name("S");
-  const std::map<std::string, pocket::Coolant> coolants{{"off", pocket::Coolant::kOff},
-                                                        {"mist", pocket::Coolant::kMist},
-                                                        {"flood", pocket::Coolant::kFlood}};
-  command.add_option("--coolant", mill.coolant, "Mist is M7, flood M8")
-      ->transform(CLI::CheckedTransformer(coolants))
-      ->option_text("off|mist|flood [off]");
+void add_height_options(CLI::App& command, pocket::MillSettings& mill) {
   command.add_option("--safe", mill.safe_mm, "Z of rapids between rows, mm")
       ->check(in_range(0.1, kGreatestDepthMm, "mm"))
       ->type_name("MM")
@@ -214,7 +189,8 @@ void add_pocket_options(CLI::App& command, PocketCommandOptions& options) {
   add_entry_options(command, options);
   add_strategy_options(command, options);
   add_stock_shape_options(command, options);
-  add_mill_options(command, options.mill);
+  add_mill_options(command, options.mill, "; else that of --tools");
+  add_height_options(command, options.mill);
   add_outline_options(command, options.outline);
   command.add_flag("--anyway", options.anyway, "Mill what the tool reaches, and leave the rest");
   command.add_option("--decimals", options.decimals, "Of positions, mm")

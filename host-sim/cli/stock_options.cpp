@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <cmath>
 #include <stdexcept>
 #include <string_view>
 
+#include "host-sim/cli/cutter_text.hpp"
 #include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/value_range.hpp"
 #include "host-sim/contour/contour_file.hpp"
@@ -20,7 +20,6 @@ namespace sim {
 namespace {
 
 constexpr const char* kStockForm = "XMIN,YMIN,XMAX,YMAX,ZTOP[,ZBOTTOM]";
-constexpr const char* kToolForm = "D[,ball|,bull,CORNER|,v,ANGLE[,TIP]]";
 
 std::vector<std::string_view> split_at_commas(std::string_view text) {
   std::vector<std::string_view> words;
@@ -34,16 +33,6 @@ std::vector<std::string_view> split_at_commas(std::string_view text) {
 
 [[noreturn]] void refuse(const char* option, const std::string& text, std::string_view reason) {
   throw std::invalid_argument(fmt::format("{} {}: {}", option, text, reason));
-}
-
-/// A number in mm, or in degrees. Throws as refuse() does.
-double number_of(const char* option, const std::string& text, std::string_view word) {
-  const char* const begin = word.data() + (word.starts_with('+') ? 1 : 0);
-  const char* const end = word.data() + word.size();
-  double value = 0.0;
-  const auto [rest, error] = std::from_chars(begin, end, value);
-  if (error == std::errc{} && rest == end && std::isfinite(value)) return value;
-  refuse(option, text, fmt::format("`{}` is no number", word));
 }
 
 void read_box(const std::string& text, StockWish& wish) {
@@ -61,35 +50,6 @@ void read_box(const std::string& text, StockWish& wish) {
   wish.has_bottom = values.size() == 6;
   const double bottom = wish.has_bottom ? values[5] : values[4] - stock::kDeepestStockMm;
   wish.box = {values[0], values[1], values[2], values[3], values[4], bottom};
-}
-
-void read_tool(const std::string& text, stock::Cutter& cutter) {
-  const std::vector<std::string_view> words = split_at_commas(text);
-  std::vector<double> values;
-  for (std::size_t i = 2; i < words.size(); ++i) {
-    values.push_back(number_of("--tool", text, words[i]));
-  }
-  cutter.diameter_mm = number_of("--tool", text, words[0]);
-  const std::string_view kind = words.size() > 1 ? words[1] : "flat";
-  if (kind == "flat" && values.empty()) {
-    cutter.kind = stock::CutterKind::kFlat;
-  } else if (kind == "ball" && values.empty()) {
-    cutter.kind = stock::CutterKind::kBall;
-  } else if (kind == "bull" && values.size() == 1) {
-    cutter.kind = stock::CutterKind::kBull;
-    cutter.corner_radius_mm = values[0];
-  } else if (kind == "v" && (values.size() == 1 || values.size() == 2)) {
-    cutter.kind = stock::CutterKind::kV;
-    cutter.included_angle_deg = values[0];
-    cutter.tip_diameter_mm = values.size() == 2 ? values[1] : 0.0;
-  } else {
-    refuse("--tool",
-           text,
-           "takes a diameter in mm and flat, ball, `bull,` and the corner radius in mm, or `v,` "
-           "and the included angle in degrees and the tip's diameter, such as 6, 6,ball, "
-           "6,bull,0.5 or 6,v,60,0.2");
-  }
-  if (const std::string fault = fault_of(cutter); !fault.empty()) refuse("--tool", text, fault);
 }
 
 stock::Ring ring_of(const std::vector<drawing::Shape>& shapes) {
@@ -169,7 +129,7 @@ void add_stock_options(CLI::App& command, StockOptions& options) {
                   options.tool,
                   "The tool that carves: diameter and kind, flat if none; corner radius of a bull "
                   "nose in mm; included angle of a V in degrees and its tip's diameter")
-      ->type_name(kToolForm);
+      ->type_name(kCutterForm);
   command
       .add_option("--stock-cell", options.cell_mm, "Resolution of the stock, mm; 8 bytes a cell")
       ->check(in_range(stock::kLeastCellMm, stock::kGreatestCellMm, "mm"))
@@ -206,7 +166,7 @@ std::optional<StockWish> stock_wish_of(const StockOptions& options) {
   wish.stl = options.stl;
   wish.ply = options.ply;
   read_box(options.box, wish);
-  read_tool(options.tool, wish.cutter);
+  wish.cutter = cutter_of("--tool", options.tool);
   if (const std::string fault = fault_of(wish.box, wish.cell_mm); !fault.empty()) {
     refuse("--stock", options.box, fault);
   }

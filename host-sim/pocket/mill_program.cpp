@@ -135,8 +135,11 @@ class RowWriter {
   std::string text_;
 };
 
-std::string switch_on(const MillSettings& mill) {
-  std::string text;
+}  // namespace
+
+std::string opening_of(const MillSettings& mill) {
+  // The tool leaves the stock before the spindle starts.
+  std::string text = fmt::format("G21 G90 G17 G94 G54\nG0 Z{:g}\n", mill.safe_mm);
   if (mill.spindle_rpm > 0.0) {
     text += fmt::format("S{:g} {}\n", mill.spindle_rpm, mill.turns_left ? "M4" : "M3");
     if (mill.spin_up_s > 0.0) text += fmt::format("G4 P{:g}\n", mill.spin_up_s);
@@ -145,14 +148,12 @@ std::string switch_on(const MillSettings& mill) {
   return text;
 }
 
-std::string switch_off(const MillSettings& mill) {
+std::string closing_of(const MillSettings& mill) {
   std::string text;
   if (mill.coolant != Coolant::kOff) text += "M9\n";
   if (mill.spindle_rpm > 0.0) text += "M5\n";
   return text + "M2\n";
 }
-
-}  // namespace
 
 std::string program_of(const cnc::pocket::ToolPathView<double>& path,
                        const MillSettings& mill,
@@ -160,17 +161,14 @@ std::string program_of(const cnc::pocket::ToolPathView<double>& path,
                        const std::vector<std::string>& heading) {
   std::string text;
   for (const std::string& line : heading) text += cut::comment_line(line);
-  text += "G21 G90 G17 G94 G54\n";
-  // The tool leaves the stock before the spindle starts.
-  text += fmt::format("G0 Z{:g}\n", mill.safe_mm);
-  text += switch_on(mill);
+  text += opening_of(mill);
   RowWriter writer{mill, grid};
   for (std::size_t row = 0; row < path.row_ends.size(); ++row) {
     const std::uint32_t begin = path.row_begin(row);
     const std::uint32_t end = path.row_ends[row];
     if (begin < end) writer.write({path.points.begin() + begin, end - begin});
   }
-  return text + writer.text() + switch_off(mill);
+  return text + writer.text() + closing_of(mill);
 }
 
 }  // namespace sim::pocket

@@ -34,6 +34,12 @@ struct MillSettings {
   double near_mm = 1.0;
 };
 
+/// Returns the lines with which every program of a mill begins: modes, the tool out of the stock,
+/// then spindle and coolant.
+[[nodiscard]] std::string opening_of(const MillSettings& mill);
+/// Returns the lines with which it ends: coolant and spindle off.
+[[nodiscard]] std::string closing_of(const MillSettings& mill);
+
 /// Writes a tool path as G-code: spindle and coolant, then for each row a rapid at the safe height,
 /// a descent to its first point, its lines, arcs and helices, and a rapid up. Feeds of ramps and
 /// helices are so low that they descend no faster than a plunge. Returns at depth are rapids but

@@ -116,7 +116,7 @@ class LineDriver {
   /// Begins a row beside the stock where that is possible: at an end of its first line, or along
   /// the wall.
   [[nodiscard]] RowStart start_of(const Stretch& line, double y) const {
-    RowStart best{Side::kRight, line.from_x};
+    const RowStart best{Side::kRight, line.from_x};
     if (!options_.stock) return best;
     for (const Side side : {Side::kLeft, Side::kRight}) {
       const double x = end_of(line, side);
@@ -124,16 +124,17 @@ class LineDriver {
         return {opposite(side), x, true};
       }
     }
-    double least_mm = std::numeric_limits<double>::infinity();
+    std::vector<RowStart> starts;
     for (const Side side : {Side::kLeft, Side::kRight}) {
       auto approach =
           approach_along_wall(space_, *options_.stock, options_.tool_radius_mm, line, y, side);
-      if (!approach || approach->length_mm >= least_mm) continue;
-      least_mm = approach->length_mm;
+      if (!approach) continue;
       const double meets_at_x = approach->meets_at_x;
-      best = {opposite(side), meets_at_x, true, std::move(approach)};
+      starts.push_back({opposite(side), meets_at_x, true, std::move(approach)});
     }
-    return best;
+    if (starts.empty()) return best;
+    return *std::ranges::min_element(
+        starts, {}, [](const RowStart& start) { return start.approach->length_mm; });
   }
 
   void drive_row(std::size_t level, Line& first) {

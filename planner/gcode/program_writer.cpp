@@ -1,6 +1,32 @@
 #include "planner/gcode/program_writer.hpp"
 
+#include <array>
+
 namespace cnc::gcode {
+namespace {
+
+constexpr std::array<char, kLinearAxisCount> kCentreLetters{'I', 'J', 'K'};
+
+}  // namespace
+
+std::string_view ProgramWriter::use_plane(Plane plane) {
+  CNC_ASSERT(place_.has_value() && written_height_.has_value());
+  text_.clear();
+  if (plane == plane_) return text_.view();
+  std::array<std::int32_t, kLinearAxisCount> place{};
+  const PlaneAxes before = axes_of(plane_);
+  place[before.first] = place_->x;
+  place[before.second] = place_->y;
+  place[before.normal] = *written_height_;
+  const PlaneAxes after = axes_of(plane);
+  place_ = GridPlace{place[after.first], place[after.second]};
+  height_ = written_height_ = place[after.normal];
+  plane_ = plane;
+  constexpr int kFirstPlane = 17;
+  text_.add_word('G', kFirstPlane + static_cast<int>(plane), 0);
+  text_.add('\n');
+  return text_.view();
+}
 
 std::optional<std::int32_t> ProgramWriter::half_way() const {
   if (!height_ || !written_height_) return height_;
@@ -31,7 +57,7 @@ void ProgramWriter::add_rapids(GridPlace to) {
 
 void ProgramWriter::add_height() {
   if (is_at_height()) return;
-  text_.add_word('Z', *height_, grid_.decimals());
+  text_.add_word(kAxisLetters[axes_of(plane_).normal], *height_, grid_.decimals());
   written_height_ = height_;
 }
 
@@ -44,16 +70,21 @@ void ProgramWriter::add_line(GridPlace to) {
 void ProgramWriter::add_arc(GridPlace to, GridCentre centre, bool clockwise) {
   add_motion(clockwise ? 2 : 3, to);
   const auto decimals = static_cast<std::uint8_t>(grid_.decimals() + 1);
-  if (centre.x != 0) text_.add_word('I', centre.x, decimals);
-  if (centre.y != 0) text_.add_word('J', centre.y, decimals);
+  const PlaneAxes axes = axes_of(plane_);
+  if (centre.x != 0) text_.add_word(kCentreLetters[axes.first], centre.x, decimals);
+  if (centre.y != 0) text_.add_word(kCentreLetters[axes.second], centre.y, decimals);
   end_line(to);
 }
 
 void ProgramWriter::add_motion(int motion, GridPlace to) {
   if (motion != motion_) text_.add_word('G', motion, 0);
   motion_ = motion;
-  if (!place_ || place_->x != to.x) text_.add_word('X', to.x, grid_.decimals());
-  if (!place_ || place_->y != to.y) text_.add_word('Y', to.y, grid_.decimals());
+  const PlaneAxes axes = axes_of(plane_);
+  const auto add_place = [&](std::size_t axis, std::int32_t place) {
+    text_.add_word(kAxisLetters[axis], place, grid_.decimals());
+  };
+  if (!place_ || place_->x != to.x) add_place(axes.first, to.x);
+  if (!place_ || place_->y != to.y) add_place(axes.second, to.y);
   add_height();
 }
 

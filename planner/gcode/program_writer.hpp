@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "planner/base/axes.hpp"
 #include "planner/base/result.hpp"
 #include "planner/gcode/centre_on_grid.hpp"
 #include "planner/gcode/line_text.hpp"
@@ -20,10 +21,12 @@ enum class WriterError : std::uint8_t {
   kTooFlat,     ///< The centre of the arc is farther away than kFarthestCentre.
 };
 
-/// Writes motion as G-code in the XY plane, mm, absolute, centres from the start: what is read
+/// Writes motion as G-code, mm, absolute, centres from the start: what is read
 /// again is within one last digit of what was given, and the two radii of an arc agree within a
 /// fraction of one, so that no reader has an arc to repair: centres have one more digit.
 ///
+/// Places are those of the XY plane, and heights those of Z, until use_plane() chooses another
+/// plane: then a place has that plane's first and second axis, and a height is along its normal.
 /// Heights are optional: without set_height() no line has a Z.
 ///
 /// Lines have the words that differ from the line before, and no others. Every call returns whole
@@ -44,8 +47,13 @@ class ProgramWriter {
   template <std::floating_point Scalar>
   [[nodiscard]] bool set_height(Scalar height_mm);
 
+  /// Returns the line that chooses the plane of arcs, nothing where it is chosen already.
+  /// @pre a motion has been written, and a height
+  [[nodiscard]] std::string_view use_plane(Plane plane);
+  [[nodiscard]] Plane plane() const { return plane_; }
+
   /// G0. A change of the height is a motion of its own: before the one in the plane where it goes
-  /// up, else after it.
+  /// up, else after it. @pre the plane is XY
   template <std::floating_point Scalar>
   [[nodiscard]] Result<std::string_view, WriterError> rapid(const BasicVec2<Scalar>& to);
 
@@ -78,11 +86,12 @@ class ProgramWriter {
   [[nodiscard]] std::optional<std::int32_t> half_way() const;
   /// The number of G where it changes, and the ends that do.
   void add_motion(int motion, GridPlace to);
-  /// The Z of the line, if it changes.
+  /// The word of the height, Z in the XY plane, if it changes.
   void add_height();
   void end_line(GridPlace to);
 
   PrintGrid grid_;
+  Plane plane_ = Plane::kXY;
   LineText text_{};
   std::optional<GridPlace> place_{};
   int motion_ = kNoMotion;
@@ -114,6 +123,7 @@ bool ProgramWriter::set_height(Scalar height_mm) {
 
 template <std::floating_point Scalar>
 Result<std::string_view, WriterError> ProgramWriter::rapid(const BasicVec2<Scalar>& to) {
+  CNC_ASSERT(plane_ == Plane::kXY);
   const auto end = on_grid(to);
   if (!end) return WriterError::kOutOfRange;
   text_.clear();

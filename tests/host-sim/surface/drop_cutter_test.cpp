@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "tests/host-sim/surface/random_hills.hpp"
 #include "tests/support/random_cutter.hpp"
 #include "tests/support/trials.hpp"
 
@@ -12,31 +13,6 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-/// Hills on a grid whose points are moved about, with an upright wall now and then.
-Mesh random_hills(proof::Random& random) {
-  const std::uint32_t rows = 2 + static_cast<std::uint32_t>(random.below(20));
-  const std::uint32_t columns = 2 + static_cast<std::uint32_t>(random.below(20));
-  const double pitch = random.magnitude(0.1, 3.0);
-  const double height = random.magnitude(0.01, 10.0);
-  const double stir = random.chance(0.5) ? 0.0 : 0.45 * pitch;
-  Mesh mesh;
-  for (std::uint32_t row = 0; row < rows; ++row) {
-    for (std::uint32_t column = 0; column < columns; ++column) {
-      mesh.points.emplace_back(pitch * column + random.between(-stir, stir),
-                               pitch * row + random.between(-stir, stir),
-                               random.chance(0.1) ? height : random.between(0.0, height));
-    }
-  }
-  for (std::uint32_t row = 0; row + 1 < rows; ++row) {
-    for (std::uint32_t column = 0; column + 1 < columns; ++column) {
-      const std::uint32_t at = row * columns + column;
-      mesh.facets.push_back({at, at + 1, at + columns + 1});
-      mesh.facets.push_back({at, at + columns + 1, at + columns});
-    }
-  }
-  return mesh;
-}
 
 /// Over all facets, with all their edges.
 double height_by_trying_all(const Mesh& mesh,

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+
+#include "host-sim/pocket/mill_program.hpp"
+
+namespace CLI {  // NOLINT(readability-identifier-naming): theirs.
+class App;
+}
+
+namespace sim {
+
+/// Adds --feed, --plunge-feed, --spindle, --spin-up and --coolant.
+/// @param otherwise the end of a help that names where a value comes from that the call does not
+/// give
+void add_mill_options(CLI::App& command,
+                      pocket::MillSettings& mill,
+                      const std::string& otherwise = {});
+
+}  // namespace sim

@@ -1,0 +1,190 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <limits>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "firmware/protocol/identity.hpp"
+#include "host-sim/cli/commands.hpp"
+#include "host-sim/cli/cutter_text.hpp"
+#include "host-sim/cli/file_options.hpp"
+#include "host-sim/cli/input_files.hpp"
+#include "host-sim/cli/surface_options.hpp"
+#include "host-sim/report/progress_bar.hpp"
+#include "host-sim/report/report_json.hpp"
+#include "host-sim/report/terminal.hpp"
+#include "host-sim/surface/path/surface_program.hpp"
+#include "host-sim/surface/tip_heights.hpp"
+#include "host-sim/surface/triangle_file.hpp"
+#include "host-sim/trace/output_file.hpp"
+
+namespace sim {
+namespace {
+
+constexpr const char* kSurfaceFooter =
+    "FILE is XYZ text or CSV of a measured grid, STL, PLY, or a height map as ESRI ASCII grid,\n"
+    "PGM, PNG or JSON. Four neighbours of a grid are two triangles, which share the diagonal from\n"
+    "the first point of a row to the second of the next row; --mesh writes them. The tool goes\n"
+    "over it in straight rows: it touches points, edges and facets, never cuts in, and arcs stay\n"
+    "arcs, in G18 along X and in G19 along Y.\n"
+    "\n"
+    "Examples:\n"
+    "  kerfline surface scan.xyz --tool ball:4 --step 0.3 --feed 1500 --plunge-feed 500 \\\n"
+    "    --spindle 18000 -o scan.nc\n"
+    "  kerfline surface relief.stl --tool 6,bull,1 --step 2 --allowance 0.5 --floor -20 \\\n"
+    "    --feed 2000 --plunge-feed 400 -o rough.nc\n"
+    "\n"
+    "Exit status: 0 fine, 1 there is no path, 2 the call or FILE is wrong.";
+
+void move(surface::Mesh& mesh, const std::vector<double>& way_mm) {
+  if (way_mm.empty()) return;
+  const Eigen::Vector3d way{way_mm[0], way_mm[1], way_mm[2]};
+  for (Eigen::Vector3d& point : mesh.points) point += way;
+}
+
+double top_of(const surface::Mesh& mesh) {
+  double top = -std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector3d& point : mesh.points) top = std::max(top, point.z());
+  return top;
+}
+
+/// Returns the height of rapids. Throws std::invalid_argument for one within path or surface.
+double safe_height_of(const SurfaceCommandOptions& options, double top_mm) {
+  constexpr double kAboveAll = 5.0;
+  if (!options.safe_mm) return std::ceil(top_mm) + kAboveAll;
+  if (*options.safe_mm > top_mm) return *options.safe_mm;
+  throw std::invalid_argument{
+      fmt::format("--safe: {:g} mm is not above the path and the surface, which reach {:.3f} mm",
+                  *options.safe_mm,
+                  top_mm)};
+}
+
+std::vector<std::string> heading_of(const SurfaceCommandOptions& options,
+                                    const surface::SurfaceProgramFigures& figures,
+                                    const InputFiles& inputs) {
+  const std::string name =
+      options.file == "-" ? options.file : std::filesystem::path{options.file}.filename().string();
+  std::vector<std::string> lines{
+      fmt::format("kerfline {} surface: {}", cnc::identity::version(), name),
+      fmt::format("tool {}, tolerance {:g} mm, {} elements",
+                  options.tool,
+                  options.tolerance_mm,
+                  figures.arcs + figures.lines),
+      fmt::format("finishing in rows at {:g} degrees, {:g} mm of stock stay",
+                  options.angle_deg,
+                  options.allowance_mm)};
+  for (const ProgramDigest& digest : inputs.digests()) lines.push_back(text_of(digest));
+  return lines;
+}
+
+std::string report_of(const SurfaceCommandOptions& options,
+                      const surface::SurfacePath& path,
+                      const surface::SurfaceProgramFigures& figures,
+                      const InputFiles& inputs) {
+  nlohmann::ordered_json report;
+  report["surface"] = options.file;
+  report["version"] = cnc::identity::version();
+  report["tool"] = options.tool;
+  report["tolerance_mm"] = options.tolerance_mm;
+  report["allowance_mm"] = options.allowance_mm;
+  report["arcs"] = figures.arcs;
+  report["lines"] = figures.lines;
+  report["lifts"] = figures.lifts;
+  report["stretches_without_arcs"] = path.without_arcs;
+  report["row_length_mm"] = figures.row_mm;
+  report["link_length_mm"] = figures.link_mm;
+  report["lowest_mm"] = figures.lowest_mm;
+  report["highest_mm"] = figures.highest_mm;
+  report["digests"] = json_of(inputs.digests());
+  return dumped(report) + "\n";
+}
+
+surface::SurfacePath path_with_progress(const surface::Mesh& mesh, surface::RowOptions rows) {
+  using Clock = std::chrono::steady_clock;
+  ProgressBar bar{stderr, is_terminal(stderr), Clock::now()};
+  rows.progress = [&bar](double share) { bar.update(share, "rows", Clock::now()); };
+  return row_path(mesh, rows);
+}
+
+void write_path(const SurfaceCommandOptions& options,
+                const surface::Mesh& mesh,
+                const stock::Cutter& cutter,
+                const InputFiles& inputs) {
+  const surface::SurfacePath path = path_with_progress(mesh, row_options_of(options, cutter));
+  const surface::SurfaceProgramFigures figures = figures_of(path);
+  pocket::MillSettings mill = options.mill;
+  mill.safe_mm = safe_height_of(options, std::max(figures.highest_mm, top_of(mesh)));
+  const cnc::gcode::PrintGrid grid{static_cast<std::uint8_t>(options.decimals)};
+  const std::string program = program_of(path, mill, grid, heading_of(options, figures, inputs));
+  terminal::print(options.output.empty() ? stderr : stdout,
+                  "{}: {} arcs, {} lines, {:.1f} mm of rows and {:.1f} mm of links, Z {:.3f} to "
+                  "{:.3f}\n",
+                  options.file,
+                  figures.arcs,
+                  figures.lines,
+                  figures.row_mm,
+                  figures.link_mm,
+                  figures.lowest_mm,
+                  figures.highest_mm);
+  if (options.output.empty()) {
+    terminal::write_data(program);
+  } else {
+    write_file(options.output, program);
+  }
+  if (!options.report.empty()) {
+    write_file(options.report, report_of(options, path, figures, inputs));
+  }
+}
+
+void write_heights(const SurfaceCommandOptions& options,
+                   const surface::Mesh& mesh,
+                   const stock::Cutter& cutter,
+                   const std::string& places) {
+  const std::string heights = surface::tip_heights(mesh, profile_of(cutter), places, options.at);
+  if (options.heights.empty()) {
+    terminal::write_data(heights);
+  } else {
+    write_file(options.heights, heights);
+  }
+}
+
+ExitStatus run_surface(const SurfaceCommandOptions& options, InputFiles& inputs) {
+  const stock::Cutter cutter = cutter_of("--tool", options.tool);
+  const std::string bytes = inputs.read_and_add("surface", options.file);
+  surface::SurfaceInput input = surface::read_surface(bytes, options.file, options.reading);
+  for (const std::string& note : input.notes) {
+    terminal::print(stderr, "{}: {}\n", options.file, note);
+  }
+  move(input.mesh, options.move_mm);
+  if (!options.mesh.empty()) write_file(options.mesh, surface::ply_of(input.mesh));
+  if (options.wants_heights()) {
+    write_heights(options, input.mesh, cutter, InputFiles::read(options.at));
+    return ExitStatus::kFine;
+  }
+  write_path(options, input.mesh, cutter, inputs);
+  return ExitStatus::kFine;
+}
+
+}  // namespace
+
+void add_surface_command(CLI::App& app, ExitStatus& status) {
+  CLI::App* command =
+      app.add_subcommand("surface", "Make a program that mills a measured or modelled surface.");
+  command->footer(kSurfaceFooter);
+  const auto options = std::make_shared<SurfaceCommandOptions>();
+  add_surface_options(*command, *options);
+  command->callback([options, &status] {
+    check_surface_options(*options);
+    InputFiles inputs{options->output};
+    status = run_surface(*options, inputs);
+  });
+}
+
+}  // namespace sim

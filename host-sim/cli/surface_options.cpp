@@ -1,0 +1,158 @@
+#include "host-sim/cli/surface_options.hpp"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <stdexcept>
+
+#include "host-sim/cli/cutter_text.hpp"
+#include "host-sim/cli/file_options.hpp"
+#include "host-sim/cli/mill_options.hpp"
+#include "host-sim/cli/value_range.hpp"
+
+namespace sim {
+namespace {
+
+constexpr double kLeastMm = 1.0e-6;
+constexpr double kLeastSurfaceToleranceMm = 1.0e-4;
+constexpr double kGreatestSurfaceToleranceMm = 5.0;
+
+void add_reading_options(CLI::App& command, SurfaceCommandOptions& options) {
+  command
+      .add_option(
+          "--unit", options.reading.unit_mm, "Length of the file's unit, mm: 25.4 is inches")
+      ->check(in_range(kLeastMm, 1.0e6, "mm"))
+      ->type_name("MM")
+      ->capture_default_str();
+  command
+      .add_option("--pitch",
+                  options.reading.pitch_mm,
+                  "Distance of a height map's points, mm; else as the file says")
+      ->check(in_range(kLeastMm, surface::kFarthestMm, "mm"))
+      ->type_name("MM");
+  command
+      .add_option("--height",
+                  options.reading.height_mm,
+                  "Height of a picture's white over its black, mm; else as the file says")
+      ->check(in_range(kLeastMm, surface::kFarthestMm, "mm"))
+      ->type_name("MM");
+  command.add_flag("--repair",
+                   options.reading.repair,
+                   "Fill missing points and outliers from their neighbours, and say which");
+  command.add_option("--move", options.move_mm, "Move the surface by so much, mm, after its unit")
+      ->expected(3)
+      ->delimiter(',')
+      ->type_name("X,Y,Z");
+}
+
+void add_row_options(CLI::App& command, SurfaceCommandOptions& options) {
+  command
+      .add_option("--tool",
+                  options.tool,
+                  "Diameter and kind of the tool, flat if none; corner radius of a bull nose; "
+                  "angle of a V\nand diameter of its tip; mm and degrees. Also ball:4")
+      ->type_name(kCutterForm);
+  command
+      .add_option("--tolerance",
+                  options.tolerance_mm,
+                  "The tip is never below the place where it touches, and at most twice this "
+                  "above, mm")
+      ->check(in_range(kLeastSurfaceToleranceMm, kGreatestSurfaceToleranceMm, "mm"))
+      ->capture_default_str();
+  command
+      .add_option(
+          "--step", options.step_mm, "Between rows, mm; else a tenth of the tool's diameter")
+      ->check(in_range(0.001, 500.0, "mm"))
+      ->type_name("MM");
+  command.add_option("--angle", options.angle_deg, "Of rows from X, counter-clockwise, degrees")
+      ->check(in_range(-360.0, 360.0, "degrees"))
+      ->type_name("DEG")
+      ->capture_default_str();
+  const std::map<std::string, surface::RowOrder> orders{{"zigzag", surface::RowOrder::kZigzag},
+                                                        {"oneway", surface::RowOrder::kOneWay}};
+  command.add_option("--order", options.order, "Rows to and fro, or all one way with lifts")
+      ->transform(CLI::CheckedTransformer(orders))
+      ->option_text("zigzag|oneway [zigzag]");
+  command.add_option("--allowance", options.allowance_mm, "Stock that stays everywhere, mm")
+      ->check(in_range(0.0, 100.0, "mm"))
+      ->type_name("MM");
+  command
+      .add_option("--margin", options.margin_mm, "Rows go on so far beyond the surface's box, mm")
+      ->check(in_range(0.0, 1000.0, "mm"))
+      ->type_name("MM");
+  command
+      .add_option("--floor",
+                  options.floor_mm,
+                  "Z below which the tip never goes, mm; beside the surface it goes there, where "
+                  "rows\notherwise end")
+      ->check(in_range(-surface::kFarthestMm, surface::kFarthestMm, "mm"))
+      ->type_name("MM");
+  command.add_flag(
+      "--lines", options.lines_only, "No arcs: for controllers that do not know G18 and G19");
+}
+
+}  // namespace
+
+void add_surface_options(CLI::App& command, SurfaceCommandOptions& options) {
+  mark_file(
+      command.add_option(
+          "FILE", options.file, "A measured grid, a mesh or a height map; - is standard input"),
+      FileRole::kInput);
+  add_reading_options(command, options);
+  add_row_options(command, options);
+  add_mill_options(command, options.mill);
+  command.add_option("--safe", options.safe_mm, "Z of rapids, mm; else 5 mm above all")
+      ->check(in_range(-surface::kFarthestMm, surface::kFarthestMm, "mm"))
+      ->type_name("MM");
+  command.add_option("--decimals", options.decimals, "Of positions, mm")
+      ->check(in_whole_range(cnc::gcode::PrintGrid::kFewest, cnc::gcode::PrintGrid::kMost))
+      ->capture_default_str();
+  const auto add_output = [&](const char* name, std::string& file, const char* help) {
+    mark_file(command.add_option(name, file, help)->type_name("FILE"), FileRole::kOutput);
+  };
+  add_output("-o,--output", options.output, "Where to write; else standard output");
+  add_output("--report", options.report, "Elements, rows and lengths as JSON");
+  add_output("--mesh", options.mesh, "Write the triangles that count, as PLY with doubles");
+  mark_file(command
+                .add_option("--at",
+                            options.at,
+                            "Places, `X Y` in mm on each line: write the heights of the tip there "
+                            "in place of\na program")
+                ->type_name("FILE"),
+            FileRole::kInput);
+  add_output(
+      "--heights", options.heights, "Where `X Y Z` of them is written; else standard output");
+}
+
+void check_surface_options(const SurfaceCommandOptions& options) {
+  if (options.file.empty()) {
+    throw std::invalid_argument("surface: needs a FILE, a measured grid, a mesh or a height map");
+  }
+  if (options.tool.empty()) throw std::invalid_argument("--tool: is needed, such as ball:4");
+  if (!options.heights.empty() && !options.wants_heights()) {
+    throw std::invalid_argument("--heights: needs --at, the places");
+  }
+  if (options.wants_heights()) return;
+  if (options.mill.feed_mm_min == 0.0) throw std::invalid_argument("--feed: is needed, mm/min");
+  if (options.mill.plunge_mm_min == 0.0) {
+    throw std::invalid_argument("--plunge-feed: is needed, mm/min");
+  }
+}
+
+surface::RowOptions row_options_of(const SurfaceCommandOptions& options,
+                                   const stock::Cutter& cutter) {
+  return {.tool = profile_of(cutter),
+          .allowance_mm = options.allowance_mm,
+          .tolerance_mm = options.tolerance_mm,
+          .digit_mm = std::pow(10.0, -static_cast<double>(options.decimals)),
+          .step_mm = options.step_mm > 0.0 ? options.step_mm : 0.1 * cutter.diameter_mm,
+          .angle_rad = options.angle_deg * std::numbers::pi / 180.0,
+          .margin_mm = options.margin_mm,
+          .floor_mm = options.floor_mm,
+          .order = options.order,
+          .lines_only = options.lines_only,
+          .progress = {}};
+}
+
+}  // namespace sim

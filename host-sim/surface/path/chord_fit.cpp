@@ -1,0 +1,152 @@
+#include "host-sim/surface/path/chord_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sim::surface {
+namespace {
+
+using Place = Eigen::Vector2d;
+
+/// Directions of a half plane, by slopes seen along its middle.
+struct Cone {
+  Place right;
+  Place left;
+};
+
+/// Places of the curve that are near enough to each other that a line which passes two of them
+/// within a tolerance does so between them.
+std::vector<Place> places_of(const SliceCurve& curve, const SpanRange& spans, double tolerance_mm) {
+  constexpr double kShareOfTolerance = 0.02;
+  std::vector<Place> places{curve.at(spans.from, 0.0).place};
+  for (std::size_t span = spans.from; span < spans.to; ++span) {
+    // A cubic leaves a chord of 1 / n of it by at most its second derivative / 8 n².
+    const double bend = std::max(std::abs(curve.at(span, 0.0).second.y()),
+                                 std::abs(curve.at(span, 1.0).second.y()));
+    const double parts = std::ceil(std::sqrt(bend / (8.0 * kShareOfTolerance * tolerance_mm)));
+    const int count = std::clamp(static_cast<int>(parts), 1, 1'000);
+    for (int i = 1; i <= count; ++i) {
+      places.push_back(curve.at(span, static_cast<double>(i) / count).place);
+    }
+  }
+  return places;
+}
+
+double cross(const Place& a, const Place& b) { return a.x() * b.y() - a.y() * b.x(); }
+
+/// Lines through places within a tolerance, in their order.
+class ChordFinder {
+ public:
+  ChordFinder(std::vector<Place> places, double tolerance_mm)
+      : places_{std::move(places)}, tolerance_mm_{tolerance_mm} {}
+
+  void run(std::vector<ContourVertex>& out) {
+    Line line = best_from_start();
+    add(line.from, out);
+    while (line.end < places_.size()) {
+      const Line next = best_after(line);
+      add(next.from, out);
+      line = next;
+    }
+    add(places_.back(), out);
+  }
+
+ private:
+  /// A line that passes the places from `begin` up to `end`, which it does not.
+  struct Line {
+    Place from;
+    Place direction;  ///< Unit vector.
+    std::size_t begin = 0;
+    std::size_t end = 0;
+  };
+
+  static void add(const Place& place, std::vector<ContourVertex>& out) {
+    out.push_back({.x = place.x(), .y = place.y(), .bulge = 0.0});
+  }
+
+  /// Returns the line from a place that passes most of the places from `begin` on. It ends at the
+  /// curve's end exactly where it can.
+  [[nodiscard]] Line farthest(const Place& from, std::size_t begin) const {
+    Line line{.from = from, .direction = Place::UnitX(), .begin = begin, .end = begin};
+    Cone cone{};
+    bool open = true;  // All directions.
+    Place reached = from;
+    for (std::size_t i = begin; i < places_.size(); ++i) {
+      const Place seen = places_[i] - from;
+      const double distance = seen.norm();
+      const double most = i + 1 == places_.size() ? 1.0e-9 : tolerance_mm_;
+      if (distance > most && !narrow(seen, distance, most, open, cone)) break;
+      if (distance > most) open = false;
+      reached = places_[i];
+      line.end = i + 1;
+    }
+    if (!open) line.direction = direction_in(cone, reached - from);
+    return line;
+  }
+
+  /// Leaves the directions that pass a place within `most`; false, and nothing changes, if none is
+  /// left.
+  static bool narrow(const Place& seen, double distance, double most, bool open, Cone& cone) {
+    const double sine = most / distance;
+    const double cosine = std::sqrt(1.0 - sine * sine);
+    const Place unit = seen / distance;
+    const Place normal{-unit.y(), unit.x()};
+    const Cone now{cosine * unit - sine * normal, cosine * unit + sine * normal};
+    if (open) {
+      cone = now;
+      return true;
+    }
+    // The path never turns back in one line.
+    if (unit.dot(cone.right + cone.left) <= 0.0) return false;
+    const Cone both{cross(cone.right, now.right) > 0.0 ? now.right : cone.right,
+                    cross(cone.left, now.left) < 0.0 ? now.left : cone.left};
+    if (cross(both.right, both.left) < 0.0) return false;
+    cone = both;
+    return true;
+  }
+
+  /// The direction towards the last place where the cone has it, else its nearest side.
+  static Place direction_in(const Cone& cone, const Place& towards) {
+    const Place unit = towards.normalized();
+    if (cross(cone.right, unit) < 0.0) return cone.right;
+    if (cross(cone.left, unit) > 0.0) return cone.left;
+    return unit;
+  }
+
+  [[nodiscard]] Line best_from_start() const { return farthest(places_.front(), 1); }
+
+  /// Returns the best of the lines that begin on a line, beside one of its last places.
+  [[nodiscard]] Line best_after(const Line& line) const {
+    constexpr std::size_t kTried = 12;
+    const std::size_t last = line.end - 1;
+    const std::size_t count = std::min(kTried, line.end - line.begin);
+    Line best = farthest(beside(line, last), line.end);
+    for (std::size_t i = 1; i < count; ++i) {
+      const std::size_t index = last - i * (line.end - line.begin) / (2 * kTried);
+      const Line other = farthest(beside(line, index), index + 1);
+      if (other.end > best.end) best = other;
+    }
+    if (best.end > line.end) return best;
+    // The next place is out of reach from all of them: the path goes through the last one.
+    return farthest(places_[last], line.end);
+  }
+
+  [[nodiscard]] Place beside(const Line& line, std::size_t index) const {
+    const double along = std::max(0.0, line.direction.dot(places_[index] - line.from));
+    return line.from + along * line.direction;
+  }
+
+  std::vector<Place> places_;
+  double tolerance_mm_;
+};
+
+}  // namespace
+
+void fit_chords(const SliceCurve& curve,
+                const SpanRange& spans,
+                double tolerance_mm,
+                std::vector<ContourVertex>& out) {
+  ChordFinder{places_of(curve, spans, tolerance_mm), tolerance_mm}.run(out);
+}
+
+}  // namespace sim::surface

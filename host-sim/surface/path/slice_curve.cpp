@@ -1,0 +1,135 @@
+#include "host-sim/surface/path/slice_curve.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace sim::surface {
+namespace {
+
+using Node = SliceCurve::Node;
+
+/// A cubic, by its ends.
+struct Cubic {
+  Node from;
+  Node to;
+
+  /// Slopes so steep that the cubic would rise far above both ends are lessened: beside a jump
+  /// they are those of the jump.
+  Cubic(const Node& begin, const Node& end, double error_mm) : from{begin}, to{end} {
+    const double most = (3.0 * std::abs(to.height - from.height) + 6.0 * error_mm) / width();
+    from.slope = std::clamp(from.slope, -most, most);
+    to.slope = std::clamp(to.slope, -most, most);
+  }
+
+  [[nodiscard]] double width() const { return to.along - from.along; }
+  /// Height, and its derivatives by the share.
+  [[nodiscard]] std::array<double, 3> at(double share) const {
+    const double begin = width() * from.slope;
+    const double rise = to.height - from.height;
+    const double square = 3.0 * rise - 2.0 * begin - width() * to.slope;
+    const double cube = begin + width() * to.slope - 2.0 * rise;
+    return {from.height + share * (begin + share * (square + share * cube)),
+            begin + share * (2.0 * square + share * 3.0 * cube),
+            2.0 * square + 6.0 * share * cube};
+  }
+  [[nodiscard]] bool follows(double along, double height, double error_mm) const {
+    const auto [at_share, rise, bend] = at((along - from.along) / width());
+    const double slope = rise / width();
+    return std::abs(at_share - height) <= error_mm * std::sqrt(1.0 + slope * slope);
+  }
+};
+
+/// Divides a slice into cubics, from its start on.
+class CurveBuilder {
+ public:
+  CurveBuilder(SliceHeights& heights, const SliceDensity& density, double begin, double end)
+      : heights_{heights}, density_{density}, begin_{begin}, end_{end} {}
+
+  std::vector<Node> build() {
+    constexpr double kPitchesAtOnce = 16.0;
+    const double length = end_ - begin_;
+    const auto whole = static_cast<int>(std::ceil(length / (kPitchesAtOnce * density_.pitch_mm)));
+    nodes_.push_back(node_at(begin_));
+    for (int i = 1; i <= whole; ++i) {
+      const double to = i == whole ? end_ : begin_ + length * i / whole;
+      pending_.push_back(node_at(to));
+      while (!pending_.empty()) settle();
+    }
+    return std::move(nodes_);
+  }
+
+ private:
+  /// Central differences, one-sided at the ends.
+  [[nodiscard]] Node node_at(double along) {
+    constexpr double kBeside = 1.0e-5;
+    const double before = std::max(begin_, along - kBeside);
+    const double after = std::min(end_, along + kBeside);
+    const double low = heights_(before);
+    const double height = heights_(along);
+    return {along, height, (heights_(after) - low) / (after - before)};
+  }
+
+  /// Takes the nearest pending node if one cubic leads to it, or puts another before it.
+  void settle() {
+    const Cubic cubic{nodes_.back(), pending_.back(), density_.error_mm};
+    if (cubic.width() <= density_.least_mm || follows(cubic)) {
+      nodes_.push_back(pending_.back());
+      pending_.pop_back();
+      return;
+    }
+    pending_.push_back(node_at(0.5 * (cubic.from.along + cubic.to.along)));
+  }
+
+  [[nodiscard]] bool follows(const Cubic& cubic) {
+    constexpr int kLeastLooks = 4;
+    const int looks =
+        std::max(kLeastLooks, static_cast<int>(std::ceil(cubic.width() / density_.pitch_mm)));
+    for (int i = 1; i < looks; ++i) {
+      const double along = cubic.from.along + cubic.width() * i / looks;
+      if (!cubic.follows(along, heights_(along), density_.error_mm)) return false;
+    }
+    return true;
+  }
+
+  SliceHeights& heights_;
+  SliceDensity density_;
+  double begin_;
+  double end_;
+  std::vector<Node> nodes_;
+  std::vector<Node> pending_;  ///< The nearest last.
+};
+
+}  // namespace
+
+SliceDensity density_for(const cnc::surface::Profile& profile, double error_mm) {
+  const double round = std::sqrt(8.0 * (profile.flat_mm + profile.corner_mm) * error_mm);
+  double pointed = 0.0;
+  if (profile.rise > 0.0) {
+    pointed = 2.0 * error_mm * std::sqrt(1.0 + profile.rise * profile.rise) / profile.rise;
+  }
+  return {.pitch_mm = std::max(round, pointed), .error_mm = error_mm, .least_mm = 0.25 * error_mm};
+}
+
+SliceCurve::SliceCurve(SliceHeights& heights, double begin, double end, const SliceDensity& density)
+    : nodes_{CurveBuilder{heights, density, begin, end}.build()},
+      error_mm_{density.error_mm},
+      least_mm_{density.least_mm} {}
+
+bool SliceCurve::is_straight(std::size_t span) const {
+  return nodes_[span + 1].along - nodes_[span].along <= least_mm_;
+}
+
+cnc::contour::CurveJet SliceCurve::at(std::size_t span, double share) const {
+  const Cubic cubic{nodes_[span], nodes_[span + 1], error_mm_};
+  const double width = cubic.width();
+  const double along = cubic.from.along + share * width;
+  if (is_straight(span)) {
+    const double rise = cubic.to.height - cubic.from.height;
+    return {{along, cubic.from.height + share * rise}, {width, rise}, {0.0, 0.0}};
+  }
+  const auto [height, rise, bend] = cubic.at(share);
+  return {{along, height}, {width, rise}, {0.0, bend}};
+}
+
+}  // namespace sim::surface

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "host-sim/surface/drop_cutter.hpp"
+#include "host-sim/surface/path/slice.hpp"
+
+namespace sim::surface {
+
+/// The heights of a tool's tip over a slice. Neighbours are asked for one after the other, as each
+/// begins with the facet that the last one touched.
+class SliceHeights {
+ public:
+  /// @param floor_mm the tip is never lower, and there where nothing is under the tool; without
+  /// one such places have no height. @pre the cutter outlives this
+  SliceHeights(const DropCutter& cutter, const Slice& slice, std::optional<double> floor_mm)
+      : cutter_{&cutter}, slice_{slice}, floor_mm_{floor_mm.value_or(cnc::surface::kNoContact)} {}
+
+  [[nodiscard]] const Slice& slice() const { return slice_; }
+
+  /// Returns the height, cnc::surface::kNoContact where there is none.
+  [[nodiscard]] double operator()(double along) {
+    return std::max(floor_mm_, cutter_->tip_height(slice_.at(along), hint_));
+  }
+
+ private:
+  const DropCutter* cutter_;
+  Slice slice_;
+  double floor_mm_;
+  DropCutter::Hint hint_{};
+};
+
+}  // namespace sim::surface

@@ -1,0 +1,186 @@
+#include "host-sim/surface/path/surface_program.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "host-sim/cut/cut_program.hpp"
+#include "host-sim/cut/stroke.hpp"
+#include "planner/gcode/program_writer.hpp"
+
+namespace sim::surface {
+namespace {
+
+using cnc::Plane;
+using cnc::WideVec2;
+using cnc::gcode::WriterError;
+using Written = cnc::Result<std::string_view, WriterError>;
+
+/// Returns the greatest share of a motion's speed that goes downwards, 0 for one that climbs.
+double descent_of(const ContourVertex& from, const ContourVertex& to) {
+  const double across = std::atan2(to.y - from.y, to.x - from.x);
+  const double half = 2.0 * std::atan(from.bulge);
+  return std::max({0.0, -std::sin(across - half), -std::sin(across + half)});
+}
+
+/// The coordinates of a slice's plane, as a writer has them.
+class SlicePlane {
+ public:
+  explicit SlicePlane(const Slice& slice) : slice_{slice} {
+    if (slice.direction.y() == 0.0) plane_ = Plane::kZX;
+    if (slice.direction.x() == 0.0) plane_ = Plane::kYZ;
+  }
+
+  [[nodiscard]] Plane plane() const { return plane_; }
+  [[nodiscard]] WideVec2 place(const ContourVertex& vertex) const {
+    const WideVec2 seen = slice_.at(vertex.x);
+    if (plane_ == Plane::kZX) return {vertex.y, seen.x()};
+    if (plane_ == Plane::kYZ) return {seen.y(), vertex.y};
+    return seen;
+  }
+  [[nodiscard]] double height(const ContourVertex& vertex) const {
+    if (plane_ == Plane::kZX) return slice_.from.y();
+    if (plane_ == Plane::kYZ) return slice_.from.x();
+    return vertex.y;
+  }
+  [[nodiscard]] double bulge(const ContourVertex& vertex) const {
+    if (plane_ == Plane::kZX) return -slice_.direction.x() * vertex.bulge;
+    return slice_.direction.y() * vertex.bulge;
+  }
+
+ private:
+  Slice slice_;
+  Plane plane_ = Plane::kXY;
+};
+
+/// Writes the runs of a path one after the other.
+class RunWriter {
+ public:
+  RunWriter(const pocket::MillSettings& mill, cnc::gcode::PrintGrid grid)
+      : mill_{mill}, digit_mm_{1.0 / grid.per_mm()}, writer_{grid} {
+    writer_.leave_power();
+  }
+
+  void begin_run(const SurfaceStretch& first) {
+    const WideVec2 place = first.slice.at(first.vertices.front().x);
+    const double height = first.vertices.front().y;
+    set_height(mill_.safe_mm, place);
+    take(writer_.rapid(place), place);
+    set_height(std::min(mill_.safe_mm, height + mill_.near_mm), place);
+    take(writer_.rapid(place), place);
+    writer_.set_feed(thousandths(mill_.plunge_mm_min));
+    set_height(height, place);
+    take(writer_.cut(place, place, 0.0), place);
+  }
+
+  void write(const SurfaceStretch& stretch) {
+    const SlicePlane plane{stretch.slice};
+    text_ += writer_.use_plane(plane.plane());
+    for (std::size_t i = 0; i + 1 < stretch.vertices.size(); ++i) {
+      const ContourVertex& from = stretch.vertices[i];
+      const ContourVertex& to = stretch.vertices[i + 1];
+      writer_.set_feed(thousandths(feed_of(from, to)));
+      set_height(plane.height(to), stretch.slice.at(to.x));
+      write_element({.from = plane.place(from), .to = plane.place(to), .bulge = plane.bulge(from)});
+    }
+  }
+
+  void end_run(const SurfaceStretch& last) {
+    const WideVec2 place = last.slice.at(last.vertices.back().x);
+    text_ += writer_.use_plane(Plane::kXY);
+    set_height(mill_.safe_mm, place);
+    take(writer_.rapid(place), place);
+  }
+
+  [[nodiscard]] const std::string& text() const { return text_; }
+
+ private:
+  static std::uint32_t thousandths(double value) {
+    return static_cast<std::uint32_t>(std::lround(1000.0 * value));
+  }
+
+  [[nodiscard]] double feed_of(const ContourVertex& from, const ContourVertex& to) const {
+    const double descent = descent_of(from, to);
+    if (descent * mill_.feed_mm_min <= mill_.plunge_mm_min) return mill_.feed_mm_min;
+    return mill_.plunge_mm_min / descent;
+  }
+
+  void write_element(const cut::Stroke& stroke) {
+    const Written written = writer_.cut(stroke.from, stroke.to, stroke.bulge);
+    if (written.ok() || written.error() != WriterError::kTooFlat) return take(written, stroke.to);
+    // The centre is out of reach: lines within half a last digit of the arc.
+    const double height = 0.5 * std::abs(stroke.bulge) * cut::length_of(stroke);
+    const double lines = std::ceil(std::sqrt(2.0 * height / digit_mm_));
+    for (double i = 0.0; i < lines; i += 1.0) {
+      const cut::Stroke part = cut::part_of(stroke, i / lines, (i + 1.0) / lines);
+      take(writer_.cut(part.from, part.to, 0.0), part.to);
+    }
+  }
+
+  void set_height(double height_mm, const WideVec2& place) {
+    if (!writer_.set_height(height_mm)) refuse(place);
+  }
+
+  void take(const Written& written, const WideVec2& place) {
+    if (!written.ok()) refuse(place);
+    text_ += written.value();
+  }
+
+  [[noreturn]] static void refuse(const WideVec2& place) {
+    throw std::invalid_argument(fmt::format(
+        "{:g} {:g} mm is too far from zero for a program; is the unit of the surface right?",
+        place.x(),
+        place.y()));
+  }
+
+  pocket::MillSettings mill_;
+  double digit_mm_;
+  cnc::gcode::ProgramWriter writer_;
+  std::string text_;
+};
+
+}  // namespace
+
+SurfaceProgramFigures figures_of(const SurfacePath& path) {
+  constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  SurfaceProgramFigures figures{
+      .lifts = path.run_ends.size(), .lowest_mm = kInfinite, .highest_mm = -kInfinite};
+  for (const SurfaceStretch& stretch : path.stretches) {
+    double length = 0.0;
+    for (std::size_t i = 0; i + 1 < stretch.vertices.size(); ++i) {
+      const ContourVertex& from = stretch.vertices[i];
+      const ContourVertex& to = stretch.vertices[i + 1];
+      length += cut::length_of({.from = {from.x, from.y}, .to = {to.x, to.y}, .bulge = from.bulge});
+      ++(from.bulge == 0.0 ? figures.lines : figures.arcs);
+    }
+    for (const ContourVertex& vertex : stretch.vertices) {
+      figures.lowest_mm = std::min(figures.lowest_mm, vertex.y);
+      figures.highest_mm = std::max(figures.highest_mm, vertex.y);
+    }
+    (stretch.use == StretchUse::kRow ? figures.row_mm : figures.link_mm) += length;
+  }
+  return figures;
+}
+
+std::string program_of(const SurfacePath& path,
+                       const pocket::MillSettings& mill,
+                       cnc::gcode::PrintGrid grid,
+                       const std::vector<std::string>& heading) {
+  std::string text;
+  for (const std::string& line : heading) text += cut::comment_line(line);
+  text += pocket::opening_of(mill);
+  RunWriter writer{mill, grid};
+  std::size_t begin = 0;
+  for (const std::size_t end : path.run_ends) {
+    writer.begin_run(path.stretches[begin]);
+    for (std::size_t i = begin; i < end; ++i) writer.write(path.stretches[i]);
+    writer.end_run(path.stretches[end - 1]);
+    begin = end;
+  }
+  return text + writer.text() + pocket::closing_of(mill);
+}
+
+}  // namespace sim::surface

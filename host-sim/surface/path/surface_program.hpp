@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host-sim/pocket/mill_program.hpp"
+#include "host-sim/surface/path/surface_path.hpp"
+#include "planner/gcode/print_grid.hpp"
+
+namespace sim::surface {
+
+/// Blocks and lengths of a program.
+struct SurfaceProgramFigures {
+  std::size_t arcs = 0;   ///< Motion lines with G2 or G3.
+  std::size_t lines = 0;  ///< Motion lines with G1.
+  double row_mm = 0.0;
+  double link_mm = 0.0;
+  std::size_t lifts = 0;
+  double lowest_mm = 0.0;
+  double highest_mm = 0.0;
+};
+
+/// Measures a path.
+[[nodiscard]] SurfaceProgramFigures figures_of(const SurfacePath& path);
+
+/// Writes a path over a surface as G-code: spindle and coolant, then for each run a rapid at the
+/// safe height, a descent at the plunge feed and its stretches, those along X with arcs of G18,
+/// those along Y with arcs of G19. The tip descends no faster than a plunge.
+/// Throws std::invalid_argument where a point is too far from zero for a program.
+/// @param heading lines of comment at the top
+/// @pre the safe height is above the path
+[[nodiscard]] std::string program_of(const SurfacePath& path,
+                                     const pocket::MillSettings& mill,
+                                     cnc::gcode::PrintGrid grid,
+                                     const std::vector<std::string>& heading);
+
+}  // namespace sim::surface

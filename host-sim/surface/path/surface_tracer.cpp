@@ -1,0 +1,133 @@
+#include "host-sim/surface/path/surface_tracer.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "host-sim/surface/path/chord_fit.hpp"
+
+namespace sim::surface {
+namespace {
+
+/// Returns the share of the band by which what lies between looks may reach into the tool, and by
+/// which the curve may leave what is looked at. A cone needs looks as near to each other as that.
+double error_share_of(const cnc::surface::Profile& profile) {
+  return profile.rise > 0.0 ? 0.15 : 0.05;
+}
+
+/// Of the program: an arc is off by so much after its end and its centre are rounded.
+constexpr double kRoundingDigits = 1.0;
+
+double lowest_of(const Mesh& mesh) {
+  double lowest = std::numeric_limits<double>::infinity();
+  for (const Eigen::Vector3d& point : mesh.points) lowest = std::min(lowest, point.z());
+  return lowest;
+}
+
+/// Returns the tool that leaves the allowance: another one, grown by it.
+cnc::surface::GrownTool tool_for(const RowOptions& options) {
+  cnc::surface::Profile tool = options.tool;
+  double lift_mm = 0.0;
+  if (options.allowance_mm > 0.0) {
+    const cnc::surface::GrownTool larger = cnc::surface::grown(tool, options.allowance_mm);
+    // A cone's growth by its band would leave less.
+    const double share = options.allowance_mm / larger.band_mm;
+    const cnc::surface::GrownTool whole = cnc::surface::grown(tool, share * options.allowance_mm);
+    tool = whole.profile;
+    lift_mm = whole.lift_mm;
+  }
+  cnc::surface::GrownTool grown = cnc::surface::grown(tool, options.tolerance_mm);
+  grown.lift_mm += lift_mm;
+  return grown;
+}
+
+double band_within(const cnc::surface::GrownTool& tool, const RowOptions& options) {
+  const double rounding = kRoundingDigits * options.digit_mm;
+  const double share = 1.0 - 2.0 * error_share_of(tool.profile);
+  const double band = share * tool.band_mm - rounding;
+  if (band > 0.25 * tool.band_mm) return band;
+  throw std::invalid_argument{
+      fmt::format("a tolerance of {:g} mm is too small for steps of {:g} mm in the program; take "
+                  "more --decimals or a larger --tolerance",
+                  options.tolerance_mm,
+                  options.digit_mm)};
+}
+
+/// Whether arcs of a slice lie in a plane that G18 or G19 names.
+bool lies_along_axis(const Slice& slice) {
+  return slice.direction.x() == 0.0 || slice.direction.y() == 0.0;
+}
+
+}  // namespace
+
+SurfaceTracer::SurfaceTracer(const Mesh& mesh, const RowOptions& options)
+    : tool_{tool_for(options)},
+      lift_mm_{tool_.lift_mm},
+      cutter_{mesh, tool_.profile},
+      has_floor_{options.floor_mm.has_value()},
+      lowest_mm_{options.floor_mm.value_or(lowest_of(mesh))},
+      density_{density_for(tool_.profile, error_share_of(tool_.profile) * tool_.band_mm)},
+      band_mm_{band_within(tool_, options)},
+      lines_only_{options.lines_only} {}
+
+bool SurfaceTracer::is_over(const Eigen::Vector2d& place) const {
+  return has_floor_ || cutter_.tip_height(place) != cnc::surface::kNoContact;
+}
+
+double SurfaceTracer::height(const Eigen::Vector2d& place) const {
+  return lift_mm_ + std::max(lowest_mm_, cutter_.tip_height(place));
+}
+
+/// Finds where something is under the tool for the last time, from a place where it is on.
+double SurfaceTracer::border(const Slice& slice, double over, double beside) const {
+  constexpr double kNear = 1.0e-6;
+  while (std::abs(beside - over) > kNear) {
+    const double middle = 0.5 * (over + beside);
+    (is_over(slice.at(middle)) ? over : beside) = middle;
+  }
+  return over;
+}
+
+std::vector<std::pair<double, double>> SurfaceTracer::parts_over(const Slice& slice) const {
+  if (has_floor_) return {{0.0, slice.length}};
+  constexpr double kLeastPart = 1.0e-3;
+  const auto looks = static_cast<int>(std::ceil(slice.length / tool_.profile.radius_mm * 8.0)) + 1;
+  std::vector<std::pair<double, double>> parts;
+  double before = 0.0;
+  bool was_over = false;
+  double begin = 0.0;
+  const auto end_at = [&](double end) {
+    if (end - begin >= kLeastPart) parts.emplace_back(begin, end);
+  };
+  for (int i = 0; i <= looks; ++i) {
+    const double along = slice.length * i / looks;
+    const bool over = is_over(slice.at(along));
+    if (over && !was_over) begin = i == 0 ? along : border(slice, along, before);
+    if (!over && was_over) end_at(border(slice, before, along));
+    was_over = over;
+    before = along;
+  }
+  if (was_over) end_at(slice.length);
+  return parts;
+}
+
+SurfaceStretch SurfaceTracer::trace(const Slice& slice, double begin, double end, StretchUse use) {
+  SurfaceStretch stretch{.slice = slice, .use = use, .vertices = {}};
+  SliceHeights heights{cutter_, slice, lowest_mm_};
+  const SliceCurve curve{heights, begin, end, density_};
+  lines_.clear();
+  fit_chords(curve, curve.all(), band_mm_, lines_);
+  if (!lines_only_ && lies_along_axis(slice)) {
+    without_arcs_ += fitter_.fit(curve, band_mm_, SliceElements::kArcs, stretch.vertices);
+  }
+  if (stretch.vertices.empty() || lines_.size() < stretch.vertices.size()) {
+    stretch.vertices = lines_;
+  }
+  for (ContourVertex& vertex : stretch.vertices) vertex.y += lift_mm_;
+  return stretch;
+}
+
+}  // namespace sim::surface

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "host-sim/surface/path/row_path.hpp"
+#include "planner/surface/grown.hpp"
+
+namespace sim::surface {
+
+/// Makes stretches over a surface, one slice after the other.
+class SurfaceTracer {
+ public:
+  SurfaceTracer(const Mesh& mesh, const RowOptions& options);
+
+  /// Returns the parts of a slice in which something is under the tool, each as begin and end; the
+  /// whole of it where there is a floor.
+  [[nodiscard]] std::vector<std::pair<double, double>> parts_over(const Slice& slice) const;
+
+  /// Returns the stretch over a part of a slice.
+  [[nodiscard]] SurfaceStretch trace(const Slice& slice, double begin, double end, StretchUse use);
+
+  /// Returns how many stretches have lines because no arcs fit.
+  [[nodiscard]] std::size_t without_arcs() const { return without_arcs_; }
+
+  /// Returns the exact height of the grown tool's tip, the lowest allowed where nothing is under
+  /// it.
+  [[nodiscard]] double height(const Eigen::Vector2d& place) const;
+
+ private:
+  [[nodiscard]] bool is_over(const Eigen::Vector2d& place) const;
+  [[nodiscard]] double border(const Slice& slice, double over, double beside) const;
+
+  cnc::surface::GrownTool tool_;
+  double lift_mm_;
+  DropCutter cutter_;
+  bool has_floor_;
+  double lowest_mm_;
+  SliceDensity density_;
+  double band_mm_;
+  bool lines_only_;
+  SliceFitter fitter_;
+  std::vector<ContourVertex> lines_;
+  std::size_t without_arcs_ = 0;
+};
+
+}  // namespace sim::surface

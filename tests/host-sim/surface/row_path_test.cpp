@@ -1,0 +1,141 @@
+#include "host-sim/surface/path/row_path.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "host-sim/measure/programmed_path.hpp"
+#include "host-sim/surface/path/surface_program.hpp"
+#include "host-sim/surface/tip_heights.hpp"
+#include "planner/surface/grown.hpp"
+#include "tests/host-sim/surface/random_hills.hpp"
+#include "tests/support/random_cutter.hpp"
+#include "tests/support/trials.hpp"
+
+namespace sim::surface {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double kSafeMm = 50.0;
+
+pocket::MillSettings mill_settings() {
+  return {.feed_mm_min = 1'500.0, .plunge_mm_min = 400.0, .safe_mm = kSafeMm};
+}
+
+std::string text_of(const SurfacePath& path, const RowOptions& options) {
+  const auto decimals = static_cast<std::uint8_t>(std::lround(-std::log10(options.digit_mm)));
+  return program_of(path, mill_settings(), cnc::gcode::PrintGrid{decimals}, {});
+}
+
+/// Calls a function with places of the tip along all feeds of a program but the descents, as
+/// another reader understands it.
+template <typename Function>
+void for_places(const std::string& program, double every_mm, const Function& function) {
+  for (const PathPiece& piece : read_program(program).pieces) {
+    if (piece.travel != Travel::kFeed) continue;
+    const Point& from = piece.curve.start();
+    const Point& to = piece.curve.end();
+    if (from[0] == to[0] && from[1] == to[1] && to[2] < from[2] - 0.9) continue;
+    const int count = 2 + static_cast<int>(piece.curve.length() / every_mm);
+    for (int i = 0; i <= count; ++i) {
+      const Point at = piece.curve.point_at(static_cast<double>(i) / count);
+      function(Vector3d{at[0], at[1], at[2]});
+    }
+  }
+}
+
+/// The tool over what shall stay, exactly, and how far above it a tip may be.
+class Judge {
+ public:
+  Judge(const Mesh& mesh, const RowOptions& options)
+      : options_{options}, exact_{mesh, tool_of(options)}, tolerance_{options.tolerance_mm} {
+    double lowest = 1.0e9;
+    for (const Vector3d& point : mesh.points) lowest = std::min(lowest, point.z());
+    floor_ = options.floor_mm.value_or(lowest) + options.allowance_mm;
+  }
+
+  /// How far the tip cuts in there, vertically; negative above.
+  [[nodiscard]] double gouge(const Vector3d& tip) const { return height(tip.head<2>()) - tip.z(); }
+
+  /// Whether no place within twice the tolerance touches: then there is too much air.
+  [[nodiscard]] bool is_too_high(const Vector3d& tip) const {
+    const double most = 2.0 * tolerance_ + 1.0e-9;
+    if (tip.z() - height(tip.head<2>()) <= most) return false;
+    constexpr int kDirections = 32;
+    for (int ring = 1; ring <= 16; ++ring) {
+      const double out = most * ring / 16.0;
+      const double down = std::sqrt(std::max(0.0, most * most - out * out));
+      for (int i = 0; i < kDirections; ++i) {
+        const double angle = 2.0 * std::numbers::pi * i / kDirections;
+        const Vector2d beside{out * std::cos(angle), out * std::sin(angle)};
+        if (tip.z() - down <= height(tip.head<2>() + beside)) return false;
+      }
+    }
+    return true;
+  }
+
+ private:
+  static cnc::surface::Profile tool_of(const RowOptions& options) {
+    cnc::surface::Profile tool = options.tool;
+    if (options.allowance_mm == 0.0) return tool;
+    return cnc::surface::grown(tool, options.allowance_mm).profile;
+  }
+  [[nodiscard]] double height(const Vector2d& place) const {
+    return std::max(floor_, exact_.tip_height(place) + options_.allowance_mm);
+  }
+
+  RowOptions options_;
+  DropCutter exact_;
+  double tolerance_;
+  double floor_ = 0.0;
+};
+
+RowOptions random_options(proof::Random& random, const cnc::surface::Profile& tool) {
+  RowOptions options;
+  options.tool = tool;
+  // A cone's tip may be sharp, so that it is looked at as often as the tolerance asks for.
+  options.tolerance_mm = random.magnitude(tool.rise > 0.0 ? 0.02 : 0.002, 0.1);
+  options.digit_mm = options.tolerance_mm < 0.005 ? 1.0e-5 : 1.0e-4;
+  options.step_mm = tool.radius_mm * random.between(0.2, 1.5);
+  if (random.chance(0.5))
+    options.angle_rad = 0.5 * std::numbers::pi * static_cast<double>(random.below(4));
+  if (random.chance(0.3)) options.angle_rad = random.between(-4.0, 4.0);
+  if (random.chance(0.3)) options.floor_mm = random.between(-1.0, 2.0);
+  if (random.chance(0.3)) options.margin_mm = random.between(0.0, 3.0);
+  if (random.chance(0.3) && tool.rise == 0.0) options.allowance_mm = random.between(0.0, 0.5);
+  if (random.chance(0.3)) options.order = RowOrder::kOneWay;
+  options.lines_only = random.chance(0.2);
+  return options;
+}
+
+TEST(RowPath, NeverCutsInAndHasNoMoreAirThanTwiceTheTolerance) {
+  const proof::Trials trials{400};
+  double worst = -1.0;
+  for (const std::uint64_t seed : trials) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    proof::Random random{seed};
+    const Mesh mesh = random.chance(0.5) ? random_hills(random) : random_waves(random, 12, 1.0);
+    RowOptions options = random_options(random, proof::random_cutter(random));
+    options.step_mm = std::max(options.step_mm, 0.1 * mesh.points.back().y());
+    const Judge judge{mesh, options};
+    const std::string program = text_of(row_path(mesh, options), options);
+    std::size_t high = 0;
+    std::size_t looked = 0;
+    for_places(program, 0.05, [&](const Vector3d& tip) {
+      worst = std::max(worst, judge.gouge(tip));
+      if (++looked % 7 == 0 && judge.is_too_high(tip)) ++high;
+    });
+    EXPECT_GT(looked, 0U);
+    EXPECT_LE(worst, 1.0e-6);
+    EXPECT_EQ(high, 0U) << "of " << looked / 7;
+  }
+  std::printf("cuts in by %.3g mm\n", worst);
+}
+
+}  // namespace
+}  // namespace sim::surface
