@@ -23,6 +23,7 @@
 #include "host-sim/surface/path/surface_program.hpp"
 #include "host-sim/surface/tip_heights.hpp"
 #include "host-sim/surface/triangle_file.hpp"
+#include "host-sim/trace/input_file.hpp"
 #include "host-sim/trace/output_file.hpp"
 
 namespace sim {
@@ -157,7 +158,8 @@ void write_heights(const SurfaceCommandOptions& options,
 
 ExitStatus run_surface(const SurfaceCommandOptions& options, InputFiles& inputs) {
   const stock::Cutter cutter = cutter_of("--tool", options.tool);
-  const std::string bytes = inputs.read_and_add("surface", options.file);
+  const std::string bytes = read_bytes(options.file);
+  inputs.add("surface", options.file, bytes);
   surface::SurfaceInput input = surface::read_surface(bytes, options.file, options.reading);
   for (const std::string& note : input.notes) {
     terminal::print(stderr, "{}: {}\n", options.file, note);

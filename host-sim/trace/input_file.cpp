@@ -71,11 +71,16 @@ bool is_binary(std::string_view text) {
 
 std::string name_of_input(const std::string& file) { return file == "-" ? "standard input" : file; }
 
-std::string read_text(const std::string& file) {
-  std::string text = OpenInput{file}.read();
-  if (text.empty() && file == "-") {
+std::string read_bytes(const std::string& file) {
+  std::string bytes = OpenInput{file}.read();
+  if (bytes.empty() && file == "-") {
     throw std::invalid_argument("standard input: is empty; give it the text, or name a file");
   }
+  return bytes;
+}
+
+std::string read_text(const std::string& file) {
+  std::string text = read_bytes(file);
   // The importer knows it, and what to do about it.
   constexpr std::string_view kBinaryDxf = "AutoCAD Binary DXF";
   if (is_binary(text) && !text.starts_with(kBinaryDxf)) {

@@ -14,4 +14,8 @@ namespace sim {
 /// are no text. An empty file is a text: its reader knows what is missing.
 [[nodiscard]] std::string read_text(const std::string& file);
 
+/// The same for a file that may be binary. Throws std::system_error naming it when it cannot be
+/// read, std::invalid_argument for an empty standard input.
+[[nodiscard]] std::string read_bytes(const std::string& file);
+
 }  // namespace sim

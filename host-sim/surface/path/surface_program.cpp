@@ -19,11 +19,40 @@ using cnc::WideVec2;
 using cnc::gcode::WriterError;
 using Written = cnc::Result<std::string_view, WriterError>;
 
-/// Returns the greatest share of a motion's speed that goes downwards, 0 for one that climbs.
-double descent_of(const ContourVertex& from, const ContourVertex& to) {
-  const double across = std::atan2(to.y - from.y, to.x - from.x);
-  const double half = 2.0 * std::atan(from.bulge);
-  return std::max({0.0, -std::sin(across - half), -std::sin(across + half)});
+/// The directions in which an element begins and ends, in radians from the level.
+struct ElementCourse {
+  double begin;
+  double end;
+
+  ElementCourse(const ContourVertex& from, const ContourVertex& to) {
+    const double across = std::atan2(to.y - from.y, to.x - from.x);
+    const double half_turn = 2.0 * std::atan(from.bulge);
+    begin = across - half_turn;
+    end = across + half_turn;
+  }
+
+  /// Returns the greatest share of a motion's speed that goes downwards, 0 for one that climbs.
+  [[nodiscard]] double descent() const { return std::max({0.0, -std::sin(begin), -std::sin(end)}); }
+};
+
+cut::Stroke stroke_of(const ContourVertex& from, const ContourVertex& to) {
+  return {.from = {from.x, from.y}, .to = {to.x, to.y}, .bulge = from.bulge};
+}
+
+/// Notes the heights of an element, between its ends, too.
+void note_heights(const ContourVertex& from,
+                  const ContourVertex& to,
+                  SurfaceProgramFigures& figures) {
+  const auto note = [&figures](double height) {
+    figures.lowest_mm = std::min(figures.lowest_mm, height);
+    figures.highest_mm = std::max(figures.highest_mm, height);
+  };
+  note(from.y);
+  note(to.y);
+  const ElementCourse course{from, to};
+  if (course.begin * course.end >= 0.0) return;
+  const double level = course.begin / (course.begin - course.end);
+  note(cut::place_at(stroke_of(from, to), level).y());
 }
 
 /// The coordinates of a slice's plane, as a writer has them.
@@ -103,7 +132,7 @@ class RunWriter {
   }
 
   [[nodiscard]] double feed_of(const ContourVertex& from, const ContourVertex& to) const {
-    const double descent = descent_of(from, to);
+    const double descent = ElementCourse{from, to}.descent();
     if (descent * mill_.feed_mm_min <= mill_.plunge_mm_min) return mill_.feed_mm_min;
     return mill_.plunge_mm_min / descent;
   }
@@ -153,12 +182,9 @@ SurfaceProgramFigures figures_of(const SurfacePath& path) {
     for (std::size_t i = 0; i + 1 < stretch.vertices.size(); ++i) {
       const ContourVertex& from = stretch.vertices[i];
       const ContourVertex& to = stretch.vertices[i + 1];
-      length += cut::length_of({.from = {from.x, from.y}, .to = {to.x, to.y}, .bulge = from.bulge});
+      length += cut::length_of(stroke_of(from, to));
+      note_heights(from, to, figures);
       ++(from.bulge == 0.0 ? figures.lines : figures.arcs);
-    }
-    for (const ContourVertex& vertex : stretch.vertices) {
-      figures.lowest_mm = std::min(figures.lowest_mm, vertex.y);
-      figures.highest_mm = std::max(figures.highest_mm, vertex.y);
     }
     (stretch.use == StretchUse::kRow ? figures.row_mm : figures.link_mm) += length;
   }

@@ -99,6 +99,29 @@ TEST(ProgramWriter, RisesBeforeARapidAndDescendsAfterIt) {
   EXPECT_EQ(text_of(writer.rapid(Place{9.0, 4.0})), "");
 }
 
+TEST(ProgramWriter, WritesArcsInThreePlanes) {
+  ProgramWriter writer{PrintGrid{3}};
+  writer.leave_power();
+  writer.set_feed(300'000);
+  EXPECT_TRUE(writer.set_height(5.0));
+  EXPECT_EQ(text_of(writer.rapid(Place{1.0, 2.0})), "G0Z5\nX1Y2\n");
+  EXPECT_EQ(writer.use_plane(Plane::kXY), "");
+  EXPECT_EQ(writer.use_plane(Plane::kZX), "G18\n");
+  EXPECT_EQ(text_of(writer.cut(Place{5.0, 1.0}, Place{5.0, 3.0}, -1.0)), "G2X3I1F300\n");
+  EXPECT_EQ(
+      text_of(writer.cut(Place{5.0, 3.0}, Place{6.0, 4.0}, std::tan(0.125 * std::numbers::pi))),
+      "G3Z6X4I1\n");
+  EXPECT_TRUE(writer.set_height(1.0));
+  EXPECT_EQ(text_of(writer.cut(Place{6.0, 4.0}, Place{6.0, 5.0}, 0.0)), "G1X5Y1\n");
+  EXPECT_EQ(writer.use_plane(Plane::kYZ), "G19\n");
+  EXPECT_EQ(text_of(writer.cut(Place{1.0, 6.0}, Place{3.0, 6.0}, 1.0)), "G3Y3J1\n");
+  EXPECT_TRUE(writer.set_height(7.0));
+  EXPECT_EQ(text_of(writer.cut(Place{3.0, 6.0}, Place{3.0, 6.0}, 0.0)), "G1X7\n");
+  EXPECT_EQ(writer.use_plane(Plane::kXY), "G17\n");
+  EXPECT_EQ(text_of(writer.rapid(Place{7.0, 3.0})), "");
+  EXPECT_EQ(text_of(writer.rapid(Place{0.0, 3.0})), "G0X0\n");
+}
+
 /// An arc as it was meant, in long double.
 struct MeantArc {
   long double x = 0.0L;
