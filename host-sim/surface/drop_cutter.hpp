@@ -36,8 +36,8 @@ class DropCutter {
   struct Facet {
     cnc::surface::FacetContact contact;
     std::array<Eigen::Vector3d, 3> corners;
-    double top;
-    std::uint8_t edges;  ///< Bit i: the edge from corner i on is tried with this facet.
+    double top = 0.0;
+    std::uint8_t edges = 0;  ///< Bit i: the edge from corner i on is tried with this facet.
   };
   struct Search;
 

@@ -26,7 +26,7 @@ std::vector<Place> places_of(const SliceCurve& curve, const SpanRange& spans, do
     const double parts = std::ceil(std::sqrt(bend / (8.0 * kShareOfTolerance * tolerance_mm)));
     const int count = std::clamp(static_cast<int>(parts), 1, 1'000);
     for (int i = 1; i <= count; ++i) {
-      places.push_back(curve.at(span, static_cast<double>(i) / count).place);
+      places.emplace_back(curve.at(span, static_cast<double>(i) / count).place);
     }
   }
   return places;
@@ -107,7 +107,7 @@ class ChordFinder {
 
   /// The direction towards the last place where the cone has it, else its nearest side.
   static Place direction_in(const Cone& cone, const Place& towards) {
-    const Place unit = towards.normalized();
+    Place unit = towards.normalized();
     if (cross(cone.right, unit) < 0.0) return cone.right;
     if (cross(cone.left, unit) > 0.0) return cone.left;
     return unit;

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <optional>
 #include <stdexcept>
+#include <vector>
 
+#include "host-sim/surface/path/row_frame.hpp"
+#include "host-sim/surface/path/scallop_rows.hpp"
 #include "host-sim/surface/path/surface_tracer.hpp"
 
 namespace sim::surface {
@@ -15,52 +18,33 @@ using Eigen::Vector2d;
 /// Links lead over the surface up to so many steps; farther ones are lifts.
 constexpr double kMostLinkSteps = 4.0;
 
-/// Unit vector of an angle; exact along the axes, so that their rows are.
-Vector2d direction_of(double angle_rad) {
-  Vector2d direction{std::cos(angle_rad), std::sin(angle_rad)};
-  constexpr double kAlongAxis = 1.0e-12;
-  for (double& part : direction) {
-    if (std::abs(part) < kAlongAxis) part = 0.0;
-    if (std::abs(part) > 1.0 - kAlongAxis) part = std::copysign(1.0, part);
-  }
-  return direction;
+/// Returns the distance of rows: asked for, or by which a level surface has no higher scallops.
+double step_of(const RowOptions& options) {
+  if (options.scallop_mm == 0.0) return options.step_mm;
+  const double level = level_step(options.tool, options.scallop_mm - options.tolerance_mm);
+  return options.step_mm > 0.0 ? std::min(options.step_mm, level) : level;
 }
-
-/// The box of a surface in the plan, seen along its rows.
-struct RowFrame {
-  Vector2d along;
-  Vector2d across;
-  Vector2d least;  ///< Along and across.
-  Vector2d most;
-
-  RowFrame(const Mesh& mesh, const RowOptions& options)
-      : along{direction_of(options.angle_rad)},
-        across{-along.y(), along.x()},
-        least{Vector2d::Constant(std::numeric_limits<double>::infinity())},
-        most{-least} {
-    for (const Eigen::Vector3d& point : mesh.points) {
-      const Vector2d seen{along.dot(point.head<2>()), across.dot(point.head<2>())};
-      least = least.cwiseMin(seen);
-      most = most.cwiseMax(seen);
-    }
-    least.array() -= options.margin_mm;
-    most.array() += options.margin_mm;
-  }
-
-  [[nodiscard]] Vector2d at(double way, double row) const { return way * along + row * across; }
-};
 
 /// Lays rows over a surface and links them.
 class RowPlanner {
  public:
   RowPlanner(const Mesh& mesh, const RowOptions& options)
-      : options_{options}, frame_{mesh, options}, tracer_{mesh, options} {}
+      : options_{options},
+        step_mm_{step_of(options)},
+        frame_{mesh, options.angle_rad, options.margin_mm},
+        tracer_{mesh, options} {
+    if (options.scallop_mm == 0.0) return;
+    // A path is above its exact place by the tolerance and as much again at most.
+    between_.emplace(tracer_, frame_, options.tool, options.scallop_mm - options.tolerance_mm);
+  }
 
   SurfacePath plan() {
-    const double width = frame_.most.y() - frame_.least.y();
-    const auto steps = std::max(1.0, std::ceil(width / options_.step_mm - 1.0e-9));
+    const double width = frame_.last_row() - frame_.first_row();
+    const auto steps = std::max(1.0, std::ceil(width / step_mm_ - 1.0e-9));
     for (double i = 0.0; i <= steps; i += 1.0) {
-      add_row(frame_.least.y() + width * i / steps);
+      const double row = frame_.first_row() + width * i / steps;
+      if (between_ && i > 0.0) add_between(row - width / steps, row);
+      add_row(row);
       if (options_.progress) options_.progress((i + 1.0) / (steps + 1.0));
     }
     if (path_.stretches.empty()) {
@@ -73,26 +57,47 @@ class RowPlanner {
 
  private:
   void add_row(double row) {
-    const double length = frame_.most.x() - frame_.least.x();
-    const Vector2d low = frame_.at(frame_.least.x(), row);
-    const Vector2d high = frame_.at(frame_.most.x(), row);
-    const Slice slice =
-        goes_back_ ? Slice{high, -frame_.along, length} : Slice{low, frame_.along, length};
-    bool has_part = false;
+    if (add_part(frame_.whole(row), goes_back_) && options_.order == RowOrder::kZigzag) {
+      goes_back_ = !goes_back_;
+    }
+  }
+
+  /// Adds parts of rows between two rows, the nearest next.
+  void add_between(double low_row, double high_row) {
+    std::vector<RowPart> parts = between_->between(low_row, high_row);
+    while (!parts.empty()) {
+      const auto distance = [this](const RowPart& part, bool goes_back) {
+        return (frame_.slice(part, goes_back).from - here_).norm();
+      };
+      const bool may_go_back = options_.order == RowOrder::kZigzag;
+      const auto nearest = std::ranges::min_element(parts, {}, [&](const RowPart& part) {
+        return may_go_back ? std::min(distance(part, false), distance(part, true))
+                           : distance(part, false);
+      });
+      const bool goes_back = may_go_back && distance(*nearest, true) < distance(*nearest, false);
+      add_part(*nearest, goes_back);
+      parts.erase(nearest);
+    }
+  }
+
+  /// Adds what of a part of a row is over the surface; false if nothing is.
+  bool add_part(const RowPart& part, bool goes_back) {
+    const Slice slice = frame_.slice(part, goes_back);
+    bool has_any = false;
     for (const auto& [begin, end] : tracer_.parts_over(slice)) {
       lead_to(slice.at(begin));
       path_.stretches.push_back(tracer_.trace(slice, begin, end, StretchUse::kRow));
       here_ = slice.at(end);
-      has_part = true;
+      has_any = true;
     }
-    if (has_part && options_.order == RowOrder::kZigzag) goes_back_ = !goes_back_;
+    return has_any;
   }
 
   /// Leads to the next stretch over the surface, where it is near and the surface goes on.
   void lead_to(const Vector2d& place) {
     if (path_.stretches.empty()) return;
     const double distance = (place - here_).norm();
-    const bool is_near = distance <= kMostLinkSteps * options_.step_mm;
+    const bool is_near = distance <= kMostLinkSteps * step_mm_;
     if (options_.order == RowOrder::kZigzag && is_near && distance > 0.0) {
       const Slice slice = slice_between(here_, place);
       const auto parts = tracer_.parts_over(slice);
@@ -107,8 +112,10 @@ class RowPlanner {
   void end_run() { path_.run_ends.push_back(path_.stretches.size()); }
 
   const RowOptions& options_;
+  double step_mm_;
   RowFrame frame_;
   SurfaceTracer tracer_;
+  std::optional<ScallopRows> between_;
   SurfacePath path_;
   Vector2d here_ = Vector2d::Zero();
   bool goes_back_ = false;

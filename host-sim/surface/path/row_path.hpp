@@ -22,9 +22,13 @@ struct RowOptions {
   double allowance_mm = 0.0;   ///< Of stock that stays everywhere, at least 0.
   double tolerance_mm = 0.01;  ///< The tip is at most twice as far above its exact place.
   double digit_mm = 1.0e-4;    ///< Of the program: ends are off by half of it.
-  double step_mm = 0.5;        ///< Between rows in the plan, at most.
-  double angle_rad = 0.0;      ///< Of rows from X, counter-clockwise.
-  double margin_mm = 0.0;      ///< Rows go on beyond the surface's box in the plan.
+  double step_mm = 0.5;        ///< Between rows in the plan, at most; with a scallop 0: any.
+  /// Stock that stays between rows, at right angles to the surface, at most, beside what a tool in
+  /// every place would leave; 0: any. Rows are added where the surface is steep across, up to 127
+  /// between two others. Above the tolerance.
+  double scallop_mm = 0.0;
+  double angle_rad = 0.0;  ///< Of rows from X, counter-clockwise.
+  double margin_mm = 0.0;  ///< Rows go on beyond the surface's box in the plan.
   /// The tip goes no deeper, and beside the surface it goes so deep; without it rows end there.
   std::optional<double> floor_mm;
   RowOrder order = RowOrder::kZigzag;

@@ -65,7 +65,7 @@ class SlicePlane {
 
   [[nodiscard]] Plane plane() const { return plane_; }
   [[nodiscard]] WideVec2 place(const ContourVertex& vertex) const {
-    const WideVec2 seen = slice_.at(vertex.x);
+    WideVec2 seen = slice_.at(vertex.x);
     if (plane_ == Plane::kZX) return {vertex.y, seen.x()};
     if (plane_ == Plane::kYZ) return {seen.y(), vertex.y};
     return seen;

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <string>
+#include <vector>
 
 #include "host-sim/measure/programmed_path.hpp"
 #include "host-sim/surface/path/surface_program.hpp"
@@ -135,6 +137,72 @@ TEST(RowPath, NeverCutsInAndHasNoMoreAirThanTwiceTheTolerance) {
     EXPECT_EQ(high, 0U) << "of " << looked / 7;
   }
   std::printf("cuts in by %.3g mm\n", worst);
+}
+
+/// What is left at a place under tools whose tips are at these places.
+double left_at(const std::vector<Vector3d>& tips,
+               const cnc::surface::Profile& tool,
+               const Vector2d& place) {
+  double left = 1.0e9;
+  for (const Vector3d& tip : tips) {
+    const double distance = (tip.head<2>() - place).norm();
+    if (distance <= tool.radius_mm) {
+      left = std::min(left, tip.z() + cnc::surface::height_at(tool, distance));
+    }
+  }
+  return left;
+}
+
+/// What the tool would leave at a place from everywhere around it.
+double ideal_at(const DropCutter& exact, const Vector2d& place) {
+  const cnc::surface::Profile& tool = exact.profile();
+  constexpr int kRings = 40;
+  constexpr int kDirections = 96;
+  double left = exact.tip_height(place) + cnc::surface::height_at(tool, 0.0);
+  for (int ring = 1; ring <= kRings; ++ring) {
+    const double out = tool.radius_mm * ring / kRings;
+    for (int i = 0; i < kDirections; ++i) {
+      const double angle = 2.0 * std::numbers::pi * (i + 0.5 * (ring % 2)) / kDirections;
+      const Vector2d pose = place + out * Vector2d{std::cos(angle), std::sin(angle)};
+      left = std::min(left, exact.tip_height(pose) + cnc::surface::height_at(tool, out));
+    }
+  }
+  return left;
+}
+
+TEST(RowPath, LeavesScallopsNoHigherThanAskedFor) {
+  const proof::Trials trials{20};
+  for (const std::uint64_t seed : trials) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    proof::Random random{seed};
+    const Mesh mesh = random_waves(random, 14, 0.8);
+    RowOptions options;
+    options.tool = {.radius_mm = 1.5, .flat_mm = 0.0, .corner_mm = 1.5};
+    if (random.chance(0.3)) options.tool = {.radius_mm = 1.5, .flat_mm = 1.0, .corner_mm = 0.5};
+    options.tolerance_mm = 0.003;
+    options.digit_mm = 1.0e-5;
+    options.step_mm = 0.0;
+    options.scallop_mm = random.between(0.01, 0.04);
+    if (random.chance(0.5)) options.angle_rad = 0.5 * std::numbers::pi;
+    std::vector<Vector3d> tips;
+    for_places(text_of(row_path(mesh, options), options), 0.03, [&tips](const Vector3d& tip) {
+      tips.push_back(tip);
+    });
+    const DropCutter exact{mesh, options.tool};
+    const double most = 1.01 * options.scallop_mm + options.tolerance_mm;
+    const Vector3d end = mesh.points.back();
+    for (int i = 0; i < 40; ++i) {
+      const Vector2d place{random.between(0.15, 0.85) * end.x(),
+                           random.between(0.15, 0.85) * end.y()};
+      const double ideal = ideal_at(exact, place);
+      constexpr double kBeside = 0.02;
+      const Vector2d rise{ideal_at(exact, place + Vector2d{kBeside, 0.0}) - ideal,
+                          ideal_at(exact, place + Vector2d{0.0, kBeside}) - ideal};
+      const double upright = std::sqrt(1.0 + (rise / kBeside).squaredNorm());
+      EXPECT_LE((left_at(tips, options.tool, place) - ideal) / upright, most)
+          << place.x() << " " << place.y() << " scallop " << options.scallop_mm << " flat " << options.tool.flat_mm << " angle " << options.angle_rad << " steep " << upright;
+    }
+  }
 }
 
 }  // namespace

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <limits>
+
+#include "host-sim/surface/mesh.hpp"
+#include "host-sim/surface/path/slice.hpp"
+
+namespace sim::surface {
+
+/// A part of a row: where the row lies across, and from where to where along it, mm.
+struct RowPart {
+  double row = 0.0;
+  double begin = 0.0;
+  double end = 0.0;
+};
+
+/// The box of a surface in the plan, seen along its rows.
+class RowFrame {
+ public:
+  /// @param margin_mm the box is larger by so much to all sides
+  RowFrame(const Mesh& mesh, double angle_rad, double margin_mm)
+      : along_{direction_of(angle_rad)},
+        across_{-along_.y(), along_.x()},
+        least_{Eigen::Vector2d::Constant(std::numeric_limits<double>::infinity())},
+        most_{-least_} {
+    for (const Eigen::Vector3d& point : mesh.points) {
+      const Eigen::Vector2d seen{along_.dot(point.head<2>()), across_.dot(point.head<2>())};
+      least_ = least_.cwiseMin(seen);
+      most_ = most_.cwiseMax(seen);
+    }
+    least_.array() -= margin_mm;
+    most_.array() += margin_mm;
+  }
+
+  [[nodiscard]] double first_row() const { return least_.y(); }
+  [[nodiscard]] double last_row() const { return most_.y(); }
+  [[nodiscard]] RowPart whole(double row) const { return {row, least_.x(), most_.x()}; }
+
+  [[nodiscard]] Eigen::Vector2d at(double way, double row) const {
+    return way * along_ + row * across_;
+  }
+
+  /// Returns the slice over a part of a row, towards its end or back.
+  [[nodiscard]] Slice slice(const RowPart& part, bool goes_back) const {
+    const double length = part.end - part.begin;
+    return goes_back ? Slice{at(part.end, part.row), -along_, length}
+                     : Slice{at(part.begin, part.row), along_, length};
+  }
+
+ private:
+  /// Unit vector of an angle; exact along the axes, so that their rows are.
+  static Eigen::Vector2d direction_of(double angle_rad) {
+    Eigen::Vector2d direction{std::cos(angle_rad), std::sin(angle_rad)};
+    constexpr double kAlongAxis = 1.0e-12;
+    for (double& part : direction) {
+      if (std::abs(part) < kAlongAxis) part = 0.0;
+      if (std::abs(part) > 1.0 - kAlongAxis) part = std::copysign(1.0, part);
+    }
+    return direction;
+  }
+
+  Eigen::Vector2d along_;
+  Eigen::Vector2d across_;
+  Eigen::Vector2d least_;  ///< Along and across.
+  Eigen::Vector2d most_;
+};
+
+}  // namespace sim::surface

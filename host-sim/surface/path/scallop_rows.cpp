@@ -1,0 +1,142 @@
+#include "host-sim/surface/path/scallop_rows.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "planner/surface/drop.hpp"
+
+namespace sim::surface {
+namespace {
+
+/// Rows are halved so often at most: where walls are upright no number of rows is enough.
+constexpr int kMostHalvings = 7;
+
+}  // namespace
+
+double level_step(const cnc::surface::Profile& tool, double scallop_mm) {
+  constexpr double kMostRadii = 1.6;
+  constexpr int kHalvings = 50;
+  double low = 0.0;
+  double high = 0.5 * kMostRadii * tool.radius_mm;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + high);
+    const double left = height_at(tool, middle) - tool.tip_mm;
+    (left <= scallop_mm ? low : high) = middle;
+  }
+  return 2.0 * low;
+}
+
+ScallopRows::ScallopRows(const SurfaceTracer& tracer,
+                         const RowFrame& frame,
+                         const cnc::surface::Profile& tool,
+                         double scallop_mm)
+    : tracer_{&tracer},
+      frame_{frame},
+      tool_{tool},
+      scallop_mm_{scallop_mm},
+      // Poses of a row that are so near to each other leave little more than all of it.
+      look_mm_{std::min(0.125 * tool.radius_mm, std::sqrt(0.24 * tool.radius_mm * scallop_mm))} {}
+
+/// Two rows and the one half way between them, by the heights of the tip at the same ways.
+class ScallopRows::Strip {
+ public:
+  Strip(const ScallopRows& rows, const Gap& gap)
+      : rows_{rows},
+        width_{gap.high_row - gap.low.row},
+        around_{static_cast<int>(std::ceil(rows.tool_.radius_mm / rows.look_mm_))},
+        begin_{gap.low.begin - around_ * rows.look_mm_},
+        looks_{1 + static_cast<int>(std::ceil((gap.low.end - gap.low.begin) / rows.look_mm_))} {
+    const double middle = 0.5 * (gap.low.row + gap.high_row);
+    const std::array<double, 3> ways{gap.low.row, middle, gap.high_row};
+    for (std::size_t row = 0; row < ways.size(); ++row) {
+      for (int i = 0; i <= looks_ + 2 * around_; ++i) {
+        heights_[row].push_back(rows.tracer_->height(rows.frame_.at(along(i), ways[row])));
+      }
+    }
+  }
+
+  [[nodiscard]] int first() const { return around_; }
+  [[nodiscard]] int last() const { return around_ + looks_; }
+  [[nodiscard]] double along(int index) const { return begin_ + index * rows_.look_mm_; }
+
+  /// Returns what both rows leave where the tool would touch half way between them.
+  [[nodiscard]] double scallop(int index) const {
+    const double climb = (height(1, index + 1) - height(1, index - 1)) / (2.0 * rows_.look_mm_);
+    const double below = 2.0 * (height(1, index) - height(0, index)) / width_;
+    const double above = 2.0 * (height(2, index) - height(1, index)) / width_;
+    double greatest = 0.0;
+    // At the bottom of a valley the tool touches on both sides.
+    for (const double rise : {below, 0.5 * (below + above), above}) {
+      greatest = std::max(greatest, left_beside(index, {climb, rise}));
+    }
+    return greatest;
+  }
+
+ private:
+  [[nodiscard]] double height(std::size_t row, int index) const {
+    return heights_[row][static_cast<std::size_t>(index)];
+  }
+
+  /// Returns what is left above the place where the tool touches if the surface rises so there.
+  [[nodiscard]] double left_beside(int index, const Eigen::Vector2d& rise) const {
+    const double slope = rise.norm();
+    const cnc::surface::PlaneContact contact = contact_with_plane(rows_.tool_, slope);
+    Eigen::Vector2d place{along(index), 0.5 * width_};
+    if (slope > 0.0) place += contact.out / slope * rise;
+    double left = std::numeric_limits<double>::infinity();
+    for (const std::size_t row : {std::size_t{0}, std::size_t{2}}) {
+      const double beside = place.y() - (row == 0 ? 0.0 : width_);
+      for (int i = index - around_; i <= index + around_; ++i) {
+        const double distance = std::hypot(place.x() - along(i), beside);
+        if (distance > rows_.tool_.radius_mm) continue;
+        left = std::min(left, height(row, i) + height_at(rows_.tool_, distance));
+      }
+    }
+    return (left - height(1, index) - contact.height) / std::sqrt(1.0 + slope * slope);
+  }
+
+  const ScallopRows& rows_;
+  double width_;
+  int around_;
+  double begin_;
+  int looks_;
+  std::array<std::vector<double>, 3> heights_;  ///< Of the low row, the middle and the high row.
+};
+
+void ScallopRows::divide(const Gap& gap,
+                         std::vector<Gap>& pending,
+                         std::vector<RowPart>& parts) const {
+  const Strip strip{*this, gap};
+  RowPart part{0.5 * (gap.low.row + gap.high_row), 0.0, -1.0};
+  const auto take = [&] {
+    if (part.end < part.begin) return;
+    parts.push_back(part);
+    pending.push_back({{gap.low.row, part.begin, part.end}, part.row, gap.depth + 1});
+    pending.push_back({part, gap.high_row, gap.depth + 1});
+  };
+  for (int i = strip.first(); i <= strip.last(); ++i) {
+    if (strip.scallop(i) <= scallop_mm_) continue;
+    const double begin = std::max(gap.low.begin, strip.along(i) - overlap_mm());
+    if (part.end < part.begin || begin > part.end + 2.0 * overlap_mm()) {
+      take();
+      part.begin = begin;
+    }
+    part.end = std::min(gap.low.end, strip.along(i) + overlap_mm());
+  }
+  take();
+}
+
+std::vector<RowPart> ScallopRows::between(double low_row, double high_row) const {
+  std::vector<RowPart> parts;
+  std::vector<Gap> pending{{frame_.whole(low_row), high_row, 0}};
+  while (!pending.empty()) {
+    const Gap gap = pending.back();
+    pending.pop_back();
+    if (gap.depth < kMostHalvings) divide(gap, pending, parts);
+  }
+  return parts;
+}
+
+}  // namespace sim::surface
