@@ -1,5 +1,7 @@
 #include "host-sim/cli/surface_options.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <map>
@@ -17,6 +19,8 @@ namespace {
 constexpr double kLeastMm = 1.0e-6;
 constexpr double kLeastSurfaceToleranceMm = 1.0e-4;
 constexpr double kGreatestSurfaceToleranceMm = 5.0;
+/// Half of it would be left for the rows.
+constexpr double kLeastScallopTolerances = 2.0;
 
 void add_reading_options(CLI::App& command, SurfaceCommandOptions& options) {
   command
@@ -61,9 +65,19 @@ void add_row_options(CLI::App& command, SurfaceCommandOptions& options) {
       ->check(in_range(kLeastSurfaceToleranceMm, kGreatestSurfaceToleranceMm, "mm"))
       ->capture_default_str();
   command
-      .add_option(
-          "--step", options.step_mm, "Between rows, mm; else a tenth of the tool's diameter")
+      .add_option("--step",
+                  options.step_mm,
+                  "Between rows in plan, mm; else as --scallop asks, or a tenth of the tool's "
+                  "diameter")
       ->check(in_range(0.001, 500.0, "mm"))
+      ->type_name("MM");
+  command
+      .add_option(
+          "--scallop",
+          options.scallop_mm,
+          "Of the stock between rows, at right angles to the surface, at most, mm: rows are "
+          "added\nwhere the surface is steep across")
+      ->check(in_range(1.0e-4, 50.0, "mm"))
       ->type_name("MM");
   command.add_option("--angle", options.angle_deg, "Of rows from X, counter-clockwise, degrees")
       ->check(in_range(-360.0, 360.0, "degrees"))
@@ -133,6 +147,14 @@ void check_surface_options(const SurfaceCommandOptions& options) {
   if (!options.heights.empty() && !options.wants_heights()) {
     throw std::invalid_argument("--heights: needs --at, the places");
   }
+  if (options.scallop_mm > 0.0 &&
+      options.scallop_mm < kLeastScallopTolerances * options.tolerance_mm) {
+    throw std::invalid_argument(
+        fmt::format("--scallop: {:g} mm is less than {:g} times the --tolerance of {:g} mm",
+                    options.scallop_mm,
+                    kLeastScallopTolerances,
+                    options.tolerance_mm));
+  }
   if (options.wants_heights()) return;
   if (options.mill.feed_mm_min == 0.0) throw std::invalid_argument("--feed: is needed, mm/min");
   if (options.mill.plunge_mm_min == 0.0) {
@@ -142,11 +164,14 @@ void check_surface_options(const SurfaceCommandOptions& options) {
 
 surface::RowOptions row_options_of(const SurfaceCommandOptions& options,
                                    const stock::Cutter& cutter) {
+  double step_mm = options.step_mm;
+  if (step_mm == 0.0 && options.scallop_mm == 0.0) step_mm = 0.1 * cutter.diameter_mm;
   return {.tool = profile_of(cutter),
           .allowance_mm = options.allowance_mm,
           .tolerance_mm = options.tolerance_mm,
           .digit_mm = std::pow(10.0, -static_cast<double>(options.decimals)),
-          .step_mm = options.step_mm > 0.0 ? options.step_mm : 0.1 * cutter.diameter_mm,
+          .step_mm = step_mm,
+          .scallop_mm = options.scallop_mm,
           .angle_rad = options.angle_deg * std::numbers::pi / 180.0,
           .margin_mm = options.margin_mm,
           .floor_mm = options.floor_mm,

@@ -22,7 +22,8 @@ struct SurfaceCommandOptions {
   std::vector<double> move_mm{};  ///< X, Y and Z; empty: not moved.
   std::string tool;
   double tolerance_mm = 0.01;
-  double step_mm = 0.0;  ///< 0: a tenth of the tool's diameter.
+  double step_mm = 0.0;     ///< 0: as the scallop asks, or a tenth of the tool's diameter.
+  double scallop_mm = 0.0;  ///< 0: any.
   double angle_deg = 0.0;
   double allowance_mm = 0.0;
   double margin_mm = 0.0;

@@ -84,6 +84,17 @@ class SurfaceCommand(unittest.TestCase):
             self.assertFalse([line for line in moves if re.match("G[23](?!1)", line)])
             self.assertEqual(self.simulated()["faults"], [])
 
+    def test_adds_rows_where_scallops_would_be_too_high(self):
+        report = self.folder / "scan.json"
+        lengths = []
+        for scallop in (0.1, 0.02):
+            done = self.surface("--tool", "ball:3", "--tolerance", 0.005, "--scallop", scallop, *MILL, "--report",
+                                report)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(self.simulated()["faults"], [])
+            lengths.append(json.loads(report.read_text())["row_length_mm"])
+        self.assertGreater(lengths[1], 1.8 * lengths[0])
+
     def test_leaves_an_allowance_and_stops_at_a_floor(self):
         self.scan.write_text(scan(height=lambda x, y: -4.0))
         self.assertEqual(self.surface("--tool", 6, "--allowance", 0.3, *MILL).returncode, 0)
@@ -149,6 +160,7 @@ class SurfaceCommand(unittest.TestCase):
                 ((*good, "--tolerance", 0.0001), self.scan, "take more --decimals"),
                 ((*good, "--tolerance", 0), self.scan, "--tolerance"),
                 ((*good, "--step", 0), self.scan, "--step"),
+                ((*good, "--scallop", 0.015), self.scan, "less than 2 times the --tolerance"),
                 ((*good, "--heights", self.folder / "h.txt"), self.scan, "--heights: needs --at"),
                 (good, nan, "nan.xyz:2"),
                 (good, uneven, "uneven.xyz"),
