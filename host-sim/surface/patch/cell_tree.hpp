@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace sim::surface::patch {
+
+/// A rectangle of a grid's quadrilaterals, from one row and column to another.
+struct Cell {
+  std::uint32_t row = 0;
+  std::uint32_t column = 0;
+  std::uint32_t end_row = 0;
+  std::uint32_t end_column = 0;
+  std::uint32_t depth = 0;  ///< Number of splits that made it.
+
+  [[nodiscard]] std::uint32_t height() const { return end_row - row; }
+  [[nodiscard]] std::uint32_t width() const { return end_column - column; }
+  [[nodiscard]] bool can_be_split() const { return height() > 1 || width() > 1; }
+  [[nodiscard]] bool has_corner(std::uint32_t at_row, std::uint32_t at_column) const {
+    return (at_row == row || at_row == end_row) && (at_column == column || at_column == end_column);
+  }
+};
+
+/// The cells that adaptive subdivision divides a grid into, at first one, by splits in four at the
+/// middle row and column. A cell of one row or column is split in two. Neighbours across a border
+/// differ by one split at most, so that a coarse patch does not bind many fine ones.
+///
+/// A corner of a cell within a border of another one hangs there. That one has fewer splits: the
+/// middles are the same for all cells of a depth, so that its border holds the others' in full.
+class CellTree {
+ public:
+  /// @pre two rows and columns of points at least
+  CellTree(std::size_t rows, std::size_t columns);
+
+  /// Cells keep their number, except that a split cell's number goes on to its first part.
+  [[nodiscard]] const std::vector<Cell>& cells() const { return cells_; }
+  /// Returns the number of the cell that holds the quadrilateral from a point to the next row and
+  /// column.
+  [[nodiscard]] std::uint32_t cell_at(std::uint32_t row, std::uint32_t column) const {
+    return numbers_[std::size_t{row} * width_ + column];
+  }
+  /// Returns the numbers of the cells that a point lies in or at the border of, some repeatedly.
+  [[nodiscard]] std::vector<std::uint32_t> cells_around(std::uint32_t row,
+                                                        std::uint32_t column) const;
+
+  /// Splits the cell and those neighbours that would differ from its parts by two splits.
+  /// @pre the cell can be split
+  void split(std::uint32_t number);
+
+ private:
+  void divide(std::uint32_t number);
+  void add(const Cell& cell, std::uint32_t number);
+  [[nodiscard]] std::vector<std::uint32_t> coarser_neighbours(const Cell& cell) const;
+
+  std::uint32_t height_ = 0;  ///< Quadrilaterals in a column.
+  std::uint32_t width_ = 0;   ///< Quadrilaterals in a row.
+  std::vector<Cell> cells_;
+  std::vector<std::uint32_t> numbers_;  ///< Of the cell, by quadrilateral, row by row.
+};
+
+}  // namespace sim::surface::patch

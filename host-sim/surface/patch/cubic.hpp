@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace sim::surface::patch {
+
+/// A cubic over 0 to 1 by its Bernstein coefficients, such as the distances of a Bézier curve's
+/// control points from a plane.
+using Cubic = std::array<double, 4>;
+
+/// Lowest and highest value.
+struct Range {
+  double lowest = 0.0;
+  double highest = 0.0;
+
+  [[nodiscard]] double width() const { return highest - lowest; }
+};
+
+[[nodiscard]] double value_at(const Cubic& cubic, double t);
+
+/// Up to three parameters in ascending order.
+struct Parameters {
+  std::array<double, 3> values{};
+  std::size_t count = 0;
+
+  void add(double value) { values[count++] = value; }
+};
+
+/// Returns the parameters strictly between 0 and 1 at which the derivative is 0.
+[[nodiscard]] Parameters turning_points(const Cubic& cubic);
+
+/// Returns the extremes over 0 to 1, at the ends or where the derivative is 0 (paper 4, 4.1).
+[[nodiscard]] Range range_of(const Cubic& cubic);
+
+/// Returns the parameters at which the sign changes, where 0 counts as positive. Their number is
+/// odd if and only if the signs of the first and the last coefficient differ; a double root, at
+/// which the sign does not change, counts as none or as two close ones.
+///
+/// The roots come from the closed formula for A t³ + B t² + C t + D (paper 4, 4.2). Rounding spoils
+/// it near double roots, so that each root is kept between the turning points that enclose it, and
+/// improved there until its error is a few units in the last place of the coefficients.
+[[nodiscard]] Parameters sign_changes(const Cubic& cubic);
+
+}  // namespace sim::surface::patch

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstdint>
+
+#include "host-sim/surface/patch/box_tree.hpp"
+#include "host-sim/surface/point_grid.hpp"
+
+namespace sim::surface::patch {
+
+using Triangle = std::array<Eigen::Vector3d, 3>;
+
+/// Returns the square of the distance of a point from a triangle, which may have no area; mm².
+[[nodiscard]] double square_distance(const Eigen::Vector3d& point, const Triangle& triangle);
+
+/// Returns the square of the distance from the two triangles of the quadrilateral between a point
+/// of the grid and the next row and column; mm².
+[[nodiscard]] double square_distance_from(const PointGrid& grid,
+                                          std::uint32_t row,
+                                          std::uint32_t column,
+                                          const Eigen::Vector3d& point);
+
+/// Distances of points from the triangles of a grid (triangulated() states the diagonal).
+class GridDistance {
+ public:
+  /// @pre the grid has two rows and columns at least. It must live as long as this object.
+  explicit GridDistance(const PointGrid& grid);
+
+  /// Returns the square of the distance from the whole grid, mm².
+  /// @param known the square of a distance from some quadrilateral
+  [[nodiscard]] double square_distance_from_all(const Eigen::Vector3d& point, double known) const;
+
+ private:
+  const PointGrid* grid_;
+  BoxTree tree_;  ///< Of the quadrilaterals, row by row.
+};
+
+}  // namespace sim::surface::patch

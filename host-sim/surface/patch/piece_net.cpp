@@ -1,0 +1,130 @@
+#include "host-sim/surface/patch/piece_net.hpp"
+
+#include <algorithm>
+#include <array>
+#include <compare>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace sim::surface::patch {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr std::uint32_t kNoEdge = std::numeric_limits<std::uint32_t>::max();
+
+/// A corner of a piece as a place on the line of fixed u or fixed v through it.
+struct Stop {
+  bool is_at_u = false;  ///< The line has fixed u.
+  double line = 0.0;
+  double along = 0.0;
+
+  auto operator<=>(const Stop&) const = default;
+};
+
+/// A side of a piece.
+struct Side {
+  bool is_at_u = false;
+  double line = 0.0;
+  Interval along;
+  bool is_reversed = false;  ///< Around the piece it runs from its end to its start.
+
+  [[nodiscard]] Stop from() const { return {is_at_u, line, along.from}; }
+  [[nodiscard]] Stop to() const { return {is_at_u, line, along.to}; }
+};
+
+/// Returns the sides of a piece in the order in which they are around it.
+std::array<Side, 4> sides_of(const GridPatch& piece) {
+  return {Side{true, piece.u.from, piece.v, false},
+          Side{false, piece.v.to, piece.u, false},
+          Side{true, piece.u.to, piece.v, true},
+          Side{false, piece.v.from, piece.u, true}};
+}
+
+BezierCurve curve_of(const BezierPatch& shape, std::size_t side) {
+  switch (side) {
+    case 0:
+      return shape.rows[0];
+    case 1:
+      return shape.transposed().rows[3];
+    case 2:
+      return shape.rows[3];
+    default:
+      return shape.transposed().rows[0];
+  }
+}
+
+}  // namespace
+
+/// Divides all sides at all corners on them.
+class PieceNet::Builder {
+ public:
+  explicit Builder(PieceNet& net) : net_{net} {
+    for (const GridPatch& piece : net.pieces_) {
+      for (const Side& side : sides_of(piece)) {
+        stops_.push_back(side.from());
+        stops_.push_back(side.to());
+      }
+    }
+    std::sort(stops_.begin(), stops_.end());
+    stops_.erase(std::unique(stops_.begin(), stops_.end()), stops_.end());
+    edge_from_.assign(stops_.size(), kNoEdge);
+  }
+
+  void build() {
+    for (const GridPatch& piece : net_.pieces_) {
+      net_.first_edge_.push_back(net_.borders_.size());
+      const std::array<Side, 4> sides = sides_of(piece);
+      for (std::size_t i = 0; i < 4; ++i) add_side(sides[i], curve_of(piece.shape, i));
+    }
+    net_.first_edge_.push_back(net_.borders_.size());
+  }
+
+ private:
+  [[nodiscard]] std::size_t place_of(const Stop& stop) const {
+    return static_cast<std::size_t>(std::lower_bound(stops_.begin(), stops_.end(), stop) -
+                                    stops_.begin());
+  }
+
+  void add_side(const Side& side, const BezierCurve& curve) {
+    const std::size_t first = place_of(side.from());
+    const std::size_t last = place_of(side.to());
+    for (std::size_t i = first; i < last; ++i) {
+      if (edge_from_[i] == kNoEdge) edge_from_[i] = new_edge(side, curve, i);
+    }
+    for (std::size_t i = 0; i < last - first; ++i) {
+      const std::size_t stop = side.is_reversed ? last - 1 - i : first + i;
+      net_.borders_.push_back({edge_from_[stop], side.is_reversed});
+    }
+  }
+
+  std::uint32_t new_edge(const Side& side, const BezierCurve& curve, std::size_t stop) {
+    const double length = side.along.to - side.along.from;
+    const Interval share{(stops_[stop].along - side.along.from) / length,
+                         (stops_[stop + 1].along - side.along.from) / length};
+    BezierCurve edge = curve.part(share);
+    edge.controls[0] = corner(stops_[stop], edge.controls[0]);
+    edge.controls[3] = corner(stops_[stop + 1], edge.controls[3]);
+    net_.edges_.push_back(edge);
+    return static_cast<std::uint32_t>(net_.edges_.size() - 1);
+  }
+
+  /// Returns the point of a corner as it was first computed.
+  const Vector3d& corner(const Stop& stop, const Vector3d& point) {
+    const std::pair place{stop.is_at_u ? stop.line : stop.along,
+                          stop.is_at_u ? stop.along : stop.line};
+    return corners_.try_emplace(place, point).first->second;
+  }
+
+  PieceNet& net_;
+  std::vector<Stop> stops_;               ///< Sorted, each once.
+  std::vector<std::uint32_t> edge_from_;  ///< The edge from a stop to the next of its line.
+  std::map<std::pair<double, double>, Vector3d> corners_;
+};
+
+PieceNet::PieceNet(std::vector<GridPatch> pieces) : pieces_{std::move(pieces)} {
+  Builder{*this}.build();
+}
+
+}  // namespace sim::surface::patch

@@ -1,0 +1,181 @@
+#include "host-sim/surface/patch/surface_distance.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <vector>
+
+namespace sim::surface::patch {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Gauss-Newton converges at a rate of distance over radius of curvature. Slower feet are left to
+/// the divisions of the patch.
+constexpr int kMaxFootSteps = 12;
+/// Divisions of a patch in four; its parts are then as small as the rounding of its points.
+constexpr int kMaxDivisions = 24;
+
+Eigen::AlignedBox3d box_of(const BezierPatch& patch) {
+  Eigen::AlignedBox3d box;
+  for (const BezierCurve& row : patch.rows) {
+    for (const Vector3d& control : row.controls) box.extend(control);
+  }
+  return box;
+}
+
+/// Returns a step of u and v towards the foot, of which one is 0 at a border that the step leaves.
+Eigen::Vector2d step_to_foot(const PatchJet& jet, const Vector3d& away, double u, double v) {
+  const double uu = jet.along_u.squaredNorm();
+  const double uv = jet.along_u.dot(jet.along_v);
+  const double vv = jet.along_v.squaredNorm();
+  const double du = jet.along_u.dot(away);
+  const double dv = jet.along_v.dot(away);
+  const bool u_is_held = (u == 0.0 && du < 0.0) || (u == 1.0 && du > 0.0);
+  const bool v_is_held = (v == 0.0 && dv < 0.0) || (v == 1.0 && dv > 0.0);
+  const auto share = [](double top, double bottom) { return bottom > 0.0 ? top / bottom : 0.0; };
+  const double determinant = uu * vv - uv * uv;
+  if (u_is_held || v_is_held || determinant <= 1.0e-12 * uu * vv) {
+    return {u_is_held ? 0.0 : share(du, uu), v_is_held || !u_is_held ? 0.0 : share(dv, vv)};
+  }
+  return {(du * vv - dv * uv) / determinant, (dv * uu - du * uv) / determinant};
+}
+
+/// Returns a distance that no point of the patch is nearer than: that of its control points from
+/// the plane through the point across the line from the foot.
+double least_distance(const BezierPatch& patch, const Vector3d& point, const Vector3d& foot) {
+  const Vector3d away = point - foot;
+  const double length = away.norm();
+  if (length == 0.0) return 0.0;
+  double least = std::numeric_limits<double>::infinity();
+  for (const BezierCurve& row : patch.rows) {
+    for (const Vector3d& control : row.controls) least = std::min(least, away.dot(point - control));
+  }
+  return least / length;
+}
+
+}  // namespace
+
+double move_to_foot(const BezierPatch& patch, const Vector3d& point, double& u, double& v) {
+  PatchJet jet = patch.jet(u, v);
+  double distance = (point - jet.point).norm();
+  for (int step = 0; step < kMaxFootSteps; ++step) {
+    const Eigen::Vector2d move = step_to_foot(jet, point - jet.point, u, v);
+    const double next_u = std::clamp(u + move.x(), 0.0, 1.0);
+    const double next_v = std::clamp(v + move.y(), 0.0, 1.0);
+    if (next_u == u && next_v == v) break;
+    const PatchJet next = patch.jet(next_u, next_v);
+    const double next_distance = (point - next.point).norm();
+    if (!(next_distance < distance)) break;
+    const bool is_settled = distance - next_distance < 1.0e-3 * kDistanceErrorMm;
+    jet = next;
+    u = next_u;
+    v = next_v;
+    distance = next_distance;
+    if (is_settled) break;
+  }
+  return distance;
+}
+
+struct SurfaceDistance::Part {
+  BezierPatch shape;
+  Interval u;
+  Interval v;
+  int divisions = 0;
+
+  [[nodiscard]] Part quarter(bool far_u, bool far_v) const {
+    const auto half = [](Interval whole, bool far) {
+      const double middle = 0.5 * (whole.from + whole.to);
+      return far ? Interval{middle, whole.to} : Interval{whole.from, middle};
+    };
+    return {shape.part(half({}, far_u), half({}, far_v)),
+            half(u, far_u),
+            half(v, far_v),
+            divisions + 1};
+  }
+};
+
+struct SurfaceDistance::Search {
+  Vector3d point = Vector3d::Zero();
+  SurfacePoint best;
+  double enough = 0.0;       ///< A distance below which no nearer one is looked for.
+  double too_far = 0.0;      ///< A distance above which none is of interest.
+  std::vector<Part> open{};  ///< Parts of the current patch, three for a division at most.
+
+  [[nodiscard]] bool is_over() const { return best.distance_mm <= enough; }
+  [[nodiscard]] double bound() const {
+    return is_over() ? -1.0 : std::min(too_far, best.distance_mm - kDistanceErrorMm);
+  }
+  void note(const SurfacePoint& found) {
+    if (found.distance_mm < best.distance_mm) best = found;
+  }
+};
+
+SurfaceDistance::SurfaceDistance(const PatchSurface& surface) : surface_{&surface} {
+  std::vector<Eigen::AlignedBox3d> boxes;
+  boxes.reserve(surface.patches.size());
+  for (const GridPatch& patch : surface.patches) boxes.push_back(box_of(patch.shape));
+  tree_ = BoxTree{boxes};
+}
+
+void SurfaceDistance::search_patch(std::uint32_t number, Search& search) const {
+  search.open.push_back({surface_->patches[number].shape, {}, {}, 0});
+  while (!search.open.empty()) {
+    const Part part = search.open.back();
+    search.open.pop_back();
+    const double bound = search.bound();
+    if (bound < 0.0) continue;
+    if (box_of(part.shape).squaredExteriorDistance(search.point) > bound * bound) continue;
+    double u = 0.5;
+    double v = 0.5;
+    const double distance = move_to_foot(part.shape, search.point, u, v);
+    search.note({number,
+                 part.u.from + u * (part.u.to - part.u.from),
+                 part.v.from + v * (part.v.to - part.v.from),
+                 distance});
+    const Vector3d foot = part.shape.at(u, v);
+    if (least_distance(part.shape, search.point, foot) > search.bound()) continue;
+    if (part.divisions == kMaxDivisions) continue;
+    for (const bool far_u : {false, true}) {
+      for (const bool far_v : {false, true}) search.open.push_back(part.quarter(far_u, far_v));
+    }
+  }
+}
+
+void SurfaceDistance::search(Search& search) const {
+  tree_.visit_near(
+      search.point,
+      [&search] { return search.bound(); },
+      [&](std::uint32_t number) { search_patch(number, search); });
+}
+
+SurfacePoint SurfaceDistance::nearest(const Vector3d& point, const SurfacePoint& near) const {
+  Search begun{.point = point,
+               .best = near,
+               .enough = kDistanceErrorMm,
+               .too_far = std::numeric_limits<double>::infinity()};
+  SurfacePoint& best = begun.best;
+  best.distance_mm = move_to_foot(surface_->patches[near.patch].shape, point, best.u, best.v);
+  search(begun);
+  return best;
+}
+
+SurfacePoint SurfaceDistance::nearest(const Vector3d& point) const {
+  return nearest(point, SurfacePoint{});
+}
+
+bool SurfaceDistance::is_within(const Vector3d& point,
+                                double tolerance_mm,
+                                const SurfacePoint& near) const {
+  const BezierPatch& patch = surface_->patches[near.patch].shape;
+  Search begun{.point = point, .best = near, .enough = tolerance_mm, .too_far = tolerance_mm};
+  SurfacePoint& best = begun.best;
+  best.distance_mm = (point - patch.at(best.u, best.v)).norm();
+  if (begun.is_over()) return true;
+  best.distance_mm = move_to_foot(patch, point, best.u, best.v);
+  if (begun.is_over()) return true;
+  search(begun);
+  return begun.is_over();
+}
+
+}  // namespace sim::surface::patch
