@@ -22,21 +22,24 @@ Filter filter_at(std::size_t place, std::size_t reach, std::size_t count) {
   const std::size_t behind = std::min(reach, place);
   Filter filter{.first = std::min(place - behind, count - length), .value = {}, .slope = {}};
   // Powers of the distance from the node over the reach, so that all are of the same size.
-  const auto powers = static_cast<Eigen::Index>(std::min<std::size_t>(length, 4));
-  const auto points = static_cast<Eigen::Index>(length);
-  Eigen::Matrix<double, Eigen::Dynamic, 4> terms(points, 4);
   const double scale = 1.0 / static_cast<double>(reach);
-  for (Eigen::Index i = 0; i < points; ++i) {
-    const double x = scale * (static_cast<double>(filter.first) + static_cast<double>(i) -
-                              static_cast<double>(place));
-    terms.row(i) << 1.0, x, x * x, x * x * x;
+  const auto powers_at = [&](std::size_t i) {
+    const double x = scale * (static_cast<double>(filter.first + i) - static_cast<double>(place));
+    // Few points determine fewer powers.
+    return Eigen::Vector4d{1.0, x, length > 2 ? x * x : 0.0, length > 3 ? x * x * x : 0.0};
+  };
+  Eigen::Matrix4d normal = Eigen::Matrix4d::Zero();
+  for (std::size_t i = 0; i < length; ++i) normal += powers_at(i) * powers_at(i).transpose();
+  for (Eigen::Index i = 2; i < 4; ++i) {
+    if (normal(i, i) == 0.0) normal(i, i) = 1.0;
   }
-  const auto used = terms.leftCols(powers);
-  const Eigen::MatrixXd normal = used.transpose() * used;
-  const Eigen::MatrixXd weights = normal.ldlt().solve(used.transpose());
-  for (Eigen::Index i = 0; i < points; ++i) {
-    filter.value.push_back(weights(0, i));
-    filter.slope.push_back(scale * weights(1, i));
+  const Eigen::Matrix4d inverse = normal.ldlt().solve(Eigen::Matrix4d::Identity());
+  filter.value.reserve(length);
+  filter.slope.reserve(length);
+  for (std::size_t i = 0; i < length; ++i) {
+    const Eigen::Vector4d powers = powers_at(i);
+    filter.value.push_back(inverse.row(0).dot(powers));
+    filter.slope.push_back(scale * inverse.row(1).dot(powers));
   }
   return filter;
 }

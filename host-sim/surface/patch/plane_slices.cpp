@@ -62,8 +62,7 @@ class Slicer {
     }
     if (around.empty()) return;
     const BezierPatch& shape = net_.pieces()[piece].shape;
-    const double bound = chord_error_bound(
-        shape, {.tolerance_mm = 0.0, .test = FlatnessTest::kBothOrders, .slicing_normal = normal_});
+    const double bound = chord_error_bound(shape, {.slicing_normal = normal_, .least_sine = 0.0});
     // The signs of the parts of the border alternate; the last part holds the border's start.
     const BorderEdge start = net_.border(piece).front();
     const BezierCurve& curve = net_.edges()[start.edge];

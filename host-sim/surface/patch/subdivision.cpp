@@ -7,6 +7,7 @@
 #include <limits>
 #include <unordered_map>
 #include <utility>
+#include <vector>
 
 namespace sim::surface::patch {
 namespace {
@@ -33,14 +34,24 @@ struct Fraction {
   [[nodiscard]] bool can_be_halved() const { return halvings < kMaxHalvings; }
 };
 
+enum class Split : std::uint8_t { kNone, kAlongU, kAlongV, kInFour };
+
 /// A rectangle within a patch.
 struct Rectangle {
   Fraction u;
   Fraction v;
 
-  [[nodiscard]] std::pair<Rectangle, Rectangle> halves(bool along_u) const {
-    if (along_u) return {{u.half(0), v}, {u.half(1), v}};
-    return {{u, v.half(0)}, {u, v.half(1)}};
+  [[nodiscard]] bool can_be(Split split) const {
+    return (split == Split::kAlongV || u.can_be_halved()) &&
+           (split == Split::kAlongU || v.can_be_halved());
+  }
+  [[nodiscard]] std::vector<Rectangle> parts(Split split) const {
+    if (split == Split::kAlongU) return {{u.half(0), v}, {u.half(1), v}};
+    if (split == Split::kAlongV) return {{u, v.half(0)}, {u, v.half(1)}};
+    return {{u.half(0), v.half(0)},
+            {u.half(0), v.half(1)},
+            {u.half(1), v.half(0)},
+            {u.half(1), v.half(1)}};
   }
   [[nodiscard]] std::uint64_t key() const { return u.key() << 32U | v.key(); }
   [[nodiscard]] GridPatch of(const GridPatch& patch) const {
@@ -56,79 +67,104 @@ double diameter(const BezierPatch& patch) {
   return box.diagonal().norm();
 }
 
-/// Finds the fewest pieces by dynamic programming over the rectangles that halvings make.
+/// Finds the fewest pieces by dynamic programming over the rectangles that halvings make. A count
+/// is given up once it exceeds a number that another split has reached.
 class FewestPieces {
  public:
   FewestPieces(const GridPatch& patch, const FlatnessLimit& limit) : patch_{patch}, limit_{limit} {}
 
   std::vector<GridPatch> pieces() {
-    count(Rectangle{});
+    count(Rectangle{}, kMore - 1);
     std::vector<GridPatch> found;
     std::vector<Rectangle> open{Rectangle{}};
     while (!open.empty()) {
       const Rectangle part = open.back();
       open.pop_back();
-      const Choice& choice = choices_.at(part.key());
-      if (choice.pieces == 1) {
+      const Split split = choices_.at(part.key()).split;
+      if (split == Split::kNone) {
         found.push_back(part.of(patch_));
         continue;
       }
-      const auto [first, second] = part.halves(choice.along_u);
-      open.push_back(second);
-      open.push_back(first);
+      const std::vector<Rectangle> parts = part.parts(split);
+      open.insert(open.end(), parts.rbegin(), parts.rend());
     }
     return found;
   }
 
  private:
+  static constexpr std::uint32_t kMore = std::numeric_limits<std::uint32_t>::max();
+
   struct Choice {
     double error = 0.0;
-    std::uint32_t pieces = 0;  ///< 0 as long as they are not counted.
-    bool along_u = false;
+    std::uint32_t pieces = 0;     ///< 0 as long as they are not counted.
+    std::uint32_t more_than = 0;  ///< A count that was given up has shown this.
+    Split split = Split::kNone;
   };
 
-  /// Returns what is known of a part, its error at the least.
+  /// Returns what is known of a rectangle, its error at the least.
   Choice& choice_of(const Rectangle& part) {
     const auto [place, is_new] = choices_.try_emplace(part.key());
     if (is_new) place->second.error = chord_error_bound(part.of(patch_).shape, limit_);
     return place->second;
   }
 
-  double error_of_halves(const Rectangle& part, bool along_u) {
-    if (!(along_u ? part.u : part.v).can_be_halved()) {
-      return std::numeric_limits<double>::infinity();
+  double error_of_parts(const Rectangle& part, Split split) {
+    if (!part.can_be(split)) return std::numeric_limits<double>::infinity();
+    double error = 0.0;
+    for (const Rectangle& half : part.parts(split)) error = std::max(error, choice_of(half).error);
+    return error;
+  }
+
+  /// Returns the number of pieces of a rectangle; kMore where it exceeds `most`. Calls itself at
+  /// most 2 kMaxHalvings deep, as each level has a halving more.
+  std::uint32_t count(const Rectangle& part,  // NOLINT(misc-no-recursion): bounded by the halvings.
+                      std::uint32_t most) {
+    Choice& choice = choice_of(part);
+    if (choice.pieces == 0 && choice.error <= limit_.tolerance_mm) choice.pieces = 1;
+    if (choice.pieces == 0 && most > choice.more_than) count_splits(part, most, choice);
+    if (choice.pieces == 0) choice.more_than = std::max(choice.more_than, most);
+    return choice.pieces == 0 || choice.pieces > most ? kMore : choice.pieces;
+  }
+
+  void count_splits(const Rectangle& part,  // NOLINT(misc-no-recursion): see count.
+                    std::uint32_t most,
+                    Choice& choice) {
+    const double along_u = error_of_parts(part, Split::kAlongU);
+    const double along_v = error_of_parts(part, Split::kAlongV);
+    if (std::isinf(std::min(along_u, along_v))) {
+      choice.pieces = 1;
+      return;
     }
-    const auto [first, second] = part.halves(along_u);
-    return std::max(choice_of(first).error, choice_of(second).error);
+    const bool u_is_better = along_u <= along_v;
+    std::vector<Split> splits{Split::kInFour, u_is_better ? Split::kAlongU : Split::kAlongV};
+    const auto helps = [&choice](double error) { return error <= kHelpfulShare * choice.error; };
+    if (helps(std::max(along_u, along_v)) || !helps(std::min(along_u, along_v))) {
+      splits.push_back(u_is_better ? Split::kAlongV : Split::kAlongU);
+    }
+    for (const Split split : splits) {
+      const std::uint32_t pieces = count_parts(part, split, most);
+      if (pieces == kMore) continue;
+      choice.pieces = pieces;
+      choice.split = split;
+      most = pieces - 1;
+    }
   }
 
-  std::uint32_t count_of_halves(const Rectangle& part, bool along_u) {
-    const auto [first, second] = part.halves(along_u);
-    return count(first) + count(second);
-  }
-
-  /// Returns the number of pieces of a part. Calls itself at most 2 kMaxHalvings deep.
-  std::uint32_t count(
-      const Rectangle& part) {  // NOLINT(misc-no-recursion): bounded by the halvings.
-    Choice choice = choice_of(part);
-    if (choice.pieces > 0) return choice.pieces;
-    choice.pieces = 1;
-    if (choice.error > limit_.tolerance_mm) split(part, choice);
-    choices_[part.key()] = choice;
-    return choice.pieces;
-  }
-
-  void split(const Rectangle& part, Choice& choice) {  // NOLINT(misc-no-recursion): see count.
-    const double along_u = error_of_halves(part, true);
-    const double along_v = error_of_halves(part, false);
-    choice.along_u = along_u <= along_v;
-    if (std::isinf(std::min(along_u, along_v))) return;
-    choice.pieces = count_of_halves(part, choice.along_u);
-    if (choice.pieces == 2 || std::max(along_u, along_v) > kHelpfulShare * choice.error) return;
-    const std::uint32_t other = count_of_halves(part, !choice.along_u);
-    if (other >= choice.pieces) return;
-    choice.pieces = other;
-    choice.along_u = !choice.along_u;
+  std::uint32_t count_parts(const Rectangle& part,  // NOLINT(misc-no-recursion): see count.
+                            Split split,
+                            std::uint32_t most) {
+    if (!part.can_be(split)) return kMore;
+    const std::vector<Rectangle> parts = part.parts(split);
+    std::uint32_t pieces = 0;
+    auto left = static_cast<std::uint32_t>(parts.size());
+    for (const Rectangle& next : parts) {
+      --left;
+      if (pieces + left >= most) return kMore;
+      const std::uint32_t more = count(next, most - pieces - left);
+      if (more == kMore) return kMore;
+      pieces += more;
+    }
+    return pieces;
   }
 
   const GridPatch& patch_;
@@ -141,8 +177,9 @@ class FewestPieces {
 double chord_error_bound(const BezierPatch& patch, const FlatnessLimit& limit) {
   const FatPlane plane = fat_plane(patch, limit.test);
   if (!limit.slicing_normal) return plane.flatness();
-  const double sine = plane.normal.cross(*limit.slicing_normal).norm();
-  return std::min(plane.flatness() / sine, diameter(patch));
+  const double sine = std::max(plane.normal.cross(*limit.slicing_normal).norm(), limit.least_sine);
+  const double size = diameter(patch);
+  return plane.flatness() < sine * size ? plane.flatness() / sine : size;
 }
 
 std::vector<GridPatch> quartered(const GridPatch& patch, const Excess& excess) {
@@ -156,11 +193,8 @@ std::vector<GridPatch> quartered(const GridPatch& patch, const Excess& excess) {
       pieces.push_back(std::move(piece));
       continue;
     }
-    const auto [first, second] = part.halves(true);
-    for (const Rectangle& half : {second, first}) {
-      open.push_back(half.halves(false).second);
-      open.push_back(half.halves(false).first);
-    }
+    const std::vector<Rectangle> parts = part.parts(Split::kInFour);
+    open.insert(open.end(), parts.rbegin(), parts.rend());
   }
   return pieces;
 }

@@ -12,7 +12,7 @@ namespace sim::surface::patch {
 /// Halvings of each parameter after which a piece is kept although it is not flat.
 inline constexpr int kMaxHalvings = 16;
 
-/// The distance from flat that a piece may have, mm; 0 and less is flat.
+/// The distance by which a piece is not flat enough, mm; a piece of 0 or less is flat.
 using Excess = std::function<double(const BezierPatch&)>;
 
 /// The condition under which the chords of a piece are within tolerance.
@@ -22,11 +22,14 @@ struct FlatnessLimit {
   /// Unit normal of the slicing planes. With it the tolerance holds for chords within these planes,
   /// in which a fat plane that is oblique to them is thicker; without it, along the fat plane's
   /// normal alone, as in paper 4.
-  std::optional<Eigen::Vector3d> slicing_normal;
+  std::optional<Eigen::Vector3d> slicing_normal = std::nullopt;
+  /// A piece nearly parallel to the slicing planes, by less than this sine, is held to tolerance /
+  /// sine alone: level ground would be divided without end, while its paths are on it anyway.
+  double least_sine = 0.05;
 };
 
-/// Returns how far chords between points of the patch can be from it, as the limit measures it; at
-/// most the diameter of the control points.
+/// Returns a bound of the distance of the patch from chords between its points, as the limit
+/// measures it; at most the diameter of the control points.
 [[nodiscard]] double chord_error_bound(const BezierPatch& patch, const FlatnessLimit& limit);
 
 /// Returns flat pieces of a patch by splits in four (paper 4).
@@ -35,8 +38,8 @@ struct FlatnessLimit {
 [[nodiscard]] std::vector<GridPatch> quartered(const GridPatch& patch, const Excess& excess);
 
 /// Returns flat pieces of a patch by splits in two: of all sequences of halvings that a search with
-/// a memory tries, the one with the fewest pieces. It leaves out the worse direction of a split
-/// where that hardly helps, without which a ruled patch would take a time of the square.
+/// a memory tries, one with the fewest pieces, never more than by splits in four. Of the two
+/// directions the worse one is tried if it makes the halves flatter, too.
 [[nodiscard]] std::vector<GridPatch> halved(const GridPatch& patch, const FlatnessLimit& limit);
 
 /// Returns the flat pieces of all patches by splits in two.

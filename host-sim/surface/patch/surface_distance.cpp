@@ -24,20 +24,21 @@ Eigen::AlignedBox3d box_of(const BezierPatch& patch) {
   return box;
 }
 
-/// Returns a step of u and v towards the foot, of which one is 0 at a border that the step leaves.
+/// Returns a step of u and v towards the foot. It leaves out a parameter at whose border it would
+/// leave the patch, and the weaker one where both lead in the same direction.
 Eigen::Vector2d step_to_foot(const PatchJet& jet, const Vector3d& away, double u, double v) {
   const double uu = jet.along_u.squaredNorm();
   const double uv = jet.along_u.dot(jet.along_v);
   const double vv = jet.along_v.squaredNorm();
   const double du = jet.along_u.dot(away);
   const double dv = jet.along_v.dot(away);
-  const bool u_is_held = (u == 0.0 && du < 0.0) || (u == 1.0 && du > 0.0);
-  const bool v_is_held = (v == 0.0 && dv < 0.0) || (v == 1.0 && dv > 0.0);
-  const auto share = [](double top, double bottom) { return bottom > 0.0 ? top / bottom : 0.0; };
+  const bool u_is_held = (u == 0.0 && du < 0.0) || (u == 1.0 && du > 0.0) || uu == 0.0;
+  const bool v_is_held = (v == 0.0 && dv < 0.0) || (v == 1.0 && dv > 0.0) || vv == 0.0;
+  if (u_is_held && v_is_held) return {0.0, 0.0};
   const double determinant = uu * vv - uv * uv;
-  if (u_is_held || v_is_held || determinant <= 1.0e-12 * uu * vv) {
-    return {u_is_held ? 0.0 : share(du, uu), v_is_held || !u_is_held ? 0.0 : share(dv, vv)};
-  }
+  const bool is_singular = determinant <= 1.0e-12 * uu * vv;
+  if (u_is_held || (is_singular && !v_is_held && vv > uu)) return {0.0, dv / vv};
+  if (v_is_held || is_singular) return {du / uu, 0.0};
   return {(du * vv - dv * uv) / determinant, (dv * uu - du * uv) / determinant};
 }
 
@@ -77,11 +78,13 @@ double move_to_foot(const BezierPatch& patch, const Vector3d& point, double& u, 
   return distance;
 }
 
+/// A part of a patch in a search.
 struct SurfaceDistance::Part {
   BezierPatch shape;
   Interval u;
   Interval v;
   int divisions = 0;
+  double least = 0.0;  ///< No point of the part is nearer.
 
   [[nodiscard]] Part quarter(bool far_u, bool far_v) const {
     const auto half = [](Interval whole, bool far) {
@@ -91,8 +94,11 @@ struct SurfaceDistance::Part {
     return {shape.part(half({}, far_u), half({}, far_v)),
             half(u, far_u),
             half(v, far_v),
-            divisions + 1};
+            divisions + 1,
+            least};
   }
+  /// Orders a heap so that the part that could be nearest comes first.
+  bool operator<(const Part& other) const { return least > other.least; }
 };
 
 struct SurfaceDistance::Search {
@@ -100,14 +106,35 @@ struct SurfaceDistance::Search {
   SurfacePoint best;
   double enough = 0.0;       ///< A distance below which no nearer one is looked for.
   double too_far = 0.0;      ///< A distance above which none is of interest.
-  std::vector<Part> open{};  ///< Parts of the current patch, three for a division at most.
+  std::vector<Part> open{};  ///< A heap of parts of the current patch.
 
   [[nodiscard]] bool is_over() const { return best.distance_mm <= enough; }
   [[nodiscard]] double bound() const {
     return is_over() ? -1.0 : std::min(too_far, best.distance_mm - kDistanceErrorMm);
   }
-  void note(const SurfacePoint& found) {
-    if (found.distance_mm < best.distance_mm) best = found;
+
+  /// Moves a point of a part, of its parameters `u` and `v`, to its foot, keeps it if it is the
+  /// nearest one so far, and returns it.
+  Vector3d try_foot(std::uint32_t patch, const Part& part, double u, double v) {
+    const double distance = move_to_foot(part.shape, point, u, v);
+    if (distance < best.distance_mm) {
+      best = {patch,
+              part.u.from + u * (part.u.to - part.u.from),
+              part.v.from + v * (part.v.to - part.v.from),
+              distance};
+    }
+    return part.shape.at(u, v);
+  }
+
+  /// Adds a part unless it is too far away.
+  void add(std::uint32_t patch, Part part) {
+    part.least = std::max(part.least, std::sqrt(box_of(part.shape).squaredExteriorDistance(point)));
+    if (part.least > bound()) return;
+    const Vector3d foot = try_foot(patch, part, 0.5, 0.5);
+    part.least = std::max(part.least, least_distance(part.shape, point, foot));
+    if (part.least > bound() || part.divisions == kMaxDivisions) return;
+    open.push_back(part);
+    std::push_heap(open.begin(), open.end());
   }
 };
 
@@ -119,34 +146,30 @@ SurfaceDistance::SurfaceDistance(const PatchSurface& surface) : surface_{&surfac
 }
 
 void SurfaceDistance::search_patch(std::uint32_t number, Search& search) const {
-  search.open.push_back({surface_->patches[number].shape, {}, {}, 0});
+  search.open.clear();
+  search.add(number, {surface_->patches[number].shape, {}, {}, 0, 0.0});
   while (!search.open.empty()) {
+    std::pop_heap(search.open.begin(), search.open.end());
     const Part part = search.open.back();
     search.open.pop_back();
-    const double bound = search.bound();
-    if (bound < 0.0) continue;
-    if (box_of(part.shape).squaredExteriorDistance(search.point) > bound * bound) continue;
-    double u = 0.5;
-    double v = 0.5;
-    const double distance = move_to_foot(part.shape, search.point, u, v);
-    search.note({number,
-                 part.u.from + u * (part.u.to - part.u.from),
-                 part.v.from + v * (part.v.to - part.v.from),
-                 distance});
-    const Vector3d foot = part.shape.at(u, v);
-    if (least_distance(part.shape, search.point, foot) > search.bound()) continue;
-    if (part.divisions == kMaxDivisions) continue;
+    if (part.least > search.bound()) return;  // And so are all others.
     for (const bool far_u : {false, true}) {
-      for (const bool far_v : {false, true}) search.open.push_back(part.quarter(far_u, far_v));
+      for (const bool far_v : {false, true}) search.add(number, part.quarter(far_u, far_v));
     }
   }
 }
 
 void SurfaceDistance::search(Search& search) const {
+  const auto bound = [&search] { return search.bound(); };
+  // A good first distance spares the proofs that worse ones are the least of their patch.
+  tree_.visit_near(search.point, bound, [&](std::uint32_t number) {
+    const Part whole{surface_->patches[number].shape, {}, {}, 0, 0.0};
+    for (const double u : {0.1, 0.5, 0.9}) {
+      for (const double v : {0.1, 0.5, 0.9}) search.try_foot(number, whole, u, v);
+    }
+  });
   tree_.visit_near(
-      search.point,
-      [&search] { return search.bound(); },
-      [&](std::uint32_t number) { search_patch(number, search); });
+      search.point, bound, [&](std::uint32_t number) { search_patch(number, search); });
 }
 
 SurfacePoint SurfaceDistance::nearest(const Vector3d& point, const SurfacePoint& near) const {
