@@ -5,9 +5,11 @@
 #include <cstdio>
 
 #include "host-sim/surface/drop_cutter.hpp"
+#include "host-sim/surface/patch/cartesian_paths.hpp"
 #include "host-sim/surface/patch/fit_report.hpp"
 #include "host-sim/surface/patch/patch_file.hpp"
 #include "host-sim/surface/patch/subdivision.hpp"
+#include "host-sim/surface/patch/surface_distance.hpp"
 #include "host-sim/surface/patch/surface_fit.hpp"
 #include "tests/host-sim/surface/patch_brute.hpp"
 #include "tests/host-sim/surface/patch_exact.hpp"
@@ -43,14 +45,6 @@ struct Counts {
   double halved = 0.0;
 };
 
-double in_four(const PatchSurface& surface, FlatnessTest test) {
-  std::size_t pieces = 0;
-  for (const GridPatch& patch : surface.patches) {
-    pieces += quartered(patch, FlatnessLimit{.tolerance_mm = kFlatMm, .test = test}).size();
-  }
-  return static_cast<double>(pieces);
-}
-
 Counts counts_of(const PatchSurface& surface) {
   std::size_t exact = 0;
   for (const GridPatch& patch : surface.patches) {
@@ -58,11 +52,12 @@ Counts counts_of(const PatchSurface& surface) {
                return exact_range(piece, normal_of(piece)).width() - kFlatMm;
              }).size();
   }
-  return {.hull = in_four(surface, FlatnessTest::kControlHull),
-          .paper = in_four(surface, FlatnessTest::kFatPlane),
-          .both = in_four(surface, FlatnessTest::kBothOrders),
+  const PieceCounts counts = piece_counts(surface, kFlatMm);
+  return {.hull = static_cast<double>(counts.control_hull),
+          .paper = static_cast<double>(counts.fat_plane),
+          .both = static_cast<double>(counts.both_orders),
           .exact = static_cast<double>(exact),
-          .halved = static_cast<double>(flat_pieces(surface, {.tolerance_mm = kFlatMm}).size())};
+          .halved = static_cast<double>(counts.fewest_halvings)};
 }
 
 PointGrid experiment(std::uint64_t seed) {
@@ -127,6 +122,34 @@ TEST(PatchPaper, FitsAreWithinToleranceAndSmooth) {
   }
   if (trials.judges_shares()) {
     EXPECT_GE(of_two_sizes, 10 * trials.count());
+  }
+}
+
+/// Figure 15: paths at a spacing of 0.5 mm.
+TEST(PatchPaper, PathsCoverTheSurface) {
+  for (const std::uint64_t seed : proof::Trials{30}) {
+    proof::Random random{seed};
+    const PointGrid grid = experiment(seed);
+    const PathOptions options{.fit_tolerance_mm = random.magnitude(0.01, 1.0),
+                              .chord_tolerance_mm = random.magnitude(0.01, 0.5),
+                              .spacing_mm = 0.5,
+                              .angle = random.chance(0.5) ? 0.0 : random.between(-4.0, 4.0)};
+    const CartesianPaths job = cartesian_paths(grid, options);
+    EXPECT_EQ(job.report.points_beyond, 0U) << "KERFLINE_SEED=" << seed;
+    EXPECT_LE(job.report.of_points.distance_mm, options.fit_tolerance_mm + kDistanceErrorMm);
+    ASSERT_EQ(job.paths.size(), job.plane_distances_mm.size()) << "KERFLINE_SEED=" << seed;
+    if (options.angle == 0.0) {
+      EXPECT_EQ(job.paths.size(), 99U);
+    }
+    double longest = 0.0;
+    for (const std::vector<SlicePath>& paths : job.paths) {
+      for (const SlicePath& path : paths) {
+        longest = std::max(longest, (path.points.back() - path.points.front()).norm());
+        // The bound exceeds the tolerance where the surface is all but parallel to the plane alone.
+        EXPECT_LE(path.error_bound_mm, 20.0 * options.chord_tolerance_mm);
+      }
+    }
+    EXPECT_GE(longest, 40.0) << "KERFLINE_SEED=" << seed;
   }
 }
 
