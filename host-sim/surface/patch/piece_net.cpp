@@ -14,34 +14,6 @@ using Eigen::Vector3d;
 
 constexpr std::uint32_t kNoEdge = std::numeric_limits<std::uint32_t>::max();
 
-/// A corner of a piece as a place on the line of fixed u or fixed v through it.
-struct Stop {
-  bool is_at_u = false;  ///< The line has fixed u.
-  double line = 0.0;
-  double along = 0.0;
-
-  auto operator<=>(const Stop&) const = default;
-};
-
-/// A side of a piece.
-struct Side {
-  bool is_at_u = false;
-  double line = 0.0;
-  Interval along;
-  bool is_reversed = false;  ///< Around the piece it runs from its end to its start.
-
-  [[nodiscard]] Stop from() const { return {is_at_u, line, along.from}; }
-  [[nodiscard]] Stop to() const { return {is_at_u, line, along.to}; }
-};
-
-/// Returns the sides of a piece in the order in which they are around it.
-std::array<Side, 4> sides_of(const GridPatch& piece) {
-  return {Side{true, piece.u.from, piece.v, false},
-          Side{false, piece.v.to, piece.u, false},
-          Side{true, piece.u.to, piece.v, true},
-          Side{false, piece.v.from, piece.u, true}};
-}
-
 BezierCurve curve_of(const BezierPatch& shape, std::size_t side) {
   switch (side) {
     case 0:
@@ -82,6 +54,34 @@ class PieceNet::Builder {
   }
 
  private:
+  /// A corner of a piece as a place on the line of fixed u or fixed v through it.
+  struct Stop {
+    bool is_at_u = false;  ///< The line has fixed u.
+    double line = 0.0;
+    double along = 0.0;
+
+    auto operator<=>(const Stop&) const = default;
+  };
+
+  /// A side of a piece.
+  struct Side {
+    bool is_at_u = false;
+    double line = 0.0;
+    Interval along;
+    bool is_reversed = false;  ///< Around the piece it runs from its end to its start.
+
+    [[nodiscard]] Stop from() const { return {is_at_u, line, along.from}; }
+    [[nodiscard]] Stop to() const { return {is_at_u, line, along.to}; }
+  };
+
+  /// Returns the sides of a piece in the order in which they are around it.
+  static std::array<Side, 4> sides_of(const GridPatch& piece) {
+    return {Side{true, piece.u.from, piece.v, false},
+            Side{false, piece.v.to, piece.u, false},
+            Side{true, piece.u.to, piece.v, true},
+            Side{false, piece.v.from, piece.u, true}};
+  }
+
   [[nodiscard]] std::size_t place_of(const Stop& stop) const {
     return static_cast<std::size_t>(std::lower_bound(stops_.begin(), stops_.end(), stop) -
                                     stops_.begin());

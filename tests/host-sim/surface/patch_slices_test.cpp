@@ -146,20 +146,33 @@ TEST(PatchSlices, ChordsAreNearTheSurfaceAndHaveNoGaps) {
   EXPECT_GE(measured, 10000U);
 }
 
-/// A saddle is cut at its height in two lines that cross; off it, in two branches.
-TEST(PatchSlices, SaddleHasTwoBranches) {
+/// Off its height a saddle is cut in two branches: along Y above it, along X below.
+TEST(PatchSlices, SaddleHasTwoBranchesOnTheirSides) {
   PointGrid grid{.rows = 9, .columns = 9, .points = {}};
   for (int row = -4; row <= 4; ++row) {
     for (int column = -4; column <= 4; ++column) {
-      grid.points.emplace_back(column, row, 0.1 * (column * column - row * row));
+      grid.points.emplace_back(column, row, 0.1 * column * column - 0.05 * row * row);
     }
   }
-  const PieceNet net{flat_pieces(fitted_surface(grid, 1.0e-3), {.tolerance_mm = 2.0})};
+  const PatchSurface surface = fitted_surface(grid, 1.0e-3);
   const std::vector<double> heights{-0.4, -0.01, 0.0, 0.01, 0.4};
-  for (const std::vector<SlicePath>& paths : plane_slices(net, Vector3d::UnitZ(), heights)) {
-    ASSERT_EQ(paths.size(), 2U);
-    EXPECT_FALSE(paths[0].is_closed);
-    EXPECT_FALSE(paths[1].is_closed);
+  // In one piece, whose border is cut four times, and in many.
+  for (const double tolerance : {4.0, 0.1}) {
+    const PieceNet net{flat_pieces(surface, {.tolerance_mm = tolerance})};
+    EXPECT_EQ(net.pieces().size() == 1, tolerance == 4.0);
+    const auto slices = plane_slices(net, Vector3d::UnitZ(), heights);
+    for (std::size_t i = 0; i < heights.size(); ++i) {
+      ASSERT_EQ(slices[i].size(), 2U);
+      for (const SlicePath& path : slices[i]) {
+        EXPECT_FALSE(path.is_closed);
+        const Vector3d& from = path.points.front();
+        const Vector3d& to = path.points.back();
+        const Eigen::Index axis = heights[i] > 0.0 ? 0 : 1;
+        if (heights[i] != 0.0) {
+          EXPECT_GT(from[axis] * to[axis], 1.0);
+        }
+      }
+    }
   }
 }
 
