@@ -33,6 +33,7 @@ BezierCurve curve_of(const BezierPatch& shape, std::size_t side) {
 class PieceNet::Builder {
  public:
   explicit Builder(PieceNet& net) : net_{net} {
+    stops_.reserve(8 * net.pieces_.size());
     for (const GridPatch& piece : net.pieces_) {
       for (const Side& side : sides_of(piece)) {
         stops_.push_back(side.from());
@@ -45,6 +46,8 @@ class PieceNet::Builder {
   }
 
   void build() {
+    net_.edges_.reserve(3 * net_.pieces_.size());
+    net_.borders_.reserve(5 * net_.pieces_.size());
     for (const GridPatch& piece : net_.pieces_) {
       net_.first_edge_.push_back(net_.borders_.size());
       const std::array<Side, 4> sides = sides_of(piece);

@@ -115,6 +115,11 @@ class FewestPieces {
     return error;
   }
 
+  static void note(Choice& choice, Split split, std::uint32_t pieces) {
+    choice.split = split;
+    choice.pieces = pieces;
+  }
+
   /// Returns the number of pieces of a rectangle; kMore where it exceeds `most`. Calls itself at
   /// most 2 kMaxHalvings deep, as each level has a halving more.
   std::uint32_t count(const Rectangle& part,  // NOLINT(misc-no-recursion): bounded by the halvings.
@@ -130,10 +135,11 @@ class FewestPieces {
                     std::uint32_t most,
                     Choice& choice) {
     const double along_u = error_of_parts(part, Split::kAlongU);
+    if (along_u <= limit_.tolerance_mm) return note(choice, Split::kAlongU, 2);
     const double along_v = error_of_parts(part, Split::kAlongV);
+    if (along_v <= limit_.tolerance_mm) return note(choice, Split::kAlongV, 2);
     if (std::isinf(std::min(along_u, along_v))) {
-      choice.pieces = 1;
-      return;
+      return note(choice, Split::kNone, 1);
     }
     const bool u_is_better = along_u <= along_v;
     std::vector<Split> splits{Split::kInFour, u_is_better ? Split::kAlongU : Split::kAlongV};
@@ -144,8 +150,7 @@ class FewestPieces {
     for (const Split split : splits) {
       const std::uint32_t pieces = count_parts(part, split, most);
       if (pieces == kMore) continue;
-      choice.pieces = pieces;
-      choice.split = split;
+      note(choice, split, pieces);
       most = pieces - 1;
     }
   }
