@@ -9,10 +9,10 @@
 
 namespace sim::surface::patch {
 
-/// Boxes sorted into a tree, for searches of what is nearest to a point.
+/// Boxes sorted into a tree, for searches of the items nearest to a point.
 class BoxTree {
  public:
-  /// Halvings of a row of items; 2^32 of them need no more.
+  /// Halvings that leave one item of 2^32.
   static constexpr std::size_t kMaxDepth = 33;
 
   BoxTree() = default;
@@ -51,7 +51,7 @@ class BoxTree {
  private:
   struct Node {
     Eigen::AlignedBox3d box;
-    std::uint32_t first = 0;       ///< The first of two nodes, or a place in items_.
+    std::uint32_t first = 0;       ///< The first of two nodes, or an index of items_.
     std::uint32_t item_count = 0;  ///< 0 unless the node is a leaf.
   };
 

@@ -21,16 +21,16 @@ struct PieceCounts {
 
 [[nodiscard]] PieceCounts piece_counts(const PatchSurface& surface, double flatness_mm);
 
-/// Tolerances and layout of paths in parallel upright planes. Paths are within the sum of both
-/// tolerances of the points' surface.
+/// Tolerances and layout of paths in parallel upright planes. The first tolerance holds between the
+/// points and the surface, the second between the surface and the chords.
 struct PathOptions {
-  double fit_tolerance_mm = 0.005;    ///< Of the surface from the points.
-  double chord_tolerance_mm = 0.005;  ///< Of the chords from the surface, in their plane.
+  double fit_tolerance_mm = 0.005;    ///< Largest distance of a point from the surface.
+  double chord_tolerance_mm = 0.005;  ///< Largest distance of a chord in its plane.
   double spacing_mm = 0.5;            ///< Between planes.
-  double angle = 0.0;                 ///< From +X to the paths, counter-clockwise, in radians.
+  double angle = 0.0;                 ///< Radians from +X to the paths, counter-clockwise.
 };
 
-/// What a job over measured points is made from.
+/// A fitted surface and the paths over it.
 struct CartesianPaths {
   PatchSurface surface;
   FitReport report;

@@ -22,12 +22,13 @@ struct Cell {
   }
 };
 
-/// The cells that adaptive subdivision divides a grid into, at first one, by splits in four at the
+/// The cells into which adaptive subdivision divides a grid, at first one, by splits in four at the
 /// middle row and column. A cell of one row or column is split in two. Neighbours across a border
 /// differ by one split at most, so that a coarse patch does not bind many fine ones.
 ///
-/// A corner of a cell within a border of another one hangs there. That one has fewer splits: the
-/// middles are the same for all cells of a depth, so that its border holds the others' in full.
+/// A corner of a cell that lies within the border of another cell hangs there. The other cell then
+/// has fewer splits: all cells of a depth are divided at the same rows and columns, so that the
+/// border of a coarse cell holds those of its finer neighbours in full.
 class CellTree {
  public:
   /// @pre two rows and columns of points at least
@@ -56,7 +57,7 @@ class CellTree {
   std::uint32_t height_ = 0;  ///< Quadrilaterals in a column.
   std::uint32_t width_ = 0;   ///< Quadrilaterals in a row.
   std::vector<Cell> cells_;
-  std::vector<std::uint32_t> numbers_;  ///< Of the cell, by quadrilateral, row by row.
+  std::vector<std::uint32_t> numbers_;  ///< The cell of each quadrilateral, row by row.
 };
 
 }  // namespace sim::surface::patch

@@ -28,7 +28,7 @@ struct WholeNumbers {
   }
 };
 
-/// Calls visit(row, column, place on the surface with the distance there) for each point once.
+/// Calls visit(row, column, point of the surface at the same row and column) for each point once.
 template <typename Visit>
 void for_each_point(const PatchSurface& surface, const PointGrid& grid, const Visit& visit) {
   for (std::uint32_t number = 0; number < surface.patches.size(); ++number) {

@@ -11,14 +11,14 @@ namespace sim::surface::patch {
 /// there are four for a quadrilateral.
 inline constexpr double kSamplesPerRow = 2.0;
 
-/// A distance and the row and column, or the parameters, that it belongs to.
+/// A distance and the row and column at which it was measured.
 struct PlacedError {
   double distance_mm = 0.0;
   double row = 0.0;
   double column = 0.0;
 };
 
-/// How well a surface and the points it was fitted to agree, in both directions.
+/// The errors of a fit in both directions.
 struct FitReport {
   std::size_t points = 0;
   std::size_t points_beyond = 0;  ///< Points farther from the surface than the tolerance.
@@ -29,14 +29,14 @@ struct FitReport {
 
 /// Returns the number of points that are farther from the surface than the tolerance.
 ///
-/// The surface may be any that the grid's rows and columns are parameters of. The distance at the
-/// same row and column settles most points; SurfaceDistance settles the others.
+/// Rows and columns of the grid are parameters of the surface. The distance at the same row and
+/// column decides for most points; SurfaceDistance decides for the others.
 [[nodiscard]] std::size_t points_beyond(const PatchSurface& surface,
                                         const PointGrid& grid,
                                         double tolerance_mm);
 
-/// Returns the distances in both directions: of all points from the surface, and from the grid's
-/// triangles of samples of the surface, two for each row and column, those at both ends included.
+/// Returns the greatest distances in both directions: from the surface to the points, and from the
+/// grid's triangles to samples of the surface, two for each row and column, both ends included.
 [[nodiscard]] FitReport fit_report(const PatchSurface& surface,
                                    const PointGrid& grid,
                                    double tolerance_mm);

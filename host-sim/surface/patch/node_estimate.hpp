@@ -15,8 +15,7 @@ struct Node {
   Eigen::Vector3d twist = Eigen::Vector3d::Zero();
 };
 
-/// A point of the grid and the distances, in rows and columns, to which a surface there is meant to
-/// follow the points.
+/// A point of the grid and the distances, in rows and columns, up to which its neighbours count.
 struct NodeWindow {
   std::size_t row = 0;
   std::size_t column = 0;

@@ -57,7 +57,7 @@ class PieceNet::Builder {
   }
 
  private:
-  /// A corner of a piece as a place on the line of fixed u or fixed v through it.
+  /// A corner of a piece as a point of the line of fixed u or fixed v through it.
   struct Stop {
     bool is_at_u = false;  ///< The line has fixed u.
     double line = 0.0;

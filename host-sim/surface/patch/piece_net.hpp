@@ -9,7 +9,7 @@
 
 namespace sim::surface::patch {
 
-/// An edge in the border of a piece.
+/// An edge as a part of the border of a piece.
 struct BorderEdge {
   std::uint32_t edge = 0;
   bool is_reversed = false;  ///< The border runs along it from its end to its start.
@@ -18,7 +18,7 @@ struct BorderEdge {
 /// Pieces of a surface and the edges between them. A border that a large piece shares with several
 /// small ones is divided where they meet, so that an edge has one piece at each side, and both
 /// sides see the same control points to the last bit. All edges that meet in a point have the same
-/// end there. What is computed from an edge alone can thus not differ between its pieces.
+/// end there. A result that is computed from an edge alone is thus the same for both of its pieces.
 class PieceNet {
  public:
   /// @pre pieces do not overlap, and those that meet have equal parameters there
@@ -38,7 +38,7 @@ class PieceNet {
   std::vector<GridPatch> pieces_;
   std::vector<BezierCurve> edges_;
   std::vector<BorderEdge> borders_;      ///< Of all pieces, one behind the other.
-  std::vector<std::size_t> first_edge_;  ///< Places in borders_; one more than pieces.
+  std::vector<std::size_t> first_edge_;  ///< Indices of borders_; one more than pieces.
 };
 
 }  // namespace sim::surface::patch

@@ -14,11 +14,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The worse direction of a split is tried if the flatness of its halves is below this share of
-/// the whole's; a third of the flatness is left of a split along the curvature, all of it across.
+/// The worse direction of a split is tried if its halves have less than this share of the whole's
+/// flatness. A split across a ruled patch's rulings leaves about a quarter, one along them all.
 constexpr double kHelpfulShare = 0.9;
 
-/// Rectangle number `index` of 2^halvings equal ones of an interval.
+/// Part number `index` of the 2^halvings equal parts of an interval.
 struct Fraction {
   std::uint32_t halvings = 0;
   std::uint32_t index = 0;
@@ -101,7 +101,7 @@ class FewestPieces {
     Split split = Split::kNone;
   };
 
-  /// Returns what is known of a rectangle, its error at the least.
+  /// Returns the entry of a rectangle, which has its error.
   Choice& choice_of(const Rectangle& part) {
     const auto [place, is_new] = choices_.try_emplace(part.key());
     if (is_new) place->second.error = chord_error_bound(part.of(patch_).shape, limit_);

@@ -34,7 +34,7 @@ struct FlatnessLimit {
 
 /// Returns flat pieces of a patch by splits in four (paper 4).
 [[nodiscard]] std::vector<GridPatch> quartered(const GridPatch& patch, const FlatnessLimit& limit);
-/// The same with a test of the caller's.
+/// Returns flat pieces by splits in four until `excess` is 0 or less.
 [[nodiscard]] std::vector<GridPatch> quartered(const GridPatch& patch, const Excess& excess);
 
 /// Returns flat pieces of a patch by splits in two: of all sequences of halvings that a search with

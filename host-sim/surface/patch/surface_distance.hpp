@@ -34,7 +34,7 @@ class SurfaceDistance {
   /// Returns a nearest point of the surface.
   /// @param near a point of the surface to start at; its distance is not used
   [[nodiscard]] SurfacePoint nearest(const Eigen::Vector3d& point, const SurfacePoint& near) const;
-  /// The same from no known point.
+  /// Returns a nearest point of the surface without a known one to start at.
   [[nodiscard]] SurfacePoint nearest(const Eigen::Vector3d& point) const;
   /// Returns whether the surface comes within the tolerance of the point. This is exact unless the
   /// distance differs from the tolerance by less than kDistanceErrorMm.

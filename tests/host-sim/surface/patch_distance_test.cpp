@@ -111,7 +111,7 @@ TEST(PatchDistance, NearestIsThatOfAllDistances) {
       const SurfacePoint nearest = distance.nearest(point);
       const Vector3d found = surface.patches[nearest.patch].shape.at(nearest.u, nearest.v);
       EXPECT_NEAR((found - point).norm(), nearest.distance_mm, 1.0e-12 * (1.0 + size));
-      // The steps of the other search may end in a place that is the nearest of its patch alone.
+      // The steps of the other search may end at a point that is the nearest of its patch alone.
       EXPECT_LE(nearest.distance_mm, brute.distance(point) + 2.0e-7) << "KERFLINE_SEED=" << seed;
     }
   }
