@@ -15,7 +15,8 @@ namespace {
 using Eigen::Vector3d;
 
 /// The worse direction of a split is tried if its halves have less than this share of the whole's
-/// flatness. A split across a ruled patch's rulings leaves about a quarter, one along them all.
+/// flatness. Halving the curved parameter of a ruled patch leaves a quarter of it, halving the
+/// straight one all of it.
 constexpr double kHelpfulShare = 0.9;
 
 /// Part number `index` of the 2^halvings equal parts of an interval.
