@@ -44,10 +44,10 @@ constexpr const char* kSurfaceFooter =
     "\n"
     "Exit status: 0 fine, 1 there is no path, 2 the call or FILE is wrong.";
 
-void move(surface::Mesh& mesh, const std::vector<double>& way_mm) {
+void move(std::vector<Eigen::Vector3d>& points, const std::vector<double>& way_mm) {
   if (way_mm.empty()) return;
   const Eigen::Vector3d way{way_mm[0], way_mm[1], way_mm[2]};
-  for (Eigen::Vector3d& point : mesh.points) point += way;
+  for (Eigen::Vector3d& point : points) point += way;
 }
 
 double top_of(const surface::Mesh& mesh) {
@@ -156,6 +156,26 @@ void write_heights(const SurfaceCommandOptions& options,
   }
 }
 
+/// Returns the grid of an input where it is moved to. Throws std::invalid_argument for a mesh.
+surface::PointGrid grid_of(const surface::SurfaceInput& input,
+                           const SurfaceCommandOptions& options) {
+  if (!input.grid) {
+    throw std::invalid_argument{
+        fmt::format("{}: patches fit a grid of points, and this is a mesh", options.file)};
+  }
+  surface::PointGrid grid = *input.grid;
+  move(grid.points, options.move_mm);
+  return grid;
+}
+
+PatchOptions patches_of(const SurfaceCommandOptions& options) {
+  constexpr double kFitOfPaper = 1.0;
+  PatchOptions patches = options.patches;
+  if (patches.fit_mm == 0.0)
+    patches.fit_mm = patches.like_paper ? kFitOfPaper : options.tolerance_mm;
+  return patches;
+}
+
 ExitStatus run_surface(const SurfaceCommandOptions& options, InputFiles& inputs) {
   const stock::Cutter cutter = cutter_of("--tool", options.tool);
   const std::string bytes = read_bytes(options.file);
@@ -164,13 +184,14 @@ ExitStatus run_surface(const SurfaceCommandOptions& options, InputFiles& inputs)
   for (const std::string& note : input.notes) {
     terminal::print(stderr, "{}: {}\n", options.file, note);
   }
-  move(input.mesh, options.move_mm);
+  move(input.mesh.points, options.move_mm);
   if (!options.mesh.empty()) write_file(options.mesh, surface::ply_of(input.mesh));
+  if (options.wants_patches()) fit_patches(grid_of(input, options), cutter, patches_of(options));
   if (options.wants_heights()) {
     write_heights(options, input.mesh, cutter, InputFiles::read(options.at));
     return ExitStatus::kFine;
   }
-  write_path(options, input.mesh, cutter, inputs);
+  if (options.wants_program()) write_path(options, input.mesh, cutter, inputs);
   return ExitStatus::kFine;
 }
 

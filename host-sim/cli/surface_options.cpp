@@ -106,6 +106,30 @@ void add_row_options(CLI::App& command, SurfaceCommandOptions& options) {
       "--lines", options.lines_only, "No arcs: for controllers that do not know G18 and G19");
 }
 
+void add_patch_options(CLI::App& command, PatchOptions& options) {
+  mark_file(command
+                .add_option("--patches",
+                            options.file,
+                            "Fit smooth bicubic patches to the places of the tip over a grid's "
+                            "points, and write\nthem")
+                ->type_name("FILE"),
+            FileRole::kOutput);
+  command
+      .add_option("--fit-tolerance",
+                  options.fit_mm,
+                  "Of patches, mm; else --tolerance, or 1 for "
+                  "--like-paper")
+      ->check(in_range(1.0e-4, 100.0, "mm"))
+      ->type_name("MM");
+  command.add_flag("--like-paper",
+                   options.like_paper,
+                   "Count the flat pieces of the patches by the tests of paper 4, in place of a "
+                   "program");
+  command.add_option("--flatness", options.flatness_mm, "Of those pieces, mm")
+      ->check(in_range(1.0e-4, 100.0, "mm"))
+      ->capture_default_str();
+}
+
 }  // namespace
 
 void add_surface_options(CLI::App& command, SurfaceCommandOptions& options) {
@@ -115,6 +139,7 @@ void add_surface_options(CLI::App& command, SurfaceCommandOptions& options) {
       FileRole::kInput);
   add_reading_options(command, options);
   add_row_options(command, options);
+  add_patch_options(command, options.patches);
   add_mill_options(command, options.mill);
   command.add_option("--safe", options.safe_mm, "Z of rapids, mm; else 5 mm above all")
       ->check(in_range(-surface::kFarthestMm, surface::kFarthestMm, "mm"))
@@ -155,7 +180,7 @@ void check_surface_options(const SurfaceCommandOptions& options) {
                     kLeastScallopTolerances,
                     options.tolerance_mm));
   }
-  if (options.wants_heights()) return;
+  if (!options.wants_program()) return;
   if (options.mill.feed_mm_min == 0.0) throw std::invalid_argument("--feed: is needed, mm/min");
   if (options.mill.plunge_mm_min == 0.0) {
     throw std::invalid_argument("--plunge-feed: is needed, mm/min");

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "host-sim/cli/surface_patches.hpp"
 #include "host-sim/pocket/mill_program.hpp"
 #include "host-sim/stock/cutter.hpp"
 #include "host-sim/surface/path/row_path.hpp"
@@ -33,6 +34,7 @@ struct SurfaceCommandOptions {
   bool lines_only = false;
   pocket::MillSettings mill;
   unsigned decimals = 4;
+  PatchOptions patches;
   std::string output;
   std::string report;
   std::string mesh;     ///< Where the surface is written as it counts; empty: it is not.
@@ -40,6 +42,8 @@ struct SurfaceCommandOptions {
   std::string heights;  ///< Where they are written.
 
   [[nodiscard]] bool wants_heights() const { return !at.empty(); }
+  [[nodiscard]] bool wants_patches() const { return patches.like_paper || !patches.file.empty(); }
+  [[nodiscard]] bool wants_program() const { return !wants_heights() && !patches.like_paper; }
 };
 
 /// Adds all of them, with their ranges, units and defaults.

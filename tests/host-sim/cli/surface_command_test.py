@@ -138,6 +138,29 @@ class SurfaceCommand(unittest.TestCase):
         self.assertEqual(again.returncode, 0, again.stderr)
         self.assertEqual((self.folder / "heights.txt").read_text(), done.stdout)
 
+    def test_fits_patches_and_counts_flat_pieces_as_the_paper_does(self):
+        self.scan.write_text(scan(41, 41, 0.5, lambda x, y: 4 * math.sin(0.5 * x) * math.cos(0.4 * y)))
+        patches = self.folder / "patches.txt"
+        done = run("surface", self.scan, "--tool", "ball:4", "--patches", patches, "--like-paper", "--fit-tolerance",
+                   0.1, "--flatness", 0.1)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("patches fit 1681 points within 0.1 mm", done.stderr)
+        hull, paper, both, halves = (int(count) for count in re.findall(r"(\d+) by", done.stdout))
+        self.assertGreater(hull, 16)
+        self.assertLessEqual(both, paper)
+        self.assertLessEqual(paper, hull)
+        self.assertLess(halves, both)
+        lines = patches.read_text().splitlines()
+        heads = [line.split() for line in lines if line.startswith("patch ")]
+        self.assertEqual(len(lines), 17 * len(heads))
+        covered = sum((float(u1) - float(u0)) * (float(v1) - float(v0)) for _, _, u0, u1, v0, v1 in heads)
+        self.assertEqual(covered, 40 * 40)
+        block = self.folder / "block.stl"
+        block.write_bytes(box_of_stl(20, 6))
+        done = run("surface", block, "--tool", "ball:4", "--like-paper")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn("patches fit a grid of points", done.stderr)
+
     def test_reads_from_standard_input_and_writes_to_standard_output(self):
         self.assertEqual(self.surface("--tool", "ball:4", *MILL).returncode, 0)
         piped = run("surface", "-", "--tool", "ball:4", *MILL, text=self.scan.read_text())
