@@ -9,7 +9,6 @@
 
 #include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/standard_streams.hpp"
-#include "host-sim/cli/value_range.hpp"
 #include "host-sim/report/progress_bar.hpp"
 #include "host-sim/report/progress_lines.hpp"
 
@@ -24,13 +23,7 @@ void JobOptions::add_to(CLI::App& command) {
   command.add_option("--set", set, "One setting, such as '$110=12000' (mm/min); may be repeated")
       ->type_name("$N=V")
       ->allow_extra_args(false);
-  command
-      .add_option("--probe-plate",
-                  probe_plate_z_mm,
-                  "Height of the simulated probe plate, mm in machine coordinates")
-      ->check(in_range(-10'000.0, 10'000.0, "mm"))
-      ->type_name("Z")
-      ->capture_default_str();
+  probe.add_to(command);
   command.add_flag("--json", json, "Print the report as JSON");
   command.add_flag(
       "--progress", progress, "Print percent and time every 5 s where no terminal shows a bar");
@@ -47,6 +40,8 @@ std::vector<SettingChange> settings_of(const std::string& file,
 JobsDone for_each_job(const JobOptions& options, const std::function<Report(const Job&)>& work) {
   using Clock = std::chrono::steady_clock;
   const std::vector<SettingChange> settings = settings_of(options.settings_file, options.set);
+  MachineModel machine{.has_switches = false};
+  options.probe.apply(options.probe.read(), machine);
   JobsDone done;
   const bool on_terminal = is_terminal(stderr);
   ProgressBar bar{stderr, on_terminal, Clock::now()};
@@ -56,10 +51,7 @@ JobsDone for_each_job(const JobOptions& options, const std::function<Report(cons
       bar.update(share, file, Clock::now());
       lines.update(share, file, Clock::now());
     };
-    Job job{.file = file,
-            .settings = settings,
-            .machine = {.probe_plate_z_mm = options.probe_plate_z_mm, .has_switches = false},
-            .on_progress = show};
+    Job job{.file = file, .settings = settings, .machine = machine, .on_progress = show};
     try {
       done.reports.push_back(work(job));
     } catch (const std::exception& error) {

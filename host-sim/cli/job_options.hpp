@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "host-sim/cli/commands.hpp"
+#include "host-sim/cli/probe_options.hpp"
 #include "host-sim/job/job.hpp"
 
 namespace CLI {
@@ -18,7 +19,7 @@ struct JobOptions {
   std::vector<std::string> files;
   std::string settings_file;
   std::vector<std::string> set;
-  double probe_plate_z_mm = MachineModel{}.probe_plate_z_mm;
+  ProbeOptions probe;
   bool json = false;
   bool progress = false;
 

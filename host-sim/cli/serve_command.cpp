@@ -15,6 +15,7 @@
 #include "host-sim/cli/commands.hpp"
 #include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/job_options.hpp"
+#include "host-sim/cli/probe_options.hpp"
 #include "host-sim/cli/value_range.hpp"
 #include "host-sim/job/axis_scale.hpp"
 #include "host-sim/report/terminal.hpp"
@@ -62,7 +63,7 @@ struct ServeOptions {
   std::string store;
   std::string record;
   std::string trace;
-  MachineModel machine{};
+  ProbeOptions probe;
 };
 
 void add_ways_in(CLI::App& command, ServeOptions& options) {
@@ -123,13 +124,7 @@ void add_options(CLI::App& command, ServeOptions& options) {
   add_file(
       FileRole::kOutput, "--record", options.record, "Keep the conversation, for kerfline replay");
   add_file(FileRole::kOutput, "--trace", options.trace, "Write every step as text, as sim does");
-  command
-      .add_option("--probe-plate",
-                  options.machine.probe_plate_z_mm,
-                  "Height of the simulated probe plate, mm in machine coordinates")
-      ->check(in_range(-10'000.0, 10'000.0, "mm"))
-      ->type_name("Z")
-      ->capture_default_str();
+  options.probe.add_to(command);
 }
 
 CanTransport::Controller node_of(Session& session) {
@@ -207,10 +202,15 @@ ExitStatus serve(const ServeOptions& options) {
   std::optional<hal::host::FileStore> file;
   if (!options.store.empty()) file.emplace(options.store);
   hal::host::MemoryStore& store = file ? *file : memory;
-  const ConversationSetting setting{.settings = settings,
-                                    .probe_plate_z_mm = options.machine.probe_plate_z_mm,
-                                    .records = store.records()};
-  Session session{options.machine, setting.settings, store};
+  const auto surface = options.probe.read();
+  MachineModel machine;
+  options.probe.apply(surface, machine);
+  ConversationSetting setting{.settings = settings,
+                              .probe_plate_z_mm = machine.probe_plate_z_mm,
+                              .probe_surface = {},
+                              .records = store.records()};
+  if (surface) setting.probe_surface = {.tip_mm = surface->tip_mm, .file = surface->bytes};
+  Session session{machine, setting.settings, store};
   RecordFile record{options.record, setting, session};
   ServedJob job;
   LiveView view{session.controller(), job};

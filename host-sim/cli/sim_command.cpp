@@ -55,6 +55,7 @@ JobOutputs outputs_for(const SimOptions& options, const std::string& file) {
           .vcd = with_job_name(asked.vcd, file),
           .svg = with_job_name(asked.svg, file),
           .png = with_job_name(asked.png, file),
+          .answers = with_job_name(asked.answers, file),
           .kerf_width_mm = asked.kerf_width_mm,
           .stock = stock_wish_of(stock_for(options.stock, file))};
 }
@@ -68,6 +69,9 @@ std::vector<NamedFile> files_of(const SimOptions& options) {
   if (!options.job.settings_file.empty()) {
     files.push_back({"--settings", options.job.settings_file, FileRole::kInput});
   }
+  if (!options.job.probe.surface.empty()) {
+    files.push_back({"--probe-surface", options.job.probe.surface, FileRole::kInput});
+  }
   if (!options.stock.target.empty()) {
     files.push_back({"--stock-target", options.stock.target, FileRole::kInput});
   }
@@ -78,6 +82,7 @@ std::vector<NamedFile> files_of(const SimOptions& options) {
              {"--vcd", outputs.vcd},
              {"--svg", outputs.svg},
              {"--png", outputs.png},
+             {"--answers", outputs.answers},
              {"--report", with_job_name(options.report, file)}}) {
       if (!name.empty()) files.push_back({option, name, FileRole::kOutput});
     }
@@ -107,6 +112,7 @@ ExitStatus simulate_all(const SimOptions& options) {
     require_placeholder(options.outputs.svg, "--svg");
     require_placeholder(options.outputs.png, "--png");
     require_placeholder(options.report, "--report");
+    require_placeholder(options.outputs.answers, "--answers");
     for (const auto& [option, name] : stock_files(options.stock)) require_placeholder(name, option);
   }
   refuse_shared_files(files_of(options));
@@ -146,6 +152,9 @@ void add_sim_command(CLI::App& app, ExitStatus& status) {
   add_output("--trace", options->outputs.trace, "Write every step as text");
   add_output("--vcd", options->outputs.vcd, "Write the edges for logic-analyser viewers");
   add_output("--report", options->report, "Write the report as JSON");
+  add_output("--answers",
+             options->outputs.answers,
+             "Write what the controller answers, as a sender logs it");
   add_output("--svg", options->outputs.svg, "Draw the path as cut");
   add_output("--png", options->outputs.png, "The same as pixels");
   command

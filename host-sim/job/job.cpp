@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <optional>
 #include <stdexcept>
+#include <string_view>
 
 #include "firmware/machine/configuration.hpp"
 #include "host-sim/job/axis_scale.hpp"
@@ -25,6 +27,7 @@
 #include "host-sim/plot/picture.hpp"
 #include "host-sim/plot/png.hpp"
 #include "host-sim/trace/input_file.hpp"
+#include "host-sim/trace/output_file.hpp"
 #include "host-sim/trace/trace_writer.hpp"
 #include "host-sim/trace/vcd_writer.hpp"
 
@@ -188,6 +191,26 @@ void draw(const PathRecorder& recorder,
   if (!outputs.png.empty()) write_png(outputs.png, draw_svg(recorder.path(), options));
 }
 
+/// Writes what the controller says, if that is asked for.
+class AnswerFile {
+ public:
+  explicit AnswerFile(const std::string& name) {
+    if (!name.empty()) file_.emplace(name);
+  }
+
+  void take(std::string_view line) {
+    if (!file_) return;
+    fmt::format_to(std::back_inserter(file_->buffer()), "{}\n", line);
+    file_->drain_when_full();
+  }
+  void close() {
+    if (file_) file_->close();
+  }
+
+ private:
+  std::optional<OutputFile> file_;
+};
+
 /// The path that a program describes, with what the motors of the machine may deviate from it.
 ProgrammedPath path_for_machine(const std::string& text, const cnc::Settings& settings) {
   ProgrammedPath path = read_for_machine(text, settings);
@@ -200,10 +223,12 @@ ProgrammedPath path_for_machine(const std::string& text, const cnc::Settings& se
 Report simulate(const Job& job, const JobOutputs& outputs) {
   const ProgramText program = prepared(job);
   const std::string& text = program.text;
+  AnswerFile answers{outputs.answers};
   Simulator simulator{text,
                       {.after_refusal = AfterRefusal::kStop,
                        .machine = job.machine,
-                       .on_progress = job.on_progress}};
+                       .on_progress = job.on_progress,
+                       .on_answer = [&answers](std::string_view line) { answers.take(line); }}};
   apply_settings(job.settings, simulator.machine());
   const ProgrammedPath path = path_for_machine(text, simulator.settings());
   PlayModel play{job.machine};
@@ -233,6 +258,7 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
   const StepFiles step_files{outputs, simulator};
 
   const RunResult result = simulator.run();
+  answers.close();
   Report report = report_on(job, program, result, path.refused, text);
   report.cut_length_mm = cut_length(path, result);
   warn_of_step_rates(job, simulator.settings(), report);

@@ -2,9 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 namespace sim {
+
+class ProbeSurface;
 
 /// The machine around the controller. Places are in mm (degrees) from where the
 /// motors were at power-up.
@@ -12,6 +15,8 @@ struct MachineModel {
   /// Height of a conducting plate that closes the probe circuit; the tool's tip
   /// touches it when Z comes down to it.
   double probe_plate_z_mm = -10.0;
+  /// A surface that closes the circuit as well, in machine coordinates; may be null.
+  std::shared_ptr<const ProbeSurface> probe_surface{};
 
   /// Whether there are limit switches at all.
   bool has_switches = true;

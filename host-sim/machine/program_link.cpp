@@ -50,6 +50,7 @@ std::size_t ProgramLink::write(std::span<const std::byte> from) {
   for (const std::byte byte : from) {
     const char character = static_cast<char>(byte);
     if (character == '\n') {
+      if (on_answer) on_answer(received_);
       take_answer(received_);
       received_.clear();
     } else if (character != '\r') {

@@ -61,6 +61,8 @@ class ProgramLink final : public hal::ByteStream {
 
   /// Told of every line that the controller takes, in their order.
   std::function<void(std::size_t line, std::string_view text)> on_taken{};
+  /// Told of every line of the controller, without its end.
+  std::function<void(std::string_view text)> on_answer{};
 
  private:
   [[nodiscard]] bool nothing_to_send() const {

@@ -22,6 +22,7 @@ Simulator::Simulator(std::string program, RunOptions options)
       link_{std::move(program), options_.after_refusal},
       controller_{link_, options_.machine} {
   link_.on_taken = options_.on_taken;
+  link_.on_answer = options_.on_answer;
 }
 
 std::string Simulator::change_setting(std::uint16_t number, float value) {

@@ -18,6 +18,8 @@ struct RunOptions {
   std::function<void(double)> on_progress{};
   /// Told of every line that the controller takes.
   std::function<void(std::size_t line, std::string_view text)> on_taken{};
+  /// Told of every line that the controller says, without its end.
+  std::function<void(std::string_view text)> on_answer{};
 };
 
 /// How a run went, apart from what the sinks saw.

@@ -1,7 +1,6 @@
 #include "host-sim/machine/virtual_controller.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <span>
 #include <utility>
@@ -20,6 +19,7 @@ VirtualController::VirtualController(hal::ByteStream& link,
       play_{model_},
       second_play_{model_},
       switches_{model_},
+      probe_{model_},
       store_{store},
       link_{link},
       firmware_{std::in_place, port_, port_, port_, store, link} {}
@@ -58,7 +58,7 @@ void VirtualController::follow_settings() {
   play_.place(settings);
   second_play_.place(settings);
   switches_.place(settings);
-  z_steps_per_mm_ = settings.get(cnc::setting::kStepsPerMm, 2);
+  probe_.place(settings);
   undisturbed_ = 0;
 }
 
@@ -131,19 +131,14 @@ void VirtualController::feel_machine() {
 void VirtualController::touch_machine() {
   const PlayModel::Steps& axes = play_.follow(port_.position);
   const PlayModel::Steps& second = second_play_.follow(port_.second_position);
-  const double z_mm = static_cast<double>(axes[2]) / static_cast<double>(z_steps_per_mm_);
-  port_.probe = z_mm <= model_.probe_plate_z_mm;
+  port_.probe = probe_.is_closed(axes);
   port_.limits = switches_.read(axes, second, now_);
   undisturbed_ = steps_undisturbed(axes, second);
 }
 
 std::uint64_t VirtualController::steps_undisturbed(const PlayModel::Steps& axes,
                                                    const PlayModel::Steps& second) const {
-  // What rounds is less than two steps.
-  const double to_plate =
-      std::abs(axes[2] - model_.probe_plate_z_mm * static_cast<double>(z_steps_per_mm_)) - 2.0;
-  const double whole = std::clamp(to_plate, 0.0, 1.0e9);
-  return std::min(switches_.steps_undisturbed(axes, second), static_cast<std::uint64_t>(whole));
+  return std::min(switches_.steps_undisturbed(axes, second), probe_.steps_undisturbed(axes));
 }
 
 void VirtualController::report_change() {

@@ -12,6 +12,7 @@
 #include "host-sim/machine/breakdown.hpp"
 #include "host-sim/machine/machine_model.hpp"
 #include "host-sim/machine/play_model.hpp"
+#include "host-sim/machine/probe_model.hpp"
 #include "host-sim/machine/switch_model.hpp"
 #include "host-sim/trace/trace_row.hpp"
 
@@ -99,8 +100,8 @@ class VirtualController {
   PlayModel play_;
   PlayModel second_play_;  ///< Of second motors.
   SwitchModel switches_;
+  ProbeModel probe_;
   std::uint32_t settings_revision_ = 0;
-  float z_steps_per_mm_ = 1.0F;
   std::uint64_t undisturbed_ = 0;  ///< Step interrupts before a contact can change.
   hal::host::RecordingPort port_{};
   hal::host::MemoryStore own_store_{};

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <span>
 #include <stdexcept>
 
@@ -40,6 +41,10 @@ class ConversationReader {
       read_.setting.records[number_read] = to_record(bytes(line));
     } else if (word == "probe_plate") {
       read_.setting.probe_plate_z_mm = number<double>(line);
+    } else if (word == "probe_surface") {
+      const auto tip_mm = number<double>(take_word(line));
+      if (!(tip_mm >= 0.0 && std::isfinite(tip_mm))) fail("the diameter of a tip is 0 mm or more");
+      read_.setting.probe_surface = {.tip_mm = tip_mm, .file = bytes(line)};
     } else if (word == "end") {
       read_.end_ns = number<std::uint64_t>(line);
       ended_ = true;
@@ -117,6 +122,9 @@ std::string head_text(const ConversationSetting& setting) {
       "# > heard by the controller, < said by it, ^ acted beside its lines, | nobody took more, "
       "! stopped; times in ns\n";
   text += fmt::format("probe_plate {}\n", setting.probe_plate_z_mm);
+  if (const auto& surface = setting.probe_surface) {
+    text += fmt::format("probe_surface {} {}\n", surface->tip_mm, escaped(surface->file));
+  }
   for (const SettingChange& change : setting.settings) {
     text += fmt::format("set ${}={}\n", change.number, change.value);
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,10 +26,17 @@ struct Exchange {
   std::size_t line = 0;  ///< Of the file it was read from; else 0.
 };
 
+/// A surface that was probed.
+struct ProbedSurface {
+  double tip_mm = 0.0;  ///< Diameter of the probe's ball.
+  std::string file;     ///< Bytes of the surface's file.
+};
+
 /// The machine that a conversation is had with, as it was at the start.
 struct ConversationSetting {
   std::vector<SettingChange> settings;
   double probe_plate_z_mm = 0.0;
+  std::optional<ProbedSurface> probe_surface{};
   hal::host::MemoryStore::Records records;  ///< What was stored.
 };
 
@@ -36,6 +44,7 @@ struct ConversationSetting {
 ///
 ///     kerfline conversation 1
 ///     probe_plate -10
+///     probe_surface 2 "0 0 1\n"
 ///     set $110=12000
 ///     record 3 "\x00\x01"
 ///     > 120000000 "G0 X1\n"
@@ -43,7 +52,8 @@ struct ConversationSetting {
 ///     < 121000000 "ok\r\n"
 ///     end 500000000
 ///
-/// `#` begins a comment line. Times are nanoseconds of the controller, whole
+/// `probe_surface` is there if a surface is probed: the diameter of the tip, and the bytes of the
+/// surface's file. `#` begins a comment line. Times are nanoseconds of the controller, whole
 /// turns, and never go back.
 struct Conversation {
   ConversationSetting setting;

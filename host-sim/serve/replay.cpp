@@ -3,10 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
 
 #include "host-sim/job/setting_line.hpp"
+#include "host-sim/machine/probe_surface.hpp"
 #include "host-sim/serve/recorder.hpp"
+#include "host-sim/surface/read_surface.hpp"
 
 namespace sim {
 namespace {
@@ -118,6 +121,15 @@ std::string with_time(const Speech& speech, std::size_t place, bool with_times) 
   return fmt::format("{} at {} ns", line, speech.places[place]->time_ns);
 }
 
+MachineModel machine_of(const ConversationSetting& setting) {
+  MachineModel machine{.probe_plate_z_mm = setting.probe_plate_z_mm};
+  if (const auto& probed = setting.probe_surface) {
+    const auto read = surface::read_surface(probed->file, "the recorded surface", {});
+    machine.probe_surface = std::make_shared<const ProbeSurface>(read.mesh, probed->tip_mm);
+  }
+  return machine;
+}
+
 }  // namespace
 
 Conversation replay(const Conversation& recorded) {
@@ -126,8 +138,7 @@ Conversation replay(const Conversation& recorded) {
   for (const auto& [number, record] : recorded.setting.records) {
     if (!store.save(number, record)) throw std::invalid_argument("a record is too long");
   }
-  VirtualController controller{
-      link, {.probe_plate_z_mm = recorded.setting.probe_plate_z_mm}, store};
+  VirtualController controller{link, machine_of(recorded.setting), store};
   apply_settings(recorded.setting.settings, controller.machine());
   Conversation said{.setting = recorded.setting, .exchanges = {}, .end_ns = recorded.end_ns};
   Recorder recorder{controller,

@@ -32,6 +32,7 @@ CUTS = ("material,laser,gas_pressure_mpa,thickness_mm,power_w,speed_mm_min,kerf_
         "".join(f"tin,a laser,0.1,1,{power},{speed},{0.4 + power / speed:.3f},0.4,0.1,0.001\n"
                 for power in (40, 60) for speed in (400, 500, 600)))
 TOOLS = "flat: diameter=6, feed=600\n"
+GRID = "0 0 -3\n9 0 -3\n\n0 9 -3\n9 9 -3\n"
 TALK = "kerfline conversation 1\nprobe_plate -10\nend 1000000\n"
 
 
@@ -57,15 +58,16 @@ SETTINGS = "$110=1000\n"
 COUPON = (*STEEL, "--thickness", "2", "--full-power", "2000", "--laser", "a")
 COMMANDS = {
     "sim": Command(("--stock", "-1,-1,12,6,1", "--tool", "2", "--stock-cell", "0.5", "--stock-depth", "1"),
-                   {"FILE": PROGRAM, "--settings": SETTINGS, "--stock-target": PLATE},
+                   {"FILE": PROGRAM, "--settings": SETTINGS, "--stock-target": PLATE,
+                    "--probe-surface": GRID},
                    ("--trace", "--vcd", "--report", "--svg", "--png", "--stock-png", "--stock-stl",
-                    "--stock-ply"), takes_stdin=True,
-                   empty_is_refused=("FILE", "--settings")),
-    "check": Command((), {"FILE": PROGRAM, "--settings": SETTINGS}, takes_stdin=True,
-                     empty_is_refused=("FILE", "--settings")),
-    "serve": Command(("--tcp", "0"), {"--settings": SETTINGS}, ("--record", "--trace"),
+                    "--stock-ply", "--answers"), takes_stdin=True,
+                   empty_is_refused=("FILE", "--settings", "--probe-surface")),
+    "check": Command((), {"FILE": PROGRAM, "--settings": SETTINGS, "--probe-surface": GRID}, takes_stdin=True,
+                     empty_is_refused=("FILE", "--settings", "--probe-surface")),
+    "serve": Command(("--tcp", "0"), {"--settings": SETTINGS, "--probe-surface": GRID}, ("--record", "--trace"),
                      {"--store": None, "--pty": None, "--slcan": None},
-                     empty_is_refused=("--settings",)),
+                     empty_is_refused=("--settings", "--probe-surface")),
     "replay": Command((), {"FILE": TALK}, takes_stdin=True, empty_is_refused=("FILE",)),
     "kerf add": Command((), {"CUTS.csv": CUTS}, (), {"--db": None}, takes_stdin=True,
                         empty_is_refused=("CUTS.csv",)),
@@ -130,7 +132,7 @@ def commands_in(words=()):
     text = help_of(words)
     yield " ".join(words), text
     _, _, below = text.partition("\nSubcommands:\n")
-    for name in re.findall(r"^  (\w+) ", below.split("\n\n")[0], re.MULTILINE):
+    for name in re.findall(r"^  ([\w-]+) ", below.split("\n\n")[0], re.MULTILINE):
         yield from commands_in((*words, name))
 
 

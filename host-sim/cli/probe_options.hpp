@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "host-sim/machine/machine_model.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace sim {
+
+/// The file of a surface to probe, as it was read.
+struct ProbeSurfaceFile {
+  std::string bytes;
+  double tip_mm = 0.0;  ///< Diameter of the ball that probes it.
+};
+
+/// What closes the probe circuit of the simulated machine.
+struct ProbeOptions {
+  std::optional<double> plate_z_mm;
+  std::string surface;  ///< Name of the file; empty for none.
+  double tip_mm = 0.0;
+
+  void add_to(CLI::App& command);
+
+  /// Returns the height of the plate: where a surface is probed there is none unless it was given.
+  [[nodiscard]] double plate_mm() const;
+  /// Returns the bytes of the surface; nothing without one. Throws std::system_error, and
+  /// std::invalid_argument for a tip without a surface.
+  [[nodiscard]] std::optional<ProbeSurfaceFile> read() const;
+  /// Puts plate and surface into `machine`, and prints the notes of the surface's reader to
+  /// standard error. Throws as read_surface() does.
+  void apply(const std::optional<ProbeSurfaceFile>& file, MachineModel& machine) const;
+};
+
+}  // namespace sim
