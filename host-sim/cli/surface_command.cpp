@@ -16,6 +16,7 @@
 #include "host-sim/cli/cutter_text.hpp"
 #include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/input_files.hpp"
+#include "host-sim/cli/surface_commands.hpp"
 #include "host-sim/cli/surface_options.hpp"
 #include "host-sim/report/progress_bar.hpp"
 #include "host-sim/report/report_json.hpp"
@@ -42,7 +43,10 @@ constexpr const char* kSurfaceFooter =
     "  kerfline surface relief.stl --tool 6,bull,1 --step 2 --allowance 0.5 --floor -20 \\\n"
     "    --feed 2000 --plunge-feed 400 -o rough.nc\n"
     "\n"
-    "Exit status: 0 fine, 1 there is no path, 2 the call or FILE is wrong.";
+    "  kerfline surface probe-grid --x 0:60 --y 0:40 --pitch 2 --safe 5 --depth -8 --feed 60 \\\n"
+    "    -o probe.nc\n"
+    "\n"
+    "Exit status: 0 fine, 2 the call or FILE is wrong.";
 
 void move(std::vector<Eigen::Vector3d>& points, const std::vector<double>& way_mm) {
   if (way_mm.empty()) return;
@@ -199,11 +203,13 @@ ExitStatus run_surface(const SurfaceCommandOptions& options, InputFiles& inputs)
 
 void add_surface_command(CLI::App& app, ExitStatus& status) {
   CLI::App* command =
-      app.add_subcommand("surface", "Make a program that mills a measured or modelled surface.");
+      app.add_subcommand("surface", "Mill a measured or modelled surface, or measure one.");
   command->footer(kSurfaceFooter);
   const auto options = std::make_shared<SurfaceCommandOptions>();
   add_surface_options(*command, *options);
-  command->callback([options, &status] {
+  add_probe_grid_command(*command, status);
+  command->callback([options, command, &status] {
+    if (!command->get_subcommands().empty()) return;
     check_surface_options(*options);
     InputFiles inputs{options->output};
     status = run_surface(*options, inputs);
