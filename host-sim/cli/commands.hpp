@@ -24,7 +24,6 @@ void add_drawing_command(CLI::App& app, ExitStatus& status);
 void add_cut_command(CLI::App& app, ExitStatus& status);
 void add_order_command(CLI::App& app, ExitStatus& status);
 void add_pocket_command(CLI::App& app, ExitStatus& status);
-void add_surface_command(CLI::App& app, ExitStatus& status);
 void add_send_command(CLI::App& app, ExitStatus& status);
 void add_surface_command(CLI::App& app, ExitStatus& status);
 

@@ -71,6 +71,7 @@ ExitStatus write_program(const ProbeGridOptions& options) {
         "probe-grid: --program, --offset, --inches and --gaps are for answers; give --read");
   }
   const surface::ProbeProgram program = options.probe_program();
+  list(surface::warnings_of(program));
   write(options.output, surface::text_of_probe_program(program));
   terminal::print(stderr,
                   "{} points in {} rows of {}, {:g} mm apart in X and {:g} mm in Y\n",
@@ -82,7 +83,7 @@ ExitStatus write_program(const ProbeGridOptions& options) {
   return ExitStatus::kFine;
 }
 
-/// Returns what was probed, as the program's heading or the options say.
+/// Returns the plan of the probing by the program's heading or the options, and sets the tip.
 surface::ProbePlan plan_of(const ProbeGridOptions& options, double& tip_mm) {
   if (options.program.empty()) {
     tip_mm = options.tip_mm.value_or(0.0);

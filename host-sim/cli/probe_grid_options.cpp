@@ -9,6 +9,7 @@
 
 #include "host-sim/cli/file_options.hpp"
 #include "host-sim/surface/number_text.hpp"
+#include "host-sim/surface/read_surface.hpp"
 
 namespace sim {
 namespace {
@@ -152,7 +153,7 @@ std::optional<Eigen::Vector3d> ProbeGridOptions::work_zero() const {
     const auto value = comma == std::string_view::npos
                            ? std::nullopt
                            : surface::parsed_number(rest.substr(0, comma));
-    if (!value || !std::isfinite(*value)) {
+    if (!value || !(std::abs(*value) <= surface::kFarthestMm)) {
       throw std::invalid_argument(fmt::format("--offset {}: is not X,Y,Z in mm", offset));
     }
     zero[axis] = *value;

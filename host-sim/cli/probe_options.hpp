@@ -17,7 +17,7 @@ struct ProbeSurfaceFile {
   double tip_mm = 0.0;  ///< Diameter of the ball that probes it.
 };
 
-/// What closes the probe circuit of the simulated machine.
+/// Options of the plate and the surface that close the probe circuit of the simulated machine.
 struct ProbeOptions {
   std::optional<double> plate_z_mm;
   std::string surface;  ///< Name of the file; empty for none.

@@ -154,7 +154,7 @@ void add_sim_command(CLI::App& app, ExitStatus& status) {
   add_output("--report", options->report, "Write the report as JSON");
   add_output("--answers",
              options->outputs.answers,
-             "Write what the controller answers, as a sender logs it");
+             "Write the controller's answers, as a sender logs them");
   add_output("--svg", options->outputs.svg, "Draw the path as cut");
   add_output("--png", options->outputs.png, "The same as pixels");
   command

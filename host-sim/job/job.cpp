@@ -191,7 +191,7 @@ void draw(const PathRecorder& recorder,
   if (!outputs.png.empty()) write_png(outputs.png, draw_svg(recorder.path(), options));
 }
 
-/// Writes what the controller says, if that is asked for.
+/// Writes the lines of the controller, if a file is named.
 class AnswerFile {
  public:
   explicit AnswerFile(const std::string& name) {

@@ -5,8 +5,8 @@
 
 namespace sim {
 
-/// A conducting surface under a probe whose tip is a ball, in machine coordinates, mm. Any thread
-/// may ask, as nothing changes.
+/// A conducting surface under a probe whose tip is a ball, in machine coordinates, mm. It does not
+/// change, so threads may share it.
 class ProbeSurface {
  public:
   using Hint = surface::DropCutter::Hint;

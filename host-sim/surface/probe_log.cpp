@@ -5,6 +5,7 @@
 #include <map>
 
 #include "host-sim/surface/number_text.hpp"
+#include "host-sim/surface/read_surface.hpp"
 #include "host-sim/surface/text_lines.hpp"
 
 namespace sim::surface {
@@ -14,7 +15,8 @@ constexpr std::size_t kMaxAxes = 8;
 constexpr std::string_view kAnswer = "[PRB:";
 constexpr std::string_view kWorkOffset = "WCO:";
 
-/// Returns the first three of three to kMaxAxes finite numbers with commas between them.
+/// Returns the first three of three to kMaxAxes finite numbers with commas between them; nothing if
+/// these are no coordinates of a machine.
 std::optional<Eigen::Vector3d> parsed_place(std::string_view text) {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();
   std::size_t count = 0;
@@ -22,7 +24,10 @@ std::optional<Eigen::Vector3d> parsed_place(std::string_view text) {
     const std::size_t comma = text.find(',');
     const auto value = parsed_number(text.substr(0, comma));
     if (!value || !std::isfinite(*value)) return {};
-    if (count < 3) place[static_cast<Eigen::Index>(count)] = *value;
+    if (count < 3) {
+      if (std::abs(*value) > kFarthestMm) return {};
+      place[static_cast<Eigen::Index>(count)] = *value;
+    }
     ++count;
     if (comma == std::string_view::npos) {
       return count >= 3 ? std::optional{place} : std::nullopt;

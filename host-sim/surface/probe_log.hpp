@@ -16,7 +16,7 @@ struct ProbeAnswer {
   std::size_t line = 0;   ///< Of the log, from 1.
 };
 
-/// What a sender's log says about probing.
+/// Answers and work offset of a sender's log.
 struct ProbeLog {
   std::vector<ProbeAnswer> answers;
   std::vector<std::size_t> damaged_lines;  ///< Lines whose `[PRB:` is not whole.

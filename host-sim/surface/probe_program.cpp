@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <initializer_list>
@@ -19,6 +20,10 @@ namespace {
 
 constexpr std::string_view kFirstLine = "(kerfline probe-grid 1)";
 constexpr std::string_view kFirstWords = "(kerfline probe-grid ";
+
+/// Time in which a tip stops behind a contact: half of it for braking from 12 mm/s with 250 mm/s²,
+/// and half for what a controller has planned already.
+constexpr double kStopS = 0.05;
 
 struct NamedValue {
   const char* name;
@@ -220,6 +225,26 @@ void require_probe_program(const ProbeProgram& program) {
     throw std::invalid_argument(
         fmt::format("--tip {:g}: a diameter is 0 mm or more", program.tip_mm));
   }
+}
+
+std::vector<std::string> warnings_of(const ProbeProgram& program) {
+  std::vector<std::string> warnings;
+  const auto check = [&](const char* option, double rise_mm, double feed) {
+    const double way_mm = feed / 60.0 * kStopS;
+    if (rise_mm >= way_mm) return;
+    warnings.push_back(fmt::format(
+        "{} {:g}: the tip may go on for {:g} mm at {:g} mm/min before it stands, and the "
+        "program would end with alarm 4; rise by more, or probe slower",
+        option,
+        rise_mm,
+        way_mm,
+        feed));
+  };
+  if (program.fast_feed > 0.0) check("--retract", program.retract_mm, program.fast_feed);
+  if (program.hop_mm > 0.0) {
+    check("--hop", program.hop_mm, std::max(program.travel_feed, program.feed));
+  }
+  return warnings;
 }
 
 std::string text_of_probe_program(const ProbeProgram& program) { return ProbeText{program}.text(); }

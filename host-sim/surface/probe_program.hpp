@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "host-sim/surface/probe_grid.hpp"
 
@@ -29,6 +30,10 @@ struct ProbeProgram {
 /// Throws std::invalid_argument, which names the option, for values that make no program.
 void require_probe_program(const ProbeProgram& program);
 
+/// Returns warnings for the operator: of rises that may be shorter than the way on which the tip
+/// stops behind a contact, so that the next touch would begin with the probe closed.
+[[nodiscard]] std::vector<std::string> warnings_of(const ProbeProgram& program);
+
 /// Returns the G-code: for each point G38.3, so that a point that is missed is reported as
 /// `[PRB:x,y,z:0]` and the program goes on. A probe that is closed before a touch ends the program
 /// with alarm 4.
@@ -38,7 +43,7 @@ void require_probe_program(const ProbeProgram& program);
 /// @pre require_probe_program() does not throw
 [[nodiscard]] std::string text_of_probe_program(const ProbeProgram& program);
 
-/// What the heading of such a program says about its answers.
+/// Heading of such a program, by which its answers are read.
 struct ProbeHeading {
   ProbeGrid grid;
   double depth_mm = 0.0;

@@ -33,7 +33,7 @@ struct ProbedPoints {
 /// An answer farther from its point is displaced, mm; and a tenth of the pitch.
 inline constexpr double kPlaceToleranceMm = 0.1;
 
-/// Finds the answer of each point by its place, so that answers that lack make no other wrong.
+/// Finds the answer of each point by its place, so that a lost answer makes no other wrong.
 ///
 /// Of successive answers at a point the last counts; fewer than its touches make none, as only the
 /// slow touch is exact. A point that comes again later has its later height. Failed answers above

@@ -33,6 +33,9 @@ CUTS = ("material,laser,gas_pressure_mpa,thickness_mm,power_w,speed_mm_min,kerf_
                 for power in (40, 60) for speed in (400, 500, 600)))
 TOOLS = "flat: diameter=6, feed=600\n"
 GRID = "0 0 -3\n9 0 -3\n\n0 9 -3\n9 9 -3\n"
+PROBED = ("(kerfline probe-grid 1)\n(x=0:9 columns=2)\n(y=0:9 rows=2)\n(depth=-5 touches=1 tip=2)\n"
+          "M5\nM2\n")
+ANSWERS = "<Idle|WCO:0,0,0>\n[PRB:0,0,-1:1]\n[PRB:9,0,-1:1]\n[PRB:9,9,-1:1]\n[PRB:0,9,-1:1]\n"
 TALK = "kerfline conversation 1\nprobe_plate -10\nend 1000000\n"
 
 
@@ -91,6 +94,8 @@ COMMANDS = {
     "pocket": Command(("--tool", "6", "--depth", "2", "--feed", "600", "--plunge-feed", "200", "--entry", "plunge"),
                       {"FILE": PLATE, "--tools": TOOLS}, ("--output", "--report", "--svg", "--holes"),
                       takes_stdin=True, empty_is_refused=("--tools",)),
+    "surface probe-grid": Command((), {"--read": ANSWERS, "--program": PROBED}, ("--output",),
+                                  empty_is_refused=("--read", "--program")),
     "send": Command((), {"file": PROGRAM}, ("--log",), takes_stdin=True, empty_is_refused=("file",)),
 }
 # Further ways to call a command, for options that exclude or need others.
@@ -100,7 +105,7 @@ MEASURED = Command((), {"--measured": CUTS}, (), {"--db": None}, takes_stdin=Tru
 UPDATE = Command(("--update",), {}, updates={"FILE": TALK}, empty_is_refused=("FILE",))
 CALLS = [*COMMANDS.items(), ("kerf calibrate", FORM), ("kerf calibrate", MEASURED), ("replay", UPDATE)]
 CALLS_IN_TEST = 4  # Of CALLS; as many as each of the long tests tries in toolchain/test.sh.
-NO_FILES = {"completion", "manual", "kerf", ""}
+NO_FILES = {"completion", "manual", "kerf", "surface", ""}
 # Devices, whose opening is the business of ports.
 DEVICES = {("send", "--port"), ("send", "--slcan")}
 

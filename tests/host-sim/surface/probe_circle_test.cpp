@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -164,7 +165,9 @@ TEST_P(ProbeCircle, ReturnsTheSurface) {
       EXPECT_LE(off, most_above(shape, program, point.head<2>()))
           << shape.name << point.transpose();
     }
-    std::printf("tip %.0f, %s: %.4f to %.4f mm\n", tip_mm, shape.name, least, most);
+    EXPECT_LT(most, 1.0e-3) << shape.name;
+    RecordProperty(fmt::format("{}_least_nm", shape.name), static_cast<int>(1.0e6 * least));
+    RecordProperty(fmt::format("{}_most_nm", shape.name), static_cast<int>(1.0e6 * most));
   }
 }
 

@@ -82,6 +82,7 @@ TEST(ProbeLog, PassesOverDamagedAnswers) {
                            "[PRB:1,2,3:1",
                            "[PRB:1,2,3x:1]",
                            "[PRB:1e999,2,3:1]",
+                           "[PRB:1,2,1e5:1]",
                            "[PRB::1]",
                            "[PRB:1,2,3,4,5,6,7,8,9:1]",
                            "[PRB:1,2,3:11]",
