@@ -197,14 +197,14 @@ ExitStatus serve(const ServeOptions& options) {
         "--slcan LINK");
   }
   const std::vector<SettingChange> settings = all_settings(options);
+  const auto surface = options.probe.read();
+  MachineModel machine;
+  options.probe.apply(surface, machine);
   const StopSignals stop;
   hal::host::MemoryStore memory;
   std::optional<hal::host::FileStore> file;
   if (!options.store.empty()) file.emplace(options.store);
   hal::host::MemoryStore& store = file ? *file : memory;
-  const auto surface = options.probe.read();
-  MachineModel machine;
-  options.probe.apply(surface, machine);
   ConversationSetting setting{.settings = settings,
                               .probe_plate_z_mm = machine.probe_plate_z_mm,
                               .probe_surface = {},

@@ -105,6 +105,8 @@ MEASURED = Command((), {"--measured": CUTS}, (), {"--db": None}, takes_stdin=Tru
 UPDATE = Command(("--update",), {}, updates={"FILE": TALK}, empty_is_refused=("FILE",))
 CALLS = [*COMMANDS.items(), ("kerf calibrate", FORM), ("kerf calibrate", MEASURED), ("replay", UPDATE)]
 CALLS_IN_TEST = 4  # Of CALLS; as many as each of the long tests tries in toolchain/test.sh.
+# Files of surfaces, which may be binary: their reader says what another encoding of a text is.
+SURFACES = {"--probe-surface"}
 NO_FILES = {"completion", "manual", "kerf", "surface", ""}
 # Devices, whose opening is the business of ports.
 DEVICES = {("send", "--port"), ("send", "--slcan")}

@@ -17,8 +17,8 @@ import tempfile
 import time
 import unittest
 
-from files_bench import (CALLS, COMMANDS, DEVICES, ENVIRONMENT, KERFLINE, NO_FILES, PROGRAM, SEED, SETTINGS, Bench,
-                         Server, commands_in, file_options_in, limit_files, obey_modes, some_calls)
+from files_bench import (CALLS, COMMANDS, DEVICES, ENVIRONMENT, KERFLINE, NO_FILES, PROGRAM, SEED, SETTINGS, SURFACES,
+                         Bench, Server, commands_in, file_options_in, limit_files, obey_modes, some_calls)
 
 
 class Files(unittest.TestCase):
@@ -54,7 +54,7 @@ class Files(unittest.TestCase):
                     self.assertNotIn("previous\n", bench.files[option].read_bytes().decode("latin-1"))
                 self.assertEqual([path.name for path in bench.folder.glob(".*")], [])
 
-    def unreadable(self, bench):
+    def unreadable(self, bench, option=""):
         """Names under which nothing can be read, for root as well, and what is said of each."""
         folder = bench.folder / "folder"
         folder.mkdir()
@@ -72,7 +72,7 @@ class Files(unittest.TestCase):
         yield loop, "Too many levels"
         yield "/proc/self/mem", "Input/output error"
         yield binary, "binary"
-        yield wide, "binary"
+        yield wide, "UTF-16" if option in SURFACES else "binary"
         locked = bench.folder / "locked"
         locked.write_text("")
         locked.chmod(0)
@@ -82,7 +82,7 @@ class Files(unittest.TestCase):
         for name, command in CALLS:
             for option in (*command.inputs, *command.updates):
                 with self.bench(name, command, option=option) as bench:
-                    bad_files = list(self.unreadable(bench))
+                    bad_files = list(self.unreadable(bench, option))
                     before = bench.contents()
                     for bad, reason in bad_files:
                         done = bench.run({**bench.files, option: bad}, preexec_fn=obey_modes)
