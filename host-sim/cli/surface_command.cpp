@@ -189,13 +189,14 @@ ExitStatus run_surface(const SurfaceCommandOptions& options, InputFiles& inputs)
     terminal::print(stderr, "{}: {}\n", options.file, note);
   }
   move(input.mesh.points, options.move_mm);
-  if (!options.mesh.empty()) write_file(options.mesh, surface::ply_of(input.mesh));
-  if (options.wants_patches()) fit_patches(grid_of(input, options), cutter, patches_of(options));
-  if (options.wants_heights()) {
-    write_heights(options, input.mesh, cutter, InputFiles::read(options.at));
-    return ExitStatus::kFine;
-  }
+  // What may be refused comes first: then nothing is written.
+  const std::string places = options.wants_heights() ? InputFiles::read(options.at) : "";
+  surface::PointGrid grid;
+  if (options.wants_patches()) grid = grid_of(input, options);
+  if (options.wants_heights()) write_heights(options, input.mesh, cutter, places);
   if (options.wants_program()) write_path(options, input.mesh, cutter, inputs);
+  if (options.wants_patches()) fit_patches(grid, cutter, patches_of(options));
+  if (!options.mesh.empty()) write_file(options.mesh, surface::ply_of(input.mesh));
   return ExitStatus::kFine;
 }
 

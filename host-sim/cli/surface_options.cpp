@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "host-sim/cli/cutter_text.hpp"
 #include "host-sim/cli/file_options.hpp"
@@ -180,7 +181,15 @@ void check_surface_options(const SurfaceCommandOptions& options) {
                     kLeastScallopTolerances,
                     options.tolerance_mm));
   }
-  if (!options.wants_program()) return;
+  if (!options.wants_program()) {
+    const char* const instead = options.wants_heights() ? "--at" : "--like-paper";
+    for (const auto& [name, file] :
+         {std::pair{"--output", &options.output}, std::pair{"--report", &options.report}}) {
+      if (file->empty()) continue;
+      throw std::invalid_argument(fmt::format("{}: there is no program with {}", name, instead));
+    }
+    return;
+  }
   if (options.mill.feed_mm_min == 0.0) throw std::invalid_argument("--feed: is needed, mm/min");
   if (options.mill.plunge_mm_min == 0.0) {
     throw std::invalid_argument("--plunge-feed: is needed, mm/min");

@@ -36,6 +36,12 @@ const CLI::Option* option_named(const CLI::App& command, const std::string& name
   return nullptr;
 }
 
+/// A word that names no command below may be the file of one that takes a file itself.
+bool takes_words(const CLI::App& command) {
+  return std::ranges::any_of(options_of(command),
+                             [](const CLI::Option* option) { return option->get_positional(); });
+}
+
 bool is_option(const std::string& word) {
   const bool is_number =
       word.size() > 1 && (std::isdigit(static_cast<unsigned char>(word[1])) != 0 || word[1] == '.');
@@ -81,6 +87,7 @@ std::optional<std::string> unknown_word(const CLI::App& app,
     const std::vector<std::string> below = commands_of(*command);
     if (below.empty()) continue;
     if (std::ranges::find(below, word) == below.end()) {
+      if (takes_words(*command)) continue;
       return fmt::format("{}: no such command; there are {}{}",
                          word,
                          fmt::join(below, " "),

@@ -51,6 +51,7 @@ std::string tip_heights(const Mesh& mesh,
     fmt::format_to(
         std::back_inserter(text), "{:.17g} {:.17g} {:.17g}\n", place->x(), place->y(), height);
   }
+  if (text.empty()) refuse(name, 0, "has no place", "give X and Y in mm on each line");
   return text;
 }
 

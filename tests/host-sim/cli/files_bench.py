@@ -94,20 +94,25 @@ COMMANDS = {
     "pocket": Command(("--tool", "6", "--depth", "2", "--feed", "600", "--plunge-feed", "200", "--entry", "plunge"),
                       {"FILE": PLATE, "--tools": TOOLS}, ("--output", "--report", "--svg", "--holes"),
                       takes_stdin=True, empty_is_refused=("--tools",)),
+    "surface": Command(("--tool", "ball:4", "--feed", "600", "--plunge-feed", "200", "--step", "3"),
+                       {"FILE": GRID}, ("--output", "--report", "--mesh", "--patches"), takes_stdin=True),
     "surface probe-grid": Command((), {"--read": ANSWERS, "--program": PROBED}, ("--output",),
                                   empty_is_refused=("--read", "--program")),
     "send": Command((), {"file": PROGRAM}, ("--log",), takes_stdin=True, empty_is_refused=("file",)),
 }
 # Further ways to call a command, for options that exclude or need others.
 FORM = Command((*COUPON, "--out", "/dev/null"), {}, ("--form",))
+HEIGHTS = Command(("--tool", "ball:4"), {"FILE": GRID, "--at": "1 2\n"}, ("--heights",), takes_stdin=True,
+                  empty_is_refused=("--at",))
 MEASURED = Command((), {"--measured": CUTS}, (), {"--db": None}, takes_stdin=True,
                    empty_is_refused=("--measured",))
 UPDATE = Command(("--update",), {}, updates={"FILE": TALK}, empty_is_refused=("FILE",))
-CALLS = [*COMMANDS.items(), ("kerf calibrate", FORM), ("kerf calibrate", MEASURED), ("replay", UPDATE)]
+CALLS = [*COMMANDS.items(), ("kerf calibrate", FORM), ("kerf calibrate", MEASURED), ("replay", UPDATE),
+         ("surface", HEIGHTS)]
 CALLS_IN_TEST = 4  # Of CALLS; as many as each of the long tests tries in toolchain/test.sh.
 # Files of surfaces, which may be binary: their reader says what another encoding of a text is.
-SURFACES = {"--probe-surface"}
-NO_FILES = {"completion", "manual", "kerf", "surface", ""}
+SURFACES = {"--probe-surface", "surface FILE"}
+NO_FILES = {"completion", "manual", "kerf", ""}
 # Devices, whose opening is the business of ports.
 DEVICES = {("send", "--port"), ("send", "--slcan")}
 

@@ -82,7 +82,7 @@ class Files(unittest.TestCase):
         for name, command in CALLS:
             for option in (*command.inputs, *command.updates):
                 with self.bench(name, command, option=option) as bench:
-                    bad_files = list(self.unreadable(bench, option))
+                    bad_files = list(self.unreadable(bench, f"{name} {option}" if option == "FILE" else option))
                     before = bench.contents()
                     for bad, reason in bad_files:
                         done = bench.run({**bench.files, option: bad}, preexec_fn=obey_modes)

@@ -185,6 +185,7 @@ class SurfaceCommand(unittest.TestCase):
                 ((*good, "--step", 0), self.scan, "--step"),
                 ((*good, "--scallop", 0.015), self.scan, "less than 2 times the --tolerance"),
                 ((*good, "--heights", self.folder / "h.txt"), self.scan, "--heights: needs --at"),
+                ((*good, "--like-paper"), self.scan, "--output: there is no program with --like-paper"),
                 (good, nan, "nan.xyz:2"),
                 (good, uneven, "uneven.xyz"),
                 (good, empty, "empty.xyz"),
