@@ -1,11 +1,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -54,12 +54,6 @@ void move(std::vector<Eigen::Vector3d>& points, const std::vector<double>& way_m
   for (Eigen::Vector3d& point : points) point += way;
 }
 
-double top_of(const surface::Mesh& mesh) {
-  double top = -std::numeric_limits<double>::infinity();
-  for (const Eigen::Vector3d& point : mesh.points) top = std::max(top, point.z());
-  return top;
-}
-
 /// Returns the height of rapids. Throws std::invalid_argument for one within path or surface.
 double safe_height_of(const SurfaceCommandOptions& options, double top_mm) {
   constexpr double kAboveAll = 5.0;
@@ -82,7 +76,9 @@ std::vector<std::string> heading_of(const SurfaceCommandOptions& options,
                   options.tool,
                   options.tolerance_mm,
                   figures.arcs + figures.lines),
-      fmt::format("finishing in rows at {:g} degrees, {:g} mm of stock stay",
+      fmt::format("{} in rows at {:g} degrees, {:g} mm of stock stay",
+                  options.layer_mm > 0.0 ? fmt::format("layers of {:g} mm", options.layer_mm)
+                                         : std::string{"finishing"},
                   options.angle_deg,
                   options.allowance_mm)};
   for (const ProgramDigest& digest : inputs.digests()) lines.push_back(text_of(digest));
@@ -125,7 +121,9 @@ void write_path(const SurfaceCommandOptions& options,
   const surface::SurfacePath path = path_with_progress(mesh, row_options_of(options, cutter));
   const surface::SurfaceProgramFigures figures = figures_of(path);
   pocket::MillSettings mill = options.mill;
-  mill.safe_mm = safe_height_of(options, std::max(figures.highest_mm, top_of(mesh)));
+  mill.safe_mm = safe_height_of(
+      options,
+      std::max({figures.highest_mm, top_of(mesh), options.stock_top_mm.value_or(top_of(mesh))}));
   const cnc::gcode::PrintGrid grid{static_cast<std::uint8_t>(options.decimals)};
   const std::string program = program_of(path, mill, grid, heading_of(options, figures, inputs));
   terminal::print(options.output.empty() ? stderr : stdout,

@@ -51,6 +51,26 @@ void add_reading_options(CLI::App& command, SurfaceCommandOptions& options) {
       ->type_name("X,Y,Z");
 }
 
+void add_stock_layer_options(CLI::App& command, SurfaceCommandOptions& options) {
+  command.add_option("--allowance", options.allowance_mm, "Stock that stays everywhere, mm")
+      ->check(in_range(0.0, 100.0, "mm"))
+      ->type_name("MM");
+  command
+      .add_option(
+          "--stock-top",
+          options.stock_top_mm,
+          "Z of the stock's top, mm, to which rapids go down; else the surface's highest point")
+      ->check(in_range(-surface::kFarthestMm, surface::kFarthestMm, "mm"))
+      ->type_name("MM");
+  command
+      .add_option("--layers",
+                  options.layer_mm,
+                  "Mill layers of this depth from the top of the stock downwards, each where it is "
+                  "above\nthe surface, mm: roughing")
+      ->check(in_range(0.001, 1000.0, "mm"))
+      ->type_name("MM");
+}
+
 void add_row_options(CLI::App& command, SurfaceCommandOptions& options) {
   command
       .add_option("--tool",
@@ -89,9 +109,6 @@ void add_row_options(CLI::App& command, SurfaceCommandOptions& options) {
   command.add_option("--order", options.order, "Rows to and fro, or all one way with lifts")
       ->transform(CLI::CheckedTransformer(orders))
       ->option_text("zigzag|oneway [zigzag]");
-  command.add_option("--allowance", options.allowance_mm, "Stock that stays everywhere, mm")
-      ->check(in_range(0.0, 100.0, "mm"))
-      ->type_name("MM");
   command
       .add_option("--margin", options.margin_mm, "Rows go on so far beyond the surface's box, mm")
       ->check(in_range(0.0, 1000.0, "mm"))
@@ -140,6 +157,7 @@ void add_surface_options(CLI::App& command, SurfaceCommandOptions& options) {
       FileRole::kInput);
   add_reading_options(command, options);
   add_row_options(command, options);
+  add_stock_layer_options(command, options);
   add_patch_options(command, options.patches);
   add_mill_options(command, options.mill);
   command.add_option("--safe", options.safe_mm, "Z of rapids, mm; else 5 mm above all")
@@ -181,6 +199,9 @@ void check_surface_options(const SurfaceCommandOptions& options) {
                     kLeastScallopTolerances,
                     options.tolerance_mm));
   }
+  if (options.layer_mm > 0.0 && options.scallop_mm > 0.0) {
+    throw std::invalid_argument("--scallop: layers have rows by --step alone");
+  }
   if (!options.wants_program()) {
     const char* const instead = options.wants_heights() ? "--at" : "--like-paper";
     for (const auto& [name, file] :
@@ -209,6 +230,8 @@ surface::RowOptions row_options_of(const SurfaceCommandOptions& options,
           .angle_rad = options.angle_deg * std::numbers::pi / 180.0,
           .margin_mm = options.margin_mm,
           .floor_mm = options.floor_mm,
+          .stock_top_mm = options.stock_top_mm,
+          .layer_mm = options.layer_mm,
           .order = options.order,
           .lines_only = options.lines_only,
           .progress = {}};

@@ -29,7 +29,9 @@ struct SurfaceCommandOptions {
   double allowance_mm = 0.0;
   double margin_mm = 0.0;
   std::optional<double> floor_mm;
-  std::optional<double> safe_mm;  ///< None: 5 mm above path and surface.
+  std::optional<double> stock_top_mm;  ///< None: the surface's highest point.
+  double layer_mm = 0.0;               ///< 0: no layers.
+  std::optional<double> safe_mm;       ///< None: 5 mm above path and surface.
   surface::RowOrder order = surface::RowOrder::kZigzag;
   bool lines_only = false;
   pocket::MillSettings mill;

@@ -58,7 +58,9 @@ void fit_patches(const surface::PointGrid& grid,
                  const PatchOptions& options) {
   const surface::PointGrid tips = tips_over(grid, cutter);
   const surface::patch::PatchSurface fitted = surface::patch::fitted_surface(tips, options.fit_mm);
-  tell(surface::patch::fit_report(fitted, tips, options.fit_mm), fitted.patches.size(), options.fit_mm);
+  tell(surface::patch::fit_report(fitted, tips, options.fit_mm),
+       fitted.patches.size(),
+       options.fit_mm);
   if (!options.file.empty()) write_file(options.file, surface::patch::patch_text(fitted));
   if (options.like_paper) {
     tell(surface::patch::piece_counts(fitted, options.flatness_mm), options.flatness_mm);

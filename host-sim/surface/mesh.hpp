@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <vector>
@@ -13,5 +14,12 @@ struct Mesh {
   /// Indices of points; counter-clockwise seen from +Z where the reader can know.
   std::vector<std::array<std::uint32_t, 3>> facets;
 };
+
+/// Returns the height of the highest point. @pre there is one
+[[nodiscard]] inline double top_of(const Mesh& mesh) {
+  double top = mesh.points.front().z();
+  for (const Eigen::Vector3d& point : mesh.points) top = std::max(top, point.z());
+  return top;
+}
 
 }  // namespace sim::surface

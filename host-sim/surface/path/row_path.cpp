@@ -32,13 +32,45 @@ class RowPlanner {
       : options_{options},
         step_mm_{step_of(options)},
         frame_{mesh, options.angle_rad, options.margin_mm},
-        tracer_{mesh, options} {
-    if (options.scallop_mm == 0.0) return;
+        tracer_{mesh, options},
+        stock_top_mm_{options.stock_top_mm.value_or(top_of(mesh))} {
+    if (options.scallop_mm == 0.0 || options.layer_mm > 0.0) return;
     // A path is above its exact place by the tolerance and as much again at most.
     between_.emplace(tracer_, frame_, options.tool, options.scallop_mm - options.tolerance_mm);
   }
 
   SurfacePath plan() {
+    if (options_.layer_mm > 0.0) {
+      add_layers();
+    } else {
+      add_rows();
+    }
+    if (path_.stretches.empty()) {
+      throw std::invalid_argument{options_.layer_mm > 0.0
+                                      ? "nothing of it is below the top of the stock"
+                                      : "nothing of it is under the tool"};
+    }
+    end_run();
+    path_.without_arcs = tracer_.without_arcs();
+    return std::move(path_);
+  }
+
+ private:
+  /// Adds layers from the top of the stock on, until one has nothing to mill.
+  void add_layers() {
+    constexpr int kMostLayers = 10'000;
+    for (int layer = 0; layer < kMostLayers; ++layer) {
+      const std::size_t before = path_.stretches.size();
+      const double bottom = stock_top_mm_ - options_.layer_mm;
+      tracer_.set_layer(stock_top_mm_, bottom);
+      add_rows();
+      if (path_.stretches.size() == before) return;
+      end_run();
+      stock_top_mm_ = bottom;
+    }
+  }
+
+  void add_rows() {
     const double width = frame_.last_row() - frame_.first_row();
     const auto steps = std::max(1.0, std::ceil(width / step_mm_ - 1.0e-9));
     for (double i = 0.0; i <= steps; i += 1.0) {
@@ -47,15 +79,8 @@ class RowPlanner {
       add_row(row);
       if (options_.progress) options_.progress((i + 1.0) / (steps + 1.0));
     }
-    if (path_.stretches.empty()) {
-      throw std::invalid_argument{"nothing of it is under the tool"};
-    }
-    end_run();
-    path_.without_arcs = tracer_.without_arcs();
-    return std::move(path_);
   }
 
- private:
   void add_row(double row) {
     if (add_part(frame_.whole(row), goes_back_) && options_.order == RowOrder::kZigzag) {
       goes_back_ = !goes_back_;
@@ -109,13 +134,18 @@ class RowPlanner {
     end_run();
   }
 
-  void end_run() { path_.run_ends.push_back(path_.stretches.size()); }
+  void end_run() {
+    const std::size_t begin = path_.runs.empty() ? 0 : path_.runs.back().end;
+    if (begin == path_.stretches.size()) return;
+    path_.runs.push_back({path_.stretches.size(), stock_top_mm_});
+  }
 
   const RowOptions& options_;
   double step_mm_;
   RowFrame frame_;
   SurfaceTracer tracer_;
   std::optional<ScallopRows> between_;
+  double stock_top_mm_;  ///< Of what no layer has milled yet.
   SurfacePath path_;
   Vector2d here_ = Vector2d::Zero();
   bool goes_back_ = false;

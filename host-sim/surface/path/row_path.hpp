@@ -32,6 +32,11 @@ struct RowOptions {
   /// The tip goes no deeper, and beside the surface it goes so deep; without it rows end there.
   std::optional<double> floor_mm;
   RowOrder order = RowOrder::kZigzag;
+  /// Top of the stock. Without it the highest point of the surface.
+  std::optional<double> stock_top_mm;
+  /// Depth of layers that are milled from the top of the stock downwards, each where it is above
+  /// the surface; 0: none, all at once. Layers have no rows for scallops.
+  double layer_mm = 0.0;
   bool lines_only = false;  ///< No arcs.
   /// Called with the part of the rows that is done, 0 to 1.
   std::function<void(double)> progress;

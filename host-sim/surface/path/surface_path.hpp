@@ -22,11 +22,16 @@ struct SurfaceStretch {
   std::vector<ContourVertex> vertices;
 };
 
+/// Stretches that are driven without a lift between them.
+struct SurfaceRun {
+  std::size_t end = 0;    ///< Number of the stretch behind its last one.
+  double stock_mm = 0.0;  ///< Up to where stock may stand over its start.
+};
+
 /// Stretches in the order in which they are driven, mm.
 struct SurfacePath {
   std::vector<SurfaceStretch> stretches;
-  /// Behind these numbers of stretches the tool lifts; the last is their count.
-  std::vector<std::size_t> run_ends;
+  std::vector<SurfaceRun> runs;
   /// Stretches that no arcs fit, which are lines.
   std::size_t without_arcs = 0;
 };

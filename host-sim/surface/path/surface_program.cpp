@@ -93,12 +93,13 @@ class RunWriter {
     writer_.leave_power();
   }
 
-  void begin_run(const SurfaceStretch& first) {
+  /// Goes down in a rapid to where stock may begin, and on at the feed of plunges.
+  void begin_run(const SurfaceStretch& first, double stock_mm) {
     const WideVec2 place = first.slice.at(first.vertices.front().x);
     const double height = first.vertices.front().y;
     set_height(mill_.safe_mm, place);
     take(writer_.rapid(place), place);
-    set_height(std::min(mill_.safe_mm, height + mill_.near_mm), place);
+    set_height(std::min(mill_.safe_mm, std::max(height, stock_mm) + mill_.near_mm), place);
     take(writer_.rapid(place), place);
     writer_.set_feed(thousandths(mill_.plunge_mm_min));
     set_height(height, place);
@@ -176,7 +177,7 @@ class RunWriter {
 SurfaceProgramFigures figures_of(const SurfacePath& path) {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   SurfaceProgramFigures figures{
-      .lifts = path.run_ends.size(), .lowest_mm = kInfinite, .highest_mm = -kInfinite};
+      .lifts = path.runs.size(), .lowest_mm = kInfinite, .highest_mm = -kInfinite};
   for (const SurfaceStretch& stretch : path.stretches) {
     double length = 0.0;
     for (std::size_t i = 0; i + 1 < stretch.vertices.size(); ++i) {
@@ -200,11 +201,11 @@ std::string program_of(const SurfacePath& path,
   text += pocket::opening_of(mill);
   RunWriter writer{mill, grid};
   std::size_t begin = 0;
-  for (const std::size_t end : path.run_ends) {
-    writer.begin_run(path.stretches[begin]);
-    for (std::size_t i = begin; i < end; ++i) writer.write(path.stretches[i]);
-    writer.end_run(path.stretches[end - 1]);
-    begin = end;
+  for (const SurfaceRun& run : path.runs) {
+    writer.begin_run(path.stretches[begin], run.stock_mm);
+    for (std::size_t i = begin; i < run.end; ++i) writer.write(path.stretches[i]);
+    writer.end_run(path.stretches[run.end - 1]);
+    begin = run.end;
   }
   return text + writer.text() + pocket::closing_of(mill);
 }

@@ -69,12 +69,20 @@ SurfaceTracer::SurfaceTracer(const Mesh& mesh, const RowOptions& options)
       cutter_{mesh, tool_.profile},
       has_floor_{options.floor_mm.has_value()},
       lowest_mm_{options.floor_mm.value_or(lowest_of(mesh))},
+      layer_bottom_mm_{lowest_mm_},
       density_{density_for(tool_.profile, error_share_of(tool_.profile) * tool_.band_mm)},
       band_mm_{band_within(tool_, options)},
       lines_only_{options.lines_only} {}
 
+void SurfaceTracer::set_layer(double top_mm, double bottom_mm) {
+  layer_top_mm_ = top_mm;
+  layer_bottom_mm_ = std::max(lowest_mm_, bottom_mm);
+}
+
 bool SurfaceTracer::is_over(const Eigen::Vector2d& place) const {
-  return has_floor_ || cutter_.tip_height(place) != cnc::surface::kNoContact;
+  const double touched = cutter_.tip_height(place);
+  if (!has_floor_ && touched == cnc::surface::kNoContact) return false;
+  return !layer_top_mm_ || std::max(lowest_mm_, touched) + lift_mm_ < *layer_top_mm_;
 }
 
 double SurfaceTracer::height(const Eigen::Vector2d& place) const {
@@ -92,9 +100,11 @@ double SurfaceTracer::border(const Slice& slice, double over, double beside) con
 }
 
 std::vector<std::pair<double, double>> SurfaceTracer::parts_over(const Slice& slice) const {
-  if (has_floor_) return {{0.0, slice.length}};
+  if (has_floor_ && !layer_top_mm_) return {{0.0, slice.length}};
   constexpr double kLeastPart = 1.0e-3;
-  const auto looks = static_cast<int>(std::ceil(slice.length / tool_.profile.radius_mm * 8.0)) + 1;
+  constexpr double kLooksPerRadius = 32.0;
+  const auto looks =
+      static_cast<int>(std::ceil(slice.length / tool_.profile.radius_mm * kLooksPerRadius)) + 1;
   std::vector<std::pair<double, double>> parts;
   double before = 0.0;
   bool was_over = false;
@@ -116,7 +126,7 @@ std::vector<std::pair<double, double>> SurfaceTracer::parts_over(const Slice& sl
 
 SurfaceStretch SurfaceTracer::trace(const Slice& slice, double begin, double end, StretchUse use) {
   SurfaceStretch stretch{.slice = slice, .use = use, .vertices = {}};
-  SliceHeights heights{cutter_, slice, lowest_mm_};
+  SliceHeights heights{cutter_, slice, layer_bottom_mm_};
   const SliceCurve curve{heights, begin, end, density_};
   lines_.clear();
   fit_chords(curve, curve.all(), band_mm_, lines_);

@@ -14,6 +14,10 @@ class SurfaceTracer {
  public:
   SurfaceTracer(const Mesh& mesh, const RowOptions& options);
 
+  /// Lets stretches from now on mill a layer: only where the tip goes below its top, and no deeper
+  /// than its bottom.
+  void set_layer(double top_mm, double bottom_mm);
+
   /// Returns the parts of a slice in which something is under the tool, each as begin and end; the
   /// whole of it where there is a floor.
   [[nodiscard]] std::vector<std::pair<double, double>> parts_over(const Slice& slice) const;
@@ -37,6 +41,8 @@ class SurfaceTracer {
   DropCutter cutter_;
   bool has_floor_;
   double lowest_mm_;
+  std::optional<double> layer_top_mm_;  ///< Of the tip; without a layer everything is below.
+  double layer_bottom_mm_;              ///< Of the grown tool's tip.
   SliceDensity density_;
   double band_mm_;
   bool lines_only_;

@@ -102,7 +102,7 @@ COMMANDS = {
 }
 # Further ways to call a command, for options that exclude or need others.
 FORM = Command((*COUPON, "--out", "/dev/null"), {}, ("--form",))
-HEIGHTS = Command(("--tool", "ball:4"), {"FILE": GRID, "--at": "1 2\n"}, ("--heights",), takes_stdin=True,
+HEIGHTS = Command(("--tool", "ball:4"), {"FILE": GRID, "--at": "1 2\n" * 9}, ("--heights",), takes_stdin=True,
                   empty_is_refused=("--at",))
 MEASURED = Command((), {"--measured": CUTS}, (), {"--db": None}, takes_stdin=True,
                    empty_is_refused=("--measured",))

@@ -143,8 +143,7 @@ TEST(PngReader, AnyDamagedByteIsFound) {
     EXPECT_NE(refusal_of(damaged, kOptions), "") << i;
     EXPECT_NE(refusal_of(bytes.substr(0, i), kOptions), "") << i;
   }
-  EXPECT_THAT(refusal_of(bytes.substr(0, 40), kOptions),
-              HasSubstr("ends too early"));
+  EXPECT_THAT(refusal_of(bytes.substr(0, 40), kOptions), HasSubstr("ends too early"));
 }
 
 TEST(PngReader, OtherPicturesAreRefused) {

@@ -112,6 +112,7 @@ RowOptions random_options(proof::Random& random, const cnc::surface::Profile& to
   if (random.chance(0.3) && tool.rise == 0.0) options.allowance_mm = random.between(0.0, 0.5);
   if (random.chance(0.3)) options.order = RowOrder::kOneWay;
   options.lines_only = random.chance(0.2);
+  if (!options.floor_mm && random.chance(0.2)) options.layer_mm = random.magnitude(0.3, 3.0);
   return options;
 }
 
@@ -124,19 +125,57 @@ TEST(RowPath, NeverCutsInAndHasNoMoreAirThanTwiceTheTolerance) {
     const Mesh mesh = random.chance(0.5) ? random_hills(random) : random_waves(random, 12, 1.0);
     RowOptions options = random_options(random, proof::random_cutter(random));
     options.step_mm = std::max(options.step_mm, 0.1 * mesh.points.back().y());
+    if (options.layer_mm > 0.0) options.stock_top_mm = top_of(mesh) + 0.5;
     const Judge judge{mesh, options};
     const std::string program = text_of(row_path(mesh, options), options);
     std::size_t high = 0;
     std::size_t looked = 0;
     for_places(program, 0.05, [&](const Vector3d& tip) {
       worst = std::max(worst, judge.gouge(tip));
-      if (++looked % 7 == 0 && judge.is_too_high(tip)) ++high;
+      const bool is_exact = options.layer_mm == 0.0;  // Layers end above the surface.
+      if (++looked % 7 == 0 && is_exact && judge.is_too_high(tip)) ++high;
     });
     EXPECT_GT(looked, 0U);
     EXPECT_LE(worst, 1.0e-6);
     EXPECT_EQ(high, 0U) << "of " << looked / 7;
   }
   std::printf("cuts in by %.3g mm\n", worst);
+}
+
+/// Each run of a layer begins below no more stock than its path says, and goes no deeper than a
+/// layer below the top that all rows before it have left.
+TEST(RowPath, MillsLayersFromTheTopOfTheStockToTheSurface) {
+  const proof::Trials trials{100};
+  for (const std::uint64_t seed : trials) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    proof::Random random{seed};
+    const Mesh mesh = random_waves(random, 12, 1.0);
+    RowOptions options;
+    options.tool = {.radius_mm = 1.5, .flat_mm = 1.5};
+    options.tolerance_mm = 0.05;
+    options.step_mm = 1.0;
+    options.layer_mm = random.between(0.3, 2.0);
+    options.stock_top_mm = top_of(mesh) + random.between(0.0, 2.0);
+    const SurfacePath path = row_path(mesh, options);
+    const DropCutter exact{mesh, options.tool};
+    std::size_t begin = 0;
+    for (const SurfaceRun& run : path.runs) {
+      EXPECT_LE(run.stock_mm, *options.stock_top_mm);
+      for (; begin < run.end; ++begin) {
+        const SurfaceStretch& stretch = path.stretches[begin];
+        for (const ContourVertex& vertex : stretch.vertices) {
+          EXPECT_LE(vertex.y, run.stock_mm + 2.0 * options.tolerance_mm);
+          EXPECT_GE(vertex.y, run.stock_mm - options.layer_mm);
+          EXPECT_GE(vertex.y, exact.tip_height(stretch.slice.at(vertex.x)));
+        }
+      }
+    }
+    RowOptions at_once = options;
+    at_once.layer_mm = 0.0;
+    // What is that little below a layer's bottom stays.
+    const double deepest = figures_of(row_path(mesh, at_once)).lowest_mm;
+    EXPECT_LE(figures_of(path).lowest_mm, deepest + 5.0 * options.tolerance_mm);
+  }
 }
 
 /// What is left at a place under tools whose tips are at these places.
@@ -200,7 +239,8 @@ TEST(RowPath, LeavesScallopsNoHigherThanAskedFor) {
                           ideal_at(exact, place + Vector2d{0.0, kBeside}) - ideal};
       const double upright = std::sqrt(1.0 + (rise / kBeside).squaredNorm());
       EXPECT_LE((left_at(tips, options.tool, place) - ideal) / upright, most)
-          << place.x() << " " << place.y() << " scallop " << options.scallop_mm << " flat " << options.tool.flat_mm << " angle " << options.angle_rad << " steep " << upright;
+          << place.x() << " " << place.y() << " scallop " << options.scallop_mm << " flat "
+          << options.tool.flat_mm << " angle " << options.angle_rad << " steep " << upright;
     }
   }
 }
