@@ -230,9 +230,9 @@ surface::RowOptions row_options_of(const SurfaceCommandOptions& options,
           .angle_rad = options.angle_deg * std::numbers::pi / 180.0,
           .margin_mm = options.margin_mm,
           .floor_mm = options.floor_mm,
+          .order = options.order,
           .stock_top_mm = options.stock_top_mm,
           .layer_mm = options.layer_mm,
-          .order = options.order,
           .lines_only = options.lines_only,
           .progress = {}};
 }

@@ -218,6 +218,20 @@ ProgrammedPath path_for_machine(const std::string& text, const cnc::Settings& se
   return path;
 }
 
+/// Warns of what the reader has left out, or tells where a refusal ends all figures.
+void warn_of_reading(const Job& job,
+                     const ProgrammedPath& path,
+                     const RunResult& result,
+                     Report& report) {
+  if (result.refusals.empty()) {
+    warn(job, path.notes, report);
+  } else {
+    report.warnings.push_back(fmt::format("{}: all figures end before line {}, which is refused",
+                                          job.file,
+                                          result.refusals.front().line));
+  }
+}
+
 }  // namespace
 
 Report simulate(const Job& job, const JobOutputs& outputs) {
@@ -262,13 +276,7 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
   Report report = report_on(job, program, result, path.refused, text);
   report.cut_length_mm = cut_length(path, result);
   warn_of_step_rates(job, simulator.settings(), report);
-  if (result.refusals.empty()) {
-    warn(job, path.notes, report);
-  } else {
-    report.warnings.push_back(fmt::format("{}: all figures end before line {}, which is refused",
-                                          job.file,
-                                          result.refusals.front().line));
-  }
+  warn_of_reading(job, path, result, report);
   add_measured(meter, report);
   add_measuring_errors(simulator.settings(), report);
   add_bounds(tool, simulator.settings(), report);

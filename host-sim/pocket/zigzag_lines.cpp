@@ -116,7 +116,7 @@ class LineDriver {
   /// Begins a row beside the stock where that is possible: at an end of its first line, or along
   /// the wall.
   [[nodiscard]] RowStart start_of(const Stretch& line, double y) const {
-    const RowStart best{Side::kRight, line.from_x};
+    RowStart best{Side::kRight, line.from_x};
     if (!options_.stock) return best;
     for (const Side side : {Side::kLeft, Side::kRight}) {
       const double x = end_of(line, side);

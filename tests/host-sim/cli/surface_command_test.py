@@ -96,15 +96,16 @@ class SurfaceCommand(unittest.TestCase):
         self.assertGreater(lengths[1], 1.8 * lengths[0])
 
     def test_roughs_in_layers_and_never_goes_through_stock_in_a_rapid(self):
-        tool = ("--tool", "4,bull,0.5", "--allowance", 0.3, "--layers", 1.2, "--step", 1.5, "--stock-top", 3)
-        self.assertEqual(self.surface(*tool, "--margin", 3, *MILL).returncode, 0)
+        tool = ("--tool", "4,bull,0.5", "--allowance", 0.3, "--layers", 1.2, "--step", 1.5)
+        below = ("--move", "0,0,-3", "--stock-top", 0)  # The machine begins at Z 0.
+        self.assertEqual(self.surface(*tool, *below, "--margin", 3, *MILL).returncode, 0)
         self.assertIn("(layers of 1.2 mm in rows", self.program.read_text())
-        stock = ("--stock", "0,0,15,10,3,-5", "--stock-cell", 0.1)
+        stock = ("--stock", "0,0,15,10,0,-8", "--stock-cell", 0.1)
         roughed = run("sim", self.program, *MACHINE, *stock, "--tool", "4,bull,0.5")
         self.assertEqual(roughed.returncode, 0, roughed.stderr)
         self.assertNotIn("a rapid cuts stock", roughed.stderr + roughed.stdout)
         # A run that finds all of the stock there goes down to it slowly.
-        self.assertEqual(self.surface("--tool", "ball:4", "--stock-top", 3, *MILL).returncode, 0)
+        self.assertEqual(self.surface("--tool", "ball:4", *below, *MILL).returncode, 0)
         raw = run("sim", self.program, *MACHINE, *stock, "--tool", "4,ball")
         self.assertNotIn("a rapid cuts stock", raw.stderr + raw.stdout)
 

@@ -210,7 +210,7 @@ double ideal_at(const DropCutter& exact, const Vector2d& place) {
 }
 
 TEST(RowPath, LeavesScallopsNoHigherThanAskedFor) {
-  const proof::Trials trials{20};
+  const proof::Trials trials{8};
   for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
