@@ -24,7 +24,7 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   throw std::invalid_argument(fmt::format("{} {}: {}", option, text, reason));
 }
 
-/// Kind, diameter and what else there is, in this order.
+/// The words of a tool: kind, diameter and the rest, in this order.
 struct CutterWords {
   std::string_view kind = "flat";
   std::string_view diameter;

@@ -187,7 +187,7 @@ ExitStatus run_surface(const SurfaceCommandOptions& options, InputFiles& inputs)
     terminal::print(stderr, "{}: {}\n", options.file, note);
   }
   move(input.mesh.points, options.move_mm);
-  // What may be refused comes first: then nothing is written.
+  // All that may be refused comes first, so that nothing is written then.
   const std::string places = options.wants_heights() ? InputFiles::read(options.at) : "";
   surface::PointGrid grid;
   if (options.wants_patches()) grid = grid_of(input, options);

@@ -45,7 +45,7 @@ void add_reading_options(CLI::App& command, SurfaceCommandOptions& options) {
   command.add_flag("--repair",
                    options.reading.repair,
                    "Fill missing points and outliers from their neighbours, and say which");
-  command.add_option("--move", options.move_mm, "Move the surface by so much, mm, after its unit")
+  command.add_option("--move", options.move_mm, "Way by which the surface is moved, mm")
       ->expected(3)
       ->delimiter(',')
       ->type_name("X,Y,Z");
@@ -110,7 +110,9 @@ void add_row_options(CLI::App& command, SurfaceCommandOptions& options) {
       ->transform(CLI::CheckedTransformer(orders))
       ->option_text("zigzag|oneway [zigzag]");
   command
-      .add_option("--margin", options.margin_mm, "Rows go on so far beyond the surface's box, mm")
+      .add_option("--margin",
+                  options.margin_mm,
+                  "Distance by which rows go on beyond the surface's box, mm")
       ->check(in_range(0.0, 1000.0, "mm"))
       ->type_name("MM");
   command

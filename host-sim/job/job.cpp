@@ -218,7 +218,7 @@ ProgrammedPath path_for_machine(const std::string& text, const cnc::Settings& se
   return path;
 }
 
-/// Warns of what the reader has left out, or tells where a refusal ends all figures.
+/// Warns of words that the reader has left out, or tells where a refusal ends all figures.
 void warn_of_reading(const Job& job,
                      const ProgrammedPath& path,
                      const RunResult& result,

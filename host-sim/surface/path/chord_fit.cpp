@@ -8,7 +8,7 @@ namespace {
 
 using Place = Eigen::Vector2d;
 
-/// Directions of a half plane, by slopes seen along its middle.
+/// Directions from a right one to a left one, less than half a turn.
 struct Cone {
   Place right;
   Place left;

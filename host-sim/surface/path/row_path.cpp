@@ -105,7 +105,7 @@ class RowPlanner {
     }
   }
 
-  /// Adds what of a part of a row is over the surface; false if nothing is.
+  /// Adds those parts of a row that are over the surface; false if there are none.
   bool add_part(const RowPart& part, bool goes_back) {
     const Slice slice = frame_.slice(part, goes_back);
     bool has_any = false;
@@ -145,7 +145,7 @@ class RowPlanner {
   RowFrame frame_;
   SurfaceTracer tracer_;
   std::optional<ScallopRows> between_;
-  double stock_top_mm_;  ///< Of what no layer has milled yet.
+  double stock_top_mm_;  ///< Of the stock that no layer has milled yet.
   SurfacePath path_;
   Vector2d here_ = Vector2d::Zero();
   bool goes_back_ = false;

@@ -43,9 +43,9 @@ struct RowOptions {
 };
 
 /// Returns the path of a tool over a surface in straight rows, seen from above. Nowhere does the
-/// tool cut into what shall stay, by more than rounding; air below it is at most twice the
-/// tolerance, in space. Rows along X and along Y are arcs with one tangent where that is no more
-/// elements than lines; others are lines.
+/// tool cut into the surface or its allowance, by more than rounding; air below it is at most twice
+/// the tolerance, in space. Rows along X and along Y are arcs with one tangent where that is no
+/// more elements than lines; others are lines.
 ///
 /// Throws std::invalid_argument for a tolerance that the digits of the program do not reach, and
 /// where nothing is under the tool anywhere.

@@ -61,7 +61,7 @@ class ScallopRows::Strip {
   [[nodiscard]] int last() const { return around_ + looks_; }
   [[nodiscard]] double along(int index) const { return begin_ + index * rows_.look_mm_; }
 
-  /// Returns what both rows leave where the tool would touch half way between them.
+  /// Returns the height that both rows leave where the tool would touch half way between them.
   [[nodiscard]] double scallop(int index) const {
     const double climb = (height(1, index + 1) - height(1, index - 1)) / (2.0 * rows_.look_mm_);
     const double below = 2.0 * (height(1, index) - height(0, index)) / width_;
@@ -79,7 +79,7 @@ class ScallopRows::Strip {
     return heights_[row][static_cast<std::size_t>(index)];
   }
 
-  /// Returns what is left above the place where the tool touches if the surface rises so there.
+  /// Returns the height that is left above the place of contact, for a rise of the surface there.
   [[nodiscard]] double left_beside(int index, const Eigen::Vector2d& rise) const {
     const double slope = rise.norm();
     const cnc::surface::PlaneContact contact = contact_with_plane(rows_.tool_, slope);

@@ -12,13 +12,14 @@
 namespace sim::surface {
 namespace {
 
-/// Returns the share of the band by which what lies between looks may reach into the tool, and by
-/// which the curve may leave what is looked at. A cone needs looks as near to each other as that.
+/// Returns the share of the band by which the surface may reach into the tool between looks, and by
+/// which the curve may leave the heights that are looked at. A cone needs looks as near to each
+/// other as that.
 double error_share_of(const cnc::surface::Profile& profile) {
   return profile.rise > 0.0 ? 0.15 : 0.05;
 }
 
-/// Of the program: an arc is off by so much after its end and its centre are rounded.
+/// Digits of the program by which an arc moves as its end and its centre are rounded.
 constexpr double kRoundingDigits = 1.0;
 
 double lowest_of(const Mesh& mesh) {

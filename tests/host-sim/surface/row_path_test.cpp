@@ -51,7 +51,7 @@ void for_places(const std::string& program, double every_mm, const Function& fun
   }
 }
 
-/// The tool over what shall stay, exactly, and how far above it a tip may be.
+/// Judges tips by the exact heights of the tool and by the air that is allowed.
 class Judge {
  public:
   Judge(const Mesh& mesh, const RowOptions& options)
@@ -61,10 +61,10 @@ class Judge {
     floor_ = options.floor_mm.value_or(lowest) + options.allowance_mm;
   }
 
-  /// How far the tip cuts in there, vertically; negative above.
+  /// Returns how far the tip cuts in there, vertically; negative above.
   [[nodiscard]] double gouge(const Vector3d& tip) const { return height(tip.head<2>()) - tip.z(); }
 
-  /// Whether no place within twice the tolerance touches: then there is too much air.
+  /// Returns whether no place within twice the tolerance touches: then there is too much air.
   [[nodiscard]] bool is_too_high(const Vector3d& tip) const {
     const double most = 2.0 * tolerance_ + 1.0e-9;
     if (tip.z() - height(tip.head<2>()) <= most) return false;
@@ -172,13 +172,13 @@ TEST(RowPath, MillsLayersFromTheTopOfTheStockToTheSurface) {
     }
     RowOptions at_once = options;
     at_once.layer_mm = 0.0;
-    // What is that little below a layer's bottom stays.
+    // A depth of that little below a layer's bottom stays.
     const double deepest = figures_of(row_path(mesh, at_once)).lowest_mm;
     EXPECT_LE(figures_of(path).lowest_mm, deepest + 5.0 * options.tolerance_mm);
   }
 }
 
-/// What is left at a place under tools whose tips are at these places.
+/// Returns the height that tools leave whose tips are at these places.
 double left_at(const std::vector<Vector3d>& tips,
                const cnc::surface::Profile& tool,
                const Vector2d& place) {
@@ -192,7 +192,7 @@ double left_at(const std::vector<Vector3d>& tips,
   return left;
 }
 
-/// What the tool would leave at a place from everywhere around it.
+/// Returns the height that the tool would leave from everywhere around a place.
 double ideal_at(const DropCutter& exact, const Vector2d& place) {
   const cnc::surface::Profile& tool = exact.profile();
   constexpr int kRings = 40;
