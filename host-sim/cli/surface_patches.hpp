@@ -12,7 +12,7 @@ struct PatchOptions {
   std::string file;          ///< Where they are written; empty: they are not.
   bool like_paper = false;   ///< Count flat pieces as paper 4 does, in place of a program.
   double fit_mm = 0.0;       ///< Tolerance of the fit; 0: 1 mm for the paper, else the path's.
-  double flatness_mm = 0.5;  ///< Of flat pieces.
+  double flatness_mm = 0.5;  ///< Greatest thickness of a flat piece.
 };
 
 /// Fits a smooth composite Bezier surface to the places of a tool's tip over each point of a grid,

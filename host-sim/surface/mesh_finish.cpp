@@ -14,7 +14,7 @@ namespace {
 
 constexpr auto kUnusedPoint = std::numeric_limits<std::uint32_t>::max();
 /// Facets are degenerate if twice their area is at most this share of the square of an edge:
-/// rounding of coordinates leaves so much of none.
+/// rounding of coordinates leaves a facet without area no more than that.
 constexpr double kDegenerateShare = 1.0e-12;
 
 void require_indices(const MeshDraft& draft) {

@@ -36,8 +36,8 @@ struct CartesianPaths {
   FitReport report;
   std::size_t pieces = 0;
   Eigen::Vector3d plane_normal = Eigen::Vector3d::UnitY();
-  std::vector<double> plane_distances_mm;     ///< Of the planes from the origin, ascending.
-  std::vector<std::vector<SlicePath>> paths;  ///< Of each plane.
+  std::vector<double> plane_distances_mm;     ///< From the origin, ascending.
+  std::vector<std::vector<SlicePath>> paths;  ///< For each plane, its paths.
 };
 
 /// Fits a surface to points, such as positions of a tool, and slices it (paper 4). The planes lie

@@ -16,8 +16,8 @@ enum class FlatnessTest {
 
 /// The space between two parallel planes that holds a patch (paper 4, figure 6); mm.
 struct FatPlane {
-  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< Of length 1.
-  Range distances;  ///< Of the patch from the origin, along the normal.
+  Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();  ///< A unit vector.
+  Range distances;  ///< From the origin to the patch, along the normal.
 
   [[nodiscard]] double flatness() const { return distances.width(); }
 };

@@ -33,7 +33,7 @@ class GridDistance {
 
  private:
   const PointGrid* grid_;
-  BoxTree tree_;  ///< Of the quadrilaterals, row by row.
+  BoxTree tree_;  ///< The quadrilaterals, row by row.
 };
 
 }  // namespace sim::surface::patch

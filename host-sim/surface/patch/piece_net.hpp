@@ -37,7 +37,7 @@ class PieceNet {
 
   std::vector<GridPatch> pieces_;
   std::vector<BezierCurve> edges_;
-  std::vector<BorderEdge> borders_;      ///< Of all pieces, one behind the other.
+  std::vector<BorderEdge> borders_;      ///< Piece by piece.
   std::vector<std::size_t> first_edge_;  ///< Indices of borders_; one more than pieces.
 };
 

@@ -141,7 +141,7 @@ class Slicer {
   Vector3d normal_;
   double distance_ = 0.0;
   std::size_t plane_ = 0;
-  std::vector<HitRun> runs_;  ///< Of all edges, for the plane that they name.
+  std::vector<HitRun> runs_;  ///< Edge by edge, for the plane that they name.
   std::vector<Hit> hits_;
   std::vector<Chord> chords_;
   std::vector<std::uint8_t> done_;

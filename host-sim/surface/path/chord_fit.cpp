@@ -3,10 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "planner/geometry/vector.hpp"
+
 namespace sim::surface {
 namespace {
 
-using Place = Eigen::Vector2d;
+using Place = cnc::WideVec2;
+using cnc::cross;
 
 /// Directions from a right one to a left one, less than half a turn.
 struct Cone {
@@ -31,8 +34,6 @@ std::vector<Place> places_of(const SliceCurve& curve, const SpanRange& spans, do
   }
   return places;
 }
-
-double cross(const Place& a, const Place& b) { return a.x() * b.y() - a.y() * b.x(); }
 
 /// Lines through places within a tolerance, in their order.
 class ChordFinder {

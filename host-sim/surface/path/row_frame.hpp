@@ -19,7 +19,7 @@ struct RowPart {
 /// The box of a surface in the plan, seen along its rows.
 class RowFrame {
  public:
-  /// @param margin_mm the box is larger by so much to all sides
+  /// @param margin_mm distance by which the box is larger to all sides
   RowFrame(const Mesh& mesh, double angle_rad, double margin_mm)
       : along_{direction_of(angle_rad)},
         across_{-along_.y(), along_.x()},

@@ -15,7 +15,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Links lead over the surface up to so many steps; farther ones are lifts.
+/// Greatest length of a link over the surface, in steps; a farther row begins with a lift.
 constexpr double kMostLinkSteps = 4.0;
 
 /// Returns the distance of rows: asked for, or by which a level surface has no higher scallops.

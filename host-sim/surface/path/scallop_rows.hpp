@@ -15,7 +15,8 @@ namespace sim::surface {
 /// than asked for.
 class ScallopRows {
  public:
-  /// @param scallop_mm greatest height of what is left, at right angles to the surface, above 0
+  /// @param scallop_mm greatest height of the stock between rows, at right angles to the surface,
+  /// above 0
   /// @pre the tracer outlives this
   ScallopRows(const SurfaceTracer& tracer,
               const RowFrame& frame,
