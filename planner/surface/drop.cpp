@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace cnc::surface {
 namespace {
@@ -22,29 +23,34 @@ struct Section {
 
 /// Solves out · along / distance = slope · across for a quarter of a circle that is `out` beyond
 /// the flat and `across` below its centre: both sides are smooth, and their difference rises.
+/// Towards the rim it rises without bound, as across is the root of what is left to it. The root of
+/// that way is the unknown therefore: with the way itself Newton's steps beside the rim are too
+/// short by any factor.
 double place_on_corner(const Section& section, double slope, double begin, double most) {
   const Profile& profile = section.profile;
-  double low = begin;
-  double high = most;
-  double along = 0.5 * (low + high);
+  const double width = most - begin;
+  double low = 0.0;  // At the rim.
+  double high = 1.0;
+  double root = std::numbers::sqrt2 / 2.0;
   constexpr int kMostSteps = 60;
   for (int i = 0; i < kMostSteps; ++i) {
+    const double along = most - width * square(root);
     const double distance = std::sqrt(section.beside_square + square(along));
     const double out = distance - profile.flat_mm;
     const double across = std::sqrt(std::max(0.0, square(profile.corner_mm) - square(out)));
     const double share = along / distance;
     const double off = out * share - slope * across;
-    (off < 0.0 ? low : high) = along;
+    (off < 0.0 ? high : low) = root;
     const double bend = out * section.beside_square / (distance * square(distance));
-    const double steep = square(share) * (1.0 + slope * out / std::max(across, 1e-300)) + bend;
+    const double steep = square(share) + slope * out * share / std::max(across, 1e-300) + bend;
     // Newton's step is taken, or half of the way where it would leave the bounds. The height is off
     // by the square of the rest only.
-    const double before = along;
-    along -= off / steep;
-    if (!(along > low && along < high)) along = 0.5 * (low + high);
-    if (std::abs(along - before) <= 1.0e-9 * profile.radius_mm) break;
+    const double before = root;
+    root += off / (2.0 * width * root * steep);
+    if (!(root > low && root < high)) root = 0.5 * (low + high);
+    if (std::abs(root - before) <= 1.0e-9) break;
   }
-  return along;
+  return most - width * square(root);
 }
 
 /// Finds where the section rises as steeply as the line, at least `most` mm away or nowhere: there

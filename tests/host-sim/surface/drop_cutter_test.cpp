@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 
+#include "tests/host-sim/surface/drop_oracle.hpp"
 #include "tests/host-sim/surface/random_hills.hpp"
 #include "tests/support/random_cutter.hpp"
 #include "tests/support/trials.hpp"
@@ -55,6 +57,63 @@ TEST(DropCutter, FindsTheHighestOfAllContacts) {
       // An edge has two directions, from which its ends differ by their last digits.
       EXPECT_NEAR(found, wanted, 1.0e-12 * (1.0 + std::abs(wanted))) << "KERFLINE_SEED=" << seed;
       EXPECT_NEAR(hinted, wanted, 1.0e-12 * (1.0 + std::abs(wanted))) << "KERFLINE_SEED=" << seed;
+    }
+  }
+}
+
+/// Returns facets in any place and direction, some of them upright or without area.
+Mesh random_facets(proof::Random& random) {
+  Mesh mesh;
+  const double size = random.magnitude(1.0, 30.0);
+  const auto corner = [&](double reach) {
+    return Vector3d{random.between(0.0, reach), random.between(0.0, reach), random.between(-3, 3)};
+  };
+  const std::size_t count = 1 + random.below(60);
+  for (std::uint32_t i = 0; i < count; ++i) {
+    const Vector3d place = corner(size);
+    const double reach = random.magnitude(0.05, size);
+    for (int j = 0; j < 3; ++j) mesh.points.emplace_back(place + corner(reach));
+    if (random.chance(0.1)) mesh.points.back().head<2>() = place.head<2>();
+    mesh.facets.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  }
+  return mesh;
+}
+
+/// Returns a measured grid, hills with walls, or a heap of facets.
+Mesh any_mesh(proof::Random& random) {
+  switch (random.below(3)) {
+    case 0:
+      return random_waves(random, 12 + static_cast<std::uint32_t>(random.below(20)), 0.5);
+    case 1:
+      return random_facets(random);
+    default:
+      return random_hills(random);
+  }
+}
+
+// A million heights are those of KERFLINE_TRIALS=10000.
+TEST(DropCutter, HasTheHeightsOfAnotherWayToTellThem) {
+  constexpr double kAllowedMm = 1.0e-6;
+  // On the rim of a flat or bull-nose tool the height jumps, and the last digits decide.
+  constexpr double kRimMm = 1.0e-9;
+  const proof::Trials trials{600};
+  for (const std::uint64_t seed : trials) {
+    proof::Random random{seed};
+    const Mesh mesh = any_mesh(random);
+    const cnc::surface::Profile profile = proof::random_cutter(random);
+    const DropCutter cutter{mesh, profile};
+    const proof::DropOracle oracle{mesh, profile};
+    Eigen::AlignedBox2d box;
+    for (const Vector3d& point : mesh.points) box.extend(point.head<2>());
+    DropCutter::Hint hint;
+    for (int i = 0; i < 100; ++i) {
+      const Vector2d share{random.between(-0.1, 1.1), random.between(-0.1, 1.1)};
+      const Vector2d place = box.min() + share.cwiseProduct(box.sizes());
+      const double found = cutter.tip_height(place, hint);
+      const double wanted = oracle.height(place);
+      if (found == wanted || std::abs(found - wanted) <= kAllowedMm) continue;
+      EXPECT_GE(found, oracle.height(place, -kRimMm) - kAllowedMm) << "KERFLINE_SEED=" << seed;
+      EXPECT_LE(found, oracle.height(place, kRimMm) + kAllowedMm) << "KERFLINE_SEED=" << seed;
     }
   }
 }
