@@ -32,7 +32,7 @@ namespace {
 
 constexpr const char* kSurfaceFooter =
     "FILE is XYZ text or CSV of a measured grid, STL, PLY, or a height map as ESRI ASCII grid,\n"
-    "PGM, PNG or JSON. Four neighbours of a grid are two triangles, which share the diagonal from\n"
+    "GeoTIFF, TIFF, PGM, PNG or JSON. Four neighbours of a grid are two triangles, which share the diagonal from\n"
     "the first point of a row to the second of the next row; --mesh writes them. The tool goes\n"
     "over it in straight rows: it touches points, edges and facets, never cuts in, and arcs stay\n"
     "arcs, in G18 along X and in G19 along Y.\n"

@@ -15,6 +15,7 @@
 #include "host-sim/surface/png_reader.hpp"
 #include "host-sim/surface/refusal.hpp"
 #include "host-sim/surface/stl_reader.hpp"
+#include "host-sim/surface/tiff_reader.hpp"
 #include "host-sim/surface/xyz_reader.hpp"
 
 namespace sim::surface {
@@ -45,11 +46,8 @@ void refuse_other_formats(std::string_view bytes, const std::string& name) {
   using namespace std::string_view_literals;
   constexpr std::string_view kGrey = "export it as grey PNG or PGM";
   constexpr std::string_view kMesh = "export it as STL or PLY";
-  constexpr std::string_view kGrid = "convert it to an ESRI ASCII grid";
   constexpr std::string_view kText = "save it as text in UTF-8";
   constexpr auto kOthers = std::to_array<OtherFormat>({
-      {"II*\0"sv, "a TIFF picture", kGrid},
-      {"MM\0*"sv, "a TIFF picture", kGrid},
       {"PK\x03\x04"sv, "a packed file, as of spreadsheets and 3MF", "export it as CSV or STL"},
       {"\xFF\xD8\xFF"sv, "a JPEG picture", kGrey},
       {"GIF8"sv, "a GIF picture", kGrey},
@@ -102,6 +100,7 @@ GridDraft read_grid(std::string_view bytes,
                     const ReadOptions& options) {
   if (has_word(bytes, "P2") || has_word(bytes, "P5")) return read_pgm(bytes, name, options);
   if (bytes.starts_with(kPngSignature)) return read_png(bytes, name, options);
+  if (is_tiff(bytes)) return read_tiff(bytes, name, options);
   if (first_word.starts_with('{') || first_word.starts_with('[')) {
     return read_json_heights(bytes, name, options);
   }
@@ -128,7 +127,8 @@ SurfaceInput read_surface(std::string_view bytes,
   const std::string first_word = in_small_letters(probe.substr(std::min(first, probe.size())));
   if (auto mesh = read_mesh(bytes, first_word, is_text, name, options)) return *std::move(mesh);
   refuse_other_formats(bytes, name);
-  const bool is_picture = bytes.starts_with(kPngSignature) || has_word(bytes, "P5");
+  const bool is_picture =
+      bytes.starts_with(kPngSignature) || is_tiff(bytes) || has_word(bytes, "P5");
   if (!is_text && !is_picture) {
     // Nothing but its length tells a binary STL file, and this one's is wrong.
     static_cast<void>(read_binary_stl(bytes, name));

@@ -37,11 +37,11 @@ inline constexpr std::size_t kMaxPoints = 40'000'000;
 /// - XYZ text or CSV in rows, which blank lines or the turn of the scan separate;
 /// - STL, binary and ASCII, whose equal corners become one point;
 /// - PLY, ASCII and binary of both byte orders, with polygons as fans;
-/// - height maps: ESRI ASCII grid, PGM, grey PNG of 8 and 16 bit, and JSON of width, height and
-///   values. Their first row has the greatest Y.
+/// - height maps: ESRI ASCII grid, GeoTIFF, grey TIFF, PGM and PNG of 8 and 16 bit, and JSON of
+///   width, height and values. Their first row has the greatest Y.
 ///
 /// Throws std::invalid_argument with the place, the reason and a remedy; rows, columns and facets
-/// are counted from 1 as in the file. Outliers of PGM and PNG are drawn ones and are kept.
+/// are counted from 1 as in the file. Outliers of pictures are drawn ones and are kept.
 [[nodiscard]] SurfaceInput read_surface(std::string_view bytes,
                                         const std::string& name,
                                         const ReadOptions& options);

@@ -96,7 +96,7 @@ TEST(RealTexts, ASerpentineScanOfACoordinateMachine) {
 }
 
 TEST(RealTexts, OtherFilesAreNamed) {
-  EXPECT_THAT(refusal_of(std::string{"II*\0\x08", 5}), HasSubstr("a TIFF picture"));
+  EXPECT_THAT(refusal_of(std::string{"II*\0\x08", 5}), HasSubstr("its header is damaged"));
   EXPECT_THAT(refusal_of("PK\x03\x04zip"), HasSubstr("export it as CSV or STL"));
   EXPECT_THAT(refusal_of("\xFF\xD8\xFF"), HasSubstr("JPEG"));
   EXPECT_THAT(refusal_of("P6\n2 2\n255\n............"), HasSubstr("grey PNG or PGM"));
