@@ -32,10 +32,10 @@ namespace {
 
 constexpr const char* kSurfaceFooter =
     "FILE is XYZ text or CSV of a measured grid, STL, PLY, or a height map as ESRI ASCII grid,\n"
-    "GeoTIFF, TIFF, PGM, PNG or JSON. Four neighbours of a grid are two triangles, which share the diagonal from\n"
-    "the first point of a row to the second of the next row; --mesh writes them. The tool goes\n"
-    "over it in straight rows: it touches points, edges and facets, never cuts in, and arcs stay\n"
-    "arcs, in G18 along X and in G19 along Y.\n"
+    "GeoTIFF, TIFF, PGM, PNG or JSON. Four neighbours of a grid are two triangles, which share\n"
+    "the diagonal from the first point of a row to the second of the next row; --mesh writes\n"
+    "them. The tool goes over it in straight rows: it touches points, edges and facets, never\n"
+    "cuts in, and arcs stay arcs, in G18 along X and in G19 along Y.\n"
     "\n"
     "Examples:\n"
     "  kerfline surface scan.xyz --tool ball:4 --step 0.3 --feed 1500 --plunge-feed 500 \\\n"

@@ -60,7 +60,8 @@ FOREIGN = {
     "planner": ("Eigen",),
     "host-sim": ("Eigen", "fmt", "nlohmann", "CLI", "PkgConfig::", "librsvg", "cairo",
                  "sys/", "netinet/", "arpa/", "Threads::", "sqlite3", "SQLite::",
-                 "pugixml", "png.h", "PNG::", "boost/", "Boost::"),
+                 "pugixml", "png.h", "PNG::", "tiffio.h", "TIFF::",
+                 "boost/", "Boost::"),
 }
 # Targets that carry flags only
 FLAGS = re.compile(r"(\$<BUILD_INTERFACE:)?kerfline_((controller_)?flags|same_bits)>?")
