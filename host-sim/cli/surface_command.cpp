@@ -21,6 +21,7 @@
 #include "host-sim/report/progress_bar.hpp"
 #include "host-sim/report/report_json.hpp"
 #include "host-sim/report/terminal.hpp"
+#include "host-sim/surface/approach.hpp"
 #include "host-sim/surface/path/surface_program.hpp"
 #include "host-sim/surface/tip_heights.hpp"
 #include "host-sim/surface/triangle_file.hpp"
@@ -48,9 +49,15 @@ constexpr const char* kSurfaceFooter =
     "\n"
     "Exit status: 0 fine, 2 the call or FILE is wrong.";
 
-void move(std::vector<Eigen::Vector3d>& points, const std::vector<double>& way_mm) {
-  if (way_mm.empty()) return;
-  const Eigen::Vector3d way{way_mm[0], way_mm[1], way_mm[2]};
+/// Turns points towards the tool, then moves them.
+void place(std::vector<Eigen::Vector3d>& points, const SurfaceCommandOptions& options) {
+  if (const auto& approach = options.approach; !approach.empty()) {
+    const Eigen::Matrix3d turn =
+        surface::turn_for_approach({approach[0], approach[1], approach[2]});
+    for (Eigen::Vector3d& point : points) point = turn * point;
+  }
+  if (options.move_mm.empty()) return;
+  const Eigen::Vector3d way{options.move_mm[0], options.move_mm[1], options.move_mm[2]};
   for (Eigen::Vector3d& point : points) point += way;
 }
 
@@ -166,7 +173,7 @@ surface::PointGrid grid_of(const surface::SurfaceInput& input,
         fmt::format("{}: patches fit a grid of points, and this is a mesh", options.file)};
   }
   surface::PointGrid grid = *input.grid;
-  move(grid.points, options.move_mm);
+  place(grid.points, options);
   return grid;
 }
 
@@ -186,7 +193,7 @@ ExitStatus run_surface(const SurfaceCommandOptions& options, InputFiles& inputs)
   for (const std::string& note : input.notes) {
     terminal::print(stderr, "{}: {}\n", options.file, note);
   }
-  move(input.mesh.points, options.move_mm);
+  place(input.mesh.points, options);
   // All that may be refused comes first, so that nothing is written then.
   const std::string places = options.wants_heights() ? InputFiles::read(options.at) : "";
   surface::PointGrid grid;

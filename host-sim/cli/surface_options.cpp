@@ -45,6 +45,14 @@ void add_reading_options(CLI::App& command, SurfaceCommandOptions& options) {
   command.add_flag("--repair",
                    options.reading.repair,
                    "Fill missing points and outliers from their neighbours, and say which");
+  command
+      .add_option("--approach",
+                  options.approach,
+                  "Direction in which the tool comes, as in FILE: the surface is turned so that "
+                  "it is\ndown, about a level axis, before it is moved [0,0,-1]")
+      ->expected(3)
+      ->delimiter(',')
+      ->type_name("X,Y,Z");
   command.add_option("--move", options.move_mm, "Way by which the surface is moved, mm")
       ->expected(3)
       ->delimiter(',')
@@ -150,6 +158,18 @@ void add_patch_options(CLI::App& command, PatchOptions& options) {
       ->capture_default_str();
 }
 
+void check_approach(const SurfaceCommandOptions& options) {
+  if (options.approach.empty()) return;
+  double square = 0.0;
+  for (const double part : options.approach) square += part * part;
+  if (!(square > 0.0 && std::isfinite(square))) {
+    throw std::invalid_argument("--approach: needs a direction, such as -1,0,0");
+  }
+  if (options.wants_patches()) {
+    throw std::invalid_argument("--approach: patches fit a grid that is seen from above");
+  }
+}
+
 }  // namespace
 
 void add_surface_options(CLI::App& command, SurfaceCommandOptions& options) {
@@ -189,6 +209,7 @@ void check_surface_options(const SurfaceCommandOptions& options) {
   if (options.file.empty()) {
     throw std::invalid_argument("surface: needs a FILE, a measured grid, a mesh or a height map");
   }
+  check_approach(options);
   if (options.tool.empty()) throw std::invalid_argument("--tool: is needed, such as ball:4");
   if (!options.heights.empty() && !options.wants_heights()) {
     throw std::invalid_argument("--heights: needs --at, the places");

@@ -20,7 +20,8 @@ namespace sim {
 struct SurfaceCommandOptions {
   std::string file;
   surface::ReadOptions reading;
-  std::vector<double> move_mm{};  ///< X, Y and Z; empty: not moved.
+  std::vector<double> approach{};  ///< The tool's direction, X, Y and Z; empty: down.
+  std::vector<double> move_mm{};   ///< X, Y and Z; empty: not moved.
   std::string tool;
   double tolerance_mm = 0.01;
   double step_mm = 0.0;     ///< 0: as the scallop asks, or a tenth of the tool's diameter.

@@ -135,6 +135,21 @@ class SurfaceCommand(unittest.TestCase):
         self.assertGreaterEqual(bounds["Z"][0], -1.01)  # The corner of 1 mm hangs over the block's edge.
         self.assertLess(bounds["X"][1], 23.1)
 
+    def test_turns_the_surface_towards_the_tool(self):
+        part = self.folder / "block.stl"
+        part.write_bytes(box_of_stl(10, 4))
+        places = self.folder / "places.txt"
+        # From the side, the block is 10 mm high and lies from X 0 to 4; from below, Y is the other way round.
+        for approach, place, height in (("-1,0,0", "-2 5", 10), ("0,0,1", "5 -5", 0), ("0,0,-1", "5 5", 4)):
+            places.write_text(place + "\n")
+            done = run("surface", part, "--approach", approach, "--tool", "ball:1", "--at", places)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertEqual(float(done.stdout.split()[2]), height, approach)
+        for approach in ("0,0,0", "nan,0,1"):
+            done = run("surface", part, "--approach", approach, "--tool", "ball:1", "--at", places)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn("--approach", done.stderr)
+
     def test_tells_heights_and_writes_the_mesh_that_counts(self):
         self.scan.write_text(scan(height=lambda x, y: 0.5 * x))
         places = self.folder / "places.txt"
