@@ -38,9 +38,12 @@ class TiffFile {
   [[nodiscard]] const std::string& complaint() const { return source_.complaint; }
 
   [[nodiscard]] TiffSamples samples() const;
-  /// Returns the numbers of a tag that a GeoTIFF has; empty without it.
+  /// Returns the numbers of a tag that libtiff does not know; empty without it, and where the file
+  /// has numbers of another kind there.
   template <typename Number>
   [[nodiscard]] std::vector<Number> numbers(std::uint32_t tag) const {
+    const TIFFField* const field = TIFFFindField(tiff_.get(), tag, TIFF_ANY);
+    if (field == nullptr || TIFFFieldDataType(field) != kind_of(Number{})) return {};
     std::uint32_t count = 0;
     const Number* first = nullptr;
     if (TIFFGetField(tiff_.get(), tag, &count, &first) != 1 || first == nullptr) return {};
@@ -63,6 +66,10 @@ class TiffFile {
   struct Close {
     void operator()(TIFF* tiff) const { TIFFClose(tiff); }
   };
+
+  static constexpr TIFFDataType kind_of(double) { return TIFF_DOUBLE; }
+  static constexpr TIFFDataType kind_of(std::uint16_t) { return TIFF_SHORT; }
+  static constexpr TIFFDataType kind_of(char) { return TIFF_ASCII; }
 
   static tmsize_t give(thandle_t handle, void* into, tmsize_t count);
   static tmsize_t take_none(thandle_t, void*, tmsize_t) { return 0; }
