@@ -191,7 +191,7 @@ ExitStatus run_surface(const SurfaceCommandOptions& options, InputFiles& inputs)
   inputs.add("surface", options.file, bytes);
   surface::SurfaceInput input = surface::read_surface(bytes, options.file, options.reading);
   for (const std::string& note : input.notes) {
-    terminal::print(stderr, "{}: {}\n", options.file, note);
+    terminal::print(stderr, "{}\n", note);
   }
   place(input.mesh.points, options);
   // All that may be refused comes first, so that nothing is written then.

@@ -26,7 +26,11 @@ class PlyElements {
     if (element.name == "vertex") {
       read_points(element);
     } else if (element.name == "face") {
-      read_faces(element);
+      read_facets(element, [this](const PlyProperty& list, std::uint64_t number) {
+        read_fan(list, number);
+      });
+    } else if (element.name == "tristrips") {
+      read_facets(element, [this](const PlyProperty& list, std::uint64_t) { read_strips(list); });
     } else {
       for (std::uint64_t i = 0; i < element.count; ++i) {
         for (const PlyProperty& property : element.properties) skip(property);
@@ -78,7 +82,9 @@ class PlyElements {
     }
   }
 
-  void read_faces(const PlyElement& element) {
+  /// Reads a list of corners of each, whose number is from 1, by `read_list`.
+  template <typename ReadList>
+  void read_facets(const PlyElement& element, const ReadList& read_list) {
     std::size_t corners = element.index("vertex_indices");
     if (corners == element.properties.size()) corners = element.index("vertex_index");
     if (corners == element.properties.size() || !element.properties[corners].list_count) {
@@ -89,11 +95,42 @@ class PlyElements {
     for (std::uint64_t i = 0; i < element.count; ++i) {
       for (std::size_t p = 0; p < element.properties.size(); ++p) {
         if (p == corners) {
-          read_fan(element.properties[p], i + 1);
+          read_list(element.properties[p], i + 1);
         } else {
           skip(element.properties[p]);
         }
       }
+    }
+  }
+
+  std::uint32_t index_of(double value, std::uint64_t number) const {
+    if (value >= 0.0 && value <= kGreatestIndex && value == std::floor(value)) {
+      return static_cast<std::uint32_t>(value);
+    }
+    refuse(name_,
+           source_.line(),
+           fmt::format("facet {} has point {}", number, value),
+           "export the mesh again");
+  }
+
+  /// Adds the triangles of strips, between which stands -1. Each corner from the third on makes one
+  /// with the two before it, every other time the other way round; equal corners join strips.
+  void read_strips(const PlyProperty& property) {
+    const std::size_t length = take_length(property);
+    std::array<std::uint32_t, 3> last{};
+    std::size_t count = 0;  // Of this strip's corners.
+    for (std::size_t i = 0; i < length; ++i) {
+      const double value = source_.take(property.scalar);
+      if (value == -1.0) {
+        count = 0;
+        continue;
+      }
+      const auto number = static_cast<std::uint64_t>(draft_.mesh.facets.size() + 1);
+      last = {last[1], last[2], index_of(value, number)};
+      if (++count < 3 || last[0] == last[1] || last[1] == last[2] || last[2] == last[0]) continue;
+      if (number > 2 * kMaxPoints) refuse(name_, 0, "too many facets", "thin the mesh out");
+      draft_.mesh.facets.push_back(count % 2 == 1 ? last : std::array{last[1], last[0], last[2]});
+      draft_.numbers.push_back(static_cast<std::uint32_t>(number));
     }
   }
 
@@ -102,14 +139,8 @@ class PlyElements {
     const std::size_t length = take_length(property);
     std::array<std::uint32_t, 3> facet{};
     for (std::size_t i = 0; i < length; ++i) {
-      const double index = source_.take(property.scalar);
-      if (!(index >= 0.0 && index <= kGreatestIndex && index == std::floor(index))) {
-        refuse(name_,
-               source_.line(),
-               fmt::format("facet {} has point {}", number, index),
-               "export the mesh again");
-      }
-      facet[i == 0 ? 0 : 2] = static_cast<std::uint32_t>(index);
+      const std::uint32_t index = index_of(source_.take(property.scalar), number);
+      facet[i == 0 ? 0 : 2] = index;
       if (i >= 2) {
         draft_.mesh.facets.push_back(facet);
         draft_.numbers.push_back(static_cast<std::uint32_t>(number));
@@ -137,10 +168,10 @@ MeshDraft read_ply(std::string_view bytes, const std::string& name) {
   const auto has = [&](std::string_view element) {
     return std::ranges::count(header.elements, element, &PlyElement::name) == 1;
   };
-  if (!has("vertex") || !has("face")) {
+  if (!has("vertex") || has("face") == has("tristrips")) {
     refuse(name,
            0,
-           "has no list of vertices and one of faces",
+           "has no list of vertices and one of faces or tristrips",
            "export a mesh; points alone are read as XYZ text in rows");
   }
   if (header.format == PlyFormat::kAscii) return read_ply_elements<PlyText>(header, name);

@@ -36,7 +36,7 @@ inline constexpr std::size_t kMaxPoints = 40'000'000;
 ///
 /// - XYZ text or CSV in rows, which blank lines or the turn of the scan separate;
 /// - STL, binary and ASCII, whose equal corners become one point;
-/// - PLY, ASCII and binary of both byte orders, with polygons as fans;
+/// - PLY, ASCII and binary of both byte orders, with polygons as fans, or strips;
 /// - height maps: ESRI ASCII grid, GeoTIFF, grey TIFF, PGM and PNG of 8 and 16 bit, and JSON of
 ///   width, height and values. Their first row has the greatest Y.
 ///

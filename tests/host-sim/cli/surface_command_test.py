@@ -135,6 +135,15 @@ class SurfaceCommand(unittest.TestCase):
         self.assertGreaterEqual(bounds["Z"][0], -1.01)  # The corner of 1 mm hangs over the block's edge.
         self.assertLess(bounds["X"][1], 23.1)
 
+    def test_says_once_what_was_mended(self):
+        part = self.folder / "block.stl"
+        block = box_of_stl(10, 4)
+        part.write_bytes(block[:80] + struct.pack("<I", 13) + block[84:] + block[84:96] + block[96:108] * 3 + b"\0\0")
+        done = run("surface", part, "--tool", "ball:1", *MILL, "-o", self.program)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stderr.count("1 facets without area"), 1)
+        self.assertEqual(done.stderr.count(str(part)), 1)
+
     def test_turns_the_surface_towards_the_tool(self):
         part = self.folder / "block.stl"
         part.write_bytes(box_of_stl(10, 4))

@@ -80,6 +80,21 @@ TEST(PlyReader, NormalsColoursAndOtherElementsArePassedOver) {
   EXPECT_THAT(input.mesh.facets, ElementsAre(Facet{0, 1, 2}, Facet{0, 2, 3}));
 }
 
+TEST(PlyReader, StripsAreTriangles) {
+  const std::string start =
+      "ply\nformat ascii 1.0\nelement vertex 6\nproperty float x\nproperty float y\n"
+      "property float z\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n"
+      "0 0 0\n1 0 0\n0 1 0\n1 1 0\n0 2 0\n1 2 0\n";
+  const SurfaceInput input = read_surface(start + "9 0 1 2 3 -1 2 3 4 5\n", "f", {});
+  EXPECT_THAT(input.mesh.facets,
+              ElementsAre(Facet{0, 1, 2}, Facet{2, 1, 3}, Facet{2, 3, 4}, Facet{4, 3, 5}));
+  // Two strips in one, joined by corners that are equal.
+  const SurfaceInput joined = read_surface(start + "10 0 1 2 3 3 2 2 3 4 5\n", "f", {});
+  EXPECT_EQ(joined.mesh.facets, input.mesh.facets);
+  EXPECT_THAT(refusal_of(start + "3 0 1 -2\n"), HasSubstr("facet 1 has point -2"));
+  EXPECT_THAT(refusal_of(start + "3 0 1 7\n"), HasSubstr("point"));
+}
+
 TEST(PlyReader, AllScalarsAreRead) {
   std::string bytes =
       "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty char x\n"
