@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdint>
 
-#include "host-sim/surface/patch/box_tree.hpp"
+#include "host-sim/surface/box_tree.hpp"
 #include "host-sim/surface/point_grid.hpp"
 
 namespace sim::surface::patch {

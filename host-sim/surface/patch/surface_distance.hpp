@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <cstdint>
 
-#include "host-sim/surface/patch/box_tree.hpp"
+#include "host-sim/surface/box_tree.hpp"
 #include "host-sim/surface/patch/patch_surface.hpp"
 
 namespace sim::surface::patch {

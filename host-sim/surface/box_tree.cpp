@@ -1,9 +1,9 @@
-#include "host-sim/surface/patch/box_tree.hpp"
+#include "host-sim/surface/box_tree.hpp"
 
 #include <algorithm>
 #include <numeric>
 
-namespace sim::surface::patch {
+namespace sim::surface {
 namespace {
 
 using Box = Eigen::AlignedBox3d;
@@ -53,4 +53,4 @@ BoxTree::BoxTree(const std::vector<Box>& boxes) : items_(boxes.size()) {
   }
 }
 
-}  // namespace sim::surface::patch
+}  // namespace sim::surface

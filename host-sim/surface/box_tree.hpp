@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
-namespace sim::surface::patch {
+namespace sim::surface {
 
-/// Boxes sorted into a tree, for searches of the items nearest to a point.
+/// Boxes sorted into a tree, for searches of the items nearest to a point or below a bound.
 class BoxTree {
  public:
   /// Halvings that leave one item of 2^32.
@@ -22,27 +22,38 @@ class BoxTree {
   /// shrink meanwhile and ends the search once negative; near parts of the tree come first.
   template <typename Bound, typename Visit>
   void visit_near(const Eigen::Vector3d& point, const Bound& bound, const Visit& visit) const {
+    visit_least(
+        [&point](const Eigen::AlignedBox3d& box) { return box.squaredExteriorDistance(point); },
+        [&bound] {
+          const double most = bound();
+          return most < 0.0 ? -1.0 : most * most;
+        },
+        visit);
+  }
+
+  /// Calls `visit(item)` for all items whose box has a `value(box)` of at most `most()`, which may
+  /// shrink meanwhile; parts of the tree with a small value come first.
+  template <typename Value, typename Most, typename Visit>
+  void visit_least(const Value& value, const Most& most, const Visit& visit) const {
     if (nodes_.empty()) return;
     struct Open {
       std::uint32_t node;
-      double square;
+      double value;
     };
     std::array<Open, kMaxDepth + 1> open{};
     std::size_t count = 0;
-    open[count++] = {0, nodes_[0].box.squaredExteriorDistance(point)};
+    open[count++] = {0, value(nodes_[0].box)};
     while (count > 0) {
       const Open next = open[--count];
-      const double most = bound();
-      if (most < 0.0) return;
-      if (next.square > most * most) continue;
+      if (next.value > most()) continue;
       const Node& node = nodes_[next.node];
       if (node.item_count > 0) {
         for (std::uint32_t i = 0; i < node.item_count; ++i) visit(items_[node.first + i]);
         continue;
       }
       std::array<Open, 2> halves{Open{node.first, 0.0}, Open{node.first + 1, 0.0}};
-      for (Open& half : halves) half.square = nodes_[half.node].box.squaredExteriorDistance(point);
-      if (halves[0].square < halves[1].square) std::swap(halves[0], halves[1]);
+      for (Open& half : halves) half.value = value(nodes_[half.node].box);
+      if (halves[0].value < halves[1].value) std::swap(halves[0], halves[1]);
       open[count++] = halves[0];
       open[count++] = halves[1];
     }
@@ -59,4 +70,4 @@ class BoxTree {
   std::vector<std::uint32_t> items_;
 };
 
-}  // namespace sim::surface::patch
+}  // namespace sim::surface

@@ -1,0 +1,98 @@
+#include "host-sim/wall/obstacles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sim::wall {
+namespace {
+
+using Eigen::Vector3d;
+
+/// What rounding makes of a touch, mm.
+constexpr double kTouchRounding = 1.0e-9;
+
+Eigen::AlignedBox3d box_of(const Triangle& facet) {
+  Eigen::AlignedBox3d box{facet.a};
+  box.extend(facet.b);
+  box.extend(facet.c);
+  // A facet is moved by that where the tip is on its plane.
+  box.min().array() -= kTouchMm;
+  box.max().array() += kTouchMm;
+  return box;
+}
+
+/// Returns a clearance that no point of a box is below.
+double least_clearance(const Beam& beam, const Eigen::AlignedBox3d& box) {
+  const Vector3d middle = box.center() - beam.tip;
+  const Vector3d half = 0.5 * box.sizes();
+  const double along = beam.axis.dot(middle);
+  const double reach = beam.axis.cwiseAbs().dot(half);
+  if (along + reach < -cnc::wall::kBeamMarginMm || along - reach > beam.length_mm) {
+    return std::numeric_limits<double>::infinity();
+  }
+  // No point is nearer to the side than to a plane that touches the side.
+  const Vector3d out = middle - along * beam.axis;
+  const double distance = out.norm();
+  if (distance == 0.0) return -std::numeric_limits<double>::infinity();
+  const Vector3d normal = beam.cosine / distance * out - beam.sine * beam.axis;
+  return normal.dot(middle) - normal.cwiseAbs().dot(half) - beam.cosine * beam.waist_mm -
+         kTouchRounding;
+}
+
+}  // namespace
+
+Obstacles::Obstacles(const surface::Mesh& mesh) {
+  std::vector<Eigen::AlignedBox3d> boxes;
+  facets_.reserve(mesh.facets.size());
+  boxes.reserve(mesh.facets.size());
+  for (const auto& [a, b, c] : mesh.facets) {
+    facets_.push_back({mesh.points[a], mesh.points[b], mesh.points[c]});
+    boxes.push_back(box_of(facets_.back()));
+  }
+  tree_ = surface::BoxTree{boxes};
+}
+
+std::optional<NearestFacet> Obstacles::nearest(const Beam& beam, double most_mm) const {
+  NearestFacet nearest{.facet = 0, .obstacle = {}, .clearance_mm = most_mm};
+  bool has_any = false;
+  tree_.visit_least([&beam](const Eigen::AlignedBox3d& box) { return least_clearance(beam, box); },
+                    [&nearest] { return nearest.clearance_mm; },
+                    [&](std::uint32_t facet) {
+                      const Triangle obstacle = as_obstacle(facets_[facet], beam.tip);
+                      const double clearance = cnc::wall::clearance(beam, obstacle);
+                      if (clearance >= nearest.clearance_mm) return;
+                      nearest = {facet, obstacle, clearance};
+                      has_any = true;
+                    });
+  if (!has_any) return {};
+  return nearest;
+}
+
+bool Obstacles::meets(const Beam& beam) const {
+  constexpr double kNone = -std::numeric_limits<double>::infinity();
+  double most = -kTouchRounding;
+  tree_.visit_least([&beam](const Eigen::AlignedBox3d& box) { return least_clearance(beam, box); },
+                    [&most] { return most; },
+                    [&](std::uint32_t facet) {
+                      const Triangle obstacle = as_obstacle(facets_[facet], beam.tip);
+                      if (cnc::wall::clearance(beam, obstacle) < most) most = kNone;
+                    });
+  return most == kNone;
+}
+
+std::optional<Beam> least_tilt(const Obstacles& obstacles,
+                               const Vector3d& tip,
+                               const TiltRules& rules) {
+  LeastTilt tilt{tip, rules};
+  while (tilt.obstacle_count() <= obstacles.count()) {
+    const std::optional<Beam> beam = tilt.beam();
+    if (!beam) return {};
+    const std::optional<NearestFacet> met = obstacles.nearest(*beam, -kTouchRounding);
+    if (!met) return beam;
+    tilt.add(met->obstacle);
+  }
+  return {};
+}
+
+}  // namespace sim::wall
