@@ -26,6 +26,7 @@ void add_order_command(CLI::App& app, ExitStatus& status);
 void add_pocket_command(CLI::App& app, ExitStatus& status);
 void add_send_command(CLI::App& app, ExitStatus& status);
 void add_surface_command(CLI::App& app, ExitStatus& status);
+void add_wall_command(CLI::App& app, ExitStatus& status);
 
 /// Each adds a subcommand that prints a text about all commands of `app`, which must outlive it.
 void add_completion_command(CLI::App& app);

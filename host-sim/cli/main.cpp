@@ -63,6 +63,7 @@ int run(int argc, char** argv) {
   sim::add_order_command(app, status);
   sim::add_pocket_command(app, status);
   sim::add_surface_command(app, status);
+  sim::add_wall_command(app, status);
   sim::add_send_command(app, status);
   sim::add_completion_command(app);
   sim::add_manual_command(app);

@@ -33,6 +33,10 @@ CUTS = ("material,laser,gas_pressure_mpa,thickness_mm,power_w,speed_mm_min,kerf_
                 for power in (40, 60) for speed in (400, 500, 600)))
 TOOLS = "flat: diameter=6, feed=600\n"
 GRID = "0 0 -3\n9 0 -3\n\n0 9 -3\n9 9 -3\n"
+TETRAHEDRON = "solid t\n" + "".join(
+    "facet normal 0 0 0\nouter loop\n" + "".join(f"vertex {corner}\n" for corner in facet) + "endloop\nendfacet\n"
+    for facet in (("0 0 0", "0 9 0", "9 0 0"), ("0 0 0", "9 0 0", "0 0 9"), ("0 0 0", "0 0 9", "0 9 0"),
+                  ("9 0 0", "0 9 0", "0 0 9"))) + "endsolid t\n"
 PROBED = ("(kerfline probe-grid 1)\n(x=0:9 columns=2)\n(y=0:9 rows=2)\n(depth=-5 touches=1 tip=2)\n"
           "M5\nM2\n")
 ANSWERS = "<Idle|WCO:0,0,0>\n[PRB:0,0,-1:1]\n[PRB:9,0,-1:1]\n[PRB:9,9,-1:1]\n[PRB:0,9,-1:1]\n"
@@ -98,20 +102,24 @@ COMMANDS = {
                        {"FILE": GRID}, ("--output", "--report", "--mesh", "--patches"), takes_stdin=True),
     "surface probe-grid": Command((), {"--read": ANSWERS, "--program": PROBED}, ("--output",),
                                   empty_is_refused=("--read", "--program")),
+    "wall": Command(("--half-angle", "7"), {"FILE": TETRAHEDRON, "--at": "1 1 -2\n" * 9}, ("--output",),
+                    takes_stdin=True, empty_is_refused=("--at",)),
     "send": Command((), {"file": PROGRAM}, ("--log",), takes_stdin=True, empty_is_refused=("file",)),
 }
 # Further ways to call a command, for options that exclude or need others.
 FORM = Command((*COUPON, "--out", "/dev/null"), {}, ("--form",))
 HEIGHTS = Command(("--tool", "ball:4"), {"FILE": GRID, "--at": "1 2\n" * 9}, ("--heights",), takes_stdin=True,
                   empty_is_refused=("--at",))
+CONES = Command((), {"--cones": "0 0 0 0 0 1 0.9 5 1 0 1 0 1 1 0 0 3\n" * 9}, ("--output",),
+                empty_is_refused=("--cones",))
 MEASURED = Command((), {"--measured": CUTS}, (), {"--db": None}, takes_stdin=True,
                    empty_is_refused=("--measured",))
 UPDATE = Command(("--update",), {}, updates={"FILE": TALK}, empty_is_refused=("FILE",))
 CALLS = [*COMMANDS.items(), ("kerf calibrate", FORM), ("kerf calibrate", MEASURED), ("replay", UPDATE),
-         ("surface", HEIGHTS)]
+         ("surface", HEIGHTS), ("wall", CONES)]
 CALLS_IN_TEST = 4  # Of CALLS; as many as each of the long tests tries in toolchain/test.sh.
 # Files of surfaces, which may be binary: their reader says what another encoding of a text is.
-SURFACES = {"--probe-surface", "surface FILE"}
+SURFACES = {"--probe-surface", "surface FILE", "wall FILE"}
 NO_FILES = {"completion", "manual", "kerf", ""}
 # Devices, whose opening is the business of ports.
 DEVICES = {("send", "--port"), ("send", "--slcan")}

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <vector>
 
+#include "tests/host-sim/wall/degrees.hpp"
 #include "tests/support/random_source.hpp"
 #include "tests/support/trials.hpp"
 
@@ -14,10 +15,6 @@ namespace sim::wall {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kDegree = std::numbers::pi / 180.0;
-
-double tilt_of(const Beam& beam) { return std::acos(std::min(1.0, beam.axis.z())); }
 
 /// A wall upright through the tip, whose normal is at an angle from X.
 Triangle wall_beside(double angle_rad) {

@@ -6,14 +6,13 @@
 #include <numbers>
 
 #include "tests/host-sim/surface/random_hills.hpp"
+#include "tests/host-sim/wall/degrees.hpp"
 #include "tests/support/trials.hpp"
 
 namespace sim::wall {
 namespace {
 
 using Eigen::Vector3d;
-
-constexpr double kDegree = std::numbers::pi / 180.0;
 
 /// Returns the same as Obstacles::nearest() by trying all facets.
 double nearest_of_all(const surface::Mesh& mesh, const Beam& beam) {
@@ -71,7 +70,7 @@ surface::Mesh pocket(double side, double height) {
   return mesh;
 }
 
-double tilt_deg(const Beam& beam) { return std::acos(std::min(1.0, beam.axis.z())) / kDegree; }
+double tilt_deg(const Beam& beam) { return tilt_of(beam) / kDegree; }
 
 TEST(Obstacles, LeanABeamAwayFromTheWallsOfAPocketOnly) {
   const Obstacles obstacles{pocket(20.0, 2.0)};

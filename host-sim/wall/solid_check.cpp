@@ -1,0 +1,71 @@
+#include "host-sim/wall/solid_check.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdint>
+#include <tuple>
+#include <vector>
+
+#include "host-sim/surface/refusal.hpp"
+
+namespace sim::wall {
+namespace {
+
+/// An edge of a facet, from its point with the smaller number on.
+struct EdgeUse {
+  std::uint32_t low = 0;
+  std::uint32_t high = 0;
+  int direction = 0;  ///< 1, or -1 where the facet has it the other way round.
+
+  [[nodiscard]] bool is_same_edge(const EdgeUse& other) const {
+    return low == other.low && high == other.high;
+  }
+};
+
+std::vector<EdgeUse> edges_of(const surface::Mesh& mesh) {
+  std::vector<EdgeUse> uses;
+  uses.reserve(3 * mesh.facets.size());
+  for (const auto& facet : mesh.facets) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::uint32_t from = facet[i];
+      const std::uint32_t to = facet[(i + 1) % 3];
+      uses.push_back({std::min(from, to), std::max(from, to), from < to ? 1 : -1});
+    }
+  }
+  std::ranges::sort(uses, {}, [](const EdgeUse& use) { return std::tuple{use.low, use.high}; });
+  return uses;
+}
+
+std::string text_of(const Eigen::Vector3d& point) {
+  return fmt::format("{:g} {:g} {:g}", point.x(), point.y(), point.z());
+}
+
+}  // namespace
+
+void require_solid(const surface::Mesh& mesh, const std::string& name) {
+  const std::vector<EdgeUse> uses = edges_of(mesh);
+  std::size_t open = 0;
+  std::string first;
+  for (auto use = uses.begin(); use != uses.end();) {
+    const auto end =
+        std::find_if(use, uses.end(), [&use](const EdgeUse& o) { return !o.is_same_edge(*use); });
+    int sides = 0;
+    for (auto i = use; i != end; ++i) sides += i->direction;
+    if (sides != 0 && ++open == 1) {
+      first = fmt::format("the edge from {} to {}",
+                          text_of(mesh.points[use->low]),
+                          text_of(mesh.points[use->high]));
+    }
+    use = end;
+  }
+  if (open == 0) return;
+  surface::refuse(name,
+                  0,
+                  fmt::format("encloses no solid: {} has a facet on one side only{}",
+                              first,
+                              open == 1 ? "" : fmt::format(", and {} more", open - 1)),
+                  "close the holes of the mesh and turn its facets outwards");
+}
+
+}  // namespace sim::wall
