@@ -27,7 +27,8 @@ double place_on_corner(const Section& section, double slope, double begin, doubl
   double low = begin;
   double high = most;
   double along = 0.5 * (low + high);
-  constexpr int kMostSteps = 60;
+  double step = high - low;
+  constexpr int kMostSteps = 80;
   for (int i = 0; i < kMostSteps; ++i) {
     const double distance = std::sqrt(section.beside_square + square(along));
     const double out = distance - profile.flat_mm;
@@ -36,13 +37,19 @@ double place_on_corner(const Section& section, double slope, double begin, doubl
     const double off = out * share - slope * across;
     (off < 0.0 ? low : high) = along;
     const double bend = out * section.beside_square / (distance * square(distance));
-    const double steep = square(share) * (1.0 + slope * out / std::max(across, 1e-300)) + bend;
-    // Newton's step is taken, or half of the way where it would leave the bounds. The height is off
-    // by the square of the rest only.
+    const double fall = slope * out * share / std::max(across, 1e-300);
+    const double steep = square(share) + bend + fall;
+    // Newton's step is taken, or half of the way where it would leave the bounds, or is not half of
+    // the step before. The height is off by the square of the rest only.
     const double before = along;
+    const double last_step = step;
     along -= off / steep;
-    if (!(along > low && along < high)) along = 0.5 * (low + high);
-    if (std::abs(along - before) <= 1.0e-9 * profile.radius_mm) break;
+    step = std::abs(along - before);
+    if (!(along > low && along < high) || step > 0.5 * last_step) {
+      along = 0.5 * (low + high);
+      step = std::abs(along - before);
+    }
+    if (step <= 1.0e-9 * profile.radius_mm) break;
   }
   return along;
 }
