@@ -20,13 +20,13 @@ double height_beside(const cnc::surface::Profile& tool, double distance_mm) {
 /// Returns the greatest height that two poses leave between their points of contact on a plane, at
 /// right angles to it. @param slope of the plane, mm per mm, above 0
 double left_on_plane(const cnc::surface::Profile& tool, double slope, double distance_mm) {
-  constexpr int kLooks = 64;
+  constexpr int kLooks = 1'000;
   const cnc::surface::PlaneContact contact = cnc::surface::contact_with_plane(tool, slope);
   const double across = distance_mm / slope;
   double greatest = 0.0;
-  for (int i = 0; i <= kLooks; ++i) {
+  for (int i = 0; i < kLooks; ++i) {
     // From the contact of the lower pose, whose axis is at 0, to that of the higher one.
-    const double beside = contact.out + 1.0e-9 + across * i / kLooks;
+    const double beside = contact.out + across * (i + 0.5) / kLooks;
     const double left =
         std::min(height_beside(tool, beside), distance_mm + height_beside(tool, beside - across));
     greatest = std::max(greatest, left - contact.height - slope * (beside - contact.out));

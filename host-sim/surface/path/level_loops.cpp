@@ -21,6 +21,15 @@ double length_of(const std::vector<Eigen::Vector2d>& places) {
 
 }  // namespace
 
+void open_near(const Eigen::Vector2d& here, LevelLoop& loop) {
+  const auto nearest = std::ranges::min_element(
+      loop.places, {}, [&here](const Eigen::Vector2d& place) { return (place - here).norm(); });
+  std::rotate(loop.places.begin(), nearest, loop.places.end());
+  const Eigen::Vector2d first = loop.places.front();
+  loop.places.push_back(first);
+  loop.is_closed = false;
+}
+
 /// A point of the surface holds the tip above a level within a disc; a disc as wide as a cell's
 /// diagonal has a node.
 double level_pitch(const SurfaceTracer& tracer) {

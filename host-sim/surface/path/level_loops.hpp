@@ -17,6 +17,9 @@ struct LevelLoop {
   bool is_closed = false;  ///< The last place leads to the first, which is not repeated.
 };
 
+/// Lets a closed loop begin and end at its place that is nearest to another. @pre it is closed
+void open_near(const Eigen::Vector2d& here, LevelLoop& loop);
+
 /// Returns the greatest distance of a grid's nodes for which the tool's tip, over a surface that is
 /// missed between nodes, would be above a level by no more than the band. Gaps into which the tool
 /// fits have no such bound: those that are wider than an eighth of its radius have a node.

@@ -77,12 +77,7 @@ class ParallelPlanner {
  private:
   /// Adds a line, a closed one from its place that is nearest.
   void add_loop(LevelLoop& loop, const Vector2d& here) {
-    if (loop.is_closed) {
-      const auto nearest = std::ranges::min_element(
-          loop.places, {}, [&here](const Vector2d& place) { return (place - here).norm(); });
-      std::ranges::rotate(loop.places, nearest);
-      loop.places.push_back(Vector2d{loop.places.front()});
-    }
+    if (loop.is_closed) open_near(here, loop);
     const std::vector<Vector2d> corners = straightened(loop.places, kStraightShare * step_mm_);
     lead_to(corners.front());
     for (std::size_t i = 1; i < corners.size(); ++i) add_way(corners[i - 1], corners[i]);

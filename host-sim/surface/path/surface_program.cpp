@@ -75,7 +75,7 @@ class WriterPlane {
   [[nodiscard]] Plane plane() const { return plane_; }
   [[nodiscard]] WideVec2 place(const ContourVertex& vertex) const {
     if (level_mm_) return {vertex.x, vertex.y};
-    const WideVec2 seen = slice_.at(vertex.x);
+    WideVec2 seen = slice_.at(vertex.x);
     if (plane_ == Plane::kZX) return {vertex.y, seen.x()};
     if (plane_ == Plane::kYZ) return {seen.y(), vertex.y};
     return seen;

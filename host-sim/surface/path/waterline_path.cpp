@@ -88,12 +88,7 @@ class WaterlinePlanner {
   /// Adds the curves along a loop, a closed one from its place that is nearest to `here`, which
   /// becomes the end of the loop.
   void add_loop(LevelLoop& loop, Vector2d& here) {
-    if (loop.is_closed) {
-      const auto nearest = std::ranges::min_element(
-          loop.places, {}, [&here](const Vector2d& place) { return (place - here).norm(); });
-      std::ranges::rotate(loop.places, nearest);
-      loop.places.push_back(Vector2d{loop.places.front()});
-    }
+    if (loop.is_closed) open_near(here, loop);
     const LevelSet set{tracer_, loop.level_mm};
     const auto curves = level_curves(set, loop.places, is_low_left_, tracer_.density());
     if (curves.empty()) return;

@@ -7,13 +7,14 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <limits>
 #include <map>
 #include <numbers>
-#include <ranges>
 #include <stdexcept>
 #include <vector>
 
 #include "host-sim/cut/stroke.hpp"
+#include "host-sim/surface/path/level_distance.hpp"
 #include "host-sim/surface/path/tip_grid.hpp"
 #include "tests/host-sim/surface/path_judge.hpp"
 #include "tests/host-sim/surface/random_hills.hpp"
@@ -44,7 +45,7 @@ void for_level_places(const SurfacePath& path, double every_mm, const Function& 
   }
 }
 
-RowOptions random_options(proof::Random& random, const cnc::surface::Profile& tool) {
+RowOptions random_levels(proof::Random& random, const cnc::surface::Profile& tool) {
   RowOptions options;
   options.tool = tool;
   options.tolerance_mm = random.magnitude(tool.rise > 0.0 ? 0.02 : 0.002, 0.1);
@@ -78,7 +79,7 @@ TEST(WaterlinePath, NeverCutsInAndHasNoMoreAirThanTwiceTheTolerance) {
     proof::Random random{seed};
     Mesh mesh = random.chance(0.5) ? random_hills(random) : random_waves(random, 12, 1.0);
     if (random.chance(0.3)) make_holes(random, mesh);
-    RowOptions options = random_options(random, proof::random_cutter(random));
+    RowOptions options = random_levels(random, proof::random_cutter(random));
     options.step_mm = random.between(0.1, 0.4) * (top_of(mesh) + 1.0);
     const Judge judge{mesh, options};
     SurfacePath path;
@@ -220,7 +221,20 @@ TEST(WaterlinePath, GoesRoundUprightWallsAndKeepsLevelsInFlatBottoms) {
   }
 }
 
-/// Looks at a denser grid: wherever the tip goes from above a level to below it, a line is near.
+/// Whether five by five nodes of a grid are all above a level, or all not.
+bool is_block(const TipGrid& tips, std::size_t middle, double level_mm, bool is_high) {
+  const std::size_t columns = tips.grid().columns();
+  for (std::size_t row = 0; row < 5; ++row) {
+    for (std::size_t column = 0; column < 5; ++column) {
+      const std::size_t node = middle + row * columns + column - 2 * columns - 2;
+      if ((tips.height(node) > level_mm) != is_high) return false;
+    }
+  }
+  return true;
+}
+
+/// Looks at a denser grid: wherever the tip goes from well above a level to well below it, or back,
+/// a line is near.
 TEST(WaterlinePath, LosesNoLine) {
   std::size_t crossings = 0;
   for (const std::uint64_t seed : proof::Trials{20}) {
@@ -240,21 +254,24 @@ TEST(WaterlinePath, LosesNoLine) {
     const TipGrid tips{tracer, grid, {}};
     for (const auto& [height, places] : lines) {
       const double level = height - tracer.lift_mm();
-      for (std::size_t node = 0; node + 1 < grid.size(); ++node) {
-        if ((tips.height(node) > level) == (tips.height(node + 1) > level)) continue;
-        if (std::abs(tips.height(node) - tips.height(node + 1)) > 1.0) continue;  // A new row.
-        if ((node + 1) % grid.columns() == 0) continue;
-        ++crossings;
-        const Vector2d middle = 0.5 * (grid.at(node) + grid.at(node + 1));
-        const double least =
-            std::ranges::min(places | std::views::transform([&](const Vector2d& place) {
-                               return (place - middle).norm();
-                             }));
-        EXPECT_LE(least, 0.16) << middle.transpose() << " at " << height;
+      for (std::size_t row = 2; row + 2 < grid.rows(); ++row) {
+        for (std::size_t column = 6; column + 7 < grid.columns(); ++column) {
+          const std::size_t node = grid.node(column, row);
+          const bool is_high = tips.height(node) > level;
+          if (is_high == (tips.height(node + 1) > level)) continue;
+          if (!is_block(tips, node - 4, level, is_high)) continue;
+          if (!is_block(tips, node + 5, level, !is_high)) continue;
+          ++crossings;
+          const Vector2d middle = 0.5 * (grid.at(node) + grid.at(node + 1));
+          double least = std::numeric_limits<double>::infinity();
+          for (const Vector2d& place : places) least = std::min(least, (place - middle).norm());
+          EXPECT_LE(least, 0.1) << middle.transpose() << " at " << height;
+        }
       }
     }
   }
   EXPECT_GT(crossings, 0U);
+  std::printf("%zu crossings\n", crossings);
 }
 
 TEST(WaterlinePath, KeepsTheStockOnTheSideOfItsDirection) {
@@ -276,6 +293,17 @@ TEST(WaterlinePath, KeepsTheStockOnTheSideOfItsDirection) {
     });
     EXPECT_EQ(area < 0.0, milling == cnc::pocket::Milling::kClimb);  // Clockwise round a boss.
   }
+}
+
+/// On a slope of 45 degrees the passes of a ball are farther apart than their levels, and a flat
+/// tool leaves steps.
+TEST(WaterlinePath, HasLevelsAsNearAsAScallopAsksOnSteepSlopes) {
+  constexpr double kScallop = 0.02;
+  const cnc::surface::Profile ball{.radius_mm = 2.0, .flat_mm = 0.0, .corner_mm = 2.0};
+  const double along = 2.0 * std::sqrt(4.0 - (2.0 - kScallop) * (2.0 - kScallop));
+  EXPECT_NEAR(level_distance(ball, kScallop), along / std::numbers::sqrt2, 1.0e-3);
+  const cnc::surface::Profile flat{.radius_mm = 2.0, .flat_mm = 2.0};
+  EXPECT_NEAR(level_distance(flat, kScallop), kScallop * std::numbers::sqrt2, 1.0e-3);
 }
 
 TEST(WaterlinePath, RefusesASurfaceWithoutAnyLine) {
