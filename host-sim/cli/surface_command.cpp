@@ -22,7 +22,9 @@
 #include "host-sim/report/report_json.hpp"
 #include "host-sim/report/terminal.hpp"
 #include "host-sim/surface/approach.hpp"
+#include "host-sim/surface/path/parallel_path.hpp"
 #include "host-sim/surface/path/surface_program.hpp"
+#include "host-sim/surface/path/waterline_path.hpp"
 #include "host-sim/surface/tip_heights.hpp"
 #include "host-sim/surface/triangle_file.hpp"
 #include "host-sim/trace/input_file.hpp"
@@ -35,8 +37,9 @@ constexpr const char* kSurfaceFooter =
     "FILE is XYZ text or CSV of a measured grid, STL, PLY, or a height map as ESRI ASCII grid,\n"
     "GeoTIFF, TIFF, PGM, PNG or JSON. Four neighbours of a grid are two triangles, which share\n"
     "the diagonal from the first point of a row to the second of the next row; --mesh writes\n"
-    "them. The tool goes over it in straight rows: it touches points, edges and facets, never\n"
-    "cuts in, and arcs stay arcs, in G18 along X and in G19 along Y.\n"
+    "them. The tool goes over it in straight rows, in lines of one height or of one distance from\n"
+    "the border: it touches points, edges and facets, never cuts in, and arcs stay arcs, in G18\n"
+    "along X, in G19 along Y, and in G17 at one height.\n"
     "\n"
     "Examples:\n"
     "  kerfline surface scan.xyz --tool ball:4 --step 0.3 --feed 1500 --plunge-feed 500 \\\n"
@@ -72,6 +75,16 @@ double safe_height_of(const SurfaceCommandOptions& options, double top_mm) {
                   top_mm)};
 }
 
+/// Returns the kind of lines in words.
+std::string lines_of(const SurfaceCommandOptions& options) {
+  if (options.paths == SurfacePaths::kWaterline) return "finishing in waterlines";
+  if (options.paths == SurfacePaths::kContour) return "finishing along contours";
+  return fmt::format("{} in rows at {:g} degrees",
+                     options.layer_mm > 0.0 ? fmt::format("layers of {:g} mm", options.layer_mm)
+                                            : std::string{"finishing"},
+                     options.angle_deg.value_or(0.0));
+}
+
 std::vector<std::string> heading_of(const SurfaceCommandOptions& options,
                                     const surface::SurfaceProgramFigures& figures,
                                     const InputFiles& inputs) {
@@ -83,11 +96,7 @@ std::vector<std::string> heading_of(const SurfaceCommandOptions& options,
                   options.tool,
                   options.tolerance_mm,
                   figures.arcs + figures.lines),
-      fmt::format("{} in rows at {:g} degrees, {:g} mm of stock stay",
-                  options.layer_mm > 0.0 ? fmt::format("layers of {:g} mm", options.layer_mm)
-                                         : std::string{"finishing"},
-                  options.angle_deg,
-                  options.allowance_mm)};
+      fmt::format("{}, {:g} mm of stock stay", lines_of(options), options.allowance_mm)};
   for (const ProgramDigest& digest : inputs.digests()) lines.push_back(text_of(digest));
   return lines;
 }
@@ -114,10 +123,14 @@ std::string report_of(const SurfaceCommandOptions& options,
   return dumped(report) + "\n";
 }
 
-surface::SurfacePath path_with_progress(const surface::Mesh& mesh, surface::RowOptions rows) {
+surface::SurfacePath path_with_progress(const surface::Mesh& mesh,
+                                        surface::RowOptions rows,
+                                        SurfacePaths paths) {
   using Clock = std::chrono::steady_clock;
   ProgressBar bar{stderr, is_terminal(stderr), Clock::now()};
-  rows.progress = [&bar](double share) { bar.update(share, "rows", Clock::now()); };
+  rows.progress = [&bar](double share) { bar.update(share, "lines", Clock::now()); };
+  if (paths == SurfacePaths::kWaterline) return waterline_path(mesh, rows);
+  if (paths == SurfacePaths::kContour) return parallel_path(mesh, rows);
   return row_path(mesh, rows);
 }
 
@@ -125,7 +138,8 @@ void write_path(const SurfaceCommandOptions& options,
                 const surface::Mesh& mesh,
                 const stock::Cutter& cutter,
                 const InputFiles& inputs) {
-  const surface::SurfacePath path = path_with_progress(mesh, row_options_of(options, cutter));
+  const surface::SurfacePath path =
+      path_with_progress(mesh, row_options_of(options, cutter), options.paths);
   const surface::SurfaceProgramFigures figures = figures_of(path);
   pocket::MillSettings mill = options.mill;
   mill.safe_mm = safe_height_of(

@@ -79,6 +79,39 @@ void add_stock_layer_options(CLI::App& command, SurfaceCommandOptions& options) 
       ->type_name("MM");
 }
 
+/// Adds the options that choose lines and their direction.
+void add_line_options(CLI::App& command, SurfaceCommandOptions& options) {
+  const std::map<std::string, SurfacePaths> paths{{"rows", SurfacePaths::kRows},
+                                                  {"waterline", SurfacePaths::kWaterline},
+                                                  {"contour", SurfacePaths::kContour}};
+  command
+      .add_option("--paths",
+                  options.paths,
+                  "Straight rows, lines of one height each, or lines of one distance each from the "
+                  "border over\nthe surface")
+      ->transform(CLI::CheckedTransformer(paths))
+      ->option_text("rows|waterline|contour [rows]");
+  command
+      .add_option("--angle", options.angle_deg, "Of rows from X, counter-clockwise, degrees [0]")
+      ->check(in_range(-360.0, 360.0, "degrees"))
+      ->type_name("DEG");
+  const std::map<std::string, surface::RowOrder> orders{{"zigzag", surface::RowOrder::kZigzag},
+                                                        {"oneway", surface::RowOrder::kOneWay}};
+  command.add_option("--order", options.order, "Rows to and fro, or all one way with lifts")
+      ->transform(CLI::CheckedTransformer(orders))
+      ->option_text("zigzag|oneway [zigzag]");
+  using cnc::pocket::Milling;
+  const std::map<std::string, Milling> directions{{"climb", Milling::kClimb},
+                                                  {"conventional", Milling::kConventional}};
+  command
+      .add_option("--direction",
+                  options.milling,
+                  "Of lines of waterline and contour: the stock is on the right of the tool, or on "
+                  "the left")
+      ->transform(CLI::CheckedTransformer(directions))
+      ->option_text("climb|conventional [climb]");
+}
+
 void add_row_options(CLI::App& command, SurfaceCommandOptions& options) {
   command
       .add_option("--tool",
@@ -96,8 +129,8 @@ void add_row_options(CLI::App& command, SurfaceCommandOptions& options) {
   command
       .add_option("--step",
                   options.step_mm,
-                  "Between rows in plan, mm; else as --scallop asks, or a tenth of the tool's "
-                  "diameter")
+                  "Between rows in plan, levels in Z, or lines over the surface, mm; else as "
+                  "--scallop asks,\nor a tenth of the tool's diameter")
       ->check(in_range(0.001, 500.0, "mm"))
       ->type_name("MM");
   command
@@ -105,18 +138,11 @@ void add_row_options(CLI::App& command, SurfaceCommandOptions& options) {
           "--scallop",
           options.scallop_mm,
           "Of the stock between rows, at right angles to the surface, at most, mm: rows are "
-          "added\nwhere the surface is steep across")
+          "added\nwhere the surface is steep across; waterlines keep it where that is 45 degrees "
+          "or "
+          "steeper")
       ->check(in_range(1.0e-4, 50.0, "mm"))
       ->type_name("MM");
-  command.add_option("--angle", options.angle_deg, "Of rows from X, counter-clockwise, degrees")
-      ->check(in_range(-360.0, 360.0, "degrees"))
-      ->type_name("DEG")
-      ->capture_default_str();
-  const std::map<std::string, surface::RowOrder> orders{{"zigzag", surface::RowOrder::kZigzag},
-                                                        {"oneway", surface::RowOrder::kOneWay}};
-  command.add_option("--order", options.order, "Rows to and fro, or all one way with lifts")
-      ->transform(CLI::CheckedTransformer(orders))
-      ->option_text("zigzag|oneway [zigzag]");
   command
       .add_option("--margin",
                   options.margin_mm,
@@ -170,6 +196,25 @@ void check_approach(const SurfaceCommandOptions& options) {
   }
 }
 
+/// Throws std::invalid_argument for options that do not go with the kind of lines.
+void check_line_options(const SurfaceCommandOptions& options) {
+  const bool are_rows = options.paths == SurfacePaths::kRows;
+  const auto refuse = [](const char* option, const char* remedy) {
+    throw std::invalid_argument(fmt::format("{}: {}", option, remedy));
+  };
+  if (are_rows && options.milling) {
+    refuse("--direction", "rows have --order; it is for --paths waterline and contour");
+  }
+  if (are_rows) return;
+  if (options.angle_deg) refuse("--angle", "only rows have one; leave it out, or --paths");
+  if (options.order) {
+    refuse("--order", "only rows have one; lines of --paths have a --direction");
+  }
+  if (options.layer_mm > 0.0) {
+    refuse("--layers", "only rows have layers; waterlines go down by their --step");
+  }
+}
+
 }  // namespace
 
 void add_surface_options(CLI::App& command, SurfaceCommandOptions& options) {
@@ -179,6 +224,7 @@ void add_surface_options(CLI::App& command, SurfaceCommandOptions& options) {
       FileRole::kInput);
   add_reading_options(command, options);
   add_row_options(command, options);
+  add_line_options(command, options);
   add_stock_layer_options(command, options);
   add_patch_options(command, options.patches);
   add_mill_options(command, options.mill);
@@ -222,6 +268,7 @@ void check_surface_options(const SurfaceCommandOptions& options) {
                     kLeastScallopTolerances,
                     options.tolerance_mm));
   }
+  check_line_options(options);
   if (options.layer_mm > 0.0 && options.scallop_mm > 0.0) {
     throw std::invalid_argument("--scallop: layers have rows by --step alone");
   }
@@ -250,10 +297,11 @@ surface::RowOptions row_options_of(const SurfaceCommandOptions& options,
           .digit_mm = std::pow(10.0, -static_cast<double>(options.decimals)),
           .step_mm = step_mm,
           .scallop_mm = options.scallop_mm,
-          .angle_rad = options.angle_deg * std::numbers::pi / 180.0,
+          .angle_rad = options.angle_deg.value_or(0.0) * std::numbers::pi / 180.0,
           .margin_mm = options.margin_mm,
           .floor_mm = options.floor_mm,
-          .order = options.order,
+          .order = options.order.value_or(surface::RowOrder::kZigzag),
+          .milling = options.milling.value_or(cnc::pocket::Milling::kClimb),
           .stock_top_mm = options.stock_top_mm,
           .layer_mm = options.layer_mm,
           .lines_only = options.lines_only,

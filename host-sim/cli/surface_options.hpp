@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,6 +17,13 @@ class App;
 
 namespace sim {
 
+/// The lines along which a tool goes over a surface.
+enum class SurfacePaths : std::uint8_t {
+  kRows,       ///< Straight in plan.
+  kWaterline,  ///< At one height each.
+  kContour,    ///< At one distance each from the border, over the surface.
+};
+
 /// The options of `kerfline surface`.
 struct SurfaceCommandOptions {
   std::string file;
@@ -24,16 +32,18 @@ struct SurfaceCommandOptions {
   std::vector<double> move_mm{};   ///< X, Y and Z; empty: not moved.
   std::string tool;
   double tolerance_mm = 0.01;
-  double step_mm = 0.0;     ///< 0: as the scallop asks, or a tenth of the tool's diameter.
-  double scallop_mm = 0.0;  ///< 0: any.
-  double angle_deg = 0.0;
+  double step_mm = 0.0;             ///< 0: as the scallop asks, or a tenth of the tool's diameter.
+  double scallop_mm = 0.0;          ///< 0: any.
+  std::optional<double> angle_deg;  ///< None: along X.
   double allowance_mm = 0.0;
   double margin_mm = 0.0;
   std::optional<double> floor_mm;
   std::optional<double> stock_top_mm;  ///< None: the surface's highest point.
   double layer_mm = 0.0;               ///< 0: no layers.
   std::optional<double> safe_mm;       ///< None: 5 mm above path and surface.
-  surface::RowOrder order = surface::RowOrder::kZigzag;
+  SurfacePaths paths = SurfacePaths::kRows;
+  std::optional<surface::RowOrder> order;       ///< None: to and fro.
+  std::optional<cnc::pocket::Milling> milling;  ///< None: climb.
   bool lines_only = false;
   pocket::MillSettings mill;
   unsigned decimals = 4;
@@ -56,7 +66,7 @@ void add_surface_options(CLI::App& command, SurfaceCommandOptions& options);
 /// missing.
 void check_surface_options(const SurfaceCommandOptions& options);
 
-/// How they ask for rows.
+/// Returns how they ask for paths.
 [[nodiscard]] surface::RowOptions row_options_of(const SurfaceCommandOptions& options,
                                                  const stock::Cutter& cutter);
 

@@ -19,13 +19,15 @@ struct Cone {
 
 /// Places of the curve that are near enough to each other that a line which passes two of them
 /// within a tolerance does so between them.
-std::vector<Place> places_of(const SliceCurve& curve, const SpanRange& spans, double tolerance_mm) {
+std::vector<Place> places_of(const cnc::contour::PlaneCurve& curve,
+                             const SpanRange& spans,
+                             double tolerance_mm) {
   constexpr double kShareOfTolerance = 0.02;
   std::vector<Place> places{curve.at(spans.from, 0.0).place};
   for (std::size_t span = spans.from; span < spans.to; ++span) {
     // A cubic leaves a chord of 1 / n of it by at most its second derivative / 8 n².
-    const double bend = std::max(std::abs(curve.at(span, 0.0).second.y()),
-                                 std::abs(curve.at(span, 1.0).second.y()));
+    const double bend =
+        std::max(curve.at(span, 0.0).second.norm(), curve.at(span, 1.0).second.norm());
     const double parts = std::ceil(std::sqrt(bend / (8.0 * kShareOfTolerance * tolerance_mm)));
     const int count = std::clamp(static_cast<int>(parts), 1, 1'000);
     for (int i = 1; i <= count; ++i) {
@@ -143,7 +145,7 @@ class ChordFinder {
 
 }  // namespace
 
-void fit_chords(const SliceCurve& curve,
+void fit_chords(const cnc::contour::PlaneCurve& curve,
                 const SpanRange& spans,
                 double tolerance_mm,
                 std::vector<ContourVertex>& out) {

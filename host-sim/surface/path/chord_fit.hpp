@@ -11,7 +11,7 @@ namespace sim::surface {
 /// where the one before still is within the tolerance and the line itself gets farthest, so that
 /// their joints are beside the curve: on a bend they are half again as long as chords with both
 /// ends on it. @param tolerance_mm above 0
-void fit_chords(const SliceCurve& curve,
+void fit_chords(const cnc::contour::PlaneCurve& curve,
                 const SpanRange& spans,
                 double tolerance_mm,
                 std::vector<ContourVertex>& out);

@@ -8,6 +8,7 @@
 #include "host-sim/surface/mesh.hpp"
 #include "host-sim/surface/path/slice_fit.hpp"
 #include "host-sim/surface/path/surface_path.hpp"
+#include "planner/pocket/loop_place.hpp"
 
 namespace sim::surface {
 
@@ -16,7 +17,7 @@ enum class RowOrder : std::uint8_t {
   kOneWay,  ///< All rows go the same way, with a lift before each.
 };
 
-/// Rows over a surface, and how closely they follow it.
+/// Paths over a surface, and how closely they follow it.
 struct RowOptions {
   cnc::surface::Profile tool;  ///< Its corner, if any, ends at its radius.
   double allowance_mm = 0.0;   ///< Of stock that stays everywhere, at least 0.
@@ -32,6 +33,8 @@ struct RowOptions {
   /// The tip goes no deeper, and beside the surface it goes so deep; without it rows end there.
   std::optional<double> floor_mm;
   RowOrder order = RowOrder::kZigzag;
+  /// Side on which the surface is of a tool that goes along its contours.
+  cnc::pocket::Milling milling = cnc::pocket::Milling::kClimb;
   /// Top of the stock. Without it the highest point of the surface.
   std::optional<double> stock_top_mm;
   /// Depth of layers that are milled from the top of the stock downwards, each where it is above

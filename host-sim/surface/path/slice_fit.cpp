@@ -15,11 +15,11 @@ namespace {
 /// Radians: a greater change of direction between two spans is a corner, which stays.
 constexpr double kLeastCorner = 0.1;
 
-cnc::WideVec2 direction_at(const SliceCurve& curve, std::size_t span, double share) {
+cnc::WideVec2 direction_at(const cnc::contour::PlaneCurve& curve, std::size_t span, double share) {
   return curve.at(span, share).first.normalized();
 }
 
-bool has_corner_before(const SliceCurve& curve, std::size_t span) {
+bool has_corner_before(const cnc::contour::PlaneCurve& curve, std::size_t span) {
   const cnc::WideVec2 before = direction_at(curve, span - 1, 1.0);
   const cnc::WideVec2 after = direction_at(curve, span, 0.0);
   return before.dot(after) < std::cos(kLeastCorner);
@@ -27,7 +27,7 @@ bool has_corner_before(const SliceCurve& curve, std::size_t span) {
 
 }  // namespace
 
-std::size_t SliceFitter::fit(const SliceCurve& curve,
+std::size_t SliceFitter::fit(const cnc::contour::PlaneCurve& curve,
                              double tolerance_mm,
                              SliceElements elements,
                              std::vector<ContourVertex>& out) {
@@ -46,7 +46,7 @@ std::size_t SliceFitter::fit(const SliceCurve& curve,
   return without_arcs;
 }
 
-bool SliceFitter::fit_arcs_to(const SliceCurve& curve,
+bool SliceFitter::fit_arcs_to(const cnc::contour::PlaneCurve& curve,
                               const SpanRange& spans,
                               double tolerance_mm,
                               std::vector<ContourVertex>& out) {

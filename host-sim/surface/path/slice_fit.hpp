@@ -21,13 +21,13 @@ class SliceFitter {
   /// Appends the elements: places by the way along the slice and the height, arcs by their bulge.
   /// @param tolerance_mm above 0
   /// @return how many pieces between corners had no arcs within the tolerance and became lines.
-  std::size_t fit(const SliceCurve& curve,
+  std::size_t fit(const cnc::contour::PlaneCurve& curve,
                   double tolerance_mm,
                   SliceElements elements,
                   std::vector<ContourVertex>& out);
 
  private:
-  [[nodiscard]] bool fit_arcs_to(const SliceCurve& curve,
+  [[nodiscard]] bool fit_arcs_to(const cnc::contour::PlaneCurve& curve,
                                  const SpanRange& spans,
                                  double tolerance_mm,
                                  std::vector<ContourVertex>& out);

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
+#include <variant>
 
 #include "host-sim/cut/cut_program.hpp"
 #include "host-sim/cut/stroke.hpp"
@@ -40,48 +42,60 @@ cut::Stroke stroke_of(const ContourVertex& from, const ContourVertex& to) {
 }
 
 /// Notes the heights of an element, between its ends, too.
-void note_heights(const ContourVertex& from,
+void note_heights(const SurfaceStretch& stretch,
+                  const ContourVertex& from,
                   const ContourVertex& to,
                   SurfaceProgramFigures& figures) {
   const auto note = [&figures](double height) {
     figures.lowest_mm = std::min(figures.lowest_mm, height);
     figures.highest_mm = std::max(figures.highest_mm, height);
   };
-  note(from.y);
-  note(to.y);
+  note(stretch.place_of(from).z());
+  note(stretch.place_of(to).z());
+  if (std::holds_alternative<LevelPlane>(stretch.plane)) return;
   const ElementCourse course{from, to};
   if (course.begin * course.end >= 0.0) return;
   const double level = course.begin / (course.begin - course.end);
   note(cut::place_at(stroke_of(from, to), level).y());
 }
 
-/// The coordinates of a slice's plane, as a writer has them.
-class SlicePlane {
+/// The coordinates of a stretch's plane, as a writer has them.
+class WriterPlane {
  public:
-  explicit SlicePlane(const Slice& slice) : slice_{slice} {
-    if (slice.direction.y() == 0.0) plane_ = Plane::kZX;
-    if (slice.direction.x() == 0.0) plane_ = Plane::kYZ;
+  explicit WriterPlane(const StretchPlane& plane) {
+    if (const auto* level = std::get_if<LevelPlane>(&plane)) {
+      level_mm_ = level->height_mm;
+      return;
+    }
+    slice_ = std::get<Slice>(plane);
+    if (slice_.direction.y() == 0.0) plane_ = Plane::kZX;
+    if (slice_.direction.x() == 0.0) plane_ = Plane::kYZ;
   }
 
   [[nodiscard]] Plane plane() const { return plane_; }
   [[nodiscard]] WideVec2 place(const ContourVertex& vertex) const {
+    if (level_mm_) return {vertex.x, vertex.y};
     WideVec2 seen = slice_.at(vertex.x);
     if (plane_ == Plane::kZX) return {vertex.y, seen.x()};
     if (plane_ == Plane::kYZ) return {seen.y(), vertex.y};
     return seen;
   }
+  /// Returns the coordinate along the plane's normal.
   [[nodiscard]] double height(const ContourVertex& vertex) const {
+    if (level_mm_) return *level_mm_;
     if (plane_ == Plane::kZX) return slice_.from.y();
     if (plane_ == Plane::kYZ) return slice_.from.x();
     return vertex.y;
   }
   [[nodiscard]] double bulge(const ContourVertex& vertex) const {
+    if (level_mm_) return vertex.bulge;
     if (plane_ == Plane::kZX) return -slice_.direction.x() * vertex.bulge;
     return slice_.direction.y() * vertex.bulge;
   }
 
  private:
   Slice slice_;
+  std::optional<double> level_mm_;
   Plane plane_ = Plane::kXY;
 };
 
@@ -95,8 +109,8 @@ class RunWriter {
 
   /// Goes down in a rapid to where stock may begin, and on at the feed of plunges.
   void begin_run(const SurfaceStretch& first, double stock_mm) {
-    const WideVec2 place = first.slice.at(first.vertices.front().x);
-    const double height = first.vertices.front().y;
+    const WideVec2 place = first.start().head<2>();
+    const double height = first.start().z();
     set_height(mill_.safe_mm, place);
     take(writer_.rapid(place), place);
     set_height(std::min(mill_.safe_mm, std::max(height, stock_mm) + mill_.near_mm), place);
@@ -107,19 +121,20 @@ class RunWriter {
   }
 
   void write(const SurfaceStretch& stretch) {
-    const SlicePlane plane{stretch.slice};
+    const WriterPlane plane{stretch.plane};
+    const bool is_level = std::holds_alternative<LevelPlane>(stretch.plane);
     text_ += writer_.use_plane(plane.plane());
     for (std::size_t i = 0; i + 1 < stretch.vertices.size(); ++i) {
       const ContourVertex& from = stretch.vertices[i];
       const ContourVertex& to = stretch.vertices[i + 1];
-      writer_.set_feed(thousandths(feed_of(from, to)));
-      set_height(plane.height(to), stretch.slice.at(to.x));
+      writer_.set_feed(thousandths(is_level ? mill_.feed_mm_min : feed_of(from, to)));
+      set_height(plane.height(to), stretch.place_of(to).head<2>());
       write_element({.from = plane.place(from), .to = plane.place(to), .bulge = plane.bulge(from)});
     }
   }
 
   void end_run(const SurfaceStretch& last) {
-    const WideVec2 place = last.slice.at(last.vertices.back().x);
+    const WideVec2 place = last.end().head<2>();
     text_ += writer_.use_plane(Plane::kXY);
     set_height(mill_.safe_mm, place);
     take(writer_.rapid(place), place);
@@ -184,7 +199,7 @@ SurfaceProgramFigures figures_of(const SurfacePath& path) {
       const ContourVertex& from = stretch.vertices[i];
       const ContourVertex& to = stretch.vertices[i + 1];
       length += cut::length_of(stroke_of(from, to));
-      note_heights(from, to, figures);
+      note_heights(stretch, from, to, figures);
       ++(from.bulge == 0.0 ? figures.lines : figures.arcs);
     }
     (stretch.use == StretchUse::kRow ? figures.row_mm : figures.link_mm) += length;

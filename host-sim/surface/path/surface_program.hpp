@@ -25,8 +25,9 @@ struct SurfaceProgramFigures {
 
 /// Writes a path over a surface as G-code: spindle and coolant, then for each run a rapid at the
 /// safe height, a rapid to just above the stock, a descent at the plunge feed and its stretches,
-/// those along X with arcs of G18, those along Y with arcs of G19. The tip descends no faster than
-/// a plunge. Throws std::invalid_argument where a point is too far from zero for a program.
+/// level ones with arcs of G17, those along X of G18, those along Y of G19. The tip descends no
+/// faster than a plunge. Throws std::invalid_argument where a point is too far from zero for a
+/// program.
 /// @param heading lines of comment at the top
 /// @pre the safe height is above the path
 [[nodiscard]] std::string program_of(const SurfacePath& path,

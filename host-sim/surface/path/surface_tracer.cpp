@@ -90,6 +90,12 @@ double SurfaceTracer::height(const Eigen::Vector2d& place) const {
   return lift_mm_ + std::max(lowest_mm_, cutter_.tip_height(place));
 }
 
+double SurfaceTracer::touched(const Eigen::Vector2d& place, DropCutter::Hint& hint) const {
+  const double height = cutter_.tip_height(place, hint);
+  if (!has_floor_ && height == cnc::surface::kNoContact) return height;
+  return std::max(lowest_mm_, height);
+}
+
 /// Finds where something is under the tool for the last time, from a place where it is on.
 double SurfaceTracer::border(const Slice& slice, double over, double beside) const {
   constexpr double kNear = 1.0e-6;
@@ -126,7 +132,7 @@ std::vector<std::pair<double, double>> SurfaceTracer::parts_over(const Slice& sl
 }
 
 SurfaceStretch SurfaceTracer::trace(const Slice& slice, double begin, double end, StretchUse use) {
-  SurfaceStretch stretch{.slice = slice, .use = use, .vertices = {}};
+  SurfaceStretch stretch{.plane = slice, .use = use, .vertices = {}};
   SliceHeights heights{cutter_, slice, layer_bottom_mm_};
   const SliceCurve curve{heights, begin, end, density_};
   lines_.clear();

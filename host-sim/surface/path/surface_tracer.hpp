@@ -32,6 +32,19 @@ class SurfaceTracer {
   /// it.
   [[nodiscard]] double height(const Eigen::Vector2d& place) const;
 
+  /// Returns the exact height of the grown tool's tip, not raised; cnc::surface::kNoContact where
+  /// nothing is under it and there is no floor.
+  [[nodiscard]] double touched(const Eigen::Vector2d& place, DropCutter::Hint& hint) const;
+
+  /// Returns the tool that is as much larger as the band.
+  [[nodiscard]] const cnc::surface::Profile& grown_tool() const { return tool_.profile; }
+  /// Returns by how much a path of the grown tool's tip is raised.
+  [[nodiscard]] double lift_mm() const { return lift_mm_; }
+  /// Returns how far a path may leave a curve that follows the grown tool's tip as closely as
+  /// density() says.
+  [[nodiscard]] double band_mm() const { return band_mm_; }
+  [[nodiscard]] const SliceDensity& density() const { return density_; }
+
  private:
   [[nodiscard]] bool is_over(const Eigen::Vector2d& place) const;
   [[nodiscard]] double border(const Slice& slice, double over, double beside) const;

@@ -13,6 +13,7 @@
 #include "host-sim/surface/path/surface_program.hpp"
 #include "host-sim/surface/tip_heights.hpp"
 #include "planner/surface/grown.hpp"
+#include "tests/host-sim/surface/path_judge.hpp"
 #include "tests/host-sim/surface/random_hills.hpp"
 #include "tests/support/random_cutter.hpp"
 #include "tests/support/trials.hpp"
@@ -22,80 +23,6 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-constexpr double kSafeMm = 50.0;
-
-pocket::MillSettings mill_settings() {
-  return {.feed_mm_min = 1'500.0, .plunge_mm_min = 400.0, .safe_mm = kSafeMm};
-}
-
-std::string text_of(const SurfacePath& path, const RowOptions& options) {
-  const auto decimals = static_cast<std::uint8_t>(std::lround(-std::log10(options.digit_mm)));
-  return program_of(path, mill_settings(), cnc::gcode::PrintGrid{decimals}, {});
-}
-
-/// Calls a function with places of the tip along all feeds of a program but the descents, as
-/// another reader understands it.
-template <typename Function>
-void for_places(const std::string& program, double every_mm, const Function& function) {
-  for (const PathPiece& piece : read_program(program).pieces) {
-    if (piece.travel != Travel::kFeed) continue;
-    const Point& from = piece.curve.start();
-    const Point& to = piece.curve.end();
-    if (from[0] == to[0] && from[1] == to[1] && to[2] < from[2] - 0.9) continue;
-    const int count = 2 + static_cast<int>(piece.curve.length() / every_mm);
-    for (int i = 0; i <= count; ++i) {
-      const Point at = piece.curve.point_at(static_cast<double>(i) / count);
-      function(Vector3d{at[0], at[1], at[2]});
-    }
-  }
-}
-
-/// Judges tips by the exact heights of the tool and by the air that is allowed.
-class Judge {
- public:
-  Judge(const Mesh& mesh, const RowOptions& options)
-      : options_{options}, exact_{mesh, tool_of(options)}, tolerance_{options.tolerance_mm} {
-    double lowest = 1.0e9;
-    for (const Vector3d& point : mesh.points) lowest = std::min(lowest, point.z());
-    floor_ = options.floor_mm.value_or(lowest) + options.allowance_mm;
-  }
-
-  /// Returns how far the tip cuts in there, vertically; negative above.
-  [[nodiscard]] double gouge(const Vector3d& tip) const { return height(tip.head<2>()) - tip.z(); }
-
-  /// Returns whether no place within twice the tolerance touches: then there is too much air.
-  [[nodiscard]] bool is_too_high(const Vector3d& tip) const {
-    const double most = 2.0 * tolerance_ + 1.0e-9;
-    if (tip.z() - height(tip.head<2>()) <= most) return false;
-    constexpr int kDirections = 32;
-    for (int ring = 1; ring <= 16; ++ring) {
-      const double out = most * ring / 16.0;
-      const double down = std::sqrt(std::max(0.0, most * most - out * out));
-      for (int i = 0; i < kDirections; ++i) {
-        const double angle = 2.0 * std::numbers::pi * i / kDirections;
-        const Vector2d beside{out * std::cos(angle), out * std::sin(angle)};
-        if (tip.z() - down <= height(tip.head<2>() + beside)) return false;
-      }
-    }
-    return true;
-  }
-
- private:
-  static cnc::surface::Profile tool_of(const RowOptions& options) {
-    cnc::surface::Profile tool = options.tool;
-    if (options.allowance_mm == 0.0) return tool;
-    return cnc::surface::grown(tool, options.allowance_mm).profile;
-  }
-  [[nodiscard]] double height(const Vector2d& place) const {
-    return std::max(floor_, exact_.tip_height(place) + options_.allowance_mm);
-  }
-
-  RowOptions options_;
-  DropCutter exact_;
-  double tolerance_;
-  double floor_ = 0.0;
-};
 
 RowOptions random_options(proof::Random& random, const cnc::surface::Profile& tool) {
   RowOptions options;
@@ -166,7 +93,7 @@ TEST(RowPath, MillsLayersFromTheTopOfTheStockToTheSurface) {
         for (const ContourVertex& vertex : stretch.vertices) {
           EXPECT_LE(vertex.y, run.stock_mm + 2.0 * options.tolerance_mm);
           EXPECT_GE(vertex.y, run.stock_mm - options.layer_mm);
-          EXPECT_GE(vertex.y, exact.tip_height(stretch.slice.at(vertex.x)));
+          EXPECT_GE(vertex.y, exact.tip_height(stretch.place_of(vertex).head<2>()));
         }
       }
     }

@@ -97,6 +97,27 @@ TEST(Drop, IsTheGreatestHeightOfFacetLessTool) {
   EXPECT_GT(touched, 0);
 }
 
+/// The rim of a corner is where a section of the tool is most bent.
+TEST(Drop, IsTheGreatestHeightOfAnEdgeBelowTheRimOfACorner) {
+  for (const std::uint64_t seed : proof::Trials{20'000}) {
+    proof::Random random{seed};
+    Profile profile{.radius_mm = random.magnitude(0.1, 10.0), .flat_mm = 0.0};
+    profile.corner_mm = profile.radius_mm * random.magnitude(0.001, 0.95);
+    profile.flat_mm = profile.radius_mm - profile.corner_mm;
+    const double beside = profile.flat_mm + profile.corner_mm * random.between(-0.5, 1.0);
+    const double half = std::sqrt(profile.radius_mm * profile.radius_mm - beside * beside);
+    const double slope = random.magnitude(0.01, 20.0);
+    const double found = height_on_edge(
+        profile, {0.0, 0.0}, {-half, beside, -slope * half}, {half, beside, slope * half});
+    const double wanted = greatest([&](double share) {
+      const double along = (2.0 * share - 1.0) * half;
+      const double distance = std::min(std::hypot(along, beside), profile.radius_mm);
+      return slope * along - height_at(profile, distance);
+    });
+    EXPECT_NEAR(found, wanted, 1.0e-7 * profile.radius_mm) << "KERFLINE_SEED=" << seed;
+  }
+}
+
 TEST(Drop, TouchesNothingThatIsNotUnderTheTool) {
   const proof::Trials trials{1'000};
   for (const std::uint64_t seed : trials) {

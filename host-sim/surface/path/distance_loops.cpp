@@ -1,0 +1,189 @@
+#include "host-sim/surface/path/distance_loops.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <utility>
+
+#include "host-sim/surface/path/iso_lines.hpp"
+
+namespace sim::surface {
+namespace {
+
+using Eigen::Vector2d;
+
+/// The connected parts of an area that are farther from its border than a value.
+class InnerParts {
+ public:
+  InnerParts(const DistanceMap& distances, double value_mm)
+      : distances_{distances}, value_mm_{value_mm}, part_of_(distances.grid().size(), kNone) {
+    for (std::size_t node = 0; node < part_of_.size(); ++node) {
+      if (part_of_[node] == kNone && is_within(node)) fill(node);
+    }
+  }
+
+  /// Returns the greatest distance in the part that a node within it belongs to.
+  [[nodiscard]] double greatest_around(std::size_t node) const { return greatest_[part_of_[node]]; }
+
+ private:
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
+  [[nodiscard]] bool is_within(std::size_t node) const {
+    const double distance = distances_.at(node);
+    return distance > value_mm_ && std::isfinite(distance);
+  }
+
+  void fill(std::size_t first) {
+    const std::size_t columns = distances_.grid().columns();
+    const std::size_t part = greatest_.size();
+    greatest_.push_back(0.0);
+    open_.push_back(first);
+    part_of_[first] = part;
+    while (!open_.empty()) {
+      const std::size_t node = open_.back();
+      open_.pop_back();
+      greatest_[part] = std::max(greatest_[part], distances_.at(node));
+      const std::size_t column = node % columns;
+      if (column > 0) reach(node - 1, part);
+      if (column + 1 < columns) reach(node + 1, part);
+      if (node >= columns) reach(node - columns, part);
+      if (node + columns < part_of_.size()) reach(node + columns, part);
+    }
+  }
+
+  void reach(std::size_t node, std::size_t part) {
+    if (part_of_[node] != kNone || !is_within(node)) return;
+    part_of_[node] = part;
+    open_.push_back(node);
+  }
+
+  const DistanceMap& distances_;
+  double value_mm_;
+  std::vector<std::size_t> part_of_;
+  std::vector<double> greatest_;
+  std::vector<std::size_t> open_;
+};
+
+std::vector<IsoLine> lines_at(const DistanceMap& distances, double value_mm) {
+  const PlanGrid& grid = distances.grid();
+  const auto side_of = [&](std::size_t node) {
+    const double distance = distances.at(node);
+    if (!std::isfinite(distance)) return NodeSide::kNone;
+    return distance > value_mm ? NodeSide::kHigh : NodeSide::kLow;
+  };
+  const auto is_high_in_middle = [&](std::size_t node) {
+    const std::size_t above = node + grid.columns();
+    return distances.at(node) + distances.at(node + 1) + distances.at(above) +
+               distances.at(above + 1) >
+           4.0 * value_mm;
+  };
+  return iso_lines(grid, side_of, is_high_in_middle);
+}
+
+LevelLoop loop_of(const DistanceMap& distances, const IsoLine& line, double value_mm) {
+  constexpr double kLeastWay = 1.0e-6;
+  const PlanGrid& grid = distances.grid();
+  LevelLoop loop{.level = 0, .level_mm = value_mm, .places = {}, .is_closed = line.is_closed};
+  for (const CrossedEdge& edge : line.edges) {
+    const double low = distances.at(edge.low);
+    const double share = (value_mm - low) / (distances.at(edge.high) - low);
+    const Vector2d from = grid.at(edge.low);
+    const Vector2d place = from + share * (grid.at(edge.high) - from);
+    const bool is_same = !loop.places.empty() && (place - loop.places.back()).norm() < kLeastWay;
+    if (!is_same) loop.places.push_back(place);
+  }
+  return loop;
+}
+
+/// Lays lines, and notes the nodes beside them.
+class LoopLayer {
+ public:
+  explicit LoopLayer(const TipGrid& tips) : tips_{tips} {}
+
+  void add(const DistanceMap& distances, const IsoLine& line, double value_mm, std::size_t level) {
+    LevelLoop loop = loop_of(distances, line, value_mm);
+    loop.level = level;
+    if (loop.places.size() <= 2) return;
+    loops_.push_back(std::move(loop));
+    for (const CrossedEdge& edge : line.edges) {
+      const double whole = (tips_.tip(edge.high) - tips_.tip(edge.low)).norm();
+      const double low = distances.at(edge.low);
+      const double share = (value_mm - low) / (distances.at(edge.high) - low);
+      note(edge.low, edge, share * whole);
+      note(edge.high, edge, (1.0 - share) * whole);
+    }
+  }
+
+  /// Distances, from one up to another.
+  struct Range {
+    double from_mm = 0.0;
+    double to_mm = 0.0;
+  };
+
+  /// Adds the lines of a value round those parts whose greatest distance is in a range.
+  void add_round(const DistanceMap& distances, double value_mm, Range range, std::size_t level) {
+    const InnerParts parts{distances, value_mm};
+    for (const IsoLine& line : lines_at(distances, value_mm)) {
+      const double greatest = parts.greatest_around(line.edges.front().high);
+      if (greatest <= range.from_mm || greatest > range.to_mm) continue;
+      add(distances, line, value_mm, level);
+    }
+  }
+
+  /// Returns the nodes beside the lines, with their distances from them.
+  [[nodiscard]] std::vector<DistanceSource> beside() const {
+    std::vector<DistanceSource> sources;
+    for (const auto& [node, ways] : beside_) {
+      // A line through two places on the edges of a node is nearer to it than both.
+      const double least = std::min(ways[0], ways[1]);
+      const double ratio = least > 0.0 ? least / std::max(ways[0], ways[1]) : 0.0;
+      sources.push_back({node, least / std::sqrt(1.0 + ratio * ratio)});
+    }
+    return sources;
+  }
+  [[nodiscard]] std::vector<LevelLoop> take() { return std::move(loops_); }
+
+ private:
+  /// Notes how far a line is from a node along one of its edges.
+  void note(std::size_t node, const CrossedEdge& edge, double way_mm) {
+    constexpr double kInfinite = std::numeric_limits<double>::infinity();
+    const bool is_along_x = std::max(edge.low, edge.high) - std::min(edge.low, edge.high) == 1;
+    auto& ways = beside_.try_emplace(node, std::array{kInfinite, kInfinite}).first->second;
+    double& way = ways[is_along_x ? 0 : 1];
+    way = std::min(way, way_mm);
+  }
+
+  const TipGrid& tips_;
+  std::vector<LevelLoop> loops_;
+  std::map<std::size_t, std::array<double, 2>> beside_;  ///< Ways along X and along Y.
+};
+
+}  // namespace
+
+std::vector<LevelLoop> distance_loops(const SurfaceTracer& tracer,
+                                      const TipGrid& tips,
+                                      double step_mm,
+                                      double most_mm) {
+  constexpr double kFirst = 0.25;  // Steps from the border.
+  LoopLayer layer{tips};
+  const DistanceMap distances{tips, border_sources(tracer, tips)};
+  const double greatest = distances.greatest();
+  for (std::size_t level = 0; static_cast<double>(level) * step_mm < greatest; ++level) {
+    const double value = (static_cast<double>(level) + kFirst) * step_mm;
+    for (const IsoLine& line : lines_at(distances, value)) layer.add(distances, line, value, level);
+    // Half a step within the line before, in parts that this line does not reach.
+    if (level == 0) continue;
+    layer.add_round(distances, value - 0.5 * step_mm, {0.0, value}, level);
+  }
+  // At a corner of lines a place is farther from them than half a step, which is as far as it is
+  // from straight ones: a line goes round those that are too far.
+  const double middle = 0.5 * (0.5 * step_mm + most_mm);
+  const DistanceMap left{tips, layer.beside()};
+  const auto last = static_cast<std::size_t>(std::ceil(greatest / step_mm));
+  layer.add_round(left, middle, {most_mm, greatest + most_mm}, last + 1);
+  return layer.take();
+}
+
+}  // namespace sim::surface

@@ -1,0 +1,153 @@
+#include "host-sim/surface/path/distance_map.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <queue>
+#include <utility>
+
+namespace sim::surface {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
+/// Returns the least distance at the origin of a front that has two values at two places, and
+/// between them those of a straight line: a ray comes from there straight.
+double distance_from_side(const Vector3d& first,
+                          double first_value,
+                          const Vector3d& second,
+                          double second_value) {
+  const Vector3d side = second - first;
+  const double length = side.norm();
+  const double foot = -first.dot(side) / length;
+  const double rise = (second_value - first_value) / length;
+  const double across = std::sqrt(std::max(0.0, first.squaredNorm() - foot * foot));
+  double along = rise < 0.0 ? length : 0.0;
+  if (std::abs(rise) < 1.0) {
+    along = std::clamp(foot - rise * across / std::sqrt(1.0 - rise * rise), 0.0, length);
+  }
+  return first_value + rise * along + std::hypot(across, along - foot);
+}
+
+/// Returns the distance of a node to the border between it and a neighbour without contact,
+/// infinity if it has none.
+double beside_border(const SurfaceTracer& tracer, const TipGrid& tips, std::size_t node) {
+  constexpr double kNear = 1.0e-6;
+  const PlanGrid& grid = tips.grid();
+  DropCutter::Hint hint;
+  double least = kInfinite;
+  for (const std::size_t other :
+       {node - 1, node + 1, node - grid.columns(), node + grid.columns()}) {
+    if (tips.has_contact(other)) continue;
+    Vector2d over = grid.at(node);
+    Vector2d beside = grid.at(other);
+    while ((beside - over).norm() > kNear) {
+      const Vector2d middle = 0.5 * (over + beside);
+      const bool is_over = tracer.touched(middle, hint) != cnc::surface::kNoContact;
+      (is_over ? over : beside) = middle;
+    }
+    least = std::min(least, (over - grid.at(node)).norm());
+  }
+  return least;
+}
+
+}  // namespace
+
+/// Lets a front go over the nodes, the nearest next. Where a node turns out to be nearer than was
+/// found first, it is looked at again.
+class DistanceMap::March {
+ public:
+  explicit March(DistanceMap& map) : map_{map} {}
+
+  void start_at(std::size_t node, double distance) { lower(node, distance); }
+
+  void run() {
+    while (!front_.empty()) {
+      const auto [distance, node] = front_.top();
+      front_.pop();
+      if (distance > map_.distances_[node]) continue;  // It has become nearer since.
+      for (std::size_t i = 0; i < 8; ++i) update(node, i);
+    }
+  }
+
+ private:
+  using Open = std::pair<double, std::size_t>;
+
+  /// Returns the neighbour of a node, counter-clockwise from the one along X; the node itself where
+  /// there is none.
+  [[nodiscard]] std::size_t neighbour(std::size_t node, std::size_t number) const {
+    constexpr std::array<std::array<int, 2>, 8> kSteps{
+        {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
+    const auto& [x, y] = kSteps[number % 8];
+    const std::size_t columns = map_.grid().columns();
+    const std::size_t column = node % columns;
+    const std::size_t row = node / columns;
+    const bool is_out = (x < 0 && column == 0) || (x > 0 && column + 1 == columns) ||
+                        (y < 0 && row == 0) || (y > 0 && row + 1 == map_.grid().rows());
+    if (is_out) return node;
+    return static_cast<std::size_t>(static_cast<std::ptrdiff_t>(node) + x +
+                                    y * static_cast<std::ptrdiff_t>(columns));
+  }
+
+  /// Lets the front go on from a node to one of its neighbours, by the triangles that both have.
+  void update(std::size_t from, std::size_t number) {
+    const std::size_t to = neighbour(from, number);
+    if (to == from || !map_.tips_->has_contact(to)) return;
+    const double distance = map_.distances_[from];
+    if (map_.distances_[to] <= distance) return;
+    const Vector3d here = map_.tips_->tip(to);
+    const Vector3d first = map_.tips_->tip(from) - here;
+    double least = distance + first.norm();
+    // Seen from `to` the other corner is the next or the last of its neighbours.
+    for (const std::size_t beside : {std::size_t{3}, std::size_t{5}}) {
+      const std::size_t other = neighbour(to, number + beside);
+      if (other == to || map_.distances_[other] == kInfinite) continue;
+      const Vector3d second = map_.tips_->tip(other) - here;
+      least = std::min(least, distance_from_side(first, distance, second, map_.distances_[other]));
+    }
+    lower(to, least);
+  }
+
+  void lower(std::size_t node, double distance) {
+    constexpr double kLeastGain = 1.0e-9;
+    if (!(distance < map_.distances_[node] - kLeastGain)) return;
+    map_.distances_[node] = distance;
+    front_.emplace(distance, node);
+  }
+
+  DistanceMap& map_;
+  std::priority_queue<Open, std::vector<Open>, std::greater<>> front_;
+};
+
+DistanceMap::DistanceMap(const TipGrid& tips, const std::vector<DistanceSource>& sources)
+    : tips_{&tips}, distances_(tips.grid().size(), kInfinite) {
+  March march{*this};
+  for (const auto& [node, distance] : sources) march.start_at(node, distance);
+  march.run();
+}
+
+double DistanceMap::greatest() const {
+  double greatest = 0.0;
+  for (const double distance : distances_) {
+    if (distance < kInfinite) greatest = std::max(greatest, distance);
+  }
+  return greatest;
+}
+
+std::vector<DistanceSource> border_sources(const SurfaceTracer& tracer, const TipGrid& tips) {
+  std::vector<DistanceSource> sources;
+  for (std::size_t node = 0; node < tips.grid().size(); ++node) {
+    if (!tips.has_contact(node)) continue;
+    const bool is_first = tips.grid().is_on_border(node);
+    const double distance = is_first ? 0.0 : beside_border(tracer, tips, node);
+    if (distance < kInfinite) sources.push_back({node, distance});
+  }
+  return sources;
+}
+
+}  // namespace sim::surface

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "host-sim/surface/path/level_set.hpp"
+#include "host-sim/surface/path/slice_curve.hpp"
+#include "planner/contour/plane_curve.hpp"
+
+namespace sim::surface {
+
+/// A place of a level set, with the unit tangents of its two sides, which differ at a corner.
+struct LevelNode {
+  Eigen::Vector2d place = Eigen::Vector2d::Zero();
+  Eigen::Vector2d before = Eigen::Vector2d::UnitX();
+  Eigen::Vector2d after = Eigen::Vector2d::UnitX();
+};
+
+/// A part of a level set as a smooth curve in the plan: cubics whose ends have the places and the
+/// tangents there.
+class LevelCurve final : public cnc::contour::PlaneCurve {
+ public:
+  /// @param nodes in order, at least two, all different
+  /// @param least_mm shorter spans are straight
+  LevelCurve(std::vector<LevelNode> nodes, double least_mm)
+      : nodes_{std::move(nodes)}, least_mm_{least_mm} {}
+
+  [[nodiscard]] std::size_t span_count() const override { return nodes_.size() - 1; }
+  [[nodiscard]] SpanRange all() const { return {0, span_count()}; }
+  [[nodiscard]] cnc::contour::CurveJet at(std::size_t span, double share) const override;
+
+  [[nodiscard]] const std::vector<LevelNode>& nodes() const { return nodes_; }
+
+ private:
+  std::vector<LevelNode> nodes_;
+  double least_mm_;
+};
+
+/// Returns the curves along a row of places of a level set, in their order. At every look, which
+/// are as near to each other as `density` says, the set is within its error of the curve, or the
+/// tip's height within it of the level. Where no curve can be found like that, as in a gap that is
+/// narrower than the places are apart, one curve ends and the next begins.
+/// @param places in order, at least two, the low side on their left if `is_low_left`
+[[nodiscard]] std::vector<LevelCurve> level_curves(const LevelSet& set,
+                                                   const std::vector<Eigen::Vector2d>& places,
+                                                   bool is_low_left,
+                                                   const SliceDensity& density);
+
+}  // namespace sim::surface

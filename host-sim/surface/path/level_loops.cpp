@@ -1,0 +1,74 @@
+#include "host-sim/surface/path/level_loops.hpp"
+
+#include <algorithm>
+
+#include "host-sim/surface/path/iso_lines.hpp"
+#include "host-sim/surface/path/level_set.hpp"
+
+namespace sim::surface {
+namespace {
+
+/// Places that are nearer than this to the one before are the same.
+constexpr double kSameCrossing = 1.0e-6;
+/// Shorter loops are none.
+constexpr double kLeastLoop = 1.0e-3;
+
+double length_of(const std::vector<Eigen::Vector2d>& places) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < places.size(); ++i) length += (places[i] - places[i - 1]).norm();
+  return length;
+}
+
+}  // namespace
+
+void open_near(const Eigen::Vector2d& here, LevelLoop& loop) {
+  const auto nearest = std::ranges::min_element(
+      loop.places, {}, [&here](const Eigen::Vector2d& place) { return (place - here).norm(); });
+  std::rotate(loop.places.begin(), nearest, loop.places.end());
+  const Eigen::Vector2d first = loop.places.front();
+  loop.places.push_back(first);
+  loop.is_closed = false;
+}
+
+/// A point of the surface holds the tip above a level within a disc; a disc as wide as a cell's
+/// diagonal has a node.
+double level_pitch(const SurfaceTracer& tracer) {
+  constexpr double kShareOfRadius = 0.125;
+  const cnc::surface::Profile& tool = tracer.grown_tool();
+  const double disc = cnc::surface::radius_below(tool, tool.tip_mm + tracer.band_mm());
+  return std::min(1.4 * disc, kShareOfRadius * tool.radius_mm);
+}
+
+std::vector<LevelLoop> level_loops(const SurfaceTracer& tracer,
+                                   const TipGrid& tips,
+                                   std::size_t level,
+                                   double level_mm) {
+  const PlanGrid& grid = tips.grid();
+  const LevelSet set{tracer, level_mm};
+  const auto side_of = [&](std::size_t node) {
+    if (!tips.has_contact(node)) return NodeSide::kNone;
+    return tips.height(node) > level_mm ? NodeSide::kHigh : NodeSide::kLow;
+  };
+  const auto is_high_in_middle = [&](std::size_t node) {
+    return set.above(grid.at(node) + 0.5 * grid.pitch()) > 0.0;
+  };
+  std::vector<LevelLoop> loops;
+  for (const IsoLine& line : iso_lines(grid, side_of, is_high_in_middle)) {
+    LevelLoop loop{.level = level, .level_mm = level_mm, .places = {}, .is_closed = line.is_closed};
+    for (const CrossedEdge& edge : line.edges) {
+      const Eigen::Vector2d place = set.crossing(grid.at(edge.low), grid.at(edge.high));
+      const bool is_same =
+          !loop.places.empty() && (place - loop.places.back()).norm() < kSameCrossing;
+      if (!is_same) loop.places.push_back(place);
+    }
+    if (line.is_closed && (loop.places.front() - loop.places.back()).norm() < kSameCrossing) {
+      loop.places.pop_back();
+    }
+    if (loop.places.size() > 1 && length_of(loop.places) > kLeastLoop) {
+      loops.push_back(std::move(loop));
+    }
+  }
+  return loops;
+}
+
+}  // namespace sim::surface

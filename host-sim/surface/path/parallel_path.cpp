@@ -1,0 +1,136 @@
+#include "host-sim/surface/path/parallel_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "host-sim/surface/path/distance_loops.hpp"
+#include "host-sim/surface/path/loop_order.hpp"
+#include "host-sim/surface/path/scallop_rows.hpp"
+#include "host-sim/surface/path/straightened.hpp"
+#include "host-sim/surface/path/surface_tracer.hpp"
+#include "host-sim/surface/path/tip_grid.hpp"
+
+namespace sim::surface {
+namespace {
+
+using Eigen::Vector2d;
+
+/// Greatest length of a link over the surface, in steps; a farther line begins with a lift.
+constexpr double kLinkSteps = 4.0;
+/// Share of a step by which the ways between two places of a line may leave it.
+constexpr double kStraightShare = 0.01;
+/// Nodes of the grid for each step.
+constexpr double kNodesPerStep = 5.0;
+/// Distance of lines in steps. Where two lines have a right angle, a place between them is 0.59 of
+/// their distance from both.
+constexpr double kNearer = 0.92;
+/// Greatest distance of a place from a line, in steps: more than between two right angles, as lines
+/// of their own for those would be many.
+constexpr double kFarthest = 0.54;
+
+double step_for(const RowOptions& options) {
+  if (options.scallop_mm == 0.0) return options.step_mm;
+  const double level = level_step(options.tool, options.scallop_mm - options.tolerance_mm);
+  return options.step_mm > 0.0 ? std::min(options.step_mm, level) : level;
+}
+
+/// Drives the lines of equal distance one after the other.
+class ParallelPlanner {
+ public:
+  ParallelPlanner(const Mesh& mesh, const RowOptions& options)
+      : options_{options},
+        step_mm_{kNearer * step_for(options)},
+        tracer_{mesh, options},
+        loops_{distance_loops(
+            tracer_,
+            TipGrid{tracer_, PlanGrid{mesh, options.margin_mm, step_mm_ / kNodesPerStep}, {}},
+            step_mm_,
+            kFarthest * step_for(options))},
+        stock_top_mm_{options.stock_top_mm.value_or(top_of(mesh))} {}
+
+  SurfacePath plan() {
+    if (options_.milling == cnc::pocket::Milling::kConventional) {
+      for (LevelLoop& loop : loops_) std::ranges::reverse(loop.places);
+    }
+    LoopOrder order{loops_, 1.5 * step_mm_};
+    Vector2d here = Vector2d::Zero();
+    for (std::size_t done = 1; const auto next = order.take_next(here); ++done) {
+      add_loop(loops_[*next], here);
+      if (!path_.stretches.empty()) here = path_.stretches.back().end().head<2>();
+      if (options_.progress) {
+        options_.progress(static_cast<double>(done) / static_cast<double>(loops_.size()));
+      }
+    }
+    if (path_.stretches.empty()) {
+      throw std::invalid_argument{
+          "no line half a step from the border has the surface under the tool; take a smaller "
+          "--step"};
+    }
+    end_run();
+    path_.without_arcs = tracer_.without_arcs();
+    return std::move(path_);
+  }
+
+ private:
+  /// Adds a line, a closed one from its place that is nearest.
+  void add_loop(LevelLoop& loop, const Vector2d& here) {
+    if (loop.is_closed) open_near(here, loop);
+    const std::vector<Vector2d> corners = straightened(loop.places, kStraightShare * step_mm_);
+    lead_to(corners.front());
+    for (std::size_t i = 1; i < corners.size(); ++i) add_way(corners[i - 1], corners[i]);
+  }
+
+  /// Adds those parts of a straight way that are over the surface.
+  void add_way(const Vector2d& from, const Vector2d& to) {
+    const Slice slice = slice_between(from, to);
+    for (const auto& [begin, end] : tracer_.parts_over(slice)) {
+      add_stretch(tracer_.trace(slice, begin, end, StretchUse::kRow));
+    }
+  }
+
+  /// Leads to a place over the surface, where it is near and the surface goes on.
+  void lead_to(const Vector2d& place) {
+    if (path_.stretches.empty()) return;
+    const Vector2d here = path_.stretches.back().end().head<2>();
+    const double distance = (place - here).norm();
+    if (distance == 0.0 || distance > kLinkSteps * step_mm_) return;
+    const Slice slice = slice_between(here, place);
+    const auto parts = tracer_.parts_over(slice);
+    if (parts.size() != 1 || parts[0].second - parts[0].first < 0.999 * slice.length) return;
+    add_stretch(tracer_.trace(slice, 0.0, slice.length, StretchUse::kLink));
+  }
+
+  /// Adds a stretch, behind a lift if it does not begin where the tip is.
+  void add_stretch(SurfaceStretch stretch) {
+    constexpr double kSameTip = 1.0e-6;
+    if (!path_.stretches.empty() &&
+        (path_.stretches.back().end() - stretch.start()).norm() > kSameTip) {
+      end_run();
+    }
+    path_.stretches.push_back(std::move(stretch));
+  }
+
+  void end_run() {
+    const std::size_t begin = path_.runs.empty() ? 0 : path_.runs.back().end;
+    if (begin == path_.stretches.size()) return;
+    path_.runs.push_back({path_.stretches.size(), stock_top_mm_});
+  }
+
+  const RowOptions& options_;
+  double step_mm_;
+  SurfaceTracer tracer_;
+  std::vector<LevelLoop> loops_;
+  double stock_top_mm_;
+  SurfacePath path_;
+};
+
+}  // namespace
+
+SurfacePath parallel_path(const Mesh& mesh, const RowOptions& options) {
+  return ParallelPlanner{mesh, options}.plan();
+}
+
+}  // namespace sim::surface

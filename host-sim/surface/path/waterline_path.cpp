@@ -1,0 +1,164 @@
+#include "host-sim/surface/path/waterline_path.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "host-sim/surface/path/chord_fit.hpp"
+#include "host-sim/surface/path/level_curve.hpp"
+#include "host-sim/surface/path/level_distance.hpp"
+#include "host-sim/surface/path/level_loops.hpp"
+#include "host-sim/surface/path/loop_leads.hpp"
+#include "host-sim/surface/path/loop_order.hpp"
+#include "host-sim/surface/path/surface_tracer.hpp"
+
+namespace sim::surface {
+namespace {
+
+using Eigen::Vector2d;
+
+/// Share of a last digit by which levels are looked at higher: a bottom at the level itself, which
+/// rounding may put on either side, is on the low one.
+constexpr double kFlatDigits = 0.1;
+
+/// Returns the distance of levels: asked for, or for the scallop.
+double distance_of(const RowOptions& options) {
+  if (options.scallop_mm == 0.0) return options.step_mm;
+  const double distance = level_distance(options.tool, options.scallop_mm - options.tolerance_mm);
+  return options.step_mm > 0.0 ? std::min(options.step_mm, distance) : distance;
+}
+
+/// Finds the lines of all levels, and drives one after the other.
+class WaterlinePlanner {
+ public:
+  WaterlinePlanner(const Mesh& mesh, const RowOptions& options)
+      : options_{options},
+        tracer_{mesh, options},
+        grid_{mesh, options.margin_mm, level_pitch(tracer_)},
+        is_low_left_{options.milling == cnc::pocket::Milling::kClimb},
+        flat_mm_{kFlatDigits * options.digit_mm},
+        lift_mm_{tracer_.lift_mm() - flat_mm_},
+        leads_{tracer_, grid_, options, lift_mm_},
+        stock_top_mm_{options.stock_top_mm.value_or(top_of(mesh))} {}
+
+  SurfacePath plan() {
+    find_loops();
+    if (loops_.empty()) refuse_all();
+    LoopOrder order{loops_, tracer_.grown_tool().radius_mm};
+    Vector2d here = loops_.front().places.front();
+    for (std::size_t done = 1; const auto next = order.take_next(here); ++done) {
+      add_loop(loops_[*next], here);
+      report(0.5 + 0.5 * static_cast<double>(done) / static_cast<double>(loops_.size()));
+    }
+    end_run();
+    if (path_.stretches.empty()) refuse_all();
+    return std::move(path_);
+  }
+
+ private:
+  [[noreturn]] static void refuse_all() {
+    throw std::invalid_argument{
+        "no level has a line along the surface within its box; a --margin of more than the tool's "
+        "radius with a --floor goes around it"};
+  }
+
+  void report(double share) const {
+    if (options_.progress) options_.progress(share);
+  }
+
+  void find_loops() {
+    const TipGrid tips{tracer_, grid_, [this](double share) { report(0.4 * share); }};
+    if (!tips.has_any()) throw std::invalid_argument{"nothing of it is under the tool"};
+    const double depth = tips.highest_mm() - tips.lowest_mm();
+    const double levels = std::ceil(depth / distance_of(options_) - 1.0e-9);
+    for (double i = 1.0; i <= levels; i += 1.0) {
+      const double level = tips.highest_mm() - depth * i / levels;
+      for (LevelLoop& loop :
+           level_loops(tracer_, tips, static_cast<std::size_t>(i), level + flat_mm_)) {
+        if (!is_low_left_) std::ranges::reverse(loop.places);
+        loops_.push_back(std::move(loop));
+      }
+      report(0.4 + 0.1 * i / levels);
+    }
+  }
+
+  /// Adds the curves along a loop, a closed one from its place that is nearest to `here`, which
+  /// becomes the end of the loop.
+  void add_loop(LevelLoop& loop, Vector2d& here) {
+    if (loop.is_closed) open_near(here, loop);
+    const LevelSet set{tracer_, loop.level_mm};
+    const auto curves = level_curves(set, loop.places, is_low_left_, tracer_.density());
+    if (curves.empty()) return;
+    const LevelNode& first = curves.front().nodes().front();
+    const auto lead_in = leads_.lead_in({first.place, first.after, loop.level_mm});
+    if (lead_in) {
+      link_to(lead_in->start());
+      path_.stretches.push_back(*lead_in);
+    }
+    for (const LevelCurve& curve : curves) {
+      SurfaceStretch row = stretch_along(curve, loop.level_mm);
+      link_to(row.start());
+      path_.stretches.push_back(std::move(row));
+    }
+    const LevelNode& last = curves.back().nodes().back();
+    here = last.place;
+    const auto lead_out = leads_.lead_out({last.place, last.before, loop.level_mm});
+    if (lead_out) path_.stretches.push_back(*lead_out);
+  }
+
+  /// Leads to a place from where the path is, or ends the run.
+  void link_to(const Eigen::Vector3d& tip) {
+    if (!path_.stretches.empty()) {
+      const Eigen::Vector3d here = path_.stretches.back().end();
+      if (here == tip) return;
+      if (auto way = leads_.way_between(here, tip)) {
+        path_.stretches.push_back(std::move(*way));
+        return;
+      }
+    }
+    end_run();
+  }
+
+  [[nodiscard]] SurfaceStretch stretch_along(const LevelCurve& curve, double level_mm) {
+    SurfaceStretch stretch{.plane = LevelPlane{level_mm + lift_mm_}, .vertices = {}};
+    const double band = tracer_.band_mm() - flat_mm_;
+    std::vector<ContourVertex> lines;
+    fit_chords(curve, curve.all(), band, lines);
+    if (!options_.lines_only) {
+      path_.without_arcs += fitter_.fit(curve, band, SliceElements::kArcs, stretch.vertices);
+    }
+    if (stretch.vertices.empty() || lines.size() < stretch.vertices.size()) {
+      stretch.vertices = std::move(lines);
+    }
+    return stretch;
+  }
+
+  void end_run() {
+    const std::size_t begin = path_.runs.empty() ? 0 : path_.runs.back().end;
+    if (begin == path_.stretches.size()) return;
+    path_.runs.push_back({path_.stretches.size(), stock_top_mm_});
+  }
+
+  const RowOptions& options_;
+  SurfaceTracer tracer_;
+  PlanGrid grid_;
+  bool is_low_left_;
+  double flat_mm_;
+  double lift_mm_;  ///< Height of the tip over the level that it belongs to.
+  LoopLeads leads_;
+  double stock_top_mm_;
+  std::vector<LevelLoop> loops_;
+  SliceFitter fitter_;
+  SurfacePath path_;
+};
+
+}  // namespace
+
+SurfacePath waterline_path(const Mesh& mesh, const RowOptions& options) {
+  return WaterlinePlanner{mesh, options}.plan();
+}
+
+}  // namespace sim::surface

@@ -1,0 +1,120 @@
+#!/usr/bin/env python3
+"""kerfline surface along waterlines and contours: programs that the simulated machine carves, and refusals.
+
+    surface_paths_test.py KERFLINE
+"""
+
+import json
+import pathlib
+import re
+import tempfile
+import unittest
+
+from pocket_bench import run
+from probe_to_carve_test import CELL, CELL_ERROR, CORNER, DEPTH, ROUNDING, SETTINGS, STEPS_PER_MM, WIDTH, part_grid, \
+    upper_points
+from surface_command_test import MILL, box_of_stl
+
+TOLERANCE = 0.005
+
+
+class SurfacePaths(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.part = self.folder / "part.xyz"
+        self.part.write_text(part_grid(beyond=0))
+        self.program = self.folder / "part.nc"
+        self.report = self.folder / "part.json"
+
+    def surface(self, *options, file=None):
+        return run("surface", file or self.part, "-o", self.program, "--report", self.report, *MILL, *options)
+
+    def moves(self):
+        return [line for line in self.program.read_text().splitlines() if not line.startswith("(")]
+
+    def carved(self, *options):
+        """Heights of what a program leaves, by place."""
+        done = self.surface("--tool", "ball:3", "--tolerance", TOLERANCE, "--stock-top", 0, *options)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        rest = self.folder / "rest.ply"
+        done = run("sim", self.program, *SETTINGS, "--stock", f"0,0,{WIDTH},{DEPTH},0,-10", "--tool", "3,ball",
+                   "--stock-cell", CELL, "--stock-ply", rest)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertNotIn("a rapid cuts stock", done.stdout + done.stderr)
+        return upper_points(rest.read_bytes())
+
+    def off_the_part(self, carved):
+        """How far what was carved is above the part."""
+        places = [(x, y) for x, y in carved if 2 < x < WIDTH - 2 and 2 < y < DEPTH - 2][::7]
+        wanted = self.folder / "places.txt"
+        wanted.write_text("".join(f"{x} {y}\n" for x, y in places))
+        done = run("surface", self.part, "--tool", "ball:0.01", "--at", wanted)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        heights = [float(row.split()[2]) for row in done.stdout.splitlines()]
+        return [carved[place] - height for place, height in zip(places, heights)]
+
+    def test_contours_and_waterlines_carve_the_part_and_cut_nothing_of_it(self):
+        least = 1 / STEPS_PER_MM + CORNER + ROUNDING + CELL_ERROR
+        off = self.off_the_part(self.carved("--paths", "contour", "--step", 0.4))
+        self.assertGreater(min(off), -least)
+        # Half a step and a tenth of that from a line, beside what a ball leaves in a valley of facets.
+        self.assertLess(max(off), 0.22 ** 2 / (2 * 1.5) + 2 * TOLERANCE + least + 0.5 ** 2 / (8 * 1.5))
+        off = self.off_the_part(self.carved("--paths", "waterline", "--step", 0.05))
+        self.assertGreater(min(off), -least)
+        self.assertLess(sorted(off)[len(off) // 2], 0.03)  # Flats are left.
+
+    def test_waterlines_are_arcs_at_one_height_each(self):
+        block = self.folder / "block.stl"
+        block.write_bytes(box_of_stl(20, 6))
+        place = ("--move", "0,0,-6", "--tool", 6, "--margin", 8, "--floor", -6, "--step", 2, "--paths", "waterline")
+        areas = {}
+        for direction in ("climb", "conventional"):
+            done = self.surface(*place, "--direction", direction, file=block)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            figures = json.loads(self.report.read_text())
+            self.assertEqual(figures["lifts"], 1)
+            # Round a block of 20 mm at 3 mm, three times.
+            self.assertAlmostEqual(figures["row_length_mm"], 3 * (80 + 6 * 3.14159), delta=0.5)
+            self.assertLess(figures["arcs"] + figures["lines"], 60)
+            self.assertNotRegex(self.program.read_text(), r"\nG1[89]\n")
+            areas[direction] = len([line for line in self.moves() if re.match("G2(?!1)", line)])
+            done = run("sim", self.program, *SETTINGS, "--stock", "-2,-2,22,22,0,-6", "--tool", 6)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertNotIn("a rapid cuts stock", done.stdout + done.stderr)
+        self.assertNotEqual(areas["climb"], areas["conventional"])
+        self.assertIn("finishing in waterlines", self.program.read_text())
+        self.assertEqual(self.surface(*place, "--lines", file=block).returncode, 0)
+        self.assertFalse([line for line in self.moves() if re.match("G[23](?!1)", line)])
+
+    def test_levels_are_as_near_as_the_scallop_asks(self):
+        lengths = []
+        for scallop in (0.08, 0.02):
+            done = self.surface("--tool", "ball:3", "--tolerance", TOLERANCE, "--paths", "waterline", "--scallop",
+                                scallop)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            lengths.append(json.loads(self.report.read_text())["row_length_mm"])
+        self.assertGreater(lengths[1], 1.5 * lengths[0])
+
+    def test_refuses_options_that_mean_nothing_and_surfaces_without_lines(self):
+        tool = ("--tool", "ball:3")
+        block = self.folder / "block.stl"
+        block.write_bytes(box_of_stl(20, 6))
+        for options, file, told in (
+                (("--paths", "waterline", "--angle", 30), self.part, "--angle: only rows have one"),
+                (("--paths", "contour", "--order", "oneway"), self.part, "--order: only rows have one"),
+                (("--paths", "waterline", "--layers", 1), self.part, "--layers: only rows have layers"),
+                (("--direction", "climb"), self.part, "--direction: rows have --order"),
+                (("--paths", "spiral"), self.part, "--paths"),
+                (("--paths", "waterline"), block, "no level has a line"),
+                (("--paths", "contour", "--step", 50), self.part, "take a smaller --step"),
+                (("--paths", "contour", "--step", 0.001), self.part, "mill it in parts or in rows")):
+            done = self.surface(*tool, *options, file=file)
+            self.assertEqual(done.returncode, 2, (options, done.stderr))
+            self.assertIn(told, done.stderr)
+            self.assertFalse(self.program.exists())
+
+
+if __name__ == "__main__":
+    unittest.main()
