@@ -20,7 +20,7 @@ double distance_from_way(const Vector2d& place, const Vector2d& from, const Vect
 }  // namespace
 
 /// Keeps the place that is farthest from the straight way, and looks at both parts, until no place
-/// is too far.
+/// is too far. The way of a closed line is its start, so that the farthest place always stays.
 std::vector<Vector2d> straightened(const std::vector<Vector2d>& places, double tolerance_mm) {
   std::vector<bool> stays(places.size(), false);
   stays.front() = stays.back() = true;
@@ -28,7 +28,7 @@ std::vector<Vector2d> straightened(const std::vector<Vector2d>& places, double t
   while (!open.empty()) {
     const auto [from, to] = open.back();
     open.pop_back();
-    double farthest = tolerance_mm;
+    double farthest = places[from] == places[to] ? 0.0 : tolerance_mm;
     std::size_t number = 0;
     for (std::size_t i = from + 1; i < to; ++i) {
       const double distance = distance_from_way(places[i], places[from], places[to]);
@@ -43,7 +43,7 @@ std::vector<Vector2d> straightened(const std::vector<Vector2d>& places, double t
   }
   std::vector<Vector2d> left;
   for (std::size_t i = 0; i < places.size(); ++i) {
-    if (stays[i]) left.push_back(places[i]);
+    if (stays[i] && (left.empty() || left.back() != places[i])) left.push_back(places[i]);
   }
   return left;
 }
