@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -146,7 +148,10 @@ void write_path(const SurfaceCommandOptions& options,
       options,
       std::max({figures.highest_mm, top_of(mesh), options.stock_top_mm.value_or(top_of(mesh))}));
   const cnc::gcode::PrintGrid grid{static_cast<std::uint8_t>(options.decimals)};
-  const std::string program = program_of(path, mill, grid, heading_of(options, figures, inputs));
+  std::optional<double> ramp_slope;
+  if (options.ramp_deg > 0.0) ramp_slope = std::tan(options.ramp_deg * std::numbers::pi / 180.0);
+  const std::string program =
+      program_of(path, mill, grid, heading_of(options, figures, inputs), ramp_slope);
   terminal::print(options.output.empty() ? stderr : stdout,
                   "{}: {} arcs, {} lines, {:.1f} mm of rows and {:.1f} mm of links, Z {:.3f} to "
                   "{:.3f}\n",

@@ -228,6 +228,13 @@ void add_surface_options(CLI::App& command, SurfaceCommandOptions& options) {
   add_stock_layer_options(command, options);
   add_patch_options(command, options.patches);
   add_mill_options(command, options.mill);
+  command
+      .add_option("--ramp",
+                  options.ramp_deg,
+                  "Enter the stock on a ramp of this angle above the first line, degrees; else "
+                  "straight down")
+      ->check(in_range(0.1, 60.0, "degrees"))
+      ->type_name("DEG");
   command.add_option("--safe", options.safe_mm, "Z of rapids, mm; else 5 mm above all")
       ->check(in_range(-surface::kFarthestMm, surface::kFarthestMm, "mm"))
       ->type_name("MM");

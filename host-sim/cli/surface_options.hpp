@@ -40,6 +40,7 @@ struct SurfaceCommandOptions {
   std::optional<double> floor_mm;
   std::optional<double> stock_top_mm;  ///< None: the surface's highest point.
   double layer_mm = 0.0;               ///< 0: no layers.
+  double ramp_deg = 0.0;               ///< 0: straight down.
   std::optional<double> safe_mm;       ///< None: 5 mm above path and surface.
   SurfacePaths paths = SurfacePaths::kRows;
   std::optional<surface::RowOrder> order;       ///< None: to and fro.

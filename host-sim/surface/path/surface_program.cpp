@@ -6,11 +6,13 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <variant>
 
 #include "host-sim/cut/cut_program.hpp"
 #include "host-sim/cut/stroke.hpp"
+#include "host-sim/surface/path/ramp_entry.hpp"
 #include "planner/gcode/program_writer.hpp"
 
 namespace sim::surface {
@@ -102,19 +104,25 @@ class WriterPlane {
 /// Writes the runs of a path one after the other.
 class RunWriter {
  public:
-  RunWriter(const pocket::MillSettings& mill, cnc::gcode::PrintGrid grid)
-      : mill_{mill}, digit_mm_{1.0 / grid.per_mm()}, writer_{grid} {
+  RunWriter(const pocket::MillSettings& mill,
+            cnc::gcode::PrintGrid grid,
+            std::optional<double> ramp_slope)
+      : mill_{mill}, ramp_slope_{ramp_slope}, digit_mm_{1.0 / grid.per_mm()}, writer_{grid} {
     writer_.leave_power();
   }
 
-  /// Goes down in a rapid to where stock may begin, and on at the feed of plunges.
-  void begin_run(const SurfaceStretch& first, double stock_mm) {
+  /// Goes down in a rapid to where stock may begin, and on at the feed of plunges, on a ramp where
+  /// one is asked for and the run has room for it.
+  void begin_run(std::span<const SurfaceStretch> run, double stock_mm) {
+    const SurfaceStretch& first = run.front();
     const WideVec2 place = first.start().head<2>();
     const double height = first.start().z();
     set_height(mill_.safe_mm, place);
     take(writer_.rapid(place), place);
-    set_height(std::min(mill_.safe_mm, std::max(height, stock_mm) + mill_.near_mm), place);
+    const double top = std::min(mill_.safe_mm, std::max(height, stock_mm) + mill_.near_mm);
+    set_height(top, place);
     take(writer_.rapid(place), place);
+    if (ramp_slope_) write_ramp(run, top);
     writer_.set_feed(thousandths(mill_.plunge_mm_min));
     set_height(height, place);
     take(writer_.cut(place, place, 0.0), place);
@@ -153,6 +161,23 @@ class RunWriter {
     return mill_.plunge_mm_min / descent;
   }
 
+  void write_ramp(std::span<const SurfaceStretch> run, double top_mm) {
+    Eigen::Vector3d here = run.front().start();
+    here.z() = top_mm;
+    for (const Eigen::Vector3d& tip : ramp_entry(run, top_mm, *ramp_slope_)) {
+      const Eigen::Vector3d way = tip - here;
+      const double descent = std::max(0.0, -way.z()) / way.norm();
+      const bool is_steep = descent * mill_.feed_mm_min > mill_.plunge_mm_min;
+      writer_.set_feed(thousandths(is_steep ? mill_.plunge_mm_min / descent : mill_.feed_mm_min));
+      const WideVec2 from = here.head<2>();
+      const WideVec2 place = tip.head<2>();
+      set_height(tip.z(), place);
+      take(writer_.cut(from, place, 0.0), place);
+      here = tip;
+    }
+    writer_.set_feed(thousandths(mill_.plunge_mm_min));
+  }
+
   void write_element(const cut::Stroke& stroke) {
     const Written written = writer_.cut(stroke.from, stroke.to, stroke.bulge);
     if (written.ok() || written.error() != WriterError::kTooFlat) return take(written, stroke.to);
@@ -182,6 +207,7 @@ class RunWriter {
   }
 
   pocket::MillSettings mill_;
+  std::optional<double> ramp_slope_;
   double digit_mm_;
   cnc::gcode::ProgramWriter writer_;
   std::string text_;
@@ -210,16 +236,18 @@ SurfaceProgramFigures figures_of(const SurfacePath& path) {
 std::string program_of(const SurfacePath& path,
                        const pocket::MillSettings& mill,
                        cnc::gcode::PrintGrid grid,
-                       const std::vector<std::string>& heading) {
+                       const std::vector<std::string>& heading,
+                       std::optional<double> ramp_slope) {
   std::string text;
   for (const std::string& line : heading) text += cut::comment_line(line);
   text += pocket::opening_of(mill);
-  RunWriter writer{mill, grid};
+  RunWriter writer{mill, grid, ramp_slope};
   std::size_t begin = 0;
   for (const SurfaceRun& run : path.runs) {
-    writer.begin_run(path.stretches[begin], run.stock_mm);
-    for (std::size_t i = begin; i < run.end; ++i) writer.write(path.stretches[i]);
-    writer.end_run(path.stretches[run.end - 1]);
+    const std::span stretches{path.stretches.data() + begin, run.end - begin};
+    writer.begin_run(stretches, run.stock_mm);
+    for (const SurfaceStretch& stretch : stretches) writer.write(stretch);
+    writer.end_run(stretches.back());
     begin = run.end;
   }
   return text + writer.text() + pocket::closing_of(mill);

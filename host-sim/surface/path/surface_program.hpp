@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,10 +30,12 @@ struct SurfaceProgramFigures {
 /// faster than a plunge. Throws std::invalid_argument where a point is too far from zero for a
 /// program.
 /// @param heading lines of comment at the top
+/// @param ramp_slope of a ramp above the first stretch of each run, mm per mm; none: straight down
 /// @pre the safe height is above the path
 [[nodiscard]] std::string program_of(const SurfacePath& path,
                                      const pocket::MillSettings& mill,
                                      cnc::gcode::PrintGrid grid,
-                                     const std::vector<std::string>& heading);
+                                     const std::vector<std::string>& heading,
+                                     std::optional<double> ramp_slope = {});
 
 }  // namespace sim::surface

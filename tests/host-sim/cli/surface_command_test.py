@@ -135,6 +135,32 @@ class SurfaceCommand(unittest.TestCase):
         self.assertGreaterEqual(bounds["Z"][0], -1.01)  # The corner of 1 mm hangs over the block's edge.
         self.assertLess(bounds["X"][1], 23.1)
 
+    def test_enters_stock_on_a_ramp_where_asked_to(self):
+        stock = ("--stock", "0,0,15,10,0,-8", "--stock-cell", 0.1)
+        for ramp in ((), ("--ramp", 5)):
+            done = self.surface("--tool", "4,flat", "--step", 2, "--layers", 1.5, "--move", "0,0,-3", "--stock-top", 0,
+                                "--lines", *MILL, *ramp)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            text = self.program.read_text()
+            # Motion straight down in the feed: only the last hundredths behind a ramp.
+            drops, here = [], {}
+            for line in text.splitlines():
+                words = dict(re.findall(r"([GXYZ])(-?[\d.]+)", line))
+                after = {**here, **{axis: float(words[axis]) for axis in "XYZ" if axis in words}}
+                if words.get("G") == "1" and after.get("Z", 0) < here.get("Z", 0) and (
+                        (after.get("X"), after.get("Y")) == (here.get("X"), here.get("Y"))):
+                    drops.append(here["Z"] - after["Z"])
+                here = after
+            milled = run("sim", self.program, *MACHINE, *stock, "--tool", "4")
+            self.assertEqual(milled.returncode, 0, milled.stderr)
+            self.assertNotIn("a rapid cuts stock", milled.stderr + milled.stdout)
+            # A run of less than 0.2 mm has no room for one.
+            deep = sum(drop > 0.03 for drop in drops)
+            if ramp:
+                self.assertLessEqual(deep, 2)
+            else:
+                self.assertGreater(deep, 9)
+
     def test_says_once_what_was_mended(self):
         part = self.folder / "block.stl"
         block = box_of_stl(10, 4)
