@@ -14,7 +14,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr double kNowhere = std::numeric_limits<double>::infinity();
 
 /// Returns the least distance at the origin of a front that has two values at two places, and
 /// between them those of a straight line: a ray comes from there straight.
@@ -40,7 +40,7 @@ double beside_border(const SurfaceTracer& tracer, const TipGrid& tips, std::size
   constexpr double kNear = 1.0e-6;
   const PlanGrid& grid = tips.grid();
   DropCutter::Hint hint;
-  double least = kInfinite;
+  double least = kNowhere;
   for (const std::size_t other :
        {node - 1, node + 1, node - grid.columns(), node + grid.columns()}) {
     if (tips.has_contact(other)) continue;
@@ -106,7 +106,7 @@ class DistanceMap::March {
     // Seen from `to` the other corner is the next or the last of its neighbours.
     for (const std::size_t beside : {std::size_t{3}, std::size_t{5}}) {
       const std::size_t other = neighbour(to, number + beside);
-      if (other == to || map_.distances_[other] == kInfinite) continue;
+      if (other == to || map_.distances_[other] == kNowhere) continue;
       const Vector3d second = map_.tips_->tip(other) - here;
       least = std::min(least, distance_from_side(first, distance, second, map_.distances_[other]));
     }
@@ -125,7 +125,7 @@ class DistanceMap::March {
 };
 
 DistanceMap::DistanceMap(const TipGrid& tips, const std::vector<DistanceSource>& sources)
-    : tips_{&tips}, distances_(tips.grid().size(), kInfinite) {
+    : tips_{&tips}, distances_(tips.grid().size(), kNowhere) {
   March march{*this};
   for (const auto& [node, distance] : sources) march.start_at(node, distance);
   march.run();
@@ -134,7 +134,7 @@ DistanceMap::DistanceMap(const TipGrid& tips, const std::vector<DistanceSource>&
 double DistanceMap::greatest() const {
   double greatest = 0.0;
   for (const double distance : distances_) {
-    if (distance < kInfinite) greatest = std::max(greatest, distance);
+    if (distance < kNowhere) greatest = std::max(greatest, distance);
   }
   return greatest;
 }
@@ -145,7 +145,7 @@ std::vector<DistanceSource> border_sources(const SurfaceTracer& tracer, const Ti
     if (!tips.has_contact(node)) continue;
     const bool is_first = tips.grid().is_on_border(node);
     const double distance = is_first ? 0.0 : beside_border(tracer, tips, node);
-    if (distance < kInfinite) sources.push_back({node, distance});
+    if (distance < kNowhere) sources.push_back({node, distance});
   }
   return sources;
 }

@@ -76,7 +76,7 @@ std::optional<SurfaceStretch> LoopLeads::lead(const LoopEnd& end, double sense) 
 
 std::optional<SurfaceStretch> LoopLeads::way_between(const Vector3d& from,
                                                      const Vector3d& to) const {
-  constexpr double kMostRadii = 4.0;
+  constexpr double kMostRadii = 1.5;
   constexpr double kLeastWay = 1.0e-6;
   const double length = (to - from).head<2>().norm();
   if (length > kMostRadii * tracer_->grown_tool().radius_mm || to.z() > from.z()) return {};

@@ -36,7 +36,8 @@ class LoopLeads {
   [[nodiscard]] std::optional<SurfaceStretch> lead_out(const LoopEnd& end) const;
 
   /// Returns the straight way between two places of the tip in space, not above where it begins;
-  /// nothing where it is long, rises or would cut in.
+  /// nothing where it is longer in plan than 1.5 radii, as stock may stand beside lines, or where
+  /// it rises or would cut in.
   [[nodiscard]] std::optional<SurfaceStretch> way_between(const Eigen::Vector3d& from,
                                                           const Eigen::Vector3d& to) const;
 

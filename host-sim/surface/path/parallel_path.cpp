@@ -23,13 +23,13 @@ constexpr double kLinkSteps = 4.0;
 /// Share of a step by which the ways between two places of a line may leave it.
 constexpr double kStraightShare = 0.01;
 /// Nodes of the grid for each step.
-constexpr double kNodesPerStep = 5.0;
+constexpr double kNodesPerStep = 7.0;
 /// Distance of lines in steps. Where two lines have a right angle, a place between them is 0.59 of
 /// their distance from both.
-constexpr double kNearer = 0.92;
+constexpr double kNearer = 0.9;
 /// Greatest distance of a place from a line, in steps: more than between two right angles, as lines
 /// of their own for those would be many.
-constexpr double kFarthest = 0.54;
+constexpr double kFarthest = 0.53;
 
 double step_for(const RowOptions& options) {
   if (options.scallop_mm == 0.0) return options.step_mm;

@@ -74,6 +74,7 @@ class WaterlinePlanner {
     if (!tips.has_any()) throw std::invalid_argument{"nothing of it is under the tool"};
     const double depth = tips.highest_mm() - tips.lowest_mm();
     const double levels = std::ceil(depth / distance_of(options_) - 1.0e-9);
+    level_distance_mm_ = levels > 0.0 ? depth / levels : 0.0;
     for (double i = 1.0; i <= levels; i += 1.0) {
       const double level = tips.highest_mm() - depth * i / levels;
       for (LevelLoop& loop :
@@ -111,9 +112,12 @@ class WaterlinePlanner {
 
   /// Leads to a place from where the path is, or ends the run.
   void link_to(const Eigen::Vector3d& tip) {
-    if (!path_.stretches.empty()) {
-      const Eigen::Vector3d here = path_.stretches.back().end();
-      if (here == tip) return;
+    constexpr double kRounding = 1.0e-6;
+    const bool is_first = path_.stretches.empty();
+    const Eigen::Vector3d here = is_first ? tip : path_.stretches.back().end();
+    if (!is_first && here == tip) return;
+    // Below the next level stock may stand as high as several of them.
+    if (!is_first && here.z() - tip.z() <= level_distance_mm_ + kRounding) {
       if (auto way = leads_.way_between(here, tip)) {
         path_.stretches.push_back(std::move(*way));
         return;
@@ -150,6 +154,7 @@ class WaterlinePlanner {
   double lift_mm_;  ///< Height of the tip over the level that it belongs to.
   LoopLeads leads_;
   double stock_top_mm_;
+  double level_distance_mm_ = 0.0;
   std::vector<LevelLoop> loops_;
   SliceFitter fitter_;
   SurfacePath path_;

@@ -15,8 +15,8 @@ namespace sim::surface {
 /// beside the wall, else a lift.
 ///
 /// Lines end at the surface's box with its margin, and without a floor where nothing is under the
-/// tool. Lines in gaps into which the tool fits by less than a sixth of its radius may lack; gaps
-/// in lines that are narrower than that are left out and counted in the path's `gaps`.
+/// tool. Lines in gaps into which the tool fits by less than an eighth of its radius may lack, and
+/// where a line would go into such a gap it is led past its mouth, or begins again behind a lift.
 /// @param options angle, order and layers have no meaning
 /// Throws std::invalid_argument for a tolerance that the digits of the program do not reach, for a
 /// surface too large for the tool, and where no level has a line.
