@@ -9,6 +9,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "firmware/protocol/identity.hpp"
@@ -18,6 +19,7 @@
 #include "host-sim/cli/input_files.hpp"
 #include "host-sim/cli/surface_commands.hpp"
 #include "host-sim/cli/surface_options.hpp"
+#include "host-sim/cli/surface_regions.hpp"
 #include "host-sim/report/progress_bar.hpp"
 #include "host-sim/report/report_json.hpp"
 #include "host-sim/report/terminal.hpp"
@@ -117,8 +119,10 @@ surface::SurfacePath path_with_progress(const surface::Mesh& mesh, surface::RowO
 void write_path(const SurfaceCommandOptions& options,
                 const surface::Mesh& mesh,
                 const stock::Cutter& cutter,
-                const InputFiles& inputs) {
-  const surface::SurfacePath path = path_with_progress(mesh, row_options_of(options, cutter));
+                InputFiles& inputs) {
+  surface::RowOptions rows = row_options_of(options, cutter);
+  rows.regions = regions_of(options.regions, mesh, rows, inputs);
+  const surface::SurfacePath path = path_with_progress(mesh, std::move(rows));
   const surface::SurfaceProgramFigures figures = figures_of(path);
   pocket::MillSettings mill = options.mill;
   mill.safe_mm = safe_height_of(

@@ -71,6 +71,22 @@ void add_stock_layer_options(CLI::App& command, SurfaceCommandOptions& options) 
       ->type_name("MM");
 }
 
+void add_direction_option(CLI::App& command, SurfaceCommandOptions& options) {
+  const auto take = [&options](const std::string& name) {
+    options.direction.reset();
+    if (name == "climb") options.direction = cnc::pocket::Milling::kClimb;
+    if (name == "conventional") options.direction = cnc::pocket::Milling::kConventional;
+  };
+  command
+      .add_option_function<std::string>(
+          "--direction",
+          take,
+          "The side of the stock of later rows, for a spindle that turns clockwise: on the right "
+          "for\nclimb, on the left for conventional. All rows go one way then")
+      ->check(CLI::IsMember({"climb", "conventional", "both"}))
+      ->option_text("climb|conventional|both [both]");
+}
+
 void add_row_options(CLI::App& command, SurfaceCommandOptions& options) {
   command
       .add_option("--tool",
@@ -109,6 +125,7 @@ void add_row_options(CLI::App& command, SurfaceCommandOptions& options) {
   command.add_option("--order", options.order, "Rows to and fro, or all one way with lifts")
       ->transform(CLI::CheckedTransformer(orders))
       ->option_text("zigzag|oneway [zigzag]");
+  add_direction_option(command, options);
   command
       .add_option("--margin",
                   options.margin_mm,
@@ -160,6 +177,7 @@ void add_surface_options(CLI::App& command, SurfaceCommandOptions& options) {
   add_reading_options(command, options);
   add_row_options(command, options);
   add_stock_layer_options(command, options);
+  add_region_options(command, options.regions);
   add_patch_options(command, options.patches);
   add_mill_options(command, options.mill);
   command.add_option("--safe", options.safe_mm, "Z of rapids, mm; else 5 mm above all")
@@ -204,6 +222,10 @@ void check_surface_options(const SurfaceCommandOptions& options) {
   if (options.layer_mm > 0.0 && options.scallop_mm > 0.0) {
     throw std::invalid_argument("--scallop: layers have rows by --step alone");
   }
+  check_region_options(options.regions, options.file);
+  if (options.direction && options.order == surface::RowOrder::kZigzag) {
+    throw std::invalid_argument("--direction: rows to and fro cut both ways; take --order oneway");
+  }
   if (!options.wants_program()) {
     const char* const instead = options.wants_heights() ? "--at" : "--like-paper";
     for (const auto& [name, file] :
@@ -232,7 +254,9 @@ surface::RowOptions row_options_of(const SurfaceCommandOptions& options,
           .angle_rad = options.angle_deg * std::numbers::pi / 180.0,
           .margin_mm = options.margin_mm,
           .floor_mm = options.floor_mm,
-          .order = options.order,
+          .order = options.order.value_or(surface::RowOrder::kZigzag),
+          .direction = options.direction,
+          .regions = {},
           .stock_top_mm = options.stock_top_mm,
           .layer_mm = options.layer_mm,
           .lines_only = options.lines_only,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "host-sim/cli/surface_patches.hpp"
+#include "host-sim/cli/surface_regions.hpp"
 #include "host-sim/pocket/mill_program.hpp"
 #include "host-sim/stock/cutter.hpp"
 #include "host-sim/surface/path/row_path.hpp"
@@ -29,10 +30,12 @@ struct SurfaceCommandOptions {
   double allowance_mm = 0.0;
   double margin_mm = 0.0;
   std::optional<double> floor_mm;
-  std::optional<double> stock_top_mm;  ///< None: the surface's highest point.
-  double layer_mm = 0.0;               ///< 0: no layers.
-  std::optional<double> safe_mm;       ///< None: 5 mm above path and surface.
-  surface::RowOrder order = surface::RowOrder::kZigzag;
+  std::optional<double> stock_top_mm;      ///< None: the surface's highest point.
+  double layer_mm = 0.0;                   ///< 0: no layers.
+  std::optional<double> safe_mm;           ///< None: 5 mm above path and surface.
+  std::optional<surface::RowOrder> order;  ///< None: zigzag, or one way with a direction.
+  std::optional<cnc::pocket::Milling> direction;
+  RegionOptions regions;
   bool lines_only = false;
   pocket::MillSettings mill;
   unsigned decimals = 4;

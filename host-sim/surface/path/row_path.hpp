@@ -6,8 +6,10 @@
 
 #include "host-sim/surface/drop_cutter.hpp"
 #include "host-sim/surface/mesh.hpp"
+#include "host-sim/surface/path/region/milled_region.hpp"
 #include "host-sim/surface/path/slice_fit.hpp"
 #include "host-sim/surface/path/surface_path.hpp"
+#include "planner/pocket/loop_place.hpp"
 
 namespace sim::surface {
 
@@ -32,6 +34,9 @@ struct RowOptions {
   /// The tip goes no deeper, and beside the surface it goes so deep; without it rows end there.
   std::optional<double> floor_mm;
   RowOrder order = RowOrder::kZigzag;
+  /// The side on which the stock of later rows is; without it any. All rows go one way then.
+  std::optional<cnc::pocket::Milling> direction;
+  MilledRegions regions;  ///< Rows are cut to them.
   /// Top of the stock. Without it the highest point of the surface.
   std::optional<double> stock_top_mm;
   /// Depth of layers that are milled from the top of the stock downwards, each where it is above
