@@ -178,6 +178,7 @@ void add_surface_options(CLI::App& command, SurfaceCommandOptions& options) {
   add_row_options(command, options);
   add_stock_layer_options(command, options);
   add_region_options(command, options.regions);
+  add_pencil_options(command, options);
   add_patch_options(command, options.patches);
   add_mill_options(command, options.mill);
   command.add_option("--safe", options.safe_mm, "Z of rapids, mm; else 5 mm above all")
@@ -223,6 +224,7 @@ void check_surface_options(const SurfaceCommandOptions& options) {
     throw std::invalid_argument("--scallop: layers have rows by --step alone");
   }
   check_region_options(options.regions, options.file);
+  check_pencil_options(options);
   if (options.direction && options.order == surface::RowOrder::kZigzag) {
     throw std::invalid_argument("--direction: rows to and fro cut both ways; take --order oneway");
   }

@@ -29,8 +29,8 @@ class ScallopRows {
  private:
   struct Gap {
     RowPart low;  ///< And from where to where it is looked at.
-    double high_row;
-    int depth;
+    double high_row = 0.0;
+    int depth = 0;
   };
 
   class Strip;

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""kerfline surface where rows are limited: drawings, slopes, rests of a larger tool, direction.
+"""kerfline surface where rows are limited: drawings, slopes, rests of a larger tool, direction; and valleys.
 
     surface_regions_test.py KERFLINE
 """
@@ -96,6 +96,32 @@ class SurfaceRegions(unittest.TestCase):
             self.assertEqual(figures["link_length_mm"], 0)
             self.assertGreater(figures["lifts"], 40)
             self.assertEqual(re.findall("Y[0-9.]+", self.program.read_text())[0], first_row)
+
+    def test_follows_valleys_with_a_pencil(self):
+        report = self.folder / "part.json"
+        pencil = ("--tool", "ball:2", *MILL, "--pencil", "-o", self.program, "--report", report)
+        done = run("surface", self.surface, *pencil)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        figures = json.loads(report.read_text())
+        self.assertEqual(figures["lifts"], 1)
+        self.assertAlmostEqual(figures["row_length_mm"], 20, 0)
+        self.assertIn("(along valleys sharper than 20 degrees", self.program.read_text())
+        bounds = self.bounds()
+        self.assertAlmostEqual(bounds["X"][1], 10, 1)
+        # A ball of 1 mm between two sides of 45 degrees.
+        self.assertAlmostEqual(bounds["Z"][0], -4 + math.sqrt(2) - 1, 1)
+        done = run("surface", self.surface, *pencil, "--boundary", self.drawing)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertAlmostEqual(json.loads(report.read_text())["row_length_mm"], 12, 1)
+        self.program.unlink()
+        self.surface.write_text(grid(lambda x, y: 0.1 * x))
+        for options, told in (((), "no valley of it"), (("--step", 1), "--step: --pencil has no rows"),
+                              (("--layers", 1), "--layers: --pencil has no rows"),
+                              (("--pencil-angle", 0), "--pencil-angle")):
+            done = run("surface", self.surface, *pencil, *options)
+            self.assertEqual(done.returncode, 2, done.stderr)
+            self.assertIn(told, done.stderr)
+            self.assertFalse(self.program.exists())
 
     def test_refuses_what_is_no_region(self):
         open_line = self.folder / "open.svg"

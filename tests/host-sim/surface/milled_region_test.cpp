@@ -14,7 +14,6 @@
 #include "host-sim/surface/path/region/slope_region.hpp"
 #include "planner/pocket/loop_measures.hpp"
 #include "tests/host-sim/surface/random_hills.hpp"
-#include "tests/support/random_pocket.hpp"
 #include "tests/support/trials.hpp"
 
 namespace sim::surface {
@@ -55,12 +54,35 @@ bool is_inside(const Contour& contour, const Vector2d& place) {
   return loops % 2 == 1;
 }
 
+/// A star of lines and flat arcs with an island of one circle now and then, whose loops do not
+/// cross.
+Contour random_star_with_island(proof::Random& random) {
+  Contour contour;
+  const std::size_t count = 8 + random.below(8);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double angle =
+        2.0 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(count);
+    const double radius = random.between(25.0, 40.0);
+    contour.vertices.push_back({radius * std::cos(angle),
+                                radius * std::sin(angle),
+                                random.chance(0.5) ? 0.0 : random.between(-0.2, 0.2)});
+  }
+  contour.end_loop();
+  if (random.chance(0.5)) return contour;
+  const double radius = random.between(1.0, 12.0);
+  const double x = random.between(-4.0, 4.0);
+  contour.vertices.push_back({x - radius, 0.0, -1.0});
+  contour.vertices.push_back({x + radius, 0.0, -1.0});
+  contour.end_loop();
+  return contour;
+}
+
 TEST(MilledRegion, DrawnContoursHoldThePlacesWithinThem) {
   std::size_t inside = 0;
   for (const std::uint64_t seed : proof::Trials{2'000}) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
-    const Contour contour = proof::random_pocket(random);
+    const Contour contour = random_star_with_island(random);
     const DrawnRegion region{{contour}};
     const pocket::OwnedArea area{contour.view()};
     const Slice slice = random_slice(random, 40.0);
