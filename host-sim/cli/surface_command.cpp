@@ -11,6 +11,7 @@
 #include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "firmware/protocol/identity.hpp"
@@ -20,6 +21,7 @@
 #include "host-sim/cli/input_files.hpp"
 #include "host-sim/cli/surface_commands.hpp"
 #include "host-sim/cli/surface_options.hpp"
+#include "host-sim/cli/surface_regions.hpp"
 #include "host-sim/report/progress_bar.hpp"
 #include "host-sim/report/report_json.hpp"
 #include "host-sim/report/terminal.hpp"
@@ -77,14 +79,17 @@ double safe_height_of(const SurfaceCommandOptions& options, double top_mm) {
                   top_mm)};
 }
 
-/// Returns the kind of lines in words.
-std::string lines_of(const SurfaceCommandOptions& options) {
+/// Returns how the surface is milled.
+std::string manner_of(const SurfaceCommandOptions& options) {
+  if (options.pencil) {
+    return fmt::format("along valleys sharper than {:g} degrees", options.pencil_angle_deg);
+  }
   if (options.paths == SurfacePaths::kWaterline) return "finishing in waterlines";
   if (options.paths == SurfacePaths::kContour) return "finishing along contours";
-  return fmt::format("{} in rows at {:g} degrees",
-                     options.layer_mm > 0.0 ? fmt::format("layers of {:g} mm", options.layer_mm)
-                                            : std::string{"finishing"},
-                     options.angle_deg.value_or(0.0));
+  const std::string kind = options.layer_mm > 0.0
+                               ? fmt::format("layers of {:g} mm", options.layer_mm)
+                               : std::string{"finishing"};
+  return fmt::format("{} in rows at {:g} degrees", kind, options.angle_deg.value_or(0.0));
 }
 
 std::vector<std::string> heading_of(const SurfaceCommandOptions& options,
@@ -98,7 +103,7 @@ std::vector<std::string> heading_of(const SurfaceCommandOptions& options,
                   options.tool,
                   options.tolerance_mm,
                   figures.arcs + figures.lines),
-      fmt::format("{}, {:g} mm of stock stay", lines_of(options), options.allowance_mm)};
+      fmt::format("{}, {:g} mm of stock stay", manner_of(options), options.allowance_mm)};
   for (const ProgramDigest& digest : inputs.digests()) lines.push_back(text_of(digest));
   return lines;
 }
@@ -136,12 +141,32 @@ surface::SurfacePath path_with_progress(const surface::Mesh& mesh,
   return row_path(mesh, rows);
 }
 
+/// Returns the path along valleys, and prints how many were too short for one.
+surface::SurfacePath valleys_of(const SurfaceCommandOptions& options,
+                                const surface::Mesh& mesh,
+                                const stock::Cutter& cutter,
+                                const surface::RowOptions& rows) {
+  const surface::PencilOptions pencil = pencil_options_of(options, cutter);
+  surface::PencilPath found = pencil_path(mesh, rows, pencil);
+  if (found.left_out > 0) {
+    terminal::print(stderr,
+                    "{}: {} valleys shorter than {:g} mm are left out\n",
+                    options.file,
+                    found.left_out,
+                    pencil.least_mm);
+  }
+  return std::move(found.path);
+}
+
 void write_path(const SurfaceCommandOptions& options,
                 const surface::Mesh& mesh,
                 const stock::Cutter& cutter,
-                const InputFiles& inputs) {
-  const surface::SurfacePath path =
-      path_with_progress(mesh, row_options_of(options, cutter), options.paths);
+                InputFiles& inputs) {
+  surface::RowOptions rows = row_options_of(options, cutter);
+  rows.regions = regions_of(options.regions, mesh, rows, inputs);
+  const surface::SurfacePath path = options.pencil
+                                        ? valleys_of(options, mesh, cutter, rows)
+                                        : path_with_progress(mesh, std::move(rows), options.paths);
   const surface::SurfaceProgramFigures figures = figures_of(path);
   pocket::MillSettings mill = options.mill;
   mill.safe_mm = safe_height_of(

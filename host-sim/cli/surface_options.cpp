@@ -79,6 +79,22 @@ void add_stock_layer_options(CLI::App& command, SurfaceCommandOptions& options) 
       ->type_name("MM");
 }
 
+void add_direction_option(CLI::App& command, SurfaceCommandOptions& options) {
+  const auto take = [&options](const std::string& name) {
+    options.direction.reset();
+    if (name == "climb") options.direction = cnc::pocket::Milling::kClimb;
+    if (name == "conventional") options.direction = cnc::pocket::Milling::kConventional;
+  };
+  command
+      .add_option_function<std::string>(
+          "--direction",
+          take,
+          "The side of the stock of later lines, for a spindle that turns clockwise: on the right "
+          "for\nclimb, on the left for conventional. All rows go one way then")
+      ->check(CLI::IsMember({"climb", "conventional", "both"}))
+      ->option_text("climb|conventional|both [both]");
+}
+
 /// Adds the options that choose lines and their direction.
 void add_line_options(CLI::App& command, SurfaceCommandOptions& options) {
   const std::map<std::string, SurfacePaths> paths{{"rows", SurfacePaths::kRows},
@@ -100,16 +116,7 @@ void add_line_options(CLI::App& command, SurfaceCommandOptions& options) {
   command.add_option("--order", options.order, "Rows to and fro, or all one way with lifts")
       ->transform(CLI::CheckedTransformer(orders))
       ->option_text("zigzag|oneway [zigzag]");
-  using cnc::pocket::Milling;
-  const std::map<std::string, Milling> directions{{"climb", Milling::kClimb},
-                                                  {"conventional", Milling::kConventional}};
-  command
-      .add_option("--direction",
-                  options.milling,
-                  "Of lines of waterline and contour: the stock is on the right of the tool, or on "
-                  "the left")
-      ->transform(CLI::CheckedTransformer(directions))
-      ->option_text("climb|conventional [climb]");
+  add_direction_option(command, options);
 }
 
 void add_row_options(CLI::App& command, SurfaceCommandOptions& options) {
@@ -202,10 +209,11 @@ void check_line_options(const SurfaceCommandOptions& options) {
   const auto refuse = [](const char* option, const char* remedy) {
     throw std::invalid_argument(fmt::format("{}: {}", option, remedy));
   };
-  if (are_rows && options.milling) {
-    refuse("--direction", "rows have --order; it is for --paths waterline and contour");
+  if (options.direction && options.order == surface::RowOrder::kZigzag) {
+    refuse("--direction", "rows to and fro cut both ways; take --order oneway");
   }
   if (are_rows) return;
+  if (options.pencil) refuse("--pencil", "goes along valleys in place of --paths; leave one out");
   if (options.angle_deg) refuse("--angle", "only rows have one; leave it out, or --paths");
   if (options.order) {
     refuse("--order", "only rows have one; lines of --paths have a --direction");
@@ -226,6 +234,8 @@ void add_surface_options(CLI::App& command, SurfaceCommandOptions& options) {
   add_row_options(command, options);
   add_line_options(command, options);
   add_stock_layer_options(command, options);
+  add_region_options(command, options.regions);
+  add_pencil_options(command, options);
   add_patch_options(command, options.patches);
   add_mill_options(command, options.mill);
   command
@@ -279,6 +289,8 @@ void check_surface_options(const SurfaceCommandOptions& options) {
   if (options.layer_mm > 0.0 && options.scallop_mm > 0.0) {
     throw std::invalid_argument("--scallop: layers have rows by --step alone");
   }
+  check_region_options(options.regions, options.file);
+  check_pencil_options(options);
   if (!options.wants_program()) {
     const char* const instead = options.wants_heights() ? "--at" : "--like-paper";
     for (const auto& [name, file] :
@@ -308,7 +320,8 @@ surface::RowOptions row_options_of(const SurfaceCommandOptions& options,
           .margin_mm = options.margin_mm,
           .floor_mm = options.floor_mm,
           .order = options.order.value_or(surface::RowOrder::kZigzag),
-          .milling = options.milling.value_or(cnc::pocket::Milling::kClimb),
+          .direction = options.direction,
+          .regions = {},
           .stock_top_mm = options.stock_top_mm,
           .layer_mm = options.layer_mm,
           .lines_only = options.lines_only,

@@ -6,8 +6,10 @@
 #include <vector>
 
 #include "host-sim/cli/surface_patches.hpp"
+#include "host-sim/cli/surface_regions.hpp"
 #include "host-sim/pocket/mill_program.hpp"
 #include "host-sim/stock/cutter.hpp"
+#include "host-sim/surface/path/pencil_path.hpp"
 #include "host-sim/surface/path/row_path.hpp"
 #include "host-sim/surface/read_surface.hpp"
 
@@ -43,8 +45,11 @@ struct SurfaceCommandOptions {
   double ramp_deg = 0.0;               ///< 0: straight down.
   std::optional<double> safe_mm;       ///< None: 5 mm above path and surface.
   SurfacePaths paths = SurfacePaths::kRows;
-  std::optional<surface::RowOrder> order;       ///< None: to and fro.
-  std::optional<cnc::pocket::Milling> milling;  ///< None: climb.
+  std::optional<surface::RowOrder> order;  ///< None: zigzag, or one way with a direction.
+  std::optional<cnc::pocket::Milling> direction;
+  RegionOptions regions;
+  bool pencil = false;  ///< Valleys in place of rows.
+  double pencil_angle_deg = 20.0;
   bool lines_only = false;
   pocket::MillSettings mill;
   unsigned decimals = 4;
@@ -70,5 +75,15 @@ void check_surface_options(const SurfaceCommandOptions& options);
 /// Returns how they ask for paths.
 [[nodiscard]] surface::RowOptions row_options_of(const SurfaceCommandOptions& options,
                                                  const stock::Cutter& cutter);
+
+/// Adds those of paths along valleys.
+void add_pencil_options(CLI::App& command, SurfaceCommandOptions& options);
+
+/// Throws std::invalid_argument for options of rows, of which a path along valleys has none.
+void check_pencil_options(const SurfaceCommandOptions& options);
+
+/// How they ask for valleys.
+[[nodiscard]] surface::PencilOptions pencil_options_of(const SurfaceCommandOptions& options,
+                                                       const stock::Cutter& cutter);
 
 }  // namespace sim

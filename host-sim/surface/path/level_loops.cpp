@@ -1,6 +1,7 @@
 #include "host-sim/surface/path/level_loops.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "host-sim/surface/path/iso_lines.hpp"
 #include "host-sim/surface/path/level_set.hpp"
@@ -17,6 +18,16 @@ double length_of(const std::vector<Eigen::Vector2d>& places) {
   double length = 0.0;
   for (std::size_t i = 1; i < places.size(); ++i) length += (places[i] - places[i - 1]).norm();
   return length;
+}
+
+/// Returns whether all of the straight way between two places is in all regions.
+bool is_within(const MilledRegions& regions,
+               const Eigen::Vector2d& from,
+               const Eigen::Vector2d& to) {
+  const Slice slice = slice_between(from, to);
+  const SliceParts parts = common_parts(regions, slice, {{0.0, slice.length}});
+  return parts.size() == 1 && parts[0].first < kSameCrossing &&
+         parts[0].second > slice.length - kSameCrossing;
 }
 
 }  // namespace
@@ -69,6 +80,40 @@ std::vector<LevelLoop> level_loops(const SurfaceTracer& tracer,
     }
   }
   return loops;
+}
+
+std::vector<LevelLoop> parts_within(const MilledRegions& regions, LevelLoop loop) {
+  std::vector<LevelLoop> parts;
+  if (regions.empty()) {
+    parts.push_back(std::move(loop));
+    return parts;
+  }
+  const std::size_t ways = loop.places.size() - (loop.is_closed ? 0 : 1);
+  const auto end_of = [&loop](std::size_t way) {
+    return loop.places[(way + 1) % loop.places.size()];
+  };
+  std::vector<bool> is_in(ways);
+  for (std::size_t i = 0; i < ways; ++i) {
+    is_in[i] = is_within(regions, loop.places[i], end_of(i));
+  }
+  const auto first_out = std::ranges::find(is_in, false);
+  if (first_out == is_in.end()) {
+    parts.push_back(std::move(loop));
+    return parts;
+  }
+  // A closed loop is gone round from a way that is out, so that no part is cut in two.
+  const auto first = static_cast<std::size_t>(first_out - is_in.begin());
+  const std::size_t begin = loop.is_closed ? first : 0;
+  bool goes_on = false;
+  for (std::size_t i = 0; i < ways; ++i) {
+    const std::size_t way = (begin + i) % ways;
+    if (is_in[way] && !goes_on) {
+      parts.push_back({loop.level, loop.level_mm, {loop.places[way]}, false});
+    }
+    if (is_in[way]) parts.back().places.push_back(end_of(way));
+    goes_on = is_in[way];
+  }
+  return parts;
 }
 
 }  // namespace sim::surface

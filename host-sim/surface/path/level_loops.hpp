@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "host-sim/surface/path/region/milled_region.hpp"
 #include "host-sim/surface/path/surface_tracer.hpp"
 #include "host-sim/surface/path/tip_grid.hpp"
 
@@ -31,5 +32,9 @@ void open_near(const Eigen::Vector2d& here, LevelLoop& loop);
                                                  const TipGrid& tips,
                                                  std::size_t level,
                                                  double level_mm);
+
+/// Returns the parts of a loop whose ways from place to place are wholly in all regions; the loop
+/// itself where all are. They end before a region's border by less than the distance of places.
+[[nodiscard]] std::vector<LevelLoop> parts_within(const MilledRegions& regions, LevelLoop loop);
 
 }  // namespace sim::surface

@@ -21,14 +21,19 @@ LoopLeads::LoopLeads(const SurfaceTracer& tracer,
                      double lift_mm)
     : tracer_{&tracer},
       grid_{&grid},
-      left_{options.milling == cnc::pocket::Milling::kClimb ? 1.0 : -1.0},
+      left_{options.direction != cnc::pocket::Milling::kConventional ? 1.0 : -1.0},
       lines_only_{options.lines_only},
-      lift_mm_{lift_mm} {}
+      lift_mm_{lift_mm},
+      regions_{&options.regions} {}
 
 bool LoopLeads::is_free(const Vector2d& place, double level_mm) const {
   if (!grid_->holds(place)) return false;
   const double height = tracer_->touched(place, hint_);
   return height != cnc::surface::kNoContact && height <= level_mm;
+}
+
+bool LoopLeads::is_in_regions(const Vector2d& from, const Vector2d& to) const {
+  return from == to || lets_link_through(*regions_, slice_between(from, to));
 }
 
 std::optional<SurfaceStretch> LoopLeads::lead_in(const LoopEnd& start) const {
@@ -59,9 +64,11 @@ std::optional<SurfaceStretch> LoopLeads::lead(const LoopEnd& end, double sense) 
       const double share_of_way = static_cast<double>(i) / looks;
       is_clear = is_free(place_after(share_of_way) + beside, end.level_mm);
     }
-    if (!is_clear) continue;
-    const double bulge = lines_only_ ? 0.0 : left_ * std::tan(0.25 * kRightAngle);
     const Vector2d away = place_after(1.0);
+    // The corner of the quarter turn is the farthest that it gets from its chord.
+    const Vector2d corner = end.place + sense * radius * end.tangent;
+    if (!is_clear || !is_in_regions(end.place, corner) || !is_in_regions(corner, away)) continue;
+    const double bulge = lines_only_ ? 0.0 : left_ * std::tan(0.25 * kRightAngle);
     SurfaceStretch stretch{
         .plane = LevelPlane{end.level_mm + lift_mm_}, .use = StretchUse::kLink, .vertices = {}};
     if (sense > 0.0) {
@@ -80,6 +87,7 @@ std::optional<SurfaceStretch> LoopLeads::way_between(const Vector3d& from,
   constexpr double kLeastWay = 1.0e-6;
   const double length = (to - from).head<2>().norm();
   if (length > kMostRadii * tracer_->grown_tool().radius_mm || to.z() > from.z()) return {};
+  if (!is_in_regions(from.head<2>(), to.head<2>())) return {};
   const auto looks = static_cast<int>(std::ceil(length / tracer_->density().pitch_mm)) + 1;
   for (int i = 0; i <= looks; ++i) {
     const Vector3d tip = from + (to - from) * i / looks;

@@ -22,9 +22,9 @@ struct LoopEnd {
 /// All are checked against the exact heights of the grown tool's tip, so that they never cut in.
 class LoopLeads {
  public:
-  /// @param options the side of the surface, and whether leads are lines
+  /// @param options the side of the surface, regions that bar links, and whether leads are lines
   /// @param lift_mm height of a tip over the level that it belongs to
-  /// @pre tracer and grid outlive this
+  /// @pre tracer, grid and options outlive this
   LoopLeads(const SurfaceTracer& tracer,
             const PlanGrid& grid,
             const RowOptions& options,
@@ -37,7 +37,7 @@ class LoopLeads {
 
   /// Returns the straight way between two places of the tip in space, not above where it begins;
   /// nothing where it is longer in plan than 1.5 radii, as stock may stand beside lines, or where
-  /// it rises or would cut in.
+  /// it rises, would cut in or leave a region that bars links.
   [[nodiscard]] std::optional<SurfaceStretch> way_between(const Eigen::Vector3d& from,
                                                           const Eigen::Vector3d& to) const;
 
@@ -45,6 +45,7 @@ class LoopLeads {
   /// Returns the lead between a line and a place beside it. @param sense 1 if it leads out, -1 if
   /// in.
   [[nodiscard]] std::optional<SurfaceStretch> lead(const LoopEnd& end, double sense) const;
+  [[nodiscard]] bool is_in_regions(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
   [[nodiscard]] bool is_free(const Eigen::Vector2d& place, double level_mm) const;
 
   const SurfaceTracer* tracer_;
@@ -52,6 +53,7 @@ class LoopLeads {
   double left_;  ///< 1 if the free side is on the left as lines are driven, -1 on the right.
   bool lines_only_;
   double lift_mm_;
+  const MilledRegions* regions_;
   mutable DropCutter::Hint hint_{};  ///< Changes how soon an answer comes, but no answer.
 };
 

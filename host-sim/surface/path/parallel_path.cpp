@@ -52,7 +52,7 @@ class ParallelPlanner {
         stock_top_mm_{options.stock_top_mm.value_or(top_of(mesh))} {}
 
   SurfacePath plan() {
-    if (options_.milling == cnc::pocket::Milling::kConventional) {
+    if (options_.direction == cnc::pocket::Milling::kConventional) {
       for (LevelLoop& loop : loops_) std::ranges::reverse(loop.places);
     }
     LoopOrder order{loops_, 1.5 * step_mm_};
@@ -86,7 +86,8 @@ class ParallelPlanner {
   /// Adds those parts of a straight way that are over the surface.
   void add_way(const Vector2d& from, const Vector2d& to) {
     const Slice slice = slice_between(from, to);
-    for (const auto& [begin, end] : tracer_.parts_over(slice)) {
+    for (const auto& [begin, end] :
+         common_parts(options_.regions, slice, tracer_.parts_over(slice))) {
       add_stretch(tracer_.trace(slice, begin, end, StretchUse::kRow));
     }
   }
@@ -98,6 +99,7 @@ class ParallelPlanner {
     const double distance = (place - here).norm();
     if (distance == 0.0 || distance > kLinkSteps * step_mm_) return;
     const Slice slice = slice_between(here, place);
+    if (!lets_link_through(options_.regions, slice)) return;
     const auto parts = tracer_.parts_over(slice);
     if (parts.size() != 1 || parts[0].second - parts[0].first < 0.999 * slice.length) return;
     add_stretch(tracer_.trace(slice, 0.0, slice.length, StretchUse::kLink));

@@ -42,6 +42,11 @@ class RowFrame {
     return way * along_ + row * across_;
   }
 
+  /// Returns a place along and across the rows.
+  [[nodiscard]] Eigen::Vector2d seen(const Eigen::Vector2d& place) const {
+    return {along_.dot(place), across_.dot(place)};
+  }
+
   /// Returns the slice over a part of a row, towards its end or back.
   [[nodiscard]] Slice slice(const RowPart& part, bool goes_back) const {
     const double length = part.end - part.begin;

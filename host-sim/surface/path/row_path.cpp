@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "host-sim/surface/path/part_queue.hpp"
 #include "host-sim/surface/path/row_frame.hpp"
 #include "host-sim/surface/path/scallop_rows.hpp"
 #include "host-sim/surface/path/surface_tracer.hpp"
@@ -17,6 +18,8 @@ using Eigen::Vector2d;
 
 /// Greatest length of a link over the surface, in steps; a farther row begins with a lift.
 constexpr double kMostLinkSteps = 4.0;
+/// Share of the work that it takes to find the parts of rows.
+constexpr double kSearchShare = 0.25;
 
 /// Returns the distance of rows: asked for, or by which a level surface has no higher scallops.
 double step_of(const RowOptions& options) {
@@ -45,17 +48,22 @@ class RowPlanner {
     } else {
       add_rows();
     }
-    if (path_.stretches.empty()) {
-      throw std::invalid_argument{options_.layer_mm > 0.0
-                                      ? "nothing of it is below the top of the stock"
-                                      : "nothing of it is under the tool"};
-    }
+    if (path_.stretches.empty()) throw std::invalid_argument{reason_for_none()};
     end_run();
     path_.without_arcs = tracer_.without_arcs();
     return std::move(path_);
   }
 
  private:
+  [[nodiscard]] const char* reason_for_none() const {
+    if (!options_.regions.empty()) {
+      return "no row of it is in the region: check --boundary, --slope and --rest-of, or take a "
+             "smaller --step";
+    }
+    if (options_.layer_mm > 0.0) return "nothing of it is below the top of the stock";
+    return "nothing of it is under the tool";
+  }
+
   /// Adds layers from the top of the stock on, until one has nothing to mill.
   void add_layers() {
     constexpr int kMostLayers = 10'000;
@@ -70,68 +78,108 @@ class RowPlanner {
     }
   }
 
+  /// Adds all rows: those between others after these, as they mill what these have left.
   void add_rows() {
+    std::vector<RowPart> rows;
+    std::vector<RowPart> between;
     const double width = frame_.last_row() - frame_.first_row();
     const auto steps = std::max(1.0, std::ceil(width / step_mm_ - 1.0e-9));
     for (double i = 0.0; i <= steps; i += 1.0) {
       const double row = frame_.first_row() + width * i / steps;
-      if (between_ && i > 0.0) add_between(row - width / steps, row);
-      add_row(row);
-      if (options_.progress) options_.progress((i + 1.0) / (steps + 1.0));
+      add_parts(frame_.whole(row), rows);
+      report(kSearchShare * (i + 1.0) / (steps + 1.0));
+      if (!between_ || i == 0.0) continue;
+      for (const RowPart& part : between_->between(row - width / steps, row)) {
+        add_parts(part, between);
+      }
+    }
+    if (options_.direction) {
+      rows.insert(rows.end(), between.begin(), between.end());
+      between.clear();
+    }
+    waiting_ = rows.size() + between.size();
+    milled_ = 0;
+    mill(std::move(rows));
+    mill(std::move(between));
+  }
+
+  /// Adds what of a part is over the surface and in all regions.
+  void add_parts(const RowPart& part, std::vector<RowPart>& parts) const {
+    constexpr double kLeastPart = 1.0e-3;
+    const Slice slice = frame_.slice(part, false);
+    for (const auto& [begin, end] :
+         common_parts(options_.regions, slice, tracer_.parts_over(slice))) {
+      if (end - begin >= kLeastPart) {
+        parts.push_back({part.row, part.begin + begin, part.begin + end});
+      }
     }
   }
 
-  void add_row(double row) {
-    if (add_part(frame_.whole(row), goes_back_) && options_.order == RowOrder::kZigzag) {
-      goes_back_ = !goes_back_;
+  /// Mills parts of rows from the lowest row on, each time the nearest of the rest; those with a
+  /// direction row by row.
+  void mill(std::vector<RowPart> parts) {
+    const bool is_climb = options_.direction == cnc::pocket::Milling::kClimb;
+    PartQueue queue{std::move(parts)};
+    for (bool is_first = true; !queue.empty(); is_first = false) {
+      // On the right of a row is the one below it: stock is there while that is not milled.
+      mill(options_.direction || is_first ? queue.take_outermost(is_climb)
+                                          : queue.take_nearest(frame_.seen(here_), may_go_back()));
+      report(kSearchShare +
+             (1.0 - kSearchShare) * static_cast<double>(++milled_) / static_cast<double>(waiting_));
     }
   }
 
-  /// Adds parts of rows between two rows, the nearest next.
-  void add_between(double low_row, double high_row) {
-    std::vector<RowPart> parts = between_->between(low_row, high_row);
-    while (!parts.empty()) {
-      const auto distance = [this](const RowPart& part, bool goes_back) {
-        return (frame_.slice(part, goes_back).from - here_).norm();
-      };
-      const bool may_go_back = options_.order == RowOrder::kZigzag;
-      const auto nearest = std::ranges::min_element(parts, {}, [&](const RowPart& part) {
-        return may_go_back ? std::min(distance(part, false), distance(part, true))
-                           : distance(part, false);
-      });
-      const bool goes_back = may_go_back && distance(*nearest, true) < distance(*nearest, false);
-      add_part(*nearest, goes_back);
-      parts.erase(nearest);
-    }
+  void mill(const PartQueue::Next& next) {
+    const Slice slice = frame_.slice(next.part, next.goes_back);
+    lead_to(slice.from);
+    path_.stretches.push_back(tracer_.trace(slice, 0.0, slice.length, StretchUse::kRow));
+    here_ = slice.at(slice.length);
   }
 
-  /// Adds those parts of a row that are over the surface; false if there are none.
-  bool add_part(const RowPart& part, bool goes_back) {
-    const Slice slice = frame_.slice(part, goes_back);
-    bool has_any = false;
-    for (const auto& [begin, end] : tracer_.parts_over(slice)) {
-      lead_to(slice.at(begin));
-      path_.stretches.push_back(tracer_.trace(slice, begin, end, StretchUse::kRow));
-      here_ = slice.at(end);
-      has_any = true;
-    }
-    return has_any;
-  }
-
-  /// Leads to the next stretch over the surface, where it is near and the surface goes on.
+  /// Leads to the next stretch over the surface, where it is near, the surface goes on and no
+  /// region bars the link: straight, or along one of both rows and across, as beside an island.
   void lead_to(const Vector2d& place) {
     if (path_.stretches.empty()) return;
-    const double distance = (place - here_).norm();
-    const bool is_near = distance <= kMostLinkSteps * step_mm_;
-    if (options_.order == RowOrder::kZigzag && is_near && distance > 0.0) {
-      const Slice slice = slice_between(here_, place);
-      const auto parts = tracer_.parts_over(slice);
-      if (parts.size() == 1 && parts[0].second - parts[0].first > 0.999 * slice.length) {
-        path_.stretches.push_back(tracer_.trace(slice, 0.0, slice.length, StretchUse::kLink));
+    if (may_go_back() && place != here_) {
+      const Vector2d from = frame_.seen(here_);
+      const Vector2d to = frame_.seen(place);
+      if (links_over({here_, place}) || links_over({here_, frame_.at(to.x(), from.y()), place}) ||
+          links_over({here_, frame_.at(from.x(), to.y()), place})) {
         return;
       }
     }
     end_run();
+  }
+
+  /// Adds straight links between places if all of them may be driven and are short.
+  bool links_over(const std::vector<Vector2d>& places) {
+    constexpr double kLeastLink = 1.0e-6;
+    std::vector<Slice> slices;
+    double length = 0.0;
+    for (std::size_t i = 1; i < places.size(); ++i) {
+      if ((places[i] - places[i - 1]).norm() < kLeastLink) continue;
+      slices.push_back(slice_between(places[i - 1], places[i]));
+      length += slices.back().length;
+    }
+    if (length > kMostLinkSteps * step_mm_) return false;
+    const auto may_link = [this](const Slice& slice) {
+      const SliceParts parts = tracer_.parts_over(slice);
+      return parts.size() == 1 && parts[0].second - parts[0].first > 0.999 * slice.length &&
+             lets_link_through(options_.regions, slice);
+    };
+    if (!std::ranges::all_of(slices, may_link)) return false;
+    for (const Slice& slice : slices) {
+      path_.stretches.push_back(tracer_.trace(slice, 0.0, slice.length, StretchUse::kLink));
+    }
+    return true;
+  }
+
+  [[nodiscard]] bool may_go_back() const {
+    return options_.order == RowOrder::kZigzag && !options_.direction;
+  }
+
+  void report(double share) const {
+    if (options_.progress) options_.progress(share);
   }
 
   void end_run() {
@@ -148,7 +196,8 @@ class RowPlanner {
   double stock_top_mm_;  ///< Of the stock that no layer has milled yet.
   SurfacePath path_;
   Vector2d here_ = Vector2d::Zero();
-  bool goes_back_ = false;
+  std::size_t waiting_ = 0;  ///< Parts of rows, all that were found.
+  std::size_t milled_ = 0;
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "host-sim/surface/drop_cutter.hpp"
 #include "host-sim/surface/mesh.hpp"
+#include "host-sim/surface/path/region/milled_region.hpp"
 #include "host-sim/surface/path/slice_fit.hpp"
 #include "host-sim/surface/path/surface_path.hpp"
 #include "planner/pocket/loop_place.hpp"
@@ -33,8 +34,10 @@ struct RowOptions {
   /// The tip goes no deeper, and beside the surface it goes so deep; without it rows end there.
   std::optional<double> floor_mm;
   RowOrder order = RowOrder::kZigzag;
-  /// Side on which the surface is of a tool that goes along its contours.
-  cnc::pocket::Milling milling = cnc::pocket::Milling::kClimb;
+  /// The side on which the stock of later lines is; without it any for rows, and climb for lines
+  /// of one height or one distance. All rows go one way then.
+  std::optional<cnc::pocket::Milling> direction;
+  MilledRegions regions;  ///< Lines are cut to them.
   /// Top of the stock. Without it the highest point of the surface.
   std::optional<double> stock_top_mm;
   /// Depth of layers that are milled from the top of the stock downwards, each where it is above

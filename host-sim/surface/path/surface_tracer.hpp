@@ -25,6 +25,9 @@ class SurfaceTracer {
   /// Returns the stretch over a part of a slice.
   [[nodiscard]] SurfaceStretch trace(const Slice& slice, double begin, double end, StretchUse use);
 
+  /// Returns the grown tool, with which heights are found.
+  [[nodiscard]] const cnc::surface::Profile& profile() const { return tool_.profile; }
+
   /// Returns how many stretches have lines because no arcs fit.
   [[nodiscard]] std::size_t without_arcs() const { return without_arcs_; }
 

@@ -38,7 +38,7 @@ class WaterlinePlanner {
       : options_{options},
         tracer_{mesh, options},
         grid_{mesh, options.margin_mm, level_pitch(tracer_)},
-        is_low_left_{options.milling == cnc::pocket::Milling::kClimb},
+        is_low_left_{options.direction != cnc::pocket::Milling::kConventional},
         flat_mm_{kFlatDigits * options.digit_mm},
         lift_mm_{tracer_.lift_mm() - flat_mm_},
         leads_{tracer_, grid_, options, lift_mm_},
@@ -61,8 +61,8 @@ class WaterlinePlanner {
  private:
   [[noreturn]] static void refuse_all() {
     throw std::invalid_argument{
-        "no level has a line along the surface within its box; a --margin of more than the tool's "
-        "radius with a --floor goes around it"};
+        "no level has a line along the surface within its box and its regions; a --margin of more "
+        "than the tool's radius with a --floor goes around it"};
   }
 
   void report(double share) const {
@@ -80,7 +80,9 @@ class WaterlinePlanner {
       for (LevelLoop& loop :
            level_loops(tracer_, tips, static_cast<std::size_t>(i), level + flat_mm_)) {
         if (!is_low_left_) std::ranges::reverse(loop.places);
-        loops_.push_back(std::move(loop));
+        for (LevelLoop& part : parts_within(options_.regions, std::move(loop))) {
+          loops_.push_back(std::move(part));
+        }
       }
       report(0.4 + 0.1 * i / levels);
     }

@@ -33,7 +33,7 @@ TEST(ParallelPath, NeverCutsInAndHasNoMoreAirThanTwiceTheTolerance) {
     options.step_mm = random.between(0.05, 0.3) * mesh.points.back().head<2>().minCoeff();
     if (random.chance(0.3)) options.floor_mm = random.between(-1.0, 2.0);
     if (random.chance(0.3)) options.margin_mm = random.between(0.0, 3.0);
-    if (random.chance(0.3)) options.milling = cnc::pocket::Milling::kConventional;
+    if (random.chance(0.3)) options.direction = cnc::pocket::Milling::kConventional;
     const Judge judge{mesh, options};
     SurfacePath path;
     try {

@@ -5,11 +5,15 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <memory>
 #include <numbers>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "host-sim/measure/programmed_path.hpp"
+#include "host-sim/surface/path/region/drawn_region.hpp"
+#include "host-sim/surface/path/region/slope_region.hpp"
 #include "host-sim/surface/path/surface_program.hpp"
 #include "host-sim/surface/tip_heights.hpp"
 #include "planner/surface/grown.hpp"
@@ -43,6 +47,34 @@ RowOptions random_options(proof::Random& random, const cnc::surface::Profile& to
   return options;
 }
 
+/// A circle in the middle of a mesh, with another in it now and then.
+Contour random_circles(proof::Random& random, const Mesh& mesh) {
+  const Vector2d middle = 0.5 * mesh.points.back().head<2>();
+  Contour contour;
+  const double radius = middle.minCoeff() * random.between(0.5, 1.5);
+  for (const double share : {1.0, -random.between(0.1, 0.9)}) {
+    if (share < 0.0 && random.chance(0.5)) continue;
+    contour.vertices.push_back(
+        {middle.x() - std::abs(share) * radius, middle.y(), share / std::abs(share)});
+    contour.vertices.push_back(
+        {middle.x() + std::abs(share) * radius, middle.y(), share / std::abs(share)});
+    contour.end_loop();
+  }
+  return contour;
+}
+
+void add_random_regions(proof::Random& random, const Mesh& mesh, RowOptions& options) {
+  if (random.chance(0.2)) {
+    options.regions.push_back(
+        std::make_shared<DrawnRegion>(std::vector{random_circles(random, mesh)}));
+  }
+  if (random.chance(0.2)) {
+    options.regions.push_back(std::make_shared<SlopeRegion>(
+        mesh, options.tool, options.floor_mm, SlopeRange{.least = 0.0, .most = 1.2}));
+  }
+  if (random.chance(0.2)) options.direction = cnc::pocket::Milling::kClimb;
+}
+
 TEST(RowPath, NeverCutsInAndHasNoMoreAirThanTwiceTheTolerance) {
   const proof::Trials trials{400};
   double worst = -1.0;
@@ -53,8 +85,15 @@ TEST(RowPath, NeverCutsInAndHasNoMoreAirThanTwiceTheTolerance) {
     RowOptions options = random_options(random, proof::random_cutter(random));
     options.step_mm = std::max(options.step_mm, 0.1 * mesh.points.back().y());
     if (options.layer_mm > 0.0) options.stock_top_mm = top_of(mesh) + 0.5;
+    add_random_regions(random, mesh, options);
     const Judge judge{mesh, options};
-    const std::string program = text_of(row_path(mesh, options), options);
+    std::string program;
+    try {
+      program = text_of(row_path(mesh, options), options);
+    } catch (const std::invalid_argument&) {
+      ASSERT_FALSE(options.regions.empty());
+      continue;
+    }
     std::size_t high = 0;
     std::size_t looked = 0;
     for_places(program, 0.05, [&](const Vector3d& tip) {
@@ -168,6 +207,60 @@ TEST(RowPath, LeavesScallopsNoHigherThanAskedFor) {
       EXPECT_LE((left_at(tips, options.tool, place) - ideal) / upright, most)
           << place.x() << " " << place.y() << " scallop " << options.scallop_mm << " flat "
           << options.tool.flat_mm << " angle " << options.angle_rad << " steep " << upright;
+    }
+  }
+}
+
+/// Rows and links stay in a drawn region, and rows are those of the whole surface, cut to it.
+TEST(RowPath, StaysWithinADrawnRegionAndMillsAllRowsThere) {
+  for (const std::uint64_t seed : proof::Trials{100}) {
+    SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
+    proof::Random random{seed};
+    const Mesh mesh = random_waves(random, 14, 1.0);
+    RowOptions options;
+    options.tool = {.radius_mm = 1.0, .flat_mm = 0.0, .corner_mm = 1.0};
+    options.step_mm = random.between(0.3, 1.0);
+    options.angle_rad = random.between(-4.0, 4.0);
+    const Contour circles = random_circles(random, mesh);
+    const DrawnRegion region{{circles}};
+    double wanted = 0.0;
+    for (const SurfaceStretch& stretch : row_path(mesh, options).stretches) {
+      if (stretch.use != StretchUse::kRow) continue;
+      for (const auto& [begin, end] : region.parts_of(stretch.slice, 0.0, stretch.slice.length)) {
+        wanted += end - begin;
+      }
+    }
+    options.regions.push_back(std::make_shared<DrawnRegion>(std::vector{circles}));
+    const pocket::OwnedArea area{circles.view()};
+    double milled = 0.0;
+    for (const SurfaceStretch& stretch : row_path(mesh, options).stretches) {
+      if (stretch.use == StretchUse::kRow) milled += stretch.slice.length;
+      for (int i = 0; i <= 50; ++i) {
+        EXPECT_GE(area->depth(stretch.slice.at(stretch.slice.length * i / 50.0)), -1.0e-5);
+      }
+    }
+    EXPECT_NEAR(milled, wanted, 0.01 + 1.0e-6 * wanted);
+  }
+}
+
+/// With a direction all rows go one way, and rows that come later are on its side.
+TEST(RowPath, KeepsTheStockOnOneSide) {
+  proof::Random random{proof::test_seed()};
+  const Mesh mesh = random_waves(random, 12, 1.0);
+  for (const auto milling : {cnc::pocket::Milling::kClimb, cnc::pocket::Milling::kConventional}) {
+    RowOptions options;
+    options.tool = {.radius_mm = 1.0, .flat_mm = 0.0, .corner_mm = 1.0};
+    options.step_mm = 0.5;
+    options.angle_rad = random.between(-4.0, 4.0);
+    options.direction = milling;
+    const std::vector<SurfaceStretch> stretches = row_path(mesh, options).stretches;
+    for (std::size_t i = 1; i < stretches.size(); ++i) {
+      const Slice& slice = stretches[i - 1].slice;
+      EXPECT_EQ(stretches[i].use, StretchUse::kRow);
+      EXPECT_GT(slice.direction.dot(stretches[i].slice.direction), 0.999);
+      const Vector2d right{slice.direction.y(), -slice.direction.x()};
+      const double beside = right.dot(stretches[i].slice.from - slice.from);
+      EXPECT_GT(milling == cnc::pocket::Milling::kClimb ? beside : -beside, 0.1);
     }
   }
 }

@@ -53,7 +53,7 @@ RowOptions random_levels(proof::Random& random, const cnc::surface::Profile& too
   if (random.chance(0.3)) options.floor_mm = random.between(-1.0, 2.0);
   if (random.chance(0.5)) options.margin_mm = random.between(0.0, 3.0);
   if (random.chance(0.3) && tool.rise == 0.0) options.allowance_mm = random.between(0.0, 0.5);
-  if (random.chance(0.3)) options.milling = cnc::pocket::Milling::kConventional;
+  if (random.chance(0.3)) options.direction = cnc::pocket::Milling::kConventional;
   options.lines_only = random.chance(0.2);
   return options;
 }
@@ -282,7 +282,7 @@ TEST(WaterlinePath, KeepsTheStockOnTheSideOfItsDirection) {
   options.margin_mm = 6.0;
   options.floor_mm = 0.0;
   for (const auto milling : {cnc::pocket::Milling::kClimb, cnc::pocket::Milling::kConventional}) {
-    options.milling = milling;
+    options.direction = milling;
     double area = 0.0;
     const SurfacePath path = waterline_path(mesh, options);
     Vector2d before{10.0, 10.0};

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "host-sim/contour/contour_offset.hpp"
+#include "host-sim/pocket/owned_area.hpp"
+#include "host-sim/surface/path/region/milled_region.hpp"
+
+namespace sim::surface {
+
+/// The inside of drawn contours, their lines included: places that are in any of some areas.
+class DrawnRegion final : public MilledRegion {
+ public:
+  /// @param areas contours with their area on the left, whose loops do not cross; areas may overlap
+  explicit DrawnRegion(const std::vector<Contour>& areas);
+
+  /// Returns the parts by exact crossings with lines and arcs; those shorter than 1e-6 mm count for
+  /// nothing.
+  [[nodiscard]] SliceParts parts_of(const Slice& slice, double begin, double end) const override;
+  [[nodiscard]] bool bars_links() const override { return true; }
+
+ private:
+  std::vector<std::unique_ptr<const pocket::OwnedArea>> areas_;
+};
+
+}  // namespace sim::surface

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+#include "host-sim/surface/mesh.hpp"
+#include "host-sim/surface/path/region/tool_heights.hpp"
+
+namespace sim::surface {
+
+/// The heights of a tool's tip on a square grid over a surface, from which a search begins.
+class TipRaster {
+ public:
+  /// @param margin_mm distance by which the grid goes on beside the surface's box
+  /// @param pitch_mm distance of its points; more where they would be more than four million
+  TipRaster(const ToolHeights& heights, const Mesh& mesh, double margin_mm, double pitch_mm) {
+    Eigen::Vector2d least = mesh.points.front().head<2>();
+    Eigen::Vector2d most = least;
+    for (const Eigen::Vector3d& point : mesh.points) {
+      least = least.cwiseMin(point.head<2>());
+      most = most.cwiseMax(point.head<2>());
+    }
+    least_ = least.array() - margin_mm;
+    const Eigen::Vector2d size = most.array() + margin_mm - least_.array();
+    constexpr double kMostPoints = 4.0e6;
+    pitch_mm_ = std::max(pitch_mm, std::sqrt(size.x() * size.y() / kMostPoints));
+    columns_ = 1 + static_cast<int>(std::ceil(size.x() / pitch_mm_));
+    rows_ = 1 + static_cast<int>(std::ceil(size.y() / pitch_mm_));
+    heights_.reserve(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+    for (int row = 0; row < rows_; ++row) {
+      for (int column = 0; column < columns_; ++column) {
+        heights_.push_back(heights(place_of(column, row)));
+      }
+    }
+  }
+
+  [[nodiscard]] double pitch_mm() const { return pitch_mm_; }
+
+  /// Returns the point of the grid within a radius of a place for which `cost(distance, height)` is
+  /// least; the place itself if something is under the tool at none.
+  template <typename Cost>
+  [[nodiscard]] Eigen::Vector2d best(const Eigen::Vector2d& place,
+                                     double radius_mm,
+                                     const Cost& cost) const {
+    const Eigen::Vector2d first = (place - least_).array() - radius_mm;
+    const Eigen::Vector2d last = (place - least_).array() + radius_mm;
+    Eigen::Vector2d found = place;
+    double lowest = std::numeric_limits<double>::infinity();
+    for (int row = index_from(first.y(), rows_); row < index_from(last.y(), rows_); ++row) {
+      for (int column = index_from(first.x(), columns_); column < index_from(last.x(), columns_);
+           ++column) {
+        const Eigen::Vector2d at = place_of(column, row);
+        const double square = (at - place).squaredNorm();
+        const double height =
+            heights_[static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_) +
+                     static_cast<std::size_t>(column)];
+        if (square > radius_mm * radius_mm || height == cnc::surface::kNoContact) continue;
+        const double value = cost(std::sqrt(square), height);
+        if (value >= lowest) continue;
+        lowest = value;
+        found = at;
+      }
+    }
+    return found;
+  }
+
+ private:
+  [[nodiscard]] Eigen::Vector2d place_of(int column, int row) const {
+    return least_ + pitch_mm_ * Eigen::Vector2d{column, row};
+  }
+  /// Returns the first index whose place is not before a distance, within the grid.
+  [[nodiscard]] int index_from(double distance_mm, int count) const {
+    return static_cast<int>(std::clamp(std::ceil(distance_mm / pitch_mm_), 0.0, 1.0 * count));
+  }
+
+  Eigen::Vector2d least_ = Eigen::Vector2d::Zero();
+  double pitch_mm_ = 0.0;
+  int columns_ = 0;
+  int rows_ = 0;
+  std::vector<double> heights_;  ///< Row by row.
+};
+
+}  // namespace sim::surface

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <optional>
+
+#include "host-sim/surface/drop_cutter.hpp"
+#include "host-sim/surface/mesh.hpp"
+
+namespace sim::surface {
+
+/// The heights of a tool's tip over a surface and a floor, and how they rise.
+class ToolHeights {
+ public:
+  /// @param floor_mm the tip is never lower, and there where nothing is under the tool; without it
+  /// such places have no height
+  ToolHeights(const Mesh& mesh,
+              const cnc::surface::Profile& profile,
+              const std::optional<double>& floor_mm)
+      : cutter_{mesh, profile}, floor_mm_{floor_mm.value_or(cnc::surface::kNoContact)} {}
+
+  /// Returns the height, mm, cnc::surface::kNoContact where there is none.
+  [[nodiscard]] double operator()(const Eigen::Vector2d& place) const {
+    return std::max(floor_mm_, cutter_.tip_height(place));
+  }
+
+  /// Returns the rise along X and Y, mm per mm, on one side alone where the other has no height;
+  /// nothing where the place has none.
+  [[nodiscard]] std::optional<Eigen::Vector2d> rise(const Eigen::Vector2d& place) const {
+    const double height = (*this)(place);
+    if (height == cnc::surface::kNoContact) return {};
+    return Eigen::Vector2d{rise(place, height, Eigen::Vector2d::UnitX()),
+                           rise(place, height, Eigen::Vector2d::UnitY())};
+  }
+
+ private:
+  [[nodiscard]] double rise(const Eigen::Vector2d& place,
+                            double height,
+                            const Eigen::Vector2d& direction) const {
+    constexpr double kBeside = 1.0e-5;
+    double after = (*this)(place + kBeside * direction);
+    double before = (*this)(place - kBeside * direction);
+    double width = 2.0 * kBeside;
+    if (after == cnc::surface::kNoContact) {
+      after = height;
+      width -= kBeside;
+    }
+    if (before == cnc::surface::kNoContact) {
+      before = height;
+      width -= kBeside;
+    }
+    return width > 0.5 * kBeside ? (after - before) / width : 0.0;
+  }
+
+  DropCutter cutter_;
+  double floor_mm_;
+};
+
+}  // namespace sim::surface
