@@ -1,6 +1,7 @@
 #include "host-sim/surface/path/pencil_path.hpp"
 
 #include <algorithm>
+#include <cstddef>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -23,6 +24,31 @@ double length_of(const CreaseLine& line) {
     length += (line[i].place - line[i - 1].place).norm();
   }
   return length;
+}
+
+/// Joins lines that end where another begins or ends, within a distance: a branch that was left out
+/// has divided them.
+void join_lines(std::vector<CreaseLine>& lines, double most_mm) {
+  const auto is_near = [most_mm](const CreasePlace& one, const CreasePlace& other) {
+    return (one.place - other.place).norm() <= most_mm;
+  };
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    for (std::size_t k = i + 1; k < lines.size();) {
+      CreaseLine& line = lines[i];
+      CreaseLine& other = lines[k];
+      if (is_near(line.front(), other.front()) || is_near(line.front(), other.back())) {
+        std::ranges::reverse(line);
+      }
+      if (is_near(line.back(), other.back())) std::ranges::reverse(other);
+      if (!is_near(line.back(), other.front()) || is_near(line.front(), line.back())) {
+        ++k;
+        continue;
+      }
+      line.insert(line.end(), other.begin() + 1, other.end());
+      lines.erase(lines.begin() + static_cast<std::ptrdiff_t>(k));
+      k = i + 1;
+    }
+  }
 }
 
 double distance_to(const Vector2d& place, const Vector2d& from, const Vector2d& to) {
@@ -183,15 +209,13 @@ PencilPath pencil_path(const Mesh& mesh, const RowOptions& options, const Pencil
   const CreaseFinder finder{heights, pencil.angle_rad};
   const CreaseDrawer drawer{heights, finder, options.tolerance_mm};
   const double pitch = kGridShare * options.tool.radius_mm;
+  std::vector<CreaseLine> found = crease_lines(mesh, finder, pitch);
   PencilPath result;
+  result.left_out = std::erase_if(
+      found, [&](const CreaseLine& line) { return length_of(line) < pencil.least_mm; });
+  join_lines(found, 0.1 * pitch);
   std::vector<PlanLine> lines;
-  for (const CreaseLine& line : crease_lines(mesh, finder, pitch)) {
-    if (length_of(line) < pencil.least_mm) {
-      ++result.left_out;
-    } else {
-      lines.push_back(drawer.drawn(line, pitch));
-    }
-  }
+  for (const CreaseLine& line : found) lines.push_back(drawer.drawn(line, pitch));
   result.path = driver.drive(std::move(lines));
   if (result.path.stretches.empty()) {
     throw std::invalid_argument{

@@ -27,6 +27,7 @@ SEED = random.SystemRandom().randrange(1 << 32)
 PROGRAM = "G21 G90\nM4 S500\nG1 X5 F1000\nG2 X10 I2.5\nM5\n"
 PLATE = ('<svg xmlns="http://www.w3.org/2000/svg" width="40mm" height="40mm" viewBox="0 0 40 40">'
          '<rect id="part" x="5" y="5" width="30" height="20"/></svg>')
+AROUND = PLATE.replace('x="5" y="5" width="30" height="20"', 'x="-5" y="25" width="20" height="20"')
 CUTS = ("material,laser,gas_pressure_mpa,thickness_mm,power_w,speed_mm_min,kerf_top_mm,kerf_bottom_mm,"
         "dross_area_mm2,straightness_mm\n" +
         "".join(f"tin,a laser,0.1,1,{power},{speed},{0.4 + power / speed:.3f},0.4,0.1,0.001\n"
@@ -99,7 +100,7 @@ COMMANDS = {
                       {"FILE": PLATE, "--tools": TOOLS}, ("--output", "--report", "--svg", "--holes"),
                       takes_stdin=True, empty_is_refused=("--tools",)),
     "surface": Command(("--tool", "ball:4", "--feed", "600", "--plunge-feed", "200", "--step", "3"),
-                       {"FILE": GRID, "--boundary": PLATE}, ("--output", "--report", "--mesh", "--patches"),
+                       {"FILE": GRID, "--boundary": AROUND}, ("--output", "--report", "--mesh", "--patches"),
                        takes_stdin=True, empty_is_refused=("--boundary",)),
     "surface probe-grid": Command((), {"--read": ANSWERS, "--program": PROBED}, ("--output",),
                                   empty_is_refused=("--read", "--program")),
