@@ -125,7 +125,8 @@ void write_path(const SurfaceCommandOptions& options,
       options,
       std::max({figures.highest_mm, top_of(mesh), options.stock_top_mm.value_or(top_of(mesh))}));
   const cnc::gcode::PrintGrid grid{static_cast<std::uint8_t>(options.decimals)};
-  const std::string program = program_of(path, mill, grid, heading_of(options, figures, inputs));
+  const std::string program =
+      options.post.applied_to(program_of(path, mill, grid, heading_of(options, figures, inputs)));
   terminal::print(options.output.empty() ? stderr : stdout,
                   "{}: {} arcs, {} lines, {:.1f} mm of rows and {:.1f} mm of links, Z {:.3f} to "
                   "{:.3f}\n",
@@ -144,6 +145,10 @@ void write_path(const SurfaceCommandOptions& options,
   if (!options.report.empty()) {
     write_file(options.report, report_of(options, path, figures, inputs));
   }
+  draw_path(options.pictures,
+            mesh,
+            {.path = path, .safe_mm = mill.safe_mm, .stock_top_mm = options.stock_top_mm},
+            cutter);
 }
 
 void write_heights(const SurfaceCommandOptions& options,
@@ -193,7 +198,10 @@ ExitStatus run_surface(const SurfaceCommandOptions& options, InputFiles& inputs)
   if (options.wants_patches()) grid = grid_of(input, options);
   if (options.wants_heights()) write_heights(options, input.mesh, cutter, places);
   if (options.wants_program()) write_path(options, input.mesh, cutter, inputs);
-  if (options.wants_patches()) fit_patches(grid, cutter, patches_of(options));
+  if (options.wants_patches()) {
+    draw_patches(options.pictures, fit_patches(grid, cutter, patches_of(options)));
+  }
+  draw_surface(options.pictures, input, cutter);
   if (!options.mesh.empty()) write_file(options.mesh, surface::ply_of(input.mesh));
   return ExitStatus::kFine;
 }
@@ -211,6 +219,11 @@ void add_surface_command(CLI::App& app, ExitStatus& status) {
     if (!command->get_subcommands().empty()) return;
     check_surface_options(*options);
     InputFiles inputs{options->output};
+    options->post.read(*command, inputs, options->decimals);
+    // Rows and the links between them turn in both upright planes.
+    if (!options->post.knows_arcs(cnc::Plane::kZX) || !options->post.knows_arcs(cnc::Plane::kYZ)) {
+      options->lines_only = true;
+    }
     status = run_surface(*options, inputs);
   });
 }

@@ -161,6 +161,7 @@ void add_surface_options(CLI::App& command, SurfaceCommandOptions& options) {
   add_row_options(command, options);
   add_stock_layer_options(command, options);
   add_patch_options(command, options.patches);
+  add_surface_picture_options(command, options.pictures);
   add_mill_options(command, options.mill);
   command.add_option("--safe", options.safe_mm, "Z of rapids, mm; else 5 mm above all")
       ->check(in_range(-surface::kFarthestMm, surface::kFarthestMm, "mm"))
@@ -168,6 +169,7 @@ void add_surface_options(CLI::App& command, SurfaceCommandOptions& options) {
   command.add_option("--decimals", options.decimals, "Of positions, mm")
       ->check(in_whole_range(cnc::gcode::PrintGrid::kFewest, cnc::gcode::PrintGrid::kMost))
       ->capture_default_str();
+  options.post.add_to(command);
   const auto add_output = [&](const char* name, std::string& file, const char* help) {
     mark_file(command.add_option(name, file, help)->type_name("FILE"), FileRole::kOutput);
   };
@@ -204,8 +206,9 @@ void check_surface_options(const SurfaceCommandOptions& options) {
   if (options.layer_mm > 0.0 && options.scallop_mm > 0.0) {
     throw std::invalid_argument("--scallop: layers have rows by --step alone");
   }
+  const char* const instead = options.wants_heights() ? "--at" : "--like-paper";
+  check_surface_pictures(options.pictures, options.wants_program() ? nullptr : instead);
   if (!options.wants_program()) {
-    const char* const instead = options.wants_heights() ? "--at" : "--like-paper";
     for (const auto& [name, file] :
          {std::pair{"--output", &options.output}, std::pair{"--report", &options.report}}) {
       if (file->empty()) continue;
