@@ -117,6 +117,7 @@ class PostReader {
     const auto* const found = std::ranges::find(kKeys, key, &Key::name);
     if (found == kKeys.end()) {
       std::vector<std::string_view> names;
+      names.reserve(kKeys.size());
       for (const Key& known : kKeys) names.push_back(known.name);
       refuse(fmt::format("there is no key {}; keys are {}", key, fmt::join(names, ", ")));
     }

@@ -36,7 +36,8 @@ std::vector<Eigen::Vector2d> ways_in_disc() {
   for (int i = 0; i < kRadii; ++i) {
     for (int k = 0; k < kAngles; ++k) {
       const double angle = 2.0 * std::numbers::pi * k / kAngles;
-      ways.push_back(i / (kRadii - 1.0) * Eigen::Vector2d{std::cos(angle), std::sin(angle)});
+      const double out = i / (kRadii - 1.0);
+      ways.emplace_back(out * std::cos(angle), out * std::sin(angle));
     }
   }
   return ways;
@@ -46,7 +47,7 @@ std::vector<Eigen::Vector2d> ways_in_disc() {
 /// the surface; infinitely low where it can stand beside the surface.
 double lowest_cut(const DropCutter& tool, const Eigen::Vector2d& place) {
   constexpr int kRounds = 6;
-  static const std::vector<Eigen::Vector2d> ways = ways_in_disc();
+  static const std::vector<Eigen::Vector2d> kWays = ways_in_disc();
   const double radius = tool.profile().radius_mm;
   Eigen::Vector2d best = place;
   double lowest = std::numeric_limits<double>::infinity();
@@ -54,7 +55,7 @@ double lowest_cut(const DropCutter& tool, const Eigen::Vector2d& place) {
   double reach = radius;
   Eigen::Vector2d centre = place;
   for (int round = 0; round < kRounds; ++round) {
-    for (const Eigen::Vector2d& way : ways) {
+    for (const Eigen::Vector2d& way : kWays) {
       const Eigen::Vector2d axis = centre + reach * way;
       const double distance = (axis - place).norm();
       if (distance > radius) continue;
@@ -83,7 +84,8 @@ class WorstOfParts {
     };
     const int column = part(place.x_mm, box_.x_min, box_.x_max);
     const int row = part(place.y_mm, box_.y_min, box_.y_max);
-    WorstPlace& worst = worst_[static_cast<std::size_t>(row * kParts + column)];
+    WorstPlace& worst =
+        worst_[static_cast<std::size_t>(row) * kParts + static_cast<std::size_t>(column)];
     if (std::abs(place.off_mm) > std::abs(worst.off_mm)) worst = place;
   }
 
@@ -148,10 +150,10 @@ class SurfaceComparer {
                                   const Eigen::Vector2d& place) {
     double rise = (surface.most_mm - surface.centre_mm) / half_mm_;
     if (std::abs(height_mm) > half_mm_) {
-      static const std::array<Eigen::Vector2d, 8> ways{
+      static const std::array<Eigen::Vector2d, 8> kAround{
           {{1, 0}, {0.7, 0.7}, {0, 1}, {-0.7, 0.7}, {-1, 0}, {-0.7, -0.7}, {0, -1}, {0.7, -0.7}}};
       const double reach = 3.0 * half_mm_;
-      for (const Eigen::Vector2d& way : ways) {
+      for (const Eigen::Vector2d& way : kAround) {
         const double beside = point_.tip_height(place + reach * way, point_hint_);
         if (beside == cnc::surface::kNoContact) continue;
         rise = std::max(rise, std::abs(beside - surface.centre_mm) / reach);
