@@ -143,21 +143,29 @@ class SurfaceComparer {
   }
 
  private:
+  /// Returns the steepest way from a cell's centre to the surface around, up or down.
+  [[nodiscard]] double rise_around(const CellSurface& surface,
+                                   const Eigen::Vector2d& place,
+                                   double reach) {
+    static const std::array<Eigen::Vector2d, 8> kAround{
+        {{1, 0}, {0.7, 0.7}, {0, 1}, {-0.7, 0.7}, {-1, 0}, {-0.7, -0.7}, {0, -1}, {0.7, -0.7}}};
+    double rise = 0.0;
+    for (const Eigen::Vector2d& way : kAround) {
+      const double beside = point_.tip_height(place + reach * way, point_hint_);
+      if (beside == cnc::surface::kNoContact) continue;
+      rise = std::max(rise, std::abs(beside - surface.centre_mm) / reach);
+    }
+    return rise;
+  }
+
   /// Returns a height above the surface as a distance at right angles to it. Large ones look
   /// around: a wall that stands beside the cell is near, however high it is.
   [[nodiscard]] double square_off(double height_mm,
                                   const CellSurface& surface,
                                   const Eigen::Vector2d& place) {
     double rise = (surface.most_mm - surface.centre_mm) / half_mm_;
-    if (std::abs(height_mm) > half_mm_) {
-      static const std::array<Eigen::Vector2d, 8> kAround{
-          {{1, 0}, {0.7, 0.7}, {0, 1}, {-0.7, 0.7}, {-1, 0}, {-0.7, -0.7}, {0, -1}, {0.7, -0.7}}};
-      const double reach = 3.0 * half_mm_;
-      for (const Eigen::Vector2d& way : kAround) {
-        const double beside = point_.tip_height(place + reach * way, point_hint_);
-        if (beside == cnc::surface::kNoContact) continue;
-        rise = std::max(rise, std::abs(beside - surface.centre_mm) / reach);
-      }
+    for (double reach = half_mm_; reach < std::abs(height_mm); reach *= 2.0) {
+      rise = std::max(rise, rise_around(surface, place, reach));
     }
     return height_mm / std::hypot(1.0, rise);
   }

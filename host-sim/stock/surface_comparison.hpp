@@ -14,7 +14,9 @@ namespace sim::stock {
 struct WorstPlace {
   double x_mm = 0.0;
   double y_mm = 0.0;
-  double off_mm = 0.0;  ///< At right angles to the surface; above 0 where stock is left.
+  /// At right angles to the surface; above 0 where stock is left. Stock beside a wall may be named
+  /// twice as thick as it is.
+  double off_mm = 0.0;
   /// Part of the rest that the tool leaves there because it does not fit; 0 for a gouge.
   double unreachable_mm = 0.0;
 };

@@ -118,7 +118,7 @@ TEST(SurfaceComparison, TellsWhatAToolLeavesWhereItDoesNotFit) {
 }
 
 TEST(SurfaceComparison, SeesAWallBesideACellAsNear) {
-  // A step of 3 mm, and stock that stands 0.06 mm beside it.
+  // A step of 3 mm, and stock that stands 0.2 mm beside it.
   const surface::Mesh step{
       .points = {{-1, -1, -4},
                  {6, -1, -4},
@@ -132,12 +132,13 @@ TEST(SurfaceComparison, SeesAWallBesideACellAsNear) {
   const Cutter cutter{.kind = CutterKind::kFlat, .diameter_mm = 2.0};
   Stock stock{kComparedBlock, kComparedCell};
   Carver carver{stock, cutter};
-  for (double x = 4.94; x > -2.0; x -= 0.7) carver.sweep({{x, -2.0, -4.0}, {x, 10.0, -4.0}});
+  // Behind it a rest of 0.2 mm in thickness.
+  for (double x = 4.8; x > -2.0; x -= 0.7) carver.sweep({{x, -2.0, -4.0}, {x, 10.0, -4.0}});
   for (double x = 6.0; x < 14.0; x += 0.7) carver.sweep({{x, -2.0, -1.0}, {x, 10.0, -1.0}});
   const SurfaceFigures figures = compared(stock, cutter, step).figures;
   EXPECT_GT(figures.tallest_rest.least_mm, 2.5);
   ASSERT_FALSE(figures.worst_rests.empty());
-  EXPECT_LT(figures.worst_rests[0].off_mm, 0.15);
+  EXPECT_LT(figures.worst_rests[0].off_mm, 0.4);
   EXPECT_GT(figures.worst_rests[0].off_mm, 0.02);
   EXPECT_EQ(figures.gouge.least_mm3, 0.0);
 }

@@ -81,6 +81,8 @@ TEST(SurfaceView, TheCarvedBlockHasNoGougeAndALowerPathHas) {
     };
     const stock::SurfaceFigures sound = figures_after(path);
     EXPECT_EQ(sound.gouge.least_mm3, 0.0);
+    EXPECT_TRUE(sound.worst_gouges.empty());  // Though bounds leave some open on slopes.
+    EXPECT_GT(sound.gouge.most_mm3, 0.0);
     EXPECT_GT(sound.cells, 20'000U);
     ASSERT_FALSE(sound.worst_rests.empty());
     for (const stock::WorstPlace& rest : sound.worst_rests) {
