@@ -119,7 +119,7 @@ std::string timed_program(const CutCommandOptions& options,
         "--settings, or move the drawing\n");
     status = ExitStatus::kFaults;
   }
-  return program_of(job, run, heading_of(job, figures));
+  return options.post.applied_to(program_of(job, run, heading_of(job, figures)));
 }
 
 const char* refusal_of(const CutPlan& plan) {
@@ -169,7 +169,7 @@ ExitStatus write_job(const CutCommandOptions& options,
   } else {
     write_file(options.output, program);
   }
-  write_frame(options.frame, job, run);
+  write_frame(options.frame, job, run, options.post);
   nlohmann::ordered_json report = json_of(job, figures);
   account_for(options.outputs, job, timeline, job_time_s, told, report);
   report["version"] = cnc::identity::version();
@@ -184,8 +184,9 @@ ExitStatus write_job(const CutCommandOptions& options,
   return status;
 }
 
-ExitStatus cut_drawing(const CutCommandOptions& options) {
+ExitStatus cut_drawing(const CLI::App& command, CutCommandOptions& options) {
   InputFiles inputs{options.output};
+  options.post.read(command, inputs, options.decimals);
   const CutInput input = read_cut_input(options.file, options.import, inputs);
   const Drawing& drawn = input.drawn;
   if (input.is_broken_sheet() && !options.anyway) return refuse(options, drawn.faults, drawn);
@@ -227,7 +228,7 @@ void add_cut_command(CLI::App& app, ExitStatus& status) {
       "cut", "Make a program that cuts the parts of a drawing to size, whatever the kerf.");
   const auto options = std::make_shared<CutCommandOptions>();
   add_cut_options(*command, options);
-  command->callback([options, &status] { status = cut_drawing(*options); });
+  command->callback([command, options, &status] { status = cut_drawing(*command, *options); });
 }
 
 }  // namespace sim

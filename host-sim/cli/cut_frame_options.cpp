@@ -54,16 +54,19 @@ void add_cut_frame_options(CLI::App& command, CutFrameOptions& options) {
       ->capture_default_str();
 }
 
-void write_frame(const CutFrameOptions& options, const cut::CutJob& job, const CutRun& run) {
+void write_frame(const CutFrameOptions& options,
+                 const cut::CutJob& job,
+                 const CutRun& run,
+                 const PostOption& post) {
   if (options.file.empty()) return;
   const cut::FrameSettings settings{
       options.shape, 0.01 * options.power_percent, options.feed_mm_min};
   write_file(options.file,
-             frame_program(frame_of(job.plan, options.shape),
-                           settings,
-                           job.beam,
-                           cnc::gcode::PrintGrid{run.decimals},
-                           frame_heading(options, job)));
+             post.applied_to(frame_program(frame_of(job.plan, options.shape),
+                                           settings,
+                                           job.beam,
+                                           cnc::gcode::PrintGrid{run.decimals},
+                                           frame_heading(options, job))));
 }
 
 }  // namespace sim

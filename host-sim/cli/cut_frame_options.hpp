@@ -3,6 +3,7 @@
 #include <string>
 
 #include "host-sim/cli/cut_runs.hpp"
+#include "host-sim/cli/post_option.hpp"
 #include "host-sim/cut/cut_report.hpp"
 #include "host-sim/cut/frame_program.hpp"
 
@@ -23,7 +24,11 @@ struct CutFrameOptions {
 /// Adds `--frame`, `--frame-shape`, `--frame-power` and `--frame-feed`.
 void add_cut_frame_options(CLI::App& command, CutFrameOptions& options);
 
-/// Writes the frame program of a job if it is wanted. @pre the job has a cut
-void write_frame(const CutFrameOptions& options, const cut::CutJob& job, const CutRun& run);
+/// Writes the frame program of a job, in the form of a post, if it is wanted. @pre the job has a
+/// cut
+void write_frame(const CutFrameOptions& options,
+                 const cut::CutJob& job,
+                 const CutRun& run,
+                 const PostOption& post);
 
 }  // namespace sim

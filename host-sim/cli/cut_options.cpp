@@ -110,6 +110,7 @@ void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>
   add_cut_safety_options(command, options);
   command.add_flag("--anyway", options->anyway, "Cut what is sound of a drawing with faults");
   command.add_flag("--check", options->check, "Drive it and measure how well the parts fit");
+  options->post.add_to(command);
   command.add_option("--decimals", options->decimals, "Of places, mm")
       ->check(in_whole_range(cnc::gcode::PrintGrid::kFewest, cnc::gcode::PrintGrid::kMost))
       ->capture_default_str();

@@ -14,6 +14,7 @@
 #include "host-sim/cli/cut_sheet_options.hpp"
 #include "host-sim/cli/kerf_options.hpp"
 #include "host-sim/cli/outline_options.hpp"
+#include "host-sim/cli/post_option.hpp"
 #include "host-sim/import/drawing.hpp"
 
 namespace CLI {
@@ -41,6 +42,7 @@ struct CutCommandOptions {
   bool anyway = false;
   bool check = false;
   unsigned decimals = 4;
+  PostOption post;
   std::string settings_file;
   std::vector<std::string> set;
   CutSheetOptions sheet;

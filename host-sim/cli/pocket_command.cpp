@@ -189,13 +189,14 @@ std::string holes_program(const PocketCommandOptions& options,
                           const MilledDrawing& milled,
                           cnc::gcode::PrintGrid grid) {
   const PathRows holes = pocket::drill_holes(milled.path(), options.level_mm());
-  return program_of(holes.path(), mill_settings_of(options), grid, holes_heading(options, milled));
+  return options.post.applied_to(
+      program_of(holes.path(), mill_settings_of(options), grid, holes_heading(options, milled)));
 }
 
 void write_outputs(const PocketCommandOptions& options, const MilledDrawing& milled) {
   const cnc::gcode::PrintGrid grid{static_cast<std::uint8_t>(options.decimals)};
-  const std::string program =
-      program_of(milled.path(), mill_settings_of(options), grid, pocket_heading(options, milled));
+  const std::string program = options.post.applied_to(
+      program_of(milled.path(), mill_settings_of(options), grid, pocket_heading(options, milled)));
   terminal::print(
       options.output.empty() ? stderr : stdout, "{}\n", pocket_summary(options, milled));
   if (options.output.empty()) {
@@ -316,6 +317,7 @@ void add_pocket_command(CLI::App& app, ExitStatus& status) {
     InputFiles inputs{options->output};
     apply_tool(*command, *options, inputs);
     check_pocket_options(*command, *options);
+    options->post.read(*command, inputs, options->decimals);
     status = mill_or_tell(*options, inputs);
   });
 }

@@ -193,6 +193,7 @@ void add_pocket_options(CLI::App& command, PocketCommandOptions& options) {
   add_height_options(command, options.mill);
   add_outline_options(command, options.outline);
   command.add_flag("--anyway", options.anyway, "Mill what the tool reaches, and leave the rest");
+  options.post.add_to(command);
   command.add_option("--decimals", options.decimals, "Of positions, mm")
       ->check(in_whole_range(cnc::gcode::PrintGrid::kFewest, cnc::gcode::PrintGrid::kMost))
       ->capture_default_str();

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "host-sim/cli/input_files.hpp"
+#include "host-sim/cli/post_option.hpp"
 #include "host-sim/contour/contour_file.hpp"
 #include "host-sim/pocket/mill_program.hpp"
 #include "host-sim/pocket/strategy.hpp"
@@ -61,6 +62,7 @@ struct PocketCommandOptions {
   bool anyway = false;
   pocket::MillSettings mill;
   unsigned decimals = 4;
+  PostOption post;
 
   [[nodiscard]] double radius_mm() const { return 0.5 * tool_mm; }
   /// Greatest depth of one level.

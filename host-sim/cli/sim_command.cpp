@@ -43,7 +43,7 @@ std::string with_job_name(const std::string& name, const std::string& file) {
 StockOptions stock_for(const StockOptions& asked, const std::string& file) {
   StockOptions options = asked;
   for (std::string StockOptions::*name :
-       {&StockOptions::png, &StockOptions::stl, &StockOptions::ply}) {
+       {&StockOptions::png, &StockOptions::stl, &StockOptions::ply, &StockOptions::map}) {
     options.*name = with_job_name(asked.*name, file);
   }
   return options;
@@ -74,6 +74,9 @@ std::vector<NamedFile> files_of(const SimOptions& options) {
   }
   if (!options.stock.target.empty()) {
     files.push_back({"--stock-target", options.stock.target, FileRole::kInput});
+  }
+  if (!options.stock.surface.empty()) {
+    files.push_back({"--stock-surface", options.stock.surface, FileRole::kInput});
   }
   for (const std::string& file : options.job.files) {
     const JobOutputs outputs = outputs_for(options, file);
@@ -117,9 +120,13 @@ ExitStatus simulate_all(const SimOptions& options) {
   }
   refuse_shared_files(files_of(options));
   const std::optional<stock::PocketTarget> target = stock_target_of(options.stock);
+  const std::shared_ptr<const surface::Mesh> surface = stock_surface_of(options.stock);
   const JobsDone done = for_each_job(options.job, [&](const Job& job) {
     JobOutputs outputs = outputs_for(options, job.file);
-    if (outputs.stock) outputs.stock->target = target;
+    if (outputs.stock) {
+      outputs.stock->target = target;
+      outputs.stock->surface = surface;
+    }
     Report report = simulate(job, outputs);
     write_report(options, report, job.file);
     return report;

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
+#include <cstdio>
 #include <stdexcept>
 #include <string_view>
 
@@ -14,6 +15,9 @@
 #include "host-sim/contour/contour_text.hpp"
 #include "host-sim/import/curve_measure.hpp"
 #include "host-sim/import/drawing.hpp"
+#include "host-sim/plot/picture_file.hpp"
+#include "host-sim/report/terminal.hpp"
+#include "host-sim/surface/read_surface.hpp"
 #include "host-sim/trace/input_file.hpp"
 
 namespace sim {
@@ -104,6 +108,14 @@ void refuse_lonely(const StockOptions& options) {
         options.target.empty() ? "--stock-depth: needs the drawing of --stock-target"
                                : "--stock-target: needs the depth of the pocket, --stock-depth");
   }
+  if (!options.map.empty() && options.surface.empty()) {
+    throw std::invalid_argument("--stock-map: needs the surface of --stock-surface");
+  }
+  if (!options.surface.empty() && !options.target.empty()) {
+    throw std::invalid_argument(
+        "--stock-surface: the stock is to become a surface or the pocket of --stock-target, not "
+        "both");
+  }
   if (!options.box.empty()) return;
   const auto refuse_without_stock = [](const char* option) {
     throw std::invalid_argument(fmt::format("{}: needs the block of --stock", option));
@@ -112,6 +124,7 @@ void refuse_lonely(const StockOptions& options) {
     if (!value.empty()) refuse_without_stock(option);
   }
   if (!options.target.empty()) refuse_without_stock("--stock-target");
+  if (!options.surface.empty()) refuse_without_stock("--stock-surface");
   if (!options.tool.empty()) refuse_without_stock("--tool");
 }
 
@@ -152,6 +165,17 @@ void add_stock_options(CLI::App& command, StockOptions& options) {
       .add_option("--stock-depth", options.depth_mm, "Depth of that pocket below the stock's top")
       ->check(in_range(0.0, stock::kDeepestStockMm, "mm"))
       ->type_name("MM");
+  mark_file(command
+                .add_option("--stock-surface",
+                            options.surface,
+                            "Compare what is left with this surface, a grid or a mesh as kerfline "
+                            "surface reads\nthem, mm in machine coordinates")
+                ->type_name("FILE"),
+            FileRole::kInput);
+  add_output("--stock-map",
+             options.map,
+             "Draw how far the stock is off that surface, in plan, SVG or PNG: gouges red, rests\n"
+             "blue, the worst places listed");
 }
 
 std::optional<StockWish> stock_wish_of(const StockOptions& options) {
@@ -165,10 +189,16 @@ std::optional<StockWish> stock_wish_of(const StockOptions& options) {
   wish.png = options.png;
   wish.stl = options.stl;
   wish.ply = options.ply;
+  wish.map = options.map;
+  require_picture_name("--stock-map", options.map);
   read_box(options.box, wish);
   wish.cutter = cutter_of("--tool", options.tool);
   if (const std::string fault = fault_of(wish.box, wish.cell_mm); !fault.empty()) {
     refuse("--stock", options.box, fault);
+  }
+  if (options.surface.empty()) return wish;
+  if (const std::string fault = fault_of_comparison(wish.box, wish.cell_mm); !fault.empty()) {
+    refuse("--stock-surface", options.surface, fault);
   }
   return wish;
 }
@@ -182,8 +212,19 @@ std::optional<stock::PocketTarget> stock_target_of(const StockOptions& options) 
   return target;
 }
 
+std::shared_ptr<const surface::Mesh> stock_surface_of(const StockOptions& options) {
+  if (options.surface.empty()) return nullptr;
+  surface::SurfaceInput read =
+      surface::read_surface(read_bytes(options.surface), name_of_input(options.surface), {});
+  for (const std::string& note : read.notes) terminal::print(stderr, "{}\n", note);
+  return std::make_shared<const surface::Mesh>(std::move(read.mesh));
+}
+
 std::vector<std::pair<const char*, std::string>> stock_files(const StockOptions& options) {
-  return {{"--stock-png", options.png}, {"--stock-stl", options.stl}, {"--stock-ply", options.ply}};
+  return {{"--stock-png", options.png},
+          {"--stock-stl", options.stl},
+          {"--stock-ply", options.ply},
+          {"--stock-map", options.map}};
 }
 
 }  // namespace sim

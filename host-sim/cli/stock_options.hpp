@@ -21,8 +21,10 @@ struct StockOptions {
   std::string png;
   std::string stl;
   std::string ply;
+  std::string map;
   std::string target;                ///< A drawing to read.
   std::optional<double> depth_mm{};  ///< Depth of the target pocket, mm.
+  std::string surface;               ///< A measured grid, a mesh or a height map to read.
 };
 
 /// Adds `--stock`, `--tool` and the options that begin with `--stock-`.
@@ -34,6 +36,10 @@ void add_stock_options(CLI::App& command, StockOptions& options);
 /// Reads the drawing of the pocket that the stock is to become; nothing without one. Throws
 /// std::system_error if it cannot be read, std::invalid_argument naming it for its faults.
 [[nodiscard]] std::optional<stock::PocketTarget> stock_target_of(const StockOptions& options);
+
+/// Reads the surface that the stock is to become; null without one. Prints the notes of its reader
+/// to standard error. Throws as read_bytes() and read_surface() do.
+[[nodiscard]] std::shared_ptr<const surface::Mesh> stock_surface_of(const StockOptions& options);
 
 /// Options and names of the files to write.
 [[nodiscard]] std::vector<std::pair<const char*, std::string>> stock_files(

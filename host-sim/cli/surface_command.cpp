@@ -175,8 +175,8 @@ void write_path(const SurfaceCommandOptions& options,
   const cnc::gcode::PrintGrid grid{static_cast<std::uint8_t>(options.decimals)};
   std::optional<double> ramp_slope;
   if (options.ramp_deg > 0.0) ramp_slope = std::tan(options.ramp_deg * std::numbers::pi / 180.0);
-  const std::string program =
-      program_of(path, mill, grid, heading_of(options, figures, inputs), ramp_slope);
+  const std::string program = options.post.applied_to(
+      program_of(path, mill, grid, heading_of(options, figures, inputs), ramp_slope));
   terminal::print(options.output.empty() ? stderr : stdout,
                   "{}: {} arcs, {} lines, {:.1f} mm of rows and {:.1f} mm of links, Z {:.3f} to "
                   "{:.3f}\n",
@@ -195,6 +195,10 @@ void write_path(const SurfaceCommandOptions& options,
   if (!options.report.empty()) {
     write_file(options.report, report_of(options, path, figures, inputs));
   }
+  draw_path(options.pictures,
+            mesh,
+            {.path = path, .safe_mm = mill.safe_mm, .stock_top_mm = options.stock_top_mm},
+            cutter);
 }
 
 void write_heights(const SurfaceCommandOptions& options,
@@ -229,6 +233,13 @@ PatchOptions patches_of(const SurfaceCommandOptions& options) {
   return patches;
 }
 
+/// Returns whether the controller has arcs in all planes of the path: rows and the links between
+/// them turn in both upright ones, lines of one height in the level one.
+bool knows_arcs_of_path(const SurfaceCommandOptions& options) {
+  if (options.paths == SurfacePaths::kWaterline) return options.post.knows_arcs(cnc::Plane::kXY);
+  return options.post.knows_arcs(cnc::Plane::kZX) && options.post.knows_arcs(cnc::Plane::kYZ);
+}
+
 ExitStatus run_surface(const SurfaceCommandOptions& options, InputFiles& inputs) {
   const stock::Cutter cutter = cutter_of("--tool", options.tool);
   const std::string bytes = read_bytes(options.file);
@@ -244,7 +255,10 @@ ExitStatus run_surface(const SurfaceCommandOptions& options, InputFiles& inputs)
   if (options.wants_patches()) grid = grid_of(input, options);
   if (options.wants_heights()) write_heights(options, input.mesh, cutter, places);
   if (options.wants_program()) write_path(options, input.mesh, cutter, inputs);
-  if (options.wants_patches()) fit_patches(grid, cutter, patches_of(options));
+  if (options.wants_patches()) {
+    draw_patches(options.pictures, fit_patches(grid, cutter, patches_of(options)));
+  }
+  draw_surface(options.pictures, input, cutter);
   if (!options.mesh.empty()) write_file(options.mesh, surface::ply_of(input.mesh));
   return ExitStatus::kFine;
 }
@@ -262,6 +276,10 @@ void add_surface_command(CLI::App& app, ExitStatus& status) {
     if (!command->get_subcommands().empty()) return;
     check_surface_options(*options);
     InputFiles inputs{options->output};
+    options->post.read(*command, inputs, options->decimals);
+    if (!knows_arcs_of_path(*options)) {
+      options->lines_only = true;
+    }
     status = run_surface(*options, inputs);
   });
 }

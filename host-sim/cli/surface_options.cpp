@@ -237,6 +237,7 @@ void add_surface_options(CLI::App& command, SurfaceCommandOptions& options) {
   add_region_options(command, options.regions);
   add_pencil_options(command, options);
   add_patch_options(command, options.patches);
+  add_surface_picture_options(command, options.pictures);
   add_mill_options(command, options.mill);
   command
       .add_option("--ramp",
@@ -251,6 +252,7 @@ void add_surface_options(CLI::App& command, SurfaceCommandOptions& options) {
   command.add_option("--decimals", options.decimals, "Of positions, mm")
       ->check(in_whole_range(cnc::gcode::PrintGrid::kFewest, cnc::gcode::PrintGrid::kMost))
       ->capture_default_str();
+  options.post.add_to(command);
   const auto add_output = [&](const char* name, std::string& file, const char* help) {
     mark_file(command.add_option(name, file, help)->type_name("FILE"), FileRole::kOutput);
   };
@@ -291,8 +293,9 @@ void check_surface_options(const SurfaceCommandOptions& options) {
   }
   check_region_options(options.regions, options.file);
   check_pencil_options(options);
+  const char* const instead = options.wants_heights() ? "--at" : "--like-paper";
+  check_surface_pictures(options.pictures, options.wants_program() ? nullptr : instead);
   if (!options.wants_program()) {
-    const char* const instead = options.wants_heights() ? "--at" : "--like-paper";
     for (const auto& [name, file] :
          {std::pair{"--output", &options.output}, std::pair{"--report", &options.report}}) {
       if (file->empty()) continue;

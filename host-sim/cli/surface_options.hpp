@@ -5,7 +5,9 @@
 #include <string>
 #include <vector>
 
+#include "host-sim/cli/post_option.hpp"
 #include "host-sim/cli/surface_patches.hpp"
+#include "host-sim/cli/surface_pictures.hpp"
 #include "host-sim/cli/surface_regions.hpp"
 #include "host-sim/pocket/mill_program.hpp"
 #include "host-sim/stock/cutter.hpp"
@@ -53,7 +55,9 @@ struct SurfaceCommandOptions {
   bool lines_only = false;
   pocket::MillSettings mill;
   unsigned decimals = 4;
+  PostOption post;
   PatchOptions patches;
+  SurfacePictures pictures;
   std::string output;
   std::string report;
   std::string mesh;     ///< Where the surface is written as it counts; empty: it is not.
@@ -61,7 +65,9 @@ struct SurfaceCommandOptions {
   std::string heights;  ///< Where they are written.
 
   [[nodiscard]] bool wants_heights() const { return !at.empty(); }
-  [[nodiscard]] bool wants_patches() const { return patches.like_paper || !patches.file.empty(); }
+  [[nodiscard]] bool wants_patches() const {
+    return patches.like_paper || !patches.file.empty() || !pictures.patches.empty();
+  }
   [[nodiscard]] bool wants_program() const { return !wants_heights() && !patches.like_paper; }
 };
 

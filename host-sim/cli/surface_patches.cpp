@@ -53,11 +53,11 @@ void tell(const surface::patch::PieceCounts& counts, double flatness_mm) {
 
 }  // namespace
 
-void fit_patches(const surface::PointGrid& grid,
-                 const stock::Cutter& cutter,
-                 const PatchOptions& options) {
+surface::patch::PatchSurface fit_patches(const surface::PointGrid& grid,
+                                         const stock::Cutter& cutter,
+                                         const PatchOptions& options) {
   const surface::PointGrid tips = tips_over(grid, cutter);
-  const surface::patch::PatchSurface fitted = surface::patch::fitted_surface(tips, options.fit_mm);
+  surface::patch::PatchSurface fitted = surface::patch::fitted_surface(tips, options.fit_mm);
   tell(surface::patch::fit_report(fitted, tips, options.fit_mm),
        fitted.patches.size(),
        options.fit_mm);
@@ -65,6 +65,7 @@ void fit_patches(const surface::PointGrid& grid,
   if (options.like_paper) {
     tell(surface::patch::piece_counts(fitted, options.flatness_mm), options.flatness_mm);
   }
+  return fitted;
 }
 
 }  // namespace sim

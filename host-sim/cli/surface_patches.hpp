@@ -3,6 +3,7 @@
 #include <string>
 
 #include "host-sim/stock/cutter.hpp"
+#include "host-sim/surface/patch/patch_surface.hpp"
 #include "host-sim/surface/point_grid.hpp"
 
 namespace sim {
@@ -16,10 +17,10 @@ struct PatchOptions {
 };
 
 /// Fits a smooth composite Bezier surface to the places of a tool's tip over each point of a grid,
-/// tells how well it fits, and writes and counts what the options ask for.
+/// tells how well it fits, writes and counts what the options ask for, and returns it.
 /// @pre the fit's tolerance is above 0; the grid has two rows and columns at least
-void fit_patches(const surface::PointGrid& grid,
-                 const stock::Cutter& cutter,
-                 const PatchOptions& options);
+surface::patch::PatchSurface fit_patches(const surface::PointGrid& grid,
+                                         const stock::Cutter& cutter,
+                                         const PatchOptions& options);
 
 }  // namespace sim

@@ -20,8 +20,8 @@ namespace {
 
 constexpr std::string_view kDigestMark = "(kerfline digest ";
 constexpr std::size_t kDigestDigits = 16;
-constexpr std::array<std::string_view, 6> kFileKinds{
-    "drawing", "sheet", "layers", "rules", "tools", "surface"};
+constexpr std::array<std::string_view, 7> kFileKinds{
+    "drawing", "sheet", "layers", "rules", "tools", "surface", "post"};
 
 bool is_plain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||

@@ -14,7 +14,7 @@ namespace sim {
 /// The identity of one thing that a program was made from. In the heading of a program it is a
 /// comment of its own: `(kerfline digest drawing=0123456789abcdef plate.svg)`.
 struct ProgramDigest {
-  /// `drawing`, `sheet`, `layers`, `rules`, `tools`, `surface`, `kerf` or `settings`.
+  /// `drawing`, `sheet`, `layers`, `rules`, `tools`, `post`, `surface`, `kerf` or `settings`.
   std::string kind;
   std::string digest;  ///< 16 hexadecimal digits; see digest_of().
   /// Name of the file, from the folder of the program; of a kerf that of the material; `given` or

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "host-sim/job/axis_scale.hpp"
+#include "host-sim/plot/deviation_picture.hpp"
+#include "host-sim/plot/picture_file.hpp"
 #include "host-sim/plot/png.hpp"
 #include "host-sim/plot/stock_picture.hpp"
 #include "host-sim/report/stock_text.hpp"
@@ -95,6 +97,7 @@ void StockRun::on_row(const TraceRow& row) {
 void StockRun::on_end(std::uint64_t time_ns) {
   stretches_.finish();
   carving_.end(static_cast<double>(time_ns) * 1.0e-9);
+  if (wish_.surface) comparison_ = compared(stock_, wish_.cutter, *wish_.surface);
 }
 
 void StockRun::add_to(Report& report, const std::string& file) const {
@@ -106,6 +109,7 @@ void StockRun::add_to(Report& report, const std::string& file) const {
                                     .carved_bytes = stock_.carved_bytes(),
                                     .figures = carving_.figures()};
   if (wish_.target) report.stock->pocket = compared(stock_, wish_.cutter, *wish_.target);
+  if (comparison_) report.stock->surface = comparison_->figures;
   for (std::string& warning : warnings_of(*report.stock, file)) {
     report.warnings.push_back(std::move(warning));
   }
@@ -119,6 +123,10 @@ void StockRun::write_files(const std::string& title) const {
                                           removed.most_mm3,
                                           to_string(wish_.cutter));
     write_png(wish_.png, draw_stock(wish_.png, stock_, title, facts));
+  }
+  if (!wish_.map.empty() && comparison_) {
+    const std::string facts = to_string(wish_.cutter);
+    write_picture(wish_.map, draw_deviation(wish_.map, *comparison_, title, facts));
   }
   if (!wish_.stl.empty()) write_stl(wish_.stl, stock_);
   if (!wish_.ply.empty()) write_ply(wish_.ply, stock_);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 
@@ -10,6 +11,7 @@
 #include "host-sim/stock/comparison.hpp"
 #include "host-sim/stock/step_stretches.hpp"
 #include "host-sim/stock/stock.hpp"
+#include "host-sim/stock/surface_comparison.hpp"
 #include "host-sim/trace/trace_row.hpp"
 
 namespace sim {
@@ -23,7 +25,10 @@ struct StockWish {
   std::string png;
   std::string stl;
   std::string ply;
+  std::string map;                              ///< A picture of the distances from `surface`.
   std::optional<stock::PocketTarget> target{};  ///< The pocket that it is to become.
+  /// The surface that it is to become, in machine coordinates; null for none.
+  std::shared_ptr<const surface::Mesh> surface{};
 };
 
 /// Carves a stock along the steps of a tool.
@@ -66,6 +71,7 @@ class StockRun final : public TraceSink {
   stock::Stock stock_;
   stock::Carving carving_;
   stock::StepStretches stretches_;
+  std::optional<stock::SurfaceComparison> comparison_;  ///< After the end.
 };
 
 }  // namespace sim

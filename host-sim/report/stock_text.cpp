@@ -76,6 +76,36 @@ StockJson pocket_json(const stock::PocketFigures& pocket) {
           {"tallest_scallop", peak_json(pocket.tallest_scallop)}};
 }
 
+StockJson worst_json(const std::vector<stock::WorstPlace>& places) {
+  StockJson list = StockJson::array();
+  for (const stock::WorstPlace& place : places) {
+    list.push_back({{"off_mm", place.off_mm},
+                    {"unreachable_mm", place.unreachable_mm},
+                    {"at_mm", StockJson::array({place.x_mm, place.y_mm})}});
+  }
+  return list;
+}
+
+StockJson surface_json(const stock::SurfaceFigures& figures) {
+  return {{"cells", figures.cells},
+          {"gouge_mm3", bounds_json(figures.gouge)},
+          {"deepest_gouge", peak_json(figures.deepest_gouge)},
+          {"rest_mm3", bounds_json(figures.rest)},
+          {"tallest_rest", peak_json(figures.tallest_rest)},
+          {"worst_gouges", worst_json(figures.worst_gouges)},
+          {"worst_rests", worst_json(figures.worst_rests)}};
+}
+
+/// `+0.0120 mm at X1.000 Y2.000, where the tool leaves 0.0100`.
+std::string worst_text(const stock::WorstPlace& place) {
+  std::string text =
+      fmt::format("{:+.4f} mm at X{:.3f} Y{:.3f}", place.off_mm, place.x_mm, place.y_mm);
+  if (place.unreachable_mm > 0.0) {
+    text += fmt::format(", where the tool leaves {:.4f}", place.unreachable_mm);
+  }
+  return text;
+}
+
 /// `1.2 to 3.4 mm³, surely 0.500 mm at X1.000 Y2.000`; the place only if something is sure.
 std::string difference_text(const stock::VolumeBounds& volume, const stock::HeightPeak& peak) {
   std::string text = fmt::format("{:.2f} to {:.2f} mm³", volume.least_mm3, volume.most_mm3);
@@ -127,7 +157,9 @@ nlohmann::ordered_json to_json(const stock::StockReport& report) {
   const stock::StockBox& box = report.box;
   StockJson bottom;
   StockJson pocket;
+  StockJson surface;
   if (report.pocket) pocket = pocket_json(*report.pocket);
+  if (report.surface) surface = surface_json(*report.surface);
   if (report.has_bottom) bottom = box.bottom;
   return {{"x_mm", StockJson::array({box.x_min, box.x_max})},
           {"y_mm", StockJson::array({box.y_min, box.y_max})},
@@ -141,7 +173,8 @@ nlohmann::ordered_json to_json(const stock::StockReport& report) {
           {"rapids_in_stock", lines_json(figures.rapids)},
           {"plunges_in_stock", lines_json(figures.plunges)},
           {"greatest_engagement_deg", engagement_json(figures.engagement)},
-          {"pocket", pocket}};
+          {"pocket", pocket},
+          {"surface", surface}};
 }
 
 std::vector<std::pair<std::string, std::string>> stock_facts(const stock::StockReport& report) {
@@ -167,6 +200,23 @@ std::vector<std::pair<std::string, std::string>> stock_facts(const stock::StockR
     facts.emplace_back("gouge",
                        difference_text(report.pocket->gouge, report.pocket->deepest_gouge));
     facts.emplace_back("rest", difference_text(report.pocket->rest, report.pocket->tallest_rest));
+  }
+  if (report.surface) {
+    for (auto& fact : surface_facts(*report.surface)) facts.push_back(std::move(fact));
+  }
+  return facts;
+}
+
+std::vector<std::pair<std::string, std::string>> surface_facts(
+    const stock::SurfaceFigures& figures) {
+  std::vector<std::pair<std::string, std::string>> facts{
+      {"gouge", difference_text(figures.gouge, figures.deepest_gouge)},
+      {"rest", difference_text(figures.rest, figures.tallest_rest)}};
+  for (std::size_t i = 0; i < figures.worst_gouges.size(); ++i) {
+    facts.emplace_back(fmt::format("gouge G{}", i + 1), worst_text(figures.worst_gouges[i]));
+  }
+  for (std::size_t i = 0; i < figures.worst_rests.size(); ++i) {
+    facts.emplace_back(fmt::format("rest R{}", i + 1), worst_text(figures.worst_rests[i]));
   }
   return facts;
 }
@@ -195,6 +245,12 @@ std::vector<std::string> warnings_of(const stock::StockReport& report, const std
         fmt::format("{}: the pocket is gouged: {}",
                     file,
                     difference_text(report.pocket->gouge, report.pocket->deepest_gouge)));
+  }
+  if (report.surface && report.surface->gouge.least_mm3 > 0.0) {
+    warnings.push_back(
+        fmt::format("{}: the surface is gouged: {}",
+                    file,
+                    difference_text(report.surface->gouge, report.surface->deepest_gouge)));
   }
   return warnings;
 }

@@ -19,8 +19,12 @@ namespace sim {
 [[nodiscard]] std::vector<std::pair<std::string, std::string>> stock_facts(
     const stock::StockReport& report);
 
+/// Returns the same of a comparison with a surface: gouge, rest, and the worst places.
+[[nodiscard]] std::vector<std::pair<std::string, std::string>> surface_facts(
+    const stock::SurfaceFigures& figures);
+
 /// A warning for each of the first lines whose rapids cut stock, one for the others, and one for a
-/// pocket that is gouged.
+/// pocket or a surface that is gouged.
 [[nodiscard]] std::vector<std::string> warnings_of(const stock::StockReport& report,
                                                    const std::string& file);
 

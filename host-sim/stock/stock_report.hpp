@@ -7,6 +7,7 @@
 #include "host-sim/stock/comparison.hpp"
 #include "host-sim/stock/cutter.hpp"
 #include "host-sim/stock/stock.hpp"
+#include "host-sim/stock/surface_comparison.hpp"
 
 namespace sim::stock {
 
@@ -19,7 +20,8 @@ struct StockReport {
   Cutter cutter;
   std::size_t carved_bytes = 0;  ///< Memory of the cells that were touched.
   CarvingFigures figures;
-  std::optional<PocketFigures> pocket{};  ///< If it was to become one.
+  std::optional<PocketFigures> pocket{};    ///< If it was to become one.
+  std::optional<SurfaceFigures> surface{};  ///< The same of a surface.
 };
 
 }  // namespace sim::stock

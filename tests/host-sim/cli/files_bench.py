@@ -63,6 +63,7 @@ class Command:
 
 STEEL = ("--material", "CSP 1N")
 SETTINGS = "$110=1000\n"
+POST = "[format]\nblanks = yes\n"
 COUPON = (*STEEL, "--thickness", "2", "--full-power", "2000", "--laser", "a")
 COMMANDS = {
     "sim": Command(("--stock", "-1,-1,12,6,1", "--tool", "2", "--stock-cell", "0.5", "--stock-depth", "1"),
@@ -90,17 +91,19 @@ COMMANDS = {
     "drawing": Command((), {"FILE": PLATE}, ("--svg",), takes_stdin=True),
     "cut": Command((*STEEL, "--thickness", "2"),
                    {"DRAWING": PLATE, "--layers": ": tabs=2\n", "--rules": "outer: tabs=3\n",
-                    "--settings": SETTINGS},
+                    "--settings": SETTINGS, "--post": POST},
                    ("--output", "--svg", "--png", "--animation", "--job-sheet", "--report",
                     "--save-sheet", "--frame"),
                    {"--db": CUTS}, takes_stdin=True,
                    empty_is_refused=("--layers", "--rules", "--settings")),
     "order": Command(("--steps", "10"), {"FILE": PROBLEM}, takes_stdin=True),
     "pocket": Command(("--tool", "6", "--depth", "2", "--feed", "600", "--plunge-feed", "200", "--entry", "plunge"),
-                      {"FILE": PLATE, "--tools": TOOLS}, ("--output", "--report", "--svg", "--holes"),
+                      {"FILE": PLATE, "--tools": TOOLS, "--post": POST},
+                      ("--output", "--report", "--svg", "--holes"),
                       takes_stdin=True, empty_is_refused=("--tools",)),
     "surface": Command(("--tool", "ball:4", "--feed", "600", "--plunge-feed", "200", "--step", "3"),
-                       {"FILE": GRID, "--boundary": AROUND}, ("--output", "--report", "--mesh", "--patches"),
+                       {"FILE": GRID, "--boundary": AROUND, "--post": POST},
+                       ("--output", "--report", "--mesh", "--patches"),
                        takes_stdin=True, empty_is_refused=("--boundary",)),
     "surface probe-grid": Command((), {"--read": ANSWERS, "--program": PROBED}, ("--output",),
                                   empty_is_refused=("--read", "--program")),
@@ -114,14 +117,20 @@ HEIGHTS = Command(("--tool", "ball:4"), {"FILE": GRID, "--at": "1 2\n" * 9}, ("-
                   empty_is_refused=("--at",))
 CONES = Command((), {"--cones": "0 0 0 0 0 1 0.9 5 1 0 1 0 1 1 0 0 3\n" * 9}, ("--output",),
                 empty_is_refused=("--cones",))
+PICTURED = Command((*COMMANDS["surface"].call, "--picture-cell", "0.5"), {"FILE": GRID},
+                   ("--picture-data", "--picture-offset", "--picture-patches", "--picture-paths",
+                    "--picture-carved", "--picture-map"), takes_stdin=True)
+COMPARED = Command(("--stock", "-1,-1,12,6,1", "--tool", "2", "--stock-cell", "0.5"),
+                   {"FILE": PROGRAM, "--stock-surface": GRID}, ("--stock-map",), takes_stdin=True,
+                   empty_is_refused=("FILE", "--stock-surface"))
 MEASURED = Command((), {"--measured": CUTS}, (), {"--db": None}, takes_stdin=True,
                    empty_is_refused=("--measured",))
 UPDATE = Command(("--update",), {}, updates={"FILE": TALK}, empty_is_refused=("FILE",))
 CALLS = [*COMMANDS.items(), ("kerf calibrate", FORM), ("kerf calibrate", MEASURED), ("replay", UPDATE),
-         ("surface", HEIGHTS), ("wall", CONES)]
+         ("surface", HEIGHTS), ("surface", PICTURED), ("sim", COMPARED), ("wall", CONES)]
 CALLS_IN_TEST = 4  # Of CALLS; as many as each of the long tests tries in toolchain/test.sh.
 # Files of surfaces, which may be binary: their reader says what another encoding of a text is.
-SURFACES = {"--probe-surface", "surface FILE", "wall FILE"}
+SURFACES = {"--probe-surface", "--stock-surface", "surface FILE", "wall FILE"}
 NO_FILES = {"completion", "manual", "kerf", ""}
 # Devices, whose opening is the business of ports.
 DEVICES = {("send", "--port"), ("send", "--slcan")}
@@ -187,7 +196,8 @@ class Bench:
                 if option in more or option not in made.union(self.command.outputs)}
 
     def path(self, option):
-        return self.folder / f"file_of{option.replace('.', '_')}{self.mark}.txt"
+        end = "svg" if option.startswith("--picture-") or option == "--stock-map" else "txt"
+        return self.folder / f"file_of{option.replace('.', '_')}{self.mark}.{end}"
 
     def put(self, option, content):
         self.files[option] = self.path(option)

@@ -19,7 +19,7 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-RowOptions ball_of(double radius) {
+RowOptions ball_options(double radius) {
   RowOptions options;
   options.tool = {.radius_mm = radius, .flat_mm = 0.0, .corner_mm = radius};
   options.tolerance_mm = 0.01;
@@ -46,8 +46,7 @@ std::vector<Vector3d> tips_of(const SurfacePath& path) {
   std::vector<Vector3d> tips;
   for (const SurfaceStretch& stretch : path.stretches) {
     for (const ContourVertex& vertex : stretch.vertices) {
-      const Vector2d place = stretch.slice.at(vertex.x);
-      tips.emplace_back(place.x(), place.y(), vertex.y);
+      tips.push_back(stretch.place_of(vertex));
     }
   }
   return tips;
@@ -86,7 +85,7 @@ TEST(PencilPath, FollowsTheBottomOfAGrooveInAnyDirection) {
       }
     }
     add_facets(2, 3, mesh);
-    const RowOptions options = ball_of(random.between(0.5, 2.0));
+    const RowOptions options = ball_options(random.between(0.5, 2.0));
     const PencilPath pencil = pencil_path(mesh, options, {});
     expect_no_gouge(mesh, options, pencil.path);
     EXPECT_EQ(pencil.path.runs.size(), 1U);
@@ -103,8 +102,10 @@ TEST(PencilPath, FollowsNothingOnAHillAndInABowlOfFineFacets) {
   const Mesh up = mesh_of(16.0, 81, hill);
   const Mesh down = mesh_of(16.0, 81, [&hill](double x, double y) { return -hill(x, y); });
   for (const double radius : {0.5, 1.5, 6.0}) {
-    EXPECT_THROW(static_cast<void>(pencil_path(up, ball_of(radius), {})), std::invalid_argument);
-    EXPECT_THROW(static_cast<void>(pencil_path(down, ball_of(radius), {})), std::invalid_argument);
+    EXPECT_THROW(static_cast<void>(pencil_path(up, ball_options(radius), {})),
+                 std::invalid_argument);
+    EXPECT_THROW(static_cast<void>(pencil_path(down, ball_options(radius), {})),
+                 std::invalid_argument);
   }
 }
 
@@ -134,7 +135,7 @@ Mesh box_on_plane(double height) {
 TEST(PencilPath, GoesAllRoundTheFootOfABox) {
   for (const double height : {0.7, 4.0}) {
     const Mesh mesh = box_on_plane(height);
-    const RowOptions options = ball_of(1.5);
+    const RowOptions options = ball_options(1.5);
     const PencilPath pencil = pencil_path(mesh, options, {});
     expect_no_gouge(mesh, options, pencil.path);
     EXPECT_EQ(pencil.path.runs.size(), 1U);
@@ -151,7 +152,7 @@ TEST(PencilPath, FollowsAllBranchesOfCrossingGrooves) {
   // A groove along X and one along Y of the same depth: four arms from the middle.
   const auto height = [](double x, double y) { return std::min(std::abs(x), std::abs(y)); };
   const Mesh mesh = mesh_of(20.0, 81, height);
-  const RowOptions options = ball_of(1.0);
+  const RowOptions options = ball_options(1.0);
   const PencilPath pencil = pencil_path(mesh, options, {});
   expect_no_gouge(mesh, options, pencil.path);
   std::array<double, 4> farthest{};
@@ -172,7 +173,7 @@ TEST(PencilPath, NeverCutsInOnHills) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     proof::Random random{seed};
     const Mesh mesh = random_hills(random);
-    RowOptions options = ball_of(random.magnitude(0.3, 2.0));
+    RowOptions options = ball_options(random.magnitude(0.3, 2.0));
     if (random.chance(0.3)) options.floor_mm = 0.5;
     // A fine grid over a large mesh takes long.
     if (options.tool.radius_mm < 0.03 * mesh.points.back().x()) continue;

@@ -226,7 +226,8 @@ TEST(RowPath, StaysWithinADrawnRegionAndMillsAllRowsThere) {
     double wanted = 0.0;
     for (const SurfaceStretch& stretch : row_path(mesh, options).stretches) {
       if (stretch.use != StretchUse::kRow) continue;
-      for (const auto& [begin, end] : region.parts_of(stretch.slice, 0.0, stretch.slice.length)) {
+      const Slice& slice = std::get<Slice>(stretch.plane);
+      for (const auto& [begin, end] : region.parts_of(slice, 0.0, slice.length)) {
         wanted += end - begin;
       }
     }
@@ -234,9 +235,10 @@ TEST(RowPath, StaysWithinADrawnRegionAndMillsAllRowsThere) {
     const pocket::OwnedArea area{circles.view()};
     double milled = 0.0;
     for (const SurfaceStretch& stretch : row_path(mesh, options).stretches) {
-      if (stretch.use == StretchUse::kRow) milled += stretch.slice.length;
+      const Slice& slice = std::get<Slice>(stretch.plane);
+      if (stretch.use == StretchUse::kRow) milled += slice.length;
       for (int i = 0; i <= 50; ++i) {
-        EXPECT_GE(area->depth(stretch.slice.at(stretch.slice.length * i / 50.0)), -1.0e-5);
+        EXPECT_GE(area->depth(slice.at(slice.length * i / 50.0)), -1.0e-5);
       }
     }
     EXPECT_NEAR(milled, wanted, 0.01 + 1.0e-6 * wanted);
@@ -255,11 +257,12 @@ TEST(RowPath, KeepsTheStockOnOneSide) {
     options.direction = milling;
     const std::vector<SurfaceStretch> stretches = row_path(mesh, options).stretches;
     for (std::size_t i = 1; i < stretches.size(); ++i) {
-      const Slice& slice = stretches[i - 1].slice;
+      const Slice& slice = std::get<Slice>(stretches[i - 1].plane);
       EXPECT_EQ(stretches[i].use, StretchUse::kRow);
-      EXPECT_GT(slice.direction.dot(stretches[i].slice.direction), 0.999);
+      const Slice& next = std::get<Slice>(stretches[i].plane);
+      EXPECT_GT(slice.direction.dot(next.direction), 0.999);
       const Vector2d right{slice.direction.y(), -slice.direction.x()};
-      const double beside = right.dot(stretches[i].slice.from - slice.from);
+      const double beside = right.dot(next.from - slice.from);
       EXPECT_GT(milling == cnc::pocket::Milling::kClimb ? beside : -beside, 0.1);
     }
   }

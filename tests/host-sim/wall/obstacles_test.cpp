@@ -116,7 +116,9 @@ TEST(Obstacles, AreAllClearOfTheBeamThatIsFound) {
       leaning += beam->axis.z() < 1.0 ? 1U : 0U;
     }
   }
-  if (trials.judges_shares()) EXPECT_GT(leaning, 0U);
+  if (trials.judges_shares()) {
+    EXPECT_GT(leaning, 0U);
+  }
 }
 
 }  // namespace

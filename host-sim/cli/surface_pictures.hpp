@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "host-sim/stock/cutter.hpp"
+#include "host-sim/surface/patch/patch_surface.hpp"
+#include "host-sim/surface/path/surface_path.hpp"
+#include "host-sim/surface/read_surface.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace sim {
+
+/// Pictures that `kerfline surface` draws: names of files, empty for none.
+struct SurfacePictures {
+  std::string data;
+  std::string offset;
+  std::string patches;
+  std::string paths;
+  std::string carved;
+  std::string map;
+  std::optional<double> cell_mm{};  ///< Of the carved stock; none: as fits its size.
+  std::vector<double> view_deg{};   ///< Azimuth and elevation; empty: the usual ones.
+
+  [[nodiscard]] bool need_path() const { return !paths.empty() || !carved.empty() || !map.empty(); }
+};
+
+/// The path of a job as its pictures need it.
+struct PicturedPath {
+  surface::SurfacePath path;
+  double safe_mm = 0.0;
+  std::optional<double> stock_top_mm;
+};
+
+/// Adds the options that begin with `--picture-`.
+void add_surface_picture_options(CLI::App& command, SurfacePictures& pictures);
+
+/// Throws std::invalid_argument for a name that is no picture's, and for pictures of a path where
+/// there is none. @param instead the option for which there is no path; null where there is one
+void check_surface_pictures(const SurfacePictures& pictures, const char* instead);
+
+/// Draws the surface as it was read, and the places of the tip.
+void draw_surface(const SurfacePictures& pictures,
+                  const surface::SurfaceInput& input,
+                  const stock::Cutter& cutter);
+/// Draws patches.
+void draw_patches(const SurfacePictures& pictures, const surface::patch::PatchSurface& patches);
+/// Draws a path and the stock that it carves, compares that with the surface, and prints how far it
+/// is off.
+void draw_path(const SurfacePictures& pictures,
+               const surface::Mesh& mesh,
+               const PicturedPath& pictured,
+               const stock::Cutter& cutter);
+
+}  // namespace sim

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "host-sim/plot/colour_map.hpp"
+#include "host-sim/plot/view.hpp"
+
+namespace sim {
+
+/// Pixels that become a part of a picture; each is transparent until it is set.
+class PixelImage {
+ public:
+  /// @pre width and height are above 0
+  PixelImage(int width, int height);
+
+  [[nodiscard]] int width() const { return width_; }
+  [[nodiscard]] int height() const { return height_; }
+
+  /// Sets a pixel; row 0 is the top. @pre 0 <= column < width(), 0 <= row < height()
+  void set(int column, int row, const Colour& colour) {
+    pixels_[static_cast<std::size_t>(row) * static_cast<std::size_t>(width_) +
+            static_cast<std::size_t>(column)] =
+        0xFF000000U | static_cast<std::uint32_t>(colour.red) << 16U |
+        static_cast<std::uint32_t>(colour.green) << 8U | colour.blue;
+  }
+
+  /// Returns the image as the bytes of a PNG. Throws std::runtime_error naming `file`.
+  [[nodiscard]] std::string png(const std::string& file) const;
+
+ private:
+  int width_;
+  int height_;
+  std::vector<std::uint32_t> pixels_;  ///< Alpha, red, green and blue, from the highest byte down.
+};
+
+/// Appends an image to an SVG document, stretched over a box. Throws as PixelImage::png() does.
+void add_image(std::string& out, const std::string& file, const PixelImage& image, const Box& box);
+
+}  // namespace sim

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "host-sim/plot/view.hpp"
+
+namespace sim {
+
+/// The direction in which the viewer of an axonometric picture stands, infinitely far away.
+struct Viewpoint {
+  double azimuth_deg = -60.0;   ///< In the plan, from X, counter-clockwise.
+  double elevation_deg = 35.0;  ///< Above the plan, more than 0 and less than 90.
+};
+
+/// A box in space, mm; empty until a point is included.
+struct SpaceBox {
+  Eigen::Vector3d least = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Vector3d most = Eigen::Vector3d::Constant(-std::numeric_limits<double>::infinity());
+
+  void include(const Eigen::Vector3d& point) {
+    least = least.cwiseMin(point);
+    most = most.cwiseMax(point);
+  }
+  /// Returns a corner: bit 0 of the number chooses the end along X, bit 1 along Y, bit 2 along Z.
+  [[nodiscard]] Eigen::Vector3d corner(unsigned number) const {
+    return {(number & 1U) != 0 ? most.x() : least.x(),
+            (number & 2U) != 0 ? most.y() : least.y(),
+            (number & 4U) != 0 ? most.z() : least.z()};
+  }
+};
+
+/// A point of a picture with its distance from the viewer, which is only good for comparisons.
+struct SeenPoint {
+  double x_px = 0.0;
+  double y_px = 0.0;
+  double depth_px = 0.0;  ///< In the scale of the picture, away from the viewer.
+};
+
+/// Maps points in space into a picture by a parallel projection at right angles to the view.
+class Axonometry {
+ public:
+  /// Fits a box into the picture. @param stretch factor of all heights, above 0
+  /// @pre the box is not a point
+  Axonometry(const Viewpoint& viewpoint, const SpaceBox& space, double stretch, const Box& picture);
+
+  [[nodiscard]] SeenPoint seen(const Eigen::Vector3d& point) const;
+  /// Returns the part of the picture that the box in space takes.
+  [[nodiscard]] const Extent& extent_px() const { return extent_px_; }
+  /// Returns a unit vector of a direction as the viewer sees it: to the right, up, and towards.
+  [[nodiscard]] Eigen::Vector3d turned(const Eigen::Vector3d& normal) const;
+  [[nodiscard]] double px_per_mm() const { return px_per_mm_; }
+
+ private:
+  Eigen::Vector3d right_;
+  Eigen::Vector3d up_;
+  Eigen::Vector3d towards_;
+  double stretch_;
+  double px_per_mm_ = 1.0;
+  double left_px_ = 0.0;
+  double top_px_ = 0.0;
+  Extent extent_px_;
+};
+
+}  // namespace sim

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+
+#include "host-sim/plot/space/space_picture.hpp"
+#include "host-sim/stock/stock.hpp"
+#include "host-sim/surface/mesh.hpp"
+#include "host-sim/surface/patch/patch_surface.hpp"
+#include "host-sim/surface/path/surface_path.hpp"
+#include "host-sim/surface/point_grid.hpp"
+#include "planner/surface/profile.hpp"
+
+namespace sim::surface {
+
+/// Returns the picture of the surface as it was read, with the rows and columns of a grid.
+[[nodiscard]] SpaceScene data_scene(const Mesh& mesh, const std::optional<PointGrid>& grid);
+
+/// Returns the picture of the places of a tool's tip: over the points of a grid, of a mesh over a
+/// lattice of its box, where something is under the tool. Throws std::invalid_argument where
+/// nothing is.
+[[nodiscard]] SpaceScene offset_scene(const Mesh& mesh,
+                                      const std::optional<PointGrid>& grid,
+                                      const cnc::surface::Profile& tool);
+
+/// Returns the picture of patches, coloured by their size, with their borders.
+[[nodiscard]] SpaceScene patch_scene(const patch::PatchSurface& patches);
+
+/// Returns the picture of a path over a surface. @param safe_mm Z of rapids
+[[nodiscard]] SpaceScene path_scene(const Mesh& mesh, const SurfacePath& path, double safe_mm);
+
+/// Returns the picture of a carved block.
+[[nodiscard]] SpaceScene carved_scene(const stock::Stock& block);
+
+}  // namespace sim::surface
