@@ -29,7 +29,7 @@ void check_pencil_options(const SurfaceCommandOptions& options) {
   for (const auto& [name, is_given] : {std::pair{"--step", options.step_mm > 0.0},
                                        std::pair{"--scallop", options.scallop_mm > 0.0},
                                        std::pair{"--layers", options.layer_mm > 0.0},
-                                       std::pair{"--angle", options.angle_deg != 0.0},
+                                       std::pair{"--angle", options.angle_deg.has_value()},
                                        std::pair{"--margin", options.margin_mm > 0.0},
                                        std::pair{"--order", options.order.has_value()},
                                        std::pair{"--direction", options.direction.has_value()}}) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace sim::surface {
 namespace {
@@ -33,10 +34,8 @@ struct Cubic {
             begin + share * (2.0 * square + share * 3.0 * cube),
             2.0 * square + 6.0 * share * cube};
   }
-  [[nodiscard]] bool follows(double along, double height, double error_mm) const {
-    const auto [at_share, rise, bend] = at((along - from.along) / width());
-    const double slope = rise / width();
-    return std::abs(at_share - height) <= error_mm * std::sqrt(1.0 + slope * slope);
+  [[nodiscard]] double height_at(double along) const {
+    return at((along - from.along) / width())[0];
   }
 };
 
@@ -87,9 +86,22 @@ class CurveBuilder {
         std::max(kLeastLooks, static_cast<int>(std::ceil(cubic.width() / density_.pitch_mm)));
     for (int i = 1; i < looks; ++i) {
       const double along = cubic.from.along + cubic.width() * i / looks;
-      if (!cubic.follows(along, heights_(along), density_.error_mm)) return false;
+      if (!is_near(along, cubic.height_at(along))) return false;
     }
     return true;
+  }
+
+  /// Returns whether the heights pass within the error of a place of the curve. Where they are
+  /// steep they may pass beside it: how far the curve itself is from a height does not tell, as
+  /// that of a corner between a jump and a plateau is on the plateau while the curve cuts it off.
+  [[nodiscard]] bool is_near(double along, double height) {
+    const double error = density_.error_mm / std::numbers::sqrt2;
+    const double off = height - heights_(along);
+    if (std::abs(off) <= error) return true;
+    const double before = heights_(std::max(begin_, along - error));
+    const double after = heights_(std::min(end_, along + error));
+    return off < 0.0 ? std::min(before, after) <= height + error
+                     : std::max(before, after) >= height - error;
   }
 
   SliceHeights& heights_;

@@ -105,7 +105,6 @@ class SurfacePaths(unittest.TestCase):
                 (("--paths", "waterline", "--angle", 30), self.part, "--angle: only rows have one"),
                 (("--paths", "contour", "--order", "oneway"), self.part, "--order: only rows have one"),
                 (("--paths", "waterline", "--layers", 1), self.part, "--layers: only rows have layers"),
-                (("--direction", "climb"), self.part, "--direction: rows have --order"),
                 (("--paths", "spiral"), self.part, "--paths"),
                 (("--paths", "waterline"), block, "no level has a line"),
                 (("--paths", "contour", "--step", 50), self.part, "take a smaller --step"),

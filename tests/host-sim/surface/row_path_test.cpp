@@ -84,7 +84,7 @@ TEST(RowPath, NeverCutsInAndHasNoMoreAirThanTwiceTheTolerance) {
     const Mesh mesh = random.chance(0.5) ? random_hills(random) : random_waves(random, 12, 1.0);
     RowOptions options = random_options(random, proof::random_cutter(random));
     options.step_mm = std::max(options.step_mm, 0.1 * mesh.points.back().y());
-    if (options.layer_mm > 0.0) options.stock_top_mm = top_of(mesh) + 0.5;
+    if (options.layer_mm > 0.0) options.stock_top_mm = top_of(mesh) + options.allowance_mm + 0.5;
     add_random_regions(random, mesh, options);
     const Judge judge{mesh, options};
     std::string program;
