@@ -13,11 +13,13 @@ constexpr tmsize_t kMostAtOnce = tmsize_t{1} << 30;
 
 std::uint16_t short_of(TIFF* tiff, std::uint32_t tag) {
   std::uint16_t value = 0;
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): libtiff has no other way to a tag.
   return TIFFGetFieldDefaulted(tiff, tag, &value) == 1 ? value : std::uint16_t{0};
 }
 
 std::uint32_t long_of(TIFF* tiff, std::uint32_t tag) {
   std::uint32_t value = 0;
+  // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): libtiff has no other way to a tag.
   return TIFFGetField(tiff, tag, &value) == 1 ? value : 0U;
 }
 

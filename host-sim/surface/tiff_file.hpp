@@ -32,6 +32,7 @@ class TiffFile {
   explicit TiffFile(std::string_view bytes);
   TiffFile(const TiffFile&) = delete;
   TiffFile& operator=(const TiffFile&) = delete;
+  ~TiffFile() = default;
 
   [[nodiscard]] bool is_open() const { return tiff_ != nullptr; }
   /// Returns the last thing that libtiff found wrong.
@@ -46,6 +47,7 @@ class TiffFile {
     if (field == nullptr || TIFFFieldDataType(field) != kind_of(Number{})) return {};
     std::uint32_t count = 0;
     const Number* first = nullptr;
+    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-vararg): libtiff has no other way to a tag.
     if (TIFFGetField(tiff_.get(), tag, &count, &first) != 1 || first == nullptr) return {};
     return {first, first + count};
   }

@@ -86,7 +86,7 @@ std::optional<Beam> least_tilt(const Obstacles& obstacles,
                                const TiltRules& rules) {
   LeastTilt tilt{tip, rules};
   while (tilt.obstacle_count() <= obstacles.count()) {
-    const std::optional<Beam> beam = tilt.beam();
+    std::optional<Beam> beam = tilt.beam();
     if (!beam) return {};
     const std::optional<NearestFacet> met = obstacles.nearest(*beam, -kTouchRounding);
     if (!met) return beam;

@@ -215,6 +215,7 @@ PencilPath pencil_path(const Mesh& mesh, const RowOptions& options, const Pencil
       found, [&](const CreaseLine& line) { return length_of(line) < pencil.least_mm; });
   join_lines(found, 0.1 * pitch);
   std::vector<PlanLine> lines;
+  lines.reserve(found.size());
   for (const CreaseLine& line : found) lines.push_back(drawer.drawn(line, pitch));
   result.path = driver.drive(std::move(lines));
   if (result.path.stretches.empty()) {
