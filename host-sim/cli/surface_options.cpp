@@ -240,6 +240,12 @@ void add_surface_options(CLI::App& command, SurfaceCommandOptions& options) {
   add_surface_picture_options(command, options.pictures);
   add_mill_options(command, options.mill);
   command
+      .add_option("--slot-feed",
+                  options.mill.slot_feed_mm_min,
+                  "Of rows of layers with stock on both sides, mm/min; else --feed")
+      ->check(in_range(0.1, 1.0e6, "mm/min"))
+      ->type_name("MM/MIN");
+  command
       .add_option("--ramp",
                   options.ramp_deg,
                   "Enter the stock on a ramp of this angle above the first line, degrees; else "
@@ -288,6 +294,9 @@ void check_surface_options(const SurfaceCommandOptions& options) {
                     options.tolerance_mm));
   }
   check_line_options(options);
+  if (options.mill.slot_feed_mm_min > 0.0 && options.layer_mm == 0.0) {
+    throw std::invalid_argument("--slot-feed: only --layers have rows with stock on both sides");
+  }
   if (options.layer_mm > 0.0 && options.scallop_mm > 0.0) {
     throw std::invalid_argument("--scallop: layers have rows by --step alone");
   }

@@ -19,6 +19,7 @@ enum class Coolant : std::uint8_t {
 struct MillSettings {
   double feed_mm_min = 0.0;         ///< Along the path, above 0.
   double light_feed_mm_min = 0.0;   ///< Where passes are light; 0: the same.
+  double slot_feed_mm_min = 0.0;    ///< Over surfaces, with stock on both sides; 0: the same.
   double plunge_mm_min = 0.0;       ///< Greatest feed downwards, above 0.
   double spindle_rpm = 0.0;         ///< 0 leaves the spindle alone.
   bool turns_left = false;          ///< M4 in place of M3.

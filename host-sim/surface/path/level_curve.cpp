@@ -114,7 +114,7 @@ class CurveFollower {
   }
 
   [[nodiscard]] bool follows(const LevelNode& from, const LevelNode& to) const {
-    constexpr int kLeastLooks = 4;
+    constexpr int kLeastLooks = 8;
     const double length = (to.place - from.place).norm();
     if (from.after.dot(to.place - from.place) <= 0.0) return false;
     if (to.before.dot(to.place - from.place) <= 0.0) return false;
@@ -127,7 +127,7 @@ class CurveFollower {
   }
 
   [[nodiscard]] bool is_on_set(const CurveJet& jet) const {
-    const double error = density_.error_mm;
+    const double error = 0.5 * density_.error_mm;
     const double above = set_.above(jet.place);
     const Vector2d to_low = left_ * left_of(jet.first.normalized());
     if (above > 0.0) return above <= error || set_.above(jet.place + error * to_low) <= 0.0;
@@ -139,7 +139,7 @@ class CurveFollower {
   /// a tool on the line would take away: a flat bottom is at the level at any distance from a wall.
   [[nodiscard]] bool leaves_little(const Vector2d& place, const Vector2d& to_low) const {
     constexpr double kReach = 32.0;
-    const double error = density_.error_mm;
+    const double error = 0.5 * density_.error_mm;
     const auto line = set_.near(place, to_low, kReach * error);
     if (!line) return false;
     const double rise = set_.above(*line - error * to_low);

@@ -71,6 +71,7 @@ class RowPlanner {
       const std::size_t before = path_.stretches.size();
       const double bottom = stock_top_mm_ - options_.layer_mm;
       tracer_.set_layer(stock_top_mm_, bottom);
+      layer_.clear();
       add_rows();
       if (path_.stretches.size() == before) return;
       end_run();
@@ -132,8 +133,25 @@ class RowPlanner {
   void mill(const PartQueue::Next& next) {
     const Slice slice = frame_.slice(next.part, next.goes_back);
     lead_to(slice.from);
-    path_.stretches.push_back(tracer_.trace(slice, 0.0, slice.length, StretchUse::kRow));
+    path_.stretches.push_back(tracer_.trace(slice, 0.0, slice.length, use_of(next.part)));
+    layer_.push_back(next.part);
     here_ = slice.at(slice.length);
+  }
+
+  /// Returns whether stock stands on both sides of a part: in a layer, where no row beside it was
+  /// milled along half of it.
+  [[nodiscard]] StretchUse use_of(const RowPart& part) const {
+    if (options_.layer_mm == 0.0) return StretchUse::kRow;
+    double below = 0.0;
+    double above = 0.0;
+    for (const RowPart& other : layer_) {
+      const double beside = other.row - part.row;
+      if (std::abs(beside) > 1.01 * step_mm_) continue;
+      const double common = std::min(part.end, other.end) - std::max(part.begin, other.begin);
+      (beside < 0.0 ? below : above) += std::max(0.0, common);
+    }
+    const bool is_open = std::max(below, above) >= 0.5 * (part.end - part.begin);
+    return is_open ? StretchUse::kRow : StretchUse::kSlot;
   }
 
   /// Leads to the next stretch over the surface, where it is near, the surface goes on and no
@@ -193,7 +211,8 @@ class RowPlanner {
   RowFrame frame_;
   SurfaceTracer tracer_;
   std::optional<ScallopRows> between_;
-  double stock_top_mm_;  ///< Of the stock that no layer has milled yet.
+  double stock_top_mm_;         ///< Of the stock that no layer has milled yet.
+  std::vector<RowPart> layer_;  ///< Parts of rows that are milled, of this layer.
   SurfacePath path_;
   Vector2d here_ = Vector2d::Zero();
   std::size_t waiting_ = 0;  ///< Parts of rows, all that were found.

@@ -39,7 +39,8 @@ ScallopRows::ScallopRows(const SurfaceTracer& tracer,
       // Poses of a row that are so near to each other leave little more than all of it.
       look_mm_{std::min(0.125 * tool.radius_mm, std::sqrt(0.24 * tool.radius_mm * scallop_mm))} {}
 
-/// Two rows and the one half way between them, by the heights of the tip at the same ways.
+/// Two rows and ways between them, by the heights of the tip at the same ways along. A ball leaves
+/// the most half way; a tool with a flat bottom touches elsewhere from each place between.
 class ScallopRows::Strip {
  public:
   Strip(const ScallopRows& rows, const Gap& gap)
@@ -47,12 +48,13 @@ class ScallopRows::Strip {
         width_{gap.high_row - gap.low.row},
         around_{static_cast<int>(std::ceil(rows.tool_.radius_mm / rows.look_mm_))},
         begin_{gap.low.begin - around_ * rows.look_mm_},
-        looks_{1 + static_cast<int>(std::ceil((gap.low.end - gap.low.begin) / rows.look_mm_))} {
-    const double middle = 0.5 * (gap.low.row + gap.high_row);
-    const std::array<double, 3> ways{gap.low.row, middle, gap.high_row};
-    for (std::size_t row = 0; row < ways.size(); ++row) {
+        looks_{1 + static_cast<int>(std::ceil((gap.low.end - gap.low.begin) / rows.look_mm_))},
+        heights_(rows.tool_.flat_mm > 0.0 ? 5 : 3) {
+    for (std::size_t row = 0; row < heights_.size(); ++row) {
+      const double way = gap.low.row + across(row);
+      heights_[row].reserve(static_cast<std::size_t>(looks_ + 2 * around_ + 1));
       for (int i = 0; i <= looks_ + 2 * around_; ++i) {
-        heights_[row].push_back(rows.tracer_->height(rows.frame_.at(along(i), ways[row])));
+        heights_[row].push_back(rows.tracer_->height(rows.frame_.at(along(i), way)));
       }
     }
   }
@@ -61,15 +63,18 @@ class ScallopRows::Strip {
   [[nodiscard]] int last() const { return around_ + looks_; }
   [[nodiscard]] double along(int index) const { return begin_ + index * rows_.look_mm_; }
 
-  /// Returns the height that both rows leave where the tool would touch half way between them.
+  /// Returns the height that both rows leave where the tool would touch between them.
   [[nodiscard]] double scallop(int index) const {
-    const double climb = (height(1, index + 1) - height(1, index - 1)) / (2.0 * rows_.look_mm_);
-    const double below = 2.0 * (height(1, index) - height(0, index)) / width_;
-    const double above = 2.0 * (height(2, index) - height(1, index)) / width_;
     double greatest = 0.0;
-    // At the bottom of a valley the tool touches on both sides.
-    for (const double rise : {below, 0.5 * (below + above), above}) {
-      greatest = std::max(greatest, left_beside(index, {climb, rise}));
+    for (std::size_t row = 1; row + 1 < heights_.size(); ++row) {
+      const double climb =
+          (height(row, index + 1) - height(row, index - 1)) / (2.0 * rows_.look_mm_);
+      const double below = (height(row, index) - height(row - 1, index)) / across(1);
+      const double above = (height(row + 1, index) - height(row, index)) / across(1);
+      // At the bottom of a valley the tool touches on both sides.
+      for (const double rise : {below, 0.5 * (below + above), above}) {
+        greatest = std::max(greatest, left_beside(row, index, {climb, rise}));
+      }
     }
     return greatest;
   }
@@ -79,22 +84,27 @@ class ScallopRows::Strip {
     return heights_[row][static_cast<std::size_t>(index)];
   }
 
+  /// Returns how far a way is from the low row, mm.
+  [[nodiscard]] double across(std::size_t row) const {
+    return width_ * static_cast<double>(row) / static_cast<double>(heights_.size() - 1);
+  }
+
   /// Returns the height that is left above the place of contact, for a rise of the surface there.
-  [[nodiscard]] double left_beside(int index, const Eigen::Vector2d& rise) const {
+  [[nodiscard]] double left_beside(std::size_t from, int index, const Eigen::Vector2d& rise) const {
     const double slope = rise.norm();
     const cnc::surface::PlaneContact contact = contact_with_plane(rows_.tool_, slope);
-    Eigen::Vector2d place{along(index), 0.5 * width_};
+    Eigen::Vector2d place{along(index), across(from)};
     if (slope > 0.0) place += contact.out / slope * rise;
     double left = std::numeric_limits<double>::infinity();
-    for (const std::size_t row : {std::size_t{0}, std::size_t{2}}) {
-      const double beside = place.y() - (row == 0 ? 0.0 : width_);
+    for (const std::size_t row : {std::size_t{0}, heights_.size() - 1}) {
+      const double beside = place.y() - across(row);
       for (int i = index - around_; i <= index + around_; ++i) {
         const double distance = std::hypot(place.x() - along(i), beside);
         if (distance > rows_.tool_.radius_mm) continue;
         left = std::min(left, height(row, i) + height_at(rows_.tool_, distance));
       }
     }
-    return (left - height(1, index) - contact.height) / std::sqrt(1.0 + slope * slope);
+    return (left - height(from, index) - contact.height) / std::sqrt(1.0 + slope * slope);
   }
 
   const ScallopRows& rows_;
@@ -102,7 +112,7 @@ class ScallopRows::Strip {
   int around_;
   double begin_;
   int looks_;
-  std::array<std::vector<double>, 3> heights_;  ///< Of the low row, the middle and the high row.
+  std::vector<std::vector<double>> heights_;  ///< Of both rows and ways between, the low one first.
 };
 
 void ScallopRows::divide(const Gap& gap,

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 namespace sim::surface {
 namespace {
@@ -81,7 +80,9 @@ class CurveBuilder {
   }
 
   [[nodiscard]] bool follows(const Cubic& cubic) {
-    constexpr int kLeastLooks = 4;
+    // The curve bends where the tool passes from facet to facet: between two of eight looks it is
+    // no farther off than twice as far as at them.
+    constexpr int kLeastLooks = 8;
     const int looks =
         std::max(kLeastLooks, static_cast<int>(std::ceil(cubic.width() / density_.pitch_mm)));
     for (int i = 1; i < looks; ++i) {
@@ -95,7 +96,7 @@ class CurveBuilder {
   /// steep they may pass beside it: how far the curve itself is from a height does not tell, as
   /// that of a corner between a jump and a plateau is on the plateau while the curve cuts it off.
   [[nodiscard]] bool is_near(double along, double height) {
-    const double error = density_.error_mm / std::numbers::sqrt2;
+    const double error = 0.5 * density_.error_mm;
     const double off = height - heights_(along);
     if (std::abs(off) <= error) return true;
     const double before = heights_(std::max(begin_, along - error));

@@ -13,6 +13,7 @@ namespace sim::surface {
 
 enum class StretchUse : std::uint8_t {
   kRow,   ///< Cuts, beside its neighbours.
+  kSlot,  ///< Cuts with stock on both sides, as the first row of a layer.
   kLink,  ///< Leads over the surface from one row to the next.
 };
 

@@ -131,11 +131,13 @@ class RunWriter {
   void write(const SurfaceStretch& stretch) {
     const WriterPlane plane{stretch.plane};
     const bool is_level = std::holds_alternative<LevelPlane>(stretch.plane);
+    const bool is_slow = stretch.use == StretchUse::kSlot && mill_.slot_feed_mm_min > 0.0;
+    const double feed = is_slow ? mill_.slot_feed_mm_min : mill_.feed_mm_min;
     text_ += writer_.use_plane(plane.plane());
     for (std::size_t i = 0; i + 1 < stretch.vertices.size(); ++i) {
       const ContourVertex& from = stretch.vertices[i];
       const ContourVertex& to = stretch.vertices[i + 1];
-      writer_.set_feed(thousandths(is_level ? mill_.feed_mm_min : feed_of(from, to)));
+      writer_.set_feed(thousandths(is_level ? feed : feed_of(from, to, feed)));
       set_height(plane.height(to), stretch.place_of(to).head<2>());
       write_element({.from = plane.place(from), .to = plane.place(to), .bulge = plane.bulge(from)});
     }
@@ -155,9 +157,12 @@ class RunWriter {
     return static_cast<std::uint32_t>(std::lround(1000.0 * value));
   }
 
-  [[nodiscard]] double feed_of(const ContourVertex& from, const ContourVertex& to) const {
+  /// @param feed where the tip does not descend too fast
+  [[nodiscard]] double feed_of(const ContourVertex& from,
+                               const ContourVertex& to,
+                               double feed) const {
     const double descent = ElementCourse{from, to}.descent();
-    if (descent * mill_.feed_mm_min <= mill_.plunge_mm_min) return mill_.feed_mm_min;
+    if (descent * feed <= mill_.plunge_mm_min) return feed;
     return mill_.plunge_mm_min / descent;
   }
 
@@ -228,7 +233,7 @@ SurfaceProgramFigures figures_of(const SurfacePath& path) {
       note_heights(stretch, from, to, figures);
       ++(from.bulge == 0.0 ? figures.lines : figures.arcs);
     }
-    (stretch.use == StretchUse::kRow ? figures.row_mm : figures.link_mm) += length;
+    (stretch.use == StretchUse::kLink ? figures.link_mm : figures.row_mm) += length;
   }
   return figures;
 }

@@ -251,7 +251,7 @@ SpaceScene path_scene(const Mesh& mesh, const SurfacePath& path, double safe_mm)
   for (const SurfaceRun& run : path.runs) {
     for (std::size_t i = begin; i < run.end; ++i) {
       const SurfaceStretch& stretch = path.stretches[i];
-      (stretch.use == StretchUse::kRow ? rows : links).lines.push_back(line_of(stretch, chord_mm));
+      (stretch.use == StretchUse::kLink ? links : rows).lines.push_back(line_of(stretch, chord_mm));
     }
     const Vector3d first = line_of(path.stretches[begin], chord_mm).front();
     const Vector3d last = line_of(path.stretches[run.end - 1], chord_mm).back();

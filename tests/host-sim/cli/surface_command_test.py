@@ -135,6 +135,18 @@ class SurfaceCommand(unittest.TestCase):
         self.assertGreaterEqual(bounds["Z"][0], -1.01)  # The corner of 1 mm hangs over the block's edge.
         self.assertLess(bounds["X"][1], 23.1)
 
+    def test_drives_slots_of_layers_slower(self):
+        layers = ("--tool", "4,flat", "--step", 2, "--layers", 1.5, "--move", "0,0,-3", "--stock-top", 0, "--lines")
+        self.assertEqual(self.surface(*layers, *MILL, "--slot-feed", 432).returncode, 0)
+        text = self.program.read_text()
+        cuts = re.split(r"\nG0 ", text)
+        # Each layer begins with a slot, and the rows beside it are faster.
+        self.assertIn("F432", text)
+        self.assertIn("F1500", text)
+        first = next(cut for cut in cuts if "F432" in cut)
+        self.assertLess(first.index("F432"), first.find("F1500") % (len(first) + 1))
+        self.assertEqual(self.surface("--tool", "4,flat", *MILL, "--slot-feed", 432).returncode, 2)
+
     def test_enters_stock_on_a_ramp_where_asked_to(self):
         stock = ("--stock", "0,0,15,10,0,-8", "--stock-cell", 0.1)
         for ramp in ((), ("--ramp", 5)):

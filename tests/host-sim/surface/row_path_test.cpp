@@ -245,6 +245,30 @@ TEST(RowPath, StaysWithinADrawnRegionAndMillsAllRowsThere) {
   }
 }
 
+/// Over a level surface each layer has one row with stock on both sides, the first.
+TEST(RowPath, HasOneSlotInEachLayerOfAPlane) {
+  Mesh mesh{{{0, 0, 0}, {20, 0, 0}, {20, 12, 0}, {0, 12, 0}}, {{0, 1, 2}, {0, 2, 3}}};
+  RowOptions options;
+  options.tool = {.radius_mm = 2.0, .flat_mm = 2.0};
+  options.step_mm = 1.5;
+  options.stock_top_mm = 5.0;
+  options.layer_mm = 2.0;
+  const SurfacePath path = row_path(mesh, options);
+  std::size_t begin = 0;
+  for (const SurfaceRun& run : path.runs) {
+    EXPECT_EQ(path.stretches[begin].use, StretchUse::kSlot);
+    for (std::size_t i = begin + 1; i < run.end; ++i) {
+      EXPECT_NE(path.stretches[i].use, StretchUse::kSlot);
+    }
+    begin = run.end;
+  }
+  EXPECT_EQ(path.runs.size(), 3U);
+  options.layer_mm = 0.0;
+  for (const SurfaceStretch& stretch : row_path(mesh, options).stretches) {
+    EXPECT_NE(stretch.use, StretchUse::kSlot);
+  }
+}
+
 /// With a direction all rows go one way, and rows that come later are on its side.
 TEST(RowPath, KeepsTheStockOnOneSide) {
   proof::Random random{proof::test_seed()};
