@@ -52,8 +52,9 @@ class ScallopRows::Strip {
         heights_(rows.tool_.flat_mm > 0.0 ? 5 : 3) {
     for (std::size_t row = 0; row < heights_.size(); ++row) {
       const double way = gap.low.row + across(row);
-      heights_[row].reserve(static_cast<std::size_t>(looks_ + 2 * around_ + 1));
-      for (int i = 0; i <= looks_ + 2 * around_; ++i) {
+      const int last = looks_ + 2 * around_;
+      heights_[row].reserve(static_cast<std::size_t>(last) + 1);
+      for (int i = 0; i <= last; ++i) {
         heights_[row].push_back(rows.tracer_->height(rows.frame_.at(along(i), way)));
       }
     }
