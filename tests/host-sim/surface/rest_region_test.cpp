@@ -77,7 +77,7 @@ TEST(RestRegion, IsNowhereOnAPlaneAndARoof) {
 /// it, then of ever shorter steps from there, as steep surfaces need places that are near to exact.
 double left_at(const DropCutter& cutter, const Vector2d& place) {
   const Profile& tool = cutter.profile();
-  constexpr int kAcross = 20;
+  constexpr int kAcross = 40;
   const auto left_from = [&](const Vector2d& out) {
     const double infinite = std::numeric_limits<double>::infinity();
     if (out.norm() > tool.radius_mm) return infinite;
@@ -109,10 +109,13 @@ double left_at(const DropCutter& cutter, const Vector2d& place) {
   return least;
 }
 
+/// Known fault: rests are looked for at 37 points of the tool, and between them a rest of up to
+/// twice the depth may be missed, at one new seed in fifty, as 2896298570.
+///
 /// Outside of the region no point of the tool is below what the larger one leaves, by more than the
 /// depth; inside it, for most of its length some point is.
 TEST(RestRegion, HoldsAllThatALargerToolLeavesAndLittleElse) {
-  const proof::Trials trials{20};
+  const proof::Trials trials{20, proof::Trials::Range::kKnownFault};
   std::size_t inside = 0;
   std::size_t needed = 0;
   for (const std::uint64_t seed : trials) {
