@@ -114,12 +114,12 @@ class WaterlinePlanner {
 
   /// Leads to a place from where the path is, or ends the run.
   void link_to(const Eigen::Vector3d& tip) {
-    constexpr double kRounding = 1.0e-6;
+    constexpr double kSameHeight = 1.0e-6;
     const bool is_first = path_.stretches.empty();
     const Eigen::Vector3d here = is_first ? tip : path_.stretches.back().end();
     if (!is_first && here == tip) return;
     // Below the next level stock may stand as high as several of them.
-    if (!is_first && here.z() - tip.z() <= level_distance_mm_ + kRounding) {
+    if (!is_first && here.z() - tip.z() <= level_distance_mm_ + kSameHeight) {
       if (auto way = leads_.way_between(here, tip)) {
         path_.stretches.push_back(std::move(*way));
         return;
