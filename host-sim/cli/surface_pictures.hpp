@@ -24,7 +24,7 @@ struct SurfacePictures {
   std::string paths;
   std::string carved;
   std::string map;
-  std::optional<double> cell_mm{};  ///< Of the carved stock; none: as fits its size.
+  std::optional<double> cell_mm{};  ///< Cells of the carved stock; none: as fits its size.
   std::vector<double> view_deg{};   ///< Azimuth and elevation; empty: the usual ones.
 
   [[nodiscard]] bool need_path() const { return !paths.empty() || !carved.empty() || !map.empty(); }

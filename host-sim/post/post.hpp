@@ -41,24 +41,25 @@ struct DwellForm {
   double per_second = 1.0;  ///< 1000 for milliseconds.
 };
 
-/// What a controller wants of the text of a program. As made, it is the text as it is.
+/// The form in which a controller wants the text of a program; made without more, the text as it
+/// is.
 struct Post {
   std::vector<std::string> header{};  ///< Lines before all.
   std::vector<std::string> footer{};  ///< Lines after all.
   std::optional<LineNumbers> numbers{};
-  std::optional<std::uint8_t> decimals{};         ///< Of X, Y and Z, at most.
-  std::optional<std::uint8_t> centre_decimals{};  ///< Of I, J, K and R, at most.
+  std::optional<std::uint8_t> decimals{};         ///< At most, for X, Y and Z.
+  std::optional<std::uint8_t> centre_decimals{};  ///< At most, for I, J, K and R.
   bool has_points = false;                        ///< Whole numbers of these end in a point.
   ArcForm arcs = ArcForm::kFromStart;
   /// Planes in which the controller knows arcs; others become lines.
   std::array<bool, 3> arc_planes{true, true, true};
-  double arc_tolerance_mm = 0.01;  ///< Of lines in place of arcs.
+  double arc_tolerance_mm = 0.01;  ///< For lines in place of arcs.
   CommentForm comments = CommentForm::kBrackets;
   Repeat repeat = Repeat::kNothing;
   bool has_blanks = false;  ///< Between words.
   std::string line_end = "\n";
   DwellForm dwell{};
-  /// What stands in place of G and M words, which are as in `M8`; S alone may be left out.
+  /// The words in place of G and M words, which are as in `M8`; S alone may be left out.
   std::map<std::string, std::string> words{};
 
   /// Returns whether all arcs of a plane stay arcs.

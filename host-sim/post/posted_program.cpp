@@ -243,7 +243,7 @@ class PostWriter {
 
   const Post& post_;
   std::string text_;
-  std::optional<std::uint32_t> number_;  ///< Of the last line.
+  std::optional<std::uint32_t> number_;  ///< Number of the last line.
   int motion_ = 0;
   int written_motion_ = -1;
   Plane plane_ = Plane::kXY;

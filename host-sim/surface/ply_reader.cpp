@@ -118,7 +118,7 @@ class PlyElements {
   void read_strips(const PlyProperty& property) {
     const std::size_t length = take_length(property);
     std::array<std::uint32_t, 3> last{};
-    std::size_t count = 0;  // Of this strip's corners.
+    std::size_t count = 0;  // Corners of this strip.
     for (std::size_t i = 0; i < length; ++i) {
       const double value = source_.take(property.scalar);
       if (value == -1.0) {

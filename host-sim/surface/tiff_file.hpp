@@ -16,7 +16,7 @@ namespace sim::surface {
 struct TiffSamples {
   std::uint32_t rows = 0;
   std::uint32_t columns = 0;
-  int bits = 0;    ///< Of a sample.
+  int bits = 0;    ///< In a sample.
   int format = 0;  ///< SAMPLEFORMAT_….
   int per_pixel = 1;
   bool is_upright = true;  ///< The first row is the top one, from the left.

@@ -18,7 +18,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Returns the numbers of a line; nothing if it has others, or not so many.
+/// Returns the numbers of a line; nothing if it has others, or more or fewer.
 template <std::size_t kCount>
 std::optional<std::array<double, kCount>> numbers_of(std::string_view line) {
   surface::TextWords words{line, 1};

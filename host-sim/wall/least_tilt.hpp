@@ -21,7 +21,7 @@ inline constexpr double kTouchMm = 1.0e-3;
 
 /// How a beam may lean.
 struct TiltRules {
-  /// Of the beam, with the angle by which it has to stay clear of all; above 0, below a right
+  /// Half angle of the beam and the angle by which it stays clear of all; above 0, below a right
   /// angle.
   double half_angle_rad = 0.0;
   double most_rad = 0.0;  ///< Greatest tilt, at least 0, below a right angle.
@@ -50,7 +50,7 @@ class LeastTilt {
   /// Directions at one angle from a middle.
   struct Circle {
     Eigen::Vector3d middle;
-    double cosine;  ///< Of the angle.
+    double cosine;  ///< Cosine of the angle.
   };
 
   [[nodiscard]] Beam beam_along(const Eigen::Vector3d& axis) const;

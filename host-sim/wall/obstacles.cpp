@@ -9,7 +9,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// What rounding makes of a touch, mm.
+/// A touch is off by that through rounding, mm.
 constexpr double kTouchRounding = 1.0e-9;
 
 Eigen::AlignedBox3d box_of(const Triangle& facet) {

@@ -10,8 +10,8 @@ namespace cnc::wall {
 struct Beam {
   Eigen::Vector3d tip = Eigen::Vector3d::Zero();    ///< Middle of the waist, on the work.
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();  ///< Unit vector from the tip to the lens.
-  double sine = 0.0;                                ///< Of the half angle, above 0.
-  double cosine = 1.0;                              ///< Of the half angle, above 0.
+  double sine = 0.0;                                ///< That of the half angle, above 0.
+  double cosine = 1.0;                              ///< That of the half angle, above 0.
   double length_mm = 0.0;                           ///< From the tip to the lens, above 0.
   double waist_mm = 0.0;                            ///< Radius at the tip, at least 0.
 

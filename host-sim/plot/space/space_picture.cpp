@@ -112,7 +112,7 @@ class Shader {
 
   const SpaceScene& scene_;
   const Axonometry& axonometry_;
-  std::vector<Vector3d> normals_;  ///< Of points.
+  std::vector<Vector3d> normals_;  ///< One for each point.
 };
 
 void add_lines(std::string& out,

@@ -21,7 +21,7 @@ struct SpaceScene {
   std::string title{};
   std::string subtitle{};
   surface::Mesh mesh{};
-  std::vector<Colour> colours{};  ///< Of the mesh's points; empty: light grey all over.
+  std::vector<Colour> colours{};  ///< One for each point of the mesh; empty: all light grey.
   std::vector<SpaceLines> lines{};
   PictureKey key{};  ///< Samples of lines are added to it.
 };

@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Gaps of so many cells are bridged.
+/// Gaps of up to that many cells are bridged.
 constexpr double kBridgedCells = 2.0;
 
 /// Creases as places that are linked to their neighbours.

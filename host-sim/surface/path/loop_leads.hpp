@@ -15,7 +15,7 @@ namespace sim::surface {
 struct LoopEnd {
   Eigen::Vector2d place = Eigen::Vector2d::Zero();
   Eigen::Vector2d tangent = Eigen::Vector2d::UnitX();  ///< Unit vector, as it is driven.
-  double level_mm = 0.0;                               ///< Of the grown tool's tip.
+  double level_mm = 0.0;                               ///< Height of the grown tool's tip.
 };
 
 /// Leads of quarter turns, or straight ones, on the free side of a wall, and the ways between them.

@@ -29,7 +29,7 @@ class LoopOrder {
   [[nodiscard]] std::vector<std::size_t> highest_left();
 
   const std::vector<LevelLoop>* loops_;
-  std::vector<std::vector<std::size_t>> lower_;  ///< Of each loop, those that wait for it.
+  std::vector<std::vector<std::size_t>> lower_;  ///< For each loop, those that wait for it.
   std::vector<std::size_t> waits_for_;           ///< How many are to be milled before.
   std::vector<bool> is_taken_;
   std::vector<std::vector<std::size_t>> ready_;  ///< Groups that waited for one loop.

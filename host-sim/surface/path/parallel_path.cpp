@@ -31,24 +31,18 @@ constexpr double kNearer = 0.9;
 /// of their own for those would be many.
 constexpr double kFarthest = 0.53;
 
-double step_for(const RowOptions& options) {
-  if (options.scallop_mm == 0.0) return options.step_mm;
-  const double level = level_step(options.tool, options.scallop_mm - options.tolerance_mm);
-  return options.step_mm > 0.0 ? std::min(options.step_mm, level) : level;
-}
-
 /// Drives the lines of equal distance one after the other.
 class ParallelPlanner {
  public:
   ParallelPlanner(const Mesh& mesh, const RowOptions& options)
       : options_{options},
-        step_mm_{kNearer * step_for(options)},
+        step_mm_{kNearer * step_of(options)},
         tracer_{mesh, options},
         loops_{distance_loops(
             tracer_,
             TipGrid{tracer_, PlanGrid{mesh, options.margin_mm, step_mm_ / kNodesPerStep}, {}},
             step_mm_,
-            kFarthest * step_for(options))},
+            kFarthest * step_of(options))},
         stock_top_mm_{options.stock_top_mm.value_or(top_of(mesh))} {}
 
   SurfacePath plan() {

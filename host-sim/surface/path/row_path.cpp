@@ -21,13 +21,6 @@ constexpr double kMostLinkSteps = 4.0;
 /// Share of the work that it takes to find the parts of rows.
 constexpr double kSearchShare = 0.25;
 
-/// Returns the distance of rows: asked for, or by which a level surface has no higher scallops.
-double step_of(const RowOptions& options) {
-  if (options.scallop_mm == 0.0) return options.step_mm;
-  const double level = level_step(options.tool, options.scallop_mm - options.tolerance_mm);
-  return options.step_mm > 0.0 ? std::min(options.step_mm, level) : level;
-}
-
 /// Lays rows over a surface and links them.
 class RowPlanner {
  public:
@@ -211,7 +204,7 @@ class RowPlanner {
   RowFrame frame_;
   SurfaceTracer tracer_;
   std::optional<ScallopRows> between_;
-  double stock_top_mm_;         ///< Of the stock that no layer has milled yet.
+  double stock_top_mm_;         ///< Top of the stock that no layer has milled yet.
   std::vector<RowPart> layer_;  ///< Parts of rows that are milled, of this layer.
   SurfacePath path_;
   Vector2d here_ = Vector2d::Zero();

@@ -28,6 +28,12 @@ double level_step(const cnc::surface::Profile& tool, double scallop_mm) {
   return 2.0 * low;
 }
 
+double step_of(const RowOptions& options) {
+  if (options.scallop_mm == 0.0) return options.step_mm;
+  const double level = level_step(options.tool, options.scallop_mm - options.tolerance_mm);
+  return options.step_mm > 0.0 ? std::min(options.step_mm, level) : level;
+}
+
 ScallopRows::ScallopRows(const SurfaceTracer& tracer,
                          const RowFrame& frame,
                          const cnc::surface::Profile& tool,
@@ -113,7 +119,7 @@ class ScallopRows::Strip {
   int around_;
   double begin_;
   int looks_;
-  std::vector<std::vector<double>> heights_;  ///< Of both rows and ways between, the low one first.
+  std::vector<std::vector<double>> heights_;  ///< Both rows and ways between, the low one first.
 };
 
 void ScallopRows::divide(const Gap& gap,

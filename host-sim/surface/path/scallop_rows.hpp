@@ -11,6 +11,10 @@ namespace sim::surface {
 /// surface; at most 1.6 of its radius.
 [[nodiscard]] double level_step(const cnc::surface::Profile& tool, double scallop_mm);
 
+/// Returns the distance of lines side by side: asked for, or by which a level surface has no higher
+/// scallops.
+[[nodiscard]] double step_of(const RowOptions& options);
+
 /// Rows between others where a surface is so steep across that the stock between would be higher
 /// than asked for.
 class ScallopRows {

@@ -57,8 +57,8 @@ class SurfaceTracer {
   DropCutter cutter_;
   bool has_floor_;
   double lowest_mm_;
-  std::optional<double> layer_top_mm_;  ///< Of the tip; without a layer everything is below.
-  double layer_bottom_mm_;              ///< Of the grown tool's tip.
+  std::optional<double> layer_top_mm_;  ///< Height of the tip; without a layer everything is below.
+  double layer_bottom_mm_;              ///< Height of the grown tool's tip.
   SliceDensity density_;
   double band_mm_;
   bool lines_only_;

@@ -10,7 +10,7 @@
 namespace sim::surface {
 
 struct BlockOptions {
-  std::optional<double> top_mm{};   ///< Of the stock; none: the highest point of the surface.
+  std::optional<double> top_mm{};   ///< Top of the stock; none: the surface's highest point.
   std::optional<double> cell_mm{};  ///< Length of a cell's sides; none: there are 600,000 cells.
 };
 

@@ -34,9 +34,9 @@ inline WholeVector cross(const WholeVector& a, const WholeVector& b) {
 /// along the axis, a point p is in it where 0 ≤ z ≤ length and z² ≥ cos² |p|².
 struct WholeCone {
   WholeVector tip{};
-  WholeVector axis{};   ///< Of whole length.
-  Whole axis_length{};  ///< Of the axis.
-  Whole cosine{};       ///< Of the half angle, over `whole`.
+  WholeVector axis{};   ///< Its length is whole, too.
+  Whole axis_length{};  ///< Length of the axis.
+  Whole cosine{};       ///< Cosine of the half angle, over `whole`.
   Whole whole{};
   Whole length{};  ///< In units.
 
