@@ -1,6 +1,7 @@
 #include "firmware/machine/configuration.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "firmware/machine/tool_output.hpp"
@@ -136,6 +137,7 @@ motion::BeamResponse beam_response_from(const Settings& settings, const motion::
 
 gcode::Options gcode_options_from(const Settings& settings) {
   gcode::Options options;
+  options.five_axes = settings.get(setting::kRotaryAxes) != 0.0F;
   options.laser = settings.get(setting::kLaserMode) != 0.0F;
   options.arc.absolute_mm = settings.get(setting::kArcRepairMm);
   options.arc.relative = 0.01F * settings.get(setting::kArcRepairPercent);
@@ -143,6 +145,35 @@ gcode::Options gcode_options_from(const Settings& settings) {
     options.reach[axis] = reach_on(settings, axis);
   }
   return options;
+}
+
+kinematics::RotaryMachine rotary_machine_from(const Settings& settings) {
+  using kinematics::RotaryKind;
+  struct Choice {
+    RotaryKind kind;
+    Axis tilting;
+  };
+  // In the order of $900's values.
+  constexpr std::array<Choice, 7> kChoices{{{RotaryKind::kNone, Axis::kA},
+                                            {RotaryKind::kTables, Axis::kA},
+                                            {RotaryKind::kTables, Axis::kB},
+                                            {RotaryKind::kHeads, Axis::kA},
+                                            {RotaryKind::kHeads, Axis::kB},
+                                            {RotaryKind::kHeadAndTable, Axis::kA},
+                                            {RotaryKind::kHeadAndTable, Axis::kB}}};
+  const auto& choice = kChoices[static_cast<std::size_t>(settings.get(setting::kRotaryAxes))];
+  const auto reversed = static_cast<unsigned>(settings.get(setting::kRotaryReversed));
+  const auto point = [&settings](std::uint16_t first) {
+    return Vec3{settings.get(first, 0), settings.get(first, 1), settings.get(first, 2)};
+  };
+  return {.kind = choice.kind,
+          .tilting = choice.tilting,
+          .tilt_reversed = (reversed & 1U) != 0,
+          .turn_reversed = (reversed & 2U) != 0,
+          .tilt_point = point(setting::kTiltPoint),
+          .turn_point = point(setting::kTurnPoint),
+          .least_tilt_deg = settings.get(setting::kLeastTilt),
+          .most_tilt_deg = settings.get(setting::kMostTilt)};
 }
 
 RestLight::Allowance rest_light_from(const Settings& settings) {

@@ -4,6 +4,7 @@
 #include "firmware/machine/settings.hpp"
 #include "firmware/steps/step_drive.hpp"
 #include "planner/gcode/options.hpp"
+#include "planner/kinematics/rotary_machine.hpp"
 #include "planner/motion/block/limits.hpp"
 #include "planner/motion/motors/motor_stage.hpp"
 
@@ -19,6 +20,8 @@ namespace cnc {
 [[nodiscard]] gcode::Options gcode_options_from(const Settings& settings);
 [[nodiscard]] BeamTiming beam_timing_from(const Settings& settings);
 [[nodiscard]] RestLight::Allowance rest_light_from(const Settings& settings);
+/// The five-axis machine that $900 and those after it describe.
+[[nodiscard]] kinematics::RotaryMachine rotary_machine_from(const Settings& settings);
 [[nodiscard]] StepTiming step_timing_from(const Settings& settings);
 
 }  // namespace cnc

@@ -81,7 +81,7 @@ gcode::Refusal Machine::take_line(std::string_view line) {
     judge(actions.value(), from);
     return {};
   }
-  if (travel_.left_by(actions.value(), from)) return leave_travel(from);
+  if (leaves_travel(actions.value(), from)) return leave_travel(from);
   waiting_ = actions.value();
   step_pause_ = single_block_ && !tool_change_.open();
   return {};

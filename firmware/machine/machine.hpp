@@ -145,6 +145,8 @@ class Machine {
   /// @pre idle()
   Result<float, SettingError> change_setting(std::uint16_t number, float value);
   [[nodiscard]] const Settings& settings() const { return settings_; }
+  /// Ends G43.4, before the axes are moved by themselves or all settings change. @pre idle()
+  void end_tool_centre();
   /// How much light the beam gives at which duty. @pre idle()
   void set_power_table(const motion::PowerTable& table);
   [[nodiscard]] const motion::PowerTable& power_table() const { return power_table_; }
@@ -185,7 +187,7 @@ class Machine {
   /// Axes whose machine coordinates are known, bit i for axis i.
   [[nodiscard]] std::uint8_t homed() const { return homed_; }
   /// Where the tool is, machine coordinates.
-  [[nodiscard]] Position position() const { return motion_.place_of(motion_.tool_steps()); }
+  [[nodiscard]] Position position() const { return motion_.tool_place(); }
   [[nodiscard]] float feed_now_mm_min() const;
   /// S as the output really is: overridden, and for a beam that of the moment.
   [[nodiscard]] float spindle_now() const;
@@ -270,6 +272,7 @@ class Machine {
   [[nodiscard]] bool drive(path::PathItem& item);
   [[nodiscard]] bool standstill();
   [[nodiscard]] UsualTolerance usual_tolerance() const;
+  [[nodiscard]] path::Tolerance tolerance() const;
 
   // A program that was interrupted, in machine_reentry.cpp.
   void note_progress();
@@ -277,6 +280,12 @@ class Machine {
   void forget_progress();
   void darken_until_place(path::PathItem& item);
   [[nodiscard]] bool drive_rest();
+
+  // Five axes, in machine_five_axes.cpp.
+  [[nodiscard]] kinematics::ToolCentre wanted_tool_centre() const;
+  [[nodiscard]] bool switch_tool_centre();
+  void judge_tool_centre();
+  [[nodiscard]] bool leaves_travel(gcode::Actions actions, const Position& from) const;
 
   // Jogs, in machine_jog.cpp.
   void attend_jog();
@@ -389,6 +398,7 @@ class Machine {
   StepPosition pulled_out_{};
   StepPosition parked_{};
   Travel travel_{};
+  kinematics::ToolCentre tool_centre_{};  ///< As lines have it, in check mode, too.
 
   gcode::Actions waiting_{};
   ActionElements elements_{};  ///< Of the action that is being driven.

@@ -51,6 +51,8 @@ bool Machine::run(const Action& action) {
       return (action.number == 1 && !optional_stop_) || pause();
     case ActionKind::kEnd:
       return end_program();
+    case ActionKind::kToolCentre:
+      return switch_tool_centre();
     case ActionKind::kTool:
     case ActionKind::kOffsets:
       return true;
@@ -69,6 +71,14 @@ UsualTolerance Machine::usual_tolerance() const {
           .arc_mm = settings_.get(setting::kArcTolerance)};
 }
 
+/// Short lines stay what they are where rotary axes turn the part or the tool: each part of a line
+/// has limits of its own.
+path::Tolerance Machine::tolerance() const {
+  path::Tolerance tolerance = path_tolerance(interpreter_.state().path, usual_tolerance());
+  if (tool_centre_.active()) tolerance.weld_mm = 0.0F;
+  return tolerance;
+}
+
 void Machine::append(const ActionPart& part) {
   const gcode::ModalState& modal = interpreter_.state();
   path::PathItem item{.request = {.element = part.element,
@@ -76,7 +86,7 @@ void Machine::append(const ActionPart& part) {
                                   .beam = beam_for(part.feed_mm_s <= 0.0F),
                                   .outputs = with_next_motion_,
                                   .line = {modal.line_number, part.index}},
-                      .tolerance = path_tolerance(modal.path, usual_tolerance()),
+                      .tolerance = tolerance(),
                       .continues = part.continues};
   if (compensates() || state_.in(Mode::kCheck)) return append_beside(item);
   if (compensator_.beside()) return drive_apart(item);
@@ -97,8 +107,10 @@ bool Machine::drive(path::PathItem& item) {
 /// spline as a cycle may.
 bool Machine::move(const Action& action) {
   if (!elements_.active()) {
-    elements_.begin(
-        action, target(), spline_tolerance(interpreter_.state().path, usual_tolerance()));
+    elements_.begin(action,
+                    target(),
+                    spline_tolerance(interpreter_.state().path, usual_tolerance()),
+                    tool_centre_.parts_of(target(), action.end));
   }
   while (!elements_.done()) {
     if (!has_room() || !elements_.work(spline_points_)) return false;
@@ -207,6 +219,7 @@ bool Machine::end_program() {
     stop_for(Alarm::kPlaceNotMet);
     return true;
   }
+  end_tool_centre();
   forget_exit();
   set_overrides({});
   tool_.off();

@@ -102,7 +102,7 @@ void Machine::resume_from_door() {
   if (door_stage_ != DoorStage::kStopped || inputs().door) return;
   door_stage_ = DoorStage::kUnpark;
   if (away_) trip_to(pulled_out_, setting::kParkingRate, {});
-  if (gap_.any()) side_.go(motion_.place(), 0.0F, {});
+  if (gap_.any()) side_.go(motion_.motor_place(), 0.0F, {});
   attend_door();
 }
 

@@ -17,6 +17,7 @@ void Machine::home(std::uint8_t axes) {
   static_cast<void>(state_.take(Event::kHome));
   alarm_ = Alarm::kNone;
   forget_exit();
+  end_tool_centre();
   set_homed(axes == 0 ? std::uint8_t{0} : static_cast<std::uint8_t>(homed_ & ~axes));
   homing_.start(axes, tool_.command_for(true));
 }

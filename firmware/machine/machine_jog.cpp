@@ -20,8 +20,9 @@ std::optional<JogRefusal> Machine::jog(std::string_view words) {
   }
   const gcode::Action& action = actions.value().front();
   Position end = action.end;
-  if (travel_.left_by(actions.value(), here)) {
-    if (settings_.get(setting::kJogLimited) == 0.0F) {
+  if (leaves_travel(actions.value(), here)) {
+    // Where rotary axes move the tip there is no nearest place for each axis.
+    if (settings_.get(setting::kJogLimited) == 0.0F || tool_centre_.active()) {
       interpreter_.set_position(here);
       return JogRefusal{.number = kBeyondTravel};
     }

@@ -12,9 +12,11 @@ void Machine::stop_for(Alarm alarm) {
 
 /// In check mode a line does nothing but be found fault with, beside its path, too.
 void Machine::judge(gcode::Actions actions, const Position& from) {
-  if (travel_.left_by(actions, from)) return raise_alarm(Alarm::kSoftLimit);
+  if (leaves_travel(actions, from)) return raise_alarm(Alarm::kSoftLimit);
   for (const gcode::Action& action : actions) {
+    if (action.kind == gcode::ActionKind::kToolCentre) judge_tool_centre();
     if (action.kind != gcode::ActionKind::kEnd) continue;
+    if (tool_centre_.active()) judge_tool_centre();
     program_ended_ = true;
     program_end_untold_ = true;
   }

@@ -64,9 +64,10 @@ void Machine::drop_everything() {
   rest_light_.renew();
   rest_light_.forget_program();
   coolant_.reset();
-  motion_.drop_rest();
+  tool_centre_ = {};
+  motion_.set_tool_centre(tool_centre_);
   motion_.go_on();
-  side_.begin(motion_.place());
+  side_.begin(motion_.motor_place());
   compensation_ = {};
   compensator_.clear();
   interpreter_.reset();

@@ -8,6 +8,8 @@ Result<float, SettingError> Machine::change_setting(std::uint16_t number, float 
   const bool other_scale =
       number >= setting::kStepsPerMm && number < setting::kStepsPerMm + kAxisCount;
   const float before = other_scale ? settings_.get(number) : 0.0F;
+  const bool is_rotary = number >= setting::kRotaryAxes && number <= setting::kMostTilt;
+  if (tool_centre_.active() && (is_rotary || other_scale)) return SettingError::kInUse;
   const auto stored = settings_.set(number, value);
   if (!stored.ok()) return stored;
   if (number == setting::kBlockDelete) block_delete_switched_ = false;

@@ -21,7 +21,7 @@ void MotionControl::note_place() {
   const std::uint32_t tick = drive_.ticks_handed_over();
   if (lit_) trail_.note_light(tick);
   lit_ = false;
-  const bool staged = motors().active() || follows_kerf();
+  const bool staged = motors().active() || leaves_path();
   if (staged && !motors().between_cells()) return;
   trail_.add(tick + motors().ticks_ahead(), travelled());
 }
@@ -32,41 +32,58 @@ motion::PathUnits MotionControl::go_back(motion::PathUnits distance) {
   return unknown;
 }
 
-AxisArray<std::int32_t> MotionControl::tool_steps() const {
+AxisArray<std::int32_t> MotionControl::axis_steps() const {
   AxisArray<std::int32_t> steps = drive_.position();
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    steps[axis] = motors().backlash(axis).moved_by(steps[axis], tool_[axis]);
+    steps[axis] = motors().backlash(axis).moved_by(steps[axis], axes_[axis]);
   }
   return steps;
+}
+
+Position MotionControl::tool_place() const {
+  return tool_centre().program_for(place_of(axis_steps()));
+}
+
+AxisArray<std::int32_t> MotionControl::tool_steps() const {
+  if (!tool_centre().active()) return axis_steps();
+  const AxisArray<StepPosition> place = steps_of(tool_place());
+  AxisArray<std::int32_t> steps{};
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) steps[axis] = place[axis].nearest_step();
+  return steps;
+}
+
+void MotionControl::set_tool_centre(const kinematics::ToolCentre& centre) {
+  Pipeline::set_tool_centre(centre);
+  drop_rest();
 }
 
 /// Between two calls an axis may have reversed unseen. At rest, where everything is certain, the
 /// place is corrected.
 void MotionControl::follow_tool() {
-  tool_ = tool_steps();
+  axes_ = axis_steps();
   if (drive_.running() || !motors().at_rest() || !motors().settled()) return;
   const AxisArray<std::int32_t> steps = drive_.position();
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    tool_[axis] = tool_at_contact(axis, steps[axis]);
+    axes_[axis] = tool_at_contact(axis, steps[axis]);
   }
 }
 
 void MotionControl::set_tool(std::size_t axis, std::int32_t steps) {
   drive_.set_position(axis, steps);
   motors().rebase(axis);
-  tool_[axis] = steps;
+  axes_[axis] = steps;
 }
 
 void MotionControl::configure(const motion::MotorStageSetting& setting) {
-  const AxisArray<std::int32_t> steps = tool_steps();
+  const AxisArray<std::int32_t> steps = axis_steps();
   if (!Pipeline::configure(setting)) return;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) drive_.set_position(axis, steps[axis]);
-  tool_ = steps;
+  axes_ = steps;
 }
 
 void MotionControl::drop_rest() {
   follow_tool();
-  restart(tool_, drive_.position());
+  restart(axes_, drive_.position());
 }
 
 }  // namespace cnc

@@ -27,6 +27,7 @@ class MotionControl : private Pipeline {
   using Pipeline::place_of;
   using Pipeline::set_overrides;
   using Pipeline::target;
+  using Pipeline::tool_centre;
 
   /// Returns whether append() may be called in this turn; false while the main loop catches up.
   /// Out of line, as it is asked at many places.
@@ -70,8 +71,15 @@ class MotionControl : private Pipeline {
     if (follows_kerf() && on_path() && drained()) follow_kerf(nullptr);
   }
 
-  /// Returns where the tool is, in motor steps without backlash.
+  /// Lets the axes move so that the tip follows the path while rotary axes turn, from now on.
+  /// @pre drained()
+  void set_tool_centre(const kinematics::ToolCentre& centre);
+
+  /// Returns where the tool is, in motor steps without backlash: its tip, where rotary axes do not
+  /// move that.
   [[nodiscard]] AxisArray<std::int32_t> tool_steps() const;
+  /// Returns the same to the nanometre.
+  [[nodiscard]] Position tool_place() const;
   /// Returns where the tool was when its axis was moving and the motor's counter said `steps`:
   /// a contact that the step interrupt latched.
   [[nodiscard]] std::int32_t tool_at_contact(std::size_t axis, std::int32_t steps) const {
@@ -91,13 +99,14 @@ class MotionControl : private Pipeline {
   [[nodiscard]] float speed() const { return drive_.running() ? Pipeline::speed() : 0.0F; }
 
  private:
+  [[nodiscard]] AxisArray<std::int32_t> axis_steps() const;
   void follow_tool();
   void note_place();
 
   StepDrive& drive_;
   PlaceTrail trail_{};
   bool lit_ = false;                ///< The segment that was handed over last.
-  AxisArray<std::int32_t> tool_{};  ///< Place of the tool, within the backlash, when last seen.
+  AxisArray<std::int32_t> axes_{};  ///< Place of the axes, within the backlash, when last seen.
 };
 
 }  // namespace cnc

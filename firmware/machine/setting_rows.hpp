@@ -19,6 +19,7 @@ inline constexpr float kMostRate = 1.0e6F;          // mm/min
 inline constexpr float kMostAcceleration = 1.0e6F;  // mm/s²
 inline constexpr float kMostBeamDelay = 5000.0F;    // µs
 inline constexpr float kMostTravel = 1.0e6F;        // mm
+inline constexpr float kMostPivot = 10'000.0F;      // mm
 
 inline constexpr const char* kWhole = "#####0";
 inline constexpr const char* kThousandths = "#####0.000";
@@ -26,7 +27,7 @@ inline constexpr const char* kAxisNames = "X,Y,Z,A,B,C";
 
 // clang-format off
 // The size is spelled out: deduced, GCC 12 puts the table into RAM.
-inline constexpr std::array<SettingInfo, 77> kRows{{
+inline constexpr std::array<SettingInfo, 83> kRows{{
     SettingInfo{0, Group::kStepper, Type::kDecimal, "Step pulse time", "microseconds",
      1.0F, 12.0F, 5.0F, kThousandths,
      "How long a step input is held high, and then low."},
@@ -266,6 +267,27 @@ inline constexpr std::array<SettingInfo, 77> kRows{{
     SettingInfo{890, Group::kGeneral, Type::kSwitch, "Block delete", "0 or 1",
      0.0F, 1.0F, 1.0F, "",
      "Skip lines that begin with /. $B switches it until this is set."},
+    SettingInfo{900, Group::kAxes, Type::kChoice, "Rotary axes", "kind",
+     0.0F, 6.0F, 0.0F,
+     "Each by itself,A C tables,B C tables,A C heads,B C heads,A head C table,B head C table",
+     "What the tilting axis and C turn, for G43.4. Words of A, B, C are the tool's rotation as the "
+     "part sees it."},
+    SettingInfo{901, Group::kAxes, Type::kBits, "Rotary axes reversed", "mask",
+     0.0F, 3.0F, 0.0F, "Tilting axis,Turning axis",
+     "Axes that count the other way round."},
+    SettingInfo{910, Group::kX, Type::kDecimal, "of tilting axis", "mm",
+     -kMostPivot, kMostPivot, 0.0F, kThousandths,
+     "A point of the axis that tilts: of a table in machine coordinates, of a head from the tip of "
+     "a tool of no length."},
+    SettingInfo{913, Group::kX, Type::kDecimal, "of turning axis", "mm",
+     -kMostPivot, kMostPivot, 0.0F, kThousandths,
+     "The same of C, where the tilting axis is at 0."},
+    SettingInfo{916, Group::kAxes, Type::kDecimal, "Least tilt", "deg",
+     -360.0F, 0.0F, -360.0F, kThousandths,
+     "Under G43.4 no motion tilts farther."},
+    SettingInfo{917, Group::kAxes, Type::kDecimal, "Greatest tilt", "deg",
+     0.0F, 360.0F, 360.0F, kThousandths,
+     "The same the other way."},
 }};
 // clang-format on
 

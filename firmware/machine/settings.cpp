@@ -45,6 +45,8 @@ std::string_view describe(SettingError error) {
       return "this setting takes whole numbers";
     case SettingError::kPlaceLost:
       return "at this resolution the present place would be out of reach";
+    case SettingError::kInUse:
+      return "G43.4 goes by this setting: G49 ends it";
   }
   return {};
 }

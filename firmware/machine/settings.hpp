@@ -107,6 +107,7 @@ enum class SettingError : std::uint8_t {
   kAboveRange,
   kNotWhole,
   kPlaceLost,  ///< At this resolution the present place would be out of reach.
+  kInUse,      ///< G43.4 goes by it.
 };
 
 /// The reason in words, for a message.
@@ -247,6 +248,12 @@ inline constexpr std::uint16_t kRestLightDuty = 870;
 inline constexpr std::uint16_t kRestLightTime = 871;
 inline constexpr std::uint16_t kEnableDelay = 884;
 inline constexpr std::uint16_t kBlockDelete = 890;
+inline constexpr std::uint16_t kRotaryAxes = 900;
+inline constexpr std::uint16_t kRotaryReversed = 901;
+inline constexpr std::uint16_t kTiltPoint = 910;
+inline constexpr std::uint16_t kTurnPoint = 913;
+inline constexpr std::uint16_t kLeastTilt = 916;
+inline constexpr std::uint16_t kMostTilt = 917;
 }  // namespace setting
 
 }  // namespace cnc

@@ -4,6 +4,9 @@
 
 #include "firmware/machine/settings.hpp"
 #include "planner/gcode/interpreter.hpp"
+#include "planner/geometry/path_element.hpp"
+#include "planner/kinematics/tool_centre.hpp"
+#include "planner/motion/block/limits.hpp"
 
 namespace cnc {
 
@@ -20,6 +23,14 @@ class Travel {
   /// Whether a motion of these actions, begun at `from`, would leave it; of an
   /// arc or a spline its true extremes count.
   [[nodiscard]] bool left_by(gcode::Actions actions, const Position& from) const;
+  /// Returns whether motions of a tip would take the axes out of it, or the tilting axis out of its
+  /// limits, which hold without homing, too. Axes may be taken for outside at less than 0.2 mm from
+  /// the end of the travel on lines of 100 mm and arcs.
+  /// @pre centre.active(); the actions are lines and arcs
+  [[nodiscard]] bool left_by(gcode::Actions actions,
+                             const Position& from,
+                             const kinematics::ToolCentre& centre,
+                             const motion::Limits& limits) const;
   /// Whether a place is inside.
   [[nodiscard]] bool holds(const Position& place) const { return contains(place); }
   /// The place inside that is nearest, axis by axis.
@@ -27,6 +38,9 @@ class Travel {
 
  private:
   [[nodiscard]] bool contains(const Position& place) const;
+  [[nodiscard]] bool contains_axes(const PathElement& element,
+                                   const kinematics::ToolCentre& centre,
+                                   const motion::Limits& limits) const;
   [[nodiscard]] bool contains_spline(const Position& start, const gcode::Action& spline) const;
   [[nodiscard]] bool contains_arc(const Position& start, const gcode::Action& arc) const;
 

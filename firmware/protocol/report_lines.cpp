@@ -149,6 +149,7 @@ void put_parser_state(Reply& reply, const Machine& machine) {
   reply.text(state.distance == gcode::DistanceMode::kAbsolute ? " G90" : " G91");
   reply.text(state.feed_mode == gcode::FeedMode::kUnitsPerMinute ? " G94" : " G93");
   put_compensation(reply, state.compensation, inches);
+  if (state.tool_centre) reply.text(" G43.4");
   put_path_control(reply, state.path, inches);
   reply.text(spindle_word(machine.spindle())).text(coolant_words(machine.coolant()));
   reply.text(" T").number(state.tool).text(" F").value(feed, 0);

@@ -207,6 +207,7 @@ void LineProtocol::restore(const Statement& statement) {
   }
   bool kept = true;
   if (all || what == "$") {
+    machine_.end_tool_centre();
     for (const SettingInfo& info : setting_table()) {
       static_cast<void>(machine_.change_setting(info.number, info.standard).ok());
       kept = stored_.save_setting(info, machine_.settings().get(info.number)) && kept;

@@ -16,6 +16,7 @@
 #include "host-sim/job/job_report.hpp"
 #include "host-sim/job/measuring_error.hpp"
 #include "host-sim/job/picture_choice.hpp"
+#include "host-sim/job/tip_trace.hpp"
 #include "host-sim/machine/machine_reading.hpp"
 #include "host-sim/measure/driven_path.hpp"
 #include "host-sim/measure/energy_meter.hpp"
@@ -126,7 +127,7 @@ bool lights_at_once(const cnc::Settings& settings) {
   const auto zero = [&settings](std::uint16_t number) { return settings.get(number) == 0.0F; };
   return !zero(cnc::setting::kLaserMode) && zero(cnc::setting::kBeamOnDelay) &&
          zero(cnc::setting::kBeamOffDelay) && zero(cnc::setting::kBeamLag) &&
-         allowed_for_motors(settings) <= 0.0;
+         zero(cnc::setting::kRotaryAxes) && allowed_for_motors(settings) <= 0.0;
 }
 
 /// Measures the light of each millimetre that is driven: round a corner that is less
@@ -256,18 +257,19 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
   MotionKindTeller teller{deviation, recorder};
   simulator.add_sink(meter);
   simulator.add_sink(tool);
-  tool.add_sink(deviation);
+  TipTrace tip{simulator.machine(), deviation};
+  tool.add_sink(tip);
   simulator.machine().observe(&shaping);
   std::optional<BeamMeter> beam;
   if (lights_at_once(simulator.settings())) beam.emplace(path, simulator);
   if (!outputs.svg.empty() || !outputs.png.empty()) {
-    tool.add_sink(teller);
-    tool.add_sink(recorder);
+    tip.add_sink(teller);
+    tip.add_sink(recorder);
   }
   std::optional<StockRun> stock;
   if (outputs.stock) {
     stock.emplace(*outputs.stock, path, deviation, simulator.settings());
-    tool.add_sink(*stock);
+    tip.add_sink(*stock);
   }
   const StepFiles step_files{outputs, simulator};
 
@@ -281,6 +283,7 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
   add_measuring_errors(simulator.settings(), report);
   add_bounds(tool, simulator.settings(), report);
   add_deviation(deviation, report);
+  report.tip = tip.tip();
   report.max_shaping_error_mm = shaping.greatest_distance();
   if (beam) beam->add_to(report);
   draw(recorder, report, outputs, simulator.settings());

@@ -7,9 +7,18 @@
 namespace sim {
 namespace {
 
-ReadOptions reading_options(const cnc::Settings& settings, KerfQuestion& kerf) {
+ReadOptions reading_options(const cnc::Settings& settings,
+                            KerfQuestion& kerf,
+                            FiveAxisQuestion& five_axes) {
   ReadOptions options = read_options_for(settings);
-  options.on_statement = [&kerf](std::string_view statement) { kerf.hear(statement); };
+  options.on_statement = [&kerf, &five_axes](std::string_view statement) {
+    kerf.hear(statement);
+    five_axes.hear(statement);
+  };
+  options.tool_centre = [&five_axes](const Point& place, double tool_length_mm, bool begins) {
+    return begins ? five_axes.program_for(place, tool_length_mm)
+                  : five_axes.axes_for(place, tool_length_mm);
+  };
   options.kerf_width = [&kerf](const CutCondition& condition) { return kerf.width(condition); };
   return options;
 }
@@ -23,12 +32,14 @@ ReadOptions with_sink(ReadOptions options, BesideWay& beside) {
 
 ProgrammedPath read_for_machine(const std::string& text, const cnc::Settings& settings) {
   KerfQuestion kerf{settings};
-  return beside_path(read_program(text, reading_options(settings, kerf)));
+  FiveAxisQuestion five_axes{settings};
+  return beside_path(read_program(text, reading_options(settings, kerf, five_axes)));
 }
 
 MachineReading::MachineReading(const cnc::Settings& settings, PieceSink sink)
     : kerf_{settings},
+      five_axes_{settings},
       beside_{std::move(sink)},
-      reader_{with_sink(reading_options(settings, kerf_), beside_)} {}
+      reader_{with_sink(reading_options(settings, kerf_, five_axes_), beside_)} {}
 
 }  // namespace sim

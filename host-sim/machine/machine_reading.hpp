@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "firmware/machine/settings.hpp"
+#include "host-sim/machine/five_axis_question.hpp"
 #include "host-sim/machine/kerf_question.hpp"
 #include "host-sim/measure/beside_path.hpp"
 #include "host-sim/measure/program_reader.hpp"
@@ -42,6 +43,7 @@ class MachineReading {
 
  private:
   KerfQuestion kerf_;
+  FiveAxisQuestion five_axes_;
   BesideWay beside_;
   ProgramReader reader_;
 };

@@ -95,9 +95,9 @@ bool ModalState::apply_distance(int g) {
 }
 
 bool ModalState::apply_tool_offset(int g, const ProgramLine& line) {
-  if (g != 431 && g != 490) return false;
+  if (g != 431 && g != 434 && g != 490) return false;
   if (g == 490) tool_ = {};
-  for (std::size_t i = 0; i < cnc::kAxisCount && g == 431; ++i) {
+  for (std::size_t i = 0; i < cnc::kAxisCount && g != 490; ++i) {
     if (const auto word = line.value(cnc::kAxisLetters[i])) tool_[i] = scaled(i, *word);
   }
   return true;

@@ -62,6 +62,8 @@ class ModalState {
   void restore_shift() { shift_ = saved_shift_; }                  ///< G92.3.
 
   [[nodiscard]] Motion motion() const { return motion_; }
+  /// Along Z, mm; G43.1, G43.4.
+  [[nodiscard]] double tool_length() const { return tool_[2]; }
   [[nodiscard]] cnc::Plane plane() const { return plane_; }
 
  private:

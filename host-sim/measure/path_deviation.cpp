@@ -19,14 +19,20 @@ PathDeviation::PathDeviation(const ProgrammedPath& path,
 }
 
 void PathDeviation::on_row(const TraceRow& row) {
-  for (std::size_t i = 0; i < last_.size(); ++i) last_[i] = row.position[i] * step_[i];
+  Point place{};
+  for (std::size_t i = 0; i < place.size(); ++i) place[i] = row.position[i] * step_[i];
+  stand(row.time_ns, place);
+}
+
+void PathDeviation::stand(std::uint64_t time_ns, const Point& place) {
+  last_ = place;
   match_ = follower_.advance(last_);
   const PathFollower::Match& match = match_;
   if (match.nearest.distance > distance_.value) {
-    distance_ = {match.nearest.distance, row.time_ns, last_, line_of(match.piece)};
+    distance_ = {match.nearest.distance, time_ns, last_, line_of(match.piece)};
   }
   const double excess = follower_.axis_excess(last_, excess_.value);
-  if (excess > excess_.value) excess_ = {excess, row.time_ns, last_, line_of(match.piece)};
+  if (excess > excess_.value) excess_ = {excess, time_ns, last_, line_of(match.piece)};
 }
 
 int PathDeviation::line_of(std::size_t piece) const {

@@ -38,6 +38,8 @@ class PathDeviation final : public TraceSink {
                 double floor = 0.0) = delete;
 
   void on_row(const TraceRow& row) override;
+  /// Takes a place in mm and degrees in place of a row's.
+  void stand(std::uint64_t time_ns, const Point& place);
 
   [[nodiscard]] const DeviationPeak& greatest_distance() const { return distance_; }
   /// mm, or degrees where a rotary axis decides; the floor, if it was never above.

@@ -69,6 +69,7 @@ void ProgramReader::read_line(std::string_view text, int number) {
   apply_spindle(line);
   apply_outputs(line);
   apply_compensation(line);
+  apply_tool_centre(line);
   const bool taken = apply_single(line, single);
   if (!taken) move(line);
   stop_or_end(line);
@@ -115,10 +116,31 @@ void ProgramReader::apply_compensation(const ProgramLine& line) {
   is_beside_ = true;
 }
 
+/// G43.4 and what ends it. The machine stands still, and its place gets another name.
+void ProgramReader::apply_tool_centre(const ProgramLine& line) {
+  const bool begins = line.has_g(434);
+  if (begins && !options_.tool_centre) note("G43.4 left out");
+  if (!options_.tool_centre) return;
+  const bool ends = line.has_g(431) || line.has_g(490);
+  if (centre_length_ && (ends || (begins && *centre_length_ != modes_.tool_length()))) {
+    switch_tool_centre(false, *centre_length_);
+  }
+  if (begins && !centre_length_) switch_tool_centre(true, modes_.tool_length());
+}
+
+void ProgramReader::switch_tool_centre(bool begins, double tool_length_mm) {
+  position_ = options_.tool_centre(position_, tool_length_mm, begins);
+  centre_length_.reset();
+  if (begins) centre_length_ = tool_length_mm;
+  path_.end = position_;
+  stop_pending_ = true;
+}
+
 void ProgramReader::stop_or_end(const ProgramLine& line) {
   for (const int m : line.m) {
     if (m == 0 || (m == 1 && options_.optional_stop)) stop_pending_ = true;
     if (m != 2 && m != 30) continue;
+    if (centre_length_) switch_tool_centre(false, *centre_length_);
     modes_.end_program();
     compensation_.end_program();
     spindle_ = SpindleState::kOff;
@@ -127,8 +149,8 @@ void ProgramReader::stop_or_end(const ProgramLine& line) {
 }
 
 bool ProgramReader::apply_single(const ProgramLine& line, const std::vector<int>& numbers) {
-  // G43.1 is a mode, but it takes the axis words.
-  bool taken = line.has_g(431);
+  // G43.1 and G43.4 are modes, but they take the axis words.
+  bool taken = line.has_g(431) || line.has_g(434);
   for (const int g : numbers) {
     if (g == 40) stop_pending_ = true;
     // G53 is for ModalState::target.

@@ -30,6 +30,8 @@ class ProgramReader {
   void apply_spindle(const ProgramLine& line);
   void apply_outputs(const ProgramLine& line);
   void apply_compensation(const ProgramLine& line);
+  void apply_tool_centre(const ProgramLine& line);
+  void switch_tool_centre(bool begins, double tool_length_mm);
   void stop_or_end(const ProgramLine& line);
   /// The G numbers that are no modes; true when one of them took the axis words.
   [[nodiscard]] bool apply_single(const ProgramLine& line, const std::vector<int>& numbers);
@@ -64,6 +66,7 @@ class ProgramReader {
   SpindleState spindle_ = SpindleState::kOff;
   int line_number_ = 0;
   bool stop_pending_ = true;
+  std::optional<double> centre_length_{};  ///< Under G43.4: length of the tool, mm.
   bool ended_ = false;
   bool is_beside_ = false;    ///< After G40, until a motion in the plane.
   bool leaves_edge_ = false;  ///< The next motion is the exit from an edge by its kerf.

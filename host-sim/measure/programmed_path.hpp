@@ -86,6 +86,9 @@ struct ReadOptions {
   CutWidth kerf_width{};         ///< Of a material; without it G41 by the kerf is left out.
   bool power_keeps_kerf = true;  ///< $860=0: beside an edge by its kerf M3 follows the speed.
   bool block_delete = true;      ///< $890: lines with / are left out.
+  /// Returns the place of the tip for one of the axes, as G43.4 takes it, or of the axes for one of
+  /// the tip, as G49 does; the tool's length in mm. Without it G43.4 is left out.
+  std::function<Point(const Point& place, double tool_length_mm, bool begins)> tool_centre{};
   /// Told every line that begins with $, which is no G-code.
   std::function<void(std::string_view)> on_statement{};
   /// Gets the pieces one by one instead of the path, which stays empty.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -40,6 +41,13 @@ struct AxisReport {
   double bounds_error_mm = 0.0;
 };
 
+/// Where the tip was as the part saw it, under G43.4.
+struct TipReport {
+  std::array<double, 3> least_mm{};  ///< X Y Z, places of the program.
+  std::array<double, 3> greatest_mm{};
+  double greatest_tilt_deg = 0.0;  ///< From upright.
+};
+
 /// What a run of one job was like (`--report FILE`, and the table on the terminal).
 struct Report {
   std::string job;  ///< Name of the file, or `-`.
@@ -60,6 +68,7 @@ struct Report {
   double max_path_deviation_at_s = 0.0;  ///< …and when.
   /// How far input shaping took the tool from the planned path, mm; 0 without a shaper.
   double max_shaping_error_mm = 0.0;
+  std::optional<TipReport> tip{};             ///< If G43.4 was in use.
   std::optional<stock::StockReport> stock{};  ///< If one was carved.
   std::vector<std::string> warnings;
   std::vector<Fault> faults;

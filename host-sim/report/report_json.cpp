@@ -115,6 +115,11 @@ Json to_json(const Report& report) {
   json["energy_per_mm_ratio"] = {{"least", report.least_energy_ratio},
                                  {"mean", report.mean_energy_ratio},
                                  {"greatest", report.greatest_energy_ratio}};
+  if (report.tip) {
+    json["tip"] = {{"least_mm", report.tip->least_mm},
+                   {"greatest_mm", report.tip->greatest_mm},
+                   {"greatest_tilt_deg", report.tip->greatest_tilt_deg}};
+  }
   if (report.stock) json["stock"] = to_json(*report.stock);
   json["warnings"] = report.warnings;
   json["faults"] = faults_of(report);

@@ -54,6 +54,21 @@ std::string facts_text(const Report& report) {
                          report.greatest_energy_ratio,
                          report.mean_energy_ratio));
   }
+  if (report.tip) {
+    const TipReport& tip = *report.tip;
+    add_fact(
+        out,
+        "tip",
+        fmt::format("X {:.3f} to {:.3f}, Y {:.3f} to {:.3f}, Z {:.3f} to {:.3f} mm, leans up to "
+                    "{:.2f} deg",
+                    tip.least_mm[0],
+                    tip.greatest_mm[0],
+                    tip.least_mm[1],
+                    tip.greatest_mm[1],
+                    tip.least_mm[2],
+                    tip.greatest_mm[2],
+                    tip.greatest_tilt_deg));
+  }
   if (report.stock) {
     for (const auto& [name, value] : stock_facts(*report.stock)) add_fact(out, name, value);
   }

@@ -87,6 +87,9 @@ Approach approach_to(const JobLines& job, std::size_t index, bool laser) {
   if (interpreter.shift().g92_in_use) {
     throw std::invalid_argument("G92 is in use there, and was lost: begin where it is set");
   }
+  if (state.tool_centre) {
+    throw std::invalid_argument("G43.4 is in use there, and was lost: begin where it is set");
+  }
   std::string over;
   std::string down;
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {

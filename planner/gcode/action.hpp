@@ -28,6 +28,7 @@ enum class ActionKind : std::uint8_t {
   kToolChange,    ///< M6: `number` is the tool to be put in.
   kOutput,        ///< M62…M65, M67, M68: `output`.
   kOffsets,       ///< Work, tool or G92 offsets changed (a report may follow).
+  kToolCentre,    ///< G43.4 begins, ends, or has another tool length.
   kPause,         ///< M0; M1 with `number` 1.
   kEnd,           ///< M2, M30.
 };

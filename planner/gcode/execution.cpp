@@ -63,6 +63,9 @@ Refusal Execution::run() {
       &Execution::stop,
   }};
   set_modes();
+  if (context_.modal.tool_centre) {
+    if (const auto fault = check_words_at_tool_centre()) return fault;
+  }
   if (const auto fault = take_steps(kFirst)) return fault;
   if (!block_.has_no_word_but_motion()) {
     if (const auto fault = take_steps(kByWord)) return fault;
@@ -300,7 +303,7 @@ Refusal Execution::stop() {
 }
 
 /// As Grbl 1.1: back to G1 G17 G40 G54 G90 G94 M5 M9. Units, F, S, T, G92, the
-/// tool length and path control (RS274/NGC 3.6.1 does not name it) stay.
+/// tool length and path control (RS274/NGC 3.6.1 does not name it) stay; G43.4 ends.
 void Execution::end_program() {
   ModalState& modal = next_.modal;
   modal.motion = MotionMode::kLine;
@@ -310,6 +313,7 @@ void Execution::end_program() {
   modal.coordinate_system = 0;
   modal.spindle = SpindleMode::kOff;
   modal.coolant = Coolant{};
+  modal.tool_centre = false;
   if (modal.compensation.side != CutterSide::kOn) {
     modal.compensation = {};
     static_cast<void>(actions_.append(ActionKind::kCompensation));

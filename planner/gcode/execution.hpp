@@ -90,6 +90,9 @@ class Execution {
   [[nodiscard]] Refusal set_path_control();
   [[nodiscard]] Refusal take_tolerance(char letter, std::optional<float>& tolerance_mm);
   [[nodiscard]] Refusal set_tool_length();
+  [[nodiscard]] Refusal read_tool_length(ToolLength word, Coordinate& length);
+  [[nodiscard]] Refusal switch_tool_centre(bool on);
+  [[nodiscard]] Refusal check_words_at_tool_centre() const;
   [[nodiscard]] Refusal set_offsets();
   [[nodiscard]] Refusal go_to_stored_place();
   [[nodiscard]] Refusal move();

@@ -36,6 +36,7 @@ Refusal Execution::check_jog_words() const {
     const bool g53 =
         group == ModalGroup::kNonModal && block_.non_modal() == NonModal::kMachineCoordinates;
     if (!g53) return block_.blame(FaultDetail::kNotInAJog, group);
+    if (context_.modal.tool_centre) return block_.blame(FaultDetail::kNotAtToolCentre, group);
   }
   return std::nullopt;
 }

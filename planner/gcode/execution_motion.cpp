@@ -24,6 +24,9 @@ Refusal Execution::move() {
   }
   if (!moves()) return std::nullopt;
   if (mode == MotionMode::kNone) return block_.blame_first_axis_word(FaultDetail::kAxisWordUnused);
+  if (next_.modal.tool_centre && !straight && !is_arc(mode)) {
+    return blame_motion(FaultDetail::kNotAtToolCentre);
+  }
   if (mode == MotionMode::kNurbs) return take_control_point();
   const bool probes = mode >= MotionMode::kProbeContact;
   if (!probes && mode != MotionMode::kNurbsEnd && only_sets_mode()) return std::nullopt;

@@ -3,27 +3,74 @@
 
 namespace cnc::gcode {
 
-/// G43.1 and G49. Grbl shifts Z only, and so do we.
+/// G43.1, G43.4 and G49. Grbl shifts Z only, and so do we.
 Refusal Execution::set_tool_length() {
   if (!block_.has(ModalGroup::kToolLength)) return std::nullopt;
-  const bool set = block_.meaning<ToolLength>(ModalGroup::kToolLength) == ToolLength::kSet;
+  const auto word = block_.meaning<ToolLength>(ModalGroup::kToolLength);
   Coordinate length{};
-  if (set) {
-    const Decimal* const z = block_.take('Z');
-    for (const char axis : {'X', 'Y', 'A', 'B', 'C'}) {
-      if (block_.has(axis)) return block_.blame(FaultDetail::kToolOffsetNeedsZAlone, axis);
-    }
-    if (z == nullptr) {
-      return block_.blame(FaultDetail::kToolOffsetNeedsZAlone, ModalGroup::kToolLength);
-    }
-    length = to_length(*z);
-    constexpr std::size_t kZ = index_of(Axis::kZ);
-    if (const auto fault = check_range(FaultDetail::kOffsetOutOfRange, kZ, length)) return fault;
+  if (word != ToolLength::kCancel) {
+    if (const auto fault = read_tool_length(word, length)) return fault;
   }
-  next_.modal.tool_length_in_use = set;
-  offsets_changed_ |= next_.shift.tool_length != length;
+  const bool centre = word == ToolLength::kCentre;
+  const bool changed = next_.shift.tool_length != length;
+  if (centre != next_.modal.tool_centre || (centre && changed)) {
+    if (const auto fault = switch_tool_centre(centre)) return fault;
+  }
+  next_.modal.tool_length_in_use = word != ToolLength::kCancel;
+  offsets_changed_ |= changed;
   next_.shift.tool_length = length;
   return std::nullopt;
+}
+
+/// Without Z, G43.4 keeps the length that is in use.
+Refusal Execution::read_tool_length(ToolLength word, Coordinate& length) {
+  const bool centre = word == ToolLength::kCentre;
+  const FaultDetail detail =
+      centre ? FaultDetail::kToolCentreTakesZAlone : FaultDetail::kToolOffsetNeedsZAlone;
+  const Decimal* const z = block_.take('Z');
+  for (const char axis : {'X', 'Y', 'A', 'B', 'C'}) {
+    if (block_.has(axis)) return block_.blame(detail, axis);
+  }
+  if (z == nullptr && !centre) return block_.blame(detail, ModalGroup::kToolLength);
+  length = z != nullptr ? to_length(*z) : next_.shift.tool_length;
+  return check_range(FaultDetail::kOffsetOutOfRange, index_of(Axis::kZ), length);
+}
+
+/// The machine stands still before and after, and learns which place its axes mean now. So nothing
+/// else in the line may name places.
+Refusal Execution::switch_tool_centre(bool on) {
+  if (on && !options_.five_axes) {
+    return block_.blame(FaultDetail::kNotFiveAxes, ModalGroup::kToolLength);
+  }
+  const bool names_places = block_.axis_use() == AxisUse::kPlaces ||
+                            (block_.axis_use() != AxisUse::kToolLength && block_.has_axis_word());
+  if (names_places || block_.non_modal() != NonModal::kNothing) {
+    return block_.blame(FaultDetail::kToolCentreAlone, ModalGroup::kToolLength);
+  }
+  next_.modal.tool_centre = on;
+  static_cast<void>(actions_.append(ActionKind::kToolCentre));
+  return std::nullopt;
+}
+
+/// Probes, splines, cutter compensation, tool changes and places of the axes themselves have to
+/// wait for G49.
+Refusal Execution::check_words_at_tool_centre() const {
+  for (const ModalGroup group : {ModalGroup::kToolChange, ModalGroup::kCutterRadius}) {
+    if (!block_.has(group)) continue;
+    const bool ends_it = group == ModalGroup::kCutterRadius &&
+                         block_.meaning<CutterRadius>(group) == CutterRadius::kOff;
+    if (!ends_it) return block_.blame(FaultDetail::kNotAtToolCentre, group);
+  }
+  switch (block_.non_modal()) {
+    case NonModal::kGoToG28:
+    case NonModal::kStoreG28:
+    case NonModal::kGoToG30:
+    case NonModal::kStoreG30:
+    case NonModal::kMachineCoordinates:
+      return block_.blame(FaultDetail::kNotAtToolCentre, ModalGroup::kNonModal);
+    default:
+      return std::nullopt;
+  }
 }
 
 /// What G10, G28.1, G30.1 and the G92 family set, and the one action that tells

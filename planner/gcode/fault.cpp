@@ -91,6 +91,10 @@ constexpr std::array<Explanation, kFaultDetailCount> kExplanations{{
     {kValueTooLarge, "%v W does not cut the material, the nearest is %l W"},
     {kValueTooLarge, "%v mm/min does not cut the material, the nearest is %l mm/min"},
     {kValueTooLarge, "at %v W no speed cuts the material"},
+    {kToolOffsetAxis, "G43.4 takes Z and no other axis"},
+    {kUnsupportedWord, "%w needs five axes: $900"},
+    {kUnsupportedWord, "%w has no place between G43.4 and G49"},
+    {kAxisWordsUnused, "%w ends G43.4 and stands in a line without a motion"},
 }};
 
 constexpr const Explanation& explanation_of(FaultDetail detail) {

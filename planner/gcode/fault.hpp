@@ -110,10 +110,14 @@ enum class FaultDetail : std::uint8_t {
   kNotThisPower,
   kNotThisSpeed,
   kNoSpeedAtAll,
+  kToolCentreTakesZAlone,
+  kNotFiveAxes,
+  kNotAtToolCentre,
+  kToolCentreAlone,
 };
 
 inline constexpr std::size_t kFaultDetailCount =
-    static_cast<std::size_t>(FaultDetail::kNoSpeedAtAll) + 1;
+    static_cast<std::size_t>(FaultDetail::kToolCentreAlone) + 1;
 
 /// Why a line was refused. A refused line changes nothing and moves nothing.
 struct Fault {

@@ -61,6 +61,8 @@ class Interpreter {
   void set_places(const StoredPlaces& places);
   /// The operator switched it by hand: the modal state follows.
   void set_coolant(Coolant coolant) { context_.modal.coolant = coolant; }
+  /// The axes are to be moved by themselves: G43.4 ends, its tool length stays.
+  void end_tool_centre() { context_.modal.tool_centre = false; }
   /// As after a soft reset: modes, G92 and tool length as at start-up; stored
   /// places and position stay.
   void reset();

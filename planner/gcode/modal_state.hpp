@@ -71,7 +71,9 @@ struct ModalState {
   PathControl path{};
   CutterCompensation compensation{};
   Material material{};
-  bool tool_length_in_use = false;  ///< G43.1, else G49.
+  bool tool_length_in_use = false;  ///< G43.1 or G43.4, else G49.
+  /// G43.4: places are those of the tip, while rotary axes turn.
+  bool tool_centre = false;
   SpindleMode spindle = SpindleMode::kOff;
   Coolant coolant{};
 

@@ -18,7 +18,7 @@ constexpr ModalWord word(std::uint16_t tenths, ModalGroup group, Meaning meaning
 using enum ModalGroup;
 
 /// The motion words come first: they are looked up most.
-constexpr std::array<ModalWord, 54> kGWords{{
+constexpr std::array<ModalWord, 55> kGWords{{
     word(0, kMotion, MotionMode::kRapid),
     word(10, kMotion, MotionMode::kLine),
     word(20, kMotion, MotionMode::kArcClockwise),
@@ -48,6 +48,7 @@ constexpr std::array<ModalWord, 54> kGWords{{
     word(420, kCutterRadius, CutterRadius::kRight),
     word(421, kCutterRadius, CutterRadius::kRightByWidth),
     word(431, kToolLength, ToolLength::kSet),
+    word(434, kToolLength, ToolLength::kCentre),
     word(490, kToolLength, ToolLength::kCancel),
     word(530, kNonModal, NonModal::kMachineCoordinates),
     word(540, kCoordinateSystem, 0),
@@ -135,8 +136,8 @@ AxisUse ModalWord::axis_use() const {
   }
   // G49 only switches off, and may stand beside a motion, as in LinuxCNC.
   if (group == kToolLength) {
-    const bool sets = meaning == static_cast<std::uint8_t>(ToolLength::kSet);
-    return sets ? AxisUse::kToolLength : AxisUse::kNone;
+    const bool cancels = meaning == static_cast<std::uint8_t>(ToolLength::kCancel);
+    return cancels ? AxisUse::kNone : AxisUse::kToolLength;
   }
   if (group != kNonModal) return AxisUse::kNone;
   switch (static_cast<NonModal>(meaning)) {

@@ -21,6 +21,7 @@ struct Options {
   /// A tool is being changed, and only lines that have to do with that are taken: motions, probes,
   /// dwells, offsets and tool lengths.
   bool changes_tool = false;
+  bool five_axes = false;  ///< The machine can keep its tip in place while rotary axes turn: G43.4.
   ArcTolerance arc{};
   std::uint32_t highest_tool = 255;            ///< Grbl's limit of T.
   bool laser = false;                          ///< S may have several values in a line.

@@ -21,7 +21,7 @@ struct CentreArc {
 };
 
 /// Divides such an arc into path elements of at most half a turn, equal in
-/// angle: one for most arcs, two for a full circle.
+/// angle: one for most arcs, two for a full circle, and more where more are asked for.
 ///
 /// Start and end are kept exactly even where rounded numbers put them on
 /// slightly different radii. Inner ends lie on the programmed centre at a
@@ -31,7 +31,7 @@ struct CentreArc {
 /// business of whoever read the numbers.
 class ArcElements {
  public:
-  explicit ArcElements(const CentreArc& arc) noexcept;
+  explicit ArcElements(const CentreArc& arc, std::uint32_t least_count = 1) noexcept;
 
   [[nodiscard]] std::uint32_t count() const { return count_; }
   /// @pre index < count()

@@ -9,7 +9,10 @@ using gcode::ActionKind;
 
 bool ActionElements::accepts(const Action& action) { return action.kind <= ActionKind::kSpline; }
 
-void ActionElements::begin(const Action& action, const Position& from, float spline_tolerance_mm) {
+void ActionElements::begin(const Action& action,
+                           const Position& from,
+                           float spline_tolerance_mm,
+                           std::uint32_t least_parts) {
   CNC_ASSERT(accepts(action));
   here_ = from;
   feed_mm_s_ = action.kind == ActionKind::kRapid ? 0.0F : action.feed;
@@ -21,13 +24,14 @@ void ActionElements::begin(const Action& action, const Position& from, float spl
                            .plane = action.plane,
                            .centre = action.centre,
                            .clockwise = action.clockwise,
-                           .turns = action.turns});
+                           .turns = action.turns},
+                 least_parts);
   } else if (action.kind == ActionKind::kSpline) {
     curve_ = Curve::kSpline;
     spline_.emplace(*action.spline, from, spline_tolerance_mm);
   } else {
     curve_ = Curve::kLine;
-    line_ = {.from = from, .end = action.end, .powers = action.powers};
+    line_ = {.from = from, .end = action.end, .powers = action.powers, .parts = least_parts};
   }
 }
 
@@ -59,15 +63,17 @@ ActionPart ActionElements::next() {
 /// Parts of a line are counted from 1: the line itself would be part 0.
 ActionPart ActionElements::next_of(const Line& line) const {
   ActionPart part{.element = {.start = here_, .end = line.end}, .feed_mm_s = feed_mm_s_};
-  if (line.powers.empty()) return part;
+  if (line.powers.empty() && line.parts == 1) return part;
   part.index = taken_ + 1;
   part.element.end = line.end_of(part.index);
-  part.power_s = line.powers[taken_];
+  const bool new_power = taken_ % line.parts == 0;
+  part.continues = !new_power;
+  if (new_power && !line.powers.empty()) part.power_s = line.powers[taken_ / line.parts];
   return part;
 }
 
 std::uint32_t ActionElements::Line::count() const {
-  return powers.empty() ? 1 : static_cast<std::uint32_t>(powers.size());
+  return parts * (powers.empty() ? 1 : static_cast<std::uint32_t>(powers.size()));
 }
 
 /// Returns the end of a part, counted from 1, rounded to the nanometre towards the start.

@@ -38,8 +38,13 @@ class ActionElements {
   /// @param from where the path so far ends, machine coordinates
   /// @param spline_tolerance_mm distance of arcs from their spline; at least
   /// ArcFit::kLeastToleranceMm
+  /// @param least_parts into how many elements a line, each part of one with several powers, and an
+  /// arc are divided at least; at least 1
   /// @pre accepts(action)
-  void begin(const gcode::Action& action, const Position& from, float spline_tolerance_mm);
+  void begin(const gcode::Action& action,
+             const Position& from,
+             float spline_tolerance_mm,
+             std::uint32_t least_parts = 1);
   /// Forgets the action.
   void clear() { curve_ = Curve::kNone; }
 
@@ -62,7 +67,8 @@ class ActionElements {
   struct Line {
     Position from{};
     Position end{};
-    std::span<const float> powers{};  ///< One for each part; empty for a line of one element.
+    std::span<const float> powers{};  ///< One for each of equal ways; empty where S stays.
+    std::uint32_t parts = 1;          ///< Elements of each such way.
 
     [[nodiscard]] std::uint32_t count() const;
     [[nodiscard]] Position end_of(std::uint32_t part) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "planner/base/contract.hpp"
+#include "planner/motion/block/axis_limits.hpp"
 
 namespace cnc {
 namespace {
@@ -81,7 +82,14 @@ void Pipeline::take(const path::PathPiece& piece) {
   // Pieces lie between ends that were within range, to a tolerance.
   CNC_ASSERT(block.ok() || block.error() == motion::MotionError::kNothingToMove);
   if (!block.ok()) return;
-  queue_.push(block.value(), piece.joint);
+  if (centre_.active()) {
+    motion::Block limited = block.value();
+    motion::limit_axes(
+        limited, motion::axis_course(limited, piece.request.element.start, centre_), limits_);
+    queue_.push(limited, piece.joint);
+  } else {
+    queue_.push(block.value(), piece.joint);
+  }
   ++blocks_taken_;
 }
 
@@ -159,22 +167,27 @@ motion::PathUnits Pipeline::go_back(motion::PathUnits distance) {
   const motion::PathUnits place = std::min(into - (left - unknown), longest);
   segmenter_.go_back(place, distance - unknown);
   // Without shapers and backlash the stage is not told of how the motors come there.
-  if (!motors_.active()) motors_.reset(segmenter_.place(), {});
+  if (!motors_.active()) motors_.reset(segmenter_.motors(), {});
   return unknown;
 }
 
 void Pipeline::restart(const AxisArray<std::int32_t>& tool, const AxisArray<std::int32_t>& motors) {
-  target_ = place_of(tool);
+  target_ = centre_.program_for(place_of(tool));
   path_.clear();
   pixels_.clear();
-  AxisArray<StepPosition> place{};
+  AxisArray<StepPosition> axes{};
   AxisArray<std::int32_t> ahead{};
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
-    place[axis] = StepPosition::whole(tool[axis]);
+    axes[axis] = StepPosition::whole(tool[axis]);
     ahead[axis] = motors[axis] - tool[axis];
   }
-  segmenter_.reset(place);
-  motors_.reset(place, ahead);
+  segmenter_.reset(centre_.active() ? steps_of(target_) : axes);
+  motors_.reset(axes, ahead);
+}
+
+void Pipeline::set_tool_centre(const kinematics::ToolCentre& centre) {
+  centre_ = centre;
+  segmenter_.follow_centre(centre_.active() ? &centre_ : nullptr);
 }
 
 bool Pipeline::configure(const motion::MotorStageSetting& setting) {
@@ -182,14 +195,24 @@ bool Pipeline::configure(const motion::MotorStageSetting& setting) {
   motor_setting_ = setting;
   motors_.configure(setting);
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) motors_.rebase(axis);
-  motors_.reset(segmenter_.place(), {});
+  motors_.reset(segmenter_.motors(), {});
   return true;
 }
 
 void Pipeline::follow_kerf(const kerf::KerfCourse* course) {
   // Without shapers and backlash the stage has not been told of the motions so far.
-  if (!motors_.active()) motors_.reset(segmenter_.place(), {});
+  if (!motors_.active()) motors_.reset(segmenter_.motors(), {});
   segmenter_.follow_kerf(course);
+}
+
+AxisArray<StepPosition> Pipeline::steps_of(const Position& place) const {
+  AxisArray<StepPosition> steps{};
+  for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
+    const auto at = limits_.scale[axis].steps_at(place[axis]);
+    CNC_ASSERT(at.has_value());
+    steps[axis] = *at;
+  }
+  return steps;
 }
 
 Position Pipeline::place_of(const AxisArray<std::int32_t>& steps) const {

@@ -86,7 +86,8 @@ class Pipeline {
   // Standing.
 
   /// Drops all motion that is left; a halt stays.
-  /// @param tool where the tool stands, motor steps without backlash: the new target()
+  /// @param tool where the axes stand, motor steps without backlash: the new target() is where
+  /// that puts the tip
   /// @param motors where the motors stand, steps
   /// @pre no segment that was taken is still being driven
   void restart(const AxisArray<std::int32_t>& tool, const AxisArray<std::int32_t>& motors);
@@ -102,6 +103,13 @@ class Pipeline {
   /// @pre empty(), and on_path()
   void follow_kerf(const kerf::KerfCourse* course);
   [[nodiscard]] bool follows_kerf() const { return segmenter_.follows_kerf(); }
+  /// Lets the axes move so that the tip follows the path while rotary axes turn, from now on;
+  /// restart() has to follow. @pre as restart()
+  void set_tool_centre(const kinematics::ToolCentre& centre);
+  [[nodiscard]] const kinematics::ToolCentre& tool_centre() const { return centre_; }
+  /// Returns whether the motors go elsewhere than place(): beside the path, or so that rotary axes
+  /// do not move the tip.
+  [[nodiscard]] bool leaves_path() const { return segmenter_.leaves_path(); }
   /// Returns whether the motors stand where place() says, not offset by a kerf.
   [[nodiscard]] bool on_path() const { return segmenter_.on_path(); }
 
@@ -109,11 +117,14 @@ class Pipeline {
 
   /// Returns the end of the last segment, to the fraction of a step.
   [[nodiscard]] const AxisArray<StepPosition>& place() const { return segmenter_.place(); }
-  /// Returns where the motors stand after the last segment: place(), and offset by a kerf.
+  /// Returns where the motors stand after the last segment: place(), offset by a kerf and by what
+  /// rotary axes ask for.
   [[nodiscard]] AxisArray<StepPosition> motor_place() const { return segmenter_.motors(); }
   /// Returns the running length of all that was laid down (wraps). The motors come to its end
   /// motors().ticks_ahead() after the last segment, where motors().between_cells().
   [[nodiscard]] std::uint64_t travelled() const { return segmenter_.travelled(); }
+  /// Returns the steps of a place that is within the motors' range.
+  [[nodiscard]] AxisArray<StepPosition> steps_of(const Position& place) const;
   /// Returns the machine coordinates of motor positions in steps.
   [[nodiscard]] Position place_of(const AxisArray<std::int32_t>& steps) const;
   /// Returns the speed at the end of the last segment, mm/s.
@@ -143,6 +154,7 @@ class Pipeline {
   motion::Segmenter segmenter_;
   motion::MotorStage motors_{};
   motion::MotorStageSetting motor_setting_{};
+  kinematics::ToolCentre centre_{};
   Position target_{};
   SupplyWatch supply_{};
   WorkBudget budget_{};

@@ -262,7 +262,7 @@ class ImageTraceTest(unittest.TestCase):
             program = pathlib.Path(__file__).with_name("trace") / f"{name}.nc"
             return self.compare(name, str(EXAMPLES / "laser.settings"), str(program), 10**9)
 
-        names = ["beside_the_path", "kerf_path", "kerf_power"]
+        names = ["beside_the_path", "kerf_path", "kerf_power", "five_axes"]
         self.judge("beside the path",
                    in_parallel(job, share_of(names, 1, name_of(self))))
 

@@ -21,7 +21,7 @@ bool fill_motor_cell(Segmenter& plan, MotorStage& motors) {
 }  // namespace
 
 bool next_segment(Segmenter& plan, MotorStage& motors, Segment& segment) {
-  if (!motors.active() && !plan.follows_kerf()) return plan.next(segment);
+  if (!motors.active() && !plan.leaves_path()) return plan.next(segment);
   if (!motors.at_rest() && motors.owner() != &plan) return false;
   if (motors.take(segment)) return true;
   if (!fill_motor_cell(plan, motors)) return false;

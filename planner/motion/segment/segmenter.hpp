@@ -2,6 +2,7 @@
 
 #include <cstdint>
 
+#include "planner/kinematics/tool_centre.hpp"
 #include "planner/motion/jerk/motion_filter.hpp"
 #include "planner/motion/plan/plan_cursor.hpp"
 #include "planner/motion/segment/joined_slices.hpp"
@@ -95,15 +96,22 @@ class Segmenter {
   /// @param course outlives its use @pre at rest, and on the path
   void follow_kerf(const kerf::KerfCourse* course) { kerf_.follow(course); }
   [[nodiscard]] bool follows_kerf() const { return kerf_.follows(); }
-  /// The motors are where place() says.
+  /// The motors are where place() says, but for a tool's centre.
   [[nodiscard]] bool on_path() const { return kerf_.settled(); }
+
+  /// Lets slices end where the axes have to be so that the tip is at place(). Segments do not.
+  /// @param centre outlives its use; null where rotary axes do not move the tip @pre at rest
+  void follow_centre(const kinematics::ToolCentre* centre) { centre_ = centre; }
+  /// Returns whether slices end elsewhere than at place().
+  [[nodiscard]] bool leaves_path() const { return follows_kerf() || centre_ != nullptr; }
 
   /// Forgets all motion; the motors stand at `place` now. A halt stays.
   void reset(const AxisArray<StepPosition>& place);
   /// Goes on from rest at `place` on the block at the front of the queue, to which blocks were
   /// taken back. @param distance that was handed out beyond it @pre at rest; 0 ≤ place < its length
   void go_back(PathUnits place, PathUnits distance);
-  /// Returns where the motors stand after the last slice: place(), and what follows the kerf.
+  /// Returns where the motors stand after the last slice: place(), with what follows the kerf and
+  /// what rotary axes ask for.
   [[nodiscard]] AxisArray<StepPosition> motors() const;
 
   /// Tells `observer` of every slice from now on; null for nobody.
@@ -169,6 +177,7 @@ class Segmenter {
   AxisArray<float> rates_{};  ///< Steps per mm of path, of the axes that move.
   float speed_ = 0.0F;        ///< mm/s.
   KerfShift kerf_{};
+  const kinematics::ToolCentre* centre_ = nullptr;
 
   // Of the segment being made.
   JoinedSlices joined_{};

@@ -1,0 +1,39 @@
+#include "firmware/machine/machine.hpp"
+
+namespace cnc {
+
+/// Returns what the modes ask for: G43.4 with the present tool length, or nothing.
+kinematics::ToolCentre Machine::wanted_tool_centre() const {
+  if (!interpreter_.state().tool_centre) return {};
+  return {rotary_machine_from(settings_), interpreter_.shift().tool_length};
+}
+
+/// Begins or ends G43.4. The axes stay where they are; the place that lines name is another one.
+bool Machine::switch_tool_centre() {
+  if (!standstill()) return false;
+  tool_centre_ = wanted_tool_centre();
+  motion_.set_tool_centre(tool_centre_);
+  interpreter_.set_position(motion_.target());
+  return true;
+}
+
+/// Ends G43.4 before the axes are moved by themselves. @pre nothing moves
+void Machine::end_tool_centre() {
+  if (!tool_centre_.active()) return;
+  interpreter_.end_tool_centre();
+  static_cast<void>(switch_tool_centre());
+}
+
+/// In check mode only the places of the lines change their meaning.
+void Machine::judge_tool_centre() {
+  const Position axes = tool_centre_.axes_for(interpreter_.position());
+  tool_centre_ = wanted_tool_centre();
+  interpreter_.set_position(tool_centre_.program_for(axes));
+}
+
+bool Machine::leaves_travel(gcode::Actions actions, const Position& from) const {
+  if (!tool_centre_.active()) return travel_.left_by(actions, from);
+  return travel_.left_by(actions, from, tool_centre_, limits_);
+}
+
+}  // namespace cnc

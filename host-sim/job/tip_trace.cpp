@@ -1,0 +1,53 @@
+#include "host-sim/job/tip_trace.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace sim {
+
+void TipTrace::on_row(const TraceRow& row) {
+  const cnc::kinematics::ToolCentre& centre = machine_.motion().tool_centre();
+  if (!centre.active()) {
+    model_.reset();
+    deviation_.on_row(row);
+    for (TraceSink* sink : sinks_) sink->on_row(row);
+    return;
+  }
+  const cnc::Settings& settings = machine_.settings();
+  if (!model_ || tool_length_ != centre.tool_length()) {
+    tool_length_ = centre.tool_length();
+    model_.emplace(settings, 1.0e-6 * static_cast<double>(tool_length_.nanometres()));
+  }
+  Point axes{};
+  Point scale{};
+  for (std::size_t axis = 0; axis < axes.size(); ++axis) {
+    scale[axis] = static_cast<double>(settings.get(cnc::setting::kStepsPerMm, axis));
+    axes[axis] = row.position[axis] / scale[axis];
+  }
+  const ToolPose tool = model_->tool_at(axes);
+  note(tool);
+  for (std::size_t axis = 0; axis < cnc::kLinearAxisCount; ++axis) {
+    axes[axis] = tool.tip[static_cast<Eigen::Index>(axis)];
+  }
+  deviation_.stand(row.time_ns, axes);
+  TraceRow seen = row;
+  for (std::size_t axis = 0; axis < cnc::kLinearAxisCount; ++axis) {
+    seen.position[axis] = static_cast<std::int32_t>(std::lround(axes[axis] * scale[axis]));
+  }
+  for (TraceSink* sink : sinks_) sink->on_row(seen);
+}
+
+void TipTrace::note(const ToolPose& tool) {
+  constexpr double kDegrees = 180.0 / std::numbers::pi;
+  const double tilt = kDegrees * std::acos(std::clamp(tool.axis.z(), -1.0, 1.0));
+  const std::array<double, 3> place{tool.tip.x(), tool.tip.y(), tool.tip.z()};
+  if (!tip_) tip_.emplace(TipReport{.least_mm = place, .greatest_mm = place});
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    tip_->least_mm[i] = std::min(tip_->least_mm[i], place[i]);
+    tip_->greatest_mm[i] = std::max(tip_->greatest_mm[i], place[i]);
+  }
+  tip_->greatest_tilt_deg = std::max(tip_->greatest_tilt_deg, tilt);
+}
+
+}  // namespace sim
