@@ -110,7 +110,7 @@ bool Machine::move(const Action& action) {
     elements_.begin(action,
                     target(),
                     spline_tolerance(interpreter_.state().path, usual_tolerance()),
-                    tool_centre_.parts_of(target(), action.end));
+                    tool_centre_.active() ? tool_centre_.parts_of(target(), action.end) : 1);
   }
   while (!elements_.done()) {
     if (!has_room() || !elements_.work(spline_points_)) return false;

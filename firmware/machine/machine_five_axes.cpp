@@ -4,7 +4,7 @@ namespace cnc {
 
 /// Returns what the modes ask for: G43.4 with the present tool length, or nothing.
 kinematics::ToolCentre Machine::wanted_tool_centre() const {
-  if (!interpreter_.state().tool_centre) return {};
+  if (!kinematics::kHasFiveAxes || !interpreter_.state().tool_centre) return {};
   return {rotary_machine_from(settings_), interpreter_.shift().tool_length};
 }
 
@@ -26,6 +26,7 @@ void Machine::end_tool_centre() {
 
 /// In check mode only the places of the lines change their meaning.
 void Machine::judge_tool_centre() {
+  if (!kinematics::kHasFiveAxes) return;
   const Position axes = tool_centre_.axes_for(interpreter_.position());
   tool_centre_ = wanted_tool_centre();
   interpreter_.set_position(tool_centre_.program_for(axes));

@@ -41,7 +41,8 @@ AxisArray<std::int32_t> MotionControl::axis_steps() const {
 }
 
 Position MotionControl::tool_place() const {
-  return tool_centre().program_for(place_of(axis_steps()));
+  const Position axes = place_of(axis_steps());
+  return tool_centre().active() ? tool_centre().program_for(axes) : axes;
 }
 
 AxisArray<std::int32_t> MotionControl::tool_steps() const {

@@ -3,6 +3,7 @@
 #include <array>
 
 #include "firmware/machine/settings.hpp"
+#include "planner/kinematics/rotary_machine.hpp"
 #include "planner/motion/motors/shaper_impulses.hpp"
 
 /// The rows of the table of settings. Axes that differ in nothing but their letter share a row,
@@ -268,7 +269,7 @@ inline constexpr std::array<SettingInfo, 83> kRows{{
      0.0F, 1.0F, 1.0F, "",
      "Skip lines that begin with /. $B switches it until this is set."},
     SettingInfo{900, Group::kAxes, Type::kChoice, "Rotary axes", "kind",
-     0.0F, 6.0F, 0.0F,
+     0.0F, kinematics::kHasFiveAxes ? 6.0F : 0.0F, 0.0F,
      "Each by itself,A C tables,B C tables,A C heads,B C heads,A head C table,B head C table",
      "What the tilting axis and C turn, for G43.4. Words of A, B, C are the tool's rotation as the "
      "part sees it."},

@@ -7,6 +7,13 @@
 
 namespace cnc::kinematics {
 
+/// Images that have to be small leave five axes out.
+#ifdef KERFLINE_WITHOUT_FIVE_AXES
+inline constexpr bool kHasFiveAxes = false;
+#else
+inline constexpr bool kHasFiveAxes = true;
+#endif
+
 /// Which parts of a machine its two rotary axes turn.
 enum class RotaryKind : std::uint8_t {
   kNone,          ///< The machine has no rotary axes that lean a tool.

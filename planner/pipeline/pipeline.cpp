@@ -172,7 +172,8 @@ motion::PathUnits Pipeline::go_back(motion::PathUnits distance) {
 }
 
 void Pipeline::restart(const AxisArray<std::int32_t>& tool, const AxisArray<std::int32_t>& motors) {
-  target_ = centre_.program_for(place_of(tool));
+  const Position place = place_of(tool);
+  target_ = centre_.active() ? centre_.program_for(place) : place;
   path_.clear();
   pixels_.clear();
   AxisArray<StepPosition> axes{};

@@ -67,7 +67,8 @@ void Segmenter::stand(const AxisArray<StepPosition>& place) {
 AxisArray<StepPosition> Segmenter::motors() const {
   AxisArray<StepPosition> motors = place_steps_;
   if (kerf_.follows()) kerf_.add_to(motors);
-  return centre_ != nullptr ? centre_->axes_for(motors, limits_.scale) : motors;
+  const bool leans = kinematics::kHasFiveAxes && centre_ != nullptr;
+  return leans ? centre_->axes_for(motors, limits_.scale) : motors;
 }
 
 bool Segmenter::next(Segment& segment) {
