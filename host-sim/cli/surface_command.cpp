@@ -79,6 +79,14 @@ double safe_height_of(const SurfaceCommandOptions& options, double top_mm) {
                   top_mm)};
 }
 
+PatchOptions patches_of(const SurfaceCommandOptions& options) {
+  constexpr double kFitOfPaper = 1.0;
+  PatchOptions patches = options.patches;
+  if (patches.fit_mm == 0.0)
+    patches.fit_mm = patches.like_paper ? kFitOfPaper : options.tolerance_mm;
+  return patches;
+}
+
 /// Returns how the surface is milled.
 std::string manner_of(const SurfaceCommandOptions& options) {
   if (options.pencil) {
@@ -104,6 +112,9 @@ std::vector<std::string> heading_of(const SurfaceCommandOptions& options,
                   options.tolerance_mm,
                   figures.arcs + figures.lines),
       fmt::format("{}, {:g} mm of stock stay", manner_of(options), options.allowance_mm)};
+  if (options.patches.smooth) {
+    lines.push_back(fmt::format("along smooth patches within {:g} mm", patches_of(options).fit_mm));
+  }
   for (const ProgramDigest& digest : inputs.digests()) lines.push_back(text_of(digest));
   return lines;
 }
@@ -118,6 +129,7 @@ std::string report_of(const SurfaceCommandOptions& options,
   report["tool"] = options.tool;
   report["tolerance_mm"] = options.tolerance_mm;
   report["allowance_mm"] = options.allowance_mm;
+  if (options.patches.smooth) report["fit_tolerance_mm"] = patches_of(options).fit_mm;
   report["arcs"] = figures.arcs;
   report["lines"] = figures.lines;
   report["lifts"] = figures.lifts;
@@ -161,8 +173,10 @@ surface::SurfacePath valleys_of(const SurfaceCommandOptions& options,
 void write_path(const SurfaceCommandOptions& options,
                 const surface::Mesh& mesh,
                 const stock::Cutter& cutter,
-                InputFiles& inputs) {
+                InputFiles& inputs,
+                const std::shared_ptr<const surface::SmoothTips>& smooth) {
   surface::RowOptions rows = row_options_of(options, cutter);
+  rows.smooth = smooth;
   rows.regions = regions_of(options.regions, mesh, rows, inputs);
   const surface::SurfacePath path = options.pencil
                                         ? valleys_of(options, mesh, cutter, rows)
@@ -217,20 +231,13 @@ void write_heights(const SurfaceCommandOptions& options,
 surface::PointGrid grid_of(const surface::SurfaceInput& input,
                            const SurfaceCommandOptions& options) {
   if (!input.grid) {
-    throw std::invalid_argument{
-        fmt::format("{}: patches fit a grid of points, and this is a mesh", options.file)};
+    throw std::invalid_argument{fmt::format(
+        "{}: patches fit a grid of points, and this is a mesh; give a grid or a height map",
+        options.file)};
   }
   surface::PointGrid grid = *input.grid;
   place(grid.points, options);
   return grid;
-}
-
-PatchOptions patches_of(const SurfaceCommandOptions& options) {
-  constexpr double kFitOfPaper = 1.0;
-  PatchOptions patches = options.patches;
-  if (patches.fit_mm == 0.0)
-    patches.fit_mm = patches.like_paper ? kFitOfPaper : options.tolerance_mm;
-  return patches;
 }
 
 /// Returns whether the controller has arcs in all planes of the path: rows and the links between
@@ -254,9 +261,14 @@ ExitStatus run_surface(const SurfaceCommandOptions& options, InputFiles& inputs)
   surface::PointGrid grid;
   if (options.wants_patches()) grid = grid_of(input, options);
   if (options.wants_heights()) write_heights(options, input.mesh, cutter, places);
-  if (options.wants_program()) write_path(options, input.mesh, cutter, inputs);
-  if (options.wants_patches()) {
-    draw_patches(options.pictures, fit_patches(grid, cutter, patches_of(options)));
+  std::shared_ptr<const surface::SmoothTips> smooth;
+  const PatchOptions patches = patches_of(options);
+  if (patches.smooth) smooth = smooth_tips(grid, row_options_of(options, cutter), patches);
+  if (options.wants_program()) write_path(options, input.mesh, cutter, inputs, smooth);
+  if (smooth) {
+    draw_patches(options.pictures, reported_patches(*smooth, patches));
+  } else if (options.wants_patches()) {
+    draw_patches(options.pictures, fit_patches(grid, cutter, patches));
   }
   draw_surface(options.pictures, input, cutter);
   if (!options.mesh.empty()) write_file(options.mesh, surface::ply_of(input.mesh));

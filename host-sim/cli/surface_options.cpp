@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 #include "host-sim/cli/cutter_text.hpp"
@@ -175,6 +176,10 @@ void add_patch_options(CLI::App& command, PatchOptions& options) {
                             "points, and write\nthem")
                 ->type_name("FILE"),
             FileRole::kOutput);
+  command.add_flag("--smooth",
+                   options.smooth,
+                   "Mill such patches: over a noisy grid the path is smooth, never cuts in, and is "
+                   "up to\n--fit-tolerance higher");
   command
       .add_option("--fit-tolerance",
                   options.fit_mm,
@@ -200,6 +205,18 @@ void check_approach(const SurfaceCommandOptions& options) {
   }
   if (options.wants_patches()) {
     throw std::invalid_argument("--approach: patches fit a grid that is seen from above");
+  }
+}
+
+/// Throws std::invalid_argument for options that do not go with a path along patches.
+void check_smooth(const SurfaceCommandOptions& options) {
+  if (!options.patches.smooth) return;
+  for (const auto& [name, is_given, reason] :
+       {std::tuple{"--pencil", options.pencil, "a smooth surface has no valleys"},
+        std::tuple{"--at", options.wants_heights(), "it writes the tip's exact heights"},
+        std::tuple{"--like-paper", options.patches.like_paper, "it makes no path"}}) {
+    if (!is_given) continue;
+    throw std::invalid_argument(fmt::format("{}: {}; leave it out, or --smooth", name, reason));
   }
 }
 
@@ -301,6 +318,7 @@ void check_surface_options(const SurfaceCommandOptions& options) {
     throw std::invalid_argument("--scallop: layers have rows by --step alone");
   }
   check_region_options(options.regions, options.file);
+  check_smooth(options);
   check_pencil_options(options);
   const char* const instead = options.wants_heights() ? "--at" : "--like-paper";
   check_surface_pictures(options.pictures, options.wants_program() ? nullptr : instead);
@@ -337,6 +355,7 @@ surface::RowOptions row_options_of(const SurfaceCommandOptions& options,
           .stock_top_mm = options.stock_top_mm,
           .layer_mm = options.layer_mm,
           .lines_only = options.lines_only,
+          .smooth = {},
           .progress = {}};
 }
 

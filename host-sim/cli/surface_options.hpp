@@ -66,7 +66,8 @@ struct SurfaceCommandOptions {
 
   [[nodiscard]] bool wants_heights() const { return !at.empty(); }
   [[nodiscard]] bool wants_patches() const {
-    return patches.like_paper || !patches.file.empty() || !pictures.patches.empty();
+    return patches.smooth || patches.like_paper || !patches.file.empty() ||
+           !pictures.patches.empty();
   }
   [[nodiscard]] bool wants_program() const { return !wants_heights() && !patches.like_paper; }
 };

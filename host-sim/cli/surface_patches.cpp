@@ -7,6 +7,7 @@
 #include "host-sim/surface/patch/cartesian_paths.hpp"
 #include "host-sim/surface/patch/patch_file.hpp"
 #include "host-sim/surface/patch/surface_fit.hpp"
+#include "host-sim/surface/path/surface_tracer.hpp"
 #include "host-sim/trace/output_file.hpp"
 
 namespace sim {
@@ -52,6 +53,22 @@ void tell(const surface::patch::PieceCounts& counts, double flatness_mm) {
 }
 
 }  // namespace
+
+std::shared_ptr<const surface::SmoothTips> smooth_tips(const surface::PointGrid& grid,
+                                                       const surface::RowOptions& rows,
+                                                       const PatchOptions& options) {
+  return std::make_shared<surface::SmoothTips>(grid, traced_tool(rows), options.fit_mm);
+}
+
+const surface::patch::PatchSurface& reported_patches(const surface::SmoothTips& smooth,
+                                                     const PatchOptions& options) {
+  const surface::patch::PatchSurface& patches = smooth.patches();
+  tell(surface::patch::fit_report(patches, smooth.tips(), smooth.fit_mm()),
+       patches.patches.size(),
+       smooth.fit_mm());
+  if (!options.file.empty()) write_file(options.file, surface::patch::patch_text(patches));
+  return patches;
+}
 
 surface::patch::PatchSurface fit_patches(const surface::PointGrid& grid,
                                          const stock::Cutter& cutter,

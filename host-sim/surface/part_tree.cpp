@@ -35,6 +35,56 @@ Four root(const Four& square) {
       std::sqrt(square[0]), std::sqrt(square[1]), std::sqrt(square[2]), std::sqrt(square[3])};
 }
 
+/// Planes that the tool's lower surface is nowhere below: the height at which they meet it, and
+/// their rise over the distance of that place.
+struct Tangent {
+  Four height;
+  Four share;
+};
+
+Tangent tangent_at(const PartTree::Shape& tool, const Four& distance) {
+  const Four out = greater(lesser(distance, all(tool.almost)) - tool.flat, all(0.0F));
+  const Four beyond = greater(distance - tool.flat - out, all(0.0F));
+  if (tool.corner <= 0.0F) {
+    const Four rise = out > 0.0F ? all(tool.rise) : all(0.0F);
+    return {rise * (out + beyond), rise / distance};
+  }
+  const Four inner = lesser(out, all(kInside * tool.corner));
+  const Four across = root((tool.corner - inner) * (tool.corner + inner));
+  const Four rise = inner / across;
+  return {inner * inner / (tool.corner + across) + rise * beyond, rise / distance};
+}
+
+/// The tool is convex, so it is nowhere below its tangent at any point of its own, the plane less
+/// that tangent is linear, and the most of that over the rectangle bounds both. The point is the
+/// one that touches the plane, or as near to it as the part goes.
+Four bounds_of(const PartTree::Shape& tool,
+               const PartTree::Node& node,
+               std::size_t four,
+               float place_x,
+               float place_y) {
+  const Four least_x = node.least_x.fours[four] - place_x;
+  const Four least_y = node.least_y.fours[four] - place_y;
+  const Four most_x = node.most_x.fours[four] - place_x;
+  const Four most_y = node.most_y.fours[four] - place_y;
+  const Four near_x = greater(greater(least_x, -most_x), all(0.0F));
+  const Four near_y = greater(greater(least_y, -most_y), all(0.0F));
+  const Four x = lesser(greater(node.point_x.fours[four], least_x), most_x);
+  const Four y = lesser(greater(node.point_y.fours[four], least_y), most_y);
+  const Tangent tangent = tangent_at(tool, root(x * x + y * y + kTiny));
+  const Four slope_x = node.slope_x.fours[four];
+  const Four slope_y = node.slope_y.fours[four];
+  const Four left_x = slope_x - x * tangent.share;
+  const Four left_y = slope_y - y * tangent.share;
+  const Four ahead = greater(left_x * (most_x - x), left_x * (least_x - x)) +
+                     greater(left_y * (most_y - y), left_y * (least_y - y));
+  const Four off_x = x - 0.5F * (least_x + most_x);
+  const Four off_y = y - 0.5F * (least_y + most_y);
+  const Four plane = node.level.fours[four] + slope_x * off_x + slope_y * off_y;
+  const Four bound = lesser(node.top.fours[four], plane - tangent.height + ahead);
+  return near_x * near_x + near_y * near_y <= tool.reach_square ? bound : all(-kInfinity);
+}
+
 }  // namespace
 
 class PartTree::Builder {
@@ -61,11 +111,11 @@ class PartTree::Builder {
       fill(next, open);
     }
     const double reach = profile_.radius_mm + lost_mm_;
-    tree_.reach_square_ = static_cast<float>(reach * reach);
-    tree_.almost_ = static_cast<float>(kAlmost * profile_.radius_mm);
-    tree_.flat_ = static_cast<float>(profile_.flat_mm);
-    tree_.corner_ = static_cast<float>(profile_.corner_mm);
-    tree_.rise_ = static_cast<float>(profile_.rise);
+    tree_.tool_.reach_square = static_cast<float>(reach * reach);
+    tree_.tool_.almost = static_cast<float>(kAlmost * profile_.radius_mm);
+    tree_.tool_.flat = static_cast<float>(profile_.flat_mm);
+    tree_.tool_.corner = static_cast<float>(profile_.corner_mm);
+    tree_.tool_.rise = static_cast<float>(profile_.rise);
   }
 
  private:
@@ -194,50 +244,10 @@ PartTree::Lanes PartTree::bounds(const Node& node, const Eigen::Vector2d& place)
   const auto x = static_cast<float>(place.x());
   const auto y = static_cast<float>(place.y());
   Lanes found{};
-  for (std::size_t i = 0; i < found.fours.size(); ++i) found.fours[i] = bounds(node, i, x, y);
-  return found;
-}
-
-/// The tool is convex, so it is nowhere below its tangent at any point of its own, the plane less
-/// that tangent is linear, and the most of that over the rectangle bounds both. The point is the
-/// one that touches the plane, or as near to it as the part goes.
-PartTree::Four PartTree::bounds(const Node& node,
-                                std::size_t four,
-                                float place_x,
-                                float place_y) const {
-  const Four least_x = node.least_x.fours[four] - place_x;
-  const Four least_y = node.least_y.fours[four] - place_y;
-  const Four most_x = node.most_x.fours[four] - place_x;
-  const Four most_y = node.most_y.fours[four] - place_y;
-  const Four near_x = greater(greater(least_x, -most_x), all(0.0F));
-  const Four near_y = greater(greater(least_y, -most_y), all(0.0F));
-  const Four x = lesser(greater(node.point_x.fours[four], least_x), most_x);
-  const Four y = lesser(greater(node.point_y.fours[four], least_y), most_y);
-  const Tangent tangent = tangent_at(root(x * x + y * y + kTiny));
-  const Four slope_x = node.slope_x.fours[four];
-  const Four slope_y = node.slope_y.fours[four];
-  const Four left_x = slope_x - x * tangent.share;
-  const Four left_y = slope_y - y * tangent.share;
-  const Four ahead = greater(left_x * (most_x - x), left_x * (least_x - x)) +
-                     greater(left_y * (most_y - y), left_y * (least_y - y));
-  const Four off_x = x - 0.5F * (least_x + most_x);
-  const Four off_y = y - 0.5F * (least_y + most_y);
-  const Four plane = node.level.fours[four] + slope_x * off_x + slope_y * off_y;
-  const Four bound = lesser(node.top.fours[four], plane - tangent.height + ahead);
-  return near_x * near_x + near_y * near_y <= reach_square_ ? bound : all(-kInfinity);
-}
-
-PartTree::Tangent PartTree::tangent_at(const Four& distance) const {
-  const Four out = greater(lesser(distance, all(almost_)) - flat_, all(0.0F));
-  const Four beyond = greater(distance - flat_ - out, all(0.0F));
-  if (corner_ <= 0.0F) {
-    const Four rise = out > 0.0F ? all(rise_) : all(0.0F);
-    return {rise * (out + beyond), rise / distance};
+  for (std::size_t i = 0; i < found.fours.size(); ++i) {
+    found.fours[i] = bounds_of(tool_, node, i, x, y);
   }
-  const Four inner = lesser(out, all(kInside * corner_));
-  const Four across = root((corner_ - inner) * (corner_ + inner));
-  const Four rise = inner / across;
-  return {inner * inner / (corner_ + across) + rise * beyond, rise / distance};
+  return found;
 }
 
 }  // namespace sim::surface

@@ -38,6 +38,15 @@ class PartTree {
     std::array<std::uint32_t, kParts> count;  ///< Facets from there; 0 where `first` is a node.
   };
 
+  /// The tool in single precision.
+  struct Shape {
+    float reach_square = 0.0F;
+    float almost = 0.0F;  ///< Distance up to which the tool's own tangents are taken.
+    float flat = 0.0F;
+    float corner = 0.0F;
+    float rise = 0.0F;
+  };
+
   /// @pre the mesh has a facet, and its indices are those of points
   PartTree(const Mesh& mesh, const cnc::surface::Profile& profile);
 
@@ -55,22 +64,9 @@ class PartTree {
   };
   class Builder;
 
-  /// Planes that the tool's lower surface is nowhere below: the height at which they meet it, and
-  /// their rise over the distance of that place.
-  struct Tangent {
-    Four height, share;
-  };
-
-  [[nodiscard]] Four bounds(const Node& node, std::size_t four, float place_x, float place_y) const;
-  [[nodiscard]] Tangent tangent_at(const Four& distance) const;
-
   std::vector<std::uint32_t> order_;
   std::vector<Node> nodes_;  ///< The first is the root.
-  float reach_square_ = 0.0F;
-  float almost_ = 0.0F;  ///< Distance up to which the tool's own tangents are taken.
-  float flat_ = 0.0F;
-  float corner_ = 0.0F;
-  float rise_ = 0.0F;
+  Shape tool_;
 };
 
 }  // namespace sim::surface

@@ -39,7 +39,7 @@ double distance_from_side(const Vector3d& first,
 double beside_border(const SurfaceTracer& tracer, const TipGrid& tips, std::size_t node) {
   constexpr double kNear = 1.0e-6;
   const PlanGrid& grid = tips.grid();
-  DropCutter::Hint hint;
+  PathHeights::Hint hint;
   double least = kNowhere;
   for (const std::size_t other :
        {node - 1, node + 1, node - grid.columns(), node + grid.columns()}) {

@@ -39,7 +39,7 @@ class LevelSet {
  private:
   const SurfaceTracer* tracer_;
   double level_mm_;
-  mutable DropCutter::Hint hint_{};  ///< Changes how soon an answer comes, but no answer.
+  mutable PathHeights::Hint hint_{};  ///< Changes how soon an answer comes, but no answer.
 };
 
 }  // namespace sim::surface

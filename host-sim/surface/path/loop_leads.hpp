@@ -54,7 +54,7 @@ class LoopLeads {
   bool lines_only_;
   double lift_mm_;
   const MilledRegions* regions_;
-  mutable DropCutter::Hint hint_{};  ///< Changes how soon an answer comes, but no answer.
+  mutable PathHeights::Hint hint_{};  ///< Changes how soon an answer comes, but no answer.
 };
 
 }  // namespace sim::surface

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <memory>
 #include <optional>
 
 #include "host-sim/surface/drop_cutter.hpp"
@@ -12,6 +13,8 @@
 #include "planner/pocket/loop_place.hpp"
 
 namespace sim::surface {
+
+class SmoothTips;
 
 enum class RowOrder : std::uint8_t {
   kZigzag,  ///< Each row begins where the last one ended.
@@ -44,6 +47,9 @@ struct RowOptions {
   /// the surface; 0: none, all at once. Layers have no rows for scallops.
   double layer_mm = 0.0;
   bool lines_only = false;  ///< No arcs.
+  /// A smooth surface over the same points, for the tool of traced_tool(), in place of the exact
+  /// heights of the tip; air below the path is more by its band. None: exact.
+  std::shared_ptr<const SmoothTips> smooth;
   /// Called with the part of the rows that is done, 0 to 1.
   std::function<void(double)> progress;
 };

@@ -85,9 +85,14 @@ class CurveBuilder {
     constexpr int kLeastLooks = 8;
     const int looks =
         std::max(kLeastLooks, static_cast<int>(std::ceil(cubic.width() / density_.pitch_mm)));
-    for (int i = 1; i < looks; ++i) {
+    const auto is_near_at = [&](int i) {
       const double along = cubic.from.along + cubic.width() * i / looks;
-      if (!is_near(along, cubic.height_at(along))) return false;
+      return is_near(along, cubic.height_at(along));
+    };
+    // A cubic that leaves the heights mostly does so half way.
+    if (!is_near_at(looks / 2)) return false;
+    for (int i = 1; i < looks; ++i) {
+      if (i != looks / 2 && !is_near_at(i)) return false;
     }
     return true;
   }

@@ -28,23 +28,6 @@ double lowest_of(const Mesh& mesh) {
   return lowest;
 }
 
-/// Returns the tool that leaves the allowance: another one, grown by it.
-cnc::surface::GrownTool tool_for(const RowOptions& options) {
-  cnc::surface::Profile tool = options.tool;
-  double lift_mm = 0.0;
-  if (options.allowance_mm > 0.0) {
-    const cnc::surface::GrownTool larger = cnc::surface::grown(tool, options.allowance_mm);
-    // A cone's growth by its band would leave less.
-    const double share = options.allowance_mm / larger.band_mm;
-    const cnc::surface::GrownTool whole = cnc::surface::grown(tool, share * options.allowance_mm);
-    tool = whole.profile;
-    lift_mm = whole.lift_mm;
-  }
-  cnc::surface::GrownTool grown = cnc::surface::grown(tool, options.tolerance_mm);
-  grown.lift_mm += lift_mm;
-  return grown;
-}
-
 double band_within(const cnc::surface::GrownTool& tool, const RowOptions& options) {
   const double rounding = kRoundingDigits * options.digit_mm;
   const double share = 1.0 - 2.0 * error_share_of(tool.profile);
@@ -64,10 +47,26 @@ bool lies_along_axis(const Slice& slice) {
 
 }  // namespace
 
+cnc::surface::GrownTool traced_tool(const RowOptions& options) {
+  cnc::surface::Profile tool = options.tool;
+  double lift_mm = 0.0;
+  if (options.allowance_mm > 0.0) {
+    const cnc::surface::GrownTool larger = cnc::surface::grown(tool, options.allowance_mm);
+    // A cone's growth by its band would leave less.
+    const double share = options.allowance_mm / larger.band_mm;
+    const cnc::surface::GrownTool whole = cnc::surface::grown(tool, share * options.allowance_mm);
+    tool = whole.profile;
+    lift_mm = whole.lift_mm;
+  }
+  cnc::surface::GrownTool grown = cnc::surface::grown(tool, options.tolerance_mm);
+  grown.lift_mm += lift_mm;
+  return grown;
+}
+
 SurfaceTracer::SurfaceTracer(const Mesh& mesh, const RowOptions& options)
-    : tool_{tool_for(options)},
+    : tool_{traced_tool(options)},
       lift_mm_{tool_.lift_mm},
-      cutter_{mesh, tool_.profile},
+      heights_{mesh, tool_.profile, options.smooth},
       has_floor_{options.floor_mm.has_value()},
       lowest_mm_{options.floor_mm.value_or(lowest_of(mesh))},
       layer_bottom_mm_{lowest_mm_},
@@ -81,17 +80,17 @@ void SurfaceTracer::set_layer(double top_mm, double bottom_mm) {
 }
 
 bool SurfaceTracer::is_over(const Eigen::Vector2d& place) const {
-  const double touched = cutter_.tip_height(place);
+  const double touched = heights_(place);
   if (!has_floor_ && touched == cnc::surface::kNoContact) return false;
   return !layer_top_mm_ || std::max(lowest_mm_, touched) + lift_mm_ < *layer_top_mm_;
 }
 
 double SurfaceTracer::height(const Eigen::Vector2d& place) const {
-  return lift_mm_ + std::max(lowest_mm_, cutter_.tip_height(place));
+  return lift_mm_ + std::max(lowest_mm_, heights_(place));
 }
 
-double SurfaceTracer::touched(const Eigen::Vector2d& place, DropCutter::Hint& hint) const {
-  const double height = cutter_.tip_height(place, hint);
+double SurfaceTracer::touched(const Eigen::Vector2d& place, PathHeights::Hint& hint) const {
+  const double height = heights_(place, hint);
   if (!has_floor_ && height == cnc::surface::kNoContact) return height;
   return std::max(lowest_mm_, height);
 }
@@ -133,7 +132,7 @@ std::vector<std::pair<double, double>> SurfaceTracer::parts_over(const Slice& sl
 
 SurfaceStretch SurfaceTracer::trace(const Slice& slice, double begin, double end, StretchUse use) {
   SurfaceStretch stretch{.plane = slice, .use = use, .vertices = {}};
-  SliceHeights heights{cutter_, slice, layer_bottom_mm_};
+  SliceHeights heights{heights_, slice, layer_bottom_mm_};
   const SliceCurve curve{heights, begin, end, density_};
   lines_.clear();
   fit_chords(curve, curve.all(), band_mm_, lines_);

@@ -4,10 +4,14 @@
 #include <utility>
 #include <vector>
 
+#include "host-sim/surface/path/path_heights.hpp"
 #include "host-sim/surface/path/row_path.hpp"
 #include "planner/surface/grown.hpp"
 
 namespace sim::surface {
+
+/// Returns the tool that a path follows: one that leaves the allowance, grown by the tolerance.
+[[nodiscard]] cnc::surface::GrownTool traced_tool(const RowOptions& options);
 
 /// Makes stretches over a surface, one slice after the other.
 class SurfaceTracer {
@@ -37,7 +41,7 @@ class SurfaceTracer {
 
   /// Returns the exact height of the grown tool's tip, not raised; cnc::surface::kNoContact where
   /// nothing is under it and there is no floor.
-  [[nodiscard]] double touched(const Eigen::Vector2d& place, DropCutter::Hint& hint) const;
+  [[nodiscard]] double touched(const Eigen::Vector2d& place, PathHeights::Hint& hint) const;
 
   /// Returns the tool that is as much larger as the band.
   [[nodiscard]] const cnc::surface::Profile& grown_tool() const { return tool_.profile; }
@@ -54,7 +58,7 @@ class SurfaceTracer {
 
   cnc::surface::GrownTool tool_;
   double lift_mm_;
-  DropCutter cutter_;
+  PathHeights heights_;
   bool has_floor_;
   double lowest_mm_;
   std::optional<double> layer_top_mm_;  ///< Height of the tip; without a layer everything is below.

@@ -12,7 +12,7 @@ TipGrid::TipGrid(const SurfaceTracer& tracer,
       heights_(grid.size()),
       lowest_mm_{std::numeric_limits<double>::infinity()},
       highest_mm_{-lowest_mm_} {
-  DropCutter::Hint hint;
+  PathHeights::Hint hint;
   for (std::size_t row = 0; row < grid.rows(); ++row) {
     for (std::size_t column = 0; column < grid.columns(); ++column) {
       const double height = tracer.touched(grid.at(column, row), hint);

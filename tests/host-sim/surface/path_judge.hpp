@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string>
 
+#include "host-sim/cut/stroke.hpp"
 #include "host-sim/measure/programmed_path.hpp"
 #include "host-sim/surface/path/row_path.hpp"
 #include "host-sim/surface/path/surface_program.hpp"
@@ -41,11 +42,32 @@ void for_places(const std::string& program, double every_mm, const Function& fun
   }
 }
 
+/// Calls a function with places of the tip along the level lines of a path.
+template <typename Function>
+void for_level_places(const SurfacePath& path, double every_mm, const Function& function) {
+  for (const SurfaceStretch& stretch : path.stretches) {
+    if (stretch.use != StretchUse::kRow) continue;
+    for (std::size_t i = 0; i + 1 < stretch.vertices.size(); ++i) {
+      const ContourVertex& from = stretch.vertices[i];
+      const ContourVertex& to = stretch.vertices[i + 1];
+      const cut::Stroke stroke{.from = {from.x, from.y}, .to = {to.x, to.y}, .bulge = from.bulge};
+      const int count = 1 + static_cast<int>(cut::length_of(stroke) / every_mm);
+      for (int k = 0; k < count; ++k) {
+        const Eigen::Vector2d place = cut::place_at(stroke, (k + 0.5) / count);
+        function(Eigen::Vector3d{place.x(), place.y(), stretch.start().z()});
+      }
+    }
+  }
+}
+
 /// Judges tips by the exact heights of the tool and by the air that is allowed.
 class Judge {
  public:
-  Judge(const Mesh& mesh, const RowOptions& options)
-      : options_{options}, exact_{mesh, tool_of(options)}, tolerance_{options.tolerance_mm} {
+  /// @param smooth_mm band of a smooth surface that the path follows
+  Judge(const Mesh& mesh, const RowOptions& options, double smooth_mm = 0.0)
+      : options_{options},
+        exact_{mesh, tool_of(options)},
+        most_air_{2.0 * options.tolerance_mm + smooth_mm} {
     double lowest = 1.0e9;
     for (const Eigen::Vector3d& point : mesh.points) lowest = std::min(lowest, point.z());
     floor_ = options.floor_mm.value_or(lowest) + options.allowance_mm;
@@ -56,9 +78,9 @@ class Judge {
     return height(tip.head<2>()) - tip.z();
   }
 
-  /// Returns whether no place within twice the tolerance touches: then there is too much air.
+  /// Returns whether no place within the allowed air touches: then there is too much air.
   [[nodiscard]] bool is_too_high(const Eigen::Vector3d& tip) const {
-    const double most = 2.0 * tolerance_ + 1.0e-9;
+    const double most = most_air_ + 1.0e-9;
     if (tip.z() - height(tip.head<2>()) <= most) return false;
     constexpr int kDirections = 32;
     for (int ring = 1; ring <= 16; ++ring) {
@@ -85,7 +107,7 @@ class Judge {
 
   RowOptions options_;
   DropCutter exact_;
-  double tolerance_;
+  double most_air_;
   double floor_ = 0.0;
 };
 

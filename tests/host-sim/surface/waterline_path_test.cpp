@@ -13,7 +13,6 @@
 #include <stdexcept>
 #include <vector>
 
-#include "host-sim/cut/stroke.hpp"
 #include "host-sim/surface/path/level_distance.hpp"
 #include "host-sim/surface/path/tip_grid.hpp"
 #include "tests/host-sim/surface/path_judge.hpp"
@@ -26,24 +25,6 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-/// Calls a function with places of the tip along the level lines of a path.
-template <typename Function>
-void for_level_places(const SurfacePath& path, double every_mm, const Function& function) {
-  for (const SurfaceStretch& stretch : path.stretches) {
-    if (stretch.use != StretchUse::kRow) continue;
-    for (std::size_t i = 0; i + 1 < stretch.vertices.size(); ++i) {
-      const ContourVertex& from = stretch.vertices[i];
-      const ContourVertex& to = stretch.vertices[i + 1];
-      const cut::Stroke stroke{.from = {from.x, from.y}, .to = {to.x, to.y}, .bulge = from.bulge};
-      const int count = 1 + static_cast<int>(cut::length_of(stroke) / every_mm);
-      for (int k = 0; k < count; ++k) {
-        const Vector2d place = cut::place_at(stroke, (k + 0.5) / count);
-        function(Vector3d{place.x(), place.y(), stretch.start().z()});
-      }
-    }
-  }
-}
 
 RowOptions random_levels(proof::Random& random, const cnc::surface::Profile& tool) {
   RowOptions options;

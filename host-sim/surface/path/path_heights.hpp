@@ -1,0 +1,45 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <utility>
+
+#include "host-sim/surface/drop_cutter.hpp"
+#include "host-sim/surface/path/smooth_tips.hpp"
+
+namespace sim::surface {
+
+/// The heights that paths over a surface follow: those of a tool's tip, or of a smooth surface
+/// that stands for them.
+class PathHeights {
+ public:
+  /// Where the last height was found, with which the next place near by begins.
+  struct Hint {
+    DropCutter::Hint exact{};
+    SmoothTips::Hint smooth{};
+  };
+
+  /// @param smooth of the same mesh and tool; empty: the tip's own heights
+  PathHeights(const Mesh& mesh,
+              const cnc::surface::Profile& tool,
+              std::shared_ptr<const SmoothTips> smooth)
+      : cutter_{mesh, tool}, smooth_{std::move(smooth)} {}
+
+  /// Returns the height over a place; cnc::surface::kNoContact where nothing is under the tool.
+  [[nodiscard]] double operator()(const Eigen::Vector2d& place, Hint& hint) const {
+    const double exact = cutter_.tip_height(place, hint.exact);
+    return smooth_ ? smooth_->height(place, exact, hint.smooth) : exact;
+  }
+  [[nodiscard]] double operator()(const Eigen::Vector2d& place) const {
+    const double exact = cutter_.tip_height(place);
+    if (!smooth_) return exact;
+    SmoothTips::Hint hint;
+    return smooth_->height(place, exact, hint);
+  }
+
+ private:
+  DropCutter cutter_;
+  std::shared_ptr<const SmoothTips> smooth_;
+};
+
+}  // namespace sim::surface
