@@ -27,6 +27,7 @@
 #include "host-sim/report/terminal.hpp"
 #include "host-sim/surface/approach.hpp"
 #include "host-sim/surface/path/parallel_path.hpp"
+#include "host-sim/surface/path/rough_path.hpp"
 #include "host-sim/surface/path/surface_program.hpp"
 #include "host-sim/surface/path/waterline_path.hpp"
 #include "host-sim/surface/tip_heights.hpp"
@@ -94,6 +95,9 @@ std::string manner_of(const SurfaceCommandOptions& options) {
   }
   if (options.paths == SurfacePaths::kWaterline) return "finishing in waterlines";
   if (options.paths == SurfacePaths::kContour) return "finishing along contours";
+  if (options.paths == SurfacePaths::kRough) {
+    return fmt::format("roughing in levels of {:g} mm", options.layer_mm);
+  }
   const std::string kind = options.layer_mm > 0.0
                                ? fmt::format("layers of {:g} mm", options.layer_mm)
                                : std::string{"finishing"};
@@ -142,12 +146,15 @@ std::string report_of(const SurfaceCommandOptions& options,
   return dumped(report) + "\n";
 }
 
+/// Returns the path of a surface along lines or in levels. @param rough the border of levels
 surface::SurfacePath path_with_progress(const surface::Mesh& mesh,
                                         surface::RowOptions rows,
+                                        const surface::RoughOptions& rough,
                                         SurfacePaths paths) {
   using Clock = std::chrono::steady_clock;
   ProgressBar bar{stderr, is_terminal(stderr), Clock::now()};
   rows.progress = [&bar](double share) { bar.update(share, "lines", Clock::now()); };
+  if (paths == SurfacePaths::kRough) return rough_path(mesh, rows, rough);
   if (paths == SurfacePaths::kWaterline) return waterline_path(mesh, rows);
   if (paths == SurfacePaths::kContour) return parallel_path(mesh, rows);
   return row_path(mesh, rows);
@@ -177,10 +184,15 @@ void write_path(const SurfaceCommandOptions& options,
                 const std::shared_ptr<const surface::SmoothTips>& smooth) {
   surface::RowOptions rows = row_options_of(options, cutter);
   rows.smooth = smooth;
-  rows.regions = regions_of(options.regions, mesh, rows, inputs);
-  const surface::SurfacePath path = options.pencil
-                                        ? valleys_of(options, mesh, cutter, rows)
-                                        : path_with_progress(mesh, std::move(rows), options.paths);
+  surface::RoughOptions rough{.boundary = {}, .stock_margin_mm = options.stock_margin_mm};
+  if (options.paths == SurfacePaths::kRough) {
+    rough.boundary = boundary_areas_of(options.regions, rows, inputs);
+  } else {
+    rows.regions = regions_of(options.regions, mesh, rows, inputs);
+  }
+  const surface::SurfacePath path =
+      options.pencil ? valleys_of(options, mesh, cutter, rows)
+                     : path_with_progress(mesh, std::move(rows), rough, options.paths);
   const surface::SurfaceProgramFigures figures = figures_of(path);
   pocket::MillSettings mill = options.mill;
   mill.safe_mm = safe_height_of(
@@ -243,7 +255,9 @@ surface::PointGrid grid_of(const surface::SurfaceInput& input,
 /// Returns whether the controller has arcs in all planes of the path: rows and the links between
 /// them turn in both upright ones, lines of one height in the level one.
 bool knows_arcs_of_path(const SurfaceCommandOptions& options) {
-  if (options.paths == SurfacePaths::kWaterline) return options.post.knows_arcs(cnc::Plane::kXY);
+  const bool is_level =
+      options.paths == SurfacePaths::kWaterline || options.paths == SurfacePaths::kRough;
+  if (is_level) return options.post.knows_arcs(cnc::Plane::kXY);
   return options.post.knows_arcs(cnc::Plane::kZX) && options.post.knows_arcs(cnc::Plane::kYZ);
 }
 

@@ -100,14 +100,15 @@ void add_direction_option(CLI::App& command, SurfaceCommandOptions& options) {
 void add_line_options(CLI::App& command, SurfaceCommandOptions& options) {
   const std::map<std::string, SurfacePaths> paths{{"rows", SurfacePaths::kRows},
                                                   {"waterline", SurfacePaths::kWaterline},
-                                                  {"contour", SurfacePaths::kContour}};
+                                                  {"contour", SurfacePaths::kContour},
+                                                  {"rough", SurfacePaths::kRough}};
   command
       .add_option("--paths",
                   options.paths,
-                  "Straight rows, lines of one height each, or lines of one distance each from the "
-                  "border over\nthe surface")
+                  "Straight rows, lines of one height each, lines of one distance each from the "
+                  "border over\nthe surface, or roughing: areas of levels, cleared as pockets are")
       ->transform(CLI::CheckedTransformer(paths))
-      ->option_text("rows|waterline|contour [rows]");
+      ->option_text("rows|waterline|contour|rough [rows]");
   command
       .add_option("--angle", options.angle_deg, "Of rows from X, counter-clockwise, degrees [0]")
       ->check(in_range(-360.0, 360.0, "degrees"))
@@ -229,12 +230,16 @@ void check_line_options(const SurfaceCommandOptions& options) {
   if (options.direction && options.order == surface::RowOrder::kZigzag) {
     refuse("--direction", "rows to and fro cut both ways; take --order oneway");
   }
+  if (options.stock_margin_mm && options.paths != SurfacePaths::kRough) {
+    refuse("--stock-margin", "only --paths rough comes in from beside the stock");
+  }
   if (are_rows) return;
   if (options.pencil) refuse("--pencil", "goes along valleys in place of --paths; leave one out");
   if (options.angle_deg) refuse("--angle", "only rows have one; leave it out, or --paths");
   if (options.order) {
     refuse("--order", "only rows have one; lines of --paths have a --direction");
   }
+  if (options.paths == SurfacePaths::kRough) return check_rough_options(options);
   if (options.layer_mm > 0.0) {
     refuse("--layers", "only rows have layers; waterlines go down by their --step");
   }
@@ -251,6 +256,7 @@ void add_surface_options(CLI::App& command, SurfaceCommandOptions& options) {
   add_row_options(command, options);
   add_line_options(command, options);
   add_stock_layer_options(command, options);
+  add_rough_options(command, options);
   add_region_options(command, options.regions);
   add_pencil_options(command, options);
   add_patch_options(command, options.patches);
@@ -339,7 +345,11 @@ void check_surface_options(const SurfaceCommandOptions& options) {
 surface::RowOptions row_options_of(const SurfaceCommandOptions& options,
                                    const stock::Cutter& cutter) {
   double step_mm = options.step_mm;
-  if (step_mm == 0.0 && options.scallop_mm == 0.0) step_mm = 0.1 * cutter.diameter_mm;
+  if (options.paths == SurfacePaths::kRough) {
+    step_mm = rough_step_of(options, cutter);
+  } else if (step_mm == 0.0 && options.scallop_mm == 0.0) {
+    step_mm = 0.1 * cutter.diameter_mm;
+  }
   return {.tool = profile_of(cutter),
           .allowance_mm = options.allowance_mm,
           .tolerance_mm = options.tolerance_mm,

@@ -26,6 +26,7 @@ enum class SurfacePaths : std::uint8_t {
   kRows,       ///< Straight in plan.
   kWaterline,  ///< At one height each.
   kContour,    ///< At one distance each from the border, over the surface.
+  kRough,      ///< Areas of levels, cleared as pockets are.
 };
 
 /// The options of `kerfline surface`.
@@ -47,6 +48,7 @@ struct SurfaceCommandOptions {
   double ramp_deg = 0.0;               ///< 0: straight down.
   std::optional<double> safe_mm;       ///< None: 5 mm above path and surface.
   SurfacePaths paths = SurfacePaths::kRows;
+  std::optional<double> stock_margin_mm;   ///< None: nothing is known of the stock's end.
   std::optional<surface::RowOrder> order;  ///< None: zigzag, or one way with a direction.
   std::optional<cnc::pocket::Milling> direction;
   RegionOptions regions;
@@ -78,6 +80,18 @@ void add_surface_options(CLI::App& command, SurfaceCommandOptions& options);
 /// Throws std::invalid_argument for options that do not go together, and for those that are
 /// missing.
 void check_surface_options(const SurfaceCommandOptions& options);
+
+/// Adds those of roughing in levels.
+void add_rough_options(CLI::App& command, SurfaceCommandOptions& options);
+
+/// Throws std::invalid_argument for options that do not go with roughing in levels, and for those
+/// that are missing.
+void check_rough_options(const SurfaceCommandOptions& options);
+
+/// Returns the step of roughing in levels, mm: as it is asked for, or what suits the tool.
+/// Throws std::invalid_argument for one that would leave stock between passes.
+[[nodiscard]] double rough_step_of(const SurfaceCommandOptions& options,
+                                   const stock::Cutter& cutter);
 
 /// Returns how they ask for paths.
 [[nodiscard]] surface::RowOptions row_options_of(const SurfaceCommandOptions& options,

@@ -134,25 +134,6 @@ Contour moved(const std::string& file, const Contour& area, double distance_mm) 
   }
 }
 
-std::shared_ptr<const surface::MilledRegion> boundary_of(const RegionOptions& options,
-                                                         const surface::RowOptions& rows,
-                                                         InputFiles& inputs) {
-  std::vector<Contour> areas = drawn_in(options.boundary, rows.tolerance_mm, inputs);
-  bool is_empty = true;
-  for (Contour& area : areas) {
-    const double radius = rows.tool.radius_mm;
-    if (options.side == BoundarySide::kInside) area = moved(options.boundary, area, -radius);
-    if (options.side == BoundarySide::kOutside) area = moved(options.boundary, area, radius);
-    is_empty = is_empty && area.loop_ends.empty();
-  }
-  if (is_empty) {
-    throw std::invalid_argument{fmt::format(
-        "--boundary {}: the tool fits nowhere within it; take a smaller tool or --boundary-side on",
-        options.boundary)};
-  }
-  return std::make_shared<surface::DrawnRegion>(areas);
-}
-
 std::shared_ptr<const surface::MilledRegion> rest_of(const RegionOptions& options,
                                                      const surface::Mesh& mesh,
                                                      const surface::RowOptions& rows) {
@@ -213,12 +194,35 @@ void check_region_options(const RegionOptions& options, const std::string& surfa
   }
 }
 
+std::vector<Contour> boundary_areas_of(const RegionOptions& options,
+                                       const surface::RowOptions& rows,
+                                       InputFiles& inputs) {
+  if (options.boundary.empty()) return {};
+  std::vector<Contour> areas = drawn_in(options.boundary, rows.tolerance_mm, inputs);
+  bool is_empty = true;
+  for (Contour& area : areas) {
+    const double radius = rows.tool.radius_mm;
+    if (options.side == BoundarySide::kInside) area = moved(options.boundary, area, -radius);
+    if (options.side == BoundarySide::kOutside) area = moved(options.boundary, area, radius);
+    is_empty = is_empty && area.loop_ends.empty();
+  }
+  if (is_empty) {
+    throw std::invalid_argument{fmt::format(
+        "--boundary {}: the tool fits nowhere within it; take a smaller tool or --boundary-side on",
+        options.boundary)};
+  }
+  return areas;
+}
+
 surface::MilledRegions regions_of(const RegionOptions& options,
                                   const surface::Mesh& mesh,
                                   const surface::RowOptions& rows,
                                   InputFiles& inputs) {
   surface::MilledRegions regions;
-  if (!options.boundary.empty()) regions.push_back(boundary_of(options, rows, inputs));
+  if (!options.boundary.empty()) {
+    regions.push_back(
+        std::make_shared<surface::DrawnRegion>(boundary_areas_of(options, rows, inputs)));
+  }
   if (!options.slope.empty()) {
     regions.push_back(std::make_shared<surface::SlopeRegion>(
         mesh, rows.tool, rows.floor_mm, slopes_of(options.slope)));

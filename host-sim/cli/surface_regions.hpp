@@ -2,8 +2,10 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "host-sim/cli/input_files.hpp"
+#include "host-sim/contour/contour_offset.hpp"
 #include "host-sim/surface/path/row_path.hpp"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): theirs.
@@ -37,6 +39,13 @@ void add_region_options(CLI::App& command, RegionOptions& options);
 /// Throws std::invalid_argument for options that do not go together or say nothing.
 /// @param surface the file of the surface
 void check_region_options(const RegionOptions& options, const std::string& surface);
+
+/// Returns the areas of the boundary for the tool's tip; none without a boundary. Prints what of it
+/// the tool does not fit into. Throws std::invalid_argument for a drawing with faults, by place and
+/// remedy. @param rows tool and tolerance of the path
+[[nodiscard]] std::vector<Contour> boundary_areas_of(const RegionOptions& options,
+                                                     const surface::RowOptions& rows,
+                                                     InputFiles& inputs);
 
 /// Returns the regions that options ask for. Prints what of a boundary the tool does not fit into.
 /// Throws std::invalid_argument for a drawing with faults, by place and remedy, and for a larger

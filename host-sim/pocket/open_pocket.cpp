@@ -163,12 +163,20 @@ StockParts open_path(const cnc::contour::ContourView<double>& area,
                      const StockBox& stock,
                      const std::vector<Contour>& passes,
                      const PartOptions& options) {
-  const double radius_mm = options.tool_radius_mm;
   ContourOffset offsetter;
-  const OwnedArea locus{copy_of(offsetter.offset(area, -radius_mm)).view()};
+  const Contour locus = copy_of(offsetter.offset(area, -options.tool_radius_mm));
+  return open_path_within(locus.view(), stock, passes, options);
+}
+
+StockParts open_path_within(const cnc::contour::ContourView<double>& locus,
+                            const StockBox& stock,
+                            const std::vector<Contour>& passes,
+                            const PartOptions& options) {
+  const double radius_mm = options.tool_radius_mm;
+  const OwnedArea allowed{locus};
   const OwnedArea cleared{box_without(far_around(stock, radius_mm), edge_of(stock)).view()};
   const OwnedArea idle{idle_area(stock, radius_mm).view()};
-  return parts_in_stock(passes, {locus, cleared, idle}, options);
+  return parts_in_stock(passes, {allowed, cleared, idle}, options);
 }
 
 }  // namespace sim::pocket

@@ -51,4 +51,10 @@ struct LoopsInStock {
                                    const std::vector<Contour>& passes,
                                    const PartOptions& options);
 
+/// Returns the same for an area that is given as the one where the tool's centre may be.
+[[nodiscard]] StockParts open_path_within(const cnc::contour::ContourView<double>& locus,
+                                          const StockBox& stock,
+                                          const std::vector<Contour>& passes,
+                                          const PartOptions& options);
+
 }  // namespace sim::pocket

@@ -52,6 +52,7 @@ class Clearing {
                                    const AreaSpace<Scalar>& into,
                                    AreaList<Scalar>& list) const;
   [[nodiscard]] Error split(const ContourView<Scalar>& loops, AreaList<Scalar>& list) const;
+  [[nodiscard]] Error split_locus(const ContourView<Scalar>& pocket, AreaList<Scalar>& list) const;
   [[nodiscard]] Result<ContourView<Scalar>, contour::OffsetError> pass_around(
       const ContourView<Scalar>& goal) const;
   [[nodiscard]] Error add_goals(const AreaList<Scalar>& goals, const PassNote<Scalar>& note);
@@ -71,7 +72,7 @@ class Clearing {
 template <typename Scalar>
 std::optional<ClearingError> Clearing<Scalar>::run(const ContourView<Scalar>& pocket) {
   AreaList<Scalar> goals;
-  if (Error e = split_offset(pocket, -options_.tool_radius, space_.goals, goals)) return e;
+  if (Error e = split_locus(pocket, goals)) return e;
   const PassNote<Scalar> at_wall{options_.tool_radius, kNone};
   for (std::size_t i = 0; i < goals.size(); ++i) {
     if (!passes_.add(goals[i], at_wall)) return ClearingError{ClearingFault::kPassesTooLong};
@@ -107,6 +108,15 @@ std::optional<ClearingError> Clearing<Scalar>::split(const ContourView<Scalar>& 
       break;
   }
   return ClearingError{ClearingFault::kLoopsCross};
+}
+
+/// The areas in which the tool's centre may be.
+template <typename Scalar>
+std::optional<ClearingError> Clearing<Scalar>::split_locus(const ContourView<Scalar>& pocket,
+                                                           AreaList<Scalar>& list) const {
+  if (!options_.is_locus) return split_offset(pocket, -options_.tool_radius, space_.goals, list);
+  list = space_.goals.list();
+  return split(pocket, list);
 }
 
 /// Returns the goal grown by the corner radius. Parts of a goal that are less than twice this

@@ -15,6 +15,9 @@ struct ClearingOptions {
   Scalar tool_radius{};    ///< R, mm, positive.
   Scalar corner_radius{};  ///< r of the corners of all passes but those at the wall, 0…R / 3, mm.
   Scalar stepover{};       ///< Greatest distance between passes, mm, above 0; 2 R bounds nothing.
+  /// The pocket is where the tool's centre may be, in place of what is to be cleared: the first
+  /// pass goes along its contours.
+  bool is_locus = false;
 };
 
 enum class ClearingFault : std::uint8_t {

@@ -36,10 +36,13 @@ class CurveFollower {
       : set_{set}, places_{places}, left_{is_low_left ? 1.0 : -1.0}, density_{density} {}
 
   std::vector<LevelCurve> run() {
-    constexpr std::size_t kPlacesAtOnce = 12;
+    constexpr std::size_t kMostPlacesAtOnce = 12;
+    // A short loop that ends where it begins is not one step.
+    const std::size_t at_once =
+        std::clamp((places_.size() - 1) / 2, std::size_t{1}, kMostPlacesAtOnce);
     nodes_.push_back({places_.front(), tangent_after(0), tangent_after(0)});
     for (std::size_t done = 0; done + 1 < places_.size();) {
-      done = std::min(done + kPlacesAtOnce, places_.size() - 1);
+      done = std::min(done + at_once, places_.size() - 1);
       pending_.push_back(node_at(done));
       while (!pending_.empty()) settle();
     }

@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <utility>
 
-#include "host-sim/surface/path/iso_lines.hpp"
-#include "host-sim/surface/path/level_set.hpp"
-
 namespace sim::surface {
 namespace {
 
@@ -50,22 +47,17 @@ double level_pitch(const SurfaceTracer& tracer) {
   return std::min(1.4 * disc, kShareOfRadius * tool.radius_mm);
 }
 
-std::vector<LevelLoop> level_loops(const SurfaceTracer& tracer,
-                                   const TipGrid& tips,
-                                   std::size_t level,
-                                   double level_mm) {
-  const PlanGrid& grid = tips.grid();
-  const LevelSet set{tracer, level_mm};
-  const auto side_of = [&](std::size_t node) {
-    if (!tips.has_contact(node)) return NodeSide::kNone;
-    return tips.height(node) > level_mm ? NodeSide::kHigh : NodeSide::kLow;
-  };
+std::vector<LevelLoop> loops_of(const LevelSet& set,
+                                const PlanGrid& grid,
+                                const std::function<NodeSide(std::size_t)>& side_of,
+                                std::size_t level) {
   const auto is_high_in_middle = [&](std::size_t node) {
     return set.above(grid.at(node) + 0.5 * grid.pitch()) > 0.0;
   };
   std::vector<LevelLoop> loops;
   for (const IsoLine& line : iso_lines(grid, side_of, is_high_in_middle)) {
-    LevelLoop loop{.level = level, .level_mm = level_mm, .places = {}, .is_closed = line.is_closed};
+    LevelLoop loop{
+        .level = level, .level_mm = set.level_mm(), .places = {}, .is_closed = line.is_closed};
     for (const CrossedEdge& edge : line.edges) {
       const Eigen::Vector2d place = set.crossing(grid.at(edge.low), grid.at(edge.high));
       const bool is_same =
@@ -80,6 +72,17 @@ std::vector<LevelLoop> level_loops(const SurfaceTracer& tracer,
     }
   }
   return loops;
+}
+
+std::vector<LevelLoop> level_loops(const SurfaceTracer& tracer,
+                                   const TipGrid& tips,
+                                   std::size_t level,
+                                   double level_mm) {
+  const auto side_of = [&](std::size_t node) {
+    if (!tips.has_contact(node)) return NodeSide::kNone;
+    return tips.height(node) > level_mm ? NodeSide::kHigh : NodeSide::kLow;
+  };
+  return loops_of(LevelSet{tracer, level_mm}, tips.grid(), side_of, level);
 }
 
 std::vector<LevelLoop> parts_within(const MilledRegions& regions, LevelLoop loop) {

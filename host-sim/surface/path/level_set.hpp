@@ -1,25 +1,32 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <optional>
 
 #include "host-sim/surface/drop_cutter.hpp"
+#include "host-sim/surface/path/level_border.hpp"
 #include "host-sim/surface/path/surface_tracer.hpp"
 
 namespace sim::surface {
 
 /// The line in the plan along which the grown tool's tip has one height: on one side it is higher,
-/// and there the tool would cut in at this level. Lengths are mm.
+/// and there the tool would cut in at this level. A border counts as a surface, too, that rises by
+/// 1 mm per mm. Lengths are mm.
 class LevelSet {
  public:
-  /// @pre the tracer outlives this
-  LevelSet(const SurfaceTracer& tracer, double level_mm) : tracer_{&tracer}, level_mm_{level_mm} {}
+  /// @param border limits of the tip in the plan; null: there are none
+  /// @pre tracer and border outlive this
+  LevelSet(const SurfaceTracer& tracer, double level_mm, const LevelBorder* border = nullptr)
+      : tracer_{&tracer}, level_mm_{level_mm}, border_{border} {}
 
   [[nodiscard]] double level_mm() const { return level_mm_; }
 
-  /// Returns how far the tip is above the level at a place; -infinity where nothing is under it.
+  /// Returns how far the tip is above the level at a place; -infinity where nothing is under it
+  /// and there is no border.
   [[nodiscard]] double above(const Eigen::Vector2d& place) const {
-    return tracer_->touched(place, hint_) - level_mm_;
+    const double above = tracer_->touched(place, hint_) - level_mm_;
+    return border_ == nullptr ? above : std::max(above, border_->beyond(place));
   }
 
   /// Returns where the line crosses the way between two places, on the low side of it and within
@@ -39,6 +46,7 @@ class LevelSet {
  private:
   const SurfaceTracer* tracer_;
   double level_mm_;
+  const LevelBorder* border_;
   mutable PathHeights::Hint hint_{};  ///< Changes how soon an answer comes, but no answer.
 };
 

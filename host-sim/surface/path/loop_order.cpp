@@ -81,6 +81,17 @@ LoopOrder::LoopOrder(const std::vector<LevelLoop>& loops, double near_mm)
   }
 }
 
+LoopOrder::LoopOrder(const std::vector<LevelLoop>& loops,
+                     std::vector<std::vector<std::size_t>> lower)
+    : loops_{&loops},
+      lower_{std::move(lower)},
+      waits_for_(loops.size(), 0),
+      is_taken_(loops.size(), false) {
+  for (const std::vector<std::size_t>& waiting : lower_) {
+    for (const std::size_t loop : waiting) ++waits_for_[loop];
+  }
+}
+
 std::optional<std::size_t> LoopOrder::take_next(const Vector2d& here) {
   while (!ready_.empty()) {
     std::vector<std::size_t>& group = ready_.back();

@@ -17,6 +17,9 @@ class LoopOrder {
   /// @param loops by level, from the top; must outlive this
   /// @param near_mm distance in plan up to which one loop is near another, above 0
   LoopOrder(const std::vector<LevelLoop>& loops, double near_mm);
+  /// Takes an order that is known, in place of that of near loops.
+  /// @param lower for each loop those that come after it
+  LoopOrder(const std::vector<LevelLoop>& loops, std::vector<std::vector<std::size_t>> lower);
 
   /// Returns the number of the next loop, and takes it; nothing if all are taken. Of several the
   /// nearest to a place is taken.

@@ -20,10 +20,6 @@ namespace {
 
 using Eigen::Vector2d;
 
-/// Share of a last digit by which levels are looked at higher: a bottom at the level itself, which
-/// rounding may put on either side, is on the low one.
-constexpr double kFlatDigits = 0.1;
-
 /// Returns the distance of levels: asked for, or for the scallop.
 double distance_of(const RowOptions& options) {
   if (options.scallop_mm == 0.0) return options.step_mm;

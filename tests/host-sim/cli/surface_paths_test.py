@@ -97,6 +97,49 @@ class SurfacePaths(unittest.TestCase):
             lengths.append(json.loads(self.report.read_text())["row_length_mm"])
         self.assertGreater(lengths[1], 1.5 * lengths[0])
 
+    def roughed(self, *options):
+        """The figures of a program that roughs a block with a dome, and what the simulated machine prints."""
+        dome = self.folder / "dome.xyz"
+        dome.write_text("".join(f"{x} {y} {max(-9.0, -(x - 14) ** 2 / 16 - (y - 12) ** 2 / 12):.4f}\n"
+                                for y in range(25) for x in range(33)))
+        done = self.surface("--tool", 4, "--tolerance", TOLERANCE, "--stock-top", 0, "--paths", "rough", "--layers", 3,
+                            "--allowance", 0.4, "--ramp", 5, "--slot-feed", 700, *options, file=dome)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        carved = run("sim", self.program, *SETTINGS, "--stock", "0,0,32,24,0,-12", "--tool", 4, "--stock-cell", 0.1,
+                     "--stock-surface", dome)
+        self.assertEqual(carved.returncode, 0, carved.stderr)
+        self.assertNotIn("a rapid cuts stock", carved.stdout + carved.stderr)
+        gouge = re.search(r"gouge +([0-9.]+) to", carved.stdout)
+        self.assertEqual(float(gouge.group(1)), 0.0, carved.stdout)
+        return json.loads(self.report.read_text()), carved.stdout
+
+    def test_roughs_in_levels_from_above_and_from_beside_the_stock(self):
+        drawing = self.folder / "half.svg"
+        drawing.write_text('<svg xmlns="http://www.w3.org/2000/svg" width="16mm" height="24mm" viewBox="0 0 16 24">'
+                           '<rect width="15" height="24"/></svg>')
+        lengths = []
+        for options in ((), ("--stock-margin", 0), ("--stock-margin", 1.5), ("--boundary", drawing), ("--step", 3.5),
+                        ("--direction", "conventional"), ("--lines",)):
+            figures, printed = self.roughed(*options)
+            self.assertGreater(figures["lowest_mm"], -9.0)
+            self.assertGreater(figures["arcs"] + figures["lines"], 50)
+            self.assertEqual(figures["arcs"] == 0, options == ("--lines",))
+            program = self.program.read_text()
+            self.assertFalse(re.search(r"\nG1[89]\n", program))
+            # From beside the stock no pass has stock on both sides.
+            self.assertEqual("F700" in program, "--stock-margin" not in options, options)
+            self.assertTrue("roughing in levels of 3 mm" in program)
+            self.assertIn("rest", printed)
+            lengths.append(figures["row_length_mm"])
+        self.assertLess(lengths[3], 0.8 * lengths[0])
+        self.assertLess(lengths[4], 0.8 * lengths[0])
+
+    def test_levels_leave_no_more_than_a_layer_where_the_tool_may_be(self):
+        _, printed = self.roughed()
+        rest = float(re.search(r"rest .* surely ([0-9.]+) mm", printed).group(1))
+        self.assertLess(rest, 3.0 + 0.4 + 2 * TOLERANCE + 0.3)
+        self.assertGreater(rest, 0.3)
+
     def test_refuses_options_that_mean_nothing_and_surfaces_without_lines(self):
         tool = ("--tool", "ball:3")
         block = self.folder / "block.stl"
@@ -107,6 +150,13 @@ class SurfacePaths(unittest.TestCase):
                 (("--paths", "waterline", "--layers", 1), self.part, "--layers: only rows have layers"),
                 (("--paths", "spiral"), self.part, "--paths"),
                 (("--paths", "waterline"), block, "no level has a line"),
+                (("--paths", "rough"), self.part, "give --layers"),
+                (("--paths", "rough", "--layers", 1, "--slope", "0:30"), self.part, "--slope: roughing in levels"),
+                (("--paths", "rough", "--layers", 1, "--scallop", 0.1), self.part, "--scallop: roughing in levels"),
+                (("--paths", "rough", "--layers", 1, "--step", 2.9), self.part, "--step: 2.9 mm is more than"),
+                (("--paths", "rough", "--layers", 1, "--stock-top", -90), self.part, "below the top of the stock"),
+                (("--paths", "rough", "--layers", 1, "--margin", 1, "--stock-margin", 1), self.part, "--margin: with"),
+                (("--stock-margin", 1), self.part, "--stock-margin: only --paths rough"),
                 (("--paths", "contour", "--step", 50), self.part, "take a smaller --step"),
                 (("--paths", "contour", "--step", 0.001), self.part, "mill it in parts or in rows")):
             done = self.surface(*tool, *options, file=file)
