@@ -182,7 +182,7 @@ class PlacesByLevel {
 
 /// Whether the grown tool may be at a level in a place and all around it.
 bool may_be_around(const SurfaceTracer& tracer, const Vector2d& place, double level, double mm) {
-  DropCutter::Hint hint;
+  PathHeights::Hint hint;
   for (int i = 0; i < 16; ++i) {
     const double angle = 2.0 * std::numbers::pi * i / 16.0;
     for (const double out : {0.0, 0.5 * mm, mm}) {
