@@ -9,8 +9,8 @@ namespace {
 
 constexpr std::uint64_t kHalf = 32U;
 
-std::uint64_t edge_of(std::uint32_t one, std::uint32_t other) {
-  return std::uint64_t{std::min(one, other)} << kHalf | std::max(one, other);
+std::uint64_t edge_of(std::uint32_t p, std::uint32_t q) {
+  return std::uint64_t{std::min(p, q)} << kHalf | std::max(p, q);
 }
 
 }  // namespace

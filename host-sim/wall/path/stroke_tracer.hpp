@@ -40,7 +40,7 @@ class StrokeTracer {
   /// Tips that no run joins are no farther apart, mm.
   static constexpr double kGapMm = 2.0e-3;
 
-  StrokeTracer(BeamFinder finder, const TurnRules& rules) : finder_{finder}, rules_{rules} {}
+  StrokeTracer(const BeamFinder& finder, const TurnRules& rules) : finder_{finder}, rules_{rules} {}
 
   /// Returns the runs of a stroke at a height. The last one may only have lost tips.
   [[nodiscard]] std::vector<BeamRun> runs_of(const Stroke& stroke, double height_mm) const;
