@@ -21,13 +21,13 @@ constexpr double kLeastSine = 1.0e-9;
 
 }  // namespace
 
-Triangle as_obstacle(const Triangle& facet, const Eigen::Vector3d& tip) {
+Triangle as_obstacle(const Triangle& facet, const Eigen::Vector3d& tip, double touch_mm) {
   const Vector3d across = (facet.b - facet.a).cross(facet.c - facet.a);
   const double length = across.norm();
   if (length == 0.0) return facet;
   const Vector3d normal = across / length;
   const double distance = normal.dot(tip - facet.a);
-  if (std::abs(distance) > kTouchMm) return facet;
+  if (std::abs(distance) > touch_mm) return facet;
   const Vector3d way = distance * normal;
   return {facet.a + way, facet.b + way, facet.c + way};
 }
@@ -62,11 +62,12 @@ bool LeastTilt::is_clear(const Vector3d& axis) const {
 }
 
 std::vector<Vector3d> LeastTilt::candidates() const {
-  std::vector<Vector3d> found{Vector3d::UnitZ()};
+  const Vector3d& wanted = rules_.wanted;
+  std::vector<Vector3d> found{wanted};
   for (std::size_t i = 0; i < circles_.size(); ++i) {
     const Circle& circle = circles_[i];
     const double sine = std::sqrt(1.0 - circle.cosine * circle.cosine);
-    Vector3d towards = Vector3d::UnitZ() - circle.middle.z() * circle.middle;
+    Vector3d towards = wanted - circle.middle.dot(wanted) * circle.middle;
     if (towards.norm() < kLeastSine) towards = circle.middle.unitOrthogonal();
     towards.normalize();
     found.emplace_back(circle.cosine * circle.middle + sine * towards);
@@ -88,7 +89,8 @@ std::vector<Vector3d> LeastTilt::candidates() const {
   }
   const cnc::WideSinCos most = cnc::sin_cos(rules_.most_rad);
   std::erase_if(found, [&most](const Vector3d& axis) { return axis.z() < most.cosine; });
-  std::ranges::sort(found, std::greater{}, [](const Vector3d& axis) { return axis.z(); });
+  std::ranges::sort(
+      found, std::greater{}, [&wanted](const Vector3d& axis) { return axis.dot(wanted); });
   return found;
 }
 

@@ -17,7 +17,10 @@ inline constexpr double kTouchMm = 1.0e-3;
 
 /// Returns the facet as it stands in the way of a beam: moved into the tip where the tip is on its
 /// plane.
-[[nodiscard]] Triangle as_obstacle(const Triangle& facet, const Eigen::Vector3d& tip);
+/// @param touch_mm distance up to which it is
+[[nodiscard]] Triangle as_obstacle(const Triangle& facet,
+                                   const Eigen::Vector3d& tip,
+                                   double touch_mm = kTouchMm);
 
 /// How a beam may lean.
 struct TiltRules {
@@ -25,12 +28,15 @@ struct TiltRules {
   /// angle.
   double half_angle_rad = 0.0;
   double most_rad = 0.0;  ///< Greatest tilt, at least 0, below a right angle.
+  /// Unit vector that the axis is to be near to, of no more than the greatest tilt.
+  Eigen::Vector3d wanted = Eigen::Vector3d::UnitZ();
 };
 
-/// Finds the axis nearest to the upright one on which a beam from a tip clears some obstacles.
+/// Finds the axis nearest to the wanted one on which a beam from a tip clears some obstacles. Where
+/// the upright axis is wanted that is the one of least tilt.
 ///
 /// The axes on which a beam meets a facet are a region of the sphere of directions, within circles
-/// around its corners and beside its edges. The nearest clear axis is the upright one, or the
+/// around its corners and beside its edges. The nearest clear axis is the wanted one, or the
 /// point of a circle that is nearest to it, or one where two circles meet: all are tried, the
 /// nearest first, so that the answer is exact.
 class LeastTilt {
@@ -42,8 +48,8 @@ class LeastTilt {
 
   [[nodiscard]] std::size_t obstacle_count() const { return obstacles_.size(); }
 
-  /// Returns the beam on the axis with the least tilt that clears all; nothing where each axis
-  /// within the rules meets one of them.
+  /// Returns the beam on the nearest axis that clears all; nothing where each axis within the
+  /// rules meets one of them.
   [[nodiscard]] std::optional<Beam> beam() const;
 
  private:

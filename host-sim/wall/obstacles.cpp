@@ -12,14 +12,19 @@ using Eigen::Vector3d;
 /// A touch is off by that through rounding, mm.
 constexpr double kTouchRounding = 1.0e-9;
 
-Eigen::AlignedBox3d box_of(const Triangle& facet) {
+Eigen::AlignedBox3d box_of(const Triangle& facet, double touch_mm) {
   Eigen::AlignedBox3d box{facet.a};
   box.extend(facet.b);
   box.extend(facet.c);
   // A facet is moved by that where the tip is on its plane.
-  box.min().array() -= kTouchMm;
-  box.max().array() += kTouchMm;
+  box.min().array() -= touch_mm;
+  box.max().array() += touch_mm;
   return box;
+}
+
+bool is_on_plane(const Triangle& facet, const Vector3d& tip) {
+  const Vector3d across = (facet.b - facet.a).cross(facet.c - facet.a);
+  return std::abs(across.dot(tip - facet.a)) <= kTouchMm * across.norm();
 }
 
 /// Returns a clearance that no point of a box is below.
@@ -42,13 +47,13 @@ double least_clearance(const Beam& beam, const Eigen::AlignedBox3d& box) {
 
 }  // namespace
 
-Obstacles::Obstacles(const surface::Mesh& mesh) {
+Obstacles::Obstacles(const surface::Mesh& mesh, double touch_mm) : touch_mm_{touch_mm} {
   std::vector<Eigen::AlignedBox3d> boxes;
   facets_.reserve(mesh.facets.size());
   boxes.reserve(mesh.facets.size());
   for (const auto& [a, b, c] : mesh.facets) {
     facets_.push_back({mesh.points[a], mesh.points[b], mesh.points[c]});
-    boxes.push_back(box_of(facets_.back()));
+    boxes.push_back(box_of(facets_.back(), touch_mm));
   }
   tree_ = surface::BoxTree{boxes};
 }
@@ -59,7 +64,8 @@ std::optional<NearestFacet> Obstacles::nearest(const Beam& beam, double most_mm)
   tree_.visit_least([&beam](const Eigen::AlignedBox3d& box) { return least_clearance(beam, box); },
                     [&nearest] { return nearest.clearance_mm; },
                     [&](std::uint32_t facet) {
-                      const Triangle obstacle = as_obstacle(facets_[facet], beam.tip);
+                      if (beam.waist_mm > 0.0 && is_on_plane(facets_[facet], beam.tip)) return;
+                      const Triangle obstacle = as_obstacle(facets_[facet], beam.tip, touch_mm_);
                       const double clearance = cnc::wall::clearance(beam, obstacle);
                       if (clearance >= nearest.clearance_mm) return;
                       nearest = {facet, obstacle, clearance};
@@ -75,7 +81,7 @@ bool Obstacles::meets(const Beam& beam) const {
   tree_.visit_least([&beam](const Eigen::AlignedBox3d& box) { return least_clearance(beam, box); },
                     [&most] { return most; },
                     [&](std::uint32_t facet) {
-                      const Triangle obstacle = as_obstacle(facets_[facet], beam.tip);
+                      const Triangle obstacle = as_obstacle(facets_[facet], beam.tip, touch_mm_);
                       if (cnc::wall::clearance(beam, obstacle) < most) most = kNone;
                     });
   return most == kNone;

@@ -22,25 +22,28 @@ struct NearestFacet {
 /// The facets of a part, sorted so that those near a beam are found soon. Lengths are mm.
 class Obstacles {
  public:
+  /// @param touch_mm distance up to which a tip is on the plane of a facet
   /// @pre the mesh's indices are those of points
-  explicit Obstacles(const surface::Mesh& mesh);
+  explicit Obstacles(const surface::Mesh& mesh, double touch_mm = kTouchMm);
 
   [[nodiscard]] std::size_t count() const { return facets_.size(); }
 
   /// Returns the facet that a beam is nearest to or deepest in, among those that it is nearer to
-  /// than `most_mm`; facets with the tip on their plane only touch it there.
+  /// than `most_mm`; facets with the tip on their plane only touch it there. A beam with a waist
+  /// dips into the floor that its tip is on as it leans: such facets do not count for it.
   [[nodiscard]] std::optional<NearestFacet> nearest(const Beam& beam, double most_mm) const;
 
   /// Returns whether a beam meets any facet by more than a touch at its tip.
   [[nodiscard]] bool meets(const Beam& beam) const;
 
  private:
+  double touch_mm_;
   std::vector<Triangle> facets_;
   surface::BoxTree tree_;
 };
 
-/// Returns the beam with the least tilt from a tip that clears all obstacles; nothing where there
-/// is none within the rules.
+/// Returns the beam from a tip on the axis nearest to the wanted one that clears all obstacles;
+/// nothing where there is none within the rules.
 [[nodiscard]] std::optional<Beam> least_tilt(const Obstacles& obstacles,
                                              const Eigen::Vector3d& tip,
                                              const TiltRules& rules);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <tuple>
 #include <vector>
@@ -41,6 +42,28 @@ std::string text_of(const Eigen::Vector3d& point) {
   return fmt::format("{:g} {:g} {:g}", point.x(), point.y(), point.z());
 }
 
+/// Throws unless the facets look outwards and there is a volume between them.
+void require_inside(const surface::Mesh& mesh, const std::string& name) {
+  const Eigen::Vector3d& origin = mesh.points.front();
+  double six_volumes = 0.0;
+  double size = 0.0;
+  for (const auto& [a, b, c] : mesh.facets) {
+    const Eigen::Vector3d across =
+        (mesh.points[b] - mesh.points[a]).cross(mesh.points[c] - mesh.points[a]);
+    const double part = across.dot(mesh.points[a] - origin);
+    six_volumes += part;
+    size += std::abs(part);
+  }
+  // A volume that rounding may have made is none.
+  constexpr double kNoVolume = 1.0e-12;
+  if (std::abs(six_volumes) <= kNoVolume * size) {
+    surface::refuse(name, 0, "encloses no volume", "give a part that has a thickness");
+  }
+  if (six_volumes < 0.0) {
+    surface::refuse(name, 0, "is inside out", "turn its facets outwards");
+  }
+}
+
 }  // namespace
 
 void require_solid(const surface::Mesh& mesh, const std::string& name) {
@@ -59,7 +82,7 @@ void require_solid(const surface::Mesh& mesh, const std::string& name) {
     }
     use = end;
   }
-  if (open == 0) return;
+  if (open == 0) return require_inside(mesh, name);
   surface::refuse(name,
                   0,
                   fmt::format("encloses no solid: {} has a facet on one side only{}",

@@ -38,6 +38,8 @@ TETRAHEDRON = "solid t\n" + "".join(
     "facet normal 0 0 0\nouter loop\n" + "".join(f"vertex {corner}\n" for corner in facet) + "endloop\nendfacet\n"
     for facet in (("0 0 0", "0 9 0", "9 0 0"), ("0 0 0", "9 0 0", "0 0 9"), ("0 0 0", "0 0 9", "0 9 0"),
                   ("9 0 0", "0 9 0", "0 0 9"))) + "endsolid t\n"
+PASSES = ('{"passes": [{"power_w": 10, "feed_mm_min": 900, "depth_mm": 2},'
+          ' {"power_w": 10, "feed_mm_min": 300, "depth_mm": 3}]}')
 PROBED = ("(kerfline probe-grid 1)\n(x=0:9 columns=2)\n(y=0:9 rows=2)\n(depth=-5 touches=1 tip=2)\n"
           "M5\nM2\n")
 ANSWERS = "<Idle|WCO:0,0,0>\n[PRB:0,0,-1:1]\n[PRB:9,0,-1:1]\n[PRB:9,9,-1:1]\n[PRB:0,9,-1:1]\n"
@@ -117,6 +119,8 @@ HEIGHTS = Command(("--tool", "ball:4"), {"FILE": GRID, "--at": "1 2\n" * 9}, ("-
                   empty_is_refused=("--at",))
 CONES = Command((), {"--cones": "0 0 0 0 0 1 0.9 5 1 0 1 0 1 1 0 0 3\n" * 9}, ("--output",),
                 empty_is_refused=("--cones",))
+LAYERED = Command(("--half-angle", "7", "--power", "10", "--feed", "600"), {"FILE": TETRAHEDRON, "--record": PASSES},
+                  ("--output", "--beams", "--report"), takes_stdin=True, empty_is_refused=("--record",))
 PICTURED = Command((*COMMANDS["surface"].call, "--picture-cell", "0.5"), {"FILE": GRID},
                    ("--picture-data", "--picture-offset", "--picture-patches", "--picture-paths",
                     "--picture-carved", "--picture-map"), takes_stdin=True)
@@ -127,7 +131,7 @@ MEASURED = Command((), {"--measured": CUTS}, (), {"--db": None}, takes_stdin=Tru
                    empty_is_refused=("--measured",))
 UPDATE = Command(("--update",), {}, updates={"FILE": TALK}, empty_is_refused=("FILE",))
 CALLS = [*COMMANDS.items(), ("kerf calibrate", FORM), ("kerf calibrate", MEASURED), ("replay", UPDATE),
-         ("surface", HEIGHTS), ("surface", PICTURED), ("sim", COMPARED), ("wall", CONES)]
+         ("surface", HEIGHTS), ("surface", PICTURED), ("sim", COMPARED), ("wall", CONES), ("wall", LAYERED)]
 CALLS_IN_TEST = 4  # Of CALLS; as many as each of the long tests tries in toolchain/test.sh.
 # Files of surfaces, which may be binary: their reader says what another encoding of a text is.
 SURFACES = {"--probe-surface", "--stock-surface", "surface FILE", "wall FILE"}

@@ -1,0 +1,266 @@
+#include "host-sim/cli/wall_options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <stdexcept>
+
+#include "host-sim/cli/file_options.hpp"
+#include "host-sim/cli/value_range.hpp"
+
+namespace sim {
+namespace {
+
+/// Adds an option for a number within a range.
+CLI::Option* add_number(CLI::App& command,
+                        const char* name,
+                        double& value,
+                        const CLI::Validator& range,
+                        const char* type,
+                        const char* help) {
+  return command.add_option(name, value, help)->check(range)->type_name(type);
+}
+
+void add_beam_options(CLI::App& command, WallOptions& options) {
+  add_number(command,
+             "--half-angle",
+             options.half_angle_deg,
+             in_range(0.5, 80.0, "degrees"),
+             "DEG",
+             "Between the axis and the side of the beam, degrees");
+  add_number(command,
+             "--margin-angle",
+             options.margin_deg,
+             in_range(0.0, 45.0, "degrees"),
+             "DEG",
+             "By which the beam stays clear beyond its side, degrees")
+      ->capture_default_str();
+  add_number(command,
+             "--max-tilt",
+             options.max_tilt_deg,
+             in_range(0.0, 89.0, "degrees"),
+             "DEG",
+             "Greatest tilt of the machine, degrees")
+      ->capture_default_str();
+}
+
+void add_layer_options(CLI::App& command, WallJobOptions& job) {
+  const CLI::Validator length = in_range(1.0e-4, 1.0e3, "mm");
+  const CLI::Validator margin = in_range(0.0, 1.0e3, "mm");
+  add_number(command,
+             "--layer",
+             job.layers.layer_mm,
+             length,
+             "MM",
+             "Depth of a layer, mm: write the program that cuts the part from a stock");
+  add_number(command,
+             "--depth",
+             job.layers.depth_mm,
+             length,
+             "MM",
+             "From the top of the stock to the last layer; else as deep as the part");
+  add_number(command,
+             "--stock-margin",
+             job.layers.margin_mm,
+             margin,
+             "MM",
+             "By which the stock is larger than the part to all sides, mm")
+      ->capture_default_str();
+  command.add_option("--stock-top", job.stock_top_mm, "Z of the stock's top, mm; else the part's")
+      ->check(in_range(-1.0e4, 1.0e4, "mm"))
+      ->type_name("Z");
+  add_number(command,
+             "--hatch",
+             job.strokes.hatch_mm,
+             length,
+             "MM",
+             "Distance of hatch lines, mm; else only walls are cut");
+  add_number(command,
+             "--hatch-angle",
+             job.strokes.angle_deg,
+             in_range(-360.0, 360.0, "degrees"),
+             "DEG",
+             "Direction of the first layer's lines from X, degrees")
+      ->capture_default_str();
+  add_number(command,
+             "--hatch-turn",
+             job.strokes.turn_deg,
+             in_range(-360.0, 360.0, "degrees"),
+             "DEG",
+             "By which lines turn from layer to layer, degrees")
+      ->capture_default_str();
+  command.add_flag("--no-contour", job.without_contour, "Without the lines along walls");
+  add_number(command,
+             "--waist",
+             job.strokes.waist_mm,
+             in_range(0.0, 10.0, "mm"),
+             "MM",
+             "Radius of the beam at its tip, which stays off walls by it, mm")
+      ->capture_default_str();
+}
+
+void add_turn_options(CLI::App& command, WallJobOptions& job) {
+  static const std::map<std::string, wall::RotaryAxes> kAxes{{"AC", wall::RotaryAxes::kAC},
+                                                             {"BC", wall::RotaryAxes::kBC}};
+  static const std::map<std::string, bool> kAvoid{{"all", true}, {"none", false}};
+  command.add_option("--axes", job.axes, "Rotary axes of the machine: AC (default) or BC")
+      ->transform(CLI::CheckedTransformer(kAxes))
+      ->type_name("AC|BC");
+  command
+      .add_option("--avoid", job.avoids, "all (default), or none: upright beams, which burn walls")
+      ->transform(CLI::CheckedTransformer(kAvoid))
+      ->type_name("all|none");
+  command.add_flag("--allow-lean",
+                   job.allows_lean,
+                   "Burn tips out of reach with the beam that is in the part least");
+  add_number(command,
+             "--turn-rate",
+             job.turn_rate_deg_per_mm,
+             in_range(0.1, 1.0e5, "degrees/mm"),
+             "DEG/MM",
+             "Greatest turn of the axis on the way of the tip, degrees/mm")
+      ->capture_default_str();
+  add_number(command,
+             "--swing",
+             job.swing_deg,
+             in_range(0.0, 180.0, "degrees"),
+             "DEG",
+             "Where walls make the axis jump by more, it swings while the beam is off, degrees; "
+             "else it\nturns before and behind the corner")
+      ->capture_default_str();
+  add_number(command,
+             "--step",
+             job.step_mm,
+             in_range(0.005, 100.0, "mm"),
+             "MM",
+             "Greatest distance of tips beside a wall, mm")
+      ->capture_default_str();
+}
+
+void add_burn_options(CLI::App& command, WallJobOptions& job) {
+  const CLI::Validator watts = in_range(0.001, 1.0e5, "W");
+  add_number(command, "--power", job.power_w, watts, "W", "Of the beam");
+  add_number(command,
+             "--full-power",
+             job.full_power_w,
+             watts,
+             "W",
+             "What the laser gives at S1000; else the power");
+  add_number(command,
+             "--feed",
+             job.feed_mm_min,
+             in_range(0.1, 1.0e6, "mm/min"),
+             "MM/MIN",
+             "Of the tip over the part");
+  command.add_flag("--constant-power", job.constant_power, "M3 instead of M4");
+  mark_file(command
+                .add_option("--record",
+                            job.record,
+                            "Depths of passes as measured, JSON: the layer is as deep as a pass "
+                            "of this power\nand feed")
+                ->type_name("FILE"),
+            FileRole::kInput);
+  add_number(command,
+             "--safe",
+             job.safe_above_mm,
+             in_range(0.0, 1.0e3, "mm"),
+             "MM",
+             "Height above the stock at the begin and the end, mm")
+      ->capture_default_str();
+  command.add_option("--decimals", job.decimals, "Digits after the point of X, Y and Z")
+      ->check(in_whole_range(3, 6))
+      ->capture_default_str();
+  mark_file(
+      command.add_option("--beams", job.beams, "Write `x y z i j k` of all beams in order, mm")
+          ->type_name("FILE"),
+      FileRole::kOutput);
+  mark_file(
+      command.add_option("--report", job.report, "Write the figures as JSON")->type_name("FILE"),
+      FileRole::kOutput);
+}
+
+/// Throws std::invalid_argument where a program lacks an option.
+void check_job_options(const WallOptions& options) {
+  const WallJobOptions& job = options.job;
+  if (!options.at.empty()) {
+    throw std::invalid_argument("--at: has tips of its own, without --layer and --record");
+  }
+  if (job.layers.layer_mm > 0.0 && !job.record.empty()) {
+    throw std::invalid_argument("--record: says how deep a layer is, and so does --layer");
+  }
+  if (job.power_w == 0.0) throw std::invalid_argument("--power: is needed, W");
+  if (job.feed_mm_min == 0.0) throw std::invalid_argument("--feed: is needed, mm/min");
+  if (job.full_power_w > 0.0 && job.power_w > job.full_power_w) {
+    throw std::invalid_argument(fmt::format(
+        "--power: {:g} W is more than the {:g} W of --full-power", job.power_w, job.full_power_w));
+  }
+  if (job.strokes.hatch_mm == 0.0 && job.without_contour) {
+    throw std::invalid_argument("--no-contour: without a --hatch nothing is cut");
+  }
+  if (job.avoids && options.max_tilt_deg < options.half_angle_deg + options.margin_deg) {
+    throw std::invalid_argument(
+        fmt::format("--max-tilt: {:g} degrees do not clear an upright wall, which needs {:g}; "
+                    "tilt more or --avoid none",
+                    options.max_tilt_deg,
+                    options.half_angle_deg + options.margin_deg));
+  }
+}
+
+}  // namespace
+
+void add_wall_options(CLI::App& command, WallOptions& options) {
+  mark_file(command.add_option("FILE", options.file, "A closed mesh; - is standard input"),
+            FileRole::kInput);
+  command
+      .add_option(
+          "--unit", options.reading.unit_mm, "Length of the file's unit, mm: 25.4 is inches")
+      ->check(in_range(1.0e-6, 1.0e6, "mm"))
+      ->type_name("MM")
+      ->capture_default_str();
+  add_beam_options(command, options);
+  add_layer_options(command, options.job);
+  add_turn_options(command, options.job);
+  add_burn_options(command, options.job);
+  mark_file(command
+                .add_option("--at",
+                            options.at,
+                            "Tips, `X Y Z` in mm on each line: write `x y z i j k`, the tip and "
+                            "the axis of its\nbeam")
+                ->type_name("FILE"),
+            FileRole::kInput);
+  mark_file(command
+                .add_option("--cones",
+                            options.cones,
+                            "Beams and triangles, `ox oy oz ax ay az cos2 h` and nine coordinates "
+                            "on each line:\nwrite `hit clearance_mm` in place of beams")
+                ->type_name("FILE"),
+            FileRole::kInput);
+  mark_file(
+      command.add_option("-o,--output", options.output, "Where to write; else standard output")
+          ->type_name("FILE"),
+      FileRole::kOutput);
+}
+
+void check_wall_options(const WallOptions& options) {
+  if (options.file.empty()) throw std::invalid_argument("wall: needs a FILE, a closed mesh");
+  if (options.at.empty() && !options.job.wants_layers()) {
+    throw std::invalid_argument("--at: is needed, the tips of the beam, or --layer for a program");
+  }
+  if (options.half_angle_deg == 0.0) {
+    throw std::invalid_argument("--half-angle: is needed, degrees");
+  }
+  if (options.half_angle_deg + options.margin_deg > 85.0) {
+    throw std::invalid_argument(
+        fmt::format("--margin-angle: {:g} degrees beside a half angle of {:g} leave no beam",
+                    options.margin_deg,
+                    options.half_angle_deg));
+  }
+  if (options.job.wants_layers()) {
+    check_job_options(options);
+  } else if (!options.job.beams.empty() || !options.job.report.empty()) {
+    throw std::invalid_argument("--beams and --report: are of a program, which --layer makes");
+  }
+}
+
+}  // namespace sim

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "host-sim/surface/read_surface.hpp"
+#include "host-sim/wall/layer/layer_regions.hpp"
+#include "host-sim/wall/layer/layer_strokes.hpp"
+#include "host-sim/wall/path/rotary_words.hpp"
+
+namespace CLI {
+class App;
+}
+
+namespace sim {
+
+/// How `kerfline wall` makes a program of layers.
+struct WallJobOptions {
+  wall::LayerOptions layers;
+  std::optional<double> stock_top_mm;  ///< Z; none: the part's top.
+  wall::StrokeOptions strokes;
+  bool without_contour = false;
+  wall::RotaryAxes axes = wall::RotaryAxes::kAC;
+  double step_mm = 0.1;
+  double turn_rate_deg_per_mm = 45.0;
+  double swing_deg = 3.0;
+  bool avoids = true;
+  bool allows_lean = false;
+  std::string record;
+  double power_w = 0.0;
+  double full_power_w = 0.0;  ///< 0: the power.
+  double feed_mm_min = 0.0;
+  bool constant_power = false;
+  double safe_above_mm = 5.0;
+  int decimals = 4;
+  std::string beams;
+  std::string report;
+
+  [[nodiscard]] bool wants_layers() const { return layers.layer_mm > 0.0 || !record.empty(); }
+};
+
+/// What `kerfline wall` is asked for.
+struct WallOptions {
+  std::string file;
+  surface::ReadOptions reading;
+  double half_angle_deg = 0.0;
+  double margin_deg = 0.0;
+  double max_tilt_deg = 45.0;
+  std::string at;
+  std::string cones;
+  std::string output;
+  WallJobOptions job;
+};
+
+void add_wall_options(CLI::App& command, WallOptions& options);
+
+/// Throws std::invalid_argument for options that are missing or exclude each other.
+/// @pre --cones is not among them
+void check_wall_options(const WallOptions& options);
+
+}  // namespace sim

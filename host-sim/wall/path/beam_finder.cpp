@@ -1,0 +1,100 @@
+#include "host-sim/wall/path/beam_finder.hpp"
+
+#include <numbers>
+
+namespace sim::wall {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Angles are found within that, radians.
+constexpr double kAngleStep = 2.0e-5;
+/// The waist is in the part by no more than that, mm.
+constexpr double kWaistDepthMm = 0.25 * kTouchMm;
+
+}  // namespace
+
+Beam BeamFinder::beam_along(const TipBeam& beam) const {
+  constexpr double kEndless = 1.0e4;
+  Beam solid = Beam::along(beam.tip, beam.axis, rules_.tilt.half_angle_rad, kEndless);
+  solid.waist_mm = rules_.waist_mm;
+  return solid;
+}
+
+double BeamFinder::upright_clearance(const Vector3d& tip, double most_mm) const {
+  const auto nearest = obstacles_->nearest(beam_along({.tip = tip}), most_mm);
+  return nearest ? nearest->clearance_mm : most_mm;
+}
+
+bool BeamFinder::is_clear(const TipBeam& beam, double depth_mm) const {
+  return !obstacles_->nearest(beam_along(beam), -depth_mm).has_value();
+}
+
+std::optional<TipBeam> BeamFinder::leaning_by(const Vector3d& tip, double half) const {
+  const auto beam =
+      least_tilt(*touched_, tip, {.half_angle_rad = half, .most_rad = rules_.tilt.most_rad});
+  if (!beam) return {};
+  return TipBeam{.tip = tip, .axis = beam->axis};
+}
+
+/// Returns the beam for the least half angle above the given one that keeps the waist clear, too.
+std::optional<TipBeam> BeamFinder::clear_of_waist(const TipBeam& beam) const {
+  const auto is_clear_of_all = [this](const std::optional<TipBeam>& found) {
+    return found && is_clear(*found, kWaistDepthMm);
+  };
+  if (is_clear_of_all(beam)) return beam;
+  double low = rules_.tilt.half_angle_rad;
+  double high = low;
+  std::optional<TipBeam> best;
+  for (double more = 0.01; !is_clear_of_all(best); more *= 2.0) {
+    low = high;
+    high = rules_.tilt.half_angle_rad + more;
+    if (high >= 0.49 * std::numbers::pi) return {};
+    best = leaning_by(beam.tip, high);
+    if (!best) break;
+  }
+  while (high - low > kAngleStep) {
+    const double middle = 0.5 * (low + high);
+    const std::optional<TipBeam> found = leaning_by(beam.tip, middle);
+    if (is_clear_of_all(found)) best = found;
+    (!found || is_clear_of_all(found) ? high : low) = middle;
+  }
+  return is_clear_of_all(best) ? best : std::nullopt;
+}
+
+std::optional<TipBeam> BeamFinder::nearest_to(const Vector3d& axis, const Vector3d& tip) const {
+  TiltRules wanted = rules_.tilt;
+  wanted.wanted = axis;
+  const auto beam = least_tilt(*touched_, tip, wanted);
+  if (!beam) return {};
+  const TipBeam found{.tip = tip, .axis = beam->axis};
+  if (rules_.waist_mm > 0.0 && !is_clear(found, kWaistDepthMm)) return {};
+  return found;
+}
+
+/// Returns the beam for the greatest half angle that some axis clears, and what is left to the
+/// given one; the upright beam where none does.
+TipBeam BeamFinder::least_overlap(const Vector3d& tip) const {
+  const double whole = rules_.tilt.half_angle_rad;
+  TipBeam best{.tip = tip, .left_rad = whole};
+  double low = 0.0;
+  double high = whole;
+  while (high - low > kAngleStep) {
+    const double middle = 0.5 * (low + high);
+    const std::optional<TipBeam> found = leaning_by(tip, middle);
+    if (found) best = {.tip = tip, .axis = found->axis, .left_rad = whole - middle};
+    (found ? low : high) = middle;
+  }
+  return best;
+}
+
+std::optional<TipBeam> BeamFinder::leaning(const Vector3d& tip) const {
+  const TipBeam upright{.tip = tip};
+  if (!rules_.avoids) return upright;
+  std::optional<TipBeam> beam = leaning_by(tip, rules_.tilt.half_angle_rad);
+  if (beam && rules_.waist_mm > 0.0) beam = clear_of_waist(*beam);
+  if (!beam && rules_.allows_overlap) return least_overlap(tip);
+  return beam;
+}
+
+}  // namespace sim::wall

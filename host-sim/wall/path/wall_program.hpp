@@ -1,0 +1,73 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "host-sim/wall/path/rotary_words.hpp"
+#include "host-sim/wall/path/stroke_tracer.hpp"
+
+namespace sim::wall {
+
+/// How a machine burns the runs of a beam.
+struct BurnSettings {
+  RotaryAxes axes = RotaryAxes::kAC;
+  double feed_mm_min = 0.0;           ///< Of the tip over the part, above 0.
+  double power_s = 0.0;               ///< S word of the beam.
+  bool follows_speed = true;          ///< M4: power by the speed really driven; else M3.
+  double turn_rate_rad_per_mm = 0.0;  ///< Where the axis turns faster, the tip is slower; above 0.
+  double safe_mm = 0.0;               ///< Z at the begin and the end, above the stock.
+  int decimals = 4;                   ///< Digits after the point of X, Y and Z.
+};
+
+/// Lengths and angles of a program.
+struct BurnFigures {
+  std::size_t runs = 0;
+  std::size_t beams = 0;
+  std::size_t lost = 0;      ///< Tips out of reach.
+  std::size_t overlaps = 0;  ///< Beams whose side is in the part.
+  double burnt_mm = 0.0;
+  double dark_mm = 0.0;  ///< From run to run.
+  double most_tilt_rad = 0.0;
+  double tilt_mm = 0.0;  ///< Tilt times the length burnt with it, rad mm.
+  double most_overlap_rad = 0.0;
+  double most_turn_rad_per_mm = 0.0;
+  double slowed_mm = 0.0;  ///< Length on which the axis turns faster than the rate.
+};
+
+/// Writes runs of a beam as G-code under control of the tool's centre (G43.4), and measures them.
+/// X, Y and Z are the tip, A or B and C the axis. Between runs the beam is off.
+class WallProgram {
+ public:
+  /// @param heading lines of comment at the top
+  WallProgram(const BurnSettings& settings, const std::vector<std::string>& heading);
+
+  void add(const std::vector<BeamRun>& runs);
+
+  /// Ends the program. Returns its text, which is given away. Call it once.
+  [[nodiscard]] std::string take_text();
+
+  [[nodiscard]] const BurnFigures& figures() const { return figures_; }
+
+ private:
+  [[nodiscard]] std::vector<RotaryWords> words_of_run(const std::vector<TipBeam>& beams) const;
+  void write_swing(const Eigen::Vector3d& tip, const RotaryWords& from, const RotaryWords& to);
+  [[nodiscard]] double feed_of(const TipBeam& from, const TipBeam& to) const;
+  void write_run(const std::vector<TipBeam>& beams);
+  void write_move(const char* motion, const Eigen::Vector3d& tip, const RotaryWords& words);
+  void measure(const std::vector<TipBeam>& beams);
+
+  BurnSettings settings_;
+  std::string text_;
+  BurnFigures figures_;
+  RotaryWords last_;
+  Eigen::Vector3d here_ = Eigen::Vector3d::Zero();
+  std::vector<std::string> shown_;  ///< Words of the axes as last written.
+  std::string feed_;                ///< The same of F.
+};
+
+/// Appends `x y z i j k` for each beam of the runs, in order, and `# x y z is out of reach` for
+/// each lost tip, with 17 digits.
+void append_beam_lines(const std::vector<BeamRun>& runs, std::string& text);
+
+}  // namespace sim::wall
