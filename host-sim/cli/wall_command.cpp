@@ -11,11 +11,13 @@
 #include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/input_files.hpp"
 #include "host-sim/cli/value_range.hpp"
+#include "host-sim/cli/wall_carving.hpp"
 #include "host-sim/report/terminal.hpp"
 #include "host-sim/surface/read_surface.hpp"
 #include "host-sim/trace/input_file.hpp"
 #include "host-sim/trace/output_file.hpp"
 #include "host-sim/wall/beam_text.hpp"
+#include "host-sim/wall/carve/taper.hpp"
 #include "host-sim/wall/solid_check.hpp"
 
 namespace sim {
@@ -37,7 +39,13 @@ struct WallOptions {
   surface::ReadOptions reading;
   double half_angle_deg = 0.0;
   double margin_deg = 0.0;
+  double taper_gain = 0.0;
   double max_tilt_deg = 45.0;
+
+  /// Returns the half angle of the cone that is kept clear.
+  [[nodiscard]] double clear_deg() const {
+    return half_angle_deg * (1.0 + taper_gain) + margin_deg;
+  }
   std::string at;
   std::string cones;
   std::string output;
@@ -64,6 +72,14 @@ void add_wall_options(CLI::App& command, WallOptions& options) {
                   "By which the beam stays clear beyond its side, degrees")
       ->check(in_range(0.0, 45.0, "degrees"))
       ->type_name("DEG")
+      ->capture_default_str();
+  command
+      .add_option("--taper-gain",
+                  options.taper_gain,
+                  "Half angles by which the beam leans more, against the lean by heat: see `wall "
+                  "taper`")
+      ->check(in_range(0.0, wall::kMostTaperGain, ""))
+      ->type_name("GAIN")
       ->capture_default_str();
   command.add_option("--max-tilt", options.max_tilt_deg, "Greatest tilt of the machine, degrees")
       ->check(in_range(0.0, 89.0, "degrees"))
@@ -103,10 +119,10 @@ void check_wall_options(const WallOptions& options) {
   if (options.half_angle_deg == 0.0) {
     throw std::invalid_argument("--half-angle: is needed, degrees");
   }
-  if (options.half_angle_deg + options.margin_deg > 85.0) {
+  if (options.clear_deg() > 85.0) {
     throw std::invalid_argument(
         fmt::format("--margin-angle: {:g} degrees beside a half angle of {:g} leave no beam",
-                    options.margin_deg,
+                    options.clear_deg() - options.half_angle_deg,
                     options.half_angle_deg));
   }
 }
@@ -120,8 +136,7 @@ ExitStatus write_beams(const WallOptions& options) {
   const wall::Obstacles obstacles{part.mesh};
   const wall::BeamList beams = wall::leaning_beams(
       obstacles,
-      {.half_angle_rad = (options.half_angle_deg + options.margin_deg) * kDegree,
-       .most_rad = options.max_tilt_deg * kDegree},
+      {.half_angle_rad = options.clear_deg() * kDegree, .most_rad = options.max_tilt_deg * kDegree},
       InputFiles::read(options.at),
       options.at);
   write_text(options, beams.text);
@@ -154,7 +169,10 @@ void add_wall_command(CLI::App& app, ExitStatus& status) {
   command->footer(kWallFooter);
   const auto options = std::make_shared<WallOptions>();
   add_wall_options(*command, *options);
-  command->callback([options, &status] { status = run_wall(*options); });
+  add_wall_carving_commands(*command, status);
+  command->callback([options, command, &status] {
+    if (command->get_subcommands().empty()) status = run_wall(*options);
+  });
 }
 
 }  // namespace sim
