@@ -149,6 +149,7 @@ ExitStatus run_carve(const CarveOptions& options) {
                          .cell_mm = options.cell_mm,
                          .burn_deg = options.half_angle_deg + options.heat_deg + kBurnReserveDeg});
   std::vector<const wall::Columns*> shown;
+  shown.reserve(blocks.size());
   for (const wall::Columns& block : blocks) shown.push_back(&block);
   const wall::WallReport report = wall::report_walls(walls, shown);
   std::vector<wall::CarvedSection> sections;

@@ -54,6 +54,7 @@ class CarvedMesh {
     return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns_ + 1) +
            static_cast<std::size_t>(column);
   }
+  [[nodiscard]] std::vector<double> heights_at(int column, int row) const;
   [[nodiscard]] std::uint32_t index_of(std::size_t corner, double z) const;
 
   template <typename Take>
@@ -78,27 +79,31 @@ CarvedMesh::CarvedMesh(const Columns& columns, int step)
       step_{step},
       columns_{(columns.columns() + step - 1) / step},
       rows_{(columns.rows() + step - 1) / step} {
-  std::vector<double> heights;
   first_.reserve(corner(0, rows_ + 1) + 1);
   for (int row = 0; row <= rows_; ++row) {
     for (int column = 0; column <= columns_; ++column) {
-      heights.clear();
-      for (const int x : {column - 1, column}) {
-        for (const int y : {row - 1, row}) {
-          for (const HeightRange& range : ranges(x, y)) {
-            heights.insert(heights.end(), {range.low, range.high});
-          }
-        }
-      }
-      std::ranges::sort(heights);
-      const auto rest = std::ranges::unique(heights);
-      heights.erase(rest.begin(), rest.end());
       first_.push_back(static_cast<std::uint32_t>(heights_.size()));
+      const std::vector<double> heights = heights_at(column, row);
       heights_.insert(heights_.end(), heights.begin(), heights.end());
     }
   }
   first_.push_back(static_cast<std::uint32_t>(heights_.size()));
   each_triangle([this](const stock::MeshTriangle&) { ++triangle_count_; });
+}
+
+/// Returns the ends of the ranges of the columns around a corner, in order, each once.
+std::vector<double> CarvedMesh::heights_at(int column, int row) const {
+  std::vector<double> heights;
+  for (const int x : {column - 1, column}) {
+    for (const int y : {row - 1, row}) {
+      for (const HeightRange& range : ranges(x, y)) {
+        heights.insert(heights.end(), {range.low, range.high});
+      }
+    }
+  }
+  std::ranges::sort(heights);
+  heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
+  return heights;
 }
 
 Eigen::Vector3d CarvedMesh::point(std::uint32_t index) const {

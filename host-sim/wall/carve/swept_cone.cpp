@@ -16,12 +16,17 @@ constexpr double kEndlessMm = std::numeric_limits<double>::infinity();
 std::optional<HeightRange> roots_of(double a, double b, double c) {
   if (a == 0.0) {
     if (b == 0.0 && c > 0.0) return {};
-    const double root = -0.5 * c / b;
-    return HeightRange{b < 0.0 ? root : -kEndlessMm, b > 0.0 ? root : kEndlessMm};
+    HeightRange range;
+    range.low = -kEndlessMm;
+    range.high = kEndlessMm;
+    if (b < 0.0) range.low = -0.5 * c / b;
+    if (b > 0.0) range.high = -0.5 * c / b;
+    return range;
   }
   const double square = b * b - a * c;
-  if (square < 0.0) return {};
-  const double sum = -(b + std::copysign(std::sqrt(square), b));
+  if (square < 0.0 && a > 0.0) return {};
+  // A line through the apex of a cone has one root, which rounding may lose.
+  const double sum = -(b + std::copysign(std::sqrt(std::max(0.0, square)), b));
   const double near = sum == 0.0 ? 0.0 : c / sum;
   return HeightRange{std::min(near, sum / a), std::max(near, sum / a)};
 }
@@ -53,7 +58,9 @@ std::optional<HeightRange> SweptCone::heights(double x, double y) const {
                   .e = -out.dot(way_.head<2>()) + climb_ * leaning,
                   .g = out.squaredNorm() - along * along * square_ -
                        cone_.radius_mm * (2.0 * cone_.slope * along + cone_.radius_mm)};
-  HeightRange range{kEndlessMm, -kEndlessMm};
+  HeightRange range;
+  range.low = kEndlessMm;
+  range.high = -kEndlessMm;
   take_share(line, 0.0, range);
   take_share(line, 1.0, range);
   take_tangents(line, range);

@@ -66,32 +66,32 @@ std::vector<MeasuredCut> read_cuts(std::string_view text,
 
 }  // namespace
 
-TaperFit fit_taper(std::string_view text, double half_angle_deg, const std::string& name) {
+TaperFit fit_taper(std::string_view cuts, double half_angle_deg, const std::string& name) {
   TaperFit fit;
-  const std::vector<MeasuredCut> cuts = read_cuts(text, half_angle_deg, name, fit);
-  if (cuts.empty()) {
+  const std::vector<MeasuredCut> measured = read_cuts(cuts, half_angle_deg, name, fit);
+  if (measured.empty()) {
     surface::refuse(name,
                     0,
                     fit.passed == 0 ? "has no cut" : "has only walls that an upright beam clears",
                     kRemedy);
   }
-  const auto count = static_cast<double>(cuts.size());
+  const auto count = static_cast<double>(measured.size());
   double over = 0.0;
   double off = 0.0;
-  for (const MeasuredCut& cut : cuts) {
+  for (const MeasuredCut& cut : measured) {
     over += cut.over_deg / count;
     off += cut.off_deg / count;
   }
   double mixed = 0.0;
   double square = 0.0;
-  for (const MeasuredCut& cut : cuts) {
+  for (const MeasuredCut& cut : measured) {
     mixed += (cut.over_deg - over) * (cut.off_deg - off);
     square += (cut.over_deg - over) * (cut.over_deg - over);
   }
   constexpr double kOneGainDeg = 1.0e-6;
   if (square > kOneGainDeg) fit.response = -mixed / square;
   fit.heat_deg = off + fit.response * over;
-  for (const MeasuredCut& cut : cuts) {
+  for (const MeasuredCut& cut : measured) {
     const double rest = cut.off_deg - fit.heat_deg + fit.response * cut.over_deg;
     fit.rest_deg += rest * rest / count;
   }
