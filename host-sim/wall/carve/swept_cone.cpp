@@ -77,7 +77,8 @@ void SweptCone::take_share(const Line& line, double share, HeightRange& range) c
   if (!roots) return;
   // A line that is steeper than the side of the cone goes on within it.
   const double first = a_ >= 0.0 ? roots->low : roots->high;
-  const double last = a_ >= 0.0 ? roots->high : kEndlessMm;
+  double last = kEndlessMm;
+  if (a_ >= 0.0) last = roots->high;
   const double start = line.along - climb_ * share;
   const double low = std::max(first, (cone_.from_mm - start) / cone_.axis.z());
   const double high = std::min(last, (cone_.until_mm - start) / cone_.axis.z());
