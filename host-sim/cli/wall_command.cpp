@@ -9,6 +9,7 @@
 
 #include "host-sim/cli/commands.hpp"
 #include "host-sim/cli/input_files.hpp"
+#include "host-sim/cli/wall_carving.hpp"
 #include "host-sim/cli/wall_job.hpp"
 #include "host-sim/cli/wall_options.hpp"
 #include "host-sim/report/terminal.hpp"
@@ -53,8 +54,7 @@ ExitStatus write_beams(const WallOptions& options, const surface::Mesh& part) {
   const wall::Obstacles obstacles{part};
   const wall::BeamList beams = wall::leaning_beams(
       obstacles,
-      {.half_angle_rad = (options.half_angle_deg + options.margin_deg) * kDegree,
-       .most_rad = options.max_tilt_deg * kDegree},
+      {.half_angle_rad = options.clear_deg() * kDegree, .most_rad = options.max_tilt_deg * kDegree},
       InputFiles::read(options.at),
       options.at);
   write_text(options, beams.text);
@@ -98,7 +98,10 @@ void add_wall_command(CLI::App& app, ExitStatus& status) {
   command->footer(kWallFooter);
   const auto options = std::make_shared<WallOptions>();
   add_wall_options(*command, *options);
-  command->callback([options, &status] { status = run_wall(*options); });
+  add_wall_carving_commands(*command, status);
+  command->callback([options, command, &status] {
+    if (command->get_subcommands().empty()) status = run_wall(*options);
+  });
 }
 
 }  // namespace sim

@@ -77,7 +77,7 @@ std::vector<std::string> heading_of(const WallOptions& options,
                   options.half_angle_deg,
                   job.strokes.waist_mm,
                   job.avoids ? fmt::format("clear by {:g} degrees, tilt up to {:g}",
-                                           options.margin_deg,
+                                           options.clear_deg() - options.half_angle_deg,
                                            options.max_tilt_deg)
                              : std::string{"upright everywhere"}),
       fmt::format("turns up to {:g} degrees/mm, {:g} W at {:g} mm/min",
@@ -110,7 +110,7 @@ WallJob job_of(const WallOptions& options, const surface::Mesh& part, InputFiles
   const wall::BeamFinder finder{
       obstacles,
       touched,
-      {.tilt = {.half_angle_rad = (options.half_angle_deg + options.margin_deg) * kDegree,
+      {.tilt = {.half_angle_rad = options.clear_deg() * kDegree,
                 .most_rad = options.max_tilt_deg * kDegree},
        .waist_mm = asked.strokes.waist_mm,
        .avoids = asked.avoids,

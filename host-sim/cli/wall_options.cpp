@@ -8,6 +8,7 @@
 
 #include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/value_range.hpp"
+#include "host-sim/wall/carve/taper.hpp"
 
 namespace sim {
 namespace {
@@ -35,6 +36,13 @@ void add_beam_options(CLI::App& command, WallOptions& options) {
              in_range(0.0, 45.0, "degrees"),
              "DEG",
              "By which the beam stays clear beyond its side, degrees")
+      ->capture_default_str();
+  add_number(command,
+             "--taper-gain",
+             options.taper_gain,
+             in_range(0.0, wall::kMostTaperGain, ""),
+             "GAIN",
+             "Half angles by which the beam leans more, against the lean by heat: see `wall taper`")
       ->capture_default_str();
   add_number(command,
              "--max-tilt",
@@ -250,10 +258,10 @@ void check_wall_options(const WallOptions& options) {
   if (options.half_angle_deg == 0.0) {
     throw std::invalid_argument("--half-angle: is needed, degrees");
   }
-  if (options.half_angle_deg + options.margin_deg > 85.0) {
+  if (options.clear_deg() > 85.0) {
     throw std::invalid_argument(
         fmt::format("--margin-angle: {:g} degrees beside a half angle of {:g} leave no beam",
-                    options.margin_deg,
+                    options.clear_deg() - options.half_angle_deg,
                     options.half_angle_deg));
   }
   if (options.job.wants_layers()) {

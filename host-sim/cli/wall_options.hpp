@@ -45,11 +45,17 @@ struct WallOptions {
   surface::ReadOptions reading;
   double half_angle_deg = 0.0;
   double margin_deg = 0.0;
+  double taper_gain = 0.0;
   double max_tilt_deg = 45.0;
   std::string at;
   std::string cones;
   std::string output;
   WallJobOptions job;
+
+  /// Returns the half angle of the cone that is kept clear.
+  [[nodiscard]] double clear_deg() const {
+    return half_angle_deg * (1.0 + taper_gain) + margin_deg;
+  }
 };
 
 void add_wall_options(CLI::App& command, WallOptions& options);

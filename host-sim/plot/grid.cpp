@@ -53,7 +53,7 @@ void add_rows(std::string& out, const View& view, double spacing_mm) {
 
 }  // namespace
 
-void add_grid(std::string& out, const View& view) {
+void add_grid(std::string& out, const View& view, std::string_view axes) {
   const double spacing_mm = round_step(kLeastSpacingPx / view.px_per_mm());
   add_columns(out, view, spacing_mm);
   add_rows(out, view, spacing_mm);
@@ -62,7 +62,7 @@ void add_grid(std::string& out, const View& view) {
                 box.right_px(),
                 box.bottom_px() + 56.0,
                 {.size_px = 20.0, .anchor = "end", .fill = kLabelFill},
-                "X, Y in mm");
+                axes);
 }
 
 }  // namespace sim

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "host-sim/plot/view.hpp"
 
 namespace sim {
 
 /// Appends a light grid over the box of the view, labelled in mm on the left and below.
-void add_grid(std::string& out, const View& view);
+/// @param axes the names of both axes and their unit, for the end of the lower side
+void add_grid(std::string& out, const View& view, std::string_view axes = "X, Y in mm");
 
 }  // namespace sim

@@ -111,6 +111,12 @@ COMMANDS = {
                                   empty_is_refused=("--read", "--program")),
     "wall": Command(("--half-angle", "7"), {"FILE": TETRAHEDRON, "--at": "1 1 -2\n" * 9}, ("--output",),
                     takes_stdin=True, empty_is_refused=("--at",)),
+    "wall carve": Command(("--half-angle", "7", "--cell", "0.5"),
+                          {"FILE": TETRAHEDRON, "--beams": "1 1 -2 0 0 1\n" * 9, "--beside": "1 1 -1 0 0 1\n" * 9},
+                          ("--output", "--carved"), takes_stdin=True,
+                          empty_is_refused=("--beams", "--beside")),
+    "wall taper": Command(("--half-angle", "7"), {"CUTS": "0 13\n" * 9}, takes_stdin=True,
+                          empty_is_refused=("CUTS",)),
     "send": Command((), {"file": PROGRAM}, ("--log",), takes_stdin=True, empty_is_refused=("file",)),
 }
 # Further ways to call a command, for options that exclude or need others.
@@ -127,14 +133,18 @@ PICTURED = Command((*COMMANDS["surface"].call, "--picture-cell", "0.5"), {"FILE"
 COMPARED = Command(("--stock", "-1,-1,12,6,1", "--tool", "2", "--stock-cell", "0.5"),
                    {"FILE": PROGRAM, "--stock-surface": GRID}, ("--stock-map",), takes_stdin=True,
                    empty_is_refused=("FILE", "--stock-surface"))
+SECTIONED = Command(("--half-angle", "7", "--cell", "0.5", "--section", "0,1,3,1"),
+                    {"FILE": TETRAHEDRON, "--beams": "1 1 -2 0 0 1\n" * 9}, ("--picture-section",), takes_stdin=True,
+                    empty_is_refused=("--beams",))
 MEASURED = Command((), {"--measured": CUTS}, (), {"--db": None}, takes_stdin=True,
                    empty_is_refused=("--measured",))
 UPDATE = Command(("--update",), {}, updates={"FILE": TALK}, empty_is_refused=("FILE",))
 CALLS = [*COMMANDS.items(), ("kerf calibrate", FORM), ("kerf calibrate", MEASURED), ("replay", UPDATE),
-         ("surface", HEIGHTS), ("surface", PICTURED), ("sim", COMPARED), ("wall", CONES), ("wall", LAYERED)]
+         ("surface", HEIGHTS), ("surface", PICTURED), ("sim", COMPARED), ("wall", CONES), ("wall", LAYERED),
+         ("wall carve", SECTIONED)]
 CALLS_IN_TEST = 4  # Of CALLS; as many as each of the long tests tries in toolchain/test.sh.
 # Files of surfaces, which may be binary: their reader says what another encoding of a text is.
-SURFACES = {"--probe-surface", "--stock-surface", "surface FILE", "wall FILE"}
+SURFACES = {"--probe-surface", "--stock-surface", "surface FILE", "wall FILE", "wall carve FILE"}
 NO_FILES = {"completion", "manual", "kerf", ""}
 # Devices, whose opening is the business of ports.
 DEVICES = {("send", "--port"), ("send", "--slcan")}

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "host-sim/cli/commands.hpp"
+
+namespace sim {
+
+/// Adds `carve` and `taper` to `kerfline wall`; `status` is set when one runs.
+void add_wall_carving_commands(CLI::App& wall_command, ExitStatus& status);
+
+}  // namespace sim

@@ -1,0 +1,74 @@
+#include "host-sim/wall/carve/footprint.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <utility>
+
+namespace sim::wall {
+namespace {
+
+using Eigen::Vector2d;
+
+constexpr int kSides = 16;  ///< Of the polygon around a disc, which is 2 % wider than it.
+
+/// Returns twice the area of a triangle, above 0 where it turns to the left.
+double turn(const Vector2d& a, const Vector2d& b, const Vector2d& c) {
+  return (b.x() - a.x()) * (c.y() - a.y()) - (b.y() - a.y()) * (c.x() - a.x());
+}
+
+/// Appends one half of the hull to `hull`, from the first of sorted points to the last.
+template <typename Iterator>
+void add_half(Iterator point, Iterator end, std::vector<Vector2d>& hull) {
+  const std::size_t first = hull.size();
+  for (; point != end; ++point) {
+    while (hull.size() >= first + 2 && turn(hull[hull.size() - 2], hull.back(), *point) <= 0.0) {
+      hull.pop_back();
+    }
+    hull.push_back(*point);
+  }
+  hull.pop_back();
+}
+
+}  // namespace
+
+Footprint::Footprint(const std::array<SweptCone::Disc, 4>& discs) {
+  constexpr double kStep = 2.0 * std::numbers::pi / kSides;
+  std::vector<Vector2d> points;
+  points.reserve(kSides * discs.size());
+  for (const SweptCone::Disc& disc : discs) {
+    // A little more, so that rounding leaves no column out.
+    const double radius = disc.radius_mm / std::cos(0.5 * kStep) + 1.0e-9;
+    for (int i = 0; i < kSides; ++i) {
+      points.emplace_back(disc.middle +
+                          radius * Vector2d{std::cos(i * kStep), std::sin(i * kStep)});
+    }
+  }
+  std::ranges::sort(points, [](const Vector2d& a, const Vector2d& b) {
+    return std::pair{a.x(), a.y()} < std::pair{b.x(), b.y()};
+  });
+  add_half(points.begin(), points.end(), corners_);
+  add_half(points.rbegin(), points.rend(), corners_);
+  const auto [low, high] =
+      std::ranges::minmax(corners_, {}, [](const Vector2d& corner) { return corner.y(); });
+  y_min_ = low.y();
+  y_max_ = high.y();
+}
+
+std::optional<Footprint::Reach> Footprint::along(double y) const {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  Reach reach{kFar, -kFar};
+  for (std::size_t i = 0; i < corners_.size(); ++i) {
+    const Vector2d& a = corners_[i];
+    const Vector2d& b = corners_[(i + 1) % corners_.size()];
+    if ((a.y() < y) == (b.y() < y)) continue;
+    const double x = a.x() + (y - a.y()) / (b.y() - a.y()) * (b.x() - a.x());
+    reach.from = std::min(reach.from, x);
+    reach.until = std::max(reach.until, x);
+  }
+  if (reach.from > reach.until) return {};
+  return reach;
+}
+
+}  // namespace sim::wall

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host-sim/surface/mesh.hpp"
+#include "host-sim/wall/carve/columns.hpp"
+#include "host-sim/wall/carve/section.hpp"
+
+namespace sim::wall {
+
+/// A carved block and the line below its section.
+struct CarvedSection {
+  const Columns* columns = nullptr;  ///< Never null.
+  std::string caption;
+};
+
+/// Returns sections of carved blocks through one line, one below the other, as an SVG document:
+/// what is left in grey, the drawn part in red, distances along the line and heights in mm.
+/// @pre the line has a length
+[[nodiscard]] std::string draw_sections(const std::string& title,
+                                        const std::vector<CarvedSection>& sections,
+                                        const surface::Mesh& part,
+                                        const SectionLine& line);
+
+}  // namespace sim::wall

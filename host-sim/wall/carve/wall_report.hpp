@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "host-sim/wall/carve/columns.hpp"
+#include "host-sim/wall/carve/drawn_walls.hpp"
+#include "host-sim/wall/carve/wall_lean.hpp"
+
+namespace sim::wall {
+
+/// Walls of a part as one or two carved blocks have them.
+struct WallReport {
+  std::string text;  ///< A heading, and a line for each wall.
+
+  /// A carved block's walls, compared with the drawn ones.
+  struct Figures {
+    std::size_t carved = 0;     ///< Walls that are there to be measured.
+    std::size_t missing = 0;    ///< Walls at which nothing was carved.
+    double most_off_deg = 0.0;  ///< Greatest difference from the drawn angle.
+    double mean_off_deg = 0.0;  ///< Mean difference, with its sign.
+  };
+  std::vector<Figures> figures;  ///< Of each block.
+};
+
+/// Measures all walls in each block.
+[[nodiscard]] WallReport report_walls(const std::vector<DrawnWall>& walls,
+                                      const std::vector<const Columns*>& blocks);
+
+}  // namespace sim::wall
