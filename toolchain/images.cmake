@@ -36,7 +36,7 @@ function(kerfline_small_layer name)
 endfunction()
 kerfline_small_layer(kerfline_planner kerfline_flags Eigen3::Eigen)
 kerfline_small_layer(kerfline_firmware kerfline_flags kerfline_planner_small kerfline_hal_interface)
-target_compile_definitions(kerfline_planner_small PUBLIC KERFLINE_WITHOUT_FIVE_AXES)
+target_compile_definitions(kerfline_planner_small PUBLIC KERFLINE_FIVE_AXES=0)
 target_compile_definitions(kerfline_firmware_small PUBLIC KERFLINE_SETTING_HELP=0)
 kerfline_add_version(kerfline_firmware_small)
 

@@ -107,14 +107,13 @@ WallJob job_of(const WallOptions& options, const surface::Mesh& part, InputFiles
   const wall::Obstacles obstacles{part};
   // The tip is off a wall by the waist, and the waist touches the wall.
   const wall::Obstacles touched{part, wall::kTouchMm + asked.strokes.waist_mm};
-  const wall::BeamFinder finder{
-      obstacles,
-      touched,
-      {.tilt = {.half_angle_rad = options.clear_deg() * kDegree,
-                .most_rad = options.max_tilt_deg * kDegree},
-       .waist_mm = asked.strokes.waist_mm,
-       .avoids = asked.avoids,
-       .allows_overlap = asked.allows_lean}};
+  const wall::BeamFinder finder{obstacles,
+                                touched,
+                                {.tilt = {.half_angle_rad = options.clear_deg() * kDegree,
+                                          .most_rad = options.max_tilt_deg * kDegree},
+                                 .waist_mm = asked.strokes.waist_mm,
+                                 .avoids = asked.avoids,
+                                 .allows_overlap = asked.allows_lean}};
   const wall::StrokeTracer tracer{finder,
                                   {.axes = asked.axes,
                                    .step_mm = asked.step_mm,

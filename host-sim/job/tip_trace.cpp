@@ -8,14 +8,17 @@ namespace sim {
 
 void TipTrace::on_row(const TraceRow& row) {
   const cnc::kinematics::ToolCentre& centre = machine_.motion().tool_centre();
-  if (!centre.active()) {
+  // Where G43.4 has ended the axes stand where the tip of the program was until they move.
+  const bool stands = model_ && row.position == last_;
+  if (!centre.active() && !stands) {
     model_.reset();
     deviation_.on_row(row);
     for (TraceSink* sink : sinks_) sink->on_row(row);
     return;
   }
   const cnc::Settings& settings = machine_.settings();
-  if (!model_ || tool_length_ != centre.tool_length()) {
+  last_ = row.position;
+  if (!model_ || (centre.active() && tool_length_ != centre.tool_length())) {
     tool_length_ = centre.tool_length();
     model_.emplace(settings, 1.0e-6 * static_cast<double>(tool_length_.nanometres()));
   }

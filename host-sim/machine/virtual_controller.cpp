@@ -117,6 +117,8 @@ void VirtualController::play_until(std::uint64_t tick) {
     next_interrupt_ += wait;
   }
   now_ = tick;
+  // Nothing else happens at its instant, and sinks may look at what the machine is about.
+  if (row_waits_ && row_.time_ns < now_ * kNanosecondsPerTick) hand_out_row();
 }
 
 /// An interrupt moves a motor by one step at most, so most of them touch nothing.

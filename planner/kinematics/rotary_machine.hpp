@@ -8,11 +8,7 @@
 namespace cnc::kinematics {
 
 /// Images that have to be small leave five axes out.
-#ifdef KERFLINE_WITHOUT_FIVE_AXES
-inline constexpr bool kHasFiveAxes = false;
-#else
-inline constexpr bool kHasFiveAxes = true;
-#endif
+inline constexpr bool kHasFiveAxes = KERFLINE_FIVE_AXES != 0;
 
 /// Which parts of a machine its two rotary axes turn.
 enum class RotaryKind : std::uint8_t {

@@ -25,9 +25,7 @@ class ToolCentre {
   ToolCentre(const RotaryMachine& machine, Coordinate tool_length);
 
   /// Returns whether rotary axes move the tip.
-  [[nodiscard]] bool active() const {
-    return kHasFiveAxes && machine_.kind != RotaryKind::kNone;
-  }
+  [[nodiscard]] bool active() const { return kHasFiveAxes && machine_.kind != RotaryKind::kNone; }
   [[nodiscard]] const RotaryMachine& machine() const { return machine_; }
   [[nodiscard]] Coordinate tool_length() const { return tool_length_; }
 
