@@ -285,7 +285,7 @@ class Machine {
   [[nodiscard]] kinematics::ToolCentre wanted_tool_centre() const;
   [[nodiscard]] bool switch_tool_centre();
   void judge_tool_centre();
-  [[nodiscard]] bool leaves_travel(gcode::Actions actions, const Position& from) const;
+  [[nodiscard]] bool leaves_travel(gcode::Actions actions, const Position& from);
 
   // Jogs, in machine_jog.cpp.
   void attend_jog();

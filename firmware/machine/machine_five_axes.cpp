@@ -32,9 +32,10 @@ void Machine::judge_tool_centre() {
   interpreter_.set_position(tool_centre_.program_for(axes));
 }
 
-bool Machine::leaves_travel(gcode::Actions actions, const Position& from) const {
+/// @pre no action is being driven
+bool Machine::leaves_travel(gcode::Actions actions, const Position& from) {
   if (!tool_centre_.active()) return travel_.left_by(actions, from);
-  return travel_.left_by(actions, from, tool_centre_, limits_);
+  return travel_.left_by(actions, from, {tool_centre_, limits_}, elements_);
 }
 
 }  // namespace cnc

@@ -6,7 +6,6 @@
 #include "planner/geometry/spline_reach.hpp"
 #include "planner/motion/block/axis_limits.hpp"
 #include "planner/motion/block/block_builder.hpp"
-#include "planner/pipeline/action_elements.hpp"
 
 namespace cnc {
 namespace {
@@ -69,43 +68,41 @@ bool Travel::left_by(gcode::Actions actions, const Position& from) const {
 
 bool Travel::left_by(gcode::Actions actions,
                      const Position& from,
-                     const kinematics::ToolCentre& centre,
-                     const motion::Limits& limits) const {
+                     const FiveAxes& machine,
+                     ActionElements& elements) const {
   constexpr std::uint32_t kPartsOfATurn = 64;
   Position here = from;
+  bool stays = true;
   for (const gcode::Action& action : actions) {
-    if (!ActionElements::accepts(action)) continue;
+    if (!stays || !ActionElements::accepts(action)) continue;
     const bool turns = action.kind == gcode::ActionKind::kArc;
-    const std::uint32_t parts = centre.parts_of(here, action.end);
-    ActionElements elements;
+    const std::uint32_t parts = machine.centre.parts_of(here, action.end);
     elements.begin(action,
                    here,
                    ArcFit::kLeastToleranceMm,
                    turns ? std::max(parts, kPartsOfATurn * action.turns) : parts);
-    while (!elements.done()) {
-      if (!contains_axes(elements.next().element, centre, limits)) return true;
-    }
+    while (stays && !elements.done()) stays = contains_axes(elements.next().element, machine);
+    elements.clear();
     here = action.end;
   }
-  return false;
+  return !stays;
 }
 
-bool Travel::contains_axes(const PathElement& element,
-                           const kinematics::ToolCentre& centre,
-                           const motion::Limits& limits) const {
-  const kinematics::RotaryMachine& machine = centre.machine();
-  const float tilt = element.end[index_of(machine.tilting)].mm();
-  if (tilt < machine.least_tilt_deg || tilt > machine.most_tilt_deg) return false;
+bool Travel::contains_axes(const PathElement& element, const FiveAxes& machine) const {
+  const kinematics::RotaryMachine& axes = machine.centre.machine();
+  const float tilt = element.end[index_of(axes.tilting)].mm();
+  if (tilt < axes.least_tilt_deg || tilt > axes.most_tilt_deg) return false;
   if (judged_ == 0) return true;
-  const auto block = motion::build_block({.element = element}, limits);
+  const auto block = motion::build_block({.element = element}, machine.limits);
   if (!block.ok()) return block.error() == motion::MotionError::kNothingToMove;
-  const motion::AxisCourse course = motion::axis_course(block.value(), element.start, centre);
+  const motion::AxisCourse course =
+      motion::axis_course(block.value(), element.start, machine.centre);
   Position least = element.end;
   Position most = element.end;
   for (std::size_t axis = 0; axis < kLinearAxisCount; ++axis) {
     const auto i = static_cast<Eigen::Index>(axis);
-    least[axis] = centre.centre()[axis] + from_mm(course.least[i]);
-    most[axis] = centre.centre()[axis] + from_mm(course.most[i]);
+    least[axis] = machine.centre.centre()[axis] + from_mm(course.least[i]);
+    most[axis] = machine.centre.centre()[axis] + from_mm(course.most[i]);
   }
   return contains(least) && contains(most);
 }

@@ -7,6 +7,7 @@
 #include "planner/geometry/path_element.hpp"
 #include "planner/kinematics/tool_centre.hpp"
 #include "planner/motion/block/limits.hpp"
+#include "planner/pipeline/action_elements.hpp"
 
 namespace cnc {
 
@@ -17,6 +18,12 @@ namespace cnc {
 /// where the ends are; endless ones (travel 0) never.
 class Travel {
  public:
+  /// What moves the axes for a tip under G43.4.
+  struct FiveAxes {
+    const kinematics::ToolCentre& centre;
+    const motion::Limits& limits;
+  };
+
   /// @param homed bit i for axis i.
   void configure(const Settings& settings, std::uint8_t homed);
 
@@ -26,11 +33,12 @@ class Travel {
   /// Returns whether motions of a tip would take the axes out of it, or the tilting axis out of its
   /// limits, which hold without homing, too. Axes may be taken for outside at less than 0.2 mm from
   /// the end of the travel on lines of 100 mm and arcs.
-  /// @pre centre.active(); the actions are lines and arcs
+  /// @param elements is used to divide the actions, and cleared
+  /// @pre centre.active(); the actions are lines and arcs; elements are not active
   [[nodiscard]] bool left_by(gcode::Actions actions,
                              const Position& from,
-                             const kinematics::ToolCentre& centre,
-                             const motion::Limits& limits) const;
+                             const FiveAxes& machine,
+                             ActionElements& elements) const;
   /// Whether a place is inside.
   [[nodiscard]] bool holds(const Position& place) const { return contains(place); }
   /// The place inside that is nearest, axis by axis.
@@ -38,9 +46,7 @@ class Travel {
 
  private:
   [[nodiscard]] bool contains(const Position& place) const;
-  [[nodiscard]] bool contains_axes(const PathElement& element,
-                                   const kinematics::ToolCentre& centre,
-                                   const motion::Limits& limits) const;
+  [[nodiscard]] bool contains_axes(const PathElement& element, const FiveAxes& machine) const;
   [[nodiscard]] bool contains_spline(const Position& start, const gcode::Action& spline) const;
   [[nodiscard]] bool contains_arc(const Position& start, const gcode::Action& arc) const;
 

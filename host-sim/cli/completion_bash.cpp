@@ -32,7 +32,8 @@ _kerfline() {{
     mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
   else
     compopt -o filenames 2>/dev/null
-    mapfile -t COMPREPLY < <(compgen -f -- "$word")
+    [[ $kind == both ]] && mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
+    mapfile -t -O "${{#COMPREPLY[@]}}" COMPREPLY < <(compgen -f -- "$word")
   fi
 }}
 complete -F _kerfline kerfline
@@ -62,9 +63,10 @@ std::string words_case(const CommandText& command) {
   for (const ParameterText& option : command.options) {
     words.insert(words.end(), option.names.begin(), option.names.end());
   }
+  const char* const with_files = command.subcommands.empty() ? "files" : "both";
   return fmt::format("      '{}') kind={} words='{}' ;;\n",
                      command.path,
-                     takes_files ? "files" : "words",
+                     takes_files ? with_files : "words",
                      fmt::join(words, " "));
 }
 

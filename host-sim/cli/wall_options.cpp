@@ -112,13 +112,13 @@ void add_turn_options(CLI::App& command, WallJobOptions& job) {
   static const std::map<std::string, wall::RotaryAxes> kAxes{{"AC", wall::RotaryAxes::kAC},
                                                              {"BC", wall::RotaryAxes::kBC}};
   static const std::map<std::string, bool> kAvoid{{"all", true}, {"none", false}};
-  command.add_option("--axes", job.axes, "Rotary axes of the machine: AC (default) or BC")
+  command.add_option("--axes", job.axes, "Rotary axes of the machine")
       ->transform(CLI::CheckedTransformer(kAxes))
-      ->type_name("AC|BC");
+      ->option_text("AC|BC [AC]");
   command
-      .add_option("--avoid", job.avoids, "all (default), or none: upright beams, which burn walls")
+      .add_option("--avoid", job.avoids, "What beams clear; none: they are upright and burn walls")
       ->transform(CLI::CheckedTransformer(kAvoid))
-      ->type_name("all|none");
+      ->option_text("all|none [all]");
   command.add_flag("--allow-lean",
                    job.allows_lean,
                    "Burn tips out of reach with the beam that is in the part least");
@@ -206,12 +206,12 @@ void check_job_options(const WallOptions& options) {
   if (job.strokes.hatch_mm == 0.0 && job.without_contour) {
     throw std::invalid_argument("--no-contour: without a --hatch nothing is cut");
   }
-  if (job.avoids && options.max_tilt_deg < options.half_angle_deg + options.margin_deg) {
+  if (job.avoids && options.max_tilt_deg < options.clear_deg()) {
     throw std::invalid_argument(
         fmt::format("--max-tilt: {:g} degrees do not clear an upright wall, which needs {:g}; "
                     "tilt more or --avoid none",
                     options.max_tilt_deg,
-                    options.half_angle_deg + options.margin_deg));
+                    options.clear_deg()));
   }
 }
 

@@ -73,6 +73,14 @@ double DropCutter::tip_height(const Eigen::Vector2d& place, Hint& hint) const {
   return search.highest;
 }
 
+bool DropCutter::has_contact(const Eigen::Vector2d& place, Hint& hint) const {
+  Search search{place};
+  if (hint.facet < facets_.size()) try_facet(hint.facet, search);
+  if (search.highest == kNoContact) search_tree(search, true);
+  hint.facet = search.facet;
+  return search.highest != kNoContact;
+}
+
 void DropCutter::try_facet(std::uint32_t number, Search& search) const {
   const Facet& facet = facets_[number];
   if (facet.top <= search.highest) return;
@@ -90,10 +98,11 @@ void DropCutter::try_facet(std::uint32_t number, Search& search) const {
   search.facet = number;
 }
 
-void DropCutter::search_tree(Search& search) const {
+void DropCutter::search_tree(Search& search, bool is_enough) const {
   OpenParts open;
   open.add({0, std::numeric_limits<float>::infinity()}, 0);
   while (!open.empty()) {
+    if (is_enough && search.highest != kNoContact) return;
     const OpenPart next = open.take();
     if (next.most <= search.highest) continue;
     const PartTree::Node& node = tree_.node(next.node);

@@ -30,6 +30,9 @@ class DropCutter {
   /// The same, sooner where the hint is that of a place near by.
   [[nodiscard]] double tip_height(const Eigen::Vector2d& place, Hint& hint) const;
 
+  /// Returns whether anything is under the tool; soonest where that of the hint still is.
+  [[nodiscard]] bool has_contact(const Eigen::Vector2d& place, Hint& hint) const;
+
   [[nodiscard]] const cnc::surface::Profile& profile() const { return profile_; }
 
  private:
@@ -42,7 +45,9 @@ class DropCutter {
   struct Search;
 
   void try_facet(std::uint32_t number, Search& search) const;
-  void search_tree(Search& search) const;
+  /// Searches facets that the tool touches higher than at the height found so far.
+  /// @param is_enough the first one ends the search
+  void search_tree(Search& search, bool is_enough = false) const;
 
   cnc::surface::Profile profile_;
   PartTree tree_;

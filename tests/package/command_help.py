@@ -17,7 +17,7 @@ def options_in(text) -> set:
 
 def subcommands_in(text) -> list:
     _, _, below = text.partition("\nSubcommands:\n")
-    return re.findall(r"^  (\w+) ", below.split("\n\n")[0], re.MULTILINE)
+    return re.findall(r"^  ([\w-]+) ", below.split("\n\n")[0], re.MULTILINE)
 
 
 def all_commands(kerfline) -> dict:

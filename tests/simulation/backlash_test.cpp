@@ -84,7 +84,9 @@ void disturb_job(std::uint64_t seed) {
   EXPECT_EQ(simulator.result().alarm, 0);
   EXPECT_TRUE(simulator.result().refusals.empty());
   for (std::size_t axis = 0; axis < cnc::kLinearAxisCount; ++axis) {
-    EXPECT_EQ(simulator.axes()[axis], std::lround(job.end[axis] * kScale)) << axis;
+    // In whole nanometres half a step is exactly that.
+    const double end_nm = std::round(1.0e6 * job.end[axis]);
+    EXPECT_EQ(simulator.axes()[axis], std::lround(end_nm * kScale / 1.0e6)) << axis;
     const double shown = static_cast<double>(machine.position()[axis].nanometres()) * 1.0e-6;
     EXPECT_NEAR(shown, job.end[axis], 0.5001 / kScale) << axis;
   }

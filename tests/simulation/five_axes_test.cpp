@@ -428,7 +428,9 @@ void judge_travel(Random& random, int kind, TravelTally& tally) {
     action.end[axis] =
         from[axis] + Coordinate{std::llround(1.0e6 * random.between(-50.0, turns ? 50.0 : 10.0))};
   }
-  const bool refused = travel.left_by({&action, 1}, from, centre, cnc::limits_from(settings));
+  const cnc::motion::Limits limits = cnc::limits_from(settings);
+  cnc::ActionElements elements;
+  const bool refused = travel.left_by({&action, 1}, from, {centre, limits}, elements);
   const double beyond = beyond_travel(model, point_of(from), point_of(action.end));
   if (refused) {
     ++tally.refused;

@@ -36,6 +36,11 @@ class PathHeights {
     SmoothTips::Hint hint;
     return smooth_->height(place, exact, hint);
   }
+  /// Returns whether anything is under the tool.
+  [[nodiscard]] bool has_contact(const Eigen::Vector2d& place, Hint& hint) const {
+    if (!smooth_) return cutter_.has_contact(place, hint.exact);
+    return (*this)(place, hint) != cnc::surface::kNoContact;
+  }
 
  private:
   DropCutter cutter_;

@@ -10,6 +10,7 @@
 #include "host-sim/surface/path/row_frame.hpp"
 #include "host-sim/surface/path/scallop_rows.hpp"
 #include "host-sim/surface/path/surface_tracer.hpp"
+#include "host-sim/surface/path/traced_slices.hpp"
 
 namespace sim::surface {
 namespace {
@@ -43,7 +44,6 @@ class RowPlanner {
     }
     if (path_.stretches.empty()) throw std::invalid_argument{reason_for_none()};
     end_run();
-    path_.without_arcs = tracer_.without_arcs();
     return std::move(path_);
   }
 
@@ -91,10 +91,26 @@ class RowPlanner {
       rows.insert(rows.end(), between.begin(), between.end());
       between.clear();
     }
-    waiting_ = rows.size() + between.size();
-    milled_ = 0;
     mill(std::move(rows));
     mill(std::move(between));
+    trace_wanted();
+  }
+
+  /// Traces all slices whose order and places are known.
+  void trace_wanted() {
+    TracedStretches traced = traced_slices(tracer_, wanted_, [this](double share) {
+      report(kSearchShare + (1.0 - kSearchShare) * share);
+    });
+    path_.without_arcs += traced.without_arcs;
+    std::ranges::move(traced.stretches,
+                      path_.stretches.end() - static_cast<std::ptrdiff_t>(wanted_.size()));
+    wanted_.clear();
+  }
+
+  /// Adds the stretch over a slice, which is traced later.
+  void want(const Slice& slice, StretchUse use) {
+    wanted_.push_back({slice, use});
+    path_.stretches.emplace_back();
   }
 
   /// Adds what of a part is over the surface and in all regions.
@@ -118,15 +134,13 @@ class RowPlanner {
       // On the right of a row is the one below it: stock is there while that is not milled.
       mill(options_.direction || is_first ? queue.take_outermost(is_climb)
                                           : queue.take_nearest(frame_.seen(here_), may_go_back()));
-      report(kSearchShare +
-             (1.0 - kSearchShare) * static_cast<double>(++milled_) / static_cast<double>(waiting_));
     }
   }
 
   void mill(const PartQueue::Next& next) {
     const Slice slice = frame_.slice(next.part, next.goes_back);
     lead_to(slice.from);
-    path_.stretches.push_back(tracer_.trace(slice, 0.0, slice.length, use_of(next.part)));
+    want(slice, use_of(next.part));
     layer_.push_back(next.part);
     here_ = slice.at(slice.length);
   }
@@ -179,9 +193,7 @@ class RowPlanner {
              lets_link_through(options_.regions, slice);
     };
     if (!std::ranges::all_of(slices, may_link)) return false;
-    for (const Slice& slice : slices) {
-      path_.stretches.push_back(tracer_.trace(slice, 0.0, slice.length, StretchUse::kLink));
-    }
+    for (const Slice& slice : slices) want(slice, StretchUse::kLink);
     return true;
   }
 
@@ -207,9 +219,8 @@ class RowPlanner {
   double stock_top_mm_;         ///< Top of the stock that no layer has milled yet.
   std::vector<RowPart> layer_;  ///< Parts of rows that are milled, of this layer.
   SurfacePath path_;
+  std::vector<WantedStretch> wanted_;  ///< The last of the path's, not traced yet.
   Vector2d here_ = Vector2d::Zero();
-  std::size_t waiting_ = 0;  ///< Parts of rows, all that were found.
-  std::size_t milled_ = 0;
 };
 
 }  // namespace

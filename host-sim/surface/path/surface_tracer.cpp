@@ -79,10 +79,11 @@ void SurfaceTracer::set_layer(double top_mm, double bottom_mm) {
   layer_bottom_mm_ = std::max(lowest_mm_, bottom_mm);
 }
 
-bool SurfaceTracer::is_over(const Eigen::Vector2d& place) const {
-  const double touched = heights_(place);
+bool SurfaceTracer::is_over(const Eigen::Vector2d& place, PathHeights::Hint& hint) const {
+  if (!layer_top_mm_) return has_floor_ || heights_.has_contact(place, hint);
+  const double touched = heights_(place, hint);
   if (!has_floor_ && touched == cnc::surface::kNoContact) return false;
-  return !layer_top_mm_ || std::max(lowest_mm_, touched) + lift_mm_ < *layer_top_mm_;
+  return std::max(lowest_mm_, touched) + lift_mm_ < *layer_top_mm_;
 }
 
 double SurfaceTracer::height(const Eigen::Vector2d& place) const {
@@ -98,9 +99,10 @@ double SurfaceTracer::touched(const Eigen::Vector2d& place, PathHeights::Hint& h
 /// Finds where something is under the tool for the last time, from a place where it is on.
 double SurfaceTracer::border(const Slice& slice, double over, double beside) const {
   constexpr double kNear = 1.0e-6;
+  PathHeights::Hint hint;
   while (std::abs(beside - over) > kNear) {
     const double middle = 0.5 * (over + beside);
-    (is_over(slice.at(middle)) ? over : beside) = middle;
+    (is_over(slice.at(middle), hint) ? over : beside) = middle;
   }
   return over;
 }
@@ -115,12 +117,13 @@ std::vector<std::pair<double, double>> SurfaceTracer::parts_over(const Slice& sl
   double before = 0.0;
   bool was_over = false;
   double begin = 0.0;
+  PathHeights::Hint hint;
   const auto end_at = [&](double end) {
     if (end - begin >= kLeastPart) parts.emplace_back(begin, end);
   };
   for (int i = 0; i <= looks; ++i) {
     const double along = slice.length * i / looks;
-    const bool over = is_over(slice.at(along));
+    const bool over = is_over(slice.at(along), hint);
     if (over && !was_over) begin = i == 0 ? along : border(slice, along, before);
     if (!over && was_over) end_at(border(slice, before, along));
     was_over = over;
@@ -130,17 +133,18 @@ std::vector<std::pair<double, double>> SurfaceTracer::parts_over(const Slice& sl
   return parts;
 }
 
-SurfaceStretch SurfaceTracer::trace(const Slice& slice, double begin, double end, StretchUse use) {
+SurfaceStretch SurfaceTracer::trace(
+    const Slice& slice, double begin, double end, StretchUse use, TraceRoom& room) const {
   SurfaceStretch stretch{.plane = slice, .use = use, .vertices = {}};
   SliceHeights heights{heights_, slice, layer_bottom_mm_};
   const SliceCurve curve{heights, begin, end, density_};
-  lines_.clear();
-  fit_chords(curve, curve.all(), band_mm_, lines_);
+  room.lines.clear();
+  fit_chords(curve, curve.all(), band_mm_, room.lines);
   if (!lines_only_ && lies_along_axis(slice)) {
-    without_arcs_ += fitter_.fit(curve, band_mm_, SliceElements::kArcs, stretch.vertices);
+    room.without_arcs += room.fitter.fit(curve, band_mm_, SliceElements::kArcs, stretch.vertices);
   }
-  if (stretch.vertices.empty() || lines_.size() < stretch.vertices.size()) {
-    stretch.vertices = lines_;
+  if (stretch.vertices.empty() || room.lines.size() < stretch.vertices.size()) {
+    stretch.vertices = room.lines;
   }
   for (ContourVertex& vertex : stretch.vertices) vertex.y += lift_mm_;
   return stretch;

@@ -13,6 +13,13 @@ namespace sim::surface {
 /// Returns the tool that a path follows: one that leaves the allowance, grown by the tolerance.
 [[nodiscard]] cnc::surface::GrownTool traced_tool(const RowOptions& options);
 
+/// Room that traces work with, and how many of them have lines because no arcs fit.
+struct TraceRoom {
+  SliceFitter fitter;
+  std::vector<ContourVertex> lines;
+  std::size_t without_arcs = 0;
+};
+
 /// Makes stretches over a surface, one slice after the other.
 class SurfaceTracer {
  public:
@@ -26,14 +33,20 @@ class SurfaceTracer {
   /// whole of it where there is a floor.
   [[nodiscard]] std::vector<std::pair<double, double>> parts_over(const Slice& slice) const;
 
-  /// Returns the stretch over a part of a slice.
-  [[nodiscard]] SurfaceStretch trace(const Slice& slice, double begin, double end, StretchUse use);
+  /// Returns the stretch over a part of a slice. Several threads may trace at once, each in a room
+  /// of its own.
+  [[nodiscard]] SurfaceStretch trace(
+      const Slice& slice, double begin, double end, StretchUse use, TraceRoom& room) const;
+  /// The same in the tracer's own room.
+  [[nodiscard]] SurfaceStretch trace(const Slice& slice, double begin, double end, StretchUse use) {
+    return trace(slice, begin, end, use, room_);
+  }
 
   /// Returns the grown tool, with which heights are found.
   [[nodiscard]] const cnc::surface::Profile& profile() const { return tool_.profile; }
 
   /// Returns how many stretches have lines because no arcs fit.
-  [[nodiscard]] std::size_t without_arcs() const { return without_arcs_; }
+  [[nodiscard]] std::size_t without_arcs() const { return room_.without_arcs; }
 
   /// Returns the exact height of the grown tool's tip, the lowest allowed where nothing is under
   /// it.
@@ -53,7 +66,7 @@ class SurfaceTracer {
   [[nodiscard]] const SliceDensity& density() const { return density_; }
 
  private:
-  [[nodiscard]] bool is_over(const Eigen::Vector2d& place) const;
+  [[nodiscard]] bool is_over(const Eigen::Vector2d& place, PathHeights::Hint& hint) const;
   [[nodiscard]] double border(const Slice& slice, double over, double beside) const;
 
   cnc::surface::GrownTool tool_;
@@ -66,9 +79,7 @@ class SurfaceTracer {
   SliceDensity density_;
   double band_mm_;
   bool lines_only_;
-  SliceFitter fitter_;
-  std::vector<ContourVertex> lines_;
-  std::size_t without_arcs_ = 0;
+  TraceRoom room_;
 };
 
 }  // namespace sim::surface
