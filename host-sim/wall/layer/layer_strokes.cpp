@@ -12,6 +12,7 @@
 #include "host-sim/pocket/owned_area.hpp"
 #include "host-sim/pocket/scan_line.hpp"
 #include "host-sim/surface/path/part_queue.hpp"
+#include "host-sim/wall/least_tilt.hpp"
 #include "planner/base/wide_scalar_math.hpp"
 
 namespace sim::wall {
@@ -143,7 +144,9 @@ void begin_at(std::size_t place, Stroke& stroke) {
     return;
   }
   places.pop_back();
-  std::ranges::rotate(places, places.begin() + static_cast<std::ptrdiff_t>(place % places.size()));
+  std::rotate(places.begin(),
+              places.begin() + static_cast<std::ptrdiff_t>(place % places.size()),
+              places.end());
   places.push_back(places.front());
 }
 
