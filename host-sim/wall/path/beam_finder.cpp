@@ -15,8 +15,8 @@ constexpr double kWaistDepthMm = 0.25 * kTouchMm;
 }  // namespace
 
 Beam BeamFinder::beam_along(const TipBeam& beam) const {
-  constexpr double kEndlessMm = 1.0e4;
-  Beam solid = Beam::along(beam.tip, beam.axis, rules_.tilt.half_angle_rad, kEndlessMm);
+  constexpr double kLongBeamMm = 1.0e4;
+  Beam solid = Beam::along(beam.tip, beam.axis, rules_.tilt.half_angle_rad, kLongBeamMm);
   solid.waist_mm = rules_.waist_mm;
   return solid;
 }
