@@ -13,8 +13,8 @@ using Eigen::Vector3d;
 constexpr std::size_t kTurning = 5;
 
 Isometry3d about(const Vector3d& point, const Vector3d& axis, double degrees) {
-  constexpr double kRadiansPerDegree = std::numbers::pi / 180.0;
-  return Isometry3d{Translation3d{point} * AngleAxisd{degrees * kRadiansPerDegree, axis} *
+  constexpr double kDegreeInRadians = std::numbers::pi / 180.0;
+  return Isometry3d{Translation3d{point} * AngleAxisd{degrees * kDegreeInRadians, axis} *
                     Translation3d{-point}};
 }
 
