@@ -18,7 +18,7 @@ namespace cnc {
 /// where the ends are; endless ones (travel 0) never.
 class Travel {
  public:
-  /// What moves the axes for a tip under G43.4.
+  /// The machine by which a tip under G43.4 moves the axes.
   struct FiveAxes {
     const kinematics::ToolCentre& centre;
     const motion::Limits& limits;

@@ -11,7 +11,7 @@ class App;
 
 namespace sim {
 
-/// What `kerfline wall carve` was called with: names of files, empty for none, and numbers.
+/// The options of `kerfline wall carve`: names of files, empty for none, and numbers.
 struct CarveOptions {
   std::string file;
   double unit_mm = 1.0;

@@ -39,7 +39,7 @@ struct WallJobOptions {
   [[nodiscard]] bool wants_layers() const { return layers.layer_mm > 0.0 || !record.empty(); }
 };
 
-/// What `kerfline wall` is asked for.
+/// The options of `kerfline wall`.
 struct WallOptions {
   std::string file;
   surface::ReadOptions reading;

@@ -38,7 +38,7 @@ class TipTrace final : public TraceSink {
   PathDeviation& deviation_;
   std::vector<TraceSink*> sinks_;
   std::optional<FiveAxisModel> model_{};
-  cnc::Coordinate tool_length_{};        ///< Of the model.
+  cnc::Coordinate tool_length_{};        ///< That the model has.
   cnc::AxisArray<std::int32_t> last_{};  ///< Steps of the last row that the model saw.
   std::optional<TipReport> tip_{};
 };

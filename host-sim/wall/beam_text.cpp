@@ -85,6 +85,25 @@ std::string cone_answers(std::string_view lines, const std::string& name) {
   return text;
 }
 
+void append_beam_line(const Vector3d& tip, const Vector3d& axis, std::string& text) {
+  fmt::format_to(std::back_inserter(text),
+                 "{:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g}\n",
+                 tip.x(),
+                 tip.y(),
+                 tip.z(),
+                 axis.x(),
+                 axis.y(),
+                 axis.z());
+}
+
+void append_lost_line(const Vector3d& tip, std::string& text) {
+  fmt::format_to(std::back_inserter(text),
+                 "# {:.17g} {:.17g} {:.17g} is out of reach\n",
+                 tip.x(),
+                 tip.y(),
+                 tip.z());
+}
+
 BeamList leaning_beams(const Obstacles& obstacles,
                        const TiltRules& rules,
                        std::string_view places,
@@ -95,24 +114,13 @@ BeamList leaning_beams(const Obstacles& obstacles,
     const std::optional<Beam> beam = least_tilt(obstacles, tip, rules);
     if (!beam) {
       ++list.out_of_reach;
-      fmt::format_to(std::back_inserter(list.text),
-                     "# {:.17g} {:.17g} {:.17g} is out of reach\n",
-                     tip.x(),
-                     tip.y(),
-                     tip.z());
+      append_lost_line(tip, list.text);
       return true;
     }
     const Vector3d& axis = beam->axis;
     const double tilt = std::atan2(axis.head<2>().norm(), axis.z());
     list.most_tilt_rad = std::max(list.most_tilt_rad, tilt);
-    fmt::format_to(std::back_inserter(list.text),
-                   "{:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g}\n",
-                   tip.x(),
-                   tip.y(),
-                   tip.z(),
-                   axis.x(),
-                   axis.y(),
-                   axis.z());
+    append_beam_line(tip, axis, list.text);
     return true;
   });
   return list;

@@ -15,6 +15,11 @@ namespace sim::wall {
 /// @param name of the text, for messages. Throws std::invalid_argument for a line that is none.
 [[nodiscard]] std::string cone_answers(std::string_view lines, const std::string& name);
 
+/// Appends a beam, `x y z i j k`: its tip, mm, and the unit vector of its axis, 17 digits each.
+void append_beam_line(const Eigen::Vector3d& tip, const Eigen::Vector3d& axis, std::string& text);
+/// Appends the comment on a tip that no beam reaches, which ends a stroke.
+void append_lost_line(const Eigen::Vector3d& tip, std::string& text);
+
 /// Tips, and the beams from them.
 struct BeamList {
   std::string text;  ///< `x y z i j k` a line, and lines `# x y z is out of reach`.

@@ -20,8 +20,8 @@ struct RoughArea {
 
 /// The heights of a stock before and after a level is milled, mm.
 struct RoughStock {
-  double top_mm = 0.0;   ///< Of the stock.
-  double cusp_mm = 0.0;  ///< Of what stays over a level, above its tip.
+  double top_mm = 0.0;   ///< Top of the stock.
+  double cusp_mm = 0.0;  ///< Height above its tip of the stock that a level leaves.
 };
 
 /// Areas by what is milled before.

@@ -7,7 +7,7 @@
 
 namespace sim::wall {
 
-/// What a beam burns.
+/// The cone of a beam that burns, and how heat widens it.
 struct BurningBeam {
   double half_angle_rad = 0.0;  ///< Above 0, below a right angle.
   /// By which heat widens the cone, on each side; with the half angle below a right angle.

@@ -27,9 +27,9 @@ Ranges without(const Ranges& solid, const Ranges& other) {
   return parts;
 }
 
-/// What is left of columns as a closed body of upright bars, of which the faces in common are left
-/// out. Edges are divided where a neighbour's end, so that each facet has one on the other side of
-/// each edge, or three where bars touch along an edge only.
+/// The rest of the columns as a closed body of upright bars, without the faces that two bars share.
+/// Edges are divided where a neighbour's end, so that each facet has one on the other side of each
+/// edge, or three where bars touch along an edge only.
 class CarvedMesh {
  public:
   /// Takes each column that stands for a square of `step` by `step`.

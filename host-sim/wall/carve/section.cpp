@@ -36,7 +36,7 @@ std::vector<SectionBar> section_of(const Columns& columns, const SectionLine& li
   std::vector<SectionBar> bars;
   int last_column = -1;
   int last_row = -1;
-  std::size_t first = 0;  // Of the last column's bars.
+  std::size_t first = 0;  // The last column's bars begin there.
   for (int i = 0; i < count; ++i) {
     const Vector2d at = line.from + (i + 0.5) / count * (line.until - line.from);
     const auto column = static_cast<int>(std::floor((at.x() - box.x_min) / columns.cell_x_mm()));

@@ -17,7 +17,7 @@ struct SectionLine {
   [[nodiscard]] double length_mm() const { return (until - from).norm(); }
 };
 
-/// What is left of the columns between two distances along a section.
+/// The part of the columns that is left between two distances along a section.
 struct SectionBar {
   double from_mm = 0.0;
   double until_mm = 0.0;

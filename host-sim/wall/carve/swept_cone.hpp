@@ -79,7 +79,7 @@ class SweptCone {
   Eigen::Vector3d from_;
   Eigen::Vector3d way_;
   double square_;  ///< 1 and the square of the slope.
-  double climb_;   ///< Of the way, along the axis.
+  double climb_;   ///< Part of the way along the axis.
   double a_;
   double b_;
   double c_;

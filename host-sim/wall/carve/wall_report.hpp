@@ -20,7 +20,7 @@ struct WallReport {
     double most_off_deg = 0.0;  ///< Greatest difference from the drawn angle.
     double mean_off_deg = 0.0;  ///< Mean difference, with its sign.
   };
-  std::vector<Figures> figures;  ///< Of each block.
+  std::vector<Figures> figures;  ///< One for each block.
 };
 
 /// Measures all walls in each block.

@@ -48,7 +48,7 @@ class FallingShadow {
   std::pair<WholePoint, WholePoint> stock_;  ///< Least and greatest corner.
   SectionSweep sweep_;
   PolygonSet hidden_;          ///< By overhanging facets that are wholly above the plane.
-  double section_area_ = 0.0;  ///< Of the last section, in squares of the grid.
+  double section_area_ = 0.0;  ///< That of the last section, in squares of the grid.
   double shadow_area_ = 0.0;
   std::vector<std::uint32_t> overhanging_;  ///< Facets that look down, the highest first.
   std::size_t passed_ = 0;                  ///< Those of them that reach above the plane.

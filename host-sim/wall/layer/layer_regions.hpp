@@ -21,7 +21,7 @@ struct LayerOptions {
   double depth_mm = 0.0;   ///< From the top of the stock; 0: as deep as the part.
 };
 
-/// What is removed down to one height.
+/// The areas that are removed down to one height.
 struct Layer {
   double height_mm = 0.0;      ///< Height of the layer's floor, where the beam's tip is.
   std::vector<Contour> areas;  ///< Connected areas, material to remove on the left of their loops.

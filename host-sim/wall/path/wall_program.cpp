@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "host-sim/cut/cut_program.hpp"
+#include "host-sim/wall/beam_text.hpp"
 #include "planner/base/wide_scalar_math.hpp"
 
 namespace sim::wall {
@@ -203,23 +204,9 @@ std::string WallProgram::take_text() {
 }
 
 void append_beam_lines(const std::vector<BeamRun>& runs, std::string& text) {
-  const auto out = std::back_inserter(text);
   for (const BeamRun& run : runs) {
-    for (const Vector3d& tip : run.lost) {
-      fmt::format_to(out, "# {:.17g} {:.17g} {:.17g} is out of reach\n", tip.x(), tip.y(), tip.z());
-    }
-    for (const TipBeam& beam : run.beams) {
-      const Vector3d& tip = beam.tip;
-      const Vector3d& axis = beam.axis;
-      fmt::format_to(out,
-                     "{:.17g} {:.17g} {:.17g} {:.17g} {:.17g} {:.17g}\n",
-                     tip.x(),
-                     tip.y(),
-                     tip.z(),
-                     axis.x(),
-                     axis.y(),
-                     axis.z());
-    }
+    for (const Vector3d& tip : run.lost) append_lost_line(tip, text);
+    for (const TipBeam& beam : run.beams) append_beam_line(beam.tip, beam.axis, text);
   }
 }
 

@@ -12,7 +12,7 @@ namespace sim::wall {
 /// How a machine burns the runs of a beam.
 struct BurnSettings {
   RotaryAxes axes = RotaryAxes::kAC;
-  double feed_mm_min = 0.0;           ///< Of the tip over the part, above 0.
+  double feed_mm_min = 0.0;           ///< Speed of the tip over the part, above 0.
   double power_s = 0.0;               ///< S word of the beam.
   bool follows_speed = true;          ///< M4: power by the speed really driven; else M3.
   double turn_rate_rad_per_mm = 0.0;  ///< Where the axis turns faster, the tip is slower; above 0.
