@@ -25,15 +25,18 @@ inline std::string text_of(const SurfacePath& path, const RowOptions& options) {
   return program_of(path, mill_settings(), cnc::gcode::PrintGrid{decimals}, {});
 }
 
-/// Calls a function with places of the tip along all feeds of a program but the descents, as
-/// another reader understands it.
+/// Calls a function with places of the tip along all feeds of a program, as another reader
+/// understands it; of descents with the lowest place alone, also where no feed follows.
 template <typename Function>
 void for_places(const std::string& program, double every_mm, const Function& function) {
   for (const PathPiece& piece : read_program(program).pieces) {
     if (piece.travel != Travel::kFeed) continue;
     const Point& from = piece.curve.start();
     const Point& to = piece.curve.end();
-    if (from[0] == to[0] && from[1] == to[1] && to[2] < from[2] - 0.9) continue;
+    if (from[0] == to[0] && from[1] == to[1] && to[2] < from[2] - 0.9) {
+      function(Eigen::Vector3d{to[0], to[1], to[2]});
+      continue;
+    }
     const int count = 2 + static_cast<int>(piece.curve.length() / every_mm);
     for (int i = 0; i <= count; ++i) {
       const Point at = piece.curve.point_at(static_cast<double>(i) / count);
