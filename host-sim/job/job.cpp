@@ -14,6 +14,7 @@
 #include "firmware/machine/configuration.hpp"
 #include "host-sim/job/axis_scale.hpp"
 #include "host-sim/job/job_report.hpp"
+#include "host-sim/job/knot_file.hpp"
 #include "host-sim/job/measuring_error.hpp"
 #include "host-sim/job/picture_choice.hpp"
 #include "host-sim/job/tip_trace.hpp"
@@ -259,7 +260,13 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
   simulator.add_sink(tool);
   TipTrace tip{simulator.machine(), deviation};
   tool.add_sink(tip);
-  simulator.machine().observe(&shaping);
+  std::optional<KnotFile> knots;
+  if (outputs.knots.empty()) {
+    simulator.machine().observe(&shaping);
+  } else {
+    knots.emplace(outputs.knots, steps_per_mm<double>(simulator.settings()), shaping);
+    simulator.machine().observe(&*knots);
+  }
   std::optional<BeamMeter> beam;
   if (lights_at_once(simulator.settings())) beam.emplace(path, simulator);
   if (!outputs.svg.empty() || !outputs.png.empty()) {
@@ -275,6 +282,7 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
 
   const RunResult result = simulator.run();
   answers.close();
+  if (knots) knots->close();
   Report report = report_on(job, program, result, path.refused, text);
   report.cut_length_mm = cut_length(path, result);
   warn_of_step_rates(job, simulator.settings(), report);

@@ -43,6 +43,7 @@ PASSES = ('{"passes": [{"power_w": 10, "feed_mm_min": 900, "depth_mm": 2},'
 PROBED = ("(kerfline probe-grid 1)\n(x=0:9 columns=2)\n(y=0:9 rows=2)\n(depth=-5 touches=1 tip=2)\n"
           "M5\nM2\n")
 ANSWERS = "<Idle|WCO:0,0,0>\n[PRB:0,0,-1:1]\n[PRB:9,0,-1:1]\n[PRB:9,9,-1:1]\n[PRB:0,9,-1:1]\n"
+TIPS = "G43.4\n" + "G1 X1 A9 F60\nG1 X0 A0\n" * 9
 TALK = "kerfline conversation 1\nprobe_plate -10\nend 1000000\n"
 
 
@@ -72,7 +73,7 @@ COMMANDS = {
                    {"FILE": PROGRAM, "--settings": SETTINGS, "--stock-target": PLATE,
                     "--probe-surface": GRID},
                    ("--trace", "--vcd", "--report", "--svg", "--png", "--stock-png", "--stock-stl",
-                    "--stock-ply", "--answers"), takes_stdin=True,
+                    "--stock-ply", "--answers", "--knots"), takes_stdin=True,
                    empty_is_refused=("FILE", "--settings", "--probe-surface")),
     "check": Command((), {"FILE": PROGRAM, "--settings": SETTINGS, "--probe-surface": GRID}, takes_stdin=True,
                      empty_is_refused=("FILE", "--settings", "--probe-surface")),
@@ -117,6 +118,8 @@ COMMANDS = {
                           empty_is_refused=("--beams", "--beside")),
     "wall taper": Command(("--half-angle", "7"), {"CUTS": "0 13\n" * 9}, takes_stdin=True,
                           empty_is_refused=("CUTS",)),
+    "wall joints": Command(("--set", "$900=1"), {"FILE": TIPS, "--settings": "$901=0\n" * 9}, ("--output",),
+                           takes_stdin=True, empty_is_refused=("FILE", "--settings")),
     "send": Command((), {"file": PROGRAM}, ("--log",), takes_stdin=True, empty_is_refused=("file",)),
 }
 # Further ways to call a command, for options that exclude or need others.
