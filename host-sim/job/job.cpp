@@ -292,6 +292,10 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
   add_bounds(tool, simulator.settings(), report);
   add_deviation(deviation, report);
   report.tip = tip.tip();
+  if (knots && knots->is_empty()) {
+    report.warnings.push_back(fmt::format(
+        "{}: no knots, because neither G43.4 nor input shaping divides time", outputs.knots));
+  }
   report.max_shaping_error_mm = shaping.greatest_distance();
   if (beam) beam->add_to(report);
   draw(recorder, report, outputs, simulator.settings());

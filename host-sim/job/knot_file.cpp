@@ -8,7 +8,9 @@ namespace sim {
 KnotFile::KnotFile(const std::string& file,
                    const cnc::AxisArray<double>& steps_per_mm,
                    cnc::motion::ShapingObserver& next)
-    : steps_per_mm_{steps_per_mm}, next_{next}, file_{file} {}
+    : steps_per_mm_{steps_per_mm}, next_{next}, file_{file} {
+  fmt::format_to(std::back_inserter(file_.buffer()), "# time_s x y z a b c\n");
+}
 
 void KnotFile::on_cell(const cnc::motion::ShapedCell& cell) {
   next_.on_cell(cell);

@@ -10,8 +10,8 @@
 namespace sim {
 
 /// Writes the places of the axes that the plan goes through where cells of time divide it, as under
-/// G43.4: a line `time_s x y z a b c` for each, mm and degrees with 17 digits. Time is that of the
-/// motions; rests between them do not count.
+/// G43.4: a line `time_s x y z a b c` for each below a heading, mm and degrees with 17 digits. Time
+/// is that of the motions; rests between them do not count.
 class KnotFile final : public cnc::motion::ShapingObserver {
  public:
   /// @param next is told the same; it outlives this
@@ -21,6 +21,9 @@ class KnotFile final : public cnc::motion::ShapingObserver {
 
   void on_cell(const cnc::motion::ShapedCell& cell) override;
   void close() { file_.close(); }
+
+  /// Returns whether no cell was written.
+  [[nodiscard]] bool is_empty() const { return time_ns_ == 0; }
 
  private:
   cnc::AxisArray<double> steps_per_mm_;

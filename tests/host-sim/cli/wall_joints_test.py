@@ -66,7 +66,7 @@ class WallJoints(unittest.TestCase):
         self.assertEqual(report["tip"]["machine"]["kind"], "tables")
         self.assertEqual(report["tip"]["machine"]["tilt_point_mm"], [0, 0, -50])
         self.assertEqual(report["tip"]["tool_length_mm"], 30)
-        rows = [[float(word) for word in line.split()] for line in self.path("knots.txt").read_text().splitlines()]
+        rows = [[float(word) for word in line.split()] for line in self.path("knots.txt").read_text().splitlines()[1:]]
         times = [row[0] for row in rows]
         self.assertEqual(times, sorted(set(times)))
         self.assertLess(abs(times[-1] - report["job_time_s"]), 0.05)
@@ -76,6 +76,12 @@ class WallJoints(unittest.TestCase):
             # Corners are rounded within $11, 0.01 mm.
             off = abs(y) if row[6] == 0 else abs(math.hypot(x, y) - 20) if row[6] <= 180 else abs(x + 20)
             self.assertLess(off, 0.0105, row)
+
+    def test_knots_of_a_plain_program_are_none_and_said_so(self):
+        self.path("plain.nc").write_text("G1 X1 F600\n")
+        report = self.simulated(self.path("plain.nc"), "--knots", self.path("knots.txt"))
+        self.assertIn("no knots", report["warnings"][0])
+        self.assertEqual(self.path("knots.txt").read_text(), "# time_s x y z a b c\n")
 
     def test_refusals_name_the_line(self):
         self.path("tip.nc").write_text("G43.4\nM62 P1\n")
