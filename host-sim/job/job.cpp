@@ -213,6 +213,37 @@ class AnswerFile {
   std::optional<OutputFile> file_;
 };
 
+/// Measures and writes the plan where cells of time divide it.
+class CellWatch {
+ public:
+  /// @param knots file of knots; empty for none
+  CellWatch(const std::string& knots, Simulator& simulator)
+      : name_{knots}, shaping_{steps_per_mm<double>(simulator.settings())} {
+    if (knots.empty()) return simulator.machine().observe(&shaping_);
+    knots_.emplace(knots, steps_per_mm<double>(simulator.settings()), shaping_);
+    simulator.machine().observe(&*knots_);
+  }
+  // The machine knows of its parts.
+  CellWatch(const CellWatch&) = delete;
+  CellWatch& operator=(const CellWatch&) = delete;
+  ~CellWatch() = default;
+
+  /// Closes the file. @pre the machine has stopped
+  void add_to(Report& report) {
+    report.max_shaping_error_mm = shaping_.greatest_distance();
+    if (!knots_) return;
+    knots_->close();
+    if (!knots_->is_empty()) return;
+    report.warnings.push_back(
+        fmt::format("{}: no knots, because neither G43.4 nor input shaping divides time", name_));
+  }
+
+ private:
+  std::string name_;
+  ShapingMeter shaping_;
+  std::optional<KnotFile> knots_;
+};
+
 /// The path that a program describes, with what the motors of the machine may deviate from it.
 ProgrammedPath path_for_machine(const std::string& text, const cnc::Settings& settings) {
   ProgrammedPath path = read_for_machine(text, settings);
@@ -250,7 +281,7 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
   PlayModel play{job.machine};
   play.place(simulator.settings());
   ToolTrace tool{play};
-  ShapingMeter shaping{steps_per_mm<double>(simulator.settings())};
+  CellWatch cells{outputs.knots, simulator};
   MotionMeter meter{steps_per_mm<double>(simulator.settings())};
   PathDeviation deviation{path, steps_per_mm<double>(simulator.settings())};
   PathRecorder recorder{steps_per_mm<float>(simulator.settings()),
@@ -260,13 +291,6 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
   simulator.add_sink(tool);
   TipTrace tip{simulator.machine(), deviation};
   tool.add_sink(tip);
-  std::optional<KnotFile> knots;
-  if (outputs.knots.empty()) {
-    simulator.machine().observe(&shaping);
-  } else {
-    knots.emplace(outputs.knots, steps_per_mm<double>(simulator.settings()), shaping);
-    simulator.machine().observe(&*knots);
-  }
   std::optional<BeamMeter> beam;
   if (lights_at_once(simulator.settings())) beam.emplace(path, simulator);
   if (!outputs.svg.empty() || !outputs.png.empty()) {
@@ -282,7 +306,6 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
 
   const RunResult result = simulator.run();
   answers.close();
-  if (knots) knots->close();
   Report report = report_on(job, program, result, path.refused, text);
   report.cut_length_mm = cut_length(path, result);
   warn_of_step_rates(job, simulator.settings(), report);
@@ -292,11 +315,7 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
   add_bounds(tool, simulator.settings(), report);
   add_deviation(deviation, report);
   report.tip = tip.tip();
-  if (knots && knots->is_empty()) {
-    report.warnings.push_back(fmt::format(
-        "{}: no knots, because neither G43.4 nor input shaping divides time", outputs.knots));
-  }
-  report.max_shaping_error_mm = shaping.greatest_distance();
+  cells.add_to(report);
   if (beam) beam->add_to(report);
   draw(recorder, report, outputs, simulator.settings());
   if (stock) {
