@@ -45,7 +45,7 @@ Drawing read_drawing(const std::string& file,
                      const ImportOptions& options) {
   CNC_ASSERT(options.gap_mm >= kLeastGapMm && options.gap_mm <= kGreatestGapMm);
   CNC_ASSERT(options.effort > 0.0 && options.effort <= 1.0);
-  Sketch sketch{options.effort};
+  Sketch sketch{options.effort, options.text};
   read_any(text, sketch);
   return assemble(sketch, file, options.gap_mm);
 }

@@ -24,6 +24,7 @@ struct Style {
   std::string layer;
   std::string stroke = "none";
   std::string fill = "black";
+  std::string fill_rule = "nonzero";
   bool visible = true;
   std::size_t depth = 0;
 };
@@ -66,6 +67,22 @@ class IdCollector final : public pugi::xml_tree_walker {
   }
   std::unordered_map<std::string_view, pugi::xml_node> ids;
 };
+
+/// Gathers the beginning of the letters in an element.
+class WordCollector final : public pugi::xml_tree_walker {
+ public:
+  bool for_each(pugi::xml_node& node) override {
+    constexpr std::size_t kEnoughBytes = 200;
+    words += node.value();
+    return words.size() < kEnoughBytes;
+  }
+  std::string words;
+};
+
+/// Returns whether the area of a shape is to be filled by the non-zero rule.
+FillRule fill_rule_of(const std::string& value) {
+  return value == "evenodd" ? FillRule::kEvenOdd : FillRule::kNonZero;
+}
 
 class SvgReader {
  public:
@@ -157,6 +174,7 @@ class SvgReader {
     };
     take("stroke", style.stroke);
     take("fill", style.fill);
+    take("fill-rule", style.fill_rule);
     std::string visibility;
     take("visibility", visibility);
     if (!visibility.empty()) style.visible = visibility == "visible";
@@ -286,11 +304,9 @@ class SvgReader {
   void refuse_element(std::string_view name, const pugi::xml_node& node, const Style& style) {
     if (is_one_of(name, kLetters)) {
       if (!style.visible) return;
-      sketch_.report({FaultKind::kText,
-                      entity_of(node),
-                      {},
-                      "letters are no paths",
-                      "convert text to paths in the drawing program"});
+      Entity entity = entity_of(node);
+      entity.layer = layer_of(style);
+      sketch_.leave_out_text(entity, words_of(node));
     } else if (name == "style") {
       sketch_.ignore("style rules: colours and hiding by class are not read",
                      entity_of(node),
@@ -298,6 +314,18 @@ class SvgReader {
     } else {
       sketch_.ignore(fmt::format("<{:.40}> is nothing to cut", name), entity_of(node));
     }
+  }
+
+  std::size_t layer_of(const Style& style) {
+    return sketch_.layer({style.layer, style.stroke != "none" ? style.stroke : style.fill});
+  }
+
+  /// Returns the letters within an element, of any depth.
+  static std::string words_of(const pugi::xml_node& node) {
+    WordCollector words;
+    pugi::xml_node inside = node;
+    inside.traverse(words);
+    return std::move(words.words);
   }
 
   void read_shape(std::string_view name, const pugi::xml_node& node, const Style& style) {
@@ -310,7 +338,9 @@ class SvgReader {
     SvgPen pen;
     const std::string wrong = draw_svg_shape(name, node, style.viewport, pen);
     if (!wrong.empty()) return bad(node, wrong, "it is left out; mend it");
-    entity.layer = sketch_.layer({style.layer, style.stroke != "none" ? style.stroke : style.fill});
+    entity.layer = layer_of(style);
+    entity.fill_rule = fill_rule_of(style.fill_rule);
+    entity.is_filled = style.fill != "none";
     const std::size_t index = sketch_.add_entity(std::move(entity));
     for (std::vector<Shape>& shapes : pen.subpaths()) {
       for (Shape& shape : shapes) shape = transformed(shape, style.to_mm);
