@@ -155,8 +155,8 @@ TEST(SvgReader, WhatIsBrokenIsNamedWithItsPlace) {
               HasSubstr("no path command at character 6"));
   EXPECT_THAT(first_fault(svg_of("<path d='L0 0'/>")), HasSubstr("does not begin with M"));
   EXPECT_THAT(first_fault(svg_of("<path d='M0 0 L1e30 5'/>")), HasSubstr("farther than 10 km"));
-  EXPECT_THAT(first_fault(svg_of("<rect width='2em' height='1'/>")),
-              HasSubstr("width=\"2em\" is no length"));
+  EXPECT_THAT(first_fault(svg_of("<rect width='2ells' height='1'/>")),
+              HasSubstr("width=\"2ells\" is no length"));
   EXPECT_THAT(first_fault(svg_of("<g transform='turn(3)'/>")), HasSubstr("is no transform"));
   EXPECT_THAT(first_fault("<html/>"), HasSubstr("not <svg>"));
   EXPECT_THAT(first_fault("hello"), HasSubstr("neither SVG nor DXF nor JSON"));
