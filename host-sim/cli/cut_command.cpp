@@ -56,6 +56,17 @@ void print_faults(const std::vector<drawing::Fault>& faults, const Drawing& draw
   if (drawn.more_faults != 0) terminal::print(stderr, "and {} more faults\n", drawn.more_faults);
 }
 
+/// Prints what was left out without a fault, except of layers that are skipped.
+void print_notes(const Drawing& drawn, const std::vector<cut::LayerPlan>& layers) {
+  for (const drawing::Fault& fault : drawn.faults) {
+    if (fault.is_error()) continue;
+    const bool skipped = fault.kind == drawing::FaultKind::kText &&
+                         fault.entity.layer < layers.size() &&
+                         layers[fault.entity.layer].settings.side == cut::Side::kSkip;
+    if (!skipped) terminal::print(stderr, "note: {}\n", to_string(fault, drawn.file));
+  }
+}
+
 void append(std::vector<drawing::Fault>& faults, const std::vector<drawing::Fault>& more) {
   faults.insert(faults.end(), more.begin(), more.end());
 }
@@ -205,6 +216,7 @@ ExitStatus cut_drawing(const CLI::App& command, CutCommandOptions& options) {
       plan_cuts(drawn, layers, options.curves, beside, std::move(recipes), searched_order(options));
   make_safe(plan, drawn, options.safety);
   const cut::Timeline timeline = predict(plan);
+  print_notes(drawn, layers);
   print_faults(faults, drawn);
   print_faults(plan.faults, drawn);
   print_faults(plan.warnings, drawn);

@@ -88,7 +88,8 @@ std::vector<stock::Ring> rings_of(const std::string& file) {
   if (is_contour_text(text)) return rings_of_text(text, file);
   const drawing::Drawing drawn = drawing::read_drawing(file, text);
   for (const drawing::Fault& fault : drawn.faults) {
-    if (fault.is_error()) throw std::invalid_argument(to_string(fault, file));
+    const bool is_text = fault.kind == drawing::FaultKind::kText;
+    if (fault.is_error() || is_text) throw std::invalid_argument(to_string(fault, file));
   }
   std::vector<stock::Ring> rings;
   for (const drawing::DrawnContour& contour : drawn.contours) {

@@ -17,6 +17,9 @@ struct Layer {
   auto operator<=>(const Layer&) const = default;
 };
 
+/// Which places lie within a shape whose outlines cross or overlap.
+enum class FillRule : std::uint8_t { kEvenOdd, kNonZero };
+
 /// What of a file something was drawn by.
 struct Entity {
   std::string name{};      ///< `path "outline"`, `LINE 2F`: kind, and id or handle if any.
@@ -24,13 +27,15 @@ struct Entity {
   std::size_t column = 0;  ///< From 1; 0 where the whole line is meant.
   std::size_t layer = 0;   ///< Index into Drawing::layers.
   std::size_t part = 0;    ///< Of files of parts: contours of others are none of its business.
+  FillRule fill_rule = FillRule::kEvenOdd;  ///< SVG names it and means kNonZero where it does not.
+  bool is_filled = false;                   ///< Its area is painted, not only its outline.
 };
 
 enum class FaultKind : std::uint8_t {
   kUnreadable,  ///< The file as a whole is refused.
   kBadEntity,   ///< An entity is left out, because what it says makes no sense.
   kTooMuch,     ///< A limit was reached; the rest is left out.
-  kText,        ///< Letters are no paths; left out.
+  kText,        ///< Letters that are left out, or the font in which they are drawn. No error.
   kOpen,        ///< An end that meets no other one.
   kBranch,      ///< More than two ends meet; which of them belong together is a guess.
   kTooSmall,    ///< Shorter than the gap that is joined, or without area; left out.
@@ -52,7 +57,9 @@ struct Fault {
   std::string reason;
   std::string remedy;
 
-  [[nodiscard]] bool is_error() const { return kind != FaultKind::kIgnored; }
+  [[nodiscard]] bool is_error() const {
+    return kind != FaultKind::kIgnored && kind != FaultKind::kText;
+  }
 };
 
 /// `file:line:column: path "a" at 3.000 4.000: reason; remedy`.
@@ -114,11 +121,19 @@ inline constexpr std::size_t kDeepestNesting = 64;
 /// Farther from the origin than any machine reaches; nearer to a slip of units.
 inline constexpr double kFarthestMm = 1.0e7;
 
+/// What becomes of letters.
+enum class TextMode : std::uint8_t {
+  kSkip,     ///< Left out, and a note says so.
+  kOutline,  ///< Outlines of the font that the drawing names, or of the nearest one.
+  kStroke,   ///< Single strokes, as an engraver draws them.
+};
+
 struct ImportOptions {
   double gap_mm = 0.01;  ///< Ends no farther apart are one place. 0 or more.
   /// Share of the work that a drawing may take, above 0 and at most 1: of what copies it draws,
   /// what curves become and what is compared. All of it may be twenty seconds.
   double effort = 1.0;
+  TextMode text = TextMode::kSkip;
 };
 
 inline constexpr double kLeastGapMm = 0.0;

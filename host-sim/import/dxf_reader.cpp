@@ -220,11 +220,9 @@ class DxfReader {
     } else if (entity.type == "INSERT") {
       insert(entity, within);
     } else if (is_text(entity.type)) {
-      sketch_.report({FaultKind::kText,
-                      described(entity, within),
-                      {},
-                      "letters are no paths",
-                      "convert text to polylines in the drawing program (TXTEXP)"});
+      Entity named = described(entity, within);
+      named.layer = sketch_.layer(layer_of(entity, within));
+      sketch_.leave_out_text(named, entity.text(1));
     } else {
       sketch_.ignore(fmt::format("{:.40} is nothing to cut", entity.type),
                      described(entity, within));

@@ -38,6 +38,21 @@ bool within_reach(const Shape& shape) {
   return within_reach(start_of(shape)) && within_reach(end_of(shape));
 }
 
+/// Returns the first letters of a text as one line, without cutting a letter of UTF-8 in two.
+std::string first_words(std::string_view words) {
+  constexpr std::size_t kMostBytesOfWords = 40;
+  std::string line;
+  for (const char c : words) {
+    const bool blank = c == ' ' || (c > 0 && c < ' ');
+    if (blank && (line.empty() || line.back() == ' ')) continue;
+    const bool continues = (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+    if (line.size() >= kMostBytesOfWords && !continues) return line + "…";
+    line += blank ? ' ' : c;
+  }
+  if (line.ends_with(' ')) line.pop_back();
+  return line;
+}
+
 bool has_length(const Shape& shape) {
   if (const auto* const line = std::get_if<Line>(&shape)) {
     return distance(line->start, line->end) > kNoLengthMm;
@@ -121,22 +136,31 @@ void Sketch::refuse(std::size_t line, std::size_t column, std::string reason, st
   report({FaultKind::kUnreadable, std::move(whole), {}, std::move(reason), std::move(remedy)});
 }
 
-void Sketch::ignore(const std::string& what, const Entity& first, std::string remedy) {
-  if (ignored_.size() >= kMostFaults && !ignored_.contains(what)) return;
-  Ignored& ignored = ignored_[what];
-  if (ignored.count++ == 0) {
-    ignored.first = first;
-    ignored.remedy = std::move(remedy);
-  }
+void Sketch::note(const Fault& first, std::string detail) {
+  // Rules may skip the letters of one layer, and not those of another.
+  const std::size_t layer = first.kind == FaultKind::kText ? first.entity.layer : 0;
+  const std::tuple key{first.kind, first.reason, layer};
+  if (notes_.size() >= kMostFaults && !notes_.contains(key)) return;
+  Note& note = notes_[key];
+  if (note.count++ == 0) note = {first, std::move(detail), 1};
+}
+
+void Sketch::leave_out_text(const Entity& entity, std::string_view words) {
+  note({FaultKind::kText,
+        entity,
+        {},
+        "letters are left out",
+        "convert them to paths in the drawing program to cut them"},
+       fmt::format(": \"{}\"", first_words(words)));
 }
 
 void Sketch::finish() {
-  for (auto& [what, ignored] : ignored_) {
-    const std::string more =
-        ignored.count > 1 ? fmt::format(" ({} in all)", ignored.count) : std::string{};
-    report({FaultKind::kIgnored, ignored.first, {}, what + more, ignored.remedy});
+  for (auto& [key, note] : notes_) {
+    if (note.count > 1) note.detail += fmt::format(" ({} in all)", note.count);
+    note.first.reason += note.detail;
+    report(std::move(note.first));
   }
-  ignored_.clear();
+  notes_.clear();
 }
 
 }  // namespace sim::drawing

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <map>
 #include <string>
+#include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -24,7 +26,7 @@ struct Chain {
 class Sketch {
  public:
   /// @pre effort in (0, 1], as ImportOptions has it
-  explicit Sketch(double effort) : effort_{effort} {}
+  explicit Sketch(double effort, TextMode text = TextMode::kSkip) : effort_{effort}, text_{text} {}
 
   [[nodiscard]] std::size_t layer(const Layer& layer);
   [[nodiscard]] std::size_t add_entity(Entity entity);
@@ -38,7 +40,16 @@ class Sketch {
   /// A fault of the whole file.
   void refuse(std::size_t line, std::size_t column, std::string reason, std::string remedy);
   /// Things to ignore are told once for each kind, with their number.
-  void ignore(const std::string& what, const Entity& first, std::string remedy = {});
+  void ignore(const std::string& what, const Entity& first, std::string remedy = {}) {
+    note({FaultKind::kIgnored, first, {}, what, std::move(remedy)});
+  }
+  /// Counts one more note of the kind and reason of `first`, which gives place and remedy.
+  /// @param detail of the first one, behind the reason
+  /// @pre first is no error
+  void note(const Fault& first, std::string detail = {});
+  /// Notes letters that are left out, with their number in a layer, and place and words of the
+  /// first of them.
+  void leave_out_text(const Entity& entity, std::string_view words);
   /// Turns what was ignored into faults. Call once, at the end.
   void finish();
 
@@ -47,6 +58,7 @@ class Sketch {
     return std::max<std::size_t>(1, static_cast<std::size_t>(effort_ * static_cast<double>(work)));
   }
 
+  [[nodiscard]] TextMode text() const { return text_; }
   [[nodiscard]] bool full() const { return full_; }
   [[nodiscard]] const Entity& entity(std::size_t index) const { return entities_[index]; }
   [[nodiscard]] std::vector<Chain>& chains() { return chains_; }
@@ -55,19 +67,21 @@ class Sketch {
   [[nodiscard]] std::size_t more_faults() const { return more_faults_; }
 
  private:
-  struct Ignored {
-    Entity first;
-    std::string remedy;
+  struct Note {
+    Fault first;
+    std::string detail;
     std::size_t count = 0;
   };
 
   double effort_;
+  TextMode text_;
   std::vector<Layer> layers_;
   std::map<Layer, std::size_t> layer_index_;
   std::vector<Entity> entities_;
   std::vector<Chain> chains_;
   std::vector<Fault> faults_;
-  std::map<std::string, Ignored> ignored_;
+  /// By kind, reason and, of letters, layer.
+  std::map<std::tuple<FaultKind, std::string, std::size_t>, Note> notes_;
   std::size_t more_faults_ = 0;
   std::size_t shapes_ = 0;
   bool full_ = false;

@@ -219,7 +219,8 @@ class CellWatch {
   /// @param knots file of knots; empty for none
   CellWatch(const std::string& knots, Simulator& simulator)
       : name_{knots}, shaping_{steps_per_mm<double>(simulator.settings())} {
-    if (knots.empty()) return simulator.machine().observe(&shaping_);
+    simulator.machine().observe(&shaping_);
+    if (knots.empty()) return;
     knots_.emplace(knots, steps_per_mm<double>(simulator.settings()), shaping_);
     simulator.machine().observe(&*knots_);
   }
