@@ -106,6 +106,7 @@ void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>
   command.add_option("--gap", options->import.gap_mm, "Ends no farther apart are joined, mm")
       ->check(in_range(drawing::kLeastGapMm, drawing::kGreatestGapMm, "mm"))
       ->capture_default_str();
+  add_text_option(command, options->import.text);
   add_outline_options(command, options->curves);
   add_cut_safety_options(command, options);
   command.add_flag("--anyway", options->anyway, "Cut what is sound of a drawing with faults");

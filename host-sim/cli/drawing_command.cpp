@@ -8,6 +8,7 @@
 
 #include "host-sim/cli/commands.hpp"
 #include "host-sim/cli/file_options.hpp"
+#include "host-sim/cli/outline_options.hpp"
 #include "host-sim/cli/value_range.hpp"
 #include "host-sim/import/curve_measure.hpp"
 #include "host-sim/import/drawing.hpp"
@@ -149,6 +150,7 @@ void add_drawing_command(CLI::App& app, ExitStatus& status) {
   command->add_option("--gap", options->import.gap_mm, "Ends no farther apart are joined, mm")
       ->check(in_range(drawing::kLeastGapMm, drawing::kGreatestGapMm, "mm"))
       ->capture_default_str();
+  add_text_option(*command, options->import.text);
   mark_file(
       command->add_option("--svg", options->svg, "Draw what was read, with the places of faults")
           ->type_name("FILE"),

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "host-sim/import/stroke_colour.hpp"
 #include "host-sim/report/nearest_name.hpp"
 
 namespace sim::cut {
@@ -148,6 +149,8 @@ LayerSettings settings_for(const drawing::Layer& layer,
                            const LayerSettings& common,
                            const std::vector<LayerRule>& rules) {
   LayerSettings settings = common;
+  // Single strokes have no side.
+  if (layer.colour == drawing::kStrokeTextColour) settings.side = Side::kMark;
   std::vector<const LayerRule*> own;
   for (const LayerRule& rule : rules) {
     if (rule.name != layer.name && rule.name != layer.colour) continue;
@@ -156,6 +159,7 @@ LayerSettings settings_for(const drawing::Layer& layer,
   }
   if (settings.side != Side::kMark) return settings;
   LayerSettings engraved;
+  engraved.side = Side::kMark;
   for (const LayerRule* rule : own) {
     expect_of_mark(*rule);
     for (const auto& [key, value] : rule->values) set(engraved, key, value);

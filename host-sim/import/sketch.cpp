@@ -4,6 +4,9 @@
 
 #include <algorithm>
 
+#include "host-sim/import/stroke_colour.hpp"
+#include "host-sim/text/lettering.hpp"
+
 namespace sim::drawing {
 namespace {
 
@@ -38,7 +41,15 @@ bool within_reach(const Shape& shape) {
   return within_reach(start_of(shape)) && within_reach(end_of(shape));
 }
 
-/// Returns the first letters of a text as one line, without cutting a letter of UTF-8 in two.
+bool has_length(const Shape& shape) {
+  if (const auto* const line = std::get_if<Line>(&shape)) {
+    return distance(line->start, line->end) > kNoLengthMm;
+  }
+  return length_of_hull(shape) > kNoLengthMm;
+}
+
+}  // namespace
+
 std::string first_words(std::string_view words) {
   constexpr std::size_t kMostBytesOfWords = 40;
   std::string line;
@@ -52,15 +63,6 @@ std::string first_words(std::string_view words) {
   if (line.ends_with(' ')) line.pop_back();
   return line;
 }
-
-bool has_length(const Shape& shape) {
-  if (const auto* const line = std::get_if<Line>(&shape)) {
-    return distance(line->start, line->end) > kNoLengthMm;
-  }
-  return length_of_hull(shape) > kNoLengthMm;
-}
-
-}  // namespace
 
 double length_of_hull(const Shape& shape) {
   const auto sum = [](const auto& points) {
@@ -76,6 +78,11 @@ double length_of_hull(const Shape& shape) {
   }
   const auto& ellipse = std::get<Ellipse>(shape);
   return (ellipse.major.norm() + ellipse.minor.norm()) * std::abs(ellipse.to - ellipse.from);
+}
+
+text::Lettering& Sketch::lettering() {
+  if (!lettering_) lettering_ = std::make_shared<text::Lettering>(text_ == TextMode::kStroke);
+  return *lettering_;
 }
 
 std::size_t Sketch::layer(const Layer& layer) {
@@ -123,7 +130,16 @@ bool Sketch::add(Chain chain) {
   return true;
 }
 
+bool Sketch::is_of_strokes(const Fault& fault) const {
+  const bool is_of_lines = fault.kind == FaultKind::kOpen || fault.kind == FaultKind::kBranch ||
+                           fault.kind == FaultKind::kCrossing;
+  return text_ == TextMode::kStroke && is_of_lines && !fault.entity.name.empty() &&
+         fault.entity.layer < layers_.size() &&
+         layers_[fault.entity.layer].colour == kStrokeTextColour;
+}
+
 void Sketch::report(Fault fault) {
+  if (is_of_strokes(fault)) return;
   if (faults_.size() < kMostFaults) {
     faults_.push_back(std::move(fault));
   } else {
@@ -150,7 +166,7 @@ void Sketch::leave_out_text(const Entity& entity, std::string_view words) {
         entity,
         {},
         "letters are left out",
-        "convert them to paths in the drawing program to cut them"},
+        "--text outline or --text stroke draws them"},
        fmt::format(": \"{}\"", first_words(words)));
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <tuple>
@@ -10,6 +11,10 @@
 #include <vector>
 
 #include "host-sim/import/drawing.hpp"
+
+namespace sim::text {
+class Lettering;
+}
 
 namespace sim::drawing {
 
@@ -21,6 +26,9 @@ struct Chain {
 
 /// At least the length of a shape, and 0 only where that is.
 [[nodiscard]] double length_of_hull(const Shape& shape);
+
+/// Returns the beginning of a text as one line, without cutting a letter of UTF-8 in two.
+[[nodiscard]] std::string first_words(std::string_view words);
 
 /// What a reader gathers of a file, before chains are joined to contours.
 class Sketch {
@@ -59,6 +67,8 @@ class Sketch {
   }
 
   [[nodiscard]] TextMode text() const { return text_; }
+  /// Returns what draws letters; made when it is wanted first. @pre text() is not kSkip
+  [[nodiscard]] text::Lettering& lettering();
   [[nodiscard]] bool full() const { return full_; }
   [[nodiscard]] const Entity& entity(std::size_t index) const { return entities_[index]; }
   [[nodiscard]] std::vector<Chain>& chains() { return chains_; }
@@ -73,8 +83,13 @@ class Sketch {
     std::size_t count = 0;
   };
 
+  /// Returns whether a fault says that strokes of letters are open, or cross and meet each other,
+  /// as they do.
+  [[nodiscard]] bool is_of_strokes(const Fault& fault) const;
+
   double effort_;
   TextMode text_;
+  std::shared_ptr<text::Lettering> lettering_;
   std::vector<Layer> layers_;
   std::map<Layer, std::size_t> layer_index_;
   std::vector<Entity> entities_;

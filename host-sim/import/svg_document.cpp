@@ -57,7 +57,8 @@ SvgDocument::SvgDocument(const std::string& source, Sketch& sketch)
 bool SvgDocument::load() {
   if (markup_.is_too_long()) return false;
   const std::string& text = markup_.text();
-  const pugi::xml_parse_result parsed = document_.load_buffer(text.data(), text.size());
+  const pugi::xml_parse_result parsed =
+      document_.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_ws_pcdata);
   if (!parsed) {
     const auto [line, column] = markup_.at(static_cast<std::size_t>(parsed.offset));
     sketch_.refuse(line,

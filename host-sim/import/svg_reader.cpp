@@ -11,6 +11,7 @@
 #include "host-sim/import/svg_document.hpp"
 #include "host-sim/import/svg_shapes.hpp"
 #include "host-sim/import/svg_style.hpp"
+#include "host-sim/import/svg_text.hpp"
 
 namespace sim::drawing {
 namespace {
@@ -294,8 +295,14 @@ class SvgReader {
     if (!is_seen(node, style)) return;
     Entity entity = document_.entity_of(node);
     entity.layer = layer_of(style);
-    sketch_.leave_out_text(entity, words_of(node));
+    if (sketch_.text() == TextMode::kSkip || !is_laid_out(node)) {
+      return sketch_.leave_out_text(entity, words_of(node));
+    }
+    text_.read(node, style);
   }
+
+  /// Returns whether letters have places: not those that flow within a region.
+  static bool is_laid_out(const pugi::xml_node& node) { return local_name(node) == "text"; }
 
   void read_shape(const pugi::xml_node& node, const SvgProperties& properties, SvgStyle style) {
     if (!is_seen(node, style)) return;
@@ -325,6 +332,7 @@ class SvgReader {
   SvgDocument document_;
   Sketch& sketch_;
   SvgClips clips_;
+  SvgText text_{document_, sketch_, clips_};
   std::vector<pugi::xml_node> used_;
 };
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <utility>
 
 #include "host-sim/import/scanner.hpp"
 
@@ -41,28 +40,6 @@ constexpr std::array<Inherited, 8> kInherited{{{"stroke", &SvgStyle::stroke},
                                                {"fill-rule", &SvgStyle::fill_rule},
                                                {"clip-rule", &SvgStyle::clip_rule}}};
 
-void take_font_size(const SvgProperties& properties, SvgViewport& viewport) {
-  std::string_view text = properties.get("font-size");
-  if (text.empty()) return;
-  if (text.ends_with('%')) {
-    if (const auto percent = Scanner{text}.number()) viewport.em *= 0.01 * *percent;
-    return;
-  }
-  static constexpr std::array<std::pair<std::string_view, double>, 7> kNamed{{{"xx-small", 9.6},
-                                                                              {"x-small", 12.0},
-                                                                              {"small", 14.2},
-                                                                              {"medium", 16.0},
-                                                                              {"large", 19.2},
-                                                                              {"x-large", 24.0},
-                                                                              {"xx-large", 32.0}}};
-  const auto* const named = std::ranges::find(kNamed, text, [](const auto& n) { return n.first; });
-  if (named != kNamed.end()) {
-    viewport.em = named->second;
-  } else if (const auto size = svg_length(text, viewport, SvgDirection::kOther)) {
-    viewport.em = std::max(0.0, *size);
-  }
-}
-
 }  // namespace
 
 bool SvgStyle::has_stroke() const {
@@ -84,7 +61,7 @@ void inherit(const SvgProperties& properties, SvgStyle& style) {
   const std::string_view visibility = properties.get("visibility");
   if (!visibility.empty() && visibility != "inherit") style.is_visible = visibility == "visible";
   style.is_clear = style.is_clear || is_nothing(properties.get("opacity"));
-  take_font_size(properties, style.viewport);
+  inherit_font(properties, style.viewport, style.font);
 }
 
 FillRule fill_rule_of(std::string_view value) {

@@ -10,6 +10,7 @@
 #include "host-sim/import/svg_attributes.hpp"
 #include "host-sim/import/svg_cascade.hpp"
 #include "host-sim/import/svg_clip.hpp"
+#include "host-sim/import/svg_font.hpp"
 
 namespace sim::drawing {
 
@@ -26,6 +27,7 @@ struct SvgStyle {
   std::string fill_opacity = "1";
   std::string fill_rule = "nonzero";
   std::string clip_rule = "nonzero";
+  SvgFont font{};
   std::vector<std::shared_ptr<const SvgClip>> clips{};
   bool is_visible = true;
   bool is_clear = false;  ///< Opacity 0, of its own or of an element around it.

@@ -103,8 +103,8 @@ TEST(SvgReader, TextAndImagesAreNotedHiddenThingsAreNot) {
   ASSERT_THAT(kinds_of(drawn), ElementsAre(FaultKind::kText, FaultKind::kIgnored));
   EXPECT_FALSE(drawn.has_errors());
   EXPECT_EQ(to_string(drawn.faults[0], "a.svg"),
-            "a.svg:2:3: text \"t\": letters are left out: \"K and é\" (2 in all); convert them to "
-            "paths in the drawing program to cut them");
+            "a.svg:2:3: text \"t\": letters are left out: \"K and é\" (2 in all); --text outline "
+            "or --text stroke draws them");
 }
 
 TEST(SvgReader, ColourAndLayerAreKept) {
