@@ -220,8 +220,10 @@ class DxfReader {
     } else if (entity.type == "INSERT") {
       insert(entity, within);
     } else if (is_text(entity.type)) {
+      Entity named = described(entity, within);
+      named.layer = sketch_.layer(layer_of(entity, within));
       sketch_.report({FaultKind::kText,
-                      described(entity, within),
+                      std::move(named),
                       {},
                       "letters are no paths",
                       "convert text to polylines in the drawing program (TXTEXP)"});

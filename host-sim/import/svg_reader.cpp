@@ -286,8 +286,11 @@ class SvgReader {
   void refuse_element(std::string_view name, const pugi::xml_node& node, const Style& style) {
     if (is_one_of(name, kLetters)) {
       if (!style.visible) return;
+      Entity entity = entity_of(node);
+      entity.layer =
+          sketch_.layer({style.layer, style.stroke != "none" ? style.stroke : style.fill});
       sketch_.report({FaultKind::kText,
-                      entity_of(node),
+                      std::move(entity),
                       {},
                       "letters are no paths",
                       "convert text to paths in the drawing program"});

@@ -18,7 +18,7 @@ constexpr double kAngleRounding = 1.0e-9;
 /// Distances are off by that through rounding, mm.
 constexpr double kStrokeRoundingMm = 1.0e-9;
 
-double angle_between(const Vector3d& one, const Vector3d& other) {
+double angle_between_beams(const Vector3d& one, const Vector3d& other) {
   return cnc::wide_atan2(one.cross(other).norm(), one.dot(other));
 }
 
@@ -55,7 +55,7 @@ void StrokeTracer::add_side(const Vector3d& from, const Vector3d& to, Samples& s
 
 bool StrokeTracer::turns_slowly(const Sample& from, const Sample& to) const {
   const double most = rules_.turn_rate_rad_per_mm * (to.tip - from.tip).norm();
-  return angle_between(from.beam->axis, to.beam->axis) <= most + kAngleRounding;
+  return angle_between_beams(from.beam->axis, to.beam->axis) <= most + kAngleRounding;
 }
 
 /// Returns whether the beam is clear at the quarters of the way, as the rotary axes turn it.
@@ -68,7 +68,7 @@ bool StrokeTracer::is_clear_between(const Sample& from, const Sample& to) const 
   const RotaryWords end = words_of(rules_.axes, to.beam->axis, begin);
   // A beam that hardly turns is as clear everywhere as half way.
   constexpr double kStill = 0.01;
-  const bool is_still = angle_between(from.beam->axis, to.beam->axis) <= kStill;
+  const bool is_still = angle_between_beams(from.beam->axis, to.beam->axis) <= kStill;
   return std::ranges::all_of(std::array{0.5, 0.25, 0.75}, [&](double share) {
     if (is_still && share != 0.5) return true;
     const RotaryWords words{begin.tilt + share * (end.tilt - begin.tilt),
@@ -89,7 +89,7 @@ bool StrokeTracer::is_joined(const Sample& from, const Sample& to) const {
   const bool is_short = (to.tip - from.tip).norm() <= kGapMm;
   const bool may_turn =
       turns_slowly(from, to) ||
-      (is_short && angle_between(from.beam->axis, to.beam->axis) <= rules_.swing_rad);
+      (is_short && angle_between_beams(from.beam->axis, to.beam->axis) <= rules_.swing_rad);
   return may_turn && is_clear_between(from, to);
 }
 
@@ -109,8 +109,8 @@ void StrokeTracer::lean_towards(const Sample& other, Sample& sample) const {
   for (const Vector3d& wanted : {nearest, goal}) {
     const std::optional<TipBeam> moved = finder_.nearest_to(wanted, sample.tip);
     if (!moved) continue;
-    const double angle = angle_between(moved->axis, goal);
-    const bool is_nearer = angle < angle_between(best->axis, goal) - kAngleRounding;
+    const double angle = angle_between_beams(moved->axis, goal);
+    const bool is_nearer = angle < angle_between_beams(best->axis, goal) - kAngleRounding;
     if (is_nearer) best = moved;
     if (angle <= most + kAngleRounding) break;
   }
@@ -124,8 +124,8 @@ bool StrokeTracer::is_jump(const Sample& from, const Sample& to) const {
   constexpr double kSameTilt = 0.1;
   const Vector3d up = Vector3d::UnitZ();
   const double difference =
-      std::abs(angle_between(from.beam->axis, up) - angle_between(to.beam->axis, up));
-  return angle_between(from.beam->axis, to.beam->axis) > rules_.swing_rad &&
+      std::abs(angle_between_beams(from.beam->axis, up) - angle_between_beams(to.beam->axis, up));
+  return angle_between_beams(from.beam->axis, to.beam->axis) > rules_.swing_rad &&
          difference <= kSameTilt * rules_.swing_rad;
 }
 
@@ -154,7 +154,7 @@ StrokeTracer::Flags StrokeTracer::small_turns_of(const Samples& least) const {
   Flags are_small(least.size() - 1, true);
   for (std::size_t i = 0; i < are_small.size(); ++i) {
     if (!least[i].beam || !least[i + 1].beam) continue;
-    const double angle = angle_between(least[i].beam->axis, least[i + 1].beam->axis);
+    const double angle = angle_between_beams(least[i].beam->axis, least[i + 1].beam->axis);
     are_small[i] = angle <= rules_.swing_rad;
   }
   return are_small;

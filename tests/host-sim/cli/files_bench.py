@@ -65,6 +65,7 @@ class Command:
 
 STEEL = ("--material", "CSP 1N")
 SETTINGS = "$110=1000\n"
+RECIPE = '{"kerfline_recipe": 1, "tabs": 1}'
 POST = "[format]\nblanks = yes\n"
 COUPON = (*STEEL, "--thickness", "2", "--full-power", "2000", "--laser", "a")
 COMMANDS = {
@@ -93,11 +94,11 @@ COMMANDS = {
     "drawing": Command((), {"FILE": PLATE}, ("--svg",), takes_stdin=True),
     "cut": Command((*STEEL, "--thickness", "2"),
                    {"DRAWING": PLATE, "--layers": ": tabs=2\n", "--rules": "outer: tabs=3\n",
-                    "--settings": SETTINGS, "--post": POST},
+                    "--settings": SETTINGS, "--post": POST, "--recipe": RECIPE},
                    ("--output", "--svg", "--png", "--animation", "--job-sheet", "--report",
-                    "--save-sheet", "--frame"),
+                    "--save-sheet", "--frame", "--save-recipe"),
                    {"--db": CUTS}, takes_stdin=True,
-                   empty_is_refused=("--layers", "--rules", "--settings")),
+                   empty_is_refused=("--layers", "--rules", "--settings", "--recipe")),
     "order": Command(("--steps", "10"), {"FILE": PROBLEM}, takes_stdin=True),
     "pocket": Command(("--tool", "6", "--depth", "2", "--feed", "600", "--plunge-feed", "200", "--entry", "plunge"),
                       {"FILE": PLATE, "--tools": TOOLS, "--post": POST},
