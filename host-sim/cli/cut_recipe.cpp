@@ -158,7 +158,7 @@ class RecipeReader {
     const std::string pointer = fmt::format("/{}", kLayersKey);
     if (layers.is_object()) {
       for (const auto& [name, settings] : layers.items()) {
-        read_layer(name, settings, pointer + "/" + name);
+        read_layer(name, settings, fmt::format("{}/{}", pointer, name));
       }
       return;
     }
@@ -181,13 +181,13 @@ class RecipeReader {
     cut::LayerSettings tried;
     for (const auto& [key, value] : settings.items()) {
       if (!value.is_string() && !value.is_number()) {
-        refuse(pointer + "/" + key, "wants a text or a number");
+        refuse(fmt::format("{}/{}", pointer, key), "wants a text or a number");
       }
       const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
       try {
         set(tried, key, text);
       } catch (const std::invalid_argument& error) {
-        refuse(pointer + "/" + key, error.what());
+        refuse(fmt::format("{}/{}", pointer, key), error.what());
       }
       rule.values.emplace_back(key, text);
     }

@@ -44,6 +44,7 @@ constexpr std::array<std::pair<const char*, Shading>, 6> kShadings{
 
 std::vector<std::string> shading_names() {
   std::vector<std::string> names;
+  names.reserve(kShadings.size());
   for (const auto& [name, shading] : kShadings) names.emplace_back(name);
   return names;
 }

@@ -267,6 +267,7 @@ double overscan_for(double speed_mm_s, double angle_deg, const cnc::order::Rapid
 std::vector<std::vector<std::size_t>> groups_by_box(
     const std::vector<std::vector<Stroke>>& outlines) {
   std::vector<Box> boxes;
+  boxes.reserve(outlines.size());
   for (const std::vector<Stroke>& outline : outlines) boxes.push_back(box_of(outline));
   std::vector<std::size_t> by_x(boxes.size());
   std::iota(by_x.begin(), by_x.end(), std::size_t{0});

@@ -111,9 +111,9 @@ std::optional<std::uint32_t> palette_colour(std::string_view name) {
 
 }  // namespace
 
-std::optional<std::uint32_t> colour_from(std::string_view written) {
-  const std::string text = lower(written);
-  const std::string_view view{text};
+std::optional<std::uint32_t> colour_from(std::string_view text) {
+  const std::string lowered = lower(text);
+  const std::string_view view{lowered};
   if (view.starts_with('#')) return colour_of_digits(view.substr(1));
   if (view.starts_with("rgb(")) return colour_of_channels(view.substr(4));
   if (view.starts_with("aci ")) {

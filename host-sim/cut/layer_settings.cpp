@@ -259,6 +259,7 @@ void set(LayerSettings& settings, std::string_view key, std::string_view value) 
     if (setter.key == key) return setter.set(settings, value);
   }
   std::vector<std::string> keys;
+  keys.reserve(kSetters.size());
   for (const KeySetter& setter : kSetters) keys.emplace_back(setter.key);
   throw std::invalid_argument(fmt::format("{}: no such setting; there are {}{}",
                                           key,

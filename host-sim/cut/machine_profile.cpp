@@ -91,7 +91,19 @@ std::vector<Place> outermost_of(const Stroke& stroke) {
   const double low = std::min(begin, begin + sweep);
   const double high = std::max(begin, begin + sweep);
   for (double k = std::ceil(low / kQuarter); k * kQuarter <= high; k += 1.0) {
-    places.push_back(centre + radius * drawing::direction(k * kQuarter));
+    places.emplace_back(centre + radius * drawing::direction(k * kQuarter));
+  }
+  return places;
+}
+
+/// The same of all strokes of a cut, and of what a controller is given for it.
+std::vector<Place> outermost_of(const Cut& cut) {
+  std::vector<Place> places;
+  for (const std::vector<Stroke>* strokes : {&cut.strokes, &cut.programmed}) {
+    for (const Stroke& stroke : *strokes) {
+      const std::vector<Place> own = outermost_of(stroke);
+      places.insert(places.end(), own.begin(), own.end());
+    }
   }
   return places;
 }
@@ -182,12 +194,8 @@ std::vector<drawing::Fault> off_the_bed(const CutPlan& plan,
                                 {"front", 1, -1.0, bed.low.y()},
                                 {"back", 1, 1.0, bed.high.y()}}};
   for (const Cut& cut : plan.cuts) {
-    for (const std::vector<Stroke>* strokes : {&cut.strokes, &cut.programmed}) {
-      for (const Stroke& stroke : *strokes) {
-        for (const Place& place : outermost_of(stroke)) {
-          for (BedSide& side : sides) side.look(place, cut);
-        }
-      }
+    for (const Place& place : outermost_of(cut)) {
+      for (BedSide& side : sides) side.look(place, cut);
     }
   }
   std::vector<drawing::Fault> faults;

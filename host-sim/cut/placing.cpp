@@ -132,8 +132,9 @@ class DrawingPlacer {
     std::vector<Piece> all;
     all.reserve(pieces_.size() * copies);
     for (std::size_t number = 0; number < copies; ++number) {
+      const std::size_t row = number / wishes_.columns;
       const Place way{pitch.x() * static_cast<double>(number % wishes_.columns),
-                      pitch.y() * static_cast<double>(number / wishes_.columns)};
+                      pitch.y() * static_cast<double>(row)};
       for (Piece& piece : mapped(pieces_, drawing::moved_by(way))) {
         piece.contour.entity.part += number * parts;
         piece.contour.entity.name = fmt::format("#{}: {}", number + 1, piece.contour.entity.name);
