@@ -130,7 +130,7 @@ class Cut(unittest.TestCase):
         self.assertIn("S38.889\n", done.stdout)
         for more in ("lead-in=arc:1", "tabs=2", "pierce=0.3"):
             told = self.refused(self.plate, *STEEL, "--layer", f"red: {more}", "--layer", "red: side=mark")
-            self.assertIn(f"--layer: {more}: with side=mark a layer has power, feed, side, start, rank and", told)
+            self.assertIn(f"--layer: {more}: a layer that is engraved has power, feed, side, kind, start, rank,", told)
 
     def test_the_picture_tells_order_size_power_and_kerf(self):
         svg = self.folder / "out.svg"

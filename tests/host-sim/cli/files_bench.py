@@ -66,7 +66,11 @@ class Command:
 
 STEEL = ("--material", "CSP 1N")
 SETTINGS = "$110=1000\n"
+RECIPE = '{"kerfline_recipe": 1, "tabs": 1}'
 POST = "[format]\nblanks = yes\n"
+# A black pixel and a white one, as BMP; texts of files are UTF-8, which these bytes are.
+PICTURE = ("BM" + "\0" * 8 + "\x36\0\0\0\x28\0\0\0\x02\0\0\0\x01\0\0\0\x01\0\x18\0" + "\0" * 24 +
+           "\0\0\0\x7f\x7f\x7f\0\0")
 COUPON = (*STEEL, "--thickness", "2", "--full-power", "2000", "--laser", "a")
 COMMANDS = {
     "sim": Command(("--stock", "-1,-1,12,6,1", "--tool", "2", "--stock-cell", "0.5", "--stock-depth", "1"),
@@ -94,11 +98,15 @@ COMMANDS = {
     "drawing": Command((), {"FILE": PLATE}, ("--svg",), takes_stdin=True),
     "cut": Command((*STEEL, "--thickness", "2"),
                    {"DRAWING": PLATE, "--layers": ": tabs=2\n", "--rules": "outer: tabs=3\n",
-                    "--settings": SETTINGS, "--post": POST},
+                    "--settings": SETTINGS, "--post": POST, "--recipe": RECIPE},
                    ("--output", "--svg", "--png", "--animation", "--job-sheet", "--report",
-                    "--save-sheet", "--frame"),
+                    "--save-sheet", "--frame", "--save-recipe"),
                    {"--db": CUTS}, takes_stdin=True,
-                   empty_is_refused=("--layers", "--rules", "--settings")),
+                   empty_is_refused=("--layers", "--rules", "--settings", "--recipe")),
+    "engrave": Command(("--width", "20", "--power", "50%", "--feed", "3000", "--plain"),
+                       {"IMAGE": PICTURE, "--settings": SETTINGS, "--post": POST},
+                       ("--output", "--report", "--picture"), takes_stdin=True,
+                       empty_is_refused=("IMAGE", "--settings")),
     "order": Command(("--steps", "10"), {"FILE": PROBLEM}, takes_stdin=True),
     "pocket": Command(("--tool", "6", "--depth", "2", "--feed", "600", "--plunge-feed", "200", "--entry", "plunge"),
                       {"FILE": PLATE, "--tools": TOOLS, "--post": POST},
