@@ -56,6 +56,14 @@ void print_faults(const std::vector<drawing::Fault>& faults, const Drawing& draw
   if (drawn.more_faults != 0) terminal::print(stderr, "and {} more faults\n", drawn.more_faults);
 }
 
+/// Prints what the drawing's reader left out or read in another way, which is no fault.
+void print_notes(const Drawing& drawn) {
+  for (const drawing::Fault& fault : drawn.faults) {
+    if (fault.is_error()) continue;
+    terminal::print(stderr, "{}: {}\n", name_of(fault.kind), to_string(fault, drawn.file));
+  }
+}
+
 void append(std::vector<drawing::Fault>& faults, const std::vector<drawing::Fault>& more) {
   faults.insert(faults.end(), more.begin(), more.end());
 }
@@ -189,6 +197,7 @@ ExitStatus cut_drawing(const CLI::App& command, CutCommandOptions& options) {
   options.post.read(command, inputs, options.decimals);
   const CutInput input = read_cut_input(options.file, options.import, inputs);
   const Drawing& drawn = input.drawn;
+  print_notes(drawn);
   if (input.is_broken_sheet() && !options.anyway) return refuse(options, drawn.faults, drawn);
   const MaterialRecord record = options.record.record();
   const auto layers = layers_of(options, drawn, record, inputs);

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "host-sim/cli/file_options.hpp"
+#include "host-sim/cli/import_options.hpp"
 #include "host-sim/cli/value_range.hpp"
 #include "planner/gcode/print_grid.hpp"
 
@@ -66,10 +67,12 @@ void add_common_options(CLI::App& command, const std::shared_ptr<CutCommandOptio
 
 void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>& options) {
   command.footer(kCutFooter);
-  mark_file(
-      command.add_option("DRAWING", options->file, "SVG, DXF, JSON or sheet; - is standard input")
-          ->required(),
-      FileRole::kInput);
+  mark_file(command
+                .add_option("DRAWING",
+                            options->file,
+                            "SVG, DXF, PDF, LightBurn, JSON or sheet; - is standard input")
+                ->required(),
+            FileRole::kInput);
   options->record.add_to(command);
   command.get_option("--material")->required();
   command.add_option("--thickness", options->thickness_mm, "mm")
@@ -103,9 +106,7 @@ void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>
       ->check(in_whole_range(0, 99))
       ->type_name("P");
   command.add_flag("--constant-power", options->constant_power, "M3 instead of M4");
-  command.add_option("--gap", options->import.gap_mm, "Ends no farther apart are joined, mm")
-      ->check(in_range(drawing::kLeastGapMm, drawing::kGreatestGapMm, "mm"))
-      ->capture_default_str();
+  add_import_options(command, options->import);
   add_outline_options(command, options->curves);
   add_cut_safety_options(command, options);
   command.add_flag("--anyway", options->anyway, "Cut what is sound of a drawing with faults");

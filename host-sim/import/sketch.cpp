@@ -122,19 +122,48 @@ void Sketch::refuse(std::size_t line, std::size_t column, std::string reason, st
 }
 
 void Sketch::ignore(const std::string& what, const Entity& first, std::string remedy) {
+  gather(FaultKind::kIgnored, what, first, std::move(remedy));
+}
+
+void Sketch::note(const std::string& what, const Entity& first, std::string remedy) {
+  gather(FaultKind::kNote, what, first, std::move(remedy));
+}
+
+void Sketch::gather(FaultKind kind,
+                    const std::string& what,
+                    const Entity& first,
+                    std::string remedy) {
   if (ignored_.size() >= kMostFaults && !ignored_.contains(what)) return;
   Ignored& ignored = ignored_[what];
   if (ignored.count++ == 0) {
+    ignored.kind = kind;
     ignored.first = first;
     ignored.remedy = std::move(remedy);
   }
+}
+
+void Sketch::scale(double factor) {
+  const Transform larger = scaled_by(factor, factor);
+  for (Chain& chain : chains_) {
+    for (Shape& shape : chain.shapes) shape = transformed(shape, larger);
+  }
+  for (Fault& fault : faults_) {
+    if (fault.place_mm) fault.place_mm = larger(*fault.place_mm);
+  }
+}
+
+void Sketch::forget_lines() {
+  const auto forget = [](Entity& entity) { entity.line = entity.column = 0; };
+  for (Entity& entity : entities_) forget(entity);
+  for (Fault& fault : faults_) forget(fault.entity);
+  for (auto& [what, ignored] : ignored_) forget(ignored.first);
 }
 
 void Sketch::finish() {
   for (auto& [what, ignored] : ignored_) {
     const std::string more =
         ignored.count > 1 ? fmt::format(" ({} in all)", ignored.count) : std::string{};
-    report({FaultKind::kIgnored, ignored.first, {}, what + more, ignored.remedy});
+    report({ignored.kind, ignored.first, {}, what + more, ignored.remedy});
   }
   ignored_.clear();
 }

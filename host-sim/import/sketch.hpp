@@ -39,7 +39,13 @@ class Sketch {
   void refuse(std::size_t line, std::size_t column, std::string reason, std::string remedy);
   /// Things to ignore are told once for each kind, with their number.
   void ignore(const std::string& what, const Entity& first, std::string remedy = {});
-  /// Turns what was ignored into faults. Call once, at the end.
+  /// Keeps a note as `ignore()` does, of something that is drawn.
+  void note(const std::string& what, const Entity& first, std::string remedy = {});
+  /// Makes everything larger by a factor, what is reported included. @pre factor > 0
+  void scale(double factor);
+  /// Forgets lines and columns: they are not those of the file.
+  void forget_lines();
+  /// Turns what was ignored and noted into faults. Call once, at the end.
   void finish();
 
   /// The share that this drawing may have of a bound on work; 1 or more.
@@ -56,10 +62,13 @@ class Sketch {
 
  private:
   struct Ignored {
+    FaultKind kind = FaultKind::kIgnored;
     Entity first;
     std::string remedy;
     std::size_t count = 0;
   };
+
+  void gather(FaultKind kind, const std::string& what, const Entity& first, std::string remedy);
 
   double effort_;
   std::vector<Layer> layers_;

@@ -81,9 +81,9 @@ std::string read_bytes(const std::string& file) {
 
 std::string read_text(const std::string& file) {
   std::string text = read_bytes(file);
-  // The importer knows it, and what to do about it.
-  constexpr std::string_view kBinaryDxf = "AutoCAD Binary DXF";
-  if (is_binary(text) && !text.starts_with(kBinaryDxf)) {
+  // The importer of drawings reads them.
+  const bool is_drawing = text.starts_with("AutoCAD Binary DXF") || text.starts_with("%PDF");
+  if (is_binary(text) && !is_drawing) {
     throw std::invalid_argument(fmt::format(
         "{}: is a binary file, not text; is it the right file, saved as plain text or UTF-8?",
         name_of_input(file)));
