@@ -4,6 +4,7 @@
 
 #include "host-sim/cli/cut_recipe.hpp"
 #include "host-sim/cli/file_options.hpp"
+#include "host-sim/cli/import_options.hpp"
 #include "host-sim/cli/value_range.hpp"
 #include "host-sim/cut/known_kerf.hpp"
 #include "planner/gcode/print_grid.hpp"
@@ -76,10 +77,12 @@ void add_common_options(CLI::App& command, const std::shared_ptr<CutCommandOptio
 
 void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>& options) {
   command.footer(kCutFooter);
-  mark_file(
-      command.add_option("DRAWING", options->file, "SVG, DXF, JSON or sheet; - is standard input")
-          ->required(),
-      FileRole::kInput);
+  mark_file(command
+                .add_option("DRAWING",
+                            options->file,
+                            "SVG, DXF, PDF, LightBurn, JSON or sheet; - is standard input")
+                ->required(),
+            FileRole::kInput);
   options->record.add_to(command);
   command
       .add_option("--kerf",
@@ -121,9 +124,7 @@ void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>
       ->check(in_whole_range(0, 99))
       ->type_name("P");
   command.add_flag("--constant-power", options->constant_power, "M3 instead of M4");
-  command.add_option("--gap", options->import.gap_mm, "Ends no farther apart are joined, mm")
-      ->check(in_range(drawing::kLeastGapMm, drawing::kGreatestGapMm, "mm"))
-      ->capture_default_str();
+  add_import_options(command, options->import);
   add_text_option(command, options->import.text);
   add_outline_options(command, options->curves);
   add_cut_safety_options(command, options);

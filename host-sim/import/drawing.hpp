@@ -10,10 +10,22 @@
 
 namespace sim::drawing {
 
+/// How a project of a laser program cuts a layer: defaults for whoever does not say it.
+struct OfferedSettings {
+  std::string kind{};                         ///< As the project has it: Cut, Scan, Image …
+  std::optional<double> power_share{};        ///< Of full power, 0…1; the greatest of a range.
+  std::optional<double> least_power_share{};  ///< Of full power, 0…1, at rest.
+  std::optional<double> speed_mm_s{};         ///< Above 0.
+  std::optional<std::size_t> passes{};        ///< 1 or more.
+  std::optional<int> priority{};              ///< Lower ones are cut first.
+  auto operator<=>(const OfferedSettings&) const = default;
+};
+
 /// What a user sorts a drawing by: contours are joined within one layer only.
 struct Layer {
   std::string name;    ///< Of the DXF layer, the labelled SVG group, the part; may be empty.
   std::string colour;  ///< SVG: stroke, else fill, as written. DXF: `ACI n` or `#rrggbb`.
+  std::optional<OfferedSettings> offered{};
   auto operator<=>(const Layer&) const = default;
 };
 
@@ -44,6 +56,7 @@ enum class FaultKind : std::uint8_t {
   kNoArcs,      ///< No arcs follow it within the tolerance; its contour is left out.
   kUnchecked,   ///< Too much to look for crossings everywhere.
   kIgnored,     ///< Nothing that could be cut; left out. No error.
+  kNote,        ///< Read in a way that the user should know; nothing is left out. No error.
 };
 
 /// `unreadable`, `bad entity` …, for people and for JSON.
@@ -58,7 +71,7 @@ struct Fault {
   std::string remedy;
 
   [[nodiscard]] bool is_error() const {
-    return kind != FaultKind::kIgnored && kind != FaultKind::kText;
+    return kind != FaultKind::kIgnored && kind != FaultKind::kNote && kind != FaultKind::kText;
   }
 };
 
@@ -130,6 +143,11 @@ enum class TextMode : std::uint8_t {
 
 struct ImportOptions {
   double gap_mm = 0.01;  ///< Ends no farther apart are one place. 0 or more.
+  /// Takes a wider gap where that closes most open ends; see wider_gap().
+  bool finds_gap = false;
+  /// Millimetres per unit of the drawing, in place of what the file says or its format means:
+  /// a unit of DXF, a pixel of SVG. From kLeastUnitMm to kGreatestUnitMm.
+  std::optional<double> unit_mm{};
   /// Share of the work that a drawing may take, above 0 and at most 1: of what copies it draws,
   /// what curves become and what is compared. All of it may be twenty seconds.
   double effort = 1.0;
@@ -138,10 +156,12 @@ struct ImportOptions {
 
 inline constexpr double kLeastGapMm = 0.0;
 inline constexpr double kGreatestGapMm = 10.0;
+inline constexpr double kLeastUnitMm = 1.0e-6;
+inline constexpr double kGreatestUnitMm = 1.0e6;
 
 /// Reads SVG, DXF or the JSON of nesting and cutting jobs, told by content. Never
 /// throws for what a file says; bounded by the limits above.
-/// @pre gap and effort within their limits
+/// @pre gap, unit and effort within their limits
 [[nodiscard]] Drawing read_drawing(const std::string& file,
                                    const std::string& text,
                                    const ImportOptions& options = {});

@@ -161,13 +161,32 @@ void Sketch::note(const Fault& first, std::string detail) {
   if (note.count++ == 0) note = {first, std::move(detail), 1};
 }
 
-void Sketch::leave_out_text(const Entity& entity, std::string_view words) {
-  note({FaultKind::kText,
-        entity,
-        {},
-        "letters are left out",
-        "--text outline or --text stroke draws them"},
+void Sketch::leave_out_text(const Entity& entity, std::string_view words, std::string remedy) {
+  note({FaultKind::kText, entity, {}, "letters are left out", std::move(remedy)},
        fmt::format(": \"{}\"", first_words(words)));
+}
+
+void Sketch::note(const std::string& what, const Entity& first, std::string remedy) {
+  note({FaultKind::kNote, first, {}, what, std::move(remedy)});
+}
+
+void Sketch::scale(double factor) {
+  const Transform larger = scaled_by(factor, factor);
+  for (Chain& chain : chains_) {
+    for (Shape& shape : chain.shapes) shape = transformed(shape, larger);
+  }
+  const auto enlarge = [&larger](Fault& fault) {
+    if (fault.place_mm) fault.place_mm = larger(*fault.place_mm);
+  };
+  for (Fault& fault : faults_) enlarge(fault);
+  for (auto& [key, note] : notes_) enlarge(note.first);
+}
+
+void Sketch::forget_lines() {
+  const auto forget = [](Entity& entity) { entity.line = entity.column = 0; };
+  for (Entity& entity : entities_) forget(entity);
+  for (Fault& fault : faults_) forget(fault.entity);
+  for (auto& [key, note] : notes_) forget(note.first.entity);
 }
 
 void Sketch::finish() {

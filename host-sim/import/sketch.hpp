@@ -57,8 +57,16 @@ class Sketch {
   void note(const Fault& first, std::string detail = {});
   /// Notes letters that are left out, with their number in a layer, and place and words of the
   /// first of them.
-  void leave_out_text(const Entity& entity, std::string_view words);
-  /// Turns what was ignored into faults. Call once, at the end.
+  void leave_out_text(const Entity& entity,
+                      std::string_view words,
+                      std::string remedy = "--text outline or --text stroke draws them");
+  /// Keeps a note as `ignore()` does, of something that is drawn.
+  void note(const std::string& what, const Entity& first, std::string remedy = {});
+  /// Makes everything larger by a factor, what is reported included. @pre factor > 0
+  void scale(double factor);
+  /// Forgets lines and columns: they are not those of the file.
+  void forget_lines();
+  /// Turns what was ignored and noted into faults. Call once, at the end.
   void finish();
 
   /// The share that this drawing may have of a bound on work; 1 or more.
