@@ -9,7 +9,6 @@
 #include "host-sim/sheet/place_parts.hpp"
 #include "host-sim/sheet/save_sheet.hpp"
 #include "host-sim/sheet/sheet_check.hpp"
-#include "host-sim/trace/input_file.hpp"
 #include "host-sim/trace/output_file.hpp"
 
 namespace sim {
@@ -39,8 +38,7 @@ bool CutInput::is_broken_sheet() const {
 CutInput read_cut_input(const std::string& file,
                         const drawing::ImportOptions& options,
                         InputFiles& files) {
-  // The importer says of what is no text which way leads round it.
-  const std::string text = read_bytes(file);
+  const std::string text = InputFiles::read(file, true);
   const bool is_sheet = sheet::is_sheet(text);
   files.add(is_sheet ? "sheet" : "drawing", file, text);
   if (!is_sheet) return {drawing::read_drawing(file, text, options)};

@@ -126,7 +126,7 @@ nlohmann::ordered_json to_json(const Drawing& drawn) {
 
 ExitStatus look_at(const DrawingOptions& options) {
   const Drawing drawn =
-      drawing::read_drawing(options.file, read_bytes(options.file), options.import);
+      drawing::read_drawing(options.file, read_text(options.file, true), options.import);
   if (options.json) {
     constexpr int kIndent = 1;
     terminal::write_data(dumped(to_json(drawn), kIndent) + "\n");

@@ -119,8 +119,7 @@ class DrawingForms(unittest.TestCase):
 
     def test_what_is_not_read_has_a_way_round(self):
         for name, text, way in (("a.eps", "%!PS-Adobe-3.0 EPSF-3.0\n", "open it in Inkscape"),
-                                ("a.dwg", "AC1032", "save it as DXF"), ("a.pdf", "%PDF-1.7\n", "export it again"),
-                                ("a.png", "\x89PNG\r\n\x1a\n" + "\0" * 99, "trace it to paths")):
+                                ("a.pdf", "%PDF-1.7\n", "export it again")):
             done = self.run_on("drawing", name, text)
             self.assertEqual(done.returncode, 1)
             self.assertIn(way, done.stdout)
