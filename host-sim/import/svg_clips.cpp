@@ -43,7 +43,7 @@ std::optional<Transform> svg_own_transform(const SvgProperties& properties,
                                            const SvgViewport& viewport) {
   const std::string_view text = properties.get("transform");
   if (text.empty()) return Transform{};
-  const auto own = svg_transform(text);
+  auto own = svg_transform(text);
   const std::string_view origin = properties.get("transform-origin");
   if (!own || origin.empty()) return own;
   const auto place = svg_origin(origin, viewport);

@@ -247,6 +247,7 @@ class SvgReader {
     if (local_name(target) == "symbol") {
       read_symbol(node, target, style);
     } else {
+      // NOLINTNEXTLINE(readability-suspicious-call-argument): node is the `use`.
       read_element(target, style, node);
     }
     used_.pop_back();

@@ -62,10 +62,11 @@ class SelectorReader {
   std::string name() {
     std::string name;
     while (!at_end()) {
-      if (text_[at_] == '\\' && at_ + 1 < text_.size())
+      if (text_[at_] == '\\' && at_ + 1 < text_.size()) {
         ++at_;
-      else if (!is_name_character(text_[at_]))
+      } else if (!is_name_character(text_[at_])) {
         break;
+      }
       name += text_[at_++];
     }
     return name;

@@ -104,7 +104,7 @@ void SvgText::move_characters(const SvgProperties& properties,
                               std::size_t from) {
   const std::size_t count = characters_.size() - from;
   const auto each = [&](const char* name, SvgDirection direction, const auto& take) {
-    const auto list = lengths_of(properties.attribute(name), viewport, direction);
+    auto list = lengths_of(properties.attribute(name), viewport, direction);
     for (std::size_t i = 0; i < std::min(count, list.size()); ++i) {
       take(characters_[from + i], list[i]);
     }

@@ -53,6 +53,9 @@ Pattern pattern_of(const FontWish& wish, char32_t letter) {
 /// The configuration of fontconfig, which it reads by itself.
 struct FontBook::Library {
   FcConfig* config = FcInitLoadConfigAndFonts();
+  Library() = default;
+  Library(const Library&) = delete;
+  Library& operator=(const Library&) = delete;
   ~Library() {
     if (config != nullptr) FcConfigDestroy(config);
   }

@@ -37,10 +37,10 @@ class Lettering {
 
  private:
   void outlines(std::string_view words, const FontWish& wish, std::vector<Letter>& letters);
-  void outlines_of(Font& font,
-                   std::string_view words,
-                   std::size_t from,
-                   std::vector<Letter>& letters);
+  static void outlines_of(Font& font,
+                          std::string_view words,
+                          std::size_t from,
+                          std::vector<Letter>& letters);
   void strokes(std::string_view words, std::vector<Letter>& letters);
 
   bool is_stroked_;
