@@ -73,6 +73,25 @@ void add_common_options(CLI::App& command, const std::shared_ptr<CutCommandOptio
       "Where cuts may begin: any, straight, corner, usual, or tab, where they also end; any");
 }
 
+void add_material_options(CLI::App& command, CutCommandOptions& options) {
+  options.record.add_to(command);
+  command
+      .add_option("--kerf",
+                  options.kerf_mm,
+                  "Width of the cut, as you know it, mm; with --power and --feed no --material is "
+                  "needed")
+      ->check(in_range(0.0, cut::kMaxKnownKerfMm, "mm"))
+      ->type_name("MM");
+  command.add_option("--thickness", options.thickness_mm, "Of the --material, mm")
+      ->check(thickness_range())
+      ->type_name("T");
+  command
+      .add_option("--laser",
+                  options.laser,
+                  "Name of this machine's laser: cuts by another one say nothing of its kerf")
+      ->type_name("NAME");
+}
+
 }  // namespace
 
 void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>& options) {
@@ -83,22 +102,7 @@ void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>
                             "SVG, DXF, PDF, LightBurn, JSON or sheet; - is standard input")
                 ->required(),
             FileRole::kInput);
-  options->record.add_to(command);
-  command
-      .add_option("--kerf",
-                  options->kerf_mm,
-                  "Width of the cut, as you know it, mm; with --power and --feed no --material is "
-                  "needed")
-      ->check(in_range(0.0, cut::kMaxKnownKerfMm, "mm"))
-      ->type_name("MM");
-  command.add_option("--thickness", options->thickness_mm, "Of the --material, mm")
-      ->check(thickness_range())
-      ->type_name("T");
-  command
-      .add_option("--laser",
-                  options->laser,
-                  "Name of this machine's laser: cuts by another one say nothing of its kerf")
-      ->type_name("NAME");
+  add_material_options(command, *options);
   add_cut_recipe_options(command, *options);
   add_cut_place_options(command, options->place);
   add_common_options(command, options);

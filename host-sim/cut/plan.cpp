@@ -220,9 +220,11 @@ void Planner::fill_layer(const std::vector<std::size_t>& contours) {
   const double overscan_mm =
       fill.overscan_mm.value_or(overscan_for(speed_mm_s, fill.angle_deg, wish_.limits));
   std::vector<std::vector<Stroke>> outlines;
+  outlines.reserve(contours.size());
   for (const std::size_t i : contours) outlines.push_back(outlines_[i].strokes);
   for (const std::vector<std::size_t>& group : groups_by_box(outlines)) {
     std::vector<std::vector<Stroke>> area;
+    area.reserve(group.size());
     for (const std::size_t member : group) area.push_back(outlines[member]);
     const std::size_t first = contours[group.front()];
     const Place& place = area.front().front().from;
