@@ -9,7 +9,8 @@ KnotFile::KnotFile(const std::string& file,
                    const cnc::AxisArray<double>& steps_per_mm,
                    cnc::motion::ShapingObserver& next)
     : steps_per_mm_{steps_per_mm}, next_{next}, file_{file} {
-  fmt::format_to(std::back_inserter(file_.buffer()), "# time_s x y z a b c\n");
+  fmt::format_to(std::back_inserter(file_.buffer()),
+                 "# time_s x y z a b c: places of the axes, mm and degrees\n");
 }
 
 void KnotFile::on_cell(const cnc::motion::ShapedCell& cell) {
