@@ -38,7 +38,7 @@ double greatest_watts(const std::vector<cut::LayerSettings>& wishes) {
   return greatest;
 }
 
-/// Chooses a full power that nobody has given.
+/// Chooses a full power where none is given.
 void guess_full_power(cut::Beam& beam,
                       const std::vector<cut::LayerSettings>& wishes,
                       std::vector<std::string>& notes) {

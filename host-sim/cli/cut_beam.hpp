@@ -17,7 +17,7 @@ namespace sim {
 struct CutKerf {
   std::optional<MaterialRecord> material{};  ///< Chooses what the call does not give.
   std::optional<double> known_mm{};          ///< The kerf, as the call gives it.
-  MaterialRecord record{};  ///< Of the job: with the known kerf where there is one.
+  MaterialRecord record{};                   ///< The job's; with the known kerf where there is one.
 
   /// Returns the digest of the kerf for the heading of a program.
   [[nodiscard]] ProgramDigest digest() const;

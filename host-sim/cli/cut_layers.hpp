@@ -9,7 +9,7 @@
 
 namespace sim {
 
-/// What the conditions of layers are chosen from.
+/// Holds all that the conditions of layers are chosen from.
 struct CutSource {
   const CutCommandOptions& options;
   const CutKerf& kerf;

@@ -40,7 +40,7 @@ struct CutCommandOptions {
   std::string recipe;                         ///< File to read; empty: none.
   std::string save_recipe;                    ///< File to write; empty: none.
   CutPlaceOptions place;
-  std::vector<SettingChange> machine_settings;  ///< Of the machine that `place` names.
+  std::vector<SettingChange> machine_settings;  ///< Those of the machine that `place` names.
   CutOrderOptions order;
   double full_power_w = 0.0;  ///< 0: see beam_of().
   bool constant_power = false;

@@ -194,7 +194,7 @@ class RecipeReader {
     options_.recipe_layers.push_back(std::move(rule));
   }
 
-  /// What the parser has checked of the call has to hold with the recipe as well.
+  /// Checks with the recipe again, as the parser has seen the call alone.
   void expect_needed() const {
     for (const CLI::Option* option : command_.get_options()) {
       if (option->count() == 0 || is_of_the_call(*option)) continue;

@@ -25,8 +25,8 @@ struct EngraveOptions {
   double interval_mm = 0.1;
   std::optional<double> dpi{};  ///< Rows in an inch, in place of the interval.
   std::optional<double> pixel_mm{};
-  std::string power;      ///< Of black.
-  std::string min_power;  ///< Of the lightest grey.
+  std::string power;      ///< Power of black.
+  std::string min_power;  ///< Power of the lightest grey.
   double feed_mm_min = 0.0;
   std::string shading = "grey";
   engrave::ToneCurve tone{};

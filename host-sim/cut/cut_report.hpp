@@ -34,7 +34,7 @@ struct CutJob {
   const MaterialRecord& record;
   Beam beam;
   std::string laser{};                   ///< Name of this machine's; empty: not named.
-  std::vector<std::string> notes{};      ///< Of the kerf, see kerf_notes(), and of guesses.
+  std::vector<std::string> notes{};      ///< About the kerf, see kerf_notes(), and guesses.
   std::vector<ProgramDigest> digests{};  ///< Of what it was made from.
   bool is_kerf_given = false;            ///< By the user, not by the record.
   std::string placing{};                 ///< Where the drawing was put; empty: as drawn.

@@ -13,9 +13,9 @@ namespace {
 struct RisingEdge {
   Place low{0.0, 0.0};
   Place high{0.0, 0.0};
-  Place centre{0.0, 0.0};  ///< Of an arc.
+  Place centre{0.0, 0.0};  ///< The middle of an arc.
   double radius = 0.0;     ///< 0: a line.
-  bool is_right = false;   ///< Of an arc: it lies to the right of its centre.
+  bool is_right = false;   ///< An arc lies to the right of its centre.
 
   [[nodiscard]] double x_at(double y) const {
     if (radius == 0.0) {

@@ -48,7 +48,7 @@ struct Lead {
   bool is_asked = false;  ///< By an option, unlike the lead that a cut has without one.
 };
 
-/// What blows at the cut while the beam is on.
+/// The gas that blows at the cut while the beam is on.
 enum class Air : std::uint8_t {
   kFlood,  ///< M8.
   kMist,   ///< M7.
@@ -90,8 +90,8 @@ struct LayerSettings {
   bool passes_by_layer = false;  ///< All contours of the layer once, then once more; else each.
   double z_step_mm = 0.0;        ///< Z goes down by this with each pass after the first.
   Air air = Air::kFlood;
-  bool is_scored = false;  ///< Of a marked line: reported as scored, not as engraved.
-  FillSettings fill{};     ///< Of Side::kFill.
+  bool is_scored = false;  ///< A marked line is reported as scored, not as engraved.
+  FillSettings fill{};     ///< Used by Side::kFill.
 };
 
 /// Turns power that is a share into watts. Throws std::invalid_argument for S beyond the greatest.

@@ -18,7 +18,7 @@ enum class MirrorAlong : std::uint8_t {
 /// Where the box around a drawing, with all its copies, is put.
 enum class PlaceAt : std::uint8_t {
   kCorner,  ///< PlaceWishes::margin_mm from both edges of the bed at its origin.
-  kCentre,  ///< Of the bed.
+  kCentre,  ///< The middle of the bed.
   kPoint,   ///< Its lower left corner is there.
 };
 
@@ -26,7 +26,7 @@ enum class PlaceAt : std::uint8_t {
 /// box, copied, put to its place, and moved, in this order.
 struct PlaceWishes {
   std::optional<PlaceAt> at{};
-  Place point_mm{0.0, 0.0};  ///< Of PlaceAt::kPoint.
+  Place point_mm{0.0, 0.0};  ///< Used by PlaceAt::kPoint.
   Place move_mm{0.0, 0.0};
   double turn_deg = 0.0;  ///< Counter-clockwise.
   std::optional<MirrorAlong> mirror{};

@@ -168,7 +168,7 @@ class RowWriter {
   std::string text_;
   std::vector<std::string> texts_;  ///< Powers of the row's pixels, in the order of the motion.
   Place here_{0.0, 0.0};
-  double way_ = 1.0;  ///< Of the row: 1 to the right, -1 to the left.
+  double way_ = 1.0;  ///< The row's direction: 1 to the right, -1 to the left.
   bool has_place_ = false;
   bool has_feed_ = false;
   bool is_rapid_ = false;  ///< The last line was a G0.

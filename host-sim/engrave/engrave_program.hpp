@@ -23,10 +23,10 @@ struct EngraveSettings {
   std::string air = "M8";         ///< M7 or M8; empty: none.
 };
 
-/// What is driven.
+/// Counts of all that is driven.
 struct EngraveFigures {
   std::size_t rows = 0;          ///< Rows with something to burn; the others are passed over.
-  std::size_t lines = 0;         ///< Of the program, without its heading.
+  std::size_t lines = 0;         ///< The program's, without its heading.
   double burnt_mm = 0.0;         ///< Length with the beam on.
   double estimated_s = 0.0;      ///< From feeds and accelerations.
   drawing::Place low{0.0, 0.0};  ///< Box of the motion of the head, overscan included.

@@ -12,9 +12,9 @@ namespace sim::drawing {
 
 /// How a project of a laser program cuts a layer: defaults for whoever does not say it.
 struct OfferedSettings {
-  std::string kind{};                         ///< As the project has it: Cut, Scan, Image …
-  std::optional<double> power_share{};        ///< Of full power, 0…1; the greatest of a range.
-  std::optional<double> least_power_share{};  ///< Of full power, 0…1, at rest.
+  std::string kind{};                   ///< As the project has it: Cut, Scan, Image …
+  std::optional<double> power_share{};  ///< Share of full power, 0…1; the greatest of a range.
+  std::optional<double> least_power_share{};  ///< Share of full power, 0…1, at rest.
   std::optional<double> speed_mm_s{};         ///< Above 0.
   std::optional<std::size_t> passes{};        ///< 1 or more.
   std::optional<int> priority{};              ///< Lower ones are cut first.
@@ -134,7 +134,7 @@ inline constexpr std::size_t kDeepestNesting = 64;
 /// Farther from the origin than any machine reaches; nearer to a slip of units.
 inline constexpr double kFarthestMm = 1.0e7;
 
-/// What becomes of letters.
+/// The ways to treat letters.
 enum class TextMode : std::uint8_t {
   kSkip,     ///< Left out, and a note says so.
   kOutline,  ///< Outlines of the font that the drawing names, or of the nearest one.

@@ -10,7 +10,7 @@
 
 namespace sim::drawing {
 
-/// What an INSERT hands down to the entities of its block.
+/// Properties that an INSERT hands down to the entities of its block.
 struct DxfInstance {
   Transform to_mm{};
   std::string layer{};      ///< For entities on layer 0.

@@ -12,7 +12,7 @@ enum class DxfRole : std::uint8_t {
   kUnread,      ///< Draws what may be meant to be cut, and is not read: a fault.
 };
 
-/// What becomes of an entity that draws no lines that are read.
+/// The part of an entity that draws no lines that are read.
 struct DxfKind {
   DxfRole role;
   std::string reason{};  ///< To follow the entity's type.

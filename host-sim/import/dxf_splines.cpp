@@ -68,7 +68,7 @@ void add_smooth_row(Tridiagonal& rows,
   right.emplace_back(3.0 * (low * chords.way(before) + high * chords.way(after)));
 }
 
-/// What a spline says of itself.
+/// The data of a spline.
 struct SplineData {
   std::size_t degree = 0;
   std::vector<Place> points;

@@ -16,9 +16,9 @@ namespace sim::drawing {
 /// Returns a name as all spellings of it have it: DXF does not tell cases apart.
 [[nodiscard]] std::string dxf_key(std::string_view name);
 
-/// What a header says of the drawing.
+/// The header of a drawing.
 struct DxfHeader {
-  std::optional<double> mm_per_unit{};  ///< Of $INSUNITS.
+  std::optional<double> mm_per_unit{};  ///< By $INSUNITS.
   bool is_english = false;              ///< $MEASUREMENT is 0.
 
   /// Reads one variable's group.

@@ -18,10 +18,10 @@ enum class TextAnchor : std::uint8_t { kStart, kMiddle, kEnd };
 struct LetterLine {
   std::string words{};  ///< UTF-8, without line breaks.
   text::FontWish font{};
-  double size = 1.0;               ///< Of the em.
+  double size = 1.0;               ///< Size of the em.
   bool is_capital_height = false;  ///< The size is that of capital letters instead.
-  double stretch = 1.0;            ///< Of the width.
-  double slant_rad = 0.0;          ///< Of upright strokes, to the right.
+  double stretch = 1.0;            ///< Factor of the width.
+  double slant_rad = 0.0;          ///< Lean of upright strokes, to the right.
   double spacing_em = 0.0;         ///< Behind each letter.
   TextAnchor anchor = TextAnchor::kStart;
   Transform to_mm{};  ///< Base line along x, through the origin at the anchor, y upwards.

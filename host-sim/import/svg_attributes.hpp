@@ -9,7 +9,7 @@
 
 namespace sim::drawing {
 
-/// What percentages and lengths in em are of, in user units.
+/// Sizes to which percentages and lengths in em refer, in user units.
 struct SvgViewport {
   double width = 100.0;
   double height = 100.0;

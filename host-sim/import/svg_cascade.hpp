@@ -14,7 +14,7 @@
 
 namespace sim::drawing {
 
-/// What style sheets, `style` and attributes say of one element.
+/// All that style sheets, `style` and attributes say of one element.
 class SvgProperties {
  public:
   explicit SvgProperties(const pugi::xml_node& node) : node_{node} {}

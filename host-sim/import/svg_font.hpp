@@ -8,7 +8,7 @@
 
 namespace sim::drawing {
 
-/// What letters inherit.
+/// Properties that letters inherit.
 struct SvgFont {
   text::FontWish wish{};
   double letter_spacing = 0.0;  ///< Behind each letter, in user units.

@@ -257,15 +257,7 @@ class SvgReader {
   void read_symbol(const pugi::xml_node& use, const pugi::xml_node& symbol, SvgStyle style) {
     const SvgProperties properties = document_.properties_of(symbol);
     if (properties.get("display") == "none") return;
-    const SvgViewport around = style.viewport;
-    style.to_mm = style.to_mm * moved_by(svg_place(properties, around));
-    const auto length = [&](const char* name, SvgDirection direction, double whole) {
-      return extent(use.attribute(name) ? use : symbol, name, around, direction, whole);
-    };
-    const Place size{length("width", SvgDirection::kAcross, around.width),
-                     length("height", SvgDirection::kUpright, around.height)};
-    clips_.enter_viewport(symbol, size, style);
-    enter_box(symbol, size, style);
+    enter_document(symbol, use, properties, style);
     inherit(properties, style);
     ++style.depth;
     read_children(symbol, style);

@@ -19,7 +19,7 @@ struct SvgAttributeTest {
   std::string value{};
 };
 
-/// What one element has to be: `rect.cut#a[id]:first-child`.
+/// Conditions for one element: `rect.cut#a[id]:first-child`.
 struct SvgCompound {
   char combinator = ' ';  ///< How it follows the one before: blank, `>`, `+` or `~`.
   std::string element{};  ///< Empty: any.

@@ -12,7 +12,7 @@ namespace sim::drawing {
 /// path, rect, circle, ellipse, line, polyline, polygon.
 [[nodiscard]] bool is_svg_shape(std::string_view name);
 
-/// What is wrong with a shape. Empty: nothing.
+/// The fault of a shape; empty where it has none.
 struct SvgShapeFault {
   std::string reason{};
   bool is_error = true;  ///< Else it is drawn as nothing.

@@ -23,7 +23,7 @@ using SvgDeclarations = std::vector<SvgDeclaration>;
 /// Reads `name: value; …`. What is none is skipped, as browsers do.
 [[nodiscard]] SvgDeclarations svg_declarations(std::string_view text);
 
-/// What the elements of one selector get.
+/// Properties that the elements of one selector get.
 struct SvgRule {
   SvgSelector selector;
   std::shared_ptr<const SvgDeclarations> declarations;

@@ -14,14 +14,14 @@
 
 namespace sim::drawing {
 
-/// What elements hand down to those within them.
+/// Properties that elements hand down to those within them.
 struct SvgStyle {
   Transform to_mm{};
   SvgViewport viewport{};
   std::string layer{};
   std::string stroke = "none";
   std::string fill = "black";
-  std::string colour = "black";  ///< Of `currentColor`.
+  std::string colour = "black";  ///< Meant by `currentColor`.
   std::string stroke_width = "1";
   std::string stroke_opacity = "1";
   std::string fill_opacity = "1";

@@ -30,7 +30,7 @@ struct Motion {
   std::optional<FiveAxisModel> model{};
 };
 
-/// What a line says beside motions.
+/// The words of a line that are no motion.
 struct KeptWords {
   std::string before{};  ///< Spindle, coolant and dwell.
   std::string after{};   ///< Stops and ends.
@@ -236,7 +236,7 @@ class JointWriter {
   const JointOptions& options_;
   std::optional<FiveAxisModel> model_{};
   bool has_centre_ = false;
-  std::vector<Motion> motions_;  ///< Of the line being read.
+  std::vector<Motion> motions_;  ///< Those of the line being read.
   ProgramReader reader_;
   JointProgram program_;
   std::array<std::string, kAxisLetters.size()> shown_;  ///< Words of the axes as last written.

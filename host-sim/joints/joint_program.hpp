@@ -11,7 +11,7 @@
 namespace sim::joints {
 
 struct JointOptions {
-  double tip_tolerance_mm = 1.0e-3;  ///< Of the tip between the ends of a move, above 0.
+  double tip_tolerance_mm = 1.0e-3;  ///< For the tip between the ends of a move, above 0.
   Point zero{};                      ///< Machine place of the program's zero, X Y Z in mm.
   int decimals = 4;  ///< Digits after the point of X, Y and Z; angles have one more.
 };

@@ -58,7 +58,7 @@ struct TipReport {
   std::array<double, 3> least_mm{};  ///< X Y Z, places of the program.
   std::array<double, 3> greatest_mm{};
   double greatest_tilt_deg = 0.0;  ///< From upright.
-  double tool_length_mm = 0.0;     ///< Of the tool used last.
+  double tool_length_mm = 0.0;     ///< That of the tool used last.
   FiveAxisMachine machine{};
 };
 

@@ -26,7 +26,7 @@ struct FontWish {
 /// A glyph where it stands in a line that begins at the origin, in em.
 struct PlacedGlyph {
   std::uint32_t glyph = 0;  ///< 0: the font does not have the letter.
-  std::size_t byte = 0;     ///< Of the first letter that it shows.
+  std::size_t byte = 0;     ///< Place of the first letter that it shows.
   drawing::Place offset{0.0, 0.0};
   double advance = 0.0;
 };
@@ -36,7 +36,7 @@ struct FontFigures {
   double ascent = 0.8;
   double descent = 0.2;  ///< Below the base line.
   double capital = 0.7;
-  double small = 0.5;  ///< Of the letter x.
+  double small = 0.5;  ///< Height of the letter x.
 };
 
 /// A scalable font of the system. Outlines are exactly those of its file.

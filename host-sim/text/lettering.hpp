@@ -13,7 +13,7 @@ namespace sim::text {
 
 /// A glyph of a line, in em from the place where the pen stands before it, y upwards.
 struct Letter {
-  std::size_t byte = 0;  ///< Of the first letter that it shows.
+  std::size_t byte = 0;  ///< Place of the first letter that it shows.
   double advance = 0.0;  ///< How far the pen goes on.
   Strokes strokes{};
 };

@@ -7,7 +7,7 @@ namespace sim::text {
 
 /// A letter of single strokes.
 struct StrokeGlyph {
-  double width = 0.0;       ///< Of the ink, in units.
+  double width = 0.0;       ///< Width of the ink, in units.
   std::string_view path{};  ///< As the `d` of an SVG path in units, y upwards from the base line.
 };
 

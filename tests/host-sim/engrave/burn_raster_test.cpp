@@ -90,7 +90,7 @@ TEST(GreyImage, IsTurnedAsACameraSays) {
   EXPECT_EQ(exif_orientation("\xFF\xD8"), 1);
 }
 
-/// What is cut short or damaged is refused or read, and nothing else happens.
+/// A picture that is cut short or damaged is refused or read, and nothing else happens.
 TEST(GreyImage, SurvivesDamage) {
   const std::string bmp{
       "BM\x46\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0\x02\0\0\0\x02\0\0\0\x01\0\x18\0\0\0\0\0"

@@ -25,7 +25,7 @@ using proof::five_axes::kKinds;
 using proof::five_axes::settings_of;
 
 constexpr double kLengthMm = 30.0;
-/// Of the tip by the digits of places and angles, at levers up to 0.6 m, mm.
+/// Error of the tip by the digits of places and angles, at levers up to 0.6 m, mm.
 constexpr double kDigits = 1.0e-4;
 
 /// A program of the tip with lines, arcs, turns alone, rapids and a beam.
