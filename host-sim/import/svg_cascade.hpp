@@ -49,8 +49,8 @@ class SvgProperties {
     auto operator<=>(const Priority&) const = default;
   };
   struct Candidate {
-    const SvgDeclaration* declaration;
-    Priority priority;
+    const SvgDeclaration* declaration = nullptr;
+    Priority priority{};
   };
 
   pugi::xml_node node_;
