@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "host-sim/import/curve_measure.hpp"
+#include "host-sim/import/filling.hpp"
 #include "host-sim/import/piece.hpp"
 
 namespace sim::drawing {
@@ -64,8 +65,9 @@ Drawing assemble(Sketch& sketch, const std::string& file, double gap_mm) {
   drop_duplicates(sketch, pieces, gap_mm);
   pieces = join(sketch, std::move(pieces), gap_mm);
   drop_duplicates(sketch, pieces, gap_mm);
-  const std::vector<bool> crossed = find_crossings(sketch, pieces);
+  const std::vector<bool> crossed = fill(sketch, pieces);
   drop_flat(sketch, pieces, crossed);
+  find_coincident(sketch, pieces, gap_mm);
   nest(sketch, pieces);
   sketch.finish();
   Drawing drawing;

@@ -10,7 +10,7 @@
 namespace sim::drawing {
 
 std::string_view name_of(FaultKind kind) {
-  static constexpr std::array<std::string_view, 12> kNames{"unreadable",
+  static constexpr std::array<std::string_view, 13> kNames{"unreadable",
                                                            "bad entity",
                                                            "too much",
                                                            "text",
@@ -21,7 +21,8 @@ std::string_view name_of(FaultKind kind) {
                                                            "crossing",
                                                            "no arcs",
                                                            "unchecked",
-                                                           "ignored"};
+                                                           "ignored",
+                                                           "mended"};
   return kNames.at(static_cast<std::size_t>(kind));
 }
 

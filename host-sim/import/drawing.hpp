@@ -17,6 +17,10 @@ struct Layer {
   auto operator<=>(const Layer&) const = default;
 };
 
+/// What is inside of contours that cross: where the turns of all together are odd, or, for those of
+/// one shape, where they are not 0.
+enum class FillRule : std::uint8_t { kEvenOdd, kNonzero };
+
 /// What of a file something was drawn by.
 struct Entity {
   std::string name{};      ///< `path "outline"`, `LINE 2F`: kind, and id or handle if any.
@@ -24,6 +28,7 @@ struct Entity {
   std::size_t column = 0;  ///< From 1; 0 where the whole line is meant.
   std::size_t layer = 0;   ///< Index into Drawing::layers.
   std::size_t part = 0;    ///< Of files of parts: contours of others are none of its business.
+  FillRule rule = FillRule::kEvenOdd;  ///< Where its contours cross.
 };
 
 enum class FaultKind : std::uint8_t {
@@ -34,11 +39,12 @@ enum class FaultKind : std::uint8_t {
   kOpen,        ///< An end that meets no other one.
   kBranch,      ///< More than two ends meet; which of them belong together is a guess.
   kTooSmall,    ///< Shorter than the gap that is joined, or without area; left out.
-  kDuplicate,   ///< Drawn before at the same place; left out.
-  kCrossing,    ///< A contour crosses itself or another one.
+  kDuplicate,   ///< Drawn before at the same place; cut once. No error.
+  kCrossing,    ///< A contour crosses itself or another one, and is not mended.
   kNoArcs,      ///< No arcs follow it within the tolerance; its contour is left out.
   kUnchecked,   ///< Too much to look for crossings everywhere.
   kIgnored,     ///< Nothing that could be cut; left out. No error.
+  kMended,      ///< Contours that cross are read as what they fill. No error.
 };
 
 /// `unreadable`, `bad entity` …, for people and for JSON.
@@ -52,7 +58,10 @@ struct Fault {
   std::string reason;
   std::string remedy;
 
-  [[nodiscard]] bool is_error() const { return kind != FaultKind::kIgnored; }
+  [[nodiscard]] bool is_error() const {
+    return kind != FaultKind::kIgnored && kind != FaultKind::kMended &&
+           kind != FaultKind::kDuplicate;
+  }
 };
 
 /// `file:line:column: path "a" at 3.000 4.000: reason; remedy`.
@@ -63,10 +72,13 @@ struct DrawnContour {
   std::vector<Shape> shapes;
   Entity entity;  ///< Of the first shape as drawn.
   bool closed = false;
+  bool is_filled = false;  ///< An outline of what contours that cross fill: see fill().
   double length_mm = 0.0;
   double area_mm2 = 0.0;              ///< Area of a closed contour; its holes are not subtracted.
   std::size_t depth = 0;              ///< Closed contours of its part around this one.
   std::optional<std::size_t> parent;  ///< The innermost of them.
+  /// An earlier contour, of another layer, at the same place.
+  std::optional<std::size_t> lies_on;
   /// The innermost of all parts' contours around this one; around most of it if it is open.
   std::optional<std::size_t> lies_in;
   /// The innermost contours around places of an open one, in the order of their numbers.

@@ -24,6 +24,7 @@ struct Style {
   std::string layer;
   std::string stroke = "none";
   std::string fill = "black";
+  std::string fill_rule = "nonzero";
   bool visible = true;
   std::size_t depth = 0;
 };
@@ -157,6 +158,7 @@ class SvgReader {
     };
     take("stroke", style.stroke);
     take("fill", style.fill);
+    take("fill-rule", style.fill_rule);
     std::string visibility;
     take("visibility", visibility);
     if (!visibility.empty()) style.visible = visibility == "visible";
@@ -307,6 +309,9 @@ class SvgReader {
       sketch_.ignore("shapes with neither stroke nor fill", entity);
       return;
     }
+    // Lines that fill nothing have no rule.
+    const bool is_nonzero = style.fill != "none" && style.fill_rule != "evenodd";
+    entity.rule = is_nonzero ? FillRule::kNonzero : FillRule::kEvenOdd;
     SvgPen pen;
     const std::string wrong = draw_svg_shape(name, node, style.viewport, pen);
     if (!wrong.empty()) return bad(node, wrong, "it is left out; mend it");
