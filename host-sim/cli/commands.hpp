@@ -22,6 +22,7 @@ void add_kerf_command(CLI::App& app, ExitStatus& status);
 void add_offset_command(CLI::App& app, ExitStatus& status);
 void add_drawing_command(CLI::App& app, ExitStatus& status);
 void add_cut_command(CLI::App& app, ExitStatus& status);
+void add_engrave_command(CLI::App& app, ExitStatus& status);
 void add_order_command(CLI::App& app, ExitStatus& status);
 void add_pocket_command(CLI::App& app, ExitStatus& status);
 void add_send_command(CLI::App& app, ExitStatus& status);

@@ -4,20 +4,25 @@
 #include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "firmware/protocol/identity.hpp"
 #include "host-sim/cli/commands.hpp"
+#include "host-sim/cli/cut_beam.hpp"
 #include "host-sim/cli/cut_identity.hpp"
 #include "host-sim/cli/cut_layers.hpp"
 #include "host-sim/cli/cut_options.hpp"
 #include "host-sim/cli/cut_outputs.hpp"
+#include "host-sim/cli/cut_recipe.hpp"
 #include "host-sim/cli/cut_runs.hpp"
 #include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/job_options.hpp"
 #include "host-sim/cut/cut_report.hpp"
 #include "host-sim/cut/kerf_notes.hpp"
+#include "host-sim/cut/repeat_passes.hpp"
 #include "host-sim/cut/timeline.hpp"
 #include "host-sim/report/progress_bar.hpp"
 #include "host-sim/report/report_json.hpp"
@@ -40,10 +45,13 @@ std::vector<drawing::Fault> faults_of(const Drawing& drawn,
     if (!fault.is_error()) continue;
     const bool has_layer = fault.entity.layer < layers.size();
     const cut::Side side = has_layer ? layers[fault.entity.layer].settings.side : cut::Side::kWaste;
+    if (side == cut::Side::kSkip && fault.kind == drawing::FaultKind::kText) continue;
     const bool of_sides = fault.kind == drawing::FaultKind::kOpen ||
                           fault.kind == drawing::FaultKind::kCrossing ||
                           fault.kind == drawing::FaultKind::kBranch;
-    if (side != cut::Side::kWaste && of_sides && !fault.entity.name.empty()) continue;
+    if (side != cut::Side::kWaste && side != cut::Side::kFill && of_sides &&
+        !fault.entity.name.empty())
+      continue;
     faults.push_back(fault);
   }
   return faults;
@@ -54,6 +62,17 @@ void print_faults(const std::vector<drawing::Fault>& faults, const Drawing& draw
     terminal::print(stderr, "{}\n", to_string(fault, drawn.file));
   }
   if (drawn.more_faults != 0) terminal::print(stderr, "and {} more faults\n", drawn.more_faults);
+}
+
+/// Prints what was left out without a fault, except of layers that are skipped.
+void print_notes(const Drawing& drawn, const std::vector<cut::LayerPlan>& layers) {
+  for (const drawing::Fault& fault : drawn.faults) {
+    if (fault.is_error()) continue;
+    const bool skipped = fault.kind == drawing::FaultKind::kText &&
+                         fault.entity.layer < layers.size() &&
+                         layers[fault.entity.layer].settings.side == cut::Side::kSkip;
+    if (!skipped) terminal::print(stderr, "note: {}\n", to_string(fault, drawn.file));
+  }
 }
 
 void append(std::vector<drawing::Fault>& faults, const std::vector<drawing::Fault>& more) {
@@ -73,31 +92,15 @@ ExitStatus refuse(const CutCommandOptions& options,
 /// A machine with a laser, and whatever else is said of it.
 std::vector<SettingChange> machine_of(const CutCommandOptions& options) {
   std::vector<SettingChange> settings{parse_setting("$32=1", "laser mode")};
+  settings.insert(settings.end(), options.machine_settings.begin(), options.machine_settings.end());
   const auto more = settings_of(options.settings_file, options.set);
   settings.insert(settings.end(), more.begin(), more.end());
   return settings;
 }
 
 bool names_settings(const CutCommandOptions& options) {
-  return !options.settings_file.empty() || !options.set.empty();
-}
-
-cut::Beam beam_of(const CutCommandOptions& options,
-                  const std::vector<SettingChange>& settings,
-                  const MaterialRecord& record) {
-  cut::Beam beam{.full_power_w = options.full_power_w,
-                 .follows_speed = !options.constant_power,
-                 .kerf_table = options.kerf_table};
-  if (beam.full_power_w == 0.0) {
-    beam.full_power_w =
-        from_thousandths(cut::greatest_power(record, thickness_option(options.thickness_mm)));
-  }
-  for (const SettingChange& change : settings) {
-    if (change.number == cnc::setting::kMostSpindleSpeed) {
-      beam.full_power_s = static_cast<double>(change.value);
-    }
-  }
-  return beam;
+  return !options.settings_file.empty() || !options.set.empty() ||
+         !options.machine_settings.empty();
 }
 
 /// The program, with the time that it takes in its heading; with faults where the machine
@@ -184,40 +187,99 @@ ExitStatus write_job(const CutCommandOptions& options,
   return status;
 }
 
-ExitStatus cut_drawing(const CLI::App& command, CutCommandOptions& options) {
+/// Adds what is to be known of a kerf that is a record's.
+void add_kerf_notes(const CutCommandOptions& options,
+                    const CutKerf& kerf,
+                    const CutPlan& plan,
+                    std::vector<std::string>& notes) {
+  if (kerf.known_mm || !kerf.material) return;
+  for (std::string& note :
+       kerf_notes(kerf.record, options.laser, options.record.records(), plan.layers)) {
+    notes.push_back(std::move(note));
+  }
+}
+
+/// Faults that no wish of the call overrules: the head would run into the frame.
+ExitStatus refuse_off_the_bed(const CutCommandOptions& options) {
+  terminal::print(stderr,
+                  "kerfline: no program is written; the job leaves the bed{}\n",
+                  stale_note(options.output));
+  return ExitStatus::kFaults;
+}
+
+/// Takes from a machine what the call does not say.
+void take_machine(CutCommandOptions& options, const cut::MachineProfile& machine) {
+  if (options.full_power_w == 0.0) options.full_power_w = machine.full_power_w;
+  options.machine_settings = machine.settings;
+}
+
+/// Puts a drawing to its place. Returns a line about it, see place_drawing().
+std::string put_to_place(const CutCommandOptions& options,
+                         CutInput& input,
+                         const std::optional<cut::MachineProfile>& machine) {
+  const cut::PlaceWishes wishes = place_wishes_of(options.place);
+  if (wishes.is_asked() && (input.sheet || !options.sheet.save.empty())) {
+    throw std::invalid_argument(
+        "--place, --move, --turn, --mirror, --scale and --copies: a sheet has places of its own; "
+        "change them there");
+  }
+  if (input.sheet) return {};
+  return place_drawing(input.drawn, wishes, machine ? &*machine : nullptr, options.import.effort);
+}
+
+ExitStatus cut_drawing(CLI::App& command, CutCommandOptions& options) {
+  apply_recipe(command, options);
   InputFiles inputs{options.output};
   options.post.read(command, inputs, options.decimals);
-  const CutInput input = read_cut_input(options.file, options.import, inputs);
+  const auto machine = machine_profile_of(options.place);
+  if (machine) take_machine(options, *machine);
+  CutInput input = read_cut_input(options.file, options.import, inputs);
+  const std::string placing = put_to_place(options, input, machine);
   const Drawing& drawn = input.drawn;
   if (input.is_broken_sheet() && !options.anyway) return refuse(options, drawn.faults, drawn);
-  const MaterialRecord record = options.record.record();
-  const auto layers = layers_of(options, drawn, record, inputs);
-  cut::Recipes recipes = recipes_of(options, drawn, layers, record, inputs);
+  const CutRun run{static_cast<std::uint8_t>(options.decimals), machine_of(options)};
+  const CutKerf kerf = kerf_of(options);
+  std::vector<std::string> notes;
+  if (machine && !machine->note.empty()) notes.push_back(machine->name + ": " + machine->note);
+  const std::vector<cut::LayerRule> rules = layer_rules_of(options, drawn, inputs);
+  const cut::Beam beam =
+      beam_of(options, run.settings, kerf, power_wishes(options, drawn, rules), notes);
+  const CutSource source{options, kerf, beam};
+  const auto layers = layers_of(source, drawn, rules);
+  cut::Recipes recipes = recipes_of(source, drawn, layers, inputs);
   std::vector<drawing::Fault> faults = place_faults(input, layers, recipes);
   if (!faults.empty() && !options.anyway) return refuse(options, faults, drawn);
   append(faults, faults_of(drawn, layers));
   const auto beside = options.kerf_table ? cut::WayBeside::kOnController : cut::WayBeside::kHere;
-  const CutRun run{static_cast<std::uint8_t>(options.decimals), machine_of(options)};
-  inputs.add(digest_of(record));
+  inputs.add(kerf.digest());
   inputs.add(settings_digest(settings_of(run), names_settings(options)));
   save_sheet(options.sheet, input);
   CutPlan plan =
       plan_cuts(drawn, layers, options.curves, beside, std::move(recipes), searched_order(options));
   make_safe(plan, drawn, options.safety);
+  repeat_passes(plan, options.safety);
   const cut::Timeline timeline = predict(plan);
-  print_faults(faults, drawn);
-  print_faults(plan.faults, drawn);
-  print_faults(plan.warnings, drawn);
+  print_notes(drawn, layers);
+  for (const auto& list : {faults, plan.faults, plan.warnings}) print_faults(list, drawn);
   const bool sound = faults.empty() && plan.faults.empty();
+  add_kerf_notes(options, kerf, plan, notes);
   const CutJob job{drawn,
                    plan,
-                   record,
-                   beam_of(options, run.settings, record),
+                   kerf.record,
+                   beam,
                    options.laser,
-                   kerf_notes(record, options.laser, options.record.records(), plan.layers),
-                   inputs.digests()};
+                   std::move(notes),
+                   inputs.digests(),
+                   kerf.known_mm.has_value(),
+                   placing};
   for (const std::string& note : job.notes)
     terminal::print(stderr, "kerfline: warning: {}\n", note);
+  if (machine) {
+    const auto off = off_the_bed(plan, drawn, *machine);
+    print_faults(off, drawn);
+    if (!off.empty()) return refuse_off_the_bed(options);
+  }
+  save_recipe(command, options);
   return write_job(options, job, run, timeline, sound);
 }
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <stdexcept>
 
@@ -13,21 +14,30 @@ namespace {
 using cut::LayerSettings;
 using drawing::Drawing;
 
-std::vector<cut::LayerRule> rules_of(const CutCommandOptions& options,
-                                     const Drawing& drawn,
-                                     InputFiles& inputs) {
+bool asks_for_thickness(const cut::ShopRule& rule) {
+  return std::ranges::any_of(rule.comparisons, [](const cut::Comparison& comparison) {
+    return comparison.of_thickness || comparison.quantity == cut::Quantity::kThickness;
+  });
+}
+
+}  // namespace
+
+std::vector<cut::LayerRule> layer_rules_of(const CutCommandOptions& options,
+                                           const Drawing& drawn,
+                                           InputFiles& inputs) {
   std::vector<cut::LayerRule> rules;
   if (!options.layers_file.empty()) {
     rules =
         cut::read_rules(inputs.read_and_add("layers", options.layers_file), options.layers_file);
   }
+  rules.insert(rules.end(), options.recipe_layers.begin(), options.recipe_layers.end());
   for (const std::string& text : options.layers) rules.push_back(cut::parse_rule(text, "--layer"));
   for (const cut::LayerRule& rule : rules) {
     std::string known;
     std::vector<std::string> names;
-    bool found = false;
+    bool found = rule.name == "*";
     for (const drawing::Layer& layer : drawn.layers) {
-      found = found || rule.name == layer.name || rule.name == layer.colour;
+      found = found || cut::names(rule, layer);
       names.insert(names.end(), {layer.name, layer.colour});
       known += fmt::format(" \"{}\" {};", layer.name, layer.colour);
     }
@@ -42,55 +52,7 @@ std::vector<cut::LayerRule> rules_of(const CutCommandOptions& options,
   return rules;
 }
 
-cut::Condition condition_of(const CutCommandOptions& options,
-                            const MaterialRecord& record,
-                            const LayerSettings& settings) {
-  const std::uint32_t most = options.full_power_w > 0.0
-                                 ? thousandths_of("--full-power", options.full_power_w, 4.0e6, "W")
-                                 : cnc::kerf::kMostPowerMw;
-  std::optional<std::uint32_t> power;
-  std::optional<std::uint32_t> speed;
-  if (settings.power_w) power = power_option(*settings.power_w);
-  if (settings.feed_mm_min) speed = speed_option(*settings.feed_mm_min);
-  return cut::choose(record, thickness_option(options.thickness_mm), power, speed, most);
-}
-
-/// Returns power and feed of a layer that is engraved. Those of a cut are chosen only where the
-/// layer does not give both.
-cut::Condition engraving_of(const CutCommandOptions& options,
-                            const MaterialRecord& record,
-                            const LayerSettings& settings,
-                            const LayerSettings& common) {
-  std::optional<std::uint32_t> power;
-  std::optional<std::uint32_t> speed;
-  if (settings.power_w) power = power_option(*settings.power_w);
-  if (settings.feed_mm_min) speed = speed_option(*settings.feed_mm_min);
-  cut::Condition cut{{thickness_option(options.thickness_mm), 0, 0}};
-  if (!power || !speed) cut = condition_of(options, record, common);
-  return cut::engraving(cut, 0.01 * options.shop.mark_percent, power, speed);
-}
-
-/// Names the layer of what is not permissible.
-cut::Condition condition_for(const drawing::Layer& layer,
-                             const CutCommandOptions& options,
-                             const MaterialRecord& record,
-                             const LayerSettings& settings,
-                             const LayerSettings& common) {
-  try {
-    if (settings.side == cut::Side::kMark) return engraving_of(options, record, settings, common);
-    return condition_of(options, record, settings);
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(
-        fmt::format("layer \"{}\" {}: {}", layer.name, layer.colour, error.what()));
-  }
-}
-
-}  // namespace
-
-std::vector<cut::LayerPlan> layers_of(const CutCommandOptions& options,
-                                      const Drawing& drawn,
-                                      const MaterialRecord& record,
-                                      InputFiles& inputs) {
+LayerSettings common_settings(const CutCommandOptions& options) {
   LayerSettings common;
   for (const auto& [key, value] : options.common) {
     try {
@@ -99,30 +61,135 @@ std::vector<cut::LayerPlan> layers_of(const CutCommandOptions& options,
       throw std::invalid_argument(fmt::format("--{}", error.what()));
     }
   }
-  const std::vector<cut::LayerRule> rules = rules_of(options, drawn, inputs);
+  return common;
+}
+
+namespace {
+
+/// Returns power and speed that are given; without a material both have to be.
+cut::Condition given_condition(const LayerSettings& settings, std::uint32_t thickness_um) {
+  const char* missing = nullptr;
+  if (!settings.feed_mm_min)
+    missing = "feed is not given; say --feed, or feed= for the layer, mm/min";
+  if (!settings.power_w) {
+    missing = "power is not given; say --power, or power= for the layer, as 40W, 60% or S600";
+  }
+  if (missing != nullptr) {
+    throw std::invalid_argument(fmt::format("{}, or name a --material that knows", missing));
+  }
+  return {{thickness_um, power_option(*settings.power_w), speed_option(*settings.feed_mm_min)}};
+}
+
+cut::Condition chosen_condition(const CutSource& source, const LayerSettings& settings) {
+  const CutCommandOptions& options = source.options;
+  const std::uint32_t most = options.full_power_w > 0.0
+                                 ? thousandths_of("--full-power", options.full_power_w, 4.0e6, "W")
+                                 : cnc::kerf::kMostPowerMw;
+  std::optional<std::uint32_t> power;
+  std::optional<std::uint32_t> speed;
+  if (settings.power_w) power = power_option(*settings.power_w);
+  if (settings.feed_mm_min) speed = speed_option(*settings.feed_mm_min);
+  return cut::choose(
+      *source.kerf.material, thickness_option(options.thickness_mm), power, speed, most);
+}
+
+cut::Condition condition_of(const CutSource& source, const LayerSettings& settings) {
+  const CutKerf& kerf = source.kerf;
+  if (!kerf.known_mm) {
+    if (kerf.material) return chosen_condition(source, settings);
+    throw std::invalid_argument(
+        "the kerf is not known; say --kerf, such as 0.15, mm, or name a --material");
+  }
+  const std::uint32_t thickness_um = thickness_option(source.options.thickness_mm);
+  const bool is_given = settings.power_w && settings.feed_mm_min;
+  cut::Condition condition = kerf.material && !is_given ? chosen_condition(source, settings)
+                                                        : given_condition(settings, thickness_um);
+  condition.kerf_mm = *kerf.known_mm;
+  condition.half_interval_mm = 0.0;
+  return condition;
+}
+
+/// Returns power and feed of a layer that is engraved. Those of a cut are chosen only where the
+/// layer does not give both.
+cut::Condition engraving_of(const CutSource& source,
+                            const LayerSettings& settings,
+                            const LayerSettings& common) {
+  std::optional<std::uint32_t> power;
+  std::optional<std::uint32_t> speed;
+  if (settings.power_w) power = power_option(*settings.power_w);
+  if (settings.feed_mm_min) speed = speed_option(*settings.feed_mm_min);
+  cut::Condition cut{{thickness_option(source.options.thickness_mm), 0, 0}};
+  if (!power || !speed) {
+    cut = source.kerf.material ? condition_of(source, common)
+                               : given_condition(common, cut.cut.thickness_um);
+  }
+  return cut::engraving(cut, 0.01 * source.options.shop.mark_percent, power, speed);
+}
+
+/// Names the layer of what is not permissible.
+cut::Condition condition_for(const drawing::Layer& layer,
+                             const CutSource& source,
+                             const LayerSettings& settings,
+                             const LayerSettings& common) {
+  try {
+    if (is_engraved(settings.side)) return engraving_of(source, settings, common);
+    return condition_of(source, settings);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(
+        fmt::format("layer \"{}\" {}: {}", layer.name, layer.colour, error.what()));
+  }
+}
+
+LayerSettings in_watts(LayerSettings settings, const cut::Beam& beam) {
+  power_in_watts(settings, beam.full_power_w, beam.full_power_s);
+  return settings;
+}
+
+}  // namespace
+
+std::vector<cut::LayerSettings> power_wishes(const CutCommandOptions& options,
+                                             const Drawing& drawn,
+                                             const std::vector<cut::LayerRule>& rules) {
+  std::vector<LayerSettings> wishes{common_settings(options)};
+  for (const drawing::Layer& layer : drawn.layers) {
+    wishes.push_back(settings_for(layer, wishes.front(), rules));
+  }
+  return wishes;
+}
+
+std::vector<cut::LayerPlan> layers_of(const CutSource& source,
+                                      const Drawing& drawn,
+                                      const std::vector<cut::LayerRule>& rules) {
+  const LayerSettings common = in_watts(common_settings(source.options), source.beam);
   std::vector<cut::LayerPlan> layers;
   for (const drawing::Layer& layer : drawn.layers) {
-    cut::LayerPlan plan{settings_for(layer, common, rules), {}};
+    cut::LayerPlan plan{in_watts(settings_for(layer, common, rules), source.beam), {}};
     if (cut::is_driven(plan.settings.side)) {
-      plan.condition = condition_for(layer, options, record, plan.settings, common);
+      plan.condition = condition_for(layer, source, plan.settings, common);
     }
     layers.push_back(plan);
   }
   return layers;
 }
 
-cut::Recipes recipes_of(const CutCommandOptions& options,
+cut::Recipes recipes_of(const CutSource& source,
                         const Drawing& drawn,
                         const std::vector<cut::LayerPlan>& layers,
-                        const MaterialRecord& record,
                         InputFiles& inputs) {
-  return apply_rules(
-      shop_rules(options.shop, inputs),
-      drawn,
-      layers,
-      options.thickness_mm,
-      0.01 * options.shop.mark_percent,
-      [&](const LayerSettings& settings) { return condition_of(options, record, settings); });
+  const std::vector<cut::ShopRule> rules = shop_rules(source.options.shop, inputs);
+  for (const cut::ShopRule& rule : rules) {
+    if (source.options.thickness_mm > 0.0 || !asks_for_thickness(rule)) continue;
+    throw std::invalid_argument(
+        fmt::format("{}: \"{}\": needs the thickness of the sheet; say --thickness, mm",
+                    rule.place,
+                    rule.text));
+  }
+  return apply_rules(rules,
+                     drawn,
+                     layers,
+                     source.options.thickness_mm,
+                     0.01 * source.options.shop.mark_percent,
+                     [&](const LayerSettings& settings) { return condition_of(source, settings); });
 }
 
 }  // namespace sim

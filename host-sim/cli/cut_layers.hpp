@@ -2,25 +2,46 @@
 
 #include <vector>
 
+#include "host-sim/cli/cut_beam.hpp"
 #include "host-sim/cli/cut_options.hpp"
 #include "host-sim/cli/input_files.hpp"
 #include "host-sim/cut/recipe.hpp"
 
 namespace sim {
 
+/// What the conditions of layers are chosen from.
+struct CutSource {
+  const CutCommandOptions& options;
+  const CutKerf& kerf;
+  const cut::Beam& beam;
+};
+
+/// Reads the rules for layers of a call. Throws std::invalid_argument with their place, also for
+/// one that names no layer of the drawing.
+[[nodiscard]] std::vector<cut::LayerRule> layer_rules_of(const CutCommandOptions& options,
+                                                         const drawing::Drawing& drawn,
+                                                         InputFiles& inputs);
+
+/// Returns the settings of all cuts. Throws std::invalid_argument that names the option.
+[[nodiscard]] cut::LayerSettings common_settings(const CutCommandOptions& options);
+
+/// Returns these, and those of each layer, whose power may be a share. Throws as settings_for().
+[[nodiscard]] std::vector<cut::LayerSettings> power_wishes(
+    const CutCommandOptions& options,
+    const drawing::Drawing& drawn,
+    const std::vector<cut::LayerRule>& rules);
+
 /// Returns settings, power and feed of each layer of a drawing by the options of the call; layers
 /// that are skipped need neither power nor feed. Throws std::invalid_argument that names the
 /// option, the file or the layer.
-[[nodiscard]] std::vector<cut::LayerPlan> layers_of(const CutCommandOptions& options,
+[[nodiscard]] std::vector<cut::LayerPlan> layers_of(const CutSource& source,
                                                     const drawing::Drawing& drawn,
-                                                    const MaterialRecord& record,
-                                                    InputFiles& inputs);
+                                                    const std::vector<cut::LayerRule>& rules);
 
 /// Returns the plans of the contours for which the shop has rules. Throws as layers_of().
-[[nodiscard]] cut::Recipes recipes_of(const CutCommandOptions& options,
+[[nodiscard]] cut::Recipes recipes_of(const CutSource& source,
                                       const drawing::Drawing& drawn,
                                       const std::vector<cut::LayerPlan>& layers,
-                                      const MaterialRecord& record,
                                       InputFiles& inputs);
 
 }  // namespace sim

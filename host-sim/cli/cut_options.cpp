@@ -2,8 +2,11 @@
 
 #include <CLI/CLI.hpp>
 
+#include "host-sim/cli/cut_recipe.hpp"
 #include "host-sim/cli/file_options.hpp"
+#include "host-sim/cli/import_options.hpp"
 #include "host-sim/cli/value_range.hpp"
+#include "host-sim/cut/known_kerf.hpp"
 #include "planner/gcode/print_grid.hpp"
 
 namespace sim {
@@ -15,10 +18,12 @@ constexpr const char* kCutFooter =
     "Lines and arcs stay what they are, other curves become smooth arcs within the tolerance.\n"
     "--layer 'holes: feed=3000, lead-in=line:1' is for the layer, or colour, of that name; keys\n"
     "are power, feed, side (waste, on: on the line, mark: the line is engraved, skip, start: its\n"
-    "small circles and short lines mark where the nearest contour begins), lead-in, lead-out\n"
-    "(none, line:MM, arc:MM), overcut, tabs, tab-width, pierce, corner-loop, corner-dwell,\n"
-    "corner-angle, common-line, start (any, straight, corner, usual, tab) and rank (0, 1, …:\n"
-    "layers of lower rank are cut first).\n"
+    "small circles and short lines mark where the nearest contour begins), kind (cut, score,\n"
+    "engrave, fill: in lines across the area, skip), passes, passes-by, z-step, air, interval,\n"
+    "angle, overscan (of fill), lead-in, lead-out (none, line:MM, arc:MM), overcut, tabs,\n"
+    "tab-width, pierce, corner-loop, corner-dwell, corner-angle, common-line, start (any,\n"
+    "straight, corner, usual, tab) and rank (0, 1, …: layers of lower rank are cut first).\n"
+    "The layer `*` is any that no other text names; colours have LightBurn's names, too (C01).\n"
     "With --kerf-table the program has the drawn outlines and M190, and the controller goes by\n"
     "its own table, its $PC and $860; tabs, corner loops and dwells keep a contour from it.\n"
     "--layers FILE has one such text to a line.\n"
@@ -28,7 +33,9 @@ constexpr const char* kCutFooter =
     "power also in % of the layer's. The diameter of what is no circle is that of the smallest\n"
     "circle around it; mark engraves the line. Later rules go before earlier ones.\n"
     "\n"
-    "Example:\n"
+    "Examples:\n"
+    "  kerfline cut box.svg --kerf 0.15 --power 60% --feed 600 --layer 'blue: kind=engrave,\n"
+    "      power=20%, feed=3000' -o box.nc\n"
     "  kerfline cut part.dxf --material 'CSP 1N' --thickness 2 --lead-in arc:3 -o part.nc "
     "--svg part.svg\n"
     "\n"
@@ -43,8 +50,12 @@ void add_common_options(CLI::App& command, const std::shared_ptr<CutCommandOptio
             help)
         ->type_name(type);
   };
-  add("power", "W", "Else chosen");
-  add("feed", "MM/MIN", "Else chosen");
+  add("power", "POWER", "40 or 40W, 60% of full power, or S600; else chosen for the --material");
+  add("feed", "MM/MIN", "Else chosen for the --material");
+  add("passes", "COUNT", "Times that each contour is cut, or engraved; 1");
+  add("passes-by", "WHAT", "contour: all passes, then the next one; or layer; contour");
+  add("z-step", "MM", "Z goes down by this with each pass after the first; 0");
+  add("air", "WHAT", "on or M8, M7, off; on");
   add("lead-in", "KIND:MM", "none, line:MM or arc:MM; arc:2");
   add("lead-out", "KIND:MM", "The same; none");
   add("overcut", "MM", "How far to go on where the contour began; 0");
@@ -62,25 +73,38 @@ void add_common_options(CLI::App& command, const std::shared_ptr<CutCommandOptio
       "Where cuts may begin: any, straight, corner, usual, or tab, where they also end; any");
 }
 
-}  // namespace
-
-void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>& options) {
-  command.footer(kCutFooter);
-  mark_file(
-      command.add_option("DRAWING", options->file, "SVG, DXF, JSON or sheet; - is standard input")
-          ->required(),
-      FileRole::kInput);
-  options->record.add_to(command);
-  command.get_option("--material")->required();
-  command.add_option("--thickness", options->thickness_mm, "mm")
-      ->required()
+void add_material_options(CLI::App& command, CutCommandOptions& options) {
+  options.record.add_to(command);
+  command
+      .add_option("--kerf",
+                  options.kerf_mm,
+                  "Width of the cut, as you know it, mm; with --power and --feed no --material is "
+                  "needed")
+      ->check(in_range(0.0, cut::kMaxKnownKerfMm, "mm"))
+      ->type_name("MM");
+  command.add_option("--thickness", options.thickness_mm, "Of the --material, mm")
       ->check(thickness_range())
       ->type_name("T");
   command
       .add_option("--laser",
-                  options->laser,
+                  options.laser,
                   "Name of this machine's laser: cuts by another one say nothing of its kerf")
       ->type_name("NAME");
+}
+
+}  // namespace
+
+void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>& options) {
+  command.footer(kCutFooter);
+  mark_file(command
+                .add_option("DRAWING",
+                            options->file,
+                            "SVG, DXF, PDF, LightBurn, JSON or sheet; - is standard input")
+                ->required(),
+            FileRole::kInput);
+  add_material_options(command, *options);
+  add_cut_recipe_options(command, *options);
+  add_cut_place_options(command, options->place);
   add_common_options(command, options);
   add_cut_order_options(command, options->order);
   command.add_option("--layer", options->layers, "What is other for a layer; may be repeated")
@@ -91,8 +115,9 @@ void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>
   };
   add_file(FileRole::kInput, "--layers", options->layers_file, "File of them");
   command
-      .add_option(
-          "--full-power", options->full_power_w, "What the laser gives at $30; the record's most")
+      .add_option("--full-power",
+                  options->full_power_w,
+                  "What the laser gives at $30; else the machine's or the record's")
       ->check(in_range(0.001, from_thousandths(cnc::kerf::kMostPowerMw), "W"))
       ->type_name("W");
   command
@@ -103,9 +128,8 @@ void add_cut_options(CLI::App& command, const std::shared_ptr<CutCommandOptions>
       ->check(in_whole_range(0, 99))
       ->type_name("P");
   command.add_flag("--constant-power", options->constant_power, "M3 instead of M4");
-  command.add_option("--gap", options->import.gap_mm, "Ends no farther apart are joined, mm")
-      ->check(in_range(drawing::kLeastGapMm, drawing::kGreatestGapMm, "mm"))
-      ->capture_default_str();
+  add_import_options(command, options->import);
+  add_text_option(command, options->import.text);
   add_outline_options(command, options->curves);
   add_cut_safety_options(command, options);
   command.add_flag("--anyway", options->anyway, "Cut what is sound of a drawing with faults");

@@ -9,6 +9,7 @@
 #include "host-sim/cli/cut_frame_options.hpp"
 #include "host-sim/cli/cut_order_options.hpp"
 #include "host-sim/cli/cut_output_options.hpp"
+#include "host-sim/cli/cut_place_options.hpp"
 #include "host-sim/cli/cut_rule_options.hpp"
 #include "host-sim/cli/cut_safety_options.hpp"
 #include "host-sim/cli/cut_sheet_options.hpp"
@@ -29,13 +30,19 @@ struct CutCommandOptions {
   drawing::ImportOptions import;
   OutlineOptions curves;
   RecordOptions record;
-  double thickness_mm = 0.0;
+  double thickness_mm = 0.0;                                ///< 0: not given.
+  std::optional<double> kerf_mm{};                          ///< Known, in place of the record's.
   std::string laser;                                        ///< Of this machine; empty: not named.
   std::vector<std::pair<std::string, std::string>> common;  ///< Keys of LayerSettings.
   std::vector<std::string> layers;
   std::string layers_file;
+  std::vector<cut::LayerRule> recipe_layers;  ///< Before those of `layers`.
+  std::string recipe;                         ///< File to read; empty: none.
+  std::string save_recipe;                    ///< File to write; empty: none.
+  CutPlaceOptions place;
+  std::vector<SettingChange> machine_settings;  ///< Of the machine that `place` names.
   CutOrderOptions order;
-  double full_power_w = 0.0;  ///< 0: the greatest of the record.
+  double full_power_w = 0.0;  ///< 0: see beam_of().
   bool constant_power = false;
   std::optional<unsigned> kerf_table{};  ///< The controller finds the way beside parts.
   cut::SafetyWishes safety{};

@@ -38,13 +38,13 @@ bool CutInput::is_broken_sheet() const {
 CutInput read_cut_input(const std::string& file,
                         const drawing::ImportOptions& options,
                         InputFiles& files) {
-  const std::string text = InputFiles::read(file);
+  const std::string text = InputFiles::read(file, true);
   const bool is_sheet = sheet::is_sheet(text);
   files.add(is_sheet ? "sheet" : "drawing", file, text);
   if (!is_sheet) return {drawing::read_drawing(file, text, options)};
   sheet::Sheet sheet = sheet::read_sheet(file, text);
   const auto read = [&files](const std::string& name) {
-    std::string drawing = InputFiles::read(name);
+    std::string drawing = InputFiles::read(name, true);
     files.add("drawing", name, drawing);
     return drawing;
   };

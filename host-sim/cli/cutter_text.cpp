@@ -20,10 +20,6 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
   }
 }
 
-[[noreturn]] void refuse(const char* option, const std::string& text, std::string_view reason) {
-  throw std::invalid_argument(fmt::format("{} {}: {}", option, text, reason));
-}
-
 /// The words of a tool: kind, diameter and the rest, in this order.
 struct CutterWords {
   std::string_view kind = "flat";
@@ -45,13 +41,17 @@ CutterWords words_of(std::string_view text) {
 
 }  // namespace
 
+void refuse_option(const char* option, const std::string& text, std::string_view reason) {
+  throw std::invalid_argument(fmt::format("{} {}: {}", option, text, reason));
+}
+
 double number_of(const char* option, const std::string& text, std::string_view word) {
   const char* const begin = word.data() + (word.starts_with('+') ? 1 : 0);
   const char* const end = word.data() + word.size();
   double value = 0.0;
   const auto [rest, error] = std::from_chars(begin, end, value);
   if (error == std::errc{} && rest == end && std::isfinite(value)) return value;
-  refuse(option, text, fmt::format("`{}` is no number", word));
+  refuse_option(option, text, fmt::format("`{}` is no number", word));
 }
 
 stock::Cutter cutter_of(const char* option, const std::string& text) {
@@ -73,13 +73,15 @@ stock::Cutter cutter_of(const char* option, const std::string& text) {
     cutter.included_angle_deg = values[0];
     cutter.tip_diameter_mm = values.size() == 2 ? values[1] : 0.0;
   } else {
-    refuse(option,
-           text,
-           "takes a diameter in mm and flat, ball, `bull,` and the corner radius in mm, or `v,` "
-           "and the included angle in degrees and the tip's diameter, such as 6, 6,ball, "
-           "6,bull,0.5 or 6,v,60,0.2; or the kind first, such as ball:6");
+    refuse_option(
+        option,
+        text,
+        "takes a diameter in mm and flat, ball, `bull,` and the corner radius in mm, or `v,` "
+        "and the included angle in degrees and the tip's diameter, such as 6, 6,ball, "
+        "6,bull,0.5 or 6,v,60,0.2; or the kind first, such as ball:6");
   }
-  if (const std::string fault = fault_of(cutter); !fault.empty()) refuse(option, text, fault);
+  if (const std::string fault = fault_of(cutter); !fault.empty())
+    refuse_option(option, text, fault);
   return cutter;
 }
 

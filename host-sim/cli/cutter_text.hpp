@@ -14,6 +14,11 @@ inline constexpr const char* kCutterForm = "D[,ball|,bull,CORNER|,v,ANGLE[,TIP]]
 /// colons: `ball:6`, `bull:6:0.5`. Throws std::invalid_argument with the option and the reason.
 [[nodiscard]] stock::Cutter cutter_of(const char* option, const std::string& text);
 
+/// Throws std::invalid_argument with the option, its text and the reason.
+[[noreturn]] void refuse_option(const char* option,
+                                const std::string& text,
+                                std::string_view reason);
+
 /// Returns a number of an option, finite. Throws std::invalid_argument with option and reason.
 [[nodiscard]] double number_of(const char* option, const std::string& text, std::string_view word);
 

@@ -8,7 +8,8 @@
 
 #include "host-sim/cli/commands.hpp"
 #include "host-sim/cli/file_options.hpp"
-#include "host-sim/cli/value_range.hpp"
+#include "host-sim/cli/import_options.hpp"
+#include "host-sim/cli/outline_options.hpp"
 #include "host-sim/import/curve_measure.hpp"
 #include "host-sim/import/drawing.hpp"
 #include "host-sim/job/setting_line.hpp"
@@ -32,7 +33,7 @@ constexpr const char* kDrawingFooter =
     "  kerfline drawing part.dxf --svg part.svg\n"
     "  kerfline drawing part.svg --gap 0.1 --json\n"
     "\n"
-    "Reads SVG, DXF in ASCII, and the JSON of nesting jobs and cutting layouts.\n"
+    "Reads SVG, DXF, PDF, projects of LightBurn, and the JSON of nesting jobs and layouts.\n"
     "Exit status: 0 fine, 1 the drawing has faults, 2 the call is wrong.";
 
 struct DrawingOptions {
@@ -125,7 +126,7 @@ nlohmann::ordered_json to_json(const Drawing& drawn) {
 
 ExitStatus look_at(const DrawingOptions& options) {
   const Drawing drawn =
-      drawing::read_drawing(options.file, read_text(options.file), options.import);
+      drawing::read_drawing(options.file, read_text(options.file, true), options.import);
   if (options.json) {
     constexpr int kIndent = 1;
     terminal::write_data(dumped(to_json(drawn), kIndent) + "\n");
@@ -143,12 +144,13 @@ void add_drawing_command(CLI::App& app, ExitStatus& status) {
       "drawing", "Look a drawing over: its contours, which of them are holes, and every fault.");
   command->footer(kDrawingFooter);
   const auto options = std::make_shared<DrawingOptions>();
-  mark_file(command->add_option("FILE", options->file, "SVG, DXF or JSON; - is standard input")
+  mark_file(command
+                ->add_option(
+                    "FILE", options->file, "SVG, DXF, PDF, LightBurn or JSON; - is standard input")
                 ->required(),
             FileRole::kInput);
-  command->add_option("--gap", options->import.gap_mm, "Ends no farther apart are joined, mm")
-      ->check(in_range(drawing::kLeastGapMm, drawing::kGreatestGapMm, "mm"))
-      ->capture_default_str();
+  add_import_options(*command, options->import);
+  add_text_option(*command, options->import.text);
   mark_file(
       command->add_option("--svg", options->svg, "Draw what was read, with the places of faults")
           ->type_name("FILE"),

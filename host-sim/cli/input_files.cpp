@@ -19,7 +19,9 @@ std::string named_from_program(const std::string& program, const std::string& fi
 
 }  // namespace
 
-std::string InputFiles::read(const std::string& file) { return read_text(file); }
+std::string InputFiles::read(const std::string& file, bool may_be_packed) {
+  return read_text(file, may_be_packed);
+}
 
 void InputFiles::add(const char* kind, const std::string& file, const std::string& text) {
   ProgramDigest digest{kind, digest_of(text), named_from_program(program_, file)};

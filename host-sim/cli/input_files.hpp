@@ -16,7 +16,7 @@ class InputFiles {
   explicit InputFiles(std::string program) : program_{std::move(program)} {}
 
   /// Returns the text of a file. Throws as read_text() does.
-  [[nodiscard]] static std::string read(const std::string& file);
+  [[nodiscard]] static std::string read(const std::string& file, bool may_be_packed = false);
   /// Keeps the digest of a file, once.
   void add(const char* kind, const std::string& file, const std::string& text);
   [[nodiscard]] std::string read_and_add(const char* kind, const std::string& file);

@@ -60,6 +60,7 @@ int run(int argc, char** argv) {
   sim::add_offset_command(app, status);
   sim::add_drawing_command(app, status);
   sim::add_cut_command(app, status);
+  sim::add_engrave_command(app, status);
   sim::add_order_command(app, status);
   sim::add_pocket_command(app, status);
   sim::add_surface_command(app, status);

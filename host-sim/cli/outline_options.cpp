@@ -27,4 +27,17 @@ void add_outline_options(CLI::App& command, OutlineOptions& outline) {
       ->option_text("fewest|paper [fewest]");
 }
 
+void add_text_option(CLI::App& command, drawing::TextMode& text) {
+  const std::map<std::string, drawing::TextMode> modes{{"skip", drawing::TextMode::kSkip},
+                                                       {"outline", drawing::TextMode::kOutline},
+                                                       {"stroke", drawing::TextMode::kStroke}};
+  command
+      .add_option("--text",
+                  text,
+                  "Letters: skip; outline, in the font that is named; stroke, single lines that "
+                  "are engraved as colour `text`")
+      ->transform(CLI::CheckedTransformer(modes))
+      ->option_text("skip|outline|stroke [skip]");
+}
+
 }  // namespace sim

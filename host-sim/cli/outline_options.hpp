@@ -1,6 +1,7 @@
 #pragma once
 
 #include "host-sim/contour/outline.hpp"
+#include "host-sim/import/drawing.hpp"
 
 namespace CLI {  // NOLINT(readability-identifier-naming): theirs.
 class App;
@@ -10,5 +11,8 @@ namespace sim {
 
 /// Adds `--tolerance` and `--fit`: how curves of a drawing become arcs.
 void add_outline_options(CLI::App& command, OutlineOptions& outline);
+
+/// Adds `--text skip|outline|stroke`: what becomes of letters.
+void add_text_option(CLI::App& command, drawing::TextMode& text);
 
 }  // namespace sim

@@ -23,6 +23,9 @@ class PostOption {
   /// `--decimals` asks for more.
   void read(const CLI::App& command, InputFiles& inputs, unsigned& decimals);
 
+  /// Returns whether the call names a file.
+  [[nodiscard]] bool is_asked() const { return !file_.empty(); }
+
   /// Returns whether arcs of a plane stay arcs.
   [[nodiscard]] bool knows_arcs(cnc::Plane plane) const {
     return !post_ || post_->knows_arcs(plane);

@@ -55,6 +55,7 @@ JobOutputs outputs_for(const SimOptions& options, const std::string& file) {
           .vcd = with_job_name(asked.vcd, file),
           .svg = with_job_name(asked.svg, file),
           .png = with_job_name(asked.png, file),
+          .knots = with_job_name(asked.knots, file),
           .answers = with_job_name(asked.answers, file),
           .kerf_width_mm = asked.kerf_width_mm,
           .stock = stock_wish_of(stock_for(options.stock, file))};
@@ -85,6 +86,7 @@ std::vector<NamedFile> files_of(const SimOptions& options) {
              {"--vcd", outputs.vcd},
              {"--svg", outputs.svg},
              {"--png", outputs.png},
+             {"--knots", outputs.knots},
              {"--answers", outputs.answers},
              {"--report", with_job_name(options.report, file)}}) {
       if (!name.empty()) files.push_back({option, name, FileRole::kOutput});
@@ -115,6 +117,7 @@ ExitStatus simulate_all(const SimOptions& options) {
     require_placeholder(options.outputs.svg, "--svg");
     require_placeholder(options.outputs.png, "--png");
     require_placeholder(options.report, "--report");
+    require_placeholder(options.outputs.knots, "--knots");
     require_placeholder(options.outputs.answers, "--answers");
     for (const auto& [option, name] : stock_files(options.stock)) require_placeholder(name, option);
   }
@@ -162,6 +165,10 @@ void add_sim_command(CLI::App& app, ExitStatus& status) {
   add_output("--answers",
              options->outputs.answers,
              "Write the controller's answers, as a sender logs them");
+  add_output("--knots",
+             options->outputs.knots,
+             "Write `time_s x y z a b c` of the axes for each cell of the plan: under G43.4 and "
+             "input shaping");
   add_output("--svg", options->outputs.svg, "Draw the path as cut");
   add_output("--png", options->outputs.png, "The same as pixels");
   command

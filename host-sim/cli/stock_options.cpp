@@ -35,18 +35,14 @@ std::vector<std::string_view> split_at_commas(std::string_view text) {
   }
 }
 
-[[noreturn]] void refuse(const char* option, const std::string& text, std::string_view reason) {
-  throw std::invalid_argument(fmt::format("{} {}: {}", option, text, reason));
-}
-
 void read_box(const std::string& text, StockWish& wish) {
   const std::vector<std::string_view> words = split_at_commas(text);
   if (words.size() != 5 && words.size() != 6) {
-    refuse("--stock",
-           text,
-           fmt::format("has {} numbers; it takes {} in mm, such as 0,0,100,80,0,-12",
-                       words.size(),
-                       kStockForm));
+    refuse_option("--stock",
+                  text,
+                  fmt::format("has {} numbers; it takes {} in mm, such as 0,0,100,80,0,-12",
+                              words.size(),
+                              kStockForm));
   }
   std::vector<double> values;
   values.reserve(words.size());
@@ -92,7 +88,8 @@ std::vector<stock::Ring> rings_of(const std::string& file) {
   if (is_contour_text(text)) return rings_of_text(text, file);
   const drawing::Drawing drawn = drawing::read_drawing(file, text);
   for (const drawing::Fault& fault : drawn.faults) {
-    if (fault.is_error()) throw std::invalid_argument(to_string(fault, file));
+    const bool is_text = fault.kind == drawing::FaultKind::kText;
+    if (fault.is_error() || is_text) throw std::invalid_argument(to_string(fault, file));
   }
   std::vector<stock::Ring> rings;
   for (const drawing::DrawnContour& contour : drawn.contours) {
@@ -194,11 +191,11 @@ std::optional<StockWish> stock_wish_of(const StockOptions& options) {
   read_box(options.box, wish);
   wish.cutter = cutter_of("--tool", options.tool);
   if (const std::string fault = fault_of(wish.box, wish.cell_mm); !fault.empty()) {
-    refuse("--stock", options.box, fault);
+    refuse_option("--stock", options.box, fault);
   }
   if (options.surface.empty()) return wish;
   if (const std::string fault = fault_of_comparison(wish.box, wish.cell_mm); !fault.empty()) {
-    refuse("--stock-surface", options.surface, fault);
+    refuse_option("--stock-surface", options.surface, fault);
   }
   return wish;
 }
@@ -207,7 +204,7 @@ std::optional<stock::PocketTarget> stock_target_of(const StockOptions& options) 
   if (options.target.empty()) return std::nullopt;
   stock::PocketTarget target{rings_of(options.target), options.depth_mm.value_or(0.0)};
   if (const std::string fault = fault_of(target, options.cell_mm); !fault.empty()) {
-    refuse("--stock-target", options.target, fault);
+    refuse_option("--stock-target", options.target, fault);
   }
   return target;
 }

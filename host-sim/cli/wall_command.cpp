@@ -11,6 +11,7 @@
 #include "host-sim/cli/input_files.hpp"
 #include "host-sim/cli/wall_carving.hpp"
 #include "host-sim/cli/wall_job.hpp"
+#include "host-sim/cli/wall_joints.hpp"
 #include "host-sim/cli/wall_options.hpp"
 #include "host-sim/report/terminal.hpp"
 #include "host-sim/surface/read_surface.hpp"
@@ -99,6 +100,7 @@ void add_wall_command(CLI::App& app, ExitStatus& status) {
   const auto options = std::make_shared<WallOptions>();
   add_wall_options(*command, *options);
   add_wall_carving_commands(*command, status);
+  add_wall_joints_command(*command, status);
   command->callback([options, command, &status] {
     if (command->get_subcommands().empty()) status = run_wall(*options);
   });

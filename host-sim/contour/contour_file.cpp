@@ -30,12 +30,13 @@ bool is_drawing(std::string_view text) {
          text.starts_with("AutoCAD Binary DXF");
 }
 
-/// Errors end it; what is only left out as no path does not.
+/// Errors end it, and letters, which only `cut` draws; what is no path and left out does not.
 void throw_faults(const drawing::Drawing& drawn, const std::vector<drawing::Fault>& more) {
   std::string text;
   for (const auto* const faults : {&drawn.faults, &more}) {
     for (const drawing::Fault& fault : *faults) {
-      if (fault.is_error()) text += printable_line(to_string(fault, drawn.file)) + "\n";
+      const bool is_text = fault.kind == drawing::FaultKind::kText;
+      if (fault.is_error() || is_text) text += printable_line(to_string(fault, drawn.file)) + "\n";
     }
   }
   if (drawn.more_faults != 0) text += "and " + std::to_string(drawn.more_faults) + " more\n";

@@ -37,7 +37,7 @@ class HeatClock {
     now_s_ += wait_s;
     for (const Stroke& stroke : cut.strokes) {
       const double end_s = now_s_ + least_time(stroke, layer);
-      if (stroke.purpose != Purpose::kTab) heat_.add(stroke, now_s_ + stroke.dwell_s, end_s);
+      if (has_beam(stroke.purpose)) heat_.add(stroke, now_s_ + stroke.dwell_s, end_s);
       now_s_ = end_s;
     }
     here_ = beam_end(cut);

@@ -43,13 +43,26 @@ class StrokeWriter {
     text_ += fmt::format("M5\nG4 P{:.3f}\n{}\n", seconds, beam_.follows_speed ? "M4" : "M3");
   }
 
+  /// Lowers Z for a pass before the rapid to it, and raises it for the first one.
+  void lower_to(const Cut& cut, const LayerPlan& layer) {
+    const double height_mm = -layer.settings.z_step_mm * (cut.pass - 1);
+    if (height_mm != 0.0) has_lowered_ = true;
+    if (has_lowered_ && !writer_.set_height(height_mm)) {
+      throw std::invalid_argument(
+          fmt::format("z-step={:g}: Z{:g} is too low", layer.settings.z_step_mm, height_mm));
+    }
+  }
+  void raise() {
+    if (has_lowered_) static_cast<void>(writer_.set_height(0.0));
+  }
+
   void write(const Cut& cut, const LayerPlan& layer) {
     wait(cut.wait_s);
     if (beam_.kerf_table && !cut.programmed.empty()) return write_for_controller(cut, layer);
     for (const Stroke& stroke : cut.strokes) {
       const bool pierces = stroke.purpose == Purpose::kPierce;
       writer_.set_feed(pierces ? pierce_feed(stroke, layer) : layer.condition.cut.speed_um_min);
-      writer_.set_power(stroke.purpose == Purpose::kTab ? 0 : power_of(layer.condition));
+      writer_.set_power(has_beam(stroke.purpose) ? power_of(layer.condition) : 0);
       if (stroke.dwell_s > 0.0) text_ += fmt::format("G4 P{:.3f}\n", stroke.dwell_s);
       write(stroke);
     }
@@ -125,13 +138,33 @@ class StrokeWriter {
   double digit_mm_;
   ProgramWriter writer_;
   std::string text_;
+  bool has_lowered_ = false;  ///< Lines have a Z.
 };
 
 std::string_view kind_of(const Cut& cut, const LayerPlan& layer) {
   if (cut.is_slice) return "waste";
   if (layer.settings.side == Side::kOn) return "on the line";
-  if (layer.settings.side == Side::kMark) return "engraved";
+  if (layer.settings.side == Side::kMark) return layer.settings.is_scored ? "scored" : "engraved";
+  if (layer.settings.side == Side::kFill) return "filled";
   return cut.is_hole ? "hole" : "outer";
+}
+
+std::string_view word_of(Air air) {
+  switch (air) {
+    case Air::kFlood:
+      return "M8\n";
+    case Air::kMist:
+      return "M7\n";
+    case Air::kOff:
+      break;
+  }
+  return "M9\n";
+}
+
+/// Returns `, pass 2 of 3` of a cut that is made several times.
+std::string pass_text(const Cut& cut, const LayerPlan& layer) {
+  const unsigned passes = layer.settings.passes;
+  return passes == 1 ? "" : fmt::format(", pass {} of {}", cut.pass, passes);
 }
 
 }  // namespace
@@ -160,17 +193,29 @@ std::string program_of(const CutPlan& plan,
     text +=
         fmt::format("M190 P{} Q{:g}\n", *beam.kerf_table, from_thousandths(any.cut.thickness_um));
   }
-  text += fmt::format("M8\n{} S0\n", beam.follows_speed ? "M4" : "M3");
+  Air air = plan.cuts.empty() ? Air::kFlood : plan.plan_of(plan.cuts.front()).settings.air;
+  text += fmt::format("{}{} S0\n", word_of(air), beam.follows_speed ? "M4" : "M3");
   StrokeWriter writer{beam, grid};
   for (std::size_t i = 0; i < plan.cuts.size(); ++i) {
     const Cut& cut = plan.cuts[i];
     const LayerPlan& layer = plan.plan_of(cut);
-    text += comment_line(
-        fmt::format("{}: {}, {}", i + 1, kind_of(cut, layer), entity_of(cut, drawn).name));
+    text += comment_line(fmt::format("{}: {}, {}{}",
+                                     i + 1,
+                                     kind_of(cut, layer),
+                                     entity_of(cut, drawn).name,
+                                     pass_text(cut, layer)));
+    if (layer.settings.air != air) {
+      // M7 and M8 may be on side by side.
+      if (air != Air::kOff) text += word_of(Air::kOff);
+      if (layer.settings.air != Air::kOff) text += word_of(layer.settings.air);
+      air = layer.settings.air;
+    }
+    writer.lower_to(cut, layer);
     writer.go_along(rapid_before(plan, i), cut.lift_mm);
     writer.write(cut, layer);
     text += writer.take_text();
   }
+  writer.raise();
   writer.go_along(rapid_before(plan, plan.cuts.size()), plan.lift_home_mm);
   return text + "M5\nM9\n" + writer.take_text() + "M2\n";
 }

@@ -16,6 +16,7 @@ struct Beam {
   bool follows_speed = true;     ///< M4: power by the speed really driven; else M3.
   /// Of the material in the controller's list ($K), where it finds the way beside parts itself.
   std::optional<unsigned> kerf_table{};
+  bool knows_watts = true;  ///< Else `full_power_w` is 100, and watts are percents.
 };
 
 /// A text as a line of comment: printable ASCII without what ends a comment or acts at once on the

@@ -53,14 +53,54 @@ std::string line_of(const SharedLineFigures& shared) {
       shared.most_off_mm);
 }
 
-Json json_of(const LayerPlan& layer, const drawing::Layer& drawn) {
+/// Returns `1800 W at 4000 mm/min`, with percents where watts are not known.
+std::string condition_text(const Condition& condition, const Beam& beam) {
+  return fmt::format("{:g} {} at {:g} mm/min",
+                     from_thousandths(condition.cut.power_mw),
+                     beam.knows_watts ? "W" : "percent",
+                     from_thousandths(condition.cut.speed_um_min));
+}
+
+/// Returns `layer "cut" red: CSP 1N, 2 mm; 1800 W at 4000 mm/min; kerf 0.5617 mm`.
+std::string layer_line(const CutJob& job, std::size_t index) {
+  const LayerPlan& plan = job.plan.layers[index];
+  const drawing::Layer& layer = job.drawn.layers[index];
+  std::string line = fmt::format("layer \"{}\" {}: ", layer.name, layer.colour);
+  if (!job.record.name.empty()) {
+    line += fmt::format(
+        "{}, {:g} mm; ", job.record.name, from_thousandths(plan.condition.cut.thickness_um));
+  }
+  line += fmt::format("{}; {}", condition_text(plan.condition, job.beam), width_text(plan));
+  if (job.is_kerf_given && !is_engraved(plan.settings.side)) line += ", given";
+  const LayerSettings& settings = plan.settings;
+  if (settings.passes > 1) line += fmt::format("; {} passes", settings.passes);
+  if (settings.passes > 1 && settings.z_step_mm > 0.0) {
+    line += fmt::format(", Z {:g} mm lower each", settings.z_step_mm);
+  }
+  return line;
+}
+
+/// Returns what the greatest S is.
+std::string full_power_text(const Beam& beam) {
+  const std::string power =
+      beam.knows_watts ? fmt::format("{:g} W", beam.full_power_w) : "full power, 100 percent";
+  return fmt::format("S{:g} is {}; {}",
+                     beam.full_power_s,
+                     power,
+                     beam.follows_speed ? "power follows the speed" : "power is constant");
+}
+
+Json json_of(const LayerPlan& layer, const drawing::Layer& drawn, const Beam& beam) {
   Json row;
   row["layer"] = drawn.name;
   row["colour"] = drawn.colour;
-  row["power_w"] = from_thousandths(layer.condition.cut.power_mw);
+  const double watts = from_thousandths(layer.condition.cut.power_mw);
+  row["power_w"] = beam.knows_watts ? Json(watts) : Json(nullptr);
+  row["power_percent"] = 100.0 * watts / beam.full_power_w;
   row["feed_mm_min"] = from_thousandths(layer.condition.cut.speed_um_min);
   row["kerf_mm"] = layer.condition.kerf_mm;
   row["kerf_half_interval_mm"] = layer.condition.half_interval_mm;
+  row["passes"] = layer.settings.passes;
   return row;
 }
 
@@ -141,7 +181,7 @@ CutFigures figures_of(const CutPlan& plan) {
   for (const Cut& cut : plan.cuts) {
     for (const Stroke& stroke : cut.strokes) {
       ++(stroke.bulge == 0.0 ? figures.lines : figures.arcs);
-      if (stroke.purpose != Purpose::kTab) figures.cut_length_mm += length_of(stroke);
+      if (has_beam(stroke.purpose)) figures.cut_length_mm += length_of(stroke);
     }
     add_corners(cut, plan.plan_of(cut), figures);
   }
@@ -153,27 +193,16 @@ std::vector<std::string> lines_of(const CutJob& job, const CutFigures& figures) 
   lines.push_back(fmt::format("kerfline cut: {}", name_of_drawing(job.drawn)));
   for (std::size_t i = 0; i < job.plan.layers.size(); ++i) {
     if (!is_cut(job.plan, i)) continue;
-    const Condition& condition = job.plan.layers[i].condition;
-    lines.push_back(fmt::format("layer \"{}\" {}: {}, {:g} mm; {:g} W at {:g} mm/min; {}",
-                                job.drawn.layers[i].name,
-                                job.drawn.layers[i].colour,
-                                job.record.name,
-                                from_thousandths(condition.cut.thickness_um),
-                                from_thousandths(condition.cut.power_mw),
-                                from_thousandths(condition.cut.speed_um_min),
-                                width_text(job.plan.layers[i])));
+    lines.push_back(layer_line(job, i));
   }
   for (const std::string& rule : lines_of(job.plan.recipes)) {
     lines.push_back(rule);
   }
+  if (!job.placing.empty()) lines.push_back(job.placing);
   for (const std::string& note : job.notes) {
     lines.push_back("warning: " + note);
   }
-  lines.push_back(
-      fmt::format("S{:g} is {:g} W; {}",
-                  job.beam.full_power_s,
-                  job.beam.full_power_w,
-                  job.beam.follows_speed ? "power follows the speed" : "power is constant"));
+  lines.push_back(full_power_text(job.beam));
   if (const std::size_t curves = curves_of(job); curves != 0) {
     lines.push_back(fmt::format("{} curves as arcs within {:g} mm, fit {}",
                                 curves,
@@ -208,20 +237,24 @@ std::vector<std::string> heading_of(const CutJob& job, const CutFigures& figures
 Json json_of(const CutJob& job, const CutFigures& figures) {
   Json json;
   json["drawing"] = name_of_drawing(job.drawn);
-  json["material"] = job.record.name;
+  const bool has_material = !job.record.name.empty();
+  json["material"] = has_material ? Json(job.record.name) : Json(nullptr);
   json["layers"] = Json::array();
   for (std::size_t i = 0; i < job.plan.layers.size(); ++i) {
     if (!is_cut(job.plan, i)) continue;
-    json["layers"].push_back(json_of(job.plan.layers[i], job.drawn.layers[i]));
-    json["thickness_mm"] = from_thousandths(job.plan.layers[i].condition.cut.thickness_um);
+    json["layers"].push_back(json_of(job.plan.layers[i], job.drawn.layers[i], job.beam));
+    const std::uint32_t thickness_um = job.plan.layers[i].condition.cut.thickness_um;
+    json["thickness_mm"] = thickness_um > 0 ? Json(from_thousandths(thickness_um)) : Json(nullptr);
   }
   json["kerf"] = {{"unit", name_of(job.record.unit)},
                   {"laser", job.record.laser},
                   {"this_laser", job.laser},
                   {"measured_on_this_machine", is_measured_here(job.record, job.laser)},
+                  {"given", job.is_kerf_given},
                   {"provenance", job.record.provenance},
                   {"warnings", job.notes}};
-  json["full_power_w"] = job.beam.full_power_w;
+  json["full_power_w"] = job.beam.knows_watts ? Json(job.beam.full_power_w) : Json(nullptr);
+  json["placing"] = job.placing.empty() ? Json(nullptr) : Json(job.placing);
   json["curves"] = curves_of(job);
   json["tolerance_mm"] = job.plan.curves.tolerance_mm;
   json["fit"] = name_of(job.plan.curves.method);

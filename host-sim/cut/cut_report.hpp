@@ -34,8 +34,10 @@ struct CutJob {
   const MaterialRecord& record;
   Beam beam;
   std::string laser{};                   ///< Name of this machine's; empty: not named.
-  std::vector<std::string> notes{};      ///< Of the kerf; see kerf_notes().
+  std::vector<std::string> notes{};      ///< Of the kerf, see kerf_notes(), and of guesses.
   std::vector<ProgramDigest> digests{};  ///< Of what it was made from.
+  bool is_kerf_given = false;            ///< By the user, not by the record.
+  std::string placing{};                 ///< Where the drawing was put; empty: as drawn.
 };
 
 /// Material, conditions of each layer that is cut, notes, and figures: the heading of the program,

@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 #include <utility>
 
+#include "host-sim/cut/layer_colour.hpp"
+#include "host-sim/import/stroke_colour.hpp"
 #include "host-sim/report/nearest_name.hpp"
 
 namespace sim::cut {
@@ -16,24 +19,15 @@ constexpr double kLongestPierce = 60.0;    ///< s, of pierces and dwells.
 constexpr double kGreatestNumber = 1.0e6;  ///< W and mm/min.
 constexpr unsigned kMostTabs = 1000;
 constexpr double kMaxCommonLine = 1.0;  ///< mm.
+constexpr double kDeepestStep = 100.0;  ///< mm, of Z with each pass.
+constexpr std::string_view kAnyLayer = "*";
 constexpr std::string_view kRuleForm = "rule `LAYER: key=value, key=value`";
 
-/// The keys, of which a message names the nearest.
-const std::vector<std::string> kKeys{"power",
-                                     "feed",
-                                     "side",
-                                     "lead-in",
-                                     "lead-out",
-                                     "overcut",
-                                     "tabs",
-                                     "tab-width",
-                                     "pierce",
-                                     "corner-loop",
-                                     "corner-dwell",
-                                     "corner-angle",
-                                     "common-line",
-                                     "start",
-                                     "rank"};
+/// Keys that only a filled layer has.
+constexpr std::array<std::string_view, 3> kFillKeys{"interval", "angle", "overscan"};
+/// Keys of a line that is engraved.
+constexpr std::array<std::string_view, 10> kMarkKeys{
+    "power", "feed", "side", "kind", "start", "rank", "passes", "passes-by", "z-step", "air"};
 
 Lead lead_from(std::string_view key, std::string_view text) {
   if (text == "none") return {};
@@ -58,17 +52,76 @@ Side side_from(std::string_view text) {
       fmt::format("side={}: wants `waste`, `on`, `mark`, `skip` or `start`", text));
 }
 
-/// Throws std::invalid_argument for what a line that is engraved cannot have.
-void expect_of_mark(const LayerRule& rule) {
-  const std::vector<std::string_view> taken{"power", "feed", "side", "start", "rank"};
+template <std::size_t kCount>
+bool holds(const std::array<std::string_view, kCount>& keys, std::string_view key) {
+  return std::ranges::find(keys, key) != keys.end();
+}
+
+/// Throws std::invalid_argument for what a layer of this side cannot have.
+void expect_of_side(const LayerRule& rule, Side side) {
+  const auto refuse = [&rule](std::string_view key, const std::string& value, const char* reason) {
+    throw std::invalid_argument(fmt::format("{}: {}={}: {}", rule.place, key, value, reason));
+  };
   for (const auto& [key, value] : rule.values) {
-    if (std::ranges::find(taken, key) != taken.end()) continue;
-    throw std::invalid_argument(fmt::format("{}: {}={}: with side=mark a layer has {} and no more",
-                                            rule.place,
-                                            key,
-                                            value,
-                                            fmt::join(taken, ", ")));
+    if (holds(kFillKeys, key)) {
+      if (side != Side::kFill) refuse(key, value, "is for a layer with kind=fill");
+      continue;
+    }
+    if (!is_engraved(side) || holds(kMarkKeys, key)) continue;
+    refuse(key,
+           value,
+           fmt::format("a layer that is engraved has {}, filled also {}, and no more",
+                       fmt::join(kMarkKeys, ", "),
+                       fmt::join(kFillKeys, ", "))
+               .c_str());
   }
+}
+
+void set_kind(LayerSettings& settings, std::string_view text) {
+  constexpr std::array<std::pair<std::string_view, Side>, 5> kKinds{{{"cut", Side::kWaste},
+                                                                     {"score", Side::kMark},
+                                                                     {"engrave", Side::kMark},
+                                                                     {"fill", Side::kFill},
+                                                                     {"skip", Side::kSkip}}};
+  for (const auto& [name, side] : kKinds) {
+    if (name != text) continue;
+    settings.side = side;
+    settings.is_scored = name == "score";
+    return;
+  }
+  const char* const reason =
+      text == "image"
+          ? "pictures in a drawing are not engraved; fill the layer's outlines, or skip it"
+          : "wants `cut`, `score`, `engrave`, `fill` or `skip`";
+  throw std::invalid_argument(fmt::format("kind={}: {}", text, reason));
+}
+
+void set_power(LayerSettings& settings, std::string_view text) {
+  settings.power_w.reset();
+  settings.power_share.reset();
+  if (text.ends_with('%')) {
+    const std::string_view number = text.substr(0, text.size() - 1);
+    settings.power_share = {number_from("power", number, 0.01, 100.0, "%"), false};
+  } else if (text.starts_with('S') || text.starts_with('s')) {
+    settings.power_share = {number_from("power", text.substr(1), 0.001, kGreatestNumber, "of S"),
+                            true};
+  } else {
+    const bool has_unit = text.ends_with('W') || text.ends_with('w');
+    const std::string_view number = text.substr(0, text.size() - (has_unit ? 1 : 0));
+    settings.power_w = number_from("power", number, 0.001, kGreatestNumber, "W");
+  }
+}
+
+Air air_from(std::string_view text) {
+  if (text == "on" || text == "M8") return Air::kFlood;
+  if (text == "M7") return Air::kMist;
+  if (text == "off") return Air::kOff;
+  throw std::invalid_argument(fmt::format("air={}: wants `on`, `M7`, `M8` or `off`", text));
+}
+
+bool passes_by_layer_from(std::string_view text) {
+  if (text == "contour" || text == "layer") return text == "layer";
+  throw std::invalid_argument(fmt::format("passes-by={}: wants `contour` or `layer`", text));
 }
 
 StartAt start_from(std::string_view text) {
@@ -80,6 +133,102 @@ StartAt start_from(std::string_view text) {
   throw std::invalid_argument(
       fmt::format("start={}: wants `any`, `straight`, `corner`, `usual` or `tab`", text));
 }
+
+struct KeySetter {
+  std::string_view key;
+  void (*set)(LayerSettings& settings, std::string_view value);
+};
+
+unsigned count_from(std::string_view key, std::string_view text, double least, const char* unit) {
+  return static_cast<unsigned>(number_from(key, text, least, kMostTabs, unit));
+}
+
+/// All keys and what they set.
+constexpr std::array<KeySetter, 23> kSetters{{
+    {"power", set_power},
+    {"feed",
+     [](LayerSettings& settings, std::string_view value) {
+       settings.feed_mm_min = number_from("feed", value, 0.001, kGreatestNumber, "mm/min");
+     }},
+    {"side",
+     [](LayerSettings& settings, std::string_view value) {
+       settings.side = side_from(value);
+       settings.is_scored = false;
+     }},
+    {"lead-in",
+     [](LayerSettings& settings, std::string_view value) {
+       settings.lead_in = lead_from("lead-in", value);
+     }},
+    {"lead-out",
+     [](LayerSettings& settings, std::string_view value) {
+       settings.lead_out = lead_from("lead-out", value);
+     }},
+    {"overcut",
+     [](LayerSettings& settings, std::string_view value) {
+       settings.overcut_mm = number_from("overcut", value, 0.0, kLongestWay, "mm");
+     }},
+    {"tabs",
+     [](LayerSettings& settings, std::string_view value) {
+       settings.tabs = count_from("tabs", value, 0.0, "tabs");
+     }},
+    {"tab-width",
+     [](LayerSettings& settings, std::string_view value) {
+       settings.tab_mm = number_from("tab-width", value, 0.01, kLongestWay, "mm");
+     }},
+    {"pierce",
+     [](LayerSettings& settings, std::string_view value) {
+       settings.pierce_s = number_from("pierce", value, 0.0, kLongestPierce, "s");
+     }},
+    {"corner-loop",
+     [](LayerSettings& settings, std::string_view value) {
+       settings.corner_loop_mm = number_from("corner-loop", value, 0.0, kLongestWay, "mm");
+     }},
+    {"corner-dwell",
+     [](LayerSettings& settings, std::string_view value) {
+       settings.corner_dwell_s = number_from("corner-dwell", value, 0.0, kLongestPierce, "s");
+     }},
+    {"corner-angle",
+     [](LayerSettings& settings, std::string_view value) {
+       settings.corner_angle_deg = number_from("corner-angle", value, 1.0, 180.0, "degrees");
+     }},
+    {"common-line",
+     [](LayerSettings& settings, std::string_view value) {
+       settings.common_line_mm = number_from("common-line", value, 0.0, kMaxCommonLine, "mm");
+     }},
+    {"start",
+     [](LayerSettings& settings, std::string_view value) { settings.start = start_from(value); }},
+    {"rank",
+     [](LayerSettings& settings, std::string_view value) {
+       settings.rank = count_from("rank", value, 0.0, "as a rank");
+     }},
+    {"kind", set_kind},
+    {"passes",
+     [](LayerSettings& settings, std::string_view value) {
+       settings.passes = count_from("passes", value, 1.0, "passes");
+     }},
+    {"passes-by",
+     [](LayerSettings& settings, std::string_view value) {
+       settings.passes_by_layer = passes_by_layer_from(value);
+     }},
+    {"z-step",
+     [](LayerSettings& settings, std::string_view value) {
+       settings.z_step_mm = number_from("z-step", value, 0.0, kDeepestStep, "mm");
+     }},
+    {"air",
+     [](LayerSettings& settings, std::string_view value) { settings.air = air_from(value); }},
+    {"interval",
+     [](LayerSettings& settings, std::string_view value) {
+       settings.fill.interval_mm = number_from("interval", value, 0.005, 100.0, "mm");
+     }},
+    {"angle",
+     [](LayerSettings& settings, std::string_view value) {
+       settings.fill.angle_deg = number_from("angle", value, -360.0, 360.0, "degrees");
+     }},
+    {"overscan",
+     [](LayerSettings& settings, std::string_view value) {
+       settings.fill.overscan_mm = number_from("overscan", value, 0.0, kLongestWay, "mm");
+     }},
+}};
 
 /// Throws std::invalid_argument with the place for keys and values that mean nothing.
 void expect_settings(const LayerRule& rule) {
@@ -93,43 +242,30 @@ void expect_settings(const LayerRule& rule) {
 
 }  // namespace
 
-void set(LayerSettings& settings, std::string_view key, std::string_view value) {
-  if (key == "power") {
-    settings.power_w = number_from(key, value, 0.001, kGreatestNumber, "W");
-  } else if (key == "feed") {
-    settings.feed_mm_min = number_from(key, value, 0.001, kGreatestNumber, "mm/min");
-  } else if (key == "side") {
-    settings.side = side_from(value);
-  } else if (key == "lead-in") {
-    settings.lead_in = lead_from(key, value);
-  } else if (key == "lead-out") {
-    settings.lead_out = lead_from(key, value);
-  } else if (key == "overcut") {
-    settings.overcut_mm = number_from(key, value, 0.0, kLongestWay, "mm");
-  } else if (key == "tabs") {
-    settings.tabs = static_cast<unsigned>(number_from(key, value, 0.0, kMostTabs, "tabs"));
-  } else if (key == "tab-width") {
-    settings.tab_mm = number_from(key, value, 0.01, kLongestWay, "mm");
-  } else if (key == "pierce") {
-    settings.pierce_s = number_from(key, value, 0.0, kLongestPierce, "s");
-  } else if (key == "corner-loop") {
-    settings.corner_loop_mm = number_from(key, value, 0.0, kLongestWay, "mm");
-  } else if (key == "corner-dwell") {
-    settings.corner_dwell_s = number_from(key, value, 0.0, kLongestPierce, "s");
-  } else if (key == "corner-angle") {
-    settings.corner_angle_deg = number_from(key, value, 1.0, 180.0, "degrees");
-  } else if (key == "common-line") {
-    settings.common_line_mm = number_from(key, value, 0.0, kMaxCommonLine, "mm");
-  } else if (key == "start") {
-    settings.start = start_from(value);
-  } else if (key == "rank") {
-    settings.rank = static_cast<unsigned>(number_from(key, value, 0.0, kMostTabs, "as a rank"));
-  } else {
-    throw std::invalid_argument(fmt::format("{}: no such setting; there are {}{}",
-                                            key,
-                                            fmt::join(kKeys, ", "),
-                                            did_you_mean(std::string{key}, kKeys)));
+void power_in_watts(LayerSettings& settings, double full_power_w, double full_power_s) {
+  if (!settings.power_share) return;
+  const PowerShare share = *settings.power_share;
+  if (share.is_s && share.value > full_power_s) {
+    throw std::invalid_argument(
+        fmt::format("power=S{:g}: is more than the machine's greatest, S{:g} ($30)",
+                    share.value,
+                    full_power_s));
   }
+  settings.power_w = share.value / (share.is_s ? full_power_s : 100.0) * full_power_w;
+  settings.power_share.reset();
+}
+
+void set(LayerSettings& settings, std::string_view key, std::string_view value) {
+  for (const KeySetter& setter : kSetters) {
+    if (setter.key == key) return setter.set(settings, value);
+  }
+  std::vector<std::string> keys;
+  keys.reserve(kSetters.size());
+  for (const KeySetter& setter : kSetters) keys.emplace_back(setter.key);
+  throw std::invalid_argument(fmt::format("{}: no such setting; there are {}{}",
+                                          key,
+                                          fmt::join(keys, ", "),
+                                          did_you_mean(std::string{key}, keys)));
 }
 
 LayerRule parse_rule(std::string_view text, std::string place) {
@@ -144,23 +280,36 @@ std::vector<LayerRule> read_rules(const std::string& text, const std::string& fi
   return rules;
 }
 
+bool names(const LayerRule& rule, const drawing::Layer& layer) {
+  return rule.name == layer.name || rule.name == layer.colour ||
+         is_colour_named(layer.colour, rule.name);
+}
+
 LayerSettings settings_for(const drawing::Layer& layer,
                            const LayerSettings& common,
                            const std::vector<LayerRule>& rules) {
-  LayerSettings settings = common;
   std::vector<const LayerRule*> own;
   for (const LayerRule& rule : rules) {
-    if (rule.name != layer.name && rule.name != layer.colour) continue;
-    own.push_back(&rule);
-    for (const auto& [key, value] : rule.values) set(settings, key, value);
+    if (names(rule, layer)) own.push_back(&rule);
   }
-  if (settings.side != Side::kMark) return settings;
-  LayerSettings engraved;
-  for (const LayerRule* rule : own) {
-    expect_of_mark(*rule);
-    for (const auto& [key, value] : rule->values) set(engraved, key, value);
+  if (own.empty()) {
+    for (const LayerRule& rule : rules) {
+      if (rule.name == kAnyLayer) own.push_back(&rule);
+    }
   }
-  return engraved;
+  const auto with_own = [&own](LayerSettings settings) {
+    for (const LayerRule* rule : own) {
+      for (const auto& [key, value] : rule->values) set(settings, key, value);
+    }
+    return settings;
+  };
+  // Single strokes have no side.
+  const bool is_stroke_text = layer.colour == drawing::kStrokeTextColour;
+  LayerSettings base = common;
+  if (is_stroke_text) base.side = Side::kMark;
+  const LayerSettings settings = with_own(base);
+  for (const LayerRule* rule : own) expect_of_side(*rule, settings.side);
+  return is_engraved(settings.side) ? with_own({.side = settings.side}) : settings;
 }
 
 }  // namespace sim::cut

@@ -16,13 +16,19 @@ enum class Side : std::uint8_t {
   kWaste,  ///< Half a kerf beside it, so that the part has the drawn size.
   kOn,     ///< On the line itself, through the sheet; open lines, too.
   kMark,   ///< On the line, which is engraved: nothing is cut through.
+  kFill,   ///< In lines across the area of its closed contours, which is engraved.
   kSkip,   ///< Nowhere.
   kStart,  ///< Nowhere: what is drawn marks where the nearest contour is begun.
 };
 
+/// Returns whether nothing is cut through, so that no kerf is needed.
+[[nodiscard]] constexpr bool is_engraved(Side side) {
+  return side == Side::kMark || side == Side::kFill;
+}
+
 /// Returns whether the beam goes along lines of this side at all.
 [[nodiscard]] constexpr bool is_driven(Side side) {
-  return side == Side::kWaste || side == Side::kOn || side == Side::kMark;
+  return side == Side::kWaste || side == Side::kOn || is_engraved(side);
 }
 
 /// Where along its path a closed contour may be begun.
@@ -42,6 +48,26 @@ struct Lead {
   bool is_asked = false;  ///< By an option, unlike the lead that a cut has without one.
 };
 
+/// What blows at the cut while the beam is on.
+enum class Air : std::uint8_t {
+  kFlood,  ///< M8.
+  kMist,   ///< M7.
+  kOff,    ///< M9.
+};
+
+/// How an area is filled with lines.
+struct FillSettings {
+  double interval_mm = 0.1;             ///< From line to line.
+  double angle_deg = 0.0;               ///< Direction of the lines; 0 is along X.
+  std::optional<double> overscan_mm{};  ///< Before and after each line; none: from acceleration.
+};
+
+/// Power as a share of the laser's, until its full power is known.
+struct PowerShare {
+  double value = 0.0;
+  bool is_s = false;  ///< A value of S; else percent.
+};
+
 /// How the contours of a layer are cut.
 struct LayerSettings {
   std::optional<double> power_w{};      ///< Else chosen.
@@ -59,13 +85,29 @@ struct LayerSettings {
   double common_line_mm = 0.0;     ///< Cuts that run so near side by side are one; 0: none are.
   StartAt start = StartAt::kAny;
   std::optional<unsigned> rank{};  ///< Layers of lower rank are cut first; none: no such order.
+  std::optional<PowerShare> power_share{};  ///< In place of power_w, until power_in_watts().
+  unsigned passes = 1;                      ///< Times that each contour is cut.
+  bool passes_by_layer = false;  ///< All contours of the layer once, then once more; else each.
+  double z_step_mm = 0.0;        ///< Z goes down by this with each pass after the first.
+  Air air = Air::kFlood;
+  bool is_scored = false;  ///< Of a marked line: reported as scored, not as engraved.
+  FillSettings fill{};     ///< Of Side::kFill.
 };
+
+/// Turns power that is a share into watts. Throws std::invalid_argument for S beyond the greatest.
+/// @param full_power_w power at `full_power_s`, above 0
+void power_in_watts(LayerSettings& settings, double full_power_w, double full_power_s);
 
 /// Takes `key=value`. Throws std::invalid_argument saying what is wrong, and what there is.
 void set(LayerSettings& settings, std::string_view key, std::string_view value);
 
-/// A rule: the settings that a layer, or colour, of a name has of its own.
+/// A rule: the settings that a layer, or colour, of a name has of its own. The rule `*` is for all
+/// layers that no other one names.
 using LayerRule = NamedValues;
+
+/// Returns whether a rule names the layer: by its name, by its colour however that is written, or
+/// by the name of a colour, see is_colour_named(). The rule `*` names none.
+[[nodiscard]] bool names(const LayerRule& rule, const drawing::Layer& layer);
 
 /// Throws std::invalid_argument with the place, also for keys and values that mean nothing.
 [[nodiscard]] LayerRule parse_rule(std::string_view text, std::string place);
@@ -74,8 +116,9 @@ using LayerRule = NamedValues;
 /// std::invalid_argument as parse_rule() does, and for a file without any.
 [[nodiscard]] std::vector<LayerRule> read_rules(const std::string& text, const std::string& file);
 
-/// The common settings with every rule that names the layer, later ones last. A layer that is
-/// engraved has nothing of the common settings, which are for cuts, and neither leads nor tabs.
+/// The common settings with every rule that names the layer, later ones last; where none does, with
+/// the rules `*`. A layer that is engraved or filled has nothing of the common settings, which are
+/// for cuts, and neither leads nor tabs.
 /// Throws std::invalid_argument with the place of a rule that gives it some.
 [[nodiscard]] LayerSettings settings_for(const drawing::Layer& layer,
                                          const LayerSettings& common,

@@ -24,7 +24,7 @@ bool has_jerk(const cnc::order::RapidLimits& limits) {
 
 bool are_equal(const std::array<double, 2>& limits) { return limits[0] == limits[1]; }
 
-bool beam_is_on(const Stroke& stroke) { return stroke.purpose != Purpose::kTab; }
+bool beam_is_on(const Stroke& stroke) { return has_beam(stroke.purpose); }
 
 std::int64_t millionths(double value) { return std::llround(1.0e6 * value); }
 

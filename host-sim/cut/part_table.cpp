@@ -26,7 +26,7 @@ struct Copy {
 double lit_length_of(const Cut& cut) {
   double sum = 0.0;
   for (const Stroke& stroke : cut.strokes) {
-    if (stroke.purpose != Purpose::kTab) sum += length_of(stroke);
+    if (has_beam(stroke.purpose)) sum += length_of(stroke);
   }
   return sum;
 }

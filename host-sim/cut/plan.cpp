@@ -15,6 +15,7 @@
 #include "host-sim/cut/controller_way.hpp"
 #include "host-sim/cut/cut_precedence.hpp"
 #include "host-sim/cut/cut_turn.hpp"
+#include "host-sim/cut/fill_area.hpp"
 #include "host-sim/cut/kerf_faults.hpp"
 #include "host-sim/cut/late_cuts.hpp"
 #include "host-sim/cut/lead.hpp"
@@ -79,8 +80,10 @@ class Planner {
     edges_.prepare();
     for (std::size_t i = 0; i < outlines_.size(); ++i) {
       if (outlines_[i].is_beside) cut_beside(i);
-      if (!outlines_[i].is_beside && !outlines_[i].strokes.empty()) cut_along(i);
+      if (outlines_[i].is_beside || outlines_[i].strokes.empty()) continue;
+      if (sides[i] != Side::kFill) cut_along(i);
     }
+    fill_areas(sides);
     put_parts_last(drawn_, outlines_, plan_.cuts);
     name_parts();
     share_common_lines();
@@ -113,6 +116,8 @@ class Planner {
   void cut_beside(std::size_t i);
   void vanish(std::size_t i);
   void cut_along(std::size_t i);
+  void fill_areas(const std::vector<Side>& sides);
+  void fill_layer(const std::vector<std::size_t>& contours);
   void add_cut(std::size_t i, const std::vector<Stroke>& loop);
   void name_parts();
   void share_common_lines();
@@ -153,9 +158,9 @@ void Planner::part_touching() {
 
 void Planner::cut_beside(std::size_t i) {
   const Contour contour = contour_of(outlines_[i].strokes);
-  std::vector<std::vector<Stroke>> loops;
+  std::vector<std::vector<Stroke>> loops{outlines_[i].strokes};
   try {
-    loops = loops_of(offset_.offset(contour.view(), half_kerf(i)));
+    if (half_kerf(i) > 0.0) loops = loops_of(offset_.offset(contour.view(), half_kerf(i)));
   } catch (const NoOffset& failure) {
     return fault(FaultKind::kTooMuch, i, failure.place(), failure.reason(), failure.remedy());
   }
@@ -201,6 +206,57 @@ void Planner::cut_along(std::size_t i) {
                       .settings = settings,
                       .layer = cut.layer});
   plan_.cuts.push_back(std::move(cut));
+}
+
+/// Fills the closed contours that are treated alike, layer by layer.
+void Planner::fill_areas(const std::vector<Side>& sides) {
+  std::vector<std::pair<const LayerPlan*, std::vector<std::size_t>>> alike;
+  for (std::size_t i = 0; i < outlines_.size(); ++i) {
+    if (sides[i] != Side::kFill || outlines_[i].strokes.empty()) continue;
+    const LayerPlan* const plan = &layer_of(i);
+    auto known = std::ranges::find(alike, plan, &decltype(alike)::value_type::first);
+    if (known == alike.end()) known = alike.insert(known, {plan, {}});
+    known->second.push_back(i);
+  }
+  for (const auto& [plan, contours] : alike) fill_layer(contours);
+}
+
+void Planner::fill_layer(const std::vector<std::size_t>& contours) {
+  const LayerPlan& plan = layer_of(contours.front());
+  const FillSettings& fill = plan.settings.fill;
+  const double speed_mm_s = 1.0e-3 * plan.condition.cut.speed_um_min / 60.0;
+  const double overscan_mm =
+      fill.overscan_mm.value_or(overscan_for(speed_mm_s, fill.angle_deg, wish_.limits));
+  std::vector<std::vector<Stroke>> outlines;
+  outlines.reserve(contours.size());
+  for (const std::size_t i : contours) outlines.push_back(outlines_[i].strokes);
+  for (const std::vector<std::size_t>& group : groups_by_box(outlines)) {
+    std::vector<std::vector<Stroke>> area;
+    area.reserve(group.size());
+    for (const std::size_t member : group) area.push_back(outlines[member]);
+    const std::size_t first = contours[group.front()];
+    const Place& place = area.front().front().from;
+    auto path = fill_path(area, fill, overscan_mm);
+    if (!path) {
+      fault(FaultKind::kTooMuch,
+            first,
+            place,
+            fmt::format("takes more than {} lines to fill", kMaxFillStrokes),
+            "give its layer a greater interval");
+    } else if (path->empty()) {
+      fault(FaultKind::kTooSmall,
+            first,
+            place,
+            fmt::format("lies between two lines of a fill, {:g} mm apart", fill.interval_mm),
+            "give its layer a smaller interval, or skip it");
+    } else {
+      unbegun_.push_back({.path = MeasuredRow{*std::move(path)},
+                          .is_open = true,
+                          .settings = plan.settings,
+                          .layer = drawn_.contours[first].entity.layer});
+      plan_.cuts.push_back({.contour = first, .layer = drawn_.contours[first].entity.layer});
+    }
+  }
 }
 
 void Planner::add_cut(std::size_t i, const std::vector<Stroke>& loop) {

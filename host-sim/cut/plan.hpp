@@ -48,6 +48,7 @@ struct Cut {
   std::vector<Place> approach{};
   double lift_mm = 0.0;   ///< Height of Z during the rapid to the start; 0: not lifted.
   bool is_slice = false;  ///< Of the waste: no contour of the drawing.
+  unsigned pass = 1;      ///< Number of times that it has been cut with it.
   double wait_s = 0.0;    ///< The beam rests off before the pierce, until the sheet is cooler.
 
   [[nodiscard]] const Place& start() const { return strokes.front().from; }

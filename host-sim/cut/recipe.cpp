@@ -121,7 +121,7 @@ class RuleApplier {
     LayerPlan plan = layer;
     for (const std::size_t rule : rules) change(plan, layer, rule);
     if (!is_driven(plan.settings.side)) return plan;
-    if (plan.settings.side == Side::kMark) return marked(plan, layer);
+    if (is_engraved(plan.settings.side)) return marked(plan, layer);
     try {
       plan.condition = choose_(plan.settings);
     } catch (const std::invalid_argument& error) {
@@ -137,7 +137,7 @@ class RuleApplier {
     if (rule.action == RuleAction::kSkip) plan.settings.side = Side::kSkip;
     if (rule.action == RuleAction::kMark) {
       // A mark has neither leads nor tabs, and those that a layer has are no wishes.
-      plan.settings = {};
+      plan.settings = {.air = plan.settings.air};
       plan.settings.side = Side::kMark;
     }
     for (const RuleChange& each : rule.changes) {
@@ -157,7 +157,7 @@ class RuleApplier {
     const auto given = [](const std::optional<double>& value) {
       return value ? std::optional{to_thousandths(*value)} : std::nullopt;
     };
-    const bool is_cut = layer.settings.side != Side::kMark;
+    const bool is_cut = !is_engraved(layer.settings.side);
     plan.condition = engraving(layer.condition,
                                is_cut ? mark_share_ : 1.0,
                                given(plan.settings.power_w),
@@ -186,7 +186,8 @@ std::string how(const LayerPlan& plan) {
 }  // namespace
 
 std::string width_text(const LayerPlan& plan) {
-  if (plan.settings.side == Side::kMark) return "engraved";
+  if (plan.settings.side == Side::kFill) return "filled";
+  if (plan.settings.side == Side::kMark) return plan.settings.is_scored ? "scored" : "engraved";
   return fmt::format("kerf {:.4f} mm", plan.condition.kerf_mm);
 }
 

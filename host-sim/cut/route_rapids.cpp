@@ -32,7 +32,7 @@ std::vector<SharedArea> freed_by(const CutPlan& plan) {
   std::vector<SharedArea> areas(cuts.size());
   const std::vector<SharedLoop> closed = loops_closed_by(cuts);
   for (std::size_t i = 0; i < cuts.size(); ++i) {
-    if (!frees(cuts[i]) || plan.plan_of(cuts[i]).settings.side == Side::kMark) continue;
+    if (!frees(cuts[i]) || is_engraved(plan.plan_of(cuts[i]).settings.side)) continue;
     std::vector<Stroke> loop = closed[i] ? *closed[i] : loop_of_cut(cuts[i]);
     const bool is_waste = cuts[i].area_mm2 < 0.0;
     const double skin = is_waste ? 0.5 * plan.plan_of(cuts[i]).condition.kerf_mm : 0.0;

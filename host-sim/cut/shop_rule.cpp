@@ -212,6 +212,7 @@ class RuleParser {
       LayerSettings tried;
       try {
         set(tried, change.key, change.value);
+        if (tried.power_share) refuse("power: a rule takes watts, or % of the layer's power");
       } catch (const std::invalid_argument& error) {
         refuse(error.what());
       }

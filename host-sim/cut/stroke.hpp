@@ -23,7 +23,13 @@ enum class Purpose : std::uint8_t {
   kCornerLoop,  ///< Past a corner of the part into the waste, and back to its next edge.
   kLink,        ///< Through the waste from the end of the cut before, instead of a pierce.
   kSlice,       ///< Across the waste between parts, which makes pieces of it.
+  kOverscan,    ///< Before, between and after the lines of a filled area, with the beam off.
 };
+
+/// Returns whether the beam is on along a stretch.
+[[nodiscard]] constexpr bool has_beam(Purpose purpose) {
+  return purpose != Purpose::kTab && purpose != Purpose::kOverscan;
+}
 
 /// A line or arc that the beam is driven along; bulge = tan(sweep / 4), positive to the left,
 /// of any size.

@@ -20,7 +20,8 @@ constexpr std::array<KindName, kTimeKinds> kKindNames{{{"pierce", "pierce"},
                                                        {"corner loops", "corner_loop"},
                                                        {"corner dwells", "corner_dwell"},
                                                        {"rapids", "rapid"},
-                                                       {"waits", "wait"}}};
+                                                       {"waits", "wait"},
+                                                       {"overscan", "overscan"}}};
 
 TimeKind kind_of(Purpose purpose) {
   switch (purpose) {
@@ -32,6 +33,8 @@ TimeKind kind_of(Purpose purpose) {
       return TimeKind::kLead;
     case Purpose::kTab:
       return TimeKind::kTab;
+    case Purpose::kOverscan:
+      return TimeKind::kOverscan;
     case Purpose::kCornerLoop:
       return TimeKind::kCornerLoop;
     default:
@@ -81,7 +84,8 @@ class TimelineMaker {
 
  private:
   void add_motion(TimeKind kind, std::size_t cut, const Stroke& path, double feed_mm_s) {
-    const bool is_lit = kind != TimeKind::kRapid && kind != TimeKind::kTab;
+    const bool is_lit =
+        kind != TimeKind::kRapid && kind != TimeKind::kTab && kind != TimeKind::kOverscan;
     clock_.move(path, feed_mm_s, is_lit);
     timeline_.steps.push_back({kind, cut, path});
   }

@@ -19,9 +19,10 @@ enum class TimeKind : std::uint8_t {
   kCornerLoop,
   kCornerDwell,
   kRapid,
-  kWait,  ///< At rest with the beam off before a pierce.
+  kWait,      ///< At rest with the beam off before a pierce.
+  kOverscan,  ///< Between the lines of filled areas, with the beam off.
 };
-inline constexpr std::size_t kTimeKinds = 8;
+inline constexpr std::size_t kTimeKinds = 9;
 
 /// `pierce`, `lead` …, for people; for JSON with underscores.
 [[nodiscard]] std::string_view title_of(TimeKind kind);

@@ -1,8 +1,12 @@
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "host-sim/import/curve_measure.hpp"
+#include "host-sim/import/drawing_unit.hpp"
 #include "host-sim/import/filling.hpp"
 #include "host-sim/import/piece.hpp"
+#include "host-sim/import/wider_gap.hpp"
 
 namespace sim::drawing {
 namespace {
@@ -58,12 +62,52 @@ void drop_flat(Sketch& sketch, std::vector<Piece>& pieces, const std::vector<boo
   pieces = std::move(kept);
 }
 
+OutlineBox box_around(const std::vector<Piece>& pieces) {
+  OutlineBox box;
+  for (const Piece& piece : pieces) {
+    box.include(piece.box.least);
+    box.include(piece.box.most);
+  }
+  return box;
+}
+
+/// The gap that is joined, and what helps where it leaves ends open.
+struct GapToJoin {
+  double gap_mm;
+  std::string remedy;
+};
+
+GapToJoin gap_to_join(Sketch& sketch,
+                      const std::vector<Piece>& pieces,
+                      const ImportOptions& options) {
+  GapToJoin gap{options.gap_mm, fmt::format("join wider gaps than {} mm", options.gap_mm)};
+  const auto wider = wider_gap(pieces, options.gap_mm);
+  if (!wider) return gap;
+  const std::string closed =
+      fmt::format("{} of {} open ends within {} mm", wider->closing, wider->open, wider->gap_mm);
+  if (options.finds_gap) {
+    sketch.note(fmt::format("gaps up to {} mm are joined: that closes {}", wider->gap_mm, closed),
+                {},
+                "check the joints, or give the gap that is meant");
+    return {wider->gap_mm, fmt::format("join wider gaps than {} mm", wider->gap_mm)};
+  }
+  gap.remedy = fmt::format(
+      "join wider gaps: --gap {} closes {}, and --gap auto takes that", wider->gap_mm, closed);
+  return gap;
+}
+
 }  // namespace
 
-Drawing assemble(Sketch& sketch, const std::string& file, double gap_mm) {
+Drawing assemble(Sketch& sketch,
+                 const std::string& file,
+                 const ImportOptions& options,
+                 double mm_per_unit) {
   std::vector<Piece> pieces = pieces_of(sketch);
-  drop_duplicates(sketch, pieces, gap_mm);
-  pieces = join(sketch, std::move(pieces), gap_mm);
+  question_scale(sketch, box_around(pieces), mm_per_unit);
+  drop_duplicates(sketch, pieces, options.gap_mm);
+  const GapToJoin gap = gap_to_join(sketch, pieces, options);
+  const double gap_mm = gap.gap_mm;
+  pieces = join(sketch, std::move(pieces), gap_mm, gap.remedy);
   drop_duplicates(sketch, pieces, gap_mm);
   const std::vector<bool> crossed = fill(sketch, pieces);
   drop_flat(sketch, pieces, crossed);

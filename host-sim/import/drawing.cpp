@@ -22,7 +22,8 @@ std::string_view name_of(FaultKind kind) {
                                                            "no arcs",
                                                            "unchecked",
                                                            "ignored",
-                                                           "mended"};
+                                                           "mended",
+                                                           "note"};
   return kNames.at(static_cast<std::size_t>(kind));
 }
 

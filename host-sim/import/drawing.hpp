@@ -10,16 +10,27 @@
 
 namespace sim::drawing {
 
+/// How a project of a laser program cuts a layer: defaults for whoever does not say it.
+struct OfferedSettings {
+  std::string kind{};                         ///< As the project has it: Cut, Scan, Image …
+  std::optional<double> power_share{};        ///< Of full power, 0…1; the greatest of a range.
+  std::optional<double> least_power_share{};  ///< Of full power, 0…1, at rest.
+  std::optional<double> speed_mm_s{};         ///< Above 0.
+  std::optional<std::size_t> passes{};        ///< 1 or more.
+  std::optional<int> priority{};              ///< Lower ones are cut first.
+  auto operator<=>(const OfferedSettings&) const = default;
+};
+
 /// What a user sorts a drawing by: contours are joined within one layer only.
 struct Layer {
   std::string name;    ///< Of the DXF layer, the labelled SVG group, the part; may be empty.
   std::string colour;  ///< SVG: stroke, else fill, as written. DXF: `ACI n` or `#rrggbb`.
+  std::optional<OfferedSettings> offered{};
   auto operator<=>(const Layer&) const = default;
 };
 
-/// What is inside of contours that cross: where the turns of all together are odd, or, for those of
-/// one shape, where they are not 0.
-enum class FillRule : std::uint8_t { kEvenOdd, kNonzero };
+/// Which places lie within a shape whose outlines cross or overlap.
+enum class FillRule : std::uint8_t { kEvenOdd, kNonZero };
 
 /// What of a file something was drawn by.
 struct Entity {
@@ -28,14 +39,15 @@ struct Entity {
   std::size_t column = 0;  ///< From 1; 0 where the whole line is meant.
   std::size_t layer = 0;   ///< Index into Drawing::layers.
   std::size_t part = 0;    ///< Of files of parts: contours of others are none of its business.
-  FillRule rule = FillRule::kEvenOdd;  ///< Where its contours cross.
+  FillRule fill_rule = FillRule::kEvenOdd;  ///< SVG names it and means kNonZero where it does not.
+  bool is_filled = false;                   ///< Its area is painted, not only its outline.
 };
 
 enum class FaultKind : std::uint8_t {
   kUnreadable,  ///< The file as a whole is refused.
   kBadEntity,   ///< An entity is left out, because what it says makes no sense.
   kTooMuch,     ///< A limit was reached; the rest is left out.
-  kText,        ///< Letters are no paths; left out.
+  kText,        ///< Letters that are left out, or the font in which they are drawn. No error.
   kOpen,        ///< An end that meets no other one.
   kBranch,      ///< More than two ends meet; which of them belong together is a guess.
   kTooSmall,    ///< Shorter than the gap that is joined, or without area; left out.
@@ -45,6 +57,7 @@ enum class FaultKind : std::uint8_t {
   kUnchecked,   ///< Too much to look for crossings everywhere.
   kIgnored,     ///< Nothing that could be cut; left out. No error.
   kMended,      ///< Contours that cross are read as what they fill. No error.
+  kNote,        ///< Read in a way that the user should know; nothing is left out. No error.
 };
 
 /// `unreadable`, `bad entity` …, for people and for JSON.
@@ -59,8 +72,8 @@ struct Fault {
   std::string remedy;
 
   [[nodiscard]] bool is_error() const {
-    return kind != FaultKind::kIgnored && kind != FaultKind::kMended &&
-           kind != FaultKind::kDuplicate;
+    return kind != FaultKind::kIgnored && kind != FaultKind::kNote && kind != FaultKind::kText &&
+           kind != FaultKind::kMended && kind != FaultKind::kDuplicate;
   }
 };
 
@@ -126,19 +139,34 @@ inline constexpr std::size_t kDeepestNesting = 64;
 /// Farther from the origin than any machine reaches; nearer to a slip of units.
 inline constexpr double kFarthestMm = 1.0e7;
 
+/// What becomes of letters.
+enum class TextMode : std::uint8_t {
+  kSkip,     ///< Left out, and a note says so.
+  kOutline,  ///< Outlines of the font that the drawing names, or of the nearest one.
+  kStroke,   ///< Single strokes, as an engraver draws them.
+};
+
 struct ImportOptions {
   double gap_mm = 0.01;  ///< Ends no farther apart are one place. 0 or more.
+  /// Takes a wider gap where that closes most open ends; see wider_gap().
+  bool finds_gap = false;
+  /// Millimetres per unit of the drawing, in place of what the file says or its format means:
+  /// a unit of DXF, a pixel of SVG. From kLeastUnitMm to kGreatestUnitMm.
+  std::optional<double> unit_mm{};
   /// Share of the work that a drawing may take, above 0 and at most 1: of what copies it draws,
   /// what curves become and what is compared. All of it may be twenty seconds.
   double effort = 1.0;
+  TextMode text = TextMode::kSkip;
 };
 
 inline constexpr double kLeastGapMm = 0.0;
 inline constexpr double kGreatestGapMm = 10.0;
+inline constexpr double kLeastUnitMm = 1.0e-6;
+inline constexpr double kGreatestUnitMm = 1.0e6;
 
 /// Reads SVG, DXF or the JSON of nesting and cutting jobs, told by content. Never
 /// throws for what a file says; bounded by the limits above.
-/// @pre gap and effort within their limits
+/// @pre gap, unit and effort within their limits
 [[nodiscard]] Drawing read_drawing(const std::string& file,
                                    const std::string& text,
                                    const ImportOptions& options = {});

@@ -90,6 +90,14 @@ std::vector<Place> DxfEntity::places(int code) const {
   return all;
 }
 
+void DxfEntity::drop_part(std::string_view subclass) {
+  constexpr int kSubclass = 100;
+  const auto found = std::ranges::find_if(groups, [&](const DxfGroup& group) {
+    return group.code == kSubclass && group.value == subclass;
+  });
+  groups.erase(found, groups.end());
+}
+
 const DxfGroup* DxfEntity::bad_number() const {
   const auto bad = [](const DxfGroup& group) {
     return is_number_code(group.code) && !dxf_number(group.value);

@@ -54,6 +54,9 @@ class DxfEntity {
   [[nodiscard]] std::vector<double> numbers(int code) const;
   [[nodiscard]] std::vector<Place> places(int code) const;
 
+  /// Leaves out the subclass of this name, and all that follows it.
+  void drop_part(std::string_view subclass);
+
   /// A coordinate, length, angle or flag that is no finite number; the first.
   [[nodiscard]] const DxfGroup* bad_number() const;
 };

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "host-sim/import/curve.hpp"
@@ -9,25 +11,30 @@
 
 namespace sim::drawing {
 
-/// A corner of a polyline with the bulge of the edge that follows.
-struct BulgeVertex {
-  Place place;
-  double bulge = 0.0;
+inline constexpr const char* kDxfUpright =
+    "its plane is tilted so far that it is a line from above";
+inline constexpr const char* kDxfSeenFromAbove = "is tilted: it is drawn as it is seen from above";
+
+/// Heights that differ by less are one.
+inline constexpr double kFlatEnoughUnits = 1.0e-6;
+
+/// From the plane of an entity to that of the drawing.
+struct DxfPlane {
+  Transform to_plan{};
+  bool is_tilted = false;  ///< Neither as it is nor seen from behind: circles become ellipses.
 };
 
-/// The edges of a polyline; those without length are left out.
-[[nodiscard]] std::vector<Shape> bulge_edges(const std::vector<BulgeVertex>& vertices, bool closed);
+/// Returns the plane of the entity's extrusion, `elevation` along its normal. Nothing where it
+/// stands upright.
+[[nodiscard]] std::optional<DxfPlane> dxf_plane(const DxfEntity& entity, double elevation);
 
-/// From the plane of an entity to that of the drawing: as it is, or seen from
-/// behind. Nothing where it is tilted.
-[[nodiscard]] std::optional<Transform> dxf_plane(const DxfEntity& entity);
-
-/// LINE, ARC, CIRCLE, LWPOLYLINE, ELLIPSE, SPLINE.
+/// LINE, ARC, CIRCLE, LWPOLYLINE, ELLIPSE, SPLINE, HELIX, 3DFACE, SOLID, TRACE.
 [[nodiscard]] bool is_dxf_shape(std::string_view type);
 
 struct DxfShapes {
-  std::vector<Shape> shapes;
-  std::string wrong;  ///< Empty, or why there are none.
+  std::vector<Shape> shapes{};
+  std::string wrong{};               ///< Empty, or why there are none.
+  std::vector<std::string> notes{};  ///< How they were read, to follow the entity's type.
 };
 
 /// The copies of an INSERT, in the units and axes of its own. Those without a spacing would be
@@ -49,12 +56,5 @@ struct InsertArray {
 
 /// In the units of the drawing. @pre is_dxf_shape(entity.type), no bad_number()
 [[nodiscard]] DxfShapes dxf_shapes(const DxfEntity& entity);
-
-/// The cubic spline through places with curvature continuous, chord lengths as
-/// parameters and, where no tangents are given, straight at its ends.
-/// @pre two places or more
-[[nodiscard]] std::vector<Shape> fitted_spline(const std::vector<Place>& places,
-                                               const std::optional<Place>& start_tangent,
-                                               const std::optional<Place>& end_tangent);
 
 }  // namespace sim::drawing

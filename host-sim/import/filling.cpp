@@ -145,7 +145,8 @@ std::vector<std::optional<FillingLoop>> Filling::filling_of(const Group& group,
     const Entity& entity = pieces_[group.pieces[loop]].contour.entity;
     const auto number = static_cast<std::uint32_t>(shapes.size());
     const auto shape = shapes.try_emplace({entity.line, entity.column, entity.name}, number);
-    filling[loop] = {entity.rule == FillRule::kNonzero, shape.first->second};
+    filling[loop] = {entity.is_filled && entity.fill_rule == FillRule::kNonZero,
+                     shape.first->second};
   }
   return filling;
 }

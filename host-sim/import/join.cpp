@@ -150,9 +150,9 @@ std::vector<Shape> reversed_row(std::vector<Shape> row) {
 /// Follows partners from chain to chain.
 class Joiner {
  public:
-  Joiner(Sketch& sketch, std::vector<Piece> chains, double gap_mm)
+  Joiner(Sketch& sketch, std::vector<Piece> chains, double gap_mm, std::string remedy)
       : sketch_{sketch},
-        gap_{gap_mm},
+        remedy_{std::move(remedy)},
         chains_{std::move(chains)},
         ends_{chains_, gap_mm},
         taken_(chains_.size(), false) {}
@@ -219,11 +219,11 @@ class Joiner {
                                 distance(place, other),
                                 other.x(),
                                 other.y()),
-                    fmt::format("close it, or join wider gaps than {} mm", gap_)});
+                    "close it, or " + remedy_});
   }
 
   Sketch& sketch_;
-  double gap_;
+  std::string remedy_;
   std::vector<Piece> chains_;
   EndMatcher ends_;
   std::vector<bool> taken_;
@@ -247,7 +247,10 @@ void measure(Piece& piece) {
   contour.area_mm2 = area;
 }
 
-std::vector<Piece> join(Sketch& sketch, std::vector<Piece> chains, double gap_mm) {
+std::vector<Piece> join(Sketch& sketch,
+                        std::vector<Piece> chains,
+                        double gap_mm,
+                        const std::string& remedy) {
   std::vector<Piece> closed;
   std::vector<Piece> open;
   for (Piece& chain : chains) {
@@ -268,7 +271,7 @@ std::vector<Piece> join(Sketch& sketch, std::vector<Piece> chains, double gap_mm
       open.push_back(std::move(chain));
     }
   }
-  for (Piece& piece : Joiner{sketch, std::move(open), gap_mm}.join()) {
+  for (Piece& piece : Joiner{sketch, std::move(open), gap_mm, remedy}.join()) {
     closed.push_back(std::move(piece));
   }
   return closed;

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "host-sim/import/dxf_shapes.hpp"
+#include "host-sim/import/dxf_polyline.hpp"
 #include "host-sim/import/line_table.hpp"
 
 namespace sim::drawing {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "host-sim/import/drawing.hpp"
@@ -47,8 +48,11 @@ class Budget {
 };
 
 /// Joins chains of one layer whose ends are within the gap. Ends that stay alone
-/// become faults of the sketch.
-[[nodiscard]] std::vector<Piece> join(Sketch& sketch, std::vector<Piece> chains, double gap_mm);
+/// become faults of the sketch, with `remedy` beside that of closing them.
+[[nodiscard]] std::vector<Piece> join(Sketch& sketch,
+                                      std::vector<Piece> chains,
+                                      double gap_mm,
+                                      const std::string& remedy);
 
 /// Leaves out what runs along an earlier piece of its layer, and says so.
 void drop_duplicates(Sketch& sketch, std::vector<Piece>& pieces, double gap_mm);
@@ -60,6 +64,10 @@ void find_coincident(Sketch& sketch, std::vector<Piece>& pieces, double gap_mm);
 void nest(Sketch& sketch, std::vector<Piece>& pieces);
 
 /// All of it: what a reader gathered becomes a drawing.
-[[nodiscard]] Drawing assemble(Sketch& sketch, const std::string& file, double gap_mm);
+/// @param mm_per_unit by which it was read, for messages
+[[nodiscard]] Drawing assemble(Sketch& sketch,
+                               const std::string& file,
+                               const ImportOptions& options,
+                               double mm_per_unit);
 
 }  // namespace sim::drawing

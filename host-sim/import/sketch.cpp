@@ -4,6 +4,9 @@
 
 #include <algorithm>
 
+#include "host-sim/import/stroke_colour.hpp"
+#include "host-sim/text/lettering.hpp"
+
 namespace sim::drawing {
 namespace {
 
@@ -47,6 +50,20 @@ bool has_length(const Shape& shape) {
 
 }  // namespace
 
+std::string first_words(std::string_view words) {
+  constexpr std::size_t kMostBytesOfWords = 40;
+  std::string line;
+  for (const char c : words) {
+    const bool blank = c == ' ' || (c > 0 && c < ' ');
+    if (blank && (line.empty() || line.back() == ' ')) continue;
+    const bool continues = (static_cast<unsigned char>(c) & 0xC0U) == 0x80U;
+    if (line.size() >= kMostBytesOfWords && !continues) return line + "…";
+    line += blank ? ' ' : c;
+  }
+  if (line.ends_with(' ')) line.pop_back();
+  return line;
+}
+
 double length_of_hull(const Shape& shape) {
   const auto sum = [](const auto& points) {
     double length = 0.0;
@@ -61,6 +78,11 @@ double length_of_hull(const Shape& shape) {
   }
   const auto& ellipse = std::get<Ellipse>(shape);
   return (ellipse.major.norm() + ellipse.minor.norm()) * std::abs(ellipse.to - ellipse.from);
+}
+
+text::Lettering& Sketch::lettering() {
+  if (!lettering_) lettering_ = std::make_shared<text::Lettering>(text_ == TextMode::kStroke);
+  return *lettering_;
 }
 
 std::size_t Sketch::layer(const Layer& layer) {
@@ -108,7 +130,16 @@ bool Sketch::add(Chain chain) {
   return true;
 }
 
+bool Sketch::is_of_strokes(const Fault& fault) const {
+  const bool is_of_lines = fault.kind == FaultKind::kOpen || fault.kind == FaultKind::kBranch ||
+                           fault.kind == FaultKind::kCrossing;
+  return text_ == TextMode::kStroke && is_of_lines && !fault.entity.name.empty() &&
+         fault.entity.layer < layers_.size() &&
+         layers_[fault.entity.layer].colour == kStrokeTextColour;
+}
+
 void Sketch::report(Fault fault) {
+  if (is_of_strokes(fault)) return;
   if (faults_.size() < kMostFaults) {
     faults_.push_back(std::move(fault));
   } else {
@@ -121,22 +152,50 @@ void Sketch::refuse(std::size_t line, std::size_t column, std::string reason, st
   report({FaultKind::kUnreadable, std::move(whole), {}, std::move(reason), std::move(remedy)});
 }
 
-void Sketch::ignore(const std::string& what, const Entity& first, std::string remedy) {
-  if (ignored_.size() >= kMostFaults && !ignored_.contains(what)) return;
-  Ignored& ignored = ignored_[what];
-  if (ignored.count++ == 0) {
-    ignored.first = first;
-    ignored.remedy = std::move(remedy);
+void Sketch::note(const Fault& first, std::string detail) {
+  // Rules may skip the letters of one layer, and not those of another.
+  const std::size_t layer = first.kind == FaultKind::kText ? first.entity.layer : 0;
+  const std::tuple key{first.kind, first.reason, layer};
+  if (notes_.size() >= kMostFaults && !notes_.contains(key)) return;
+  Note& note = notes_[key];
+  if (note.count++ == 0) note = {first, std::move(detail), 1};
+}
+
+void Sketch::leave_out_text(const Entity& entity, std::string_view words, std::string remedy) {
+  note({FaultKind::kText, entity, {}, "letters are left out", std::move(remedy)},
+       fmt::format(": \"{}\"", first_words(words)));
+}
+
+void Sketch::note(const std::string& what, const Entity& first, std::string remedy) {
+  note({FaultKind::kNote, first, {}, what, std::move(remedy)});
+}
+
+void Sketch::scale(double factor) {
+  const Transform larger = scaled_by(factor, factor);
+  for (Chain& chain : chains_) {
+    for (Shape& shape : chain.shapes) shape = transformed(shape, larger);
   }
+  const auto enlarge = [&larger](Fault& fault) {
+    if (fault.place_mm) fault.place_mm = larger(*fault.place_mm);
+  };
+  for (Fault& fault : faults_) enlarge(fault);
+  for (auto& [key, note] : notes_) enlarge(note.first);
+}
+
+void Sketch::forget_lines() {
+  const auto forget = [](Entity& entity) { entity.line = entity.column = 0; };
+  for (Entity& entity : entities_) forget(entity);
+  for (Fault& fault : faults_) forget(fault.entity);
+  for (auto& [key, note] : notes_) forget(note.first.entity);
 }
 
 void Sketch::finish() {
-  for (auto& [what, ignored] : ignored_) {
-    const std::string more =
-        ignored.count > 1 ? fmt::format(" ({} in all)", ignored.count) : std::string{};
-    report({FaultKind::kIgnored, ignored.first, {}, what + more, ignored.remedy});
+  for (auto& [key, note] : notes_) {
+    if (note.count > 1) note.detail += fmt::format(" ({} in all)", note.count);
+    note.first.reason += note.detail;
+    report(std::move(note.first));
   }
-  ignored_.clear();
+  notes_.clear();
 }
 
 }  // namespace sim::drawing

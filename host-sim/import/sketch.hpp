@@ -3,11 +3,18 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
+#include <string_view>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "host-sim/import/drawing.hpp"
+
+namespace sim::text {
+class Lettering;
+}
 
 namespace sim::drawing {
 
@@ -20,11 +27,14 @@ struct Chain {
 /// At least the length of a shape, and 0 only where that is.
 [[nodiscard]] double length_of_hull(const Shape& shape);
 
+/// Returns the beginning of a text as one line, without cutting a letter of UTF-8 in two.
+[[nodiscard]] std::string first_words(std::string_view words);
+
 /// What a reader gathers of a file, before chains are joined to contours.
 class Sketch {
  public:
   /// @pre effort in (0, 1], as ImportOptions has it
-  explicit Sketch(double effort) : effort_{effort} {}
+  explicit Sketch(double effort, TextMode text = TextMode::kSkip) : effort_{effort}, text_{text} {}
 
   [[nodiscard]] std::size_t layer(const Layer& layer);
   [[nodiscard]] std::size_t add_entity(Entity entity);
@@ -38,8 +48,25 @@ class Sketch {
   /// A fault of the whole file.
   void refuse(std::size_t line, std::size_t column, std::string reason, std::string remedy);
   /// Things to ignore are told once for each kind, with their number.
-  void ignore(const std::string& what, const Entity& first, std::string remedy = {});
-  /// Turns what was ignored into faults. Call once, at the end.
+  void ignore(const std::string& what, const Entity& first, std::string remedy = {}) {
+    note({FaultKind::kIgnored, first, {}, what, std::move(remedy)});
+  }
+  /// Counts one more note of the kind and reason of `first`, which gives place and remedy.
+  /// @param detail of the first one, behind the reason
+  /// @pre first is no error
+  void note(const Fault& first, std::string detail = {});
+  /// Notes letters that are left out, with their number in a layer, and place and words of the
+  /// first of them.
+  void leave_out_text(const Entity& entity,
+                      std::string_view words,
+                      std::string remedy = "--text outline or --text stroke draws them");
+  /// Keeps a note as `ignore()` does, of something that is drawn.
+  void note(const std::string& what, const Entity& first, std::string remedy = {});
+  /// Makes everything larger by a factor, what is reported included. @pre factor > 0
+  void scale(double factor);
+  /// Forgets lines and columns: they are not those of the file.
+  void forget_lines();
+  /// Turns what was ignored and noted into faults. Call once, at the end.
   void finish();
 
   /// The share that this drawing may have of a bound on work; 1 or more.
@@ -47,6 +74,9 @@ class Sketch {
     return std::max<std::size_t>(1, static_cast<std::size_t>(effort_ * static_cast<double>(work)));
   }
 
+  [[nodiscard]] TextMode text() const { return text_; }
+  /// Returns what draws letters; made when it is wanted first. @pre text() is not kSkip
+  [[nodiscard]] text::Lettering& lettering();
   [[nodiscard]] bool full() const { return full_; }
   [[nodiscard]] const Entity& entity(std::size_t index) const { return entities_[index]; }
   [[nodiscard]] std::vector<Chain>& chains() { return chains_; }
@@ -55,19 +85,26 @@ class Sketch {
   [[nodiscard]] std::size_t more_faults() const { return more_faults_; }
 
  private:
-  struct Ignored {
-    Entity first;
-    std::string remedy;
+  struct Note {
+    Fault first;
+    std::string detail;
     std::size_t count = 0;
   };
 
+  /// Returns whether a fault says that strokes of letters are open, or cross and meet each other,
+  /// as they do.
+  [[nodiscard]] bool is_of_strokes(const Fault& fault) const;
+
   double effort_;
+  TextMode text_;
+  std::shared_ptr<text::Lettering> lettering_;
   std::vector<Layer> layers_;
   std::map<Layer, std::size_t> layer_index_;
   std::vector<Entity> entities_;
   std::vector<Chain> chains_;
   std::vector<Fault> faults_;
-  std::map<std::string, Ignored> ignored_;
+  /// By kind, reason and, of letters, layer.
+  std::map<std::tuple<FaultKind, std::string, std::size_t>, Note> notes_;
   std::size_t more_faults_ = 0;
   std::size_t shapes_ = 0;
   bool full_ = false;

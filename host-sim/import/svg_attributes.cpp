@@ -57,6 +57,10 @@ std::optional<Transform> transform_of(const TransformCall& call) {
   if (call.name == "translate" && one_or_two) return moved_by({v[0], v[1]});
   if (call.name == "scale" && one_or_two) return scaled_by(v[0], call.count == 2 ? v[1] : v[0]);
   if (call.name == "rotate") return rotation(call);
+  if (call.count == 1 && call.name == "translateX") return moved_by({v[0], 0.0});
+  if (call.count == 1 && call.name == "translateY") return moved_by({0.0, v[0]});
+  if (call.count == 1 && call.name == "scaleX") return scaled_by(v[0], 1.0);
+  if (call.count == 1 && call.name == "scaleY") return scaled_by(1.0, v[0]);
   if (call.name == "skewX" && call.count == 1) {
     return Transform{.y_axis{std::tan(v[0] * kRadiansPerDegree), 1.0}};
   }
@@ -66,6 +70,15 @@ std::optional<Transform> transform_of(const TransformCall& call) {
   return {};
 }
 
+/// Returns px or degrees of a unit that style sheets may give the numbers of a transform.
+std::optional<double> factor_of(std::string_view unit) {
+  if (unit == "deg") return 1.0;
+  if (unit == "rad") return 1.0 / kRadiansPerDegree;
+  if (unit == "grad") return 0.9;
+  if (unit == "turn") return 360.0;
+  return px_per(unit);
+}
+
 std::optional<TransformCall> next_call(Scanner& scanner) {
   TransformCall call;
   call.name = scanner.word();
@@ -73,7 +86,11 @@ std::optional<TransformCall> next_call(Scanner& scanner) {
   while (!scanner.take(')')) {
     const auto value = scanner.number();
     if (!value || call.count == call.values.size()) return {};
-    call.values[call.count++] = *value;
+    const char next = scanner.peek();
+    const bool has_unit = next >= 'a' && next <= 'z';
+    const auto factor = factor_of(has_unit ? scanner.word() : std::string_view{});
+    if (!factor) return {};
+    call.values[call.count++] = *value * *factor;
     scanner.separate();
   }
   return call;
@@ -101,6 +118,8 @@ std::optional<double> svg_length(std::string_view text,
                                                                : diagonal;
     return *value * whole / 100.0;
   }
+  if (unit == "em" || unit == "rem") return *value * viewport.em;
+  if (unit == "ex" || unit == "ch") return *value * 0.5 * viewport.em;
   const auto px = px_per(unit);
   if (!px) return {};
   return *value * *px;
@@ -150,16 +169,29 @@ Transform svg_fit(const SvgViewBox& box, const SvgViewport& viewport, std::strin
   return moved_by({x, y}) * scaled_by(across, upright) * moved_by(-box.origin);
 }
 
-std::string svg_property(const pugi::xml_node& node, std::string_view name) {
-  std::string_view style = node.attribute("style").value();
-  while (!style.empty()) {
-    const std::string_view rule = style.substr(0, style.find(';'));
-    style.remove_prefix(std::min(style.size(), rule.size() + 1));
-    const std::size_t colon = rule.find(':');
-    if (colon == std::string_view::npos || trimmed(rule.substr(0, colon)) != name) continue;
-    return std::string{trimmed(rule.substr(colon + 1))};
-  }
-  return std::string{trimmed(node.attribute(std::string{name}.c_str()).value())};
+std::optional<Place> svg_origin(std::string_view text, const SvgViewport& viewport) {
+  static constexpr std::array<std::pair<std::string_view, double>, 3> kAcross{
+      {{"left", 0.0}, {"center", 0.5}, {"right", 1.0}}};
+  static constexpr std::array<std::pair<std::string_view, double>, 3> kUpright{
+      {{"top", 0.0}, {"center", 0.5}, {"bottom", 1.0}}};
+  const std::string_view all = trimmed(text);
+  std::string_view x = all.substr(0, all.find_first_of(" \t\r\n"));
+  std::string_view y = trimmed(all.substr(x.size()));
+  y = y.substr(0, y.find_first_of(" \t\r\n"));  // A third word is a depth.
+  if (y.empty()) y = "center";
+  const auto is_upright = [](std::string_view word) { return word == "top" || word == "bottom"; };
+  if (is_upright(x) || y == "left" || y == "right") std::swap(x, y);
+  const auto place =
+      [&](std::string_view word, const auto& words, double size, SvgDirection direction) {
+        const auto* const found =
+            std::ranges::find(words, word, [](const auto& w) { return w.first; });
+        if (found != words.end()) return std::optional{found->second * size};
+        return svg_length(word, viewport, direction);
+      };
+  const auto across = place(x, kAcross, viewport.width, SvgDirection::kAcross);
+  const auto upright = place(y, kUpright, viewport.height, SvgDirection::kUpright);
+  if (!across || !upright) return {};
+  return Place{*across, *upright};
 }
 
 }  // namespace sim::drawing

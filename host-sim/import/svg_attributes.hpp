@@ -9,20 +9,22 @@
 
 namespace sim::drawing {
 
-/// What percentages are of, in user units.
+/// What percentages and lengths in em are of, in user units.
 struct SvgViewport {
   double width = 100.0;
   double height = 100.0;
+  double em = 16.0;  ///< Size of the font.
 };
 
 enum class SvgDirection : std::uint8_t { kAcross, kUpright, kOther };
 
-/// A length in user units, of which a px is one; nothing where it is none, as `2em`.
+/// A length in user units, of which a px is one; nothing where it is none.
 [[nodiscard]] std::optional<double> svg_length(std::string_view text,
                                                const SvgViewport& viewport,
                                                SvgDirection direction);
 
-/// A list of transforms; nothing where one of them is none.
+/// A list of transforms, of attributes or with the units of style sheets; nothing where one of
+/// them is none.
 [[nodiscard]] std::optional<Transform> svg_transform(std::string_view text);
 
 struct SvgViewBox {
@@ -38,7 +40,7 @@ struct SvgViewBox {
                                 const SvgViewport& viewport,
                                 std::string_view aspect);
 
-/// A property from `style`, or else the attribute of that name; may be empty.
-[[nodiscard]] std::string svg_property(const pugi::xml_node& node, std::string_view name);
+/// The point that `transform-origin` names in a viewport; nothing where it is none.
+[[nodiscard]] std::optional<Place> svg_origin(std::string_view text, const SvgViewport& viewport);
 
 }  // namespace sim::drawing

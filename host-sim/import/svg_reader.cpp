@@ -5,34 +5,19 @@
 #include <algorithm>
 #include <array>
 #include <pugixml.hpp>
-#include <unordered_map>
 
-#include "host-sim/import/line_table.hpp"
+#include "host-sim/import/curve_measure.hpp"
+#include "host-sim/import/svg_clips.hpp"
+#include "host-sim/import/svg_document.hpp"
 #include "host-sim/import/svg_shapes.hpp"
+#include "host-sim/import/svg_style.hpp"
+#include "host-sim/import/svg_text.hpp"
 
 namespace sim::drawing {
 namespace {
 
 constexpr double kMillimetresPerPx = 25.4 / 96.0;
-// `use` of `use` doubles them at each level: without a bound, a page of text fills memory.
-constexpr std::size_t kMostElements = 500'000;
-
-/// What elements hand down to those within them.
-struct Style {
-  Transform to_mm;
-  SvgViewport viewport;
-  std::string layer;
-  std::string stroke = "none";
-  std::string fill = "black";
-  std::string fill_rule = "nonzero";
-  bool visible = true;
-  std::size_t depth = 0;
-};
-
-std::string_view local_name(const pugi::xml_node& node) {
-  const std::string_view name = node.name();
-  return name.substr(name.rfind(':') == std::string_view::npos ? 0 : name.rfind(':') + 1);
-}
+constexpr const char* kMend = "it is left out; mend it";
 
 template <std::size_t count>
 bool is_one_of(std::string_view name, const std::array<std::string_view, count>& names) {
@@ -43,11 +28,12 @@ constexpr std::array<std::string_view, 4> kGroups{"g", "a", "switch", "svg"};
 constexpr std::array<std::string_view, 7> kLetters{
     "text", "tspan", "textPath", "flowRoot", "flowPara", "altGlyph", "tref"};
 // Drawn by nothing, or only where something names them.
-constexpr std::array<std::string_view, 14> kSilent{"title",
+constexpr std::array<std::string_view, 15> kSilent{"title",
                                                    "desc",
                                                    "metadata",
                                                    "defs",
                                                    "symbol",
+                                                   "style",
                                                    "namedview",
                                                    "linearGradient",
                                                    "radialGradient",
@@ -58,57 +44,58 @@ constexpr std::array<std::string_view, 14> kSilent{"title",
                                                    "mask",
                                                    "clipPath"};
 
-class IdCollector final : public pugi::xml_tree_walker {
+/// Gathers the beginning of the letters in an element.
+class WordCollector final : public pugi::xml_tree_walker {
  public:
   bool for_each(pugi::xml_node& node) override {
-    const std::string_view id = node.attribute("id").value();
-    if (!id.empty()) ids.emplace(id, node);
-    return true;
+    constexpr std::size_t kEnoughBytes = 200;
+    words += node.value();
+    return words.size() < kEnoughBytes;
   }
-  std::unordered_map<std::string_view, pugi::xml_node> ids;
+  std::string words;
 };
+
+/// Returns the letters within an element, of any depth.
+std::string words_of(pugi::xml_node node) {
+  WordCollector words;
+  node.traverse(words);
+  return std::move(words.words);
+}
+
+/// Returns whether a child of `switch` can be drawn: it needs nothing of a program, and its
+/// language is English or any.
+bool is_taken(const pugi::xml_node& child) {
+  if (child.type() != pugi::node_element || child.attribute("requiredExtensions")) return false;
+  const pugi::xml_attribute language = child.attribute("systemLanguage");
+  if (!language) return true;
+  std::string_view list = language.value();
+  while (!list.empty()) {
+    const std::size_t comma = std::min(list.size(), list.find(','));
+    const std::string_view one = css_trimmed(list.substr(0, comma));
+    if (one == "en" || one.starts_with("en-")) return true;
+    list.remove_prefix(std::min(list.size(), comma + 1));
+  }
+  return false;
+}
+
+OutlineBox box_of(const SvgSubpaths& subpaths) {
+  OutlineBox box;
+  for (const std::vector<Shape>& shapes : subpaths) {
+    for (const Place& place : outline_of(shapes, kClipChordMm)) box.include(place);
+  }
+  return box;
+}
 
 class SvgReader {
  public:
-  SvgReader(const std::string& text, Sketch& sketch) : text_{text}, lines_{text}, sketch_{sketch} {}
+  SvgReader(const std::string& text, Sketch& sketch)
+      : document_{text, sketch}, sketch_{sketch}, clips_{document_, sketch} {}
 
   void read() {
-    pugi::xml_document document;
-    const pugi::xml_parse_result parsed = document.load_buffer(text_.data(), text_.size());
-    if (!parsed) {
-      const auto [line, column] = lines_.at(static_cast<std::size_t>(parsed.offset));
-      sketch_.refuse(line,
-                     column,
-                     fmt::format("broken XML: {}", parsed.description()),
-                     "export the drawing again");
-      return;
-    }
-    const pugi::xml_node root = document.document_element();
-    if (local_name(root) != "svg") {
-      sketch_.refuse(
-          1, 0, fmt::format("the document is <{}>, not <svg>", root.name()), "export it as SVG");
-      return;
-    }
-    document.traverse(ids_);
-    read_root(root);
+    if (document_.load()) read_root(document_.root());
   }
 
  private:
-  [[nodiscard]] Entity entity_of(const pugi::xml_node& node) const {
-    Entity entity{.name = std::string{local_name(node)}};
-    const std::string_view id = node.attribute("id").value();
-    if (!id.empty()) entity.name += fmt::format(" \"{}\"", id);
-    const std::ptrdiff_t offset = node.offset_debug();
-    if (offset > 0)
-      std::tie(entity.line, entity.column) = lines_.at(static_cast<std::size_t>(offset - 1));
-    return entity;
-  }
-
-  void bad(const pugi::xml_node& node, std::string reason, std::string remedy) {
-    sketch_.report(
-        {FaultKind::kBadEntity, entity_of(node), {}, std::move(reason), std::move(remedy)});
-  }
-
   /// A length of a document or symbol, or what it is without one.
   double extent(const pugi::xml_node& node,
                 const char* name,
@@ -119,53 +106,42 @@ class SvgReader {
     if (!attribute || std::string_view{attribute.value()} == "auto") return otherwise;
     const auto length = svg_length(attribute.value(), around, direction);
     if (length && *length > 0.0) return *length;
-    bad(node, fmt::format("{}=\"{}\" is no size", name, attribute.value()), "give it in mm");
+    document_.report_bad(
+        node, fmt::format("{}=\"{}\" is no size", name, attribute.value()), "give it in mm");
     return otherwise;
   }
 
   void read_root(const pugi::xml_node& root) {
     const auto box = svg_view_box(root.attribute("viewBox").value());
+    SvgStyle style;
     // Without a size a drawing is as large as its box says, in px.
     const SvgViewport page{box ? box->size.x() : 100.0, box ? box->size.y() : 100.0};
     if (!box && root.attribute("viewBox")) {
-      bad(root, "the viewBox is no box", "give it as x y width height");
+      document_.report_bad(root, "the viewBox is no box", "give it as x y width height");
     }
     const double width = extent(root, "width", page, SvgDirection::kAcross, page.width);
     const double height = extent(root, "height", page, SvgDirection::kUpright, page.height);
-    Style style;
     style.to_mm = moved_by({0.0, height * kMillimetresPerPx}) *
                   scaled_by(kMillimetresPerPx, -kMillimetresPerPx);
-    style.viewport = {width, height};
     enter_box(root, {width, height}, style);
-    inherit(root, style);
+    const SvgProperties properties = document_.properties_of(root);
+    if (properties.get("display") == "none") return;
+    inherit(properties, style);
     read_children(root, style);
   }
 
   /// The units of what is in a viewport.
-  static void enter_box(const pugi::xml_node& node, const SvgViewport& viewport, Style& style) {
-    style.viewport = viewport;
+  static void enter_box(const pugi::xml_node& node, const Place& size, SvgStyle& style) {
     const auto box = svg_view_box(node.attribute("viewBox").value());
+    style.viewport.width = box ? box->size.x() : size.x();
+    style.viewport.height = box ? box->size.y() : size.y();
     if (!box) return;
     const char* const aspect = node.attribute("preserveAspectRatio").value();
-    style.to_mm = style.to_mm * svg_fit(*box, viewport, aspect);
-    style.viewport = {box->size.x(), box->size.y()};
-  }
-
-  static void inherit(const pugi::xml_node& node, Style& style) {
-    const auto take = [&node](const char* name, std::string& into) {
-      const std::string value = svg_property(node, name);
-      if (!value.empty() && value != "inherit") into = value;
-    };
-    take("stroke", style.stroke);
-    take("fill", style.fill);
-    take("fill-rule", style.fill_rule);
-    std::string visibility;
-    take("visibility", visibility);
-    if (!visibility.empty()) style.visible = visibility == "visible";
+    style.to_mm = style.to_mm * svg_fit(*box, {size.x(), size.y()}, aspect);
   }
 
   /// Layers are the groups of the document itself, and what Inkscape calls layers.
-  static void enter_layer(const pugi::xml_node& node, Style& style) {
+  static void enter_layer(const pugi::xml_node& node, SvgStyle& style) {
     const std::string_view mode = node.attribute("inkscape:groupmode").value();
     if (mode != "layer" && (style.depth != 1 || local_name(node) != "g")) return;
     const std::string_view label = node.attribute("inkscape:label").value();
@@ -174,162 +150,191 @@ class SvgReader {
   }
 
   // Bounded by a depth. NOLINTNEXTLINE(misc-no-recursion)
-  void read_children(const pugi::xml_node& node, const Style& style) {
+  void read_children(const pugi::xml_node& node, const SvgStyle& style) {
     if (style.depth >= kDeepestNesting) {
-      bad(node, fmt::format("nested deeper than {} groups", kDeepestNesting), "ungroup it");
+      document_.report_bad(
+          node, fmt::format("nested deeper than {} groups", kDeepestNesting), "ungroup it");
       return;
     }
+    const bool is_switch = local_name(node) == "switch";
     for (const pugi::xml_node& child : node.children()) {
-      if (sketch_.full() || elements_ > most_elements_) return;
-      if (child.type() == pugi::node_element) read_element(child, style);
+      if (document_.is_full()) return;
+      if (child.type() != pugi::node_element || (is_switch && !is_taken(child))) continue;
+      read_element(child, style);
+      if (is_switch) return;
     }
   }
 
   // Bounded by a depth. NOLINTNEXTLINE(misc-no-recursion)
-  void read_element(const pugi::xml_node& node, Style style) {
-    if (++elements_ > most_elements_) {
-      sketch_.report(
-          {FaultKind::kTooMuch,
-           entity_of(node),
-           {},
-           fmt::format("more than {} elements are drawn; the rest is left out", most_elements_),
-           "cut the drawing in parts"});
+  void read_element(const pugi::xml_node& node, SvgStyle style, const pugi::xml_node& use = {}) {
+    if (!document_.count(node)) return;
+    const std::string_view name = local_name(node);
+    if (!is_svg_element(node)) {
+      if (!is_one_of(name, kSilent)) refuse_element(node.name(), node);
       return;
     }
-    const std::string_view name = local_name(node);
-    if (is_one_of(name, kSilent) || svg_property(node, "display") == "none") return;
+    if (is_one_of(name, kSilent)) return;
+    const SvgProperties properties = document_.properties_of(node);
+    if (properties.get("display") == "none") return;
     ++style.depth;
-    inherit(node, style);
-    if (!enter_transform(node, style)) return;
-    if (node.attribute("clip-path") || node.attribute("mask")) {
-      sketch_.ignore("clips and masks: all of the path is read", entity_of(node));
-    }
-    if (is_svg_shape(name)) {
-      read_shape(name, node, style);
-    } else if (is_one_of(name, kGroups)) {
-      enter_layer(node, style);
-      if (name == "svg") enter_document(node, style);
-      read_children(node, style);
-    } else if (name == "use") {
-      read_use(node, style);
-    } else {
-      refuse_element(name, node, style);
-    }
-  }
-
-  bool enter_transform(const pugi::xml_node& node, Style& style) {
-    const pugi::xml_attribute attribute = node.attribute("transform");
-    if (!attribute) return true;
-    const auto transform = svg_transform(attribute.value());
+    inherit(properties, style);
+    const auto transform = svg_own_transform(properties, style.viewport);
     if (!transform) {
-      bad(node,
-          fmt::format("transform=\"{:.40}\" is no transform", attribute.value()),
-          "it is left out; mend it");
-      return false;
+      const std::string_view text = properties.get("transform");
+      return document_.report_bad(
+          node, fmt::format("transform=\"{:.40}\" is no transform", text), kMend);
     }
     style.to_mm = style.to_mm * *transform;
-    return true;
+    note_effects(node, properties);
+    if (is_svg_shape(name)) return read_shape(node, properties, style);
+    clips_.enter(node, properties, {}, style);
+    if (is_one_of(name, kGroups)) {
+      enter_layer(node, style);
+      if (name == "svg") enter_document(node, use, properties, style);
+      read_children(node, style);
+    } else if (name == "use") {
+      read_use(node, properties, style);
+    } else if (is_one_of(name, kLetters)) {
+      read_letters(node, style);
+    } else {
+      refuse_element(name, node);
+    }
   }
 
-  /// A document within the document, or a symbol.
-  void enter_document(const pugi::xml_node& node, Style& style) {
-    const auto length = [&](const char* name, SvgDirection direction) {
-      return svg_length(node.attribute(name).value(), style.viewport, direction).value_or(0.0);
+  /// Notes what changes how an element looks and is not followed.
+  void note_effects(const pugi::xml_node& node, const SvgProperties& properties) {
+    const auto note = [&](const char* name, const char* what) {
+      const std::string_view value = properties.get(name);
+      if (!value.empty() && value != "none") sketch_.ignore(what, document_.entity_of(node));
     };
+    note("mask", "masks: all of the path is read");
+    note("filter", "filters are not followed");
+    for (const char* const marker : {"marker", "marker-start", "marker-mid", "marker-end"}) {
+      note(marker, "markers of lines are left out");
+    }
+  }
+
+  /// A document within the document, perhaps of the size that `use` gives it.
+  void enter_document(const pugi::xml_node& node,
+                      const pugi::xml_node& use,
+                      const SvgProperties& properties,
+                      SvgStyle& style) {
     const SvgViewport around = style.viewport;
-    style.to_mm = style.to_mm * moved_by({length("x", SvgDirection::kAcross),
-                                          length("y", SvgDirection::kUpright)});
-    enter_box(node,
-              {extent(node, "width", around, SvgDirection::kAcross, around.width),
-               extent(node, "height", around, SvgDirection::kUpright, around.height)},
-              style);
+    style.to_mm = style.to_mm * moved_by(svg_place(properties, around));
+    const auto length = [&](const char* name, SvgDirection direction, double whole) {
+      return extent(use.attribute(name) ? use : node, name, around, direction, whole);
+    };
+    const Place size{length("width", SvgDirection::kAcross, around.width),
+                     length("height", SvgDirection::kUpright, around.height)};
+    clips_.enter_viewport(node, size, style);
+    enter_box(node, size, style);
   }
 
   // Bounded by a depth. NOLINTNEXTLINE(misc-no-recursion)
-  void read_use(const pugi::xml_node& node, Style style) {
-    std::string_view link = node.attribute("href").value();
-    if (link.empty()) link = node.attribute("xlink:href").value();
-    const auto found = link.starts_with('#') ? ids_.ids.find(link.substr(1)) : ids_.ids.end();
-    if (found == ids_.ids.end()) {
-      bad(node, fmt::format("nothing is called \"{:.60}\"", link), "embed what it links");
-      return;
+  void read_use(const pugi::xml_node& node, const SvgProperties& properties, SvgStyle style) {
+    const std::string_view link = svg_link(node);
+    const pugi::xml_node target = document_.linked(node);
+    if (!target) {
+      return document_.report_bad(
+          node, fmt::format("nothing is called \"{:.60}\"", link), "embed what it links");
     }
-    const pugi::xml_node& target = found->second;
     if (std::ranges::find(used_, target) != used_.end() || style.depth >= kDeepestNesting) {
-      bad(node, fmt::format("\"{:.60}\" uses itself", link), "take the circle apart");
-      return;
+      return document_.report_bad(
+          node, fmt::format("\"{:.60}\" uses itself", link), "take the circle apart");
     }
-    const auto length = [&](const char* name, SvgDirection direction) {
-      return svg_length(node.attribute(name).value(), style.viewport, direction).value_or(0.0);
-    };
-    style.to_mm = style.to_mm * moved_by({length("x", SvgDirection::kAcross),
-                                          length("y", SvgDirection::kUpright)});
+    style.to_mm = style.to_mm * moved_by(svg_place(properties, style.viewport));
     used_.push_back(target);
     if (local_name(target) == "symbol") {
       read_symbol(node, target, style);
     } else {
-      read_element(target, style);
+      // NOLINTNEXTLINE(readability-suspicious-call-argument): node is the `use`.
+      read_element(target, style, node);
     }
     used_.pop_back();
   }
 
   // Bounded by a depth. NOLINTNEXTLINE(misc-no-recursion)
-  void read_symbol(const pugi::xml_node& use, const pugi::xml_node& symbol, Style style) {
+  void read_symbol(const pugi::xml_node& use, const pugi::xml_node& symbol, SvgStyle style) {
+    const SvgProperties properties = document_.properties_of(symbol);
+    if (properties.get("display") == "none") return;
     const SvgViewport around = style.viewport;
-    enter_box(symbol,
-              {extent(use, "width", around, SvgDirection::kAcross, around.width),
-               extent(use, "height", around, SvgDirection::kUpright, around.height)},
-              style);
-    inherit(symbol, style);
+    style.to_mm = style.to_mm * moved_by(svg_place(properties, around));
+    const auto length = [&](const char* name, SvgDirection direction, double whole) {
+      return extent(use.attribute(name) ? use : symbol, name, around, direction, whole);
+    };
+    const Place size{length("width", SvgDirection::kAcross, around.width),
+                     length("height", SvgDirection::kUpright, around.height)};
+    clips_.enter_viewport(symbol, size, style);
+    enter_box(symbol, size, style);
+    inherit(properties, style);
     ++style.depth;
     read_children(symbol, style);
   }
 
-  void refuse_element(std::string_view name, const pugi::xml_node& node, const Style& style) {
-    if (is_one_of(name, kLetters)) {
-      if (!style.visible) return;
-      sketch_.report({FaultKind::kText,
-                      entity_of(node),
-                      {},
-                      "letters are no paths",
-                      "convert text to paths in the drawing program"});
-    } else if (name == "style") {
-      sketch_.ignore("style rules: colours and hiding by class are not read",
-                     entity_of(node),
-                     "export with presentation attributes");
-    } else {
-      sketch_.ignore(fmt::format("<{:.40}> is nothing to cut", name), entity_of(node));
-    }
+  void refuse_element(std::string_view name, const pugi::xml_node& node) {
+    sketch_.ignore(fmt::format("<{:.40}> is nothing to cut", name), document_.entity_of(node));
   }
 
-  void read_shape(std::string_view name, const pugi::xml_node& node, const Style& style) {
-    if (!style.visible) return;
-    Entity entity = entity_of(node);
-    if (style.stroke == "none" && style.fill == "none") {
-      sketch_.ignore("shapes with neither stroke nor fill", entity);
-      return;
+  std::size_t layer_of(const SvgStyle& style) {
+    return sketch_.layer({style.layer, style.sorting_colour()});
+  }
+
+  /// Returns whether something of the style is seen; else notes why not, unless it is hidden.
+  bool is_seen(const pugi::xml_node& node, const SvgStyle& style) {
+    if (!style.is_visible) return false;
+    if (style.is_clear) {
+      sketch_.ignore("shapes of opacity 0", document_.entity_of(node));
+    } else if (!style.has_stroke() && !style.has_fill()) {
+      sketch_.ignore("shapes with neither stroke nor fill", document_.entity_of(node));
+    } else {
+      return true;
     }
-    // Lines that fill nothing have no rule.
-    const bool is_nonzero = style.fill != "none" && style.fill_rule != "evenodd";
-    entity.rule = is_nonzero ? FillRule::kNonzero : FillRule::kEvenOdd;
+    return false;
+  }
+
+  void read_letters(const pugi::xml_node& node, const SvgStyle& style) {
+    if (!is_seen(node, style)) return;
+    Entity entity = document_.entity_of(node);
+    entity.layer = layer_of(style);
+    if (sketch_.text() == TextMode::kSkip || !is_laid_out(node)) {
+      return sketch_.leave_out_text(entity, words_of(node));
+    }
+    text_.read(node, style);
+  }
+
+  /// Returns whether letters have places: not those that flow within a region.
+  static bool is_laid_out(const pugi::xml_node& node) { return local_name(node) == "text"; }
+
+  void read_shape(const pugi::xml_node& node, const SvgProperties& properties, SvgStyle style) {
+    if (!is_seen(node, style)) return;
     SvgPen pen;
-    const std::string wrong = draw_svg_shape(name, node, style.viewport, pen);
-    if (!wrong.empty()) return bad(node, wrong, "it is left out; mend it");
-    entity.layer = sketch_.layer({style.layer, style.stroke != "none" ? style.stroke : style.fill});
-    const std::size_t index = sketch_.add_entity(std::move(entity));
-    for (std::vector<Shape>& shapes : pen.subpaths()) {
+    const SvgShapeFault wrong = draw_svg_shape(local_name(node), properties, style.viewport, pen);
+    if (!wrong.is_error) return sketch_.ignore(wrong.reason, document_.entity_of(node), kMend);
+    if (!wrong.reason.empty()) return document_.report_bad(node, wrong.reason, kMend);
+    if (local_name(document_.find(svg_reference(style.fill))) == "pattern") {
+      sketch_.ignore("patterns: only the outline of the shape is read", document_.entity_of(node));
+    }
+    SvgSubpaths& subpaths = pen.subpaths();
+    if (properties.has("clip-path")) clips_.enter(node, properties, box_of(subpaths), style);
+    for (std::vector<Shape>& shapes : subpaths) {
       for (Shape& shape : shapes) shape = transformed(shape, style.to_mm);
+    }
+    clips_.keep_visible(node, style, subpaths);
+    Entity entity = document_.entity_of(node);
+    entity.layer = layer_of(style);
+    entity.fill_rule = fill_rule_of(style.fill_rule);
+    entity.is_filled = style.has_fill();
+    const std::size_t index = sketch_.add_entity(std::move(entity));
+    for (std::vector<Shape>& shapes : subpaths) {
       if (!sketch_.add({std::move(shapes), index})) return;
     }
   }
 
-  const std::string& text_;
-  LineTable lines_;
+  SvgDocument document_;
   Sketch& sketch_;
-  IdCollector ids_;
+  SvgClips clips_;
+  SvgText text_{document_, sketch_, clips_};
   std::vector<pugi::xml_node> used_;
-  std::size_t most_elements_ = sketch_.share_of(kMostElements);
-  std::size_t elements_ = 0;
 };
 
 }  // namespace

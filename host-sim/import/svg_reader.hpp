@@ -9,9 +9,10 @@ namespace sim::drawing {
 /// Reads an SVG document: what is drawn of it, in mm at 96 px to the inch, with y
 /// turned up, so that the lower left corner of its viewport is the origin.
 ///
-/// Paths, basic shapes, groups, links, nested documents, `use` and `symbol`.
-/// Letters are refused; images, clips and the rules of `style` elements are named
-/// and ignored. What cannot be read is left out, and a fault says so.
+/// Paths, basic shapes, groups, links, nested documents, `use`, `symbol` and `switch`; style
+/// sheets, entities of the DOCTYPE, and clip paths, within or outside of which a shape has to lie.
+/// Images, masks, filters, markers and patterns are named and ignored; letters become what the
+/// sketch wishes. What cannot be read is left out, and a fault says so.
 void read_svg(const std::string& text, Sketch& sketch);
 
 }  // namespace sim::drawing

@@ -11,14 +11,13 @@ namespace {
 /// Reads lengths of one element; remembers the first that is none.
 class LengthReader {
  public:
-  LengthReader(const pugi::xml_node& node, const SvgViewport& viewport)
-      : node_{node}, viewport_{viewport} {}
+  LengthReader(const SvgProperties& properties, const SvgViewport& viewport)
+      : properties_{properties}, viewport_{viewport} {}
 
   /// Nothing where the attribute is missing, `auto` or wrong.
   std::optional<double> find(const char* name, SvgDirection direction) {
-    const pugi::xml_attribute attribute = node_.attribute(name);
-    const std::string_view text = attribute.value();
-    if (!attribute || text == "auto") return {};
+    const std::string_view text = properties_.get(name);
+    if (!properties_.has(name) || text == "auto") return {};
     const auto length = svg_length(text, viewport_, direction);
     if (!length && wrong_.empty()) wrong_ = fmt::format("{}=\"{}\" is no length", name, text);
     return length;
@@ -34,17 +33,21 @@ class LengthReader {
     return length;
   }
 
-  /// A part of no size is drawn as nothing, and was hardly meant to be.
+  /// A part of no size is drawn as nothing: a note, for it is hardly meant to be.
   void need_area(const char* what, bool has_area) {
-    if (!has_area && wrong_.empty()) wrong_ = fmt::format("{} is 0: it has no area", what);
+    if (has_area || !wrong_.empty()) return;
+    wrong_ = fmt::format("{} is 0: it has no area", what);
+    is_nothing_ = true;
   }
 
   [[nodiscard]] const std::string& wrong() const { return wrong_; }
+  [[nodiscard]] bool is_nothing() const { return is_nothing_; }
 
  private:
-  const pugi::xml_node& node_;
+  const SvgProperties& properties_;
   const SvgViewport& viewport_;
   std::string wrong_;
+  bool is_nothing_ = false;
 };
 
 constexpr SvgDirection kX = SvgDirection::kAcross;
@@ -104,15 +107,15 @@ bool is_svg_shape(std::string_view name) {
   return std::ranges::find(kNames, name) != kNames.end();
 }
 
-std::string draw_svg_shape(std::string_view name,
-                           const pugi::xml_node& node,
-                           const SvgViewport& viewport,
-                           SvgPen& pen) {
-  if (name == "path") return draw_path(node.attribute("d").value(), pen);
+SvgShapeFault draw_svg_shape(std::string_view name,
+                             const SvgProperties& properties,
+                             const SvgViewport& viewport,
+                             SvgPen& pen) {
+  if (name == "path") return {draw_path(properties.attribute("d"), pen)};
   if (name == "polyline" || name == "polygon") {
-    return draw_points(node.attribute("points").value(), name == "polygon", pen);
+    return {draw_points(properties.attribute("points"), name == "polygon", pen)};
   }
-  LengthReader read{node, viewport};
+  LengthReader read{properties, viewport};
   if (name == "rect") {
     draw_rect(read, pen);
   } else if (name == "line") {
@@ -121,7 +124,14 @@ std::string draw_svg_shape(std::string_view name,
   } else {
     draw_round(read, name == "circle", pen);
   }
-  return read.wrong();
+  return {read.wrong(), !read.is_nothing()};
+}
+
+Place svg_place(const SvgProperties& properties, const SvgViewport& viewport) {
+  const auto length = [&](const char* name, SvgDirection direction) {
+    return svg_length(properties.get(name), viewport, direction).value_or(0.0);
+  };
+  return {length("x", SvgDirection::kAcross), length("y", SvgDirection::kUpright)};
 }
 
 }  // namespace sim::drawing

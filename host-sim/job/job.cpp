@@ -14,6 +14,7 @@
 #include "firmware/machine/configuration.hpp"
 #include "host-sim/job/axis_scale.hpp"
 #include "host-sim/job/job_report.hpp"
+#include "host-sim/job/knot_file.hpp"
 #include "host-sim/job/measuring_error.hpp"
 #include "host-sim/job/picture_choice.hpp"
 #include "host-sim/job/tip_trace.hpp"
@@ -212,6 +213,38 @@ class AnswerFile {
   std::optional<OutputFile> file_;
 };
 
+/// Measures and writes the plan where cells of time divide it.
+class CellWatch {
+ public:
+  /// @param knots file of knots; empty for none
+  CellWatch(const std::string& knots, Simulator& simulator)
+      : name_{knots}, shaping_{steps_per_mm<double>(simulator.settings())} {
+    simulator.machine().observe(&shaping_);
+    if (knots.empty()) return;
+    knots_.emplace(knots, steps_per_mm<double>(simulator.settings()), shaping_);
+    simulator.machine().observe(&*knots_);
+  }
+  // The machine knows of its parts.
+  CellWatch(const CellWatch&) = delete;
+  CellWatch& operator=(const CellWatch&) = delete;
+  ~CellWatch() = default;
+
+  /// Closes the file. @pre the machine has stopped
+  void add_to(Report& report) {
+    report.max_shaping_error_mm = shaping_.greatest_distance();
+    if (!knots_) return;
+    knots_->close();
+    if (!knots_->is_empty()) return;
+    report.warnings.push_back(
+        fmt::format("{}: no knots, because neither G43.4 nor input shaping divides time", name_));
+  }
+
+ private:
+  std::string name_;
+  ShapingMeter shaping_;
+  std::optional<KnotFile> knots_;
+};
+
 /// The path that a program describes, with what the motors of the machine may deviate from it.
 ProgrammedPath path_for_machine(const std::string& text, const cnc::Settings& settings) {
   ProgrammedPath path = read_for_machine(text, settings);
@@ -249,7 +282,7 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
   PlayModel play{job.machine};
   play.place(simulator.settings());
   ToolTrace tool{play};
-  ShapingMeter shaping{steps_per_mm<double>(simulator.settings())};
+  CellWatch cells{outputs.knots, simulator};
   MotionMeter meter{steps_per_mm<double>(simulator.settings())};
   PathDeviation deviation{path, steps_per_mm<double>(simulator.settings())};
   PathRecorder recorder{steps_per_mm<float>(simulator.settings()),
@@ -259,7 +292,6 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
   simulator.add_sink(tool);
   TipTrace tip{simulator.machine(), deviation};
   tool.add_sink(tip);
-  simulator.machine().observe(&shaping);
   std::optional<BeamMeter> beam;
   if (lights_at_once(simulator.settings())) beam.emplace(path, simulator);
   if (!outputs.svg.empty() || !outputs.png.empty()) {
@@ -284,7 +316,7 @@ Report simulate(const Job& job, const JobOutputs& outputs) {
   add_bounds(tool, simulator.settings(), report);
   add_deviation(deviation, report);
   report.tip = tip.tip();
-  report.max_shaping_error_mm = shaping.greatest_distance();
+  cells.add_to(report);
   if (beam) beam->add_to(report);
   draw(recorder, report, outputs, simulator.settings());
   if (stock) {

@@ -28,6 +28,7 @@ struct JobOutputs {
   std::string vcd;
   std::string svg;
   std::string png;
+  std::string knots;    ///< Places of the axes by cells of time; see KnotFile.
   std::string answers;  ///< Lines of the controller, as a sender logs them.
   /// In pictures; without a number 0.1 mm, and none of a mill.
   std::optional<double> kerf_width_mm{};

@@ -5,6 +5,28 @@
 #include <numbers>
 
 namespace sim {
+namespace {
+
+FiveAxisMachine described(const cnc::Settings& settings) {
+  namespace setting = cnc::setting;
+  const auto whole = [&](std::uint16_t number) { return static_cast<int>(settings.get(number)); };
+  const auto point = [&](std::uint16_t first) {
+    return std::array<double, 3>{
+        settings.get(first, 0), settings.get(first, 1), settings.get(first, 2)};
+  };
+  const int chosen = whole(setting::kRotaryAxes);
+  constexpr std::array<const char*, 3> kKinds{"tables", "heads", "head and table"};
+  return {.kind = kKinds.at(static_cast<std::size_t>((chosen - 1) / 2)),
+          .tilting = chosen % 2 == 0 ? 'B' : 'A',
+          .tilt_reversed = whole(setting::kRotaryReversed) % 2 == 1,
+          .turn_reversed = whole(setting::kRotaryReversed) / 2 == 1,
+          .tilt_point_mm = point(setting::kTiltPoint),
+          .turn_point_mm = point(setting::kTurnPoint),
+          .least_tilt_deg = settings.get(setting::kLeastTilt),
+          .greatest_tilt_deg = settings.get(setting::kMostTilt)};
+}
+
+}  // namespace
 
 void TipTrace::on_row(const TraceRow& row) {
   const cnc::kinematics::ToolCentre& centre = machine_.motion().tool_centre();
@@ -45,7 +67,11 @@ void TipTrace::note(const ToolPose& tool) {
   constexpr double kDegrees = 180.0 / std::numbers::pi;
   const double tilt = kDegrees * std::acos(std::clamp(tool.axis.z(), -1.0, 1.0));
   const std::array<double, 3> place{tool.tip.x(), tool.tip.y(), tool.tip.z()};
-  if (!tip_) tip_.emplace(TipReport{.least_mm = place, .greatest_mm = place});
+  if (!tip_) {
+    tip_.emplace(TipReport{
+        .least_mm = place, .greatest_mm = place, .machine = described(machine_.settings())});
+  }
+  tip_->tool_length_mm = 1.0e-6 * static_cast<double>(tool_length_.nanometres());
   for (std::size_t i = 0; i < place.size(); ++i) {
     tip_->least_mm[i] = std::min(tip_->least_mm[i], place[i]);
     tip_->greatest_mm[i] = std::max(tip_->greatest_mm[i], place[i]);

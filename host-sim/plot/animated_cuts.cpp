@@ -56,7 +56,7 @@ std::string coarse_data(const cut::Cut& cut, const View& view) {
       const Place place = place_at(stroke, static_cast<double>(i) / parts);
       simplifier.push({.x_mm = place.x(),
                        .y_mm = place.y(),
-                       .move = stroke.purpose != cut::Purpose::kTab ? Move::kCut : Move::kTravel});
+                       .move = has_beam(stroke.purpose) ? Move::kCut : Move::kTravel});
     }
   }
   std::string data;

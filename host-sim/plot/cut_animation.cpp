@@ -31,7 +31,8 @@ constexpr double kBeamChordPx = 0.2;
 
 bool is_lit(const TimeStep& step) {
   return step.kind != TimeKind::kRapid && step.kind != TimeKind::kWait &&
-         step.kind != TimeKind::kCornerDwell && step.kind != TimeKind::kTab;
+         step.kind != TimeKind::kCornerDwell && step.kind != TimeKind::kTab &&
+         step.kind != TimeKind::kOverscan;
 }
 
 /// Where the beam is at a share of the job's time.

@@ -26,9 +26,9 @@ constexpr double kEdgePx = 1.2;
 bool is_along(const Stroke& stroke) {
   return stroke.purpose == Purpose::kContour || stroke.purpose == Purpose::kSlice;
 }
-bool is_lead(const Stroke& stroke) { return !is_along(stroke) && stroke.purpose != Purpose::kTab; }
+bool is_lead(const Stroke& stroke) { return !is_along(stroke) && has_beam(stroke.purpose); }
 bool is_tab(const Stroke& stroke) { return stroke.purpose == Purpose::kTab; }
-bool is_lit(const Stroke& stroke) { return stroke.purpose != Purpose::kTab; }
+bool is_lit(const Stroke& stroke) { return has_beam(stroke.purpose); }
 
 void add_stroke(std::string& data, const Stroke& stroke, bool joins, const View& view) {
   const double x_px = view.x_px(stroke.from.x());

@@ -23,6 +23,14 @@ using Cells = std::vector<std::string>;
 
 constexpr std::size_t kMaxNotes = 60;
 
+/// Returns `CSP 1N, 2 mm. `, nothing where the kerf is known and no material named.
+std::string material_text(const CutJob& job) {
+  if (job.record.name.empty()) return {};
+  const cut::LayerPlan& layer = job.plan.layers[job.plan.cuts.front().layer];
+  return fmt::format(
+      "{}, {:g} mm. ", job.record.name, from_thousandths(layer.condition.cut.thickness_um));
+}
+
 std::string name_of_file(const CutJob& job) {
   return std::filesystem::path{job.drawn.file}.filename().string();
 }
@@ -43,13 +51,12 @@ void add_figures(SheetPages& pages,
                  const CutFigures& figures,
                  const CutAccount& account) {
   const Extent extent = extent_of({job.drawn, job.plan});
-  pages.add_text(fmt::format(
-      "{}, {:g} mm. Power: S{:g} is {:g} W, {}.",
-      job.record.name,
-      from_thousandths(job.plan.layers[job.plan.cuts.front().layer].condition.cut.thickness_um),
-      job.beam.full_power_s,
-      job.beam.full_power_w,
-      job.beam.follows_speed ? "it follows the speed" : "constant"));
+  pages.add_text(fmt::format("{}Power: S{:g} is {:g} {}, {}.",
+                             material_text(job),
+                             job.beam.full_power_s,
+                             job.beam.full_power_w,
+                             job.beam.knows_watts ? "W" : "%",
+                             job.beam.follows_speed ? "it follows the speed" : "constant"));
   pages.add_text(
       fmt::format("{:.1f} × {:.1f} mm with leads; {} cuts, {:.1f} mm cut, {:.1f} mm "
                   "rapid; {}.",
@@ -66,7 +73,7 @@ void add_conditions(SheetPages& pages, const CutJob& job, const CutAccount& acco
   const std::vector<SheetColumn> columns{{"Layer", 0.6 * rest},
                                          {"Colour", 0.4 * rest},
                                          {"Cuts", 40.0, true},
-                                         {"W", 50.0, true},
+                                         {job.beam.knows_watts ? "W" : "%", 50.0, true},
                                          {"mm/min", 55.0, true},
                                          {"Kerf mm", 60.0, true},
                                          {"Pierce s", 60.0, true},
@@ -77,17 +84,16 @@ void add_conditions(SheetPages& pages, const CutJob& job, const CutAccount& acco
     if (account.cuts_of_layers[i] == 0) continue;
     const cut::LayerPlan& layer = job.plan.layers[i];
     const std::string& name = job.drawn.layers[i].name;
-    rows.push_back({name.empty() ? "(no name)" : name,
-                    job.drawn.layers[i].colour,
-                    fmt::format("{}", account.cuts_of_layers[i]),
-                    fmt::format("{:g}", from_thousandths(layer.condition.cut.power_mw)),
-                    fmt::format("{:g}", from_thousandths(layer.condition.cut.speed_um_min)),
-                    layer.settings.side == cut::Side::kMark
-                        ? "-"
-                        : fmt::format("{:.4f}", layer.condition.kerf_mm),
-                    fmt::format("{:g}", layer.settings.pierce_s),
-                    lead_text(layer.settings.lead_in),
-                    lead_text(layer.settings.lead_out)});
+    rows.push_back(
+        {name.empty() ? "(no name)" : name,
+         job.drawn.layers[i].colour,
+         fmt::format("{}", account.cuts_of_layers[i]),
+         fmt::format("{:g}", from_thousandths(layer.condition.cut.power_mw)),
+         fmt::format("{:g}", from_thousandths(layer.condition.cut.speed_um_min)),
+         is_engraved(layer.settings.side) ? "-" : fmt::format("{:.4f}", layer.condition.kerf_mm),
+         fmt::format("{:g}", layer.settings.pierce_s),
+         lead_text(layer.settings.lead_in),
+         lead_text(layer.settings.lead_out)});
   }
   pages.add_heading("Conditions");
   pages.add_table(columns, rows);

@@ -46,6 +46,9 @@ struct DwellForm {
 struct Post {
   std::vector<std::string> header{};  ///< Lines before all.
   std::vector<std::string> footer{};  ///< Lines after all.
+  /// Lines before the first motion that is no rapid, and before the rapid, or M5, after the last.
+  std::vector<std::string> before_cut{};
+  std::vector<std::string> after_cut{};
   std::optional<LineNumbers> numbers{};
   std::optional<std::uint8_t> decimals{};         ///< At most, for X, Y and Z.
   std::optional<std::uint8_t> centre_decimals{};  ///< At most, for I, J, K and R.
@@ -68,10 +71,10 @@ struct Post {
   }
 };
 
-/// Reads a post file: `[format]` and `[words]` with `KEY = VALUE` on each line, `[header]` and
-/// `[footer]` with lines that are written as they stand. In the first two, blank lines and those
-/// that begin with `#` do not count, nor does what follows a ` #` of `[format]`.
-/// Throws std::invalid_argument with `NAME:LINE`, the reason and a remedy.
+/// Reads a post file: `[format]` and `[words]` with `KEY = VALUE` on each line, `[header]`,
+/// `[footer]`, `[before-cut]` and `[after-cut]` with lines that are written as they stand. In the
+/// first two, blank lines and those that begin with `#` do not count, nor does what follows a ` #`
+/// of `[format]`. Throws std::invalid_argument with `NAME:LINE`, the reason and a remedy.
 [[nodiscard]] Post read_post(std::string_view text, const std::string& name);
 
 /// Returns a program of the program makers in the form of a post. Motions stay as they are but for

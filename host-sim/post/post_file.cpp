@@ -32,13 +32,13 @@ class PostReader {
     while (const std::optional<std::string_view> line = lines_.next()) {
       if (is_section(*line)) {
         begin_section(*line);
-      } else if (section_ == "[header]" || section_ == "[footer]") {
+      } else if (texts_of_section() != nullptr) {
         add_text(*line);
       } else if (!line->empty() && line->front() != '#') {
         read_pair(*line);
       }
     }
-    for (auto* const texts : {&post_.header, &post_.footer}) {
+    for (auto* const texts : {&post_.header, &post_.footer, &post_.before_cut, &post_.after_cut}) {
       while (!texts->empty() && texts->back().empty()) texts->pop_back();
     }
     return std::move(post_);
@@ -50,8 +50,16 @@ class PostReader {
     std::string_view name;
     Apply apply;
   };
-  static constexpr std::array<std::string_view, 4> kSections{
-      "[format]", "[words]", "[header]", "[footer]"};
+  static constexpr std::array<std::string_view, 6> kSections{
+      "[format]", "[words]", "[header]", "[footer]", "[before-cut]", "[after-cut]"};
+
+  /// Returns where lines of the section go that stand as they are; null for others.
+  [[nodiscard]] std::vector<std::string>* texts_of_section() {
+    if (section_ == "[header]") return &post_.header;
+    if (section_ == "[footer]") return &post_.footer;
+    if (section_ == "[before-cut]") return &post_.before_cut;
+    return section_ == "[after-cut]" ? &post_.after_cut : nullptr;
+  }
 
   static bool is_section(std::string_view line) {
     return line.size() > 1 && line.front() == '[' && line.back() == ']';
@@ -75,7 +83,7 @@ class PostReader {
 
   void add_text(std::string_view line) {
     check_plain(line);
-    (section_ == "[header]" ? post_.header : post_.footer).emplace_back(line);
+    texts_of_section()->emplace_back(line);
   }
 
   void read_pair(std::string_view line) {

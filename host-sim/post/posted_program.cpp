@@ -49,6 +49,7 @@ class PostWriter {
     if (line.empty()) return;
     if (line.front() == '(') return write_comment(line);
     const SortedLine sorted = sort(words_in(line));
+    mark_cut(sorted);
     if (sorted.moves()) {
       write_motion(sorted);
     } else {
@@ -66,6 +67,15 @@ class PostWriter {
   [[nodiscard]] const std::string& text() const { return text_; }
 
  private:
+  /// Writes the lines of the post before the first motion of a cut, and after the last one.
+  void mark_cut(const SortedLine& line) {
+    const bool is_stop = std::ranges::find(line.codes, replaced("M5")) != line.codes.end();
+    const bool is_cut = line.moves() ? motion_ != 0 : in_cut_ && !is_stop;
+    if (is_cut == in_cut_) return;
+    in_cut_ = is_cut;
+    add_raw(is_cut ? post_.before_cut : post_.after_cut);
+  }
+
   void write_comment(std::string_view line) {
     if (post_.comments == CommentForm::kNone) return;
     std::string text{line};
@@ -244,6 +254,7 @@ class PostWriter {
   const Post& post_;
   std::string text_;
   std::optional<std::uint32_t> number_;  ///< Number of the last line.
+  bool in_cut_ = false;                  ///< The last motion was no rapid.
   int motion_ = 0;
   int written_motion_ = -1;
   Plane plane_ = Plane::kXY;

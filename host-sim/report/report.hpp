@@ -41,11 +41,25 @@ struct AxisReport {
   double bounds_error_mm = 0.0;
 };
 
+/// The machine that $900 to $917 describe.
+struct FiveAxisMachine {
+  std::string kind;  ///< `tables`, `heads` or `head and table`.
+  char tilting = 'A';
+  bool tilt_reversed = false;
+  bool turn_reversed = false;
+  std::array<double, 3> tilt_point_mm{};
+  std::array<double, 3> turn_point_mm{};
+  double least_tilt_deg = 0.0;
+  double greatest_tilt_deg = 0.0;
+};
+
 /// Where the tip was as the part saw it, under G43.4.
 struct TipReport {
   std::array<double, 3> least_mm{};  ///< X Y Z, places of the program.
   std::array<double, 3> greatest_mm{};
   double greatest_tilt_deg = 0.0;  ///< From upright.
+  double tool_length_mm = 0.0;     ///< Of the tool used last.
+  FiveAxisMachine machine{};
 };
 
 /// What a run of one job was like (`--report FILE`, and the table on the terminal).

@@ -27,7 +27,7 @@ Json per_axis(const Report& report, Value value_of, std::size_t first = 0) {
   return object;
 }
 
-Json to_json(const Fault& fault) {
+Json fault_json(const Fault& fault) {
   return {{"file", fault.file},
           {"line", fault.line},
           {"column", fault.column},
@@ -37,7 +37,7 @@ Json to_json(const Fault& fault) {
 
 Json faults_of(const Report& report) {
   Json faults = Json::array();
-  for (const Fault& fault : report.faults) faults.push_back(to_json(fault));
+  for (const Fault& fault : report.faults) faults.push_back(fault_json(fault));
   return faults;
 }
 
@@ -96,6 +96,18 @@ std::string without_controls(std::string_view json) {
   return text;
 }
 
+Json machine_json(const FiveAxisMachine& machine) {
+  return {{"kind", machine.kind},
+          {"tilting", std::string(1, machine.tilting)},
+          {"turning", "C"},
+          {"tilt_reversed", machine.tilt_reversed},
+          {"turn_reversed", machine.turn_reversed},
+          {"tilt_point_mm", machine.tilt_point_mm},
+          {"turn_point_mm", machine.turn_point_mm},
+          {"least_tilt_deg", machine.least_tilt_deg},
+          {"greatest_tilt_deg", machine.greatest_tilt_deg}};
+}
+
 }  // namespace
 
 Json to_json(const Report& report) {
@@ -118,7 +130,9 @@ Json to_json(const Report& report) {
   if (report.tip) {
     json["tip"] = {{"least_mm", report.tip->least_mm},
                    {"greatest_mm", report.tip->greatest_mm},
-                   {"greatest_tilt_deg", report.tip->greatest_tilt_deg}};
+                   {"greatest_tilt_deg", report.tip->greatest_tilt_deg},
+                   {"tool_length_mm", report.tip->tool_length_mm},
+                   {"machine", machine_json(report.tip->machine)}};
   }
   if (report.stock) json["stock"] = to_json(*report.stock);
   json["warnings"] = report.warnings;

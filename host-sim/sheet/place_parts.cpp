@@ -43,7 +43,10 @@ std::string label_of(const SheetPart& part, std::size_t copy) {
 class PartPlacer {
  public:
   PartPlacer(const Sheet& sheet, const ReadText& read_text, const drawing::ImportOptions& options)
-      : sheet_{sheet}, read_text_{read_text}, options_{options}, sketch_{options.effort} {
+      : sheet_{sheet},
+        read_text_{read_text},
+        options_{options},
+        sketch_{options.effort, options.text} {
     for (const Fault& fault : sheet.faults) sketch_.report(fault);
   }
 

@@ -79,11 +79,13 @@ std::string read_bytes(const std::string& file) {
   return bytes;
 }
 
-std::string read_text(const std::string& file) {
+std::string read_text(const std::string& file, bool may_be_packed) {
   std::string text = read_bytes(file);
-  // The importer knows it, and what to do about it.
-  constexpr std::string_view kBinaryDxf = "AutoCAD Binary DXF";
-  if (is_binary(text) && !text.starts_with(kBinaryDxf)) {
+  // The importer of drawings reads them.
+  constexpr std::string_view kGzip = "\x1F\x8B";
+  const bool is_drawing = text.starts_with("AutoCAD Binary DXF") || text.starts_with("%PDF") ||
+                          (may_be_packed && text.starts_with(kGzip));
+  if (is_binary(text) && !is_drawing) {
     throw std::invalid_argument(fmt::format(
         "{}: is a binary file, not text; is it the right file, saved as plain text or UTF-8?",
         name_of_input(file)));

@@ -12,7 +12,8 @@ namespace sim {
 /// Throws std::system_error naming the file when it cannot be read (a folder, a file that is not
 /// there or not permitted), std::invalid_argument for an empty standard input and for bytes that
 /// are no text. An empty file is a text: its reader knows what is missing.
-[[nodiscard]] std::string read_text(const std::string& file);
+/// @param may_be_packed whether gzip is taken, too: an SVGZ, whose reader unpacks it
+[[nodiscard]] std::string read_text(const std::string& file, bool may_be_packed = false);
 
 /// The same for a file that may be binary. Throws std::system_error naming it when it cannot be
 /// read, std::invalid_argument for an empty standard input.

@@ -60,7 +60,8 @@ FOREIGN = {
     "planner": ("Eigen",),
     "host-sim": ("Eigen", "fmt", "nlohmann", "CLI", "PkgConfig::", "librsvg", "cairo",
                  "sys/", "netinet/", "arpa/", "Threads::", "sqlite3", "SQLite::",
-                 "pugixml", "png.h", "PNG::", "tiffio.h", "TIFF::",
+                 "pugixml", "png.h", "PNG::", "zlib.h", "ZLIB::",
+                 "freetype/", "harfbuzz/", "fontconfig/", "$<LINK_ONLY:PkgConfig::", "tiffio.h", "TIFF::",
                  "boost/", "Boost::"),
 }
 # Targets that carry flags only

@@ -143,7 +143,8 @@ class PlantedViolations(unittest.TestCase):
 
     def test_private_names_of_two_sources(self):
         text = "namespace cnc {\nnamespace {\n%s\n}  // namespace\n}  // namespace cnc\n"
-        for definition in ["constexpr float kSlack = 1.0F;", "struct Arm {\n  int x;\n};"]:
+        for definition in ["constexpr float kSlack = 1.0F;", "struct Arm {\n  int x;\n};",
+                           "double area_of(const base::Box& box,\n               double scale) {\n  return 1;\n}"]:
             with self.subTest(definition):
                 self.plant("planner/a.cpp", text % definition)
                 self.plant("planner/b/b.cpp", text % definition)
@@ -151,6 +152,14 @@ class PlantedViolations(unittest.TestCase):
                 found = list(private_names.complaints(self.root))
                 self.assertEqual(len(found), 1)
                 self.assertIn("is in planner/a.cpp, too", found[0])
+
+    def test_private_functions_of_other_parameters(self):
+        text = "namespace cnc {\nnamespace {\ndouble area_of(%s) {\n  return 1;\n}\n}  // namespace\n}\n"
+        self.plant("planner/a.cpp", text % "const Box& box")
+        self.plant("planner/b.cpp", text % "const Ring& ring")
+        self.assertEqual(list(private_names.complaints(self.root)), [])
+        self.plant("planner/c.cpp", text % "const base::Ring& other")
+        self.assertEqual(len(list(private_names.complaints(self.root))), 1)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,5 @@
-"""Fails when two sources of a program keep a constant or a type of the same name to themselves.
+"""Fails when two sources of a program keep a constant, a type or a function of the same name, and for
+functions the same parameters, to themselves.
 
 The united builds put several sources of a layer, or of a folder of tests, into one; and a constant
 that two files define is one that should have a home.
@@ -16,6 +17,9 @@ PRIVATE = re.compile(r"^namespace \{$(.*?)^\}  // namespace$", re.MULTILINE | re
 NAMED = re.compile(r"^namespace ([\w:]+) \{$", re.MULTILINE)
 DEFINED = re.compile(r"^(?:constexpr [^={(]*?\b(k\w+)(?:\{| =)|(?:struct|class|enum class) (\w+)\b[^;]*$)",
                      re.MULTILINE)
+# The head of a function that begins a line; its parameters have no brackets of their own.
+FUNCTION = re.compile(r"^(?:[\w:<>,&*\[\]]+ )+&?(\w+)\(([^(){};]*)\)(?: noexcept)? \{$", re.MULTILINE)
+OF_PARAMETER = re.compile(r"(?:\w+::)+|\bconst\b|\s*/\*\w+\*/|\s*\b\w+$|\s+")
 
 
 def program_of(name: str) -> str:
@@ -24,11 +28,19 @@ def program_of(name: str) -> str:
     return "/".join(parts[:2]) if parts[0] == "tests" else parts[0]
 
 
+def kinds_of(parameters: str) -> str:
+    """The types of parameters, without their names and namespaces."""
+    return ",".join(OF_PARAMETER.sub("", parameter.strip().split(" = ")[0])
+                    for parameter in re.split(r",(?![^<]*>)", parameters))
+
+
 def private_names(text: str) -> set:
-    """Namespace and name of each constant and type in an anonymous namespace."""
+    """Namespace and name of each constant, type and function in an anonymous namespace."""
     outer = NAMED.search(text)
-    return {(outer[1] if outer else "", constant or kind)
-            for body in PRIVATE.findall(text) for constant, kind in DEFINED.findall(body)}
+    return {(outer[1] if outer else "", name)
+            for body in PRIVATE.findall(text)
+            for name in [constant or kind for constant, kind in DEFINED.findall(body)] +
+            [f"{function}({kinds_of(parameters)})" for function, parameters in FUNCTION.findall(body)]}
 
 
 def complaints(root: pathlib.Path) -> Iterator:

@@ -44,7 +44,7 @@ const std::vector<Contour>& glyphs() {
   return kGlyphs;
 }
 
-double size_of(const Contour& contour) {
+double width_of(const Contour& contour) {
   double least = contour.vertices[0].x;
   double most = least;
   for (const ContourVertex& vertex : contour.vertices) {
@@ -68,7 +68,7 @@ Contour placed(Contour contour, double angle, double scale, double x_mm, double 
 OffsetCase real_case(Random& random, const Contour& contour, double size_mm) {
   const double quarter = kTurn / 4.0 * static_cast<double>(random.below(4));
   const double angle = random.chance(0.5) ? quarter : random.between(0.0, kTurn);
-  const double scale = size_mm / size_of(contour);
+  const double scale = size_mm / width_of(contour);
   return {placed(contour, angle, scale, random.between(-500, 500), random.between(-500, 500)),
           random.signed_magnitude(0.001, 0.2) * size_mm};
 }

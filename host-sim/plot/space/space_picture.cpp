@@ -32,11 +32,11 @@ constexpr double kSharp = 0.8;
 
 /// Returns the factor by which heights are stretched: 1 unless they would hardly be seen.
 double stretch_for(const SpaceBox& box) {
-  constexpr double kLeastShare = 0.08;
+  constexpr double kLeastHeightShare = 0.08;
   const Vector3d size = box.most - box.least;
   const double plan = std::hypot(size.x(), size.y());
   for (const double stretch : {1.0, 2.0, 5.0, 10.0, 20.0, 50.0}) {
-    if (stretch * size.z() >= kLeastShare * plan) return stretch;
+    if (stretch * size.z() >= kLeastHeightShare * plan) return stretch;
   }
   return size.z() > 0.0 ? 100.0 : 1.0;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "host-sim/wall/axis_angle.hpp"
 #include "host-sim/wall/carve/footprint.hpp"
 
 namespace sim::wall {
@@ -13,11 +14,6 @@ using Eigen::Vector3d;
 
 /// Sides that lean more are divided as if they leant by that, radians.
 constexpr double kSteepest = 1.4;
-
-/// Returns the angle between two unit vectors, radians.
-double angle_between(const Vector3d& a, const Vector3d& b) {
-  return std::atan2(a.cross(b).norm(), a.dot(b));
-}
 
 /// Returns the number of the first cell whose middle is at or behind a place, from 0 to `count`.
 int first_cell(double place, double start, double cell_mm, int count) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "host-sim/wall/axis_angle.hpp"
 #include "planner/base/wide_scalar_math.hpp"
 
 namespace sim::wall {
@@ -17,10 +18,6 @@ using Eigen::Vector3d;
 constexpr double kAngleRounding = 1.0e-9;
 /// Distances are off by that through rounding, mm.
 constexpr double kStrokeRoundingMm = 1.0e-9;
-
-double angle_between(const Vector3d& one, const Vector3d& other) {
-  return cnc::wide_atan2(one.cross(other).norm(), one.dot(other));
-}
 
 bool is_upright(const TipBeam& beam) { return beam.axis == Vector3d::UnitZ(); }
 

@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "host-sim/cut/cut_program.hpp"
+#include "host-sim/wall/axis_angle.hpp"
 #include "host-sim/wall/beam_text.hpp"
 #include "planner/base/wide_scalar_math.hpp"
 
@@ -48,10 +49,6 @@ bool goes_straight_on(const Knot& before, const Knot& here, const Knot& after) {
   return (before.tip + share * whole - here.tip).norm() <= kSameMm &&
          !is_off(before.words.tilt, here.words.tilt, after.words.tilt) &&
          !is_off(before.words.turn, here.words.turn, after.words.turn);
-}
-
-double turn_between(const Vector3d& one, const Vector3d& other) {
-  return cnc::wide_atan2(one.cross(other).norm(), one.dot(other));
 }
 
 double lean_of(const Vector3d& axis) {
@@ -128,7 +125,7 @@ void WallProgram::write_swing(const Eigen::Vector3d& tip,
 /// Returns the feed at which the axis turns no faster than it does at the rate and the full feed.
 double WallProgram::feed_of(const TipBeam& from, const TipBeam& to) const {
   const double most = settings_.turn_rate_rad_per_mm * (to.tip - from.tip).norm();
-  const double angle = turn_between(from.axis, to.axis);
+  const double angle = angle_between(from.axis, to.axis);
   // Angles this much above the rate are rounding.
   constexpr double kAlmost = 1.0001;
   if (angle <= kAlmost * most) return settings_.feed_mm_min;
@@ -177,7 +174,7 @@ void WallProgram::measure(const std::vector<TipBeam>& beams) {
     if (i == 0) continue;
     const double length = (beams[i].tip - beams[i - 1].tip).norm();
     const Vector3d& last = beams[i - 1].axis;
-    const double turn = turn_between(last, beams[i].axis);
+    const double turn = angle_between(last, beams[i].axis);
     if (feed_of(beams[i - 1], beams[i]) < settings_.feed_mm_min) figures_.slowed_mm += length;
     figures_.burnt_mm += length;
     figures_.tilt_mm += 0.5 * length * (tilt + lean_of(last));

@@ -105,7 +105,7 @@ void MotorStage::close_cell() {
     shaped[axis] = history_.mean(axis, grid_.taps[axis]);
     lay_course(axis, shaped[axis]);
   }
-  if (observer_ != nullptr) observer_->on_cell({tool_, shaped, grid_.reach()});
+  if (observer_ != nullptr) observer_->on_cell({tool_, shaped, grid_.reach(), cell_ns()});
   comes_to_rest_ = comes_to_rest_ && settled();
 }
 

@@ -26,6 +26,7 @@ struct ShapedCell {
   const AxisArray<StepPosition>& planned;  ///< Of the newest cell…
   const AxisArray<StepPosition>& shaped;   ///< … and of that which goes out.
   std::uint32_t reach;                     ///< Cells whose places count for it.
+  std::uint32_t duration_ns;
 };
 
 /// Whoever wants to see what shaping does.

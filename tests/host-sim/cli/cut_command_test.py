@@ -130,7 +130,7 @@ class Cut(unittest.TestCase):
         self.assertIn("S38.889\n", done.stdout)
         for more in ("lead-in=arc:1", "tabs=2", "pierce=0.3"):
             told = self.refused(self.plate, *STEEL, "--layer", f"red: {more}", "--layer", "red: side=mark")
-            self.assertIn(f"--layer: {more}: with side=mark a layer has power, feed, side, start, rank and", told)
+            self.assertIn(f"--layer: {more}: a layer that is engraved has power, feed, side, kind, start, rank,", told)
 
     def test_the_picture_tells_order_size_power_and_kerf(self):
         svg = self.folder / "out.svg"
@@ -246,10 +246,6 @@ class Cut(unittest.TestCase):
                  ':2:1: path "p": a place that is no number, or farther than 10 km'),
                 ("flat.svg", svg.format('<path id="p" d="M1 1H9Z"/>'),
                  ':2:1: path "p" at 1.000 39.000: the contour is closed and has no area; it is left out'),
-                ("rect.svg", svg.format('<rect id="r" x="1" y="1" width="0" height="5"/>'),
-                 ':2:1: rect "r": width or height is 0: it has no area; it is left out; mend it'),
-                ("dot.svg", svg.format('<circle id="c" r="0"/>'), ':2:1: circle "c": r is 0: it has no area'),
-                ("thin.svg", svg.format('<ellipse id="e" rx="3" ry="0"/>'), ':2:1: ellipse "e": rx or ry is 0'),
                 ("nan.dxf", dxf.format("LINE\n8\n0\n10\nnan\n20\n0\n11\n5\n21\n5\n"),
                  ":6: LINE: line 10: `nan` is no number; it is left out; mend it in the drawing"),
                 ("dot.dxf", dxf.format("CIRCLE\n8\n0\n10\n5\n20\n5\n40\n0\n"),
@@ -267,6 +263,17 @@ class Cut(unittest.TestCase):
                 read = run("drawing", file)
                 self.assertEqual(read.returncode, 1, read.stdout)
                 self.assertIn(told, read.stdout)
+
+    def test_shapes_of_no_size_are_noted_and_the_rest_is_cut(self):
+        plate = PLATE.replace("</svg>", '<rect id="r" x="1" y="1" width="0" height="5"/><circle id="c" r="0"/>'
+                              '<ellipse id="e" rx="3" ry="0"/></svg>')
+        done = run("cut", self.drawn("dots.svg", plate), *STEEL, *self.marks)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for note in ('rect "r": width or height is 0: it has no area; it is left out; mend it',
+                     'circle "c": r is 0: it has no area', 'ellipse "e": rx or ry is 0'):
+            self.assertIn(note, done.stderr)
+        self.assertIn("no program is written", self.refused(self.drawn(
+            "dot.svg", '<svg width="4mm" height="4mm"><circle id="c" r="0"/></svg>'), *STEEL, status=1))
 
     def test_a_scanned_outline_of_many_points_is_cut(self):
         """200,000 places, 160 of them within half a kerf, a little off each."""

@@ -43,6 +43,7 @@ PASSES = ('{"passes": [{"power_w": 10, "feed_mm_min": 900, "depth_mm": 2},'
 PROBED = ("(kerfline probe-grid 1)\n(x=0:9 columns=2)\n(y=0:9 rows=2)\n(depth=-5 touches=1 tip=2)\n"
           "M5\nM2\n")
 ANSWERS = "<Idle|WCO:0,0,0>\n[PRB:0,0,-1:1]\n[PRB:9,0,-1:1]\n[PRB:9,9,-1:1]\n[PRB:0,9,-1:1]\n"
+TIPS = "G43.4\n" + "G1 X1 A9 F60\nG1 X0 A0\n" * 9
 TALK = "kerfline conversation 1\nprobe_plate -10\nend 1000000\n"
 
 
@@ -65,14 +66,18 @@ class Command:
 
 STEEL = ("--material", "CSP 1N")
 SETTINGS = "$110=1000\n"
+RECIPE = '{"kerfline_recipe": 1, "tabs": 1}'
 POST = "[format]\nblanks = yes\n"
+# A black pixel and a white one, as BMP; texts of files are UTF-8, which these bytes are.
+PICTURE = ("BM" + "\0" * 8 + "\x36\0\0\0\x28\0\0\0\x02\0\0\0\x01\0\0\0\x01\0\x18\0" + "\0" * 24 +
+           "\0\0\0\x7f\x7f\x7f\0\0")
 COUPON = (*STEEL, "--thickness", "2", "--full-power", "2000", "--laser", "a")
 COMMANDS = {
     "sim": Command(("--stock", "-1,-1,12,6,1", "--tool", "2", "--stock-cell", "0.5", "--stock-depth", "1"),
                    {"FILE": PROGRAM, "--settings": SETTINGS, "--stock-target": PLATE,
                     "--probe-surface": GRID},
                    ("--trace", "--vcd", "--report", "--svg", "--png", "--stock-png", "--stock-stl",
-                    "--stock-ply", "--answers"), takes_stdin=True,
+                    "--stock-ply", "--answers", "--knots"), takes_stdin=True,
                    empty_is_refused=("FILE", "--settings", "--probe-surface")),
     "check": Command((), {"FILE": PROGRAM, "--settings": SETTINGS, "--probe-surface": GRID}, takes_stdin=True,
                      empty_is_refused=("FILE", "--settings", "--probe-surface")),
@@ -93,11 +98,15 @@ COMMANDS = {
     "drawing": Command((), {"FILE": PLATE}, ("--svg",), takes_stdin=True),
     "cut": Command((*STEEL, "--thickness", "2"),
                    {"DRAWING": PLATE, "--layers": ": tabs=2\n", "--rules": "outer: tabs=3\n",
-                    "--settings": SETTINGS, "--post": POST},
+                    "--settings": SETTINGS, "--post": POST, "--recipe": RECIPE},
                    ("--output", "--svg", "--png", "--animation", "--job-sheet", "--report",
-                    "--save-sheet", "--frame"),
+                    "--save-sheet", "--frame", "--save-recipe"),
                    {"--db": CUTS}, takes_stdin=True,
-                   empty_is_refused=("--layers", "--rules", "--settings")),
+                   empty_is_refused=("--layers", "--rules", "--settings", "--recipe")),
+    "engrave": Command(("--width", "20", "--power", "50%", "--feed", "3000", "--plain"),
+                       {"IMAGE": PICTURE, "--settings": SETTINGS, "--post": POST},
+                       ("--output", "--report", "--picture"), takes_stdin=True,
+                       empty_is_refused=("IMAGE", "--settings")),
     "order": Command(("--steps", "10"), {"FILE": PROBLEM}, takes_stdin=True),
     "pocket": Command(("--tool", "6", "--depth", "2", "--feed", "600", "--plunge-feed", "200", "--entry", "plunge"),
                       {"FILE": PLATE, "--tools": TOOLS, "--post": POST},
@@ -117,6 +126,8 @@ COMMANDS = {
                           empty_is_refused=("--beams", "--beside")),
     "wall taper": Command(("--half-angle", "7"), {"CUTS": "0 13\n" * 9}, takes_stdin=True,
                           empty_is_refused=("CUTS",)),
+    "wall joints": Command(("--set", "$900=1"), {"FILE": TIPS, "--settings": "$901=0\n" * 9}, ("--output",),
+                           takes_stdin=True, empty_is_refused=("FILE", "--settings")),
     "send": Command((), {"file": PROGRAM}, ("--log",), takes_stdin=True, empty_is_refused=("file",)),
 }
 # Further ways to call a command, for options that exclude or need others.

@@ -147,7 +147,7 @@ TEST(DxfReader, WhatIsBrokenIsNamedWithItsLine) {
   EXPECT_THAT(fault_of(dxf_of("0\nSPLINE\n71\n3\n10\n0\n20\n0\n")), HasSubstr("make no spline"));
   EXPECT_THAT(fault_of(dxf_of("0\nCIRCLE\n40\n1\n210\n1\n230\n0\n")), HasSubstr("tilted"));
   EXPECT_THAT(fault_of(dxf_of("0\nINSERT\n2\nX\n")), HasSubstr("no block `X`"));
-  EXPECT_THAT(fault_of(dxf_of("0\nMTEXT\n1\nK\n")), HasSubstr("convert text"));
+  EXPECT_THAT(fault_of(dxf_of("0\nMTEXT\n1\nK\n")), HasSubstr("left out: \"K\""));
   EXPECT_THAT(fault_of(dxf_of("0\nHATCH\n")), HasSubstr("HATCH is nothing to cut"));
   EXPECT_THAT(fault_of("0\nSECTION\n2\nENTITIES\nzero\n"), HasSubstr("f:"));
   EXPECT_THAT(fault_of("0\nSECTION\n2\nENTITIES\nzero\nLINE\n"),

@@ -106,7 +106,118 @@ class Drawer:
         return path.make_path(entity).flattening(0.005, 32)
 
 
+class FormDrawer(Drawer):
+    """The same of any release, in ASCII or binary: nested blocks, arrays, tilted planes, knots of any kind."""
+
+    VERSIONS = ("R12", "R2000", "R2004", "R2007", "R2010", "R2013", "R2018")
+
+    def __init__(self, seed):
+        super().__init__(seed)
+        self.version = self.random.choice(self.VERSIONS)
+        self.form = self.random.choice(("asc", "bin"))
+        self.document = ezdxf.new(self.version, units=4)
+        # Release 12 has no $INSUNITS in what ezdxf writes.
+        self.space = self.document.modelspace()
+        self.contours = 0
+
+    def draw(self):
+        inner = self.document.blocks.new("INNER", base_point=(self.number(-3, 3), self.number(-3, 3)))
+        outer = self.document.blocks.new("OUTER")
+        self.form_of(inner, (0, 0))
+        outer.add_blockref("inner", (5, 5), dxfattribs={"rotation": self.number(-180, 180), "xscale": -1.0})
+        for i in range(6):
+            self.form_of(self.space, (200 * i, 0))
+        # A block that is turned in a stretched one is sheared, which an INSERT of ezdxf cannot be.
+        size = self.number(0.5, 2)
+        self.space.add_blockref("OUTER", (0, 400), dxfattribs={
+            "rotation": self.number(-180, 180), "xscale": size, "yscale": self.random.choice([size, -size]),
+            "column_count": 2, "row_count": 3, "column_spacing": 150, "row_spacing": 160,
+            "extrusion": self.random.choice([(0, 0, 1), (0, 0, -1)])})
+        self.contours = 6 + 2 * 3
+
+    def form_of(self, space, at):
+        kind = self.random.randrange(4 if self.version == "R12" else 7)
+        normal = self.random.choice([(0, 0, 1), (0, 0, -1), (self.number(-1, 1), self.number(-1, 1), 1),
+                                     (self.number(-1, 1), self.number(-1, 1), -0.7)])
+        tilted = {"extrusion": normal}
+        middle = (*at, self.number(-30, 30))
+        if kind == 0:
+            space.add_circle(middle, self.number(1, 20), dxfattribs=tilted)
+        elif kind == 1:
+            space.add_arc(middle, self.number(1, 20), self.number(-360, 360), self.number(-360, 360), dxfattribs=tilted)
+        elif kind == 2:
+            corners = [(*self.place(at), self.random.choice([0, self.number(-2, 2)])) for _ in range(5)]
+            space.add_polyline2d(corners, format="xyb", close=self.random.random() < 0.5,
+                                 dxfattribs={**tilted, "elevation": (0, 0, middle[2])})
+        elif kind == 3:
+            space.add_polyline3d([(*self.place(at), self.number(-9, 9)) for _ in range(4)])
+        elif kind == 4:
+            start = self.number(0, 3)
+            frame = ezdxf.math.OCS(normal)
+            axis = frame.to_wcs((self.number(2, 20), self.number(2, 20), 0))
+            space.add_ellipse(at, axis, self.number(0.1, 1), start, start + self.number(0.5, 3), dxfattribs=tilted)
+        else:
+            self.spline(space, at, self.random.randint(1, 10) if kind == 5 else 3)
+
+    def spline(self, space, at, degree):
+        """Knots at random, clamped or not, each inner one up to degree times, or fit points of a closed curve."""
+        count = degree + 1 + self.random.randrange(8)
+        knots = [0.0] * (degree + 1)
+        while len(knots) < count:
+            times = min(self.random.randint(1, degree), count - len(knots))
+            knots += [knots[-1] + self.number(0.2, 2)] * times
+        knots += [knots[-1] + 1] * (degree + 1)
+        if self.random.random() < 0.3:
+            knots = [float(i) for i in range(count + degree + 1)]
+        spline = space.add_spline(degree=degree)
+        spline.control_points = [(*self.place(at), 0) for _ in range(count)]
+        spline.knots = knots
+        if self.random.random() < 0.3:
+            spline.weights = [self.number(0.3, 3) for _ in range(count)]
+
+    def rows(self):
+        for entity in self.space:
+            parts = [entity]
+            if entity.dxftype() == "INSERT":
+                parts = [part for copy in entity.multi_insert() for part in self.parts_of(copy)]
+            for part in parts:
+                yield [(p[0], p[1]) for p in self.flatten(part)]
+
+    def parts_of(self, insert):
+        for part in insert.virtual_entities():
+            if part.dxftype() == "INSERT":
+                yield from self.parts_of(part)
+            else:
+                yield part
+
+
 class ByEzdxf(unittest.TestCase):
+    def test_random_forms_of_all_releases_are_the_same_curves(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for seed in seeds_of(self, 60):
+                with self.subTest(seed=seed):
+                    drawer = FormDrawer(seed)
+                    drawer.draw()
+                    file = pathlib.Path(folder) / f"{seed}.dxf"
+                    drawer.document.saveas(file, fmt=drawer.form)
+                    self.compare_rows(drawer, file)
+
+    def compare_rows(self, drawer, file):
+        done = subprocess.run([KERFLINE, "drawing", file, "--json", "--gap", "0"], capture_output=True, text=True,
+                              check=False)
+        read = json.loads(done.stdout)
+        wrong = [fault for fault in read["faults"] if fault["kind"] not in ("open", "crossing", "ignored", "note")]
+        self.assertEqual(wrong, [])
+        ours = [contour["outline_mm"] for contour in read["contours"]]
+        self.assertEqual(len(ours), drawer.contours, drawer.version)
+        rows = list(drawer.rows())
+        near = [min(ours, key=lambda o: distance_to(row[0], o) + distance_to(row[len(row) // 2], o)) for row in rows]
+        for row, other in zip(rows, near):
+            for place in row[::max(1, len(row) // 40)]:
+                self.assertLess(distance_to(place, other), TOLERANCE_MM, f"{place} of {drawer.version}")
+        for outline in ours:
+            self.assertTrue(any(other is outline for other in near), "a contour that ezdxf does not have")
+
     def test_random_drawings_are_the_same_curves(self):
         # At seed 1314348124 both readers differ by 0.096 mm.
         seeds = seeds_of(self, 60, known_fault=True)

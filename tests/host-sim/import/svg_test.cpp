@@ -94,16 +94,17 @@ TEST(SvgReader, DoublingUsesAreBounded) {
   EXPECT_LE(drawn.contours.size(), kMostShapes);
 }
 
-TEST(SvgReader, TextIsRefusedWithAdviceImagesAreNamedHiddenThingsAreNot) {
-  const Drawing drawn =
-      read(svg_of("\n  <text id='t'>K</text><image href='a.png'/>"
-                  "<rect width='9' height='9' style='display:none'/><rect visibility='hidden' "
-                  "width='9' height='9'/>"));
+TEST(SvgReader, TextAndImagesAreNotedHiddenThingsAreNot) {
+  const Drawing drawn = read(svg_of(
+      "\n  <text id='t'>\n K  and <tspan>é</tspan>  </text><text>L</text><image href='a.png'/>"
+      "<rect width='9' height='9' style='display:none'/><rect visibility='hidden' "
+      "width='9' height='9'/>"));
   EXPECT_THAT(drawn.contours, IsEmpty());
   ASSERT_THAT(kinds_of(drawn), ElementsAre(FaultKind::kText, FaultKind::kIgnored));
-  EXPECT_EQ(
-      to_string(drawn.faults[0], "a.svg"),
-      "a.svg:2:3: text \"t\": letters are no paths; convert text to paths in the drawing program");
+  EXPECT_FALSE(drawn.has_errors());
+  EXPECT_EQ(to_string(drawn.faults[0], "a.svg"),
+            "a.svg:2:3: text \"t\": letters are left out: \"K and é\" (2 in all); --text outline "
+            "or --text stroke draws them");
 }
 
 TEST(SvgReader, ColourAndLayerAreKept) {
@@ -114,6 +115,30 @@ TEST(SvgReader, ColourAndLayerAreKept) {
   ASSERT_THAT(drawn.contours, SizeIs(2));
   EXPECT_EQ(drawn.layers.at(drawn.contours[0].entity.layer), (Layer{"Cut", "#f00"}));
   EXPECT_EQ(drawn.layers.at(drawn.contours[1].entity.layer), (Layer{"marks", "blue"}));
+}
+
+TEST(SvgReader, LettersAreNotedByLayer) {
+  const Drawing drawn = read(
+      svg_of("<g id='a'><text>1</text><text>2</text></g><g id='b'><text>Long words, of which only "
+             "the first forty bytes are told, not all</text></g>"));
+  ASSERT_THAT(drawn.faults, SizeIs(2));
+  EXPECT_EQ(drawn.layers.at(drawn.faults[0].entity.layer).name, "a");
+  EXPECT_EQ(drawn.faults[0].reason, "letters are left out: \"1\" (2 in all)");
+  EXPECT_EQ(drawn.layers.at(drawn.faults[1].entity.layer).name, "b");
+  EXPECT_EQ(drawn.faults[1].reason,
+            "letters are left out: \"Long words, of which only the first fort…\"");
+}
+
+TEST(SvgReader, FillAndItsRuleAreKept) {
+  const Drawing drawn = read(svg_of(
+      "<rect width='1' height='1'/><g fill-rule='evenodd'><rect x='5' width='1' height='1'/>"
+      "<rect x='9' width='1' height='1' style='fill:none;stroke:red;fill-rule:nonzero'/></g>"));
+  ASSERT_THAT(drawn.contours, SizeIs(3));
+  const auto entity = [&](std::size_t i) { return drawn.contours[i].entity; };
+  EXPECT_TRUE(entity(0).is_filled && entity(1).is_filled && !entity(2).is_filled);
+  EXPECT_EQ(entity(0).fill_rule, FillRule::kNonZero);
+  EXPECT_EQ(entity(1).fill_rule, FillRule::kEvenOdd);
+  EXPECT_EQ(entity(2).fill_rule, FillRule::kNonZero);
 }
 
 TEST(SvgReader, WhatIsBrokenIsNamedWithItsPlace) {
@@ -130,8 +155,8 @@ TEST(SvgReader, WhatIsBrokenIsNamedWithItsPlace) {
               HasSubstr("no path command at character 6"));
   EXPECT_THAT(first_fault(svg_of("<path d='L0 0'/>")), HasSubstr("does not begin with M"));
   EXPECT_THAT(first_fault(svg_of("<path d='M0 0 L1e30 5'/>")), HasSubstr("farther than 10 km"));
-  EXPECT_THAT(first_fault(svg_of("<rect width='2em' height='1'/>")),
-              HasSubstr("width=\"2em\" is no length"));
+  EXPECT_THAT(first_fault(svg_of("<rect width='2ells' height='1'/>")),
+              HasSubstr("width=\"2ells\" is no length"));
   EXPECT_THAT(first_fault(svg_of("<g transform='turn(3)'/>")), HasSubstr("is no transform"));
   EXPECT_THAT(first_fault("<html/>"), HasSubstr("not <svg>"));
   EXPECT_THAT(first_fault("hello"), HasSubstr("neither SVG nor DXF nor JSON"));

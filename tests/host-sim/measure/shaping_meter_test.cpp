@@ -16,13 +16,13 @@ TEST(ShapingMeter, MeasuresFromThePathAndNotFromThePlaceInTime) {
     planned[0] = cnc::StepPosition::whole(20 * cell);
     cnc::AxisArray<cnc::StepPosition> shaped{};
     shaped[0] = cnc::StepPosition::whole(15 * cell);
-    meter.on_cell({planned, shaped, 3});
+    meter.on_cell({planned, shaped, 3, 1'000'000});
   }
   EXPECT_NEAR(meter.greatest_distance(), 0.0, 1.0e-9) << "behind, but on the line";
   cnc::AxisArray<cnc::StepPosition> beside{};
   beside[0] = cnc::StepPosition::whole(75);
   beside[1] = cnc::StepPosition::whole(3);
-  meter.on_cell({planned, beside, 3});
+  meter.on_cell({planned, beside, 3, 1'000'000});
   EXPECT_NEAR(meter.greatest_distance(), 0.3, 1.0e-9);
 }
 

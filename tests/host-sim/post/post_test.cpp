@@ -35,6 +35,17 @@ std::string refusal_of(const std::string& text) {
   return "none";
 }
 
+/// Rapids do not cut, and a descent does.
+TEST(Post, WritesLinesBeforeAndAfterEachCut) {
+  const Post post = read_post(
+      "[words]\nM4 =\nM5 =\n[before-cut]\nM62 P1\nG4 P0.2\n\n[after-cut]\nM63 P1\n", "my.post");
+  const std::string program =
+      "G17\nM4 S0\nG0X1Y1\nG1X2F600S600\nG4 P0.1\nY3\nG0X9Y9\nX8\nG2X7Y8I-1\nM5\nG0X0Y0\nM2\n";
+  EXPECT_EQ(posted(program, post),
+            "G17\nS0\nG0X1Y1\nM62 P1\nG4 P0.2\nG1X2F600S600\nG4P0.1\nY3\nM63 P1\nG0X9Y9\nX8\n"
+            "M62 P1\nG4 P0.2\nG2X7Y8I-1J0\nM63 P1\nG0X0Y0\nM2\n");
+}
+
 /// Returns random motions: lines, arcs and helices of all planes, with descents and rapids.
 std::string random_program(std::uint64_t seed) {
   proof::Random random{seed};

@@ -14,17 +14,13 @@
 #include "host-sim/surface/path/region/slope_region.hpp"
 #include "planner/pocket/loop_measures.hpp"
 #include "tests/host-sim/surface/random_hills.hpp"
+#include "tests/host-sim/surface/slice_parts.hpp"
 #include "tests/support/trials.hpp"
 
 namespace sim::surface {
 namespace {
 
 using Eigen::Vector2d;
-
-bool has(const SliceParts& parts, double along) {
-  return std::ranges::any_of(
-      parts, [along](const auto& part) { return part.first <= along && along <= part.second; });
-}
 
 bool is_in_order(const SliceParts& parts, double begin, double end) {
   double from = begin;

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "tests/host-sim/surface/random_hills.hpp"
+#include "tests/host-sim/surface/slice_parts.hpp"
 #include "tests/support/trials.hpp"
 
 namespace sim::surface {
@@ -21,11 +22,6 @@ using Eigen::Vector2d;
 
 Profile ball_of(double radius) {
   return {.radius_mm = radius, .flat_mm = 0.0, .corner_mm = radius};
-}
-
-bool has(const SliceParts& parts, double along) {
-  return std::ranges::any_of(
-      parts, [along](const auto& part) { return part.first <= along && along <= part.second; });
 }
 
 /// A groove of two planes that rise by `rise` from its bottom along Y.

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>
@@ -62,20 +63,40 @@ TEST(LeastTilt, KeepsToTheGreatestTilt) {
   EXPECT_FALSE(tilt.beam().has_value());
 }
 
-/// The least angle between an axis and a triangle's points, seen from the tip, by a search.
-double searched_angle(const Vector3d& axis, const Triangle& triangle) {
-  constexpr int kSteps = 60;
-  double most = -1.0;
-  for (int i = 0; i <= kSteps; ++i) {
-    for (int j = 0; i + j <= kSteps; ++j) {
-      const double u = static_cast<double>(i) / kSteps;
-      const double v = static_cast<double>(j) / kSteps;
-      const Vector3d point =
-          triangle.a + u * (triangle.b - triangle.a) + v * (triangle.c - triangle.a);
-      most = std::max(most, axis.dot(point.normalized()));
-    }
+/// Whether a ray from the tip along an axis meets a triangle.
+bool is_hit(const Vector3d& axis, const Triangle& triangle) {
+  const auto side = [&](const Vector3d& from, const Vector3d& to) {
+    return from.cross(to).dot(axis);
+  };
+  const double first = side(triangle.a, triangle.b);
+  const double second = side(triangle.b, triangle.c);
+  const double third = side(triangle.c, triangle.a);
+  const double towards = triangle.a.cross(triangle.b).dot(triangle.c);
+  return first * towards > 0.0 && second * towards > 0.0 && third * towards > 0.0;
+}
+
+/// The least angle between an axis and the points of an edge, seen from the tip, by a search in
+/// equal angles, since points at equal distances lie far apart where the edge passes the tip.
+double searched_angle(const Vector3d& axis, const Vector3d& from, const Vector3d& to) {
+  constexpr int kSteps = 180;
+  const Vector3d first = from.normalized();
+  const Vector3d last = to.normalized();
+  const double angle = std::acos(std::clamp(first.dot(last), -1.0, 1.0));
+  double most = std::max(axis.dot(first), axis.dot(last));
+  for (int i = 1; i < kSteps; ++i) {
+    const double turned = angle * i / kSteps;
+    const Vector3d seen = std::sin(angle - turned) * first + std::sin(turned) * last;
+    most = std::max(most, axis.dot(seen.normalized()));
   }
   return std::acos(std::clamp(most, -1.0, 1.0));
+}
+
+/// The least angle between an axis and a triangle's points, seen from the tip.
+double searched_angle(const Vector3d& axis, const Triangle& triangle) {
+  if (is_hit(axis, triangle)) return 0.0;
+  return std::min({searched_angle(axis, triangle.a, triangle.b),
+                   searched_angle(axis, triangle.b, triangle.c),
+                   searched_angle(axis, triangle.c, triangle.a)});
 }
 
 /// The least tilt that a dense search of axes finds; more than a right angle where there is none.

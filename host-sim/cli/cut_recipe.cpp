@@ -1,0 +1,303 @@
+#include "host-sim/cli/cut_recipe.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <stdexcept>
+#include <vector>
+
+#include "host-sim/cli/file_options.hpp"
+#include "host-sim/cut/json_fields.hpp"
+#include "host-sim/report/nearest_name.hpp"
+#include "host-sim/report/printable.hpp"
+#include "host-sim/report/report_json.hpp"
+#include "host-sim/trace/input_file.hpp"
+#include "host-sim/trace/output_file.hpp"
+
+namespace sim {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+constexpr const char* kRecipeMark = "kerfline_recipe";
+constexpr const char* kLayersKey = "layers";
+/// The key of `--layers FILE`, whose own name is that of the list of layers.
+constexpr const char* kLayersFileKey = "layers-file";
+
+/// Returns whether an option is of the call alone: its files, and what is no setting of a job.
+bool is_of_the_call(const CLI::Option& option) {
+  constexpr std::array<const char*, 4> kNames{"help", "recipe", "save-recipe", "layer"};
+  if (option.get_positional() || option.get_lnames().empty()) return true;
+  const std::string& name = option.get_lnames().front();
+  return std::ranges::find(kNames, name) != kNames.end() || file_role(option) == FileRole::kOutput;
+}
+
+std::string key_of(const CLI::Option& option) {
+  const std::string& name = option.get_lnames().front();
+  return name == kLayersKey ? kLayersFileKey : name;
+}
+
+bool is_flag(const CLI::Option& option) { return option.get_items_expected_max() == 0; }
+
+std::vector<std::string> keys_of(const CLI::App& command) {
+  std::vector<std::string> keys{kRecipeMark, kLayersKey};
+  for (const CLI::Option* option : command.get_options()) {
+    if (!is_of_the_call(*option)) keys.push_back(key_of(*option));
+  }
+  return keys;
+}
+
+/// Returns a name of a file in another folder's words; names of shipped things stay.
+std::string from_folder(const std::string& name, const std::filesystem::path& folder) {
+  const std::filesystem::path path{name};
+  if (path.is_absolute() || !path.has_extension()) return name;
+  return (folder / path).lexically_normal().string();
+}
+
+std::string to_folder(const std::string& name, const std::filesystem::path& folder) {
+  const std::filesystem::path path{name};
+  if (path.is_absolute() || !path.has_extension()) return name;
+  const auto absolute = [](const std::filesystem::path& each) {
+    return std::filesystem::absolute(each).lexically_normal();
+  };
+  return absolute(path).lexically_proximate(absolute(folder)).string();
+}
+
+/// Gives a recipe to the options of a call.
+class RecipeReader {
+ public:
+  RecipeReader(CLI::App& command, CutCommandOptions& options)
+      : command_{command},
+        options_{options},
+        file_{options.recipe},
+        folder_{std::filesystem::path{options.recipe}.parent_path()} {}
+
+  void read() {
+    const Json document =
+        cut::marked_json(read_text(file_), name_of_input(file_), kRecipeMark, "recipe");
+    const std::vector<std::string> keys = keys_of(command_);
+    const cut::JsonFields fields{document, name_of_input(file_), "", keys};
+    // The layers' file of the recipe comes later in it, or earlier, and is no conflict.
+    if (document.contains(kLayersKey)) read_layers(document[kLayersKey]);
+    for (const auto& [key, value] : document.items()) {
+      if (key == kRecipeMark || key == kLayersKey) continue;
+      take(option_of(key), key, value);
+    }
+    expect_needed();
+  }
+
+ private:
+  [[noreturn]] void refuse(const std::string& pointer, const std::string& reason) const {
+    throw std::invalid_argument(
+        fmt::format("{}: {}: {}", name_of_input(file_), printable_line(pointer), reason));
+  }
+
+  CLI::Option& option_of(const std::string& key) {
+    return *command_.get_option("--" + (key == kLayersFileKey ? kLayersKey : key));
+  }
+
+  /// Returns the words that the value would be on the command line.
+  std::vector<std::string> words_of(const CLI::Option& option,
+                                    const std::string& pointer,
+                                    const Json& value) const {
+    if (value.is_array() && option.get_items_expected_max() > 1) {
+      std::vector<std::string> words;
+      for (std::size_t i = 0; i < value.size(); ++i) {
+        words.push_back(word_of(option, fmt::format("{}/{}", pointer, i), value[i]));
+      }
+      return words;
+    }
+    return {word_of(option, pointer, value)};
+  }
+
+  std::string word_of(const CLI::Option& option,
+                      const std::string& pointer,
+                      const Json& value) const {
+    if (value.is_number()) return value.dump();
+    if (!value.is_string()) refuse(pointer, "wants a text or a number");
+    const auto word = value.get<std::string>();
+    return file_role(option) ? from_folder(word, folder_) : word;
+  }
+
+  void take(CLI::Option& option, const std::string& key, const Json& value) {
+    const std::string pointer = "/" + key;
+    if (is_flag(option)) {
+      if (!value.is_boolean()) refuse(pointer, "wants true or false");
+      if (value.get<bool>() && option.count() == 0) give(option, pointer, {"true"});
+      return;
+    }
+    std::vector<std::string> words = words_of(option, pointer, value);
+    if (option.count() == 0) return give(option, pointer, words);
+    if (option.get_items_expected_max() <= 1) return;
+    words.insert(words.end(), option.results().begin(), option.results().end());
+    option.clear();
+    give(option, pointer, words);
+  }
+
+  void give(CLI::Option& option,
+            const std::string& pointer,
+            const std::vector<std::string>& words) {
+    try {
+      for (const std::string& word : words) option.add_result(word);
+      option.run_callback();
+    } catch (const CLI::Error& error) {
+      refuse(pointer, error.what());
+    }
+  }
+
+  /// Reads `{"NAME": {"key": value}}`, or a list of such with their "name".
+  void read_layers(const Json& layers) {
+    if (!options_.layers_file.empty()) {
+      refuse("/layers", "does not go with --layers of the call; give --layer in place of that");
+    }
+    const std::string pointer = fmt::format("/{}", kLayersKey);
+    if (layers.is_object()) {
+      for (const auto& [name, settings] : layers.items()) {
+        read_layer(name, settings, fmt::format("{}/{}", pointer, name));
+      }
+      return;
+    }
+    if (!layers.is_array()) refuse(pointer, R"(wants {"NAME": {"kind": "cut"}}, an object)");
+    for (std::size_t i = 0; i < layers.size(); ++i) {
+      const std::string place = fmt::format("{}/{}", pointer, i);
+      if (!layers[i].is_object() || !layers[i].contains("name") || !layers[i]["name"].is_string()) {
+        refuse(place, R"(wants an object with "name")");
+      }
+      Json settings = layers[i];
+      settings.erase("name");
+      read_layer(layers[i]["name"].get<std::string>(), settings, place);
+    }
+  }
+
+  void read_layer(const std::string& name, const Json& settings, const std::string& pointer) {
+    if (!settings.is_object()) refuse(pointer, R"(wants an object, such as {"kind": "engrave"})");
+    cut::LayerRule rule{
+        name, {}, fmt::format("{}: {}", name_of_input(file_), printable_line(pointer))};
+    cut::LayerSettings tried;
+    for (const auto& [key, value] : settings.items()) {
+      if (!value.is_string() && !value.is_number()) {
+        refuse(fmt::format("{}/{}", pointer, key), "wants a text or a number");
+      }
+      const std::string text = value.is_string() ? value.get<std::string>() : value.dump();
+      try {
+        set(tried, key, text);
+      } catch (const std::invalid_argument& error) {
+        refuse(fmt::format("{}/{}", pointer, key), error.what());
+      }
+      rule.values.emplace_back(key, text);
+    }
+    options_.recipe_layers.push_back(std::move(rule));
+  }
+
+  /// What the parser has checked of the call has to hold with the recipe as well.
+  void expect_needed() const {
+    for (const CLI::Option* option : command_.get_options()) {
+      if (option->count() == 0 || is_of_the_call(*option)) continue;
+      for (const CLI::Option* needed : option->get_needs()) {
+        if (needed->count() == 0) {
+          refuse("/" + key_of(*option), fmt::format("needs {}, too", needed->get_name()));
+        }
+      }
+      for (const CLI::Option* excluded : option->get_excludes()) {
+        if (excluded->count() != 0) {
+          refuse("/" + key_of(*option), fmt::format("does not go with {}", excluded->get_name()));
+        }
+      }
+    }
+  }
+
+  CLI::App& command_;
+  CutCommandOptions& options_;
+  std::string file_;
+  std::filesystem::path folder_;
+};
+
+/// Returns a number where its text is the same again, else the text.
+Json value_of(const std::string& text) {
+  const Json number = Json::parse(text, nullptr, false);
+  return number.is_number() && number.dump() == text ? number : Json(text);
+}
+
+/// Returns the words of options whose results are the numbers of choices.
+std::vector<std::string> words_of(const CLI::Option& option, const CutCommandOptions& options) {
+  const std::string& name = option.get_lnames().front();
+  if (name == "order") return {std::string{order::name_of(options.order.method)}};
+  if (name == "cost") return {std::string{cut::text_of(options.order.cost)}};
+  if (name == "group") return {std::string{cut::text_of(options.order.grouping)}};
+  if (name == "fit") return {std::string{name_of(options.curves.method)}};
+  if (name == "frame-shape") {
+    return {options.frame.shape == cut::FrameShape::kHull ? "hull" : "box"};
+  }
+  return option.results();
+}
+
+Json values_of(const CLI::Option& option,
+               const CutCommandOptions& options,
+               const std::filesystem::path& folder) {
+  if (is_flag(option)) return true;
+  std::vector<Json> values;
+  for (const std::string& word : words_of(option, options)) {
+    values.push_back(file_role(option) ? Json(to_folder(word, folder)) : value_of(word));
+  }
+  return values.size() == 1 ? values.front() : Json(values);
+}
+
+/// Returns the rules for layers as an object, or as a list where a name comes twice.
+Json layers_json(const std::vector<cut::LayerRule>& rules) {
+  std::set<std::string> names;
+  for (const cut::LayerRule& rule : rules) names.insert(rule.name);
+  const bool is_list = names.size() != rules.size();
+  Json layers = is_list ? Json::array() : Json::object();
+  for (const cut::LayerRule& rule : rules) {
+    Json settings = Json::object();
+    if (is_list) settings["name"] = rule.name;
+    for (const auto& [key, value] : rule.values) settings[key] = value_of(value);
+    if (is_list) {
+      layers.push_back(std::move(settings));
+    } else {
+      layers[rule.name] = std::move(settings);
+    }
+  }
+  return layers;
+}
+
+}  // namespace
+
+void add_cut_recipe_options(CLI::App& command, CutCommandOptions& options) {
+  mark_file(command
+                .add_option("--recipe",
+                            options.recipe,
+                            "JSON with any of these options; those of the call go before it")
+                ->type_name("FILE"),
+            FileRole::kInput);
+  mark_file(command.add_option("--save-recipe", options.save_recipe, "Write what was in force")
+                ->type_name("FILE"),
+            FileRole::kOutput);
+}
+
+void apply_recipe(CLI::App& command, CutCommandOptions& options) {
+  if (options.recipe.empty()) return;
+  RecipeReader{command, options}.read();
+  refuse_shared_files(command);
+}
+
+void save_recipe(const CLI::App& command, const CutCommandOptions& options) {
+  if (options.save_recipe.empty()) return;
+  const std::filesystem::path folder = std::filesystem::path{options.save_recipe}.parent_path();
+  Json recipe{{kRecipeMark, 1}};
+  for (const CLI::Option* option : command.get_options()) {
+    if (option->count() == 0 || is_of_the_call(*option)) continue;
+    recipe[key_of(*option)] = values_of(*option, options, folder);
+  }
+  std::vector<cut::LayerRule> rules = options.recipe_layers;
+  for (const std::string& text : options.layers) rules.push_back(cut::parse_rule(text, "--layer"));
+  if (!rules.empty()) recipe[kLayersKey] = layers_json(rules);
+  write_file(options.save_recipe, dumped(std::move(recipe)) + "\n");
+}
+
+}  // namespace sim

@@ -1,0 +1,231 @@
+#include "host-sim/cli/engrave_options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <array>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "host-sim/cli/file_options.hpp"
+#include "host-sim/cli/value_range.hpp"
+#include "host-sim/cut/layer_settings.hpp"
+
+namespace sim {
+namespace {
+
+using engrave::Shading;
+
+constexpr double kPictureInchMm = 25.4;
+constexpr double kMaxPictureMm = 10'000.0;
+
+constexpr const char* kEngraveFooter =
+    "Rows run along X, to and fro, from the bottom; white is passed over. The picture's darkness "
+    "d\n"
+    "is burnt with min-power + (power - min-power) d^gamma, or as dots of full --power with one "
+    "of\n"
+    "the other shadings. Rows of pixels are written as `X0.8 S0:120:300`, for this controller;\n"
+    "--plain writes one S to a line, for any Grbl.\n"
+    "\n"
+    "Example:\n"
+    "  kerfline engrave photo.jpg --width 80 --interval 0.1 --power 40% --feed 6000 --machine k40\n"
+    "      --place corner -o photo.nc --picture burnt.png\n"
+    "\n"
+    "Exit status: 0 fine, 1 nothing can be burnt there, 2 the call is wrong.";
+
+constexpr std::array<std::pair<const char*, Shading>, 6> kShadings{
+    {{"grey", Shading::kGrey},
+     {"threshold", Shading::kThreshold},
+     {"ordered", Shading::kOrdered},
+     {"floyd-steinberg", Shading::kFloydSteinberg},
+     {"jarvis", Shading::kJarvis},
+     {"stucki", Shading::kStucki}}};
+
+std::vector<std::string> shading_names() {
+  std::vector<std::string> names;
+  names.reserve(kShadings.size());
+  for (const auto& [name, shading] : kShadings) names.emplace_back(name);
+  return names;
+}
+
+void add_size_options(CLI::App& command, EngraveOptions& options) {
+  const auto add = [&](const char* name, std::optional<double>& value, const char* help) {
+    return command.add_option(name, value, help);
+  };
+  add("--width", options.width_mm, "Of the picture, mm")
+      ->check(in_range(0.1, kMaxPictureMm, "mm"))
+      ->type_name("MM");
+  add("--height", options.height_mm, "Of it, mm; with --width it is stretched")
+      ->check(in_range(0.1, kMaxPictureMm, "mm"))
+      ->type_name("MM");
+  add("--image-dpi", options.image_dpi, "Pixels of the picture in an inch, in place of a size")
+      ->check(in_range(1.0, 1.0e5, "dpi"))
+      ->type_name("DPI");
+  CLI::Option* const interval =
+      command.add_option("--interval", options.interval_mm, "From row to row, mm")
+          ->check(in_range(0.005, 10.0, "mm"))
+          ->type_name("MM")
+          ->capture_default_str();
+  add("--dpi", options.dpi, "Rows in an inch, in place of --interval")
+      ->check(in_range(1.0, 5080.0, "dpi"))
+      ->excludes(interval)
+      ->type_name("DPI");
+  add("--pixel", options.pixel_mm, "Width of a pixel, mm; as the interval")
+      ->check(in_range(0.005, 10.0, "mm"))
+      ->type_name("MM");
+}
+
+void add_tone_options(CLI::App& command, EngraveOptions& options) {
+  command.add_option("--power", options.power, "Of black: 40W, 60% of full power, or S600")
+      ->required()
+      ->type_name("POWER");
+  command.add_option("--min-power", options.min_power, "Of the lightest grey; 0")
+      ->type_name("POWER");
+  command.add_option("--feed", options.feed_mm_min, "mm/min")
+      ->required()
+      ->check(in_range(1.0, 1.0e6, "mm/min"))
+      ->type_name("MM/MIN");
+  command.add_option("--gamma", options.tone.gamma, "Exponent of the darkness; above 1 is lighter")
+      ->check(in_range(0.1, 10.0, ""))
+      ->capture_default_str();
+  command.add_option("--shading", options.shading, "Power by the grey, or dots")
+      ->check(CLI::IsMember(shading_names()))
+      ->capture_default_str();
+  command.add_flag("--invert", options.tone.is_inverted, "Burn what is light");
+  command.add_option("--full-power", options.full_power_w, "What the laser gives at $30, W")
+      ->check(in_range(0.001, 1.0e5, "W"))
+      ->type_name("W");
+}
+
+void add_row_options(CLI::App& command, EngraveOptions& options) {
+  command.add_option("--overscan", options.overscan_mm, "Beside rows, mm; else by acceleration")
+      ->check(in_range(0.0, 1000.0, "mm"))
+      ->type_name("MM");
+  command
+      .add_option("--reverse-shift",
+                  options.reverse_shift_mm,
+                  "Added to X of rows to the left, mm, for a laser that is late")
+      ->check(in_range(-10.0, 10.0, "mm"))
+      ->type_name("MM");
+  command.add_flag("--one-way", options.is_one_way, "Drive all rows to the right");
+  command.add_flag("--plain", options.is_plain, "One S to a line, for any Grbl");
+  command.add_flag("--constant-power", options.constant_power, "M3 instead of M4");
+  command.add_option("--air", options.air, "on or M8, M7, off")
+      ->check(CLI::IsMember({"on", "M7", "M8", "off"}))
+      ->capture_default_str();
+}
+
+/// Returns a power as a share of the full one.
+double power_share(const char* option,
+                   const std::string& text,
+                   double full_power_w,
+                   double full_power_s) {
+  if (text.empty() || text == "0") return 0.0;
+  cut::LayerSettings settings;
+  try {
+    set(settings, "power", text);
+    constexpr double kPercent = 100.0;
+    const bool is_watts = settings.power_w.has_value();
+    if (is_watts && full_power_w <= 0.0) {
+      throw std::invalid_argument(
+          "is in watts; say with --full-power or --machine what the laser gives");
+    }
+    power_in_watts(settings, is_watts ? full_power_w : kPercent, full_power_s);
+    const double share = settings.power_w.value_or(0.0) / (is_watts ? full_power_w : kPercent);
+    if (share > 1.0) throw std::invalid_argument("is more than the laser gives; choose less");
+    return share;
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("{} {}: {}", option, text, error.what()));
+  }
+}
+
+}  // namespace
+
+void add_engrave_options(CLI::App& command, const std::shared_ptr<EngraveOptions>& options) {
+  command.footer(kEngraveFooter);
+  mark_file(command.add_option("IMAGE", options->file, "PNG, JPEG or BMP; - is standard input")
+                ->required(),
+            FileRole::kInput);
+  add_size_options(command, *options);
+  add_tone_options(command, *options);
+  add_row_options(command, *options);
+  add_machine_options(command, options->place);
+  options->post.add_to(command);
+  const auto add_file = [&](FileRole role, const char* name, std::string& file, const char* help) {
+    mark_file(command.add_option(name, file, help)->type_name("FILE"), role);
+  };
+  add_file(FileRole::kInput, "--settings", options->settings_file, "The machine's $N=value lines");
+  command.add_option("--set", options->set, "One setting of the machine; may be repeated")
+      ->type_name("$N=V")
+      ->allow_extra_args(false);
+  add_file(FileRole::kOutput, "-o,--output", options->output, "The program; else standard output");
+  add_file(FileRole::kOutput, "--report", options->report, "Write the report as JSON");
+  add_file(FileRole::kOutput, "--picture", options->picture, "PNG of what will be burnt");
+}
+
+engrave::EngraveSettings engrave_settings_of(EngraveOptions& options,
+                                             const std::optional<cut::MachineProfile>& machine,
+                                             double full_power_s) {
+  const double machine_w = machine ? machine->full_power_w : 0.0;
+  const double full_power_w = options.full_power_w > 0.0 ? options.full_power_w : machine_w;
+  options.tone.most_power = power_share("--power", options.power, full_power_w, full_power_s);
+  options.tone.least_power =
+      power_share("--min-power", options.min_power, full_power_w, full_power_s);
+  if (options.tone.least_power > options.tone.most_power) {
+    throw std::invalid_argument("--min-power: is more than --power");
+  }
+  for (const auto& [name, shading] : kShadings) {
+    if (name == options.shading) options.tone.shading = shading;
+  }
+  if (options.post.is_asked() && !options.is_plain) {
+    throw std::invalid_argument("--post: other controllers take one S to a line; add --plain");
+  }
+  engrave::EngraveSettings settings{.feed_mm_min = options.feed_mm_min,
+                                    .overscan_mm = options.overscan_mm.value_or(0.0),
+                                    .reverse_shift_mm = options.reverse_shift_mm,
+                                    .is_one_way = options.is_one_way,
+                                    .is_plain = options.is_plain,
+                                    .follows_speed = !options.constant_power,
+                                    .full_power_s = full_power_s,
+                                    .air = options.air == "M7" ? "M7" : "M8"};
+  if (options.air == "off") settings.air.clear();
+  return settings;
+}
+
+engrave::BurnRaster raster_of(const EngraveOptions& options, const engrave::GreyImage& image) {
+  const auto across = static_cast<double>(image.width);
+  const auto down = static_cast<double>(image.height);
+  double width = 0.0;
+  double height = 0.0;
+  if (options.width_mm || options.height_mm) {
+    if (options.image_dpi)
+      throw std::invalid_argument("--image-dpi: gives the size, and so do --width and --height");
+    width = options.width_mm.value_or(options.height_mm.value_or(0.0) * across / down);
+    height = options.height_mm.value_or(width * down / across);
+  } else if (options.image_dpi) {
+    width = across * kPictureInchMm / *options.image_dpi;
+    height = down * kPictureInchMm / *options.image_dpi;
+  } else {
+    throw std::invalid_argument("--width, --height or --image-dpi: one has to give the size");
+  }
+  const double interval = options.dpi ? kPictureInchMm / *options.dpi : options.interval_mm;
+  const double pixel = options.pixel_mm.value_or(interval);
+  const double columns = std::max(1.0, std::round(width / pixel));
+  const double rows = std::max(1.0, std::round(height / interval));
+  if (columns * rows > static_cast<double>(engrave::kMaxImagePixels)) {
+    throw std::invalid_argument(
+        fmt::format("{} x {} pixels would be burnt; make the picture smaller or the interval "
+                    "greater, for at most {} in all",
+                    columns,
+                    rows,
+                    engrave::kMaxImagePixels));
+  }
+  engrave::BurnRaster raster = engrave::burn_raster(
+      image, static_cast<std::size_t>(columns), static_cast<std::size_t>(rows), options.tone);
+  raster.pixel_mm = width / columns;
+  raster.interval_mm = height / rows;
+  return raster;
+}
+
+}  // namespace sim

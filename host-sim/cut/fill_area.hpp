@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "host-sim/cut/layer_settings.hpp"
+#include "host-sim/cut/order_wish.hpp"
+#include "host-sim/cut/stroke.hpp"
+
+namespace sim::cut {
+
+/// Greatest number of lines and gaps between them in one area.
+inline constexpr std::size_t kMaxFillStrokes = 4'000'000;
+
+/// Returns the path that fills an area with parallel lines, to and fro: the area that an odd number
+/// of the contours encloses. Lines lie at odd multiples of half the interval from the origin, so
+/// that lines of neighbouring areas are in a row. Before, between and after them the beam is off
+/// (Purpose::kOverscan). Empty where no line meets the area; nothing where there would be more than
+/// kMaxFillStrokes.
+/// @param outlines strokes of closed contours
+/// @param overscan_mm length of the beam-off run before and after each line, 0 or more
+[[nodiscard]] std::optional<std::vector<Stroke>> fill_path(
+    const std::vector<std::vector<Stroke>>& outlines, const FillSettings& fill, double overscan_mm);
+
+/// Returns the distance that the machine needs to reach a speed along a direction, and a tenth
+/// more, mm.
+[[nodiscard]] double overscan_for(double speed_mm_s,
+                                  double angle_deg,
+                                  const cnc::order::RapidLimits& limits);
+
+/// Returns contours in groups of those whose boxes meet: what is in different groups can be filled
+/// one after the other. Groups, and numbers in them, ascend.
+/// @param outlines strokes by contour, none of them empty
+[[nodiscard]] std::vector<std::vector<std::size_t>> groups_by_box(
+    const std::vector<std::vector<Stroke>>& outlines);
+
+}  // namespace sim::cut

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sim::cut {
+
+/// Returns the document of a JSON file. Throws std::invalid_argument with file, line and column
+/// where it is none, and where it is no object whose `mark` is 1.
+/// @param kind what the file is, for messages: `machine profile`
+[[nodiscard]] nlohmann::ordered_json marked_json(const std::string& text,
+                                                 const std::string& file,
+                                                 const char* mark,
+                                                 const char* kind);
+
+/// Reads the fields of one JSON object. Every refusal is a std::invalid_argument
+/// `FILE: /pointer: reason; remedy`.
+class JsonFields {
+ public:
+  /// Refuses keys that are not in `keys`, with the nearest one.
+  /// @param object outlives this
+  JsonFields(const nlohmann::ordered_json& object,
+             std::string file,
+             std::string pointer,
+             const std::vector<std::string>& keys);
+
+  /// Returns a number within a range, or nothing where the key is missing.
+  [[nodiscard]] std::optional<double> number(const char* key, double min, double max) const;
+  /// Returns two numbers within a range, or nothing where the key is missing.
+  [[nodiscard]] std::optional<std::pair<double, double>> pair(const char* key,
+                                                              double min,
+                                                              double max) const;
+  [[nodiscard]] std::optional<std::string> text(const char* key) const;
+  /// Returns the texts of an array; none where the key is missing.
+  [[nodiscard]] std::vector<std::string> texts(const char* key) const;
+
+  [[noreturn]] void refuse(const std::string& key, const std::string& reason) const;
+
+ private:
+  const nlohmann::ordered_json& object_;
+  std::string file_;
+  std::string pointer_;
+};
+
+}  // namespace sim::cut

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <vector>
+
+#include "host-sim/import/curve.hpp"
+#include "host-sim/import/dxf_group.hpp"
+#include "host-sim/import/dxf_shapes.hpp"
+
+namespace sim::drawing {
+
+/// A corner of a polyline with the bulge of the edge that follows.
+struct BulgeVertex {
+  Place place;
+  double bulge = 0.0;
+};
+
+/// The edges of a polyline; those without length are left out.
+[[nodiscard]] std::vector<Shape> bulge_edges(const std::vector<BulgeVertex>& vertices, bool closed);
+
+/// Returns the edges of an LWPOLYLINE. @pre no bad_number()
+[[nodiscard]] DxfShapes light_polyline(const DxfEntity& entity);
+
+/// Returns the edges of a POLYLINE, whose corners are entities of their own.
+/// @pre no bad_number() in any of them
+[[nodiscard]] DxfShapes old_polyline(const DxfEntity& entity,
+                                     const std::vector<DxfEntity>& vertices);
+
+/// Returns the outline of a 3DFACE, SOLID or TRACE; without the edges that a 3DFACE hides.
+/// @pre no bad_number()
+[[nodiscard]] DxfShapes face_outline(const DxfEntity& entity);
+
+}  // namespace sim::drawing

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "host-sim/import/dxf_group.hpp"
+
+namespace sim::drawing {
+
+/// Returns millimetres per unit of $INSUNITS; nothing where it says none.
+[[nodiscard]] std::optional<double> millimetres_per_dxf_unit(int unit);
+
+/// Returns a name as all spellings of it have it: DXF does not tell cases apart.
+[[nodiscard]] std::string dxf_key(std::string_view name);
+
+/// What a header says of the drawing.
+struct DxfHeader {
+  std::optional<double> mm_per_unit{};  ///< Of $INSUNITS.
+  bool is_english = false;              ///< $MEASUREMENT is 0.
+
+  /// Reads one variable's group.
+  void take(std::string_view variable, const DxfGroup& group);
+};
+
+/// A record of the table of layers.
+struct DxfLayer {
+  std::string name{};  ///< As the table spells it.
+  std::string colour{"ACI 7"};
+  std::string line_type{};
+  std::string hidden{};  ///< `off`, `frozen`, `not plotted`; empty where it is seen.
+  [[nodiscard]] bool is_frozen() const { return hidden == "frozen"; }
+};
+
+/// Layers and line types.
+class DxfTables {
+ public:
+  void add_layer(const DxfEntity& record);
+  void add_line_type(const DxfEntity& record);
+
+  /// Returns the layer of a name, or one of that name that is as usual.
+  [[nodiscard]] DxfLayer layer(std::string_view name) const;
+  /// Returns whether a line of this type has gaps or figures.
+  [[nodiscard]] bool is_dashed(std::string_view line_type) const;
+
+ private:
+  std::map<std::string, DxfLayer, std::less<>> layers_;
+  std::set<std::string, std::less<>> without_gaps_{"", "CONTINUOUS", "BYLAYER", "BYBLOCK"};
+};
+
+/// Returns `#rrggbb` of a true colour.
+[[nodiscard]] std::string dxf_colour(double rgb);
+
+}  // namespace sim::drawing

@@ -1,0 +1,87 @@
+#include "host-sim/import/lbrn_settings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "host-sim/import/scanner.hpp"
+
+namespace sim::drawing {
+namespace {
+
+// Colours of the layers, by their index; the last two are those of the tool layers.
+constexpr std::array<std::string_view, 32> kLbrnPalette{
+    "#000000", "#0000ff", "#ff0000", "#00e000", "#d0d000", "#ff8000", "#00e0e0", "#ff00ff",
+    "#b4b4b4", "#0000a0", "#a00000", "#00a000", "#a0a000", "#c08000", "#00a0ff", "#a000a0",
+    "#808080", "#7d87b9", "#bb7784", "#4a6fe3", "#d33f6a", "#8cd78c", "#f0b98d", "#f6c4e1",
+    "#fa9ed4", "#500a78", "#b45a00", "#004754", "#86fa88", "#ffdb66", "#f36926", "#0c96d9"};
+constexpr int kFirstToolLayer = 30;
+
+/// The number of `<name Value="…"/>` within a setting, or of its attribute of that name.
+std::optional<double> value_of(const pugi::xml_node& setting, const char* name) {
+  const pugi::xml_node child = setting.child(name);
+  const char* const text = child ? child.attribute("Value").value() : "";
+  Scanner scanner{text};
+  const auto number = scanner.number();
+  if (!number || !scanner.at_end()) return {};
+  return number;
+}
+
+std::optional<double> share_of_percent(const std::optional<double>& percent) {
+  if (!percent || !(*percent >= 0.0) || !(*percent <= 100.0)) return {};
+  return 0.01 * *percent;
+}
+
+OfferedSettings offered_by(const pugi::xml_node& setting) {
+  constexpr double kMostPasses = 1000.0;
+  constexpr double kFastestMmS = 1.0e5;
+  OfferedSettings offered{.kind = setting.attribute("type").value(),
+                          .power_share = share_of_percent(value_of(setting, "maxPower")),
+                          .least_power_share = share_of_percent(value_of(setting, "minPower"))};
+  const auto speed = value_of(setting, "speed");
+  if (speed && *speed > 0.0 && *speed <= kFastestMmS) offered.speed_mm_s = speed;
+  const auto passes = value_of(setting, "numPasses");
+  if (passes && *passes >= 1.0 && *passes <= kMostPasses) {
+    offered.passes = static_cast<std::size_t>(*passes);
+  }
+  const auto priority = value_of(setting, "priority");
+  if (priority && std::abs(*priority) <= 1.0e6) offered.priority = static_cast<int>(*priority);
+  return offered;
+}
+
+}  // namespace
+
+LbrnLayer lbrn_layer_without_settings(int index) {
+  const bool is_known = index >= 0 && index < static_cast<int>(kLbrnPalette.size());
+  const bool is_tool = is_known && index >= kFirstToolLayer;
+  LbrnLayer found{.layer = {.name = is_tool ? fmt::format("T{}", index - kFirstToolLayer + 1)
+                                            : fmt::format("C{:02}", index),
+                            .colour = {}},
+                  .is_output = !is_tool};
+  if (is_known) found.layer.colour = kLbrnPalette.at(static_cast<std::size_t>(index));
+  return found;
+}
+
+std::map<int, LbrnLayer> lbrn_layers(const pugi::xml_node& project) {
+  std::map<int, LbrnLayer> layers;
+  for (const pugi::xml_node& setting : project.children()) {
+    const std::string_view tag = setting.name();
+    if (tag != "CutSetting" && tag != "CutSetting_Img") continue;
+    const auto index = value_of(setting, "index");
+    if (!index || std::abs(*index) > 1.0e6) continue;
+    const int number = static_cast<int>(*index);
+    LbrnLayer layer = lbrn_layer_without_settings(number);
+    const std::string_view name = setting.child("name").attribute("Value").value();
+    if (!name.empty()) layer.layer.name = name;
+    layer.layer.offered = offered_by(setting);
+    if (value_of(setting, "doOutput") == 0.0) layer.is_output = false;
+    layer.has_sub_layers = !setting.child("SubLayer").empty();
+    // Where an index has two settings, that of lines comes first and that of pictures second.
+    layers.emplace(number, std::move(layer));
+  }
+  return layers;
+}
+
+}  // namespace sim::drawing

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <map>
+#include <pugixml.hpp>
+#include <string>
+
+#include "host-sim/import/drawing.hpp"
+
+namespace sim::drawing {
+
+/// A layer of a project of LightBurn.
+struct LbrnLayer {
+  Layer layer;
+  bool is_output = true;        ///< False where the project does not send it to the laser.
+  bool has_sub_layers = false;  ///< It is done more than once, with other settings each time.
+};
+
+/// Returns the layers of a project by their index, as CutSetting and CutSetting_Img have them.
+[[nodiscard]] std::map<int, LbrnLayer> lbrn_layers(const pugi::xml_node& project);
+
+/// Returns the layer of an index that the project does not describe.
+[[nodiscard]] LbrnLayer lbrn_layer_without_settings(int index);
+
+}  // namespace sim::drawing

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <pugixml.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host-sim/import/svg_sheet.hpp"
+
+namespace sim::drawing {
+
+/// What style sheets, `style` and attributes say of one element.
+class SvgProperties {
+ public:
+  explicit SvgProperties(const pugi::xml_node& node) : node_{node} {}
+  // Candidates are declarations of inline_, which a move keeps where they are.
+  SvgProperties(const SvgProperties&) = delete;
+  SvgProperties& operator=(const SvgProperties&) = delete;
+  SvgProperties(SvgProperties&&) noexcept = default;
+  SvgProperties& operator=(SvgProperties&&) noexcept = default;
+  ~SvgProperties() = default;
+
+  /// Returns the value of a property without blanks at its ends; empty where it has none.
+  [[nodiscard]] std::string_view get(const char* name) const;
+  /// Returns an attribute as it is written.
+  [[nodiscard]] std::string_view attribute(const char* name) const {
+    return node_.attribute(name).value();
+  }
+  /// Returns whether a property has a value, be it an empty one.
+  [[nodiscard]] bool has(const char* name) const {
+    return !styled(name).empty() || node_.attribute(name);
+  }
+  /// Returns a value that `style` or a sheet gives, but no attribute.
+  [[nodiscard]] std::string_view styled(std::string_view name) const;
+
+ private:
+  friend class SvgCascade;
+
+  struct Priority {
+    bool is_important = false;
+    bool is_inline = false;
+    std::uint32_t specificity = 0;
+    std::size_t order = 0;
+    auto operator<=>(const Priority&) const = default;
+  };
+  struct Candidate {
+    const SvgDeclaration* declaration;
+    Priority priority;
+  };
+
+  pugi::xml_node node_;
+  SvgDeclarations inline_;
+  std::vector<Candidate> candidates_;
+};
+
+/// The style sheets of a document.
+class SvgCascade {
+ public:
+  /// @param steps comparisons of elements with selectors that the document may take
+  explicit SvgCascade(std::size_t steps) : steps_{steps} {}
+
+  /// Adds the rules of a sheet behind those of earlier ones.
+  void add(std::vector<SvgRule> rules);
+
+  [[nodiscard]] SvgProperties properties_of(const pugi::xml_node& node);
+
+  /// Returns whether all steps were taken; later elements are without their rules.
+  [[nodiscard]] bool is_exhausted() const { return steps_ == 0; }
+
+ private:
+  using Buckets = std::map<std::string, std::vector<std::size_t>, std::less<>>;
+
+  void take(const Buckets& buckets, std::string_view key, SvgProperties& properties);
+
+  std::vector<SvgRule> rules_;
+  Buckets by_id_;
+  Buckets by_class_;
+  Buckets by_element_;  ///< Under the empty name: rules of any element.
+  std::size_t steps_;
+};
+
+}  // namespace sim::drawing

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <pugixml.hpp>
+#include <vector>
+
+#include "host-sim/import/outline_box.hpp"
+#include "host-sim/import/svg_document.hpp"
+#include "host-sim/import/svg_style.hpp"
+
+namespace sim::drawing {
+
+using SvgSubpaths = std::vector<std::vector<Shape>>;
+
+/// Reads clip paths and the edges of viewports, and compares what is drawn with them.
+class SvgClips {
+ public:
+  SvgClips(SvgDocument& document, Sketch& sketch);
+
+  /// Adds the clip path that an element names to those around it.
+  /// @param box of the element in its own units, where it is a shape
+  void enter(const pugi::xml_node& node,
+             const SvgProperties& properties,
+             const std::optional<OutlineBox>& box,
+             SvgStyle& style);
+  /// Adds the edge of a viewport from the origin of `style`, unless it shows what lies beyond.
+  void enter_viewport(const pugi::xml_node& node, const Place& size, SvgStyle& style);
+
+  /// Keeps the subpaths, in mm, that lie within all clips of the style. Those outside become
+  /// notes, those that cross an edge a fault.
+  void keep_visible(const pugi::xml_node& node, const SvgStyle& style, SvgSubpaths& subpaths);
+
+ private:
+  void add_paths(const pugi::xml_node& clip_path,
+                 const Transform& to_mm,
+                 SvgStyle style,
+                 SvgClip& clip);
+  void add_path(pugi::xml_node child, const Transform& to_mm, SvgStyle style, SvgClip& clip);
+  [[nodiscard]] bool is_visible(const pugi::xml_node& node,
+                                const SvgStyle& style,
+                                const std::vector<Shape>& shapes);
+
+  SvgDocument& document_;
+  Sketch& sketch_;
+  std::size_t steps_;
+  std::size_t depth_ = 0;
+};
+
+/// Returns the transform of an element with its origin; nothing where it is none.
+[[nodiscard]] std::optional<Transform> svg_own_transform(const SvgProperties& properties,
+                                                         const SvgViewport& viewport);
+
+}  // namespace sim::drawing

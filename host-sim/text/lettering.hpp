@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host-sim/text/font.hpp"
+
+namespace sim::text {
+
+/// A glyph of a line, in em from the place where the pen stands before it, y upwards.
+struct Letter {
+  std::size_t byte = 0;  ///< Of the first letter that it shows.
+  double advance = 0.0;  ///< How far the pen goes on.
+  Strokes strokes{};
+};
+
+/// Draws lines of letters: as outlines of the system's fonts, or as single strokes of our own.
+class Lettering {
+ public:
+  /// @param is_stroked single strokes; else outlines
+  explicit Lettering(bool is_stroked) : is_stroked_{is_stroked} {}
+
+  /// Returns the glyphs of a line in UTF-8. Letters that no font has are left out and gathered in
+  /// missing().
+  [[nodiscard]] std::vector<Letter> line(std::string_view words, const FontWish& wish);
+  [[nodiscard]] FontFigures figures(const FontWish& wish);
+
+  /// Returns the name of the font that a wish got last; empty where there is none.
+  [[nodiscard]] const std::string& font_name() const { return font_name_; }
+  /// Returns the letters that were left out of the last line.
+  [[nodiscard]] const std::string& missing() const { return missing_; }
+  [[nodiscard]] bool is_stroked() const { return is_stroked_; }
+
+ private:
+  void outlines(std::string_view words, const FontWish& wish, std::vector<Letter>& letters);
+  static void outlines_of(Font& font,
+                          std::string_view words,
+                          std::size_t from,
+                          std::vector<Letter>& letters);
+  void strokes(std::string_view words, std::vector<Letter>& letters);
+
+  bool is_stroked_;
+  FontBook fonts_;
+  std::map<char32_t, Strokes> stroked_;
+  std::string font_name_;
+  std::string missing_;
+};
+
+}  // namespace sim::text

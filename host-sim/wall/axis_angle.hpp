@@ -1,0 +1,15 @@
+#pragma once
+
+#include <Eigen/Geometry>
+
+#include "planner/base/wide_scalar_math.hpp"
+
+namespace sim::wall {
+
+/// Returns the angle between two unit vectors, from 0 to half a turn, radians.
+[[nodiscard]] inline double angle_between(const Eigen::Vector3d& one,
+                                          const Eigen::Vector3d& other) {
+  return cnc::wide_atan2(one.cross(other).norm(), one.dot(other));
+}
+
+}  // namespace sim::wall
