@@ -16,6 +16,7 @@ int depth_of(Side side) {
       return 2;
     case Side::kMark:
       return 1;
+    case Side::kFill:  // Its area is engraved beside what becomes of the outline.
     case Side::kSkip:
     case Side::kStart:
       break;
@@ -37,7 +38,7 @@ std::vector<drawing::Fault> skip_coincident(const drawing::Drawing& drawn,
   std::vector<drawing::Fault> warnings;
   for (std::size_t i = 0; i < drawn.contours.size(); ++i) {
     const auto found = deepest.find(drawn.contours[i].lies_on.value_or(i));
-    if (found == deepest.end() || found->second == i || !is_driven(sides[i])) continue;
+    if (found == deepest.end() || found->second == i || depth_of(sides[i]) == 0) continue;
     const drawing::Entity& kept = drawn.contours[found->second].entity;
     const drawing::Layer& layer = drawn.layers[kept.layer];
     sides[i] = Side::kSkip;

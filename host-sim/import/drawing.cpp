@@ -10,7 +10,7 @@
 namespace sim::drawing {
 
 std::string_view name_of(FaultKind kind) {
-  static constexpr std::array<std::string_view, 13> kNames{"unreadable",
+  static constexpr std::array<std::string_view, 14> kNames{"unreadable",
                                                            "bad entity",
                                                            "too much",
                                                            "text",
