@@ -216,7 +216,7 @@ TEST(DxfKinds, LettersAndAnnotationsAreNotesAndUnreadLinesAreFaults) {
   const auto kind = [](const std::string& type) {
     return kinds_of(read(dxf_of("0\n" + type + "\n8\nN\n")));
   };
-  EXPECT_THAT(kind("TEXT"), ElementsAre(FaultKind::kIgnored));
+  EXPECT_THAT(kind("TEXT"), ElementsAre(FaultKind::kText));
   EXPECT_THAT(kind("DIMENSION"), ElementsAre(FaultKind::kIgnored));
   EXPECT_THAT(kind("HATCH"), ElementsAre(FaultKind::kIgnored));
   EXPECT_THAT(kind("REGION"), ElementsAre(FaultKind::kBadEntity));

@@ -91,9 +91,9 @@ TEST(SvgPacked, SvgzIsReadAndDamageIsRefused) {
 TEST(SvgStructure, OneChildOfASwitchIsDrawn) {
   const Drawing drawn = read(
       svg_of("<switch><foreignObject requiredExtensions='x'/><rect systemLanguage='de' width='9' "
-             "height='9'/><rect systemLanguage='fr, en-GB' width='2' height='2'/>"
+             "height='9'/><rect systemLanguage='fr, en-GB' width='4' height='4'/>"
              "<rect width='5' height='5'/></switch>"));
-  EXPECT_NEAR(whole_area_of(drawn), 4.0, 1e-9);
+  EXPECT_NEAR(whole_area_of(drawn), 16.0, 1e-9);
   EXPECT_THAT(drawn.faults, IsEmpty());
 }
 
@@ -109,8 +109,8 @@ TEST(SvgStructure, NestedDocumentsHaveTheirOwnUnits) {
 TEST(SvgStructure, OtherNamespacesAreNotDrawn) {
   const Drawing drawn = read(
       svg_of("<x:rect xmlns:x='urn:x' width='9' height='9'/><y:g xmlns:y='http://www.w3.org/2000/"
-             "svg'><y:rect width='2' height='2'/></y:g><sodipodi:namedview/>"));
-  EXPECT_NEAR(whole_area_of(drawn), 4.0, 1e-9);
+             "svg'><y:rect width='4' height='4'/></y:g><sodipodi:namedview/>"));
+  EXPECT_NEAR(whole_area_of(drawn), 16.0, 1e-9);
   ASSERT_THAT(kinds_of(drawn), ElementsAre(FaultKind::kIgnored));
   EXPECT_EQ(drawn.faults[0].reason, "<x:rect> is nothing to cut");
 }

@@ -79,12 +79,12 @@ TEST(SvgStyle, UnknownRulesAreNotedWithTheirPlace) {
   const Drawing drawn = read(
       svg_of("<style>\n.a{stroke:red}\n  rect:nth-child(2), .a {display:none}\n"
              "@font-face{font-family:x;src:url(a)} @media print{.a{display:none}}\nrest</style>" +
-             rect_at(0, "class='a'")));
+             rect_at(0, "class='a'") + rect_at(5, "class='a'")));
   ASSERT_THAT(
       kinds_of(drawn),
       ElementsAre(
           FaultKind::kIgnored, FaultKind::kIgnored, FaultKind::kIgnored, FaultKind::kIgnored));
-  EXPECT_THAT(colours_of(drawn), ElementsAre("red"));
+  EXPECT_THAT(colours_of(drawn), ElementsAre("red", "red"));
   std::string all;
   for (const Fault& fault : drawn.faults) all += to_string(fault, "f") + "\n";
   EXPECT_THAT(all, HasSubstr("f:3:3: style: a rule is left out: its selector `rect:nth-child(2)`"));
