@@ -30,10 +30,6 @@ constexpr double kDiscEvery = 0.0005;
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 /// What the beam cuts under conditions that nobody has cut under counts so far around it, mm.
 constexpr double kAroundUnknown = 0.1;
-/// Beside an edge, either side is looked at in this distance, mm: a part is burnt where both are.
-constexpr double kBesideEdge = 0.02;
-/// Points beside an edge that are nearer to another one belong to that one.
-constexpr double kBesideShare = 0.9;
 /// The beam is wider for as long as it pierces, and a little on, mm.
 constexpr double kAroundPierce = 0.1;
 
@@ -60,9 +56,6 @@ std::optional<double> kerf_of_heat(const cnc::kerf::TableView<double>& table,
       high.law.slope * heat + high.law.intercept,
       cnc::kerf::detail::share<double>(low.thickness_um, high.thickness_um, thickness_um));
 }
-
-/// Number of points that are looked at along a chord.
-int looks_along(const Stroke& chord) { return 1 + static_cast<int>(length_of(chord) / kEdgeEvery); }
 
 void note(EdgePeak& peak, double mm, const Place& place) {
   if (std::abs(mm) > std::abs(peak.mm)) peak = {mm, place};
@@ -131,8 +124,7 @@ class EdgeCheck::Sweep final : public TraceSink {
   }
 
   void look(const drawing::Shape& edge, double touches_mm, Sum& sum) const;
-  void look(const Stroke& chord, double share, double touches_mm, Sum& sum) const;
-  [[nodiscard]] double burnt_on_both_sides(const Stroke& chord, const Place& place) const;
+  void look(const Place& place, double stretch_mm, double touches_mm, Sum& sum) const;
   /// The place is of the row, if it is far enough from the last one or begins an edge.
   static void add_to_profile(const EdgePlace& edge, double stretch_mm, Sum& sum);
 
@@ -173,14 +165,6 @@ class EdgeCheck::Sweep final : public TraceSink {
     greatest_ratio_ = std::max(greatest_ratio_, ratio);
   }
 
-  [[nodiscard]] const LayerSettings& settings_of(std::size_t contour) const {
-    const std::size_t layer = job_.drawn.contours[contour].entity.layer;
-    return job_.plan.recipes.of(contour, job_.plan.layers[layer]).settings;
-  }
-  [[nodiscard]] bool is_part(std::size_t contour) const {
-    return settings_of(contour).side == Side::kWaste;
-  }
-
   /// The kerf of the plan along its lit strokes.
   void lay_out_plan() {
     for (std::size_t index = 0; index < job_.plan.cuts.size(); ++index) {
@@ -202,13 +186,6 @@ class EdgeCheck::Sweep final : public TraceSink {
         if (stroke.purpose == Purpose::kPierce) pierces_.add(stroke, cut.contour);
       }
     }
-    for (std::size_t i = 0; i < job_.drawn.contours.size(); ++i) {
-      if (!is_part(i)) continue;
-      const std::vector<Place> places =
-          drawing::outline_of(job_.drawn.contours[i].shapes, kEdgeChord);
-      for (std::size_t k = 1; k < places.size(); ++k) drawn_.add({places[k - 1], places[k]}, i);
-    }
-    drawn_.prepare();
     strokes_.prepare();
     corners_.prepare();
     pierces_.prepare();
@@ -225,7 +202,6 @@ class EdgeCheck::Sweep final : public TraceSink {
   Clearance strokes_{kNear};
   Clearance pierces_{kNear};
   Clearance corners_{kNear};
-  Clearance drawn_{kNear};  ///< Edges of parts.
   SweptArea planned_;
   SweptArea swept_;
   SweptArea unknown_;
@@ -246,26 +222,13 @@ void EdgeCheck::Sweep::add_to_profile(const EdgePlace& edge, double stretch_mm, 
   row.push_back(next);
 }
 
-/// Returns by how much the part beside an edge is burnt where the beam goes along both of its
-/// sides, mm, as far as that is looked at; 0 where it does not.
-double EdgeCheck::Sweep::burnt_on_both_sides(const Stroke& chord, const Place& place) const {
-  const Place right = kBesideEdge * right_of(tangent_at(chord, 0.5));
-  double least = kNoLimit;
-  for (const Place& beside : {Place{place + right}, Place{place - right}}) {
-    const double depth = swept_.depth_of(beside);
-    if (depth <= kTouches) return 0.0;
-    if (drawn_.nearest(beside).distance_mm < kBesideShare * kBesideEdge) return 0.0;
-    least = std::min(least, depth);
-  }
-  return least + kBesideEdge;
-}
-
-/// Looks at a point of a drawn edge, at a share of its chord; `sum` is of all sizes.
-void EdgeCheck::Sweep::look(const Stroke& chord, double share, double touches_mm, Sum& sum) const {
-  const Place place = place_at(chord, share);
-  const double stretch_mm = length_of(chord) / looks_along(chord);
+/// Looks at a stretch of a drawn edge; `sum` is of all sizes.
+void EdgeCheck::Sweep::look(const Place& place,
+                            double stretch_mm,
+                            double touches_mm,
+                            Sum& sum) const {
   const double planned = planned_.depth_of(place);
-  const double cut = std::max(swept_.depth_of(place), burnt_on_both_sides(chord, place));
+  const double cut = swept_.depth_of(place);
   note(sum.figures.most_off_model, cut - planned, place);
   if (unknown_.depth_of(place) > -kTouches) {
     sum.figures.unknown_mm += stretch_mm;
@@ -288,8 +251,11 @@ void EdgeCheck::Sweep::look(const drawing::Shape& edge, double touches_mm, Sum& 
   const std::vector<Place> places = drawing::outline_of({&edge, 1}, kEdgeChord);
   for (std::size_t i = 1; i < places.size(); ++i) {
     const Stroke chord{places[i - 1], places[i]};
-    const int count = looks_along(chord);
-    for (int k = 0; k < count; ++k) look(chord, static_cast<double>(k) / count, touches, sum);
+    const int count = 1 + static_cast<int>(length_of(chord) / kEdgeEvery);
+    for (int k = 0; k < count; ++k) {
+      const Place place = place_at(chord, static_cast<double>(k) / count);
+      look(place, length_of(chord) / count, touches, sum);
+    }
   }
 }
 
@@ -298,9 +264,12 @@ EdgeFigures EdgeCheck::Sweep::figures() const {
            .greatest_heat_ratio = greatest_ratio_,
            .greatest_corner_ratio = corner_ratio_}};
   for (std::size_t i = 0; i < job_.drawn.contours.size(); ++i) {
-    if (!is_part(i)) continue;
-    const double touches = kTouches + settings_of(i).common_line_mm;
-    for (const drawing::Shape& edge : job_.drawn.contours[i].shapes) look(edge, touches, sum);
+    const drawing::DrawnContour& contour = job_.drawn.contours[i];
+    const LayerPlan& layer = job_.plan.layers[contour.entity.layer];
+    const LayerSettings& settings = job_.plan.recipes.of(i, layer).settings;
+    if (settings.side != Side::kWaste) continue;
+    const double touches = kTouches + settings.common_line_mm;
+    for (const drawing::Shape& edge : contour.shapes) look(edge, touches, sum);
   }
   if (sum.figures.places != 0) {
     sum.figures.mean_mm = sum.sizes_mm / static_cast<double>(sum.figures.places);

@@ -64,7 +64,9 @@ class Filling {
     TouchingPieces touching = find_touching(sketch_, pieces_);
     std::map<std::size_t, std::vector<std::size_t>> sets;
     for (std::size_t i = 0; i < pieces_.size(); ++i) {
-      if (touching.touches[i]) sets[touching.sets.find(i)].push_back(i);
+      if (touching.touches[i] && !sketch_.is_of_strokes(pieces_[i].contour.entity)) {
+        sets[touching.sets.find(i)].push_back(i);
+      }
     }
     for (const auto& [first, set] : sets) resolve(group_of(set));
     notes_.finish();
