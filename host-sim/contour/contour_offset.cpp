@@ -6,6 +6,8 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "host-sim/contour/filled_loops.hpp"
+
 namespace sim {
 namespace {
 
@@ -66,6 +68,13 @@ void ContourOffset::grow(std::size_t elements, std::size_t cuts) {
 
 cnc::contour::ContourView<double> ContourOffset::offset(
     const cnc::contour::ContourView<double>& input, double distance_mm) {
+  return offset_once_filled(input, distance_mm, false);
+}
+
+/// Loops that touch along a stretch, so that no offset closes, are offset as what they fill.
+// Once at most. NOLINTNEXTLINE(misc-no-recursion)
+cnc::contour::ContourView<double> ContourOffset::offset_once_filled(
+    const cnc::contour::ContourView<double>& input, double distance_mm, bool is_filled) {
   using cnc::contour::OffsetFault;
   if (space_.elements() < input.vertices.size()) {
     constexpr std::size_t kMostAtFirst = 400'000;
@@ -80,6 +89,10 @@ cnc::contour::ContourView<double> ContourOffset::offset(
       case OffsetFault::kNotANumber:
         throw std::invalid_argument{"a coordinate, a bulge or the distance is not finite"};
       case OffsetFault::kNotClosed:
+        if (auto outlines = is_filled ? std::nullopt : filled_loops(input)) {
+          filled_ = std::move(*outlines);
+          return offset_once_filled(filled_.view(), distance_mm, true);
+        }
         throw NoOffset{input.vertices[0].point(),
                        "the offset of the contour that begins here, or of one with it, does not "
                        "close",

@@ -55,15 +55,19 @@ class ContourOffset {
       : most_meetings_{most_meetings} {}
 
   /// Throws std::invalid_argument for numbers that are not finite, and
-  /// NoOffset. The view lasts until the next call.
+  /// NoOffset. Loops whose offset does not close because they touch or cross are offset as the
+  /// outlines of their material. The view lasts until the next call.
   cnc::contour::ContourView<double> offset(const cnc::contour::ContourView<double>& input,
                                            double distance_mm);
 
  private:
+  cnc::contour::ContourView<double> offset_once_filled(
+      const cnc::contour::ContourView<double>& input, double distance_mm, bool is_filled);
   void grow(std::size_t elements, std::size_t cuts);
 
   std::size_t most_meetings_;
   OwnedOffsetSpace space_;
+  Contour filled_;
   std::vector<ContourVertex> result_;
   std::vector<std::uint32_t> result_ends_;
 };

@@ -10,6 +10,7 @@
 
 #include "host-sim/contour/contour_offset.hpp"
 #include "host-sim/cut/clearance.hpp"
+#include "host-sim/cut/coincident.hpp"
 #include "host-sim/cut/controller_choice.hpp"
 #include "host-sim/cut/controller_way.hpp"
 #include "host-sim/cut/cut_precedence.hpp"
@@ -67,6 +68,7 @@ class Planner {
     for (std::size_t i = 0; i < drawn_.contours.size(); ++i) {
       sides.push_back(layer_of(i).settings.side);
     }
+    append(plan_.warnings, skip_coincident(drawn_, sides));
     outlines_ = outlines_of(drawn_, sides, plan_.curves, plan_.faults);
     part_touching();
     marks_ = marked_starts(drawn_, sides, outlines_, plan_.curves, plan_.faults);
@@ -112,6 +114,7 @@ class Planner {
 
   void part_touching();
   void cut_beside(std::size_t i);
+  void vanish(std::size_t i);
   void cut_along(std::size_t i);
   void fill_areas(const std::vector<Side>& sides);
   void fill_layer(const std::vector<std::size_t>& contours);
@@ -161,14 +164,7 @@ void Planner::cut_beside(std::size_t i) {
   } catch (const NoOffset& failure) {
     return fault(FaultKind::kTooMuch, i, failure.place(), failure.reason(), failure.remedy());
   }
-  if (loops.empty()) {
-    return fault(
-        FaultKind::kTooSmall,
-        i,
-        outlines_[i].strokes.front().from,
-        fmt::format("is narrower than the kerf of {:.3f} mm and would vanish", 2.0 * half_kerf(i)),
-        "make it wider, cut it on the line with side=on, or skip its layer");
-  }
+  if (loops.empty()) return vanish(i);
   append(plan_.warnings,
          rests_of(drawn_.contours[i].entity, outlines_[i].strokes, loops, half_kerf(i), reach_mm_));
   std::vector<drawing::Fault> gouges;
@@ -182,6 +178,18 @@ void Planner::cut_beside(std::size_t i) {
   auto touch = touch_of(drawn_, i, outlines_, edges_, half_kerf(i));
   if (touch) gouges = {std::move(*touch)};
   append(plan_.faults, gouges);
+}
+
+/// What contours that cross leave between them is no slot that was drawn: it is only named.
+void Planner::vanish(std::size_t i) {
+  drawing::Fault fault{
+      FaultKind::kTooSmall,
+      drawn_.contours[i].entity,
+      outlines_[i].strokes.front().from,
+      fmt::format("is narrower than the kerf of {:.3f} mm and would vanish", 2.0 * half_kerf(i)),
+      "make it wider, cut it on the line with side=on, or skip its layer"};
+  if (drawn_.contours[i].is_filled) fault.remedy = "it is left out";
+  (drawn_.contours[i].is_filled ? plan_.warnings : plan_.faults).push_back(std::move(fault));
 }
 
 void Planner::cut_along(std::size_t i) {

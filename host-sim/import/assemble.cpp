@@ -4,6 +4,7 @@
 
 #include "host-sim/import/curve_measure.hpp"
 #include "host-sim/import/drawing_unit.hpp"
+#include "host-sim/import/filling.hpp"
 #include "host-sim/import/piece.hpp"
 #include "host-sim/import/wider_gap.hpp"
 
@@ -108,8 +109,9 @@ Drawing assemble(Sketch& sketch,
   const double gap_mm = gap.gap_mm;
   pieces = join(sketch, std::move(pieces), gap_mm, gap.remedy);
   drop_duplicates(sketch, pieces, gap_mm);
-  const std::vector<bool> crossed = find_crossings(sketch, pieces);
+  const std::vector<bool> crossed = fill(sketch, pieces);
   drop_flat(sketch, pieces, crossed);
+  find_coincident(sketch, pieces, gap_mm);
   nest(sketch, pieces);
   sketch.finish();
   Drawing drawing;

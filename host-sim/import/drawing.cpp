@@ -10,7 +10,7 @@
 namespace sim::drawing {
 
 std::string_view name_of(FaultKind kind) {
-  static constexpr std::array<std::string_view, 13> kNames{"unreadable",
+  static constexpr std::array<std::string_view, 14> kNames{"unreadable",
                                                            "bad entity",
                                                            "too much",
                                                            "text",
@@ -22,6 +22,7 @@ std::string_view name_of(FaultKind kind) {
                                                            "no arcs",
                                                            "unchecked",
                                                            "ignored",
+                                                           "mended",
                                                            "note"};
   return kNames.at(static_cast<std::size_t>(kind));
 }

@@ -51,11 +51,12 @@ enum class FaultKind : std::uint8_t {
   kOpen,        ///< An end that meets no other one.
   kBranch,      ///< More than two ends meet; which of them belong together is a guess.
   kTooSmall,    ///< Shorter than the gap that is joined, or without area; left out.
-  kDuplicate,   ///< Drawn before at the same place; left out.
-  kCrossing,    ///< A contour crosses itself or another one.
+  kDuplicate,   ///< Drawn before at the same place; cut once. No error.
+  kCrossing,    ///< A contour crosses itself or another one, and is not mended.
   kNoArcs,      ///< No arcs follow it within the tolerance; its contour is left out.
   kUnchecked,   ///< Too much to look for crossings everywhere.
   kIgnored,     ///< Nothing that could be cut; left out. No error.
+  kMended,      ///< Contours that cross are read as what they fill. No error.
   kNote,        ///< Read in a way that the user should know; nothing is left out. No error.
 };
 
@@ -71,7 +72,8 @@ struct Fault {
   std::string remedy;
 
   [[nodiscard]] bool is_error() const {
-    return kind != FaultKind::kIgnored && kind != FaultKind::kNote && kind != FaultKind::kText;
+    return kind != FaultKind::kIgnored && kind != FaultKind::kNote && kind != FaultKind::kText &&
+           kind != FaultKind::kMended && kind != FaultKind::kDuplicate;
   }
 };
 
@@ -83,10 +85,13 @@ struct DrawnContour {
   std::vector<Shape> shapes;
   Entity entity;  ///< Of the first shape as drawn.
   bool closed = false;
+  bool is_filled = false;  ///< An outline of what contours that cross fill: see fill().
   double length_mm = 0.0;
   double area_mm2 = 0.0;              ///< Area of a closed contour; its holes are not subtracted.
   std::size_t depth = 0;              ///< Closed contours of its part around this one.
   std::optional<std::size_t> parent;  ///< The innermost of them.
+  /// An earlier contour, of another layer, at the same place.
+  std::optional<std::size_t> lies_on;
   /// The innermost of all parts' contours around this one; around most of it if it is open.
   std::optional<std::size_t> lies_in;
   /// The innermost contours around places of an open one, in the order of their numbers.

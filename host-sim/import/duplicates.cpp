@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <optional>
 #include <unordered_map>
 
 #include "host-sim/import/curve_measure.hpp"
@@ -13,14 +15,6 @@ namespace {
 // Distances of places to chords; some seconds.
 constexpr std::size_t kMostComparisons = 300'000'000;
 constexpr std::size_t kPlacesCompared = 256;
-
-double distance_to_chord(const Place& place, const Place& start, const Place& end) {
-  const Place chord = end - start;
-  const double squared = chord.squaredNorm();
-  const double share =
-      squared == 0.0 ? 0.0 : std::clamp(dot(place - start, chord) / squared, 0.0, 1.0);
-  return distance(place, start + chord * share);
-}
 
 /// Whether places of `outline`, all or evenly chosen, lie on `other`.
 bool runs_along(const Piece& outline, const Piece& other, double tolerance, Budget& budget) {
@@ -46,25 +40,28 @@ bool same_chords(const Piece& piece, const Piece& other, double tolerance, Budge
          std::ranges::equal(piece.outline, other.outline, near);
 }
 
+/// Of one layer, or of any two.
+enum class Among : std::uint8_t { kLayer, kAll };
+
 /// Looks pieces up by the lower left corner of their boxes.
 class PieceLookup {
  public:
-  PieceLookup(double tolerance, std::size_t comparisons)
-      : tolerance_{tolerance}, budget_{comparisons} {}
+  PieceLookup(Among among, double tolerance, std::size_t comparisons)
+      : among_{among}, tolerance_{tolerance}, budget_{comparisons} {}
 
-  /// The earlier piece that runs the same way, or nothing.
-  const Piece* find(const Piece& piece, const std::vector<Piece>& kept) {
-    if (budget_.exhausted()) return nullptr;
+  /// The number of the earlier piece that runs the same way, or nothing.
+  std::optional<std::size_t> find(const Piece& piece, const std::vector<Piece>& kept) {
+    if (budget_.exhausted()) return std::nullopt;
     for (int dx = -1; dx <= 1; ++dx) {
       for (int dy = -1; dy <= 1; ++dy) {
         const auto cell = cells_.find(key_of(piece, dx, dy));
         if (cell == cells_.end()) continue;
         for (const std::size_t index : cell->second) {
-          if (same(piece, kept[index])) return &kept[index];
+          if (same(piece, kept[index])) return index;
         }
       }
     }
-    return nullptr;
+    return std::nullopt;
   }
 
   void add(const Piece& piece, std::size_t index) { cells_[key_of(piece, 0, 0)].push_back(index); }
@@ -76,7 +73,8 @@ class PieceLookup {
     if (!budget_.spend(1)) return false;
     const DrawnContour& a = piece.contour;
     const DrawnContour& b = other.contour;
-    return a.closed == b.closed && a.entity.layer == b.entity.layer &&
+    return a.closed == b.closed && a.entity.part == b.entity.part &&
+           (among_ == Among::kAll || a.entity.layer == b.entity.layer) &&
            (piece.box.least - other.box.least).cwiseAbs().maxCoeff() <= tolerance_ &&
            (piece.box.most - other.box.most).cwiseAbs().maxCoeff() <= tolerance_ &&
            std::abs(a.length_mm - b.length_mm) <= 4.0 * tolerance_ + 0.01 * a.length_mm &&
@@ -92,21 +90,32 @@ class PieceLookup {
     return static_cast<std::uint64_t>(x) * 0x9E37'79B9'7F4A'7C15U ^ static_cast<std::uint64_t>(y);
   }
 
+  Among among_;
   double tolerance_;
   Budget budget_;
   std::unordered_map<std::uint64_t, std::vector<std::size_t>> cells_;
 };
 
+/// Chords of one curve cut differently are apart by their tolerance, twice.
+double tolerance_for(double gap_mm) { return std::max(gap_mm, 3.0 * kChordToleranceMm); }
+
+void report_exhausted(Sketch& sketch) {
+  sketch.report({FaultKind::kUnchecked,
+                 {},
+                 {},
+                 "too many contours lie on each other to look at all of them",
+                 "remove duplicates in the drawing"});
+}
+
 }  // namespace
 
 void drop_duplicates(Sketch& sketch, std::vector<Piece>& pieces, double gap_mm) {
-  // Chords of one curve cut differently are apart by their tolerance, twice.
-  PieceLookup lookup{std::max(gap_mm, 3.0 * kChordToleranceMm), sketch.share_of(kMostComparisons)};
+  PieceLookup lookup{Among::kLayer, tolerance_for(gap_mm), sketch.share_of(kMostComparisons)};
   std::vector<Piece> kept;
   kept.reserve(pieces.size());
   for (Piece& piece : pieces) {
-    if (const Piece* const first = lookup.find(piece, kept)) {
-      const Entity& entity = first->contour.entity;
+    if (const auto first = lookup.find(piece, kept)) {
+      const Entity& entity = kept[*first].contour.entity;
       sketch.report({FaultKind::kDuplicate,
                      piece.contour.entity,
                      piece.outline.front(),
@@ -117,14 +126,28 @@ void drop_duplicates(Sketch& sketch, std::vector<Piece>& pieces, double gap_mm) 
     lookup.add(piece, kept.size());
     kept.push_back(std::move(piece));
   }
-  if (lookup.exhausted()) {
-    sketch.report({FaultKind::kUnchecked,
-                   {},
-                   {},
-                   "too many contours lie on each other to look at all of them",
-                   "remove duplicates in the drawing"});
-  }
+  if (lookup.exhausted()) report_exhausted(sketch);
   pieces = std::move(kept);
+}
+
+void find_coincident(Sketch& sketch, std::vector<Piece>& pieces, double gap_mm) {
+  PieceLookup lookup{Among::kAll, tolerance_for(gap_mm), sketch.share_of(kMostComparisons)};
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    DrawnContour& contour = pieces[i].contour;
+    contour.lies_on = lookup.find(pieces[i], pieces);
+    if (!contour.lies_on) {
+      lookup.add(pieces[i], i);
+      continue;
+    }
+    const Entity& entity = pieces[*contour.lies_on].contour.entity;
+    sketch.report(
+        {FaultKind::kDuplicate,
+         contour.entity,
+         pieces[i].outline.front(),
+         fmt::format("it lies on {} of line {}, of another layer", entity.name, entity.line),
+         "it is cut once; delete one of them"});
+  }
+  if (lookup.exhausted()) report_exhausted(sketch);
 }
 
 }  // namespace sim::drawing

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -16,6 +17,16 @@ struct Piece {
   std::vector<Place> outline;  ///< Within kChordToleranceMm; the first place again at the end.
   OutlineBox box;
 };
+
+[[nodiscard]] inline double distance_to_chord(const Place& place,
+                                              const Place& start,
+                                              const Place& end) {
+  const Place chord = end - start;
+  const double squared = chord.squaredNorm();
+  const double share =
+      squared == 0.0 ? 0.0 : std::clamp(dot(place - start, chord) / squared, 0.0, 1.0);
+  return distance(place, start + chord * share);
+}
 
 /// Fills in chords, box, length and, of a closed one, area.
 void measure(Piece& piece);
@@ -46,9 +57,8 @@ class Budget {
 /// Leaves out what runs along an earlier piece of its layer, and says so.
 void drop_duplicates(Sketch& sketch, std::vector<Piece>& pieces, double gap_mm);
 
-/// Reports closed pieces that cross themselves or another one of their layer; true
-/// for each of them.
-[[nodiscard]] std::vector<bool> find_crossings(Sketch& sketch, const std::vector<Piece>& pieces);
+/// Finds pieces that lie on an earlier one of another layer, and notes them.
+void find_coincident(Sketch& sketch, std::vector<Piece>& pieces, double gap_mm);
 
 /// Finds depth and parent of closed pieces.
 void nest(Sketch& sketch, std::vector<Piece>& pieces);

@@ -133,9 +133,12 @@ bool Sketch::add(Chain chain) {
 bool Sketch::is_of_strokes(const Fault& fault) const {
   const bool is_of_lines = fault.kind == FaultKind::kOpen || fault.kind == FaultKind::kBranch ||
                            fault.kind == FaultKind::kCrossing;
-  return text_ == TextMode::kStroke && is_of_lines && !fault.entity.name.empty() &&
-         fault.entity.layer < layers_.size() &&
-         layers_[fault.entity.layer].colour == kStrokeTextColour;
+  return is_of_lines && is_of_strokes(fault.entity);
+}
+
+bool Sketch::is_of_strokes(const Entity& entity) const {
+  return text_ == TextMode::kStroke && !entity.name.empty() && entity.layer < layers_.size() &&
+         layers_[entity.layer].colour == kStrokeTextColour;
 }
 
 void Sketch::report(Fault fault) {

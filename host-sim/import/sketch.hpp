@@ -66,6 +66,8 @@ class Sketch {
   void scale(double factor);
   /// Forgets lines and columns: they are not those of the file.
   void forget_lines();
+  /// Returns whether an entity is letters of single strokes, which fill nothing.
+  [[nodiscard]] bool is_of_strokes(const Entity& entity) const;
   /// Turns what was ignored and noted into faults. Call once, at the end.
   void finish();
 

@@ -1,5 +1,6 @@
 #include "host-sim/wall/obstacles.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,5 +1,6 @@
 #include "host-sim/plot/space/axonometry.hpp"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 

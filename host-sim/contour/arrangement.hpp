@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "host-sim/contour/arranged_edge.hpp"
+#include "host-sim/contour/contour_offset.hpp"
+#include "host-sim/contour/owned_offset_space.hpp"
+
+namespace sim {
+
+/// The plane divided by closed loops of lines and arcs, and how often each loop runs round each
+/// face. The offset's own cutting divides the elements.
+///
+/// Time: n log n for n elements that each meet few others, and for each row of edges between
+/// places where loops meet, the elements beside it.
+class Arrangement {
+ public:
+  /// Divides the loops. Points closer than `touch_mm` are one; never less than what coordinates of
+  /// this size resolve.
+  /// @return false where there are more meetings than kMostMeetings, or numbers that are not finite
+  [[nodiscard]] bool divide(const cnc::contour::ContourView<double>& loops, double touch_mm);
+
+  [[nodiscard]] const std::vector<ArrangedEdge>& edges() const { return edges_; }
+  [[nodiscard]] std::span<const EdgeOwner> owners(const ArrangedEdge& edge) const {
+    return std::span{owners_}.subspan(edge.first_owner, edge.end_owner - edge.first_owner);
+  }
+  [[nodiscard]] const Windings& windings(std::uint32_t number) const { return windings_[number]; }
+
+  [[nodiscard]] const cnc::WideVec2& place(std::uint32_t node) const { return nodes_[node].place; }
+  /// The point halfway along an edge.
+  [[nodiscard]] cnc::WideVec2 middle(const ArrangedEdge& edge) const;
+  /// Length of an edge, mm.
+  [[nodiscard]] double length_mm(const ArrangedEdge& edge) const;
+
+  /// Follows edges round loops, with what is inside on the left; loops touch each other and
+  /// themselves, but never cross.
+  /// @return false where edges do not lead back to their start: a fault of rounding
+  [[nodiscard]] bool write_loops(std::span<const DirectedEdge> kept, Contour& out);
+
+ private:
+  static constexpr std::size_t kMostMeetings = 8'000'000;
+
+  void add_elements(const cnc::contour::ContourView<double>& loops);
+  void add_loop(const cnc::contour::ContourView<double>& loops, std::size_t loop);
+  void add_element(const cnc::WideVec2& from, const cnc::WideVec2& to, double bulge);
+  [[nodiscard]] bool cut(const std::vector<cnc::contour::RawCurve<double>>& curves);
+  [[nodiscard]] std::vector<cnc::contour::RawCurve<double>> parts_of_pieces(
+      const std::vector<cnc::contour::RawCurve<double>>& curves) const;
+  void make_edges();
+  void add_edges(std::vector<std::uint32_t>& pieces);
+  void add_edge(std::span<const std::uint32_t> pieces);
+  [[nodiscard]] bool coincide(const cnc::contour::Piece& a, const cnc::contour::Piece& b) const;
+
+  OwnedOffsetSpace space_;
+  cnc::contour::Tolerance<double> tolerance_{};
+  std::vector<cnc::contour::RawCurve<double>> raw_;
+  std::vector<std::uint32_t> loop_of_raw_;
+  std::vector<cnc::contour::Node<double>> nodes_;
+  std::vector<cnc::contour::Piece> pieces_;
+  std::vector<cnc::contour::Junction> junctions_;
+  std::vector<ArrangedEdge> edges_;
+  std::vector<EdgeOwner> owners_;
+  std::vector<Windings> windings_;
+};
+
+}  // namespace sim

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "host-sim/contour/arranged_edge.hpp"
+#include "planner/contour/offset_space.hpp"
+
+namespace sim {
+
+/// Finds how often each loop runs round both sides of each edge: by a ray from one edge of each row
+/// of edges between places where loops meet. What lies on top of the edge counts by its direction,
+/// everything else by the side of its chord and its circle on which the ray begins.
+class WindingRays {
+ public:
+  /// All must outlive this. @param pieces `next` of each is the number of its edge
+  WindingRays(std::vector<ArrangedEdge>& edges,
+              std::span<const EdgeOwner> owners,
+              std::span<const cnc::contour::Piece> pieces,
+              std::span<const cnc::contour::RawCurve<double>> raw,
+              std::span<const std::uint32_t> loop_of_raw,
+              std::span<const cnc::contour::Node<double>> nodes);
+
+  /// Sets `left` and `right` of each edge, which are numbers of the returned list.
+  [[nodiscard]] std::vector<Windings> find_all();
+
+ private:
+  void index_pieces();
+  void link_edges();
+  void find(std::uint32_t edge);
+  void follow(std::uint32_t edge, bool forwards);
+  [[nodiscard]] Windings turns_beside(std::uint32_t edge, const cnc::WideVec2& from, bool upwards);
+  [[nodiscard]] int crossing(const cnc::contour::Piece& piece,
+                             const cnc::WideVec2& from,
+                             bool upwards) const;
+
+  std::vector<ArrangedEdge>& edges_;
+  std::span<const EdgeOwner> owners_;
+  std::span<const cnc::contour::Piece> pieces_;
+  std::span<const cnc::contour::RawCurve<double>> raw_;
+  std::span<const std::uint32_t> loop_of_raw_;
+  std::span<const cnc::contour::Node<double>> nodes_;
+  std::vector<cnc::contour::FlatBox<double>> boxes_;
+  cnc::contour::BoxTree<double> tree_;
+  std::vector<std::uint32_t> degree_;               ///< By node.
+  std::vector<std::array<std::uint32_t, 2>> ends_;  ///< By node: edges, of more the first two.
+  std::vector<Windings> windings_;
+};
+
+}  // namespace sim

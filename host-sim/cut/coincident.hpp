@@ -1,0 +1,18 @@
+#pragma once
+
+#include <vector>
+
+#include "host-sim/cut/layer_settings.hpp"
+#include "host-sim/import/drawing.hpp"
+
+namespace sim::cut {
+
+/// Lets one of contours that lie on each other on several layers be driven: the one that is cut
+/// beside its line before one on the line, that before one that is engraved, and of the rest the
+/// first one drawn.
+/// @param sides by contour; those of the others become kSkip
+/// @return a warning for each of them
+[[nodiscard]] std::vector<drawing::Fault> skip_coincident(const drawing::Drawing& drawn,
+                                                          std::vector<Side>& sides);
+
+}  // namespace sim::cut

@@ -1,0 +1,207 @@
+#include "host-sim/import/filling.hpp"
+
+#include <algorithm>
+#include <map>
+#include <string>
+#include <tuple>
+#include <utility>
+
+#include "host-sim/contour/outline.hpp"
+#include "host-sim/import/filled_set.hpp"
+#include "host-sim/import/filling_notes.hpp"
+#include "host-sim/import/overlaps.hpp"
+#include "host-sim/import/touching.hpp"
+
+namespace sim::drawing {
+namespace {
+
+/// Contours that touch, as loops of one arrangement.
+struct Group {
+  std::vector<std::size_t> pieces{};  ///< By loop.
+  Contour loops{};
+};
+
+/// A set of pieces and what they fill together.
+struct Resolved {
+  std::vector<std::size_t> from{};
+  FilledSet filled{};
+};
+
+/// The loops of a set and the edges of them all, by number in the arrangement.
+struct SetParts {
+  std::vector<std::uint32_t> loops{};
+  std::vector<std::uint32_t> edges{};
+};
+
+std::map<std::size_t, SetParts> overlapping_sets(const Arrangement& arrangement,
+                                                 std::size_t loops) {
+  Overlaps overlaps{arrangement, loops};
+  std::map<std::size_t, SetParts> sets;
+  for (std::uint32_t loop = 0; loop < loops; ++loop) {
+    if (overlaps.overlaps(loop)) sets[overlaps.set_of(loop)].loops.push_back(loop);
+  }
+  if (sets.empty()) return sets;
+  for (std::uint32_t i = 0; i < arrangement.edges().size(); ++i) {
+    for (const EdgeOwner& owner : arrangement.owners(arrangement.edges()[i])) {
+      if (!overlaps.overlaps(owner.loop)) continue;
+      std::vector<std::uint32_t>& row = sets[overlaps.set_of(owner.loop)].edges;
+      if (row.empty() || row.back() != i) row.push_back(i);
+    }
+  }
+  return sets;
+}
+
+class Filling {
+ public:
+  Filling(Sketch& sketch, std::vector<Piece>& pieces)
+      : sketch_{sketch},
+        pieces_{pieces},
+        unresolved_(pieces.size(), false),
+        replaced_(pieces.size(), false),
+        notes_{sketch} {}
+
+  [[nodiscard]] std::vector<bool> run() {
+    TouchingPieces touching = find_touching(sketch_, pieces_);
+    std::map<std::size_t, std::vector<std::size_t>> sets;
+    for (std::size_t i = 0; i < pieces_.size(); ++i) {
+      if (touching.touches[i] && !sketch_.is_of_strokes(pieces_[i].contour.entity)) {
+        sets[touching.sets.find(i)].push_back(i);
+      }
+    }
+    for (const auto& [first, set] : sets) resolve(group_of(set));
+    notes_.finish();
+    rebuild();
+    return std::move(unresolved_);
+  }
+
+ private:
+  [[nodiscard]] Group group_of(const std::vector<std::size_t>& set);
+  void resolve(const Group& group);
+  [[nodiscard]] std::optional<std::vector<Resolved>> resolved(const Group& group,
+                                                              double touch_mm) const;
+  [[nodiscard]] std::vector<std::optional<FillingLoop>> filling_of(const Group& group,
+                                                                   const SetParts& set) const;
+  void replace(const std::vector<std::size_t>& from, const Contour& outlines);
+  void give_up(const std::vector<std::size_t>& set);
+  void rebuild();
+
+  Sketch& sketch_;
+  std::vector<Piece>& pieces_;
+  std::vector<bool> unresolved_;
+  std::vector<bool> replaced_;
+  std::map<std::size_t, std::vector<Piece>> outlines_;  ///< By the first piece that they replace.
+  FillingNotes notes_;
+};
+
+/// Contours that no arcs follow stay as they are: they are named when they are cut.
+Group Filling::group_of(const std::vector<std::size_t>& set) {
+  Group group;
+  for (const std::size_t piece : set) {
+    const OutlineOptions options{.tolerance_mm = kFillToleranceMm};
+    const FittedContour fitted = arcs_of(pieces_[piece].contour, options);
+    if (fitted.fault) continue;
+    auto& vertices = group.loops.vertices;
+    vertices.insert(vertices.end(), fitted.vertices.begin(), fitted.vertices.end());
+    group.loops.end_loop();
+    group.pieces.push_back(piece);
+  }
+  return group;
+}
+
+void Filling::resolve(const Group& group) {
+  if (group.pieces.empty()) return;
+  for (const double touch_mm : kFillTouchesMm) {
+    const auto sets = resolved(group, touch_mm);
+    if (!sets) continue;
+    for (const Resolved& set : *sets) {
+      // Lines there and back enclose nothing, and are named as that.
+      if (set.filled.outlines.loop_ends.empty()) continue;
+      notes_.add(pieces_, set.from, set.filled);
+      replace(set.from, set.filled.outlines);
+    }
+    return;
+  }
+  give_up(group.pieces);
+}
+
+/// Returns nothing where outlines do not close.
+std::optional<std::vector<Resolved>> Filling::resolved(const Group& group, double touch_mm) const {
+  Arrangement arrangement;
+  if (!arrangement.divide(group.loops.view(), touch_mm)) return std::nullopt;
+  std::vector<Resolved> sets;
+  for (const auto& [first, set] : overlapping_sets(arrangement, group.pieces.size())) {
+    auto filled = fill_set(arrangement, set.edges, filling_of(group, set));
+    if (!filled) return std::nullopt;
+    Resolved& made = sets.emplace_back(Resolved{.filled = std::move(*filled)});
+    for (const std::uint32_t loop : set.loops) made.from.push_back(group.pieces[loop]);
+  }
+  return sets;
+}
+
+/// Loops of one entity are one shape.
+std::vector<std::optional<FillingLoop>> Filling::filling_of(const Group& group,
+                                                            const SetParts& set) const {
+  std::map<std::tuple<std::size_t, std::size_t, std::string>, std::uint32_t> shapes;
+  std::vector<std::optional<FillingLoop>> filling(group.pieces.size());
+  for (const std::uint32_t loop : set.loops) {
+    const Entity& entity = pieces_[group.pieces[loop]].contour.entity;
+    const auto number = static_cast<std::uint32_t>(shapes.size());
+    const auto shape = shapes.try_emplace({entity.line, entity.column, entity.name}, number);
+    filling[loop] = {entity.is_filled && entity.fill_rule == FillRule::kNonZero,
+                     shape.first->second};
+  }
+  return filling;
+}
+
+void Filling::replace(const std::vector<std::size_t>& from, const Contour& outlines) {
+  for (const std::size_t piece : from) replaced_[piece] = true;
+  const auto view = outlines.view();
+  std::vector<Piece>& made = outlines_[from.front()];
+  for (std::size_t loop = 0; loop < view.loop_ends.size(); ++loop) {
+    Piece& piece = made.emplace_back();
+    piece.contour.entity = pieces_[from.front()].contour.entity;
+    piece.contour.closed = piece.contour.is_filled = true;
+    const std::uint32_t first = view.loop_begin(loop);
+    for (std::uint32_t i = first; i < view.loop_ends[loop]; ++i) {
+      const std::uint32_t next = i + 1 < view.loop_ends[loop] ? i + 1 : first;
+      piece.contour.shapes.push_back(bulge_edge(
+          view.vertices[i].point(), view.vertices[next].point(), view.vertices[i].bulge));
+    }
+    measure(piece);
+  }
+}
+
+void Filling::give_up(const std::vector<std::size_t>& set) {
+  for (const std::size_t piece : set) unresolved_[piece] = true;
+  sketch_.report({FaultKind::kCrossing,
+                  pieces_[set.front()].contour.entity,
+                  pieces_[set.front()].outline.front(),
+                  "contours that touch from here on cross each other or themselves so closely that "
+                  "what is inside is not certain",
+                  "take the crossing apart"});
+}
+
+/// Puts outlines in the places of the pieces that they replace.
+void Filling::rebuild() {
+  if (outlines_.empty()) return;
+  std::vector<Piece> pieces;
+  std::vector<bool> unresolved;
+  for (std::size_t i = 0; i < pieces_.size(); ++i) {
+    if (const auto made = outlines_.find(i); made != outlines_.end()) {
+      for (Piece& piece : made->second) pieces.push_back(std::move(piece));
+    } else if (!replaced_[i]) {
+      pieces.push_back(std::move(pieces_[i]));
+    }
+    unresolved.resize(pieces.size(), unresolved_[i]);
+  }
+  pieces_ = std::move(pieces);
+  unresolved_ = std::move(unresolved);
+}
+
+}  // namespace
+
+std::vector<bool> fill(Sketch& sketch, std::vector<Piece>& pieces) {
+  return Filling{sketch, pieces}.run();
+}
+
+}  // namespace sim::drawing

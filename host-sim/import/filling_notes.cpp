@@ -1,0 +1,99 @@
+#include "host-sim/import/filling_notes.hpp"
+
+#include <fmt/format.h>
+
+#include <string>
+
+namespace sim::drawing {
+namespace {
+
+/// Shorter lines that are on no outline are a rounding, mm.
+constexpr double kUnseenRoundingMm = 0.01;
+constexpr LeastLoop kLeastLoop{};
+
+std::string text_of(const FilledSet& filled, std::size_t contours) {
+  std::string text =
+      contours == 1 ? std::string{"the contour crosses itself or runs along itself"}
+                    : fmt::format("{} contours cross each other or run along each other", contours);
+  const std::size_t outlines = filled.outlines.loop_ends.size();
+  text += fmt::format(": read as what is filled, {} outline{}", outlines, outlines == 1 ? "" : "s");
+  if (filled.small_loops != 0) {
+    text += fmt::format(
+        "; {} loop{} of less than {} mm2 or {} mm of width left out, the largest "
+        "of {:.4f} mm2 at {:.3f} {:.3f}",
+        filled.small_loops,
+        filled.small_loops == 1 ? "" : "s",
+        kLeastLoop.area_mm2,
+        kLeastLoop.width_mm,
+        filled.greatest_small.size,
+        filled.greatest_small.place.x(),
+        filled.greatest_small.place.y());
+  }
+  if (filled.unseen_mm > kUnseenRoundingMm) {
+    text += fmt::format(
+        "; {:.3f} mm of lines have the same on both sides and are left out, the "
+        "longest of {:.3f} mm at {:.3f} {:.3f}",
+        filled.unseen_mm,
+        filled.longest_unseen.size,
+        filled.longest_unseen.place.x(),
+        filled.longest_unseen.place.y());
+  }
+  return text;
+}
+
+}  // namespace
+
+void FillingNotes::add(const std::vector<Piece>& pieces,
+                       const std::vector<std::size_t>& from,
+                       const FilledSet& filled) {
+  const Piece& first = pieces[from.front()];
+  const bool is_small =
+      filled.unseen_mm <= kUnseenRoundingMm && filled.outlines.loop_ends.size() == from.size();
+  if (is_small) {
+    if (!first_) first_ = first.contour.entity;
+    mended_ += from.size();
+    loops_ += filled.small_loops;
+    greatest_.take_greater(filled.greatest_small.size, filled.greatest_small.place);
+    return;
+  }
+  if (++notes_ > kMostNotes) {
+    ++more_;
+    more_unseen_mm_ += filled.unseen_mm;
+    return;
+  }
+  sketch_.report(
+      {FaultKind::kMended,
+       first.contour.entity,
+       filled.unseen_mm > kUnseenRoundingMm ? filled.longest_unseen.place : filled.crossing,
+       text_of(filled, from.size()),
+       "take it apart in the drawing if it is meant otherwise"});
+}
+
+void FillingNotes::finish() {
+  if (mended_ != 0) {
+    sketch_.report({FaultKind::kMended,
+                    *first_,
+                    greatest_.place,
+                    fmt::format("{} contours, this is the first, have loops where they cross "
+                                "themselves: {} loops of less than {} mm2 or {} mm of width are "
+                                "left out, the largest, here, of {:.4f} mm2",
+                                mended_,
+                                loops_,
+                                kLeastLoop.area_mm2,
+                                kLeastLoop.width_mm,
+                                greatest_.size),
+                    {}});
+  }
+  if (more_ != 0) {
+    sketch_.report({FaultKind::kMended,
+                    {},
+                    {},
+                    fmt::format("{} more sets of contours that cross are read as what is filled; "
+                                "{:.3f} mm of lines have the same on both sides and are left out",
+                                more_,
+                                more_unseen_mm_),
+                    {}});
+  }
+}
+
+}  // namespace sim::drawing
