@@ -17,6 +17,7 @@
 #include "host-sim/contour/vanished.hpp"
 #include "host-sim/plot/contour_picture.hpp"
 #include "host-sim/report/terminal.hpp"
+#include "host-sim/trace/input_file.hpp"
 #include "host-sim/trace/output_file.hpp"
 
 namespace sim {
@@ -75,9 +76,11 @@ bool report_vanished(const std::string& file,
 }
 
 ExitStatus offset_file(const OffsetOptions& options) {
-  const std::vector<Contour> parts = read_contour_file(options.file, options.outline);
+  const ContourFile read =
+      contours_of(read_text(options.file), options.file, options.outline, Crossing::kFilled);
+  for (const std::string& note : read.notes) terminal::print(stderr, "{}\n", note);
   Contour input;
-  for (const Contour& part : parts) append(input, part.view());
+  for (const ContourPart& part : read.parts) append(input, part.contour.view());
   ContourOffset offsetter;
   std::vector<Contour> offsets;
   std::string text;
@@ -85,11 +88,11 @@ ExitStatus offset_file(const OffsetOptions& options) {
   for (const double distance_mm : options.distances_mm) {
     Contour& result = offsets.emplace_back();
     std::vector<Vanished> gone;
-    for (const Contour& part : parts) {
+    for (const ContourPart& part : read.parts) {
       Contour offset;
-      append(offset, offsetter.offset(part.view(), distance_mm));
+      append(offset, offsetter.offset(part.contour.view(), distance_mm));
       append(result, offset.view());
-      const std::vector<Vanished> more = vanished(part, offset, distance_mm, offsetter);
+      const std::vector<Vanished> more = vanished(part.contour, offset, distance_mm, offsetter);
       gone.insert(gone.end(), more.begin(), more.end());
     }
     has_vanished = report_vanished(options.file, gone, distance_mm) || has_vanished;

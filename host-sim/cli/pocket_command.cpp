@@ -244,7 +244,9 @@ std::vector<Terraces> read_pockets(const PocketCommandOptions& options,
                                    InputFiles& inputs,
                                    Contour& walls) {
   const std::string text = inputs.read_and_add("drawing", options.file);
-  const std::vector<ContourPart> parts = contour_parts_of(text, options.file, options.outline);
+  const ContourFile read = contours_of(text, options.file, options.outline, Crossing::kRefused);
+  for (const std::string& note : read.notes) terminal::print(stderr, "{}\n", note);
+  const std::vector<ContourPart>& parts = read.parts;
   const std::vector<LayerDepth> depths = layer_depths_of(options, parts);
   std::vector<Terraces> pockets;
   if (parts.empty()) throw pocket::NoPocketPath{"no contour in it; draw one"};

@@ -86,10 +86,13 @@ std::vector<stock::Ring> rings_of_text(const std::string& text, const std::strin
 std::vector<stock::Ring> rings_of(const std::string& file) {
   const std::string text = read_text(file);
   if (is_contour_text(text)) return rings_of_text(text, file);
-  const drawing::Drawing drawn = drawing::read_drawing(file, text);
+  const drawing::Drawing drawn = drawing::read_drawing(file, text, {.refuses_crossings = true});
   for (const drawing::Fault& fault : drawn.faults) {
     const bool is_text = fault.kind == drawing::FaultKind::kText;
     if (fault.is_error() || is_text) throw std::invalid_argument(to_string(fault, file));
+    if (fault.kind == drawing::FaultKind::kMended) {
+      terminal::print(stderr, "{}\n", to_string(fault, file));
+    }
   }
   std::vector<stock::Ring> rings;
   for (const drawing::DrawnContour& contour : drawn.contours) {

@@ -100,9 +100,9 @@ std::vector<Contour> drawn_in(const std::string& file, double tolerance_mm, Inpu
   const OutlineOptions fit{.tolerance_mm = tolerance_mm};
   std::vector<Contour> areas;
   try {
-    for (ContourPart& part : contour_parts_of(text, file, fit)) {
-      areas.push_back(std::move(part.contour));
-    }
+    ContourFile read = contours_of(text, file, fit, Crossing::kRefused);
+    for (const std::string& note : read.notes) terminal::print(stderr, "{}\n", note);
+    for (ContourPart& part : read.parts) areas.push_back(std::move(part.contour));
   } catch (const FaultyDrawing& error) {
     throw std::invalid_argument{"--boundary: " + first_of(error.what())};
   } catch (const ContourTextError& error) {

@@ -11,7 +11,6 @@
 #include "host-sim/contour/contour_text.hpp"
 #include "host-sim/contour/material_side.hpp"
 #include "host-sim/report/printable.hpp"
-#include "host-sim/trace/input_file.hpp"
 
 namespace sim {
 namespace {
@@ -91,34 +90,29 @@ bool is_contour_text(std::string_view text) {
   return false;
 }
 
-std::vector<ContourPart> read_contour_parts(const std::string& file,
-                                            const OutlineOptions& options) {
-  return contour_parts_of(read_text(file), file, options);
-}
-
-std::vector<ContourPart> contour_parts_of(const std::string& text,
-                                          const std::string& file,
-                                          const OutlineOptions& options) {
+ContourFile contours_of(const std::string& text,
+                        const std::string& file,
+                        const OutlineOptions& options,
+                        Crossing crossing) {
   const std::string name = file == "-" ? "standard input" : file;
+  ContourFile read;
   if (!is_drawing(text)) {
     Contour contour = contour_from_text(text, name);
     refuse_far(contour, name);
     put_material_left(contour);
     const std::size_t loops = contour.loop_ends.size();
-    return {{std::move(contour), std::vector<drawing::Layer>(loops)}};
+    read.parts.push_back({std::move(contour), std::vector<drawing::Layer>(loops)});
+    return read;
   }
-  const drawing::Drawing drawn = drawing::read_drawing(name, text);
+  const drawing::ImportOptions import{.refuses_crossings = crossing == Crossing::kRefused};
+  const drawing::Drawing drawn = drawing::read_drawing(name, text, import);
   const Outline outline = outline_of(drawn, options);
   throw_faults(drawn, outline.faults);
-  return parts_of(outline, drawn);
-}
-
-std::vector<Contour> read_contour_file(const std::string& file, const OutlineOptions& options) {
-  std::vector<Contour> contours;
-  for (ContourPart& part : read_contour_parts(file, options)) {
-    contours.push_back(std::move(part.contour));
+  read.parts = parts_of(outline, drawn);
+  for (const drawing::Fault& fault : drawn.faults) {
+    if (fault.kind == drawing::FaultKind::kMended) read.notes.push_back(to_string(fault, name));
   }
-  return contours;
+  return read;
 }
 
 }  // namespace sim

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -25,22 +26,27 @@ struct ContourPart {
   std::vector<drawing::Layer> layers;  ///< One for each loop; text has none, and no names in it.
 };
 
-/// Reads closed contours from a file, `-` being standard input: SVG, DXF or JSON as
-/// drawing.hpp has them, curves fitted as outline.hpp does, else text as contour_text.hpp has it;
-/// told by content. One contour for each part of a file of parts, which may lie on each other; else
-/// one. Material is on the left of every loop. Throws std::system_error naming the
-/// file, ContourTextError, and FaultyDrawing if there is any error in a drawing.
-[[nodiscard]] std::vector<ContourPart> read_contour_parts(const std::string& file,
-                                                          const OutlineOptions& options);
+/// The treatment of contours of a drawing that cross each other or run along each other.
+enum class Crossing : std::uint8_t {
+  kFilled,   ///< They are read as what they fill, and a note says so.
+  kRefused,  ///< They are a fault: which of their areas is meant is a guess.
+};
 
-/// Returns the same of a file that has been read.
+/// The contours of a file.
+struct ContourFile {
+  std::vector<ContourPart> parts{};  ///< One for each part of a file of parts, else one.
+  std::vector<std::string> notes{};  ///< What is read otherwise than drawn, with file and place.
+};
+
+/// Reads closed contours from the text of a file: SVG, DXF or JSON as drawing.hpp has them, curves
+/// fitted as outline.hpp does, else text as contour_text.hpp has it; told by content. Parts may lie
+/// on each other. Material is on the left of every loop.
 /// @param file its name, for messages
-[[nodiscard]] std::vector<ContourPart> contour_parts_of(const std::string& text,
-                                                        const std::string& file,
-                                                        const OutlineOptions& options);
-
-/// Reads the same without the layers.
-[[nodiscard]] std::vector<Contour> read_contour_file(const std::string& file,
-                                                     const OutlineOptions& options);
+/// @throw ContourTextError
+/// @throw FaultyDrawing if there is any error in a drawing, or letters are left out
+[[nodiscard]] ContourFile contours_of(const std::string& text,
+                                      const std::string& file,
+                                      const OutlineOptions& options,
+                                      Crossing crossing);
 
 }  // namespace sim

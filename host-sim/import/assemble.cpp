@@ -109,7 +109,7 @@ Drawing assemble(Sketch& sketch,
   const double gap_mm = gap.gap_mm;
   pieces = join(sketch, std::move(pieces), gap_mm, gap.remedy);
   drop_duplicates(sketch, pieces, gap_mm);
-  const std::vector<bool> crossed = fill(sketch, pieces);
+  const std::vector<bool> crossed = fill(sketch, pieces, options.refuses_crossings);
   drop_flat(sketch, pieces, crossed);
   find_coincident(sketch, pieces, gap_mm);
   nest(sketch, pieces);

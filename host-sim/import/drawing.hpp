@@ -157,6 +157,9 @@ struct ImportOptions {
   /// what curves become and what is compared. All of it may be twenty seconds.
   double effort = 1.0;
   TextMode text = TextMode::kSkip;
+  /// Reads contours that cross each other or run along each other as an error, not as what they
+  /// fill: a tool that clears areas would clear what may be meant to stay.
+  bool refuses_crossings = false;
 };
 
 inline constexpr double kLeastGapMm = 0.0;

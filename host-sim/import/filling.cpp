@@ -1,5 +1,7 @@
 #include "host-sim/import/filling.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <string>
@@ -53,9 +55,10 @@ std::map<std::size_t, SetParts> overlapping_sets(const Arrangement& arrangement,
 
 class Filling {
  public:
-  Filling(Sketch& sketch, std::vector<Piece>& pieces)
+  Filling(Sketch& sketch, std::vector<Piece>& pieces, bool refuses_crossings)
       : sketch_{sketch},
         pieces_{pieces},
+        refuses_crossings_{refuses_crossings},
         unresolved_(pieces.size(), false),
         replaced_(pieces.size(), false),
         notes_{sketch} {}
@@ -83,10 +86,12 @@ class Filling {
                                                                    const SetParts& set) const;
   void replace(const std::vector<std::size_t>& from, const Contour& outlines);
   void give_up(const std::vector<std::size_t>& set);
+  void refuse(const std::vector<std::size_t>& set, const Place& crossing);
   void rebuild();
 
   Sketch& sketch_;
   std::vector<Piece>& pieces_;
+  bool refuses_crossings_;
   std::vector<bool> unresolved_;
   std::vector<bool> replaced_;
   std::map<std::size_t, std::vector<Piece>> outlines_;  ///< By the first piece that they replace.
@@ -116,6 +121,10 @@ void Filling::resolve(const Group& group) {
     for (const Resolved& set : *sets) {
       // Lines there and back enclose nothing, and are named as that.
       if (set.filled.outlines.loop_ends.empty()) continue;
+      if (refuses_crossings_ && set.from.size() > 1) {
+        refuse(set.from, set.filled.crossing);
+        continue;
+      }
       notes_.add(pieces_, set.from, set.filled);
       replace(set.from, set.filled.outlines);
     }
@@ -181,6 +190,17 @@ void Filling::give_up(const std::vector<std::size_t>& set) {
                   "take the crossing apart"});
 }
 
+void Filling::refuse(const std::vector<std::size_t>& set, const Place& crossing) {
+  for (const std::size_t piece : set) unresolved_[piece] = true;
+  sketch_.report({FaultKind::kCrossing,
+                  pieces_[set.front()].contour.entity,
+                  crossing,
+                  fmt::format("{} contours cross each other or run along each other, and which of "
+                              "their areas are meant is a guess",
+                              set.size()),
+                  "take them apart, or draw the outline of what is meant"});
+}
+
 /// Puts outlines in the places of the pieces that they replace.
 void Filling::rebuild() {
   if (outlines_.empty()) return;
@@ -200,8 +220,8 @@ void Filling::rebuild() {
 
 }  // namespace
 
-std::vector<bool> fill(Sketch& sketch, std::vector<Piece>& pieces) {
-  return Filling{sketch, pieces}.run();
+std::vector<bool> fill(Sketch& sketch, std::vector<Piece>& pieces, bool refuses_crossings) {
+  return Filling{sketch, pieces, refuses_crossings}.run();
 }
 
 }  // namespace sim::drawing

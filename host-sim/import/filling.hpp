@@ -17,7 +17,11 @@ inline constexpr std::array kFillTouchesMm{1.0e-7, 2.0e-6, 3.0e-9, 4.0e-5};
 /// outlines of the shape that they fill, and notes in the sketch where, what is left out, and which
 /// lines have the same on both sides. Pieces that lie beside or within each other stay as they are,
 /// also where they touch.
+/// @param refuses_crossings pieces that overlap others are left as they are and reported as an
+///        error; one that overlaps itself is resolved
 /// @return by piece, true for those that could not be resolved; they are reported as crossings
-[[nodiscard]] std::vector<bool> fill(Sketch& sketch, std::vector<Piece>& pieces);
+[[nodiscard]] std::vector<bool> fill(Sketch& sketch,
+                                     std::vector<Piece>& pieces,
+                                     bool refuses_crossings = false);
 
 }  // namespace sim::drawing
