@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -22,8 +23,11 @@
 #include "host-sim/cli/job_options.hpp"
 #include "host-sim/cut/cut_report.hpp"
 #include "host-sim/cut/kerf_notes.hpp"
+#include "host-sim/cut/layers_alike.hpp"
 #include "host-sim/cut/repeat_passes.hpp"
 #include "host-sim/cut/timeline.hpp"
+#include "host-sim/import/fill_across.hpp"
+#include "host-sim/job/travel_check.hpp"
 #include "host-sim/report/progress_bar.hpp"
 #include "host-sim/report/report_json.hpp"
 #include "host-sim/report/terminal.hpp"
@@ -49,9 +53,8 @@ std::vector<drawing::Fault> faults_of(const Drawing& drawn,
     const bool of_sides = fault.kind == drawing::FaultKind::kOpen ||
                           fault.kind == drawing::FaultKind::kCrossing ||
                           fault.kind == drawing::FaultKind::kBranch;
-    if (side != cut::Side::kWaste && side != cut::Side::kFill && of_sides &&
-        !fault.entity.name.empty())
-      continue;
+    const bool is_line = side == cut::Side::kWaste ? fault.is_of_line : side != cut::Side::kFill;
+    if (of_sides && is_line && !fault.entity.name.empty()) continue;
     faults.push_back(fault);
   }
   return faults;
@@ -61,6 +64,17 @@ void print_faults(const std::vector<drawing::Fault>& faults, const Drawing& draw
   for (const drawing::Fault& fault : faults) {
     terminal::print(stderr, "{}\n", to_string(fault, drawn.file));
   }
+}
+
+void print_warnings(const std::vector<drawing::Fault>& warnings, const Drawing& drawn) {
+  for (const drawing::Fault& warning : warnings) {
+    terminal::print(stderr, "warning: {}\n", to_string(warning, drawn.file));
+  }
+}
+
+/// Prints the faults of a drawing, with the number of those that it does not list.
+void print_all_faults(const std::vector<drawing::Fault>& faults, const Drawing& drawn) {
+  print_faults(faults, drawn);
   if (drawn.more_faults != 0) terminal::print(stderr, "and {} more faults\n", drawn.more_faults);
 }
 
@@ -83,7 +97,7 @@ void append(std::vector<drawing::Fault>& faults, const std::vector<drawing::Faul
 ExitStatus refuse(const CutCommandOptions& options,
                   const std::vector<drawing::Fault>& faults,
                   const Drawing& drawn) {
-  print_faults(faults, drawn);
+  print_all_faults(faults, drawn);
   terminal::print(
       stderr, "kerfline: no program is written; mend the sheet{}\n", stale_note(options.output));
   return ExitStatus::kFaults;
@@ -114,8 +128,20 @@ std::string timed_program(const CutCommandOptions& options,
   const ProgramCheck check = check_program(job, run, heading_of(job, figures), name);
   figures.job_time_s = check.job_time_s;
   figures.is_simulated = check.is_simulated;
-  for (const Fault& fault : check.faults) terminal::print(stderr, "{}\n", to_string(fault));
-  if (!check.faults.empty()) {
+  const bool is_of_travel =
+      !check.faults.empty() && std::ranges::all_of(check.faults, [](const Fault& fault) {
+        return fault.number == kTravelExceeded;
+      });
+  // The call names no machine: the travel is the one of a new controller.
+  const bool is_unknown = is_of_travel && !names_settings(options);
+  for (const Fault& fault : check.faults) {
+    terminal::print(stderr, "{}{}\n", is_unknown ? "warning: " : "", to_string(fault));
+  }
+  if (is_unknown) {
+    terminal::print(stderr,
+                    "kerfline: warning: the job is larger than a new controller's travel; "
+                    "--machine or --settings tells of yours\n");
+  } else if (!check.faults.empty()) {
     terminal::print(
         stderr,
         "kerfline: the machine as it is set does not take the program; tell of yours with "
@@ -246,6 +272,7 @@ ExitStatus cut_drawing(CLI::App& command, CutCommandOptions& options) {
       beam_of(options, run.settings, kerf, power_wishes(options, drawn, rules), notes);
   const CutSource source{options, kerf, beam};
   const auto layers = layers_of(source, drawn, rules);
+  drawing::fill_across(input.drawn, cut::layers_alike(layers), options.import);
   cut::Recipes recipes = recipes_of(source, drawn, layers, inputs);
   std::vector<drawing::Fault> faults = place_faults(input, layers, recipes);
   if (!faults.empty() && !options.anyway) return refuse(options, faults, drawn);
@@ -260,8 +287,10 @@ ExitStatus cut_drawing(CLI::App& command, CutCommandOptions& options) {
   repeat_passes(plan, options.safety);
   const cut::Timeline timeline = predict(plan);
   print_notes(drawn, layers);
-  for (const auto& list : {faults, plan.faults, plan.warnings}) print_faults(list, drawn);
-  const bool sound = faults.empty() && plan.faults.empty();
+  print_warnings(plan.warnings, drawn);
+  print_all_faults(faults, drawn);
+  print_faults(plan.faults, drawn);
+  const bool sound = faults.empty() && plan.faults.empty() && drawn.more_faults == 0;
   add_kerf_notes(options, kerf, plan, notes);
   const CutJob job{drawn,
                    plan,

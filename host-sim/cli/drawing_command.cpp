@@ -76,6 +76,7 @@ void print(const Drawing& drawn) {
   for (const drawing::Fault& fault : drawn.faults) {
     terminal::print("{}: {}\n", name_of(fault.kind), to_string(fault, drawn.file));
   }
+  if (drawn.more_lines != 0) terminal::print("and {} more open contours\n", drawn.more_lines);
   if (drawn.more_faults != 0) terminal::print("and {} more faults\n", drawn.more_faults);
 }
 
@@ -121,6 +122,7 @@ nlohmann::ordered_json to_json(const Drawing& drawn) {
   all["faults"] = nlohmann::ordered_json::array();
   for (const drawing::Fault& fault : drawn.faults) all["faults"].push_back(to_json(fault));
   all["more_faults"] = drawn.more_faults;
+  all["more_open_lines"] = drawn.more_lines;
   return all;
 }
 

@@ -5,6 +5,8 @@
 #include <span>
 
 #include "host-sim/contour/free_form_row.hpp"
+#include "host-sim/import/curve_measure.hpp"
+#include "host-sim/import/sketch.hpp"
 #include "planner/base/contract.hpp"
 
 namespace sim {
@@ -42,11 +44,42 @@ bool is_one_row(const Shape& before, const Shape& after) {
   return is_free_form(before) && is_free_form(after) && goes_on_smoothly(before, after);
 }
 
+/// Returns whether a free-form curve is so short that no place of it is farther than the tolerance
+/// from its start, however it turns.
+bool is_speck(const Shape& shape, double tolerance_mm) {
+  constexpr double kLongestHull = 8.0;
+  if (!is_free_form(shape) || drawing::length_of_hull(shape) > kLongestHull * tolerance_mm) {
+    return false;
+  }
+  const Place start = start_of(shape);
+  const auto is_near = [&](const Place& place) {
+    return drawing::distance(start, place) <= 0.75 * tolerance_mm;
+  };
+  return std::ranges::all_of(drawing::outline_of(std::span{&shape, 1}, 0.25 * tolerance_mm),
+                             is_near);
+}
+
+/// Returns shapes with lines in place of such curves, and without those that end at their start.
+std::vector<Shape> without_specks(const std::vector<Shape>& shapes, double tolerance_mm) {
+  std::vector<Shape> kept;
+  kept.reserve(shapes.size());
+  for (const Shape& shape : shapes) {
+    if (!is_speck(shape, tolerance_mm)) {
+      kept.push_back(shape);
+    } else if (start_of(shape) != end_of(shape)) {
+      kept.emplace_back(drawing::Line{start_of(shape), end_of(shape)});
+    }
+  }
+  return kept.empty() ? shapes : kept;
+}
+
 /// The shapes of one contour become vertices.
 class ContourFitter {
  public:
   ContourFitter(const drawing::DrawnContour& contour, const OutlineOptions& options)
-      : contour_{contour}, options_{options}, shapes_{contour.shapes} {}
+      : contour_{contour},
+        options_{options},
+        shapes_{without_specks(contour.shapes, options.tolerance_mm)} {}
 
   [[nodiscard]] FittedContour run() {
     if (contour_.closed) begin_between_rows();

@@ -153,9 +153,8 @@ void WindingRays::follow(std::uint32_t number, bool forwards) {
 }
 
 Windings WindingRays::turns_beside(std::uint32_t edge, const WideVec2& from, bool upwards) {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
-  const cnc::contour::FlatBox<double> ray{
-      from.x(), from.y(), upwards ? from.x() : kFar, upwards ? kFar : from.y()};
+  cnc::contour::FlatBox<double> ray{from.x(), from.y(), from.x(), from.y()};
+  (upwards ? ray.y1 : ray.x1) = std::numeric_limits<double>::infinity();
   Windings windings;
   tree_.search(ray, 0, [&](std::uint32_t i) {
     const Piece& piece = pieces_[i];

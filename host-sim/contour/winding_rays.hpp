@@ -28,8 +28,8 @@ class WindingRays {
  private:
   void index_pieces();
   void link_edges();
-  void find(std::uint32_t edge);
-  void follow(std::uint32_t edge, bool forwards);
+  void find(std::uint32_t number);
+  void follow(std::uint32_t number, bool forwards);
   [[nodiscard]] Windings turns_beside(std::uint32_t edge, const cnc::WideVec2& from, bool upwards);
   [[nodiscard]] int crossing(const cnc::contour::Piece& piece,
                              const cnc::WideVec2& from,

@@ -92,12 +92,11 @@ std::optional<drawing::Fault> touch_of(const drawing::Drawing& drawn,
                   2.0 * half_kerf_mm)};
 }
 
-std::vector<drawing::Fault> rests_of(const drawing::Entity& entity,
-                                     const std::vector<Stroke>& outline,
-                                     const std::vector<std::vector<Stroke>>& loops,
-                                     double half_kerf_mm,
-                                     double reach_mm) {
-  std::vector<drawing::Fault> warnings;
+std::vector<Rest> rests_along(const std::vector<Stroke>& outline,
+                              const std::vector<std::vector<Stroke>>& loops,
+                              double half_kerf_mm,
+                              double reach_mm) {
+  std::vector<Rest> rests;
   Clearance paths{reach_mm};
   for (const auto& loop : loops) {
     for (const Stroke& stroke : loop) paths.add(stroke, 0);
@@ -106,13 +105,8 @@ std::vector<drawing::Fault> rests_of(const drawing::Entity& entity,
   const double kerf = 2.0 * half_kerf_mm;
   std::vector<Place> rest;
   double rest_mm = 0.0;
-  const auto tell = [&] {
-    if (rest.empty()) return;
-    drawing::Fault fault{FaultKind::kTooSmall, entity, rest[rest.size() / 2], {}, {}};
-    fault.reason = fmt::format(
-        "is too narrow here for the kerf of {:.3f} mm: {:.3f} mm of it stay uncut", kerf, rest_mm);
-    fault.remedy = "round the corner or widen the slot";
-    warnings.push_back(fault);
+  const auto end_rest = [&] {
+    if (!rest.empty()) rests.push_back({rest[rest.size() / 2], rest_mm});
     rest.clear();
     rest_mm = 0.0;
   };
@@ -123,7 +117,7 @@ std::vector<drawing::Fault> rests_of(const drawing::Entity& entity,
       const Place place = place_at(stroke, static_cast<double>(k) / looks);
       const double spare = kerf - paths.nearest(place).distance_mm;
       if (spare >= 0.0) {
-        tell();
+        end_rest();
         // No place that is so near to this one is farther than the kerf.
         k += static_cast<int>(spare * looks / length);
       } else {
@@ -132,7 +126,25 @@ std::vector<drawing::Fault> rests_of(const drawing::Entity& entity,
       }
     }
   }
-  tell();
+  end_rest();
+  return rests;
+}
+
+std::vector<drawing::Fault> rests_of(const drawing::Entity& entity,
+                                     const std::vector<Rest>& rests,
+                                     double half_kerf_mm) {
+  std::vector<drawing::Fault> warnings;
+  warnings.reserve(rests.size());
+  for (const Rest& rest : rests) {
+    warnings.push_back(
+        {FaultKind::kTooSmall,
+         entity,
+         rest.place,
+         fmt::format("is too narrow here for the kerf of {:.3f} mm: {:.3f} mm of it stay uncut",
+                     2.0 * half_kerf_mm,
+                     rest.length_mm),
+         "round the corner or widen the slot"});
+  }
   return warnings;
 }
 

@@ -33,14 +33,24 @@ namespace sim::cut {
                                                      const Clearance& edges,
                                                      double half_kerf_mm);
 
-/// Returns warnings where the drawn line is so narrow that the beam does not come near it: farther
-/// than a kerf instead of half of one, as in slots and in corners sharper than 60 degrees.
+/// A stretch of a drawn line that stays uncut.
+struct Rest {
+  Place place{0.0, 0.0};  ///< In its middle.
+  double length_mm = 0.0;
+};
+
+/// Returns the stretches of a drawn line to which the beam does not come near: farther than a kerf
+/// instead of half of one, as in slots and in corners sharper than 60 degrees.
 /// @param loops all paths of the beam along this outline
 /// @param reach_mm at least the kerf; no path that is farther off matters
+[[nodiscard]] std::vector<Rest> rests_along(const std::vector<Stroke>& outline,
+                                            const std::vector<std::vector<Stroke>>& loops,
+                                            double half_kerf_mm,
+                                            double reach_mm);
+
+/// Returns a warning for each of them.
 [[nodiscard]] std::vector<drawing::Fault> rests_of(const drawing::Entity& entity,
-                                                   const std::vector<Stroke>& outline,
-                                                   const std::vector<std::vector<Stroke>>& loops,
-                                                   double half_kerf_mm,
-                                                   double reach_mm);
+                                                   const std::vector<Rest>& rests,
+                                                   double half_kerf_mm);
 
 }  // namespace sim::cut

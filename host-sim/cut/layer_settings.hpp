@@ -46,6 +46,7 @@ struct Lead {
   LeadKind kind = LeadKind::kNone;
   double length_mm = 0.0;
   bool is_asked = false;  ///< By an option, unlike the lead that a cut has without one.
+  bool operator==(const Lead&) const = default;
 };
 
 /// The gas that blows at the cut while the beam is on.
@@ -60,12 +61,14 @@ struct FillSettings {
   double interval_mm = 0.1;             ///< From line to line.
   double angle_deg = 0.0;               ///< Direction of the lines; 0 is along X.
   std::optional<double> overscan_mm{};  ///< Before and after each line; none: from acceleration.
+  bool operator==(const FillSettings&) const = default;
 };
 
 /// Power as a share of the laser's, until its full power is known.
 struct PowerShare {
   double value = 0.0;
   bool is_s = false;  ///< A value of S; else percent.
+  bool operator==(const PowerShare&) const = default;
 };
 
 /// How the contours of a layer are cut.
@@ -92,6 +95,7 @@ struct LayerSettings {
   Air air = Air::kFlood;
   bool is_scored = false;  ///< A marked line is reported as scored, not as engraved.
   FillSettings fill{};     ///< Used by Side::kFill.
+  bool operator==(const LayerSettings&) const = default;
 };
 
 /// Turns power that is a share into watts. Throws std::invalid_argument for S beyond the greatest.

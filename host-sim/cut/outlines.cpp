@@ -37,7 +37,7 @@ std::vector<Outline> outlines_of(const drawing::Drawing& drawn,
     const DrawnContour& contour = drawn.contours[i];
     const Side side = sides[i];
     if (!is_driven(side)) continue;
-    // Open ones are among the drawing's own faults.
+    // Open ones that are no lines are among the drawing's own faults.
     if (!contour.closed && (side == Side::kWaste || side == Side::kFill)) continue;
     DrawnStrokes strokes = strokes_of(contour, curves);
     if (strokes.fault) {

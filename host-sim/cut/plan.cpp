@@ -13,12 +13,14 @@
 #include "host-sim/cut/coincident.hpp"
 #include "host-sim/cut/controller_choice.hpp"
 #include "host-sim/cut/controller_way.hpp"
+#include "host-sim/cut/crowd.hpp"
 #include "host-sim/cut/cut_precedence.hpp"
 #include "host-sim/cut/cut_turn.hpp"
 #include "host-sim/cut/fill_area.hpp"
 #include "host-sim/cut/kerf_faults.hpp"
 #include "host-sim/cut/late_cuts.hpp"
 #include "host-sim/cut/lead.hpp"
+#include "host-sim/cut/open_lines.hpp"
 #include "host-sim/cut/outlines.hpp"
 #include "host-sim/cut/own_costs.hpp"
 #include "host-sim/cut/possible_beginnings.hpp"
@@ -64,6 +66,7 @@ class Planner {
   }
 
   CutPlan make() {
+    append(plan_.warnings, cut_open_on_line(drawn_, plan_.layers, plan_.recipes));
     std::vector<Side> sides;
     for (std::size_t i = 0; i < drawn_.contours.size(); ++i) {
       sides.push_back(layer_of(i).settings.side);
@@ -78,6 +81,7 @@ class Planner {
       }
     }
     edges_.prepare();
+    find_paths_beside();
     for (std::size_t i = 0; i < outlines_.size(); ++i) {
       if (outlines_[i].is_beside) cut_beside(i);
       if (outlines_[i].is_beside || outlines_[i].strokes.empty()) continue;
@@ -113,6 +117,9 @@ class Planner {
   }
 
   void part_touching();
+  void find_paths_beside();
+  [[nodiscard]] PathsBeside paths_beside(std::size_t i);
+  void part_crowds();
   void cut_beside(std::size_t i);
   void vanish(std::size_t i);
   void cut_along(std::size_t i);
@@ -139,6 +146,8 @@ class Planner {
   std::vector<UnbegunCut> unbegun_;            ///< One for each cut.
   std::vector<Outline> outlines_;              ///< One for each contour; empty ones are not cut.
   std::vector<std::optional<Place>> marks_;    ///< By contour.
+  std::vector<PathsBeside> beside_paths_;      ///< By contour.
+  std::vector<std::vector<Rest>> rests_;       ///< By contour.
   std::vector<std::size_t> loops_of_contour_;  ///< Number of cuts of each contour.
   double reach_mm_;                            ///< Twice the widest kerf: nothing farther matters.
   Clearance edges_;
@@ -156,28 +165,57 @@ void Planner::part_touching() {
   append(plan_.warnings, part_touching_edges(drawn_, outlines_, sharing));
 }
 
-void Planner::cut_beside(std::size_t i) {
+void Planner::find_paths_beside() {
+  beside_paths_.resize(outlines_.size());
+  rests_.resize(outlines_.size());
+  for (std::size_t i = 0; i < outlines_.size(); ++i) {
+    if (!outlines_[i].is_beside) continue;
+    beside_paths_[i] = paths_beside(i);
+    if (beside_paths_[i].loops.empty()) continue;
+    rests_[i] = rests_along(outlines_[i].strokes, beside_paths_[i].loops, half_kerf(i), reach_mm_);
+  }
+  part_crowds();
+}
+
+/// Reports what has none.
+PathsBeside Planner::paths_beside(std::size_t i) {
   const Contour contour = contour_of(outlines_[i].strokes);
-  std::vector<std::vector<Stroke>> loops{outlines_[i].strokes};
+  PathsBeside paths{.loops = {outlines_[i].strokes}};
   try {
-    if (half_kerf(i) > 0.0) loops = loops_of(offset_.offset(contour.view(), half_kerf(i)));
+    if (half_kerf(i) > 0.0) paths.loops = loops_of(offset_.offset(contour.view(), half_kerf(i)));
   } catch (const NoOffset& failure) {
-    return fault(FaultKind::kTooMuch, i, failure.place(), failure.reason(), failure.remedy());
+    fault(FaultKind::kTooMuch, i, failure.place(), failure.reason(), failure.remedy());
+    return {};
   }
-  if (loops.empty()) return vanish(i);
-  append(plan_.warnings,
-         rests_of(drawn_.contours[i].entity, outlines_[i].strokes, loops, half_kerf(i), reach_mm_));
-  std::vector<drawing::Fault> gouges;
-  for (const std::vector<Stroke>& loop : loops) {
+  if (paths.loops.empty()) vanish(i);
+  for (const std::vector<Stroke>& loop : paths.loops) {
     if (auto gouge = gouge_of(drawn_, i, loop, edges_, half_kerf(i))) {
-      gouges.push_back(std::move(*gouge));
+      paths.gouges.push_back(std::move(*gouge));
     }
-    add_cut(i, loop);
   }
-  if (gouges.empty()) return;
+  return paths;
+}
+
+/// Outlines that come near each other at places share paths that take nothing off any of them.
+void Planner::part_crowds() {
+  const auto crowds =
+      crowds_of(outlines_, beside_paths_, edges_, [this](std::size_t i) { return half_kerf(i); });
+  for (const std::vector<std::size_t>& crowd : crowds) {
+    std::vector<drawing::Fault> held = held_together(drawn_, crowd, beside_paths_);
+    auto rests = part_crowd(outlines_, crowd, half_kerf(crowd.front()), offset_, beside_paths_);
+    if (!rests) continue;
+    append(plan_.warnings, held);
+    for (std::size_t k = 0; k < crowd.size(); ++k) rests_[crowd[k]] = std::move((*rests)[k]);
+  }
+}
+
+void Planner::cut_beside(std::size_t i) {
+  const PathsBeside& paths = beside_paths_[i];
+  append(plan_.warnings, rests_of(drawn_.contours[i].entity, rests_[i], half_kerf(i)));
+  for (const std::vector<Stroke>& loop : paths.loops) add_cut(i, loop);
+  if (paths.gouges.empty()) return;
   auto touch = touch_of(drawn_, i, outlines_, edges_, half_kerf(i));
-  if (touch) gouges = {std::move(*touch)};
-  append(plan_.faults, gouges);
+  append(plan_.faults, touch ? std::vector{std::move(*touch)} : paths.gouges);
 }
 
 /// What contours that cross leave between them is no slot that was drawn: it is only named.

@@ -107,7 +107,7 @@ Drawing assemble(Sketch& sketch,
   drop_duplicates(sketch, pieces, options.gap_mm);
   const GapToJoin gap = gap_to_join(sketch, pieces, options);
   const double gap_mm = gap.gap_mm;
-  pieces = join(sketch, std::move(pieces), gap_mm, gap.remedy);
+  pieces = join(sketch, std::move(pieces), gap_mm, options.mends_gaps, gap.remedy);
   drop_duplicates(sketch, pieces, gap_mm);
   const std::vector<bool> crossed = fill(sketch, pieces, options.refuses_crossings);
   drop_flat(sketch, pieces, crossed);
@@ -121,6 +121,7 @@ Drawing assemble(Sketch& sketch,
   for (Piece& piece : pieces) drawing.contours.push_back(std::move(piece.contour));
   drawing.faults = std::move(sketch.faults());
   drawing.more_faults = sketch.more_faults();
+  drawing.more_lines = sketch.more_lines();
   return drawing;
 }
 

@@ -70,6 +70,7 @@ struct Fault {
   std::optional<Place> place_mm;
   std::string reason;
   std::string remedy;
+  bool is_of_line = false;  ///< kOpen: no other end is near, so that it may be meant as a line.
 
   [[nodiscard]] bool is_error() const {
     return kind != FaultKind::kIgnored && kind != FaultKind::kNote && kind != FaultKind::kText &&
@@ -86,6 +87,8 @@ struct DrawnContour {
   Entity entity;  ///< Of the first shape as drawn.
   bool closed = false;
   bool is_filled = false;  ///< An outline of what contours that cross fill: see fill().
+  /// Open, and perhaps meant closed: an end is near one other end, or more than two ends meet.
+  bool is_doubtful = false;
   double length_mm = 0.0;
   double area_mm2 = 0.0;              ///< Area of a closed contour; its holes are not subtracted.
   std::size_t depth = 0;              ///< Closed contours of its part around this one.
@@ -126,6 +129,7 @@ struct Drawing {
   std::vector<DrawnContour> contours;
   std::vector<Fault> faults;    ///< At most kMostFaults, in the order found.
   std::size_t more_faults = 0;  ///< Found and not listed.
+  std::size_t more_lines = 0;   ///< Open contours, as Fault::is_of_line has them, and not listed.
 
   [[nodiscard]] bool has_errors() const;
 };
@@ -150,6 +154,9 @@ struct ImportOptions {
   double gap_mm = 0.01;  ///< Ends no farther apart are one place. 0 or more.
   /// Takes a wider gap where that closes most open ends; see wider_gap().
   bool finds_gap = false;
+  /// Joins two ends up to kWidestCertainGapMm apart that have no other neighbour, and closes what
+  /// nearly closes itself, by lines; notes say so.
+  bool mends_gaps = false;
   /// Millimetres per unit of the drawing, in place of what the file says or its format means:
   /// a unit of DXF, a pixel of SVG. From kLeastUnitMm to kGreatestUnitMm.
   std::optional<double> unit_mm{};

@@ -7,21 +7,9 @@
 #include <vector>
 
 #include "host-sim/contour/arrangement.hpp"
-#include "host-sim/import/drawing.hpp"
+#include "host-sim/import/extent.hpp"
 
 namespace sim::drawing {
-
-/// A length or an area, and where it is.
-struct Extent {
-  double size = 0.0;
-  Place place{0.0, 0.0};
-
-  void take_greater(double other_size, const Place& other_place) {
-    if (other_size <= size) return;
-    size = other_size;
-    place = other_place;
-  }
-};
 
 /// The outlines of what a set of loops fills.
 struct FilledSet {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "host-sim/contour/outline.hpp"
+#include "host-sim/import/doubled_curves.hpp"
 #include "host-sim/import/filled_set.hpp"
 #include "host-sim/import/filling_notes.hpp"
 #include "host-sim/import/overlaps.hpp"
@@ -101,9 +102,12 @@ class Filling {
 /// Contours that no arcs follow stay as they are: they are named when they are cut.
 Group Filling::group_of(const std::vector<std::size_t>& set) {
   Group group;
+  const OutlineOptions options{.tolerance_mm = kFillToleranceMm};
+  DoubledCurves doubled;
+  for (const std::size_t piece : set) doubled.count(pieces_[piece].contour);
   for (const std::size_t piece : set) {
-    const OutlineOptions options{.tolerance_mm = kFillToleranceMm};
-    const FittedContour fitted = arcs_of(pieces_[piece].contour, options);
+    const FittedContour fitted =
+        arcs_of(doubled.with_arcs(pieces_[piece].contour, options), options);
     if (fitted.fault) continue;
     auto& vertices = group.loops.vertices;
     vertices.insert(vertices.end(), fitted.vertices.begin(), fitted.vertices.end());

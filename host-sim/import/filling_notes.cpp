@@ -47,8 +47,8 @@ void FillingNotes::add(const std::vector<Piece>& pieces,
                        const std::vector<std::size_t>& from,
                        const FilledSet& filled) {
   const Piece& first = pieces[from.front()];
-  const bool is_small =
-      filled.unseen_mm <= kUnseenRoundingMm && filled.outlines.loop_ends.size() == from.size();
+  const bool is_small = filled.small_loops != 0 && filled.unseen_mm <= kUnseenRoundingMm &&
+                        filled.outlines.loop_ends.size() == from.size();
   if (is_small) {
     if (!first_) first_ = first.contour.entity;
     mended_ += from.size();
@@ -71,13 +71,18 @@ void FillingNotes::add(const std::vector<Piece>& pieces,
 
 void FillingNotes::finish() {
   if (mended_ != 0) {
+    const std::string whose =
+        mended_ == 1 ? std::string{"the contour has loops where it crosses itself"}
+                     : fmt::format(
+                           "{} contours, this is the first, have loops where they cross "
+                           "themselves",
+                           mended_);
     sketch_.report({FaultKind::kMended,
                     *first_,
                     greatest_.place,
-                    fmt::format("{} contours, this is the first, have loops where they cross "
-                                "themselves: {} loops of less than {} mm2 or {} mm of width are "
-                                "left out, the largest, here, of {:.4f} mm2",
-                                mended_,
+                    fmt::format("{}: {} of less than {} mm2 or {} mm of width left out, the "
+                                "largest, here, of {:.4f} mm2",
+                                whose,
                                 loops_,
                                 kLeastLoop.area_mm2,
                                 kLeastLoop.width_mm,

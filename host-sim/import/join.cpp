@@ -3,107 +3,22 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <unordered_map>
 
 #include "host-sim/import/curve_measure.hpp"
+#include "host-sim/import/end_matcher.hpp"
+#include "host-sim/import/extent.hpp"
+#include "host-sim/import/loose_ends.hpp"
 #include "host-sim/import/piece.hpp"
 
 namespace sim::drawing {
 namespace {
 
-// Of so many ends at one place a drawing is not made; some of them are looked at.
-constexpr std::size_t kMostEndsAtAPlace = 16;
-// Ends nearer than this are one place: the controller's own resolution.
-constexpr double kSamePlaceMm = 1.0e-6;
-
-/// One end of a chain: its start (even) or its end (odd).
-using EndIndex = std::size_t;
-constexpr EndIndex kNoEnd = static_cast<EndIndex>(-1);
-
-struct EndPair {
-  double distance_mm;
-  EndIndex first;
-  EndIndex second;
-  auto operator<=>(const EndPair&) const = default;
-};
-
-/// Pairs the ends of chains that are near each other, the nearest first.
-class EndMatcher {
- public:
-  EndMatcher(const std::vector<Piece>& chains, double gap_mm)
-      : chains_{chains},
-        gap_{std::max(gap_mm, kSamePlaceMm)},
-        partner_(2 * chains.size(), kNoEnd),
-        among_others_(partner_.size(), false) {
-    for (EndIndex end = 0; end < partner_.size(); ++end) cells_[key_of(place(end))].push_back(end);
-    gather_pairs();
-    std::ranges::sort(pairs_);
-    for (const EndPair& pair : pairs_) {
-      if (partner_[pair.first] != kNoEnd || partner_[pair.second] != kNoEnd) continue;
-      partner_[pair.first] = pair.second;
-      partner_[pair.second] = pair.first;
-    }
-  }
-
-  [[nodiscard]] EndIndex partner(EndIndex end) const { return partner_[end]; }
-  [[nodiscard]] Place place(EndIndex end) const {
-    const std::vector<Place>& outline = chains_[end / 2].outline;
-    return end % 2 == 0 ? outline.front() : outline.back();
-  }
-  /// Whether an end that has no partner is near others that have.
-  [[nodiscard]] bool among_others(EndIndex end) const { return among_others_[end]; }
-
- private:
-  using Key = std::uint64_t;
-
-  [[nodiscard]] Key key_of(const Place& place, int dx = 0, int dy = 0) const {
-    const auto x = static_cast<std::int64_t>(std::floor(place.x() / gap_)) + dx;
-    const auto y = static_cast<std::int64_t>(std::floor(place.y() / gap_)) + dy;
-    return static_cast<Key>(x) * 0x9E37'79B9'7F4A'7C15U ^ static_cast<Key>(y);
-  }
-
-  void gather_pairs() {
-    for (EndIndex end = 0; end < partner_.size(); ++end) {
-      for (int dx = -1; dx <= 1; ++dx) {
-        for (int dy = -1; dy <= 1; ++dy) gather_in(end, key_of(place(end), dx, dy));
-      }
-    }
-  }
-
-  void gather_in(EndIndex end, Key key) {
-    const auto cell = cells_.find(key);
-    if (cell == cells_.end()) return;
-    std::size_t found = 0;
-    for (const EndIndex other : cell->second) {
-      if (found == kMostEndsAtAPlace) break;
-      if (other <= end || other / 2 == end / 2) continue;
-      if (!same_layer(end, other)) continue;
-      const double apart = distance(place(end), place(other));
-      if (apart > gap_) continue;
-      pairs_.push_back({apart, end, other});
-      among_others_[end] = among_others_[other] = true;
-      ++found;
-    }
-  }
-
-  [[nodiscard]] bool same_layer(EndIndex a, EndIndex b) const {
-    const Entity& first = chains_[a / 2].contour.entity;
-    const Entity& second = chains_[b / 2].contour.entity;
-    return first.layer == second.layer && first.part == second.part;
-  }
-
-  const std::vector<Piece>& chains_;
-  double gap_;
-  std::vector<EndIndex> partner_;
-  std::vector<bool> among_others_;
-  std::vector<EndPair> pairs_;
-  std::unordered_map<Key, std::vector<EndIndex>> cells_;
-};
-
-/// Makes `next` begin where `shape` ends. False when a line has to go between.
-bool meet(Shape& shape, Shape& next) {
+/// Makes `next` begin where `shape` ends, no farther than the gap. False when a line has to go
+/// between.
+bool meet(Shape& shape, Shape& next, double gap_mm) {
   const Place end = end_of(shape);
   const Place start = start_of(next);
+  if (distance(end, start) > std::max(gap_mm, kSamePlaceMm)) return false;
   if (auto* const line = std::get_if<Line>(&next)) {
     line->start = end;
   } else if (auto* const before = std::get_if<Line>(&shape)) {
@@ -120,15 +35,15 @@ bool meet(Shape& shape, Shape& next) {
   return true;
 }
 
-void append(std::vector<Shape>& row, std::vector<Shape> more) {
-  if (!row.empty() && !meet(row.back(), more.front())) {
+void append(std::vector<Shape>& row, std::vector<Shape> more, double gap_mm) {
+  if (!row.empty() && !meet(row.back(), more.front(), gap_mm)) {
     row.emplace_back(Line{end_of(row.back()), start_of(more.front())});
   }
   row.insert(row.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
-void close(std::vector<Shape>& row) {
-  if (!meet(row.back(), row.front())) {
+void close(std::vector<Shape>& row, double gap_mm) {
+  if (!meet(row.back(), row.front(), gap_mm)) {
     row.emplace_back(Line{end_of(row.back()), start_of(row.front())});
   }
 }
@@ -150,14 +65,18 @@ std::vector<Shape> reversed_row(std::vector<Shape> row) {
 /// Follows partners from chain to chain.
 class Joiner {
  public:
-  Joiner(Sketch& sketch, std::vector<Piece> chains, double gap_mm, std::string remedy)
+  Joiner(
+      Sketch& sketch, std::vector<Piece> chains, double gap_mm, bool mends_gaps, std::string remedy)
       : sketch_{sketch},
+        gap_mm_{gap_mm},
+        mends_gaps_{mends_gaps},
         remedy_{std::move(remedy)},
         chains_{std::move(chains)},
         ends_{chains_, gap_mm},
         taken_(chains_.size(), false) {}
 
   std::vector<Piece> join() {
+    if (mends_gaps_) note_gaps(ends_.pair_certain());
     for (EndIndex end = 0; end < 2 * chains_.size(); ++end) {
       if (ends_.partner(end) == kNoEnd) alone_.push_back(end);
     }
@@ -167,10 +86,18 @@ class Joiner {
     for (std::size_t chain = 0; chain < chains_.size(); ++chain) {
       if (!taken_[chain]) follow(2 * chain);
     }
+    judge_open();
     return std::move(pieces_);
   }
 
  private:
+  /// An open piece, and the ends of chains that are its own.
+  struct OpenPiece {
+    std::size_t piece;
+    EndIndex first;
+    EndIndex last;
+  };
+
   void follow(EndIndex from) {
     Piece piece;
     piece.contour.entity = chains_[from / 2].contour.entity;
@@ -180,23 +107,72 @@ class Joiner {
       std::vector<Shape> shapes = std::move(chains_[end / 2].contour.shapes);
       taken_[end / 2] = true;
       append(piece.contour.shapes,
-             end % 2 == 0 ? std::move(shapes) : reversed_row(std::move(shapes)));
+             end % 2 == 0 ? std::move(shapes) : reversed_row(std::move(shapes)),
+             gap_mm_);
       next = ends_.partner(end ^ 1U);
       if (next == kNoEnd || taken_[next / 2]) break;
       end = next;
     }
     piece.contour.closed = next != kNoEnd;
-    if (piece.contour.closed) close(piece.contour.shapes);
+    if (piece.contour.closed) close(piece.contour.shapes, gap_mm_);
     drop_places(piece.contour.shapes);
     measure(piece);
-    if (!piece.contour.closed) report(piece, from, end ^ 1U);
+    if (!piece.contour.closed) {
+      open_.push_back({pieces_.size(), from, end ^ 1U});
+      loose_.add(piece);
+    }
     pieces_.push_back(std::move(piece));
   }
 
-  void report(const Piece& piece, EndIndex first, EndIndex last) {
-    report_end(piece, first, piece.outline.front(), piece.outline.back());
-    if (ends_.among_others(first) != ends_.among_others(last)) {
-      report_end(piece, last, piece.outline.back(), piece.outline.front());
+  /// Closes what nearly closes itself, and reports what stays open.
+  void judge_open() {
+    for (std::size_t i = 0; i < open_.size(); ++i) {
+      const OpenPiece& open = open_[i];
+      Piece& piece = pieces_[open.piece];
+      const bool has_branch = ends_.among_others(open.first) || ends_.among_others(open.last);
+      if (mends_gaps_ && !has_branch && nearly_closes(piece, i)) {
+        close_itself(piece);
+        continue;
+      }
+      piece.contour.is_doubtful = has_branch || loose_.is_of_pair(2 * i, kWidestDoubtfulGapMm) ||
+                                  loose_.is_of_pair(2 * i + 1, kWidestDoubtfulGapMm);
+      report(piece, open);
+    }
+    if (closed_ == 0) return;
+    sketch_.report({FaultKind::kMended,
+                    widest_entity_,
+                    widest_.place,
+                    fmt::format("{} contour{} nearly closed, with no other end near; closed by a "
+                                "line, the longest, here, of {:.3f} mm",
+                                closed_,
+                                closed_ == 1 ? " is" : "s are",
+                                widest_.size),
+                    "draw them closed, or give --gap where a gap is meant"});
+  }
+
+  /// A gap that is a slip is short beside its contour.
+  [[nodiscard]] bool nearly_closes(const Piece& piece, std::size_t open) const {
+    constexpr double kMostShare = 0.02;
+    const double apart = distance(piece.outline.front(), piece.outline.back());
+    return apart <= kWidestProposedGapMm && apart <= kMostShare * piece.contour.length_mm &&
+           loose_.are_pair(2 * open, 2 * open + 1);
+  }
+
+  void close_itself(Piece& piece) {
+    const Place from = piece.outline.back();
+    const Place to = piece.outline.front();
+    ++closed_;
+    if (distance(from, to) > widest_.size) widest_entity_ = piece.contour.entity;
+    widest_.take_greater(distance(from, to), from);
+    piece.contour.shapes.emplace_back(Line{from, to});
+    piece.contour.closed = true;
+    measure(piece);
+  }
+
+  void report(const Piece& piece, const OpenPiece& open) {
+    report_end(piece, open.first, piece.outline.front(), piece.outline.back());
+    if (ends_.among_others(open.first) != ends_.among_others(open.last)) {
+      report_end(piece, open.last, piece.outline.back(), piece.outline.front());
     }
   }
 
@@ -219,16 +195,38 @@ class Joiner {
                                 distance(place, other),
                                 other.x(),
                                 other.y()),
-                    "close it, or " + remedy_});
+                    "close it, or " + remedy_,
+                    !piece.contour.is_doubtful});
+  }
+
+  void note_gaps(const CertainGaps& gaps) {
+    if (gaps.count == 0) return;
+    sketch_.report({FaultKind::kMended,
+                    {},
+                    gaps.widest.place,
+                    fmt::format("{} gap{} between two ends with no other one near {} joined by "
+                                "lines, the longest, here, of {:.3f} mm",
+                                gaps.count,
+                                gaps.count == 1 ? "" : "s",
+                                gaps.count == 1 ? "is" : "are",
+                                gaps.widest.size),
+                    "draw them joined, or give --gap"});
   }
 
   Sketch& sketch_;
+  double gap_mm_;
+  bool mends_gaps_;
   std::string remedy_;
   std::vector<Piece> chains_;
   EndMatcher ends_;
   std::vector<bool> taken_;
   std::vector<EndIndex> alone_;
   std::vector<Piece> pieces_;
+  std::vector<OpenPiece> open_;
+  LooseEnds loose_;         ///< Those of `open_`, in its order.
+  std::size_t closed_ = 0;  ///< Pieces that nearly closed themselves.
+  Extent widest_{};         ///< The longest line that closed one, mm.
+  Entity widest_entity_{};
 };
 
 }  // namespace
@@ -250,19 +248,21 @@ void measure(Piece& piece) {
 std::vector<Piece> join(Sketch& sketch,
                         std::vector<Piece> chains,
                         double gap_mm,
+                        bool mends_gaps,
                         const std::string& remedy) {
   std::vector<Piece> closed;
   std::vector<Piece> open;
   for (Piece& chain : chains) {
     const double apart = distance(chain.outline.front(), chain.outline.back());
     if (chain.contour.length_mm <= gap_mm) {
-      sketch.report({FaultKind::kTooSmall,
-                     chain.contour.entity,
-                     chain.outline.front(),
-                     "it is shorter than the gaps that are joined",
-                     "delete it, or join smaller gaps only"});
+      // Not seen, and no error: one kind of note counts them.
+      sketch.note({FaultKind::kIgnored,
+                   chain.contour.entity,
+                   chain.outline.front(),
+                   "shorter than the gaps that are joined",
+                   "join smaller gaps to keep it"});
     } else if (apart <= std::max(gap_mm, kSamePlaceMm)) {
-      close(chain.contour.shapes);
+      close(chain.contour.shapes, gap_mm);
       drop_places(chain.contour.shapes);
       chain.contour.closed = true;
       measure(chain);
@@ -271,7 +271,7 @@ std::vector<Piece> join(Sketch& sketch,
       open.push_back(std::move(chain));
     }
   }
-  for (Piece& piece : Joiner{sketch, std::move(open), gap_mm, remedy}.join()) {
+  for (Piece& piece : Joiner{sketch, std::move(open), gap_mm, mends_gaps, remedy}.join()) {
     closed.push_back(std::move(piece));
   }
   return closed;

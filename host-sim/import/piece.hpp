@@ -49,9 +49,11 @@ class Budget {
 
 /// Joins chains of one layer whose ends are within the gap. Ends that stay alone
 /// become faults of the sketch, with `remedy` beside that of closing them.
+/// @param mends_gaps as ImportOptions has it
 [[nodiscard]] std::vector<Piece> join(Sketch& sketch,
                                       std::vector<Piece> chains,
                                       double gap_mm,
+                                      bool mends_gaps,
                                       const std::string& remedy);
 
 /// Leaves out what runs along an earlier piece of its layer, and says so.

@@ -143,6 +143,7 @@ bool Sketch::is_of_strokes(const Entity& entity) const {
 
 void Sketch::report(Fault fault) {
   if (is_of_strokes(fault)) return;
+  if (fault.is_of_line && ++lines_ > kMostLinesListed) return;
   if (faults_.size() < kMostFaults) {
     faults_.push_back(std::move(fault));
   } else {

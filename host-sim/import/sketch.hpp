@@ -68,6 +68,15 @@ class Sketch {
   void forget_lines();
   /// Returns whether an entity is letters of single strokes, which fill nothing.
   [[nodiscard]] bool is_of_strokes(const Entity& entity) const;
+  /// Lets contours of several layers fill shapes together.
+  /// @param groups by layer: those of one number are one; empty: each layer is by itself
+  void group_layers(std::vector<std::size_t> groups) { groups_ = std::move(groups); }
+  /// Returns whether contours of two entities fill one shape where they overlap.
+  [[nodiscard]] bool fill_together(const Entity& a, const Entity& b) const {
+    const bool are_grouped =
+        groups_.empty() ? a.layer == b.layer : groups_[a.layer] == groups_[b.layer];
+    return are_grouped && a.part == b.part;
+  }
   /// Turns what was ignored and noted into faults. Call once, at the end.
   void finish();
 
@@ -85,8 +94,14 @@ class Sketch {
   [[nodiscard]] std::vector<Fault>& faults() { return faults_; }
   [[nodiscard]] std::vector<Layer>& layers() { return layers_; }
   [[nodiscard]] std::size_t more_faults() const { return more_faults_; }
+  /// Open lines that are not listed, so that errors are.
+  [[nodiscard]] std::size_t more_lines() const {
+    return lines_ - std::min(lines_, kMostLinesListed);
+  }
 
  private:
+  static constexpr std::size_t kMostLinesListed = 200;
+
   struct Note {
     Fault first;
     std::string detail;
@@ -102,12 +117,14 @@ class Sketch {
   std::shared_ptr<text::Lettering> lettering_;
   std::vector<Layer> layers_;
   std::map<Layer, std::size_t> layer_index_;
+  std::vector<std::size_t> groups_;  ///< See group_layers().
   std::vector<Entity> entities_;
   std::vector<Chain> chains_;
   std::vector<Fault> faults_;
   /// By kind, reason and, of letters, layer.
   std::map<std::tuple<FaultKind, std::string, std::size_t>, Note> notes_;
   std::size_t more_faults_ = 0;
+  std::size_t lines_ = 0;  ///< Faults of open contours that may be meant as lines.
   std::size_t shapes_ = 0;
   bool full_ = false;
 };

@@ -9,6 +9,7 @@
 #include "host-sim/import/curve_measure.hpp"
 #include "host-sim/import/svg_clips.hpp"
 #include "host-sim/import/svg_document.hpp"
+#include "host-sim/import/svg_origin.hpp"
 #include "host-sim/import/svg_shapes.hpp"
 #include "host-sim/import/svg_style.hpp"
 #include "host-sim/import/svg_text.hpp"
@@ -331,6 +332,9 @@ class SvgReader {
 
 }  // namespace
 
-void read_svg(const std::string& text, Sketch& sketch) { SvgReader{text, sketch}.read(); }
+void read_svg(const std::string& text, Sketch& sketch) {
+  SvgReader{text, sketch}.read();
+  note_burn(sketch, text);
+}
 
 }  // namespace sim::drawing

@@ -128,7 +128,7 @@ class TouchFinder {
     }
     const Entity& first = pieces_[a.piece].contour.entity;
     const Entity& second = pieces_[b.piece].contour.entity;
-    if (first.layer != second.layer || first.part != second.part) return true;
+    if (!sketch_.fill_together(first, second)) return true;
     if (touching_.touches[a.piece] && touching_.sets.are_one(a.piece, b.piece)) return true;
     if (!touch(a, b)) return true;
     touching_.touches[a.piece] = touching_.touches[b.piece] = true;

@@ -40,8 +40,9 @@ struct TouchingPieces {
   std::vector<bool> touches;  ///< By piece.
 };
 
-/// Finds the closed pieces of each layer, and of each part, whose chords come so near to each other
-/// or to themselves that their curves may touch; reports where it had to give up.
+/// Finds the closed pieces of each layer or group of layers, and of each part, whose chords come so
+/// near to each other or to themselves that their curves may touch; reports where it had to give
+/// up.
 [[nodiscard]] TouchingPieces find_touching(Sketch& sketch, const std::vector<Piece>& pieces);
 
 }  // namespace sim::drawing

@@ -2,86 +2,14 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdint>
 #include <limits>
-#include <unordered_map>
+
+#include "host-sim/import/loose_ends.hpp"
 
 namespace sim::drawing {
 namespace {
 
 constexpr std::array<double, 5> kProposedGapsMm{0.02, 0.05, 0.1, 0.2, kWidestProposedGapMm};
-
-/// One end of an open chain.
-struct LooseEnd {
-  Place place;
-  std::size_t layer;
-  std::size_t part;
-};
-
-struct LoosePair {
-  double distance_mm;
-  std::size_t first;
-  std::size_t second;
-  auto operator<=>(const LoosePair&) const = default;
-};
-
-/// Pairs loose ends that are within the widest gap, the nearest first.
-class LooseEnds {
- public:
-  void add(const LooseEnd& end) {
-    cells_[key_of(end.place, 0, 0)].push_back(ends_.size());
-    ends_.push_back(end);
-  }
-
-  [[nodiscard]] std::size_t count() const { return ends_.size(); }
-
-  /// Returns the distances of pairs, not falling; each end is in one pair at most.
-  [[nodiscard]] std::vector<double> paired_distances() const {
-    std::vector<LoosePair> pairs;
-    for (std::size_t end = 0; end < ends_.size(); ++end) {
-      for (int cell = 0; cell < 9; ++cell) gather(end, cell % 3 - 1, cell / 3 - 1, pairs);
-    }
-    std::ranges::sort(pairs);
-    std::vector<bool> taken(ends_.size(), false);
-    std::vector<double> distances;
-    for (const LoosePair& pair : pairs) {
-      if (taken[pair.first] || taken[pair.second]) continue;
-      taken[pair.first] = taken[pair.second] = true;
-      distances.push_back(pair.distance_mm);
-    }
-    return distances;
-  }
-
- private:
-  using Key = std::uint64_t;
-
-  static Key key_of(const Place& place, int dx, int dy) {
-    const auto x = static_cast<std::int64_t>(std::floor(place.x() / kWidestProposedGapMm)) + dx;
-    const auto y = static_cast<std::int64_t>(std::floor(place.y() / kWidestProposedGapMm)) + dy;
-    return static_cast<Key>(x) * 0x9E37'79B9'7F4A'7C15U ^ static_cast<Key>(y);
-  }
-
-  void gather(std::size_t end, int dx, int dy, std::vector<LoosePair>& pairs) const {
-    // Where more ends meet, a wider gap is no help.
-    constexpr std::size_t kMostNeighbours = 16;
-    const auto cell = cells_.find(key_of(ends_[end].place, dx, dy));
-    if (cell == cells_.end()) return;
-    std::size_t found = 0;
-    for (const std::size_t other : cell->second) {
-      if (other <= end || found == kMostNeighbours) continue;
-      const bool fits =
-          ends_[other].layer == ends_[end].layer && ends_[other].part == ends_[end].part;
-      const double apart = distance(ends_[end].place, ends_[other].place);
-      if (!fits || apart > kWidestProposedGapMm) continue;
-      pairs.push_back({apart, end, other});
-      ++found;
-    }
-  }
-
-  std::vector<LooseEnd> ends_;
-  std::unordered_map<Key, std::vector<std::size_t>> cells_;
-};
 
 }  // namespace
 
@@ -93,9 +21,7 @@ std::optional<WiderGap> wider_gap(const std::vector<Piece>& chains, double gap_m
     if (contour.length_mm <= gap_mm) continue;
     shortest_mm = std::min(shortest_mm, contour.length_mm);
     if (distance(chain.outline.front(), chain.outline.back()) <= gap_mm) continue;
-    for (const Place& place : {chain.outline.front(), chain.outline.back()}) {
-      ends.add({place, contour.entity.layer, contour.entity.part});
-    }
+    ends.add(chain);
   }
   const std::vector<double> distances = ends.paired_distances();
   const auto within = [&](double gap) {

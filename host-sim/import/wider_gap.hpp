@@ -4,12 +4,10 @@
 #include <optional>
 #include <vector>
 
+#include "host-sim/import/loose_ends.hpp"
 #include "host-sim/import/piece.hpp"
 
 namespace sim::drawing {
-
-/// The widest gap that is proposed: what is farther apart is no slip of a drawing.
-inline constexpr double kWidestProposedGapMm = 0.5;
 
 /// A gap that would close most of the ends that are open.
 struct WiderGap {

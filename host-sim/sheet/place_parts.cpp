@@ -74,6 +74,7 @@ class PartPlacer {
     for (Piece& piece : pieces_) all.contours.push_back(std::move(piece.contour));
     all.faults = std::move(sketch_.faults());
     all.more_faults = sketch_.more_faults();
+    all.more_lines = sketch_.more_lines();
     return all;
   }
 

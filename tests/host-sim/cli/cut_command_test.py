@@ -215,9 +215,28 @@ class Cut(unittest.TestCase):
         small = self.drawn("small.svg", PLATE.replace('r="2.5"', 'r="0.2"'))
         self.assertIn('circle "screw" at 80.200 55.000: is narrower than the kerf of 0.562 mm',
                       self.refused(small, *STEEL, *self.marks, status=1))
-        open_line = self.refused(self.plate, *STEEL, status=1)
-        self.assertIn('plate.svg:4:', open_line)
+        gap = self.drawn("gap.svg", PLATE.replace("H30", "H30V58H20V55.25"))
+        open_line = self.refused(gap, *STEEL, "--gap", "0.01", status=1)
+        self.assertIn('gap.svg:4:', open_line)
         self.assertIn('path "mark"', open_line)
+        self.assertIn("the contour is open", open_line)
+
+    def test_open_lines_are_cut_on_the_line_with_a_warning(self):
+        done = run("cut", self.plate, *STEEL)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn('warning: ', done.stderr)
+        self.assertIn('plate.svg:4:1: path "mark" at 20.000 25.000: 1 open contour of layer "" red', done.stderr)
+        self.assertIn("4 cuts", done.stderr)
+
+    def test_travel_that_no_machine_was_named_for_is_a_warning(self):
+        long = self.drawn("long.svg", PLATE.replace("H80A15 15 0 0 1 95 25V60", "H360V60"))
+        told = run("cut", long, *STEEL)
+        self.assertEqual(told.returncode, 0, told.stderr)
+        self.assertRegex(told.stderr, r"warning: .*\$130 allows 300")
+        self.assertIn("--machine or --settings tells of yours", told.stderr)
+        refused = run("cut", long, *STEEL, "--set", "$130=320")
+        self.assertEqual(refused.returncode, 1)
+        self.assertIn("$130 allows 320", refused.stderr)
 
     def test_layers_that_are_not_permissible_are_named(self):
         for more, what in (("power=100", "power 100 W is outside of what was cut; permissible are 1200 to"),
@@ -376,7 +395,8 @@ class Cut(unittest.TestCase):
         self.assertEqual(self.cut("--kerf-table", "x").returncode, 2)
 
     def test_anyway_cuts_what_is_sound(self):
-        done = run("cut", self.plate, *STEEL, "--anyway", "-o", self.folder / "out.nc")
+        small = self.drawn("small.svg", PLATE.replace('r="2.5"', 'r="0.2"'))
+        done = run("cut", small, *STEEL, "--anyway", "-o", self.folder / "out.nc")
         self.assertEqual(done.returncode, 1)
         self.assertIn("3 cuts", done.stdout)
 

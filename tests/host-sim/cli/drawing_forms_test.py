@@ -78,7 +78,7 @@ class DrawingForms(unittest.TestCase):
 
     def test_most_gaps_are_closed_when_asked_and_said(self):
         loose = dxf_of(loose_square(30, 0.07))
-        refused = self.run_on("cut", "loose.dxf", loose, *STEEL)
+        refused = self.run_on("cut", "loose.dxf", loose, *STEEL, "--gap", "0.01")
         self.assertEqual(refused.returncode, 1)
         self.assertIn("--gap 0.1 closes 8 of 8 open ends", refused.stderr)
         done = self.run_on("cut", "loose.dxf", loose, *STEEL, "--gap", "auto")
@@ -86,6 +86,12 @@ class DrawingForms(unittest.TestCase):
         self.assertIn("note: ", done.stderr)
         self.assertIn("gaps up to 0.1 mm are joined", done.stderr)
         self.assertIn("G1", done.stdout)
+
+    def test_gaps_that_are_certain_are_closed_and_said(self):
+        done = self.run_on("cut", "loose.dxf", dxf_of(loose_square(30, 0.07)), *STEEL)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn("note: ", done.stderr)
+        self.assertIn("gaps between two ends with no other one near are joined by lines", done.stderr)
 
     def test_units_are_said_and_set(self):
         circle = "0\nCIRCLE\n8\n0\n40\n1\n"

@@ -163,6 +163,17 @@ TEST(Outline, NamesEntityAndPlaceOfWhatItCannotFit) {
   EXPECT_THAT(to_string(fault, "x.svg"), testing::HasSubstr("path \"p\" at 30.000 80.000"));
 }
 
+TEST(Outline, LeavesOutCurvesThatAreOnePlaceWithinTheTolerance) {
+  const drawing::Drawing drawn = drawing::read(drawing::svg_of(
+      "<path d='M10 10H50 C50.004 10 49.996 10 50 10 V40 C50 40.001 50 40.001 50 40.001 "
+      "L50 50 H10Z'/>"));
+  const Outline outline = outline_of(drawn);
+  EXPECT_TRUE(outline.faults.empty());
+  ASSERT_EQ(outline.contour.loop_ends.size(), 1U);
+  for (const ContourVertex& vertex : outline.contour.vertices) EXPECT_EQ(vertex.bulge, 0.0);
+  EXPECT_LE(outline.contour.vertices.size(), 6U);
+}
+
 TEST(Outline, OfAnOpenContourEndsWhereTheContourEnds) {
   const Drawing drawn = read_path("M10 10 C20 10 30 20 30 30 L40 30");
   ASSERT_EQ(drawn.contours.size(), 1U);

@@ -97,18 +97,26 @@ TEST(CutPlan, RefusesToCutOnePartOffAnother) {
   EXPECT_THAT(plan.faults[0].reason, testing::HasSubstr("takes 0.200 mm off rect"));
 }
 
-/// Wherever along the cut the tip comes too near to it, and by however little.
+/// Wherever along the cut the tip comes too near to it, and by however little: both are cut as one
+/// part then, and the user is told.
 TEST(CutPlan, FindsTheTipThatACutTouches) {
   for (int i = 0; i < 10; ++i) {
-    const auto faults = [i](double gap_mm) {
-      return plan_of(drawing_of(fmt::format("<rect x=\"0\" y=\"0\" width=\"10\" height=\"10\"/>"
-                                            "<path d=\"M{} {} l3 5 h-0.4 z\"/>",
-                                            5.0 + 0.013 * i,
-                                            10.0 + gap_mm)))
-          .faults;
+    const auto plan = [i](double gap_mm) {
+      return plan_of(
+          drawing_of(fmt::format("<rect x=\"0\" y=\"0\" width=\"10\" height=\"10\"/>"
+                                 "<path d=\"M{} {} l3 5 h-0.4 z\"/>",
+                                 5.0 + 0.013 * i,
+                                 10.0 + gap_mm)));
     };
-    EXPECT_FALSE(faults(0.5997).empty()) << i;
-    EXPECT_TRUE(faults(0.6003).empty()) << i;
+    const CutPlan near = plan(0.5997);
+    EXPECT_THAT(near.faults, testing::IsEmpty()) << i;
+    EXPECT_EQ(near.cuts.size(), 1U) << i;
+    ASSERT_FALSE(near.warnings.empty()) << i;
+    EXPECT_THAT(near.warnings[0].reason, testing::HasSubstr("nearer to an edge than the kerf"));
+    EXPECT_NEAR(near.warnings[0].place_mm->x(), 5.0 + 0.013 * i, 0.1);
+    const CutPlan apart = plan(0.6003);
+    EXPECT_EQ(apart.cuts.size(), 2U) << i;
+    EXPECT_THAT(apart.warnings, testing::IsEmpty()) << i;
   }
 }
 

@@ -35,7 +35,7 @@ TEST(Filling, TheCornerLoopsOfABoxGeneratorAreLeftOutInOneNote) {
       "C 27 10.5 27.1 10.4 27 10.4 H 24.1 Z'/><circle cx='60' cy='60' r='9'/>"));
   ASSERT_THAT(kinds_of(drawn), ElementsAre(FaultKind::kMended));
   EXPECT_FALSE(drawn.has_errors());
-  EXPECT_THAT(drawn.faults[0].reason, HasSubstr("4 loops of less than 0.02 mm2"));
+  EXPECT_THAT(drawn.faults[0].reason, HasSubstr("4 of less than 0.02 mm2"));
   ASSERT_THAT(drawn.contours, SizeIs(2));
   EXPECT_TRUE(drawn.contours[0].is_filled);
   EXPECT_THAT(shapes_of(drawn.contours[0]), ElementsAre("line", "line", "line", "line"));

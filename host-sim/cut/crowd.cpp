@@ -1,0 +1,203 @@
+#include "host-sim/cut/crowd.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <limits>
+#include <map>
+#include <numeric>
+
+namespace sim::cut {
+namespace {
+
+/// Sets of outlines, united step by step.
+class OutlineSets {
+ public:
+  explicit OutlineSets(std::size_t count) : parents_(count) {
+    std::iota(parents_.begin(), parents_.end(), std::size_t{0});
+  }
+  std::size_t find(std::size_t number) {
+    while (parents_[number] != number) {
+      parents_[number] = parents_[parents_[number]];
+      number = parents_[number];
+    }
+    return number;
+  }
+  void unite(std::size_t a, std::size_t b) { parents_[find(a)] = find(b); }
+
+ private:
+  std::vector<std::size_t> parents_;
+};
+
+struct Extremes {
+  Place least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  Place most{-least};
+};
+
+Extremes extremes_of(const std::vector<Stroke>& row) {
+  Extremes extremes;
+  for (const Stroke& stroke : row) {
+    extremes.least = extremes.least.cwiseMin(stroke.from);
+    extremes.most = extremes.most.cwiseMax(stroke.from);
+  }
+  return extremes;
+}
+
+bool holds(const Extremes& outer, const Extremes& inner) {
+  return (inner.least - outer.least).minCoeff() >= 0.0 &&
+         (outer.most - inner.most).minCoeff() >= 0.0;
+}
+
+/// Puts a frame round a crowd in a hole, so that there is material round the hole.
+/// @return whether it has one
+bool frame_holes(const std::vector<Outline>& outlines,
+                 const std::vector<std::size_t>& crowd,
+                 double half_kerf_mm,
+                 Contour& region) {
+  Extremes all;
+  std::vector<Extremes> extremes;
+  for (const std::size_t i : crowd) {
+    extremes.push_back(extremes_of(outlines[i].strokes));
+    all.least = all.least.cwiseMin(extremes.back().least);
+    all.most = all.most.cwiseMax(extremes.back().most);
+  }
+  bool has_frame = false;
+  for (std::size_t k = 0; k < crowd.size(); ++k) {
+    if (!outlines[crowd[k]].is_hole) continue;
+    const bool has_outer = std::ranges::any_of(crowd, [&](std::size_t other) {
+      return !outlines[other].is_hole && holds(extremes_of(outlines[other].strokes), extremes[k]);
+    });
+    has_frame = has_frame || !has_outer;
+  }
+  if (!has_frame) return false;
+  const double margin = 10.0 * half_kerf_mm + (all.most - all.least).maxCoeff();
+  const Place least = all.least - Place::Constant(margin);
+  const Place most = all.most + Place::Constant(margin);
+  region.vertices.push_back({least.x(), least.y(), 0.0});
+  region.vertices.push_back({most.x(), least.y(), 0.0});
+  region.vertices.push_back({most.x(), most.y(), 0.0});
+  region.vertices.push_back({least.x(), most.y(), 0.0});
+  region.end_loop();
+  return true;
+}
+
+/// Returns the outline of a crowd that is nearest to the beginning of a path.
+std::size_t owner_of(const std::vector<Stroke>& loop,
+                     const std::vector<Outline>& outlines,
+                     const std::vector<std::size_t>& crowd) {
+  const Place place = place_at(loop.front(), 0.5);
+  std::size_t owner = crowd.front();
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const std::size_t i : crowd) {
+    for (const Stroke& stroke : outlines[i].strokes) {
+      const double apart = distance_to(stroke, place);
+      if (apart >= nearest) continue;
+      nearest = apart;
+      owner = i;
+    }
+  }
+  return owner;
+}
+
+/// Returns the paths beside all outlines of a crowd, as of one region.
+std::optional<std::vector<std::vector<Stroke>>> paths_of(const std::vector<Outline>& outlines,
+                                                         const std::vector<std::size_t>& crowd,
+                                                         double half_kerf_mm,
+                                                         ContourOffset& offset) {
+  Contour region;
+  const bool has_frame = frame_holes(outlines, crowd, half_kerf_mm, region);
+  for (const std::size_t i : crowd) {
+    for (const Stroke& stroke : outlines[i].strokes) {
+      region.vertices.push_back({stroke.from.x(), stroke.from.y(), stroke.bulge});
+    }
+    region.end_loop();
+  }
+  try {
+    std::vector<std::vector<Stroke>> loops = loops_of(offset.offset(region.view(), half_kerf_mm));
+    if (!has_frame) return loops;
+    // The path round the frame holds all others.
+    const auto frame = std::ranges::max_element(
+        loops, {}, [](const std::vector<Stroke>& loop) { return area_of(loop); });
+    if (frame != loops.end()) loops.erase(frame);
+    return loops;
+  } catch (const NoOffset&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+std::vector<std::vector<std::size_t>> crowds_of(
+    const std::vector<Outline>& outlines,
+    const std::vector<PathsBeside>& beside,
+    const Clearance& edges,
+    const std::function<double(std::size_t)>& half_kerf_mm) {
+  OutlineSets sets{outlines.size()};
+  std::vector<bool> is_in(outlines.size(), false);
+  std::vector<bool> is_mixed(outlines.size(), false);
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    if (beside[i].gouges.empty()) continue;
+    is_in[i] = true;
+    for (const Stroke& stroke : outlines[i].strokes) {
+      for (const std::size_t near : edges.owners_near(stroke, 2.0 * half_kerf_mm(i))) {
+        is_in[near] = true;
+        is_mixed[near] = is_mixed[near] || half_kerf_mm(near) != half_kerf_mm(i);
+        sets.unite(i, near);
+      }
+    }
+  }
+  std::map<std::size_t, std::vector<std::size_t>> crowds;
+  for (std::size_t i = 0; i < outlines.size(); ++i) {
+    if (is_in[i]) crowds[sets.find(i)].push_back(i);
+  }
+  std::vector<std::vector<std::size_t>> list;
+  for (auto& [set, crowd] : crowds) {
+    const auto is_other = [&](std::size_t i) { return is_mixed[i]; };
+    if (std::ranges::none_of(crowd, is_other)) list.push_back(std::move(crowd));
+  }
+  return list;
+}
+
+std::vector<drawing::Fault> held_together(const drawing::Drawing& drawn,
+                                          const std::vector<std::size_t>& crowd,
+                                          const std::vector<PathsBeside>& beside) {
+  for (const std::size_t i : crowd) {
+    if (beside[i].gouges.empty()) continue;
+    drawing::Fault held = beside[i].gouges.front();
+    held.reason = fmt::format(
+        "comes nearer to an edge than the kerf, {} contour{} in all: what is so near holds "
+        "together, and no cut takes anything off it",
+        crowd.size(),
+        crowd.size() == 1 ? "" : "s");
+    held.entity = drawn.contours[i].entity;
+    return {std::move(held)};
+  }
+  return {};
+}
+
+std::optional<std::vector<std::vector<Rest>>> part_crowd(const std::vector<Outline>& outlines,
+                                                         const std::vector<std::size_t>& crowd,
+                                                         double half_kerf_mm,
+                                                         ContourOffset& offset,
+                                                         std::vector<PathsBeside>& beside) {
+  const auto loops = paths_of(outlines, crowd, half_kerf_mm, offset);
+  if (!loops) return std::nullopt;
+  const double reach_mm = 4.0 * half_kerf_mm;
+  std::vector<std::vector<Rest>> rests;
+  for (const std::size_t i : crowd) {
+    rests.push_back(rests_along(outlines[i].strokes, *loops, half_kerf_mm, reach_mm));
+    const auto alone = rests_along(outlines[i].strokes, beside[i].loops, half_kerf_mm, reach_mm);
+    for (const Rest& rest : rests.back()) {
+      const bool is_slot = std::ranges::any_of(
+          alone, [&](const Rest& own) { return own.length_mm >= rest.length_mm - 1.0e-9; });
+      if (rest.length_mm > kMostHoldMm && !is_slot) return std::nullopt;
+    }
+  }
+  for (const std::size_t i : crowd) beside[i] = {};
+  for (const std::vector<Stroke>& loop : *loops) {
+    beside[owner_of(loop, outlines, crowd)].loops.push_back(loop);
+  }
+  return rests;
+}
+
+}  // namespace sim::cut

@@ -1,0 +1,57 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "host-sim/contour/contour_offset.hpp"
+#include "host-sim/cut/clearance.hpp"
+#include "host-sim/cut/kerf_faults.hpp"
+#include "host-sim/cut/outlines.hpp"
+#include "host-sim/cut/stroke.hpp"
+
+namespace sim::cut {
+
+/// The paths of the beam beside one outline, and the places where each takes something off a part.
+struct PathsBeside {
+  std::vector<std::vector<Stroke>> loops{};
+  std::vector<drawing::Fault> gouges{};
+};
+
+/// Returns sets of outlines whose paths take something off each other, with their neighbours within
+/// the kerf; each outline is in one set at most. Outlines with another kerf are in none.
+/// @param beside one for each outline
+/// @param half_kerf_mm of an outline
+[[nodiscard]] std::vector<std::vector<std::size_t>> crowds_of(
+    const std::vector<Outline>& outlines,
+    const std::vector<PathsBeside>& beside,
+    const Clearance& edges,
+    const std::function<double(std::size_t)>& half_kerf_mm);
+
+/// Returns a warning for the first outline of a crowd whose path takes something off another, where
+/// that is most: there they hold together once they share a path.
+[[nodiscard]] std::vector<drawing::Fault> held_together(const drawing::Drawing& drawn,
+                                                        const std::vector<std::size_t>& crowd,
+                                                        const std::vector<PathsBeside>& beside);
+
+/// Moves paths beside outlines that touch, or are nearer to each other than the kerf, so that none
+/// takes anything off any of them: they are cut as one part, which holds together where they are
+/// so near. That is what becomes of parts that touch at a corner, and of scraps beside a notch.
+///
+/// A path belongs to the outline beside which it begins; one that has none is cut with the others.
+/// @param beside paths of the outlines of the crowd; changed only if this returns rests
+/// @return by outline of the crowd, its stretches that stay uncut; nothing where no such paths
+///         exist, or more than `kMostHoldMm` would hold at one place: these are parts that lie
+///         against each other
+[[nodiscard]] std::optional<std::vector<std::vector<Rest>>> part_crowd(
+    const std::vector<Outline>& outlines,
+    const std::vector<std::size_t>& crowd,
+    double half_kerf_mm,
+    ContourOffset& offset,
+    std::vector<PathsBeside>& beside);
+
+/// The greatest length of an edge at which neighbours may hold together, mm.
+inline constexpr double kMostHoldMm = 3.0;
+
+}  // namespace sim::cut

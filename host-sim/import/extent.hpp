@@ -1,0 +1,19 @@
+#pragma once
+
+#include "host-sim/import/curve.hpp"
+
+namespace sim::drawing {
+
+/// A length or an area, and where it is.
+struct Extent {
+  double size = 0.0;
+  Place place{0.0, 0.0};
+
+  void take_greater(double other_size, const Place& other_place) {
+    if (other_size <= size) return;
+    size = other_size;
+    place = other_place;
+  }
+};
+
+}  // namespace sim::drawing

@@ -1,0 +1,31 @@
+#include "host-sim/import/svg_origin.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <string_view>
+
+namespace sim::drawing {
+
+void note_burn(Sketch& sketch, const std::string& svg) {
+  // Its reference line says so in letters: `100.0mm, burn:0.10mm`.
+  constexpr std::string_view kGenerator = "Boxes.py";
+  constexpr std::string_view kBurn = "burn:";
+  const std::size_t found = svg.find(kBurn);
+  if (found == std::string::npos || svg.find(kGenerator) == std::string::npos) return;
+  const char* const from = svg.c_str() + found + kBurn.size();
+  char* end = nullptr;
+  const double burn_mm = std::strtod(from, &end);
+  constexpr double kMostBurnMm = 10.0;
+  const bool is_known = end != from && std::string_view{end}.starts_with("mm");
+  if (!is_known || !(burn_mm > 0.0) || burn_mm > kMostBurnMm) return;
+  sketch.note(
+      fmt::format("drawn by Boxes.py with burn {:g} mm: it allows for a kerf of {:g} mm, and "
+                  "is cut to size on its lines, not beside them",
+                  burn_mm,
+                  2.0 * burn_mm),
+      {},
+      "draw it with burn 0, or cut with --layer '*: side=on'");
+}
+
+}  // namespace sim::drawing

@@ -1,0 +1,130 @@
+#!/usr/bin/env python3
+"""`kerfline cut` of drawings as people make them: what is sound is cut as it is seen, the rest is told.
+
+    cut_drawings_test.py KERFLINE
+"""
+
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+KERFLINE = ""
+HEAD = ('<svg xmlns="http://www.w3.org/2000/svg" xmlns:inkscape="http://www.inkscape.org/namespaces/inkscape" '
+        'width="60mm" height="40mm" viewBox="0 0 60 40" fill="none" stroke="#000">')
+KERF = ("--kerf", "0.2", "--power", "20W", "--feed", "600", "--full-power", "40")
+
+
+def box_with_loops() -> str:
+    """A slot whose corners have the tiny loops that box generators draw."""
+    return ("M 24 10 H 21 C 20.9 10 21 10.1 21 10 V 7 C 21 6.9 20.9 7 21 7 "
+            "H 27 C 27.1 7 27 6.9 27 7 V 10 C 27 10.1 27.1 10 27 10 H 24 Z")
+
+
+class CutDrawings(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.target = self.folder / "job.nc"
+
+    def cut(self, content, *more):
+        drawing = self.folder / "drawing.svg"
+        drawing.write_text(f"{HEAD}{content}</svg>")
+        return subprocess.run([KERFLINE, "cut", drawing, *KERF, *more, "-o", self.target],
+                              capture_output=True, text=True, check=False)
+
+    def sound(self, content, *more):
+        done = self.cut(content, *more)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done
+
+    def bounds(self):
+        """The least and greatest X and Y of the program, but for the origin, at which it ends."""
+        places = {"X": [], "Y": []}
+        for axis, number in re.findall(r"([XY])(-?[\d.]+)", self.target.read_text()):
+            places[axis] += [float(number)] * (float(number) != 0)
+        return [(min(values), max(values)) for values in places.values()]
+
+    def cuts(self, done):
+        return int(re.search(r"^(\d+) cuts?,", done.stdout, re.M)[1])
+
+    def test_loops_at_corners_of_box_generators(self):
+        done = self.sound(f'<rect x="1" y="1" width="50" height="30"/><path d="{box_with_loops()}"/>')
+        self.assertEqual(self.cuts(done), 2)
+        self.assertIn("4 of less than 0.02 mm2", done.stderr)
+        self.assertNotIn("warning: ", done.stderr.replace("kerfline: warning", ""))
+
+    def test_a_copy_on_another_layer_a_nanometre_away(self):
+        layer = '<g inkscape:groupmode="layer" inkscape:label="{}">{}</g>'
+        plate = '<rect x="1" y="1" width="38" height="28"/><circle cx="20" cy="15" r="5"/>'
+        done = self.sound(layer.format("a", plate) +
+                          layer.format("b", '<circle cx="20" cy="15" r="4.999995"/>'), "--check")
+        self.assertEqual(self.cuts(done), 2)
+        self.assertIn("of another layer", done.stderr)
+        self.assertLess(float(re.search(r"off the part at most ([\d.]+) um", done.stdout)[1]), 10)
+
+    def test_a_slot_across_the_edge_in_another_colour(self):
+        done = self.sound('<rect x="5" y="5" width="40" height="30"/>'
+                          '<rect stroke="#00f" x="20" y="1" width="4" height="10"/>')
+        self.assertIn("2 contours cross each other", done.stderr)
+        self.assertIn("holds together", done.stderr)
+        (low_x, high_x), (low_y, high_y) = self.bounds()
+        self.assertAlmostEqual(high_x, 45.1, 3)
+        self.assertAlmostEqual(high_y, 39.1, 3)
+        self.assertLess(low_x, 4.91)
+        self.assertLess(low_y, 4.91)
+
+    def test_layers_that_are_cut_otherwise_do_not_fill_together(self):
+        content = ('<rect x="5" y="5" width="40" height="30"/>'
+                   '<rect stroke="#00f" x="20" y="1" width="4" height="10"/>')
+        done = self.sound(content, "--layer", "#00f: kind=score, power=5W, feed=900")
+        self.assertNotIn("cross each other", done.stderr)
+        self.assertEqual(self.cuts(done), 2)
+
+    def test_a_living_hinge_is_cut_on_its_lines(self):
+        slits = "".join(f"M {12 + 0.5 * i} {8 + 5 * (i % 2)} v 20 " for i in range(20))
+        done = self.sound(f'<rect x="5" y="5" width="40" height="30"/><path d="{slits}"/>')
+        self.assertEqual(self.cuts(done), 21)
+        self.assertIn("20 open contours", done.stderr)
+
+    def test_an_outline_that_nearly_closes(self):
+        done = self.sound('<path d="M 5.1 5 H 45 V 35 H 5 V 5.1"/>')
+        self.assertEqual(self.cuts(done), 1)
+        self.assertIn("nearly closed", done.stderr)
+        refused = self.cut('<path d="M 5.1 5 H 45 V 35 H 5 V 5.1"/>', "--gap", "0.01")
+        self.assertEqual(refused.returncode, 1)
+        self.assertIn("the contour is open", refused.stderr)
+
+    def test_parts_side_by_side_are_refused_and_offered_a_common_cut(self):
+        pair = '<path d="M10 10H30V30H10Z"/><path d="M30 10H50V30H30Z"/>'
+        refused = self.cut(pair)
+        self.assertEqual(refused.returncode, 1)
+        self.assertIn("along 20.000 mm", refused.stderr)
+        self.assertIn("--common-line", refused.stderr)
+        self.assertFalse(self.target.exists())
+        done = self.sound(pair, "--common-line", "0.2")
+        self.assertIn("warning: ", done.stderr)
+
+    def test_rings_nearer_than_the_kerf_are_refused(self):
+        refused = self.cut('<circle cx="30" cy="20" r="15"/><circle cx="30" cy="20" r="10"/>'
+                           '<circle cx="30" cy="20" r="9.9"/>')
+        self.assertEqual(refused.returncode, 1)
+        self.assertIn("put them at least the kerf apart", refused.stderr)
+
+    def test_a_box_generator_that_allows_for_the_kerf_itself(self):
+        box = ('<!-- Created with Boxes.py --><rect x="10" y="10" width="20.2" height="10.2"/>'
+               '<text x="1" y="5">100.0mm, burn:0.10mm</text>')
+        done = self.sound(box)
+        self.assertIn("allows for a kerf of 0.2 mm", done.stderr)
+        self.assertIn("side=on", done.stderr)
+        self.sound(box, "--layer", "*: side=on")
+        (low_x, high_x), _ = self.bounds()
+        self.assertAlmostEqual(high_x - low_x, 20.2, 3)
+
+
+if __name__ == "__main__":
+    KERFLINE = sys.argv.pop(1)
+    unittest.main()

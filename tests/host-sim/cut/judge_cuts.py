@@ -1,0 +1,304 @@
+"""Judges the programs that `kerfline cut` makes of a folder of drawings, by geometry of its own.
+
+usage: judge_cuts.py KERFLINE FOLDER [--only PATTERN] OPTION_OF_CUT …
+
+Not part of the test suite: it takes any folder of drawings of others. svgelements or ezdxf reads a drawing once
+more, shapely fills its closed contours by even-odd, and of each program that is written it is looked
+
+* whether a path of the beam comes nearer to a part than half the kerf less 5 um, or runs across it;
+* whether each edge of a part has a path beside it: what has none must be listed by the program's warnings;
+* whether two cuts go along the same line.
+
+Parts and holes of less than 0.02 mm2, or 0.01 mm of mean width, do not count, nor does a line that is open and is cut
+as such. Prints a line for each drawing and the sum; exit status 1 if one is wrong.
+"""
+import cmath
+import fnmatch
+import math
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+
+import numpy
+import shapely
+from shapely.geometry import LineString, Point, Polygon
+from shapely.ops import polygonize, unary_union
+from shapely.prepared import prep
+from shapely.strtree import STRtree
+
+CHORD_MM = 0.002
+SLACK_MM = 0.005
+LEAST_MM2, LEAST_WIDTH_MM = 0.02, 0.01
+EVERY_MM = 0.4
+NEARLY_CLOSED_MM, NEARLY_CLOSED_SHARE = 0.5, 0.02
+SECONDS = 300
+
+
+def curve(segment) -> list:
+    """Points along a segment of svgelements, without its start, within the chord error."""
+    if type(segment).__name__ in ("Line", "Close"):
+        return [complex(segment.end.x, segment.end.y)]
+    length = segment.length(error=1e-3)
+    count = max(4, min(400, math.ceil(math.sqrt(length) / math.sqrt(8 * CHORD_MM) * 2)))
+    return [complex(segment.point(i / count).x, segment.point(i / count).y) for i in range(1, count + 1)]
+
+
+def rows_of_svg(file: pathlib.Path) -> list:
+    """The subpaths of all shapes that are seen, in mm, y upwards."""
+    import svgelements  # pylint: disable=import-outside-toplevel
+    document = svgelements.SVG.parse(str(file), reify=True, ppi=25.4)
+    rows = []
+    for shape in document.elements():
+        if not isinstance(shape, svgelements.Shape) or shape.values.get("display") == "none":
+            continue
+        if all(paint is None or paint.value is None for paint in (shape.stroke, shape.fill)):
+            continue
+        for segment in abs(svgelements.Path(shape)).segments():
+            if type(segment).__name__ == "Move":
+                rows.append([complex(segment.end.x, segment.end.y)])
+            elif segment.start is not None and segment.end is not None:
+                rows[-1] += curve(segment)
+    height = float(document.height)
+    return [[complex(p.real, height - p.imag) for p in row] for row in rows if len(row) > 1]
+
+
+def rows_of_dxf(file: pathlib.Path) -> list:
+    """The entities of the model space that are curves, in mm, ends within 0.01 mm joined."""
+    import ezdxf  # pylint: disable=import-outside-toplevel
+    from ezdxf import disassemble, units  # pylint: disable=import-outside-toplevel
+    document = ezdxf.readfile(str(file))
+    unit = document.header.get("$INSUNITS", 0)
+    factor = units.conversion_factor(unit, units.MM) if unit else 1.0
+    pieces = []
+    for entity in disassemble.to_primitives(disassemble.recursive_decompose(document.modelspace())):
+        if entity.path is None:
+            continue
+        points = [complex(v.x, v.y) * factor for v in entity.path.flattening(CHORD_MM / factor)]
+        if len(points) > 1:
+            pieces.append(points)
+    return joined(pieces)
+
+
+def joined(pieces: list) -> list:
+    """Rows of pieces whose ends meet within 0.01 mm."""
+    rows, left = [], pieces[:]
+    while left:
+        row = left.pop()
+        grown = True
+        while grown and abs(row[0] - row[-1]) > 0.01:
+            grown = False
+            for i, piece in enumerate(left):
+                if abs(piece[0] - row[-1]) <= 0.01 or abs(piece[-1] - row[-1]) <= 0.01:
+                    row = row + (piece if abs(piece[0] - row[-1]) <= 0.01 else piece[::-1])
+                    del left[i]
+                    grown = True
+                    break
+        rows.append(row)
+    return rows
+
+
+def is_closed(row: list) -> bool:
+    """Whether the ends of a row meet, or nearly do beside its length."""
+    apart = abs(row[0] - row[-1])
+    length = sum(abs(b - a) for a, b in zip(row, row[1:]))
+    return apart <= 0.01 or (apart <= NEARLY_CLOSED_MM and apart <= NEARLY_CLOSED_SHARE * length)
+
+
+def line(row: list) -> LineString:
+    return LineString([(p.real, p.imag) for p in row])
+
+
+def without_copies(rows: list) -> list:
+    """Rows that are not drawn before at the same place."""
+    kept, known = [], set()
+    for row in rows:
+        key = tuple(sorted({(round(p.real, 2), round(p.imag, 2)) for p in row}))
+        if key not in known:
+            kept.append(row)
+        known.add(key)
+    return kept
+
+
+def is_worth(ring) -> bool:
+    area = abs(Polygon(ring).area)
+    return area >= LEAST_MM2 and 2 * area / ring.length >= LEAST_WIDTH_MM
+
+
+def parts_of(rows: list) -> list:
+    """Polygons of what closed rows fill by even-odd."""
+    closed = without_copies([row + [row[0]] for row in rows if is_closed(row)])
+    faces = list(polygonize(unary_union([line(row) for row in closed])))
+    around = [Polygon(line(row)) for row in closed]
+    tree = STRtree(around)
+    number = {id(polygon): i for i, polygon in enumerate(around)}
+    arrays = [numpy.array(row) for row in closed]
+    inside = []
+    for face in faces:
+        place = face.representative_point()
+        turns = sum(winding_is_odd(arrays[number[id(p)]], place) for p in tree.query(place))
+        if turns % 2:
+            inside.append(face)
+    merged = unary_union(inside)
+    polygons = list(merged.geoms) if hasattr(merged, "geoms") else [merged]
+    return [Polygon(p.exterior, [ring for ring in p.interiors if is_worth(ring)])
+            for p in polygons if not p.is_empty and is_worth(p.exterior)]
+
+
+def winding_is_odd(row: numpy.ndarray, place: Point) -> bool:
+    """Whether a ray from a place crosses a closed row of complex places an odd number of times."""
+    crossing = numpy.flatnonzero((row.imag[:-1] > place.y) != (row.imag[1:] > place.y))
+    a, b = row[crossing], row[crossing + 1]
+    return numpy.count_nonzero(place.x < a.real + (place.y - a.imag) * (b.real - a.real) / (b.imag - a.imag)) % 2 == 1
+
+
+def arc(start: complex, end: complex, centre: complex, left: bool) -> list:
+    """Points along an arc, without its start."""
+    turn = cmath.phase((end - centre) / (start - centre))
+    if left and turn <= 1e-12:
+        turn += 2 * math.pi
+    if not left and turn >= -1e-12:
+        turn -= 2 * math.pi
+    radius = abs(start - centre)
+    step = math.sqrt(8 * CHORD_MM / max(radius, CHORD_MM))
+    count = max(2, math.ceil(abs(turn) / step))
+    return [centre + (start - centre) * cmath.exp(1j * turn * i / count) for i in range(1, count)] + [end]
+
+
+def beam_rows(program: str) -> list:
+    """The paths with the beam on, each from a rapid to the next."""
+    rows, place, motion = [], 0j, 0
+    for text in program.splitlines():
+        text = re.sub(r"\(.*?\)|;.*", "", text)
+        words = dict((letter, float(value)) for letter, value in re.findall(r"([A-Z])([-+]?[\d.]+)", text))
+        for motions in re.findall(r"G(\d+)", text):
+            motion = int(motions) if int(motions) in (0, 1, 2, 3) else motion
+        if "X" not in words and "Y" not in words and "I" not in words:
+            continue
+        end = complex(words.get("X", place.real), words.get("Y", place.imag))
+        if motion == 0:
+            rows.append([end])
+        elif motion == 1:
+            rows[-1].append(end)
+        else:
+            centre = place + complex(words.get("I", 0.0), words.get("J", 0.0))
+            rows[-1] += arc(place, end, centre, motion == 3)
+        place = end
+    return [row for row in rows if len(row) > 1]
+
+
+def strokes_of(rows: list) -> list:
+    """Short line strings, which a tree tells apart, with the number of their row."""
+    strokes = []
+    for i, row in enumerate(rows):
+        for k in range(0, len(row) - 1, 16):
+            strokes.append((i, line(row[k:k + 17])))
+    return [(i, stroke) for i, stroke in strokes if stroke.length > 0]
+
+
+def places_along(one: LineString) -> list:
+    count = max(1, int(one.length / EVERY_MM))
+    return [one.interpolate((k + 0.5) / count, normalized=True) for k in range(count)]
+
+
+class Nearest:
+    """Distances to many lines."""
+
+    def __init__(self, lines: list) -> None:
+        self.tree = STRtree(lines) if lines else None
+
+    def of(self, place: Point) -> float:
+        return place.distance(self.tree.nearest(place)) if self.tree else math.inf
+
+
+def judged(file: pathlib.Path, program: str, told: str) -> str:
+    """The faults of a program, or an empty text."""
+    kerf = float(re.search(r"kerf ([\d.]+) mm", program)[1])
+    rows = rows_of_svg(file) if file.suffix == ".svg" else rows_of_dxf(file)
+    parts = parts_of(rows)
+    rings = [ring for part in parts for ring in [part.exterior, *part.interiors]]
+    edges = [stroke for _, stroke in strokes_of([[complex(*c) for c in ring.coords] for ring in rings])]
+    lines = [stroke for _, stroke in strokes_of([row for row in rows if not is_closed(row)])]
+    cuts = strokes_of(beam_rows(program))
+    near_edges, near_lines, near_cuts = Nearest(edges), Nearest(lines), Nearest([s for _, s in cuts])
+    inside, prepared = STRtree(parts) if parts else None, {id(part): prep(part) for part in parts}
+    complaints = []
+    worst, count, where = math.inf, 0, None
+    for _, stroke in cuts:
+        for place in places_along(stroke):
+            apart = near_edges.of(place)
+            if inside and any(prepared[id(part)].contains(place) for part in inside.query(place)):
+                apart = -apart
+            if apart < kerf / 2 - SLACK_MM and near_lines.of(place) > SLACK_MM + 0.01:
+                count += 1
+                if apart < worst:
+                    worst, where = apart, place
+    if count:
+        complaints.append(f"{count} places too near, {worst:.4f} mm at {where.x:.3f} {where.y:.3f}")
+    uncut = [p for edge in edges for p in places_along(edge) if near_cuts.of(p) > kerf + SLACK_MM]
+    missing = sum(edge.length for edge in edges) / max(1, sum(len(places_along(e)) for e in edges)) * len(uncut)
+    listed = sum(float(mm) for mm in re.findall(r"([\d.]+) mm of it stay uncut", told))
+    listed += sum(ring.length for ring in rings if "would vanish" in told and
+                  Polygon(ring).buffer(-kerf / 2).is_empty)
+    if missing > 1.2 * listed + 1:
+        complaints.append(f"{missing:.1f} mm uncut, {listed:.1f} listed, as at {uncut[0].x:.3f} {uncut[0].y:.3f}")
+    twice = cut_twice(cuts)
+    if twice > 1:
+        complaints.append(f"{twice:.1f} mm cut twice")
+    return "; ".join(complaints)
+
+
+def cut_twice(cuts: list) -> float:
+    """The length that two cuts go along within 10 um."""
+    tree = STRtree([stroke for _, stroke in cuts]) if cuts else None
+    owner = {id(stroke): i for i, stroke in cuts}
+    length = 0.0
+    for i, stroke in cuts:
+        places = places_along(stroke)
+        for place in places:
+            beside = LineString([(place.x - 0.01, place.y - 0.01), (place.x + 0.01, place.y + 0.01)])
+            if any(owner[id(other)] > i and other.distance(place) < 0.01 for other in tree.query(beside)):
+                length += stroke.length / len(places)
+    return length
+
+
+def verdict_on(kerfline: str, file: pathlib.Path, options: list) -> tuple:
+    """`right`, `wrong`, `refused` or `not judged`, and why."""
+    with tempfile.TemporaryDirectory() as scratch:
+        target = pathlib.Path(scratch) / "job.nc"
+        try:
+            run = subprocess.run([kerfline, "cut", str(file), *options, "-o", str(target)],
+                                 capture_output=True, text=True, check=False, timeout=SECONDS)
+        except subprocess.TimeoutExpired:
+            return "refused", f"longer than {SECONDS} s"
+        if run.returncode != 0:
+            errors = [text for text in run.stderr.splitlines()
+                      if not text.startswith(("note", "warning", "kerfline"))]
+            return "refused", errors[0] if errors else run.stderr.strip()[-200:]
+        try:
+            complaint = judged(file, target.read_text(), run.stderr)
+        except Exception as error:  # pylint: disable=broad-except
+            return "not judged", f"{type(error).__name__}: {error}"
+        return ("wrong", complaint) if complaint else ("right", "")
+
+
+def main() -> int:
+    kerfline, folder, options = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3:]
+    pattern = "*"
+    if options[:1] == ["--only"]:
+        pattern, options = options[1], options[2:]
+    sums = {}
+    for file in sorted(folder.rglob("*")):
+        if file.suffix.lower() not in (".svg", ".dxf") or not fnmatch.fnmatch(file.name, pattern):
+            continue
+        verdict, why = verdict_on(kerfline, file, options)
+        sums[verdict] = sums.get(verdict, 0) + 1
+        print(f"{file.relative_to(folder)}: {verdict}{': ' + why[:200] if why else ''}", flush=True)
+    print(", ".join(f"{count} {verdict}" for verdict, count in sorted(sums.items())) +
+          f"; shapely {shapely.__version__}")
+    return 1 if sums.get("wrong") else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
