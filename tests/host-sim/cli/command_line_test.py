@@ -267,7 +267,7 @@ class CommandLine(unittest.TestCase):
     def test_no_program_says_what_stays(self):
         old, part = self.folder / "part.nc", self.folder / "part.svg"
         old.write_text("old")
-        part.write_text("<svg width='9mm' height='9mm' viewBox='0 0 9 9'><path d='M1 1L8 1'/></svg>")
+        part.write_text("<svg width='9mm' height='9mm' viewBox='0 0 9 9'><path d='M1 1L8 1V7 M8 7.25H1V1.25'/></svg>")
         for call in (("cut", part, "--material", "CSP 1N", "--thickness", "2"), ("offset", part, "-d", "1")):
             done = run(*call, "-o", old)
             self.assertEqual(done.returncode, 1)
