@@ -4,9 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <unordered_map>
 
 #include "host-sim/contour/filled_loops.hpp"
+#include "planner/pocket/loop_measures.hpp"
 
 namespace sim {
 namespace {
@@ -46,6 +48,62 @@ Crowd densest(const cnc::contour::ContourView<double>& input, double side_mm) {
                  "simplify it there, or leave out what the tool does not reach"};
 }
 
+/// The measures of loops that bound what an offset adds or takes.
+struct Measures {
+  double area_mm2 = 0.0;
+  double length_mm = 0.0;
+  double turn = 0.0;  ///< Of all arcs and corners, to either side, radians.
+};
+
+Measures measures_of(const cnc::contour::ContourView<double>& view) {
+  Measures measures;
+  for (std::size_t loop = 0; loop < view.loop_ends.size(); ++loop) {
+    measures.area_mm2 += cnc::pocket::signed_area(view, loop);
+    const std::uint32_t first = view.loop_begin(loop);
+    const std::uint32_t count = view.loop_ends[loop] - first;
+    const auto heading = [&](std::uint32_t index, double side) {
+      const auto element = cnc::pocket::element_at(view, loop, index);
+      const drawing::Place chord = element.end - element.start;
+      return std::atan2(chord.y(), chord.x()) + side * 2.0 * std::atan(element.bulge);
+    };
+    double before = count == 0 ? 0.0 : heading(first + count - 1, 1.0);
+    for (std::uint32_t i = first; i < first + count; ++i) {
+      const auto element = cnc::pocket::element_at(view, loop, i);
+      measures.length_mm += cnc::pocket::length_of(element);
+      measures.turn += std::abs(4.0 * std::atan(element.bulge)) +
+                       std::abs(std::remainder(heading(i, -1.0) - before, drawing::kFullTurn));
+      before = heading(i, 1.0);
+    }
+  }
+  return measures;
+}
+
+constexpr double kRoundingMm2 = 1.0e-6;
+
+/// Returns whether material has grown, or shrunk, as the distance says, and by no more than strips
+/// beside all elements and sectors at all corners: a loop that is lost, or turned round, shows.
+bool is_possible(const Measures& input,
+                 const cnc::contour::ContourView<double>& result,
+                 double distance_mm) {
+  double area = 0.0;
+  for (std::size_t loop = 0; loop < result.loop_ends.size(); ++loop) {
+    area += cnc::pocket::signed_area(result, loop);
+  }
+  const double distance = std::abs(distance_mm);
+  const double changed = (distance_mm > 0.0 ? 1.0 : -1.0) * (area - input.area_mm2);
+  const double most = distance * (input.length_mm + 0.5 * input.turn * distance);
+  const double rounding = kRoundingMm2 + 1.0e-9 * std::abs(input.area_mm2);
+  return changed >= -rounding && changed <= most + rounding;
+}
+
+/// Returns what loops fill; nothing where that is not known, or where all of it is lost.
+std::optional<Contour> outlines_of(const cnc::contour::ContourView<double>& input) {
+  std::optional<Contour> outlines = filled_loops(input);
+  const bool is_lost =
+      outlines && outlines->loop_ends.empty() && measures_of(input).area_mm2 > kRoundingMm2;
+  return is_lost ? std::nullopt : std::move(outlines);
+}
+
 }  // namespace
 
 Contour copy_of(const cnc::contour::ContourView<double>& view) {
@@ -71,7 +129,8 @@ cnc::contour::ContourView<double> ContourOffset::offset(
   return offset_once_filled(input, distance_mm, false);
 }
 
-/// Loops that touch along a stretch, so that no offset closes, are offset as what they fill.
+/// Loops that touch or cross, so that no offset closes or material is lost, are offset as what they
+/// fill.
 // Once at most. NOLINTNEXTLINE(misc-no-recursion)
 cnc::contour::ContourView<double> ContourOffset::offset_once_filled(
     const cnc::contour::ContourView<double>& input, double distance_mm, bool is_filled) {
@@ -84,12 +143,14 @@ cnc::contour::ContourView<double> ContourOffset::offset_once_filled(
   for (;;) {
     cnc::contour::ContourWriter<double> out{slice_of(result_), slice_of(result_ends_)};
     const auto result = cnc::contour::offset<double>(input, distance_mm, space_.space(), out);
-    if (result.ok()) return result.value();
-    switch (result.error().fault) {
+    if (result.ok() && is_possible(measures_of(input), result.value(), distance_mm)) {
+      return result.value();
+    }
+    switch (result.ok() ? OffsetFault::kNotClosed : result.error().fault) {
       case OffsetFault::kNotANumber:
         throw std::invalid_argument{"a coordinate, a bulge or the distance is not finite"};
       case OffsetFault::kNotClosed:
-        if (auto outlines = is_filled ? std::nullopt : filled_loops(input)) {
+        if (auto outlines = is_filled ? std::nullopt : outlines_of(input)) {
           filled_ = std::move(*outlines);
           return offset_once_filled(filled_.view(), distance_mm, true);
         }

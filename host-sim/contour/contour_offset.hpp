@@ -55,8 +55,8 @@ class ContourOffset {
       : most_meetings_{most_meetings} {}
 
   /// Throws std::invalid_argument for numbers that are not finite, and
-  /// NoOffset. Loops whose offset does not close because they touch or cross are offset as the
-  /// outlines of their material. The view lasts until the next call.
+  /// NoOffset. Loops whose offset does not close, or loses material, because they touch or cross
+  /// are offset as the outlines of their material. The view lasts until the next call.
   cnc::contour::ContourView<double> offset(const cnc::contour::ContourView<double>& input,
                                            double distance_mm);
 

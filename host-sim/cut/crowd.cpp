@@ -5,29 +5,12 @@
 #include <algorithm>
 #include <limits>
 #include <map>
-#include <numeric>
+
+#include "host-sim/contour/contour_loops.hpp"
+#include "host-sim/import/piece_sets.hpp"
 
 namespace sim::cut {
 namespace {
-
-/// Sets of outlines, united step by step.
-class OutlineSets {
- public:
-  explicit OutlineSets(std::size_t count) : parents_(count) {
-    std::iota(parents_.begin(), parents_.end(), std::size_t{0});
-  }
-  std::size_t find(std::size_t number) {
-    while (parents_[number] != number) {
-      parents_[number] = parents_[parents_[number]];
-      number = parents_[number];
-    }
-    return number;
-  }
-  void unite(std::size_t a, std::size_t b) { parents_[find(a)] = find(b); }
-
- private:
-  std::vector<std::size_t> parents_;
-};
 
 struct Extremes {
   Place least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
@@ -107,10 +90,7 @@ std::optional<std::vector<std::vector<Stroke>>> paths_of(const std::vector<Outli
   Contour region;
   const bool has_frame = frame_holes(outlines, crowd, half_kerf_mm, region);
   for (const std::size_t i : crowd) {
-    for (const Stroke& stroke : outlines[i].strokes) {
-      region.vertices.push_back({stroke.from.x(), stroke.from.y(), stroke.bulge});
-    }
-    region.end_loop();
+    append_loops(contour_of(outlines[i].strokes).view(), region);
   }
   try {
     std::vector<std::vector<Stroke>> loops = loops_of(offset.offset(region.view(), half_kerf_mm));
@@ -132,7 +112,7 @@ std::vector<std::vector<std::size_t>> crowds_of(
     const std::vector<PathsBeside>& beside,
     const Clearance& edges,
     const std::function<double(std::size_t)>& half_kerf_mm) {
-  OutlineSets sets{outlines.size()};
+  drawing::PieceSets sets{outlines.size()};
   std::vector<bool> is_in(outlines.size(), false);
   std::vector<bool> is_mixed(outlines.size(), false);
   for (std::size_t i = 0; i < outlines.size(); ++i) {

@@ -226,8 +226,9 @@ void Planner::vanish(std::size_t i) {
       outlines_[i].strokes.front().from,
       fmt::format("is narrower than the kerf of {:.3f} mm and would vanish", 2.0 * half_kerf(i)),
       "make it wider, cut it on the line with side=on, or skip its layer"};
-  if (drawn_.contours[i].is_filled) fault.remedy = "it is left out";
-  (drawn_.contours[i].is_filled ? plan_.warnings : plan_.faults).push_back(std::move(fault));
+  const bool is_gap = drawn_.contours[i].is_filled && outlines_[i].is_hole;
+  if (is_gap) fault.remedy = "it is left out";
+  (is_gap ? plan_.warnings : plan_.faults).push_back(std::move(fault));
 }
 
 void Planner::cut_along(std::size_t i) {

@@ -9,19 +9,22 @@
 namespace cnc::contour {
 namespace {
 
-/// Sine of the turn at a corner, positive to the left. At a cusp, where the elements leave each
-/// other against their directions, it is mere rounding: there the sign is that of the gap between
-/// both elements a little before the corner, so that a tip of material turns left and the end of
-/// a slot right.
+/// Sine of the turn at a corner, positive to the left. Near a cusp, where the elements leave each
+/// other against their directions, the sine is rounding, of this computation or of the program that
+/// wrote the drawing: there the sign is that of the gap between both elements a little before the
+/// corner, so that a tip of material turns left and the end of a slot right.
 template <typename Scalar>
 Scalar turn_at(const Curve<Scalar>& before, const Curve<Scalar>& after) {
-  constexpr Scalar kCusp = Scalar(1.0e-6F);
+  constexpr Scalar kNearCusp = Scalar(1.0e-2F);
   constexpr Scalar kBeforeMm = Scalar(1.0e-3F);
   const Scalar sine = cross(before.end_tangent, after.start_tangent);
-  if (std::abs(sine) > kCusp || before.end_tangent.dot(after.start_tangent) > Scalar{0}) {
+  if (std::abs(sine) > kNearCusp || before.end_tangent.dot(after.start_tangent) > Scalar{0}) {
     return sine;
   }
-  return sine - Scalar{0.5} * kBeforeMm * (before.curvature + after.curvature);
+  const Scalar shorter =
+      std::min((before.end - before.start).norm(), (after.end - after.start).norm());
+  const Scalar way = std::min(kBeforeMm, Scalar{0.5} * shorter);
+  return sine - Scalar{0.5} * way * (before.curvature + after.curvature);
 }
 
 }  // namespace

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <numeric>
+#include <vector>
+
+namespace sim::drawing {
+
+/// Sets of numbers that are united step by step.
+class PieceSets {
+ public:
+  explicit PieceSets(std::size_t count) : parents_(count) {
+    std::iota(parents_.begin(), parents_.end(), std::size_t{0});
+  }
+
+  /// The least number of the set.
+  [[nodiscard]] std::size_t find(std::size_t number) {
+    while (parents_[number] != number) {
+      parents_[number] = parents_[parents_[number]];
+      number = parents_[number];
+    }
+    return number;
+  }
+  void unite(std::size_t a, std::size_t b) {
+    a = find(a);
+    b = find(b);
+    parents_[std::max(a, b)] = std::min(a, b);
+  }
+  [[nodiscard]] bool are_one(std::size_t a, std::size_t b) { return find(a) == find(b); }
+
+ private:
+  std::vector<std::size_t> parents_;
+};
+
+}  // namespace sim::drawing
