@@ -28,10 +28,11 @@ from shapely.ops import polygonize, unary_union
 from shapely.prepared import prep
 from shapely.strtree import STRtree
 
-CHORD_MM = 0.002
+CHORD_MM = 0.0005
 SLACK_MM = 0.005
 LEAST_MM2, LEAST_WIDTH_MM = 0.02, 0.01
 EVERY_MM = 0.4
+MEETING_MM, CERTAIN_GAP_MM = 0.01, 0.2
 NEARLY_CLOSED_MM, NEARLY_CLOSED_SHARE = 0.5, 0.02
 SECONDS = 300
 
@@ -41,7 +42,7 @@ def curve(segment) -> list:
     if type(segment).__name__ in ("Line", "Close"):
         return [complex(segment.end.x, segment.end.y)]
     length = segment.length(error=1e-3)
-    count = max(4, min(400, math.ceil(math.sqrt(length) / math.sqrt(8 * CHORD_MM) * 2)))
+    count = max(4, min(800, math.ceil(math.sqrt(length) / math.sqrt(8 * CHORD_MM) * 2)))
     return [complex(segment.point(i / count).x, segment.point(i / count).y) for i in range(1, count + 1)]
 
 
@@ -61,11 +62,13 @@ def rows_of_svg(file: pathlib.Path) -> list:
             elif segment.start is not None and segment.end is not None:
                 rows[-1] += curve(segment)
     height = float(document.height)
-    return [[complex(p.real, height - p.imag) for p in row] for row in rows if len(row) > 1]
+    rows = [[complex(p.real, height - p.imag) for p in row] for row in rows if len(row) > 1]
+    closed = [row for row in rows if is_closed(row)]
+    return closed + joined(joined([row for row in rows if not is_closed(row)], MEETING_MM), CERTAIN_GAP_MM)
 
 
 def rows_of_dxf(file: pathlib.Path) -> list:
-    """The entities of the model space that are curves, in mm, ends within 0.01 mm joined."""
+    """The entities of the model space that are curves, in mm, joined."""
     import ezdxf  # pylint: disable=import-outside-toplevel
     from ezdxf import disassemble, units  # pylint: disable=import-outside-toplevel
     document = ezdxf.readfile(str(file))
@@ -78,20 +81,20 @@ def rows_of_dxf(file: pathlib.Path) -> list:
         points = [complex(v.x, v.y) * factor for v in entity.path.flattening(CHORD_MM / factor)]
         if len(points) > 1:
             pieces.append(points)
-    return joined(pieces)
+    return joined(joined(pieces, MEETING_MM), CERTAIN_GAP_MM)
 
 
-def joined(pieces: list) -> list:
-    """Rows of pieces whose ends meet within 0.01 mm."""
+def joined(pieces: list, gap_mm: float) -> list:
+    """Rows of pieces whose ends meet within a gap."""
     rows, left = [], pieces[:]
     while left:
         row = left.pop()
         grown = True
-        while grown and abs(row[0] - row[-1]) > 0.01:
+        while grown and abs(row[0] - row[-1]) > gap_mm:
             grown = False
             for i, piece in enumerate(left):
-                if abs(piece[0] - row[-1]) <= 0.01 or abs(piece[-1] - row[-1]) <= 0.01:
-                    row = row + (piece if abs(piece[0] - row[-1]) <= 0.01 else piece[::-1])
+                if abs(piece[0] - row[-1]) <= gap_mm or abs(piece[-1] - row[-1]) <= gap_mm:
+                    row = row + (piece if abs(piece[0] - row[-1]) <= gap_mm else piece[::-1])
                     del left[i]
                     grown = True
                     break
