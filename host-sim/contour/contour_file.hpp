@@ -35,7 +35,7 @@ enum class Crossing : std::uint8_t {
 /// The contours of a file.
 struct ContourFile {
   std::vector<ContourPart> parts{};  ///< One for each part of a file of parts, else one.
-  std::vector<std::string> notes{};  ///< What is read otherwise than drawn, with file and place.
+  std::vector<std::string> notes{};  ///< Contours that are read otherwise than drawn, with places.
 };
 
 /// Reads closed contours from the text of a file: SVG, DXF or JSON as drawing.hpp has them, curves

@@ -52,7 +52,7 @@ Crowd densest(const cnc::contour::ContourView<double>& input, double side_mm) {
 struct Measures {
   double area_mm2 = 0.0;
   double length_mm = 0.0;
-  double turn = 0.0;  ///< Of all arcs and corners, to either side, radians.
+  double turn = 0.0;  ///< Sum over arcs and corners, to either side, radians.
 };
 
 Measures measures_of(const cnc::contour::ContourView<double>& view) {

@@ -218,7 +218,7 @@ void Planner::cut_beside(std::size_t i) {
   append(plan_.faults, touch ? std::vector{std::move(*touch)} : paths.gouges);
 }
 
-/// What contours that cross leave between them is no slot that was drawn: it is only named.
+/// A gap between contours that cross is no slot that was drawn: it is only named.
 void Planner::vanish(std::size_t i) {
   drawing::Fault fault{
       FaultKind::kTooSmall,
