@@ -253,15 +253,17 @@ def judged(file: pathlib.Path, program: str, told: str) -> str:
 
 
 def cut_twice(cuts: list) -> float:
-    """The length that two cuts go along within 10 um."""
+    """The length that two cuts go along within 10 um; not where they only cross."""
     tree = STRtree([stroke for _, stroke in cuts]) if cuts else None
     owner = {id(stroke): i for i, stroke in cuts}
     length = 0.0
     for i, stroke in cuts:
-        places = places_along(stroke)
+        places, is_beside = places_along(stroke), False
         for place in places:
             beside = LineString([(place.x - 0.01, place.y - 0.01), (place.x + 0.01, place.y + 0.01)])
-            if any(owner[id(other)] > i and other.distance(place) < 0.01 for other in tree.query(beside)):
+            was_beside, is_beside = is_beside, any(owner[id(other)] > i and other.distance(place) < 0.01
+                                                   for other in tree.query(beside))
+            if is_beside and (was_beside or len(places) == 1 and stroke.length > 0.1):
                 length += stroke.length / len(places)
     return length
 
