@@ -184,7 +184,9 @@ TEST(JerkLimitedTime, IsEnclosed) {
   for (const std::uint64_t seed : trials) {
     SCOPED_TRACE(testing::Message() << "KERFLINE_SEED=" << seed);
     const ChainJob job = chain_job(seed, 0.03);
-    const JerkLimitedTime time = jerk_limited_time(job.path, job.limits, kQuick);
+    JerkLimitedTime time = jerk_limited_time(job.path, job.limits, kQuick);
+    // Both have the error of their grid; a finer one decides where they are nearer than that.
+    if (time.bound > time.found) time = jerk_limited_time(job.path, job.limits, kFine);
     ASSERT_LE(time.bound, time.found);
     ASSERT_GE(time.found, 0.998 * optimal_time(job.path, job.limits));
     gaps.push_back(time.found / time.bound - 1.0);
