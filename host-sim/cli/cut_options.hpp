@@ -28,8 +28,8 @@ namespace sim {
 struct CutCommandOptions {
   std::string file;
   drawing::ImportOptions import;
-  /// Closer than elsewhere: a cut is to be within 5 um of the drawing.
-  OutlineOptions curves{.tolerance_mm = 0.004};
+  /// With the 2 um of contours that cross (kFillToleranceMm) a cut is within 5 um of the drawing.
+  OutlineOptions curves{.tolerance_mm = 0.003};
   RecordOptions record;
   double thickness_mm = 0.0;                                ///< 0: not given.
   std::optional<double> kerf_mm{};                          ///< Known, in place of the record's.
