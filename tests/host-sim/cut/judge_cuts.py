@@ -29,6 +29,7 @@ from shapely.prepared import prep
 from shapely.strtree import STRtree
 
 CHORD_MM = 0.0005
+MM_PER_PX = 25.4 / 96
 SLACK_MM = 0.005
 LEAST_MM2, LEAST_WIDTH_MM = 0.02, 0.01
 EVERY_MM = 0.4
@@ -49,7 +50,7 @@ def curve(segment) -> list:
 def rows_of_svg(file: pathlib.Path) -> list:
     """The subpaths of all shapes that are seen, in mm, y upwards."""
     import svgelements  # pylint: disable=import-outside-toplevel
-    document = svgelements.SVG.parse(str(file), reify=True, ppi=25.4)
+    document = svgelements.SVG.parse(str(file), reify=True, ppi=96)
     rows = []
     for shape in document.elements():
         if not isinstance(shape, svgelements.Shape) or shape.values.get("display") == "none":
@@ -62,7 +63,7 @@ def rows_of_svg(file: pathlib.Path) -> list:
             elif segment.start is not None and segment.end is not None:
                 rows[-1] += curve(segment)
     height = float(document.height)
-    rows = [[complex(p.real, height - p.imag) for p in row] for row in rows if len(row) > 1]
+    rows = [[MM_PER_PX * complex(p.real, height - p.imag) for p in row] for row in rows if len(row) > 1]
     closed = [row for row in rows if is_closed(row)]
     return closed + joined(joined([row for row in rows if not is_closed(row)], MEETING_MM), CERTAIN_GAP_MM)
 
