@@ -14,6 +14,7 @@
 #include "host-sim/cli/cut_beam.hpp"
 #include "host-sim/cli/cut_identity.hpp"
 #include "host-sim/cli/cut_layers.hpp"
+#include "host-sim/cli/cut_offered.hpp"
 #include "host-sim/cli/cut_options.hpp"
 #include "host-sim/cli/cut_outputs.hpp"
 #include "host-sim/cli/cut_recipe.hpp"
@@ -271,7 +272,8 @@ ExitStatus cut_drawing(CLI::App& command, CutCommandOptions& options) {
                    std::move(notes),
                    inputs.digests(),
                    kerf.known_mm.has_value(),
-                   placing};
+                   placing,
+                   offered_lines(options, drawn, rules)};
   for (const std::string& note : job.notes)
     terminal::print(stderr, "kerfline: warning: {}\n", note);
   if (machine) {
