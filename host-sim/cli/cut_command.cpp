@@ -22,7 +22,6 @@
 #include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/job_options.hpp"
 #include "host-sim/cut/cut_report.hpp"
-#include "host-sim/cut/kerf_notes.hpp"
 #include "host-sim/cut/repeat_passes.hpp"
 #include "host-sim/cut/timeline.hpp"
 #include "host-sim/report/progress_bar.hpp"
@@ -188,18 +187,6 @@ ExitStatus write_job(const CutCommandOptions& options,
   return status;
 }
 
-/// Adds what is to be known of a kerf that is a record's.
-void add_kerf_notes(const CutCommandOptions& options,
-                    const CutKerf& kerf,
-                    const CutPlan& plan,
-                    std::vector<std::string>& notes) {
-  if (kerf.known_mm || !kerf.material) return;
-  for (std::string& note :
-       kerf_notes(kerf.record, options.laser, options.record.records(), plan.layers)) {
-    notes.push_back(std::move(note));
-  }
-}
-
 /// Faults that no wish of the call overrules: the head would run into the frame.
 ExitStatus refuse_off_the_bed(const CutCommandOptions& options) {
   terminal::print(stderr,
@@ -240,6 +227,7 @@ ExitStatus cut_drawing(CLI::App& command, CutCommandOptions& options) {
   if (input.is_broken_sheet() && !options.anyway) return refuse(options, drawn.faults, drawn);
   const CutRun run{static_cast<std::uint8_t>(options.decimals), machine_of(options)};
   const CutKerf kerf = kerf_of(options);
+  options.known = values_of_entry(kerf);
   std::vector<std::string> notes;
   if (machine && !machine->note.empty()) notes.push_back(machine->name + ": " + machine->note);
   const std::vector<cut::LayerRule> rules = layer_rules_of(options, drawn, inputs);
@@ -263,7 +251,8 @@ ExitStatus cut_drawing(CLI::App& command, CutCommandOptions& options) {
   print_notes(drawn, layers);
   for (const auto& list : {faults, plan.faults, plan.warnings}) print_faults(list, drawn);
   const bool sound = faults.empty() && plan.faults.empty();
-  add_kerf_notes(options, kerf, plan, notes);
+  std::vector<std::string> origins;
+  tell_origin(options, kerf, plan.layers, origins, notes);
   const CutJob job{drawn,
                    plan,
                    kerf.record,
@@ -271,9 +260,10 @@ ExitStatus cut_drawing(CLI::App& command, CutCommandOptions& options) {
                    options.laser,
                    std::move(notes),
                    inputs.digests(),
-                   kerf.known_mm.has_value(),
+                   options.kerf_mm.has_value(),
                    placing,
-                   offered_lines(options, drawn, rules)};
+                   offered_lines(options, drawn, rules),
+                   std::move(origins)};
   for (const std::string& note : job.notes)
     terminal::print(stderr, "kerfline: warning: {}\n", note);
   if (machine) {

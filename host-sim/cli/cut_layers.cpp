@@ -54,6 +54,7 @@ std::vector<cut::LayerRule> layer_rules_of(const CutCommandOptions& options,
 }
 
 LayerSettings common_settings(const CutCommandOptions& options, LayerSettings base) {
+  for (const auto& [key, value] : options.known) set(base, key, value);
   for (const auto& [key, value] : options.common) {
     try {
       set(base, key, value);
@@ -97,6 +98,12 @@ cut::Condition condition_of(const CutSource& source, const LayerSettings& settin
   const CutKerf& kerf = source.kerf;
   if (!kerf.known_mm) {
     if (kerf.material) return chosen_condition(source, settings);
+    if (!kerf.origin.empty()) {
+      throw std::invalid_argument(
+          fmt::format("the kerf of {} is not known ({}); say --kerf, such as 0.15, mm",
+                      kerf.record.name,
+                      kerf.origin));
+    }
     throw std::invalid_argument(
         "the kerf is not known; say --kerf, such as 0.15, mm, or name a --material");
   }

@@ -196,6 +196,7 @@ std::vector<std::string> lines_of(const CutJob& job, const CutFigures& figures) 
     lines.push_back(layer_line(job, i));
   }
   lines.insert(lines.end(), job.offered.begin(), job.offered.end());
+  lines.insert(lines.end(), job.origins.begin(), job.origins.end());
   for (const std::string& rule : lines_of(job.plan.recipes)) {
     lines.push_back(rule);
   }

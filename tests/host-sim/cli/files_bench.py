@@ -64,6 +64,8 @@ class Command:
     empty_is_refused: tuple = ()  # Inputs, besides standard input, that must not be empty.
 
 
+LIBRARY = ('<LightBurnLibrary><Material name="tin"><Entry><CutSetting type="Cut">'
+           '<maxPower Value="9"/><speed Value="9"/></CutSetting></Entry></Material></LightBurnLibrary>')
 STEEL = ("--material", "CSP 1N")
 SETTINGS = "$110=1000\n"
 RECIPE = '{"kerfline_recipe": 1, "tabs": 1}'
@@ -87,6 +89,8 @@ COMMANDS = {
     "replay": Command((), {"FILE": TALK}, takes_stdin=True, empty_is_refused=("FILE",)),
     "kerf add": Command((), {"CUTS.csv": CUTS}, (), {"--db": None}, takes_stdin=True,
                         empty_is_refused=("CUTS.csv",)),
+    "kerf import": Command((), {"FILE.clb": LIBRARY}, (), {"--db": None}, takes_stdin=True,
+                           empty_is_refused=("FILE.clb",)),
     "kerf fit": Command(("--material", "tin"), {}, (), {"--db": CUTS}),
     "kerf show": Command(("--material", "tin", "--cuts"), {}, (), {"--db": CUTS}),
     "kerf advise": Command((*STEEL, "--thickness", "2"), {}, (), {"--db": CUTS}),
