@@ -275,6 +275,7 @@ void add_kerf_command(CLI::App& app, ExitStatus& status) {
   add_show_command(*kerf, status);
   add_advise_command(*kerf, status);
   add_kerf_import_command(*kerf);
+  add_kerf_test_grid_command(*kerf);
   add_kerf_output_commands(*kerf);
 }
 

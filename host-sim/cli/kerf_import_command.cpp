@@ -129,7 +129,7 @@ void import_library(const LibraryOptions& options) {
   }
   terminal::print(
       "{}: {} settings of {} materials; {}. Kerfs are not known: `kerfline cut` needs "
-                  "--kerf\n",
+      "--kerf, or `kerfline kerf test-grid` measures them\n",
       name_of_input(options.file),
       count,
       found.size(),

@@ -26,6 +26,11 @@ int digits_in(std::string_view text) {
   return is_whole ? value : -1;
 }
 
+std::string passes_text(const std::optional<std::uint32_t>& passes) {
+  if (!passes) return "passes not known";
+  return *passes == 1 ? "1 pass" : fmt::format("{} passes", *passes);
+}
+
 std::string thickness_text(const OperationRecord& operation) {
   if (!operation.thickness_um) return "any thickness";
   return fmt::format("{:g} mm", from_thousandths(*operation.thickness_um));
@@ -109,7 +114,7 @@ std::string text_of(const OperationRecord& operation) {
                                  thickness_text(operation),
                                  known(operation.power_percent, "{:g} percent", "power"),
                                  known(speed, "{:g} mm/min", "speed"),
-                                 known(operation.passes, "{} passes", "passes"));
+                                 passes_text(operation.passes));
   if (operation.interval_mm) text += fmt::format(", interval {:g} mm", *operation.interval_mm);
   if (operation.kind != "cut") return text;
   return text + ", " + known(operation.kerf_mm, "kerf {:.3f} mm", "kerf");
