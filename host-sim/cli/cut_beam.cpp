@@ -8,6 +8,7 @@
 #include "firmware/machine/settings.hpp"
 #include "host-sim/cli/cut_identity.hpp"
 #include "host-sim/cut/condition.hpp"
+#include "host-sim/cut/kerf_notes.hpp"
 #include "host-sim/cut/known_kerf.hpp"
 #include "host-sim/knowledge/experiment.hpp"
 
@@ -20,6 +21,9 @@ void expect_whole_call(const CutCommandOptions& options) {
   const bool has_material = !options.record.material.empty();
   if (has_material && options.thickness_mm <= 0.0) {
     refuse("--thickness: is needed with --material, mm");
+  }
+  if (!has_material && !options.entry.empty()) {
+    refuse("--entry: is one of a --material; name it, or leave it out");
   }
   if (!has_material && (!options.record.data_base.empty() || !options.record.unit.empty())) {
     refuse("--db and --unit: are for the record of a --material; name it, or leave them out");
@@ -68,10 +72,43 @@ ProgramDigest CutKerf::digest() const {
       "kerf", digest_of(fmt::format("{}", *known_mm)), record.name.empty() ? "given" : record.name};
 }
 
+namespace {
+
+/// Makes the job's kerf of an entry of a record: its own, or the one that the call gives.
+void take_entry(CutKerf& kerf, const MaterialRecord& record, const CutCommandOptions& options) {
+  if (options.kerf_table) {
+    throw std::invalid_argument(fmt::format(
+        "--kerf-table: the controller needs a law of the kerf, and {} has none; calibrate it",
+        record.name));
+  }
+  const std::uint32_t thickness_um = thickness_option(options.thickness_mm);
+  kerf.operation =
+      choose_operation(record.operations, {record.name, "cut", thickness_um, options.entry});
+  kerf.origin = kerf.operation ? text_of(kerf.operation->origin) : origins_of(record.operations);
+  if (kerf.operation && !kerf.known_mm) kerf.known_mm = kerf.operation->kerf_mm;
+  kerf.record = cut::record_of_known_kerf(kerf.known_mm.value_or(0.0), record.name, thickness_um);
+  kerf.record.provenance = kerf.origin;
+  kerf.record.laser = kerf.operation ? kerf.operation->laser : record.laser;
+  kerf.record.calibrated = kerf.operation && kerf.operation->origin.is_measured_here;
+}
+
+}  // namespace
+
 CutKerf kerf_of(const CutCommandOptions& options) {
   expect_whole_call(options);
   CutKerf kerf{.known_mm = options.kerf_mm};
-  if (!options.record.material.empty()) kerf.material = options.record.record();
+  if (!options.record.material.empty()) {
+    const MaterialRecord record = options.record.record();
+    if (!record.operations.empty() && (!record.has_kerf() || !options.entry.empty())) {
+      take_entry(kerf, record, options);
+      return kerf;
+    }
+    if (!options.entry.empty()) {
+      throw std::invalid_argument(
+          fmt::format("--entry {}: {} has no entries; leave it out", options.entry, record.name));
+    }
+    kerf.material = record;
+  }
   if (kerf.material && !kerf.known_mm) {
     kerf.record = *kerf.material;
     return kerf;
@@ -80,6 +117,39 @@ CutKerf kerf_of(const CutCommandOptions& options) {
   kerf.record = cut::record_of_known_kerf(
       kerf.known_mm.value_or(0.0), name, thickness_option(options.thickness_mm));
   return kerf;
+}
+
+std::vector<std::pair<std::string, std::string>> values_of_entry(const CutKerf& kerf) {
+  std::vector<std::pair<std::string, std::string>> values;
+  if (!kerf.operation) return values;
+  const OperationRecord& entry = *kerf.operation;
+  if (entry.power_percent)
+    values.emplace_back("power", fmt::format("{:.10g}%", *entry.power_percent));
+  if (entry.speed_um_min) {
+    values.emplace_back("feed", fmt::format("{:.10g}", from_thousandths(*entry.speed_um_min)));
+  }
+  if (entry.passes) values.emplace_back("passes", fmt::format("{}", *entry.passes));
+  return values;
+}
+
+void tell_origin(const CutCommandOptions& options,
+                 const CutKerf& kerf,
+                 const std::vector<cut::LayerPlan>& layers,
+                 std::vector<std::string>& lines,
+                 std::vector<std::string>& notes) {
+  const MaterialRecord& record = kerf.record;
+  const std::string laser = record.laser.empty() ? "" : fmt::format(", laser {}", record.laser);
+  if (kerf.material && !kerf.known_mm) {
+    if (record.calibrated) {
+      lines.push_back(fmt::format("kerf of {}: {}", record.name, record.provenance));
+    }
+    const auto found = kerf_notes(record, options.laser, options.record.records(), layers);
+    notes.insert(notes.end(), found.begin(), found.end());
+  }
+  if (kerf.origin.empty()) return;
+  std::string text = fmt::format("settings of {}: {}{}", record.name, kerf.origin, laser);
+  if (kerf.operation) text += "; " + text_of(*kerf.operation);
+  (record.calibrated ? lines : notes).push_back(std::move(text));
 }
 
 cut::Beam beam_of(const CutCommandOptions& options,

@@ -15,6 +15,7 @@
 #include "host-sim/cli/cut_beam.hpp"
 #include "host-sim/cli/cut_identity.hpp"
 #include "host-sim/cli/cut_layers.hpp"
+#include "host-sim/cli/cut_offered.hpp"
 #include "host-sim/cli/cut_options.hpp"
 #include "host-sim/cli/cut_outputs.hpp"
 #include "host-sim/cli/cut_recipe.hpp"
@@ -22,7 +23,6 @@
 #include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/job_options.hpp"
 #include "host-sim/cut/cut_report.hpp"
-#include "host-sim/cut/kerf_notes.hpp"
 #include "host-sim/cut/layers_alike.hpp"
 #include "host-sim/cut/repeat_passes.hpp"
 #include "host-sim/cut/timeline.hpp"
@@ -213,18 +213,6 @@ ExitStatus write_job(const CutCommandOptions& options,
   return status;
 }
 
-/// Adds what is to be known of a kerf that is a record's.
-void add_kerf_notes(const CutCommandOptions& options,
-                    const CutKerf& kerf,
-                    const CutPlan& plan,
-                    std::vector<std::string>& notes) {
-  if (kerf.known_mm || !kerf.material) return;
-  for (std::string& note :
-       kerf_notes(kerf.record, options.laser, options.record.records(), plan.layers)) {
-    notes.push_back(std::move(note));
-  }
-}
-
 /// Faults that no wish of the call overrules: the head would run into the frame.
 ExitStatus refuse_off_the_bed(const CutCommandOptions& options) {
   terminal::print(stderr,
@@ -265,6 +253,7 @@ ExitStatus cut_drawing(CLI::App& command, CutCommandOptions& options) {
   if (input.is_broken_sheet() && !options.anyway) return refuse(options, drawn.faults, drawn);
   const CutRun run{static_cast<std::uint8_t>(options.decimals), machine_of(options)};
   const CutKerf kerf = kerf_of(options);
+  options.known = values_of_entry(kerf);
   std::vector<std::string> notes;
   if (machine && !machine->note.empty()) notes.push_back(machine->name + ": " + machine->note);
   const std::vector<cut::LayerRule> rules = layer_rules_of(options, drawn, inputs);
@@ -291,7 +280,8 @@ ExitStatus cut_drawing(CLI::App& command, CutCommandOptions& options) {
   print_all_faults(faults, drawn);
   print_faults(plan.faults, drawn);
   const bool sound = faults.empty() && plan.faults.empty() && drawn.more_faults == 0;
-  add_kerf_notes(options, kerf, plan, notes);
+  std::vector<std::string> origins;
+  tell_origin(options, kerf, plan.layers, origins, notes);
   const CutJob job{drawn,
                    plan,
                    kerf.record,
@@ -299,8 +289,10 @@ ExitStatus cut_drawing(CLI::App& command, CutCommandOptions& options) {
                    options.laser,
                    std::move(notes),
                    inputs.digests(),
-                   kerf.known_mm.has_value(),
-                   placing};
+                   options.kerf_mm.has_value(),
+                   placing,
+                   offered_lines(options, drawn, rules),
+                   std::move(origins)};
   for (const std::string& note : job.notes)
     terminal::print(stderr, "kerfline: warning: {}\n", note);
   if (machine) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "host-sim/cli/cut_offered.hpp"
 #include "host-sim/report/nearest_name.hpp"
 
 namespace sim {
@@ -52,16 +53,16 @@ std::vector<cut::LayerRule> layer_rules_of(const CutCommandOptions& options,
   return rules;
 }
 
-LayerSettings common_settings(const CutCommandOptions& options) {
-  LayerSettings common;
+LayerSettings common_settings(const CutCommandOptions& options, LayerSettings base) {
+  for (const auto& [key, value] : options.known) set(base, key, value);
   for (const auto& [key, value] : options.common) {
     try {
-      set(common, key, value);
+      set(base, key, value);
     } catch (const std::invalid_argument& error) {
       throw std::invalid_argument(fmt::format("--{}", error.what()));
     }
   }
-  return common;
+  return base;
 }
 
 namespace {
@@ -97,6 +98,12 @@ cut::Condition condition_of(const CutSource& source, const LayerSettings& settin
   const CutKerf& kerf = source.kerf;
   if (!kerf.known_mm) {
     if (kerf.material) return chosen_condition(source, settings);
+    if (!kerf.origin.empty()) {
+      throw std::invalid_argument(
+          fmt::format("the kerf of {} is not known ({}); say --kerf, such as 0.15, mm",
+                      kerf.record.name,
+                      kerf.origin));
+    }
     throw std::invalid_argument(
         "the kerf is not known; say --kerf, such as 0.15, mm, or name a --material");
   }
@@ -152,7 +159,8 @@ std::vector<cut::LayerSettings> power_wishes(const CutCommandOptions& options,
                                              const std::vector<cut::LayerRule>& rules) {
   std::vector<LayerSettings> wishes{common_settings(options)};
   for (const drawing::Layer& layer : drawn.layers) {
-    wishes.push_back(settings_for(layer, wishes.front(), rules));
+    const LayerSettings settings = settings_of_layer(options, layer, rules);
+    if (cut::is_driven(settings.side)) wishes.push_back(settings);
   }
   return wishes;
 }
@@ -163,7 +171,7 @@ std::vector<cut::LayerPlan> layers_of(const CutSource& source,
   const LayerSettings common = in_watts(common_settings(source.options), source.beam);
   std::vector<cut::LayerPlan> layers;
   for (const drawing::Layer& layer : drawn.layers) {
-    cut::LayerPlan plan{in_watts(settings_for(layer, common, rules), source.beam), {}};
+    cut::LayerPlan plan{in_watts(settings_of_layer(source.options, layer, rules), source.beam), {}};
     if (cut::is_driven(plan.settings.side)) {
       plan.condition = condition_for(layer, source, plan.settings, common);
     }

@@ -22,10 +22,13 @@ struct CutSource {
                                                          const drawing::Drawing& drawn,
                                                          InputFiles& inputs);
 
-/// Returns the settings of all cuts. Throws std::invalid_argument that names the option.
-[[nodiscard]] cut::LayerSettings common_settings(const CutCommandOptions& options);
+/// Returns `base` with the settings of all cuts. Throws std::invalid_argument that names the
+/// option.
+[[nodiscard]] cut::LayerSettings common_settings(const CutCommandOptions& options,
+                                                 cut::LayerSettings base = {});
 
-/// Returns these, and those of each layer, whose power may be a share. Throws as settings_for().
+/// Returns these, and those of each layer that is driven, whose power may be a share. Throws as
+/// settings_of_layer().
 [[nodiscard]] std::vector<cut::LayerSettings> power_wishes(
     const CutCommandOptions& options,
     const drawing::Drawing& drawn,

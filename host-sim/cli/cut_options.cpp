@@ -82,6 +82,12 @@ void add_material_options(CLI::App& command, CutCommandOptions& options) {
                   "needed")
       ->check(in_range(0.0, cut::kMaxKnownKerfMm, "mm"))
       ->type_name("MM");
+  command
+      .add_option("--entry",
+                  options.entry,
+                  "Which of the settings that a library has for the --material, as `kerf show` "
+                  "names them")
+      ->type_name("NAME");
   command.add_option("--thickness", options.thickness_mm, "Of the --material, mm")
       ->check(thickness_range())
       ->type_name("T");

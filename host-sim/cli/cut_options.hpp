@@ -33,6 +33,8 @@ struct CutCommandOptions {
   RecordOptions record;
   double thickness_mm = 0.0;                                ///< 0: not given.
   std::optional<double> kerf_mm{};                          ///< Known, in place of the record's.
+  std::string entry;                                        ///< Of the material; empty: any.
+  std::vector<std::pair<std::string, std::string>> known;   ///< As the material's entry has it.
   std::string laser;                                        ///< Of this machine; empty: not named.
   std::vector<std::pair<std::string, std::string>> common;  ///< Keys of LayerSettings.
   std::vector<std::string> layers;

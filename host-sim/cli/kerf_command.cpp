@@ -200,6 +200,11 @@ ExitStatus advise_on_cut(const MaterialRecord& record, const cnc::kerf::Conditio
 
 ExitStatus advise(const AdviseOptions& options) {
   const MaterialRecord record = options.record.record();
+  if (!record.has_kerf()) {
+    return refuse(fmt::format("{}: no kerf is known; `kerfline kerf show` has its settings, {}",
+                              record.name,
+                              record.provenance));
+  }
   cnc::kerf::Condition condition{thickness_option(options.thickness_mm), 0, 0};
   if (options.power_w) condition.power_mw = power_option(*options.power_w);
   if (options.speed_mm_min) condition.speed_um_min = speed_option(*options.speed_mm_min);
@@ -269,6 +274,8 @@ void add_kerf_command(CLI::App& app, ExitStatus& status) {
   add_fit_command(*kerf, status);
   add_show_command(*kerf, status);
   add_advise_command(*kerf, status);
+  add_kerf_import_command(*kerf);
+  add_kerf_test_grid_command(*kerf);
   add_kerf_output_commands(*kerf);
 }
 

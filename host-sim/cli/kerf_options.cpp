@@ -72,6 +72,20 @@ KnowledgeBase RecordOptions::open(SqlFile::Mode mode) const {
 
 std::optional<cnc::kerf::HeatUnit> RecordOptions::heat_unit() const { return unit_of(unit); }
 
+CLI::Validator day_of_calendar() {
+  return {[](const std::string& text) {
+            return is_date(text) ? "" : fmt::format("`{}` is no day; write it as 2026-11-30", text);
+          },
+          ""};
+}
+
+void PersonOptions::add_to(CLI::App& command) {
+  command.add_option("--by", by, "Name of the person who measured")->type_name("NAME");
+  command.add_option("--on", on, "Day of the measurement")
+      ->check(day_of_calendar())
+      ->type_name("YYYY-MM-DD");
+}
+
 void CutOptions::add_to(CLI::App& command) {
   mark_file(command.add_option("--db", data_base, "Data base; made when there is none")
                 ->required()
@@ -90,13 +104,18 @@ void CutOptions::add_to(CLI::App& command) {
       ->capture_default_str();
   command.add_option("--laser", laser, "Name of the laser, for cuts whose file leaves it empty")
       ->type_name("NAME");
+  person.add_to(command);
 }
 
 std::vector<Experiment> add_cuts(const std::string& file, const CutOptions& options) {
   const std::string text = read_text(file);
   ExperimentFile found = read_experiment_file(text, name_of_input(file), options.laser);
   std::vector<Experiment>& cuts = found.cuts;
-  for (Experiment& cut : cuts) cut.rejection = rejection_of(cut, options.limits);
+  for (Experiment& cut : cuts) {
+    cut.rejection = rejection_of(cut, options.limits);
+    cut.measured_by = options.person.by;
+    cut.measured_on = options.person.on;
+  }
   if (options.asks_for_laser) require_named_laser(cuts, name_of_input(file));
   KnowledgeBase base{options.data_base, SqlFile::Mode::kCreate};
   base.add(cuts, file, text);
@@ -142,7 +161,39 @@ std::uint32_t speed_option(double mm_min) {
   return thousandths_of("--speed", mm_min, kMostSpeedMmMin, "mm/min");
 }
 
+namespace {
+
+void print_operations(const MaterialRecord& record) {
+  TextTable table{
+      {{"T mm"}, {"kind"}, {"power %"}, {"mm/min"}, {"passes"}, {"kerf mm"}, {"entry"}}};
+  const auto known = [](const auto& value) {
+    return value ? fmt::format("{:g}", 1.0 * *value) : "?";
+  };
+  for (const OperationRecord& one : record.operations) {
+    std::optional<double> thickness;
+    std::optional<double> speed;
+    if (one.thickness_um) thickness = from_thousandths(*one.thickness_um);
+    if (one.speed_um_min) speed = from_thousandths(*one.speed_um_min);
+    table.add_row(
+        {known(thickness),
+         one.kind,
+         known(one.power_percent),
+         known(speed),
+         known(one.passes),
+         known(one.kerf_mm),
+         fmt::format(
+             "{}{}{}", one.description, one.description.empty() ? "" : "; ", text_of(one.origin))});
+  }
+  terminal::print_lines(stdout, table.text(2));
+}
+
+}  // namespace
+
 void print_record(const MaterialRecord& record) {
+  if (!record.has_kerf()) {
+    terminal::print("{}: no law of its kerf\n", record.name);
+    return print_operations(record);
+  }
   terminal::print("{}: {}, gas {:g} MPa, Q in {}\n  {}{}\n",
                   record.name,
                   record.laser.empty() ? "no laser named" : record.laser,
@@ -174,6 +225,7 @@ void print_record(const MaterialRecord& record) {
     }
   }
   terminal::print_lines(stdout, laws.text(2) + region.text(2));
+  if (!record.operations.empty()) print_operations(record);
 }
 
 }  // namespace sim

@@ -28,11 +28,21 @@ struct RecordOptions {
   [[nodiscard]] std::vector<MaterialRecord> records() const { return open().records(); }
 };
 
+/// Who measured, and when.
+struct PersonOptions {
+  std::string by{};  ///< Empty: not named.
+  std::string on{};  ///< YYYY-MM-DD; empty: not said.
+
+  /// Adds `--by` and `--on`.
+  void add_to(CLI::App& command);
+};
+
 /// Where test cuts go: `add`, and `calibrate` with measured slots.
 struct CutOptions {
   std::string data_base;
   AcceptanceLimits limits;
   std::string laser{};  ///< Of cuts whose file does not name it.
+  PersonOptions person{};
   /// The cuts are to be fitted at once, so that it must be known whose they are.
   bool asks_for_laser = false;
 
@@ -46,6 +56,9 @@ struct CutOptions {
 /// Adds `--unit`, as `printed` or `J/mm`.
 void add_unit_option(CLI::App& command, std::string& unit);
 [[nodiscard]] std::optional<cnc::kerf::HeatUnit> unit_of(const std::string& option);
+
+/// A day of the calendar, YYYY-MM-DD, as a check of an option.
+[[nodiscard]] CLI::Validator day_of_calendar();
 
 /// The option's value in thousandths. Throws std::invalid_argument naming it, with range and unit,
 /// when it is not a number, negative, or more than `most`.

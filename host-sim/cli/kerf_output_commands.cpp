@@ -38,6 +38,7 @@ struct CalibrateOptions {
   std::string form;
   std::string measured;
   AcceptanceLimits limits;
+  PersonOptions person;
 };
 
 struct ImageOptions {
@@ -53,6 +54,12 @@ void plot(const PlotOptions& options) {
   }
   const KnowledgeBase base = options.record.open();
   const MaterialRecord record = base.record_of(options.record.material, options.record.heat_unit());
+  if (!record.has_kerf()) {
+    throw std::invalid_argument(
+        fmt::format("{}: no kerf is known, so that nothing can be drawn; `kerfline kerf show` has "
+                    "its settings",
+                    record.name));
+  }
   const std::vector<Experiment> cuts = base.cuts_of(options.record.material);
   const std::string figure =
       options.figure == 8
@@ -148,7 +155,8 @@ void take_measurements(const CalibrateOptions& options) {
   if (!options.program.empty() || !options.form.empty()) {
     throw std::invalid_argument("--measured reads a form; --out and --form write a new one");
   }
-  const CutOptions cuts{options.record.data_base, options.limits, options.plan.laser, true};
+  const CutOptions cuts{
+      options.record.data_base, options.limits, options.plan.laser, options.person, true};
   const std::vector<Experiment> measured = add_cuts(options.measured, cuts);
   std::set<std::string> materials;
   for (const Experiment& cut : measured) materials.insert(cut.material);
@@ -194,6 +202,7 @@ void add_calibrate_command(CLI::App& kerf) {
       ->capture_default_str();
   command->add_option(
       "--laser", plan.laser, "Its name in the form, and of cuts whose form leaves it empty");
+  options->person.add_to(*command);
   command->add_option("--gas", plan.gas_pressure_mpa, "Its pressure in the form, MPa")
       ->check(in_range(0.0, 10.0, "MPa"));
   command->add_option("--length", plan.length_mm, "Of a slot, mm")

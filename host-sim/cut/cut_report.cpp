@@ -195,6 +195,8 @@ std::vector<std::string> lines_of(const CutJob& job, const CutFigures& figures) 
     if (!is_cut(job.plan, i)) continue;
     lines.push_back(layer_line(job, i));
   }
+  lines.insert(lines.end(), job.offered.begin(), job.offered.end());
+  lines.insert(lines.end(), job.origins.begin(), job.origins.end());
   for (const std::string& rule : lines_of(job.plan.recipes)) {
     lines.push_back(rule);
   }
@@ -254,6 +256,7 @@ Json json_of(const CutJob& job, const CutFigures& figures) {
                   {"provenance", job.record.provenance},
                   {"warnings", job.notes}};
   json["full_power_w"] = job.beam.knows_watts ? Json(job.beam.full_power_w) : Json(nullptr);
+  json["offered"] = job.offered;
   json["placing"] = job.placing.empty() ? Json(nullptr) : Json(job.placing);
   json["curves"] = curves_of(job);
   json["tolerance_mm"] = job.plan.curves.tolerance_mm;

@@ -285,18 +285,24 @@ bool names(const LayerRule& rule, const drawing::Layer& layer) {
          is_colour_named(layer.colour, rule.name);
 }
 
-LayerSettings settings_for(const drawing::Layer& layer,
-                           const LayerSettings& common,
-                           const std::vector<LayerRule>& rules) {
+std::vector<const LayerRule*> rules_for(const drawing::Layer& layer,
+                                        const std::vector<LayerRule>& rules) {
   std::vector<const LayerRule*> own;
   for (const LayerRule& rule : rules) {
     if (names(rule, layer)) own.push_back(&rule);
   }
-  if (own.empty()) {
-    for (const LayerRule& rule : rules) {
-      if (rule.name == kAnyLayer) own.push_back(&rule);
-    }
+  if (!own.empty()) return own;
+  for (const LayerRule& rule : rules) {
+    if (rule.name == kAnyLayer) own.push_back(&rule);
   }
+  return own;
+}
+
+LayerSettings settings_for(const drawing::Layer& layer,
+                           const LayerSettings& common,
+                           const std::vector<LayerRule>& rules,
+                           const LayerSettings& engraved) {
+  const std::vector<const LayerRule*> own = rules_for(layer, rules);
   const auto with_own = [&own](LayerSettings settings) {
     for (const LayerRule* rule : own) {
       for (const auto& [key, value] : rule->values) set(settings, key, value);
@@ -309,7 +315,10 @@ LayerSettings settings_for(const drawing::Layer& layer,
   if (is_stroke_text) base.side = Side::kMark;
   const LayerSettings settings = with_own(base);
   for (const LayerRule* rule : own) expect_of_side(*rule, settings.side);
-  return is_engraved(settings.side) ? with_own({.side = settings.side}) : settings;
+  if (!is_engraved(settings.side)) return settings;
+  base = engraved;
+  base.side = settings.side;
+  return with_own(base);
 }
 
 }  // namespace sim::cut

@@ -120,12 +120,17 @@ using LayerRule = NamedValues;
 /// std::invalid_argument as parse_rule() does, and for a file without any.
 [[nodiscard]] std::vector<LayerRule> read_rules(const std::string& text, const std::string& file);
 
-/// The common settings with every rule that names the layer, later ones last; where none does, with
-/// the rules `*`. A layer that is engraved or filled has nothing of the common settings, which are
-/// for cuts, and neither leads nor tabs.
-/// Throws std::invalid_argument with the place of a rule that gives it some.
+/// Returns every rule that names the layer; where none does, the rules `*`.
+[[nodiscard]] std::vector<const LayerRule*> rules_for(const drawing::Layer& layer,
+                                                      const std::vector<LayerRule>& rules);
+
+/// Returns the common settings with the rules for the layer, later ones last. A layer that is
+/// engraved or filled has nothing of the common settings, which are for cuts, and neither leads nor
+/// tabs. Throws std::invalid_argument with the place of a rule that gives it some.
+/// @param engraved what a layer that is engraved or filled has in their place
 [[nodiscard]] LayerSettings settings_for(const drawing::Layer& layer,
                                          const LayerSettings& common,
-                                         const std::vector<LayerRule>& rules);
+                                         const std::vector<LayerRule>& rules,
+                                         const LayerSettings& engraved = {});
 
 }  // namespace sim::cut

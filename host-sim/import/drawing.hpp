@@ -18,6 +18,8 @@ struct OfferedSettings {
   std::optional<double> speed_mm_s{};         ///< Above 0.
   std::optional<std::size_t> passes{};        ///< 1 or more.
   std::optional<int> priority{};              ///< Lower ones are cut first.
+  std::optional<double> interval_mm{};        ///< From line to line of a filled area; above 0.
+  std::optional<double> angle_deg{};          ///< Direction of these lines; 0 is along X.
   auto operator<=>(const OfferedSettings&) const = default;
 };
 

@@ -34,9 +34,13 @@ std::optional<double> share_of_percent(const std::optional<double>& percent) {
   return 0.01 * *percent;
 }
 
+}  // namespace
+
 OfferedSettings offered_by(const pugi::xml_node& setting) {
   constexpr double kMostPasses = 1000.0;
   constexpr double kFastestMmS = 1.0e5;
+  constexpr double kWidestInterval = 100.0;
+  constexpr double kGreatestAngle = 360.0;
   OfferedSettings offered{.kind = setting.attribute("type").value(),
                           .power_share = share_of_percent(value_of(setting, "maxPower")),
                           .least_power_share = share_of_percent(value_of(setting, "minPower"))};
@@ -48,10 +52,12 @@ OfferedSettings offered_by(const pugi::xml_node& setting) {
   }
   const auto priority = value_of(setting, "priority");
   if (priority && std::abs(*priority) <= 1.0e6) offered.priority = static_cast<int>(*priority);
+  const auto interval = value_of(setting, "interval");
+  if (interval && *interval > 0.0 && *interval <= kWidestInterval) offered.interval_mm = interval;
+  const auto angle = value_of(setting, "angle");
+  if (angle && std::abs(*angle) <= kGreatestAngle) offered.angle_deg = angle;
   return offered;
 }
-
-}  // namespace
 
 LbrnLayer lbrn_layer_without_settings(int index) {
   const bool is_known = index >= 0 && index < static_cast<int>(kLbrnPalette.size());

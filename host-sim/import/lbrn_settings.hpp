@@ -15,6 +15,10 @@ struct LbrnLayer {
   bool has_sub_layers = false;  ///< It is done more than once, with other settings each time.
 };
 
+/// Returns what a CutSetting of a project, or of a library of materials, says; numbers that are
+/// out of their range are left out.
+[[nodiscard]] OfferedSettings offered_by(const pugi::xml_node& setting);
+
 /// Returns the layers of a project by their index, as CutSetting and CutSetting_Img have them.
 [[nodiscard]] std::map<int, LbrnLayer> lbrn_layers(const pugi::xml_node& project);
 

@@ -21,7 +21,9 @@ struct Experiment {
   std::optional<double> straightness_mm{};  ///< At the bottom; none as above.
   std::string file{};
   std::size_t line = 0;
-  std::string rejection{};  ///< Why it does not count; empty when it does.
+  std::string measured_by{};  ///< Name of the person; empty: not known.
+  std::string measured_on{};  ///< YYYY-MM-DD; empty: not known.
+  std::string rejection{};    ///< Why it does not count; empty when it does.
 
   /// The width that counts: mean of top and bottom.
   [[nodiscard]] double kerf_mm() const { return 0.5 * (kerf_top_mm + kerf_bottom_mm); }

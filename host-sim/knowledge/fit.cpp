@@ -160,6 +160,19 @@ void require_one_kind(std::span<const Experiment> cuts) {
   require_one_of(gases, "gas pressures");
 }
 
+/// Returns `, measured by NAME on DATE and …`; empty where nobody is named.
+std::string persons_of(std::span<const Experiment> cuts) {
+  std::set<std::string> persons;
+  for (const Experiment& cut : cuts) {
+    if (cut.measured_by.empty() && cut.measured_on.empty()) continue;
+    persons.insert(fmt::format("{}{}",
+                               cut.measured_by.empty() ? "" : " by " + cut.measured_by,
+                               cut.measured_on.empty() ? "" : " on " + cut.measured_on));
+  }
+  if (persons.empty()) return {};
+  return fmt::format(", measured{}", fmt::join(persons, " and"));
+}
+
 }  // namespace
 
 MaterialRecord fit_record(std::span<const Experiment> cuts, const FitOptions& options) {
@@ -184,7 +197,8 @@ MaterialRecord fit_record(std::span<const Experiment> cuts, const FitOptions& op
   if (record.thicknesses.empty()) {
     throw std::invalid_argument("no accepted cut to fit; `kerfline kerf show --cuts` says why");
   }
-  record.provenance = fmt::format("fitted to {} of {} test cuts", used, cuts.size());
+  record.provenance =
+      fmt::format("fitted to {} of {} test cuts{}", used, cuts.size(), persons_of(cuts));
   require_sound(record);
   return record;
 }

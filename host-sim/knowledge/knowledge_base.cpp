@@ -63,17 +63,36 @@ KnowledgeBase::KnowledgeBase(const std::string& file, SqlFile::Mode mode)
 void KnowledgeBase::prepare_file(SqlFile::Mode mode) {
   SqlStatement version = file_.prepare("PRAGMA user_version");
   static_cast<void>(version.next());
-  if (version.whole(0) == kSchemaVersion) return;
+  const std::int64_t found = version.whole(0);
+  if (found == kSchemaVersion) return;
+  if (found == 1) {
+    if (mode != SqlFile::Mode::kRead) return upgrade();
+    knows_origins_ = false;
+    return;
+  }
   SqlStatement tables = file_.prepare("SELECT count(*) FROM sqlite_master");
   static_cast<void>(tables.next());
-  if (version.whole(0) != 0 || tables.whole(0) != 0 || mode != SqlFile::Mode::kCreate) {
+  if (found != 0 || tables.whole(0) != 0 || mode != SqlFile::Mode::kCreate) {
     throw std::runtime_error(fmt::format(
         "{}: not a data base of kerf knowledge, version {}", file_.name(), kSchemaVersion));
   }
+  create();
+}
+
+void KnowledgeBase::create() {
   const SqlFile& file = file_;
   SqlTransaction transaction{file};
   file.run(kSchema);
+  file.run(kOperationSchema);
   for (const MaterialRecord& record : shipped_records()) insert(record);
+  transaction.commit();
+}
+
+void KnowledgeBase::upgrade() {
+  const SqlFile& file = file_;
+  SqlTransaction transaction{file};
+  file.run(kImportOfVersion2);
+  file.run(kOperationSchema);
   transaction.commit();
 }
 
@@ -87,10 +106,16 @@ void KnowledgeBase::add(const std::vector<Experiment>& cuts,
     throw std::invalid_argument(
         fmt::format("{}: {} has its cuts already, from {}", file, file_.name(), same.text(0)));
   }
-  file_.prepare("INSERT INTO import (file, crc32, bytes) VALUES (?, ?, ?)")
+  const Experiment first = cuts.empty() ? Experiment{} : cuts.front();
+  file_
+      .prepare(
+          "INSERT INTO import (file, crc32, bytes, measured_by, measured_on) "
+          "VALUES (?, ?, ?, ?, ?)")
       .bind(file)
       .bind(crc)
       .bind(text.size())
+      .bind(first.measured_by)
+      .bind(first.measured_on)
       .run();
   const std::int64_t import = file_.last_row();
   for (const Experiment& cut : cuts) {
@@ -118,10 +143,11 @@ void KnowledgeBase::add(const std::vector<Experiment>& cuts,
 }
 
 std::vector<Experiment> KnowledgeBase::cuts_of(std::string_view material) const {
-  SqlStatement rows = file_.prepare(
+  SqlStatement rows = file_.prepare(fmt::format(
       "SELECT laser, gas_pressure_mpa, thickness_um, power_mw, speed_um_min, kerf_top_mm, "
-      "kerf_bottom_mm, dross_area_mm2, straightness_mm, file, line, rejection "
-      "FROM cut JOIN import ON import.id = cut.import WHERE material = ? ORDER BY cut.id");
+      "kerf_bottom_mm, dross_area_mm2, straightness_mm, file, line, rejection, {} "
+      "FROM cut JOIN import ON import.id = cut.import WHERE material = ? ORDER BY cut.id",
+      knows_origins_ ? "measured_by, measured_on" : "'', ''"));
   rows.bind(material);
   std::vector<Experiment> cuts;
   while (rows.next()) {
@@ -135,6 +161,8 @@ std::vector<Experiment> KnowledgeBase::cuts_of(std::string_view material) const 
                     .straightness_mm = measured(rows.real(8)),
                     .file = rows.text(9),
                     .line = static_cast<std::size_t>(rows.whole(10)),
+                    .measured_by = rows.text(12),
+                    .measured_on = rows.text(13),
                     .rejection = rows.text(11)});
   }
   return cuts;
@@ -150,6 +178,10 @@ void KnowledgeBase::insert(const MaterialRecord& record) {
   file_.prepare("DELETE FROM record WHERE material = ? AND heat_unit = ?")
       .bind(record.name)
       .bind(name_of(record.unit))
+      .run();
+  file_
+      .prepare("DELETE FROM record WHERE material = ? AND id NOT IN (SELECT record FROM thickness)")
+      .bind(record.name)
       .run();
   file_
       .prepare(
@@ -219,9 +251,15 @@ std::vector<MaterialRecord> KnowledgeBase::records() const {
                        .unit = unit_named(rows.text(2)),
                        .calibrated = rows.whole(5) != 0,
                        .provenance = rows.text(6),
-                       .thicknesses = thicknesses_of(rows.whole(0))});
+                       .thicknesses = thicknesses_of(rows.whole(0)),
+                       .operations = operations_of(rows.text(1))});
+    MaterialRecord& record = records.back();
+    if (!record.has_kerf() && !record.operations.empty()) {
+      record.provenance = origins_of(record.operations);
+      continue;
+    }
     // Whoever edits the file by hand is told here, before anything is looked up.
-    require_sound(records.back());
+    require_sound(record);
   }
   return records;
 }

@@ -31,8 +31,14 @@ class KnowledgeBase {
   /// In the order in which they were added.
   [[nodiscard]] std::vector<Experiment> cuts_of(std::string_view material) const;
 
-  /// Takes the place of the record with the same name and unit.
+  /// Takes the place of the record with the same name and unit; operations stay.
   void save(const MaterialRecord& record);
+
+  /// Adds operations of a material, and a record without a kerf where it has none. Those that were
+  /// not measured here take the place of others from the same source; measured ones that of others
+  /// of the same kind, laser and thickness.
+  /// @pre all have the same origin
+  void save_operations(const std::string& material, const std::vector<OperationRecord>& operations);
 
   /// In the order in which they were first saved.
   [[nodiscard]] std::vector<MaterialRecord> records() const;
@@ -44,14 +50,20 @@ class KnowledgeBase {
 
  private:
   void insert(const MaterialRecord& record);
+  void remove_like(const std::string& material, const OperationRecord& operation);
+  void insert_operation(const std::string& material, const OperationRecord& operation);
+  [[nodiscard]] std::vector<OperationRecord> operations_of(const std::string& material) const;
   void insert_thickness(std::int64_t record, const ThicknessRecord& row);
   [[nodiscard]] std::vector<ThicknessRecord> thicknesses_of(std::int64_t record) const;
   [[nodiscard]] std::vector<PowerRecord> powers_of(std::int64_t thickness) const;
   [[nodiscard]] std::vector<cnc::kerf::Point> points_of(std::int64_t power) const;
   void prepare_file(SqlFile::Mode mode);
+  void create();
+  void upgrade();
 
   bool is_new_;  ///< No file had the name before.
   SqlFile file_;
+  bool knows_origins_ = true;  ///< Else the file is of version 1.
 };
 
 }  // namespace sim

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "host-sim/knowledge/operation_record.hpp"
 #include "planner/base/result.hpp"
 #include "planner/kerf/kerf_lookup.hpp"
 
@@ -41,6 +42,10 @@ struct MaterialRecord {
   bool calibrated = false;  ///< By test cuts; else the provenance says what it is worth.
   std::string provenance{};
   std::vector<ThicknessRecord> thicknesses{};
+  std::vector<OperationRecord> operations{};  ///< Of the material, whatever the unit.
+
+  /// Returns whether a law or points of the kerf are known.
+  [[nodiscard]] bool has_kerf() const { return !thicknesses.empty(); }
 };
 
 /// A record as a table that owns its parts, for lookups in either precision.

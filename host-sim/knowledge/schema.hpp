@@ -2,8 +2,9 @@
 
 namespace sim {
 
-/// Version of the tables below, in PRAGMA user_version.
-inline constexpr int kSchemaVersion = 1;
+/// Version of the tables below, in PRAGMA user_version. Version 1 is read, too, and becomes 2 when
+/// something is written.
+inline constexpr int kSchemaVersion = 2;
 
 /// What README.md describes. Integers are µm, mW, µm/min and nm, exact; numbers that were measured
 /// or fitted are REAL, in mm, W, mm/min and MPa as their names say.
@@ -13,6 +14,8 @@ CREATE TABLE import (
   file TEXT NOT NULL,
   crc32 INTEGER NOT NULL,
   bytes INTEGER NOT NULL,
+  measured_by TEXT NOT NULL DEFAULT '',
+  measured_on TEXT NOT NULL DEFAULT '',
   UNIQUE (crc32, bytes));
 CREATE TABLE cut (
   id INTEGER PRIMARY KEY,
@@ -65,7 +68,34 @@ CREATE TABLE point (
   speed_um_min INTEGER NOT NULL,
   kerf_nm INTEGER NOT NULL,
   UNIQUE (power, speed_um_min));
-PRAGMA user_version = 1;
+)sql";
+
+/// What version 2 has besides; read by name of the material, so that a fit leaves it alone. NULL is
+/// not known.
+inline constexpr const char* kOperationSchema = R"sql(
+CREATE TABLE operation (
+  id INTEGER PRIMARY KEY,
+  material TEXT NOT NULL,
+  kind TEXT NOT NULL CHECK (kind IN ('cut', 'fill', 'engrave')),
+  description TEXT NOT NULL,
+  laser TEXT NOT NULL,
+  thickness_um INTEGER,
+  power_percent REAL,
+  speed_um_min INTEGER,
+  passes INTEGER,
+  interval_mm REAL,
+  kerf_mm REAL,
+  measured_here INTEGER NOT NULL,
+  measured_by TEXT NOT NULL,
+  measured_on TEXT NOT NULL,
+  source TEXT NOT NULL);
+PRAGMA user_version = 2;
+)sql";
+
+/// Makes version 2 of version 1.
+inline constexpr const char* kImportOfVersion2 = R"sql(
+ALTER TABLE import ADD COLUMN measured_by TEXT NOT NULL DEFAULT '';
+ALTER TABLE import ADD COLUMN measured_on TEXT NOT NULL DEFAULT '';
 )sql";
 
 }  // namespace sim

@@ -62,6 +62,11 @@ SqlStatement& SqlStatement::bind(std::int64_t value) {
   return *this;
 }
 
+SqlStatement& SqlStatement::bind_null() {
+  check(sqlite3_bind_null(statement_.get(), ++bound_));
+  return *this;
+}
+
 bool SqlStatement::next() {
   const int code = sqlite3_step(statement_.get());
   if (code != SQLITE_ROW && code != SQLITE_DONE) fail_in_sql(file_, connection_);
@@ -75,6 +80,10 @@ std::string SqlStatement::text(int column) const {
 
 double SqlStatement::real(int column) const {
   return sqlite3_column_double(statement_.get(), column);
+}
+
+bool SqlStatement::is_null(int column) const {
+  return sqlite3_column_type(statement_.get(), column) == SQLITE_NULL;
 }
 
 std::int64_t SqlStatement::whole(int column) const {

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -20,6 +21,13 @@ class SqlStatement {
   SqlStatement& bind(std::size_t value) { return bind(static_cast<std::int64_t>(value)); }
   SqlStatement& bind(std::uint32_t value) { return bind(static_cast<std::int64_t>(value)); }
 
+  SqlStatement& bind_null();
+  /// Binds the value, or NULL where there is none.
+  template <typename Value>
+  SqlStatement& bind_optional(const std::optional<Value>& value) {
+    return value ? bind(*value) : bind_null();
+  }
+
   /// True while there is a row; its columns count from 0.
   [[nodiscard]] bool next();
   /// For statements without rows.
@@ -28,6 +36,7 @@ class SqlStatement {
   [[nodiscard]] std::string text(int column) const;
   [[nodiscard]] double real(int column) const;
   [[nodiscard]] std::int64_t whole(int column) const;
+  [[nodiscard]] bool is_null(int column) const;
   [[nodiscard]] std::uint32_t small(int column) const {
     return static_cast<std::uint32_t>(whole(column));
   }

@@ -64,6 +64,8 @@ class Command:
     empty_is_refused: tuple = ()  # Inputs, besides standard input, that must not be empty.
 
 
+LIBRARY = ('<LightBurnLibrary><Material name="tin"><Entry><CutSetting type="Cut">'
+           '<maxPower Value="9"/><speed Value="9"/></CutSetting></Entry></Material></LightBurnLibrary>')
 STEEL = ("--material", "CSP 1N")
 SETTINGS = "$110=1000\n"
 RECIPE = '{"kerfline_recipe": 1, "tabs": 1}'
@@ -87,6 +89,10 @@ COMMANDS = {
     "replay": Command((), {"FILE": TALK}, takes_stdin=True, empty_is_refused=("FILE",)),
     "kerf add": Command((), {"CUTS.csv": CUTS}, (), {"--db": None}, takes_stdin=True,
                         empty_is_refused=("CUTS.csv",)),
+    "kerf import": Command((), {"FILE.clb": LIBRARY}, (), {"--db": None}, takes_stdin=True,
+                           empty_is_refused=("FILE.clb",)),
+    "kerf test-grid": Command(("--material", "tin", "--thickness", "1", "--power", "20", "--feed", "300"),
+                              {"--post": POST}, ("--out", "--form")),
     "kerf fit": Command(("--material", "tin"), {}, (), {"--db": CUTS}),
     "kerf show": Command(("--material", "tin", "--cuts"), {}, (), {"--db": CUTS}),
     "kerf advise": Command((*STEEL, "--thickness", "2"), {}, (), {"--db": CUTS}),
@@ -149,8 +155,14 @@ SECTIONED = Command(("--half-angle", "7", "--cell", "0.5", "--section", "0,1,3,1
                     empty_is_refused=("--beams",))
 MEASURED = Command((), {"--measured": CUTS}, (), {"--db": None}, takes_stdin=True,
                    empty_is_refused=("--measured",))
+FILLED_FORM = ('{"kerfline_test_grid": 1, "material": "tin", "kind": "fill", "measured_by": "Ada",'
+               ' "measured_on": "2026-11-30", "squares": [{"power_percent": 20, "feed_mm_min": 300,'
+               ' "result": "good"}]}')
+READ_GRID = Command((), {"--measured": FILLED_FORM}, (), {"--db": None}, takes_stdin=True,
+                    empty_is_refused=("--measured",))
 UPDATE = Command(("--update",), {}, updates={"FILE": TALK}, empty_is_refused=("FILE",))
-CALLS = [*COMMANDS.items(), ("kerf calibrate", FORM), ("kerf calibrate", MEASURED), ("replay", UPDATE),
+CALLS = [*COMMANDS.items(), ("kerf calibrate", FORM), ("kerf calibrate", MEASURED),
+         ("kerf test-grid", READ_GRID), ("replay", UPDATE),
          ("surface", HEIGHTS), ("surface", PICTURED), ("sim", COMPARED), ("wall", CONES), ("wall", LAYERED),
          ("wall carve", SECTIONED)]
 CALLS_IN_TEST = 4  # Of CALLS; as many as each of the long tests tries in toolchain/test.sh.

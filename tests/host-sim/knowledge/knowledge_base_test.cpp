@@ -166,8 +166,120 @@ TEST_F(KnowledgeBaseTest, RefusesANewerVersionAndNonsenseInARecord) {
   sql.run("UPDATE power SET least_speed_um_min = 0 WHERE id = 3");
   EXPECT_THROW(static_cast<void>(KnowledgeBase(file_.path(), SqlFile::Mode::kWrite).records()),
                std::invalid_argument);
-  sql.run("PRAGMA user_version = 2");
+  sql.run("PRAGMA user_version = 3");
   EXPECT_THROW((KnowledgeBase{file_.path(), SqlFile::Mode::kWrite}), std::runtime_error);
+}
+
+OperationRecord operation_at(std::uint32_t thickness_um, const char* source) {
+  return {.kind = "cut",
+          .description = "Clean",
+          .thickness_um = thickness_um,
+          .power_percent = 65.5,
+          .speed_um_min = 600'000,
+          .origin = {.on = "2026-11-30", .source = source}};
+}
+
+TEST_F(KnowledgeBaseTest, KeepsOperationsBesideAFit) {
+  KnowledgeBase base{file_.path(), SqlFile::Mode::kCreate};
+  base.save_operations("plate", {operation_at(3000, "a.clb"), operation_at(4000, "a.clb")});
+  MaterialRecord record = base.record_of("plate", std::nullopt);
+  EXPECT_FALSE(record.has_kerf());
+  EXPECT_EQ(record.provenance, "not measured here: from a.clb of 2026-11-30");
+  ASSERT_EQ(record.operations.size(), 2U);
+  const OperationRecord& one = record.operations[0];
+  EXPECT_EQ(one.description, "Clean");
+  EXPECT_EQ(one.thickness_um, 3000U);
+  EXPECT_EQ(one.power_percent, 65.5);
+  EXPECT_EQ(one.speed_um_min, 600'000U);
+  EXPECT_EQ(one.passes, std::nullopt) << "what is not known stays so";
+  EXPECT_EQ(one.kerf_mm, std::nullopt);
+  EXPECT_EQ(one.origin, operation_at(3000, "a.clb").origin);
+  base.save_operations("plate", {operation_at(5000, "a.clb")});
+  base.save_operations("plate", {operation_at(6000, "b.clb")});
+  EXPECT_EQ(base.record_of("plate", std::nullopt).operations.size(), 2U) << "of each file the last";
+  base.save(fit_record(std::vector{two_cuts()[0]}, {.unit = kerf::HeatUnit::kJoulesPerMillimetre}));
+  record = base.record_of("plate", std::nullopt);
+  EXPECT_TRUE(record.has_kerf());
+  EXPECT_EQ(record.operations.size(), 2U);
+}
+
+TEST_F(KnowledgeBaseTest, SaysWhoMeasured) {
+  KnowledgeBase base{file_.path(), SqlFile::Mode::kCreate};
+  auto cuts = two_cuts();
+  cuts[1].rejection = "";
+  for (Experiment& cut : cuts) {
+    cut.measured_by = "Ada";
+    cut.measured_on = "2026-11-30";
+  }
+  base.add(cuts, "cuts.csv", "text");
+  EXPECT_EQ(base.cuts_of("plate")[1].measured_by, "Ada");
+  EXPECT_EQ(fit_record(base.cuts_of("plate"), {}).provenance,
+            "fitted to 2 of 2 test cuts, measured by Ada on 2026-11-30");
+}
+
+TEST_F(KnowledgeBaseTest, ReadsVersion1AndMakesItVersion2WhenItWrites) {
+  {
+    KnowledgeBase base{file_.path(), SqlFile::Mode::kCreate};
+    base.add(two_cuts(), "cuts.csv", "text");
+    const SqlFile sql{file_.path(), SqlFile::Mode::kWrite};
+    sql.run(
+        "DROP TABLE operation; ALTER TABLE import DROP COLUMN measured_by; "
+        "ALTER TABLE import DROP COLUMN measured_on; PRAGMA user_version = 1");
+  }
+  {
+    const KnowledgeBase base{file_.path(), SqlFile::Mode::kRead};
+    EXPECT_EQ(base.cuts_of("plate").size(), 2U);
+    EXPECT_EQ(base.records().size(), 3U);
+  }
+  KnowledgeBase base{file_.path(), SqlFile::Mode::kWrite};
+  EXPECT_EQ(base.cuts_of("plate").size(), 2U);
+  base.save_operations("plate", {operation_at(3000, "a.clb")});
+  EXPECT_EQ(base.record_of("plate", std::nullopt).operations.size(), 1U);
+}
+
+TEST(Operations, AreChosenByThicknessAndDescription) {
+  OperationRecord score = operation_at(3000, "a.clb");
+  score.description = "Score";
+  OperationRecord any = operation_at(0, "a.clb");
+  any.thickness_um.reset();
+  const std::vector<OperationRecord> library{operation_at(3000, "a.clb"), score, any};
+  const auto chosen = [](const auto& operations, std::uint32_t um, const char* description) {
+    return choose_operation(operations, {"plate", "cut", um, description});
+  };
+  EXPECT_THROW(static_cast<void>(chosen(library, 3000, "")), std::invalid_argument);
+  EXPECT_EQ(chosen(library, 3000, "Score")->description, "Score");
+  EXPECT_EQ(chosen(library, 4000, "")->thickness_um, std::nullopt);
+  EXPECT_THROW(static_cast<void>(chosen(library, 3000, "Scor")), std::invalid_argument);
+  EXPECT_THROW(static_cast<void>(choose_operation({score}, {"plate", "cut", 4000, ""})),
+               std::invalid_argument);
+  EXPECT_EQ(choose_operation({score}, {"plate", "fill", 3000, ""}), std::nullopt);
+  OperationRecord slow = operation_at(3000, "form");
+  slow.origin.is_measured_here = true;
+  slow.speed_um_min = 400'000;
+  OperationRecord fast = slow;
+  fast.speed_um_min = 500'000;
+  OperationRecord strong = fast;
+  strong.power_percent = 90.0;
+  const auto best = choose_operation({score, slow, strong, fast}, {"plate", "cut", 3000, ""});
+  EXPECT_EQ(best->speed_um_min, 500'000U);
+  EXPECT_EQ(best->power_percent, 65.5) << "the least power at the fastest speed";
+}
+
+TEST(Operations, DaysAreOfTheCalendar) {
+  for (const char* const day : {"2026-11-30", "2024-02-29", "0001-01-01"})
+    EXPECT_TRUE(is_date(day));
+  for (const char* const wrong : {"",
+                                  "2026-11-31",
+                                  "2023-02-29",
+                                  "2026-13-01",
+                                  "26-11-30",
+                                  "2026/11/30",
+                                  "2026-11-3 ",
+                                  "2026-00-01",
+                                  "-026-01-01",
+                                  "2026-11-30 "}) {
+    EXPECT_FALSE(is_date(wrong)) << wrong;
+  }
 }
 
 TEST_F(KnowledgeBaseTest, UndoesWhatWasNotCommitted) {

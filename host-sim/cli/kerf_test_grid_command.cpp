@@ -1,0 +1,314 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "firmware/machine/settings.hpp"
+#include "host-sim/cli/cut_place_options.hpp"
+#include "host-sim/cli/file_options.hpp"
+#include "host-sim/cli/input_files.hpp"
+#include "host-sim/cli/kerf_commands.hpp"
+#include "host-sim/cli/kerf_options.hpp"
+#include "host-sim/cli/post_option.hpp"
+#include "host-sim/cli/value_range.hpp"
+#include "host-sim/knowledge/test_grid.hpp"
+#include "host-sim/knowledge/test_grid_form.hpp"
+#include "host-sim/report/terminal.hpp"
+#include "host-sim/trace/input_file.hpp"
+#include "host-sim/trace/output_file.hpp"
+
+namespace sim {
+namespace {
+
+constexpr std::size_t kMostGridSteps = 10;
+constexpr double kLeastGridPercent = 0.1;
+constexpr double kFullPercent = 100.0;
+constexpr double kGreatestGridFeed = from_thousandths(cnc::kerf::kMostSpeedUmMin);
+
+struct TestGridOptions {
+  TestGrid grid{};
+  std::string powers;
+  std::string feeds;
+  std::size_t power_steps = 5;
+  std::size_t feed_steps = 5;
+  std::string kind = "cut";
+  std::optional<double> slot_power;
+  std::optional<double> slot_feed;
+  CutPlaceOptions place;
+  bool constant_power = false;
+  std::string air = "on";
+  PostOption post;
+  std::string program;
+  std::string form;
+  std::string measured;
+  std::string data_base;
+  PersonOptions person;
+};
+
+/// A range as an option gives it, `LOW:HIGH` or one number.
+struct GridRange {
+  const char* option;
+  double least;
+  double most;
+  const char* unit;
+};
+
+/// Returns the values of a range. Throws std::invalid_argument with the range.
+std::vector<double> values_in(const GridRange& range, const std::string& text, std::size_t steps) {
+  const std::size_t colon = std::min(text.find(':'), text.size());
+  const auto read = [&](std::string_view word) {
+    double value = 0.0;
+    const char* const end = word.data() + word.size();
+    const auto result = std::from_chars(word.data(), end, value);
+    const bool is_number = result.ec == std::errc{} && result.ptr == end && std::isfinite(value);
+    if (is_number && value >= range.least && value <= range.most) return value;
+    throw std::invalid_argument(fmt::format("{} {}: wants LOW:HIGH or one number, {:g} to {:g} {}",
+                                            range.option,
+                                            text,
+                                            range.least,
+                                            range.most,
+                                            range.unit));
+  };
+  const std::string_view words{text};
+  const double low = read(words.substr(0, colon));
+  const double high = colon == text.size() ? low : read(words.substr(colon + 1));
+  if (low > high) {
+    throw std::invalid_argument(
+        fmt::format("{} {}: the lower number comes first", range.option, text));
+  }
+  if (low == high) return {low};
+  if (steps < 2) {
+    throw std::invalid_argument(
+        fmt::format("{} {}: a range needs 2 steps at least", range.option, text));
+  }
+  return steps_between(low, high, steps);
+}
+
+double greatest_s_of(const cut::MachineProfile& machine) {
+  double greatest = 1000.0;
+  for (const SettingChange& change : machine.settings) {
+    if (change.number == cnc::setting::kMostSpindleSpeed) {
+      greatest = static_cast<double>(change.value);
+    }
+  }
+  return greatest;
+}
+
+/// Throws std::invalid_argument where a feed exceeds the machine's.
+void expect_reachable(const TestGrid& grid, const cut::MachineProfile& machine) {
+  for (const SettingChange& change : machine.settings) {
+    if (change.number != cnc::setting::kRate) continue;
+    const auto most = static_cast<double>(change.value);
+    if (grid.feeds_mm_min.back() <= most) continue;
+    throw std::invalid_argument(
+        fmt::format("--feed: {:g} mm/min is more than {} drives, {:g} mm/min",
+                    grid.feeds_mm_min.back(),
+                    machine.name,
+                    most));
+  }
+}
+
+/// Returns where the grid lies. Throws std::invalid_argument where it leaves the bed.
+drawing::Place place_of(const TestGridOptions& options,
+                        const drawing::Place& size,
+                        const std::optional<cut::MachineProfile>& machine) {
+  CutPlaceOptions place = options.place;
+  if (place.place.empty()) place.place = "corner";
+  const cut::PlaceWishes wishes = place_wishes_of(place);
+  drawing::Place at = lower_left(wishes, size, machine ? &*machine : nullptr) + wishes.move_mm;
+  if (machine) at -= machine->beam_offset_mm;
+  const drawing::Place far = at + size;
+  const cut::BedBox bed = machine ? machine->bed() : cut::BedBox{{0.0, 0.0}, {1.0e6, 1.0e6}};
+  constexpr double kSlackMm = 1.0e-6;
+  const double beyond = std::max(
+      {bed.low.x() - at.x(), bed.low.y() - at.y(), far.x() - bed.high.x(), far.y() - bed.high.y()});
+  if (beyond <= kSlackMm) return at;
+  throw std::invalid_argument(
+      fmt::format("the grid is {:.1f} x {:.1f} mm and leaves {} by {:.3f} mm; take fewer steps, "
+                  "smaller cells, or another --place",
+                  size.x(),
+                  size.y(),
+                  machine ? "the bed of " + machine->name : "the quadrant of X0 Y0",
+                  beyond));
+}
+
+/// Completes the grid with what the call gives as text.
+void complete(TestGridOptions& options) {
+  TestGrid& grid = options.grid;
+  if (options.powers.empty() || options.feeds.empty()) {
+    throw std::invalid_argument(
+        "--power and --feed: are needed, such as --power 20:80 --feed "
+        "300:1500; or --measured reads a form");
+  }
+  grid.powers_percent = values_in(
+      {"--power", kLeastGridPercent, kFullPercent, "percent"}, options.powers, options.power_steps);
+  grid.feeds_mm_min =
+      values_in({"--feed", 1.0, kGreatestGridFeed, "mm/min"}, options.feeds, options.feed_steps);
+  grid.is_filled = options.kind == "fill";
+  if (grid.is_filled) {
+    grid.slots_mm.clear();
+  } else if (grid.slots_mm.empty()) {
+    grid.slots_mm = {5.0, 10.0, 15.0};
+  }
+  grid.slots = {options.slot_power.value_or(grid.powers_percent.back()),
+                options.slot_feed.value_or(grid.feeds_mm_min.front())};
+}
+
+void write_grid(const CLI::App& command, TestGridOptions& options) {
+  complete(options);
+  if (options.grid.material.empty()) throw std::invalid_argument("--material: is needed");
+  if (!options.grid.is_filled && options.grid.thickness_mm <= 0.0) {
+    throw std::invalid_argument("--thickness: is needed for squares that are cut, mm");
+  }
+  if (options.program.empty()) throw std::invalid_argument("--out or --measured is missing");
+  const auto machine = machine_profile_of(options.place);
+  if (machine) expect_reachable(options.grid, *machine);
+  InputFiles inputs{options.program};
+  unsigned decimals = 3;
+  options.post.read(command, inputs, decimals);
+  GridProgram program{.full_power_s = machine ? greatest_s_of(*machine) : 1000.0,
+                      .follows_speed = !options.constant_power,
+                      .air = options.air == "M7" ? "M7" : "M8"};
+  if (options.air == "off") program.air.clear();
+  const drawing::Place size = size_of(options.grid);
+  program.at_mm = place_of(options, size, machine);
+  const TestGrid& grid = options.grid;
+  const std::size_t squares = grid.powers_percent.size() * grid.feeds_mm_min.size();
+  const std::string about =
+      fmt::format("{} squares of {:g} mm, {:g} to {:g} percent, {:g} to {:g} mm/min, {}",
+                  squares,
+                  grid.cell_mm,
+                  grid.powers_percent.front(),
+                  grid.powers_percent.back(),
+                  grid.feeds_mm_min.front(),
+                  grid.feeds_mm_min.back(),
+                  grid.passes == 1 ? "1 pass" : fmt::format("{} passes", grid.passes));
+  std::vector<std::string> heading{fmt::format("kerfline kerf test-grid: {}", grid.material),
+                                   about,
+                                   "nothing of it is measured"};
+  if (grid.thickness_mm > 0.0) heading[0] += fmt::format(", {:g} mm", grid.thickness_mm);
+  write_file(options.program, options.post.applied_to(program_of(grid, program, heading)));
+  if (!options.form.empty()) write_file(options.form, form_of(grid));
+  terminal::print("{}: {}; X{:.3f} Y{:.3f} to X{:.3f} Y{:.3f}\n",
+                  options.program,
+                  about,
+                  program.at_mm.x(),
+                  program.at_mm.y(),
+                  program.at_mm.x() + size.x(),
+                  program.at_mm.y() + size.y());
+  if (machine && !machine->note.empty()) {
+    terminal::print(stderr, "kerfline: warning: {}: {}\n", machine->name, machine->note);
+  }
+}
+
+void take_form(const TestGridOptions& options) {
+  if (options.data_base.empty()) throw std::invalid_argument("--db is missing");
+  if (!options.program.empty() || !options.form.empty()) {
+    throw std::invalid_argument("--measured reads a form; --out and --form write a new one");
+  }
+  const MeasuredGrid found = read_form(read_text(options.measured),
+                                       name_of_input(options.measured),
+                                       {options.person.by, options.person.on});
+  KnowledgeBase base{options.data_base, SqlFile::Mode::kCreate};
+  base.save_operations(found.material, found.operations);
+  for (const std::string& note : found.notes) terminal::print(stderr, "note: {}\n", note);
+  terminal::print("{}: {} settings of {}; {}\n",
+                  name_of_input(options.measured),
+                  found.operations.size(),
+                  found.material,
+                  text_of(found.operations.front().origin));
+}
+
+void add_grid_options(CLI::App& command, TestGridOptions& options) {
+  TestGrid& grid = options.grid;
+  command.add_option("--material", grid.material, "Its name in the form")->type_name("NAME");
+  command.add_option("--thickness", grid.thickness_mm, "mm")->check(thickness_range());
+  command.add_option("--laser", grid.laser, "Its name in the form")->type_name("NAME");
+  command.add_option("--power", options.powers, "Percent of full power, by column")
+      ->type_name("LOW:HIGH");
+  command.add_option("--feed", options.feeds, "mm/min, by row")->type_name("LOW:HIGH");
+  const auto steps = [&](const char* name, std::size_t& value, const char* help) {
+    command.add_option(name, value, help)
+        ->check(in_whole_range(1, kMostGridSteps))
+        ->capture_default_str();
+  };
+  steps("--power-steps", options.power_steps, "Columns");
+  steps("--feed-steps", options.feed_steps, "Rows");
+  command.add_option("--kind", options.kind, "Squares are cut, or filled with lines")
+      ->check(CLI::IsMember({"cut", "fill"}))
+      ->capture_default_str();
+  command.add_option("--passes", grid.passes, "Times that each square and slot is driven")
+      ->check(in_whole_range(1, 100))
+      ->capture_default_str();
+  const auto length =
+      [&](const char* name, double& value, double least, double most, const char* help) {
+        command.add_option(name, value, help)
+            ->check(in_range(least, most, "mm"))
+            ->capture_default_str();
+      };
+  length("--cell", grid.cell_mm, 1.0, 100.0, "Side of a square");
+  length("--gap", grid.gap_mm, 0.5, 100.0, "Between squares, and between slots");
+  length("--interval", grid.interval_mm, 0.01, 10.0, "From line to line of a filled square");
+  length("--label-height", grid.label_mm, 1.0, 20.0, "Of the numbers, if there is room");
+  command.add_option("--label-power", grid.labels.power_percent, "Of the numbers, percent")
+      ->check(in_range(kLeastGridPercent, kFullPercent, "percent"))
+      ->capture_default_str();
+  command.add_option("--label-feed", grid.labels.feed_mm_min, "Of the numbers, mm/min")
+      ->check(in_range(1.0, kGreatestGridFeed, "mm/min"))
+      ->capture_default_str();
+  command.add_option("--slots", grid.slots_mm, "Widths of the slots' paths, mm; else 5,10,15")
+      ->delimiter(',')
+      ->expected(1, 10)
+      ->check(in_range(1.0, 100.0, "mm"));
+  command.add_option("--slot-power", options.slot_power, "Percent; else the greatest")
+      ->check(in_range(kLeastGridPercent, kFullPercent, "percent"));
+  command.add_option("--slot-feed", options.slot_feed, "mm/min; else the slowest")
+      ->check(in_range(1.0, kGreatestGridFeed, "mm/min"));
+  command.add_flag("--constant-power", options.constant_power, "M3 instead of M4");
+  command.add_option("--air", options.air, "on or M8, M7, off")
+      ->check(CLI::IsMember({"on", "M7", "M8", "off"}))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_kerf_test_grid_command(CLI::App& kerf) {
+  CLI::App* command = kerf.add_subcommand(
+      "test-grid",
+      "Write a grid of squares, power by column and feed by row, with numbers and slots for a\n"
+      "caliper (--out), and a form for what came of it (--form); or read the form (--measured).");
+  command->footer(
+      "Examples:\n"
+      "  kerfline kerf test-grid --material birch --thickness 3 --power 20:80 --feed 300:1500 "
+      "--machine k40 --out grid.nc --form grid.json\n"
+      "  kerfline kerf test-grid --measured grid.json --db my.db\n"
+      "\n"
+      "In the form the result of a square is good or bad, the width of a slot is that of the "
+      "hole,\n"
+      "and measured_by and measured_on say who measured, and when.");
+  const auto options = std::make_shared<TestGridOptions>();
+  add_grid_options(*command, *options);
+  add_machine_options(*command, options->place);
+  options->post.add_to(*command);
+  const auto add_file = [&](FileRole role, const char* name, std::string& file, const char* help) {
+    mark_file(command->add_option(name, file, help)->type_name("FILE"), role);
+  };
+  add_file(FileRole::kOutput, "--out", options->program, "The grid's G-code");
+  add_file(FileRole::kOutput, "--form", options->form, "The form, JSON");
+  add_file(FileRole::kInput, "--measured", options->measured, "A form that was filled in");
+  add_file(FileRole::kKept, "--db", options->data_base, "Data base; made when there is none");
+  options->person.add_to(*command);
+  command->callback([command, options] {
+    if (options->measured.empty()) {
+      write_grid(*command, *options);
+    } else {
+      take_form(*options);
+    }
+  });
+}
+
+}  // namespace sim
