@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <optional>
 #include <set>
 
-#include "host-sim/contour/contour_offset.hpp"
 #include "host-sim/cut/clearance.hpp"
 #include "host-sim/cut/coincident.hpp"
 #include "host-sim/cut/controller_choice.hpp"
@@ -16,14 +16,15 @@
 #include "host-sim/cut/cut_precedence.hpp"
 #include "host-sim/cut/cut_turn.hpp"
 #include "host-sim/cut/fill_area.hpp"
-#include "host-sim/cut/kerf_faults.hpp"
 #include "host-sim/cut/late_cuts.hpp"
 #include "host-sim/cut/lead.hpp"
 #include "host-sim/cut/outlines.hpp"
 #include "host-sim/cut/own_costs.hpp"
+#include "host-sim/cut/path_beside.hpp"
 #include "host-sim/cut/possible_beginnings.hpp"
 #include "host-sim/cut/share_lines.hpp"
 #include "host-sim/cut/shared_edges.hpp"
+#include "host-sim/cut/shared_work.hpp"
 #include "host-sim/cut/start_marks.hpp"
 #include "host-sim/cut/unfulfilled.hpp"
 #include "planner/base/contract.hpp"
@@ -78,11 +79,7 @@ class Planner {
       }
     }
     edges_.prepare();
-    for (std::size_t i = 0; i < outlines_.size(); ++i) {
-      if (outlines_[i].is_beside) cut_beside(i);
-      if (outlines_[i].is_beside || outlines_[i].strokes.empty()) continue;
-      if (sides[i] != Side::kFill) cut_along(i);
-    }
+    cut_contours(sides);
     fill_areas(sides);
     put_parts_last(drawn_, outlines_, plan_.cuts);
     name_parts();
@@ -113,7 +110,8 @@ class Planner {
   }
 
   void part_touching();
-  void cut_beside(std::size_t i);
+  void cut_contours(const std::vector<Side>& sides);
+  void cut_beside(std::size_t i, const PathBeside& path);
   void vanish(std::size_t i);
   void cut_along(std::size_t i);
   void fill_areas(const std::vector<Side>& sides);
@@ -142,7 +140,6 @@ class Planner {
   std::vector<std::size_t> loops_of_contour_;  ///< Number of cuts of each contour.
   double reach_mm_;                            ///< Twice the widest kerf: nothing farther matters.
   Clearance edges_;
-  ContourOffset offset_;
   std::set<std::size_t> told_layers_;  ///< Those with a cut on the line, so far.
 };
 
@@ -156,28 +153,37 @@ void Planner::part_touching() {
   append(plan_.warnings, part_touching_edges(drawn_, outlines_, sharing));
 }
 
-void Planner::cut_beside(std::size_t i) {
-  const Contour contour = contour_of(outlines_[i].strokes);
-  std::vector<std::vector<Stroke>> loops{outlines_[i].strokes};
-  try {
-    if (half_kerf(i) > 0.0) loops = loops_of(offset_.offset(contour.view(), half_kerf(i)));
-  } catch (const NoOffset& failure) {
-    return fault(FaultKind::kTooMuch, i, failure.place(), failure.reason(), failure.remedy());
-  }
-  if (loops.empty()) return vanish(i);
-  append(plan_.warnings,
-         rests_of(drawn_.contours[i].entity, outlines_[i].strokes, loops, half_kerf(i), reach_mm_));
-  std::vector<drawing::Fault> gouges;
-  for (const std::vector<Stroke>& loop : loops) {
-    if (auto gouge = gouge_of(drawn_, i, loop, edges_, half_kerf(i))) {
-      gouges.push_back(std::move(*gouge));
+/// Cuts all but filled areas. Paths beside outlines do not depend on each other: they are found by
+/// several threads, for some contours at a time, and put into the plan in the order of the drawing.
+void Planner::cut_contours(const std::vector<Side>& sides) {
+  constexpr std::size_t kAtATime = 4096;
+  const DrawnEdges edges{drawn_, outlines_, edges_, reach_mm_};
+  for (std::size_t first = 0; first < outlines_.size(); first += kAtATime) {
+    std::vector<PathBeside> paths(std::min(kAtATime, outlines_.size() - first));
+    share_work(paths.size(), [&] {
+      return [&, offset = std::make_unique<ContourOffset>()](std::size_t k) {
+        const std::size_t i = first + k;
+        if (outlines_[i].is_beside) paths[k] = path_beside(edges, i, half_kerf(i), *offset);
+      };
+    });
+    for (std::size_t k = 0; k < paths.size(); ++k) {
+      const std::size_t i = first + k;
+      if (outlines_[i].is_beside) cut_beside(i, paths[k]);
+      if (outlines_[i].is_beside || outlines_[i].strokes.empty()) continue;
+      if (sides[i] != Side::kFill) cut_along(i);
     }
-    add_cut(i, loop);
   }
-  if (gouges.empty()) return;
-  auto touch = touch_of(drawn_, i, outlines_, edges_, half_kerf(i));
-  if (touch) gouges = {std::move(*touch)};
-  append(plan_.faults, gouges);
+}
+
+void Planner::cut_beside(std::size_t i, const PathBeside& path) {
+  if (path.failure) {
+    plan_.faults.push_back(*path.failure);
+    return;
+  }
+  if (path.loops.empty()) return vanish(i);
+  append(plan_.warnings, path.rests);
+  for (const std::vector<Stroke>& loop : path.loops) add_cut(i, loop);
+  append(plan_.faults, path.gouges);
 }
 
 /// What contours that cross leave between them is no slot that was drawn: it is only named.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <unordered_map>
+#include <utility>
 
 #include "host-sim/import/curve_measure.hpp"
 #include "host-sim/import/piece.hpp"
@@ -35,7 +35,11 @@ class EndMatcher {
         gap_{std::max(gap_mm, kSamePlaceMm)},
         partner_(2 * chains.size(), kNoEnd),
         among_others_(partner_.size(), false) {
-    for (EndIndex end = 0; end < partner_.size(); ++end) cells_[key_of(place(end))].push_back(end);
+    cells_.reserve(partner_.size());
+    for (EndIndex end = 0; end < partner_.size(); ++end) {
+      cells_.emplace_back(key_of(place(end)), end);
+    }
+    std::ranges::sort(cells_);
     gather_pairs();
     std::ranges::sort(pairs_);
     for (const EndPair& pair : pairs_) {
@@ -71,12 +75,13 @@ class EndMatcher {
   }
 
   void gather_in(EndIndex end, Key key) {
-    const auto cell = cells_.find(key);
-    if (cell == cells_.end()) return;
     std::size_t found = 0;
-    for (const EndIndex other : cell->second) {
+    for (auto at = std::ranges::lower_bound(cells_, std::pair{key, end + 1});
+         at != cells_.end() && at->first == key;
+         ++at) {
+      const EndIndex other = at->second;
       if (found == kMostEndsAtAPlace) break;
-      if (other <= end || other / 2 == end / 2) continue;
+      if (other / 2 == end / 2) continue;
       if (!same_layer(end, other)) continue;
       const double apart = distance(place(end), place(other));
       if (apart > gap_) continue;
@@ -97,7 +102,7 @@ class EndMatcher {
   std::vector<EndIndex> partner_;
   std::vector<bool> among_others_;
   std::vector<EndPair> pairs_;
-  std::unordered_map<Key, std::vector<EndIndex>> cells_;
+  std::vector<std::pair<Key, EndIndex>> cells_;  ///< Sorted.
 };
 
 /// Makes `next` begin where `shape` ends. False when a line has to go between.
@@ -236,6 +241,7 @@ class Joiner {
 void measure(Piece& piece) {
   DrawnContour& contour = piece.contour;
   piece.outline = outline_of(contour.shapes, kChordToleranceMm);
+  piece.outline.shrink_to_fit();
   piece.box = box_of(piece.outline);
   contour.length_mm = 0.0;
   double area = 0.0;

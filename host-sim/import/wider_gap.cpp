@@ -5,7 +5,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
-#include <unordered_map>
+#include <utility>
+#include <vector>
 
 namespace sim::drawing {
 namespace {
@@ -29,9 +30,14 @@ struct LoosePair {
 /// Pairs loose ends that are within the widest gap, the nearest first.
 class LooseEnds {
  public:
-  void add(const LooseEnd& end) {
-    cells_[key_of(end.place, 0, 0)].push_back(ends_.size());
-    ends_.push_back(end);
+  void add(const LooseEnd& end) { ends_.push_back(end); }
+  /// After the last add().
+  void prepare() {
+    cells_.reserve(ends_.size());
+    for (std::size_t i = 0; i < ends_.size(); ++i) {
+      cells_.emplace_back(key_of(ends_[i].place, 0, 0), i);
+    }
+    std::ranges::sort(cells_);
   }
 
   [[nodiscard]] std::size_t count() const { return ends_.size(); }
@@ -65,11 +71,13 @@ class LooseEnds {
   void gather(std::size_t end, int dx, int dy, std::vector<LoosePair>& pairs) const {
     // Where more ends meet, a wider gap is no help.
     constexpr std::size_t kMostNeighbours = 16;
-    const auto cell = cells_.find(key_of(ends_[end].place, dx, dy));
-    if (cell == cells_.end()) return;
+    const Key key = key_of(ends_[end].place, dx, dy);
     std::size_t found = 0;
-    for (const std::size_t other : cell->second) {
-      if (other <= end || found == kMostNeighbours) continue;
+    for (auto at = std::ranges::lower_bound(cells_, std::pair{key, end + 1});
+         at != cells_.end() && at->first == key;
+         ++at) {
+      const std::size_t other = at->second;
+      if (found == kMostNeighbours) return;
       const bool fits =
           ends_[other].layer == ends_[end].layer && ends_[other].part == ends_[end].part;
       const double apart = distance(ends_[end].place, ends_[other].place);
@@ -80,7 +88,7 @@ class LooseEnds {
   }
 
   std::vector<LooseEnd> ends_;
-  std::unordered_map<Key, std::vector<std::size_t>> cells_;
+  std::vector<std::pair<Key, std::size_t>> cells_;  ///< Sorted, with the ends in their order.
 };
 
 }  // namespace
@@ -97,6 +105,7 @@ std::optional<WiderGap> wider_gap(const std::vector<Piece>& chains, double gap_m
       ends.add({place, contour.entity.layer, contour.entity.part});
     }
   }
+  ends.prepare();
   const std::vector<double> distances = ends.paired_distances();
   const auto within = [&](double gap) {
     return static_cast<std::size_t>(std::ranges::upper_bound(distances, gap) - distances.begin());
