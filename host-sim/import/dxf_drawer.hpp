@@ -39,6 +39,8 @@ class DxfDrawer {
 
   /// Adds what was read of an entity, in chains of curves that meet, or says what is wrong.
   void add(const DxfEntity& entity, const DxfInstance& within, DxfShapes drawn);
+  /// Draws letters as the sketch wishes them. @pre is_dxf_text(entity.type)
+  void add_text(const DxfEntity& entity, const DxfInstance& within);
   /// Says that an entity is left out that has nothing to cut, or that is not read.
   void leave_out(const DxfEntity& entity, const DxfInstance& within);
   void refuse(const DxfEntity& entity,
@@ -47,6 +49,7 @@ class DxfDrawer {
               std::string remedy = "it is left out; mend it in the drawing");
 
  private:
+  void note_style(const DxfEntity& entity, const DxfStyle& style, const Entity& named);
   [[nodiscard]] DxfLayer layer_record(const DxfEntity& entity, const DxfInstance& within) const;
 
   Sketch& sketch_;

@@ -10,6 +10,7 @@
 #include "host-sim/import/dxf_binary.hpp"
 #include "host-sim/import/dxf_clips.hpp"
 #include "host-sim/import/dxf_drawer.hpp"
+#include "host-sim/import/dxf_letters.hpp"
 #include "host-sim/import/dxf_polyline.hpp"
 #include "host-sim/import/dxf_text.hpp"
 
@@ -122,6 +123,7 @@ class DxfReader {
   void read_record() {
     const DxfEntity record = take_entity(cursor_);
     if (record.type == "LAYER") drawer_.tables().add_layer(record);
+    if (record.type == "STYLE") drawer_.tables().add_style(record);
     if (record.type == "LTYPE") drawer_.tables().add_line_type(record);
   }
 
@@ -170,6 +172,8 @@ class DxfReader {
       drawer_.add(entity, within, dxf_shapes(entity));
     } else if (entity.type == "POLYLINE") {
       drawer_.add(entity, within, old_polyline(entity, vertices));
+    } else if (is_dxf_text(entity.type) && sketch_.text() != TextMode::kSkip) {
+      drawer_.add_text(entity, within);
     } else if (entity.type == "INSERT") {
       insert(entity, within);
     } else {

@@ -27,6 +27,9 @@ struct LetterLine {
   Transform to_mm{};  ///< Base line along x, through the origin at the anchor, y upwards.
 };
 
+/// Returns the width of a line in the unit of its size, whatever its `to_mm`.
+[[nodiscard]] double width_of(const LetterLine& line, text::Lettering& lettering);
+
 /// Draws a line of letters as the sketch wishes: outlines, single strokes, or nothing. A note has
 /// the font, or that they are left out.
 /// @param entity with the layer of the letters
