@@ -93,8 +93,26 @@ void DxfDrawer::add(const DxfEntity& entity, const DxfInstance& within, DxfShape
   for (Shape& shape : drawn.shapes) shape = transformed(shape, within.to_mm);
   const std::size_t index = sketch_.add_entity(named);
   for (std::vector<Shape>& row : rows_of(std::move(drawn.shapes))) {
+    if (!is_visible(row, named, within.clips)) continue;
     if (!sketch_.add({std::move(row), index})) return;
   }
+}
+
+/// The same rule as that of clips in SVG.
+bool DxfDrawer::is_visible(const std::vector<Shape>& row,
+                           const Entity& named,
+                           const ClipRegions& clips) {
+  const auto [sight, clip] = comparison_.compare(row, clips, {});
+  if (sight == Sight::kNothing) {
+    sketch_.ignore("what is outside of the boundary of its block (XCLIP) is not seen", named);
+  } else if (sight != Sight::kWhole) {
+    const std::string reason =
+        sight == Sight::kPart
+            ? fmt::format("it crosses the {} (XCLIP) and is left out", clip->name)
+            : fmt::format("there is too much to compare with the {} (XCLIP)", clip->name);
+    sketch_.report({FaultKind::kBadEntity, named, start_of(row.front()), reason, clip->remedy});
+  }
+  return sight == Sight::kWhole;
 }
 
 void DxfDrawer::add_text(const DxfEntity& entity, const DxfInstance& within) {
@@ -119,7 +137,9 @@ void DxfDrawer::add_text(const DxfEntity& entity, const DxfInstance& within) {
   }
   for (LetterLine& line : letters.lines) {
     line.to_mm = within.to_mm * line.to_mm;
-    add_letters(sketch_, named, line);
+    add_letters(sketch_, named, line, [&](const std::vector<Shape>& row) {
+      return is_visible(row, named, within.clips);
+    });
   }
   if (letters.lines.back().font == style.font) note_style(entity, style, named);
 }

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "host-sim/import/clip_region.hpp"
 #include "host-sim/import/dxf_group.hpp"
 #include "host-sim/import/dxf_shapes.hpp"
 #include "host-sim/import/dxf_tables.hpp"
@@ -18,12 +19,14 @@ struct DxfInstance {
   std::string line_type{};  ///< The same.
   std::size_t line = 0;
   std::size_t depth = 0;
+  ClipRegions clips{};  ///< Boundaries of it and of those around it.
 };
 
 /// Puts entities into the sketch, on their layers, with what is to be said of them.
 class DxfDrawer {
  public:
-  explicit DxfDrawer(Sketch& sketch) : sketch_{sketch} {}
+  explicit DxfDrawer(Sketch& sketch)
+      : sketch_{sketch}, comparison_{sketch.share_of(kMostClipSteps)} {}
 
   [[nodiscard]] DxfTables& tables() { return tables_; }
 
@@ -49,11 +52,15 @@ class DxfDrawer {
               std::string remedy = "it is left out; mend it in the drawing");
 
  private:
+  [[nodiscard]] bool is_visible(const std::vector<Shape>& row,
+                                const Entity& named,
+                                const ClipRegions& clips);
   void note_style(const DxfEntity& entity, const DxfStyle& style, const Entity& named);
   [[nodiscard]] DxfLayer layer_record(const DxfEntity& entity, const DxfInstance& within) const;
 
   Sketch& sketch_;
   DxfTables tables_;
+  ClipComparison comparison_;
 };
 
 }  // namespace sim::drawing

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
+#include <memory>
 #include <utility>
 
 #include "host-sim/import/dxf_binary.hpp"
@@ -34,7 +34,7 @@ class DxfReader {
       : cursor_{text},
         sketch_{sketch},
         drawer_{sketch},
-        clipped_{clipped_inserts(text)},
+        clips_{dxf_clips(text)},
         wanted_mm_per_unit_{mm_per_unit},
         most_instances_{sketch.share_of(kMostInstances)} {}
 
@@ -207,9 +207,11 @@ class DxfReader {
     if (depth >= kDeepestNesting) {
       return {fmt::format("nested deeper than {} blocks", kDeepestNesting), kMend};
     }
-    if (clipped_.contains(entity.text(5))) {
-      return {fmt::format("block {} is clipped (XCLIP)", name),
-              "it is left out; explode it and trim it at the boundary, or delete the boundary"};
+    const auto clip = clips_.find(entity.text(5));
+    if (clip != clips_.end() && !clip->second.is_in_plan) {
+      return {
+          fmt::format("block {} is clipped (XCLIP) at a boundary that is not in the plan", name),
+          "it is left out; explode it and trim it at the boundary, or delete the boundary"};
     }
     return {};
   }
@@ -237,8 +239,19 @@ class DxfReader {
     const InsertArray array = insert_array(entity);
     if (array.left_out > 0) left_out(named, array.left_out);
     open_.push_back(block);
+    const auto clip = clips_.find(entity.text(5));
+    const bool is_clipped = clip != clips_.end();
+    if (is_clipped && clip->second.has_depths) {
+      sketch_.note("the boundary of a block (XCLIP) clips by height, too: that is not followed",
+                   named);
+    }
     for (std::size_t copy = 0; copy < array.columns * array.rows; ++copy) {
       instance.to_mm = frame * moved_by(array.step(copy)) * inner;
+      instance.clips = within.clips;
+      if (is_clipped) {
+        const ClipRegion region = region_of(clip->second, instance.to_mm, named.name);
+        instance.clips.push_back(std::make_shared<const ClipRegion>(region));
+      }
       if (!count(entity) || sketch_.full()) break;
       expand(*block, instance);
     }
@@ -289,7 +302,7 @@ class DxfReader {
   DxfCursor before_{{}};
   Sketch& sketch_;
   DxfDrawer drawer_;
-  std::set<std::string, std::less<>> clipped_;
+  DxfClips clips_;
   std::optional<double> wanted_mm_per_unit_;
   DxfHeader header_;
   std::size_t most_instances_;

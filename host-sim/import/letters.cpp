@@ -86,7 +86,10 @@ double width_of(const LetterLine& line, text::Lettering& lettering) {
   return width_em * em_of(line, lettering) * line.stretch;
 }
 
-void add_letters(Sketch& sketch, Entity entity, const LetterLine& line) {
+void add_letters(Sketch& sketch,
+                 Entity entity,
+                 const LetterLine& line,
+                 const std::function<bool(const std::vector<Shape>&)>& is_visible) {
   if (sketch.text() == TextMode::kSkip) return sketch.leave_out_text(entity, line.words);
   sort_letters(sketch, entity);
   text::Lettering& lettering = sketch.lettering();
@@ -107,6 +110,9 @@ void add_letters(Sketch& sketch, Entity entity, const LetterLine& line) {
       for (Shape& shape : shapes) shape = transformed(shape, to_mm * moved_by({pen, 0.0}));
     }
     pen += letter.advance + line.spacing_em;
+    if (is_visible) {
+      std::erase_if(strokes, [&](const std::vector<Shape>& row) { return !is_visible(row); });
+    }
     if (!add_letter_curves(sketch, entity, std::move(strokes))) return;
   }
 }

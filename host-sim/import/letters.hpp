@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,7 +34,11 @@ struct LetterLine {
 /// Draws a line of letters as the sketch wishes: outlines, single strokes, or nothing. A note has
 /// the font, or that they are left out.
 /// @param entity with the layer of the letters
-void add_letters(Sketch& sketch, Entity entity, const LetterLine& line);
+/// @param is_visible tells of each row of curves, in mm, whether it is drawn; all where it is empty
+void add_letters(Sketch& sketch,
+                 Entity entity,
+                 const LetterLine& line,
+                 const std::function<bool(const std::vector<Shape>&)>& is_visible = {});
 
 /// Sorts letters of single strokes by a colour of their own, kStrokeTextColour.
 void sort_letters(Sketch& sketch, Entity& entity);
