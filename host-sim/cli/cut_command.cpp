@@ -89,6 +89,17 @@ void print_notes(const Drawing& drawn, const std::vector<cut::LayerPlan>& layers
   }
 }
 
+/// Prints warnings and faults of a plan, and faults of its drawing. Returns whether there are no
+/// faults.
+bool print_findings(const CutPlan& plan,
+                    const std::vector<drawing::Fault>& faults,
+                    const Drawing& drawn) {
+  print_warnings(plan.warnings, drawn);
+  print_all_faults(faults, drawn);
+  print_faults(plan.faults, drawn);
+  return faults.empty() && plan.faults.empty() && drawn.more_faults == 0;
+}
+
 void append(std::vector<drawing::Fault>& faults, const std::vector<drawing::Fault>& more) {
   faults.insert(faults.end(), more.begin(), more.end());
 }
@@ -276,10 +287,7 @@ ExitStatus cut_drawing(CLI::App& command, CutCommandOptions& options) {
   repeat_passes(plan, options.safety);
   const cut::Timeline timeline = predict(plan);
   print_notes(drawn, layers);
-  print_warnings(plan.warnings, drawn);
-  print_all_faults(faults, drawn);
-  print_faults(plan.faults, drawn);
-  const bool sound = faults.empty() && plan.faults.empty() && drawn.more_faults == 0;
+  const bool sound = print_findings(plan, faults, drawn);
   std::vector<std::string> origins;
   tell_origin(options, kerf, plan.layers, origins, notes);
   const CutJob job{drawn,

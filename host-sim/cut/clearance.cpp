@@ -4,29 +4,16 @@
 #include <cmath>
 
 #include "host-sim/cut/stroke_distance.hpp"
+#include "host-sim/import/near_order.hpp"
 
 namespace sim::cut {
-namespace {
-
-/// The bits of both numbers by turns: what is near in the plane is mostly near in this order.
-std::uint64_t interleaved(std::uint32_t x, std::uint32_t y) {
-  const auto spread = [](std::uint64_t bits) {
-    bits = (bits | bits << 16U) & 0x0000'FFFF'0000'FFFFU;
-    bits = (bits | bits << 8U) & 0x00FF'00FF'00FF'00FFU;
-    bits = (bits | bits << 4U) & 0x0F0F'0F0F'0F0F'0F0FU;
-    bits = (bits | bits << 2U) & 0x3333'3333'3333'3333U;
-    return (bits | bits << 1U) & 0x5555'5555'5555'5555U;
-  };
-  return spread(x) << 1U | spread(y);
-}
-
-}  // namespace
 
 /// With the height of the arc all round, which is more than it needs.
 Clearance::Box Clearance::box_of(const Stroke& stroke) {
   const Place chord = stroke.to - stroke.from;
   const double size = std::abs(stroke.bulge);
-  const double aside = 0.5 * std::max(size, size * size) * std::hypot(chord.x(), chord.y());
+  const double aside =
+      size == 0.0 ? 0.0 : 0.5 * std::max(size, size * size) * std::hypot(chord.x(), chord.y());
   const Place least = stroke.from.cwiseMin(stroke.to);
   const Place most = stroke.from.cwiseMax(stroke.to);
   return {least.x() - aside, least.y() - aside, most.x() + aside, most.y() + aside};
@@ -57,9 +44,9 @@ void Clearance::sort_by_place() {
   keys.reserve(entries_.size());
   for (std::uint32_t i = 0; i < entries_.size(); ++i) {
     const Box box = box_of(entries_[i].stroke);
-    keys.emplace_back(
-        interleaved(cell(0.5 * (box.x0 + box.x1) - all.x0), cell(0.5 * (box.y0 + box.y1) - all.y0)),
-        i);
+    keys.emplace_back(drawing::near_order(cell(0.5 * (box.x0 + box.x1) - all.x0),
+                                          cell(0.5 * (box.y0 + box.y1) - all.y0)),
+                      i);
   }
   std::ranges::sort(keys);
   std::vector<Entry> sorted;
@@ -83,6 +70,7 @@ Clearance::Nearest Clearance::nearest(const Place& place) const {
     if (distance < found.distance_mm || same) {
       found.distance_mm = distance;
       found.owner = entries_[index].owner;
+      found.stroke = &entries_[index].stroke;
     }
     return true;
   };

@@ -16,8 +16,9 @@ class Clearance {
   /// What is nearest, and how near.
   struct Nearest {
     double distance_mm = 0.0;
-    std::size_t owner = 0;  ///< Of the stroke, as given to add().
-    std::size_t looks = 0;  ///< Strokes that were measured for it.
+    std::size_t owner = 0;           ///< Of the stroke, as given to add().
+    std::size_t looks = 0;           ///< Strokes that were measured for it.
+    const Stroke* stroke = nullptr;  ///< Null where none is within reach.
   };
 
   /// Nothing farther than `reach` is looked for, mm > 0.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include "host-sim/contour/contour_loops.hpp"
 #include "host-sim/import/piece_sets.hpp"
@@ -109,7 +110,7 @@ std::optional<std::vector<std::vector<Stroke>>> paths_of(const std::vector<Outli
 
 std::vector<std::vector<std::size_t>> crowds_of(
     const std::vector<Outline>& outlines,
-    const std::vector<PathsBeside>& beside,
+    const std::vector<PathBeside>& beside,
     const Clearance& edges,
     const std::function<double(std::size_t)>& half_kerf_mm) {
   drawing::PieceSets sets{outlines.size()};
@@ -140,7 +141,7 @@ std::vector<std::vector<std::size_t>> crowds_of(
 
 std::vector<drawing::Fault> held_together(const drawing::Drawing& drawn,
                                           const std::vector<std::size_t>& crowd,
-                                          const std::vector<PathsBeside>& beside) {
+                                          const std::vector<PathBeside>& beside) {
   for (const std::size_t i : crowd) {
     if (beside[i].gouges.empty()) continue;
     drawing::Fault held = beside[i].gouges.front();
@@ -155,29 +156,36 @@ std::vector<drawing::Fault> held_together(const drawing::Drawing& drawn,
   return {};
 }
 
-std::optional<std::vector<std::vector<Rest>>> part_crowd(const std::vector<Outline>& outlines,
-                                                         const std::vector<std::size_t>& crowd,
-                                                         double half_kerf_mm,
-                                                         ContourOffset& offset,
-                                                         std::vector<PathsBeside>& beside) {
+bool part_crowd(const std::vector<Outline>& outlines,
+                const std::vector<std::size_t>& crowd,
+                double half_kerf_mm,
+                ContourOffset& offset,
+                std::vector<PathBeside>& beside) {
   const auto loops = paths_of(outlines, crowd, half_kerf_mm, offset);
-  if (!loops) return std::nullopt;
+  if (!loops) return false;
   const double reach_mm = 4.0 * half_kerf_mm;
   std::vector<std::vector<Rest>> rests;
   for (const std::size_t i : crowd) {
     rests.push_back(rests_along(outlines[i].strokes, *loops, half_kerf_mm, reach_mm));
-    const auto alone = rests_along(outlines[i].strokes, beside[i].loops, half_kerf_mm, reach_mm);
     for (const Rest& rest : rests.back()) {
-      const bool is_slot = std::ranges::any_of(
-          alone, [&](const Rest& own) { return own.length_mm >= rest.length_mm - 1.0e-9; });
-      if (rest.length_mm > kMostHoldMm && !is_slot) return std::nullopt;
+      const auto is_as_long = [&](const Rest& own) {
+        return own.length_mm >= rest.length_mm - 1.0e-9;
+      };
+      const bool is_slot =
+          beside[i].loops.empty() || std::ranges::any_of(beside[i].rests, is_as_long);
+      if (rest.length_mm > kMostHoldMm && !is_slot) return false;
     }
   }
-  for (const std::size_t i : crowd) beside[i] = {};
+  for (std::size_t k = 0; k < crowd.size(); ++k) {
+    PathBeside& path = beside[crowd[k]];
+    path.loops.clear();
+    path.gouges.clear();
+    path.rests = std::move(rests[k]);
+  }
   for (const std::vector<Stroke>& loop : *loops) {
     beside[owner_of(loop, outlines, crowd)].loops.push_back(loop);
   }
-  return rests;
+  return true;
 }
 
 }  // namespace sim::cut

@@ -2,22 +2,14 @@
 
 #include <cstddef>
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "host-sim/contour/contour_offset.hpp"
 #include "host-sim/cut/clearance.hpp"
-#include "host-sim/cut/kerf_faults.hpp"
 #include "host-sim/cut/outlines.hpp"
-#include "host-sim/cut/stroke.hpp"
+#include "host-sim/cut/paths_beside.hpp"
 
 namespace sim::cut {
-
-/// The paths of the beam beside one outline, and the places where each takes something off a part.
-struct PathsBeside {
-  std::vector<std::vector<Stroke>> loops{};
-  std::vector<drawing::Fault> gouges{};
-};
 
 /// Returns sets of outlines whose paths take something off each other, with their neighbours within
 /// the kerf; each outline is in one set at most. Outlines with another kerf are in none.
@@ -25,7 +17,7 @@ struct PathsBeside {
 /// @param half_kerf_mm of an outline
 [[nodiscard]] std::vector<std::vector<std::size_t>> crowds_of(
     const std::vector<Outline>& outlines,
-    const std::vector<PathsBeside>& beside,
+    const std::vector<PathBeside>& beside,
     const Clearance& edges,
     const std::function<double(std::size_t)>& half_kerf_mm);
 
@@ -33,23 +25,21 @@ struct PathsBeside {
 /// that is most: there they hold together once they share a path.
 [[nodiscard]] std::vector<drawing::Fault> held_together(const drawing::Drawing& drawn,
                                                         const std::vector<std::size_t>& crowd,
-                                                        const std::vector<PathsBeside>& beside);
+                                                        const std::vector<PathBeside>& beside);
 
 /// Moves paths beside outlines that touch, or are nearer to each other than the kerf, so that none
 /// takes anything off any of them: they are cut as one part, which holds together where they are
 /// so near. That is what becomes of parts that touch at a corner, and of scraps beside a notch.
 ///
 /// A path belongs to the outline beside which it begins; one that has none is cut with the others.
-/// @param beside paths of the outlines of the crowd; changed only if this returns rests
-/// @return by outline of the crowd, its stretches that stay uncut; nothing where no such paths
-///         exist, or more than `kMostHoldMm` would hold at one place: these are parts that lie
-///         against each other
-[[nodiscard]] std::optional<std::vector<std::vector<Rest>>> part_crowd(
-    const std::vector<Outline>& outlines,
-    const std::vector<std::size_t>& crowd,
-    double half_kerf_mm,
-    ContourOffset& offset,
-    std::vector<PathsBeside>& beside);
+/// @param beside paths of the outlines of the crowd; changed only where this returns true
+/// @return false where no such paths exist, or more than `kMostHoldMm` would hold at one place:
+///         these are parts that lie against each other
+[[nodiscard]] bool part_crowd(const std::vector<Outline>& outlines,
+                              const std::vector<std::size_t>& crowd,
+                              double half_kerf_mm,
+                              ContourOffset& offset,
+                              std::vector<PathBeside>& beside);
 
 /// The greatest length of an edge at which neighbours may hold together, mm.
 inline constexpr double kMostHoldMm = 3.0;

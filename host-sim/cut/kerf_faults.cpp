@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
+#include "host-sim/cut/segment_distance.hpp"
 #include "host-sim/cut/shared_edges.hpp"
 #include "host-sim/cut/shared_stretch.hpp"
 
@@ -19,6 +21,61 @@ constexpr double kGougeSlack = 1.0e-4;
 constexpr double kShortestTouch = 0.1;
 constexpr double kLookForGougesEvery = 0.01;  ///< For the place of the worst, mm.
 constexpr double kLookForRestsEvery = 0.05;   ///< mm.
+
+/// What the beam removes beside paths. The stroke of the path that was nearest to a place is mostly
+/// near to the next one.
+class Covering {
+ public:
+  /// @param reach_mm from the path, mm
+  Covering(const Clearance& paths, double reach_mm) : paths_{paths}, reach_mm_{reach_mm} {}
+
+  /// Returns by how much the reach exceeds the distance of a place, or less than that, with its
+  /// sign.
+  double spare_at(const Place& place) {
+    const double known = last_ == nullptr ? -1.0 : reach_mm_ - distance_to(*last_, place);
+    if (known >= 0.0) return known;
+    const Clearance::Nearest nearest = paths_.nearest(place);
+    if (nearest.stroke != nullptr) last_ = nearest.stroke;
+    return reach_mm_ - nearest.distance_mm;
+  }
+  /// Returns whether all of a stroke beyond a share of it is within reach of the stroke of the path
+  /// that is within reach of the place there; false where it is not certain.
+  /// @pre spare_at() was 0 or more at that place
+  [[nodiscard]] bool holds_rest_of(const Stroke& stroke, double share) const {
+    if (stroke.bulge == 0.0 && last_->bulge == 0.0) {
+      // The distance from a line is convex along another one.
+      return distance_to(*last_, stroke.to) <= reach_mm_;
+    }
+    return stroke.bulge * last_->bulge > 0.0 && holds_rest_of_arc(stroke, share);
+  }
+
+ private:
+  [[nodiscard]] bool holds_rest_of_arc(const Stroke& stroke, double share) const;
+
+  const Clearance& paths_;
+  double reach_mm_;
+  const Stroke* last_ = nullptr;
+};
+
+/// Around nearly one centre the distance is the difference of the radii, and more only where the
+/// stroke sweeps beyond the ends of the path's arc.
+bool Covering::holds_rest_of_arc(const Stroke& stroke, double share) const {
+  constexpr double kAheadOfStart = 0.25 * std::numbers::pi;
+  const Place centre = arc_centre(*last_);
+  const double apart = drawing::distance(centre, arc_centre(stroke));
+  if (!(apart < reach_mm_)) return false;
+  const Place first = last_->from - centre;
+  const Place here = place_at(stroke, share) - centre;
+  double angle = std::atan2(drawing::cross(first, here), drawing::dot(first, here));
+  if (stroke.bulge < 0.0) angle = -angle;
+  if (angle < -kAheadOfStart) angle += 2.0 * std::numbers::pi;
+  const double rest = (1.0 - share) * 4.0 * std::atan(std::abs(stroke.bulge));
+  const double end = 4.0 * std::atan(std::abs(last_->bulge));
+  const double beyond = std::max({0.0, -angle, angle + rest - end});
+  const double radius = std::hypot(here.x(), here.y());
+  const double farthest = std::abs(radius - std::hypot(first.x(), first.y())) + 3.0 * apart;
+  return farthest + beyond * radius <= reach_mm_;
+}
 
 }  // namespace
 
@@ -110,14 +167,16 @@ std::vector<Rest> rests_along(const std::vector<Stroke>& outline,
     rest.clear();
     rest_mm = 0.0;
   };
+  Covering covering{paths, kerf};
   for (const Stroke& stroke : outline) {
     const double length = length_of(stroke);
     const auto looks = static_cast<int>(std::ceil(length / kLookForRestsEvery));
     for (int k = 1; k <= looks; ++k) {
       const Place place = place_at(stroke, static_cast<double>(k) / looks);
-      const double spare = kerf - paths.nearest(place).distance_mm;
+      const double spare = covering.spare_at(place);
       if (spare >= 0.0) {
         end_rest();
+        if (covering.holds_rest_of(stroke, static_cast<double>(k) / looks)) break;
         // No place that is so near to this one is farther than the kerf.
         k += static_cast<int>(spare * looks / length);
       } else {

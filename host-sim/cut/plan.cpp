@@ -7,13 +7,12 @@
 #include <numbers>
 #include <optional>
 #include <set>
+#include <utility>
 
-#include "host-sim/contour/contour_offset.hpp"
 #include "host-sim/cut/clearance.hpp"
 #include "host-sim/cut/coincident.hpp"
 #include "host-sim/cut/controller_choice.hpp"
 #include "host-sim/cut/controller_way.hpp"
-#include "host-sim/cut/crowd.hpp"
 #include "host-sim/cut/cut_precedence.hpp"
 #include "host-sim/cut/cut_turn.hpp"
 #include "host-sim/cut/fill_area.hpp"
@@ -23,6 +22,7 @@
 #include "host-sim/cut/open_lines.hpp"
 #include "host-sim/cut/outlines.hpp"
 #include "host-sim/cut/own_costs.hpp"
+#include "host-sim/cut/paths_beside.hpp"
 #include "host-sim/cut/possible_beginnings.hpp"
 #include "host-sim/cut/share_lines.hpp"
 #include "host-sim/cut/shared_edges.hpp"
@@ -81,12 +81,7 @@ class Planner {
       }
     }
     edges_.prepare();
-    find_paths_beside();
-    for (std::size_t i = 0; i < outlines_.size(); ++i) {
-      if (outlines_[i].is_beside) cut_beside(i);
-      if (outlines_[i].is_beside || outlines_[i].strokes.empty()) continue;
-      if (sides[i] != Side::kFill) cut_along(i);
-    }
+    cut_contours(sides);
     fill_areas(sides);
     put_parts_last(drawn_, outlines_, plan_.cuts);
     name_parts();
@@ -117,10 +112,8 @@ class Planner {
   }
 
   void part_touching();
-  void find_paths_beside();
-  [[nodiscard]] PathsBeside paths_beside(std::size_t i);
-  void part_crowds();
-  void cut_beside(std::size_t i);
+  void cut_contours(const std::vector<Side>& sides);
+  void cut_beside(std::size_t i, const PathBeside& path);
   void vanish(std::size_t i);
   void cut_along(std::size_t i);
   void fill_areas(const std::vector<Side>& sides);
@@ -146,12 +139,9 @@ class Planner {
   std::vector<UnbegunCut> unbegun_;            ///< One for each cut.
   std::vector<Outline> outlines_;              ///< One for each contour; empty ones are not cut.
   std::vector<std::optional<Place>> marks_;    ///< By contour.
-  std::vector<PathsBeside> beside_paths_;      ///< By contour.
-  std::vector<std::vector<Rest>> rests_;       ///< By contour.
   std::vector<std::size_t> loops_of_contour_;  ///< Number of cuts of each contour.
   double reach_mm_;                            ///< Twice the widest kerf: nothing farther matters.
   Clearance edges_;
-  ContourOffset offset_;
   std::set<std::size_t> told_layers_;  ///< Those with a cut on the line, so far.
 };
 
@@ -165,57 +155,23 @@ void Planner::part_touching() {
   append(plan_.warnings, part_touching_edges(drawn_, outlines_, sharing));
 }
 
-void Planner::find_paths_beside() {
-  beside_paths_.resize(outlines_.size());
-  rests_.resize(outlines_.size());
+void Planner::cut_contours(const std::vector<Side>& sides) {
+  const DrawnEdges drawn{
+      drawn_, outlines_, edges_, reach_mm_, [this](std::size_t i) { return half_kerf(i); }};
+  std::vector<PathBeside> paths = paths_beside(drawn, plan_.warnings);
   for (std::size_t i = 0; i < outlines_.size(); ++i) {
-    if (!outlines_[i].is_beside) continue;
-    beside_paths_[i] = paths_beside(i);
-    if (beside_paths_[i].loops.empty()) continue;
-    rests_[i] = rests_along(outlines_[i].strokes, beside_paths_[i].loops, half_kerf(i), reach_mm_);
-  }
-  part_crowds();
-}
-
-/// Reports what has none.
-PathsBeside Planner::paths_beside(std::size_t i) {
-  const Contour contour = contour_of(outlines_[i].strokes);
-  PathsBeside paths{.loops = {outlines_[i].strokes}};
-  try {
-    if (half_kerf(i) > 0.0) paths.loops = loops_of(offset_.offset(contour.view(), half_kerf(i)));
-  } catch (const NoOffset& failure) {
-    fault(FaultKind::kTooMuch, i, failure.place(), failure.reason(), failure.remedy());
-    return {};
-  }
-  if (paths.loops.empty()) vanish(i);
-  for (const std::vector<Stroke>& loop : paths.loops) {
-    if (auto gouge = gouge_of(drawn_, i, loop, edges_, half_kerf(i))) {
-      paths.gouges.push_back(std::move(*gouge));
-    }
-  }
-  return paths;
-}
-
-/// Outlines that come near each other at places share paths that take nothing off any of them.
-void Planner::part_crowds() {
-  const auto crowds =
-      crowds_of(outlines_, beside_paths_, edges_, [this](std::size_t i) { return half_kerf(i); });
-  for (const std::vector<std::size_t>& crowd : crowds) {
-    std::vector<drawing::Fault> held = held_together(drawn_, crowd, beside_paths_);
-    auto rests = part_crowd(outlines_, crowd, half_kerf(crowd.front()), offset_, beside_paths_);
-    if (!rests) continue;
-    append(plan_.warnings, held);
-    for (std::size_t k = 0; k < crowd.size(); ++k) rests_[crowd[k]] = std::move((*rests)[k]);
+    if (outlines_[i].is_beside) cut_beside(i, std::exchange(paths[i], {}));
+    if (outlines_[i].is_beside || outlines_[i].strokes.empty()) continue;
+    if (sides[i] != Side::kFill) cut_along(i);
   }
 }
 
-void Planner::cut_beside(std::size_t i) {
-  const PathsBeside& paths = beside_paths_[i];
-  append(plan_.warnings, rests_of(drawn_.contours[i].entity, rests_[i], half_kerf(i)));
-  for (const std::vector<Stroke>& loop : paths.loops) add_cut(i, loop);
-  if (paths.gouges.empty()) return;
-  auto touch = touch_of(drawn_, i, outlines_, edges_, half_kerf(i));
-  append(plan_.faults, touch ? std::vector{std::move(*touch)} : paths.gouges);
+void Planner::cut_beside(std::size_t i, const PathBeside& path) {
+  if (path.failure) plan_.faults.push_back(*path.failure);
+  if (path.vanishes) vanish(i);
+  append(plan_.warnings, rests_of(drawn_.contours[i].entity, path.rests, half_kerf(i)));
+  for (const std::vector<Stroke>& loop : path.loops) add_cut(i, loop);
+  append(plan_.faults, path.gouges);
 }
 
 /// A gap between contours that cross is no slot that was drawn: it is only named.

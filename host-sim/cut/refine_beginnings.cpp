@@ -154,6 +154,17 @@ double move_one(Beginning& beginning,
   return present - mover.cost_of(best);
 }
 
+/// A cut whose beginning stayed where it is between two places stays there again.
+struct Settled {
+  bool has_stayed = false;
+  Place from{0.0, 0.0};
+  Place to{0.0, 0.0};
+
+  [[nodiscard]] bool is_between(const Place& before, const Place& behind) const {
+    return has_stayed && from == before && to == behind;
+  }
+};
+
 }  // namespace
 
 void choose_beginnings(std::vector<OrderedCut>& order,
@@ -200,6 +211,7 @@ double refine_beginnings(std::vector<OrderedCut>& order,
   constexpr double kHardlyAnything = 1.0e-4;  // Of the first round's gain.
   double sum = 0.0;
   double first = 0.0;
+  std::vector<Settled> settled(order.size());
   for (int round = 0; round < rounds; ++round) {
     double gain = 0.0;
     for (std::size_t i = 0; i < order.size(); ++i) {
@@ -207,7 +219,10 @@ double refine_beginnings(std::vector<OrderedCut>& order,
       if (!cut.may_move) continue;
       const Place& from = i == 0 ? ends.from : order[i - 1].beginning.exit;
       const Place& to = i + 1 == order.size() ? ends.to : order[i + 1].beginning.entry;
-      gain += move_one(order[i].beginning, cut, Mover{cut, cost, from, to}, edges);
+      if (settled[i].is_between(from, to)) continue;
+      const double by = move_one(order[i].beginning, cut, Mover{cut, cost, from, to}, edges);
+      settled[i] = {by == 0.0, from, to};
+      gain += by;
     }
     if (round == 0) first = gain;
     sum += gain;

@@ -1,10 +1,12 @@
 #include "host-sim/cut/timeline.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "host-sim/cut/controller_clock.hpp"
 #include "host-sim/cut/job_clock.hpp"
 #include "host-sim/cut/rapid_way.hpp"
+#include "host-sim/cut/shared_work.hpp"
 
 namespace sim::cut {
 namespace {
@@ -99,6 +101,75 @@ class TimelineMaker {
   Place here_;
 };
 
+/// Cuts in a row, whose times are predicted apart from those of others.
+struct CutRange {
+  std::size_t first = 0;
+  std::size_t end = 0;  ///< Behind the last one; behind all cuts for the return to the origin, too.
+};
+
+/// Divides long jobs, everywhere at the same cuts: threads only share them out.
+std::vector<CutRange> ranges_of(const CutPlan& plan) {
+  constexpr std::size_t kStrokesOfRange = 50'000;
+  const std::size_t all = plan.cuts.size() + 1;
+  std::vector<CutRange> ranges{{0, all}};
+  std::size_t strokes = 0;
+  for (std::size_t i = 0; i < plan.cuts.size(); ++i) {
+    if (strokes >= kStrokesOfRange) {
+      ranges.back().end = i;
+      ranges.push_back({i, all});
+      strokes = 0;
+    }
+    strokes += plan.cuts[i].strokes.size();
+  }
+  return ranges;
+}
+
+/// Returns the cuts that are driven to predict those of a range. How far the controller has read
+/// ahead follows from the last motions, so cuts before the range are driven as well, and some
+/// behind it: its last motion does not end the job.
+CutRange driven_for(const CutPlan& plan, const CutRange& range) {
+  constexpr std::size_t kStrokesBefore = 4 * cnc::motion::kLookAheadBlocks;
+  constexpr std::size_t kStrokesBehind = cnc::motion::kLookAheadBlocks;
+  CutRange driven = range;
+  for (std::size_t strokes = 0; driven.first > 0 && strokes < kStrokesBefore;) {
+    strokes += plan.cuts[--driven.first].strokes.size();
+  }
+  for (std::size_t strokes = 0; driven.end < plan.cuts.size() && strokes < kStrokesBehind;) {
+    strokes += plan.cuts[driven.end++].strokes.size();
+  }
+  return driven;
+}
+
+/// Returns the steps of a range of cuts, from some time on.
+Timeline timeline_of(const CutPlan& plan, const CutRange& range) {
+  const CutRange driven = driven_for(plan, range);
+  OrderWish machine = plan.order.wish;
+  if (driven.first > 0) machine.from = plan.cuts[driven.first - 1].end();
+  TimelineMaker maker{machine};
+  for (std::size_t i = driven.first; i < driven.end; ++i) {
+    maker.go_along(rapid_before(plan, i), i);
+    if (i < plan.cuts.size()) maker.add_cut(plan.cuts[i], plan.plan_of(plan.cuts[i]), i);
+  }
+  Timeline timeline = maker.finish();
+  std::erase_if(timeline.steps, [&range](const TimeStep& step) {
+    return step.cut < range.first || step.cut >= range.end;
+  });
+  return timeline;
+}
+
+/// Moves steps behind those that are there.
+void append(Timeline& more, Timeline& all) {
+  double now = all.total_s();
+  for (TimeStep& step : more.steps) {
+    const double seconds = step.end_s - step.begin_s;
+    step.begin_s = now;
+    now += seconds;
+    step.end_s = now;
+  }
+  all.steps.insert(all.steps.end(), more.steps.begin(), more.steps.end());
+  more.steps = {};
+}
+
 }  // namespace
 
 std::string_view title_of(TimeKind kind) { return kKindNames[static_cast<std::size_t>(kind)].name; }
@@ -113,13 +184,13 @@ std::array<double, kTimeKinds> Timeline::by_kind() const {
 }
 
 Timeline timeline_of(const CutPlan& plan) {
-  TimelineMaker maker{plan.order.wish};
-  for (std::size_t i = 0; i < plan.cuts.size(); ++i) {
-    maker.go_along(rapid_before(plan, i), i);
-    maker.add_cut(plan.cuts[i], plan.plan_of(plan.cuts[i]), i);
-  }
-  maker.go_along(rapid_before(plan, plan.cuts.size()), plan.cuts.size());
-  return maker.finish();
+  const std::vector<CutRange> ranges = ranges_of(plan);
+  std::vector<Timeline> timelines(ranges.size());
+  share_work(ranges.size(),
+             [&] { return [&](std::size_t i) { timelines[i] = timeline_of(plan, ranges[i]); }; });
+  Timeline all = std::move(timelines.front());
+  for (std::size_t i = 1; i < timelines.size(); ++i) append(timelines[i], all);
+  return all;
 }
 
 Timeline predict(CutPlan& plan) {

@@ -4,6 +4,7 @@
 
 #include "host-sim/import/curve_measure.hpp"
 #include "host-sim/import/drawing_unit.hpp"
+#include "host-sim/import/filled_set.hpp"
 #include "host-sim/import/filling.hpp"
 #include "host-sim/import/piece.hpp"
 #include "host-sim/import/wider_gap.hpp"
@@ -42,7 +43,25 @@ std::vector<Piece> pieces_of(Sketch& sketch) {
   return pieces;
 }
 
-/// What crosses itself may have no area in sum, and is reported already.
+/// A report of a closed contour that is too narrow to be the edge of a part.
+Fault flat(const Piece& piece, double width_mm) {
+  const DrawnContour& contour = piece.contour;
+  Fault fault{FaultKind::kTooSmall,
+              contour.entity,
+              piece.outline.front(),
+              "the contour is closed and has no area",
+              "it is left out; delete it, or leave it open to draw a line"};
+  if (std::abs(contour.area_mm2) < LeastLoop{}.area_mm2) return fault;
+  fault.reason = fmt::format(
+      "the contour runs to and fro: {:.3f} mm2 in {:.0f} mm of path, {:.2g} mm wide on average",
+      std::abs(contour.area_mm2),
+      contour.length_mm,
+      width_mm);
+  fault.remedy = "it is left out; simplify it, or leave it open to draw a line";
+  return fault;
+}
+
+/// Contours that cross themselves may have no area in sum, and are reported already.
 void drop_flat(Sketch& sketch, std::vector<Piece>& pieces, const std::vector<bool>& crossed) {
   std::vector<Piece> kept;
   kept.reserve(pieces.size());
@@ -50,11 +69,7 @@ void drop_flat(Sketch& sketch, std::vector<Piece>& pieces, const std::vector<boo
     const DrawnContour& contour = pieces[i].contour;
     const double width = 2.0 * std::abs(contour.area_mm2) / contour.length_mm;
     if (contour.closed && !crossed[i] && width < kLeastWidthMm) {
-      sketch.report({FaultKind::kTooSmall,
-                     contour.entity,
-                     pieces[i].outline.front(),
-                     "the contour is closed and has no area",
-                     "it is left out; delete it, or leave it open to draw a line"});
+      sketch.report(flat(pieces[i], width));
       continue;
     }
     kept.push_back(std::move(pieces[i]));

@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "host-sim/import/dxf_kinds.hpp"
+#include "host-sim/import/dxf_letters.hpp"
+#include "host-sim/text/lettering.hpp"
 
 namespace sim::drawing {
 namespace {
@@ -91,8 +93,71 @@ void DxfDrawer::add(const DxfEntity& entity, const DxfInstance& within, DxfShape
   for (Shape& shape : drawn.shapes) shape = transformed(shape, within.to_mm);
   const std::size_t index = sketch_.add_entity(named);
   for (std::vector<Shape>& row : rows_of(std::move(drawn.shapes))) {
+    if (!is_visible(row, named, within.clips)) continue;
     if (!sketch_.add({std::move(row), index})) return;
   }
+}
+
+/// The same rule as that of clips in SVG.
+bool DxfDrawer::is_visible(const std::vector<Shape>& row,
+                           const Entity& named,
+                           const ClipRegions& clips) {
+  const auto [sight, clip] = comparison_.compare(row, clips, {});
+  if (sight == Sight::kNothing) {
+    sketch_.ignore("what is outside of the boundary of its block (XCLIP) is not seen", named);
+  } else if (sight != Sight::kWhole) {
+    const std::string reason =
+        sight == Sight::kPart
+            ? fmt::format("it crosses the {} (XCLIP) and is left out", clip->name)
+            : fmt::format("there is too much to compare with the {} (XCLIP)", clip->name);
+    sketch_.report({FaultKind::kBadEntity, named, start_of(row.front()), reason, clip->remedy});
+  }
+  return sight == Sight::kWhole;
+}
+
+void DxfDrawer::add_text(const DxfEntity& entity, const DxfInstance& within) {
+  constexpr int kInvisible = 1;
+  const Entity named = described(entity, within);
+  const bool is_attribute = entity.type == "ATTRIB" || entity.type == "ATTDEF";
+  if (is_attribute && (entity.whole(70, 0) & kInvisible) != 0) {
+    return sketch_.ignore("invisible attributes are not drawn", named);
+  }
+  const DxfStyle style = tables_.style(entity.text(7));
+  DxfLetters letters = dxf_letters(entity, style, sketch_.lettering());
+  if (!letters.wrong.empty()) return refuse(entity, within, std::move(letters.wrong));
+  for (const std::string& note : letters.notes) {
+    sketch_.note({FaultKind::kText,
+                  named,
+                  {},
+                  fmt::format("{:.40} {}", entity.type, note),
+                  "compare the picture of --svg, or convert it in the drawing program (TXTEXP)"});
+  }
+  if (letters.lines.empty()) {
+    return sketch_.ignore(fmt::format("{:.40} has no letters", entity.type), named);
+  }
+  for (LetterLine& line : letters.lines) {
+    line.to_mm = within.to_mm * line.to_mm;
+    add_letters(sketch_, named, line, [&](const std::vector<Shape>& row) {
+      return is_visible(row, named, within.clips);
+    });
+  }
+  if (letters.lines.back().font == style.font) note_style(entity, style, named);
+}
+
+/// Names a font that the style wishes and that is not the one in which letters are drawn.
+void DxfDrawer::note_style(const DxfEntity& entity, const DxfStyle& style, const Entity& named) {
+  const std::string& used = sketch_.lettering().font_name();
+  const std::string& family = style.font.family;
+  if (style.file.empty() || used.empty() || sketch_.lettering().is_stroked()) return;
+  if (!family.empty() && used.starts_with(family)) return;
+  sketch_.note({FaultKind::kText,
+                named,
+                {},
+                fmt::format("style {:.60} wishes the font {:.60}: {} is drawn instead",
+                            entity.text(7).empty() ? "STANDARD" : entity.text(7),
+                            family.empty() ? style.file : family,
+                            used),
+                "install the font, or convert the letters in the drawing program (TXTEXP)"});
 }
 
 void DxfDrawer::leave_out(const DxfEntity& entity, const DxfInstance& within) {

@@ -23,12 +23,12 @@ std::string_view DxfCursor::take_line() {
   const std::string_view line = rest_.substr(0, end);
   rest_.remove_prefix(end == std::string_view::npos ? rest_.size() : end + 1);
   ++line_;
-  return without_blanks(line);
+  return line.ends_with('\r') ? line.substr(0, line.size() - 1) : line;
 }
 
 std::optional<DxfGroup> DxfCursor::next() {
   if (rest_.empty() || !bad_code_.empty()) return {};
-  const std::string_view code = take_line();
+  const std::string_view code = without_blanks(take_line());
   if (rest_.empty()) return {};
   DxfGroup group;
   const auto [stop, error] = std::from_chars(code.data(), code.data() + code.size(), group.code);
@@ -36,7 +36,8 @@ std::optional<DxfGroup> DxfCursor::next() {
     bad_code_ = code.empty() ? "an empty line" : code;
     return {};
   }
-  group.value = take_line();
+  group.raw = take_line();
+  group.value = without_blanks(group.raw);
   group.line = line_;
   return group;
 }

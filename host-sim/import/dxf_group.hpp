@@ -15,6 +15,7 @@ struct DxfGroup {
   int code = 0;
   std::string_view value;  ///< Without blanks around it.
   std::size_t line = 0;    ///< Of the value, from 1.
+  std::string_view raw;    ///< The value with blanks around it.
 };
 
 /// Reads group after group. A copy remembers the place.
@@ -30,7 +31,7 @@ class DxfCursor {
   [[nodiscard]] std::string_view bad_code() const { return bad_code_; }
 
  private:
-  std::string_view take_line();
+  std::string_view take_line();  ///< With blanks around it, without its end.
 
   std::string_view rest_;
   std::string_view bad_code_;

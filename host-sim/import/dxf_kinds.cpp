@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <array>
 
+#include "host-sim/import/dxf_letters.hpp"
+
 namespace sim::drawing {
 namespace {
 
-constexpr auto kDxfLetters = std::to_array<std::string_view>(
-    {"TEXT", "MTEXT", "ATTRIB", "ATTDEF", "RTEXT", "ARCALIGNEDTEXT"});
+constexpr auto kDxfLetters = std::to_array<std::string_view>({"RTEXT", "ARCALIGNEDTEXT"});
 
 constexpr auto kDxfAnnotations = std::to_array<std::string_view>({
     "ACAD_TABLE",
@@ -45,6 +46,11 @@ bool is_among(std::string_view type, const std::array<std::string_view, count>& 
 }  // namespace
 
 DxfKind dxf_kind(std::string_view type) {
+  if (is_dxf_text(type)) {
+    return {DxfRole::kLetters,
+            "are letters: they are left out",
+            "--text outline or --text stroke draws them"};
+  }
   if (is_among(type, kDxfLetters)) {
     return {DxfRole::kLetters,
             "are letters and no paths: they are left out",

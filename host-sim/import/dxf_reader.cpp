@@ -4,12 +4,13 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
+#include <memory>
 #include <utility>
 
 #include "host-sim/import/dxf_binary.hpp"
 #include "host-sim/import/dxf_clips.hpp"
 #include "host-sim/import/dxf_drawer.hpp"
+#include "host-sim/import/dxf_letters.hpp"
 #include "host-sim/import/dxf_polyline.hpp"
 #include "host-sim/import/dxf_text.hpp"
 
@@ -33,7 +34,7 @@ class DxfReader {
       : cursor_{text},
         sketch_{sketch},
         drawer_{sketch},
-        clipped_{clipped_inserts(text)},
+        clips_{dxf_clips(text)},
         wanted_mm_per_unit_{mm_per_unit},
         most_instances_{sketch.share_of(kMostInstances)} {}
 
@@ -122,6 +123,7 @@ class DxfReader {
   void read_record() {
     const DxfEntity record = take_entity(cursor_);
     if (record.type == "LAYER") drawer_.tables().add_layer(record);
+    if (record.type == "STYLE") drawer_.tables().add_style(record);
     if (record.type == "LTYPE") drawer_.tables().add_line_type(record);
   }
 
@@ -170,6 +172,8 @@ class DxfReader {
       drawer_.add(entity, within, dxf_shapes(entity));
     } else if (entity.type == "POLYLINE") {
       drawer_.add(entity, within, old_polyline(entity, vertices));
+    } else if (is_dxf_text(entity.type) && sketch_.text() != TextMode::kSkip) {
+      drawer_.add_text(entity, within);
     } else if (entity.type == "INSERT") {
       insert(entity, within);
     } else {
@@ -203,9 +207,11 @@ class DxfReader {
     if (depth >= kDeepestNesting) {
       return {fmt::format("nested deeper than {} blocks", kDeepestNesting), kMend};
     }
-    if (clipped_.contains(entity.text(5))) {
-      return {fmt::format("block {} is clipped (XCLIP)", name),
-              "it is left out; explode it and trim it at the boundary, or delete the boundary"};
+    const auto clip = clips_.find(entity.text(5));
+    if (clip != clips_.end() && !clip->second.is_in_plan) {
+      return {
+          fmt::format("block {} is clipped (XCLIP) at a boundary that is not in the plan", name),
+          "it is left out; explode it and trim it at the boundary, or delete the boundary"};
     }
     return {};
   }
@@ -233,8 +239,19 @@ class DxfReader {
     const InsertArray array = insert_array(entity);
     if (array.left_out > 0) left_out(named, array.left_out);
     open_.push_back(block);
+    const auto clip = clips_.find(entity.text(5));
+    const bool is_clipped = clip != clips_.end();
+    if (is_clipped && clip->second.has_depths) {
+      sketch_.note("the boundary of a block (XCLIP) clips by height, too: that is not followed",
+                   named);
+    }
     for (std::size_t copy = 0; copy < array.columns * array.rows; ++copy) {
       instance.to_mm = frame * moved_by(array.step(copy)) * inner;
+      instance.clips = within.clips;
+      if (is_clipped) {
+        const ClipRegion region = region_of(clip->second, instance.to_mm, named.name);
+        instance.clips.push_back(std::make_shared<const ClipRegion>(region));
+      }
       if (!count(entity) || sketch_.full()) break;
       expand(*block, instance);
     }
@@ -285,7 +302,7 @@ class DxfReader {
   DxfCursor before_{{}};
   Sketch& sketch_;
   DxfDrawer drawer_;
-  std::set<std::string, std::less<>> clipped_;
+  DxfClips clips_;
   std::optional<double> wanted_mm_per_unit_;
   DxfHeader header_;
   std::size_t most_instances_;

@@ -4,9 +4,28 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstdlib>
+#include <utility>
 
 namespace sim::drawing {
+namespace {
+
+/// Returns the family of a font by the name of its file; empty for fonts of strokes, which only the
+/// drawing program has.
+std::string family_of(std::string_view file) {
+  file.remove_prefix(file.find_last_of("/\\") + 1);
+  const std::size_t dot = file.rfind('.');
+  const std::string ending = dot == std::string_view::npos ? "" : dxf_key(file.substr(dot));
+  if (ending != ".TTF" && ending != ".TTC" && ending != ".OTF") return {};
+  const std::string stem = dxf_key(file.substr(0, dot));
+  if (stem.starts_with("ARIAL")) return "Arial";
+  if (stem.starts_with("TIMES")) return "Times New Roman";
+  if (stem.starts_with("COUR")) return "Courier New";
+  return std::string{file.substr(0, dot)};
+}
+
+}  // namespace
 
 std::optional<double> millimetres_per_dxf_unit(int unit) {
   constexpr double kSurveyFoot = 1200.0e3 / 3937.0;
@@ -74,6 +93,29 @@ void DxfTables::add_layer(const DxfEntity& record) {
 
 void DxfTables::add_line_type(const DxfEntity& record) {
   if (record.whole(73, 0) == 0) without_gaps_.insert(dxf_key(record.text(2)));
+}
+
+/// The family is that of the record's own data, else the name of the font's file.
+void DxfTables::add_style(const DxfEntity& record) {
+  DxfStyle style{.file = std::string{record.text(3)},
+                 .height = record.number(40, 0.0),
+                 .width = record.number(41, 1.0),
+                 .oblique_deg = record.number(50, 0.0),
+                 .flags = record.whole(71, 0)};
+  constexpr std::uint32_t kBold = 0x2000000U;
+  constexpr std::uint32_t kItalic = 0x1000000U;
+  const auto bits = static_cast<std::uint32_t>(record.whole(1071, 0));
+  style.font.family = std::string{record.text(1000)};
+  if (style.font.family.empty()) style.font.family = family_of(style.file);
+  if ((bits & kBold) != 0) style.font.weight = 700;
+  style.font.is_slanted = (bits & kItalic) != 0;
+  if (!(style.width > 0.0)) style.width = 1.0;
+  styles_.insert_or_assign(dxf_key(record.text(2)), std::move(style));
+}
+
+DxfStyle DxfTables::style(std::string_view name) const {
+  const auto found = styles_.find(dxf_key(name.empty() ? "STANDARD" : name));
+  return found != styles_.end() ? found->second : DxfStyle{};
 }
 
 DxfLayer DxfTables::layer(std::string_view name) const {

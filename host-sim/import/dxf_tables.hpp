@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "host-sim/import/dxf_group.hpp"
+#include "host-sim/text/font.hpp"
 
 namespace sim::drawing {
 
@@ -34,19 +35,33 @@ struct DxfLayer {
   [[nodiscard]] bool is_frozen() const { return hidden == "frozen"; }
 };
 
-/// Layers and line types.
+/// A record of the table of styles of letters.
+struct DxfStyle {
+  std::string file{};  ///< The font that it names; empty where it names none.
+  text::FontWish font{};
+  double height = 0.0;       ///< For letters that have none of their own.
+  double width = 1.0;        ///< Factor.
+  double oblique_deg = 0.0;  ///< To the right.
+  int flags = 0;             ///< 2: backwards, 4: upside down.
+};
+
+/// Layers, line types and styles of letters.
 class DxfTables {
  public:
   void add_layer(const DxfEntity& record);
   void add_line_type(const DxfEntity& record);
+  void add_style(const DxfEntity& record);
 
   /// Returns the layer of a name, or one of that name that is as usual.
   [[nodiscard]] DxfLayer layer(std::string_view name) const;
+  /// Returns the style of a name, or a usual one.
+  [[nodiscard]] DxfStyle style(std::string_view name) const;
   /// Returns whether a line of this type has gaps or figures.
   [[nodiscard]] bool is_dashed(std::string_view line_type) const;
 
  private:
   std::map<std::string, DxfLayer, std::less<>> layers_;
+  std::map<std::string, DxfStyle, std::less<>> styles_;
   std::set<std::string, std::less<>> without_gaps_{"", "CONTINUOUS", "BYLAYER", "BYBLOCK"};
 };
 

@@ -12,9 +12,11 @@ EndMatcher::EndMatcher(const std::vector<Piece>& chains, double gap_mm)
       gap_{std::max(gap_mm, kSamePlaceMm)},
       partner_(2 * chains.size(), kNoEnd),
       among_others_(partner_.size(), false) {
+  cells_.reserve(partner_.size());
   for (EndIndex end = 0; end < partner_.size(); ++end) {
-    cells_[key_of(place(end), 0, 0)].push_back(end);
+    cells_.emplace_back(key_of(place(end), 0, 0), end);
   }
+  std::ranges::sort(cells_);
   gather_pairs();
   std::ranges::sort(pairs_);
   for (const EndPair& pair : pairs_) {
@@ -32,6 +34,7 @@ CertainGaps EndMatcher::pair_certain() {
     loose.add(place(end), chains_[end / 2].contour.entity);
     of.push_back(end);
   }
+  loose.prepare();
   CertainGaps gaps;
   for (std::size_t i = 0; i < of.size(); ++i) {
     if (partner_[of[i]] != kNoEnd || !loose.is_of_pair(i, kWidestCertainGapMm)) continue;
@@ -62,12 +65,12 @@ void EndMatcher::gather_pairs() {
 void EndMatcher::gather_in(EndIndex end, Key key) {
   // A drawing does not have more ends at one place; some of them are looked at.
   constexpr std::size_t kMostEndsAtAPlace = 16;
-  const auto cell = cells_.find(key);
-  if (cell == cells_.end()) return;
   std::size_t found = 0;
-  for (const EndIndex other : cell->second) {
-    if (found == kMostEndsAtAPlace) break;
-    if (other <= end || other / 2 == end / 2) continue;
+  for (auto at = std::ranges::lower_bound(cells_, std::pair{key, end + 1});
+       at != cells_.end() && at->first == key && found < kMostEndsAtAPlace;
+       ++at) {
+    const EndIndex other = at->second;
+    if (other / 2 == end / 2) continue;
     if (!same_layer(end, other)) continue;
     const double apart = distance(place(end), place(other));
     if (apart > gap_) continue;

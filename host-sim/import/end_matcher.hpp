@@ -2,7 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "host-sim/import/extent.hpp"
@@ -61,7 +61,7 @@ class EndMatcher {
   std::vector<EndIndex> partner_;
   std::vector<bool> among_others_;
   std::vector<EndPair> pairs_;
-  std::unordered_map<Key, std::vector<EndIndex>> cells_;
+  std::vector<std::pair<Key, EndIndex>> cells_;  ///< Sorted.
 };
 
 }  // namespace sim::drawing

@@ -108,7 +108,10 @@ Group Filling::group_of(const std::vector<std::size_t>& set) {
   for (const std::size_t piece : set) {
     const FittedContour fitted =
         arcs_of(doubled.with_arcs(pieces_[piece].contour, options), options);
-    if (fitted.fault) continue;
+    if (fitted.fault) {
+      unresolved_[piece] = true;
+      continue;
+    }
     auto& vertices = group.loops.vertices;
     vertices.insert(vertices.end(), fitted.vertices.begin(), fitted.vertices.end());
     group.loops.end_loop();

@@ -126,6 +126,7 @@ class Joiner {
 
   /// Closes what nearly closes itself, and reports what stays open.
   void judge_open() {
+    loose_.prepare();
     for (std::size_t i = 0; i < open_.size(); ++i) {
       const OpenPiece& open = open_[i];
       Piece& piece = pieces_[open.piece];
@@ -234,6 +235,7 @@ class Joiner {
 void measure(Piece& piece) {
   DrawnContour& contour = piece.contour;
   piece.outline = outline_of(contour.shapes, kChordToleranceMm);
+  piece.outline.shrink_to_fit();
   piece.box = box_of(piece.outline);
   contour.length_mm = 0.0;
   double area = 0.0;

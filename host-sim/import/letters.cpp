@@ -23,6 +23,10 @@ bool has_right_to_left(std::string_view words) {
   return false;
 }
 
+double em_of(const LetterLine& line, text::Lettering& lettering) {
+  return line.is_capital_height ? line.size / lettering.figures(line.font).capital : line.size;
+}
+
 }  // namespace
 
 void note_font(Sketch& sketch, const Entity& entity, std::string_view words) {
@@ -74,7 +78,18 @@ bool add_letter_curves(Sketch& sketch, const Entity& entity, text::Strokes strok
   return true;
 }
 
-void add_letters(Sketch& sketch, Entity entity, const LetterLine& line) {
+double width_of(const LetterLine& line, text::Lettering& lettering) {
+  double width_em = 0.0;
+  for (const text::Letter& letter : lettering.line(line.words, line.font)) {
+    width_em += letter.advance + line.spacing_em;
+  }
+  return width_em * em_of(line, lettering) * line.stretch;
+}
+
+void add_letters(Sketch& sketch,
+                 Entity entity,
+                 const LetterLine& line,
+                 const std::function<bool(const std::vector<Shape>&)>& is_visible) {
   if (sketch.text() == TextMode::kSkip) return sketch.leave_out_text(entity, line.words);
   sort_letters(sketch, entity);
   text::Lettering& lettering = sketch.lettering();
@@ -85,8 +100,7 @@ void add_letters(Sketch& sketch, Entity entity, const LetterLine& line) {
   const double share = line.anchor == TextAnchor::kStart    ? 0.0
                        : line.anchor == TextAnchor::kMiddle ? 0.5
                                                             : 1.0;
-  const double em =
-      line.is_capital_height ? line.size / lettering.figures(line.font).capital : line.size;
+  const double em = em_of(line, lettering);
   const Transform slanted{{line.stretch, 0.0}, {std::tan(line.slant_rad), 1.0}, {0.0, 0.0}};
   const Transform to_mm = line.to_mm * scaled_by(em, em) * slanted;
   double pen = -share * width_em;
@@ -96,6 +110,9 @@ void add_letters(Sketch& sketch, Entity entity, const LetterLine& line) {
       for (Shape& shape : shapes) shape = transformed(shape, to_mm * moved_by({pen, 0.0}));
     }
     pen += letter.advance + line.spacing_em;
+    if (is_visible) {
+      std::erase_if(strokes, [&](const std::vector<Shape>& row) { return !is_visible(row); });
+    }
     if (!add_letter_curves(sketch, entity, std::move(strokes))) return;
   }
 }

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -27,10 +28,17 @@ struct LetterLine {
   Transform to_mm{};  ///< Base line along x, through the origin at the anchor, y upwards.
 };
 
+/// Returns the width of a line in the unit of its size, whatever its `to_mm`.
+[[nodiscard]] double width_of(const LetterLine& line, text::Lettering& lettering);
+
 /// Draws a line of letters as the sketch wishes: outlines, single strokes, or nothing. A note has
 /// the font, or that they are left out.
 /// @param entity with the layer of the letters
-void add_letters(Sketch& sketch, Entity entity, const LetterLine& line);
+/// @param is_visible tells of each row of curves, in mm, whether it is drawn; all where it is empty
+void add_letters(Sketch& sketch,
+                 Entity entity,
+                 const LetterLine& line,
+                 const std::function<bool(const std::vector<Shape>&)>& is_visible = {});
 
 /// Sorts letters of single strokes by a colour of their own, kStrokeTextColour.
 void sort_letters(Sketch& sketch, Entity& entity);

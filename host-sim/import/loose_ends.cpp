@@ -15,6 +15,8 @@ struct LoosePair {
 
 }  // namespace
 
+void LooseEnds::prepare() { std::ranges::sort(cells_); }
+
 std::vector<double> LooseEnds::paired_distances() const {
   // Where more ends meet, a wider gap is no help.
   constexpr std::size_t kMostNeighbours = 16;
@@ -69,9 +71,11 @@ template <typename Visit>
 void LooseEnds::visit_near(std::size_t end, const Visit& visit) const {
   const LooseEnd& from = ends_[end];
   for (int number = 0; number < 9; ++number) {
-    const auto cell = cells_.find(key_of(from.place, number % 3 - 1, number / 3 - 1));
-    if (cell == cells_.end()) continue;
-    for (const std::size_t other : cell->second) {
+    const Key key = key_of(from.place, number % 3 - 1, number / 3 - 1);
+    for (auto at = std::ranges::lower_bound(cells_, std::pair{key, std::size_t{0}});
+         at != cells_.end() && at->first == key;
+         ++at) {
+      const std::size_t other = at->second;
       const LooseEnd& to = ends_[other];
       if (other == end || to.layer != from.layer || to.part != from.part) continue;
       const double apart = distance(from.place, to.place);

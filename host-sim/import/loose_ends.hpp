@@ -2,7 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "host-sim/import/piece.hpp"
@@ -16,12 +16,12 @@ inline constexpr double kWidestCertainGapMm = 0.2;
 /// A gap up to this, between such ends, may be a slip, mm.
 inline constexpr double kWidestDoubtfulGapMm = 0.3;
 
-/// Ends of open chains, by place.
+/// Ends of open chains, by place: first they are added, then asked for their neighbours.
 class LooseEnds {
  public:
   /// Adds an end of a chain of an entity.
   void add(const Place& place, const Entity& entity) {
-    cells_[key_of(place, 0, 0)].push_back(ends_.size());
+    cells_.emplace_back(key_of(place, 0, 0), ends_.size());
     ends_.push_back({place, entity.layer, entity.part});
   }
   /// Adds the start of a chain, and its end.
@@ -29,6 +29,8 @@ class LooseEnds {
     add(chain.outline.front(), chain.contour.entity);
     add(chain.outline.back(), chain.contour.entity);
   }
+  /// Call after the last end was added, and before any question.
+  void prepare();
 
   [[nodiscard]] std::size_t count() const { return ends_.size(); }
 
@@ -65,7 +67,7 @@ class LooseEnds {
   void visit_near(std::size_t end, const Visit& visit) const;
 
   std::vector<LooseEnd> ends_;
-  std::unordered_map<Key, std::vector<std::size_t>> cells_;
+  std::vector<std::pair<Key, std::size_t>> cells_;  ///< Sorted.
 };
 
 }  // namespace sim::drawing

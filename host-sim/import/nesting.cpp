@@ -1,7 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
+#include <numeric>
 #include <optional>
+#include <span>
 
 #include "host-sim/import/piece.hpp"
 
@@ -56,10 +59,7 @@ class Strips {
     }
     if (chords == 0) return;
     height_ = std::max({rise / static_cast<double>(chords), (most_ - least_) / 1.0e6, 1.0e-6});
-    strips_.resize(strip_of(most_) + 1);
-    for (std::size_t piece = 0; piece < pieces.size(); ++piece) {
-      if (pieces[piece].contour.closed) enter(piece);
-    }
+    fill();
   }
 
   /// Adds one for each crossing of the ray from `place`, wherever it is, to the right; false when
@@ -68,7 +68,9 @@ class Strips {
     // What is looked at closely takes so many times as long.
     constexpr std::size_t kCloseLook = 16;
     if (place.y() < least_ || place.y() > most_) return true;
-    const auto& strip = strips_[strip_of(place.y())];
+    const std::size_t number = strip_of(place.y());
+    const std::span strip =
+        std::span{chords_}.subspan(ends_[number], ends_[number + 1] - ends_[number]);
     std::size_t close = 0;
     for (const auto& [piece, i] : strip) {
       if (!pieces_[piece].box.around({.least = place, .most = place})) continue;
@@ -83,16 +85,34 @@ class Strips {
   }
 
  private:
+  struct Chord {
+    std::uint32_t piece = 0;
+    std::uint32_t index = 0;
+  };
+
   [[nodiscard]] std::size_t strip_of(double y) const {
     return static_cast<std::size_t>(std::max(0.0, std::floor((y - least_) / height_)));
   }
 
-  void enter(std::size_t piece) {
-    const std::vector<Place>& outline = pieces_[piece].outline;
-    for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
-      const auto [low, high] = std::minmax(outline[i].y(), outline[i + 1].y());
-      for (std::size_t strip = strip_of(low); strip <= strip_of(high); ++strip) {
-        strips_[strip].emplace_back(piece, i);
+  /// Counts the chords of each strip first: lists that grow would take several times the memory.
+  void fill() {
+    ends_.assign(strip_of(most_) + 2, 0);
+    for_each_chord([this](std::size_t strip, const Chord&) { ++ends_[strip + 1]; });
+    std::partial_sum(ends_.begin(), ends_.end(), ends_.begin());
+    chords_.resize(ends_.back());
+    std::vector<std::size_t> next = ends_;
+    for_each_chord([&](std::size_t strip, const Chord& chord) { chords_[next[strip]++] = chord; });
+  }
+
+  template <typename Visit>
+  void for_each_chord(const Visit& visit) const {
+    for (std::uint32_t piece = 0; piece < pieces_.size(); ++piece) {
+      if (!pieces_[piece].contour.closed) continue;
+      const std::vector<Place>& outline = pieces_[piece].outline;
+      for (std::uint32_t i = 0; i + 1 < outline.size(); ++i) {
+        const auto [low, high] = std::minmax(outline[i].y(), outline[i + 1].y());
+        const std::size_t last = strip_of(high);
+        for (std::size_t strip = strip_of(low); strip <= last; ++strip) visit(strip, {piece, i});
       }
     }
   }
@@ -101,7 +121,8 @@ class Strips {
   double least_ = OutlineBox::kInfinite;
   double most_ = -OutlineBox::kInfinite;
   double height_ = 1.0;
-  std::vector<std::vector<std::pair<std::size_t, std::size_t>>> strips_;
+  std::vector<std::size_t> ends_;  ///< By strip: where its chords begin, and those of the next.
+  std::vector<Chord> chords_;
 };
 
 /// Keeps the smallest of the pieces that surround a point.

@@ -126,6 +126,7 @@ bool Sketch::add(Chain chain) {
             "simplify the drawing, or cut it in parts"});
     return false;
   }
+  chain.shapes.shrink_to_fit();
   chains_.push_back(std::move(chain));
   return true;
 }

@@ -10,8 +10,6 @@
 namespace sim::drawing {
 namespace {
 
-// Pairs of chords: about a second.
-constexpr std::size_t kMostClipSteps = 200'000'000;
 constexpr std::size_t kMostClipsOfClips = 8;
 constexpr const char* kReleaseClip =
     "release the clip in the drawing program and cut the shape there";
@@ -29,14 +27,6 @@ void transform(SvgSubpaths& subpaths, const Transform& transform) {
   }
 }
 
-/// Returns whether chords of the shapes can be made: all within reach of a machine.
-bool is_near(const std::vector<Shape>& shapes) {
-  return std::ranges::all_of(shapes, [](const Shape& shape) {
-    return finite(shape) && start_of(shape).cwiseAbs().maxCoeff() <= kFarthestMm &&
-           end_of(shape).cwiseAbs().maxCoeff() <= kFarthestMm;
-  });
-}
-
 }  // namespace
 
 std::optional<Transform> svg_own_transform(const SvgProperties& properties,
@@ -52,7 +42,7 @@ std::optional<Transform> svg_own_transform(const SvgProperties& properties,
 }
 
 SvgClips::SvgClips(SvgDocument& document, Sketch& sketch)
-    : document_{document}, sketch_{sketch}, steps_{sketch.share_of(kMostClipSteps)} {}
+    : document_{document}, sketch_{sketch}, comparison_{sketch.share_of(kMostClipSteps)} {}
 
 // Bounded by a depth. NOLINTNEXTLINE(misc-no-recursion)
 void SvgClips::enter(const pugi::xml_node& node,
@@ -80,11 +70,11 @@ void SvgClips::enter(const pugi::xml_node& node,
   const SvgProperties own = document_.properties_of(clip_path);
   const auto transform = svg_own_transform(own, style.viewport);
   if (transform) to_mm = to_mm * *transform;
-  SvgClip clip{.name = fmt::format("clip path \"{:.60}\"", clip_path.attribute("id").value()),
-               .remedy = kReleaseClip,
-               .areas{}};
+  ClipRegion clip{.name = fmt::format("clip path \"{:.60}\"", clip_path.attribute("id").value()),
+                  .remedy = kReleaseClip,
+                  .areas{}};
   add_paths(clip_path, to_mm, style, clip);
-  style.clips.push_back(std::make_shared<const SvgClip>(std::move(clip)));
+  style.clips.push_back(std::make_shared<const ClipRegion>(std::move(clip)));
   if (depth_ >= kMostClipsOfClips) return;
   ++depth_;
   SvgStyle around = style;
@@ -97,7 +87,7 @@ void SvgClips::enter(const pugi::xml_node& node,
 void SvgClips::add_paths(const pugi::xml_node& clip_path,
                          const Transform& to_mm,
                          SvgStyle style,
-                         SvgClip& clip) {
+                         ClipRegion& clip) {
   inherit(document_.properties_of(clip_path), style);
   for (const pugi::xml_node& child : clip_path.children()) {
     if (child.type() != pugi::node_element) continue;
@@ -109,7 +99,7 @@ void SvgClips::add_paths(const pugi::xml_node& clip_path,
 void SvgClips::add_path(pugi::xml_node child,
                         const Transform& to_mm,
                         SvgStyle style,
-                        SvgClip& clip) {
+                        ClipRegion& clip) {
   Transform own = to_mm;
   for (int links = 0; links < 2; ++links) {
     const SvgProperties properties = document_.properties_of(child);
@@ -143,13 +133,13 @@ void SvgClips::add_path(pugi::xml_node child,
 void SvgClips::enter_viewport(const pugi::xml_node& node, const Place& size, SvgStyle& style) {
   const std::string_view overflow = document_.properties_of(node).get("overflow");
   if (overflow == "visible" || overflow == "auto") return;
-  SvgClip clip{.name = fmt::format("edge of the viewport of {}", document_.entity_of(node).name),
-               .remedy = "give it overflow=\"visible\", or cut the shape there",
-               .areas{}};
+  ClipRegion clip{.name = fmt::format("edge of the viewport of {}", document_.entity_of(node).name),
+                  .remedy = "give it overflow=\"visible\", or cut the shape there",
+                  .areas{}};
   SvgSubpaths edge{rectangle(size)};
   transform(edge, style.to_mm);
   clip.add(edge, FillRule::kNonZero);
-  style.clips.push_back(std::make_shared<const SvgClip>(std::move(clip)));
+  style.clips.push_back(std::make_shared<const ClipRegion>(std::move(clip)));
 }
 
 void SvgClips::keep_visible(const pugi::xml_node& node,
@@ -164,28 +154,18 @@ void SvgClips::keep_visible(const pugi::xml_node& node,
 bool SvgClips::is_visible(const pugi::xml_node& node,
                           const SvgStyle& style,
                           const std::vector<Shape>& shapes) {
-  if (!is_near(shapes)) return true;  // The sketch refuses it.
-  const std::vector<Place> chords = outline_of(shapes, kClipChordMm);
-  const FillRule rule = fill_rule_of(style.fill_rule);
-  for (const auto& clip : style.clips) {
-    const std::size_t cost = chords.size() * (1 + clip->size());
-    if (cost > steps_) {
-      document_.report_bad(node, "its clip is too much to compare", kReleaseClip);
-      return false;
-    }
-    steps_ -= cost;
-    ClipSide side = side_of(chords, *clip);
-    if (side == ClipSide::kInside) continue;
-    const bool shows_edge = style.has_fill() && covers_edge(chords, rule, *clip);
-    if (side == ClipSide::kOutside && !shows_edge) {
-      sketch_.ignore("shapes outside of their clip are not seen", document_.entity_of(node));
-    } else {
-      document_.report_bad(
-          node, fmt::format("it crosses the {} and is left out", clip->name), clip->remedy);
-    }
-    return false;
+  std::optional<FillRule> fill;
+  if (style.has_fill()) fill = fill_rule_of(style.fill_rule);
+  const auto [sight, clip] = comparison_.compare(shapes, style.clips, fill);
+  if (sight == Sight::kTooMuch) {
+    document_.report_bad(node, "its clip is too much to compare", kReleaseClip);
+  } else if (sight == Sight::kNothing) {
+    sketch_.ignore("shapes outside of their clip are not seen", document_.entity_of(node));
+  } else if (sight == Sight::kPart) {
+    document_.report_bad(
+        node, fmt::format("it crosses the {} and is left out", clip->name), clip->remedy);
   }
-  return true;
+  return sight == Sight::kWhole;
 }
 
 }  // namespace sim::drawing

@@ -36,15 +36,15 @@ class SvgClips {
   void add_paths(const pugi::xml_node& clip_path,
                  const Transform& to_mm,
                  SvgStyle style,
-                 SvgClip& clip);
-  void add_path(pugi::xml_node child, const Transform& to_mm, SvgStyle style, SvgClip& clip);
+                 ClipRegion& clip);
+  void add_path(pugi::xml_node child, const Transform& to_mm, SvgStyle style, ClipRegion& clip);
   [[nodiscard]] bool is_visible(const pugi::xml_node& node,
                                 const SvgStyle& style,
                                 const std::vector<Shape>& shapes);
 
   SvgDocument& document_;
   Sketch& sketch_;
-  std::size_t steps_;
+  ClipComparison comparison_;
   std::size_t depth_ = 0;
 };
 

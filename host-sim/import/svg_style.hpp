@@ -6,10 +6,10 @@
 #include <string_view>
 #include <vector>
 
+#include "host-sim/import/clip_region.hpp"
 #include "host-sim/import/drawing.hpp"
 #include "host-sim/import/svg_attributes.hpp"
 #include "host-sim/import/svg_cascade.hpp"
-#include "host-sim/import/svg_clip.hpp"
 #include "host-sim/import/svg_font.hpp"
 
 namespace sim::drawing {
@@ -28,7 +28,7 @@ struct SvgStyle {
   std::string fill_rule = "nonzero";
   std::string clip_rule = "nonzero";
   SvgFont font{};
-  std::vector<std::shared_ptr<const SvgClip>> clips{};
+  ClipRegions clips{};
   bool is_visible = true;
   bool is_clear = false;  ///< Opacity 0, of its own or of an element around it.
   std::size_t depth = 0;

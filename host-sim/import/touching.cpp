@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <cstdint>
 #include <utility>
 
 #include "host-sim/import/curve_measure.hpp"
+#include "host-sim/import/near_order.hpp"
+#include "planner/contour/box_tree.hpp"
 
 namespace sim::drawing {
 namespace {
@@ -15,210 +17,235 @@ namespace {
 constexpr std::size_t kMostChordPairs = 200'000'000;
 // Chords of curves that touch are apart by their tolerance, twice, and by a rounding.
 constexpr double kNearMm = 2.5 * kChordToleranceMm;
-constexpr double kLeastCellMm = 2.0 * kNearMm;
 // Chords of one contour with less path from the start of one to the end of the other enclose
 // nothing that could be cut, mm: closely drawn curves have many.
 constexpr double kShortPathMm = 0.01;
 
-/// A chord of a piece, from its place `index` to the next.
+/// A part of an outline.
 struct Chord {
-  std::uint32_t piece = 0;
-  std::uint32_t index = 0;
+  Place start;
+  Place end;
 };
 
-/// A grid whose cells hold about as many chords as there are.
-class ChordGrid {
- public:
-  explicit ChordGrid(const std::vector<Piece>& pieces) : pieces_{pieces} {
-    double length = 0.0;
-    double farthest = 0.0;
-    for (std::size_t piece = 0; piece < pieces.size(); ++piece) {
-      if (!pieces[piece].contour.closed) continue;
-      const std::vector<Place>& outline = pieces[piece].outline;
-      for (std::size_t i = 0; i + 1 < outline.size(); ++i) {
-        chords_.push_back({static_cast<std::uint32_t>(piece), static_cast<std::uint32_t>(i)});
-        length += distance(outline[i], outline[i + 1]);
-        farthest = std::max(farthest, outline[i].cwiseAbs().maxCoeff());
-      }
-    }
-    cell_ = std::max(
-        {length / static_cast<double>(chords_.size() + 1), kLeastCellMm, farthest * 1.0e-9});
-    for (std::uint32_t chord = 0; chord < chords_.size(); ++chord) enter(chord);
-    std::ranges::sort(entries_);
-  }
+bool cross_each_other(const Chord& a, const Chord& b) {
+  const auto parts = [](const Chord& by, const Chord& other) {
+    const Place way = by.end - by.start;
+    return (cross(way, other.start - by.start) > 0.0) != (cross(way, other.end - by.start) > 0.0);
+  };
+  return parts(a, b) && parts(b, a);
+}
 
-  /// Calls `look(first, second)` for chords that share a cell, until it is false.
-  template <typename Look>
-  void for_each_pair(const Look& look) const {
-    for (std::size_t from = 0; from < entries_.size();) {
-      std::size_t to = from;
-      while (to < entries_.size() && entries_[to].first == entries_[from].first) ++to;
-      for (std::size_t i = from; i < to; ++i) {
-        for (std::size_t j = i + 1; j < to; ++j) {
-          if (!look(chords_[entries_[i].second], chords_[entries_[j].second])) return;
-        }
-      }
-      from = to;
-    }
+bool are_near(const Chord& a, const Chord& b) {
+  if (cross_each_other(a, b)) return true;
+  return std::min({distance_to_chord(a.start, b.start, b.end),
+                   distance_to_chord(a.end, b.start, b.end),
+                   distance_to_chord(b.start, a.start, a.end),
+                   distance_to_chord(b.end, a.start, a.end)}) <= kNearMm;
+}
+
+/// Returns whether a chord runs back along the one before it.
+bool turns_back(const Chord& a, const Chord& b) {
+  const Place in = a.end - a.start;
+  const Place out = b.end - b.start;
+  if (dot(in, out) >= 0.0) return false;
+  return in.squaredNorm() < out.squaredNorm()
+             ? distance_to_chord(a.start, b.start, b.end) <= kNearMm
+             : distance_to_chord(b.end, a.start, a.end) <= kNearMm;
+}
+
+using Box = cnc::contour::FlatBox<double>;
+
+Box box_of_chord(const Place& start, const Place& end) {
+  const auto [left, right] = std::minmax(start.x(), end.x());
+  const auto [low, high] = std::minmax(start.y(), end.y());
+  return {left, low, right, high};
+}
+
+Box box_near(const Box& box) {
+  return {box.x0 - kNearMm, box.y0 - kNearMm, box.x1 + kNearMm, box.y1 + kNearMm};
+}
+
+/// Boxes of things that are searched; filled again and again.
+class Boxes {
+ public:
+  /// Takes `box_at(i)` for all i < count.
+  template <typename BoxAt>
+  void fill(std::size_t count, const BoxAt& box_at) {
+    const std::size_t size = Tree::size_for(count);
+    if (boxes_.size() < size) boxes_.resize(size);
+    tree_ = Tree{{boxes_.data(), boxes_.size()}};
+    for (std::uint32_t i = 0; i < count; ++i) tree_.leaf(i) = box_at(i);
+    tree_.build(static_cast<std::uint32_t>(count));
+  }
+  /// Calls `visit(i)` for boxes from number `from` on that come near a box, until it is false.
+  template <typename Visit>
+  void search(const Box& box, std::uint32_t from, const Visit& visit) const {
+    tree_.search(box_near(box), from, visit);
   }
 
  private:
-  using Cell = std::pair<std::int32_t, std::int32_t>;
-
-  /// Row by row: the cells that the chord's part in a row of cells covers.
-  void enter(std::uint32_t chord) {
-    const std::vector<Place>& outline = pieces_[chords_[chord].piece].outline;
-    Place low = outline[chords_[chord].index];
-    Place high = outline[chords_[chord].index + 1];
-    if (low.y() > high.y()) std::swap(low, high);
-    const std::int32_t last = index_of(high.y() + kNearMm);
-    for (std::int32_t row = index_of(low.y() - kNearMm); row <= last; ++row) {
-      const double bottom = static_cast<double>(row) * cell_ - kNearMm;
-      const double first = x_at(low, high, bottom);
-      const double second = x_at(low, high, bottom + cell_ + 2.0 * kNearMm);
-      const std::int32_t right = index_of(std::max(first, second) + kNearMm);
-      for (std::int32_t x = index_of(std::min(first, second) - kNearMm); x <= right; ++x) {
-        entries_.push_back({{row, x}, chord});
-      }
-    }
-  }
-
-  /// Where the chord is at a height, or at its nearer end.
-  static double x_at(const Place& low, const Place& high, double y) {
-    const double rise = high.y() - low.y();
-    if (rise <= 0.0) return y <= low.y() ? low.x() : high.x();
-    const double share = std::clamp((y - low.y()) / rise, 0.0, 1.0);
-    return low.x() + share * (high.x() - low.x());
-  }
-
-  [[nodiscard]] std::int32_t index_of(double value) const {
-    return static_cast<std::int32_t>(std::floor(value / cell_));
-  }
-
-  const std::vector<Piece>& pieces_;
-  std::vector<Chord> chords_;
-  double cell_ = 1.0;
-  std::vector<std::pair<Cell, std::uint32_t>> entries_;
+  using Tree = cnc::contour::BoxTree<double>;
+  std::vector<Box> boxes_;
+  Tree tree_{cnc::contour::Slice<Box>{}};
 };
 
+/// Compares each piece with itself, and with those that are near and have fewer chords: a tree
+/// holds the chords of one piece at a time.
 class TouchFinder {
  public:
   TouchFinder(Sketch& sketch, const std::vector<Piece>& pieces)
       : sketch_{sketch},
         pieces_{pieces},
         touching_{PieceSets{pieces.size()}, std::vector<bool>(pieces.size(), false)},
-        along_mm_(pieces.size()),
         budget_{sketch.share_of(kMostChordPairs)} {
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-      if (!pieces[i].contour.closed) continue;
-      double along = 0.0;
-      along_mm_[i].push_back(along);
-      const std::vector<Place>& outline = pieces[i].outline;
-      for (std::size_t k = 1; k < outline.size(); ++k) {
-        along_mm_[i].push_back(along += distance(outline[k - 1], outline[k]));
+    for (std::uint32_t i = 0; i < pieces.size(); ++i) {
+      if (pieces[i].contour.closed && chords_of(i) > 0) closed_.push_back(i);
+    }
+    sort_by_place();
+    near_.fill(closed_.size(), [&](std::uint32_t i) {
+      const OutlineBox& box = pieces_[closed_[i]].box;
+      return box_of_chord(box.least, box.most);
+    });
+  }
+
+  void run() {
+    for (const std::uint32_t piece : closed_) {
+      chords_.fill(chords_of(piece), [&](std::uint32_t i) {
+        return box_of_chord(place(piece, i), place(piece, i + 1));
+      });
+      look_at_itself(piece);
+      look_at_others(piece);
+      if (budget_.exhausted()) return report_end(piece);
+    }
+  }
+  [[nodiscard]] TouchingPieces found() && { return std::move(touching_); }
+
+ private:
+  [[nodiscard]] const Place& place(std::uint32_t piece, std::uint32_t index) const {
+    return pieces_[piece].outline[index];
+  }
+  [[nodiscard]] std::uint32_t chords_of(std::uint32_t piece) const {
+    const std::size_t places = pieces_[piece].outline.size();
+    return places == 0 ? 0 : static_cast<std::uint32_t>(places - 1);
+  }
+
+  /// Neighbours in the plane are mostly neighbours in this order.
+  void sort_by_place() {
+    OutlineBox all;
+    for (const std::uint32_t piece : closed_) {
+      all.include(pieces_[piece].box.least);
+      all.include(pieces_[piece].box.most);
+    }
+    constexpr double kCells = 1 << 20;
+    const double size = std::max({all.width(), all.height(), 1.0e-9});
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> keys;
+    keys.reserve(closed_.size());
+    for (const std::uint32_t piece : closed_) {
+      const OutlineBox& box = pieces_[piece].box;
+      const Place cell = (0.5 * (box.least + box.most) - all.least) * (kCells / size);
+      keys.emplace_back(
+          near_order(static_cast<std::uint32_t>(cell.x()), static_cast<std::uint32_t>(cell.y())),
+          piece);
+    }
+    std::ranges::sort(keys);
+    std::ranges::transform(keys, closed_.begin(), &std::pair<std::uint64_t, std::uint32_t>::second);
+  }
+
+  /// @pre `chords_` has the chords of the piece
+  void look_at_itself(std::uint32_t piece) {
+    along_mm_.assign(1, 0.0);
+    const std::uint32_t count = chords_of(piece);
+    for (std::uint32_t i = 0; i < count; ++i) {
+      along_mm_.push_back(along_mm_.back() + distance(place(piece, i), place(piece, i + 1)));
+    }
+    for (std::uint32_t i = 0; i < count && !touching_.touches[piece]; ++i) {
+      if (!budget_.spend(1)) return;
+      const Chord chord{place(piece, i), place(piece, i + 1)};
+      chords_.search(box_of_chord(chord.start, chord.end), i + 1, [&](std::uint32_t k) {
+        if (touch_itself(piece, i, k)) touching_.touches[piece] = true;
+        return budget_.spend(1) && !touching_.touches[piece];
+      });
+    }
+  }
+
+  /// @pre `chords_` has the chords of the piece
+  void look_at_others(std::uint32_t piece) {
+    const Entity& entity = pieces_[piece].contour.entity;
+    const OutlineBox& box = pieces_[piece].box;
+    near_.search(box_of_chord(box.least, box.most), 0, [&](std::uint32_t i) {
+      const std::uint32_t other = closed_[i];
+      const bool is_smaller =
+          std::pair{chords_of(other), other} < std::pair{chords_of(piece), piece};
+      const Entity& of_other = pieces_[other].contour.entity;
+      if (!is_smaller || !sketch_.fill_together(entity, of_other)) return true;
+      if (touching_.touches[piece] && touching_.sets.are_one(piece, other)) return true;
+      if (touch_other(piece, other)) {
+        touching_.touches[piece] = touching_.touches[other] = true;
+        touching_.sets.unite(piece, other);
       }
-    }
+      return !budget_.exhausted();
+    });
   }
 
-  /// False when there is no time for more.
-  bool look(const Chord& a, const Chord& b) {
-    if (!budget_.spend(1)) {
-      ended_at_ = a;
-      return false;
+  [[nodiscard]] bool touch_other(std::uint32_t piece, std::uint32_t other) {
+    const OutlineBox& box = pieces_[piece].box;
+    const Box around = box_near(box_of_chord(box.least, box.most));
+    bool touches = false;
+    for (std::uint32_t i = 0; i < chords_of(other) && !touches; ++i) {
+      if (!budget_.spend(1)) return false;
+      const Chord chord{place(other, i), place(other, i + 1)};
+      const Box own = box_of_chord(chord.start, chord.end);
+      if (!around.meets(own)) continue;
+      chords_.search(own, 0, [&](std::uint32_t k) {
+        touches = are_near({place(piece, k), place(piece, k + 1)}, chord);
+        return budget_.spend(1) && !touches;
+      });
     }
-    const Entity& first = pieces_[a.piece].contour.entity;
-    const Entity& second = pieces_[b.piece].contour.entity;
-    if (!sketch_.fill_together(first, second)) return true;
-    if (touching_.touches[a.piece] && touching_.sets.are_one(a.piece, b.piece)) return true;
-    if (!touch(a, b)) return true;
-    touching_.touches[a.piece] = touching_.touches[b.piece] = true;
-    touching_.sets.unite(a.piece, b.piece);
-    return true;
+    return touches;
   }
 
-  /// Where it was given up.
-  void report_rest() {
-    if (!budget_.exhausted()) return;
+  [[nodiscard]] bool is_short_path(std::uint32_t first, std::uint32_t last) const {
+    const double ahead = along_mm_[last + 1] - along_mm_[first];
+    const double round_the_seam = along_mm_.back() - along_mm_[last] + along_mm_[first + 1];
+    return std::min(ahead, round_the_seam) < kShortPathMm;
+  }
+
+  /// @pre first < last
+  [[nodiscard]] bool touch_itself(std::uint32_t piece,
+                                  std::uint32_t first,
+                                  std::uint32_t last) const {
+    const Chord a{place(piece, first), place(piece, first + 1)};
+    const Chord b{place(piece, last), place(piece, last + 1)};
+    if (first + 1 == last) return turns_back(a, b);
+    if (first == 0 && last + 1 == chords_of(piece)) return turns_back(b, a);
+    return !is_short_path(first, last) && are_near(a, b);
+  }
+
+  void report_end(std::uint32_t piece) {
     sketch_.report({FaultKind::kUnchecked,
-                    pieces_[ended_at_.piece].contour.entity,
-                    start(ended_at_),
+                    pieces_[piece].contour.entity,
+                    place(piece, 0),
                     fmt::format("too many curves lie close together to look for crossings "
                                 "everywhere: {} pairs of them were looked at",
                                 sketch_.share_of(kMostChordPairs)),
                     "simplify the drawing here, or cut it in parts"});
   }
-  [[nodiscard]] TouchingPieces found() && { return std::move(touching_); }
-
- private:
-  [[nodiscard]] const Place& start(const Chord& c) const {
-    return pieces_[c.piece].outline[c.index];
-  }
-  [[nodiscard]] const Place& end(const Chord& c) const {
-    return pieces_[c.piece].outline[c.index + 1];
-  }
-
-  /// Whether the second chord follows the first one on a contour.
-  [[nodiscard]] bool follows(const Chord& first, const Chord& second) const {
-    const std::size_t count = pieces_[first.piece].outline.size() - 1;
-    return first.piece == second.piece && (first.index + 1) % count == second.index;
-  }
-
-  [[nodiscard]] bool are_on_a_short_path(const Chord& a, const Chord& b) const {
-    if (a.piece != b.piece) return false;
-    const std::vector<double>& along = along_mm_[a.piece];
-    const auto [first, last] = std::minmax(a.index, b.index);
-    const double ahead = along[last + 1] - along[first];
-    const double round_the_seam = along.back() - along[last] + along[first + 1];
-    return std::min(ahead, round_the_seam) < kShortPathMm;
-  }
-
-  [[nodiscard]] bool touch(const Chord& a, const Chord& b) const {
-    if (a.piece == b.piece && a.index == b.index) return false;
-    if (follows(a, b)) return turns_back(a, b);
-    if (follows(b, a)) return turns_back(b, a);
-    if (are_on_a_short_path(a, b)) return false;
-    const Place low = start(a).cwiseMin(end(a)).cwiseMax(start(b).cwiseMin(end(b)));
-    const Place high = start(a).cwiseMax(end(a)).cwiseMin(start(b).cwiseMax(end(b)));
-    if ((low - high).maxCoeff() > kNearMm) return false;
-    if (cross_each_other(a, b)) return true;
-    return std::min({distance_to_chord(start(a), start(b), end(b)),
-                     distance_to_chord(end(a), start(b), end(b)),
-                     distance_to_chord(start(b), start(a), end(a)),
-                     distance_to_chord(end(b), start(a), end(a))}) <= kNearMm;
-  }
-
-  [[nodiscard]] bool cross_each_other(const Chord& a, const Chord& b) const {
-    const auto parts = [](const Place& from, const Place& to, const Place& p, const Place& q) {
-      return (cross(to - from, p - from) > 0.0) != (cross(to - from, q - from) > 0.0);
-    };
-    return parts(start(a), end(a), start(b), end(b)) && parts(start(b), end(b), start(a), end(a));
-  }
-
-  /// Whether a chord runs back along the one before it.
-  [[nodiscard]] bool turns_back(const Chord& a, const Chord& b) const {
-    const Place in = end(a) - start(a);
-    const Place out = end(b) - start(b);
-    if (dot(in, out) >= 0.0) return false;
-    return in.squaredNorm() < out.squaredNorm()
-               ? distance_to_chord(start(a), start(b), end(b)) <= kNearMm
-               : distance_to_chord(end(b), start(a), end(a)) <= kNearMm;
-  }
 
   Sketch& sketch_;
   const std::vector<Piece>& pieces_;
   TouchingPieces touching_;
-  std::vector<std::vector<double>> along_mm_;  ///< By piece: length of its path up to each place.
   Budget budget_;
-  Chord ended_at_{};
+  std::vector<std::uint32_t> closed_;  ///< Numbers of the closed pieces.
+  Boxes near_;                         ///< Of `closed_`.
+  Boxes chords_;                       ///< Of the piece that is compared.
+  std::vector<double> along_mm_;       ///< Length of its path up to each place.
 };
 
 }  // namespace
 
 TouchingPieces find_touching(Sketch& sketch, const std::vector<Piece>& pieces) {
-  const ChordGrid grid{pieces};
   TouchFinder finder{sketch, pieces};
-  grid.for_each_pair([&](const Chord& a, const Chord& b) { return finder.look(a, b); });
-  finder.report_rest();
+  finder.run();
   return std::move(finder).found();
 }
 

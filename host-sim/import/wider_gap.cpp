@@ -23,6 +23,7 @@ std::optional<WiderGap> wider_gap(const std::vector<Piece>& chains, double gap_m
     if (distance(chain.outline.front(), chain.outline.back()) <= gap_mm) continue;
     ends.add(chain);
   }
+  ends.prepare();
   const std::vector<double> distances = ends.paired_distances();
   const auto within = [&](double gap) {
     return static_cast<std::size_t>(std::ranges::upper_bound(distances, gap) - distances.begin());

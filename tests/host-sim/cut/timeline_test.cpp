@@ -1,12 +1,15 @@
 #include "host-sim/cut/timeline.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
+#include "host-sim/cut/controller_clock.hpp"
 #include "host-sim/cut/heat.hpp"
+#include "host-sim/cut/job_clock.hpp"
 #include "host-sim/job/job.hpp"
 #include "tests/host-sim/cut/random_sheet.hpp"
 #include "tests/support/trials.hpp"
@@ -45,6 +48,40 @@ TEST(CutTimeline, LosesNoTimeAndNoPlaceBetweenItsSteps) {
     const auto sums = timeline.by_kind();
     EXPECT_NEAR(std::accumulate(sums.begin(), sums.end(), 0.0), timeline.total_s(), 1.0e-9);
     EXPECT_NEAR(scaled_to(timeline, 77.0).total_s(), 77.0, 1.0e-9);
+  }
+}
+
+/// Long jobs are predicted in ranges of cuts. A job that is driven as a whole takes the same time
+/// for each of its motions.
+TEST(CutTimeline, IsThatOfTheWholeJobHoweverLongItIs) {
+  std::string content;
+  for (int i = 0; i < 1'100; ++i) {
+    std::string outline;
+    for (int k = 0; k < 50; ++k) {
+      const double angle = 2.0 * std::numbers::pi * k / 50.0;
+      const double radius = k % 2 == 0 ? 2.0 : 2.2;
+      outline += fmt::format("{:.4f},{:.4f} ",
+                             5.0 * (i % 40) + 3.0 + radius * std::cos(angle),
+                             5.0 * (i / 40) + 3.0 + radius * std::sin(angle));
+    }
+    content += "<polygon points='" + outline + "'/>";
+  }
+  const drawing::Drawing drawn = drawing::read(drawing::svg_of(content));
+  const OrderWish wish{.method = order::OrderMethod::kFile};
+  const CutPlan plan = plan_cuts(drawn, layers_with(drawn, {}), {}, WayBeside::kHere, {}, wish);
+  const Timeline timeline = timeline_of(plan);
+  ASSERT_GT(timeline.steps.size(), 60'000U);
+  ControllerClock clock{plan.order.wish};
+  for (const TimeStep& step : timeline.steps) {
+    const bool is_rapid = step.kind == TimeKind::kRapid;
+    const double feed = feed_of(step.path, plan.plan_of(plan.cuts.front()));
+    clock.move(step.path, is_rapid ? 0.0 : feed, !is_rapid);
+  }
+  const std::vector<double> times = clock.finish();
+  ASSERT_EQ(times.size(), timeline.steps.size());
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const TimeStep& step = timeline.steps[i];
+    ASSERT_NEAR(step.end_s - step.begin_s, times[i], 1.0e-8) << i;
   }
 }
 

@@ -11,9 +11,11 @@ namespace sim::drawing {
 namespace {
 
 using testing::AllOf;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
+using testing::Not;
 using testing::SizeIs;
 
 /// Bytes of a binary DXF file, with codes of one byte (Release 12) or of two.
@@ -239,6 +241,55 @@ TEST(DxfFaces, SolidsTurnAndFacesHideEdges) {
   EXPECT_NEAR(hidden.contours[0].length_mm, 27.0, 1e-9);
 }
 
+/// A drawing of a block with lines, clipped as the filter says.
+Drawing clipped_block(const std::string& filter, const std::string& insert = "10\n0\n20\n0\n") {
+  const auto line = [](const std::string& from, const std::string& to, const std::string& y) {
+    return "0\nLINE\n8\n0\n10\n" + from + "\n20\n" + y + "\n11\n" + to + "\n21\n" + y + "\n";
+  };
+  const std::string block = "0\nBLOCK\n2\nA\n" + line("1", "4", "5") + line("12", "15", "5") +
+                            line("5", "15", "6") + "0\nENDBLK\n";
+  std::string text = dxf_of("0\nINSERT\n5\n10\n2\nA\n" + insert, block);
+  text.resize(text.size() - 6);
+  return read(text +
+              "0\nSECTION\n2\nOBJECTS\n0\nDICTIONARY\n5\n20\n330\n10\n0\nDICTIONARY\n5\n21"
+              "\n330\n20\n0\nSPATIAL_FILTER\n5\n22\n330\n21\n" +
+              filter + "0\nENDSEC\n0\nEOF\n");
+}
+
+/// The two matrices of a boundary that lies `x` `y` of the block's origin.
+std::string matrices_of(const std::string& x, const std::string& y) {
+  const std::string one = "40\n1\n40\n0\n40\n0\n40\n";
+  const std::string rest = "40\n0\n40\n1\n40\n0\n40\n";
+  const std::string last = "40\n0\n40\n0\n40\n1\n40\n0\n";
+  return one + x + "\n" + rest + y + "\n" + last + one + "0\n" + rest + "0\n" + last;
+}
+
+TEST(DxfClips, InsideIsKeptOutsideIsNotedAcrossIsAFault) {
+  const std::string rectangle = "70\n2\n10\n0\n20\n0\n10\n10\n20\n10\n71\n1\n72\n0\n73\n0\n";
+  const Drawing drawn = clipped_block(rectangle + matrices_of("0", "0"));
+  ASSERT_THAT(drawn.contours, SizeIs(1));
+  EXPECT_NEAR(start_of(drawn.contours[0].shapes[0]).x(), 1.0, 1e-9);
+  std::string all;
+  for (const Fault& fault : drawn.faults) all += to_string(fault, "f") + "\n";
+  EXPECT_THAT(all, HasSubstr("outside of the boundary of its block (XCLIP) is not seen"));
+  EXPECT_THAT(all, HasSubstr("it crosses the boundary of INSERT 10 (XCLIP) and is left out"));
+  EXPECT_THAT(clipped_block("70\n2\n10\n0\n20\n0\n10\n10\n20\n10\n71\n0\n").contours, SizeIs(3))
+      << "it is off";
+}
+
+TEST(DxfClips, BoundariesGoWithTheBlockWhereverItIs) {
+  // As it was when the block was at 100 0, and half as large now.
+  const std::string polygon =
+      "70\n4\n10\n100\n20\n0\n10\n120\n20\n0\n10\n120\n20\n5.5\n10\n100\n20\n5.5\n71\n1\n";
+  const Drawing drawn = clipped_block(polygon + matrices_of("-100", "0"),
+                                      "10\n200\n20\n50\n41\n0.5\n42\n0.5\n50\n90\n");
+  ASSERT_THAT(drawn.contours, SizeIs(2));
+  const Place start = start_of(drawn.contours[0].shapes[0]);
+  EXPECT_NEAR(start.x(), 200.0 - 2.5, 1e-9);
+  EXPECT_NEAR(start.y(), 50.5, 1e-9);
+  EXPECT_THAT(kinds_of(drawn), Not(Contains(FaultKind::kBadEntity)));
+}
+
 /// The boundary belongs to a dictionary of filters, that to one of the entity, that to the entity.
 TEST(DxfInserts, ClippedOnesAndThoseOfOtherFilesAreFaults) {
   const auto drawn_by = [](const std::string& is_on) {
@@ -254,7 +305,8 @@ TEST(DxfInserts, ClippedOnesAndThoseOfOtherFilesAreFaults) {
   const Drawing clipped = drawn_by("1");
   EXPECT_THAT(clipped.contours, SizeIs(1));
   ASSERT_THAT(kinds_of(clipped), ElementsAre(FaultKind::kBadEntity));
-  EXPECT_THAT(clipped.faults[0].reason, HasSubstr("is clipped (XCLIP)"));
+  EXPECT_THAT(clipped.faults[0].reason,
+              HasSubstr("is clipped (XCLIP) at a boundary that is not in the plan"));
   EXPECT_EQ(clipped.faults[0].entity.name, "INSERT 10");
   EXPECT_THAT(drawn_by("0").contours, SizeIs(2));
   const Drawing other = read(dxf_of("0\nINSERT\n2\nA\n", "0\nBLOCK\n2\nA\n70\n4\n0\nENDBLK\n"));

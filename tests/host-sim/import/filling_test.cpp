@@ -43,6 +43,24 @@ TEST(Filling, TheCornerLoopsOfABoxGeneratorAreLeftOutInOneNote) {
   EXPECT_FALSE(drawn.contours[1].is_filled) << "what crosses nothing stays as it is drawn";
 }
 
+/// Slanted hairs: the box around each meets the box around each other one.
+TEST(Filling, AnOutlineThatIsTooDenseIsToldWithPlaceAndLimit) {
+  std::string points;
+  for (int i = 0; i < 400; ++i) {
+    points += std::to_string(0.1 * i + i % 2 * 30) + "," + std::to_string(10 + i % 2 * 30) + " ";
+  }
+  const std::string text = svg_of("<polygon id='hair' points='" + points + "40,5 1,5'/>");
+  EXPECT_THAT(read_drawing("f.svg", text, {}).faults, IsEmpty());
+  const Drawing drawn = read_drawing("f.svg", text, {.effort = 0.0001});
+  ASSERT_THAT(kinds_of(drawn), ElementsAre(FaultKind::kUnchecked));
+  EXPECT_TRUE(drawn.has_errors());
+  EXPECT_THAT(to_string(drawn.faults[0], "f.svg"),
+              testing::MatchesRegex(
+                  "f.svg:1:[0-9]+: polygon \"hair\" at 0.000 90.000: too many curves lie close "
+                  "together to look for crossings everywhere: 20000 pairs of them were looked at; "
+                  "simplify the drawing here, or cut it in parts"));
+}
+
 TEST(Filling, ALoopWithinTheShapeIsLeftOutToo) {
   const Drawing drawn = strokes("M40 0 V20 H50 V10 C50 9.9 49.9 10 50 10 H70 V0 Z");
   ASSERT_THAT(kinds_of(drawn), ElementsAre(FaultKind::kMended));

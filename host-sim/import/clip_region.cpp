@@ -1,4 +1,4 @@
-#include "host-sim/import/svg_clip.hpp"
+#include "host-sim/import/clip_region.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -26,8 +26,8 @@ bool has_place(int winding, FillRule rule) {
   return rule == FillRule::kNonZero ? winding != 0 : winding % 2 != 0;
 }
 
-bool is_within(const SvgClip& clip, const Place& place) {
-  return std::ranges::any_of(clip.areas, [&](const SvgClip::Area& area) {
+bool is_within(const ClipRegion& clip, const Place& place) {
+  return std::ranges::any_of(clip.areas, [&](const ClipRegion::Area& area) {
     int winding = 0;
     for (const auto& loop : area.loops) winding += winding_of(loop, place);
     return has_place(winding, area.rule);
@@ -42,15 +42,15 @@ double distance_to(const Place& place, const Place& a, const Place& b) {
 }
 
 template <typename Visit>
-void each_edge(const SvgClip& clip, const Visit& visit) {
-  for (const SvgClip::Area& area : clip.areas) {
+void each_edge(const ClipRegion& clip, const Visit& visit) {
+  for (const ClipRegion::Area& area : clip.areas) {
     for (const auto& loop : area.loops) {
       for (std::size_t i = 1; i < loop.size(); ++i) visit(loop[i - 1], loop[i]);
     }
   }
 }
 
-bool is_on_edge(const SvgClip& clip, const Place& place) {
+bool is_on_edge(const ClipRegion& clip, const Place& place) {
   bool on_edge = false;
   each_edge(clip, [&](const Place& a, const Place& b) {
     on_edge = on_edge || distance_to(place, a, b) <= kClipEdgeMm;
@@ -59,7 +59,7 @@ bool is_on_edge(const SvgClip& clip, const Place& place) {
 }
 
 /// Appends where a chord meets edges of a clip, as shares of the chord.
-void meet(const SvgClip& clip, const Place& from, const Place& to, std::vector<double>& shares) {
+void meet(const ClipRegion& clip, const Place& from, const Place& to, std::vector<double>& shares) {
   const Place way = to - from;
   each_edge(clip, [&](const Place& a, const Place& b) {
     const Place edge = b - a;
@@ -71,9 +71,17 @@ void meet(const SvgClip& clip, const Place& from, const Place& to, std::vector<d
   });
 }
 
+/// Returns whether chords of the shapes can be made: all within reach of a machine.
+bool are_near(const std::vector<Shape>& shapes) {
+  return std::ranges::all_of(shapes, [](const Shape& shape) {
+    return finite(shape) && start_of(shape).cwiseAbs().maxCoeff() <= kFarthestMm &&
+           end_of(shape).cwiseAbs().maxCoeff() <= kFarthestMm;
+  });
+}
+
 }  // namespace
 
-void SvgClip::add(const std::vector<std::vector<Shape>>& subpaths, FillRule rule) {
+void ClipRegion::add(const std::vector<std::vector<Shape>>& subpaths, FillRule rule) {
   Area area{.loops{}, .rule = rule, .box{}};
   for (const std::vector<Shape>& shapes : subpaths) {
     if (!std::ranges::all_of(shapes, [](const Shape& shape) { return finite(shape); })) continue;
@@ -86,7 +94,7 @@ void SvgClip::add(const std::vector<std::vector<Shape>>& subpaths, FillRule rule
   areas.push_back(std::move(area));
 }
 
-std::size_t SvgClip::size() const {
+std::size_t ClipRegion::size() const {
   std::size_t count = 0;
   for (const Area& area : areas) {
     for (const auto& loop : area.loops) count += loop.size();
@@ -94,7 +102,7 @@ std::size_t SvgClip::size() const {
   return count;
 }
 
-ClipSide side_of(const std::vector<Place>& chords, const SvgClip& clip) {
+ClipSide side_of(const std::vector<Place>& chords, const ClipRegion& clip) {
   bool inside = false;
   bool outside = false;
   std::vector<double> shares;
@@ -113,7 +121,7 @@ ClipSide side_of(const std::vector<Place>& chords, const SvgClip& clip) {
   return outside ? ClipSide::kOutside : ClipSide::kInside;
 }
 
-bool covers_edge(const std::vector<Place>& chords, FillRule rule, const SvgClip& clip) {
+bool covers_edge(const std::vector<Place>& chords, FillRule rule, const ClipRegion& clip) {
   if (chords.empty()) return false;
   std::vector<Place> closed = chords;
   closed.push_back(closed.front());
@@ -123,6 +131,25 @@ bool covers_edge(const std::vector<Place>& chords, FillRule rule, const SvgClip&
     if (!covered && has_place(winding_of(closed, middle), rule)) covered = true;
   });
   return covered;
+}
+
+SightOfShapes ClipComparison::compare(const std::vector<Shape>& shapes,
+                                      const ClipRegions& clips,
+                                      std::optional<FillRule> fill) {
+  // What is out of reach is refused as that.
+  if (clips.empty() || shapes.empty() || !are_near(shapes)) return {};
+  const std::vector<Place> chords = outline_of(shapes, kClipChordMm);
+  for (const auto& clip : clips) {
+    const std::size_t cost = chords.size() * (1 + clip->size());
+    if (cost > steps_) return {Sight::kTooMuch, clip.get()};
+    steps_ -= cost;
+    const ClipSide side = side_of(chords, *clip);
+    if (side == ClipSide::kInside) continue;
+    const bool shows_edge = fill && covers_edge(chords, *fill, *clip);
+    const bool is_unseen = side == ClipSide::kOutside && !shows_edge;
+    return {is_unseen ? Sight::kNothing : Sight::kPart, clip.get()};
+  }
+  return {};
 }
 
 }  // namespace sim::drawing

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <algorithm>
+#include <atomic>
+#include <cstddef>
+#include <future>
+#include <thread>
+#include <vector>
+
+namespace sim::cut {
+
+/// Calls a worker with each number below `count`, each once, by as many threads as there are cores.
+/// Numbers are handed out in their order; results must not depend on the thread.
+/// @param make_worker returns the worker of a thread, which is called with a number
+template <typename MakeWorker>
+void share_work(std::size_t count, const MakeWorker& make_worker) {
+  std::atomic<std::size_t> next{0};
+  const auto work = [&] {
+    auto worker = make_worker();
+    for (std::size_t i = next++; i < count; i = next++) worker(i);
+  };
+  const std::size_t threads =
+      std::min<std::size_t>(std::max(1U, std::thread::hardware_concurrency()), count);
+  std::vector<std::future<void>> others;
+  for (std::size_t i = 1; i < threads; ++i) others.push_back(std::async(std::launch::async, work));
+  work();
+  for (std::future<void>& other : others) other.get();
+}
+
+}  // namespace sim::cut

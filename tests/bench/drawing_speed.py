@@ -1,0 +1,105 @@
+#!/usr/bin/env python3
+"""Drawings of many contours, read and cut; prints figures and judges nothing.
+
+    drawing_speed.py KERFLINE
+
+For each kind of drawing and each command: processor microseconds and bytes of memory per element
+of a small drawing and of one of ten times as many elements, and how many times as long the large
+one takes: 10 where the work grows with the elements.
+"""
+
+import math
+import os
+import pathlib
+import sys
+import tempfile
+
+CUT = ("--kerf", "0.15", "--power", "60%", "--feed", "600", "--order", "file",
+       "--set", "$130=60000", "--set", "$131=60000")
+
+
+def rounded(x, y, number):
+    """A pentagon with round corners, ten elements."""
+    del number
+    corners = [(x + 4 * math.cos(2 * math.pi * k / 5 + 0.3), y + 4 * math.sin(2 * math.pi * k / 5 + 0.3))
+               for k in range(5)]
+    path = first = ""
+    for k, (from_x, from_y) in enumerate(corners):
+        to_x, to_y = corners[(k + 1) % 5]
+        start = f"{from_x + 0.3 * (to_x - from_x):.5f} {from_y + 0.3 * (to_y - from_y):.5f}"
+        end = f"{to_x + 0.3 * (from_x - to_x):.5f} {to_y + 0.3 * (from_y - to_y):.5f}"
+        path += (f"M{start}" if k == 0 else f"A1.8 1.8 0 0 1 {start}") + f"L{end}"
+        first = first or start
+    return path + f"A1.8 1.8 0 0 1 {first}Z"
+
+
+def wavy(x, y, number):
+    """A hundred lines around a place, no two alike."""
+    places = [(4 + 0.1 * math.sin(37.0 * k + number), 2 * math.pi * k / 100) for k in range(100)]
+    return "M" + "L".join(f"{x + r * math.cos(t):.5f} {y + r * math.sin(t):.5f}" for r, t in places) + "Z"
+
+
+def nest(contours, path_of):
+    side = math.ceil(math.sqrt(contours))
+    paths = "".join(f'<path fill="none" stroke="black" d="{path_of(10 * (i % side) + 5, 10 * (i // side) + 5, i)}"/>\n'
+                    for i in range(contours))
+    size = 10 * side
+    return (f'<svg xmlns="http://www.w3.org/2000/svg" width="{size}mm" height="{size}mm" '
+            f'viewBox="0 0 {size} {size}">\n{paths}</svg>\n')
+
+
+def loose_lines(squares):
+    """Squares of four lines each, which touch each other nowhere, one side of all after the other."""
+    side = math.ceil(math.sqrt(squares))
+    corners = ((1, 1), (9, 1), (9, 9), (1, 9))
+    text = ["0\nSECTION\n2\nENTITIES\n"]
+    for k in range(4):
+        for i in range(squares):
+            x, y = 10 * (i % side), 10 * (i // side)
+            (a, b), (c, d) = corners[k], corners[(k + 1) % 4]
+            text.append(f"0\nLINE\n8\n0\n10\n{x + a}\n20\n{y + b}\n11\n{x + c}\n21\n{y + d}\n")
+    return "".join(text) + "0\nENDSEC\n0\nEOF\n"
+
+
+DRAWINGS = {
+    "10 elements a contour": ("svg", lambda elements: nest(elements // 10, rounded), 1_000_000),
+    "100 lines a contour": ("svg", lambda elements: nest(elements // 100, wavy), 1_000_000),
+    "loose lines": ("dxf", lambda elements: loose_lines(elements // 4), 400_000),
+}
+
+
+def measured(*arguments):
+    """Processor seconds and bytes of one run."""
+    child = os.fork()
+    if child == 0:
+        with open(os.devnull, "w", encoding="utf-8") as nothing:
+            os.dup2(nothing.fileno(), 1)
+            os.dup2(nothing.fileno(), 2)
+        os.execv(arguments[0], [str(argument) for argument in arguments])
+    _, status, usage = os.wait4(child, 0)
+    if os.waitstatus_to_exitcode(status) != 0:
+        print(f"    status {os.waitstatus_to_exitcode(status)}: {' '.join(map(str, arguments))}")
+    return usage.ru_utime + usage.ru_stime, usage.ru_maxrss * 1024
+
+
+def main():
+    kerfline = pathlib.Path(sys.argv[1]).resolve()
+    with tempfile.TemporaryDirectory() as folder:
+        for name, (ending, text_of, most) in DRAWINGS.items():
+            files = {}
+            for elements in (most // 10, most):
+                files[elements] = pathlib.Path(folder) / f"{elements}.{ending}"
+                files[elements].write_text(text_of(elements))
+            for command in ("drawing", "cut"):
+                more = (*CUT, "-o", pathlib.Path(folder) / "out.nc") if command == "cut" else ()
+                times = []
+                for elements, file in files.items():
+                    seconds, size = measured(kerfline, command, file, *more)
+                    times.append(seconds)
+                    print(f"{command}, {name}, {elements} elements: {1.0e6 * seconds / elements:.2f} us and "
+                          f"{size / elements:.0f} bytes an element")
+                print(f"{command}, {name}: {times[1] / times[0]:.1f} times as long for 10 times as many")
+
+
+if __name__ == "__main__":
+    main()
