@@ -6,7 +6,6 @@
 #include <map>
 
 namespace sim::cut {
-namespace {
 
 int depth_of(Side side) {
   switch (side) {
@@ -23,8 +22,6 @@ int depth_of(Side side) {
   }
   return 0;
 }
-
-}  // namespace
 
 std::vector<drawing::Fault> skip_coincident(const drawing::Drawing& drawn,
                                             std::vector<Side>& sides) {

@@ -15,6 +15,7 @@
 #include "host-sim/cut/controller_way.hpp"
 #include "host-sim/cut/cut_precedence.hpp"
 #include "host-sim/cut/cut_turn.hpp"
+#include "host-sim/cut/doubled_lines.hpp"
 #include "host-sim/cut/fill_area.hpp"
 #include "host-sim/cut/kerf_faults.hpp"
 #include "host-sim/cut/late_cuts.hpp"
@@ -74,6 +75,8 @@ class Planner {
     append(plan_.warnings, skip_coincident(drawn_, sides));
     outlines_ = outlines_of(drawn_, sides, plan_.curves, plan_.faults);
     part_touching();
+    left_lines_ = without_doubled(drawn_, outlines_, sides);
+    if (left_lines_.warning) plan_.warnings.push_back(*left_lines_.warning);
     marks_ = marked_starts(drawn_, sides, outlines_, plan_.curves, plan_.faults);
     for (std::size_t i = 0; i < outlines_.size(); ++i) {
       for (const Stroke& stroke : outlines_[i].strokes) {
@@ -136,8 +139,9 @@ class Planner {
   WayBeside beside_;
   const OrderWish& wish_;
   CutPlan plan_;  ///< Its cuts have no strokes and are in the order of the drawing until the end.
-  std::vector<UnbegunCut> unbegun_;            ///< One for each cut.
-  std::vector<Outline> outlines_;              ///< One for each contour; empty ones are not cut.
+  std::vector<UnbegunCut> unbegun_;  ///< One for each cut.
+  std::vector<Outline> outlines_;    ///< One for each contour; empty ones are not cut.
+  LeftLines left_lines_;
   std::vector<std::optional<Place>> marks_;    ///< By contour.
   std::vector<std::size_t> loops_of_contour_;  ///< Number of cuts of each contour.
   double reach_mm_;                            ///< Twice the widest kerf: nothing farther matters.
@@ -188,19 +192,22 @@ void Planner::vanish(std::size_t i) {
 }
 
 void Planner::cut_along(std::size_t i) {
-  Cut cut{.contour = i, .layer = drawn_.contours[i].entity.layer};
-  if (told_layers_.insert(cut.layer).second) {
+  const std::size_t layer = drawn_.contours[i].entity.layer;
+  if (told_layers_.insert(layer).second) {
     append(plan_.warnings,
            unfulfilled_on_line(
                layer_of(i).settings, drawn_.contours[i].entity, outlines_[i].strokes.front().from));
   }
   LayerSettings settings = layer_of(i).settings;
   settings.overcut_mm = 0.0;
-  unbegun_.push_back({.path = MeasuredRow{outlines_[i].strokes},
-                      .is_open = !outlines_[i].is_closed,
-                      .settings = settings,
-                      .layer = cut.layer});
-  plan_.cuts.push_back(std::move(cut));
+  const auto add = [&](const std::vector<Stroke>& row, bool is_open) {
+    unbegun_.push_back(
+        {.path = MeasuredRow{row}, .is_open = is_open, .settings = settings, .layer = layer});
+    plan_.cuts.push_back({.contour = i, .layer = layer});
+  };
+  const auto rests = left_lines_.rests.find(i);
+  if (rests == left_lines_.rests.end()) return add(outlines_[i].strokes, !outlines_[i].is_closed);
+  for (const std::vector<Stroke>& row : rests->second) add(row, true);
 }
 
 /// Fills the closed contours that are treated alike, layer by layer.

@@ -53,6 +53,21 @@ void join_stretches(std::vector<SharedStretch>& stretches) {
   stretches = std::move(joined);
 }
 
+std::vector<std::vector<Stroke>> rests_of_open(const MeasuredRow& path,
+                                               const std::vector<SharedStretch>& stretches) {
+  std::vector<std::vector<Stroke>> rests;
+  double from_mm = 0.0;
+  const auto keep_to = [&](double to_mm) {
+    if (to_mm - from_mm >= kShortest) rests.push_back(path.stretch(from_mm, to_mm));
+  };
+  for (const SharedStretch& stretch : stretches) {
+    keep_to(stretch.from_mm);
+    from_mm = stretch.to_mm;
+  }
+  keep_to(path.length());
+  return rests;
+}
+
 std::vector<std::vector<Stroke>> rests_between(const MeasuredRow& path,
                                                const std::vector<SharedStretch>& stretches) {
   std::vector<std::vector<Stroke>> rests;

@@ -31,4 +31,8 @@ void join_stretches(std::vector<SharedStretch>& stretches);
 [[nodiscard]] std::vector<std::vector<Stroke>> rests_between(
     const MeasuredRow& path, const std::vector<SharedStretch>& stretches);
 
+/// Returns the same of an open path, in its order.
+[[nodiscard]] std::vector<std::vector<Stroke>> rests_of_open(
+    const MeasuredRow& path, const std::vector<SharedStretch>& stretches);
+
 }  // namespace sim::cut

@@ -56,6 +56,14 @@ Stroke part_of(const Stroke& stroke, double from, double to) {
   return {place_at(stroke, from), place_at(stroke, to), bulge, stroke.purpose};
 }
 
+Stroke reversed(const Stroke& stroke) {
+  Stroke back = stroke;
+  back.from = stroke.to;
+  back.to = stroke.from;
+  back.bulge = -stroke.bulge;
+  return back;
+}
+
 double distance_to(const Stroke& stroke, const Place& place) {
   const Place chord = stroke.to - stroke.from;
   const Place way = place - stroke.from;

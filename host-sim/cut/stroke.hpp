@@ -51,6 +51,9 @@ struct Stroke {
 /// From one share to the other. @pre 0 ≤ from < to ≤ 1
 [[nodiscard]] Stroke part_of(const Stroke& stroke, double from, double to);
 
+/// The same from its end to its start.
+[[nodiscard]] Stroke reversed(const Stroke& stroke);
+
 /// How far a place is from the nearest of the stroke, mm.
 [[nodiscard]] double distance_to(const Stroke& stroke, const Place& place);
 

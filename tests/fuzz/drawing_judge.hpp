@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
+#include <stdexcept>
 #include <string>
 
 #include "host-sim/import/curve_measure.hpp"
@@ -15,6 +16,11 @@ inline void require_drawn(bool holds, const char* what) {
   if (holds) return;
   std::fprintf(stderr, "violated: %s\n", what);
   std::abort();
+}
+
+/// A refusal names its file and says why.
+inline void require_refusal(const std::invalid_argument& refusal) {
+  require_drawn(std::string{refusal.what()}.size() > 10, "a refusal has a reason");
 }
 
 inline void judge_contour(const sim::drawing::Drawing& drawn,

@@ -1,4 +1,4 @@
-"""Runs every fuzz program for a while, from the seeds beside it and the examples."""
+"""Runs fuzz programs for a while, from the seeds beside them and the examples: those of tests/fuzz/cam to prove."""
 import concurrent.futures
 import os
 
@@ -19,6 +19,7 @@ def fuzz(name: str, tier: str) -> Outcome:
 
 
 def run_all(tier: str) -> Outcome:
-    names = sorted(f"fuzz_{path.stem}" for path in (ROOT / "tests/fuzz").glob("*.cpp"))
+    pattern = "**/*.cpp" if tier == "prove" else "*.cpp"
+    names = sorted(f"fuzz_{path.stem}" for path in (ROOT / "tests/fuzz").glob(pattern))
     with concurrent.futures.ThreadPoolExecutor(os.cpu_count()) as pool:
         return sum(pool.map(lambda name: fuzz(name, tier), names), Outcome())

@@ -47,7 +47,7 @@ SANITIZED_IN_TEST = ("firmware_tests", "same_bits_host", "fuzzers")
 
 
 def build_sanitized(tier: str) -> Outcome:
-    targets = ("all", "fuzzers") if tier == PROVE else SANITIZED_IN_TEST
+    targets = ("all", "fuzzers", "cam_fuzzers") if tier == PROVE else SANITIZED_IN_TEST
     return build("sanitize", *targets)(tier)
 
 

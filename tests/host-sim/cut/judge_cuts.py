@@ -3,17 +3,19 @@
 usage: judge_cuts.py KERFLINE FOLDER [--only PATTERN] OPTION_OF_CUT …
 
 Not part of the test suite: it takes any folder of drawings of others. svgelements or ezdxf reads a drawing once
-more, shapely fills its closed contours by even-odd, and of each program that is written it is looked
+more, shapely fills its closed contours by even-odd or the fill rule that a filled shape has, and of each program that is written it is looked
 
 * whether a path of the beam comes nearer to a part than half the kerf less 5 um, or runs across it;
 * whether each edge of a part has a path beside it: what has none must be listed by the program's warnings;
 * whether two cuts go along the same line.
 
-Parts and holes of less than 0.02 mm2, or 0.01 mm of mean width, do not count, nor does a line that is open and is cut
-as such. Prints a line for each drawing and the sum; exit status 1 if one is wrong.
+Parts and holes of less than 0.02 mm2, or 0.01 mm of mean width, do not count, nor do needles and slits less than 5 um
+wide, nor a line that is open and is cut as such. Prints a line for each drawing and the sum; exit status 1 if one is wrong.
 """
 import cmath
 import fnmatch
+import io
+import itertools
 import math
 import pathlib
 import re
@@ -32,10 +34,18 @@ CHORD_MM = 0.0005
 MM_PER_PX = 25.4 / 96
 SLACK_MM = 0.005
 LEAST_MM2, LEAST_WIDTH_MM = 0.02, 0.01
-EVERY_MM = 0.4
+NEEDLE_MM = 0.005
+EVERY_MM, FINELY_MM = 0.4, 0.05
+LEAST_RUN = 4  # Places that two cuts share where they cross.
 MEETING_MM, CERTAIN_GAP_MM = 0.01, 0.2
 NEARLY_CLOSED_MM, NEARLY_CLOSED_SHARE = 0.5, 0.02
 SECONDS = 300
+
+
+class Row(list):
+    """Places of a path in their order, and the shape that it is of where that is filled by the rule nonzero."""
+
+    shape = None
 
 
 def curve(segment) -> list:
@@ -50,22 +60,32 @@ def curve(segment) -> list:
 def rows_of_svg(file: pathlib.Path) -> list:
     """The subpaths of all shapes that are seen, in mm, y upwards."""
     import svgelements  # pylint: disable=import-outside-toplevel
-    document = svgelements.SVG.parse(str(file), reify=True, ppi=96)
+    # The region of flowing text is not drawn.
+    text = re.sub(rb"<flowRoot\b.*?</flowRoot>", b"", file.read_bytes(), flags=re.S)
+    document = svgelements.SVG.parse(io.BytesIO(text), reify=True, ppi=96)
     rows = []
-    for shape in document.elements():
+    for number, shape in enumerate(document.elements()):
         if not isinstance(shape, svgelements.Shape) or shape.values.get("display") == "none":
             continue
-        if all(paint is None or paint.value is None for paint in (shape.stroke, shape.fill)):
+        if not any(is_seen(paint) for paint in (shape.stroke, shape.fill)):
             continue
         for segment in abs(svgelements.Path(shape)).segments():
             if type(segment).__name__ == "Move":
-                rows.append([complex(segment.end.x, segment.end.y)])
+                rows.append(Row([complex(segment.end.x, segment.end.y)]))
+                if is_seen(shape.fill) and shape.values.get("fill-rule", "nonzero") == "nonzero":
+                    rows[-1].shape = number
             elif segment.start is not None and segment.end is not None:
                 rows[-1] += curve(segment)
     height = float(document.height)
-    rows = [[MM_PER_PX * complex(p.real, height - p.imag) for p in row] for row in rows if len(row) > 1]
+    for row in rows:
+        row[:] = [MM_PER_PX * complex(p.real, height - p.imag) for p in row]
+    rows = [row for row in rows if len(row) > 1]
     closed = [row for row in rows if is_closed(row)]
     return closed + joined(joined([row for row in rows if not is_closed(row)], MEETING_MM), CERTAIN_GAP_MM)
+
+
+def is_seen(paint) -> bool:
+    return paint is not None and paint.value is not None and paint.alpha != 0
 
 
 def rows_of_dxf(file: pathlib.Path) -> list:
@@ -115,14 +135,24 @@ def line(row: list) -> LineString:
 
 
 def without_copies(rows: list) -> list:
-    """Rows that are not drawn before at the same place."""
-    kept, known = [], set()
+    """Rows that are not drawn before at the same place, within 10 um."""
+    kept, known = [], {}
     for row in rows:
-        key = tuple(sorted({(round(p.real, 2), round(p.imag, 2)) for p in row}))
-        if key not in known:
+        one = line(row)
+        key = tuple(round(bound) for bound in one.bounds)
+        near = itertools.product(*((bound - 1, bound, bound + 1) for bound in key))
+        if not any(one.hausdorff_distance(other) < 0.01 for place in near for other in known.get(place, ())):
             kept.append(row)
-        known.add(key)
+            known.setdefault(key, []).append(one)
     return kept
+
+
+def without_needles(part: Polygon) -> list:
+    """A part without points, and slits, that are narrower than NEEDLE_MM."""
+    mitre = {"join_style": 2, "mitre_limit": 10}
+    half = NEEDLE_MM / 2
+    slim = part.buffer(-half, **mitre).buffer(2 * half, **mitre).buffer(-half, **mitre)
+    return [one for one in getattr(slim, "geoms", [slim]) if not one.is_empty and is_worth(one.exterior)]
 
 
 def is_worth(ring) -> bool:
@@ -132,7 +162,7 @@ def is_worth(ring) -> bool:
 
 def parts_of(rows: list) -> list:
     """Polygons of what closed rows fill by even-odd."""
-    closed = without_copies([row + [row[0]] for row in rows if is_closed(row)])
+    closed = without_copies([ring_of(row) for row in rows if is_closed(row)])
     faces = list(polygonize(unary_union([line(row) for row in closed])))
     around = [Polygon(line(row)) for row in closed]
     tree = STRtree(around)
@@ -141,20 +171,31 @@ def parts_of(rows: list) -> list:
     inside = []
     for face in faces:
         place = face.representative_point()
-        turns = sum(winding_is_odd(arrays[number[id(p)]], place) for p in tree.query(place))
-        if turns % 2:
+        numbers = [number[id(p)] for p in tree.query(place)]
+        shapes = {}
+        for i in numbers:
+            shapes.setdefault(closed[i].shape, []).append(turns_round(arrays[i], place))
+        filled = sum(sum(turns) != 0 for shape, turns in shapes.items() if shape is not None)
+        if (filled + sum(shapes.get(None, []))) % 2:
             inside.append(face)
     merged = unary_union(inside)
     polygons = list(merged.geoms) if hasattr(merged, "geoms") else [merged]
-    return [Polygon(p.exterior, [ring for ring in p.interiors if is_worth(ring)])
-            for p in polygons if not p.is_empty and is_worth(p.exterior)]
+    slim = [one for p in polygons if not p.is_empty for one in without_needles(p)]
+    return [Polygon(p.exterior, [ring for ring in p.interiors if is_worth(ring)]) for p in slim]
 
 
-def winding_is_odd(row: numpy.ndarray, place: Point) -> bool:
-    """Whether a ray from a place crosses a closed row of complex places an odd number of times."""
+def ring_of(row: list) -> Row:
+    ring = Row(list(row) + [row[0]])
+    ring.shape = getattr(row, "shape", None)
+    return ring
+
+
+def turns_round(row: numpy.ndarray, place: Point) -> int:
+    """How many times a closed row of complex places goes round a place, to the left."""
     crossing = numpy.flatnonzero((row.imag[:-1] > place.y) != (row.imag[1:] > place.y))
     a, b = row[crossing], row[crossing + 1]
-    return numpy.count_nonzero(place.x < a.real + (place.y - a.imag) * (b.real - a.real) / (b.imag - a.imag)) % 2 == 1
+    beside = place.x < a.real + (place.y - a.imag) * (b.real - a.real) / (b.imag - a.imag)
+    return int(numpy.sum(numpy.where(b.imag > a.imag, 1, -1)[beside]))
 
 
 def arc(start: complex, end: complex, centre: complex, left: bool) -> list:
@@ -201,8 +242,8 @@ def strokes_of(rows: list) -> list:
     return [(i, stroke) for i, stroke in strokes if stroke.length > 0]
 
 
-def places_along(one: LineString) -> list:
-    count = max(1, int(one.length / EVERY_MM))
+def places_along(one: LineString, every_mm: float = EVERY_MM) -> list:
+    count = max(1, int(one.length / every_mm))
     return [one.interpolate((k + 0.5) / count, normalized=True) for k in range(count)]
 
 
@@ -240,8 +281,14 @@ def judged(file: pathlib.Path, program: str, told: str) -> str:
                     worst, where = apart, place
     if count:
         complaints.append(f"{count} places too near, {worst:.4f} mm at {where.x:.3f} {where.y:.3f}")
-    uncut = [p for edge in edges for p in places_along(edge) if near_cuts.of(p) > kerf + SLACK_MM]
-    missing = sum(edge.length for edge in edges) / max(1, sum(len(places_along(e)) for e in edges)) * len(uncut)
+    uncut, missing = [], 0.0
+    for edge in edges:
+        if all(near_cuts.of(p) <= kerf + SLACK_MM for p in places_along(edge)):
+            continue
+        finely = places_along(edge, FINELY_MM)
+        without = [p for p in finely if near_cuts.of(p) > kerf + SLACK_MM]
+        uncut += without
+        missing += edge.length * len(without) / len(finely)
     listed = sum(float(mm) for mm in re.findall(r"([\d.]+) mm of it stay uncut", told))
     listed += sum(ring.length for ring in rings if "would vanish" in told and
                   Polygon(ring).buffer(-kerf / 2).is_empty)
@@ -259,12 +306,12 @@ def cut_twice(cuts: list) -> float:
     owner = {id(stroke): i for i, stroke in cuts}
     length = 0.0
     for i, stroke in cuts:
-        places, is_beside = places_along(stroke), False
+        places, run = places_along(stroke, FINELY_MM), 0
         for place in places:
             beside = LineString([(place.x - 0.01, place.y - 0.01), (place.x + 0.01, place.y + 0.01)])
-            was_beside, is_beside = is_beside, any(owner[id(other)] > i and other.distance(place) < 0.01
-                                                   for other in tree.query(beside))
-            if is_beside and (was_beside or len(places) == 1 and stroke.length > 0.1):
+            is_beside = any(owner[id(other)] > i and other.distance(place) < 0.01 for other in tree.query(beside))
+            run = run + 1 if is_beside else 0
+            if run > LEAST_RUN:
                 length += stroke.length / len(places)
     return length
 
