@@ -3,14 +3,16 @@
 usage: judge_cuts.py KERFLINE FOLDER [--only PATTERN] OPTION_OF_CUT …
 
 Not part of the test suite: it takes any folder of drawings of others. svgelements or ezdxf reads a drawing once
-more, shapely fills its closed contours by even-odd or the fill rule that a filled shape has, and of each program that is written it is looked
+more, shapely fills its closed contours by even-odd, or by the fill rule that a filled shape has, and of each program
+that is written it is looked
 
 * whether a path of the beam comes nearer to a part than half the kerf less 5 um, or runs across it;
 * whether each edge of a part has a path beside it: what has none must be listed by the program's warnings;
 * whether two cuts go along the same line.
 
-Parts and holes of less than 0.02 mm2, or 0.01 mm of mean width, do not count, nor do needles and slits less than 5 um
-wide, nor a line that is open and is cut as such. Prints a line for each drawing and the sum; exit status 1 if one is wrong.
+Parts and holes of less than 0.02 mm2, or 0.01 mm of mean width, do not count, nor do needles and slits less than
+5 um wide, nor a line that is open and is cut as such. Prints a line for each drawing and the sum; exit status 1 if one
+is wrong.
 """
 import cmath
 import fnmatch
