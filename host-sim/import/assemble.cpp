@@ -43,22 +43,42 @@ std::vector<Piece> pieces_of(Sketch& sketch) {
   return pieces;
 }
 
-/// A report of a closed contour that is too narrow to be the edge of a part.
-Fault flat(const Piece& piece, double width_mm) {
+/// A report of a closed contour that runs to and fro at a distance less than any beam.
+Fault dense(const Piece& piece, double width_mm) {
   const DrawnContour& contour = piece.contour;
-  Fault fault{FaultKind::kTooSmall,
-              contour.entity,
-              piece.outline.front(),
-              "the contour is closed and has no area",
-              "it is left out; delete it, or leave it open to draw a line"};
-  if (std::abs(contour.area_mm2) < LeastLoop{}.area_mm2) return fault;
-  fault.reason = fmt::format(
-      "the contour runs to and fro: {:.3f} mm2 in {:.0f} mm of path, {:.2g} mm wide on average",
-      std::abs(contour.area_mm2),
-      contour.length_mm,
-      width_mm);
-  fault.remedy = "it is left out; simplify it, or leave it open to draw a line";
-  return fault;
+  return {
+      FaultKind::kTooSmall,
+      contour.entity,
+      piece.outline.front(),
+      fmt::format("the contour runs to and fro: {:.3f} mm2 in {:.0f} mm of path, {:.2g} mm wide "
+                  "on average",
+                  std::abs(contour.area_mm2),
+                  contour.length_mm,
+                  width_mm),
+      "it is left out; simplify it, or leave it open to draw a line"};
+}
+
+/// Reports a closed contour without area. Where its outline is drawn, a line is seen, and it
+/// becomes one; else nothing is seen. Returns whether it is kept.
+bool keep_as_line(Sketch& sketch, Piece& piece) {
+  const Place& place = piece.outline.front();
+  const std::string reason = "the contour is closed and has no area";
+  if (!piece.contour.entity.has_outline) {
+    sketch.report({FaultKind::kMended,
+                   piece.contour.entity,
+                   place,
+                   reason,
+                   "it is left out; give it a stroke to draw a line"});
+    return false;
+  }
+  piece.contour.closed = false;
+  sketch.report({FaultKind::kOpen,
+                 piece.contour.entity,
+                 place,
+                 reason,
+                 "it is read as a line; leave it open, or delete it",
+                 true});
+  return true;
 }
 
 /// Contours that cross themselves may have no area in sum, and are reported already.
@@ -69,8 +89,11 @@ void drop_flat(Sketch& sketch, std::vector<Piece>& pieces, const std::vector<boo
     const DrawnContour& contour = pieces[i].contour;
     const double width = 2.0 * std::abs(contour.area_mm2) / contour.length_mm;
     if (contour.closed && !crossed[i] && width < kLeastWidthMm) {
-      sketch.report(flat(pieces[i], width));
-      continue;
+      if (std::abs(contour.area_mm2) >= LeastLoop{}.area_mm2) {
+        sketch.report(dense(pieces[i], width));
+        continue;
+      }
+      if (!keep_as_line(sketch, pieces[i])) continue;
     }
     kept.push_back(std::move(pieces[i]));
   }

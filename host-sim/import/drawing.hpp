@@ -43,6 +43,7 @@ struct Entity {
   std::size_t part = 0;    ///< Of files of parts: contours of others are none of its business.
   FillRule fill_rule = FillRule::kEvenOdd;  ///< SVG names it and means kNonZero where it does not.
   bool is_filled = false;                   ///< Its area is painted, not only its outline.
+  bool has_outline = true;                  ///< Its outline is painted, not only its area.
 };
 
 enum class FaultKind : std::uint8_t {

@@ -317,6 +317,7 @@ class SvgReader {
     entity.layer = layer_of(style);
     entity.fill_rule = fill_rule_of(style.fill_rule);
     entity.is_filled = style.has_fill();
+    entity.has_outline = style.has_stroke();
     const std::size_t index = sketch_.add_entity(std::move(entity));
     for (std::vector<Shape>& shapes : subpaths) {
       if (!sketch_.add({std::move(shapes), index})) return;

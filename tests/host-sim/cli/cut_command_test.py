@@ -208,8 +208,6 @@ class Cut(unittest.TestCase):
     def test_faulty_drawings_are_told_with_place_and_remedy(self):
         broken = self.drawn("broken.svg", "<svg><rect x='1'></svg>")
         self.assertIn("broken.svg:1:", self.refused(broken, *STEEL, status=1))
-        no_area = self.drawn("flat.svg", PLATE.replace("H30", "H30H20z"))
-        self.assertIn("flat.svg", self.refused(no_area, *STEEL, *self.marks, status=1))
         nan = self.drawn("nan.svg", PLATE.replace('cx="28"', 'cx="nan"'))
         self.assertIn("nan.svg:3:", self.refused(nan, *STEEL, *self.marks, status=1))
         small = self.drawn("small.svg", PLATE.replace('r="2.5"', 'r="0.2"'))
@@ -263,8 +261,6 @@ class Cut(unittest.TestCase):
                  ':2:1: path "p": L needs 2 numbers at character 7 of d; it is left out; mend it'),
                 ("far.svg", svg.format('<path id="p" d="M1 1L1e9 5L3 4Z"/>'),
                  ':2:1: path "p": a place that is no number, or farther than 10 km'),
-                ("flat.svg", svg.format('<path id="p" d="M1 1H9Z"/>'),
-                 ':2:1: path "p" at 1.000 39.000: the contour is closed and has no area; it is left out'),
                 ("nan.dxf", dxf.format("LINE\n8\n0\n10\nnan\n20\n0\n11\n5\n21\n5\n"),
                  ":6: LINE: line 10: `nan` is no number; it is left out; mend it in the drawing"),
                 ("dot.dxf", dxf.format("CIRCLE\n8\n0\n10\n5\n20\n5\n40\n0\n"),
@@ -293,6 +289,22 @@ class Cut(unittest.TestCase):
             self.assertIn(note, done.stderr)
         self.assertIn("no program is written", self.refused(self.drawn(
             "dot.svg", '<svg width="4mm" height="4mm"><circle id="c" r="0"/></svg>'), *STEEL, status=1))
+
+    def test_closed_contours_without_area_are_lines_where_they_are_seen(self):
+        plate = PLATE.replace("</svg>", '<path id="f" d="M1 1H9Z"/></svg>')
+        done = run("cut", self.drawn("flat.svg", plate), *STEEL, *self.marks)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stderr, r'note: .*path "f" at 1\.000 [\d.]+: the contour is closed and has no area; it is '
+                         "left out; give it a stroke to draw a line")
+        line = '<svg width="40mm" height="40mm" viewBox="0 0 40 40"><path id="f" stroke="red" d="M1 1H9Z"/></svg>'
+        program = self.folder / "line.nc"
+        done = run("cut", self.drawn("line.svg", line), "--kerf", "0.2", "--power", "5W", "--feed", "600",
+                   "--full-power", "10", "-o", program)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn('1 open contour of layer "" red, this one first, is cut on the line', done.stderr)
+        self.assertEqual(re.findall(r"^G1.*", program.read_text(), re.M), ["G1X9F600S500"])
+        read = run("drawing", self.drawn("line.svg", line))
+        self.assertIn("the contour is closed and has no area; it is read as a line", read.stdout)
 
     def test_a_scanned_outline_of_many_points_is_cut(self):
         """200,000 places, 160 of them within half a kerf, a little off each."""
