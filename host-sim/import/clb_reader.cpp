@@ -96,6 +96,9 @@ class ClbReader {
         refuse(offset_of(setting), fmt::format("more than {} entries", kMostLibraryEntries));
       }
       found.settings = offered_by(setting);
+      if (const auto offset = found.settings.kerf_offset_mm) {
+        note(setting, note_of_kerf_offset(*offset));
+      }
       std::tie(found.line, found.column) = lines_.at(offset_of(setting));
       library_.entries.push_back(found);
     }

@@ -20,6 +20,7 @@ struct OfferedSettings {
   std::optional<int> priority{};              ///< Lower ones are cut first.
   std::optional<double> interval_mm{};        ///< From line to line of a filled area; above 0.
   std::optional<double> angle_deg{};          ///< Direction of these lines; 0 is along X.
+  std::optional<double> kerf_offset_mm{};     ///< By which its program moves outlines; not taken.
   auto operator<=>(const OfferedSettings&) const = default;
 };
 

@@ -31,7 +31,9 @@ void take_percent_code(std::string_view& rest, DxfWords& words) {
         std::from_chars(digits.data(), digits.data() + digits.size(), letter);
     size = 2 + static_cast<std::size_t>(stop - digits.data());
     // The code page is not known here: only letters of ASCII are the same in all.
-    if (letter >= 0x20U && letter < 0x7FU) words.text += static_cast<char>(letter);
+    const bool is_known = letter >= 0x20U && letter < 0x7FU;
+    if (is_known) words.text += static_cast<char>(letter);
+    words.has_unknown = words.has_unknown || !is_known;
   } else {
     words.text += rest.substr(0, 2);
     size = 2;
@@ -59,6 +61,7 @@ class MtextReader {
         DxfWords words;
         take_percent_code(rest, words);
         if (words.has_lines) leave_out("%%u");
+        if (words.has_unknown) leave_out("%%nnn");
         append(words.text);
       } else {
         append(rest.substr(0, 1));

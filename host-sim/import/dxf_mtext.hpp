@@ -15,7 +15,8 @@ inline constexpr char kHeldBlank = '\x01';
 /// The words of a TEXT.
 struct DxfWords {
   std::string text{};
-  bool has_lines = false;  ///< `%%u` or `%%o`: lines under or over letters.
+  bool has_lines = false;    ///< `%%u` or `%%o`: lines under or over letters.
+  bool has_unknown = false;  ///< `%%nnn` that is no letter of ASCII: left out.
 };
 
 /// Returns words with the characters that `%%c`, `%%d`, `%%p`, `%%%` and `%%nnn` stand for.

@@ -210,6 +210,12 @@ class LbrnReader {
                                layer.layer.name),
                    entity_of(shape));
     }
+    if (const auto& offered = layer.layer.offered; offered && offered->kerf_offset_mm) {
+      sketch_.note(
+          fmt::format(
+              "layer {:.60}: {}", layer.layer.name, note_of_kerf_offset(*offered->kerf_offset_mm)),
+          entity_of(shape));
+    }
     if (shape.child("Tabs")) sketch_.note("tabs of the project are not taken", entity_of(shape));
     if (layer.is_output) return true;
     sketch_.ignore(fmt::format("layer {:.60} is not sent to the laser", layer.layer.name),

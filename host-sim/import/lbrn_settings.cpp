@@ -41,6 +41,7 @@ OfferedSettings offered_by(const pugi::xml_node& setting) {
   constexpr double kFastestMmS = 1.0e5;
   constexpr double kWidestInterval = 100.0;
   constexpr double kGreatestAngle = 360.0;
+  constexpr double kGreatestKerfOffset = 10.0;
   OfferedSettings offered{.kind = setting.attribute("type").value(),
                           .power_share = share_of_percent(value_of(setting, "maxPower")),
                           .least_power_share = share_of_percent(value_of(setting, "minPower"))};
@@ -56,7 +57,17 @@ OfferedSettings offered_by(const pugi::xml_node& setting) {
   if (interval && *interval > 0.0 && *interval <= kWidestInterval) offered.interval_mm = interval;
   const auto angle = value_of(setting, "angle");
   if (angle && std::abs(*angle) <= kGreatestAngle) offered.angle_deg = angle;
+  const auto kerf = value_of(setting, "kerf");
+  if (kerf && *kerf != 0.0 && std::abs(*kerf) <= kGreatestKerfOffset) offered.kerf_offset_mm = kerf;
   return offered;
+}
+
+std::string note_of_kerf_offset(double offset_mm) {
+  return fmt::format(
+      "the kerf offset of {0:g} mm is not taken: --kerf {1:g}, the whole width, says the "
+      "same",
+      offset_mm,
+      2.0 * std::abs(offset_mm));
 }
 
 LbrnLayer lbrn_layer_without_settings(int index) {

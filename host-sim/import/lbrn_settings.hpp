@@ -19,6 +19,9 @@ struct LbrnLayer {
 /// out of their range are left out.
 [[nodiscard]] OfferedSettings offered_by(const pugi::xml_node& setting);
 
+/// Returns a note that the kerf offset of a setting is left out.
+[[nodiscard]] std::string note_of_kerf_offset(double offset_mm);
+
 /// Returns the layers of a project by their index, as CutSetting and CutSetting_Img have them.
 [[nodiscard]] std::map<int, LbrnLayer> lbrn_layers(const pugi::xml_node& project);
 

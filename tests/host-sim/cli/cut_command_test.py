@@ -294,8 +294,8 @@ class Cut(unittest.TestCase):
         plate = PLATE.replace("</svg>", '<path id="f" d="M1 1H9Z"/></svg>')
         done = run("cut", self.drawn("flat.svg", plate), *STEEL, *self.marks)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertRegex(done.stderr, r'note: .*path "f" at 1\.000 [\d.]+: the contour is closed and has no area; it is '
-                         "left out; give it a stroke to draw a line")
+        self.assertRegex(done.stderr, r'note: .*path "f" at 1\.000 [\d.]+: the contour is closed and has no area; '
+                         "it is left out; give it a stroke to draw a line")
         line = '<svg width="40mm" height="40mm" viewBox="0 0 40 40"><path id="f" stroke="red" d="M1 1H9Z"/></svg>'
         program = self.folder / "line.nc"
         done = run("cut", self.drawn("line.svg", line), "--kerf", "0.2", "--power", "5W", "--feed", "600",

@@ -64,6 +64,18 @@ TEST(Clb, EntriesHaveMaterialThicknessAndSettings) {
   EXPECT_EQ(fill.settings.passes, std::nullopt);
 }
 
+TEST(Clb, AKerfOffsetIsNoted) {
+  const MaterialLibrary library =
+      read_clb(clb_of(entry_of("Thickness=\"3\" Desc=\"Cut\"",
+                               "<CutSetting type=\"Cut\"><kerf Value=\"0.07\"/></CutSetting>")),
+               "shop.clb");
+  ASSERT_THAT(library.notes, SizeIs(1));
+  EXPECT_THAT(library.notes[0], testing::StartsWith("shop.clb:"));
+  EXPECT_THAT(library.notes[0],
+              testing::EndsWith("the kerf offset of 0.07 mm is not taken: --kerf 0.14, the whole "
+                                "width, says the same"));
+}
+
 TEST(Clb, WhatIsNoLibraryIsRefusedWithItsPlace) {
   EXPECT_EQ(fault_of_clb(""),
             "shop.clb:1:1: broken XML: No document element found; export the "

@@ -116,6 +116,8 @@ TEST(DxfLetters, CodesOfTwoPercentSignsAreCharacters) {
   expect_box(coded, degrees.least, degrees.most, 1e-9);
   EXPECT_THAT(notes_of_dxf(dxf_lettered(text_of("%%uA"))),
               HasSubstr("lines under or over its letters"));
+  EXPECT_THAT(notes_of_dxf(dxf_lettered(text_of("A%%233B%%065"))),
+              HasSubstr("letters by numbers (%%nnn) that are none of ASCII: left out"));
 }
 
 TEST(DxfLetters, BackwardsUpsideDownAndSeenFromBehind) {

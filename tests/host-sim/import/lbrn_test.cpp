@@ -112,6 +112,17 @@ TEST(Lbrn, LayersOfferTheirSettings) {
   EXPECT_THAT(drawn.faults[0].reason, HasSubstr("layer C03 is not sent to the laser"));
 }
 
+TEST(Lbrn, AKerfOffsetIsNotedOnceForItsLayer) {
+  const std::string setting =
+      "<CutSetting type=\"Cut\"><index Value=\"2\"/><name Value=\"Edge\"/><kerf Value=\"-0.1\"/>"
+      "</CutSetting>";
+  const std::string rect = "<Shape CutIndex=\"2\" Type=\"Rect\" W=\"9\" H=\"9\"/>";
+  const Drawing drawn = read(project_of(setting + rect + rect));
+  ASSERT_THAT(kinds_of(drawn), testing::Contains(FaultKind::kNote).Times(1));
+  EXPECT_THAT(drawn.faults[0].reason,
+              HasSubstr("layer Edge: the kerf offset of -0.1 mm is not taken: --kerf 0.2"));
+}
+
 TEST(Lbrn, WhatIsNotReadIsNamed) {
   const auto first = [](const std::string& content) {
     return to_string(read(project_of(content)).faults.at(0), "f");
