@@ -116,9 +116,11 @@ TEST(Lbrn, AKerfOffsetIsNotedOnceForItsLayer) {
   const std::string setting =
       "<CutSetting type=\"Cut\"><index Value=\"2\"/><name Value=\"Edge\"/><kerf Value=\"-0.1\"/>"
       "</CutSetting>";
-  const std::string rect = "<Shape CutIndex=\"2\" Type=\"Rect\" W=\"9\" H=\"9\"/>";
-  const Drawing drawn = read(project_of(setting + rect + rect));
-  ASSERT_THAT(kinds_of(drawn), testing::Contains(FaultKind::kNote).Times(1));
+  const std::string rects =
+      "<Shape CutIndex=\"2\" Type=\"Rect\" W=\"9\" H=\"9\"/>"
+      "<Shape CutIndex=\"2\" Type=\"Rect\" W=\"4\" H=\"4\"/>";
+  const Drawing drawn = read(project_of(setting + rects));
+  ASSERT_THAT(kinds_of(drawn), ElementsAre(FaultKind::kNote));
   EXPECT_THAT(drawn.faults[0].reason,
               HasSubstr("layer Edge: the kerf offset of -0.1 mm is not taken: --kerf 0.2"));
 }
