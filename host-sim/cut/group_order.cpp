@@ -76,7 +76,8 @@ void GroupProblem::add_cut(const UnbegunCut& cut) {
     problem_.exit.push_back(plain(beginning.exit));
     problem_.reversed.push_back(static_cast<Index>(is_line ? first + 1 - i : first + i));
     has_leads_ = has_leads_ || (!is_line && beginning.entry != beginning.exit);
-    own_.push_back(cut.own_cost_of(i));
+    // Searches turn stretches round, which must not change what the lines in them cost.
+    own_.push_back(is_line ? 0.5 * (cut.own_cost_of(0) + cut.own_cost_of(1)) : cut.own_cost_of(i));
     beginning_.push_back(&beginning);
   }
   problem_.first_candidate.push_back(static_cast<Index>(problem_.entry.size()));
