@@ -121,7 +121,12 @@ order::OrderResult GroupProblem::run(const order::OrderProblem& problem,
                                    precedence.value(),
                                    is_symmetric,
                                    problem.is_home_closed};
-  const LegCost cost{{{problem.entry, problem.exit}, own_, !task_.to}, cost_};
+  constexpr std::size_t kMaxKept = 1024;  // Candidates whose legs' costs fit near the processor.
+  LegCost cost{{{problem.entry, problem.exit}, own_, !task_.to}, cost_};
+  std::vector<double> table;
+  if (options.method == order::OrderMethod::kOurs && problem.entry.size() <= kMaxKept) {
+    cost.keep_in(table);
+  }
   return order::OrderRun<LegCost>{problem, sorted, cost, options, progress}.solve();
 }
 
