@@ -76,7 +76,8 @@ void GroupProblem::add_cut(const UnbegunCut& cut) {
     problem_.exit.push_back(plain(beginning.exit));
     problem_.reversed.push_back(static_cast<Index>(is_line ? first + 1 - i : first + i));
     has_leads_ = has_leads_ || (!is_line && beginning.entry != beginning.exit);
-    own_.push_back(cut.own_cost_of(i));
+    // Searches turn stretches round, which must not change what the lines in them cost.
+    own_.push_back(is_line ? 0.5 * (cut.own_cost_of(0) + cut.own_cost_of(1)) : cut.own_cost_of(i));
     beginning_.push_back(&beginning);
   }
   problem_.first_candidate.push_back(static_cast<Index>(problem_.entry.size()));
@@ -120,7 +121,12 @@ order::OrderResult GroupProblem::run(const order::OrderProblem& problem,
                                    precedence.value(),
                                    is_symmetric,
                                    problem.is_home_closed};
-  const LegCost cost{{{problem.entry, problem.exit}, own_, !task_.to}, cost_};
+  constexpr std::size_t kMaxKept = 1024;  // Candidates whose legs' costs fit near the processor.
+  LegCost cost{{{problem.entry, problem.exit}, own_, !task_.to}, cost_};
+  std::vector<double> table;
+  if (options.method == order::OrderMethod::kOurs && problem.entry.size() <= kMaxKept) {
+    cost.keep_in(table);
+  }
   return order::OrderRun<LegCost>{problem, sorted, cost, options, progress}.solve();
 }
 

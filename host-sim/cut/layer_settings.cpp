@@ -24,7 +24,7 @@ constexpr std::string_view kAnyLayer = "*";
 constexpr std::string_view kRuleForm = "rule `LAYER: key=value, key=value`";
 
 /// Keys that only a filled layer has.
-constexpr std::array<std::string_view, 3> kFillKeys{"interval", "angle", "overscan"};
+constexpr std::array<std::string_view, 4> kFillKeys{"interval", "angle", "overscan", "pattern"};
 /// Keys of a line that is engraved.
 constexpr std::array<std::string_view, 10> kMarkKeys{
     "power", "feed", "side", "kind", "start", "rank", "passes", "passes-by", "z-step", "air"};
@@ -58,13 +58,17 @@ bool holds(const std::array<std::string_view, kCount>& keys, std::string_view ke
 }
 
 /// Throws std::invalid_argument for what a layer of this side cannot have.
-void expect_of_side(const LayerRule& rule, Side side) {
+void expect_of_side(const LayerRule& rule, const LayerSettings& settings) {
+  const Side side = settings.side;
+  const bool has_lines = settings.fill.pattern == FillPattern::kLines;
   const auto refuse = [&rule](std::string_view key, const std::string& value, const char* reason) {
     throw std::invalid_argument(fmt::format("{}: {}={}: {}", rule.place, key, value, reason));
   };
   for (const auto& [key, value] : rule.values) {
     if (holds(kFillKeys, key)) {
       if (side != Side::kFill) refuse(key, value, "is for a layer with kind=fill");
+      const bool is_of_lines = key == "angle" || key == "overscan";
+      if (is_of_lines && !has_lines) refuse(key, value, "is for pattern=lines");
       continue;
     }
     if (!is_engraved(side) || holds(kMarkKeys, key)) continue;
@@ -112,6 +116,12 @@ void set_power(LayerSettings& settings, std::string_view text) {
   }
 }
 
+FillPattern pattern_from(std::string_view text) {
+  if (text == "lines") return FillPattern::kLines;
+  if (text == "contour") return FillPattern::kContour;
+  throw std::invalid_argument(fmt::format("pattern={}: wants `lines` or `contour`", text));
+}
+
 Air air_from(std::string_view text) {
   if (text == "on" || text == "M8") return Air::kFlood;
   if (text == "M7") return Air::kMist;
@@ -144,7 +154,7 @@ unsigned count_from(std::string_view key, std::string_view text, double least, c
 }
 
 /// All keys and what they set.
-constexpr std::array<KeySetter, 23> kSetters{{
+constexpr std::array<KeySetter, 24> kSetters{{
     {"power", set_power},
     {"feed",
      [](LayerSettings& settings, std::string_view value) {
@@ -227,6 +237,10 @@ constexpr std::array<KeySetter, 23> kSetters{{
     {"overscan",
      [](LayerSettings& settings, std::string_view value) {
        settings.fill.overscan_mm = number_from("overscan", value, 0.0, kLongestWay, "mm");
+     }},
+    {"pattern",
+     [](LayerSettings& settings, std::string_view value) {
+       settings.fill.pattern = pattern_from(value);
      }},
 }};
 
@@ -314,7 +328,7 @@ LayerSettings settings_for(const drawing::Layer& layer,
   LayerSettings base = common;
   if (is_stroke_text) base.side = Side::kMark;
   const LayerSettings settings = with_own(base);
-  for (const LayerRule* rule : own) expect_of_side(*rule, settings.side);
+  for (const LayerRule* rule : own) expect_of_side(*rule, settings);
   if (!is_engraved(settings.side)) return settings;
   base = engraved;
   base.side = settings.side;

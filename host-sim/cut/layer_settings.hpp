@@ -56,11 +56,18 @@ enum class Air : std::uint8_t {
   kOff,    ///< M9.
 };
 
-/// How an area is filled with lines.
+/// How the lines of a filled area lie.
+enum class FillPattern : std::uint8_t {
+  kLines,    ///< Parallel, across the area.
+  kContour,  ///< Along its outline.
+};
+
+/// How an area is filled with lines. Angle and overscan are those of parallel lines.
 struct FillSettings {
   double interval_mm = 0.1;             ///< From line to line.
   double angle_deg = 0.0;               ///< Direction of the lines; 0 is along X.
   std::optional<double> overscan_mm{};  ///< Before and after each line; none: from acceleration.
+  FillPattern pattern = FillPattern::kLines;
   bool operator==(const FillSettings&) const = default;
 };
 

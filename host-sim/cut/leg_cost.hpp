@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
+#include <vector>
 
 #include "planner/order/neighbours.hpp"
 #include "planner/order/rapid_time.hpp"
@@ -48,6 +50,24 @@ class LegCost {
   /// Half of what a candidate costs is with the leg to it and half with the leg from it: so a tour
   /// costs the same in both directions where its rapids do.
   [[nodiscard]] double operator()(cnc::order::Index from, cnc::order::Index to) const {
+    return table_.empty() ? computed(from, to) : table_[from * terms_.places.entry.size() + to];
+  }
+
+  /// Keeps the costs of all legs in a table, which has to outlive this.
+  void keep_in(std::vector<double>& table) {
+    const std::size_t count = terms_.places.entry.size();
+    table.resize(count * count);
+    for (std::size_t from = 0; from < count; ++from) {
+      for (std::size_t to = 0; to < count; ++to) {
+        table[from * count + to] =
+            computed(static_cast<cnc::order::Index>(from), static_cast<cnc::order::Index>(to));
+      }
+    }
+    table_ = table;
+  }
+
+ private:
+  [[nodiscard]] double computed(cnc::order::Index from, cnc::order::Index to) const {
     const double own = terms_.own.empty() ? 0.0 : 0.5 * (terms_.own[from] + terms_.own[to]);
     if (terms_.is_free_end && to == 0) return own;
     const cnc::order::Place& exit = terms_.places.exit[from];
@@ -55,9 +75,9 @@ class LegCost {
     return own + (*rapid_)(entry.x - exit.x, entry.y - exit.y);
   }
 
- private:
   Terms terms_;
   const RapidCost* rapid_;
+  std::span<const double> table_;
 };
 
 }  // namespace sim::cut

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "host-sim/contour/shared_work.hpp"
 #include "host-sim/cut/drawn_strokes.hpp"
 
 namespace sim::cut {
@@ -33,20 +34,28 @@ std::vector<Outline> outlines_of(const drawing::Drawing& drawn,
                                  const OutlineOptions& curves,
                                  std::vector<drawing::Fault>& faults) {
   std::vector<Outline> outlines(drawn.contours.size());
+  std::vector<std::size_t> driven;
   for (std::size_t i = 0; i < outlines.size(); ++i) {
-    const DrawnContour& contour = drawn.contours[i];
     const Side side = sides[i];
-    if (!is_driven(side)) continue;
     // Open ones that are no lines are among the drawing's own faults.
-    if (!contour.closed && (side == Side::kWaste || side == Side::kFill)) continue;
-    DrawnStrokes strokes = strokes_of(contour, curves);
+    const bool is_open_area =
+        !drawn.contours[i].closed && (side == Side::kWaste || side == Side::kFill);
+    if (is_driven(side) && !is_open_area) driven.push_back(i);
+  }
+  std::vector<DrawnStrokes> all(driven.size());
+  share_work(driven.size(), [&] {
+    return [&](std::size_t k) { all[k] = strokes_of(drawn.contours[driven[k]], curves); };
+  });
+  for (std::size_t k = 0; k < driven.size(); ++k) {
+    const std::size_t i = driven[k];
+    DrawnStrokes& strokes = all[k];
     if (strokes.fault) {
       faults.push_back(std::move(*strokes.fault));
       continue;
     }
     outlines[i].strokes = std::move(strokes.strokes);
-    outlines[i].is_closed = contour.closed;
-    outlines[i].is_beside = side == Side::kWaste;
+    outlines[i].is_closed = drawn.contours[i].closed;
+    outlines[i].is_beside = sides[i] == Side::kWaste;
   }
   find_holes(drawn, outlines);
   return outlines;

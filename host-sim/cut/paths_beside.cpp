@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "host-sim/contour/contour_offset.hpp"
+#include "host-sim/contour/shared_work.hpp"
 #include "host-sim/cut/crowd.hpp"
-#include "host-sim/cut/shared_work.hpp"
 
 namespace sim::cut {
 namespace {

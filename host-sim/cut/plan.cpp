@@ -17,6 +17,7 @@
 #include "host-sim/cut/cut_turn.hpp"
 #include "host-sim/cut/doubled_lines.hpp"
 #include "host-sim/cut/fill_area.hpp"
+#include "host-sim/cut/fill_paths.hpp"
 #include "host-sim/cut/kerf_faults.hpp"
 #include "host-sim/cut/late_cuts.hpp"
 #include "host-sim/cut/lead.hpp"
@@ -106,14 +107,6 @@ class Planner {
     return 0.5 * layer_of(contour).condition.kerf_mm;
   }
   [[nodiscard]] LeadRoom room_of(std::size_t contour) const { return {edges_, half_kerf(contour)}; }
-  void fault(FaultKind kind,
-             std::size_t contour,
-             const Place& place,
-             const std::string& reason,
-             const std::string& remedy) {
-    plan_.faults.push_back({kind, drawn_.contours[contour].entity, place, reason, remedy});
-  }
-
   void part_touching();
   void cut_contours(const std::vector<Side>& sides);
   void cut_beside(std::size_t i, const PathBeside& path);
@@ -237,26 +230,16 @@ void Planner::fill_layer(const std::vector<std::size_t>& contours) {
     area.reserve(group.size());
     for (const std::size_t member : group) area.push_back(outlines[member]);
     const std::size_t first = contours[group.front()];
-    const Place& place = area.front().front().from;
-    auto path = fill_path(area, fill, overscan_mm);
-    if (!path) {
-      fault(FaultKind::kTooMuch,
-            first,
-            place,
-            fmt::format("takes more than {} lines to fill", kMaxFillStrokes),
-            "give its layer a greater interval");
-    } else if (path->empty()) {
-      fault(FaultKind::kTooSmall,
-            first,
-            place,
-            fmt::format("lies between two lines of a fill, {:g} mm apart", fill.interval_mm),
-            "give its layer a smaller interval, or skip it");
-    } else {
-      unbegun_.push_back({.path = MeasuredRow{*std::move(path)},
+    const std::size_t layer = drawn_.contours[first].entity.layer;
+    FillPaths filled = fill_paths(area, fill, overscan_mm, drawn_.contours[first].entity);
+    append(plan_.faults, filled.faults);
+    append(plan_.warnings, filled.warnings);
+    for (std::vector<Stroke>& path : filled.paths) {
+      unbegun_.push_back({.path = MeasuredRow{std::move(path)},
                           .is_open = true,
                           .settings = plan.settings,
-                          .layer = drawn_.contours[first].entity.layer});
-      plan_.cuts.push_back({.contour = first, .layer = drawn_.contours[first].entity.layer});
+                          .layer = layer});
+      plan_.cuts.push_back({.contour = first, .layer = layer});
     }
   }
 }

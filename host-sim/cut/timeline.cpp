@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "host-sim/contour/shared_work.hpp"
 #include "host-sim/cut/controller_clock.hpp"
 #include "host-sim/cut/job_clock.hpp"
 #include "host-sim/cut/rapid_way.hpp"
-#include "host-sim/cut/shared_work.hpp"
 
 namespace sim::cut {
 namespace {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "host-sim/contour/outline.hpp"
+#include "host-sim/contour/shared_work.hpp"
 #include "host-sim/import/doubled_curves.hpp"
 #include "host-sim/import/filled_set.hpp"
 #include "host-sim/import/filling_notes.hpp"
@@ -22,6 +23,7 @@ namespace {
 struct Group {
   std::vector<std::size_t> pieces{};  ///< By loop.
   Contour loops{};
+  std::vector<std::size_t> without_arcs{};  ///< Pieces that are no loop, as no arcs follow them.
 };
 
 /// A set of pieces and what they fill together.
@@ -72,14 +74,23 @@ class Filling {
         sets[touching.sets.find(i)].push_back(i);
       }
     }
-    for (const auto& [first, set] : sets) resolve(group_of(set));
+    std::vector<Group> groups(sets.size());
+    std::vector<const std::vector<std::size_t>*> members;
+    members.reserve(sets.size());
+    for (const auto& [first, set] : sets) members.push_back(&set);
+    share_work(groups.size(),
+               [&] { return [&](std::size_t i) { groups[i] = group_of(*members[i]); }; });
+    for (const Group& group : groups) {
+      for (const std::size_t piece : group.without_arcs) unresolved_[piece] = true;
+      resolve(group);
+    }
     notes_.finish();
     rebuild();
     return std::move(unresolved_);
   }
 
  private:
-  [[nodiscard]] Group group_of(const std::vector<std::size_t>& set);
+  [[nodiscard]] Group group_of(const std::vector<std::size_t>& set) const;
   void resolve(const Group& group);
   [[nodiscard]] std::optional<std::vector<Resolved>> resolved(const Group& group,
                                                               double touch_mm) const;
@@ -100,7 +111,7 @@ class Filling {
 };
 
 /// Contours that no arcs follow stay as they are: they are named when they are cut.
-Group Filling::group_of(const std::vector<std::size_t>& set) {
+Group Filling::group_of(const std::vector<std::size_t>& set) const {
   Group group;
   const OutlineOptions options{.tolerance_mm = kFillToleranceMm};
   DoubledCurves doubled;
@@ -109,7 +120,7 @@ Group Filling::group_of(const std::vector<std::size_t>& set) {
     const FittedContour fitted =
         arcs_of(doubled.with_arcs(pieces_[piece].contour, options), options);
     if (fitted.fault) {
-      unresolved_[piece] = true;
+      group.without_arcs.push_back(piece);
       continue;
     }
     auto& vertices = group.loops.vertices;

@@ -175,13 +175,15 @@ std::size_t FewestArcs::finish_at_place(std::size_t index) {
   return index + 1;
 }
 
-double FewestArcs::deviation(const BiarcGauge& gauge, double from) const {
+/// Returns the greatest deviation, or one above `bound` where it is greater than that.
+double FewestArcs::deviation(const BiarcGauge& gauge, double from, double bound) const {
+  const double enough = std::min(bound, 100.0 * band_->tolerance_mm());
   double greatest = 0.0;
   const auto last = static_cast<std::size_t>(band_->last());
   for (std::size_t i = static_cast<std::size_t>(from) + 1; i < last; ++i) {
     const WayPoint& point = band_->sample(i).point;
     greatest = std::max(greatest, ToleranceBand::distance(gauge.beside(point.place), point));
-    if (greatest > 100.0 * band_->tolerance_mm()) break;
+    if (greatest > enough) break;
   }
   return greatest;
 }
@@ -190,10 +192,10 @@ LeastValue FewestArcs::biarc_to_end(const BandStart& start) const {
   const WayPoint& end = band_->sample(static_cast<std::size_t>(band_->last())).point;
   const WideBiarcEnds ends{start.place, start.tangent, end.place, end.tangent};
   constexpr SearchRange kShares{.low = 0.02, .high = 0.98, .looks = 9, .steps = 14};
-  return least_value(kShares, kAnyValue, [&](double share) {
+  return least_value(kShares, kAnyValue, [&](double share, double bound) {
     const auto biarc = make_biarc(ends, share);
     if (!biarc.ok()) return ToleranceBand::kNoFit;
-    return deviation(BiarcGauge{ends, biarc.value()}, start.sample);
+    return deviation(BiarcGauge{ends, biarc.value()}, start.sample, bound);
   });
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <type_traits>
+
 namespace cnc::contour {
 
 /// Where a function was found least.
@@ -17,41 +19,49 @@ struct SearchRange {
 };
 
 /// The least value of a function with one valley, or of the deepest that shows between
-/// looks; ends early at the first that is at most `enough`.
+/// looks; ends early at the first that is at most `enough`. A function that takes a second number
+/// may return any value above that one in place of its own, where its own is above it, too: the
+/// result is the same.
 template <typename Function>
 [[nodiscard]] LeastValue least_value(const SearchRange& range,
                                      double enough,
                                      const Function& function) {
   constexpr double kGolden = 0.61803398874989485;
   const double stride = (range.high - range.low) / static_cast<double>(range.looks - 1);
+  constexpr double kNoBound = 1.0e30;
   LeastValue best{.at = range.low};
-  const auto look = [&](double at) {
-    const double value = function(at);
+  const auto look = [&](double at, double bound) {
+    double value = 0.0;
+    if constexpr (std::is_invocable_v<Function, double, double>) {
+      value = function(at, bound);
+    } else {
+      value = function(at);
+    }
     if (value < best.value) best = {.at = at, .value = value};
     return value;
   };
   for (int i = 0; i < range.looks && best.value > enough; ++i) {
-    look(range.low + stride * static_cast<double>(i));
+    look(range.low + stride * static_cast<double>(i), best.value);
   }
   double low = best.at - stride > range.low ? best.at - stride : range.low;
   double high = best.at + stride < range.high ? best.at + stride : range.high;
   double left = high - kGolden * (high - low);
   double right = low + kGolden * (high - low);
-  double at_left = best.value > enough ? look(left) : 0.0;
-  double at_right = best.value > enough ? look(right) : 0.0;
+  double at_left = best.value > enough ? look(left, kNoBound) : 0.0;
+  double at_right = best.value > enough ? look(right, at_left) : 0.0;
   for (int i = 0; i < range.steps && best.value > enough; ++i) {
     if (at_left < at_right) {
       high = right;
       right = left;
       at_right = at_left;
       left = high - kGolden * (high - low);
-      at_left = look(left);
+      at_left = look(left, at_right);
     } else {
       low = left;
       left = right;
       at_left = at_right;
       right = low + kGolden * (high - low);
-      at_right = look(right);
+      at_right = look(right, at_left);
     }
   }
   return best;

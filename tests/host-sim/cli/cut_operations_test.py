@@ -5,6 +5,7 @@
 """
 
 import json
+import math
 import os
 import pathlib
 import random
@@ -145,6 +146,39 @@ class Operations(unittest.TestCase):
         self.assertAlmostEqual(lit * 0.5, 8 * 4, 3)
         checked = run("check", self.program, "--set", "$32=1")
         self.assertEqual(checked.returncode, 0, checked.stdout)
+
+    def test_areas_are_filled_along_their_outline(self):
+        along = (*OPERATIONS[:2], "--layer", "green: kind=fill, pattern=contour, power=15%, feed=6000, interval=0.5")
+        saved = self.folder / "recipe.json"
+        self.cut(self.layered, *GIVEN, *along, "--save-recipe", saved)
+        program = self.program.read_text()
+        self.assertEqual(json.loads(saved.read_text())["layers"]["green"]["pattern"], "contour")
+        lit, here, places = 0.0, (0.0, 0.0), []
+        for g, x, y, s, _ in moves_of(program):
+            if s == 150.0 and g == 1:
+                lit += math.dist((x, y), here)
+                places += [here, (x, y)]
+            here = (x, y)
+        # Rows of 7.5 by 3.5, 6.5 by 2.5, 5.5 by 1.5 and 4.5 by 0.5 mm, and links of 0.5 mm between them.
+        self.assertAlmostEqual(lit, 2 * (11 + 9 + 7 + 5) + 3 * 0.5, 2)
+        self.assertAlmostEqual(max(x for x, _ in places) - min(x for x, _ in places), 7.5, 3)
+        self.cut(self.layered, "--recipe", saved)
+        self.assertEqual(self.program.read_text(), program)
+        self.assertIn("filled", program)
+        checked = run("check", self.program, "--set", "$32=1")
+        self.assertEqual(checked.returncode, 0, checked.stdout)
+
+    def test_wrong_patterns_are_refused(self):
+        green = "green: kind=fill, power=15%, feed=6000, "
+        for text, told in (("pattern=spiral", "pattern=spiral: wants `lines` or `contour`"),
+                           ("pattern=contour, angle=45", "angle=45: is for pattern=lines"),
+                           ("pattern=contour, overscan=2", "overscan=2: is for pattern=lines")):
+            self.assertIn(told, self.refused(self.layered, *GIVEN, *OPERATIONS[:2], "--layer", green + text))
+        self.assertIn("pattern=contour: is for a layer with kind=fill", self.refused(
+            self.layered, *GIVEN, *OPERATIONS, "--layer", "lines: pattern=contour"))
+        told = self.refused(self.layered, *GIVEN, *OPERATIONS[:2], "--layer", green + "pattern=contour, interval=5",
+                            status=1)
+        self.assertIn("is narrower than the interval of its fill, 5 mm", told)
 
     def test_every_layer_without_a_rule_has_the_default(self):
         self.cut(self.layered, "--kerf", "0.15", "--layer", "*: power=30%, feed=700",

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <ctime>
 #include <functional>
 #include <numeric>
 
+#include "host-sim/cut/beginning.hpp"
 #include "host-sim/cut/group_order.hpp"
 #include "host-sim/cut/part_units.hpp"
 #include "tests/host-sim/cut/support.hpp"
@@ -318,6 +320,27 @@ TEST(OrderChoice, OfPartsIsNoWorseThanBringingThemTogether) {
 }
 
 /// Two parts of which each has a cut after one of the other are one unit.
+/// A search that takes a stretch for as cheap in the other direction, where it is not, finds gains
+/// again and again that are none.
+TEST(OrderChoice, EndsSoonForLinesThatCostMoreInOneDirection) {
+  std::vector<UnbegunCut> cuts;
+  for (std::size_t i = 0; i < 12; ++i) {
+    const double x = 20.0 * static_cast<double>(i);
+    UnbegunCut cut{
+        .path = MeasuredRow{{{{x, 0.0}, {x + 15.0, 7.0}}}}, .is_open = true, .settings = {}};
+    cut.beginnings = beginnings_of_line(cut.path);
+    cut.own_cost = i % 2 == 0 ? std::vector{0.0, 1.0} : std::vector{1.0, 0.0};
+    cut.may_move = false;
+    cuts.push_back(std::move(cut));
+  }
+  cuts.push_back(square_at({50.0, 50.0}, 20.0, 16));
+  cuts.push_back(square_at({0.0, 50.0}, 20.0, 16));
+  const std::clock_t begin = std::clock();
+  const ChosenOrder chosen = choose_order(cuts, {}, Clearance{1.0});
+  EXPECT_LT(std::clock() - begin, 5 * CLOCKS_PER_SEC);
+  EXPECT_EQ(chosen.cuts.size(), cuts.size());
+}
+
 TEST(PartUnits, JoinPartsThatWaitForEachOther) {
   proof::Random random{proof::test_seed()};
   std::vector<UnbegunCut> cuts = squares_anywhere(random, 5);

@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-namespace sim::cut {
+namespace sim {
 
 /// Calls a worker with each number below `count`, each once, by as many threads as there are cores.
 /// Numbers are handed out in their order; results must not depend on the thread.
@@ -27,4 +27,4 @@ void share_work(std::size_t count, const MakeWorker& make_worker) {
   for (std::future<void>& other : others) other.get();
 }
 
-}  // namespace sim::cut
+}  // namespace sim

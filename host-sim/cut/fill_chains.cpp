@@ -1,0 +1,268 @@
+#include "host-sim/cut/fill_chains.hpp"
+
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <unordered_map>
+#include <utility>
+
+#include "host-sim/cut/clearance.hpp"
+#include "host-sim/cut/segment_distance.hpp"
+
+namespace sim::cut {
+namespace {
+
+constexpr double kLongestLink = 2.0;    ///< Intervals.
+constexpr double kCornerReach = 0.2;    ///< Intervals between a spur and its corner, at most.
+constexpr double kLongestReturn = 3.0;  ///< Intervals, with the beam off, to where a detour begins.
+constexpr double kLongestSpur = 2.0;    ///< Intervals; longer ones are paths of their own.
+
+/// The rows of one level. Their strokes are numbered one row after the other.
+class Level {
+ public:
+  Level(FillRows rows, double interval_mm)
+      : rows_{std::move(rows)}, near_{kLongestLink * interval_mm} {
+    std::size_t number = 0;
+    for (const std::vector<Stroke>& row : rows_) {
+      firsts_.push_back(number);
+      for (const Stroke& stroke : row) near_.add(stroke, number++);
+    }
+    near_.prepare();
+  }
+
+  /// A stroke of a row and a place on it.
+  struct On {
+    std::size_t row = 0;
+    std::size_t stroke = 0;
+    Place place{0.0, 0.0};
+  };
+
+  [[nodiscard]] std::size_t size() const { return rows_.size(); }
+  [[nodiscard]] On begin_of(std::size_t row) const { return {row, 0, rows_[row].front().from}; }
+
+  /// Returns the nearest place of a row; nothing where there is none within reach.
+  [[nodiscard]] std::optional<On> nearest(const Place& place) const {
+    const Clearance::Nearest found = near_.nearest(place);
+    if (found.stroke == nullptr) return std::nullopt;
+    const auto after = std::ranges::upper_bound(firsts_, found.owner);
+    const auto row = static_cast<std::size_t>(after - firsts_.begin()) - 1;
+    return On{row, found.owner - firsts_[row], nearest_on(*found.stroke, place)};
+  }
+
+  /// Takes a spur if there is a corner near its beginning.
+  [[nodiscard]] bool take_spur(const FillRest& spur, double reach_mm) {
+    const std::optional<On> on = nearest(spur.places.front());
+    if (!on) return false;
+    const std::vector<Stroke>& row = rows_[on->row];
+    const std::size_t next = on->stroke + 1 < row.size() ? on->stroke + 1 : 0;
+    const double to_this = drawing::distance(row[on->stroke].from, spur.places.front());
+    const double to_next = drawing::distance(row[next].from, spur.places.front());
+    if (std::min(to_this, to_next) > reach_mm) return false;
+    const std::size_t corner = to_this <= to_next ? on->stroke : next;
+    spurs_[firsts_[on->row] + corner].push_back(spur.places);
+    return true;
+  }
+
+  /// A path that is driven where a row passes the place of its target, and back.
+  struct Detour {
+    On target{};
+    std::vector<Stroke> path{};
+  };
+
+  /// Appends a row, from a place on it once around, with detours from it.
+  void drive(const On& from, const std::vector<Detour>& detours, std::vector<Stroke>& path) {
+    const std::size_t count = rows_[from.row].size();
+    std::vector<Stop> stops;
+    stops.reserve(detours.size());
+    for (const Detour& detour : detours) {
+      stops.push_back({detour.target.stroke, share_of(detour.target), &detour});
+    }
+    std::ranges::stable_sort(stops, [](const Stop& a, const Stop& b) {
+      return a.stroke != b.stroke ? a.stroke < b.stroke : a.share < b.share;
+    });
+    const double share = share_of(from);
+    drive_part({from.row, from.stroke}, share, 1.0, stops, path);
+    for (std::size_t i = 1; i < count; ++i) {
+      drive_part({from.row, (from.stroke + i) % count}, 0.0, 1.0, stops, path);
+    }
+    if (share > 0.0) drive_part({from.row, from.stroke}, 0.0, share, stops, path);
+  }
+
+ private:
+  /// Where a row is left for a detour.
+  struct Stop {
+    std::size_t stroke = 0;
+    double share = 0.0;
+    const Detour* detour = nullptr;
+  };
+
+  /// Returns the share of its stroke at which a place lies; 0 or 1 where that is nearly so.
+  [[nodiscard]] double share_of(const On& on) const {
+    constexpr double kAtEnd = 1.0e-9;
+    const double share = nearest_share(rows_[on.row][on.stroke], on.place);
+    if (share < kAtEnd) return 0.0;
+    return share > 1.0 - kAtEnd ? 1.0 : share;
+  }
+
+  /// Appends a part of a stroke, with the spurs at its start and detours from it.
+  void drive_part(const On& on,
+                  double from,
+                  double to,
+                  const std::vector<Stop>& stops,
+                  std::vector<Stroke>& path) const {
+    const Stroke& stroke = rows_[on.row][on.stroke];
+    if (from == 0.0) drive_spurs(firsts_[on.row] + on.stroke, stroke.from, path);
+    const auto go_to = [&](double share) {
+      if (share <= from) return;
+      const bool is_whole = from == 0.0 && share == 1.0;
+      path.push_back(is_whole ? stroke : part_of(stroke, from, share));
+      from = share;
+    };
+    const auto first = std::ranges::lower_bound(stops, on.stroke, {}, &Stop::stroke);
+    for (auto stop = first; stop != stops.end() && stop->stroke == on.stroke; ++stop) {
+      if (stop->share < from || stop->share > to || (stop->share == from && from > 0.0)) continue;
+      go_to(stop->share);
+      drive_detour(*stop->detour, place_at(stroke, stop->share), path);
+    }
+    go_to(to);
+  }
+
+  static void drive_detour(const Detour& detour, const Place& place, std::vector<Stroke>& path) {
+    const std::vector<Stroke>& strokes = detour.path;
+    if (place != strokes.front().from) {
+      path.push_back({place, strokes.front().from, 0.0, Purpose::kOverscan});
+    }
+    path.insert(path.end(), strokes.begin(), strokes.end());
+    if (strokes.back().to != place) path.push_back({strokes.back().to, place});
+  }
+
+  void drive_spurs(std::size_t number, const Place& corner, std::vector<Stroke>& path) const {
+    const auto found = spurs_.find(number);
+    if (found == spurs_.end()) return;
+    for (const std::vector<Place>& spur : found->second) {
+      Place here = corner;
+      for (std::size_t i = 1; i < spur.size(); ++i) {
+        if (here != spur[i]) path.push_back({here, spur[i]});
+        here = spur[i];
+      }
+      if (here != corner) path.push_back({here, corner, 0.0, Purpose::kOverscan});
+    }
+  }
+
+  FillRows rows_;
+  std::vector<std::size_t> firsts_;  ///< Number of the first stroke of each row.
+  Clearance near_;
+  std::unordered_map<std::size_t, std::vector<std::vector<Place>>> spurs_;  ///< By number.
+};
+
+double length_of(const std::vector<Place>& places) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    length += drawing::distance(places[i - 1], places[i]);
+  }
+  return length;
+}
+
+class ChainMaker {
+ public:
+  ChainMaker(std::vector<FillRows> rows, double interval_mm) : interval_{interval_mm} {
+    for (FillRows& level : rows) {
+      levels_.push_back(std::make_unique<Level>(std::move(level), interval_mm));
+    }
+  }
+
+  std::vector<std::vector<Stroke>> make(const std::vector<FillRest>& rests) {
+    std::vector<std::vector<const FillRest*>> lines(levels_.size() + 1);
+    for (const FillRest& rest : rests) {
+      const std::size_t level = std::min(rest.level, levels_.size());
+      const bool is_short = rest.is_spur && length_of(rest.places) <= kLongestSpur * interval_;
+      const bool is_taken = is_short && level < levels_.size() &&
+                            levels_[level]->take_spur(rest, kCornerReach * interval_);
+      if (!is_taken) lines[level].push_back(&rest);
+    }
+    for (std::size_t level = levels_.size() + 1; level-- > 0;) {
+      if (level < levels_.size()) drive_level(level);
+      // A line lies between this level and the one before.
+      for (const FillRest* line : lines[level]) drive_line(*line, level);
+    }
+    return std::move(paths_);
+  }
+
+ private:
+  /// Drives all rows of a level, from the paths that end beside them if there are any.
+  void drive_level(std::size_t number) {
+    Level& level = *levels_[number];
+    std::vector<std::vector<Level::Detour>> arriving(level.size());
+    for (Level::Detour& path : std::exchange(open_, {})) {
+      arriving[path.target.row].push_back(std::move(path));
+    }
+    for (std::size_t row = 0; row < level.size(); ++row) {
+      Level::Detour main = farthest_of(arriving[row], level.begin_of(row));
+      const Place& begin = main.target.place;
+      if (!main.path.empty() && main.path.back().to != begin) {
+        main.path.push_back({main.path.back().to, begin});
+      }
+      std::vector<Level::Detour> detours;
+      for (Level::Detour& path : arriving[row]) {
+        if (way_back(path) <= kLongestReturn * interval_) {
+          detours.push_back(std::move(path));
+        } else {
+          paths_.push_back(std::move(path.path));
+        }
+      }
+      level.drive(main.target, detours, main.path);
+      go_outwards(std::move(main.path), number);
+    }
+  }
+
+  /// Returns how far a path that arrives at a row begins from there, mm.
+  static double way_back(const Level::Detour& path) {
+    return drawing::distance(path.path.front().from, path.target.place);
+  }
+
+  /// Takes the path that begins farthest off out of those that arrive at a row; else there is none.
+  static Level::Detour farthest_of(std::vector<Level::Detour>& arriving, const Level::On& begin) {
+    if (arriving.empty()) return {.target = begin};
+    const auto farthest = std::ranges::max_element(arriving, {}, way_back);
+    Level::Detour main = std::move(*farthest);
+    arriving.erase(farthest);
+    return main;
+  }
+
+  /// Drives along a line; a spur towards its corner.
+  void drive_line(const FillRest& line, std::size_t level) {
+    std::vector<Place> places = line.places;
+    if (line.is_spur) std::ranges::reverse(places);
+    std::vector<Stroke> path;
+    for (std::size_t i = 1; i < places.size(); ++i) {
+      if (places[i - 1] != places[i]) path.push_back({places[i - 1], places[i]});
+    }
+    if (!path.empty()) go_outwards(std::move(path), level);
+  }
+
+  /// Keeps a path open if the row before a level is near its end.
+  void go_outwards(std::vector<Stroke> path, std::size_t level) {
+    const auto next = level > 0 ? levels_[level - 1]->nearest(path.back().to) : std::nullopt;
+    if (next) {
+      open_.push_back({*next, std::move(path)});
+    } else {
+      paths_.push_back(std::move(path));
+    }
+  }
+
+  double interval_;
+  std::vector<std::unique_ptr<Level>> levels_;
+  std::vector<Level::Detour> open_;  ///< Paths that end beside rows of the next level.
+  std::vector<std::vector<Stroke>> paths_;
+};
+
+}  // namespace
+
+std::vector<std::vector<Stroke>> fill_chains(std::vector<FillRows> rows,
+                                             const std::vector<FillRest>& rests,
+                                             double interval_mm) {
+  return ChainMaker{std::move(rows), interval_mm}.make(rests);
+}
+
+}  // namespace sim::cut

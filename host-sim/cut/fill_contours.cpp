@@ -1,0 +1,96 @@
+#include "host-sim/cut/fill_contours.hpp"
+
+#include <cmath>
+#include <numeric>
+#include <optional>
+#include <utility>
+
+#include "host-sim/contour/arrangement.hpp"
+#include "host-sim/contour/contour_loops.hpp"
+#include "host-sim/cut/fill_chains.hpp"
+#include "host-sim/cut/outlines.hpp"
+#include "host-sim/import/filled_set.hpp"
+#include "planner/pocket/loop_measures.hpp"
+
+namespace sim::cut {
+namespace {
+
+using View = cnc::contour::ContourView<double>;
+
+constexpr double kSamePointMm = 1.0e-7;
+/// Smaller areas and narrower ones are none.
+constexpr drawing::LeastLoop kLeastArea{.area_mm2 = 1.0e-6, .width_mm = 1.0e-4};
+
+/// Returns the area that an odd number of contours encloses, on the left of its contours.
+Contour area_of(const std::vector<std::vector<Stroke>>& outlines) {
+  Contour drawn;
+  std::vector<std::optional<drawing::FillingLoop>> loops;
+  for (const std::vector<Stroke>& outline : outlines) {
+    append_loop(contour_of(outline).view(), 0, drawn);
+    loops.emplace_back(drawing::FillingLoop{.shape = static_cast<std::uint32_t>(loops.size())});
+  }
+  Arrangement arrangement;
+  std::optional<drawing::FilledSet> filled;
+  if (arrangement.divide(drawn.view(), kSamePointMm)) {
+    std::vector<std::uint32_t> edges(arrangement.edges().size());
+    std::iota(edges.begin(), edges.end(), 0U);
+    filled = drawing::fill_set(arrangement, edges, loops, kLeastArea);
+  }
+  if (!filled) {
+    throw NoOffset{outlines.front().front().from,
+                   "what this contour, or one with it, encloses does not close",
+                   "do contours cross each other? take them apart"};
+  }
+  return std::move(filled->outlines);
+}
+
+/// Removes rows so narrow that a line in their middle is in their place.
+Contour without_slivers(const View& rows, double least_width_mm) {
+  Contour kept;
+  for (std::size_t row = 0; row < rows.loop_ends.size(); ++row) {
+    double length = 0.0;
+    for (std::uint32_t i = rows.loop_begin(row); i < rows.loop_ends[row]; ++i) {
+      length += cnc::pocket::length_of(cnc::pocket::element_at(rows, row, i));
+    }
+    const double area = std::abs(cnc::pocket::signed_area(rows, row));
+    if (2.0 * area > least_width_mm * length) append_loop(rows, row, kept);
+  }
+  return kept;
+}
+
+FillRows rows_of(const Contour& contour) {
+  FillRows rows = loops_of(contour.view());
+  for (std::vector<Stroke>& row : rows) {
+    std::erase_if(row, [](const Stroke& stroke) { return stroke.from == stroke.to; });
+  }
+  std::erase_if(rows, [](const std::vector<Stroke>& row) { return row.empty(); });
+  return rows;
+}
+
+/// Moves the edge of an area inwards, row by row. Nothing where that takes too many.
+std::optional<std::vector<FillRows>> rows_within(const Contour& area, double interval_mm) {
+  std::vector<FillRows> levels;
+  ContourOffset offset;
+  std::size_t strokes = 0;
+  Contour inner = area;
+  for (double step = 0.5 * interval_mm;; step = interval_mm) {
+    inner = without_slivers(offset.offset(inner.view(), -step), kLeastRowWidth * interval_mm);
+    if (inner.loop_ends.empty()) return levels;
+    strokes += inner.vertices.size();
+    if (strokes > kMaxRowStrokes || levels.size() == kMaxFillLevels) return std::nullopt;
+    levels.push_back(rows_of(inner));
+  }
+}
+
+}  // namespace
+
+ContourFill contour_fill(const std::vector<std::vector<Stroke>>& outlines, double interval_mm) {
+  const Contour area = area_of(outlines);
+  if (area.loop_ends.empty()) return {};
+  std::optional<std::vector<FillRows>> levels = rows_within(area, interval_mm);
+  if (!levels) return {.too_much = true};
+  FillRests rests = rests_between_rows(area.view(), interval_mm);
+  return {.paths = fill_chains(*std::move(levels), rests.lines, interval_mm), .thin = rests.thin};
+}
+
+}  // namespace sim::cut
