@@ -36,7 +36,7 @@ std::vector<Outline> outlines_of(const drawing::Drawing& drawn,
   for (std::size_t i = 0; i < outlines.size(); ++i) {
     const DrawnContour& contour = drawn.contours[i];
     const Side side = sides[i];
-    if (!is_driven(side)) continue;
+    if (!is_driven(side) || side == Side::kImage) continue;
     // Open ones that are no lines are among the drawing's own faults.
     if (!contour.closed && (side == Side::kWaste || side == Side::kFill)) continue;
     DrawnStrokes strokes = strokes_of(contour, curves);

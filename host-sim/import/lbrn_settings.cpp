@@ -56,6 +56,7 @@ OfferedSettings offered_by(const pugi::xml_node& setting) {
   if (interval && *interval > 0.0 && *interval <= kWidestInterval) offered.interval_mm = interval;
   const auto angle = value_of(setting, "angle");
   if (angle && std::abs(*angle) <= kGreatestAngle) offered.angle_deg = angle;
+  offered.shading = setting.child("ditherMode").attribute("Value").value();
   return offered;
 }
 
@@ -70,7 +71,7 @@ LbrnLayer lbrn_layer_without_settings(int index) {
   return found;
 }
 
-std::map<int, LbrnLayer> lbrn_layers(const pugi::xml_node& project) {
+std::map<int, LbrnLayer> lbrn_layers(const pugi::xml_node& project, LbrnUse use) {
   std::map<int, LbrnLayer> layers;
   for (const pugi::xml_node& setting : project.children()) {
     const std::string_view tag = setting.name();
@@ -85,7 +86,11 @@ std::map<int, LbrnLayer> lbrn_layers(const pugi::xml_node& project) {
     if (value_of(setting, "doOutput") == 0.0) layer.is_output = false;
     layer.has_sub_layers = !setting.child("SubLayer").empty();
     // Where an index has two settings, that of lines comes first and that of pictures second.
-    layers.emplace(number, std::move(layer));
+    if (use == LbrnUse::kPictures && tag == "CutSetting_Img") {
+      layers.insert_or_assign(number, std::move(layer));
+    } else {
+      layers.emplace(number, std::move(layer));
+    }
   }
   return layers;
 }
