@@ -37,7 +37,8 @@ void expect_whole_call(const CutCommandOptions& options) {
 double greatest_watts(const std::vector<cut::LayerSettings>& wishes) {
   double greatest = 0.0;
   for (const cut::LayerSettings& wish : wishes) {
-    greatest = std::max(greatest, wish.power_w.value_or(0.0));
+    greatest = std::max(
+        {greatest, wish.power_w.value_or(0.0), wish.image.least_power.watts.value_or(0.0)});
   }
   return greatest;
 }
@@ -47,8 +48,9 @@ void guess_full_power(cut::Beam& beam,
                       const std::vector<cut::LayerSettings>& wishes,
                       std::vector<std::string>& notes) {
   const double watts = greatest_watts(wishes);
-  const bool has_shares = std::ranges::any_of(
-      wishes, [](const cut::LayerSettings& wish) { return wish.power_share.has_value(); });
+  const bool has_shares = std::ranges::any_of(wishes, [](const cut::LayerSettings& wish) {
+    return wish.power_share.has_value() || wish.image.least_power.share.has_value();
+  });
   if (watts > 0.0 && has_shares) {
     throw std::invalid_argument(
         "power is given in watts and as a share; say with --full-power or --machine what the laser "
@@ -67,7 +69,8 @@ void guess_full_power(cut::Beam& beam,
 }  // namespace
 
 ProgramDigest CutKerf::digest() const {
-  if (!known_mm) return digest_of(record);
+  if (!known_mm && !record.name.empty()) return digest_of(record);
+  if (!known_mm) return {"kerf", digest_of("none"), "none"};
   return {
       "kerf", digest_of(fmt::format("{}", *known_mm)), record.name.empty() ? "given" : record.name};
 }

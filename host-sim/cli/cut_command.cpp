@@ -18,6 +18,7 @@
 #include "host-sim/cli/cut_offered.hpp"
 #include "host-sim/cli/cut_options.hpp"
 #include "host-sim/cli/cut_outputs.hpp"
+#include "host-sim/cli/cut_pictures.hpp"
 #include "host-sim/cli/cut_recipe.hpp"
 #include "host-sim/cli/cut_runs.hpp"
 #include "host-sim/cli/file_options.hpp"
@@ -44,7 +45,7 @@ using drawing::Drawing;
 /// What the importer found wrong, but what the settings of a layer make right.
 std::vector<drawing::Fault> faults_of(const Drawing& drawn,
                                       const std::vector<cut::LayerPlan>& layers) {
-  std::vector<drawing::Fault> faults;
+  std::vector<drawing::Fault> faults = picture_faults(drawn, layers);
   for (const drawing::Fault& fault : drawn.faults) {
     if (!fault.is_error()) continue;
     const bool has_layer = fault.entity.layer < layers.size();
@@ -79,9 +80,11 @@ void print_all_faults(const std::vector<drawing::Fault>& faults, const Drawing& 
 }
 
 /// Prints what was left out without a fault, except of layers that are skipped.
-void print_notes(const Drawing& drawn, const std::vector<cut::LayerPlan>& layers) {
+void print_notes(const Drawing& drawn,
+                 const std::vector<cut::LayerPlan>& layers,
+                 const std::vector<cut::LayerRule>& rules) {
   for (const drawing::Fault& fault : drawn.faults) {
-    if (fault.is_error()) continue;
+    if (fault.is_error() || is_known_picture(fault, drawn, layers, rules)) continue;
     const bool skipped = fault.kind == drawing::FaultKind::kText &&
                          fault.entity.layer < layers.size() &&
                          layers[fault.entity.layer].settings.side == cut::Side::kSkip;
@@ -252,6 +255,26 @@ std::string put_to_place(const CutCommandOptions& options,
   return place_drawing(input.drawn, wishes, machine ? &*machine : nullptr, options.import.effort);
 }
 
+/// Returns the pictures and cuts of a call in their order, each pass of them.
+CutPlan planned(const CutSource& source,
+                const Drawing& drawn,
+                const std::vector<cut::LayerPlan>& layers,
+                cut::Recipes recipes) {
+  const CutCommandOptions& options = source.options;
+  const auto beside = options.kerf_table ? cut::WayBeside::kOnController : cut::WayBeside::kHere;
+  const cut::OrderWish wish = searched_order(options);
+  std::vector<drawing::Fault> white;
+  std::vector<cut::Cut> pictures =
+      picture_cuts_of(options, drawn, layers, source.beam, wish, white);
+  CutPlan plan = plan_cuts(
+      drawn, layers, options.curves, beside, std::move(recipes), order_behind(wish, pictures));
+  append(plan.warnings, white);
+  make_safe(plan, drawn, options.safety);
+  put_first(std::move(pictures), wish.from, plan);
+  repeat_passes(plan, options.safety);
+  return plan;
+}
+
 ExitStatus cut_drawing(CLI::App& command, CutCommandOptions& options) {
   apply_recipe(command, options);
   InputFiles inputs{options.output};
@@ -259,15 +282,16 @@ ExitStatus cut_drawing(CLI::App& command, CutCommandOptions& options) {
   const auto machine = machine_profile_of(options.place);
   if (machine) take_machine(options, *machine);
   CutInput input = read_cut_input(options.file, options.import, inputs);
-  const std::string placing = put_to_place(options, input, machine);
   const Drawing& drawn = input.drawn;
+  const std::vector<cut::LayerRule> rules = layer_rules_of(options, drawn, inputs);
+  keep_burnt_pictures(options, rules, input.drawn, inputs);
+  const std::string placing = put_to_place(options, input, machine);
   if (input.is_broken_sheet() && !options.anyway) return refuse(options, drawn.faults, drawn);
   const CutRun run{static_cast<std::uint8_t>(options.decimals), machine_of(options)};
   const CutKerf kerf = kerf_of(options);
   options.known = values_of_entry(kerf);
   std::vector<std::string> notes;
   if (machine && !machine->note.empty()) notes.push_back(machine->name + ": " + machine->note);
-  const std::vector<cut::LayerRule> rules = layer_rules_of(options, drawn, inputs);
   const cut::Beam beam =
       beam_of(options, run.settings, kerf, power_wishes(options, drawn, rules), notes);
   const CutSource source{options, kerf, beam};
@@ -277,16 +301,12 @@ ExitStatus cut_drawing(CLI::App& command, CutCommandOptions& options) {
   std::vector<drawing::Fault> faults = place_faults(input, layers, recipes);
   if (!faults.empty() && !options.anyway) return refuse(options, faults, drawn);
   append(faults, faults_of(drawn, layers));
-  const auto beside = options.kerf_table ? cut::WayBeside::kOnController : cut::WayBeside::kHere;
   inputs.add(kerf.digest());
   inputs.add(settings_digest(settings_of(run), names_settings(options)));
   save_sheet(options.sheet, input);
-  CutPlan plan =
-      plan_cuts(drawn, layers, options.curves, beside, std::move(recipes), searched_order(options));
-  make_safe(plan, drawn, options.safety);
-  repeat_passes(plan, options.safety);
+  CutPlan plan = planned(source, drawn, layers, std::move(recipes));
   const cut::Timeline timeline = predict(plan);
-  print_notes(drawn, layers);
+  print_notes(drawn, layers, rules);
   const bool sound = print_findings(plan, faults, drawn);
   std::vector<std::string> origins;
   tell_origin(options, kerf, plan.layers, origins, notes);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "host-sim/cli/cut_offered.hpp"
+#include "host-sim/cli/cut_pictures.hpp"
 #include "host-sim/report/nearest_name.hpp"
 
 namespace sim {
@@ -139,6 +140,9 @@ cut::Condition condition_for(const drawing::Layer& layer,
                              const LayerSettings& settings,
                              const LayerSettings& common) {
   try {
+    if (settings.side == cut::Side::kImage) {
+      return picture_condition(settings, thickness_option(source.options.thickness_mm));
+    }
     if (is_engraved(settings.side)) return engraving_of(source, settings, common);
     return condition_of(source, settings);
   } catch (const std::invalid_argument& error) {

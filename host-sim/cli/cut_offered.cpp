@@ -61,7 +61,7 @@ std::string text_of_value(const std::pair<std::string, std::string>& value) {
 }
 
 /// Keeps kind and rank alone.
-void drop_operation(OfferedValues& offered, LayerChoice& choice, const char* reason) {
+void drop_operation(OfferedValues& offered, LayerChoice& choice, const std::string& reason) {
   std::string dropped;
   std::erase_if(offered.values, [&dropped](const auto& value) {
     if (value.first == "kind" || value.first == "rank") return false;
@@ -69,6 +69,12 @@ void drop_operation(OfferedValues& offered, LayerChoice& choice, const char* rea
     return true;
   });
   if (!dropped.empty()) choice.not_taken.push_back(fmt::format("{} not, {}", dropped, reason));
+}
+
+/// Returns for what power and speed of a side are: `lines`, `filling` or `pictures`.
+std::string_view use_of(cut::Side side) {
+  if (side == cut::Side::kFill) return "filling";
+  return side == cut::Side::kImage ? "pictures" : "lines";
 }
 
 LayerChoice choice_of(const CutCommandOptions& options,
@@ -80,14 +86,13 @@ LayerChoice choice_of(const CutCommandOptions& options,
   const LayerSettings as_offered = with_values({}, offered.values);
   choice.settings = applied(options, layer, rules, offered);
   const cut::Side side = choice.settings.side;
-  const bool is_filled = side == cut::Side::kFill;
-  const char* reason = nullptr;
-  if (is_filled != (as_offered.side == cut::Side::kFill)) {
-    reason = is_filled ? "as they are for lines" : "as they are for filling";
+  std::string reason;
+  if (use_of(side) != use_of(as_offered.side)) {
+    reason = fmt::format("as they are for {}", use_of(as_offered.side));
   } else if (!is_engraved(side) && !options.record.material.empty()) {
     reason = "as the material gives them";
   }
-  if (reason != nullptr) {
+  if (!reason.empty()) {
     drop_operation(offered, choice, reason);
     choice.settings = applied(options, layer, rules, offered);
   }

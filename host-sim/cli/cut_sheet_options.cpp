@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "host-sim/cli/file_options.hpp"
+#include "host-sim/cli/picture_files.hpp"
 #include "host-sim/cli/value_range.hpp"
 #include "host-sim/sheet/place_parts.hpp"
 #include "host-sim/sheet/save_sheet.hpp"
@@ -41,7 +42,11 @@ CutInput read_cut_input(const std::string& file,
   const std::string text = InputFiles::read(file, true);
   const bool is_sheet = sheet::is_sheet(text);
   files.add(is_sheet ? "sheet" : "drawing", file, text);
-  if (!is_sheet) return {drawing::read_drawing(file, text, options)};
+  if (!is_sheet) {
+    drawing::ImportOptions with_pictures = options;
+    with_pictures.read_beside = reader_beside(file);
+    return {drawing::read_drawing(file, text, with_pictures)};
+  }
   sheet::Sheet sheet = sheet::read_sheet(file, text);
   const auto read = [&files](const std::string& name) {
     std::string drawing = InputFiles::read(name, true);

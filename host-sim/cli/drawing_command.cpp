@@ -10,6 +10,7 @@
 #include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/import_options.hpp"
 #include "host-sim/cli/outline_options.hpp"
+#include "host-sim/cli/picture_files.hpp"
 #include "host-sim/import/curve_measure.hpp"
 #include "host-sim/import/drawing.hpp"
 #include "host-sim/job/setting_line.hpp"
@@ -73,6 +74,15 @@ void print(const Drawing& drawn) {
                     kinds,
                     contour.entity.name);
   }
+  for (const drawing::DrawnPicture& picture : drawn.pictures) {
+    const drawing::Layer& layer = drawn.layers[picture.entity.layer];
+    terminal::print("  picture  layer \"{}\" {}  {} x {} pixels  {}\n",
+                    layer.name,
+                    layer.colour,
+                    picture.image->width,
+                    picture.image->height,
+                    picture.entity.name);
+  }
   for (const drawing::Fault& fault : drawn.faults) {
     terminal::print("{}: {}\n", name_of(fault.kind), to_string(fault, drawn.file));
   }
@@ -101,6 +111,28 @@ nlohmann::ordered_json to_json(const DrawnContour& contour, const Drawing& drawn
   return row;
 }
 
+nlohmann::ordered_json to_json(const drawing::DrawnPicture& picture, const Drawing& drawn) {
+  const auto width = static_cast<double>(picture.image->width);
+  const auto height = static_cast<double>(picture.image->height);
+  nlohmann::ordered_json row;
+  row["entity"] = picture.entity.name;
+  row["line"] = picture.entity.line;
+  row["layer"] = drawn.layers[picture.entity.layer].name;
+  row["colour"] = drawn.layers[picture.entity.layer].colour;
+  row["columns"] = picture.image->width;
+  row["rows"] = picture.image->height;
+  row["file"] =
+      picture.file.empty() ? nlohmann::ordered_json(nullptr) : nlohmann::ordered_json(picture.file);
+  row["corners_mm"] = nlohmann::ordered_json::array();
+  for (const drawing::Place& corner : {drawing::Place{0.0, 0.0},
+                                       drawing::Place{width, 0.0},
+                                       drawing::Place{width, height},
+                                       drawing::Place{0.0, height}}) {
+    row["corners_mm"].push_back(to_json(picture.to_mm(corner)));
+  }
+  return row;
+}
+
 nlohmann::ordered_json to_json(const drawing::Fault& fault) {
   nlohmann::ordered_json row;
   row["kind"] = name_of(fault.kind);
@@ -119,6 +151,10 @@ nlohmann::ordered_json to_json(const Drawing& drawn) {
   all["contours"] = nlohmann::ordered_json::array();
   for (const DrawnContour& contour : drawn.contours)
     all["contours"].push_back(to_json(contour, drawn));
+  all["pictures"] = nlohmann::ordered_json::array();
+  for (const drawing::DrawnPicture& picture : drawn.pictures) {
+    all["pictures"].push_back(to_json(picture, drawn));
+  }
   all["faults"] = nlohmann::ordered_json::array();
   for (const drawing::Fault& fault : drawn.faults) all["faults"].push_back(to_json(fault));
   all["more_faults"] = drawn.more_faults;
@@ -127,8 +163,9 @@ nlohmann::ordered_json to_json(const Drawing& drawn) {
 }
 
 ExitStatus look_at(const DrawingOptions& options) {
-  const Drawing drawn =
-      drawing::read_drawing(options.file, read_text(options.file, true), options.import);
+  drawing::ImportOptions import = options.import;
+  import.read_beside = reader_beside(options.file);
+  const Drawing drawn = drawing::read_drawing(options.file, read_text(options.file, true), import);
   if (options.json) {
     constexpr int kIndent = 1;
     terminal::write_data(dumped(to_json(drawn), kIndent) + "\n");

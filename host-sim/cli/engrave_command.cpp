@@ -142,7 +142,7 @@ ExitStatus engrave_picture(const CLI::App& command, EngraveOptions& options) {
   options.post.read(command, inputs, decimals);
   const std::string bytes = read_bytes(options.file);
   inputs.add("picture", options.file, bytes);
-  const engrave::GreyImage image = engrave::read_image(bytes, name_of_input(options.file));
+  const picture::GreyImage image = picture::read_image(bytes, name_of_input(options.file));
   EngraveSettings rows = engrave_settings_of(options, machine, greatest_s(settings));
   const BurnRaster raster = raster_of(options, image);
   const cut::OrderWish wish = order_wish_of({}, settings, {});

@@ -3,19 +3,16 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <array>
 #include <cmath>
 #include <stdexcept>
-#include <utility>
 
 #include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/value_range.hpp"
 #include "host-sim/cut/layer_settings.hpp"
+#include "host-sim/engrave/shading_name.hpp"
 
 namespace sim {
 namespace {
-
-using engrave::Shading;
 
 constexpr double kPictureInchMm = 25.4;
 constexpr double kMaxPictureMm = 10'000.0;
@@ -33,21 +30,6 @@ constexpr const char* kEngraveFooter =
     "      --place corner -o photo.nc --picture burnt.png\n"
     "\n"
     "Exit status: 0 fine, 1 nothing can be burnt there, 2 the call is wrong.";
-
-constexpr std::array<std::pair<const char*, Shading>, 6> kShadings{
-    {{"grey", Shading::kGrey},
-     {"threshold", Shading::kThreshold},
-     {"ordered", Shading::kOrdered},
-     {"floyd-steinberg", Shading::kFloydSteinberg},
-     {"jarvis", Shading::kJarvis},
-     {"stucki", Shading::kStucki}}};
-
-std::vector<std::string> shading_names() {
-  std::vector<std::string> names;
-  names.reserve(kShadings.size());
-  for (const auto& [name, shading] : kShadings) names.emplace_back(name);
-  return names;
-}
 
 void add_size_options(CLI::App& command, EngraveOptions& options) {
   const auto add = [&](const char* name, std::optional<double>& value, const char* help) {
@@ -90,7 +72,7 @@ void add_tone_options(CLI::App& command, EngraveOptions& options) {
       ->check(in_range(0.1, 10.0, ""))
       ->capture_default_str();
   command.add_option("--shading", options.shading, "Power by the grey, or dots")
-      ->check(CLI::IsMember(shading_names()))
+      ->check(CLI::IsMember(engrave::shading_names()))
       ->capture_default_str();
   command.add_flag("--invert", options.tone.is_inverted, "Burn what is light");
   command.add_option("--full-power", options.full_power_w, "What the laser gives at $30, W")
@@ -175,9 +157,7 @@ engrave::EngraveSettings engrave_settings_of(EngraveOptions& options,
   if (options.tone.least_power > options.tone.most_power) {
     throw std::invalid_argument("--min-power: is more than --power");
   }
-  for (const auto& [name, shading] : kShadings) {
-    if (name == options.shading) options.tone.shading = shading;
-  }
+  options.tone.shading = engrave::shading_named(options.shading).value_or(engrave::Shading::kGrey);
   if (options.post.is_asked() && !options.is_plain) {
     throw std::invalid_argument("--post: other controllers take one S to a line; add --plain");
   }
@@ -193,7 +173,7 @@ engrave::EngraveSettings engrave_settings_of(EngraveOptions& options,
   return settings;
 }
 
-engrave::BurnRaster raster_of(const EngraveOptions& options, const engrave::GreyImage& image) {
+engrave::BurnRaster raster_of(const EngraveOptions& options, const picture::GreyImage& image) {
   const auto across = static_cast<double>(image.width);
   const auto down = static_cast<double>(image.height);
   double width = 0.0;
@@ -211,21 +191,7 @@ engrave::BurnRaster raster_of(const EngraveOptions& options, const engrave::Grey
   }
   const double interval = options.dpi ? kPictureInchMm / *options.dpi : options.interval_mm;
   const double pixel = options.pixel_mm.value_or(interval);
-  const double columns = std::max(1.0, std::round(width / pixel));
-  const double rows = std::max(1.0, std::round(height / interval));
-  if (columns * rows > static_cast<double>(engrave::kMaxImagePixels)) {
-    throw std::invalid_argument(
-        fmt::format("{} x {} pixels would be burnt; make the picture smaller or the interval "
-                    "greater, for at most {} in all",
-                    columns,
-                    rows,
-                    engrave::kMaxImagePixels));
-  }
-  engrave::BurnRaster raster = engrave::burn_raster(
-      image, static_cast<std::size_t>(columns), static_cast<std::size_t>(rows), options.tone);
-  raster.pixel_mm = width / columns;
-  raster.interval_mm = height / rows;
-  return raster;
+  return engrave::burn_raster(image, {width, height}, interval, pixel, options.tone);
 }
 
 }  // namespace sim

@@ -9,6 +9,7 @@
 #include "host-sim/cli/post_option.hpp"
 #include "host-sim/engrave/burn_raster.hpp"
 #include "host-sim/engrave/engrave_program.hpp"
+#include "host-sim/picture/grey_image.hpp"
 
 namespace CLI {
 class App;
@@ -59,6 +60,6 @@ void add_engrave_options(CLI::App& command, const std::shared_ptr<EngraveOptions
 /// Returns the raster of a picture in the size of the call. Throws std::invalid_argument where it
 /// is not given, and where it has too many pixels.
 [[nodiscard]] engrave::BurnRaster raster_of(const EngraveOptions& options,
-                                            const engrave::GreyImage& image);
+                                            const picture::GreyImage& image);
 
 }  // namespace sim

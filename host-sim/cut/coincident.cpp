@@ -16,6 +16,7 @@ int depth_of(Side side) {
     case Side::kMark:
       return 1;
     case Side::kFill:  // Its area is engraved beside what becomes of the outline.
+    case Side::kImage:
     case Side::kSkip:
     case Side::kStart:
       break;

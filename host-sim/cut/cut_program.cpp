@@ -24,7 +24,7 @@ using Written = cnc::Result<std::string_view, WriterError>;
 class StrokeWriter {
  public:
   StrokeWriter(const Beam& beam, cnc::gcode::PrintGrid grid)
-      : beam_{beam}, digit_mm_{1.0 / grid.per_mm()}, writer_{grid} {}
+      : beam_{beam}, grid_{grid}, digit_mm_{1.0 / grid.per_mm()}, writer_{grid} {}
 
   void go_to(const Place& place) { take(writer_.rapid(place), place); }
 
@@ -58,6 +58,7 @@ class StrokeWriter {
 
   void write(const Cut& cut, const LayerPlan& layer) {
     wait(cut.wait_s);
+    if (cut.picture) return burn(cut.picture->rows.text);
     if (beam_.kerf_table && !cut.programmed.empty()) return write_for_controller(cut, layer);
     for (const Stroke& stroke : cut.strokes) {
       const bool pierces = stroke.purpose == Purpose::kPierce;
@@ -66,6 +67,13 @@ class StrokeWriter {
       if (stroke.dwell_s > 0.0) text_ += fmt::format("G4 P{:.3f}\n", stroke.dwell_s);
       write(stroke);
     }
+  }
+
+  /// Writes rows without their first line, a rapid that is driven already. They have motions, feeds
+  /// and powers of their own, so that the next line says all of them.
+  void burn(const std::string& rows) {
+    text_ += rows.substr(rows.find('\n') + 1);
+    writer_ = ProgramWriter{grid_};
   }
 
   /// G42 goes by F and S as they are.
@@ -135,6 +143,7 @@ class StrokeWriter {
   }
 
   Beam beam_;
+  cnc::gcode::PrintGrid grid_;
   double digit_mm_;
   ProgramWriter writer_;
   std::string text_;
@@ -143,6 +152,7 @@ class StrokeWriter {
 
 std::string_view kind_of(const Cut& cut, const LayerPlan& layer) {
   if (cut.is_slice) return "waste";
+  if (cut.picture) return "picture";
   if (layer.settings.side == Side::kOn) return "on the line";
   if (layer.settings.side == Side::kMark) return layer.settings.is_scored ? "scored" : "engraved";
   if (layer.settings.side == Side::kFill) return "filled";

@@ -9,6 +9,7 @@
 #include <numbers>
 #include <set>
 
+#include "host-sim/cut/burnt_pictures.hpp"
 #include "host-sim/cut/kerf_notes.hpp"
 #include "host-sim/cut/order_report.hpp"
 #include "host-sim/cut/rapid_way.hpp"
@@ -104,6 +105,24 @@ Json json_of(const LayerPlan& layer, const drawing::Layer& drawn, const Beam& be
   return row;
 }
 
+Json pictures_json(const CutPlan& plan) {
+  Json rows = Json::array();
+  for (const Cut& cut : plan.cuts) {
+    if (!cut.picture) continue;
+    const engrave::BurnRaster& raster = cut.picture->raster;
+    rows.push_back({{"entity", cut.picture->entity.name},
+                    {"columns", raster.columns},
+                    {"rows", raster.rows},
+                    {"pixel_mm", raster.pixel_mm},
+                    {"interval_mm", raster.interval_mm},
+                    {"at_mm", {cut.picture->at_mm.x(), cut.picture->at_mm.y()}},
+                    {"burnt_rows", cut.picture->rows.figures.rows},
+                    {"burnt_mm", cut.picture->rows.figures.burnt_mm},
+                    {"pass", cut.pass}});
+  }
+  return rows;
+}
+
 Json json_of(const Recipes& recipes, const drawing::Drawing& drawn) {
   Json rows = Json::array();
   for (const AppliedRule& applied : recipes.applied) {
@@ -121,7 +140,7 @@ Json json_of(const Recipes& recipes, const drawing::Drawing& drawn) {
 std::size_t curves_of(const CutJob& job) {
   std::set<std::size_t> contours;
   for (const Cut& cut : job.plan.cuts) {
-    if (!cut.is_slice) contours.insert(cut.contour);
+    if (cut.contour != kNoContour) contours.insert(cut.contour);
   }
   std::size_t curves = 0;
   for (const std::size_t contour : contours) {
@@ -177,8 +196,14 @@ std::vector<std::string> none_too_long(const std::vector<std::string>& lines) {
 }  // namespace
 
 CutFigures figures_of(const CutPlan& plan) {
-  CutFigures figures{.cuts = plan.cuts.size(), .rapid_length_mm = rapid_length(plan)};
+  CutFigures figures{.rapid_length_mm = rapid_length(plan)};
   for (const Cut& cut : plan.cuts) {
+    if (cut.picture) {
+      ++figures.pictures;
+      figures.burnt_mm += cut.picture->rows.figures.burnt_mm;
+      continue;
+    }
+    ++figures.cuts;
     for (const Stroke& stroke : cut.strokes) {
       ++(stroke.bulge == 0.0 ? figures.lines : figures.arcs);
       if (has_beam(stroke.purpose)) figures.cut_length_mm += length_of(stroke);
@@ -214,6 +239,7 @@ std::vector<std::string> lines_of(const CutJob& job, const CutFigures& figures) 
   if (figures.corner_loops + figures.corner_dwells != 0) {
     lines.push_back(line_of_corners(figures));
   }
+  for (std::string& line : picture_lines(job.plan)) lines.push_back(std::move(line));
   if (job.plan.shared.is_asked) lines.push_back(line_of(job.plan.shared));
   for (const std::string& line : lines_of(job.plan.safety)) lines.push_back(line);
   lines.push_back(fmt::format("{} cuts, {} lines, {} arcs; {:.1f} mm cut, {:.1f} mm rapid; {}{}",
@@ -266,6 +292,7 @@ Json json_of(const CutJob& job, const CutFigures& figures) {
   json["arcs"] = figures.arcs;
   json["cut_length_mm"] = figures.cut_length_mm;
   json["rapid_length_mm"] = figures.rapid_length_mm;
+  if (figures.pictures != 0) json["pictures"] = pictures_json(job.plan);
   json["corners"] = {{"count", figures.corners},
                      {"loops", figures.corner_loops},
                      {"loops_longer_mm", figures.corner_loop_mm},

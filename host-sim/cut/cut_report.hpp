@@ -11,7 +11,7 @@ namespace sim::cut {
 
 /// What a job of cuts amounts to.
 struct CutFigures {
-  std::size_t cuts = 0;
+  std::size_t cuts = 0;   ///< Without pictures.
   std::size_t lines = 0;  ///< Strokes that are straight, with leads and tabs…
   std::size_t arcs = 0;   ///< …and that are not.
   double cut_length_mm = 0.0;
@@ -21,6 +21,8 @@ struct CutFigures {
   double corner_loop_mm = 0.0;    ///< …by which the cuts are longer;
   std::size_t corner_dwells = 0;  ///< that the beam rests at…
   double corner_dwell_s = 0.0;    ///< …in all.
+  std::size_t pictures = 0;       ///< Pictures that are burnt, each pass by itself…
+  double burnt_mm = 0.0;          ///< …and the length of their pixels.
   double job_time_s = 0.0;        ///< As the simulated controller drives it…
   bool is_simulated = true;       ///< …or, of long jobs, as it is predicted.
 };

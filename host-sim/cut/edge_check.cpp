@@ -112,7 +112,10 @@ class EdgeCheck::Sweep final : public TraceSink {
     if (pierces_.nearest(here).distance_mm < kAroundPierce) return;
     const Clearance::Nearest nearest = strokes_.nearest(here);
     const LayerPlan& layer = job_.plan.plan_of(job_.plan.cuts[nearest.owner]);
-    if (is_engraved(layer.settings.side)) return;  // Nothing is cut through.
+    if (is_engraved(layer.settings.side)) {
+      joules_per_mm_ = 0.0;  // Nothing is cut through, and the next cut has a heat of its own.
+      return;
+    }
     const double radius = 0.5 * kerf_at(layer);
     swept_.add(here, radius);
     // All edges around, also where this beam was too narrow to come to them.
@@ -174,7 +177,7 @@ class EdgeCheck::Sweep final : public TraceSink {
       for (const Stroke& stroke : cut.strokes) {
         strokes_.add(stroke, index);
         if (stroke.purpose == Purpose::kPierce) pierces_.add(stroke, index);
-        if (!has_beam(stroke.purpose)) continue;
+        if (!has_beam(stroke.purpose) || cut.picture) continue;
         const int count = 1 + static_cast<int>(length_of(stroke) / kDiscEvery);
         for (int i = 0; i <= count; ++i) {
           planned_.add(place_at(stroke, static_cast<double>(i) / count), radius);

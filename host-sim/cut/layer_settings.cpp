@@ -23,7 +23,7 @@ constexpr double kDeepestStep = 100.0;  ///< mm, of Z with each pass.
 constexpr std::string_view kAnyLayer = "*";
 constexpr std::string_view kRuleForm = "rule `LAYER: key=value, key=value`";
 
-/// Keys that only a filled layer has.
+/// Keys that only a filled layer has; a picture has two of them.
 constexpr std::array<std::string_view, 4> kFillKeys{"interval", "angle", "overscan", "pattern"};
 /// Keys of a line that is engraved.
 constexpr std::array<std::string_view, 10> kMarkKeys{
@@ -46,10 +46,11 @@ Side side_from(std::string_view text) {
   if (text == "waste") return Side::kWaste;
   if (text == "on") return Side::kOn;
   if (text == "mark") return Side::kMark;
+  if (text == "image") return Side::kImage;
   if (text == "skip") return Side::kSkip;
   if (text == "start") return Side::kStart;
   throw std::invalid_argument(
-      fmt::format("side={}: wants `waste`, `on`, `mark`, `skip` or `start`", text));
+      fmt::format("side={}: wants `waste`, `on`, `mark`, `image`, `skip` or `start`", text));
 }
 
 template <std::size_t kCount>
@@ -57,14 +58,27 @@ bool holds(const std::array<std::string_view, kCount>& keys, std::string_view ke
   return std::ranges::find(keys, key) != keys.end();
 }
 
+/// Returns whether a layer of pictures has a setting.
+bool is_for_image(std::string_view key) {
+  if (key == "start" || key == "z-step") return false;
+  if (key == "angle" || key == "pattern") return false;
+  return holds(kImageKeys, key) || holds(kFillKeys, key) || holds(kMarkKeys, key);
+}
+
 /// Throws std::invalid_argument for what a layer of this side cannot have.
 void expect_of_side(const LayerRule& rule, const LayerSettings& settings) {
   const Side side = settings.side;
   const bool has_lines = settings.fill.pattern == FillPattern::kLines;
-  const auto refuse = [&rule](std::string_view key, const std::string& value, const char* reason) {
-    throw std::invalid_argument(fmt::format("{}: {}={}: {}", rule.place, key, value, reason));
-  };
+  const auto refuse =
+      [&rule](std::string_view key, const std::string& value, const std::string& reason) {
+        throw std::invalid_argument(fmt::format("{}: {}={}: {}", rule.place, key, value, reason));
+      };
   for (const auto& [key, value] : rule.values) {
+    if (side == Side::kImage) {
+      if (!is_for_image(key)) refuse(key, value, "is not for pictures; leave it out");
+      continue;
+    }
+    if (holds(kImageKeys, key)) refuse(key, value, "is for a layer with kind=image");
     if (holds(kFillKeys, key)) {
       if (side != Side::kFill) refuse(key, value, "is for a layer with kind=fill");
       const bool is_of_lines = key == "angle" || key == "overscan";
@@ -76,16 +90,16 @@ void expect_of_side(const LayerRule& rule, const LayerSettings& settings) {
            value,
            fmt::format("a layer that is engraved has {}, filled also {}, and no more",
                        fmt::join(kMarkKeys, ", "),
-                       fmt::join(kFillKeys, ", "))
-               .c_str());
+                       fmt::join(kFillKeys, ", ")));
   }
 }
 
 void set_kind(LayerSettings& settings, std::string_view text) {
-  constexpr std::array<std::pair<std::string_view, Side>, 5> kKinds{{{"cut", Side::kWaste},
+  constexpr std::array<std::pair<std::string_view, Side>, 6> kKinds{{{"cut", Side::kWaste},
                                                                      {"score", Side::kMark},
                                                                      {"engrave", Side::kMark},
                                                                      {"fill", Side::kFill},
+                                                                     {"image", Side::kImage},
                                                                      {"skip", Side::kSkip}}};
   for (const auto& [name, side] : kKinds) {
     if (name != text) continue;
@@ -93,27 +107,14 @@ void set_kind(LayerSettings& settings, std::string_view text) {
     settings.is_scored = name == "score";
     return;
   }
-  const char* const reason =
-      text == "image"
-          ? "pictures in a drawing are not engraved; fill the layer's outlines, or skip it"
-          : "wants `cut`, `score`, `engrave`, `fill` or `skip`";
-  throw std::invalid_argument(fmt::format("kind={}: {}", text, reason));
+  throw std::invalid_argument(
+      fmt::format("kind={}: wants `cut`, `score`, `engrave`, `fill`, `image` or `skip`", text));
 }
 
 void set_power(LayerSettings& settings, std::string_view text) {
-  settings.power_w.reset();
-  settings.power_share.reset();
-  if (text.ends_with('%')) {
-    const std::string_view number = text.substr(0, text.size() - 1);
-    settings.power_share = {number_from("power", number, 0.01, 100.0, "%"), false};
-  } else if (text.starts_with('S') || text.starts_with('s')) {
-    settings.power_share = {number_from("power", text.substr(1), 0.001, kGreatestNumber, "of S"),
-                            true};
-  } else {
-    const bool has_unit = text.ends_with('W') || text.ends_with('w');
-    const std::string_view number = text.substr(0, text.size() - (has_unit ? 1 : 0));
-    settings.power_w = number_from("power", number, 0.001, kGreatestNumber, "W");
-  }
+  const PowerWish wish = power_from("power", text);
+  settings.power_w = wish.watts;
+  settings.power_share = wish.share;
 }
 
 FillPattern pattern_from(std::string_view text) {
@@ -153,7 +154,7 @@ unsigned count_from(std::string_view key, std::string_view text, double least, c
   return static_cast<unsigned>(number_from(key, text, least, kMostTabs, unit));
 }
 
-/// All keys and what they set.
+/// All keys but those of pictures, and what they set.
 constexpr std::array<KeySetter, 24> kSetters{{
     {"power", set_power},
     {"feed",
@@ -257,25 +258,32 @@ void expect_settings(const LayerRule& rule) {
 }  // namespace
 
 void power_in_watts(LayerSettings& settings, double full_power_w, double full_power_s) {
-  if (!settings.power_share) return;
-  const PowerShare share = *settings.power_share;
-  if (share.is_s && share.value > full_power_s) {
-    throw std::invalid_argument(
-        fmt::format("power=S{:g}: is more than the machine's greatest, S{:g} ($30)",
-                    share.value,
-                    full_power_s));
-  }
-  settings.power_w = share.value / (share.is_s ? full_power_s : 100.0) * full_power_w;
-  settings.power_share.reset();
+  const auto turn =
+      [&](const char* key, std::optional<double>& watts, std::optional<PowerShare>& share) {
+        if (!share) return;
+        if (share->is_s && share->value > full_power_s) {
+          throw std::invalid_argument(
+              fmt::format("{}=S{:g}: is more than the machine's greatest, S{:g} ($30)",
+                          key,
+                          share->value,
+                          full_power_s));
+        }
+        watts = share->value / (share->is_s ? full_power_s : 100.0) * full_power_w;
+        share.reset();
+      };
+  turn("power", settings.power_w, settings.power_share);
+  turn("min-power", settings.image.least_power.watts, settings.image.least_power.share);
 }
 
 void set(LayerSettings& settings, std::string_view key, std::string_view value) {
   for (const KeySetter& setter : kSetters) {
     if (setter.key == key) return setter.set(settings, value);
   }
+  if (holds(kImageKeys, key)) return set_image(settings.image, key, value);
   std::vector<std::string> keys;
-  keys.reserve(kSetters.size());
+  keys.reserve(kSetters.size() + kImageKeys.size());
   for (const KeySetter& setter : kSetters) keys.emplace_back(setter.key);
+  for (const std::string_view image_key : kImageKeys) keys.emplace_back(image_key);
   throw std::invalid_argument(fmt::format("{}: no such setting; there are {}{}",
                                           key,
                                           fmt::join(keys, ", "),
@@ -327,7 +335,12 @@ LayerSettings settings_for(const drawing::Layer& layer,
   const bool is_stroke_text = layer.colour == drawing::kStrokeTextColour;
   LayerSettings base = common;
   if (is_stroke_text) base.side = Side::kMark;
-  const LayerSettings settings = with_own(base);
+  LayerSettings settings = with_own(base);
+  const bool is_picture = layer.colour == drawing::kPictureColour;
+  if (is_picture && settings.side != Side::kImage) {
+    settings.side = Side::kSkip;
+    return settings;
+  }
   for (const LayerRule* rule : own) expect_of_side(*rule, settings);
   if (!is_engraved(settings.side)) return settings;
   base = engraved;

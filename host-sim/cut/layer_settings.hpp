@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "host-sim/cut/image_settings.hpp"
 #include "host-sim/cut/named_values.hpp"
 #include "host-sim/import/drawing.hpp"
 
@@ -17,16 +18,17 @@ enum class Side : std::uint8_t {
   kOn,     ///< On the line itself, through the sheet; open lines, too.
   kMark,   ///< On the line, which is engraved: nothing is cut through.
   kFill,   ///< In lines across the area of its closed contours, which is engraved.
+  kImage,  ///< In rows of pixels: its pictures are engraved, its contours nothing.
   kSkip,   ///< Nowhere.
   kStart,  ///< Nowhere: what is drawn marks where the nearest contour is begun.
 };
 
 /// Returns whether nothing is cut through, so that no kerf is needed.
 [[nodiscard]] constexpr bool is_engraved(Side side) {
-  return side == Side::kMark || side == Side::kFill;
+  return side == Side::kMark || side == Side::kFill || side == Side::kImage;
 }
 
-/// Returns whether the beam goes along lines of this side at all.
+/// Returns whether the beam goes along lines of this side, or burns pictures, at all.
 [[nodiscard]] constexpr bool is_driven(Side side) {
   return side == Side::kWaste || side == Side::kOn || is_engraved(side);
 }
@@ -71,13 +73,6 @@ struct FillSettings {
   bool operator==(const FillSettings&) const = default;
 };
 
-/// Power as a share of the laser's, until its full power is known.
-struct PowerShare {
-  double value = 0.0;
-  bool is_s = false;  ///< A value of S; else percent.
-  bool operator==(const PowerShare&) const = default;
-};
-
 /// How the contours of a layer are cut.
 struct LayerSettings {
   std::optional<double> power_w{};      ///< Else chosen.
@@ -101,7 +96,8 @@ struct LayerSettings {
   double z_step_mm = 0.0;        ///< Z goes down by this with each pass after the first.
   Air air = Air::kFlood;
   bool is_scored = false;  ///< A marked line is reported as scored, not as engraved.
-  FillSettings fill{};     ///< Used by Side::kFill.
+  FillSettings fill{};     ///< Used by Side::kFill, and without the angle by Side::kImage.
+  ImageSettings image{};   ///< Used by Side::kImage.
   bool operator==(const LayerSettings&) const = default;
 };
 
@@ -133,7 +129,8 @@ using LayerRule = NamedValues;
 
 /// Returns the common settings with the rules for the layer, later ones last. A layer that is
 /// engraved or filled has nothing of the common settings, which are for cuts, and neither leads nor
-/// tabs. Throws std::invalid_argument with the place of a rule that gives it some.
+/// tabs. Throws std::invalid_argument with the place of a rule that gives it some. Pictures are
+/// skipped unless a rule says kind=image.
 /// @param engraved what a layer that is engraved or filled has in their place
 [[nodiscard]] LayerSettings settings_for(const drawing::Layer& layer,
                                          const LayerSettings& common,

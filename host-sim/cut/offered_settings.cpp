@@ -19,7 +19,8 @@ struct Mode {
   std::string_view kind;
 };
 
-constexpr std::array<Mode, 3> kModes{{{"Cut", "cut"}, {"Scan", "fill"}, {"Tool", "skip"}}};
+constexpr std::array<Mode, 4> kModes{
+    {{"Cut", "cut"}, {"Scan", "fill"}, {"Image", "image"}, {"Tool", "skip"}}};
 
 std::optional<std::string_view> kind_of(std::string_view mode) {
   for (const Mode& known : kModes) {
@@ -52,6 +53,15 @@ std::optional<double> times(const std::optional<double>& value, double factor) {
   return *value * factor;
 }
 
+void offer_picture(OfferedValues& found, const drawing::OfferedSettings& offered) {
+  if (!offered.shading.empty()) {
+    offer(found, "shading", offered.shading == "grayscale" ? "grey" : offered.shading);
+  }
+  if (offered.least_power_share.value_or(0.0) > 0.0) {
+    offer_number(found, "min-power", times(offered.least_power_share, 100.0), "%");
+  }
+}
+
 }  // namespace
 
 OfferedValues values_of(const drawing::OfferedSettings& offered) {
@@ -60,18 +70,17 @@ OfferedValues values_of(const drawing::OfferedSettings& offered) {
   if (kind) {
     offer(found, "kind", std::string{*kind});
   } else {
-    found.unusable.push_back(
-        fmt::format("the mode {:.40} is none of Cut, Scan and Tool; say what it is with kind=",
-                    offered.kind.empty() ? "without a name" : offered.kind));
+    found.unusable.push_back(fmt::format(
+        "the mode {:.40} is none of Cut, Scan, Image and Tool; say what it is with kind=",
+        offered.kind.empty() ? "without a name" : offered.kind));
   }
   if (kind && kind != "skip") {
     offer_number(found, "power", times(offered.power_share, 100.0), "%");
     offer_number(found, "feed", times(offered.speed_mm_s, kSecondsPerMinute));
     if (offered.passes) offer(found, "passes", fmt::format("{}", *offered.passes));
-    if (kind == "fill") {
-      offer_number(found, "interval", offered.interval_mm);
-      offer_number(found, "angle", offered.angle_deg);
-    }
+    if (kind == "fill" || kind == "image") offer_number(found, "interval", offered.interval_mm);
+    if (kind == "fill") offer_number(found, "angle", offered.angle_deg);
+    if (kind == "image") offer_picture(found, offered);
   }
   if (offered.priority && kind != "skip") {
     offer(found, "rank", fmt::format("{}", *offered.priority));

@@ -14,7 +14,8 @@ struct OfferedValues {
   std::vector<std::string> unusable{};  ///< Reasons why others of the project are not there.
 };
 
-/// Returns the settings that a project offers: Cut is kind=cut, Scan kind=fill, Tool kind=skip;
+/// Returns the settings that a project offers: Cut is kind=cut, Scan kind=fill, Image
+/// kind=image, Tool kind=skip;
 /// power is a share, speed a feed in mm/min, priority a rank. A layer of another mode has its rank
 /// only, since its power and speed are of an operation that is not here.
 [[nodiscard]] OfferedValues values_of(const drawing::OfferedSettings& offered);

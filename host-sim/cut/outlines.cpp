@@ -40,7 +40,8 @@ std::vector<Outline> outlines_of(const drawing::Drawing& drawn,
     // Open ones that are no lines are among the drawing's own faults.
     const bool is_open_area =
         !drawn.contours[i].closed && (side == Side::kWaste || side == Side::kFill);
-    if (is_driven(side) && !is_open_area) driven.push_back(i);
+    const bool has_line = is_driven(side) && side != Side::kImage;
+    if (has_line && !is_open_area) driven.push_back(i);
   }
   std::vector<DrawnStrokes> all(driven.size());
   share_work(driven.size(), [&] {

@@ -58,6 +58,18 @@ DrawnBox box_around(const std::vector<Piece>& pieces) {
   return box;
 }
 
+/// Widens a box by the corners of a picture.
+void include(const drawing::DrawnPicture& picture, DrawnBox& box) {
+  const auto width = static_cast<double>(picture.image->width);
+  const auto height = static_cast<double>(picture.image->height);
+  for (const Place& corner :
+       {Place{0.0, 0.0}, Place{width, 0.0}, Place{0.0, height}, Place{width, height}}) {
+    const Place place = picture.to_mm(corner);
+    box.low = box.low.cwiseMin(place);
+    box.high = box.high.cwiseMax(place);
+  }
+}
+
 void move_faults(Drawing& drawn, const Transform& transform) {
   for (drawing::Fault& fault : drawn.faults) {
     if (fault.place_mm) fault.place_mm = transform(*fault.place_mm);
@@ -74,7 +86,8 @@ class DrawingPlacer {
       piece.contour = contour;
       measure(piece);
     }
-    box_ = box_around(pieces_);
+    pictures_ = drawn.pictures;
+    find_box();
   }
 
   void place(const MachineProfile* profile) {
@@ -88,6 +101,7 @@ class DrawingPlacer {
     nest(sketch, pieces_);
     drawn_.contours.clear();
     for (Piece& piece : pieces_) drawn_.contours.push_back(std::move(piece.contour));
+    drawn_.pictures = std::move(pictures_);
   }
 
   [[nodiscard]] const DrawnBox& box() const { return box_; }
@@ -108,7 +122,8 @@ class DrawingPlacer {
       return;
     }
     pieces_ = mapped(pieces_, transform);
-    box_ = box_around(pieces_);
+    for (drawing::DrawnPicture& picture : pictures_) picture.to_mm = transform * picture.to_mm;
+    find_box();
     move_faults(drawn_, transform);
   }
 
@@ -142,13 +157,34 @@ class DrawingPlacer {
       }
     }
     pieces_ = std::move(all);
+    copy_pictures(pitch);
+    find_box();
+  }
+
+  void copy_pictures(const Place& pitch) {
+    const std::vector<drawing::DrawnPicture> once = std::exchange(pictures_, {});
+    for (std::size_t number = 0; number < wishes_.columns * wishes_.rows; ++number) {
+      const std::size_t row = number / wishes_.columns;
+      const Place way{pitch.x() * static_cast<double>(number % wishes_.columns),
+                      pitch.y() * static_cast<double>(row)};
+      for (const drawing::DrawnPicture& picture : once) {
+        drawing::DrawnPicture& copy = pictures_.emplace_back(picture);
+        copy.to_mm = drawing::moved_by(way) * copy.to_mm;
+        copy.entity.name = fmt::format("#{}: {}", number + 1, copy.entity.name);
+      }
+    }
+  }
+
+  void find_box() {
     box_ = box_around(pieces_);
+    for (const drawing::DrawnPicture& picture : pictures_) include(picture, box_);
   }
 
   Drawing& drawn_;
   const PlaceWishes& wishes_;
   double effort_;
   std::vector<Piece> pieces_;
+  std::vector<drawing::DrawnPicture> pictures_;
   DrawnBox box_;
 };
 
@@ -195,7 +231,7 @@ std::string place_drawing(Drawing& drawn,
                           double effort) {
   PlaceWishes all = wishes;
   if (profile != nullptr) all.move_mm -= profile->beam_offset_mm;
-  if (!all.is_asked() || drawn.contours.empty()) return {};
+  if (!all.is_asked() || (drawn.contours.empty() && drawn.pictures.empty())) return {};
   DrawingPlacer placer{drawn, all, effort};
   placer.place(profile);
   const DrawnBox& box = placer.box();

@@ -28,9 +28,11 @@ inline constexpr std::size_t kNoContour = SIZE_MAX;
 /// The path along a contour, of which cuts are rests; see share_lines().
 using SharedLoop = std::shared_ptr<const std::vector<Stroke>>;
 
-/// One pierce and what is cut from it on.
+struct BurntPicture;
+
+/// One pierce and what is cut from it on; or a picture, whose rows are its strokes.
 struct Cut {
-  std::size_t contour = 0;  ///< Of the drawing; kNoContour of a slice.
+  std::size_t contour = 0;  ///< Of the drawing; kNoContour of a slice and of a picture.
   std::size_t layer = 0;    ///< Of the drawing, and of the plan.
   std::size_t turn = 0;     ///< Cuts of lower turns come before it: see CutTurn.
   bool is_hole = false;
@@ -50,6 +52,7 @@ struct Cut {
   bool is_slice = false;  ///< Of the waste: no contour of the drawing.
   unsigned pass = 1;      ///< Number of times that it has been cut with it.
   double wait_s = 0.0;    ///< The beam rests off before the pierce, until the sheet is cooler.
+  std::shared_ptr<const BurntPicture> picture{};  ///< Null of what is no picture.
 
   [[nodiscard]] const Place& start() const { return strokes.front().from; }
   [[nodiscard]] const Place& end() const { return strokes.back().to; }

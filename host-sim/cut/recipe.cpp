@@ -187,6 +187,7 @@ std::string how(const LayerPlan& plan) {
 
 std::string width_text(const LayerPlan& plan) {
   if (plan.settings.side == Side::kFill) return "filled";
+  if (plan.settings.side == Side::kImage) return "burnt as a picture";
   if (plan.settings.side == Side::kMark) return plan.settings.is_scored ? "scored" : "engraved";
   return fmt::format("kerf {:.4f} mm", plan.condition.kerf_mm);
 }

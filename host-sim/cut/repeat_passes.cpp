@@ -27,7 +27,7 @@ void expect_passes_with(const SafetyWishes& wishes, const LayerSettings& setting
 
 /// Returns whether a pass may go back along the line that the one before went.
 bool may_return(const Cut& cut) {
-  return cut.start() != cut.end() && cut.programmed.empty() &&
+  return cut.start() != cut.end() && cut.programmed.empty() && !cut.picture &&
          std::ranges::all_of(cut.strokes, [](const Stroke& stroke) {
            return stroke.purpose == Purpose::kContour || stroke.purpose == Purpose::kOverscan;
          });

@@ -1,9 +1,12 @@
 #include "host-sim/engrave/burn_raster.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <span>
+#include <stdexcept>
 
 namespace sim::engrave {
 namespace {
@@ -33,8 +36,12 @@ std::vector<Weight> weights(std::size_t from, std::size_t to) {
   return result;
 }
 
-/// Returns the mean darkness of each pixel of the raster, rows from the top.
-std::vector<float> resampled(const GreyImage& image, std::size_t columns, std::size_t rows) {
+/// Returns the mean of values, one for each pixel of a picture, in each pixel of the raster, rows
+/// from the top.
+std::vector<float> resampled(const GreyImage& image,
+                             const std::vector<float>& values,
+                             std::size_t columns,
+                             std::size_t rows) {
   const std::vector<Weight> across = weights(image.width, columns);
   const std::vector<Weight> down = weights(image.height, rows);
   std::vector<float> result(columns * rows, 0.0F);
@@ -43,7 +50,7 @@ std::vector<float> resampled(const GreyImage& image, std::size_t columns, std::s
     std::ranges::fill(row, 0.0F);
     for (std::size_t k = 0; k < down[y].shares.size(); ++k) {
       const float share = down[y].shares[k];
-      const float* source = &image.darkness[(down[y].from + k) * image.width];
+      const float* source = &values[(down[y].from + k) * image.width];
       for (std::size_t x = 0; x < image.width; ++x) row[x] += share * source[x];
     }
     for (std::size_t x = 0; x < columns; ++x) {
@@ -146,6 +153,16 @@ void make_dots(std::vector<float>& grey, std::size_t columns, std::size_t rows, 
   }
 }
 
+/// Inverts greys within what the picture covers.
+void invert(const GreyImage& image,
+            std::size_t columns,
+            std::size_t rows,
+            std::vector<float>& grey) {
+  std::vector<float> cover(grey.size(), 1.0F);
+  if (!image.cover.empty()) cover = resampled(image, image.cover, columns, rows);
+  for (std::size_t i = 0; i < grey.size(); ++i) grey[i] = std::max(0.0F, cover[i] - grey[i]);
+}
+
 }  // namespace
 
 double power_of(double darkness, const ToneCurve& curve) {
@@ -158,10 +175,8 @@ BurnRaster burn_raster(const GreyImage& image,
                        std::size_t columns,
                        std::size_t rows,
                        const ToneCurve& curve) {
-  std::vector<float> grey = resampled(image, columns, rows);
-  if (curve.is_inverted) {
-    for (float& pixel : grey) pixel = 1.0F - pixel;
-  }
+  std::vector<float> grey = resampled(image, image.darkness, columns, rows);
+  if (curve.is_inverted) invert(image, columns, rows, grey);
   const bool has_dots = curve.shading != Shading::kGrey;
   if (has_dots) {
     for (float& pixel : grey) {
@@ -177,6 +192,28 @@ BurnRaster burn_raster(const GreyImage& image,
       raster.power[y * columns + x] = static_cast<float>(power);
     }
   }
+  return raster;
+}
+
+BurnRaster burn_raster(const GreyImage& image,
+                       const drawing::Place& size_mm,
+                       double interval_mm,
+                       double pixel_mm,
+                       const ToneCurve& curve) {
+  const double columns = std::max(1.0, std::round(size_mm.x() / pixel_mm));
+  const double rows = std::max(1.0, std::round(size_mm.y() / interval_mm));
+  if (columns * rows > static_cast<double>(picture::kMaxImagePixels)) {
+    throw std::invalid_argument(
+        fmt::format("{} x {} pixels would be burnt; make the picture smaller or the interval "
+                    "greater, for at most {} in all",
+                    columns,
+                    rows,
+                    picture::kMaxImagePixels));
+  }
+  BurnRaster raster =
+      burn_raster(image, static_cast<std::size_t>(columns), static_cast<std::size_t>(rows), curve);
+  raster.pixel_mm = size_mm.x() / columns;
+  raster.interval_mm = size_mm.y() / rows;
   return raster;
 }
 

@@ -4,9 +4,12 @@
 #include <cstdint>
 #include <vector>
 
-#include "host-sim/engrave/grey_image.hpp"
+#include "host-sim/import/place.hpp"
+#include "host-sim/picture/grey_image.hpp"
 
 namespace sim::engrave {
+
+using picture::GreyImage;
 
 /// How greys become powers.
 enum class Shading : std::uint8_t {
@@ -48,10 +51,21 @@ inline constexpr float kWhiteBelow = 0.5F / 255.0F;
 [[nodiscard]] double power_of(double darkness, const ToneCurve& curve);
 
 /// Returns the picture as powers of pixels of a size: each pixel has the mean darkness of its area.
+/// What the picture does not cover stays without power.
 /// @pre columns and rows above 0
 [[nodiscard]] BurnRaster burn_raster(const GreyImage& image,
                                      std::size_t columns,
                                      std::size_t rows,
+                                     const ToneCurve& curve);
+
+/// Returns the picture as powers in a size of its own, in pixels and rows as near to the wanted
+/// ones as whole numbers of them allow. Throws std::invalid_argument where these are too many.
+/// @param size_mm above 0
+/// @param pixel_mm width of a pixel
+[[nodiscard]] BurnRaster burn_raster(const GreyImage& image,
+                                     const drawing::Place& size_mm,
+                                     double interval_mm,
+                                     double pixel_mm,
                                      const ToneCurve& curve);
 
 }  // namespace sim::engrave

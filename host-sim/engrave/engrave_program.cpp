@@ -51,12 +51,14 @@ class RowWriter {
     write_pixels(from);
     const double last = x_of(to) + way_ * settings_.overscan_mm;
     if (settings_.overscan_mm > 0.0) line(last, "0");
+    rows_.push_back({y, x_of(from) - way_ * settings_.overscan_mm, x_of(from), x_of(to), last});
     ++figures_.rows;
   }
 
-  EngraveProgram finish() && {
+  EngravedRows finish() && {
+    if (!text_.empty() && settings_.overscan_mm <= 0.0) text_ += "S0\n";
     figures_.lines = static_cast<std::size_t>(std::ranges::count(text_, '\n'));
-    return {std::move(text_), figures_};
+    return {std::move(text_), figures_, std::move(rows_)};
   }
 
  private:
@@ -80,7 +82,9 @@ class RowWriter {
   }
 
   void go_to(const Place& place) {
-    text_ += fmt::format("G0X{}Y{}\n", trimmed_number(place.x(), 4), trimmed_number(place.y(), 4));
+    const int decimals = settings_.decimals;
+    text_ += fmt::format(
+        "G0X{}Y{}\n", trimmed_number(place.x(), decimals), trimmed_number(place.y(), decimals));
     const Place way = place - here_;
     figures_.estimated_s += rapid_(way.x(), way.y());
     note(place);
@@ -99,7 +103,7 @@ class RowWriter {
 
   void line(double x, const std::string& power) {
     if (x == here_.x()) return;
-    text_ += fmt::format("{}X{}", is_rapid_ ? "G1" : "", trimmed_number(x, 4));
+    text_ += fmt::format("{}X{}", is_rapid_ ? "G1" : "", trimmed_number(x, settings_.decimals));
     if (!has_feed_) text_ += fmt::format("F{}", trimmed_number(settings_.feed_mm_min, 3));
     text_ += fmt::format("S{}\n", power);
     has_feed_ = true;
@@ -166,6 +170,7 @@ class RowWriter {
   cnc::order::RapidTime rapid_;
   EngraveFigures figures_;
   std::string text_;
+  std::vector<EngravedRow> rows_;
   std::vector<std::string> texts_;  ///< Powers of the row's pixels, in the order of the motion.
   Place here_{0.0, 0.0};
   double way_ = 1.0;  ///< The row's direction: 1 to the right, -1 to the left.
@@ -176,22 +181,30 @@ class RowWriter {
 
 }  // namespace
 
+std::optional<EngravedRows> engrave_rows(const BurnRaster& raster,
+                                         const EngraveSettings& settings,
+                                         const cnc::order::RapidLimits& limits) {
+  RowWriter writer{raster, settings, limits};
+  for (std::size_t row = 0; row < raster.rows; ++row) writer.write(row);
+  EngravedRows rows = std::move(writer).finish();
+  if (rows.rows.empty()) return std::nullopt;
+  return rows;
+}
+
 std::optional<EngraveProgram> engrave_program(const BurnRaster& raster,
                                               const EngraveSettings& settings,
                                               const cnc::order::RapidLimits& limits,
                                               const std::vector<std::string>& heading) {
-  RowWriter writer{raster, settings, limits};
-  for (std::size_t row = 0; row < raster.rows; ++row) writer.write(row);
-  EngraveProgram program = std::move(writer).finish();
-  if (program.figures.rows == 0) return std::nullopt;
-  std::string text;
-  for (const std::string& line : heading) text += line;
-  text += "G21 G90 G17 G94 G54\n";
-  if (!settings.air.empty()) text += settings.air + "\n";
-  text += settings.follows_speed ? "M4 S0\n" : "M3 S0\n";
-  text += program.text;
-  text += settings.air.empty() ? "M5\n" : "M5\nM9\n";
-  program.text = text + "G0X0Y0\nM2\n";
+  const std::optional<EngravedRows> rows = engrave_rows(raster, settings, limits);
+  if (!rows) return std::nullopt;
+  EngraveProgram program{{}, rows->figures};
+  for (const std::string& line : heading) program.text += line;
+  program.text += "G21 G90 G17 G94 G54\n";
+  if (!settings.air.empty()) program.text += settings.air + "\n";
+  program.text += settings.follows_speed ? "M4 S0\n" : "M3 S0\n";
+  program.text += rows->text;
+  program.text += settings.air.empty() ? "M5\n" : "M5\nM9\n";
+  program.text += "G0X0Y0\nM2\n";
   return program;
 }
 

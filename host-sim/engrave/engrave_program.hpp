@@ -21,6 +21,7 @@ struct EngraveSettings {
   bool follows_speed = true;      ///< M4; else M3.
   double full_power_s = 1000.0;   ///< $30.
   std::string air = "M8";         ///< M7 or M8; empty: none.
+  int decimals = 4;               ///< Decimals of positions.
 };
 
 /// Counts of all that is driven.
@@ -33,14 +34,37 @@ struct EngraveFigures {
   drawing::Place high{0.0, 0.0};
 };
 
+/// A row as it is driven: the beam is off before `from_mm` and behind `to_mm`.
+struct EngravedRow {
+  double y_mm = 0.0;
+  double start_mm = 0.0;  ///< X where the overscan before it begins.
+  double from_mm = 0.0;   ///< X of its first pixel's near side.
+  double to_mm = 0.0;     ///< X of its last pixel's far side.
+  double end_mm = 0.0;    ///< X where the overscan behind it ends.
+};
+
+/// The lines that burn a picture while M4 or M3 is in force, and what they drive.
+struct EngravedRows {
+  std::string text;
+  EngraveFigures figures;
+  std::vector<EngravedRow> rows;
+};
+
+/// Returns the rows of a raster, from the bottom: rows are begun and ended where they have
+/// something to burn, and rows without are left out. The first line is a rapid, the beam is off at
+/// the end, and G1, F and S 0 stay in force. Nothing for a white picture.
+[[nodiscard]] std::optional<EngravedRows> engrave_rows(const BurnRaster& raster,
+                                                       const EngraveSettings& settings,
+                                                       const cnc::order::RapidLimits& limits);
+
 /// A program and its figures.
 struct EngraveProgram {
   std::string text;
   EngraveFigures figures;
 };
 
-/// Returns the program that burns a raster, row by row from the bottom: rows are begun and ended
-/// where they have something to burn, and rows without are left out. Nothing for a white picture.
+/// Returns the program that burns a raster, with the rows of engrave_rows(). Nothing for a white
+/// picture.
 /// @param heading comments at the top
 [[nodiscard]] std::optional<EngraveProgram> engrave_program(
     const BurnRaster& raster,

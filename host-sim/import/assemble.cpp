@@ -157,6 +157,7 @@ Drawing assemble(Sketch& sketch,
   drawing.layers = std::move(sketch.layers());
   drawing.contours.reserve(pieces.size());
   for (Piece& piece : pieces) drawing.contours.push_back(std::move(piece.contour));
+  drawing.pictures = std::move(sketch.pictures());
   drawing.faults = std::move(sketch.faults());
   drawing.more_faults = sketch.more_faults();
   drawing.more_lines = sketch.more_lines();

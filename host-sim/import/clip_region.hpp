@@ -43,6 +43,10 @@ enum class ClipSide : std::uint8_t { kInside, kOutside, kAcross };
                                FillRule rule,
                                const ClipRegion& clip);
 
+/// Leaves of a picture what lies within a clip: pixels whose middle is outside belong to it no
+/// longer. @param to_mm of places in the picture, in pixels @pre the map has an area
+void clip_picture(picture::GreyImage& image, const Transform& to_mm, const ClipRegion& clip);
+
 using ClipRegions = std::vector<std::shared_ptr<const ClipRegion>>;
 
 /// What is seen of a row of shapes within clips.

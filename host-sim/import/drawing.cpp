@@ -10,7 +10,7 @@
 namespace sim::drawing {
 
 std::string_view name_of(FaultKind kind) {
-  static constexpr std::array<std::string_view, 14> kNames{"unreadable",
+  static constexpr std::array<std::string_view, 16> kNames{"unreadable",
                                                            "bad entity",
                                                            "too much",
                                                            "text",
@@ -23,7 +23,9 @@ std::string_view name_of(FaultKind kind) {
                                                            "unchecked",
                                                            "ignored",
                                                            "mended",
-                                                           "note"};
+                                                           "note",
+                                                           "picture",
+                                                           "bad picture"};
   return kNames.at(static_cast<std::size_t>(kind));
 }
 

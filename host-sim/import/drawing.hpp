@@ -2,11 +2,14 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "host-sim/import/curve.hpp"
+#include "host-sim/picture/grey_image.hpp"
 
 namespace sim::drawing {
 
@@ -21,6 +24,7 @@ struct OfferedSettings {
   std::optional<double> interval_mm{};        ///< From line to line of a filled area; above 0.
   std::optional<double> angle_deg{};          ///< Direction of these lines; 0 is along X.
   std::optional<double> kerf_offset_mm{};     ///< By which its program moves outlines; not taken.
+  std::string shading{};  ///< Of pictures, as the project has it: grayscale, jarvis, …
   auto operator<=>(const OfferedSettings&) const = default;
 };
 
@@ -62,6 +66,8 @@ enum class FaultKind : std::uint8_t {
   kIgnored,     ///< Nothing that could be cut; left out. No error.
   kMended,      ///< Contours that cross are read as what they fill. No error.
   kNote,        ///< Read in a way that the user should know; nothing is left out. No error.
+  kPicture,     ///< Burnt only where its layer says so. No error.
+  kBadPicture,  ///< Cannot be read. An error only where its layer is to be burnt.
 };
 
 /// `unreadable`, `bad entity` …, for people and for JSON.
@@ -78,7 +84,8 @@ struct Fault {
 
   [[nodiscard]] bool is_error() const {
     return kind != FaultKind::kIgnored && kind != FaultKind::kNote && kind != FaultKind::kText &&
-           kind != FaultKind::kMended && kind != FaultKind::kDuplicate;
+           kind != FaultKind::kMended && kind != FaultKind::kDuplicate &&
+           kind != FaultKind::kPicture && kind != FaultKind::kBadPicture;
   }
 };
 
@@ -108,6 +115,14 @@ struct DrawnContour {
   [[nodiscard]] bool is_hole() const { return depth % 2 == 1; }
 };
 
+/// A picture of a drawing.
+struct DrawnPicture {
+  std::shared_ptr<const picture::GreyImage> image{};  ///< Never null.
+  Transform to_mm{};  ///< Of places in it, in pixels from its upper left corner, y down.
+  Entity entity{};
+  std::string file{};  ///< Its file, by its path from the drawing; empty where the drawing has it.
+};
+
 /// The stock that a sheet file describes; its corner is the origin.
 struct Stock {
   double width_mm = 0.0;
@@ -131,6 +146,7 @@ struct Drawing {
   PartTurns turns{};
   std::vector<Layer> layers;
   std::vector<DrawnContour> contours;
+  std::vector<DrawnPicture> pictures{};
   std::vector<Fault> faults;    ///< At most kMostFaults, in the order found.
   std::size_t more_faults = 0;  ///< Found and not listed.
   std::size_t more_lines = 0;   ///< Open contours, as Fault::is_of_line has them, and not listed.
@@ -154,6 +170,10 @@ enum class TextMode : std::uint8_t {
   kStroke,   ///< Single strokes, as an engraver draws them.
 };
 
+/// Returns the bytes of a file by its path from the drawing. Throws std::exception where it cannot
+/// be read.
+using ReadBeside = std::function<std::string(const std::string& name)>;
+
 struct ImportOptions {
   double gap_mm = 0.01;  ///< Ends no farther apart are one place. 0 or more.
   /// Takes a wider gap where that closes most open ends; see wider_gap().
@@ -171,6 +191,8 @@ struct ImportOptions {
   /// Reads contours that cross each other or run along each other as an error, not as what they
   /// fill: a tool that clears areas would clear what may be meant to stay.
   bool refuses_crossings = false;
+  /// Reads pictures that a drawing links; without it they are not read.
+  ReadBeside read_beside{};
 };
 
 inline constexpr double kLeastGapMm = 0.0;
@@ -179,7 +201,8 @@ inline constexpr double kLeastUnitMm = 1.0e-6;
 inline constexpr double kGreatestUnitMm = 1.0e6;
 
 /// Reads SVG, DXF or the JSON of nesting and cutting jobs, told by content. Never
-/// throws for what a file says; bounded by the limits above.
+/// throws for what a file says; bounded by the limits above. Pictures of SVG and of projects are
+/// decoded, from files below the folder of the drawing also by `read_beside`.
 /// @pre gap, unit and effort within their limits
 [[nodiscard]] Drawing read_drawing(const std::string& file,
                                    const std::string& text,

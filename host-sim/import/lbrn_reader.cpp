@@ -16,6 +16,7 @@
 #include "host-sim/import/lbrn_settings.hpp"
 #include "host-sim/import/line_table.hpp"
 #include "host-sim/import/scanner.hpp"
+#include "host-sim/picture/base64.hpp"
 
 namespace sim::drawing {
 namespace {
@@ -26,6 +27,7 @@ constexpr std::size_t kMostLbrnWork = 20'000'000;
 constexpr std::size_t kWorkOfShape = 32;
 constexpr std::size_t kBytesOfWork = 16;
 constexpr std::string_view kLbrnRoot = "LightBurnProject";
+constexpr std::string_view kLbrnPicture = "Bitmap";
 
 std::optional<double> lbrn_number(const pugi::xml_node& node, const char* name) {
   Scanner scanner{node.attribute(name).value()};
@@ -86,7 +88,8 @@ class LbrnReader {
     if (project.name() != kLbrnRoot) {
       return sketch_.refuse(1, 0, "it is no project of LightBurn", "save it again");
     }
-    layers_ = lbrn_layers(project);
+    layers_ = lbrn_layers(project, LbrnUse::kLines);
+    picture_layers_ = lbrn_layers(project, LbrnUse::kPictures);
     read_shapes(project, {.to_mm = origin_of(project)});
   }
 
@@ -131,9 +134,11 @@ class LbrnReader {
   [[nodiscard]] const LbrnLayer& layer_of(const pugi::xml_node& shape) {
     const double number = lbrn_number(shape, "CutIndex").value_or(0.0);
     const int index = std::abs(number) < 1.0e6 ? static_cast<int>(number) : -1;
-    const auto found = layers_.find(index);
-    if (found != layers_.end()) return found->second;
-    return layers_.emplace(index, lbrn_layer_without_settings(index)).first->second;
+    const bool is_picture = shape.attribute("Type").value() == kLbrnPicture;
+    std::map<int, LbrnLayer>& layers = is_picture ? picture_layers_ : layers_;
+    const auto found = layers.find(index);
+    if (found != layers.end()) return found->second;
+    return layers.emplace(index, lbrn_layer_without_settings(index)).first->second;
   }
 
   Entity entity_of(const pugi::xml_node& shape) {
@@ -171,9 +176,7 @@ class LbrnReader {
     if (type == "Rect") return read_rectangle(shape, within);
     if (type == "Ellipse") return read_ellipse(shape, within);
     if (type == "Path") return read_path(shape, within);
-    if (type == "Bitmap") {
-      return sketch_.ignore("pictures are nothing to cut", entity_of(shape));
-    }
+    if (type == kLbrnPicture) return read_picture(shape, within);
     bad(shape,
         "this kind of shape is not read",
         "it is left out; make a path of it in LightBurn (Convert to Path)");
@@ -246,6 +249,29 @@ class LbrnReader {
       return bad(shape, "its Rx and Ry are not above 0");
     }
     add(shape, within, {Ellipse{{0.0, 0.0}, {*rx, 0.0}, {0.0, *ry}, 0.0, kFullTurn}});
+  }
+
+  /// Its middle is the origin; its data are a file's, in base 64.
+  void read_picture(const pugi::xml_node& shape, const Within& within) {
+    Entity entity = entity_of(shape);
+    const auto width = lbrn_number(shape, "W");
+    const auto height = lbrn_number(shape, "H");
+    if (!width || !height || !(*width > 0.0) || !(*height > 0.0)) {
+      return bad(shape, "its W and H are not above 0");
+    }
+    const auto bytes = picture::base64_decoded(shape.attribute("Data").value());
+    if (!bytes || bytes->empty()) {
+      return sketch_.report_bad_picture(
+          entity, "the project has no data of it", "import the picture again in LightBurn");
+    }
+    auto image = sketch_.decode(*bytes, entity);
+    if (!image) return;
+    const Transform to_mm = within.to_mm * moved_by({-0.5 * *width, 0.5 * *height}) *
+                            scaled_by(*width / static_cast<double>(image->width),
+                                      -*height / static_cast<double>(image->height));
+    const bool is_near = to_mm.finite() && to_mm.origin.cwiseAbs().maxCoeff() <= kFarthestMm;
+    if (!is_near || to_mm.determinant() == 0.0) return bad(shape, "its XForm leaves nothing of it");
+    sketch_.add(DrawnPicture{std::move(image), to_mm, std::move(entity), {}});
   }
 
   /// Lists that others refer to by number are written once.
@@ -325,6 +351,7 @@ class LbrnReader {
   Sketch& sketch_;
   std::size_t left_;
   std::map<int, LbrnLayer> layers_;
+  std::map<int, LbrnLayer> picture_layers_;
   Lists vertex_lists_;
   Lists edge_lists_;
 };

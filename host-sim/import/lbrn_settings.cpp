@@ -59,6 +59,7 @@ OfferedSettings offered_by(const pugi::xml_node& setting) {
   if (angle && std::abs(*angle) <= kGreatestAngle) offered.angle_deg = angle;
   const auto kerf = value_of(setting, "kerf");
   if (kerf && *kerf != 0.0 && std::abs(*kerf) <= kGreatestKerfOffset) offered.kerf_offset_mm = kerf;
+  offered.shading = setting.child("ditherMode").attribute("Value").value();
   return offered;
 }
 
@@ -81,7 +82,7 @@ LbrnLayer lbrn_layer_without_settings(int index) {
   return found;
 }
 
-std::map<int, LbrnLayer> lbrn_layers(const pugi::xml_node& project) {
+std::map<int, LbrnLayer> lbrn_layers(const pugi::xml_node& project, LbrnUse use) {
   std::map<int, LbrnLayer> layers;
   for (const pugi::xml_node& setting : project.children()) {
     const std::string_view tag = setting.name();
@@ -96,7 +97,11 @@ std::map<int, LbrnLayer> lbrn_layers(const pugi::xml_node& project) {
     if (value_of(setting, "doOutput") == 0.0) layer.is_output = false;
     layer.has_sub_layers = !setting.child("SubLayer").empty();
     // Where an index has two settings, that of lines comes first and that of pictures second.
-    layers.emplace(number, std::move(layer));
+    if (use == LbrnUse::kPictures && tag == "CutSetting_Img") {
+      layers.insert_or_assign(number, std::move(layer));
+    } else {
+      layers.emplace(number, std::move(layer));
+    }
   }
   return layers;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <pugixml.hpp>
 #include <string>
@@ -22,8 +23,12 @@ struct LbrnLayer {
 /// Returns a note that the kerf offset of a setting is left out.
 [[nodiscard]] std::string note_of_kerf_offset(double offset_mm);
 
-/// Returns the layers of a project by their index, as CutSetting and CutSetting_Img have them.
-[[nodiscard]] std::map<int, LbrnLayer> lbrn_layers(const pugi::xml_node& project);
+/// What the settings of a layer are for.
+enum class LbrnUse : std::uint8_t { kLines, kPictures };
+
+/// Returns the layers of a project by their index, as CutSetting and CutSetting_Img have them: of
+/// an index with both, the settings that are for the use.
+[[nodiscard]] std::map<int, LbrnLayer> lbrn_layers(const pugi::xml_node& project, LbrnUse use);
 
 /// Returns the layer of an index that the project does not describe.
 [[nodiscard]] LbrnLayer lbrn_layer_without_settings(int index);

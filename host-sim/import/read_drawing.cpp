@@ -123,6 +123,7 @@ Drawing read_drawing(const std::string& file,
   CNC_ASSERT(!options.unit_mm ||
              (*options.unit_mm >= kLeastUnitMm && *options.unit_mm <= kGreatestUnitMm));
   Sketch sketch{options.effort, options.text};
+  sketch.set_read_beside(options.read_beside);
   const double mm_per_unit = read_any(text, options, sketch);
   return assemble(sketch, file, options, mm_per_unit);
 }

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <exception>
 
 #include "host-sim/import/stroke_colour.hpp"
 #include "host-sim/text/lettering.hpp"
@@ -131,6 +132,37 @@ bool Sketch::add(Chain chain) {
   return true;
 }
 
+void Sketch::add(DrawnPicture picture) {
+  const Layer& layer = layers_[picture.entity.layer];
+  const std::string_view name =
+      layer.colour == kPictureColour || layer.name.empty() ? layer.colour : layer.name;
+  note({FaultKind::kPicture,
+        picture.entity,
+        {},
+        "pictures are left out",
+        fmt::format("`cut --layer '{}: kind=image, power=20%, feed=3000'` burns them", name)});
+  pictures_.push_back(std::move(picture));
+}
+
+void Sketch::report_bad_picture(const Entity& entity, std::string reason, std::string remedy) {
+  note({FaultKind::kBadPicture, entity, {}, std::move(reason), std::move(remedy)});
+}
+
+std::shared_ptr<const picture::GreyImage> Sketch::decode(std::string_view bytes,
+                                                         const Entity& entity) {
+  try {
+    auto image = std::make_shared<picture::GreyImage>(picture::read_image(bytes, "it"));
+    picture_pixels_ += image->darkness.size();
+    if (picture_pixels_ <= share_of(picture::kMaxImagePixels)) return image;
+    report_bad_picture(
+        entity, "its pixels, with those of pictures before it, are too many", "make it smaller");
+  } catch (const std::exception& error) {
+    report_bad_picture(
+        entity, fmt::format("it cannot be read: {}", error.what()), "embed it as PNG or JPEG");
+  }
+  return nullptr;
+}
+
 bool Sketch::is_of_strokes(const Fault& fault) const {
   const bool is_of_lines = fault.kind == FaultKind::kOpen || fault.kind == FaultKind::kBranch ||
                            fault.kind == FaultKind::kCrossing;
@@ -158,8 +190,10 @@ void Sketch::refuse(std::size_t line, std::size_t column, std::string reason, st
 }
 
 void Sketch::note(const Fault& first, std::string detail) {
-  // Rules may skip the letters of one layer, and not those of another.
-  const std::size_t layer = first.kind == FaultKind::kText ? first.entity.layer : 0;
+  // Rules may skip letters and pictures of one layer, and not those of another.
+  const bool is_of_layer = first.kind == FaultKind::kText || first.kind == FaultKind::kPicture ||
+                           first.kind == FaultKind::kBadPicture;
+  const std::size_t layer = is_of_layer ? first.entity.layer : 0;
   const std::tuple key{first.kind, first.reason, layer};
   if (notes_.size() >= kMostFaults && !notes_.contains(key)) return;
   Note& note = notes_[key];
@@ -185,12 +219,14 @@ void Sketch::scale(double factor) {
   };
   for (Fault& fault : faults_) enlarge(fault);
   for (auto& [key, note] : notes_) enlarge(note.first);
+  for (DrawnPicture& picture : pictures_) picture.to_mm = larger * picture.to_mm;
 }
 
 void Sketch::forget_lines() {
   const auto forget = [](Entity& entity) { entity.line = entity.column = 0; };
   for (Entity& entity : entities_) forget(entity);
   for (Fault& fault : faults_) forget(fault.entity);
+  for (DrawnPicture& picture : pictures_) forget(picture.entity);
   for (auto& [key, note] : notes_) forget(note.first.entity);
 }
 

@@ -43,6 +43,19 @@ class Sketch {
   /// one that leaves the plane, becomes a fault. False when there are too many.
   bool add(Chain chain);
 
+  /// Keeps a picture, and notes where the layer of the first one is.
+  /// @pre its image is there, its map is finite and has an area
+  void add(DrawnPicture picture);
+  /// Reports a picture that cannot be read.
+  void report_bad_picture(const Entity& entity, std::string reason, std::string remedy);
+  /// Returns a picture of a file's bytes; null, and a report, where they are none, or where the
+  /// pictures of the drawing would have more pixels than one may have.
+  [[nodiscard]] std::shared_ptr<const picture::GreyImage> decode(std::string_view bytes,
+                                                                 const Entity& entity);
+  /// Reads files beside the drawing; empty where none are read.
+  void set_read_beside(ReadBeside read) { read_beside_ = std::move(read); }
+  [[nodiscard]] const ReadBeside& read_beside() const { return read_beside_; }
+
   /// Beyond kMostFaults only counted.
   void report(Fault fault);
   /// A fault of the whole file.
@@ -93,6 +106,7 @@ class Sketch {
   [[nodiscard]] std::vector<Chain>& chains() { return chains_; }
   [[nodiscard]] std::vector<Fault>& faults() { return faults_; }
   [[nodiscard]] std::vector<Layer>& layers() { return layers_; }
+  [[nodiscard]] std::vector<DrawnPicture>& pictures() { return pictures_; }
   [[nodiscard]] std::size_t more_faults() const { return more_faults_; }
   /// Open lines that are not listed, so that errors are.
   [[nodiscard]] std::size_t more_lines() const {
@@ -120,8 +134,11 @@ class Sketch {
   std::vector<std::size_t> groups_;  ///< See group_layers().
   std::vector<Entity> entities_;
   std::vector<Chain> chains_;
+  std::vector<DrawnPicture> pictures_;
+  ReadBeside read_beside_;
+  std::size_t picture_pixels_ = 0;
   std::vector<Fault> faults_;
-  /// By kind, reason and, of letters, layer.
+  /// By kind, reason and, of letters and pictures, layer.
   std::map<std::tuple<FaultKind, std::string, std::size_t>, Note> notes_;
   std::size_t more_faults_ = 0;
   std::size_t lines_ = 0;  ///< Faults of open contours that may be meant as lines.

@@ -9,6 +9,7 @@
 #include "host-sim/import/curve_measure.hpp"
 #include "host-sim/import/svg_clips.hpp"
 #include "host-sim/import/svg_document.hpp"
+#include "host-sim/import/svg_image.hpp"
 #include "host-sim/import/svg_origin.hpp"
 #include "host-sim/import/svg_shapes.hpp"
 #include "host-sim/import/svg_style.hpp"
@@ -188,6 +189,7 @@ class SvgReader {
     style.to_mm = style.to_mm * *transform;
     note_effects(node, properties);
     if (is_svg_shape(name)) return read_shape(node, properties, style);
+    if (name == "image") return images_.read(node, properties, style);
     clips_.enter(node, properties, {}, style);
     if (is_one_of(name, kGroups)) {
       enter_layer(node, style);
@@ -328,6 +330,7 @@ class SvgReader {
   Sketch& sketch_;
   SvgClips clips_;
   SvgText text_{document_, sketch_, clips_};
+  SvgImages images_{document_, sketch_, clips_};
   std::vector<pugi::xml_node> used_;
 };
 

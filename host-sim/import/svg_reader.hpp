@@ -11,8 +11,8 @@ namespace sim::drawing {
 ///
 /// Paths, basic shapes, groups, links, nested documents, `use`, `symbol` and `switch`; style
 /// sheets, entities of the DOCTYPE, and clip paths, within or outside of which a shape has to lie.
-/// Images, masks, filters, markers and patterns are named and ignored; letters become what the
-/// sketch wishes. What cannot be read is left out, and a fault says so.
+/// Masks, filters, markers and patterns are named and ignored; letters become what the sketch
+/// wishes, images are kept as pictures. What cannot be read is left out, and a fault says so.
 void read_svg(const std::string& text, Sketch& sketch);
 
 }  // namespace sim::drawing

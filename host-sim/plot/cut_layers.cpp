@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <iterator>
 
+#include "host-sim/cut/burnt_pictures.hpp"
 #include "host-sim/cut/heat.hpp"
+#include "host-sim/engrave/burn_picture.hpp"
 #include "host-sim/import/curve_measure.hpp"
 #include "host-sim/plot/cut_marks.hpp"
 #include "host-sim/plot/drawing_picture.hpp"
 #include "host-sim/plot/edge_layer.hpp"
+#include "host-sim/plot/pixel_image.hpp"
 #include "host-sim/plot/svg_element.hpp"
 
 namespace sim {
@@ -48,14 +51,34 @@ void add_line(std::string& out, const std::string& data, std::string_view colour
                  width_px);
 }
 
+/// Appends the pictures as they are burnt.
+void add_pictures(std::string& out, const cut::CutPlan& plan, const View& view) {
+  for (const Cut& cut : plan.cuts) {
+    if (!cut.picture || cut.pass > 1) continue;
+    const engrave::BurnRaster& raster = cut.picture->raster;
+    const Place size{raster.pixel_mm * static_cast<double>(raster.columns),
+                     raster.interval_mm * static_cast<double>(raster.rows)};
+    const Place& at = cut.picture->at_mm;
+    add_png(out,
+            engrave::burn_picture(raster),
+            {view.x_px(at.x()),
+             view.y_px(at.y() + size.y()),
+             size.x() * view.px_per_mm(),
+             size.y() * view.px_per_mm()},
+            Blend::kDarken);
+  }
+}
+
 void add_beam(std::string& out, const cut::CutPlan& plan, const View& view) {
   for (const Cut& cut : plan.cuts) {
+    if (cut.picture) continue;
     const double kerf_px = plan.plan_of(cut).condition.kerf_mm * view.px_per_mm();
     out += "<g opacity=\"0.6\">\n";
     add_line(out, path_data_of(cut, view, is_lit), kBandColour, kerf_px);
     out += "</g>\n";
   }
   for (const Cut& cut : plan.cuts) {
+    if (cut.picture) continue;
     add_line(out, path_data_of(cut, view, is_along), kBeamColour, 1.4);
     add_line(out, path_data_of(cut, view, is_lead), kLeadColour, 2.0);
     add_line(out, path_data_of(cut, view, is_tab), kTabRim, kTabRimPx);
@@ -153,6 +176,7 @@ void add_cut_layers(std::string& out,
   if (scene.timeline != nullptr) {
     add_heat(out, scene.plan, heat_at_pierces(scene.plan, *scene.timeline), view);
   }
+  add_pictures(out, scene.plan, view);
   add_beam(out, scene.plan, view);
   add_rapids(out, scene.plan, view);
   add_pierces(out, scene.plan, view);

@@ -5,19 +5,10 @@
 #include <algorithm>
 #include <iterator>
 
+#include "host-sim/picture/base64.hpp"
 #include "host-sim/plot/svg_render.hpp"
 
 namespace sim {
-namespace {
-
-std::string base64(const std::string& bytes) {
-  gchar* const text = g_base64_encode(reinterpret_cast<const guchar*>(bytes.data()), bytes.size());
-  std::string result{text};
-  g_free(text);
-  return result;
-}
-
-}  // namespace
 
 PixelImage::PixelImage(int width, int height)
     : width_{width},
@@ -42,15 +33,20 @@ std::string PixelImage::png(const std::string& file) const {
 }
 
 void add_image(std::string& out, const std::string& file, const PixelImage& image, const Box& box) {
+  add_png(out, image.png(file), box);
+}
+
+void add_png(std::string& out, const std::string& png, const Box& box, Blend blend) {
   fmt::format_to(std::back_inserter(out),
                  R"(<image x="{:.3f}" y="{:.3f}" width="{:.3f}" height="{:.3f}" )"
-                 R"(preserveAspectRatio="none" href="data:image/png;base64,{}"/>)"
+                 R"(preserveAspectRatio="none"{} href="data:image/png;base64,{}"/>)"
                  "\n",
                  box.left_px,
                  box.top_px,
                  box.width_px,
                  box.height_px,
-                 base64(image.png(file)));
+                 blend == Blend::kDarken ? R"( style="mix-blend-mode:multiply")" : "",
+                 picture::base64_encoded(png));
 }
 
 }  // namespace sim

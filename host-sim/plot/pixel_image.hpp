@@ -39,4 +39,13 @@ class PixelImage {
 /// Appends an image to an SVG document, stretched over a box. Throws as PixelImage::png() does.
 void add_image(std::string& out, const std::string& file, const PixelImage& image, const Box& box);
 
+/// How a picture lies on what is drawn below it.
+enum class Blend : std::uint8_t {
+  kOver,    ///< It hides that.
+  kDarken,  ///< Its white shows that.
+};
+
+/// Appends the bytes of a PNG in the same way.
+void add_png(std::string& out, const std::string& png, const Box& box, Blend blend = Blend::kOver);
+
 }  // namespace sim

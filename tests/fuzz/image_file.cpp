@@ -5,11 +5,11 @@
 #include <stdexcept>
 #include <string_view>
 
-#include "host-sim/engrave/grey_image.hpp"
+#include "host-sim/picture/grey_image.hpp"
 #include "tests/fuzz/drawing_judge.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  using namespace sim::engrave;
+  using namespace sim::picture;
   const std::string_view bytes{reinterpret_cast<const char*>(data), size};
   try {
     const GreyImage image = read_image(bytes, "fuzz");

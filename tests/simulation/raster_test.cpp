@@ -184,6 +184,40 @@ TEST(Raster, ChangesPowerWhereTheProgramDoes) {
   }
 }
 
+/// Returns where the output changed, between the ends of a row, mm; `first` is the change at its
+/// beginning.
+std::vector<double> places_of_changes(const RasterTrack& track, std::size_t first, int pixels) {
+  std::vector<double> places;
+  for (int i = 1; i < pixels; ++i) {
+    const auto place = track.place_at(track.changes[first + static_cast<std::size_t>(i)].time_s);
+    EXPECT_TRUE(place.has_value()) << i;
+    places.push_back(place.value_or(-1.0));
+  }
+  return places;
+}
+
+// Rows to the right and to the left meet: each border of two pixels is where it is drawn.
+TEST(Raster, HasItsDotsInTheSamePlaceInBothDirections) {
+  constexpr int kPixels = 600;
+  constexpr double kRowStepMm = 1.0 / kRowStepsPerMm;
+  for (const double speed : {50.0, 100.0, 300.0}) {
+    SCOPED_TRACE(speed);
+    const RasterRun run = run_raster(picture(2, kPixels, 0.1, speed, '3'), 400.0, 3000.0);
+    ASSERT_EQ(run.track.changes.size(), 2 * (kPixels + 1U));
+    const auto right = places_of_changes(run.track, 0, kPixels);
+    auto left = places_of_changes(run.track, kPixels + 1U, kPixels);
+    std::ranges::reverse(left);
+    double farthest = 0.0;
+    for (std::size_t i = 0; i < right.size(); ++i) {
+      farthest = std::max(farthest, std::abs(right[i] - left[i]));
+      EXPECT_NEAR(left[i], 0.1 * static_cast<double>(i + 1), 0.5 * kRowStepMm) << i;
+    }
+    std::printf(
+        "rows to and fro at %.0f mm/s: dots at most %.2f um apart\n", speed, 1.0e3 * farthest);
+    EXPECT_LT(farthest, kRowStepMm);
+  }
+}
+
 TEST(Raster, GivesEachPixelItsEnergy) {
   for (const double acceleration : {500.0, 3000.0}) {
     for (const double speed : {30.0, 100.0, 200.0}) {
@@ -319,6 +353,94 @@ TEST(Raster, OfPixelsFasterThanSegmentsIsDrivenWithTheirEnergy) {
       EXPECT_NEAR(driven, expected * (to_s - from_s) / kTogether, kLongestJoined_s) << first;
     }
   }
+}
+
+/// A row of narrow pixels, 48 powers to a line as a picture is engraved, with long ends.
+struct FastRow {
+  static constexpr int kPixels = 9600;
+  static constexpr int kPowers = 48;
+  static constexpr double kWidth = 0.02;
+  static constexpr double kEnd = 30.0;  ///< mm: beyond, the machine is at full speed.
+  static constexpr double kLast = kEnd + kWidth * kPixels;
+
+  static int power(int pixel) { return 100 + (pixel * 37) % 900; }
+
+  static std::vector<std::string> lines(double speed_mm_s) {
+    std::vector<std::string> lines{fmt::format("G21 G90 M3 F{:.0f}", 60.0 * speed_mm_s),
+                                   fmt::format("G1 X{:.1f} S0", kEnd)};
+    for (int first = 0; first < kPixels; first += kPowers) {
+      std::string line = fmt::format("X{:.4f}S", kEnd + kWidth * (first + kPowers));
+      for (int i = first; i < first + kPowers; ++i) {
+        line += fmt::format("{}{}", i > first ? ":" : "", power(i));
+      }
+      lines.push_back(line);
+    }
+    lines.push_back(fmt::format("G1 X{:.1f} S0", kEnd + kLast));
+    return lines;
+  }
+};
+
+/// Drives the row from a sender that gives 100 bytes in a millisecond, as a serial line of 1 Mbaud
+/// does, into a buffer of 1 KiB.
+RasterTrack stream_fast_row(double speed_mm_s) {
+  constexpr double kBytesPerTurn = 100.0;
+  constexpr double kBufferBytes = 1024.0;
+  MachineBench bench;
+  bench.set({{0, 1}, {32, 1}, {100, kRowStepsPerMm}, {110, 30'000}, {120, 5000}, {130, 600}});
+  RasterTrack track;
+  bench.controller.add_sink(track);
+  double bytes = 0.0;
+  for (const std::string& line : FastRow::lines(speed_mm_s)) {
+    const auto size = static_cast<double>(line.size() + 1);
+    for (; bytes < size || bench.machine().busy();
+         bytes = std::min(bytes + kBytesPerTurn, kBufferBytes)) {
+      bench.run(1);
+    }
+    bytes -= size;
+    bench.send(line);
+  }
+  bench.finish();
+  EXPECT_EQ(bench.machine().alarm(), cnc::Alarm::kNone);
+  return track;
+}
+
+/// The powers of 48 pixels together are driven as programmed, whatever the speed.
+void expect_energy_of(const RasterTrack& track) {
+  constexpr int kTogether = FastRow::kPowers;
+  for (int first = 0; first + kTogether < FastRow::kPixels; first += kTogether) {
+    double expected = 0.0;
+    for (int i = first; i < first + kTogether; ++i) expected += 1.0e-3 * FastRow::power(i);
+    const double from_s = time_at(track, FastRow::kEnd + FastRow::kWidth * first);
+    const double to_s = time_at(track, FastRow::kEnd + FastRow::kWidth * (first + kTogether));
+    const double driven = energy_between(track, from_s, to_s) / (to_s - from_s);
+    EXPECT_NEAR(driven, expected / kTogether, 0.03 * expected / kTogether) << first;
+  }
+}
+
+TEST(Raster, OfManyPowersInALineKeepsItsFeedAsFastAsTheControllerReads) {
+  constexpr double kPixelsPerSecond = 6400.0;
+  const double speed = kPixelsPerSecond * FastRow::kWidth;
+  const RasterTrack track = stream_fast_row(speed);
+  const auto [least, most] = track.speeds_between(FastRow::kEnd, FastRow::kLast);
+  std::printf("%.0f pixels a second: %.2f to %.2f mm/s\n", kPixelsPerSecond, least, most);
+  EXPECT_GT(least, 0.999 * speed);
+  EXPECT_LT(most, 1.001 * speed);
+  expect_energy_of(track);
+}
+
+// More than it can read make it slower, and neither stop it nor change what is burnt.
+TEST(Raster, OfTwentyThousandPixelsASecondIsNeverStarved) {
+  constexpr double kFarFromEnds = 40.0;
+  const double speed = 20'000.0 * FastRow::kWidth;
+  const RasterTrack track = stream_fast_row(speed);
+  const auto [least, most] =
+      track.speeds_between(FastRow::kEnd + kFarFromEnds, FastRow::kLast - kFarFromEnds);
+  std::printf("20,000 pixels a second: driven at %.0f to %.0f in a second\n",
+              least / FastRow::kWidth,
+              most / FastRow::kWidth);
+  EXPECT_GT(least, 6400.0 * FastRow::kWidth);
+  EXPECT_LT(most, 1.1 * least);
+  expect_energy_of(track);
 }
 
 // Nothing of a row that was cut off is left over for the next.

@@ -1,7 +1,8 @@
 /// Instructions and cycles of each stage on the emulated chip, counted by the model of the core
 /// and its flash at 168 MHz that machine/ lays where the chip counts its own cycles. It counts
 /// while it is told to, so that this test costs nothing. The job is lines of 0.1 mm along a smooth
-/// curve at 12,000 mm/min with 250 steps/mm and 3000 mm/s², and a row of pixels of 0.1 mm.
+/// curve at 12,000 mm/min with 250 steps/mm and 3000 mm/s², and rows of pixels of 0.1 mm and 0.01
+/// mm.
 
 #include <algorithm>
 #include <array>
@@ -103,7 +104,7 @@ class FreeformLink final : public hal::ByteStream {
  public:
   void send(std::string_view opening) { rest_ = opening; }
   void send_job(std::string_view opening = "G21G90G1F12000") { text_ = FreeformText{opening}; }
-  void send_raster() { raster_ = RasterText{}; }
+  void send_raster(bool is_fine = false) { raster_ = RasterText{is_fine}; }
   void send_axes(int count) { axes_ = AxesText{count}; }
 
   [[nodiscard]] std::size_t read(std::span<std::byte> into) override {
@@ -241,6 +242,19 @@ void count_raster(Application& application) {
   interrupt.print("raster: step interrupt", "interrupt");
 }
 
+/// Pixels of 0.01 mm at the same speed, 20,000 in a second, many to a line.
+void count_fine_raster(Application& application) {
+  Cost unused;
+  Cost turn;
+  Cost interrupt;
+  link_to_job.send("G1X0F12000S0\n");
+  run(application, unused, unused);
+  link_to_job.send_raster(true);
+  run(application, turn, interrupt);
+  turn.print("fine raster: the main loop in all, worst: a turn", "pixel", RasterText::kFinePixels);
+  interrupt.print("fine raster: step interrupt", "interrupt");
+}
+
 /// Lines on several axes at once, each with a power.
 void count_axes(Application& application, int axes, const char* what) {
   Cost unused;
@@ -345,6 +359,7 @@ void run_on_target() {
   auto* const application = new (room.data()) Application{steps, port, port, store, link_to_job};
   count_firmware(*application);
   count_raster(*application);
+  count_fine_raster(*application);
   count_axes(*application, 3, "3 axes and power: step interrupt");
   count_axes(*application, 4, "4 axes and power: step interrupt");
   count_axes(*application, 6, "6 axes and power: step interrupt");

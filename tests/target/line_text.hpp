@@ -16,6 +16,18 @@ class LineText {
     for (const char c : text) text_[size_++] = c;
   }
 
+  /// Writes a number of 0 or more with one decimal.
+  void put_tenths(char before, std::int32_t tenths) {
+    text_[size_++] = before;
+    for (std::int32_t digit = 1000; digit > 1; digit /= 10) {
+      if (tenths >= digit || digit == 10) {
+        text_[size_++] = static_cast<char>('0' + tenths / digit % 10);
+      }
+    }
+    text_[size_++] = '.';
+    text_[size_++] = static_cast<char>('0' + tenths % 10);
+  }
+
   void put_number(char letter, std::int32_t thousandths) {
     text_[size_++] = letter;
     if (thousandths < 0) text_[size_++] = '-';
@@ -30,6 +42,6 @@ class LineText {
   }
 
  private:
-  std::array<char, 96> text_{};
+  std::array<char, 256> text_{};
   std::size_t size_ = 0;
 };

@@ -50,7 +50,14 @@ TEST(LayerRules, TellKindsOfOperationsApart) {
   EXPECT_TRUE(settings_by({"a: kind=score"}, {"a", ""}).is_scored);
   EXPECT_EQ(settings_by({"a: kind=fill, interval=0.2, angle=45"}, {"a", ""}).fill.angle_deg, 45.0);
   EXPECT_EQ(settings_by({"a: kind=skip"}, {"a", ""}).side, Side::kSkip);
-  for (const char* wrong : {"a: kind=image",
+  EXPECT_EQ(settings_by({"a: kind=image, gamma=2"}, {"a", ""}).image.gamma, 2.0);
+  EXPECT_EQ(settings_by({"*: kind=cut, tabs=2"}, {"a", "image"}).side, Side::kSkip);
+  for (const char* wrong : {"a: kind=photo",
+                            "a: gamma=2",
+                            "a: kind=image, angle=4",
+                            "a: kind=image, tabs=2",
+                            "a: kind=image, gamma=0",
+                            "a: kind=image, min-power=101%",
                             "a: kind=engrave, tabs=2",
                             "a: interval=0.2",
                             "a: kind=engrave, angle=4",

@@ -100,7 +100,7 @@ TEST(SvgReader, TextAndImagesAreNotedHiddenThingsAreNot) {
       "<rect width='9' height='9' style='display:none'/><rect visibility='hidden' "
       "width='9' height='9'/>"));
   EXPECT_THAT(drawn.contours, IsEmpty());
-  ASSERT_THAT(kinds_of(drawn), ElementsAre(FaultKind::kText, FaultKind::kIgnored));
+  ASSERT_THAT(kinds_of(drawn), ElementsAre(FaultKind::kText, FaultKind::kBadPicture));
   EXPECT_FALSE(drawn.has_errors());
   EXPECT_EQ(to_string(drawn.faults[0], "a.svg"),
             "a.svg:2:3: text \"t\": letters are left out: \"K and é\" (2 in all); --text outline "

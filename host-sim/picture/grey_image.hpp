@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace sim::engrave {
+namespace sim::picture {
 
 /// Greater pictures are refused.
 inline constexpr std::size_t kMaxImagePixels = 100'000'000;
@@ -15,6 +15,9 @@ struct GreyImage {
   std::size_t width = 0;
   std::size_t height = 0;
   std::vector<float> darkness{};  ///< 0 white to 1 black, row by row from the top.
+  /// Share of each pixel that belongs to the picture: the rest is not burnt, inverted or not. Empty
+  /// where all of them do. Darkness is at most this.
+  std::vector<float> cover{};
 };
 
 /// Reads a PNG, JPEG or BMP picture, told by content. What is transparent is white; colours count
@@ -31,4 +34,4 @@ struct GreyImage {
 /// Throws std::invalid_argument for a picture without pixels, or with too many.
 void expect_size(std::size_t width, std::size_t height, const std::string& name);
 
-}  // namespace sim::engrave
+}  // namespace sim::picture

@@ -1,4 +1,4 @@
-#include "host-sim/engrave/grey_image.hpp"
+#include "host-sim/picture/grey_image.hpp"
 
 #include <fmt/format.h>
 #include <png.h>
@@ -10,9 +10,9 @@
 #include <stdexcept>
 #include <utility>
 
-#include "host-sim/engrave/bmp_reader.hpp"
+#include "host-sim/picture/bmp_reader.hpp"
 
-namespace sim::engrave {
+namespace sim::picture {
 namespace {
 
 constexpr std::string_view kPngStart = "\x89PNG\r\n\x1A\n";
@@ -26,7 +26,7 @@ std::invalid_argument refusal(const std::string& name, const std::string& reason
 GreyImage image_from(std::size_t width,
                      std::size_t height,
                      const std::vector<std::uint8_t>& lightness) {
-  GreyImage image{width, height, std::vector<float>(width * height)};
+  GreyImage image{width, height, std::vector<float>(width * height), {}};
   for (std::size_t i = 0; i < lightness.size(); ++i) {
     image.darkness[i] = 1.0F - static_cast<float>(lightness[i]) / 255.0F;
   }
@@ -169,7 +169,10 @@ GreyImage oriented(GreyImage image, int orientation) {
   const bool is_turned = orientation >= kFirstTurned;
   const bool flips_x = orientation == 2 || orientation == 3 || orientation == 7 || orientation == 8;
   const bool flips_y = orientation == 3 || orientation == 4 || orientation == 6 || orientation == 7;
-  GreyImage seen{image.width, image.height, std::vector<float>(image.darkness.size())};
+  GreyImage seen{image.width,
+                 image.height,
+                 std::vector<float>(image.darkness.size()),
+                 std::vector<float>(image.cover.size())};
   if (is_turned) std::swap(seen.width, seen.height);
   for (std::size_t y = 0; y < seen.height; ++y) {
     for (std::size_t x = 0; x < seen.width; ++x) {
@@ -177,10 +180,13 @@ GreyImage oriented(GreyImage image, int orientation) {
       std::size_t row = is_turned ? x : y;
       if (flips_x) column = image.width - 1 - column;
       if (flips_y) row = image.height - 1 - row;
-      seen.darkness[y * seen.width + x] = image.darkness[row * image.width + column];
+      const std::size_t to = y * seen.width + x;
+      const std::size_t from = row * image.width + column;
+      seen.darkness[to] = image.darkness[from];
+      if (!seen.cover.empty()) seen.cover[to] = image.cover[from];
     }
   }
   return seen;
 }
 
-}  // namespace sim::engrave
+}  // namespace sim::picture

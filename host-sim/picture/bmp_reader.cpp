@@ -1,11 +1,11 @@
-#include "host-sim/engrave/bmp_reader.hpp"
+#include "host-sim/picture/bmp_reader.hpp"
 
 #include <fmt/format.h>
 
 #include <cstdint>
 #include <stdexcept>
 
-namespace sim::engrave {
+namespace sim::picture {
 namespace {
 
 constexpr std::size_t kFileHeader = 14;
@@ -121,4 +121,4 @@ GreyImage read_bmp(std::string_view bytes, const std::string& name) {
   return BmpReader{bytes, name}.read();
 }
 
-}  // namespace sim::engrave
+}  // namespace sim::picture

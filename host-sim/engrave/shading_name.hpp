@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "host-sim/engrave/burn_raster.hpp"
+
+namespace sim::engrave {
+
+/// Returns `grey`, `threshold`, `ordered`, `floyd-steinberg`, `jarvis`, `stucki`.
+[[nodiscard]] std::vector<std::string> shading_names();
+
+/// Returns the shading of a name; nothing for another text.
+[[nodiscard]] std::optional<Shading> shading_named(std::string_view name);
+
+}  // namespace sim::engrave
