@@ -164,7 +164,9 @@ void write_grid(const CLI::App& command, TestGridOptions& options) {
   if (!options.grid.is_filled && options.grid.thickness_mm <= 0.0) {
     throw std::invalid_argument("--thickness: is needed for squares that are cut, mm");
   }
-  if (options.program.empty()) throw std::invalid_argument("--out or --measured is missing");
+  if (options.program.empty() && options.form.empty()) {
+    throw std::invalid_argument("--out, --form or --measured is missing");
+  }
   const auto machine = machine_profile_of(options.place);
   if (machine) expect_reachable(options.grid, *machine);
   InputFiles inputs{options.program};
@@ -191,10 +193,12 @@ void write_grid(const CLI::App& command, TestGridOptions& options) {
                                    about,
                                    "nothing of it is measured"};
   if (grid.thickness_mm > 0.0) heading[0] += fmt::format(", {:g} mm", grid.thickness_mm);
-  write_file(options.program, options.post.applied_to(program_of(grid, program, heading)));
+  if (!options.program.empty()) {
+    write_file(options.program, options.post.applied_to(program_of(grid, program, heading)));
+  }
   if (!options.form.empty()) write_file(options.form, form_of(grid));
   terminal::print("{}: {}; X{:.3f} Y{:.3f} to X{:.3f} Y{:.3f}\n",
-                  options.program,
+                  options.program.empty() ? options.form : options.program,
                   about,
                   program.at_mm.x(),
                   program.at_mm.y(),
