@@ -15,6 +15,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::SizeIs;
+using testing::UnorderedElementsAre;
 
 std::string dxf_line(double x1, double y1, double x2, double y2) {
   return fmt::format("0\nLINE\n8\nA\n10\n{}\n20\n{}\n11\n{}\n21\n{}\n", x1, y1, x2, y2);
@@ -132,10 +133,19 @@ TEST(Nesting, DepthDecidesOuterAndHoleAndTheSense) {
   }
 }
 
-TEST(Nesting, AContourWithoutAreaIsLeftOutAndNamed) {
+TEST(Nesting, AContourWithoutAreaIsLeftOutAndNamedWhereItHasNoStroke) {
   const Drawing drawn = read(svg_of("<path d='M0 0H10H0z'/><path d='M5 5h0z'/>"));
   EXPECT_THAT(drawn.contours, IsEmpty());
-  EXPECT_THAT(kinds_of(drawn), ElementsAre(FaultKind::kTooSmall, FaultKind::kTooSmall));
+  EXPECT_THAT(kinds_of(drawn), UnorderedElementsAre(FaultKind::kMended, FaultKind::kTooSmall));
+}
+
+TEST(Nesting, AContourWithoutAreaIsALineWhereItHasAStroke) {
+  const Drawing drawn = read(svg_of("<path stroke='red' d='M0 0H10H0z'/>"));
+  ASSERT_THAT(drawn.contours, SizeIs(1));
+  EXPECT_FALSE(drawn.contours[0].closed);
+  ASSERT_THAT(kinds_of(drawn), ElementsAre(FaultKind::kOpen));
+  EXPECT_TRUE(drawn.faults[0].is_of_line);
+  EXPECT_EQ(drawn.faults[0].remedy, "it is read as a line; leave it open, or delete it");
 }
 
 }  // namespace
