@@ -21,7 +21,7 @@ struct CutKerf {
   std::optional<double> known_mm{};          ///< The kerf, as the call gives it.
   MaterialRecord record{};                   ///< The job's; with the known kerf where there is one.
   std::optional<OperationRecord> operation{};  ///< In place of a law of the kerf.
-  std::string origin{};  ///< Who measured the settings, or that nobody did; empty: see `record`.
+  std::string origin{};  ///< Source of the settings, for people; empty: see `record`.
 
   /// Returns the digest of the kerf for the heading of a program.
   [[nodiscard]] ProgramDigest digest() const;

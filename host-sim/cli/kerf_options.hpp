@@ -28,7 +28,7 @@ struct RecordOptions {
   [[nodiscard]] std::vector<MaterialRecord> records() const { return open().records(); }
 };
 
-/// Who measured, and when.
+/// The person who measured, and the day.
 struct PersonOptions {
   std::string by{};  ///< Empty: not named.
   std::string on{};  ///< YYYY-MM-DD; empty: not said.

@@ -41,7 +41,7 @@ struct CutJob {
   bool is_kerf_given = false;            ///< By the user, not by the record.
   std::string placing{};                 ///< Where the drawing was put; empty: as drawn.
   std::vector<std::string> offered{};    ///< Settings that the drawing itself has, by layer.
-  std::vector<std::string> origins{};    ///< Who measured kerf and settings, and when.
+  std::vector<std::string> origins{};    ///< Persons and days of the measurements.
 };
 
 /// Material, conditions of each layer that is cut, notes, and figures: the heading of the program,

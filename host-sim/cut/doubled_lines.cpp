@@ -105,7 +105,7 @@ class DoubledLines {
   const drawing::Drawing& drawn_;
   const std::vector<Outline>& outlines_;
   std::vector<std::size_t> contours_;  ///< The deepest cut first.
-  std::vector<Stroke> strokes_;        ///< Of all contours, in that order.
+  std::vector<Stroke> strokes_;        ///< All contours' strokes, in that order.
   Clearance near_;
   LeftLines left_;
   std::size_t first_ = 0;  ///< The first contour of which a stretch is left out.

@@ -18,11 +18,11 @@ using pocket::AxisChain;
 using pocket::AxisPoint;
 using pocket::MedialAxis;
 
-constexpr double kAxisTolerance = 0.02;  ///< Of the interval.
+constexpr double kAxisTolerance = 0.02;  ///< Share of the interval.
 constexpr double kLeastThin = 2.0;       ///< Intervals; shorter thin parts are corners.
 constexpr double kNever = std::numeric_limits<double>::infinity();
 
-/// What is at the end of a stretch.
+/// The thing at which a stretch ends.
 enum class EndKind : std::uint8_t {
   kRow,   ///< A corner of the row of its level.
   kTip,   ///< A place that the row before just covers.
@@ -32,7 +32,7 @@ enum class EndKind : std::uint8_t {
 
 struct StretchEnd {
   EndKind kind = EndKind::kTip;
-  std::uint32_t node = 0;  ///< Of a node.
+  std::uint32_t node = 0;  ///< Its number; for nodes only.
 };
 
 /// A part of a chain of the axis, whose radii lie between those of neighbouring rows and halves.
