@@ -22,8 +22,8 @@ constexpr const char* kCutFooter =
     "engrave, fill: in lines across the area, skip), passes, passes-by, z-step, air, pattern (of\n"
     "fill: lines, contour: along its outline), interval, angle, overscan (of its lines), lead-in,\n"
     "lead-out (none, line:MM, arc:MM), overcut, tabs, tab-width, pierce, corner-loop,\n"
-    "corner-dwell, corner-angle, common-line, start (any, straight, corner, usual, tab) and\n"
-    "rank (0, 1, …: layers of lower rank are cut first).\n"
+    "corner-dwell, corner-angle, common-line, narrow, start (any, straight, corner, usual,\n"
+    "tab) and rank (0, 1, …: layers of lower rank are cut first).\n"
     "The layer `*` is any that no other text names; colours have LightBurn's names, too (C01).\n"
     "With --kerf-table the program has the drawn outlines and M190, and the controller goes by\n"
     "its own table, its $PC and $860; tabs, corner loops and dwells keep a contour from it.\n"
@@ -69,6 +69,10 @@ void add_common_options(CLI::App& command, const std::shared_ptr<CutCommandOptio
   add("common-line",
       "MM",
       "Cut the line between two parts once where their gap exceeds the kerf by no more; 0, never");
+  add("narrow",
+      "MM",
+      "Cut once along the middle of what is narrower than the kerf, where that takes no more than\n"
+      "this off either edge; 0, never");
   add("start",
       "WHERE",
       "Where cuts may begin: any, straight, corner, usual, or tab, where they also end; any");

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <map>
 #include <optional>
@@ -159,14 +160,17 @@ std::vector<drawing::Fault> held_together(const drawing::Drawing& drawn,
 bool part_crowd(const std::vector<Outline>& outlines,
                 const std::vector<std::size_t>& crowd,
                 double half_kerf_mm,
+                const std::vector<std::vector<Stroke>>& middles,
                 ContourOffset& offset,
                 std::vector<PathBeside>& beside) {
   const auto loops = paths_of(outlines, crowd, half_kerf_mm, offset);
   if (!loops) return false;
+  std::vector<std::vector<Stroke>> driven = *loops;
+  driven.insert(driven.end(), middles.begin(), middles.end());
   const double reach_mm = 4.0 * half_kerf_mm;
   std::vector<std::vector<Rest>> rests;
   for (const std::size_t i : crowd) {
-    rests.push_back(rests_along(outlines[i].strokes, *loops, half_kerf_mm, reach_mm));
+    rests.push_back(rests_along(outlines[i].strokes, driven, half_kerf_mm, reach_mm));
     for (const Rest& rest : rests.back()) {
       const auto is_as_long = [&](const Rest& own) {
         return own.length_mm >= rest.length_mm - 1.0e-9;
@@ -179,12 +183,18 @@ bool part_crowd(const std::vector<Outline>& outlines,
   for (std::size_t k = 0; k < crowd.size(); ++k) {
     PathBeside& path = beside[crowd[k]];
     path.loops.clear();
+    path.middles.clear();
+    path.narrow.reset();
     path.gouges.clear();
     path.rests = std::move(rests[k]);
   }
   for (const std::vector<Stroke>& loop : *loops) {
     beside[owner_of(loop, outlines, crowd)].loops.push_back(loop);
   }
+  const auto around = std::ranges::max_element(
+      *loops, {}, [](const std::vector<Stroke>& loop) { return std::abs(area_of(loop)); });
+  const bool has_path = around != loops->end();
+  beside[has_path ? owner_of(*around, outlines, crowd) : crowd.front()].middles = middles;
   return true;
 }
 

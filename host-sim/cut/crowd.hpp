@@ -32,12 +32,15 @@ namespace sim::cut {
 /// so near. That is what becomes of parts that touch at a corner, and of scraps beside a notch.
 ///
 /// A path belongs to the outline beside which it begins; one that has none is cut with the others.
-/// @param beside paths of the outlines of the crowd; changed only where this returns true
+/// @param middles lines in the middle of narrow waste between them, where they do not hold together
+/// @param beside paths of the outlines of the crowd; changed only where this returns true. The
+/// outline with the longest way around has the middles, which are cut before it
 /// @return false where no such paths exist, or more than `kMostHoldMm` would hold at one place:
 ///         these are parts that lie against each other
 [[nodiscard]] bool part_crowd(const std::vector<Outline>& outlines,
                               const std::vector<std::size_t>& crowd,
                               double half_kerf_mm,
+                              const std::vector<std::vector<Stroke>>& middles,
                               ContourOffset& offset,
                               std::vector<PathBeside>& beside);
 

@@ -108,7 +108,10 @@ std::optional<drawing::Fault> gouge_of(const drawing::Drawing& drawn,
       drawn.contours[contour].entity,
       where,
       fmt::format("its cut takes {:.3f} mm off {}", half - worst.distance_mm, other),
-      fmt::format("put them at least the kerf apart, {:.3f} mm", 2.0 * half)};
+      fmt::format("put them at least the kerf apart, {:.3f} mm, or cut once between them with "
+                  "--narrow {:.3f}, which takes that off both",
+                  2.0 * half,
+                  0.001 * std::ceil(500.0 * (half - worst.distance_mm) - 1.0e-3))};
 }
 
 std::optional<drawing::Fault> touch_of(const drawing::Drawing& drawn,
@@ -202,7 +205,7 @@ std::vector<drawing::Fault> rests_of(const drawing::Entity& entity,
          fmt::format("is too narrow here for the kerf of {:.3f} mm: {:.3f} mm of it stay uncut",
                      2.0 * half_kerf_mm,
                      rest.length_mm),
-         "round the corner or widen the slot"});
+         "round the corner, widen the slot, or cut it along its middle with --narrow"});
   }
   return warnings;
 }

@@ -19,6 +19,7 @@ constexpr double kLongestPierce = 60.0;    ///< s, of pierces and dwells.
 constexpr double kGreatestNumber = 1.0e6;  ///< W and mm/min.
 constexpr unsigned kMostTabs = 1000;
 constexpr double kMaxCommonLine = 1.0;  ///< mm.
+constexpr double kMaxNarrow = 1.0;      ///< mm.
 constexpr double kDeepestStep = 100.0;  ///< mm, of Z with each pass.
 constexpr std::string_view kAnyLayer = "*";
 constexpr std::string_view kRuleForm = "rule `LAYER: key=value, key=value`";
@@ -155,7 +156,7 @@ unsigned count_from(std::string_view key, std::string_view text, double least, c
 }
 
 /// All keys but those of pictures, and what they set.
-constexpr std::array<KeySetter, 24> kSetters{{
+constexpr std::array<KeySetter, 25> kSetters{{
     {"power", set_power},
     {"feed",
      [](LayerSettings& settings, std::string_view value) {
@@ -205,6 +206,10 @@ constexpr std::array<KeySetter, 24> kSetters{{
     {"common-line",
      [](LayerSettings& settings, std::string_view value) {
        settings.common_line_mm = number_from("common-line", value, 0.0, kMaxCommonLine, "mm");
+     }},
+    {"narrow",
+     [](LayerSettings& settings, std::string_view value) {
+       settings.narrow_mm = number_from("narrow", value, 0.0, kMaxNarrow, "mm");
      }},
     {"start",
      [](LayerSettings& settings, std::string_view value) { settings.start = start_from(value); }},

@@ -88,6 +88,8 @@ struct LayerSettings {
   double corner_dwell_s = 0.0;     ///< Dark rest at corners that have no loop; 0: none.
   double corner_angle_deg = 45.0;  ///< What turns by less is no corner.
   double common_line_mm = 0.0;     ///< Cuts that run so near side by side are one; 0: none are.
+  /// Waste narrower than the kerf is cut along its middle, at most this far into its edges; 0: not.
+  double narrow_mm = 0.0;
   StartAt start = StartAt::kAny;
   std::optional<unsigned> rank{};  ///< Layers of lower rank are cut first; none: no such order.
   std::optional<PowerShare> power_share{};  ///< In place of power_w, until power_in_watts().

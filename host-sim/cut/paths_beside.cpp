@@ -6,9 +6,12 @@
 #include "host-sim/contour/contour_offset.hpp"
 #include "host-sim/contour/shared_work.hpp"
 #include "host-sim/cut/crowd.hpp"
+#include "host-sim/cut/middles.hpp"
 
 namespace sim::cut {
 namespace {
+
+using Rows = std::vector<std::vector<Stroke>>;
 
 /// Returns the paths beside one outline, as if there were no other one.
 PathBeside path_beside(const DrawnEdges& edges, std::size_t contour, ContourOffset& offset) {
@@ -25,9 +28,14 @@ PathBeside path_beside(const DrawnEdges& edges, std::size_t contour, ContourOffs
                                       failure.reason(),
                                       failure.remedy()}};
   }
-  path.vanishes = path.loops.empty();
+  Middles middles = middles_beside(edges, {contour});
+  path.vanishes = path.loops.empty() && middles.rows.empty();
   if (path.vanishes) return path;
-  path.rests = rests_along(outline, path.loops, half_kerf_mm, edges.reach_mm);
+  Rows driven = path.loops;
+  driven.insert(driven.end(), middles.rows.begin(), middles.rows.end());
+  path.rests = rests_along(outline, driven, half_kerf_mm, edges.reach_mm);
+  path.middles = std::move(middles.rows);
+  path.narrow = std::move(middles.warning);
   for (const std::vector<Stroke>& loop : path.loops) {
     if (auto gouge = gouge_of(edges.drawn, contour, loop, edges.near, half_kerf_mm)) {
       path.gouges.push_back(std::move(*gouge));
@@ -43,8 +51,13 @@ void part_crowds(const DrawnEdges& edges,
   for (const auto& crowd : crowds_of(edges.outlines, paths, edges.near, edges.half_kerf_mm)) {
     const std::vector<drawing::Fault> held = held_together(edges.drawn, crowd, paths);
     const double half_kerf_mm = edges.half_kerf_mm(crowd.front());
-    if (!part_crowd(edges.outlines, crowd, half_kerf_mm, offset, paths)) continue;
-    warnings.insert(warnings.end(), held.begin(), held.end());
+    const Middles middles = middles_beside(edges, crowd);
+    if (!part_crowd(edges.outlines, crowd, half_kerf_mm, middles.rows, offset, paths)) continue;
+    if (middles.warning) {
+      warnings.push_back(*middles.warning);
+    } else {
+      warnings.insert(warnings.end(), held.begin(), held.end());
+    }
   }
 }
 
@@ -68,6 +81,9 @@ std::vector<PathBeside> paths_beside(const DrawnEdges& edges,
     };
   });
   part_crowds(edges, paths, warnings);
+  for (const PathBeside& path : paths) {
+    if (path.narrow) warnings.push_back(*path.narrow);
+  }
   name_touching(edges, paths);
   return paths;
 }

@@ -15,6 +15,9 @@ namespace sim::cut {
 /// The paths of the beam beside one outline, and their faults.
 struct PathBeside {
   std::vector<std::vector<Stroke>> loops{};
+  /// Open lines in the middle of waste that is narrower than the kerf.
+  std::vector<std::vector<Stroke>> middles{};
+  std::optional<drawing::Fault> narrow{};   ///< A warning that tells of these lines.
   std::optional<drawing::Fault> failure{};  ///< Why there is no path.
   bool vanishes = false;                    ///< The outline is narrower than the kerf.
   std::vector<Rest> rests{};                ///< Stretches of the outline that stay uncut.
@@ -28,11 +31,15 @@ struct DrawnEdges {
   const Clearance& near;                 ///< All outlines that are cut beside their lines.
   double reach_mm;                       ///< No edge that is farther off matters, mm.
   std::function<double(std::size_t)> half_kerf_mm;  ///< Of a contour.
+  /// Returns by how much a cut along the middle of narrow waste may go into a contour, mm; 0: there
+  /// is none.
+  std::function<double(std::size_t)> narrow_mm;
 };
 
 /// Returns by contour the paths beside its outline at half of its kerf; no paths where an outline
 /// is cut in another way. Outlines that come nearer to each other than the kerf share their paths,
-/// with a warning.
+/// with a warning. Where waste is narrower than the kerf and their settings say so, lines go along
+/// its middle, with a warning, too.
 [[nodiscard]] std::vector<PathBeside> paths_beside(const DrawnEdges& edges,
                                                    std::vector<drawing::Fault>& warnings);
 

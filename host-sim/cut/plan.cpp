@@ -41,6 +41,15 @@ void append(std::vector<drawing::Fault>& faults, const std::vector<drawing::Faul
   faults.insert(faults.end(), more.begin(), more.end());
 }
 
+/// Leaves a line along which nothing is done but cutting.
+void leave_plain(LayerSettings& settings) {
+  settings.lead_in = settings.lead_out = {};
+  settings.overcut_mm = 0.0;
+  settings.tabs = 0;
+  settings.corner_loop_mm = settings.corner_dwell_s = 0.0;
+  settings.start = StartAt::kUsual;
+}
+
 double widest_kerf(const std::vector<LayerPlan>& layers, const Recipes& recipes) {
   double widest = 1.0e-3;
   for (const LayerPlan& layer : layers) widest = std::max(widest, layer.condition.kerf_mm);
@@ -115,6 +124,7 @@ class Planner {
   void fill_areas(const std::vector<Side>& sides);
   void fill_layer(const std::vector<std::size_t>& contours);
   void add_cut(std::size_t i, const std::vector<Stroke>& loop);
+  void add_middle(std::size_t i, const std::vector<Stroke>& row);
   void name_parts();
   void share_common_lines();
   void find_beginnings();
@@ -153,8 +163,12 @@ void Planner::part_touching() {
 }
 
 void Planner::cut_contours(const std::vector<Side>& sides) {
-  const DrawnEdges drawn{
-      drawn_, outlines_, edges_, reach_mm_, [this](std::size_t i) { return half_kerf(i); }};
+  const DrawnEdges drawn{drawn_,
+                         outlines_,
+                         edges_,
+                         reach_mm_,
+                         [this](std::size_t i) { return half_kerf(i); },
+                         [this](std::size_t i) { return layer_of(i).settings.narrow_mm; }};
   std::vector<PathBeside> paths = paths_beside(drawn, plan_.warnings);
   for (std::size_t i = 0; i < outlines_.size(); ++i) {
     if (outlines_[i].is_beside) cut_beside(i, std::exchange(paths[i], {}));
@@ -167,6 +181,7 @@ void Planner::cut_beside(std::size_t i, const PathBeside& path) {
   if (path.failure) plan_.faults.push_back(*path.failure);
   if (path.vanishes) vanish(i);
   append(plan_.warnings, rests_of(drawn_.contours[i].entity, path.rests, half_kerf(i)));
+  for (const std::vector<Stroke>& row : path.middles) add_middle(i, row);
   for (const std::vector<Stroke>& loop : path.loops) add_cut(i, loop);
   append(plan_.faults, path.gouges);
 }
@@ -178,7 +193,9 @@ void Planner::vanish(std::size_t i) {
       drawn_.contours[i].entity,
       outlines_[i].strokes.front().from,
       fmt::format("is narrower than the kerf of {:.3f} mm and would vanish", 2.0 * half_kerf(i)),
-      "make it wider, cut it on the line with side=on, or skip its layer"};
+      fmt::format("make it wider, cut it once along its middle with --narrow {:.3f}, cut it on the "
+                  "line with side=on, or skip its layer",
+                  half_kerf(i))};
   const bool is_gap = drawn_.contours[i].is_filled && outlines_[i].is_hole;
   if (is_gap) fault.remedy = "it is left out";
   (is_gap ? plan_.warnings : plan_.faults).push_back(std::move(fault));
@@ -259,6 +276,18 @@ void Planner::add_cut(std::size_t i, const std::vector<Stroke>& loop) {
                       .half_kerf_mm = half_kerf(i),
                       .layer = cut.layer});
   plan_.cuts.push_back(std::move(cut));
+}
+
+/// A line in narrow waste begins and ends as it is: there is no room for leads.
+void Planner::add_middle(std::size_t i, const std::vector<Stroke>& row) {
+  UnbegunCut cut{.path = MeasuredRow{row},
+                 .is_open = true,
+                 .settings = layer_of(i).settings,
+                 .half_kerf_mm = half_kerf(i),
+                 .layer = drawn_.contours[i].entity.layer};
+  leave_plain(cut.settings);
+  plan_.cuts.push_back({.contour = i, .layer = cut.layer, .is_hole = outlines_[i].is_hole});
+  unbegun_.push_back(std::move(cut));
 }
 
 /// Says of each cut to which part it belongs, and which cuts must come before it.

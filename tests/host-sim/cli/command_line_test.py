@@ -237,7 +237,7 @@ class CommandLine(unittest.TestCase):
                 *((["cut", part, "--material", "CSP 1N", "--thickness", "2"], f"--{key}", unit)
                   for key, unit in (("tabs", "0 to 1000 tabs"), ("overcut", "0 to 1000 mm"), ("pierce", "0 to 60 s"),
                                     ("tab-width", "0.01 to 1000 mm"), ("corner-angle", "1 to 180 degrees"),
-                                    ("common-line", "0 to 1 mm"),
+                                    ("common-line", "0 to 1 mm"), ("narrow", "0 to 1 mm"),
                                     ("power", "W"), ("feed", "mm/min"))),
                 (["kerf", "advise", "--material", "CSP 1N", "--thickness", "2"], "--power", "W"),
                 (["kerf", "calibrate", "--material", "CSP 1N", "--thickness", "2"], "--length", "10 to 1000 mm")):

@@ -114,6 +114,20 @@ class CutDrawings(unittest.TestCase):
         self.assertEqual(refused.returncode, 1)
         self.assertIn("put them at least the kerf apart", refused.stderr)
 
+    def test_waste_narrower_than_the_kerf_is_cut_along_its_middle_where_that_is_allowed(self):
+        rings = ('<circle cx="30" cy="20" r="15"/><circle cx="30" cy="20" r="10"/>'
+                 '<circle cx="30" cy="20" r="9.9"/>')
+        done = self.sound(rings, "--narrow", "0.051", "--check")
+        self.assertIn("takes up to 0.050 mm off its edges", done.stderr)
+        self.assertEqual(self.cuts(done), 2)
+        self.assertEqual(self.cut(rings, "--narrow", "0.049").returncode, 1)
+        mark = ('<rect x="5" y="5" width="40" height="30"/>'
+                '<path d="M20 19.95H24.95V15H25.05V19.95H30V20.05H25.05V25H24.95V20.05H20Z"/>')
+        refused = self.cut(mark)
+        self.assertEqual(refused.returncode, 1)
+        self.assertIn("along its middle with --narrow 0.100", refused.stderr)
+        self.assertEqual(self.cuts(self.sound(mark, "--layer", "*: narrow=0.1")), 3)
+
     def test_a_box_generator_that_allows_for_the_kerf_itself(self):
         box = ('<!-- Created with Boxes.py --><rect x="10" y="10" width="20.2" height="10.2"/>'
                '<text x="1" y="5">100.0mm, burn:0.10mm</text>')

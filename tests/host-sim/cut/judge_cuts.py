@@ -94,9 +94,8 @@ def is_seen(paint) -> bool:
 
 def rows_of_dxf(file: pathlib.Path) -> list:
     """The entities of the model space that are curves, in mm, joined."""
-    import ezdxf  # pylint: disable=import-outside-toplevel
-    from ezdxf import disassemble, units  # pylint: disable=import-outside-toplevel
-    document = ezdxf.readfile(str(file))
+    from ezdxf import disassemble, recover, units  # pylint: disable=import-outside-toplevel
+    document, _ = recover.readfile(str(file))  # Coordinates in any order, too.
     unit = document.header.get("$INSUNITS", 0)
     factor = units.conversion_factor(unit, units.MM) if unit else 1.0
     pieces = []

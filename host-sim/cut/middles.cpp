@@ -1,0 +1,69 @@
+#include "host-sim/cut/middles.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "host-sim/cut/narrow_lines.hpp"
+
+namespace sim::cut {
+namespace {
+
+/// Returns whether the outermost of some contours around one of them, or itself, is a hole.
+bool is_in_hole(const DrawnEdges& edges, const std::vector<std::size_t>& contours, std::size_t i) {
+  std::size_t outermost = i;
+  for (auto around = edges.drawn.contours[i].lies_in; around;
+       around = edges.drawn.contours[*around].lies_in) {
+    if (std::ranges::find(contours, *around) != contours.end()) outermost = *around;
+  }
+  return edges.outlines[outermost].is_hole;
+}
+
+void append(NarrowLines& all, NarrowLines more) {
+  all.rows.insert(all.rows.end(), more.rows.begin(), more.rows.end());
+  all.length_mm += more.length_mm;
+  if (more.most_off_mm <= all.most_off_mm) return;
+  all.most_off_mm = more.most_off_mm;
+  all.place = more.place;
+}
+
+}  // namespace
+
+Middles middles_beside(const DrawnEdges& edges, const std::vector<std::size_t>& contours) {
+  const double half_kerf_mm = edges.half_kerf_mm(contours.front());
+  double most_off_mm = std::numeric_limits<double>::infinity();
+  for (const std::size_t i : contours) most_off_mm = std::min(most_off_mm, edges.narrow_mm(i));
+  if (most_off_mm <= 0.0 || half_kerf_mm <= 0.0) return {};
+  std::array<std::vector<const std::vector<Stroke>*>, 2> rows;  // Outside of parts; in holes.
+  for (const std::size_t i : contours) {
+    rows[is_in_hole(edges, contours, i) ? 1 : 0].push_back(&edges.outlines[i].strokes);
+  }
+  NarrowLines lines;
+  try {
+    for (const bool is_in_holes : {false, true}) {
+      if (rows[is_in_holes ? 1 : 0].empty()) continue;
+      const Contour waste = waste_beside(rows[is_in_holes ? 1 : 0], is_in_holes);
+      append(lines, narrow_lines(waste.view(), half_kerf_mm, most_off_mm));
+    }
+  } catch (const std::runtime_error&) {
+    return {};
+  }
+  if (lines.rows.empty()) return {};
+  return {.rows = std::move(lines.rows),
+          .warning = drawing::Fault{
+              drawing::FaultKind::kTooSmall,
+              edges.drawn.contours[contours.front()].entity,
+              lines.place,
+              fmt::format("waste is narrower than the kerf of {:.3f} mm along {:.3f} mm: it is cut "
+                          "once along its middle, which takes up to {:.3f} mm off its edges",
+                          2.0 * half_kerf_mm,
+                          lines.length_mm,
+                          lines.most_off_mm),
+              "make it as wide as the kerf, or forbid that with narrow=0"}};
+}
+
+}  // namespace sim::cut
