@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "host-sim/contour/contour_loops.hpp"
+#include "host-sim/contour/polyline_arcs.hpp"
 #include "host-sim/cut/outlines.hpp"
 #include "host-sim/import/piece_sets.hpp"
 #include "host-sim/pocket/medial_axis.hpp"
@@ -22,7 +23,8 @@ using pocket::AxisPoint;
 using pocket::MedialAxis;
 
 constexpr double kMiddleTolerance = 5.0e-3;  ///< Share of half the kerf.
-constexpr double kNoMore = 1.0e-6;           ///< Rounding of a limit, mm.
+constexpr double kSamePlaceMm = 1.0e-6;
+constexpr double kNoMore = 1.0e-6;      ///< Rounding of a limit, mm.
 constexpr double kWideEnough = 1.0e-3;  ///< Share of half the kerf by which paths may lie nearer.
 constexpr double kSteepest = 0.5;       ///< Radius by length: an end that narrows so is a corner.
 constexpr double kDot = 0.25;           ///< Half the length of a line for a point, in half kerfs.
@@ -291,10 +293,16 @@ void NarrowFinder::add(Narrow line) {
     return;
   }
   note(line.points);
+  std::vector<Place> places{line.points.front().place};
+  for (const AxisPoint& point : line.points) {
+    if (drawing::distance(places.back(), point.place) > kSamePlaceMm) places.push_back(point.place);
+  }
+  if (places.size() < 2) return;
+  const std::vector<ContourVertex> elements = arcs_along(places, kMiddleTolerance * half_);
   std::vector<Stroke>& row = found_.rows.emplace_back();
-  for (std::size_t i = 1; i < line.points.size(); ++i) {
-    if (line.points[i - 1].place == line.points[i].place) continue;
-    row.push_back({line.points[i - 1].place, line.points[i].place});
+  for (std::size_t i = 1; i < elements.size(); ++i) {
+    const ContourVertex& from = elements[i - 1];
+    row.push_back({{from.x, from.y}, {elements[i].x, elements[i].y}, from.bulge});
   }
 }
 
