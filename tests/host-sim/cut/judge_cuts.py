@@ -6,7 +6,8 @@ Not part of the test suite: it takes any folder of drawings of others. svgelemen
 more, shapely fills its closed contours by even-odd, or by the fill rule that a filled shape has, and of each program
 that is written it is looked
 
-* whether a path of the beam comes nearer to a part than half the kerf less 5 um, or runs across it;
+* whether a path of the beam comes nearer to a part than half the kerf less 5 um, or less what the option --narrow
+  allows, or runs across it;
 * whether each edge of a part has a path beside it: what has none must be listed by the program's warnings;
 * whether two cuts go along the same line.
 
@@ -277,8 +278,9 @@ class Shapes:
             self.right += beside >= 0.95 * len(places) and not is_gouged
 
 
-def judged(file: pathlib.Path, program: str, told: str, shapes: Shapes) -> str:
-    """The faults of a program, or an empty text."""
+def judged(file: pathlib.Path, program: str, told: str, shapes: Shapes, narrow: float = 0.0) -> str:
+    """The faults of a program whose cuts may go by `narrow` into an edge, or an empty text."""
+    nearest = -narrow - SLACK_MM
     kerf = float(re.search(r"kerf ([\d.]+) mm", program)[1])
     rows = rows_of_svg(file) if file.suffix == ".svg" else rows_of_dxf(file)
     parts = parts_of(rows)
@@ -295,7 +297,7 @@ def judged(file: pathlib.Path, program: str, told: str, shapes: Shapes) -> str:
             apart = near_edges.of(place)
             if inside and any(prepared[id(part)].contains(place) for part in inside.query(place)):
                 apart = -apart
-            if apart < kerf / 2 - SLACK_MM and near_lines.of(place) > SLACK_MM + 0.01:
+            if apart < kerf / 2 + nearest and near_lines.of(place) > SLACK_MM + 0.01:
                 gouged.append(place)
                 if apart < worst:
                     worst, where = apart, place
@@ -345,6 +347,7 @@ def count_uncut(file: pathlib.Path, shapes: Shapes) -> None:
 
 def verdict_on(kerfline: str, file: pathlib.Path, options: list, shapes: Shapes) -> tuple:
     """`right`, `wrong`, `refused` or `not judged`, and why."""
+    narrow = float(options[options.index("--narrow") + 1]) if "--narrow" in options else 0.0
     with tempfile.TemporaryDirectory() as scratch:
         target = pathlib.Path(scratch) / "job.nc"
         try:
@@ -353,7 +356,7 @@ def verdict_on(kerfline: str, file: pathlib.Path, options: list, shapes: Shapes)
         except subprocess.TimeoutExpired:
             return "refused", f"longer than {SECONDS} s"
         try:
-            complaint = judged(file, target.read_text(), run.stderr, shapes) if target.exists() else None
+            complaint = judged(file, target.read_text(), run.stderr, shapes, narrow) if target.exists() else None
             if complaint is None:
                 count_uncut(file, shapes)
         except Exception as error:  # pylint: disable=broad-except
