@@ -38,6 +38,9 @@ NamedValues parse_named_values(std::string_view text, std::string place, std::st
     if (more) rest.remove_prefix(comma + 1);
     const std::size_t split = pair.find('=');
     if (split == std::string_view::npos) throw refuse(fmt::format("{}: no `=`", pair));
+    if (pair.find('=', split + 1) != std::string_view::npos) {
+      throw refuse(fmt::format("{}: has two `=`; put a comma between settings", pair));
+    }
     named.values.emplace_back(trimmed(pair.substr(0, split)), trimmed(pair.substr(split + 1)));
   }
   return named;

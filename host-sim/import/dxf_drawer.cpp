@@ -75,11 +75,11 @@ void DxfDrawer::add(const DxfEntity& entity, const DxfInstance& within, DxfShape
   const Entity named = described(entity, within);
   if (!drawn.wrong.empty()) return refuse(entity, within, std::move(drawn.wrong));
   if (drawn.shapes.empty()) {
-    return sketch_.report({FaultKind::kTooSmall,
-                           named,
-                           within.to_mm(entity.place(10)),
-                           "it has no length",
-                           "delete it"});
+    return sketch_.note({FaultKind::kIgnored,
+                         named,
+                         within.to_mm(entity.place(10)),
+                         "it has no length",
+                         "it is left out"});
   }
   for (const std::string& note : drawn.notes) {
     sketch_.note(fmt::format("{:.40} {}", entity.type, note), named);

@@ -114,7 +114,7 @@ bool Sketch::add(Chain chain) {
   const Place start = start_of(chain.shapes.front());
   std::erase_if(chain.shapes, [](const Shape& shape) { return !has_length(shape); });
   if (chain.shapes.empty()) {
-    report({FaultKind::kTooSmall, from, start, "it has no length", "delete it"});
+    note({FaultKind::kIgnored, from, start, "it has no length", "it is left out"});
     return true;
   }
   shapes_ += chain.shapes.size();

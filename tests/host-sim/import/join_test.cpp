@@ -136,7 +136,21 @@ TEST(Nesting, DepthDecidesOuterAndHoleAndTheSense) {
 TEST(Nesting, AContourWithoutAreaIsLeftOutAndNamedWhereItHasNoStroke) {
   const Drawing drawn = read(svg_of("<path d='M0 0H10H0z'/><path d='M5 5h0z'/>"));
   EXPECT_THAT(drawn.contours, IsEmpty());
-  EXPECT_THAT(kinds_of(drawn), UnorderedElementsAre(FaultKind::kMended, FaultKind::kTooSmall));
+  EXPECT_THAT(kinds_of(drawn), UnorderedElementsAre(FaultKind::kMended, FaultKind::kIgnored));
+}
+
+TEST(Nesting, WhatHasNoLengthIsLeftOutAndNamedOnce) {
+  const Drawing drawn = read(
+      svg_of("<g stroke='black'><path d='M5 5h0z'/><path d='M6 6l0 0'/><path d='M1 1H9'/></g>"));
+  EXPECT_THAT(drawn.contours, SizeIs(1));
+  EXPECT_THAT(kinds_of(drawn), Contains(FaultKind::kIgnored).Times(1));
+  EXPECT_THAT(kinds_of(drawn), Not(Contains(FaultKind::kTooSmall)));
+  const Drawing plan =
+      read(dxf_of("0\nLINE\n8\n0\n10\n1\n20\n1\n11\n1\n21\n1\n"
+                  "0\nLINE\n8\n0\n10\n1\n20\n1\n11\n9\n21\n1\n"));
+  EXPECT_THAT(plan.contours, SizeIs(1));
+  EXPECT_THAT(kinds_of(plan), Contains(FaultKind::kIgnored).Times(1));
+  EXPECT_THAT(kinds_of(plan), Not(Contains(FaultKind::kTooSmall)));
 }
 
 TEST(Nesting, AContourWithoutAreaIsALineWhereItHasAStroke) {
