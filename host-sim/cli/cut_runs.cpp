@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "firmware/store/kerf_tables.hpp"
+#include "host-sim/contour/shared_work.hpp"
 #include "host-sim/job/job.hpp"
 #include "host-sim/job/program_judge.hpp"
 #include "host-sim/knowledge/experiment.hpp"
@@ -115,15 +116,21 @@ cnc::Settings settings_of(const CutRun& run) {
 
 EdgeChecks check_edges(const CutJob& job, const CutRun& run, std::FILE* told) {
   EdgeChecks checks{.rows = nlohmann::ordered_json::object()};
-  for (const EdgeVariant& variant : job.beam.kerf_table ? kBesideOnController : kBesideHere) {
-    CutJob changed = job;
-    changed.beam.follows_speed = variant.follows_speed;
-    const cut::EdgeFigures figures = drive(changed, run, variant.setting);
-    terminal::print(told, "{}:\n", variant.name);
-    for (const std::string& line : lines_of(figures)) terminal::print(told, "  {}\n", line);
-    if (checks.rows.empty()) checks.first = figures;
-    checks.rows[variant.key] = json_of(figures);
+  const auto& variants = job.beam.kerf_table ? kBesideOnController : kBesideHere;
+  std::array<cut::EdgeFigures, kBesideHere.size()> figures{};
+  share_work(variants.size(), [&] {
+    return [&](std::size_t i) {
+      CutJob changed = job;
+      changed.beam.follows_speed = variants[i].follows_speed;
+      figures[i] = drive(changed, run, variants[i].setting);
+    };
+  });
+  for (std::size_t i = 0; i < variants.size(); ++i) {
+    terminal::print(told, "{}:\n", variants[i].name);
+    for (const std::string& line : lines_of(figures[i])) terminal::print(told, "  {}\n", line);
+    checks.rows[variants[i].key] = json_of(figures[i]);
   }
+  checks.first = std::move(figures.front());
   return checks;
 }
 

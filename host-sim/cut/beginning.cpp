@@ -119,13 +119,15 @@ Beginning moved_to(const Beginning& beginning,
                    double way_mm) {
   Beginning moved = beginning;
   moved.way_mm = way_mm;
-  const double overcut = std::min(settings.overcut_mm, loop.length());
-  moved.entry = loop.place(way_mm);
-  moved.exit = overcut > 0.0 ? loop.place(std::fmod(way_mm + overcut, loop.length())) : moved.entry;
-  if (!beginning.has_leads) return moved;
-  const Leads leads = leads_at(loop, way_mm, settings, beginning.lead_share);
-  if (!leads.in.empty()) moved.entry = leads.in.front().from;
-  if (!leads.out.empty()) moved.exit = leads.out.back().to;
+  Leads leads;
+  if (beginning.has_leads) leads = leads_at(loop, way_mm, settings, beginning.lead_share);
+  moved.entry = leads.in ? leads.in->from : loop.place(way_mm);
+  if (leads.out) {
+    moved.exit = leads.out->to;
+  } else {
+    const double overcut = std::min(settings.overcut_mm, loop.length());
+    moved.exit = loop.place(overcut > 0.0 ? std::fmod(way_mm + overcut, loop.length()) : way_mm);
+  }
   return moved;
 }
 

@@ -7,6 +7,16 @@
 #include "host-sim/import/near_order.hpp"
 
 namespace sim::cut {
+namespace {
+
+/// Returns the square of the distance between a place and a box.
+double squared_distance(const cnc::contour::FlatBox<double>& box, const Place& place) {
+  const double x = std::max({box.x0 - place.x(), place.x() - box.x1, 0.0});
+  const double y = std::max({box.y0 - place.y(), place.y() - box.y1, 0.0});
+  return x * x + y * y;
+}
+
+}  // namespace
 
 /// With the height of the arc all round, which is more than it needs.
 Clearance::Box Clearance::box_of(const Stroke& stroke) {
@@ -56,13 +66,18 @@ void Clearance::sort_by_place() {
 }
 
 Clearance::Nearest Clearance::nearest(const Place& place) const {
-  Nearest found{reach_mm_, 0, 0};
-  if (entries_.empty()) return found;
-  const auto squared = [&place](const Box& box) {
-    const double x = std::max({box.x0 - place.x(), place.x() - box.x1, 0.0});
-    const double y = std::max({box.y0 - place.y(), place.y() - box.y1, 0.0});
-    return x * x + y * y;
-  };
+  if (entries_.empty()) return {.distance_mm = reach_mm_};
+  const auto squared = [&place](const Box& box) { return squared_distance(box, place); };
+  return nearest_from(tree_.descend(squared), place);
+}
+
+Clearance::Nearest Clearance::nearest(const Place& place, const Nearest& last) const {
+  return last.stroke == nullptr ? nearest(place) : nearest_from(last.entry, place);
+}
+
+/// Looks at one stroke first: what is farther than that is left out.
+Clearance::Nearest Clearance::nearest_from(std::uint32_t first, const Place& place) const {
+  Nearest found{.distance_mm = reach_mm_};
   const auto look = [&](std::uint32_t index) {
     const double distance = distance_to(entries_[index].stroke, place);
     ++found.looks;
@@ -71,12 +86,13 @@ Clearance::Nearest Clearance::nearest(const Place& place) const {
       found.distance_mm = distance;
       found.owner = entries_[index].owner;
       found.stroke = &entries_[index].stroke;
+      found.entry = index;
     }
     return true;
   };
-  static_cast<void>(look(tree_.descend(squared)));
+  static_cast<void>(look(first));
   const auto is_near = [&](const Box& box) {
-    return squared(box) <= found.distance_mm * found.distance_mm;
+    return squared_distance(box, place) <= found.distance_mm * found.distance_mm;
   };
   tree_.search_where(is_near, 0, look);
   return found;

@@ -19,6 +19,7 @@ class Clearance {
     std::size_t owner = 0;           ///< Of the stroke, as given to add().
     std::size_t looks = 0;           ///< Strokes that were measured for it.
     const Stroke* stroke = nullptr;  ///< Null where none is within reach.
+    std::uint32_t entry = 0;         ///< The number of that stroke here.
   };
 
   /// Nothing farther than `reach` is looked for, mm > 0.
@@ -33,6 +34,9 @@ class Clearance {
 
   /// The nearest stroke; where none is within reach, the reach and no owner that means anything.
   [[nodiscard]] Nearest nearest(const Place& place) const;
+  /// The same, sooner where the place is near the last one. @param last what was nearest to it; of
+  /// strokes with one owner that are equally near it may be another one
+  [[nodiscard]] Nearest nearest(const Place& place, const Nearest& last) const;
 
   /// Returns the owners of all strokes whose boxes come within `mm` of that of a stroke, in no
   /// order that means anything.
@@ -49,6 +53,7 @@ class Clearance {
   using Box = cnc::contour::FlatBox<double>;
 
   [[nodiscard]] static Box box_of(const Stroke& stroke);
+  [[nodiscard]] Nearest nearest_from(std::uint32_t first, const Place& place) const;
   void sort_by_place();
 
   double reach_mm_;

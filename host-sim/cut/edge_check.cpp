@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "host-sim/cut/clearance.hpp"
+#include "host-sim/cut/planned_area.hpp"
 #include "host-sim/cut/swept_area.hpp"
 #include "host-sim/import/curve_measure.hpp"
 #include "host-sim/machine/machine_reading.hpp"
@@ -24,9 +25,6 @@ constexpr double kEdgeChord = 1.0e-5;
 /// The plan's beam touches an edge that it comes to within this, mm; of a curve that was cut as
 /// arcs within this and their tolerance, of a line that two parts share within this and its own.
 constexpr double kTouches = 1.0e-3;
-/// Discs of the plan follow each other at this distance: between them the edge is off by less
-/// than a nanometre.
-constexpr double kDiscEvery = 0.0005;
 constexpr double kNoLimit = std::numeric_limits<double>::infinity();
 /// What the beam cuts under conditions that nobody has cut under counts so far around it, mm.
 constexpr double kAroundUnknown = 0.1;
@@ -110,8 +108,8 @@ class EdgeCheck::Sweep final : public TraceSink {
   /// The kerf of the heat there is, around a place of the beam.
   void sweep(const Place& here) {
     if (pierces_.nearest(here).distance_mm < kAroundPierce) return;
-    const Clearance::Nearest nearest = strokes_.nearest(here);
-    const LayerPlan& layer = job_.plan.plan_of(job_.plan.cuts[nearest.owner]);
+    nearest_ = strokes_.nearest(here, nearest_);
+    const LayerPlan& layer = job_.plan.plan_of(job_.plan.cuts[nearest_.owner]);
     if (is_engraved(layer.settings.side)) {
       joules_per_mm_ = 0.0;  // Nothing is cut through, and the next cut has a heat of its own.
       return;
@@ -120,9 +118,10 @@ class EdgeCheck::Sweep final : public TraceSink {
     swept_.add(here, radius);
     // All edges around, also where this beam was too narrow to come to them.
     if (!is_known(layer)) unknown_.add(here, radius + kAroundUnknown);
-    note_heat(ratio_of(layer));
-    if (corners_.nearest(here).distance_mm < layer.condition.kerf_mm) {
-      corner_ratio_ = std::max(corner_ratio_, ratio_of(layer));
+    const double ratio = ratio_of(layer);
+    note_heat(ratio);
+    if (ratio > corner_ratio_ && corners_.nearest(here).distance_mm < layer.condition.kerf_mm) {
+      corner_ratio_ = ratio;
     }
   }
 
@@ -177,11 +176,7 @@ class EdgeCheck::Sweep final : public TraceSink {
       for (const Stroke& stroke : cut.strokes) {
         strokes_.add(stroke, index);
         if (stroke.purpose == Purpose::kPierce) pierces_.add(stroke, index);
-        if (!has_beam(stroke.purpose) || cut.picture) continue;
-        const int count = 1 + static_cast<int>(length_of(stroke) / kDiscEvery);
-        for (int i = 0; i <= count; ++i) {
-          planned_.add(place_at(stroke, static_cast<double>(i) / count), radius);
-        }
+        if (has_beam(stroke.purpose) && !cut.picture) planned_.add(stroke, radius);
       }
     }
     for (const Cut& cut : job_.plan.cuts) {
@@ -192,6 +187,7 @@ class EdgeCheck::Sweep final : public TraceSink {
     strokes_.prepare();
     corners_.prepare();
     pierces_.prepare();
+    planned_.prepare();
   }
 
   const CutJob& job_;
@@ -203,9 +199,10 @@ class EdgeCheck::Sweep final : public TraceSink {
   EnergyMeter energy_;
   CourseHeat heat_;
   Clearance strokes_{kNear};
+  Clearance::Nearest nearest_{};  ///< Of the strokes to the last place.
   Clearance pierces_{kNear};
   Clearance corners_{kNear};
-  SweptArea planned_;
+  PlannedArea planned_;
   SweptArea swept_;
   SweptArea unknown_;
   float duty_ = 0.0F;

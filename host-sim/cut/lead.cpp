@@ -108,21 +108,25 @@ Leads leads_at(const MeasuredRow& loop,
   Leads leads;
   if (settings.lead_in.kind != LeadKind::kNone) {
     const double length = share * settings.lead_in.length_mm;
-    leads.in = {lead_in(settings.lead_in, length, loop.place(way_mm), loop.leaving(way_mm))};
+    leads.in = lead_in(settings.lead_in, length, loop.place(way_mm), loop.leaving(way_mm));
   }
   if (settings.lead_out.kind != LeadKind::kNone) {
     const double length = share * settings.lead_out.length_mm;
     const double overcut = std::min(settings.overcut_mm, loop.length());
     const double end = std::fmod(way_mm + overcut, loop.length());
-    leads.out = {lead_out(settings.lead_out, length, loop.place(end), loop.arriving(end))};
+    const bool ends_at_start = leads.in && end == way_mm;
+    const Place place = ends_at_start ? leads.in->to : loop.place(end);
+    leads.out = lead_out(settings.lead_out, length, place, loop.arriving(end));
   }
   return leads;
 }
 
 bool have_room(const Leads& leads, const LeadRoom& room) {
   const double least = room.half_kerf_mm - kClearSlackMm;
-  const auto is_clear = [&](const Stroke& lead) { return room.parts.is_clear(lead, least); };
-  return std::ranges::all_of(leads.in, is_clear) && std::ranges::all_of(leads.out, is_clear);
+  const auto is_clear = [&](const std::optional<Stroke>& lead) {
+    return !lead || room.parts.is_clear(*lead, least);
+  };
+  return is_clear(leads.in) && is_clear(leads.out);
 }
 
 LedCut with_leads(const MeasuredRow& loop,
@@ -140,11 +144,9 @@ LedCut with_leads(const MeasuredRow& loop,
   if (beginning.has_leads) {
     leads = leads_at(loop, beginning.way_mm, settings, beginning.lead_share);
   }
-  cut.strokes = std::move(leads.in);
+  if (leads.in) cut.strokes.push_back(*leads.in);
   cut.strokes.insert(cut.strokes.end(), body.begin(), body.end());
-  if (!ends_at_a_tab(settings, cut.tabs)) {
-    cut.strokes.insert(cut.strokes.end(), leads.out.begin(), leads.out.end());
-  }
+  if (leads.out && !ends_at_a_tab(settings, cut.tabs)) cut.strokes.push_back(*leads.out);
   if (settings.pierce_s > 0.0) slow_down_start(cut.strokes);
   return cut;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "host-sim/cut/clearance.hpp"
@@ -20,10 +21,10 @@ struct LeadRoom {
   double half_kerf_mm = 0;  ///< No nearer to any of them.
 };
 
-/// Both leads of a cut that begins at a point of its contour; no strokes where none are required.
+/// Both leads of a cut that begins at a point of its contour; nothing where none are required.
 struct Leads {
-  std::vector<Stroke> in{};
-  std::vector<Stroke> out{};
+  std::optional<Stroke> in{};
+  std::optional<Stroke> out{};
 };
 
 /// Returns the leads at `share` of their length, room or not.

@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "host-sim/contour/shared_work.hpp"
 #include "host-sim/cut/clearance.hpp"
 #include "host-sim/cut/coincident.hpp"
 #include "host-sim/cut/controller_choice.hpp"
@@ -324,13 +325,19 @@ void Planner::find_beginnings() {
   for (const Cut& cut : plan_.cuts) ++loops_of_contour_[cut.contour];
   const std::size_t share = kBeginnings / std::max<std::size_t>(plan_.cuts.size(), 1);
   const std::size_t count = std::clamp(share, kFewest, kUsual);
+  share_work(plan_.cuts.size(), [&] {
+    return [&](std::size_t i) {
+      const std::size_t contour = plan_.cuts[i].contour;
+      find_possible_beginnings(unbegun_[i],
+                               outlines_[contour],
+                               room_of(contour),
+                               {.is_planned_here = beside_ == WayBeside::kHere,
+                                .mark = marks_[contour],
+                                .count = count});
+    };
+  });
   for (std::size_t i = 0; i < plan_.cuts.size(); ++i) {
     const std::size_t contour = plan_.cuts[i].contour;
-    find_possible_beginnings(
-        unbegun_[i],
-        outlines_[contour],
-        room_of(contour),
-        {.is_planned_here = beside_ == WayBeside::kHere, .mark = marks_[contour], .count = count});
     if (unbegun_[i].is_open && marks_[contour]) {
       plan_.warnings.push_back({FaultKind::kTooSmall,
                                 drawn_.contours[contour].entity,

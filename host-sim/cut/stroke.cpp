@@ -25,30 +25,43 @@ Place centre_of(const Stroke& stroke) {
   return 0.5 * (stroke.from + stroke.to) + across * left_of(chord);
 }
 
-}  // namespace
-
-double length_of(const Stroke& stroke) {
+double length_of(const Stroke& stroke, const HalfSweep& half) {
   const double chord = drawing::distance(stroke.from, stroke.to);
-  if (stroke.bulge == 0.0) return chord;
-  const double half = 0.5 * sweep_of(stroke);
-  return chord * half / std::sin(half);
+  return stroke.bulge == 0.0 ? chord : chord * half.angle / half.sine;
 }
 
+Place tangent_at(const Stroke& stroke, const HalfSweep& half, double share) {
+  const Place chord = stroke.to - stroke.from;
+  const Place way = chord / std::hypot(chord.x(), chord.y());
+  return half.angle == 0.0 ? way : turned(way, (share - 0.5) * (2.0 * half.angle));
+}
+
+}  // namespace
+
+HalfSweep half_sweep_of(const Stroke& stroke) {
+  if (stroke.bulge == 0.0) return {};
+  const double half = 0.5 * sweep_of(stroke);
+  return {half, std::sin(half)};
+}
+
+double length_of(const Stroke& stroke) { return length_of(stroke, half_sweep_of(stroke)); }
+
 Place place_at(const Stroke& stroke, double share) {
+  return place_at(stroke, half_sweep_of(stroke), share);
+}
+
+Place place_at(const Stroke& stroke, const HalfSweep& half, double share) {
   if (share <= 0.0) return stroke.from;
   if (share >= 1.0) return stroke.to;
   // In the frame of the chord: no far-away centre of a flat arc.
-  const double half = 0.5 * sweep_of(stroke);
   const Place chord = stroke.to - stroke.from;
-  if (half == 0.0) return stroke.from + share * chord;
-  const double reach = std::sin(share * half) / std::sin(half);
-  return stroke.from + reach * turned(chord, (share - 1.0) * half);
+  if (half.angle == 0.0) return stroke.from + share * chord;
+  const double reach = std::sin(share * half.angle) / half.sine;
+  return stroke.from + reach * turned(chord, (share - 1.0) * half.angle);
 }
 
 Place tangent_at(const Stroke& stroke, double share) {
-  const Place chord = stroke.to - stroke.from;
-  const double length = std::hypot(chord.x(), chord.y());
-  return turned(chord / length, (share - 0.5) * sweep_of(stroke));
+  return tangent_at(stroke, half_sweep_of(stroke), share);
 }
 
 Stroke part_of(const Stroke& stroke, double from, double to) {
@@ -94,9 +107,13 @@ double length_of(const std::vector<Stroke>& row) {
 }
 
 MeasuredRow::MeasuredRow(std::vector<Stroke> row) : row_{std::move(row)} {
+  halves_.reserve(row_.size());
   ways_.reserve(row_.size() + 1);
   ways_.push_back(0.0);
-  for (const Stroke& stroke : row_) ways_.push_back(ways_.back() + length_of(stroke));
+  for (const Stroke& stroke : row_) {
+    halves_.push_back(half_sweep_of(stroke));
+    ways_.push_back(ways_.back() + length_of(stroke, halves_.back()));
+  }
 }
 
 std::vector<Stroke> MeasuredRow::stretch(double from_mm, double to_mm) const {
@@ -129,21 +146,21 @@ std::size_t MeasuredRow::stroke_at(double way_mm) const {
 
 Place MeasuredRow::place(double way_mm) const {
   const std::size_t i = stroke_at(way_mm);
-  return place_at(row_[i], (way_mm - ways_[i]) / (ways_[i + 1] - ways_[i]));
+  return place_at(row_[i], halves_[i], (way_mm - ways_[i]) / (ways_[i + 1] - ways_[i]));
 }
 
 Place MeasuredRow::leaving(double way_mm) const {
   const bool around = way_mm + kShortestStretch >= length();
   const std::size_t i = around ? 0 : stroke_at(way_mm + kShortestStretch);
   const double share = around ? 0.0 : (way_mm - ways_[i]) / (ways_[i + 1] - ways_[i]);
-  return tangent_at(row_[i], std::clamp(share, 0.0, 1.0));
+  return tangent_at(row_[i], halves_[i], std::clamp(share, 0.0, 1.0));
 }
 
 Place MeasuredRow::arriving(double way_mm) const {
   const bool around = way_mm <= kShortestStretch;
   const std::size_t i = around ? row_.size() - 1 : stroke_at(way_mm - kShortestStretch);
   const double share = around ? 1.0 : (way_mm - ways_[i]) / (ways_[i + 1] - ways_[i]);
-  return tangent_at(row_[i], std::clamp(share, 0.0, 1.0));
+  return tangent_at(row_[i], halves_[i], std::clamp(share, 0.0, 1.0));
 }
 
 }  // namespace sim::cut

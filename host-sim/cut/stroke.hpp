@@ -44,8 +44,16 @@ struct Stroke {
 /// mm.
 [[nodiscard]] double length_of(const Stroke& stroke);
 
+/// Half of a stroke's sweep, radians, and its sine.
+struct HalfSweep {
+  double angle = 0.0;
+  double sine = 0.0;
+};
+[[nodiscard]] HalfSweep half_sweep_of(const Stroke& stroke);
+
 /// Where the stroke is after a share of its length, 0…1, and the unit way it goes there.
 [[nodiscard]] Place place_at(const Stroke& stroke, double share);
+[[nodiscard]] Place place_at(const Stroke& stroke, const HalfSweep& half, double share);
 [[nodiscard]] Place tangent_at(const Stroke& stroke, double share);
 
 /// From one share to the other. @pre 0 ≤ from < to ≤ 1
@@ -84,7 +92,8 @@ class MeasuredRow {
 
  private:
   std::vector<Stroke> row_;
-  std::vector<double> ways_;  ///< One more than strokes.
+  std::vector<HalfSweep> halves_;  ///< By stroke.
+  std::vector<double> ways_;       ///< One more than strokes.
 };
 
 }  // namespace sim::cut

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <unordered_map>
 #include <vector>
 
 #include "host-sim/cut/stroke.hpp"
+#include "planner/contour/curve.hpp"
 
 namespace sim::cut {
 
@@ -25,13 +27,31 @@ class SweptArea {
     Place centre;
     double radius_mm;
   };
+  /// The box of some centres, and the greatest radius.
+  struct Group {
+    cnc::contour::FlatBox<double> centres{};
+    double widest_mm = 0.0;
+
+    /// Returns whether a place may be deeper than `depth_mm` in one of its discs.
+    [[nodiscard]] bool may_be_deeper(const Place& place, double depth_mm) const;
+    /// Returns the square of the distance between a place and the box, mm².
+    [[nodiscard]] double squared_distance(const Place& place) const;
+  };
+  /// Discs in the order in which they were added, so that neighbours are near each other.
+  struct Cell {
+    std::vector<Disc> discs{};
+    std::vector<Group> groups{};  ///< Of kGroup discs each.
+  };
   static constexpr double kCellMm = 0.5;
+  static constexpr std::size_t kGroup = 16;
 
   [[nodiscard]] static std::int64_t cell_of(double mm);
   [[nodiscard]] static std::int64_t key_of(std::int64_t column, std::int64_t row);
+  template <typename Visit>
+  void visit_groups(const Place& place, const Visit& visit) const;
 
   double widest_mm_ = 0.0;
-  std::unordered_map<std::int64_t, std::vector<Disc>> cells_;
+  std::unordered_map<std::int64_t, Cell> cells_;
 };
 
 }  // namespace sim::cut

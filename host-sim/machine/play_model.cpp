@@ -20,6 +20,7 @@ void PlayModel::place(const cnc::Settings& settings) {
     low_[axis] = behind ? beyond : beyond - steps;
     high_[axis] = low_[axis] + steps;
   }
+  any_ = low_ != high_;
 }
 
 const PlayModel::Steps& PlayModel::follow(const Steps& motors) {

@@ -24,7 +24,7 @@ class PlayModel {
   void place(const cnc::Settings& settings);
 
   /// Whether any axis has play: then each step of its motor has to be followed.
-  [[nodiscard]] bool any() const { return low_ != high_; }
+  [[nodiscard]] bool any() const { return any_; }
   /// Where the axes are now that the motors have come here.
   const Steps& follow(const Steps& motors);
   /// Where they would be.
@@ -36,6 +36,7 @@ class PlayModel {
   Steps high_{};  ///< … and at most so many.
   Steps motors_{};
   Steps axes_{};
+  bool any_ = false;  ///< A low_ differs from its high_.
 };
 
 }  // namespace sim

@@ -6,17 +6,20 @@ namespace cnc {
 namespace {
 
 constexpr std::uint32_t kPolynomial = 0xEDB8'8320;
-constexpr std::size_t kNibbles = 4;  ///< Of half a word.
+/// Bits of a digit, which a look-up takes: a byte where memory is plenty, a nibble on a controller.
+constexpr std::size_t kDigitBits = sizeof(void*) > 4 ? 8 : 4;
+constexpr std::size_t kDigits = 4;  ///< Of a step.
+constexpr std::size_t kStepBits = kDigits * kDigitBits;
 
-/// What a nibble leaves when so many others come after it.
-using Remainders = std::array<std::uint32_t, 16>;
+/// What a digit leaves when so many others come after it.
+using Remainders = std::array<std::uint32_t, 1U << kDigitBits>;
 
-constexpr std::array<Remainders, kNibbles> make_tables() {
-  std::array<Remainders, kNibbles> tables{};
-  for (std::uint32_t i = 0; i < 16; ++i) {
+constexpr std::array<Remainders, kDigits> make_tables() {
+  std::array<Remainders, kDigits> tables{};
+  for (std::uint32_t i = 0; i < Remainders{}.size(); ++i) {
     std::uint32_t remainder = i;
     for (Remainders& table : tables) {
-      for (int bit = 0; bit < 4; ++bit) {
+      for (std::size_t bit = 0; bit < kDigitBits; ++bit) {
         remainder = (remainder >> 1) ^ ((remainder & 1U) != 0 ? kPolynomial : 0U);
       }
       table[i] = remainder;
@@ -25,26 +28,34 @@ constexpr std::array<Remainders, kNibbles> make_tables() {
   return tables;
 }
 
-constexpr std::array<Remainders, kNibbles> kTables = make_tables();
+constexpr std::array<Remainders, kDigits> kTables = make_tables();
 
-/// Of the lowest nibble, with so many behind it.
-constexpr std::uint32_t remainder_of(std::uint32_t value, std::size_t behind) {
-  return kTables[behind][value & 0xFU];
+/// Of a digit of the value, with so many behind it.
+constexpr std::uint32_t remainder_of(std::uint32_t value, std::size_t digit, std::size_t behind) {
+  return kTables[behind][(value >> (digit * kDigitBits)) % Remainders{}.size()];
 }
 
 }  // namespace
 
-std::uint32_t Crc32::after_half(std::uint32_t mixed) {
-  return (mixed >> 16) ^ remainder_of(mixed, 3) ^ remainder_of(mixed >> 4, 2) ^
-         remainder_of(mixed >> 8, 1) ^ remainder_of(mixed >> 12, 0);
+std::uint32_t Crc32::after_step(std::uint32_t mixed) {
+  const std::uint32_t moved_down = kStepBits < 32 ? mixed >> (kStepBits % 32) : 0U;
+  return moved_down ^ remainder_of(mixed, 0, 3) ^ remainder_of(mixed, 1, 2) ^
+         remainder_of(mixed, 2, 1) ^ remainder_of(mixed, 3, 0);
 }
 
 void Crc32::add(std::byte byte) {
   const std::uint32_t mixed = state_ ^ std::to_integer<std::uint32_t>(byte);
-  state_ = (mixed >> 8) ^ remainder_of(mixed, 1) ^ remainder_of(mixed >> 4, 0);
+  if constexpr (kDigitBits == 8) {
+    state_ = (mixed >> 8) ^ remainder_of(mixed, 0, 0);
+  } else {
+    state_ = (mixed >> 8) ^ remainder_of(mixed, 0, 1) ^ remainder_of(mixed, 1, 0);
+  }
 }
 
-void Crc32::add(std::uint32_t word) { state_ = after_half(after_half(state_ ^ word)); }
+void Crc32::add(std::uint32_t word) {
+  state_ = after_step(state_ ^ word);
+  if constexpr (kStepBits < 32) state_ = after_step(state_);
+}
 
 void Crc32::add(std::span<const std::byte> bytes) {
   const auto at = [&bytes](std::size_t i) { return std::to_integer<std::uint32_t>(bytes[i]); };

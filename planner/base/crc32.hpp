@@ -9,7 +9,7 @@ namespace cnc {
 /// CRC-32 of IEEE 802.3, as in zlib and Ethernet: reflected polynomial 0xEDB88320, begun and ended
 /// inverted. Finds every burst of up to 32 bits and, in what is below 11 KB, any three wrong bits.
 ///
-/// The four look-ups of half a word, a nibble each, do not wait for each other.
+/// Four look-ups, a byte each, or a nibble on a controller, do not wait for each other.
 class Crc32 {
  public:
   void add(std::byte byte);
@@ -20,10 +20,10 @@ class Crc32 {
   [[nodiscard]] std::uint32_t value() const { return ~state_; }
 
  private:
-  /// The state after its lower half; the upper half, which already holds the data that follow,
-  /// moves down. A member, because the image's start-up code has the sections of this class beside
-  /// it.
-  [[nodiscard]] static std::uint32_t after_half(std::uint32_t mixed);
+  /// Returns the state after its lowest four digits; the others, which already hold the data that
+  /// follow, move down. A member, because the image's start-up code has the sections of this class
+  /// beside it.
+  [[nodiscard]] static std::uint32_t after_step(std::uint32_t mixed);
 
   std::uint32_t state_ = 0xFFFF'FFFF;
 };

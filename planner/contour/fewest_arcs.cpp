@@ -176,13 +176,29 @@ std::size_t FewestArcs::finish_at_place(std::size_t index) {
 }
 
 /// Returns the greatest deviation, or one above `bound` where it is greater than that.
-double FewestArcs::deviation(const BiarcGauge& gauge, double from, double bound) const {
-  const double enough = std::min(bound, 100.0 * band_->tolerance_mm());
-  double greatest = 0.0;
-  const auto last = static_cast<std::size_t>(band_->last());
-  for (std::size_t i = static_cast<std::size_t>(from) + 1; i < last; ++i) {
+/// @param worst the sample that is checked first; set to one of the greatest deviation found
+double FewestArcs::deviation(const BiarcGauge& gauge,
+                             double from,
+                             double bound,
+                             std::size_t& worst) const {
+  const auto at = [&](std::size_t i) {
     const WayPoint& point = band_->sample(i).point;
-    greatest = std::max(greatest, ToleranceBand::distance(gauge.beside(point.place), point));
+    return ToleranceBand::distance(gauge.beside(point.place), point);
+  };
+  const auto first = static_cast<std::size_t>(from) + 1;
+  const auto last = static_cast<std::size_t>(band_->last());
+  const double enough = std::min(bound, 100.0 * band_->tolerance_mm());
+  // Biarcs of one search deviate most at about the same place.
+  if (bound == enough && worst >= first && worst < last) {
+    const double found = at(worst);
+    if (found > bound) return found;
+  }
+  double greatest = 0.0;
+  for (std::size_t i = first; i < last; ++i) {
+    const double found = at(i);
+    if (!(found > greatest)) continue;
+    greatest = found;
+    worst = i;
     if (greatest > enough) break;
   }
   return greatest;
@@ -192,10 +208,11 @@ LeastValue FewestArcs::biarc_to_end(const BandStart& start) const {
   const WayPoint& end = band_->sample(static_cast<std::size_t>(band_->last())).point;
   const WideBiarcEnds ends{start.place, start.tangent, end.place, end.tangent};
   constexpr SearchRange kShares{.low = 0.02, .high = 0.98, .looks = 9, .steps = 14};
+  std::size_t worst = 0;
   return least_value(kShares, kAnyValue, [&](double share, double bound) {
     const auto biarc = make_biarc(ends, share);
     if (!biarc.ok()) return ToleranceBand::kNoFit;
-    return deviation(BiarcGauge{ends, biarc.value()}, start.sample, bound);
+    return deviation(BiarcGauge{ends, biarc.value()}, start.sample, bound, worst);
   });
 }
 

@@ -52,7 +52,10 @@ class FewestArcs {
   [[nodiscard]] std::size_t finish_with_tangent(std::size_t index);
   [[nodiscard]] double arc_to_end(const BandStart& start, double* curvature) const;
   [[nodiscard]] LeastValue biarc_to_end(const BandStart& start) const;
-  [[nodiscard]] double deviation(const BiarcGauge& gauge, double from, double bound) const;
+  [[nodiscard]] double deviation(const BiarcGauge& gauge,
+                                 double from,
+                                 double bound,
+                                 std::size_t& worst) const;
   void append_biarc(std::size_t index, const BandStart& start, double share);
 
   const ToleranceBand* band_;

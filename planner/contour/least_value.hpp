@@ -14,7 +14,7 @@ struct LeastValue {
 struct SearchRange {
   double low = 0.0;
   double high = 1.0;
-  int looks = 8;   ///< Evenly spread, both ends among them; at least 2.
+  int looks = 8;   ///< Evenly spread, both ends among them; at least 2. One where both are one.
   int steps = 20;  ///< Of the golden section around the best of them.
 };
 
@@ -40,6 +40,10 @@ template <typename Function>
     if (value < best.value) best = {.at = at, .value = value};
     return value;
   };
+  if (range.high == range.low) {
+    look(range.low, kNoBound);
+    return best;
+  }
   for (int i = 0; i < range.looks && best.value > enough; ++i) {
     look(range.low + stride * static_cast<double>(i), best.value);
   }

@@ -11,10 +11,6 @@ constexpr double kMostSweep = 2.9;
 
 std::size_t first_after(double sample) { return static_cast<std::size_t>(sample) + 1; }
 
-/// Between the curve and an arc beside it, at a sample: 75 degrees or so, so that between
-/// samples it is less than a quarter turn.
-constexpr double kLeastAgreement = 0.25;
-
 struct CurvatureRange {
   double low = 0.0;
   double high = 0.0;
@@ -36,7 +32,7 @@ CurvatureRange past(const BandStart& start, const WayPoint& point, double tolera
     range.narrow({2.0 * (left - tolerance_mm) / room, 2.0 * (left + tolerance_mm) / room});
   }
   // (n − k q) · N, linear in k.
-  const double along = start.tangent.dot(point.tangent) - kLeastAgreement;
+  const double along = start.tangent.dot(point.tangent) - ToleranceBand::kLeastAgreement;
   const double slope = cross(point.tangent, q);
   if (slope > 0.0) range.narrow({-most, along / slope});
   if (slope < 0.0) range.narrow({along / slope, most});
@@ -50,18 +46,7 @@ double crossing(const CurvatureRange& from, const CurvatureRange& to, const Curv
   return 0.0;
 }
 
-/// The cosine between the curve and a circle beside it, times 1 + k e.
-double agreement(const WideTangentCircle& circle, const WayPoint& point) {
-  const WideVec2 q = point.place - circle.point;
-  return point.tangent.dot(circle.tangent) - circle.curvature * cross(point.tangent, q);
-}
-
 }  // namespace
-
-double ToleranceBand::distance(const WideTangentCircle& circle, const WayPoint& point) {
-  if (agreement(circle, point) < 0.5 * kLeastAgreement) return kNoFit;
-  return std::abs(circle.across(point.place));
-}
 
 double ToleranceBand::spans_at(double sample) const {
   const auto index = std::min(static_cast<std::size_t>(sample), samples_.size() - 2);

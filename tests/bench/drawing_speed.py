@@ -5,7 +5,8 @@
 
 For each kind of drawing and each command: processor microseconds and bytes of memory per element
 of a small drawing and of one of ten times as many elements, and how many times as long the large
-one takes: 10 where the work grows with the elements.
+one takes: 10 where the work grows with the elements. Then the processor seconds of a box with
+finger joints, and how many times as long its cut takes with --check.
 """
 
 import math
@@ -61,6 +62,34 @@ def loose_lines(squares):
     return "".join(text) + "0\nENDSEC\n0\nEOF\n"
 
 
+def box(panels=6, fingers=10, size=100.0, depth=3.0):
+    """Panels with fingers on all sides, whose corners are loops of a cubic curve as generators draw them."""
+    paths = ""
+    for number in range(panels):
+        at = complex(20 + 120 * (number % 3), 20 + 120 * (number // 3))
+        along, step = 1 + 0j, size / fingers
+        corners = [at]
+        for _ in range(4):
+            for finger in range(fingers):
+                out = along * (-1j if finger % 2 else 1j) * depth
+                corners += [corners[-1] + along * step, corners[-1] + along * step + out]
+            corners.pop()
+            along *= 1j
+        corners.pop()
+        path = ""
+        for i, corner in enumerate(corners):
+            before, after = (corners[i + k] - corner for k in (-1, 1 - len(corners)))
+            if abs(before.conjugate() * after).real < 1e-9 and abs((before / after).imag) < 1e-9:
+                continue
+            ends = corner + 0.1 * before / abs(before), corner + 0.1 * after / abs(after)
+            path += "".join((f"{'L' if path else 'M'}{corner.real:.3f} {corner.imag:.3f}",
+                             f"C{ends[1].real:.3f} {ends[1].imag:.3f} {ends[0].real:.3f} {ends[0].imag:.3f} "
+                             f"{corner.real:.3f} {corner.imag:.3f}"))
+        paths += f'<path fill="none" stroke="black" d="{path}Z"/>\n'
+    return ('<svg xmlns="http://www.w3.org/2000/svg" width="400mm" height="280mm" viewBox="0 0 400 280">\n'
+            f"{paths}</svg>\n")
+
+
 DRAWINGS = {
     "10 elements a contour": ("svg", lambda elements: nest(elements // 10, rounded), 1_000_000),
     "100 lines a contour": ("svg", lambda elements: nest(elements // 100, wavy), 1_000_000),
@@ -99,6 +128,11 @@ def main():
                     print(f"{command}, {name}, {elements} elements: {1.0e6 * seconds / elements:.2f} us and "
                           f"{size / elements:.0f} bytes an element")
                 print(f"{command}, {name}: {times[1] / times[0]:.1f} times as long for 10 times as many")
+        file, program = pathlib.Path(folder) / "box.svg", pathlib.Path(folder) / "out.nc"
+        file.write_text(box())
+        plain, _ = measured(kerfline, "cut", file, *CUT, "-o", program)
+        checked, _ = measured(kerfline, "cut", file, *CUT, "-o", program, "--check")
+        print(f"cut, a box of six panels: {plain:.2f} s, {checked / plain:.1f} times as long with --check")
 
 
 if __name__ == "__main__":

@@ -85,5 +85,29 @@ TEST(StrokeDistance, TellsWhatIsClearAsMeasuringAllDoes) {
   EXPECT_GE(close, (clear + close) / 95);
 }
 
+/// What was nearest to the last place is where a search begins, not what it finds.
+TEST(StrokeDistance, FindsTheNearestFromTheLastPlaceOn) {
+  for (const std::uint64_t seed : proof::Trials{500}) {
+    proof::Random random{seed};
+    Clearance clearance{2.0};
+    for (std::size_t i = 0; i < 40; ++i) {
+      Stroke stroke = stroke_anywhere(random);
+      stroke.to = stroke.from + 0.2 * (stroke.to - stroke.from);
+      clearance.add(stroke, i);
+    }
+    clearance.prepare();
+    Clearance::Nearest last;
+    Place place{4.0, 4.0};
+    for (int i = 0; i < 100; ++i) {
+      const double step = random.chance(0.1) ? 9.0 : 0.1;
+      place += step * Place{random.between(-1.0, 1.0), random.between(-1.0, 1.0)};
+      last = clearance.nearest(place, last);
+      const Clearance::Nearest anew = clearance.nearest(place);
+      ASSERT_EQ(last.distance_mm, anew.distance_mm) << "KERFLINE_SEED=" << seed;
+      ASSERT_EQ(last.stroke, anew.stroke) << "KERFLINE_SEED=" << seed;
+    }
+  }
+}
+
 }  // namespace
 }  // namespace sim::cut
