@@ -16,8 +16,8 @@
 
 namespace cnc {
 
-/// The controller on one port, beside its step generator, which a chip may keep in a memory of its
-/// own: owns every other object, allocates nothing.
+/// The controller on one port, beside its step generator and the powers of its rows of pixels,
+/// which a chip may keep in a memory of its own: owns every other object, allocates nothing.
 template <hal::StepPort Port>
 class Controller {
  public:
@@ -27,10 +27,15 @@ class Controller {
   /// One is being played. The others last until the next come in, a turn that is late considered.
   static_assert((kSegmentQueue - 1) * motion::SegmentRate::kShortest >=
                 (kTurnsToMotion + 2) * kTurnTicks + motion::SegmentRate::kMostSpare);
+  /// So do the levels of the output, of which a segment and the end of motion add some at once.
+  static_assert((Steps::kPieces - PowerShift::kMostAtOnce - motion::LevelRate::kMostShort) *
+                    motion::LevelRate::kShortest >=
+                (kTurnsToMotion + 2) * kTurnTicks * motion::kNsPerTick);
 
   /// @param board what `$I+` tells about and `$DFU` leaves for; none on a desk.
   /// @param kept memory that a restart leaves alone; null for none
   Controller(Steps& steps,
+             motion::Pixels& pixels,
              hal::AuxiliaryOutputs& outputs,
              hal::MachineInputs& inputs,
              hal::RecordStore& store,
@@ -38,7 +43,7 @@ class Controller {
              hal::ControlBoard* board = nullptr,
              KeptProgress* kept = nullptr)
       : steps_{steps},
-        machine_{steps_, outputs, inputs, kept},
+        machine_{steps_, pixels, outputs, inputs, kept},
         protocol_{link, machine_, store, board} {}
 
   /// Step interrupt, every kTurnTicks, after what was due before and before what is due then:
@@ -129,6 +134,7 @@ class StepsOfApplication {
   explicit StepsOfApplication(Port& port) : steps_{port} {}
 
   typename Controller<Port>::Steps steps_;
+  motion::Pixels pixels_{};
 };
 
 /// The whole controller on one port. The simulator makes one of these for each run.
@@ -144,8 +150,14 @@ class Application : private StepsOfApplication<Port>, public Controller<Port> {
               hal::ControlBoard* board = nullptr,
               KeptProgress* kept = nullptr)
       : StepsOfApplication<Port>{port},
-        Controller<Port>{
-            StepsOfApplication<Port>::steps_, outputs, inputs, store, link, board, kept} {}
+        Controller<Port>{StepsOfApplication<Port>::steps_,
+                         StepsOfApplication<Port>::pixels_,
+                         outputs,
+                         inputs,
+                         store,
+                         link,
+                         board,
+                         kept} {}
 };
 
 }  // namespace cnc

@@ -19,24 +19,8 @@ class LineAssembler {
  public:
   /// True when the byte completes a line; read it before the next byte.
   bool add(char byte) {
-    if (ended_by_ != kNothing) {
-      const bool pair = ended_by_ == '\r' && byte == '\n';
-      start_anew();
-      if (pair) return false;
-    }
-    if (byte == '\r' || byte == '\n') {
-      if (shortened_) drop_comments();
-      ended_by_ = byte;
-      return true;
-    }
-    if (size_ == Capacity && !long_) begin_long();
-    if (long_) check_.add(byte);
-    if (size_ == Capacity) drop_comments();
-    if (size_ == Capacity) {
-      too_long_ = true;
-    } else {
-      bytes_[size_++] = byte;
-    }
+    if (size_ >= plain_to_ || byte == '\r' || byte == '\n') return add_other(byte);
+    bytes_[size_++] = byte;
     return false;
   }
 
@@ -55,8 +39,33 @@ class LineAssembler {
  private:
   static constexpr char kNothing = 0;
 
+  /// Takes a byte that ends a line, comes after one, or is of a long one.
+  [[gnu::noinline]] bool add_other(char byte) {
+    if (ended_by_ != kNothing) {
+      const bool pair = ended_by_ == '\r' && byte == '\n';
+      start_anew();
+      if (pair) return false;
+    }
+    if (byte == '\r' || byte == '\n') {
+      if (shortened_) drop_comments();
+      ended_by_ = byte;
+      plain_to_ = 0;
+      return true;
+    }
+    if (size_ == Capacity && !long_) begin_long();
+    if (long_) check_.add(byte);
+    if (size_ == Capacity) drop_comments();
+    if (size_ == Capacity) {
+      too_long_ = true;
+    } else {
+      bytes_[size_++] = byte;
+    }
+    return false;
+  }
+
   void start_anew() {
     size_ = 0;
+    plain_to_ = Capacity;
     too_long_ = false;
     ended_by_ = kNothing;
     shortened_ = false;
@@ -65,6 +74,7 @@ class LineAssembler {
 
   void begin_long() {
     long_ = true;
+    plain_to_ = 0;
     check_ = {};
     for (const char byte : bytes_) check_.add(byte);
   }
@@ -88,7 +98,8 @@ class LineAssembler {
 
   std::array<char, Capacity> bytes_{};
   std::size_t size_ = 0;
-  bool shortened_ = false;  ///< By text of comments.
+  std::size_t plain_to_ = Capacity;  ///< Up to here bytes are only kept; 0 behind a line's end.
+  bool shortened_ = false;           ///< By text of comments.
   bool too_long_ = false;
   bool long_ = false;  ///< More bytes came than there is space for.
   LongLineCheck check_{};

@@ -11,13 +11,14 @@ bool cuts_by_mode(gcode::MotionMode mode) {
 }  // namespace
 
 Machine::Machine(StepDrive& drive,
+                 motion::Pixels& pixels,
                  hal::AuxiliaryOutputs& outputs,
                  hal::MachineInputs& inputs,
                  KeptProgress* kept)
     : drive_{drive},
       outputs_{outputs},
       input_port_{inputs},
-      motion_{drive, limits_},
+      motion_{drive, limits_, pixels},
       tool_{drive, outputs},
       coolant_{outputs},
       homing_{drive, motion_, settings_},

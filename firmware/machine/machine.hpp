@@ -41,6 +41,7 @@ class Machine {
  public:
   /// @param kept outlives restarts; null where nothing does
   Machine(StepDrive& drive,
+          motion::Pixels& pixels,
           hal::AuxiliaryOutputs& outputs,
           hal::MachineInputs& inputs,
           KeptProgress* kept = nullptr);
@@ -268,7 +269,9 @@ class Machine {
   [[nodiscard]] bool pause();
   [[nodiscard]] bool change_tool(std::uint32_t tool);
   [[nodiscard]] bool end_program();
+  [[nodiscard]] bool takes_rows() const;
   void append(const ActionPart& part);
+  void append_row(path::PathItem& item, std::span<const float> speeds);
   [[nodiscard]] bool drive(path::PathItem& item);
   [[nodiscard]] bool standstill();
   [[nodiscard]] UsualTolerance usual_tolerance() const;

@@ -88,10 +88,26 @@ void Machine::append(const ActionPart& part) {
                                   .line = {modal.line_number, part.index}},
                       .tolerance = tolerance(),
                       .continues = part.continues};
+  if (!part.row.empty()) return append_row(item, part.row);
   if (compensates() || state_.in(Mode::kCheck)) return append_beside(item);
   if (compensator_.beside()) return drive_apart(item);
   compensation_.by_kerf = false;  // The exit was the last that has to keep it.
   if (drive(item)) with_next_motion_ = {};
+}
+
+/// Returns whether a line with several powers is one element: nothing has to know its pixels one by
+/// one, and the beam works.
+bool Machine::takes_rows() const {
+  return tool_.mode() != gcode::SpindleMode::kOff && !tool_change_.open() && !compensates() &&
+         !compensator_.beside() && !state_.in(Mode::kCheck) && !reentry_.active() &&
+         !compensation_.by_kerf;
+}
+
+void Machine::append_row(path::PathItem& item, std::span<const float> speeds) {
+  const auto appended = motion_.append_row(item, tool_.powers_of(speeds));
+  CNC_ASSERT(appended.ok());  // As in drive().
+  if (appended.value()) with_next_motion_ = {};
+  tool_.set_speed(speeds.back());
 }
 
 /// True when there is anything to move.
@@ -110,10 +126,13 @@ bool Machine::move(const Action& action) {
     elements_.begin(action,
                     target(),
                     spline_tolerance(interpreter_.state().path, usual_tolerance()),
-                    tool_centre_.active() ? tool_centre_.parts_of(target(), action.end) : 1);
+                    tool_centre_.active() ? tool_centre_.parts_of(target(), action.end) : 1,
+                    takes_rows());
   }
   while (!elements_.done()) {
     if (!has_room() || !elements_.work(spline_points_)) return false;
+    const std::size_t pixels = elements_.pixels();
+    if (pixels > 0 && !motion_.takes_row(pixels)) return false;
     const ActionPart part = elements_.next();
     if (part.power_s) tool_.set_speed(*part.power_s);
     append(part);

@@ -11,7 +11,7 @@ void MotionControl::feed_drive() {
   feed_segments(drive_, [this](motion::Segment& segment) {
     note_place();
     const bool more = next(segment);
-    lit_ = more && !segment.power.dark();
+    lit_ = more && !segment.dark();
     return more;
   });
 }

@@ -9,9 +9,12 @@ namespace cnc {
 /// Drives the motion of a Pipeline with a StepDrive, and knows where the tool is. Main loop only.
 class MotionControl : private Pipeline {
  public:
-  MotionControl(StepDrive& drive, const motion::Limits& limits) : Pipeline{limits}, drive_{drive} {}
+  /// As Pipeline has them. @param drive must outlive this
+  MotionControl(StepDrive& drive, const motion::Limits& limits, motion::Pixels& pixels)
+      : Pipeline{limits, pixels}, drive_{drive} {}
 
   using Pipeline::append;
+  using Pipeline::append_row;
   using Pipeline::attend;
   using Pipeline::blocks_taken;
   using Pipeline::flush;
@@ -26,6 +29,7 @@ class MotionControl : private Pipeline {
   using Pipeline::place;
   using Pipeline::place_of;
   using Pipeline::set_overrides;
+  using Pipeline::takes_row;
   using Pipeline::target;
   using Pipeline::tool_centre;
 

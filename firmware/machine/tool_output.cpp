@@ -45,8 +45,7 @@ void ToolOutput::set_override(float factor) {
 /// 0…1 of full output: S over $30; below $31 a running tool turns at $31.
 float ToolOutput::duty() const {
   if (mode_ == gcode::SpindleMode::kOff || speed_ <= 0.0F) return 0.0F;
-  const float least = std::min(settings_.least_speed, settings_.most_speed);
-  return std::clamp(speed_, least, settings_.most_speed) / settings_.most_speed;
+  return std::clamp(speed_, least_speed(), settings_.most_speed) / settings_.most_speed;
 }
 
 float ToolOutput::share_now() const { return std::min(1.0F, duty() * override_); }

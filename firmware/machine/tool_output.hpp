@@ -1,11 +1,14 @@
 #pragma once
 
+#include <algorithm>
 #include <atomic>
+#include <span>
 
 #include "firmware/steps/step_drive.hpp"
 #include "hal/interface/auxiliary_outputs.hpp"
 #include "planner/gcode/action.hpp"
 #include "planner/motion/block/block.hpp"
+#include "planner/path/path_item.hpp"
 
 namespace cnc {
 
@@ -51,6 +54,10 @@ class ToolOutput {
   /// and suspend(), end it.
   void light_at_rest(std::uint16_t duty);
 
+  /// Returns what command_for() makes of values of S while a beam works: their powers.
+  [[nodiscard]] path::RowPowers powers_of(std::span<const float> speeds) const {
+    return {.values = speeds, .least = least_speed(), .full = settings_.most_speed};
+  }
   /// For the motion that comes next.
   [[nodiscard]] motion::BeamCommand command_for(bool rapid) const;
 
@@ -72,6 +79,9 @@ class ToolOutput {
   [[nodiscard]] float speed() const { return speed_; }
 
  private:
+  [[nodiscard]] float least_speed() const {
+    return std::min(settings_.least_speed, settings_.most_speed);
+  }
   [[nodiscard]] float duty() const;
   void apply();
 

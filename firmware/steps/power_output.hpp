@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
 #include <cstdint>
 
 #include "firmware/steps/power_shift.hpp"
@@ -19,15 +20,27 @@ class PowerOutput {
 
   // Main loop.
 
-  /// When the interrupt had taken so many pieces.
+  /// When the interrupt had taken so many pieces: there may be no room for those of a segment.
   [[nodiscard]] bool full(std::uint32_t taken) const {
     return stream_.room(taken) < shift_.room_needed();
   }
   [[nodiscard]] std::uint32_t pushed() const { return stream_.pushed(); }
   [[nodiscard]] PowerShift& shift() { return shift_; }
   [[nodiscard]] const PowerShift& shift() const { return shift_; }
-  /// @pre !full()
-  void add(const PowerPiece& piece) { shift_.add(piece, stream_); }
+  /// What a segment asks for. @pre !full()
+  void add(const motion::Segment& segment) {
+    PowerPiece piece{.course = segment.power};
+    std::uint32_t from = 0;
+    for (std::size_t i = 0; i < segment.level_count; ++i) {
+      const motion::PowerLevel& level = segment.levels[i];
+      piece.ticks = level.from - from;
+      shift_.add(piece, stream_);
+      piece.course = {.first = level.duty};
+      from = level.from;
+    }
+    piece.ticks = segment.ticks - from;
+    shift_.add(piece, stream_);
+  }
   void settle() { shift_.settle(stream_); }
 
   void block(bool blocked) { blocked_.store(blocked, std::memory_order_relaxed); }

@@ -41,7 +41,11 @@ inline void delay(motion::Segment& segment, std::uint32_t ticks) {
 /// Keeps back the last pieces, as long as an edge may still move into them.
 class PowerShift {
  public:
-  static constexpr std::size_t kMostHeld = 64;
+  /// Those of 5 ms at 20,000 pixels per second, and of a segment.
+  static constexpr std::size_t kMostHeld = 128;
+
+  /// Places in the stream for a segment, each of whose levels may move an edge, and for its end.
+  static constexpr std::uint32_t kMostAtOnce = 5 + 2 * motion::Segment::kMostLevels;
 
   /// @pre settled()
   void configure(const BeamTiming& timing) { timing_ = timing; }
@@ -58,14 +62,17 @@ class PowerShift {
   [[nodiscard]] std::int32_t light_behind() const {
     return timing_.lag + static_cast<std::int32_t>(timing_.off_delay);
   }
-  /// Places in the stream that add() and settle() may need together.
-  [[nodiscard]] std::uint32_t room_needed() const { return static_cast<std::uint32_t>(count_) + 5; }
+  /// Places in the stream that add() of all pieces of a segment and settle() may need together.
+  [[nodiscard]] std::uint32_t room_needed() const {
+    return static_cast<std::uint32_t>(count_) + kMostAtOnce;
+  }
 
   /// What the output is to do next. @pre the stream has room_needed()
   template <typename Stream>
   void add(const PowerPiece& piece, Stream& stream) {
     if (settled_ && timing_.lag < 0) append({.ticks = delay()});
     settled_ = false;
+    if (count_ == 0 && held_ticks() == 0) return stream.push(piece);
     const bool was_dark = count_ == 0 ? piece.course.dark() : back().course.dark();
     if (was_dark && !piece.course.dark()) move_edge(timing_.on_delay, piece.course.first);
     if (!was_dark && piece.course.dark()) move_edge(timing_.off_delay, 0);

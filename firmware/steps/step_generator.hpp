@@ -44,6 +44,9 @@ namespace cnc {
 template <hal::StepPort Port, std::uint32_t QueueCapacity>
 class StepGenerator final : public StepDrive {
  public:
+  /// Pieces of the output that wait at most.
+  static constexpr std::uint32_t kPieces = 4 * QueueCapacity;
+
   [[gnu::cold]] explicit StepGenerator(Port& port) : port_{port}, beam_{port} {}
 
   [[nodiscard]] bool full() const override {
@@ -54,7 +57,7 @@ class StepGenerator final : public StepDrive {
   void push(const motion::Segment& segment) override {
     const std::uint32_t wait = beam_.shift().settled() ? beam_.shift().wait() : 0;
     // The output first: a segment that is there is played with its beam.
-    beam_.add({segment.ticks, segment.power});
+    beam_.add(segment);
     ends_at_rest_ = segment.comes_to_rest;
     pushed_ticks_ += segment.ticks + wait;
     CNC_ASSERT(queue_.room(view_.segments_taken) > 1);
@@ -479,7 +482,7 @@ class StepGenerator final : public StepDrive {
   std::uint32_t dark_tick_ = 0;         ///< Of the motion, as begun_ticks_ counts.
   std::atomic<bool> dark_noted_{true};  ///< dark_tick_ is of the last time the output was blocked.
   std::atomic<std::uint32_t> longest_wait_{kLongestWait};
-  PowerOutput<Port, 2 * QueueCapacity> beam_;
+  PowerOutput<Port, kPieces> beam_;
   hal::StagedRing<PlayableSegment, QueueCapacity> queue_{};
   TurnGate gate_{};
   std::atomic<std::uint32_t> epoch_{0};  ///< Written by the main loop.

@@ -63,7 +63,13 @@ constinit cnc::MemoryWatch image_watch{};
 
 [[gnu::section(".ccm")]] Steps steps{port};
 
-Application application{steps, port, port, store, can.link(), &board, &kept_progress};
+namespace {
+
+[[gnu::section(".ccm")]] constinit cnc::motion::Pixels pixels{};
+
+}  // namespace
+
+Application application{steps, pixels, port, port, store, can.link(), &board, &kept_progress};
 
 namespace {
 

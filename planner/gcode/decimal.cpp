@@ -1,6 +1,8 @@
 #include "planner/gcode/decimal.hpp"
 
+#include <algorithm>
 #include <array>
+#include <optional>
 
 namespace cnc::gcode {
 
@@ -83,6 +85,41 @@ void read_fraction(Cursor& cursor, Decimal& number) {
   while (cursor.at_digit()) cursor.leave_digit();
 }
 
+/// Reads a number of at most nine digits without blanks in it or behind it, as nearly all are: in
+/// one integer. None for any other text.
+std::optional<DecimalReading> read_plain(std::string_view text) {
+  DecimalReading reading{};
+  std::size_t at = 0;
+  if (!text.empty() && text.front() == '-') {
+    reading.value.minus = true;
+    ++at;
+  }
+  std::uint32_t all = 0;
+  std::size_t digits = 0;
+  std::size_t whole_digits = kDecimals + 1;  // None: there is no point.
+  for (; at < text.size(); ++at) {
+    const char c = text[at];
+    if (c >= '0' && c <= '9') {
+      if (++digits > kDecimals) return std::nullopt;
+      all = all * 10 + static_cast<std::uint32_t>(c - '0');
+    } else if (c == '.' && whole_digits > kDecimals) {
+      whole_digits = digits;
+    } else if (is_blank(c)) {
+      return std::nullopt;
+    } else {
+      break;
+    }
+  }
+  if (digits == 0) return std::nullopt;
+  const std::size_t decimals = digits - std::min(digits, whole_digits);
+  const std::uint32_t unit = kPowersOfTen[decimals];
+  reading.value.whole = all / unit;
+  reading.value.billionths =
+      (all - reading.value.whole * unit) * kPowersOfTen[kDecimals - decimals];
+  reading.length = at;
+  return reading;
+}
+
 Coordinate signed_place(std::uint64_t nanometres, bool minus) {
   const auto magnitude = static_cast<std::int64_t>(nanometres);
   return Coordinate{minus ? -magnitude : magnitude};
@@ -91,6 +128,7 @@ Coordinate signed_place(std::uint64_t nanometres, bool minus) {
 }  // namespace
 
 Result<DecimalReading, DecimalError> read_decimal(std::string_view text) {
+  if (const auto plain = read_plain(text)) return *plain;
   Cursor cursor{text};
   Decimal number{};
   number.minus = cursor.take('-');

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
+#include <span>
 
 #include "planner/motion/block/block_builder.hpp"
 #include "planner/motion/lookahead/junction.hpp"
@@ -29,6 +31,19 @@ struct PathItem {
   bool continues = false;
   /// How far the places that lie before its start, and were left out, may be from it.
   float aside_mm = 0.0F;
+};
+
+/// The powers of a line that is a row of pixels by itself: each holds for an equal part of it.
+struct RowPowers {
+  std::span<const float> values{};  ///< In the unit of `full`.
+  float least = 0.0F;               ///< Power of a pixel that is not dark, at least.
+  float full = 1.0F;                ///< Power of duty 1, above 0.
+
+  /// Returns the duty of a pixel, 0…1. @pre index < values.size()
+  [[nodiscard]] float duty(std::size_t index) const {
+    const float value = values[index];
+    return value > 0.0F ? std::clamp(value, least, full) / full : 0.0F;
+  }
 };
 
 /// An element to be driven.

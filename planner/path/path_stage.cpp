@@ -12,7 +12,24 @@ void PathStage::put(const PathItem& item) {
   static_cast<void>(move_on());
 }
 
-/// @pre row_takes()
+bool PathStage::takes_row(std::size_t pixels) {
+  if (!short_.empty()) {
+    if (short_.has_room()) short_.flush();
+    static_cast<void>(move_on());
+  }
+  return short_.empty() && row_takes() && row_.has_room_for(pixels);
+}
+
+void PathStage::put_row(const PathItem& item, const RowPowers& powers) {
+  CNC_ASSERT(short_.empty() && row_takes());
+  flushing_ = false;
+  PathItem row = item;
+  row_.become_row(row, powers);
+  put_in_row(row);
+  static_cast<void>(move_on());
+}
+
+/// @pre row_takes(), or the row was closed for this
 void PathStage::put_in_row(const PathItem& item) {
   if (row_.empty()) {
     row_.begin(item);

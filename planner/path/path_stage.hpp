@@ -26,6 +26,13 @@ class PathStage {
   /// Takes an element that moves. @pre has_room(), and it begins where the one
   /// before ended
   void put(const PathItem& item);
+  /// Lets what is held go on as far as it is known. Returns whether put_row() may be called: more
+  /// of it is known, and goes on, with time.
+  /// @param pixels of the row
+  [[nodiscard]] bool takes_row(std::size_t pixels);
+  /// Takes a line with several powers. @pre takes_row(), PixelRow::can_be_row(), and it begins
+  /// where the one before ended
+  void put_row(const PathItem& item, const RowPowers& powers);
   /// The next piece to be driven, until the next call of anything else; null when there is
   /// none yet.
   [[nodiscard]] const PathPiece* next();

@@ -16,7 +16,7 @@ constexpr float kRelativeError = 3.0e-7F;  // Of the way from the start.
 bool can_be_gathered(const PathItem& item) {
   const motion::MotionRequest& request = item.request;
   return request.element.bulge == 0.0F && request.feed_mm_s > 0.0F && !request.fixed_feed &&
-         !item.continues;
+         !item.continues && !request.row.any();
 }
 
 bool same_tolerance(const Tolerance& a, const Tolerance& b) {
@@ -112,6 +112,26 @@ void PixelRow::limit_slopes(float aside_mm) {
     range.most = slopes_known_ ? std::min(range.most, middle + half) : middle + half;
   }
   slopes_known_ = true;
+}
+
+bool PixelRow::can_be_row(const PathElement& line, std::size_t pixels) {
+  return pixels >= kFewestOfARow && line.bulge == 0.0F &&
+         norm(travel_between(line.start, line.end)) <= kMostRowMm;
+}
+
+void PixelRow::become_row(PathItem& item, const RowPowers& powers) {
+  close();
+  motion::MotionRequest& request = item.request;
+  const std::size_t count = powers.values.size();
+  const float length = norm(travel_between(request.element.start, request.element.end));
+  const float width = length / static_cast<float>(count);
+  request.row = {.first = pixels_->next(), .to_mm = length};
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto part = static_cast<std::uint32_t>(i + 1);
+    pixels_->push({.end_mm = part == count ? length : width * static_cast<float>(part),
+                   .duty = powers.duty(i),
+                   .line = {request.line.number, part}});
+  }
 }
 
 void PixelRow::give_pixel() {

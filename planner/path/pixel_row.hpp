@@ -25,6 +25,8 @@ class PixelRow {
   /// Longer lines are no pixels.
   static constexpr float kLongestLineMm = 20.0F;
   static constexpr float kMostRowMm = 100.0F;
+  /// Lines with fewer powers are gathered, so that they make no more blocks than single ones.
+  static constexpr std::size_t kFewestOfARow = 16;
 
   /// @param pixels where they go; null to gather nothing. Must outlive this.
   explicit PixelRow(motion::Pixels* pixels) : pixels_{pixels} {}
@@ -41,6 +43,16 @@ class PixelRow {
   [[nodiscard]] bool add(const PathItem& item);
   /// Begins with this, a line or anything else. @pre empty()
   void begin(const PathItem& item);
+
+  /// Returns whether a line can be a row by itself: from kFewestOfARow to its length in pixels.
+  [[nodiscard]] static bool can_be_row(const PathElement& line, std::size_t pixels);
+  /// Returns whether the pixels of such a line and of the one held have room.
+  [[nodiscard]] bool has_room_for(std::size_t pixels) const {
+    return pixels_ != nullptr && pixels_->room() >= pixels + kPixelsOfALine;
+  }
+  /// Makes a line a row by itself, which nothing is gathered with. What is held is closed.
+  /// @pre can_be_row(), has_room_for()
+  void become_row(PathItem& item, const RowPowers& powers);
   void close();
   /// What was held has been taken over.
   void let_go() { held_ = closed_ = false; }

@@ -1,6 +1,7 @@
 #include "planner/pipeline/action_elements.hpp"
 
 #include "planner/base/contract.hpp"
+#include "planner/path/pixel_row.hpp"
 
 namespace cnc {
 
@@ -12,7 +13,8 @@ bool ActionElements::accepts(const Action& action) { return action.kind <= Actio
 void ActionElements::begin(const Action& action,
                            const Position& from,
                            float spline_tolerance_mm,
-                           std::uint32_t least_parts) {
+                           std::uint32_t least_parts,
+                           bool rows) {
   CNC_ASSERT(accepts(action));
   here_ = from;
   feed_mm_s_ = action.kind == ActionKind::kRapid ? 0.0F : action.feed;
@@ -32,6 +34,9 @@ void ActionElements::begin(const Action& action,
   } else {
     curve_ = Curve::kLine;
     line_ = {.from = from, .end = action.end, .powers = action.powers, .parts = least_parts};
+    line_.is_row =
+        rows && least_parts == 1 &&
+        path::PixelRow::can_be_row({.start = from, .end = action.end}, action.powers.size());
   }
 }
 
@@ -64,6 +69,10 @@ ActionPart ActionElements::next() {
 ActionPart ActionElements::next_of(const Line& line) const {
   ActionPart part{.element = {.start = here_, .end = line.end}, .feed_mm_s = feed_mm_s_};
   if (line.powers.empty() && line.parts == 1) return part;
+  if (line.is_row) {
+    part.row = line.powers;
+    return part;
+  }
   part.index = taken_ + 1;
   part.element.end = line.end_of(part.index);
   const bool new_power = taken_ % line.parts == 0;
@@ -73,6 +82,7 @@ ActionPart ActionElements::next_of(const Line& line) const {
 }
 
 std::uint32_t ActionElements::Line::count() const {
+  if (is_row) return 1;
   return parts * (powers.empty() ? 1 : static_cast<std::uint32_t>(powers.size()));
 }
 

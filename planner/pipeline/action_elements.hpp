@@ -18,6 +18,8 @@ struct ActionPart {
   bool continues = false;          ///< The element is part of one curve with the one before it.
   std::uint32_t index = 0;         ///< Number of the part for motion::SourceLine.
   std::optional<float> power_s{};  ///< The S that holds from this part on; none if S stays.
+  /// Values of S of equal parts of a line that is one element, a row; empty for all others.
+  std::span<const float> row{};
 };
 
 /// Divides an action of G-code that moves the tool into path elements: a straight line into one
@@ -40,11 +42,13 @@ class ActionElements {
   /// ArcFit::kLeastToleranceMm
   /// @param least_parts into how many elements a line, each part of one with several powers, and an
   /// arc are divided at least; at least 1
+  /// @param rows whether a line with several powers may be one element
   /// @pre accepts(action)
   void begin(const gcode::Action& action,
              const Position& from,
              float spline_tolerance_mm,
-             std::uint32_t least_parts = 1);
+             std::uint32_t least_parts = 1,
+             bool rows = false);
   /// Forgets the action.
   void clear() { curve_ = Curve::kNone; }
 
@@ -52,6 +56,11 @@ class ActionElements {
   [[nodiscard]] bool active() const { return curve_ != Curve::kNone; }
   /// Returns whether no element is left. @pre active()
   [[nodiscard]] bool done() const;
+
+  /// Returns how many pixels the next element has that is a row; 0 for all others. @pre active()
+  [[nodiscard]] std::size_t pixels() const {
+    return curve_ == Curve::kLine && line_.is_row ? line_.powers.size() : 0;
+  }
 
   /// Works on the next element; only that of a spline takes any work.
   /// @param points budget of curve points, from which the points that were evaluated are taken;
@@ -69,6 +78,7 @@ class ActionElements {
     Position end{};
     std::span<const float> powers{};  ///< One for each of equal ways; empty where S stays.
     std::uint32_t parts = 1;          ///< Elements of each such way.
+    bool is_row = false;              ///< One element, whatever its powers.
 
     [[nodiscard]] std::uint32_t count() const;
     [[nodiscard]] Position end_of(std::uint32_t part) const;

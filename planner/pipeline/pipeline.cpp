@@ -43,8 +43,8 @@ bool turns_within(const motion::Limits& limits, const PathElement& element) {
 
 }  // namespace
 
-Result<bool, motion::MotionError> Pipeline::append(const path::PathItem& item) {
-  const PathElement& element = item.request.element;
+/// Returns whether an element moves, or an error if its end is out of the motors' range.
+Result<bool, motion::MotionError> Pipeline::admit(const PathElement& element) const {
   for (std::size_t axis = 0; axis < kAxisCount; ++axis) {
     // The start was an end: if it is out of range now, memory has changed.
     CNC_ASSERT(limits_.scale[axis].reaches(element.start[axis]));
@@ -52,14 +52,37 @@ Result<bool, motion::MotionError> Pipeline::append(const path::PathItem& item) {
     if (!within) return motion::MotionError::kBeyondMotorRange;
   }
   if (!turns_within(limits_, element)) return motion::MotionError::kBeyondMotorRange;
-  if (element.start == element.end) return false;
+  return element.start != element.end;
+}
+
+Result<bool, motion::MotionError> Pipeline::append(const path::PathItem& item) {
+  const auto moves = admit(item.request.element);
+  if (!moves.ok() || !moves.value()) return moves;
   supply_.restart();
   budget_.take_element();
   path_.put(item);
   // A row has at most half as many lines as blocks are planned: so what is held back is short
   // compared with the plan, and a program's start is known in small rows, the rest in large ones.
   if (2 * path_.gathered() >= queue_.size()) path_.end_row();
-  target_ = element.end;
+  target_ = item.request.element.end;
+  pump();
+  return true;
+}
+
+bool Pipeline::takes_row(std::size_t pixels) {
+  if (path_.takes_row(pixels)) return true;
+  pump();
+  return path_.takes_row(pixels);
+}
+
+Result<bool, motion::MotionError> Pipeline::append_row(const path::PathItem& item,
+                                                       const path::RowPowers& powers) {
+  const auto moves = admit(item.request.element);
+  if (!moves.ok() || !moves.value()) return moves;
+  supply_.restart();
+  budget_.take_element(static_cast<std::uint32_t>(powers.values.size()));
+  path_.put_row(item, powers);
+  target_ = item.request.element.end;
   pump();
   return true;
 }

@@ -25,8 +25,13 @@ namespace cnc {
 class Pipeline {
  public:
   /// @param limits of the machine; must outlive this, and changes only while empty()
-  explicit Pipeline(const motion::Limits& limits)
-      : limits_{limits}, path_{limits, &pixels_}, segmenter_{queue_, limits, &pixels_} {}
+  /// @param pixels storage of the rows' powers, which a chip may keep in a memory of its own; must
+  /// outlive this
+  Pipeline(const motion::Limits& limits, motion::Pixels& pixels)
+      : limits_{limits},
+        pixels_{pixels},
+        path_{limits, &pixels},
+        segmenter_{queue_, limits, &pixels} {}
 
   // Elements in.
 
@@ -41,6 +46,14 @@ class Pipeline {
   /// range, and then nothing has changed
   /// @pre has_room()
   Result<bool, motion::MotionError> append(const path::PathItem& item);
+  /// Returns whether append_row() may be called in this cycle for a row of so many pixels; false
+  /// may become true with the next attend(). Lets what is held back go on.
+  [[nodiscard]] bool takes_row(std::size_t pixels);
+  /// Appends a line that is a row of pixels by itself, whose powers need not stay.
+  /// @return as append()
+  /// @pre has_room(), takes_row(), path::PixelRow::can_be_row()
+  Result<bool, motion::MotionError> append_row(const path::PathItem& item,
+                                               const path::RowPowers& powers);
   /// Releases what is held back, because no element follows before the motion has ended. Call it
   /// in each cycle until empty().
   void flush();
@@ -141,6 +154,7 @@ class Pipeline {
   void observe(motion::SliceObserver* observer) { segmenter_.observe(observer); }
 
  private:
+  [[nodiscard]] Result<bool, motion::MotionError> admit(const PathElement& element) const;
   void pump();
   void take(const path::PathPiece& piece);
   void release_held();
@@ -148,7 +162,7 @@ class Pipeline {
   [[nodiscard]] bool runs_dry() const;
 
   const motion::Limits& limits_;
-  motion::Pixels pixels_{};
+  motion::Pixels& pixels_;
   path::PathStage path_;
   motion::BlockQueueOf<motion::kLookAheadBlocks, motion::kBlocksKept> queue_{};
   motion::Segmenter segmenter_;

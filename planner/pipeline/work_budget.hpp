@@ -16,8 +16,10 @@ class WorkBudget {
   /// Begins a cycle, which pays for its share of the work done so far.
   /// @param evaluated running count of evaluated spans (wraps)
   void begin_cycle(std::uint32_t evaluated) { paid_ += std::min(owed(evaluated), kSpansInCycle); }
-  /// Counts an element of the path.
-  void take_element() { elements_ += 1; }
+  /// Counts an element of the path. @param pixels of a row
+  void take_element(std::uint32_t pixels = 0) {
+    taken_ += kSpansForElement + kSpansForPixel * pixels;
+  }
   /// Returns whether this cycle may take another element.
   [[nodiscard]] bool allows_element(std::uint32_t evaluated) const {
     return owed(evaluated) < kSpansInCycle;
@@ -26,16 +28,18 @@ class WorkBudget {
  private:
   /// Reading an element takes as long as evaluating this many spans: a tenth of a cycle.
   static constexpr std::uint32_t kSpansForElement = 24;
+  /// Reading the power of a pixel takes as long as evaluating this many.
+  static constexpr std::uint32_t kSpansForPixel = 1;
   /// Eight elements, or fewer of them and planning.
   static constexpr std::uint32_t kSpansInCycle = 8 * kSpansForElement;
 
   /// Returns the work, in spans, that no cycle has paid for yet.
   [[nodiscard]] std::uint32_t owed(std::uint32_t evaluated) const {
-    return evaluated + kSpansForElement * elements_ - paid_;
+    return evaluated + taken_ - paid_;
   }
 
-  std::uint32_t elements_ = 0;  ///< Running count (wraps).
-  std::uint32_t paid_ = 0;      ///< Running sum of spans (wraps).
+  std::uint32_t taken_ = 0;  ///< Running sum of spans that elements are worth (wraps).
+  std::uint32_t paid_ = 0;   ///< Running sum of spans (wraps).
 };
 
 }  // namespace cnc

@@ -116,7 +116,8 @@ void drive(const Job& job, Sink&& take) {
 template <typename Sink>
 void cut_text(std::string_view text, Sink&& take) {
   constexpr std::int32_t kCycleUs = 1000;
-  Pipeline pipeline{limits()};
+  motion::Pixels pixels;
+  Pipeline pipeline{limits(), pixels};
   PathReader reader;
   LineAssembler<256> assembler;
   motion::Segment segment;

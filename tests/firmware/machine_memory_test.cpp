@@ -108,7 +108,8 @@ TEST(MachineMemory, WhatTurnsOverWhileSettingsAreAppliedIsNotTrusted) {
     hal::host::RecordingPort port;
     BusyOutputs outputs;
     StepGenerator<hal::host::RecordingPort, 64> steps{port};
-    Machine machine{steps, outputs, port, nullptr};
+    motion::Pixels pixels;
+    Machine machine{steps, pixels, outputs, port, nullptr};
     outputs.meanwhile = [&] { turn(machine.settings(), 4 * row, 0); };
     EXPECT_TRUE(machine.change_setting(setting::kRate, 6000.0F).ok());
     EXPECT_FALSE(outputs.meanwhile);
@@ -133,7 +134,8 @@ TEST(MotionControl, DrivesNoWayThatBeginsElsewhere) {
   hal::host::RecordingPort port;
   StepGenerator<hal::host::RecordingPort, 64> steps{port};
   const motion::Limits limits = limits_from(Settings{});
-  MotionControl motion{steps, limits};
+  motion::Pixels pixels;
+  MotionControl motion{steps, limits, pixels};
   path::PathItem item{};
   item.request.feed_mm_s = 10.0F;
   item.request.element.start[0] = Coordinate{1 << 30};

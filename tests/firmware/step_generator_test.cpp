@@ -162,6 +162,26 @@ TEST_F(StepGeneratorTest, ChangesPowerWhereTheSegmentStarts) {
   EXPECT_NEAR(static_cast<double>(changes[3].tick - changes[1].tick), 8000.0, 1.0);
 }
 
+TEST_F(StepGeneratorTest, ChangesPowerAtTheLevelsOfASegment) {
+  motion::Segment segment = last(even(4000, 97));
+  segment.power.first = 100;
+  segment.level_count = 3;
+  segment.levels = {
+      {{.from = 200, .duty = 300}, {.from = 333, .duty = 0}, {.from = 3999, .duty = 7}}};
+  generator.push(segment);
+  run();
+  const auto changes = port.of_kind(Kind::kPower);
+  ASSERT_EQ(changes.size(), 5U);
+  const std::uint64_t begin = changes[0].tick;
+  EXPECT_EQ(changes[0].value, 100U);
+  for (std::size_t i = 0; i < segment.level_count; ++i) {
+    EXPECT_EQ(changes[i + 1].value, segment.levels[i].duty);
+    EXPECT_NEAR(static_cast<double>(changes[i + 1].tick - begin), segment.levels[i].from, 1.0);
+  }
+  EXPECT_EQ(changes[4].value, 0U);
+  EXPECT_EQ(port.position[0], 97);
+}
+
 /// Slow, so that the steps alone would not wake the interrupt often enough.
 TEST_F(StepGeneratorTest, LetsThePowerClimbEveryHundredMicroseconds) {
   motion::Segment segment = last(even(4000, 1));

@@ -4,19 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <optional>
 #include <sstream>
 #include <string>
 #include <vector>
 
+#include "tests/simulation/raster_track.hpp"
 #include "tests/support/beam_run.hpp"
 #include "tests/support/machine_bench.hpp"
 
 namespace proof {
 namespace {
-
-constexpr double kRowStepsPerMm = 250.0;
-constexpr double kNsPerSecond = 1.0e9;
 
 /// S between 50 and 1000, hardly ever the same twice.
 int grey(int pixel, int row = 0) { return 50 + (pixel * 370 + row * 110) % 951; }
@@ -32,63 +29,6 @@ std::string picture(int rows, int pixels, double width_mm, double feed_mm_s, cha
     }
   }
   return text;
-}
-
-/// When the first motor was where, to the fraction of a step, and what the output did.
-class RasterTrack final : public sim::TraceSink {
- public:
-  struct Place {
-    double time_s = 0.0;
-    double mm = 0.0;
-  };
-  struct Change {
-    double time_s = 0.0;
-    float duty = 0.0F;
-  };
-
-  void on_row(const sim::TraceRow& row) override {
-    const double time_s = static_cast<double>(row.time_ns) / kNsPerSecond;
-    if (row.position[0] != last_.position[0]) {
-      places.push_back({time_s, 0.5 * (row.position[0] + last_.position[0]) / kRowStepsPerMm});
-    }
-    if (row.duty != last_.duty) changes.push_back({time_s, row.duty});
-    last_ = row;
-  }
-
-  /// Of the first motor at a time between two of its steps.
-  [[nodiscard]] std::optional<double> place_at(double time_s) const {
-    const auto after = std::ranges::upper_bound(places, time_s, {}, &Place::time_s);
-    if (after == places.begin() || after == places.end()) return std::nullopt;
-    const auto before = after - 1;
-    const double share = (time_s - before->time_s) / (after->time_s - before->time_s);
-    return before->mm + share * (after->mm - before->mm);
-  }
-  /// The greatest speed between two places of a way to the right, mm/s, and the least.
-  [[nodiscard]] std::pair<double, double> speeds_between(double from_mm, double to_mm) const {
-    constexpr std::ptrdiff_t kApart = 50;
-    double least = 1.0e9;
-    double most = 0.0;
-    for (auto at = places.begin(); places.end() - at > kApart; ++at) {
-      const auto then = at + kApart;
-      if (at->mm < from_mm || then->mm > to_mm) continue;
-      const double speed = (then->mm - at->mm) / (then->time_s - at->time_s);
-      least = std::min(least, speed);
-      most = std::max(most, speed);
-    }
-    return {least, most};
-  }
-
-  std::vector<Place> places;
-  std::vector<Change> changes;
-
- private:
-  sim::TraceRow last_{};
-};
-
-/// When the first motor passed a place.
-double time_at(const RasterTrack& track, double mm) {
-  const auto at = std::ranges::lower_bound(track.places, mm, {}, &RasterTrack::Place::mm);
-  return at == track.places.end() ? 0.0 : at->time_s;
 }
 
 struct RasterRun {
@@ -298,20 +238,6 @@ TEST(Raster, TellsTheLineOfThePixelBeingDriven) {
   bench.finish();
 }
 
-/// The output over time, s, between two times of a track.
-double energy_between(const RasterTrack& track, double from_s, double to_s) {
-  double energy = 0.0;
-  double since = from_s;
-  double duty = 0.0;
-  for (const auto& change : track.changes) {
-    const double until = std::clamp(change.time_s, from_s, to_s);
-    energy += duty * (until - since);
-    since = until;
-    duty = static_cast<double>(change.duty);
-  }
-  return energy + duty * (to_s - since);
-}
-
 /// Pixels so narrow that there are 25,000 in a second, in a row with long ends.
 struct FineRow {
   static constexpr int kPixels = 1200;
@@ -353,94 +279,6 @@ TEST(Raster, OfPixelsFasterThanSegmentsIsDrivenWithTheirEnergy) {
       EXPECT_NEAR(driven, expected * (to_s - from_s) / kTogether, kLongestJoined_s) << first;
     }
   }
-}
-
-/// A row of narrow pixels, 48 powers to a line as a picture is engraved, with long ends.
-struct FastRow {
-  static constexpr int kPixels = 9600;
-  static constexpr int kPowers = 48;
-  static constexpr double kWidth = 0.02;
-  static constexpr double kEnd = 30.0;  ///< mm: beyond, the machine is at full speed.
-  static constexpr double kLast = kEnd + kWidth * kPixels;
-
-  static int power(int pixel) { return 100 + (pixel * 37) % 900; }
-
-  static std::vector<std::string> lines(double speed_mm_s) {
-    std::vector<std::string> lines{fmt::format("G21 G90 M3 F{:.0f}", 60.0 * speed_mm_s),
-                                   fmt::format("G1 X{:.1f} S0", kEnd)};
-    for (int first = 0; first < kPixels; first += kPowers) {
-      std::string line = fmt::format("X{:.4f}S", kEnd + kWidth * (first + kPowers));
-      for (int i = first; i < first + kPowers; ++i) {
-        line += fmt::format("{}{}", i > first ? ":" : "", power(i));
-      }
-      lines.push_back(line);
-    }
-    lines.push_back(fmt::format("G1 X{:.1f} S0", kEnd + kLast));
-    return lines;
-  }
-};
-
-/// Drives the row from a sender that gives 100 bytes in a millisecond, as a serial line of 1 Mbaud
-/// does, into a buffer of 1 KiB.
-RasterTrack stream_fast_row(double speed_mm_s) {
-  constexpr double kBytesPerTurn = 100.0;
-  constexpr double kBufferBytes = 1024.0;
-  MachineBench bench;
-  bench.set({{0, 1}, {32, 1}, {100, kRowStepsPerMm}, {110, 30'000}, {120, 5000}, {130, 600}});
-  RasterTrack track;
-  bench.controller.add_sink(track);
-  double bytes = 0.0;
-  for (const std::string& line : FastRow::lines(speed_mm_s)) {
-    const auto size = static_cast<double>(line.size() + 1);
-    for (; bytes < size || bench.machine().busy();
-         bytes = std::min(bytes + kBytesPerTurn, kBufferBytes)) {
-      bench.run(1);
-    }
-    bytes -= size;
-    bench.send(line);
-  }
-  bench.finish();
-  EXPECT_EQ(bench.machine().alarm(), cnc::Alarm::kNone);
-  return track;
-}
-
-/// The powers of 48 pixels together are driven as programmed, whatever the speed.
-void expect_energy_of(const RasterTrack& track) {
-  constexpr int kTogether = FastRow::kPowers;
-  for (int first = 0; first + kTogether < FastRow::kPixels; first += kTogether) {
-    double expected = 0.0;
-    for (int i = first; i < first + kTogether; ++i) expected += 1.0e-3 * FastRow::power(i);
-    const double from_s = time_at(track, FastRow::kEnd + FastRow::kWidth * first);
-    const double to_s = time_at(track, FastRow::kEnd + FastRow::kWidth * (first + kTogether));
-    const double driven = energy_between(track, from_s, to_s) / (to_s - from_s);
-    EXPECT_NEAR(driven, expected / kTogether, 0.03 * expected / kTogether) << first;
-  }
-}
-
-TEST(Raster, OfManyPowersInALineKeepsItsFeedAsFastAsTheControllerReads) {
-  constexpr double kPixelsPerSecond = 6400.0;
-  const double speed = kPixelsPerSecond * FastRow::kWidth;
-  const RasterTrack track = stream_fast_row(speed);
-  const auto [least, most] = track.speeds_between(FastRow::kEnd, FastRow::kLast);
-  std::printf("%.0f pixels a second: %.2f to %.2f mm/s\n", kPixelsPerSecond, least, most);
-  EXPECT_GT(least, 0.999 * speed);
-  EXPECT_LT(most, 1.001 * speed);
-  expect_energy_of(track);
-}
-
-// More than it can read make it slower, and neither stop it nor change what is burnt.
-TEST(Raster, OfTwentyThousandPixelsASecondIsNeverStarved) {
-  constexpr double kFarFromEnds = 40.0;
-  const double speed = 20'000.0 * FastRow::kWidth;
-  const RasterTrack track = stream_fast_row(speed);
-  const auto [least, most] =
-      track.speeds_between(FastRow::kEnd + kFarFromEnds, FastRow::kLast - kFarFromEnds);
-  std::printf("20,000 pixels a second: driven at %.0f to %.0f in a second\n",
-              least / FastRow::kWidth,
-              most / FastRow::kWidth);
-  EXPECT_GT(least, 6400.0 * FastRow::kWidth);
-  EXPECT_LT(most, 1.1 * least);
-  expect_energy_of(track);
 }
 
 // Nothing of a row that was cut off is left over for the next.

@@ -52,6 +52,15 @@ MACHINES = {"bracket": "laser", "circle_r20": "laser", "enclosure_lightburn": "l
             "relief_inkscape": "laser", "sheet_8877": "laser", "pocket_fusion": "mill"}
 
 
+def fine_row() -> str:
+    """A row of 6,000 pixels of 0.02 mm at 400 mm/s, 48 to a line, with an end of 20 mm on each side."""
+    lines = ["G21 G90 M3 F24000", "G1 X20 S0"]
+    for first in range(0, 6000, 48):
+        powers = ":".join(str(10 + (37 * pixel) % 90) for pixel in range(first, first + 48))
+        lines.append(f"X{20 + 0.02 * (first + 48):.2f}S{powers}")
+    return "\n".join([*lines, "G1 X160 S0", ""])
+
+
 def tick_address() -> int:
     """Where the image keeps the tick of what it drives."""
     place = CHIP.symbols["step_tick"]
@@ -265,6 +274,15 @@ class ImageTraceTest(unittest.TestCase):
         names = ["beside_the_path", "kerf_path", "kerf_power", "five_axes"]
         self.judge("beside the path",
                    in_parallel(job, share_of(names, 1, name_of(self))))
+
+    def test_a_row_of_20000_pixels_a_second(self):
+        with tempfile.TemporaryDirectory() as text:
+            settings, program = pathlib.Path(text) / "settings", pathlib.Path(text) / "program"
+            settings.write_text((EXAMPLES / "laser.settings").read_text() + "$110=30000\n$120=5000\n")
+            program.write_text(fine_row())
+            found = self.compare("fine row", str(settings), str(program), 10**9)
+        self.judge("a row of fine pixels", [found])
+        self.assertLess(found.turns, 500, "160 mm at 400 mm/s, and 80 ms of ramps")
 
     def test_random_jobs_with_holds_and_overrides(self):
         def job(number: int):

@@ -348,6 +348,7 @@ class Stages {
 
 // In a memory of its own, as on the boards.
 [[gnu::section(".ccm")]] Application::Steps steps{port};
+[[gnu::section(".ccm")]] constinit cnc::motion::Pixels pixels{};
 
 /// The other memory holds the one or the other.
 constexpr std::size_t kLarger = std::max(sizeof(Application), sizeof(Stages));
@@ -356,7 +357,8 @@ alignas(std::max_align_t) std::array<std::byte, kLarger> room;
 }  // namespace
 
 void run_on_target() {
-  auto* const application = new (room.data()) Application{steps, port, port, store, link_to_job};
+  auto* const application =
+      new (room.data()) Application{steps, pixels, port, port, store, link_to_job};
   count_firmware(*application);
   count_raster(*application);
   count_fine_raster(*application);

@@ -168,7 +168,8 @@ NoStore store;
 ProgramLink link_to_program;
 // In a memory of its own, as on the boards.
 [[gnu::section(".ccm")]] cnc::Controller<DigestPort>::Steps steps{port};
-cnc::Controller<DigestPort> application{steps, port, port, store, link_to_program};
+[[gnu::section(".ccm")]] constinit cnc::motion::Pixels pixels{};
+cnc::Controller<DigestPort> application{steps, pixels, port, port, store, link_to_program};
 
 }  // namespace
 

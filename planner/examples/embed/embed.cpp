@@ -60,7 +60,8 @@ int main(int count, char** words) {
   limits.rate_mm_s.fill(200.0F);
   limits.acceleration_mm_s2.fill(1000.0F);
   limits.jerk_mm_s3.fill(50'000.0F);
-  const auto pipeline = std::make_unique<cnc::Pipeline>(limits);
+  const auto pixels = std::make_unique<cnc::motion::Pixels>();
+  const auto pipeline = std::make_unique<cnc::Pipeline>(limits, *pixels);
   cnc::gcode::Interpreter interpreter;
 
   for (int i = 1; i < count; ++i) {

@@ -43,12 +43,11 @@ struct RowPart {
 /// Main loop only.
 class Pixels {
  public:
-  /// With 0.1 mm each what 500 mm/s² need to brake from 200 mm/s, and more than three
-  /// times what 3000 mm/s² need from 300 mm/s.
-  static constexpr std::size_t kMost = 512;
+  /// At 20,000 per second what 5000 mm/s² need to brake from 300 mm/s, and 8 ms more.
+  static constexpr std::size_t kMost = 1536;
 
-  /// Driven pixels that are kept at least: those of 25 ms at 6,400 per second, and of a row.
-  static constexpr std::size_t kKept = 192;
+  /// Driven pixels that are kept at least: those of 25 ms at 20,000 per second, and of two rows.
+  static constexpr std::size_t kKept = 640;
 
   [[nodiscard]] std::size_t room() const { return size() < kMost ? kMost - size() : 0; }
   [[nodiscard]] bool empty() const { return end_ == first_; }

@@ -25,6 +25,9 @@ class JoinedSlices {
   void add(std::uint32_t duration_ns) { duration_ns_ += duration_ns; }
 
   [[nodiscard]] std::uint32_t duration_ns() const { return duration_ns_; }
+  /// Planned time, ns, that the segments so far have left to this one; negative: that they took.
+  /// @pre time() has not been called
+  [[nodiscard]] std::int32_t rest_ns() const { return remainder_ns_; }
   /// Q32 steps from the start to `here`.
   [[nodiscard]] std::int64_t gone(std::size_t axis, StepPosition here) const {
     return here.q32() - from_[axis].q32();

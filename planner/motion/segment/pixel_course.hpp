@@ -19,6 +19,10 @@ class PixelCourse {
   void pass(PathUnits place);
   /// Where the power changes next, or the end of the block.
   [[nodiscard]] PathUnits next_change() const { return change_; }
+  /// Returns whether that is within the block, and before `place`.
+  [[nodiscard]] bool changes_before(PathUnits place) const {
+    return change_ < place && change_ < length_;
+  }
   /// Of the beam at the present place, see BeamCommand.
   [[nodiscard]] float duty() const { return duty_; }
   /// Where that comes from.

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 
 #include "planner/base/axes.hpp"
@@ -41,16 +43,35 @@ struct PowerCourse {
   constexpr bool operator==(const PowerCourse&) const = default;
 };
 
+/// From this tick of a segment on the output has this duty.
+struct PowerLevel {
+  std::uint16_t from = 0;
+  std::uint16_t duty = 0;  ///< 65535 is full.
+};
+
 /// What the step interrupt plays: a slice of at most a millisecond of one
 /// block. Plain integers; no axis reverses within it.
 struct Segment {
-  std::uint32_t ticks = 0;     ///< Length of the slice.
-  PowerCourse power{};         ///< Over its whole length.
-  std::uint8_t negative = 0;   ///< Bit i: axis i runs backwards.
+  /// Pixels that last 36 µs of a segment of 250 µs have one each, and the first needs none.
+  static constexpr std::size_t kMostLevels = 6;
+
+  std::uint32_t ticks = 0;    ///< Length of the slice.
+  PowerCourse power{};        ///< To the first of the levels, or over its whole length.
+  std::uint8_t negative = 0;  ///< Bit i: axis i runs backwards.
+  std::uint8_t level_count = 0;
   bool comes_to_rest = false;  ///< The plan stands still after it: an empty queue is no fault.
   OutputChanges outputs{};     ///< At its start.
   SourceLine line{};           ///< Where it begins, or one before.
+  std::array<PowerLevel, kMostLevels> levels{};  ///< In order; from a tick within it.
   AxisArray<StepTrain> trains{};
+
+  /// Returns whether the output is 0 all along.
+  [[nodiscard]] constexpr bool dark() const {
+    for (std::size_t i = 0; i < level_count; ++i) {
+      if (levels[i].duty != 0) return false;
+    }
+    return power.dark();
+  }
 };
 
 }  // namespace cnc::motion

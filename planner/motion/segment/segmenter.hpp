@@ -12,6 +12,7 @@
 #include "planner/motion/segment/planned_slice.hpp"
 #include "planner/motion/segment/reversals.hpp"
 #include "planner/motion/segment/segment.hpp"
+#include "planner/motion/segment/segment_power.hpp"
 #include "planner/motion/segment/segment_rate.hpp"
 
 namespace cnc::motion {
@@ -45,7 +46,8 @@ class SliceObserver {
 /// Slices shorter than SegmentRate::kShortest go out as one segment with those after them, so that
 /// a queue of segments lasts. Only where an axis turns round, the power jumps, outputs change or
 /// the motion ends is a segment shorter; where the power jumps so often that the queue would not
-/// last, a segment has the mean power of its slices.
+/// last, a segment has a level for each of its slices. A slice goes on over pixels that are shorter
+/// than that, each of which has a level, too.
 ///
 /// Main loop only. All state is where the last slice handed out has ended.
 class Segmenter {
@@ -140,18 +142,28 @@ class Segmenter {
   void begin_block();
   void end_block();
   [[nodiscard]] std::uint32_t longest_slice_ns() const;
+  /// Where a slice ends: a time of the stretch and a place of the block.
+  struct End {
+    std::uint32_t ns = 0;
+    PathUnits place = 0;
+  };
+  [[nodiscard]] End end_of_slice(PathUnits stop, std::uint32_t most_ns);
   [[nodiscard]] Cut cut_slice(std::uint32_t most_ns);
-  [[nodiscard]] Cut cut(std::uint32_t end_ns, PathUnits end);
+  [[nodiscard]] Cut cut(const End& end);
   void move_to(const MotorPath::Point& point);
   void pass_to_rest();
   void follow_kerf_to(PathUnits end, std::uint64_t fraction);
   [[nodiscard]] float heat() const;
   void make_segment(Segment& segment);
   void begin_joined();
+  void join_next(std::uint32_t most_ns);
+  [[nodiscard]] bool pixels_are_short();
+  void add_pixels(const End& end);
   void join(const Cut& cut);
   [[nodiscard]] bool joins_next();
-  [[nodiscard]] PowerCourse joined_power(float start_duty, std::uint32_t ticks) const;
   [[nodiscard]] bool goes_on_as_joined();
+  [[nodiscard]] bool power_follows_speed() const;
+  [[nodiscard]] float duty_at(float speed) const;
   [[nodiscard]] Duties duties(float start_speed, float end_speed) const;
 
   BlockQueue& queue_;
@@ -183,9 +195,7 @@ class Segmenter {
   JoinedSlices joined_{};
   PathUnits monotonic_to_ = 0;  ///< On the block begun last: no axis turns round before.
   SourceLine line_{};
-  float end_duty_ = 0.0F;   ///< Where the slice joined last ends.
-  float energy_ns_ = 0.0F;  ///< Duty over time of what has been joined.
-  bool power_has_jumped_ = false;
+  SegmentPower output_{};
   SegmentRate rate_{};
 
   SliceObserver* observer_ = nullptr;

@@ -1,5 +1,6 @@
 #include "planner/path/pixel_row.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "tests/planner/path/row_drive.hpp"
@@ -40,6 +41,66 @@ TEST(PixelRow, GivesEachPlaceThePowerOfItsLine) {
     const double power = drive.driven[0].powers[static_cast<std::size_t>(i)];
     EXPECT_EQ(power, i < 10 ? 0.5 : i < 30 ? 0.0 : 1.0) << i;
   }
+}
+
+// Between lines that are gathered, each is driven with its own powers.
+TEST(PixelRow, OfALineWithManyPowersHasThemInEqualParts) {
+  PowerPen pen{kUsual};
+  pen.pixel({0.1}, 0.5);
+  pen.pixel({0.1}, 0.25);
+  pen.pixel({4.0}, 0.0);
+  pen.pixel({4.0}, 0.0);
+  pen.pixel({0.1}, 0.75);
+  pen.pixel({0.1}, 1.0);
+  std::vector<float> powers;
+  for (int i = 0; i < 20; ++i) powers.push_back(static_cast<float>(power_of(i)));
+  const std::vector<float> back{powers.rbegin(), powers.rend()};
+  RowDrive drive;
+  drive.run(pen.items, {{2, powers}, {3, back}});
+  ASSERT_EQ(drive.driven.size(), 4U);
+  EXPECT_EQ(drive.driven[0].powers.front(), 0.5);
+  EXPECT_EQ(drive.driven[0].powers.back(), 0.25);
+  for (std::size_t i = 0; i < RowDrive::kPlaces; ++i) {
+    EXPECT_EQ(drive.driven[1].powers[i], static_cast<double>(powers[i / 2])) << i;
+    EXPECT_EQ(drive.driven[2].powers[i], static_cast<double>(back[i / 2])) << i;
+  }
+  EXPECT_EQ(drive.driven[3].powers.front(), 0.75);
+  EXPECT_EQ(drive.driven[3].powers.back(), 1.0);
+  EXPECT_EQ(stops_in(drive.pieces()), 0U);
+  expect_sound(pen.items, drive.pieces());
+}
+
+TEST(PixelRow, OfALineWithManyPowersKnowsTheirParts) {
+  PowerPen pen{kUsual};
+  pen.pixel({1.6}, 0.0);
+  const std::vector<float> speeds{0, 5, 10, 20, 40, 80, 100, 200, 0, 5, 10, 20, 40, 80, 100, 200};
+  motion::Pixels pixels;
+  PixelRow row{&pixels};
+  PathItem item = pen.items[0];
+  ASSERT_TRUE(PixelRow::can_be_row(item.request.element, speeds.size()));
+  row.become_row(item, {.values = speeds, .least = 10.0F, .full = 100.0F});
+  EXPECT_EQ(item.request.row.to_mm, 1.6F);
+  for (std::uint32_t i = 0; i < speeds.size(); ++i) {
+    const motion::Pixel& pixel = pixels.front();
+    EXPECT_EQ(pixel.line, (motion::SourceLine{item.request.line.number, i + 1}));
+    EXPECT_NEAR(pixel.end_mm, 0.1F * static_cast<float>(i + 1), 1.0e-6F);
+    const float lit = std::clamp(speeds[i], 10.0F, 100.0F) / 100.0F;
+    EXPECT_EQ(pixel.duty, speeds[i] > 0.0F ? lit : 0.0F);
+    pixels.pop();
+  }
+  EXPECT_TRUE(pixels.empty());
+}
+
+TEST(PixelRow, OfItselfIsALineOfManyPowersAndOfSoManyMillimetres) {
+  PathElement line{};
+  line.end[0] = Coordinate{100'000'000};
+  EXPECT_TRUE(PixelRow::can_be_row(line, PixelRow::kFewestOfARow));
+  EXPECT_FALSE(PixelRow::can_be_row(line, PixelRow::kFewestOfARow - 1));
+  line.end[1] = Coordinate{10'000'000};
+  EXPECT_FALSE(PixelRow::can_be_row(line, 64));
+  line.end = {Coordinate{1'000'000}};
+  line.bulge = 0.1F;
+  EXPECT_FALSE(PixelRow::can_be_row(line, 64));
 }
 
 TEST(PixelRow, ReportsTheLineOfThePixelBeingDriven) {
@@ -134,7 +195,8 @@ TEST(PixelRow, KeepsToTheNanometreWhereCornersAreStops) {
 
 TEST(PixelRow, WaitsWhileThereIsNoRoomForItsPixels) {
   PowerPen pen{kUsual};
-  for (int i = 0; i < 1000; ++i) pen.pixel({0.1}, power_of(i));
+  const int enough = 2 * static_cast<int>(motion::Pixels::kMost);
+  for (int i = 0; i < enough; ++i) pen.pixel({0.1}, power_of(i));
   motion::Pixels pixels;
   const motion::Limits limits = path_limits();
   const auto stage = std::make_unique<PathStage>(limits, &pixels);

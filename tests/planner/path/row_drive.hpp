@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <memory>
 #include <vector>
 
@@ -28,11 +29,21 @@ class RowDrive {
   };
   static constexpr int kPlaces = 40;
 
-  void run(const std::vector<PathItem>& items) {
-    for (const PathItem& item : items) {
+  /// Powers of the lines that are rows by themselves, by their number.
+  using Rows = std::map<std::size_t, std::vector<float>>;
+
+  void run(const std::vector<PathItem>& items, const Rows& rows = {}) {
+    for (std::size_t item = 0; item < items.size(); ++item) {
+      const auto row = rows.find(item);
       for (int i = 0; i < 100 && !stage_->has_room(); ++i) take();
       ASSERT_TRUE(stage_->has_room());
-      stage_->put(item);
+      if (row == rows.end()) {
+        stage_->put(items[item]);
+      } else {
+        for (int i = 0; i < 100 && !stage_->takes_row(row->second.size()); ++i) take();
+        ASSERT_TRUE(stage_->takes_row(row->second.size()));
+        stage_->put_row(items[item], {.values = row->second});
+      }
       take();
     }
     for (int i = 0; i < 100 && !stage_->empty(); ++i) {

@@ -80,6 +80,27 @@ TEST_F(ActionElementsTest, DivideALineIntoEqualPartsWithAPowerEach) {
   }
 }
 
+// One element for all of them, where the caller takes rows and the line is one.
+TEST_F(ActionElementsTest, LeaveALineOfManyPowersWhole) {
+  parts_of("G1 X1 Y1 F600");
+  const gcode::Action& action = read("G1 X2 Y1 S0:1:2:3:4:5:6:7:8:9:10:11:12:13:14:15");
+  for (const bool rows : {true, false}) {
+    elements.begin(action, from, kTolerance, 1, rows);
+    EXPECT_EQ(elements.pixels(), rows ? 16U : 0U);
+    EXPECT_EQ(elements.next().row.size(), rows ? 16U : 0U);
+    EXPECT_EQ(elements.done(), rows);
+  }
+  elements.begin(action, from, kTolerance, 1, true);
+  const ActionPart row = elements.next();
+  EXPECT_EQ(row.element.end, action.end);
+  EXPECT_EQ(row.row.back(), 15.0F);
+  EXPECT_FALSE(row.power_s);
+  elements.begin(action, from, kTolerance, 2, true);
+  EXPECT_EQ(elements.pixels(), 0U) << "each part has limits of its own";
+  elements.begin(read("G1 X3 S0:1:2"), from, kTolerance, 1, true);
+  EXPECT_EQ(elements.pixels(), 0U) << "so few are gathered with more";
+}
+
 TEST_F(ActionElementsTest, DivideACircleIntoHalfTurnsOfOneCurve) {
   const auto parts = parts_of("G2 X0 Y0 I5 J0 F600");
   ASSERT_EQ(parts.size(), 2U);

@@ -68,7 +68,8 @@ class PipelineTest : public testing::Test {
   }
 
   motion::Limits limits = motion::plain_limits();
-  std::unique_ptr<Pipeline> pipeline = std::make_unique<Pipeline>(limits);
+  motion::Pixels pixels;
+  std::unique_ptr<Pipeline> pipeline = std::make_unique<Pipeline>(limits, pixels);
   Steps motors{};
   std::uint64_t ticks = 0;
   bool rests = true;
