@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <cstdio>
 #include <vector>
 
+#include "tests/support/random_source.hpp"
 #include "tests/support/trials.hpp"
 
 namespace cnc::motion {
