@@ -232,16 +232,19 @@ class ByEzdxf(unittest.TestCase):
         for row in ours:
             for place in row[::max(1, len(row) // 40)]:
                 self.assertLess(min(distance_to(place, other) for other in theirs), TOLERANCE_MM, place)
-        far = []
+        far, far_mm, step_mm = [], 0.0, 0.0
         for row in theirs:
-            for place in row[::max(1, len(row) // 40)]:
+            places = row[::max(1, len(row) // 40)]
+            for place, after in zip(places, [*places[1:], places[-1]]):
                 nearest = min(distance_to(place, other) for other in ours)
                 if nearest >= TOLERANCE_MM:
                     far.append((place, nearest))
+                    far_mm += math.dist(place, after)
+                    step_mm = max(step_mm, math.dist(place, after))
         loops = sum(int(found[1]) for fault in read["faults"]
                     for found in [re.search(r"(\d+) (?:loops? )?of less than", fault["reason"])] if found)
         # A loop that is left out is less than 2 mm long, as its area and width are.
-        self.assertLessEqual(len(far), 3 * loops, far)
+        self.assertLessEqual(far_mm, (2 + step_mm) * loops, far)
         self.assertTrue(all(nearest < 2 for _, nearest in far), far)
 
     def test_random_drawings_are_the_same_curves(self):
