@@ -20,14 +20,15 @@ class PowerOutput {
 
   // Main loop.
 
-  /// When the interrupt had taken so many pieces: there may be no room for those of a segment.
+  /// Returns whether there may be no room for the pieces of a segment, once the interrupt has taken
+  /// a number of pieces.
   [[nodiscard]] bool full(std::uint32_t taken) const {
     return stream_.room(taken) < shift_.room_needed();
   }
   [[nodiscard]] std::uint32_t pushed() const { return stream_.pushed(); }
   [[nodiscard]] PowerShift& shift() { return shift_; }
   [[nodiscard]] const PowerShift& shift() const { return shift_; }
-  /// What a segment asks for. @pre !full()
+  /// Adds the output that a segment asks for. @pre !full()
   void add(const motion::Segment& segment) {
     PowerPiece piece{.course = segment.power};
     std::uint32_t from = 0;

@@ -13,4 +13,12 @@ void append_loops(const cnc::contour::ContourView<double>& from, Contour& to) {
   for (std::size_t loop = 0; loop < from.loop_ends.size(); ++loop) append_loop(from, loop, to);
 }
 
+void append_rectangle(const cnc::WideVec2& least, const cnc::WideVec2& most, Contour& to) {
+  to.vertices.push_back({least.x(), least.y(), 0.0});
+  to.vertices.push_back({most.x(), least.y(), 0.0});
+  to.vertices.push_back({most.x(), most.y(), 0.0});
+  to.vertices.push_back({least.x(), most.y(), 0.0});
+  to.end_loop();
+}
+
 }  // namespace sim

@@ -10,4 +10,8 @@ void append_loop(const cnc::contour::ContourView<double>& from, std::size_t loop
 /// Appends copies of all loops to a contour.
 void append_loops(const cnc::contour::ContourView<double>& from, Contour& to);
 
+/// Appends a rectangle along the axes, with its inside on the left.
+/// @param least the corner of least x and y, mm; `most` that of greatest
+void append_rectangle(const cnc::WideVec2& least, const cnc::WideVec2& most, Contour& to);
+
 }  // namespace sim

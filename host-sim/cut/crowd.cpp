@@ -58,11 +58,7 @@ bool frame_holes(const std::vector<Outline>& outlines,
   const double margin = 10.0 * half_kerf_mm + (all.most - all.least).maxCoeff();
   const Place least = all.least - Place::Constant(margin);
   const Place most = all.most + Place::Constant(margin);
-  region.vertices.push_back({least.x(), least.y(), 0.0});
-  region.vertices.push_back({most.x(), least.y(), 0.0});
-  region.vertices.push_back({most.x(), most.y(), 0.0});
-  region.vertices.push_back({least.x(), most.y(), 0.0});
-  region.end_loop();
+  append_rectangle(least, most, region);
   return true;
 }
 

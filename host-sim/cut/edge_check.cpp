@@ -199,7 +199,7 @@ class EdgeCheck::Sweep final : public TraceSink {
   EnergyMeter energy_;
   CourseHeat heat_;
   Clearance strokes_{kNear};
-  Clearance::Nearest nearest_{};  ///< Of the strokes to the last place.
+  Clearance::Nearest nearest_{};  ///< The stroke nearest to the last place.
   Clearance pierces_{kNear};
   Clearance corners_{kNear};
   PlannedArea planned_;

@@ -356,11 +356,7 @@ Contour waste_beside(const std::vector<const std::vector<Stroke>*>& rows, bool i
   const double margin = 1.0 + 2.0 * (most - least).maxCoeff();  // Arcs reach beyond their ends.
   least -= Place::Constant(margin);
   most += Place::Constant(margin);
-  waste.vertices.push_back({least.x(), least.y(), 0.0});
-  waste.vertices.push_back({most.x(), least.y(), 0.0});
-  waste.vertices.push_back({most.x(), most.y(), 0.0});
-  waste.vertices.push_back({least.x(), most.y(), 0.0});
-  waste.end_loop();
+  append_rectangle(least, most, waste);
   return waste;
 }
 

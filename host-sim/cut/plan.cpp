@@ -194,9 +194,12 @@ void Planner::vanish(std::size_t i) {
       drawn_.contours[i].entity,
       outlines_[i].strokes.front().from,
       fmt::format("is narrower than the kerf of {:.3f} mm and would vanish", 2.0 * half_kerf(i)),
-      fmt::format("make it wider, cut it once along its middle with --narrow {:.3f}, cut it on the "
-                  "line with side=on, or skip its layer",
-                  half_kerf(i))};
+      "make it wider, cut it on the line with side=on, or skip its layer"};
+  if (layer_of(i).settings.narrow_mm < half_kerf(i)) {
+    fault.remedy =
+        fmt::format("cut it once along its middle with --narrow {:.3f}, ", half_kerf(i)) +
+        fault.remedy;
+  }
   const bool is_gap = drawn_.contours[i].is_filled && outlines_[i].is_hole;
   if (is_gap) fault.remedy = "it is left out";
   (is_gap ? plan_.warnings : plan_.faults).push_back(std::move(fault));

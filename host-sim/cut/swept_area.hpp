@@ -40,7 +40,7 @@ class SweptArea {
   /// Discs in the order in which they were added, so that neighbours are near each other.
   struct Cell {
     std::vector<Disc> discs{};
-    std::vector<Group> groups{};  ///< Of kGroup discs each.
+    std::vector<Group> groups{};  ///< Each holds kGroup discs; the last may hold fewer.
   };
   static constexpr double kCellMm = 0.5;
   static constexpr std::size_t kGroup = 16;

@@ -8,10 +8,10 @@ namespace {
 constexpr std::uint32_t kPolynomial = 0xEDB8'8320;
 /// Bits of a digit, which a look-up takes: a byte where memory is plenty, a nibble on a controller.
 constexpr std::size_t kDigitBits = sizeof(void*) > 4 ? 8 : 4;
-constexpr std::size_t kDigits = 4;  ///< Of a step.
+constexpr std::size_t kDigits = 4;  ///< Number of digits that a step takes.
 constexpr std::size_t kStepBits = kDigits * kDigitBits;
 
-/// What a digit leaves when so many others come after it.
+/// Remainders that each value of a digit leaves, by the number of digits that come after it.
 using Remainders = std::array<std::uint32_t, 1U << kDigitBits>;
 
 constexpr std::array<Remainders, kDigits> make_tables() {
@@ -30,7 +30,7 @@ constexpr std::array<Remainders, kDigits> make_tables() {
 
 constexpr std::array<Remainders, kDigits> kTables = make_tables();
 
-/// Of a digit of the value, with so many behind it.
+/// Returns the remainder of a digit of the value that has a number of digits behind it.
 constexpr std::uint32_t remainder_of(std::uint32_t value, std::size_t digit, std::size_t behind) {
   return kTables[behind][(value >> (digit * kDigitBits)) % Remainders{}.size()];
 }

@@ -56,8 +56,8 @@ class ToleranceBand {
   /// sample before `stop`, the one in their middle.
   [[nodiscard]] BandReach farthest(const BandStart& start, double stop) const;
   [[nodiscard]] BandReach farthest(const BandStart& start) const { return farthest(start, last()); }
-  /// Of a place of the curve from a circle; kNoFit where that runs another way. Inline: most of the
-  /// time of a fit is spent here.
+  /// Returns the distance of a place of the curve from a circle; kNoFit where the circle runs
+  /// another way. Inline: most of the time of a fit is spent here.
   [[nodiscard]] static double distance(const WideTangentCircle& circle, const WayPoint& point) {
     if (agreement(circle, point) < 0.5 * kLeastAgreement) return kNoFit;
     return std::abs(circle.across(point.place));

@@ -46,7 +46,7 @@ class Pipeline {
   /// range, and then nothing has changed
   /// @pre has_room()
   Result<bool, motion::MotionError> append(const path::PathItem& item);
-  /// Returns whether append_row() may be called in this cycle for a row of so many pixels; false
+  /// Returns whether append_row() may be called in this cycle for a row of this many pixels; false
   /// may become true with the next attend(). Lets what is held back go on.
   [[nodiscard]] bool takes_row(std::size_t pixels);
   /// Appends a line that is a row of pixels by itself, whose powers need not stay.

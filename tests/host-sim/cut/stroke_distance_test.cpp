@@ -85,7 +85,7 @@ TEST(StrokeDistance, TellsWhatIsClearAsMeasuringAllDoes) {
   EXPECT_GE(close, (clear + close) / 95);
 }
 
-/// What was nearest to the last place is where a search begins, not what it finds.
+/// The stroke nearest to the last place is where a search begins; it need not be the result.
 TEST(StrokeDistance, FindsTheNearestFromTheLastPlaceOn) {
   for (const std::uint64_t seed : proof::Trials{500}) {
     proof::Random random{seed};
