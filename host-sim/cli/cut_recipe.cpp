@@ -65,7 +65,7 @@ std::string to_folder(const std::string& name, const std::filesystem::path& fold
   const auto absolute = [](const std::filesystem::path& each) {
     return std::filesystem::absolute(each).lexically_normal();
   };
-  return absolute(path).lexically_proximate(absolute(folder)).string();
+  return absolute(path).lexically_proximate(absolute(folder.empty() ? "." : folder)).string();
 }
 
 /// Gives a recipe to the options of a call.

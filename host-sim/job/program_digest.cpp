@@ -20,8 +20,16 @@ namespace {
 
 constexpr std::string_view kDigestMark = "(kerfline digest ";
 constexpr std::size_t kDigestDigits = 16;
-constexpr std::array<std::string_view, 7> kFileKinds{
-    "drawing", "sheet", "layers", "rules", "tools", "surface", "post"};
+constexpr std::array<std::string_view, 10> kFileKinds{"drawing",
+                                                      "sheet",
+                                                      "layers",
+                                                      "rules",
+                                                      "tools",
+                                                      "surface",
+                                                      "boundary",
+                                                      "part",
+                                                      "picture",
+                                                      "post"};
 
 bool is_plain(char c) {
   return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
@@ -76,16 +84,16 @@ bool is_below_folder(const std::filesystem::path& name) {
   return name.is_relative() && std::ranges::find(name, "..") == name.end();
 }
 
-/// The digest of a file now; none where it is not there, no plain file or too large.
+/// Returns the digest of a file now; nothing where it is not there or cannot be read, is no plain
+/// file or is too large.
 std::optional<std::string> digest_now(const std::filesystem::path& file) {
   std::error_code is_none;
   if (!std::filesystem::is_regular_file(file, is_none)) return {};
   const std::uintmax_t size = std::filesystem::file_size(file, is_none);
   if (is_none || size > kMaxDigestBytes) return {};
   try {
-    return digest_of(read_text(file.string()));
+    return digest_of(read_bytes(file.string()));
   } catch (const std::exception&) {
-    // What was a text and is none any more has changed; what cannot be read is not known.
     return {};
   }
 }

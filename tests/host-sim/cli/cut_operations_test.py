@@ -293,6 +293,15 @@ class Operations(unittest.TestCase):
             recipe = self.file("r.json", text)
             self.assertIn(told, self.refused(self.plain, "--recipe", recipe), text)
 
+    def test_a_recipe_beside_the_call_names_files_from_its_folder(self):
+        self.file("machine.settings", "$32=1\n")
+        call = ("cut", self.plain, *GIVEN, "--settings", "machine.settings", "--save-recipe", "r.json", "-o", "r.nc")
+        done = run(*call, cwd=self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertIn('"machine.settings"', (self.folder / "r.json").read_text(encoding="utf-8"))
+        again = run("cut", self.plain, "--recipe", "r.json", "-o", "s.nc", cwd=self.folder)
+        self.assertEqual(again.returncode, 0, again.stderr)
+
     def test_a_damaged_recipe_is_refused_with_its_name(self):
         whole = ('{"kerfline_recipe": 1, "kerf": 0.2, "power": "50%", "feed": 700, "set": ["$11=0.02"], '
                  '"avoid-freed": true, "layers": {"*": {"passes": 2}}}')

@@ -95,6 +95,14 @@ TEST_F(StaleInputs, AChangedFileIsNamedAndOneThatIsGoneIsNot) {
   EXPECT_THAT(stale(program("drawing", "two", "-")), IsEmpty());
 }
 
+TEST_F(StaleInputs, AFileOfBytesIsComparedAsATextIs) {
+  write("photo.png", std::string{"\x89PNG\0\1", 6});
+  for (const char* kind : {"picture", "part", "surface", "boundary"}) {
+    EXPECT_THAT(stale(program(kind, std::string{"\x89PNG\0\1", 6}, "photo.png")), IsEmpty());
+    EXPECT_THAT(stale(program(kind, "another", "photo.png")), testing::SizeIs(1)) << kind;
+  }
+}
+
 TEST_F(StaleInputs, AProgramFromElsewhereReadsNothingOutsideTheFolder) {
   const std::string absolute = (folder_ / "below/a.svg").string();
   EXPECT_THAT(stale(program("drawing", "two", absolute)), testing::SizeIs(1));
