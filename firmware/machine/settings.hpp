@@ -73,7 +73,7 @@ class SettingHelp<false> {
   constexpr SettingHelp(const char* /*sentences*/) {}
 
   [[nodiscard]] static constexpr const char* text() {
-    return "Images for 512 KiB have no descriptions; Kerfline's README has their place.";
+    return "Images for 512 KiB have no descriptions; Kerfline's docs have them.";
   }
 };
 

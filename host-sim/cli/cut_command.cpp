@@ -23,6 +23,7 @@
 #include "host-sim/cli/cut_runs.hpp"
 #include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/job_options.hpp"
+#include "host-sim/cli/machine_option.hpp"
 #include "host-sim/cut/cut_report.hpp"
 #include "host-sim/cut/layers_alike.hpp"
 #include "host-sim/cut/repeat_passes.hpp"
@@ -121,7 +122,7 @@ ExitStatus refuse(const CutCommandOptions& options,
 std::vector<SettingChange> machine_of(const CutCommandOptions& options) {
   std::vector<SettingChange> settings{parse_setting("$32=1", "laser mode")};
   settings.insert(settings.end(), options.machine_settings.begin(), options.machine_settings.end());
-  const auto more = settings_of(options.settings_file, options.set);
+  const auto more = settings_of({}, options.settings_file, options.set);
   settings.insert(settings.end(), more.begin(), more.end());
   return settings;
 }
@@ -279,7 +280,7 @@ ExitStatus cut_drawing(CLI::App& command, CutCommandOptions& options) {
   apply_recipe(command, options);
   InputFiles inputs{options.output};
   options.post.read(command, inputs, options.decimals);
-  const auto machine = machine_profile_of(options.place);
+  const auto machine = machine_profile_of(options.place.machine);
   if (machine) take_machine(options, *machine);
   CutInput input = read_cut_input(options.file, options.import, inputs);
   const Drawing& drawn = input.drawn;

@@ -1,25 +1,19 @@
 #include "host-sim/cli/cut_place_options.hpp"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <filesystem>
 #include <stdexcept>
 #include <vector>
 
-#include "host-sim/cli/file_options.hpp"
+#include "host-sim/cli/machine_option.hpp"
 #include "host-sim/cli/value_range.hpp"
-#include "host-sim/report/nearest_name.hpp"
-#include "host-sim/trace/input_file.hpp"
 
 namespace sim {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr double kFarthestPlaceMm = 1.0e5;
 constexpr std::size_t kMaxColumns = 1000;
@@ -43,49 +37,10 @@ cut::Place point_from(const char* option, const std::string& text, const char* w
   throw std::invalid_argument(fmt::format("{} {}: wants {}", option, text, wanted));
 }
 
-/// Returns the folder of the shipped profiles: beside the program, as it is installed.
-fs::path shipped_folder() {
-  std::error_code is_none;
-  const fs::path program = fs::read_symlink("/proc/self/exe", is_none);
-  return program.parent_path().parent_path() / "share" / "kerfline" / "machines";
-}
-
-std::vector<std::string> shipped_names() {
-  std::vector<std::string> names;
-  std::error_code is_none;
-  for (const fs::directory_entry& entry : fs::directory_iterator{shipped_folder(), is_none}) {
-    if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
-  }
-  std::ranges::sort(names);
-  return names;
-}
-
-/// Returns the file of a profile that is named by itself, or as shipped.
-std::string profile_file(const std::string& name) {
-  const fs::path path{name};
-  if (path.has_parent_path() || path.has_extension()) return name;
-  const std::vector<std::string> names = shipped_names();
-  if (std::ranges::find(names, name) != names.end()) {
-    return (shipped_folder() / (name + ".json")).string();
-  }
-  throw std::invalid_argument(
-      fmt::format("--machine {}: no such machine is shipped; there are {}; or name a file, such as "
-                  "mine.json{}",
-                  name,
-                  fmt::join(names, ", "),
-                  did_you_mean(name, names)));
-}
-
 }  // namespace
 
 void add_machine_options(CLI::App& command, CutPlaceOptions& options) {
-  mark_file(command
-                .add_option("--machine",
-                            options.machine,
-                            "Bed, power and settings: a file, or k40, diode-5w, diode-20w, router, "
-                            "sheet-cutter")
-                ->type_name("NAME"),
-            FileRole::kInput);
+  add_machine_option(command, options.machine);
   command.add_option("--place", options.place, "corner or centre of the bed, or X,Y in mm")
       ->type_name("WHERE");
   command.add_option("--place-margin", options.margin_mm, "Of --place corner, mm")
@@ -113,13 +68,6 @@ void add_cut_place_options(CLI::App& command, CutPlaceOptions& options) {
       ->check(in_range(0.0, 1.0e4, "mm"))
       ->type_name("MM")
       ->capture_default_str();
-}
-
-std::optional<cut::MachineProfile> machine_profile_of(const CutPlaceOptions& options) {
-  if (options.machine.empty()) return std::nullopt;
-  const std::string file = profile_file(options.machine);
-  const std::string name = file == options.machine ? name_of_input(file) : options.machine;
-  return cut::read_machine_profile(read_text(file), name);
 }
 
 cut::PlaceWishes place_wishes_of(const CutPlaceOptions& options) {

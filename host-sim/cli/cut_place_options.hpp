@@ -1,9 +1,7 @@
 #pragma once
 
-#include <optional>
 #include <string>
 
-#include "host-sim/cut/machine_profile.hpp"
 #include "host-sim/cut/placing.hpp"
 
 namespace CLI {
@@ -30,10 +28,6 @@ void add_machine_options(CLI::App& command, CutPlaceOptions& options);
 
 /// Adds these, and `--turn`, `--mirror`, `--scale`, `--copies` and `--copy-gap`.
 void add_cut_place_options(CLI::App& command, CutPlaceOptions& options);
-
-/// Returns the machine of a call, nothing where it names none. Throws std::invalid_argument with
-/// the shipped names where there is no such one, and as read_machine_profile() does.
-[[nodiscard]] std::optional<cut::MachineProfile> machine_profile_of(const CutPlaceOptions& options);
 
 /// Returns the wishes of a call. Throws std::invalid_argument that names the option.
 [[nodiscard]] cut::PlaceWishes place_wishes_of(const CutPlaceOptions& options);

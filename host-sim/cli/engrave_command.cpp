@@ -11,6 +11,7 @@
 #include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/input_files.hpp"
 #include "host-sim/cli/job_options.hpp"
+#include "host-sim/cli/machine_option.hpp"
 #include "host-sim/cut/cut_program.hpp"
 #include "host-sim/cut/fill_area.hpp"
 #include "host-sim/engrave/burn_picture.hpp"
@@ -37,7 +38,7 @@ std::vector<SettingChange> machine_settings(const EngraveOptions& options,
                                             const std::optional<cut::MachineProfile>& machine) {
   std::vector<SettingChange> settings{parse_setting("$32=1", "laser mode")};
   if (machine) settings.insert(settings.end(), machine->settings.begin(), machine->settings.end());
-  const auto more = settings_of(options.settings_file, options.set);
+  const auto more = settings_of({}, options.settings_file, options.set);
   settings.insert(settings.end(), more.begin(), more.end());
   return settings;
 }
@@ -135,7 +136,7 @@ void write_report(const EngraveOptions& options,
 }
 
 ExitStatus engrave_picture(const CLI::App& command, EngraveOptions& options) {
-  const auto machine = machine_profile_of(options.place);
+  const auto machine = machine_profile_of(options.place.machine);
   const std::vector<SettingChange> settings = machine_settings(options, machine);
   InputFiles inputs{options.output};
   unsigned decimals = cnc::gcode::PrintGrid::kMost;

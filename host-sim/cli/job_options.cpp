@@ -6,8 +6,10 @@
 #include <cstdlib>
 #include <exception>
 #include <set>
+#include <utility>
 
 #include "host-sim/cli/file_options.hpp"
+#include "host-sim/cli/machine_option.hpp"
 #include "host-sim/cli/standard_streams.hpp"
 #include "host-sim/report/progress_bar.hpp"
 #include "host-sim/report/progress_lines.hpp"
@@ -17,6 +19,7 @@ namespace sim {
 void JobOptions::add_to(CLI::App& command) {
   mark_file(command.add_option("FILE", files, "G-code programs; - is standard input")->required(),
             FileRole::kInput);
+  add_machine_option(command, machine);
   mark_file(
       command.add_option("--settings", settings_file, "File of $N=value lines")->type_name("FILE"),
       FileRole::kInput);
@@ -29,17 +32,23 @@ void JobOptions::add_to(CLI::App& command) {
       "--progress", progress, "Print percent and time every 5 s where no terminal shows a bar");
 }
 
-std::vector<SettingChange> settings_of(const std::string& file,
+std::vector<SettingChange> settings_of(const std::string& machine,
+                                       const std::string& file,
                                        const std::vector<std::string>& set) {
   std::vector<SettingChange> changes;
-  if (!file.empty()) changes = read_settings_file(file);
+  if (auto profile = machine_profile_of(machine)) changes = std::move(profile->settings);
+  if (!file.empty()) {
+    const std::vector<SettingChange> more = read_settings_file(file);
+    changes.insert(changes.end(), more.begin(), more.end());
+  }
   for (const std::string& text : set) changes.push_back(parse_setting(text, "--set"));
   return changes;
 }
 
 JobsDone for_each_job(const JobOptions& options, const std::function<Report(const Job&)>& work) {
   using Clock = std::chrono::steady_clock;
-  const std::vector<SettingChange> settings = settings_of(options.settings_file, options.set);
+  const std::vector<SettingChange> settings =
+      settings_of(options.machine, options.settings_file, options.set);
   MachineModel machine{.has_switches = false};
   options.probe.apply(options.probe.read(), machine);
   JobsDone done;

@@ -17,6 +17,7 @@ namespace sim {
 /// The options that every command on programs shares.
 struct JobOptions {
   std::vector<std::string> files;
+  std::string machine;  ///< File, or name of a shipped profile; empty: none.
   std::string settings_file;
   std::vector<std::string> set;
   ProbeOptions probe;
@@ -26,9 +27,13 @@ struct JobOptions {
   void add_to(CLI::App& command);
 };
 
-/// The settings file first, when there is one, then `--set` in the order of the
-/// call. Throws std::invalid_argument and std::system_error.
-[[nodiscard]] std::vector<SettingChange> settings_of(const std::string& file,
+/// Returns the settings of a call in the order in which they apply: those of the machine profile
+/// and of the settings file, where there are such, then `--set` in the order of the call. Throws
+/// std::invalid_argument and std::system_error.
+/// @param machine file or name of a profile, empty for none
+/// @param file of `$N=value` lines, empty for none
+[[nodiscard]] std::vector<SettingChange> settings_of(const std::string& machine,
+                                                     const std::string& file,
                                                      const std::vector<std::string>& set);
 
 /// Reports of the files of a call, and why others have none.

@@ -13,6 +13,7 @@
 #include "host-sim/cli/input_files.hpp"
 #include "host-sim/cli/kerf_commands.hpp"
 #include "host-sim/cli/kerf_options.hpp"
+#include "host-sim/cli/machine_option.hpp"
 #include "host-sim/cli/post_option.hpp"
 #include "host-sim/cli/value_range.hpp"
 #include "host-sim/knowledge/test_grid.hpp"
@@ -167,7 +168,7 @@ void write_grid(const CLI::App& command, TestGridOptions& options) {
   if (options.program.empty() && options.form.empty()) {
     throw std::invalid_argument("--out, --form or --measured is missing");
   }
-  const auto machine = machine_profile_of(options.place);
+  const auto machine = machine_profile_of(options.place.machine);
   if (machine) expect_reachable(options.grid, *machine);
   InputFiles inputs{options.program};
   unsigned decimals = 3;

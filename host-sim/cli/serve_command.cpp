@@ -15,6 +15,7 @@
 #include "host-sim/cli/commands.hpp"
 #include "host-sim/cli/file_options.hpp"
 #include "host-sim/cli/job_options.hpp"
+#include "host-sim/cli/machine_option.hpp"
 #include "host-sim/cli/probe_options.hpp"
 #include "host-sim/cli/value_range.hpp"
 #include "host-sim/job/axis_scale.hpp"
@@ -58,6 +59,7 @@ struct ServeOptions {
   std::string slcan;
   int node = 0;  ///< 0: as it is set.
   double speed = 1.0;
+  std::string machine;
   std::string settings_file;
   std::vector<std::string> set;
   std::string store;
@@ -112,6 +114,7 @@ void add_options(CLI::App& command, ServeOptions& options) {
   const auto add_file = [&](FileRole role, const char* name, std::string& file, const char* help) {
     mark_file(command.add_option(name, file, help)->type_name("FILE"), role);
   };
+  add_machine_option(command, options.machine);
   add_file(FileRole::kInput, "--settings", options.settings_file, "File of $N=value lines");
   command.add_option("--set", options.set, "One setting, such as '$110=12000'; may be repeated")
       ->type_name("$N=V")
@@ -175,7 +178,8 @@ void announce(const Reception& reception) {
 
 /// A sender is no quicker because the machine's time is: it may be silent for as much longer.
 std::vector<SettingChange> all_settings(const ServeOptions& options) {
-  std::vector<SettingChange> changes = settings_of(options.settings_file, options.set);
+  std::vector<SettingChange> changes =
+      settings_of(options.machine, options.settings_file, options.set);
   if (options.node != 0) {
     changes.push_back({.number = cnc::setting::kCanNode,
                        .value = static_cast<float>(options.node),

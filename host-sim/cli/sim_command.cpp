@@ -67,6 +67,9 @@ std::vector<NamedFile> files_of(const SimOptions& options) {
   for (const std::string& file : options.job.files) {
     files.push_back({"FILE", file, FileRole::kInput});
   }
+  if (!options.job.machine.empty()) {
+    files.push_back({"--machine", options.job.machine, FileRole::kInput});
+  }
   if (!options.job.settings_file.empty()) {
     files.push_back({"--settings", options.job.settings_file, FileRole::kInput});
   }

@@ -64,7 +64,7 @@ void print_figures(const std::string& file, const joints::JointFigures& figures)
 
 ExitStatus run_joints(JointsOptions& options) {
   Simulator machine{"", {}};
-  apply_settings(settings_of(options.settings_file, options.set), machine.machine());
+  apply_settings(settings_of({}, options.settings_file, options.set), machine.machine());
   for (std::size_t axis = 0; axis < options.zero.size(); ++axis) {
     options.program.zero[axis] = options.zero[axis];
   }

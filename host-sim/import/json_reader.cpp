@@ -37,7 +37,10 @@ class JsonReader {
     } else if (document.is_object() && document.contains("kerfline_sheet")) {
       sketch_.refuse(1, 0, "a sheet of parts, not a drawing", "`kerfline cut` takes sheets");
     } else {
-      sketch_.refuse(1, 0, "neither a list of parts nor a nesting job", "see the README for both");
+      sketch_.refuse(1,
+                     0,
+                     "neither a list of parts nor a nesting job",
+                     "docs/drawings.md has the form of both");
     }
   }
 

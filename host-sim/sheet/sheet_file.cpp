@@ -37,7 +37,10 @@ class SheetReader {
 
   void read(const json& document) {
     if (!document.is_object() || !document.contains(kMark)) {
-      return refuse(1, 0, fmt::format("no object with \"{}\": 1", kMark), "see the README");
+      return refuse(1,
+                    0,
+                    fmt::format("no object with \"{}\": 1", kMark),
+                    "docs/sheets.md describes the file");
     }
     SheetFields fields{document, "", {kMark, "stock", "parts", "locked"}, sheet_.faults};
     static_cast<void>(fields.number(kMark, 1.0, {1.0, 1.0, "(the only version)"}));
@@ -249,7 +252,7 @@ Sheet read_sheet(const std::string& file, const std::string& text) {
   } catch (const json::exception&) {
     reader.refuse(1, 0, "a number that is too great", "mend it");
   } catch (const std::length_error& error) {
-    reader.refuse(1, 0, error.what(), "mend it; the README has the format");
+    reader.refuse(1, 0, error.what(), "mend it; docs/sheets.md has the format");
   }
   return sheet;
 }

@@ -50,9 +50,9 @@ inline constexpr double kMaxPlaceMm = 1.0e6;        ///< Distance of a place fro
 /// Returns whether the text is meant as a sheet file: a JSON object with the key `kerfline_sheet`.
 [[nodiscard]] bool is_sheet(std::string_view text);
 
-/// Reads a sheet file; the README has its format. Never throws for what the text says: each fault
-/// names its place as a JSON pointer, or as line and column where the text is no JSON. Parts with
-/// faults are left out.
+/// Reads a sheet file; docs/sheets.md has its format. Never throws for what the text says: each
+/// fault names its place as a JSON pointer, or as line and column where the text is no JSON. Parts
+/// with faults are left out.
 [[nodiscard]] Sheet read_sheet(const std::string& file, const std::string& text);
 
 /// Returns the text of a sheet file with all places written out, which read_sheet() reads back to
