@@ -7,7 +7,7 @@
 #include "hal/interface/record_store.hpp"
 #include "planner/base/crc32.hpp"
 
-/// How records lie in flash; the table is in ARCHITECTURE.md. All of it is words of 32 bits.
+/// The layout of records in flash, in words of 32 bits; docs/store.md has the table.
 namespace cnc::log_format {
 
 /// First word of a sector: "KFL" and the version. A log of another version counts as none.

@@ -17,6 +17,7 @@ FILES = {"bin/kerfline", "share/man/man1/kerfline.1",
          "share/bash-completion/completions/kerfline", "share/zsh/site-functions/_kerfline",
          "share/fish/vendor_completions.d/kerfline.fish",
          "share/doc/kerfline/LICENSE", "share/doc/kerfline/CHANGELOG.md",
+         "share/doc/kerfline/docs/laser.md", "share/doc/kerfline/docs/reference/settings.md",
          f"{EXAMPLES}/bracket.nc", f"{EXAMPLES}/plate.svg", f"{EXAMPLES}/laser.settings",
          f"{EXAMPLES}/data/README.md"}
 COMPLETE = r"""

@@ -7,7 +7,7 @@ import path from 'node:path';
 import { Child, check, repository, run, until } from './support.mjs';
 import { CncjsUser } from './cncjs.mjs';
 
-const kHeading = '## From a clone to a moving machine in CNCjs';
+const kHeading = '## A moving machine in CNCjs, without hardware';
 const kPort = '/tmp/ttyKerfline';
 const kPage = 'http://localhost:8000';
 
