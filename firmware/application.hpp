@@ -111,7 +111,7 @@ class Controller {
   /// turned over in memory are found within 0.2 s. False from then on: the program is to end.
   [[nodiscard]] bool check_memory() {
     constexpr std::size_t kBytes = 32;
-    return machine_.check_memory(kBytes);
+    return machine_.memory().check(kBytes);
   }
 
   /// The step interrupt. Returns the ticks until the next one; 0 stops the timer.

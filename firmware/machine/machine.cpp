@@ -72,10 +72,10 @@ gcode::Refusal Machine::take_line(std::string_view line) {
   const Position from = interpreter_.position();
   // Both have followed the same lines, else one of them has changed in memory.
   CNC_ASSERT(state_.in(Mode::kCheck) || from == target());
-  path_fault_.reset();
+  news_.path_fault.reset();
   const auto actions = interpreter_.interpret(line);
   if (!actions.ok()) return actions.error();
-  if (interpreter_.places_revision() != places_revision_) trust_places();
+  if (interpreter_.places_revision() != memory_.trusted_places()) trust_places();
   if (actions.value().empty()) return {};
   program_ended_ = false;
   if (state_.in(Mode::kCheck)) {
@@ -84,7 +84,7 @@ gcode::Refusal Machine::take_line(std::string_view line) {
   }
   if (leaves_travel(actions.value(), from)) return leave_travel(from);
   waiting_ = actions.value();
-  step_pause_ = single_block_ && !tool_change_.open();
+  step_pause_ = switches_.single_block && !tool_change_.open();
   return {};
 }
 
@@ -126,7 +126,7 @@ void Machine::poll(hal::TickCount now) {
     motion_.feed_drive();
   }
   drive_.settle();
-  if (rested && drive_.running()) check_settings();
+  if (rested && drive_.running()) memory_.check_settings();
 }
 
 /// What goes on by itself in the present mode.

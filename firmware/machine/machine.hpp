@@ -6,14 +6,17 @@
 
 #include "firmware/machine/configuration.hpp"
 #include "firmware/machine/coolant_output.hpp"
+#include "firmware/machine/door_sequence.hpp"
 #include "firmware/machine/dwell.hpp"
 #include "firmware/machine/homing.hpp"
 #include "firmware/machine/input_filter.hpp"
 #include "firmware/machine/light_gap.hpp"
+#include "firmware/machine/machine_news.hpp"
 #include "firmware/machine/machine_types.hpp"
-#include "firmware/machine/memory_watch.hpp"
+#include "firmware/machine/memory_guard.hpp"
 #include "firmware/machine/motion_control.hpp"
 #include "firmware/machine/motor_enable.hpp"
+#include "firmware/machine/operator_switches.hpp"
 #include "firmware/machine/progress.hpp"
 #include "firmware/machine/reentry.hpp"
 #include "firmware/machine/rest_light.hpp"
@@ -86,9 +89,6 @@ class Machine {
   /// Stops at once, output off, modes forgotten. At rest the position stays
   /// known; else an alarm.
   void reset();
-  /// True once after the reset button: whoever keeps lines for the machine
-  /// drops them.
-  [[nodiscard]] bool take_reset_pressed();
   void emergency_stop();
   /// All off until a reset. False where that is not allowed: only in idle or alarm.
   bool sleep();
@@ -114,12 +114,9 @@ class Machine {
   /// that was said before.
   bool acknowledge_tool();
   [[nodiscard]] bool changes_tool() const { return tool_change_.open(); }
-  void toggle_optional_stop() { optional_stop_ = !optional_stop_; }
-  void toggle_single_block() { single_block_ = !single_block_; }
+  [[nodiscard]] OperatorSwitches& switches() { return switches_; }
   /// Until the setting is written again; whether lines with / are skipped from now on.
   bool toggle_block_delete();
-  [[nodiscard]] bool optional_stop() const { return optional_stop_; }  ///< M1 pauses.
-  [[nodiscard]] bool single_block() const { return single_block_; }    ///< A pause after each line.
   /// Lines with / are skipped: $890, or the opposite where it was toggled.
   [[nodiscard]] bool block_delete() const { return interpreter_.options().block_delete; }
 
@@ -159,11 +156,8 @@ class Machine {
 
   // Memory, in machine_memory.cpp.
 
-  /// Reads so many bytes more of what settings and places hold, and what follows from
-  /// them. False from then on when they have changed by themselves.
-  [[nodiscard]] bool check_memory(std::size_t bytes);
-  /// The same of all places at once, for whoever is to keep them.
-  [[nodiscard]] bool places_are_sound();
+  /// Watches settings, memory that follows from them, and places.
+  [[nodiscard]] MemoryGuard& memory() { return memory_; }
   /// Any context: the output goes with the motion, and is dark while nothing moves, but for what
   /// rest_light() allows.
   [[nodiscard]] bool rests_dark() const { return tool_.is_dark_at_rest(); }
@@ -199,22 +193,16 @@ class Machine {
   [[nodiscard]] std::uint32_t line_number() const { return motion_.line_in_execution(); }
   /// Place 0 and no success before the first.
   [[nodiscard]] const Probe& last_probe() const { return last_probe_; }
-  /// True once after each G38 that came to its end, for the report before its answer.
-  [[nodiscard]] bool take_probe_ended();
+  /// Events that are reported once.
+  [[nodiscard]] MachineNews& news() { return news_; }
   /// The tool that M6 waits for.
   [[nodiscard]] std::optional<std::uint32_t> pending_tool() const;
-  /// Once after a line whose path, or one before, cannot be driven beside what is programmed.
-  [[nodiscard]] std::optional<compensation::Fault> take_path_fault();
   /// Returns once what a door, a lost link or a reset after it leave uncut.
   [[nodiscard]] const Uncut* take_uncut() { return gap_.take_uncut(); }
   /// The last motions of a path are held, and only another motion, G40 or M2 sets them free.
   [[nodiscard]] bool waits_for_g40() const;
   /// The last line was M2 or M30.
   [[nodiscard]] bool program_ended() const { return program_ended_; }
-  /// True once after each M2 or M30, for the message before its answer.
-  [[nodiscard]] bool take_program_ended();
-  /// True once after a line of a tool change that was stopped, or that probed in vain.
-  [[nodiscard]] bool take_line_failure();
 
   [[nodiscard]] const gcode::Interpreter& interpreter() const { return interpreter_; }
   [[nodiscard]] const MotionControl& motion() const { return motion_; }
@@ -226,17 +214,6 @@ class Machine {
 
  private:
   enum class Probing : std::uint8_t { kNo, kMoving, kStopping };
-  /// In their order; after kStopped the way back begins.
-  enum class DoorStage : std::uint8_t {
-    kStopping,
-    kPullOut,
-    kPark,
-    kStopped,
-    kUnpark,
-    kSpindle,
-    kCoolant,
-    kPlunge,
-  };
   /// Of splines, in a turn: 0.4 ms on the emulated chip, and as much again for the last step of it.
   static constexpr std::uint32_t kSplinePoints = 300;
 
@@ -324,7 +301,6 @@ class Machine {
   [[nodiscard]] bool parks() const;
   [[nodiscard]] std::size_t parking_axis() const;
   void trip_to(StepPosition place, std::uint16_t rate, const motion::BeamCommand& beam);
-  [[nodiscard]] std::uint8_t door_substate() const;
 
   // Beside the programmed path, in machine_compensation.cpp.
   [[nodiscard]] bool compensates() const;
@@ -357,7 +333,6 @@ class Machine {
 
   void watch_memory();
   void trust_places();
-  void check_settings();
 
   // Settings, in machine_settings.cpp.
   void apply_settings();
@@ -372,10 +347,7 @@ class Machine {
   Settings settings_{};
   motion::PowerTable power_table_{};
   motion::Limits limits_{};
-  MemoryWatch settings_watch_{};
-  MemoryWatch places_watch_{};
-  std::uint32_t places_revision_ = 0;  ///< When places_watch_ was told of what it watches.
-  bool memory_is_sound_ = true;
+  MemoryGuard memory_{};
   kerf::SelectedTable kerf_{};
   gcode::Interpreter interpreter_{};
   MotionControl motion_;
@@ -390,26 +362,19 @@ class Machine {
   StateMachine state_{};
   Alarm alarm_ = Alarm::kNone;
   bool needs_reset_ = false;
-  bool reset_pressed_ = false;
   bool cutting_off_ = false;  ///< Motion was cut off; the rest goes at the next turn.
   std::uint8_t homed_ = 0;
   Alarm stopping_for_ = Alarm::kNone;  ///< Holding, for this alarm at standstill.
-  DoorStage door_stage_ = DoorStage::kStopped;
-  bool door_ends_jog_ = false;
-  bool away_ = false;  ///< The parking axis is on its side trip; these are its places:
-  StepPosition parked_from_{};
-  StepPosition pulled_out_{};
-  StepPosition parked_{};
+  DoorSequence door_{};
   Travel travel_{};
   kinematics::ToolCentre tool_centre_{};  ///< As lines have it, in check mode, too.
 
   gcode::Actions waiting_{};
   ActionElements elements_{};  ///< Of the action that is being driven.
   compensation::Compensator compensator_{};
-  gcode::CutterCompensation compensation_{};  ///< What G41 or G42 said.
-  Plane compensation_plane_ = Plane::kXY;     ///< Of G41 or G42.
-  kerf::KerfCourse kerf_course_{};            ///< While the path follows the kerf.
-  std::optional<compensation::Fault> path_fault_{};
+  gcode::CutterCompensation compensation_{};     ///< What G41 or G42 said.
+  Plane compensation_plane_ = Plane::kXY;        ///< Of G41 or G42.
+  kerf::KerfCourse kerf_course_{};               ///< While the path follows the kerf.
   std::uint32_t spline_points_ = kSplinePoints;  ///< Budget of this cycle.
   motion::OutputChanges with_next_motion_{};
   std::optional<JogMove> jog_{};  ///< Waits for room in the planner.
@@ -419,17 +384,13 @@ class Machine {
   bool pause_seen_ = false;
   bool step_pause_ = false;  ///< The line is done; single block holds before the next.
   bool restarting_ = false;  ///< resume() waits for the spindle.
-  bool optional_stop_ = false;
-  bool single_block_ = false;
-  bool block_delete_switched_ = false;
+  OperatorSwitches switches_{};
   std::optional<std::uint32_t> tool_wanted_{};
   ToolChange tool_change_{};
-  bool line_failed_ = false;  ///< See take_line_failure().
+  MachineNews news_{};
   Probing probing_ = Probing::kNo;
   Probe last_probe_{};
-  bool probe_ended_ = false;
   bool program_ended_ = false;
-  bool program_end_untold_ = false;
 
   bool seen_suspended_ = false;
   bool place_is_kept_ = false;  ///< Since progress_ was noted the motors have lost no step.

@@ -48,7 +48,7 @@ bool Machine::run(const Action& action) {
     case ActionKind::kOutput:
       return switch_output(action.output);
     case ActionKind::kPause:
-      return (action.number == 1 && !optional_stop_) || pause();
+      return (action.number == 1 && !switches_.optional_stop) || pause();
     case ActionKind::kEnd:
       return end_program();
     case ActionKind::kToolCentre:
@@ -246,14 +246,8 @@ bool Machine::end_program() {
   forget_progress();
   rest_light_.forget_program();
   program_ended_ = true;
-  program_end_untold_ = true;
+  news_.program_ended.raise();
   return true;
-}
-
-bool Machine::take_program_ended() {
-  const bool ended = program_end_untold_;
-  program_end_untold_ = false;
-  return ended;
 }
 
 }  // namespace cnc

@@ -16,7 +16,7 @@ bool Machine::compensates() const {
 bool Machine::has_room() {
   if (!drive_rest()) return false;
   if (!compensates()) return state_.in(Mode::kCheck) || motion_.has_room();
-  if (path_fault_) return false;  // What is left of the line is dropped with all that is held.
+  if (news_.path_fault) return false;  // What is left of the line is dropped with all that is held.
   give_out();
   if (!compensator_.active()) return state_.in(Mode::kCheck) || motion_.has_room();
   return compensator_.has_room();
@@ -151,15 +151,9 @@ void Machine::give_out() {
 /// The line that is being done is refused, and with it all that is held: what was given out stops
 /// on its way, as at the end of the travel.
 void Machine::refuse_path(const compensation::Fault& fault) {
-  path_fault_ = fault;
+  news_.path_fault = fault;
   if (state_.in(Mode::kCheck)) return raise_alarm(Alarm::kCompensation);
   stop_for(Alarm::kCompensation);
-}
-
-std::optional<compensation::Fault> Machine::take_path_fault() {
-  const auto fault = path_fault_;
-  path_fault_.reset();
-  return fault;
 }
 
 /// The machine goes on from where it is, and not from where the program was.

@@ -9,13 +9,12 @@ void Machine::safety_door() {
   if (tool_change_.open()) return stop_in_tool_change();
   if (state_.in(Mode::kHome)) return raise_alarm(Alarm::kHomingDoor);
   const bool jogging = state_.in(Mode::kJog) || state_.in(Mode::kJogEnding);
-  const bool reopened = state_.in(Mode::kDoor) && door_stage_ > DoorStage::kStopped;
+  const bool reopened = state_.in(Mode::kDoor) && door_.is_on_way_back();
   if (!reopened && !state_.take(Event::kDoor)) return;
-  if (!reopened) away_ = false;
+  if (!reopened) door_.come_back();
   restarting_ = false;
   restart_dwell_.cancel();
-  door_ends_jog_ = jogging;
-  door_stage_ = DoorStage::kStopping;
+  door_.open(jogging);
   motion_.halt();
   side_.halt();
   if (!tool_.is_laser()) return;
@@ -25,21 +24,21 @@ void Machine::safety_door() {
 
 /// Until it stands still nobody knows where the next line begins.
 bool Machine::door_stops_jog() const {
-  return state_.in(Mode::kDoor) && door_stage_ == DoorStage::kStopping && door_ends_jog_;
+  return state_.in(Mode::kDoor) && door_.stage() == DoorStage::kStopping && door_.ends_jog();
 }
 
 /// Each stage waits for its motion or its time, and then begins the next.
 void Machine::attend_door() {
-  if (door_stage_ == DoorStage::kStopped) return;
+  if (door_.stage() == DoorStage::kStopped) return;
   if (!at_rest() || !side_.at_rest() || !restart_dwell_.over()) return;
-  switch (door_stage_) {
+  switch (door_.stage()) {
     case DoorStage::kStopping:
-      if (door_ends_jog_) drop_jog();
+      if (door_.ends_jog()) drop_jog();
       return pull_out();
     case DoorStage::kPullOut:
       return park();
     case DoorStage::kPark:
-      door_stage_ = DoorStage::kStopped;
+      door_.go_to(DoorStage::kStopped);
       return;
     case DoorStage::kStopped:
       return;
@@ -48,11 +47,13 @@ void Machine::attend_door() {
     case DoorStage::kSpindle:
       return restore_coolant();
     case DoorStage::kCoolant:
-      door_stage_ = DoorStage::kPlunge;
-      if (away_) trip_to(parked_from_, setting::kParkingPullOutRate, tool_.command_for(true));
+      door_.go_to(DoorStage::kPlunge);
+      if (door_.is_away()) {
+        trip_to(door_.places().from, setting::kParkingPullOutRate, tool_.command_for(true));
+      }
       return;
     case DoorStage::kPlunge:
-      away_ = false;
+      door_.come_back();
       return end_door();
   }
 }
@@ -72,10 +73,10 @@ void Machine::find_gap() {
 
 /// Out of the work with the spindle still turning.
 void Machine::pull_out() {
-  door_stage_ = DoorStage::kPullOut;
-  side_.begin(away_ || gap_.any() ? side_.place() : motion_.motor_place());
+  door_.go_to(DoorStage::kPullOut);
+  side_.begin(door_.is_away() || gap_.any() ? side_.place() : motion_.motor_place());
   find_gap();
-  if (away_ || !parks()) return;
+  if (door_.is_away() || !parks()) return;
   const std::size_t axis = parking_axis();
   const Coordinate here = limits_.scale[axis].place_of(side_.place()[axis].nearest_step());
   const Coordinate target = from_mm(settings_.get(setting::kParkingTarget));
@@ -84,36 +85,33 @@ void Machine::pull_out() {
   const auto pulled_out = limits_.scale[axis].steps_at(out < target ? out : target);
   const auto parked = limits_.scale[axis].steps_at(target);
   if (!pulled_out || !parked) return;
-  away_ = true;
-  parked_from_ = side_.place()[axis];
-  pulled_out_ = *pulled_out;
-  parked_ = *parked;
-  trip_to(pulled_out_, setting::kParkingPullOutRate, tool_.command_for(true));
+  door_.leave({.from = side_.place()[axis], .pulled_out = *pulled_out, .parked = *parked});
+  trip_to(*pulled_out, setting::kParkingPullOutRate, tool_.command_for(true));
 }
 
 void Machine::park() {
   tool_.suspend(true);
   coolant_.suspend(true);
-  door_stage_ = DoorStage::kPark;
-  if (away_) trip_to(parked_, setting::kParkingRate, {});
+  door_.go_to(DoorStage::kPark);
+  if (door_.is_away()) trip_to(door_.places().parked, setting::kParkingRate, {});
 }
 
 void Machine::resume_from_door() {
-  if (door_stage_ != DoorStage::kStopped || inputs().door) return;
-  door_stage_ = DoorStage::kUnpark;
-  if (away_) trip_to(pulled_out_, setting::kParkingRate, {});
+  if (door_.stage() != DoorStage::kStopped || inputs().door) return;
+  door_.go_to(DoorStage::kUnpark);
+  if (door_.is_away()) trip_to(door_.places().pulled_out, setting::kParkingRate, {});
   if (gap_.any()) side_.go(motion_.motor_place(), 0.0F, {});
   attend_door();
 }
 
 void Machine::restore_spindle() {
-  door_stage_ = DoorStage::kSpindle;
+  door_.go_to(DoorStage::kSpindle);
   tool_.suspend(false);
   if (tool_turns()) restart_dwell_.start(settings_.get(setting::kSpindleRestoreDelay));
 }
 
 void Machine::restore_coolant() {
-  door_stage_ = DoorStage::kCoolant;
+  door_.go_to(DoorStage::kCoolant);
   coolant_.suspend(false);
   if (coolant_.wanted() == gcode::Coolant{}) return;
   restart_dwell_.start(settings_.get(setting::kCoolantRestoreDelay));
@@ -131,12 +129,6 @@ bool Machine::parks() const {
 
 void Machine::trip_to(StepPosition place, std::uint16_t rate, const motion::BeamCommand& beam) {
   side_.go(parking_axis(), place, settings_.get(rate) / kSecondsPerMinute, beam);
-}
-
-std::uint8_t Machine::door_substate() const {
-  if (door_stage_ < DoorStage::kStopped) return 2;
-  if (door_stage_ > DoorStage::kStopped) return 3;
-  return inputs().door ? 1 : 0;
 }
 
 }  // namespace cnc

@@ -12,18 +12,12 @@ void Machine::attend_inputs() {
       closed(before.limits, now.limits) || closed(before.second_limits, now.second_limits);
   if (limit_closed && settings_.get(setting::kHardLimits) != 0.0F) hit_limit();
   if (now.reset && !before.reset) {
-    reset_pressed_ = true;
+    news_.reset_pressed.raise();
     return reset();
   }
   if (now.door && !before.door) return safety_door();
   if (now.hold && !before.hold) return feed_hold();
   if (now.start && !before.start) resume();
-}
-
-bool Machine::take_reset_pressed() {
-  const bool pressed = reset_pressed_;
-  reset_pressed_ = false;
-  return pressed;
 }
 
 }  // namespace cnc

@@ -18,7 +18,7 @@ void Machine::judge(gcode::Actions actions, const Position& from) {
     if (action.kind != gcode::ActionKind::kEnd) continue;
     if (tool_centre_.active()) judge_tool_centre();
     program_ended_ = true;
-    program_end_untold_ = true;
+    news_.program_ended.raise();
   }
   const bool beside = compensates() || compensator_.beside();
   if (!beside && interpreter_.state().compensation.side == gcode::CutterSide::kOn) return;

@@ -80,8 +80,8 @@ void Machine::switch_coolant_by_hand(gcode::Coolant wanted) {
 }
 
 bool Machine::toggle_block_delete() {
-  check_settings();
-  block_delete_switched_ = !block_delete_switched_;
+  memory_.check_settings();
+  switches_.block_delete_turned = !switches_.block_delete_turned;
   apply_settings();
   return block_delete();
 }

@@ -38,7 +38,7 @@ bool Machine::fail_probe(Alarm alarm) {
     raise_alarm(alarm);
     return false;
   }
-  line_failed_ = true;
+  news_.line_failed.raise();
   interpreter_.set_position(motion_.target());
   return true;
 }
@@ -63,13 +63,7 @@ bool Machine::finish_probe(const Action& action) {
 
 void Machine::end_probe(const Position& place, bool success) {
   last_probe_ = {.place = place, .success = success};
-  probe_ended_ = true;
-}
-
-bool Machine::take_probe_ended() {
-  const bool ended = probe_ended_;
-  probe_ended_ = false;
-  return ended;
+  news_.probe_ended.raise();
 }
 
 }  // namespace cnc

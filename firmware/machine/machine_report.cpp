@@ -18,7 +18,7 @@ MachineStatus Machine::status() const {
       return {.state = MachineState::kHold,
               .substate = at_rest() ? std::uint8_t{0} : std::uint8_t{1}};
     case Mode::kDoor:
-      return {.state = MachineState::kDoor, .substate = door_substate()};
+      return {.state = MachineState::kDoor, .substate = door_.substate(inputs().door)};
     case Mode::kTool:
       return {.state = MachineState::kTool};
     case Mode::kSleep:

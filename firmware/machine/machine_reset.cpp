@@ -42,7 +42,7 @@ void Machine::cut_off() {
 void Machine::drop_everything() {
   cutting_off_ = false;
   if (tool_change_.open()) close_tool_change();
-  line_failed_ = false;
+  news_.line_failed.drop();
   waiting_ = {};
   elements_.clear();
   jog_.reset();

@@ -4,7 +4,7 @@ namespace cnc {
 
 Result<float, SettingError> Machine::change_setting(std::uint16_t number, float value) {
   CNC_ASSERT(idle());
-  check_settings();
+  memory_.check_settings();
   const bool other_scale =
       number >= setting::kStepsPerMm && number < setting::kStepsPerMm + kAxisCount;
   const float before = other_scale ? settings_.get(number) : 0.0F;
@@ -12,7 +12,7 @@ Result<float, SettingError> Machine::change_setting(std::uint16_t number, float 
   if (tool_centre_.active() && (is_rotary || other_scale)) return SettingError::kInUse;
   const auto stored = settings_.set(number, value);
   if (!stored.ok()) return stored;
-  if (number == setting::kBlockDelete) block_delete_switched_ = false;
+  if (number == setting::kBlockDelete) switches_.block_delete_turned = false;
   if (other_scale && !place_fits()) {
     static_cast<void>(settings_.set(number, before));
     return SettingError::kPlaceLost;
@@ -43,7 +43,7 @@ bool Machine::place_fits() const {
 
 void Machine::set_power_table(const motion::PowerTable& table) {
   CNC_ASSERT(idle());
-  check_settings();
+  memory_.check_settings();
   power_table_ = table;
   apply_settings();
 }
@@ -60,8 +60,7 @@ void Machine::apply_settings() {
                    .least_speed = settings_.get(setting::kLeastSpindleSpeed),
                    .laser = settings_.get(setting::kLaserMode) != 0.0F});
   rest_light_.configure(rest_light_from(settings_));
-  settings_watch_.accept();
-  memory_is_sound_ = memory_is_sound_ && settings_.sound();
+  memory_.trust_settings(settings_.sound());
 }
 
 void Machine::apply_limits() {
@@ -77,7 +76,8 @@ void Machine::apply_motor_settings() {
 
 void Machine::apply_language_settings() {
   gcode::Options options = gcode_options_from(settings_);
-  options.block_delete = (settings_.get(setting::kBlockDelete) != 0.0F) != block_delete_switched_;
+  options.block_delete =
+      (settings_.get(setting::kBlockDelete) != 0.0F) != switches_.block_delete_turned;
   options.kerf = &kerf_;
   options.full_power_speed = settings_.get(setting::kMostSpindleSpeed);
   const auto points = power_table_.points();

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <utility>
 
 #include "firmware/machine/machine.hpp"
 
@@ -10,7 +9,7 @@ using Stage = ToolChange::Stage;
 
 bool Machine::acknowledge_tool() {
   if (!state_.in(Mode::kTool) || tool_change_.open() || restarting_) return false;
-  check_settings();
+  memory_.check_settings();
   forget_exit();
   ToolChange::Job& job = tool_change_.job();
   job.interpreter = interpreter_;
@@ -22,17 +21,17 @@ bool Machine::acknowledge_tool() {
   with_next_motion_ = {};
   step_pause_ = false;
   interpreter_.begin_tool_change(motion_.target());
-  settings_watch_.accept();
+  memory_.trust_settings(true);
   tool_change_.go_to(Stage::kOpen);
   return true;
 }
 
 /// The program's own lines and modes again, with the offsets as they are now.
 void Machine::close_tool_change() {
-  check_settings();
+  memory_.check_settings();
   ToolChange::Job& job = tool_change_.job();
   interpreter_.end_tool_change(*job.interpreter);
-  settings_watch_.accept();
+  memory_.trust_settings(true);
   trust_places();
   waiting_ = job.waiting;
   with_next_motion_ = job.with_next_motion;
@@ -42,7 +41,7 @@ void Machine::close_tool_change() {
 
 /// What stops a program ends here what moves: nothing of it goes on, and the change stays open.
 void Machine::stop_in_tool_change() {
-  line_failed_ = line_failed_ || !waiting_.empty() || jog_;
+  if (!waiting_.empty() || jog_) news_.line_failed.raise();
   motion_.halt();
   tool_change_.go_to(Stage::kStopping);
 }
@@ -91,7 +90,5 @@ void Machine::go_back_to(const Position& place) {
   drive_straight(way, 0.0F);
   drive_straight(place, 0.0F);
 }
-
-bool Machine::take_line_failure() { return std::exchange(line_failed_, false); }
 
 }  // namespace cnc

@@ -88,13 +88,13 @@ void LineProtocol::tell_uncut(const Uncut& uncut) {
 
 /// What senders want to read before the acknowledgement of the line that did it.
 bool LineProtocol::tell_result() {
-  if (machine_.take_probe_ended()) {
+  if (machine_.news().probe_ended.take()) {
     Reply reply = begin_answer();
     put_probe(reply, machine_.last_probe(), form_);
     answer(reply);
     return true;
   }
-  if (!machine_.take_program_ended()) return false;
+  if (!machine_.news().program_ended.take()) return false;
   message("Pgm End");
   return true;
 }
@@ -137,7 +137,7 @@ void LineProtocol::save_places() {
   const gcode::StoredPlaces& places = machine_.interpreter().places();
   if (!machine_.idle() || machine_.tool_runs() || saving_failed_ || stored_.has_saved(places))
     return;
-  if (!machine_.places_are_sound() || stored_.save_places(places)) return;
+  if (!machine_.memory().check_places() || stored_.save_places(places)) return;
   saving_failed_ = true;
   message("The store cannot keep the offsets");
 }

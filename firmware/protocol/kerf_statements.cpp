@@ -19,8 +19,10 @@ void LineProtocol::take_kerf_statement(const Statement& statement) {
       return read_kerf_table(statement);
     case StatementKind::kAskKerf:
       return ask_kerf(statement);
-    default:
+    case StatementKind::kEraseKerfTable:
       return erase_kerf_table(statement);
+    default:
+      return refuse(error_number::kNoSuchStatement);
   }
 }
 

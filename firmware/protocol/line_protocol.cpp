@@ -114,7 +114,7 @@ void LineProtocol::act_at_once(std::byte byte) {
 }
 
 void LineProtocol::attend_realtime() {
-  if (machine_.take_reset_pressed()) {
+  if (machine_.news().reset_pressed.take()) {
     receiver_.drop_waiting();
     begin_anew();
   }
@@ -208,8 +208,8 @@ bool LineProtocol::finish_line() {
     return true;
   }
   owed_ = Owed::kNothing;
-  const auto fault = machine_.take_path_fault();
-  const bool failed = machine_.take_line_failure();
+  const auto fault = machine_.news().take_path_fault();
+  const bool failed = machine_.news().line_failed.take();
   if (startup_trial_ && (failed || fault)) startup_trial_->failed = true;
   if (std::exchange(unheard_, false)) return true;
   if (failed) {

@@ -75,9 +75,9 @@ void apply(RealtimeByte command, Machine& machine) {
     case RealtimeByte::kJogCancel:
       return machine.jog_cancel();
     case RealtimeByte::kOptionalStop:
-      return machine.toggle_optional_stop();
+      return machine.switches().toggle_optional_stop();
     case RealtimeByte::kSingleBlock:
-      return machine.toggle_single_block();
+      return machine.switches().toggle_single_block();
     case RealtimeByte::kSpindleStop:
       return machine.toggle_spindle_stop();
     case RealtimeByte::kFlood:

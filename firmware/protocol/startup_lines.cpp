@@ -48,7 +48,7 @@ bool LineProtocol::attend_startup_trial() {
 
 /// Reports a path that the start-up line before could not drive.
 void LineProtocol::tell_startup_fault() {
-  const auto fault = machine_.take_path_fault();
+  const auto fault = machine_.news().take_path_fault();
   if (!fault) return;
   Reply reply = begin_answer();
   put_compensation_fault(reply.text("[MSG:Startup line: since G41 or G42, "), *fault);

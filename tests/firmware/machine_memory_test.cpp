@@ -19,7 +19,7 @@ constexpr int kMostPieces = 128;  ///< Of a millisecond each on the chip.
 
 bool finds_damage(Machine& machine) {
   for (int piece = 0; piece < kMostPieces; ++piece) {
-    if (!machine.check_memory(kBytes)) return true;
+    if (!machine.memory().check(kBytes)) return true;
   }
   return false;
 }
@@ -124,8 +124,8 @@ TEST_F(MachineMemoryTest, IsFoundBeforeAnyMotionThatFollowsFromIt) {
   const auto place = port.position;
   turn(machine.settings(), 40, 6);
   send_all({"G1 X2"});
-  for (int turns = 0; turns < 20 && machine.check_memory(0); ++turns) run(1);
-  EXPECT_FALSE(machine.check_memory(0));
+  for (int turns = 0; turns < 20 && machine.memory().check(0); ++turns) run(1);
+  EXPECT_FALSE(machine.memory().check(0));
   EXPECT_EQ(port.position, place);
   EXPECT_EQ(port.power, 0);
 }

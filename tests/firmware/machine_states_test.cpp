@@ -106,7 +106,7 @@ TEST_F(MachineStatesTest, MayIgnoreToolChanges) {
 
 TEST_F(MachineStatesTest, PausesAtM1OnlyWithOptionalStop) {
   send_all({"M1"});
-  machine.toggle_optional_stop();
+  machine.switches().toggle_optional_stop();
   stream("M1\nG0 X1\n");
   run(50);
   EXPECT_EQ(status(), "Hold:0");
@@ -117,7 +117,7 @@ TEST_F(MachineStatesTest, PausesAtM1OnlyWithOptionalStop) {
 }
 
 TEST_F(MachineStatesTest, TakesOneLineAfterTheOtherInSingleBlock) {
-  machine.toggle_single_block();
+  machine.switches().toggle_single_block();
   stream("G1 X1 F3000\nG1 X2\n");
   run(300);
   EXPECT_EQ(status(), "Hold:0");
@@ -126,7 +126,7 @@ TEST_F(MachineStatesTest, TakesOneLineAfterTheOtherInSingleBlock) {
   run(300);
   EXPECT_EQ(port.position[0], 500);
   EXPECT_EQ(status(), "Hold:0");
-  machine.toggle_single_block();
+  machine.switches().toggle_single_block();
   machine.resume();
   run_until_idle();
   EXPECT_EQ(answers().size(), 2U);
@@ -287,7 +287,7 @@ TEST_F(MachineStatesTest, TellsOfEachProbeOnce) {
   plate = [](const auto& position) { return position[0] >= 500; };
   send_all({"G38.2 X10 F300"});
   EXPECT_EQ(std::ranges::count(printed(), "[PRB:2.000,0.000,0.000:1]"), 1) << link.outgoing;
-  EXPECT_FALSE(machine.take_probe_ended());
+  EXPECT_FALSE(machine.news().probe_ended.take());
   EXPECT_EQ(machine.last_probe().place[0], Coordinate{2'000'000});
 }
 

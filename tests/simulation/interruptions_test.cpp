@@ -94,7 +94,7 @@ class Chaos {
     for (int left = 300; machine.state() != MachineState::kIdle && left > 0; --left) {
       if (machine.state() == MachineState::kSleep || machine.needs_reset()) machine.reset();
       if (machine.state() == MachineState::kCheck) machine.toggle_check_mode();
-      if (machine.single_block()) machine.toggle_single_block();
+      if (machine.switches().single_block) machine.switches().toggle_single_block();
       bench_.run(100);
       static_cast<void>(machine.unlock());
       machine.resume();
@@ -196,7 +196,7 @@ class Chaos {
         panel.emergency_stop = !panel.emergency_stop;
         return;
       case 15:
-        return machine.toggle_single_block();
+        return machine.switches().toggle_single_block();
       default:
         return machine.toggle_flood();
     }
