@@ -149,7 +149,7 @@ std::vector<JobLine> questions_of(const SendCommandOptions& options) {
 
 /// Puts the questions once, and believes each answer.
 ExitStatus ask_once(const SendCommandOptions& options, Line& line, Answers& answers) {
-  const SendOptions send{.takes_up = options.resume};
+  const SendOptions send{.takes_up = options.resume, .rests_in_alarm = true};
   return say(options,
              line,
              questions_of(options),
@@ -164,7 +164,7 @@ ExitStatus ask_once(const SendCommandOptions& options, Line& line, Answers& answ
 ExitStatus ask_until_agreed(const SendCommandOptions& options, Line& line, Answers& answers) {
   constexpr int kMaxRounds = 12;
   AgreedAnswers agreed{options.resume};
-  const SendOptions send{.checked = true, .takes_up = options.resume};
+  const SendOptions send{.checked = true, .takes_up = options.resume, .rests_in_alarm = true};
   const auto count = [&agreed](Sender& sender, std::string_view answer) {
     // Before, a job that is held may still be reset, which changes the state.
     if (sender.state() < Sender::State::kBeginning) return;
@@ -221,7 +221,9 @@ ExitStatus begin_within(const SendCommandOptions& options,
                         JobPart& job) {
   Approach approach = lines_before(*job.lines, job.first, standing, options.resume);
   job.motion = std::move(approach.motion);
-  SendOptions send{.checked = options.send.checked, .takes_up = options.resume};
+  SendOptions send{.checked = options.send.checked,
+                   .takes_up = options.resume,
+                   .rests_in_alarm = options.resume};
   if (send.checked) number_approach(approach.lines, send);
   const ExitStatus said = say(options, line, approach.lines, send);
   terminal::print("{}: begins with line {}\n", options.file, job.lines->number_of(job.first));
@@ -262,6 +264,14 @@ ExitStatus judge(const SendCommandOptions& options,
   return refuse(options, ": correct these lines, or send all the same with --accept-faults");
 }
 
+/// Returns whether a controller in alarm takes all lines of a job, such as `$X` or settings.
+bool has_statements_only(const JobPart& job) {
+  for (std::size_t i = 0; i < job.size(); ++i) {
+    if (!job[i].text.starts_with('$')) return false;
+  }
+  return true;
+}
+
 ExitStatus send_job(const SendCommandOptions& options, Line& line, std::string file) {
   Answers answers;
   if (const ExitStatus asked = ask(options, line, answers); asked != ExitStatus::kFine) {
@@ -283,7 +293,12 @@ ExitStatus send_job(const SendCommandOptions& options, Line& line, std::string f
     const ExitStatus begun = begin_within(options, line, answers.standing, job);
     if (begun != ExitStatus::kFine) return begun;
   }
-  Transfer transfer{options, line, std::move(job), options.send};
+  SendOptions send = options.send;
+  send.rests_in_alarm = has_statements_only(job);
+  if (answers.standing.in_alarm && options.begins_at_start() && !send.rests_in_alarm) {
+    return refuse(options, ": the controller is in alarm: home or unlock it first");
+  }
+  Transfer transfer{options, line, std::move(job), send};
   const ExitStatus status = transfer.run();
   transfer.tell();
   return status;

@@ -24,6 +24,7 @@ std::string refusal_text(std::size_t line, std::uint32_t code, const std::string
 }
 
 constexpr unsigned kIdleReports = 2;
+constexpr const char* kInAlarm = "the controller is in alarm: home or unlock it first";
 /// A Grbl refuses every question for checked lines; a line that damages one byte in 80 spoils some,
 /// but hardly so many one after the other.
 constexpr unsigned kMostRefused = 12;
@@ -98,8 +99,10 @@ void Sender::take_status(const Answer& answer) {
   ++reports_;
   if (machine_state_.starts_with("Hold") || machine_state_.starts_with("Door")) wants_hold_ = false;
   if (machine_state_.starts_with("Run") || is_at_rest(machine_state_)) wants_resume_ = false;
-  idle_reports_ = is_at_rest(machine_state_) ? idle_reports_ + 1 : 0;
-  if (options_.takes_up && machine_state_.starts_with("Alarm")) ++idle_reports_;
+  const bool alarm = machine_state_.starts_with("Alarm");
+  const bool rests = is_at_rest(machine_state_) || (options_.rests_in_alarm && alarm);
+  idle_reports_ = rests ? idle_reports_ + 1 : 0;
+  if (state_ == State::kWaiting && alarm && !rests) return fail(kInAlarm);
   if (state_ == State::kWaiting && idle_reports_ >= kIdleReports) {
     enter(numbers_lines_ ? State::kEnding : State::kDone);
   }
@@ -109,10 +112,8 @@ void Sender::take_status(const Answer& answer) {
 /// Lines are sent to a machine that does nothing else.
 void Sender::judge_state() {
   const bool alarm = machine_state_.starts_with("Alarm");
-  if (!options_.takes_up) {
-    if (alarm) fail("the controller is in alarm: home or unlock it first");
-    return;
-  }
+  if (alarm && !options_.rests_in_alarm) return fail(kInAlarm);
+  if (!options_.takes_up) return;
   if (said_reset_ || alarm || is_at_rest(machine_state_) || moves_) return;
   if (!has_stopped(machine_state_)) return;
   said_reset_ = true;

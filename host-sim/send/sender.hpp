@@ -21,8 +21,10 @@ struct SendOptions {
   /// line full.
   std::size_t window = 0;
   bool goes_on_after_errors = false;
-  /// Resets a controller that is held, and talks to one in alarm, to resume an interrupted job.
+  /// Resets a controller that is held, to resume an interrupted job.
   bool takes_up = false;
+  /// A controller in alarm takes these lines: questions, other `$` statements, `$X` first.
+  bool rests_in_alarm = false;
   std::uint32_t most_number = 9'999'999;  ///< Of a line; the count restarts after it.
 };
 

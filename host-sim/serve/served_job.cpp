@@ -64,7 +64,10 @@ void ServedJob::enter(Phase phase, const std::vector<JobLine>& lines, Clock::tim
 
 void ServedJob::enter(Phase phase, JobPart part, Clock::time_point now) {
   phase_ = phase;
-  sender_.emplace(std::move(part), SendOptions{.takes_up = phase != Phase::kSending}, time_of(now));
+  sender_.emplace(
+      std::move(part),
+      SendOptions{.takes_up = phase != Phase::kSending, .rests_in_alarm = phase != Phase::kSending},
+      time_of(now));
   if (phase != Phase::kAsking) return;
   sender_->on_line = [this](char way, std::string_view words) {
     if (way == '<') standing_.read(words);

@@ -158,6 +158,38 @@ class SendTest(served.ServeTest):
             self.assertIn("--accept-faults", err)
         self.check_x(server, 0.0)
 
+    def test_says_that_a_controller_is_in_alarm_and_unlocks_it(self):
+        server = self.serve("--tcp", 0, *SETTINGS, "--set", "$22=5")
+        where = ("--tcp", f"127.0.0.1:{server.port('tcp')}")
+        job = self.program_file(["G91 G1 X2 F6000"])
+        for form in ((), ("--checked",), ("--accept-faults",)):
+            status, _, err = self.send(job, *where, *form)
+            self.assertEqual(status, 1)
+            self.assertIn("in alarm: home or unlock it first", err)
+        self.check_x(server, 0.0)
+        log = self.folder / "log"
+        status, _, err = self.send(self.program_file(["$X"]), *where, "--log", log)
+        self.assertEqual((status, err), (0, ""))
+        self.assertIn("Caution: Unlocked", log.read_text())
+
+    def test_resumes_after_the_alarm_of_a_silent_link(self):
+        server = self.serve("--tcp", 0, *SETTINGS)
+        where = ("--tcp", f"127.0.0.1:{server.port('tcp')}")
+        job = self.program_file(["G21 G90 M4 S500", "G1 X40 F600", "Y1", "M5"])
+        sender = server.tcp()
+        sender.until(served.BANNER)
+        for line in ("N1G21G90M4S500", "N2G1X40F600"):
+            sender.send(line.encode() + b"\n")
+        sender.until("ALARM:25", seconds=20)  # The port stays open, and nothing comes any more.
+        sender.close()
+        status, out, err = self.send(job, *where, "--numbered", "--resume")
+        self.assertEqual(status, 0, err + out)
+        self.assertIn("begins with line 2", out)
+        deadline = time.monotonic() + 5
+        while time.monotonic() < deadline and self.where(server)[:2] != [40.0, 1.0]:
+            time.sleep(0.2)
+        self.assertEqual(self.where(server)[:2], [40.0, 1.0])
+
     def test_starts_with_the_offsets_and_the_position_of_the_machine(self):
         server = self.serve("--tcp", 0, *SETTINGS, "--set", "$130=100")
         where = ("--tcp", f"127.0.0.1:{server.port('tcp')}")
